@@ -1,0 +1,110 @@
+# Builds every step, draws its pictures and compares them with the references.
+#
+#   make                draw every picture of the course into build/out
+#   make check          compare the pictures with tests/reference (make check STEP=05 for one step)
+#   make test           unit tests under sanitizers, and the tests of the check
+#   make figures        draw the other pictures that the lessons show
+#   make references     draw the reference images again (never part of a check)
+#   make clean
+#
+# CC=clang, CFLAGS=-O0 and BUILD=some/directory may be given on the command line.
+
+BUILD  = build
+CFLAGS = -O3
+STEPS  = step01_line step02_wireframe step03_triangle step04_flat step05_zbuffer \
+         step06_texture step07_gouraud step08_projection step09_shaders step10_phong
+
+# All cores, unless the command line says otherwise.
+ifeq ($(filter -j%,$(MAKEFLAGS)),)
+MAKEFLAGS += -j$(shell getconf _NPROCESSORS_ONLN 2>/dev/null || echo 1)
+endif
+
+WARNINGS = -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wstrict-prototypes -Wmissing-prototypes
+# One rounding for each operation, so that every machine computes the same bytes.
+STRICT   = -std=c17 -ffp-contract=off
+DEFINES  = -DCOURSE_BUILD='"$(abspath $(BUILD))"'
+# Threads where the compiler has them; they change no byte.
+OPENMP  := $(shell mkdir -p $(BUILD) && echo 'int main(void) { return 0; }' >$(BUILD)/probe.c && \
+                   $(CC) -fopenmp $(BUILD)/probe.c -o $(BUILD)/probe 2>/dev/null && echo -fopenmp)
+COMPILE  = $(CC) $(STRICT) $(WARNINGS) $(CFLAGS) $(OPENMP) $(DEFINES) -Icommon -MMD -MP
+SANITIZE = -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
+# The tests' own build of everything: sanitized, and without threads.
+TESTED   = $(CC) $(STRICT) $(WARNINGS) $(TESTFLAGS) $(SANITIZE) $(DEFINES) -Icommon -Itests/unit -MMD -MP
+
+COMMON   = $(basename $(notdir $(wildcard common/*.c)))
+LIBRARY  = $(BUILD)/libcommon.a
+MODELS   = $(BUILD)/models/bust.obj
+PROGRAMS = $(STEPS:%=$(BUILD)/%)
+UNITS    = $(basename $(notdir $(wildcard tests/unit/test_*.c)))
+CHECKERS = $(basename $(notdir $(wildcard tests/check/test_*.c)))
+
+.PHONY: all programs models check test figures references clean
+.DELETE_ON_ERROR:
+.SECONDARY:
+
+all: $(STEPS:%=$(BUILD)/out/%/.drawn)
+programs: $(PROGRAMS)
+models: $(MODELS)
+
+# ---- Programs ----
+
+# Changes only when the compiler or its flags do, and then everything is built again.
+$(BUILD)/flags: force
+	@mkdir -p $(@D)
+	@echo '$(COMPILE) $(TESTED)' | cmp -s - $@ || echo '$(COMPILE) $(TESTED)' >$@
+.PHONY: force
+
+$(BUILD)/common/%.o: common/%.c $(BUILD)/flags
+	@mkdir -p $(@D)
+	$(COMPILE) -c $< -o $@
+
+$(LIBRARY): $(COMMON:%=$(BUILD)/common/%.o)
+	@rm -f $@
+	$(AR) rcs $@ $^
+
+$(BUILD)/step%: step%/main.c $(LIBRARY) $(BUILD)/flags
+	$(COMPILE) -MF $@.d $< $(LIBRARY) -lm -o $@
+
+# ---- Models and pictures ----
+
+SCULPTOR = $(patsubst common/models/%.c,$(BUILD)/sculptor/%.o,$(wildcard common/models/*.c))
+
+$(BUILD)/sculptor/%.o: common/models/%.c $(BUILD)/flags
+	@mkdir -p $(@D)
+	$(COMPILE) -c $< -o $@
+
+$(BUILD)/sculpt: $(SCULPTOR) $(LIBRARY)
+	$(CC) $(CFLAGS) $(OPENMP) $^ -lm -o $@
+
+$(BUILD)/models/bust.obj: $(BUILD)/sculpt
+	@mkdir -p $(@D)
+	$(BUILD)/sculpt $(@D)
+
+$(BUILD)/out/%/.drawn: $(BUILD)/% $(MODELS)
+	$(BUILD)/$* -o $(@D)
+	@touch $@
+
+FIGURES = $(STEPS:%=figures-%)
+.PHONY: $(FIGURES)
+figures: $(FIGURES)
+$(FIGURES): figures-%: $(BUILD)/figures/% $(MODELS)
+	$(BUILD)/figures/$* $*/figures
+
+$(BUILD)/figures/%: %/figures.c %/main.c $(LIBRARY) $(BUILD)/flags
+	@mkdir -p $(@D)
+	$(COMPILE) -MF $@.d $< $(LIBRARY) -lm -o $@
+
+# ---- Tests ----
+
+$(BUILD)/tested/%.o: %.c $(BUILD)/flags
+	@mkdir -p $(@D)
+	$(TESTED) -c $< -o $@
+
+$(BUILD)/tests/test_%: $(BUILD)/tested/tests/unit/test_%.o $(COMMON:%=$(BUILD)/tested/common/%.o)
+	@mkdir -p $(@D)
+	$(TESTED) $^ -lm -o $@
+
+clean:
+	rm -rf $(BUILD)
+
+-include $(wildcard $(BUILD)/*.d $(BUILD)/*/*.d $(BUILD)/*/*/*.d $(BUILD)/*/*/*/*.d)

@@ -1,0 +1,56 @@
+/*
+ * Whole files in, whole files out, and the error message that every reader and writer fills in.
+ *
+ * A file is read into memory as one block of bytes, so that decoders work on memory alone and can
+ * check every claim of a file against its true length. A file is written to a temporary name in the
+ * same directory and renamed when it is complete: nothing half-written is ever left behind.
+ */
+#ifndef COMMON_FILE_H
+#define COMMON_FILE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+/* What went wrong, for the user: one line without a final newline or the program's name. */
+struct error {
+    char message[1024];
+};
+
+#if defined(__GNUC__)
+#define PRINTF_LIKE(string, first) __attribute__((format(printf, string, first)))
+#else
+#define PRINTF_LIKE(string, first)
+#endif
+
+/* Write a message as printf does (cut if too long). Always returns false, so that a failing
+ * function can end with `return error_set(error, ...)`. */
+bool error_set(struct error *error, const char *format, ...) PRINTF_LIKE(2, 3);
+
+/* Put "PATH: " before the message. Always returns false. */
+bool error_name_file(struct error *error, const char *path);
+
+/* A growing block of bytes. All zero is a valid, empty block; `data` belongs to the block. */
+struct bytes {
+    unsigned char *data;
+    size_t size;     /* bytes in use */
+    size_t capacity; /* bytes allocated */
+};
+
+/* Add `size` bytes at the end; false when memory runs out (the block is then unchanged). */
+bool bytes_append(struct bytes *bytes, const void *data, size_t size);
+
+/* Make room for `size` more bytes without changing the contents; false when memory runs out. */
+bool bytes_reserve(struct bytes *bytes, size_t size);
+
+/* Free the block and leave it empty. */
+void bytes_free(struct bytes *bytes);
+
+/* Read the whole file, or standard input for "-". The caller frees `bytes`. A directory, a missing
+ * file, a read error and a file of more than 1 GiB are errors; the message names the file, and
+ * nothing stays allocated. A file that tells its size is read into a block of that size. */
+bool file_read(const char *path, struct bytes *bytes, struct error *error);
+
+/* Write the whole file: complete or, on an error, not at all (an older file of that name stays). */
+bool file_write(const char *path, const void *data, size_t size, struct error *error);
+
+#endif

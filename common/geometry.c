@@ -1,0 +1,411 @@
+/* Vectors, matrices, cameras, lines and triangles: see geometry.h. */
+#include "geometry.h"
+
+#include <assert.h>
+#include <stdlib.h>
+
+/* ---- Vectors ---- */
+
+static double largest_component(struct vec3 a) {
+    return fmax(fabs(a.x), fmax(fabs(a.y), fabs(a.z)));
+}
+
+struct vec3 vec3_normalized_slowly(struct vec3 a) {
+    double largest = largest_component(a);
+    if (largest == 0 || !isfinite(largest)) {
+        return (struct vec3){0, 0, 0};
+    }
+    a = (struct vec3){a.x / largest, a.y / largest, a.z / largest};
+    return vec3_scale(a, 1 / vec3_length(a));
+}
+
+/* sin and cos for 0 <= angle <= pi/4 by their Taylor series, summed from the smallest term
+ * (Abramowitz and Stegun, "Handbook of Mathematical Functions", 4.3.65-66); the next term is below
+ * 2^-60. */
+static struct vec2 small_angle_direction(double angle) {
+    double square = angle * angle;
+    double sine = 1, cosine = 1;
+    for (int n = 18; n >= 2; n -= 2) {
+        sine = 1 - sine * square / (n * (n + 1));
+        cosine = 1 - cosine * square / (n * (n - 1));
+    }
+    return (struct vec2){cosine, sine * angle};
+}
+
+struct vec2 turn_direction(double turns) {
+    const double two_pi = 6.283185307179586476925;
+    turns -= floor(turns);
+    int quarter = (int)(turns * 4);
+    double rest = turns - quarter * 0.25; /* exact: 0 <= rest < 0.25 */
+    struct vec2 d;
+    if (rest <= 0.125) {
+        d = small_angle_direction(rest * two_pi);
+    } else {
+        struct vec2 mirrored = small_angle_direction((0.25 - rest) * two_pi);
+        d = (struct vec2){mirrored.y, mirrored.x};
+    }
+    switch (quarter & 3) {
+    case 0:
+        return d;
+    case 1:
+        return (struct vec2){-d.y, d.x};
+    case 2:
+        return (struct vec2){-d.x, -d.y};
+    default:
+        return (struct vec2){d.y, -d.x};
+    }
+}
+
+/* ---- Matrices ---- */
+
+struct mat4 mat4_identity(void) {
+    return (struct mat4){{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}}};
+}
+
+struct mat4 mat4_mul(struct mat4 a, struct mat4 b) {
+    struct mat4 product;
+    for (int row = 0; row < 4; row++) {
+        for (int column = 0; column < 4; column++) {
+            double sum = 0;
+            for (int k = 0; k < 4; k++) {
+                sum += a.m[row][k] * b.m[k][column];
+            }
+            product.m[row][column] = sum;
+        }
+    }
+    return product;
+}
+
+struct mat4 mat4_transpose(struct mat4 a) {
+    struct mat4 transpose;
+    for (int row = 0; row < 4; row++) {
+        for (int column = 0; column < 4; column++) {
+            transpose.m[column][row] = a.m[row][column];
+        }
+    }
+    return transpose;
+}
+
+/* Largest sum of the magnitudes of a row: the norm that belongs to the largest component. */
+static double row_norm(const struct mat4 *a) {
+    double norm = 0;
+    for (int row = 0; row < 4; row++) {
+        double sum = 0;
+        for (int column = 0; column < 4; column++) {
+            sum += fabs(a->m[row][column]);
+        }
+        norm = sum > norm || isnan(sum) ? sum : norm;
+    }
+    return norm;
+}
+
+static void swap_rows(struct mat4 *a, int i, int j) {
+    for (int column = 0; column < 4; column++) {
+        double kept = a->m[i][column];
+        a->m[i][column] = a->m[j][column];
+        a->m[j][column] = kept;
+    }
+}
+
+/* The row from `column` down whose entry in this column is largest in magnitude. */
+static int find_pivot(const struct mat4 *a, int column) {
+    int pivot = column;
+    for (int row = column + 1; row < 4; row++) {
+        if (fabs(a->m[row][column]) > fabs(a->m[pivot][column])) {
+            pivot = row;
+        }
+    }
+    return pivot;
+}
+
+/* Divide each row by its largest entry, in both: an equation with large numbers is not better. A
+ * division by a power of two rounds nothing. False for a row of zeros or not finite. */
+static bool scale_rows(struct mat4 *a, struct mat4 *b) {
+    for (int row = 0; row < 4; row++) {
+        double largest = 0;
+        for (int column = 0; column < 4; column++) {
+            if (!isfinite(a->m[row][column])) {
+                return false;
+            }
+            largest = fmax(largest, fabs(a->m[row][column]));
+        }
+        if (largest == 0) {
+            return false;
+        }
+        int exponent;
+        frexp(largest, &exponent);
+        for (int column = 0; column < 4; column++) {
+            a->m[row][column] = ldexp(a->m[row][column], -exponent);
+            b->m[row][column] = ldexp(b->m[row][column], -exponent);
+        }
+    }
+    return true;
+}
+
+bool mat4_inverse(struct mat4 a, struct mat4 *inverse) {
+    struct mat4 result = mat4_identity();
+    if (!scale_rows(&a, &result)) {
+        return false;
+    }
+    const struct mat4 scaled = a, scales = result;
+    for (int column = 0; column < 4; column++) {
+        int pivot = find_pivot(&a, column);
+        if (a.m[pivot][column] == 0) {
+            return false;
+        }
+        swap_rows(&a, pivot, column);
+        swap_rows(&result, pivot, column);
+        double divisor = a.m[column][column];
+        for (int k = 0; k < 4; k++) {
+            a.m[column][k] /= divisor;
+            result.m[column][k] /= divisor;
+        }
+        for (int row = 0; row < 4; row++) {
+            double factor = a.m[row][column];
+            if (row == column || factor == 0) {
+                continue;
+            }
+            for (int k = 0; k < 4; k++) {
+                a.m[row][k] -= factor * a.m[column][k];
+                result.m[row][k] -= factor * result.m[column][k];
+            }
+        }
+    }
+    /* The inverse of the row-scaled matrix is this result without the scales. */
+    struct mat4 unscaled = result;
+    for (int row = 0; row < 4; row++) {
+        for (int column = 0; column < 4; column++) {
+            unscaled.m[row][column] = result.m[row][column] / scales.m[column][column];
+        }
+    }
+    double condition = row_norm(&scaled) * row_norm(&unscaled);
+    if (!(condition < 0x1p50) || !isfinite(row_norm(&result))) {
+        return false;
+    }
+    *inverse = result;
+    return true;
+}
+
+struct mat4 mat4_translation(struct vec3 offset) {
+    return (struct mat4){
+        {{1, 0, 0, offset.x}, {0, 1, 0, offset.y}, {0, 0, 1, offset.z}, {0, 0, 0, 1}}};
+}
+
+struct mat4 mat4_scaling(struct vec3 factor) {
+    return (struct mat4){
+        {{factor.x, 0, 0, 0}, {0, factor.y, 0, 0}, {0, 0, factor.z, 0}, {0, 0, 0, 1}}};
+}
+
+/* Rodrigues' formula (Foley, van Dam, Feiner and Hughes, "Computer Graphics", exercise 5.15). */
+struct mat4 mat4_rotation(struct vec3 axis, double turns) {
+    struct vec3 a = vec3_normalized(axis);
+    struct vec2 direction = turn_direction(turns);
+    double c = direction.x, s = direction.y, k = 1 - c;
+    return (struct mat4){{{a.x * a.x * k + c, a.x * a.y * k - a.z * s, a.x * a.z * k + a.y * s, 0},
+                          {a.y * a.x * k + a.z * s, a.y * a.y * k + c, a.y * a.z * k - a.x * s, 0},
+                          {a.z * a.x * k - a.y * s, a.z * a.y * k + a.x * s, a.z * a.z * k + c, 0},
+                          {0, 0, 0, 1}}};
+}
+
+/* ---- Cameras ---- */
+
+/* The world axis most nearly perpendicular to a direction. */
+static struct vec3 perpendicular_axis(struct vec3 direction) {
+    struct vec3 d = {fabs(direction.x), fabs(direction.y), fabs(direction.z)};
+    if (d.y <= d.x && d.y <= d.z) {
+        return (struct vec3){0, 1, 0};
+    }
+    return d.x <= d.z ? (struct vec3){1, 0, 0} : (struct vec3){0, 0, 1};
+}
+
+/* Half the difference of two points: the difference itself could overflow. */
+static struct vec3 half_difference(struct vec3 a, struct vec3 b) {
+    return vec3_sub(vec3_scale(a, 0.5), vec3_scale(b, 0.5));
+}
+
+struct mat4 mat4_lookat(struct vec3 eye, struct vec3 center, struct vec3 up) {
+    struct vec3 z = vec3_normalized(half_difference(eye, center));
+    if (vec3_dot(z, z) == 0) {
+        z = (struct vec3){0, 0, 1};
+    }
+    struct vec3 x = vec3_cross(vec3_normalized(up), z);
+    if (vec3_dot(x, x) < 1e-20) { /* up is parallel to the view direction, as near as it matters */
+        x = vec3_cross(perpendicular_axis(z), z);
+    }
+    x = vec3_normalized(x);
+    /* A short cross product has lost digits: make x perpendicular to z once more. */
+    x = vec3_normalized(vec3_sub(x, vec3_scale(z, vec3_dot(x, z))));
+    struct vec3 y = vec3_cross(z, x);
+    return (struct mat4){{{x.x, x.y, x.z, -vec3_dot(x, center)},
+                          {y.x, y.y, y.z, -vec3_dot(y, center)},
+                          {z.x, z.y, z.z, -vec3_dot(z, center)},
+                          {0, 0, 0, 1}}};
+}
+
+struct mat4 mat4_projection(double distance) {
+    struct mat4 projection = mat4_identity();
+    projection.m[3][2] = -1 / distance;
+    return projection;
+}
+
+struct mat4 mat4_viewport(size_t width, size_t height) {
+    double half_width = (double)width / 2, half_height = (double)height / 2;
+    return (struct mat4){{{half_width, 0, 0, half_width},
+                          {0, half_height, 0, half_height},
+                          {0, 0, 1, 0},
+                          {0, 0, 0, 1}}};
+}
+
+/* ---- Lines ---- */
+
+/* Division rounded down; C's own division rounds towards zero. */
+static inline int64_t floor_divide(int64_t a, int64_t b) {
+    int64_t quotient = a / b;
+    return quotient - (a % b != 0 && (a < 0) != (b < 0));
+}
+
+static inline int64_t ceil_divide(int64_t a, int64_t b) {
+    return -floor_divide(-a, b);
+}
+
+static bool within_line_limit(struct pixel p) {
+    return p.x >= -LINE_LIMIT && p.x <= LINE_LIMIT && p.y >= -LINE_LIMIT && p.y <= LINE_LIMIT;
+}
+
+/* The line is worked on with u, the axis along which it is longer, and v, the other one. After k
+ * steps in u it has moved in v by k * rise / run, rounded, halves down:
+ *     floor((2 * k * rise + run - 1) / (2 * run)).
+ * Which k are in the image follows from solving that for k. */
+bool line_begin(struct line_walk *walk, struct pixel a, struct pixel b, size_t width,
+                size_t height) {
+    assert(within_line_limit(a) && within_line_limit(b));
+    assert(width <= DRAW_LIMIT && height <= DRAW_LIMIT);
+    int64_t x_distance = (int64_t)b.x - a.x, y_distance = (int64_t)b.y - a.y;
+    bool steep = llabs(y_distance) > llabs(x_distance);
+    if (steep ? y_distance < 0 : x_distance < 0) {
+        struct pixel kept = a;
+        a = b;
+        b = kept;
+    }
+    int64_t u = steep ? a.y : a.x, v = steep ? a.x : a.y;
+    int64_t run = (steep ? b.y : b.x) - u;
+    int64_t v_distance = (steep ? b.x : b.y) - v;
+    int64_t rise = llabs(v_distance);
+    int64_t u_size = (int64_t)(steep ? height : width), v_size = (int64_t)(steep ? width : height);
+
+    /* Steps at which u is in the image, and the moves in v that lead into it. */
+    int64_t first = u < 0 ? -u : 0;
+    int64_t last = u + run < u_size ? run : u_size - 1 - u;
+    int64_t least_move = v_distance >= 0 ? -v : v - (v_size - 1);
+    int64_t most_move = v_distance >= 0 ? v_size - 1 - v : v;
+    if (most_move < 0 || least_move > rise) {
+        return false;
+    }
+    if (least_move > 0) {
+        int64_t enters = ceil_divide(2 * run * least_move - run + 1, 2 * rise);
+        first = enters > first ? enters : first;
+    }
+    if (most_move < rise) {
+        int64_t leaves = floor_divide(2 * run * (most_move + 1) - run, 2 * rise);
+        last = leaves < last ? leaves : last;
+    }
+    if (first > last) {
+        return false;
+    }
+    int64_t divisor = run > 0 ? 2 * run : 1;
+    int64_t moved = run > 0 ? 2 * first * rise + run - 1 : 0;
+    int minor_step = v_distance < 0 ? -1 : 1;
+    int major = (int)(u + first), minor = (int)(v + minor_step * (moved / divisor));
+    *walk = (struct line_walk){
+        .x = steep ? minor : major,
+        .y = steep ? major : minor,
+        .steep = steep,
+        .minor_step = minor_step,
+        .left = (size_t)(last - first),
+        .remainder = moved % divisor,
+        .rise = 2 * rise,
+        .divisor = divisor,
+    };
+    return true;
+}
+
+/* ---- Triangles ---- */
+
+/* The edge from p to q, with the triangle to its left when `sign` is 1 and to its right when -1. */
+static struct edge make_edge(struct fixed2 p, struct fixed2 q, int sign) {
+    int64_t x_distance = sign * ((int64_t)q.x - p.x), y_distance = sign * ((int64_t)q.y - p.y);
+    const int64_t center = SUBPIXELS / 2;
+    /* Seen counterclockwise with y up, a left edge goes down and a top edge goes left. */
+    bool top_left = y_distance < 0 || (y_distance == 0 && x_distance < 0);
+    return (struct edge){
+        .origin = x_distance * (center - p.y) - y_distance * (center - p.x),
+        .dx = -y_distance * SUBPIXELS,
+        .dy = x_distance * SUBPIXELS,
+        .least = top_left ? 0 : 1,
+    };
+}
+
+static inline int32_t least_of(int32_t a, int32_t b, int32_t c) {
+    int32_t least = a < b ? a : b;
+    return least < c ? least : c;
+}
+
+static inline int32_t most_of(int32_t a, int32_t b, int32_t c) {
+    int32_t most = a > b ? a : b;
+    return most > c ? most : c;
+}
+
+/* The pixels whose centres lie in least..most (1/256 pixel), cut to 0..size. */
+static struct span centers_between(int32_t least, int32_t most, size_t size) {
+    int64_t begin = ceil_divide((int64_t)least - SUBPIXELS / 2, SUBPIXELS);
+    int64_t end = floor_divide((int64_t)most - SUBPIXELS / 2, SUBPIXELS) + 1;
+    return (struct span){(int)(begin > 0 ? begin : 0),
+                         (int)(end < (int64_t)size ? end : (int64_t)size)};
+}
+
+bool edges_setup(struct edges *edges, struct fixed2 a, struct fixed2 b, struct fixed2 c,
+                 size_t width, size_t height) {
+    assert(width <= DRAW_LIMIT && height <= DRAW_LIMIT);
+    struct span columns = centers_between(least_of(a.x, b.x, c.x), most_of(a.x, b.x, c.x), width);
+    struct span rows = centers_between(least_of(a.y, b.y, c.y), most_of(a.y, b.y, c.y), height);
+    if (columns.begin >= columns.end || rows.begin >= rows.end) {
+        return false;
+    }
+    int64_t area =
+        ((int64_t)b.x - a.x) * ((int64_t)c.y - a.y) - ((int64_t)b.y - a.y) * ((int64_t)c.x - a.x);
+    if (area == 0) {
+        return false;
+    }
+    int sign = area > 0 ? 1 : -1;
+    *edges = (struct edges){
+        .edge = {make_edge(b, c, sign), make_edge(c, a, sign), make_edge(a, b, sign)},
+        .area = sign * area,
+        .clockwise = area < 0,
+        .y_begin = rows.begin,
+        .y_end = rows.end,
+        .width = (int)width,
+    };
+    return true;
+}
+
+struct span edges_span(const struct edges *edges, int y) {
+    struct span span = {0, edges->width};
+    for (int i = 0; i < 3; i++) {
+        const struct edge *e = &edges->edge[i];
+        int64_t missing = e->least - (e->origin + e->dy * y); /* inside where dx * x >= missing */
+        if (e->dx > 0) {
+            int64_t begin = ceil_divide(missing, e->dx);
+            if (begin > span.begin) {
+                span.begin = begin < span.end ? (int)begin : span.end;
+            }
+        } else if (e->dx < 0) {
+            int64_t end = floor_divide(-missing, -e->dx) + 1;
+            if (end < span.end) {
+                span.end = end > span.begin ? (int)end : span.begin;
+            }
+        } else if (missing > 0) {
+            span.end = span.begin;
+        }
+    }
+    return span;
+}

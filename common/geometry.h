@@ -1,0 +1,299 @@
+/*
+ * Vectors, matrices and cameras; lines cut to the image; the exact pixels of a triangle.
+ *
+ * Conventions of the whole course, stated here once:
+ *
+ *   World      right-handed, y up. A camera looks along -z of its own frame.
+ *   Matrices   m[row][column], applied to column vectors from the left: clip = projection * view *
+ * p. Image      pixel (0,0) is bottom-left. Pixel (x,y) covers x..x+1, y..y+1: its centre is at (x
+ * + 0.5, y + 0.5). Continuous positions on the image are called `screen`. Depth      larger is
+ * nearer; a cleared depth buffer holds minus infinity. Spaces     a name carries its space: world,
+ * view, clip (before the division by w), ndc (after it: -1..1 over the image), screen (pixels).
+ * `recip_w` is 1/w. Numbers    all vectors are double; positions on the screen are snapped once to
+ * 1/256 pixel (struct fixed2), and from there on integers decide what is covered.
+ *
+ * Only + - * / and sqrt, which IEEE 754 rounds in one way, so that every machine gets the same
+ * bytes.
+ */
+#ifndef COMMON_GEOMETRY_H
+#define COMMON_GEOMETRY_H
+
+#include <math.h>
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+/* ---- Vectors ---- */
+
+struct vec2 {
+    double x, y;
+};
+
+struct vec3 {
+    double x, y, z;
+};
+
+/* A homogeneous position: stands for (x/w, y/w, z/w); w = 0 is a direction. */
+struct vec4 {
+    double x, y, z, w;
+};
+
+static inline struct vec2 vec2_add(struct vec2 a, struct vec2 b) {
+    return (struct vec2){a.x + b.x, a.y + b.y};
+}
+
+static inline struct vec2 vec2_sub(struct vec2 a, struct vec2 b) {
+    return (struct vec2){a.x - b.x, a.y - b.y};
+}
+
+static inline struct vec2 vec2_scale(struct vec2 a, double factor) {
+    return (struct vec2){a.x * factor, a.y * factor};
+}
+
+static inline struct vec3 vec3_add(struct vec3 a, struct vec3 b) {
+    return (struct vec3){a.x + b.x, a.y + b.y, a.z + b.z};
+}
+
+static inline struct vec3 vec3_sub(struct vec3 a, struct vec3 b) {
+    return (struct vec3){a.x - b.x, a.y - b.y, a.z - b.z};
+}
+
+static inline struct vec3 vec3_scale(struct vec3 a, double factor) {
+    return (struct vec3){a.x * factor, a.y * factor, a.z * factor};
+}
+
+static inline double vec3_dot(struct vec3 a, struct vec3 b) {
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+/* Perpendicular to both, by the right-hand rule; its length is the area that they span. */
+static inline struct vec3 vec3_cross(struct vec3 a, struct vec3 b) {
+    return (struct vec3){a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+static inline double vec3_length(struct vec3 a) {
+    return sqrt(vec3_dot(a, a));
+}
+
+/* The vector of length 1 in the same direction, for any finite length; the zero vector stays zero.
+ */
+struct vec3
+vec3_normalized_slowly(struct vec3 a); /* for lengths whose square over- or underflows */
+
+static inline struct vec3 vec3_normalized(struct vec3 a) {
+    double length_squared = vec3_dot(a, a);
+    if (length_squared > 1e-280 && length_squared < 1e280) {
+        return vec3_scale(a, 1 / sqrt(length_squared));
+    }
+    return vec3_normalized_slowly(a);
+}
+
+/* weight.x * a + weight.y * b + weight.z * c: a value inside a triangle from those at its corners.
+ */
+static inline double interpolate(struct vec3 weight, double a, double b, double c) {
+    return weight.x * a + weight.y * b + weight.z * c;
+}
+
+static inline struct vec2 vec2_interpolate(struct vec3 weight, struct vec2 a, struct vec2 b,
+                                           struct vec2 c) {
+    return (struct vec2){interpolate(weight, a.x, b.x, c.x), interpolate(weight, a.y, b.y, c.y)};
+}
+
+static inline struct vec3 vec3_interpolate(struct vec3 weight, struct vec3 a, struct vec3 b,
+                                           struct vec3 c) {
+    return (struct vec3){interpolate(weight, a.x, b.x, c.x), interpolate(weight, a.y, b.y, c.y),
+                         interpolate(weight, a.z, b.z, c.z)};
+}
+
+/* The nearest level 0..255 (halves up, clamped; 0 for what is not a number). */
+static inline uint8_t level_from(double value) {
+    if (!(value > 0)) {
+        return 0;
+    }
+    return value >= 255 ? 255 : (uint8_t)(value + 0.5);
+}
+
+/* (cos, sin) of an angle in whole turns: 0.25 is a right angle. Correct to 2 ulp of 1, the same on
+ * every machine (unlike sin() of the C library), for |turns| up to 2^50. */
+struct vec2 turn_direction(double turns);
+
+/* ---- Matrices ---- */
+
+struct mat4 {
+    double m[4][4]; /* [row][column] */
+};
+
+struct mat4 mat4_identity(void);
+struct mat4 mat4_mul(struct mat4 a, struct mat4 b); /* a * b: b is applied first */
+struct mat4 mat4_transpose(struct mat4 a);
+
+/* The inverse, by Gauss-Jordan elimination with row scaling and partial pivoting (Golub and Van
+ * Loan, "Matrix Computations", section 3.4). False, with `inverse` unchanged, when the matrix is
+ * singular to working precision (condition number of 2^50 or more) or not finite. */
+bool mat4_inverse(struct mat4 a, struct mat4 *inverse);
+
+struct mat4 mat4_translation(struct vec3 offset);
+struct mat4 mat4_scaling(struct vec3 factor);
+
+/* Rotation about an axis (of any length but 0) through the origin, counterclockwise when the axis
+ * points at the viewer, in whole turns. */
+struct mat4 mat4_rotation(struct vec3 axis, double turns);
+
+static inline struct vec4 mat4_apply(const struct mat4 *a, struct vec4 p) {
+    return (struct vec4){
+        a->m[0][0] * p.x + a->m[0][1] * p.y + a->m[0][2] * p.z + a->m[0][3] * p.w,
+        a->m[1][0] * p.x + a->m[1][1] * p.y + a->m[1][2] * p.z + a->m[1][3] * p.w,
+        a->m[2][0] * p.x + a->m[2][1] * p.y + a->m[2][2] * p.z + a->m[2][3] * p.w,
+        a->m[3][0] * p.x + a->m[3][1] * p.y + a->m[3][2] * p.z + a->m[3][3] * p.w,
+    };
+}
+
+/* A point (w = 1), and a direction (w = 0: translation does not move it). */
+static inline struct vec4 mat4_point(const struct mat4 *a, struct vec3 p) {
+    return mat4_apply(a, (struct vec4){p.x, p.y, p.z, 1});
+}
+
+static inline struct vec3 mat4_direction(const struct mat4 *a, struct vec3 d) {
+    struct vec4 r = mat4_apply(a, (struct vec4){d.x, d.y, d.z, 0});
+    return (struct vec3){r.x, r.y, r.z};
+}
+
+/* ---- Cameras (taught in step08_projection) ---- */
+
+/* World to view: a rigid change of frame. `center` becomes the origin, the direction from center to
+ * eye becomes +z, and `up` appears upwards. Where up is parallel to the view direction (or zero)
+ * the world axis most nearly perpendicular to it takes its place; where eye equals center, +z is
+ * used. Orthonormal to 4 ulp for all finite arguments. */
+struct mat4 mat4_lookat(struct vec3 eye, struct vec3 center, struct vec3 up);
+
+/* View to clip for a camera at (0, 0, distance): w = 1 - z / distance; x, y and z are kept. What
+ * lies at z = 0 keeps its size; depth z/w still grows towards the camera. An infinite distance
+ * gives the parallel view. `distance` must not be 0. */
+struct mat4 mat4_projection(double distance);
+
+/* NDC (-1..1) to the screen of width x height pixels: (-1,-1) is the bottom-left corner of the
+ * bottom-left pixel, (1,1) the top-right corner of the top-right one. z is kept. */
+struct mat4 mat4_viewport(size_t width, size_t height);
+
+/* Barycentric weights in the plane of the triangle from those on the screen, for perspective: each
+ * corner counts by its recip_w (Blinn, "Hyperbolic Interpolation", 1992). */
+static inline struct vec3 perspective_weights(struct vec3 screen, const double recip_w[3]) {
+    double a = screen.x * recip_w[0], b = screen.y * recip_w[1], c = screen.z * recip_w[2];
+    double scale = 1 / (a + b + c);
+    return (struct vec3){a * scale, b * scale, c * scale};
+}
+
+/* ---- Lines (taught in step01_line, cut to the image in step02_wireframe) ---- */
+
+struct pixel {
+    int x, y;
+};
+
+enum { LINE_LIMIT = 1 << 29 }; /* end points of a line lie in -LINE_LIMIT..LINE_LIMIT */
+
+/* The pixels of a line that lie in the image, one after the other, starting at its left end (a
+ * steep line: at its lower end), whatever the order of the end points. In every column (a steep
+ * line: row) it is the pixel nearest to the ideal line; at a tie the one nearer to where the line
+ * starts. */
+struct line_walk {
+    int x, y;       /* the current pixel */
+    bool steep;     /* steps up in y instead of right in x */
+    int minor_step; /* +1 or -1, along the other axis */
+    size_t left;    /* pixels after the current one */
+    int64_t
+        remainder; /* of the division that finds the minor coordinate: 0 <= remainder < divisor */
+    int64_t rise, divisor; /* twice the minor and twice the major length */
+};
+
+/* Go to the first pixel in the image; false when there is none. Work does not grow with what lies
+ * outside. */
+bool line_begin(struct line_walk *walk, struct pixel a, struct pixel b, size_t width,
+                size_t height);
+
+/* Go to the next pixel in the image; false when there is none. */
+static inline bool line_next(struct line_walk *walk) {
+    if (walk->left == 0) {
+        return false;
+    }
+    walk->left--;
+    walk->remainder += walk->rise;
+    int minor = 0;
+    if (walk->remainder >= walk->divisor) {
+        walk->remainder -= walk->divisor;
+        minor = walk->minor_step;
+    }
+    walk->x += walk->steep ? minor : 1;
+    walk->y += walk->steep ? 1 : minor;
+    return true;
+}
+
+/* ---- Triangles (taught in step03_triangle) ---- */
+
+enum {
+    SUBPIXELS = 256,        /* steps of a snapped position in one pixel */
+    SCREEN_LIMIT = 1 << 21, /* pixels: no corner lies farther than this from (0,0) */
+    DRAW_LIMIT = 16384      /* pixels: no image to draw on is wider or higher */
+};
+
+/* A position on the screen in 1/256 pixel. */
+struct fixed2 {
+    int32_t x, y;
+};
+
+/* Round to the nearest 1/256 pixel (halves up); false, with `snapped` unchanged, for what is not a
+ * number or lies beyond SCREEN_LIMIT. */
+static inline bool screen_snap(struct vec2 screen, struct fixed2 *snapped) {
+    if (!(fabs(screen.x) <= SCREEN_LIMIT && fabs(screen.y) <= SCREEN_LIMIT)) {
+        return false;
+    }
+    *snapped = (struct fixed2){(int32_t)floor(screen.x * SUBPIXELS + 0.5),
+                               (int32_t)floor(screen.y * SUBPIXELS + 0.5)};
+    return true;
+}
+
+/* The edge function of one side: origin + dx * x + dy * y is its value at the centre of pixel
+ * (x,y), in 1/256 pixel squared; positive on the triangle's side of the edge. */
+struct edge {
+    int64_t origin, dx, dy;
+    int64_t least; /* smallest value that is inside: 0 for a top or left edge, otherwise 1 */
+};
+
+/* A triangle ready to be drawn. Edge i lies opposite corner i. */
+struct edges {
+    struct edge edge[3];
+    int64_t area;       /* twice the triangle's area, 1/256 pixel squared; positive */
+    bool clockwise;     /* the corners were given clockwise as seen on the screen */
+    int y_begin, y_end; /* rows that may be covered: begin inclusive, end exclusive */
+    int width;          /* of the image */
+};
+
+/* The covered pixels of a row: begin inclusive, end exclusive; begin >= end when there are none. */
+struct span {
+    int begin, end;
+};
+
+/* Set up a triangle on an image of at most DRAW_LIMIT pixels a side. False when it certainly covers
+ * no pixel: no area, off the image, or too small to reach a pixel centre.
+ *
+ * A pixel is covered when its centre is inside; a centre exactly on an edge belongs to the triangle
+ * whose left or top edge this is. So triangles that share an edge neither overlap nor leave a gap,
+ * and the order of the corners does not matter. (The top-left rule: Microsoft, "Direct3D 11
+ * Functional Specification", section 3.4.2.) */
+bool edges_setup(struct edges *edges, struct fixed2 a, struct fixed2 b, struct fixed2 c,
+                 size_t width, size_t height);
+
+/* The covered pixels of row y (y_begin <= y < y_end), found with one exact division per edge. */
+struct span edges_span(const struct edges *edges, int y);
+
+/* The weights of corners a, b and c at the centre of a pixel: their sum is 1 (but for rounding),
+ * and inside the triangle none is negative. Each is the exact edge value divided by the area, so
+ * nothing drifts along a row. */
+static inline struct vec3 edges_weights(const struct edges *edges, int x, int y) {
+    const struct edge *e = edges->edge;
+    double scale = 1 / (double)edges->area;
+    return (struct vec3){(double)(e[0].origin + e[0].dx * x + e[0].dy * y) * scale,
+                         (double)(e[1].origin + e[1].dx * x + e[1].dy * y) * scale,
+                         (double)(e[2].origin + e[2].dx * x + e[2].dy * y) * scale};
+}
+
+#endif

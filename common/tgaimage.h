@@ -1,0 +1,93 @@
+/*
+ * Images in memory, and the TGA and PPM files that hold them.
+ *
+ * Pixel (0,0) is the bottom-left one, rows go up, and there is no padding between rows. A pixel is
+ * one byte (grey), three (blue, green, red) or four (blue, green, red, alpha), as TGA stores them.
+ * Files are written with the bottom-left origin, so nothing is flipped only to be saved.
+ */
+#ifndef COMMON_TGAIMAGE_H
+#define COMMON_TGAIMAGE_H
+
+#include "file.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+/* The value is the number of bytes of a pixel. */
+enum image_format { IMAGE_GREY = 1, IMAGE_BGR = 3, IMAGE_BGRA = 4 };
+
+/* All zero is a valid, empty image. */
+struct image {
+    size_t width, height;     /* pixels; both 0 in an empty image, else both at least 1 */
+    enum image_format format; /* bytes of a pixel */
+    uint8_t *pixels;          /* height * width * format bytes, owned by the image */
+};
+
+/* Channels are levels 0 (dark, or transparent) to 255. */
+struct color {
+    uint8_t b, g, r, a;
+};
+
+/* The largest width and height of an image; TGA's 16-bit fields hold no more. */
+enum { IMAGE_SIZE_LIMIT = 65535 };
+
+/* Opaque colours, channels in the order that people say them. */
+static inline struct color color_rgb(uint8_t r, uint8_t g, uint8_t b) {
+    return (struct color){.b = b, .g = g, .r = r, .a = 255};
+}
+
+static inline struct color color_grey(uint8_t level) {
+    return color_rgb(level, level, level);
+}
+
+/* Allocate a black (all bytes zero) image of 1..IMAGE_SIZE_LIMIT pixels a side. False, with a
+ * message and an empty image, for another size or when memory runs out. */
+bool image_create(struct image *image, size_t width, size_t height, enum image_format format,
+                  struct error *error);
+
+/* Free the pixels and leave an empty image. Freeing an empty image is legal. */
+void image_free(struct image *image);
+
+/* `copy` becomes an image of its own with the same pixels (what it held before is not freed). */
+bool image_copy(struct image *copy, const struct image *image, struct error *error);
+
+/* The pixel's colour; zero (all channels) outside the image. Grey comes as three equal channels;
+ * an image without alpha is opaque. */
+struct color image_get(const struct image *image, int x, int y);
+
+/* Set a pixel; false, and nothing written, outside the image. A grey image keeps the blue channel
+ * (color_grey() makes all channels equal), an image without alpha drops alpha. */
+bool image_set(struct image *image, int x, int y, struct color color);
+
+/* Every pixel becomes `color`. */
+void image_clear(struct image *image, struct color color);
+
+/* Mirror left and right, and top and bottom. */
+void image_flip_horizontally(struct image *image);
+void image_flip_vertically(struct image *image);
+
+/* Change the size to any 1..IMAGE_SIZE_LIMIT. Each new pixel is the mean of the area that it covers
+ * when shrinking, and linear between pixel centres when growing. On an error the image is
+ * unchanged. */
+bool image_scale(struct image *image, size_t width, size_t height, struct error *error);
+
+/* ---- Files. Errors of the _decode functions do not name a file, those of the others do. ---- */
+
+/* TGA types 1, 2, 3, 9, 10, 11; 8-bit grey and colour map, 15/16-bit 5551, 24 and 32 bit; all four
+ * origins (the result is always bottom-left). A 16-bit pixel's attribute bit becomes alpha 0 or 255
+ * when the header declares one attribute bit. `image` is overwritten, not freed; empty on an error.
+ */
+bool tga_decode(struct image *image, const void *data, size_t size, struct error *error);
+bool tga_read(struct image *image, const char *path, struct error *error);
+
+/* TGA 2.0 with footer: type 3 or 2, run-length coded (11 or 10) when `run_length` is set; no packet
+ * crosses a row. Appends to `out`. */
+bool tga_encode(const struct image *image, bool run_length, struct bytes *out, struct error *error);
+bool tga_write(const struct image *image, const char *path, struct error *error); /* run-length */
+
+/* PGM/PPM (P5 for grey, else P6 without alpha), top row first; `plain` gives P2/P3 as text. */
+bool ppm_encode(const struct image *image, bool plain, struct bytes *out, struct error *error);
+bool ppm_write(const struct image *image, const char *path, struct error *error); /* binary */
+
+#endif
