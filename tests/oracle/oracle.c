@@ -1,0 +1,176 @@
+/* Independent answers: see oracle.h. */
+#include "oracle.h"
+
+#include <assert.h>
+
+/* ---- Random numbers ---- */
+
+uint64_t random_bits(struct random *random) {
+    uint64_t z = (random->state += 0x9e3779b97f4a7c15u);
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
+    return z ^ (z >> 31);
+}
+
+int64_t random_between(struct random *random, int64_t least, int64_t most) {
+    assert(least <= most);
+    uint64_t range = (uint64_t)most - (uint64_t)least + 1;
+    uint64_t bits = random_bits(random);
+    return (int64_t)((uint64_t)least + (range != 0 ? bits % range : bits));
+}
+
+double random_real(struct random *random, double least, double most) {
+    return least + (most - least) * ((double)(random_bits(random) >> 11) * 0x1p-53);
+}
+
+/* ---- Lines ---- */
+
+static int128 magnitude(int128 a) {
+    return a < 0 ? -a : a;
+}
+
+bool oracle_line_has(struct pixel a, struct pixel b, struct pixel p) {
+    int128 dx = (int128)b.x - a.x, dy = (int128)b.y - a.y;
+    bool steep = magnitude(dy) > magnitude(dx);
+    /* Let u be the longer axis; start is the end with the smaller u. */
+    int128 ua = steep ? a.y : a.x, va = steep ? a.x : a.y;
+    int128 ub = steep ? b.y : b.x, vb = steep ? b.x : b.y;
+    int128 u = steep ? p.y : p.x, v = steep ? p.x : p.y;
+    int128 u_start = ua < ub ? ua : ub, u_end = ua < ub ? ub : ua;
+    int128 v_start = ua < ub ? va : vb, v_end = ua < ub ? vb : va;
+    if (u < u_start || u > u_end) {
+        return false;
+    }
+    if (u_start == u_end) {
+        return v == v_start; /* a point: the steep case excludes all other lines */
+    }
+    /* Distance of pixel v to the ideal line, times the length in u. */
+    int128 length = u_end - u_start;
+    int128 ideal = v_start * length + (v_end - v_start) * (u - u_start);
+    int128 here = magnitude(v * length - ideal);
+    int128 above = magnitude((v + 1) * length - ideal), below = magnitude((v - 1) * length - ideal);
+    if (here > above || here > below) {
+        return false;
+    }
+    bool tie_above = here == above, tie_below = here == below;
+    /* At a tie with the row above, that one is nearer to the start if this one is below it. */
+    return !(tie_above && v < v_start) && !(tie_below && v > v_start);
+}
+
+/* ---- Triangles ---- */
+
+/* Twice the signed area of p, q and the point (x,y), all in 1/256 pixel. */
+static int128 orientation(struct fixed2 p, struct fixed2 q, int128 x, int128 y) {
+    return ((int128)q.x - p.x) * (y - p.y) - ((int128)q.y - p.y) * (x - p.x);
+}
+
+static int sign_of(int128 a) {
+    return (a > 0) - (a < 0);
+}
+
+/* The orientation's sign once the point is shifted by (e, -e*e) for an infinitely small e. */
+static int shifted_side(struct fixed2 p, struct fixed2 q, int128 x, int128 y) {
+    int side = sign_of(orientation(p, q, x, y));
+    if (side == 0) {
+        side = sign_of(-((int128)q.y - p.y)); /* how the orientation grows with x */
+    }
+    if (side == 0) {
+        side = -sign_of((int128)q.x - p.x); /* and with -y */
+    }
+    return side;
+}
+
+bool oracle_covers(struct fixed2 a, struct fixed2 b, struct fixed2 c, int64_t x, int64_t y) {
+    int128 center_x = (int128)x * 256 + 128, center_y = (int128)y * 256 + 128;
+    int winding = sign_of(orientation(a, b, c.x, c.y));
+    return winding != 0 && shifted_side(a, b, center_x, center_y) == winding &&
+           shifted_side(b, c, center_x, center_y) == winding &&
+           shifted_side(c, a, center_x, center_y) == winding;
+}
+
+/* Depth as a fraction: numerator and (positive) denominator. */
+static void exact_depth(const struct fixed2 corner[3], const int64_t depth[3], int64_t x, int64_t y,
+                        int128 *numerator, int128 *denominator) {
+    int128 px = (int128)x * 256 + 128, py = (int128)y * 256 + 128;
+    int128 area = orientation(corner[0], corner[1], corner[2].x, corner[2].y);
+    int128 sum = orientation(corner[1], corner[2], px, py) * depth[0] +
+                 orientation(corner[2], corner[0], px, py) * depth[1] +
+                 orientation(corner[0], corner[1], px, py) * depth[2];
+    *numerator = area < 0 ? -sum : sum;
+    *denominator = area < 0 ? -area : area;
+}
+
+int oracle_compare_depth(const struct fixed2 first[3], const int64_t first_depth[3],
+                         const struct fixed2 second[3], const int64_t second_depth[3], int64_t x,
+                         int64_t y) {
+    int128 n1, d1, n2, d2;
+    exact_depth(first, first_depth, x, y, &n1, &d1);
+    exact_depth(second, second_depth, x, y, &n2, &d2);
+    return sign_of(n1 * d2 - n2 * d1);
+}
+
+/* ---- Interpolation ---- */
+
+long double oracle_interpolate(const struct fixed2 corner[3], const double recip_w[3],
+                               const double value[3], int64_t x, int64_t y) {
+    /* In space the corners are (X, Y, 1) * w. The point behind the pixel is a*P0 + b*P1 + c*P2 with
+     * (x, y, 1) proportional to it: Cramer's rule on the 3x3 system gives a, b, c up to a factor.
+     */
+    long double px = (long double)x * 256 + 128, py = (long double)y * 256 + 128;
+    long double m[3][3];
+    for (int i = 0; i < 3; i++) {
+        long double w = 1 / (long double)recip_w[i];
+        m[0][i] =
+            ((long double)corner[i].x - px) * w; /* relative to the pixel: less cancellation */
+        m[1][i] = ((long double)corner[i].y - py) * w;
+        m[2][i] = w;
+    }
+    /* Weights solve m * (a b c) = (0 0 1): each is a minor of the first two rows. */
+    long double a = m[0][1] * m[1][2] - m[0][2] * m[1][1];
+    long double b = m[0][2] * m[1][0] - m[0][0] * m[1][2];
+    long double c = m[0][0] * m[1][1] - m[0][1] * m[1][0];
+    return (a * (long double)value[0] + b * (long double)value[1] + c * (long double)value[2]) /
+           (a + b + c);
+}
+
+/* ---- Matrices ---- */
+
+long double oracle_inverse_residual(const struct mat4 *a, const struct mat4 *inverse) {
+    long double worst = 0;
+    for (int row = 0; row < 4; row++) {
+        for (int column = 0; column < 4; column++) {
+            long double sum = row == column ? -1.0L : 0.0L;
+            for (int k = 0; k < 4; k++) {
+                sum += (long double)a->m[row][k] * (long double)inverse->m[k][column];
+            }
+            sum = sum < 0 ? -sum : sum;
+            worst = sum > worst ? sum : worst;
+        }
+    }
+    return worst;
+}
+
+static int128 determinant3(const int64_t m[4][4], int skipped_column) {
+    int columns[3], n = 0;
+    for (int column = 0; column < 4; column++) {
+        if (column != skipped_column) {
+            columns[n++] = column;
+        }
+    }
+    int128 sum = 0;
+    for (int i = 0; i < 3; i++) {
+        int128 a = m[1][columns[i]];
+        int p = columns[(i + 1) % 3], q = columns[(i + 2) % 3];
+        sum += a * ((int128)m[2][p] * m[3][q] - (int128)m[2][q] * m[3][p]);
+    }
+    return sum;
+}
+
+int128 oracle_determinant(const int64_t m[4][4]) {
+    int128 sum = 0;
+    for (int column = 0; column < 4; column++) {
+        int128 term = m[0][column] * determinant3(m, column);
+        sum += column % 2 == 0 ? term : -term;
+    }
+    return sum;
+}

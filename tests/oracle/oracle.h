@@ -1,0 +1,68 @@
+/*
+ * Independent answers: what is exactly right, computed in another way than the course computes it.
+ *
+ * Nothing here calls or copies common/geometry.c or pipeline.c; only their structs are shared.
+ * Integers are 128 bits wide, so that no product can overflow; reals are long double. (Machines
+ * without 128-bit integers cannot run these tests.)
+ */
+#ifndef TESTS_ORACLE_H
+#define TESTS_ORACLE_H
+
+#include "geometry.h"
+
+#include <stdbool.h>
+#include <stdint.h>
+
+__extension__ typedef __int128 int128;
+
+/* ---- Random numbers: the same sequence for the same seed on every machine ---- */
+
+struct random {
+    uint64_t state;
+};
+
+/* 64 random bits (Steele, Lea and Flood, "Fast Splittable Pseudorandom Number Generators", 2014).
+ */
+uint64_t random_bits(struct random *random);
+int64_t random_between(struct random *random, int64_t least, int64_t most); /* both inclusive */
+double random_real(struct random *random, double least, double most);
+
+/* ---- Lines ---- */
+
+/* Is pixel p on the line from a to b? The line is drawn along its longer axis (x where both are
+ * equal); in each column (row) it has the pixel nearest to the ideal segment, found by comparing
+ * distances to both neighbours as fractions; at a tie the one nearer to the left (lower) end's row
+ * (column). */
+bool oracle_line_has(struct pixel a, struct pixel b, struct pixel p);
+
+/* ---- Triangles ---- */
+
+/* Is the centre of pixel (x,y) covered by the triangle? The rule "left and top edges belong to the
+ * triangle" is applied as a symbolic shift of the centre by an infinitely small step to the right
+ * and a still smaller one downwards: then no centre is ever on an edge (Edelsbrunner and Muecke,
+ * "Simulation of Simplicity", 1990). */
+bool oracle_covers(struct fixed2 a, struct fixed2 b, struct fixed2 c, int64_t x, int64_t y);
+
+/* Compare the depths of two triangles at the centre of pixel (x,y): the sign of first - second,
+ * exact. Depths at the corners are whole numbers of at most 2^24; coordinates at most 2^20 (1/256
+ * pixel). */
+int oracle_compare_depth(const struct fixed2 first[3], const int64_t first_depth[3],
+                         const struct fixed2 second[3], const int64_t second_depth[3], int64_t x,
+                         int64_t y);
+
+/* ---- Interpolation ---- */
+
+/* The value at the centre of pixel (x,y) of an attribute that is linear on the triangle in space:
+ * solves for the plane's point behind the pixel in long double. */
+long double oracle_interpolate(const struct fixed2 corner[3], const double recip_w[3],
+                               const double value[3], int64_t x, int64_t y);
+
+/* ---- Matrices ---- */
+
+/* The largest error of an inverse, |a * inverse - identity|, in long double. */
+long double oracle_inverse_residual(const struct mat4 *a, const struct mat4 *inverse);
+
+/* The exact determinant of a matrix of whole numbers of at most 2^24, by cofactors. */
+int128 oracle_determinant(const int64_t m[4][4]);
+
+#endif

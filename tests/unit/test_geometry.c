@@ -1,0 +1,356 @@
+/* Vectors, matrices, cameras, lines and triangles against independent answers. */
+#include "geometry.h"
+#include "oracle.h"
+#include "unit.h"
+
+#include <stdlib.h>
+
+static bool near(double a, double b, double tolerance) {
+    return fabs(a - b) <= tolerance;
+}
+
+/* ---- Vectors ---- */
+
+static void test_vectors(void) {
+    struct vec3 x = {1, 0, 0}, y = {0, 1, 0};
+    struct vec3 z = vec3_cross(x, y);
+    CHECK(z.x == 0 && z.y == 0 && z.z == 1);
+    CHECK(vec3_dot((struct vec3){1, 2, 3}, (struct vec3){4, -5, 6}) == 12);
+    CHECK(vec3_length((struct vec3){2, 3, 6}) == 7);
+    struct vec3 mixed = vec3_interpolate((struct vec3){0.25, 0.5, 0.25}, (struct vec3){4, 0, 8},
+                                         (struct vec3){0, 2, 0}, (struct vec3){0, 0, 4});
+    CHECK(mixed.x == 1 && mixed.y == 1 && mixed.z == 3);
+}
+
+static void test_normalized(void) {
+    static const double scales[] = {1, 1e-150, 1e150, 1e300, 1e-300, 5e-324, 1e-40};
+    for (size_t i = 0; i < sizeof scales / sizeof scales[0]; i++) {
+        struct vec3 n = vec3_normalized((struct vec3){3 * scales[i], 0, -4 * scales[i]});
+        CHECK(near(vec3_length(n), 1, 4e-16));
+        CHECK(n.y == 0 && n.x > 0 && n.z < 0);
+        CHECK(i == 5 || near(n.x, 0.6, 4e-16)); /* 3 and 4 of the smallest number are exact too */
+    }
+    struct vec3 zero = vec3_normalized((struct vec3){0, 0, 0});
+    CHECK(zero.x == 0 && zero.y == 0 && zero.z == 0);
+    struct vec3 infinite = vec3_normalized((struct vec3){INFINITY, 1, 0});
+    CHECK(infinite.x == 0 && infinite.y == 0 && infinite.z == 0);
+}
+
+static void test_level_from(void) {
+    static const struct {
+        double value;
+        int level;
+    } rows[] = {{0, 0},     {0.49, 0},   {0.5, 1},       {254.49, 254}, {254.5, 255},
+                {255, 255}, {1e30, 255}, {-1, 0},        {-1e30, 0},    {INFINITY, 255},
+                {NAN, 0},   {-0.0, 0},   {-INFINITY, 0}, {127.5, 128}};
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        CHECK(level_from(rows[i].value) == rows[i].level);
+    }
+}
+
+static void test_turn_direction(void) {
+    static const double exact[][3] = {{0, 1, 0},     {0.25, 0, 1}, {0.5, -1, 0},
+                                      {0.75, 0, -1}, {1, 1, 0},    {-0.25, 0, -1}};
+    for (size_t i = 0; i < sizeof exact / sizeof exact[0]; i++) {
+        struct vec2 d = turn_direction(exact[i][0]);
+        CHECK(d.x == exact[i][1] && d.y == exact[i][2]);
+    }
+    double worst = 0;
+    for (int i = -2000; i <= 2000; i++) {
+        double turns = i / 777.0;
+        struct vec2 d = turn_direction(turns);
+        long double angle = 2 * acosl(-1.0L) * (long double)turns;
+        worst = fmax(worst, fabs((double)((long double)d.x - cosl(angle))));
+        worst = fmax(worst, fabs((double)((long double)d.y - sinl(angle))));
+    }
+    CHECK(worst < 4.5e-16); /* 2 ulp of 1 */
+}
+
+/* ---- Matrices ---- */
+
+static struct mat4 random_matrix(struct random *random) {
+    struct mat4 a;
+    for (int i = 0; i < 16; i++) {
+        a.m[i / 4][i % 4] = random_real(random, -10, 10);
+    }
+    return a;
+}
+
+static void test_product_and_transpose(void) {
+    struct mat4 move = mat4_translation((struct vec3){1, 2, 3});
+    struct mat4 scale = mat4_scaling((struct vec3){2, 2, 2});
+    struct mat4 scale_first = mat4_mul(move, scale), move_first = mat4_mul(scale, move);
+    struct vec4 p = mat4_point(&scale_first, (struct vec3){1, 1, 1});
+    CHECK(p.x == 3 && p.y == 4 && p.z == 5 && p.w == 1);
+    p = mat4_point(&move_first, (struct vec3){1, 1, 1});
+    CHECK(p.x == 4 && p.y == 6 && p.z == 8 && p.w == 1);
+    struct vec3 d = mat4_direction(&move_first, (struct vec3){1, 0, 0});
+    CHECK(d.x == 2 && d.y == 0 && d.z == 0);
+    struct random random = {1};
+    struct mat4 a = random_matrix(&random), b = random_matrix(&random);
+    struct mat4 left = mat4_transpose(mat4_mul(a, b));
+    struct mat4 right = mat4_mul(mat4_transpose(b), mat4_transpose(a));
+    for (int i = 0; i < 16; i++) {
+        CHECK(near(left.m[i / 4][i % 4], right.m[i / 4][i % 4], 1e-12));
+    }
+}
+
+static void test_inverse(void) {
+    struct random random = {2};
+    for (int i = 0; i < 1000; i++) {
+        struct mat4 a = random_matrix(&random), inverse;
+        if (CHECK(mat4_inverse(a, &inverse))) {
+            CHECK(oracle_inverse_residual(&a, &inverse) < 1e-9L);
+        }
+    }
+    struct mat4 tiny = mat4_scaling((struct vec3){1e-200, 1e200, 1}), inverse;
+    if (CHECK(mat4_inverse(tiny, &inverse))) { /* bad numbers, but a harmless matrix */
+        CHECK(oracle_inverse_residual(&tiny, &inverse) < 1e-15L);
+    }
+}
+
+static void test_singular(void) {
+    struct mat4 kept = mat4_translation((struct vec3){7, 8, 9}), inverse = kept;
+    struct mat4 zero = {{{0}}};
+    CHECK(!mat4_inverse(zero, &inverse));
+    struct mat4 equal_rows = mat4_identity();
+    equal_rows.m[1][0] = 1, equal_rows.m[1][1] = 0; /* rows 0 and 1 are equal */
+    CHECK(!mat4_inverse(equal_rows, &inverse));
+    struct mat4 infinite = mat4_identity();
+    infinite.m[2][3] = INFINITY;
+    CHECK(!mat4_inverse(infinite, &inverse));
+    infinite.m[2][3] = NAN;
+    CHECK(!mat4_inverse(infinite, &inverse));
+    struct random random = {3};
+    for (int i = 0; i < 1000;
+         i++) { /* the last row is a sum of others: singular but for rounding */
+        struct mat4 a = random_matrix(&random);
+        for (int k = 0; k < 4; k++) {
+            a.m[3][k] = a.m[0][k] / 3 + a.m[1][k] / 7 - a.m[2][k];
+        }
+        CHECK(!mat4_inverse(a, &inverse));
+    }
+    CHECK(memcmp(&inverse, &kept, sizeof inverse) == 0);
+}
+
+static void test_rotation(void) {
+    struct mat4 quarter = mat4_rotation((struct vec3){0, 0, 5}, 0.25);
+    struct vec4 p = mat4_point(&quarter, (struct vec3){1, 0, 3});
+    CHECK(near(p.x, 0, 1e-16) && near(p.y, 1, 1e-16) && p.z == 3);
+    struct mat4 full = mat4_mul(mat4_rotation((struct vec3){1, 2, 3}, 0.7),
+                                mat4_rotation((struct vec3){1, 2, 3}, 0.3));
+    struct mat4 identity = mat4_identity();
+    for (int i = 0; i < 16; i++) {
+        CHECK(near(full.m[i / 4][i % 4], identity.m[i / 4][i % 4], 1e-15));
+    }
+}
+
+/* ---- Cameras ---- */
+
+static double orthonormality_error(const struct mat4 *view) {
+    double worst = 0;
+    for (int i = 0; i < 3; i++) {
+        for (int k = 0; k < 3; k++) {
+            double dot = 0;
+            for (int j = 0; j < 3; j++) {
+                dot += view->m[i][j] * view->m[k][j];
+            }
+            worst = fmax(worst, fabs(dot - (i == k)));
+        }
+    }
+    return worst;
+}
+
+static void test_lookat(void) {
+    struct mat4 view =
+        mat4_lookat((struct vec3){3, 4, 5}, (struct vec3){3, 4, 2}, (struct vec3){0, 1, 0});
+    struct vec4 center = mat4_point(&view, (struct vec3){3, 4, 2});
+    CHECK(near(center.x, 0, 1e-15) && near(center.y, 0, 1e-15) && near(center.z, 0, 1e-15));
+    struct vec4 eye = mat4_point(&view, (struct vec3){3, 4, 5});
+    CHECK(near(eye.x, 0, 1e-15) && near(eye.y, 0, 1e-15) && near(eye.z, 3, 1e-15));
+    struct vec3 right = mat4_direction(&view, (struct vec3){1, 0, 0});
+    CHECK(right.x == 1 && right.y == 0 && right.z == 0);
+    /* Rotation and an offset center: the center must land on the origin there too. */
+    view = mat4_lookat((struct vec3){9, -4, 2}, (struct vec3){5, 7, -3}, (struct vec3){0, 1, 0});
+    center = mat4_point(&view, (struct vec3){5, 7, -3});
+    CHECK(near(center.x, 0, 1e-14) && near(center.y, 0, 1e-14) && near(center.z, 0, 1e-14));
+}
+
+static void test_lookat_special(void) {
+    static const struct {
+        const char *name;
+        struct vec3 eye, center, up;
+    } rows[] = {
+        {"up parallel", {0, 5, 0}, {0, 0, 0}, {0, 1, 0}},
+        {"up opposite", {0, -5, 0}, {0, 0, 0}, {0, 1, 0}},
+        {"up zero", {1, 2, 3}, {0, 0, 0}, {0, 0, 0}},
+        {"nearly parallel", {0, 5, 1e-9}, {0, 0, 0}, {0, 1, 0}},
+        {"nearly parallel too", {1.1, 2.3, 3.7}, {0, 0, 0}, {1.1, 2.3, 3.7 + 1e-8}},
+        {"eye at center", {1, 2, 3}, {1, 2, 3}, {0, 1, 0}},
+        {"huge", {1e300, 1e300, -1e300}, {-1e300, 0, 1e300}, {1e300, 1, 1}},
+        {"tiny", {1e-300, 0, 1e-310}, {0, 1e-300, 0}, {1e-320, 1e-300, 0}},
+        {"diagonal", {1, 1, 1}, {0, 0, 0}, {1, 1, 1}},
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        struct mat4 view = mat4_lookat(rows[i].eye, rows[i].center, rows[i].up);
+        CHECK_ROW(orthonormality_error(&view) <= 4 * 2.3e-16, rows[i].name);
+    }
+}
+
+static void test_projection(void) {
+    struct mat4 p = mat4_projection(2);
+    struct vec4 clip = mat4_point(&p, (struct vec3){0.5, 0.25, 1});
+    CHECK(clip.x == 0.5 && clip.y == 0.25 && clip.z == 1 && clip.w == 0.5);
+    struct mat4 parallel = mat4_projection(INFINITY), identity = mat4_identity();
+    for (int i = 0; i < 16; i++) {
+        CHECK(parallel.m[i / 4][i % 4] == identity.m[i / 4][i % 4]);
+    }
+    struct mat4 v = mat4_viewport(200, 100);
+    struct vec4 corner = mat4_point(&v, (struct vec3){-1, -1, 0.3});
+    CHECK(corner.x == 0 && corner.y == 0 && corner.z == 0.3);
+    corner = mat4_point(&v, (struct vec3){1, 1, 0});
+    CHECK(corner.x == 200 && corner.y == 100);
+    struct vec3 w = perspective_weights((struct vec3){0.5, 0.5, 0}, (double[]){1, 0.5, 1});
+    CHECK(near(w.x, 2 / 3.0, 1e-16) && near(w.y, 1 / 3.0, 1e-16) && w.z == 0);
+}
+
+/* ---- Lines ---- */
+
+/* Walk a line over a small image and compare every pixel of the image with the oracle. */
+static void check_line(struct pixel a, struct pixel b, int width, int height) {
+    unsigned char drawn[64 * 64] = {0};
+    struct line_walk walk;
+    if (line_begin(&walk, a, b, (size_t)width, (size_t)height)) {
+        do {
+            if (!CHECK(walk.x >= 0 && walk.x < width && walk.y >= 0 && walk.y < height)) {
+                return;
+            }
+            drawn[walk.y * 64 + walk.x]++;
+        } while (line_next(&walk));
+    }
+    for (int y = 0; y < height; y++) {
+        for (int x = 0; x < width; x++) {
+            int expected = oracle_line_has(a, b, (struct pixel){x, y});
+            if (drawn[y * 64 + x] != expected) {
+                fprintf(stderr, "line %d %d %d %d on %dx%d\n", a.x, a.y, b.x, b.y, width, height);
+                CHECK(drawn[y * 64 + x] == expected);
+                return;
+            }
+        }
+    }
+    CHECK(true);
+}
+
+static void test_lines_all_small(void) {
+    for (int x = -4; x <= 4; x++) {
+        for (int y = -4; y <= 4; y++) {
+            check_line((struct pixel){4, 4}, (struct pixel){4 + x, 4 + y}, 9, 9);
+            check_line((struct pixel){4 + x, 4 + y}, (struct pixel){4, 4}, 9, 9);
+        }
+    }
+}
+
+static void test_lines_random(void) {
+    static const int limits[] = {10, 70, 1000, 1000000, LINE_LIMIT};
+    struct random random = {4};
+    for (int i = 0; i < 3000; i++) {
+        int limit = limits[i % 5];
+        struct pixel a = {(int)random_between(&random, -limit, limit),
+                          (int)random_between(&random, -limit, limit)};
+        struct pixel b = {(int)random_between(&random, -limit, limit),
+                          (int)random_between(&random, -limit, limit)};
+        if (i % 3 == 0) { /* through the image, whatever the limit */
+            b = (struct pixel){(int)random_between(&random, 0, 30) - a.x,
+                               (int)random_between(&random, 0, 30) - a.y};
+            b.x = b.x > LINE_LIMIT ? LINE_LIMIT : b.x < -LINE_LIMIT ? -LINE_LIMIT : b.x;
+            b.y = b.y > LINE_LIMIT ? LINE_LIMIT : b.y < -LINE_LIMIT ? -LINE_LIMIT : b.y;
+        }
+        check_line(a, b, 31, 23);
+        check_line(b, a, 31, 23);
+    }
+}
+
+/* ---- Triangles ---- */
+
+static bool random_corners(struct random *random, int kind, struct fixed2 corner[3]) {
+    static const int32_t limits[] = {16 * 256, 16 * 256, 200 * 256, SCREEN_LIMIT * SUBPIXELS};
+    int32_t limit = limits[kind % 4];
+    int32_t grid = kind % 3 == 0 ? 128 : 1; /* pixel centres and corners are hit often */
+    for (int i = 0; i < 3; i++) {
+        corner[i] = (struct fixed2){(int32_t)random_between(random, -limit / grid, limit / grid),
+                                    (int32_t)random_between(random, -limit / grid, limit / grid)};
+        corner[i].x *= grid;
+        corner[i].y *= grid;
+    }
+    return corner[0].x != corner[1].x || corner[0].y != corner[1].y;
+}
+
+static void check_triangle(const struct fixed2 c[3], int width, int height) {
+    struct edges edges;
+    bool any = edges_setup(&edges, c[0], c[1], c[2], (size_t)width, (size_t)height);
+    for (int y = 0; y < height; y++) {
+        struct span span = {0, 0};
+        if (any && y >= edges.y_begin && y < edges.y_end) {
+            span = edges_span(&edges, y);
+        }
+        for (int x = 0; x < width; x++) {
+            bool covered = x >= span.begin && x < span.end;
+            if (covered != oracle_covers(c[0], c[1], c[2], x, y)) {
+                fprintf(stderr, "triangle %d %d, %d %d, %d %d at pixel %d %d\n", (int)c[0].x,
+                        (int)c[0].y, (int)c[1].x, (int)c[1].y, (int)c[2].x, (int)c[2].y, x, y);
+                CHECK(covered == oracle_covers(c[0], c[1], c[2], x, y));
+                return;
+            }
+        }
+        if (span.begin < span.end) {
+            struct vec3 w = edges_weights(&edges, span.begin, y);
+            CHECK(w.x >= 0 && w.y >= 0 && w.z >= 0 && near(w.x + w.y + w.z, 1, 1e-15));
+        }
+    }
+    CHECK(true);
+}
+
+static void test_triangles_random(void) {
+    struct random random = {5};
+    for (int i = 0; i < 6000; i++) {
+        struct fixed2 corner[3];
+        random_corners(&random, i, corner);
+        check_triangle(corner, 17, 13);
+    }
+}
+
+static void test_triangle_special(void) {
+    static const struct fixed2 rows[][3] = {
+        {{128, 128}, {128, 128}, {128, 128}},             /* a point on a pixel centre */
+        {{0, 0}, {2560, 2560}, {1280, 1280}},             /* a line */
+        {{128, 128}, {128 + 256, 128}, {128, 128 + 256}}, /* corners on centres */
+        {{-536870912, -536870912},
+         {536870912, -536870912},
+         {0, 536870912}},                     /* as large as allowed */
+        {{1, 1}, {2, 1}, {1, 2}},             /* between the centres */
+        {{127, 127}, {129, 127}, {128, 129}}, /* tiny, around a centre */
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        check_triangle(rows[i], 17, 13);
+        struct fixed2 turned[3] = {rows[i][2], rows[i][1], rows[i][0]};
+        check_triangle(turned, 17, 13);
+    }
+}
+
+static void test_snap(void) {
+    struct fixed2 f = {7, 7};
+    CHECK(screen_snap((struct vec2){0.5, -0.5}, &f) && f.x == 128 && f.y == -128);
+    CHECK(screen_snap((struct vec2){0.5 / 256, -0.5 / 256}, &f) && f.x == 1 && f.y == 0);
+    CHECK(screen_snap((struct vec2){SCREEN_LIMIT, -SCREEN_LIMIT}, &f));
+    f = (struct fixed2){7, 7};
+    CHECK(!screen_snap((struct vec2){NAN, 0}, &f));
+    CHECK(!screen_snap((struct vec2){0, INFINITY}, &f));
+    CHECK(!screen_snap((struct vec2){SCREEN_LIMIT + 1, 0}, &f));
+    CHECK(f.x == 7 && f.y == 7);
+}
+
+UNIT_MAIN(TEST(test_vectors), TEST(test_normalized), TEST(test_level_from),
+          TEST(test_turn_direction), TEST(test_product_and_transpose), TEST(test_inverse),
+          TEST(test_singular), TEST(test_rotation), TEST(test_lookat), TEST(test_lookat_special),
+          TEST(test_projection), TEST(test_lines_all_small), TEST(test_lines_random),
+          TEST(test_triangles_random), TEST(test_triangle_special), TEST(test_snap))

@@ -1,0 +1,442 @@
+/* The pipeline against independent answers: which face shows, what it is coloured, each pixel once.
+ */
+#include "oracle.h"
+#include "pipeline.h"
+#include "unit.h"
+
+#include <stdlib.h>
+
+enum { SIZE = 32, FACES = 24, MESH_LIMIT = 4096 };
+
+/* ---- Small models made in memory ---- */
+
+struct mesh {
+    struct model model;
+    float positions[MESH_LIMIT][3];
+    struct face faces[MESH_LIMIT];
+};
+
+static void mesh_begin(struct mesh *mesh) {
+    mesh->model = (struct model){.positions = mesh->positions, .faces = mesh->faces};
+}
+
+static uint32_t mesh_vertex(struct mesh *mesh, double x, double y, double z) {
+    float *p = mesh->positions[mesh->model.position_count];
+    p[0] = (float)x, p[1] = (float)y, p[2] = (float)z;
+    return (uint32_t)mesh->model.position_count++;
+}
+
+static void mesh_face(struct mesh *mesh, uint32_t a, uint32_t b, uint32_t c) {
+    struct face *face = &mesh->faces[mesh->model.face_count++];
+    *face = (struct face){
+        {{a, MODEL_NONE, MODEL_NONE}, {b, MODEL_NONE, MODEL_NONE}, {c, MODEL_NONE, MODEL_NONE}}};
+}
+
+/* Corners at eighths of a pixel, depths at 1/1024: exact as floats and after projection. */
+static void make_soup(struct mesh *mesh, struct random *random) {
+    mesh_begin(mesh);
+    for (int i = 0; i < FACES; i++) {
+        uint32_t v[3];
+        for (int k = 0; k < 3; k++) {
+            double x = (double)random_between(random, -40, SIZE * 8 + 40) / 8;
+            double y = (double)random_between(random, -40, SIZE * 8 + 40) / 8;
+            double z = (double)random_between(random, -1024, 1024) / 1024;
+            v[k] = mesh_vertex(mesh, x * 2 / SIZE - 1, y * 2 / SIZE - 1, z);
+        }
+        mesh_face(mesh, v[0], v[1], v[2]);
+    }
+}
+
+/* ---- Shaders ---- */
+
+struct uniforms {
+    const struct model *model;
+    size_t *vertex_calls;
+    unsigned char *times_drawn; /* a count for each pixel */
+};
+
+static void number_vertex(const void *uniforms, size_t face, size_t corner, double *varyings) {
+    const struct uniforms *u = uniforms;
+    (void)corner;
+    varyings[0] = (double)face + 1;
+    ++*u->vertex_calls;
+}
+
+static bool number_fragment(const void *uniforms, const double *varyings, struct color *color) {
+    (void)uniforms;
+    *color = color_grey(level_from(varyings[0]));
+    return true;
+}
+
+static const struct shader number_shader = {1, number_vertex, number_fragment, false};
+
+/* ---- Which face shows ---- */
+
+static void soup_screen(const struct mesh *mesh, size_t face, struct fixed2 corner[3],
+                        int64_t depth[3]) {
+    for (size_t k = 0; k < 3; k++) {
+        struct vec3 p = model_position(&mesh->model, face, k);
+        corner[k] = (struct fixed2){(int32_t)((p.x + 1) * SIZE / 2 * 256),
+                                    (int32_t)((p.y + 1) * SIZE / 2 * 256)};
+        depth[k] = (int64_t)(p.z * 1024);
+    }
+}
+
+/* Does the face show at the pixel: covered, not culled, and no covered face strictly nearer? */
+static bool oracle_shows(const struct mesh *mesh, enum cull cull, size_t face, int x, int y) {
+    struct fixed2 corner[3], other[3];
+    int64_t depth[3], other_depth[3];
+    soup_screen(mesh, face, corner, depth);
+    for (size_t i = 0; i < mesh->model.face_count; i++) {
+        soup_screen(mesh, i, other, other_depth);
+        int64_t area = (int64_t)(other[1].x - other[0].x) * (other[2].y - other[0].y) -
+                       (int64_t)(other[1].y - other[0].y) * (other[2].x - other[0].x);
+        bool drawn = oracle_covers(other[0], other[1], other[2], x, y) &&
+                     !(cull == CULL_BACK && area < 0) && !(cull == CULL_FRONT && area > 0);
+        if (i == face && !drawn) {
+            return false;
+        }
+        if (drawn && oracle_compare_depth(other, other_depth, corner, depth, x, y) > 0) {
+            return false;
+        }
+    }
+    return true;
+}
+
+static void check_soup(const struct mesh *mesh, enum cull cull, const struct image *image) {
+    for (int y = 0; y < SIZE; y++) {
+        for (int x = 0; x < SIZE; x++) {
+            size_t shown = image_get(image, x, y).r;
+            bool right;
+            if (shown > 0) {
+                right = oracle_shows(mesh, cull, shown - 1, x, y);
+            } else {
+                right = true;
+                for (size_t i = 0; right && i < mesh->model.face_count; i++) {
+                    right = !oracle_shows(mesh, cull, i, x, y);
+                }
+            }
+            if (!right) {
+                fprintf(stderr, "pixel %d %d shows face %zu\n", x, y, shown);
+                CHECK(right);
+                return;
+            }
+        }
+    }
+    CHECK(true);
+}
+
+static void draw_soup(const struct mesh *mesh, enum cull cull, bool skip, struct image *image,
+                      uint64_t stats[PIPELINE_STATS], size_t *vertex_calls) {
+    struct error error;
+    struct pipeline pipeline;
+    size_t calls = 0;
+    struct uniforms uniforms = {.model = &mesh->model, .vertex_calls = &calls};
+    struct draw_call call = {.model = &mesh->model,
+                             .to_clip = mat4_identity(),
+                             .viewport = {0, 0, SIZE, SIZE},
+                             .cull = cull};
+    if (CHECK(image_create(image, SIZE, SIZE, IMAGE_BGR, &error)) &&
+        CHECK(pipeline_create(&pipeline, SIZE, SIZE, &error))) {
+        pipeline.skip = skip;
+        CHECK(pipeline_draw(&pipeline, &call, &number_shader, &uniforms, image, &error));
+        memcpy(stats, pipeline.stats, sizeof pipeline.stats);
+        pipeline_free(&pipeline);
+    }
+    *vertex_calls = calls;
+}
+
+static void test_nearest_face_shows(void) {
+    static struct mesh mesh;
+    struct random random = {11};
+    for (int i = 0; i < 60; i++) {
+        make_soup(&mesh, &random);
+        enum cull cull = (enum cull)(i % 3);
+        struct image image = {0}, at_once = {0};
+        uint64_t stats[PIPELINE_STATS], stats_at_once[PIPELINE_STATS];
+        size_t calls, calls_at_once;
+        draw_soup(&mesh, cull, true, &image, stats, &calls);
+        draw_soup(&mesh, cull, false, &at_once, stats_at_once, &calls_at_once);
+        check_soup(&mesh, cull, &image);
+        CHECK(memcmp(image.pixels, at_once.pixels, SIZE * SIZE * 3) == 0);
+        /* Frugal: what is not seen is not fetched or shaded. */
+        uint64_t seen = stats[STAT_FACES] - stats[STAT_FACES_OUTSIDE] -
+                        stats[STAT_FACES_TURNED_AWAY] - stats[STAT_FACES_WITHOUT_PIXEL] -
+                        stats[STAT_FACES_HIDDEN];
+        CHECK(calls == 3 * seen && calls < calls_at_once);
+        size_t drawn = 0;
+        for (size_t k = 0; k < SIZE * SIZE; k++) {
+            drawn += image.pixels[3 * k] != 0;
+        }
+        CHECK(stats[STAT_PIXELS_SHADED] == drawn);
+        CHECK(stats_at_once[STAT_PIXELS_SHADED] > drawn);
+        image_free(&image);
+        image_free(&at_once);
+    }
+}
+
+/* ---- Perspective ---- */
+
+static void place_vertex(const void *uniforms, size_t face, size_t corner, double *varyings) {
+    const struct uniforms *u = uniforms;
+    struct vec3 p = model_position(u->model, face, corner);
+    varyings[0] = p.x;
+    varyings[1] = p.y;
+    varyings[2] = p.z;
+}
+
+struct seen {
+    struct vec3 place[SIZE][SIZE];
+    int count[SIZE][SIZE];
+    struct mat4 to_clip;
+};
+
+struct seen_uniforms {
+    struct uniforms base; /* first: place_vertex reads it */
+    struct seen *seen;
+};
+
+/* Note the place under the pixel that it projects to, and how often; draw nothing. */
+static bool see_fragment(const void *uniforms, const double *varyings, struct color *color) {
+    const struct seen_uniforms *u = uniforms;
+    struct vec3 place = {varyings[0], varyings[1], varyings[2]};
+    struct vec4 clip = mat4_point(&u->seen->to_clip, place);
+    double x = floor((clip.x / clip.w + 1) * SIZE / 2);
+    double y = floor((clip.y / clip.w + 1) * SIZE / 2);
+    if (x >= 0 && x < SIZE && y >= 0 && y < SIZE) {
+        u->seen->place[(int)y][(int)x] = place;
+        u->seen->count[(int)y][(int)x]++;
+    }
+    *color = color_grey(0);
+    return false;
+}
+
+static const struct shader see_shader = {3, place_vertex, see_fragment, true};
+
+static void see(const struct mesh *mesh, struct mat4 to_clip, struct seen *seen,
+                uint64_t stats[PIPELINE_STATS]) {
+    struct error error;
+    struct pipeline pipeline;
+    struct image image = {0};
+    struct seen_uniforms uniforms = {.base = {.model = &mesh->model}, .seen = seen};
+    *seen = (struct seen){.to_clip = to_clip};
+    struct draw_call call = {
+        .model = &mesh->model, .to_clip = to_clip, .viewport = {0, 0, SIZE, SIZE}};
+    if (CHECK(image_create(&image, SIZE, SIZE, IMAGE_BGR, &error)) &&
+        CHECK(pipeline_create(&pipeline, SIZE, SIZE, &error))) {
+        CHECK(pipeline_draw(&pipeline, &call, &see_shader, &uniforms, &image, &error));
+        memcpy(stats, pipeline.stats, sizeof pipeline.stats);
+        pipeline_free(&pipeline);
+    }
+    image_free(&image);
+}
+
+/* A plane of 2 * n * n triangles at height y = -0.4, from far before the camera to far behind it.
+ */
+static void make_ground(struct mesh *mesh, int n, double half, struct random *random) {
+    mesh_begin(mesh);
+    for (int i = 0; i <= n; i++) {
+        for (int k = 0; k <= n; k++) {
+            bool inner = i > 0 && i < n && k > 0 && k < n;
+            double shift = inner ? random_real(random, -0.3, 0.3) : 0;
+            mesh_vertex(mesh, half * (2 * (i + shift) / n - 1), -0.4,
+                        half * (2 * (k - shift) / n - 1));
+        }
+    }
+    for (int i = 0; i < n; i++) {
+        for (int k = 0; k < n; k++) {
+            uint32_t a = (uint32_t)(i * (n + 1) + k), b = a + 1, c = a + (uint32_t)n + 1, d = c + 1;
+            if (random_bits(random) % 2 == 0) {
+                mesh_face(mesh, a, b, d);
+                mesh_face(mesh, a, d, c);
+            } else {
+                mesh_face(mesh, a, b, c);
+                mesh_face(mesh, c, b, d);
+            }
+        }
+    }
+}
+
+/* The camera stands on the ground: half of the mesh is behind it, and much of it crosses the near
+ * plane or leaves the guard band. Every pixel below the horizon must be drawn exactly once. */
+static void test_ground_without_gaps(void) {
+    static struct mesh mesh;
+    static struct seen seen;
+    struct random random = {13};
+    static const double halves[] = {4, 40, 1000, 1e6};
+    uint64_t clipped = 0;
+    for (int i = 0; i < 40; i++) {
+        make_ground(&mesh, 1 + i % 27, halves[i % 4], &random);
+        struct mat4 to_clip = mat4_projection(2);
+        uint64_t stats[PIPELINE_STATS];
+        see(&mesh, to_clip, &seen, stats);
+        clipped += stats[STAT_FACES_CLIPPED];
+        for (int y = 0; y < SIZE; y++) {
+            for (int x = 0; x < SIZE; x++) {
+                /* w = 1 - z/2 where the ray through the pixel meets the ground. */
+                double ndc_y = (y + 0.5) * 2 / SIZE - 1, ndc_x = (x + 0.5) * 2 / SIZE - 1;
+                double w = -0.4 / ndc_y, z = 2 * (1 - w);
+                bool hit = ndc_y < 0 && fabs(z) < halves[i % 4] && fabs(ndc_x * w) < halves[i % 4];
+                bool edge =
+                    fabs(fabs(z) - halves[i % 4]) < 1 || fabs(fabs(ndc_x * w) - halves[i % 4]) < 1;
+                if (!edge && seen.count[y][x] != hit) {
+                    fprintf(stderr, "ground %d: pixel %d %d drawn %d times\n", i, x, y,
+                            seen.count[y][x]);
+                    CHECK(seen.count[y][x] == hit);
+                    return;
+                }
+                if (hit && !edge && halves[i % 4] < 100) {
+                    CHECK(fabs(seen.place[y][x].z - z) < 0.02 * w * w);
+                    CHECK(fabs(seen.place[y][x].x - ndc_x * w) < 0.02 * w * w);
+                }
+            }
+        }
+    }
+    CHECK(clipped > 200); /* or the test would say little */
+}
+
+/* ---- The same from another first corner, to the last bit ---- */
+
+static void turn_corners(struct mesh *mesh) {
+    for (size_t i = 0; i < mesh->model.face_count; i++) {
+        struct corner *c = mesh->faces[i].corner, first = c[0];
+        c[0] = c[1];
+        c[1] = c[2];
+        c[2] = first;
+    }
+}
+
+static void test_corner_order(void) {
+    static struct mesh mesh;
+    static struct seen seen, seen_turned;
+    struct random random = {12};
+    uint64_t stats[PIPELINE_STATS];
+    for (int i = 0; i < 20; i++) {
+        make_ground(&mesh, 3 + i, 4, &random);
+        see(&mesh, mat4_projection(2.5), &seen, stats);
+        turn_corners(&mesh);
+        see(&mesh, mat4_projection(2.5), &seen_turned, stats);
+        CHECK(memcmp(seen.place, seen_turned.place, sizeof seen.place) == 0);
+    }
+}
+
+/* Perspective interpolation at each pixel, in long double, from the same snapped corners. */
+static void test_interpolation(void) {
+    static struct mesh mesh;
+    static struct seen seen;
+    struct random random = {14};
+    double worst = 0;
+    for (int i = 0; i < 300; i++) {
+        struct fixed2 corner[3];
+        double recip_w[3], value[3];
+        mesh_begin(&mesh);
+        struct mat4 to_clip = mat4_projection(2);
+        for (int k = 0; k < 3; k++) {
+            mesh_vertex(&mesh, random_real(&random, -1, 1), random_real(&random, -1, 1),
+                        random_real(&random, -3, 1.5));
+            const float *p = mesh.positions[k];
+            struct vec4 clip = mat4_point(&to_clip, (struct vec3){p[0], p[1], p[2]});
+            recip_w[k] = 1 / clip.w;
+            value[k] = p[2];
+            CHECK(screen_snap((struct vec2){(clip.x * recip_w[k] + 1) * (SIZE / 2.0),
+                                            (clip.y * recip_w[k] + 1) * (SIZE / 2.0)},
+                              &corner[k]));
+        }
+        mesh_face(&mesh, 0, 1, 2);
+        uint64_t stats[PIPELINE_STATS];
+        see(&mesh, to_clip, &seen, stats);
+        for (int y = 0; y < SIZE; y++) {
+            for (int x = 0; x < SIZE; x++) {
+                if (seen.count[y][x] != 1 ||
+                    !oracle_covers(corner[0], corner[1], corner[2], x, y)) {
+                    continue; /* a place at a pixel's edge may be noted for its neighbour */
+                }
+                long double exact = oracle_interpolate(corner, recip_w, value, x, y);
+                worst = fmax(worst, fabs((double)((long double)seen.place[y][x].z - exact)));
+            }
+        }
+    }
+    CHECK(worst < 1e-12);
+}
+
+/* ---- Limits and errors ---- */
+
+static void test_viewport(void) {
+    static struct mesh mesh;
+    mesh_begin(&mesh);
+    for (int i = 0; i < 3; i++) {
+        mesh_vertex(&mesh, i == 1 ? 9 : -3, i == 2 ? 9 : -3, 0);
+    }
+    mesh_face(&mesh, 0, 1, 2); /* larger than the viewport */
+    struct error error;
+    struct pipeline pipeline;
+    struct image image = {0};
+    size_t calls = 0;
+    struct uniforms uniforms = {.model = &mesh.model, .vertex_calls = &calls};
+    struct draw_call call = {.model = &mesh.model, .to_clip = mat4_identity()};
+    CHECK(image_create(&image, 20, 10, IMAGE_BGRA, &error));
+    CHECK(pipeline_create(&pipeline, 20, 10, &error));
+    call.viewport = (struct rectangle){3, 2, 5, 4};
+    CHECK(pipeline_draw(&pipeline, &call, &number_shader, &uniforms, &image, &error));
+    call.viewport = (struct rectangle){9, 9, 0, 0};
+    CHECK(pipeline_draw(&pipeline, &call, &number_shader, &uniforms, &image, &error));
+    for (int y = 0; y < 10; y++) {
+        for (int x = 0; x < 20; x++) {
+            bool inside = x >= 3 && x < 8 && y >= 2 && y < 6;
+            struct color color = image_get(&image, x, y);
+            CHECK(color.r == inside && color.a == (inside ? 255 : 0));
+        }
+    }
+    CHECK(pipeline.stats[STAT_PIXELS_SHADED] == 20);
+    pipeline_free(&pipeline);
+    image_free(&image);
+}
+
+static void test_grid_cell(void) {
+    int total = 0;
+    for (int row = 0; row < 3; row++) {
+        for (int column = 0; column < 4; column++) {
+            struct rectangle r = grid_cell(10, 7, 4, 3, column, row);
+            total += r.width * r.height;
+        }
+    }
+    CHECK(total == 70);
+    struct rectangle top_left = grid_cell(10, 10, 2, 2, 0, 0);
+    CHECK(top_left.x == 0 && top_left.y == 5 && top_left.width == 5 && top_left.height == 5);
+}
+
+/* Not a number and infinity anywhere: nothing wrong may be drawn, and nothing may trap. */
+static void test_not_finite(void) {
+    static struct mesh mesh;
+    static struct seen seen;
+    struct random random = {15};
+    make_soup(&mesh, &random);
+    static const double bad[] = {NAN, INFINITY, -INFINITY, 1e308, 1e-308, 0};
+    for (int i = 0; i < 16 * 6; i++) {
+        struct mat4 to_clip = mat4_projection(2);
+        to_clip.m[i / 6 / 4][i / 6 % 4] = bad[i % 6];
+        uint64_t stats[PIPELINE_STATS];
+        see(&mesh, to_clip, &seen, stats);
+        for (int k = 0; k < SIZE * SIZE; k++) {
+            struct vec3 p = seen.place[k / SIZE][k % SIZE];
+            if (!isfinite(p.x) || !isfinite(p.y) || !isfinite(p.z)) {
+                CHECK(isfinite(p.x) && isfinite(p.y) && isfinite(p.z));
+                return;
+            }
+        }
+        CHECK(stats[STAT_FACES] == FACES);
+    }
+}
+
+static void test_errors(void) {
+    struct error error;
+    struct pipeline pipeline;
+    CHECK(!pipeline_create(&pipeline, 0, 10, &error));
+    CHECK_TEXT(error.message, "cannot draw 0x10 pixels: a side has 1 to 16384");
+    CHECK(!pipeline_create(&pipeline, 10, DRAW_LIMIT + 1, &error));
+    pipeline_free(&pipeline);
+}
+
+UNIT_MAIN(TEST(test_nearest_face_shows), TEST(test_corner_order), TEST(test_ground_without_gaps),
+          TEST(test_interpolation), TEST(test_viewport), TEST(test_grid_cell),
+          TEST(test_not_finite), TEST(test_errors))
