@@ -23,8 +23,9 @@ enum deflate_effort { DEFLATE_NORMAL, DEFLATE_THOROUGH };
 bool zlib_compress(const void *data, size_t size, enum deflate_effort effort, struct bytes *out,
                    struct error *error);
 
-/* Decompress a zlib stream that must give exactly `out_size` bytes. Every code, distance, length and
- * the checksum are checked; bytes after the stream are ignored. On an error `out` is half-filled. */
+/* Decompress a zlib stream that must give exactly `out_size` bytes. Every code, distance, length
+ * and the checksum are checked; bytes after the stream are ignored. On an error `out` is
+ * half-filled. */
 bool zlib_decompress(const void *data, size_t size, void *out, size_t out_size,
                      struct error *error);
 

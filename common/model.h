@@ -3,8 +3,13 @@
  *
  * A model is a list of faces of three corners; each corner names a position, a texture coordinate
  * and a normal, each by its own index. Arrays hold the files' floats; the accessors give vectors.
- * Polygons are cut into triangles as they are read. Indices are checked as they are read, so every
- * index in a loaded model is valid.
+ * Polygons are cut into triangles as they are read, concave ones too. Every index is checked, so
+ * every index in a loaded model is valid; every number is finite.
+ *
+ * OBJ: v (x y z, x y z w: w is not used, x y z r g b: colours are cut to 0..1), vt (u, u v, u v w:
+ * w is not used), vn and f; all other keywords are passed over. A face may name what comes further
+ * down; a negative index counts back from the face. OFF, COFF, NOFF, STOFF and their mixtures, as
+ * text; colours of faces are not used. A concave face has at most 131,072 corners.
  */
 #ifndef COMMON_MODEL_H
 #define COMMON_MODEL_H
@@ -81,12 +86,20 @@ static inline struct vec3 model_normal(const struct model *model, size_t face, s
     return (struct vec3){n[0], n[1], n[2]};
 }
 
+/* The angle between two vectors in radians, 0..pi, to 1e-15 of pi; 0 where one has no length. The
+ * same bits on every machine, unlike acos() of the C library. (From the lengths of the difference
+ * and the sum of the unit vectors, which is accurate for all angles: Kahan, "How Futile are
+ * Mindless Assessments of Roundoff in Floating-Point Computation?", 2006, section 12.) */
+double model_angle(struct vec3 a, struct vec3 b);
+
 /* Give a normal to every corner that has none: the mean of the normals of the faces around its
  * position, weighted by the angle of each face there (Thuermer and Wuethrich, "Computing vertex
  * normals from polygonal facets", 1998), of length 1. Where all of them cancel, (0,0,1). */
 bool model_need_normals(struct model *model, struct error *error);
 
-/* Give every position the colour (normal + 1) / 2 of its normal, for models without a texture. */
+/* Give every position the colour (normal + 1) / 2 of its normal, for models without a texture.
+ * Where corners of several normals meet, the first face decides; a position without a face becomes
+ * grey. */
 bool model_colors_from_normals(struct model *model, struct error *error);
 
 /* A texture of the model, read at the first call. NULL, with a message that names the file that was

@@ -4,7 +4,8 @@
  * Taught in step06_texture: read that first. Texture coordinates are (0,0) at the bottom-left
  * corner of the image and (1,1) at its top-right corner; texel (i,j) covers u in [i/width,
  * (i+1)/width), so its centre is at ((i+0.5)/width, (j+0.5)/height). Outside 0..1 the edge texel is
- * repeated; a coordinate that is not a number counts as 0.
+ * repeated; a coordinate that is not a number counts as 0. All is the same on every machine: the
+ * mip levels are computed with whole numbers, sampling with + - * of doubles.
  */
 #ifndef COMMON_TEXTURE_H
 #define COMMON_TEXTURE_H
@@ -20,8 +21,8 @@ enum { TEXTURE_LEVEL_LIMIT = 17 }; /* 65535 = 2^16 - 1 halves 15 times down to 1
 
 /* One size of the picture. A texel is blue | green << 8 | red << 16 | alpha << 24. */
 struct texture_level {
-    size_t width, height;
-    uint32_t *texels; /* height * width, bottom row first */
+    size_t width, height; /* 1..IMAGE_SIZE_LIMIT */
+    uint32_t *texels;     /* height * width, bottom row first */
 };
 
 /* All zero is a valid, empty texture (not to be sampled). */
@@ -32,21 +33,81 @@ struct texture {
     uint32_t *texels;               /* of all levels, owned by the texture */
 };
 
-/* Make a texture of an image: 32-bit texels and its mip levels down to 1x1, each texel the mean of
- * the area that it covers. The caller frees both. */
+/* Make a texture of an image: 32-bit texels and its mip levels down to 1x1. Each level has half the
+ * width and height of the one below, rounded down but at least 1; each texel is the mean of the
+ * area of the level below that it covers (texels that are covered in part count in part), rounded
+ * to the nearest level. Grey becomes three equal channels, a missing alpha 255. The caller frees
+ * both. */
 bool texture_create(struct texture *texture, const struct image *image, struct error *error);
 
 /* Free the texels and leave an empty texture. */
 void texture_free(struct texture *texture);
 
+/* A coordinate in texels brought into 0..last; what is not a number becomes 0. Written so that
+ * compilers make two selects of it and no branch. */
+static inline double texture_clamp(double texels, double last) {
+    double positive = texels > 0 ? texels : 0;
+    return positive < last ? positive : last;
+}
+
 /* The texel that holds the point. */
-struct color texture_nearest(const struct texture *texture, struct vec2 uv);
+static inline struct color texture_nearest(const struct texture *texture, struct vec2 uv) {
+    const struct texture_level *level = &texture->level[0];
+    double width = (double)(uint32_t)level->width, height = (double)(uint32_t)level->height;
+    /* Cutting the fraction off is floor(), since nothing here is negative. */
+    uint32_t x = (uint32_t)texture_clamp(uv.x * width, width - 1);
+    uint32_t y = (uint32_t)texture_clamp(uv.y * height, height - 1);
+    uint32_t texel = level->texels[y * level->width + x];
+    return (struct color){.b = (uint8_t)texel,
+                          .g = (uint8_t)(texel >> 8),
+                          .r = (uint8_t)(texel >> 16),
+                          .a = (uint8_t)(texel >> 24)};
+}
+
+/* from + (to - from) * fraction for each channel of two texels. */
+static inline struct vec4 texture_mix_texels(uint32_t from, uint32_t to, double fraction) {
+    int r = (int)(from >> 16 & 0xFF), g = (int)(from >> 8 & 0xFF), b = (int)(from & 0xFF);
+    int a = (int)(from >> 24);
+    return (struct vec4){
+        r + ((int)(to >> 16 & 0xFF) - r) * fraction, g + ((int)(to >> 8 & 0xFF) - g) * fraction,
+        b + ((int)(to & 0xFF) - b) * fraction, a + ((int)(to >> 24) - a) * fraction};
+}
+
+static inline struct vec4 texture_mix(struct vec4 from, struct vec4 to, double fraction) {
+    return (struct vec4){from.x + (to.x - from.x) * fraction, from.y + (to.y - from.y) * fraction,
+                         from.z + (to.z - from.z) * fraction, from.w + (to.w - from.w) * fraction};
+}
 
 /* Linear between the four nearest texel centres of one level (clamped to the last one). The result
  * is red, green, blue, alpha as x, y, z, w in levels 0..255, not rounded. */
-struct vec4 texture_bilinear(const struct texture *texture, struct vec2 uv, size_t level);
+static inline struct vec4 texture_bilinear(const struct texture *texture, struct vec2 uv,
+                                           size_t level) {
+    size_t last_level = texture->level_count - 1;
+    const struct texture_level *l = &texture->level[level < last_level ? level : last_level];
+    double last_x = (double)(uint32_t)(l->width - 1), last_y = (double)(uint32_t)(l->height - 1);
+    double u = texture_clamp(uv.x * (last_x + 1) - 0.5, last_x);
+    double v = texture_clamp(uv.y * (last_y + 1) - 0.5, last_y);
+    uint32_t x = (uint32_t)u, y = (uint32_t)v;
+    size_t right = x + 1 < l->width, up = y + 1 < l->height ? l->width : 0;
+    const uint32_t *corner = l->texels + y * l->width + x;
+    double across = u - x, along = v - y;
+    struct vec4 lower = texture_mix_texels(corner[0], corner[right], across);
+    struct vec4 upper = texture_mix_texels(corner[up], corner[up + right], across);
+    return texture_mix(lower, upper, along);
+}
 
-/* Linear between the two nearest mip levels; `level` 0 is full size, 1 half, and so on. */
-struct vec4 texture_trilinear(const struct texture *texture, struct vec2 uv, double level);
+/* Linear between the two nearest mip levels; `level` 0 is full size, 1 half, and so on. Below 0
+ * (and for what is not a number) it is 0, beyond the last level the last. */
+static inline struct vec4 texture_trilinear(const struct texture *texture, struct vec2 uv,
+                                            double level) {
+    double clamped = texture_clamp(level, (double)(texture->level_count - 1));
+    size_t lower = (size_t)clamped;
+    struct vec4 color = texture_bilinear(texture, uv, lower);
+    double fraction = clamped - (double)lower;
+    if (fraction == 0) { /* magnified: the next level would count for nothing */
+        return color;
+    }
+    return texture_mix(color, texture_bilinear(texture, uv, lower + 1), fraction);
+}
 
 #endif
