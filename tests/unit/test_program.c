@@ -1,0 +1,340 @@
+/* The frame that all programs share: options, scenes, files, errors, exit statuses. */
+#define _POSIX_C_SOURCE 200809L
+#include "png.h"
+#include "program.h"
+#include "unit.h"
+
+#include <fcntl.h>
+#include <stdlib.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+/* ---- A program to try ---- */
+
+struct probe_state {
+    int prepared;
+};
+
+static int prepare_calls, finish_calls, draw_calls;
+static struct drawing last_drawing;
+
+static bool prepare(struct drawing *drawing, size_t width, size_t height, struct error *error) {
+    struct probe_state *state = drawing->state;
+    (void)error;
+    prepare_calls++;
+    state->prepared = width > 0 && height > 0;
+    return true;
+}
+
+static void finish(struct drawing *drawing) {
+    (void)drawing;
+    finish_calls++;
+}
+
+static bool draw_dot(struct drawing *drawing, struct image *image, struct error *error) {
+    (void)error;
+    const struct probe_state *state = drawing->state;
+    CHECK(state->prepared == 1);
+    CHECK(image_get(image, 1, 1).r == 0); /* cleared, also before it is drawn again */
+    image_set(image, 1, 1, color_rgb(1, 2, (uint8_t)(3 + drawing->frame)));
+    count(drawing, "dots", 1);
+    count(drawing, "dots", 2);
+    count(drawing, "other", 7);
+    draw_calls++;
+    last_drawing = *drawing;
+    return true;
+}
+
+static bool draw_failing(struct drawing *drawing, struct image *image, struct error *error) {
+    (void)drawing, (void)image;
+    return error_set(error, "cannot draw this");
+}
+
+static bool draw_text_scene(struct drawing *drawing, struct image *image, struct error *error) {
+    (void)error;
+    CHECK(drawing->text != NULL && drawing->text->shape_count == 1);
+    image_set(image, (int)drawing->text->shapes[0].x[0], 0, drawing->text->shapes[0].color[0]);
+    return true;
+}
+
+static const struct scene scenes[] = {
+    {.name = "dot",
+     .width = 4,
+     .height = 3,
+     .draw = draw_dot,
+     .eye = {0, 0, 3},
+     .up = {0, 1, 0},
+     .light = {0, 0, 1}},
+    {.name = "film", .width = 2, .height = 2, .frames = 3, .draw = draw_dot, .eye = {0, 0, 3}},
+};
+
+static const struct program dot_program = {
+    .name = "probe",
+    .summary = "a program to try",
+    .takes_camera = true,
+    .takes_light = true,
+    .scenes = scenes,
+    .scene_count = 2,
+    .state_size = sizeof(struct probe_state),
+    .prepare = prepare,
+    .finish = finish,
+};
+
+static const struct scene failing_scenes[] = {
+    {.name = "bad", .width = 4, .height = 3, .draw = draw_failing},
+};
+
+static const struct program failing_program = {
+    .name = "probe", .summary = "fails", .scenes = failing_scenes, .scene_count = 1};
+
+static const struct program text_program = {
+    .name = "probe",
+    .summary = "text",
+    .text_kind = TEXT_SCENE_LINES,
+    .text_scene = {.width = 5, .height = 5, .draw = draw_text_scene},
+    .scenes = failing_scenes,
+    .scene_count = 1,
+};
+
+static const struct scene model_scenes[] = {
+    {.name = "model", .width = 4, .height = 3, .draw = draw_failing, .needs_model = true},
+};
+
+static const struct program model_program = {.name = "probe",
+                                             .summary = "model",
+                                             .takes_model = true,
+                                             .scenes = model_scenes,
+                                             .scene_count = 1};
+
+/* ---- Running it ---- */
+
+enum { ARGUMENT_LIMIT = 16, OUTPUT_LIMIT = 8192 };
+
+static char directory[] = "/tmp/test_program.XXXXXX";
+static char output[OUTPUT_LIMIT]; /* standard output and error of the last run */
+
+static void make_directory(void) {
+    static bool made;
+    if (!made && mkdtemp(directory) == NULL) {
+        perror("mkdtemp");
+        exit(1);
+    }
+    made = true;
+}
+
+/* Run with arguments separated by blanks, in the directory; fills `output`. */
+static int run(const struct program *program, const char *arguments) {
+    make_directory();
+    static char copy[OUTPUT_LIMIT];
+    char *argv[ARGUMENT_LIMIT] = {(char *)"probe"};
+    int argc = 1;
+    snprintf(copy, sizeof copy, "%s", arguments);
+    for (char *word = strtok(copy, " "); word != NULL; word = strtok(NULL, " ")) {
+        argv[argc++] = word;
+    }
+    fflush(stdout);
+    fflush(stderr);
+    int kept_out = dup(1), kept_error = dup(2), kept_directory = open(".", O_RDONLY);
+    CHECK(chdir(directory) == 0);
+    int file = open("output", O_CREAT | O_TRUNC | O_RDWR, 0600);
+    dup2(file, 1);
+    dup2(file, 2);
+    int status = program_main(program, argc, argv);
+    fflush(stdout);
+    fflush(stderr);
+    dup2(kept_out, 1);
+    dup2(kept_error, 2);
+    ssize_t size = pread(file, output, sizeof output - 1, 0);
+    output[size > 0 ? size : 0] = '\0';
+    close(file);
+    close(kept_out);
+    close(kept_error);
+    CHECK(fchdir(kept_directory) == 0);
+    close(kept_directory);
+    return status;
+}
+
+static const char *in_directory(const char *name) {
+    static char path[256];
+    make_directory();
+    snprintf(path, sizeof path, "%s/%s", directory, name);
+    return path;
+}
+
+static bool exists(const char *name) {
+    struct stat status;
+    return stat(in_directory(name), &status) == 0;
+}
+
+/* ---- Tests ---- */
+
+static void test_usage(void) {
+    static const struct {
+        const char *arguments, *message;
+    } rows[] = {
+        {"--what", "probe: unknown option '--what'; try --help\n"},
+        {"-s", "probe: -s wants WxH, each 1 to 16384\n"},
+        {"-s 10", "probe: -s wants WxH, each 1 to 16384, not '10'\n"},
+        {"-s 0x10", "probe: -s wants WxH, each 1 to 16384, not '0x10'\n"},
+        {"-s 10x16385", "probe: -s wants WxH, each 1 to 16384, not '10x16385'\n"},
+        {"-s 10x10x", "probe: -s wants WxH, each 1 to 16384, not '10x10x'\n"},
+        {"--only what", "probe: --only wants the name of a scene (see --help), not 'what'\n"},
+        {"--format gif", "probe: --format wants tga, png or ppm, not 'gif'\n"},
+        {"--eye 1,2", "probe: --eye wants three numbers X,Y,Z, not '1,2'\n"},
+        {"--eye 1,2,3,4", "probe: --eye wants three numbers X,Y,Z, not '1,2,3,4'\n"},
+        {"--light 1,nan,3", "probe: --light wants three numbers X,Y,Z, not '1,nan,3'\n"},
+        {"--up 1,1e999,3", "probe: --up wants three numbers X,Y,Z, not '1,1e999,3'\n"},
+        {"--repeat 0", "probe: --repeat wants a number from 1 to 1000000, not '0'\n"},
+        {"--repeat x", "probe: --repeat wants a number from 1 to 1000000, not 'x'\n"},
+        {"one.obj", "probe: one argument too many: 'one.obj'; try --help\n"},
+        {"--eye 1,2,3 --center 1,2,3 --only dot",
+         "probe: scene dot: the eye and the center are the same point\n"},
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        draw_calls = 0;
+        CHECK_ROW(run(&dot_program, rows[i].arguments) == 2, rows[i].arguments);
+        CHECK_TEXT(output, rows[i].message);
+        CHECK(draw_calls == 0);
+    }
+    CHECK(run(&failing_program, "--eye 1,2,3") == 2); /* a program without a camera */
+    CHECK_TEXT(output, "probe: unknown option '--eye'; try --help\n");
+    CHECK(run(&model_program, "a.obj b.obj") == 2);
+    CHECK(run(&text_program, "--only bad scene.txt") == 2);
+}
+
+static void test_help(void) {
+    CHECK(run(&dot_program, "--help") == 0);
+    CHECK(strstr(output, "probe: a program to try") != NULL);
+    CHECK(strstr(output, "dot film") != NULL);
+    CHECK(strstr(output, "--eye") != NULL);
+    CHECK(run(&failing_program, "-h") == 0);
+    CHECK(strstr(output, "--eye") == NULL);
+}
+
+static void test_formats(void) {
+    struct error error;
+    struct image image = {0};
+    CHECK(run(&dot_program, "-o out/deep --only dot") == 0);
+    CHECK_TEXT(output, "out/deep/dot.tga\n");
+    if (CHECK(tga_read(&image, in_directory("out/deep/dot.tga"), &error))) {
+        CHECK(image.width == 4 && image.height == 3);
+        CHECK(image_get(&image, 1, 1).r == 1 && image_get(&image, 1, 1).b == 3);
+        image_free(&image);
+    }
+    CHECK(run(&dot_program, "-o out --only dot --format png -s 7x9") == 0);
+    if (CHECK(png_read(&image, in_directory("out/dot.png"), &error))) {
+        CHECK(image.width == 7 && image.height == 9);
+        CHECK(image_get(&image, 1, 1).r == 1 && image_get(&image, 1, 1).b == 3);
+        image_free(&image);
+    }
+    CHECK(run(&dot_program, "-o out --only dot --format ppm") == 0);
+    CHECK(exists("out/dot.ppm"));
+    CHECK(!exists("out/dot.tga")); /* only what was asked for */
+}
+
+static void test_frames(void) {
+    struct error error;
+    struct image image = {0};
+    CHECK(run(&dot_program, "-o out --only film") == 0);
+    if (CHECK(tga_read(&image, in_directory("out/film.tga"), &error))) {
+        /* Three frames of 2x2 on a sheet of two columns, the first one top left. */
+        CHECK(image.width == 4 && image.height == 4);
+        CHECK(image_get(&image, 1, 3).b == 3);
+        CHECK(image_get(&image, 3, 3).b == 4);
+        CHECK(image_get(&image, 1, 1).b == 5);
+        CHECK(image_get(&image, 3, 1).b == 0);
+        image_free(&image);
+    }
+    CHECK(run(&dot_program, "-o out --only film --format png") == 0);
+    struct bytes file = {0};
+    if (CHECK(file_read(in_directory("out/film.png"), &file, &error))) {
+        size_t frames = 0;
+        for (size_t i = 0; i + 4 <= file.size; i++) {
+            frames += memcmp(file.data + i, "fcTL", 4) == 0;
+        }
+        CHECK(frames == 3);
+        bytes_free(&file);
+    }
+}
+
+static void test_stats_and_repeat(void) {
+    CHECK(run(&dot_program, "-o out --only dot --stats") == 0);
+    CHECK_TEXT(output, "dot.dots: 3\ndot.other: 7\n");
+    prepare_calls = finish_calls = draw_calls = 0;
+    CHECK(run(&dot_program, "-o out --only dot --stats --repeat 5") == 0);
+    CHECK(draw_calls == 5 && prepare_calls == 1 && finish_calls == 1);
+    CHECK(strstr(output, "dot: ") == output && strstr(output, " ms\n") != NULL);
+    CHECK(strstr(output, "dot.dots: 3\n") != NULL); /* of one drawing, not of five */
+}
+
+static void test_camera(void) {
+    CHECK(run(&dot_program, "-o out --only dot --no-skip") == 0);
+    CHECK(last_drawing.eye.z == 3 && last_drawing.up.y == 1 && !last_drawing.skip);
+    CHECK(run(&dot_program, "-o out --only dot --eye 1,-2.5,3e1 --light 0,1,0") == 0);
+    CHECK(last_drawing.eye.x == 1 && last_drawing.eye.y == -2.5 && last_drawing.eye.z == 30);
+    CHECK(last_drawing.light.y == 1 && last_drawing.light.z == 0 && last_drawing.skip);
+}
+
+static void test_failures(void) {
+    CHECK(run(&failing_program, "-o nothing") == 1);
+    CHECK_TEXT(output, "probe: cannot draw this\n");
+    CHECK(!exists("nothing"));
+    CHECK(run(&dot_program, "-o output/dir") == 1); /* `output` is a file */
+    CHECK(strstr(output, "probe: output") == output);
+    CHECK(run(&model_program, "missing.obj") == 1);
+    CHECK(strstr(output, "probe: missing.obj: ") == output);
+    CHECK(strchr(output, '\n') == output + strlen(output) - 1); /* one line */
+    CHECK(run(&text_program, "missing.txt") == 1);
+    CHECK(strstr(output, "probe: missing.txt: ") == output);
+}
+
+static void test_text_scene(void) {
+    struct error error;
+    struct image image = {0};
+    make_directory();
+    static const char with_size[] = "size 9 8\nline 3 0 4 0 10 20 30\n";
+    static const char without[] = "line 2 0 4 0 10 20 30\n";
+    CHECK(file_write(in_directory("a.b.txt"), with_size, strlen(with_size), &error));
+    CHECK(file_write(in_directory("plain"), without, strlen(without), &error));
+    CHECK(run(&text_program, "-o out a.b.txt") == 0);
+    CHECK_TEXT(output, "out/a.b.tga\n");
+    if (CHECK(tga_read(&image, in_directory("out/a.b.tga"), &error))) {
+        CHECK(image.width == 9 && image.height == 8 && image_get(&image, 3, 0).g == 20);
+        image_free(&image);
+    }
+    CHECK(run(&text_program, "-o out plain") == 0);
+    if (CHECK(tga_read(&image, in_directory("out/plain.tga"), &error))) {
+        CHECK(image.width == 5 && image.height == 5);
+        image_free(&image);
+    }
+    CHECK(run(&text_program, "-o out -s 6x7 a.b.txt") == 0); /* the option wins */
+    if (CHECK(tga_read(&image, in_directory("out/a.b.tga"), &error))) {
+        CHECK(image.width == 6 && image.height == 7);
+        image_free(&image);
+    }
+}
+
+/* Last: remove what the others left. */
+static void test_clean_up(void) {
+    static const char *const names[] = {"out/deep/dot.tga",
+                                        "out/dot.png",
+                                        "out/dot.ppm",
+                                        "out/dot.tga",
+                                        "out/film.tga",
+                                        "out/film.png",
+                                        "out/a.b.tga",
+                                        "out/plain.tga",
+                                        "a.b.txt",
+                                        "plain",
+                                        "output",
+                                        "out/deep",
+                                        "out",
+                                        ""};
+    for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
+        CHECK_ROW(remove(in_directory(names[i])) == 0, names[i]); /* fails on what is left over */
+    }
+}
+
+UNIT_MAIN(TEST(test_usage), TEST(test_help), TEST(test_formats), TEST(test_frames),
+          TEST(test_stats_and_repeat), TEST(test_camera), TEST(test_failures),
+          TEST(test_text_scene), TEST(test_clean_up))
