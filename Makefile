@@ -7,7 +7,7 @@
 #   make references     draw the reference images again (never part of a check)
 #   make clean
 #
-# CC=clang, CFLAGS=-O0 and BUILD=some/directory may be given on the command line.
+# CC=clang, CFLAGS=-O0, WERROR=-Werror and BUILD=some/directory may be given on the command line.
 
 BUILD  = build
 CFLAGS = -O3
@@ -26,10 +26,10 @@ DEFINES  = -DCOURSE_BUILD='"$(abspath $(BUILD))"'
 # Threads where the compiler has them; they change no byte.
 OPENMP  := $(shell mkdir -p $(BUILD) && echo 'int main(void) { return 0; }' >$(BUILD)/probe.c && \
                    $(CC) -fopenmp $(BUILD)/probe.c -o $(BUILD)/probe 2>/dev/null && echo -fopenmp)
-COMPILE  = $(CC) $(STRICT) $(WARNINGS) $(CFLAGS) $(OPENMP) $(DEFINES) -Icommon -MMD -MP
+COMPILE  = $(CC) $(STRICT) $(WARNINGS) $(WERROR) $(CFLAGS) $(OPENMP) $(DEFINES) -Icommon -MMD -MP
 SANITIZE = -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
 # The tests' own build of everything: sanitized, and without threads.
-TESTED   = $(CC) $(STRICT) $(WARNINGS) $(TESTFLAGS) $(SANITIZE) $(DEFINES) -Icommon -Itests/unit -MMD -MP
+TESTED   = $(CC) $(STRICT) $(WARNINGS) $(WERROR) $(SANITIZE) $(DEFINES) -Icommon -Itests/unit -Itests/oracle -MMD -MP
 
 COMMON   = $(basename $(notdir $(wildcard common/*.c)))
 LIBRARY  = $(BUILD)/libcommon.a
@@ -37,6 +37,7 @@ MODELS   = $(BUILD)/models/bust.obj
 PROGRAMS = $(STEPS:%=$(BUILD)/%)
 UNITS    = $(basename $(notdir $(wildcard tests/unit/test_*.c)))
 CHECKERS = $(basename $(notdir $(wildcard tests/check/test_*.c)))
+SCRIPTS  = $(wildcard tests/unit/*.sh)
 
 .PHONY: all programs models check test figures references clean
 .DELETE_ON_ERROR:
@@ -94,15 +95,52 @@ $(BUILD)/figures/%: %/figures.c %/main.c $(LIBRARY) $(BUILD)/flags
 	@mkdir -p $(@D)
 	$(COMPILE) -MF $@.d $< $(LIBRARY) -lm -o $@
 
+# ---- The check ----
+
+CHECKER = $(addprefix $(BUILD)/tests/check/,compare.o drawn.o run.o scenes.o)
+
+$(BUILD)/tests/check/%.o: tests/check/%.c $(BUILD)/flags
+	@mkdir -p $(@D)
+	$(COMPILE) -c $< -o $@
+
+$(BUILD)/check $(BUILD)/references: $(BUILD)/%: $(BUILD)/tests/check/%.o $(CHECKER) $(LIBRARY)
+	$(CC) $(CFLAGS) $(OPENMP) $^ -lm -o $@
+
+# The check builds the steps itself: one that does not build is a finding, not the end.
+check: $(BUILD)/check
+	@$(BUILD)/check --programs $(BUILD) --differences $(BUILD)/differences --make '$(MAKE) -s' $(STEP)
+
+references: $(BUILD)/references $(PROGRAMS) $(MODELS)
+	$(BUILD)/references --programs $(BUILD) $(STEP)
+
 # ---- Tests ----
+
+ORACLE = $(BUILD)/tested/tests/oracle/oracle.o
+TESTED_COMMON = $(COMMON:%=$(BUILD)/tested/common/%.o)
+TESTED_CHECKER = $(addprefix $(BUILD)/tested/tests/check/,compare.o drawn.o run.o scenes.o)
+TEST_PROGRAMS = $(UNITS:%=$(BUILD)/tests/%) $(CHECKERS:%=$(BUILD)/tests/%)
 
 $(BUILD)/tested/%.o: %.c $(BUILD)/flags
 	@mkdir -p $(@D)
 	$(TESTED) -c $< -o $@
 
-$(BUILD)/tests/test_%: $(BUILD)/tested/tests/unit/test_%.o $(COMMON:%=$(BUILD)/tested/common/%.o)
+$(UNITS:%=$(BUILD)/tests/%): $(BUILD)/tests/%: $(BUILD)/tested/tests/unit/%.o $(ORACLE) $(TESTED_COMMON)
 	@mkdir -p $(@D)
 	$(TESTED) $^ -lm -o $@
+
+$(CHECKERS:%=$(BUILD)/tests/%): $(BUILD)/tests/%: $(BUILD)/tested/tests/check/%.o $(TESTED_CHECKER) $(TESTED_COMMON)
+	@mkdir -p $(@D)
+	$(TESTED) $^ -lm -o $@
+
+# Every test runs, also after one that failed.
+test: $(TEST_PROGRAMS) $(BUILD)/check $(BUILD)/references $(MODELS)
+	@passed=0; failed=0; \
+	for test in $(TEST_PROGRAMS) $(SCRIPTS); do \
+	    echo "== $$test"; \
+	    if CC='$(CC)' CHECK_PROGRAMS=$(BUILD) $$test; then passed=$$((passed + 1)); \
+	    else failed=$$((failed + 1)); echo "FAILED $$test"; fi; \
+	done; \
+	echo "$$passed passed, $$failed failed"; [ $$failed -eq 0 ]
 
 clean:
 	rm -rf $(BUILD)

@@ -40,8 +40,8 @@ static inline uint64_t attempt_2_row(const struct pipeline *p, size_t stride,
         }
         if (number[x] >= p->first_number) {
             const struct piece *piece = &p->pieces[number[x] - p->first_number];
-            shaded +=
-                shade(piece, p->attributes + piece->attributes * stride, uniforms, image, run, y);
+            shaded += shade_piece(piece, p->attributes + piece->attributes * stride, uniforms,
+                                  image, run, y);
         }
         x = run.end;
     }

@@ -132,15 +132,17 @@ static bool draw_animation(struct model *model, const char *directory, struct er
     struct drawing drawing = make_drawing(model);
     drawing.state = &state;
     struct image *frames = calloc(TURN_FRAMES, sizeof *frames);
-    bool done = frames != NULL || error_set(error, "out of memory");
-    done = done && pipeline_create(&state.pipeline, TURN_SIZE, TURN_SIZE, error);
+    if (frames == NULL) {
+        return error_set(error, "out of memory");
+    }
+    bool done = pipeline_create(&state.pipeline, TURN_SIZE, TURN_SIZE, error);
     for (size_t i = 0; done && i < TURN_FRAMES; i++) {
         drawing.frame = i;
         done = image_create(&frames[i], TURN_SIZE, TURN_SIZE, IMAGE_BGR, error) &&
                draw_turn(&drawing, &frames[i], error);
     }
     done = done && save_figure(frames, TURN_FRAMES, directory, "turn.png", error);
-    for (size_t i = 0; frames != NULL && i < TURN_FRAMES; i++) {
+    for (size_t i = 0; i < TURN_FRAMES; i++) {
         image_free(&frames[i]);
     }
     free(frames);

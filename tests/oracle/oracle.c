@@ -151,7 +151,7 @@ long double oracle_inverse_residual(const struct mat4 *a, const struct mat4 *inv
 }
 
 static int128 determinant3(const int64_t m[4][4], int skipped_column) {
-    int columns[3], n = 0;
+    int columns[3] = {0}, n = 0;
     for (int column = 0; column < 4; column++) {
         if (column != skipped_column) {
             columns[n++] = column;

@@ -129,7 +129,7 @@ static void check_soup(const struct mesh *mesh, enum cull cull, const struct ima
 static void draw_soup(const struct mesh *mesh, enum cull cull, bool skip, struct image *image,
                       uint64_t stats[PIPELINE_STATS], size_t *vertex_calls) {
     struct error error;
-    struct pipeline pipeline;
+    struct pipeline pipeline = {0};
     size_t calls = 0;
     struct uniforms uniforms = {.model = &mesh->model, .vertex_calls = &calls};
     struct draw_call call = {.model = &mesh->model,
@@ -153,7 +153,7 @@ static void test_nearest_face_shows(void) {
         make_soup(&mesh, &random);
         enum cull cull = (enum cull)(i % 3);
         struct image image = {0}, at_once = {0};
-        uint64_t stats[PIPELINE_STATS], stats_at_once[PIPELINE_STATS];
+        uint64_t stats[PIPELINE_STATS] = {0}, stats_at_once[PIPELINE_STATS] = {0};
         size_t calls, calls_at_once;
         draw_soup(&mesh, cull, true, &image, stats, &calls);
         draw_soup(&mesh, cull, false, &at_once, stats_at_once, &calls_at_once);
@@ -268,7 +268,7 @@ static void test_ground_without_gaps(void) {
     for (int i = 0; i < 108; i++) {
         make_ground(&mesh, 1 + i % 27, halves[i % 4], &random);
         struct mat4 to_clip = mat4_projection(2);
-        uint64_t stats[PIPELINE_STATS];
+        uint64_t stats[PIPELINE_STATS] = {0};
         see(&mesh, to_clip, &seen, stats);
         clipped += stats[STAT_FACES_CLIPPED];
         for (int y = 0; y < SIZE; y++) {
@@ -310,7 +310,7 @@ static void test_corner_order(void) {
     static struct mesh mesh;
     static struct seen seen, seen_turned;
     struct random random = {12};
-    uint64_t stats[PIPELINE_STATS];
+    uint64_t stats[PIPELINE_STATS] = {0};
     for (int i = 0; i < 20; i++) {
         make_ground(&mesh, 3 + i, 4, &random);
         see(&mesh, mat4_projection(2.5), &seen, stats);
@@ -327,7 +327,7 @@ static void test_interpolation(void) {
     struct random random = {14};
     double worst = 0;
     for (int i = 0; i < 300; i++) {
-        struct fixed2 corner[3];
+        struct fixed2 corner[3] = {{0, 0}};
         double recip_w[3], value[3];
         mesh_begin(&mesh);
         struct mat4 to_clip = mat4_projection(2);
@@ -343,7 +343,7 @@ static void test_interpolation(void) {
                               &corner[k]));
         }
         mesh_face(&mesh, 0, 1, 2);
-        uint64_t stats[PIPELINE_STATS];
+        uint64_t stats[PIPELINE_STATS] = {0};
         see(&mesh, to_clip, &seen, stats);
         for (int y = 0; y < SIZE; y++) {
             for (int x = 0; x < SIZE; x++) {
@@ -415,7 +415,7 @@ static void test_not_finite(void) {
     for (int i = 0; i < 16 * 6; i++) {
         struct mat4 to_clip = mat4_projection(2);
         to_clip.m[i / 6 / 4][i / 6 % 4] = bad[i % 6];
-        uint64_t stats[PIPELINE_STATS];
+        uint64_t stats[PIPELINE_STATS] = {0};
         see(&mesh, to_clip, &seen, stats);
         for (int k = 0; k < SIZE * SIZE; k++) {
             struct vec3 p = seen.place[k / SIZE][k % SIZE];
