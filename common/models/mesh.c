@@ -1,0 +1,272 @@
+/* Meshes put together and written: see mesh.h. */
+#include "mesh.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+bool mesh_create(struct mesh *mesh, int places, int uvs, int normals, int faces) {
+    memset(mesh, 0, sizeof *mesh);
+    mesh->places = calloc((size_t)places, sizeof *mesh->places);
+    mesh->uvs = calloc((size_t)uvs, sizeof *mesh->uvs);
+    mesh->normals = calloc((size_t)normals, sizeof *mesh->normals);
+    mesh->faces = calloc((size_t)faces, sizeof *mesh->faces);
+    if (mesh->places == NULL || mesh->uvs == NULL || mesh->normals == NULL || mesh->faces == NULL) {
+        mesh_free(mesh);
+        return false;
+    }
+    return true;
+}
+
+void mesh_free(struct mesh *mesh) {
+    free(mesh->places);
+    free(mesh->uvs);
+    free(mesh->normals);
+    free(mesh->faces);
+    memset(mesh, 0, sizeof *mesh);
+}
+
+int mesh_add_place(struct mesh *mesh, struct vec3 place) {
+    mesh->places[mesh->place_count] = place;
+    return mesh->place_count++;
+}
+
+int mesh_add_uv(struct mesh *mesh, double u, double v) {
+    mesh->uvs[mesh->uv_count][0] = u;
+    mesh->uvs[mesh->uv_count][1] = v;
+    return mesh->uv_count++;
+}
+
+int mesh_add_normal(struct mesh *mesh, struct vec3 normal) {
+    mesh->normals[mesh->normal_count] = normal;
+    return mesh->normal_count++;
+}
+
+void mesh_add_face(struct mesh *mesh, struct mesh_corner a, struct mesh_corner b,
+                   struct mesh_corner c) {
+    struct mesh_corner *face = mesh->faces[mesh->face_count++];
+    face[0] = a;
+    face[1] = b;
+    face[2] = c;
+}
+
+/* ---- Both halves of the bust ---- */
+
+/* What one grid point has become in the mesh, on either side; NONE until it is needed. */
+enum { LEFT, RIGHT, NONE = -1 };
+
+struct grid_corner {
+    int place[2], uv[2], normal[2];
+};
+
+static bool is_pole(const struct surface *surface, int row) {
+    return row == 0 || row == surface->rows;
+}
+
+static void add_grid_corner(struct mesh *mesh, const struct surface *surface, int vertex, int side,
+                            struct grid_corner *corners) {
+    int column = vertex % (surface->columns + 1), row = vertex / (surface->columns + 1);
+    bool in_mirror = column == 0 || column == surface->columns || is_pole(surface, row);
+    struct grid_corner *corner = &corners[vertex];
+    if (corner->place[side] == NONE) {
+        struct vec3 p = surface->place[vertex];
+        p.x = side == LEFT ? p.x : -p.x;
+        corner->place[side] = mesh_add_place(mesh, p);
+        corner->normal[side] = mesh_add_normal(mesh, (struct vec3){0, 0, 0});
+        if (in_mirror) { /* both sides share it */
+            corner->place[1 - side] = corner->place[side];
+            corner->normal[1 - side] = corner->normal[side];
+        }
+    }
+    if (corner->uv[side] == NONE && !is_pole(surface, row)) {
+        double u = 0.5 * column / surface->columns;
+        corner->uv[side] =
+            mesh_add_uv(mesh, side == LEFT ? 0.5 + u : 0.5 - u, (double)row / surface->rows);
+        if (column == 0) {
+            corner->uv[1 - side] = corner->uv[side];
+        }
+    }
+}
+
+static void add_grid_triangle(struct mesh *mesh, const struct surface *surface,
+                              const struct grid_triangle *triangle, int side,
+                              struct grid_corner *corners, int base_normal) {
+    struct mesh_corner made[3];
+    bool flat_base = true;
+    for (int k = 0; k < 3; k++) {
+        int vertex = triangle->corner[k];
+        add_grid_corner(mesh, surface, vertex, side, corners);
+        made[k] = (struct mesh_corner){.place = corners[vertex].place[side],
+                                       .uv = corners[vertex].uv[side],
+                                       .normal = corners[vertex].normal[side]};
+        flat_base &= vertex / (surface->columns + 1) <= SURFACE_BASE_ROWS;
+    }
+    for (int k = 0; k < 3; k++) {
+        if (is_pole(surface, triangle->corner[k] / (surface->columns + 1))) {
+            /* A pole has no u of its own: it takes the middle of its partners'. */
+            const double *a = mesh->uvs[made[(k + 1) % 3].uv], *b = mesh->uvs[made[(k + 2) % 3].uv];
+            made[k].uv = mesh_add_uv(mesh, (a[0] + b[0]) / 2, triangle->corner[k] == 0 ? 0 : 1);
+        }
+        if (flat_base) {
+            made[k].normal = base_normal;
+        }
+    }
+    mesh_add_face(mesh, made[0], side == LEFT ? made[1] : made[2],
+                  side == LEFT ? made[2] : made[1]);
+}
+
+/* Each normal becomes the weighted mean of those of the faces that name it (Nelson Max, "Weights
+ * for computing vertex normals from facet normals", 1999: exact on a sphere, and needs no angle).
+ */
+static void average_normals(struct mesh *mesh, int fixed_normal) {
+    for (int i = 0; i < mesh->face_count; i++) {
+        const struct mesh_corner *face = mesh->faces[i];
+        for (int k = 0; k < 3; k++) {
+            struct vec3 place = mesh->places[face[k].place];
+            struct vec3 a = vec3_sub(mesh->places[face[(k + 1) % 3].place], place);
+            struct vec3 b = vec3_sub(mesh->places[face[(k + 2) % 3].place], place);
+            struct vec3 *sum = &mesh->normals[face[k].normal];
+            if (face[k].normal != fixed_normal) {
+                double weight = 1 / (vec3_dot(a, a) * vec3_dot(b, b));
+                *sum = vec3_add(*sum, vec3_scale(vec3_cross(a, b), weight));
+            }
+        }
+    }
+    for (int i = 0; i < mesh->normal_count; i++) {
+        mesh->normals[i] = vec3_normalized(mesh->normals[i]);
+    }
+}
+
+/* In a sharp fold the mean of the faces may look away from one of them: turn it until it agrees. */
+static void turn_normals_to_faces(struct mesh *mesh, int fixed_normal) {
+    for (int round = 0; round < 40; round++) {
+        for (int i = 0; i < mesh->face_count; i++) {
+            const struct mesh_corner *face = mesh->faces[i];
+            struct vec3 a = mesh->places[face[0].place];
+            struct vec3 out = vec3_normalized(vec3_cross(vec3_sub(mesh->places[face[1].place], a),
+                                                         vec3_sub(mesh->places[face[2].place], a)));
+            for (int k = 0; k < 3; k++) {
+                struct vec3 *normal = &mesh->normals[face[k].normal];
+                double agreement = vec3_dot(out, *normal);
+                if (agreement < 0.05 && face[k].normal != fixed_normal) {
+                    *normal = vec3_add(*normal, vec3_scale(out, 0.06 - agreement));
+                    *normal = vec3_normalized(*normal);
+                }
+            }
+        }
+    }
+}
+
+bool mesh_from_surface(struct mesh *mesh, const struct surface *surface,
+                       const struct grid_triangle *triangles, size_t count) {
+    size_t grid = ((size_t)surface->columns + 1) * ((size_t)surface->rows + 1);
+    struct grid_corner *corners = malloc(grid * sizeof *corners);
+    int faces = 2 * (int)count, room = 3 * faces + 1;
+    if (corners == NULL || !mesh_create(mesh, room, room, room, faces)) {
+        free(corners);
+        return false;
+    }
+    for (size_t i = 0; i < grid; i++) {
+        corners[i] = (struct grid_corner){{NONE, NONE}, {NONE, NONE}, {NONE, NONE}};
+    }
+    int base_normal = mesh_add_normal(mesh, (struct vec3){0, -1, 0});
+    for (int side = LEFT; side <= RIGHT; side++) {
+        for (size_t i = 0; i < count; i++) {
+            add_grid_triangle(mesh, surface, &triangles[i], side, corners, base_normal);
+        }
+    }
+    free(corners);
+    average_normals(mesh, base_normal);
+    turn_normals_to_faces(mesh, base_normal);
+    return true;
+}
+
+/* ---- Files ---- */
+
+/* Six decimals, written from an integer so that every C library prints the same digits. */
+static void print_number(char text[32], double value) {
+    long long millionths = (long long)floor(value * 1e6 + 0.5);
+    unsigned long long size =
+        millionths < 0 ? 0ULL - (unsigned long long)millionths : (unsigned long long)millionths;
+    snprintf(text, 32, "%s%llu.%06llu", millionths < 0 ? "-" : "", size / 1000000, size % 1000000);
+}
+
+static bool append_text(struct bytes *out, const char *text) {
+    return bytes_append(out, text, strlen(text));
+}
+
+/* A line of a word (or "") and numbers. */
+static bool append_numbers(struct bytes *out, const char *word, const double *values, int count) {
+    bool done = append_text(out, word);
+    for (int i = 0; done && i < count; i++) {
+        char text[32];
+        print_number(text, values[i]);
+        done = (*word == '\0' && i == 0 ? true : append_text(out, " ")) && append_text(out, text);
+    }
+    return done && append_text(out, "\n");
+}
+
+static bool append_point(struct bytes *out, const char *word, struct vec3 p) {
+    double values[3] = {p.x, p.y, p.z};
+    return append_numbers(out, word, values, 3);
+}
+
+static bool append_obj(struct bytes *out, const struct mesh *mesh, const char *comment) {
+    bool done = append_text(out, "# ") && append_text(out, comment) && append_text(out, "\n");
+    for (int i = 0; done && i < mesh->place_count; i++) {
+        done = append_point(out, "v", mesh->places[i]);
+    }
+    for (int i = 0; done && i < mesh->uv_count; i++) {
+        done = append_numbers(out, "vt", mesh->uvs[i], 2);
+    }
+    for (int i = 0; done && i < mesh->normal_count; i++) {
+        done = append_point(out, "vn", mesh->normals[i]);
+    }
+    for (int i = 0; done && i < mesh->face_count; i++) {
+        char line[160];
+        const struct mesh_corner *f = mesh->faces[i];
+        snprintf(line, sizeof line, "f %d/%d/%d %d/%d/%d %d/%d/%d\n", f[0].place + 1, f[0].uv + 1,
+                 f[0].normal + 1, f[1].place + 1, f[1].uv + 1, f[1].normal + 1, f[2].place + 1,
+                 f[2].uv + 1, f[2].normal + 1);
+        done = append_text(out, line);
+    }
+    return done;
+}
+
+static bool append_off(struct bytes *out, const struct mesh *mesh, const char *comment) {
+    char line[80];
+    snprintf(line, sizeof line, "%d %d 0\n", mesh->place_count, mesh->face_count);
+    bool done = append_text(out, "OFF\n# ") && append_text(out, comment) &&
+                append_text(out, "\n") && append_text(out, line);
+    for (int i = 0; done && i < mesh->place_count; i++) {
+        done = append_point(out, "", mesh->places[i]);
+    }
+    for (int i = 0; done && i < mesh->face_count; i++) {
+        const struct mesh_corner *f = mesh->faces[i];
+        snprintf(line, sizeof line, "3 %d %d %d\n", f[0].place, f[1].place, f[2].place);
+        done = append_text(out, line);
+    }
+    return done;
+}
+
+static bool finish(struct bytes *text, bool done, const char *path, struct error *error) {
+    if (done) {
+        done = file_write(path, text->data, text->size, error);
+    } else {
+        error_set(error, "%s: not enough memory", path);
+    }
+    bytes_free(text);
+    return done;
+}
+
+bool mesh_write_obj(const struct mesh *mesh, const char *comment, const char *path,
+                    struct error *error) {
+    struct bytes text = {0};
+    return finish(&text, append_obj(&text, mesh, comment), path, error);
+}
+
+bool mesh_write_off(const struct mesh *mesh, const char *comment, const char *path,
+                    struct error *error) {
+    struct bytes text = {0};
+    return finish(&text, append_off(&text, mesh, comment), path, error);
+}

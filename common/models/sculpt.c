@@ -1,0 +1,110 @@
+/*
+ * Sculpts the course's own model: sculpt DIR
+ *
+ * Writes into DIR: bust.obj with bust_diffuse.tga, bust_nm.tga and bust_spec.tga, and three plain
+ * solids, sphere.obj, torus.obj and knot.off. All are closed, face outwards and lie within -1..1.
+ *
+ *   head.c      the bust as a solid of clay: where clay is and where not
+ *   surface.c   rays from inside find its surface, as a fine grid over the texture
+ *   simplify.c  the grid becomes few triangles, small where the shape is fine
+ *   mesh.c      both halves put together, and the files' text
+ *   skin.c      pores, hair and colours, one texel at a time
+ *   solids.c    the plain solids
+ *   clay.h      round solids, bumps and noise for all of these
+ */
+#include "mesh.h"
+#include "simplify.h"
+#include "skin.h"
+#include "solids.h"
+#include "surface.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+
+enum {
+    TEXTURE_SIZE = 1024,
+    FINE_COLUMNS = 224, /* of half the surface */
+    FINE_ROWS = 448,
+    HALF_FACES = 2490 /* of the bust */
+};
+
+/* "DIR/name" in `path`; false when it does not fit. */
+static bool join_path(char path[4096], const char *directory, const char *name,
+                      struct error *error) {
+    int length = snprintf(path, 4096, "%s/%s", directory, name);
+    return (length > 0 && length < 4096) || error_set(error, "%s: the path is too long", directory);
+}
+
+static bool write_obj(const struct mesh *mesh, const char *comment, const char *directory,
+                      const char *name, struct error *error) {
+    char path[4096];
+    return join_path(path, directory, name, error) && mesh_write_obj(mesh, comment, path, error);
+}
+
+static bool write_image(const struct image *image, const char *directory, const char *name,
+                        struct error *error) {
+    char path[4096];
+    return join_path(path, directory, name, error) && tga_write(image, path, error);
+}
+
+static bool write_mesh_of_bust(const struct surface *surface, const char *directory,
+                               struct error *error) {
+    struct grid_triangle *triangles = NULL;
+    size_t count;
+    struct mesh mesh = {0};
+    bool done = (simplify(surface, HALF_FACES, &triangles, &count) &&
+                 mesh_from_surface(&mesh, surface, triangles, count)) ||
+                error_set(error, "not enough memory for the bust");
+    done = done && write_obj(&mesh, "A bust, sculpted by common/models/sculpt.c", directory,
+                             "bust.obj", error);
+    mesh_free(&mesh);
+    free(triangles);
+    return done;
+}
+
+static bool write_bust(const char *directory, struct error *error) {
+    struct surface surface;
+    if (!surface_create(&surface, FINE_COLUMNS, FINE_ROWS)) {
+        return error_set(error, "not enough memory for the bust");
+    }
+    struct skin skin = {0};
+    bool done = write_mesh_of_bust(&surface, directory, error) &&
+                skin_create(&skin, &surface, TEXTURE_SIZE, error) &&
+                write_image(&skin.diffuse, directory, "bust_diffuse.tga", error) &&
+                write_image(&skin.normals, directory, "bust_nm.tga", error) &&
+                write_image(&skin.specular, directory, "bust_spec.tga", error);
+    skin_free(&skin);
+    surface_free(&surface);
+    return done;
+}
+
+static bool write_solids(const char *directory, struct error *error) {
+    struct mesh mesh;
+    bool done = solid_sphere(&mesh, 48, 24) || error_set(error, "not enough memory for the sphere");
+    done = done && write_obj(&mesh, "A sphere of radius 0.9", directory, "sphere.obj", error);
+    mesh_free(&mesh);
+    done =
+        done && (solid_torus(&mesh, 48, 24) || error_set(error, "not enough memory for the torus"));
+    done = done && write_obj(&mesh, "A torus of radii 0.6 and 0.3", directory, "torus.obj", error);
+    mesh_free(&mesh);
+    char path[4096];
+    done =
+        done && (solid_knot(&mesh, 96, 12) || error_set(error, "not enough memory for the knot"));
+    done = done && join_path(path, directory, "knot.off", error) &&
+           mesh_write_off(&mesh, "A trefoil knot", path, error);
+    mesh_free(&mesh);
+    return done;
+}
+
+int main(int argc, char **argv) {
+    if (argc != 2) {
+        fprintf(stderr, "usage: sculpt DIR\n");
+        return 2;
+    }
+    struct error error;
+    if (!write_solids(argv[1], &error) || !write_bust(argv[1], &error)) {
+        fprintf(stderr, "sculpt: %s\n", error.message);
+        return 1;
+    }
+    return 0;
+}

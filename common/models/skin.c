@@ -1,0 +1,317 @@
+/*
+ * What is finer than the mesh: see skin.h.
+ *
+ * Each texel knows its point on the body, so every feature is painted where it is on the body and
+ * not where it happens to lie in the texture. First comes the relief, a height above the surface in
+ * units of the model (pores, creases, hair); the slope of the relief bends the surface's normal
+ * (James Blinn, "Simulation of wrinkled surfaces", SIGGRAPH 1978). Then colour and shine.
+ */
+#include "skin.h"
+
+#include "head.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* What is at a point of the body: how much of each part, 0..1, and of the grain there. */
+struct parts {
+    double hair, eyebrow, stubble;
+    double lip;         /* the red of the lips */
+    double eye;         /* the eyeball */
+    double iris, pupil; /* on the eyeball */
+    double lid_shadow;  /* on the eyeball, under the upper lid */
+    double lash;        /* the rim of the upper lid */
+    double forehead, nose, nostril, cheek, ear;
+    double cavity;      /* how deep the place lies, -1..1 */
+    double fine, broad; /* the skin's grain: noise, -1..1 */
+    double strands;     /* of hair or eyebrow: noise in stripes, -2..2 */
+};
+
+static double hair_at(struct vec3 p) {
+    if (p.y < -0.1) {
+        return 0;
+    }
+    double edge = head_above_hairline(p);
+    if (edge > -0.05 && edge < 0.06) { /* single strands reach over the edge */
+        edge += 0.014 * head_strands(p, 60, 1, 0);
+    }
+    return ramp(-0.022, 0.004, edge);
+}
+
+static double eyebrow_at(struct vec3 p) {
+    static const double middle[][2] = {
+        {0.035, 0.425}, {0.09, 0.447}, {0.17, 0.466}, {0.255, 0.425}};
+    static const double half[][2] = {
+        {0.030, 0.004}, {0.05, 0.018}, {0.12, 0.016}, {0.20, 0.011}, {0.262, 0.002}};
+    double off = (p.y - curve(middle, COUNT(middle), p.x)) / curve(half, COUNT(half), p.x);
+    return ramp(0.025, 0.045, p.x) * fall(0.245, 0.275, p.x) * ramp(0.05, 0.15, p.z) *
+           fall(0.5, 1.3, fabs(off));
+}
+
+/* The cheeks' lower half, the chin, the whiskers before the ears and the upper lip. */
+static double stubble_at(struct vec3 p) {
+    double jaw = fall(0.07, 0.16, p.y) * ramp(-0.27, -0.19, p.y) * ramp(0.02, 0.12, p.z);
+    double side =
+        ramp(0.06, 0.2, p.z) * ramp(0.18, 0.30, p.x) * ramp(-0.2, -0.1, p.y) * fall(0.1, 0.24, p.y);
+    double moustache = hill(p, at(0, 0.085, 0.48), at(0.13, 0.055, 0.15));
+    return clamp(jaw + side + moustache, 0, 1);
+}
+
+static void find_eye(struct parts *parts, struct vec3 p) {
+    struct vec3 center = EYE_CENTER;
+    double height = ball(p, center, EYE_RADIUS);
+    if (height > 0.02 || p.z < center.z) {
+        return;
+    }
+    double opening = head_eye_opening(p);
+    double from_sight = head_from_sight(p);
+    parts->eye = ramp(-0.001, 0.001, opening) * fall(0.001, 0.003, height);
+    parts->iris = fall(IRIS_RADIUS - 0.001, IRIS_RADIUS + 0.002, from_sight);
+    parts->pupil = fall(PUPIL_RADIUS - 0.001, PUPIL_RADIUS + 0.001, from_sight);
+    parts->lid_shadow = fall(0, 0.012, opening) * ramp(-0.005, 0.010, p.y - center.y);
+    parts->lash = fall(0.001, 0.008, fabs(opening + 0.002)) * ramp(-0.015, 0.005, p.y - center.y);
+}
+
+static void find_face(struct parts *parts, struct vec3 p) {
+    parts->eyebrow = eyebrow_at(p);
+    parts->forehead = hill(p, at(0, 0.58, 0.45), at(0.30, 0.16, 0.4));
+    parts->nose = hill(p, at(0, 0.20, 0.53), at(0.11, 0.17, 0.15));
+    parts->nostril =
+        fall(0.003, 0.0105, ellipsoid(p, at(0.036, 0.124, 0.486), at(0.008, 0.016, 0.025)));
+    parts->cheek = hill(p, at(0.20, 0.17, 0.34), at(0.15, 0.13, 0.25));
+    double along, lips = head_lips(p, &along);
+    if (p.z > 0.3) {
+        parts->lip = fall(0.92, 1.12, fabs(lips)) * fall(0.9, 1.03, along);
+    }
+    find_eye(parts, p);
+}
+
+/* Turned so that the noise's grid lies askew on the face, where nobody sees its lines. */
+static struct vec3 askew(struct vec3 p) {
+    return at((2 * p.x - p.y + 2 * p.z) / 3, (2 * p.x + 2 * p.y - p.z) / 3,
+              (2 * p.y - p.x + 2 * p.z) / 3);
+}
+
+/* `ear` is how far the ear stands out at p, `cavity` how deep p lies. */
+static struct parts find_parts(struct vec3 p, double ear, double cavity) {
+    struct parts parts = {.ear = ramp(0.002, 0.012, ear), .cavity = cavity};
+    struct vec3 q = {fabs(p.x), p.y, p.z};
+    parts.hair = hair_at(q) * (1 - parts.ear);
+    if (p.z > 0.1 && p.y > -0.3) {
+        find_face(&parts, q);
+    }
+    parts.stubble = stubble_at(q) * (1 - parts.lip) * (1 - parts.hair);
+    if (parts.hair > 0) {
+        parts.strands = head_strands(p, 30, 70, 0.6);
+    } else if (parts.eyebrow > 0) {
+        parts.strands = noise(at((q.x - p.y) * 150, (q.x + p.y) * 40, 0), 25);
+    }
+    if (parts.hair < 1) {
+        struct vec3 r = askew(p);
+        parts.fine = 0.7 * noise(vec3_scale(r, 120), 21) + 0.5 * noise(vec3_scale(p, 165), 23);
+        parts.broad = noise(vec3_scale(r, 62), 22);
+    }
+    return parts;
+}
+
+/* ---- Relief ---- */
+
+static double creases(struct vec3 p, const struct parts *parts) {
+    double x = fabs(p.x), h = 0;
+    double wave = 0.010 * noise(at(p.x * 7, p.y * 4, 0.3), 41);
+    /* Across the forehead. */
+    for (int i = 0; i < 3; i++) {
+        double y = 0.555 + 0.045 * i - 0.25 * x * x + wave;
+        h -= 0.0022 * ridge((p.y - y) / 0.009) * parts->forehead;
+    }
+    /* From the outer corner of the eye. */
+    for (int i = -1; i <= 1; i++) {
+        double out = x - 0.245;
+        double y = 0.352 + i * (0.012 + 0.35 * out) + 0.5 * wave;
+        h -= 0.0016 * ridge((p.y - y) / 0.006) * ramp(0, 0.015, out) * fall(0.02, 0.07, out) *
+             ramp(0.1, 0.15, p.z);
+    }
+    /* Around the neck. */
+    for (int i = 0; i < 2; i++) {
+        double y = -0.335 - 0.08 * i - 0.25 * x * x + 1.5 * wave;
+        h -= 0.0012 * ridge((p.y - y) / 0.010) * ramp(-0.1, 0.05, p.z);
+    }
+    return h;
+}
+
+static double relief(struct vec3 p, const struct parts *parts) {
+    double pits = ramp(0.15, 0.7, parts->fine);
+    double skin = 0.0002 * parts->fine + 0.0004 * parts->broad - 0.0006 * pits;
+    skin = (skin + creases(p, parts)) * (1 - parts->eye);
+    if (parts->lip > 0) {
+        double lines = noise(at(p.x * 110, p.y * 14, p.z * 14), 24);
+        skin = mix(skin, 0.0012 * lines, parts->lip);
+    }
+    double h = mix(skin, 0.0045 * parts->strands, parts->hair);
+    return h + parts->eyebrow * (0.004 + 0.003 * parts->strands);
+}
+
+/* ---- Colour and shine ---- */
+
+struct paint {
+    double r, g, b;
+};
+
+static struct paint blend(struct paint under, struct paint over, double cover) {
+    return (struct paint){mix(under.r, over.r, cover), mix(under.g, over.g, cover),
+                          mix(under.b, over.b, cover)};
+}
+
+static struct paint eye_color(const struct parts *parts) {
+    struct paint c = {214, 203, 194};
+    c = blend(c, (struct paint){88, 66, 46}, parts->iris);
+    c = blend(c, (struct paint){16, 14, 14}, parts->pupil);
+    return blend(c, (struct paint){60, 44, 38}, 0.75 * parts->lid_shadow);
+}
+
+static struct paint skin_color(struct vec3 p, const struct parts *parts) {
+    struct paint c = {206, 157, 128};
+    double blood = 0.55 * parts->cheek + 0.6 * parts->nose + 0.5 * parts->ear;
+    c = blend(c, (struct paint){216, 172, 138}, 0.8 * parts->forehead);
+    c = blend(c, (struct paint){204, 128, 108}, clamp(blood, 0, 0.75));
+    double blotch = noise(vec3_scale(p, 9), 51);
+    c = blend(c, (struct paint){192, 134, 110}, clamp(0.25 + 0.5 * blotch, 0, 0.4));
+    c = blend(c, (struct paint){178, 120, 98}, clamp(0.3 * parts->broad, 0, 1));
+    double dots = clamp(0.34 + 0.5 * parts->fine, 0, 0.8);
+    c = blend(c, (struct paint){134, 112, 100}, parts->stubble * dots);
+    return blend(c, (struct paint){170, 98, 88}, 0.75 * parts->lip);
+}
+
+static struct paint color_of(struct vec3 p, const struct parts *parts) {
+    struct paint c = parts->hair < 1 ? skin_color(p, parts) : (struct paint){0, 0, 0};
+    double strand = parts->strands;
+    struct paint hair = blend((struct paint){46, 31, 22}, (struct paint){122, 88, 60},
+                              clamp(0.35 + 0.5 * strand, 0, 1));
+    c = blend(c, hair, parts->hair);
+    c = blend(c, (struct paint){66, 47, 36}, parts->eyebrow * clamp(0.8 + 0.5 * strand, 0, 1));
+    c = blend(c, eye_color(parts), parts->eye);
+    c = blend(c, (struct paint){58, 38, 32}, 0.85 * parts->lash);
+    c = blend(c, (struct paint){40, 20, 16}, 0.9 * parts->nostril);
+    /* Light hardly reaches the bottom of a fold. */
+    return blend(c, (struct paint){60, 34, 28}, clamp(1.3 * parts->cavity - 0.05, 0, 0.75));
+}
+
+static double shine(const struct parts *parts) {
+    double s = 62 + 14 * parts->broad + 16 * parts->fine;
+    s += 80 * parts->forehead + 110 * parts->nose;
+    s *= 1 - 0.45 * parts->cheek * (1 - parts->nose);
+    s *= 1 - 0.4 * parts->stubble;
+    s = mix(s, 175, parts->lip);
+    s = mix(s, 70, parts->hair);
+    s = mix(s, 40, parts->eyebrow);
+    s = mix(s, 125, parts->eye);
+    return s * (1 - clamp(1.5 * parts->cavity, 0, 0.8)) * (1 - 0.95 * parts->nostril);
+}
+
+/* ---- Texels ---- */
+
+/* The texture coordinate of a texel's centre. */
+static double middle_of(size_t texel, size_t size) {
+    return ((double)texel + 0.5) / (double)size;
+}
+
+/* The normal bent by the relief's slope along u and v. */
+static struct vec3 bend(struct vec3 normal, struct vec3 along_u, struct vec3 along_v, double rise_u,
+                        double rise_v) {
+    double area = vec3_dot(normal, vec3_cross(along_u, along_v));
+    if (area < 1e-12) {
+        return normal;
+    }
+    struct vec3 slope = vec3_add(vec3_scale(vec3_cross(along_v, normal), rise_u / area),
+                                 vec3_scale(vec3_cross(normal, along_u), rise_v / area));
+    double steep = vec3_length(slope);
+    if (steep > 1.2) {
+        slope = vec3_scale(slope, 1.2 / steep);
+    }
+    return vec3_normalized(vec3_sub(normal, slope));
+}
+
+/* On the eyeball the normal of the ball: the cornea lies smooth over the drilled pupil. */
+static struct vec3 smooth_eye(struct vec3 p, struct vec3 normal) {
+    struct vec3 q = {fabs(p.x), p.y, p.z};
+    if (ball(q, EYE_CENTER, EYE_RADIUS) > 0.004 || q.z < EYE_CENTER.z) {
+        return normal;
+    }
+    struct vec3 round = vec3_normalized(vec3_sub(q, EYE_CENTER));
+    round.x = p.x < 0 ? -round.x : round.x;
+    double eye = ramp(-0.001, 0.001, head_eye_opening(q));
+    return vec3_normalized(vec3_mix(normal, round, eye));
+}
+
+static void set_normal(struct image *image, size_t x, size_t y, struct vec3 n) {
+    image_set(image, (int)x, (int)y,
+              color_rgb(level_from((n.x + 1) * 127.5), level_from((n.y + 1) * 127.5),
+                        level_from((n.z + 1) * 127.5)));
+}
+
+static struct vec3 normal_at(const struct surface *surface, const double *heights, size_t size,
+                             size_t x, size_t y) {
+    size_t below = y > 0 ? y - 1 : y, above = y + 1 < size ? y + 1 : y;
+    size_t left = x > 0 ? x - 1 : size - 1, right = x + 1 < size ? x + 1 : 0;
+    double u = middle_of(x, size), v = middle_of(y, size);
+    struct vec3 along_u = vec3_sub(surface_place(surface, middle_of(right, size), v),
+                                   surface_place(surface, middle_of(left, size), v));
+    struct vec3 along_v = vec3_sub(surface_place(surface, u, middle_of(above, size)),
+                                   surface_place(surface, u, middle_of(below, size)));
+    double rise_u = heights[y * size + right] - heights[y * size + left];
+    double rise_v = heights[above * size + x] - heights[below * size + x];
+    struct vec3 normal = smooth_eye(surface_place(surface, u, v), surface_normal(surface, u, v));
+    return bend(normal, along_u, along_v, rise_u, rise_v);
+}
+
+static void paint_normals(struct image *image, const struct surface *surface,
+                          const double *heights) {
+    for (size_t y = 0; y < image->height; y++) {
+        for (size_t x = 0; x < image->width; x++) {
+            set_normal(image, x, y, normal_at(surface, heights, image->width, x, y));
+        }
+    }
+}
+
+static void paint_colors(struct skin *skin, const struct surface *surface, double *heights) {
+    size_t size = skin->diffuse.width;
+    for (size_t y = 0; y < size; y++) {
+        for (size_t x = 0; x < size; x++) {
+            double u = middle_of(x, size), v = middle_of(y, size);
+            struct vec3 p = surface_place(surface, u, v);
+            struct parts parts = find_parts(p, surface_number(surface, surface->ear, u, v),
+                                            surface_number(surface, surface->cavity, u, v));
+            heights[y * size + x] = relief(p, &parts);
+            struct paint c = color_of(p, &parts);
+            image_set(&skin->diffuse, (int)x, (int)y,
+                      color_rgb(level_from(c.r), level_from(c.g), level_from(c.b)));
+            image_set(&skin->specular, (int)x, (int)y, color_grey(level_from(shine(&parts))));
+        }
+    }
+}
+
+bool skin_create(struct skin *skin, const struct surface *surface, size_t size,
+                 struct error *error) {
+    memset(skin, 0, sizeof *skin);
+    double *heights = malloc(size * size * sizeof *heights);
+    if (heights == NULL) {
+        return error_set(error, "not enough memory for the skin");
+    }
+    bool done = image_create(&skin->diffuse, size, size, IMAGE_BGR, error) &&
+                image_create(&skin->normals, size, size, IMAGE_BGR, error) &&
+                image_create(&skin->specular, size, size, IMAGE_GREY, error);
+    if (done) {
+        paint_colors(skin, surface, heights);
+        paint_normals(&skin->normals, surface, heights);
+    } else {
+        skin_free(skin);
+    }
+    free(heights);
+    return done;
+}
+
+void skin_free(struct skin *skin) {
+    image_free(&skin->diffuse);
+    image_free(&skin->normals);
+    image_free(&skin->specular);
+}

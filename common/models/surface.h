@@ -1,0 +1,39 @@
+/*
+ * The bust's surface as a fine grid over the texture: every (u, v) has its point and normal.
+ */
+#ifndef MODELS_SURFACE_H
+#define MODELS_SURFACE_H
+
+#include "clay.h"
+
+#include <stdbool.h>
+
+/* Half of the surface, x >= 0: column 0 runs down the middle of the face (u = 1/2), the last one
+ * down the back (u = 1, where the texture's seam is); row 0 is the middle of the base (v = 0), the
+ * last row the crown (v = 1). All zero is a valid, empty surface. */
+struct surface {
+    int columns, rows;   /* steps; there is one more grid line than steps each way */
+    struct vec3 *place;  /* (rows + 1) * (columns + 1) */
+    struct vec3 *normal; /* the same, of length 1, outwards */
+    double *ear;         /* how far the ear stands out here */
+    double *cavity;      /* -1..1: how deep the point lies among those around it */
+};
+
+enum { SURFACE_BASE_ROWS = 8 }; /* the first rows cover the flat base */
+
+/* Sculpt; false when memory runs out. */
+bool surface_create(struct surface *surface, int columns, int rows);
+void surface_free(struct surface *surface);
+
+static inline int surface_index(const struct surface *surface, int column, int row) {
+    return row * (surface->columns + 1) + column;
+}
+
+/* Place and normal at (u, v) in 0..1, between the grid's points. */
+struct vec3 surface_place(const struct surface *surface, double u, double v);
+struct vec3 surface_normal(const struct surface *surface, double u, double v);
+
+/* The same for one of the grids of numbers. */
+double surface_number(const struct surface *surface, const double *grid, double u, double v);
+
+#endif
