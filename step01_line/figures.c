@@ -1,0 +1,353 @@
+/*
+ * Draws the pictures of step 1's README that are not references, and prints its table of errors:
+ * `make figures`, or figures OUTDIR.
+ */
+#define main step_main
+int step_main(int argc, char **argv);
+#include "main.c"
+#undef main
+
+#include "attempts.h"
+#include "png.h"
+
+#include <stdio.h>
+#include <string.h>
+
+static const struct color background = {0, 0, 0, 255};
+static const struct color white = {255, 255, 255, 255};
+static const struct color red = {0, 0, 255, 255};
+static const struct color orange = {0, 150, 255, 255};
+static const struct color sky = {255, 160, 60, 255};
+
+/* A line of a million columns, of which the image holds the last ones. */
+enum { LONG_WIDTH = 200, LONG_HEIGHT = 64 };
+static const struct pixel long_a = {-1000000, -250007}, long_b = {199, 60};
+
+/* ---- Saving ---- */
+
+/* Save the image with every pixel as a block of `scale` x `scale`, in a grid where there is room
+ * for one. */
+static bool save(const char *directory, const char *name, const struct image *image, size_t scale,
+                 struct error *error) {
+    const struct color grid = color_grey(56);
+    char path[1024];
+    struct image large;
+    if (snprintf(path, sizeof path, "%s/%s.png", directory, name) >= (int)sizeof path) {
+        return error_set(error, "%s: the name is too long", directory);
+    }
+    if (!image_create(&large, image->width * scale, image->height * scale, IMAGE_BGR, error)) {
+        return false;
+    }
+    for (size_t y = 0; y < large.height; y++) {
+        for (size_t x = 0; x < large.width; x++) {
+            bool border = scale >= 6 && (x % scale == 0 || y % scale == 0);
+            struct color color = image_get(image, (int)(x / scale), (int)(y / scale));
+            image_set(&large, (int)x, (int)y, border ? grid : color);
+        }
+    }
+    bool done = png_write(&large, path, error);
+    image_free(&large);
+    return done;
+}
+
+/* ---- Pictures ---- */
+
+/* The lesson's three lines; the last one goes leftwards over the first. */
+static void draw_three_lines(struct image *image, line_function *draw) {
+    draw(image, (struct pixel){13, 20}, (struct pixel){80, 40}, white);
+    draw(image, (struct pixel){20, 13}, (struct pixel){40, 80}, red);
+    draw(image, (struct pixel){80, 40}, (struct pixel){13, 20}, red);
+}
+
+static bool draw_attempts(const char *directory, struct error *error) {
+    static const char *const names[] = {"attempt_1", "attempt_2", "attempt_3", "attempt_4"};
+    for (int i = 0; i < 4; i++) {
+        struct image image;
+        if (!image_create(&image, 100, 100, IMAGE_BGR, error)) {
+            return false;
+        }
+        draw_three_lines(&image, line_attempt(i).draw);
+        bool done = save(directory, names[i], &image, 3, error);
+        image_free(&image);
+        if (!done) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/* The first attempt on a line of more than a hundred columns. */
+static bool draw_holes(const char *directory, struct error *error) {
+    struct image image;
+    if (!image_create(&image, 400, 40, IMAGE_BGR, error)) {
+        return false;
+    }
+    attempt_1_hundred_steps(&image, (struct pixel){5, 5}, (struct pixel){394, 34}, white);
+    bool done = save(directory, "holes", &image, 2, error);
+    image_free(&image);
+    return done;
+}
+
+/* One line of two versions: white where both set a pixel, orange where only the first does, blue
+ * where only the second does. */
+static void draw_both(struct image *image, const struct image *first, const struct image *second,
+                      int left, int bottom) {
+    for (int y = 0; y < (int)image->height; y++) {
+        for (int x = 0; x < (int)image->width; x++) {
+            bool in_first = image_get(first, left + x, bottom + y).g != 0;
+            bool in_second = image_get(second, left + x, bottom + y).g != 0;
+            struct color one = in_first ? orange : sky;
+            struct color both = in_first && in_second ? white : one;
+            image_set(image, x, y, in_first || in_second ? both : background);
+        }
+    }
+}
+
+/* What stands in a comparison of two lines. */
+struct comparison {
+    const char *name;
+    line_function *first_draw, *second_draw;
+    struct pixel first_a, first_b, second_a, second_b;
+    size_t width, height; /* of the image that both are drawn into */
+    int left, bottom;     /* of the part that is shown */
+    size_t shown_width, shown_height, scale;
+};
+
+static bool draw_comparison(const char *directory, const struct comparison *c,
+                            struct error *error) {
+    struct image first = {0}, second = {0}, shown = {0};
+    bool done = image_create(&first, c->width, c->height, IMAGE_GREY, error) &&
+                image_create(&second, c->width, c->height, IMAGE_GREY, error) &&
+                image_create(&shown, c->shown_width, c->shown_height, IMAGE_BGR, error);
+    if (done) {
+        c->first_draw(&first, c->first_a, c->first_b, white);
+        c->second_draw(&second, c->second_a, c->second_b, white);
+        draw_both(&shown, &first, &second, c->left, c->bottom);
+        done = save(directory, c->name, &shown, c->scale, error);
+    }
+    image_free(&first);
+    image_free(&second);
+    image_free(&shown);
+    return done;
+}
+
+static bool draw_comparisons(const char *directory, struct error *error) {
+    const struct pixel a = {13, 20}, b = {80, 40}, low = {1, 1}, high = {19, 10};
+    const struct comparison comparisons[] = {
+        {.name = "cut",
+         .first_draw = attempt_1_hundred_steps,
+         .second_draw = line,
+         .first_a = a,
+         .first_b = b,
+         .second_a = a,
+         .second_b = b,
+         .width = 100,
+         .height = 100,
+         .left = 12,
+         .bottom = 19,
+         .shown_width = 70,
+         .shown_height = 23,
+         .scale = 10},
+        {.name = "ties",
+         .first_draw = attempt_by_cases,
+         .second_draw = attempt_by_cases,
+         .first_a = low,
+         .first_b = high,
+         .second_a = high,
+         .second_b = low,
+         .width = 21,
+         .height = 12,
+         .shown_width = 21,
+         .shown_height = 12,
+         .scale = 16},
+        {.name = "drift",
+         .first_draw = attempt_7_two_parts,
+         .second_draw = line,
+         .first_a = long_a,
+         .first_b = long_b,
+         .second_a = long_a,
+         .second_b = long_b,
+         .width = LONG_WIDTH,
+         .height = LONG_HEIGHT,
+         .left = 100,
+         .bottom = 32,
+         .shown_width = 80,
+         .shown_height = 24,
+         .scale = 10},
+    };
+    for (size_t i = 0; i < sizeof comparisons / sizeof comparisons[0]; i++) {
+        if (!draw_comparison(directory, &comparisons[i], error)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/* Point, horizontal, vertical, diagonal, oblique and steep: one function draws them all. */
+static bool draw_cases(const char *directory, struct error *error) {
+    static const struct {
+        struct pixel a, b;
+    } lines[] = {
+        {{2, 6}, {2, 6}},    {{5, 6}, {13, 6}},  {{16, 2}, {16, 10}},
+        {{19, 2}, {27, 10}}, {{30, 4}, {40, 8}}, {{44, 1}, {48, 11}},
+    };
+    struct image image;
+    if (!image_create(&image, 51, 13, IMAGE_BGR, error)) {
+        return false;
+    }
+    for (size_t i = 0; i < sizeof lines / sizeof lines[0]; i++) {
+        line(&image, lines[i].a, lines[i].b, i % 2 ? white : orange);
+    }
+    bool done = save(directory, "cases", &image, 14, error);
+    image_free(&image);
+    return done;
+}
+
+/* Wrong: the axes of a steep line are exchanged for the walk, but not back for the picture. */
+static void line_not_exchanged_back(struct image *image, struct pixel a, struct pixel b,
+                                    struct color color) {
+    make_flat(&a, &b);
+    line(image, a, b, color);
+}
+
+/* Wrong: v always grows, so a line that goes down to the right goes up. */
+static void line_only_upwards(struct image *image, struct pixel a, struct pixel b,
+                              struct color color) {
+    struct walk walk = walk_begin(a, b);
+    walk.v_step = 1;
+    for (; walk.u <= walk.u_last; walk_next(&walk)) {
+        struct pixel p = walk_pixel(&walk);
+        image_set(image, p.x, p.y, color);
+    }
+}
+
+/* The oblique lines of the scene `gradient`, in one colour. */
+static bool draw_star(const char *directory, const char *name, line_function *draw,
+                      struct error *error) {
+    static const struct pixel ends[] = {{95, 68}, {68, 95}, {32, 95}, {5, 68},
+                                        {5, 32},  {32, 5},  {68, 5},  {95, 32}};
+    struct image image;
+    if (!image_create(&image, 100, 100, IMAGE_BGR, error)) {
+        return false;
+    }
+    for (size_t i = 0; i < sizeof ends / sizeof ends[0]; i++) {
+        draw(&image, (struct pixel){50, 50}, ends[i], white);
+    }
+    bool done = save(directory, name, &image, 3, error);
+    image_free(&image);
+    return done;
+}
+
+/* ---- The table of errors ---- */
+
+struct tally {
+    unsigned long columns;     /* steps along u, of all lines together */
+    unsigned long empty;       /* of them: no pixel */
+    unsigned long not_nearest; /* pixels farther from the ideal line than another of their column */
+    unsigned long one_sided;   /* lines that set other pixels from b to a than from a to b */
+};
+
+/* Is no other pixel of the same column (steep: row) nearer to the ideal line than p? Exactly, in
+ * integers: twice the distance along v, times the run. */
+static bool is_nearest(struct pixel a, struct pixel b, struct pixel p) {
+    bool steep = llabs((int64_t)b.y - a.y) > llabs((int64_t)b.x - a.x);
+    int64_t u_a = steep ? a.y : a.x, v_a = steep ? a.x : a.y;
+    int64_t run = (steep ? b.y : b.x) - u_a, rise = (steep ? b.x : b.y) - v_a;
+    int64_t u = (steep ? p.y : p.x) - u_a, v = (steep ? p.x : p.y) - v_a;
+    if (run == 0) {
+        return u == 0 && v == 0;
+    }
+    return 2 * llabs(v * run - u * rise) <= llabs(run);
+}
+
+/* Add what one drawn line did. `u_size` columns (steep: rows) of the image are looked at. */
+static void tally_line(struct tally *tally, const struct image *image, struct pixel a,
+                       struct pixel b) {
+    bool steep = llabs((int64_t)b.y - a.y) > llabs((int64_t)b.x - a.x);
+    int u_first = steep ? (a.y < b.y ? a.y : b.y) : (a.x < b.x ? a.x : b.x);
+    u_first = u_first > 0 ? u_first : 0;
+    int u_last = steep ? (a.y < b.y ? b.y : a.y) : (a.x < b.x ? b.x : a.x);
+    int v_size = (int)(steep ? image->width : image->height);
+    for (int u = u_first; u <= u_last; u++) {
+        bool found = false;
+        for (int v = 0; v < v_size; v++) {
+            struct pixel p = steep ? (struct pixel){v, u} : (struct pixel){u, v};
+            if (image_get(image, p.x, p.y).g != 0) {
+                found = true;
+                tally->not_nearest += !is_nearest(a, b, p);
+            }
+        }
+        tally->columns++;
+        tally->empty += !found;
+    }
+}
+
+/* All lines from the middle of a small image to each of its pixels, in both directions. */
+static bool tally_short_lines(struct tally *tally, line_function *draw, struct error *error) {
+    enum { SIZE = 41, MIDDLE = SIZE / 2 };
+    struct image there = {0}, back = {0};
+    bool done = image_create(&there, SIZE, SIZE, IMAGE_GREY, error) &&
+                image_create(&back, SIZE, SIZE, IMAGE_GREY, error);
+    for (int i = 0; done && i < SIZE * SIZE; i++) {
+        struct pixel a = {MIDDLE, MIDDLE}, b = {i % SIZE, i / SIZE};
+        image_clear(&there, background);
+        image_clear(&back, background);
+        draw(&there, a, b, white);
+        draw(&back, b, a, white);
+        tally_line(tally, &there, a, b);
+        tally->one_sided += memcmp(there.pixels, back.pixels, SIZE * SIZE) != 0;
+    }
+    image_free(&there);
+    image_free(&back);
+    return done;
+}
+
+static bool tally_long_line(struct tally *tally, line_function *draw, struct error *error) {
+    struct image image;
+    if (!image_create(&image, LONG_WIDTH, LONG_HEIGHT, IMAGE_GREY, error)) {
+        return false;
+    }
+    draw(&image, long_a, long_b, white);
+    tally_line(tally, &image, long_a, long_b);
+    image_free(&image);
+    return true;
+}
+
+static bool print_table(struct error *error) {
+    printf("step01_line: every line from the middle of 41x41 pixels,\n             and the last "
+           "200 columns of (-1000000,-250007)-(199,60)\n");
+    printf("%-20s %8s %8s %12s %10s %12s\n", "version", "columns", "empty", "not nearest",
+           "one-sided", "long: wrong");
+    for (int i = 0; i <= LINE_ATTEMPT_COUNT; i++) {
+        struct line_attempt version = {"line()", line};
+        if (i < LINE_ATTEMPT_COUNT) {
+            version = line_attempt(i);
+        }
+        struct tally all = {0}, one = {0};
+        if (!tally_short_lines(&all, version.draw, error) ||
+            !tally_long_line(&one, version.draw, error)) {
+            return false;
+        }
+        printf("%-20s %8lu %8lu %12lu %10lu %12lu\n", version.name, all.columns, all.empty,
+               all.not_nearest, all.one_sided, one.empty + one.not_nearest);
+    }
+    return true;
+}
+
+int main(int argc, char **argv) {
+    struct error error = {0};
+    if (argc != 2) {
+        fprintf(stderr, "usage: %s OUTDIR\n", argv[0]);
+        return 2;
+    }
+    const char *directory = argv[1];
+    bool done = draw_attempts(directory, &error) && draw_holes(directory, &error) &&
+                draw_comparisons(directory, &error) && draw_cases(directory, &error) &&
+                draw_star(directory, "not_exchanged_back", line_not_exchanged_back, &error) &&
+                draw_star(directory, "only_upwards", line_only_upwards, &error) &&
+                print_table(&error);
+    if (!done) {
+        fprintf(stderr, "%s: %s\n", argv[0], error.message);
+    }
+    return done ? 0 : 1;
+}

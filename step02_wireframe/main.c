@@ -1,0 +1,234 @@
+/*
+ * Step 2: a model made of lines.
+ *
+ * A face of a model has three sides. Each is drawn as a line, x and y of its ends mapped to the
+ * image, z not looked at. Two faces that touch share a side: it is drawn once. A line may reach far
+ * beyond the image: only the part inside is walked, and it has the same pixels as the whole line.
+ *
+ * Scene: `wireframe`, white on black.
+ */
+#include "program.h"
+
+#include <stdlib.h>
+
+/* ---- The sides of the faces ---- */
+
+/* A side joins two positions of the model, the smaller number first: so a side that two faces share
+ * looks the same in both. */
+struct side {
+    uint32_t low, high;
+};
+
+/* What is drawn: a list of sides, made before the drawing. */
+struct wireframe {
+    struct side *sides;
+    size_t side_count;
+    size_t shared; /* sides left out because another face has them too */
+};
+
+static int compare_sides(const void *a, const void *b) {
+    const struct side *p = a, *q = b;
+    if (p->low != q->low) {
+        return p->low < q->low ? -1 : 1;
+    }
+    return (p->high > q->high) - (p->high < q->high);
+}
+
+/* All three sides of every face, one face after the other; `sides` has room for them. */
+static void list_sides(const struct model *model, struct side *sides) {
+    for (size_t i = 0; i < model->face_count; i++) {
+        const struct corner *corner = model->faces[i].corner;
+        for (size_t j = 0; j < 3; j++) {
+            uint32_t p = corner[j].position, q = corner[(j + 1) % 3].position;
+            *sides++ = p < q ? (struct side){p, q} : (struct side){q, p};
+        }
+    }
+}
+
+/* Keep one of each: after sorting, equal sides stand together. Returns how many are left. */
+static size_t keep_one_of_each(struct side *sides, size_t side_count) {
+    qsort(sides, side_count, sizeof *sides, compare_sides);
+    size_t kept = 0;
+    for (size_t i = 0; i < side_count; i++) {
+        if (kept == 0 || compare_sides(&sides[i], &sides[kept - 1]) != 0) {
+            sides[kept++] = sides[i];
+        }
+    }
+    return kept;
+}
+
+static bool prepare(struct drawing *drawing, size_t width, size_t height, struct error *error) {
+    (void)width, (void)height;
+    struct wireframe *wireframe = drawing->state;
+    size_t side_count = 3 * drawing->model->face_count;
+    wireframe->sides = calloc(side_count > 0 ? side_count : 1, sizeof *wireframe->sides);
+    if (wireframe->sides == NULL) {
+        return error_set(error, "not enough memory for %zu sides", side_count);
+    }
+    list_sides(drawing->model, wireframe->sides);
+    wireframe->side_count = side_count;
+    if (drawing->skip) {
+        wireframe->side_count = keep_one_of_each(wireframe->sides, side_count);
+    }
+    wireframe->shared = side_count - wireframe->side_count;
+    return true;
+}
+
+static void finish(struct drawing *drawing) {
+    struct wireframe *wireframe = drawing->state;
+    free(wireframe->sides);
+    *wireframe = (struct wireframe){0};
+}
+
+/* ---- From the model to the image ---- */
+
+/* x and y in -1..1 fill the image. False, with `pixel` unchanged, for a position so far away that
+ * lines are not drawn there. */
+static bool to_pixel(const float position[3], size_t width, size_t height, struct pixel *pixel) {
+    double x = floor(((double)position[0] + 1) * (double)width / 2);
+    double y = floor(((double)position[1] + 1) * (double)height / 2);
+    if (!(fabs(x) <= LINE_LIMIT && fabs(y) <= LINE_LIMIT)) {
+        return false;
+    }
+    *pixel = (struct pixel){(int)x, (int)y};
+    return true;
+}
+
+/* ---- A line cut to the image ---- */
+
+/* A line as in step 1: u is the axis along which it is longer, v the other one. After k steps along
+ * u (0 <= k <= run) it has moved by floor((2 * k * rise + run - 1) / (2 * run)) along v: k * rise /
+ * run to the nearest whole number, halves down. */
+struct course {
+    bool steep;        /* u is y and v is x */
+    int64_t u, v;      /* where it starts: the left end, or the lower end of a steep line */
+    int64_t run, rise; /* lengths along u and v, neither negative */
+    int v_step;        /* +1 or -1 */
+};
+
+static struct course course_from(struct pixel a, struct pixel b) {
+    int64_t x_distance = (int64_t)b.x - a.x, y_distance = (int64_t)b.y - a.y;
+    bool steep = llabs(y_distance) > llabs(x_distance);
+    if (steep ? y_distance < 0 : x_distance < 0) {
+        struct pixel kept = a;
+        a = b;
+        b = kept;
+    }
+    return (struct course){
+        .steep = steep,
+        .u = steep ? a.y : a.x,
+        .v = steep ? a.x : a.y,
+        .run = steep ? llabs(y_distance) : llabs(x_distance),
+        .rise = steep ? llabs(x_distance) : llabs(y_distance),
+        .v_step = (steep ? b.x < a.x : b.y < a.y) ? -1 : 1,
+    };
+}
+
+/* The first step after which the line has moved by `move` or more along v; run + 1 when it never
+ * moves as far. From (2 * k * rise + run - 1) / (2 * run) >= move, solved for k. With coordinates
+ * within LINE_LIMIT all products are below 2^62. */
+static int64_t first_step_moved(const struct course *course, int64_t move) {
+    if (move <= 0) {
+        return 0;
+    }
+    if (move > course->rise) {
+        return course->run + 1;
+    }
+    int64_t divisor = 2 * course->rise;
+    return (2 * course->run * move - course->run + 1 + divisor - 1) / divisor; /* rounded up */
+}
+
+/* The steps that lie in the image. */
+struct steps {
+    int64_t first, last; /* inclusive; none when first > last */
+};
+
+/* v only ever moves one way, so the steps inside stand together: from the first one that has moved
+ * far enough to come in, to the one before it has moved too far. */
+static struct steps steps_inside(const struct course *course, size_t width, size_t height) {
+    int64_t u_size = (int64_t)(course->steep ? height : width);
+    int64_t v_size = (int64_t)(course->steep ? width : height);
+    bool up = course->v_step > 0;
+    int64_t least_move = up ? -course->v : course->v - (v_size - 1);
+    int64_t most_move = up ? v_size - 1 - course->v : course->v;
+    int64_t first = first_step_moved(course, least_move);
+    int64_t last = first_step_moved(course, most_move + 1) - 1;
+    int64_t u_first = -course->u, u_last = u_size - 1 - course->u;
+    first = first > u_first ? first : u_first;
+    last = last < u_last ? last : u_last;
+    return (struct steps){first, last < course->run ? last : course->run};
+}
+
+/* Draw the part of a line that lies in the image; returns the number of its pixels. */
+static uint64_t line(struct image *image, struct pixel a, struct pixel b, struct color color) {
+    struct course course = course_from(a, b);
+    struct steps inside = steps_inside(&course, image->width, image->height);
+    if (inside.first > inside.last) {
+        return 0;
+    }
+    /* Bresenham's walk, joined at the first step inside: the error is what it would be there. */
+    int64_t climbed = 2 * inside.first * course.rise;
+    int64_t moved = course.run > 0 ? (climbed + course.run - 1) / (2 * course.run) : 0;
+    int64_t error = climbed - course.run - 2 * course.run * moved;
+    int64_t u = course.u + inside.first, v = course.v + course.v_step * moved;
+    for (int64_t k = inside.first; k <= inside.last; k++) {
+        image_set(image, (int)(course.steep ? v : u), (int)(course.steep ? u : v), color);
+        u++;
+        error += 2 * course.rise;
+        if (error > 0) {
+            v += course.v_step;
+            error -= 2 * course.run;
+        }
+    }
+    return (uint64_t)(inside.last - inside.first + 1);
+}
+
+/* ---- The scene ---- */
+
+static bool draw_wireframe(struct drawing *drawing, struct image *image, struct error *error) {
+    (void)error;
+    const struct wireframe *wireframe = drawing->state;
+    const struct model *model = drawing->model;
+    const struct color white = color_rgb(255, 255, 255);
+    uint64_t too_far = 0, off_image = 0, written = 0;
+    for (size_t i = 0; i < wireframe->side_count; i++) {
+        struct side side = wireframe->sides[i];
+        struct pixel a, b;
+        if (!to_pixel(model->positions[side.low], image->width, image->height, &a) ||
+            !to_pixel(model->positions[side.high], image->width, image->height, &b)) {
+            too_far++;
+            continue;
+        }
+        uint64_t visible = line(image, a, b, white);
+        written += visible;
+        off_image += visible == 0;
+    }
+    count(drawing, "faces", model->face_count);
+    count(drawing, "lines_drawn", wireframe->side_count - too_far - off_image);
+    count(drawing, "lines_shared_skipped", wireframe->shared);
+    count(drawing, "lines_off_image", off_image);
+    count(drawing, "lines_too_far", too_far);
+    count(drawing, "pixels_written", written);
+    return true;
+}
+
+int main(int argc, char **argv) {
+    static const struct scene scenes[] = {
+        {.name = "wireframe",
+         .width = 800,
+         .height = 800,
+         .needs_model = true,
+         .draw = draw_wireframe},
+    };
+    static const struct program program = {
+        .name = "step02_wireframe",
+        .summary = "the sides of a model's faces",
+        .takes_model = true,
+        .scenes = scenes,
+        .scene_count = sizeof scenes / sizeof scenes[0],
+        .state_size = sizeof(struct wireframe),
+        .prepare = prepare,
+        .finish = finish,
+    };
+    return program_main(&program, argc, argv);
+}
