@@ -4,16 +4,17 @@
  * Conventions of the whole course, stated here once:
  *
  *   World      right-handed, y up. A camera looks along -z of its own frame.
- *   Matrices   m[row][column], applied to column vectors from the left: clip = projection * view *
- * p. Image      pixel (0,0) is bottom-left. Pixel (x,y) covers x..x+1, y..y+1: its centre is at (x
- * + 0.5, y + 0.5). Continuous positions on the image are called `screen`. Depth      larger is
- * nearer; a cleared depth buffer holds minus infinity. Spaces     a name carries its space: world,
- * view, clip (before the division by w), ndc (after it: -1..1 over the image), screen (pixels).
- * `recip_w` is 1/w. Numbers    all vectors are double; positions on the screen are snapped once to
- * 1/256 pixel (struct fixed2), and from there on integers decide what is covered.
+ *   Matrices   m[row][column], applied to column vectors from the left:
+ *              clip = projection * view * position.
+ *   Image      pixel (0,0) is bottom-left. Pixel (x,y) covers x..x+1, y..y+1: its centre is at
+ *              (x + 0.5, y + 0.5). Continuous positions on the image are called `screen`.
+ *   Depth      larger is nearer; a cleared depth buffer holds minus infinity.
+ *   Spaces     a name carries its space: world, view, clip (before the division by w), ndc (after
+ *              it: -1..1 over the image), screen (pixels). `recip_w` is 1/w.
+ *   Numbers    all vectors are double; positions on the screen are snapped once to 1/256 pixel
+ *              (struct fixed2), and from there on integers decide what is covered.
  *
- * Only + - * / and sqrt, which IEEE 754 rounds in one way, so that every machine gets the same
- * bytes.
+ * Only + - * / and sqrt, which IEEE 754 rounds in one way: every machine gets the same bytes.
  */
 #ifndef COMMON_GEOMETRY_H
 #define COMMON_GEOMETRY_H

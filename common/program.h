@@ -4,8 +4,9 @@
  * A step describes itself in a struct program: its scenes, each with a function that draws it, and
  * which options make sense for it. program_main() does the rest:
  *
- *     static bool draw_pixel(struct drawing *drawing, struct image *image, struct error *error)
- * {...}
+ *     static bool draw_pixel(struct drawing *drawing, struct image *image, struct error *error) {
+ *         ...
+ *     }
  *
  *     int main(int argc, char **argv) {
  *         static const struct scene scenes[] = {

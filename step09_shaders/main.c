@@ -125,8 +125,7 @@ static bool normal_map_fragment(const void *uniforms, const double *varyings, st
 
 static const struct shader normal_mapped = {2, uv_vertex, normal_map_fragment, false};
 
-/* ---- Two-sided: a face seen from behind shows its back, lit as if its normal pointed there ----
- */
+/* ---- Two-sided: a face seen from behind is lit as if its normal pointed to that side ---- */
 
 static void two_sided_vertex(const void *uniforms, size_t face, size_t corner, double *varyings) {
     const struct uniforms *u = uniforms;

@@ -1,0 +1,307 @@
+/* Textures against the definitions of texture.h, computed in long double another way: the mean of a
+ * texel's area by overlaps of intervals, samples as weighted sums over clamped texels. */
+#include "texture.h"
+#include "unit.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+static uint64_t random_bits(void) { /* xorshift64: Marsaglia, "Xorshift RNGs", 2003 */
+    static uint64_t state = UINT64_C(88172645463325252);
+    state ^= state << 13;
+    state ^= state >> 7;
+    state ^= state << 17;
+    return state;
+}
+
+static double random_between(double least, double greatest) {
+    return least + (greatest - least) * (double)(random_bits() >> 11) * 0x1p-53;
+}
+
+static bool random_texture(struct texture *texture, size_t width, size_t height,
+                           enum image_format format) {
+    struct image image;
+    struct error error;
+    if (!image_create(&image, width, height, format, &error)) {
+        return false;
+    }
+    for (size_t i = 0; i < width * height * (size_t)format; i++) {
+        image.pixels[i] = (uint8_t)random_bits();
+    }
+    bool done = texture_create(texture, &image, &error);
+    image_free(&image);
+    return done;
+}
+
+static unsigned channel_of(const struct texture_level *level, size_t x, size_t y, int channel) {
+    return level->texels[y * level->width + x] >> 8 * channel & 0xFF;
+}
+
+static void test_texels(void) {
+    static const enum image_format formats[] = {IMAGE_GREY, IMAGE_BGR, IMAGE_BGRA};
+    for (size_t f = 0; f < 3; f++) {
+        struct image image;
+        struct texture texture;
+        struct error error;
+        if (!CHECK(image_create(&image, 5, 3, formats[f], &error))) {
+            return;
+        }
+        for (size_t i = 0; i < 15 * (size_t)formats[f]; i++) {
+            image.pixels[i] = (uint8_t)random_bits();
+        }
+        CHECK(texture_create(&texture, &image, &error));
+        CHECK(texture.level[0].width == 5 && texture.level[0].height == 3);
+        for (int y = 0; y < 3; y++) {
+            for (int x = 0; x < 5; x++) {
+                struct color c = image_get(&image, x, y);
+                uint32_t texel = texture.level[0].texels[y * 5 + x];
+                CHECK(texel == ((uint32_t)c.b | (uint32_t)c.g << 8 | (uint32_t)c.r << 16 |
+                                (uint32_t)c.a << 24));
+            }
+        }
+        texture_free(&texture);
+        CHECK(texture.level_count == 0 && texture.texels == NULL);
+        texture_free(&texture);
+        image_free(&image);
+    }
+}
+
+static void test_level_sizes(void) {
+    static const struct {
+        size_t width, height, levels;
+    } rows[] = {{1, 1, 1}, {2, 2, 2}, {3, 1, 2}, {1024, 1024, 11}, {1, 65535, 16}, {640, 5, 10}};
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        struct texture t;
+        if (!CHECK(random_texture(&t, rows[i].width, rows[i].height, IMAGE_GREY))) {
+            continue;
+        }
+        CHECK(t.level_count == rows[i].levels && t.level_count <= TEXTURE_LEVEL_LIMIT);
+        for (size_t k = 1; k < t.level_count; k++) {
+            size_t width = t.level[k - 1].width / 2, height = t.level[k - 1].height / 2;
+            CHECK(t.level[k].width == (width > 0 ? width : 1));
+            CHECK(t.level[k].height == (height > 0 ? height : 1));
+        }
+        CHECK(t.level[t.level_count - 1].width == 1 && t.level[t.level_count - 1].height == 1);
+        texture_free(&t);
+    }
+    struct texture t;
+    struct error error;
+    CHECK(!texture_create(&t, &(struct image){0}, &error) && t.level_count == 0);
+}
+
+/* How much of texel j lies in the i-th of `parts` equal parts of a row of `size` texels. */
+static long double overlap(size_t i, size_t parts, size_t j, size_t size) {
+    long double step = (long double)size / (long double)parts;
+    long double begin = fmaxl((long double)i * step, (long double)j);
+    long double end = fminl((long double)(i + 1) * step, (long double)j + 1);
+    return end > begin ? end - begin : 0;
+}
+
+static long double mean_of_area(const struct texture_level *from, const struct texture_level *to,
+                                size_t x, size_t y, int channel) {
+    long double sum = 0, area = 0;
+    for (size_t v = 0; v < from->height; v++) {
+        for (size_t u = 0; u < from->width; u++) {
+            long double weight =
+                overlap(x, to->width, u, from->width) * overlap(y, to->height, v, from->height);
+            sum += weight * channel_of(from, u, v, channel);
+            area += weight;
+        }
+    }
+    return sum / area;
+}
+
+static void check_levels(const struct texture *texture) {
+    for (size_t k = 1; k < texture->level_count; k++) {
+        const struct texture_level *from = &texture->level[k - 1], *to = &texture->level[k];
+        for (size_t y = 0; y < to->height; y++) {
+            for (size_t x = 0; x < to->width; x++) {
+                for (int channel = 0; channel < 4; channel++) {
+                    long double mean = mean_of_area(from, to, x, y, channel);
+                    long double error = (long double)channel_of(to, x, y, channel) - mean;
+                    CHECK(error > -0.5L + 1e-12L - 2e-12L && error <= 0.5L + 1e-12L);
+                }
+            }
+        }
+    }
+}
+
+static void test_levels(void) {
+    for (size_t i = 0; i < 60; i++) {
+        struct texture t;
+        size_t width = i < 16 ? i % 4 + 1 : random_bits() % 24 + 1;
+        size_t height = i < 16 ? i / 4 + 1 : random_bits() % 24 + 1;
+        if (CHECK(random_texture(&t, width, height, i % 2 == 0 ? IMAGE_BGRA : IMAGE_GREY))) {
+            check_levels(&t);
+            texture_free(&t);
+        }
+    }
+}
+
+/* A half rounds up; white stays white at odd sizes whose sums pass 32 bits. */
+static void test_level_rounding(void) {
+    struct image image;
+    struct texture t;
+    struct error error;
+    if (!CHECK(image_create(&image, 2, 1, IMAGE_GREY, &error))) {
+        return;
+    }
+    image.pixels[0] = 10;
+    image.pixels[1] = 11;
+    CHECK(texture_create(&t, &image, &error) && (t.level[1].texels[0] & 0xFF) == 11);
+    texture_free(&t);
+    image_free(&image);
+    if (!CHECK(image_create(&image, 4105, 4105, IMAGE_GREY, &error))) {
+        return;
+    }
+    image_clear(&image, color_rgb(255, 255, 255));
+    CHECK(texture_create(&t, &image, &error));
+    bool all_white = true;
+    for (size_t k = 0; k < t.level_count; k++) {
+        for (size_t i = 0; i < t.level[k].width * t.level[k].height; i++) {
+            all_white = all_white && t.level[k].texels[i] == UINT32_MAX;
+        }
+    }
+    CHECK(all_white);
+    texture_free(&t);
+    image_free(&image);
+}
+
+/* ---- Sampling ---- */
+
+static long double clamp_index(long double index, size_t size) {
+    return fminl(fmaxl(index, 0), (long double)size - 1);
+}
+
+/* The four texels around the point, each with the area of the opposite rectangle as its weight. */
+static long double bilinear_by_formula(const struct texture_level *level, struct vec2 uv,
+                                       int channel) {
+    long double x = (long double)uv.x * (long double)level->width - 0.5L;
+    long double y = (long double)uv.y * (long double)level->height - 0.5L;
+    long double sum = 0;
+    for (int j = 0; j < 2; j++) {
+        for (int i = 0; i < 2; i++) {
+            long double column = floorl(x) + i, row = floorl(y) + j;
+            long double weight = (1 - fabsl(x - column)) * (1 - fabsl(y - row));
+            sum += weight * channel_of(level, (size_t)clamp_index(column, level->width),
+                                       (size_t)clamp_index(row, level->height), channel);
+        }
+    }
+    return sum;
+}
+
+static double vec4_channel(struct vec4 color, int channel) { /* of a texel's byte order */
+    return channel == 0 ? color.z : channel == 1 ? color.y : channel == 2 ? color.x : color.w;
+}
+
+static void check_samples(const struct texture *t, struct vec2 uv, double level) {
+    size_t k = (size_t)level;
+    size_t next = k + 1 < t->level_count ? k + 1 : k;
+    long double fraction = (long double)level - (long double)k;
+    for (int channel = 0; channel < 4; channel++) {
+        long double near = bilinear_by_formula(&t->level[k], uv, channel);
+        long double far = bilinear_by_formula(&t->level[next], uv, channel);
+        long double between = near * (1 - fraction) + far * fraction;
+        CHECK(fabsl(near - vec4_channel(texture_bilinear(t, uv, k), channel)) < 1e-9L);
+        CHECK(fabsl(between - vec4_channel(texture_trilinear(t, uv, level), channel)) < 1e-9L);
+    }
+}
+
+static void check_nearest(const struct texture *t, struct vec2 uv) {
+    const struct texture_level *level = &t->level[0];
+    long double x = (long double)uv.x * (long double)level->width;
+    long double y = (long double)uv.y * (long double)level->height;
+    if (fabsl(x - roundl(x)) < 1e-9L || fabsl(y - roundl(y)) < 1e-9L) {
+        return; /* so near to an edge between texels, rounding may decide */
+    }
+    size_t i = (size_t)clamp_index(floorl(x), level->width);
+    size_t j = (size_t)clamp_index(floorl(y), level->height);
+    struct color c = texture_nearest(t, uv);
+    CHECK(c.b == channel_of(level, i, j, 0) && c.g == channel_of(level, i, j, 1) &&
+          c.r == channel_of(level, i, j, 2) && c.a == channel_of(level, i, j, 3));
+}
+
+static void test_samples(void) {
+    for (size_t i = 0; i < 40; i++) {
+        struct texture t;
+        size_t width = random_bits() % 20 + 1, height = random_bits() % 20 + 1;
+        if (!CHECK(random_texture(&t, width, height, IMAGE_BGRA))) {
+            continue;
+        }
+        for (int k = 0; k < 200; k++) {
+            double reach = k % 4 == 0 ? 2 : 0;
+            struct vec2 uv = {random_between(-reach, 1 + reach), random_between(-reach, 1 + reach)};
+            double level = random_between(0, (double)t.level_count - 1);
+            check_samples(&t, uv, k % 8 == 0 ? floor(level) : level);
+            check_nearest(&t, uv);
+        }
+        texture_free(&t);
+    }
+}
+
+/* At a texel's centre every way gives the texel itself, exactly. */
+static void test_texel_centres(void) {
+    struct texture t;
+    if (!CHECK(random_texture(&t, 8, 4, IMAGE_BGRA))) {
+        return;
+    }
+    for (size_t y = 0; y < 4; y++) {
+        for (size_t x = 0; x < 8; x++) {
+            struct vec2 uv = {((double)x + 0.5) / 8, ((double)y + 0.5) / 4};
+            struct vec4 c = texture_bilinear(&t, uv, 0);
+            struct color n = texture_nearest(&t, uv);
+            CHECK(c.x == n.r && c.y == n.g && c.z == n.b && c.w == n.a);
+            CHECK(n.b == channel_of(&t.level[0], x, y, 0) &&
+                  n.a == channel_of(&t.level[0], x, y, 3));
+            /* The left and the bottom edge belong to the texel, the others to its neighbours. */
+            struct color corner = texture_nearest(&t, (struct vec2){(double)x / 8, (double)y / 4});
+            CHECK(memcmp(&corner, &n, sizeof n) == 0);
+        }
+    }
+    texture_free(&t);
+}
+
+static bool same_vec4(struct vec4 a, struct vec4 b) {
+    return a.x == b.x && a.y == b.y && a.z == b.z && a.w == b.w;
+}
+
+/* Coordinates from nowhere: the edge, and 0 for what is not a number. */
+static void test_hostile_coordinates(void) {
+    static const struct {
+        double given, same_as;
+    } rows[] = {{(double)INFINITY, 1}, {(double)-INFINITY, 0},
+                {(double)NAN, 0},      {1e300, 1},
+                {-1e300, 0},           {0x1p63, 1},
+                {4294967296.0, 1},     {-1e-300, 0},
+                {1 + 1e-15, 1},        {-0.0, 0}};
+    for (size_t size = 1; size < 10; size++) {
+        struct texture t;
+        if (!CHECK(random_texture(&t, size, 10 - size, IMAGE_BGRA))) {
+            continue;
+        }
+        for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+            struct vec2 bad[2] = {{rows[i].given, 0.3}, {0.3, rows[i].given}};
+            struct vec2 good[2] = {{rows[i].same_as, 0.3}, {0.3, rows[i].same_as}};
+            for (int k = 0; k < 2; k++) {
+                struct color a = texture_nearest(&t, bad[k]), b = texture_nearest(&t, good[k]);
+                CHECK(memcmp(&a, &b, sizeof a) == 0);
+                CHECK(same_vec4(texture_bilinear(&t, bad[k], 0), texture_bilinear(&t, good[k], 0)));
+                CHECK(same_vec4(texture_trilinear(&t, bad[k], 0.5),
+                                texture_trilinear(&t, good[k], 0.5)));
+            }
+        }
+        struct vec2 uv = {0.4, 0.6};
+        struct vec4 first = texture_bilinear(&t, uv, 0);
+        struct vec4 last = texture_bilinear(&t, uv, t.level_count - 1);
+        CHECK(same_vec4(texture_bilinear(&t, uv, SIZE_MAX), last));
+        CHECK(same_vec4(texture_trilinear(&t, uv, (double)NAN), first));
+        CHECK(same_vec4(texture_trilinear(&t, uv, (double)-INFINITY), first));
+        CHECK(same_vec4(texture_trilinear(&t, uv, -3), first));
+        CHECK(same_vec4(texture_trilinear(&t, uv, (double)INFINITY), last));
+        CHECK(same_vec4(texture_trilinear(&t, uv, 1e10), last));
+        texture_free(&t);
+    }
+}
+
+UNIT_MAIN(TEST(test_texels), TEST(test_level_sizes), TEST(test_levels), TEST(test_level_rounding),
+          TEST(test_samples), TEST(test_texel_centres), TEST(test_hostile_coordinates))
