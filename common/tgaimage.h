@@ -76,13 +76,15 @@ bool image_scale(struct image *image, size_t width, size_t height, struct error 
 
 /* TGA types 1, 2, 3, 9, 10, 11; 8-bit grey and colour map, 15/16-bit 5551, 24 and 32 bit; all four
  * origins (the result is always bottom-left). A 16-bit pixel's attribute bit becomes alpha 0 or 255
- * when the header declares one attribute bit. `image` is overwritten, not freed; empty on an error.
- */
+ * when the header declares one attribute bit. The fourth byte of a 32-bit pixel is
+ * always alpha, whatever the header declares, since many writers leave that number at 0. `image` is
+ * overwritten, not freed; empty on an error. */
 bool tga_decode(struct image *image, const void *data, size_t size, struct error *error);
 bool tga_read(struct image *image, const char *path, struct error *error);
 
 /* TGA 2.0 with footer: type 3 or 2, run-length coded (11 or 10) when `run_length` is set; no packet
- * crosses a row. Appends to `out`. */
+ * crosses a row. Where packets would be larger than the raw pixels (noise), these are written
+ * instead. Appends to `out`. */
 bool tga_encode(const struct image *image, bool run_length, struct bytes *out, struct error *error);
 bool tga_write(const struct image *image, const char *path, struct error *error); /* run-length */
 

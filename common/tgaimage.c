@@ -1,0 +1,675 @@
+/*
+ * Images in memory, TGA in and out, PPM out; see tgaimage.h.
+ *
+ * TGA: Truevision, "Truevision TGA File Format Specification", version 2.0, 1991.
+ */
+#include "tgaimage.h"
+
+#include <assert.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* ---- Images ---- */
+
+bool image_create(struct image *image, size_t width, size_t height, enum image_format format,
+                  struct error *error) {
+    assert(format == IMAGE_GREY || format == IMAGE_BGR || format == IMAGE_BGRA);
+    *image = (struct image){0};
+    if (width < 1 || height < 1 || width > IMAGE_SIZE_LIMIT || height > IMAGE_SIZE_LIMIT) {
+        return error_set(error, "an image cannot be %zux%zu pixels: a side has 1 to %d", width,
+                         height, IMAGE_SIZE_LIMIT);
+    }
+    uint8_t *pixels = calloc(height, width * (size_t)format);
+    if (pixels == NULL) {
+        return error_set(error, "not enough memory for an image of %zux%zu pixels", width, height);
+    }
+    image->width = width;
+    image->height = height;
+    image->format = format;
+    image->pixels = pixels;
+    return true;
+}
+
+void image_free(struct image *image) {
+    free(image->pixels);
+    *image = (struct image){0};
+}
+
+/* Bytes of a row and of the whole image. */
+static size_t row_size(const struct image *image) {
+    return image->width * (size_t)image->format;
+}
+
+static size_t image_size(const struct image *image) {
+    return image->height * row_size(image);
+}
+
+bool image_copy(struct image *copy, const struct image *image, struct error *error) {
+    if (image->pixels == NULL) {
+        *copy = (struct image){0};
+        return true;
+    }
+    if (!image_create(copy, image->width, image->height, image->format, error)) {
+        return false;
+    }
+    memcpy(copy->pixels, image->pixels, image_size(image));
+    return true;
+}
+
+static bool is_inside(const struct image *image, int x, int y) {
+    return x >= 0 && y >= 0 && (size_t)x < image->width && (size_t)y < image->height;
+}
+
+static size_t pixel_offset(const struct image *image, int x, int y) {
+    return ((size_t)y * image->width + (size_t)x) * (size_t)image->format;
+}
+
+struct color image_get(const struct image *image, int x, int y) {
+    if (!is_inside(image, x, y)) {
+        return (struct color){0};
+    }
+    const uint8_t *pixel = image->pixels + pixel_offset(image, x, y);
+    if (image->format == IMAGE_GREY) {
+        return color_grey(pixel[0]);
+    }
+    return (struct color){
+        .b = pixel[0],
+        .g = pixel[1],
+        .r = pixel[2],
+        .a = image->format == IMAGE_BGRA ? pixel[3] : 255,
+    };
+}
+
+static void store_color(uint8_t *pixel, enum image_format format, struct color color) {
+    pixel[0] = color.b;
+    if (format != IMAGE_GREY) {
+        pixel[1] = color.g;
+        pixel[2] = color.r;
+    }
+    if (format == IMAGE_BGRA) {
+        pixel[3] = color.a;
+    }
+}
+
+bool image_set(struct image *image, int x, int y, struct color color) {
+    if (!is_inside(image, x, y)) {
+        return false;
+    }
+    store_color(image->pixels + pixel_offset(image, x, y), image->format, color);
+    return true;
+}
+
+void image_clear(struct image *image, struct color color) {
+    size_t size = image_size(image);
+    for (size_t i = 0; i < size; i += (size_t)image->format) {
+        store_color(image->pixels + i, image->format, color);
+    }
+}
+
+/* Two stretches of memory change places. */
+static void swap_bytes(uint8_t *a, uint8_t *b, size_t size) {
+    for (size_t i = 0; i < size; i++) {
+        uint8_t kept = a[i];
+        a[i] = b[i];
+        b[i] = kept;
+    }
+}
+
+void image_flip_horizontally(struct image *image) {
+    size_t step = (size_t)image->format;
+    for (size_t y = 0; y < image->height; y++) {
+        uint8_t *row = image->pixels + y * row_size(image);
+        for (size_t x = 0; x < image->width / 2; x++) {
+            swap_bytes(row + x * step, row + (image->width - 1 - x) * step, step);
+        }
+    }
+}
+
+void image_flip_vertically(struct image *image) {
+    size_t size = row_size(image);
+    for (size_t y = 0; y < image->height / 2; y++) {
+        swap_bytes(image->pixels + y * size, image->pixels + (image->height - 1 - y) * size, size);
+    }
+}
+
+/* ---- Change of size: one axis at a time, with whole-number weights, so that nothing is rounded
+ * before the end. ---- */
+
+/* Which old pixels make one new pixel along an axis: `count` of them from `first`. */
+struct taps {
+    uint64_t first, count;
+};
+
+/* From `old_size` pixels to `new_size`. Shrinking: in units of 1/(old_size * new_size) of the axis,
+ * old pixel i covers [i * new_size, (i+1) * new_size), new pixel j covers [j * old_size, (j+1) *
+ * old_size). Growing: the centre of new pixel j lies at ((2j+1) * old_size - new_size) / (2 *
+ * new_size) among the centres of the old pixels, which lie at 0, 1, 2... */
+static struct taps axis_taps(uint64_t old_size, uint64_t new_size, uint64_t j) {
+    if (new_size <= old_size) {
+        uint64_t first = j * old_size / new_size;
+        uint64_t last = ((j + 1) * old_size - 1) / new_size;
+        return (struct taps){first, last - first + 1};
+    }
+    uint64_t centre = (2 * j + 1) * old_size;
+    if (centre < new_size) {
+        return (struct taps){0, 1};
+    }
+    uint64_t first = (centre - new_size) / (2 * new_size);
+    return (struct taps){first, first + 1 < old_size ? 2 : 1};
+}
+
+/* The weight of old pixel i in new pixel j; the weights of all taps of j add up to axis_total(). */
+static uint64_t axis_weight(uint64_t old_size, uint64_t new_size, uint64_t j, struct taps taps,
+                            uint64_t i) {
+    if (new_size <= old_size) {
+        uint64_t old_start = i * new_size, old_end = old_start + new_size;
+        uint64_t new_start = j * old_size, new_end = new_start + old_size;
+        uint64_t start = old_start > new_start ? old_start : new_start;
+        uint64_t end = old_end < new_end ? old_end : new_end;
+        return end - start;
+    }
+    if (taps.count == 1) {
+        return 2 * new_size;
+    }
+    uint64_t right = ((2 * j + 1) * old_size - new_size) % (2 * new_size);
+    return i == taps.first ? 2 * new_size - right : right;
+}
+
+static uint64_t axis_total(uint64_t old_size, uint64_t new_size) {
+    return new_size <= old_size ? old_size : 2 * new_size;
+}
+
+/* sums = the weighted sum of the old rows that make new row y, of which there are `height`. */
+static void sum_rows(uint64_t *sums, const struct image *old, size_t height, size_t y) {
+    size_t size = row_size(old);
+    struct taps taps = axis_taps(old->height, height, y);
+    memset(sums, 0, size * sizeof *sums);
+    for (size_t i = (size_t)taps.first; i < taps.first + taps.count; i++) {
+        const uint8_t *row = old->pixels + i * size;
+        uint64_t weight = axis_weight(old->height, height, y, taps, i);
+        for (size_t k = 0; k < size; k++) {
+            sums[k] += weight * row[k];
+        }
+    }
+}
+
+/* One row of new pixels from the weighted sums along a row of old ones, rounded to nearest. The
+ * sums stay below 256 * 131070 * 131070, far inside 64 bits. */
+static void sum_columns(uint8_t *row, size_t width, const uint64_t *sums, const struct image *old,
+                        uint64_t rows_total) {
+    size_t channels = (size_t)old->format;
+    uint64_t total = rows_total * axis_total(old->width, width);
+    for (size_t x = 0; x < width; x++) {
+        struct taps taps = axis_taps(old->width, width, x);
+        uint64_t sum[4] = {0};
+        for (size_t i = (size_t)taps.first; i < taps.first + taps.count; i++) {
+            uint64_t weight = axis_weight(old->width, width, x, taps, i);
+            for (size_t c = 0; c < channels; c++) {
+                sum[c] += weight * sums[i * channels + c];
+            }
+        }
+        for (size_t c = 0; c < channels; c++) {
+            row[x * channels + c] = (uint8_t)((sum[c] + total / 2) / total);
+        }
+    }
+}
+
+bool image_scale(struct image *image, size_t width, size_t height, struct error *error) {
+    if (image->pixels == NULL) {
+        return error_set(error, "an empty image cannot be scaled");
+    }
+    struct image scaled;
+    if (!image_create(&scaled, width, height, image->format, error)) {
+        return false;
+    }
+    uint64_t *sums = calloc(row_size(image), sizeof *sums);
+    if (sums == NULL) {
+        image_free(&scaled);
+        return error_set(error, "not enough memory to scale an image");
+    }
+    uint64_t rows_total = axis_total(image->height, height);
+    for (size_t y = 0; y < height; y++) {
+        sum_rows(sums, image, height, y);
+        sum_columns(scaled.pixels + y * row_size(&scaled), width, sums, image, rows_total);
+    }
+    free(sums);
+    image_free(image);
+    *image = scaled;
+    return true;
+}
+
+/* ---- TGA ---- */
+
+enum {
+    TGA_HEADER_SIZE = 18,
+    TGA_PACKET_LIMIT = 128, /* pixels of one run-length packet */
+    TGA_COLOR_MAPPED = 1,   /* image types; the run-length coded ones are 8 more */
+    TGA_TRUE_COLOR = 2,
+    TGA_GREY = 3,
+    TGA_RUN_LENGTH = 8,
+    TGA_RIGHT_TO_LEFT = 0x10, /* bits of the image descriptor */
+    TGA_TOP_TO_BOTTOM = 0x20,
+    TGA_ATTRIBUTE_BITS = 0x0f,
+    TGA_RESERVED_BITS = 0xc0
+};
+
+/* The last 26 bytes of a version 2.0 file: no extension area, no developer directory. */
+static const uint8_t tga_footer[26] = "\0\0\0\0\0\0\0\0TRUEVISION-XFILE.";
+
+/* What the header says, and where the reader is. */
+struct tga {
+    unsigned id_size, map_type, type, map_first, map_length, map_depth;
+    unsigned width, height, depth, descriptor;
+    bool run_length;
+    unsigned color_depth;      /* bits of a stored colour: of a pixel, or of a colour map entry */
+    size_t stored;             /* bytes of a stored pixel */
+    enum image_format format;  /* of the image that comes out */
+    const uint8_t *map;        /* map_length colours */
+    const uint8_t *next, *end; /* the file's bytes that are not yet read */
+};
+
+static unsigned get_u16(const uint8_t *bytes) {
+    return bytes[0] | (unsigned)bytes[1] << 8;
+}
+
+static size_t depth_bytes(unsigned bits) {
+    return (bits + 7) / 8;
+}
+
+static void parse_tga_header(struct tga *tga, const uint8_t *header) {
+    tga->id_size = header[0];
+    tga->map_type = header[1];
+    tga->type = header[2] & ~(unsigned)TGA_RUN_LENGTH;
+    tga->run_length = (header[2] & TGA_RUN_LENGTH) != 0;
+    tga->map_first = get_u16(header + 3);
+    tga->map_length = get_u16(header + 5);
+    tga->map_depth = header[7];
+    tga->width = get_u16(header + 12);
+    tga->height = get_u16(header + 14);
+    tga->depth = header[16];
+    tga->descriptor = header[17];
+}
+
+static bool is_color_depth(unsigned bits) {
+    return bits == 15 || bits == 16 || bits == 24 || bits == 32;
+}
+
+/* Is the pixel's depth one that goes with the type? */
+static bool check_tga_depth(const struct tga *tga, struct error *error) {
+    bool color = tga->type == TGA_TRUE_COLOR;
+    if (color ? !is_color_depth(tga->depth) : tga->depth != 8) {
+        return error_set(error, "a TGA of %s pixels of %u bits is not supported",
+                         color                   ? "true-colour"
+                         : tga->type == TGA_GREY ? "grey"
+                                                 : "colour-mapped",
+                         tga->depth);
+    }
+    if (tga->type == TGA_COLOR_MAPPED && !is_color_depth(tga->map_depth)) {
+        return error_set(error, "a TGA colour map of %u bits an entry is not supported",
+                         tga->map_depth);
+    }
+    return true;
+}
+
+static bool check_tga_header(const struct tga *tga, struct error *error) {
+    if (tga->type < TGA_COLOR_MAPPED || tga->type > TGA_GREY) {
+        return error_set(error, "TGA image type %u is not supported (1, 2, 3, 9, 10, 11 are)",
+                         tga->type + (tga->run_length ? TGA_RUN_LENGTH : 0u));
+    }
+    if (tga->width == 0 || tga->height == 0) {
+        return error_set(error, "a TGA of %ux%u pixels has no picture", tga->width, tga->height);
+    }
+    if (tga->map_type > 1) {
+        return error_set(error, "TGA colour map type %u is not supported", tga->map_type);
+    }
+    if (tga->type == TGA_COLOR_MAPPED && (tga->map_type == 0 || tga->map_length == 0)) {
+        return error_set(error, "a colour-mapped TGA without a colour map");
+    }
+    if ((tga->descriptor & TGA_RESERVED_BITS) != 0) {
+        return error_set(error, "an interleaved TGA is not supported");
+    }
+    return check_tga_depth(tga, error);
+}
+
+/* Step over the image id and the colour map. */
+static bool skip_to_pixels(struct tga *tga, struct error *error) {
+    size_t map_size = tga->map_type == 1 ? tga->map_length * depth_bytes(tga->map_depth) : 0;
+    if (tga->id_size + map_size > (size_t)(tga->end - tga->next)) {
+        return error_set(error, "a TGA cut off before its pixels");
+    }
+    tga->map = tga->next + tga->id_size;
+    tga->next = tga->map + map_size;
+    return true;
+}
+
+/* Do the bytes that are left suffice for the pixels that the header claims? A run-length packet of
+ * 1 + stored bytes gives at most 128 pixels. */
+static bool check_tga_size(const struct tga *tga, struct error *error) {
+    uint64_t pixels = (uint64_t)tga->width * tga->height;
+    uint64_t packets = (pixels + TGA_PACKET_LIMIT - 1) / TGA_PACKET_LIMIT;
+    uint64_t least = tga->run_length ? packets * (1 + tga->stored) : pixels * tga->stored;
+    uint64_t left = (uint64_t)(tga->end - tga->next);
+    if (left < least) {
+        return error_set(
+            error, "a TGA cut off: %ux%u pixels take at least %llu bytes, but %llu are left",
+            tga->width, tga->height, (unsigned long long)least, (unsigned long long)left);
+    }
+    return true;
+}
+
+static enum image_format tga_format(const struct tga *tga) {
+    if (tga->type == TGA_GREY) {
+        return IMAGE_GREY;
+    }
+    bool one_attribute_bit = (tga->descriptor & TGA_ATTRIBUTE_BITS) == 1;
+    bool alpha = tga->color_depth == 32 || (tga->color_depth == 16 && one_attribute_bit);
+    return alpha ? IMAGE_BGRA : IMAGE_BGR;
+}
+
+/* 5 bits to 8, rounded to nearest. */
+static uint8_t level_from_5_bits(unsigned bits) {
+    return (uint8_t)(((bits & 31) * 255 + 15) / 31);
+}
+
+/* A stored colour of 15 or 16 bits: attribute, red, green, blue from the highest bit down. */
+static void unpack_5551(const uint8_t *stored, enum image_format format, uint8_t *pixel) {
+    unsigned bits = get_u16(stored);
+    struct color color = {
+        .b = level_from_5_bits(bits),
+        .g = level_from_5_bits(bits >> 5),
+        .r = level_from_5_bits(bits >> 10),
+        .a = (bits & 0x8000) != 0 ? 255 : 0,
+    };
+    store_color(pixel, format, color);
+}
+
+/* `count` stored colours become pixels. */
+static void convert_colors(const struct tga *tga, const uint8_t *stored, size_t count,
+                           uint8_t *pixels) {
+    if (tga->color_depth != 15 && tga->color_depth != 16) {
+        memcpy(pixels, stored, count * (size_t)tga->format);
+        return;
+    }
+    for (size_t i = 0; i < count; i++) {
+        unpack_5551(stored + 2 * i, tga->format, pixels + i * (size_t)tga->format);
+    }
+}
+
+/* The next `count` stored pixels of the file, which is known to hold them, become pixels. */
+static bool convert_pixels(struct tga *tga, size_t count, uint8_t *pixels, struct error *error) {
+    const uint8_t *stored = tga->next;
+    tga->next += count * tga->stored;
+    if (tga->type != TGA_COLOR_MAPPED) {
+        convert_colors(tga, stored, count, pixels);
+        return true;
+    }
+    for (size_t i = 0; i < count; i++) {
+        unsigned index = stored[i];
+        if (index < tga->map_first || index - tga->map_first >= tga->map_length) {
+            return error_set(error, "a TGA pixel has colour %u, but the colour map has %u to %u",
+                             index, tga->map_first, tga->map_first + tga->map_length - 1);
+        }
+        const uint8_t *entry = tga->map + (index - tga->map_first) * depth_bytes(tga->map_depth);
+        convert_colors(tga, entry, 1, pixels + i * (size_t)tga->format);
+    }
+    return true;
+}
+
+/* Fill `count` pixels with copies of the one before them. */
+static void repeat_pixel(uint8_t *pixels, size_t count, size_t pixel_size) {
+    uint8_t pixel[4] = {0};
+    memcpy(pixel, pixels - pixel_size, pixel_size);
+    for (size_t i = 0; i < count; i++) {
+        for (size_t c = 0; c < pixel_size; c++) {
+            *pixels++ = pixel[c];
+        }
+    }
+}
+
+/* The packets of a run-length coded image. They may cross rows, but not run past the last pixel. */
+static bool unpack_packets(struct tga *tga, uint8_t *pixels, size_t left, struct error *error) {
+    size_t pixel_size = (size_t)tga->format;
+    while (left > 0) {
+        if (tga->next == tga->end) {
+            return error_set(error, "a TGA cut off: %zu pixels are missing", left);
+        }
+        unsigned head = *tga->next++;
+        size_t count = (head & 127) + 1;
+        size_t stored_count = (head & 128) != 0 ? 1 : count;
+        if (count > left) {
+            return error_set(error, "a TGA packet of %zu pixels, but only %zu are left", count,
+                             left);
+        }
+        if (stored_count * tga->stored > (size_t)(tga->end - tga->next)) {
+            return error_set(error, "a TGA cut off: %zu pixels are missing", left);
+        }
+        if (!convert_pixels(tga, stored_count, pixels, error)) {
+            return false;
+        }
+        repeat_pixel(pixels + stored_count * pixel_size, count - stored_count, pixel_size);
+        pixels += count * pixel_size;
+        left -= count;
+    }
+    return true;
+}
+
+bool tga_decode(struct image *image, const void *data, size_t size, struct error *error) {
+    *image = (struct image){0};
+    const uint8_t *bytes = data;
+    if (size < TGA_HEADER_SIZE) {
+        return error_set(error, "not a TGA: %zu bytes are too few for a header", size);
+    }
+    struct tga tga = {.next = bytes + TGA_HEADER_SIZE, .end = bytes + size};
+    parse_tga_header(&tga, bytes);
+    if (!check_tga_header(&tga, error)) {
+        return false;
+    }
+    tga.stored = depth_bytes(tga.depth);
+    tga.color_depth = tga.type == TGA_COLOR_MAPPED ? tga.map_depth : tga.depth;
+    tga.format = tga_format(&tga);
+    if (!skip_to_pixels(&tga, error) || !check_tga_size(&tga, error) ||
+        !image_create(image, tga.width, tga.height, tga.format, error)) {
+        return false;
+    }
+    size_t count = image->width * image->height;
+    bool done = tga.run_length ? unpack_packets(&tga, image->pixels, count, error)
+                               : convert_pixels(&tga, count, image->pixels, error);
+    if (!done) {
+        image_free(image);
+        return false;
+    }
+    if ((tga.descriptor & TGA_RIGHT_TO_LEFT) != 0) {
+        image_flip_horizontally(image);
+    }
+    if ((tga.descriptor & TGA_TOP_TO_BOTTOM) != 0) {
+        image_flip_vertically(image);
+    }
+    return true;
+}
+
+bool tga_read(struct image *image, const char *path, struct error *error) {
+    struct bytes file;
+    *image = (struct image){0};
+    if (!file_read(path, &file, error)) {
+        return false;
+    }
+    bool done = tga_decode(image, file.data, file.size, error);
+    bytes_free(&file);
+    return done || error_name_file(error, path);
+}
+
+/* How many pixels from `pixels` on are equal, `limit` at most. */
+static size_t run_of_equal(const uint8_t *pixels, size_t limit, size_t pixel_size) {
+    size_t count = 1;
+    while (count < limit && memcmp(pixels, pixels + count * pixel_size, pixel_size) == 0) {
+        count++;
+    }
+    return count;
+}
+
+/* How many pixels go into one raw packet: up to the next run that is worth a packet of its own. A
+ * run packet between two raw ones costs two heads, so two equal grey pixels are not worth it. */
+static size_t run_of_different(const uint8_t *pixels, size_t limit, size_t pixel_size) {
+    size_t worth = pixel_size == 1 ? 3 : 2;
+    size_t count = 1;
+    while (count < limit) {
+        size_t left = limit - count;
+        size_t look = left < worth ? left : worth;
+        if (look == worth && run_of_equal(pixels + count * pixel_size, look, pixel_size) == worth) {
+            break;
+        }
+        count++;
+    }
+    return count;
+}
+
+/* One row as packets; returns their size. `out` has room for the row and one byte per 128 pixels,
+ * which is the worst case. */
+static size_t pack_row(const uint8_t *row, size_t width, size_t pixel_size, uint8_t *out) {
+    uint8_t *next = out;
+    for (size_t x = 0; x < width;) {
+        const uint8_t *pixel = row + x * pixel_size;
+        size_t limit = width - x < TGA_PACKET_LIMIT ? width - x : TGA_PACKET_LIMIT;
+        size_t count = run_of_equal(pixel, limit, pixel_size);
+        bool run = count > 1;
+        if (!run) {
+            count = run_of_different(pixel, limit, pixel_size);
+        }
+        size_t stored = run ? pixel_size : count * pixel_size;
+        *next++ = (uint8_t)((run ? 128 : 0) + count - 1);
+        memcpy(next, pixel, stored);
+        next += stored;
+        x += count;
+    }
+    return (size_t)(next - out);
+}
+
+static void put_u16(uint8_t *bytes, size_t value) {
+    bytes[0] = (uint8_t)(value & 255);
+    bytes[1] = (uint8_t)(value >> 8);
+}
+
+static void put_tga_header(uint8_t *header, const struct image *image, bool run_length) {
+    memset(header, 0, TGA_HEADER_SIZE);
+    header[2] = (uint8_t)((image->format == IMAGE_GREY ? TGA_GREY : TGA_TRUE_COLOR) +
+                          (run_length ? TGA_RUN_LENGTH : 0));
+    put_u16(header + 12, image->width);
+    put_u16(header + 14, image->height);
+    header[16] = (uint8_t)(8 * (unsigned)image->format);
+    header[17] = image->format == IMAGE_BGRA ? 8 : 0; /* bits of alpha; origin bottom-left */
+}
+
+/* All rows as packets after what is in `out`, which has room for the raw pixels and one row more.
+ * False when they come out larger than the raw pixels. */
+static bool pack_rows(const struct image *image, struct bytes *out) {
+    size_t raw_end = out->size + image_size(image);
+    for (size_t y = 0; y < image->height; y++) {
+        const uint8_t *row = image->pixels + y * row_size(image);
+        out->size += pack_row(row, image->width, (size_t)image->format, out->data + out->size);
+        if (out->size > raw_end) {
+            return false;
+        }
+    }
+    return true;
+}
+
+bool tga_encode(const struct image *image, bool run_length, struct bytes *out,
+                struct error *error) {
+    if (image->pixels == NULL) {
+        return error_set(error, "an empty image cannot be written");
+    }
+    /* A row of packets is at most twice as large as the row: one grey pixel in a packet. */
+    size_t room = TGA_HEADER_SIZE + image_size(image) + 2 * row_size(image) + sizeof tga_footer;
+    if (!bytes_reserve(out, room)) {
+        return error_set(error, "not enough memory to write a TGA");
+    }
+    size_t start = out->size;
+    out->size += TGA_HEADER_SIZE;
+    bool packed = run_length && pack_rows(image, out);
+    if (!packed) { /* noise: run-length coding would make it larger */
+        out->size = start + TGA_HEADER_SIZE;
+        memcpy(out->data + out->size, image->pixels, image_size(image));
+        out->size += image_size(image);
+    }
+    put_tga_header(out->data + start, image, packed);
+    memcpy(out->data + out->size, tga_footer, sizeof tga_footer);
+    out->size += sizeof tga_footer;
+    return true;
+}
+
+bool tga_write(const struct image *image, const char *path, struct error *error) {
+    struct bytes out = {0};
+    if (!tga_encode(image, true, &out, error)) {
+        bytes_free(&out);
+        return error_name_file(error, path);
+    }
+    bool done = file_write(path, out.data, out.size, error);
+    bytes_free(&out);
+    return done;
+}
+
+/* ---- PPM and PGM ---- */
+
+/* One pixel as text, on a line of its own; returns the number of characters. */
+static size_t print_pixel(const uint8_t *pixel, enum image_format format, char *text, size_t room) {
+    int count = format == IMAGE_GREY
+                    ? snprintf(text, room, "%d\n", pixel[0])
+                    : snprintf(text, room, "%d %d %d\n", pixel[2], pixel[1], pixel[0]);
+    return (size_t)count;
+}
+
+/* One pixel as bytes, red first. */
+static size_t store_rgb(const uint8_t *pixel, enum image_format format, uint8_t *out) {
+    if (format == IMAGE_GREY) {
+        out[0] = pixel[0];
+        return 1;
+    }
+    out[0] = pixel[2];
+    out[1] = pixel[1];
+    out[2] = pixel[0];
+    return 3;
+}
+
+bool ppm_encode(const struct image *image, bool plain, struct bytes *out, struct error *error) {
+    enum { HEADER_LIMIT = 32, TEXT_LIMIT = 16 }; /* TEXT_LIMIT: "255 255 255\n" and a NUL */
+    if (image->pixels == NULL) {
+        return error_set(error, "an empty image cannot be written");
+    }
+    size_t step = (size_t)image->format;
+    int kind = (image->format == IMAGE_GREY ? 2 : 3) + (plain ? 0 : 3);
+    char header[HEADER_LIMIT];
+    int header_size =
+        snprintf(header, sizeof header, "P%d\n%zu %zu\n255\n", kind, image->width, image->height);
+    size_t start = out->size;
+    if (!bytes_append(out, header, (size_t)header_size)) {
+        goto fail;
+    }
+    for (size_t y = image->height; y-- > 0;) {
+        const uint8_t *row = image->pixels + y * row_size(image);
+        if (!bytes_reserve(out, image->width * (plain ? TEXT_LIMIT : 3))) {
+            goto fail;
+        }
+        for (size_t x = 0; x < image->width; x++) {
+            uint8_t *next = out->data + out->size;
+            out->size += plain
+                             ? print_pixel(row + x * step, image->format, (char *)next, TEXT_LIMIT)
+                             : store_rgb(row + x * step, image->format, next);
+        }
+    }
+    return true;
+fail:
+    out->size = start;
+    return error_set(error, "not enough memory to write a PPM");
+}
+
+bool ppm_write(const struct image *image, const char *path, struct error *error) {
+    struct bytes out = {0};
+    if (!ppm_encode(image, false, &out, error)) {
+        bytes_free(&out);
+        return error_name_file(error, path);
+    }
+    bool done = file_write(path, out.data, out.size, error);
+    bytes_free(&out);
+    return done;
+}

@@ -1,0 +1,374 @@
+/*
+ * Tests of common/file.c: messages, blocks of bytes, whole files in and out, and what happens when
+ * the disk, the directory or the file does not play along.
+ */
+#define _XOPEN_SOURCE 700 /* POSIX.1-2008 with mkdtemp() */
+
+#include "file.h"
+
+#include "unit.h"
+
+#include <dirent.h>
+#include <fcntl.h>
+#include <signal.h>
+#include <stdlib.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+/* A directory of its own for a test. */
+struct place {
+    char directory[64];
+    char path[128]; /* of a file in it, set by name_file() */
+};
+
+static bool place_create(struct place *place) {
+    strcpy(place->directory, "/tmp/test_file.XXXXXX");
+    return CHECK(mkdtemp(place->directory) != NULL);
+}
+
+static const char *name_file(struct place *place, const char *name) {
+    snprintf(place->path, sizeof place->path, "%s/%s", place->directory, name);
+    return place->path;
+}
+
+/* How many names there are in the directory. */
+static size_t place_count(const struct place *place) {
+    size_t count = 0;
+    DIR *list = opendir(place->directory);
+    while (list != NULL && readdir(list) != NULL) {
+        count++;
+    }
+    if (list != NULL) {
+        closedir(list);
+    }
+    return count - 2; /* "." and ".." */
+}
+
+static void place_remove(struct place *place, const char *name) {
+    if (name != NULL) {
+        CHECK(unlink(name_file(place, name)) == 0);
+    }
+    CHECK(rmdir(place->directory) == 0); /* fails when a temporary file was left behind */
+}
+
+static bool file_is(const char *path, const char *text) {
+    struct bytes bytes;
+    struct error error;
+    bool same = file_read(path, &bytes, &error) && bytes.size == strlen(text) &&
+                (bytes.size == 0 || memcmp(bytes.data, text, bytes.size) == 0);
+    bytes_free(&bytes);
+    return same;
+}
+
+/* Run in a child process; true when it returns true. */
+static bool in_child(bool (*run)(const char *), const char *argument) {
+    fflush(NULL);
+    pid_t child = fork();
+    if (child == 0) {
+        _exit(run(argument) ? 0 : 1);
+    }
+    int status = 1;
+    return child > 0 && waitpid(child, &status, 0) == child && WIFEXITED(status) &&
+           WEXITSTATUS(status) == 0;
+}
+
+/* Become somebody who owns nothing; in a child process only. */
+static bool drop_privileges(void) {
+    return getuid() != 0 || (setgid(65534) == 0 && setuid(65534) == 0);
+}
+
+/* ---- Messages ---- */
+
+static void test_messages(void) {
+    struct error error;
+    CHECK(!error_set(&error, "line %d: %s", 7, "bad"));
+    CHECK_TEXT(error.message, "line 7: bad");
+    CHECK(!error_name_file(&error, "a/b.obj"));
+    CHECK_TEXT(error.message, "a/b.obj: line 7: bad");
+    error_set(&error, "%s", "two\nlines\x1b[31m\x7f");
+    CHECK_TEXT(error.message, "two?lines?[31m?");
+}
+
+static void test_long_messages(void) {
+    struct error error;
+    char text[5000];
+    memset(text, 'x', sizeof text - 1);
+    text[sizeof text - 1] = '\0';
+    CHECK(!error_set(&error, "%s", text));
+    CHECK(strlen(error.message) == sizeof error.message - 1);
+    error_set(&error, "%s", "the reason");
+    CHECK(!error_name_file(&error, text));
+    size_t length = strlen(error.message);
+    CHECK(length < 600); /* the reason must stay visible */
+    CHECK_TEXT(error.message + length - 12, ": the reason");
+}
+
+/* ---- Bytes ---- */
+
+static void test_bytes(void) {
+    struct bytes bytes = {0};
+    bytes_free(&bytes);
+    CHECK(bytes_append(&bytes, NULL, 0) && bytes.data == NULL);
+    for (size_t i = 0; i < 1000; i++) {
+        unsigned char byte = (unsigned char)(i % 251);
+        CHECK(bytes_append(&bytes, &byte, 1));
+    }
+    bool same = bytes.size == 1000 && bytes.capacity >= 1000;
+    for (size_t i = 0; i < 1000; i++) {
+        same = same && bytes.data[i] == i % 251;
+    }
+    CHECK(same);
+    CHECK(bytes_reserve(&bytes, 5000) && bytes.size == 1000 && bytes.capacity >= 6000);
+    CHECK(!bytes_reserve(&bytes, SIZE_MAX) && bytes.size == 1000 && bytes.data[7] == 7);
+    CHECK(!bytes_reserve(&bytes, SIZE_MAX - 999));
+    bytes_free(&bytes);
+    CHECK(bytes.data == NULL && bytes.size == 0 && bytes.capacity == 0);
+    CHECK(bytes_reserve(&bytes, 10) && bytes.capacity == 10); /* no more than asked for */
+    bytes_free(&bytes);
+}
+
+/* ---- Reading ---- */
+
+static void test_read(void) {
+    struct place place;
+    struct bytes bytes;
+    struct error error;
+    if (!place_create(&place)) {
+        return;
+    }
+    const char *path = name_file(&place, "a");
+    CHECK(file_write(path, "hello", 5, &error));
+    CHECK(file_read(path, &bytes, &error) && bytes.size == 5 && bytes.capacity == 5);
+    CHECK(bytes.data != NULL && memcmp(bytes.data, "hello", 5) == 0);
+    bytes_free(&bytes);
+    CHECK(file_write(path, NULL, 0, &error));
+    CHECK(file_read(path, &bytes, &error) && bytes.size == 0);
+    bytes_free(&bytes);
+    CHECK(file_read("/dev/null", &bytes, &error) && bytes.size == 0);
+    bytes_free(&bytes);
+    place_remove(&place, "a");
+}
+
+static void check_not_read(const char *path, const char *reason) {
+    struct bytes bytes = {.size = 99};
+    struct error error;
+    CHECK_ROW(!file_read(path, &bytes, &error), path);
+    CHECK(bytes.data == NULL && bytes.size == 0);
+    CHECK(strncmp(error.message, path, strlen(path)) == 0);
+    CHECK_TEXT(error.message + strlen(path), reason);
+}
+
+static void test_read_errors(void) {
+    struct place place;
+    if (!place_create(&place)) {
+        return;
+    }
+    check_not_read(place.directory, ": is a directory");
+    check_not_read(name_file(&place, "none"), ": No such file or directory");
+    check_not_read("", ": No such file or directory");
+    const char *path = name_file(&place, "huge");
+    int file = open(path, O_WRONLY | O_CREAT, 0600);
+    CHECK(file >= 0 && ftruncate(file, ((off_t)1 << 30) + 1) == 0); /* a hole: takes no room */
+    close(file);
+    check_not_read(path, ": is larger than 1 GiB");
+    place_remove(&place, "huge");
+}
+
+/* Standard input is a pipe that is filled in small pieces, longer than any buffer. */
+static bool read_pipe(const char *unused) {
+    enum { SIZE = 200000 };
+    (void)unused;
+    int ends[2];
+    if (pipe(ends) != 0) {
+        return false;
+    }
+    if (fork() == 0) {
+        for (int i = 0; i < SIZE; i += 1000) {
+            char piece[1000];
+            memset(piece, 'a' + i / 1000 % 26, sizeof piece);
+            if (write(ends[1], piece, sizeof piece) != (ssize_t)sizeof piece) {
+                _exit(1);
+            }
+        }
+        _exit(0);
+    }
+    close(ends[1]);
+    dup2(ends[0], STDIN_FILENO);
+    struct bytes bytes;
+    struct error error;
+    bool same = file_read("-", &bytes, &error) && bytes.size == SIZE;
+    for (size_t i = 0; same && i < SIZE; i++) {
+        same = bytes.data[i] == 'a' + i / 1000 % 26;
+    }
+    bytes_free(&bytes);
+    return same;
+}
+
+static bool read_closed_input(const char *unused) {
+    struct bytes bytes;
+    struct error error;
+    (void)unused;
+    close(STDIN_FILENO);
+    return !file_read("-", &bytes, &error) && bytes.data == NULL &&
+           strcmp(error.message, "standard input: Bad file descriptor") == 0;
+}
+
+static void test_standard_input(void) {
+    CHECK(in_child(read_pipe, ""));
+    CHECK(in_child(read_closed_input, ""));
+}
+
+/* ---- Writing ---- */
+
+static void test_write(void) {
+    struct place place;
+    struct error error;
+    struct stat status;
+    if (!place_create(&place)) {
+        return;
+    }
+    const char *path = name_file(&place, "a");
+    CHECK(file_write(path, "first", 5, &error) && file_is(path, "first"));
+    CHECK(chmod(path, 0640) == 0);
+    CHECK(file_write(path, "second", 6, &error) && file_is(path, "second"));
+    CHECK(stat(path, &status) == 0 && (status.st_mode & 0777) == 0640);
+    CHECK(place_count(&place) == 1);
+    place_remove(&place, "a");
+}
+
+static void check_not_written(const char *path, const char *reason) {
+    struct error error;
+    CHECK_ROW(!file_write(path, "new", 3, &error), path);
+    CHECK(strncmp(error.message, path, strlen(path)) == 0);
+    CHECK_TEXT(error.message + strlen(path), reason);
+}
+
+static void test_write_errors(void) {
+    struct place place;
+    if (!place_create(&place)) {
+        return;
+    }
+    check_not_written(place.directory, ": is a directory");
+    check_not_written(name_file(&place, "none/a"), ": No such file or directory");
+    check_not_written("", ": No such file or directory");
+    CHECK(place_count(&place) == 0);
+    place_remove(&place, NULL);
+}
+
+/* A file may have 100 bytes at most: writing more fails in the middle, as on a full disk. */
+static bool write_to_full_disk(const char *path) {
+    static const char data[5000];
+    struct rlimit limit = {.rlim_cur = 100, .rlim_max = 100};
+    struct error error;
+    signal(SIGXFSZ, SIG_IGN);
+    return setrlimit(RLIMIT_FSIZE, &limit) == 0 && !file_write(path, data, sizeof data, &error) &&
+           strncmp(error.message, path, strlen(path)) == 0 &&
+           strcmp(error.message + strlen(path), ": File too large") == 0;
+}
+
+static void test_full_disk(void) {
+    struct place place;
+    struct error error;
+    if (!place_create(&place)) {
+        return;
+    }
+    const char *path = name_file(&place, "a");
+    CHECK(in_child(write_to_full_disk, path));
+    CHECK(place_count(&place) == 0);
+    CHECK(file_write(path, "old", 3, &error));
+    CHECK(in_child(write_to_full_disk, path));
+    CHECK(file_is(path, "old") && place_count(&place) == 1);
+    place_remove(&place, "a");
+}
+
+/* As somebody who may not write there: the superuser may always. */
+static bool write_without_permission(const char *path) {
+    struct error error;
+    if (!drop_privileges()) {
+        return false;
+    }
+    return !file_write(path, "new", 3, &error) && strncmp(error.message, path, strlen(path)) == 0 &&
+           strcmp(error.message + strlen(path), ": Permission denied") == 0;
+}
+
+static void test_write_protection(void) {
+    struct place place;
+    struct error error;
+    if (!place_create(&place)) {
+        return;
+    }
+    const char *path = name_file(&place, "a");
+    CHECK(file_write(path, "old", 3, &error));
+    CHECK(chmod(path, 0444) == 0 && chmod(place.directory, 0777) == 0);
+    CHECK(in_child(write_without_permission, path)); /* a protected file */
+    CHECK(unlink(path) == 0 && chmod(place.directory, 0555) == 0);
+    CHECK(in_child(write_without_permission, path)); /* a protected directory */
+    CHECK(chmod(place.directory, 0777) == 0 && place_count(&place) == 0);
+    place_remove(&place, NULL);
+}
+
+static void test_symbolic_link(void) {
+    struct place place;
+    struct error error;
+    struct stat status;
+    char link[128];
+    if (!place_create(&place)) {
+        return;
+    }
+    strcpy(link, name_file(&place, "link"));
+    const char *path = name_file(&place, "a");
+    CHECK(file_write(path, "old", 3, &error));
+    CHECK(symlink("a", link) == 0);
+    CHECK(file_write(link, "new", 3, &error));
+    CHECK(lstat(link, &status) == 0 && S_ISLNK(status.st_mode));
+    CHECK(file_is(path, "new") && place_count(&place) == 2);
+    CHECK(unlink(link) == 0);
+    place_remove(&place, "a");
+}
+
+/* A device or a pipe is written to, and stays what it is. The devices of the system are only
+ * touched without the right to replace them: a wrong program under test must not do harm. */
+static bool write_to_null(const char *path) {
+    struct error error;
+    return drop_privileges() && file_write(path, "gone", 4, &error);
+}
+
+static bool write_to_full(const char *path) {
+    struct error error;
+    return drop_privileges() && !file_write(path, "gone", 4, &error) &&
+           strcmp(error.message, "/dev/full: No space left on device") == 0;
+}
+
+static bool write_to_pipe(const char *path) {
+    struct error error;
+    return file_write(path, "through", 7, &error);
+}
+
+static void test_devices(void) {
+    struct place place;
+    struct stat status;
+    char got[16] = "";
+    CHECK(in_child(write_to_null, "/dev/null"));
+    if (stat("/dev/full", &status) == 0) { /* not every system has it */
+        CHECK(in_child(write_to_full, "/dev/full"));
+    }
+    if (!place_create(&place)) {
+        return;
+    }
+    const char *path = name_file(&place, "pipe");
+    CHECK(mkfifo(path, 0600) == 0);
+    int reader = open(path, O_RDONLY | O_NONBLOCK);
+    CHECK(in_child(write_to_pipe, path));
+    CHECK(read(reader, got, sizeof got - 1) == 7);
+    CHECK_TEXT(got, "through");
+    close(reader);
+    CHECK(stat(path, &status) == 0 && S_ISFIFO(status.st_mode) && place_count(&place) == 1);
+    place_remove(&place, "pipe");
+}
+
+UNIT_MAIN(TEST(test_messages), TEST(test_long_messages), TEST(test_bytes), TEST(test_read),
+          TEST(test_read_errors), TEST(test_standard_input), TEST(test_write),
+          TEST(test_write_errors), TEST(test_full_disk), TEST(test_write_protection),
+          TEST(test_symbolic_link), TEST(test_devices))

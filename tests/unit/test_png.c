@@ -1,0 +1,1100 @@
+/*
+ * Tests of common/png.c and common/deflate.c.
+ *
+ * PNG files and compressed data are put together here bit by bit from the specifications, with
+ * checksums, filters and codes that share nothing with the code under test. Everything is decoded
+ * from blocks of exactly its size, so that the address sanitizer sees a read past the end.
+ */
+#define _XOPEN_SOURCE 700 /* POSIX.1-2008 with mkdtemp() */
+
+#include "png.h"
+
+#include "deflate.h"
+#include "unit.h"
+
+#include <stdlib.h>
+#include <unistd.h>
+
+static uint32_t next_random(uint32_t *state) {
+    *state = *state * 1664525u + 1013904223u;
+    return *state >> 8;
+}
+
+static bool same_image(const struct image *a, const struct image *b) {
+    return a->width == b->width && a->height == b->height && a->format == b->format &&
+           memcmp(a->pixels, b->pixels, a->width * a->height * (size_t)a->format) == 0;
+}
+
+static void put(struct bytes *out, unsigned value) {
+    uint8_t byte = (uint8_t)(value & 255);
+    CHECK(bytes_append(out, &byte, 1));
+}
+
+static void put_32(struct bytes *out, uint32_t value) {
+    for (unsigned shift = 32; shift > 0; shift -= 8) {
+        put(out, value >> (shift - 8) & 255);
+    }
+}
+
+static uint32_t slow_adler(const uint8_t *data, size_t size) {
+    uint32_t a = 1, b = 0;
+    for (size_t i = 0; i < size; i++) {
+        a = (a + data[i]) % 65521;
+        b = (b + a) % 65521;
+    }
+    return b * 65536 + a;
+}
+
+static uint32_t slow_crc(const uint8_t *data, size_t size) {
+    uint32_t crc = 0xffffffffu;
+    for (size_t i = 0; i < 8 * size; i++) {
+        uint32_t bit = (data[i / 8] >> i % 8 ^ crc) & 1;
+        crc = bit != 0 ? crc >> 1 ^ 0xedb88320u : crc >> 1;
+    }
+    return ~crc;
+}
+
+/* ---- Compressed data, bit by bit ---- */
+
+struct bits {
+    struct bytes bytes;
+    unsigned count; /* bits in the last byte, 0 when it is full */
+};
+
+/* A number: its lowest bit first. */
+static void put_bits(struct bits *bits, unsigned value, unsigned count) {
+    for (unsigned i = 0; i < count; i++) {
+        if (bits->count == 0) {
+            put(&bits->bytes, 0);
+        }
+        unsigned bit = value >> i & 1;
+        bits->bytes.data[bits->bytes.size - 1] |= (unsigned char)(bit << bits->count);
+        bits->count = (bits->count + 1) % 8;
+    }
+}
+
+/* A Huffman code: its highest bit first. */
+static void put_code(struct bits *bits, unsigned code, unsigned count) {
+    while (count-- > 0) {
+        put_bits(bits, code >> count, 1);
+    }
+}
+
+/* The same from a string such as "1 0110 ", where blanks only please the eye. */
+static void put_string(struct bits *bits, const char *digits) {
+    for (; *digits != '\0'; digits++) {
+        if (*digits != ' ') {
+            put_bits(bits, *digits == '1', 1);
+        }
+    }
+}
+
+static void put_fixed(struct bits *bits, unsigned symbol) {
+    if (symbol < 144) {
+        put_code(bits, 48 + symbol, 8);
+    } else if (symbol < 256) {
+        put_code(bits, 400 + symbol - 144, 9);
+    } else if (symbol < 280) {
+        put_code(bits, symbol - 256, 7);
+    } else {
+        put_code(bits, 192 + symbol - 280, 8);
+    }
+}
+
+/* A zlib stream around blocks, with the checksum of `plain`. */
+static struct bytes wrap_blocks(const struct bits *bits, const void *plain, size_t size) {
+    struct bytes stream = {0};
+    put(&stream, 0x78);
+    put(&stream, 0x01);
+    CHECK(bytes_append(&stream, bits->bytes.data, bits->bytes.size));
+    put_32(&stream, slow_adler(plain, size));
+    return stream;
+}
+
+static bool decompress_exact(const uint8_t *data, size_t size, uint8_t *out, size_t out_size,
+                             struct error *error) {
+    uint8_t *copy = malloc(size + (size == 0)), *plain = malloc(out_size + (out_size == 0));
+    bool done = false;
+    if (CHECK(copy != NULL && plain != NULL)) {
+        memcpy(copy, data, size);
+        error->message[0] = '\0';
+        done = zlib_decompress(copy, size, plain, out_size, error);
+        CHECK(done || error->message[0] != '\0');
+        memcpy(out, plain, done ? out_size : 0);
+    }
+    free(copy);
+    free(plain);
+    return done;
+}
+
+/* The stream must give exactly `text`; cut off anywhere, or for another size, it must not. */
+static void check_stream(struct bits *bits, const char *text, const char *row) {
+    enum { LIMIT = 1024 };
+    uint8_t out[LIMIT];
+    struct error error;
+    size_t size = strlen(text);
+    struct bytes stream = wrap_blocks(bits, text, size);
+    CHECK_ROW(decompress_exact(stream.data, stream.size, out, size, &error), row);
+    CHECK_ROW(memcmp(out, text, size) == 0, row);
+    CHECK_ROW(!decompress_exact(stream.data, stream.size, out, size + 1, &error), row);
+    CHECK_ROW(!decompress_exact(stream.data, stream.size, out, size - 1, &error), row);
+    for (size_t cut = 0; cut < stream.size; cut++) {
+        CHECK_ROW(!decompress_exact(stream.data, cut, out, size, &error), row);
+    }
+    for (size_t at = stream.size - 4; at < stream.size; at++) {
+        stream.data[at] ^= 1;
+        CHECK_ROW(!decompress_exact(stream.data, stream.size, out, size, &error), row);
+        stream.data[at] ^= 1;
+    }
+    bytes_free(&stream);
+    bytes_free(&bits->bytes);
+    *bits = (struct bits){0};
+}
+
+static void put_stored(struct bits *bits, bool last, const char *text) {
+    unsigned size = (unsigned)strlen(text);
+    put_bits(bits, last, 1);
+    put_bits(bits, 0, 2);
+    bits->count = 0; /* the rest of the byte is skipped */
+    put_bits(bits, size, 16);
+    put_bits(bits, ~size & 0xffff, 16);
+    for (; *text != '\0'; text++) {
+        put_bits(bits, (unsigned char)*text, 8);
+    }
+}
+
+/* The header of a block with its own codes: literals 0 to 253 with 8 bits, 254, 255, end of block
+ * and length 3 with 9 bits, distances 1 and 2 with 1 bit. The lengths 8, 1, 9 have the codes 0,
+ * 10, 11. */
+static void put_own_header(struct bits *bits) {
+    put_bits(bits, 1, 1);
+    put_bits(bits, 2, 2);
+    put_bits(bits, 258 - 257, 5);
+    put_bits(bits, 2 - 1, 5);
+    put_bits(bits, 18 - 4, 4);
+    /* order: 16 17 18 0 8 7 9 6 10 5 11 4 12 3 13 2 14 1 */
+    static const unsigned lengths[18] = {[4] = 1, [6] = 2, [17] = 2};
+    for (size_t i = 0; i < 18; i++) {
+        put_bits(bits, lengths[i], 3);
+    }
+    for (int i = 0; i < 254; i++) {
+        put_string(bits, "0");
+    }
+    put_string(bits, "11 11 11 11");
+    put_string(bits, "10 10");
+}
+
+static void test_blocks(void) {
+    struct bits bits = {0};
+    put_stored(&bits, false, "stored ");
+    put_stored(&bits, false, "");
+    put_stored(&bits, true, "twice");
+    check_stream(&bits, "stored twice", "stored");
+
+    put_bits(&bits, 1, 1);
+    put_bits(&bits, 1, 2);
+    put_fixed(&bits, 'a');
+    put_fixed(&bits, 0xe4);
+    put_fixed(&bits, 256);
+    check_stream(&bits, "a\xe4", "fixed, literals");
+
+    put_bits(&bits, 1, 1);
+    put_bits(&bits, 1, 2);
+    put_fixed(&bits, 'x');
+    put_fixed(&bits, 'y');
+    put_fixed(&bits, 257 + 2); /* length 5 */
+    put_code(&bits, 1, 5);     /* distance 2: the copy overlaps itself */
+    put_fixed(&bits, 265);     /* lengths 11 and 12 */
+    put_bits(&bits, 1, 1);
+    put_code(&bits, 4, 5); /* distances 5 and 6 */
+    put_bits(&bits, 1, 1);
+    put_fixed(&bits, 256);
+    check_stream(&bits, "xyxyxyxyxyxyxyxyxyx", "fixed, matches");
+
+    put_own_header(&bits);
+    put_code(&bits, 'n', 8);
+    put_code(&bits, 509, 9); /* 255 */
+    put_code(&bits, 511, 9); /* length 3 */
+    put_string(&bits, "1");  /* distance 2 */
+    put_code(&bits, 511, 9);
+    put_string(&bits, "0"); /* distance 1 */
+    put_code(&bits, 510, 9);
+    check_stream(&bits, "n\xffn\xffnnnn", "own codes");
+}
+
+/* The longest match from the longest distance. */
+static void test_far_match(void) {
+    enum { SIZE = 32768 + 258 };
+    static uint8_t plain[SIZE], out[SIZE];
+    struct bits bits = {0};
+    struct error error;
+    uint32_t state = 1;
+    put_bits(&bits, 0, 1);
+    put_bits(&bits, 0, 2);
+    bits.count = 0;
+    put_bits(&bits, 32768, 16);
+    put_bits(&bits, 32767, 16);
+    for (size_t i = 0; i < SIZE; i++) {
+        plain[i] = i < 32768 ? (uint8_t)next_random(&state) : plain[i - 32768];
+    }
+    CHECK(bytes_append(&bits.bytes, plain, 32768));
+    put_bits(&bits, 1, 1);
+    put_bits(&bits, 1, 2);
+    put_fixed(&bits, 285);
+    put_code(&bits, 29, 5);
+    put_bits(&bits, 8191, 13);
+    put_fixed(&bits, 256);
+    struct bytes stream = wrap_blocks(&bits, plain, SIZE);
+    CHECK(decompress_exact(stream.data, stream.size, out, SIZE, &error));
+    CHECK(memcmp(out, plain, SIZE) == 0);
+    bytes_free(&stream);
+    bytes_free(&bits.bytes);
+}
+
+/* Data that no compressor makes; each row is a stream's bits and a part of the message. */
+static void test_wrong_blocks(void) {
+    static const struct {
+        const char *name, *message, *bits;
+    } rows[] = {
+        {"block of kind 3", "unknown kind", "1 11"},
+        {"stored length and complement differ", "stored length",
+         "1 00 00000 1000000000000000 1111111111111111"},
+        {"length 286", "length that does not exist", "1 10 01010000 11000110 00000"},
+        {"length 287", "length that does not exist", "1 10 01010000 11000111 00000"},
+        {"distance 30", "distance that does not exist", "1 10 01010000 0000001 11110"},
+        {"distance 31", "distance that does not exist", "1 10 01010000 0000001 11111"},
+        {"distance before the start", "from before", "1 10 01010000 0000001 00001"},
+        {"match at once", "from before", "1 10 0000001 00000"},
+        {"too long", "larger", "1 10 01010000 0001000 0 00000 0001000 0 00000 0000000"},
+        {"287 literal codes", "too many codes", "1 01 01111 00000 0000"},
+        {"31 distance codes", "too many codes", "1 01 00000 01111 0000"},
+        {"three codes of one bit", "wrong code", "1 01 00000 00000 0000 100 100 100 000"},
+        {"incomplete code for lengths", "wrong code", "1 01 00000 00000 0000 010 010 010 000"},
+        {"repeat before the first", "before the first",
+         "1 01 00000 00000 0000 100 100 000 000 0 00"},
+        /* 18 = 138 zeros has code 1, 0 has code 0: 138 + 138 > 258 */
+        {"too many lengths", "too many code lengths",
+         "1 01 00000 00000 0000 000 000 100 100 1 1111111 1 1111111"},
+        /* all 258 lengths are zero */
+        {"no end of block", "wrong code",
+         "1 01 00000 00000 0000 000 000 100 100 1 1111111 1 1011011"},
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        uint8_t out[16];
+        struct bits bits = {0};
+        struct error error;
+        put_string(&bits, rows[i].bits);
+        put_bits(&bits, 0, 8);
+        struct bytes stream = wrap_blocks(&bits, "", 0);
+        put_32(&stream, 0);
+        CHECK_ROW(!decompress_exact(stream.data, stream.size, out, sizeof out, &error),
+                  rows[i].name);
+        CHECK_ROW(strstr(error.message, rows[i].message) != NULL, error.message);
+        bytes_free(&stream);
+        bytes_free(&bits.bytes);
+    }
+}
+
+/* A code whose literals leave room, or are too many: the header of put_own_header() changed. */
+static void test_wrong_own_codes(void) {
+    static const struct {
+        const char *name, *last;
+    } rows[] = {{"too many literals of 8 bits", "11 11 11 0 10 10"},
+                {"one literal of 1 bit", "11 11 10 11 10 10"},
+                {"distances leave room", "11 11 11 11 11 11"}};
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        uint8_t out[4];
+        struct bits bits = {0};
+        struct error error;
+        put_own_header(&bits);
+        /* Take the last six codes (12 bits) back, and put others. */
+        size_t total = (bits.bytes.size - 1) * 8 + (bits.count == 0 ? 8 : bits.count) - 12;
+        bits.bytes.size = (total + 7) / 8;
+        bits.count = (unsigned)(total % 8);
+        bits.bytes.data[bits.bytes.size - 1] &=
+            (unsigned char)((1u << (bits.count ? bits.count : 8)) - 1);
+        put_string(&bits, rows[i].last);
+        put_bits(&bits, 0, 32);
+        struct bytes stream = wrap_blocks(&bits, "", 0);
+        CHECK_ROW(!decompress_exact(stream.data, stream.size, out, sizeof out, &error),
+                  rows[i].name);
+        CHECK_ROW(strstr(error.message, "wrong code") != NULL, error.message);
+        bytes_free(&stream);
+        bytes_free(&bits.bytes);
+    }
+}
+
+static void test_zlib_header(void) {
+    static const struct {
+        const char *name;
+        uint8_t method, flags;
+        bool right;
+    } rows[] = {
+        {"window of 32768", 0x78, 0x01, true},   {"window of 256", 0x08, 0x1d, true},
+        {"wrong check", 0x78, 0x02, false},      {"another method", 0x79, 0x1a, false},
+        {"window too large", 0x88, 0x1c, false}, {"dictionary", 0x78, 0x20, false},
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        uint8_t out[1];
+        struct error error;
+        uint8_t stream[] = {rows[i].method, rows[i].flags, 0x4b, 0x04, 0, 0, 0x62, 0, 0x62};
+        CHECK_ROW(decompress_exact(stream, sizeof stream, out, 1, &error) == rows[i].right,
+                  rows[i].name);
+    }
+}
+
+/* ---- Compression ---- */
+
+enum data_kind { DATA_ZERO, DATA_NOISE, DATA_BITS, DATA_TEXT, DATA_STEEP, DATA_KINDS };
+
+static void fill_data(uint8_t *data, size_t size, enum data_kind kind) {
+    static const char *const words[] = {"the ", "pixel ", "of ", "row ", "is ", "a ", "light "};
+    uint32_t state = 9;
+    for (size_t i = 0; i < size;) {
+        uint32_t number = next_random(&state);
+        const char *word = words[number % 7];
+        switch (kind) {
+        case DATA_ZERO:
+            data[i++] = 0;
+            break;
+        case DATA_NOISE:
+            data[i++] = (uint8_t)number;
+            break;
+        case DATA_BITS:
+            data[i++] = number & 1;
+            break;
+        case DATA_TEXT:
+            for (; *word != '\0' && i < size; word++) {
+                data[i++] = (uint8_t)*word;
+            }
+            break;
+        default: /* each value half as frequent as the one before: codes get as long as they may */
+            data[i] = 0;
+            while ((number & 1) != 0 && data[i] < 24) {
+                data[i]++;
+                number >>= 1;
+            }
+            i++;
+            break;
+        }
+    }
+}
+
+static void test_compress(void) {
+    static const size_t sizes[] = {0, 1, 2, 3, 4, 5, 100, 257, 258, 259, 32768, 70000, 140000};
+    enum { LIMIT = 140000 };
+    static uint8_t plain[LIMIT], out[LIMIT];
+    for (int kind = 0; kind < DATA_KINDS; kind++) {
+        for (size_t i = 0; i < sizeof sizes / sizeof sizes[0]; i++) {
+            size_t size = sizes[i];
+            enum deflate_effort effort = i % 2 == 0 ? DEFLATE_NORMAL : DEFLATE_THOROUGH;
+            struct bytes packed = {0};
+            struct error error;
+            put(&packed, 88);
+            fill_data(plain, size, (enum data_kind)kind);
+            CHECK(zlib_compress(plain, size, effort, &packed, &error));
+            CHECK(packed.data[0] == 88 && packed.data[1] == 0x78);
+            CHECK(packed.size - 1 <= size + 11 + 5 * (size / 16384)); /* worst case: stored */
+            CHECK(decompress_exact(packed.data + 1, packed.size - 1, out, size, &error));
+            CHECK(memcmp(out, plain, size) == 0);
+            bytes_free(&packed);
+        }
+    }
+}
+
+/* Which kind of block is chosen, and how small the result is. */
+static void test_choice_of_blocks(void) {
+    static const struct {
+        const char *name;
+        enum data_kind kind;
+        size_t size;
+        unsigned block;
+        size_t most; /* bytes of the stream */
+    } rows[] = {
+        {"a few zeros: fixed codes", DATA_ZERO, 10, 1, 11},
+        {"noise: stored", DATA_NOISE, 50000, 0, 50000 + 40},
+        {"text: codes of its own", DATA_TEXT, 50000, 2, 16000},
+        {"zeros", DATA_ZERO, 100000, 2, 150},
+        {"one bit a byte", DATA_BITS, 80000, 2, 80000 / 8 + 1500},
+        /* the entropy of 1/2, 1/4, 1/8... is 2 bits */
+        {"steep", DATA_STEEP, 80000, 2, 80000 / 4 + 1000},
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        struct bytes packed = {0};
+        struct error error;
+        uint8_t *data = malloc(rows[i].size);
+        if (!CHECK(data != NULL)) {
+            return;
+        }
+        fill_data(data, rows[i].size, rows[i].kind);
+        CHECK(zlib_compress(data, rows[i].size, DEFLATE_NORMAL, &packed, &error));
+        CHECK_ROW((packed.data[2] >> 1 & 3) == rows[i].block, rows[i].name);
+        CHECK_ROW(packed.size <= rows[i].most, rows[i].name);
+        free(data);
+        bytes_free(&packed);
+    }
+}
+
+/* ---- PNG in ---- */
+
+static const uint8_t signature[8] = {137, 80, 78, 71, 13, 10, 26, 10};
+
+static void put_chunk(struct bytes *file, const char *type, const void *data, size_t size) {
+    put_32(file, (uint32_t)size);
+    size_t start = file->size;
+    CHECK(bytes_append(file, type, 4) && bytes_append(file, data, size));
+    put_32(file, slow_crc(file->data + start, size + 4));
+}
+
+static void put_header(struct bytes *file, uint32_t width, uint32_t height, unsigned depth,
+                       unsigned color_type, unsigned interlace) {
+    struct bytes header = {0};
+    CHECK(bytes_append(file, signature, sizeof signature));
+    put_32(&header, width);
+    put_32(&header, height);
+    put(&header, depth);
+    put(&header, color_type);
+    put(&header, 0);
+    put(&header, 0);
+    put(&header, interlace);
+    put_chunk(file, "IHDR", header.data, header.size);
+    bytes_free(&header);
+}
+
+/* Raw rows as one zlib stream of stored blocks. */
+static struct bytes store(const uint8_t *raw, size_t size) {
+    struct bits bits = {0};
+    put_bits(&bits, 1, 8);
+    put_bits(&bits, (unsigned)size, 16);
+    put_bits(&bits, ~(unsigned)size & 0xffff, 16);
+    CHECK(bytes_append(&bits.bytes, raw, size));
+    struct bytes stream = wrap_blocks(&bits, raw, size);
+    bytes_free(&bits.bytes);
+    return stream;
+}
+
+static void put_pixels(struct bytes *file, const uint8_t *raw, size_t size) {
+    struct bytes stream = store(raw, size);
+    put_chunk(file, "IDAT", stream.data, stream.size);
+    bytes_free(&stream);
+}
+
+static bool decode_exact(struct image *image, const uint8_t *data, size_t size,
+                         struct error *error) {
+    uint8_t *copy = malloc(size + (size == 0));
+    if (!CHECK(copy != NULL)) {
+        return false;
+    }
+    memcpy(copy, data, size);
+    error->message[0] = '\0';
+    bool done = png_decode(image, copy, size, error);
+    CHECK(done == (image->pixels != NULL));
+    CHECK(done || error->message[0] != '\0');
+    free(copy);
+    return done;
+}
+
+/* Every colour type: two pixels a row, two rows, the pixels as text of `format` bytes each, bottom
+ * row first. */
+static void test_color_types(void) {
+    static const struct {
+        const char *name;
+        unsigned depth, type;
+        const char *palette, *alpha;
+        size_t palette_size, alpha_size, raw_size;
+        const char *raw;
+        enum image_format format;
+        uint8_t pixels[16];
+    } rows[] = {
+        {"grey", 8, 0, NULL, NULL, 0, 0, 6, "\0\x01\x02\0\x03\x04", IMAGE_GREY, {3, 4, 1, 2}},
+        {"grey, 1 bit", 1, 0, NULL, NULL, 0, 0, 4, "\0\x40\0\x80", IMAGE_GREY, {255, 0, 0, 255}},
+        {"grey, 2 bits", 2, 0, NULL, NULL, 0, 0, 4, "\0\x10\0\xb0", IMAGE_GREY, {170, 255, 0, 85}},
+        {"grey, 4 bits", 4, 0, NULL, NULL, 0, 0, 4, "\0\x1f\0\x20", IMAGE_GREY, {34, 0, 17, 255}},
+        {"grey with a clear level",
+         8,
+         0,
+         NULL,
+         "\0\x02",
+         0,
+         2,
+         6,
+         "\0\x01\x02\0\x03\x04",
+         IMAGE_BGRA,
+         {3, 3, 3, 255, 4, 4, 4, 255, 1, 1, 1, 255, 2, 2, 2, 0}},
+        {"grey and alpha",
+         8,
+         4,
+         NULL,
+         NULL,
+         0,
+         0,
+         10,
+         "\0\x01\x02\x03\x04\0\x05\x06\x07\x08",
+         IMAGE_BGRA,
+         {5, 5, 5, 6, 7, 7, 7, 8, 1, 1, 1, 2, 3, 3, 3, 4}},
+        {"RGB",
+         8,
+         2,
+         NULL,
+         NULL,
+         0,
+         0,
+         14,
+         "\0\x01\x02\x03\x04\x05\x06\0\x07\x08\x09\x0a\x0b\x0c",
+         IMAGE_BGR,
+         {9, 8, 7, 12, 11, 10, 3, 2, 1, 6, 5, 4}},
+        {"RGB with a clear colour",
+         8,
+         2,
+         NULL,
+         "\0\x04\0\x05\0\x06",
+         0,
+         6,
+         14,
+         "\0\x01\x02\x03\x04\x05\x06\0\x07\x08\x09\x0a\x0b\x0c",
+         IMAGE_BGRA,
+         {9, 8, 7, 255, 12, 11, 10, 255, 3, 2, 1, 255, 6, 5, 4, 0}},
+        {"RGBA",
+         8,
+         6,
+         NULL,
+         NULL,
+         0,
+         0,
+         18,
+         "\0\x01\x02\x03\x04\x05\x06\x07\x08\0\x09\x0a\x0b\x0c\x0d\x0e\x0f\x10",
+         IMAGE_BGRA,
+         {11, 10, 9, 12, 15, 14, 13, 16, 3, 2, 1, 4, 7, 6, 5, 8}},
+        {"palette",
+         8,
+         3,
+         "abcdef",
+         NULL,
+         6,
+         0,
+         6,
+         "\0\x01\0\0\0\x01",
+         IMAGE_BGR,
+         {'c', 'b', 'a', 'f', 'e', 'd', 'f', 'e', 'd', 'c', 'b', 'a'}},
+        {"palette, 1 bit",
+         1,
+         3,
+         "abcdef",
+         NULL,
+         6,
+         0,
+         4,
+         "\0\x80\0\x40",
+         IMAGE_BGR,
+         {'c', 'b', 'a', 'f', 'e', 'd', 'f', 'e', 'd', 'c', 'b', 'a'}},
+        {"palette, 2 bits",
+         2,
+         3,
+         "abcdefghi",
+         NULL,
+         9,
+         0,
+         4,
+         "\0\x90\0\x10",
+         IMAGE_BGR,
+         {'c', 'b', 'a', 'f', 'e', 'd', 'i', 'h', 'g', 'f', 'e', 'd'}},
+        {"palette, 4 bits, alpha",
+         4,
+         3,
+         "abcdef",
+         "\x05",
+         6,
+         1,
+         4,
+         "\0\x10\0\x01",
+         IMAGE_BGRA,
+         {'c', 'b', 'a', 5, 'f', 'e', 'd', 255, 'f', 'e', 'd', 255, 'c', 'b', 'a', 5}},
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        struct bytes file = {0};
+        struct image image;
+        struct error error;
+        put_header(&file, 2, 2, rows[i].depth, rows[i].type, 0);
+        put_chunk(&file, "teXt", "to be skipped", 13);
+        if (rows[i].palette != NULL) {
+            put_chunk(&file, "PLTE", rows[i].palette, rows[i].palette_size);
+        }
+        if (rows[i].alpha != NULL) {
+            put_chunk(&file, "tRNS", rows[i].alpha, rows[i].alpha_size);
+        }
+        put_pixels(&file, (const uint8_t *)rows[i].raw, rows[i].raw_size);
+        size_t whole = file.size + 12;
+        put_chunk(&file, "IEND", NULL, 0);
+        if (CHECK_ROW(decode_exact(&image, file.data, file.size, &error), rows[i].name)) {
+            CHECK_ROW(image.width == 2 && image.height == 2, rows[i].name);
+            CHECK_ROW(image.format == rows[i].format, rows[i].name);
+            CHECK_ROW(memcmp(image.pixels, rows[i].pixels, 4 * (size_t)image.format) == 0,
+                      rows[i].name);
+        }
+        image_free(&image);
+        for (size_t size = 0; size < whole; size++) {
+            CHECK_ROW(!decode_exact(&image, file.data, size, &error), rows[i].name);
+        }
+        /* The checksums see every change of a byte. */
+        for (size_t at = 0; at < file.size; at++) {
+            file.data[at] ^= 0x10;
+            CHECK_ROW(!decode_exact(&image, file.data, file.size, &error), rows[i].name);
+            file.data[at] ^= 0x10;
+        }
+        bytes_free(&file);
+    }
+}
+
+/* What the decoder's row filters must undo, from the definitions (section 9). */
+static uint8_t predict(unsigned filter, int a, int b, int c) {
+    int p = a + b - c;
+    switch (filter) {
+    case 1:
+        return (uint8_t)a;
+    case 2:
+        return (uint8_t)b;
+    case 3:
+        return (uint8_t)((a + b) / 2);
+    case 4:
+        return (uint8_t)(abs(p - a) <= abs(p - b) && abs(p - a) <= abs(p - c) ? a
+                         : abs(p - b) <= abs(p - c)                           ? b
+                                                                              : c);
+    default:
+        return 0;
+    }
+}
+
+static void test_filters(void) {
+    static const struct {
+        unsigned type;
+        size_t step;
+    } kinds[] = {{0, 1}, {4, 2}, {2, 3}, {6, 4}};
+    enum { WIDTH = 7, HEIGHT = 11 };
+    uint32_t state = 2;
+    for (size_t k = 0; k < 4; k++) {
+        size_t step = kinds[k].step, size = WIDTH * step;
+        uint8_t plain[HEIGHT][WIDTH * 4], raw[HEIGHT * (1 + WIDTH * 4)], *next = raw;
+        struct bytes file = {0};
+        struct image image;
+        struct error error;
+        for (size_t y = 0; y < HEIGHT; y++) {
+            unsigned filter = (unsigned)(y + k) % 5; /* also in the first row */
+            *next++ = (uint8_t)filter;
+            for (size_t i = 0; i < size; i++) {
+                /* small values make many ties in the choice of Paeth's filter */
+                plain[y][i] = (uint8_t)(next_random(&state) % (k < 2 ? 256 : 8));
+                int a = i >= step ? plain[y][i - step] : 0, b = y > 0 ? plain[y - 1][i] : 0;
+                int c = i >= step && y > 0 ? plain[y - 1][i - step] : 0;
+                *next++ = (uint8_t)(plain[y][i] - predict(filter, a, b, c));
+            }
+        }
+        put_header(&file, WIDTH, HEIGHT, 8, kinds[k].type, 0);
+        put_pixels(&file, raw, HEIGHT * (1 + size));
+        put_chunk(&file, "IEND", NULL, 0);
+        if (CHECK(decode_exact(&image, file.data, file.size, &error))) {
+            for (int i = 0; i < WIDTH * HEIGHT; i++) {
+                int x = i % WIDTH, y = i / WIDTH;
+                const uint8_t *samples = &plain[HEIGHT - 1 - y][(size_t)x * step];
+                struct color color = image_get(&image, x, y);
+                CHECK(color.r == samples[0] && color.g == samples[step < 3 ? 0 : 1]);
+                CHECK(color.b == samples[step < 3 ? 0 : 2]);
+                CHECK(color.a == (step % 2 == 0 ? samples[step - 1] : 255));
+            }
+        }
+        image_free(&image);
+        bytes_free(&file);
+    }
+}
+
+/* Pixel data in chunks of one byte each, some empty; other chunks may not come between. */
+static void test_split_data(void) {
+    static const uint8_t raw[] = {0, 7, 8, 9};
+    for (int between = 0; between < 2; between++) {
+        struct bytes file = {0}, stream = store(raw, sizeof raw);
+        struct image image;
+        struct error error;
+        put_header(&file, 3, 1, 8, 0, 0);
+        for (size_t i = 0; i < stream.size; i++) {
+            put_chunk(&file, "IDAT", stream.data + i, 1);
+            bool other = between && i == 3;
+            put_chunk(&file, other ? "tIME" : "IDAT", "1234567", other ? 7 : 0);
+        }
+        put_chunk(&file, "IEND", NULL, 0);
+        bool done = decode_exact(&image, file.data, file.size, &error);
+        CHECK(done == !between);
+        CHECK(done || strstr(error.message, "between its pixel data") != NULL);
+        CHECK(!done || memcmp(image.pixels, raw + 1, 3) == 0);
+        image_free(&image);
+        bytes_free(&stream);
+        bytes_free(&file);
+    }
+}
+
+/* Headers that cannot be, or that the pixels do not go with. */
+static void test_wrong_headers(void) {
+    static const struct {
+        const char *name, *message;
+        uint32_t width, height;
+        unsigned depth, type, interlace;
+    } rows[] = {
+        {"no width", "0x1 pixels", 0, 1, 8, 0, 0},
+        {"no height", "1x0 pixels", 1, 0, 8, 0, 0},
+        {"2^31 wide", "2147483648x1 pixels", 0x80000000u, 1, 8, 0, 0},
+        {"2^32-1 high", "1x4294967295 pixels", 1, 0xffffffffu, 8, 0, 0},
+        {"65536 wide", "65536x1 pixels", 65536, 1, 8, 0, 0},
+        {"larger than the data can be", "cannot hold", 65535, 65535, 8, 6, 0},
+        {"larger than the data", "smaller", 2, 2, 8, 0, 0},
+        {"smaller than the data", "larger", 1, 1, 8, 0, 0},
+        {"interlaced", "interlaced", 2, 1, 8, 0, 1},
+        {"another interlace", "interlace method", 2, 1, 8, 0, 2},
+        {"16 bits", "16 bits", 1, 1, 16, 0, 0},
+        {"RGB of 4 bits", "cannot have 4 bits", 1, 1, 4, 2, 0},
+        {"palette of 16 bits", "cannot have 16 bits", 1, 1, 16, 3, 0},
+        {"no bits", "cannot have 0 bits", 1, 1, 0, 0, 0},
+        {"colour type 1", "unknown colour type, 1", 1, 1, 8, 1, 0},
+        {"colour type 7", "unknown colour type, 7", 1, 1, 8, 7, 0},
+        {"no palette", "without its palette", 2, 1, 8, 3, 0},
+        {"a filter of 9", "filter, 9", 1, 1, 8, 4, 0},
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        struct bytes file = {0};
+        struct image image;
+        struct error error;
+        put_header(&file, rows[i].width, rows[i].height, rows[i].depth, rows[i].type,
+                   rows[i].interlace);
+        put_pixels(&file, (const uint8_t *)"\x09\0\0", 3);
+        put_chunk(&file, "IEND", NULL, 0);
+        CHECK_ROW(!decode_exact(&image, file.data, file.size, &error), rows[i].name);
+        CHECK_ROW(strstr(error.message, rows[i].message) != NULL, error.message);
+        bytes_free(&file);
+    }
+}
+
+/* Chunks in the wrong place or of the wrong size; H header, P palette of 2, p of no whole number of
+ * entries, q of 3, T tRNS, t tRNS too long, D data, X unknown but needed, Z broken length, E end.
+ */
+static void test_wrong_chunks(void) {
+    static const struct {
+        const char *name, *chunks, *message;
+    } rows[] = {
+        {"right", "HPTDE", NULL},
+        {"more after the end", "HPDEX", NULL},
+        {"nothing", "", "cut off"},
+        {"no header", "PDE", "begin with a header"},
+        {"two headers", "HHPDE", "unknown chunk, IHDR"},
+        {"two palettes", "HPPDE", "palette in the wrong place"},
+        {"palette after the data", "HPDPE", "palette in the wrong place"},
+        {"half an entry", "HpDE", "palette of 4 bytes"},
+        {"more than the bits allow", "HqDE", "palette of 9 bytes"},
+        {"tRNS first", "HTPDE", "tRNS chunk in the wrong place"},
+        {"two tRNS", "HPTTDE", "tRNS chunk in the wrong place"},
+        {"tRNS too long", "HPtDE", "tRNS chunk of 3 bytes"},
+        {"no data", "HPE", "without pixel data"},
+        {"no end", "HPD", "cut off"},
+        {"unknown", "HPXDE", "unknown chunk, ABCD"},
+        {"lying length", "HPZDE", "claims 2147483647 bytes"},
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        struct bytes file = {0};
+        struct image image;
+        struct error error;
+        put_header(&file, 1, 1, 1, 3, 0);
+        size_t header_size = file.size;
+        file.size = sizeof signature;
+        for (const char *c = rows[i].chunks; *c != '\0'; c++) {
+            switch (*c) {
+            case 'H': {
+                struct bytes header = {0};
+                put_header(&header, 1, 1, 1, 3, 0);
+                CHECK(bytes_append(&file, header.data + 8, header_size - 8));
+                bytes_free(&header);
+                break;
+            }
+            case 'P':
+                put_chunk(&file, "PLTE", "abcdef", 6);
+                break;
+            case 'p':
+                put_chunk(&file, "PLTE", "abcd", 4);
+                break;
+            case 'q':
+                put_chunk(&file, "PLTE", "abcdefghi", 9);
+                break;
+            case 'T':
+                put_chunk(&file, "tRNS", "ab", 2);
+                break;
+            case 't':
+                put_chunk(&file, "tRNS", "abc", 3);
+                break;
+            case 'D':
+                put_pixels(&file, (const uint8_t *)"\0\x80", 2);
+                break;
+            case 'X':
+                put_chunk(&file, "ABCD", "x", 1);
+                break;
+            case 'Z':
+                put_32(&file, 0x7fffffff);
+                CHECK(bytes_append(&file, "teXt", 4));
+                break;
+            default:
+                put_chunk(&file, "IEND", NULL, 0);
+                break;
+            }
+        }
+        bool done = decode_exact(&image, file.data, file.size, &error);
+        CHECK_ROW(done == (rows[i].message == NULL), rows[i].name);
+        CHECK_ROW(done || strstr(error.message, rows[i].message) != NULL, error.message);
+        image_free(&image);
+        bytes_free(&file);
+    }
+}
+
+static void test_pixel_outside_palette(void) {
+    struct bytes file = {0};
+    struct image image;
+    struct error error;
+    put_header(&file, 1, 1, 8, 3, 0);
+    put_chunk(&file, "PLTE", "abc", 3);
+    put_pixels(&file, (const uint8_t *)"\0\x01", 2);
+    put_chunk(&file, "IEND", NULL, 0);
+    CHECK(!decode_exact(&image, file.data, file.size, &error));
+    CHECK(strstr(error.message, "outside its palette") != NULL);
+    bytes_free(&file);
+}
+
+/* ---- PNG out ---- */
+
+enum picture { NOISE, SHADES, FLAT, PICTURES };
+
+static struct image make_image(size_t width, size_t height, enum image_format format,
+                               enum picture picture, uint32_t *state) {
+    struct image image;
+    struct error error;
+    CHECK(image_create(&image, width, height, format, &error));
+    for (size_t y = 0; y < height; y++) {
+        for (size_t x = 0; x < width; x++) {
+            uint32_t noise = next_random(state);
+            struct color color = {.b = (uint8_t)noise,
+                                  .g = (uint8_t)(noise >> 8),
+                                  .r = (uint8_t)(noise >> 16),
+                                  .a = (uint8_t)(noise >> 4)};
+            if (picture == SHADES) {
+                color = (struct color){(uint8_t)(2 * x + y), (uint8_t)(x * y / 8 + noise % 2),
+                                       (uint8_t)(200 - y), (uint8_t)(255 - x)};
+            } else if (picture == FLAT) {
+                color = color_rgb((uint8_t)((x / 9 + y / 7) % 3 * 90), 255, y < 20 ? 255 : 0);
+            }
+            image_set(&image, (int)x, (int)y, color);
+        }
+    }
+    return image;
+}
+
+static void test_round_trip(void) {
+    static const enum image_format formats[] = {IMAGE_GREY, IMAGE_BGR, IMAGE_BGRA};
+    static const uint8_t color_types[] = {0, 2, 6};
+    static const size_t sizes[][2] = {{1, 1}, {2, 1}, {1, 3}, {64, 50}, {131, 3}};
+    uint32_t state = 4;
+    for (size_t i = 0; i < 3 * PICTURES * 5; i++) {
+        struct bytes file = {0};
+        struct image again;
+        struct error error;
+        struct image image = make_image(sizes[i / 9][0], sizes[i / 9][1], formats[i % 3],
+                                        (enum picture)(i / 3 % PICTURES), &state);
+        put(&file, 66);
+        CHECK(png_encode(&image, &file, &error) && file.data[0] == 66);
+        CHECK(file.data[1 + 24] == 8 && file.data[1 + 25] == color_types[i % 3]);
+        if (CHECK(decode_exact(&again, file.data + 1, file.size - 1, &error))) {
+            CHECK(same_image(&image, &again));
+        }
+        image_free(&again);
+        image_free(&image);
+        bytes_free(&file);
+    }
+    struct image empty = {0};
+    struct bytes file = {0};
+    struct error error;
+    CHECK(!png_encode(&empty, &file, &error) && file.data == NULL);
+}
+
+/* The filters that the encoder chose, as a set of bits. The file has one IDAT chunk after IHDR. */
+static unsigned filters_of(const struct image *image) {
+    struct bytes file = {0};
+    struct error error;
+    unsigned set = 0;
+    size_t row = 1 + image->width * (size_t)image->format;
+    uint8_t *raw = malloc(image->height * row);
+    CHECK(png_encode(image, &file, &error));
+    size_t size = (size_t)file.data[33] << 24 | (size_t)file.data[34] << 16 |
+                  (size_t)file.data[35] << 8 | file.data[36];
+    CHECK(memcmp(file.data + 37, "IDAT", 4) == 0);
+    CHECK(zlib_decompress(file.data + 41, size, raw, image->height * row, &error));
+    for (size_t y = 0; y < image->height; y++) {
+        set |= 1u << raw[y * row];
+    }
+    free(raw);
+    bytes_free(&file);
+    return set;
+}
+
+static void test_choice_of_filters(void) {
+    uint32_t state = 5;
+    struct image image = make_image(90, 90, IMAGE_BGR, FLAT, &state);
+    CHECK(filters_of(&image) == 1); /* areas of one colour: none */
+    image_free(&image);
+    image = make_image(90, 90, IMAGE_BGR, SHADES, &state);
+    CHECK((filters_of(&image) & ~1u) != 0 && (filters_of(&image) & 1) == 0);
+    image_free(&image);
+}
+
+/* ---- Animation ---- */
+
+static uint32_t get_32(const uint8_t *bytes) {
+    return (uint32_t)bytes[0] << 24 | (uint32_t)bytes[1] << 16 | (uint32_t)bytes[2] << 8 | bytes[3];
+}
+
+/* Paste a part over an image; x, y from the top left. */
+static void paste(struct image *image, const struct image *part, size_t x, size_t y) {
+    for (size_t row = 0; row < part->height; row++) {
+        int to = (int)(image->height - y - part->height + row);
+        for (size_t column = 0; column < part->width; column++) {
+            CHECK(image_set(image, (int)(x + column), to, image_get(part, (int)column, (int)row)));
+        }
+    }
+}
+
+/* Play an animation as a viewer does, each frame as a PNG of its own, and compare. Returns the sum
+ * of the frames' areas. */
+static size_t play(const struct bytes *file, const struct image *frames, size_t count,
+                   unsigned delay_ms) {
+    struct image shown = {0};
+    struct error error;
+    uint8_t header[13];
+    size_t done = 0, sequence = 0, area = 0, pending_width = 0, pending_height = 0, x = 0, y = 0;
+    memcpy(header, file->data + 16, 13);
+    CHECK(image_create(&shown, frames->width, frames->height, frames->format, &error));
+    for (size_t at = 33; at < file->size;) {
+        size_t size = get_32(file->data + at);
+        const uint8_t *type = file->data + at + 4, *data = type + 4;
+        CHECK(slow_crc(type, size + 4) == get_32(data + size));
+        at += size + 12;
+        if (memcmp(type, "acTL", 4) == 0) {
+            CHECK(size == 8 && get_32(data) == count && get_32(data + 4) == 0 && done == 0);
+        } else if (memcmp(type, "fcTL", 4) == 0) {
+            CHECK(size == 26 && get_32(data) == sequence++);
+            pending_width = get_32(data + 4);
+            pending_height = get_32(data + 8);
+            x = get_32(data + 12);
+            y = get_32(data + 16);
+            area += pending_width * pending_height;
+            CHECK(data[20] * 256u + data[21] == delay_ms && data[22] * 256u + data[23] == 1000);
+            CHECK(data[24] == 0 && data[25] == 0);
+        } else if (memcmp(type, "IDAT", 4) == 0 || memcmp(type, "fdAT", 4) == 0) {
+            struct bytes single = {0};
+            struct image part;
+            bool first = type[0] == 'I';
+            CHECK(first == (done == 0));
+            CHECK(first || get_32(data) == sequence++);
+            put_header(&single, (uint32_t)pending_width, (uint32_t)pending_height, header[8],
+                       header[9], 0);
+            put_chunk(&single, "IDAT", data + (first ? 0 : 4), size - (first ? 0 : 4));
+            put_chunk(&single, "IEND", NULL, 0);
+            if (CHECK(decode_exact(&part, single.data, single.size, &error))) {
+                paste(&shown, &part, x, y);
+            }
+            CHECK(done < count && same_image(&shown, &frames[done]));
+            done++;
+            image_free(&part);
+            bytes_free(&single);
+        } else {
+            CHECK(memcmp(type, "IEND", 4) == 0 && at == file->size);
+        }
+    }
+    CHECK(done == count);
+    image_free(&shown);
+    return area;
+}
+
+static void test_animation(void) {
+    static const enum image_format formats[] = {IMAGE_GREY, IMAGE_BGR, IMAGE_BGRA};
+    enum { COUNT = 5, WIDTH = 20, HEIGHT = 30 };
+    uint32_t state = 6;
+    for (size_t i = 0; i < 3; i++) {
+        struct image frames[COUNT], still;
+        struct bytes file = {0};
+        struct error error;
+        frames[0] = make_image(WIDTH, HEIGHT, formats[i], SHADES, &state);
+        for (size_t k = 1; k < COUNT; k++) {
+            CHECK(image_copy(&frames[k], &frames[k - 1], &error));
+        }
+        /* 1: a rectangle of 3x2; 2: two corners; 3: nothing; 4: as 2, one pixel changed */
+        for (size_t k = 1; k < COUNT; k++) {
+            image_set(&frames[k], 4, 9, color_grey(77));
+            image_set(&frames[k], 6, 8, color_grey(78));
+            image_set(&frames[k], 0, 0, color_grey(k > 1 ? 79 : frames[k].pixels[0]));
+            image_set(&frames[k], WIDTH - 1, HEIGHT - 1, color_grey(k > 1 ? 80 : 81));
+        }
+        image_set(&frames[4], 11, 12, color_grey(99));
+        for (size_t k = 0; k < 2; k++) { /* the corners of 0 and 1 are equal */
+            image_set(&frames[k], 0, 0, color_grey(1));
+            image_set(&frames[k], WIDTH - 1, HEIGHT - 1, color_grey(81));
+        }
+        CHECK(apng_encode(frames, COUNT, 40, &file, &error));
+        CHECK(play(&file, frames, COUNT, 40) == 600 + 6 + 600 + 1 + 1);
+        /* A viewer without animation shows the first frame. */
+        CHECK(decode_exact(&still, file.data, file.size, &error) && same_image(&still, &frames[0]));
+        image_free(&still);
+
+        size_t size = file.size;
+        CHECK(!apng_encode(frames, 0, 40, &file, &error));
+        CHECK(!apng_encode(frames, COUNT, 0, &file, &error));
+        CHECK(!apng_encode(frames, COUNT, 65536, &file, &error));
+        CHECK(image_scale(&frames[2], 10, HEIGHT, &error));
+        CHECK(!apng_encode(frames, COUNT, 40, &file, &error) && file.size == size);
+        CHECK(strstr(error.message, "frame 2") != NULL);
+        for (size_t k = 0; k < COUNT; k++) {
+            image_free(&frames[k]);
+        }
+        bytes_free(&file);
+    }
+}
+
+/* ---- Files ---- */
+
+static void test_files(void) {
+    char directory[] = "/tmp/test_png.XXXXXX";
+    char path[64];
+    struct error error;
+    uint32_t state = 8;
+    if (!CHECK(mkdtemp(directory) != NULL)) {
+        return;
+    }
+    snprintf(path, sizeof path, "%s/a.png", directory);
+    struct image image = make_image(20, 10, IMAGE_BGR, SHADES, &state), again;
+    CHECK(png_write(&image, path, &error));
+    CHECK(png_read(&again, path, &error) && same_image(&image, &again));
+    image_free(&again);
+    CHECK(apng_write(&image, 1, 10, path, &error));
+    CHECK(png_read(&again, path, &error) && same_image(&image, &again));
+    image_free(&again);
+    CHECK(file_write(path, "short", 5, &error));
+    CHECK(!png_read(&again, path, &error) && again.pixels == NULL);
+    CHECK(strncmp(error.message, path, strlen(path)) == 0);
+    CHECK_TEXT(error.message + strlen(path), ": not a PNG");
+    unlink(path);
+    CHECK(!png_read(&again, path, &error) && again.pixels == NULL);
+    snprintf(path, sizeof path, "%s/none/a.png", directory);
+    CHECK(!png_write(&image, path, &error));
+    CHECK(strncmp(error.message, path, strlen(path)) == 0);
+    CHECK(!apng_write(&image, 1, 10, path, &error));
+    image_free(&image);
+    CHECK(!png_write(&image, path, &error));
+    CHECK(strncmp(error.message, path, strlen(path)) == 0);
+    rmdir(directory);
+}
+
+UNIT_MAIN(TEST(test_blocks), TEST(test_far_match), TEST(test_wrong_blocks),
+          TEST(test_wrong_own_codes), TEST(test_zlib_header), TEST(test_compress),
+          TEST(test_choice_of_blocks), TEST(test_color_types), TEST(test_filters),
+          TEST(test_split_data), TEST(test_wrong_headers), TEST(test_wrong_chunks),
+          TEST(test_pixel_outside_palette), TEST(test_round_trip), TEST(test_choice_of_filters),
+          TEST(test_animation), TEST(test_files))

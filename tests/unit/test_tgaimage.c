@@ -1,0 +1,647 @@
+/*
+ * Tests of common/tgaimage.c: images, change of size, TGA and PPM.
+ *
+ * TGA files are put together here byte by byte from the specification, by a writer that shares
+ * nothing with the one under test. Every file is decoded from a block of exactly its size, so that
+ * the address sanitizer sees a read past its end.
+ */
+#define _XOPEN_SOURCE 700 /* POSIX.1-2008 with mkdtemp() */
+
+#include "tgaimage.h"
+
+#include "unit.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <unistd.h>
+
+static uint32_t next_random(uint32_t *state) {
+    *state = *state * 1664525u + 1013904223u;
+    return *state >> 8;
+}
+
+static struct image random_image(size_t width, size_t height, enum image_format format,
+                                 uint32_t levels, uint32_t *state) {
+    struct image image;
+    struct error error;
+    CHECK(image_create(&image, width, height, format, &error));
+    for (size_t i = 0; i < width * height * (size_t)format; i++) {
+        image.pixels[i] = (uint8_t)(next_random(state) % levels * 255 / (levels - 1));
+    }
+    return image;
+}
+
+static bool same_image(const struct image *a, const struct image *b) {
+    return a->width == b->width && a->height == b->height && a->format == b->format &&
+           memcmp(a->pixels, b->pixels, a->width * a->height * (size_t)a->format) == 0;
+}
+
+static bool same_color(struct color a, struct color b) {
+    return a.r == b.r && a.g == b.g && a.b == b.b && a.a == b.a;
+}
+
+/* Decode from an allocated block of exactly this size. */
+static bool decode_exact(struct image *image, const uint8_t *data, size_t size,
+                         struct error *error) {
+    uint8_t *copy = malloc(size + (size == 0));
+    if (!CHECK(copy != NULL)) {
+        return false;
+    }
+    memcpy(copy, data, size);
+    error->message[0] = '\0';
+    bool done = tga_decode(image, copy, size, error);
+    CHECK(done == (image->pixels != NULL));
+    CHECK(done || error->message[0] != '\0');
+    free(copy);
+    return done;
+}
+
+/* ---- Images ---- */
+
+static void test_create(void) {
+    struct image image = {0};
+    struct error error;
+    image_free(&image);
+    CHECK(!image_create(&image, 0, 1, IMAGE_BGR, &error) && image.pixels == NULL);
+    CHECK(!image_create(&image, 1, 0, IMAGE_BGR, &error) && image.pixels == NULL);
+    CHECK(!image_create(&image, 65536, 1, IMAGE_GREY, &error) && image.pixels == NULL);
+    CHECK(!image_create(&image, 1, SIZE_MAX, IMAGE_GREY, &error) && image.pixels == NULL);
+    CHECK(image_create(&image, 65535, 1, IMAGE_GREY, &error) && image.width == 65535);
+    image_free(&image);
+    CHECK(image.pixels == NULL && image.width == 0);
+    CHECK(image_create(&image, 3, 2, IMAGE_BGRA, &error));
+    bool black = true;
+    for (size_t i = 0; i < 24; i++) {
+        black = black && image.pixels[i] == 0;
+    }
+    CHECK(black);
+    image_free(&image);
+}
+
+static void test_get_and_set(void) {
+    static const struct {
+        const char *name;
+        enum image_format format;
+        struct color got; /* after setting {1, 2, 3, 4} */
+        uint8_t bytes[4];
+    } rows[] = {
+        {"grey", IMAGE_GREY, {1, 1, 1, 255}, {1}},
+        {"BGR", IMAGE_BGR, {1, 2, 3, 255}, {1, 2, 3}},
+        {"BGRA", IMAGE_BGRA, {1, 2, 3, 4}, {1, 2, 3, 4}},
+    };
+    static const int outside[][2] = {
+        {-1, 0}, {0, -1}, {3, 0}, {0, 2}, {INT32_MAX, 0}, {0, INT32_MAX}, {INT32_MIN, INT32_MIN}};
+    const struct color color = {.b = 1, .g = 2, .r = 3, .a = 4};
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        struct image image, before;
+        struct error error;
+        size_t step = (size_t)rows[i].format;
+        CHECK(image_create(&image, 3, 2, rows[i].format, &error));
+        CHECK_ROW(image_set(&image, 2, 1, color), rows[i].name);
+        CHECK_ROW(same_color(image_get(&image, 2, 1), rows[i].got), rows[i].name);
+        CHECK_ROW(memcmp(image.pixels + 5 * step, rows[i].bytes, step) == 0, rows[i].name);
+        CHECK_ROW(image.pixels[4 * step] == 0, rows[i].name);
+        CHECK(image_copy(&before, &image, &error));
+        for (size_t k = 0; k < sizeof outside / sizeof outside[0]; k++) {
+            int x = outside[k][0], y = outside[k][1];
+            CHECK_ROW(!image_set(&image, x, y, color), rows[i].name);
+            CHECK_ROW(same_color(image_get(&image, x, y), (struct color){0}), rows[i].name);
+        }
+        CHECK_ROW(same_image(&before, &image), rows[i].name);
+        CHECK(before.pixels != image.pixels);
+        image_clear(&image, color);
+        for (int k = 0; k < 6; k++) {
+            CHECK_ROW(same_color(image_get(&image, k % 3, k / 3), rows[i].got), rows[i].name);
+        }
+        image_free(&before);
+        image_free(&image);
+    }
+}
+
+static void test_flips(void) {
+    static const enum image_format formats[] = {IMAGE_GREY, IMAGE_BGR, IMAGE_BGRA};
+    uint32_t state = 1;
+    for (size_t i = 0; i < 3 * 9; i++) {
+        struct error error;
+        struct image image, flipped;
+        image = random_image(1 + i % 3, 1 + i / 3 % 3, formats[i / 9], 256, &state);
+        int width = (int)image.width, height = (int)image.height;
+        CHECK(image_copy(&flipped, &image, &error));
+        image_flip_horizontally(&flipped);
+        for (int y = 0; y < height; y++) {
+            for (int x = 0; x < width; x++) {
+                CHECK(same_color(image_get(&flipped, width - 1 - x, y), image_get(&image, x, y)));
+            }
+        }
+        image_flip_horizontally(&flipped);
+        image_flip_vertically(&flipped);
+        for (int y = 0; y < height; y++) {
+            for (int x = 0; x < width; x++) {
+                CHECK(same_color(image_get(&flipped, x, height - 1 - y), image_get(&image, x, y)));
+            }
+        }
+        image_free(&flipped);
+        image_free(&image);
+    }
+}
+
+/* ---- Change of size ---- */
+
+/* How much of old pixel i is in new pixel j, from the definition, in real numbers: the part of the
+ * new pixel's area when shrinking, a hat function around the old centre when growing (the outermost
+ * pixels reach on for ever). */
+static long double share(size_t old_size, size_t new_size, size_t j, size_t i) {
+    long double ratio = (long double)old_size / (long double)new_size;
+    long double start = (long double)j * ratio, end = (long double)(j + 1) * ratio;
+    if (new_size <= old_size) {
+        long double from = fmaxl(start, (long double)i);
+        long double to = fminl(end, (long double)i + 1);
+        return fmaxl(0, to - from) / ratio;
+    }
+    long double position = (start + end) / 2 - 0.5L;
+    position = fminl(fmaxl(position, 0), (long double)(old_size - 1));
+    return fmaxl(0, 1 - fabsl(position - (long double)i));
+}
+
+static long double exact_level(const struct image *image, size_t width, size_t height, size_t x,
+                               size_t y, size_t channel) {
+    long double sum = 0;
+    for (size_t v = 0; v < image->height; v++) {
+        for (size_t u = 0; u < image->width; u++) {
+            sum += share(image->width, width, x, u) * share(image->height, height, y, v) *
+                   image->pixels[(v * image->width + u) * (size_t)image->format + channel];
+        }
+    }
+    return sum;
+}
+
+static void test_scale(void) {
+    static const size_t sizes[] = {1, 2, 3, 5, 8};
+    static const enum image_format formats[] = {IMAGE_GREY, IMAGE_BGR, IMAGE_BGRA};
+    enum { COUNT = sizeof sizes / sizeof sizes[0] };
+    uint32_t state = 7;
+    size_t wrong = 0;
+    for (size_t i = 0; i < COUNT * COUNT * COUNT * COUNT; i++) {
+        struct error error;
+        size_t width = sizes[i / COUNT / COUNT % COUNT];
+        size_t height = sizes[i / COUNT / COUNT / COUNT];
+        enum image_format format = formats[i % 3];
+        struct image old =
+            random_image(sizes[i % COUNT], sizes[i / COUNT % COUNT], format, 256, &state);
+        struct image scaled;
+        CHECK(image_copy(&scaled, &old, &error));
+        CHECK(image_scale(&scaled, width, height, &error));
+        CHECK(scaled.width == width && scaled.height == height && scaled.format == format);
+        for (size_t k = 0; k < width * height * (size_t)format; k++) {
+            size_t pixel = k / (size_t)format;
+            long double exact =
+                exact_level(&old, width, height, pixel % width, pixel / width, k % (size_t)format);
+            wrong += fabsl(exact - scaled.pixels[k]) > 0.5L + 1e-12L;
+        }
+        if (width == old.width && height == old.height) {
+            CHECK(same_image(&scaled, &old));
+        }
+        image_free(&scaled);
+        image_free(&old);
+    }
+    CHECK(wrong == 0);
+}
+
+static void test_scale_limits(void) {
+    struct error error;
+    struct image image = {0};
+    CHECK(!image_scale(&image, 2, 2, &error));
+    CHECK(image_create(&image, 2, 1, IMAGE_GREY, &error));
+    image.pixels[0] = 255;
+    image.pixels[1] = 255;
+    CHECK(!image_scale(&image, 0, 1, &error) && image.width == 2);
+    CHECK(!image_scale(&image, 1, 65536, &error) && image.width == 2);
+    CHECK(image_scale(&image, 65535, 1, &error) && image.width == 65535);
+    CHECK(image_scale(&image, 1, 1, &error) && image.pixels[0] == 255);
+    CHECK(image_scale(&image, 3, 65535, &error) && image.height == 65535);
+    CHECK(image_scale(&image, 1, 2, &error) && image.pixels[1] == 255);
+    image_free(&image);
+}
+
+/* ---- TGA in ---- */
+
+enum { WIDTH = 5, HEIGHT = 3, PIXELS = WIDTH * HEIGHT, MAP_FIRST = 100, MAP_LENGTH = 7 };
+
+/* One kind of file, and what must come out. */
+struct kind {
+    const char *name;
+    uint8_t type, depth, map_depth, attribute_bits;
+    enum image_format format;
+};
+
+static const struct kind kinds[] = {
+    {"colour map of 15 bits", 1, 8, 15, 0, IMAGE_BGR},
+    {"colour map of 16 bits", 1, 8, 16, 0, IMAGE_BGR},
+    {"colour map of 16 bits with alpha", 1, 8, 16, 1, IMAGE_BGRA},
+    {"colour map of 24 bits", 1, 8, 24, 0, IMAGE_BGR},
+    {"colour map of 32 bits", 1, 8, 32, 8, IMAGE_BGRA},
+    {"15 bits", 2, 15, 0, 0, IMAGE_BGR},
+    {"16 bits", 2, 16, 0, 0, IMAGE_BGR},
+    {"16 bits with alpha", 2, 16, 0, 1, IMAGE_BGRA},
+    {"24 bits", 2, 24, 0, 0, IMAGE_BGR},
+    {"24 bits with a colour map to skip", 2, 24, 16, 0, IMAGE_BGR},
+    {"32 bits", 2, 32, 0, 8, IMAGE_BGRA},
+    {"grey", 3, 8, 0, 0, IMAGE_GREY},
+    {"grey with a colour map to skip", 3, 8, 24, 0, IMAGE_GREY},
+};
+enum { KIND_COUNT = sizeof kinds / sizeof kinds[0] };
+
+static void put(struct bytes *file, unsigned value) {
+    uint8_t byte = (uint8_t)value;
+    CHECK(bytes_append(file, &byte, 1));
+}
+
+static void put_16(struct bytes *file, unsigned value) {
+    put(file, value & 255);
+    put(file, value >> 8);
+}
+
+/* A stored colour of `depth` bits made from a number, and the color that it must become. */
+static struct color put_color(struct bytes *file, unsigned depth, bool has_attribute,
+                              uint32_t number) {
+    unsigned b = number & 255, g = number >> 8 & 255, r = number >> 16 & 255;
+    unsigned a = (number >> 5 & 255) ^ 0x5a;
+    if (depth == 8) {
+        put(file, b);
+        return color_grey((uint8_t)b);
+    }
+    if (depth == 15 || depth == 16) {
+        b &= 31;
+        g &= 31;
+        r &= 31;
+        put_16(file, (a & 1) << 15 | r << 10 | g << 5 | b);
+        return (struct color){.b = (uint8_t)floor(b * 255 / 31.0 + 0.5),
+                              .g = (uint8_t)floor(g * 255 / 31.0 + 0.5),
+                              .r = (uint8_t)floor(r * 255 / 31.0 + 0.5),
+                              .a = !has_attribute || (a & 1) != 0 ? 255 : 0};
+    }
+    put(file, b);
+    put(file, g);
+    put(file, r);
+    if (depth == 32) {
+        put(file, a);
+    }
+    return (struct color){
+        .b = (uint8_t)b, .g = (uint8_t)g, .r = (uint8_t)r, .a = depth == 32 ? (uint8_t)a : 255};
+}
+
+/* A whole file; `expected` becomes its pixels in the order of the file. */
+static void put_tga(struct bytes *file, const struct kind *kind, unsigned origin, bool run_length,
+                    unsigned id_size, struct color expected[PIXELS], uint32_t *state) {
+    const bool mapped = kind->type == 1, attribute = kind->attribute_bits == 1;
+    struct color map[MAP_LENGTH];
+    put(file, id_size);
+    put(file, kind->map_depth != 0);
+    put(file, kind->type + (run_length ? 8u : 0u));
+    put_16(file, MAP_FIRST);
+    put_16(file, kind->map_depth != 0 ? MAP_LENGTH : 0);
+    put(file, kind->map_depth);
+    put_16(file, 1000); /* the place on a screen: of no interest */
+    put_16(file, 2000);
+    put_16(file, WIDTH);
+    put_16(file, HEIGHT);
+    put(file, kind->depth);
+    put(file, origin << 4 | kind->attribute_bits);
+    for (unsigned i = 0; i < id_size; i++) {
+        put(file, 0xee);
+    }
+    for (unsigned i = 0; i < MAP_LENGTH && kind->map_depth != 0; i++) {
+        map[i] = put_color(file, kind->map_depth, attribute, next_random(state));
+    }
+    for (size_t done = 0; done < PIXELS;) {
+        size_t count = PIXELS - done;
+        bool run = false;
+        if (run_length) { /* packets of random lengths, most of them across the end of a row */
+            size_t wanted = 1 + next_random(state) % 7;
+            count = wanted < count ? wanted : count;
+            run = next_random(state) % 2 == 0;
+            put(file, (unsigned)(count - 1) | (run ? 128u : 0u));
+        }
+        for (size_t i = 0; i < count; i++) {
+            uint32_t number = next_random(state);
+            if (run && i > 0) {
+                expected[done + i] = expected[done];
+            } else if (mapped) {
+                put(file, MAP_FIRST + number % MAP_LENGTH);
+                expected[done + i] = map[number % MAP_LENGTH];
+            } else {
+                expected[done + i] = put_color(file, kind->depth, attribute, number);
+            }
+        }
+        done += count;
+    }
+}
+
+static void test_every_kind_of_tga(void) {
+    uint32_t state = 3;
+    for (size_t i = 0; i < KIND_COUNT * 4 * 2 * 2; i++) {
+        const struct kind *kind = &kinds[i % KIND_COUNT];
+        unsigned origin = (unsigned)(i / KIND_COUNT % 4); /* 1: right to left, 2: top to bottom */
+        bool run_length = i / KIND_COUNT / 4 % 2 != 0;
+        unsigned id_size = i / KIND_COUNT / 8 != 0 ? 255 : 0;
+        struct bytes file = {0};
+        struct color expected[PIXELS];
+        struct image image;
+        struct error error;
+        put_tga(&file, kind, origin, run_length, id_size, expected, &state);
+        if (CHECK_ROW(decode_exact(&image, file.data, file.size, &error), kind->name)) {
+            CHECK_ROW(image.width == WIDTH && image.height == HEIGHT, kind->name);
+            CHECK_ROW(image.format == kind->format, kind->name);
+            for (int k = 0; k < PIXELS; k++) {
+                int x = k % WIDTH, y = k / WIDTH;
+                x = (origin & 1) != 0 ? WIDTH - 1 - x : x;
+                y = (origin & 2) != 0 ? HEIGHT - 1 - y : y;
+                CHECK_ROW(same_color(image_get(&image, x, y), expected[k]), kind->name);
+            }
+        }
+        image_free(&image);
+        bytes_free(&file);
+    }
+}
+
+/* Cut off anywhere, a file is an error and leaves nothing; with bytes after its end it is none. */
+static void test_cut_off_tga(void) {
+    uint32_t state = 4;
+    for (size_t i = 0; i < KIND_COUNT * 2; i++) {
+        const struct kind *kind = &kinds[i % KIND_COUNT];
+        struct bytes file = {0};
+        struct color expected[PIXELS];
+        struct image image;
+        struct error error;
+        put_tga(&file, kind, 0, i >= KIND_COUNT, 3, expected, &state);
+        for (size_t size = 0; size < file.size; size++) {
+            CHECK_ROW(!decode_exact(&image, file.data, size, &error), kind->name);
+        }
+        put(&file, 99);
+        CHECK_ROW(decode_exact(&image, file.data, file.size, &error), kind->name);
+        image_free(&image);
+        bytes_free(&file);
+    }
+}
+
+/* Any byte of a file may have any value: what comes out is an error or an image of the size that
+ * the header claims. */
+static void test_corrupt_tga(void) {
+    uint32_t state = 5;
+    for (size_t i = 0; i < KIND_COUNT * 2; i++) {
+        struct bytes file = {0};
+        struct color expected[PIXELS];
+        put_tga(&file, &kinds[i % KIND_COUNT], 3, i >= KIND_COUNT, 1, expected, &state);
+        for (size_t at = 0; at < file.size; at++) {
+            uint8_t kept = file.data[at];
+            for (unsigned value = 0; value < 256; value += at < 18 ? 1 : 5) {
+                struct image image;
+                struct error error;
+                file.data[at] = (uint8_t)value;
+                if (decode_exact(&image, file.data, file.size, &error)) {
+                    CHECK(image.width == file.data[12] + 256u * file.data[13]);
+                    CHECK(image.height == file.data[14] + 256u * file.data[15]);
+                }
+                image_free(&image);
+            }
+            file.data[at] = kept;
+        }
+        bytes_free(&file);
+    }
+}
+
+/* Files that lie: the header, what follows it, and a part of the message. */
+static void test_lying_tga(void) {
+    static const struct {
+        const char *name, *message;
+        uint8_t bytes[32];
+        size_t size;
+    } rows[] = {
+        {"26000x26000 in 18 bytes",
+         "at least 2028000000 bytes",
+         {0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0x90, 0x65, 0x90, 0x65, 24, 0},
+         18},
+        {"the same in packets",
+         "at least 21125000 bytes",
+         {0, 0, 10, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0x90, 0x65, 0x90, 0x65, 24, 0},
+         18},
+        {"65535x65535",
+         "at least 17179344900 bytes",
+         {0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 255, 255, 255, 255, 32, 0},
+         18},
+        {"no width",
+         "has no picture",
+         {0, 0, 3, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 8, 0, 9},
+         19},
+        {"no height",
+         "has no picture",
+         {0, 0, 3, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 8, 0, 9},
+         19},
+        {"no image", "type 0", {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 1, 0, 8, 0, 9}, 19},
+        {"type 32", "type 32", {0, 0, 32, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 1, 0, 8, 0, 9}, 19},
+        {"type 12", "type 12", {0, 0, 12, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 1, 0, 8, 0, 9}, 19},
+        {"grey of 16 bits",
+         "grey pixels of 16 bits",
+         {0, 0, 3, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 1, 0, 16, 0, 9, 9},
+         20},
+        {"colour of 8 bits",
+         "true-colour pixels of 8 bits",
+         {0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 1, 0, 8, 0, 9},
+         19},
+        {"mapped without a map",
+         "without a colour map",
+         {0, 0, 1, 0, 0, 0, 0, 24, 0, 0, 0, 0, 1, 0, 1, 0, 8, 0, 0},
+         19},
+        {"map of 8 bits",
+         "colour map of 8 bits",
+         {0, 1, 1, 0, 0, 1, 0, 8, 0, 0, 0, 0, 1, 0, 1, 0, 8, 0, 9, 0},
+         20},
+        {"map cut off",
+         "before its pixels",
+         {0, 1, 2, 0, 0, 255, 255, 32, 0, 0, 0, 0, 1, 0, 1, 0, 24, 0, 1, 2, 3},
+         21},
+        {"id cut off",
+         "before its pixels",
+         {9, 0, 3, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 1, 0, 8, 0, 9},
+         19},
+        {"index below the map",
+         "has 5 to 5",
+         {0, 1, 1, 5, 0, 1, 0, 24, 0, 0, 0, 0, 1, 0, 1, 0, 8, 0, 1, 2, 3, 4},
+         22},
+        {"index above the map",
+         "has 5 to 5",
+         {0, 1, 1, 5, 0, 1, 0, 24, 0, 0, 0, 0, 1, 0, 1, 0, 8, 0, 1, 2, 3, 6},
+         22},
+        {"run past the last pixel",
+         "packet of 3 pixels, but only 2",
+         {0, 0, 11, 0, 0, 0, 0, 0, 0, 0, 0, 0, 2, 0, 1, 0, 8, 0, 0x82, 7},
+         20},
+        {"raw packet past the last pixel",
+         "packet of 3 pixels, but only 2",
+         {0, 0, 11, 0, 0, 0, 0, 0, 0, 0, 0, 0, 2, 0, 1, 0, 8, 0, 0x02, 7, 8, 9},
+         22},
+        {"interleaved",
+         "interleaved",
+         {0, 0, 3, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 1, 0, 8, 0x40, 9},
+         19},
+        {"unknown map",
+         "map type 2",
+         {0, 2, 3, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 1, 0, 8, 0, 9},
+         19},
+        {"nothing", "too few for a header", {0}, 0},
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        struct image image;
+        struct error error;
+        CHECK_ROW(!decode_exact(&image, rows[i].bytes, rows[i].size, &error), rows[i].name);
+        CHECK_ROW(strstr(error.message, rows[i].message) != NULL, error.message);
+    }
+}
+
+/* ---- TGA out ---- */
+
+/* Follow the packets of each row; every row must end with a packet. Returns the bytes read, or 0.
+ */
+static size_t follow_packets(const uint8_t *data, size_t size, size_t width, size_t height,
+                             size_t pixel_size) {
+    size_t at = 0;
+    for (size_t y = 0; y < height; y++) {
+        size_t x = 0;
+        while (x < width) {
+            if (at >= size) {
+                return 0;
+            }
+            size_t count = (data[at] & 127u) + 1;
+            at += 1 + (data[at] >= 128 ? 1 : count) * pixel_size;
+            x += count;
+        }
+        if (x != width) {
+            return 0;
+        }
+    }
+    return at;
+}
+
+static void check_tga_round_trip(const struct image *image, bool run_length) {
+    static const uint8_t footer[26] = {0,   0,   0,   0,   0,   0,   0,   0,   'T',
+                                       'R', 'U', 'E', 'V', 'I', 'S', 'I', 'O', 'N',
+                                       '-', 'X', 'F', 'I', 'L', 'E', '.', 0};
+    struct bytes file = {0};
+    struct image again;
+    struct error error;
+    size_t step = (size_t)image->format;
+    size_t raw = image->width * image->height * step;
+    put(&file, 77); /* what stands in front is kept */
+    CHECK(tga_encode(image, run_length, &file, &error));
+    CHECK(file.data[0] == 77);
+    const uint8_t *tga = file.data + 1;
+    size_t size = file.size - 1;
+    if (CHECK(decode_exact(&again, tga, size, &error))) {
+        CHECK(same_image(image, &again));
+    }
+    size_t body = size - 18 - sizeof footer;
+    CHECK(memcmp(tga + size - sizeof footer, footer, sizeof footer) == 0);
+    bool packed = tga[2] >= 8;
+    CHECK(tga[2] == (step == 1 ? 3 : 2) + (packed ? 8 : 0));
+    CHECK(tga[16] == 8 * step && tga[17] == (step == 4 ? 8 : 0)); /* origin at the bottom left */
+    CHECK(run_length || !packed);
+    CHECK(body <= raw + raw / 100);
+    CHECK(packed ? follow_packets(tga + 18, body, image->width, image->height, step) == body
+                 : body == raw);
+    image_free(&again);
+    bytes_free(&file);
+}
+
+static void test_tga_round_trip(void) {
+    static const enum image_format formats[] = {IMAGE_GREY, IMAGE_BGR, IMAGE_BGRA};
+    static const uint32_t levels[] = {2, 3, 256}; /* long runs, short runs, noise */
+    static const size_t widths[] = {1, 2, 127, 128, 129, 300};
+    uint32_t state = 6;
+    for (size_t i = 0; i < 3 * 3 * 6; i++) {
+        struct image image =
+            random_image(widths[i / 9], 1 + i % 5, formats[i % 3], levels[i / 3 % 3], &state);
+        check_tga_round_trip(&image, true);
+        check_tga_round_trip(&image, false);
+        image_free(&image);
+    }
+}
+
+/* An empty picture must become small, and one with long runs smaller than raw. */
+static void test_tga_packs(void) {
+    struct image image;
+    struct error error;
+    struct bytes file = {0};
+    CHECK(image_create(&image, 256, 4, IMAGE_BGR, &error));
+    CHECK(tga_encode(&image, true, &file, &error));
+    CHECK(file.size == 18 + 4 * 2 * 4 + 26 && file.data[2] == 10);
+    file.size = 0;
+    image_free(&image);
+    CHECK(!tga_encode(&image, true, &file, &error) && file.size == 0);
+    bytes_free(&file);
+}
+
+/* ---- PPM ---- */
+
+static void test_ppm(void) {
+    static const struct {
+        const char *name;
+        enum image_format format;
+        bool plain;
+        const char *text;
+    } rows[] = {
+        {"P6", IMAGE_BGR, false, "P6\n2 2\n255\nihglkjcbafed"},
+        {"P6 drops alpha", IMAGE_BGRA, false, "P6\n2 2\n255\nkjionmcbagfe"},
+        {"P5", IMAGE_GREY, false, "P5\n2 2\n255\ncdab"},
+        {"P3", IMAGE_BGR, true, "P3\n2 2\n255\n105 104 103\n108 107 106\n99 98 97\n102 101 100\n"},
+        {"P2", IMAGE_GREY, true, "P2\n2 2\n255\n99\n100\n97\n98\n"},
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        struct image image;
+        struct error error;
+        struct bytes file = {0};
+        CHECK(image_create(&image, 2, 2, rows[i].format, &error));
+        for (size_t k = 0; k < 4 * (size_t)rows[i].format; k++) {
+            image.pixels[k] = (uint8_t)(97 + k);
+        }
+        CHECK_ROW(ppm_encode(&image, rows[i].plain, &file, &error), rows[i].name);
+        put(&file, 0);
+        CHECK_TEXT((const char *)file.data, rows[i].text);
+        bytes_free(&file);
+        image_free(&image);
+    }
+}
+
+/* ---- Files ---- */
+
+static void test_files(void) {
+    char directory[] = "/tmp/test_tgaimage.XXXXXX";
+    char path[64];
+    struct error error;
+    uint32_t state = 8;
+    if (!CHECK(mkdtemp(directory) != NULL)) {
+        return;
+    }
+    snprintf(path, sizeof path, "%s/a.tga", directory);
+    struct image image = random_image(9, 7, IMAGE_BGR, 4, &state), again;
+    CHECK(tga_write(&image, path, &error));
+    CHECK(tga_read(&again, path, &error) && same_image(&image, &again));
+    image_free(&again);
+    CHECK(file_write(path, "short", 5, &error));
+    CHECK(!tga_read(&again, path, &error) && again.pixels == NULL);
+    CHECK(strncmp(error.message, path, strlen(path)) == 0);
+    CHECK(ppm_write(&image, path, &error));
+    unlink(path);
+    CHECK(!tga_read(&again, path, &error) && again.pixels == NULL);
+    CHECK(strncmp(error.message, path, strlen(path)) == 0);
+    snprintf(path, sizeof path, "%s/none/a.tga", directory);
+    CHECK(!tga_write(&image, path, &error));
+    CHECK(strncmp(error.message, path, strlen(path)) == 0);
+    CHECK(!ppm_write(&image, path, &error));
+    image_free(&image);
+    rmdir(directory);
+}
+
+UNIT_MAIN(TEST(test_create), TEST(test_get_and_set), TEST(test_flips), TEST(test_scale),
+          TEST(test_scale_limits), TEST(test_every_kind_of_tga), TEST(test_cut_off_tga),
+          TEST(test_corrupt_tga), TEST(test_lying_tga), TEST(test_tga_round_trip),
+          TEST(test_tga_packs), TEST(test_ppm), TEST(test_files))
