@@ -1,0 +1,289 @@
+/*
+ * Step 6: the worse versions, for the lesson's figures and the benchmark.
+ *
+ * Include main.c first: these versions share its vertices and its samplers. Each attempt draws one
+ * triangle in perspective, as perspective_triangle() does, on an image without a depth test.
+ */
+#ifndef STEP06_ATTEMPTS_H
+#define STEP06_ATTEMPTS_H
+
+#include "geometry.h"
+#include "model.h"
+#include "texture.h"
+
+/* ---- Samplers ---- */
+
+/* Wrong: rounds where it should cut off. The whole picture is shifted by half a texel: the first
+ * row and column of texels appear half as wide, the last ones half again as wide. */
+static inline struct color attempt_sample_rounded(const struct texture *texture, struct vec2 uv) {
+    const struct texture_level *level = &texture->level[0];
+    double right = (double)(level->width - 1), top = (double)(level->height - 1);
+    size_t x = (size_t)clamp(floor(uv.x * (double)level->width + 0.5), right);
+    size_t y = (size_t)clamp(floor(uv.y * (double)level->height + 0.5), top);
+    return color_from_texel(level->texels[y * level->width + x]);
+}
+
+static inline struct color attempt_round_channels(struct vec4 c) {
+    return color_rgb(level_from(c.x), level_from(c.y), level_from(c.z));
+}
+
+/* Wrong: takes the corner of a texel for its centre. Smooth, but shifted by half a texel too. */
+static inline struct color attempt_sample_unshifted(const struct texture *texture, struct vec2 uv) {
+    double width = (double)texture->level[0].width, height = (double)texture->level[0].height;
+    struct vec2 shifted = {uv.x + 0.5 / width, uv.y + 0.5 / height};
+    return attempt_round_channels(sample_bilinear(texture, shifted, 0));
+}
+
+/* Right up close. Far away, where a pixel covers many texels, it sees only four of them. */
+static inline struct color attempt_sample_bilinear(const struct texture *texture, struct vec2 uv) {
+    return attempt_round_channels(sample_bilinear(texture, uv, 0));
+}
+
+/* ---- Triangles ---- */
+
+/* What perspective_triangle() keeps of a triangle. */
+struct attempt_plane {
+    struct edges edges;
+    double q[3];               /* 1/w of each corner */
+    struct vec2 p[3];          /* (u/w, v/w) of each corner */
+    double q_right, q_up;      /* gained by 1/w in one step to the right and one up */
+    struct vec2 p_right, p_up; /* gained by (u/w, v/w) */
+};
+
+static inline bool attempt_begin(struct attempt_plane *plane, const struct image *image,
+                                 const struct vertex v[3]) {
+    if (!edges_setup(&plane->edges, v[0].position, v[1].position, v[2].position, image->width,
+                     image->height)) {
+        return false;
+    }
+    const struct edge *e = plane->edges.edge;
+    double area = (double)plane->edges.area;
+    struct vec3 right = {(double)e[0].dx / area, (double)e[1].dx / area, (double)e[2].dx / area};
+    struct vec3 up = {(double)e[0].dy / area, (double)e[1].dy / area, (double)e[2].dy / area};
+    for (int i = 0; i < 3; i++) {
+        plane->q[i] = v[i].recip_w;
+        plane->p[i] = vec2_scale(v[i].uv, v[i].recip_w);
+    }
+    plane->q_right = interpolate(right, plane->q[0], plane->q[1], plane->q[2]);
+    plane->q_up = interpolate(up, plane->q[0], plane->q[1], plane->q[2]);
+    plane->p_right = vec2_interpolate(right, plane->p[0], plane->p[1], plane->p[2]);
+    plane->p_up = vec2_interpolate(up, plane->p[0], plane->p[1], plane->p[2]);
+    return true;
+}
+
+/* Where the pixel lies in the picture: exact, with one division. */
+static inline struct vec2 attempt_uv(const struct attempt_plane *plane, int x, int y, double *w) {
+    struct vec3 weight = edges_weights(&plane->edges, x, y);
+    *w = 1 / interpolate(weight, plane->q[0], plane->q[1], plane->q[2]);
+    return vec2_scale(vec2_interpolate(weight, plane->p[0], plane->p[1], plane->p[2]), *w);
+}
+
+static inline double attempt_level(const struct attempt_plane *plane, struct vec2 uv, double w,
+                                   const struct texture *texture) {
+    struct vec2 right = vec2_scale(vec2_sub(plane->p_right, vec2_scale(uv, plane->q_right)), w);
+    struct vec2 up = vec2_scale(vec2_sub(plane->p_up, vec2_scale(uv, plane->q_up)), w);
+    return mip_level(right, up, texture);
+}
+
+/* Exact coordinates and a sampler that knows nothing of mip levels. */
+static inline void
+attempt_perspective(struct image *image, const struct vertex v[3], const struct texture *texture,
+                    struct color (*sampler)(const struct texture *, struct vec2)) {
+    struct attempt_plane plane;
+    if (!attempt_begin(&plane, image, v)) {
+        return;
+    }
+    for (int y = plane.edges.y_begin; y < plane.edges.y_end; y++) {
+        struct span span = edges_span(&plane.edges, y);
+        for (int x = span.begin; x < span.end; x++) {
+            double w;
+            struct vec2 uv = attempt_uv(&plane, x, y, &w);
+            image_set(image, x, y, sampler(texture, repeat(uv)));
+        }
+    }
+}
+
+/* Nearest texel, by rounding: see attempt_sample_rounded(). */
+static inline void attempt_1_rounded(struct image *image, const struct vertex v[3],
+                                     const struct texture *texture) {
+    attempt_perspective(image, v, texture, attempt_sample_rounded);
+}
+
+/* Nearest texel, right: still, every texel is a square up close and noise far away. */
+static inline void attempt_2_nearest(struct image *image, const struct vertex v[3],
+                                     const struct texture *texture) {
+    attempt_perspective(image, v, texture, sample_nearest);
+}
+
+/* Bilinear without the half texel: see attempt_sample_unshifted(). */
+static inline void attempt_3_unshifted(struct image *image, const struct vertex v[3],
+                                       const struct texture *texture) {
+    attempt_perspective(image, v, texture, attempt_sample_unshifted);
+}
+
+/* Bilinear, right, without mip levels: moire towards the horizon, which shimmers when the camera
+ * moves. */
+static inline void attempt_4_no_levels(struct image *image, const struct vertex v[3],
+                                       const struct texture *texture) {
+    attempt_perspective(image, v, texture, attempt_sample_bilinear);
+}
+
+/* Wrong: u and v linear on the screen. Lines break at the diagonal between two triangles and tiles
+ * do not become smaller with distance. */
+static inline void attempt_5_affine(struct image *image, const struct vertex v[3],
+                                    const struct texture *texture) {
+    struct attempt_plane plane;
+    if (!attempt_begin(&plane, image, v)) {
+        return;
+    }
+    for (int y = plane.edges.y_begin; y < plane.edges.y_end; y++) {
+        struct span span = edges_span(&plane.edges, y);
+        for (int x = span.begin; x < span.end; x++) {
+            struct vec3 weight = edges_weights(&plane.edges, x, y);
+            struct vec2 uv = vec2_interpolate(weight, v[0].uv, v[1].uv, v[2].uv);
+            image_set(image, x, y, attempt_sample_bilinear(texture, repeat(uv)));
+        }
+    }
+}
+
+/* Exact coordinates and mip level at every `step`-th pixel of a row, linear coordinates between:
+ * one division for `step` pixels. Where the distance changes fast along a row, lines get waves. */
+static inline void attempt_every(struct image *image, const struct vertex v[3],
+                                 const struct texture *texture, int step) {
+    struct attempt_plane plane;
+    if (!attempt_begin(&plane, image, v)) {
+        return;
+    }
+    for (int y = plane.edges.y_begin; y < plane.edges.y_end; y++) {
+        struct span span = edges_span(&plane.edges, y);
+        double w;
+        struct vec2 begin = attempt_uv(&plane, span.begin, y, &w);
+        for (int x = span.begin; x < span.end; x += step) {
+            int length = span.end - x < step ? span.end - x : step;
+            double level = attempt_level(&plane, begin, w, texture);
+            /* The last piece of a row ends at its last pixel: beyond the edge 1/w may reach 0. */
+            int last = x + length < span.end ? length : length - 1;
+            struct vec2 end = attempt_uv(&plane, x + last, y, &w);
+            struct vec2 gain = vec2_scale(vec2_sub(end, begin), last > 0 ? 1.0 / last : 0);
+            for (int i = 0; i < length; i++) {
+                struct vec2 uv = vec2_add(begin, vec2_scale(gain, i));
+                struct vec4 c = sample_trilinear(texture, repeat(uv), level);
+                image_set(image, x + i, y, attempt_round_channels(c));
+            }
+            begin = end;
+        }
+    }
+}
+
+static inline void attempt_6_every_16(struct image *image, const struct vertex v[3],
+                                      const struct texture *texture) {
+    attempt_every(image, v, texture, 16);
+}
+
+static inline void attempt_7_every_8(struct image *image, const struct vertex v[3],
+                                     const struct texture *texture) {
+    attempt_every(image, v, texture, 8);
+}
+
+/* ---- The exact answer ---- */
+
+enum { EXACT_SIDE = 16 }; /* 16 x 16 = 256 samples a pixel */
+
+/* The mean colour (red, green, blue) of a pixel of scene checker, from 256 rays to the plane itself
+ * and without any triangle or texture. False where some ray misses the plane. */
+static inline bool exact_checker(size_t x, size_t y, size_t width, size_t height,
+                                 struct vec3 *mean) {
+    const struct vec3 light = {245, 235, 215}, dark = {150, 45, 30};
+    int light_count = 0;
+    for (int i = 0; i < EXACT_SIDE * EXACT_SIDE; i++) {
+        double screen_x = (double)x + (i % EXACT_SIDE + 0.5) / EXACT_SIDE;
+        double screen_y = (double)y + ((i / EXACT_SIDE) + 0.5) / EXACT_SIDE;
+        /* The ray to (a, b, -1) * distance, in the frame of the plane. */
+        double a = (screen_x / (double)width - 0.5) * 2;
+        double b = (screen_y / (double)height - 0.75) * 2;
+        double down = PLANE_SINE * a - PLANE_COSINE * b;
+        double distance = PLANE_BELOW / down;
+        double side = (PLANE_COSINE * a + PLANE_SINE * b) * distance;
+        if (down <= 0 || distance < PLANE_NEAR || distance > PLANE_FAR || fabs(side) > PLANE_SIDE) {
+            return false;
+        }
+        double tile = floor(2 * side + 0.5) + floor(2 * distance + 0.5);
+        light_count += floor(tile / 2) * 2 == tile;
+    }
+    double share = (double)light_count / (EXACT_SIDE * EXACT_SIDE);
+    *mean = vec3_add(vec3_scale(light, share), vec3_scale(dark, 1 - share));
+    return true;
+}
+
+/* Root of the mean squared error of the three channels, in levels, over the pixels of the plane. */
+static inline double checker_error(const struct image *image) {
+    double sum = 0, pixels = 0;
+    for (size_t y = 0; y < image->height; y++) {
+        for (size_t x = 0; x < image->width; x++) {
+            struct vec3 exact;
+            if (!exact_checker(x, y, image->width, image->height, &exact)) {
+                continue;
+            }
+            struct color c = image_get(image, (int)x, (int)y);
+            struct vec3 error = vec3_sub((struct vec3){c.r, c.g, c.b}, exact);
+            sum += vec3_dot(error, error) / 3;
+            pixels++;
+        }
+    }
+    return pixels > 0 ? sqrt(sum / pixels) : 0;
+}
+
+/* ---- Mistakes on a model ---- */
+
+enum texture_mistake {
+    MISTAKE_FLIPPED,  /* v counted from the top: the face wears its picture upside down */
+    MISTAKE_SWAPPED,  /* u and v exchanged: the picture lies on its side */
+    MISTAKE_CHANNELS, /* red and blue exchanged: blue skin */
+    MISTAKE_INDEX,    /* the position's index used for the texture coordinate too: shreds */
+    MISTAKE_COUNT
+};
+
+static inline struct vec2 mistaken_uv(const struct model *model, size_t face, size_t corner,
+                                      enum texture_mistake mistake) {
+    struct vec2 uv = model_uv(model, face, corner);
+    switch (mistake) {
+    case MISTAKE_FLIPPED:
+        return (struct vec2){uv.x, 1 - uv.y};
+    case MISTAKE_SWAPPED:
+        return (struct vec2){uv.y, uv.x};
+    case MISTAKE_INDEX: {
+        size_t index = model->faces[face].corner[corner].position % model->uv_count;
+        return (struct vec2){model->uvs[index][0], model->uvs[index][1]};
+    }
+    default:
+        return uv;
+    }
+}
+
+/* Scene texture with a mistake; `depth` has one number a pixel. */
+static inline void draw_mistake(struct image *image, double *depth, const struct model *model,
+                                const struct texture *texture, enum texture_mistake mistake) {
+    struct canvas canvas = {.image = image, .depth = depth, .skip = true};
+    clear_depth(depth, image->width * image->height);
+    for (size_t face = 0; face < model->face_count; face++) {
+        struct vertex vertices[3];
+        double intensity = face_intensity(model, face, (struct vec3){0, 0, -1});
+        if (!(intensity > 0) || !place_face(model, face, image, vertices)) {
+            continue;
+        }
+        for (size_t i = 0; i < 3; i++) {
+            vertices[i].uv = mistaken_uv(model, face, i, mistake);
+        }
+        triangle(&canvas, vertices, texture, intensity);
+    }
+    if (mistake == MISTAKE_CHANNELS) {
+        for (int y = 0; y < (int)image->height; y++) {
+            for (int x = 0; x < (int)image->width; x++) {
+                struct color c = image_get(image, x, y);
+                image_set(image, x, y, color_rgb(c.b, c.g, c.r));
+            }
+        }
+    }
+}
+
+#endif

@@ -1,0 +1,572 @@
+/*
+ * The check behind `make check`: builds every step, draws its scenes, and compares them with the
+ * reference images.
+ *
+ *     check [options] [STEP ...]        STEP is 5, 05 or step05_zbuffer; none means all of them
+ *
+ * A step's program runs as `PROGRAM -o DIRECTORY` in that empty directory, in its own process group
+ * and under limits (run.h says which), and must leave there SCENE.tga for each of its scenes. What
+ * "the same picture" means is said in compare.h. One line a step is printed:
+ *
+ *     step05_zbuffer  PASS 3/3 exact
+ *     step05_zbuffer  PASS 3/3 zbuffer: 0.3 % of drawn pixels wrong (limit 1.5 %)
+ *     step05_zbuffer  FAIL 2/3 zbuffer: 4.4 % of drawn pixels wrong (limit 1.5 %)
+ *     step05_zbuffer  TIME 0/3 stopped after 10 s
+ *     step05_zbuffer  CRASH SIGSEGV 1/3 depth: missing (no depth.tga was written)
+ *     step05_zbuffer  BUILD step05_zbuffer/main.c:12:5: error: ...
+ *     step05_zbuffer  ERROR 2/3 depth: no reference: ...        the check itself cannot work
+ *
+ * then `N passed, N failed` (steps), then where the difference images are. A step passes when all
+ * its scenes do and its program ends with status 0. The check never stops early.
+ *
+ * Exit status: 0 all passed, 1 something failed, 2 the check itself cannot work (wrong usage, or a
+ * reference is missing, unreadable or blank).
+ */
+#define _POSIX_C_SOURCE 200809L
+
+#include "compare.h"
+#include "drawn.h"
+#include "png.h"
+#include "run.h"
+#include "scenes.h"
+
+#include <errno.h>
+#include <signal.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+enum {
+    EXIT_ALL_PASSED = 0,
+    EXIT_FAILED = 1,
+    EXIT_CANNOT_WORK = 2,
+    FILE_MEGABYTES = 64,   /* largest file that a program may write */
+    PROCESS_LIMIT = 64,    /* processes of a program at the same time */
+    BUILD_SECONDS = 300,   /* for one call of make */
+    NOT_FOUND_STATUS = 127 /* of a shell that does not find the command */
+};
+
+struct options {
+    const char *root, *scenes, *references, *programs, *differences, *make, *first;
+    double seconds; /* for one step's program */
+};
+
+static const struct options default_options = {
+    .root = ".",
+    .scenes = "tests/check/scenes.txt",
+    .references = "tests/reference",
+    .programs = "build",
+    .differences = "build/differences",
+    .make = "make",
+    .first = "models",
+    .seconds = 10,
+};
+
+static const char help[] =
+    "Usage: check [options] [STEP ...]\n"
+    "Build the steps, draw their scenes, compare them with the reference images.\n"
+    "STEP is 5, 05 or step05_zbuffer; without it all steps are checked.\n"
+    "\n"
+    "  --root DIR          the course's directory; other paths start there   (.)\n"
+    "  --scenes FILE       the table of scenes          (tests/check/scenes.txt)\n"
+    "  --references DIR    the reference images         (tests/reference)\n"
+    "  --programs DIR      where make puts the programs (build)\n"
+    "  --differences DIR   where difference images go   (build/differences)\n"
+    "  --make COMMAND      builds DIR/STEP, the target  (make)\n"
+    "  --first TARGET      what make builds before the steps; may fail (models)\n"
+    "  -h, --help\n"
+    "\n"
+    "A difference image shows the reference, yours and the difference. Wrong pixels are red where\n"
+    "yours has no match in the reference, blue where the reference has none in yours, magenta for\n"
+    "both; dark green ones are not equal, but not wrong.\n"
+    "\n"
+    "CHECK_TIMEOUT in the environment: seconds that a step's program may take (10).\n"
+    "Exit status: 0 all passed, 1 something failed, 2 the check itself cannot work.\n"
+    "To see all that a program says, run it by hand: build/step05_zbuffer -o DIRECTORY\n";
+
+struct score {
+    size_t passed, failed; /* steps */
+    bool cannot_work;
+    struct bytes differences; /* paths, one a line */
+};
+
+/* ---- Text ---- */
+
+static void append(struct bytes *text, const char *format, ...) PRINTF_LIKE(2, 3);
+
+/* Add to a line; when memory runs out the line is just shorter. */
+static void append(struct bytes *text, const char *format, ...) {
+    char part[DRAWN_PATH_LIMIT + 2];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(part, sizeof part, format, arguments);
+    va_end(arguments);
+    bytes_append(text, part, strlen(part));
+}
+
+static void print_step(const char *step, const struct bytes *line) {
+    printf("%s  %.*s\n", step, (int)line->size, line->size > 0 ? (const char *)line->data : "");
+    fflush(stdout); /* so that each line is seen as soon as it is known */
+}
+
+/* ---- Building ---- */
+
+/* The line of a compiler's, a linker's or make's output that a student needs first. */
+static struct message_line first_error(const char *output) {
+    static const char *const marks[] = {"error:", "undefined reference", "multiple definition",
+                                        "***"};
+    for (size_t i = 0; i < sizeof marks / sizeof marks[0]; i++) {
+        for (const char *line = output; *line != '\0';) {
+            size_t length = strcspn(line, "\n");
+            const char *mark = strstr(line, marks[i]);
+            /* A linker's own "error:" only says that it has failed. */
+            const char *linker = strstr(line, "collect2:"), *clang = strstr(line, "linker command");
+            bool final = (linker != NULL && linker < line + length) ||
+                         (clang != NULL && clang < line + length);
+            if (mark != NULL && mark < line + length && !final) {
+                return drawn_message(line);
+            }
+            line += length + (line[length] == '\n');
+        }
+    }
+    return drawn_message(output);
+}
+
+/* Call make in the root with the given targets (then NULL), which follow four fixed arguments. */
+static bool call_make(const struct options *options, const char **arguments,
+                      struct run_result *result, struct error *error) {
+    char script[DRAWN_PATH_LIMIT];
+    if ((size_t)snprintf(script, sizeof script, "%s \"$@\"", options->make) >= sizeof script) {
+        return error_set(error, "the make command is too long");
+    }
+    arguments[0] = "sh";
+    arguments[1] = "-c";
+    arguments[2] = script;
+    arguments[3] = "make";
+    struct run_command command = {
+        .arguments = arguments,
+        .locale = "C", /* so that a compiler writes "error:" and not its translation */
+        .limits = {.seconds = BUILD_SECONDS},
+    };
+    return run(&command, result, error);
+}
+
+/* Build all at once, which uses every core and goes on past errors. Who failed is asked later, one
+ * by one; only a make that cannot be started is an error here. */
+static bool build_all(const struct options *options, const struct scene_table *table,
+                      struct error *error) {
+    const char **arguments = calloc(table->step_count + 8, sizeof *arguments);
+    char(*targets)[DRAWN_PATH_LIMIT] = calloc(table->step_count, sizeof *targets);
+    struct run_result result = {.end = RUN_EXITED};
+    bool good = arguments != NULL && targets != NULL;
+    if (!good) {
+        error_set(error, "out of memory");
+    } else {
+        size_t count = 4;
+        arguments[count++] = "-sk";
+        if (options->first[0] != '\0') {
+            arguments[count++] = options->first;
+        }
+        for (size_t i = 0; i < table->step_count; i++) {
+            if (table->steps[i].selected) {
+                snprintf(targets[i], sizeof targets[i], "%s/%s", options->programs,
+                         table->steps[i].name);
+                arguments[count++] = targets[i];
+            }
+        }
+        good = call_make(options, arguments, &result, error);
+    }
+    if (good && result.end == RUN_EXITED && result.number == NOT_FOUND_STATUS) {
+        good = error_set(error, "cannot run %.100s: %s", options->make,
+                         drawn_message((const char *)result.messages.data).text);
+    }
+    bytes_free(&result.messages);
+    free(arguments);
+    free(targets);
+    return good;
+}
+
+/* Is the step's program built and up to date? Otherwise `reason` says why not. */
+static bool build_step(const struct options *options, const char *step,
+                       struct message_line *reason) {
+    char target[DRAWN_PATH_LIMIT];
+    snprintf(target, sizeof target, "%s/%s", options->programs, step);
+    const char *arguments[] = {NULL, NULL, NULL, NULL, "-s", target, NULL};
+    struct run_result result;
+    struct error error;
+    bool good = false;
+    if (!call_make(options, arguments, &result, &error)) {
+        *reason = drawn_message(error.message);
+    } else if (result.end == RUN_OUT_OF_TIME) {
+        snprintf(reason->text, sizeof reason->text, "stopped after %d s", BUILD_SECONDS);
+    } else if (result.end != RUN_EXITED || result.number != 0) {
+        *reason = first_error((const char *)result.messages.data);
+        if (reason->text[0] == '\0') {
+            snprintf(reason->text, sizeof reason->text, "make failed and does not say why");
+        }
+    } else if (access(target, X_OK) != 0) {
+        snprintf(reason->text, sizeof reason->text, "make has built no %.150s", target);
+    } else {
+        good = true;
+    }
+    bytes_free(&result.messages);
+    return good;
+}
+
+/* ---- Comparing ---- */
+
+/* Read a step's references, before its program runs. A bad one stays empty. */
+static void read_references(const struct options *options, const struct checked_step *step,
+                            struct image *references, struct error *errors) {
+    for (size_t i = 0; i < step->scene_count; i++) {
+        char path[DRAWN_PATH_LIMIT];
+        snprintf(path, sizeof path, "%s/%s/%s.png", options->references, step->name,
+                 step->scenes[i].name);
+        if (png_read(&references[i], path, &errors[i]) && image_is_blank(&references[i])) {
+            error_set(&errors[i], "%.900s: is blank", path);
+            image_free(&references[i]);
+        }
+    }
+}
+
+static void write_difference(const char *path, const struct image *reference,
+                             const struct image *yours, struct score *score) {
+    struct image picture;
+    struct error error;
+    char directory[DRAWN_PATH_LIMIT];
+    snprintf(directory, sizeof directory, "%.*s", (int)(strrchr(path, '/') - path), path);
+    bool good = compare_picture(&picture, reference, yours, &error) &&
+                run_make_directories(directory, &error) && png_write(&picture, path, &error);
+    image_free(&picture);
+    if (good) {
+        append(&score->differences, "  %s\n", path);
+    } else {
+        fprintf(stderr, "check: no difference image: %s\n", error.message);
+    }
+}
+
+/* What one scene adds to the step's line. */
+struct scene_result {
+    bool passed, exact, missing, no_reference;
+    char text[400]; /* empty when exact */
+};
+
+static void judge_picture(struct scene_result *result, const struct checked_scene *scene,
+                          const struct image *reference, const struct image *yours) {
+    struct comparison comparison = compare_images(reference, yours);
+    result->exact = comparison.differing == 0;
+    result->passed = scene->exact ? result->exact : comparison_within(&comparison, scene->limit);
+    if (result->exact) {
+        return;
+    }
+    if (scene->exact) {
+        snprintf(result->text, sizeof result->text,
+                 "%s: %llu of %llu drawn pixels differ (must be exact)", scene->name,
+                 (unsigned long long)comparison.differing, (unsigned long long)comparison.drawn);
+        return;
+    }
+    snprintf(result->text, sizeof result->text, "%s: %s of drawn pixels wrong (limit %g %%)",
+             scene->name, comparison_share(&comparison, scene->limit).text, scene->limit / 1000.0);
+}
+
+static struct scene_result check_scene(const struct options *options, const char *step,
+                                       const struct checked_scene *scene, const char *directory,
+                                       const struct image *reference, const struct error *why,
+                                       struct score *score) {
+    struct scene_result result = {.passed = false};
+    char path[DRAWN_PATH_LIMIT];
+    snprintf(path, sizeof path, "%s/%s/%s.png", options->differences, step, scene->name);
+    if (reference->pixels == NULL) {
+        result.no_reference = true;
+        snprintf(result.text, sizeof result.text, "%s: no reference: %s", scene->name,
+                 drawn_message(why->message).text);
+        return result;
+    }
+    struct image yours;
+    struct error error;
+    enum drawn_state state = drawn_read(&yours, directory, scene->name, reference, &error);
+    if (state == DRAWN_READ) {
+        judge_picture(&result, scene, reference, &yours);
+    } else {
+        result.missing = state == DRAWN_MISSING;
+        snprintf(result.text, sizeof result.text, "%s: %s", scene->name,
+                 drawn_message(error.message).text);
+    }
+    if (!result.passed) {
+        write_difference(path, reference, &yours, score);
+    }
+    image_free(&yours);
+    return result;
+}
+
+/* ---- One step ---- */
+
+static void describe_end(struct bytes *line, const struct options *options,
+                         const struct run_result *end) {
+    struct message_line said = drawn_message((const char *)end->messages.data);
+    if (end->end == RUN_OUT_OF_TIME) {
+        append(line, " stopped after %g s", options->seconds);
+    } else if (end->end == RUN_TOO_MANY) {
+        append(line, " stopped at more than %d processes", PROCESS_LIMIT);
+    } else if (end->end == RUN_KILLED) {
+        if (end->number == SIGXFSZ) {
+            append(line, " file larger than %d MB", FILE_MEGABYTES);
+        }
+        append(line, "%s%s", said.text[0] != '\0' ? " " : "", said.text);
+    } else if (end->number != 0) {
+        append(line, " exit status %d%s%s", end->number, said.text[0] != '\0' ? ": " : "",
+               said.text);
+    }
+}
+
+/* The verdict, "n/m", how the program ended, and what is wrong with its scenes. */
+static bool describe_step(struct bytes *line, const struct options *options,
+                          const struct run_result *end, const struct scene_result *scenes,
+                          size_t count) {
+    size_t passed = 0, exact = 0, no_reference = 0;
+    for (size_t i = 0; i < count; i++) {
+        passed += scenes[i].passed;
+        exact += scenes[i].exact;
+        no_reference += scenes[i].no_reference;
+    }
+    bool ended_well = end->end == RUN_EXITED && end->number == 0;
+    bool good = passed == count && ended_well;
+    if (no_reference > 0) {
+        append(line, "ERROR");
+    } else if (end->end == RUN_OUT_OF_TIME) {
+        append(line, "TIME");
+    } else if (end->end == RUN_KILLED) {
+        append(line, "CRASH %s", run_signal_name(end->number).text);
+    } else {
+        append(line, good ? "PASS" : "FAIL");
+    }
+    append(line, " %zu/%zu", passed, count);
+    if (good && exact == count) {
+        append(line, " exact");
+    }
+    size_t start = line->size;
+    describe_end(line, options, end);
+    for (size_t i = 0; i < count; i++) {
+        /* A program that was stopped is not blamed for each picture that it did not get to; of
+         * one that failed, only what failed is shown. */
+        bool shown = scenes[i].text[0] != '\0' && (good || !scenes[i].passed) &&
+                     (ended_well || !scenes[i].missing);
+        if (shown) {
+            append(line, "%s %s", line->size > start ? ";" : "", scenes[i].text);
+        }
+    }
+    return good;
+}
+
+/* Draw the step's scenes in an empty directory and judge them. False, with a message, when the
+ * check itself cannot do that. */
+static bool draw_and_judge(const struct options *options, const struct checked_step *step,
+                           const struct image *references, const struct error *errors,
+                           struct scene_result *results, struct bytes *line, bool *passed,
+                           struct score *score, struct error *error) {
+    char directory[DRAWN_PATH_LIMIT];
+    if (!run_directory_create(directory, sizeof directory, error)) {
+        return false;
+    }
+    struct run_limits limits = {.seconds = options->seconds,
+                                .file_bytes = (size_t)FILE_MEGABYTES * 1000 * 1000,
+                                .processes = PROCESS_LIMIT};
+    struct run_result end;
+    bool good = drawn_run(options->programs, step->name, directory, &limits, &end, error);
+    if (good && end.end != RUN_INTERRUPTED) {
+        for (size_t i = 0; i < step->scene_count; i++) {
+            results[i] = check_scene(options, step->name, &step->scenes[i], directory,
+                                     &references[i], &errors[i], score);
+            score->cannot_work |= results[i].no_reference;
+        }
+        *passed = describe_step(line, options, &end, results, step->scene_count);
+    }
+    bytes_free(&end.messages);
+    run_directory_remove(directory);
+    return good;
+}
+
+/* A picture of an earlier check must not be taken for one of this check. */
+static void remove_old_differences(const struct options *options, const struct checked_step *step) {
+    for (size_t i = 0; i < step->scene_count; i++) {
+        char path[DRAWN_PATH_LIMIT];
+        snprintf(path, sizeof path, "%s/%s/%s.png", options->differences, step->name,
+                 step->scenes[i].name);
+        unlink(path);
+    }
+}
+
+static void check_step(const struct options *options, const struct checked_step *step,
+                       struct score *score) {
+    struct bytes line = {.data = NULL};
+    struct error error = {"out of memory"};
+    struct message_line reason;
+    bool passed = false;
+    size_t count = step->scene_count;
+    struct image *references = calloc(count, sizeof *references);
+    struct error *errors = calloc(count, sizeof *errors);
+    struct scene_result *results = calloc(count, sizeof *results);
+    bool good = references != NULL && errors != NULL && results != NULL;
+    if (good) {
+        remove_old_differences(options, step);
+        read_references(options, step, references, errors);
+        if (build_step(options, step->name, &reason)) {
+            good = draw_and_judge(options, step, references, errors, results, &line, &passed, score,
+                                  &error);
+        } else {
+            append(&line, "BUILD %s", reason.text);
+            for (size_t i = 0; i < count; i++) {
+                if (references[i].pixels == NULL) { /* the line says only what comes first */
+                    fprintf(stderr, "check: no reference: %s\n", errors[i].message);
+                    score->cannot_work = true;
+                }
+            }
+        }
+    }
+    if (!good) {
+        line.size = 0;
+        append(&line, "ERROR %s", error.message);
+        score->cannot_work = true;
+    }
+    if (run_caught_signal() == 0) {
+        print_step(step->name, &line);
+        score->passed += passed;
+        score->failed += !passed;
+    }
+    for (size_t i = 0; references != NULL && i < count; i++) {
+        image_free(&references[i]);
+    }
+    free(references);
+    free(errors);
+    free(results);
+    bytes_free(&line);
+}
+
+/* ---- All of it ---- */
+
+static int usage_error(const char *message) {
+    fprintf(stderr, "check: %s\nTry 'check --help'.\n", message);
+    return EXIT_CANNOT_WORK;
+}
+
+static bool read_seconds(double *seconds, struct error *error) {
+    const char *text = getenv("CHECK_TIMEOUT");
+    if (text == NULL || text[0] == '\0') {
+        return true;
+    }
+    char *end;
+    *seconds = strtod(text, &end);
+    if (*end != '\0' || !(*seconds >= 0.1 && *seconds <= 3600)) {
+        return error_set(error, "CHECK_TIMEOUT is '%.50s', not a number of seconds, 0.1..3600",
+                         text);
+    }
+    return true;
+}
+
+/* Read the options in front of the steps; `first_step` becomes the first argument that is none. */
+static bool read_options(struct options *options, int argc, char **argv, int *first_step,
+                         struct error *error) {
+    const struct {
+        const char *name;
+        const char **value;
+    } known[] = {
+        {"--root", &options->root},
+        {"--scenes", &options->scenes},
+        {"--references", &options->references},
+        {"--programs", &options->programs},
+        {"--differences", &options->differences},
+        {"--make", &options->make},
+        {"--first", &options->first},
+    };
+    int i = 1;
+    while (i < argc && argv[i][0] == '-') {
+        size_t k = 0, count = sizeof known / sizeof known[0];
+        while (k < count && strcmp(argv[i], known[k].name) != 0) {
+            k++;
+        }
+        if (k == count) {
+            return error_set(error, "unknown option '%.100s'", argv[i]);
+        }
+        if (i + 1 == argc) {
+            return error_set(error, "%s needs a value", argv[i]);
+        }
+        if (strlen(argv[i + 1]) > DRAWN_PATH_LIMIT / 2) {
+            return error_set(error, "the value of %s is too long", argv[i]);
+        }
+        *known[k].value = argv[i + 1];
+        i += 2;
+    }
+    *first_step = i;
+    return read_seconds(&options->seconds, error);
+}
+
+static bool select_steps(struct scene_table *table, char **steps, struct error *error) {
+    bool any = false;
+    for (; *steps != NULL; steps++) {
+        any |= (*steps)[0] != '\0';
+        if (!scene_table_select(table, *steps, error)) {
+            return false;
+        }
+    }
+    if (!any) {
+        scene_table_select_all(table);
+    }
+    return true;
+}
+
+static int check(const struct options *options, const struct scene_table *table) {
+    struct score score = {.passed = 0};
+    struct error error;
+    if (!build_all(options, table, &error)) {
+        fprintf(stderr, "check: %s\n", error.message);
+        return EXIT_CANNOT_WORK;
+    }
+    for (size_t i = 0; i < table->step_count && run_caught_signal() == 0; i++) {
+        if (table->steps[i].selected) {
+            check_step(options, &table->steps[i], &score);
+        }
+    }
+    if (run_caught_signal() == 0) {
+        printf("%zu passed, %zu failed\n", score.passed, score.failed);
+        if (score.differences.size > 0) {
+            printf("Difference images (reference, yours, difference, side by side):\n%.*s",
+                   (int)score.differences.size, (const char *)score.differences.data);
+        }
+        fflush(stdout);
+    }
+    bytes_free(&score.differences);
+    return score.cannot_work ? EXIT_CANNOT_WORK
+                             : (score.failed > 0 ? EXIT_FAILED : EXIT_ALL_PASSED);
+}
+
+int main(int argc, char **argv) {
+    struct options options = default_options;
+    struct scene_table table;
+    struct error error;
+    int first_step = argc;
+    if (argc == 2 && (strcmp(argv[1], "-h") == 0 || strcmp(argv[1], "--help") == 0)) {
+        fputs(help, stdout);
+        return EXIT_ALL_PASSED;
+    }
+    if (!read_options(&options, argc, argv, &first_step, &error)) {
+        return usage_error(error.message);
+    }
+    if (chdir(options.root) != 0) {
+        fprintf(stderr, "check: %s: %s\n", options.root, strerror(errno));
+        return EXIT_CANNOT_WORK;
+    }
+    run_catch_signals();
+    if (!scene_table_read(&table, options.scenes, &error)) {
+        fprintf(stderr, "check: %s\n", error.message);
+        return EXIT_CANNOT_WORK;
+    }
+    int status = select_steps(&table, argv + first_step, &error) ? check(&options, &table)
+                                                                 : usage_error(error.message);
+    scene_table_free(&table);
+    if (run_caught_signal() != 0) {
+        run_die_of_signal();
+    }
+    return status;
+}

@@ -1,0 +1,59 @@
+/*
+ * How a student's picture is compared with its reference, and the picture that shows the result.
+ *
+ * The rule. The background is black (0,0,0), to which every scene is cleared. A pixel is drawn when
+ * it is not background in either picture. Two colours agree when no channel differs by more than 4
+ * levels. A drawn pixel is wrong when the reference's colour there agrees with none of your pixels
+ * in the 3x3 around it, or your colour there with none of the reference's pixels around it.
+ *
+ * Why not count the pixels that differ: a correct renderer with another fill rule moves edges by
+ * one pixel all over the picture, while a missing depth buffer shows in few places, at the mouth
+ * and the ears. By a plain count the wrong program comes out better. A moved edge has its colour
+ * next to it; a wrong triangle has not.
+ *
+ * Pictures are compared as red, green and blue: a grey picture equals the same grey in colours, and
+ * alpha is not looked at.
+ */
+#ifndef TESTS_CHECK_COMPARE_H
+#define TESTS_CHECK_COMPARE_H
+
+#include "file.h"
+#include "tgaimage.h"
+
+#include <stdbool.h>
+#include <stdint.h>
+
+enum { COMPARE_LEVELS = 4 }; /* channels of colours that agree differ by this at most */
+
+struct comparison {
+    uint64_t drawn;     /* pixels that are not background in either picture */
+    uint64_t differing; /* pixels that are not equal; 0 means exact */
+    uint64_t wrong;     /* drawn pixels that are wrong */
+};
+
+/* Compare two pictures of the same size (the caller checks that). When yours is all background and
+ * the reference is not, every drawn pixel is wrong. */
+struct comparison compare_images(const struct image *reference, const struct image *yours);
+
+/* Is the share of wrong pixels within the limit (thousandths of a percent, inclusive)? */
+bool comparison_within(const struct comparison *comparison, unsigned limit);
+
+/* The share of wrong pixels as "4.4 %", with as many decimals as it takes to show that it is above
+ * the limit, when it is, and that it is not zero. */
+struct share_text {
+    char text[32];
+};
+struct share_text comparison_share(const struct comparison *comparison, unsigned limit);
+
+/* Is every pixel background? */
+bool image_is_blank(const struct image *image);
+
+/* Make a picture of three panels: reference, yours, difference. Each has the reference's size;
+ * yours is laid at the bottom-left corner and cut, and an empty image shows as background. The
+ * difference is the reference at a quarter of its brightness with, on top, red: this pixel of yours
+ * has no match; blue: this pixel of the reference has none; magenta: both; dark green: not equal,
+ * but not wrong. The caller frees `picture`. */
+bool compare_picture(struct image *picture, const struct image *reference,
+                     const struct image *yours, struct error *error);
+
+#endif

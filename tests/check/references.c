@@ -1,0 +1,175 @@
+/*
+ * Draws the reference images again: what `make references` calls, and never a check.
+ *
+ *     references [--root DIR] [--scenes FILE] [--references DIR] [--programs DIR] [STEP ...]
+ *
+ * Runs each step's program, which must be built, as the check does, and turns its TGA pictures into
+ * the PNG files DIR/stepNN_name/scene.png. A reference that already shows the same picture is left
+ * alone, so that only what has changed is written. All pictures of a step are read before any is
+ * written: a step that fails changes nothing. Whoever runs this should look at every picture that
+ * it names before it is committed.
+ *
+ * Exit status: 0 done, 1 a step failed, 2 wrong usage.
+ */
+#define _POSIX_C_SOURCE 200809L
+
+#include "compare.h"
+#include "drawn.h"
+#include "png.h"
+#include "run.h"
+#include "scenes.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+struct options {
+    const char *root, *scenes, *references, *programs;
+};
+
+/* Generous: here nobody's mistakes are to be found. */
+static const struct run_limits limits = {
+    .seconds = 300, .file_bytes = (size_t)256 * 1000 * 1000, .processes = 64};
+
+/* The same look in the same size? Alpha counts for nothing, as in the check. */
+static bool same_picture(const struct image *a, const struct image *b) {
+    return a->width == b->width && a->height == b->height && compare_images(a, b).differing == 0;
+}
+
+static bool save_picture(const struct options *options, const char *step, const char *scene,
+                         const struct image *image, struct error *error) {
+    char directory[DRAWN_PATH_LIMIT], path[DRAWN_PATH_LIMIT];
+    snprintf(directory, sizeof directory, "%s/%s", options->references, step);
+    if ((size_t)snprintf(path, sizeof path, "%s/%s/%s.png", options->references, step, scene) >=
+        sizeof path) {
+        return error_set(error, "%s: name too long", options->references);
+    }
+    struct image old;
+    struct error ignored;
+    bool exists = access(path, F_OK) == 0;
+    bool same = png_read(&old, path, &ignored) && same_picture(&old, image);
+    image_free(&old);
+    if (!same && (!run_make_directories(directory, error) || !png_write(image, path, error))) {
+        return false;
+    }
+    printf("%-9s  %s\n", same ? "unchanged" : (exists ? "changed" : "new"), path);
+    return true;
+}
+
+/* Read all pictures of the step; false, with a message, when one is missing or blank. */
+static bool read_pictures(const char *directory, const struct checked_step *step,
+                          struct image *images, struct error *error) {
+    for (size_t i = 0; i < step->scene_count; i++) {
+        struct error reason;
+        const char *scene = step->scenes[i].name;
+        if (drawn_read(&images[i], directory, scene, NULL, &reason) != DRAWN_READ) {
+            return error_set(error, "%s: %.900s", scene, reason.message);
+        }
+        if (image_is_blank(&images[i])) {
+            return error_set(error, "%s: the picture is blank", scene);
+        }
+    }
+    return true;
+}
+
+static bool draw_step(const struct options *options, const char *directory,
+                      const struct checked_step *step, struct image *images, struct error *error) {
+    struct run_result end;
+    bool good = drawn_run(options->programs, step->name, directory, &limits, &end, error);
+    if (good && (end.end != RUN_EXITED || end.number != 0)) {
+        const char *said = (const char *)end.messages.data;
+        good = error_set(error, "the program did not end well: %s", drawn_message(said).text);
+    }
+    bytes_free(&end.messages);
+    return good && read_pictures(directory, step, images, error);
+}
+
+static bool redraw_step(const struct options *options, const struct checked_step *step,
+                        struct error *error) {
+    char directory[DRAWN_PATH_LIMIT];
+    struct image *images = calloc(step->scene_count, sizeof *images);
+    if (images == NULL) {
+        return error_set(error, "out of memory");
+    }
+    bool good = run_directory_create(directory, sizeof directory, error);
+    if (good) {
+        good = draw_step(options, directory, step, images, error);
+        run_directory_remove(directory);
+    }
+    for (size_t i = 0; i < step->scene_count && good; i++) {
+        good = save_picture(options, step->name, step->scenes[i].name, &images[i], error);
+    }
+    for (size_t i = 0; i < step->scene_count; i++) {
+        image_free(&images[i]);
+    }
+    free(images);
+    return good;
+}
+
+/* Read the options in front of the steps; false for a wrong one. */
+static bool read_options(struct options *options, int argc, char **argv, int *first_step) {
+    int i = 1;
+    for (; i < argc && argv[i][0] == '-'; i += 2) {
+        const char **value = strcmp(argv[i], "--root") == 0         ? &options->root
+                             : strcmp(argv[i], "--scenes") == 0     ? &options->scenes
+                             : strcmp(argv[i], "--references") == 0 ? &options->references
+                             : strcmp(argv[i], "--programs") == 0   ? &options->programs
+                                                                    : NULL;
+        if (value == NULL || i + 1 == argc) {
+            return false;
+        }
+        *value = argv[i + 1];
+    }
+    *first_step = i;
+    return true;
+}
+
+int main(int argc, char **argv) {
+    struct options options = {.root = ".",
+                              .scenes = "tests/check/scenes.txt",
+                              .references = "tests/reference",
+                              .programs = "build"};
+    struct scene_table table;
+    struct error error;
+    int first_step = argc;
+    if (!read_options(&options, argc, argv, &first_step)) {
+        fprintf(stderr, "Usage: references [--root DIR] [--scenes FILE] [--references DIR] "
+                        "[--programs DIR] [STEP ...]\n");
+        return 2;
+    }
+    if (chdir(options.root) != 0) {
+        fprintf(stderr, "references: %s: %s\n", options.root, strerror(errno));
+        return 2;
+    }
+    if (!scene_table_read(&table, options.scenes, &error)) {
+        fprintf(stderr, "references: %s\n", error.message);
+        return 2;
+    }
+    bool any = false;
+    for (int i = first_step; i < argc; i++) {
+        any |= argv[i][0] != '\0';
+        if (!scene_table_select(&table, argv[i], &error)) {
+            fprintf(stderr, "references: %s\n", error.message);
+            scene_table_free(&table);
+            return 2;
+        }
+    }
+    if (!any) {
+        scene_table_select_all(&table);
+    }
+    run_catch_signals();
+    int status = 0;
+    for (size_t i = 0; i < table.step_count && run_caught_signal() == 0; i++) {
+        if (table.steps[i].selected && !redraw_step(&options, &table.steps[i], &error)) {
+            fprintf(stderr, "references: %s: %s\n", table.steps[i].name, error.message);
+            status = 1;
+        }
+    }
+    scene_table_free(&table);
+    if (run_caught_signal() != 0) {
+        run_die_of_signal();
+    }
+    return status;
+}

@@ -1,0 +1,491 @@
+#define _POSIX_C_SOURCE 200809L
+
+#include "run.h"
+
+#include <dirent.h>
+#include <errno.h>
+#include <fcntl.h>
+#include <poll.h>
+#include <signal.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <time.h>
+#include <unistd.h>
+
+#ifdef __linux__
+#include <sys/prctl.h>
+#endif
+
+enum {
+    MESSAGE_LIMIT = 256 * 1024, /* bytes of standard error that are kept */
+    TICK_MS = 5,                /* between two looks at a running program */
+    COUNT_MS = 100              /* between two counts of its processes */
+};
+
+static const double seconds_to_end = 0.5;      /* between SIGTERM and SIGKILL */
+static const double seconds_to_clean_up = 2.0; /* for killed processes to be gone */
+
+/* ---- Being asked to end ---- */
+
+/* The only changing global: a signal handler has no other way to tell. */
+static volatile sig_atomic_t caught_signal;
+
+static const int caught_signals[] = {SIGINT, SIGTERM, SIGHUP, SIGPIPE};
+
+static void catch_signal(int number) {
+    caught_signal = number;
+}
+
+void run_catch_signals(void) {
+    for (size_t i = 0; i < sizeof caught_signals / sizeof caught_signals[0]; i++) {
+        struct sigaction action;
+        if (sigaction(caught_signals[i], NULL, &action) == 0 && action.sa_handler != SIG_IGN) {
+            memset(&action, 0, sizeof action);
+            action.sa_handler = catch_signal;
+            sigaction(caught_signals[i], &action, NULL);
+        }
+    }
+}
+
+int run_caught_signal(void) {
+    return caught_signal;
+}
+
+void run_die_of_signal(void) {
+    signal(caught_signal, SIG_DFL);
+    raise(caught_signal);
+}
+
+struct signal_name run_signal_name(int number) {
+    static const struct {
+        int number;
+        const char *name;
+    } known[] = {
+        {SIGSEGV, "SIGSEGV"}, {SIGABRT, "SIGABRT"}, {SIGFPE, "SIGFPE"},   {SIGILL, "SIGILL"},
+        {SIGBUS, "SIGBUS"},   {SIGTRAP, "SIGTRAP"}, {SIGSYS, "SIGSYS"},   {SIGPIPE, "SIGPIPE"},
+        {SIGKILL, "SIGKILL"}, {SIGTERM, "SIGTERM"}, {SIGXFSZ, "SIGXFSZ"}, {SIGXCPU, "SIGXCPU"},
+        {SIGINT, "SIGINT"},   {SIGQUIT, "SIGQUIT"}, {SIGHUP, "SIGHUP"},   {SIGALRM, "SIGALRM"},
+    };
+    struct signal_name name;
+    snprintf(name.text, sizeof name.text, "signal %d", number);
+    for (size_t i = 0; i < sizeof known / sizeof known[0]; i++) {
+        if (known[i].number == number) {
+            snprintf(name.text, sizeof name.text, "%s", known[i].name);
+        }
+    }
+    return name;
+}
+
+/* ---- Time ---- */
+
+static double now(void) {
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (double)t.tv_sec + (double)t.tv_nsec / 1e9;
+}
+
+static void pause_ms(long ms) {
+    nanosleep(&(struct timespec){.tv_nsec = ms * 1000000}, NULL);
+}
+
+/* ---- The processes that descend from this one (Linux) ---- */
+
+struct process {
+    pid_t id, parent;
+    bool descends;
+};
+
+struct process_list {
+    struct process *processes;
+    size_t count;
+};
+
+#ifdef __linux__
+
+/* The parent from /proc/ID/stat: "ID (name) state parent ..."; the name may hold anything. */
+static bool read_parent(const char *id, pid_t *parent) {
+    char path[64], text[512];
+    snprintf(path, sizeof path, "/proc/%.20s/stat", id);
+    int file = open(path, O_RDONLY | O_CLOEXEC);
+    if (file < 0) {
+        return false;
+    }
+    ssize_t length = read(file, text, sizeof text - 1);
+    close(file);
+    if (length <= 0) {
+        return false;
+    }
+    text[length] = '\0';
+    const char *after_name = strrchr(text, ')');
+    char state;
+    long number;
+    if (after_name == NULL || sscanf(after_name + 1, " %c %ld", &state, &number) != 2) {
+        return false;
+    }
+    *parent = (pid_t)number;
+    return true;
+}
+
+static void list_all(struct process_list *list) {
+    DIR *directory = opendir("/proc");
+    if (directory == NULL) {
+        return;
+    }
+    size_t capacity = 0;
+    struct dirent *entry;
+    while ((entry = readdir(directory)) != NULL) {
+        struct process process = {.id = (pid_t)strtol(entry->d_name, NULL, 10)};
+        if (process.id <= 0 || !read_parent(entry->d_name, &process.parent)) {
+            continue;
+        }
+        if (list->count == capacity) {
+            capacity = capacity == 0 ? 256 : 2 * capacity;
+            struct process *larger = realloc(list->processes, capacity * sizeof *larger);
+            if (larger == NULL) {
+                break;
+            }
+            list->processes = larger;
+        }
+        list->processes[list->count++] = process;
+    }
+    closedir(directory);
+}
+
+static bool is_descendant(const struct process_list *list, pid_t id) {
+    for (size_t i = 0; i < list->count; i++) {
+        if (list->processes[i].id == id) {
+            return list->processes[i].descends;
+        }
+    }
+    return false;
+}
+
+/* Mark all descendants of this process and return how many there are; with a signal, send it. */
+static size_t find_descendants(int signal_to_send) {
+    struct process_list list = {.processes = NULL};
+    list_all(&list);
+    size_t found = 0, before;
+    do { /* a parent may stand behind its child in the list */
+        before = found;
+        for (size_t i = 0; i < list.count; i++) {
+            struct process *p = &list.processes[i];
+            if (!p->descends && (p->parent == getpid() || is_descendant(&list, p->parent))) {
+                p->descends = true;
+                found++;
+                if (signal_to_send != 0) {
+                    kill(p->id, signal_to_send);
+                }
+            }
+        }
+    } while (found != before);
+    free(list.processes);
+    return found;
+}
+
+/* With this, a process whose parent has died becomes our child, wherever it has hidden. */
+static void adopt_orphans(bool adopt) {
+    prctl(PR_SET_CHILD_SUBREAPER, adopt ? 1UL : 0UL, 0UL, 0UL, 0UL);
+}
+
+/* Threads on the whole machine, which are at least those of this user; 0 when unknown. */
+static size_t count_threads(void) {
+    FILE *file = fopen("/proc/loadavg", "r");
+    size_t threads = 0;
+    if (file != NULL) {
+        if (fscanf(file, "%*s %*s %*s %*u/%zu", &threads) != 1) {
+            threads = 0;
+        }
+        fclose(file);
+    }
+    return threads;
+}
+
+#else
+
+static size_t find_descendants(int signal_to_send) {
+    (void)signal_to_send;
+    return 0;
+}
+
+static void adopt_orphans(bool adopt) {
+    (void)adopt;
+}
+
+static size_t count_threads(void) {
+    return 0;
+}
+
+#endif
+
+/* Kill and reap what is left. */
+static void clean_up_processes(void) {
+    double end = now() + seconds_to_clean_up;
+    pid_t reaped;
+    while ((reaped = waitpid(-1, NULL, WNOHANG)) >= 0 && now() < end) {
+        if (reaped == 0) {
+            find_descendants(SIGKILL);
+            pause_ms(1);
+        }
+    }
+}
+
+/* ---- The child's side ---- */
+
+static void lower_limit(int resource, rlim_t soft, rlim_t hard) {
+    struct rlimit limit;
+    if (getrlimit(resource, &limit) != 0) {
+        return;
+    }
+    limit.rlim_max = limit.rlim_max < hard ? limit.rlim_max : hard;
+    limit.rlim_cur = soft < limit.rlim_max ? soft : limit.rlim_max;
+    setrlimit(resource, &limit);
+}
+
+static void set_limits(const struct run_limits *limits, size_t threads) {
+    long cores = 1;
+#ifdef _SC_NPROCESSORS_ONLN
+    cores = sysconf(_SC_NPROCESSORS_ONLN) > 1 ? sysconf(_SC_NPROCESSORS_ONLN) : 1;
+#endif
+    rlim_t seconds = (rlim_t)(limits->seconds * (double)cores) + 1;
+    lower_limit(RLIMIT_CPU, seconds, seconds + 1);
+    lower_limit(RLIMIT_FSIZE, limits->file_bytes, limits->file_bytes);
+    lower_limit(RLIMIT_CORE, 0, 0);
+#ifdef RLIMIT_NPROC
+    /* It counts the threads of all that the user runs: leave room for those, and for ours. */
+    rlim_t processes = (threads > 0 ? threads : 2048) + limits->processes + 1024;
+    lower_limit(RLIMIT_NPROC, processes, processes);
+#else
+    (void)threads;
+#endif
+}
+
+static void child_fail(const char *what, const char *name) {
+    char text[512];
+    int length = snprintf(text, sizeof text, "cannot %s %s: %s\n", what, name, strerror(errno));
+    if (length > 0 && write(STDERR_FILENO, text, strlen(text)) < 0) {
+        _exit(126);
+    }
+    _exit(127);
+}
+
+static void child(const struct run_command *command, int messages, size_t threads) {
+    setpgid(0, 0);
+    signal(SIGPIPE, SIG_DFL);
+    int input = open("/dev/null", O_RDONLY), output = open("/dev/null", O_WRONLY);
+    if (input < 0 || output < 0 || dup2(input, STDIN_FILENO) < 0 ||
+        dup2(output, STDOUT_FILENO) < 0 || dup2(messages, STDERR_FILENO) < 0) {
+        _exit(127);
+    }
+    close(input);
+    close(output);
+    if (command->locale != NULL) {
+        setenv("LC_ALL", command->locale, 1);
+    }
+    if (command->directory != NULL && chdir(command->directory) != 0) {
+        child_fail("enter", command->directory);
+    }
+    if (command->contained) {
+        for (int file = STDERR_FILENO + 1; file < 256; file++) {
+            close(file); /* such as the pipe through which make hands out its jobs */
+        }
+        unsetenv("MAKEFLAGS");
+        unsetenv("MFLAGS");
+        set_limits(&command->limits, threads);
+    }
+    /* execvp() takes pointers to characters that it does not change. */
+    execvp(command->arguments[0], (char *const *)(uintptr_t)command->arguments);
+    child_fail("start", command->arguments[0]);
+}
+
+/* ---- The parent's side ---- */
+
+/* Has the process ended? It stays a zombie, so that its number, and with it the number of its
+ * group, is not given to anyone else before the group is killed. */
+static bool has_ended(pid_t id) {
+    siginfo_t info;
+    memset(&info, 0, sizeof info);
+    return waitid(P_PID, (id_t)id, &info, WEXITED | WNOHANG | WNOWAIT) == 0 && info.si_pid == id;
+}
+
+/* Read what is there, at most one buffer; false when there is nothing, or never will be. */
+static bool read_messages(int pipe_end, struct bytes *messages) {
+    char buffer[65536];
+    ssize_t length = read(pipe_end, buffer, sizeof buffer);
+    if (length <= 0) {
+        return false;
+    }
+    size_t room = MESSAGE_LIMIT - messages->size;
+    bytes_append(messages, buffer, (size_t)length < room ? (size_t)length : room);
+    return true;
+}
+
+/* Wait a tick, or less when the program says something. */
+static void wait_a_tick(int *pipe_end, struct bytes *messages) {
+    struct pollfd waited = {.fd = *pipe_end, .events = POLLIN};
+    if (*pipe_end < 0) {
+        pause_ms(TICK_MS);
+    } else if (poll(&waited, 1, TICK_MS) > 0 && !read_messages(*pipe_end, messages)) {
+        close(*pipe_end);
+        *pipe_end = -1;
+    }
+}
+
+/* Wait until the program ends or must be stopped. */
+static enum run_end watch(const struct run_command *command, pid_t id, int *pipe_end,
+                          struct bytes *messages) {
+    double start = now(), next_count = start + COUNT_MS / 1000.0;
+    while (!has_ended(id)) {
+        double time = now();
+        if (run_caught_signal() != 0) {
+            return RUN_INTERRUPTED;
+        }
+        if (time - start > command->limits.seconds) {
+            return RUN_OUT_OF_TIME;
+        }
+        if (command->contained && time > next_count) {
+            next_count = time + COUNT_MS / 1000.0;
+            if (find_descendants(0) > command->limits.processes) {
+                return RUN_TOO_MANY;
+            }
+        }
+        wait_a_tick(pipe_end, messages);
+    }
+    return RUN_EXITED;
+}
+
+/* End the whole group, and reap its leader. Returns the leader's wait status. */
+static int end_group(pid_t id, enum run_end end) {
+    if (end == RUN_OUT_OF_TIME || end == RUN_INTERRUPTED) {
+        kill(-id, SIGTERM);
+        for (double limit = now() + seconds_to_end; now() < limit && !has_ended(id);) {
+            pause_ms(TICK_MS);
+        }
+    }
+    kill(-id, SIGKILL);
+    int status = 0;
+    while (waitpid(id, &status, 0) < 0 && errno == EINTR) {
+    }
+    return status;
+}
+
+static void judge_status(struct run_result *result, int status) {
+    if (result->end != RUN_EXITED) {
+        return;
+    }
+    if (WIFSIGNALED(status)) {
+        result->number = WTERMSIG(status);
+        result->end = result->number == SIGXCPU ? RUN_OUT_OF_TIME : RUN_KILLED;
+    } else {
+        result->number = WEXITSTATUS(status);
+    }
+}
+
+bool run(const struct run_command *command, struct run_result *result, struct error *error) {
+    *result = (struct run_result){.end = RUN_EXITED};
+    int ends[2];
+    if (pipe(ends) != 0) {
+        return error_set(error, "cannot make a pipe: %s", strerror(errno));
+    }
+    fcntl(ends[0], F_SETFD, FD_CLOEXEC);
+    fcntl(ends[1], F_SETFD, FD_CLOEXEC);
+    fcntl(ends[0], F_SETFL, O_NONBLOCK);
+    size_t threads = count_threads();
+    adopt_orphans(command->contained);
+    fflush(NULL);
+    pid_t id = fork();
+    if (id == 0) {
+        child(command, ends[1], threads);
+    }
+    close(ends[1]);
+    bool good = id > 0;
+    if (good) {
+        setpgid(id, id); /* the child does it too: whoever comes first */
+        result->end = watch(command, id, &ends[0], &result->messages);
+        int status = end_group(id, result->end);
+        if (command->contained) {
+            clean_up_processes();
+        }
+        while (ends[0] >= 0 && result->messages.size < MESSAGE_LIMIT &&
+               read_messages(ends[0], &result->messages)) {
+        }
+        judge_status(result, status);
+        good = bytes_append(&result->messages, "", 1) || error_set(error, "out of memory");
+    } else {
+        error_set(error, "cannot make a process: %s", strerror(errno));
+    }
+    if (ends[0] >= 0) {
+        close(ends[0]);
+    }
+    adopt_orphans(false);
+    return good;
+}
+
+/* ---- Directories ---- */
+
+bool run_directory_create(char *path, size_t size, struct error *error) {
+    const char *parent = getenv("TMPDIR");
+    if (parent == NULL || parent[0] != '/') {
+        parent = "/tmp";
+    }
+    if ((size_t)snprintf(path, size, "%s/check.XXXXXX", parent) >= size) {
+        return error_set(error, "%s: name too long", parent);
+    }
+    if (mkdtemp(path) == NULL) {
+        return error_set(error, "cannot make a directory in %s: %s", parent, strerror(errno));
+    }
+    return true;
+}
+
+/* Remove everything in the directory `name` of `parent`, then the directory. Links are removed, not
+ * followed. */
+static void remove_tree(int parent, const char *name) {
+    int file = openat(parent, name, O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
+    if (file < 0 && errno == EACCES && fchmodat(parent, name, 0700, 0) == 0) {
+        file = openat(parent, name, O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
+    }
+    DIR *directory = file < 0 ? NULL : fdopendir(file);
+    if (directory != NULL) {
+        fchmod(file, 0700);
+        struct dirent *entry;
+        while ((entry = readdir(directory)) != NULL) {
+            if (strcmp(entry->d_name, ".") != 0 && strcmp(entry->d_name, "..") != 0 &&
+                unlinkat(file, entry->d_name, 0) != 0) {
+                remove_tree(file, entry->d_name);
+            }
+        }
+        closedir(directory);
+    } else if (file >= 0) {
+        close(file);
+    }
+    unlinkat(parent, name, AT_REMOVEDIR);
+}
+
+void run_directory_remove(const char *path) {
+    /* More than once, because entries may be passed over while others are removed. */
+    for (int i = 0; i < 3 && access(path, F_OK) == 0; i++) {
+        remove_tree(AT_FDCWD, path);
+    }
+}
+
+bool run_make_directories(const char *path, struct error *error) {
+    char partial[4096];
+    size_t length = strlen(path);
+    if (length >= sizeof partial) {
+        return error_set(error, "%s: name too long", path);
+    }
+    for (size_t i = 1; i <= length; i++) {
+        if (path[i] == '/' || path[i] == '\0') {
+            memcpy(partial, path, i);
+            partial[i] = '\0';
+            if (mkdir(partial, 0777) != 0 && errno != EEXIST) {
+                return error_set(error, "%s: %s", partial, strerror(errno));
+            }
+        }
+    }
+    return true;
+}

@@ -1,0 +1,79 @@
+/*
+ * Running a program that nobody trusts: in an empty directory, in its own process group, under
+ * limits, and with nothing left of it afterwards.
+ *
+ * What is limited: elapsed time, CPU time (the same on each core), the size of a file, the number
+ * of processes, core files (none). When the time is over, the whole group gets SIGTERM and half a
+ * second later SIGKILL; after any end, whoever is left in the group gets SIGKILL. On Linux,
+ * processes that left the group are found through /proc and killed too, and the number of processes
+ * is counted there, since RLIMIT_NPROC counts all processes of a user and does not bind root. On
+ * other systems RLIMIT_NPROC alone stands against a program that forks without end. Memory, the
+ * network and reading of other files are not limited: for programs of strangers use a container.
+ *
+ * While a contained program runs, the caller must have no other child process.
+ */
+#ifndef TESTS_CHECK_RUN_H
+#define TESTS_CHECK_RUN_H
+
+#include "file.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+
+struct run_limits {
+    double seconds;     /* elapsed */
+    size_t file_bytes;  /* of each file */
+    unsigned processes; /* at the same time, threads not counted */
+};
+
+struct run_command {
+    const char *const *arguments; /* program and arguments, then NULL; found through PATH */
+    const char *directory;        /* to run in; NULL: where the caller is */
+    const char *locale;           /* LC_ALL of the command; NULL: unchanged */
+    bool contained;               /* all limits and clean-up; otherwise only `limits.seconds` */
+    struct run_limits limits;
+};
+
+enum run_end {
+    RUN_EXITED,      /* `number` is the exit status; 127 when the program could not be started */
+    RUN_KILLED,      /* `number` is the signal */
+    RUN_OUT_OF_TIME, /* stopped after limits.seconds, or it used up its CPU time */
+    RUN_TOO_MANY,    /* stopped for more than limits.processes */
+    RUN_INTERRUPTED  /* stopped, because this process was asked to end */
+};
+
+struct run_result {
+    enum run_end end;
+    int number;
+    struct bytes messages; /* the first 256 KiB of what it wrote to standard error, then a NUL */
+};
+
+/* Run a command and wait for it. Standard input is empty, standard output is thrown away. False
+ * when it could not even be tried. The caller frees result->messages, also on an error. */
+bool run(const struct run_command *command, struct run_result *result, struct error *error);
+
+/* The name of a signal, like "SIGSEGV". */
+struct signal_name {
+    char text[24];
+};
+struct signal_name run_signal_name(int number);
+
+/* From now on SIGINT, SIGTERM, SIGHUP and SIGPIPE do not end this process but make run() end. */
+void run_catch_signals(void);
+
+/* The signal that has come since, or 0. */
+int run_caught_signal(void);
+
+/* End this process by that signal, once everything is cleaned up. */
+void run_die_of_signal(void);
+
+/* Make an empty directory in $TMPDIR (or /tmp); `path` becomes its absolute name. */
+bool run_directory_create(char *path, size_t size, struct error *error);
+
+/* Remove a directory with all that a program left in it. */
+void run_directory_remove(const char *path);
+
+/* Make a directory and those above it, as mkdir -p does. */
+bool run_make_directories(const char *path, struct error *error);
+
+#endif

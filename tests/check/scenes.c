@@ -1,0 +1,175 @@
+#include "scenes.h"
+
+#include "text.h"
+
+#include <ctype.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Names become file names, so nothing but letters, digits, '_' and '-' is let in. */
+static bool name_copy(char name[SCENE_NAME_LIMIT], struct word word) {
+    if (word.length == 0 || word.length >= SCENE_NAME_LIMIT) {
+        return false;
+    }
+    for (size_t i = 0; i < word.length; i++) {
+        if (!isalnum((unsigned char)word.start[i]) && !strchr("_-", word.start[i])) {
+            return false;
+        }
+    }
+    memcpy(name, word.start, word.length);
+    name[word.length] = '\0';
+    return true;
+}
+
+/* The number of "step05_zbuffer": 5; -1 for another kind of name. */
+static long step_number(const char *name) {
+    if (strncmp(name, "step", 4) != 0 || !isdigit((unsigned char)name[4])) {
+        return -1;
+    }
+    char *end;
+    long number = strtol(name + 4, &end, 10);
+    return *end == '_' ? number : -1;
+}
+
+/* The table's last step if it has this name, otherwise a new one; NULL with a message. */
+static struct checked_step *find_or_add_step(struct scene_table *table, struct text *text,
+                                             struct word word, struct error *error) {
+    char name[SCENE_NAME_LIMIT];
+    if (!name_copy(name, word) || step_number(name) < 0) {
+        text_error(error, text->line, "'%s' is not the name of a step, like step05_zbuffer",
+                   word_show(word).text);
+        return NULL;
+    }
+    for (size_t i = 0; i < table->step_count; i++) {
+        if (strcmp(table->steps[i].name, name) == 0) {
+            if (i + 1 == table->step_count) {
+                return &table->steps[i];
+            }
+            text_error(error, text->line, "the scenes of %s must stand together", name);
+            return NULL;
+        }
+    }
+    struct checked_step *steps =
+        realloc(table->steps, (table->step_count + 1) * sizeof table->steps[0]);
+    if (steps == NULL) {
+        error_set(error, "out of memory");
+        return NULL;
+    }
+    table->steps = steps;
+    struct checked_step *step = &steps[table->step_count++];
+    memset(step, 0, sizeof *step);
+    memcpy(step->name, name, sizeof name);
+    return step;
+}
+
+static bool read_limit(struct checked_scene *scene, struct text *text, struct error *error) {
+    struct word word = text_next_word(text);
+    double percent;
+    if (word.length == 0) {
+        scene->limit = SCENE_LIMIT_DEFAULT;
+    } else if (word_is(word, "exact")) {
+        scene->exact = true;
+    } else if (word_to_double(word, &percent) && percent >= 0 && percent <= 1.5) {
+        scene->limit = (unsigned)(percent * 1000 + 0.5);
+    } else {
+        return text_error(error, text->line, "'%s' is neither 'exact' nor a percentage of 0..1.5",
+                          word_show(word).text);
+    }
+    word = text_next_word(text);
+    return word.length == 0 ||
+           text_error(error, text->line, "unexpected '%s'", word_show(word).text);
+}
+
+static bool read_scene(struct scene_table *table, struct text *text, struct word step_name,
+                       struct error *error) {
+    struct checked_step *step = find_or_add_step(table, text, step_name, error);
+    if (step == NULL) {
+        return false;
+    }
+    struct word word = text_next_word(text);
+    struct checked_scene scene = {.exact = false};
+    if (!name_copy(scene.name, word)) {
+        return text_error(error, text->line, "'%s' is not the name of a scene",
+                          word_show(word).text);
+    }
+    for (size_t i = 0; i < step->scene_count; i++) {
+        if (strcmp(step->scenes[i].name, scene.name) == 0) {
+            return text_error(error, text->line, "%s stands here twice", scene.name);
+        }
+    }
+    if (!read_limit(&scene, text, error)) {
+        return false;
+    }
+    struct checked_scene *scenes =
+        realloc(step->scenes, (step->scene_count + 1) * sizeof step->scenes[0]);
+    if (scenes == NULL) {
+        return error_set(error, "out of memory");
+    }
+    step->scenes = scenes;
+    scenes[step->scene_count++] = scene;
+    return true;
+}
+
+bool scene_table_read(struct scene_table *table, const char *path, struct error *error) {
+    *table = (struct scene_table){.steps = NULL};
+    struct bytes file = {.data = NULL};
+    if (!file_read(path, &file, error)) {
+        return false;
+    }
+    struct text text;
+    bool good = text_begin(&text, file.data, file.size, false, error);
+    while (good && text_next_line(&text)) {
+        struct word word = text_next_word(&text);
+        good = word.length == 0 || read_scene(table, &text, word, error);
+    }
+    if (good && table->step_count == 0) {
+        good = error_set(error, "there is no scene in it");
+    }
+    bytes_free(&file);
+    if (!good) {
+        scene_table_free(table);
+        return text_name_file(error, path);
+    }
+    return true;
+}
+
+bool scene_table_select(struct scene_table *table, const char *step, struct error *error) {
+    if (step[0] == '\0') {
+        return true;
+    }
+    char *end;
+    long number = isdigit((unsigned char)step[0]) ? strtol(step, &end, 10) : -1;
+    bool is_number = number >= 0 && *end == '\0';
+    bool found = false;
+    for (size_t i = 0; i < table->step_count; i++) {
+        const char *name = table->steps[i].name;
+        if (is_number ? step_number(name) == number : strcmp(name, step) == 0) {
+            table->steps[i].selected = found = true;
+        }
+    }
+    if (found) {
+        return true;
+    }
+    error_set(error, "there is no step '%s'; the steps are", step);
+    for (size_t i = 0; i < table->step_count; i++) {
+        size_t length = strlen(error->message);
+        if (length + strlen(table->steps[i].name) + 2 < sizeof error->message) {
+            strcat(strcat(error->message, " "), table->steps[i].name);
+        }
+    }
+    return false;
+}
+
+void scene_table_select_all(struct scene_table *table) {
+    for (size_t i = 0; i < table->step_count; i++) {
+        table->steps[i].selected = true;
+    }
+}
+
+void scene_table_free(struct scene_table *table) {
+    for (size_t i = 0; i < table->step_count; i++) {
+        free(table->steps[i].scenes);
+    }
+    free(table->steps);
+    *table = (struct scene_table){.steps = NULL};
+}

@@ -1,0 +1,53 @@
+/*
+ * The table of scenes: which pictures each step draws and how strictly each is compared.
+ *
+ * One line a scene: `step05_zbuffer  zbuffer  [PERCENT | exact]`; '#' begins a comment. The check
+ * and the program that redraws the references read the same file, tests/check/scenes.txt.
+ */
+#ifndef TESTS_CHECK_SCENES_H
+#define TESTS_CHECK_SCENES_H
+
+#include "file.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+
+enum {
+    SCENE_NAME_LIMIT = 64,     /* bytes of a step's or a scene's name with its final NUL */
+    SCENE_LIMIT_DEFAULT = 1500 /* thousandths of a percent: 1.5 % of the drawn pixels */
+};
+
+struct checked_scene {
+    char name[SCENE_NAME_LIMIT];
+    bool exact;     /* every pixel must be equal; `limit` is then 0 */
+    unsigned limit; /* drawn pixels that may be wrong, thousandths of a percent, inclusive */
+};
+
+struct checked_step {
+    char name[SCENE_NAME_LIMIT]; /* "step05_zbuffer" */
+    bool selected;
+    struct checked_scene *scenes;
+    size_t scene_count; /* at least 1 */
+};
+
+/* All zero is a valid, empty table. */
+struct scene_table {
+    struct checked_step *steps;
+    size_t step_count;
+};
+
+/* Read the table; no step is selected. On an error the table is empty, and the message names the
+ * file and the line. The caller frees the table. */
+bool scene_table_read(struct scene_table *table, const char *path, struct error *error);
+
+/* Select the step that is meant by "05", "5" or "step05_zbuffer"; "" selects nothing. An unknown
+ * step is an error that lists the known ones. */
+bool scene_table_select(struct scene_table *table, const char *step, struct error *error);
+
+/* Select every step. */
+void scene_table_select_all(struct scene_table *table);
+
+/* Free the table and leave it empty. */
+void scene_table_free(struct scene_table *table);
+
+#endif

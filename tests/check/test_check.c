@@ -1,0 +1,609 @@
+/*
+ * Tests of the check itself: for each way to fail, a small program in tests/check/wrong that fails
+ * in that way, and the line that the check must print for it.
+ *
+ * Run it from the course's root directory. It needs the check and the program that redraws the
+ * references, built: in the directory that CHECK_PROGRAMS names in the environment, or where the
+ * Makefile puts them. All it writes goes to a temporary directory.
+ */
+#include "wrong/picture.h"
+
+#include "compare.h"
+#include "file.h"
+#include "png.h"
+#include "unit.h"
+
+#include <dirent.h>
+#include <errno.h>
+#include <fcntl.h>
+#include <signal.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <time.h>
+#include <unistd.h>
+
+#ifndef COURSE_BUILD
+#define COURSE_BUILD "build"
+#endif
+
+enum { ARGUMENT_LIMIT = 24, PATH_LIMIT = 1024 };
+
+/* Made once, before the tests, which only read it. */
+static struct fixture {
+    char directory[64];   /* of all that is written */
+    char here[512];       /* the course's root */
+    char programs[600];   /* with check and references in it */
+    struct bytes output;  /* of a check of all the wrong programs, NUL at its end */
+    int status;           /* its exit status */
+    struct bytes witness; /* what those programs have told: process numbers, NUL at its end */
+} fixture;
+
+struct path {
+    char text[PATH_LIMIT];
+};
+
+/* A name in the temporary directory. */
+static struct path inside(const char *name) {
+    struct path path;
+    snprintf(path.text, sizeof path.text, "%s/%s", fixture.directory, name);
+    return path;
+}
+
+static double now(void) {
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (double)t.tv_sec + (double)t.tv_nsec / 1e9;
+}
+
+static void sleep_ms(long ms) {
+    nanosleep(&(struct timespec){.tv_sec = ms / 1000, .tv_nsec = ms % 1000 * 1000000}, NULL);
+}
+
+/* The file's contents with a NUL at the end; empty when it cannot be read. */
+static struct bytes read_text(const char *path) {
+    struct bytes text = {.data = NULL};
+    struct error error;
+    file_read(path, &text, &error);
+    bytes_append(&text, "", 1);
+    return text;
+}
+
+static bool contains(const struct bytes *text, const char *part) {
+    return strstr((const char *)text->data, part) != NULL;
+}
+
+/* ---- Running the programs under test ---- */
+
+/* Start a program with its output and errors going to files; `timeout` is CHECK_TIMEOUT. */
+static pid_t start(const char *name, const char *timeout, const char *const *arguments) {
+    fflush(NULL);
+    pid_t id = fork();
+    if (id != 0) {
+        return id;
+    }
+    char program[PATH_LIMIT];
+    snprintf(program, sizeof program, "%s/%s", fixture.programs, name);
+    int output = open(inside("output").text, O_WRONLY | O_CREAT | O_TRUNC, 0666);
+    int errors = open(inside("errors").text, O_WRONLY | O_CREAT | O_TRUNC, 0666);
+    dup2(output, STDOUT_FILENO);
+    dup2(errors, STDERR_FILENO);
+    setenv("TMPDIR", inside("tmp").text, 1);
+    setenv("WITNESS", inside("witness").text, 1);
+    setenv("CHECK_TIMEOUT", timeout, 1);
+    setenv("MAKEFLAGS", "s", 1); /* not those of the make that runs this test */
+    const char *all[ARGUMENT_LIMIT] = {program};
+    for (size_t i = 0; arguments[i] != NULL && i + 2 < ARGUMENT_LIMIT; i++) {
+        all[i + 1] = arguments[i];
+    }
+    execv(program, (char *const *)(uintptr_t)all);
+    perror(program);
+    _exit(99);
+}
+
+/* The exit status, or 1000 plus the signal. */
+static int finish(pid_t id) {
+    int status;
+    while (waitpid(id, &status, 0) < 0) {
+        if (errno != EINTR) {
+            return -1;
+        }
+    }
+    return WIFSIGNALED(status) ? 1000 + WTERMSIG(status) : WEXITSTATUS(status);
+}
+
+/* Start the check for the wrong programs; steps are separated by blanks, "" means all. */
+static pid_t start_check(const char *timeout, const char *steps) {
+    static char make[2 * PATH_LIMIT], references[PATH_LIMIT], build[PATH_LIMIT],
+        differences[PATH_LIMIT];
+    static char words[PATH_LIMIT];
+    snprintf(make, sizeof make, "make BUILD=%s", inside("build").text);
+    snprintf(references, sizeof references, "%s", inside("reference").text);
+    snprintf(build, sizeof build, "%s", inside("build").text);
+    snprintf(differences, sizeof differences, "%s", inside("differences").text);
+    snprintf(words, sizeof words, "%s", steps);
+    const char *arguments[ARGUMENT_LIMIT] = {
+        "--root",        "tests/check/wrong", "--scenes",   "scenes.txt",
+        "--references",  references,          "--programs", build,
+        "--differences", differences,         "--make",     make};
+    size_t count = 12;
+    for (char *word = strtok(words, " "); word != NULL; word = strtok(NULL, " ")) {
+        arguments[count++] = word;
+    }
+    return start("check", timeout, arguments);
+}
+
+static int run_check(const char *steps, struct bytes *output) {
+    int status = finish(start_check("1", steps));
+    *output = read_text(inside("output").text);
+    return status;
+}
+
+/* ---- The fixture ---- */
+
+static bool write_reference(const char *step, const char *scene, bool blank) {
+    static struct picture p;
+    struct image image;
+    struct error error;
+    struct path path = inside("reference/");
+    strcat(path.text, step);
+    mkdir(path.text, 0777);
+    strcat(strcat(strcat(path.text, "/"), scene), ".png");
+    picture_draw(&p, 0, 1);
+    if (!image_create(&image, PICTURE_SIZE, PICTURE_SIZE, IMAGE_BGR, &error)) {
+        return false;
+    }
+    if (!blank) {
+        memcpy(image.pixels, p.bgr, sizeof p.bgr);
+    }
+    bool good = png_write(&image, path.text, &error);
+    image_free(&image);
+    return good;
+}
+
+static bool write_references(void) {
+    FILE *table = fopen("tests/check/wrong/scenes.txt", "r");
+    if (table == NULL) {
+        return false;
+    }
+    char line[256], step[64], scene[64];
+    bool good = true;
+    while (fgets(line, sizeof line, table) != NULL) {
+        if (sscanf(line, "%63s %63s", step, scene) == 2 && step[0] != '#' &&
+            strcmp(scene, "nowhere") != 0) {
+            good &= write_reference(step, scene, strcmp(step, "step24_blankreference") == 0);
+        }
+    }
+    fclose(table);
+    return good;
+}
+
+static bool set_up(void) {
+    const char *programs = getenv("CHECK_PROGRAMS");
+    snprintf(fixture.directory, sizeof fixture.directory, "/tmp/test_check.XXXXXX");
+    if (getcwd(fixture.here, sizeof fixture.here) == NULL || mkdtemp(fixture.directory) == NULL) {
+        return false;
+    }
+    snprintf(fixture.programs, sizeof fixture.programs, "%s",
+             programs != NULL ? programs : COURSE_BUILD "/tests");
+    struct path check = {""};
+    snprintf(check.text, sizeof check.text, "%s/check", fixture.programs);
+    if (access(check.text, X_OK) != 0) {
+        fprintf(stderr, "%s: %s\n", check.text, strerror(errno));
+        return false;
+    }
+    mkdir(inside("tmp").text, 0777);
+    mkdir(inside("reference").text, 0777);
+    if (!write_references()) {
+        return false;
+    }
+    fixture.status = run_check("", &fixture.output);
+    fixture.witness = read_text(inside("witness").text);
+    return true;
+}
+
+static void tear_down(void) {
+    char command[PATH_LIMIT];
+    snprintf(command, sizeof command, "rm -rf '%s'", fixture.directory);
+    if (fixture.directory[0] != '\0' && system(command) != 0) {
+        fprintf(stderr, "cannot remove %s\n", fixture.directory);
+    }
+    bytes_free(&fixture.output);
+    bytes_free(&fixture.witness);
+}
+
+/* ---- Tests of one check of everything ---- */
+
+/* The line of a step in the output; what follows "STEP  ", without the end of the line. */
+static struct path line_of(const struct bytes *output, const char *step) {
+    struct path line = {"(no such line)"};
+    char start_of_line[80];
+    snprintf(start_of_line, sizeof start_of_line, "%s  ", step);
+    for (const char *text = (const char *)output->data; *text != '\0';) {
+        size_t length = strcspn(text, "\n");
+        if (strncmp(text, start_of_line, strlen(start_of_line)) == 0) {
+            snprintf(line.text, sizeof line.text, "%.*s", (int)(length - strlen(start_of_line)),
+                     text + strlen(start_of_line));
+        }
+        text += length + (text[length] == '\n');
+    }
+    return line;
+}
+
+static void test_verdicts(void) {
+    static const struct {
+        const char *step, *line;
+    } cases[] = {
+        {"step01_exact", "PASS 2/2 exact"},
+        {"step05_blank", "FAIL 0/1 depth: 100.0 % of drawn pixels wrong (limit 1.5 %)"},
+        {"step06_size", "FAIL 0/2 depth: 200x150 pixels instead of 200x200; huge: 65535x65535 "
+                        "pixels instead of 200x200"},
+        {"step07_missing", "FAIL 1/2 depth2: missing (no depth2.tga was written)"},
+        {"step09_status",
+         "FAIL 1/1 exit status 1: step09_status: bust.obj:17: face names vertex 99 of 12"},
+        {"step13_crash", "CRASH SIGSEGV 1/2"},
+        {"step15_sleep", "TIME 1/2 stopped after 1 s"},
+        {"step25_cputime", "TIME 0/1 stopped after 1 s"},
+        {"step16_stubborn", "TIME 0/1 stopped after 1 s"},
+        {"step17_escape", "PASS 1/1 exact"},
+        {"step20_limits", "FAIL 0/1 exit status 3: here 1 files 0 open 0 group 1 cpu 1 size "
+                          "64000000 core 0 input -1 make 0"},
+        {"step21_hidden", "PASS 1/1 exact"},
+        {"step22_noisy", "PASS 1/1 exact"},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        CHECK_TEXT(line_of(&fixture.output, cases[i].step).text, cases[i].line);
+    }
+}
+
+/* Lines whose end is a compiler's, the system's or a decoder's own words. */
+static void test_verdicts_with_messages(void) {
+    static const struct {
+        const char *step, *start, *part;
+    } cases[] = {
+        {"step10_build", "BUILD step10_build.c:", "no_such_variable"},
+        {"step11_link", "BUILD ", "undefined reference to `no_such_function'"},
+        {"step12_absent", "BUILD ", "No rule to make target"},
+        {"step14_abort", "CRASH SIGABRT 0/1 ", "directory[0] == 0"},
+        {"step19_large", "CRASH SIGXFSZ 0/1 file larger than 64 MB", "depth: unreadable: "},
+        {"step23_noreference", "ERROR 1/2 nowhere: no reference: ", "nowhere.png"},
+        {"step24_blankreference", "ERROR 0/1 depth: no reference: ", "depth.png: is blank"},
+        {"step08_unreadable", "FAIL 0/5 text: unreadable: ", "short: unreadable: "},
+        {"step08_unreadable", "FAIL 0/5 text: unreadable: ",
+         "link: unreadable: not a plain file; pipe: unreadable: not a plain file; "
+         "directory: unreadable: not a plain file"},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        struct path line = line_of(&fixture.output, cases[i].step);
+        if (!CHECK_ROW(strncmp(line.text, cases[i].start, strlen(cases[i].start)) == 0 &&
+                           strstr(line.text, cases[i].part) != NULL,
+                       cases[i].step)) {
+            fprintf(stderr, "    got: %s\n", line.text);
+        }
+    }
+}
+
+/* How much is wrong, as a number out of the step's line. */
+static double percentage(const char *step) {
+    struct path line = line_of(&fixture.output, step);
+    const char *colon = strstr(line.text, "depth: ");
+    return colon == NULL ? -1 : strtod(colon + 7, NULL);
+}
+
+static bool verdict_is(const char *step, const char *verdict) {
+    return strncmp(line_of(&fixture.output, step).text, verdict, strlen(verdict)) == 0;
+}
+
+static void test_fill_rule_passes_and_missing_depth_fails(void) {
+    CHECK(verdict_is("step02_shifted", "PASS 1/1 depth: "));
+    CHECK(percentage("step02_shifted") >= 0 && percentage("step02_shifted") <= 1.5);
+    CHECK(verdict_is("step03_nodepth", "FAIL 0/1 depth: "));
+    CHECK(percentage("step03_nodepth") > 4);
+    CHECK(verdict_is("step04_strict", "FAIL 0/1 depth: "));
+    CHECK(strstr(line_of(&fixture.output, "step04_strict").text, "(must be exact)") != NULL);
+}
+
+static void test_crowd(void) {
+    /* Where /proc does not tell the number of processes, the program just takes too long. */
+    if (access("/proc/self/stat", R_OK) == 0) {
+        CHECK_TEXT(line_of(&fixture.output, "step18_crowd").text,
+                   "FAIL 0/1 stopped at more than 64 processes");
+    } else {
+        CHECK(verdict_is("step18_crowd", "TIME 0/1"));
+    }
+}
+
+static void test_summary_and_status(void) {
+    CHECK(contains(&fixture.output, "\n5 passed, 20 failed\n"));
+    CHECK(fixture.status == 2); /* a reference is missing */
+    size_t lines = 0;
+    const char *text = (const char *)fixture.output.data;
+    while (strncmp(text, "step", 4) == 0) { /* one a step, before anything else */
+        lines++;
+        text += strcspn(text, "\n") + 1;
+    }
+    CHECK(lines == 25);
+    CHECK(strncmp(text, "5 passed", 8) == 0);
+}
+
+/* Each failed scene has its picture, with the reference on its left, and yours in the middle. */
+static void test_difference_images(void) {
+    static const struct {
+        const char *name;
+        bool wanted;
+    } cases[] = {
+        {"step01_exact/depth", false},       {"step02_shifted/depth", false},
+        {"step03_nodepth/depth", true},      {"step04_strict/depth", true},
+        {"step05_blank/depth", true},        {"step06_size/depth", true},
+        {"step06_size/huge", true},          {"step07_missing/depth", false},
+        {"step07_missing/depth2", true},     {"step08_unreadable/text", true},
+        {"step08_unreadable/pipe", true},    {"step09_status/depth", false},
+        {"step10_build/depth", false},       {"step13_crash/depth", false},
+        {"step13_crash/depth2", true},       {"step15_sleep/depth2", true},
+        {"step23_noreference/depth", false}, {"step23_noreference/nowhere", false},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        char line[PATH_LIMIT + 8], name[200];
+        struct image picture;
+        struct error error;
+        snprintf(name, sizeof name, "differences/%s.png", cases[i].name);
+        snprintf(line, sizeof line, "  %s\n", inside(name).text);
+        CHECK_ROW(contains(&fixture.output, line) == cases[i].wanted, cases[i].name);
+        CHECK_ROW(png_read(&picture, inside(name).text, &error) == cases[i].wanted, cases[i].name);
+        if (cases[i].wanted) {
+            CHECK_ROW(picture.width == 3 * PICTURE_SIZE + 16 && picture.height == PICTURE_SIZE,
+                      cases[i].name);
+        }
+        image_free(&picture);
+    }
+}
+
+/* No process that told its number is alive, and none went on after its time. */
+static void test_nothing_survives(void) {
+    const char *text = (const char *)fixture.witness.data;
+    size_t processes = 0;
+    CHECK(!contains(&fixture.witness, "alive"));
+    CHECK(contains(&fixture.witness, "ended by")); /* SIGTERM came first */
+    double end = now() + 2;                        /* for init to reap what is dead already */
+    for (; *text != '\0'; text += strcspn(text, "\n") + 1) {
+        pid_t id = (pid_t)strtol(text, NULL, 10);
+        if (id <= 1) {
+            continue; /* a line of words */
+        }
+        processes++;
+        while (kill(id, 0) == 0 && now() < end) {
+            sleep_ms(10);
+        }
+        CHECK(kill(id, 0) != 0);
+    }
+    CHECK(processes >= 1 + 2 + 1 + 64); /* sleep, stubborn, escape, crowd */
+}
+
+static bool is_empty_directory(const char *path) {
+    DIR *directory = opendir(path);
+    size_t entries = 0;
+    if (directory == NULL) {
+        return false;
+    }
+    while (readdir(directory) != NULL) {
+        entries++;
+    }
+    closedir(directory);
+    return entries == 2;
+}
+
+static void test_temporary_directories_are_removed(void) {
+    CHECK(is_empty_directory(inside("tmp").text));
+}
+
+/* ---- Tests of checks of their own ---- */
+
+static void test_status_of_passed_and_failed(void) {
+    struct bytes output;
+    struct path old = inside("differences/step01_exact/depth.png");
+    struct error error;
+    mkdir(inside("differences").text, 0777);
+    mkdir(inside("differences/step01_exact").text, 0777);
+    CHECK(file_write(old.text, "old", 3, &error));
+    CHECK(run_check("01 2", &output) == 0);
+    CHECK(access(old.text, F_OK) != 0);
+    CHECK_TEXT(line_of(&output, "step01_exact").text, "PASS 2/2 exact");
+    CHECK(contains(&output, "\n2 passed, 0 failed\n"));
+    CHECK(!contains(&output, "Difference"));
+    CHECK(!contains(&output, "step03"));
+    bytes_free(&output);
+    CHECK(run_check("1 step07_missing", &output) == 1);
+    CHECK(contains(&output, "\n1 passed, 1 failed\n"));
+    bytes_free(&output);
+    CHECK(run_check("10", &output) == 1);
+    CHECK(contains(&output, "\n0 passed, 1 failed\n"));
+    bytes_free(&output);
+}
+
+/* A program of an earlier build must not be checked instead of one that does not build. */
+static void test_old_program_is_not_used(void) {
+    char command[3 * PATH_LIMIT];
+    snprintf(command, sizeof command, "cp '%s' '%s'", inside("build/step01_exact").text,
+             inside("build/step10_build").text);
+    CHECK(system(command) == 0);
+    snprintf(command, sizeof command, "touch -t 200001010000 '%s'",
+             inside("build/step10_build").text);
+    CHECK(system(command) == 0);
+    struct bytes output;
+    CHECK(run_check("10", &output) == 1);
+    CHECK(contains(&output, "step10_build  BUILD "));
+    bytes_free(&output);
+}
+
+/* The check reads the references and never changes one, whatever fails. */
+static void test_references_are_not_changed(void) {
+    struct path path = inside("reference/step05_blank/depth.png");
+    struct stat before, after;
+    struct bytes old = read_text(path.text), output;
+    CHECK(stat(path.text, &before) == 0);
+    CHECK(run_check("5", &output) == 1);
+    struct bytes new = read_text(path.text);
+    CHECK(stat(path.text, &after) == 0 && before.st_ino == after.st_ino);
+    CHECK(old.size == new.size &&memcmp(old.data, new.data, old.size) == 0);
+    CHECK(access(inside("reference/step23_noreference/nowhere.png").text, F_OK) != 0);
+    bytes_free(&old);
+    bytes_free(&new);
+    bytes_free(&output);
+}
+
+static void test_wrong_usage(void) {
+    static const struct {
+        const char *arguments[4];
+        const char *timeout, *message;
+    } cases[] = {
+        {{"--nonsense"}, "1", "unknown option '--nonsense'"},
+        {{"--root"}, "1", "--root needs a value"},
+        {{"--root", "/nowhere"}, "1", "/nowhere: No such file"},
+        {{"--scenes", "/nowhere"}, "1", "/nowhere"},
+        {{"77"}, "1", "there is no step '77'; the steps are step01_line"},
+        {{"step05"}, "1", "there is no step 'step05'"},
+        {{"5x"}, "1", "there is no step '5x'"},
+        {{"01"}, "soon", "CHECK_TIMEOUT"},
+        {{"01"}, "-1", "CHECK_TIMEOUT"},
+        {{"01"}, "nan", "CHECK_TIMEOUT"},
+        {{"--make", "no_such_make", "01"}, "1", "cannot run no_such_make"},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        int status = finish(start("check", cases[i].timeout, cases[i].arguments));
+        struct bytes errors = read_text(inside("errors").text);
+        CHECK_ROW(status == 2, cases[i].message);
+        CHECK_ROW(contains(&errors, cases[i].message), cases[i].message);
+        bytes_free(&errors);
+    }
+}
+
+static void test_scene_tables(void) {
+    static const struct {
+        const char *table, *message;
+    } cases[] = {
+        {"", "there is no scene in it"},
+        {"nonsense a\n", ":1: 'nonsense' is not the name of a step"},
+        {"step1_a\n", ":1: '' is not the name of a scene"},
+        {"step1_a ../b\n", ":1: '../b' is not the name of a scene"},
+        {"step1_a b 1.6\n", ":1: '1.6' is neither 'exact' nor a percentage"},
+        {"step1_a b -1\n", ":1: '-1' is neither 'exact' nor a percentage"},
+        {"step1_a b exact c\n", ":1: unexpected 'c'"},
+        {"step1_a b\nstep1_a b\n", ":2: b stands here twice"},
+        {"step1_a b\nstep2_a b\n\nstep1_a c\n", ":4: the scenes of step1_a must stand together"},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        struct path path = inside("table.txt");
+        struct error error;
+        CHECK(file_write(path.text, cases[i].table, strlen(cases[i].table), &error));
+        const char *arguments[] = {"--scenes", path.text, NULL};
+        int status = finish(start("check", "1", arguments));
+        struct bytes errors = read_text(inside("errors").text);
+        CHECK_ROW(status == 2, cases[i].message);
+        CHECK_ROW(contains(&errors, cases[i].message), cases[i].message);
+        bytes_free(&errors);
+    }
+}
+
+/* A check that is told to end takes its program and its directory with it. */
+static void test_interrupt(void) {
+    static const int signals[] = {SIGINT, SIGTERM};
+    for (size_t i = 0; i < sizeof signals / sizeof signals[0]; i++) {
+        unlink(inside("witness").text);
+        pid_t check = start_check("30", "15");
+        struct bytes told = read_text(inside("witness").text);
+        for (double end = now() + 10; !contains(&told, "\n") && now() < end;) {
+            sleep_ms(10);
+            bytes_free(&told);
+            told = read_text(inside("witness").text);
+        }
+        pid_t program = (pid_t)strtol((const char *)told.data, NULL, 10);
+        bytes_free(&told);
+        CHECK(program > 1 && kill(program, 0) == 0);
+        CHECK(!is_empty_directory(inside("tmp").text));
+        double asked = now();
+        kill(check, signals[i]);
+        CHECK(finish(check) == 1000 + signals[i]);
+        CHECK(now() - asked < 2);
+        CHECK(program > 1 && kill(program, 0) != 0);
+        CHECK(is_empty_directory(inside("tmp").text));
+    }
+}
+
+/* Run the other program for one step of the wrong programs. */
+static int redraw(const char *step, struct bytes *output, struct bytes *errors) {
+    struct path references = inside("redrawn"), build = inside("build");
+    const char *arguments[] = {
+        "--root",        "tests/check/wrong", "--scenes", "scenes.txt", "--references",
+        references.text, "--programs",        build.text, step,         NULL};
+    int status = finish(start("references", "1", arguments));
+    *output = read_text(inside("output").text);
+    *errors = read_text(inside("errors").text);
+    return status;
+}
+
+static void test_redraw(void) {
+    static const struct {
+        const char *step;
+        int status;
+        const char *output, *errors;
+    } cases[] = {
+        {"1", 0, "new        ", ""},
+        {"1", 0, "unchanged  ", ""},
+        {"7", 1, "", "step07_missing: depth2: missing"},
+        {"9", 1, "", "step09_status: the program did not end well: step09_status: bust.obj:17"},
+        {"5", 1, "", "step05_blank: depth: the picture is blank"},
+        {"77", 2, "", "there is no step '77'"},
+    };
+    struct path first = inside("redrawn/step01_exact/depth.png");
+    struct stat before = {.st_size = 0}, after;
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        struct bytes output, errors;
+        CHECK_ROW(redraw(cases[i].step, &output, &errors) == cases[i].status, cases[i].step);
+        CHECK_ROW(contains(&output, cases[i].output), cases[i].step);
+        CHECK_ROW(contains(&errors, cases[i].errors), cases[i].step);
+        if (i == 0) {
+            CHECK(stat(first.text, &before) == 0);
+        }
+        bytes_free(&output);
+        bytes_free(&errors);
+    }
+    CHECK(access(inside("redrawn/step07_missing").text, F_OK) != 0);
+    CHECK(stat(first.text, &after) == 0 && before.st_ino == after.st_ino); /* not written again */
+    struct image drawn, wanted;
+    struct error error;
+    bool good = png_read(&drawn, first.text, &error);
+    good = png_read(&wanted, inside("reference/step01_exact/depth.png").text, &error) && good;
+    CHECK(good && drawn.height == wanted.height && drawn.width == wanted.width &&
+          compare_images(&wanted, &drawn).differing == 0);
+    image_free(&drawn);
+    image_free(&wanted);
+}
+
+static const struct unit_test tests[] = {
+    TEST(test_verdicts),
+    TEST(test_verdicts_with_messages),
+    TEST(test_fill_rule_passes_and_missing_depth_fails),
+    TEST(test_crowd),
+    TEST(test_summary_and_status),
+    TEST(test_difference_images),
+    TEST(test_nothing_survives),
+    TEST(test_temporary_directories_are_removed),
+    TEST(test_status_of_passed_and_failed),
+    TEST(test_old_program_is_not_used),
+    TEST(test_references_are_not_changed),
+    TEST(test_wrong_usage),
+    TEST(test_scene_tables),
+    TEST(test_interrupt),
+    TEST(test_redraw),
+};
+
+int main(void) {
+    int status = 1;
+    if (set_up()) {
+        status = unit_run(tests, sizeof tests / sizeof tests[0]);
+    } else {
+        fprintf(stderr, "test_check: cannot begin: build the check, and run this from the course's "
+                        "root directory\n");
+    }
+    tear_down();
+    return status;
+}

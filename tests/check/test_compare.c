@@ -1,0 +1,227 @@
+/*
+ * Tests of the comparison: its rule against a plain reading of it, pixel by pixel, and its limits.
+ */
+#include "compare.h"
+
+#include "unit.h"
+
+#include <stdlib.h>
+
+static uint32_t next_random(uint32_t *state) {
+    *state = *state * 1664525u + 1013904223u;
+    return *state >> 8;
+}
+
+static struct image make(size_t width, size_t height, enum image_format format) {
+    struct image image;
+    struct error error;
+    CHECK(image_create(&image, width, height, format, &error));
+    return image;
+}
+
+/* The rule once more, in the words of its description and with image_get() alone. */
+static bool oracle_agree(struct color a, struct color b) {
+    int red = a.r - b.r, green = a.g - b.g, blue = a.b - b.b;
+    return red >= -4 && red <= 4 && green >= -4 && green <= 4 && blue >= -4 && blue <= 4;
+}
+
+static bool oracle_drawn(struct color c) {
+    return c.r != 0 || c.g != 0 || c.b != 0;
+}
+
+static bool oracle_found_near(const struct image *image, int x, int y, struct color color) {
+    for (int k = 0; k < 9; k++) {
+        int i = x + k % 3 - 1, j = y + k / 3 - 1;
+        bool within = i >= 0 && j >= 0 && i < (int)image->width && j < (int)image->height;
+        if (within && oracle_agree(image_get(image, i, j), color)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+static struct comparison oracle(const struct image *a, const struct image *b) {
+    struct comparison result = {.drawn = 0};
+    bool blank = true;
+    for (int x = 0; x < (int)a->width; x++) {
+        for (int y = 0; y < (int)a->height; y++) {
+            struct color p = image_get(a, x, y), q = image_get(b, x, y);
+            blank = blank && !oracle_drawn(q);
+            if (p.r != q.r || p.g != q.g || p.b != q.b) {
+                result.differing++;
+            }
+            if (oracle_drawn(p) || oracle_drawn(q)) {
+                result.drawn++;
+                if (!oracle_found_near(b, x, y, p) || !oracle_found_near(a, x, y, q)) {
+                    result.wrong++;
+                }
+            }
+        }
+    }
+    if (blank) {
+        result.wrong = result.drawn;
+    }
+    return result;
+}
+
+static bool same(struct comparison a, struct comparison b) {
+    return a.drawn == b.drawn && a.differing == b.differing && a.wrong == b.wrong;
+}
+
+/* Few levels, so that colours agree often; much background. */
+static void fill_random(struct image *image, uint32_t *state) {
+    for (size_t i = 0; i < image->width * image->height * (size_t)image->format; i++) {
+        uint32_t random = next_random(state);
+        image->pixels[i] = random % 3 == 0 ? 0 : (uint8_t)(random / 3 % 20);
+    }
+}
+
+static void test_rule_against_oracle(void) {
+    static const enum image_format formats[] = {IMAGE_GREY, IMAGE_BGR, IMAGE_BGRA};
+    uint32_t state = 1;
+    uint64_t wrong = 0, right = 0;
+    for (int i = 0; i < 2000; i++) {
+        size_t width = 1 + next_random(&state) % 9, height = 1 + next_random(&state) % 9;
+        struct image a = make(width, height, formats[next_random(&state) % 3]);
+        struct image b = make(width, height, formats[next_random(&state) % 3]);
+        fill_random(&a, &state);
+        if (i % 2 == 0) {
+            fill_random(&b, &state);
+        } else { /* a picture much like the other */
+            for (int k = 0; k < (int)(width * height); k++) {
+                struct color c = image_get(&a, k % (int)width, k / (int)width);
+                c.g = (uint8_t)(c.g + (next_random(&state) % 8 == 0 ? 5 : 0));
+                image_set(&b, k % (int)width, k / (int)width, c);
+            }
+        }
+        struct comparison got = compare_images(&a, &b), expected = oracle(&a, &b);
+        CHECK(same(got, expected));
+        wrong += got.wrong;
+        right += got.drawn - got.wrong;
+        image_free(&a);
+        image_free(&b);
+    }
+    CHECK(wrong > 1000 && right > 1000); /* both happen, or the test shows nothing */
+}
+
+static void test_levels_and_neighbours(void) {
+    struct image a = make(5, 5, IMAGE_BGR), b = make(5, 5, IMAGE_BGR);
+    static const struct {
+        int x, y, level;
+        uint64_t differing, wrong;
+    } cases[] = {
+        {2, 2, 100, 0, 0}, {2, 2, 104, 1, 0}, {2, 2, 96, 1, 0},  {2, 2, 105, 1, 1},
+        {2, 2, 95, 1, 1},  {3, 3, 100, 2, 0}, {1, 2, 104, 2, 0}, {1, 3, 105, 2, 2},
+        {4, 2, 100, 2, 2}, {0, 0, 100, 2, 2},
+    };
+    image_set(&a, 2, 2, color_rgb(100, 50, 50));
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        image_clear(&b, color_grey(0));
+        image_set(&b, cases[i].x, cases[i].y, color_rgb((uint8_t)cases[i].level, 50, 50));
+        struct comparison c = compare_images(&a, &b);
+        CHECK(c.differing == cases[i].differing && c.wrong == cases[i].wrong);
+        c = compare_images(&b, &a); /* both sides count the same */
+        CHECK(c.differing == cases[i].differing && c.wrong == cases[i].wrong);
+    }
+    image_free(&a);
+    image_free(&b);
+}
+
+static void test_blank_picture_is_all_wrong(void) {
+    struct image a = make(4, 4, IMAGE_BGR), b = make(4, 4, IMAGE_BGR);
+    CHECK(image_is_blank(&b));
+    image_set(&a, 1, 1, color_grey(3)); /* nearly background, and yet a picture */
+    CHECK(!image_is_blank(&a));
+    struct comparison c = compare_images(&a, &b);
+    CHECK(c.drawn == 1 && c.wrong == 1 && !comparison_within(&c, 1500));
+    CHECK_TEXT(comparison_share(&c, 1500).text, "100.0 %");
+    image_free(&a);
+    image_free(&b);
+}
+
+static void test_formats_with_equal_look(void) {
+    struct image grey = make(3, 2, IMAGE_GREY), color = make(3, 2, IMAGE_BGR);
+    struct image clear = make(3, 2, IMAGE_BGRA);
+    for (int i = 0; i < 6; i++) {
+        struct color c = color_grey((uint8_t)(40 * i));
+        image_set(&grey, i % 3, i / 3, c);
+        image_set(&color, i % 3, i / 3, c);
+        c.a = (uint8_t)i;
+        image_set(&clear, i % 3, i / 3, c);
+    }
+    CHECK(compare_images(&grey, &color).differing == 0);
+    CHECK(compare_images(&color, &clear).differing == 0);
+    CHECK(compare_images(&clear, &grey).drawn == 5);
+    image_free(&grey);
+    image_free(&color);
+    image_free(&clear);
+}
+
+static void test_limit_and_its_text(void) {
+    static const struct {
+        uint64_t wrong, drawn;
+        unsigned limit;
+        bool within;
+        const char *text;
+    } cases[] = {
+        {0, 100000, 1500, true, "0 %"},
+        {1500, 100000, 1500, true, "1.5 %"},
+        {1501, 100000, 1500, false, "1.501 %"},
+        {15004, 1000000, 1500, false, "1.5004 %"},
+        {1000000001, 66666666666, 1500, false, "1.500000002 %"},
+        {1540, 100000, 1500, false, "1.54 %"},
+        {1560, 100000, 1500, false, "1.6 %"},
+        {4400, 100000, 1500, false, "4.4 %"},
+        {1, 100000, 1500, true, "0.001 %"},
+        {1, 100000, 0, false, "0.001 %"},
+        {300, 100000, 200, false, "0.3 %"},
+        {7, 7, 1500, false, "100.0 %"},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        struct comparison c = {
+            .drawn = cases[i].drawn, .differing = cases[i].wrong, .wrong = cases[i].wrong};
+        CHECK_ROW(comparison_within(&c, cases[i].limit) == cases[i].within, cases[i].text);
+        CHECK_TEXT(comparison_share(&c, cases[i].limit).text, cases[i].text);
+    }
+}
+
+static void test_difference_picture(void) {
+    struct image a = make(20, 10, IMAGE_BGR), b = make(12, 14, IMAGE_BGR), picture;
+    struct error error;
+    image_set(&a, 2, 2, color_grey(200)); /* equal */
+    image_set(&b, 2, 2, color_grey(200));
+    image_set(&a, 6, 2, color_grey(200)); /* near */
+    image_set(&b, 6, 2, color_grey(201));
+    image_set(&a, 18, 5, color_grey(80)); /* outside of yours: missing */
+    image_set(&b, 5, 7, color_grey(90));  /* extra */
+    image_set(&a, 9, 8, color_grey(90));  /* both: another colour in a place of its own */
+    image_set(&b, 9, 8, color_grey(190));
+    if (!CHECK(compare_picture(&picture, &a, &b, &error))) {
+        return;
+    }
+    static const struct {
+        int x, y;
+        uint8_t r, g, b;
+    } cases[] = {
+        {2, 2, 200, 200, 200},   {28 + 6, 2, 201, 201, 201}, {28 + 18, 5, 0, 0, 0},
+        {18, 5, 80, 80, 80},     {56 + 2, 2, 50, 50, 50},    {56 + 6, 2, 0, 96, 0},
+        {56 + 18, 5, 0, 0, 255}, {56 + 5, 7, 255, 0, 0},     {56 + 9, 8, 255, 0, 255},
+        {20, 0, 128, 128, 128},  {55, 9, 128, 128, 128},     {56, 0, 0, 0, 0},
+    };
+    CHECK(picture.width == 3 * 20 + 16 && picture.height == 10);
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        struct color c = image_get(&picture, cases[i].x, cases[i].y);
+        CHECK(c.r == cases[i].r && c.g == cases[i].g && c.b == cases[i].b);
+    }
+    struct image nothing = {.pixels = NULL};
+    image_free(&picture);
+    CHECK(compare_picture(&picture, &a, &nothing, &error));
+    CHECK(image_get(&picture, 56 + 2, 2).b == 255);
+    image_free(&picture);
+    image_free(&a);
+    image_free(&b);
+}
+
+UNIT_MAIN(TEST(test_rule_against_oracle), TEST(test_levels_and_neighbours),
+          TEST(test_blank_picture_is_all_wrong), TEST(test_formats_with_equal_look),
+          TEST(test_limit_and_its_text), TEST(test_difference_picture))

@@ -1,0 +1,6 @@
+/* A mistake that the compiler finds. */
+#include "picture.h"
+
+int main(void) {
+    return no_such_variable;
+}

@@ -1,0 +1,14 @@
+/* A null pointer is written to after the first scene. */
+#include "picture.h"
+
+#include <signal.h>
+
+int main(int argc, char **argv) {
+    const char *directory = argc == 3 && strcmp(argv[1], "-o") == 0 ? argv[2] : NULL;
+    if (directory == NULL) {
+        return 2;
+    }
+    picture(directory, "depth", 0, 1);
+    volatile char *volatile nowhere = NULL;
+    *nowhere = 1;
+}

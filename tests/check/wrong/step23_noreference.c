@@ -1,0 +1,11 @@
+/* The picture is right, but one scene has no reference. */
+#include "picture.h"
+
+int main(int argc, char **argv) {
+    const char *directory = argc == 3 && strcmp(argv[1], "-o") == 0 ? argv[2] : NULL;
+    if (directory == NULL) {
+        return 2;
+    }
+    picture(directory, "depth", 0, 1);
+    picture(directory, "nowhere", 0, 1);
+}
