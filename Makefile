@@ -137,7 +137,7 @@ test: $(TEST_PROGRAMS) $(BUILD)/check $(BUILD)/references $(MODELS)
 	@passed=0; failed=0; \
 	for test in $(TEST_PROGRAMS) $(SCRIPTS); do \
 	    echo "== $$test"; \
-	    if CC='$(CC)' CHECK_PROGRAMS=$(BUILD) $$test; then passed=$$((passed + 1)); \
+	    if CHECK_PROGRAMS=$(BUILD) $$test; then passed=$$((passed + 1)); \
 	    else failed=$$((failed + 1)); echo "FAILED $$test"; fi; \
 	done; \
 	echo "$$passed passed, $$failed failed"; [ $$failed -eq 0 ]

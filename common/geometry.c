@@ -142,37 +142,52 @@ static bool scale_rows(struct mat4 *a, struct mat4 *b) {
     return true;
 }
 
+/* Subtract rows from those below them until a is upper triangular; the same with b. False when a
+ * pivot is zero. */
+static bool eliminate(struct mat4 *a, struct mat4 *b) {
+    for (int column = 0; column < 4; column++) {
+        int pivot = find_pivot(a, column);
+        if (a->m[pivot][column] == 0) {
+            return false;
+        }
+        swap_rows(a, pivot, column);
+        swap_rows(b, pivot, column);
+        for (int row = column + 1; row < 4; row++) {
+            double factor = a->m[row][column] / a->m[column][column];
+            for (int k = 0; k < 4; k++) {
+                a->m[row][k] -= factor * a->m[column][k];
+                b->m[row][k] -= factor * b->m[column][k];
+            }
+        }
+    }
+    return true;
+}
+
+/* Solve a * x = b for an upper triangular a, from the last row upwards; x takes the place of b. */
+static void substitute_back(const struct mat4 *a, struct mat4 *b) {
+    for (int column = 0; column < 4; column++) {
+        for (int row = 3; row >= 0; row--) {
+            double rest = b->m[row][column];
+            for (int k = row + 1; k < 4; k++) {
+                rest -= a->m[row][k] * b->m[k][column];
+            }
+            b->m[row][column] = rest / a->m[row][row];
+        }
+    }
+}
+
 bool mat4_inverse(struct mat4 a, struct mat4 *inverse) {
     struct mat4 result = mat4_identity();
     if (!scale_rows(&a, &result)) {
         return false;
     }
     const struct mat4 scaled = a, scales = result;
-    for (int column = 0; column < 4; column++) {
-        int pivot = find_pivot(&a, column);
-        if (a.m[pivot][column] == 0) {
-            return false;
-        }
-        swap_rows(&a, pivot, column);
-        swap_rows(&result, pivot, column);
-        double divisor = a.m[column][column];
-        for (int k = 0; k < 4; k++) {
-            a.m[column][k] /= divisor;
-            result.m[column][k] /= divisor;
-        }
-        for (int row = 0; row < 4; row++) {
-            double factor = a.m[row][column];
-            if (row == column || factor == 0) {
-                continue;
-            }
-            for (int k = 0; k < 4; k++) {
-                a.m[row][k] -= factor * a.m[column][k];
-                result.m[row][k] -= factor * result.m[column][k];
-            }
-        }
+    if (!eliminate(&a, &result)) {
+        return false;
     }
+    substitute_back(&a, &result);
     /* The inverse of the row-scaled matrix is this result without the scales. */
-    struct mat4 unscaled = result;
+    struct mat4 unscaled;
     for (int row = 0; row < 4; row++) {
         for (int column = 0; column < 4; column++) {
             unscaled.m[row][column] = result.m[row][column] / scales.m[column][column];
@@ -223,8 +238,14 @@ static struct vec3 half_difference(struct vec3 a, struct vec3 b) {
     return vec3_sub(vec3_scale(a, 0.5), vec3_scale(b, 0.5));
 }
 
+/* Bring a vector that is nearly of length 1 to the last bit or two: one step of Newton's method for
+ * 1 / length. Zero stays zero. */
+static struct vec3 unit_length(struct vec3 a) {
+    return vec3_scale(a, 1.5 - 0.5 * vec3_dot(a, a));
+}
+
 struct mat4 mat4_lookat(struct vec3 eye, struct vec3 center, struct vec3 up) {
-    struct vec3 z = vec3_normalized(half_difference(eye, center));
+    struct vec3 z = unit_length(vec3_normalized(half_difference(eye, center)));
     if (vec3_dot(z, z) == 0) {
         z = (struct vec3){0, 0, 1};
     }
@@ -234,8 +255,8 @@ struct mat4 mat4_lookat(struct vec3 eye, struct vec3 center, struct vec3 up) {
     }
     x = vec3_normalized(x);
     /* A short cross product has lost digits: make x perpendicular to z once more. */
-    x = vec3_normalized(vec3_sub(x, vec3_scale(z, vec3_dot(x, z))));
-    struct vec3 y = vec3_cross(z, x);
+    x = unit_length(vec3_sub(x, vec3_scale(z, vec3_dot(x, z))));
+    struct vec3 y = unit_length(vec3_cross(z, x));
     return (struct mat4){{{x.x, x.y, x.z, -vec3_dot(x, center)},
                           {y.x, y.y, y.z, -vec3_dot(y, center)},
                           {z.x, z.y, z.z, -vec3_dot(z, center)},

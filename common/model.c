@@ -967,7 +967,7 @@ static bool off_read_face(struct reader *reader, const struct off_kind *kind, si
         return text_error(reader->error, reader->line, "the file ends after %zu of %zu faces",
                           number, total);
     }
-    size_t size;
+    size_t size = 0;
     if (!off_read_count(reader, word, "corners", &size)) {
         return false;
     }
@@ -998,7 +998,7 @@ static bool off_read_face(struct reader *reader, const struct off_kind *kind, si
 
 static bool off_decode(struct reader *reader, const void *data, size_t size) {
     struct off_kind kind;
-    size_t vertices, faces;
+    size_t vertices = 0, faces = 0;
     if (!text_begin(&reader->text, data, size, false, reader->error) ||
         !off_read_header(reader, &kind, &vertices, &faces) ||
         !off_read_vertices(reader, &kind, vertices)) {

@@ -363,7 +363,7 @@ static enum image_format png_format(const struct png *png) {
 /* Sample x of a row whose samples have `depth` bits, the first in the highest bits. */
 static unsigned packed_sample(const uint8_t *row, size_t x, unsigned depth) {
     size_t bit = x * depth;
-    return row[bit / 8] >> (8 - depth - bit % 8) & ((1u << depth) - 1);
+    return ((unsigned)row[bit / 8] >> (8 - depth - bit % 8)) & ((1u << depth) - 1);
 }
 
 /* One pixel as blue, green, red, alpha; false for an index past the palette. */

@@ -48,7 +48,7 @@ static uint32_t slow_adler(const uint8_t *data, size_t size) {
 static uint32_t slow_crc(const uint8_t *data, size_t size) {
     uint32_t crc = 0xffffffffu;
     for (size_t i = 0; i < 8 * size; i++) {
-        uint32_t bit = (data[i / 8] >> i % 8 ^ crc) & 1;
+        uint32_t bit = ((uint32_t)data[i / 8] >> i % 8 ^ crc) & 1;
         crc = bit != 0 ? crc >> 1 ^ 0xedb88320u : crc >> 1;
     }
     return ~crc;

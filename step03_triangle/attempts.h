@@ -1,0 +1,370 @@
+/*
+ * Step 3: worse ways to fill a triangle. All take corners in pixels (continuous positions on the
+ * screen: the centre of pixel (x,y) is (x + 0.5, y + 0.5)) and cut the triangle to the image.
+ */
+#ifndef STEP03_ATTEMPTS_H
+#define STEP03_ATTEMPTS_H
+
+#include "geometry.h"
+#include "tgaimage.h"
+
+#include <math.h>
+#include <stdbool.h>
+#include <stdint.h>
+
+/* Where an attempt draws. */
+struct target {
+    struct image *image;
+    uint8_t *draws; /* how often each pixel was drawn, row by row; NULL when nobody asks */
+};
+
+static inline void target_put(struct target *target, int x, int y, struct color color) {
+    if (image_set(target->image, x, y, color) && target->draws != NULL) {
+        size_t i = (size_t)y * target->image->width + (size_t)x;
+        target->draws[i] = (uint8_t)(target->draws[i] < 255 ? target->draws[i] + 1 : 255);
+    }
+}
+
+static inline double attempt_clamp(double value, double least, double most) {
+    return value < least ? least : value > most ? most : value;
+}
+
+/* Put three corners in order of their y. */
+static inline void attempt_sort_by_y(struct vec2 p[3]) {
+    for (int i = 0; i < 3; i++) {
+        int other = i == 1 ? 1 : 0; /* compare 0-1, 1-2, 0-1 */
+        if (p[other].y > p[other + 1].y) {
+            struct vec2 kept = p[other];
+            p[other] = p[other + 1];
+            p[other + 1] = kept;
+        }
+    }
+}
+
+/* The side from a to b at height y, rounded towards a by the division. */
+static inline int64_t attempt_side_at(struct pixel a, struct pixel b, int y) {
+    if (a.y == b.y) {
+        return b.x;
+    }
+    return a.x + ((int64_t)b.x - a.x) * ((int64_t)y - a.y) / ((int64_t)b.y - a.y);
+}
+
+/* Attempt 1: sort by y, then sweep the lower and the upper half with whole numbers.
+ * Wrong: corners lose their fractions; both end rows and both end pixels are drawn, so neighbours
+ * overlap everywhere; rounding towards a corner leaves notches. Looks ragged, and colours of later
+ * triangles eat into those of earlier ones. */
+static inline void attempt_1_sweep_whole(struct target *target, const struct vec2 corner[3],
+                                         struct color color) {
+    struct vec2 sorted[3] = {corner[0], corner[1], corner[2]};
+    struct pixel p[3];
+    attempt_sort_by_y(sorted);
+    for (int i = 0; i < 3; i++) {
+        p[i] = (struct pixel){(int)sorted[i].x, (int)sorted[i].y};
+    }
+    int top = (int)target->image->height - 1, right_most = (int)target->image->width - 1;
+    for (int y = p[0].y > 0 ? p[0].y : 0; y <= p[2].y && y <= top; y++) {
+        int64_t left = attempt_side_at(p[0], p[2], y);
+        int64_t right =
+            y < p[1].y ? attempt_side_at(p[0], p[1], y) : attempt_side_at(p[1], p[2], y);
+        if (left > right) {
+            int64_t kept = left;
+            left = right;
+            right = kept;
+        }
+        for (int64_t x = left > 0 ? left : 0; x <= right && x <= right_most; x++) {
+            target_put(target, (int)x, y, color);
+        }
+    }
+}
+
+/* Attempt 2: the sweep with fractions kept, in float, one addition a row and side.
+ * Nearly right: but the sums drift, and a side that is one piece for this triangle is swept in two
+ * pieces by its neighbour, which then rounds differently. Looks right, with single pixels missing
+ * or drawn twice along the sides. */
+static inline void attempt_2_sweep_float(struct target *target, const struct vec2 corner[3],
+                                         struct color color) {
+    struct vec2 p[3] = {corner[0], corner[1], corner[2]};
+    attempt_sort_by_y(p);
+    float width = (float)target->image->width;
+    for (int half = 0; half < 2; half++) {
+        struct vec2 low = p[half], high = p[half + 1]; /* the short side of this half */
+        double height = (double)target->image->height;
+        int y_begin = (int)attempt_clamp(floor(low.y - 0.5) + 1, 0, height);
+        int y_end = (int)attempt_clamp(floor(high.y - 0.5) + 1, 0, height);
+        if (y_begin >= y_end) {
+            continue;
+        }
+        float center = (float)y_begin + 0.5F;
+        float short_step = (float)(high.x - low.x) / (float)(high.y - low.y);
+        float long_step = (float)(p[2].x - p[0].x) / (float)(p[2].y - p[0].y);
+        float short_x = (float)low.x + short_step * (center - (float)low.y);
+        float long_x = (float)p[0].x + long_step * (center - (float)p[0].y);
+        for (int y = y_begin; y < y_end; y++) {
+            float left = short_x < long_x ? short_x : long_x;
+            float right = short_x < long_x ? long_x : short_x;
+            int begin = (int)attempt_clamp(ceil(left - 0.5F), 0, width);
+            int end = (int)attempt_clamp(ceil(right - 0.5F), 0, width);
+            for (int x = begin; x < end; x++) {
+                target_put(target, x, y, color);
+            }
+            short_x += short_step;
+            long_x += long_step;
+        }
+    }
+}
+
+/* The pixels that a triangle can reach: its bounding box, cut to the image. */
+struct box {
+    int x_begin, x_end, y_begin, y_end; /* begin inclusive, end exclusive */
+};
+
+static inline struct box attempt_box(const struct image *image, const struct vec2 p[3]) {
+    double width = (double)image->width, height = (double)image->height;
+    return (struct box){
+        .x_begin = (int)attempt_clamp(floor(fmin(p[0].x, fmin(p[1].x, p[2].x))), 0, width),
+        .x_end = (int)attempt_clamp(floor(fmax(p[0].x, fmax(p[1].x, p[2].x))) + 1, 0, width),
+        .y_begin = (int)attempt_clamp(floor(fmin(p[0].y, fmin(p[1].y, p[2].y))), 0, height),
+        .y_end = (int)attempt_clamp(floor(fmax(p[0].y, fmax(p[1].y, p[2].y))) + 1, 0, height),
+    };
+}
+
+/* Attempt 3: every pixel of the bounding box, barycentric coordinates in float, none negative.
+ * Wrong: a pixel centre on a shared side is inside both triangles, and rounding moves centres that
+ * are near a side across it, differently for the two neighbours. At least half of the tested pixels
+ * are outside. Looks right; the count of draws shows the sides. */
+static inline void attempt_3_box_float(struct target *target, const struct vec2 p[3],
+                                       struct color color) {
+    struct box box = attempt_box(target->image, p);
+    float ax = (float)p[0].x, ay = (float)p[0].y;
+    float abx = (float)p[1].x - ax, aby = (float)p[1].y - ay;
+    float acx = (float)p[2].x - ax, acy = (float)p[2].y - ay;
+    float area = abx * acy - aby * acx;
+    for (int y = box.y_begin; y < box.y_end && area != 0; y++) {
+        for (int x = box.x_begin; x < box.x_end; x++) {
+            float dx = (float)x + 0.5F - ax, dy = (float)y + 0.5F - ay;
+            float b = (dx * acy - dy * acx) / area;
+            float c = (abx * dy - aby * dx) / area;
+            if (b >= 0 && c >= 0 && 1 - b - c >= 0) {
+                target_put(target, x, y, color);
+            }
+        }
+    }
+}
+
+/* Barycentric coordinates in double: the weights of the three corners at a point. */
+static inline struct vec3 attempt_weights(const struct vec2 p[3], double area, double x, double y) {
+    double a = (p[2].x - p[1].x) * (y - p[1].y) - (p[2].y - p[1].y) * (x - p[1].x);
+    double b = (p[0].x - p[2].x) * (y - p[2].y) - (p[0].y - p[2].y) * (x - p[2].x);
+    double c = (p[1].x - p[0].x) * (y - p[0].y) - (p[1].y - p[0].y) * (x - p[0].x);
+    return (struct vec3){a / area, b / area, c / area};
+}
+
+/* A pixel is drawn when no weight is less than `least` (when `open`: when all are more). */
+static inline void attempt_box_double(struct target *target, const struct vec2 p[3],
+                                      struct color color, double least, bool open) {
+    struct box box = attempt_box(target->image, p);
+    double area = (p[1].x - p[0].x) * (p[2].y - p[0].y) - (p[1].y - p[0].y) * (p[2].x - p[0].x);
+    for (int y = box.y_begin; y < box.y_end && area != 0; y++) {
+        for (int x = box.x_begin; x < box.x_end; x++) {
+            struct vec3 weight = attempt_weights(p, area, x + 0.5, y + 0.5);
+            double smallest = fmin(weight.x, fmin(weight.y, weight.z));
+            if (open ? smallest > least : smallest >= least) {
+                target_put(target, x, y, color);
+            }
+        }
+    }
+}
+
+/* Attempt 4: the same in double. Fewer roundings, the same fault: centres on a side are drawn by
+ * both neighbours. Slower. */
+static inline void attempt_4_box_double(struct target *target, const struct vec2 p[3],
+                                        struct color color) {
+    attempt_box_double(target, p, color, 0, false);
+}
+
+/* Attempt 5: all weights must be positive. Now a centre on a shared side is drawn by neither: holes
+ * in the surface. */
+static inline void attempt_5_box_open(struct target *target, const struct vec2 p[3],
+                                      struct color color) {
+    attempt_box_double(target, p, color, 0, true);
+}
+
+/* Attempt 6: a small tolerance, "so that there are no holes". There are none; but now more pixels
+ * are drawn twice, and how many hangs on the size of the triangle. */
+static inline void attempt_6_box_epsilon(struct target *target, const struct vec2 p[3],
+                                         struct color color) {
+    attempt_box_double(target, p, color, -1e-3, false);
+}
+
+/* Attempt 7: edge functions in float, one addition a pixel and a row, with the top-left rule.
+ * Fast, and the rule is right, but the values need more digits than a float has: the sums drift,
+ * most on large triangles. Looks right for small triangles; a long side becomes wavy, and the two
+ * sides of a seam do not fit. */
+static inline void attempt_7_edges_float(struct target *target, const struct vec2 p[3],
+                                         struct color color) {
+    struct box box = attempt_box(target->image, p);
+    double area = (p[1].x - p[0].x) * (p[2].y - p[0].y) - (p[1].y - p[0].y) * (p[2].x - p[0].x);
+    float row[3], right[3], up[3];
+    bool closed[3];
+    for (int i = 0; i < 3; i++) {
+        struct vec2 a = p[(i + 1) % 3], b = p[(i + 2) % 3];
+        float sign = area > 0 ? 1 : -1;
+        right[i] = -sign * (float)(b.y - a.y);
+        up[i] = sign * (float)(b.x - a.x);
+        row[i] = right[i] * ((float)box.x_begin + 0.5F - (float)a.x) +
+                 up[i] * ((float)box.y_begin + 0.5F - (float)a.y);
+        closed[i] = right[i] > 0 || (right[i] == 0 && up[i] < 0); /* a left or a top side */
+    }
+    for (int y = box.y_begin; y < box.y_end && area != 0; y++) {
+        float value[3] = {row[0], row[1], row[2]};
+        for (int x = box.x_begin; x < box.x_end; x++) {
+            bool inside = true;
+            for (int i = 0; i < 3; i++) {
+                inside = inside && (value[i] > 0 || (value[i] == 0 && closed[i]));
+                value[i] += right[i];
+            }
+            if (inside) {
+                target_put(target, x, y, color);
+            }
+        }
+        for (int i = 0; i < 3; i++) {
+            row[i] += up[i];
+        }
+    }
+}
+
+enum { ATTEMPT_BLOCK = 8 }; /* pixels a side */
+
+enum block_kind { BLOCK_OUTSIDE, BLOCK_INSIDE, BLOCK_MIXED };
+
+/* Where the pixel centres of the block at (x,y) lie, from the values of each edge function at the
+ * two of them that are farthest in and farthest out. */
+static inline enum block_kind attempt_block_kind(const struct edges *edges, int x, int y) {
+    enum block_kind kind = BLOCK_INSIDE;
+    for (int i = 0; i < 3; i++) {
+        const struct edge *e = &edges->edge[i];
+        int64_t value = e->origin + e->dx * x + e->dy * y;
+        int64_t across = e->dx * (ATTEMPT_BLOCK - 1), up = e->dy * (ATTEMPT_BLOCK - 1);
+        int64_t most = value + (across > 0 ? across : 0) + (up > 0 ? up : 0);
+        int64_t least = value + (across < 0 ? across : 0) + (up < 0 ? up : 0);
+        if (most < e->least) {
+            return BLOCK_OUTSIDE;
+        }
+        if (least < e->least) {
+            kind = BLOCK_MIXED;
+        }
+    }
+    return kind;
+}
+
+static inline bool attempt_is_inside(const struct edges *edges, int x, int y) {
+    for (int i = 0; i < 3; i++) {
+        const struct edge *e = &edges->edge[i];
+        if (e->origin + e->dx * x + e->dy * y < e->least) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/* Attempt 8: blocks of 8x8 pixels, with exact edge functions: a block is outside, inside, or its
+ * pixels are tested one by one. Right. It pays where a block can be left out as a whole (a coarse
+ * depth, for example) and on graphics processors; for small triangles nearly all blocks are mixed,
+ * and pixels outside are tested all the time. */
+static inline void attempt_8_blocks(struct target *target, const struct vec2 p[3],
+                                    struct color color) {
+    struct image *image = target->image;
+    struct fixed2 corner[3];
+    struct edges edges;
+    for (int i = 0; i < 3; i++) {
+        if (!screen_snap(p[i], &corner[i])) {
+            return;
+        }
+    }
+    if (!edges_setup(&edges, corner[0], corner[1], corner[2], image->width, image->height)) {
+        return;
+    }
+    struct box box = attempt_box(image, p);
+    for (int y = edges.y_begin; y < edges.y_end; y += ATTEMPT_BLOCK) {
+        for (int x = box.x_begin; x < box.x_end; x += ATTEMPT_BLOCK) {
+            enum block_kind kind = attempt_block_kind(&edges, x, y);
+            int y_end = y + ATTEMPT_BLOCK < edges.y_end ? y + ATTEMPT_BLOCK : edges.y_end;
+            int x_end = x + ATTEMPT_BLOCK < edges.width ? x + ATTEMPT_BLOCK : edges.width;
+            for (int v = y; v < y_end && kind != BLOCK_OUTSIDE; v++) {
+                for (int u = x; u < x_end; u++) {
+                    if (kind == BLOCK_INSIDE || attempt_is_inside(&edges, u, v)) {
+                        target_put(target, u, v, color);
+                    }
+                }
+            }
+        }
+    }
+}
+
+/* What a column of pixels shows: its lowest and highest pixel and their colours (r, g, b). */
+struct column {
+    int low, high;
+    struct vec3 low_color, high_color;
+};
+
+static inline struct vec3 attempt_mix(struct vec3 a, struct vec3 b, double part) {
+    return vec3_add(vec3_scale(a, 1 - part), vec3_scale(b, part));
+}
+
+/* One discrete line of lesson 1: each of its pixels widens the column that it stands in. Along the
+ * line the colour runs with alpha = |u - u0| / |u1 - u0|, u being the longer direction. */
+static inline void attempt_add_line(struct column *columns, const struct image *image,
+                                    struct pixel a, struct pixel b, struct vec3 color_a,
+                                    struct vec3 color_b) {
+    struct line_walk walk;
+    bool more = line_begin(&walk, a, b, image->width, image->height);
+    for (; more; more = line_next(&walk)) {
+        int u = walk.steep ? walk.y : walk.x;
+        int u0 = walk.steep ? a.y : a.x, u1 = walk.steep ? b.y : b.x;
+        double alpha = u1 != u0 ? fabs((double)u - u0) / fabs((double)u1 - u0) : 0;
+        struct column *column = &columns[walk.x];
+        bool first = column->low > column->high;
+        if (first || walk.y < column->low) {
+            column->low = walk.y;
+            column->low_color = attempt_mix(color_a, color_b, alpha);
+        }
+        if (first || walk.y > column->high) {
+            column->high = walk.y;
+            column->high_color = attempt_mix(color_a, color_b, alpha);
+        }
+    }
+}
+
+/* Attempt 9: the column scanline. The three sides are drawn as discrete lines; each column of
+ * pixels is filled from its lowest to its highest pixel, with the colour interpolated along the
+ * lines and then up the column. `columns` is memory for image width columns. Corners are pixels
+ * within LINE_LIMIT that lie in the image.
+ * Wrong: the outline belongs to the triangle, so neighbours overlap by a whole line; corners have
+ * no fractions; the colour jumps a little where a line steps from one row to the next. */
+static inline void attempt_9_columns(struct target *target, const struct pixel corner[3],
+                                     const struct color color[3], struct column *columns) {
+    int width = (int)target->image->width;
+    struct vec3 c[3];
+    for (int x = 0; x < width; x++) {
+        columns[x] = (struct column){.low = 0, .high = -1};
+    }
+    for (int i = 0; i < 3; i++) {
+        c[i] = (struct vec3){color[i].r, color[i].g, color[i].b};
+    }
+    for (int i = 0; i < 3; i++) {
+        int next = (i + 1) % 3;
+        attempt_add_line(columns, target->image, corner[i], corner[next], c[i], c[next]);
+    }
+    for (int x = 0; x < width; x++) {
+        const struct column *column = &columns[x];
+        int height = column->high - column->low;
+        for (int y = column->low; y <= column->high; y++) {
+            double part = height > 0 ? (double)(y - column->low) / height : 0;
+            struct vec3 mixed = attempt_mix(column->low_color, column->high_color, part);
+            target_put(target, x, y,
+                       color_rgb(level_from(mixed.x), level_from(mixed.y), level_from(mixed.z)));
+        }
+    }
+}
+
+#endif

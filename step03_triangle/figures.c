@@ -1,0 +1,529 @@
+/*
+ * The pictures of step 3's README that are not references, and the numbers of its tables:
+ *
+ *     figures OUTDIR
+ */
+#define main step_main
+int step_main(int argc, char **argv);
+#include "main.c"
+#undef main
+
+#include "attempts.h"
+#include "png.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#ifndef COURSE_BUILD
+#define COURSE_BUILD "build"
+#endif
+
+/* ---- Pictures of pixels ---- */
+
+struct area {
+    int x, y, width, height; /* pixels of an image */
+};
+
+/* Save a part of the image, each pixel as a block of `zoom` x `zoom`, with dark lines between the
+ * blocks from a zoom of 8 on. */
+static bool save(const struct image *image, struct area part, int zoom, const char *directory,
+                 const char *name, struct error *error) {
+    struct image large;
+    char path[1024];
+    snprintf(path, sizeof path, "%s/%s.png", directory, name);
+    if (!image_create(&large, (size_t)(part.width * zoom), (size_t)(part.height * zoom), IMAGE_BGR,
+                      error)) {
+        return false;
+    }
+    for (int y = 0; y < part.height * zoom; y++) {
+        for (int x = 0; x < part.width * zoom; x++) {
+            struct color c = image_get(image, part.x + x / zoom, part.y + y / zoom);
+            bool line = zoom >= 8 && (x % zoom == 0 || y % zoom == 0);
+            image_set(&large, x, y, line ? color_grey(60) : c);
+        }
+    }
+    bool done = png_write(&large, path, error);
+    image_free(&large);
+    return done;
+}
+
+static struct area whole(const struct image *image) {
+    return (struct area){0, 0, (int)image->width, (int)image->height};
+}
+
+/* ---- Meshes on the screen ---- */
+
+/* Triangles with corners in pixels, already snapped to 1/256, so that all attempts get the same. */
+struct mesh {
+    struct vec2 (*corners)[3];
+    size_t count;
+};
+
+static void mesh_free(struct mesh *mesh) {
+    free(mesh->corners);
+    *mesh = (struct mesh){0};
+}
+
+static bool mesh_create(struct mesh *mesh, size_t limit, struct error *error) {
+    *mesh = (struct mesh){.corners = malloc(limit * sizeof *mesh->corners)};
+    return mesh->corners != NULL || error_set(error, "out of memory");
+}
+
+static struct vec2 unsnapped(struct fixed2 p) {
+    return (struct vec2){(double)p.x / SUBPIXELS, (double)p.y / SUBPIXELS};
+}
+
+/* The faces of the model that show their outside. */
+static bool mesh_from_model(struct mesh *mesh, const struct model *model, const struct image *image,
+                            struct error *error) {
+    if (!mesh_create(mesh, model->face_count, error)) {
+        return false;
+    }
+    for (size_t face = 0; face < model->face_count; face++) {
+        struct vertex v[3];
+        bool placed = true;
+        for (size_t i = 0; i < 3; i++) {
+            placed = place_corner(model, face, i, image, &v[i]) && placed;
+        }
+        if (!placed || is_turned_away(v)) {
+            continue;
+        }
+        for (int i = 0; i < 3; i++) {
+            mesh->corners[mesh->count][i] = unsnapped(v[i].position);
+        }
+        mesh->count++;
+    }
+    return true;
+}
+
+enum { SHEET_CELLS = 24, SHEET_CELL = 12, SHEET_SIZE = SHEET_CELLS * SHEET_CELL + 24 };
+
+/* A corner of the sheet: a grid point, moved by halves of a pixel. All corners lie on pixel centres
+ * or half-way between them, where the rule for ties counts most. */
+static struct vec2 sheet_corner(int column, int row) {
+    uint32_t h = (uint32_t)(row * 1009 + column) * 2654435761U;
+    int x = 2 * (12 + column * SHEET_CELL) + (int)(h >> 29) - 4;
+    int y = 2 * (12 + row * SHEET_CELL) + (int)(h >> 26 & 7) - 4;
+    return (struct vec2){x * 0.5, y * 0.5};
+}
+
+/* A sheet of cells, each cut into two triangles: every pixel in it belongs to exactly one. */
+static bool mesh_from_sheet(struct mesh *mesh, struct error *error) {
+    if (!mesh_create(mesh, 2 * SHEET_CELLS * SHEET_CELLS, error)) {
+        return false;
+    }
+    for (int row = 0; row < SHEET_CELLS; row++) {
+        for (int column = 0; column < SHEET_CELLS; column++) {
+            struct vec2 a = sheet_corner(column, row), b = sheet_corner(column + 1, row);
+            struct vec2 c = sheet_corner(column + 1, row + 1), d = sheet_corner(column, row + 1);
+            struct vec2 first[3] = {a, b, c}, second[3] = {a, c, d};
+            memcpy(mesh->corners[mesh->count++], first, sizeof first);
+            memcpy(mesh->corners[mesh->count++], second, sizeof second);
+        }
+    }
+    return true;
+}
+
+/* ---- Counting how often each pixel is drawn ---- */
+
+typedef void attempt_function(struct target *target, const struct vec2 corner[3],
+                              struct color color);
+
+/* The good version: spans. */
+static void draw_spans(struct target *target, const struct vec2 corner[3], struct color color) {
+    struct fixed2 p[3];
+    struct edges edges;
+    for (int i = 0; i < 3; i++) {
+        screen_snap(corner[i], &p[i]);
+    }
+    if (triangle_setup(&edges, p[0], p[1], p[2], target->image->width, target->image->height)) {
+        for (int y = edges.y_begin; y < edges.y_end; y++) {
+            struct span span = triangle_span(&edges, y);
+            for (int x = span.begin; x < span.end; x++) {
+                target_put(target, x, y, color);
+            }
+        }
+    }
+}
+
+struct version {
+    const char *name;
+    attempt_function *draw;
+};
+
+static const struct version versions[] = {
+    {"1 sweep, whole numbers", attempt_1_sweep_whole},
+    {"2 sweep, float", attempt_2_sweep_float},
+    {"3 box, float, >= 0", attempt_3_box_float},
+    {"4 box, double, >= 0", attempt_4_box_double},
+    {"5 box, double, > 0", attempt_5_box_open},
+    {"6 box, double, >= -0.001", attempt_6_box_epsilon},
+    {"7 edges added up in float", attempt_7_edges_float},
+    {"8 blocks", attempt_8_blocks},
+    {"spans (main.c)", draw_spans},
+};
+enum { VERSION_COUNT = sizeof versions / sizeof versions[0] };
+
+/* Draw a mesh, each triangle in its own colour, and count. `draws` may be NULL. */
+static void draw_mesh(const struct mesh *mesh, attempt_function *draw, struct image *image,
+                      uint8_t *draws) {
+    struct target target = {.image = image, .draws = draws};
+    if (draws != NULL) {
+        memset(draws, 0, image->width * image->height);
+    }
+    image_clear(image, color_grey(0));
+    for (size_t i = 0; i < mesh->count; i++) {
+        draw(&target, mesh->corners[i], face_color(i));
+    }
+}
+
+/* How often each pixel must be drawn: the three edge functions, asked at every pixel. */
+static void count_exactly(const struct mesh *mesh, const struct image *image, uint8_t *draws) {
+    int width = (int)image->width;
+    memset(draws, 0, image->width * image->height);
+    for (size_t i = 0; i < mesh->count; i++) {
+        struct fixed2 p[3];
+        struct edges edges;
+        for (int k = 0; k < 3; k++) {
+            screen_snap(mesh->corners[i][k], &p[k]);
+        }
+        if (!triangle_setup(&edges, p[0], p[1], p[2], image->width, image->height)) {
+            continue;
+        }
+        for (int y = edges.y_begin; y < edges.y_end; y++) {
+            for (int x = 0; x < width; x++) {
+                draws[y * width + x] = (uint8_t)(draws[y * width + x] + covers(&edges, x, y));
+            }
+        }
+    }
+}
+
+/* Compare two counts as a picture: grey where they agree, orange where a pixel was drawn too often,
+ * magenta where it was drawn too rarely. */
+static void show_draws(struct image *image, const uint8_t *draws, const uint8_t *exact) {
+    for (int y = 0; y < (int)image->height; y++) {
+        for (int x = 0; x < (int)image->width; x++) {
+            size_t i = (size_t)y * image->width + (size_t)x;
+            struct color c = color_grey((uint8_t)(exact[i] > 0 ? 90 + 30 * (exact[i] - 1) : 0));
+            c = draws[i] > exact[i] ? color_rgb(255, 150, 0) : c;
+            c = draws[i] < exact[i] ? color_rgb(255, 0, 160) : c;
+            image_set(image, x, y, c);
+        }
+    }
+}
+
+static void print_differences(const char *mesh, const char *version, const uint8_t *draws,
+                              const uint8_t *exact, size_t pixel_count) {
+    size_t covered = 0, too_often = 0, too_rarely = 0, holes = 0;
+    for (size_t i = 0; i < pixel_count; i++) {
+        covered += exact[i] > 0;
+        too_often += draws[i] > exact[i];
+        too_rarely += draws[i] < exact[i];
+        holes += draws[i] == 0 && exact[i] > 0;
+    }
+    printf("%-6s %-26s %7zu pixels: %6zu too often, %5zu too rarely, %4zu holes\n", mesh, version,
+           covered, too_often, too_rarely, holes);
+}
+
+static bool measure(const char *name, const struct mesh *mesh, struct image *image,
+                    struct error *error) {
+    size_t pixel_count = image->width * image->height;
+    uint8_t *draws = malloc(pixel_count), *exact = malloc(pixel_count);
+    bool done = draws != NULL && exact != NULL;
+    if (done) {
+        count_exactly(mesh, image, exact);
+    }
+    for (size_t i = 0; done && i < VERSION_COUNT; i++) {
+        draw_mesh(mesh, versions[i].draw, image, draws);
+        print_differences(name, versions[i].name, draws, exact, pixel_count);
+    }
+    free(draws);
+    free(exact);
+    return done || error_set(error, "out of memory");
+}
+
+/* ---- The pictures ---- */
+
+/* Which of the three edge functions are positive (red, green, blue: edges 0, 1, 2); inside all
+ * three the pixel is white. */
+static bool draw_half_planes(const char *directory, struct error *error) {
+    struct image image;
+    struct edges edges;
+    const struct fixed2 a = {5 * 256 / 2, 5 * 256 / 2}, b = {43 * 256 / 2, 9 * 256 / 2};
+    const struct fixed2 c = {17 * 256 / 2, 33 * 256 / 2};
+    if (!image_create(&image, 24, 19, IMAGE_BGR, error)) {
+        return false;
+    }
+    triangle_setup(&edges, a, b, c, image.width, image.height);
+    for (int y = 0; y < (int)image.height; y++) {
+        for (int x = 0; x < (int)image.width; x++) {
+            uint8_t level[3];
+            for (int i = 0; i < 3; i++) {
+                const struct edge *e = &edges.edge[i];
+                level[i] = e->origin + e->dx * x + e->dy * y >= e->least ? 255 : 70;
+            }
+            image_set(&image, x, y, color_rgb(level[0], level[1], level[2]));
+        }
+    }
+    bool done = save(&image, whole(&image), 20, directory, "half_planes", error);
+    image_free(&image);
+    return done;
+}
+
+/* Eight triangles around a pixel centre, with three rules for centres that lie on a side. */
+static bool draw_fan(const char *directory, struct error *error) {
+    static const struct vec2 rim[8] = {{14.5, 8.5}, {14.5, 14.5}, {8.5, 14.5}, {2.5, 14.5},
+                                       {2.5, 8.5},  {2.5, 2.5},   {8.5, 2.5},  {14.5, 2.5}};
+    static attempt_function *const rules[3] = {attempt_4_box_double, attempt_5_box_open,
+                                               draw_spans};
+    struct vec2 corners[8][3];
+    struct mesh fan = {.corners = corners, .count = 8};
+    struct image panel = {0}, image = {0};
+    uint8_t exact[17 * 17], draws[17 * 17];
+    bool done = image_create(&panel, 17, 17, IMAGE_BGR, error) &&
+                image_create(&image, 53, 17, IMAGE_BGR, error);
+    for (int i = 0; i < 8; i++) {
+        corners[i][0] = (struct vec2){8.5, 8.5};
+        corners[i][1] = rim[i];
+        corners[i][2] = rim[(i + 1) % 8];
+    }
+    for (int k = 0; done && k < 3; k++) {
+        count_exactly(&fan, &panel, exact);
+        draw_mesh(&fan, rules[k], &panel, draws);
+        show_draws(&panel, draws, exact);
+        for (int y = 0; y < 17; y++) {
+            for (int x = 0; x < 17; x++) {
+                image_set(&image, x + 18 * k, y, image_get(&panel, x, y));
+            }
+        }
+    }
+    done = done && save(&image, whole(&image), 12, directory, "fan_rules", error);
+    image_free(&panel);
+    image_free(&image);
+    return done;
+}
+
+/* The count of draws of one version, as a picture. */
+static bool draw_counts(const struct mesh *mesh, attempt_function *draw, struct image *image,
+                        struct area part, int zoom, const char *directory, const char *name,
+                        struct error *error) {
+    size_t pixel_count = image->width * image->height;
+    uint8_t *draws = malloc(pixel_count), *exact = malloc(pixel_count);
+    bool done = draws != NULL && exact != NULL;
+    if (done) {
+        count_exactly(mesh, image, exact);
+        draw_mesh(mesh, draw, image, draws);
+        show_draws(image, draws, exact);
+    }
+    free(draws);
+    free(exact);
+    return done ? save(image, part, zoom, directory, name, error)
+                : error_set(error, "out of memory");
+}
+
+static bool draw_sheet(const char *directory, struct error *error) {
+    struct mesh sheet = {0};
+    struct image image = {0};
+    struct area part = {6, 6, 64, 64};
+    bool done =
+        image_create(&image, SHEET_SIZE, SHEET_SIZE, IMAGE_BGR, error) &&
+        mesh_from_sheet(&sheet, error) && measure("sheet", &sheet, &image, error) &&
+        draw_counts(&sheet, attempt_1_sweep_whole, &image, part, 5, directory, "sheet_sweep_whole",
+                    error) &&
+        draw_counts(&sheet, attempt_4_box_double, &image, part, 5, directory, "sheet_closed",
+                    error) &&
+        draw_counts(&sheet, attempt_5_box_open, &image, part, 5, directory, "sheet_open", error) &&
+        draw_counts(&sheet, draw_spans, &image, part, 5, directory, "sheet_exact", error);
+    mesh_free(&sheet);
+    image_free(&image);
+    return done;
+}
+
+/* Part of the bust in colours: whole-number sweep, holes, and exact. */
+static bool draw_bust(const char *directory, struct error *error) {
+    struct model model = {0};
+    struct mesh bust = {0};
+    struct image image = {0};
+    struct area eye = {300, 480, 130, 100};
+    bool done = model_read(&model, COURSE_BUILD "/models/bust.obj", error) &&
+                image_create(&image, 800, 800, IMAGE_BGR, error) &&
+                mesh_from_model(&bust, &model, &image, error) &&
+                measure("bust", &bust, &image, error) &&
+                draw_counts(&bust, attempt_1_sweep_whole, &image, eye, 4, directory,
+                            "bust_sweep_whole_draws", error) &&
+                draw_counts(&bust, draw_spans, &image, (struct area){100, 40, 600, 760}, 1,
+                            directory, "bust_exact_draws", error);
+    if (done) {
+        draw_mesh(&bust, attempt_1_sweep_whole, &image, NULL);
+        done = save(&image, eye, 4, directory, "bust_sweep_whole", error);
+    }
+    if (done) {
+        draw_mesh(&bust, draw_spans, &image, NULL);
+        done = save(&image, eye, 4, directory, "bust_spans", error);
+    }
+    /* All faces, backs too. */
+    image_free(&image);
+    if (done && image_create(&image, 400, 400, IMAGE_BGR, error)) {
+        struct canvas canvas = {.image = &image, .skip = true};
+        for (size_t face = 0; face < model.face_count; face++) {
+            struct vertex v[3];
+            if (place_corner(&model, face, 0, &image, &v[0]) &&
+                place_corner(&model, face, 1, &image, &v[1]) &&
+                place_corner(&model, face, 2, &image, &v[2])) {
+                triangle(&canvas, v, face_color(face));
+            }
+        }
+        done = save(&image, whole(&image), 1, directory, "backs_too", error);
+    }
+    mesh_free(&bust);
+    model_free(&model);
+    image_free(&image);
+    return done;
+}
+
+enum { FAN_BLADES = 400, FAN_SIZE = 2000 };
+
+/* Long thin triangles from one corner of a large image to its right and upper side. */
+static bool mesh_from_fan(struct mesh *mesh, struct error *error) {
+    const struct fixed2 center = {1037, 1405};
+    struct fixed2 last = {(FAN_SIZE - 4) * 256 + 91, 11 * 256 + 37};
+    if (!mesh_create(mesh, FAN_BLADES, error)) {
+        return false;
+    }
+    for (int i = 1; i <= FAN_BLADES; i++) {
+        int along = 2 * FAN_SIZE * 253 / FAN_BLADES * i; /* up the right side, then leftwards */
+        int limit = (FAN_SIZE - 9) * 256 + 53;
+        struct fixed2 next = {along > limit ? 2 * limit - along : last.x,
+                              along > limit ? limit : along};
+        mesh->corners[mesh->count][0] = unsnapped(center);
+        mesh->corners[mesh->count][1] = unsnapped(last);
+        mesh->corners[mesh->count++][2] = unsnapped(next);
+        last = next;
+    }
+    return true;
+}
+
+/* The fan of attempt 7 at a quarter of its size, with a dot for every pixel drawn too often
+ * (orange) or not at all (magenta). */
+static bool save_fan_faults(const struct image *fan, const uint8_t *draws, const uint8_t *exact,
+                            const char *directory, struct error *error) {
+    struct image small;
+    if (!image_create(&small, FAN_SIZE / 4, FAN_SIZE / 4, IMAGE_BGR, error)) {
+        return false;
+    }
+    for (int y = 0; y < FAN_SIZE / 4; y++) {
+        for (int x = 0; x < FAN_SIZE / 4; x++) {
+            uint8_t level = image_get(fan, 4 * x, 4 * y).g;
+            image_set(&small, x, y, color_grey(level / 3));
+        }
+    }
+    for (size_t i = 0; i < (size_t)FAN_SIZE * FAN_SIZE; i++) {
+        int x = (int)(i % FAN_SIZE) / 4, y = (int)(i / FAN_SIZE) / 4;
+        bool often = draws[i] > exact[i];
+        for (int dot = 0; draws[i] != exact[i] && dot < 49; dot++) {
+            image_set(&small, x - 3 + dot % 7, y - 3 + dot / 7,
+                      often ? color_rgb(255, 150, 0) : color_rgb(255, 0, 160));
+        }
+    }
+    bool done = save(&small, whole(&small), 1, directory, "fan_edges_float", error);
+    image_free(&small);
+    return done;
+}
+
+/* What float sums make of long sides: the edge values of large triangles need more digits. */
+static bool draw_large_fan(const char *directory, struct error *error) {
+    struct mesh fan = {0};
+    struct image image = {0};
+    uint8_t *draws = malloc((size_t)FAN_SIZE * FAN_SIZE);
+    uint8_t *exact = malloc((size_t)FAN_SIZE * FAN_SIZE);
+    bool done = draws != NULL && exact != NULL;
+    done = done ? image_create(&image, FAN_SIZE, FAN_SIZE, IMAGE_BGR, error) &&
+                      mesh_from_fan(&fan, error) && measure("fan", &fan, &image, error)
+                : error_set(error, "out of memory");
+    if (done) {
+        count_exactly(&fan, &image, exact);
+        draw_mesh(&fan, attempt_7_edges_float, &image, draws);
+        done = save_fan_faults(&image, draws, exact, directory, error);
+    }
+    free(draws);
+    free(exact);
+    mesh_free(&fan);
+    image_free(&image);
+    return done;
+}
+
+/* What attempt 8 decides for each block: outside (dark red), inside (green), mixed (yellow where a
+ * tested pixel is inside, brown where it is outside). */
+static bool draw_blocks(const char *directory, struct error *error) {
+    struct image image;
+    struct edges edges;
+    const struct fixed2 a = {4 * 256, 6 * 256}, b = {74 * 256, 20 * 256}, c = {30 * 256, 60 * 256};
+    if (!image_create(&image, 80, 64, IMAGE_BGR, error)) {
+        return false;
+    }
+    edges_setup(&edges, a, b, c, image.width, image.height);
+    size_t tested = 0, outside = 0;
+    for (int y = 0; y < (int)image.height; y++) {
+        for (int x = 0; x < (int)image.width; x++) {
+            enum block_kind kind =
+                attempt_block_kind(&edges, x - x % ATTEMPT_BLOCK, y - y % ATTEMPT_BLOCK);
+            bool inside = attempt_is_inside(&edges, x, y);
+            bool line = x % ATTEMPT_BLOCK == 0 || y % ATTEMPT_BLOCK == 0;
+            struct color color = kind == BLOCK_OUTSIDE  ? color_rgb(110, 20, 20)
+                                 : kind == BLOCK_INSIDE ? color_rgb(40, 170, 60)
+                                 : inside               ? color_rgb(250, 220, 60)
+                                                        : color_rgb(120, 95, 30);
+            tested += kind == BLOCK_MIXED;
+            outside += kind == BLOCK_MIXED && !inside;
+            color = line ? color_rgb((uint8_t)(color.r * 3 / 4), (uint8_t)(color.g * 3 / 4),
+                                     (uint8_t)(color.b * 3 / 4))
+                         : color;
+            image_set(&image, x, y, color);
+        }
+    }
+    printf("blocks: %zu pixels tested one by one, %zu of them outside\n", tested, outside);
+    bool done = save(&image, whole(&image), 6, directory, "blocks", error);
+    image_free(&image);
+    return done;
+}
+
+/* The column scanline beside the exact triangle, both with colours. */
+static bool draw_columns(const char *directory, struct error *error) {
+    struct image image;
+    struct column columns[64];
+    const struct pixel corner[3] = {{2, 4}, {27, 1}, {18, 28}};
+    const struct color color[3] = {{RED}, {GREEN}, {BLUE}};
+    if (!image_create(&image, 64, 31, IMAGE_BGR, error)) {
+        return false;
+    }
+    struct target target = {.image = &image};
+    attempt_9_columns(&target, corner, color, columns);
+    struct canvas canvas = {.image = &image, .skip = true};
+    struct vertex v[3];
+    for (int i = 0; i < 3; i++) {
+        screen_snap((struct vec2){corner[i].x + 32.5, corner[i].y + 0.5}, &v[i].position);
+        v[i].color = color[i];
+    }
+    gradient_triangle(&canvas, v);
+    bool done = save(&image, whole(&image), 10, directory, "columns", error);
+    image_free(&image);
+    return done;
+}
+
+int main(int argc, char **argv) {
+    struct error error = {0};
+    if (argc != 2) {
+        fprintf(stderr, "usage: figures OUTDIR\n");
+        return 2;
+    }
+    const char *directory = argv[1];
+    if (!draw_half_planes(directory, &error) || !draw_fan(directory, &error) ||
+        !draw_sheet(directory, &error) || !draw_bust(directory, &error) ||
+        !draw_large_fan(directory, &error) || !draw_blocks(directory, &error) ||
+        !draw_columns(directory, &error)) {
+        fprintf(stderr, "figures: %s\n", error.message);
+        return 1;
+    }
+    return 0;
+}

@@ -1,0 +1,233 @@
+/*
+ * Step 5: worse ways to decide what is seen, and depth buffers of fewer bits. Include main.c first:
+ * struct vertex comes from there.
+ *
+ * Depths lie in -1..1, larger is nearer. All pictures are drawn from a list of triangles, so that
+ * their order can be chosen. A buffer is memory for 4 bytes a pixel, from malloc.
+ */
+#ifndef STEP05_ATTEMPTS_H
+#define STEP05_ATTEMPTS_H
+
+#include <math.h>
+#include <stdbool.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* A triangle to draw. */
+struct drawn {
+    struct vertex v[3];
+    struct color color;
+};
+
+/* One step of a depth test: is `depth` nearer than what pixel i of the buffer holds? If so, it is
+ * kept there. */
+typedef bool depth_test(void *buffer, size_t i, double depth);
+
+/* The triangle of main.c with any depth test; none (NULL) draws all. */
+static inline void attempt_triangle(struct image *image, const struct drawn *d, depth_test *test,
+                                    void *buffer) {
+    struct edges edges;
+    if (!edges_setup(&edges, d->v[0].position, d->v[1].position, d->v[2].position, image->width,
+                     image->height)) {
+        return;
+    }
+    for (int y = edges.y_begin; y < edges.y_end; y++) {
+        struct span span = edges_span(&edges, y);
+        for (int x = span.begin; x < span.end; x++) {
+            struct vec3 weight = edges_weights(&edges, x, y);
+            double depth = interpolate(weight, d->v[0].depth, d->v[1].depth, d->v[2].depth);
+            if (test == NULL || test(buffer, (size_t)y * image->width + (size_t)x, depth)) {
+                image_set(image, x, y, d->color);
+            }
+        }
+    }
+}
+
+static inline void attempt_draw(struct image *image, const struct drawn *list, size_t count,
+                                depth_test *test, void *buffer) {
+    for (size_t i = 0; i < count; i++) {
+        attempt_triangle(image, &list[i], test, buffer);
+    }
+}
+
+/* ---- Without a depth for each pixel ---- */
+
+/* Attempt 1: the order of the list, as in lesson 4. What comes last is seen. */
+static inline void attempt_1_file_order(struct image *image, const struct drawn *list,
+                                        size_t count) {
+    attempt_draw(image, list, count, NULL, NULL);
+}
+
+static inline double attempt_mean_depth(const struct drawn *d) {
+    return (d->v[0].depth + d->v[1].depth + d->v[2].depth) / 3;
+}
+
+static inline int attempt_compare_depths(const void *a, const void *b) {
+    double x = attempt_mean_depth(a), y = attempt_mean_depth(b);
+    return (x > y) - (x < y);
+}
+
+/* Attempt 2: painter's order: sorted by mean depth, the farthest first. The list is changed.
+ * Wrong where a large triangle lies beside a small one, where two pass through each other, and
+ * where three lie over one another in a circle: then there is no order at all. Sorting costs more
+ * with every triangle, and every hidden pixel is drawn. */
+static inline void attempt_2_painter(struct image *image, struct drawn *list, size_t count) {
+    qsort(list, count, sizeof *list, attempt_compare_depths);
+    attempt_draw(image, list, count, NULL, NULL);
+}
+
+/* ---- With one ---- */
+
+static inline void attempt_fill_float(void *buffer, size_t pixel_count, float value) {
+    float *depths = buffer;
+    for (size_t i = 0; i < pixel_count; i++) {
+        depths[i] = value;
+    }
+}
+
+static inline bool attempt_keep_float(void *buffer, size_t i, double depth) {
+    float *kept = (float *)buffer + i;
+    if (!((float)depth > *kept)) {
+        return false;
+    }
+    *kept = (float)depth;
+    return true;
+}
+
+/* Attempt 3: a depth buffer, but one depth for the whole triangle: its mean. Triangles cut into
+ * each other along their sides: the same faults as attempt 2, without the sorting. */
+static inline void attempt_3_mean_depth(struct image *image, const struct drawn *list, size_t count,
+                                        void *buffer) {
+    attempt_fill_float(buffer, image->width * image->height, -INFINITY);
+    for (size_t i = 0; i < count; i++) {
+        struct drawn d = list[i];
+        d.v[0].depth = d.v[1].depth = d.v[2].depth = attempt_mean_depth(&d);
+        attempt_triangle(image, &d, attempt_keep_float, buffer);
+    }
+}
+
+/* Attempt 4: cleared to 0 instead of minus infinity. Everything farther than depth 0 is lost. */
+static inline void attempt_4_cleared_to_0(struct image *image, const struct drawn *list,
+                                          size_t count, void *buffer) {
+    attempt_fill_float(buffer, image->width * image->height, 0);
+    attempt_draw(image, list, count, attempt_keep_float, buffer);
+}
+
+static inline bool attempt_keep_farther(void *buffer, size_t i, double depth) {
+    float *kept = (float *)buffer + i;
+    if (!((float)depth < *kept)) {
+        return false;
+    }
+    *kept = (float)depth;
+    return true;
+}
+
+/* Attempt 5: the comparison reversed (and the buffer cleared to match): the farthest is seen. Of a
+ * head lit from the front: behind the nose the cheek, behind the ear the neck. */
+static inline void attempt_5_farthest(struct image *image, const struct drawn *list, size_t count,
+                                      void *buffer) {
+    attempt_fill_float(buffer, image->width * image->height, INFINITY);
+    attempt_draw(image, list, count, attempt_keep_farther, buffer);
+}
+
+/* ---- Fewer bits ---- */
+
+/* Depth -1..1 as a whole number 1..most; 0 is left for "nothing here". */
+static inline uint32_t attempt_whole_depth(double depth, uint32_t most) {
+    double inside = depth < -1 ? -1 : depth > 1 ? 1 : depth;
+    return 1 + (uint32_t)((inside + 1) / 2 * (most - 1) + 0.5);
+}
+
+static inline bool attempt_keep_8(void *buffer, size_t i, double depth) {
+    uint8_t *kept = (uint8_t *)buffer + i;
+    uint8_t level = (uint8_t)attempt_whole_depth(depth, 255);
+    if (level <= *kept) {
+        return false;
+    }
+    *kept = level;
+    return true;
+}
+
+static inline bool attempt_keep_16(void *buffer, size_t i, double depth) {
+    uint16_t *kept = (uint16_t *)buffer + i;
+    uint16_t level = (uint16_t)attempt_whole_depth(depth, 65535);
+    if (level <= *kept) {
+        return false;
+    }
+    *kept = level;
+    return true;
+}
+
+/* 24 bits of 32: the other 8 are often used for something else. */
+static inline bool attempt_keep_24(void *buffer, size_t i, double depth) {
+    uint32_t *kept = (uint32_t *)buffer + i;
+    uint32_t level = attempt_whole_depth(depth, 16777215);
+    if (level <= *kept) {
+        return false;
+    }
+    *kept = level;
+    return true;
+}
+
+/* Attempt 6: 8 bits: steps of 2/254. Surfaces nearer to each other than a step have equal depth,
+ * and then the order of drawing decides again: stripes. */
+static inline void attempt_6_depth_8(struct image *image, const struct drawn *list, size_t count,
+                                     void *buffer) {
+    memset(buffer, 0, image->width * image->height * sizeof(uint8_t));
+    attempt_draw(image, list, count, attempt_keep_8, buffer);
+}
+
+/* Attempt 7: 16 bits: steps of 3.1e-5. Enough for one head, not for a landscape. */
+static inline void attempt_7_depth_16(struct image *image, const struct drawn *list, size_t count,
+                                      void *buffer) {
+    memset(buffer, 0, image->width * image->height * sizeof(uint16_t));
+    attempt_draw(image, list, count, attempt_keep_16, buffer);
+}
+
+/* Attempt 8: 24 bits: steps of 1.2e-7. */
+static inline void attempt_8_depth_24(struct image *image, const struct drawn *list, size_t count,
+                                      void *buffer) {
+    memset(buffer, 0, image->width * image->height * sizeof(uint32_t));
+    attempt_draw(image, list, count, attempt_keep_24, buffer);
+}
+
+/* Attempt 9: float: steps of 6e-8 near -1 and 1, and finer towards 0. */
+static inline void attempt_9_float(struct image *image, const struct drawn *list, size_t count,
+                                   void *buffer) {
+    attempt_fill_float(buffer, image->width * image->height, -INFINITY);
+    attempt_draw(image, list, count, attempt_keep_float, buffer);
+}
+
+/* Cameras with perspective (lesson 8) store near/distance or 1 - near/distance, because these are
+ * straight on the screen. Here the eye is at depth 2, and nothing is nearer to it than 0.001. */
+static inline double attempt_near_over_distance(double depth) {
+    return 0.001 / (2 - depth);
+}
+
+static inline bool attempt_keep_from_near(void *buffer, size_t i, double depth) {
+    return attempt_keep_farther(buffer, i, 1 - attempt_near_over_distance(depth));
+}
+
+static inline bool attempt_keep_reversed(void *buffer, size_t i, double depth) {
+    return attempt_keep_float(buffer, i, attempt_near_over_distance(depth));
+}
+
+/* Attempt 10: 1 - near/distance in float, smaller is nearer: all of the scene falls between 0.999
+ * and 1, where a float has steps of 6e-8: as coarse as 2.4e-4 of depth at distance 2. */
+static inline void attempt_10_float_from_near(struct image *image, const struct drawn *list,
+                                              size_t count, void *buffer) {
+    attempt_fill_float(buffer, image->width * image->height, INFINITY);
+    attempt_draw(image, list, count, attempt_keep_from_near, buffer);
+}
+
+/* Attempt 11: near/distance in float, larger is nearer ("reversed" depth): the same scene falls
+ * near 0, where a float's steps are fine. (Lapidous and Jiao, "Optimal Depth Buffer for Low-Cost
+ * Graphics Hardware", 1999.) */
+static inline void attempt_11_float_reversed(struct image *image, const struct drawn *list,
+                                             size_t count, void *buffer) {
+    attempt_fill_float(buffer, image->width * image->height, -INFINITY);
+    attempt_draw(image, list, count, attempt_keep_reversed, buffer);
+}
+
+#endif

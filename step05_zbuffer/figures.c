@@ -1,0 +1,424 @@
+/*
+ * The pictures of step 5's README that are not references, and the numbers of its tables:
+ *
+ *     figures OUTDIR
+ */
+#define main step_main
+int step_main(int argc, char **argv);
+#include "main.c"
+#undef main
+
+#include "attempts.h"
+#include "png.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#ifndef COURSE_BUILD
+#define COURSE_BUILD "build"
+#endif
+
+/* ---- Lists of triangles ---- */
+
+struct list {
+    struct drawn *items;
+    size_t count;
+};
+
+/* A colour that tells the number of a triangle. */
+static struct color number_color(size_t number) {
+    return color_rgb((uint8_t)(number >> 16 & 255), (uint8_t)(number >> 8 & 255),
+                     (uint8_t)(number & 255));
+}
+
+/* The lit faces of the model, as draw_faces() draws them, moved to the right by `shift`; numbered
+ * from 1 instead of grey when `numbered` is set. */
+static bool list_from_model(struct list *list, const struct model *model, const struct image *image,
+                            double shift, bool numbered, struct error *error) {
+    const struct vec3 light = {0, 0, -1};
+    *list = (struct list){.items = malloc(model->face_count * sizeof *list->items)};
+    if (list->items == NULL) {
+        return error_set(error, "out of memory");
+    }
+    for (size_t face = 0; face < model->face_count; face++) {
+        struct drawn *d = &list->items[list->count];
+        double intensity = face_intensity(model, face, light);
+        if (!(intensity > 0) || !place_face(model, face, image, d->v)) {
+            continue;
+        }
+        for (int i = 0; i < 3; i++) {
+            d->v[i].position.x += (int32_t)(shift * (double)image->width / 2 * SUBPIXELS);
+        }
+        list->count++;
+        d->color = numbered ? number_color(list->count) : color_grey(level_from(intensity * 255));
+    }
+    return true;
+}
+
+static void list_free(struct list *list) {
+    free(list->items);
+    *list = (struct list){0};
+}
+
+/* What main.c draws: the depth in double. */
+static void draw_right(struct image *image, const struct drawn *items, size_t count,
+                       double *depth) {
+    struct canvas canvas = {.image = image, .depth = depth};
+    clear_depth(depth, image->width * image->height);
+    for (size_t i = 0; i < count; i++) {
+        triangle(&canvas, items[i].v, items[i].color);
+    }
+}
+
+/* Exchange items at random (always the same way): every order comes out equally often. */
+static void shuffle(struct list *list, uint32_t seed) {
+    for (size_t i = list->count; i > 1; i--) {
+        seed = seed * 1664525U + 1013904223U;
+        size_t other = (size_t)((uint64_t)seed * i >> 32);
+        struct drawn kept = list->items[i - 1];
+        list->items[i - 1] = list->items[other];
+        list->items[other] = kept;
+    }
+}
+
+static size_t different_pixels(const struct image *a, const struct image *b) {
+    size_t different = 0, size = a->format;
+    for (size_t i = 0; i < a->width * a->height; i++) {
+        different += memcmp(a->pixels + i * size, b->pixels + i * size, size) != 0;
+    }
+    return different;
+}
+
+/* ---- Saving ---- */
+
+static bool save(const struct image *image, const char *directory, const char *name,
+                 struct error *error) {
+    char path[1024];
+    snprintf(path, sizeof path, "%s/%s.png", directory, name);
+    return png_write(image, path, error);
+}
+
+/* ---- The bust by every version ---- */
+
+typedef void attempt_function(struct image *image, const struct drawn *list, size_t count,
+                              void *buffer);
+
+static void draw_file_order(struct image *image, const struct drawn *list, size_t count,
+                            void *buffer) {
+    (void)buffer;
+    attempt_1_file_order(image, list, count);
+}
+
+/* The painter sorts, so he gets a list of his own. */
+static void draw_painter(struct image *image, const struct drawn *list, size_t count,
+                         void *buffer) {
+    (void)buffer;
+    struct drawn *copy = malloc(count * sizeof *copy);
+    if (copy != NULL) {
+        memcpy(copy, list, count * sizeof *copy);
+        attempt_2_painter(image, copy, count);
+    }
+    free(copy);
+}
+
+struct version {
+    const char *name;
+    attempt_function *draw;
+};
+
+static const struct version versions[] = {
+    {"1 order of the file", draw_file_order},
+    {"2 painter's order", draw_painter},
+    {"3 mean depth", attempt_3_mean_depth},
+    {"4 cleared to 0", attempt_4_cleared_to_0},
+    {"5 farthest", attempt_5_farthest},
+    {"6 8 bits", attempt_6_depth_8},
+    {"7 16 bits", attempt_7_depth_16},
+    {"8 24 bits", attempt_8_depth_24},
+    {"9 float", attempt_9_float},
+    {"10 float, 1 - near/distance", attempt_10_float_from_near},
+    {"11 float, near/distance", attempt_11_float_reversed},
+};
+enum { VERSION_COUNT = sizeof versions / sizeof versions[0] };
+
+/* Draw the bust with every version and count the pixels that show another face than main.c does. */
+static void print_wrong_pixels(const struct list *list, struct image *right, struct image *image,
+                               double *depth, void *buffer) {
+    draw_right(right, list->items, list->count, depth);
+    for (size_t i = 0; i < VERSION_COUNT; i++) {
+        image_clear(image, color_grey(0));
+        versions[i].draw(image, list->items, list->count, buffer);
+        printf("bust   %-28s %6zu pixels wrong\n", versions[i].name,
+               different_pixels(image, right));
+    }
+}
+
+/* The same triangles in other orders. */
+static void print_shuffled(const struct list *list, struct image *right, struct image *image,
+                           double *depth) {
+    struct list shuffled = {.items = malloc(list->count * sizeof *list->items)};
+    size_t different = 0;
+    if (shuffled.items == NULL) {
+        return;
+    }
+    memcpy(shuffled.items, list->items, list->count * sizeof *list->items);
+    shuffled.count = list->count;
+    for (uint32_t i = 0; i < 100; i++) {
+        shuffle(&shuffled, i);
+        image_clear(image, color_grey(0));
+        draw_right(image, shuffled.items, shuffled.count, depth);
+        different += different_pixels(image, right);
+    }
+    printf("bust   100 shuffled orders          %6zu pixels different\n", different);
+    list_free(&shuffled);
+}
+
+/* Pictures of the attempts that look wrong from afar. */
+static bool draw_attempts(const struct model *model, const char *directory, double *depth,
+                          void *buffer, struct error *error) {
+    static const struct version shown[] = {
+        {"cleared_to_0", attempt_4_cleared_to_0},
+        {"farthest", attempt_5_farthest},
+    };
+    struct image image = {0};
+    struct list list = {0}, moved = {0};
+    bool done = image_create(&image, 400, 400, IMAGE_GREY, error) &&
+                list_from_model(&list, model, &image, 0, false, error) &&
+                list_from_model(&moved, model, &image, 0.25, false, error);
+    for (size_t i = 0; done && i < sizeof shown / sizeof shown[0]; i++) {
+        image_clear(&image, color_grey(0));
+        shown[i].draw(&image, list.items, list.count, buffer);
+        done = save(&image, directory, shown[i].name, error);
+    }
+    if (done) { /* a second frame: the image is cleared, the depth is not */
+        struct canvas canvas = {.image = &image, .depth = depth};
+        draw_right(&image, list.items, list.count, depth);
+        image_clear(&image, color_grey(0));
+        for (size_t i = 0; i < moved.count; i++) {
+            triangle(&canvas, moved.items[i].v, moved.items[i].color);
+        }
+        done = save(&image, directory, "not_cleared", error);
+    }
+    list_free(&list);
+    list_free(&moved);
+    image_free(&image);
+    return done;
+}
+
+static bool draw_bust(const char *directory, double *depth, void *buffer, struct error *error) {
+    struct model model = {0};
+    struct list list = {0};
+    struct image right = {0}, image = {0};
+    bool done = model_read(&model, COURSE_BUILD "/models/bust.obj", error) &&
+                image_create(&right, 800, 800, IMAGE_BGR, error) &&
+                image_create(&image, 800, 800, IMAGE_BGR, error) &&
+                list_from_model(&list, &model, &image, 0, true, error);
+    if (done) {
+        print_wrong_pixels(&list, &right, &image, depth, buffer);
+        print_shuffled(&list, &right, &image, depth);
+        done = draw_attempts(&model, directory, depth, buffer, error);
+    }
+    list_free(&list);
+    model_free(&model);
+    image_free(&right);
+    image_free(&image);
+    return done;
+}
+
+/* ---- Three bars in a circle ---- */
+
+static struct vertex place(double x, double y, double depth) {
+    struct vertex v = {.depth = depth};
+    screen_snap((struct vec2){x, y}, &v.position); /* always within the limit here */
+    return v;
+}
+
+/* Three long triangles, each over the next: the thick end is near, the point is far. */
+static void make_circle(struct drawn bars[3]) {
+    static const struct vec2 corner[3] = {{-70, -10}, {-70, -70}, {130, -45}};
+    static const double depth[3] = {0.5, 0.5, -0.5};
+    static const double cosine[3] = {1, -0.5, -0.5};
+    static const double sine[3] = {0, 0.8660254037844386, -0.8660254037844386};
+    const struct color color[3] = {color_rgb(220, 60, 50), color_rgb(60, 170, 70),
+                                   color_rgb(60, 90, 220)};
+    for (int i = 0; i < 3; i++) {
+        for (int k = 0; k < 3; k++) {
+            struct vec2 c = corner[k];
+            bars[i].v[k] = place(118 + c.x * cosine[i] - c.y * sine[i],
+                                 105 + c.x * sine[i] + c.y * cosine[i], depth[k]);
+        }
+        bars[i].color = color[i];
+    }
+}
+
+/* Copy `from` into `to`, its left side at column x. */
+static void paste(struct image *to, const struct image *from, int left, int bottom) {
+    for (int y = 0; y < (int)from->height; y++) {
+        for (int x = 0; x < (int)from->width; x++) {
+            image_set(to, left + x, bottom + y, image_get(from, x, y));
+        }
+    }
+}
+
+/* ---- Small things on a large floor ---- */
+
+enum { FLOOR_TREES = 6, FLOOR_COUNT = FLOOR_TREES + 2 };
+
+/* A floor seen from obliquely above, of two triangles: its depth falls from 0.9 at the bottom of
+ * the picture to -0.9 at the top. The trees stand on it upright: one depth each. */
+static void make_floor(struct drawn list[FLOOR_COUNT]) {
+    static const struct vec2 foot[FLOOR_TREES] = {{60, 150}, {130, 120}, {205, 140},
+                                                  {170, 85}, {90, 60},   {220, 40}};
+    const struct vertex a = place(10, 10, 0.9), b = place(250, 10, 0.9);
+    const struct vertex c = place(250, 190, -0.9), d = place(10, 190, -0.9);
+    list[0] = (struct drawn){{a, b, c}, color_rgb(170, 140, 100)};
+    list[1] = (struct drawn){{a, c, d}, color_rgb(190, 160, 120)};
+    for (int i = 0; i < FLOOR_TREES; i++) {
+        double depth = 0.9 - 1.8 * (foot[i].y - 10) / 180;
+        list[i + 2] = (struct drawn){{place(foot[i].x - 16, foot[i].y, depth),
+                                      place(foot[i].x + 16, foot[i].y, depth),
+                                      place(foot[i].x, foot[i].y + 55, depth)},
+                                     color_rgb(30, (uint8_t)(110 + 20 * i), 60)};
+    }
+}
+
+/* ---- Large triangles: from left to right with a depth buffer, by the painter, by mean depth ----
+ */
+
+static bool draw_large(const char *name, const struct drawn *list, size_t count,
+                       const char *directory, double *depth, void *buffer, struct error *error) {
+    enum { WIDTH = 260, HEIGHT = 250 };
+    struct image right = {0}, wrong = {0}, all = {0};
+    bool done = image_create(&right, WIDTH, HEIGHT, IMAGE_BGR, error) &&
+                image_create(&wrong, WIDTH, HEIGHT, IMAGE_BGR, error) &&
+                image_create(&all, 3 * WIDTH, HEIGHT, IMAGE_BGR, error);
+    if (done) {
+        draw_right(&right, list, count, depth);
+        paste(&all, &right, 0, 0);
+        for (int i = 1; i <= 2; i++) { /* attempts 2 and 3 */
+            image_clear(&wrong, color_grey(0));
+            versions[i].draw(&wrong, list, count, buffer);
+            printf("%-6s %-28s %6zu pixels wrong\n", name, versions[i].name,
+                   different_pixels(&right, &wrong));
+            paste(&all, &wrong, i * WIDTH, 0);
+        }
+        done = save(&all, directory, name, error);
+    }
+    image_free(&right);
+    image_free(&wrong);
+    image_free(&all);
+    return done;
+}
+
+static bool draw_circle_and_floor(const char *directory, double *depth, void *buffer,
+                                  struct error *error) {
+    struct drawn bars[3], floor_list[FLOOR_COUNT];
+    make_circle(bars);
+    make_floor(floor_list);
+    return draw_large("circle", bars, 3, directory, depth, buffer, error) &&
+           draw_large("floor", floor_list, FLOOR_COUNT, directory, depth, buffer, error);
+}
+
+/* ---- Two sheets close to each other ---- */
+
+enum { SHEETS_WIDTH = 560, SHEETS_HEIGHT = 40 };
+
+/* A blue sheet, and an orange one before it: nearer by 0 at the left end and by 1e-4 at the right
+ * one. Both rise by 0.1 from bottom to top. The blue one comes first. */
+static void make_sheets(struct drawn list[4]) {
+    const double w = SHEETS_WIDTH, h = SHEETS_HEIGHT, low = 0.3, high = 0.4, gap = 1e-4;
+    const struct color blue = color_rgb(70, 100, 190), orange = color_rgb(255, 150, 30);
+    const struct vertex back[4] = {place(0, 0, low), place(w, 0, low), place(w, h, high),
+                                   place(0, h, high)};
+    const struct vertex front[4] = {place(0, 0, low), place(w, 0, low + gap),
+                                    place(w, h, high + gap), place(0, h, high)};
+    list[0] = (struct drawn){{back[0], back[1], back[2]}, blue};
+    list[1] = (struct drawn){{back[0], back[2], back[3]}, blue};
+    list[2] = (struct drawn){{front[0], front[1], front[2]}, orange};
+    list[3] = (struct drawn){{front[0], front[2], front[3]}, orange};
+}
+
+static bool draw_sheets(const char *directory, double *depth, void *buffer, struct error *error) {
+    enum { FIRST = 5, STRIPS = 7, STEP = SHEETS_HEIGHT + 6 };
+    struct drawn list[4];
+    struct image strip = {0}, right = {0}, all = {0};
+    bool done = image_create(&strip, SHEETS_WIDTH, SHEETS_HEIGHT, IMAGE_BGR, error) &&
+                image_create(&right, SHEETS_WIDTH, SHEETS_HEIGHT, IMAGE_BGR, error) &&
+                image_create(&all, SHEETS_WIDTH, STRIPS * STEP - 6, IMAGE_BGR, error);
+    make_sheets(list);
+    if (done) {
+        image_clear(&all, color_grey(255));
+        image_clear(&right, list[2].color); /* the orange sheet is nowhere behind the blue one */
+        for (int i = 0; i < STRIPS; i++) {
+            bool last = i == STRIPS - 1;
+            image_clear(&strip, color_grey(0));
+            if (last) {
+                draw_right(&strip, list, 4, depth);
+            } else {
+                versions[FIRST + i].draw(&strip, list, 4, buffer);
+            }
+            printf("sheets %-28s %6zu pixels wrong\n",
+                   last ? "double (main.c)" : versions[FIRST + i].name,
+                   different_pixels(&strip, &right));
+            paste(&all, &strip, 0, (STRIPS - 1 - i) * STEP);
+        }
+        done = save(&all, directory, "sheets", error);
+    }
+    image_free(&strip);
+    image_free(&right);
+    image_free(&all);
+    return done;
+}
+
+/* ---- One dimension, step by step ---- */
+
+/* The row of colours after one, two and three segments, and after three in the opposite order. */
+static bool draw_row_steps(const char *directory, double *depth, struct error *error) {
+    static const struct segment segments[] = {
+        {{20, 34}, {744, 400}, {.r = 255, .a = 255}},
+        {{120, 434}, {444, 400}, {.g = 255, .a = 255}},
+        {{330, 463}, {594, 200}, {.b = 255, .a = 255}},
+    };
+    static const int order[4][3] = {{0}, {0, 1}, {0, 1, 2}, {2, 1, 0}};
+    static const int length[4] = {1, 2, 3, 3};
+    struct color row[800];
+    struct image image;
+    if (!image_create(&image, 800, 4 * 36 - 8, IMAGE_BGR, error)) {
+        return false;
+    }
+    for (int i = 0; i < 4; i++) {
+        clear_depth(depth, 800);
+        memset(row, 0, sizeof row);
+        for (int k = 0; k < length[i]; k++) {
+            draw_segment(&segments[order[i][k]], row, depth, 800);
+        }
+        draw_strip(&image, row, (3 - i) * 36, 28);
+    }
+    bool done = save(&image, directory, "row_steps", error);
+    image_free(&image);
+    return done;
+}
+
+int main(int argc, char **argv) {
+    struct error error = {0};
+    if (argc != 2) {
+        fprintf(stderr, "usage: figures OUTDIR\n");
+        return 2;
+    }
+    double *depth = malloc(800 * 800 * sizeof *depth);
+    void *buffer = malloc(800 * 800 * sizeof(uint32_t));
+    bool done = depth != NULL && buffer != NULL;
+    done = done ? draw_row_steps(argv[1], depth, &error) &&
+                      draw_bust(argv[1], depth, buffer, &error) &&
+                      draw_circle_and_floor(argv[1], depth, buffer, &error) &&
+                      draw_sheets(argv[1], depth, buffer, &error)
+                : error_set(&error, "out of memory");
+    free(depth);
+    free(buffer);
+    if (!done) {
+        fprintf(stderr, "figures: %s\n", error.message);
+        return 1;
+    }
+    return 0;
+}

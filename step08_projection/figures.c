@@ -1,0 +1,462 @@
+/*
+ * Step 8: the pictures of the lesson that are not references, and its numbers.
+ *
+ *     figures DIR    writes DIR/NAME.png and prints the errors of the attempts
+ */
+#define main step_main
+int step_main(int argc, char **argv);
+#include "main.c"
+#undef main
+
+#include "attempts.h"
+#include "png.h"
+
+#include <stdio.h>
+
+#ifndef COURSE_BUILD
+#define COURSE_BUILD "build"
+#endif
+
+enum { GAP = 6, GAP_LEVEL = 255 }; /* white between the panels of a figure */
+enum { SIDE = 260, SMALL_SIDE = 200 };
+
+/* ---- Figures of several panels ---- */
+
+/* A figure that is filled panel by panel, from the top left. */
+struct figure {
+    struct image image, panel; /* draw into `panel`, then call figure_add() */
+    size_t columns, count;
+};
+
+static bool figure_create(struct figure *figure, size_t side, size_t columns, size_t rows,
+                          struct error *error) {
+    *figure = (struct figure){.columns = columns};
+    if (!image_create(&figure->image, columns * (side + GAP) - GAP, rows * (side + GAP) - GAP,
+                      IMAGE_BGR, error) ||
+        !image_create(&figure->panel, side, side, IMAGE_BGR, error)) {
+        image_free(&figure->image);
+        return false;
+    }
+    image_clear(&figure->image, color_grey(GAP_LEVEL));
+    return true;
+}
+
+static void figure_free(struct figure *figure) {
+    image_free(&figure->image);
+    image_free(&figure->panel);
+}
+
+static void figure_add(struct figure *figure) {
+    size_t side = figure->panel.width;
+    size_t left = figure->count % figure->columns * (side + GAP);
+    size_t bottom = figure->image.height - side - figure->count / figure->columns * (side + GAP);
+    for (size_t y = 0; y < side; y++) {
+        for (size_t x = 0; x < side; x++) {
+            image_set(&figure->image, (int)(left + x), (int)(bottom + y),
+                      image_get(&figure->panel, (int)x, (int)y));
+        }
+    }
+    image_clear(&figure->panel, color_grey(0));
+    figure->count++;
+}
+
+static bool figure_save(struct figure *figure, const char *directory, const char *name,
+                        struct error *error) {
+    char path[1024];
+    if (snprintf(path, sizeof path, "%s/%s.png", directory, name) >= (int)sizeof path) {
+        return error_set(error, "the directory's name is too long");
+    }
+    return png_write(&figure->image, path, error);
+}
+
+/* ---- Cameras ---- */
+
+struct camera {
+    struct vec3 eye, center, up;
+};
+
+static const struct camera front = {{0, 0, 2}, {0, 0, 0}, {0, 1, 0}};
+static const struct camera side = {{1, 1, 2}, {0, 0, 0}, {0, 1, 0}};
+static const struct camera close_up = {{0.03, 0.47, 0.46}, {0.03, -0.3, 0.4}, {0, 0, 1}};
+
+static double camera_distance(const struct camera *c) {
+    return vec3_length(vec3_sub(c->eye, c->center));
+}
+
+static struct mat4 camera_frame(const struct camera *c) {
+    return lookat(c->eye, c->center, c->up);
+}
+
+static struct mat4 camera_clip(const struct camera *c) {
+    return mat4_mul(projection(camera_distance(c)), camera_frame(c));
+}
+
+/* Draw the model into the whole image. */
+static void draw_with(struct drawing *drawing, struct image *image, struct mat4 to_clip,
+                      attempt_draw *draw) {
+    struct canvas canvas = make_canvas(drawing, image, whole_image(image));
+    begin_picture(drawing, image);
+    draw(drawing, &canvas, &to_clip);
+}
+
+/* ---- The figures with the model ---- */
+
+/* The same head from three distances, and from infinitely far away. */
+static bool draw_distances(struct drawing *drawing, const char *directory, struct error *error) {
+    static const double distances[4] = {1, 2, 4, INFINITY};
+    struct figure figure;
+    if (!figure_create(&figure, SMALL_SIDE, 4, 1, error)) {
+        return false;
+    }
+    for (int i = 0; i < 4; i++) {
+        draw_with(drawing, &figure.panel, mat4_mul(projection(distances[i]), camera_frame(&front)),
+                  draw_model);
+        figure_add(&figure);
+    }
+    bool done = figure_save(&figure, directory, "distances", error);
+    figure_free(&figure);
+    return done;
+}
+
+static bool draw_clipping(struct drawing *drawing, const char *directory, struct error *error) {
+    static attempt_draw *const draws[] = {attempt_6_unclipped, attempt_7_left_out, draw_model};
+    struct figure figure;
+    if (!figure_create(&figure, SIDE, 3, 1, error)) {
+        return false;
+    }
+    for (int i = 0; i < 3; i++) {
+        draw_with(drawing, &figure.panel, camera_clip(&close_up), draws[i]);
+        figure_add(&figure);
+    }
+    bool done = figure_save(&figure, directory, "clipping", error);
+    figure_free(&figure);
+    return done;
+}
+
+/* Left the attempt, right the lesson's camera. */
+static bool draw_frames(struct drawing *drawing, const char *directory, const char *name,
+                        const struct camera *c, attempt_lookat *attempt, struct error *error) {
+    struct figure figure;
+    if (!figure_create(&figure, SIDE, 2, 1, error)) {
+        return false;
+    }
+    struct mat4 perspective = projection(camera_distance(c));
+    draw_with(drawing, &figure.panel, mat4_mul(perspective, attempt(c->eye, c->center, c->up)),
+              draw_model);
+    figure_add(&figure);
+    draw_with(drawing, &figure.panel, camera_clip(c), draw_model);
+    figure_add(&figure);
+    bool done = figure_save(&figure, directory, name, error);
+    figure_free(&figure);
+    return done;
+}
+
+/* The wrong pictures of the table in the lesson, six panels, all from the camera `side`. */
+static struct mat4 wrong_clip(int panel) {
+    struct mat4 perspective = projection(camera_distance(&side)), frame = camera_frame(&side);
+    struct mat4 flip = mat4_identity();
+    switch (panel) {
+    case 0: /* not divided by w */
+        return frame;
+    case 1: /* the two matrices in the wrong order */
+        return mat4_mul(frame, perspective);
+    case 2: /* x = z cross up */
+        flip = mat4_scaling((struct vec3){-1, -1, 1});
+        return mat4_mul(perspective, mat4_mul(flip, frame));
+    case 3: /* rows and columns exchanged: the camera's axes stand in the columns */
+        return mat4_mul(perspective, mat4_transpose(frame));
+    case 4: /* the depth's sign */
+        flip = mat4_scaling((struct vec3){1, 1, -1});
+        return mat4_mul(flip, mat4_mul(perspective, frame));
+    default: /* the eye becomes the origin, not the center */
+        return mat4_mul(perspective, mat4_mul(frame, mat4_translation(vec3_scale(side.eye, -0.5))));
+    }
+}
+
+static bool draw_wrong(struct drawing *drawing, const char *directory, struct error *error) {
+    static const char *const names[] = {"wrong_undivided",  "wrong_order", "wrong_x",
+                                        "wrong_transposed", "wrong_depth", "wrong_origin"};
+    bool done = true;
+    for (int i = 0; done && i < 6; i++) {
+        struct figure figure;
+        if (!figure_create(&figure, SMALL_SIDE, 1, 1, error)) {
+            return false;
+        }
+        draw_with(drawing, &figure.panel, wrong_clip(i), draw_model);
+        figure_add(&figure);
+        done = figure_save(&figure, directory, names[i], error);
+        figure_free(&figure);
+    }
+    return done;
+}
+
+/* ---- Affine: a wall that goes away from the viewer ---- */
+
+enum { TILES = 8, TILE = 16 }; /* of its texture, in texels */
+
+static bool make_tiles(struct texture *texture, struct error *error) {
+    struct image image;
+    if (!image_create(&image, TILES * TILE, TILES * TILE, IMAGE_BGR, error)) {
+        return false;
+    }
+    for (int y = 0; y < TILES * TILE; y++) {
+        for (int x = 0; x < TILES * TILE; x++) {
+            bool light = (x / TILE + y / TILE) % 2 == 0;
+            image_set(&image, x, y, light ? color_rgb(235, 225, 200) : color_rgb(40, 95, 130));
+        }
+    }
+    bool done = texture_create(texture, &image, error);
+    image_free(&image);
+    return done;
+}
+
+static void draw_wall(struct canvas *canvas, const struct mat4 *to_clip, bool affine) {
+    static const struct vec3 corners[4] = {
+        {-0.9, -0.45, 1.1}, {0.9, -0.45, -2}, {0.9, 0.45, -2}, {-0.9, 0.45, 1.1}};
+    static const struct vec2 uv[4] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+    struct vertex v[4];
+    for (int i = 0; i < 4; i++) {
+        if (!place(mat4_point(to_clip, corners[i]), &canvas->to_screen, &v[i])) {
+            return;
+        }
+        v[i].uv = uv[i];
+        v[i].intensity = 1;
+        v[i].recip_w = affine ? 1 : v[i].recip_w;
+    }
+    const struct vertex halves[2][3] = {{v[0], v[1], v[2]}, {v[0], v[2], v[3]}};
+    for (int i = 0; i < 2; i++) {
+        struct edges edges;
+        if (edges_setup(&edges, halves[i][0].position, halves[i][1].position, halves[i][2].position,
+                        canvas->image->width, canvas->image->height)) {
+            triangle(canvas, &edges, halves[i]);
+        }
+    }
+}
+
+static bool draw_affine(const struct drawing *drawing, const char *directory, struct error *error) {
+    struct texture tiles = {0};
+    struct figure figure = {0};
+    bool done = make_tiles(&tiles, error) && figure_create(&figure, SIDE, 2, 1, error);
+    struct mat4 to_clip = camera_clip(&front);
+    for (int i = 0; done && i < 2; i++) {
+        struct canvas canvas = make_canvas(drawing, &figure.panel, whole_image(&figure.panel));
+        canvas.texture = &tiles;
+        clear_depth(canvas.depth, figure.panel.width * figure.panel.height);
+        draw_wall(&canvas, &to_clip, i == 0);
+        figure_add(&figure);
+    }
+    done = done && figure_save(&figure, directory, "affine", error);
+    figure_free(&figure);
+    texture_free(&tiles);
+    return done;
+}
+
+/* ---- Normals of a circle that is made an ellipse ---- */
+
+static void draw_normals_of(struct image *image, attempt_normal *normal_of) {
+    enum { SEGMENTS = 96, NORMALS = 24 };
+    const struct area area = whole_image(image);
+    const struct mat4 map = mat4_scaling((struct vec3){1.4, 0.5, 1});
+    const struct mat4 to_screen =
+        mat4_mul(viewport(image->width, image->height), mat4_scaling((struct vec3){0.5, 0.5, 1}));
+    for (int i = 0; i < SEGMENTS; i++) {
+        struct vec2 a = turn_direction((double)i / SEGMENTS);
+        struct vec2 b = turn_direction((double)(i + 1) / SEGMENTS);
+        const struct mat4 mapped = mat4_mul(to_screen, map);
+        plane_line(image, &area, &mapped, a, b, color_grey(200));
+    }
+    for (int i = 0; i < NORMALS; i++) {
+        struct vec2 n = turn_direction((double)i / NORMALS); /* the point and the normal there */
+        struct vec4 p = mat4_point(&map, (struct vec3){n.x, n.y, 0});
+        struct vec3 normal = vec3_scale(normal_of(&map, (struct vec3){n.x, n.y, 0}), 0.4);
+        plane_line(image, &area, &to_screen, (struct vec2){p.x, p.y},
+                   (struct vec2){p.x + normal.x, p.y + normal.y}, color_rgb(255, 170, 60));
+    }
+}
+
+static bool draw_normals(const char *directory, struct error *error) {
+    struct figure figure;
+    if (!figure_create(&figure, SIDE, 2, 1, error)) {
+        return false;
+    }
+    draw_normals_of(&figure.panel, attempt_10_same_matrix);
+    figure_add(&figure);
+    draw_normals_of(&figure.panel, attempt_11_inverse_transpose);
+    figure_add(&figure);
+    bool done = figure_save(&figure, directory, "normals", error);
+    figure_free(&figure);
+    return done;
+}
+
+/* ---- Numbers ---- */
+
+static struct vec3 position_of(const struct model *model, size_t i) {
+    const float *p = model->positions[i];
+    return (struct vec3){p[0], p[1], p[2]};
+}
+
+/* The greatest error in 1/256 pixel, and how many corners are snapped to another place than the exact
+ * ones. Where long double has no more bits than double the second version looks exact. */
+static void print_chain(const struct model *model, const char *scene, const struct camera *c,
+                        const char *name, attempt_chain *chain) {
+    const struct mat4 to_clip = camera_clip(c), to_screen = viewport(800, 800);
+    double worst = 0;
+    size_t seen = 0, elsewhere = 0;
+    for (size_t i = 0; i < model->position_count; i++) {
+        struct vec3 p = position_of(model, i);
+        if (find_beyond(mat4_point(&to_clip, p)) != 0) {
+            continue;
+        }
+        long double exact[2];
+        struct fixed2 a = {0, 0}, b = {0, 0};
+        struct vec2 screen = chain(&to_clip, &to_screen, p);
+        attempt_exact(&to_clip, &to_screen, p, exact);
+        double x = (double)(screen.x - exact[0]), y = (double)(screen.y - exact[1]);
+        double error = fmax(fabs(x), fabs(y)) * SUBPIXELS;
+        worst = error > worst ? error : worst;
+        screen_snap(screen, &a);
+        screen_snap((struct vec2){(double)exact[0], (double)exact[1]}, &b);
+        elsewhere += a.x != b.x || a.y != b.y;
+        seen++;
+    }
+    printf("    %-8s %-8s %10.1e %10zu of %zu\n", scene, name, worst, elsewhere, seen);
+}
+
+/* To the clip space of a matrix, back by its inverse, and to the screen again: how far is the point
+ * from where it was? */
+static void print_inverse(const struct model *model, const char *matrix, struct mat4 to_clip,
+                          const char *name, attempt_inverse *invert) {
+    const struct mat4 to_screen = viewport(800, 800);
+    struct mat4 inverse;
+    if (!invert(to_clip, &inverse)) {
+        printf("    %-16s %-18s   no inverse\n", matrix, name);
+        return;
+    }
+    long double worst = 0;
+    for (size_t i = 0; i < model->position_count; i++) {
+        long double before[2], after[2];
+        struct vec3 p = position_of(model, i);
+        struct vec4 clip = mat4_point(&to_clip, p), back = mat4_apply(&inverse, clip);
+        struct vec3 q = {back.x / back.w, back.y / back.w, back.z / back.w};
+        attempt_exact(&to_clip, &to_screen, p, before);
+        attempt_exact(&to_clip, &to_screen, q, after);
+        for (int k = 0; k < 2; k++) {
+            long double error = after[k] - before[k];
+            error = error < 0 ? -error : error;
+            worst = error > worst ? error : worst;
+        }
+    }
+    printf("    %-16s %-18s %10.1e\n", matrix, name, (double)worst * SUBPIXELS);
+}
+
+/* Flat like a sheet of paper, and leaning: x, y and z are hard to tell apart. */
+static struct mat4 nearly_flat(void) {
+    struct mat4 flat = mat4_identity();
+    for (int row = 0; row < 3; row++) {
+        for (int column = 0; column < 3; column++) {
+            flat.m[row][column] = (row == column ? 1e-5 : 0) + 1.0 / (1 + row + column);
+        }
+    }
+    flat.m[2][0] = flat.m[0][0] + flat.m[1][0] + 1e-6;
+    flat.m[2][1] = flat.m[0][1] + flat.m[1][1];
+    flat.m[2][2] = flat.m[0][2] + flat.m[1][2];
+    return flat;
+}
+
+/* A model in very small units: the determinant is 1e-360, less than any double. */
+static struct mat4 tiny_units(void) {
+    struct mat4 tiny = mat4_scaling((struct vec3){1e-90, 1e-90, 1e-90});
+    tiny.m[3][3] = 1e-90;
+    return tiny;
+}
+
+static void print_numbers(const struct drawing *drawing) {
+    const struct model *model = drawing->model;
+    const struct {
+        const char *name;
+        attempt_inverse *invert;
+    } inverses[] = {{"cofactors, float", attempt_4_cofactors_float},
+                    {"cofactors, double", attempt_3_cofactors},
+                    {"mat4_inverse()", mat4_inverse}};
+    printf("step08_projection: where the model's corners lie on 800x800 pixels\n");
+    printf("    scene    version   1/256 px  snapped elsewhere\n");
+    print_chain(model, "lookat", &side, "float", attempt_1_float);
+    print_chain(model, "lookat", &side, "double", attempt_2_double);
+    print_chain(model, "closeup", &close_up, "float", attempt_1_float);
+    print_chain(model, "closeup", &close_up, "double", attempt_2_double);
+    printf("step08_projection: there and back by the inverse\n");
+    printf("    matrix           version              1/256 px\n");
+    for (size_t i = 0; i < 3; i++) {
+        print_inverse(model, "camera of lookat", camera_clip(&side), inverses[i].name,
+                      inverses[i].invert);
+        print_inverse(model, "nearly flat", nearly_flat(), inverses[i].name, inverses[i].invert);
+        print_inverse(model, "tiny units", tiny_units(), inverses[i].name, inverses[i].invert);
+    }
+}
+
+/* Pixels that differ from the lesson's picture. */
+static bool print_picture(struct drawing *drawing, const char *scene, const struct camera *c,
+                          const char *name, attempt_draw *draw, struct error *error) {
+    struct image right = {0}, image = {0};
+    bool done = image_create(&right, 800, 800, IMAGE_BGR, error) &&
+                image_create(&image, 800, 800, IMAGE_BGR, error);
+    size_t wrong = 0, missing = 0;
+    if (done) {
+        draw_with(drawing, &right, camera_clip(c), draw_model);
+        draw_with(drawing, &image, camera_clip(c), draw);
+        for (size_t i = 0; i < right.width * right.height; i++) {
+            const uint8_t *a = right.pixels + 3 * i, *b = image.pixels + 3 * i;
+            bool different = a[0] != b[0] || a[1] != b[1] || a[2] != b[2];
+            wrong += different;
+            missing += different && b[0] == 0 && b[1] == 0 && b[2] == 0;
+        }
+        printf("    %-8s %-10s %10zu %10zu\n", scene, name, wrong, missing);
+    }
+    image_free(&right);
+    image_free(&image);
+    return done;
+}
+
+static bool print_pictures(struct drawing *drawing, struct error *error) {
+    printf("step08_projection: pixels that differ from the lesson's picture\n");
+    printf("    scene    version         wrong    missing\n");
+    return print_picture(drawing, "lookat", &side, "affine", attempt_5_affine, error) &&
+           print_picture(drawing, "closeup", &close_up, "affine", attempt_5_affine, error) &&
+           print_picture(drawing, "closeup", &close_up, "unclipped", attempt_6_unclipped, error) &&
+           print_picture(drawing, "closeup", &close_up, "left out", attempt_7_left_out, error);
+}
+
+/* ---- The program ---- */
+
+static bool draw_all(struct drawing *drawing, const char *directory, struct error *error) {
+    static const struct camera off_center = {{1, 1.3, 2}, {0.1, 0.3, 0.2}, {0, 1, 0}};
+    static const struct camera above = {{0, 2, 0}, {0, 0, 0}, {0, 1, 0}};
+    return draw_distances(drawing, directory, error) && draw_affine(drawing, directory, error) &&
+           draw_clipping(drawing, directory, error) &&
+           draw_frames(drawing, directory, "unrotated", &off_center, attempt_8_unrotated, error) &&
+           draw_frames(drawing, directory, "careless", &above, attempt_9_careless, error) &&
+           draw_normals(directory, error) && draw_wrong(drawing, directory, error);
+}
+
+int main(int argc, char **argv) {
+    struct error error = {0};
+    struct model model = {0};
+    struct state state = {0};
+    struct drawing drawing = {.model = &model, .light = {1, 1, 2}, .skip = true, .state = &state};
+    if (argc != 2) {
+        fprintf(stderr, "usage: figures DIR\n");
+        return 2;
+    }
+    bool done = model_read(&model, COURSE_BUILD "/models/bust.obj", &error) &&
+                prepare(&drawing, 800, 800, &error);
+    if (done) {
+        print_numbers(&drawing);
+        done = print_pictures(&drawing, &error) && draw_all(&drawing, argv[1], &error);
+    }
+    if (!done) {
+        fprintf(stderr, "figures: %s\n", error.message);
+    }
+    finish(&drawing);
+    model_free(&model);
+    return done ? 0 : 1;
+}
