@@ -63,9 +63,12 @@ static inline double attempt_mean_depth(const struct drawn *d) {
     return (d->v[0].depth + d->v[1].depth + d->v[2].depth) / 3;
 }
 
+/* At equal depth the one farther to the left comes first, so that qsort() has no choice. */
 static inline int attempt_compare_depths(const void *a, const void *b) {
     double x = attempt_mean_depth(a), y = attempt_mean_depth(b);
-    return (x > y) - (x < y);
+    int32_t a_left = ((const struct drawn *)a)->v[0].position.x;
+    int32_t b_left = ((const struct drawn *)b)->v[0].position.x;
+    return x != y ? (x > y) - (x < y) : (a_left > b_left) - (a_left < b_left);
 }
 
 /* Attempt 2: painter's order: sorted by mean depth, the farthest first. The list is changed.

@@ -152,11 +152,19 @@ typedef void attempt_draw(struct drawing *drawing, struct canvas *canvas,
 
 /* The corners of a face as transform_positions() left them. */
 static inline void attempt_corners(const struct drawing *drawing, size_t face,
-                                   const struct position *corner[3]) {
+                                   struct position *corner[3]) {
     const struct state *state = drawing->state;
     for (int i = 0; i < 3; i++) {
         corner[i] = &state->positions[drawing->model->faces[face].corner[i].position];
     }
+}
+
+/* Whether the whole face lies in front of the near plane and within the guard band. */
+static inline bool attempt_placed(struct position *const corner[3], const struct canvas *canvas) {
+    unsigned beyond = corner[0]->beyond | corner[1]->beyond | corner[2]->beyond;
+    return (beyond & (BEYOND_NEAR | BEYOND_GUARD_BAND)) == 0 &&
+           place_once(corner[0], &canvas->to_screen) && place_once(corner[1], &canvas->to_screen) &&
+           place_once(corner[2], &canvas->to_screen);
 }
 
 /* Draw a whole face, without a thought of what lies behind the camera. */
@@ -173,11 +181,11 @@ static inline void attempt_whole(struct drawing *drawing, struct canvas *canvas,
  * (Faces that cross the near plane are left out.) */
 static inline void attempt_5_affine(struct drawing *drawing, struct canvas *canvas,
                                     const struct mat4 *to_clip) {
-    transform_positions(drawing, to_clip, &canvas->to_screen);
+    transform_positions(drawing, to_clip);
     for (size_t i = 0; i < drawing->model->face_count; i++) {
-        const struct position *corner[3];
+        struct position *corner[3];
         attempt_corners(drawing, i, corner);
-        if (corner[0]->placed && corner[1]->placed && corner[2]->placed) {
+        if (attempt_placed(corner, canvas)) {
             struct vertex v[3] = {corner[0]->vertex, corner[1]->vertex, corner[2]->vertex};
             v[0].recip_w = v[1].recip_w = v[2].recip_w = 1;
             attempt_whole(drawing, canvas, i, v);
@@ -189,9 +197,9 @@ static inline void attempt_5_affine(struct drawing *drawing, struct canvas *canv
  * upside down, and a face with one such corner covers the wrong side of the picture. */
 static inline void attempt_6_unclipped(struct drawing *drawing, struct canvas *canvas,
                                        const struct mat4 *to_clip) {
-    transform_positions(drawing, to_clip, &canvas->to_screen);
+    transform_positions(drawing, to_clip);
     for (size_t i = 0; i < drawing->model->face_count; i++) {
-        const struct position *corner[3];
+        struct position *corner[3];
         struct vertex v[3];
         bool placed = true;
         attempt_corners(drawing, i, corner);
@@ -208,11 +216,11 @@ static inline void attempt_6_unclipped(struct drawing *drawing, struct canvas *c
  * faces pass under the camera. */
 static inline void attempt_7_left_out(struct drawing *drawing, struct canvas *canvas,
                                       const struct mat4 *to_clip) {
-    transform_positions(drawing, to_clip, &canvas->to_screen);
+    transform_positions(drawing, to_clip);
     for (size_t i = 0; i < drawing->model->face_count; i++) {
-        const struct position *corner[3];
+        struct position *corner[3];
         attempt_corners(drawing, i, corner);
-        if (corner[0]->placed && corner[1]->placed && corner[2]->placed) {
+        if (attempt_placed(corner, canvas)) {
             struct vertex v[3] = {corner[0]->vertex, corner[1]->vertex, corner[2]->vertex};
             attempt_whole(drawing, canvas, i, v);
         }

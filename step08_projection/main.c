@@ -52,10 +52,16 @@ static struct vec3 half_difference(struct vec3 a, struct vec3 b) {
     return vec3_sub(vec3_scale(a, 0.5), vec3_scale(b, 0.5));
 }
 
+/* Bring a vector that is nearly of length 1 to the last bit or two: one step of Newton's method for
+ * 1 / length. Zero stays zero. */
+static struct vec3 unit_length(struct vec3 a) {
+    return vec3_scale(a, 1.5 - 0.5 * vec3_dot(a, a));
+}
+
 /* The world as the camera sees it: `center` becomes the origin, the direction from there to `eye`
  * becomes z, and `up` appears upwards. The rows are the camera's own axes x, y, z. */
 static struct mat4 lookat(struct vec3 eye, struct vec3 center, struct vec3 up) {
-    struct vec3 z = vec3_normalized(half_difference(eye, center));
+    struct vec3 z = unit_length(vec3_normalized(half_difference(eye, center)));
     if (vec3_dot(z, z) == 0) {
         z = (struct vec3){0, 0, 1};
     }
@@ -65,8 +71,8 @@ static struct mat4 lookat(struct vec3 eye, struct vec3 center, struct vec3 up) {
     }
     x = vec3_normalized(x);
     /* A short cross product has lost digits: make x perpendicular to z once more. */
-    x = vec3_normalized(vec3_sub(x, vec3_scale(z, vec3_dot(x, z))));
-    struct vec3 y = vec3_cross(z, x);
+    x = unit_length(vec3_sub(x, vec3_scale(z, vec3_dot(x, z))));
+    struct vec3 y = unit_length(vec3_cross(z, x));
     return (struct mat4){{{x.x, x.y, x.z, -vec3_dot(x, center)},
                           {y.x, y.y, y.z, -vec3_dot(y, center)},
                           {z.x, z.y, z.z, -vec3_dot(z, center)},
@@ -280,11 +286,11 @@ static bool place(struct vec4 clip, const struct mat4 *to_screen, struct vertex 
            screen_snap((struct vec2){screen.x, screen.y}, &vertex->position);
 }
 
-/* A position of the model, transformed. */
+/* A position of the model, transformed. The last three are for place_once(). */
 struct position {
     struct vec4 clip;
     unsigned beyond;
-    bool placed;          /* the vertex is valid */
+    bool tried, placed;   /* place() was called, and gave a place on the screen */
     struct vertex vertex; /* without intensity and uv */
 };
 
@@ -296,10 +302,8 @@ struct state {
     const struct texture *texture; /* belongs to the model; NULL without texture coordinates */
 };
 
-/* Each position is transformed once, however many faces share it. Only what can be seen or clipped
- * is divided. */
-static void transform_positions(const struct drawing *drawing, const struct mat4 *to_clip,
-                                const struct mat4 *to_screen) {
+/* Each position is transformed once, however many faces share it. */
+static void transform_positions(const struct drawing *drawing, const struct mat4 *to_clip) {
     const struct state *state = drawing->state;
     const struct model *model = drawing->model;
     for (size_t i = 0; i < model->position_count; i++) {
@@ -307,9 +311,18 @@ static void transform_positions(const struct drawing *drawing, const struct mat4
         struct position *position = &state->positions[i];
         position->clip = mat4_point(to_clip, (struct vec3){p[0], p[1], p[2]});
         position->beyond = find_beyond(position->clip);
-        position->placed = (position->beyond & (BEYOND_NEAR | BEYOND_GUARD_BAND)) == 0 &&
-                           place(position->clip, to_screen, &position->vertex);
+        position->tried = position->placed = false;
     }
+}
+
+/* The division by w, when the first face needs this position. False when it has no place on the
+ * screen. */
+static bool place_once(struct position *position, const struct mat4 *to_screen) {
+    if (!position->tried) {
+        position->tried = true;
+        position->placed = place(position->clip, to_screen, &position->vertex);
+    }
+    return position->placed;
 }
 
 /* ---- Faces ---- */
@@ -392,7 +405,7 @@ static void draw_part(struct drawing *drawing, struct canvas *canvas, struct fac
 
 /* Cut a face at all planes and draw what is left as a fan of triangles around its first corner. */
 static void draw_clipped(struct drawing *drawing, struct canvas *canvas, struct face_in_view *face,
-                         const struct position *const corner[3], struct tally *tally) {
+                         struct position *const corner[3], struct tally *tally) {
     struct polygon polygon = {.corner = {{corner[0]->clip, {1, 0, 0}},
                                          {corner[1]->clip, {0, 1, 0}},
                                          {corner[2]->clip, {0, 0, 1}}},
@@ -425,9 +438,9 @@ static void draw_face(struct drawing *drawing, struct canvas *canvas, size_t ind
     static const struct vec3 whole[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     const struct state *state = drawing->state;
     const struct corner *c = drawing->model->faces[index].corner;
-    const struct position *corner[3] = {&state->positions[c[0].position],
-                                        &state->positions[c[1].position],
-                                        &state->positions[c[2].position]};
+    struct position *corner[3] = {&state->positions[c[0].position],
+                                  &state->positions[c[1].position],
+                                  &state->positions[c[2].position]};
     struct face_in_view face = {.index = index};
     unsigned beyond_all = corner[0]->beyond & corner[1]->beyond & corner[2]->beyond;
     unsigned beyond_any = corner[0]->beyond | corner[1]->beyond | corner[2]->beyond;
@@ -435,7 +448,9 @@ static void draw_face(struct drawing *drawing, struct canvas *canvas, size_t ind
         tally->outside++; /* all of it lies beyond one side */
     } else if ((beyond_any & (BEYOND_NEAR | BEYOND_GUARD_BAND)) != 0) {
         draw_clipped(drawing, canvas, &face, corner, tally);
-    } else if (!corner[0]->placed || !corner[1]->placed || !corner[2]->placed) {
+    } else if (!place_once(corner[0], &canvas->to_screen) ||
+               !place_once(corner[1], &canvas->to_screen) ||
+               !place_once(corner[2], &canvas->to_screen)) {
         tally->off_limits++;
     } else {
         struct vertex v[3] = {corner[0]->vertex, corner[1]->vertex, corner[2]->vertex};
@@ -443,15 +458,26 @@ static void draw_face(struct drawing *drawing, struct canvas *canvas, size_t ind
     }
 }
 
+/* How many positions were divided by w. */
+static uint64_t count_tried(const struct drawing *drawing) {
+    const struct state *state = drawing->state;
+    uint64_t tried = 0;
+    for (size_t i = 0; i < drawing->model->position_count; i++) {
+        tried += state->positions[i].tried;
+    }
+    return tried;
+}
+
 /* Draw the model, transformed by to_clip, into the canvas's area. */
 static void draw_model(struct drawing *drawing, struct canvas *canvas, const struct mat4 *to_clip) {
     const struct model *model = drawing->model;
     struct tally tally = {0};
-    transform_positions(drawing, to_clip, &canvas->to_screen);
+    transform_positions(drawing, to_clip);
     for (size_t face = 0; face < model->face_count; face++) {
         draw_face(drawing, canvas, face, &tally);
     }
     count(drawing, "positions_transformed", model->position_count);
+    count(drawing, "positions_divided", count_tried(drawing));
     count(drawing, "faces", model->face_count);
     count(drawing, "faces_outside", tally.outside);
     count(drawing, "faces_clipped", tally.clipped);
