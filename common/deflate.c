@@ -572,13 +572,8 @@ static bool compress_data(struct compressor *c) {
     return write_block(c, c->size, true);
 }
 
-bool zlib_compress(const void *data, size_t size, enum deflate_effort effort, struct bytes *out,
-                   struct error *error) {
+bool zlib_compress(const void *data, size_t size, struct bytes *out, struct error *error) {
     static const uint8_t head[2] = {0x78, 0x9c}; /* deflate, window of 32768, check bits */
-    static const struct search searches[] = {
-        [DEFLATE_NORMAL] = {.chain = 128, .good = 8, .lazy = 16, .nice = 128},
-        [DEFLATE_THOROUGH] = {.chain = 4096, .good = 32, .lazy = 258, .nice = 258},
-    };
     size_t start = out->size;
     struct compressor *c = calloc(1, sizeof *c);
     if (c == NULL || !bytes_append(out, head, sizeof head)) {
@@ -586,7 +581,7 @@ bool zlib_compress(const void *data, size_t size, enum deflate_effort effort, st
     }
     c->data = data;
     c->size = size;
-    c->search = searches[effort];
+    c->search = (struct search){.chain = 128, .good = 8, .lazy = 16, .nice = 128};
     c->out = out;
     if (!compress_data(c) || !bytes_reserve(out, 8)) {
         goto fail;

@@ -15,13 +15,9 @@
 /* Deflate makes at most 258 bytes of 2 bits: no stream grows more than this many times. */
 enum { DEFLATE_RATIO_LIMIT = 1032 };
 
-/* How hard zlib_compress() looks for repetitions. */
-enum deflate_effort { DEFLATE_NORMAL, DEFLATE_THOROUGH };
-
 /* Compress `size` bytes to a zlib stream at the end of `out`. On an error (memory) `out` keeps what
  * it held before. */
-bool zlib_compress(const void *data, size_t size, enum deflate_effort effort, struct bytes *out,
-                   struct error *error);
+bool zlib_compress(const void *data, size_t size, struct bytes *out, struct error *error);
 
 /* Decompress a zlib stream that must give exactly `out_size` bytes. Every code, distance, length
  * and the checksum are checked; bytes after the stream are ignored. On an error `out` is

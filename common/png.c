@@ -610,8 +610,9 @@ static bool has_flat_areas(const struct image *image, const struct rect *rect) {
 }
 
 /* The filtered and compressed pixels of a rectangle, at the end of `out`. */
-static bool compress_pixels(const struct image *image, const struct rect *rect, unsigned filter,
-                            enum deflate_effort effort, struct bytes *out, struct error *error) {
+static bool compress_pixels(const struct image *image, const struct rect *rect, struct bytes *out,
+                            struct error *error) {
+    unsigned filter = has_flat_areas(image, rect) ? FILTER_NONE : FILTER_ADAPTIVE;
     size_t size = rect->width * (size_t)image->format;
     uint8_t *rows = calloc(3, PIXEL_LIMIT + size);
     uint8_t *raw = calloc(rect->height, 1 + size);
@@ -621,7 +622,7 @@ static bool compress_pixels(const struct image *image, const struct rect *rect, 
         goto end;
     }
     filter_rows(image, rect, filter, rows, rows + 2 * (PIXEL_LIMIT + size), raw);
-    done = zlib_compress(raw, rect->height * (1 + size), effort, out, error);
+    done = zlib_compress(raw, rect->height * (1 + size), out, error);
 end:
     free(rows);
     free(raw);
@@ -652,8 +653,7 @@ bool png_encode(const struct image *image, struct bytes *out, struct error *erro
         return error_set(error, "an empty image cannot be written");
     }
     struct rect rect = whole(image);
-    unsigned filter = has_flat_areas(image, &rect) ? FILTER_NONE : FILTER_ADAPTIVE;
-    if (!compress_pixels(image, &rect, filter, DEFLATE_NORMAL, &compressed, error)) {
+    if (!compress_pixels(image, &rect, &compressed, error)) {
         goto fail;
     }
     if (!bytes_append(out, png_signature, sizeof png_signature) || !append_header(out, image) ||
@@ -731,24 +731,6 @@ static bool append_frame_control(struct bytes *out, uint32_t sequence, const str
     return append_chunk(out, "fcTL", control, sizeof control, NULL, 0);
 }
 
-/* The smallest of what all choices of filters give: an animation has many small frames, and is
- * shown more often than made. */
-static bool compress_well(const struct image *frame, const struct rect *rect, struct bytes *best,
-                          struct error *error) {
-    for (unsigned filter = FILTER_NONE; filter <= FILTER_ADAPTIVE; filter++) {
-        struct bytes pixels = {0};
-        if (!compress_pixels(frame, rect, filter, DEFLATE_THOROUGH, &pixels, error)) {
-            bytes_free(&pixels);
-            bytes_free(best);
-            return false;
-        }
-        bool better = best->size == 0 || pixels.size < best->size;
-        bytes_free(better ? best : &pixels);
-        *best = better ? pixels : *best;
-    }
-    return true;
-}
-
 /* Frame `index` as fcTL and pixels. The chunks before it took the sequence numbers 0, 1, 3, 5... */
 static bool append_frame(const struct image *frames, size_t index, unsigned delay_ms,
                          struct bytes *out, struct error *error) {
@@ -757,7 +739,7 @@ static bool append_frame(const struct image *frames, size_t index, unsigned dela
     uint32_t sequence = index == 0 ? 0 : (uint32_t)(2 * index - 1);
     struct bytes pixels = {0};
     uint8_t number[4];
-    if (!compress_well(frame, &rect, &pixels, error)) {
+    if (!compress_pixels(frame, &rect, &pixels, error)) {
         return false;
     }
     put_u32(number, sequence + 1);

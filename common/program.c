@@ -332,7 +332,7 @@ static bool make_directories(const char *path, struct error *error) {
     return true;
 }
 
-/* Several frames become one animation (PNG) or one sheet of all frames (the others). */
+/* Several frames become one animation (PNG) or one sheet with all frames (the others). */
 static bool save_as(const char *path, enum file_format format, const struct image *sheet,
                     const struct image *frames, size_t frame_count, struct error *error) {
     switch (format) {
@@ -378,8 +378,7 @@ end:
 
 /* Copy a frame into its place on the sheet, `columns` frames in a row, the first one top left. */
 static void place_frame(struct image *sheet, const struct image *frame, size_t index,
-                        size_t columns) {
-    size_t rows = sheet->height / frame->height;
+                        size_t columns, size_t rows) {
     size_t left = index % columns * frame->width;
     size_t bottom = (rows - 1 - index / columns) * frame->height;
     size_t row_size = frame->width * frame->format;
@@ -389,19 +388,24 @@ static void place_frame(struct image *sheet, const struct image *frame, size_t i
     }
 }
 
-static bool make_sheet(struct image *sheet, const struct image *frames, size_t frame_count,
-                       struct error *error) {
-    size_t columns = 1;
-    while (columns * columns < frame_count) {
-        columns++;
+/* How many frames stand side by side, and how many rows of them there are. */
+static void sheet_layout(size_t frame_count, size_t *columns, size_t *rows) {
+    *columns = 1;
+    while (*columns * *columns < frame_count) {
+        (*columns)++;
     }
-    size_t rows = (frame_count + columns - 1) / columns;
-    if (!image_create(sheet, frames[0].width * columns, frames[0].height * rows, frames[0].format,
-                      error)) {
+    *rows = (frame_count + *columns - 1) / *columns;
+}
+
+static bool make_sheet(struct image *sheet, size_t width, size_t height, const struct image *frames,
+                       size_t frame_count, struct error *error) {
+    size_t columns, rows;
+    sheet_layout(frame_count, &columns, &rows);
+    if (!image_create(sheet, width, height, frames[0].format, error)) {
         return false;
     }
     for (size_t i = 0; i < frame_count; i++) {
-        place_frame(sheet, &frames[i], i, columns);
+        place_frame(sheet, &frames[i], i, columns, rows);
     }
     return true;
 }
@@ -444,13 +448,32 @@ static struct vec3 chosen(const struct vec3_option *option, struct vec3 otherwis
     return option->given ? option->value : otherwise;
 }
 
+/* The image has the size that the scene or -s says. Each frame of an animation has it, too; those of
+ * a sheet share it out. */
+static bool frame_size(const struct scene *scene, const struct options *options, size_t *width,
+                       size_t *height, struct error *error) {
+    size_t columns = 1, rows = 1;
+    if (scene->frames > 1 && options->format != FORMAT_PNG) {
+        sheet_layout(scene->frames, &columns, &rows);
+    }
+    *width /= columns;
+    *height /= rows;
+    return (*width > 0 && *height > 0) ||
+           error_set(error, "scene %s: %zu frames need at least %zux%zu pixels", scene->name,
+                     scene->frames, columns, rows);
+}
+
 static bool draw_scene(const struct program *program, const struct scene *scene,
                        const struct options *options, struct drawing *drawing,
                        struct error *error) {
     size_t frame_count = scene->frames > 1 ? scene->frames : 1;
-    size_t width = options->width > 0 ? options->width : scene->width;
-    size_t height = options->width > 0 ? options->height : scene->height;
+    const size_t sheet_width = options->width > 0 ? options->width : scene->width;
+    const size_t sheet_height = options->width > 0 ? options->height : scene->height;
+    size_t width = sheet_width, height = sheet_height;
     enum image_format format = scene->format != 0 ? scene->format : IMAGE_BGR;
+    if (!frame_size(scene, options, &width, &height, error)) {
+        return false;
+    }
     struct image sheet = {0};
     bool done = false;
     struct image *frames = calloc(frame_count, sizeof *frames);
@@ -478,7 +501,7 @@ static bool draw_scene(const struct program *program, const struct scene *scene,
         program->finish(drawing);
     }
     done = done && (frame_count == 1 || options->format == FORMAT_PNG ||
-                    make_sheet(&sheet, frames, frame_count, error));
+                    make_sheet(&sheet, sheet_width, sheet_height, frames, frame_count, error));
     done = done && save(program, options, scene->name, sheet.pixels != NULL ? &sheet : &frames[0],
                         frames, frame_count, error);
     if (done && options->stats) {

@@ -55,10 +55,10 @@ struct drawing {
 void count(struct drawing *drawing, const char *name, uint64_t amount);
 
 struct scene {
-    const char *name;         /* of the scene and of its image file */
-    size_t width, height;     /* pixels, unless -s says otherwise */
+    const char *name;     /* of the scene and of its image file */
+    size_t width, height; /* of the image, unless -s says otherwise; a sheet's frames share it */
     enum image_format format; /* 0 means IMAGE_BGR */
-    size_t frames;            /* of an animation; 0 and 1 mean a single picture */
+    size_t frames; /* of an animation, drawn as a sheet or, in PNG, moving; 0, 1: one picture */
     bool needs_model;
     struct vec3 eye, center, up; /* the camera, in steps that have one */
     struct vec3 light;           /* in steps that have one */

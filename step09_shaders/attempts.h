@@ -87,18 +87,9 @@ static inline bool attempt_3_shade_at_once(struct pipeline *pipeline, const stru
 
 /* ---- Wrong pictures ---- */
 
-/* Culled by the light and not by the camera, as in steps 4 to 7: what is turned away from the light
- * is not dark, it is not there. */
-static inline bool attempt_4_culled_by_light(const void *uniforms, const double *varyings,
-                                             struct color *color) {
-    (void)uniforms;
-    *color = shade(white, varyings[0]);
-    return varyings[0] > 0;
-}
-
 /* The levels of the normal map taken as coordinates 0..1: no normal ever points left, down or back.
  */
-static inline bool attempt_5_normals_not_shifted(const void *uniforms, const double *varyings,
+static inline bool attempt_4_normals_not_shifted(const void *uniforms, const double *varyings,
                                                  struct color *color) {
     const struct uniforms *u = uniforms;
     struct vec2 uv = {varyings[0], varyings[1]};
@@ -111,7 +102,7 @@ static inline bool attempt_5_normals_not_shifted(const void *uniforms, const dou
 
 /* Blue, green, red taken as x, y, z, in the order in which the file stores them: x and z change
  * places. */
-static inline bool attempt_6_normals_in_file_order(const void *uniforms, const double *varyings,
+static inline bool attempt_5_normals_in_file_order(const void *uniforms, const double *varyings,
                                                    struct color *color) {
     const struct uniforms *u = uniforms;
     struct vec2 uv = {varyings[0], varyings[1]};

@@ -60,7 +60,6 @@ static bool figure_end(struct figure *figure, const char *directory, const char 
 
 /* Left: culled by the camera. Right: by the light, over red, so that holes are seen. */
 static bool draw_culled_by_light(struct model *model, const char *directory, struct error *error) {
-    static const struct shader by_light = {1, flat_vertex, attempt_4_culled_by_light, true};
     struct figure f = {0};
     bool done = figure_begin(&f, model, 2, 0, error);
     if (done) {
@@ -68,15 +67,15 @@ static bool draw_culled_by_light(struct model *model, const char *directory, str
         struct draw_call right = figure_call(&f, 2, 0), wrong = figure_call(&f, 2, 1);
         wrong.cull = CULL_NONE;
         done = pipeline_draw(&f.pipeline, &right, &flat, &f.uniforms, &f.image, error) &&
-               pipeline_draw(&f.pipeline, &wrong, &by_light, &f.uniforms, &f.image, error);
+               pipeline_draw(&f.pipeline, &wrong, &culled_by_light, &f.uniforms, &f.image, error);
     }
     return figure_end(&f, directory, "culled_by_light.png", done, error);
 }
 
 /* Right; levels as 0..1; x and z exchanged. */
 static bool draw_wrong_normals(struct model *model, const char *directory, struct error *error) {
-    static const struct shader not_shifted = {2, uv_vertex, attempt_5_normals_not_shifted, false};
-    static const struct shader file_order = {2, uv_vertex, attempt_6_normals_in_file_order, false};
+    static const struct shader not_shifted = {2, uv_vertex, attempt_4_normals_not_shifted, false};
+    static const struct shader file_order = {2, uv_vertex, attempt_5_normals_in_file_order, false};
     struct figure f = {0};
     bool done = figure_begin(&f, model, 3, NEEDS_DIFFUSE | NEEDS_NORMAL_MAP, error);
     if (done) {

@@ -135,6 +135,16 @@ static void two_sided_vertex(const void *uniforms, size_t face, size_t corner, d
 
 static const struct shader two_sided = {1, two_sided_vertex, white_fragment, false};
 
+/* ---- Culled by the light, as in steps 4 to 7: what gets no light is not drawn at all ---- */
+
+static bool lit_only_fragment(const void *uniforms, const double *varyings, struct color *color) {
+    (void)uniforms;
+    *color = shade(white, varyings[0]);
+    return varyings[0] > 0; /* false discards the pixel */
+}
+
+static const struct shader culled_by_light = {1, flat_vertex, lit_only_fragment, true};
+
 /* ---- Scenes ---- */
 
 struct state {
@@ -246,34 +256,57 @@ static bool draw_normal_map(struct drawing *drawing, struct image *image, struct
     return done;
 }
 
-/* Left: faces turned away from the camera are left out. Right: those turned towards it are. */
+/* Above: without the faces turned away from the camera; without those turned towards it. Below:
+ * with all faces (the same picture as the first, with more work); culled by the light. */
 static bool draw_culling(struct drawing *drawing, struct image *image, struct error *error) {
+    static const enum cull culls[] = {CULL_BACK, CULL_FRONT, CULL_NONE, CULL_NONE};
     struct pipeline *p = begin_frame(drawing);
     struct uniforms u;
     if (!make_uniforms(drawing, 0, (double)image->width / 2, &u, error)) {
         return false;
     }
-    struct draw_call left =
-        call_in_cell(drawing, grid_cell(image->width, image->height, 2, 1, 0, 0), 0.85, CULL_BACK);
-    struct draw_call right =
-        call_in_cell(drawing, grid_cell(image->width, image->height, 2, 1, 1, 0), 0.85, CULL_FRONT);
-    bool done = pipeline_draw(p, &left, &two_sided, &u, image, error) &&
-                pipeline_draw(p, &right, &two_sided, &u, image, error);
+    struct draw_call call[4];
+    for (int i = 0; i < 4; i++) {
+        struct rectangle cell = grid_cell(image->width, image->height, 2, 2, i % 2, i / 2);
+        call[i] = call_in_cell(drawing, cell, 0.85, culls[i]);
+    }
+    bool done = pipeline_draw(p, &call[0], &two_sided, &u, image, error) &&
+                pipeline_draw(p, &call[1], &two_sided, &u, image, error) &&
+                pipeline_draw(p, &call[2], &two_sided, &u, image, error) &&
+                pipeline_draw(p, &call[3], &culled_by_light, &u, image, error);
     count_stats(drawing, p);
     return done;
 }
 
-/* Where the camera and the light of all scenes are. */
-#define CAMERA                                                                                     \
-    .eye = {1, 0.5, 3}, .center = {0, 0, 0}, .up = {0, 1, 0}, .light = {1, 1, 1},                  \
-    .needs_model = true
+/* Where the camera of all scenes is. */
+#define CAMERA .eye = {1, 0.5, 3}, .center = {0, 0, 0}, .up = {0, 1, 0}, .needs_model = true
 
 int main(int argc, char **argv) {
     static const struct scene scenes[] = {
-        {.name = "four", .width = 800, .height = 800, .draw = draw_four, CAMERA},
-        {.name = "toon", .width = 800, .height = 800, .draw = draw_toon, CAMERA},
-        {.name = "normalmap", .width = 800, .height = 800, .draw = draw_normal_map, CAMERA},
-        {.name = "culling", .width = 800, .height = 400, .draw = draw_culling, CAMERA},
+        {.name = "four",
+         .width = 800,
+         .height = 800,
+         .draw = draw_four,
+         CAMERA,
+         .light = {1, 1, 1}},
+        {.name = "toon",
+         .width = 800,
+         .height = 800,
+         .draw = draw_toon,
+         CAMERA,
+         .light = {1, 1, 1}},
+        {.name = "normalmap",
+         .width = 800,
+         .height = 800,
+         .draw = draw_normal_map,
+         CAMERA,
+         .light = {1, 1, 1}},
+        {.name = "culling", /* with the light from the side */
+         .width = 800,
+         .height = 800,
+         .draw = draw_culling,
+         CAMERA,
+         .light = {1, 0.2, 0}},
     };
     static const struct program program = {
         .name = "step09_shaders",

@@ -139,8 +139,7 @@ static bool full_fragment(const void *uniforms, const double *varyings, struct c
 }
 
 /* The same with the weight of the specular part read from the specular map. */
-static bool specular_map_fragment(const void *uniforms, const double *varyings,
-                                  struct color *color) {
+static bool weight_map_fragment(const void *uniforms, const double *varyings, struct color *color) {
     const struct uniforms *u = uniforms;
     struct vec2 uv = uv_of(varyings);
     struct vec4 rgb = texture_bilinear(u->diffuse, uv, u->diffuse_level);
@@ -150,11 +149,22 @@ static bool specular_map_fragment(const void *uniforms, const double *varyings,
     return true;
 }
 
+/* The same with the power read from it: 1 for level 0 to 32 for level 255. */
+static bool power_map_fragment(const void *uniforms, const double *varyings, struct color *color) {
+    struct uniforms u = *(const struct uniforms *)uniforms;
+    struct vec2 uv = uv_of(varyings);
+    struct vec4 rgb = texture_bilinear(u.diffuse, uv, u.diffuse_level);
+    u.material.power = 1 + (int)texture_bilinear(u.specular, uv, u.specular_level).x / 8;
+    *color = illuminate(&u, rgb, mapped_normal(&u, uv), position_of(varyings), u.material.specular);
+    return true;
+}
+
 static const struct shader plain = {8, vertex_with_normal, plain_fragment, false};
 static const struct shader mapped = {5, vertex, mapped_fragment, false};
 static const struct shader textured = {8, vertex_with_normal, textured_fragment, false};
 static const struct shader full = {5, vertex, full_fragment, false};
-static const struct shader specular_mapped = {5, vertex, specular_map_fragment, false};
+static const struct shader weight_mapped = {5, vertex, weight_map_fragment, false};
+static const struct shader power_mapped = {5, vertex, power_map_fragment, false};
 
 static const struct material plain_material = {0.1, 1, 0.5, 10, {255, 128, 255, 255}};
 static const struct material textured_material = {0.1, 1, 1, 10, {255, 255, 255, 255}};
@@ -247,23 +257,27 @@ static bool draw_four(struct drawing *drawing, struct image *image, struct error
     return done;
 }
 
-/* Powers 0 to 10, then power 10 with the weight from the specular map. */
+/* Powers 0 to 10 and three large ones; then the textured head with the weight, and with the power,
+ * from the specular map. */
 static bool draw_powers(struct drawing *drawing, struct image *image, struct error *error) {
+    static const int powers[] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 20, 40, 80};
     struct pipeline *p = begin_frame(drawing);
     struct uniforms u;
     bool done =
         make_uniforms(drawing, NEEDS_NORMALS | NEEDS_DIFFUSE | NEEDS_NORMAL_MAP | NEEDS_SPECULAR,
                       0.2 * (double)image->width, &u, error);
-    for (int power = 0; done && power <= 10; power++) {
-        struct rectangle cell = grid_cell(image->width, image->height, 4, 3, power % 4, power / 4);
+    for (int i = 0; done && i < 16; i++) {
+        struct rectangle cell = grid_cell(image->width, image->height, 4, 4, i % 4, i / 4);
         struct draw_call call = call_in_cell(drawing, cell, 0.8);
-        u.material.power = power;
-        done = pipeline_draw(p, &call, &plain, &u, image, error);
+        if (i < 14) {
+            u.material.power = powers[i];
+            done = pipeline_draw(p, &call, &plain, &u, image, error);
+        } else {
+            u.material = textured_material;
+            done =
+                pipeline_draw(p, &call, i == 14 ? &weight_mapped : &power_mapped, &u, image, error);
+        }
     }
-    struct draw_call last =
-        call_in_cell(drawing, grid_cell(image->width, image->height, 4, 3, 3, 2), 0.8);
-    u.material = textured_material;
-    done = done && pipeline_draw(p, &last, &specular_mapped, &u, image, error);
     count_stats(drawing, p);
     return done;
 }
@@ -283,7 +297,7 @@ static bool draw_turn(struct drawing *drawing, struct image *image, struct error
     u.material = textured_material;
     struct rectangle whole = grid_cell(image->width, image->height, 1, 1, 0, 0);
     struct draw_call call = call_in_cell(drawing, whole, 0.85);
-    bool done = pipeline_draw(p, &call, &specular_mapped, &u, image, error);
+    bool done = pipeline_draw(p, &call, &weight_mapped, &u, image, error);
     count_stats(drawing, p);
     return done;
 }
@@ -296,10 +310,10 @@ static bool draw_turn(struct drawing *drawing, struct image *image, struct error
 int main(int argc, char **argv) {
     static const struct scene scenes[] = {
         {.name = "four", .width = 800, .height = 800, .draw = draw_four, CAMERA},
-        {.name = "powers", .width = 800, .height = 600, .draw = draw_powers, CAMERA},
+        {.name = "powers", .width = 800, .height = 800, .draw = draw_powers, CAMERA},
         {.name = "turn",
-         .width = 128,
-         .height = 128,
+         .width = 800,
+         .height = 800,
          .frames = TURN_FRAMES,
          .draw = draw_turn,
          CAMERA},

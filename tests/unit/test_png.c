@@ -387,12 +387,11 @@ static void test_compress(void) {
     for (int kind = 0; kind < DATA_KINDS; kind++) {
         for (size_t i = 0; i < sizeof sizes / sizeof sizes[0]; i++) {
             size_t size = sizes[i];
-            enum deflate_effort effort = i % 2 == 0 ? DEFLATE_NORMAL : DEFLATE_THOROUGH;
             struct bytes packed = {0};
             struct error error;
             put(&packed, 88);
             fill_data(plain, size, (enum data_kind)kind);
-            CHECK(zlib_compress(plain, size, effort, &packed, &error));
+            CHECK(zlib_compress(plain, size, &packed, &error));
             CHECK(packed.data[0] == 88 && packed.data[1] == 0x78);
             CHECK(packed.size - 1 <= size + 11 + 5 * (size / 16384)); /* worst case: stored */
             CHECK(decompress_exact(packed.data + 1, packed.size - 1, out, size, &error));
@@ -427,7 +426,7 @@ static void test_choice_of_blocks(void) {
             return;
         }
         fill_data(data, rows[i].size, rows[i].kind);
-        CHECK(zlib_compress(data, rows[i].size, DEFLATE_NORMAL, &packed, &error));
+        CHECK(zlib_compress(data, rows[i].size, &packed, &error));
         CHECK_ROW((packed.data[2] >> 1 & 3) == rows[i].block, rows[i].name);
         CHECK_ROW(packed.size <= rows[i].most, rows[i].name);
         free(data);

@@ -65,7 +65,7 @@ static const struct scene scenes[] = {
      .eye = {0, 0, 3},
      .up = {0, 1, 0},
      .light = {0, 0, 1}},
-    {.name = "film", .width = 2, .height = 2, .frames = 3, .draw = draw_dot, .eye = {0, 0, 3}},
+    {.name = "film", .width = 5, .height = 4, .frames = 3, .draw = draw_dot, .eye = {0, 0, 3}},
 };
 
 static const struct program dot_program = {
@@ -238,7 +238,7 @@ static void test_frames(void) {
     CHECK(run(&dot_program, "-o out --only film") == 0);
     if (CHECK(tga_read(&image, in_directory("out/film.tga"), &error))) {
         /* Three frames of 2x2 on a sheet of two columns, the first one top left. */
-        CHECK(image.width == 4 && image.height == 4);
+        CHECK(image.width == 5 && image.height == 4);
         CHECK(image_get(&image, 1, 3).b == 3);
         CHECK(image_get(&image, 3, 3).b == 4);
         CHECK(image_get(&image, 1, 1).b == 5);
@@ -255,6 +255,12 @@ static void test_frames(void) {
         CHECK(frames == 3);
         bytes_free(&file);
     }
+    if (CHECK(png_read(&image, in_directory("out/film.png"), &error))) {
+        CHECK(image.width == 5 && image.height == 4); /* in an animation each frame has the size */
+        image_free(&image);
+    }
+    CHECK(run(&dot_program, "-o out --only film -s 1x9") == 1);
+    CHECK_TEXT(output, "probe: scene film: 3 frames need at least 2x2 pixels\n");
 }
 
 static void test_stats_and_repeat(void) {
