@@ -1,0 +1,422 @@
+/* Cameras, matrices, interpolation and vectors under hostile numbers. */
+#include "pipeline.h"
+#include "stress.h"
+
+#include <stdio.h>
+#include <string.h>
+
+/* A number of any size and sign, zero and powers of two among them. */
+static double any_number(struct random *random, int exponent) {
+    switch (random_bits(random) % 8) {
+    case 0:
+        return 0;
+    case 1:
+        return ldexp(random_bits(random) % 2 ? 1 : -1,
+                     (int)random_between(random, -exponent, exponent));
+    case 2:
+        return random_real(random, -1, 1);
+    default:
+        return ldexp(random_real(random, -1, 1), (int)random_between(random, -exponent, exponent));
+    }
+}
+
+static struct vec3 any_vector(struct random *random, int exponent) {
+    if (random_bits(random) % 4 == 0) {
+        exponent = 2;
+    }
+    struct vec3 v;
+    v.x = any_number(random, exponent);
+    v.y = any_number(random, exponent);
+    v.z = any_number(random, exponent);
+    return v;
+}
+
+/* ---- Cameras ---- */
+
+struct camera_case {
+    struct vec3 eye, center, up;
+    double zoom;
+    float corner[4][3]; /* of a tetrahedron to look at */
+};
+
+static void make_camera(struct random *random, uint64_t index, void *made) {
+    struct camera_case *c = made;
+    static const int exponents[] = {2, 20, 100, 1000};
+    int exponent = exponents[index % 4];
+    c->eye = any_vector(random, exponent);
+    c->center = any_vector(random, exponent);
+    c->up = any_vector(random, exponent);
+    switch (index / 4 % 8) {
+    case 0: /* up along the view direction, or nearly so */
+        c->up = vec3_sub(c->eye, c->center);
+        c->up.x += ldexp(1, -(int)random_between(random, 10, 70));
+        break;
+    case 1:
+        c->up = vec3_scale(vec3_sub(c->center, c->eye), random_real(random, 0, 3));
+        break;
+    case 2:
+        c->center = c->eye;
+        break;
+    case 3: /* very near to each other */
+        c->center = c->eye;
+        c->center.z += ldexp(1, -(int)random_between(random, 20, 60));
+        break;
+    default:
+        break;
+    }
+    c->zoom = random_bits(random) % 4 ? random_real(random, 0.1, 2) : any_number(random, 60);
+    for (int i = 0; i < 12; i++) {
+        /* Around the center, at the eye, or anywhere. */
+        double near_to[3] = {c->center.x, c->center.y, c->center.z};
+        double at = index % 3 == 0 ? near_to[i % 3] : index % 3 == 1 ? 0 : any_number(random, 120);
+        double place = at + random_real(random, -2, 2);
+        place = place > 3e38 ? 3e38 : place < -3e38 ? -3e38 : place; /* files hold floats */
+        c->corner[i / 3][i % 3] = (float)place;
+    }
+}
+
+/* How far the rows of the rotation are from unit length and right angles, in ulp of 1. */
+static double orthonormality_error(const void *tried) {
+    const struct camera_case *c = tried;
+    struct mat4 view = mat4_lookat(c->eye, c->center, c->up);
+    long double worst = 0;
+    for (int i = 0; i < 3; i++) {
+        for (int k = i; k < 3; k++) {
+            long double dot = 0;
+            for (int j = 0; j < 3; j++) {
+                dot += (long double)view.m[i][j] * (long double)view.m[k][j];
+            }
+            long double error = fabsl(dot - (i == k ? 1 : 0));
+            worst = error > worst || isnan(error) ? error : worst;
+        }
+    }
+    return (double)worst * 0x1p52;
+}
+
+enum { SIZE = 6 };
+
+struct camera_uniforms {
+    const struct model *model;
+    bool *all_finite;
+};
+
+static void corner_vertex(const void *uniforms, size_t face, size_t corner, double *varyings) {
+    const struct camera_uniforms *u = uniforms;
+    struct vec3 p = model_position(u->model, face, corner);
+    varyings[0] = p.x;
+    varyings[1] = p.y;
+    varyings[2] = p.z;
+}
+
+static bool finite_fragment(const void *uniforms, const double *varyings, struct color *color) {
+    const struct camera_uniforms *u = uniforms;
+    if (!isfinite(varyings[0]) || !isfinite(varyings[1]) || !isfinite(varyings[2])) {
+        *u->all_finite = false;
+    }
+    *color = color_grey(1);
+    return true;
+}
+
+static const struct shader finite_shader = {3, corner_vertex, finite_fragment, false};
+
+static bool camera_draws_finite_pixels(const void *tried) {
+    struct camera_case c = *(const struct camera_case *)tried;
+    static const uint32_t corners[4][3] = {{0, 1, 2}, {0, 3, 1}, {1, 3, 2}, {2, 3, 0}};
+    struct face faces[4];
+    for (int i = 0; i < 4; i++) {
+        for (int k = 0; k < 3; k++) {
+            faces[i].corner[k] = (struct corner){corners[i][k], MODEL_NONE, MODEL_NONE};
+        }
+    }
+    struct model model = {
+        .positions = c.corner, .position_count = 4, .faces = faces, .face_count = 4};
+    struct error error;
+    struct pipeline pipeline;
+    uint8_t pixels[SIZE * SIZE * 3];
+    struct image image = {SIZE, SIZE, IMAGE_BGR, pixels};
+    bool all_finite = true;
+    struct camera_uniforms uniforms = {&model, &all_finite};
+    struct draw_call call = camera_call(&model, c.eye, c.center, c.up, c.zoom,
+                                        (struct rectangle){0, 0, SIZE, SIZE}, CULL_NONE);
+    if (!pipeline_create(&pipeline, SIZE, SIZE, &error)) {
+        return false;
+    }
+    bool done = pipeline_draw(&pipeline, &call, &finite_shader, &uniforms, &image, &error);
+    for (int i = 0; i < SIZE * SIZE; i++) {
+        all_finite = all_finite && (isfinite(pipeline.depth[i]) || pipeline.depth[i] == -INFINITY);
+    }
+    pipeline_free(&pipeline);
+    return done && all_finite;
+}
+
+static bool camera_is_sound(const void *tried) {
+    return orthonormality_error(tried) <= 4 && camera_draws_finite_pixels(tried);
+}
+
+static void print_camera(const void *failing) {
+    const struct camera_case *c = failing;
+    printf("    --eye %.17g,%.17g,%.17g --center %.17g,%.17g,%.17g --up %.17g,%.17g,%.17g\n",
+           c->eye.x, c->eye.y, c->eye.z, c->center.x, c->center.y, c->center.z, c->up.x, c->up.y,
+           c->up.z);
+    printf("    # zoom %.17g, error %.3g ulp\n", c->zoom, orthonormality_error(c));
+    for (int i = 0; i < 4; i++) {
+        printf("    v %.9g %.9g %.9g\n", (double)c->corner[i][0], (double)c->corner[i][1],
+               (double)c->corner[i][2]);
+    }
+}
+
+/* ---- Matrices ---- */
+
+struct matrix_case {
+    struct mat4 a;
+};
+
+/* Well conditioned, badly scaled, and nearly singular ones. */
+static void make_matrix(struct random *random, uint64_t index, void *made) {
+    struct mat4 *a = &((struct matrix_case *)made)->a;
+    for (int i = 0; i < 16; i++) {
+        a->m[i / 4][i % 4] = random_real(random, -1, 1);
+    }
+    int kind = (int)(index % 4);
+    for (int row = 0; row < 4; row++) {
+        int row_exponent = kind == 1 || kind == 3 ? (int)random_between(random, -30, 30) : 0;
+        for (int column = 0; column < 4; column++) {
+            a->m[row][column] = ldexp(a->m[row][column], row_exponent);
+        }
+    }
+    if (kind >= 2) { /* the last row nearly a sum of others */
+        double share = ldexp(1, -(int)random_between(random, 1, 46));
+        for (int column = 0; column < 4; column++) {
+            a->m[3][column] = a->m[0][column] + a->m[1][column] + a->m[3][column] * share;
+        }
+    }
+}
+
+static long double row_norm(const struct mat4 *a) {
+    long double norm = 0;
+    for (int row = 0; row < 4; row++) {
+        long double sum = 0;
+        for (int column = 0; column < 4; column++) {
+            sum += fabsl((long double)a->m[row][column]);
+        }
+        norm = sum > norm ? sum : norm;
+    }
+    return norm;
+}
+
+/* The residual, in units of what the condition number allows: eps * condition. */
+static double inverse_error(const void *tried) {
+    const struct mat4 *a = &((const struct matrix_case *)tried)->a;
+    struct mat4 inverse;
+    if (!mat4_inverse(*a, &inverse)) {
+        return 0;
+    }
+    long double condition = row_norm(a) * row_norm(&inverse);
+    return (double)(oracle_inverse_residual(a, &inverse) / (condition * 0x1p-53L));
+}
+
+static bool inverse_is_accurate(const void *tried) {
+    return inverse_error(tried) <= 16;
+}
+
+static void print_matrix(const void *failing) {
+    const struct mat4 *a = &((const struct matrix_case *)failing)->a;
+    for (int row = 0; row < 4; row++) {
+        printf("    {%.17g, %.17g, %.17g, %.17g},\n", a->m[row][0], a->m[row][1], a->m[row][2],
+               a->m[row][3]);
+    }
+}
+
+/* Matrices of small whole numbers, whose determinant is known exactly: singular or not. */
+static void make_whole_matrix(struct random *random, uint64_t index, void *made) {
+    struct mat4 *a = &((struct matrix_case *)made)->a;
+    for (int i = 0; i < 16; i++) {
+        a->m[i / 4][i % 4] = (double)random_between(random, -9, 9);
+    }
+    int row = (int)random_between(random, 0, 3);
+    for (int column = 0; index % 2 == 0 && column < 4; column++) { /* often singular */
+        double p = a->m[(row + 1) % 4][column], q = a->m[(row + 2) % 4][column];
+        a->m[row][column] = index % 4 == 0 ? p : 2 * p - 3 * q;
+    }
+}
+
+static bool singular_is_reported(const void *tried) {
+    const struct mat4 *a = &((const struct matrix_case *)tried)->a;
+    int64_t whole[4][4];
+    for (int i = 0; i < 16; i++) {
+        whole[i / 4][i % 4] = (int64_t)a->m[i / 4][i % 4];
+    }
+    struct mat4 inverse;
+    return mat4_inverse(*a, &inverse) == (oracle_determinant((const int64_t(*)[4])whole) != 0);
+}
+
+/* ---- Interpolation ---- */
+
+struct interpolation_case {
+    struct fixed2 corner[3];
+    double recip_w[3];
+    double value[3];
+};
+
+enum { RASTER = 10 };
+
+static void make_interpolation(struct random *random, uint64_t index, void *made) {
+    struct interpolation_case *c = made;
+    int64_t reach = index % 3 == 0 ? 50 : index % 3 == 1 ? 3000 : 500000;
+    for (int i = 0; i < 3; i++) {
+        c->corner[i].x = (int32_t)random_between(random, -reach, RASTER * SUBPIXELS + reach);
+        c->corner[i].y = (int32_t)random_between(random, -reach, RASTER * SUBPIXELS + reach);
+        c->recip_w[i] = ldexp(random_real(random, 1, 2), (int)random_between(random, -10, 6));
+        c->value[i] = random_real(random, 0, 1);
+    }
+}
+
+/* The largest error of a value 0..1 at any pixel, as a share of 1. */
+static double interpolation_error(const struct interpolation_case *c) {
+    struct edges edges;
+    double worst = 0;
+    if (!edges_setup(&edges, c->corner[0], c->corner[1], c->corner[2], RASTER, RASTER)) {
+        return 0;
+    }
+    for (int y = edges.y_begin; y < edges.y_end; y++) {
+        struct span span = edges_span(&edges, y);
+        for (int x = span.begin; x < span.end; x++) {
+            struct vec3 w = perspective_weights(edges_weights(&edges, x, y), c->recip_w);
+            double value = interpolate(w, c->value[0], c->value[1], c->value[2]);
+            long double exact = oracle_interpolate(c->corner, c->recip_w, c->value, x, y);
+            double error = (double)fabsl((long double)value - exact);
+            worst = error > worst || isnan(error) ? error : worst;
+        }
+    }
+    return worst;
+}
+
+static double error_in_levels(const void *tried) {
+    return interpolation_error(tried) * 255;
+}
+
+/* Of a texture of 1024 texels, in 1/256 of a texel. */
+static double error_in_texels(const void *tried) {
+    return interpolation_error(tried) * 1024 * 256;
+}
+
+static bool interpolates_levels(const void *tried) {
+    return error_in_levels(tried) <= 1e-9;
+}
+
+static bool interpolates_texels(const void *tried) {
+    return error_in_texels(tried) <= 1e-6;
+}
+
+static void print_interpolation(const void *failing) {
+    const struct interpolation_case *c = failing;
+    for (int i = 0; i < 3; i++) {
+        printf("    corner (%d %d)/256, 1/w %.17g, value %.17g\n", (int)c->corner[i].x,
+               (int)c->corner[i].y, c->recip_w[i], c->value[i]);
+    }
+}
+
+/* ---- Vectors and angles ---- */
+
+struct vector_case {
+    struct vec3 v;
+    double turns;
+};
+
+static void make_vector(struct random *random, uint64_t index, void *made) {
+    struct vector_case *c = made;
+    c->v = any_vector(random, index % 2 ? 1020 : 40);
+    c->turns = index % 3 ? random_real(random, -2, 2) : ldexp(random_real(random, -1, 1), 40);
+}
+
+/* How far the length of the normalised vector is from 1 (from 0 for the zero vector), in ulp. */
+static double length_error(const void *tried) {
+    struct vec3 v = ((const struct vector_case *)tried)->v, n = vec3_normalized(v);
+    bool zero = v.x == 0 && v.y == 0 && v.z == 0;
+    long double squared = (long double)n.x * (long double)n.x +
+                          (long double)n.y * (long double)n.y + (long double)n.z * (long double)n.z;
+    return (double)fabsl(sqrtl(squared) - (zero ? 0 : 1)) * 0x1p52;
+}
+
+static bool normalized_is_right(const void *tried) {
+    struct vec3 v = ((const struct vector_case *)tried)->v, n = vec3_normalized(v);
+    bool same_signs = n.x * v.x >= 0 && n.y * v.y >= 0 && n.z * v.z >= 0;
+    return length_error(tried) <= 2 && same_signs;
+}
+
+static double direction_error(const void *tried) {
+    double turns = ((const struct vector_case *)tried)->turns;
+    struct vec2 d = turn_direction(turns);
+    long double part = (long double)turns - floorl((long double)turns);
+    long double angle = 2 * acosl(-1) * part;
+    return (double)fmaxl(fabsl((long double)d.x - cosl(angle)),
+                         fabsl((long double)d.y - sinl(angle))) *
+           0x1p52;
+}
+
+static bool direction_is_right(const void *tried) {
+    return direction_error(tried) <= 2;
+}
+
+static void print_vector(const void *failing) {
+    const struct vector_case *c = failing;
+    printf("    vector %.17g %.17g %.17g, turns %.17g\n", c->v.x, c->v.y, c->v.z, c->turns);
+}
+
+const struct property camera_properties[] = {
+    {.name = "camera: orthonormal, finite pixels",
+     .cases = 1000000,
+     .case_size = sizeof(struct camera_case),
+     .make = make_camera,
+     .holds = camera_is_sound,
+     .print = print_camera,
+     .error_unit = "ulp of 1",
+     .error = orthonormality_error},
+    {.name = "matrix: inverse as its condition allows",
+     .cases = 1000000,
+     .case_size = sizeof(struct matrix_case),
+     .make = make_matrix,
+     .holds = inverse_is_accurate,
+     .print = print_matrix,
+     .error_unit = "eps * condition",
+     .error = inverse_error},
+    {.name = "matrix: singular is reported",
+     .cases = 500000,
+     .case_size = sizeof(struct matrix_case),
+     .make = make_whole_matrix,
+     .holds = singular_is_reported,
+     .print = print_matrix},
+    {.name = "interpolation: levels",
+     .cases = 200000,
+     .case_size = sizeof(struct interpolation_case),
+     .make = make_interpolation,
+     .holds = interpolates_levels,
+     .print = print_interpolation,
+     .error_unit = "level of 255",
+     .error = error_in_levels},
+    {.name = "interpolation: texture coordinates",
+     .cases = 200000,
+     .case_size = sizeof(struct interpolation_case),
+     .make = make_interpolation,
+     .holds = interpolates_texels,
+     .print = print_interpolation,
+     .error_unit = "1/256 texel of 1024",
+     .error = error_in_texels},
+    {.name = "vector: normalized",
+     .cases = 1000000,
+     .case_size = sizeof(struct vector_case),
+     .make = make_vector,
+     .holds = normalized_is_right,
+     .print = print_vector,
+     .error_unit = "ulp of 1",
+     .error = length_error},
+    {.name = "vector: direction of a turn",
+     .cases = 500000,
+     .case_size = sizeof(struct vector_case),
+     .make = make_vector,
+     .holds = direction_is_right,
+     .print = print_vector,
+     .error_unit = "ulp of 1",
+     .error = direction_error},
+    {.name = NULL},
+};

@@ -1,0 +1,183 @@
+/* Lines against exact integers. */
+#include "lessons.h"
+#include "stress.h"
+
+#include <stdio.h>
+
+enum { WIDTH = 13, HEIGHT = 11 }; /* of the image that the lines cross */
+
+struct line_case {
+    struct pixel a, b;
+};
+
+/* ---- Cases ---- */
+
+static int near_image(struct random *random, int64_t reach) {
+    return (int)random_between(random, -reach, WIDTH + reach);
+}
+
+/* A line of any length through a pixel in or near the image: most long random lines miss it. */
+static struct line_case through_image(struct random *random, int64_t reach) {
+    int64_t x = near_image(random, 1), y = near_image(random, 1);
+    int64_t dx = random_between(random, -reach, reach), dy = random_between(random, -reach, reach);
+    int64_t from = random_between(random, 0, 16), to = random_between(random, 0, 16);
+    return (struct line_case){{(int)(x - dx * from / 16), (int)(y - dy * from / 16)},
+                              {(int)(x + dx * to / 16), (int)(y + dy * to / 16)}};
+}
+
+static void make_line(struct random *random, uint64_t index, void *made) {
+    struct line_case *c = made;
+    switch (index % 6) {
+    case 0: /* short ones, in and around the image: many ties */
+        c->a = (struct pixel){near_image(random, 6), near_image(random, 6)};
+        c->b = (struct pixel){near_image(random, 6), near_image(random, 6)};
+        break;
+    case 1: /* horizontal, vertical, diagonal, and points */
+        c->a = (struct pixel){near_image(random, 9), near_image(random, 9)};
+        c->b = c->a;
+        {
+            int length = (int)random_between(random, -40, 40);
+            int direction = (int)random_between(random, 0, 3);
+            c->b.x += direction != 1 ? length : 0;
+            c->b.y += direction == 0 ? 0 : direction == 3 ? -length : length;
+        }
+        break;
+    case 2:
+        *c = through_image(random, 100);
+        break;
+    case 3:
+        *c = through_image(random, 1000000);
+        break;
+    case 4:
+        *c = through_image(random, LINE_LIMIT - 100);
+        break;
+    default: /* at the limits */
+        c->a = (struct pixel){random_bits(random) % 2 ? LINE_LIMIT : -LINE_LIMIT,
+                              (int)random_between(random, -LINE_LIMIT, LINE_LIMIT)};
+        c->b = (struct pixel){-c->a.x + (c->a.x > 0 ? (int)random_between(random, 0, 40)
+                                                    : -(int)random_between(random, 0, 40)),
+                              WIDTH - c->a.y > LINE_LIMIT    ? LINE_LIMIT
+                              : WIDTH - c->a.y < -LINE_LIMIT ? -LINE_LIMIT
+                                                             : WIDTH - c->a.y};
+    }
+}
+
+static void make_short_line(struct random *random, uint64_t index, void *made) {
+    struct line_case *c = made;
+    *c = index % 2 ? through_image(random, 60)
+                   : (struct line_case){{near_image(random, 6), near_image(random, 6)},
+                                        {near_image(random, 6), near_image(random, 6)}};
+}
+
+static bool shrink_line(const void *failing, unsigned attempt, void *smaller) {
+    static const int divisors[] = {1000000, 1000, 10, 2};
+    struct line_case *c = smaller;
+    (void)failing;
+    int *const numbers[] = {&c->a.x, &c->a.y, &c->b.x, &c->b.y};
+    if (attempt < 16) { /* smaller numbers */
+        *numbers[attempt % 4] -= *numbers[attempt % 4] / divisors[attempt / 4];
+        *numbers[attempt % 4] /= attempt / 4 == 3 ? 2 : 1;
+        return true;
+    }
+    if (attempt < 20) { /* one less */
+        int *n = numbers[attempt % 4];
+        *n -= (*n > 0) - (*n < 0);
+        return true;
+    }
+    return false;
+}
+
+static void print_line(const void *failing) {
+    const struct line_case *c = failing;
+    printf("    size %d %d\n    line %d %d %d %d 255 255 255\n", WIDTH, HEIGHT, c->a.x, c->a.y,
+           c->b.x, c->b.y);
+}
+
+/* ---- Properties ---- */
+
+/* How often each pixel of the image was drawn. */
+struct drawn {
+    unsigned char times[HEIGHT][WIDTH];
+    bool outside; /* something was drawn outside the image */
+};
+
+static struct drawn walk(struct pixel a, struct pixel b) {
+    struct drawn drawn = {.outside = false};
+    struct line_walk walk;
+    if (line_begin(&walk, a, b, WIDTH, HEIGHT)) {
+        do {
+            if (walk.x < 0 || walk.x >= WIDTH || walk.y < 0 || walk.y >= HEIGHT) {
+                drawn.outside = true;
+                return drawn;
+            }
+            drawn.times[walk.y][walk.x]++;
+        } while (line_next(&walk));
+    }
+    return drawn;
+}
+
+static bool is_exact(const struct drawn *drawn, const struct line_case *c) {
+    for (int y = 0; y < HEIGHT; y++) {
+        for (int x = 0; x < WIDTH; x++) {
+            if (drawn->times[y][x] != oracle_line_has(c->a, c->b, (struct pixel){x, y})) {
+                return false;
+            }
+        }
+    }
+    return !drawn->outside;
+}
+
+static bool line_is_exact(const void *tried) {
+    const struct line_case *c = tried;
+    struct drawn drawn = walk(c->a, c->b);
+    return is_exact(&drawn, c);
+}
+
+static bool line_is_the_same_reversed(const void *tried) {
+    const struct line_case *c = tried;
+    struct drawn forwards = walk(c->a, c->b), backwards = walk(c->b, c->a);
+    for (int i = 0; i < WIDTH * HEIGHT; i++) {
+        if (forwards.times[i / WIDTH][i % WIDTH] != backwards.times[i / WIDTH][i % WIDTH]) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/* The lesson's own line(), on an image. */
+static bool lesson_line_is_exact(const void *tried) {
+    const struct line_case *c = tried;
+    uint8_t pixels[HEIGHT * WIDTH] = {0};
+    struct image image = {WIDTH, HEIGHT, IMAGE_GREY, pixels};
+    struct drawn drawn = {.outside = false};
+    lesson01_line(&image, c->a, c->b, color_grey(1));
+    for (int i = 0; i < WIDTH * HEIGHT; i++) {
+        drawn.times[i / WIDTH][i % WIDTH] = pixels[i];
+    }
+    return is_exact(&drawn, c);
+}
+
+const struct property line_properties[] = {
+    {.name = "line: nearest pixels",
+     .cases = 1000000,
+     .case_size = sizeof(struct line_case),
+     .make = make_line,
+     .holds = line_is_exact,
+     .shrink = shrink_line,
+     .print = print_line},
+    {.name = "line: same pixels reversed",
+     .cases = 1000000,
+     .case_size = sizeof(struct line_case),
+     .make = make_line,
+     .holds = line_is_the_same_reversed,
+     .shrink = shrink_line,
+     .print = print_line},
+    {.name = "line: lesson 1, nearest pixels",
+     .cases = 300000,
+     .case_size = sizeof(struct line_case),
+     .make = make_short_line,
+     .holds = lesson_line_is_exact,
+     .shrink = shrink_line,
+     .print = print_line},
+    {.name = NULL},
+};

@@ -1,0 +1,42 @@
+/*
+ * The stress run: named properties, each tried on very many cases, most of them hostile.
+ *
+ * Case number i of a property is made from (seed, property, i) alone, so that any case can be made
+ * again, in any order and by any number of threads. When a property fails, its first failing case
+ * is made smaller as long as it still fails, and printed.
+ */
+#ifndef TESTS_STRESS_H
+#define TESTS_STRESS_H
+
+#include "oracle.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+enum { CASE_SIZE_LIMIT = 4096 }; /* bytes of a case */
+
+struct property {
+    const char *name;
+    uint64_t cases;   /* of a run of ordinary length */
+    size_t case_size; /* bytes; a case is plain data */
+    void (*make)(struct random *random, uint64_t index, void *made);
+    bool (*holds)(const void *tried);
+    /* Write the `attempt`-th idea (from 0) of a smaller case; false when there are no more ideas.
+     * NULL where cases are not made smaller. */
+    bool (*shrink)(const void *failing, unsigned attempt, void *smaller);
+    void (*print)(const void *failing);
+    /* Greatest error seen, for properties that bound one: a text such as "1/256 texel". NULL else.
+     */
+    const char *error_unit;
+    double (*error)(const void *tried);
+};
+
+/* Tables that end with a property without a name. */
+extern const struct property line_properties[];
+extern const struct property triangle_properties[];
+extern const struct property mesh_properties[];
+extern const struct property camera_properties[];
+extern const struct property texture_properties[];
+
+#endif

@@ -1,0 +1,52 @@
+#!/bin/sh
+# Where a lesson writes a technique out in full and common has the same text, the two must not drift
+# apart. Compares functions without white space, comments, `static`, `inline`, and the function's own
+# name.
+#
+# Exit status 0: all are the same; 1: one differs or is missing.
+
+cd "$(dirname "$0")/../.." || exit 1
+failed=0
+
+# function FILE NAME: its definition, from its name to the brace that ends it, on one line.
+function_text() {
+    awk -v name="$2" '
+        !inside && $0 ~ "^[a-z].*[ *]" name "\\(" { inside = 1; text = "" }
+        inside { line = $0; sub(/\/\*.*\*\//, "", line); text = text " " line }
+        inside && /;$/ && text !~ /{/ { inside = 0 }   # only a declaration
+        inside && /^}/ { print text; exit }' "$1" |
+        sed -e "s/\\<$2\\>/FUNCTION/" -e 's/static//g' -e 's/inline//g' |
+        tr -d ' \t'
+}
+
+# same LESSON HOUSE NAME [HOUSE_NAME]
+same() {
+    lesson_text=$(function_text "$1" "$3")
+    house_text=$(function_text "$2" "${4:-$3}")
+    if [ -z "$lesson_text" ] || [ "$lesson_text" != "$house_text" ]; then
+        echo "same_text: $3() in $1 and ${4:-$3}() in $2 are not the same text"
+        failed=1
+    fi
+}
+
+lesson=step03_triangle/main.c
+for name in make_edge floor_divide ceil_divide least_of most_of centers_between; do
+    same $lesson common/geometry.c $name
+done
+same $lesson common/geometry.c triangle_setup edges_setup
+same $lesson common/geometry.c triangle_span edges_span
+same $lesson common/geometry.h triangle_weights edges_weights
+
+lesson=step08_projection/main.c
+same $lesson common/geometry.c viewport mat4_viewport
+same $lesson common/geometry.c projection mat4_projection
+same $lesson common/geometry.c lookat mat4_lookat
+same $lesson common/geometry.h correct_weights perspective_weights
+for name in perpendicular_axis half_difference unit_length; do
+    same $lesson common/geometry.c $name
+done
+for name in plane_distance mix cut_edge clip_at_plane find_beyond; do
+    same $lesson common/pipeline.c $name
+done
+
+exit $failed
