@@ -3,6 +3,7 @@
 #   make                draw every picture of the course into build/out
 #   make check          compare the pictures with tests/reference (make check STEP=05 for one step)
 #   make test           unit tests under sanitizers, and the tests of the check
+#   make stress         hostile numbers against exact answers (STRESS=10, SEED=7, PROPERTY=line)
 #   make figures        draw the other pictures that the lessons show
 #   make references     draw the reference images again (never part of a check)
 #   make clean
@@ -39,7 +40,7 @@ UNITS    = $(basename $(notdir $(wildcard tests/unit/test_*.c)))
 CHECKERS = $(basename $(notdir $(wildcard tests/check/test_*.c)))
 SCRIPTS  = $(wildcard tests/unit/*.sh)
 
-.PHONY: all programs models check test figures references clean
+.PHONY: all programs models check test stress figures references clean
 .DELETE_ON_ERROR:
 .SECONDARY:
 
@@ -99,10 +100,6 @@ $(BUILD)/figures/%: %/figures.c %/main.c $(LIBRARY) $(BUILD)/flags
 
 CHECKER = $(addprefix $(BUILD)/tests/check/,compare.o drawn.o run.o scenes.o)
 
-$(BUILD)/tests/check/%.o: tests/check/%.c $(BUILD)/flags
-	@mkdir -p $(@D)
-	$(COMPILE) -c $< -o $@
-
 $(BUILD)/check $(BUILD)/references: $(BUILD)/%: $(BUILD)/tests/check/%.o $(CHECKER) $(LIBRARY)
 	$(CC) $(CFLAGS) $(OPENMP) $^ -lm -o $@
 
@@ -141,6 +138,20 @@ test: $(TEST_PROGRAMS) $(BUILD)/check $(BUILD)/references $(MODELS)
 	    else failed=$$((failed + 1)); echo "FAILED $$test"; fi; \
 	done; \
 	echo "$$passed passed, $$failed failed"; [ $$failed -eq 0 ]
+
+# ---- Stress ----
+
+STRESS_PARTS = $(patsubst tests/%.c,$(BUILD)/tests/%.o,$(wildcard tests/stress/*.c) tests/oracle/oracle.c)
+
+$(BUILD)/tests/%.o: tests/%.c $(BUILD)/flags
+	@mkdir -p $(@D)
+	$(COMPILE) -Itests/oracle -c $< -o $@
+
+$(BUILD)/stress: $(STRESS_PARTS) $(LIBRARY)
+	$(CC) $(CFLAGS) $(OPENMP) $^ -lm -o $@
+
+stress: $(BUILD)/stress
+	$(BUILD)/stress $(PROPERTY)
 
 clean:
 	rm -rf $(BUILD)
