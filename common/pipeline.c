@@ -481,7 +481,10 @@ void pipeline_cover(struct pipeline *p) {
     p->stats[STAT_PIXELS_COVERED] += covered;
 }
 
-bool pipeline_find_visible(struct pipeline *p, size_t corner_size, struct error *error) {
+/* ---- Between the passes ---- */
+
+/* Give each visible piece a place in `attributes`. Returns how many there are. */
+static uint32_t number_visible(struct pipeline *p) {
     uint32_t visible = 0;
     for (int y = p->viewport.y; y < p->viewport.y + p->viewport.height; y++) {
         const uint32_t *row = p->number + (size_t)y * p->width + (size_t)p->viewport.x;
@@ -496,6 +499,64 @@ bool pipeline_find_visible(struct pipeline *p, size_t corner_size, struct error 
             last = row[x];
         }
     }
+    return visible;
+}
+
+bool pipeline_fetch_visible(struct pipeline *p, const struct shader *shader, const void *uniforms,
+                            struct error *error) {
+    size_t stride = 3 * shader->varying_count;
+    uint32_t visible = number_visible(p);
     p->stats[STAT_FACES_HIDDEN] += p->piece_count - visible;
-    return reserve_attributes(p, (size_t)visible * 3 * corner_size, error);
+    if (!reserve_attributes(p, visible * stride, error)) {
+        return false;
+    }
+    for (size_t i = 0; i < p->piece_count; i++) {
+        const struct piece *piece = &p->pieces[i];
+        if (piece->attributes != UINT32_MAX) {
+            fetch_attributes(p, piece, shader, uniforms,
+                             p->attributes + piece->attributes * stride);
+        }
+    }
+    return true;
+}
+
+/* ---- Drawing ---- */
+
+/* Shade all rows of the viewport, a band at a time, each by one thread. */
+static void shade_bands(struct pipeline *p, const struct shader *shader, bool at_once,
+                        const void *uniforms, struct image *image) {
+    shade_band *special = at_once ? shader->at_once_band : shader->visible_band;
+    int bottom = p->viewport.y, top = bottom + p->viewport.height;
+    uint64_t covered = 0, shaded = 0;
+#ifdef _OPENMP
+#pragma omp parallel for schedule(dynamic) reduction(+ : covered, shaded)
+#endif
+    for (int y = bottom; y < top; y += BAND_HEIGHT) {
+        struct span_of_rows band = {y, y + BAND_HEIGHT < top ? y + BAND_HEIGHT : top};
+        struct pixel_work work = special != NULL ? special(p, uniforms, image, band)
+                                 : at_once ? shade_at_once_band(p, shader, uniforms, image, band)
+                                           : shade_visible_band(p, shader, uniforms, image, band);
+        covered += work.covered;
+        shaded += work.shaded;
+    }
+    p->stats[STAT_PIXELS_COVERED] += covered;
+    p->stats[STAT_PIXELS_SHADED] += shaded;
+}
+
+bool pipeline_draw(struct pipeline *p, const struct draw_call *call, const struct shader *shader,
+                   const void *uniforms, struct image *image, struct error *error) {
+    assert(shader->varying_count <= VARYING_LIMIT);
+    assert(image->width == p->width && image->height == p->height && image->format != IMAGE_GREY);
+    bool at_once = shader->discards || !p->skip;
+    if (!pipeline_assemble(p, call, error)) {
+        return false;
+    }
+    if (!at_once) {
+        pipeline_cover(p);
+        if (!pipeline_fetch_visible(p, shader, uniforms, error)) {
+            return false;
+        }
+    }
+    shade_bands(p, shader, at_once, uniforms, image);
+    return true;
 }

@@ -29,8 +29,20 @@
 
 enum { VARYING_LIMIT = 16 };
 
-/* What differs between one look and another. `uniforms` points to what is the same for all pixels:
- * matrices, the light, the model and its textures. */
+struct pipeline;
+struct span_of_rows;
+
+/* The work of a band of rows. */
+struct pixel_work {
+    uint64_t covered; /* depth tests */
+    uint64_t shaded;  /* pixels */
+};
+
+typedef struct pixel_work shade_band(const struct pipeline *pipeline, const void *uniforms,
+                                     struct image *image, struct span_of_rows rows);
+
+/* What differs between one look and another, made by SHADER() below. `uniforms` points to what is the
+ * same for all pixels: matrices, the light, the model and its textures. */
 struct shader {
     size_t varying_count; /* numbers that a corner hands to the pixels, at most VARYING_LIMIT */
     /* Give the varyings of corner 0..2 of a face. */
@@ -39,7 +51,17 @@ struct shader {
      * which only a shader that `discards` may do. */
     bool (*fragment)(const void *uniforms, const double *varyings, struct color *color);
     bool discards;
+    /* The loops over pixels, compiled for this shader alone, so that its functions are part of them
+     * and no pixel costs a call. NULL: loops that call the functions. */
+    shade_band *visible_band, *at_once_band;
 };
+
+/* Define a shader: `SHADER(toon, 1, gouraud_vertex, toon_fragment);` defines a constant `toon` with one
+ * varying. One that discards pixels is defined by DISCARDING_SHADER(). */
+#define SHADER(name, varying_count, vertex, fragment)                                              \
+    DEFINE_SHADER(name, varying_count, vertex, fragment, false)
+#define DISCARDING_SHADER(name, varying_count, vertex, fragment)                                   \
+    DEFINE_SHADER(name, varying_count, vertex, fragment, true)
 
 /* Front faces have their corners counterclockwise on the screen. */
 enum cull { CULL_NONE, CULL_BACK, CULL_FRONT };
@@ -135,12 +157,11 @@ void pipeline_free(struct pipeline *pipeline);
 /* Begin a frame: nothing is drawn yet, and all counts are zero. */
 void pipeline_clear(struct pipeline *pipeline);
 
-/* Draw a model into an image of the pipeline's size, format BGR or BGRA. Static `shader` structs
- * that are constant let the compiler make a loop of its own for each, without calls per pixel.
- * False when memory runs out; part of the model may then have been drawn. */
-static inline bool pipeline_draw(struct pipeline *pipeline, const struct draw_call *call,
-                                 const struct shader *shader, const void *uniforms,
-                                 struct image *image, struct error *error);
+/* Draw a model into an image of the pipeline's size, format BGR or BGRA. False when memory runs out;
+ * part of the model may then have been drawn. */
+bool pipeline_draw(struct pipeline *pipeline, const struct draw_call *call,
+                   const struct shader *shader, const void *uniforms, struct image *image,
+                   struct error *error);
 
 /* ---- From here on: how it works ---- */
 
@@ -151,8 +172,9 @@ bool pipeline_assemble(struct pipeline *pipeline, const struct draw_call *call,
 /* Pass 1: depth and piece number of every covered pixel. */
 void pipeline_cover(struct pipeline *pipeline);
 
-/* Give each visible piece a place in `attributes`, of `corner_size` numbers a corner. */
-bool pipeline_find_visible(struct pipeline *pipeline, size_t corner_size, struct error *error);
+/* Between the passes: fetch the attributes of the pieces that are visible. */
+bool pipeline_fetch_visible(struct pipeline *pipeline, const struct shader *shader,
+                            const void *uniforms, struct error *error);
 
 /* Rows are shared out among threads in bands of this many. */
 enum { BAND_HEIGHT = 16 };
@@ -265,101 +287,73 @@ KERNEL uint64_t shade_run(const struct piece *piece, const double *corners,
     return shaded;
 }
 
-/* Pass 2 for one row: find the runs of equal number and shade those of this draw call. */
-KERNEL uint64_t shade_row(const struct pipeline *pipeline, const struct shader *shader,
-                          const void *uniforms, struct image *image, int y) {
-    const uint32_t *number = pipeline->number + (size_t)y * pipeline->width;
-    int x = pipeline->viewport.x, end = x + pipeline->viewport.width;
+/* Pass 2 for a band of rows: find the runs of equal number and shade those of this draw call. */
+KERNEL struct pixel_work shade_visible_band(const struct pipeline *pipeline,
+                                            const struct shader *shader, const void *uniforms,
+                                            struct image *image, struct span_of_rows rows) {
+    int left = pipeline->viewport.x, right = left + pipeline->viewport.width;
     size_t stride = 3 * shader->varying_count;
-    uint64_t shaded = 0;
-    while (x < end) {
-        struct span run = {x, x + 1};
-        while (run.end < end && number[run.end] == number[x]) {
-            run.end++;
+    struct pixel_work work = {0, 0};
+    for (int y = rows.begin; y < rows.end; y++) {
+        const uint32_t *number = pipeline->number + (size_t)y * pipeline->width;
+        for (struct span run = {left, left}; run.begin < right; run.begin = run.end) {
+            while (run.end < right && number[run.end] == number[run.begin]) {
+                run.end++;
+            }
+            if (number[run.begin] >= pipeline->first_number) {
+                const struct piece *piece =
+                    &pipeline->pieces[number[run.begin] - pipeline->first_number];
+                const double *corners = pipeline->attributes + piece->attributes * stride;
+                work.shaded += shade_run(piece, corners, shader, uniforms, image, run, y, NULL);
+            }
         }
-        if (number[x] >= pipeline->first_number) {
-            const struct piece *piece = &pipeline->pieces[number[x] - pipeline->first_number];
-            const double *corners = pipeline->attributes + piece->attributes * stride;
-            shaded += shade_run(piece, corners, shader, uniforms, image, run, y, NULL);
-        }
-        x = run.end;
     }
-    return shaded;
+    return work;
 }
 
-/* Pass 2. */
-KERNEL bool shade_visible(struct pipeline *pipeline, const struct shader *shader,
-                          const void *uniforms, struct image *image, struct error *error) {
-    size_t stride = 3 * shader->varying_count;
-    if (!pipeline_find_visible(pipeline, shader->varying_count, error)) {
-        return false;
-    }
+/* Both passes in one for a band of rows, for shaders that discard and with skip off: shade whatever
+ * is nearest so far. */
+KERNEL struct pixel_work shade_at_once_band(const struct pipeline *pipeline,
+                                            const struct shader *shader, const void *uniforms,
+                                            struct image *image, struct span_of_rows band) {
+    struct pixel_work work = {0, 0};
     for (size_t i = 0; i < pipeline->piece_count; i++) {
         const struct piece *piece = &pipeline->pieces[i];
-        if (piece->attributes != UINT32_MAX) {
-            fetch_attributes(pipeline, piece, shader, uniforms,
-                             pipeline->attributes + piece->attributes * stride);
+        struct span_of_rows rows = rows_in_band(piece, band.begin, band.end);
+        if (rows.begin >= rows.end) {
+            continue;
         }
-    }
-    int bottom = pipeline->viewport.y, top = bottom + pipeline->viewport.height;
-    uint64_t shaded = 0;
-#ifdef _OPENMP
-#pragma omp parallel for schedule(dynamic, BAND_HEIGHT) reduction(+ : shaded)
-#endif
-    for (int y = bottom; y < top; y++) {
-        shaded += shade_row(pipeline, shader, uniforms, image, y);
-    }
-    pipeline->stats[STAT_PIXELS_SHADED] += shaded;
-    return true;
-}
-
-/* Both passes in one, for shaders that discard and with skip off: shade whatever is nearest so far.
- */
-KERNEL void shade_at_once(struct pipeline *pipeline, const struct shader *shader,
-                          const void *uniforms, struct image *image) {
-    int bottom = pipeline->viewport.y, top = bottom + pipeline->viewport.height;
-    uint64_t shaded = 0, covered = 0;
-#ifdef _OPENMP
-#pragma omp parallel for schedule(dynamic) reduction(+ : shaded, covered)
-#endif
-    for (int band = bottom; band < top; band += BAND_HEIGHT) {
-        int band_end = band + BAND_HEIGHT < top ? band + BAND_HEIGHT : top;
-        for (size_t i = 0; i < pipeline->piece_count; i++) {
-            const struct piece *piece = &pipeline->pieces[i];
-            struct span_of_rows rows = rows_in_band(piece, band, band_end);
-            if (rows.begin >= rows.end) {
-                continue;
-            }
-            double corners[3 * VARYING_LIMIT];
-            fetch_attributes(pipeline, piece, shader, uniforms, corners);
-            for (int y = rows.begin; y < rows.end; y++) {
-                struct span span = span_in_viewport(pipeline, piece, y);
-                if (span.begin < span.end) {
-                    covered += (uint64_t)(span.end - span.begin);
-                    if (!piece->dropped) {
-                        shaded += shade_run(piece, corners, shader, uniforms, image, span, y,
-                                            pipeline->depth + (size_t)y * pipeline->width);
-                    }
+        double corners[3 * VARYING_LIMIT];
+        fetch_attributes(pipeline, piece, shader, uniforms, corners);
+        for (int y = rows.begin; y < rows.end; y++) {
+            struct span span = span_in_viewport(pipeline, piece, y);
+            if (span.begin < span.end) {
+                work.covered += (uint64_t)(span.end - span.begin);
+                if (!piece->dropped) {
+                    work.shaded += shade_run(piece, corners, shader, uniforms, image, span, y,
+                                             pipeline->depth + (size_t)y * pipeline->width);
                 }
             }
         }
     }
-    pipeline->stats[STAT_PIXELS_COVERED] += covered;
-    pipeline->stats[STAT_PIXELS_SHADED] += shaded;
+    return work;
 }
 
-KERNEL bool pipeline_draw(struct pipeline *pipeline, const struct draw_call *call,
-                          const struct shader *shader, const void *uniforms, struct image *image,
-                          struct error *error) {
-    if (!pipeline_assemble(pipeline, call, error)) {
-        return false;
-    }
-    if (shader->discards || !pipeline->skip) {
-        shade_at_once(pipeline, shader, uniforms, image);
-        return true;
-    }
-    pipeline_cover(pipeline);
-    return shade_visible(pipeline, shader, uniforms, image, error);
-}
+/* The shader, and its two loops: each has the shader as a constant of its own. */
+#define DEFINE_SHADER(name, varying_count, vertex, fragment, discards)                             \
+    static struct pixel_work name##_visible_band(const struct pipeline *pipeline,                  \
+                                                 const void *uniforms, struct image *image,        \
+                                                 struct span_of_rows rows) {                       \
+        const struct shader constant = {varying_count, vertex, fragment, discards, NULL, NULL};    \
+        return shade_visible_band(pipeline, &constant, uniforms, image, rows);                     \
+    }                                                                                              \
+    static struct pixel_work name##_at_once_band(const struct pipeline *pipeline,                  \
+                                                 const void *uniforms, struct image *image,        \
+                                                 struct span_of_rows rows) {                       \
+        const struct shader constant = {varying_count, vertex, fragment, discards, NULL, NULL};    \
+        return shade_at_once_band(pipeline, &constant, uniforms, image, rows);                     \
+    }                                                                                              \
+    static const struct shader name = {                                                            \
+        varying_count, vertex, fragment, discards, name##_visible_band, name##_at_once_band}
 
 #endif

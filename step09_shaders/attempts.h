@@ -8,17 +8,18 @@
 
 #include "pipeline.h"
 
-/* 1. A call for every pixel. The compiler cannot see which shader it is, so each pixel costs a call
- * through a pointer, and nothing of the shader can be kept in registers from pixel to pixel. */
+/* 1. A call for every pixel: the shader without the loops that are compiled for it. Each pixel costs a
+ * call through a pointer, and nothing of the shader can be kept in registers from pixel to pixel. */
 static inline bool attempt_1_call_per_pixel(struct pipeline *pipeline, const struct draw_call *call,
                                             const struct shader *shader, const void *uniforms,
                                             struct image *image, struct error *error) {
-    const struct shader *volatile hidden = shader;
-    return pipeline_draw(pipeline, call, hidden, uniforms, image, error);
+    struct shader called = *shader;
+    called.visible_band = called.at_once_band = NULL;
+    return pipeline_draw(pipeline, call, &called, uniforms, image, error);
 }
 
 /* 2. A call for every run of pixels: the loop over the run knows its shader, what calls it does
- * not. */
+ * not. (For the shaders gouraud and gouraud_textured.) */
 typedef uint64_t run_shader(const struct piece *piece, const double *corners, const void *uniforms,
                             struct image *image, struct span run, int y);
 
@@ -26,6 +27,12 @@ static inline uint64_t attempt_2_gouraud_textured_run(const struct piece *piece,
                                                       const double *corners, const void *uniforms,
                                                       struct image *image, struct span run, int y) {
     return shade_run(piece, corners, &gouraud_textured, uniforms, image, run, y, NULL);
+}
+
+static inline uint64_t attempt_2_gouraud_run(const struct piece *piece, const double *corners,
+                                             const void *uniforms, struct image *image,
+                                             struct span run, int y) {
+    return shade_run(piece, corners, &gouraud, uniforms, image, run, y, NULL);
 }
 
 static inline uint64_t attempt_2_row(const struct pipeline *p, size_t stride,
@@ -51,21 +58,15 @@ static inline uint64_t attempt_2_row(const struct pipeline *p, size_t stride,
 static inline bool attempt_2_call_per_run(struct pipeline *pipeline, const struct draw_call *call,
                                           const struct shader *shader, const void *uniforms,
                                           struct image *image, struct error *error) {
-    run_shader *volatile hidden = attempt_2_gouraud_textured_run;
+    run_shader *volatile hidden =
+        shader == &gouraud ? attempt_2_gouraud_run : attempt_2_gouraud_textured_run;
     size_t stride = 3 * shader->varying_count;
     if (!pipeline_assemble(pipeline, call, error)) {
         return false;
     }
     pipeline_cover(pipeline);
-    if (!pipeline_find_visible(pipeline, shader->varying_count, error)) {
+    if (!pipeline_fetch_visible(pipeline, shader, uniforms, error)) {
         return false;
-    }
-    for (size_t i = 0; i < pipeline->piece_count; i++) {
-        const struct piece *piece = &pipeline->pieces[i];
-        if (piece->attributes != UINT32_MAX) {
-            fetch_attributes(pipeline, piece, shader, uniforms,
-                             pipeline->attributes + piece->attributes * stride);
-        }
     }
     for (int y = 0; y < pipeline->viewport.height; y++) {
         attempt_2_row(pipeline, stride, hidden, uniforms, image, pipeline->viewport.y + y);

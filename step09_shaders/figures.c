@@ -72,10 +72,11 @@ static bool draw_culled_by_light(struct model *model, const char *directory, str
     return figure_end(&f, directory, "culled_by_light.png", done, error);
 }
 
+SHADER(not_shifted, 2, uv_vertex, attempt_4_normals_not_shifted);
+SHADER(file_order, 2, uv_vertex, attempt_5_normals_in_file_order);
+
 /* Right; levels as 0..1; x and z exchanged. */
 static bool draw_wrong_normals(struct model *model, const char *directory, struct error *error) {
-    static const struct shader not_shifted = {2, uv_vertex, attempt_4_normals_not_shifted, false};
-    static const struct shader file_order = {2, uv_vertex, attempt_5_normals_in_file_order, false};
     struct figure f = {0};
     bool done = figure_begin(&f, model, 3, NEEDS_DIFFUSE | NEEDS_NORMAL_MAP, error);
     if (done) {
@@ -118,7 +119,7 @@ static bool count_fragment(const void *uniforms, const double *varyings, struct 
     return true;
 }
 
-static const struct shader counting_shader = {3, place_vertex, count_fragment, false};
+SHADER(counting_shader, 3, place_vertex, count_fragment);
 
 static bool draw_count(struct figure *f, int panel, bool skip, struct image *times,
                        struct error *error) {

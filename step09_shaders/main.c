@@ -53,7 +53,7 @@ static bool white_fragment(const void *uniforms, const double *varyings, struct 
     return true;
 }
 
-static const struct shader flat = {1, flat_vertex, white_fragment, false};
+SHADER(flat, 1, flat_vertex, white_fragment);
 
 /* ---- Gouraud: an intensity for each corner ---- */
 
@@ -62,7 +62,7 @@ static void gouraud_vertex(const void *uniforms, size_t face, size_t corner, dou
     varyings[0] = lambert(model_normal(u->model, face, corner), u->to_light);
 }
 
-static const struct shader gouraud = {1, gouraud_vertex, white_fragment, false};
+SHADER(gouraud, 1, gouraud_vertex, white_fragment);
 
 /* ---- The same two with the texture's colours ---- */
 
@@ -91,9 +91,8 @@ static bool textured_fragment(const void *uniforms, const double *varyings, stru
     return true;
 }
 
-static const struct shader flat_textured = {3, flat_textured_vertex, textured_fragment, false};
-static const struct shader gouraud_textured = {3, gouraud_textured_vertex, textured_fragment,
-                                               false};
+SHADER(flat_textured, 3, flat_textured_vertex, textured_fragment);
+SHADER(gouraud_textured, 3, gouraud_textured_vertex, textured_fragment);
 
 /* ---- Toon: Gouraud in five levels ---- */
 
@@ -105,7 +104,7 @@ static bool toon_fragment(const void *uniforms, const double *varyings, struct c
     return true;
 }
 
-static const struct shader toon = {1, gouraud_vertex, toon_fragment, false};
+SHADER(toon, 1, gouraud_vertex, toon_fragment);
 
 /* ---- Normals from the normal map, pixel by pixel ---- */
 
@@ -123,7 +122,7 @@ static bool normal_map_fragment(const void *uniforms, const double *varyings, st
     return true;
 }
 
-static const struct shader normal_mapped = {2, uv_vertex, normal_map_fragment, false};
+SHADER(normal_mapped, 2, uv_vertex, normal_map_fragment);
 
 /* ---- Two-sided: a face seen from behind is lit as if its normal pointed to that side ---- */
 
@@ -133,7 +132,7 @@ static void two_sided_vertex(const void *uniforms, size_t face, size_t corner, d
     varyings[0] = fabs(vec3_dot(vec3_normalized(face_normal(u->model, face)), u->to_light));
 }
 
-static const struct shader two_sided = {1, two_sided_vertex, white_fragment, false};
+SHADER(two_sided, 1, two_sided_vertex, white_fragment);
 
 /* ---- Culled by the light, as in steps 4 to 7: what gets no light is not drawn at all ---- */
 
@@ -143,7 +142,7 @@ static bool lit_only_fragment(const void *uniforms, const double *varyings, stru
     return varyings[0] > 0; /* false discards the pixel */
 }
 
-static const struct shader culled_by_light = {1, flat_vertex, lit_only_fragment, true};
+DISCARDING_SHADER(culled_by_light, 1, flat_vertex, lit_only_fragment);
 
 /* ---- Scenes ---- */
 

@@ -67,7 +67,8 @@ static bool draw_panels(struct model *model, const struct panel *panels, int cou
                 pipeline_create(&pipeline, width, PANEL, error) &&
                 make_uniforms(&drawing, NEEDS_NORMALS, PANEL, &u, error);
     for (int i = 0; done && i < count; i++) {
-        struct shader shader = {8, vertex_with_normal, panels[i].fragment, false};
+        struct shader shader = {
+            .varying_count = 8, .vertex = vertex_with_normal, .fragment = panels[i].fragment};
         struct draw_call call =
             call_in_cell(&drawing, grid_cell(width, PANEL, count, 1, i, 0), 0.9);
         u.material = panels[i].material;

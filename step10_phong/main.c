@@ -159,12 +159,12 @@ static bool power_map_fragment(const void *uniforms, const double *varyings, str
     return true;
 }
 
-static const struct shader plain = {8, vertex_with_normal, plain_fragment, false};
-static const struct shader mapped = {5, vertex, mapped_fragment, false};
-static const struct shader textured = {8, vertex_with_normal, textured_fragment, false};
-static const struct shader full = {5, vertex, full_fragment, false};
-static const struct shader weight_mapped = {5, vertex, weight_map_fragment, false};
-static const struct shader power_mapped = {5, vertex, power_map_fragment, false};
+SHADER(plain, 8, vertex_with_normal, plain_fragment);
+SHADER(mapped, 5, vertex, mapped_fragment);
+SHADER(textured, 8, vertex_with_normal, textured_fragment);
+SHADER(full, 5, vertex, full_fragment);
+SHADER(weight_mapped, 5, vertex, weight_map_fragment);
+SHADER(power_mapped, 5, vertex, power_map_fragment);
 
 static const struct material plain_material = {0.1, 1, 0.5, 10, {255, 128, 255, 255}};
 static const struct material textured_material = {0.1, 1, 1, 10, {255, 255, 255, 255}};

@@ -117,7 +117,7 @@ static bool finite_fragment(const void *uniforms, const double *varyings, struct
     return true;
 }
 
-static const struct shader finite_shader = {3, corner_vertex, finite_fragment, false};
+SHADER(finite_shader, 3, corner_vertex, finite_fragment);
 
 static bool camera_draws_finite_pixels(const void *tried) {
     struct camera_case c = *(const struct camera_case *)tried;

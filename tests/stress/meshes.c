@@ -236,7 +236,7 @@ static bool place_fragment(const void *uniforms, const double *varyings, struct 
     return true;
 }
 
-static const struct shader place_shader = {3, place_vertex, place_fragment, false};
+SHADER(place_shader, 3, place_vertex, place_fragment);
 
 /* Draw in a viewport at (left, bottom) of an image twice as large. */
 static bool draw_soup(const struct world_mesh *mesh, double distance, int left, int bottom,
@@ -344,7 +344,7 @@ static bool count_fragment(const void *uniforms, const double *varyings, struct 
     return false;
 }
 
-static const struct shader count_shader = {3, place_vertex, count_fragment, true};
+DISCARDING_SHADER(count_shader, 3, place_vertex, count_fragment);
 
 struct plane {
     struct world_mesh mesh;

@@ -68,7 +68,7 @@ static bool number_fragment(const void *uniforms, const double *varyings, struct
     return true;
 }
 
-static const struct shader number_shader = {1, number_vertex, number_fragment, false};
+SHADER(number_shader, 1, number_vertex, number_fragment);
 
 /* ---- Which face shows ---- */
 
@@ -211,7 +211,7 @@ static bool see_fragment(const void *uniforms, const double *varyings, struct co
     return false;
 }
 
-static const struct shader see_shader = {3, place_vertex, see_fragment, true};
+DISCARDING_SHADER(see_shader, 3, place_vertex, see_fragment);
 
 static void see(const struct mesh *mesh, struct mat4 to_clip, struct seen *seen,
                 uint64_t stats[PIPELINE_STATS]) {
@@ -428,15 +428,85 @@ static void test_not_finite(void) {
     }
 }
 
+/* A face that reaches into the view by less than half a pixel covers only pixels of the image that
+ * lie below the viewport: nothing is drawn. */
+static void test_below_viewport(void) {
+    static struct mesh mesh;
+    mesh_begin(&mesh);
+    mesh_vertex(&mesh, -1, -2, 0);
+    mesh_vertex(&mesh, 1, -2, 0);
+    mesh_vertex(&mesh, 0, -0.99, 0);
+    mesh_face(&mesh, 0, 1, 2);
+    struct error error;
+    struct pipeline pipeline;
+    struct image image = {0};
+    size_t calls = 0;
+    struct uniforms uniforms = {.model = &mesh.model, .vertex_calls = &calls};
+    struct draw_call call = {
+        .model = &mesh.model, .to_clip = mat4_identity(), .viewport = {0, 10, 20, 10}};
+    CHECK(image_create(&image, 20, 20, IMAGE_BGR, &error));
+    CHECK(pipeline_create(&pipeline, 20, 20, &error));
+    CHECK(pipeline_draw(&pipeline, &call, &number_shader, &uniforms, &image, &error));
+    CHECK(pipeline.stats[STAT_FACES_WITHOUT_PIXEL] == 1 && calls == 0);
+    CHECK(pipeline.stats[STAT_PIXELS_SHADED] == 0);
+    pipeline_free(&pipeline);
+    image_free(&image);
+}
+
+/* Corners at the same place of the screen, and at the same place altogether: no pixel, no trap. */
+static void test_equal_corners(void) {
+    static struct mesh mesh;
+    static struct seen seen;
+    for (int row = 0; row < 2; row++) {
+        struct mat4 to_clip = mat4_projection(4);
+        if (row == 1) { /* flat: corners that differ only in w */
+            to_clip.m[2][2] = 0;
+        }
+        mesh_begin(&mesh);
+        for (int i = 0; i < 4; i++) {
+            mesh_vertex(&mesh, 0, 0, i < 3 ? i : 0);
+        }
+        mesh_face(&mesh, 0, 1, 2);
+        mesh_face(&mesh, 2, 1, 0);
+        mesh_face(&mesh, 1, 2, 0);
+        mesh_face(&mesh, 0, 3, 3);
+        uint64_t stats[PIPELINE_STATS] = {0};
+        see(&mesh, to_clip, &seen, stats);
+        CHECK(stats[STAT_FACES] == 4 && stats[STAT_FACES_WITHOUT_PIXEL] == 4);
+        CHECK(stats[STAT_PIXELS_SHADED] == 0);
+    }
+}
+
+/* Half of a texture of 64 texels over so many pixels: each level halves the texels, and the level is
+ * the one at which a pixel has at most one and a half. */
+static void test_wrapped_level(void) {
+    struct error error;
+    struct image image;
+    struct texture texture;
+    if (!CHECK(image_create(&image, 64, 2, IMAGE_GREY, &error)) ||
+        !CHECK(texture_create(&texture, &image, &error))) {
+        return;
+    }
+    CHECK(wrapped_level(&texture, 1000) == 0);
+    CHECK(wrapped_level(&texture, 32) == 0 && wrapped_level(&texture, 22) == 0);
+    CHECK(wrapped_level(&texture, 21) == 1 && wrapped_level(&texture, 8) == 2);
+    CHECK(wrapped_level(&texture, 0) == texture.level_count - 1); /* there is none smaller */
+    texture_free(&texture);
+    image_free(&image);
+}
+
 static void test_errors(void) {
     struct error error;
     struct pipeline pipeline;
     CHECK(!pipeline_create(&pipeline, 0, 10, &error));
     CHECK_TEXT(error.message, "cannot draw 0x10 pixels: a side has 1 to 16384");
     CHECK(!pipeline_create(&pipeline, 10, DRAW_LIMIT + 1, &error));
+    CHECK(!pipeline_create(&pipeline, DRAW_LIMIT + 1, 10, &error));
+    CHECK(!pipeline_create(&pipeline, 10, 0, &error));
     pipeline_free(&pipeline);
 }
 
 UNIT_MAIN(TEST(test_nearest_face_shows), TEST(test_corner_order), TEST(test_ground_without_gaps),
           TEST(test_interpolation), TEST(test_viewport), TEST(test_grid_cell),
-          TEST(test_not_finite), TEST(test_errors))
+          TEST(test_not_finite), TEST(test_below_viewport), TEST(test_equal_corners),
+          TEST(test_wrapped_level), TEST(test_errors))
