@@ -4,6 +4,12 @@
 #   make check          compare the pictures with tests/reference (make check STEP=05 for one step)
 #   make test           unit tests under sanitizers, and the tests of the check
 #   make stress         hostile numbers against exact answers (STRESS=10, SEED=7, PROPERTY=line)
+#   make bench          run time against error, a chart for each lesson (STEP=05 for one)
+#   make charts         put these charts into the lessons
+#   make portability    the same bytes from other compilers and on other machines (CONFIGURATIONS=arm64)
+#   make compare-opengl the same pictures drawn by OpenGL (needs Mesa)
+#   make fuzz           hostile files (needs clang; FUZZ_SECONDS=60 for each, TARGET=png)
+#   make coverage       which lines and branches of common the tests reach
 #   make figures        draw the other pictures that the lessons show
 #   make references     draw the reference images again (never part of a check)
 #   make clean
@@ -40,7 +46,8 @@ UNITS    = $(basename $(notdir $(wildcard tests/unit/test_*.c)))
 CHECKERS = $(basename $(notdir $(wildcard tests/check/test_*.c)))
 SCRIPTS  = $(wildcard tests/unit/*.sh)
 
-.PHONY: all programs models check test stress figures references clean
+.PHONY: all programs models check test stress bench charts portability compare-opengl fuzz coverage \
+        figures references clean
 .DELETE_ON_ERROR:
 .SECONDARY:
 
@@ -121,9 +128,12 @@ $(BUILD)/tested/%.o: %.c $(BUILD)/flags
 	@mkdir -p $(@D)
 	$(TESTED) -c $< -o $@
 
+# A test that defines __wrap_malloc() or the like gets the calls of malloc() (GNU ld, option --wrap).
+WRAPPED = $$(sed -n 's/.*__wrap_\([a-z]*\).*{$$/-Wl,--wrap=\1/p' tests/unit/$*.c)
+
 $(UNITS:%=$(BUILD)/tests/%): $(BUILD)/tests/%: $(BUILD)/tested/tests/unit/%.o $(ORACLE) $(TESTED_COMMON)
 	@mkdir -p $(@D)
-	$(TESTED) $^ -lm -o $@
+	$(TESTED) $(WRAPPED) $^ -lm -o $@
 
 $(CHECKERS:%=$(BUILD)/tests/%): $(BUILD)/tests/%: $(BUILD)/tested/tests/check/%.o $(TESTED_CHECKER) $(TESTED_COMMON)
 	@mkdir -p $(@D)
@@ -152,6 +162,46 @@ $(BUILD)/stress: $(STRESS_PARTS) $(LIBRARY)
 
 stress: $(BUILD)/stress
 	$(BUILD)/stress $(PROPERTY)
+
+# ---- Run time against error ----
+
+BENCHMARK = $(patsubst tests/%.c,$(BUILD)/tests/%.o,$(wildcard tests/bench/*.c) tests/oracle/oracle.c)
+
+$(BUILD)/benchmark: $(BENCHMARK) $(LIBRARY)
+	$(CC) $(CFLAGS) $(OPENMP) $^ -lm -o $@
+
+bench: $(BUILD)/benchmark $(MODELS)
+	$(BUILD)/benchmark -o $(BUILD) $(STEP)
+
+# The charts of the last `make bench` become those of the lessons.
+charts:
+	@for step in $(STEPS); do \
+	    if [ -f $(BUILD)/bench/$$step.svg ]; then cp $(BUILD)/bench/$$step.svg $$step/figures/bench.svg; \
+	    else echo "$$step: no chart yet; make bench draws it"; fi; done
+
+# ---- Other machines, other renderers, hostile files ----
+
+portability: check
+	tests/portability/portability.sh -b $(BUILD)/portability $(CONFIGURATIONS)
+
+OPENGL_PARTS = $(patsubst tests/%.c,$(BUILD)/tests/%.o,$(wildcard tests/opengl/*.c))
+
+$(BUILD)/compare-opengl: $(OPENGL_PARTS) $(LIBRARY)
+	$(CC) $(CFLAGS) $(OPENMP) $^ -lEGL -lGL -lm -o $@
+
+compare-opengl: $(MODELS)
+	@if printf '%s\n' '#include <EGL/egl.h>' '#include <GL/glcorearb.h>' | \
+	    $(CC) -E - >/dev/null 2>&1; then \
+	    $(MAKE) -s $(BUILD)/compare-opengl && $(BUILD)/compare-opengl; \
+	else echo 'compare-opengl: Mesa is missing; on Debian: apt-get install libegl-dev libgl-dev' \
+	    'libegl1 libgl1-mesa-dri'; exit 2; fi
+
+FUZZ_SECONDS = 60
+fuzz:
+	tests/fuzz/run.sh $(BUILD) $(FUZZ_SECONDS) $(TARGET)
+
+coverage: $(MODELS)
+	tests/coverage.sh $(BUILD)
 
 clean:
 	rm -rf $(BUILD)

@@ -997,7 +997,7 @@ static bool off_read_face(struct reader *reader, const struct off_kind *kind, si
 }
 
 static bool off_decode(struct reader *reader, const void *data, size_t size) {
-    struct off_kind kind;
+    struct off_kind kind = {0};
     size_t vertices = 0, faces = 0;
     if (!text_begin(&reader->text, data, size, false, reader->error) ||
         !off_read_header(reader, &kind, &vertices, &faces) ||

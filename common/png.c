@@ -181,7 +181,8 @@ static bool next_chunk(const uint8_t *data, size_t size, size_t *position, struc
                        struct error *error) {
     size_t left = size - *position;
     if (left < CHUNK_OVERHEAD) {
-        return error_set(error, "a PNG cut off before its end");
+        error_set(error, "a PNG cut off before its end");
+        return false;
     }
     const uint8_t *start = data + *position;
     uint32_t length = get_u32(start);
@@ -433,6 +434,7 @@ static bool unpack_rows(const struct png *png, const uint8_t *raw, size_t size, 
 static bool decode_pixels(const struct png *png, struct image *image, struct error *error) {
     size_t row_size = (png->width * channel_count(png->color_type) * png->depth + 7) / 8;
     uint64_t raw_size = (uint64_t)png->height * (1 + row_size);
+    assert(raw_size > 0); /* read_header() lets no empty image pass */
     if (raw_size / DEFLATE_RATIO_LIMIT > png->compressed.size || raw_size > SIZE_MAX / 2) {
         return error_set(error, "a PNG cut off: %zu bytes cannot hold %zux%zu pixels",
                          png->compressed.size, png->width, png->height);
@@ -740,6 +742,7 @@ static bool append_frame(const struct image *frames, size_t index, unsigned dela
     struct bytes pixels = {0};
     uint8_t number[4];
     if (!compress_pixels(frame, &rect, &pixels, error)) {
+        bytes_free(&pixels);
         return false;
     }
     put_u32(number, sequence + 1);

@@ -95,7 +95,7 @@ static bool read_color(struct reader *reader, const struct word words[3], struct
 
 static bool read_size(struct reader *reader) {
     struct text_scene *scene = reader->scene;
-    struct word words[NUMBER_LIMIT];
+    struct word words[NUMBER_LIMIT] = {{0}};
     size_t count = read_words(reader, words);
     int64_t width, height;
     if (scene->width != 0) {
@@ -141,7 +141,7 @@ static bool make_room(struct reader *reader) {
 static bool read_shape(struct reader *reader) {
     size_t corners = reader->rule->corners;
     size_t one_color = 2 * corners + 3, all_colors = 2 * corners + 3 * corners;
-    struct word words[NUMBER_LIMIT];
+    struct word words[NUMBER_LIMIT] = {{0}};
     size_t count = read_words(reader, words);
     if (count != one_color && count != all_colors) {
         return text_error(reader->error, reader->text.line,

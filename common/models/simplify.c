@@ -13,6 +13,7 @@
  */
 #include "simplify.h"
 
+#include <assert.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -416,6 +417,7 @@ static void workshop_free(struct workshop *w) {
 
 bool simplify(const struct surface *surface, size_t target, struct grid_triangle **triangles,
               size_t *count) {
+    assert(surface->columns > 0 && surface->rows > 0);
     struct workshop w;
     bool done = workshop_create(&w, surface);
     while (done && w.alive_count > target && w.heap_count > 0) {

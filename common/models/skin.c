@@ -293,7 +293,7 @@ static void paint_colors(struct skin *skin, const struct surface *surface, doubl
 bool skin_create(struct skin *skin, const struct surface *surface, size_t size,
                  struct error *error) {
     memset(skin, 0, sizeof *skin);
-    double *heights = malloc(size * size * sizeof *heights);
+    double *heights = calloc(size * size, sizeof *heights);
     if (heights == NULL) {
         return error_set(error, "not enough memory for the skin");
     }
