@@ -67,7 +67,10 @@ static void mesh_free(struct mesh *mesh) {
 
 static bool mesh_create(struct mesh *mesh, size_t limit, struct error *error) {
     *mesh = (struct mesh){.corners = malloc(limit * sizeof *mesh->corners)};
-    return mesh->corners != NULL || error_set(error, "out of memory");
+    if (mesh->corners == NULL) {
+        error_set(error, "out of memory");
+    }
+    return mesh->corners != NULL;
 }
 
 static struct vec2 unsnapped(struct fixed2 p) {
@@ -130,14 +133,22 @@ static bool mesh_from_sheet(struct mesh *mesh, struct error *error) {
 typedef void attempt_function(struct target *target, const struct vec2 corner[3],
                               struct color color);
 
+/* The edges of a triangle of a mesh. False when it certainly covers no pixel. */
+static bool corners_setup(struct edges *edges, const struct vec2 corner[3],
+                          const struct image *image) {
+    struct fixed2 p[3];
+    for (int i = 0; i < 3; i++) {
+        if (!screen_snap(corner[i], &p[i])) {
+            return false;
+        }
+    }
+    return triangle_setup(edges, p[0], p[1], p[2], image->width, image->height);
+}
+
 /* The good version: spans. */
 static void draw_spans(struct target *target, const struct vec2 corner[3], struct color color) {
-    struct fixed2 p[3];
     struct edges edges;
-    for (int i = 0; i < 3; i++) {
-        screen_snap(corner[i], &p[i]);
-    }
-    if (triangle_setup(&edges, p[0], p[1], p[2], target->image->width, target->image->height)) {
+    if (corners_setup(&edges, corner, target->image)) {
         for (int y = edges.y_begin; y < edges.y_end; y++) {
             struct span span = triangle_span(&edges, y);
             for (int x = span.begin; x < span.end; x++) {
@@ -183,12 +194,8 @@ static void count_exactly(const struct mesh *mesh, const struct image *image, ui
     int width = (int)image->width;
     memset(draws, 0, image->width * image->height);
     for (size_t i = 0; i < mesh->count; i++) {
-        struct fixed2 p[3];
         struct edges edges;
-        for (int k = 0; k < 3; k++) {
-            screen_snap(mesh->corners[i][k], &p[k]);
-        }
-        if (!triangle_setup(&edges, p[0], p[1], p[2], image->width, image->height)) {
+        if (!corners_setup(&edges, mesh->corners[i], image)) {
             continue;
         }
         for (int y = edges.y_begin; y < edges.y_end; y++) {
@@ -249,7 +256,7 @@ static bool measure(const char *name, const struct mesh *mesh, struct image *ima
  * three the pixel is white. */
 static bool draw_half_planes(const char *directory, struct error *error) {
     struct image image;
-    struct edges edges;
+    struct edges edges = {0};
     const struct fixed2 a = {5 * 256 / 2, 5 * 256 / 2}, b = {43 * 256 / 2, 9 * 256 / 2};
     const struct fixed2 c = {17 * 256 / 2, 33 * 256 / 2};
     if (!image_create(&image, 24, 19, IMAGE_BGR, error)) {
@@ -309,6 +316,7 @@ static bool draw_counts(const struct mesh *mesh, attempt_function *draw, struct 
                         struct area part, int zoom, const char *directory, const char *name,
                         struct error *error) {
     size_t pixel_count = image->width * image->height;
+    assert(pixel_count > 0);
     uint8_t *draws = malloc(pixel_count), *exact = malloc(pixel_count);
     bool done = draws != NULL && exact != NULL;
     if (done) {
@@ -438,9 +446,11 @@ static bool draw_large_fan(const char *directory, struct error *error) {
     uint8_t *draws = malloc((size_t)FAN_SIZE * FAN_SIZE);
     uint8_t *exact = malloc((size_t)FAN_SIZE * FAN_SIZE);
     bool done = draws != NULL && exact != NULL;
-    done = done ? image_create(&image, FAN_SIZE, FAN_SIZE, IMAGE_BGR, error) &&
-                      mesh_from_fan(&fan, error) && measure("fan", &fan, &image, error)
-                : error_set(error, "out of memory");
+    if (!done) {
+        error_set(error, "out of memory");
+    }
+    done = done && image_create(&image, FAN_SIZE, FAN_SIZE, IMAGE_BGR, error) &&
+           mesh_from_fan(&fan, error) && measure("fan", &fan, &image, error);
     if (done) {
         count_exactly(&fan, &image, exact);
         draw_mesh(&fan, attempt_7_edges_float, &image, draws);
@@ -502,8 +512,9 @@ static bool draw_columns(const char *directory, struct error *error) {
     struct canvas canvas = {.image = &image, .skip = true};
     struct vertex v[3];
     for (int i = 0; i < 3; i++) {
-        screen_snap((struct vec2){corner[i].x + 32.5, corner[i].y + 0.5}, &v[i].position);
-        v[i].color = color[i];
+        struct fixed2 position = {0, 0};
+        screen_snap((struct vec2){corner[i].x + 32.5, corner[i].y + 0.5}, &position);
+        v[i] = (struct vertex){.position = position, .color = color[i]};
     }
     gradient_triangle(&canvas, v);
     bool done = save(&image, whole(&image), 10, directory, "columns", error);

@@ -128,8 +128,10 @@ static bool draw_faults(const struct model *model, const char *directory, struct
     double *nearest = malloc(800 * 800 * sizeof *nearest),
            *shown = malloc(800 * 800 * sizeof *shown);
     bool done = nearest != NULL && shown != NULL;
-    done =
-        done ? image_create(&image, 800, 800, IMAGE_BGR, error) : error_set(error, "out of memory");
+    if (!done) {
+        error_set(error, "out of memory");
+    }
+    done = done && image_create(&image, 800, 800, IMAGE_BGR, error);
     if (done) {
         draw_with(model, intensity_of_main, (struct vec3){0, 0, -1}, &image);
         done = save(&image, (struct area){490, 420, 110, 160}, 4, directory, "detail_ear", error);

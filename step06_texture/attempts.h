@@ -185,6 +185,27 @@ static inline void attempt_7_every_8(struct image *image, const struct vertex v[
     attempt_every(image, v, texture, 8);
 }
 
+/* Affine again, with mip levels: evenly spread coordinates have the same mip level everywhere. */
+static inline void attempt_8_affine_levels(struct image *image, const struct vertex v[3],
+                                           const struct texture *texture) {
+    struct vertex same[3] = {v[0], v[1], v[2]}; /* all at the same distance */
+    same[0].recip_w = same[1].recip_w = same[2].recip_w = 1;
+    struct attempt_plane plane;
+    if (!attempt_begin(&plane, image, same)) {
+        return;
+    }
+    double level = attempt_level(&plane, v[0].uv, 1, texture);
+    for (int y = plane.edges.y_begin; y < plane.edges.y_end; y++) {
+        struct span span = edges_span(&plane.edges, y);
+        for (int x = span.begin; x < span.end; x++) {
+            struct vec3 weight = edges_weights(&plane.edges, x, y);
+            struct vec2 uv = vec2_interpolate(weight, v[0].uv, v[1].uv, v[2].uv);
+            struct vec4 c = sample_trilinear(texture, repeat(uv), level);
+            image_set(image, x, y, attempt_round_channels(c));
+        }
+    }
+}
+
 /* ---- The exact answer ---- */
 
 enum { EXACT_SIDE = 16 }; /* 16 x 16 = 256 samples a pixel */
@@ -196,8 +217,9 @@ static inline bool exact_checker(size_t x, size_t y, size_t width, size_t height
     const struct vec3 light = {245, 235, 215}, dark = {150, 45, 30};
     int light_count = 0;
     for (int i = 0; i < EXACT_SIDE * EXACT_SIDE; i++) {
-        double screen_x = (double)x + (i % EXACT_SIDE + 0.5) / EXACT_SIDE;
-        double screen_y = (double)y + ((i / EXACT_SIDE) + 0.5) / EXACT_SIDE;
+        int across = i % EXACT_SIDE, up = i / EXACT_SIDE;
+        double screen_x = (double)x + (across + 0.5) / EXACT_SIDE;
+        double screen_y = (double)y + (up + 0.5) / EXACT_SIDE;
         /* The ray to (a, b, -1) * distance, in the frame of the plane. */
         double a = (screen_x / (double)width - 0.5) * 2;
         double b = (screen_y / (double)height - 0.75) * 2;

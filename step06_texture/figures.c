@@ -235,7 +235,10 @@ static bool draw_mistakes(const char *directory, struct error *error) {
     struct image panel = {0}, figure = {0};
     double *depth = malloc(SIDE * SIDE * sizeof *depth);
     const struct texture *texture = NULL;
-    bool done = depth != NULL || error_set(error, "out of memory");
+    bool done = depth != NULL;
+    if (!done) {
+        error_set(error, "out of memory");
+    }
     done = done && model_read(&model, COURSE_BUILD "/models/bust.obj", error);
     done = done && (texture = model_texture(&model, MODEL_DIFFUSE, error)) != NULL;
     done = done && image_create(&panel, SIDE, SIDE, IMAGE_BGR, error) &&

@@ -154,7 +154,7 @@ static bool draw_frames(struct drawing *drawing, const char *directory, const ch
 /* The wrong pictures of the table in the lesson, six panels, all from the camera `side`. */
 static struct mat4 wrong_clip(int panel) {
     struct mat4 perspective = projection(camera_distance(&side)), frame = camera_frame(&side);
-    struct mat4 flip = mat4_identity();
+    struct mat4 flip;
     switch (panel) {
     case 0: /* not divided by w */
         return frame;

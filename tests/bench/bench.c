@@ -1,0 +1,141 @@
+/*
+ * Run time against error, for all lessons: `make bench`, or
+ *
+ *     benchmark [-o DIR] [STEP...]
+ *
+ * measures the lessons whose names contain one of the STEPs (all without one), prints a table, and
+ * writes DIR/bench.json and a chart for each lesson, DIR/bench/stepNN_name.svg. Each lesson takes
+ * about 10 seconds; the environment variable BENCH_SECONDS gives another number (of seconds a
+ * lesson).
+ */
+#include "bench.h"
+
+#include "chart.h"
+#include "measure.h"
+#include "report.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { SECONDS_DEFAULT = 10, LESSON_LIMIT = 10 };
+
+static const struct bench_lesson *const lessons[LESSON_LIMIT] = {
+    &bench_step01, &bench_step02, &bench_step03, &bench_step04, &bench_step05,
+    &bench_step06, &bench_step07, &bench_step08, &bench_step09, &bench_step10,
+};
+
+/* ---- For the lessons ---- */
+
+bool bench_read_model(struct model *model, const char *name, struct error *error) {
+    char path[1024];
+    *model = (struct model){0};
+    if (snprintf(path, sizeof path, "%s/models/%s", COURSE_BUILD, name) >= (int)sizeof path) {
+        return error_set(error, "%s: the name is too long", name);
+    }
+    return model_read(model, path, error);
+}
+
+/* ---- The program ---- */
+
+struct options {
+    const char *directory;
+    double seconds;
+    char **steps;
+    int step_count;
+};
+
+static bool read_seconds(double *seconds, struct error *error) {
+    const char *text = getenv("BENCH_SECONDS");
+    if (text == NULL || *text == '\0') {
+        *seconds = SECONDS_DEFAULT;
+        return true;
+    }
+    char *end;
+    *seconds = strtod(text, &end);
+    if (*end != '\0' || !(*seconds > 0 && *seconds <= 3600)) {
+        return error_set(error, "BENCH_SECONDS=%s is not a number of seconds in 0..3600", text);
+    }
+    return true;
+}
+
+static bool is_wanted(const struct bench_lesson *lesson, const struct options *options) {
+    for (int i = 0; i < options->step_count; i++) {
+        if (strstr(lesson->step, options->steps[i]) != NULL) {
+            return true;
+        }
+    }
+    return options->step_count == 0;
+}
+
+static bool save_chart(const struct bench_lesson *lesson, const struct bench_results *results,
+                       const char *directory, struct error *error) {
+    char path[1024];
+    struct bytes svg = {0};
+    if (snprintf(path, sizeof path, "%s/bench/%s.svg", directory, lesson->step) >=
+        (int)sizeof path) {
+        return error_set(error, "%s: the name is too long", directory);
+    }
+    bool done =
+        chart_draw(lesson, results, &svg, error) && file_write(path, svg.data, svg.size, error);
+    bytes_free(&svg);
+    return done;
+}
+
+static bool save_json(const struct bytes *json, const char *directory, struct error *error) {
+    char path[1024];
+    if (snprintf(path, sizeof path, "%s/bench.json", directory) >= (int)sizeof path) {
+        return error_set(error, "%s: the name is too long", directory);
+    }
+    return file_write(path, json->data, json->size, error);
+}
+
+static bool bench_lessons(const struct options *options, struct error *error) {
+    struct bytes json = {0};
+    int done = 0;
+    bool well = report_begin(&json, options->seconds, error);
+    for (int i = 0; well && i < LESSON_LIMIT; i++) {
+        struct bench_results results = {0};
+        if (!is_wanted(lessons[i], options)) {
+            continue;
+        }
+        well = bench_measure(lessons[i], options->seconds, &results, error) &&
+               report_lesson(&json, lessons[i], &results, done++ == 0, error) &&
+               save_chart(lessons[i], &results, options->directory, error);
+        if (well) {
+            report_print(lessons[i], &results);
+        }
+    }
+    if (well && done == 0) {
+        well = error_set(error, "no step of that name");
+    }
+    well = well && report_end(&json, error) && save_json(&json, options->directory, error);
+    bytes_free(&json);
+    return well;
+}
+
+int main(int argc, char **argv) {
+    struct options options = {.directory = COURSE_BUILD};
+    struct error error;
+    int next = 1;
+    if (next + 1 < argc && strcmp(argv[next], "-o") == 0) {
+        options.directory = argv[next + 1];
+        next += 2;
+    }
+    if (next < argc && argv[next][0] == '-') {
+        fprintf(stderr, "usage: benchmark [-o DIR] [STEP...]\n");
+        return 2;
+    }
+    options.steps = argv + next;
+    options.step_count = argc - next;
+    if (!read_seconds(&options.seconds, &error)) {
+        fprintf(stderr, "benchmark: %s\n", error.message);
+        return 2;
+    }
+    if (!bench_lessons(&options, &error)) {
+        fprintf(stderr, "benchmark: %s\n", error.message);
+        return 1;
+    }
+    return 0;
+}

@@ -1,0 +1,74 @@
+/*
+ * Run time against error: what a lesson tells the benchmark about its versions.
+ *
+ * Each lesson is one file, tests/bench/stepNN.c, that includes the lesson's own code
+ *
+ *     #define main step01_main
+ *     int step01_main(int argc, char **argv);
+ *     #include "../../step01_line/main.c"
+ *     #undef main
+ *     #include "../../step01_line/attempts.h"
+ *
+ * and defines one struct bench_lesson. A lesson has a few panels; a panel is one piece of work
+ * that several versions do, each in its own way, and becomes one chart. Of every version the frame
+ * (bench.c) measures two things: how long `run` takes, and what `error` returns. The error is
+ * computed, against an answer found in another way (tests/oracle, or long double), and never
+ * written down in advance. Times are only shown; nothing fails because of them.
+ */
+#ifndef TESTS_BENCH_H
+#define TESTS_BENCH_H
+
+#include "file.h"
+#include "model.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+
+/* One way to do the work of a panel. */
+struct bench_version {
+    const char *name; /* at most 26 characters, so that labels find room in the chart */
+    int choice;       /* handed to `run` and `error`, which so can serve several versions */
+    bool is_house;    /* the lesson's good version, the one in main.c: its name is set in bold */
+    /* Do the whole work of the panel once (best 0.1 to 30 ms), memory ready, without printing. It
+     * is called many times over; each call must do the same, so what it uses up it first makes
+     * anew. */
+    void (*run)(void *state, int choice);
+    /* The error of this version in the panel's error unit: 0 only when it is exact, infinite or not
+     * a number when it has no meaning. Called once, before the timing; it may call `run`. */
+    double (*error)(void *state, int choice);
+};
+
+struct bench_panel {
+    const char *title;       /* the work: "24,640 lines from the middle of 41x41 pixels" */
+    const char *error_label; /* unit and meaning, below the axis: "pixels wrong of 1000" */
+    const char *time_label;  /* "ns per pixel", "ms per frame" */
+    const char *against;     /* what the error was measured against: "exact integers" */
+    /* Units of work that one run does: seconds of a run / units * 1e9 is shown in nanoseconds.
+     * NULL: milliseconds of one run are shown. The same number for all versions. */
+    double (*units)(const void *state);
+    const struct bench_version *versions;
+    size_t version_count; /* 2..BENCH_VERSION_LIMIT */
+    double budget; /* share of the lesson's time, relative to its other panels; 0 counts as 1 */
+};
+
+enum { BENCH_VERSION_LIMIT = 16, BENCH_PANEL_LIMIT = 4 };
+
+struct bench_lesson {
+    const char *step;  /* "step01_line": name of the directory, and of the chart's file */
+    const char *title; /* heading of the chart: "Step 1: a line" */
+    /* Allocate and fill what the versions need; false, with a message, when it fails. `teardown`
+     * is called after a call of `setup`, even a failed one, and frees `state` (which may be NULL).
+     */
+    bool (*setup)(void **state, struct error *error);
+    void (*teardown)(void *state);
+    const struct bench_panel *panels;
+    size_t panel_count; /* 1..BENCH_PANEL_LIMIT */
+};
+
+extern const struct bench_lesson bench_step01, bench_step02, bench_step03, bench_step04,
+    bench_step05, bench_step06, bench_step07, bench_step08, bench_step09, bench_step10;
+
+/* Read a model of build/models, such as "bust.obj". The caller frees it. */
+bool bench_read_model(struct model *model, const char *name, struct error *error);
+
+#endif

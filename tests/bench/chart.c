@@ -1,0 +1,613 @@
+/* SVG charts: see chart.h. Coordinates here are SVG's: y goes down. */
+#include "chart.h"
+
+#include "report.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+enum {
+    CHART_WIDTH = 820,
+    HEAD_HEIGHT = 44,   /* the lesson's title */
+    PANEL_HEIGHT = 440, /* a panel with its title and axes */
+    FOOT_HEIGHT = 54,
+    PLOT_LEFT = 76,
+    PLOT_RIGHT = 800,
+    PLOT_TOP = 44,     /* below the panel's top */
+    PLOT_BOTTOM = 380, /* also below the panel's top */
+    PLACE_WIDTH = 200, /* of the places beside the scale, for errors of 0 and for infinite ones */
+    TICK_LIMIT = 64,
+    LABEL_HEIGHT = 15,
+    MARK_RADIUS = 5
+};
+
+/* A generous guess of how wide a letter of a label (12 pixels high) is, in any sans-serif font. */
+static const double letter_width = 7.0;
+
+/* ---- Output ---- */
+
+/* An SVG text that grows; after the first failure nothing more is added. */
+struct output {
+    struct bytes *svg;
+    struct error *error;
+    bool well;
+};
+
+#define PUT(output, ...)                                                                           \
+    ((output)->well = (output)->well && report_append((output)->svg, (output)->error, __VA_ARGS__))
+
+/* Text in which no character means something to SVG. */
+static void put_escaped(struct output *output, const char *text) {
+    for (; *text != '\0'; text++) {
+        switch (*text) {
+        case '<':
+            PUT(output, "&lt;");
+            break;
+        case '>':
+            PUT(output, "&gt;");
+            break;
+        case '&':
+            PUT(output, "&amp;");
+            break;
+        case '"':
+            PUT(output, "&quot;");
+            break;
+        default:
+            PUT(output, "%c", *text);
+        }
+    }
+}
+
+static void put_text(struct output *output, const char *class, double x, double y,
+                     const char *text) {
+    PUT(output, "<text class=\"%s\" x=\"%.1f\" y=\"%.1f\">", class, x, y);
+    put_escaped(output, text);
+    PUT(output, "</text>\n");
+}
+
+static void put_line(struct output *output, const char *class, double x0, double y0, double x1,
+                     double y1) {
+    PUT(output, "<line class=\"%s\" x1=\"%.1f\" y1=\"%.1f\" x2=\"%.1f\" y2=\"%.1f\"/>\n", class, x0,
+        y0, x1, y1);
+}
+
+/* ---- Axes ---- */
+
+/* Values from low to high lie at from_px to to_px. */
+struct axis {
+    bool logarithmic;
+    double low, high;
+    double from_px, to_px;
+};
+
+static double axis_px(const struct axis *axis, double value) {
+    double part = axis->logarithmic ? log10(value / axis->low) / log10(axis->high / axis->low)
+                                    : (value - axis->low) / (axis->high - axis->low);
+    return axis->from_px + (axis->to_px - axis->from_px) * part;
+}
+
+/* The largest of 1, 2, 5 times a power of ten that is at most `value`, or the smallest that is at
+ * least. */
+static double round_number(double value, bool up) {
+    static const double steps[] = {1, 2, 5, 10};
+    double power = pow(10, floor(log10(value) + 1e-9)), rounded = power;
+    for (int i = 0; i < 4; i++) {
+        double step = steps[i] * power;
+        if (up ? step >= value * (1 - 1e-9) : step <= value * (1 + 1e-9)) {
+            rounded = step;
+            if (up) {
+                break;
+            }
+        }
+    }
+    return rounded;
+}
+
+/* A scale for positive values least..most: logarithmic where they differ by more than `ratio`,
+ * otherwise from 0. */
+static struct axis make_axis(double least, double most, double ratio, double from_px,
+                             double to_px) {
+    struct axis axis = {.logarithmic = most > ratio * least, .from_px = from_px, .to_px = to_px};
+    if (axis.logarithmic) {
+        axis.low = round_number(least / 1.02, false);
+        axis.high = round_number(most * 1.02, true);
+    } else {
+        double step = round_number(most / 5, true);
+        axis.high = step * ceil(most * 1.08 / step);
+    }
+    return axis;
+}
+
+/* Round numbers on an axis, from low to high. Returns how many. */
+static int axis_ticks(const struct axis *axis, double ticks[TICK_LIMIT]) {
+    int count = 0;
+    if (!axis->logarithmic) {
+        double step = round_number(axis->high / 5, true);
+        for (int i = 0; i * step <= axis->high * (1 + 1e-9) && count < TICK_LIMIT; i++) {
+            ticks[count++] = i * step;
+        }
+        return count;
+    }
+    double decades = log10(axis->high / axis->low);
+    for (double tick = axis->low; tick <= axis->high * (1 + 1e-9) && count < TICK_LIMIT;) {
+        bool power = fabs(log10(tick) - floor(log10(tick) + 0.5)) < 1e-6;
+        if (decades <= 3.2 || power) {
+            ticks[count++] = tick;
+        }
+        tick = round_number(tick * 1.9, true); /* 1 2 5 10 20 50 ... */
+    }
+    return count;
+}
+
+/* A tick's number: "0.05", "20", "1000000" would be too wide: "1e6". */
+static void show_tick(double value, char text[32]) {
+    double size = fabs(value);
+    if (size != 0 && (size < 0.9e-3 || size > 0.9e6)) {
+        int power = (int)floor(log10(size) + 1e-9);
+        snprintf(text, 32, "%.0fe%d", value / pow(10, power), power);
+    } else {
+        snprintf(text, 32, "%.6g", value);
+    }
+}
+
+/* ---- Where things are ---- */
+
+struct box {
+    double left, top, right, bottom;
+};
+
+static bool boxes_overlap(struct box a, struct box b) {
+    return a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
+}
+
+struct point {
+    double x, y;
+};
+
+/* Does the segment come into the box? Cut it to the box's slabs and see whether anything is left
+ * (Liang and Barsky, "A New Concept and Method for Line Clipping", 1984). */
+static bool segment_meets(struct point a, struct point b, struct box box) {
+    double first = 0, last = 1;
+    const double from[2] = {a.x, a.y}, step[2] = {b.x - a.x, b.y - a.y};
+    const double low[2] = {box.left, box.top}, high[2] = {box.right, box.bottom};
+    for (int i = 0; i < 2; i++) {
+        if (step[i] == 0) {
+            if (from[i] < low[i] || from[i] > high[i]) {
+                return false;
+            }
+            continue;
+        }
+        double enter = (low[i] - from[i]) / step[i], leave = (high[i] - from[i]) / step[i];
+        first = fmax(first, fmin(enter, leave));
+        last = fmin(last, fmax(enter, leave));
+    }
+    return first < last;
+}
+
+/* A version on the chart. */
+struct mark {
+    const struct bench_version *version;
+    const struct bench_result *result;
+    double x, y, y_upper, y_lower; /* the dot, and the ends of its bar */
+    struct box label;
+    const char *anchor; /* the class that ties the text to the box's side: "", "middle", "end" */
+    bool has_leader;
+    struct point leader; /* where the leader line meets the label */
+};
+
+struct plot {
+    struct axis error, time;
+    double exact_x, none_x; /* the places for an error of 0 and for one that is not finite */
+    bool has_scale, has_exact, has_none;
+    bool exact_apart; /* 0 is not on the scale, but in a place of its own at the left */
+    double top, bottom;
+    struct mark marks[BENCH_VERSION_LIMIT];
+    size_t count;
+    size_t front[BENCH_VERSION_LIMIT]; /* the useful marks, from the most accurate to the fastest */
+    size_t front_count;
+};
+
+static void plot_axes(struct plot *plot, const struct bench_result *results, size_t count) {
+    double least = INFINITY, most = 0, fastest = INFINITY, slowest = 0;
+    for (size_t i = 0; i < count; i++) {
+        double error = results[i].error;
+        plot->has_exact = plot->has_exact || error == 0;
+        plot->has_none = plot->has_none || !isfinite(error);
+        if (isfinite(error) && error > 0) {
+            plot->has_scale = true;
+            least = fmin(least, error);
+            most = fmax(most, error);
+        }
+        fastest = fmin(fastest, results[i].lower);
+        slowest = fmax(slowest, results[i].upper);
+    }
+    double left = PLOT_LEFT, right = PLOT_RIGHT;
+    if (plot->has_scale) {
+        plot->error = make_axis(least, most, 4, left, right);
+        /* A scale from 0 has a place for 0 on it; a logarithmic one has none. */
+        plot->exact_apart = plot->has_exact && plot->error.logarithmic;
+        left += plot->exact_apart ? PLACE_WIDTH : 0;
+        right -= plot->has_none ? PLACE_WIDTH : 0;
+        plot->error.from_px = left + 24;
+        plot->error.to_px = right - 24;
+        plot->exact_x = plot->exact_apart ? PLOT_LEFT + 24 : plot->error.from_px;
+        plot->none_x = PLOT_RIGHT - PLACE_WIDTH + 24;
+    } else {
+        plot->exact_x = PLOT_LEFT + (PLOT_RIGHT - PLOT_LEFT) / 3.0;
+        plot->none_x = PLOT_RIGHT - PLACE_WIDTH;
+    }
+    plot->time = make_axis(fastest, slowest, 10, plot->bottom, plot->top);
+}
+
+static void plot_marks(struct plot *plot, const struct bench_panel *panel,
+                       const struct bench_result *results) {
+    plot->count = panel->version_count;
+    for (size_t i = 0; i < plot->count; i++) {
+        const struct bench_result *r = &results[i];
+        double x = plot->exact_x;
+        if (!isfinite(r->error)) {
+            x = plot->none_x;
+        } else if (r->error > 0) {
+            x = axis_px(&plot->error, r->error);
+        }
+        plot->marks[i] = (struct mark){
+            .version = &panel->versions[i],
+            .result = r,
+            .x = x,
+            .y = axis_px(&plot->time, r->median),
+            .y_upper = axis_px(&plot->time, r->upper),
+            .y_lower = axis_px(&plot->time, r->lower),
+        };
+    }
+}
+
+static void plot_front(struct plot *plot) {
+    for (size_t i = 0; i < plot->count; i++) {
+        const struct bench_result *r = plot->marks[i].result;
+        if (!r->front) {
+            continue;
+        }
+        size_t k = plot->front_count++;
+        for (; k > 0 && plot->marks[plot->front[k - 1]].result->error > r->error; k--) {
+            plot->front[k] = plot->front[k - 1];
+        }
+        plot->front[k] = i;
+    }
+}
+
+/* ---- Labels ---- */
+
+static double cross(struct point a, struct point b, struct point c) {
+    return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
+
+static bool segments_cross(struct point a, struct point b, struct point c, struct point d) {
+    return cross(a, b, c) * cross(a, b, d) < 0 && cross(c, d, a) * cross(c, d, b) < 0;
+}
+
+static struct box dot_box(const struct mark *mark) {
+    double r = MARK_RADIUS + 2;
+    return (struct box){mark->x - r, mark->y - r, mark->x + r, mark->y + r};
+}
+
+static struct box bar_box(const struct mark *mark) {
+    return (struct box){mark->x - 5, fmin(mark->y_upper, mark->y) - 2, mark->x + 5,
+                        fmax(mark->y_lower, mark->y) + 2};
+}
+
+/* How bad a place for a label is that would cover marks, or whose leader would cross them. */
+static double cost_of_marks(const struct plot *plot, const struct mark *mark) {
+    const struct point dot = {mark->x, mark->y};
+    double cost = 0;
+    for (size_t i = 0; i < plot->count; i++) {
+        const struct mark *other = &plot->marks[i];
+        cost += boxes_overlap(mark->label, dot_box(other)) ? 200 : 0;
+        cost += boxes_overlap(mark->label, bar_box(other)) ? 60 : 0;
+        bool crossed =
+            other != mark && mark->has_leader && segment_meets(dot, mark->leader, dot_box(other));
+        cost += crossed ? 6 : 0;
+    }
+    for (size_t k = 0; k + 1 < plot->front_count; k++) {
+        const struct mark *a = &plot->marks[plot->front[k]], *b = &plot->marks[plot->front[k + 1]];
+        bool crossed =
+            segment_meets((struct point){a->x, a->y}, (struct point){b->x, b->y}, mark->label);
+        cost += crossed ? 20 : 0;
+    }
+    return cost;
+}
+
+/* The same for the labels that are placed already, order[0..placed-1], and their leaders. */
+static double cost_of_labels(const struct plot *plot, const struct mark *mark, const size_t *order,
+                             size_t placed) {
+    const struct point dot = {mark->x, mark->y};
+    double cost = 0;
+    for (size_t k = 0; k < placed; k++) {
+        const struct mark *other = &plot->marks[order[k]];
+        const struct point other_dot = {other->x, other->y};
+        cost += boxes_overlap(mark->label, other->label) ? 500 : 0;
+        if (other->has_leader) {
+            cost += segment_meets(other_dot, other->leader, mark->label) ? 100 : 0;
+        }
+        if (mark->has_leader) {
+            cost += segment_meets(dot, mark->leader, other->label) ? 100 : 0;
+        }
+        if (mark->has_leader && other->has_leader) {
+            cost += segments_cross(dot, mark->leader, other_dot, other->leader) ? 40 : 0;
+        }
+    }
+    return cost;
+}
+
+static double place_cost(const struct plot *plot, const struct mark *mark, const size_t *order,
+                         size_t placed) {
+    const struct box box = mark->label;
+    bool outside = box.left < PLOT_LEFT + 2 || box.right > PLOT_RIGHT - 2 ||
+                   box.top < plot->top + 1 || box.bottom > plot->bottom - 1;
+    double along = (box.left + box.right) / 2 < mark->x ? box.right - mark->x : box.left - mark->x;
+    double far = fabs(along) + 1.2 * fabs((box.top + box.bottom) / 2 - mark->y);
+    return (outside ? 1000 : 0) + far / 8 + cost_of_marks(plot, mark) +
+           cost_of_labels(plot, mark, order, placed);
+}
+
+enum side { TO_THE_RIGHT, TO_THE_LEFT, ABOVE_OR_BELOW };
+
+/* Put the label at a distance from the dot; `down` is where the middle of its height lies. */
+static void put_label(struct mark *mark, enum side side, double across, double down) {
+    double width = letter_width * (double)strlen(mark->version->name) + 4;
+    double left = mark->x - width / 2, middle = mark->y + down;
+    mark->anchor = "middle";
+    if (side == TO_THE_RIGHT) {
+        left = mark->x + across;
+        mark->anchor = "";
+    } else if (side == TO_THE_LEFT) {
+        left = mark->x - across - width;
+        mark->anchor = "end";
+    }
+    mark->label =
+        (struct box){left, middle - LABEL_HEIGHT / 2.0, left + width, middle + LABEL_HEIGHT / 2.0};
+    mark->has_leader = side == ABOVE_OR_BELOW ? fabs(down) > 20 : fabs(down) > 9 || across > 16;
+    mark->leader = (struct point){fmin(fmax(mark->x, left), left + width), middle};
+    if (side == ABOVE_OR_BELOW) {
+        mark->leader.y = down > 0 ? mark->label.top : mark->label.bottom;
+    }
+}
+
+static void place_label(struct plot *plot, struct mark *mark, const size_t *order, size_t placed) {
+    static const double distances[] = {MARK_RADIUS + 5, 24, 44, 70, 100};
+    double best_cost = INFINITY;
+    struct mark best = *mark;
+    for (enum side side = TO_THE_RIGHT; side <= ABOVE_OR_BELOW; side++) {
+        for (size_t i = 0; i < sizeof distances / sizeof distances[0]; i++) {
+            for (int step = -40; step <= 40; step++) {
+                double down = 5 * step;
+                if (side == ABOVE_OR_BELOW && (fabs(down) < 15 || i > 0)) {
+                    continue;
+                }
+                put_label(mark, side, distances[i], down);
+                double cost = place_cost(plot, mark, order, placed);
+                if (cost < best_cost) {
+                    best_cost = cost;
+                    best = *mark;
+                }
+            }
+        }
+    }
+    *mark = best;
+}
+
+/* How many labels and dots a mark has near it: where it is crowded, labels are placed first. */
+static int neighbours(const struct plot *plot, size_t i) {
+    int count = 0;
+    for (size_t j = 0; j < plot->count; j++) {
+        count += fabs(plot->marks[j].x - plot->marks[i].x) < 160 &&
+                 fabs(plot->marks[j].y - plot->marks[i].y) < 2 * LABEL_HEIGHT;
+    }
+    return count;
+}
+
+static void place_labels(struct plot *plot) {
+    size_t order[BENCH_VERSION_LIMIT] = {0};
+    for (size_t i = 0; i < plot->count; i++) { /* sorted by insertion: 16 at most */
+        size_t k = i;
+        for (; k > 0 && neighbours(plot, order[k - 1]) < neighbours(plot, i); k--) {
+            order[k] = order[k - 1];
+        }
+        order[k] = i;
+    }
+    for (size_t k = 0; k < plot->count; k++) {
+        place_label(plot, &plot->marks[order[k]], order, k);
+    }
+    /* Twice more, each knowing where all others are. */
+    for (size_t k = 0; k < 2 * plot->count; k++) {
+        size_t i = order[k % plot->count], others[BENCH_VERSION_LIMIT], count = 0;
+        for (size_t j = 0; j < plot->count; j++) {
+            if (j != i) {
+                others[count++] = j;
+            }
+        }
+        place_label(plot, &plot->marks[i], others, count);
+    }
+}
+
+/* ---- Drawing ---- */
+
+static void draw_style(struct output *output) {
+    PUT(output, "<style>\n"
+                "text { font-family: sans-serif; font-size: 12px; fill: #1f2328; }\n"
+                ".head { font-size: 17px; font-weight: bold; }\n"
+                ".title { font-size: 13px; font-weight: bold; }\n"
+                ".tick, .foot { fill: #59636e; font-size: 11px; }\n"
+                ".label { fill: #59636e; }\n"
+                ".house { font-weight: bold; }\n"
+                ".useful { fill: #0a5cc2; }\n"
+                ".middle { text-anchor: middle; }\n"
+                ".end { text-anchor: end; }\n"
+                ".paper { fill: #ffffff; }\n"
+                ".plot { fill: #f6f8fa; stroke: #d1d9e0; }\n"
+                ".grid { stroke: #d8dee4; stroke-width: 1; }\n"
+                ".bar, .leader { stroke: #818b98; stroke-width: 1; }\n"
+                ".dot { fill: #ffffff; stroke: #818b98; stroke-width: 1.5; }\n"
+                ".front { fill: none; stroke: #0a5cc2; stroke-width: 1.5; "
+                "stroke-dasharray: 5 4; }\n"
+                ".best { fill: #0a5cc2; stroke: #0a5cc2; stroke-width: 1.5; }\n");
+    PUT(output, "@media (prefers-color-scheme: dark) {\n"
+                "text { fill: #e6edf3; }\n"
+                ".tick, .foot, .label { fill: #a0aab5; }\n"
+                ".useful { fill: #79b8ff; }\n"
+                ".paper { fill: #0d1117; }\n"
+                ".plot { fill: #151b23; stroke: #3d444d; }\n"
+                ".grid { stroke: #2b323b; }\n"
+                ".bar, .leader { stroke: #8b949e; }\n"
+                ".dot { fill: #151b23; stroke: #8b949e; }\n"
+                ".front { stroke: #79b8ff; }\n"
+                ".best { fill: #79b8ff; stroke: #79b8ff; }\n"
+                "}\n"
+                "</style>\n");
+}
+
+static void draw_error_axis(struct output *output, const struct plot *plot) {
+    double ticks[TICK_LIMIT];
+    int count = plot->has_scale ? axis_ticks(&plot->error, ticks) : 0;
+    double last = -1000;
+    for (int i = 0; i < count; i++) {
+        char text[32];
+        double x = axis_px(&plot->error, ticks[i]);
+        put_line(output, "grid", x, plot->top, x, plot->bottom);
+        bool is_exact = ticks[i] == 0 && plot->has_exact; /* "exact" is written there */
+        if (x - last > 40 && !is_exact) {                 /* room for its number */
+            show_tick(ticks[i], text);
+            put_text(output, "tick middle", x, plot->bottom + 16, text);
+            last = x;
+        }
+    }
+    if (plot->has_exact) {
+        put_text(output, "middle", plot->exact_x, plot->bottom + 16, "exact");
+        if (plot->exact_apart) {
+            put_line(output, "grid", PLOT_LEFT + PLACE_WIDTH, plot->top, PLOT_LEFT + PLACE_WIDTH,
+                     plot->bottom);
+        }
+    }
+    if (plot->has_none) {
+        put_text(output, "middle", plot->none_x, plot->bottom + 16, "no answer");
+        if (plot->has_scale) {
+            put_line(output, "grid", PLOT_RIGHT - PLACE_WIDTH, plot->top, PLOT_RIGHT - PLACE_WIDTH,
+                     plot->bottom);
+        }
+    }
+}
+
+static void draw_time_axis(struct output *output, const struct plot *plot) {
+    double ticks[TICK_LIMIT];
+    int count = axis_ticks(&plot->time, ticks);
+    double last = 1e6;
+    for (int i = 0; i < count; i++) {
+        char text[32];
+        double y = axis_px(&plot->time, ticks[i]);
+        put_line(output, "grid", PLOT_LEFT, y, PLOT_RIGHT, y);
+        if (last - y > 13) {
+            show_tick(ticks[i], text);
+            put_text(output, "tick end", PLOT_LEFT - 6, y + 4, text);
+            last = y;
+        }
+    }
+}
+
+static void draw_front(struct output *output, const struct plot *plot) {
+    if (plot->front_count < 2) {
+        return;
+    }
+    PUT(output, "<polyline class=\"front\" points=\"");
+    for (size_t k = 0; k < plot->front_count; k++) {
+        const struct mark *mark = &plot->marks[plot->front[k]];
+        PUT(output, "%.1f,%.1f ", mark->x, mark->y);
+    }
+    PUT(output, "\"/>\n");
+}
+
+static void draw_bar(struct output *output, const struct mark *mark) {
+    if (mark->has_leader) {
+        put_line(output, "leader", mark->x, mark->y, mark->leader.x, mark->leader.y);
+    }
+    put_line(output, "bar", mark->x, mark->y_upper, mark->x, mark->y_lower);
+    put_line(output, "bar", mark->x - 4, mark->y_upper, mark->x + 4, mark->y_upper);
+    put_line(output, "bar", mark->x - 4, mark->y_lower, mark->x + 4, mark->y_lower);
+}
+
+static void draw_dot(struct output *output, const struct mark *mark) {
+    char error[32], median[32];
+    bench_show_number(mark->result->error, error);
+    bench_show_number(mark->result->median, median);
+    PUT(output, "<circle class=\"%s\" cx=\"%.1f\" cy=\"%.1f\" r=\"%d\"><title>",
+        mark->result->front ? "best" : "dot", mark->x, mark->y, MARK_RADIUS);
+    put_escaped(output, mark->version->name);
+    PUT(output, ": error %s, time %s</title></circle>\n", error, median);
+}
+
+static void draw_label(struct output *output, const struct mark *mark) {
+    char class[32];
+    snprintf(class, sizeof class, "%s%s%s", mark->anchor, mark->version->is_house ? " house" : "",
+             mark->result->front ? " useful" : "");
+    double x = (mark->label.left + mark->label.right) / 2;
+    if (strcmp(mark->anchor, "middle") != 0) {
+        x = mark->anchor[0] == '\0' ? mark->label.left + 2 : mark->label.right - 2;
+    }
+    put_text(output, class, x, mark->label.bottom - 3.5, mark->version->name);
+}
+
+static void draw_panel(struct output *output, const struct bench_panel *panel,
+                       const struct bench_result *results, double top) {
+    struct plot plot = {.top = top + PLOT_TOP, .bottom = top + PLOT_BOTTOM};
+    char text[512];
+    plot_axes(&plot, results, panel->version_count);
+    plot_marks(&plot, panel, results);
+    plot_front(&plot);
+    place_labels(&plot);
+    put_text(output, "title", 20, top + 14, panel->title);
+    put_text(output, "label", 20, top + 33, panel->time_label);
+    PUT(output, "<rect class=\"plot\" x=\"%d\" y=\"%.1f\" width=\"%d\" height=\"%.1f\"/>\n",
+        PLOT_LEFT, plot.top, PLOT_RIGHT - PLOT_LEFT, plot.bottom - plot.top);
+    draw_time_axis(output, &plot);
+    draw_error_axis(output, &plot);
+    draw_front(output, &plot);
+    for (size_t i = 0; i < plot.count; i++) {
+        draw_bar(output, &plot.marks[i]);
+    }
+    for (size_t i = 0; i < plot.count; i++) {
+        draw_dot(output, &plot.marks[i]);
+        draw_label(output, &plot.marks[i]);
+    }
+    snprintf(text, sizeof text, "error: %s, against %s", panel->error_label, panel->against);
+    put_text(output, "label middle", (PLOT_LEFT + PLOT_RIGHT) / 2.0, plot.bottom + 36, text);
+}
+
+bool chart_draw(const struct bench_lesson *lesson, const struct bench_results *results,
+                struct bytes *svg, struct error *error) {
+    struct output output = {.svg = svg, .error = error, .well = true};
+    int height = HEAD_HEIGHT + (int)lesson->panel_count * PANEL_HEIGHT + FOOT_HEIGHT;
+    char processor[128], text[512];
+    PUT(&output,
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %d %d\" width=\"%d\" "
+        "height=\"%d\" role=\"img\">\n<title>",
+        CHART_WIDTH, height, CHART_WIDTH, height);
+    put_escaped(&output, lesson->title);
+    PUT(&output, ": run time against error</title>\n");
+    draw_style(&output);
+    PUT(&output, "<rect class=\"paper\" width=\"%d\" height=\"%d\"/>\n", CHART_WIDTH, height);
+    snprintf(text, sizeof text, "%s: run time against error", lesson->title);
+    put_text(&output, "head", 20, 28, text);
+    for (size_t i = 0; i < lesson->panel_count; i++) {
+        draw_panel(&output, &lesson->panels[i], results->of[i],
+                   HEAD_HEIGHT + (double)i * PANEL_HEIGHT + 8);
+    }
+    put_text(
+        &output, "foot", 20, height - 30,
+        "Filled dots: no other version is both as fast and as accurate. Bold: the lesson's own "
+        "version. Dots are medians, bars quartiles.");
+    report_processor(processor);
+    snprintf(text, sizeof text, "%s%s%s", report_compiler(), processor[0] != '\0' ? ", " : "",
+             processor);
+    put_text(&output, "foot", 20, height - 13, text);
+    PUT(&output, "</svg>\n");
+    return output.well;
+}

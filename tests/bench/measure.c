@@ -1,0 +1,154 @@
+/* Interleaved measurements: see measure.h. */
+#define _POSIX_C_SOURCE 200809L
+#include "measure.h"
+
+#include <assert.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <time.h>
+
+enum { ROUNDS_LEAST = 5, ROUNDS_WANTED = 31, ROUNDS_MOST = 501, CALLS_MOST = 1000000 };
+
+/* A sample is no longer than this where a run is not: many short samples make a better median than
+ * a few long ones. */
+static const double sample_seconds_most = 0.002;
+
+static double clock_seconds(clockid_t clock) {
+    struct timespec t;
+    clock_gettime(clock, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+static double now(void) {
+    return clock_seconds(CLOCK_MONOTONIC);
+}
+
+/* Seconds of one call. While another program has the processor, the clock on the wall goes on and
+ * the processor time does not; while several threads run, processor time goes faster. The smaller
+ * of the two is the time that the work took. */
+static double time_calls(const struct bench_version *version, void *state, size_t calls) {
+    double start = now(), processor_start = clock_seconds(CLOCK_PROCESS_CPUTIME_ID);
+    for (size_t i = 0; i < calls; i++) {
+        version->run(state, version->choice);
+    }
+    double processor = clock_seconds(CLOCK_PROCESS_CPUTIME_ID) - processor_start;
+    return fmin(now() - start, processor) / (double)calls;
+}
+
+/* Run a version until it has had its share of the warm-up, and find from that how many runs make a
+ * sample of `sample_seconds`. */
+static size_t warm_up(const struct bench_version *version, void *state, double sample_seconds) {
+    double best = time_calls(version, state, 1), start = now();
+    while (now() - start < sample_seconds) {
+        double again = time_calls(version, state, 1);
+        best = again < best ? again : best;
+    }
+    double calls = best > 0 ? floor(sample_seconds / best + 0.5) : CALLS_MOST;
+    return calls < 1 ? 1 : calls > CALLS_MOST ? CALLS_MOST : (size_t)calls;
+}
+
+static int compare_doubles(const void *a, const void *b) {
+    double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+/* The value below which `share` of the sorted samples lie, linear between neighbours. */
+static double quantile(const double *sorted, size_t count, double share) {
+    double place = share * (double)(count - 1);
+    size_t i = (size_t)place;
+    double next = sorted[i + 1 < count ? i + 1 : i];
+    return sorted[i] + (next - sorted[i]) * (place - (double)i);
+}
+
+static void summarize(struct bench_result *result, double *samples, double scale) {
+    qsort(samples, result->rounds, sizeof *samples, compare_doubles);
+    result->median = scale * quantile(samples, result->rounds, 0.5);
+    result->lower = scale * quantile(samples, result->rounds, 0.25);
+    result->upper = scale * quantile(samples, result->rounds, 0.75);
+}
+
+/* Is error a as small as error b? One per cent more counts as equal: the inputs are a sample. */
+static bool as_accurate(double a, double b) {
+    return a <= b * 1.01;
+}
+
+static void mark_front(struct bench_result *results, size_t count) {
+    for (size_t i = 0; i < count; i++) {
+        const struct bench_result *own = &results[i];
+        results[i].front = isfinite(own->error);
+        for (size_t j = 0; j < count; j++) {
+            const struct bench_result *other = &results[j];
+            bool as_good = as_accurate(other->error, own->error) && other->median <= own->median;
+            bool better = !as_accurate(own->error, other->error) || other->median < own->median;
+            results[i].front = results[i].front && !(as_good && better);
+        }
+    }
+}
+
+static void measure_panel(const struct bench_panel *panel, void *state, double seconds,
+                          struct bench_result *results) {
+    double samples[BENCH_VERSION_LIMIT][ROUNDS_MOST];
+    size_t count = panel->version_count, rounds = 0;
+    assert(count <= BENCH_VERSION_LIMIT);
+    for (size_t i = 0; i < count; i++) {
+        results[i].error = panel->versions[i].error(state, panel->versions[i].choice);
+    }
+    double start = now();
+    double sample_seconds =
+        fmin(seconds / (double)(count * (ROUNDS_WANTED + 2)), sample_seconds_most);
+    for (size_t i = 0; i < count; i++) {
+        results[i].calls = warm_up(&panel->versions[i], state, sample_seconds);
+    }
+    while (rounds < ROUNDS_LEAST || (rounds < ROUNDS_MOST && now() - start < seconds)) {
+        for (size_t k = 0; k < count; k++) {
+            /* Each round begins with another version, and every other one goes backwards: nobody
+             * always runs after the same neighbour. */
+            size_t turn = (k + rounds / 2) % count, i = rounds % 2 ? count - 1 - turn : turn;
+            samples[i][rounds] = time_calls(&panel->versions[i], state, results[i].calls);
+        }
+        rounds++;
+    }
+    double scale = panel->units != NULL ? 1e9 / panel->units(state) : 1e3;
+    for (size_t i = 0; i < count; i++) {
+        results[i].rounds = rounds;
+        summarize(&results[i], samples[i], scale);
+    }
+    mark_front(results, count);
+}
+
+static double panel_share(const struct bench_panel *panel) {
+    return panel->budget > 0 ? panel->budget : 1;
+}
+
+bool bench_measure(const struct bench_lesson *lesson, double seconds, struct bench_results *results,
+                   struct error *error) {
+    void *state = NULL;
+    double shares = 0;
+    assert(lesson->panel_count <= BENCH_PANEL_LIMIT);
+    for (size_t i = 0; i < lesson->panel_count; i++) {
+        shares += panel_share(&lesson->panels[i]);
+    }
+    bool ready = lesson->setup(&state, error);
+    for (size_t i = 0; ready && i < lesson->panel_count; i++) {
+        const struct bench_panel *panel = &lesson->panels[i];
+        measure_panel(panel, state, seconds * panel_share(panel) / shares, results->of[i]);
+    }
+    lesson->teardown(state);
+    return ready;
+}
+
+void bench_show_number(double value, char text[32]) {
+    if (!isfinite(value)) {
+        snprintf(text, 32, "none");
+        return;
+    }
+    double size = fabs(value);
+    if (size != 0 && (size < 1e-3 || size >= 1e6)) {
+        snprintf(text, 32, "%.2e", value);
+        return;
+    }
+    int decimals = size >= 100 || size == 0 ? 0 : size >= 10 ? 1 : size >= 1 ? 2 : 3;
+    decimals = size != 0 && size < 0.1 ? size < 0.01 ? 5 : 4 : decimals;
+    snprintf(text, 32, "%.*f", decimals, value);
+}

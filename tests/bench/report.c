@@ -1,0 +1,163 @@
+/* Tables and JSON: see report.h. */
+#include "report.h"
+
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+/* ---- The table ---- */
+
+void report_print(const struct bench_lesson *lesson, const struct bench_results *results) {
+    printf("\n%s (%s)\n", lesson->title, lesson->step);
+    for (size_t i = 0; i < lesson->panel_count; i++) {
+        const struct bench_panel *panel = &lesson->panels[i];
+        printf("\n  %s\n  error: %s, against %s; time: %s, median and quartiles of %zu rounds\n",
+               panel->title, panel->error_label, panel->against, panel->time_label,
+               results->of[i][0].rounds);
+        printf("    %-26s %12s %12s %12s %12s\n", "version", "error", "time", "lower", "upper");
+        for (size_t j = 0; j < panel->version_count; j++) {
+            const struct bench_result *r = &results->of[i][j];
+            char error[32], median[32], lower[32], upper[32];
+            bench_show_number(r->error, error);
+            bench_show_number(r->median, median);
+            bench_show_number(r->lower, lower);
+            bench_show_number(r->upper, upper);
+            printf("  %c %-26s %12s %12s %12s %12s\n", r->front ? '*' : ' ',
+                   panel->versions[j].name, error, median, lower, upper);
+        }
+    }
+    printf("\n  * useful: no other version is both as fast and as accurate\n");
+    fflush(stdout);
+}
+
+/* ---- JSON ---- */
+
+bool report_append(struct bytes *text, struct error *error, const char *format, ...) {
+    char piece[1024];
+    va_list arguments;
+    va_start(arguments, format);
+    int length = vsnprintf(piece, sizeof piece, format, arguments);
+    va_end(arguments);
+    if (length < 0 || length >= (int)sizeof piece) {
+        return error_set(error, "a line of the report is too long");
+    }
+    if (!bytes_append(text, piece, (size_t)length)) {
+        return error_set(error, "not enough memory for the report");
+    }
+    return true;
+}
+
+/* "name": "value", with what JSON wants escaped. */
+static bool append_string(struct bytes *json, struct error *error, const char *name,
+                          const char *value) {
+    bool well = report_append(json, error, "\"%s\": \"", name);
+    for (; well && *value != '\0'; value++) {
+        unsigned char c = (unsigned char)*value;
+        if (c == '"' || c == '\\') {
+            well = report_append(json, error, "\\%c", c);
+        } else if (c < 32) {
+            well = report_append(json, error, "\\u%04x", (unsigned)c);
+        } else {
+            well = report_append(json, error, "%c", c);
+        }
+    }
+    return well && report_append(json, error, "\"");
+}
+
+/* "name": value; JSON has no infinity, so null stands for what is not finite. */
+static bool append_number(struct bytes *json, struct error *error, const char *name, double value) {
+    if (!isfinite(value)) {
+        return report_append(json, error, "\"%s\": null", name);
+    }
+    return report_append(json, error, "\"%s\": %.9g", name, value);
+}
+
+static bool append_comma(struct bytes *json, struct error *error) {
+    return report_append(json, error, ", ");
+}
+
+static bool append_version(struct bytes *json, const struct bench_version *version,
+                           const struct bench_result *result, struct error *error) {
+    return report_append(json, error, "        {") &&
+           append_string(json, error, "name", version->name) && append_comma(json, error) &&
+           append_number(json, error, "error", result->error) && append_comma(json, error) &&
+           append_number(json, error, "median", result->median) && append_comma(json, error) &&
+           append_number(json, error, "lower_quartile", result->lower) &&
+           append_comma(json, error) &&
+           append_number(json, error, "upper_quartile", result->upper) &&
+           report_append(json, error, ", \"rounds\": %zu, \"runs_per_round\": %zu, ",
+                         result->rounds, result->calls) &&
+           report_append(json, error, "\"useful\": %s}", result->front ? "true" : "false");
+}
+
+static bool append_panel(struct bytes *json, const struct bench_panel *panel,
+                         const struct bench_result *results, struct error *error) {
+    bool well =
+        report_append(json, error, "      {") &&
+        append_string(json, error, "title", panel->title) && append_comma(json, error) &&
+        append_string(json, error, "time_unit", panel->time_label) && append_comma(json, error) &&
+        append_string(json, error, "error_unit", panel->error_label) && append_comma(json, error) &&
+        append_string(json, error, "error_against", panel->against) &&
+        report_append(json, error, ", \"versions\": [\n");
+    for (size_t i = 0; well && i < panel->version_count; i++) {
+        well = append_version(json, &panel->versions[i], &results[i], error) &&
+               report_append(json, error, i + 1 < panel->version_count ? ",\n" : "\n");
+    }
+    return well && report_append(json, error, "      ]}");
+}
+
+bool report_begin(struct bytes *json, double seconds, struct error *error) {
+    char processor[128];
+    report_processor(processor);
+    return report_append(json, error, "{\n  ") &&
+           append_string(json, error, "compiler", report_compiler()) && append_comma(json, error) &&
+           append_string(json, error, "processor", processor) && append_comma(json, error) &&
+           append_number(json, error, "seconds_a_lesson", seconds) &&
+           report_append(json, error, ",\n  \"lessons\": [");
+}
+
+bool report_lesson(struct bytes *json, const struct bench_lesson *lesson,
+                   const struct bench_results *results, bool first, struct error *error) {
+    bool well = report_append(json, error, "%s\n    {", first ? "" : ",") &&
+                append_string(json, error, "step", lesson->step) && append_comma(json, error) &&
+                append_string(json, error, "title", lesson->title) &&
+                report_append(json, error, ", \"panels\": [\n");
+    for (size_t i = 0; well && i < lesson->panel_count; i++) {
+        well = append_panel(json, &lesson->panels[i], results->of[i], error) &&
+               report_append(json, error, i + 1 < lesson->panel_count ? ",\n" : "\n");
+    }
+    return well && report_append(json, error, "    ]}");
+}
+
+bool report_end(struct bytes *json, struct error *error) {
+    return report_append(json, error, "\n  ]\n}\n");
+}
+
+/* ---- The machine ---- */
+
+const char *report_compiler(void) {
+#if defined(__clang__)
+    return "clang " __clang_version__;
+#elif defined(__GNUC__)
+    return "gcc " __VERSION__;
+#else
+    return "an unknown compiler";
+#endif
+}
+
+void report_processor(char name[128]) {
+    static const char key[] = "model name\t: ";
+    char line[256];
+    FILE *file = fopen("/proc/cpuinfo", "r");
+    name[0] = '\0';
+    while (file != NULL && name[0] == '\0' && fgets(line, sizeof line, file) != NULL) {
+        if (strncmp(line, key, sizeof key - 1) == 0) {
+            line[strcspn(line, "\n")] = '\0';
+            snprintf(name, 128, "%.127s", line + sizeof key - 1);
+        }
+    }
+    if (file != NULL) {
+        fclose(file);
+    }
+}
