@@ -171,6 +171,7 @@ $(BUILD)/benchmark: $(BENCHMARK) $(LIBRARY)
 	$(CC) $(CFLAGS) $(OPENMP) $^ -lm -o $@
 
 bench: $(BUILD)/benchmark $(MODELS)
+	@mkdir -p $(BUILD)/bench
 	$(BUILD)/benchmark -o $(BUILD) $(STEP)
 
 # The charts of the last `make bench` become those of the lessons.
