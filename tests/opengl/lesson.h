@@ -1,0 +1,42 @@
+/*
+ * The lessons as the comparison sees them: their scenes, and the triangles of each.
+ *
+ * Each lesson's main.c is included whole by a file of its own here, so that the static functions of
+ * one do not meet those of another. Its main() then hands its table of scenes to lesson_capture()
+ * instead of running it.
+ */
+#ifndef OPENGL_LESSON_H
+#define OPENGL_LESSON_H
+
+#include "picture.h"
+#include "program.h"
+
+struct lesson {
+    const struct program *program;
+    /* Memory that the lesson's scenes need as `drawing->state`, at least program->state_size. */
+    size_t state_size;
+    /* What of a scene is not triangles and is left out; NULL when it is all triangles. */
+    const char *(*left_out)(const char *scene);
+    /* Draws such a scene without what is left out. NULL: nothing remains, it is not compared. */
+    bool (*draw_rest)(struct drawing *drawing, struct image *image, struct error *error);
+    /* Collect the triangles of a scene, for an image of that size. To be called after `prepare` of
+     * the program and after the scene was drawn once. `picture` is empty and has its size. */
+    bool (*build)(const char *scene, struct drawing *drawing, struct image *image,
+                  struct picture *picture, struct error *error);
+    /* Does the lesson's own picture show a triangle at this pixel? NULL where a picture drawn over
+     * black and over white tells: what is the same in both was drawn. */
+    bool (*covered)(const struct drawing *drawing, const struct image *image, size_t pixel);
+};
+
+/* Stands in for program_main(): `argv` is the address of a `const struct program *`, which is set. */
+int lesson_capture(const struct program *program, int argc, char **argv);
+
+struct lesson lesson_step04(void);
+struct lesson lesson_step05(void);
+struct lesson lesson_step06(void);
+struct lesson lesson_step07(void);
+struct lesson lesson_step08(void);
+struct lesson lesson_step09(void);
+struct lesson lesson_step10(void);
+
+#endif

@@ -1,0 +1,53 @@
+/* The triangles of step 5: see lesson.h. */
+#include "include_lesson.h"
+
+#include "../../step05_zbuffer/main.c"
+
+#include <string.h>
+
+static const char *left_out(const char *scene) {
+    return strcmp(scene, "rows") == 0 ? "all of it: rows of pixels, no triangles" : NULL;
+}
+
+static bool build(const char *scene, struct drawing *drawing, struct image *image,
+                  struct picture *picture, struct error *error) {
+    const struct model *model = drawing->model;
+    const struct vec3 light = vec3_normalized(drawing->light);
+    struct batch settings =
+        parallel_batch(LOOK_WHITE, (struct rectangle){0, 0, (int)image->width, (int)image->height});
+    picture->shows_depth = strcmp(scene, "depth") == 0;
+    struct batch *batch = picture_add_batch(picture, &settings, error);
+    for (size_t face = 0; batch != NULL && face < model->face_count; face++) {
+        double intensity = face_intensity(model, face, light);
+        struct vertex vertices[3];
+        if (!(intensity > 0) || !place_face(model, face, image, vertices)) {
+            continue;
+        }
+        struct corner_data corners[3];
+        for (size_t i = 0; i < 3; i++) {
+            struct vec3 world = model_position(model, face, i);
+            corners[i] = (struct corner_data){
+                .position = world,
+                .placed = {vertices[i].position, parallel_depth(vertices[i].depth), 1},
+                .varyings = {intensity},
+            };
+        }
+        if (!batch_add_face(batch, face, corners, error)) {
+            return false;
+        }
+    }
+    return batch != NULL;
+}
+
+/* The depth picture is drawn over everything, so that only the depth tells. */
+static bool covered(const struct drawing *drawing, const struct image *image, size_t pixel) {
+    const struct state *state = drawing->state;
+    (void)image;
+    return state->depth[pixel] > -INFINITY;
+}
+
+struct lesson lesson_step05(void) {
+    const struct program *program = NULL;
+    lesson_main(0, (char **)&program);
+    return (struct lesson){program, program->state_size, left_out, NULL, build, covered};
+}

@@ -1,0 +1,90 @@
+/* The triangles of step 7: see lesson.h. */
+#include "include_lesson.h"
+
+#include "../../step07_gouraud/main.c"
+
+#include <string.h>
+
+static const char *left_out(const char *scene) {
+    (void)scene;
+    return NULL;
+}
+
+/* All faces, with the light at their corners. `left` and `bottom` are those of the panel. */
+static bool add_faces(struct batch *batch, const struct model *model,
+                      const struct lighting *lighting, struct error *error) {
+    const struct rectangle *panel = &batch->viewport;
+    const struct canvas canvas = {.width = (size_t)panel->width, .height = (size_t)panel->height};
+    for (size_t face = 0; face < model->face_count; face++) {
+        struct vertex vertices[3];
+        struct corner_data corners[3];
+        if (!place_face(model, face, &canvas, vertices)) {
+            continue;
+        }
+        for (size_t i = 0; i < 3; i++) {
+            struct known_corner known = {0};
+            struct fixed2 screen = vertices[i].position;
+            light_corner(model, face, i, lighting, &known);
+            corners[i] = (struct corner_data){
+                .position = model_position(model, face, i),
+                .placed = {{screen.x + panel->x * SUBPIXELS, screen.y + panel->y * SUBPIXELS},
+                           parallel_depth(vertices[i].depth),
+                           1},
+                .varyings = {lighting->at_points ? known.parts.diffuse : known.intensity,
+                             known.parts.specular},
+            };
+        }
+        if (!batch_add_face(batch, face, corners, error)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+static bool build_gouraud(struct drawing *drawing, struct image *image, struct picture *picture,
+                          struct error *error) {
+    const struct lighting lighting = {.light = vec3_normalized(drawing->light)};
+    struct batch settings =
+        parallel_batch(LOOK_WHITE, (struct rectangle){0, 0, (int)image->width, (int)image->height});
+    settings.cull = CULL_BACK;
+    struct batch *batch = picture_add_batch(picture, &settings, error);
+    return batch != NULL && add_faces(batch, drawing->model, &lighting, error);
+}
+
+static bool build_lit(struct drawing *drawing, struct image *image, struct picture *picture,
+                      struct error *error) {
+    const struct lighting lighting = {
+        .at_points = true, .light = drawing->light, .camera = drawing->eye};
+    int width = (int)image->width / 2, height = (int)image->height / 2;
+    for (size_t i = 0; i < PANEL_COUNT; i++) {
+        const struct panel *panel = &panels[i];
+        struct batch settings =
+            parallel_batch(LOOK_LIT, (struct rectangle){panel->column * width, panel->row * height,
+                                                        width, height});
+        settings.cull = CULL_BACK;
+        settings.values = (struct look_values){
+            .ambient = panel->ambient * clay.ambient,
+            .diffuse = panel->diffuse,
+            .specular = panel->specular,
+            .color = clay.surface_color,
+            .light_color = clay.light_color,
+        };
+        struct batch *batch = picture_add_batch(picture, &settings, error);
+        if (batch == NULL || !add_faces(batch, drawing->model, &lighting, error)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+static bool build(const char *scene, struct drawing *drawing, struct image *image,
+                  struct picture *picture, struct error *error) {
+    return strcmp(scene, "gouraud") == 0 ? build_gouraud(drawing, image, picture, error)
+                                         : build_lit(drawing, image, picture, error);
+}
+
+struct lesson lesson_step07(void) {
+    const struct program *program = NULL;
+    lesson_main(0, (char **)&program);
+    return (struct lesson){program, program->state_size, left_out, NULL, build, NULL};
+}
