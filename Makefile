@@ -182,8 +182,8 @@ charts:
 
 # ---- Other machines, other renderers, hostile files ----
 
-portability: check
-	tests/portability/portability.sh -b $(BUILD)/portability $(CONFIGURATIONS)
+portability:
+	@tests/portability/portability.sh -b $(BUILD)/portability $(CONFIGURATIONS)
 
 OPENGL_PARTS = $(patsubst tests/%.c,$(BUILD)/tests/%.o,$(wildcard tests/opengl/*.c))
 
