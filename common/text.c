@@ -68,13 +68,13 @@ static bool is_digit(char c) {
     return c >= '0' && c <= '9';
 }
 
-/* One past the line's end that stands at p. */
+/* One past the line's end that stands at p (nothing, at the end of the text). */
 static const char *over_line_end(const char *p, const char *end) {
     if (p < end && *p == '\r') {
         p++;
         return p < end && *p == '\n' ? p + 1 : p;
     }
-    return p < end && *p == '\n' ? p + 1 : p;
+    return p < end ? p + 1 : p;
 }
 
 bool text_begin(struct text *text, const void *data, size_t size, bool continuation,
@@ -230,7 +230,7 @@ static bool decimal_parse(struct decimal *decimal, struct word word) {
     const char *p = word.start;
     const char *end = word.start + word.length;
     *decimal = (struct decimal){0};
-    if (p < end && (*p == '-' || *p == '+')) {
+    if (*p == '-' || *p == '+') {
         decimal->negative = *p == '-';
         p++;
     }

@@ -194,7 +194,7 @@ static bool build_step(const struct options *options, const char *step,
     char target[DRAWN_PATH_LIMIT];
     snprintf(target, sizeof target, "%s/%s", options->programs, step);
     const char *arguments[] = {NULL, NULL, NULL, NULL, "-s", target, NULL};
-    struct run_result result;
+    struct run_result result = {.end = RUN_EXITED};
     struct error error;
     bool good = false;
     if (!call_make(options, arguments, &result, &error)) {

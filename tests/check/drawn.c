@@ -102,7 +102,7 @@ struct message_line drawn_message(const char *text) {
             size_t kept = length < MESSAGE_WIDTH ? length : MESSAGE_WIDTH;
             for (size_t i = 0; i < kept; i++) {
                 unsigned char c = (unsigned char)text[i];
-                line.text[i] = c < ' ' || c == 127 ? ' ' : (char)c;
+                line.text[i] = (char)(c < ' ' || c == 127 ? ' ' : c);
             }
             strcpy(line.text + kept, kept < length ? "..." : "");
             return line;

@@ -197,6 +197,31 @@ static void test_lookat_special(void) {
     }
 }
 
+/* Where the camera looks along `up`, the axis most nearly perpendicular to it shows upwards. */
+static void test_lookat_along_up(void) {
+    static const struct vec3 rows[][2] = {
+        {{2, 1, 0.5}, {0, 0, 1}}, {{0.5, 1, 2}, {1, 0, 0}}, {{2, 0.5, 1}, {0, 1, 0}}};
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        struct mat4 view = mat4_lookat(rows[i][0], (struct vec3){0, 0, 0}, rows[i][0]);
+        struct vec3 up = mat4_direction(&view, rows[i][1]);
+        struct vec3 eye = mat4_direction(&view, vec3_normalized(rows[i][0]));
+        CHECK(up.y > 0.5 && near(up.x, 0, 1e-15));
+        CHECK(near(eye.x, 0, 1e-15) && near(eye.y, 0, 1e-15) && near(eye.z, 1, 1e-15));
+    }
+}
+
+/* Matrices whose inverse is too large for a double, for infinity and for infinity minus infinity. */
+static void test_inverse_overflow(void) {
+    struct mat4 tiny = mat4_scaling((struct vec3){1e-310, 1e-310, 1e-310}), inverse = {{{7}}};
+    CHECK(!mat4_inverse(tiny, &inverse) && inverse.m[0][0] == 7);
+    for (int row = 0; row < 4; row++) {
+        for (int column = 0; column < 4; column++) {
+            tiny.m[row][column] = (row & column) == 1 || (row & column) == 2 ? -1e-310 : 1e-310;
+        }
+    }
+    CHECK(!mat4_inverse(tiny, &inverse) && inverse.m[0][0] == 7);
+}
+
 static void test_projection(void) {
     struct mat4 p = mat4_projection(2);
     struct vec4 clip = mat4_point(&p, (struct vec3){0.5, 0.25, 1});
@@ -352,5 +377,6 @@ static void test_snap(void) {
 UNIT_MAIN(TEST(test_vectors), TEST(test_normalized), TEST(test_level_from),
           TEST(test_turn_direction), TEST(test_product_and_transpose), TEST(test_inverse),
           TEST(test_singular), TEST(test_rotation), TEST(test_lookat), TEST(test_lookat_special),
-          TEST(test_projection), TEST(test_lines_all_small), TEST(test_lines_random),
-          TEST(test_triangles_random), TEST(test_triangle_special), TEST(test_snap))
+          TEST(test_lookat_along_up), TEST(test_inverse_overflow), TEST(test_projection),
+          TEST(test_lines_all_small), TEST(test_lines_random), TEST(test_triangles_random),
+          TEST(test_triangle_special), TEST(test_snap))

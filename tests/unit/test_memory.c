@@ -82,7 +82,8 @@ void __wrap_free(void *block) {
     __real_free(block);
 }
 
-char *__wrap_realpath(const char *path, char *resolved) { /* allocates inside the C library */
+/* Allocates inside the C library. */
+char *__wrap_realpath(const char *path, char *resolved) {
     return fails() ? NULL : counted(__real_realpath(path, resolved));
 }
 
@@ -233,7 +234,7 @@ static bool read_file(const struct inputs *inputs, struct error *error) {
 
 static bool read_pipe(const struct inputs *inputs, struct error *error) {
     struct bytes bytes;
-    int ends[2], kept = dup(STDIN_FILENO);
+    int ends[2] = {-1, -1}, kept = dup(STDIN_FILENO);
     (void)inputs;
     CHECK(kept >= 0 && pipe(ends) == 0 && write(ends[1], "some text", 9) == 9);
     close(ends[1]);
@@ -388,6 +389,27 @@ static bool read_images(const struct inputs *inputs, struct error *error) {
     return done;
 }
 
+/* More than one block, so that memory can run out between two. Words that nearly repeat make the
+ * compressor look ahead. */
+static bool encode_large(const struct inputs *inputs, struct error *error) {
+    struct image image = {0};
+    struct bytes out = {0};
+    uint32_t state = 3;
+    bool done = image_create(&image, 300, 300, IMAGE_GREY, error);
+    (void)inputs;
+    for (size_t i = 0; done && i < 300 * (size_t)300; i++) {
+        state = state * 1664525u + 1013904223u;
+        size_t back = 1 + (state >> 8) % 900;
+        image.pixels[i] = i > 1000 && state >> 29 != 0 ? image.pixels[i - back / 300 * 300 - 7]
+                                                       : (uint8_t)(state >> 12);
+    }
+    done = done && png_encode(&image, &out, error);
+    CHECK(done || out.size == 0);
+    image_free(&image);
+    bytes_free(&out);
+    return done;
+}
+
 static bool make_texture(const struct inputs *inputs, struct error *error) {
     struct texture texture;
     bool done = texture_create(&texture, &inputs->clear, error);
@@ -404,6 +426,7 @@ static void test_images(void) {
         {"png_decode", decode_png},
         {"tga_encode, ppm_encode, png_encode", encode_all},
         {"apng_encode", encode_film},
+        {"png_encode of a large image", encode_large},
         {"tga_write, png_write, ppm_write, apng_write", write_images},
         {"tga_read, png_read", read_images},
         {"texture_create", make_texture},
@@ -591,8 +614,35 @@ static bool draw_everything(const struct inputs *inputs, struct error *error) {
     return draw_cube(inputs, false, error);
 }
 
+/* One face that is cut into several pieces, and more whole ones than there is room left for. */
+static bool draw_many(const struct inputs *inputs, struct error *error) {
+    static const struct shader shader = {
+        .varying_count = 1, .vertex = no_vertex, .fragment = white};
+    struct bytes text = {0};
+    struct model model = {0};
+    struct pipeline pipeline = {0};
+    struct image image = {0};
+    (void)inputs;
+    repeat_line(&text, "v -90 -90 0\nv 90 -90 0\nv 0 90 0\nv 0 0.5 0\nv 0 0 0\nv 0.5 0 0\n", 1);
+    repeat_line(&text, "f 1 2 3\n", 1);
+    repeat_line(&text, "f 4 5 6\n", 20);
+    bool done = model_decode(&model, text.data, text.size, error) &&
+                pipeline_create(&pipeline, 16, 16, error) &&
+                image_create(&image, 16, 16, IMAGE_BGR, error);
+    struct draw_call call = {
+        .model = &model, .to_clip = mat4_identity(), .viewport = {0, 0, 16, 16}};
+    done = done && pipeline_draw(&pipeline, &call, &shader, NULL, &image, error);
+    CHECK(!done || (pipeline.stats[STAT_FACES_CLIPPED] == 1 && pipeline.piece_count > 21));
+    pipeline_free(&pipeline);
+    image_free(&image);
+    model_free(&model);
+    free_text(&text);
+    return done;
+}
+
 static void test_pipeline(void) {
-    static const struct task tasks[] = {{"pipeline_draw", draw_skipping},
+    static const struct task tasks[] = {{"pipeline_draw of many faces", draw_many},
+                                        {"pipeline_draw", draw_skipping},
                                         {"pipeline_draw without skipping", draw_everything}};
     RUN_TASKS(tasks);
 }

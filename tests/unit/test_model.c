@@ -248,6 +248,7 @@ static void test_messages(void) {
         {SQUARE "f 1 2 -4294967295\n", "5: face names vertex -4294967295 of 4"},
         {SQUARE "f 1 2 18446744073709551617\n", "5: face names vertex 18446744073709551617 of 4"},
         {SQUARE "f 1 2 -99999999999999999999\n", "5: face names vertex -99999999999999999999 of 4"},
+        {SQUARE "f 1 2 +99999999999999999999\n", "5: face names vertex +99999999999999999999 of 4"},
         {SQUARE "f 1 2 -5\n", "5: face names vertex -5 of 4"},
         {"v 0 0 0\nf -1 -1 -2\n" SQUARE, "2: face names vertex -2 of 1"},
         {SQUARE "f 1/1 2/1 3/1\n", "5: face names texture coordinate 1 of 0"},
@@ -289,6 +290,10 @@ static void test_messages(void) {
         {"OFF\n\n", "2: the numbers of vertices and faces are missing"},
         {"OFF\n3\n", "2: the number of faces is missing"},
         {"OFF\nx 1 0\n", "2: 'x' is not a number of vertices"},
+        {"OFF! 1 1\n", "holds no faces"}, /* not OFF, and nothing that OBJ knows */
+        {"OFFs 1 1\n", "holds no faces"},
+        {"OFF\n4294967295 1 0\n", "2: '4294967295' is not a number of vertices"},
+        {"COFF\n0 0 0\n", "holds no faces"},
         {"OFF\n-1 1 0\n", "2: '-1' is not a number of vertices"},
         {"OFF\n1 1.5 0\n", "2: '1.5' is not a number of faces"},
         {"OFF\n4000000000 1 0\n0 0 0\n",
@@ -341,7 +346,8 @@ static void test_long_lines(void) {
                                          "vt 1 ", "OFF ", "OFF\n1 1 0\n", "# "};
     const size_t size = 1 << 20;
     char *data = malloc(size);
-    if (!CHECK(data != NULL)) {
+    CHECK(data != NULL);
+    if (data == NULL) {
         return;
     }
     for (size_t i = 0; i < sizeof starts / sizeof starts[0]; i++) {
@@ -420,6 +426,9 @@ static void polygon_write(const struct polygon *p, struct bytes *bytes, bool bac
         CHECK(bytes_append(bytes, line, (size_t)length));
     }
     CHECK(bytes_append(bytes, "f", 1));
+    if (!CHECK(p->size > 0)) {
+        return;
+    }
     size_t first = random_bits() % p->size;
     for (size_t i = 0; i < p->size; i++) {
         size_t corner = (first + (backwards ? p->size - i : i)) % p->size;
@@ -908,6 +917,18 @@ static void test_colors_from_normals(void) {
     model_free(&m);
 }
 
+/* Colours that the file gives are replaced. */
+static void test_colors_replaced(void) {
+    struct model m;
+    struct error error;
+    if (CHECK(decode(&m, "v 0 0 0 1 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", &error))) {
+        CHECK(same3(m.colors[0], 1, 0, 0));
+        CHECK(model_colors_from_normals(&m, &error));
+        CHECK(same3(m.colors[0], 0.5F, 0.5F, 1));
+    }
+    model_free(&m);
+}
+
 /* ---- Files ---- */
 
 static bool write_text(const char *path, const char *text) {
@@ -994,8 +1015,78 @@ static void test_textures(void) {
     model_free(&m);
 }
 
+/* The names of textures of a model without directory, without extension, and of a hidden file. */
+static void test_texture_names(void) {
+    static const char *const rows[][2] = {{"no_such_model.obj", "no_such_model_spec.tga"},
+                                          {"no_such_model", "no_such_model_spec.tga"},
+                                          {".no_such_model", ".no_such_model_spec.tga"}};
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        struct model m;
+        struct error error;
+        char expected[100];
+        if (!CHECK(decode(&m, SQUARE "f 1 2 3", &error))) {
+            return;
+        }
+        m.path = malloc(strlen(rows[i][0]) + 1);
+        if (CHECK(m.path != NULL)) {
+            strcpy(m.path, rows[i][0]);
+            CHECK(model_texture(&m, MODEL_SPECULAR, &error) == NULL);
+            snprintf(expected, sizeof expected, "%s: no such file, nor the same as .png",
+                     rows[i][1]);
+            CHECK_TEXT(error.message, expected);
+        }
+        model_free(&m);
+    }
+}
+
+/* A corner that turns right by 2^-100, less than doubles can tell without exact arithmetic: cut as
+ * if it were straight, there would be a face of these three corners, turned over. */
+static void test_hardly_concave(void) {
+    static const char text[] = "v 7.888609052210118e-31 0 0\nv 1 1 0\nv 2 2 0\nv 0 3 0\n";
+    struct model m;
+    struct error error;
+    char with_face[200], faces[200];
+    for (int first = 0; first < 4; first++) {
+        snprintf(with_face, sizeof with_face, "%sf %d %d %d %d\n", text, first + 1,
+                 (first + 1) % 4 + 1, (first + 2) % 4 + 1, (first + 3) % 4 + 1);
+        if (CHECK(decode(&m, with_face, &error)) && CHECK(m.face_count == 2)) {
+            describe_faces(&m, faces, sizeof faces);
+            for (size_t i = 0; i < 2; i++) { /* both faces have the last corner, d, and b */
+                bool has_b = false, has_d = false;
+                for (int j = 0; j < 3; j++) {
+                    has_b = has_b || m.faces[i].corner[j].position == 1;
+                    has_d = has_d || m.faces[i].corner[j].position == 3;
+                }
+                CHECK_ROW(has_b && has_d, faces);
+            }
+        }
+        model_free(&m);
+    }
+}
+
+/* One corner more than a face that is not convex may have. */
+static void test_too_many_corners(void) {
+    enum { CORNERS_LIMIT = 131072 };
+    static const char points[] = "v 0 0 0\nv 4 0 0\nv 1 1 0\nv 0 4 0\nf";
+    struct bytes text = {0};
+    struct model m;
+    struct error error;
+    CHECK(bytes_append(&text, points, strlen(points)));
+    for (int i = 0; i <= CORNERS_LIMIT; i++) {
+        const char corner[] = {' ', (char)('1' + i % 4)};
+        if (!bytes_append(&text, corner, sizeof corner)) {
+            break;
+        }
+    }
+    CHECK(!model_decode(&m, text.data, text.size, &error));
+    CHECK_TEXT(error.message, "5: face of 131073 corners: one that is not convex may have 131072");
+    bytes_free(&text);
+}
+
 UNIT_MAIN(TEST(test_obj_faces), TEST(test_obj_numbers), TEST(test_obj_many_colors), TEST(test_off),
           TEST(test_messages), TEST(test_long_lines), TEST(test_long_face), TEST(test_polygons),
           TEST(test_wild_polygons), TEST(test_large_polygon), TEST(test_angles), TEST(test_normals),
           TEST(test_cube_corner), TEST(test_no_normal), TEST(test_back_to_back),
-          TEST(test_colors_from_normals), TEST(test_files), TEST(test_textures))
+          TEST(test_colors_from_normals), TEST(test_files), TEST(test_textures),
+          TEST(test_colors_replaced), TEST(test_texture_names), TEST(test_hardly_concave),
+          TEST(test_too_many_corners))

@@ -108,7 +108,8 @@ static void check_manifold(const struct model *model, const char *name, long cha
 
 static void check_connected(const struct model *model, const char *name) {
     bool *reached = calloc(model->position_count, sizeof *reached);
-    if (!CHECK_ROW(reached != NULL, name)) {
+    CHECK_ROW(reached != NULL, name);
+    if (reached == NULL) {
         return;
     }
     reached[model->faces[0].corner[0].position] = true;

@@ -481,7 +481,8 @@ static void put_pixels(struct bytes *file, const uint8_t *raw, size_t size) {
 static bool decode_exact(struct image *image, const uint8_t *data, size_t size,
                          struct error *error) {
     uint8_t *copy = malloc(size + (size == 0));
-    if (!CHECK(copy != NULL)) {
+    CHECK(copy != NULL);
+    if (copy == NULL) {
         return false;
     }
     memcpy(copy, data, size);

@@ -178,6 +178,10 @@ static void test_usage(void) {
         {"-s 0x10", "probe: -s wants WxH, each 1 to 16384, not '0x10'\n"},
         {"-s 10x16385", "probe: -s wants WxH, each 1 to 16384, not '10x16385'\n"},
         {"-s 10x10x", "probe: -s wants WxH, each 1 to 16384, not '10x10x'\n"},
+        {"-s x10", "probe: -s wants WxH, each 1 to 16384, not 'x10'\n"},
+        {"-s 10x0", "probe: -s wants WxH, each 1 to 16384, not '10x0'\n"},
+        {"-s 16385x10", "probe: -s wants WxH, each 1 to 16384, not '16385x10'\n"},
+        {"-s -5x10", "probe: -s wants WxH, each 1 to 16384, not '-5x10'\n"},
         {"--only what", "probe: --only wants the name of a scene (see --help), not 'what'\n"},
         {"--format gif", "probe: --format wants tga, png or ppm, not 'gif'\n"},
         {"--eye 1,2", "probe: --eye wants three numbers X,Y,Z, not '1,2'\n"},
@@ -185,10 +189,14 @@ static void test_usage(void) {
         {"--light 1,nan,3", "probe: --light wants three numbers X,Y,Z, not '1,nan,3'\n"},
         {"--up 1,1e999,3", "probe: --up wants three numbers X,Y,Z, not '1,1e999,3'\n"},
         {"--repeat 0", "probe: --repeat wants a number from 1 to 1000000, not '0'\n"},
+        {"--repeat 1000001", "probe: --repeat wants a number from 1 to 1000000, not '1000001'\n"},
         {"--repeat x", "probe: --repeat wants a number from 1 to 1000000, not 'x'\n"},
         {"one.obj", "probe: one argument too many: 'one.obj'; try --help\n"},
         {"--eye 1,2,3 --center 1,2,3 --only dot",
          "probe: scene dot: the eye and the center are the same point\n"},
+        {"--center 0,0,3 --only dot",
+         "probe: scene dot: the eye and the center are the same point\n"},
+        {"--eye 0,0,0", "probe: scene dot: the eye and the center are the same point\n"},
     };
     for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
         draw_calls = 0;
@@ -261,6 +269,8 @@ static void test_frames(void) {
     }
     CHECK(run(&dot_program, "-o out --only film -s 1x9") == 1);
     CHECK_TEXT(output, "probe: scene film: 3 frames need at least 2x2 pixels\n");
+    CHECK(run(&dot_program, "-o out --only film -s 9x1") == 1);
+    CHECK_TEXT(output, "probe: scene film: 3 frames need at least 2x2 pixels\n");
 }
 
 static void test_stats_and_repeat(void) {
@@ -320,6 +330,138 @@ static void test_text_scene(void) {
     }
 }
 
+/* ---- Seldom ways ---- */
+
+static bool prepare_nothing(struct drawing *drawing, size_t width, size_t height,
+                            struct error *error) {
+    (void)drawing, (void)width, (void)height;
+    prepare_calls++;
+    return error_set(error, "cannot prepare this");
+}
+
+static bool draw_grey(struct drawing *drawing, struct image *image, struct error *error) {
+    (void)drawing, (void)error;
+    draw_calls++;
+    return image_set(image, 0, 0, color_grey(77));
+}
+
+static const struct scene grey_scenes[] = {
+    {.name = "grey", .width = 4, .height = 3, .format = IMAGE_GREY, .draw = draw_grey},
+    {.name = "far", .width = 4, .height = 3, .draw = draw_grey, .eye = {0, 0, 9}},
+};
+
+static const struct program grey_program = {.name = "probe",
+                                            .summary = "grey",
+                                            .takes_camera = true,
+                                            .scenes = grey_scenes,
+                                            .scene_count = 2};
+
+static const struct program unprepared_program = {.name = "probe",
+                                                  .summary = "grey",
+                                                  .scenes = grey_scenes,
+                                                  .scene_count = 2,
+                                                  .prepare = prepare_nothing,
+                                                  .finish = finish};
+
+static void test_grey(void) {
+    struct error error;
+    struct bytes file;
+    CHECK(run(&grey_program, "-o out --only grey --format ppm") ==
+          0); /* no camera: eye and center are equal */
+    CHECK_TEXT(output, "out/grey.pgm\n");
+    if (CHECK(file_read(in_directory("out/grey.pgm"), &file, &error))) {
+        CHECK(file.size > 2 && memcmp(file.data, "P5", 2) == 0);
+        bytes_free(&file);
+    }
+    CHECK(remove(in_directory("out/grey.pgm")) == 0);
+    CHECK(run(&grey_program, "-o out --only grey --repeat 4 --eye 0,0,1") ==
+          0); /* the median of an even number */
+    CHECK(strstr(output, "grey: ") == output);
+    CHECK(run(&grey_program, "-o out --only grey --center 0,0,9") == 0); /* the eye of the other */
+    CHECK(remove(in_directory("out/grey.tga")) == 0);
+}
+
+static void test_seldom_failures(void) {
+    prepare_calls = finish_calls = draw_calls = 0;
+    CHECK(run(&unprepared_program, "-o nothing") == 1);
+    CHECK_TEXT(output, "probe: cannot prepare this\n");
+    CHECK(prepare_calls == 1 && finish_calls == 1 && draw_calls == 0);
+    CHECK(run(&failing_program, "-o nothing --repeat 2") == 1);
+    CHECK_TEXT(output, "probe: cannot draw this\n");
+    CHECK(run(&text_program, "-o nothing --only bad") == 1); /* without a text: its own scenes */
+    CHECK_TEXT(output, "probe: cannot draw this\n");
+    CHECK(!exists("nothing"));
+    CHECK(run(&dot_program, "-o /proc/nothing/here") == 1);
+    CHECK(strstr(output, "probe: /proc/nothing: cannot make the directory: ") == output);
+}
+
+/* Standard output is full: the image is there, but nobody was told. The second time it was full
+ * before, and what was lost then is still an error. */
+static void test_full_output(void) {
+    int full = open("/dev/full", O_WRONLY);
+    if (full < 0) { /* not every system has one */
+        CHECK(true);
+        return;
+    }
+    char *argv[] = {(char *)"probe", (char *)"-o", (char *)in_directory("out"), (char *)"--stats"};
+    fflush(stdout);
+    fflush(stderr);
+    int kept_out = dup(1), kept_error = dup(2), errors[2];
+    CHECK(pipe(errors) == 0);
+    dup2(full, 1);
+    dup2(errors[1], 2);
+    int status = program_main(&dot_program, 4, argv);
+    clearerr(stdout);
+    printf("lost");
+    fflush(stdout);
+    int nowhere = open("/dev/null", O_WRONLY);
+    dup2(nowhere, 1);
+    CHECK(program_main(&dot_program, 4, argv) == 1);
+    clearerr(stdout);
+    close(nowhere);
+    dup2(kept_out, 1);
+    dup2(kept_error, 2);
+    close(errors[1]);
+    ssize_t size = read(errors[0], output, sizeof output - 1);
+    output[size > 0 ? size : 0] = '\0';
+    CHECK(status == 1);
+    CHECK(strstr(output, "probe: cannot write to standard output: ") == output);
+    close(errors[0]);
+    close(kept_out);
+    close(kept_error);
+    close(full);
+}
+
+/* "-" is standard input, its image is called stdin; a hidden file has no extension to drop. */
+static void test_text_names(void) {
+    static const char text[] = "line 2 0 4 0 10 20 30\n";
+    struct error error;
+    int ends[2], kept = dup(0);
+    CHECK(pipe(ends) == 0 && write(ends[1], text, strlen(text)) == (ssize_t)strlen(text));
+    close(ends[1]);
+    dup2(ends[0], 0);
+    close(ends[0]);
+    CHECK(run(&text_program, "-o out -") == 0);
+    dup2(kept, 0);
+    close(kept);
+    CHECK_TEXT(output, "out/stdin.tga\n");
+    CHECK(remove(in_directory("out/stdin.tga")) == 0);
+    CHECK(file_write(in_directory(".txt"), text, strlen(text), &error));
+    CHECK(run(&text_program, "-o out .txt") == 0);
+    CHECK_TEXT(output, "out/.txt.tga\n");
+    CHECK(remove(in_directory("out/.txt.tga")) == 0 && remove(in_directory(".txt")) == 0);
+}
+
+/* Without -o the images go below the build directory. */
+static void test_default_directory(void) {
+    struct stat status;
+    CHECK(run(&dot_program, "--only dot") == 0);
+    CHECK_TEXT(output, COURSE_BUILD "/out/probe/dot.tga\n");
+    CHECK(stat(COURSE_BUILD "/out/probe/dot.tga", &status) == 0);
+    CHECK(remove(COURSE_BUILD "/out/probe/dot.tga") == 0);
+    CHECK(rmdir(COURSE_BUILD "/out/probe") == 0);
+}
+
 /* Last: remove what the others left. */
 static void test_clean_up(void) {
     static const char *const names[] = {"out/deep/dot.tga",
@@ -343,4 +485,6 @@ static void test_clean_up(void) {
 
 UNIT_MAIN(TEST(test_usage), TEST(test_help), TEST(test_formats), TEST(test_frames),
           TEST(test_stats_and_repeat), TEST(test_camera), TEST(test_failures),
-          TEST(test_text_scene), TEST(test_clean_up))
+          TEST(test_text_scene), TEST(test_grey), TEST(test_seldom_failures),
+          TEST(test_full_output), TEST(test_text_names), TEST(test_default_directory),
+          TEST(test_clean_up))

@@ -51,6 +51,7 @@ static struct {
     bool failed;       /* it came to that */
     bool interrupt;    /* every second read and write is interrupted, and the others are short */
     bool full;         /* write() takes no byte and gives no error */
+    long taken;        /* so many names of temporary files exist already */
     size_t interrupts; /* so far */
 } system_calls;
 
@@ -81,6 +82,10 @@ int __wrap_open(const char *path, int flags, ...) {
     va_start(arguments, flags);
     unsigned mode = (flags & O_CREAT) != 0 ? va_arg(arguments, unsigned) : 0;
     va_end(arguments);
+    if (system_calls.on && (flags & O_EXCL) != 0 && system_calls.taken-- > 0) {
+        errno = EEXIST;
+        return -1;
+    }
     return fails() ? -1 : __real_open(path, flags, mode);
 }
 
@@ -291,5 +296,55 @@ static void test_full(void) {
     place_remove(&place);
 }
 
-UNIT_MAIN(TEST(test_each_call_fails), TEST(test_other_reasons), TEST(test_interrupted),
-          TEST(test_full))
+/* Names of temporary files that are taken are passed over; when all are, that is an error. */
+static void test_taken_names(void) {
+    struct place place;
+    if (!place_create(&place)) {
+        return;
+    }
+    for (long taken = 3; taken < 1000000000; taken = taken == 3 ? 999999999 : 1000000000) {
+        struct error error = {{0}};
+        system_calls.failing = NEVER;
+        system_calls.taken = taken;
+        system_calls.on = true;
+        bool done = run_task(WRITE_FRESH, &place, &error);
+        system_calls.on = false;
+        CHECK(done == (taken == 3));
+        CHECK(done || tells(&error, place.fresh, EEXIST));
+        check_place(WRITE_FRESH, &place, done);
+    }
+    system_calls.taken = 0;
+    place_remove(&place);
+}
+
+/* A name without a directory, and one below /dev that stands for a regular file: that is written
+ * as it is, not replaced, since whoever opened it looks there. */
+static void test_seldom_names(void) {
+    struct place place;
+    struct error error;
+    char name[32];
+    int here = open(".", O_RDONLY);
+    if (!CHECK(here >= 0) || !place_create(&place)) {
+        return;
+    }
+    CHECK(chdir(place.directory) == 0);
+    CHECK(file_write("fresh", new_text, strlen(new_text), &error));
+    CHECK(fchdir(here) == 0);
+    close(here);
+    check_place(WRITE_FRESH, &place, true);
+    int file = open(place.old, O_RDWR);
+    struct stat before, after;
+    snprintf(name, sizeof name, "/dev/fd/%d", file);
+    if (access(name, W_OK) == 0) { /* not every system has them */
+        CHECK(fstat(file, &before) == 0);
+        CHECK(file_write(name, new_text, strlen(new_text), &error));
+        CHECK(fstat(file, &after) == 0 && after.st_ino == before.st_ino);
+        CHECK(after.st_size == (off_t)strlen(new_text));
+        check_place(WRITE_OLD, &place, true);
+    }
+    close(file);
+    place_remove(&place);
+}
+
+UNIT_MAIN(TEST(test_taken_names), TEST(test_seldom_names), TEST(test_each_call_fails),
+          TEST(test_other_reasons), TEST(test_interrupted), TEST(test_full))

@@ -94,7 +94,8 @@ static void test_skipped_lines(void) {
 static void test_long_line(void) {
     const size_t size = 8 << 20;
     char *data = malloc(size);
-    if (!CHECK(data != NULL)) {
+    CHECK(data != NULL);
+    if (data == NULL) {
         return;
     }
     for (const char *fill = "a #\\"; *fill != '\0'; fill++) {
@@ -270,7 +271,8 @@ static void test_long_numbers(void) {
     char *string = malloc(ZEROS + 100);
     float f;
     double d;
-    if (!CHECK(string != NULL)) {
+    CHECK(string != NULL);
+    if (string == NULL) {
         return;
     }
     memset(string, '0', ZEROS);
@@ -425,6 +427,29 @@ static void test_locale(void) {
     setlocale(LC_ALL, "C");
 }
 
+/* Words and messages that nobody writes but a hostile file may hold. */
+static void test_strange_messages(void) {
+    enum { LONG = 600, KEPT = 512 };
+    char path[LONG + 1], expected[KEPT + 40];
+    struct error error;
+    static const char continuation[] = /* 50 later bytes of UTF-8 characters without a first one */
+        "\x80\x80\x80\x80\x80\x80\x80\x80\x80\x80\x80\x80\x80\x80\x80\x80\x80\x80\x80\x80"
+        "\x80\x80\x80\x80\x80\x80\x80\x80\x80\x80\x80\x80\x80\x80\x80\x80\x80\x80\x80\x80"
+        "\x80\x80\x80\x80\x80\x80\x80\x80\x80\x80";
+    CHECK_TEXT(word_show(word_of(continuation)).text, "...");
+    error_set(&error, "12 faces too many"); /* begins with a number, but not that of a line */
+    CHECK(!text_name_file(&error, "a.obj"));
+    CHECK_TEXT(error.message, "a.obj: 12 faces too many");
+    memset(path, 'a', LONG - KEPT);
+    memset(path + LONG - KEPT, 'b', KEPT);
+    path[LONG] = '\0';
+    text_error(&error, 3, "wrong");
+    CHECK(!text_name_file(&error, path)); /* of a long name, the end is kept */
+    snprintf(expected, sizeof expected, "...%s:3: wrong", path + LONG - KEPT);
+    CHECK_TEXT(error.message, expected);
+}
+
 UNIT_MAIN(TEST(test_lines), TEST(test_skipped_lines), TEST(test_long_line), TEST(test_words),
           TEST(test_integers), TEST(test_chosen_numbers), TEST(test_long_numbers),
-          TEST(test_refused_numbers), TEST(test_random_numbers), TEST(test_locale))
+          TEST(test_refused_numbers), TEST(test_random_numbers), TEST(test_locale),
+          TEST(test_strange_messages))

@@ -303,5 +303,22 @@ static void test_hostile_coordinates(void) {
     }
 }
 
+/* No image makes these; the sizes come from whoever fills the struct. */
+static void test_sizes(void) {
+    static const size_t rows[][2] = {
+        {0, 0}, {1, 0}, {0, 1}, {IMAGE_SIZE_LIMIT + 1, 1}, {1, IMAGE_SIZE_LIMIT + 1}};
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        uint8_t pixel = 0;
+        struct image image = {rows[i][0], rows[i][1], IMAGE_GREY, &pixel};
+        struct texture texture;
+        struct error error;
+        char expected[80];
+        CHECK(!texture_create(&texture, &image, &error) && texture.level_count == 0);
+        snprintf(expected, sizeof expected, "a texture of %zux%zu pixels", rows[i][0], rows[i][1]);
+        CHECK_TEXT(error.message, expected);
+    }
+}
+
 UNIT_MAIN(TEST(test_texels), TEST(test_level_sizes), TEST(test_levels), TEST(test_level_rounding),
-          TEST(test_samples), TEST(test_texel_centres), TEST(test_hostile_coordinates))
+          TEST(test_samples), TEST(test_texel_centres), TEST(test_hostile_coordinates),
+          TEST(test_sizes))

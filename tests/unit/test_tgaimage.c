@@ -44,7 +44,8 @@ static bool same_color(struct color a, struct color b) {
 static bool decode_exact(struct image *image, const uint8_t *data, size_t size,
                          struct error *error) {
     uint8_t *copy = malloc(size + (size == 0));
-    if (!CHECK(copy != NULL)) {
+    CHECK(copy != NULL);
+    if (copy == NULL) {
         return false;
     }
     memcpy(copy, data, size);
