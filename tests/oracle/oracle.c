@@ -150,18 +150,22 @@ long double oracle_inverse_residual(const struct mat4 *a, const struct mat4 *inv
     return worst;
 }
 
-static int128 determinant3(const int64_t m[4][4], int skipped_column) {
-    int columns[3] = {0}, n = 0;
-    for (int column = 0; column < 4; column++) {
-        if (column != skipped_column) {
-            columns[n++] = column;
+/* The determinant of the 3x3 matrix that is left without one row and one column. */
+static int128 minor_of(const int64_t m[4][4], int skipped_row, int skipped_column) {
+    int rows[3] = {0}, columns[3] = {0}, row_count = 0, column_count = 0;
+    for (int i = 0; i < 4; i++) {
+        if (i != skipped_row) {
+            rows[row_count++] = i;
+        }
+        if (i != skipped_column) {
+            columns[column_count++] = i;
         }
     }
     int128 sum = 0;
     for (int i = 0; i < 3; i++) {
-        int128 a = m[1][columns[i]];
+        int128 a = m[rows[0]][columns[i]];
         int p = columns[(i + 1) % 3], q = columns[(i + 2) % 3];
-        sum += a * ((int128)m[2][p] * m[3][q] - (int128)m[2][q] * m[3][p]);
+        sum += a * ((int128)m[rows[1]][p] * m[rows[2]][q] - (int128)m[rows[1]][q] * m[rows[2]][p]);
     }
     return sum;
 }
@@ -169,8 +173,13 @@ static int128 determinant3(const int64_t m[4][4], int skipped_column) {
 int128 oracle_determinant(const int64_t m[4][4]) {
     int128 sum = 0;
     for (int column = 0; column < 4; column++) {
-        int128 term = m[0][column] * determinant3(m, column);
+        int128 term = m[0][column] * minor_of(m, 0, column);
         sum += column % 2 == 0 ? term : -term;
     }
     return sum;
+}
+
+int128 oracle_inverse_numerator(const int64_t m[4][4], int row, int column) {
+    int128 cofactor = minor_of(m, column, row);
+    return (row + column) % 2 == 0 ? cofactor : -cofactor;
 }

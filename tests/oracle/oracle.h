@@ -65,4 +65,8 @@ long double oracle_inverse_residual(const struct mat4 *a, const struct mat4 *inv
 /* The exact determinant of a matrix of whole numbers of at most 2^24, by cofactors. */
 int128 oracle_determinant(const int64_t m[4][4]);
 
+/* Entry (row, column) of the exact inverse of such a matrix, times its determinant: a fraction's
+ * numerator (Cramer's rule). */
+int128 oracle_inverse_numerator(const int64_t m[4][4], int row, int column);
+
 #endif

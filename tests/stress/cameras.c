@@ -240,12 +240,41 @@ static void make_whole_matrix(struct random *random, uint64_t index, void *made)
     }
 }
 
-static bool singular_is_reported(const void *tried) {
-    const struct mat4 *a = &((const struct matrix_case *)tried)->a;
-    int64_t whole[4][4];
+static void whole_numbers(const struct mat4 *a, int64_t whole[4][4]) {
     for (int i = 0; i < 16; i++) {
         whole[i / 4][i % 4] = (int64_t)a->m[i / 4][i % 4];
     }
+}
+
+/* The largest error of an entry against the exact fraction, in units of eps * condition * the
+ * largest entry. */
+static double whole_inverse_error(const void *tried) {
+    const struct mat4 *a = &((const struct matrix_case *)tried)->a;
+    int64_t whole[4][4];
+    struct mat4 inverse;
+    whole_numbers(a, whole);
+    int128 determinant = oracle_determinant((const int64_t(*)[4])whole);
+    if (determinant == 0 || !mat4_inverse(*a, &inverse)) {
+        return 0;
+    }
+    long double worst = 0, largest = 0;
+    for (int i = 0; i < 16; i++) {
+        int128 numerator = oracle_inverse_numerator((const int64_t(*)[4])whole, i / 4, i % 4);
+        long double exact = (long double)numerator / (long double)determinant;
+        worst = fmaxl(worst, fabsl((long double)inverse.m[i / 4][i % 4] - exact));
+        largest = fmaxl(largest, fabsl(exact));
+    }
+    return (double)(worst / (0x1p-53L * row_norm(a) * row_norm(&inverse) * largest));
+}
+
+static bool whole_inverse_is_accurate(const void *tried) {
+    return whole_inverse_error(tried) <= 4;
+}
+
+static bool singular_is_reported(const void *tried) {
+    const struct mat4 *a = &((const struct matrix_case *)tried)->a;
+    int64_t whole[4][4];
+    whole_numbers(a, whole);
     struct mat4 inverse;
     return mat4_inverse(*a, &inverse) == (oracle_determinant((const int64_t(*)[4])whole) != 0);
 }
@@ -380,6 +409,14 @@ const struct property camera_properties[] = {
      .print = print_matrix,
      .error_unit = "eps * condition",
      .error = inverse_error},
+    {.name = "matrix: inverse against exact fractions",
+     .cases = 300000,
+     .case_size = sizeof(struct matrix_case),
+     .make = make_whole_matrix,
+     .holds = whole_inverse_is_accurate,
+     .print = print_matrix,
+     .error_unit = "eps * condition * entry",
+     .error = whole_inverse_error},
     {.name = "matrix: singular is reported",
      .cases = 500000,
      .case_size = sizeof(struct matrix_case),
