@@ -101,8 +101,10 @@ static const double guard_band = 64;
 
 enum { CLIP_PLANES = 5 };
 
-/* A triangle gains at most one corner at each plane. */
-enum { POLYGON_LIMIT = 3 + CLIP_PLANES };
+/* A convex polygon gains at most one corner at each plane. But numbers that differ by whole worlds are
+ * rounded to polygons that are not convex, of which each run of outer corners may become two: n corners
+ * become n + n/2 at most, five times: 3, 4, 6, 9, 13, 19. */
+enum { POLYGON_LIMIT = 19 };
 
 /* A corner of a polygon while it is clipped. */
 struct clip_corner {

@@ -495,6 +495,30 @@ static void test_wrapped_level(void) {
     image_free(&image);
 }
 
+/* Corners so far apart that the points where edges are cut are rounded by whole worlds: the polygon is
+ * no longer convex, and gains more than one corner at a plane. Found by the stress run. */
+static void test_far_apart(void) {
+    static struct mesh mesh;
+    static struct seen seen;
+    uint64_t stats[PIPELINE_STATS] = {0};
+    mesh_begin(&mesh);
+    mesh_vertex(&mesh, 4928.8335, 4.61168602e+18, -0.854364634);
+    mesh_vertex(&mesh, 4194305, 0.897210062, -0.363833278);
+    mesh_vertex(&mesh, -2.04636595e+09, 0.767012835, 0.909459114);
+    mesh_vertex(&mesh, 3.51105126e+09, 2519.08057, -6.03685957e+31);
+    mesh_face(&mesh, 0, 1, 2);
+    mesh_face(&mesh, 0, 3, 1);
+    mesh_face(&mesh, 1, 3, 2);
+    mesh_face(&mesh, 2, 3, 0);
+    struct draw_call call =
+        camera_call(&mesh.model, (struct vec3){4, 915.93352021695864, 3.4198894997934702e-07},
+                    (struct vec3){-0.21980669537238295, 0.14137829568848437, -0.59670343606009446},
+                    (struct vec3){-2.2334146758896427, -0.8648555399337059, -0.22691162591673497},
+                    1.0074003975707959, (struct rectangle){0, 0, SIZE, SIZE}, CULL_NONE);
+    see(&mesh, call.to_clip, &seen, stats);
+    CHECK(stats[STAT_FACES] == 4 && stats[STAT_FACES_CLIPPED] > 0);
+}
+
 static void test_errors(void) {
     struct error error;
     struct pipeline pipeline;
@@ -509,4 +533,4 @@ static void test_errors(void) {
 UNIT_MAIN(TEST(test_nearest_face_shows), TEST(test_corner_order), TEST(test_ground_without_gaps),
           TEST(test_interpolation), TEST(test_viewport), TEST(test_grid_cell),
           TEST(test_not_finite), TEST(test_below_viewport), TEST(test_equal_corners),
-          TEST(test_wrapped_level), TEST(test_errors))
+          TEST(test_wrapped_level), TEST(test_far_apart), TEST(test_errors))
