@@ -128,9 +128,10 @@ struct mat4 mat4_identity(void);
 struct mat4 mat4_mul(struct mat4 a, struct mat4 b); /* a * b: b is applied first */
 struct mat4 mat4_transpose(struct mat4 a);
 
-/* The inverse, by Gaussian elimination with row scaling and partial pivoting, then substitution (Golub
- * and Van Loan, "Matrix Computations", sections 3.2 to 3.5). False, with `inverse` unchanged, when the
- * matrix is singular to working precision (condition number of 2^50 or more) or not finite. */
+/* The inverse, by Gaussian elimination with row scaling and partial pivoting, then substitution
+ * (Golub and Van Loan, "Matrix Computations", sections 3.2 to 3.5). False, with `inverse`
+ * unchanged, when the matrix is singular to working precision (condition number of 2^50 or more)
+ * or not finite. */
 bool mat4_inverse(struct mat4 a, struct mat4 *inverse);
 
 struct mat4 mat4_translation(struct vec3 offset);

@@ -15,9 +15,9 @@ static const double guard_band = 64;
 
 enum { CLIP_PLANES = 5 };
 
-/* A convex polygon gains at most one corner at each plane. But numbers that differ by whole worlds are
- * rounded to polygons that are not convex, of which each run of outer corners may become two: n corners
- * become n + n/2 at most, five times: 3, 4, 6, 9, 13, 19. */
+/* A convex polygon gains at most one corner at each plane. Where coordinates differ by many
+ * orders of magnitude, rounding can make the polygon not convex, and n corners become up to n +
+ * n/2 at each of the five planes: 3, 4, 6, 9, 13, 19. */
 enum { POLYGON_LIMIT = 19 };
 
 /* Sides of the view that a position is beyond. */

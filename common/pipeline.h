@@ -41,8 +41,8 @@ struct pixel_work {
 typedef struct pixel_work shade_band(const struct pipeline *pipeline, const void *uniforms,
                                      struct image *image, struct span_of_rows rows);
 
-/* What differs between one look and another, made by SHADER() below. `uniforms` points to what is the
- * same for all pixels: matrices, the light, the model and its textures. */
+/* What differs between one look and another, made by SHADER() below. `uniforms` points to what
+ * is the same for all pixels: matrices, the light, the model and its textures. */
 struct shader {
     size_t varying_count; /* numbers that a corner hands to the pixels, at most VARYING_LIMIT */
     /* Give the varyings of corner 0..2 of a face. */
@@ -56,8 +56,8 @@ struct shader {
     shade_band *visible_band, *at_once_band;
 };
 
-/* Define a shader: `SHADER(toon, 1, gouraud_vertex, toon_fragment);` defines a constant `toon` with one
- * varying. One that discards pixels is defined by DISCARDING_SHADER(). */
+/* Define a shader: `SHADER(toon, 1, gouraud_vertex, toon_fragment);` defines a constant `toon`
+ * with one varying. One that discards pixels is defined by DISCARDING_SHADER(). */
 #define SHADER(name, varying_count, vertex, fragment)                                              \
     DEFINE_SHADER(name, varying_count, vertex, fragment, false)
 #define DISCARDING_SHADER(name, varying_count, vertex, fragment)                                   \
@@ -157,8 +157,8 @@ void pipeline_free(struct pipeline *pipeline);
 /* Begin a frame: nothing is drawn yet, and all counts are zero. */
 void pipeline_clear(struct pipeline *pipeline);
 
-/* Draw a model into an image of the pipeline's size, format BGR or BGRA. False when memory runs out;
- * part of the model may then have been drawn. */
+/* Draw a model into an image of the pipeline's size, format BGR or BGRA. False when memory runs
+ * out; part of the model may then have been drawn. */
 bool pipeline_draw(struct pipeline *pipeline, const struct draw_call *call,
                    const struct shader *shader, const void *uniforms, struct image *image,
                    struct error *error);

@@ -74,7 +74,7 @@ static void print_help(const struct program *program) {
         printf("  --up X,Y,Z      the direction that appears upwards\n");
     }
     if (program->takes_light) {
-        printf("  --light X,Y,Z   direction of the light\n");
+        printf("  --light X,Y,Z   where the light goes, comes from or stands: see the lesson\n");
     }
     printf("  --repeat N      draw N times; print the median milliseconds of one frame\n");
     printf("  --stats         print what was done and what was skipped\n");
@@ -448,8 +448,8 @@ static struct vec3 chosen(const struct vec3_option *option, struct vec3 otherwis
     return option->given ? option->value : otherwise;
 }
 
-/* The image has the size that the scene or -s says. Each frame of an animation has it, too; those of
- * a sheet share it out. */
+/* The image has the size that the scene or -s says. Each frame of an animation has it, too;
+ * those of a sheet share it out. */
 static bool frame_size(const struct scene *scene, const struct options *options, size_t *width,
                        size_t *height, struct error *error) {
     size_t columns = 1, rows = 1;
@@ -608,13 +608,13 @@ int program_main(const struct program *program, int argc, char **argv) {
         fprintf(stderr, "%s: %s\n", program->name, error.message);
         return STATUS_USAGE;
     }
+    bool text = options.input != NULL && program->text_scene.draw != NULL;
+    bool done = true;
     if (options.help) {
         print_help(program);
-        return STATUS_DONE;
+    } else {
+        done = text ? draw_text(program, &options, &error) : draw_scenes(program, &options, &error);
     }
-    bool text = options.input != NULL && program->text_scene.draw != NULL;
-    bool done =
-        text ? draw_text(program, &options, &error) : draw_scenes(program, &options, &error);
     if (done && (fflush(stdout) != 0 || ferror(stdout))) {
         done = error_set(&error, "cannot write to standard output: %s", strerror(errno));
     }

@@ -348,7 +348,7 @@ static bool draw_sheet(const char *directory, struct error *error) {
     return done;
 }
 
-/* Part of the bust in colours: whole-number sweep, holes, and exact. */
+/* Part of the bust in colours: whole-number sweep, spans, and how often each pixel is drawn. */
 static bool draw_bust(const char *directory, struct error *error) {
     struct model model = {0};
     struct mesh bust = {0};
@@ -358,8 +358,6 @@ static bool draw_bust(const char *directory, struct error *error) {
                 image_create(&image, 800, 800, IMAGE_BGR, error) &&
                 mesh_from_model(&bust, &model, &image, error) &&
                 measure("bust", &bust, &image, error) &&
-                draw_counts(&bust, attempt_1_sweep_whole, &image, eye, 4, directory,
-                            "bust_sweep_whole_draws", error) &&
                 draw_counts(&bust, draw_spans, &image, (struct area){100, 40, 600, 760}, 1,
                             directory, "bust_exact_draws", error);
     if (done) {

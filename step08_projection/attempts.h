@@ -15,9 +15,9 @@
 typedef struct vec2 attempt_chain(const struct mat4 *to_clip, const struct mat4 *to_screen,
                                   struct vec3 point);
 
-/* All in float, as on a graphics card. It has 24 bits; the pixel takes 10 of them and its 256 parts 8.
- * After a few roundings the 6 others no longer tell on which side of a half a position lies: some
- * corners snap to the neighbouring 1/256 pixel. */
+/* All in float, as on a graphics card. It has 24 bits; the pixel takes 10 of them and its 256
+ * parts 8. After a few roundings the 6 others no longer tell on which side of a half a position
+ * lies: some corners snap to the neighbouring 1/256 pixel. */
 static inline struct vec2 attempt_1_float(const struct mat4 *to_clip, const struct mat4 *to_screen,
                                           struct vec3 point) {
     float p[4] = {(float)point.x, (float)point.y, (float)point.z, 1}, clip[4], screen[2];

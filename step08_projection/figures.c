@@ -295,8 +295,8 @@ static struct vec3 position_of(const struct model *model, size_t i) {
     return (struct vec3){p[0], p[1], p[2]};
 }
 
-/* The greatest error in 1/256 pixel, and how many corners are snapped to another place than the exact
- * ones. Where long double has no more bits than double the second version looks exact. */
+/* The greatest error in 1/256 pixel, and how many corners are snapped to another place than the
+ * exact ones. Where long double has no more bits than double the second version looks exact. */
 static void print_chain(const struct model *model, const char *scene, const struct camera *c,
                         const char *name, attempt_chain *chain) {
     const struct mat4 to_clip = camera_clip(c), to_screen = viewport(800, 800);

@@ -8,8 +8,9 @@
 
 #include "pipeline.h"
 
-/* 1. A call for every pixel: the shader without the loops that are compiled for it. Each pixel costs a
- * call through a pointer, and nothing of the shader can be kept in registers from pixel to pixel. */
+/* 1. A call for every pixel: the shader without the loops that are compiled for it. Each pixel
+ * costs a call through a pointer, and nothing of the shader can be kept in registers from pixel
+ * to pixel. */
 static inline bool attempt_1_call_per_pixel(struct pipeline *pipeline, const struct draw_call *call,
                                             const struct shader *shader, const void *uniforms,
                                             struct image *image, struct error *error) {

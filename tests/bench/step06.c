@@ -1,9 +1,9 @@
 /*
  * Step 6: samplers, and texture coordinates in perspective.
  *
- * The exact answer is the mean of 256 samples a pixel of what the texture is a picture of: a hill of
- * colours, given by a formula, or the tiles of scene checker, hit by rays. No triangle and no
- * texture takes part in it.
+ * The exact answer is the mean of 256 samples a pixel of what the texture is a picture of: a
+ * hill of colours, given by a formula, or the tiles of scene checker, hit by rays. No triangle
+ * and no texture takes part in it.
  */
 #define main step06_main
 int step06_main(int argc, char **argv);

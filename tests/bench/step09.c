@@ -2,8 +2,8 @@
  * Step 9: how a shader is called, what is shaded, and by how many threads.
  *
  * All versions must draw the same bytes. The error is the number of pixels that differ from a
- * picture drawn in the most patient way: one thread, everything shaded as it comes, a call through a
- * pointer for every pixel.
+ * picture drawn in the most patient way: one thread, everything shaded as it comes, a call
+ * through a pointer for every pixel.
  */
 #define main step09_main
 int step09_main(int argc, char **argv);
@@ -41,8 +41,8 @@ struct work {
 
 enum way { CALL_PER_PIXEL, CALL_PER_RUN, SPECIALISED, AT_ONCE, VISIBLE, PATIENT, WAYS };
 
-/* The bust is drawn by shader gouraud, which does little for a pixel, so that a call shows; the row of
- * busts by gouraud_textured. The picture was cleared before. */
+/* The bust is drawn by shader gouraud, which does little for a pixel, so that a call shows; the
+ * row of busts by gouraud_textured. The picture was cleared before. */
 static bool draw_in_way(struct work *work, const struct subject *subject, enum way way) {
     struct error error;
     struct pipeline *p = &work->pipeline;

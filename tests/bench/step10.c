@@ -1,8 +1,9 @@
 /*
  * Step 10: ways to compute the power, and details from a normal map or from a finer mesh.
  *
- * The exact answer is Phong's formula in long double: on the bust for what the pipeline interpolated
- * at the pixel, on the sphere for the point of the true surface that a ray through the pixel hits.
+ * The exact answer is Phong's formula in long double: on the bust for what the pipeline
+ * interpolated at the pixel, on the sphere for the point of the true surface that a ray through
+ * the pixel hits.
  */
 #define main step10_main
 int step10_main(int argc, char **argv);
@@ -262,7 +263,8 @@ static void add_face(struct model *model, size_t a, size_t b, size_t c) {
     model->face_count++;
 }
 
-/* A sphere of radius 1: `rows` rows of twice as many squares, cut in two; triangles at the poles. */
+/* A sphere of radius 1: `rows` rows of twice as many squares, cut in two; triangles at the
+ * poles. */
 static bool make_sphere(struct model *model, size_t rows, struct error *error) {
     size_t columns = 2 * rows, corners = (rows + 1) * (columns + 1);
     *model =
@@ -308,8 +310,8 @@ static void run_detail(void *state, int choice) {
     draw(work, u.model, sphere_eye, choice < WITH_MAP ? &plain : &mapped, &u);
 }
 
-/* Where the ray through the centre of a pixel meets the sphere. The camera of draw() shows what lies
- * in the plane z = 0 at 0.8 of its size; -1..1 fill the picture. */
+/* Where the ray through the centre of a pixel meets the sphere. The camera of draw() shows what
+ * lies in the plane z = 0 at 0.8 of its size; -1..1 fill the picture. */
 static bool hit_sphere(int x, int y, struct real3 *hit) {
     const struct real3 eye = real_from(sphere_eye);
     struct real3 through = {((x + 0.5L) * 2 / SIDE - 1) / 0.8L, ((y + 0.5L) * 2 / SIDE - 1) / 0.8L,

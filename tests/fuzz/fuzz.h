@@ -1,6 +1,7 @@
 /*
- * What the fuzz targets share. A target gets a file of any bytes from libFuzzer, reads it, and holds
- * what comes out against the promises of the header that it tests: not only "does not crash".
+ * What the fuzz targets share. A target gets a file of any bytes from libFuzzer, reads it, and
+ * holds what comes out against the promises of the header that it tests: not only "does not
+ * crash".
  *
  *     REQUIRE(condition)     stops with the place and the condition when it does not hold
  *     memory_begin/most()    the most bytes that were allocated at one time in between

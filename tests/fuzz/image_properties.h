@@ -1,4 +1,5 @@
-/* What must hold of every image that a reader returns; shared by the fuzz targets of TGA and PNG. */
+/* What must hold of every image that a reader returns; shared by the fuzz targets of TGA and
+ * PNG. */
 #ifndef TESTS_FUZZ_IMAGE_PROPERTIES_H
 #define TESTS_FUZZ_IMAGE_PROPERTIES_H
 

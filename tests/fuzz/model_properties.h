@@ -1,4 +1,5 @@
-/* What must hold of every model that a reader returns; shared by the fuzz targets of OBJ and OFF. */
+/* What must hold of every model that a reader returns; shared by the fuzz targets of OBJ and
+ * OFF. */
 #ifndef TESTS_FUZZ_MODEL_PROPERTIES_H
 #define TESTS_FUZZ_MODEL_PROPERTIES_H
 
@@ -10,8 +11,9 @@
 
 enum { SIDE = 32 };         /* pixels of the image that models are drawn into */
 enum { SLOW_FACES = 4096 }; /* larger models are only read */
-/* Bytes of memory for each byte of a file: a polygon's corner takes two bytes of text, and a corner,
- * a node, a cell, a place in the queue and a face of memory, each in an array that doubles. */
+/* Bytes of memory for each byte of a file: a polygon's corner takes two bytes of text, and a
+ * corner, a node, a cell, a place in the queue and a face of memory, each in an array that
+ * doubles. */
 enum { MODEL_GROWTH = 160 };
 
 static inline void require_finite(const float *numbers, size_t count) {

@@ -19,9 +19,9 @@
  *
  * Levels are compared where both show the same face. Mesa computes with floats of 24 bits and the
  * course with doubles: a value close to a half may be rounded to the next level, which is the
- * LEVEL_BOUND of 1. Two cases are counted apart. Where two faces have the same depth as far as float
- * can tell, either may be seen. And where a formula jumps (nearest texel, toon step, the edge of the
- * light), the shader says so (see looks.c), and the pixel may fall on either side.
+ * LEVEL_BOUND of 1. Two cases are counted apart. Where two faces have the same depth as far as
+ * float can tell, either may be seen. And where a formula jumps (nearest texel, toon step, the
+ * edge of the light), the shader says so (see looks.c), and the pixel may fall on either side.
  */
 #define _POSIX_C_SOURCE 200809L /* clock_gettime */
 #include "lesson.h"

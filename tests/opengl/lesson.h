@@ -28,7 +28,8 @@ struct lesson {
     bool (*covered)(const struct drawing *drawing, const struct image *image, size_t pixel);
 };
 
-/* Stands in for program_main(): `argv` is the address of a `const struct program *`, which is set. */
+/* Stands in for program_main(): `argv` is the address of a `const struct program *`, which is
+ * set. */
 int lesson_capture(const struct program *program, int argc, char **argv);
 
 struct lesson lesson_step04(void);

@@ -81,7 +81,8 @@ bool batch_add_whole(struct batch *batch, size_t face, const struct corner_data 
 }
 
 /* The position in clip space that lands on the placed corner. The division by w and the way back to
- * pixels are done by OpenGL in float; what that rounds is far below 1/512 pixel near the picture. */
+ * pixels are done by OpenGL in float; what that rounds is far below 1/512 pixel near the
+ * picture. */
 static struct vec4 snapped_position(const struct placed *placed, struct vec2 center) {
     double w = (double)(float)(1 / placed->recip_w);
     double x = ((double)placed->screen.x / SUBPIXELS - center.x) / snapped_half_size;

@@ -1,14 +1,15 @@
 /*
  * What one picture of the course is made of, as triangles that Mesa can draw.
  *
- * A picture is a list of batches: triangles that share a shader, a viewport and a culling mode. Each
- * batch holds its triangles twice, since there are two ways to hand them to OpenGL:
+ * A picture is a list of batches: triangles that share a shader, a viewport and a culling mode.
+ * Each batch holds its triangles twice, since there are two ways to hand them to OpenGL:
  *
  *   WHOLE    the faces of the mesh and the matrix: OpenGL transforms, clips and snaps them itself;
  *   SNAPPED  the triangles that the course draws, each corner at the 1/256 pixel where the course
  *            has placed it: OpenGL has only to find the pixels and to interpolate.
  *
- * What a corner hands to the pixels (`varyings`) is computed by the lesson's own code in both cases.
+ * What a corner hands to the pixels (`varyings`) is computed by the lesson's own code in both
+ * cases.
  */
 #ifndef OPENGL_PICTURE_H
 #define OPENGL_PICTURE_H
@@ -55,9 +56,9 @@ struct look_values {
 
 enum { VARYINGS = 8 };
 
-/* SNAPPED positions are given in a viewport of this many pixels a side, as large as Mesa allows, with
- * its centre at the middle of the picture. A power of two: a position in 1/256 pixel becomes a float
- * without rounding. Mesa cuts triangles at twice its size only. */
+/* SNAPPED positions are given in a viewport of this many pixels a side, as large as Mesa allows,
+ * with its centre at the middle of the picture. A power of two: a position in 1/256 pixel
+ * becomes a float without rounding. Mesa cuts triangles at twice its size only. */
 enum { SNAPPED_VIEWPORT = 16384 };
 
 /* A corner as OpenGL gets it. */

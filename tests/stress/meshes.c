@@ -399,8 +399,9 @@ static void build_plane(const struct mesh_case *c, struct plane *plane) {
 }
 
 /* What a ray through a pixel's centre must find. It is unsure near the plane's border and the near
- * plane, where rounding of the corners decides: such a pixel may be drawn, but only once. A plane seen
- * edge-on is as thin as the snapping to 1/256 pixel, which may turn a triangle over: nothing is asked. */
+ * plane, where rounding of the corners decides: such a pixel may be drawn, but only once. A
+ * plane seen edge-on is as thin as the snapping to 1/256 pixel, which may turn a triangle over:
+ * nothing is asked. */
 enum ray { RAY_MISSES, RAY_HITS, RAY_UNSURE, RAY_EDGE_ON };
 
 static enum ray follow_ray(const struct plane *plane, int x, int y) {

@@ -43,8 +43,8 @@ static struct outcome try_cases(const struct property *property, uint64_t seed, 
     uint64_t failed = 0, first_failure = UINT64_MAX;
     double worst = 0;
 #ifdef _OPENMP
-#pragma omp parallel for schedule(dynamic, 64) reduction(+ : failed) reduction(min : first_failure) \
-    reduction(max : worst)
+#pragma omp parallel for schedule(dynamic, 64) reduction(+ : failed)                               \
+    reduction(min : first_failure) reduction(max : worst)
 #endif
     for (uint64_t i = 0; i < cases; i++) {
         union {

@@ -86,7 +86,8 @@ static bool nearest_is_exact(const void *tried) {
     return false;
 }
 
-/* The weight of texel i: a tent of width 2 around its centre, everything outside given to the edge. */
+/* The weight of texel i: a tent of width 2 around its centre, everything outside given to the
+ * edge. */
 static long double tent(double coordinate, int i, int size) {
     long double place = bounded((long double)coordinate * size - 0.5L, 0, size - 1);
     long double distance = fabsl(place - i);

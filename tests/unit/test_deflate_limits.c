@@ -78,8 +78,8 @@ static void test_single_codes(void) {
     }
 }
 
-/* The stream ends inside the header of a block, which does not begin on a whole byte there: fixed codes
- * with nothing but their end take 10 bits, a literal from 144 on takes 9. */
+/* The stream ends inside the header of a block, which does not begin on a whole byte there:
+ * fixed codes with nothing but their end take 10 bits, a literal from 144 on takes 9. */
 static void test_cut_headers(void) {
     static const struct {
         const char *name, *bits;

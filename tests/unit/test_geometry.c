@@ -210,7 +210,8 @@ static void test_lookat_along_up(void) {
     }
 }
 
-/* Matrices whose inverse is too large for a double, for infinity and for infinity minus infinity. */
+/* Matrices whose inverse is too large for a double, for infinity and for infinity minus
+ * infinity. */
 static void test_inverse_overflow(void) {
     struct mat4 tiny = mat4_scaling((struct vec3){1e-310, 1e-310, 1e-310}), inverse = {{{7}}};
     CHECK(!mat4_inverse(tiny, &inverse) && inverse.m[0][0] == 7);

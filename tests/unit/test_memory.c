@@ -3,8 +3,8 @@
  * program fails in turn, the first, the second and so on, one in each run. Each time the function
  * must return an error with a message, leave its results empty or as they were, and lose no memory.
  *
- * This program is linked with -Wl,--wrap=malloc and the like, so that the calls of the course's code
- * come to the functions __wrap_... below (GNU ld manual, option --wrap).
+ * This program is linked with -Wl,--wrap=malloc and the like, so that the calls of the course's
+ * code come to the functions __wrap_... below (GNU ld manual, option --wrap).
  */
 #define _XOPEN_SOURCE 700 /* POSIX.1-2008 with mkdtemp() and realpath() */
 
