@@ -76,9 +76,9 @@ $(BUILD)/step%: step%/main.c $(LIBRARY) $(BUILD)/flags
 
 # ---- Models and pictures ----
 
-SCULPTOR = $(patsubst common/models/%.c,$(BUILD)/sculptor/%.o,$(wildcard common/models/*.c))
+SCULPTOR = $(patsubst common/sculptor/%.c,$(BUILD)/sculptor/%.o,$(wildcard common/sculptor/*.c))
 
-$(BUILD)/sculptor/%.o: common/models/%.c $(BUILD)/flags
+$(BUILD)/sculptor/%.o: common/sculptor/%.c $(BUILD)/flags
 	@mkdir -p $(@D)
 	$(COMPILE) -c $< -o $@
 

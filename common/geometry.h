@@ -1,5 +1,5 @@
 /*
- * Vectors, matrices and cameras; lines cut to the image; the exact pixels of a triangle.
+ * Vectors, matrices and cameras.
  *
  * Conventions of the whole course, stated here once:
  *
@@ -183,119 +183,6 @@ static inline struct vec3 perspective_weights(struct vec3 screen, const double r
     double a = screen.x * recip_w[0], b = screen.y * recip_w[1], c = screen.z * recip_w[2];
     double scale = 1 / (a + b + c);
     return (struct vec3){a * scale, b * scale, c * scale};
-}
-
-/* ---- Lines (taught in step01_line, cut to the image in step02_wireframe) ---- */
-
-struct pixel {
-    int x, y;
-};
-
-enum { LINE_LIMIT = 1 << 29 }; /* end points of a line lie in -LINE_LIMIT..LINE_LIMIT */
-
-/* The pixels of a line that lie in the image, one after the other, starting at its left end (a
- * steep line: at its lower end), whatever the order of the end points. In every column (a steep
- * line: row) it is the pixel nearest to the ideal line; at a tie the one nearer to where the line
- * starts. */
-struct line_walk {
-    int x, y;       /* the current pixel */
-    bool steep;     /* steps up in y instead of right in x */
-    int minor_step; /* +1 or -1, along the other axis */
-    size_t left;    /* pixels after the current one */
-    int64_t
-        remainder; /* of the division that finds the minor coordinate: 0 <= remainder < divisor */
-    int64_t rise, divisor; /* twice the minor and twice the major length */
-};
-
-/* Go to the first pixel in the image; false when there is none. Work does not grow with what lies
- * outside. */
-bool line_begin(struct line_walk *walk, struct pixel a, struct pixel b, size_t width,
-                size_t height);
-
-/* Go to the next pixel in the image; false when there is none. */
-static inline bool line_next(struct line_walk *walk) {
-    if (walk->left == 0) {
-        return false;
-    }
-    walk->left--;
-    walk->remainder += walk->rise;
-    int minor = 0;
-    if (walk->remainder >= walk->divisor) {
-        walk->remainder -= walk->divisor;
-        minor = walk->minor_step;
-    }
-    walk->x += walk->steep ? minor : 1;
-    walk->y += walk->steep ? 1 : minor;
-    return true;
-}
-
-/* ---- Triangles (taught in step03_triangle) ---- */
-
-enum {
-    SUBPIXELS = 256,        /* steps of a snapped position in one pixel */
-    SCREEN_LIMIT = 1 << 21, /* pixels: no corner lies farther than this from (0,0) */
-    DRAW_LIMIT = 16384      /* pixels: no image to draw on is wider or higher */
-};
-
-/* A position on the screen in 1/256 pixel. */
-struct fixed2 {
-    int32_t x, y;
-};
-
-/* Round to the nearest 1/256 pixel (halves up); false, with `snapped` unchanged, for what is not a
- * number or lies beyond SCREEN_LIMIT. */
-static inline bool screen_snap(struct vec2 screen, struct fixed2 *snapped) {
-    if (!(fabs(screen.x) <= SCREEN_LIMIT && fabs(screen.y) <= SCREEN_LIMIT)) {
-        return false;
-    }
-    *snapped = (struct fixed2){(int32_t)floor(screen.x * SUBPIXELS + 0.5),
-                               (int32_t)floor(screen.y * SUBPIXELS + 0.5)};
-    return true;
-}
-
-/* The edge function of one side: origin + dx * x + dy * y is its value at the centre of pixel
- * (x,y), in 1/256 pixel squared; positive on the triangle's side of the edge. */
-struct edge {
-    int64_t origin, dx, dy;
-    int64_t least; /* smallest value that is inside: 0 for a top or left edge, otherwise 1 */
-};
-
-/* A triangle ready to be drawn. Edge i lies opposite corner i. */
-struct edges {
-    struct edge edge[3];
-    int64_t area;       /* twice the triangle's area, 1/256 pixel squared; positive */
-    bool clockwise;     /* the corners were given clockwise as seen on the screen */
-    int y_begin, y_end; /* rows that may be covered: begin inclusive, end exclusive */
-    int width;          /* of the image */
-};
-
-/* The covered pixels of a row: begin inclusive, end exclusive; begin >= end when there are none. */
-struct span {
-    int begin, end;
-};
-
-/* Set up a triangle on an image of at most DRAW_LIMIT pixels a side. False when it certainly covers
- * no pixel: no area, off the image, or too small to reach a pixel centre.
- *
- * A pixel is covered when its centre is inside; a centre exactly on an edge belongs to the triangle
- * whose left or top edge this is. So triangles that share an edge neither overlap nor leave a gap,
- * and the order of the corners does not matter. (The top-left rule: Microsoft, "Direct3D 11
- * Functional Specification", section 3.4.2.) */
-bool edges_setup(struct edges *edges, struct fixed2 a, struct fixed2 b, struct fixed2 c,
-                 size_t width, size_t height);
-
-/* The covered pixels of row y (y_begin <= y < y_end), found with one exact division per edge. */
-struct span edges_span(const struct edges *edges, int y);
-
-/* The weights of corners a, b and c at the centre of a pixel: their sum is 1 (but for rounding),
- * and inside the triangle none is negative. Each is the exact edge value divided by the area, so
- * nothing drifts along a row. */
-static inline struct vec3 edges_weights(const struct edges *edges, int x, int y) {
-    const struct edge *e = edges->edge;
-    double scale = 1 / (double)edges->area;
-    return (struct vec3){(double)(e[0].origin + e[0].dx * x + e[0].dy * y) * scale,
-                         (double)(e[1].origin + e[1].dx * x + e[1].dy * y) * scale,
-                         (double)(e[2].origin + e[2].dx * x + e[2].dy * y) * scale};
 }
 
 #endif

@@ -21,6 +21,7 @@
 
 #include "geometry.h"
 #include "model.h"
+#include "raster.h"
 #include "tgaimage.h"
 
 #include <stdbool.h>

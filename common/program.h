@@ -24,6 +24,7 @@
 #include "file.h"
 #include "geometry.h"
 #include "model.h"
+#include "raster.h"
 #include "text_scene.h"
 #include "tgaimage.h"
 

@@ -9,7 +9,7 @@
  * the corners, `faces` fills the faces of a model, each in a colour of its own. A text scene draws
  * the triangles that it lists.
  *
- * The setup and the span below are those of common/geometry.c, which later lessons use.
+ * The setup and the span below are those of common/raster.c, which later lessons use.
  */
 #include "program.h"
 

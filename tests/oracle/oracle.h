@@ -8,7 +8,7 @@
 #ifndef TESTS_ORACLE_H
 #define TESTS_ORACLE_H
 
-#include "geometry.h"
+#include "raster.h"
 
 #include <stdbool.h>
 #include <stdint.h>

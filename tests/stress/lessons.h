@@ -3,7 +3,7 @@
 #ifndef TESTS_LESSONS_H
 #define TESTS_LESSONS_H
 
-#include "geometry.h"
+#include "raster.h"
 #include "tgaimage.h"
 
 void lesson01_line(struct image *image, struct pixel a, struct pixel b, struct color color);

@@ -31,11 +31,11 @@ same() {
 
 lesson=step03_triangle/main.c
 for name in make_edge floor_divide ceil_divide least_of most_of centers_between; do
-    same $lesson common/geometry.c $name
+    same $lesson common/raster.c $name
 done
-same $lesson common/geometry.c triangle_setup edges_setup
-same $lesson common/geometry.c triangle_span edges_span
-same $lesson common/geometry.h triangle_weights edges_weights
+same $lesson common/raster.c triangle_setup edges_setup
+same $lesson common/raster.c triangle_span edges_span
+same $lesson common/raster.h triangle_weights edges_weights
 
 lesson=step08_projection/main.c
 same $lesson common/geometry.c viewport mat4_viewport

@@ -1,6 +1,7 @@
 /* Vectors, matrices, cameras, lines and triangles against independent answers. */
 #include "geometry.h"
 #include "oracle.h"
+#include "raster.h"
 #include "unit.h"
 
 #include <stdlib.h>

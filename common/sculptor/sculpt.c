@@ -55,7 +55,7 @@ static bool write_mesh_of_bust(const struct surface *surface, const char *direct
     bool done = (simplify(surface, HALF_FACES, &triangles, &count) &&
                  mesh_from_surface(&mesh, surface, triangles, count)) ||
                 error_set(error, "not enough memory for the bust");
-    done = done && write_obj(&mesh, "A bust, sculpted by common/models/sculpt.c", directory,
+    done = done && write_obj(&mesh, "A bust, sculpted by common/sculptor/sculpt.c", directory,
                              "bust.obj", error);
     mesh_free(&mesh);
     free(triangles);
