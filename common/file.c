@@ -42,6 +42,10 @@ bool error_set(struct error *error, const char *format, ...) {
     return false;
 }
 
+bool error_out_of_memory(struct error *error) {
+    return error_set(error, "out of memory");
+}
+
 bool error_name_file(struct error *error, const char *path) {
     struct error plain = *error;
     size_t length = strlen(path);

@@ -26,6 +26,9 @@ struct error {
  * function can end with `return error_set(error, ...)`. */
 bool error_set(struct error *error, const char *format, ...) PRINTF_LIKE(2, 3);
 
+/* The message of every allocation that failed. Always returns false. */
+bool error_out_of_memory(struct error *error);
+
 /* Put "PATH: " before the message. Always returns false. */
 bool error_name_file(struct error *error, const char *path);
 

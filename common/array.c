@@ -1,0 +1,24 @@
+/* Growing arrays: see array.h. */
+#include "array.h"
+
+#include <stdint.h>
+#include <stdlib.h>
+
+enum { LEAST_CAPACITY = 16 };
+
+void *array_reserve(void *array, size_t *capacity, size_t count, size_t element_size) {
+    if (count <= *capacity && array != NULL) {
+        return array;
+    }
+    size_t half_more = *capacity < SIZE_MAX / 2 ? *capacity + *capacity / 2 : *capacity;
+    size_t wanted = half_more > LEAST_CAPACITY ? half_more : LEAST_CAPACITY;
+    wanted = wanted > count ? wanted : count;
+    if (wanted > SIZE_MAX / element_size) {
+        return NULL;
+    }
+    void *moved = realloc(array, wanted * element_size);
+    if (moved != NULL) {
+        *capacity = wanted;
+    }
+    return moved;
+}

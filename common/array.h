@@ -1,0 +1,23 @@
+/*
+ * Growing arrays: the one place where the course makes an array larger.
+ *
+ * The owner keeps a pointer, how many elements are in use and how many there is room for:
+ *
+ *     struct face *grown = array_reserve(faces, &capacity, count + 1, sizeof *faces);
+ *     if (grown == NULL) {
+ *         return error_out_of_memory(error);
+ *     }
+ *     faces = grown;
+ *     faces[count++] = face;
+ */
+#ifndef COMMON_ARRAY_H
+#define COMMON_ARRAY_H
+
+#include <stddef.h>
+
+/* Room for `count` elements in an array (NULL at first) that has room for `*capacity` (0 at first).
+ * Returns the array, moved perhaps, or NULL when memory runs out: the old array is then unchanged.
+ * An array that grows gets half as much again at least, so that many small steps stay linear. */
+void *array_reserve(void *array, size_t *capacity, size_t count, size_t element_size);
+
+#endif
