@@ -210,9 +210,9 @@ static int compare_leaves(const void *a, const void *b) {
     return x->symbol < y->symbol ? -1 : 1;
 }
 
-/* The lengths of the best prefix code with no code longer than `limit` bits, by package-merge: L.
- * L. Larmore, D. S. Hirschberg, "A fast algorithm for optimal length-limited Huffman codes",
- * Journal of the ACM 37 (1990). A list is made `limit` times of the leaves merged with the pairs of
+/* The lengths of the best prefix code with no code longer than `limit` bits, by package-merge
+ * (L. L. Larmore, D. S. Hirschberg, "A fast algorithm for optimal length-limited Huffman codes",
+ * Journal of the ACM 37, 1990). A list is made `limit` times of the leaves merged with the pairs of
  * the list before; how often a leaf occurs in the first 2n-2 entries of the last list is its
  * length. At least two symbols get a code, since a code of one symbol is not complete. */
 static void choose_lengths(const uint32_t *counts, size_t symbol_count, unsigned limit,
@@ -596,7 +596,7 @@ bool zlib_compress(const void *data, size_t size, struct bytes *out, struct erro
 fail:
     free(c);
     out->size = start;
-    return error_set(error, "not enough memory to compress");
+    return error_out_of_memory(error);
 }
 
 /* ---- Decompression ---- */
@@ -948,7 +948,7 @@ bool zlib_decompress(const void *data, size_t size, void *out, size_t out_size,
     const uint8_t *bytes = data;
     struct decompressor *d = calloc(1, sizeof *d);
     if (d == NULL) {
-        return error_set(error, "not enough memory to decompress");
+        return error_out_of_memory(error);
     }
     d->next = bytes;
     d->end = bytes + size;

@@ -3,6 +3,8 @@
 
 #include "file.h"
 
+#include "array.h"
+
 #include <errno.h>
 #include <fcntl.h>
 #include <stdarg.h>
@@ -39,6 +41,7 @@ bool error_set(struct error *error, const char *format, ...) {
     }
     va_end(arguments);
     hide_control_characters(error->message);
+    error->line = 0;
     return false;
 }
 
@@ -50,43 +53,36 @@ bool error_name_file(struct error *error, const char *path) {
     struct error plain = *error;
     size_t length = strlen(path);
     bool cut = length > SHOWN_PATH_LIMIT;
-    return error_set(error, "%s%s: %s", cut ? "..." : "",
-                     cut ? path + length - SHOWN_PATH_LIMIT : path, plain.message);
+    char line[24] = "";
+    if (plain.line > 0) {
+        snprintf(line, sizeof line, ":%zu", plain.line);
+    }
+    return error_set(error, "%s%s%s: %s", cut ? "..." : "",
+                     cut ? path + length - SHOWN_PATH_LIMIT : path, line, plain.message);
 }
 
-/* "PATH: what the system says", from errno. */
-static bool error_from_system(struct error *error, const char *path) {
-    error_set(error, "%s", strerror(errno));
-    return error_name_file(error, path);
+static bool is_standard_input(const char *path) {
+    return strcmp(path, "-") == 0;
 }
 
-static bool error_in_file(struct error *error, const char *path, const char *what) {
-    error_set(error, "%s", what);
-    return error_name_file(error, path);
+bool error_name_input(struct error *error, const char *path) {
+    return error_name_file(error, is_standard_input(path) ? "standard input" : path);
+}
+
+/* What the system says, from errno. */
+static bool error_from_system(struct error *error) {
+    return error_set(error, "%s", strerror(errno));
 }
 
 /* ---- Blocks of bytes ---- */
 
 bool bytes_reserve(struct bytes *bytes, size_t size) {
-    if (size <= bytes->capacity - bytes->size) {
-        return true;
-    }
     if (size > SIZE_MAX - bytes->size) {
         return false;
     }
-    size_t capacity = bytes->size + size;
-    /* Growing by at least half keeps the total cost of many small appends linear. */
-    size_t grown = bytes->capacity + bytes->capacity / 2;
-    if (grown > capacity) {
-        capacity = grown;
-    }
-    unsigned char *data = realloc(bytes->data, capacity);
-    if (data == NULL) {
-        return false;
-    }
-    bytes->data = data;
-    bytes->capacity = capacity;
-    return true;
+    void *grown = array_reserve(bytes->data, &bytes->capacity, bytes->size + size, 1);
+    bytes->data = grown == NULL ? bytes->data : grown;
+    return grown != NULL;
 }
 
 bool bytes_append(struct bytes *bytes, const void *data, size_t size) {
@@ -118,64 +114,60 @@ static ssize_t read_some(int file, void *data, size_t size) {
 }
 
 /* Read up to the end of an open file, whose size is not known or may have changed. */
-static bool read_to_end(int file, const char *name, struct bytes *bytes, struct error *error) {
+static bool read_to_end(int file, struct bytes *bytes, struct error *error) {
     for (;;) {
-        /* The block may be just as large as the file, so the end is looked for in a small buffer.
-         */
+        /* The block may be just as large as the file: then a small buffer looks for the end. */
         unsigned char more[16384];
         bool full = bytes->size == bytes->capacity;
         size_t room = full ? sizeof more : bytes->capacity - bytes->size;
         ssize_t got = read_some(file, full ? more : bytes->data + bytes->size, room);
         if (got < 0) {
-            return error_from_system(error, name);
+            return error_from_system(error);
         }
         if (got == 0) {
             return true;
         }
         if ((size_t)got > FILE_SIZE_LIMIT - bytes->size) {
-            return error_in_file(error, name, "is larger than 1 GiB");
+            return error_set(error, "is larger than 1 GiB");
         }
         if (!full) {
             bytes->size += (size_t)got;
         } else if (!bytes_append(bytes, more, (size_t)got)) {
-            return error_in_file(error, name, "not enough memory to read the file");
+            return error_out_of_memory(error);
         }
     }
 }
 
-static bool read_open_file(int file, const char *name, struct bytes *bytes, struct error *error) {
+static bool read_open_file(int file, struct bytes *bytes, struct error *error) {
     struct stat status;
     if (fstat(file, &status) != 0) {
-        return error_from_system(error, name);
+        return error_from_system(error);
     }
     if (S_ISDIR(status.st_mode)) {
-        return error_in_file(error, name, "is a directory");
+        return error_set(error, "is a directory");
     }
     if (S_ISREG(status.st_mode) && status.st_size > 0) {
         if (status.st_size > FILE_SIZE_LIMIT) {
-            return error_in_file(error, name, "is larger than 1 GiB");
+            return error_set(error, "is larger than 1 GiB");
         }
         if (!bytes_reserve(bytes, (size_t)status.st_size)) {
-            return error_in_file(error, name, "not enough memory to read the file");
+            return error_out_of_memory(error);
         }
     }
-    return read_to_end(file, name, bytes, error);
+    return read_to_end(file, bytes, error);
 }
 
 bool file_read(const char *path, struct bytes *bytes, struct error *error) {
     *bytes = (struct bytes){0};
-    bool standard_input = strcmp(path, "-") == 0;
-    const char *name = standard_input ? "standard input" : path;
+    bool standard_input = is_standard_input(path);
     int file = standard_input ? STDIN_FILENO : open(path, O_RDONLY | O_CLOEXEC);
-    if (file < 0) {
-        return error_from_system(error, name);
+    bool done = file >= 0 ? read_open_file(file, bytes, error) : error_from_system(error);
+    if (file >= 0 && !standard_input) {
+        close(file);
     }
-    bool done = read_open_file(file, name, bytes, error);
     if (!done) {
         bytes_free(bytes);
-    }
-    if (!standard_input) {
-        close(file);
+        error_name_input(error, path);
     }
     return done;
 }
@@ -216,7 +208,7 @@ static bool write_and_close(int file, const void *data, size_t size) {
 static bool write_directly(const char *path, const void *data, size_t size, struct error *error) {
     int file = open(path, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
     if (file < 0 || !write_and_close(file, data, size)) {
-        return error_from_system(error, path);
+        return error_from_system(error);
     }
     return true;
 }
@@ -243,51 +235,112 @@ static bool write_and_rename(const char *path, long mode, const void *data, size
     size_t name_size = strlen(path) + 64;
     char *name = malloc(name_size);
     if (name == NULL) {
-        return error_in_file(error, path, "not enough memory to write the file");
+        return error_out_of_memory(error);
     }
+    bool done = false;
     int file = create_temporary(path, name, name_size);
     if (file < 0) {
-        error_from_system(error, path);
-        goto fail;
+        error_from_system(error);
+        goto end;
     }
     if (mode >= 0) {
         (void)fchmod(file, (mode_t)mode); /* not every file system has permissions to keep */
     }
     if (!write_and_close(file, data, size) || rename(name, path) != 0) {
-        error_from_system(error, path);
+        error_from_system(error);
         unlink(name);
-        goto fail;
+        goto end;
     }
+    done = true;
+end:
     free(name);
-    return true;
-fail:
-    free(name);
-    return false;
+    return done;
 }
 
-bool file_write(const char *path, const void *data, size_t size, struct error *error) {
+/* As file_write(), but messages do not name the file. */
+static bool write_whole(const char *path, const void *data, size_t size, struct error *error) {
     struct stat status;
     bool device_name = strncmp(path, "/dev/", 5) == 0; /* /dev/stdout may be a regular file */
     if (stat(path, &status) != 0) {
         if (errno != ENOENT || path[0] == '\0') {
-            return error_from_system(error, path);
+            return error_from_system(error);
         }
         return write_and_rename(path, -1, data, size, error);
     }
     if (S_ISDIR(status.st_mode)) {
-        return error_in_file(error, path, "is a directory");
+        return error_set(error, "is a directory");
     }
     if (!S_ISREG(status.st_mode) || device_name) {
         return write_directly(path, data, size, error);
     }
     if (access(path, W_OK) != 0) { /* renaming would get round a write protection */
-        return error_from_system(error, path);
+        return error_from_system(error);
     }
     char *target = realpath(path, NULL); /* a symbolic link stays, the file behind it is replaced */
     if (target == NULL) {
-        return error_from_system(error, path);
+        return error_from_system(error);
     }
     bool done = write_and_rename(target, (long)(status.st_mode & 07777), data, size, error);
     free(target);
     return done;
+}
+
+bool file_write(const char *path, const void *data, size_t size, struct error *error) {
+    return write_whole(path, data, size, error) || error_name_file(error, path);
+}
+
+bool file_write_encoded(const char *path, bool encoded, struct bytes *bytes, struct error *error) {
+    bool done =
+        encoded ? file_write(path, bytes->data, bytes->size, error) : error_name_file(error, path);
+    bytes_free(bytes);
+    return done;
+}
+
+/* ---- Directories and strings ---- */
+
+bool file_exists(const char *path) {
+    struct stat status;
+    return stat(path, &status) == 0;
+}
+
+static bool is_directory(const char *path) {
+    struct stat status;
+    return stat(path, &status) == 0 && S_ISDIR(status.st_mode);
+}
+
+bool directory_create(const char *path, struct error *error) {
+    char *partial = string_format("%s", path);
+    if (partial == NULL) {
+        return error_out_of_memory(error);
+    }
+    for (size_t i = 1; i <= strlen(path); i++) {
+        if (path[i] != '/' && path[i] != '\0') {
+            continue;
+        }
+        partial[i] = '\0';
+        int reason = mkdir(partial, 0777) == 0 ? 0 : errno;
+        if (reason != 0 && !is_directory(partial)) {
+            error_set(error, "%s: cannot make the directory: %s", partial,
+                      strerror(reason == EEXIST ? ENOTDIR : reason));
+            free(partial);
+            return false;
+        }
+        partial[i] = path[i];
+    }
+    free(partial);
+    return true;
+}
+
+char *string_format(const char *format, ...) {
+    va_list arguments, again;
+    va_start(arguments, format);
+    va_copy(again, arguments);
+    int length = vsnprintf(NULL, 0, format, arguments);
+    char *string = length >= 0 ? malloc((size_t)length + 1) : NULL;
+    if (string != NULL) {
+        vsnprintf(string, (size_t)length + 1, format, again);
+    }
+    va_end(again);
+    va_end(arguments);
+    return string;
 }

@@ -1,5 +1,6 @@
 /*
- * Whole files in, whole files out, and the error message that every reader and writer fills in.
+ * Whole files in, whole files out, directories, and the error message that every reader and writer
+ * fills in.
  *
  * A file is read into memory as one block of bytes, so that decoders work on memory alone and can
  * check every claim of a file against its true length. A file is written to a temporary name in the
@@ -14,6 +15,7 @@
 /* What went wrong, for the user: one line without a final newline or the program's name. */
 struct error {
     char message[1024];
+    size_t line; /* of the text that was read, from 1; 0 where no line is meant or it is named */
 };
 
 #if defined(__GNUC__)
@@ -29,8 +31,11 @@ bool error_set(struct error *error, const char *format, ...) PRINTF_LIKE(2, 3);
 /* The message of every allocation that failed. Always returns false. */
 bool error_out_of_memory(struct error *error);
 
-/* Put "PATH: " before the message. Always returns false. */
+/* Put "PATH: " before the message, "PATH:LINE: " where there is a line. Always returns false. */
 bool error_name_file(struct error *error, const char *path);
+
+/* The same for a file that was read: "-" is called standard input. Always returns false. */
+bool error_name_input(struct error *error, const char *path);
 
 /* A growing block of bytes. All zero is a valid, empty block; `data` belongs to the block. */
 struct bytes {
@@ -50,10 +55,23 @@ void bytes_free(struct bytes *bytes);
 
 /* Read the whole file, or standard input for "-". The caller frees `bytes`. A directory, a missing
  * file, a read error and a file of more than 1 GiB are errors; the message names the file, and
- * nothing stays allocated. A file that tells its size is read into a block of that size. */
+ * nothing stays allocated. A file that tells its size is read into a block of that size (or of 16
+ * bytes). */
 bool file_read(const char *path, struct bytes *bytes, struct error *error);
 
 /* Write the whole file: complete or, on an error, not at all (an older file of that name stays). */
 bool file_write(const char *path, const void *data, size_t size, struct error *error);
+
+/* The end of every writer: file_write() what was encoded, or, when encoding failed (`encoded` is
+ * false), put the file's name before the message. Frees `bytes` in any case. */
+bool file_write_encoded(const char *path, bool encoded, struct bytes *bytes, struct error *error);
+
+bool file_exists(const char *path);
+
+/* Make the directory and those above it that do not exist yet. */
+bool directory_create(const char *path, struct error *error);
+
+/* What printf would print, in memory that the caller frees; NULL when memory runs out. */
+char *string_format(const char *format, ...) PRINTF_LIKE(1, 2);
 
 #endif

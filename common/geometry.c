@@ -16,9 +16,16 @@ struct vec3 vec3_normalized_slowly(struct vec3 a) {
     return vec3_scale(a, 1 / vec3_length(a));
 }
 
-/* sin and cos for 0 <= angle <= pi/4 by their Taylor series, summed from the smallest term
- * (Abramowitz and Stegun, "Handbook of Mathematical Functions", 4.3.65-66); the next term is below
- * 2^-60. */
+struct vec3 vec3_perpendicular_axis(struct vec3 direction) {
+    struct vec3 d = {fabs(direction.x), fabs(direction.y), fabs(direction.z)};
+    if (d.y <= d.x && d.y <= d.z) {
+        return (struct vec3){0, 1, 0};
+    }
+    return d.x <= d.z ? (struct vec3){1, 0, 0} : (struct vec3){0, 0, 1};
+}
+
+/* cos and sin for 0 <= angle <= pi/4 by their Taylor series, summed from the smallest term; the
+ * next term is below 2^-60. */
 static struct vec2 small_angle_direction(double angle) {
     double square = angle * angle;
     double sine = 1, cosine = 1;
@@ -208,7 +215,7 @@ struct mat4 mat4_scaling(struct vec3 factor) {
         {{factor.x, 0, 0, 0}, {0, factor.y, 0, 0}, {0, 0, factor.z, 0}, {0, 0, 0, 1}}};
 }
 
-/* Rodrigues' formula (Foley, van Dam, Feiner and Hughes, "Computer Graphics", exercise 5.15). */
+/* Rodrigues' formula. */
 struct mat4 mat4_rotation(struct vec3 axis, double turns) {
     struct vec3 a = vec3_normalized(axis);
     struct vec2 direction = turn_direction(turns);
@@ -221,39 +228,19 @@ struct mat4 mat4_rotation(struct vec3 axis, double turns) {
 
 /* ---- Cameras ---- */
 
-/* The world axis most nearly perpendicular to a direction. */
-static struct vec3 perpendicular_axis(struct vec3 direction) {
-    struct vec3 d = {fabs(direction.x), fabs(direction.y), fabs(direction.z)};
-    if (d.y <= d.x && d.y <= d.z) {
-        return (struct vec3){0, 1, 0};
-    }
-    return d.x <= d.z ? (struct vec3){1, 0, 0} : (struct vec3){0, 0, 1};
-}
-
-/* Half the difference of two points: the difference itself could overflow. */
-static struct vec3 half_difference(struct vec3 a, struct vec3 b) {
-    return vec3_sub(vec3_scale(a, 0.5), vec3_scale(b, 0.5));
-}
-
-/* Bring a vector that is nearly of length 1 to the last bit or two: one step of Newton's method for
- * 1 / length. Zero stays zero. */
-static struct vec3 unit_length(struct vec3 a) {
-    return vec3_scale(a, 1.5 - 0.5 * vec3_dot(a, a));
-}
-
 struct mat4 mat4_lookat(struct vec3 eye, struct vec3 center, struct vec3 up) {
-    struct vec3 z = unit_length(vec3_normalized(half_difference(eye, center)));
+    struct vec3 z = vec3_renormalized(vec3_normalized(vec3_half_difference(eye, center)));
     if (vec3_dot(z, z) == 0) {
         z = (struct vec3){0, 0, 1};
     }
     struct vec3 x = vec3_cross(vec3_normalized(up), z);
     if (vec3_dot(x, x) < 1e-20) { /* up is parallel to the view direction, as near as it matters */
-        x = vec3_cross(perpendicular_axis(z), z);
+        x = vec3_cross(vec3_perpendicular_axis(z), z);
     }
     x = vec3_normalized(x);
     /* A short cross product has lost digits: make x perpendicular to z once more. */
-    x = unit_length(vec3_sub(x, vec3_scale(z, vec3_dot(x, z))));
-    struct vec3 y = unit_length(vec3_cross(z, x));
+    x = vec3_renormalized(vec3_sub(x, vec3_scale(z, vec3_dot(x, z))));
+    struct vec3 y = vec3_renormalized(vec3_cross(z, x));
     return (struct mat4){{{x.x, x.y, x.z, -vec3_dot(x, center)},
                           {y.x, y.y, y.z, -vec3_dot(y, center)},
                           {z.x, z.y, z.z, -vec3_dot(z, center)},
@@ -264,12 +251,4 @@ struct mat4 mat4_projection(double distance) {
     struct mat4 projection = mat4_identity();
     projection.m[3][2] = -1 / distance;
     return projection;
-}
-
-struct mat4 mat4_viewport(size_t width, size_t height) {
-    double half_width = (double)width / 2, half_height = (double)height / 2;
-    return (struct mat4){{{half_width, 0, 0, half_width},
-                          {0, half_height, 0, half_height},
-                          {0, 0, 1, 0},
-                          {0, 0, 0, 1}}};
 }

@@ -76,11 +76,10 @@ static inline double vec3_length(struct vec3 a) {
     return sqrt(vec3_dot(a, a));
 }
 
-/* The vector of length 1 in the same direction, for any finite length; the zero vector stays zero.
- */
-struct vec3
-vec3_normalized_slowly(struct vec3 a); /* for lengths whose square over- or underflows */
+/* vec3_normalized() where the square of the length over- or underflows. */
+struct vec3 vec3_normalized_slowly(struct vec3 a);
 
+/* The vector of length 1 in the same direction, for any finite length; zero stays zero. */
 static inline struct vec3 vec3_normalized(struct vec3 a) {
     double length_squared = vec3_dot(a, a);
     if (length_squared > 1e-280 && length_squared < 1e280) {
@@ -89,8 +88,22 @@ static inline struct vec3 vec3_normalized(struct vec3 a) {
     return vec3_normalized_slowly(a);
 }
 
-/* weight.x * a + weight.y * b + weight.z * c: a value inside a triangle from those at its corners.
- */
+/* Bring a vector that is nearly of length 1 to the last bit or two: one step of Newton's method for
+ * 1 / length. Zero stays zero. */
+static inline struct vec3 vec3_renormalized(struct vec3 a) {
+    return vec3_scale(a, 1.5 - 0.5 * vec3_dot(a, a));
+}
+
+/* Half the difference of two points: the difference itself could overflow. */
+static inline struct vec3 vec3_half_difference(struct vec3 a, struct vec3 b) {
+    return vec3_sub(vec3_scale(a, 0.5), vec3_scale(b, 0.5));
+}
+
+/* The world axis most nearly perpendicular to a direction: the one along which it is shortest. Of
+ * equal ones y comes before x, and x before z. */
+struct vec3 vec3_perpendicular_axis(struct vec3 direction);
+
+/* A value inside a triangle from those at its corners. */
 static inline double interpolate(struct vec3 weight, double a, double b, double c) {
     return weight.x * a + weight.y * b + weight.z * c;
 }
@@ -129,9 +142,9 @@ struct mat4 mat4_mul(struct mat4 a, struct mat4 b); /* a * b: b is applied first
 struct mat4 mat4_transpose(struct mat4 a);
 
 /* The inverse, by Gaussian elimination with row scaling and partial pivoting, then substitution
- * (Golub and Van Loan, "Matrix Computations", sections 3.2 to 3.5). False, with `inverse`
- * unchanged, when the matrix is singular to working precision (condition number of 2^50 or more)
- * or not finite. */
+ * (Golub and Van Loan, "Matrix Computations"). False, with `inverse` unchanged, when the matrix is
+ * not finite or singular to working precision: its condition number, after each row is scaled to
+ * about 1, is 2^50 or more. */
 bool mat4_inverse(struct mat4 a, struct mat4 *inverse);
 
 struct mat4 mat4_translation(struct vec3 offset);
@@ -173,12 +186,15 @@ struct mat4 mat4_lookat(struct vec3 eye, struct vec3 center, struct vec3 up);
  * gives the parallel view. `distance` must not be 0. */
 struct mat4 mat4_projection(double distance);
 
-/* NDC (-1..1) to the screen of width x height pixels: (-1,-1) is the bottom-left corner of the
- * bottom-left pixel, (1,1) the top-right corner of the top-right one. z is kept. */
-struct mat4 mat4_viewport(size_t width, size_t height);
+/* The parallel view of lessons 2 to 7, on a screen of width x height pixels: x and y in -1..1 fill
+ * it, z does not count. */
+static inline struct vec2 parallel_view(struct vec3 world, size_t width, size_t height) {
+    return (struct vec2){(world.x + 1) * (double)width / 2, (world.y + 1) * (double)height / 2};
+}
 
 /* Barycentric weights in the plane of the triangle from those on the screen, for perspective: each
- * corner counts by its recip_w (Blinn, "Hyperbolic Interpolation", 1992). */
+ * corner counts by its recip_w (Blinn, "Hyperbolic Interpolation", 1992). The weights on the screen
+ * may have any common factor but 0, such as the area; the sum of the result is 1. */
 static inline struct vec3 perspective_weights(struct vec3 screen, const double recip_w[3]) {
     double a = screen.x * recip_w[0], b = screen.y * recip_w[1], c = screen.z * recip_w[2];
     double scale = 1 / (a + b + c);

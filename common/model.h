@@ -3,13 +3,15 @@
  *
  * A model is a list of faces of three corners; each corner names a position, a texture coordinate
  * and a normal, each by its own index. Arrays hold the files' floats; the accessors give vectors.
- * Polygons are cut into triangles as they are read, concave ones too. Every index is checked, so
- * every index in a loaded model is valid; every number is finite.
+ * Polygons are cut into triangles as they are read, concave ones too (polygon.h). Every index is
+ * checked, so every index in a loaded model is valid; every number is finite.
  *
- * OBJ: v (x y z, x y z w: w is not used, x y z r g b: colours are cut to 0..1), vt (u, u v, u v w:
- * w is not used), vn and f; all other keywords are passed over. A face may name what comes further
- * down; a negative index counts back from the face. OFF, COFF, NOFF, STOFF and their mixtures, as
- * text; colours of faces are not used. A concave face has at most 131,072 corners.
+ * OBJ: v (x y z, x y z w: w is not used, x y z r g b), vt (u, u v, u v w: w is not used), vn and f;
+ * all other keywords are passed over. A face may name what comes further down; a negative index
+ * counts back from the face. OFF, COFF, NOFF, STOFF and their mixtures, as text; a face's colour is
+ * in levels 0..255 where its 3 or 4 numbers are whole, otherwise 0..1; one number alone, an index
+ * into a table of colours, is not used. Colours are cut to 0..1; where some positions or faces have
+ * colours, the others are white. A concave face has at most 131,072 corners.
  */
 #ifndef COMMON_MODEL_H
 #define COMMON_MODEL_H
@@ -38,8 +40,7 @@ struct face {
 /* The textures that may lie beside NAME.obj, read when first asked for. */
 enum model_texture_kind {
     MODEL_DIFFUSE,    /* NAME_diffuse.tga or .png: the colour of the surface */
-    MODEL_NORMAL_MAP, /* NAME_nm.tga or .png: object-space normals, level = (coordinate + 1) * 127.5
-                       */
+    MODEL_NORMAL_MAP, /* NAME_nm.tga or .png: object-space; level = (coordinate + 1) * 127.5 */
     MODEL_SPECULAR,   /* NAME_spec.tga or .png: how the surface shines */
     MODEL_TEXTURE_KINDS
 };
@@ -47,10 +48,11 @@ enum model_texture_kind {
 /* All zero is a valid, empty model. Everything in it belongs to it. */
 struct model {
     size_t position_count, uv_count, normal_count, face_count;
-    float (*positions)[3]; /* x y z */
-    float (*uvs)[2];       /* u v */
-    float (*normals)[3];   /* as in the file, of any length; of length 1 where computed */
-    float (*colors)[3];    /* red green blue 0..1, one a position; NULL where the file has none */
+    float (*positions)[3];   /* x y z */
+    float (*uvs)[2];         /* u v */
+    float (*normals)[3];     /* as in the file, of any length; of length 1 where computed */
+    float (*colors)[3];      /* red green blue 0..1, one a position; NULL where the file has none */
+    float (*face_colors)[3]; /* the same, one a face; model_color() knows which counts */
     struct face *faces;
     char *path;                                   /* the file, for messages and for its textures */
     struct texture textures[MODEL_TEXTURE_KINDS]; /* empty until first asked for */
@@ -60,17 +62,23 @@ struct model {
  * OFF). On an error `model` is empty and the message names the file and the line. */
 bool model_read(struct model *model, const char *path, struct error *error);
 
-/* The same from memory (for tests and fuzzing); messages do not name the file. */
+/* The same from memory (for tests and fuzzing); the message does not name the file, and the line is
+ * in `error` alone. */
 bool model_decode(struct model *model, const void *data, size_t size, struct error *error);
 
 /* Free everything and leave an empty model. */
 void model_free(struct model *model);
 
-/* The attributes of corner 0, 1 or 2 of a face. A corner without a texture coordinate gives (0,0);
- * normals are given as stored: call model_need_normals() first. */
-static inline struct vec3 model_position(const struct model *model, size_t face, size_t corner) {
-    const float *p = model->positions[model->faces[face].corner[corner].position];
+/* A position by its number. */
+static inline struct vec3 model_position_at(const struct model *model, size_t position) {
+    const float *p = model->positions[position];
     return (struct vec3){p[0], p[1], p[2]};
+}
+
+/* The attributes of corner 0, 1 or 2 of a face. A corner without a texture coordinate gives (0,0);
+ * normals are given as stored: call model_need_normals() (normals.h) first. */
+static inline struct vec3 model_position(const struct model *model, size_t face, size_t corner) {
+    return model_position_at(model, model->faces[face].corner[corner].position);
 }
 
 static inline struct vec2 model_uv(const struct model *model, size_t face, size_t corner) {
@@ -86,21 +94,32 @@ static inline struct vec3 model_normal(const struct model *model, size_t face, s
     return (struct vec3){n[0], n[1], n[2]};
 }
 
-/* The angle between two vectors in radians, 0..pi, to 1e-15 of pi; 0 where one has no length. The
- * same bits on every machine, unlike acos() of the C library. (From the lengths of the difference
- * and the sum of the unit vectors, which is accurate for all angles: Kahan, "How Futile are
- * Mindless Assessments of Roundoff in Floating-Point Computation?", 2006, section 12.) */
-double model_angle(struct vec3 a, struct vec3 b);
+/* The colour of a corner, red green blue 0..1: its face's where faces have colours, otherwise its
+ * position's where positions have them, otherwise white. */
+static inline struct vec3 model_color(const struct model *model, size_t face, size_t corner) {
+    const float *color = NULL;
+    if (model->face_colors != NULL) {
+        color = model->face_colors[face];
+    } else if (model->colors != NULL) {
+        color = model->colors[model->faces[face].corner[corner].position];
+    }
+    return color != NULL ? (struct vec3){color[0], color[1], color[2]} : (struct vec3){1, 1, 1};
+}
 
-/* Give a normal to every corner that has none: the mean of the normals of the faces around its
- * position, weighted by the angle of each face there (Thuermer and Wuethrich, "Computing vertex
- * normals from polygonal facets", 1998), of length 1. Where all of them cancel, (0,0,1). */
-bool model_need_normals(struct model *model, struct error *error);
+/* The normal of a face, pointing outwards; as long as twice the face's area. */
+static inline struct vec3 model_face_normal(const struct model *model, size_t face) {
+    struct vec3 a = model_position(model, face, 0);
+    struct vec3 b = model_position(model, face, 1);
+    struct vec3 c = model_position(model, face, 2);
+    return vec3_cross(vec3_sub(b, a), vec3_sub(c, a));
+}
 
-/* Give every position the colour (normal + 1) / 2 of its normal, for models without a texture.
- * Where corners of several normals meet, the first face decides; a position without a face becomes
- * grey. */
-bool model_colors_from_normals(struct model *model, struct error *error);
+/* How directly light that travels in direction `light` (of length 1) falls on the outside of a
+ * face: 1 straight, 0 along it, negative from behind. Taught in step04_flat. */
+static inline double model_face_intensity(const struct model *model, size_t face,
+                                          struct vec3 light) {
+    return -vec3_dot(vec3_normalized(model_face_normal(model, face)), light);
+}
 
 /* A texture of the model, read at the first call. NULL, with a message that names the file that was
  * looked for, when there is none or it cannot be read. The model keeps the texture. */

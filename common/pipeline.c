@@ -1,12 +1,13 @@
 /* The passes of the pipeline that no shader takes part in: see pipeline.h. */
 #include "pipeline.h"
 
+#include "array.h"
+
 #include <assert.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* Nearer than this share of the camera's distance nothing is drawn: there 1/w grows without bound.
- */
+/* Nearer than this part of the camera's distance nothing is drawn: 1/w would grow without bound. */
 static const double near_w = 1.0 / 128;
 
 /* Faces are cut where they leave NDC -64..64: far outside the image, so that few are, but within
@@ -14,6 +15,9 @@ static const double near_w = 1.0 / 128;
 static const double guard_band = 64;
 
 enum { CLIP_PLANES = 5 };
+
+/* Rows are shared out among threads in bands of this many. */
+enum { BAND_HEIGHT = 16 };
 
 /* A convex polygon gains at most one corner at each plane. Where coordinates differ by many
  * orders of magnitude, rounding can make the polygon not convex, and n corners become up to n +
@@ -52,48 +56,32 @@ struct polygon {
 
 /* ---- Memory ---- */
 
-/* Room for `needed` elements; returns the array's new place, or NULL (and the old array stays). */
-static void *grow(void *array, size_t *capacity, size_t needed, size_t element_size,
-                  struct error *error) {
-    needed = needed > 0 ? needed : 1;
-    if (needed <= *capacity) {
-        return array;
-    }
-    size_t larger = *capacity + *capacity / 2;
-    larger = larger > needed ? larger : needed;
-    void *moved = larger <= SIZE_MAX / element_size ? realloc(array, larger * element_size) : NULL;
-    if (moved == NULL) {
-        error_set(error, "out of memory while drawing");
-        return NULL;
-    }
-    *capacity = larger;
-    return moved;
-}
-
-static bool reserve_pieces(struct pipeline *p, size_t needed, struct error *error) {
-    void *pieces = grow(p->pieces, &p->piece_capacity, needed, sizeof *p->pieces, error);
-    p->pieces = pieces != NULL ? pieces : p->pieces;
-    return pieces != NULL;
-}
-
-static bool reserve_clipped(struct pipeline *p, size_t needed, struct error *error) {
-    void *clipped = grow(p->clipped, &p->clipped_capacity, needed, sizeof *p->clipped, error);
-    p->clipped = clipped != NULL ? clipped : p->clipped;
-    return clipped != NULL;
-}
-
-static bool reserve_positions(struct pipeline *p, size_t needed, struct error *error) {
-    void *positions =
-        grow(p->positions, &p->position_capacity, needed, sizeof *p->positions, error);
+/* Room for that many elements. False, with the array as it was, when memory runs out. */
+static bool reserve_positions(struct pipeline *p, size_t count, struct error *error) {
+    struct position *positions =
+        array_reserve(p->positions, &p->position_capacity, count, sizeof *positions);
     p->positions = positions != NULL ? positions : p->positions;
-    return positions != NULL;
+    return positions != NULL || error_out_of_memory(error);
 }
 
-static bool reserve_attributes(struct pipeline *p, size_t needed, struct error *error) {
-    void *attributes =
-        grow(p->attributes, &p->attribute_capacity, needed, sizeof *p->attributes, error);
+static bool reserve_pieces(struct pipeline *p, size_t count, struct error *error) {
+    struct piece *pieces = array_reserve(p->pieces, &p->piece_capacity, count, sizeof *pieces);
+    p->pieces = pieces != NULL ? pieces : p->pieces;
+    return pieces != NULL || error_out_of_memory(error);
+}
+
+static bool reserve_clipped(struct pipeline *p, size_t count, struct error *error) {
+    struct clipped_corners *clipped =
+        array_reserve(p->clipped, &p->clipped_capacity, count, sizeof *clipped);
+    p->clipped = clipped != NULL ? clipped : p->clipped;
+    return clipped != NULL || error_out_of_memory(error);
+}
+
+static bool reserve_attributes(struct pipeline *p, size_t count, struct error *error) {
+    double *attributes =
+        array_reserve(p->attributes, &p->attribute_capacity, count, sizeof *attributes);
     p->attributes = attributes != NULL ? attributes : p->attributes;
-    return attributes != NULL;
+    return attributes != NULL || error_out_of_memory(error);
 }
 
 bool pipeline_create(struct pipeline *pipeline, size_t width, size_t height, struct error *error) {
@@ -109,7 +97,7 @@ bool pipeline_create(struct pipeline *pipeline, size_t width, size_t height, str
     pipeline->number = malloc(width * height * sizeof *pipeline->number);
     if (pipeline->depth == NULL || pipeline->number == NULL) {
         pipeline_free(pipeline);
-        return error_set(error, "out of memory for a depth buffer of %zux%zu", width, height);
+        return error_out_of_memory(error);
     }
     pipeline_clear(pipeline);
     return true;
@@ -127,9 +115,7 @@ void pipeline_free(struct pipeline *pipeline) {
 
 void pipeline_clear(struct pipeline *pipeline) {
     size_t pixels = pipeline->width * pipeline->height;
-    for (size_t i = 0; i < pixels; i++) {
-        pipeline->depth[i] = -INFINITY;
-    }
+    depth_clear(pipeline->depth, pixels);
     memset(pipeline->number, 0, pixels * sizeof *pipeline->number);
     pipeline->next_number = 1;
     memset(pipeline->stats, 0, sizeof pipeline->stats);
@@ -141,14 +127,6 @@ const char *const pipeline_stat_name[PIPELINE_STATS] = {
     "faces",         "faces_outside", "faces_turned_away", "faces_without_pixel",
     "faces_clipped", "faces_hidden",  "pixels_covered",    "pixels_shaded",
 };
-
-struct rectangle grid_cell(size_t width, size_t height, int columns, int rows, int column,
-                           int row) {
-    int w = (int)width, h = (int)height;
-    int left = w * column / columns, right = w * (column + 1) / columns;
-    int bottom = h * (rows - 1 - row) / rows, top = h * (rows - row) / rows;
-    return (struct rectangle){left, bottom, right - left, top - bottom};
-}
 
 struct draw_call camera_call(const struct model *model, struct vec3 eye, struct vec3 center,
                              struct vec3 up, double zoom, struct rectangle viewport,
@@ -164,11 +142,13 @@ struct draw_call camera_call(const struct model *model, struct vec3 eye, struct 
 }
 
 size_t wrapped_level(const struct texture *texture, double pixels) {
-    double texels = (double)texture->level[0].width / 2;
     size_t level = 0;
-    while (texels > 1.5 * pixels && level + 1 < texture->level_count) {
-        texels /= 2;
-        level++;
+    if (texture != NULL) {
+        double texels = (double)texture->level[0].width / 2;
+        while (texels > 1.5 * pixels && level + 1 < texture->level_count) {
+            texels /= 2;
+            level++;
+        }
     }
     return level;
 }
@@ -292,8 +272,7 @@ static int64_t signed_area(const struct fixed2 *p) {
            ((int64_t)p[1].y - p[0].y) * ((int64_t)p[2].x - p[0].x);
 }
 
-/* Add a triangle to `pieces` (which have room for it) if it must be drawn; count why it need not.
- */
+/* Add a triangle to `pieces` (which have room) if it must be drawn; count why it need not. */
 static bool add_piece(struct pipeline *p, const struct draw_call *call, const struct fixed2 *screen,
                       const struct piece *description) {
     int64_t area = signed_area(screen);
@@ -453,11 +432,11 @@ static void cover_span(double *restrict depth, uint32_t *restrict number, int pi
     }
 }
 
-static uint64_t cover_band(const struct pipeline *p, int band_begin, int band_end) {
+static uint64_t cover_band(const struct pipeline *p, struct span band) {
     uint64_t covered = 0;
     for (size_t i = 0; i < p->piece_count; i++) {
         const struct piece *piece = &p->pieces[i];
-        struct span_of_rows rows = rows_in_band(piece, band_begin, band_end);
+        struct span rows = rows_in_band(piece, band);
         for (int y = rows.begin; y < rows.end; y++) {
             struct span span = span_in_viewport(p, piece, y);
             if (span.begin < span.end) {
@@ -471,14 +450,19 @@ static uint64_t cover_band(const struct pipeline *p, int band_begin, int band_en
     return covered;
 }
 
+/* The band of rows that begins at y, in a viewport that ends at `top`. */
+static struct span band_at(int y, int top) {
+    return (struct span){y, y + BAND_HEIGHT < top ? y + BAND_HEIGHT : top};
+}
+
 void pipeline_cover(struct pipeline *p) {
     int bottom = p->viewport.y, top = bottom + p->viewport.height;
     uint64_t covered = 0;
 #ifdef _OPENMP
 #pragma omp parallel for schedule(dynamic) reduction(+ : covered)
 #endif
-    for (int band = bottom; band < top; band += BAND_HEIGHT) {
-        covered += cover_band(p, band, band + BAND_HEIGHT < top ? band + BAND_HEIGHT : top);
+    for (int y = bottom; y < top; y += BAND_HEIGHT) {
+        covered += cover_band(p, band_at(y, top));
     }
     p->stats[STAT_PIXELS_COVERED] += covered;
 }
@@ -527,17 +511,16 @@ bool pipeline_fetch_visible(struct pipeline *p, const struct shader *shader, con
 /* Shade all rows of the viewport, a band at a time, each by one thread. */
 static void shade_bands(struct pipeline *p, const struct shader *shader, bool at_once,
                         const void *uniforms, struct image *image) {
-    shade_band *special = at_once ? shader->at_once_band : shader->visible_band;
     int bottom = p->viewport.y, top = bottom + p->viewport.height;
     uint64_t covered = 0, shaded = 0;
 #ifdef _OPENMP
 #pragma omp parallel for schedule(dynamic) reduction(+ : covered, shaded)
 #endif
     for (int y = bottom; y < top; y += BAND_HEIGHT) {
-        struct span_of_rows band = {y, y + BAND_HEIGHT < top ? y + BAND_HEIGHT : top};
-        struct pixel_work work = special != NULL ? special(p, uniforms, image, band)
-                                 : at_once ? shade_at_once_band(p, shader, uniforms, image, band)
-                                           : shade_visible_band(p, shader, uniforms, image, band);
+        struct span band = band_at(y, top);
+        struct pixel_work work = shader->band != NULL
+                                     ? shader->band(p, uniforms, image, band, at_once)
+                                     : shade_rows(p, shader, uniforms, image, band, at_once);
         covered += work.covered;
         shaded += work.shaded;
     }

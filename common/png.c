@@ -20,18 +20,27 @@ enum {
     CHUNK_LIMIT = 0x7fffffff, /* bytes of data of a chunk */
     HEADER_SIZE = 13,         /* of IHDR */
     PIXEL_LIMIT = 4,          /* bytes of a pixel */
-    FILTER_NONE = 0,
-    FILTER_COUNT = 5,               /* none, sub, up, average, Paeth */
-    FILTER_ADAPTIVE = FILTER_COUNT, /* not in a file: the best for each row */
     PALETTE_LIMIT = 256
 };
 
-enum color_type { /* as in IHDR */
-                  COLOR_GREY = 0,
-                  COLOR_RGB = 2,
-                  COLOR_PALETTE = 3,
-                  COLOR_GREY_ALPHA = 4,
-                  COLOR_RGBA = 6
+/* Row filters, as in the file; the last is not in it: the best for each row. */
+enum {
+    FILTER_NONE,
+    FILTER_SUB,
+    FILTER_UP,
+    FILTER_AVERAGE,
+    FILTER_PAETH,
+    FILTER_COUNT,
+    FILTER_ADAPTIVE = FILTER_COUNT
+};
+
+/* As in IHDR. */
+enum color_type {
+    COLOR_GREY = 0,
+    COLOR_RGB = 2,
+    COLOR_PALETTE = 3,
+    COLOR_GREY_ALPHA = 4,
+    COLOR_RGBA = 6
 };
 
 /* ---- Checksum ---- */
@@ -93,20 +102,20 @@ static void filter_row(unsigned filter, const uint8_t *row, const uint8_t *above
                        size_t step, uint8_t *restrict out) {
     const uint8_t *left = row - step, *corner = above - step;
     switch (filter) {
-    case 0:
+    case FILTER_NONE:
         memcpy(out, row, size);
         break;
-    case 1:
+    case FILTER_SUB:
         for (size_t i = 0; i < size; i++) {
             out[i] = (uint8_t)(row[i] - left[i]);
         }
         break;
-    case 2:
+    case FILTER_UP:
         for (size_t i = 0; i < size; i++) {
             out[i] = (uint8_t)(row[i] - above[i]);
         }
         break;
-    case 3:
+    case FILTER_AVERAGE:
         for (size_t i = 0; i < size; i++) {
             out[i] = (uint8_t)(row[i] - (left[i] + above[i]) / 2);
         }
@@ -124,24 +133,24 @@ static bool unfilter_row(unsigned filter, uint8_t *row, const uint8_t *above, si
                          size_t step) {
     const uint8_t *left = row - step, *corner = above - step;
     switch (filter) {
-    case 0:
+    case FILTER_NONE:
         return true;
-    case 1:
+    case FILTER_SUB:
         for (size_t i = 0; i < size; i++) {
             row[i] = (uint8_t)(row[i] + left[i]);
         }
         return true;
-    case 2:
+    case FILTER_UP:
         for (size_t i = 0; i < size; i++) {
             row[i] = (uint8_t)(row[i] + above[i]);
         }
         return true;
-    case 3:
+    case FILTER_AVERAGE:
         for (size_t i = 0; i < size; i++) {
             row[i] = (uint8_t)(row[i] + (left[i] + above[i]) / 2);
         }
         return true;
-    case 4:
+    case FILTER_PAETH:
         for (size_t i = 0; i < size; i++) {
             row[i] = (uint8_t)(row[i] + paeth(left[i], above[i], corner[i]));
         }
@@ -309,8 +318,7 @@ static bool read_data(struct png *png, const struct chunk *chunk, struct error *
         return error_set(error, "a PNG without its palette");
     }
     png->seen_data = true;
-    return bytes_append(&png->compressed, chunk->data, chunk->size) ||
-           error_set(error, "not enough memory to read a PNG");
+    return bytes_append(&png->compressed, chunk->data, chunk->size) || error_out_of_memory(error);
 }
 
 /* Any chunk after the header. */
@@ -334,10 +342,14 @@ static bool read_chunk(struct png *png, const struct chunk *chunk, struct error 
            error_set(error, "a PNG with an unknown chunk, %.4s", (const char *)chunk->type);
 }
 
+bool png_has_signature(const void *data, size_t size) {
+    return size >= sizeof png_signature && memcmp(data, png_signature, sizeof png_signature) == 0;
+}
+
 static bool read_chunks(struct png *png, const uint8_t *data, size_t size, struct error *error) {
     size_t position = sizeof png_signature;
     struct chunk chunk;
-    if (size < sizeof png_signature || memcmp(data, png_signature, sizeof png_signature) != 0) {
+    if (!png_has_signature(data, size)) {
         return error_set(error, "not a PNG");
     }
     if (!next_chunk(data, size, &position, &chunk, error) || !read_header(png, &chunk, error)) {
@@ -443,7 +455,7 @@ static bool decode_pixels(const struct png *png, struct image *image, struct err
     uint8_t *raw = malloc((size_t)raw_size);
     uint8_t *rows = calloc(2, PIXEL_LIMIT + row_size);
     if (raw == NULL || rows == NULL) {
-        error_set(error, "not enough memory to read a PNG");
+        error_out_of_memory(error);
         goto end;
     }
     if (!zlib_decompress(png->compressed.data, png->compressed.size, raw, (size_t)raw_size,
@@ -470,17 +482,6 @@ bool png_decode(struct image *image, const void *data, size_t size, struct error
     bool done = read_chunks(&png, data, size, error) && decode_pixels(&png, image, error);
     bytes_free(&png.compressed);
     return done;
-}
-
-bool png_read(struct image *image, const char *path, struct error *error) {
-    struct bytes file;
-    *image = (struct image){0};
-    if (!file_read(path, &file, error)) {
-        return false;
-    }
-    bool done = png_decode(image, file.data, file.size, error);
-    bytes_free(&file);
-    return done || error_name_file(error, path);
 }
 
 /* ---- Writing ---- */
@@ -556,7 +557,7 @@ static void filter_rows(const struct image *image, const struct rect *rect, unsi
     size_t step = (size_t)image->format;
     size_t size = rect->width * step;
     uint8_t *row = rows + PIXEL_LIMIT, *above = rows + 2 * PIXEL_LIMIT + size;
-    unsigned first = choice == FILTER_ADAPTIVE ? 0 : choice;
+    unsigned first = choice == FILTER_ADAPTIVE ? FILTER_NONE : choice;
     unsigned last = choice == FILTER_ADAPTIVE ? FILTER_COUNT - 1 : choice;
     for (size_t y = rect->height; y-- > 0; out += 1 + size) {
         load_row(image, rect, y, row);
@@ -620,7 +621,7 @@ static bool compress_pixels(const struct image *image, const struct rect *rect, 
     uint8_t *raw = calloc(rect->height, 1 + size);
     bool done = false;
     if (rows == NULL || raw == NULL) {
-        error_set(error, "not enough memory to write a PNG");
+        error_out_of_memory(error);
         goto end;
     }
     filter_rows(image, rect, filter, rows, rows + 2 * (PIXEL_LIMIT + size), raw);
@@ -635,12 +636,16 @@ static struct rect whole(const struct image *image) {
     return (struct rect){0, 0, image->width, image->height};
 }
 
-/* The pixels as chunks of the type, each with its sequence number when there is one. */
-static bool append_pixels(struct bytes *out, const char *type, const struct bytes *compressed) {
+static bool append_signature(struct bytes *out) {
+    return bytes_append(out, png_signature, sizeof png_signature);
+}
+
+/* The compressed pixels, in as many chunks as they take. */
+static bool append_pixels(struct bytes *out, const struct bytes *compressed) {
     for (size_t done = 0; done < compressed->size;) {
         size_t left = compressed->size - done;
         size_t part = left < CHUNK_LIMIT ? left : CHUNK_LIMIT;
-        if (!append_chunk(out, type, NULL, 0, compressed->data + done, part)) {
+        if (!append_chunk(out, "IDAT", NULL, 0, compressed->data + done, part)) {
             return false;
         }
         done += part;
@@ -648,40 +653,34 @@ static bool append_pixels(struct bytes *out, const char *type, const struct byte
     return true;
 }
 
+static bool append_end(struct bytes *out) {
+    return append_chunk(out, "IEND", NULL, 0, NULL, 0);
+}
+
+/* The whole file. */
+static bool append_png(struct bytes *out, const struct image *image, const struct bytes *pixels) {
+    return append_signature(out) && append_header(out, image) && append_pixels(out, pixels) &&
+           append_end(out);
+}
+
 bool png_encode(const struct image *image, struct bytes *out, struct error *error) {
-    struct bytes compressed = {0};
-    size_t start = out->size;
     if (image->pixels == NULL) {
         return error_set(error, "an empty image cannot be written");
     }
+    struct bytes pixels = {0};
     struct rect rect = whole(image);
-    if (!compress_pixels(image, &rect, &compressed, error)) {
-        goto fail;
-    }
-    if (!bytes_append(out, png_signature, sizeof png_signature) || !append_header(out, image) ||
-        !append_pixels(out, "IDAT", &compressed) || !append_chunk(out, "IEND", NULL, 0, NULL, 0)) {
-        error_set(error, "not enough memory to write a PNG");
-        goto fail;
-    }
-    bytes_free(&compressed);
-    return true;
-fail:
-    bytes_free(&compressed);
-    out->size = start;
-    return false;
-}
-
-static bool write_encoded(bool encoded, struct bytes *out, const char *path, struct error *error) {
-    bool done =
-        encoded ? file_write(path, out->data, out->size, error) : error_name_file(error, path);
-    bytes_free(out);
+    size_t start = out->size;
+    bool done = compress_pixels(image, &rect, &pixels, error) &&
+                (append_png(out, image, &pixels) || error_out_of_memory(error));
+    bytes_free(&pixels);
+    out->size = done ? out->size : start;
     return done;
 }
 
 bool png_write(const struct image *image, const char *path, struct error *error) {
     struct bytes out = {0};
     bool encoded = png_encode(image, &out, error);
-    return write_encoded(encoded, &out, path, error);
+    return file_write_encoded(path, encoded, &out, error);
 }
 
 /* ---- Animation ----
@@ -696,8 +695,8 @@ enum { FRAME_CONTROL_SIZE = 26 };
  * they are equal everywhere, since a frame cannot be empty. */
 static struct rect changed_rect(const struct image *before, const struct image *after) {
     size_t step = (size_t)after->format;
-    size_t left = after->width, right = 0, bottom = after->height,
-           top = 0; /* right, top: past it */
+    size_t left = after->width, bottom = after->height;
+    size_t right = 0, top = 0; /* past it */
     for (size_t y = 0; y < after->height; y++) {
         const uint8_t *a = before->pixels + y * after->width * step;
         const uint8_t *b = after->pixels + y * after->width * step;
@@ -733,6 +732,22 @@ static bool append_frame_control(struct bytes *out, uint32_t sequence, const str
     return append_chunk(out, "fcTL", control, sizeof control, NULL, 0);
 }
 
+/* The compressed pixels of a frame: in IDAT for the first, whose fcTL has number 0, else in one
+ * fdAT with the next number. */
+static bool append_frame_pixels(struct bytes *out, uint32_t sequence, const struct bytes *pixels,
+                                struct error *error) {
+    uint8_t number[4];
+    if (sequence == 0) {
+        return append_pixels(out, pixels) || error_out_of_memory(error);
+    }
+    if (pixels->size > CHUNK_LIMIT - sizeof number) {
+        return error_set(error, "a frame of %zu bytes does not fit into a chunk", pixels->size);
+    }
+    put_u32(number, sequence + 1);
+    return append_chunk(out, "fdAT", number, sizeof number, pixels->data, pixels->size) ||
+           error_out_of_memory(error);
+}
+
 /* Frame `index` as fcTL and pixels. The chunks before it took the sequence numbers 0, 1, 3, 5... */
 static bool append_frame(const struct image *frames, size_t index, unsigned delay_ms,
                          struct bytes *out, struct error *error) {
@@ -740,21 +755,12 @@ static bool append_frame(const struct image *frames, size_t index, unsigned dela
     struct rect rect = index == 0 ? whole(frame) : changed_rect(&frames[index - 1], frame);
     uint32_t sequence = index == 0 ? 0 : (uint32_t)(2 * index - 1);
     struct bytes pixels = {0};
-    uint8_t number[4];
-    if (!compress_pixels(frame, &rect, &pixels, error)) {
-        bytes_free(&pixels);
-        return false;
-    }
-    put_u32(number, sequence + 1);
-    bool done = append_frame_control(out, sequence, &rect, frame->height, delay_ms);
-    if (index == 0) {
-        done = done && append_pixels(out, "IDAT", &pixels);
-    } else {
-        done = done && pixels.size <= CHUNK_LIMIT - sizeof number &&
-               append_chunk(out, "fdAT", number, sizeof number, pixels.data, pixels.size);
-    }
+    bool done = compress_pixels(frame, &rect, &pixels, error) &&
+                (append_frame_control(out, sequence, &rect, frame->height, delay_ms) ||
+                 error_out_of_memory(error)) &&
+                append_frame_pixels(out, sequence, &pixels, error);
     bytes_free(&pixels);
-    return done || error_set(error, "not enough memory to write an animation");
+    return done;
 }
 
 static bool check_frames(const struct image *frames, size_t count, unsigned delay_ms,
@@ -772,38 +778,32 @@ static bool check_frames(const struct image *frames, size_t count, unsigned dela
     return true;
 }
 
+/* What stands before the first frame. */
+static bool append_animation_head(struct bytes *out, const struct image *frame, size_t count) {
+    uint8_t control[8] = {0}; /* number of frames; 0 plays: forever */
+    put_u32(control, count);
+    return append_signature(out) && append_header(out, frame) &&
+           append_chunk(out, "acTL", control, sizeof control, NULL, 0);
+}
+
 bool apng_encode(const struct image *frames, size_t count, unsigned delay_ms, struct bytes *out,
                  struct error *error) {
-    size_t start = out->size;
-    uint8_t control[8] = {0}; /* number of frames; 0 plays: forever */
     if (!check_frames(frames, count, delay_ms, error)) {
         return false;
     }
-    put_u32(control, count);
-    if (!bytes_append(out, png_signature, sizeof png_signature) ||
-        !append_header(out, &frames[0]) ||
-        !append_chunk(out, "acTL", control, sizeof control, NULL, 0)) {
-        error_set(error, "not enough memory to write an animation");
-        goto fail;
+    size_t start = out->size;
+    bool done = append_animation_head(out, &frames[0], count) || error_out_of_memory(error);
+    for (size_t i = 0; done && i < count; i++) {
+        done = append_frame(frames, i, delay_ms, out, error);
     }
-    for (size_t i = 0; i < count; i++) {
-        if (!append_frame(frames, i, delay_ms, out, error)) {
-            goto fail;
-        }
-    }
-    if (!append_chunk(out, "IEND", NULL, 0, NULL, 0)) {
-        error_set(error, "not enough memory to write an animation");
-        goto fail;
-    }
-    return true;
-fail:
-    out->size = start;
-    return false;
+    done = done && (append_end(out) || error_out_of_memory(error));
+    out->size = done ? out->size : start;
+    return done;
 }
 
 bool apng_write(const struct image *frames, size_t count, unsigned delay_ms, const char *path,
                 struct error *error) {
     struct bytes out = {0};
     bool encoded = apng_encode(frames, count, delay_ms, &out, error);
-    return write_encoded(encoded, &out, path, error);
+    return file_write_encoded(path, encoded, &out, error);
 }

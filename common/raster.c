@@ -4,17 +4,17 @@
 #include <assert.h>
 #include <stdlib.h>
 
+/* ---- Parts of an image ---- */
+
+struct rectangle grid_cell(size_t width, size_t height, int columns, int rows, int column,
+                           int row) {
+    int w = (int)width, h = (int)height;
+    int left = w * column / columns, right = w * (column + 1) / columns;
+    int bottom = h * (rows - 1 - row) / rows, top = h * (rows - row) / rows;
+    return (struct rectangle){left, bottom, right - left, top - bottom};
+}
+
 /* ---- Lines ---- */
-
-/* Division rounded down; C's own division rounds towards zero. */
-static inline int64_t floor_divide(int64_t a, int64_t b) {
-    int64_t quotient = a / b;
-    return quotient - (a % b != 0 && (a < 0) != (b < 0));
-}
-
-static inline int64_t ceil_divide(int64_t a, int64_t b) {
-    return -floor_divide(-a, b);
-}
 
 static bool within_line_limit(struct pixel p) {
     return p.x >= -LINE_LIMIT && p.x <= LINE_LIMIT && p.y >= -LINE_LIMIT && p.y <= LINE_LIMIT;
@@ -93,24 +93,6 @@ static struct edge make_edge(struct fixed2 p, struct fixed2 q, int sign) {
     };
 }
 
-static inline int32_t least_of(int32_t a, int32_t b, int32_t c) {
-    int32_t least = a < b ? a : b;
-    return least < c ? least : c;
-}
-
-static inline int32_t most_of(int32_t a, int32_t b, int32_t c) {
-    int32_t most = a > b ? a : b;
-    return most > c ? most : c;
-}
-
-/* The pixels whose centres lie in least..most (1/256 pixel), cut to 0..size. */
-static struct span centers_between(int32_t least, int32_t most, size_t size) {
-    int64_t begin = ceil_divide((int64_t)least - SUBPIXELS / 2, SUBPIXELS);
-    int64_t end = floor_divide((int64_t)most - SUBPIXELS / 2, SUBPIXELS) + 1;
-    return (struct span){(int)(begin > 0 ? begin : 0),
-                         (int)(end < (int64_t)size ? end : (int64_t)size)};
-}
-
 bool edges_setup(struct edges *edges, struct fixed2 a, struct fixed2 b, struct fixed2 c,
                  size_t width, size_t height) {
     assert(width <= DRAW_LIMIT && height <= DRAW_LIMIT);
@@ -156,4 +138,12 @@ struct span edges_span(const struct edges *edges, int y) {
         }
     }
     return span;
+}
+
+/* ---- Depth ---- */
+
+void depth_clear(double *depth, size_t pixel_count) {
+    for (size_t i = 0; i < pixel_count; i++) {
+        depth[i] = -INFINITY;
+    }
 }

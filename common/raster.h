@@ -1,5 +1,5 @@
 /*
- * The exact pixels of lines and triangles. The fill rule lives here: edges_setup() and edges_span().
+ * The exact pixels of lines and triangles. The fill rule lives here: edges_setup(), edges_span().
  *
  * Taught in step01_line, step02_wireframe (lines cut to the image) and step03_triangle: read these
  * first. Everything is decided with integers: a pixel is covered or not, whatever the compiler, and
@@ -16,6 +16,27 @@
 #include <stddef.h>
 #include <stdint.h>
 
+/* ---- Parts of an image ---- */
+
+/* Pixels of a row, or rows: begin inclusive, end exclusive; begin >= end when there are none. */
+struct span {
+    int begin, end;
+};
+
+/* The pixels, or rows, of both. */
+static inline struct span span_overlap(struct span a, struct span b) {
+    return (struct span){a.begin > b.begin ? a.begin : b.begin, a.end < b.end ? a.end : b.end};
+}
+
+/* A part of an image, in pixels; (x,y) is its bottom-left pixel. */
+struct rectangle {
+    int x, y, width, height;
+};
+
+/* Cell (column, row) of a grid over an image of that size, row 0 at the top. The cells share out
+ * all of its pixels; an image with fewer pixels than cells gives some of them none. */
+struct rectangle grid_cell(size_t width, size_t height, int columns, int rows, int column, int row);
+
 /* ---- Lines (taught in step01_line, cut to the image in step02_wireframe) ---- */
 
 struct pixel {
@@ -29,13 +50,12 @@ enum { LINE_LIMIT = 1 << 29 }; /* end points of a line lie in -LINE_LIMIT..LINE_
  * line: row) it is the pixel nearest to the ideal line; at a tie the one nearer to where the line
  * starts. */
 struct line_walk {
-    int x, y;       /* the current pixel */
-    bool steep;     /* steps up in y instead of right in x */
-    int minor_step; /* +1 or -1, along the other axis */
-    size_t left;    /* pixels after the current one */
-    int64_t
-        remainder; /* of the division that finds the minor coordinate: 0 <= remainder < divisor */
+    int x, y;              /* the current pixel */
+    bool steep;            /* steps up in y instead of right in x */
+    int minor_step;        /* +1 or -1, along the other axis */
+    size_t left;           /* pixels after the current one */
     int64_t rise, divisor; /* twice the minor and twice the major length */
+    int64_t remainder;     /* of the division for the minor coordinate: 0 <= remainder < divisor */
 };
 
 /* Go to the first pixel in the image; false when there is none. Work does not grow with what lies
@@ -100,23 +120,29 @@ struct edges {
     int width;          /* of the image */
 };
 
-/* The covered pixels of a row: begin inclusive, end exclusive; begin >= end when there are none. */
-struct span {
-    int begin, end;
-};
-
 /* Set up a triangle on an image of at most DRAW_LIMIT pixels a side. False when it certainly covers
  * no pixel: no area, off the image, or too small to reach a pixel centre.
  *
  * A pixel is covered when its centre is inside; a centre exactly on an edge belongs to the triangle
  * whose left or top edge this is. So triangles that share an edge neither overlap nor leave a gap,
  * and the order of the corners does not matter. (The top-left rule: Microsoft, "Direct3D 11
- * Functional Specification", section 3.4.2.) */
+ * Functional Specification".) */
 bool edges_setup(struct edges *edges, struct fixed2 a, struct fixed2 b, struct fixed2 c,
                  size_t width, size_t height);
 
 /* The covered pixels of row y (y_begin <= y < y_end), found with one exact division per edge. */
 struct span edges_span(const struct edges *edges, int y);
+
+/* Is pixel (x,y) of the image covered? The same answer for a single pixel. */
+static inline bool edges_cover(const struct edges *edges, int x, int y) {
+    for (int i = 0; i < 3; i++) {
+        const struct edge *e = &edges->edge[i];
+        if (e->origin + e->dx * x + e->dy * y < e->least) {
+            return false;
+        }
+    }
+    return true;
+}
 
 /* The weights of corners a, b and c at the centre of a pixel: their sum is 1 (but for rounding),
  * and inside the triangle none is negative. Each is the exact edge value divided by the area, so
@@ -128,5 +154,41 @@ static inline struct vec3 edges_weights(const struct edges *edges, int x, int y)
                          (double)(e[1].origin + e[1].dx * x + e[1].dy * y) * scale,
                          (double)(e[2].origin + e[2].dx * x + e[2].dy * y) * scale};
 }
+
+/* ---- Whole numbers (given in the lessons) ---- */
+
+/* Division rounded down; C's own division rounds towards zero. */
+static inline int64_t floor_divide(int64_t a, int64_t b) {
+    int64_t quotient = a / b;
+    return quotient - (a % b != 0 && (a < 0) != (b < 0));
+}
+
+/* Division rounded up. */
+static inline int64_t ceil_divide(int64_t a, int64_t b) {
+    return -floor_divide(-a, b);
+}
+
+static inline int32_t least_of(int32_t a, int32_t b, int32_t c) {
+    int32_t least = a < b ? a : b;
+    return least < c ? least : c;
+}
+
+static inline int32_t most_of(int32_t a, int32_t b, int32_t c) {
+    int32_t most = a > b ? a : b;
+    return most > c ? most : c;
+}
+
+/* The pixels of a row or column whose centres lie in least..most (1/256 pixel), cut to 0..size. */
+static inline struct span centers_between(int32_t least, int32_t most, size_t size) {
+    int64_t begin = ceil_divide((int64_t)least - SUBPIXELS / 2, SUBPIXELS);
+    int64_t end = floor_divide((int64_t)most - SUBPIXELS / 2, SUBPIXELS) + 1;
+    return (struct span){(int)(begin > 0 ? begin : 0),
+                         (int)(end < (int64_t)size ? end : (int64_t)size)};
+}
+
+/* ---- Depth (taught in step05_zbuffer) ---- */
+
+/* All depths become minus infinity: nothing is drawn yet. */
+void depth_clear(double *depth, size_t pixel_count);
 
 #endif

@@ -35,23 +35,9 @@ bool text_error(struct error *error, size_t line, const char *format, ...) {
         message[0] = '\0';
     }
     va_end(arguments);
-    return error_set(error, "%zu: %.900s", line, message);
-}
-
-bool text_name_file(struct error *error, const char *path) {
-    const char *name = strcmp(path, "-") == 0 ? "standard input" : path;
-    size_t digits = strspn(error->message, "0123456789");
-    if (digits == 0 || error->message[digits] != ':') {
-        return error_name_file(error, name);
-    }
-    /* The name comes first, so that of a long one only the end is kept, as error_name_file() does.
-     */
-    enum { SHOWN_LIMIT = 512 };
-    size_t length = strlen(name);
-    bool cut = length > SHOWN_LIMIT;
-    struct error plain = *error;
-    return error_set(error, "%s%s:%s", cut ? "..." : "", cut ? name + length - SHOWN_LIMIT : name,
-                     plain.message);
+    error_set(error, "%s", message);
+    error->line = line;
+    return false;
 }
 
 /* ---- Lines and words ---- */
@@ -449,8 +435,7 @@ static bool fast_double(const struct decimal *decimal, double *value) {
 
 /* The quotient of up to 19 digits is within 3 units of the double's last place: one rounding for
  * the head, one for the quotient, and the digits after the head. Rounded again to float it is right
- * unless it lies that near to the middle between two floats, where the dropped bits are 1000...0.
- */
+ * unless it lies that near the middle between two floats, where the dropped bits are 1000...0. */
 static bool fast_float(const struct decimal *decimal, float *value) {
     double quotient;
     if (!fast_quotient(decimal, &quotient)) {

@@ -1,7 +1,7 @@
 /*
  * Text files taken apart: lines, words and exact numbers, whatever the locale.
  *
- * Used by the OBJ and OFF readers of model.c and by text_scene.c. A line ends with LF, CRLF or CR.
+ * Used by the readers of OBJ, OFF and text scenes. A line ends with LF, CRLF or CR.
  * A backslash directly before the line's end joins it with the next line (where the caller asks for
  * that); it also ends a word, and in a comment it means nothing. Nothing is copied: words point
  * into the text that the caller keeps. The work is linear in the size of the text.
@@ -59,11 +59,7 @@ struct shown_word {
 };
 struct shown_word word_show(struct word word);
 
-/* Set the message "LINE: ..." as error_set() does. Always returns false. */
+/* Set a message as error_set() does, and the line that it is about. Always returns false. */
 bool text_error(struct error *error, size_t line, const char *format, ...) PRINTF_LIKE(3, 4);
-
-/* Put the file's name before a message: "PATH:LINE: ..." where text_error() set it, otherwise
- * "PATH: ..."; "-" is called standard input. Always returns false. */
-bool text_name_file(struct error *error, const char *path);
 
 #endif

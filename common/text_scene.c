@@ -1,6 +1,7 @@
 /* Text scenes; see text_scene.h. */
 #include "text_scene.h"
 
+#include "array.h"
 #include "text.h"
 
 #include <inttypes.h>
@@ -118,23 +119,16 @@ static bool read_size(struct reader *reader) {
     return true;
 }
 
-/* Room for one more shape. A shape takes at least 19 bytes of text, so memory grows only as the
- * file does. */
-static bool make_room(struct reader *reader) {
+/* A shape takes at least 19 bytes of text, so memory grows only as the file does. */
+static bool add_shape(struct reader *reader, const struct text_scene_shape *shape) {
     struct text_scene *scene = reader->scene;
-    if (scene->shape_count < reader->capacity) {
-        return true;
+    struct text_scene_shape *grown =
+        array_reserve(scene->shapes, &reader->capacity, scene->shape_count + 1, sizeof *grown);
+    if (grown == NULL) {
+        return error_out_of_memory(reader->error);
     }
-    size_t capacity = reader->capacity == 0 ? 16 : reader->capacity * 2;
-    struct text_scene_shape *shapes = NULL;
-    if (capacity <= SIZE_MAX / sizeof *shapes) {
-        shapes = realloc(scene->shapes, capacity * sizeof *shapes);
-    }
-    if (shapes == NULL) {
-        return error_set(reader->error, "not enough memory for the scene");
-    }
-    scene->shapes = shapes;
-    reader->capacity = capacity;
+    scene->shapes = grown;
+    scene->shapes[scene->shape_count++] = *shape;
     return true;
 }
 
@@ -157,11 +151,7 @@ static bool read_shape(struct reader *reader) {
             return false;
         }
     }
-    if (!make_room(reader)) {
-        return false;
-    }
-    reader->scene->shapes[reader->scene->shape_count++] = shape;
-    return true;
+    return add_shape(reader, &shape);
 }
 
 static bool read_line(struct reader *reader) {
@@ -205,7 +195,7 @@ bool text_scene_read(struct text_scene *scene, const char *path, enum text_scene
     }
     bool done = text_scene_decode(scene, bytes.data, bytes.size, kind, error);
     bytes_free(&bytes);
-    return done || text_name_file(error, path);
+    return done || error_name_input(error, path);
 }
 
 void text_scene_free(struct text_scene *scene) {

@@ -3,13 +3,12 @@
 
 #include <stdlib.h>
 
-/* The texels of the level below that one texel of the next level covers along one axis: texel i of
- * n covers the length total[m] of m texels, each of which is `each` long. In these units all
- * overlaps are whole numbers. */
+/* The texels that one texel of the next level covers along one axis. The weights are whole numbers:
+ * lengths in a unit that divides them all. */
 struct cover {
     size_t first;       /* the first texel */
     size_t count;       /* 1 to 3 texels */
-    uint32_t weight[3]; /* length of each that is covered */
+    uint32_t weight[3]; /* how much of each is covered */
 };
 
 static size_t half_size(size_t size) {
@@ -88,8 +87,7 @@ static void unpack_image(const struct image *image, uint32_t *texels) {
     }
 }
 
-/* Set the sizes of all levels; returns the number of their texels, which lie one after the other.
- */
+/* Set the sizes of all levels. Returns how many texels they have, which lie one after the other. */
 static uint64_t lay_out(struct texture *texture, size_t width, size_t height) {
     uint64_t count = 0;
     for (;;) {
@@ -115,8 +113,7 @@ bool texture_create(struct texture *texture, const struct image *image, struct e
     }
     if (texture->texels == NULL) {
         *texture = (struct texture){0};
-        return error_set(error, "not enough memory for a texture of %zux%zu pixels", image->width,
-                         image->height);
+        return error_out_of_memory(error);
     }
     uint32_t *next = texture->texels;
     for (size_t i = 0; i < texture->level_count; i++) {

@@ -1,5 +1,5 @@
 /*
- * Textures: an image made ready for sampling, and the ways to sample it.
+ * Textures: an image made ready for sampling, its mip levels, and the bilinear sample.
  *
  * Taught in step06_texture: read that first. Texture coordinates are (0,0) at the bottom-left
  * corner of the image and (1,1) at its top-right corner; texel (i,j) covers u in [i/width,
@@ -27,10 +27,9 @@ struct texture_level {
 
 /* All zero is a valid, empty texture (not to be sampled). */
 struct texture {
-    size_t level_count; /* at least 1 once created */
-    struct texture_level
-        level[TEXTURE_LEVEL_LIMIT]; /* level 0 is the image, each next half of it */
-    uint32_t *texels;               /* of all levels, owned by the texture */
+    size_t level_count;                              /* at least 1 once created */
+    struct texture_level level[TEXTURE_LEVEL_LIMIT]; /* 0 is the image, each next half of it */
+    uint32_t *texels;                                /* of all levels, owned by the texture */
 };
 
 /* Make a texture of an image: 32-bit texels and its mip levels down to 1x1. Each level has half the
@@ -43,25 +42,26 @@ bool texture_create(struct texture *texture, const struct image *image, struct e
 /* Free the texels and leave an empty texture. */
 void texture_free(struct texture *texture);
 
+static inline struct color color_from_texel(uint32_t texel) {
+    return (struct color){
+        .b = (uint8_t)(texel & 255),
+        .g = (uint8_t)(texel >> 8 & 255),
+        .r = (uint8_t)(texel >> 16 & 255),
+        .a = (uint8_t)(texel >> 24),
+    };
+}
+
+/* Red, green, blue, alpha as x, y, z, w. */
+static inline struct vec4 channels_from_texel(uint32_t texel) {
+    struct color c = color_from_texel(texel);
+    return (struct vec4){c.r, c.g, c.b, c.a};
+}
+
 /* A coordinate in texels brought into 0..last; what is not a number becomes 0. Written so that
  * compilers make two selects of it and no branch. */
 static inline double texture_clamp(double texels, double last) {
     double positive = texels > 0 ? texels : 0;
     return positive < last ? positive : last;
-}
-
-/* The texel that holds the point. */
-static inline struct color texture_nearest(const struct texture *texture, struct vec2 uv) {
-    const struct texture_level *level = &texture->level[0];
-    double width = (double)(uint32_t)level->width, height = (double)(uint32_t)level->height;
-    /* Cutting the fraction off is floor(), since nothing here is negative. */
-    uint32_t x = (uint32_t)texture_clamp(uv.x * width, width - 1);
-    uint32_t y = (uint32_t)texture_clamp(uv.y * height, height - 1);
-    uint32_t texel = level->texels[y * level->width + x];
-    return (struct color){.b = (uint8_t)texel,
-                          .g = (uint8_t)(texel >> 8),
-                          .r = (uint8_t)(texel >> 16),
-                          .a = (uint8_t)(texel >> 24)};
 }
 
 /* from + (to - from) * fraction for each channel of two texels. */
@@ -94,20 +94,6 @@ static inline struct vec4 texture_bilinear(const struct texture *texture, struct
     struct vec4 lower = texture_mix_texels(corner[0], corner[right], across);
     struct vec4 upper = texture_mix_texels(corner[up], corner[up + right], across);
     return texture_mix(lower, upper, along);
-}
-
-/* Linear between the two nearest mip levels; `level` 0 is full size, 1 half, and so on. Below 0
- * (and for what is not a number) it is 0, beyond the last level the last. */
-static inline struct vec4 texture_trilinear(const struct texture *texture, struct vec2 uv,
-                                            double level) {
-    double clamped = texture_clamp(level, (double)(texture->level_count - 1));
-    size_t lower = (size_t)clamped;
-    struct vec4 color = texture_bilinear(texture, uv, lower);
-    double fraction = clamped - (double)lower;
-    if (fraction == 0) { /* magnified: the next level would count for nothing */
-        return color;
-    }
-    return texture_mix(color, texture_bilinear(texture, uv, lower + 1), fraction);
 }
 
 #endif

@@ -1,5 +1,5 @@
 /*
- * Images in memory, TGA in and out, PPM out; see tgaimage.h.
+ * Images in memory, TGA in and out; see tgaimage.h.
  *
  * TGA: Truevision, "Truevision TGA File Format Specification", version 2.0, 1991.
  */
@@ -22,7 +22,7 @@ bool image_create(struct image *image, size_t width, size_t height, enum image_f
     }
     uint8_t *pixels = calloc(height, width * (size_t)format);
     if (pixels == NULL) {
-        return error_set(error, "not enough memory for an image of %zux%zu pixels", width, height);
+        return error_set(error, "out of memory for an image of %zux%zu pixels", width, height);
     }
     image->width = width;
     image->height = height;
@@ -100,11 +100,38 @@ bool image_set(struct image *image, int x, int y, struct color color) {
     return true;
 }
 
-void image_clear(struct image *image, struct color color) {
-    size_t size = image_size(image);
-    for (size_t i = 0; i < size; i += (size_t)image->format) {
-        store_color(image->pixels + i, image->format, color);
+static inline void store_colors(uint8_t *pixel, enum image_format format, struct color color,
+                                size_t count) {
+    for (size_t i = 0; i < count; i++, pixel += format) {
+        store_color(pixel, format, color);
     }
+}
+
+/* `count` pixels become `color`: the format is asked once and not for each of them. */
+static void fill_pixels(uint8_t *pixel, enum image_format format, struct color color,
+                        size_t count) {
+    switch (format) {
+    case IMAGE_GREY:
+        store_colors(pixel, IMAGE_GREY, color, count);
+        break;
+    case IMAGE_BGR:
+        store_colors(pixel, IMAGE_BGR, color, count);
+        break;
+    case IMAGE_BGRA:
+        store_colors(pixel, IMAGE_BGRA, color, count);
+        break;
+    }
+}
+
+void image_fill_row(struct image *image, int y, int x_begin, int x_end, struct color color) {
+    if (x_begin < x_end) {
+        fill_pixels(image->pixels + pixel_offset(image, x_begin, y), image->format, color,
+                    (size_t)(x_end - x_begin));
+    }
+}
+
+void image_clear(struct image *image, struct color color) {
+    fill_pixels(image->pixels, image->format, color, image->width * image->height);
 }
 
 /* Two stretches of memory change places. */
@@ -226,7 +253,7 @@ bool image_scale(struct image *image, size_t width, size_t height, struct error 
     uint64_t *sums = calloc(row_size(image), sizeof *sums);
     if (sums == NULL) {
         image_free(&scaled);
-        return error_set(error, "not enough memory to scale an image");
+        return error_out_of_memory(error);
     }
     uint64_t rows_total = axis_total(image->height, height);
     for (size_t y = 0; y < height; y++) {
@@ -312,8 +339,12 @@ static bool check_tga_depth(const struct tga *tga, struct error *error) {
     return true;
 }
 
+static bool has_known_type(const struct tga *tga) {
+    return tga->type >= TGA_COLOR_MAPPED && tga->type <= TGA_GREY;
+}
+
 static bool check_tga_header(const struct tga *tga, struct error *error) {
-    if (tga->type < TGA_COLOR_MAPPED || tga->type > TGA_GREY) {
+    if (!has_known_type(tga)) {
         return error_set(error, "TGA image type %u is not supported (1, 2, 3, 9, 10, 11 are)",
                          tga->type + (tga->run_length ? TGA_RUN_LENGTH : 0u));
     }
@@ -454,6 +485,15 @@ static bool unpack_packets(struct tga *tga, uint8_t *pixels, size_t left, struct
     return true;
 }
 
+bool tga_is_possible(const void *data, size_t size) {
+    if (size < TGA_HEADER_SIZE) {
+        return false;
+    }
+    struct tga tga = {0};
+    parse_tga_header(&tga, data);
+    return has_known_type(&tga) && tga.map_type <= 1;
+}
+
 bool tga_decode(struct image *image, const void *data, size_t size, struct error *error) {
     *image = (struct image){0};
     const uint8_t *bytes = data;
@@ -486,17 +526,6 @@ bool tga_decode(struct image *image, const void *data, size_t size, struct error
         image_flip_vertically(image);
     }
     return true;
-}
-
-bool tga_read(struct image *image, const char *path, struct error *error) {
-    struct bytes file;
-    *image = (struct image){0};
-    if (!file_read(path, &file, error)) {
-        return false;
-    }
-    bool done = tga_decode(image, file.data, file.size, error);
-    bytes_free(&file);
-    return done || error_name_file(error, path);
 }
 
 /* How many pixels from `pixels` on are equal, `limit` at most. */
@@ -582,7 +611,7 @@ bool tga_encode(const struct image *image, bool run_length, struct bytes *out,
     /* A row of packets is at most twice as large as the row: one grey pixel in a packet. */
     size_t room = TGA_HEADER_SIZE + image_size(image) + 2 * row_size(image) + sizeof tga_footer;
     if (!bytes_reserve(out, room)) {
-        return error_set(error, "not enough memory to write a TGA");
+        return error_out_of_memory(error);
     }
     size_t start = out->size;
     out->size += TGA_HEADER_SIZE;
@@ -600,76 +629,6 @@ bool tga_encode(const struct image *image, bool run_length, struct bytes *out,
 
 bool tga_write(const struct image *image, const char *path, struct error *error) {
     struct bytes out = {0};
-    if (!tga_encode(image, true, &out, error)) {
-        bytes_free(&out);
-        return error_name_file(error, path);
-    }
-    bool done = file_write(path, out.data, out.size, error);
-    bytes_free(&out);
-    return done;
-}
-
-/* ---- PPM and PGM ---- */
-
-/* One pixel as text, on a line of its own; returns the number of characters. */
-static size_t print_pixel(const uint8_t *pixel, enum image_format format, char *text, size_t room) {
-    int count = format == IMAGE_GREY
-                    ? snprintf(text, room, "%d\n", pixel[0])
-                    : snprintf(text, room, "%d %d %d\n", pixel[2], pixel[1], pixel[0]);
-    return (size_t)count;
-}
-
-/* One pixel as bytes, red first. */
-static size_t store_rgb(const uint8_t *pixel, enum image_format format, uint8_t *out) {
-    if (format == IMAGE_GREY) {
-        out[0] = pixel[0];
-        return 1;
-    }
-    out[0] = pixel[2];
-    out[1] = pixel[1];
-    out[2] = pixel[0];
-    return 3;
-}
-
-bool ppm_encode(const struct image *image, bool plain, struct bytes *out, struct error *error) {
-    enum { HEADER_LIMIT = 32, TEXT_LIMIT = 16 }; /* TEXT_LIMIT: "255 255 255\n" and a NUL */
-    if (image->pixels == NULL) {
-        return error_set(error, "an empty image cannot be written");
-    }
-    size_t step = (size_t)image->format;
-    int kind = (image->format == IMAGE_GREY ? 2 : 3) + (plain ? 0 : 3);
-    char header[HEADER_LIMIT];
-    int header_size =
-        snprintf(header, sizeof header, "P%d\n%zu %zu\n255\n", kind, image->width, image->height);
-    size_t start = out->size;
-    if (!bytes_append(out, header, (size_t)header_size)) {
-        goto fail;
-    }
-    for (size_t y = image->height; y-- > 0;) {
-        const uint8_t *row = image->pixels + y * row_size(image);
-        if (!bytes_reserve(out, image->width * (plain ? TEXT_LIMIT : 3))) {
-            goto fail;
-        }
-        for (size_t x = 0; x < image->width; x++) {
-            uint8_t *next = out->data + out->size;
-            out->size += plain
-                             ? print_pixel(row + x * step, image->format, (char *)next, TEXT_LIMIT)
-                             : store_rgb(row + x * step, image->format, next);
-        }
-    }
-    return true;
-fail:
-    out->size = start;
-    return error_set(error, "not enough memory to write a PPM");
-}
-
-bool ppm_write(const struct image *image, const char *path, struct error *error) {
-    struct bytes out = {0};
-    if (!ppm_encode(image, false, &out, error)) {
-        bytes_free(&out);
-        return error_name_file(error, path);
-    }
-    bool done = file_write(path, out.data, out.size, error);
-    bytes_free(&out);
-    return done;
+    bool encoded = tga_encode(image, true, &out, error);
+    return file_write_encoded(path, encoded, &out, error);
 }

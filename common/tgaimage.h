@@ -1,5 +1,5 @@
 /*
- * Images in memory, and the TGA and PPM files that hold them.
+ * Images in memory, and the TGA files that hold them.
  *
  * Pixel (0,0) is the bottom-left one, rows go up, and there is no padding between rows. A pixel is
  * one byte (grey), three (blue, green, red) or four (blue, green, red, alpha), as TGA stores them.
@@ -60,6 +60,9 @@ struct color image_get(const struct image *image, int x, int y);
  * (color_grey() makes all channels equal), an image without alpha drops alpha. */
 bool image_set(struct image *image, int x, int y, struct color color);
 
+/* The pixels x_begin..x_end - 1 of row y, all of which lie in the image, become `color`. */
+void image_fill_row(struct image *image, int y, int x_begin, int x_end, struct color color);
+
 /* Every pixel becomes `color`. */
 void image_clear(struct image *image, struct color color);
 
@@ -72,7 +75,11 @@ void image_flip_vertically(struct image *image);
  * unchanged. */
 bool image_scale(struct image *image, size_t width, size_t height, struct error *error);
 
-/* ---- Files. Errors of the _decode functions do not name a file, those of the others do. ---- */
+/* ---- TGA. image_read() of image_file.h reads files; only tga_write() names one. ---- */
+
+/* Can the bytes be a TGA of these types? TGA has no signature: all that tells is that the header
+ * names an image type and a colour map type that exist. */
+bool tga_is_possible(const void *data, size_t size);
 
 /* TGA types 1, 2, 3, 9, 10, 11; 8-bit grey and colour map, 15/16-bit 5551, 24 and 32 bit; all four
  * origins (the result is always bottom-left). A 16-bit pixel's attribute bit becomes alpha 0 or 255
@@ -80,16 +87,11 @@ bool image_scale(struct image *image, size_t width, size_t height, struct error 
  * always alpha, whatever the header declares, since many writers leave that number at 0. `image` is
  * overwritten, not freed; empty on an error. */
 bool tga_decode(struct image *image, const void *data, size_t size, struct error *error);
-bool tga_read(struct image *image, const char *path, struct error *error);
 
 /* TGA 2.0 with footer: type 3 or 2, run-length coded (11 or 10) when `run_length` is set; no packet
  * crosses a row. Where packets would be larger than the raw pixels (noise), these are written
  * instead. Appends to `out`. */
 bool tga_encode(const struct image *image, bool run_length, struct bytes *out, struct error *error);
 bool tga_write(const struct image *image, const char *path, struct error *error); /* run-length */
-
-/* PGM/PPM (P5 for grey, else P6 without alpha), top row first; `plain` gives P2/P3 as text. */
-bool ppm_encode(const struct image *image, bool plain, struct bytes *out, struct error *error);
-bool ppm_write(const struct image *image, const char *path, struct error *error); /* binary */
 
 #endif

@@ -1,14 +1,10 @@
-/*
- * Draws the pictures of step 1's README that are not references, and prints its table of errors:
- * `make figures`, or figures OUTDIR.
- */
+/* The pictures of step 1's README that are not references, and its table of errors. */
+#include "../tests/figures.h"
 #define main step_main
-int step_main(int argc, char **argv);
 #include "main.c"
 #undef main
 
 #include "attempts.h"
-#include "png.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -17,40 +13,20 @@ static const struct color background = {0, 0, 0, 255};
 static const struct color white = {255, 255, 255, 255};
 static const struct color red = {0, 0, 255, 255};
 static const struct color orange = {0, 150, 255, 255};
-static const struct color sky = {255, 160, 60, 255};
+
+enum { GRID = 56 }; /* grey level of the lines between enlarged pixels */
 
 /* A line of a million columns, of which the image holds the last ones. */
 enum { LONG_WIDTH = 200, LONG_HEIGHT = 64 };
 static const struct pixel long_a = {-1000000, -250007}, long_b = {199, 60};
 
-/* ---- Saving ---- */
-
-/* Save the image with every pixel as a block of `scale` x `scale`, in a grid where there is room
- * for one. */
-static bool save(const char *directory, const char *name, const struct image *image, size_t scale,
-                 struct error *error) {
-    const struct color grid = color_grey(56);
-    char path[1024];
-    struct image large;
-    if (snprintf(path, sizeof path, "%s/%s.png", directory, name) >= (int)sizeof path) {
-        return error_set(error, "%s: the name is too long", directory);
-    }
-    if (!image_create(&large, image->width * scale, image->height * scale, IMAGE_BGR, error)) {
-        return false;
-    }
-    for (size_t y = 0; y < large.height; y++) {
-        for (size_t x = 0; x < large.width; x++) {
-            bool border = scale >= 6 && (x % scale == 0 || y % scale == 0);
-            struct color color = image_get(image, (int)(x / scale), (int)(y / scale));
-            image_set(&large, (int)x, (int)y, border ? grid : color);
-        }
-    }
-    bool done = png_write(&large, path, error);
-    image_free(&large);
-    return done;
-}
-
 /* ---- Pictures ---- */
+
+/* Save an image of 100x100 pixels large enough to see them. */
+static bool save_enlarged(const struct image *image, const char *directory, const char *name,
+                          struct error *error) {
+    return figure_save_detail(image, detail_of_whole(image, 3, 0), directory, name, error);
+}
 
 /* The lesson's three lines; the last one goes leftwards over the first. */
 static void draw_three_lines(struct image *image, line_function *draw) {
@@ -61,19 +37,17 @@ static void draw_three_lines(struct image *image, line_function *draw) {
 
 static bool draw_attempts(const char *directory, struct error *error) {
     static const char *const names[] = {"attempt_1", "attempt_2", "attempt_3", "attempt_4"};
-    for (int i = 0; i < 4; i++) {
+    bool done = true;
+    for (int i = 0; done && i < 4; i++) {
         struct image image;
         if (!image_create(&image, 100, 100, IMAGE_BGR, error)) {
             return false;
         }
         draw_three_lines(&image, line_attempt(i).draw);
-        bool done = save(directory, names[i], &image, 3, error);
+        done = save_enlarged(&image, directory, names[i], error);
         image_free(&image);
-        if (!done) {
-            return false;
-        }
     }
-    return true;
+    return done;
 }
 
 /* The first attempt on a line of more than a hundred columns. */
@@ -83,57 +57,37 @@ static bool draw_holes(const char *directory, struct error *error) {
         return false;
     }
     attempt_1_hundred_steps(&image, (struct pixel){5, 5}, (struct pixel){394, 34}, white);
-    bool done = save(directory, "holes", &image, 2, error);
+    bool done =
+        figure_save_detail(&image, detail_of_whole(&image, 2, 0), directory, "holes", error);
     image_free(&image);
     return done;
 }
 
-/* One line of two versions: white where both set a pixel, orange where only the first does, blue
- * where only the second does. */
-static void draw_both(struct image *image, const struct image *first, const struct image *second,
-                      int left, int bottom) {
-    for (int y = 0; y < (int)image->height; y++) {
-        for (int x = 0; x < (int)image->width; x++) {
-            bool in_first = image_get(first, left + x, bottom + y).g != 0;
-            bool in_second = image_get(second, left + x, bottom + y).g != 0;
-            struct color one = in_first ? orange : sky;
-            struct color both = in_first && in_second ? white : one;
-            image_set(image, x, y, in_first || in_second ? both : background);
-        }
-    }
-}
-
-/* What stands in a comparison of two lines. */
-struct comparison {
+/* A line as two versions draw it. */
+struct line_pair {
     const char *name;
     line_function *first_draw, *second_draw;
     struct pixel first_a, first_b, second_a, second_b;
     size_t width, height; /* of the image that both are drawn into */
-    int left, bottom;     /* of the part that is shown */
-    size_t shown_width, shown_height, scale;
+    struct detail shown;
 };
 
-static bool draw_comparison(const char *directory, const struct comparison *c,
-                            struct error *error) {
-    struct image first = {0}, second = {0}, shown = {0};
-    bool done = image_create(&first, c->width, c->height, IMAGE_GREY, error) &&
-                image_create(&second, c->width, c->height, IMAGE_GREY, error) &&
-                image_create(&shown, c->shown_width, c->shown_height, IMAGE_BGR, error);
+static bool draw_pair(const char *directory, const struct line_pair *pair, struct error *error) {
+    struct comparison compared;
+    bool done = comparison_create(&compared, pair->width, pair->height, error);
     if (done) {
-        c->first_draw(&first, c->first_a, c->first_b, white);
-        c->second_draw(&second, c->second_a, c->second_b, white);
-        draw_both(&shown, &first, &second, c->left, c->bottom);
-        done = save(directory, c->name, &shown, c->scale, error);
+        pair->first_draw(&compared.first, pair->first_a, pair->first_b, white);
+        pair->second_draw(&compared.second, pair->second_a, pair->second_b, white);
+        comparison_show(&compared, white);
+        done = figure_save_detail(&compared.shown, pair->shown, directory, pair->name, error);
     }
-    image_free(&first);
-    image_free(&second);
-    image_free(&shown);
+    comparison_free(&compared);
     return done;
 }
 
-static bool draw_comparisons(const char *directory, struct error *error) {
+static bool draw_pairs(const char *directory, struct error *error) {
     const struct pixel a = {13, 20}, b = {80, 40}, low = {1, 1}, high = {19, 10};
-    const struct comparison comparisons[] = {
+    const struct line_pair pairs[] = {
         {.name = "cut",
          .first_draw = attempt_1_hundred_steps,
          .second_draw = line,
@@ -143,11 +97,7 @@ static bool draw_comparisons(const char *directory, struct error *error) {
          .second_b = b,
          .width = 100,
          .height = 100,
-         .left = 12,
-         .bottom = 19,
-         .shown_width = 70,
-         .shown_height = 23,
-         .scale = 10},
+         .shown = {12, 19, 70, 23, .zoom = 10, .grid = GRID}},
         {.name = "ties",
          .first_draw = attempt_by_cases,
          .second_draw = attempt_by_cases,
@@ -157,9 +107,7 @@ static bool draw_comparisons(const char *directory, struct error *error) {
          .second_b = low,
          .width = 21,
          .height = 12,
-         .shown_width = 21,
-         .shown_height = 12,
-         .scale = 16},
+         .shown = {0, 0, 21, 12, .zoom = 16, .grid = GRID}},
         {.name = "drift",
          .first_draw = attempt_7_two_parts,
          .second_draw = line,
@@ -169,18 +117,13 @@ static bool draw_comparisons(const char *directory, struct error *error) {
          .second_b = long_b,
          .width = LONG_WIDTH,
          .height = LONG_HEIGHT,
-         .left = 100,
-         .bottom = 32,
-         .shown_width = 80,
-         .shown_height = 24,
-         .scale = 10},
+         .shown = {100, 32, 80, 24, .zoom = 10, .grid = GRID}},
     };
-    for (size_t i = 0; i < sizeof comparisons / sizeof comparisons[0]; i++) {
-        if (!draw_comparison(directory, &comparisons[i], error)) {
-            return false;
-        }
+    bool done = true;
+    for (size_t i = 0; done && i < sizeof pairs / sizeof pairs[0]; i++) {
+        done = draw_pair(directory, &pairs[i], error);
     }
-    return true;
+    return done;
 }
 
 /* Point, horizontal, vertical, diagonal, oblique and steep: one function draws them all. */
@@ -198,7 +141,8 @@ static bool draw_cases(const char *directory, struct error *error) {
     for (size_t i = 0; i < sizeof lines / sizeof lines[0]; i++) {
         line(&image, lines[i].a, lines[i].b, i % 2 ? white : orange);
     }
-    bool done = save(directory, "cases", &image, 14, error);
+    bool done =
+        figure_save_detail(&image, detail_of_whole(&image, 14, GRID), directory, "cases", error);
     image_free(&image);
     return done;
 }
@@ -233,7 +177,7 @@ static bool draw_star(const char *directory, const char *name, line_function *dr
     for (size_t i = 0; i < sizeof ends / sizeof ends[0]; i++) {
         draw(&image, (struct pixel){50, 50}, ends[i], white);
     }
-    bool done = save(directory, name, &image, 3, error);
+    bool done = save_enlarged(&image, directory, name, error);
     image_free(&image);
     return done;
 }
@@ -334,20 +278,10 @@ static bool print_table(struct error *error) {
     return true;
 }
 
-int main(int argc, char **argv) {
-    struct error error = {0};
-    if (argc != 2) {
-        fprintf(stderr, "usage: %s OUTDIR\n", argv[0]);
-        return 2;
-    }
-    const char *directory = argv[1];
-    bool done = draw_attempts(directory, &error) && draw_holes(directory, &error) &&
-                draw_comparisons(directory, &error) && draw_cases(directory, &error) &&
-                draw_star(directory, "not_exchanged_back", line_not_exchanged_back, &error) &&
-                draw_star(directory, "only_upwards", line_only_upwards, &error) &&
-                print_table(&error);
-    if (!done) {
-        fprintf(stderr, "%s: %s\n", argv[0], error.message);
-    }
-    return done ? 0 : 1;
+bool draw_figures(const char *directory, struct model *bust, struct error *error) {
+    (void)bust;
+    return draw_attempts(directory, error) && draw_holes(directory, error) &&
+           draw_pairs(directory, error) && draw_cases(directory, error) &&
+           draw_star(directory, "not_exchanged_back", line_not_exchanged_back, error) &&
+           draw_star(directory, "only_upwards", line_only_upwards, error) && print_table(error);
 }

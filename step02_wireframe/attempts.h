@@ -58,8 +58,8 @@ static inline void attempt_side(struct image *image, const struct model *model, 
                                 uint32_t q, bool cut, struct work *work) {
     const struct color white = color_rgb(255, 255, 255);
     struct pixel a, b;
-    if (!to_pixel(model->positions[p], image->width, image->height, &a) ||
-        !to_pixel(model->positions[q], image->width, image->height, &b)) {
+    if (!to_pixel(model_position_at(model, p), image->width, image->height, &a) ||
+        !to_pixel(model_position_at(model, q), image->width, image->height, &b)) {
         return;
     }
     work->lines++;
@@ -70,8 +70,7 @@ static inline void attempt_side(struct image *image, const struct model *model, 
     }
 }
 
-/* Three lines for every face. Wasteful: nearly every side belongs to two faces and is drawn twice.
- */
+/* Three lines for every face. Wasteful: nearly every side is that of two faces and drawn twice. */
 static inline struct work attempt_faces(struct image *image, const struct model *model, bool cut) {
     struct work work = {0};
     for (size_t i = 0; i < model->face_count; i++) {

@@ -4,8 +4,6 @@
  * A face of a model has three sides. Each is drawn as a line, x and y of its ends mapped to the
  * image, z not looked at. Two faces that touch share a side: it is drawn once. A line may reach far
  * beyond the image: only the part inside is walked, and it has the same pixels as the whole line.
- *
- * Scene: `wireframe`, white on black.
  */
 #include "program.h"
 
@@ -19,13 +17,22 @@ struct side {
     uint32_t low, high;
 };
 
-/* What is drawn: a list of sides, made before the drawing. */
-struct wireframe {
-    struct side *sides;
-    size_t side_count;
-    size_t shared; /* sides left out because another face has them too */
-};
+/* All three sides of every face, one face after the other; `sides` has room for 3 a face. */
+static void list_sides(const struct model *model, struct side *sides) {
+    /* BEGIN SOLUTION 2.1 the sides of the faces */
+    for (size_t i = 0; i < model->face_count; i++) {
+        const struct corner *corner = model->faces[i].corner;
+        for (size_t j = 0; j < 3; j++) {
+            uint32_t p = corner[j].position, q = corner[(j + 1) % 3].position;
+            *sides++ = p < q ? (struct side){p, q} : (struct side){q, p};
+        }
+    }
+    /* STARTER
+    (void)model, (void)sides; // to do 2.1: three sides a face, the smaller number first
+    END SOLUTION */
+}
 
+/* BEGIN SOLUTION 2.4 each side once */
 static int compare_sides(const void *a, const void *b) {
     const struct side *p = a, *q = b;
     if (p->low != q->low) {
@@ -34,19 +41,11 @@ static int compare_sides(const void *a, const void *b) {
     return (p->high > q->high) - (p->high < q->high);
 }
 
-/* All three sides of every face, one face after the other; `sides` has room for them. */
-static void list_sides(const struct model *model, struct side *sides) {
-    for (size_t i = 0; i < model->face_count; i++) {
-        const struct corner *corner = model->faces[i].corner;
-        for (size_t j = 0; j < 3; j++) {
-            uint32_t p = corner[j].position, q = corner[(j + 1) % 3].position;
-            *sides++ = p < q ? (struct side){p, q} : (struct side){q, p};
-        }
-    }
-}
+/* END SOLUTION */
 
 /* Keep one of each: after sorting, equal sides stand together. Returns how many are left. */
 static size_t keep_one_of_each(struct side *sides, size_t side_count) {
+    /* BEGIN SOLUTION 2.4 each side once */
     qsort(sides, side_count, sizeof *sides, compare_sides);
     size_t kept = 0;
     for (size_t i = 0; i < side_count; i++) {
@@ -55,47 +54,34 @@ static size_t keep_one_of_each(struct side *sides, size_t side_count) {
         }
     }
     return kept;
-}
-
-static bool prepare(struct drawing *drawing, size_t width, size_t height, struct error *error) {
-    (void)width, (void)height;
-    struct wireframe *wireframe = drawing->state;
-    size_t side_count = 3 * drawing->model->face_count;
-    wireframe->sides = calloc(side_count > 0 ? side_count : 1, sizeof *wireframe->sides);
-    if (wireframe->sides == NULL) {
-        return error_set(error, "not enough memory for %zu sides", side_count);
-    }
-    list_sides(drawing->model, wireframe->sides);
-    wireframe->side_count = side_count;
-    if (drawing->skip) {
-        wireframe->side_count = keep_one_of_each(wireframe->sides, side_count);
-    }
-    wireframe->shared = side_count - wireframe->side_count;
-    return true;
-}
-
-static void finish(struct drawing *drawing) {
-    struct wireframe *wireframe = drawing->state;
-    free(wireframe->sides);
-    *wireframe = (struct wireframe){0};
+    /* STARTER
+    (void)sides;
+    return side_count; // to do 2.4: keep one of each side, at the beginning of the list
+    END SOLUTION */
 }
 
 /* ---- From the model to the image ---- */
 
 /* x and y in -1..1 fill the image. False, with `pixel` unchanged, for a position so far away that
  * lines are not drawn there. */
-static bool to_pixel(const float position[3], size_t width, size_t height, struct pixel *pixel) {
-    double x = floor(((double)position[0] + 1) * (double)width / 2);
-    double y = floor(((double)position[1] + 1) * (double)height / 2);
+static bool to_pixel(struct vec3 position, size_t width, size_t height, struct pixel *pixel) {
+    /* BEGIN SOLUTION 2.2 from the model to the image */
+    double x = floor((position.x + 1) * (double)width / 2);
+    double y = floor((position.y + 1) * (double)height / 2);
     if (!(fabs(x) <= LINE_LIMIT && fabs(y) <= LINE_LIMIT)) {
         return false;
     }
     *pixel = (struct pixel){(int)x, (int)y};
     return true;
+    /* STARTER
+    (void)position, (void)width, (void)height, (void)pixel;
+    return false; // to do 2.2: test the limit before you convert to int
+    END SOLUTION */
 }
 
 /* ---- A line cut to the image ---- */
 
+/* BEGIN SOLUTION 2.5 a line cut to the image */
 /* A line as in step 1: u is the axis along which it is longer, v the other one. After k steps along
  * u (0 <= k <= run) it has moved by floor((2 * k * rise + run - 1) / (2 * run)) along v: k * rise /
  * run to the nearest whole number, halves down. */
@@ -134,8 +120,7 @@ static int64_t first_step_moved(const struct course *course, int64_t move) {
     if (move > course->rise) {
         return course->run + 1;
     }
-    int64_t divisor = 2 * course->rise;
-    return (2 * course->run * move - course->run + 1 + divisor - 1) / divisor; /* rounded up */
+    return ceil_divide(2 * course->run * move - course->run + 1, 2 * course->rise);
 }
 
 /* The steps that lie in the image. */
@@ -159,8 +144,11 @@ static struct steps steps_inside(const struct course *course, size_t width, size
     return (struct steps){first, last < course->run ? last : course->run};
 }
 
+/* END SOLUTION */
+
 /* Draw the part of a line that lies in the image; returns the number of its pixels. */
 static uint64_t line(struct image *image, struct pixel a, struct pixel b, struct color color) {
+    /* BEGIN SOLUTION 2.3 a line */
     struct course course = course_from(a, b);
     struct steps inside = steps_inside(&course, image->width, image->height);
     if (inside.first > inside.last) {
@@ -181,54 +169,10 @@ static uint64_t line(struct image *image, struct pixel a, struct pixel b, struct
         }
     }
     return (uint64_t)(inside.last - inside.first + 1);
+    /* STARTER
+    (void)image, (void)a, (void)b, (void)color;
+    return 0; // to do 2.3: the line of step 1; to do 2.5: cut to the image
+    END SOLUTION */
 }
 
-/* ---- The scene ---- */
-
-static bool draw_wireframe(struct drawing *drawing, struct image *image, struct error *error) {
-    (void)error;
-    const struct wireframe *wireframe = drawing->state;
-    const struct model *model = drawing->model;
-    const struct color white = color_rgb(255, 255, 255);
-    uint64_t too_far = 0, off_image = 0, written = 0;
-    for (size_t i = 0; i < wireframe->side_count; i++) {
-        struct side side = wireframe->sides[i];
-        struct pixel a, b;
-        if (!to_pixel(model->positions[side.low], image->width, image->height, &a) ||
-            !to_pixel(model->positions[side.high], image->width, image->height, &b)) {
-            too_far++;
-            continue;
-        }
-        uint64_t visible = line(image, a, b, white);
-        written += visible;
-        off_image += visible == 0;
-    }
-    count(drawing, "faces", model->face_count);
-    count(drawing, "lines_drawn", wireframe->side_count - too_far - off_image);
-    count(drawing, "lines_shared_skipped", wireframe->shared);
-    count(drawing, "lines_off_image", off_image);
-    count(drawing, "lines_too_far", too_far);
-    count(drawing, "pixels_written", written);
-    return true;
-}
-
-int main(int argc, char **argv) {
-    static const struct scene scenes[] = {
-        {.name = "wireframe",
-         .width = 800,
-         .height = 800,
-         .needs_model = true,
-         .draw = draw_wireframe},
-    };
-    static const struct program program = {
-        .name = "step02_wireframe",
-        .summary = "the sides of a model's faces",
-        .takes_model = true,
-        .scenes = scenes,
-        .scene_count = sizeof scenes / sizeof scenes[0],
-        .state_size = sizeof(struct wireframe),
-        .prepare = prepare,
-        .finish = finish,
-    };
-    return program_main(&program, argc, argv);
-}
+#include "scenes.h"

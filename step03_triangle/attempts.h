@@ -6,6 +6,7 @@
 #define STEP03_ATTEMPTS_H
 
 #include "geometry.h"
+#include "raster.h"
 #include "tgaimage.h"
 
 #include <math.h>
@@ -257,16 +258,6 @@ static inline enum block_kind attempt_block_kind(const struct edges *edges, int 
     return kind;
 }
 
-static inline bool attempt_is_inside(const struct edges *edges, int x, int y) {
-    for (int i = 0; i < 3; i++) {
-        const struct edge *e = &edges->edge[i];
-        if (e->origin + e->dx * x + e->dy * y < e->least) {
-            return false;
-        }
-    }
-    return true;
-}
-
 /* Attempt 8: blocks of 8x8 pixels, with exact edge functions: a block is outside, inside, or its
  * pixels are tested one by one. Right. It pays where a block can be left out as a whole (a coarse
  * depth, for example) and on graphics processors; for small triangles nearly all blocks are mixed,
@@ -292,7 +283,7 @@ static inline void attempt_8_blocks(struct target *target, const struct vec2 p[3
             int x_end = x + ATTEMPT_BLOCK < edges.width ? x + ATTEMPT_BLOCK : edges.width;
             for (int v = y; v < y_end && kind != BLOCK_OUTSIDE; v++) {
                 for (int u = x; u < x_end; u++) {
-                    if (kind == BLOCK_INSIDE || attempt_is_inside(&edges, u, v)) {
+                    if (kind == BLOCK_INSIDE || edges_cover(&edges, u, v)) {
                         target_put(target, u, v, color);
                     }
                 }

@@ -1,56 +1,16 @@
-/*
- * The pictures of step 3's README that are not references, and the numbers of its tables:
- *
- *     figures OUTDIR
- */
+/* The pictures of step 3's README that are not references, and the numbers of its tables. */
+#include "../tests/figures.h"
 #define main step_main
-int step_main(int argc, char **argv);
 #include "main.c"
 #undef main
 
 #include "attempts.h"
-#include "png.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#ifndef COURSE_BUILD
-#define COURSE_BUILD "build"
-#endif
-
-/* ---- Pictures of pixels ---- */
-
-struct area {
-    int x, y, width, height; /* pixels of an image */
-};
-
-/* Save a part of the image, each pixel as a block of `zoom` x `zoom`, with dark lines between the
- * blocks from a zoom of 8 on. */
-static bool save(const struct image *image, struct area part, int zoom, const char *directory,
-                 const char *name, struct error *error) {
-    struct image large;
-    char path[1024];
-    snprintf(path, sizeof path, "%s/%s.png", directory, name);
-    if (!image_create(&large, (size_t)(part.width * zoom), (size_t)(part.height * zoom), IMAGE_BGR,
-                      error)) {
-        return false;
-    }
-    for (int y = 0; y < part.height * zoom; y++) {
-        for (int x = 0; x < part.width * zoom; x++) {
-            struct color c = image_get(image, part.x + x / zoom, part.y + y / zoom);
-            bool line = zoom >= 8 && (x % zoom == 0 || y % zoom == 0);
-            image_set(&large, x, y, line ? color_grey(60) : c);
-        }
-    }
-    bool done = png_write(&large, path, error);
-    image_free(&large);
-    return done;
-}
-
-static struct area whole(const struct image *image) {
-    return (struct area){0, 0, (int)image->width, (int)image->height};
-}
+enum { GRID = 60 }; /* grey level of the lines between enlarged pixels */
 
 /* ---- Meshes on the screen ---- */
 
@@ -68,7 +28,7 @@ static void mesh_free(struct mesh *mesh) {
 static bool mesh_create(struct mesh *mesh, size_t limit, struct error *error) {
     *mesh = (struct mesh){.corners = malloc(limit * sizeof *mesh->corners)};
     if (mesh->corners == NULL) {
-        error_set(error, "out of memory");
+        error_out_of_memory(error);
     }
     return mesh->corners != NULL;
 }
@@ -84,16 +44,12 @@ static bool mesh_from_model(struct mesh *mesh, const struct model *model, const 
         return false;
     }
     for (size_t face = 0; face < model->face_count; face++) {
-        struct vertex v[3];
-        bool placed = true;
-        for (size_t i = 0; i < 3; i++) {
-            placed = place_corner(model, face, i, image, &v[i]) && placed;
-        }
-        if (!placed || is_turned_away(v)) {
+        struct fixed2 corner[3];
+        if (!place_face(model, face, image, corner) || is_turned_away(corner)) {
             continue;
         }
         for (int i = 0; i < 3; i++) {
-            mesh->corners[mesh->count][i] = unsnapped(v[i].position);
+            mesh->corners[mesh->count][i] = unsnapped(corner[i]);
         }
         mesh->count++;
     }
@@ -200,7 +156,7 @@ static void count_exactly(const struct mesh *mesh, const struct image *image, ui
         }
         for (int y = edges.y_begin; y < edges.y_end; y++) {
             for (int x = 0; x < width; x++) {
-                draws[y * width + x] = (uint8_t)(draws[y * width + x] + covers(&edges, x, y));
+                draws[y * width + x] = (uint8_t)(draws[y * width + x] + edges_cover(&edges, x, y));
             }
         }
     }
@@ -247,7 +203,7 @@ static bool measure(const char *name, const struct mesh *mesh, struct image *ima
     }
     free(draws);
     free(exact);
-    return done || error_set(error, "out of memory");
+    return done || error_out_of_memory(error);
 }
 
 /* ---- The pictures ---- */
@@ -273,47 +229,49 @@ static bool draw_half_planes(const char *directory, struct error *error) {
             image_set(&image, x, y, color_rgb(level[0], level[1], level[2]));
         }
     }
-    bool done = save(&image, whole(&image), 20, directory, "half_planes", error);
+    bool done = figure_save_detail(&image, detail_of_whole(&image, 20, GRID), directory,
+                                   "half_planes", error);
     image_free(&image);
     return done;
 }
 
-/* Eight triangles around a pixel centre, with three rules for centres that lie on a side. */
-static bool draw_fan(const char *directory, struct error *error) {
+/* Eight triangles around a pixel centre. */
+static void make_small_fan(struct vec2 corners[8][3]) {
     static const struct vec2 rim[8] = {{14.5, 8.5}, {14.5, 14.5}, {8.5, 14.5}, {2.5, 14.5},
                                        {2.5, 8.5},  {2.5, 2.5},   {8.5, 2.5},  {14.5, 2.5}};
-    static attempt_function *const rules[3] = {attempt_4_box_double, attempt_5_box_open,
-                                               draw_spans};
-    struct vec2 corners[8][3];
-    struct mesh fan = {.corners = corners, .count = 8};
-    struct image panel = {0}, image = {0};
-    uint8_t exact[17 * 17], draws[17 * 17];
-    bool done = image_create(&panel, 17, 17, IMAGE_BGR, error) &&
-                image_create(&image, 53, 17, IMAGE_BGR, error);
     for (int i = 0; i < 8; i++) {
         corners[i][0] = (struct vec2){8.5, 8.5};
         corners[i][1] = rim[i];
         corners[i][2] = rim[(i + 1) % 8];
     }
+}
+
+/* The fan by three rules for pixel centres that lie on a side. */
+static bool draw_small_fan(const char *directory, struct error *error) {
+    static attempt_function *const rules[3] = {attempt_4_box_double, attempt_5_box_open,
+                                               draw_spans};
+    struct vec2 corners[8][3];
+    struct mesh fan = {.corners = corners, .count = 8};
+    struct sheet sheet = {.width = 17, .height = 17, .columns = 3, .rows = 1, .gap = 1};
+    uint8_t exact[17 * 17], draws[17 * 17];
+    bool done = sheet_create(&sheet, error);
+    make_small_fan(corners);
+    image_clear(&sheet.image, color_grey(0));
     for (int k = 0; done && k < 3; k++) {
-        count_exactly(&fan, &panel, exact);
-        draw_mesh(&fan, rules[k], &panel, draws);
-        show_draws(&panel, draws, exact);
-        for (int y = 0; y < 17; y++) {
-            for (int x = 0; x < 17; x++) {
-                image_set(&image, x + 18 * k, y, image_get(&panel, x, y));
-            }
-        }
+        count_exactly(&fan, &sheet.panel, exact);
+        draw_mesh(&fan, rules[k], &sheet.panel, draws);
+        show_draws(&sheet.panel, draws, exact);
+        sheet_add(&sheet);
     }
-    done = done && save(&image, whole(&image), 12, directory, "fan_rules", error);
-    image_free(&panel);
-    image_free(&image);
+    done = done && figure_save_detail(&sheet.image, detail_of_whole(&sheet.image, 12, GRID),
+                                      directory, "fan_rules", error);
+    sheet_free(&sheet);
     return done;
 }
 
 /* The count of draws of one version, as a picture. */
 static bool draw_counts(const struct mesh *mesh, attempt_function *draw, struct image *image,
-                        struct area part, int zoom, const char *directory, const char *name,
+                        struct detail part, const char *directory, const char *name,
                         struct error *error) {
     size_t pixel_count = image->width * image->height;
     assert(pixel_count > 0);
@@ -326,64 +284,63 @@ static bool draw_counts(const struct mesh *mesh, attempt_function *draw, struct 
     }
     free(draws);
     free(exact);
-    return done ? save(image, part, zoom, directory, name, error)
-                : error_set(error, "out of memory");
+    return done ? figure_save_detail(image, part, directory, name, error)
+                : error_out_of_memory(error);
 }
 
 static bool draw_sheet(const char *directory, struct error *error) {
     struct mesh sheet = {0};
     struct image image = {0};
-    struct area part = {6, 6, 64, 64};
+    struct detail part = {6, 6, 64, 64, .zoom = 5};
     bool done =
         image_create(&image, SHEET_SIZE, SHEET_SIZE, IMAGE_BGR, error) &&
         mesh_from_sheet(&sheet, error) && measure("sheet", &sheet, &image, error) &&
-        draw_counts(&sheet, attempt_1_sweep_whole, &image, part, 5, directory, "sheet_sweep_whole",
+        draw_counts(&sheet, attempt_1_sweep_whole, &image, part, directory, "sheet_sweep_whole",
                     error) &&
-        draw_counts(&sheet, attempt_4_box_double, &image, part, 5, directory, "sheet_closed",
-                    error) &&
-        draw_counts(&sheet, attempt_5_box_open, &image, part, 5, directory, "sheet_open", error) &&
-        draw_counts(&sheet, draw_spans, &image, part, 5, directory, "sheet_exact", error);
+        draw_counts(&sheet, attempt_4_box_double, &image, part, directory, "sheet_closed", error) &&
+        draw_counts(&sheet, attempt_5_box_open, &image, part, directory, "sheet_open", error) &&
+        draw_counts(&sheet, draw_spans, &image, part, directory, "sheet_exact", error);
     mesh_free(&sheet);
     image_free(&image);
     return done;
 }
 
 /* Part of the bust in colours: whole-number sweep, spans, and how often each pixel is drawn. */
-static bool draw_bust(const char *directory, struct error *error) {
-    struct model model = {0};
-    struct mesh bust = {0};
+static bool draw_bust(const struct model *bust, const char *directory, struct error *error) {
+    const struct detail eye = {300, 480, 130, 100, .zoom = 4};
+    const struct detail head = {100, 40, 600, 760, .zoom = 1};
+    struct mesh mesh = {0};
     struct image image = {0};
-    struct area eye = {300, 480, 130, 100};
-    bool done = model_read(&model, COURSE_BUILD "/models/bust.obj", error) &&
-                image_create(&image, 800, 800, IMAGE_BGR, error) &&
-                mesh_from_model(&bust, &model, &image, error) &&
-                measure("bust", &bust, &image, error) &&
-                draw_counts(&bust, draw_spans, &image, (struct area){100, 40, 600, 760}, 1,
-                            directory, "bust_exact_draws", error);
+    bool done = image_create(&image, 800, 800, IMAGE_BGR, error) &&
+                mesh_from_model(&mesh, bust, &image, error) &&
+                measure("bust", &mesh, &image, error) &&
+                draw_counts(&mesh, draw_spans, &image, head, directory, "bust_exact_draws", error);
     if (done) {
-        draw_mesh(&bust, attempt_1_sweep_whole, &image, NULL);
-        done = save(&image, eye, 4, directory, "bust_sweep_whole", error);
+        draw_mesh(&mesh, attempt_1_sweep_whole, &image, NULL);
+        done = figure_save_detail(&image, eye, directory, "bust_sweep_whole", error);
     }
     if (done) {
-        draw_mesh(&bust, draw_spans, &image, NULL);
-        done = save(&image, eye, 4, directory, "bust_spans", error);
+        draw_mesh(&mesh, draw_spans, &image, NULL);
+        done = figure_save_detail(&image, eye, directory, "bust_spans", error);
     }
-    /* All faces, backs too. */
+    mesh_free(&mesh);
     image_free(&image);
-    if (done && image_create(&image, 400, 400, IMAGE_BGR, error)) {
-        struct canvas canvas = {.image = &image, .skip = true};
-        for (size_t face = 0; face < model.face_count; face++) {
-            struct vertex v[3];
-            if (place_corner(&model, face, 0, &image, &v[0]) &&
-                place_corner(&model, face, 1, &image, &v[1]) &&
-                place_corner(&model, face, 2, &image, &v[2])) {
-                triangle(&canvas, v, face_color(face));
-            }
-        }
-        done = save(&image, whole(&image), 1, directory, "backs_too", error);
+    return done;
+}
+
+/* All faces, backs too. */
+static bool draw_backs_too(const struct model *bust, const char *directory, struct error *error) {
+    struct image image;
+    if (!image_create(&image, 400, 400, IMAGE_BGR, error)) {
+        return false;
     }
-    mesh_free(&bust);
-    model_free(&model);
+    for (size_t face = 0; face < bust->face_count; face++) {
+        struct fixed2 corner[3];
+        if (place_face(bust, face, &image, corner)) {
+            triangle(&image, corner, face_color(face));
+        }
+    }
+    bool done = figure_save(&image, directory, "backs_too", error);
     image_free(&image);
     return done;
 }
@@ -432,7 +389,7 @@ static bool save_fan_faults(const struct image *fan, const uint8_t *draws, const
                       often ? color_rgb(255, 150, 0) : color_rgb(255, 0, 160));
         }
     }
-    bool done = save(&small, whole(&small), 1, directory, "fan_edges_float", error);
+    bool done = figure_save(&small, directory, "fan_edges_float", error);
     image_free(&small);
     return done;
 }
@@ -445,7 +402,7 @@ static bool draw_large_fan(const char *directory, struct error *error) {
     uint8_t *exact = malloc((size_t)FAN_SIZE * FAN_SIZE);
     bool done = draws != NULL && exact != NULL;
     if (!done) {
-        error_set(error, "out of memory");
+        error_out_of_memory(error);
     }
     done = done && image_create(&image, FAN_SIZE, FAN_SIZE, IMAGE_BGR, error) &&
            mesh_from_fan(&fan, error) && measure("fan", &fan, &image, error);
@@ -476,7 +433,7 @@ static bool draw_blocks(const char *directory, struct error *error) {
         for (int x = 0; x < (int)image.width; x++) {
             enum block_kind kind =
                 attempt_block_kind(&edges, x - x % ATTEMPT_BLOCK, y - y % ATTEMPT_BLOCK);
-            bool inside = attempt_is_inside(&edges, x, y);
+            bool inside = edges_cover(&edges, x, y);
             bool line = x % ATTEMPT_BLOCK == 0 || y % ATTEMPT_BLOCK == 0;
             struct color color = kind == BLOCK_OUTSIDE  ? color_rgb(110, 20, 20)
                                  : kind == BLOCK_INSIDE ? color_rgb(40, 170, 60)
@@ -491,7 +448,8 @@ static bool draw_blocks(const char *directory, struct error *error) {
         }
     }
     printf("blocks: %zu pixels tested one by one, %zu of them outside\n", tested, outside);
-    bool done = save(&image, whole(&image), 6, directory, "blocks", error);
+    bool done =
+        figure_save_detail(&image, detail_of_whole(&image, 6, 0), directory, "blocks", error);
     image_free(&image);
     return done;
 }
@@ -507,32 +465,20 @@ static bool draw_columns(const char *directory, struct error *error) {
     }
     struct target target = {.image = &image};
     attempt_9_columns(&target, corner, color, columns);
-    struct canvas canvas = {.image = &image, .skip = true};
-    struct vertex v[3];
+    struct fixed2 snapped[3] = {{0, 0}};
     for (int i = 0; i < 3; i++) {
-        struct fixed2 position = {0, 0};
-        screen_snap((struct vec2){corner[i].x + 32.5, corner[i].y + 0.5}, &position);
-        v[i] = (struct vertex){.position = position, .color = color[i]};
+        screen_snap((struct vec2){corner[i].x + 32.5, corner[i].y + 0.5}, &snapped[i]);
     }
-    gradient_triangle(&canvas, v);
-    bool done = save(&image, whole(&image), 10, directory, "columns", error);
+    gradient_triangle(&image, snapped, color);
+    bool done =
+        figure_save_detail(&image, detail_of_whole(&image, 10, GRID), directory, "columns", error);
     image_free(&image);
     return done;
 }
 
-int main(int argc, char **argv) {
-    struct error error = {0};
-    if (argc != 2) {
-        fprintf(stderr, "usage: figures OUTDIR\n");
-        return 2;
-    }
-    const char *directory = argv[1];
-    if (!draw_half_planes(directory, &error) || !draw_fan(directory, &error) ||
-        !draw_sheet(directory, &error) || !draw_bust(directory, &error) ||
-        !draw_large_fan(directory, &error) || !draw_blocks(directory, &error) ||
-        !draw_columns(directory, &error)) {
-        fprintf(stderr, "figures: %s\n", error.message);
-        return 1;
-    }
-    return 0;
+bool draw_figures(const char *directory, struct model *bust, struct error *error) {
+    return draw_half_planes(directory, error) && draw_small_fan(directory, error) &&
+           draw_sheet(directory, error) && draw_bust(bust, directory, error) &&
+           draw_backs_too(bust, directory, error) && draw_large_fan(directory, error) &&
+           draw_blocks(directory, error) && draw_columns(directory, error);
 }

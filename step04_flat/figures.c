@@ -1,22 +1,13 @@
-/*
- * The pictures of step 4's README that are not references, and the numbers of its tables:
- *
- *     figures OUTDIR
- */
+/* The pictures of step 4's README that are not references, and the numbers of its tables. */
+#include "../tests/figures.h"
 #define main step_main
-int step_main(int argc, char **argv);
 #include "main.c"
 #undef main
 
 #include "attempts.h"
-#include "png.h"
 
 #include <stdio.h>
 #include <stdlib.h>
-
-#ifndef COURSE_BUILD
-#define COURSE_BUILD "build"
-#endif
 
 typedef double intensity_function(struct vec3 w0, struct vec3 w1, struct vec3 w2,
                                   struct vec3 light);
@@ -36,39 +27,14 @@ static double intensity_of_face(const struct model *model, size_t face, intensit
 /* draw_flat() with another intensity. */
 static void draw_with(const struct model *model, intensity_function *find, struct vec3 light,
                       struct image *image) {
-    struct canvas canvas = {.image = image};
     image_clear(image, color_grey(0));
     for (size_t face = 0; face < model->face_count; face++) {
         struct vertex vertices[3];
         double intensity = intensity_of_face(model, face, find, light);
         if (intensity > 0 && place_face(model, face, image, vertices)) {
-            triangle(&canvas, vertices, color_grey(level_from(intensity * 255)));
+            triangle(image, vertices, color_grey(level_from(intensity * 255)));
         }
     }
-}
-
-struct area {
-    int x, y, width, height; /* pixels of an image */
-};
-
-/* Save a part of the image, each pixel as a block of `zoom` x `zoom`. */
-static bool save(const struct image *image, struct area part, int zoom, const char *directory,
-                 const char *name, struct error *error) {
-    struct image large;
-    char path[1024];
-    snprintf(path, sizeof path, "%s/%s.png", directory, name);
-    if (!image_create(&large, (size_t)(part.width * zoom), (size_t)(part.height * zoom), IMAGE_BGR,
-                      error)) {
-        return false;
-    }
-    for (int y = 0; y < part.height * zoom; y++) {
-        for (int x = 0; x < part.width * zoom; x++) {
-            image_set(&large, x, y, image_get(image, part.x + x / zoom, part.y + y / zoom));
-        }
-    }
-    bool done = png_write(&large, path, error);
-    image_free(&large);
-    return done;
 }
 
 static bool draw_picture(const struct model *model, intensity_function *find, struct vec3 light,
@@ -78,7 +44,7 @@ static bool draw_picture(const struct model *model, intensity_function *find, st
         return false;
     }
     draw_with(model, find, light, &image);
-    bool done = save(&image, (struct area){0, 0, 400, 400}, 1, directory, name, error);
+    bool done = figure_save(&image, directory, name, error);
     image_free(&image);
     return done;
 }
@@ -124,21 +90,23 @@ static void mark_faults(const struct model *model, struct image *image, double *
 
 /* What is still wrong: parts that lie behind others are painted over them. */
 static bool draw_faults(const struct model *model, const char *directory, struct error *error) {
+    const struct detail ear = {490, 420, 110, 160, .zoom = 4};
+    const struct detail head = {190, 200, 420, 600, .zoom = 1};
     struct image image = {0};
-    double *nearest = malloc(800 * 800 * sizeof *nearest),
-           *shown = malloc(800 * 800 * sizeof *shown);
+    double *nearest = malloc(800 * 800 * sizeof *nearest);
+    double *shown = malloc(800 * 800 * sizeof *shown);
     bool done = nearest != NULL && shown != NULL;
     if (!done) {
-        error_set(error, "out of memory");
+        error_out_of_memory(error);
     }
     done = done && image_create(&image, 800, 800, IMAGE_BGR, error);
     if (done) {
         draw_with(model, intensity_of_main, (struct vec3){0, 0, -1}, &image);
-        done = save(&image, (struct area){490, 420, 110, 160}, 4, directory, "detail_ear", error);
+        done = figure_save_detail(&image, ear, directory, "detail_ear", error);
     }
     if (done) {
         mark_faults(model, &image, nearest, shown);
-        done = save(&image, (struct area){190, 200, 420, 600}, 1, directory, "faults", error);
+        done = figure_save_detail(&image, head, directory, "faults", error);
     }
     free(nearest);
     free(shown);
@@ -208,41 +176,24 @@ static bool draw_cylinder(intensity_function *find, const char *directory, const
             }
         }
     }
-    bool done = save(&image, (struct area){0, 0, WIDTH, HEIGHT}, 1, directory, name, error);
+    bool done = figure_save(&image, directory, name, error);
     image_free(&image);
     return done;
 }
 
-static bool draw_all(const struct model *model, const char *directory, struct error *error) {
+bool draw_figures(const char *directory, struct model *bust, struct error *error) {
     const struct vec3 front = {0, 0, -1}, side = vec3_normalized((struct vec3){1, 0, -1});
     print_levels("4 float", attempt_4_float);
     print_levels("5 root, 0 steps", attempt_5_root_0);
     print_levels("6 root, 1 step", attempt_6_root_1);
     print_levels("7 root, 2 steps", attempt_7_root_2);
-    return draw_picture(model, attempt_1_not_normalized, front, directory, "not_normalized",
+    return draw_picture(bust, attempt_1_not_normalized, front, directory, "not_normalized",
                         error) &&
-           draw_picture(model, attempt_2_outward, front, directory, "outward", error) &&
-           draw_picture(model, attempt_3_absolute, front, directory, "absolute", error) &&
-           draw_picture(model, intensity_of_main, side, directory, "light_side", error) &&
-           draw_picture(model, intensity_of_main, (struct vec3){0, 0, -3}, directory, "light_long",
+           draw_picture(bust, attempt_2_outward, front, directory, "outward", error) &&
+           draw_picture(bust, attempt_3_absolute, front, directory, "absolute", error) &&
+           draw_picture(bust, intensity_of_main, side, directory, "light_side", error) &&
+           draw_picture(bust, intensity_of_main, (struct vec3){0, 0, -3}, directory, "light_long",
                         error) &&
            draw_cylinder(attempt_5_root_0, directory, "root_0_steps", error) &&
-           draw_faults(model, directory, error);
-}
-
-int main(int argc, char **argv) {
-    struct error error = {0};
-    struct model model = {0};
-    if (argc != 2) {
-        fprintf(stderr, "usage: figures OUTDIR\n");
-        return 2;
-    }
-    bool done = model_read(&model, COURSE_BUILD "/models/bust.obj", &error) &&
-                draw_all(&model, argv[1], &error);
-    model_free(&model);
-    if (!done) {
-        fprintf(stderr, "figures: %s\n", error.message);
-        return 1;
-    }
-    return 0;
+           draw_faults(bust, directory, error);
 }

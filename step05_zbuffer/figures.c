@@ -1,23 +1,14 @@
-/*
- * The pictures of step 5's README that are not references, and the numbers of its tables:
- *
- *     figures OUTDIR
- */
+/* The pictures of step 5's README that are not references, and the numbers of its tables. */
+#include "../tests/figures.h"
 #define main step_main
-int step_main(int argc, char **argv);
 #include "main.c"
 #undef main
 
 #include "attempts.h"
-#include "png.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-
-#ifndef COURSE_BUILD
-#define COURSE_BUILD "build"
-#endif
 
 /* ---- Lists of triangles ---- */
 
@@ -39,11 +30,11 @@ static bool list_from_model(struct list *list, const struct model *model, const 
     const struct vec3 light = {0, 0, -1};
     *list = (struct list){.items = malloc(model->face_count * sizeof *list->items)};
     if (list->items == NULL) {
-        return error_set(error, "out of memory");
+        return error_out_of_memory(error);
     }
     for (size_t face = 0; face < model->face_count; face++) {
         struct drawn *d = &list->items[list->count];
-        double intensity = face_intensity(model, face, light);
+        double intensity = model_face_intensity(model, face, light);
         if (!(intensity > 0) || !place_face(model, face, image, d->v)) {
             continue;
         }
@@ -65,7 +56,7 @@ static void list_free(struct list *list) {
 static void draw_right(struct image *image, const struct drawn *items, size_t count,
                        double *depth) {
     struct canvas canvas = {.image = image, .depth = depth};
-    clear_depth(depth, image->width * image->height);
+    depth_clear(depth, image->width * image->height);
     for (size_t i = 0; i < count; i++) {
         triangle(&canvas, items[i].v, items[i].color);
     }
@@ -82,23 +73,6 @@ static void shuffle(struct list *list, uint32_t seed) {
     }
 }
 
-static size_t different_pixels(const struct image *a, const struct image *b) {
-    size_t different = 0, size = a->format;
-    for (size_t i = 0; i < a->width * a->height; i++) {
-        different += memcmp(a->pixels + i * size, b->pixels + i * size, size) != 0;
-    }
-    return different;
-}
-
-/* ---- Saving ---- */
-
-static bool save(const struct image *image, const char *directory, const char *name,
-                 struct error *error) {
-    char path[1024];
-    snprintf(path, sizeof path, "%s/%s.png", directory, name);
-    return png_write(image, path, error);
-}
-
 /* ---- The bust by every version ---- */
 
 typedef void attempt_function(struct image *image, const struct drawn *list, size_t count,
@@ -110,16 +84,11 @@ static void draw_file_order(struct image *image, const struct drawn *list, size_
     attempt_1_file_order(image, list, count);
 }
 
-/* The painter sorts, so he gets a list of his own. */
+/* The painter sorts, so he gets a list of his own, in the buffer. */
 static void draw_painter(struct image *image, const struct drawn *list, size_t count,
                          void *buffer) {
-    (void)buffer;
-    struct drawn *copy = malloc(count * sizeof *copy);
-    if (copy != NULL) {
-        memcpy(copy, list, count * sizeof *copy);
-        attempt_2_painter(image, copy, count);
-    }
-    free(copy);
+    memcpy(buffer, list, count * sizeof *list);
+    attempt_2_painter(image, buffer, count);
 }
 
 struct version {
@@ -155,12 +124,12 @@ static void print_wrong_pixels(const struct list *list, struct image *right, str
 }
 
 /* The same triangles in other orders. */
-static void print_shuffled(const struct list *list, struct image *right, struct image *image,
-                           double *depth) {
+static bool print_shuffled(const struct list *list, struct image *right, struct image *image,
+                           double *depth, struct error *error) {
     struct list shuffled = {.items = malloc(list->count * sizeof *list->items)};
     size_t different = 0;
     if (shuffled.items == NULL) {
-        return;
+        return error_out_of_memory(error);
     }
     memcpy(shuffled.items, list->items, list->count * sizeof *list->items);
     shuffled.count = list->count;
@@ -172,6 +141,7 @@ static void print_shuffled(const struct list *list, struct image *right, struct 
     }
     printf("bust   100 shuffled orders          %6zu pixels different\n", different);
     list_free(&shuffled);
+    return true;
 }
 
 /* Pictures of the attempts that look wrong from afar. */
@@ -189,7 +159,7 @@ static bool draw_attempts(const struct model *model, const char *directory, doub
     for (size_t i = 0; done && i < sizeof shown / sizeof shown[0]; i++) {
         image_clear(&image, color_grey(0));
         shown[i].draw(&image, list.items, list.count, buffer);
-        done = save(&image, directory, shown[i].name, error);
+        done = figure_save(&image, directory, shown[i].name, error);
     }
     if (done) { /* a second frame: the image is cleared, the depth is not */
         struct canvas canvas = {.image = &image, .depth = depth};
@@ -198,7 +168,7 @@ static bool draw_attempts(const struct model *model, const char *directory, doub
         for (size_t i = 0; i < moved.count; i++) {
             triangle(&canvas, moved.items[i].v, moved.items[i].color);
         }
-        done = save(&image, directory, "not_cleared", error);
+        done = figure_save(&image, directory, "not_cleared", error);
     }
     list_free(&list);
     list_free(&moved);
@@ -206,21 +176,19 @@ static bool draw_attempts(const struct model *model, const char *directory, doub
     return done;
 }
 
-static bool draw_bust(const char *directory, double *depth, void *buffer, struct error *error) {
-    struct model model = {0};
+static bool draw_bust(const struct model *bust, const char *directory, double *depth, void *buffer,
+                      struct error *error) {
     struct list list = {0};
     struct image right = {0}, image = {0};
-    bool done = model_read(&model, COURSE_BUILD "/models/bust.obj", error) &&
-                image_create(&right, 800, 800, IMAGE_BGR, error) &&
+    bool done = image_create(&right, 800, 800, IMAGE_BGR, error) &&
                 image_create(&image, 800, 800, IMAGE_BGR, error) &&
-                list_from_model(&list, &model, &image, 0, true, error);
+                list_from_model(&list, bust, &image, 0, true, error);
     if (done) {
         print_wrong_pixels(&list, &right, &image, depth, buffer);
-        print_shuffled(&list, &right, &image, depth);
-        done = draw_attempts(&model, directory, depth, buffer, error);
+        done = print_shuffled(&list, &right, &image, depth, error) &&
+               draw_attempts(bust, directory, depth, buffer, error);
     }
     list_free(&list);
-    model_free(&model);
     image_free(&right);
     image_free(&image);
     return done;
@@ -252,15 +220,6 @@ static void make_circle(struct drawn bars[3]) {
     }
 }
 
-/* Copy `from` into `to`, its left side at column x. */
-static void paste(struct image *to, const struct image *from, int left, int bottom) {
-    for (int y = 0; y < (int)from->height; y++) {
-        for (int x = 0; x < (int)from->width; x++) {
-            image_set(to, left + x, bottom + y, image_get(from, x, y));
-        }
-    }
-}
-
 /* ---- Small things on a large floor ---- */
 
 enum { FLOOR_TREES = 6, FLOOR_COUNT = FLOOR_TREES + 2 };
@@ -283,31 +242,28 @@ static void make_floor(struct drawn list[FLOOR_COUNT]) {
     }
 }
 
-/* ---- Large triangles: from left to right with a depth buffer, by the painter, by mean depth ----
- */
+/* ---- Large triangles ---- */
 
+/* From left to right: with a depth buffer, by the painter, by mean depth. */
 static bool draw_large(const char *name, const struct drawn *list, size_t count,
                        const char *directory, double *depth, void *buffer, struct error *error) {
-    enum { WIDTH = 260, HEIGHT = 250 };
-    struct image right = {0}, wrong = {0}, all = {0};
-    bool done = image_create(&right, WIDTH, HEIGHT, IMAGE_BGR, error) &&
-                image_create(&wrong, WIDTH, HEIGHT, IMAGE_BGR, error) &&
-                image_create(&all, 3 * WIDTH, HEIGHT, IMAGE_BGR, error);
+    struct sheet sheet = {.width = 260, .height = 250, .columns = 3, .rows = 1};
+    struct image right = {0};
+    bool done = sheet_create(&sheet, error) &&
+                image_create(&right, sheet.width, sheet.height, IMAGE_BGR, error);
     if (done) {
         draw_right(&right, list, count, depth);
-        paste(&all, &right, 0, 0);
+        sheet_add_detail(&sheet, &right, detail_of_whole(&right, 1, 0));
         for (int i = 1; i <= 2; i++) { /* attempts 2 and 3 */
-            image_clear(&wrong, color_grey(0));
-            versions[i].draw(&wrong, list, count, buffer);
+            versions[i].draw(&sheet.panel, list, count, buffer);
             printf("%-6s %-28s %6zu pixels wrong\n", name, versions[i].name,
-                   different_pixels(&right, &wrong));
-            paste(&all, &wrong, i * WIDTH, 0);
+                   different_pixels(&right, &sheet.panel));
+            sheet_add(&sheet);
         }
-        done = save(&all, directory, name, error);
+        done = figure_save(&sheet.image, directory, name, error);
     }
     image_free(&right);
-    image_free(&wrong);
-    image_free(&all);
+    sheet_free(&sheet);
     return done;
 }
 
@@ -340,34 +296,32 @@ static void make_sheets(struct drawn list[4]) {
 }
 
 static bool draw_sheets(const char *directory, double *depth, void *buffer, struct error *error) {
-    enum { FIRST = 5, STRIPS = 7, STEP = SHEETS_HEIGHT + 6 };
+    enum { FIRST = 5, STRIPS = 7 };
+    struct sheet sheet = {
+        .width = SHEETS_WIDTH, .height = SHEETS_HEIGHT, .columns = 1, .rows = STRIPS, .gap = 6};
     struct drawn list[4];
-    struct image strip = {0}, right = {0}, all = {0};
-    bool done = image_create(&strip, SHEETS_WIDTH, SHEETS_HEIGHT, IMAGE_BGR, error) &&
-                image_create(&right, SHEETS_WIDTH, SHEETS_HEIGHT, IMAGE_BGR, error) &&
-                image_create(&all, SHEETS_WIDTH, STRIPS * STEP - 6, IMAGE_BGR, error);
+    struct image right = {0};
+    bool done = sheet_create(&sheet, error) &&
+                image_create(&right, SHEETS_WIDTH, SHEETS_HEIGHT, IMAGE_BGR, error);
     make_sheets(list);
     if (done) {
-        image_clear(&all, color_grey(255));
         image_clear(&right, list[2].color); /* the orange sheet is nowhere behind the blue one */
         for (int i = 0; i < STRIPS; i++) {
             bool last = i == STRIPS - 1;
-            image_clear(&strip, color_grey(0));
             if (last) {
-                draw_right(&strip, list, 4, depth);
+                draw_right(&sheet.panel, list, 4, depth);
             } else {
-                versions[FIRST + i].draw(&strip, list, 4, buffer);
+                versions[FIRST + i].draw(&sheet.panel, list, 4, buffer);
             }
             printf("sheets %-28s %6zu pixels wrong\n",
                    last ? "double (main.c)" : versions[FIRST + i].name,
-                   different_pixels(&strip, &right));
-            paste(&all, &strip, 0, (STRIPS - 1 - i) * STEP);
+                   different_pixels(&sheet.panel, &right));
+            sheet_add(&sheet);
         }
-        done = save(&all, directory, "sheets", error);
+        done = figure_save(&sheet.image, directory, "sheets", error);
     }
-    image_free(&strip);
     image_free(&right);
-    image_free(&all);
+    sheet_free(&sheet);
     return done;
 }
 
@@ -382,43 +336,39 @@ static bool draw_row_steps(const char *directory, double *depth, struct error *e
     };
     static const int order[4][3] = {{0}, {0, 1}, {0, 1, 2}, {2, 1, 0}};
     static const int length[4] = {1, 2, 3, 3};
-    struct color row[800];
+    enum { STRIP = 28 }; /* height; between two strips are 8 rows of black */
     struct image image;
-    if (!image_create(&image, 800, 4 * 36 - 8, IMAGE_BGR, error)) {
+    if (!image_create(&image, 800, 4 * (STRIP + 8) - 8, IMAGE_BGR, error)) {
         return false;
     }
     for (int i = 0; i < 4; i++) {
-        clear_depth(depth, 800);
-        memset(row, 0, sizeof row);
+        depth_clear(depth, 800);
+        int bottom = (3 - i) * (STRIP + 8);
         for (int k = 0; k < length[i]; k++) {
-            draw_segment(&segments[order[i][k]], row, depth, 800);
+            draw_segment(&segments[order[i][k]], &image, bottom, depth);
         }
-        draw_strip(&image, row, (3 - i) * 36, 28);
+        for (int x = 0; x < 800; x++) {
+            draw_column(&image, x, bottom, STRIP, image_get(&image, x, bottom));
+        }
     }
-    bool done = save(&image, directory, "row_steps", error);
+    bool done = figure_save(&image, directory, "row_steps", error);
     image_free(&image);
     return done;
 }
 
-int main(int argc, char **argv) {
-    struct error error = {0};
-    if (argc != 2) {
-        fprintf(stderr, "usage: figures OUTDIR\n");
-        return 2;
-    }
+bool draw_figures(const char *directory, struct model *bust, struct error *error) {
+    /* The buffer holds 4 bytes a pixel, or the list of the painter. */
+    size_t depths_size = 800 * 800 * sizeof(uint32_t);
+    size_t list_size = bust->face_count * sizeof(struct drawn);
     double *depth = malloc(800 * 800 * sizeof *depth);
-    void *buffer = malloc(800 * 800 * sizeof(uint32_t));
+    void *buffer = malloc(list_size > depths_size ? list_size : depths_size);
     bool done = depth != NULL && buffer != NULL;
-    done = done ? draw_row_steps(argv[1], depth, &error) &&
-                      draw_bust(argv[1], depth, buffer, &error) &&
-                      draw_circle_and_floor(argv[1], depth, buffer, &error) &&
-                      draw_sheets(argv[1], depth, buffer, &error)
-                : error_set(&error, "out of memory");
+    done = done ? draw_row_steps(directory, depth, error) &&
+                      draw_bust(bust, directory, depth, buffer, error) &&
+                      draw_circle_and_floor(directory, depth, buffer, error) &&
+                      draw_sheets(directory, depth, buffer, error)
+                : error_out_of_memory(error);
     free(depth);
     free(buffer);
-    if (!done) {
-        fprintf(stderr, "figures: %s\n", error.message);
-        return 1;
-    }
-    return 0;
+    return done;
 }

@@ -13,13 +13,15 @@
 
 /* ---- Samplers ---- */
 
+typedef struct color attempt_sampler(const struct texture *texture, struct vec2 uv);
+
 /* Wrong: rounds where it should cut off. The whole picture is shifted by half a texel: the first
  * row and column of texels appear half as wide, the last ones half again as wide. */
 static inline struct color attempt_sample_rounded(const struct texture *texture, struct vec2 uv) {
     const struct texture_level *level = &texture->level[0];
     double right = (double)(level->width - 1), top = (double)(level->height - 1);
-    size_t x = (size_t)clamp(floor(uv.x * (double)level->width + 0.5), right);
-    size_t y = (size_t)clamp(floor(uv.y * (double)level->height + 0.5), top);
+    size_t x = (size_t)texture_clamp(floor(uv.x * (double)level->width + 0.5), right);
+    size_t y = (size_t)texture_clamp(floor(uv.y * (double)level->height + 0.5), top);
     return color_from_texel(level->texels[y * level->width + x]);
 }
 
@@ -41,63 +43,23 @@ static inline struct color attempt_sample_bilinear(const struct texture *texture
 
 /* ---- Triangles ---- */
 
-/* What perspective_triangle() keeps of a triangle. */
-struct attempt_plane {
-    struct edges edges;
-    double q[3];               /* 1/w of each corner */
-    struct vec2 p[3];          /* (u/w, v/w) of each corner */
-    double q_right, q_up;      /* gained by 1/w in one step to the right and one up */
-    struct vec2 p_right, p_up; /* gained by (u/w, v/w) */
-};
-
-static inline bool attempt_begin(struct attempt_plane *plane, const struct image *image,
-                                 const struct vertex v[3]) {
-    if (!edges_setup(&plane->edges, v[0].position, v[1].position, v[2].position, image->width,
-                     image->height)) {
-        return false;
-    }
-    const struct edge *e = plane->edges.edge;
-    double area = (double)plane->edges.area;
-    struct vec3 right = {(double)e[0].dx / area, (double)e[1].dx / area, (double)e[2].dx / area};
-    struct vec3 up = {(double)e[0].dy / area, (double)e[1].dy / area, (double)e[2].dy / area};
-    for (int i = 0; i < 3; i++) {
-        plane->q[i] = v[i].recip_w;
-        plane->p[i] = vec2_scale(v[i].uv, v[i].recip_w);
-    }
-    plane->q_right = interpolate(right, plane->q[0], plane->q[1], plane->q[2]);
-    plane->q_up = interpolate(up, plane->q[0], plane->q[1], plane->q[2]);
-    plane->p_right = vec2_interpolate(right, plane->p[0], plane->p[1], plane->p[2]);
-    plane->p_up = vec2_interpolate(up, plane->p[0], plane->p[1], plane->p[2]);
-    return true;
-}
-
-/* Where the pixel lies in the picture: exact, with one division. */
-static inline struct vec2 attempt_uv(const struct attempt_plane *plane, int x, int y, double *w) {
-    struct vec3 weight = edges_weights(&plane->edges, x, y);
-    *w = 1 / interpolate(weight, plane->q[0], plane->q[1], plane->q[2]);
-    return vec2_scale(vec2_interpolate(weight, plane->p[0], plane->p[1], plane->p[2]), *w);
-}
-
-static inline double attempt_level(const struct attempt_plane *plane, struct vec2 uv, double w,
+static inline double attempt_level(const struct plane *plane, struct vec2 uv, double w,
                                    const struct texture *texture) {
-    struct vec2 right = vec2_scale(vec2_sub(plane->p_right, vec2_scale(uv, plane->q_right)), w);
-    struct vec2 up = vec2_scale(vec2_sub(plane->p_up, vec2_scale(uv, plane->q_up)), w);
-    return mip_level(right, up, texture);
+    return mip_level(uv_step(plane->right, uv, w), uv_step(plane->up, uv, w), texture);
 }
 
 /* Exact coordinates and a sampler that knows nothing of mip levels. */
-static inline void
-attempt_perspective(struct image *image, const struct vertex v[3], const struct texture *texture,
-                    struct color (*sampler)(const struct texture *, struct vec2)) {
-    struct attempt_plane plane;
-    if (!attempt_begin(&plane, image, v)) {
+static inline void attempt_perspective(struct image *image, const struct vertex v[3],
+                                       const struct texture *texture, attempt_sampler *sampler) {
+    struct plane plane;
+    if (!plane_begin(&plane, image, v)) {
         return;
     }
     for (int y = plane.edges.y_begin; y < plane.edges.y_end; y++) {
         struct span span = edges_span(&plane.edges, y);
         for (int x = span.begin; x < span.end; x++) {
             double w;
-            struct vec2 uv = attempt_uv(&plane, x, y, &w);
+            struct vec2 uv = plane_uv(&plane, x, y, &w);
             image_set(image, x, y, sampler(texture, repeat(uv)));
         }
     }
@@ -132,8 +94,8 @@ static inline void attempt_4_no_levels(struct image *image, const struct vertex 
  * do not become smaller with distance. */
 static inline void attempt_5_affine(struct image *image, const struct vertex v[3],
                                     const struct texture *texture) {
-    struct attempt_plane plane;
-    if (!attempt_begin(&plane, image, v)) {
+    struct plane plane;
+    if (!plane_begin(&plane, image, v)) {
         return;
     }
     for (int y = plane.edges.y_begin; y < plane.edges.y_end; y++) {
@@ -150,20 +112,20 @@ static inline void attempt_5_affine(struct image *image, const struct vertex v[3
  * one division for `step` pixels. Where the distance changes fast along a row, lines get waves. */
 static inline void attempt_every(struct image *image, const struct vertex v[3],
                                  const struct texture *texture, int step) {
-    struct attempt_plane plane;
-    if (!attempt_begin(&plane, image, v)) {
+    struct plane plane;
+    if (!plane_begin(&plane, image, v)) {
         return;
     }
     for (int y = plane.edges.y_begin; y < plane.edges.y_end; y++) {
         struct span span = edges_span(&plane.edges, y);
         double w;
-        struct vec2 begin = attempt_uv(&plane, span.begin, y, &w);
+        struct vec2 begin = plane_uv(&plane, span.begin, y, &w);
         for (int x = span.begin; x < span.end; x += step) {
             int length = span.end - x < step ? span.end - x : step;
             double level = attempt_level(&plane, begin, w, texture);
             /* The last piece of a row ends at its last pixel: beyond the edge 1/w may reach 0. */
             int last = x + length < span.end ? length : length - 1;
-            struct vec2 end = attempt_uv(&plane, x + last, y, &w);
+            struct vec2 end = plane_uv(&plane, x + last, y, &w);
             struct vec2 gain = vec2_scale(vec2_sub(end, begin), last > 0 ? 1.0 / last : 0);
             for (int i = 0; i < length; i++) {
                 struct vec2 uv = vec2_add(begin, vec2_scale(gain, i));
@@ -190,8 +152,8 @@ static inline void attempt_8_affine_levels(struct image *image, const struct ver
                                            const struct texture *texture) {
     struct vertex same[3] = {v[0], v[1], v[2]}; /* all at the same distance */
     same[0].recip_w = same[1].recip_w = same[2].recip_w = 1;
-    struct attempt_plane plane;
-    if (!attempt_begin(&plane, image, same)) {
+    struct plane plane;
+    if (!plane_begin(&plane, image, same)) {
         return;
     }
     double level = attempt_level(&plane, v[0].uv, 1, texture);
@@ -286,10 +248,10 @@ static inline struct vec2 mistaken_uv(const struct model *model, size_t face, si
 static inline void draw_mistake(struct image *image, double *depth, const struct model *model,
                                 const struct texture *texture, enum texture_mistake mistake) {
     struct canvas canvas = {.image = image, .depth = depth, .skip = true};
-    clear_depth(depth, image->width * image->height);
+    depth_clear(depth, image->width * image->height);
     for (size_t face = 0; face < model->face_count; face++) {
         struct vertex vertices[3];
-        double intensity = face_intensity(model, face, (struct vec3){0, 0, -1});
+        double intensity = model_face_intensity(model, face, (struct vec3){0, 0, -1});
         if (!(intensity > 0) || !place_face(model, face, image, vertices)) {
             continue;
         }

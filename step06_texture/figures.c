@@ -1,62 +1,18 @@
-/*
- * Step 6: the pictures of the lesson that are not references, and its numbers.
- *
- *     figures DIR    writes DIR/NAME.png and prints the errors of the attempts
- */
+/* The pictures of step 6's README that are not references, and the errors of the attempts. */
+#include "../tests/figures.h"
 #define main step_main
-int step_main(int argc, char **argv);
 #include "main.c"
 #undef main
 
 #include "attempts.h"
-#include "png.h"
 
 #include <stdio.h>
-#include <string.h>
+#include <stdlib.h>
 
-#ifndef COURSE_BUILD
-#define COURSE_BUILD "build"
-#endif
-
-enum { GAP = 8, GAP_LEVEL = 255 }; /* white between the panels of a figure */
+enum { GAP = 8 }; /* pixels between the panels of a figure */
 
 typedef void draw_function(struct image *image, const struct vertex v[3],
                            const struct texture *texture);
-
-/* A picture of `count` panels side by side, `columns` in a row, the first one top left. */
-static bool make_figure(struct image *figure, size_t width, size_t height, size_t columns,
-                        size_t count, struct error *error) {
-    size_t rows = (count + columns - 1) / columns;
-    if (!image_create(figure, columns * (width + GAP) - GAP, rows * (height + GAP) - GAP, IMAGE_BGR,
-                      error)) {
-        return false;
-    }
-    image_clear(figure, color_grey(GAP_LEVEL));
-    return true;
-}
-
-/* Copy a part of `from` (its left bottom corner at left, bottom) into panel `index`, each pixel as
- * a square of `zoom` pixels. */
-static void place_panel(struct image *figure, const struct image *from, struct pixel corner,
-                        size_t width, size_t height, int zoom, size_t index, size_t columns) {
-    size_t to_x = index % columns * (width + GAP);
-    size_t to_y = figure->height - height - index / columns * (height + GAP);
-    for (size_t y = 0; y < height; y++) {
-        for (size_t x = 0; x < width; x++) {
-            image_set(figure, (int)(to_x + x), (int)(to_y + y),
-                      image_get(from, corner.x + (int)x / zoom, corner.y + (int)y / zoom));
-        }
-    }
-}
-
-static bool save_figure(const char *directory, const char *name, const struct image *figure,
-                        struct error *error) {
-    char path[1024];
-    if (snprintf(path, sizeof path, "%s/%s.png", directory, name) >= (int)sizeof path) {
-        return error_set(error, "the directory's name is too long");
-    }
-    return png_write(figure, path, error);
-}
 
 /* The good version, with the attempts' parameters. */
 static void draw_good(struct image *image, const struct vertex v[3],
@@ -97,10 +53,8 @@ static bool draw_samplers(const char *directory, struct error *error) {
     static draw_function *const draws[] = {attempt_1_rounded, attempt_2_nearest,
                                            attempt_3_unshifted, attempt_4_no_levels};
     struct texture texture = {0};
-    struct image panel = {0}, figure = {0};
-    bool done = make_small_texture(&texture, error) &&
-                image_create(&panel, SIDE, SIDE, IMAGE_BGR, error) &&
-                make_figure(&figure, SIDE, SIDE, 4, 4, error);
+    struct sheet sheet = {.width = SIDE, .height = SIDE, .columns = 4, .rows = 1, .gap = GAP};
+    bool done = make_small_texture(&texture, error) && sheet_create(&sheet, error);
     const int32_t end = SIDE * SUBPIXELS;
     const struct vertex corners[4] = {
         {.position = {0, 0}, .uv = {0, 0}, .recip_w = 1},
@@ -109,12 +63,11 @@ static bool draw_samplers(const char *directory, struct error *error) {
         {.position = {0, end}, .uv = {0, 1}, .recip_w = 1},
     };
     for (size_t i = 0; done && i < 4; i++) {
-        draw_quad(&panel, corners, &texture, draws[i]);
-        place_panel(&figure, &panel, (struct pixel){0, 0}, SIDE, SIDE, 1, i, 4);
+        draw_quad(&sheet.panel, corners, &texture, draws[i]);
+        sheet_add(&sheet);
     }
-    done = done && save_figure(directory, "samplers", &figure, error);
-    image_free(&figure);
-    image_free(&panel);
+    done = done && figure_save(&sheet.image, directory, "samplers", error);
+    sheet_free(&sheet);
     texture_free(&texture);
     return done;
 }
@@ -124,23 +77,20 @@ static bool draw_samplers(const char *directory, struct error *error) {
 static bool draw_affine(const char *directory, const struct texture *checker, struct error *error) {
     enum { SIDE = 320 };
     static draw_function *const draws[] = {attempt_5_affine, draw_good};
-    struct image panel = {0}, figure = {0};
-    bool done = image_create(&panel, SIDE, SIDE, IMAGE_BGR, error) &&
-                make_figure(&figure, SIDE, SIDE, 2, 2, error);
+    struct sheet sheet = {.width = SIDE, .height = SIDE, .columns = 2, .rows = 1, .gap = GAP};
+    bool done = sheet_create(&sheet, error);
     for (size_t i = 0; done && i < 2; i++) {
         const struct vertex corners[4] = {
-            place_on_plane(-1.7, 1.25, &panel),
-            place_on_plane(0.8, 1.25, &panel),
-            place_on_plane(0.8, 4.25, &panel),
-            place_on_plane(-1.7, 4.25, &panel),
+            place_on_plane(-1.7, 1.25, &sheet.panel),
+            place_on_plane(0.8, 1.25, &sheet.panel),
+            place_on_plane(0.8, 4.25, &sheet.panel),
+            place_on_plane(-1.7, 4.25, &sheet.panel),
         };
-        image_clear(&panel, color_grey(0));
-        draw_quad(&panel, corners, checker, draws[i]);
-        place_panel(&figure, &panel, (struct pixel){0, 0}, SIDE, SIDE, 1, i, 2);
+        draw_quad(&sheet.panel, corners, checker, draws[i]);
+        sheet_add(&sheet);
     }
-    done = done && save_figure(directory, "affine", &figure, error);
-    image_free(&figure);
-    image_free(&panel);
+    done = done && figure_save(&sheet.image, directory, "affine", error);
+    sheet_free(&sheet);
     return done;
 }
 
@@ -177,18 +127,35 @@ static bool draw_versions(struct image images[VERSION_COUNT], const struct textu
     return true;
 }
 
-/* Parts of the whole scene, enlarged. */
+/* A part of the whole scene by `count` versions. */
 static bool draw_parts(const char *directory, const char *name, const struct image *images,
-                       const size_t *which, size_t count, struct pixel corner, int zoom,
-                       struct error *error) {
-    enum { WIDTH = 324, HEIGHT = 240 };
-    struct image figure = {0};
-    bool done = make_figure(&figure, WIDTH, HEIGHT, count, count, error);
+                       const size_t *which, size_t count, struct detail part, struct error *error) {
+    struct sheet sheet = {.width = (size_t)(part.width * part.zoom),
+                          .height = (size_t)(part.height * part.zoom),
+                          .columns = count,
+                          .rows = 1,
+                          .gap = GAP};
+    bool done = sheet_create(&sheet, error);
     for (size_t i = 0; done && i < count; i++) {
-        place_panel(&figure, &images[which[i]], corner, WIDTH, HEIGHT, zoom, i, count);
+        sheet_add_detail(&sheet, &images[which[i]], part);
     }
-    done = done && save_figure(directory, name, &figure, error);
-    image_free(&figure);
+    done = done && figure_save(&sheet.image, directory, name, error);
+    sheet_free(&sheet);
+    return done;
+}
+
+/* Draw the scene by every version, print their errors, and show where they differ. */
+static bool draw_scene(const char *directory, const struct texture *checker, struct error *error) {
+    static const size_t horizon[] = {VERSION_NEAREST, VERSION_BILINEAR, VERSION_GOOD};
+    static const size_t waves[] = {VERSION_EVERY_16, VERSION_GOOD};
+    const struct detail far = {200, 440, 162, 120, .zoom = 2}, near = {0, 350, 108, 80, .zoom = 3};
+    struct image images[VERSION_COUNT] = {{0}};
+    bool done = draw_versions(images, checker, error) &&
+                draw_parts(directory, "horizon", images, horizon, 3, far, error) &&
+                draw_parts(directory, "waves", images, waves, 2, near, error);
+    for (size_t i = 0; i < VERSION_COUNT; i++) {
+        image_free(&images[i]);
+    }
     return done;
 }
 
@@ -220,7 +187,7 @@ static bool draw_levels(const char *directory, struct error *error) {
         place_plane(&panel, corners);
         draw_quad(&panel, corners, &texture, draw_good);
         done = image_scale(&panel, SHOWN, SHOWN, error) &&
-               save_figure(directory, "levels", &panel, error);
+               figure_save(&panel, directory, "levels", error);
     }
     image_free(&panel);
     texture_free(&texture);
@@ -229,58 +196,31 @@ static bool draw_levels(const char *directory, struct error *error) {
 
 /* ---- Mistakes ---- */
 
-static bool draw_mistakes(const char *directory, struct error *error) {
+static bool draw_mistakes(struct model *bust, const char *directory, struct error *error) {
     enum { SIDE = 256 };
-    struct model model = {0};
-    struct image panel = {0}, figure = {0};
+    struct sheet sheet = {
+        .width = SIDE, .height = SIDE, .columns = MISTAKE_COUNT, .rows = 1, .gap = GAP};
+    const struct texture *texture = model_texture(bust, MODEL_DIFFUSE, error);
     double *depth = malloc(SIDE * SIDE * sizeof *depth);
-    const struct texture *texture = NULL;
-    bool done = depth != NULL;
-    if (!done) {
-        error_set(error, "out of memory");
+    if (depth == NULL) {
+        return error_out_of_memory(error);
     }
-    done = done && model_read(&model, COURSE_BUILD "/models/bust.obj", error);
-    done = done && (texture = model_texture(&model, MODEL_DIFFUSE, error)) != NULL;
-    done = done && image_create(&panel, SIDE, SIDE, IMAGE_BGR, error) &&
-           make_figure(&figure, SIDE, SIDE, MISTAKE_COUNT, MISTAKE_COUNT, error);
+    bool done = texture != NULL && sheet_create(&sheet, error);
     for (size_t i = 0; done && i < MISTAKE_COUNT; i++) {
-        image_clear(&panel, color_grey(0));
-        draw_mistake(&panel, depth, &model, texture, (enum texture_mistake)i);
-        place_panel(&figure, &panel, (struct pixel){0, 0}, SIDE, SIDE, 1, i, MISTAKE_COUNT);
+        draw_mistake(&sheet.panel, depth, bust, texture, (enum texture_mistake)i);
+        sheet_add(&sheet);
     }
-    done = done && save_figure(directory, "mistakes", &figure, error);
-    image_free(&figure);
-    image_free(&panel);
-    model_free(&model);
+    done = done && figure_save(&sheet.image, directory, "mistakes", error);
+    sheet_free(&sheet);
     free(depth);
     return done;
 }
 
-int main(int argc, char **argv) {
-    static const size_t horizon[] = {VERSION_NEAREST, VERSION_BILINEAR, VERSION_GOOD};
-    static const size_t waves[] = {VERSION_EVERY_16, VERSION_GOOD};
-    struct error error = {0};
+bool draw_figures(const char *directory, struct model *bust, struct error *error) {
     struct texture checker = {0};
-    struct image images[VERSION_COUNT];
-    memset(images, 0, sizeof images);
-    if (argc != 2) {
-        fprintf(stderr, "usage: figures DIR\n");
-        return 2;
-    }
-    const char *directory = argv[1];
-    bool done =
-        make_checker(&checker, &error) && draw_versions(images, &checker, &error) &&
-        draw_samplers(directory, &error) && draw_affine(directory, &checker, &error) &&
-        draw_parts(directory, "horizon", images, horizon, 3, (struct pixel){200, 440}, 2, &error) &&
-        draw_parts(directory, "waves", images, waves, 2, (struct pixel){0, 350}, 3, &error) &&
-        draw_levels(directory, &error) && draw_mistakes(directory, &error);
-    for (size_t i = 0; i < VERSION_COUNT; i++) {
-        image_free(&images[i]);
-    }
+    bool done = make_checker(&checker, error) && draw_scene(directory, &checker, error) &&
+                draw_samplers(directory, error) && draw_affine(directory, &checker, error) &&
+                draw_levels(directory, error) && draw_mistakes(bust, directory, error);
     texture_free(&checker);
-    if (!done) {
-        fprintf(stderr, "figures: %s\n", error.message);
-        return 1;
-    }
-    return 0;
+    return done;
 }

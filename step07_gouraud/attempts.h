@@ -28,12 +28,9 @@ static inline void attempt_fill(struct canvas *canvas, const struct attempt_face
     const struct vertex *v = face->vertices;
     for (int y = face->edges.y_begin; y < face->edges.y_end; y++) {
         struct span span = edges_span(&face->edges, y);
-        double *row = canvas->depth + (size_t)y * canvas->width;
         for (int x = span.begin; x < span.end; x++) {
             struct vec3 weight = edges_weights(&face->edges, x, y);
-            double depth = interpolate(weight, v[0].depth, v[1].depth, v[2].depth);
-            if (depth > row[x]) {
-                row[x] = depth;
+            if (depth_test(canvas, v, weight, x, y)) {
                 image_set(canvas->image, x, y, color_grey(level_at(face, weight, light)));
             }
         }
@@ -181,7 +178,7 @@ static inline void sphere_part(struct canvas *canvas, struct vec3 a, struct vec3
 /* A sphere that nearly fills the image, made of 8 * 4^times triangles: an octahedron, cut up. */
 static inline void attempt_sphere(struct canvas *canvas, int times, struct vec3 light,
                                   attempt_function *attempt) {
-    clear_depth(canvas->depth, canvas->width * canvas->height);
+    depth_clear(canvas->depth, canvas->width * canvas->height);
     for (int octant = 0; octant < 8; octant++) {
         struct vec3 x = {octant & 1 ? -1 : 1, 0, 0}, y = {0, octant & 2 ? -1 : 1, 0};
         struct vec3 z = {0, 0, octant & 4 ? -1 : 1};
@@ -230,19 +227,16 @@ enum normal_weight {
     WEIGHT_COUNT
 };
 
-/* Replace the computed normals of a model that had none, for which model_need_normals() has made
- * one normal per position. With `unit` false they keep their length: the sums of the face normals.
- */
+/* Replace the normals of a model that had none, for which model_need_normals() has made one normal
+ * per position. With `unit` false they keep their length: the sums of the face normals. */
 static inline void attempt_normals(struct model *model, enum normal_weight weight, bool unit) {
     for (size_t i = 0; i < model->normal_count; i++) {
         struct vec3 sum = {0, 0, 0};
         for (size_t face = 0; face < model->face_count; face++) {
-            struct vec3 p0 = model_position(model, face, 0);
-            struct vec3 cross = vec3_cross(vec3_sub(model_position(model, face, 1), p0),
-                                           vec3_sub(model_position(model, face, 2), p0));
+            struct vec3 normal = model_face_normal(model, face); /* as long as twice its area */
             const struct corner *corner = model->faces[face].corner;
             if (corner[0].normal == i || corner[1].normal == i || corner[2].normal == i) {
-                sum = vec3_add(sum, weight == WEIGHT_AREA ? cross : vec3_normalized(cross));
+                sum = vec3_add(sum, weight == WEIGHT_AREA ? normal : vec3_normalized(normal));
             }
         }
         sum = unit ? vec3_normalized(sum) : sum;
@@ -274,16 +268,13 @@ static inline struct vec3 attempt_corner_normal(const struct model *model, size_
 static inline void attempt_model(struct canvas *canvas, const struct model *model,
                                  struct vec3 light, attempt_function *attempt,
                                  enum normal_mistake mistake) {
-    struct tally tally = {0};
-    clear_depth(canvas->depth, canvas->width * canvas->height);
+    depth_clear(canvas->depth, canvas->width * canvas->height);
     for (size_t i = 0; i < model->face_count; i++) {
         struct attempt_face face = {0};
-        if (!begin_face(model, i, canvas, face.vertices, &face.edges, &tally)) {
+        if (!begin_face(model, i, canvas, face.vertices, &face.edges)) {
             continue;
         }
-        struct vec3 p0 = model_position(model, i, 0);
-        face.face_normal = vec3_normalized(vec3_cross(vec3_sub(model_position(model, i, 1), p0),
-                                                      vec3_sub(model_position(model, i, 2), p0)));
+        face.face_normal = vec3_normalized(model_face_normal(model, i));
         for (size_t j = 0; j < 3; j++) {
             face.normals[j] = attempt_corner_normal(model, i, j, mistake);
         }

@@ -1,78 +1,43 @@
-/*
- * Step 7: the pictures of the lesson that are not references, and its numbers.
- *
- *     figures DIR    writes DIR/NAME.png and prints errors and normals
- */
+/* The pictures of step 7's README that are not references, and its errors and normals. */
+#include "../tests/figures.h"
 #define main step_main
-int step_main(int argc, char **argv);
 #include "main.c"
 #undef main
 
 #include "attempts.h"
-#include "png.h"
 
 #include <stdio.h>
-#include <string.h>
+#include <stdlib.h>
 
-#ifndef COURSE_BUILD
-#define COURSE_BUILD "build"
-#endif
+enum { SIDE = 256, GAP = 8 }; /* pixels of a panel, and between two panels */
 
-enum { GAP = 8, GAP_LEVEL = 255 }; /* white between the panels of a figure */
-enum { SIDE = 256 };               /* pixels of a panel */
-
-/* A canvas of one panel, and the figure that the panels are copied to. */
-struct sheet {
-    struct image panel, figure;
+/* The panels of a figure, and a canvas on which the next one is drawn. */
+struct figure {
+    struct sheet sheet;
     struct canvas canvas;
-    size_t columns, next;
 };
 
-static bool sheet_begin(struct sheet *sheet, size_t columns, size_t rows, struct error *error) {
-    *sheet = (struct sheet){.columns = columns};
-    double *depth = malloc(SIDE * SIDE * sizeof *depth);
-    if (depth == NULL) {
-        return error_set(error, "out of memory");
+static bool figure_begin(struct figure *figure, size_t columns, size_t rows, struct error *error) {
+    *figure = (struct figure){.sheet = {.width = SIDE,
+                                        .height = SIDE,
+                                        .columns = columns,
+                                        .rows = rows,
+                                        .gap = GAP,
+                                        .format = IMAGE_GREY}};
+    figure->canvas = (struct canvas){.image = &figure->sheet.panel,
+                                     .width = SIDE,
+                                     .height = SIDE,
+                                     .depth = malloc(SIDE * SIDE * sizeof(double)),
+                                     .skip = true};
+    if (figure->canvas.depth == NULL) {
+        return error_out_of_memory(error);
     }
-    sheet->canvas =
-        (struct canvas){.image = &sheet->panel, .width = SIDE, .height = SIDE, .depth = depth};
-    sheet->canvas.skip = true;
-    if (!image_create(&sheet->panel, SIDE, SIDE, IMAGE_GREY, error) ||
-        !image_create(&sheet->figure, columns * (SIDE + GAP) - GAP, rows * (SIDE + GAP) - GAP,
-                      IMAGE_GREY, error)) {
-        return false;
-    }
-    image_clear(&sheet->figure, color_grey(GAP_LEVEL));
-    return true;
+    return sheet_create(&figure->sheet, error);
 }
 
-/* The panel goes to the next place, the first one top left, and becomes black. */
-static void sheet_next(struct sheet *sheet) {
-    int left = (int)(sheet->next % sheet->columns) * (SIDE + GAP);
-    int bottom =
-        (int)sheet->figure.height - SIDE - (int)(sheet->next / sheet->columns) * (SIDE + GAP);
-    for (int y = 0; y < SIDE; y++) {
-        for (int x = 0; x < SIDE; x++) {
-            image_set(&sheet->figure, left + x, bottom + y, image_get(&sheet->panel, x, y));
-        }
-    }
-    image_clear(&sheet->panel, color_grey(0));
-    sheet->next++;
-}
-
-static bool sheet_save(const struct sheet *sheet, const char *directory, const char *name,
-                       struct error *error) {
-    char path[1024];
-    if (snprintf(path, sizeof path, "%s/%s.png", directory, name) >= (int)sizeof path) {
-        return error_set(error, "the directory's name is too long");
-    }
-    return png_write(&sheet->figure, path, error);
-}
-
-static void sheet_free(struct sheet *sheet) {
-    free(sheet->canvas.depth);
-    image_free(&sheet->panel);
-    image_free(&sheet->figure);
+static void figure_free(struct figure *figure) {
+    free(figure->canvas.depth);
+    sheet_free(&figure->sheet);
 }
 
 /* ---- The sphere: three versions, three meshes ---- */
@@ -90,21 +55,21 @@ static bool draw_spheres(const char *directory, struct error *error) {
         {"Gouraud, clamped after interpolation", attempt_5_late, false},
     };
     const struct vec3 light = vec3_normalized((struct vec3){1, 2, 2});
-    struct sheet sheet;
-    bool done = sheet_begin(&sheet, 3, 3, error);
+    struct figure figure;
+    bool done = figure_begin(&figure, 3, 3, error);
     for (size_t i = 0; done && i < sizeof versions / sizeof versions[0]; i++) {
         for (int times = 2; times <= 4; times++) {
-            attempt_sphere(&sheet.canvas, times, light, versions[i].attempt);
+            attempt_sphere(&figure.canvas, times, light, versions[i].attempt);
             printf("%-36s %4d triangles: error %5.2f levels\n", versions[i].name, 8 << 2 * times,
-                   sphere_error(&sheet.canvas, light));
+                   sphere_error(&figure.canvas, light));
             if (versions[i].shown) {
-                sheet_next(&sheet);
+                sheet_add(&figure.sheet);
             }
-            image_clear(&sheet.panel, color_grey(0));
+            image_clear(&figure.sheet.panel, color_grey(0));
         }
     }
-    done = done && sheet_save(&sheet, directory, "spheres", error);
-    sheet_free(&sheet);
+    done = done && figure_save(&figure.sheet.image, directory, "spheres", error);
+    figure_free(&figure);
     return done;
 }
 
@@ -119,15 +84,15 @@ struct picture {
 static bool draw_pictures(const char *directory, const char *name, const struct model *model,
                           const struct picture *pictures, size_t picture_count,
                           struct error *error) {
-    struct sheet sheet;
-    bool done = sheet_begin(&sheet, picture_count, 1, error);
+    struct figure figure;
+    bool done = figure_begin(&figure, picture_count, 1, error);
     for (size_t i = 0; done && i < picture_count; i++) {
-        attempt_model(&sheet.canvas, model, vec3_normalized(pictures[i].light), pictures[i].attempt,
-                      pictures[i].mistake);
-        sheet_next(&sheet);
+        attempt_model(&figure.canvas, model, vec3_normalized(pictures[i].light),
+                      pictures[i].attempt, pictures[i].mistake);
+        sheet_add(&figure.sheet);
     }
-    done = done && sheet_save(&sheet, directory, name, error);
-    sheet_free(&sheet);
+    done = done && figure_save(&figure.sheet.image, directory, name, error);
+    figure_free(&figure);
     return done;
 }
 
@@ -147,27 +112,27 @@ static bool draw_unnormalised(const char *directory, struct model *model, struct
         {attempt_2_gouraud, NORMAL_INDEX, {0, 0, 1}},
         {attempt_2_gouraud, NORMAL_AS_READ, {0, 0, 1}},
     };
-    struct sheet sheet;
-    bool done = sheet_begin(&sheet, 2, 1, error);
+    struct figure figure;
+    bool done = figure_begin(&figure, 2, 1, error);
     if (done) {
-        attempt_model(&sheet.canvas, model, pictures[0].light, pictures[0].attempt,
+        attempt_model(&figure.canvas, model, pictures[0].light, pictures[0].attempt,
                       pictures[0].mistake);
-        sheet_next(&sheet);
+        sheet_add(&figure.sheet);
         drop_normals(model);
         done = model_need_normals(model, error);
     }
     if (done) {
         attempt_normals(model, WEIGHT_NONE, false);
-        attempt_model(&sheet.canvas, model, pictures[1].light, pictures[1].attempt,
+        attempt_model(&figure.canvas, model, pictures[1].light, pictures[1].attempt,
                       pictures[1].mistake);
-        sheet_next(&sheet);
-        done = sheet_save(&sheet, directory, "mistakes", error);
+        sheet_add(&figure.sheet);
+        done = figure_save(&figure.sheet.image, directory, "mistakes", error);
     }
-    sheet_free(&sheet);
+    figure_free(&figure);
     return done;
 }
 
-static bool draw_bust(const char *directory, struct error *error) {
+static bool draw_bust(struct model *bust, const char *directory, struct error *error) {
     static const struct picture versions[] = {
         {attempt_1_flat, NORMAL_RIGHT, {0, 0, 1}},
         {attempt_2_gouraud, NORMAL_RIGHT, {0, 0, 1}},
@@ -178,14 +143,10 @@ static bool draw_bust(const char *directory, struct error *error) {
         {attempt_5_late, NORMAL_RIGHT, {-1, 0.25, 0}},
         {attempt_6_wrapped, NORMAL_RIGHT, {-1, 0.25, 0}},
     };
-    struct model model = {0};
-    bool done = model_read(&model, COURSE_BUILD "/models/bust.obj", error) &&
-                model_need_normals(&model, error) &&
-                draw_pictures(directory, "versions", &model, versions, 3, error) &&
-                draw_pictures(directory, "clamps", &model, clamps, 3, error) &&
-                draw_unnormalised(directory, &model, error);
-    model_free(&model);
-    return done;
+    return model_need_normals(bust, error) &&
+           draw_pictures(directory, "versions", bust, versions, 3, error) &&
+           draw_pictures(directory, "clamps", bust, clamps, 3, error) &&
+           draw_unnormalised(directory, bust, error);
 }
 
 /* ---- Weights: a box, each side cut into two triangles, seen on a corner ---- */
@@ -223,7 +184,7 @@ static uint32_t normal_of_position(const struct model *model, uint32_t position)
     return 0;
 }
 
-static bool draw_box(struct sheet *sheet, int weight, struct error *error) {
+static bool draw_box(struct figure *figure, int weight, struct error *error) {
     static const char *const names[] = {"unweighted", "by area", "by angle"};
     struct model box;
     if (!model_decode(&box, box_text, sizeof box_text - 1, error)) {
@@ -243,35 +204,26 @@ static bool draw_box(struct sheet *sheet, int weight, struct error *error) {
         for (size_t i = 0; i < box.normal_count; i++) {
             turn_vector(box.normals[i], 1);
         }
-        attempt_model(&sheet->canvas, &box, (struct vec3){0, 0, 1}, attempt_2_gouraud,
+        attempt_model(&figure->canvas, &box, (struct vec3){0, 0, 1}, attempt_2_gouraud,
                       NORMAL_RIGHT);
-        sheet_next(sheet);
+        sheet_add(&figure->sheet);
     }
     model_free(&box);
     return done;
 }
 
 static bool draw_weights(const char *directory, struct error *error) {
-    struct sheet sheet;
-    bool done = sheet_begin(&sheet, WEIGHT_COUNT + 1, 1, error);
+    struct figure figure;
+    bool done = figure_begin(&figure, WEIGHT_COUNT + 1, 1, error);
     for (int weight = 0; done && weight <= WEIGHT_COUNT; weight++) {
-        done = draw_box(&sheet, weight, error);
+        done = draw_box(&figure, weight, error);
     }
-    done = done && sheet_save(&sheet, directory, "weights", error);
-    sheet_free(&sheet);
+    done = done && figure_save(&figure.sheet.image, directory, "weights", error);
+    figure_free(&figure);
     return done;
 }
 
-int main(int argc, char **argv) {
-    struct error error = {0};
-    if (argc != 2) {
-        fprintf(stderr, "usage: figures DIR\n");
-        return 2;
-    }
-    if (!draw_spheres(argv[1], &error) || !draw_weights(argv[1], &error) ||
-        !draw_bust(argv[1], &error)) {
-        fprintf(stderr, "figures: %s\n", error.message);
-        return 1;
-    }
-    return 0;
+bool draw_figures(const char *directory, struct model *bust, struct error *error) {
+    return draw_spheres(directory, error) && draw_weights(directory, error) &&
+           draw_bust(bust, directory, error);
 }

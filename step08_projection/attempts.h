@@ -160,20 +160,9 @@ static inline void attempt_corners(const struct drawing *drawing, size_t face,
 }
 
 /* Whether the whole face lies in front of the near plane and within the guard band. */
-static inline bool attempt_placed(struct position *const corner[3], const struct canvas *canvas) {
+static inline bool attempt_in_front(struct position *const corner[3]) {
     unsigned beyond = corner[0]->beyond | corner[1]->beyond | corner[2]->beyond;
-    return (beyond & (BEYOND_NEAR | BEYOND_GUARD_BAND)) == 0 &&
-           place_once(corner[0], &canvas->to_screen) && place_once(corner[1], &canvas->to_screen) &&
-           place_once(corner[2], &canvas->to_screen);
-}
-
-/* Draw a whole face, without a thought of what lies behind the camera. */
-static inline void attempt_whole(struct drawing *drawing, struct canvas *canvas, size_t index,
-                                 struct vertex v[3]) {
-    static const struct vec3 whole[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-    struct face_in_view face = {.index = index};
-    struct tally tally = {0};
-    draw_part(drawing, canvas, &face, v, whole, &tally);
+    return (beyond & (BEYOND_NEAR | BEYOND_GUARD_BAND)) == 0;
 }
 
 /* Interpolated on the screen as if there were no perspective. With 1/w taken as 1 everywhere the
@@ -185,38 +174,33 @@ static inline void attempt_5_affine(struct drawing *drawing, struct canvas *canv
     for (size_t i = 0; i < drawing->model->face_count; i++) {
         struct position *corner[3];
         attempt_corners(drawing, i, corner);
-        if (attempt_placed(corner, canvas)) {
+        if (attempt_in_front(corner) && place_face(corner, canvas)) {
             struct vertex v[3] = {corner[0]->vertex, corner[1]->vertex, corner[2]->vertex};
             v[0].recip_w = v[1].recip_w = v[2].recip_w = 1;
-            attempt_whole(drawing, canvas, i, v);
+            draw_part(drawing, canvas, i, v, whole_face);
         }
     }
 }
 
 /* One triangle with the weights of the screen for everything: triangle() without correct_weights(),
  * which saves a division and a few products a pixel. */
-static inline void attempt_12_affine_triangle(struct canvas *canvas, const struct edges *edges,
-                                              const struct vertex v[3]) {
-    const struct area *area = &canvas->area;
-    int y_begin = edges->y_begin > area->bottom ? edges->y_begin : area->bottom;
-    int y_end = edges->y_end < area->top ? edges->y_end : area->top;
-    for (int y = y_begin; y < y_end; y++) {
-        struct span span = edges_span(edges, y);
-        int x_begin = span.begin > area->left ? span.begin : area->left;
-        int x_end = span.end < area->right ? span.end : area->right;
+static inline void attempt_12_affine_triangle(const struct canvas *canvas,
+                                              const struct edges *edges, const struct vertex v[3]) {
+    const struct rectangle area = canvas->area;
+    const struct span columns = {area.x, area.x + area.width};
+    const struct span rows = span_overlap((struct span){edges->y_begin, edges->y_end},
+                                          (struct span){area.y, area.y + area.height});
+    for (int y = rows.begin; y < rows.end; y++) {
+        struct span span = span_overlap(edges_span(edges, y), columns);
         double *row = canvas->depth + (size_t)y * canvas->image->width;
-        for (int x = x_begin; x < x_end; x++) {
-            struct vec3 weight = edges_weights(edges, x, y);
-            double depth = interpolate(weight, v[0].depth, v[1].depth, v[2].depth);
-            canvas->pixels_tested++;
+        for (int x = span.begin; x < span.end; x++) {
+            struct vec3 w = edges_weights(edges, x, y);
+            double depth = interpolate(w, v[0].depth, v[1].depth, v[2].depth);
             if (depth > row[x]) {
-                double intensity =
-                    interpolate(weight, v[0].intensity, v[1].intensity, v[2].intensity);
-                struct vec2 uv = vec2_interpolate(weight, v[0].uv, v[1].uv, v[2].uv);
+                double intensity = interpolate(w, v[0].intensity, v[1].intensity, v[2].intensity);
+                struct vec2 uv = vec2_interpolate(w, v[0].uv, v[1].uv, v[2].uv);
                 row[x] = depth;
                 image_set(canvas->image, x, y, shade(canvas->texture, uv, intensity));
-                canvas->pixels_shaded++;
-                canvas->pixels_written++;
             }
         }
     }
@@ -236,7 +220,7 @@ static inline void attempt_6_unclipped(struct drawing *drawing, struct canvas *c
             placed = placed && place(corner[k]->clip, &canvas->to_screen, &v[k]);
         }
         if (placed) {
-            attempt_whole(drawing, canvas, i, v);
+            draw_part(drawing, canvas, i, v, whole_face);
         }
     }
 }
@@ -249,9 +233,8 @@ static inline void attempt_7_left_out(struct drawing *drawing, struct canvas *ca
     for (size_t i = 0; i < drawing->model->face_count; i++) {
         struct position *corner[3];
         attempt_corners(drawing, i, corner);
-        if (attempt_placed(corner, canvas)) {
-            struct vertex v[3] = {corner[0]->vertex, corner[1]->vertex, corner[2]->vertex};
-            attempt_whole(drawing, canvas, i, v);
+        if (attempt_in_front(corner)) {
+            draw_whole(drawing, canvas, i, corner);
         }
     }
 }

@@ -1,72 +1,21 @@
-/*
- * Step 8: the pictures of the lesson that are not references, and its numbers.
- *
- *     figures DIR    writes DIR/NAME.png and prints the errors of the attempts
- */
+/* The pictures of step 8's README that are not references, and the errors of the attempts. */
+#include "../tests/figures.h"
 #define main step_main
-int step_main(int argc, char **argv);
 #include "main.c"
 #undef main
 
 #include "attempts.h"
-#include "png.h"
 
 #include <stdio.h>
+#include <string.h>
 
-#ifndef COURSE_BUILD
-#define COURSE_BUILD "build"
-#endif
+enum { SIDE = 260, SMALL_SIDE = 200, GAP = 6 }; /* pixels of a panel, and between two panels */
 
-enum { GAP = 6, GAP_LEVEL = 255 }; /* white between the panels of a figure */
-enum { SIDE = 260, SMALL_SIDE = 200 };
-
-/* ---- Figures of several panels ---- */
-
-/* A figure that is filled panel by panel, from the top left. */
-struct figure {
-    struct image image, panel; /* draw into `panel`, then call figure_add() */
-    size_t columns, count;
-};
-
-static bool figure_create(struct figure *figure, size_t side, size_t columns, size_t rows,
-                          struct error *error) {
-    *figure = (struct figure){.columns = columns};
-    if (!image_create(&figure->image, columns * (side + GAP) - GAP, rows * (side + GAP) - GAP,
-                      IMAGE_BGR, error) ||
-        !image_create(&figure->panel, side, side, IMAGE_BGR, error)) {
-        image_free(&figure->image);
-        return false;
-    }
-    image_clear(&figure->image, color_grey(GAP_LEVEL));
-    return true;
-}
-
-static void figure_free(struct figure *figure) {
-    image_free(&figure->image);
-    image_free(&figure->panel);
-}
-
-static void figure_add(struct figure *figure) {
-    size_t side = figure->panel.width;
-    size_t left = figure->count % figure->columns * (side + GAP);
-    size_t bottom = figure->image.height - side - figure->count / figure->columns * (side + GAP);
-    for (size_t y = 0; y < side; y++) {
-        for (size_t x = 0; x < side; x++) {
-            image_set(&figure->image, (int)(left + x), (int)(bottom + y),
-                      image_get(&figure->panel, (int)x, (int)y));
-        }
-    }
-    image_clear(&figure->panel, color_grey(0));
-    figure->count++;
-}
-
-static bool figure_save(struct figure *figure, const char *directory, const char *name,
-                        struct error *error) {
-    char path[1024];
-    if (snprintf(path, sizeof path, "%s/%s.png", directory, name) >= (int)sizeof path) {
-        return error_set(error, "the directory's name is too long");
-    }
-    return png_write(&figure->image, path, error);
+/* A row of square panels. */
+static bool row_create(struct sheet *sheet, size_t side, size_t columns, struct error *error) {
+    *sheet =
+        (struct sheet){.width = side, .height = side, .columns = columns, .rows = 1, .gap = GAP};
+    return sheet_create(sheet, error);
 }
 
 /* ---- Cameras ---- */
@@ -95,7 +44,7 @@ static struct mat4 camera_clip(const struct camera *c) {
 static void draw_with(struct drawing *drawing, struct image *image, struct mat4 to_clip,
                       attempt_draw *draw) {
     struct canvas canvas = make_canvas(drawing, image, whole_image(image));
-    begin_picture(drawing, image);
+    depth_clear(drawing->depth, image->width * image->height);
     draw(drawing, &canvas, &to_clip);
 }
 
@@ -104,50 +53,46 @@ static void draw_with(struct drawing *drawing, struct image *image, struct mat4 
 /* The same head from three distances, and from infinitely far away. */
 static bool draw_distances(struct drawing *drawing, const char *directory, struct error *error) {
     static const double distances[4] = {1, 2, 4, INFINITY};
-    struct figure figure;
-    if (!figure_create(&figure, SMALL_SIDE, 4, 1, error)) {
-        return false;
-    }
-    for (int i = 0; i < 4; i++) {
-        draw_with(drawing, &figure.panel, mat4_mul(projection(distances[i]), camera_frame(&front)),
+    struct sheet sheet;
+    bool done = row_create(&sheet, SMALL_SIDE, 4, error);
+    for (int i = 0; done && i < 4; i++) {
+        draw_with(drawing, &sheet.panel, mat4_mul(projection(distances[i]), camera_frame(&front)),
                   draw_model);
-        figure_add(&figure);
+        sheet_add(&sheet);
     }
-    bool done = figure_save(&figure, directory, "distances", error);
-    figure_free(&figure);
+    done = done && figure_save(&sheet.image, directory, "distances", error);
+    sheet_free(&sheet);
     return done;
 }
 
 static bool draw_clipping(struct drawing *drawing, const char *directory, struct error *error) {
     static attempt_draw *const draws[] = {attempt_6_unclipped, attempt_7_left_out, draw_model};
-    struct figure figure;
-    if (!figure_create(&figure, SIDE, 3, 1, error)) {
-        return false;
+    struct sheet sheet;
+    bool done = row_create(&sheet, SIDE, 3, error);
+    for (int i = 0; done && i < 3; i++) {
+        draw_with(drawing, &sheet.panel, camera_clip(&close_up), draws[i]);
+        sheet_add(&sheet);
     }
-    for (int i = 0; i < 3; i++) {
-        draw_with(drawing, &figure.panel, camera_clip(&close_up), draws[i]);
-        figure_add(&figure);
-    }
-    bool done = figure_save(&figure, directory, "clipping", error);
-    figure_free(&figure);
+    done = done && figure_save(&sheet.image, directory, "clipping", error);
+    sheet_free(&sheet);
     return done;
 }
 
 /* Left the attempt, right the lesson's camera. */
 static bool draw_frames(struct drawing *drawing, const char *directory, const char *name,
                         const struct camera *c, attempt_lookat *attempt, struct error *error) {
-    struct figure figure;
-    if (!figure_create(&figure, SIDE, 2, 1, error)) {
-        return false;
+    struct sheet sheet;
+    const struct mat4 to_clip[2] = {
+        mat4_mul(projection(camera_distance(c)), attempt(c->eye, c->center, c->up)),
+        camera_clip(c),
+    };
+    bool done = row_create(&sheet, SIDE, 2, error);
+    for (int i = 0; done && i < 2; i++) {
+        draw_with(drawing, &sheet.panel, to_clip[i], draw_model);
+        sheet_add(&sheet);
     }
-    struct mat4 perspective = projection(camera_distance(c));
-    draw_with(drawing, &figure.panel, mat4_mul(perspective, attempt(c->eye, c->center, c->up)),
-              draw_model);
-    figure_add(&figure);
-    draw_with(drawing, &figure.panel, camera_clip(c), draw_model);
-    figure_add(&figure);
-    bool done = figure_save(&figure, directory, name, error);
-    figure_free(&figure);
+    done = done && figure_save(&sheet.image, directory, name, error);
+    sheet_free(&sheet);
     return done;
 }
 
@@ -178,14 +123,13 @@ static bool draw_wrong(struct drawing *drawing, const char *directory, struct er
                                         "wrong_transposed", "wrong_depth", "wrong_origin"};
     bool done = true;
     for (int i = 0; done && i < 6; i++) {
-        struct figure figure;
-        if (!figure_create(&figure, SMALL_SIDE, 1, 1, error)) {
+        struct image image;
+        if (!image_create(&image, SMALL_SIDE, SMALL_SIDE, IMAGE_BGR, error)) {
             return false;
         }
-        draw_with(drawing, &figure.panel, wrong_clip(i), draw_model);
-        figure_add(&figure);
-        done = figure_save(&figure, directory, names[i], error);
-        figure_free(&figure);
+        draw_with(drawing, &image, wrong_clip(i), draw_model);
+        done = figure_save(&image, directory, names[i], error);
+        image_free(&image);
     }
     return done;
 }
@@ -235,18 +179,18 @@ static void draw_wall(struct canvas *canvas, const struct mat4 *to_clip, bool af
 
 static bool draw_affine(const struct drawing *drawing, const char *directory, struct error *error) {
     struct texture tiles = {0};
-    struct figure figure = {0};
-    bool done = make_tiles(&tiles, error) && figure_create(&figure, SIDE, 2, 1, error);
+    struct sheet sheet = {0};
+    bool done = make_tiles(&tiles, error) && row_create(&sheet, SIDE, 2, error);
     struct mat4 to_clip = camera_clip(&front);
     for (int i = 0; done && i < 2; i++) {
-        struct canvas canvas = make_canvas(drawing, &figure.panel, whole_image(&figure.panel));
+        struct canvas canvas = make_canvas(drawing, &sheet.panel, whole_image(&sheet.panel));
         canvas.texture = &tiles;
-        clear_depth(canvas.depth, figure.panel.width * figure.panel.height);
+        depth_clear(canvas.depth, sheet.panel.width * sheet.panel.height);
         draw_wall(&canvas, &to_clip, i == 0);
-        figure_add(&figure);
+        sheet_add(&sheet);
     }
-    done = done && figure_save(&figure, directory, "affine", error);
-    figure_free(&figure);
+    done = done && figure_save(&sheet.image, directory, "affine", error);
+    sheet_free(&sheet);
     texture_free(&tiles);
     return done;
 }
@@ -255,36 +199,35 @@ static bool draw_affine(const struct drawing *drawing, const char *directory, st
 
 static void draw_normals_of(struct image *image, attempt_normal *normal_of) {
     enum { SEGMENTS = 96, NORMALS = 24 };
-    const struct area area = whole_image(image);
+    const struct plane plane = {image, whole_image(image)};
     const struct mat4 map = mat4_scaling((struct vec3){1.4, 0.5, 1});
-    const struct mat4 to_screen =
-        mat4_mul(viewport(image->width, image->height), mat4_scaling((struct vec3){0.5, 0.5, 1}));
+    const struct mat4 to_screen = panel_to_screen(plane.area);
     for (int i = 0; i < SEGMENTS; i++) {
         struct vec2 a = turn_direction((double)i / SEGMENTS);
         struct vec2 b = turn_direction((double)(i + 1) / SEGMENTS);
         const struct mat4 mapped = mat4_mul(to_screen, map);
-        plane_line(image, &area, &mapped, a, b, color_grey(200));
+        plane_line(&plane, &mapped, a, b, color_grey(200));
     }
     for (int i = 0; i < NORMALS; i++) {
         struct vec2 n = turn_direction((double)i / NORMALS); /* the point and the normal there */
         struct vec4 p = mat4_point(&map, (struct vec3){n.x, n.y, 0});
         struct vec3 normal = vec3_scale(normal_of(&map, (struct vec3){n.x, n.y, 0}), 0.4);
-        plane_line(image, &area, &to_screen, (struct vec2){p.x, p.y},
+        plane_line(&plane, &to_screen, (struct vec2){p.x, p.y},
                    (struct vec2){p.x + normal.x, p.y + normal.y}, color_rgb(255, 170, 60));
     }
 }
 
 static bool draw_normals(const char *directory, struct error *error) {
-    struct figure figure;
-    if (!figure_create(&figure, SIDE, 2, 1, error)) {
-        return false;
+    static attempt_normal *const versions[] = {attempt_10_same_matrix,
+                                               attempt_11_inverse_transpose};
+    struct sheet sheet;
+    bool done = row_create(&sheet, SIDE, 2, error);
+    for (int i = 0; done && i < 2; i++) {
+        draw_normals_of(&sheet.panel, versions[i]);
+        sheet_add(&sheet);
     }
-    draw_normals_of(&figure.panel, attempt_10_same_matrix);
-    figure_add(&figure);
-    draw_normals_of(&figure.panel, attempt_11_inverse_transpose);
-    figure_add(&figure);
-    bool done = figure_save(&figure, directory, "normals", error);
-    figure_free(&figure);
+    done = done && figure_save(&sheet.image, directory, "normals", error);
+    sheet_free(&sheet);
     return done;
 }
 
@@ -394,23 +337,28 @@ static void print_numbers(const struct drawing *drawing) {
     }
 }
 
-/* Pixels that differ from the lesson's picture. */
+/* Pixels that are black in an image and not in the right one. */
+static size_t missing_pixels(const struct image *right, const struct image *image) {
+    static const uint8_t black[3] = {0, 0, 0};
+    size_t missing = 0;
+    for (size_t i = 0; i < 3 * image->width * image->height; i += 3) {
+        missing +=
+            memcmp(image->pixels + i, black, 3) == 0 && memcmp(right->pixels + i, black, 3) != 0;
+    }
+    return missing;
+}
+
+/* Compare a version's picture with the lesson's. */
 static bool print_picture(struct drawing *drawing, const char *scene, const struct camera *c,
                           const char *name, attempt_draw *draw, struct error *error) {
     struct image right = {0}, image = {0};
     bool done = image_create(&right, 800, 800, IMAGE_BGR, error) &&
                 image_create(&image, 800, 800, IMAGE_BGR, error);
-    size_t wrong = 0, missing = 0;
     if (done) {
         draw_with(drawing, &right, camera_clip(c), draw_model);
         draw_with(drawing, &image, camera_clip(c), draw);
-        for (size_t i = 0; i < right.width * right.height; i++) {
-            const uint8_t *a = right.pixels + 3 * i, *b = image.pixels + 3 * i;
-            bool different = a[0] != b[0] || a[1] != b[1] || a[2] != b[2];
-            wrong += different;
-            missing += different && b[0] == 0 && b[1] == 0 && b[2] == 0;
-        }
-        printf("    %-8s %-10s %10zu %10zu\n", scene, name, wrong, missing);
+        printf("    %-8s %-10s %10zu %10zu\n", scene, name, different_pixels(&right, &image),
+               missing_pixels(&right, &image));
     }
     image_free(&right);
     image_free(&image);
@@ -438,25 +386,19 @@ static bool draw_all(struct drawing *drawing, const char *directory, struct erro
            draw_normals(directory, error) && draw_wrong(drawing, directory, error);
 }
 
-int main(int argc, char **argv) {
-    struct error error = {0};
-    struct model model = {0};
+bool draw_figures(const char *directory, struct model *bust, struct error *error) {
     struct state state = {0};
-    struct drawing drawing = {.model = &model, .light = {1, 1, 2}, .skip = true, .state = &state};
-    if (argc != 2) {
-        fprintf(stderr, "usage: figures DIR\n");
-        return 2;
-    }
-    bool done = model_read(&model, COURSE_BUILD "/models/bust.obj", &error) &&
-                prepare(&drawing, 800, 800, &error);
+    struct drawing drawing = {.light = {1, 1, 2}, .skip = true, .model = bust, .state = &state};
+    drawing.depth = malloc(800 * 800 * sizeof *drawing.depth);
+    drawing.diffuse = model_texture(bust, MODEL_DIFFUSE, error);
+    bool done = drawing.depth != NULL || error_out_of_memory(error);
+    done = done && drawing.diffuse != NULL && model_need_normals(bust, error) &&
+           prepare(&drawing, 800, 800, error);
     if (done) {
         print_numbers(&drawing);
-        done = print_pictures(&drawing, &error) && draw_all(&drawing, argv[1], &error);
-    }
-    if (!done) {
-        fprintf(stderr, "figures: %s\n", error.message);
+        done = print_pictures(&drawing, error) && draw_all(&drawing, directory, error);
     }
     finish(&drawing);
-    model_free(&model);
-    return done ? 0 : 1;
+    free(drawing.depth);
+    return done;
 }

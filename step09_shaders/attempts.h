@@ -15,7 +15,7 @@ static inline bool attempt_1_call_per_pixel(struct pipeline *pipeline, const str
                                             const struct shader *shader, const void *uniforms,
                                             struct image *image, struct error *error) {
     struct shader called = *shader;
-    called.visible_band = called.at_once_band = NULL;
+    called.band = NULL;
     return pipeline_draw(pipeline, call, &called, uniforms, image, error);
 }
 
@@ -89,8 +89,7 @@ static inline bool attempt_3_shade_at_once(struct pipeline *pipeline, const stru
 
 /* ---- Wrong pictures ---- */
 
-/* The levels of the normal map taken as coordinates 0..1: no normal ever points left, down or back.
- */
+/* The levels of the normal map taken as coordinates 0..1: no normal points left, down or back. */
 static inline bool attempt_4_normals_not_shifted(const void *uniforms, const double *varyings,
                                                  struct color *color) {
     const struct uniforms *u = uniforms;

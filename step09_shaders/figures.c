@@ -1,25 +1,25 @@
-/* Draws the figures of the lesson that are not references: figures DIRECTORY. */
+/* The pictures of step 9's README that are not references. */
+#include "../tests/figures.h"
 #define main step_main
-int step_main(int argc, char **argv);
 #include "main.c"
 #undef main
 
 #include "attempts.h"
-#include "png.h"
-
-#include <stdio.h>
-#include <string.h>
-
-#ifndef COURSE_BUILD
-#define COURSE_BUILD "build"
-#endif
 
 enum { PANEL = 400 };
 
 /* Where all figures are drawn from: the scenes' camera, with the light from the side. */
-static struct drawing make_drawing(struct model *model) {
-    return (struct drawing){
-        .model = model, .eye = {1, 0.5, 3}, .up = {0, 1, 0}, .light = {1, 0.2, 0}, .skip = true};
+static bool make_drawing(struct drawing *drawing, struct model *model, struct error *error) {
+    *drawing = (struct drawing){
+        .model = model,
+        .diffuse = model_texture(model, MODEL_DIFFUSE, error),
+        .normal_map = model_texture(model, MODEL_NORMAL_MAP, error),
+        .eye = {1, 0.5, 3},
+        .up = {0, 1, 0},
+        .light = {1, 0.2, 0},
+        .skip = true,
+    };
+    return drawing->diffuse != NULL && drawing->normal_map != NULL;
 }
 
 struct figure {
@@ -29,39 +29,35 @@ struct figure {
     struct uniforms uniforms;
 };
 
-static bool figure_begin(struct figure *figure, struct model *model, int panels, unsigned needs,
+static bool figure_begin(struct figure *figure, struct model *model, int panels,
                          struct error *error) {
     size_t width = (size_t)(panels * PANEL);
-    figure->drawing = make_drawing(model);
-    return image_create(&figure->image, width, PANEL, IMAGE_BGR, error) &&
-           pipeline_create(&figure->pipeline, width, PANEL, error) &&
-           make_uniforms(&figure->drawing, needs, PANEL, &figure->uniforms, error);
+    bool done = make_drawing(&figure->drawing, model, error) &&
+                image_create(&figure->image, width, PANEL, IMAGE_BGR, error) &&
+                pipeline_create(&figure->pipeline, width, PANEL, error);
+    figure->uniforms = make_uniforms(&figure->drawing, PANEL);
+    return done;
 }
 
 static struct draw_call figure_call(const struct figure *figure, int panels, int panel) {
     struct rectangle cell =
         grid_cell(figure->image.width, figure->image.height, panels, 1, panel, 0);
-    return call_in_cell(&figure->drawing, cell, 0.85, CULL_BACK);
+    return pipeline_call(&figure->drawing, cell, 0.85, CULL_BACK);
 }
 
+/* Save the figure if it is `drawn`, and free it. */
 static bool figure_end(struct figure *figure, const char *directory, const char *name, bool drawn,
                        struct error *error) {
-    char path[4096];
-    int length = snprintf(path, sizeof path, "%s/%s", directory, name);
-    bool fits = length > 0 && (size_t)length < sizeof path;
-    if (drawn && !fits) {
-        drawn = error_set(error, "%s: the path is too long", directory);
-    }
-    drawn = drawn && png_write(&figure->image, path, error);
+    bool done = drawn && figure_save(&figure->image, directory, name, error);
     image_free(&figure->image);
     pipeline_free(&figure->pipeline);
-    return drawn;
+    return done;
 }
 
 /* Left: culled by the camera. Right: by the light, over red, so that holes are seen. */
 static bool draw_culled_by_light(struct model *model, const char *directory, struct error *error) {
     struct figure f = {0};
-    bool done = figure_begin(&f, model, 2, 0, error);
+    bool done = figure_begin(&f, model, 2, error);
     if (done) {
         image_clear(&f.image, color_rgb(160, 0, 0));
         struct draw_call right = figure_call(&f, 2, 0), wrong = figure_call(&f, 2, 1);
@@ -69,16 +65,18 @@ static bool draw_culled_by_light(struct model *model, const char *directory, str
         done = pipeline_draw(&f.pipeline, &right, &flat, &f.uniforms, &f.image, error) &&
                pipeline_draw(&f.pipeline, &wrong, &culled_by_light, &f.uniforms, &f.image, error);
     }
-    return figure_end(&f, directory, "culled_by_light.png", done, error);
+    return figure_end(&f, directory, "culled_by_light", done, error);
 }
 
-SHADER(not_shifted, 2, uv_vertex, attempt_4_normals_not_shifted);
-SHADER(file_order, 2, uv_vertex, attempt_5_normals_in_file_order);
+SHADER(not_shifted, .varying_count = 2, .vertex = uv_vertex,
+       .fragment = attempt_4_normals_not_shifted);
+SHADER(file_order, .varying_count = 2, .vertex = uv_vertex,
+       .fragment = attempt_5_normals_in_file_order);
 
 /* Right; levels as 0..1; x and z exchanged. */
 static bool draw_wrong_normals(struct model *model, const char *directory, struct error *error) {
     struct figure f = {0};
-    bool done = figure_begin(&f, model, 3, NEEDS_DIFFUSE | NEEDS_NORMAL_MAP, error);
+    bool done = figure_begin(&f, model, 3, error);
     if (done) {
         struct draw_call right = figure_call(&f, 3, 0);
         struct draw_call second = figure_call(&f, 3, 1), third = figure_call(&f, 3, 2);
@@ -86,7 +84,7 @@ static bool draw_wrong_normals(struct model *model, const char *directory, struc
                pipeline_draw(&f.pipeline, &second, &not_shifted, &f.uniforms, &f.image, error) &&
                pipeline_draw(&f.pipeline, &third, &file_order, &f.uniforms, &f.image, error);
     }
-    return figure_end(&f, directory, "wrong_normals.png", done, error);
+    return figure_end(&f, directory, "wrong_normals", done, error);
 }
 
 /* ---- How often each pixel is shaded ---- */
@@ -119,7 +117,7 @@ static bool count_fragment(const void *uniforms, const double *varyings, struct 
     return true;
 }
 
-SHADER(counting_shader, 3, place_vertex, count_fragment);
+SHADER(counting_shader, .varying_count = 3, .vertex = place_vertex, .fragment = count_fragment);
 
 static bool draw_count(struct figure *f, int panel, bool skip, struct image *times,
                        struct error *error) {
@@ -132,7 +130,7 @@ static bool draw_count(struct figure *f, int panel, bool skip, struct image *tim
 static bool draw_overdraw(struct model *model, const char *directory, struct error *error) {
     struct figure f = {0};
     struct image times = {0};
-    bool done = figure_begin(&f, model, 2, 0, error) &&
+    bool done = figure_begin(&f, model, 2, error) &&
                 image_create(&times, f.image.width, f.image.height, IMAGE_GREY, error) &&
                 draw_count(&f, 0, false, &times, error) && draw_count(&f, 1, true, &times, error);
     for (int y = 0; done && y < (int)times.height; y++) {
@@ -146,23 +144,10 @@ static bool draw_overdraw(struct model *model, const char *directory, struct err
         }
     }
     image_free(&times);
-    return figure_end(&f, directory, "overdraw.png", done, error);
+    return figure_end(&f, directory, "overdraw", done, error);
 }
 
-int main(int argc, char **argv) {
-    struct error error;
-    struct model model = {0};
-    if (argc != 2) {
-        fprintf(stderr, "usage: figures DIRECTORY\n");
-        return 2;
-    }
-    bool done = model_read(&model, COURSE_BUILD "/models/bust.obj", &error) &&
-                draw_culled_by_light(&model, argv[1], &error) &&
-                draw_wrong_normals(&model, argv[1], &error) &&
-                draw_overdraw(&model, argv[1], &error);
-    if (!done) {
-        fprintf(stderr, "figures: %s\n", error.message);
-    }
-    model_free(&model);
-    return done ? 0 : 1;
+bool draw_figures(const char *directory, struct model *bust, struct error *error) {
+    return draw_culled_by_light(bust, directory, error) &&
+           draw_wrong_normals(bust, directory, error) && draw_overdraw(bust, directory, error);
 }

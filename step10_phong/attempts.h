@@ -61,7 +61,7 @@ static inline bool attempt_5_not_normalized(const void *uniforms, const double *
                                             struct color *color) {
     const struct uniforms *u = uniforms;
     struct vec3 normal = {varyings[5], varyings[6], varyings[7]};
-    *color = illuminate(u, u->material.color, normal, position_of(varyings), u->material.specular);
+    *color = illuminate(u, &u->material, normal, position_of(varyings));
     return true;
 }
 
@@ -90,8 +90,7 @@ static inline bool attempt_7_light_reversed(const void *uniforms, const double *
                                             struct color *color) {
     struct uniforms u = *(const struct uniforms *)uniforms;
     u.to_light = vec3_scale(u.to_light, -1);
-    *color = illuminate(&u, u.material.color, mesh_normal(varyings), position_of(varyings),
-                        u.material.specular);
+    *color = illuminate(&u, &u.material, mesh_normal(varyings), position_of(varyings));
     return true;
 }
 

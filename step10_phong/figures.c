@@ -1,43 +1,15 @@
-/* Draws the figures of the lesson that are not references: figures DIRECTORY. */
+/* The pictures of step 10's README that are not references, one of them moving. */
+#include "../tests/figures.h"
 #define main step_main
-int step_main(int argc, char **argv);
 #include "main.c"
 #undef main
 
 #include "attempts.h"
 #include "png.h"
 
-#include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
-
-#ifndef COURSE_BUILD
-#define COURSE_BUILD "build"
-#endif
 
 enum { PANEL = 320, TURN_SIZE = 128, TURN_DELAY_MS = 40 };
-
-/* "DIRECTORY/NAME", to be freed; NULL when memory runs out. */
-static char *join(const char *directory, const char *name) {
-    size_t size = strlen(directory) + strlen(name) + 2;
-    char *path = malloc(size);
-    if (path != NULL) {
-        snprintf(path, size, "%s/%s", directory, name);
-    }
-    return path;
-}
-
-static bool save_figure(const struct image *images, size_t count, const char *directory,
-                        const char *name, struct error *error) {
-    char *path = join(directory, name);
-    if (path == NULL) {
-        return error_set(error, "out of memory");
-    }
-    bool done = count > 1 ? apng_write(images, count, TURN_DELAY_MS, path, error)
-                          : png_write(images, path, error);
-    free(path);
-    return done;
-}
 
 /* The camera of the scenes with the light from the left and behind the head's side. */
 static struct drawing make_drawing(struct model *model) {
@@ -60,21 +32,19 @@ static bool draw_panels(struct model *model, const struct panel *panels, int cou
     struct drawing drawing = make_drawing(model);
     struct pipeline pipeline = {0};
     struct image image = {0};
-    struct uniforms u;
     drawing.light = light;
     size_t width = (size_t)(count * PANEL);
     bool done = image_create(&image, width, PANEL, IMAGE_BGR, error) &&
-                pipeline_create(&pipeline, width, PANEL, error) &&
-                make_uniforms(&drawing, NEEDS_NORMALS, PANEL, &u, error);
+                pipeline_create(&pipeline, width, PANEL, error);
     for (int i = 0; done && i < count; i++) {
         struct shader shader = {
             .varying_count = 8, .vertex = vertex_with_normal, .fragment = panels[i].fragment};
         struct draw_call call =
-            call_in_cell(&drawing, grid_cell(width, PANEL, count, 1, i, 0), 0.9);
-        u.material = panels[i].material;
+            pipeline_call(&drawing, grid_cell(width, PANEL, count, 1, i, 0), 0.9, CULL_BACK);
+        struct uniforms u = make_uniforms(&drawing, PANEL, panels[i].material);
         done = pipeline_draw(&pipeline, &call, &shader, &u, &image, error);
     }
-    done = done && save_figure(&image, 1, directory, name, error);
+    done = done && figure_save(&image, directory, name, error);
     image_free(&image);
     pipeline_free(&pipeline);
     return done;
@@ -87,7 +57,7 @@ static bool draw_parts(struct model *model, const char *directory, struct error 
                              {plain_fragment, {0, 1, 0, 10, color}},
                              {plain_fragment, {0, 0, 0.5, 10, color}},
                              {plain_fragment, plain_material}};
-    return draw_panels(model, panels, 4, (struct vec3){1, 1, 1}, directory, "parts.png", error);
+    return draw_panels(model, panels, 4, (struct vec3){1, 1, 1}, directory, "parts", error);
 }
 
 /* Right; not normalised; not clamped; light reversed. */
@@ -96,7 +66,7 @@ static bool draw_wrong(struct model *model, const char *directory, struct error 
                              {attempt_5_not_normalized, plain_material},
                              {attempt_6_not_clamped, plain_material},
                              {attempt_7_light_reversed, plain_material}};
-    return draw_panels(model, panels, 4, (struct vec3){-1, 0.6, -0.2}, directory, "wrong_light.png",
+    return draw_panels(model, panels, 4, (struct vec3){-1, 0.6, -0.2}, directory, "wrong_light",
                        error);
 }
 
@@ -124,46 +94,44 @@ static bool specular_fragment(const void *uniforms, const double *varyings, stru
 static bool draw_schlick(struct model *model, const char *directory, struct error *error) {
     static const struct material bright = {0, 0, 1, 10, {255, 255, 255, 255}};
     struct panel panels[] = {{specular_fragment, bright}, {schlick_fragment, bright}};
-    return draw_panels(model, panels, 2, (struct vec3){1, 1, 1}, directory, "schlick.png", error);
+    return draw_panels(model, panels, 2, (struct vec3){1, 1, 1}, directory, "schlick", error);
 }
 
-/* The scene `turn` as a small animation. */
-static bool draw_animation(struct model *model, const char *directory, struct error *error) {
-    struct state state = {0};
+/* The frames of scene `turn`, each an image of its own. */
+static bool draw_frames(struct model *model, struct image frames[TURN_FRAMES],
+                        struct error *error) {
+    struct pipeline pipeline = {0};
     struct drawing drawing = make_drawing(model);
-    drawing.state = &state;
-    struct image *frames = calloc(TURN_FRAMES, sizeof *frames);
-    if (frames == NULL) {
-        return error_set(error, "out of memory");
-    }
-    bool done = pipeline_create(&state.pipeline, TURN_SIZE, TURN_SIZE, error);
+    drawing.diffuse = model_texture(model, MODEL_DIFFUSE, error);
+    drawing.normal_map = model_texture(model, MODEL_NORMAL_MAP, error);
+    drawing.specular = model_texture(model, MODEL_SPECULAR, error);
+    drawing.state = &pipeline;
+    bool done = drawing.diffuse != NULL && drawing.normal_map != NULL && drawing.specular != NULL &&
+                pipeline_create(&pipeline, TURN_SIZE, TURN_SIZE, error);
     for (size_t i = 0; done && i < TURN_FRAMES; i++) {
         drawing.frame = i;
         done = image_create(&frames[i], TURN_SIZE, TURN_SIZE, IMAGE_BGR, error) &&
                draw_turn(&drawing, &frames[i], error);
     }
-    done = done && save_figure(frames, TURN_FRAMES, directory, "turn.png", error);
-    for (size_t i = 0; i < TURN_FRAMES; i++) {
-        image_free(&frames[i]);
-    }
-    free(frames);
-    pipeline_free(&state.pipeline);
+    pipeline_free(&pipeline);
     return done;
 }
 
-int main(int argc, char **argv) {
-    struct error error;
-    struct model model = {0};
-    if (argc != 2) {
-        fprintf(stderr, "usage: figures DIRECTORY\n");
-        return 2;
+/* The scene `turn` as a small animation. */
+static bool draw_animation(struct model *model, const char *directory, struct error *error) {
+    struct image frames[TURN_FRAMES] = {{0}};
+    char *path = figure_path(directory, "turn", error);
+    bool done = path != NULL && draw_frames(model, frames, error) &&
+                apng_write(frames, TURN_FRAMES, TURN_DELAY_MS, path, error);
+    for (size_t i = 0; i < TURN_FRAMES; i++) {
+        image_free(&frames[i]);
     }
-    bool done = model_read(&model, COURSE_BUILD "/models/bust.obj", &error) &&
-                draw_parts(&model, argv[1], &error) && draw_wrong(&model, argv[1], &error) &&
-                draw_schlick(&model, argv[1], &error) && draw_animation(&model, argv[1], &error);
-    if (!done) {
-        fprintf(stderr, "figures: %s\n", error.message);
-    }
-    model_free(&model);
-    return done ? 0 : 1;
+    free(path);
+    return done;
+}
+
+bool draw_figures(const char *directory, struct model *bust, struct error *error) {
+    return model_need_normals(bust, error) && draw_parts(bust, directory, error) &&
+           draw_wrong(bust, directory, error) && draw_schlick(bust, directory, error) &&
+           draw_animation(bust, directory, error);
 }

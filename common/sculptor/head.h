@@ -26,13 +26,11 @@ struct vec3 head_grow_ear(struct vec3 p, double *height);
 /* How far p lies from the line of sight, which goes through the middle of the iris. */
 double head_from_sight(struct vec3 p);
 
-/* How deep p lies inside the opening between the lids, seen from the front; negative on the lids.
- */
+/* How deep p lies in the opening between the lids, seen from the front; negative on the lids. */
 double head_eye_opening(struct vec3 p);
 
 /* The lips: -1..0 on the lower lip, 0..1 on the upper lip (0 on the line where they meet, +-1 on
- * their outer borders); beyond that outside the lips. `along` is 0 in the middle, 1 at the corner.
- */
+ * their outer borders); beyond that outside the lips. `along`: 0 in the middle, 1 at the corner. */
 double head_lips(struct vec3 p, double *along);
 
 /* How far a point of the head lies above the edge of the hair; negative on bare skin. */

@@ -116,8 +116,7 @@ static void add_grid_triangle(struct mesh *mesh, const struct surface *surface,
 }
 
 /* Each normal becomes the weighted mean of those of the faces that name it (Nelson Max, "Weights
- * for computing vertex normals from facet normals", 1999: exact on a sphere, and needs no angle).
- */
+ * for computing vertex normals from facet normals", 1999: exact on a sphere; needs no angle). */
 static void average_normals(struct mesh *mesh, int fixed_normal) {
     for (int i = 0; i < mesh->face_count; i++) {
         const struct mesh_corner *face = mesh->faces[i];
@@ -253,7 +252,8 @@ static bool finish(struct bytes *text, bool done, const char *path, struct error
     if (done) {
         done = file_write(path, text->data, text->size, error);
     } else {
-        error_set(error, "%s: not enough memory", path);
+        error_out_of_memory(error);
+        error_name_file(error, path);
     }
     bytes_free(text);
     return done;

@@ -1,6 +1,4 @@
-/*
- * A mesh on its way into a file, and the files' text.
- */
+/* A mesh on its way into a file, and the files' text. */
 #ifndef MODELS_MESH_H
 #define MODELS_MESH_H
 

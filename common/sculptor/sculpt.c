@@ -54,7 +54,7 @@ static bool write_mesh_of_bust(const struct surface *surface, const char *direct
     struct mesh mesh = {0};
     bool done = (simplify(surface, HALF_FACES, &triangles, &count) &&
                  mesh_from_surface(&mesh, surface, triangles, count)) ||
-                error_set(error, "not enough memory for the bust");
+                error_set(error, "out of memory for the bust");
     done = done && write_obj(&mesh, "A bust, sculpted by common/sculptor/sculpt.c", directory,
                              "bust.obj", error);
     mesh_free(&mesh);
@@ -65,7 +65,7 @@ static bool write_mesh_of_bust(const struct surface *surface, const char *direct
 static bool write_bust(const char *directory, struct error *error) {
     struct surface surface;
     if (!surface_create(&surface, FINE_COLUMNS, FINE_ROWS)) {
-        return error_set(error, "not enough memory for the bust");
+        return error_set(error, "out of memory for the bust");
     }
     struct skin skin = {0};
     bool done = write_mesh_of_bust(&surface, directory, error) &&
@@ -80,16 +80,14 @@ static bool write_bust(const char *directory, struct error *error) {
 
 static bool write_solids(const char *directory, struct error *error) {
     struct mesh mesh;
-    bool done = solid_sphere(&mesh, 48, 24) || error_set(error, "not enough memory for the sphere");
+    bool done = solid_sphere(&mesh, 48, 24) || error_set(error, "out of memory for the sphere");
     done = done && write_obj(&mesh, "A sphere of radius 0.9", directory, "sphere.obj", error);
     mesh_free(&mesh);
-    done =
-        done && (solid_torus(&mesh, 48, 24) || error_set(error, "not enough memory for the torus"));
+    done = done && (solid_torus(&mesh, 48, 24) || error_set(error, "out of memory for the torus"));
     done = done && write_obj(&mesh, "A torus of radii 0.6 and 0.3", directory, "torus.obj", error);
     mesh_free(&mesh);
     char path[4096];
-    done =
-        done && (solid_knot(&mesh, 96, 12) || error_set(error, "not enough memory for the knot"));
+    done = done && (solid_knot(&mesh, 96, 12) || error_set(error, "out of memory for the knot"));
     done = done && join_path(path, directory, "knot.off", error) &&
            mesh_write_off(&mesh, "A trefoil knot", path, error);
     mesh_free(&mesh);

@@ -271,8 +271,7 @@ static bool may_collapse(const struct workshop *w, int from, int to) {
     if (is_pole(w, from) || (is_in_mirror(w, from) && !(is_in_mirror(w, to) && shared == 1))) {
         return false;
     }
-    /* Only the corners opposite the edge may be neighbours of both ends: else sheets would touch.
-     */
+    /* Only the corners opposite the edge may be neighbours of both ends: else sheets touch. */
     return shared > 0 && common == shared && from_count + to_count - 4 <= VALENCE_LIMIT;
 }
 

@@ -295,7 +295,7 @@ bool skin_create(struct skin *skin, const struct surface *surface, size_t size,
     memset(skin, 0, sizeof *skin);
     double *heights = calloc(size * size, sizeof *heights);
     if (heights == NULL) {
-        return error_set(error, "not enough memory for the skin");
+        return error_set(error, "out of memory for the skin");
     }
     bool done = image_create(&skin->diffuse, size, size, IMAGE_BGR, error) &&
                 image_create(&skin->normals, size, size, IMAGE_BGR, error) &&

@@ -1,6 +1,4 @@
-/*
- * The bust's three textures.
- */
+/* The bust's three textures. */
 #ifndef MODELS_SKIN_H
 #define MODELS_SKIN_H
 

@@ -1,6 +1,4 @@
-/*
- * Plain solids whose shape is known exactly, for tests and benchmarks.
- */
+/* Plain solids whose shape is known exactly, for tests and benchmarks. */
 #ifndef MODELS_SOLIDS_H
 #define MODELS_SOLIDS_H
 

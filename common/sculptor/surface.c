@@ -25,8 +25,7 @@ static const double ray_angle[][2] = {
     {0.33, -19},  {0.36, -32}, {0.39, -36}, {0.42, -35}, {0.52, -20}, {0.59, -16},
     {0.64, -9.5}, {0.71, 1},   {0.78, 11},  {0.82, 18},  {0.89, 43},  {1.00, 90}};
 
-/* The ray of column share s (0 front .. 1 back) and height share t (0 the base's rim .. 1 crown).
- */
+/* The ray of column share s (0 front .. 1 back) and height share t (0 base's rim .. 1 crown). */
 static void choose_ray(double s, double t, struct vec3 *start, struct vec3 *direction) {
     struct vec2 turn = turn_direction(0.5 * (0.62 * s + 0.38 * s * s * s)); /* closer in front */
     struct vec2 tilt = turn_direction(curve(ray_angle, COUNT(ray_angle), t) / 360);

@@ -1,6 +1,4 @@
-/*
- * The bust's surface as a fine grid over the texture: every (u, v) has its point and normal.
- */
+/* The bust's surface as a fine grid over the texture: every (u, v) has its point and normal. */
 #ifndef MODELS_SURFACE_H
 #define MODELS_SURFACE_H
 

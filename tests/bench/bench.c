@@ -19,12 +19,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { SECONDS_DEFAULT = 10, LESSON_LIMIT = 10 };
-
-static const struct bench_lesson *const lessons[LESSON_LIMIT] = {
-    &bench_step01, &bench_step02, &bench_step03, &bench_step04, &bench_step05,
-    &bench_step06, &bench_step07, &bench_step08, &bench_step09, &bench_step10,
-};
+enum { SECONDS_DEFAULT = 10 };
 
 /* ---- For the lessons ---- */
 
@@ -91,24 +86,25 @@ static bool save_json(const struct bytes *json, const char *directory, struct er
     return file_write(path, json->data, json->size, error);
 }
 
-static bool bench_lessons(const struct options *options, struct error *error) {
+static bool measure_lessons(const struct options *options, struct error *error) {
     struct bytes json = {0};
     int done = 0;
     bool well = report_begin(&json, options->seconds, error);
-    for (int i = 0; well && i < LESSON_LIMIT; i++) {
+    for (size_t i = 0; well && bench_lessons[i] != NULL; i++) {
+        const struct bench_lesson *lesson = bench_lessons[i];
         struct bench_results results = {0};
-        if (!is_wanted(lessons[i], options)) {
+        if (!is_wanted(lesson, options)) {
             continue;
         }
-        well = bench_measure(lessons[i], options->seconds, &results, error) &&
-               report_lesson(&json, lessons[i], &results, done++ == 0, error) &&
-               save_chart(lessons[i], &results, options->directory, error);
+        well = bench_measure(lesson, options->seconds, &results, error) &&
+               report_lesson(&json, lesson, &results, done++ == 0, error) &&
+               save_chart(lesson, &results, options->directory, error);
         if (well) {
-            report_print(lessons[i], &results);
+            report_print(lesson, &results);
         }
     }
     if (well && done == 0) {
-        well = error_set(error, "no step of that name");
+        well = error_set(error, "no file of tests/bench measures a step of that name");
     }
     well = well && report_end(&json, error) && save_json(&json, options->directory, error);
     bytes_free(&json);
@@ -133,7 +129,7 @@ int main(int argc, char **argv) {
         fprintf(stderr, "benchmark: %s\n", error.message);
         return 2;
     }
-    if (!bench_lessons(&options, &error)) {
+    if (!measure_lessons(&options, &error)) {
         fprintf(stderr, "benchmark: %s\n", error.message);
         return 1;
     }

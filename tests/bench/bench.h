@@ -9,11 +9,11 @@
  *     #undef main
  *     #include "../../step01_line/attempts.h"
  *
- * and defines one struct bench_lesson. A lesson has a few panels; a panel is one piece of work
- * that several versions do, each in its own way, and becomes one chart. Of every version the frame
- * (bench.c) measures two things: how long `run` takes, and what `error` returns. The error is
- * computed, against an answer found in another way (tests/oracle, or long double), and never
- * written down in advance. Times are only shown; nothing fails because of them.
+ * and defines `const struct bench_lesson bench_stepNN`. A lesson has a few panels; a panel is one
+ * piece of work that several versions do, each in its own way, and becomes one chart. Of every
+ * version the frame (bench.c) measures two things: how long `run` takes, and what `error` returns.
+ * The error is computed, against an answer found in another way (tests/oracle, or long double), and
+ * never written down in advance. Times are only shown; nothing fails because of them.
  */
 #ifndef TESTS_BENCH_H
 #define TESTS_BENCH_H
@@ -57,16 +57,16 @@ struct bench_lesson {
     const char *step;  /* "step01_line": name of the directory, and of the chart's file */
     const char *title; /* heading of the chart: "Step 1: a line" */
     /* Allocate and fill what the versions need; false, with a message, when it fails. `teardown`
-     * is called after a call of `setup`, even a failed one, and frees `state` (which may be NULL).
-     */
+     * is called after every call of `setup`, and frees `state` (which may be NULL). */
     bool (*setup)(void **state, struct error *error);
     void (*teardown)(void *state);
     const struct bench_panel *panels;
     size_t panel_count; /* 1..BENCH_PANEL_LIMIT */
 };
 
-extern const struct bench_lesson bench_step01, bench_step02, bench_step03, bench_step04,
-    bench_step05, bench_step06, bench_step07, bench_step08, bench_step09, bench_step10;
+/* All of them in order, then NULL. The Makefile writes this list from the names of the files; that
+ * of stepNN.c is called bench_stepNN. */
+extern const struct bench_lesson *const bench_lessons[];
 
 /* Read a model of build/models, such as "bust.obj". The caller frees it. */
 bool bench_read_model(struct model *model, const char *name, struct error *error);

@@ -43,7 +43,7 @@ bool report_append(struct bytes *text, struct error *error, const char *format, 
         return error_set(error, "a line of the report is too long");
     }
     if (!bytes_append(text, piece, (size_t)length)) {
-        return error_set(error, "not enough memory for the report");
+        return error_set(error, "out of memory for the report");
     }
     return true;
 }

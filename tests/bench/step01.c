@@ -65,7 +65,7 @@ static bool lines_setup(void **state, struct error *error) {
     struct lines *lines = calloc(1, sizeof *lines);
     *state = lines;
     if (lines == NULL) {
-        return error_set(error, "not enough memory for lines");
+        return error_set(error, "out of memory for lines");
     }
     lines_choose(lines);
     return image_create(&lines->timed, SIDE, SIDE, IMAGE_BGR, error) &&

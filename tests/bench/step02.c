@@ -47,11 +47,11 @@ enum version {
 
 static void frame_draw_rounded(struct frame *frame, struct image *image) {
     for (size_t i = 0; i < frame->wireframe.side_count; i++) {
-        const float(*positions)[3] = (const float(*)[3])frame->model.positions;
+        const struct model *model = &frame->model;
         struct side side = frame->wireframe.sides[i];
         struct pixel a, b;
-        if (to_pixel(positions[side.low], SIDE, SIDE, &a) &&
-            to_pixel(positions[side.high], SIDE, SIDE, &b)) {
+        if (to_pixel(model_position_at(model, side.low), SIDE, SIDE, &a) &&
+            to_pixel(model_position_at(model, side.high), SIDE, SIDE, &b)) {
             attempt_line_ends_rounded(image, a, b, color_rgb(255, 255, 255));
         }
     }
@@ -178,7 +178,7 @@ static bool frame_setup(void **state, struct error *error) {
     struct frame *frame = calloc(1, sizeof *frame);
     *state = frame;
     if (frame == NULL) {
-        return error_set(error, "not enough memory for a frame");
+        return error_set(error, "out of memory for a frame");
     }
     frame->drawing =
         (struct drawing){.model = &frame->model, .skip = true, .state = &frame->wireframe};
@@ -190,11 +190,10 @@ static bool frame_setup(void **state, struct error *error) {
         return false;
     }
     for (size_t face = 0; face < frame->model.face_count; face++) {
-        const struct corner *corner = frame->model.faces[face].corner;
         for (size_t i = 0; i < 3; i++) {
             struct pixel a, b;
-            if (to_pixel(frame->model.positions[corner[i].position], SIDE, SIDE, &a) &&
-                to_pixel(frame->model.positions[corner[(i + 1) % 3].position], SIDE, SIDE, &b)) {
+            if (to_pixel(model_position(&frame->model, face, i), SIDE, SIDE, &a) &&
+                to_pixel(model_position(&frame->model, face, (i + 1) % 3), SIDE, SIDE, &b)) {
                 frame_draw_exact(&frame->exact, a, b);
             }
         }

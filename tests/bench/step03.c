@@ -28,7 +28,7 @@ enum {
 /* ---- Triangles and the pixels that they own ---- */
 
 struct filled {
-    struct vertex v[3];
+    struct fixed2 snapped[3];
     struct vec2 corner[3]; /* the same in pixels */
     int y_begin, y_end;
     struct span *rows; /* owned pixels of rows y_begin to y_end - 1, somewhere in mesh.rows */
@@ -55,15 +55,14 @@ static struct span pixels_between(int32_t a, int32_t b, int32_t c) {
     return (struct span){begin, end > begin ? end : begin};
 }
 
-static void mesh_add(struct mesh *mesh, const struct vertex v[3]) {
+static void mesh_add(struct mesh *mesh, const struct fixed2 corner[3]) {
     struct filled *t = &mesh->triangles[mesh->count++];
     for (int i = 0; i < 3; i++) {
-        t->v[i] = v[i];
+        t->snapped[i] = corner[i];
         t->corner[i] =
-            (struct vec2){(double)v[i].position.x / SUBPIXELS, (double)v[i].position.y / SUBPIXELS};
+            (struct vec2){(double)corner[i].x / SUBPIXELS, (double)corner[i].y / SUBPIXELS};
     }
-    struct fixed2 a = v[0].position, b = v[1].position, c = v[2].position;
-    struct span rows = pixels_between(a.y, b.y, c.y);
+    struct span rows = pixels_between(corner[0].y, corner[1].y, corner[2].y);
     t->y_begin = rows.begin;
     t->y_end = rows.end;
 }
@@ -71,7 +70,7 @@ static void mesh_add(struct mesh *mesh, const struct vertex v[3]) {
 /* Ask the oracle for every pixel of a triangle's box. What a triangle owns in a row stands
  * together, because a triangle is convex. */
 static void filled_find_rows(struct filled *t) {
-    struct fixed2 a = t->v[0].position, b = t->v[1].position, c = t->v[2].position;
+    struct fixed2 a = t->snapped[0], b = t->snapped[1], c = t->snapped[2];
     struct span columns = pixels_between(a.x, b.x, c.x);
     for (int y = t->y_begin; y < t->y_end; y++) {
         struct span *row = &t->rows[y - t->y_begin];
@@ -92,7 +91,7 @@ static bool mesh_find_rows(struct mesh *mesh, struct error *error) {
     }
     mesh->rows = calloc(row_count + 1, sizeof *mesh->rows);
     if (mesh->rows == NULL) {
-        return error_set(error, "not enough memory for %zu rows", row_count);
+        return error_set(error, "out of memory for %zu rows", row_count);
     }
     struct span *next = mesh->rows;
     for (size_t i = 0; i < mesh->count; i++) {
@@ -109,8 +108,7 @@ static bool mesh_find_rows(struct mesh *mesh, struct error *error) {
 
 static bool mesh_allocate(struct mesh *mesh, size_t limit, struct error *error) {
     mesh->triangles = calloc(limit + 1, sizeof *mesh->triangles);
-    return mesh->triangles != NULL ||
-           error_set(error, "not enough memory for %zu triangles", limit);
+    return mesh->triangles != NULL || error_set(error, "out of memory for %zu triangles", limit);
 }
 
 static void mesh_free(struct mesh *mesh) {
@@ -124,13 +122,9 @@ static bool make_small(struct mesh *mesh, const struct image *image, struct erro
     bool well =
         bench_read_model(&model, "bust.obj", error) && mesh_allocate(mesh, model.face_count, error);
     for (size_t face = 0; well && face < model.face_count; face++) {
-        struct vertex v[3];
-        bool placed = true;
-        for (size_t i = 0; i < 3; i++) {
-            placed = place_corner(&model, face, i, image, &v[i]) && placed;
-        }
-        if (placed && !is_turned_away(v)) {
-            mesh_add(mesh, v);
+        struct fixed2 corner[3];
+        if (place_face(&model, face, image, corner) && !is_turned_away(corner)) {
+            mesh_add(mesh, corner);
         }
     }
     model_free(&model);
@@ -140,7 +134,7 @@ static bool make_small(struct mesh *mesh, const struct image *image, struct erro
 /* The middle of the fan is a pixel centre, and so is every other corner on its rim, which lies
  * some whole number of times as far as a pixel centre near by: then many centres lie on the side
  * between. The rim is a square walked counterclockwise. */
-static struct vertex fan_corner(int i, struct random *random) {
+static struct fixed2 fan_corner(int i, struct random *random) {
     const int side = FAN_COUNT / 4, center = SIDE / 2 * SUBPIXELS + SUBPIXELS / 2;
     int along = i % side * 2 - side; /* -side .. side - 2 along each side of the rim */
     int x = side, y = along;
@@ -151,21 +145,21 @@ static struct vertex fan_corner(int i, struct random *random) {
     }
     int32_t scale = FAN_REACH / side * SUBPIXELS;
     int32_t stray = i % 2 != 0 ? 0 : (int32_t)random_between(random, 1, scale / 2);
-    return (struct vertex){.position = {center + x * scale + stray, center + y * scale - stray}};
+    return (struct fixed2){center + x * scale + stray, center + y * scale - stray};
 }
 
 static bool make_large(struct mesh *mesh, struct error *error) {
     struct random random = {3};
-    const struct vertex middle = {
-        .position = {SIDE / 2 * SUBPIXELS + SUBPIXELS / 2, SIDE / 2 * SUBPIXELS + SUBPIXELS / 2}};
-    const struct vertex first = fan_corner(0, &random);
-    struct vertex last = first;
+    const struct fixed2 middle = {SIDE / 2 * SUBPIXELS + SUBPIXELS / 2,
+                                  SIDE / 2 * SUBPIXELS + SUBPIXELS / 2};
+    const struct fixed2 first = fan_corner(0, &random);
+    struct fixed2 last = first;
     if (!mesh_allocate(mesh, FAN_COUNT, error)) {
         return false;
     }
     for (int i = 1; i <= FAN_COUNT; i++) {
-        struct vertex next = i < FAN_COUNT ? fan_corner(i, &random) : first;
-        mesh_add(mesh, (const struct vertex[3]){middle, last, next});
+        struct fixed2 next = i < FAN_COUNT ? fan_corner(i, &random) : first;
+        mesh_add(mesh, (const struct fixed2[3]){middle, last, next});
         last = next;
     }
     return mesh_find_rows(mesh, error);
@@ -200,8 +194,7 @@ static void fill(const struct filled *t, int choice, struct target *target,
     };
     const struct color color = color_rgb(255, 255, 255);
     if (choice == HOUSE) {
-        struct canvas canvas = {.image = target->image, .skip = true};
-        triangle(&canvas, t->v, color);
+        triangle(target->image, t->snapped, color);
     } else if (choice == COLUMNS) {
         fill_columns(target, t, color, columns);
     } else {
@@ -275,11 +268,11 @@ static bool fill_setup(void **state, struct error *error) {
     struct fill_bench *bench = calloc(1, sizeof *bench);
     *state = bench;
     if (bench == NULL) {
-        return error_set(error, "not enough memory for triangles");
+        return error_set(error, "out of memory for triangles");
     }
     bench->columns = calloc(SIDE, sizeof *bench->columns);
     if (bench->columns == NULL) {
-        return error_set(error, "not enough memory for columns");
+        return error_set(error, "out of memory for columns");
     }
     return image_create(&bench->timed, SIDE, SIDE, IMAGE_BGR, error) &&
            image_create(&bench->drawn, SIDE, SIDE, IMAGE_BGR, error) &&

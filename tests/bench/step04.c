@@ -143,7 +143,7 @@ static bool faces_setup(void **state, struct error *error) {
     struct faces *faces = calloc(1, sizeof *faces);
     *state = faces;
     if (faces == NULL) {
-        return error_set(error, "not enough memory for faces");
+        return error_set(error, "out of memory for faces");
     }
     for (int i = 0; i < LIGHT_COUNT; i++) {
         faces->light[i] = vec3_normalized(directions[i]);
@@ -158,7 +158,7 @@ static bool faces_setup(void **state, struct error *error) {
         }
     }
     faces->levels = calloc(faces->model.face_count + 1, sizeof *faces->levels);
-    return faces->levels != NULL || error_set(error, "not enough memory for levels");
+    return faces->levels != NULL || error_set(error, "out of memory for levels");
 }
 
 static void faces_teardown(void *state) {

@@ -54,7 +54,7 @@ static bool pile_allocate(struct pile *pile, size_t limit, struct error *error) 
     pile->depths = calloc(limit + 1, sizeof *pile->depths);
     pile->nearest = calloc((size_t)SIDE * SIDE, sizeof *pile->nearest);
     return (pile->list != NULL && pile->depths != NULL && pile->nearest != NULL) ||
-           error_set(error, "not enough memory for %zu triangles", limit);
+           error_set(error, "out of memory for %zu triangles", limit);
 }
 
 static void pile_free(struct pile *pile) {
@@ -70,7 +70,7 @@ static bool make_bust(struct pile *pile, const struct image *image, struct error
         bench_read_model(&model, "bust.obj", error) && pile_allocate(pile, model.face_count, error);
     for (size_t face = 0; well && face < model.face_count; face++) {
         struct vertex v[3];
-        if (face_intensity(&model, face, light) > 0 && place_face(&model, face, image, v)) {
+        if (model_face_intensity(&model, face, light) > 0 && place_face(&model, face, image, v)) {
             pile_add(pile, v);
         }
     }
@@ -147,7 +147,7 @@ enum { HOUSE = 0 }; /* choices 1 to 11 are the attempts */
 
 static void draw_house(struct depth_bench *bench, const struct pile *pile) {
     struct canvas canvas = {.image = &bench->image, .depth = bench->buffer};
-    clear_depth(bench->buffer, (size_t)SIDE * SIDE);
+    depth_clear(bench->buffer, (size_t)SIDE * SIDE);
     for (size_t i = 0; i < pile->count; i++) {
         triangle(&canvas, pile->list[i].v, pile->list[i].color);
     }
@@ -219,7 +219,7 @@ static bool depth_setup(void **state, struct error *error) {
     struct depth_bench *bench = calloc(1, sizeof *bench);
     *state = bench;
     if (bench == NULL) {
-        return error_set(error, "not enough memory for depths");
+        return error_set(error, "out of memory for depths");
     }
     if (!image_create(&bench->image, SIDE, SIDE, IMAGE_BGR, error) ||
         !make_bust(&bench->bust, &bench->image, error) || !make_sheets(&bench->sheets, error)) {
@@ -228,7 +228,7 @@ static bool depth_setup(void **state, struct error *error) {
     bench->sorted = calloc(bench->bust.count + SHEET_COUNT, sizeof *bench->sorted);
     bench->buffer = calloc((size_t)SIDE * SIDE, sizeof(double));
     if (bench->sorted == NULL || bench->buffer == NULL) {
-        return error_set(error, "not enough memory for a depth buffer");
+        return error_set(error, "out of memory for a depth buffer");
     }
     pile_find_nearest(&bench->bust);
     pile_find_nearest(&bench->sheets);

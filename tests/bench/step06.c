@@ -14,6 +14,8 @@ int step06_main(int argc, char **argv);
 
 #include "bench.h"
 
+#include <stdlib.h>
+
 enum { HILL_SIDE = 512, HILL_TEXELS = 16, PLANE_SIZE = 800 };
 
 /* A picture to draw, and its exact colours. */
@@ -113,7 +115,7 @@ static bool make_hill_texture(struct texture *texture, struct error *error) {
 static bool target_create(struct target *target, size_t side, struct error *error) {
     target->exact = malloc(side * side * sizeof *target->exact);
     if (target->exact == NULL) {
-        return error_set(error, "out of memory");
+        return error_out_of_memory(error);
     }
     return image_create(&target->image, side, side, IMAGE_BGR, error);
 }
@@ -167,7 +169,7 @@ static bool setup(void **state, struct error *error) {
     struct work *work = calloc(1, sizeof *work);
     *state = work;
     if (work == NULL) {
-        return error_set(error, "out of memory");
+        return error_out_of_memory(error);
     }
     return make_hill(&work->hill, error) && make_plane(&work->plane, error);
 }

@@ -12,6 +12,8 @@ int step07_main(int argc, char **argv);
 
 #include "bench.h"
 
+#include <stdlib.h>
+
 enum { SIDE = 512 };
 
 struct work {
@@ -77,13 +79,13 @@ static bool setup(void **state, struct error *error) {
     struct work *work = calloc(1, sizeof *work);
     *state = work;
     if (work == NULL) {
-        return error_set(error, "out of memory");
+        return error_out_of_memory(error);
     }
     work->light = vec3_normalized((struct vec3){1, 2, 2});
     work->depth = malloc((size_t)SIDE * SIDE * sizeof *work->depth);
     work->exact = malloc((size_t)SIDE * SIDE * sizeof *work->exact);
     if (work->depth == NULL || work->exact == NULL) {
-        return error_set(error, "out of memory");
+        return error_out_of_memory(error);
     }
     for (int i = 0; i < SIDE * SIDE; i++) {
         work->exact[i] = sphere_level(i % SIDE, i / SIDE, work->light);

@@ -35,6 +35,7 @@ struct work {
     struct model model;
     struct state state; /* of the lesson's program */
     struct drawing drawing;
+    double *depth;
     struct image image;
     struct mat4 to_clip[CAMERAS], to_screen;
     struct vec2 *screen; /* one a position of the model */
@@ -43,7 +44,6 @@ struct work {
     struct texture tiles;
     struct vertex wall[4];
     struct vec4 wall_clip[4];
-    double wall_pixels;
     struct found *found; /* in scene closeup */
 };
 
@@ -218,7 +218,7 @@ static void run_wall(void *state, int choice) {
     struct work *work = state;
     struct canvas canvas = make_canvas(&work->drawing, &work->image, whole_image(&work->image));
     canvas.texture = &work->tiles;
-    clear_depth(work->state.depth, (size_t)SIDE * SIDE);
+    depth_clear(work->depth, (size_t)SIDE * SIDE);
     for (int half = 0; half < 2; half++) {
         struct vertex v[3];
         struct vec4 clip[3];
@@ -227,11 +227,21 @@ static void run_wall(void *state, int choice) {
             (choice == AFFINE ? attempt_12_affine_triangle : triangle)(&canvas, &edges, v);
         }
     }
-    work->wall_pixels = (double)canvas.pixels_written;
 }
 
 static double units_wall(const void *state) {
-    return ((const struct work *)state)->wall_pixels;
+    double pixels = 0;
+    for (int half = 0; half < 2; half++) {
+        struct vertex v[3];
+        struct vec4 clip[3];
+        struct edges edges;
+        bool seen = wall_half(state, half, v, clip, &edges);
+        for (int y = edges.y_begin; seen && y < edges.y_end; y++) {
+            struct span span = edges_span(&edges, y);
+            pixels += span.begin < span.end ? span.end - span.begin : 0;
+        }
+    }
+    return pixels;
 }
 
 /* How far from the centre of a pixel does the point lie that the weights give? */
@@ -281,7 +291,7 @@ static attempt_draw *const draws[] = {
 static void run_clip(void *state, int choice) {
     struct work *work = state;
     struct canvas canvas = make_canvas(&work->drawing, &work->image, whole_image(&work->image));
-    begin_picture(&work->drawing, &work->image);
+    depth_clear(work->depth, (size_t)SIDE * SIDE);
     work->drawing.counter_count = 0;
     draws[choice](&work->drawing, &canvas, &work->to_clip[1]);
 }
@@ -321,15 +331,19 @@ static bool make_ray_face(const struct vec4 clip[3], struct ray_face *face) {
     return determinant > 0;
 }
 
+struct box {
+    struct span columns, rows;
+};
+
 /* Keep the face where it is nearest so far. */
-static void find_face(const struct ray_face *face, struct area box, struct found *found) {
+static void find_face(const struct ray_face *face, struct box box, struct found *found) {
     long double right = 0, up = 0; /* what the depth gains */
     for (int i = 0; i < 3; i++) {
         right += face->weight[i][0] * face->z[i];
         up += face->weight[i][1] * face->z[i];
     }
-    for (int y = box.bottom; y < box.top; y++) {
-        for (int x = box.left; x < box.right; x++) {
+    for (int y = box.rows.begin; y < box.rows.end; y++) {
+        for (int x = box.columns.begin; x < box.columns.end; x++) {
             long double ndc_x = (x + 0.5L) * 2 / SIDE - 1, ndc_y = (y + 0.5L) * 2 / SIDE - 1;
             long double sum = 0, depth = 0;
             bool inside = true;
@@ -348,21 +362,22 @@ static void find_face(const struct ray_face *face, struct area box, struct found
     }
 }
 
-/* The pixels where a face may be: all of them when it reaches behind the near plane. */
-static struct area face_box(const struct vec4 clip[3]) {
-    struct area box = {.left = SIDE, .bottom = SIDE};
+/* Let a span of pixels reach this place. */
+static void widen(struct span *span, double place) {
+    int first = (int)fmin(fmax(place, 0), SIDE), end = (int)fmin(fmax(place, 0) + 1, SIDE);
+    span->begin = first < span->begin ? first : span->begin;
+    span->end = end > span->end ? end : span->end;
+}
+
+/* Where a face may be seen: everywhere when it reaches behind the near plane. */
+static struct box face_box(const struct vec4 clip[3]) {
+    struct box box = {.columns = {SIDE, 0}, .rows = {SIDE, 0}};
     for (int i = 0; i < 3; i++) {
-        double x = (clip[i].x / clip[i].w + 1) * SIDE / 2,
-               y = (clip[i].y / clip[i].w + 1) * SIDE / 2;
         if (clip[i].w < near_w) {
-            return (struct area){.right = SIDE, .top = SIDE};
+            return (struct box){.columns = {0, SIDE}, .rows = {0, SIDE}};
         }
-        x = fmin(fmax(x, 0), SIDE);
-        y = fmin(fmax(y, 0), SIDE);
-        box.left = fmin(x, box.left) < box.left ? (int)x : box.left;
-        box.bottom = fmin(y, box.bottom) < box.bottom ? (int)y : box.bottom;
-        box.right = x + 1 > box.right ? (int)fmin(x + 1, SIDE) : box.right;
-        box.top = y + 1 > box.top ? (int)fmin(y + 1, SIDE) : box.top;
+        widen(&box.columns, (clip[i].x / clip[i].w + 1) * SIDE / 2);
+        widen(&box.rows, (clip[i].y / clip[i].w + 1) * SIDE / 2);
     }
     return box;
 }
@@ -391,7 +406,7 @@ static double error_clip(void *state, int choice) {
     size_t wrong = 0;
     run_clip(state, choice);
     for (size_t i = 0; i < (size_t)SIDE * SIDE; i++) {
-        long double depth = work->state.depth[i], exact = work->found[i].depth;
+        long double depth = work->depth[i], exact = work->found[i].depth;
         bool right = isinf(exact) ? depth == exact
                                   : fabsl(depth - exact) <= work->found[i].tolerance + 1e-9L;
         wrong += !right;
@@ -402,25 +417,33 @@ static double error_clip(void *state, int choice) {
 /* ---- Setting up ---- */
 
 static bool make_state(struct work *work, struct error *error) {
-    work->drawing = (struct drawing){
-        .model = &work->model, .light = {1, 1, 2}, .skip = true, .state = &work->state};
-    if (!bench_read_model(&work->model, "bust.obj", error) ||
-        !prepare(&work->drawing, SIDE, SIDE, error)) {
+    struct model *model = &work->model;
+    if (!bench_read_model(model, "bust.obj", error) || !model_need_normals(model, error)) {
         return false;
     }
-    work->screen = calloc(work->model.position_count, sizeof *work->screen);
+    work->depth = malloc((size_t)SIDE * SIDE * sizeof *work->depth);
+    work->screen = calloc(model->position_count, sizeof *work->screen);
     work->found = malloc((size_t)SIDE * SIDE * sizeof *work->found);
-    if (work->screen == NULL || work->found == NULL) {
-        return error_set(error, "out of memory");
+    if (work->depth == NULL || work->screen == NULL || work->found == NULL) {
+        return error_out_of_memory(error);
     }
-    return image_create(&work->image, SIDE, SIDE, IMAGE_BGR, error);
+    work->drawing = (struct drawing){
+        .model = model,
+        .diffuse = model_texture(model, MODEL_DIFFUSE, error),
+        .depth = work->depth,
+        .light = {1, 1, 2},
+        .skip = true,
+        .state = &work->state,
+    };
+    return work->drawing.diffuse != NULL && prepare(&work->drawing, SIDE, SIDE, error) &&
+           image_create(&work->image, SIDE, SIDE, IMAGE_BGR, error);
 }
 
 static bool setup(void **state, struct error *error) {
     struct work *work = calloc(1, sizeof *work);
     *state = work;
     if (work == NULL) {
-        return error_set(error, "out of memory");
+        return error_out_of_memory(error);
     }
     for (int i = 0; i < CAMERAS; i++) {
         struct vec3 eye = cameras[i].eye, center = cameras[i].center;
@@ -439,7 +462,8 @@ static bool setup(void **state, struct error *error) {
 static void teardown(void *state) {
     struct work *work = state;
     if (work != NULL) {
-        finish(&work->drawing);
+        free(work->state.positions);
+        free(work->depth);
         model_free(&work->model);
         image_free(&work->image);
         texture_free(&work->tiles);

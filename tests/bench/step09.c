@@ -114,7 +114,7 @@ static bool repeat_model(struct model *model, size_t count, struct vec3 offset,
     if (moved == NULL || all == NULL) {
         free(moved);
         free(all);
-        return error_set(error, "out of memory");
+        return error_out_of_memory(error);
     }
     for (size_t copy = 0; copy < count; copy++) {
         struct vec3 by = vec3_scale(offset, (double)(count - 1 - copy));
@@ -146,14 +146,20 @@ static bool repeat_model(struct model *model, size_t count, struct vec3 offset,
 static bool prepare_subject(struct work *work, struct subject *subject, const struct shader *shader,
                             struct error *error) {
     struct drawing drawing = {
-        .model = &subject->model, .eye = {1, 0.5, 3}, .up = {0, 1, 0}, .light = {1, 1, 1}};
-    if (!make_uniforms(&drawing, NEEDS_NORMALS | NEEDS_DIFFUSE, SIDE, &subject->uniforms, error)) {
+        .model = &subject->model,
+        .diffuse = model_texture(&subject->model, MODEL_DIFFUSE, error),
+        .eye = {1, 0.5, 3},
+        .up = {0, 1, 0},
+        .light = {1, 1, 1},
+    };
+    if (drawing.diffuse == NULL || !model_need_normals(&subject->model, error)) {
         return false;
     }
+    subject->uniforms = make_uniforms(&drawing, SIDE);
     subject->shader = shader;
-    subject->call = call_in_cell(&drawing, grid_cell(SIDE, SIDE, 1, 1, 0, 0), 0.85, CULL_BACK);
+    subject->call = pipeline_call(&drawing, grid_cell(SIDE, SIDE, 1, 1, 0, 0), 0.85, CULL_BACK);
     if (!draw_subject(work, subject, CHOICE(PATIENT, 1))) {
-        return error_set(error, "out of memory");
+        return error_out_of_memory(error);
     }
     return image_copy(&subject->right, &work->image, error);
 }
@@ -163,7 +169,7 @@ static bool setup(void **state, struct error *error) {
     struct work *work = calloc(1, sizeof *work);
     *state = work;
     if (work == NULL) {
-        return error_set(error, "out of memory");
+        return error_out_of_memory(error);
     }
     return image_create(&work->image, SIDE, SIDE, IMAGE_BGR, error) &&
            pipeline_create(&work->pipeline, SIDE, SIDE, error) &&

@@ -156,12 +156,16 @@ static bool schlick_fragment(const void *uniforms, const double *varyings, struc
     return true;
 }
 
-SHADER(pow_shader, 8, vertex_with_normal, pow_fragment);
-SHADER(repeated_shader, 8, vertex_with_normal, repeated_fragment);
-SHADER(squared_shader, 8, vertex_with_normal, plain_fragment);
-SHADER(table_shader, 8, vertex_with_normal, table_fragment);
-SHADER(schlick_shader, 8, vertex_with_normal, schlick_fragment);
-SHADER(short_normal_shader, 8, vertex_with_normal, attempt_5_not_normalized);
+SHADER(pow_shader, .varying_count = 8, .vertex = vertex_with_normal, .fragment = pow_fragment);
+SHADER(repeated_shader, .varying_count = 8, .vertex = vertex_with_normal,
+       .fragment = repeated_fragment);
+SHADER(squared_shader, .varying_count = 8, .vertex = vertex_with_normal,
+       .fragment = plain_fragment);
+SHADER(table_shader, .varying_count = 8, .vertex = vertex_with_normal, .fragment = table_fragment);
+SHADER(schlick_shader, .varying_count = 8, .vertex = vertex_with_normal,
+       .fragment = schlick_fragment);
+SHADER(short_normal_shader, .varying_count = 8, .vertex = vertex_with_normal,
+       .fragment = attempt_5_not_normalized);
 
 static const struct shader *const power_shaders[POWERS] = {
     [POW] = &pow_shader,     [REPEATED] = &repeated_shader, [SQUARED] = &squared_shader,
@@ -196,7 +200,8 @@ static bool measuring_fragment(const void *uniforms, const double *varyings, str
     return true;
 }
 
-SHADER(measuring_shader, 8, measuring_vertex, measuring_fragment);
+SHADER(measuring_shader, .varying_count = 8, .vertex = measuring_vertex,
+       .fragment = measuring_fragment);
 
 static double error_power(void *state, int choice) {
     struct work *work = state;
@@ -275,7 +280,7 @@ static bool make_sphere(struct model *model, size_t rows, struct error *error) {
     model->faces = calloc(2 * rows * columns, sizeof *model->faces);
     if (model->positions == NULL || model->uvs == NULL || model->normals == NULL ||
         model->faces == NULL) {
-        return error_set(error, "out of memory");
+        return error_out_of_memory(error);
     }
     for (size_t row = 0; row <= rows; row++) {
         for (size_t column = 0; column <= columns; column++) {
@@ -372,7 +377,7 @@ static bool setup(void **state, struct error *error) {
     struct work *work = calloc(1, sizeof *work);
     *state = work;
     if (work == NULL) {
-        return error_set(error, "out of memory");
+        return error_out_of_memory(error);
     }
     return image_create(&work->image, SIDE, SIDE, IMAGE_BGR, error) &&
            pipeline_create(&work->pipeline, SIDE, SIDE, error) && make_lit(work, error) &&

@@ -26,6 +26,7 @@
 
 #include "compare.h"
 #include "drawn.h"
+#include "image_file.h"
 #include "png.h"
 #include "run.h"
 #include "scenes.h"
@@ -224,7 +225,7 @@ static void read_references(const struct options *options, const struct checked_
         char path[DRAWN_PATH_LIMIT];
         snprintf(path, sizeof path, "%s/%s/%s.png", options->references, step->name,
                  step->scenes[i].name);
-        if (png_read(&references[i], path, &errors[i]) && image_is_blank(&references[i])) {
+        if (image_read(&references[i], path, &errors[i]) && image_is_blank(&references[i])) {
             error_set(&errors[i], "%.900s: is blank", path);
             image_free(&references[i]);
         }
@@ -238,7 +239,7 @@ static void write_difference(const char *path, const struct image *reference,
     char directory[DRAWN_PATH_LIMIT];
     snprintf(directory, sizeof directory, "%.*s", (int)(strrchr(path, '/') - path), path);
     bool good = compare_picture(&picture, reference, yours, &error) &&
-                run_make_directories(directory, &error) && png_write(&picture, path, &error);
+                directory_create(directory, &error) && png_write(&picture, path, &error);
     image_free(&picture);
     if (good) {
         append(&score->differences, "  %s\n", path);
@@ -401,7 +402,7 @@ static void remove_old_differences(const struct options *options, const struct c
 static void check_step(const struct options *options, const struct checked_step *step,
                        struct score *score) {
     struct bytes line = {.data = NULL};
-    struct error error = {"out of memory"};
+    struct error error = {.message = "out of memory"};
     struct message_line reason;
     bool passed = false;
     size_t count = step->scene_count;

@@ -15,6 +15,7 @@
 
 #include "compare.h"
 #include "drawn.h"
+#include "image_file.h"
 #include "png.h"
 #include "run.h"
 #include "scenes.h"
@@ -49,9 +50,9 @@ static bool save_picture(const struct options *options, const char *step, const 
     struct image old;
     struct error ignored;
     bool exists = access(path, F_OK) == 0;
-    bool same = png_read(&old, path, &ignored) && same_picture(&old, image);
+    bool same = image_read(&old, path, &ignored) && same_picture(&old, image);
     image_free(&old);
-    if (!same && (!run_make_directories(directory, error) || !png_write(image, path, error))) {
+    if (!same && (!directory_create(directory, error) || !png_write(image, path, error))) {
         return false;
     }
     printf("%-9s  %s\n", same ? "unchanged" : (exists ? "changed" : "new"), path);

@@ -471,21 +471,3 @@ void run_directory_remove(const char *path) {
         remove_tree(AT_FDCWD, path);
     }
 }
-
-bool run_make_directories(const char *path, struct error *error) {
-    char partial[4096];
-    size_t length = strlen(path);
-    if (length >= sizeof partial) {
-        return error_set(error, "%s: name too long", path);
-    }
-    for (size_t i = 1; i <= length; i++) {
-        if (path[i] == '/' || path[i] == '\0') {
-            memcpy(partial, path, i);
-            partial[i] = '\0';
-            if (mkdir(partial, 0777) != 0 && errno != EEXIST) {
-                return error_set(error, "%s: %s", partial, strerror(errno));
-            }
-        }
-    }
-    return true;
-}

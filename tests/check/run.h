@@ -73,7 +73,4 @@ bool run_directory_create(char *path, size_t size, struct error *error);
 /* Remove a directory with all that a program left in it. */
 void run_directory_remove(const char *path);
 
-/* Make a directory and those above it, as mkdir -p does. */
-bool run_make_directories(const char *path, struct error *error);
-
 #endif

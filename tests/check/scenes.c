@@ -1,5 +1,6 @@
 #include "scenes.h"
 
+#include "array.h"
 #include "text.h"
 
 #include <ctype.h>
@@ -50,9 +51,9 @@ static struct checked_step *find_or_add_step(struct scene_table *table, struct t
         }
     }
     struct checked_step *steps =
-        realloc(table->steps, (table->step_count + 1) * sizeof table->steps[0]);
+        array_reserve(table->steps, &table->step_capacity, table->step_count + 1, sizeof *steps);
     if (steps == NULL) {
-        error_set(error, "out of memory");
+        error_out_of_memory(error);
         return NULL;
     }
     table->steps = steps;
@@ -101,9 +102,9 @@ static bool read_scene(struct scene_table *table, struct text *text, struct word
         return false;
     }
     struct checked_scene *scenes =
-        realloc(step->scenes, (step->scene_count + 1) * sizeof step->scenes[0]);
+        array_reserve(step->scenes, &step->scene_capacity, step->scene_count + 1, sizeof *scenes);
     if (scenes == NULL) {
-        return error_set(error, "out of memory");
+        return error_out_of_memory(error);
     }
     step->scenes = scenes;
     scenes[step->scene_count++] = scene;
@@ -128,7 +129,7 @@ bool scene_table_read(struct scene_table *table, const char *path, struct error 
     bytes_free(&file);
     if (!good) {
         scene_table_free(table);
-        return text_name_file(error, path);
+        return error_name_input(error, path);
     }
     return true;
 }

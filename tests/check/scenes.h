@@ -28,12 +28,13 @@ struct checked_step {
     bool selected;
     struct checked_scene *scenes;
     size_t scene_count; /* at least 1 */
+    size_t scene_capacity;
 };
 
 /* All zero is a valid, empty table. */
 struct scene_table {
     struct checked_step *steps;
-    size_t step_count;
+    size_t step_count, step_capacity;
 };
 
 /* Read the table; no step is selected. On an error the table is empty, and the message names the

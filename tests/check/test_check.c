@@ -10,6 +10,7 @@
 
 #include "compare.h"
 #include "file.h"
+#include "image_file.h"
 #include "png.h"
 #include "unit.h"
 
@@ -348,7 +349,8 @@ static void test_difference_images(void) {
         snprintf(name, sizeof name, "differences/%s.png", cases[i].name);
         snprintf(line, sizeof line, "  %s\n", inside(name).text);
         CHECK_ROW(contains(&fixture.output, line) == cases[i].wanted, cases[i].name);
-        CHECK_ROW(png_read(&picture, inside(name).text, &error) == cases[i].wanted, cases[i].name);
+        CHECK_ROW(image_read(&picture, inside(name).text, &error) == cases[i].wanted,
+                  cases[i].name);
         if (cases[i].wanted) {
             CHECK_ROW(picture.width == 3 * PICTURE_SIZE + 16 && picture.height == PICTURE_SIZE,
                       cases[i].name);
@@ -570,8 +572,8 @@ static void test_redraw(void) {
     CHECK(stat(first.text, &after) == 0 && before.st_ino == after.st_ino); /* not written again */
     struct image drawn, wanted;
     struct error error;
-    bool good = png_read(&drawn, first.text, &error);
-    good = png_read(&wanted, inside("reference/step01_exact/depth.png").text, &error) && good;
+    bool good = image_read(&drawn, first.text, &error);
+    good = image_read(&wanted, inside("reference/step01_exact/depth.png").text, &error) && good;
     CHECK(good && drawn.height == wanted.height && drawn.width == wanted.width &&
           compare_images(&wanted, &drawn).differing == 0);
     image_free(&drawn);

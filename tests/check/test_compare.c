@@ -1,6 +1,4 @@
-/*
- * Tests of the comparison: its rule against a plain reading of it, pixel by pixel, and its limits.
- */
+/* Tests of the comparison: its rule against a plain reading of it, each pixel, and its limits. */
 #include "compare.h"
 
 #include "unit.h"

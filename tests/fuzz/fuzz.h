@@ -6,14 +6,14 @@
  *     REQUIRE(condition)     stops with the place and the condition when it does not hold
  *     memory_begin/most()    the most bytes that were allocated at one time in between
  *
- * Built by clang with -fsanitize=fuzzer,address,undefined; see `make fuzz`.
+ * Built by clang with -fsanitize=fuzzer,address,undefined (`make fuzz`), and by any compiler with
+ * replay.c and -fsanitize=address,undefined (`make test`).
  */
 #ifndef TESTS_FUZZ_H
 #define TESTS_FUZZ_H
 
 #include "file.h"
 
-#include <sanitizer/allocator_interface.h>
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
@@ -37,7 +37,7 @@ int LLVMFuzzerInitialize(const int *argc, char ***argv);
 
 /* A message that a test would notice if nobody wrote it. */
 static inline struct error no_error(void) {
-    return (struct error){{0}};
+    return (struct error){0};
 }
 
 /* One line, not empty, without control characters. */
@@ -52,6 +52,11 @@ static inline void require_message(const struct error *error) {
 
 /* ---- Memory ---- */
 
+/* Of the address sanitizer; gcc has these functions, but no header for them. */
+size_t __sanitizer_get_allocated_size(const volatile void *block);
+int __sanitizer_install_malloc_and_free_hooks(void (*malloc_hook)(const volatile void *, size_t),
+                                              void (*free_hook)(const volatile void *));
+
 static size_t memory_now, memory_peak;
 
 static void count_allocation(const volatile void *block, size_t size) {
@@ -62,7 +67,7 @@ static void count_allocation(const volatile void *block, size_t size) {
 }
 
 static void count_release(const volatile void *block) {
-    size_t size = block != NULL ? __sanitizer_get_allocated_size((const void *)block) : 0;
+    size_t size = block != NULL ? __sanitizer_get_allocated_size(block) : 0;
     memory_now = memory_now > size ? memory_now - size : 0;
 }
 

@@ -1,12 +1,12 @@
 /*
  * PNG, in four ways that the first byte chooses:
  *
- *   0x89     a PNG file of any bytes; then once more with the checksums of its chunks made
- * right, so            that what comes after them is reached   0x78     a zlib stream, without a
- * PNG around it, for a number of bytes that its last two tell   even     the bytes are pixels:
- * written as PNG and read again they are the same   odd      the bytes are a header and rows
- * before compression: a file with right checksums and            every depth, colour type,
- * palette and row filter
+ *   0x89   a PNG file of any bytes; then once more with the checksums of its chunks made right, so
+ *          that what comes after them is reached
+ *   0x78   a zlib stream, without a PNG around it, for a number of bytes that its last two tell
+ *   even   the bytes are pixels: written as PNG and read again they are the same
+ *   odd    the bytes are a header and rows before compression: a file with right checksums and
+ *          every depth, colour type, palette and row filter
  *
  * What can be read is a valid image and survives being written and read again.
  */

@@ -4,7 +4,7 @@
  * is the same scene. Every word that is a number is the number that the C library reads.
  */
 #include "fuzz.h"
-#include "geometry.h"
+#include "raster.h"
 #include "text.h"
 #include "text_scene.h"
 

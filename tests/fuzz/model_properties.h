@@ -5,15 +5,16 @@
 
 #include "fuzz.h"
 #include "model.h"
+#include "normals.h"
 #include "pipeline.h"
 
 #include <math.h>
 
 enum { SIDE = 32 };         /* pixels of the image that models are drawn into */
 enum { SLOW_FACES = 4096 }; /* larger models are only read */
-/* Bytes of memory for each byte of a file: a polygon's corner takes two bytes of text, and a
- * corner, a node, a cell, a place in the queue and a face of memory, each in an array that
- * doubles. */
+/* Bytes of memory for each byte of a file: a polygon's corner takes two bytes of text. In memory it
+ * takes a corner, a position, a node, a cell, a place in the queue, a triangle, a face and its
+ * colour, each in an array that grows by half. */
 enum { MODEL_GROWTH = 160 };
 
 static inline void require_finite(const float *numbers, size_t count) {
@@ -22,13 +23,24 @@ static inline void require_finite(const float *numbers, size_t count) {
     }
 }
 
+static inline void require_colors(const float (*colors)[3], size_t count) {
+    for (size_t i = 0; i < count; i++) {
+        for (int channel = 0; channel < 3; channel++) {
+            REQUIRE(colors[i][channel] >= 0 && colors[i][channel] <= 1);
+        }
+    }
+}
+
 static inline void require_valid_model(const struct model *model) {
     REQUIRE(model->face_count > 0 && model->position_count > 0);
     for (size_t i = 0; i < model->position_count; i++) {
         require_finite(model->positions[i], 3);
-        for (int channel = 0; model->colors != NULL && channel < 3; channel++) {
-            REQUIRE(model->colors[i][channel] >= 0 && model->colors[i][channel] <= 1);
-        }
+    }
+    if (model->colors != NULL) {
+        require_colors((const float(*)[3])model->colors, model->position_count);
+    }
+    if (model->face_colors != NULL) {
+        require_colors((const float(*)[3])model->face_colors, model->face_count);
     }
     for (size_t i = 0; i < model->uv_count; i++) {
         require_finite(model->uvs[i], 2);
@@ -139,6 +151,7 @@ static inline void require_model(const uint8_t *data, size_t size) {
     require_memory(size, MODEL_GROWTH);
     if (!done) {
         REQUIRE(model.face_count == 0 && model.positions == NULL && model.faces == NULL);
+        REQUIRE(model.colors == NULL && model.face_colors == NULL);
         require_message(&error);
         return;
     }
@@ -146,8 +159,9 @@ static inline void require_model(const uint8_t *data, size_t size) {
     if (model.face_count <= SLOW_FACES) {
         require_normals(&model);
         require_drawing(&model);
-        REQUIRE(model_colors_from_normals(&model, &error));
+        REQUIRE(model_need_colors(&model, &error));
         require_valid_model(&model);
+        REQUIRE(model.colors != NULL || model.face_colors != NULL);
     }
     model_free(&model);
 }

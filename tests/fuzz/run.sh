@@ -1,10 +1,11 @@
 #!/bin/sh
 # Build the fuzz targets beside this script and run each for some time. Called by `make fuzz`.
 #
-#   tests/fuzz/run.sh BUILD SECONDS [NAME...]      NAME: tga, png, obj, off or text_scene
+#   tests/fuzz/run.sh BUILD SECONDS [NAME...]      NAME: png of fuzz_png.c, ...; none means all
 #
-# What was found grows in BUILD/fuzz/corpus/NAME, beginning with the files of tests/fuzz/corpus/NAME.
-# FUZZ_MERGE=1 puts back into the latter the fewest of these files that reach as much of the code.
+# What is found grows in BUILD/fuzz/corpus/NAME, beginning with the files of
+# tests/fuzz/corpus/NAME.tar. FUZZ_MERGE=1 puts back into the latter the fewest of all these files
+# that reach as much of the code.
 # Exit status: 0 all is well, 1 a target found something, 2 clang or its runtime is missing.
 cd "$(dirname "$0")/../.." || exit 1
 build=${1:-build}
@@ -35,12 +36,13 @@ for source in common/*.c; do
         -o "$work/objects/$(basename "$source" .c).o" || exit 1
 done
 
-[ $# -gt 0 ] || set -- tga png obj off text_scene
+# shellcheck disable=SC2046 # one word a target
+[ $# -gt 0 ] || set -- $(tests/fuzz/corpus.sh names)
 failed=0
 for name in "$@"; do
     grown=$work/corpus/$name
-    kept=tests/fuzz/corpus/$name
-    mkdir -p "$grown" "$kept" || exit 1
+    kept=$work/kept/$name
+    mkdir -p "$grown" && tests/fuzz/corpus.sh unpack "$name" "$kept" || exit 1
     # shellcheck disable=SC2086
     "$clang" $flags -fsanitize=fuzzer,$sanitize "tests/fuzz/fuzz_$name.c" "$work"/objects/*.o -lm \
         -o "$work/fuzz_$name" || exit 1
@@ -49,9 +51,8 @@ for name in "$@"; do
         mkdir "$work/merged" || exit 1
         "$work/fuzz_$name" -merge=1 -use_counters=0 -max_len=2048 "$work/merged" "$kept" "$grown" \
             >"$work/log" 2>&1 || exit 1
-        rm -rf "$kept"
-        mv "$work/merged" "$kept"
-        echo "$name: $(find "$kept" -type f | wc -l) files kept"
+        tests/fuzz/corpus.sh pack "$name" "$work/merged" || exit 1
+        echo "$name: $(find "$work/merged" -type f | wc -l) files kept"
         continue
     fi
     words=

@@ -28,6 +28,7 @@
 #include "mesa.h"
 #include "png.h"
 #include "reference.h"
+#include "stage.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -90,9 +91,7 @@ static double median(double times[REPEATS]) {
 
 struct subject {
     const struct lesson *lesson;
-    const struct scene *scene;
-    bool (*draw)(struct drawing *drawing, struct image *image, struct error *error);
-    struct drawing drawing;
+    struct stage stage;
     struct image image; /* the lesson's own picture */
     bool *covered;      /* one a pixel: does the lesson show a face there? */
     struct picture picture;
@@ -101,8 +100,8 @@ struct subject {
 /* The lesson's own picture, over a background that is all black or all white. */
 static bool draw_over(struct subject *s, uint8_t level, struct error *error) {
     memset(s->image.pixels, level, s->image.width * s->image.height * s->image.format);
-    s->drawing.counter_count = 0;
-    return s->draw(&s->drawing, &s->image, error);
+    s->stage.drawing.counter_count = 0;
+    return stage_draw(&s->stage, &s->image, s->stage.drawing.frame, error);
 }
 
 /* Draw the lesson's own picture and find which pixels it has drawn. */
@@ -115,7 +114,7 @@ static bool draw_ours(struct subject *s, struct error *error) {
         bool same =
             memcmp(over_white.pixels + i * format, s->image.pixels + i * format, format) == 0;
         s->covered[i] =
-            s->lesson->covered != NULL ? s->lesson->covered(&s->drawing, &s->image, i) : same;
+            s->lesson->covered != NULL ? s->lesson->covered(&s->stage.drawing, &s->image, i) : same;
     }
     image_free(&over_white);
     return done;
@@ -219,7 +218,7 @@ static bool save_mesa(const struct subject *s, const struct mesa_result *mesa, c
 static bool save_both(const struct subject *s, const struct mesa_result *mesa,
                       const char *directory, struct error *error) {
     char ours_path[1024], mesa_path[1024];
-    const char *step = s->lesson->program->name, *scene = s->scene->name;
+    const char *step = s->lesson->program->name, *scene = s->stage.scene.name;
     snprintf(ours_path, sizeof ours_path, "%s/%s_%s_course.png", directory, step, scene);
     snprintf(mesa_path, sizeof mesa_path, "%s/%s_%s_mesa.png", directory, step, scene);
     return png_write(&s->image, ours_path, error) && save_mesa(s, mesa, mesa_path, error);
@@ -275,7 +274,7 @@ static bool compare_loaded(struct subject *s, struct mesa *mesa, const struct op
     }
     f->plain_coverage += count_coverage(s, &ours, &plain);
     compare(s, &ours, &snapped, f);
-    if (s->drawing.frame == 0) {
+    if (s->stage.drawing.frame == 0) {
         done = options->directory == NULL || save_both(s, &snapped, options->directory, error);
         time_mesa(s, mesa, &plain, &f->mesa_ms);
         done = done && time_ours(s, &f->ours_ms, error);
@@ -291,54 +290,33 @@ static bool compare_frame(struct subject *s, struct mesa *mesa, const struct opt
                           struct findings *f, struct error *error) {
     s->picture = (struct picture){
         .width = s->image.width, .height = s->image.height, .shift = options->shift};
-    bool done = draw_ours(s, error) &&
-                s->lesson->build(s->scene->name, &s->drawing, &s->image, &s->picture, error) &&
-                mesa_load(mesa, &s->picture, error) && compare_loaded(s, mesa, options, f, error);
+    bool done =
+        draw_ours(s, error) &&
+        s->lesson->build(s->stage.scene.name, &s->stage.drawing, &s->image, &s->picture, error) &&
+        mesa_load(mesa, &s->picture, error) && compare_loaded(s, mesa, options, f, error);
     mesa_unload(mesa);
     picture_free(&s->picture);
     return done;
 }
 
-static bool compare_scene(const struct lesson *lesson, const struct scene *scene,
-                          struct model *model, struct mesa *mesa, const struct options *options,
-                          struct findings *f, struct error *error) {
-    const struct program *program = lesson->program;
-    size_t frames = scene->frames > 1 ? scene->frames : 1;
-    struct subject s = {
-        .lesson = lesson,
-        .scene = scene,
-        .draw = lesson->left_out(scene->name) != NULL ? lesson->draw_rest : scene->draw,
-        .drawing = {.model = scene->needs_model ? model : NULL,
-                    .eye = scene->eye,
-                    .center = scene->center,
-                    .up = scene->up,
-                    .light = scene->light,
-                    .skip = true},
-        .covered = calloc(scene->width * scene->height, sizeof *s.covered),
-    };
-    s.drawing.state = calloc(1, lesson->state_size > 0 ? lesson->state_size : 1);
-    bool prepared = false, done = false;
-    if (s.covered == NULL || s.drawing.state == NULL) {
-        error_set(error, "out of memory");
-        goto end;
+static bool compare_scene(const struct lesson *lesson, const struct scene *given, struct run *run,
+                          struct mesa *mesa, const struct options *options, struct findings *f,
+                          struct error *error) {
+    struct scene scene = scene_complete(lesson->program, given);
+    struct subject s = {.lesson = lesson};
+    if (lesson->left_out(scene.name) != NULL) {
+        scene.draw = lesson->draw_rest;
     }
-    if (!image_create(&s.image, scene->width, scene->height,
-                      scene->format != 0 ? scene->format : IMAGE_BGR, error)) {
-        goto end;
-    }
-    prepared = true;
-    done = program->prepare == NULL ||
-           program->prepare(&s.drawing, scene->width, scene->height, error);
-    for (size_t i = 0; done && i < frames; i++) {
-        s.drawing.frame = i;
+    s.covered = calloc(scene.width * scene.height, sizeof *s.covered);
+    bool done = s.covered != NULL || error_out_of_memory(error);
+    done = done && image_create(&s.image, scene.width, scene.height, scene.format, error) &&
+           stage_begin(&s.stage, run, &scene, scene.width, scene.height, error);
+    for (size_t i = 0; done && i < scene.frames; i++) {
+        s.stage.drawing.frame = i;
         done = compare_frame(&s, mesa, options, f, error);
     }
-end:
-    if (prepared && program->finish != NULL) {
-        program->finish(&s.drawing);
-    }
+    stage_end(&s.stage);
     image_free(&s.image);
-    free(s.drawing.state);
     free(s.covered);
     return done;
 }
@@ -393,11 +371,13 @@ int lesson_capture(const struct program *program, int argc, char **argv) {
     return 0;
 }
 
-static bool compare_lesson(const struct lesson *lesson, struct model *model, struct mesa *mesa,
+static bool compare_lesson(const struct lesson *lesson, struct mesa *mesa,
                            const struct options *options, struct findings *total, bool *good,
                            struct error *error) {
     const struct program *program = lesson->program;
-    for (size_t i = 0; i < program->scene_count; i++) {
+    struct run run = {.program = program, .input = options->model};
+    bool done = true;
+    for (size_t i = 0; done && i < program->scene_count; i++) {
         const struct scene *scene = &program->scenes[i];
         const char *left_out = lesson->left_out(scene->name);
         struct findings found = {0};
@@ -407,28 +387,26 @@ static bool compare_lesson(const struct lesson *lesson, struct model *model, str
         if (left_out != NULL && lesson->draw_rest == NULL) {
             continue;
         }
-        if (!compare_scene(lesson, scene, model, mesa, options, &found, error)) {
-            return false;
+        done = compare_scene(lesson, scene, &run, mesa, options, &found, error);
+        if (done) {
+            print_findings(program->name, scene->name, &found);
+            *good = *good && findings_are_good(&found);
+            add_findings(total, &found);
         }
-        print_findings(program->name, scene->name, &found);
-        *good = *good && findings_are_good(&found);
-        add_findings(total, &found);
     }
-    return true;
+    run_free(&run);
+    return done;
 }
 
-static int compare_all(struct model *model, struct mesa *mesa, const struct options *options) {
-    const struct lesson lessons[] = {
-        lesson_step04(), lesson_step05(), lesson_step06(), lesson_step07(),
-        lesson_step08(), lesson_step09(), lesson_step10(),
-    };
+static int compare_all(struct mesa *mesa, const struct options *options) {
     struct findings total = {0};
     bool good = true;
     struct error error = {0};
     printf("%s\n", mesa_name(mesa));
-    for (size_t i = 0; i < sizeof lessons / sizeof lessons[0]; i++) {
-        if (!compare_lesson(&lessons[i], model, mesa, options, &total, &good, &error)) {
-            fprintf(stderr, "compare-opengl: %s: %s\n", lessons[i].program->name, error.message);
+    for (size_t i = 0; lesson_functions[i] != NULL; i++) {
+        struct lesson lesson = lesson_functions[i]();
+        if (!compare_lesson(&lesson, mesa, options, &total, &good, &error)) {
+            fprintf(stderr, "compare-opengl: %s: %s\n", lesson.program->name, error.message);
             return STATUS_DIFFERENT;
         }
     }
@@ -444,7 +422,7 @@ static int compare_all(struct model *model, struct mesa *mesa, const struct opti
 }
 
 static bool parse_options(int argc, char **argv, struct options *options) {
-    *options = (struct options){.model = COURSE_BUILD "/models/bust.obj"};
+    *options = (struct options){0};
     for (int i = 1; i < argc; i++) {
         if (strcmp(argv[i], "-o") == 0 && i + 1 < argc) {
             options->directory = argv[++i];
@@ -462,7 +440,6 @@ static bool parse_options(int argc, char **argv, struct options *options) {
 int main(int argc, char **argv) {
     struct options options;
     struct error error = {0};
-    struct model model = {0};
     if (!parse_options(argc, argv, &options)) {
         fprintf(stderr, "usage: compare-opengl [-o DIR] [--shift N] [model]\n");
         return STATUS_MISSING;
@@ -475,13 +452,7 @@ int main(int argc, char **argv) {
                 error.message);
         return STATUS_MISSING;
     }
-    int status = STATUS_DIFFERENT;
-    if (model_read(&model, options.model, &error)) {
-        status = compare_all(&model, mesa, &options);
-    } else {
-        fprintf(stderr, "compare-opengl: %s\n", error.message);
-    }
-    model_free(&model);
+    int status = compare_all(mesa, &options);
     mesa_close(mesa);
     return status;
 }

@@ -13,8 +13,6 @@
 
 struct lesson {
     const struct program *program;
-    /* Memory that the lesson's scenes need as `drawing->state`, at least program->state_size. */
-    size_t state_size;
     /* What of a scene is not triangles and is left out; NULL when it is all triangles. */
     const char *(*left_out)(const char *scene);
     /* Draws such a scene without what is left out. NULL: nothing remains, it is not compared. */
@@ -32,12 +30,10 @@ struct lesson {
  * set. */
 int lesson_capture(const struct program *program, int argc, char **argv);
 
-struct lesson lesson_step04(void);
-struct lesson lesson_step05(void);
-struct lesson lesson_step06(void);
-struct lesson lesson_step07(void);
-struct lesson lesson_step08(void);
-struct lesson lesson_step09(void);
-struct lesson lesson_step10(void);
+/* Describes a lesson; that of stepNN.c is called lesson_stepNN(). */
+typedef struct lesson lesson_function(void);
+
+/* All of them in order, then NULL. The Makefile writes this list from the names of the files. */
+extern lesson_function *const lesson_functions[];
 
 #endif

@@ -128,6 +128,7 @@ static const char *const formulas[LOOK_COUNT] = {
         "    at_jump = any(lessThan(abs(at - round(at)), vec2(1e-3)));\n"
         "    return texel(diffuse_map, clamp(ivec2(floor(at)), ivec2(0), size - 1), 0) * first.z;\n"
         "}\n",
+    [LOOK_COLORS] = "vec3 levels() { return 255.0 * first.rgb; }\n",
     [LOOK_LIT] = "vec3 levels() {\n"
                  "    float surface = ambient + diffuse * first.x;\n"
                  "    return surface * color + specular * first.y * light_color;\n"

@@ -30,6 +30,7 @@ enum look {
     LOOK_LIT_ONLY,         /* step 9: intensity; not drawn where it is 0 */
     LOOK_NEAREST,          /* step 6: u, v, intensity */
     LOOK_CHECKER,          /* step 6: u, v */
+    LOOK_COLORS,           /* step 7: red, green, blue */
     LOOK_LIT,              /* step 7: diffuse and specular part */
     LOOK_BILINEAR,         /* steps 8 and 9: u, v, intensity */
     LOOK_TOON,             /* step 9: intensity */

@@ -39,8 +39,9 @@ static bool build(const char *scene, struct drawing *drawing, struct image *imag
     return batch != NULL;
 }
 
+lesson_function lesson_step04;
 struct lesson lesson_step04(void) {
     const struct program *program = NULL;
     lesson_main(0, (char **)&program);
-    return (struct lesson){program, program->state_size, left_out, NULL, build, NULL};
+    return (struct lesson){program, left_out, NULL, build, NULL};
 }

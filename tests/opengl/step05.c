@@ -18,7 +18,7 @@ static bool build(const char *scene, struct drawing *drawing, struct image *imag
     picture->shows_depth = strcmp(scene, "depth") == 0;
     struct batch *batch = picture_add_batch(picture, &settings, error);
     for (size_t face = 0; batch != NULL && face < model->face_count; face++) {
-        double intensity = face_intensity(model, face, light);
+        double intensity = model_face_intensity(model, face, light);
         struct vertex vertices[3];
         if (!(intensity > 0) || !place_face(model, face, image, vertices)) {
             continue;
@@ -41,13 +41,13 @@ static bool build(const char *scene, struct drawing *drawing, struct image *imag
 
 /* The depth picture is drawn over everything, so that only the depth tells. */
 static bool covered(const struct drawing *drawing, const struct image *image, size_t pixel) {
-    const struct state *state = drawing->state;
     (void)image;
-    return state->depth[pixel] > -INFINITY;
+    return drawing->depth[pixel] > -INFINITY;
 }
 
+lesson_function lesson_step05;
 struct lesson lesson_step05(void) {
     const struct program *program = NULL;
     lesson_main(0, (char **)&program);
-    return (struct lesson){program, program->state_size, left_out, NULL, build, covered};
+    return (struct lesson){program, left_out, NULL, build, covered};
 }

@@ -12,15 +12,14 @@ static const char *left_out(const char *scene) {
 
 static bool build_texture(struct drawing *drawing, struct image *image, struct picture *picture,
                           struct error *error) {
-    const struct state *state = drawing->state;
     const struct model *model = drawing->model;
     const struct vec3 light = vec3_normalized(drawing->light);
     struct batch settings = parallel_batch(
         LOOK_NEAREST, (struct rectangle){0, 0, (int)image->width, (int)image->height});
-    settings.values.diffuse_map = state->diffuse;
+    settings.values.diffuse_map = drawing->diffuse;
     struct batch *batch = picture_add_batch(picture, &settings, error);
     for (size_t face = 0; batch != NULL && face < model->face_count; face++) {
-        double intensity = face_intensity(model, face, light);
+        double intensity = model_face_intensity(model, face, light);
         struct vertex vertices[3];
         if (!(intensity > 0) || !place_face(model, face, image, vertices)) {
             continue;
@@ -84,8 +83,9 @@ static bool build(const char *scene, struct drawing *drawing, struct image *imag
                                          : build_checker(drawing, image, picture, error);
 }
 
+lesson_function lesson_step06;
 struct lesson lesson_step06(void) {
     const struct program *program = NULL;
     lesson_main(0, (char **)&program);
-    return (struct lesson){program, program->state_size, left_out, NULL, build, NULL};
+    return (struct lesson){program, left_out, NULL, build, NULL};
 }

@@ -10,7 +10,23 @@ static const char *left_out(const char *scene) {
     return NULL;
 }
 
-/* All faces, with the light at their corners. `left` and `bottom` are those of the panel. */
+/* What is interpolated from a corner; without lighting its colour. */
+static void set_varyings(const struct model *model, size_t face, size_t corner,
+                         const struct lighting *lighting, double varyings[3]) {
+    if (lighting == NULL) {
+        struct vec3 color = model_color(model, face, corner);
+        varyings[0] = color.x;
+        varyings[1] = color.y;
+        varyings[2] = color.z;
+        return;
+    }
+    struct known_corner known = {0};
+    light_corner(model, face, corner, lighting, &known);
+    varyings[0] = lighting->at_points ? known.parts.diffuse : known.intensity;
+    varyings[1] = known.parts.specular;
+}
+
+/* All faces, drawn into the batch's viewport. */
 static bool add_faces(struct batch *batch, const struct model *model,
                       const struct lighting *lighting, struct error *error) {
     const struct rectangle *panel = &batch->viewport;
@@ -22,17 +38,14 @@ static bool add_faces(struct batch *batch, const struct model *model,
             continue;
         }
         for (size_t i = 0; i < 3; i++) {
-            struct known_corner known = {0};
             struct fixed2 screen = vertices[i].position;
-            light_corner(model, face, i, lighting, &known);
             corners[i] = (struct corner_data){
                 .position = model_position(model, face, i),
                 .placed = {{screen.x + panel->x * SUBPIXELS, screen.y + panel->y * SUBPIXELS},
                            parallel_depth(vertices[i].depth),
                            1},
-                .varyings = {lighting->at_points ? known.parts.diffuse : known.intensity,
-                             known.parts.specular},
             };
+            set_varyings(model, face, i, lighting, corners[i].varyings);
         }
         if (!batch_add_face(batch, face, corners, error)) {
             return false;
@@ -41,14 +54,15 @@ static bool add_faces(struct batch *batch, const struct model *model,
     return true;
 }
 
-static bool build_gouraud(struct drawing *drawing, struct image *image, struct picture *picture,
-                          struct error *error) {
-    const struct lighting lighting = {.light = vec3_normalized(drawing->light)};
+/* All faces over the whole image. */
+static bool build_whole(enum look look, const struct lighting *lighting,
+                        const struct drawing *drawing, const struct image *image,
+                        struct picture *picture, struct error *error) {
     struct batch settings =
-        parallel_batch(LOOK_WHITE, (struct rectangle){0, 0, (int)image->width, (int)image->height});
+        parallel_batch(look, (struct rectangle){0, 0, (int)image->width, (int)image->height});
     settings.cull = CULL_BACK;
     struct batch *batch = picture_add_batch(picture, &settings, error);
-    return batch != NULL && add_faces(batch, drawing->model, &lighting, error);
+    return batch != NULL && add_faces(batch, drawing->model, lighting, error);
 }
 
 static bool build_lit(struct drawing *drawing, struct image *image, struct picture *picture,
@@ -79,12 +93,18 @@ static bool build_lit(struct drawing *drawing, struct image *image, struct pictu
 
 static bool build(const char *scene, struct drawing *drawing, struct image *image,
                   struct picture *picture, struct error *error) {
-    return strcmp(scene, "gouraud") == 0 ? build_gouraud(drawing, image, picture, error)
-                                         : build_lit(drawing, image, picture, error);
+    const struct lighting lighting = {.light = vec3_normalized(drawing->light)};
+    if (strcmp(scene, "lit") == 0) {
+        return build_lit(drawing, image, picture, error);
+    }
+    return strcmp(scene, "colors") == 0
+               ? build_whole(LOOK_COLORS, NULL, drawing, image, picture, error)
+               : build_whole(LOOK_WHITE, &lighting, drawing, image, picture, error);
 }
 
+lesson_function lesson_step07;
 struct lesson lesson_step07(void) {
     const struct program *program = NULL;
     lesson_main(0, (char **)&program);
-    return (struct lesson){program, program->state_size, left_out, NULL, build, NULL};
+    return (struct lesson){program, left_out, NULL, build, NULL};
 }

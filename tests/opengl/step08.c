@@ -13,7 +13,7 @@ static const char *left_out(const char *scene) {
 
 /* One view of the model: the whole image in perspective, or a pane of it in the parallel view. */
 struct view {
-    struct area area;
+    struct rectangle area;
     struct mat4 to_clip;
     bool perspective;
 };
@@ -23,10 +23,10 @@ static double buffer_depth(const struct view *view, const struct vertex *v) {
 }
 
 /* The corner that a part of a face has at `weight`. */
-static struct corner_data part_corner(const struct view *view, const struct face_in_view *face,
+static struct corner_data part_corner(const struct view *view, const struct face_attributes *a,
                                       const struct vertex *v, struct vec3 weight) {
-    const double *n = face->intensity;
-    struct vec2 uv = vec2_interpolate(weight, face->uv[0], face->uv[1], face->uv[2]);
+    const double *n = a->intensity;
+    struct vec2 uv = vec2_interpolate(weight, a->uv[0], a->uv[1], a->uv[2]);
     return (struct corner_data){
         .placed = {v->position, buffer_depth(view, v), v->recip_w},
         .varyings = {uv.x, uv.y, interpolate(weight, n[0], n[1], n[2])},
@@ -34,25 +34,21 @@ static struct corner_data part_corner(const struct view *view, const struct face
 }
 
 /* The triangles that are left of a face when it is clipped, as in draw_clipped(). */
-static bool add_parts(struct batch *batch, const struct view *view, const struct face_in_view *face,
-                      const struct vec4 clip[3], const struct mat4 *to_screen,
-                      struct error *error) {
-    struct polygon polygon = {
-        .corner = {{clip[0], {1, 0, 0}}, {clip[1], {0, 1, 0}}, {clip[2], {0, 0, 1}}}, .count = 3};
+static bool add_parts(struct batch *batch, const struct view *view, size_t face,
+                      const struct face_attributes *attributes, const struct vec4 clip[3],
+                      const struct mat4 *to_screen, struct error *error) {
+    const struct polygon polygon = clip_face(clip[0], clip[1], clip[2]);
     struct corner_data corners[POLYGON_LIMIT];
-    for (int plane = 0; plane < CLIP_PLANES && polygon.count > 0; plane++) {
-        polygon = clip_at_plane(&polygon, plane);
-    }
     for (size_t i = 0; i < polygon.count; i++) {
         struct vertex v;
         if (!place(polygon.corner[i].clip, to_screen, &v)) {
-            return error_set(error, "face %zu lies too far off the picture", face->index);
+            return error_set(error, "face %zu lies too far off the picture", face);
         }
-        corners[i] = part_corner(view, face, &v, polygon.corner[i].weight);
+        corners[i] = part_corner(view, attributes, &v, polygon.corner[i].weight);
     }
     for (size_t i = 2; i < polygon.count; i++) {
         const struct corner_data part[3] = {corners[0], corners[i - 1], corners[i]};
-        if (!batch_add_snapped(batch, face->index, part, error)) {
+        if (!batch_add_snapped(batch, face, part, error)) {
             return false;
         }
     }
@@ -60,48 +56,43 @@ static bool add_parts(struct batch *batch, const struct view *view, const struct
 }
 
 static bool add_face(struct batch *batch, const struct view *view, const struct drawing *drawing,
-                     size_t index, const struct mat4 *to_screen, struct error *error) {
-    static const struct vec3 whole[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+                     size_t face, const struct mat4 *to_screen, struct error *error) {
     const struct model *model = drawing->model;
-    struct face_in_view face = {.index = index};
-    struct tally tally = {0};
+    const struct face_attributes attributes = fetch_face(drawing, face);
     struct vec4 clip[3];
     struct corner_data corners[3];
     unsigned beyond_all = ~0u, beyond_any = 0;
-    fetch_face(drawing, &face, vec3_normalized(drawing->light), &tally);
     for (size_t i = 0; i < 3; i++) {
-        clip[i] = mat4_point(&view->to_clip, model_position(model, index, i));
+        clip[i] = mat4_point(&view->to_clip, model_position(model, face, i));
         beyond_all &= find_beyond(clip[i]);
         beyond_any |= find_beyond(clip[i]);
         struct vertex v = {.recip_w = 1};
         if ((find_beyond(clip[i]) & (BEYOND_NEAR | BEYOND_GUARD_BAND)) == 0) {
             place(clip[i], to_screen, &v);
         }
-        corners[i] = part_corner(view, &face, &v, whole[i]);
-        corners[i].position = model_position(model, index, i);
+        corners[i] = part_corner(view, &attributes, &v, whole_face[i]);
+        corners[i].position = model_position(model, face, i);
     }
     if ((beyond_all & ~(unsigned)BEYOND_GUARD_BAND) != 0) {
         return true;
     }
-    if (!batch_add_whole(batch, index, corners, error)) {
+    if (!batch_add_whole(batch, face, corners, error)) {
         return false;
     }
     return (beyond_any & (BEYOND_NEAR | BEYOND_GUARD_BAND)) == 0
-               ? batch_add_snapped(batch, index, corners, error)
-               : add_parts(batch, view, &face, clip, to_screen, error);
+               ? batch_add_snapped(batch, face, corners, error)
+               : add_parts(batch, view, face, &attributes, clip, to_screen, error);
 }
 
 static bool add_view(const struct drawing *drawing, struct image *image, const struct view *view,
                      struct picture *picture, struct error *error) {
-    const struct state *state = drawing->state;
-    const struct area *area = &view->area;
-    const struct canvas canvas = make_canvas(drawing, image, *area);
+    const struct canvas canvas = make_canvas(drawing, image, view->area);
     struct batch settings = {
-        .look = state->texture != NULL ? LOOK_BILINEAR : LOOK_WHITE,
-        .values = {.diffuse_map = state->texture},
+        .look = LOOK_BILINEAR,
+        .values = {.diffuse_map = drawing->diffuse},
         .depth_test = true,
         .cull = CULL_BACK,
-        .viewport = {area->left, area->bottom, area->right - area->left, area->top - area->bottom},
+        .viewport = view->area,
         .to_clip =
             view->perspective ? perspective_clip(view->to_clip) : parallel_clip(view->to_clip),
     };
@@ -116,38 +107,21 @@ static bool add_view(const struct drawing *drawing, struct image *image, const s
 
 /* ---- Scene transforms: the houses without the lines ---- */
 
-static struct area panel_area(const struct image *image, int panel) {
-    int width = (int)image->width, height = (int)image->height;
-    int column = panel % PANEL_COLUMNS, row = PANEL_COLUMNS - 1 - panel / PANEL_COLUMNS;
-    const int margin = 4; /* as in draw_transforms() */
-    return (struct area){
-        .left = width * column / PANEL_COLUMNS + margin,
-        .bottom = height * row / PANEL_COLUMNS + margin,
-        .right = width * (column + 1) / PANEL_COLUMNS - margin,
-        .top = height * (row + 1) / PANEL_COLUMNS - margin,
-    };
-}
-
-/* The plane to clip space, and from there to the screen, as in draw_panel(). */
-static struct mat4 panel_to_clip(int panel) {
+/* A panel's map, and from there to clip space or to the screen, as in draw_panel(). */
+static struct mat4 map_to_clip(int panel) {
     return mat4_mul(mat4_scaling((struct vec3){0.5, 0.5, 1}), panel_map(panel));
 }
 
-static struct mat4 panel_to_screen(const struct area *area, int panel) {
-    const struct vec3 corner = {area->left, area->bottom, 0};
-    size_t width = (size_t)(area->right - area->left), height = (size_t)(area->top - area->bottom);
-    struct mat4 to_screen =
-        mat4_mul(mat4_translation(corner),
-                 mat4_mul(viewport(width, height), mat4_scaling((struct vec3){0.5, 0.5, 1})));
-    return mat4_mul(to_screen, panel_map(panel));
+static struct mat4 map_to_screen(struct rectangle area, int panel) {
+    return mat4_mul(panel_to_screen(area), panel_map(panel));
 }
 
 static bool draw_houses(struct drawing *drawing, struct image *image, struct error *error) {
     (void)drawing, (void)error;
     for (int i = 0; i < PANEL_COUNT; i++) {
-        struct area area = panel_area(image, i);
-        struct mat4 to_screen = panel_to_screen(&area, i);
-        draw_house(image, &area, &to_screen);
+        const struct plane plane = {image, panel_area(image, i)};
+        struct mat4 to_screen = map_to_screen(plane.area, i);
+        draw_house(&plane, &to_screen);
     }
     return true;
 }
@@ -159,16 +133,16 @@ static struct corner_data house_corner(const struct mat4 *to_screen, struct vec2
     return corner;
 }
 
-static bool add_part(struct picture *picture, const struct area *area, int panel, size_t part,
+static bool add_part(struct picture *picture, struct rectangle area, int panel, size_t part,
                      struct error *error) {
-    const struct mat4 to_screen = panel_to_screen(area, panel);
+    const struct mat4 to_screen = map_to_screen(area, panel);
     const struct vec2 *c = house[part].corner;
     const struct color color = house[part].color;
     struct batch settings = {
         .look = LOOK_LIT,
         .values = {.ambient = 1, .color = {color.r, color.g, color.b}},
-        .viewport = {area->left, area->bottom, area->right - area->left, area->top - area->bottom},
-        .to_clip = panel_to_clip(panel),
+        .viewport = area,
+        .to_clip = map_to_clip(panel),
     };
     struct batch *batch = picture_add_batch(picture, &settings, error);
     for (size_t i = 2; batch != NULL && i < PART_CORNERS; i++) {
@@ -184,9 +158,9 @@ static bool add_part(struct picture *picture, const struct area *area, int panel
 
 static bool add_houses(struct picture *picture, const struct image *image, struct error *error) {
     for (int panel = 0; panel < PANEL_COUNT; panel++) {
-        struct area area = panel_area(image, panel);
+        struct rectangle area = panel_area(image, panel);
         for (size_t part = 0; part < HOUSE_PARTS; part++) {
-            if (!add_part(picture, &area, panel, part, error)) {
+            if (!add_part(picture, area, panel, part, error)) {
                 return false;
             }
         }
@@ -219,13 +193,14 @@ static bool build(const char *scene, struct drawing *drawing, struct image *imag
 /* The panes of scene viewport are filled, so that only the depth tells. The houses are drawn over
  * black, in other colours. */
 static bool covered(const struct drawing *drawing, const struct image *image, size_t pixel) {
-    const struct state *state = drawing->state;
     const uint8_t *bgr = image->pixels + 3 * pixel;
-    return state->depth != NULL ? state->depth[pixel] > -INFINITY : (bgr[0] | bgr[1] | bgr[2]) != 0;
+    return drawing->depth != NULL ? drawing->depth[pixel] > -INFINITY
+                                  : (bgr[0] | bgr[1] | bgr[2]) != 0;
 }
 
+lesson_function lesson_step08;
 struct lesson lesson_step08(void) {
     const struct program *program = NULL;
     lesson_main(0, (char **)&program);
-    return (struct lesson){program, program->state_size, left_out, draw_houses, build, covered};
+    return (struct lesson){program, left_out, draw_houses, build, covered};
 }

@@ -35,8 +35,6 @@ static bool describe_shader(const struct shader *shader, const void *uniforms,
     return true;
 }
 
-_Static_assert(sizeof(struct state) == sizeof(struct pipeline), "the state is a pipeline");
-
 static bool build(const char *scene, struct drawing *drawing, struct image *image,
                   struct picture *picture, struct error *error) {
     const struct program *program = NULL;
@@ -44,6 +42,7 @@ static bool build(const char *scene, struct drawing *drawing, struct image *imag
     return record_scene(program, scene, drawing, image, picture, error);
 }
 
+lesson_function lesson_step09;
 struct lesson lesson_step09(void) {
     const struct program *program = NULL;
     lesson_main(0, (char **)&program);

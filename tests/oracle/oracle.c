@@ -114,8 +114,7 @@ int oracle_compare_depth(const struct fixed2 first[3], const int64_t first_depth
 long double oracle_interpolate(const struct fixed2 corner[3], const double recip_w[3],
                                const double value[3], int64_t x, int64_t y) {
     /* In space the corners are (X, Y, 1) * w. The point behind the pixel is a*P0 + b*P1 + c*P2 with
-     * (x, y, 1) proportional to it: Cramer's rule on the 3x3 system gives a, b, c up to a factor.
-     */
+     * (x, y, 1) proportional to it: Cramer's rule gives a, b, c up to a common factor. */
     long double px = (long double)x * 256 + 128, py = (long double)y * 256 + 128;
     long double m[3][3];
     for (int i = 0; i < 3; i++) {

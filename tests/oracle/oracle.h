@@ -21,8 +21,7 @@ struct random {
     uint64_t state;
 };
 
-/* 64 random bits (Steele, Lea and Flood, "Fast Splittable Pseudorandom Number Generators", 2014).
- */
+/* 64 random bits (Steele, Lea, Flood, "Fast Splittable Pseudorandom Number Generators", 2014). */
 uint64_t random_bits(struct random *random);
 int64_t random_between(struct random *random, int64_t least, int64_t most); /* both inclusive */
 double random_real(struct random *random, double least, double most);

@@ -1,4 +1,5 @@
-/* Cameras, matrices, interpolation and vectors under hostile numbers. */
+/* Cameras, viewports, matrices, interpolation and vectors under hostile numbers. */
+#include "lessons.h"
 #include "pipeline.h"
 #include "stress.h"
 
@@ -117,7 +118,7 @@ static bool finite_fragment(const void *uniforms, const double *varyings, struct
     return true;
 }
 
-SHADER(finite_shader, 3, corner_vertex, finite_fragment);
+SHADER(finite_shader, .varying_count = 3, .vertex = corner_vertex, .fragment = finite_fragment);
 
 static bool camera_draws_finite_pixels(const void *tried) {
     struct camera_case c = *(const struct camera_case *)tried;
@@ -163,6 +164,48 @@ static void print_camera(const void *failing) {
         printf("    v %.9g %.9g %.9g\n", (double)c->corner[i][0], (double)c->corner[i][1],
                (double)c->corner[i][2]);
     }
+}
+
+/* ---- Viewports (lesson 8) ---- */
+
+struct viewport_case {
+    int width, height;
+    struct vec3 ndc;
+};
+
+/* Often at the edges of the image, and as far out as the guard band. */
+static void make_viewport(struct random *random, uint64_t index, void *made) {
+    struct viewport_case *c = made;
+    double reach = index % 2 == 0 ? 1 : 64;
+    c->width = (int)random_between(random, 1, DRAW_LIMIT);
+    c->height = (int)random_between(random, 1, DRAW_LIMIT);
+    c->ndc.x =
+        index % 4 == 0 ? (double)random_between(random, -1, 1) : random_real(random, -reach, reach);
+    c->ndc.y =
+        index % 4 == 0 ? (double)random_between(random, -1, 1) : random_real(random, -reach, reach);
+    c->ndc.z = random_real(random, -1, 1);
+}
+
+/* In 1/256 pixel; z and w must not change at all. */
+static double viewport_error(const void *tried) {
+    const struct viewport_case *c = tried;
+    struct mat4 viewport = lesson08_viewport((size_t)c->width, (size_t)c->height);
+    struct vec4 screen = mat4_point(&viewport, c->ndc);
+    long double x = ((long double)c->ndc.x + 1) * c->width / 2;
+    long double y = ((long double)c->ndc.y + 1) * c->height / 2;
+    double error =
+        (double)fmaxl(fabsl((long double)screen.x - x), fabsl((long double)screen.y - y));
+    return screen.z == c->ndc.z && screen.w == 1 ? error * SUBPIXELS : (double)INFINITY;
+}
+
+static bool viewport_is_right(const void *tried) {
+    return viewport_error(tried) <= 1e-6;
+}
+
+static void print_viewport(const void *failing) {
+    const struct viewport_case *c = failing;
+    printf("    %dx%d pixels, ndc %.17g %.17g %.17g\n", c->width, c->height, c->ndc.x, c->ndc.y,
+           c->ndc.z);
 }
 
 /* ---- Matrices ---- */
@@ -401,6 +444,14 @@ const struct property camera_properties[] = {
      .print = print_camera,
      .error_unit = "ulp of 1",
      .error = orthonormality_error},
+    {.name = "viewport: NDC to pixels",
+     .cases = 300000,
+     .case_size = sizeof(struct viewport_case),
+     .make = make_viewport,
+     .holds = viewport_is_right,
+     .print = print_viewport,
+     .error_unit = "1/256 pixel",
+     .error = viewport_error},
     {.name = "matrix: inverse as its condition allows",
      .cases = 1000000,
      .case_size = sizeof(struct matrix_case),

@@ -7,7 +7,5 @@ int step03_main(int argc, char **argv);
 #include "lessons.h"
 
 void lesson03_triangle(struct image *image, const struct fixed2 corner[3], struct color color) {
-    struct canvas canvas = {.image = image, .skip = true};
-    struct vertex v[3] = {{corner[0], color}, {corner[1], color}, {corner[2], color}};
-    triangle(&canvas, v, color);
+    triangle(image, corner, color);
 }

@@ -1,5 +1,4 @@
-/* Whole meshes: every pixel exactly once, the same image in every order, without gaps when clipped.
- */
+/* Whole meshes: every pixel exactly once, the same image in every order, no gaps when clipped. */
 #include "pipeline.h"
 #include "stress.h"
 
@@ -68,8 +67,7 @@ static void make_strip(struct flat_mesh *mesh, struct random *random) {
     }
 }
 
-/* A grid whose inner vertices are moved a little and whose quads are cut in one way or the other.
- */
+/* A grid whose inner vertices are moved a little and whose quads are cut one way or the other. */
 static void make_triangulation(struct flat_mesh *mesh, struct random *random) {
     size_t n = (size_t)random_between(random, 1, 8);
     double step = random_real(random, 0.3, 4) * SUBPIXELS;
@@ -236,7 +234,7 @@ static bool place_fragment(const void *uniforms, const double *varyings, struct 
     return true;
 }
 
-SHADER(place_shader, 3, place_vertex, place_fragment);
+SHADER(place_shader, .varying_count = 3, .vertex = place_vertex, .fragment = place_fragment);
 
 /* Draw in a viewport at (left, bottom) of an image twice as large. */
 static bool draw_soup(const struct world_mesh *mesh, double distance, int left, int bottom,
@@ -344,7 +342,8 @@ static bool count_fragment(const void *uniforms, const double *varyings, struct 
     return false;
 }
 
-DISCARDING_SHADER(count_shader, 3, place_vertex, count_fragment);
+SHADER(count_shader, .varying_count = 3, .vertex = place_vertex, .fragment = count_fragment,
+       .discards = true);
 
 struct plane {
     struct world_mesh mesh;

@@ -26,8 +26,7 @@ struct property {
      * NULL where cases are not made smaller. */
     bool (*shrink)(const void *failing, unsigned attempt, void *smaller);
     void (*print)(const void *failing);
-    /* Greatest error seen, for properties that bound one: a text such as "1/256 texel". NULL else.
-     */
+    /* Unit of the greatest error, for properties that bound one: "1/256 texel". NULL else. */
     const char *error_unit;
     double (*error)(const void *tried);
 };

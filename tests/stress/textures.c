@@ -1,15 +1,19 @@
-/* Textures of all small sizes, sampled everywhere: inside, at the edges, far outside, nowhere. */
+/* Textures of all small sizes, sampled everywhere: inside, at the edges, far outside, nowhere. The
+ * samplers are the three of lesson 6 and the house version of the second. */
+#include "lessons.h"
 #include "stress.h"
 #include "texture.h"
 
 #include <stdio.h>
+#include <string.h>
 
 enum { SIDE_LIMIT = 9 };
 
 struct texture_case {
     int width, height;
-    uint8_t level[SIDE_LIMIT * SIDE_LIMIT]; /* grey */
+    uint8_t level[SIDE_LIMIT * SIDE_LIMIT][4]; /* blue, green, red, alpha */
     double u, v;
+    double mip_level;
 };
 
 static double any_coordinate(struct random *random, int size) {
@@ -29,24 +33,30 @@ static double any_coordinate(struct random *random, int size) {
     }
 }
 
+static double any_mip_level(struct random *random) {
+    static const double special[] = {0, 1, 3, 99, -5, NAN, INFINITY, -INFINITY};
+    uint64_t choice = random_bits(random) % 16;
+    return choice < 8 ? special[choice] : random_real(random, -0.5, 4);
+}
+
 static void make_texture(struct random *random, uint64_t index, void *made) {
     struct texture_case *c = made;
     c->width = index % 16 == 0 ? 1 : (int)random_between(random, 1, SIDE_LIMIT);
     c->height = index % 16 == 0 ? 1 : (int)random_between(random, 1, SIDE_LIMIT);
     for (int i = 0; i < SIDE_LIMIT * SIDE_LIMIT; i++) {
-        c->level[i] = (uint8_t)random_bits(random);
+        uint64_t bits = random_bits(random);
+        memcpy(c->level[i], &bits, sizeof c->level[i]);
     }
     c->u = any_coordinate(random, c->width);
     c->v = any_coordinate(random, c->height);
+    c->mip_level = any_mip_level(random);
 }
 
 static bool make(const struct texture_case *c, struct texture *texture) {
     struct error error;
-    uint8_t pixels[SIDE_LIMIT * SIDE_LIMIT];
-    for (int i = 0; i < c->width * c->height; i++) {
-        pixels[i] = c->level[i];
-    }
-    struct image image = {(size_t)c->width, (size_t)c->height, IMAGE_GREY, pixels};
+    uint8_t pixels[sizeof c->level];
+    memcpy(pixels, c->level, sizeof pixels);
+    struct image image = {(size_t)c->width, (size_t)c->height, IMAGE_BGRA, pixels};
     return texture_create(texture, &image, &error);
 }
 
@@ -66,86 +76,133 @@ static int texel_at(long double place, int size) {
     return found;
 }
 
-/* Where the product u * width rounds to a border, the texel on either side of it is right. */
+/* How far a product of a coordinate and a size may be off: nothing where it is exact, as for sizes
+ * that are powers of two. Elsewhere the texel on either side of a border is right. */
+static long double product_error(double coordinate, int size) {
+    return (long double)(coordinate * size) == (long double)coordinate * size ? 0 : 1e-12L;
+}
+
 static bool nearest_is_exact(const void *tried) {
-    static const long double nudge[] = {-1e-12L, 1e-12L};
     const struct texture_case *c = tried;
     struct texture texture;
     if (!make(c, &texture)) {
         return false;
     }
-    uint8_t got = texture_nearest(&texture, (struct vec2){c->u, c->v}).g;
+    struct color got = lesson06_nearest(&texture, (struct vec2){c->u, c->v});
     texture_free(&texture);
     for (int i = 0; i < 4; i++) {
-        int x = texel_at((long double)c->u * c->width + nudge[i % 2], c->width);
-        int y = texel_at((long double)c->v * c->height + nudge[i / 2], c->height);
-        if (got == c->level[y * c->width + x]) {
+        long double x_error = product_error(c->u, c->width) * (i % 2 == 0 ? -1 : 1);
+        long double y_error = product_error(c->v, c->height) * (i / 2 == 0 ? -1 : 1);
+        int x = texel_at((long double)c->u * c->width + x_error, c->width);
+        int y = texel_at((long double)c->v * c->height + y_error, c->height);
+        const uint8_t *texel = c->level[y * c->width + x];
+        if (got.b == texel[0] && got.g == texel[1] && got.r == texel[2] && got.a == texel[3]) {
             return true;
         }
     }
     return false;
 }
 
+/* Red, green, blue, alpha. */
+struct sample {
+    long double channel[4];
+};
+
 /* The weight of texel i: a tent of width 2 around its centre, everything outside given to the
  * edge. */
-static long double tent(double coordinate, int i, int size) {
-    long double place = bounded((long double)coordinate * size - 0.5L, 0, size - 1);
-    long double distance = fabsl(place - i);
+static long double tent(double coordinate, size_t i, size_t size) {
+    long double most = (long double)size - 1;
+    long double place = bounded((long double)coordinate * (long double)size - 0.5L, 0, most);
+    long double distance = fabsl(place - (long double)i);
     return distance < 1 ? 1 - distance : 0;
 }
 
+/* All texels of a level, each with its weight. */
+static struct sample exact_bilinear(const struct texture_level *level, double u, double v) {
+    static const int shift[4] = {16, 8, 0, 24};
+    struct sample sum = {{0, 0, 0, 0}};
+    for (size_t y = 0; y < level->height; y++) {
+        for (size_t x = 0; x < level->width; x++) {
+            long double weight = tent(u, x, level->width) * tent(v, y, level->height);
+            uint32_t texel = level->texels[y * level->width + x];
+            for (int i = 0; i < 4; i++) {
+                sum.channel[i] += weight * (texel >> shift[i] & 0xFF);
+            }
+        }
+    }
+    return sum;
+}
+
+/* The same of the levels below and above, each counted by how near it is. */
+static struct sample exact_trilinear(const struct texture *texture, double u, double v,
+                                     double mip_level) {
+    struct sample sum = {{0, 0, 0, 0}};
+    long double place = bounded(mip_level, 0, (long double)texture->level_count - 1);
+    for (size_t k = 0; k < texture->level_count; k++) {
+        long double distance = fabsl(place - (long double)k);
+        struct sample sample = exact_bilinear(&texture->level[k], u, v);
+        for (int i = 0; i < 4 && distance < 1; i++) {
+            sum.channel[i] += (1 - distance) * sample.channel[i];
+        }
+    }
+    return sum;
+}
+
+/* The largest difference of a channel, in levels. */
+static double sample_error(struct vec4 got, struct sample exact) {
+    const double channel[4] = {got.x, got.y, got.z, got.w};
+    double worst = 0;
+    for (int i = 0; i < 4; i++) {
+        double error = (double)fabsl((long double)channel[i] - exact.channel[i]);
+        worst = isnan(error) ? (double)INFINITY : fmax(worst, error);
+    }
+    return worst;
+}
+
+/* Of the lesson's version and of the house version. */
 static double bilinear_error(const void *tried) {
     const struct texture_case *c = tried;
     struct texture texture;
     if (!make(c, &texture)) {
         return INFINITY;
     }
-    long double sum = 0;
-    for (int y = 0; y < c->height; y++) {
-        for (int x = 0; x < c->width; x++) {
-            sum += c->level[y * c->width + x] * tent(c->u, x, c->width) * tent(c->v, y, c->height);
-        }
-    }
-    struct vec4 got = texture_bilinear(&texture, (struct vec2){c->u, c->v}, 0);
+    struct vec2 uv = {c->u, c->v};
+    struct sample exact = exact_bilinear(&texture.level[0], c->u, c->v);
+    double lesson_error = sample_error(lesson06_bilinear(&texture, uv, 0), exact);
+    double house_error = sample_error(texture_bilinear(&texture, uv, 0), exact);
     texture_free(&texture);
-    double error = (double)fabsl((long double)got.y - sum);
-    return isnan(error) ? INFINITY : error;
+    return fmax(lesson_error, house_error);
 }
 
 static bool bilinear_is_right(const void *tried) {
     return bilinear_error(tried) <= 1e-10;
 }
 
-/* Whatever the level, a sample is a mean of levels: never outside the darkest and the brightest. */
-static bool trilinear_is_bounded(const void *tried) {
+static double trilinear_error(const void *tried) {
     const struct texture_case *c = tried;
     struct texture texture;
     if (!make(c, &texture)) {
-        return false;
+        return INFINITY;
     }
-    int least = 255, most = 0;
-    for (int i = 0; i < c->width * c->height; i++) {
-        least = c->level[i] < least ? c->level[i] : least;
-        most = c->level[i] > most ? c->level[i] : most;
-    }
-    static const double levels[] = {0, 0.3, 1, 1.9, 3, 99, -5, NAN, INFINITY, -INFINITY};
-    bool right = true;
-    for (size_t i = 0; i < sizeof levels / sizeof levels[0]; i++) {
-        double got = texture_trilinear(&texture, (struct vec2){c->u, c->v}, levels[i]).y;
-        right = right && got >= least - 1e-9 && got <= most + 1e-9;
-    }
+    struct vec4 got = lesson06_trilinear(&texture, (struct vec2){c->u, c->v}, c->mip_level);
+    double error = sample_error(got, exact_trilinear(&texture, c->u, c->v, c->mip_level));
     texture_free(&texture);
-    return right;
+    return error;
+}
+
+static bool trilinear_is_right(const void *tried) {
+    return trilinear_error(tried) <= 1e-10;
 }
 
 static void print_texture(const void *failing) {
     const struct texture_case *c = failing;
-    printf("    at u %.17g v %.17g of %dx%d grey levels, bottom row first:\n", c->u, c->v, c->width,
-           c->height);
+    printf("    at u %.17g v %.17g, mip level %.17g, of %dx%d texels, bottom row first:\n", c->u,
+           c->v, c->mip_level, c->width, c->height);
     for (int y = 0; y < c->height; y++) {
         printf("   ");
         for (int x = 0; x < c->width; x++) {
-            printf(" %d", c->level[y * c->width + x]);
+            const uint8_t *texel = c->level[y * c->width + x];
+            printf(" %d,%d,%d,%d", texel[2], texel[1], texel[0], texel[3]);
         }
         printf("\n");
     }
@@ -166,11 +223,13 @@ const struct property texture_properties[] = {
      .print = print_texture,
      .error_unit = "level of 255",
      .error = bilinear_error},
-    {.name = "texture: mip-mapped within bounds",
+    {.name = "texture: mip-mapped",
      .cases = 300000,
      .case_size = sizeof(struct texture_case),
      .make = make_texture,
-     .holds = trilinear_is_bounded,
-     .print = print_texture},
+     .holds = trilinear_is_right,
+     .print = print_texture,
+     .error_unit = "level of 255",
+     .error = trilinear_error},
     {.name = NULL},
 };

@@ -1,7 +1,7 @@
 #!/bin/sh
 # Where a lesson writes a technique out in full and common has the same text, the two must not drift
-# apart. Compares functions without white space, comments, `static`, `inline`, and the function's own
-# name.
+# apart. Compares functions without white space, comments, marks for the starter, `static`, `inline`,
+# and the function's own name.
 #
 # Exit status 0: all are the same; 1: one differs or is missing.
 
@@ -10,11 +10,11 @@ failed=0
 
 # function FILE NAME: its definition, from its name to the brace that ends it, on one line.
 function_text() {
-    awk -v name="$2" '
+    awk -v mode=solution -f tests/starter/marks.awk "$1" | awk -v name="$2" '
         !inside && $0 ~ "^[a-z].*[ *]" name "\\(" { inside = 1; text = "" }
         inside { line = $0; sub(/\/\*.*\*\//, "", line); text = text " " line }
         inside && /;$/ && text !~ /{/ { inside = 0 }   # only a declaration
-        inside && /^}/ { print text; exit }' "$1" |
+        inside && /^}/ { print text; exit }' |
         sed -e "s/\\<$2\\>/FUNCTION/" -e 's/static//g' -e 's/inline//g' |
         tr -d ' \t'
 }
@@ -30,21 +30,15 @@ same() {
 }
 
 lesson=step03_triangle/main.c
-for name in make_edge floor_divide ceil_divide least_of most_of centers_between; do
-    same $lesson common/raster.c $name
-done
+same $lesson common/raster.c make_edge
 same $lesson common/raster.c triangle_setup edges_setup
 same $lesson common/raster.c triangle_span edges_span
 same $lesson common/raster.h triangle_weights edges_weights
 
 lesson=step08_projection/main.c
-same $lesson common/geometry.c viewport mat4_viewport
 same $lesson common/geometry.c projection mat4_projection
 same $lesson common/geometry.c lookat mat4_lookat
 same $lesson common/geometry.h correct_weights perspective_weights
-for name in perpendicular_axis half_difference unit_length; do
-    same $lesson common/geometry.c $name
-done
 for name in plane_distance mix cut_edge clip_at_plane find_beyond; do
     same $lesson common/pipeline.c $name
 done

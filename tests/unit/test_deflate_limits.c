@@ -64,7 +64,7 @@ static void test_single_codes(void) {
     };
     for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
         struct stream stream;
-        struct error error = {{0}};
+        struct error error = {0};
         char out[8] = {0};
         size_t plain = strlen(rows[i].plain);
         size_t size = make_stream(&stream, rows[i].distance_count, rows[i].distances,
@@ -91,7 +91,7 @@ static void test_cut_headers(void) {
     };
     for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
         struct stream stream = {{0x78, 0x01}, 16};
-        struct error error = {{0}};
+        struct error error = {0};
         char out[4];
         put_string(&stream, rows[i].bits);
         CHECK_ROW(stream.bits % 8 == 0, rows[i].name); /* no bit more than written here */

@@ -91,6 +91,45 @@ static void test_messages(void) {
     CHECK_TEXT(error.message, "two?lines?[31m?");
 }
 
+/* The line stands behind the file's name, once. */
+static void test_lines_of_messages(void) {
+    enum { LONG = 600, KEPT = 512 };
+    char path[LONG + 1], expected[KEPT + 40];
+    struct error error;
+    error_set(&error, "12 faces too many"); /* begins with a number, but not that of a line */
+    CHECK(error.line == 0 && !error_name_file(&error, "a.obj"));
+    CHECK_TEXT(error.message, "a.obj: 12 faces too many");
+    error.line = 17;
+    CHECK(!error_name_file(&error, "b") && error.line == 0);
+    CHECK_TEXT(error.message, "b:17: a.obj: 12 faces too many");
+    CHECK(!error_name_file(&error, "c"));
+    CHECK_TEXT(error.message, "c: b:17: a.obj: 12 faces too many");
+    memset(path, 'a', LONG - KEPT);
+    memset(path + LONG - KEPT, 'b', KEPT);
+    path[LONG] = '\0';
+    error_set(&error, "wrong");
+    error.line = SIZE_MAX;
+    CHECK(!error_name_file(&error, path)); /* of a long name, the end is kept */
+    snprintf(expected, sizeof expected, "...%s:%zu: wrong", path + LONG - KEPT, SIZE_MAX);
+    CHECK_TEXT(error.message, expected);
+    error.line = 7;
+    CHECK(!error_set(&error, "another") && error.line == 0); /* the line was that of the old one */
+}
+
+static void test_names_of_input(void) {
+    struct error error;
+    error_set(&error, "holds no faces");
+    CHECK(!error_name_input(&error, "-"));
+    CHECK_TEXT(error.message, "standard input: holds no faces");
+    error_set(&error, "holds no faces");
+    error.line = 5;
+    CHECK(!error_name_input(&error, "--"));
+    CHECK_TEXT(error.message, "--:5: holds no faces");
+    error_set(&error, "full");
+    CHECK(!error_name_file(&error, "-")); /* a file that is written may have this name */
+    CHECK_TEXT(error.message, "-: full");
+}
+
 static void test_long_messages(void) {
     struct error error;
     char text[5000];
@@ -125,7 +164,7 @@ static void test_bytes(void) {
     CHECK(!bytes_reserve(&bytes, SIZE_MAX - 999));
     bytes_free(&bytes);
     CHECK(bytes.data == NULL && bytes.size == 0 && bytes.capacity == 0);
-    CHECK(bytes_reserve(&bytes, 10) && bytes.capacity == 10); /* no more than asked for */
+    CHECK(bytes_reserve(&bytes, 1000) && bytes.capacity == 1000); /* no more than asked for */
     bytes_free(&bytes);
 }
 
@@ -139,9 +178,9 @@ static void test_read(void) {
         return;
     }
     const char *path = name_file(&place, "a");
-    CHECK(file_write(path, "hello", 5, &error));
-    CHECK(file_read(path, &bytes, &error) && bytes.size == 5 && bytes.capacity == 5);
-    CHECK(bytes.data != NULL && memcmp(bytes.data, "hello", 5) == 0);
+    CHECK(file_write(path, "hello from a file", 17, &error));
+    CHECK(file_read(path, &bytes, &error) && bytes.size == 17 && bytes.capacity == 17);
+    CHECK(bytes.data != NULL && memcmp(bytes.data, "hello from a file", 17) == 0);
     bytes_free(&bytes);
     CHECK(file_write(path, NULL, 0, &error));
     CHECK(file_read(path, &bytes, &error) && bytes.size == 0);
@@ -368,7 +407,8 @@ static void test_devices(void) {
     place_remove(&place, "pipe");
 }
 
-UNIT_MAIN(TEST(test_messages), TEST(test_long_messages), TEST(test_bytes), TEST(test_read),
-          TEST(test_read_errors), TEST(test_standard_input), TEST(test_write),
-          TEST(test_write_errors), TEST(test_full_disk), TEST(test_write_protection),
-          TEST(test_symbolic_link), TEST(test_devices))
+UNIT_MAIN(TEST(test_messages), TEST(test_lines_of_messages), TEST(test_names_of_input),
+          TEST(test_long_messages), TEST(test_bytes), TEST(test_read), TEST(test_read_errors),
+          TEST(test_standard_input), TEST(test_write), TEST(test_write_errors),
+          TEST(test_full_disk), TEST(test_write_protection), TEST(test_symbolic_link),
+          TEST(test_devices))

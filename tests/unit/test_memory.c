@@ -9,9 +9,12 @@
 #define _XOPEN_SOURCE 700 /* POSIX.1-2008 with mkdtemp() and realpath() */
 
 #include "file.h"
+#include "image_file.h"
 #include "model.h"
+#include "normals.h"
 #include "pipeline.h"
 #include "png.h"
+#include "ppm.h"
 #include "program.h"
 #include "text_scene.h"
 #include "texture.h"
@@ -114,7 +117,7 @@ static bool is_message(const char *message) {
 /* Fail each allocation of a task in turn. Returns how many there are. */
 static long fail_each(const struct task *task, const struct inputs *inputs) {
     for (long n = 0;; n++) {
-        struct error error = {{0}};
+        struct error error = {0};
         memory.calls = memory.live = 0;
         memory.failing = n;
         memory.failed = false;
@@ -383,7 +386,7 @@ static bool write_images(const struct inputs *inputs, struct error *error) {
 
 static bool read_images(const struct inputs *inputs, struct error *error) {
     struct image tga = {0}, png = {0};
-    bool done = tga_read(&tga, inputs->diffuse, error) && png_read(&png, inputs->map, error);
+    bool done = image_read(&tga, inputs->diffuse, error) && image_read(&png, inputs->map, error);
     image_free(&tga);
     image_free(&png);
     return done;
@@ -428,7 +431,7 @@ static void test_images(void) {
         {"apng_encode", encode_film},
         {"png_encode of a large image", encode_large},
         {"tga_write, png_write, ppm_write, apng_write", write_images},
-        {"tga_read, png_read", read_images},
+        {"image_read", read_images},
         {"texture_create", make_texture},
     };
     RUN_TASKS(tasks);
@@ -511,9 +514,11 @@ static bool decode_first_color(const struct inputs *inputs, struct error *error)
 static bool decode_off(const struct inputs *inputs, struct error *error) {
     struct bytes text = {0};
     (void)inputs;
-    repeat_line(&text, "STCNOFF 100 70\n", 1);
+    repeat_line(&text, "STCNOFF 100 110\n", 1);
     repeat_line(&text, "0 0 0  0 0 1  1 1 1  0 0\n", 100);
     repeat_line(&text, "4 0 1 2 3\n", 70);
+    repeat_line(&text, "4 0 1 2 3 255 0 0\n", 20);
+    repeat_line(&text, "4 0 1 2 3\n", 20); /* white when all faces are known */
     bool done = decode_model(&text, error);
     free_text(&text);
     return done;
@@ -531,7 +536,7 @@ static bool give_normals_and_colors(const struct inputs *inputs, struct error *e
     struct model model;
     bool done = model_read(&model, inputs->off, error);
     if (done) {
-        done = model_need_normals(&model, error) && model_colors_from_normals(&model, error);
+        done = model_need_normals(&model, error) && model_need_colors(&model, error);
         CHECK(model.face_count == 1); /* still a valid model */
     }
     model_free(&model);
@@ -540,7 +545,7 @@ static bool give_normals_and_colors(const struct inputs *inputs, struct error *e
 
 static bool colors_without_normals(const struct inputs *inputs, struct error *error) {
     struct model model;
-    bool done = model_read(&model, inputs->off, error) && model_colors_from_normals(&model, error);
+    bool done = model_read(&model, inputs->off, error) && model_need_colors(&model, error);
     model_free(&model);
     return done;
 }
@@ -564,7 +569,7 @@ static void test_scenes_and_models(void) {
         {"model_decode of OFF", decode_off},
         {"model_read", read_model},
         {"model_need_normals", give_normals_and_colors},
-        {"model_colors_from_normals", colors_without_normals},
+        {"model_need_colors", colors_without_normals},
         {"model_texture", read_textures},
     };
     RUN_TASKS(tasks);
@@ -652,28 +657,28 @@ static void test_pipeline(void) {
 static bool draw_dot(struct drawing *drawing, struct image *image, struct error *error) {
     (void)error;
     image_set(image, 1, (int)drawing->frame, color_rgb(1, 2, 3));
-    count(drawing, "dots", 1);
+    drawing_count(drawing, "dots", 1);
     return true;
 }
 
 static const struct scene scenes[] = {
-    {.name = "dot", .width = 4, .height = 3, .draw = draw_dot, .needs_model = true},
+    {.name = "dot",
+     .width = 4,
+     .height = 3,
+     .needs = NEEDS_NORMALS | NEEDS_COLORS | NEEDS_DEPTH,
+     .draw = draw_dot},
     {.name = "film", .width = 5, .height = 4, .frames = 3, .draw = draw_dot},
 };
 
-static const struct program model_program = {.name = "probe",
-                                             .summary = "draws dots",
-                                             .takes_model = true,
-                                             .scenes = scenes,
-                                             .scene_count = 2,
-                                             .state_size = 8};
+static const struct program model_program = {
+    .name = "probe", .summary = "draws dots", .scenes = scenes, .scene_count = 2, .state_size = 8};
 
-static const struct program text_program = {
-    .name = "probe",
-    .summary = "draws text",
-    .text_scene = {.width = 5, .height = 5, .draw = draw_dot},
-    .scenes = scenes,
-    .scene_count = 2};
+static const struct program text_program = {.name = "probe",
+                                            .summary = "draws text",
+                                            .draw_text = draw_dot,
+                                            .defaults = {.width = 5, .height = 5},
+                                            .scenes = scenes,
+                                            .scene_count = 2};
 
 /* Run with standard output thrown away and standard error kept. Status 1 is an error of which the
  * message was printed; images that were saved before it are complete, and nothing else is there. */

@@ -7,8 +7,8 @@
  */
 #include "unit.h"
 
+#include "image_file.h"
 #include "model.h"
-#include "tgaimage.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -307,7 +307,7 @@ static void check_embedded(const struct model *model, const char *name) {
 /* ---- The models ---- */
 
 static bool read_model(struct model *model, const char *path) {
-    struct error error = {""};
+    struct error error = {0};
     bool is_read = model_read(model, path, &error);
     if (!is_read) {
         fprintf(stderr, "%s\n", error.message);
@@ -451,8 +451,8 @@ static void test_bust_proportions(void) {
 /* ---- The textures ---- */
 
 static bool read_texture(struct image *image, const char *path, enum image_format format) {
-    struct error error = {""};
-    bool is_read = tga_read(image, path, &error);
+    struct error error = {0};
+    bool is_read = image_read(image, path, &error);
     if (!is_read) {
         fprintf(stderr, "%s\n", error.message);
     }

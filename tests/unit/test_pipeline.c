@@ -1,5 +1,4 @@
-/* The pipeline against independent answers: which face shows, what it is coloured, each pixel once.
- */
+/* The pipeline against independent answers: which face shows, its colour, each pixel once. */
 #include "oracle.h"
 #include "pipeline.h"
 #include "unit.h"
@@ -68,7 +67,7 @@ static bool number_fragment(const void *uniforms, const double *varyings, struct
     return true;
 }
 
-SHADER(number_shader, 1, number_vertex, number_fragment);
+SHADER(number_shader, .varying_count = 1, .vertex = number_vertex, .fragment = number_fragment);
 
 /* ---- Which face shows ---- */
 
@@ -211,7 +210,8 @@ static bool see_fragment(const void *uniforms, const double *varyings, struct co
     return false;
 }
 
-DISCARDING_SHADER(see_shader, 3, place_vertex, see_fragment);
+SHADER(see_shader, .varying_count = 3, .vertex = place_vertex, .fragment = see_fragment,
+       .discards = true);
 
 static void see(const struct mesh *mesh, struct mat4 to_clip, struct seen *seen,
                 uint64_t stats[PIPELINE_STATS]) {
@@ -231,8 +231,7 @@ static void see(const struct mesh *mesh, struct mat4 to_clip, struct seen *seen,
     image_free(&image);
 }
 
-/* A plane of 2 * n * n triangles at height y = -0.4, from far before the camera to far behind it.
- */
+/* A plane of 2 * n * n triangles at y = -0.4, from far before the camera to far behind it. */
 static void make_ground(struct mesh *mesh, int n, double half, struct random *random) {
     mesh_begin(mesh);
     for (int i = 0; i <= n; i++) {
@@ -493,6 +492,7 @@ static void test_wrapped_level(void) {
     CHECK(wrapped_level(&texture, 32) == 0 && wrapped_level(&texture, 22) == 0);
     CHECK(wrapped_level(&texture, 21) == 1 && wrapped_level(&texture, 8) == 2);
     CHECK(wrapped_level(&texture, 0) == texture.level_count - 1); /* there is none smaller */
+    CHECK(wrapped_level(NULL, 1000) == 0);
     texture_free(&texture);
     image_free(&image);
 }

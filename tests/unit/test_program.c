@@ -1,6 +1,6 @@
 /* The frame that all programs share: options, scenes, files, errors, exit statuses. */
 #define _POSIX_C_SOURCE 200809L
-#include "png.h"
+#include "image_file.h"
 #include "program.h"
 #include "unit.h"
 
@@ -37,9 +37,9 @@ static bool draw_dot(struct drawing *drawing, struct image *image, struct error 
     CHECK(state->prepared == 1);
     CHECK(image_get(image, 1, 1).r == 0); /* cleared, also before it is drawn again */
     image_set(image, 1, 1, color_rgb(1, 2, (uint8_t)(3 + drawing->frame)));
-    count(drawing, "dots", 1);
-    count(drawing, "dots", 2);
-    count(drawing, "other", 7);
+    drawing_count(drawing, "dots", 1);
+    drawing_count(drawing, "dots", 2);
+    drawing_count(drawing, "other", 7);
     draw_calls++;
     last_drawing = *drawing;
     return true;
@@ -91,20 +91,18 @@ static const struct program text_program = {
     .name = "probe",
     .summary = "text",
     .text_kind = TEXT_SCENE_LINES,
-    .text_scene = {.width = 5, .height = 5, .draw = draw_text_scene},
+    .draw_text = draw_text_scene,
+    .defaults = {.width = 5, .height = 5},
     .scenes = failing_scenes,
     .scene_count = 1,
 };
 
 static const struct scene model_scenes[] = {
-    {.name = "model", .width = 4, .height = 3, .draw = draw_failing, .needs_model = true},
+    {.name = "model", .width = 4, .height = 3, .draw = draw_failing, .needs = NEEDS_MODEL},
 };
 
-static const struct program model_program = {.name = "probe",
-                                             .summary = "model",
-                                             .takes_model = true,
-                                             .scenes = model_scenes,
-                                             .scene_count = 1};
+static const struct program model_program = {
+    .name = "probe", .summary = "model", .scenes = model_scenes, .scene_count = 1};
 
 /* ---- Running it ---- */
 
@@ -173,24 +171,24 @@ static void test_usage(void) {
         const char *arguments, *message;
     } rows[] = {
         {"--what", "probe: unknown option '--what'; try --help\n"},
-        {"-s", "probe: -s wants WxH, each 1 to 16384\n"},
-        {"-s 10", "probe: -s wants WxH, each 1 to 16384, not '10'\n"},
-        {"-s 0x10", "probe: -s wants WxH, each 1 to 16384, not '0x10'\n"},
-        {"-s 10x16385", "probe: -s wants WxH, each 1 to 16384, not '10x16385'\n"},
-        {"-s 10x10x", "probe: -s wants WxH, each 1 to 16384, not '10x10x'\n"},
-        {"-s x10", "probe: -s wants WxH, each 1 to 16384, not 'x10'\n"},
-        {"-s 10x0", "probe: -s wants WxH, each 1 to 16384, not '10x0'\n"},
-        {"-s 16385x10", "probe: -s wants WxH, each 1 to 16384, not '16385x10'\n"},
-        {"-s -5x10", "probe: -s wants WxH, each 1 to 16384, not '-5x10'\n"},
-        {"--only what", "probe: --only wants the name of a scene (see --help), not 'what'\n"},
-        {"--format gif", "probe: --format wants tga, png or ppm, not 'gif'\n"},
+        {"-s", "probe: -s wants WxH: each 1 to 16384\n"},
+        {"-s 10", "probe: -s wants WxH: each 1 to 16384, not '10'\n"},
+        {"-s 0x10", "probe: -s wants WxH: each 1 to 16384, not '0x10'\n"},
+        {"-s 10x16385", "probe: -s wants WxH: each 1 to 16384, not '10x16385'\n"},
+        {"-s 10x10x", "probe: -s wants WxH: each 1 to 16384, not '10x10x'\n"},
+        {"-s x10", "probe: -s wants WxH: each 1 to 16384, not 'x10'\n"},
+        {"-s 10x0", "probe: -s wants WxH: each 1 to 16384, not '10x0'\n"},
+        {"-s 16385x10", "probe: -s wants WxH: each 1 to 16384, not '16385x10'\n"},
+        {"-s -5x10", "probe: -s wants WxH: each 1 to 16384, not '-5x10'\n"},
+        {"--only what", "probe: --only wants a scene: dot, film, not 'what'\n"},
+        {"--format gif", "probe: --format wants a format: tga, png or ppm, not 'gif'\n"},
         {"--eye 1,2", "probe: --eye wants three numbers X,Y,Z, not '1,2'\n"},
         {"--eye 1,2,3,4", "probe: --eye wants three numbers X,Y,Z, not '1,2,3,4'\n"},
         {"--light 1,nan,3", "probe: --light wants three numbers X,Y,Z, not '1,nan,3'\n"},
         {"--up 1,1e999,3", "probe: --up wants three numbers X,Y,Z, not '1,1e999,3'\n"},
-        {"--repeat 0", "probe: --repeat wants a number from 1 to 1000000, not '0'\n"},
-        {"--repeat 1000001", "probe: --repeat wants a number from 1 to 1000000, not '1000001'\n"},
-        {"--repeat x", "probe: --repeat wants a number from 1 to 1000000, not 'x'\n"},
+        {"--repeat 0", "probe: --repeat wants a number: 1 to 1000000, not '0'\n"},
+        {"--repeat 1000001", "probe: --repeat wants a number: 1 to 1000000, not '1000001'\n"},
+        {"--repeat x", "probe: --repeat wants a number: 1 to 1000000, not 'x'\n"},
         {"one.obj", "probe: one argument too many: 'one.obj'; try --help\n"},
         {"--eye 1,2,3 --center 1,2,3 --only dot",
          "probe: scene dot: the eye and the center are the same point\n"},
@@ -213,7 +211,7 @@ static void test_usage(void) {
 static void test_help(void) {
     CHECK(run(&dot_program, "--help") == 0);
     CHECK(strstr(output, "probe: a program to try") != NULL);
-    CHECK(strstr(output, "dot film") != NULL);
+    CHECK(strstr(output, "dot, film") != NULL);
     CHECK(strstr(output, "--eye") != NULL);
     CHECK(run(&failing_program, "-h") == 0);
     CHECK(strstr(output, "--eye") == NULL);
@@ -224,13 +222,13 @@ static void test_formats(void) {
     struct image image = {0};
     CHECK(run(&dot_program, "-o out/deep --only dot") == 0);
     CHECK_TEXT(output, "out/deep/dot.tga\n");
-    if (CHECK(tga_read(&image, in_directory("out/deep/dot.tga"), &error))) {
+    if (CHECK(image_read(&image, in_directory("out/deep/dot.tga"), &error))) {
         CHECK(image.width == 4 && image.height == 3);
         CHECK(image_get(&image, 1, 1).r == 1 && image_get(&image, 1, 1).b == 3);
         image_free(&image);
     }
     CHECK(run(&dot_program, "-o out --only dot --format png -s 7x9") == 0);
-    if (CHECK(png_read(&image, in_directory("out/dot.png"), &error))) {
+    if (CHECK(image_read(&image, in_directory("out/dot.png"), &error))) {
         CHECK(image.width == 7 && image.height == 9);
         CHECK(image_get(&image, 1, 1).r == 1 && image_get(&image, 1, 1).b == 3);
         image_free(&image);
@@ -244,7 +242,7 @@ static void test_frames(void) {
     struct error error;
     struct image image = {0};
     CHECK(run(&dot_program, "-o out --only film") == 0);
-    if (CHECK(tga_read(&image, in_directory("out/film.tga"), &error))) {
+    if (CHECK(image_read(&image, in_directory("out/film.tga"), &error))) {
         /* Three frames of 2x2 on a sheet of two columns, the first one top left. */
         CHECK(image.width == 5 && image.height == 4);
         CHECK(image_get(&image, 1, 3).b == 3);
@@ -263,7 +261,7 @@ static void test_frames(void) {
         CHECK(frames == 3);
         bytes_free(&file);
     }
-    if (CHECK(png_read(&image, in_directory("out/film.png"), &error))) {
+    if (CHECK(image_read(&image, in_directory("out/film.png"), &error))) {
         CHECK(image.width == 5 && image.height == 4); /* in an animation each frame has the size */
         image_free(&image);
     }
@@ -314,19 +312,109 @@ static void test_text_scene(void) {
     CHECK(file_write(in_directory("plain"), without, strlen(without), &error));
     CHECK(run(&text_program, "-o out a.b.txt") == 0);
     CHECK_TEXT(output, "out/a.b.tga\n");
-    if (CHECK(tga_read(&image, in_directory("out/a.b.tga"), &error))) {
+    if (CHECK(image_read(&image, in_directory("out/a.b.tga"), &error))) {
         CHECK(image.width == 9 && image.height == 8 && image_get(&image, 3, 0).g == 20);
         image_free(&image);
     }
     CHECK(run(&text_program, "-o out plain") == 0);
-    if (CHECK(tga_read(&image, in_directory("out/plain.tga"), &error))) {
+    if (CHECK(image_read(&image, in_directory("out/plain.tga"), &error))) {
         CHECK(image.width == 5 && image.height == 5);
         image_free(&image);
     }
     CHECK(run(&text_program, "-o out -s 6x7 a.b.txt") == 0); /* the option wins */
-    if (CHECK(tga_read(&image, in_directory("out/a.b.tga"), &error))) {
+    if (CHECK(image_read(&image, in_directory("out/a.b.tga"), &error))) {
         CHECK(image.width == 6 && image.height == 7);
         image_free(&image);
+    }
+}
+
+/* ---- What scenes need ---- */
+
+static const char *const triangle_obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+static const char *const mapped_obj =
+    "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nf 1/1 2/2 3/3\n";
+
+static bool draw_needs(struct drawing *drawing, struct image *image, struct error *error) {
+    (void)error;
+    CHECK(drawing->model != NULL && drawing->model->face_count == 1);
+    for (size_t i = 0; drawing->depth != NULL && i < image->width * image->height; i++) {
+        CHECK(drawing->depth[i] == -INFINITY); /* also after it was drawn before */
+        drawing->depth[i] = 5;
+    }
+    CHECK(drawing->diffuse == NULL || drawing->diffuse->level[0].texels[0] == UINT32_MAX);
+    CHECK(drawing->model->normal_count == (image->width == 2 ? 3 : 0)); /* "normals" alone */
+    draw_calls++;
+    last_drawing = *drawing;
+    return true;
+}
+
+static bool draw_plain(struct drawing *drawing, struct image *image, struct error *error) {
+    (void)image, (void)error;
+    CHECK(drawing->model == NULL && drawing->diffuse == NULL && drawing->depth == NULL);
+    last_drawing = *drawing;
+    return true;
+}
+
+static const struct scene needs_scenes[] = {
+    {.name = "plain", .light = {0, 0, 7}, .draw = draw_plain},
+    {.name = "depth", .needs = NEEDS_MODEL | NEEDS_DEPTH, .draw = draw_needs},
+    {.name = "diffuse", .needs = NEEDS_DIFFUSE, .draw = draw_needs},
+    {.name = "normals", .needs = NEEDS_NORMALS, .width = 2, .draw = draw_needs},
+    {.name = "map", .needs = NEEDS_NORMAL_MAP, .draw = draw_needs},
+};
+
+static const struct program needs_program = {
+    .name = "probe",
+    .summary = "needs",
+    .takes_light = true,
+    .defaults = {.width = 4, .height = 3, .light = {0, 1, 0}},
+    .scenes = needs_scenes,
+    .scene_count = sizeof needs_scenes / sizeof needs_scenes[0],
+};
+
+/* What a scene needs is there when it is drawn; what no chosen scene needs is not read. */
+static void test_needs(void) {
+    struct error error;
+    make_directory();
+    CHECK(file_write(in_directory("bare.obj"), triangle_obj, strlen(triangle_obj), &error));
+    CHECK(file_write(in_directory("mapped.obj"), mapped_obj, strlen(mapped_obj), &error));
+    draw_calls = 0;
+    CHECK(run(&needs_program, "-o out --only depth --repeat 3 bare.obj") == 0);
+    CHECK(draw_calls == 3 && last_drawing.diffuse == NULL && last_drawing.normal_map == NULL);
+    CHECK(run(&needs_program, "-o out --only normals bare.obj") == 0);
+    CHECK(run(&needs_program, "-o out --only diffuse bare.obj") == 0); /* no places in a picture */
+    CHECK(run(&needs_program, "-o out --only diffuse mapped.obj") == 1);
+    CHECK(strstr(output, "probe: mapped_diffuse.tga: ") == output);
+    CHECK(run(&needs_program, "-o out --only map mapped.obj") == 1);
+    CHECK(strstr(output, "probe: mapped_nm.tga: ") == output);
+    CHECK(run(&needs_program, "-o out --only plain missing.obj") == 0); /* no model, none read */
+    CHECK(run(&needs_program, "-o out --only depth missing.obj") == 1);
+    CHECK(remove(in_directory("bare.obj")) == 0 && remove(in_directory("mapped.obj")) == 0);
+}
+
+/* A scene says only what differs from the program's defaults; an option wins over both. */
+static void test_defaults(void) {
+    struct error error;
+    struct image image = {0};
+    CHECK(run(&needs_program, "-o out --only plain") == 0);
+    CHECK(last_drawing.light.z == 7 && last_drawing.light.y == 0);
+    if (CHECK(image_read(&image, in_directory("out/plain.tga"), &error))) {
+        CHECK(image.width == 4 && image.height == 3);
+        image_free(&image);
+    }
+    CHECK(run(&needs_program, "-o out --only plain --light 1,0,0") == 0);
+    CHECK(last_drawing.light.x == 1 && last_drawing.light.z == 0);
+    CHECK(file_write(in_directory("bare.obj"), triangle_obj, strlen(triangle_obj), &error));
+    CHECK(run(&needs_program, "-o out --only normals bare.obj") == 0);
+    CHECK(last_drawing.light.y == 1);
+    if (CHECK(image_read(&image, in_directory("out/normals.tga"), &error))) {
+        CHECK(image.width == 2 && image.height == 3);
+        image_free(&image);
+    }
+    static const char *const names[] = {"bare.obj", "out/depth.tga", "out/diffuse.tga",
+                                        "out/normals.tga"};
+    for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
+        CHECK_ROW(remove(in_directory(names[i])) == 0, names[i]);
     }
 }
 
@@ -366,16 +454,16 @@ static const struct program unprepared_program = {.name = "probe",
 static void test_grey(void) {
     struct error error;
     struct bytes file;
-    CHECK(run(&grey_program, "-o out --only grey --format ppm") ==
-          0); /* no camera: eye and center are equal */
+    /* no camera: eye and center are equal */
+    CHECK(run(&grey_program, "-o out --only grey --format ppm") == 0);
     CHECK_TEXT(output, "out/grey.pgm\n");
     if (CHECK(file_read(in_directory("out/grey.pgm"), &file, &error))) {
         CHECK(file.size > 2 && memcmp(file.data, "P5", 2) == 0);
         bytes_free(&file);
     }
     CHECK(remove(in_directory("out/grey.pgm")) == 0);
-    CHECK(run(&grey_program, "-o out --only grey --repeat 4 --eye 0,0,1") ==
-          0); /* the median of an even number */
+    /* the median of an even number */
+    CHECK(run(&grey_program, "-o out --only grey --repeat 4 --eye 0,0,1") == 0);
     CHECK(strstr(output, "grey: ") == output);
     CHECK(run(&grey_program, "-o out --only grey --center 0,0,9") == 0); /* the eye of the other */
     CHECK(remove(in_directory("out/grey.tga")) == 0);
@@ -486,6 +574,6 @@ static void test_clean_up(void) {
 
 UNIT_MAIN(TEST(test_usage), TEST(test_help), TEST(test_formats), TEST(test_frames),
           TEST(test_stats_and_repeat), TEST(test_camera), TEST(test_failures),
-          TEST(test_text_scene), TEST(test_grey), TEST(test_seldom_failures),
-          TEST(test_full_output), TEST(test_text_names), TEST(test_default_directory),
-          TEST(test_clean_up))
+          TEST(test_text_scene), TEST(test_needs), TEST(test_defaults), TEST(test_grey),
+          TEST(test_seldom_failures), TEST(test_full_output), TEST(test_text_names),
+          TEST(test_default_directory), TEST(test_clean_up))

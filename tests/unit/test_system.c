@@ -218,7 +218,7 @@ static void test_each_call_fails(void) {
     }
     for (enum task task = READ_OLD; task < TASKS; task++) {
         for (long n = 0;; n++) {
-            struct error error = {{0}};
+            struct error error = {0};
             system_calls.calls = 0;
             system_calls.failing = n;
             system_calls.failed = false;
@@ -246,7 +246,7 @@ static void test_other_reasons(void) {
         return;
     }
     for (size_t i = 0; i < sizeof reasons / sizeof reasons[0]; i++) {
-        struct error error = {{0}};
+        struct error error = {0};
         system_calls.calls = 0;
         system_calls.failing = 1; /* stat(), then open() */
         system_calls.reason = reasons[i];
@@ -265,7 +265,7 @@ static void test_interrupted(void) {
         return;
     }
     for (enum task task = READ_OLD; task < TASKS; task++) {
-        struct error error = {{0}};
+        struct error error = {0};
         system_calls.failing = NEVER;
         system_calls.interrupts = 0;
         system_calls.interrupt = true;
@@ -285,7 +285,7 @@ static void test_full(void) {
         return;
     }
     for (enum task task = WRITE_FRESH; task < TASKS; task++) {
-        struct error error = {{0}};
+        struct error error = {0};
         system_calls.failing = NEVER;
         system_calls.full = system_calls.on = true;
         bool done = run_task(task, &place, &error);
@@ -303,7 +303,7 @@ static void test_taken_names(void) {
         return;
     }
     for (long taken = 3; taken < 1000000000; taken = taken == 3 ? 999999999 : 1000000000) {
-        struct error error = {{0}};
+        struct error error = {0};
         system_calls.failing = NEVER;
         system_calls.taken = taken;
         system_calls.on = true;

@@ -124,15 +124,15 @@ static void test_messages(void) {
     };
     for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
         struct text_scene scene;
-        struct error error = {{0}};
+        struct error error = {0};
         CHECK_ROW(!decode(&scene, rows[i].text, rows[i].kind, &error), rows[i].text);
-        CHECK_TEXT(error.message, rows[i].message);
+        CHECK_ERROR(error, rows[i].message);
         CHECK(scene.shapes == NULL && scene.shape_count == 0 && scene.width == 0);
     }
     struct text_scene scene;
     struct error error;
     CHECK(!text_scene_decode(&scene, "size 1 1\n\0", 10, TEXT_SCENE_LINES, &error));
-    CHECK_TEXT(error.message, "2: not a text file: it holds a zero byte");
+    CHECK_ERROR(error, "2: not a text file: it holds a zero byte");
 }
 
 static void test_many_shapes(void) {

@@ -194,31 +194,12 @@ static double vec4_channel(struct vec4 color, int channel) { /* of a texel's byt
     return channel == 0 ? color.z : channel == 1 ? color.y : channel == 2 ? color.x : color.w;
 }
 
-static void check_samples(const struct texture *t, struct vec2 uv, double level) {
-    size_t k = (size_t)level;
-    size_t next = k + 1 < t->level_count ? k + 1 : k;
-    long double fraction = (long double)level - (long double)k;
+static void check_sample(const struct texture *t, struct vec2 uv, size_t level) {
+    struct vec4 sample = texture_bilinear(t, uv, level);
     for (int channel = 0; channel < 4; channel++) {
-        long double near = bilinear_by_formula(&t->level[k], uv, channel);
-        long double far = bilinear_by_formula(&t->level[next], uv, channel);
-        long double between = near * (1 - fraction) + far * fraction;
-        CHECK(fabsl(near - vec4_channel(texture_bilinear(t, uv, k), channel)) < 1e-9L);
-        CHECK(fabsl(between - vec4_channel(texture_trilinear(t, uv, level), channel)) < 1e-9L);
+        long double expected = bilinear_by_formula(&t->level[level], uv, channel);
+        CHECK(fabsl(expected - vec4_channel(sample, channel)) < 1e-9L);
     }
-}
-
-static void check_nearest(const struct texture *t, struct vec2 uv) {
-    const struct texture_level *level = &t->level[0];
-    long double x = (long double)uv.x * (long double)level->width;
-    long double y = (long double)uv.y * (long double)level->height;
-    if (fabsl(x - roundl(x)) < 1e-9L || fabsl(y - roundl(y)) < 1e-9L) {
-        return; /* so near to an edge between texels, rounding may decide */
-    }
-    size_t i = (size_t)clamp_index(floorl(x), level->width);
-    size_t j = (size_t)clamp_index(floorl(y), level->height);
-    struct color c = texture_nearest(t, uv);
-    CHECK(c.b == channel_of(level, i, j, 0) && c.g == channel_of(level, i, j, 1) &&
-          c.r == channel_of(level, i, j, 2) && c.a == channel_of(level, i, j, 3));
 }
 
 static void test_samples(void) {
@@ -231,15 +212,13 @@ static void test_samples(void) {
         for (int k = 0; k < 200; k++) {
             double reach = k % 4 == 0 ? 2 : 0;
             struct vec2 uv = {random_between(-reach, 1 + reach), random_between(-reach, 1 + reach)};
-            double level = random_between(0, (double)t.level_count - 1);
-            check_samples(&t, uv, k % 8 == 0 ? floor(level) : level);
-            check_nearest(&t, uv);
+            check_sample(&t, uv, random_bits() % t.level_count);
         }
         texture_free(&t);
     }
 }
 
-/* At a texel's centre every way gives the texel itself, exactly. */
+/* At a texel's centre the sample is the texel itself, exactly. */
 static void test_texel_centres(void) {
     struct texture t;
     if (!CHECK(random_texture(&t, 8, 4, IMAGE_BGRA))) {
@@ -249,13 +228,9 @@ static void test_texel_centres(void) {
         for (size_t x = 0; x < 8; x++) {
             struct vec2 uv = {((double)x + 0.5) / 8, ((double)y + 0.5) / 4};
             struct vec4 c = texture_bilinear(&t, uv, 0);
-            struct color n = texture_nearest(&t, uv);
-            CHECK(c.x == n.r && c.y == n.g && c.z == n.b && c.w == n.a);
-            CHECK(n.b == channel_of(&t.level[0], x, y, 0) &&
-                  n.a == channel_of(&t.level[0], x, y, 3));
-            /* The left and the bottom edge belong to the texel, the others to its neighbours. */
-            struct color corner = texture_nearest(&t, (struct vec2){(double)x / 8, (double)y / 4});
-            CHECK(memcmp(&corner, &n, sizeof n) == 0);
+            for (int channel = 0; channel < 4; channel++) {
+                CHECK(vec4_channel(c, channel) == channel_of(&t.level[0], x, y, channel));
+            }
         }
     }
     texture_free(&t);
@@ -283,22 +258,12 @@ static void test_hostile_coordinates(void) {
             struct vec2 bad[2] = {{rows[i].given, 0.3}, {0.3, rows[i].given}};
             struct vec2 good[2] = {{rows[i].same_as, 0.3}, {0.3, rows[i].same_as}};
             for (int k = 0; k < 2; k++) {
-                struct color a = texture_nearest(&t, bad[k]), b = texture_nearest(&t, good[k]);
-                CHECK(memcmp(&a, &b, sizeof a) == 0);
                 CHECK(same_vec4(texture_bilinear(&t, bad[k], 0), texture_bilinear(&t, good[k], 0)));
-                CHECK(same_vec4(texture_trilinear(&t, bad[k], 0.5),
-                                texture_trilinear(&t, good[k], 0.5)));
             }
         }
         struct vec2 uv = {0.4, 0.6};
-        struct vec4 first = texture_bilinear(&t, uv, 0);
         struct vec4 last = texture_bilinear(&t, uv, t.level_count - 1);
         CHECK(same_vec4(texture_bilinear(&t, uv, SIZE_MAX), last));
-        CHECK(same_vec4(texture_trilinear(&t, uv, (double)NAN), first));
-        CHECK(same_vec4(texture_trilinear(&t, uv, (double)-INFINITY), first));
-        CHECK(same_vec4(texture_trilinear(&t, uv, -3), first));
-        CHECK(same_vec4(texture_trilinear(&t, uv, (double)INFINITY), last));
-        CHECK(same_vec4(texture_trilinear(&t, uv, 1e10), last));
         texture_free(&t);
     }
 }

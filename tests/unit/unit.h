@@ -57,6 +57,17 @@ static inline bool unit_check_text(const char *actual, const char *expected, con
     return false;
 }
 
+/* A struct error: "LINE: MESSAGE" is expected where it has a line, otherwise "MESSAGE". */
+#define CHECK_ERROR(error, expected)                                                               \
+    unit_check_error((error).line, (error).message, (expected), __FILE__, __LINE__)
+
+static inline bool unit_check_error(size_t error_line, const char *message, const char *expected,
+                                    const char *file, int line) {
+    char actual[1100];
+    snprintf(actual, sizeof actual, "%zu: %s", error_line, message);
+    return unit_check_text(error_line > 0 ? actual : message, expected, file, line);
+}
+
 #define TEST(function)                                                                             \
     { #function, function }
 

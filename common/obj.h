@@ -1,0 +1,16 @@
+/*
+ * OBJ files, for model.c (Wavefront Technologies, "Advanced Visualizer Manual", appendix B1 "Object
+ * Files (.obj)"). What is read of them: see model.h.
+ */
+#ifndef COMMON_OBJ_H
+#define COMMON_OBJ_H
+
+#include "model.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+
+/* Read into an empty model, which is left half-read on an error; messages do not name the file. */
+bool obj_decode(struct model *model, const void *data, size_t size, struct error *error);
+
+#endif

@@ -1,0 +1,256 @@
+/* OFF files; see off.h. */
+#include "off.h"
+
+#include "model_reader.h"
+
+#include <assert.h>
+#include <string.h>
+
+/* ---- The first lines ---- */
+
+/* The first word: [ST][C][N][4][n]OFF says what a vertex has beside x y z. */
+struct off_kind {
+    bool uv, color, normal;
+    bool four, dimension; /* 4OFF and nOFF: positions of more than three coordinates */
+    struct word rest;     /* what follows OFF in the same word: some writers leave out the blank */
+};
+
+static bool over_prefix(const char **p, const char *end, const char *prefix) {
+    size_t length = strlen(prefix);
+    if ((size_t)(end - *p) < length || memcmp(*p, prefix, length) != 0) {
+        return false;
+    }
+    *p += length;
+    return true;
+}
+
+static bool parse_keyword(struct word word, struct off_kind *kind) {
+    *kind = (struct off_kind){0};
+    if (word.length == 0) {
+        return false;
+    }
+    const char *p = word.start, *end = word.start + word.length;
+    kind->uv = over_prefix(&p, end, "ST");
+    kind->color = over_prefix(&p, end, "C");
+    kind->normal = over_prefix(&p, end, "N");
+    kind->four = over_prefix(&p, end, "4");
+    kind->dimension = over_prefix(&p, end, "n");
+    if (!over_prefix(&p, end, "OFF")) {
+        return false;
+    }
+    kind->rest = (struct word){p, (size_t)(end - p)};
+    return p == end || (*p >= '0' && *p <= '9');
+}
+
+bool off_recognize(const void *data, size_t size) {
+    struct error ignored;
+    struct off_kind kind;
+    struct word word = {0};
+    struct model_reader reader = {.error = &ignored};
+    return text_begin(&reader.text, data, size, false, &ignored) &&
+           reader_next_line(&reader, &word) && parse_keyword(word, &kind);
+}
+
+static bool read_count(struct model_reader *reader, struct word word, const char *what,
+                       size_t *count) {
+    int64_t value;
+    if (!word_to_integer(word, &value) || value < 0 || (uint64_t)value >= MODEL_NONE) {
+        return text_error(reader->error, reader->line, "'%s' is not a number of %s",
+                          word_show(word).text, what);
+    }
+    *count = (size_t)value;
+    return true;
+}
+
+/* The numbers of vertices, faces and (not used, may be missing) edges, from `word` on. A vertex
+ * takes at least 6 bytes ("0 0 0" and a line's end), a face at least 2. */
+static bool read_counts(struct model_reader *reader, struct word word, size_t *vertices,
+                        size_t *faces) {
+    if (word.length == 0 && !reader_next_line(reader, &word)) {
+        return text_error(reader->error, reader->line,
+                          "the numbers of vertices and faces are missing");
+    }
+    if (!read_count(reader, word, "vertices", vertices)) {
+        return false;
+    }
+    word = text_next_word(&reader->text);
+    if (word.length == 0) {
+        return text_error(reader->error, reader->line, "the number of faces is missing");
+    }
+    if (!read_count(reader, word, "faces", faces)) {
+        return false;
+    }
+    uint64_t left = (uint64_t)(reader->text.end - reader->text.next) + 1;
+    return (*vertices <= left / 6 && *faces <= left / 2) ||
+           text_error(reader->error, reader->line,
+                      "%zu vertices and %zu faces are more than the file can hold", *vertices,
+                      *faces);
+}
+
+/* "OFF" and the numbers, on one line or two. */
+static bool read_header(struct model_reader *reader, struct off_kind *kind, size_t *vertices,
+                        size_t *faces) {
+    struct word word;
+    bool is_off = reader_next_line(reader, &word) && parse_keyword(word, kind);
+    assert(is_off); /* or off_recognize() was not asked */
+    (void)is_off;
+    if (kind->four || kind->dimension) {
+        return text_error(reader->error, reader->line,
+                          "%s: only positions of three coordinates can be read",
+                          word_show(word).text);
+    }
+    word = kind->rest.length > 0 ? kind->rest : text_next_word(&reader->text);
+    if (word_is(word, "BINARY")) {
+        return text_error(reader->error, reader->line, "binary OFF files cannot be read");
+    }
+    return read_counts(reader, word, vertices, faces);
+}
+
+/* ---- Vertices ---- */
+
+static bool read_vertex(struct model_reader *reader, const struct off_kind *kind, size_t number,
+                        size_t total) {
+    struct reader_numbers numbers;
+    struct word first;
+    if (!reader_next_line(reader, &first)) {
+        return text_error(reader->error, reader->line, "the file ends after %zu of %zu vertices",
+                          number, total);
+    }
+    reader->text.next = first.start; /* the first word is a number too */
+    if (!reader_read_numbers(reader, &numbers)) {
+        return false;
+    }
+    size_t color_at = kind->normal ? 6 : 3, count = numbers.count;
+    size_t least = color_at + (kind->color ? 3 : 0) + (kind->uv ? 2 : 0);
+    bool alpha = kind->color && count == least + 1; /* read over */
+    if (count != least && !alpha) {
+        return text_error(reader->error, reader->line, "a vertex has %zu%s numbers here, not %zu",
+                          least, kind->color ? " (with alpha one more)" : "", count);
+    }
+    const float *value = numbers.value;
+    return reader_add_position(reader, value) &&
+           (!kind->color || reader_color_position(reader, value + color_at)) &&
+           (!kind->normal || reader_add_normal(reader, value + 3)) &&
+           (!kind->uv || reader_add_uv(reader, value[count - 2], value[count - 1]));
+}
+
+/* Colours are 0..1, but many writers use levels 0..255: one value above 1 tells. */
+static void scale_colors(struct model *model) {
+    float scale = 1;
+    for (size_t i = 0; i < model->position_count; i++) {
+        for (int channel = 0; channel < 3; channel++) {
+            scale = model->colors[i][channel] > 1 ? 255 : scale;
+        }
+    }
+    for (size_t i = 0; i < model->position_count; i++) {
+        for (int channel = 0; channel < 3; channel++) {
+            model->colors[i][channel] /= scale;
+        }
+    }
+}
+
+static bool read_vertices(struct model_reader *reader, const struct off_kind *kind, size_t total) {
+    for (size_t i = 0; i < total; i++) {
+        if (!read_vertex(reader, kind, i, total)) {
+            return false;
+        }
+    }
+    if (reader->model->colors != NULL) {
+        scale_colors(reader->model);
+    }
+    return true;
+}
+
+/* ---- Faces ---- */
+
+static bool read_corner(struct model_reader *reader, const struct off_kind *kind,
+                        struct word word) {
+    size_t vertices = reader->model->position_count;
+    int64_t index;
+    if (!reader_parse_index(word, &index)) {
+        return text_error(reader->error, reader->line, "'%s' is not the number of a vertex",
+                          word_show(word).text);
+    }
+    if (index < 0 || (uint64_t)index >= vertices) {
+        return text_error(reader->error, reader->line, "face names vertex %s of %zu (from 0)",
+                          word_show(word).text, vertices);
+    }
+    uint32_t all = (uint32_t)index; /* one number for position, texture coordinate and normal */
+    return reader_add_corner(
+        reader, (struct corner){all, kind->uv ? all : MODEL_NONE, kind->normal ? all : MODEL_NONE});
+}
+
+static bool read_polygon(struct model_reader *reader, const struct off_kind *kind, size_t size) {
+    reader->polygon_size = 0;
+    for (size_t i = 0; i < size; i++) {
+        struct word word = text_next_word(&reader->text);
+        if (word.length == 0) {
+            return text_error(reader->error, reader->line, "face has %zu corners, not %zu", i,
+                              size);
+        }
+        if (!read_corner(reader, kind, word)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/* What follows the corners: nothing, an index into a table of colours (not used), or a colour,
+ * perhaps with alpha: levels 0..255 where all are whole numbers, otherwise 0..1. */
+static bool read_face_color(struct model_reader *reader, float color[3], bool *colored) {
+    struct reader_numbers numbers;
+    if (!reader_read_numbers(reader, &numbers)) {
+        return false;
+    }
+    if (numbers.count == 2 || numbers.count > 4) {
+        return text_error(reader->error, reader->line,
+                          "the colour of a face has 3 or 4 numbers, not %zu", numbers.count);
+    }
+    *colored = numbers.count >= 3;
+    for (int channel = 0; *colored && channel < 3; channel++) {
+        color[channel] = numbers.value[channel] / (numbers.whole ? 255.0F : 1.0F);
+    }
+    return true;
+}
+
+/* "n i1 ... in", then perhaps a colour. */
+static bool read_face(struct model_reader *reader, const struct off_kind *kind, size_t number,
+                      size_t total) {
+    struct word word;
+    size_t size = 0, first = reader->model->face_count;
+    float color[3];
+    bool colored = false;
+    if (!reader_next_line(reader, &word)) {
+        return text_error(reader->error, reader->line, "the file ends after %zu of %zu faces",
+                          number, total);
+    }
+    if (!read_count(reader, word, "corners", &size) || !read_polygon(reader, kind, size) ||
+        !read_face_color(reader, color, &colored)) {
+        return false;
+    }
+    if (size < 3) { /* points and lines are not drawn */
+        return true;
+    }
+    return reader_add_faces(reader) && (!colored || reader_color_faces(reader, first, color));
+}
+
+static bool read_all(struct model_reader *reader) {
+    struct off_kind kind;
+    size_t vertices = 0, faces = 0;
+    if (!read_header(reader, &kind, &vertices, &faces) || !read_vertices(reader, &kind, vertices)) {
+        return false;
+    }
+    for (size_t i = 0; i < faces; i++) {
+        if (!read_face(reader, &kind, i, faces)) {
+            return false;
+        }
+    }
+    return reader_finish_colors(reader);
+}
+
+bool off_decode(struct model *model, const void *data, size_t size, struct error *error) {
+    struct model_reader reader = {.model = model, .error = error};
+    bool done = text_begin(&reader.text, data, size, false, error) && read_all(&reader);
+    model_reader_free(&reader);
+    return done;
+}

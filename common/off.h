@@ -1,0 +1,20 @@
+/*
+ * OFF files, for model.c ("OFF Files" in the Geomview manual, Geometry Center, University of
+ * Minnesota). What is read of them: see model.h.
+ */
+#ifndef COMMON_OFF_H
+#define COMMON_OFF_H
+
+#include "model.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+
+/* Is this an OFF file? Its first word says so. */
+bool off_recognize(const void *data, size_t size);
+
+/* Read what off_recognize() accepts into an empty model, which is left half-read on an error;
+ * messages do not name the file. */
+bool off_decode(struct model *model, const void *data, size_t size, struct error *error);
+
+#endif

@@ -1,0 +1,45 @@
+/*
+ * Step 4, the given part: its scene and the program.
+ *
+ * `flat` draws a model from the front, in the order of the file. Faces on which no light falls are
+ * not drawn. With the light in the viewer's direction these are the faces that show their backs;
+ * what lies behind something else is still painted over it: that is lesson 5.
+ */
+
+static bool draw_flat(struct drawing *drawing, struct image *image, struct error *error) {
+    (void)error;
+    const struct model *model = drawing->model;
+    const struct vec3 light = vec3_normalized(drawing->light);
+    uint64_t unlit = 0;
+    for (size_t face = 0; face < model->face_count; face++) {
+        struct vertex vertices[3];
+        double intensity = face_intensity(model, face, light);
+        bool lit = intensity > 0;
+        unlit += !lit;
+        if (!lit && drawing->skip) {
+            continue; /* it will not be drawn: where it lies does not matter */
+        }
+        if (place_face(model, face, image, vertices) && lit) {
+            triangle(image, vertices, color_grey(level_from(intensity * 255)));
+        }
+    }
+    drawing_count(drawing, "faces", model->face_count);
+    drawing_count(drawing, "faces_unlit", unlit);
+    return true;
+}
+
+static const struct scene scenes[] = {
+    {.name = "flat", .needs = NEEDS_MODEL, .draw = draw_flat},
+};
+
+int main(int argc, char **argv) {
+    static const struct program program = {
+        .name = "step04_flat",
+        .summary = "one grey level a face, from its normal and the light",
+        .takes_light = true,
+        .defaults = {.width = 800, .height = 800, .light = {0, 0, -1}},
+        .scenes = scenes,
+        .scene_count = sizeof scenes / sizeof scenes[0],
+    };
+    return program_main(&program, argc, argv);
+}

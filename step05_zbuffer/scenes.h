@@ -1,0 +1,149 @@
+/*
+ * Step 5, the given part: its scenes and the program.
+ *
+ * `rows` shows the idea in one dimension: three segments of a plane, seen from above, in one row of
+ * pixels. `zbuffer` is lesson 4 with a depth buffer, `depth` shows its depths, and `knot` is a body
+ * that winds around itself.
+ */
+
+/* ---- Scene: rows ---- */
+
+/* In pixels of a picture of the usual size: the plane on top, then as strips the row of colours and
+ * the row of depths. */
+enum {
+    ROWS_WIDTH = 800,
+    ROWS_HEIGHT = 640,
+    ROWS_PLANE = 500, /* height of the plane; its y is the depth */
+    ROWS_PLANE_BOTTOM = 140,
+    ROWS_COLOR_BOTTOM = 80,
+    ROWS_DEPTH_BOTTOM = 20,
+    ROWS_STRIP = 40 /* height of a strip */
+};
+
+/* The segment itself, three pixels thick. */
+static void draw_plane_line(const struct segment *s, struct image *image, int bottom) {
+    for (int shift = -1; shift <= 1; shift++) {
+        struct pixel a = {(int)floor(s->a.x), bottom + (int)floor(s->a.y) + shift};
+        struct pixel b = {(int)floor(s->b.x), bottom + (int)floor(s->b.y) + shift};
+        struct line_walk walk;
+        bool more = line_begin(&walk, a, b, image->width, image->height);
+        for (; more; more = line_next(&walk)) {
+            image_set(image, walk.x, walk.y, s->color);
+        }
+    }
+}
+
+/* A pixel `height` times, one above the other, so that a row can be seen. */
+static void draw_column(struct image *image, int x, int bottom, int height, struct color color) {
+    for (int y = bottom; y < bottom + height; y++) {
+        image_set(image, x, y, color);
+    }
+}
+
+static bool draw_rows(struct drawing *drawing, struct image *image, struct error *error) {
+    (void)error;
+    static const struct segment segments[] = {
+        {{20, 34}, {744, 400}, {.r = 255, .a = 255}},
+        {{120, 434}, {444, 400}, {.g = 255, .a = 255}},
+        {{330, 463}, {594, 200}, {.b = 255, .a = 255}},
+    };
+    /* Another size than the usual one shows the same picture, smaller or larger. */
+    double across = (double)image->width / ROWS_WIDTH, up = (double)image->height / ROWS_HEIGHT;
+    int strip = (int)(ROWS_STRIP * up), color_bottom = (int)(ROWS_COLOR_BOTTOM * up);
+    for (size_t i = 0; i < sizeof segments / sizeof segments[0]; i++) {
+        struct segment s = segments[i];
+        s.a = (struct vec2){s.a.x * across, s.a.y * up};
+        s.b = (struct vec2){s.b.x * across, s.b.y * up};
+        draw_plane_line(&s, image, (int)(ROWS_PLANE_BOTTOM * up));
+        draw_segment(&s, image, color_bottom, drawing->depth);
+    }
+    for (int x = 0; x < (int)image->width; x++) {
+        uint8_t level = level_from(drawing->depth[x] * 255 / (ROWS_PLANE * up));
+        draw_column(image, x, color_bottom, strip, image_get(image, x, color_bottom));
+        draw_column(image, x, (int)(ROWS_DEPTH_BOTTOM * up), strip, color_grey(level));
+    }
+    return true;
+}
+
+/* ---- Scenes with a model ---- */
+
+/* The corners of a face in the parallel view; z is the depth. False for a corner too far off the
+ * image to draw. */
+static bool place_face(const struct model *model, size_t face, const struct image *image,
+                       struct vertex vertices[3]) {
+    for (size_t i = 0; i < 3; i++) {
+        struct vec3 world = model_position(model, face, i);
+        vertices[i].depth = world.z;
+        if (!screen_snap(parallel_view(world, image->width, image->height),
+                         &vertices[i].position)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/* All faces on which light falls, as in step 4. */
+static bool draw_zbuffer(struct drawing *drawing, struct image *image, struct error *error) {
+    (void)error;
+    const struct model *model = drawing->model;
+    const struct vec3 light = vec3_normalized(drawing->light);
+    struct canvas canvas = {.image = image, .depth = drawing->depth};
+    for (size_t face = 0; face < model->face_count; face++) {
+        struct vertex vertices[3];
+        double intensity = model_face_intensity(model, face, light);
+        bool lit = intensity > 0;
+        if (!lit && drawing->skip) {
+            continue; /* it will not be drawn: where it lies does not matter */
+        }
+        if (place_face(model, face, image, vertices) && lit) {
+            triangle(&canvas, vertices, color_grey(level_from(intensity * 255)));
+        }
+    }
+    drawing_count(drawing, "pixels_tested", canvas.pixels_tested);
+    drawing_count(drawing, "pixels_hidden", canvas.pixels_tested - canvas.pixels_written);
+    drawing_count(drawing, "pixels_written", canvas.pixels_written);
+    return true;
+}
+
+static bool draw_depth(struct drawing *drawing, struct image *image, struct error *error) {
+    bool done = draw_zbuffer(drawing, image, error);
+    show_depths(image, drawing->depth);
+    return done;
+}
+
+/* ---- The program ---- */
+
+static const struct scene scenes[] = {
+    {
+        .name = "rows",
+        .needs = NEEDS_DEPTH,
+        .width = ROWS_WIDTH,
+        .height = ROWS_HEIGHT,
+        .draw = draw_rows,
+    },
+    {.name = "zbuffer", .needs = NEEDS_MODEL | NEEDS_DEPTH, .draw = draw_zbuffer},
+    {
+        .name = "depth",
+        .needs = NEEDS_MODEL | NEEDS_DEPTH,
+        .format = IMAGE_GREY,
+        .draw = draw_depth,
+    },
+    {
+        .name = "knot",
+        .needs = NEEDS_MODEL | NEEDS_DEPTH,
+        .model = "knot.off",
+        .draw = draw_zbuffer,
+    },
+};
+
+int main(int argc, char **argv) {
+    static const struct program program = {
+        .name = "step05_zbuffer",
+        .summary = "a depth for every pixel: the nearest triangle is seen",
+        .takes_light = true,
+        .defaults = {.width = 800, .height = 800, .light = {0, 0, -1}},
+        .scenes = scenes,
+        .scene_count = sizeof scenes / sizeof scenes[0],
+    };
+    return program_main(&program, argc, argv);
+}

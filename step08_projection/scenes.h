@@ -1,0 +1,428 @@
+/*
+ * Step 8, the given part: its scenes and the program.
+ *
+ * `transforms` shows what matrices do to a small house. `viewport` draws a model into several
+ * rectangles, without perspective. `projection` adds perspective, `lookat` a camera anywhere, and
+ * `closeup` a camera so near that faces pass behind it.
+ */
+#include <stdlib.h>
+
+/* From NDC to a part of the image: the viewport, moved there. */
+static struct mat4 area_to_screen(struct rectangle area) {
+    const struct vec3 corner = {area.x, area.y, 0};
+    return mat4_mul(mat4_translation(corner), viewport((size_t)area.width, (size_t)area.height));
+}
+
+static void fill_area(struct image *image, struct rectangle area, struct color color) {
+    for (int y = area.y; y < area.y + area.height; y++) {
+        image_fill_row(image, y, area.x, area.x + area.width, color);
+    }
+}
+
+/* ---- Scene: transforms ---- */
+
+/* The house: convex polygons, those in front last. */
+enum { PART_CORNERS = 4 };
+
+static const struct part {
+    struct vec2 corner[PART_CORNERS]; /* counterclockwise; a triangle repeats its last corner */
+    struct color color;
+} house[] = {
+    {{{0.74, 0.9}, {0.9, 0.9}, {0.9, 1.3}, {0.74, 1.3}}, {.r = 150, .g = 110, .b = 95, .a = 255}},
+    {{{0, 0}, {1, 0}, {1, 0.8}, {0, 0.8}}, {.r = 236, .g = 196, .b = 110, .a = 255}},
+    {{{-0.15, 0.8}, {1.15, 0.8}, {0.5, 1.35}, {0.5, 1.35}}, {.r = 206, .g = 74, .b = 52, .a = 255}},
+    {{{0.14, 0}, {0.42, 0}, {0.42, 0.56}, {0.14, 0.56}}, {.r = 96, .g = 62, .b = 40, .a = 255}},
+    {{{0.58, 0.32}, {0.86, 0.32}, {0.86, 0.6}, {0.58, 0.6}},
+     {.r = 110, .g = 180, .b = 225, .a = 255}},
+};
+
+enum { HOUSE_PARTS = sizeof house / sizeof house[0] };
+
+/* A part of the image that shows a part of the plane. */
+struct plane {
+    struct image *image;
+    struct rectangle area; /* nothing is drawn outside */
+};
+
+static void plane_pixel(const struct plane *plane, int x, int y, struct color color) {
+    const struct rectangle *area = &plane->area;
+    if (x >= area->x && x < area->x + area->width && y >= area->y && y < area->y + area->height) {
+        image_set(plane->image, x, y, color);
+    }
+}
+
+/* A line between two points, in the pixels in which the map takes them. */
+static void plane_line(const struct plane *plane, const struct mat4 *map, struct vec2 from,
+                       struct vec2 to, struct color color) {
+    struct vec2 a = to_pixels(map, from), b = to_pixels(map, to);
+    struct pixel p = {(int)floor(a.x), (int)floor(a.y)}, q = {(int)floor(b.x), (int)floor(b.y)};
+    struct line_walk walk;
+    bool more = line_begin(&walk, p, q, plane->image->width, plane->image->height);
+    for (; more; more = line_next(&walk)) {
+        plane_pixel(plane, walk.x, walk.y, color);
+    }
+}
+
+static void plane_triangle(const struct plane *plane, const struct mat4 *map, struct vec2 a,
+                           struct vec2 b, struct vec2 c, struct color color) {
+    struct fixed2 p[3] = {{0, 0}};
+    struct edges edges;
+    /* Never beyond the limit. */
+    screen_snap(to_pixels(map, a), &p[0]);
+    screen_snap(to_pixels(map, b), &p[1]);
+    screen_snap(to_pixels(map, c), &p[2]);
+    if (!edges_setup(&edges, p[0], p[1], p[2], plane->image->width, plane->image->height)) {
+        return;
+    }
+    for (int y = edges.y_begin; y < edges.y_end; y++) {
+        struct span span = edges_span(&edges, y);
+        for (int x = span.begin; x < span.end; x++) {
+            plane_pixel(plane, x, y, color);
+        }
+    }
+}
+
+static void draw_house(const struct plane *plane, const struct mat4 *map) {
+    for (size_t i = 0; i < HOUSE_PARTS; i++) {
+        const struct vec2 *c = house[i].corner;
+        plane_triangle(plane, map, c[0], c[1], c[2], house[i].color);
+        plane_triangle(plane, map, c[0], c[2], c[3], house[i].color);
+    }
+}
+
+static void outline_house(const struct plane *plane, const struct mat4 *map, struct color color) {
+    for (size_t i = 0; i < HOUSE_PARTS; i++) {
+        const struct vec2 *c = house[i].corner;
+        for (size_t k = 0; k < PART_CORNERS; k++) {
+            plane_line(plane, map, c[k], c[(k + 1) % PART_CORNERS], color);
+        }
+    }
+}
+
+/* A cross of two short lines. */
+static void mark_point(const struct plane *plane, const struct mat4 *map, struct vec3 p,
+                       struct color color) {
+    const double left = p.x - 0.08, right = p.x + 0.08, below = p.y - 0.08, above = p.y + 0.08;
+    plane_line(plane, map, (struct vec2){left, below}, (struct vec2){right, above}, color);
+    plane_line(plane, map, (struct vec2){left, above}, (struct vec2){right, below}, color);
+}
+
+enum { PANEL_COLUMNS = 3, PANEL_COUNT = 9, PANEL_MARGIN = 4, PANEL_OF_PIVOT = 5 };
+
+/* Where a panel lies in an image; its width or height may be negative in a very small one. */
+static struct rectangle panel_area(const struct image *image, int panel) {
+    struct rectangle cell = grid_cell(image->width, image->height, PANEL_COLUMNS, PANEL_COLUMNS,
+                                      panel % PANEL_COLUMNS, panel / PANEL_COLUMNS);
+    return (struct rectangle){cell.x + PANEL_MARGIN, cell.y + PANEL_MARGIN,
+                              cell.width - 2 * PANEL_MARGIN, cell.height - 2 * PANEL_MARGIN};
+}
+
+/* A panel shows -2..2 in x and y. */
+static struct mat4 panel_to_screen(struct rectangle area) {
+    return mat4_mul(area_to_screen(area), mat4_scaling((struct vec3){0.5, 0.5, 1}));
+}
+
+/* Axes, the house through the panel's map, and its outline without. */
+static void draw_panel(const struct plane *plane, int panel) {
+    const struct color axis = color_grey(90), outline = color_grey(165);
+    const struct mat4 to_screen = panel_to_screen(plane->area);
+    const struct mat4 mapped = mat4_mul(to_screen, panel_map(panel));
+    plane_line(plane, &to_screen, (struct vec2){-2, 0}, (struct vec2){2, 0}, axis);
+    plane_line(plane, &to_screen, (struct vec2){0, -2}, (struct vec2){0, 2}, axis);
+    draw_house(plane, &mapped);
+    outline_house(plane, &to_screen, outline);
+    if (panel == PANEL_OF_PIVOT) {
+        mark_point(plane, &to_screen, pivot, color_grey(255));
+    }
+}
+
+static bool draw_transforms(struct drawing *drawing, struct image *image, struct error *error) {
+    (void)drawing, (void)error;
+    for (int i = 0; i < PANEL_COUNT; i++) {
+        const struct plane plane = {image, panel_area(image, i)};
+        if (plane.area.width > 0 && plane.area.height > 0) {
+            fill_area(image, plane.area, color_grey(26));
+            draw_panel(&plane, i);
+        }
+    }
+    return true;
+}
+
+/* ---- Positions of the model ---- */
+
+/* A position, transformed. The last three are for place_once(). */
+struct position {
+    struct vec4 clip;
+    unsigned beyond;
+    bool tried, placed;   /* place() was called, and gave a place on the screen */
+    struct vertex vertex; /* without intensity and uv */
+};
+
+struct state {
+    struct position *positions; /* one a position of the model */
+};
+
+/* Each position is transformed once, however many faces share it. */
+static void transform_positions(const struct drawing *drawing, const struct mat4 *to_clip) {
+    const struct state *state = drawing->state;
+    for (size_t i = 0; i < drawing->model->position_count; i++) {
+        const float *p = drawing->model->positions[i];
+        struct vec4 clip = mat4_point(to_clip, (struct vec3){p[0], p[1], p[2]});
+        state->positions[i] = (struct position){.clip = clip, .beyond = find_beyond(clip)};
+    }
+}
+
+/* The division by w, when the first face needs this position. False when it has no place on the
+ * screen. */
+static bool place_once(struct position *position, struct canvas *canvas) {
+    if (!position->tried) {
+        position->tried = true;
+        position->placed = place(position->clip, &canvas->to_screen, &position->vertex);
+        canvas->positions_divided++;
+    }
+    return position->placed;
+}
+
+static bool place_face(struct position *const corner[3], struct canvas *canvas) {
+    return place_once(corner[0], canvas) && place_once(corner[1], canvas) &&
+           place_once(corner[2], canvas);
+}
+
+/* ---- Faces ---- */
+
+/* What the corners of a face hand to the pixels. */
+struct face_attributes {
+    double intensity[3];
+    struct vec2 uv[3];
+};
+
+/* The intensities are those of step 7. */
+static struct face_attributes fetch_face(const struct drawing *drawing, size_t face) {
+    const struct vec3 to_light = vec3_normalized(drawing->light);
+    struct face_attributes attributes;
+    for (size_t i = 0; i < 3; i++) {
+        struct vec3 normal = vec3_normalized(model_normal(drawing->model, face, i));
+        double cosine = vec3_dot(normal, to_light);
+        attributes.intensity[i] = cosine > 0 ? cosine : 0;
+        attributes.uv[i] = model_uv(drawing->model, face, i);
+    }
+    return attributes;
+}
+
+/* The weights of a face's own corners. */
+static const struct vec3 whole_face[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+
+/* Draw a triangle of a face: the face itself, or a part that clipping left. `weight` says where its
+ * corners lie between those of the face. A triangle whose corners run clockwise on the screen shows
+ * its inside: in a closed body something else is in front of it. */
+static void draw_part(const struct drawing *drawing, struct canvas *canvas, size_t face,
+                      struct vertex v[3], const struct vec3 weight[3]) {
+    struct edges edges;
+    if (!edges_setup(&edges, v[0].position, v[1].position, v[2].position, canvas->image->width,
+                     canvas->image->height)) {
+        return;
+    }
+    canvas->triangles_turned_away += edges.clockwise;
+    if (edges.clockwise && drawing->skip) {
+        return; /* before its light is computed */
+    }
+    const struct face_attributes a = fetch_face(drawing, face);
+    for (int i = 0; i < 3; i++) {
+        v[i].intensity = interpolate(weight[i], a.intensity[0], a.intensity[1], a.intensity[2]);
+        v[i].uv = vec2_interpolate(weight[i], a.uv[0], a.uv[1], a.uv[2]);
+    }
+    if (!edges.clockwise) {
+        triangle(canvas, &edges, v);
+    }
+}
+
+/* A face whose corners lie at these places in clip space, cut at all planes. */
+static struct polygon clip_face(struct vec4 a, struct vec4 b, struct vec4 c) {
+    struct polygon polygon = {
+        .corner = {{a, whole_face[0]}, {b, whole_face[1]}, {c, whole_face[2]}}, .count = 3};
+    for (int plane = 0; plane < CLIP_PLANES && polygon.count > 0; plane++) {
+        polygon = clip_at_plane(&polygon, plane);
+    }
+    return polygon;
+}
+
+/* Draw what clipping leaves of a face, as a fan of triangles around its first corner. */
+static void draw_clipped(const struct drawing *drawing, struct canvas *canvas, size_t face,
+                         const struct polygon *polygon) {
+    struct vertex vertices[POLYGON_LIMIT];
+    if (polygon->count < 3) {
+        canvas->faces_outside++;
+        return;
+    }
+    canvas->faces_clipped++;
+    for (size_t i = 0; i < polygon->count; i++) {
+        if (!place(polygon->corner[i].clip, &canvas->to_screen, &vertices[i])) {
+            return;
+        }
+    }
+    for (size_t i = 2; i < polygon->count; i++) {
+        struct vertex v[3] = {vertices[0], vertices[i - 1], vertices[i]};
+        const struct vec3 weight[3] = {polygon->corner[0].weight, polygon->corner[i - 1].weight,
+                                       polygon->corner[i].weight};
+        draw_part(drawing, canvas, face, v, weight);
+    }
+}
+
+/* Draw a face none of whose corners must be clipped, unless one has no place on the screen. */
+static void draw_whole(const struct drawing *drawing, struct canvas *canvas, size_t face,
+                       struct position *const corner[3]) {
+    if (place_face(corner, canvas)) {
+        struct vertex v[3] = {corner[0]->vertex, corner[1]->vertex, corner[2]->vertex};
+        draw_part(drawing, canvas, face, v, whole_face);
+    }
+}
+
+static void draw_face(const struct drawing *drawing, struct canvas *canvas, size_t face) {
+    const struct state *state = drawing->state;
+    const struct corner *c = drawing->model->faces[face].corner;
+    struct position *corner[3] = {&state->positions[c[0].position],
+                                  &state->positions[c[1].position],
+                                  &state->positions[c[2].position]};
+    unsigned beyond_all = corner[0]->beyond & corner[1]->beyond & corner[2]->beyond;
+    unsigned beyond_any = corner[0]->beyond | corner[1]->beyond | corner[2]->beyond;
+    if (drawing->skip && (beyond_all & ~(unsigned)BEYOND_GUARD_BAND) != 0) {
+        canvas->faces_outside++; /* all of it lies beyond one side */
+    } else if ((beyond_any & (BEYOND_NEAR | BEYOND_GUARD_BAND)) != 0) {
+        struct polygon polygon = clip_face(corner[0]->clip, corner[1]->clip, corner[2]->clip);
+        draw_clipped(drawing, canvas, face, &polygon);
+    } else {
+        draw_whole(drawing, canvas, face, corner);
+    }
+}
+
+/* Draw the model, transformed by to_clip, into the canvas's area. */
+static void draw_model(struct drawing *drawing, struct canvas *canvas, const struct mat4 *to_clip) {
+    const struct model *model = drawing->model;
+    transform_positions(drawing, to_clip);
+    for (size_t face = 0; face < model->face_count; face++) {
+        draw_face(drawing, canvas, face);
+    }
+    drawing_count(drawing, "positions", model->position_count);
+    drawing_count(drawing, "positions_divided", canvas->positions_divided);
+    drawing_count(drawing, "faces", model->face_count);
+    drawing_count(drawing, "faces_outside", canvas->faces_outside);
+    drawing_count(drawing, "faces_clipped", canvas->faces_clipped);
+    drawing_count(drawing, "triangles_turned_away", canvas->triangles_turned_away);
+}
+
+/* ---- Scenes with the model ---- */
+
+static struct canvas make_canvas(const struct drawing *drawing, struct image *image,
+                                 struct rectangle area) {
+    return (struct canvas){
+        .image = image,
+        .depth = drawing->depth,
+        .area = area,
+        .to_screen = area_to_screen(area),
+        .texture = drawing->diffuse,
+    };
+}
+
+static struct rectangle whole_image(const struct image *image) {
+    return (struct rectangle){0, 0, (int)image->width, (int)image->height};
+}
+
+/* The drawing's camera, at a distance that may be infinite. */
+static struct mat4 camera(const struct drawing *drawing, double distance) {
+    return mat4_mul(projection(distance), lookat(drawing->eye, drawing->center, drawing->up));
+}
+
+/* Scenes projection, lookat and closeup: they differ in their eye, center and up. */
+static bool draw_view(struct drawing *drawing, struct image *image, struct error *error) {
+    (void)error;
+    struct canvas canvas = make_canvas(drawing, image, whole_image(image));
+    struct mat4 to_clip = camera(drawing, vec3_length(vec3_sub(drawing->eye, drawing->center)));
+    draw_model(drawing, &canvas, &to_clip);
+    return true;
+}
+
+/* The rectangles of scene viewport, in eighths of the image, and what they are filled with. */
+static const struct pane {
+    struct rectangle eighths;
+    struct color color;
+} panes[] = {
+    {{0, 3, 5, 5}, {.r = 34, .g = 44, .b = 62, .a = 255}},
+    {{5, 3, 3, 5}, {.r = 62, .g = 40, .b = 34, .a = 255}},
+    {{0, 0, 5, 3}, {.r = 36, .g = 56, .b = 40, .a = 255}},
+    {{5, 0, 3, 3}, {.r = 54, .g = 50, .b = 30, .a = 255}},
+};
+
+/* A rectangle of the image from eighths of its size, its sides rounded down. */
+static struct rectangle pane_area(struct rectangle eighths, const struct image *image) {
+    int width = (int)image->width, height = (int)image->height;
+    int left = width * eighths.x / 8, right = width * (eighths.x + eighths.width) / 8;
+    int bottom = height * eighths.y / 8, top = height * (eighths.y + eighths.height) / 8;
+    return (struct rectangle){left, bottom, right - left, top - bottom};
+}
+
+/* The same view in each pane, without perspective: only the viewport differs. */
+static bool draw_viewport(struct drawing *drawing, struct image *image, struct error *error) {
+    (void)error;
+    const struct mat4 to_clip = camera(drawing, INFINITY);
+    for (size_t i = 0; i < sizeof panes / sizeof panes[0]; i++) {
+        struct rectangle area = pane_area(panes[i].eighths, image);
+        struct canvas canvas = make_canvas(drawing, image, area);
+        fill_area(image, area, panes[i].color);
+        draw_model(drawing, &canvas, &to_clip);
+    }
+    return true;
+}
+
+/* ---- The program ---- */
+
+static bool prepare(struct drawing *drawing, size_t width, size_t height, struct error *error) {
+    (void)width, (void)height;
+    struct state *state = drawing->state;
+    if (drawing->model == NULL) {
+        return true;
+    }
+    state->positions = calloc(drawing->model->position_count, sizeof *state->positions);
+    if (state->positions == NULL) {
+        error_out_of_memory(error);
+    }
+    return state->positions != NULL;
+}
+
+static void finish(struct drawing *drawing) {
+    struct state *state = drawing->state;
+    free(state->positions);
+}
+
+enum { NEEDS_VIEW = NEEDS_MODEL | NEEDS_NORMALS | NEEDS_DIFFUSE | NEEDS_DEPTH };
+
+static const struct scene scenes[] = {
+    {.name = "transforms", .draw = draw_transforms},
+    {.name = "viewport", .needs = NEEDS_VIEW, .draw = draw_viewport},
+    {.name = "projection", .needs = NEEDS_VIEW, .draw = draw_view},
+    {.name = "lookat", .needs = NEEDS_VIEW, .eye = {1, 1, 2}, .draw = draw_view},
+    {
+        .name = "closeup",
+        .needs = NEEDS_VIEW,
+        .eye = {0.03, 0.47, 0.46}, /* between the eyebrows, looking down the nose */
+        .center = {0.03, -0.3, 0.4},
+        .up = {0, 0, 1},
+        .draw = draw_view,
+    },
+};
+
+int main(int argc, char **argv) {
+    static const struct program program = {
+        .name = "step08_projection",
+        .summary = "matrices, perspective, and a camera anywhere",
+        .takes_light = true,
+        .takes_camera = true,
+        .defaults =
+            {.width = 800, .height = 800, .eye = {0, 0, 2}, .up = {0, 1, 0}, .light = {1, 1, 2}},
+        .scenes = scenes,
+        .scene_count = sizeof scenes / sizeof scenes[0],
+        .state_size = sizeof(struct state),
+        .prepare = prepare,
+        .finish = finish,
+    };
+    return program_main(&program, argc, argv);
+}

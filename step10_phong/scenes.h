@@ -1,0 +1,126 @@
+/*
+ * Step 10, the given part: its scenes and the program.
+ *
+ * A scene is a square of cells, and in each cell the model as one shader draws it, with a material.
+ */
+
+/* ---- Drawing ---- */
+
+static const struct material plain_material = {0.1, 1, 0.5, 10, {255, 128, 255, 255}};
+static const struct material textured_material = {0.1, 1, 1, 10, {255, 255, 255, 255}};
+
+/* What the shaders of the lesson read, for a model that is seen over so many pixels. */
+static struct uniforms make_uniforms(const struct drawing *drawing, double pixels,
+                                     struct material material) {
+    return (struct uniforms){
+        .model = drawing->model,
+        .diffuse = drawing->diffuse,
+        .normal_map = drawing->normal_map,
+        .specular = drawing->specular,
+        .diffuse_level = wrapped_level(drawing->diffuse, pixels),
+        .normal_level = wrapped_level(drawing->normal_map, pixels),
+        .specular_level = wrapped_level(drawing->specular, pixels),
+        .eye = drawing->eye,
+        .to_light = vec3_normalized(drawing->light),
+        .material = material,
+    };
+}
+
+/* One cell of a picture. */
+struct cell {
+    const struct shader *shader;
+    struct material material;
+};
+
+/* Draw `side` rows of `side` cells, the first one top left. */
+static bool draw_cells(struct drawing *drawing, struct image *image, const struct cell *cells,
+                       int side, double zoom, struct error *error) {
+    struct pipeline *pipeline = pipeline_begin(drawing);
+    bool done = true;
+    for (int i = 0; done && i < side * side; i++) {
+        struct rectangle place =
+            grid_cell(image->width, image->height, side, side, i % side, i / side);
+        struct draw_call call = pipeline_call(drawing, place, zoom, CULL_BACK);
+        struct uniforms u = make_uniforms(drawing, zoom * place.width, cells[i].material);
+        done = pipeline_draw(pipeline, &call, cells[i].shader, &u, image, error);
+    }
+    pipeline_count(drawing);
+    return done;
+}
+
+/* ---- Scenes ---- */
+
+/* Phong alone, with the normal map, with the texture, and with both. */
+static bool draw_four(struct drawing *drawing, struct image *image, struct error *error) {
+    const struct cell cells[] = {{&plain, plain_material},
+                                 {&mapped, plain_material},
+                                 {&textured, textured_material},
+                                 {&full, textured_material}};
+    return draw_cells(drawing, image, cells, 2, 0.8, error); /* of a quarter: 0.4 of the picture */
+}
+
+/* Powers 0 to 10 and three large ones; then the textured head with the weight, and with the power,
+ * from the specular map. */
+static bool draw_powers(struct drawing *drawing, struct image *image, struct error *error) {
+    static const int powers[] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 20, 40, 80};
+    struct cell cells[16];
+    for (int i = 0; i < 14; i++) {
+        cells[i] = (struct cell){&plain, plain_material};
+        cells[i].material.power = powers[i];
+    }
+    cells[14] = (struct cell){&weight_mapped, textured_material};
+    cells[15] = (struct cell){&power_mapped, textured_material};
+    return draw_cells(drawing, image, cells, 4, 0.8, error);
+}
+
+enum { TURN_FRAMES = 100 };
+
+/* The light goes once around the head. */
+static bool draw_turn(struct drawing *drawing, struct image *image, struct error *error) {
+    struct pipeline *pipeline = pipeline_begin(drawing);
+    struct rectangle whole = grid_cell(image->width, image->height, 1, 1, 0, 0);
+    struct draw_call call = pipeline_call(drawing, whole, 0.85, CULL_BACK);
+    struct uniforms u = make_uniforms(drawing, 0.85 * whole.width, textured_material);
+    u.to_light = turning_light((double)drawing->frame / TURN_FRAMES);
+    bool done = pipeline_draw(pipeline, &call, &weight_mapped, &u, image, error);
+    pipeline_count(drawing);
+    return done;
+}
+
+/* ---- The program ---- */
+
+static const struct scene scenes[] = {
+    {
+        .name = "four",
+        .needs = NEEDS_MODEL | NEEDS_NORMALS | NEEDS_DIFFUSE | NEEDS_NORMAL_MAP,
+        .draw = draw_four,
+    },
+    {
+        .name = "powers",
+        .needs = NEEDS_MODEL | NEEDS_NORMALS | NEEDS_DIFFUSE | NEEDS_NORMAL_MAP | NEEDS_SPECULAR,
+        .draw = draw_powers,
+    },
+    {
+        .name = "turn",
+        .needs = NEEDS_MODEL | NEEDS_DIFFUSE | NEEDS_NORMAL_MAP | NEEDS_SPECULAR,
+        .frames = TURN_FRAMES,
+        .draw = draw_turn,
+    },
+};
+
+int main(int argc, char **argv) {
+    static const struct program program = {
+        .name = "step10_phong",
+        .summary = "Phong's light at every pixel, normal map, texture, and a turning light",
+        .takes_light = true,
+        .takes_camera = true,
+        .defaults =
+            {.width = 800, .height = 800, .eye = {1, 0.5, 3}, .up = {0, 1, 0}, .light = {1, 1, 1}},
+        .scenes = scenes,
+        .scene_count = sizeof scenes / sizeof scenes[0],
+        .state_size = sizeof(struct pipeline),
+        .prepare = pipeline_prepare,
+        .finish = pipeline_finish,
+    };
+    return program_main(&program, argc, argv);
+}

@@ -1,0 +1,133 @@
+#!/bin/sh
+# Makes a lesson's main.c its starter or its solution.
+#
+#     start.sh start|solution STEP          STEP is 5, 05 or step05_zbuffer
+#
+# Both come out of the marked source (marks.awk): main.c itself while it has marks, then
+# main.c.marked, where it is kept when it is first replaced, else git's main.c. What main.c held is
+# kept as main.c.1, main.c.2, ... beside it, unless it is the lesson's own or kept already.
+#
+# Exit status: 0 done; 1 it cannot be done, and main.c is as it was; 2 wrong usage.
+
+cd "$(dirname "$0")/../.." || exit 1
+target=$1
+wanted=${2%/}
+
+# fail STATUS MESSAGE...
+fail() {
+    status=$1
+    shift
+    printf '%s\n' "make $target: $*" >&2
+    exit "$status"
+}
+
+find_lesson() {
+    for lesson in step[0-9]*_*/; do
+        lesson=${lesson%/}
+        number=${lesson#step}
+        number=${number%%_*}
+        case $wanted in "$lesson" | "$number" | "${number#0}") return 0 ;; esac
+    done
+    fail 2 "${wanted:+there is no step \"$wanted\"; }say which step, for example STEP=05. There are:
+$(printf '    %s\n' step[0-9]*_*)"
+}
+
+# text MODE FILE [NAME]: what marks.awk makes of a file, which messages call NAME.
+text() {
+    awk -v mode="$1" -v name="${3:-$2}" -f tests/starter/marks.awk "$2"
+}
+
+# has_marks FILE [NAME]: sets tasks; says what is wrong where there are marks, but not good ones.
+has_marks() {
+    [ -f "$1" ] && tasks=$(text tasks "$@") && [ -n "$tasks" ]
+}
+
+# The marked source becomes $work/marked. A student may have written anything into main.c, so wrong
+# marks there end nothing where the source is found elsewhere.
+find_marked() {
+    if has_marks "$main"; then
+        cp "$main" "$work/marked" || fail 1 "cannot copy $main"
+    elif [ -f "$main.marked" ]; then
+        has_marks "$main.marked" ||
+            fail 1 "$main.marked is no longer the lesson's source; without it, git's is taken"
+        cp "$main.marked" "$work/marked" || fail 1 "cannot copy $main.marked"
+    elif ! git show "HEAD:./$main" >"$work/marked" 2>"$work/git" ||
+        ! has_marks "$work/marked" "$main"; then
+        fail 1 "$main has no good marks that tell solution and starter apart," \
+            "there is no $main.marked, and git has none; bring back the main.c of the course"
+    fi
+}
+
+# put FILE PLACE: all of it, or nothing.
+put() {
+    if ! cp "$1" "$work/whole" || ! mv -f "$work/whole" "$2"; then
+        fail 1 "cannot write $2"
+    fi
+}
+
+# keep FILE: as main.c.1, main.c.2, ...; sets kept to where it is.
+keep() {
+    for kept in "$main".[0-9]*; do
+        cmp -s "$1" "$kept" && return
+    done
+    number=1
+    while [ -e "$main.$number" ]; do
+        number=$((number + 1))
+    done
+    kept=$main.$number
+    put "$1" "$kept"
+}
+
+keep_marked() {
+    cmp -s "$work/marked" "$main.marked" && return
+    if [ -f "$main.marked" ]; then
+        keep "$main.marked"
+        echo "The lesson's source has changed; what $main.marked held is kept in $kept."
+    fi
+    put "$work/marked" "$main.marked"
+}
+
+# Sets held to where that which main.c holds can be found again.
+keep_held() {
+    cp "$main" "$work/held" || fail 1 "cannot read $main"
+    if cmp -s "$work/held" "$work/marked"; then
+        held="the lesson's source; it is kept in $main.marked"
+    elif cmp -s "$work/held" "$work/starter"; then
+        held="the starter; make start brings it back"
+    elif cmp -s "$work/held" "$work/solution"; then
+        held="the solution; make solution brings it back"
+    else
+        keep "$work/held"
+        held="yours; it is kept in $kept"
+    fi
+}
+
+case $target in
+start) new=starter ;;
+solution) new=solution ;;
+*) fail 2 "usage: start.sh start|solution STEP" ;;
+esac
+find_lesson
+main=$lesson/main.c
+work=$lesson/.start.$$ # beside main.c, so that mv only renames
+mkdir "$work" || fail 1 "cannot write into $lesson"
+trap 'rm -rf "$work"' EXIT
+trap 'exit 1' HUP INT TERM
+
+find_marked
+for mode in starter solution; do
+    text $mode "$work/marked" "$main" >"$work/$mode" || fail 1 "cannot make the $mode"
+done
+if cmp -s "$main" "$work/$new"; then
+    echo "$main is the $new already."
+    exit 0
+fi
+keep_marked
+held="not there"
+[ ! -e "$main" ] || keep_held
+put "$work/$new" "$main"
+echo "$main is now the $new. What was there was $held."
+if [ "$new" = starter ]; then
+    echo "To do:"
+    echo "$tasks" | sed 's/^/    /'
+fi

@@ -1,0 +1,148 @@
+# The targets for the course as a whole: pictures, tests, measurements. Included by the Makefile,
+# which has what is used here: STEPS, COMMON, CHECKER, COMPILE, LINK and the objects of tests/.
+# Lessons, tests, benchmarks and fuzz targets are found by the names of their files.
+
+# ---- Pictures: make figures, make references, make charts ----
+
+FIGURES = $(patsubst %/figures.c,figures-%,$(wildcard $(STEPS:%=%/figures.c)))
+.PHONY: figures $(FIGURES) references charts
+figures: $(FIGURES)
+$(FIGURES): figures-%: $(BUILD)/figures/% $(BUILD)/models/bust.obj
+	@mkdir -p $*/figures
+	$(BUILD)/figures/$* $*/figures
+
+$(BUILD)/figures/%: %/figures.c $(BUILD)/tests/figures.o $(BUILD)/libcommon.a $(BUILD)/flags
+	@mkdir -p $(@D)
+	$(COMPILE) -MF $@.d $< $(BUILD)/tests/figures.o $(BUILD)/libcommon.a -lm -o $@
+
+$(BUILD)/references: $(BUILD)/tests/check/references.o $(CHECKER) $(BUILD)/libcommon.a
+	$(LINK) $^ -lm -o $@
+
+references: $(BUILD)/references programs models
+	$(BUILD)/references --programs $(BUILD) $(STEP)
+
+# The charts of the last `make bench` become those of the lessons.
+charts:
+	@for step in $(STEPS); do \
+	    if [ -f $(BUILD)/bench/$$step.svg ]; then \
+	        mkdir -p $$step/figures && cp $(BUILD)/bench/$$step.svg $$step/figures/bench.svg; \
+	    elif [ -f tests/bench/$${step%%_*}.c ]; then \
+	        echo "$$step: no chart yet; make bench draws it"; \
+	    fi; done
+
+# ---- make test ----
+
+# The tests' own build of everything: sanitized, and without threads.
+SANITIZE = -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
+TESTED   = $(CC) $(STRICT) $(WARNINGS) $(WERROR) $(SANITIZE) $(DEFINES) -Icommon -Itests/unit \
+           -Itests/oracle -MMD -MP
+
+UNITS    = $(patsubst %.c,$(BUILD)/tests/%,$(notdir $(wildcard tests/unit/test_*.c)))
+CHECKERS = $(patsubst %.c,$(BUILD)/tests/%,$(notdir $(wildcard tests/check/test_*.c)))
+REPLAYS  = $(patsubst %.c,$(BUILD)/tests/%,$(notdir $(wildcard tests/fuzz/fuzz_*.c)))
+SCRIPTS  = $(wildcard tests/unit/*.sh) tests/fuzz/replay.sh
+
+ORACLE         = $(BUILD)/tested/tests/oracle/oracle.o
+TESTED_COMMON  = $(COMMON:%=$(BUILD)/tested/common/%.o)
+TESTED_CHECKER = $(CHECKER:$(BUILD)/%=$(BUILD)/tested/%)
+
+$(BUILD)/tested/flags: force
+	@mkdir -p $(@D) $(BUILD)/tests
+	@[ "$$(cat $@ 2>/dev/null)" = '$(TESTED)' ] || echo '$(TESTED)' >$@
+
+$(BUILD)/tested/%.o: %.c $(BUILD)/tested/flags
+	@mkdir -p $(@D)
+	$(TESTED) -c $< -o $@
+
+# A test that defines __wrap_malloc() or the like gets the calls of malloc() (--wrap of GNU ld).
+WRAPPED = $$(sed -n 's/.*__wrap_\([a-z]*\).*{$$/-Wl,--wrap=\1/p' tests/unit/$*.c)
+
+$(UNITS): $(BUILD)/tests/%: $(BUILD)/tested/tests/unit/%.o $(ORACLE) $(TESTED_COMMON)
+	$(TESTED) $(WRAPPED) $^ -lm -o $@
+
+$(CHECKERS): $(BUILD)/tests/%: $(BUILD)/tested/tests/check/%.o $(TESTED_CHECKER) $(TESTED_COMMON)
+	$(TESTED) $^ -lm -o $@
+
+$(REPLAYS): $(BUILD)/tests/%: $(BUILD)/tested/tests/fuzz/%.o $(BUILD)/tested/tests/fuzz/replay.o \
+                              $(TESTED_COMMON)
+	$(TESTED) $^ -lm -o $@
+
+# Every test runs, also after one that failed.
+.PHONY: test
+test: $(UNITS) $(CHECKERS) $(REPLAYS) $(BUILD)/check $(BUILD)/references models
+	@passed=0; failed=0; \
+	for test in $(UNITS) $(CHECKERS) $(SCRIPTS); do \
+	    echo "== $$test"; \
+	    if CHECK_PROGRAMS=$(BUILD) $$test; then passed=$$((passed + 1)); \
+	    else failed=$$((failed + 1)); echo "FAILED $$test"; fi; \
+	done; \
+	echo "$$passed passed, $$failed failed"; [ $$failed -eq 0 ]
+
+# ---- make stress, make bench: exact answers, and run time against error ----
+
+OBJECTS_OF = $(patsubst tests/%.c,$(BUILD)/tests/%.o,$(wildcard $(1:%=tests/%/*.c)))
+.PHONY: stress bench
+
+$(BUILD)/stress: $(call OBJECTS_OF,stress oracle) $(BUILD)/libcommon.a
+	$(LINK) $^ -lm -o $@
+
+stress: $(BUILD)/stress
+	$(BUILD)/stress $(PROPERTY)
+
+$(BUILD)/benchmark: $(call OBJECTS_OF,bench oracle) $(BUILD)/tests/bench/list.o $(BUILD)/libcommon.a
+	$(LINK) $^ -lm -o $@
+
+bench: $(BUILD)/benchmark models
+	@mkdir -p $(BUILD)/bench
+	$(BUILD)/benchmark -o $(BUILD) $(STEP)
+
+# ---- make portability, compare-opengl, fuzz, coverage ----
+
+.PHONY: portability compare-opengl has-mesa fuzz coverage
+portability:
+	@tests/portability/portability.sh -b $(BUILD)/portability $(CONFIGURATIONS)
+
+OPENGL_OBJECTS = $(call OBJECTS_OF,opengl) $(BUILD)/tests/opengl/list.o
+
+compare-opengl: $(BUILD)/compare-opengl models
+	$(BUILD)/compare-opengl
+
+$(BUILD)/compare-opengl: $(OPENGL_OBJECTS) $(BUILD)/libcommon.a
+	$(LINK) $^ -lEGL -lGL -lm -o $@
+
+# Says what is missing before the compiler does.
+$(OPENGL_OBJECTS): | has-mesa
+has-mesa:
+	@printf '%s\n' '#include <EGL/egl.h>' '#include <GL/glcorearb.h>' | $(CC) -E - >/dev/null 2>&1 || \
+	    { echo 'compare-opengl: Mesa is missing; on Debian: apt-get install libegl-dev libgl-dev' \
+	        'libegl1 libgl1-mesa-dri'; exit 2; }
+
+FUZZ_SECONDS = 60
+fuzz:
+	tests/fuzz/run.sh $(BUILD) $(FUZZ_SECONDS) $(TARGET)
+
+coverage: models
+	tests/coverage.sh $(BUILD)
+
+# ---- The lessons that are measured and compared with OpenGL ----
+
+# list.c names what each stepNN.c of its directory defines; it is written again when a file comes or
+# goes.
+NAMES_IN = $(basename $(notdir $(sort $(wildcard tests/$(1)/step[0-9][0-9].c))))
+
+$(BUILD)/tests/bench/list.c: tests/bench
+	@mkdir -p $(@D)
+	@{ echo '#include "bench.h"'; \
+	   printf 'extern const struct bench_lesson bench_%s;\n' $(call NAMES_IN,bench); \
+	   echo 'const struct bench_lesson *const bench_lessons[] = {'; \
+	   printf '    &bench_%s,\n' $(call NAMES_IN,bench); echo '    NULL};'; } >$@
+
+$(BUILD)/tests/opengl/list.c: tests/opengl
+	@mkdir -p $(@D)
+	@{ echo '#include "lesson.h"'; \
+	   printf 'struct lesson lesson_%s(void);\n' $(call NAMES_IN,opengl); \
+	   echo 'lesson_function *const lesson_functions[] = {'; \
+	   printf '    lesson_%s,\n' $(call NAMES_IN,opengl); echo '    NULL};'; } >$@
+
+$(BUILD)/tests/%/list.o: $(BUILD)/tests/%/list.c $(BUILD)/flags
+	$(COMPILE) -Itests/$* -c $< -o $@
