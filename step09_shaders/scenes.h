@@ -1,8 +1,8 @@
 /*
  * Step 9, the given part: its scenes and the program.
  *
- * A scene is a square of cells, and in each cell the model as one shader draws it. `four`, `toon` and
- * `normalmap` show shaders, `culling` which faces may be left out.
+ * A scene is a square of cells, and in each cell the model as one shader draws it. `four`, `toon`
+ * and `normalmap` show shaders, `culling` which faces may be left out.
  */
 
 /* ---- Drawing ---- */
