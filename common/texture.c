@@ -51,8 +51,8 @@ static uint32_t mean_texel(const struct texture_level *from, const struct cover 
     return mean;
 }
 
-/* The same for four texels that count alike. Two channels at a time, in 16 bits each: four levels and
- * 2 for rounding stay below 2^10. */
+/* The same for four texels that count alike. Two channels at a time, in 16 bits each: four levels
+ * and 2 for rounding stay below 2^10. */
 static uint32_t mean_of_four(uint32_t a, uint32_t b, uint32_t c, uint32_t d) {
     const uint32_t two_channels = 0x00FF00FF;
     uint32_t low = (a & two_channels) + (b & two_channels) + (c & two_channels) +
