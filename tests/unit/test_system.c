@@ -205,11 +205,19 @@ static bool tells(const struct error *error, const char *path, int reason) {
            strstr(error->message, strerror(reason)) != NULL;
 }
 
+/* The number that the next file to be opened gets: it grows when one stays open. */
+static int next_file(void) {
+    int file = open("/dev/null", O_RDONLY);
+    close(file);
+    return file;
+}
+
 static void test_each_call_fails(void) {
     struct place place;
     if (!place_create(&place)) {
         return;
     }
+    int next = next_file();
     for (enum task task = READ_OLD; task < TASKS; task++) {
         for (long n = 0;; n++) {
             struct error error = {0};
@@ -220,6 +228,7 @@ static void test_each_call_fails(void) {
             system_calls.on = true;
             bool done = run_task(task, &place, &error);
             system_calls.on = false;
+            CHECK(next_file() == next);
             check_place(task, &place, done);
             if (!system_calls.failed) {
                 CHECK(done && n >= 3);
