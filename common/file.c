@@ -21,7 +21,7 @@ enum {
     SHOWN_PATH_LIMIT = 512,    /* a longer path is shown without its beginning */
     TEMPORARY_NAME_TRIES = 1000,
     LINK_SIZE = 4096, /* bytes of the longest path in a symbolic link */
-    LINK_LIMIT = 40   /* symbolic links, one leading to the next; as many as Linux follows */
+    LINK_LIMIT = 40   /* links that lead from one to the next: as many as Linux follows */
 };
 
 /* ---- Messages ---- */
@@ -276,7 +276,7 @@ end:
 
 /* Follow `*path`, an allocated string, to what is no symbolic link. */
 static bool follow_links(char **path, struct error *error) {
-    for (int i = 0; i < LINK_LIMIT; i++) {
+    for (int i = 0; i <= LINK_LIMIT; i++) {
         char target[LINK_SIZE];
         ssize_t length = readlink(*path, target, sizeof target);
         if (length < 0) {

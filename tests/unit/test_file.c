@@ -371,7 +371,7 @@ static void test_symbolic_link(void) {
     place_remove(&place, "a");
 }
 
-/* first -> DIRECTORY/sub/second -> ../third -> sub/a, from a working directory that is elsewhere. */
+/* first -> DIRECTORY/sub/second -> ../third -> sub/a; the working directory is elsewhere. */
 static void test_chain_of_links(void) {
     static const char *const names[] = {"first", "sub/second", "third"};
     struct place place;
@@ -398,6 +398,33 @@ static void test_chain_of_links(void) {
     }
     CHECK(rmdir(name_file(&place, "sub")) == 0);
     place_remove(&place, NULL);
+}
+
+/* file_write() follows as many links as the system: 40 under Linux. */
+static void test_many_links(void) {
+    enum { LINKS = 45 };
+    struct place place;
+    struct error error;
+    struct stat status;
+    char target[16] = "a", name[16];
+    if (!place_create(&place)) {
+        return;
+    }
+    CHECK(file_write(name_file(&place, target), "old", 3, &error));
+    for (int i = 0; i < LINKS; i++) {
+        snprintf(name, sizeof name, "link%d", i);
+        CHECK(symlink(target, name_file(&place, name)) == 0);
+        bool followed = stat(place.path, &status) == 0;
+        CHECK_ROW(file_write(place.path, name, strlen(name), &error) == followed, name);
+        CHECK_ROW(is_link(place.path), name);
+        CHECK_ROW(file_is(name_file(&place, "a"), name) == followed, name);
+        strcpy(target, name);
+    }
+    for (int i = 0; i < LINKS; i++) {
+        snprintf(name, sizeof name, "link%d", i);
+        CHECK(unlink(name_file(&place, name)) == 0);
+    }
+    place_remove(&place, "a");
 }
 
 /* A device or a pipe is written to, and stays what it is. The devices of the system are only
@@ -444,4 +471,4 @@ UNIT_MAIN(TEST(test_messages), TEST(test_lines_of_messages), TEST(test_names_of_
           TEST(test_long_messages), TEST(test_bytes), TEST(test_read), TEST(test_read_errors),
           TEST(test_standard_input), TEST(test_write), TEST(test_write_errors),
           TEST(test_full_disk), TEST(test_write_protection), TEST(test_symbolic_link),
-          TEST(test_chain_of_links), TEST(test_devices))
+          TEST(test_chain_of_links), TEST(test_many_links), TEST(test_devices))
