@@ -128,8 +128,8 @@ static void filter_row(unsigned filter, const uint8_t *row, const uint8_t *above
     }
 }
 
-/* In place; false for a filter that does not exist. `step`, the bytes of a pixel, is a constant where
- * this is called, and the loops are compiled for it. */
+/* In place; false for a filter that does not exist. `step`, the bytes of a pixel, is a constant
+ * where this is called, and the loops are compiled for it. */
 static inline bool unfilter_row_of(unsigned filter, uint8_t *restrict row,
                                    const uint8_t *restrict above, size_t size, const size_t step) {
     uint8_t *left = row - step;
