@@ -5,9 +5,10 @@
  * corners are whole numbers of small steps, and at the pixels they are compared as exact fractions.
  * Where two triangles are equally near, either is right.
  *
- * The first panel draws a knot, and a board that cuts through it, in several ways. The others are views in perspective: sheets that
- * pass through each other at all distances from near to far. What is kept at a pixel there is
- * near / distance, or something made of it, because that is straight on the screen (lesson 8).
+ * The first panel draws a knot, and a board that cuts through it, in several ways. The others are
+ * views in perspective: sheets that pass through each other at all distances from near to far. What
+ * is kept at a pixel there is near / distance, or something made of it, because that is straight on
+ * the screen (lesson 8).
  */
 #define main step05_main
 int step05_main(int argc, char **argv);
@@ -331,18 +332,20 @@ static void triangle_double(struct canvas *canvas, const struct vertex v[3], str
     triangle(canvas, v, color);
 }
 
+/* What a depth is kept in. */
 struct kind {
     void (*draw)(struct canvas *canvas, const struct vertex v[3], struct color color, void *buffer);
-    double most; /* the greatest of whole steps; 0 for kinds that keep fractions */
+    size_t bytes; /* a pixel */
+    double most;  /* the greatest of whole steps; 0 for kinds that keep fractions */
 };
 
 static const struct kind kinds[KINDS] = {
-    [FIXED_16] = {.draw = triangle_16, .most = 0x1p16 - 1},
-    [FIXED_24] = {.draw = triangle_32, .most = 0x1p24 - 1},
-    [FIXED_32] = {.draw = triangle_32, .most = 0x1p32 - 1},
-    [FLOAT] = {.draw = triangle_float},
-    [REVERSED] = {.draw = triangle_reversed},
-    [DOUBLE] = {.draw = triangle_double},
+    [FIXED_16] = {.draw = triangle_16, .bytes = 2, .most = 0x1p16 - 1},
+    [FIXED_24] = {.draw = triangle_32, .bytes = 4, .most = 0x1p24 - 1},
+    [FIXED_32] = {.draw = triangle_32, .bytes = 4, .most = 0x1p32 - 1},
+    [FLOAT] = {.draw = triangle_float, .bytes = 4},
+    [REVERSED] = {.draw = triangle_reversed, .bytes = 4},
+    [DOUBLE] = {.draw = triangle_double, .bytes = 8},
 };
 
 static void clear_kept(void *buffer, int kind) {
@@ -358,7 +361,7 @@ static void clear_kept(void *buffer, int kind) {
         depth_clear(buffer, pixels);
         break;
     default:
-        memset(buffer, 0, pixels * (kind == FIXED_16 ? sizeof(uint16_t) : sizeof(uint32_t)));
+        memset(buffer, 0, pixels * kinds[kind].bytes);
     }
 }
 
@@ -418,15 +421,19 @@ static double pile_error(const struct depth_bench *bench, const struct pile *pil
 }
 
 static double error_knot(void *state, int choice) {
-    struct depth_bench *bench = state;
-    run_knot(state, choice);
+    (void)choice;
+    const struct depth_bench *bench = state;
     return pile_error(bench, &bench->piles[PILE_KNOT]);
 }
 
 static double error_sheets(void *state, int choice) {
-    struct depth_bench *bench = state;
-    run_sheets(state, choice);
+    const struct depth_bench *bench = state;
     return pile_error(bench, &bench->piles[choice / KINDS]);
+}
+
+static double bytes_kept(const void *state, int choice) {
+    (void)state;
+    return (double)kinds[choice % KINDS].bytes;
 }
 
 /* ---- The lesson ---- */
@@ -497,18 +504,26 @@ static const struct bench_version near_versions[] = ALL_KINDS(PILE_100);
 static const struct bench_version middle_versions[] = ALL_KINDS(PILE_10000);
 static const struct bench_version far_versions[] = ALL_KINDS(PILE_1000000);
 
-#define PANEL(heading, of)                                                                         \
+#define SHEETS_PANEL(heading, of)                                                                  \
     {                                                                                              \
         .title = (heading), .error_label = "pixels showing the wrong triangle, per 1000",          \
         .time_label = "ms per frame", .against = "exact fractions", .versions = (of),              \
-        .version_count = sizeof(of) / sizeof(of)[0],                                               \
+        .version_count = sizeof(of) / sizeof(of)[0], .size = bytes_kept,                           \
+        .size_label = "bytes a pixel",                                                             \
     }
 
 static const struct bench_panel depth_panels[] = {
-    PANEL("Ways to decide: a knot, and a board through it, 800x800 pixels", knot_versions),
-    PANEL("Sheets through each other, far : near = 100", near_versions),
-    PANEL("The same sheets, far : near = 10,000", middle_versions),
-    PANEL("The same sheets, far : near = 1,000,000", far_versions),
+    {
+        .title = "Ways to decide: a knot, and a board through it, 800x800 pixels",
+        .error_label = "pixels showing the wrong triangle, per 1000",
+        .time_label = "ms per frame",
+        .against = "exact fractions",
+        .versions = knot_versions,
+        .version_count = sizeof knot_versions / sizeof knot_versions[0],
+    },
+    SHEETS_PANEL("Sheets through each other, far : near = 100", near_versions),
+    SHEETS_PANEL("The same sheets, far : near = 10,000", middle_versions),
+    SHEETS_PANEL("The same sheets, far : near = 1,000,000", far_versions),
 };
 
 const struct bench_lesson bench_step05 = {
