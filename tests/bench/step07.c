@@ -272,7 +272,10 @@ static bool make_meshes(struct work *work, struct error *error) {
     struct canvas canvas = {.width = SIDE, .height = SIDE, .depth = work->depth};
     size_t most = 8 << 2 * (MESH_COUNT + 1);
     struct attempt_face *faces = malloc(most * sizeof *faces);
-    bool well = faces != NULL || error_out_of_memory(error);
+    if (faces == NULL) {
+        return error_out_of_memory(error);
+    }
+    bool well = true;
     for (int i = 0; well && i < MESH_COUNT; i++) {
         struct collector collector = {canvas, faces, 0};
         attempt_sphere(&collector.canvas, i + 2, work->light, collect_face);
@@ -371,12 +374,9 @@ static const struct bench_version highlight_versions[] = {
 
 static const char *series(int choice) {
     static const char *const names[WAY_COUNT] = {
-        [FLAT] = "flat",
-        [GOURAUD] = "Gouraud",
-        [LATE] = "clamped late",
-        [NO_ROOT] = "normal, no root",
-        [NEWTON] = "Newton step",
-        [EXACT_ROOT] = "exact root",
+        [FLAT] = "flat",          [GOURAUD] = "Gouraud",
+        [LATE] = "clamped late",  [NO_ROOT] = "normal, no root",
+        [NEWTON] = "Newton step", [EXACT_ROOT] = "exact root",
     };
     return names[way_of(choice)];
 }
