@@ -267,7 +267,7 @@ static bool make_mesh(struct mesh *mesh, const struct attempt_face *faces, size_
     return true;
 }
 
-/* 128, 512, 2,048, 8,192 and 32,768 triangles, of which half face the viewer. */
+/* Of 128, 512, 2,048, 8,192 and 32,768 triangles; those that face the viewer are kept. */
 static bool make_meshes(struct work *work, struct error *error) {
     struct canvas canvas = {.width = SIDE, .height = SIDE, .depth = work->depth};
     size_t most = 8 << 2 * (MESH_COUNT + 1);
