@@ -68,9 +68,14 @@ static void summarize(struct bench_result *result, double *samples, double scale
     result->upper = scale * quantile(samples, result->rounds, 0.75);
 }
 
-/* Is error a as small as error b? One per cent more counts as equal: the inputs are a sample. */
+/* Is a as small as b? What differs by less than this counts as equal, so that chance does not
+ * decide who is useful: the inputs are a sample, and times tremble. */
 static bool as_accurate(double a, double b) {
     return a <= b * 1.01;
+}
+
+static bool as_fast(double a, double b) {
+    return a <= b * 1.02;
 }
 
 static void mark_front(struct bench_result *results, size_t count) {
@@ -79,21 +84,36 @@ static void mark_front(struct bench_result *results, size_t count) {
         results[i].front = isfinite(own->error);
         for (size_t j = 0; j < count; j++) {
             const struct bench_result *other = &results[j];
-            bool as_good = as_accurate(other->error, own->error) && other->median <= own->median;
-            bool better = !as_accurate(own->error, other->error) || other->median < own->median;
+            bool as_good =
+                as_accurate(other->error, own->error) && as_fast(other->median, own->median);
+            bool better =
+                !as_accurate(own->error, other->error) || !as_fast(own->median, other->median);
             results[i].front = results[i].front && !(as_good && better);
         }
     }
 }
 
+static double sample(const struct bench_panel *panel, size_t i, void *state,
+                     const struct bench_result *results) {
+    return time_calls(&panel->versions[i], state, results[i].calls);
+}
+
+/* The last sample of a version, whose outcome is judged before the next one overwrites it: what was
+ * timed is what was judged. */
+static double sample_and_judge(const struct bench_panel *panel, size_t i, void *state,
+                               struct bench_result *results) {
+    const struct bench_version *version = &panel->versions[i];
+    double seconds = sample(panel, i, state, results);
+    results[i].error = version->error(state, version->choice);
+    results[i].size = panel->size != NULL ? panel->size(state, version->choice) : 0;
+    return seconds;
+}
+
 static void measure_panel(const struct bench_panel *panel, void *state, double seconds,
                           struct bench_result *results) {
-    double samples[BENCH_VERSION_LIMIT][ROUNDS_MOST];
+    double samples[BENCH_VERSION_LIMIT][ROUNDS_MOST + 1];
     size_t count = panel->version_count, rounds = 0;
     assert(count <= BENCH_VERSION_LIMIT);
-    for (size_t i = 0; i < count; i++) {
-        results[i].error = panel->versions[i].error(state, panel->versions[i].choice);
-    }
     double start = now();
     double sample_seconds =
         fmin(seconds / (double)(count * (ROUNDS_WANTED + 2)), sample_seconds_most);
@@ -105,13 +125,14 @@ static void measure_panel(const struct bench_panel *panel, void *state, double s
             /* Each round begins with another version, and every other one goes backwards: nobody
              * always runs after the same neighbour. */
             size_t turn = (k + rounds / 2) % count, i = rounds % 2 ? count - 1 - turn : turn;
-            samples[i][rounds] = time_calls(&panel->versions[i], state, results[i].calls);
+            samples[i][rounds] = sample(panel, i, state, results);
         }
         rounds++;
     }
     double scale = panel->units != NULL ? 1e9 / panel->units(state) : 1e3;
     for (size_t i = 0; i < count; i++) {
-        results[i].rounds = rounds;
+        samples[i][rounds] = sample_and_judge(panel, i, state, results);
+        results[i].rounds = rounds + 1;
         summarize(&results[i], samples[i], scale);
     }
     mark_front(results, count);
