@@ -63,8 +63,8 @@ struct view {
     struct vec2 *screen; /* what a version finds */
 };
 
-enum { CONDITIONS = 3, MATRICES = 32, ENTRY_LIMIT = 1 << 24 /* of the oracle */ };
-static const int condition_bits[CONDITIONS] = {4, 24, 48};
+enum { CONDITIONS = 5, MATRICES = 32, ENTRY_LIMIT = 1 << 24 /* of the oracle */ };
+static const int condition_bits[CONDITIONS] = {4, 12, 24, 36, 48};
 
 /* A matrix of whole numbers. */
 struct whole {
@@ -206,7 +206,6 @@ static void find_screen(const struct camera *camera, struct vec3 corner, long do
 static double error_chain(void *state, int choice) {
     const struct work *work = state;
     long double worst = 0;
-    run_chain(state, choice);
     for (int k = 0; k < CAMERAS; k++) {
         const struct view *view = &work->views[choice % (int)OFFSETS][k];
         for (size_t i = 0; i < view->count; i++) {
@@ -411,7 +410,6 @@ static long double inverse_error(const struct whole *a, const struct mat4 *inver
 static double error_inverse(void *state, int choice) {
     struct work *work = state;
     long double worst = 0;
-    run_inverse(state, choice);
     for (int i = 0; i < MATRICES; i++) {
         if (!work->inverted[i]) {
             return (double)INFINITY;
@@ -550,7 +548,7 @@ static inline void wall_stretch(const struct canvas *canvas, const struct wall_r
     }
 }
 
-/* A division for every `stretch` pixels of a row, and one for its end. */
+/* Exact at both ends of every `stretch` pixels of a row. */
 static inline void divide_every(int stretch, const struct canvas *canvas, const struct edges *edges,
                                 const struct vertex v[3]) {
     for (int y = edges->y_begin; y < edges->y_end; y++) {
@@ -662,7 +660,7 @@ static struct vec2 exact_wall_uv(int x, int y) {
 static double error_wall(void *state, int choice) {
     struct work *work = state;
     double sum = 0, pixels = 0;
-    run_wall(state, choice);
+    (void)choice;
     for (int i = 0; i < SIDE * SIDE; i++) {
         if (!isinf(work->depth[i])) { /* drawn */
             struct vec2 uv = exact_wall_uv(i % SIDE, i / SIDE);
@@ -886,7 +884,7 @@ static void find_all(struct work *work) {
 static double error_clip(void *state, int choice) {
     struct work *work = state;
     size_t wrong = 0;
-    run_clip(state, choice);
+    (void)choice;
     for (size_t i = 0; i < (size_t)SMALL_SIDE * SMALL_SIDE; i++) {
         long double depth = work->depth[i], exact = work->found[i].depth;
         bool right = isinf(exact) ? depth == exact
@@ -958,44 +956,70 @@ static void teardown(void *state) {
         .error = error_##of                                                                        \
     }
 
+static const char *chain_series(int choice) {
+    static const char *const names[] = {
+        [IN_FLOAT] = "float", [IN_DOUBLE] = "double", [IN_FIXED] = "16.16"};
+    return names[choice / (int)OFFSETS];
+}
+
 static const struct bench_version chain_versions[] = {
-    VERSION("16.16", chain, CHAIN(IN_FIXED, 0), false),
-    VERSION("16.16, moved by 1,000", chain, CHAIN(IN_FIXED, 1), false),
-    VERSION("float", chain, CHAIN(IN_FLOAT, 0), false),
-    VERSION("float, moved by 1,000", chain, CHAIN(IN_FLOAT, 1), false),
-    VERSION("float, moved by 10^6", chain, CHAIN(IN_FLOAT, 2), false),
-    VERSION("float, 10^6 in the matrix", chain, CHAIN(IN_FLOAT, IN_MATRIX), false),
-    VERSION("double", chain, CHAIN(IN_DOUBLE, 0), true),
-    VERSION("double, moved by 1,000", chain, CHAIN(IN_DOUBLE, 1), true),
-    VERSION("double, moved by 10^6", chain, CHAIN(IN_DOUBLE, 2), true),
+    VERSION("0", chain, CHAIN(IN_FIXED, 0), false),
+    VERSION("1,000", chain, CHAIN(IN_FIXED, 1), false),
+    VERSION("0", chain, CHAIN(IN_FLOAT, 0), false),
+    VERSION("1,000", chain, CHAIN(IN_FLOAT, 1), false),
+    VERSION("10^6", chain, CHAIN(IN_FLOAT, 2), false),
+    VERSION("10^6 in the matrix", chain, CHAIN(IN_FLOAT, IN_MATRIX), false),
+    VERSION("0", chain, CHAIN(IN_DOUBLE, 0), true),
+    VERSION("1,000", chain, CHAIN(IN_DOUBLE, 1), true),
+    VERSION("10^6", chain, CHAIN(IN_DOUBLE, 2), true),
 };
+
+static const char *inverse_series(int choice) {
+    static const char *const names[] = {
+        [COFACTORS_FLOAT] = "cofactors, float", [COFACTORS] = "cofactors",
+        [AS_IS] = "Gauss-Jordan, no pivoting",  [PIVOTING] = "Gauss-Jordan, pivoting",
+        [HOUSE_INVERSE] = "mat4_inverse()",
+    };
+    return names[choice / CONDITIONS];
+}
 
 static const struct bench_version inverse_versions[] = {
-    VERSION("cofactors in float, 2^4", inverse, INVERT(COFACTORS_FLOAT, 0), false),
-    VERSION("cofactors in float, 2^24", inverse, INVERT(COFACTORS_FLOAT, 1), false),
-    VERSION("cofactors, 2^4", inverse, INVERT(COFACTORS, 0), false),
-    VERSION("cofactors, 2^24", inverse, INVERT(COFACTORS, 1), false),
-    VERSION("cofactors, 2^48", inverse, INVERT(COFACTORS, 2), false),
-    VERSION("no pivoting, 2^4", inverse, INVERT(AS_IS, 0), false),
-    VERSION("no pivoting, 2^24", inverse, INVERT(AS_IS, 1), false),
-    VERSION("no pivoting, 2^48", inverse, INVERT(AS_IS, 2), false),
-    VERSION("Gauss-Jordan, 2^4", inverse, INVERT(PIVOTING, 0), false),
-    VERSION("Gauss-Jordan, 2^24", inverse, INVERT(PIVOTING, 1), false),
-    VERSION("Gauss-Jordan, 2^48", inverse, INVERT(PIVOTING, 2), false),
-    VERSION("mat4_inverse(), 2^4", inverse, INVERT(HOUSE_INVERSE, 0), true),
-    VERSION("mat4_inverse(), 2^24", inverse, INVERT(HOUSE_INVERSE, 1), true),
-    VERSION("mat4_inverse(), 2^48", inverse, INVERT(HOUSE_INVERSE, 2), true),
+    VERSION("2^4", inverse, INVERT(COFACTORS_FLOAT, 0), false),
+    VERSION("2^12", inverse, INVERT(COFACTORS_FLOAT, 1), false),
+    VERSION("2^24", inverse, INVERT(COFACTORS_FLOAT, 2), false),
+    VERSION("2^4", inverse, INVERT(COFACTORS, 0), false),
+    VERSION("2^12", inverse, INVERT(COFACTORS, 1), false),
+    VERSION("2^24", inverse, INVERT(COFACTORS, 2), false),
+    VERSION("2^36", inverse, INVERT(COFACTORS, 3), false),
+    VERSION("2^48", inverse, INVERT(COFACTORS, 4), false),
+    VERSION("2^4", inverse, INVERT(AS_IS, 0), false),
+    VERSION("2^12", inverse, INVERT(AS_IS, 1), false),
+    VERSION("2^24", inverse, INVERT(AS_IS, 2), false),
+    VERSION("2^36", inverse, INVERT(AS_IS, 3), false),
+    VERSION("2^48", inverse, INVERT(AS_IS, 4), false),
+    VERSION("2^4", inverse, INVERT(PIVOTING, 0), false),
+    VERSION("2^12", inverse, INVERT(PIVOTING, 1), false),
+    VERSION("2^24", inverse, INVERT(PIVOTING, 2), false),
+    VERSION("2^36", inverse, INVERT(PIVOTING, 3), false),
+    VERSION("2^48", inverse, INVERT(PIVOTING, 4), false),
+    VERSION("2^4", inverse, INVERT(HOUSE_INVERSE, 0), true),
+    VERSION("2^12", inverse, INVERT(HOUSE_INVERSE, 1), true),
+    VERSION("2^24", inverse, INVERT(HOUSE_INVERSE, 2), true),
+    VERSION("2^36", inverse, INVERT(HOUSE_INVERSE, 3), true),
+    VERSION("2^48", inverse, INVERT(HOUSE_INVERSE, 4), true),
 };
 
+static const char *wall_series(int choice) {
+    return choice <= AFFINE_8192 ? "affine, triangles"
+           : choice <= EVERY_1   ? "pixels a division"
+                                 : NULL;
+}
+
 static const struct bench_version wall_versions[] = {
-    VERSION("affine, 2 triangles", wall, AFFINE_2, false),
-    VERSION("affine, 32 triangles", wall, AFFINE_32, false),
-    VERSION("affine, 512 triangles", wall, AFFINE_512, false),
-    VERSION("affine, 8,192 triangles", wall, AFFINE_8192, false),
-    VERSION("divided every 64 pixels", wall, EVERY_64, false),
-    VERSION("divided every 16 pixels", wall, EVERY_16, false),
-    VERSION("u/w, v/w, 1/w by rows", wall, EVERY_1, false),
-    VERSION("correct weights", wall, CORRECT, true),
+    VERSION("2", wall, AFFINE_2, false),     VERSION("32", wall, AFFINE_32, false),
+    VERSION("512", wall, AFFINE_512, false), VERSION("8,192", wall, AFFINE_8192, false),
+    VERSION("64", wall, EVERY_64, false),    VERSION("16", wall, EVERY_16, false),
+    VERSION("1", wall, EVERY_1, false),      VERSION("correct weights", wall, CORRECT, true),
 };
 
 static const struct bench_version clip_versions[] = {
@@ -1008,26 +1032,29 @@ static const struct bench_version clip_versions[] = {
 };
 
 static const struct bench_panel bench_panels[] = {
-    {.title = "Corners of the bust to the screen, by two cameras",
+    {.title = "Corners to the screen; the world moved by 0 to 10^6",
      .error_label = "1/256 pixel, the largest",
      .time_label = "ns per corner",
      .against = "long double",
      .units = units_chain,
      .versions = chain_versions,
-     .version_count = sizeof chain_versions / sizeof chain_versions[0]},
-    {.title = "Inverses of matrices whose condition is 2^4, 2^24, 2^48",
+     .version_count = sizeof chain_versions / sizeof chain_versions[0],
+     .series = chain_series},
+    {.title = "Inverses of matrices of condition 2^4 to 2^48",
      .error_label = "largest error of an entry, as part of the largest entry",
      .time_label = "ns per inverse",
      .against = "exact fractions",
      .units = units_inverse,
      .versions = inverse_versions,
-     .version_count = sizeof inverse_versions / sizeof inverse_versions[0]},
+     .version_count = sizeof inverse_versions / sizeof inverse_versions[0],
+     .series = inverse_series},
     {.title = "A wall with tiles that goes away from us",
      .error_label = "levels, root mean square",
      .time_label = "ms per frame",
      .against = "long double",
      .versions = wall_versions,
-     .version_count = sizeof wall_versions / sizeof wall_versions[0]},
+     .version_count = sizeof wall_versions / sizeof wall_versions[0],
+     .series = wall_series},
     {.title = "Close up: faces reach behind the camera, 200x200 pixels",
      .error_label = "pixels wrong of 40,000",
      .time_label = "ms per frame",

@@ -66,6 +66,7 @@ struct work {
     struct image right_gouraud;           /* of the bust; bust.right is textured */
     struct subject far_first, near_first; /* rows of busts */
     struct pipeline pipeline, smaller[2];
+    bool drawn;                         /* by the last version, without running out of memory */
     struct image image, small_image[2]; /* 1/2 and 1/4 of the width and height */
 };
 
@@ -392,7 +393,7 @@ static void run_call(void *state, int choice) {
 
 static double error_call(void *state, int choice) {
     struct work *work = state;
-    run_call(state, choice);
+    (void)choice;
     return levels_wrong(work, &work->right_gouraud);
 }
 
@@ -458,33 +459,37 @@ static bool draw_row(struct work *work, const struct subject *row, enum kind kin
     return done;
 }
 
-static bool draw_choice(struct work *work, int choice) {
+static void run_row(void *state, int choice) {
+    struct work *work = state;
     int threads = set_threads(choice / KINDS / 2);
     bool near_first = choice / KINDS % 2 == NEAR_FIRST;
-    bool done = draw_row(work, near_first ? &work->near_first : &work->far_first,
-                         (enum kind)(choice % KINDS));
+    work->drawn = draw_row(work, near_first ? &work->near_first : &work->far_first,
+                           (enum kind)(choice % KINDS));
     set_threads(threads);
-    return done;
 }
 
-static void run_row(void *state, int choice) {
-    draw_choice(state, choice);
-}
-
-/* Levels, root mean square, over the pixels that any of the two shows. */
+/* Over the pixels that any of the two pictures shows. */
 static double error_row(void *state, int choice) {
-    struct work *work = state;
+    const struct work *work = state;
     const struct image *right = &work->far_first.right;
     double sum = 0, count = 0;
-    if (!draw_choice(work, choice)) {
-        return (double)INFINITY;
-    }
+    (void)choice;
     for (size_t i = 0; i < (size_t)SIDE * SIDE * 3; i++) {
         double difference = work->image.pixels[i] - right->pixels[i];
         sum += difference * difference;
         count += work->image.pixels[i] != 0 || right->pixels[i] != 0;
     }
-    return sqrt(sum / count);
+    return work->drawn ? sqrt(sum / count) : (double)INFINITY;
+}
+
+/* Pixels shaded. */
+static double size_row(const void *state, int choice) {
+    const struct work *work = state;
+    const enum kind kind = (enum kind)(choice % KINDS);
+    const struct pipeline *pipeline = kind == HALF_SIZE      ? &work->smaller[0]
+                                      : kind == QUARTER_SIZE ? &work->smaller[1]
+                                                             : &work->pipeline;
+    return (double)pipeline->stats[STAT_PIXELS_SHADED] / 1000;
 }
 
 /* ---- Setting up ---- */
@@ -725,42 +730,65 @@ static void teardown(void *state) {
         .error = error_##of                                                                        \
     }
 
+static const char *varying_series(int choice) {
+    static const char *const names[NUMBERS] = {[IN_DOUBLE] = "double",
+                                               [IN_FLOAT] = "float",
+                                               [IN_HALF] = "half's digits",
+                                               [IN_FIXED] = "16.16"};
+    return names[choice / WAYS];
+}
+
 static const struct bench_version varying_versions[] = {
     VERSION("exact weights, double", varying, VARYING(BY_WEIGHTS, EACH_PIXEL), true),
-    VERSION("double, each pixel", varying, VARYING(IN_DOUBLE, EACH_PIXEL), false),
-    VERSION("double, every 8", varying, VARYING(IN_DOUBLE, EVERY_8), false),
-    VERSION("double, affine", varying, VARYING(IN_DOUBLE, AFFINE), false),
-    VERSION("float, each pixel", varying, VARYING(IN_FLOAT, EACH_PIXEL), false),
-    VERSION("float, every 8", varying, VARYING(IN_FLOAT, EVERY_8), false),
-    VERSION("float, affine", varying, VARYING(IN_FLOAT, AFFINE), false),
-    VERSION("half's digits, each pixel", varying, VARYING(IN_HALF, EACH_PIXEL), false),
-    VERSION("half's digits, every 8", varying, VARYING(IN_HALF, EVERY_8), false),
-    VERSION("half's digits, affine", varying, VARYING(IN_HALF, AFFINE), false),
-    VERSION("16.16, each pixel", varying, VARYING(IN_FIXED, EACH_PIXEL), false),
-    VERSION("16.16, every 8", varying, VARYING(IN_FIXED, EVERY_8), false),
-    VERSION("16.16, affine", varying, VARYING(IN_FIXED, AFFINE), false),
+    VERSION("each pixel", varying, VARYING(IN_DOUBLE, EACH_PIXEL), false),
+    VERSION("every 8", varying, VARYING(IN_DOUBLE, EVERY_8), false),
+    VERSION("affine", varying, VARYING(IN_DOUBLE, AFFINE), false),
+    VERSION("each pixel", varying, VARYING(IN_FLOAT, EACH_PIXEL), false),
+    VERSION("every 8", varying, VARYING(IN_FLOAT, EVERY_8), false),
+    VERSION("affine", varying, VARYING(IN_FLOAT, AFFINE), false),
+    VERSION("each pixel", varying, VARYING(IN_HALF, EACH_PIXEL), false),
+    VERSION("every 8", varying, VARYING(IN_HALF, EVERY_8), false),
+    VERSION("affine", varying, VARYING(IN_HALF, AFFINE), false),
+    VERSION("each pixel", varying, VARYING(IN_FIXED, EACH_PIXEL), false),
+    VERSION("every 8", varying, VARYING(IN_FIXED, EVERY_8), false),
+    VERSION("affine", varying, VARYING(IN_FIXED, AFFINE), false),
 };
+
+static const char *call_series(int choice) {
+    return choice >= INLINED_1 ? "inlined, 1 pixel shaded of" : NULL;
+}
 
 static const struct bench_version call_versions[] = {
     VERSION("a call for every pixel", call, CALL_PER_PIXEL, false),
     VERSION("a call for every run", call, CALL_PER_RUN, false),
-    VERSION("inlined", call, INLINED_1, true),
-    VERSION("inlined, 1 of 2 pixels", call, INLINED_2, false),
-    VERSION("inlined, 1 of 4 pixels", call, INLINED_4, false),
-    VERSION("inlined, 1 of 8 pixels", call, INLINED_8, false),
+    VERSION("1", call, INLINED_1, true),
+    VERSION("2", call, INLINED_2, false),
+    VERSION("4", call, INLINED_4, false),
+    VERSION("8", call, INLINED_8, false),
 };
 
+static const char *row_series(int choice) {
+    switch (choice % KINDS) {
+    case AT_ONCE:
+        return "shaded at once";
+    case VISIBLE:
+        return "visible only";
+    default:
+        return "small, enlarged";
+    }
+}
+
 static const struct bench_version row_versions[] = {
-    VERSION("at once, the farthest first", row, ROW_CHOICE(AT_ONCE, FAR_FIRST, 1), false),
-    VERSION("at once, the nearest first", row, ROW_CHOICE(AT_ONCE, NEAR_FIRST, 1), false),
-    VERSION("visible only, far first", row, ROW_CHOICE(VISIBLE, FAR_FIRST, 1), true),
-    VERSION("visible only, near first", row, ROW_CHOICE(VISIBLE, NEAR_FIRST, 1), true),
-    VERSION("400x400, enlarged", row, ROW_CHOICE(HALF_SIZE, FAR_FIRST, 1), false),
-    VERSION("200x200, enlarged", row, ROW_CHOICE(QUARTER_SIZE, FAR_FIRST, 1), false),
+    VERSION("farthest first", row, ROW_CHOICE(AT_ONCE, FAR_FIRST, 1), false),
+    VERSION("nearest first", row, ROW_CHOICE(AT_ONCE, NEAR_FIRST, 1), false),
+    VERSION("farthest first", row, ROW_CHOICE(VISIBLE, FAR_FIRST, 1), true),
+    VERSION("nearest first", row, ROW_CHOICE(VISIBLE, NEAR_FIRST, 1), true),
 #ifdef _OPENMP
-    VERSION("at once, far, 2 threads", row, ROW_CHOICE(AT_ONCE, FAR_FIRST, 2), false),
-    VERSION("visible, far, 2 threads", row, ROW_CHOICE(VISIBLE, FAR_FIRST, 2), true),
+    VERSION("farthest, 2 threads", row, ROW_CHOICE(AT_ONCE, FAR_FIRST, 2), false),
+    VERSION("farthest, 2 threads", row, ROW_CHOICE(VISIBLE, FAR_FIRST, 2), true),
 #endif
+    VERSION("400x400", row, ROW_CHOICE(HALF_SIZE, FAR_FIRST, 1), false),
+    VERSION("200x200", row, ROW_CHOICE(QUARTER_SIZE, FAR_FIRST, 1), false),
 };
 
 static const struct bench_panel bench_panels[] = {
@@ -770,20 +798,25 @@ static const struct bench_panel bench_panels[] = {
      .against = "long double",
      .units = units_pixels,
      .versions = varying_versions,
-     .version_count = sizeof varying_versions / sizeof varying_versions[0]},
+     .version_count = sizeof varying_versions / sizeof varying_versions[0],
+     .series = varying_series},
     {.title = "The bust by Gouraud: calls of the fragment function",
      .error_label = "levels, root mean square",
      .time_label = "ns per pixel",
      .against = "long double",
      .units = units_pixels,
      .versions = call_versions,
-     .version_count = sizeof call_versions / sizeof call_versions[0]},
+     .version_count = sizeof call_versions / sizeof call_versions[0],
+     .series = call_series},
     {.title = "Four busts in a row, textured: the pipeline, 800x800 pixels",
      .error_label = "levels, root mean square",
      .time_label = "ms per frame",
      .against = "the most patient drawing",
      .versions = row_versions,
-     .version_count = sizeof row_versions / sizeof row_versions[0]},
+     .version_count = sizeof row_versions / sizeof row_versions[0],
+     .series = row_series,
+     .size = size_row,
+     .size_label = "thousand pixels shaded"},
 };
 
 const struct bench_lesson bench_step09 = {

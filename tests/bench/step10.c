@@ -323,7 +323,7 @@ static double units_power(const void *state) {
 static double error_power(void *state, int choice) {
     struct work *work = state;
     double sum = 0;
-    run_power(state, choice);
+    (void)choice;
     for (size_t i = 0; i < work->lit_count; i++) {
         sum += squared_error(work->colors[i], work->lit_pixels[i].exact);
     }
@@ -333,7 +333,7 @@ static double error_power(void *state, int choice) {
 static double error_worst(void *state, int choice) {
     struct work *work = state;
     int worst = 0;
-    run_power(state, choice);
+    (void)choice;
     for (size_t i = 0; i < work->lit_count; i++) {
         struct color a = work->colors[i], b = work->lit_pixels[i].exact;
         worst = most_of(worst, abs(a.r - b.r), most_of(abs(a.g - b.g), abs(a.b - b.b), 0));
@@ -553,7 +553,7 @@ static bool hit_sphere(int x, int y, struct real3 *hit) {
 static double error_detail(void *state, int choice) {
     struct work *work = state;
     double sum = 0, pixels = 0;
-    run_detail(state, choice);
+    (void)choice;
     for (int i = 0; i < SIDE * SIDE; i++) {
         struct real3 hit;
         struct color color = image_get(&work->image, i % SIDE, i / SIDE);
@@ -637,16 +637,12 @@ static void teardown(void *state) {
     {                                                                                              \
         POWER("pow()", POW, false, judge), POWER("80 multiplications", REPEATED, false, judge),    \
             POWER("integer power, squaring", SQUARED, true, judge),                                \
-            POWER("table of 64", TABLE_64, false, judge),                                          \
-            POWER("table of 257", TABLE_257, false, judge),                                        \
-            POWER("table of 1,024", TABLE_1024, false, judge),                                     \
-            POWER("Schlick's form", SCHLICK, false, judge),                                        \
-            POWER("log2, exp2 of 2 terms", TERMS_2, false, judge),                                 \
-            POWER("log2, exp2 of 3 terms", TERMS_3, false, judge),                                 \
-            POWER("log2, exp2 of 4 terms", TERMS_4, false, judge),                                 \
-            POWER("log2, exp2 of 5 terms", TERMS_5, false, judge),                                 \
-            POWER("half vector, power 80", HALF_VECTOR, false, judge),                             \
-            POWER("half vector, power 320", HALF_VECTOR_4, false, judge),                          \
+            POWER("64", TABLE_64, false, judge), POWER("257", TABLE_257, false, judge),            \
+            POWER("1,024", TABLE_1024, false, judge),                                              \
+            POWER("Schlick's form", SCHLICK, false, judge), POWER("2", TERMS_2, false, judge),     \
+            POWER("3", TERMS_3, false, judge), POWER("4", TERMS_4, false, judge),                  \
+            POWER("5", TERMS_5, false, judge), POWER("80", HALF_VECTOR, false, judge),             \
+            POWER("320", HALF_VECTOR_4, false, judge),                                             \
             POWER("normal: one Newton step", ONE_NEWTON_STEP, false, judge),                       \
             POWER("normal not renormalised", SHORT_NORMAL, false, judge),                          \
     }
@@ -656,17 +652,28 @@ static void teardown(void *state) {
         .error = error_detail                                                                      \
     }
 
+static const char *power_series(int choice) {
+    return choice >= TABLE_64 && choice <= TABLE_1024         ? "table of"
+           : choice >= TERMS_2 && choice <= TERMS_5           ? "log2 and exp2, terms"
+           : choice == HALF_VECTOR || choice == HALF_VECTOR_4 ? "half vector, power"
+                                                              : NULL;
+}
+
 static const struct bench_version power_versions[] = POWER_VERSIONS(error_power);
 static const struct bench_version worst_versions[] = POWER_VERSIONS(error_worst);
 
+static const char *detail_series(int choice) {
+    return choice < WITH_MAP ? "normals of the mesh, triangles" : "normal map, triangles";
+}
+
 static const struct bench_version detail_versions[] = {
-    DETAIL("960 triangles", 0, false),
-    DETAIL("3,968 triangles", 1, false),
-    DETAIL("16,128 triangles", 2, false),
-    DETAIL("65,024 triangles", 3, false),
-    DETAIL("960 and a normal map", WITH_MAP + 0, true),
-    DETAIL("3,968 and a normal map", WITH_MAP + 1, true),
-    DETAIL("16,128 and a normal map", WITH_MAP + 2, true),
+    DETAIL("960", 0, false),
+    DETAIL("3,968", 1, false),
+    DETAIL("16,128", 2, false),
+    DETAIL("65,024", 3, false),
+    DETAIL("960", WITH_MAP + 0, true),
+    DETAIL("3,968", WITH_MAP + 1, true),
+    DETAIL("16,128", WITH_MAP + 2, true),
 };
 
 static const struct bench_panel bench_panels[] = {
@@ -676,20 +683,23 @@ static const struct bench_panel bench_panels[] = {
      .against = "Phong's formula, long double",
      .units = units_power,
      .versions = power_versions,
-     .version_count = sizeof power_versions / sizeof power_versions[0]},
+     .version_count = sizeof power_versions / sizeof power_versions[0],
+     .series = power_series},
     {.title = "The same, by the worst pixel",
      .error_label = "levels, the largest",
      .time_label = "ns per pixel",
      .against = "Phong's formula, long double",
      .units = units_power,
      .versions = worst_versions,
-     .version_count = sizeof worst_versions / sizeof worst_versions[0]},
+     .version_count = sizeof worst_versions / sizeof worst_versions[0],
+     .series = power_series},
     {.title = "A rippled sphere: a finer mesh or a normal map",
      .error_label = "levels, root mean square",
      .time_label = "ms per frame",
      .against = "the true surface, long double",
      .versions = detail_versions,
-     .version_count = sizeof detail_versions / sizeof detail_versions[0]},
+     .version_count = sizeof detail_versions / sizeof detail_versions[0],
+     .series = detail_series},
 };
 
 const struct bench_lesson bench_step10 = {
