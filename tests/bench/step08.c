@@ -488,7 +488,8 @@ static void make_matrices(struct work *work) {
 
 /* ---- Perspective inside a triangle: a wall ---- */
 
-/* What is linear along a row: depth, 1/w, and intensity, u and v divided by w. */
+/* What is linear along a row: depth, 1/w, and intensity, u and v divided by w. Affine ones take w
+ * for 1. */
 enum { ROW_DEPTH, ROW_RECIP_W, ROW_INTENSITY, ROW_U, ROW_V, ROW_VALUES };
 
 struct wall_row {
@@ -496,7 +497,7 @@ struct wall_row {
 };
 
 static inline struct wall_row wall_row_at(const struct edges *edges, const struct vertex v[3],
-                                          int x, int y) {
+                                          bool affine, int x, int y) {
     const double scale = 1 / (double)edges->area;
     const struct edge *e = edges->edge;
     struct vec3 weight = edges_weights(edges, x, y);
@@ -504,10 +505,11 @@ static inline struct wall_row wall_row_at(const struct edges *edges, const struc
     double corner[ROW_VALUES][3];
     for (int i = 0; i < 3; i++) {
         corner[ROW_DEPTH][i] = v[i].depth;
-        corner[ROW_RECIP_W][i] = v[i].recip_w;
-        corner[ROW_INTENSITY][i] = v[i].intensity * v[i].recip_w;
-        corner[ROW_U][i] = v[i].uv.x * v[i].recip_w;
-        corner[ROW_V][i] = v[i].uv.y * v[i].recip_w;
+        double recip_w = affine ? 1 : v[i].recip_w;
+        corner[ROW_RECIP_W][i] = recip_w;
+        corner[ROW_INTENSITY][i] = v[i].intensity * recip_w;
+        corner[ROW_U][i] = v[i].uv.x * recip_w;
+        corner[ROW_V][i] = v[i].uv.y * recip_w;
     }
     struct wall_row row;
     for (int i = 0; i < ROW_VALUES; i++) {
@@ -521,20 +523,21 @@ static inline double row_value(const struct wall_row *row, int which, double alo
     return row->begin[which] + row->step[which] * along;
 }
 
-/* Intensity, u and v: the one division. */
-static inline struct vec3 row_attributes(const struct wall_row *row, double along) {
-    double w = 1 / row_value(row, ROW_RECIP_W, along);
+/* Intensity, u and v, with the one division. */
+static inline struct vec3 row_attributes(const struct wall_row *row, bool affine, double along) {
+    double w = affine ? 1 : 1 / row_value(row, ROW_RECIP_W, along);
     return (struct vec3){row_value(row, ROW_INTENSITY, along) * w, row_value(row, ROW_U, along) * w,
                          row_value(row, ROW_V, along) * w};
 }
 
-/* Pixels first..end of a row, straight between the two ends. */
+/* Some pixels of a row whose first is `from`, straight between the two ends. */
 static inline void wall_stretch(const struct canvas *canvas, const struct wall_row *row,
-                                double *depths, struct span pixels, int from, int y) {
+                                bool affine, struct span pixels, int from, int y) {
+    double *depths = canvas->depth + (size_t)y * canvas->image->width;
     int count = pixels.end - pixels.begin;
-    struct vec3 at = row_attributes(row, pixels.begin - from), step = {0, 0, 0};
+    struct vec3 at = row_attributes(row, affine, pixels.begin - from), step = {0, 0, 0};
     if (count > 1) {
-        struct vec3 end = row_attributes(row, pixels.end - from);
+        struct vec3 end = row_attributes(row, affine, pixels.end - from);
         step = vec3_scale(vec3_sub(end, at), 1.0 / count);
     }
     for (int i = 0; i < count; i++) {
@@ -548,53 +551,55 @@ static inline void wall_stretch(const struct canvas *canvas, const struct wall_r
     }
 }
 
-/* Exact at both ends of every `stretch` pixels of a row. */
-static inline void divide_every(int stretch, const struct canvas *canvas, const struct edges *edges,
-                                const struct vertex v[3]) {
+/* Step 8's triangle() by rows, exact at both ends of every `stretch` pixels. */
+static inline void draw_by_rows(int stretch, bool affine, const struct canvas *canvas,
+                                const struct edges *edges, const struct vertex v[3]) {
     for (int y = edges->y_begin; y < edges->y_end; y++) {
         struct span span = edges_span(edges, y);
-        double *depths = canvas->depth + (size_t)y * canvas->image->width;
-        struct wall_row row = wall_row_at(edges, v, span.begin, y);
+        struct wall_row row = wall_row_at(edges, v, affine, span.begin, y);
         for (int x = span.begin; x < span.end; x += stretch) {
             int end = stretch < span.end - x ? x + stretch : span.end;
-            wall_stretch(canvas, &row, depths, (struct span){x, end}, span.begin, y);
+            wall_stretch(canvas, &row, affine, (struct span){x, end}, span.begin, y);
         }
     }
 }
 
-static void divide_every_1(const struct canvas *canvas, const struct edges *edges,
-                           const struct vertex v[3]) {
-    divide_every(1, canvas, edges, v);
-}
+#define BY_ROWS(name, stretch, affine)                                                             \
+    static void name(const struct canvas *canvas, const struct edges *edges,                       \
+                     const struct vertex v[3]) {                                                   \
+        draw_by_rows(stretch, affine, canvas, edges, v);                                           \
+    }
 
-static void divide_every_16(const struct canvas *canvas, const struct edges *edges,
-                            const struct vertex v[3]) {
-    divide_every(16, canvas, edges, v);
-}
-
-static void divide_every_64(const struct canvas *canvas, const struct edges *edges,
-                            const struct vertex v[3]) {
-    divide_every(64, canvas, edges, v);
-}
+BY_ROWS(affine_by_rows, 1, true)
+BY_ROWS(divided_every_1, 1, false)
+BY_ROWS(divided_every_16, 16, false)
+BY_ROWS(divided_every_64, 64, false)
 
 typedef void draw_triangle(const struct canvas *canvas, const struct edges *edges,
                            const struct vertex v[3]);
 
-enum wall { AFFINE_2, AFFINE_32, AFFINE_512, AFFINE_8192, EVERY_64, EVERY_16, EVERY_1, CORRECT };
+enum wall {
+    AFFINE_2,
+    AFFINE_32,
+    AFFINE_512,
+    AFFINE_8192,
+    EVERY_64,
+    EVERY_16,
+    EVERY_1,
+    SCREEN_WEIGHTS,
+    CORRECT_WEIGHTS
+};
 
 /* The wall is cut into `cuts` times `cuts` pieces of two triangles. */
 static const struct {
     int cuts;
     draw_triangle *draw;
 } walls[] = {
-    [AFFINE_2] = {1, attempt_12_affine_triangle},
-    [AFFINE_32] = {4, attempt_12_affine_triangle},
-    [AFFINE_512] = {16, attempt_12_affine_triangle},
-    [AFFINE_8192] = {CUTS_MOST, attempt_12_affine_triangle},
-    [EVERY_64] = {1, divide_every_64},
-    [EVERY_16] = {1, divide_every_16},
-    [EVERY_1] = {1, divide_every_1},
-    [CORRECT] = {1, triangle},
+    [AFFINE_2] = {1, affine_by_rows},    [AFFINE_32] = {4, affine_by_rows},
+    [AFFINE_512] = {16, affine_by_rows}, [AFFINE_8192] = {CUTS_MOST, affine_by_rows},
+    [EVERY_64] = {1, divided_every_64},  [EVERY_16] = {1, divided_every_16},
+    [EVERY_1] = {1, divided_every_1},    [SCREEN_WEIGHTS] = {1, attempt_12_affine_triangle},
+    [CORRECT_WEIGHTS] = {1, triangle},
 };
 
 /* Where u = v = 0, and the sides along which u and v grow to 1. */
@@ -976,8 +981,10 @@ static const struct bench_version chain_versions[] = {
 
 static const char *inverse_series(int choice) {
     static const char *const names[] = {
-        [COFACTORS_FLOAT] = "cofactors, float", [COFACTORS] = "cofactors",
-        [AS_IS] = "Gauss-Jordan, no pivoting",  [PIVOTING] = "Gauss-Jordan, pivoting",
+        [COFACTORS_FLOAT] = "cofactors, float",
+        [COFACTORS] = "cofactors",
+        [AS_IS] = "no pivoting",
+        [PIVOTING] = "Gauss-Jordan",
         [HOUSE_INVERSE] = "mat4_inverse()",
     };
     return names[choice / CONDITIONS];
@@ -1010,24 +1017,29 @@ static const struct bench_version inverse_versions[] = {
 };
 
 static const char *wall_series(int choice) {
-    return choice <= AFFINE_8192 ? "affine, triangles"
-           : choice <= EVERY_1   ? "pixels a division"
+    return choice <= AFFINE_8192 ? "affine by rows, triangles"
+           : choice <= EVERY_1   ? "divided by rows, every"
                                  : NULL;
 }
 
 static const struct bench_version wall_versions[] = {
-    VERSION("2", wall, AFFINE_2, false),     VERSION("32", wall, AFFINE_32, false),
-    VERSION("512", wall, AFFINE_512, false), VERSION("8,192", wall, AFFINE_8192, false),
-    VERSION("64", wall, EVERY_64, false),    VERSION("16", wall, EVERY_16, false),
-    VERSION("1", wall, EVERY_1, false),      VERSION("correct weights", wall, CORRECT, true),
+    VERSION("2", wall, AFFINE_2, false),
+    VERSION("32", wall, AFFINE_32, false),
+    VERSION("512", wall, AFFINE_512, false),
+    VERSION("8,192", wall, AFFINE_8192, false),
+    VERSION("64 pixels", wall, EVERY_64, false),
+    VERSION("16 pixels", wall, EVERY_16, false),
+    VERSION("pixel", wall, EVERY_1, false),
+    VERSION("screen's weights (affine)", wall, SCREEN_WEIGHTS, false),
+    VERSION("correct weights", wall, CORRECT_WEIGHTS, true),
 };
 
 static const struct bench_version clip_versions[] = {
     VERSION("not clipped", clip, UNCLIPPED, false),
     VERSION("crossing faces left out", clip, LEFT_OUT, false),
-    VERSION("clipped at the near plane", clip, NEAR_ONLY, false),
-    VERSION("and at 64: the lesson", clip, CLIPPED, true),
-    VERSION("and at the picture's sides", clip, AT_SIDES, false),
+    VERSION("cut at the near plane", clip, NEAR_ONLY, false),
+    VERSION("also at 64: the lesson", clip, CLIPPED, true),
+    VERSION("also at the picture's sides", clip, AT_SIDES, false),
     VERSION("the lesson, none skipped", clip, NOTHING_SKIPPED, false),
 };
 

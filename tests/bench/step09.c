@@ -57,6 +57,14 @@ struct varyings {
     double of[VALUES][SIDE];
 };
 
+/* What is drawn on, and with. */
+struct target {
+    struct pipeline pipeline;
+    struct image image;
+};
+
+enum { TARGETS = 3 };
+
 struct work {
     struct subject bust;
     struct seen *faces;
@@ -65,9 +73,8 @@ struct work {
     struct varyings varyings;
     struct image right_gouraud;           /* of the bust; bust.right is textured */
     struct subject far_first, near_first; /* rows of busts */
-    struct pipeline pipeline, smaller[2];
-    bool drawn;                         /* by the last version, without running out of memory */
-    struct image image, small_image[2]; /* 1/2 and 1/4 of the width and height */
+    bool drawn;                           /* by the last version, without running out of memory */
+    struct target targets[TARGETS];       /* each next has half of the width and height */
 };
 
 /* A picture's error in levels, root mean square: over the pixels of the runs. */
@@ -78,7 +85,7 @@ static double levels_wrong(const struct work *work, const struct image *right) {
         size_t begin = 3 * ((size_t)run->y * SIDE + (size_t)run->span.begin);
         size_t end = 3 * ((size_t)run->y * SIDE + (size_t)run->span.end);
         for (size_t k = begin; k < end; k++) {
-            double difference = work->image.pixels[k] - right->pixels[k];
+            double difference = work->targets[0].image.pixels[k] - right->pixels[k];
             sum += difference * difference;
             count++;
         }
@@ -317,7 +324,7 @@ static double error_varying(void *state, int choice) {
             const double here[VALUES] = {work->varyings.of[0][k], work->varyings.of[1][k],
                                          work->varyings.of[2][k]};
             textured_fragment(&work->bust.uniforms, here, &color);
-            write_color(&work->image, x, run->y, color);
+            write_color(&work->targets[0].image, x, run->y, color);
         }
     }
     return levels_wrong(work, &work->bust.right);
@@ -346,7 +353,7 @@ INLINED void shade_run_by(int step, const struct run *run, fragment_function *fr
         struct color color;
         fragment(&work->bust.uniforms, &varying, &color);
         for (int x = begin; x < end; x++) {
-            write_color(&work->image, x, run->y, color);
+            write_color(&work->targets[0].image, x, run->y, color);
         }
     }
 }
@@ -410,16 +417,6 @@ static int set_threads(int wanted) {
 #endif
 }
 
-/* Clear, and draw. False when memory ran out. */
-static bool draw_subject(struct pipeline *pipeline, const struct draw_call *call,
-                         const struct shader *shader, const struct uniforms *uniforms,
-                         struct image *image) {
-    struct error error;
-    pipeline_clear(pipeline);
-    memset(image->pixels, 0, image->width * image->height * IMAGE_BGR);
-    return pipeline_draw(pipeline, call, shader, uniforms, image, &error);
-}
-
 /* Each pixel of a small picture becomes a square of the large one. */
 static void enlarge(const struct image *small, struct image *large) {
     size_t factor = large->width / small->width;
@@ -432,30 +429,43 @@ static void enlarge(const struct image *small, struct image *large) {
 }
 
 enum order { FAR_FIRST, NEAR_FIRST };
-enum kind { AT_ONCE, VISIBLE, HALF_SIZE, QUARTER_SIZE, KINDS };
+enum kind { PER_PIXEL, PER_RUN, AT_ONCE, VISIBLE, HALF_SIZE, QUARTER_SIZE, KINDS };
 
-#define ROW_CHOICE(kind, order, threads) ((int)(kind) + (int)KINDS * ((int)(order) + 2 * (threads)))
+#define ROW(kind, order, threads) ((int)(kind) + (int)KINDS * ((int)(order) + 2 * (threads)))
 
-/* With its own mip level, then enlarged. */
-static bool draw_small(struct work *work, const struct subject *row, size_t smaller) {
-    struct image *image = &work->small_image[smaller];
-    struct draw_call call = row->call;
-    struct uniforms uniforms = row->uniforms;
-    call.viewport = grid_cell(image->width, image->height, 1, 1, 0, 0);
-    uniforms.diffuse_level += smaller + 1;
-    bool done = draw_subject(&work->smaller[smaller], &call, &gouraud_textured, &uniforms, image);
-    enlarge(image, &work->image);
-    return done;
+static bool draw_kind(enum kind kind, struct pipeline *p, const struct draw_call *call,
+                      const struct uniforms *u, struct image *image) {
+    struct error error;
+    switch (kind) {
+    case PER_PIXEL:
+        return attempt_1_call_per_pixel(p, call, &gouraud_textured, u, image, &error);
+    case PER_RUN:
+        return attempt_2_call_per_run(p, call, &gouraud_textured, u, image, &error);
+    case AT_ONCE:
+        return attempt_3_shade_at_once(p, call, u, image, &error);
+    default:
+        return pipeline_draw(p, call, &gouraud_textured, u, image, &error);
+    }
+}
+
+/* 1 for half of the width and height, 2 for a quarter. */
+static size_t target_of(enum kind kind) {
+    return kind == HALF_SIZE ? 1 : kind == QUARTER_SIZE ? 2 : 0;
 }
 
 static bool draw_row(struct work *work, const struct subject *row, enum kind kind) {
-    if (kind == HALF_SIZE || kind == QUARTER_SIZE) {
-        return draw_small(work, row, kind - HALF_SIZE);
+    size_t smaller = target_of(kind);
+    struct target *target = &work->targets[smaller];
+    struct draw_call call = row->call;
+    struct uniforms uniforms = row->uniforms;
+    call.viewport = grid_cell(target->image.width, target->image.height, 1, 1, 0, 0);
+    uniforms.diffuse_level += smaller; /* texels as large as pixels */
+    pipeline_clear(&target->pipeline);
+    memset(target->image.pixels, 0, target->image.width * target->image.height * IMAGE_BGR);
+    bool done = draw_kind(kind, &target->pipeline, &call, &uniforms, &target->image);
+    if (smaller > 0) {
+        enlarge(&target->image, &work->targets[0].image);
     }
-    work->pipeline.skip = kind == VISIBLE;
-    bool done =
-        draw_subject(&work->pipeline, &row->call, &gouraud_textured, &row->uniforms, &work->image);
-    work->pipeline.skip = true;
     return done;
 }
 
@@ -475,9 +485,9 @@ static double error_row(void *state, int choice) {
     double sum = 0, count = 0;
     (void)choice;
     for (size_t i = 0; i < (size_t)SIDE * SIDE * 3; i++) {
-        double difference = work->image.pixels[i] - right->pixels[i];
+        double difference = work->targets[0].image.pixels[i] - right->pixels[i];
         sum += difference * difference;
-        count += work->image.pixels[i] != 0 || right->pixels[i] != 0;
+        count += work->targets[0].image.pixels[i] != 0 || right->pixels[i] != 0;
     }
     return work->drawn ? sqrt(sum / count) : (double)INFINITY;
 }
@@ -485,11 +495,8 @@ static double error_row(void *state, int choice) {
 /* Pixels shaded. */
 static double size_row(const void *state, int choice) {
     const struct work *work = state;
-    const enum kind kind = (enum kind)(choice % KINDS);
-    const struct pipeline *pipeline = kind == HALF_SIZE      ? &work->smaller[0]
-                                      : kind == QUARTER_SIZE ? &work->smaller[1]
-                                                             : &work->pipeline;
-    return (double)pipeline->stats[STAT_PIXELS_SHADED] / 1000;
+    const struct target *target = &work->targets[target_of((enum kind)(choice % KINDS))];
+    return (double)target->pipeline.stats[STAT_PIXELS_SHADED] / 1000;
 }
 
 /* ---- Setting up ---- */
@@ -667,24 +674,22 @@ static bool make_row(struct subject *row, enum order order, struct error *error)
 
 /* The most patient drawing. */
 static bool draw_patiently(struct work *work, struct error *error) {
-    struct subject *row = &work->far_first;
-    struct shader called = gouraud_textured;
-    called.band = NULL;
-    work->pipeline.skip = false;
+    struct target *target = &work->targets[0];
     int threads = set_threads(1);
-    bool done = draw_subject(&work->pipeline, &row->call, &called, &row->uniforms, &work->image);
+    target->pipeline.skip = false;
+    bool done = draw_row(work, &work->far_first, PER_PIXEL);
+    target->pipeline.skip = true;
     set_threads(threads);
-    work->pipeline.skip = true;
-    return (done || error_out_of_memory(error)) && image_copy(&row->right, &work->image, error);
+    return (done || error_out_of_memory(error)) &&
+           image_copy(&work->far_first.right, &target->image, error);
 }
 
-static bool make_images(struct work *work, struct error *error) {
-    bool done = image_create(&work->image, SIDE, SIDE, IMAGE_BGR, error) &&
-                pipeline_create(&work->pipeline, SIDE, SIDE, error);
-    for (size_t i = 0; done && i < 2; i++) {
-        size_t side = (size_t)SIDE >> (i + 1);
-        done = image_create(&work->small_image[i], side, side, IMAGE_BGR, error) &&
-               pipeline_create(&work->smaller[i], side, side, error);
+static bool make_targets(struct work *work, struct error *error) {
+    bool done = true;
+    for (size_t i = 0; done && i < TARGETS; i++) {
+        size_t side = (size_t)SIDE >> i;
+        done = image_create(&work->targets[i].image, side, side, IMAGE_BGR, error) &&
+               pipeline_create(&work->targets[i].pipeline, side, side, error);
     }
     return done;
 }
@@ -695,7 +700,7 @@ static bool setup(void **state, struct error *error) {
     if (work == NULL) {
         return error_out_of_memory(error);
     }
-    return make_images(work, error) && bench_read_model(&work->bust.model, "bust.obj", error) &&
+    return make_targets(work, error) && bench_read_model(&work->bust.model, "bust.obj", error) &&
            prepare_subject(&work->bust, error) && find_runs(work, error) &&
            make_right_pictures(work, error) && make_row(&work->far_first, FAR_FIRST, error) &&
            make_row(&work->near_first, NEAR_FIRST, error) && draw_patiently(work, error);
@@ -709,15 +714,13 @@ static void teardown(void *state) {
             model_free(&subjects[i]->model);
             image_free(&subjects[i]->right);
         }
-        for (int i = 0; i < 2; i++) {
-            image_free(&work->small_image[i]);
-            pipeline_free(&work->smaller[i]);
+        for (int i = 0; i < TARGETS; i++) {
+            image_free(&work->targets[i].image);
+            pipeline_free(&work->targets[i].pipeline);
         }
         free(work->faces);
         free(work->runs);
         image_free(&work->right_gouraud);
-        image_free(&work->image);
-        pipeline_free(&work->pipeline);
     }
     free(work);
 }
@@ -767,28 +770,19 @@ static const struct bench_version call_versions[] = {
     VERSION("8", call, INLINED_8, false),
 };
 
-static const char *row_series(int choice) {
-    switch (choice % KINDS) {
-    case AT_ONCE:
-        return "shaded at once";
-    case VISIBLE:
-        return "visible only";
-    default:
-        return "small, enlarged";
-    }
-}
-
 static const struct bench_version row_versions[] = {
-    VERSION("farthest first", row, ROW_CHOICE(AT_ONCE, FAR_FIRST, 1), false),
-    VERSION("nearest first", row, ROW_CHOICE(AT_ONCE, NEAR_FIRST, 1), false),
-    VERSION("farthest first", row, ROW_CHOICE(VISIBLE, FAR_FIRST, 1), true),
-    VERSION("nearest first", row, ROW_CHOICE(VISIBLE, NEAR_FIRST, 1), true),
+    VERSION("a call for every pixel", row, ROW(PER_PIXEL, FAR_FIRST, 1), false),
+    VERSION("a call for every run", row, ROW(PER_RUN, FAR_FIRST, 1), false),
+    VERSION("at once, farthest first", row, ROW(AT_ONCE, FAR_FIRST, 1), false),
+    VERSION("at once, nearest first", row, ROW(AT_ONCE, NEAR_FIRST, 1), false),
+    VERSION("visible, farthest first", row, ROW(VISIBLE, FAR_FIRST, 1), true),
+    VERSION("visible, nearest first", row, ROW(VISIBLE, NEAR_FIRST, 1), true),
 #ifdef _OPENMP
-    VERSION("farthest, 2 threads", row, ROW_CHOICE(AT_ONCE, FAR_FIRST, 2), false),
-    VERSION("farthest, 2 threads", row, ROW_CHOICE(VISIBLE, FAR_FIRST, 2), true),
+    VERSION("at once, 2 threads", row, ROW(AT_ONCE, FAR_FIRST, 2), false),
+    VERSION("visible, 2 threads", row, ROW(VISIBLE, FAR_FIRST, 2), true),
 #endif
-    VERSION("400x400", row, ROW_CHOICE(HALF_SIZE, FAR_FIRST, 1), false),
-    VERSION("200x200", row, ROW_CHOICE(QUARTER_SIZE, FAR_FIRST, 1), false),
+    VERSION("400x400, enlarged", row, ROW(HALF_SIZE, FAR_FIRST, 1), false),
+    VERSION("200x200, enlarged", row, ROW(QUARTER_SIZE, FAR_FIRST, 1), false),
 };
 
 static const struct bench_panel bench_panels[] = {
@@ -814,7 +808,6 @@ static const struct bench_panel bench_panels[] = {
      .against = "the most patient drawing",
      .versions = row_versions,
      .version_count = sizeof row_versions / sizeof row_versions[0],
-     .series = row_series,
      .size = size_row,
      .size_label = "thousand pixels shaded"},
 };
