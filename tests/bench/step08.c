@@ -420,7 +420,7 @@ static double error_inverse(void *state, int choice) {
     return (double)worst;
 }
 
-/* The condition: the largest sum of a row, after rows are scaled to 1, times that of the inverse. */
+/* The condition: the largest sum of a row, after rows are scaled to 1, times the inverse's. */
 static long double condition_of(const struct whole *a) {
     long double scale[4], largest = 0;
     for (int row = 0; row < 4; row++) {

@@ -149,7 +149,7 @@ enum way { EACH_PIXEL, EVERY_8, AFFINE, WAYS };
             at[k] = end;                                                                           \
         }                                                                                          \
     }                                                                                              \
-    static inline void name(const struct run *run, enum way way, struct varyings *out) {           \
+    static inline void name(const struct run *run, struct varyings *out, enum way way) {           \
         struct along along = along_run(run, way != AFFINE);                                        \
         int count = run->span.end - run->span.begin;                                               \
         real begin[VALUES + 1], step[VALUES + 1], at[VALUES];                                      \
@@ -216,7 +216,7 @@ static inline void fill_fixed_block(const int32_t begin[], const int32_t step[],
     }
 }
 
-static inline void fill_fixed(const struct run *run, enum way way, struct varyings *out) {
+static inline void fill_fixed(const struct run *run, struct varyings *out, enum way way) {
     struct along along = along_run(run, way != AFFINE);
     int count = run->span.end - run->span.begin;
     int32_t begin[VALUES + 1], step[VALUES + 1];
@@ -252,7 +252,7 @@ static inline struct vec3 exact_weights(const struct seen *face, int x, int y) {
     return perspective_weights(screen, face->recip_w);
 }
 
-static inline void fill_by_weights(const struct run *run, enum way way, struct varyings *out) {
+static inline void fill_by_weights(const struct run *run, struct varyings *out, enum way way) {
     (void)way;
     for (int x = run->span.begin; x < run->span.end; x++) {
         struct vec3 weight = exact_weights(run->face, x, run->y);
@@ -266,7 +266,7 @@ static inline void fill_by_weights(const struct run *run, enum way way, struct v
 /* A function for each way, with the type of number and the way inlined. */
 #define FILLED(name, fill, way)                                                                    \
     static void name(const struct run *run, struct varyings *out) {                                \
-        fill(run, way, out);                                                                       \
+        fill(run, out, way);                                                                       \
     }
 
 FILLED(by_weights, fill_by_weights, EACH_PIXEL)
@@ -522,8 +522,8 @@ static bool make_face(struct seen *seen, const struct subject *subject, size_t f
            !seen->edges.clockwise;
 }
 
-/* Keep the face in each pixel where it is nearest so far. */
-static void cover(const struct seen *face, double *depths, const struct seen **nearest) {
+/* Keep the number of the face (from 1) in each pixel where it is nearest so far. */
+static void cover(const struct seen *face, uint32_t number, double *depths, uint32_t *nearest) {
     for (int y = face->edges.y_begin; y < face->edges.y_end; y++) {
         struct span span = edges_span(&face->edges, y);
         for (int x = span.begin; x < span.end; x++) {
@@ -531,19 +531,19 @@ static void cover(const struct seen *face, double *depths, const struct seen **n
             double depth = interpolate(w, face->depth[0], face->depth[1], face->depth[2]);
             if (depth > depths[y * SIDE + x]) {
                 depths[y * SIDE + x] = depth;
-                nearest[y * SIDE + x] = face;
+                nearest[y * SIDE + x] = number;
             }
         }
     }
 }
 
-static bool add_runs_of_row(struct work *work, size_t *capacity, const struct seen *const *nearest,
-                            int y, struct error *error) {
+static bool add_runs_of_row(struct work *work, size_t *capacity, const uint32_t *nearest, int y,
+                            struct error *error) {
     for (struct span span = {0, 0}; span.begin < SIDE; span.begin = span.end) {
         while (span.end < SIDE && nearest[span.end] == nearest[span.begin]) {
             span.end++;
         }
-        if (nearest[span.begin] == NULL) {
+        if (nearest[span.begin] == 0) {
             continue;
         }
         struct run *grown =
@@ -552,31 +552,38 @@ static bool add_runs_of_row(struct work *work, size_t *capacity, const struct se
             return error_out_of_memory(error);
         }
         work->runs = grown;
-        work->runs[work->run_count++] = (struct run){nearest[span.begin], span, y};
+        work->runs[work->run_count++] =
+            (struct run){&work->faces[nearest[span.begin] - 1], span, y};
     }
     return true;
 }
 
-/* What is visible of the bust. */
-static bool find_runs(struct work *work, struct error *error) {
+static bool find_runs_with(struct work *work, double *depths, uint32_t *nearest,
+                           struct error *error) {
     const struct subject *bust = &work->bust;
-    const struct seen **nearest = calloc((size_t)SIDE * SIDE, sizeof *nearest);
-    double *depths = malloc((size_t)SIDE * SIDE * sizeof *depths);
     size_t capacity = 0;
-    work->faces = malloc(bust->model.face_count * sizeof *work->faces);
-    bool done =
-        (nearest != NULL && depths != NULL && work->faces != NULL) || error_out_of_memory(error);
-    if (done) {
-        depth_clear(depths, (size_t)SIDE * SIDE);
-    }
-    for (size_t i = 0; done && i < bust->model.face_count; i++) {
-        if (make_face(&work->faces[work->face_count], bust, i)) {
-            cover(&work->faces[work->face_count++], depths, nearest);
+    bool done = true;
+    depth_clear(depths, (size_t)SIDE * SIDE);
+    for (size_t i = 0; i < bust->model.face_count; i++) {
+        struct seen *face = &work->faces[work->face_count];
+        if (make_face(face, bust, i)) {
+            cover(face, (uint32_t)++work->face_count, depths, nearest);
         }
     }
     for (int y = 0; done && y < SIDE; y++) {
         done = add_runs_of_row(work, &capacity, nearest + y * SIDE, y, error);
     }
+    return done;
+}
+
+/* What is visible of the bust. */
+static bool find_runs(struct work *work, struct error *error) {
+    uint32_t *nearest = calloc((size_t)SIDE * SIDE, sizeof *nearest);
+    double *depths = malloc((size_t)SIDE * SIDE * sizeof *depths);
+    work->faces = malloc(work->bust.model.face_count * sizeof *work->faces);
+    bool done = nearest != NULL && depths != NULL && work->faces != NULL
+                    ? find_runs_with(work, depths, nearest, error)
+                    : error_out_of_memory(error);
     free(nearest);
     free(depths);
     return done;

@@ -25,13 +25,7 @@ enum { SIDE = 600, SHARP_POWER = 80, MESHES = 4, COARSEST_ROWS = 16, MAP_HEIGHT 
 
 static const struct vec3 light = {1, 1, 1};
 
-enum { TABLES = 3, TABLE_MOST = 1024, TERMS_LEAST = 2, TERMS_MOST = 5 };
-
-/* The power at `last` + 1 places from 0 to 1. */
-struct sized_table {
-    int last;
-    double value[TABLE_MOST];
-};
+enum { TABLES = 3, TERMS_LEAST = 2, TERMS_MOST = 5 };
 
 /* Coefficients of polynomials without a constant: for log2(1 + x) and 2^x - 1. */
 struct exp_log {
@@ -41,7 +35,7 @@ struct exp_log {
 /* What the ways to compute the power need. */
 struct lit {
     struct uniforms u;
-    struct sized_table tables[TABLES];
+    struct power_table tables[TABLES];
     struct exp_log coefficients[TERMS_MOST - TERMS_LEAST + 1];
 };
 
@@ -162,14 +156,6 @@ enum power_way {
     POWERS
 };
 
-/* Attempt 3 with tables of several sizes. */
-static inline double table_power(const struct sized_table *table, double base) {
-    double place = base * table->last;
-    int index = (int)place < table->last ? (int)place : table->last - 1;
-    double part = place - index;
-    return table->value[index] + part * (table->value[index + 1] - table->value[index]);
-}
-
 /* x (c0 + c1 x + ...), with `terms` constant where this is inlined. */
 static inline double polynomial(const double *c, int terms, double x) {
     double sum = c[terms - 1];
@@ -211,11 +197,11 @@ static inline double power_by(enum power_way way, const struct lit *lit, double 
     case REPEATED:
         return attempt_2_repeated(base, power);
     case TABLE_64:
-        return table_power(&lit->tables[0], base);
+        return attempt_3_table(&lit->tables[0], base);
     case TABLE_257:
-        return table_power(&lit->tables[1], base);
+        return attempt_3_table(&lit->tables[1], base);
     case TABLE_1024:
-        return table_power(&lit->tables[2], base);
+        return attempt_3_table(&lit->tables[2], base);
     case SCHLICK:
         return attempt_4_schlick(base, power);
     case TERMS_2:
@@ -378,13 +364,6 @@ static bool find_highlights(struct work *work, struct error *error) {
     return (work->lit_pixels != NULL && work->colors != NULL &&
             draw(work, &work->bust, bust_eye, &collecting_shader, &collecting)) ||
            error_out_of_memory(error);
-}
-
-static void make_table(struct sized_table *table, int size, int power) {
-    table->last = size - 1;
-    for (int i = 0; i < size; i++) {
-        table->value[i] = integer_power((double)i / table->last, power);
-    }
 }
 
 /* Solve a x = b by elimination; a is far from singular. */
@@ -574,9 +553,9 @@ static bool make_lit(struct work *work, struct error *error) {
                                     .to_light = vec3_normalized(light),
                                     .material = plain_material};
     work->lit.u.material.power = SHARP_POWER;
-    make_table(&work->lit.tables[0], 64, SHARP_POWER);
-    make_table(&work->lit.tables[1], 257, SHARP_POWER);
-    make_table(&work->lit.tables[2], 1024, SHARP_POWER);
+    work->lit.tables[0] = attempt_3_make_table(64, SHARP_POWER);
+    work->lit.tables[1] = attempt_3_make_table(257, SHARP_POWER);
+    work->lit.tables[2] = attempt_3_make_table(1024, SHARP_POWER);
     for (int terms = TERMS_LEAST; terms <= TERMS_MOST; terms++) {
         struct exp_log *coefficients = &work->lit.coefficients[terms - TERMS_LEAST];
         fit(coefficients->log2, terms, 1 / 3.0L, log2_beside_1);
