@@ -386,7 +386,7 @@ static double cost_of_marks(const struct plot *plot, const struct mark *mark) {
         const struct point corner = {b->x, a->y};
         bool crossed = segment_meets((struct point){a->x, a->y}, corner, mark->label) ||
                        segment_meets(corner, (struct point){b->x, b->y}, mark->label);
-        cost += crossed ? 20 : 0;
+        cost += crossed ? 40 : 0;
     }
     return cost + cost_of_series(plot, mark->label);
 }
@@ -640,18 +640,24 @@ static void draw_series(struct output *output, const struct plot *plot) {
     }
 }
 
-/* The names of the series above the plot, from the right. */
+/* Of the name of a series with its dot and the space before it. */
+static double legend_width(const char *name) {
+    return letter_width * (double)strlen(name) + 28;
+}
+
+/* The names of the series above the plot, at its right. */
 static void draw_legend(struct output *output, const struct plot *plot) {
-    double right = PLOT_RIGHT;
-    for (int k = plot->series_count - 1; k >= 0; k--) {
+    double left = PLOT_RIGHT, y = plot->top - 11;
+    for (int k = 0; k < plot->series_count; k++) {
+        left -= legend_width(plot->series[k]);
+    }
+    for (int k = 0; k < plot->series_count; k++) {
         char class[32];
-        double y = plot->top - 11;
-        snprintf(class, sizeof class, "end name s%d", k);
-        put_text(output, class, right, y, plot->series[k]);
-        right -= letter_width * (double)strlen(plot->series[k]) + 8;
-        PUT(output, "<circle class=\"filled s%d\" cx=\"%.1f\" cy=\"%.1f\" r=\"4\"/>\n", k, right,
-            y - 4);
-        right -= 20;
+        PUT(output, "<circle class=\"filled s%d\" cx=\"%.1f\" cy=\"%.1f\" r=\"4\"/>\n", k,
+            left + 20, y - 4);
+        snprintf(class, sizeof class, "name s%d", k);
+        put_text(output, class, left + 28, y, plot->series[k]);
+        left += legend_width(plot->series[k]);
     }
 }
 

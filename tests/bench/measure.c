@@ -68,27 +68,27 @@ static void summarize(struct bench_result *result, double *samples, double scale
     result->upper = scale * quantile(samples, result->rounds, 0.75);
 }
 
-/* Is a as small as b? What differs by less than this counts as equal, so that chance does not
- * decide who is useful: the inputs are a sample, and times tremble. */
+/* Is error a as small as error b? One per cent more counts as equal: the inputs are a sample. */
 static bool as_accurate(double a, double b) {
     return a <= b * 1.01;
 }
 
-static bool as_fast(double a, double b) {
-    return a <= b * 1.02;
+/* Times tremble: what differs by less than 2 per cent, or whose quartiles overlap, is equal. So
+ * chance does not decide who is useful. */
+static bool is_faster(const struct bench_result *a, const struct bench_result *b) {
+    return a->median < 0.98 * b->median && a->upper < b->lower;
+}
+
+static bool is_better(const struct bench_result *a, const struct bench_result *b) {
+    bool as_good = as_accurate(a->error, b->error) && !is_faster(b, a);
+    return as_good && (!as_accurate(b->error, a->error) || is_faster(a, b));
 }
 
 static void mark_front(struct bench_result *results, size_t count) {
     for (size_t i = 0; i < count; i++) {
-        const struct bench_result *own = &results[i];
-        results[i].front = isfinite(own->error);
+        results[i].front = isfinite(results[i].error);
         for (size_t j = 0; j < count; j++) {
-            const struct bench_result *other = &results[j];
-            bool as_good =
-                as_accurate(other->error, own->error) && as_fast(other->median, own->median);
-            bool better =
-                !as_accurate(own->error, other->error) || !as_fast(own->median, other->median);
-            results[i].front = results[i].front && !(as_good && better);
+            results[i].front = results[i].front && !is_better(&results[j], &results[i]);
         }
     }
 }

@@ -246,7 +246,8 @@ struct part_int {
 
 /* a / b to the nearest whole number, halves up. */
 static inline int64_t nearest_quotient(int64_t a, int64_t b) {
-    return b < 0 ? floor_divide(-2 * a - b, -2 * b) : floor_divide(2 * a + b, 2 * b);
+    int64_t divisor = 2 * llabs(b);
+    return floor_divide(b < 0 ? -2 * a - b : 2 * a + b, divisor);
 }
 
 static inline float quotient_float(float a, float b) {

@@ -598,6 +598,7 @@ static const struct bench_panel fill_panels[] = {
         .units = large_units,
         .versions = large_versions,
         .version_count = sizeof large_versions / sizeof large_versions[0],
+        .budget = 2,
     },
     {
         .title = "Corners snapped to 0 to 16 bits after the point, or not at all: the bust again",
