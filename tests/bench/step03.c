@@ -438,7 +438,7 @@ static const char *kind_of_bits(int choice) {
 
 /* ---- Running and judging ---- */
 
-/* The number of a triangle in blue and green; the rest tells which version drew it, of all panels. */
+/* The number of a triangle in blue and green; red tells which version of which panel drew it. */
 static struct color triangle_color(size_t i, int tag) {
     return (struct color){.b = (uint8_t)(i & 255), .g = (uint8_t)(i >> 8), .r = (uint8_t)tag};
 }

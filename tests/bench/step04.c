@@ -68,7 +68,7 @@ static inline void faces_shade(const struct model *model, struct vec3 light, dou
     }
 }
 
-/* Attempt 4 with the normal first divided by its largest coordinate: then no square is too small. */
+/* Attempt 4 with the normal first divided by its largest coordinate: no square is too small. */
 static inline double scaled_first(struct vec3 w0, struct vec3 w1, struct vec3 w2,
                                   struct vec3 light) {
     struct attempt_vec3 n = attempt_normal(w0, w1, w2);
@@ -176,8 +176,8 @@ static inline double double_reciprocal_root(double square, int newton_steps) {
     return root;
 }
 
-/* The exponent is halved and negated; its lowest bit and the first eight after the point find the rest in a
- * table. */
+/* The exponent is halved and negated; its lowest bit and the first eight after the point find the
+ * rest in a table. */
 static inline float table_reciprocal_root(const float table[TABLE_SIZE], float square) {
     uint32_t bits;
     float scale;
