@@ -17,7 +17,7 @@ static const double guard_band = 64;
 enum { CLIP_PLANES = 5 };
 
 /* Rows are shared out among threads in bands of this many. */
-enum { BAND_HEIGHT = 16 };
+enum { BAND_HEIGHT = 16, BANDS_FOR_THREADS = 4 /* fewer are not worth waking one */ };
 
 /* A convex polygon gains at most one corner at each plane. Where coordinates differ by many
  * orders of magnitude, rounding can make the polygon not convex, and n corners become up to n +
@@ -95,7 +95,8 @@ bool pipeline_create(struct pipeline *pipeline, size_t width, size_t height, str
     pipeline->skip = true;
     pipeline->depth = malloc(width * height * sizeof *pipeline->depth);
     pipeline->number = malloc(width * height * sizeof *pipeline->number);
-    if (pipeline->depth == NULL || pipeline->number == NULL) {
+    pipeline->band_work = malloc((height / BAND_HEIGHT + 1) * sizeof *pipeline->band_work);
+    if (pipeline->depth == NULL || pipeline->number == NULL || pipeline->band_work == NULL) {
         pipeline_free(pipeline);
         return error_out_of_memory(error);
     }
@@ -106,6 +107,8 @@ bool pipeline_create(struct pipeline *pipeline, size_t width, size_t height, str
 void pipeline_free(struct pipeline *pipeline) {
     free(pipeline->depth);
     free(pipeline->number);
+    free(pipeline->band_work);
+    workers_free(pipeline->workers);
     free(pipeline->positions);
     free(pipeline->pieces);
     free(pipeline->clipped);
@@ -455,16 +458,49 @@ static struct span band_at(int y, int top) {
     return (struct span){y, y + BAND_HEIGHT < top ? y + BAND_HEIGHT : top};
 }
 
-void pipeline_cover(struct pipeline *p) {
-    int bottom = p->viewport.y, top = bottom + p->viewport.height;
-    uint64_t covered = 0;
-#ifdef _OPENMP
-#pragma omp parallel for schedule(dynamic) reduction(+ : covered)
-#endif
-    for (int y = bottom; y < top; y += BAND_HEIGHT) {
-        covered += cover_band(p, band_at(y, top));
+/* What is done with each band of the viewport: it is covered, or shaded when there is a shader. */
+struct band_loop {
+    struct pipeline *pipeline;
+    const struct shader *shader; /* NULL: cover */
+    const void *uniforms;
+    struct image *image;
+    bool at_once;
+};
+
+static void do_band(void *context, size_t index) {
+    const struct band_loop *loop = context;
+    struct pipeline *p = loop->pipeline;
+    const struct shader *shader = loop->shader;
+    struct span band =
+        band_at(p->viewport.y + (int)index * BAND_HEIGHT, p->viewport.y + p->viewport.height);
+    if (shader == NULL) {
+        p->band_work[index] = (struct pixel_work){.covered = cover_band(p, band)};
+    } else if (shader->band != NULL) {
+        p->band_work[index] = shader->band(p, loop->uniforms, loop->image, band, loop->at_once);
+    } else {
+        p->band_work[index] =
+            shade_rows(p, shader, loop->uniforms, loop->image, band, loop->at_once);
     }
-    p->stats[STAT_PIXELS_COVERED] += covered;
+}
+
+/* Share out the bands among threads, which are started when there is enough to do for the first
+ * time. */
+static void do_bands(struct pipeline *p, struct band_loop *loop) {
+    size_t band_count = ((size_t)p->viewport.height + BAND_HEIGHT - 1) / BAND_HEIGHT;
+    if (p->workers == NULL && !p->alone && band_count >= BANDS_FOR_THREADS) {
+        p->workers = workers_create(p->thread_count);
+        p->alone = p->workers == NULL;
+    }
+    workers_run(band_count >= BANDS_FOR_THREADS ? p->workers : NULL, band_count, do_band, loop);
+    for (size_t i = 0; i < band_count; i++) {
+        p->stats[STAT_PIXELS_COVERED] += p->band_work[i].covered;
+        p->stats[STAT_PIXELS_SHADED] += p->band_work[i].shaded;
+    }
+}
+
+void pipeline_cover(struct pipeline *p) {
+    struct band_loop loop = {.pipeline = p};
+    do_bands(p, &loop);
 }
 
 /* ---- Between the passes ---- */
@@ -508,26 +544,6 @@ bool pipeline_fetch_visible(struct pipeline *p, const struct shader *shader, con
 
 /* ---- Drawing ---- */
 
-/* Shade all rows of the viewport, a band at a time, each by one thread. */
-static void shade_bands(struct pipeline *p, const struct shader *shader, bool at_once,
-                        const void *uniforms, struct image *image) {
-    int bottom = p->viewport.y, top = bottom + p->viewport.height;
-    uint64_t covered = 0, shaded = 0;
-#ifdef _OPENMP
-#pragma omp parallel for schedule(dynamic) reduction(+ : covered, shaded)
-#endif
-    for (int y = bottom; y < top; y += BAND_HEIGHT) {
-        struct span band = band_at(y, top);
-        struct pixel_work work = shader->band != NULL
-                                     ? shader->band(p, uniforms, image, band, at_once)
-                                     : shade_rows(p, shader, uniforms, image, band, at_once);
-        covered += work.covered;
-        shaded += work.shaded;
-    }
-    p->stats[STAT_PIXELS_COVERED] += covered;
-    p->stats[STAT_PIXELS_SHADED] += shaded;
-}
-
 bool pipeline_draw(struct pipeline *p, const struct draw_call *call, const struct shader *shader,
                    const void *uniforms, struct image *image, struct error *error) {
     assert(shader->varying_count <= VARYING_LIMIT);
@@ -542,6 +558,7 @@ bool pipeline_draw(struct pipeline *p, const struct draw_call *call, const struc
             return false;
         }
     }
-    shade_bands(p, shader, at_once, uniforms, image);
+    struct band_loop loop = {p, shader, uniforms, image, at_once};
+    do_bands(p, &loop);
     return true;
 }

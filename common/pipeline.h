@@ -28,6 +28,7 @@
 #include "model.h"
 #include "raster.h"
 #include "tgaimage.h"
+#include "workers.h"
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -119,11 +120,15 @@ extern const char *const pipeline_stat_name[PIPELINE_STATS];
  * enough. All zero is a valid, empty pipeline. */
 struct pipeline {
     size_t width, height;
-    bool skip;     /* false: do all the work, shade at once; the image is the same */
-    double *depth; /* width * height; minus infinity where nothing is drawn */
+    bool skip;           /* false: do all the work, shade at once; the image is the same */
+    size_t thread_count; /* how many threads draw; 0: see workers_create() */
+    double *depth;       /* width * height; minus infinity where nothing is drawn */
     uint64_t stats[PIPELINE_STATS];
 
     /* From here on private: see pipeline_kernels.h and pipeline.c. */
+    struct workers *workers;      /* NULL until they are needed, and where there are none */
+    bool alone;                   /* there are none */
+    struct pixel_work *band_work; /* of the bands of the last loop */
     uint32_t *number; /* width * height; first_number + index of the piece that is nearest */
     struct position *positions;
     size_t position_capacity;

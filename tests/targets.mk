@@ -80,17 +80,20 @@ test: $(UNITS) $(CHECKERS) $(REPLAYS) $(BUILD)/check $(BUILD)/references models
 
 # ---- make stress, make bench: exact answers, and run time against error ----
 
+# Stress and benchmarks share out their cases with OpenMP, where the compiler has it.
+OPENMP := $(call PROBE,-fopenmp)
+
 OBJECTS_OF = $(patsubst tests/%.c,$(BUILD)/tests/%.o,$(wildcard $(1:%=tests/%/*.c)))
 .PHONY: stress bench
 
 $(BUILD)/stress: $(call OBJECTS_OF,stress oracle) $(BUILD)/libcommon.a
-	$(LINK) $^ -lm -o $@
+	$(LINK) $(OPENMP) $^ -lm -o $@
 
 stress: $(BUILD)/stress
 	$(BUILD)/stress $(PROPERTY)
 
 $(BUILD)/benchmark: $(call OBJECTS_OF,bench oracle) $(BUILD)/tests/bench/list.o $(BUILD)/libcommon.a
-	$(LINK) $^ -lm -o $@
+	$(LINK) $(OPENMP) $^ -lm -o $@
 
 bench: $(BUILD)/benchmark models
 	@mkdir -p $(BUILD)/bench

@@ -1,0 +1,30 @@
+/*
+ * Loops shared out among threads that sleep while there is nothing to do.
+ *
+ * A busy machine is the normal case: a grading job, a laptop in class. So no thread ever waits by
+ * spinning, and a loop never waits for a thread that the machine has not woken yet: who calls does
+ * all that is left. What a loop computes must not depend on which thread does which part.
+ */
+#ifndef COMMON_WORKERS_H
+#define COMMON_WORKERS_H
+
+#include <stddef.h>
+
+struct workers;
+
+/* Does part `index` of the work. */
+typedef void worker_function(void *context, size_t index);
+
+/* Start threads, so that with the one that calls there are `thread_count`; 0 means one for each
+ * processor, or as many as the environment variable THREADS says. Where no thread can be started,
+ * as on a machine without threads, all work is done by who calls. NULL, which is valid everywhere
+ * here, when memory runs out or one thread is enough. */
+struct workers *workers_create(size_t thread_count);
+
+/* End the threads, none of which may be at work. */
+void workers_free(struct workers *workers);
+
+/* Do the parts 0..count-1, each once, and return when all are done. */
+void workers_run(struct workers *workers, size_t count, worker_function *work, void *context);
+
+#endif

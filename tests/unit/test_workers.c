@@ -1,0 +1,88 @@
+/* Loops shared out among threads: every part once, whatever the number of threads. */
+#define _POSIX_C_SOURCE 200809L /* setenv */
+#include "unit.h"
+#include "workers.h"
+
+#include <stdatomic.h>
+#include <stdlib.h>
+
+enum { PART_LIMIT = 1000, ROUNDS = 300 };
+
+struct tally {
+    atomic_int times[PART_LIMIT + 1]; /* one more, which nobody may touch */
+};
+
+static void count_part(void *context, size_t index) {
+    struct tally *tally = context;
+    atomic_fetch_add(&tally->times[index < PART_LIMIT ? index : PART_LIMIT], 1);
+}
+
+/* Every part of 0..count-1 once, and no other. */
+static bool each_once(struct workers *workers, size_t count) {
+    static struct tally tally;
+    bool right = true;
+    for (size_t i = 0; i <= PART_LIMIT; i++) {
+        atomic_store(&tally.times[i], 0);
+    }
+    workers_run(workers, count, count_part, &tally);
+    for (size_t i = 0; i <= PART_LIMIT; i++) {
+        right = right && atomic_load(&tally.times[i]) == (i < count ? 1 : 0);
+    }
+    return right;
+}
+
+static void test_each_part_once(void) {
+    static const size_t counts[] = {0, 1, 2, 3, 7, 50, PART_LIMIT};
+    for (size_t threads = 1; threads <= 9; threads++) {
+        struct workers *workers = workers_create(threads);
+        for (size_t i = 0; i < sizeof counts / sizeof counts[0]; i++) {
+            CHECK(each_once(workers, counts[i]));
+        }
+        workers_free(workers);
+    }
+}
+
+/* One loop after the other, which begins while threads of the last one go to sleep. */
+static void test_many_loops(void) {
+    struct workers *workers = workers_create(4);
+    CHECK(workers != NULL);
+    bool right = true;
+    for (size_t i = 0; i < ROUNDS; i++) {
+        right = right && each_once(workers, i % 20);
+    }
+    CHECK(right);
+    workers_free(workers);
+}
+
+/* Parts that wait for one another can only end if several threads are at work. */
+static void meet(void *context, size_t index) {
+    atomic_int *arrived = context;
+    (void)index;
+    atomic_fetch_add(arrived, 1);
+    while (atomic_load(arrived) < 2) {
+    }
+}
+
+static void test_two_at_once(void) {
+    atomic_int arrived = 0;
+    struct workers *workers = workers_create(2);
+    workers_run(workers, 2, meet, &arrived);
+    CHECK(arrived == 2);
+    workers_free(workers);
+}
+
+static void test_alone(void) {
+    CHECK(workers_create(1) == NULL); /* one thread is who calls */
+    CHECK(each_once(NULL, 10));
+    workers_free(NULL);
+    setenv("THREADS", "1", 1);
+    CHECK(workers_create(0) == NULL);
+    setenv("THREADS", "3", 1);
+    struct workers *workers = workers_create(0);
+    CHECK(workers != NULL && each_once(workers, 100));
+    workers_free(workers);
+    unsetenv("THREADS");
+}
+
+UNIT_MAIN(TEST(test_each_part_once), TEST(test_many_loops), TEST(test_two_at_once),
+          TEST(test_alone))
