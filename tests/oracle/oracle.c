@@ -178,10 +178,10 @@ struct oracle_frame oracle_frame(struct vec3 eye, struct vec3 center, struct vec
         cross(upwards, frame.axis[2], frame.axis[0]);
         frame.sine = sqrtl(dot(frame.axis[0], frame.axis[0]));
     }
-    if (!(frame.sine > 1e-9L)) {
-        return (struct oracle_frame){.sine = 0};
+    frame.sine = frame.sine > 1e-9L ? frame.sine : 0;
+    for (int i = 0; i < 3; i++) {
+        frame.axis[0][i] = frame.sine > 0 ? frame.axis[0][i] / frame.sine : 0;
     }
-    normalize(frame.axis[0]);
     cross(frame.axis[2], frame.axis[0], frame.axis[1]);
     return frame;
 }

@@ -54,7 +54,7 @@ int oracle_compare_depth(const struct fixed2 first[3], const int64_t first_depth
 
 /* The depth z/w of a triangle in perspective at the centre of pixel (x,y): a fraction of 128-bit
  * integers, rounded once. z and w of the corners are whole numbers, |z| < 2^22 and 0 < w < 2^7,
- * coordinates at most 2^15 (1/256 pixel). */
+ * coordinates at most 2^15 (1/256 pixel; 2^20 where each w is 1). */
 long double oracle_perspective_depth(const struct fixed2 corner[3], const int64_t z[3],
                                      const int64_t w[3], int64_t x, int64_t y);
 
@@ -67,12 +67,11 @@ long double oracle_interpolate(const struct fixed2 corner[3], const double recip
 
 /* ---- Cameras ---- */
 
-/* The axes of a camera's frame: x to the right, y up, z from center to eye. All zero where they are
- * not certain: eye and center are equal, or up is within 1e-9 of the view direction (or zero).
- * `sine` is the sine of the angle between up and z. */
+/* The axes of a camera's frame: x to the right, y up, z from center to eye. Zero where they are not
+ * certain: z where eye and center are equal, x and y also where up is within 1e-9 of z (or zero). */
 struct oracle_frame {
     long double axis[3][3];
-    long double sine;
+    long double sine; /* of the angle between up and z; 0 where x and y are not certain */
 };
 
 struct oracle_frame oracle_frame(struct vec3 eye, struct vec3 center, struct vec3 up);

@@ -323,7 +323,7 @@ struct count_uniforms {
     const struct model *model;
     struct mat4 to_clip;
     unsigned char (*times)[COUNT_SIZE];
-    bool *misplaced;
+    bool *misplaced; /* a pixel shows a place outside the image */
 };
 
 /* Count the pixel that shows this place, found by projecting it; draw nothing. */
@@ -461,7 +461,7 @@ static bool count_plane(const struct plane *plane, unsigned char times[COUNT_SIZ
     bool done = pipeline_draw(&pipeline, &call, &count_shader, &uniforms, &image, &error);
     memcpy(stats, pipeline.stats, sizeof pipeline.stats);
     pipeline_free(&pipeline);
-    return done;
+    return done && !misplaced;
 }
 
 static bool clipped_without_gaps(const void *tried) {

@@ -253,15 +253,15 @@ static bool judge_face(const struct soup *soup, const struct drawing *drawing, i
     return may_show(soup, &seen, (size_t)face) && error <= soup_depth_tolerance(soup, (size_t)face);
 }
 
-/* In the largest images not all pixels are judged: some, and those beside another face. */
+/* In the largest images not all pixels are judged: some, and those that are the first or last of
+ * their face along the longer side. */
 static bool is_chosen(const struct soup *soup, const struct image *faces, int x, int y) {
-    uint32_t here = bits_at(faces, (size_t)y * soup->width + (size_t)x);
-    return soup->kind < SOUP_WIDE || (x + y) % 41 == 0 || x == 0 || y == 0 ||
-           x + 1 == (int)soup->width || y + 1 == (int)soup->height ||
-           bits_at(faces, (size_t)y * soup->width + (size_t)x - 1) != here ||
-           bits_at(faces, (size_t)y * soup->width + (size_t)x + 1) != here ||
-           bits_at(faces, (size_t)(y - 1) * soup->width + (size_t)x) != here ||
-           bits_at(faces, (size_t)(y + 1) * soup->width + (size_t)x) != here;
+    bool wide = soup->kind == SOUP_WIDE;
+    int place = wide ? x : y, size = wide ? (int)soup->width : (int)soup->height;
+    size_t pixel = (size_t)y * soup->width + (size_t)x, step = wide ? 1 : soup->width;
+    return soup->kind < SOUP_WIDE || (x + y) % 41 == 0 || place == 0 || place == size - 1 ||
+           bits_at(faces, pixel - step) != bits_at(faces, pixel) ||
+           bits_at(faces, pixel + step) != bits_at(faces, pixel);
 }
 
 static bool judge_faces(const void *tried, struct tally *tally) {
@@ -315,7 +315,7 @@ static bool judge_values(const void *tried, struct tally *tally) {
 const struct property pipeline_properties[] = {
     {.name = "pipeline: the nearest by z/w",
      .against = AGAINST_FRACTIONS,
-     .cases = 6000,
+     .cases = 20000,
      .case_size = sizeof(struct soup_case),
      .make = make_whole,
      .judge = judge_faces,
@@ -324,7 +324,7 @@ const struct property pipeline_properties[] = {
      .error_unit = "ulp of depth"},
     {.name = "pipeline: cut near and far",
      .against = AGAINST_LONG_DOUBLE,
-     .cases = 6000,
+     .cases = 20000,
      .case_size = sizeof(struct soup_case),
      .make = make_seen_by_camera,
      .judge = judge_faces,
@@ -333,7 +333,7 @@ const struct property pipeline_properties[] = {
      .error_unit = "ulp of depth"},
     {.name = "pipeline: attributes in perspective",
      .against = AGAINST_LONG_DOUBLE,
-     .cases = 6000,
+     .cases = 20000,
      .case_size = sizeof(struct soup_case),
      .make = make_steep,
      .judge = judge_values,

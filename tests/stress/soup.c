@@ -388,7 +388,7 @@ struct soup_hit soup_look(const struct soup *soup, size_t face, int x, int y) {
 }
 
 double soup_depth_tolerance(const struct soup *soup, size_t face) {
-    return soup->polygons[face].scale * (soup->kind == SOUP_WHOLE ? 0x1p-48 : 0x1p-38);
+    return soup->polygons[face].scale * (soup->kind == SOUP_WHOLE ? 0x1p-48 : 0x1p-40);
 }
 
 double soup_value_tolerance(const struct soup *soup) {
