@@ -37,7 +37,7 @@ static void make_sides(struct random *random, uint64_t index, void *made) {
 }
 
 /* How often each pair of positions is a side. */
-struct tally {
+struct side_counts {
     int count[NUMBERS][NUMBERS]; /* symmetric */
     bool stranger;               /* a side that is none, or whose larger number comes first */
 };
@@ -50,28 +50,29 @@ static int place_of(const struct sides_case *c, uint32_t number) {
     return place;
 }
 
-static struct tally count_sides(const struct sides_case *c, const struct side *sides, size_t n) {
-    struct tally tally = {.stranger = false};
+static struct side_counts count_sides(const struct sides_case *c, const struct side *sides,
+                                      size_t n) {
+    struct side_counts counts = {.stranger = false};
     for (size_t i = 0; i < n; i++) {
         int p = place_of(c, sides[i].low), q = place_of(c, sides[i].high);
         if (p == NUMBERS || q == NUMBERS || sides[i].low > sides[i].high) {
-            tally.stranger = true;
-            return tally;
+            counts.stranger = true;
+            return counts;
         }
-        tally.count[p][q]++;
-        tally.count[q][p] += p != q;
+        counts.count[p][q]++;
+        counts.count[q][p] += p != q;
     }
-    return tally;
+    return counts;
 }
 
-static struct tally exact_sides(const struct sides_case *c) {
-    struct tally tally = {.stranger = false};
+static struct side_counts exact_sides(const struct sides_case *c) {
+    struct side_counts counts = {.stranger = false};
     for (int i = 0; i < 3 * c->face_count; i++) {
         int p = c->corner[i / 3][i % 3], q = c->corner[i / 3][(i + 1) % 3];
-        tally.count[p][q]++;
-        tally.count[q][p] += p != q;
+        counts.count[p][q]++;
+        counts.count[q][p] += p != q;
     }
-    return tally;
+    return counts;
 }
 
 /* First all of them, then one of each. */
@@ -84,9 +85,9 @@ static bool sides_are_right(const void *tried) {
     }
     struct model model = {.faces = faces, .face_count = (size_t)c->face_count};
     list_sides(&model, sides);
-    struct tally all = count_sides(c, sides, 3 * model.face_count), exact = exact_sides(c);
+    struct side_counts all = count_sides(c, sides, 3 * model.face_count), exact = exact_sides(c);
     size_t kept = keep_one_of_each(sides, 3 * model.face_count);
-    struct tally once = count_sides(c, sides, kept <= SIDES ? kept : 0);
+    struct side_counts once = count_sides(c, sides, kept <= SIDES ? kept : 0);
     for (int i = 0; i < NUMBERS * NUMBERS; i++) {
         int wanted = exact.count[i / NUMBERS][i % NUMBERS];
         if (all.count[i / NUMBERS][i % NUMBERS] != wanted ||
@@ -170,12 +171,14 @@ static void print_place(const void *failing) {
 
 const struct property lesson02_properties[] = {
     {.name = "lesson02: each side once",
+     .against = AGAINST_INTEGERS,
      .cases = 100000,
      .case_size = sizeof(struct sides_case),
      .make = make_sides,
      .holds = sides_are_right,
      .print = print_sides},
     {.name = "lesson02: from model to image",
+     .against = AGAINST_LONG_DOUBLE,
      .cases = 500000,
      .case_size = sizeof(struct place_case),
      .make = make_place,

@@ -114,6 +114,7 @@ static void print_face(const void *failing) {
 
 const struct property lesson04_properties[] = {
     {.name = "lesson04: light on a face",
+     .against = AGAINST_LONG_DOUBLE,
      .cases = 500000,
      .case_size = sizeof(struct face_case),
      .make = make_face,
@@ -122,6 +123,7 @@ const struct property lesson04_properties[] = {
      .error_unit = "eps * sides / height",
      .error = intensity_error},
     {.name = "lesson04: from model to screen",
+     .against = AGAINST_LONG_DOUBLE,
      .cases = 300000,
      .case_size = sizeof(struct face_case),
      .make = make_face,

@@ -163,3 +163,27 @@ struct real3 mesh_get(const float from[3]) {
 struct texture texture_from(uint32_t *texels, size_t width, size_t height) {
     return (struct texture){.level_count = 1, .level = {{width, height, texels}}, .texels = texels};
 }
+
+void make_picture(struct random *random, struct picture_data *picture) {
+    for (int i = 0; i < PICTURE_SIDE * PICTURE_SIDE; i++) {
+        uint64_t bits = random_bits(random);
+        memcpy(picture->level[i], &bits, sizeof picture->level[i]);
+    }
+}
+
+bool texture_of_picture(const struct picture_data *picture, struct texture *texture) {
+    struct picture_data copy = *picture;
+    struct image image = {PICTURE_SIDE, PICTURE_SIDE, IMAGE_BGRA, copy.level[0]};
+    struct error error;
+    return texture_create(texture, &image, &error);
+}
+
+struct real3 exact_color(const struct texture *texture, size_t level, struct vec2 uv) {
+    struct sample sample = exact_bilinear(&texture->level[level], uv.x, uv.y);
+    return (struct real3){sample.channel[0], sample.channel[1], sample.channel[2]};
+}
+
+struct real3 exact_normal(const struct texture *texture, size_t level, struct vec2 uv) {
+    struct real3 c = real3_scale(exact_color(texture, level, uv), 2 / 255.0L);
+    return real3_unit((struct real3){c.x - 1, c.y - 1, c.z - 1});
+}

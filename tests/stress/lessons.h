@@ -84,7 +84,35 @@ void mesh_from(struct mesh *mesh, struct mesh_data *data, size_t face_count);
 void mesh_set(float to[3], struct vec3 from);
 struct real3 mesh_get(const float from[3]);
 
+/* ---- Textures ---- */
+
 /* A texture of one level; it uses `texels`: nothing to free. */
 struct texture texture_from(uint32_t *texels, size_t width, size_t height);
+
+enum { PICTURE_SIDE = 4, PICTURE_LEVELS = 3 };
+
+/* Red, green, blue, alpha of each texel of a small square picture. */
+struct picture_data {
+    uint8_t level[PICTURE_SIDE * PICTURE_SIDE][4];
+};
+
+void make_picture(struct random *random, struct picture_data *picture);
+
+/* A texture with all its mip levels, which the caller frees. */
+bool texture_of_picture(const struct picture_data *picture, struct texture *texture);
+
+/* Red, green, blue, alpha. */
+struct sample {
+    long double channel[4];
+};
+
+/* The mean of all texels of a level, each with its weight: a tent around its centre. */
+struct sample exact_bilinear(const struct texture_level *level, double u, double v);
+
+/* Red, green and blue of it. */
+struct real3 exact_color(const struct texture *texture, size_t level, struct vec2 uv);
+
+/* The direction that this colour stands for in a normal map, of length 1. */
+struct real3 exact_normal(const struct texture *texture, size_t level, struct vec2 uv);
 
 #endif

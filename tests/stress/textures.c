@@ -103,11 +103,6 @@ static bool nearest_is_exact(const void *tried) {
     return false;
 }
 
-/* Red, green, blue, alpha. */
-struct sample {
-    long double channel[4];
-};
-
 /* The weight of texel i: a tent of width 2 around its centre, everything outside given to the
  * edge. */
 static long double tent(double coordinate, size_t i, size_t size) {
@@ -117,8 +112,7 @@ static long double tent(double coordinate, size_t i, size_t size) {
     return distance < 1 ? 1 - distance : 0;
 }
 
-/* All texels of a level, each with its weight. */
-static struct sample exact_bilinear(const struct texture_level *level, double u, double v) {
+struct sample exact_bilinear(const struct texture_level *level, double u, double v) {
     static const int shift[4] = {16, 8, 0, 24};
     struct sample sum = {{0, 0, 0, 0}};
     for (size_t y = 0; y < level->height; y++) {
@@ -210,12 +204,14 @@ static void print_texture(const void *failing) {
 
 const struct property texture_properties[] = {
     {.name = "texture: nearest texel",
+     .against = AGAINST_LONG_DOUBLE,
      .cases = 300000,
      .case_size = sizeof(struct texture_case),
      .make = make_texture,
      .holds = nearest_is_exact,
      .print = print_texture},
     {.name = "texture: bilinear",
+     .against = AGAINST_LONG_DOUBLE,
      .cases = 300000,
      .case_size = sizeof(struct texture_case),
      .make = make_texture,
@@ -224,6 +220,7 @@ const struct property texture_properties[] = {
      .error_unit = "level of 255",
      .error = bilinear_error},
     {.name = "texture: mip-mapped",
+     .against = AGAINST_LONG_DOUBLE,
      .cases = 300000,
      .case_size = sizeof(struct texture_case),
      .make = make_texture,
