@@ -94,12 +94,12 @@ static void choose_position(const struct soup *soup, struct random *random, floa
     position[2] = (float)w;
 }
 
-/* A face whose corners all lie in the strip beside one side. */
+/* A face whose corners all lie in the strip along one side, at most 2 % inside it. */
 static void move_beside_side(const struct soup *soup, struct random *random, float (*corners)[3]) {
     int axis = soup->kind == SOUP_WIDE ? 0 : 1;
     double side = random_bits(random) % 2 ? 1 : -1;
     for (int i = 0; i < 3; i++) {
-        double ndc = side * random_real(random, 0.97, 1.2);
+        double ndc = side * random_real(random, 0.985, 1.03);
         corners[i][axis] = (float)(ndc * (double)corners[i][2]);
     }
 }
@@ -305,7 +305,7 @@ static void make_face(struct soup *soup, struct random *random, size_t face) {
         for (size_t i = 0; i < 3; i++) {
             choose_position(soup, random, corners[i]);
         }
-        if (soup->kind >= SOUP_WIDE && random_bits(random) % 4 == 0) {
+        if (soup->kind >= SOUP_WIDE && random_bits(random) % 2 == 0) {
             move_beside_side(soup, random, corners);
         }
     } while (!see_face(soup, face, &soup->polygons[face]));
