@@ -1,4 +1,4 @@
-/* Step 6: its samplers are lent to textures.c; here its triangles, its mip level, its perspective. */
+/* Step 6: its samplers are lent to textures.c; here triangles, mip levels and perspective. */
 #define main step06_main
 int step06_main(int argc, char **argv);
 #include "../../step06_texture/main.c"

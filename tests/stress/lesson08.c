@@ -82,10 +82,6 @@ static double lookat_error(const void *tried) {
     return last ? worst : (double)INFINITY;
 }
 
-static bool lookat_is_right(const void *tried) {
-    return lookat_error(tried) <= 8;
-}
-
 /* x, y and z are kept, and w is the part of the distance that is left. Also a parallel view. */
 static bool projection_is_right(const void *tried) {
     const struct view_case *c = tried;
@@ -266,10 +262,6 @@ static double weights_error(const void *tried) {
         worst = fmax(worst, ulps(weight[i], exact, 1));
     }
     return worst;
-}
-
-static bool weights_are_right(const void *tried) {
-    return weights_error(tried) <= 4;
 }
 
 static void print_weights(const void *failing) {
@@ -570,7 +562,7 @@ static bool scenery_create(struct scenery *s, const struct soup_case *c) {
            image_create(&s->image, s->soup.width, s->soup.height, IMAGE_BGR, &error);
 }
 
-/* A texture with a column a face, whose levels are first + 1, first + 2...: each face has its own. */
+/* A texture with a column a face, in levels first + 1, first + 2...: each face has its own. */
 static void look_like_faces(struct scenery *s, uint32_t first) {
     s->texture = texture_from(s->texels, SOUP_FACES, 1);
     for (uint32_t i = 0; i < SOUP_FACES; i++) {
@@ -759,10 +751,10 @@ const struct property lesson08_properties[] = {
      .cases = 300000,
      .case_size = sizeof(struct view_case),
      .make = make_view,
-     .holds = lookat_is_right,
-     .print = print_view,
+     .error = lookat_error,
+     .limit = 8,
      .error_unit = "ulp",
-     .error = lookat_error},
+     .print = print_view},
     {.name = "lesson08: projection",
      .against = AGAINST_LONG_DOUBLE,
      .cases = 200000,
@@ -789,10 +781,10 @@ const struct property lesson08_properties[] = {
      .cases = 300000,
      .case_size = sizeof(struct weights_case),
      .make = make_weights,
-     .holds = weights_are_right,
-     .print = print_weights,
+     .error = weights_error,
+     .limit = 4,
      .error_unit = "ulp of 1",
-     .error = weights_error},
+     .print = print_weights},
     {.name = "lesson08: clipped corners",
      .against = AGAINST_LONG_DOUBLE,
      .cases = 200000,
