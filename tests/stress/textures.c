@@ -103,11 +103,6 @@ static bool nearest_is_exact(const void *tried) {
     return false;
 }
 
-/* Red, green, blue, alpha. */
-struct sample {
-    long double channel[4];
-};
-
 /* The weight of texel i: a tent of width 2 around its centre, everything outside given to the
  * edge. */
 static long double tent(double coordinate, size_t i, size_t size) {
@@ -117,8 +112,7 @@ static long double tent(double coordinate, size_t i, size_t size) {
     return distance < 1 ? 1 - distance : 0;
 }
 
-/* All texels of a level, each with its weight. */
-static struct sample exact_bilinear(const struct texture_level *level, double u, double v) {
+struct sample exact_bilinear(const struct texture_level *level, double u, double v) {
     static const int shift[4] = {16, 8, 0, 24};
     struct sample sum = {{0, 0, 0, 0}};
     for (size_t y = 0; y < level->height; y++) {
@@ -174,10 +168,6 @@ static double bilinear_error(const void *tried) {
     return fmax(lesson_error, house_error);
 }
 
-static bool bilinear_is_right(const void *tried) {
-    return bilinear_error(tried) <= 1e-10;
-}
-
 static double trilinear_error(const void *tried) {
     const struct texture_case *c = tried;
     struct texture texture;
@@ -188,10 +178,6 @@ static double trilinear_error(const void *tried) {
     double error = sample_error(got, exact_trilinear(&texture, c->u, c->v, c->mip_level));
     texture_free(&texture);
     return error;
-}
-
-static bool trilinear_is_right(const void *tried) {
-    return trilinear_error(tried) <= 1e-10;
 }
 
 static void print_texture(const void *failing) {
@@ -210,26 +196,29 @@ static void print_texture(const void *failing) {
 
 const struct property texture_properties[] = {
     {.name = "texture: nearest texel",
+     .against = AGAINST_LONG_DOUBLE,
      .cases = 300000,
      .case_size = sizeof(struct texture_case),
      .make = make_texture,
      .holds = nearest_is_exact,
      .print = print_texture},
     {.name = "texture: bilinear",
+     .against = AGAINST_LONG_DOUBLE,
      .cases = 300000,
      .case_size = sizeof(struct texture_case),
      .make = make_texture,
-     .holds = bilinear_is_right,
      .print = print_texture,
      .error_unit = "level of 255",
-     .error = bilinear_error},
+     .error = bilinear_error,
+     .limit = 1e-10},
     {.name = "texture: mip-mapped",
+     .against = AGAINST_LONG_DOUBLE,
      .cases = 300000,
      .case_size = sizeof(struct texture_case),
      .make = make_texture,
-     .holds = trilinear_is_right,
      .print = print_texture,
      .error_unit = "level of 255",
-     .error = trilinear_error},
+     .error = trilinear_error,
+     .limit = 1e-10},
     {.name = NULL},
 };
