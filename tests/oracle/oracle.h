@@ -46,8 +46,8 @@ bool oracle_covers(struct fixed2 a, struct fixed2 b, struct fixed2 c, int64_t x,
 int oracle_turn(struct fixed2 a, struct fixed2 b, struct fixed2 c);
 
 /* Compare the depths of two triangles at the centre of pixel (x,y): the sign of first - second,
- * exact. Depths at the corners are whole numbers of at most 2^24 and coordinates at most 2^20 (1/256
- * pixel), or, at pixels that both cover, depths of 0..2^52 and coordinates of 0..2^18. */
+ * exact. Depths at the corners are whole numbers of at most 2^24 and coordinates at most 2^20
+ * (1/256 pixel), or, at pixels that both cover, depths of 0..2^52 and coordinates of 0..2^18. */
 int oracle_compare_depth(const struct fixed2 first[3], const int64_t first_depth[3],
                          const struct fixed2 second[3], const int64_t second_depth[3], int64_t x,
                          int64_t y);
@@ -68,7 +68,7 @@ long double oracle_interpolate(const struct fixed2 corner[3], const double recip
 /* ---- Cameras ---- */
 
 /* The axes of a camera's frame: x to the right, y up, z from center to eye. Zero where they are not
- * certain: z where eye and center are equal, x and y also where up is within 1e-9 of z (or zero). */
+ * certain: z where eye and center are equal, x and y also where up is 0 or within 1e-9 of z. */
 struct oracle_frame {
     long double axis[3][3];
     long double sine; /* of the angle between up and z; 0 where x and y are not certain */

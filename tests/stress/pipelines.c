@@ -1,4 +1,4 @@
-/* The pipeline, through pipeline_draw() alone: what shows at each pixel, its depth, its attributes. */
+/* The pipeline, by pipeline_draw() alone: what shows at each pixel, its depth, its attributes. */
 #include "pipeline.h"
 #include "soup.h"
 #include "stress.h"
@@ -231,8 +231,8 @@ static bool in_viewport(const struct soup *soup, int x, int y) {
     return x >= v->x && x < v->x + v->width && y >= v->y && y < v->y + v->height;
 }
 
-/* Is the right face there, at the right depth? The error is that of the depth, in ulp of the largest
- * depth at a corner. */
+/* Is the right face there, at the right depth? The error is that of the depth, in ulp of the
+ * largest depth at a corner. */
 static bool judge_face(const struct soup *soup, const struct drawing *drawing, int x, int y,
                        struct tally *tally) {
     size_t pixel = (size_t)y * soup->width + (size_t)x;

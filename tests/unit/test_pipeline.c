@@ -179,7 +179,7 @@ static void test_nearest_face_shows(void) {
 
 /* ---- Several calls in a frame, in each of the ways to draw ---- */
 
-/* Visible pixels only; with skip off; with a shader that may discard: the last two shade at once. */
+/* Visible pixels only; skip off; a shader that may discard: the last two shade at once. */
 enum { WAYS = 3 };
 
 /* A pipeline, an image and what each call draws, which counts the faces on from call to call. */
@@ -229,8 +229,8 @@ static const struct rectangle whole_image = {0, 0, SIZE, SIZE};
 /* Positions are x, y and w of clip space; z is 1, so that depth is 1/w. */
 static const struct mat4 place_is_xyw = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 0, 1}, {0, 0, 1, 0}}};
 
-/* Of equal depths the first stays: the same triangle again, as it is, with another corner first, and
- * once more in a call of its own, hides nothing. */
+/* Of equal depths the first stays: the same triangle again, as it is, with another corner first,
+ * and once more in a call of its own, hides nothing. */
 static void test_first_of_equal_depths_stays(void) {
     static struct mesh mesh;
     for (int way = 0; way < WAYS; way++) {
@@ -304,7 +304,7 @@ static void test_nothing_outside_the_viewport(void) {
     }
 }
 
-/* A later call that lies partly behind an earlier one: each pixel keeps the piece of its own call. */
+/* A later call that lies partly behind an earlier one: each pixel keeps its own call's piece. */
 static void test_calls_that_overlap(void) {
     static struct mesh mesh;
     for (int way = 0; way < WAYS; way++) {
@@ -513,8 +513,8 @@ static void test_interpolation(void) {
 
 /* Two faces share an edge that is cut at the near plane, in the middle between two steps of 1/256
  * pixel, where the last bit decides which of them it becomes. Pixel centres of a column lie on the
- * edge or 1/256 pixel beside it: were the cut not the same from both ends, the whole column would be
- * drawn twice or not at all. */
+ * edge or 1/256 pixel beside it: were the cut not the same from both ends, the whole column would
+ * be drawn twice or not at all. */
 static void test_cut_from_both_ends(void) {
     static struct mesh mesh;
     static struct seen seen;
