@@ -16,8 +16,9 @@ For the course as a whole:
   make stress                 hostile numbers, independent answers (STRESS=10, SEED=7, PROPERTY=line)
   make bench                  run time against error, a chart for each lesson (STEP=05 for one)
   make charts                 put these charts into the lessons
-  make figures                draw the other pictures that the lessons show
-  make references             draw the reference images again (never part of a check)
+  make figures                draw the lessons' other pictures into build/out/*/figures (STEP=05)
+  make lesson-figures         the same into the lessons, after a change to them (STEP=05)
+  make references             draw the reference images again, never part of a check (STEP=05)
   make portability            the same bytes from other compilers (CONFIGURATIONS=arm64)
   make compare-opengl         the same pictures drawn by OpenGL (needs Mesa)
   make fuzz                   hostile files (needs clang; FUZZ_SECONDS=60 for each, TARGET=png)

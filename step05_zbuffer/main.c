@@ -12,15 +12,16 @@
 
 /* ---- One row ---- */
 
-/* A line in a plane seen from above: x to the right, y towards the viewer, who looks down. */
+/* A line in the plane of the picture. Its viewer stands above the upper edge and looks down the
+ * page: the larger y, the nearer. */
 struct segment {
     struct vec2 a, b; /* a.x < b.x */
     struct color color;
 };
 
-/* Draw a segment as its viewer sees it: into row y of the image, whose depths are `depths`. A pixel
+/* Draw a segment as its viewer sees it: into a row of the image, whose depths are `depths`. A pixel
  * is covered when its centre x + 0.5 lies in a.x <= x + 0.5 < b.x. */
-static void draw_segment(const struct segment *s, struct image *image, int y, double *depths) {
+static void draw_segment(const struct segment *s, struct image *image, int row, double *depths) {
     /* BEGIN SOLUTION 5.1 one row of depths */
     for (int x = 0; x < (int)image->width; x++) {
         double center = x + 0.5;
@@ -31,11 +32,11 @@ static void draw_segment(const struct segment *s, struct image *image, int y, do
         double depth = s->a.y + (s->b.y - s->a.y) * along;
         if (depth > depths[x]) {
             depths[x] = depth;
-            image_set(image, x, y, s->color);
+            image_set(image, x, row, s->color);
         }
     }
     /* STARTER
-    (void)s, (void)image, (void)y, (void)depths;
+    (void)s, (void)image, (void)row, (void)depths;
     // to do 5.1: for every covered pixel find the depth; keep the nearest with its colour
     END SOLUTION */
 }

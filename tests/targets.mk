@@ -4,10 +4,19 @@
 
 # ---- Pictures: make figures, make references, make charts ----
 
-FIGURES = $(patsubst %/figures.c,figures-%,$(wildcard $(STEPS:%=%/figures.c)))
-.PHONY: figures $(FIGURES) references charts
-figures: $(FIGURES)
-$(FIGURES): figures-%: $(BUILD)/figures/% $(BUILD)/models/bust.obj
+# Drawn from main.c as it is, which may be a starter: so into the build directory. Those of the
+# lessons change only by `make lesson-figures`, which is for who changes a lesson.
+FIGURES = $(patsubst %/figures.c,%,$(wildcard $(STEPS:%=%/figures.c)))
+CHOSEN_FIGURES = $(if $(STEP),$(filter $(STEP) step$(STEP)_% step0$(STEP)_%,$(FIGURES)),$(FIGURES))
+.PHONY: figures lesson-figures $(FIGURES:%=figures-%) $(FIGURES:%=lesson-figures-%) references charts
+figures: $(CHOSEN_FIGURES:%=figures-%)
+lesson-figures: $(CHOSEN_FIGURES:%=lesson-figures-%)
+
+$(FIGURES:%=figures-%): figures-%: $(BUILD)/figures/% $(BUILD)/models/bust.obj
+	@mkdir -p $(BUILD)/out/$*/figures
+	$(BUILD)/figures/$* $(BUILD)/out/$*/figures
+
+$(FIGURES:%=lesson-figures-%): lesson-figures-%: $(BUILD)/figures/% $(BUILD)/models/bust.obj
 	@mkdir -p $*/figures
 	$(BUILD)/figures/$* $*/figures
 
@@ -70,12 +79,13 @@ $(REPLAYS): $(BUILD)/tests/%: $(BUILD)/tested/tests/fuzz/%.o $(BUILD)/tested/tes
 # Every test runs, also after one that failed.
 .PHONY: test
 test: $(UNITS) $(CHECKERS) $(REPLAYS) $(BUILD)/check $(BUILD)/references models
-	@passed=0; failed=0; \
+	@passed=0; failed=0; names=; \
 	for test in $(UNITS) $(CHECKERS) $(SCRIPTS); do \
 	    echo "== $$test"; \
 	    if CHECK_PROGRAMS=$(BUILD) $$test; then passed=$$((passed + 1)); \
-	    else failed=$$((failed + 1)); echo "FAILED $$test"; fi; \
+	    else failed=$$((failed + 1)); names="$$names $$test"; fi; \
 	done; \
+	[ -z "$$names" ] || printf 'FAILED %s\n' $$names; \
 	echo "$$passed passed, $$failed failed"; [ $$failed -eq 0 ]
 
 # ---- make stress, make bench: exact answers, and run time against error ----

@@ -64,13 +64,13 @@ course charts
 cmp "build/bench/$new.svg" "$new/figures/bench.svg" || fail "the copy has no chart"
 grep -q "\"$new\"" build/bench.json || fail "bench.json does not name the copy"
 
-course figures
+course lesson-figures
 diff -r -x bench.svg $old/figures $new/figures || fail "the copy has not the same figures"
 
 # ---- A lesson needs no figures and no benchmark ----
 
 rm -rf $new/figures.c $new/figures "tests/bench/${new%%_*}.c" "build/bench/$new.svg"
-course figures
+course lesson-figures
 course bench STEP=05
 course charts
 if grep $new log build/bench.json || [ -e $new/figures ]; then
