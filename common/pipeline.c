@@ -182,9 +182,8 @@ static unsigned find_beyond(struct vec4 p) {
 static void transform_positions(struct pipeline *p, const struct draw_call *call) {
     const struct model *model = call->model;
     for (size_t i = 0; i < model->position_count; i++) {
-        const float *from = model->positions[i];
         struct position *to = &p->positions[i];
-        to->clip = mat4_point(&call->to_clip, (struct vec3){from[0], from[1], from[2]});
+        to->clip = mat4_point(&call->to_clip, model->positions[i]);
         to->beyond = find_beyond(to->clip);
         if ((to->beyond & (BEYOND_NEAR | BEYOND_GUARD_BAND)) == 0 &&
             !project(to->clip, &call->viewport, &to->screen, &to->depth, &to->recip_w)) {

@@ -50,8 +50,8 @@ static void frame_draw_rounded(struct frame *frame, struct image *image) {
         const struct model *model = &frame->model;
         struct side side = frame->wireframe.sides[i];
         struct pixel a, b;
-        if (to_pixel(model_position_at(model, side.low), SIDE, SIDE, &a) &&
-            to_pixel(model_position_at(model, side.high), SIDE, SIDE, &b)) {
+        if (to_pixel(model->positions[side.low], SIDE, SIDE, &a) &&
+            to_pixel(model->positions[side.high], SIDE, SIDE, &b)) {
             attempt_line_ends_rounded(image, a, b, color_rgb(255, 255, 255));
         }
     }
