@@ -2,6 +2,7 @@
 #include "polygon.h"
 
 #include "array.h"
+#include "exact.h"
 #include "geometry.h"
 
 #include <assert.h>
@@ -24,25 +25,8 @@ struct polygon_node {
 
 /* ---- Which way points turn ---- */
 
-/* Three products of two, each of them as two doubles. */
+/* Six products, each of them the sum of two doubles. */
 enum { TERMS = 12 };
-
-/* Split a number into two of half as many bits, so that their products are exact. */
-static void split(double number, double *high, double *low) {
-    double scaled = 0x8000001p0 * number; /* 2^27 + 1 */
-    *high = scaled - (scaled - number);
-    *low = number - *high;
-}
-
-/* a * b as a sum of two doubles, exactly: the rounded product and what was rounded off (Dekker, "A
- * Floating-Point Technique for Extending the Available Precision", 1971, section 5). */
-static void exact_product(double a, double b, double terms[2]) {
-    double a_high, a_low, b_high, b_low;
-    split(a, &a_high, &a_low);
-    split(b, &b_high, &b_low);
-    terms[0] = a * b;
-    terms[1] = a_low * b_low - (((terms[0] - a_high * b_high) - a_low * b_high) - a_high * b_low);
-}
 
 /* The sign of a sum, exactly: the numbers are added to an expansion, a list of doubles whose sum is
  * exact (Shewchuk, "Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric
@@ -52,10 +36,9 @@ static double exact_sign_of_sum(const double terms[TERMS]) {
     for (int count = 0; count < TERMS; count++) {
         double sum = terms[count];
         for (int i = 0; i < count; i++) {
-            double a = sum, b = expansion[i];
-            sum = a + b;
-            double b_part = sum - a, a_part = sum - b_part;
-            expansion[i] = (a - a_part) + (b - b_part); /* what the addition rounded off */
+            struct exact added = exact_sum(sum, expansion[i]);
+            sum = added.rounded;
+            expansion[i] = added.rest;
         }
         expansion[count] = sum;
     }
@@ -69,13 +52,15 @@ static double exact_sign_of_sum(const double terms[TERMS]) {
 /* The same as orientation(), without differences, which would be rounded. */
 static double exact_orientation(const struct polygon_node *a, const struct polygon_node *b,
                                 const struct polygon_node *c) {
+    const struct exact products[TERMS / 2] = {
+        exact_product(a->x, b->y),  exact_product(-a->y, b->x), exact_product(b->x, c->y),
+        exact_product(-b->y, c->x), exact_product(c->x, a->y),  exact_product(-c->y, a->x),
+    };
     double terms[TERMS];
-    exact_product(a->x, b->y, terms);
-    exact_product(-a->y, b->x, terms + 2);
-    exact_product(b->x, c->y, terms + 4);
-    exact_product(-b->y, c->x, terms + 6);
-    exact_product(c->x, a->y, terms + 8);
-    exact_product(-c->y, a->x, terms + 10);
+    for (int i = 0; i < TERMS / 2; i++) {
+        terms[2 * i] = products[i].rounded;
+        terms[2 * i + 1] = products[i].rest;
+    }
     return exact_sign_of_sum(terms);
 }
 

@@ -92,10 +92,10 @@ static bool draw_rounded_line(const char *directory, struct error *error) {
 }
 
 /* Move and scale all positions; z is not used here. */
-static void change_positions(struct model *model, float scale, float x, float y) {
+static void change_positions(struct model *model, double scale, double x, double y) {
     for (size_t i = 0; i < model->position_count; i++) {
-        model->positions[i][0] = (model->positions[i][0] - x) * scale;
-        model->positions[i][1] = (model->positions[i][1] - y) * scale;
+        struct vec3 *p = &model->positions[i];
+        *p = (struct vec3){(p->x - x) * scale, (p->y - y) * scale, p->z};
     }
 }
 
@@ -213,7 +213,7 @@ bool draw_figures(const char *directory, struct model *bust, struct error *error
                 print_versions("step02_wireframe: the bust", bust, sides, side_count, error);
     done = done && print_open_mesh(bust, error);
     if (done) { /* the face, sixteen times as large */
-        change_positions(bust, 16, 0, 0.25f);
+        change_positions(bust, 16, 0, 0.25);
         done = draw_rounded_model(directory, bust, error) &&
                print_versions("step02_wireframe: the bust x16", bust, sides, side_count, error);
     }

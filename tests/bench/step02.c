@@ -20,7 +20,7 @@ int step02_main(int argc, char **argv);
 enum { SIDE = 800 }; /* of the image */
 
 /* How much the model is enlarged about its middle: the face fills the image. */
-static const float enlargement = 6;
+static const double enlargement = 6;
 static const float middle_y = 0.25F, hole = 0.06F; /* before that */
 
 struct frame {
@@ -168,8 +168,8 @@ static bool frame_read_model(struct model *model, struct error *error) {
     }
     model->face_count = kept;
     for (size_t i = 0; i < model->position_count; i++) {
-        model->positions[i][0] *= enlargement;
-        model->positions[i][1] = (model->positions[i][1] - middle_y) * enlargement;
+        model->positions[i].x *= enlargement;
+        model->positions[i].y = (model->positions[i].y - middle_y) * enlargement;
     }
     return true;
 }

@@ -18,7 +18,7 @@ int step04_main(int argc, char **argv);
 
 enum { LIGHT_COUNT = 4, HOUSE = 0 }; /* choices 1 to 7 are the attempts */
 
-static const float tiny = 1e-12F; /* size of the second model: positions are floats as well */
+static const double tiny = 1e-12; /* size of the second model */
 
 struct faces {
     struct model model, tiny_model;
@@ -153,9 +153,8 @@ static bool faces_setup(void **state, struct error *error) {
         return false;
     }
     for (size_t i = 0; i < faces->tiny_model.position_count; i++) {
-        for (int k = 0; k < 3; k++) {
-            faces->tiny_model.positions[i][k] *= tiny;
-        }
+        struct vec3 *position = &faces->tiny_model.positions[i];
+        *position = vec3_scale(*position, tiny);
     }
     faces->levels = calloc(faces->model.face_count + 1, sizeof *faces->levels);
     return faces->levels != NULL || error_set(error, "out of memory for levels");

@@ -57,8 +57,7 @@ static void run_chain(void *state, int choice) {
     for (int k = 0; k < CAMERAS; k++) {
         const struct mat4 to_clip = work->to_clip[k];
         for (size_t i = 0; i < work->model.position_count; i++) {
-            const float *p = work->model.positions[i];
-            struct vec3 point = {p[0], p[1], p[2]};
+            struct vec3 point = work->model.positions[i];
             work->screen[i] = choice == IN_FLOAT ? attempt_1_float(&to_clip, &to_screen, point)
                                                  : attempt_2_double(&to_clip, &to_screen, point);
         }
@@ -80,8 +79,7 @@ static double error_chain(void *state, int choice) {
     for (int k = 0; k < CAMERAS; k++) {
         const struct mat4 *to_clip = &work->to_clip[k];
         for (size_t i = 0; i < work->model.position_count; i++) {
-            const float *p = work->model.positions[i];
-            struct vec3 point = {p[0], p[1], p[2]};
+            struct vec3 point = work->model.positions[i];
             long double exact[2];
             if (find_beyond(mat4_point(to_clip, point)) != 0) {
                 continue;

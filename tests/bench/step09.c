@@ -109,7 +109,7 @@ static double subject_error(struct work *work, const struct subject *subject, in
 static bool repeat_model(struct model *model, size_t count, struct vec3 offset,
                          struct error *error) {
     size_t positions = model->position_count, faces = model->face_count;
-    float(*moved)[3] = malloc(count * positions * sizeof *moved);
+    struct vec3 *moved = malloc(count * positions * sizeof *moved);
     struct face *all = malloc(count * faces * sizeof *all);
     if (moved == NULL || all == NULL) {
         free(moved);
@@ -119,11 +119,7 @@ static bool repeat_model(struct model *model, size_t count, struct vec3 offset,
     for (size_t copy = 0; copy < count; copy++) {
         struct vec3 by = vec3_scale(offset, (double)(count - 1 - copy));
         for (size_t i = 0; i < positions; i++) {
-            const float *p = model->positions[i];
-            float *to = moved[copy * positions + i];
-            to[0] = (float)(p[0] + by.x);
-            to[1] = (float)(p[1] + by.y);
-            to[2] = (float)(p[2] + by.z);
+            moved[copy * positions + i] = vec3_add(model->positions[i], by);
         }
         for (size_t i = 0; i < faces; i++) {
             struct face face = model->faces[i];

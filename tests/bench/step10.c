@@ -250,9 +250,8 @@ static bool make_ripples(struct texture *texture, struct error *error) {
 
 static void set_corner(struct model *model, size_t i, long double u, long double v) {
     struct real3 d = direction_at(u, v), n = rippled_normal(d);
-    const float position[3] = {(float)d.x, (float)d.y, (float)d.z};
     const float normal[3] = {(float)n.x, (float)n.y, (float)n.z};
-    memcpy(model->positions[i], position, sizeof position);
+    model->positions[i] = (struct vec3){(double)d.x, (double)d.y, (double)d.z};
     memcpy(model->normals[i], normal, sizeof normal);
     model->uvs[i][0] = (float)u;
     model->uvs[i][1] = (float)v;
