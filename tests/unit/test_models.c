@@ -396,8 +396,8 @@ static void test_bust_symmetry(void) {
     size_t lonely = 0;
     for (size_t i = 0; sorted != NULL && i < model.position_count; i++) {
         struct vec3 image = {0 - sorted[i].x, sorted[i].y, sorted[i].z};
-        lonely +=
-            bsearch(&image, sorted, model.position_count, sizeof *sorted, compare_positions) == NULL;
+        lonely += bsearch(&image, sorted, model.position_count, sizeof *sorted,
+                          compare_positions) == NULL;
     }
     CHECK(sorted != NULL && lonely == 0);
     free(sorted);
