@@ -14,6 +14,9 @@ static const double near_w = 1.0 / 128;
  * SCREEN_LIMIT for the largest image. */
 static const double guard_band = 64;
 
+/* A depth beyond this is no place to draw at: sums and differences of such might overflow. */
+static const double depth_limit = 1e280;
+
 enum { CLIP_PLANES = 5 };
 
 /* Rows are shared out among threads in bands of this many. */
@@ -163,7 +166,7 @@ static bool project(struct vec4 clip, const struct rectangle *viewport, struct f
     double half_width = viewport->width / 2.0, half_height = viewport->height / 2.0;
     struct vec2 position = {viewport->x + (clip.x * *recip_w + 1) * half_width,
                             viewport->y + (clip.y * *recip_w + 1) * half_height};
-    return isfinite(*depth) && screen_snap(position, screen);
+    return fabs(*depth) <= depth_limit && screen_snap(position, screen);
 }
 
 /* Written so that what is not a number is beyond everything. */

@@ -503,10 +503,10 @@ static void test_far_apart(void) {
     static struct seen seen;
     uint64_t stats[PIPELINE_STATS] = {0};
     mesh_begin(&mesh);
-    mesh_vertex(&mesh, 4928.8335, 4.61168602e+18, -0.854364634);
-    mesh_vertex(&mesh, 4194305, 0.897210062, -0.363833278);
-    mesh_vertex(&mesh, -2.04636595e+09, 0.767012835, 0.909459114);
-    mesh_vertex(&mesh, 3.51105126e+09, 2519.08057, -6.03685957e+31);
+    mesh_vertex(&mesh, 4928.8335F, 4.61168602e+18F, -0.854364634F);
+    mesh_vertex(&mesh, 4194305, 0.897210062F, -0.363833278F);
+    mesh_vertex(&mesh, -2.04636595e+09F, 0.767012835F, 0.909459114F);
+    mesh_vertex(&mesh, 3.51105126e+09F, 2519.08057F, -6.03685957e+31F);
     mesh_face(&mesh, 0, 1, 2);
     mesh_face(&mesh, 0, 3, 1);
     mesh_face(&mesh, 1, 3, 2);

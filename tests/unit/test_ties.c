@@ -74,6 +74,35 @@ static void draw_two_calls(struct image *image, const struct level_triangle *tri
     draw(image, triangles, count, true, true);
 }
 
+/* Depths whose differences overflow: what is not finite must not get into the depth buffer. */
+static void test_huge_depths(void) {
+    const struct level_triangle triangle = {.corner = {{-999, -999}, {19999, 0}, {0, 19999}}};
+    struct vec3 positions[3] = {{-1, -1, -1.7}, {3, -1, 1.7}, {-1, 3, 1.7}};
+    struct face face = {
+        {{0, MODEL_NONE, MODEL_NONE}, {1, MODEL_NONE, MODEL_NONE}, {2, MODEL_NONE, MODEL_NONE}}};
+    struct model model = {
+        .positions = positions, .position_count = 3, .faces = &face, .face_count = 1};
+    for (int exponent = 0; exponent < 1024; exponent++) {
+        struct draw_call call = {.model = &model,
+                                 .to_clip = mat4_scaling((struct vec3){1, 1, ldexp(1, exponent)}),
+                                 .viewport = {0, 0, TIES_SIDE, TIES_SIDE}};
+        struct pipeline pipeline;
+        struct image image;
+        struct error error;
+        size_t drawn = 0, wrong = 0;
+        CHECK(image_create(&image, TIES_SIDE, TIES_SIDE, IMAGE_BGR, &error));
+        CHECK(pipeline_create(&pipeline, TIES_SIDE, TIES_SIDE, &error));
+        CHECK(pipeline_draw(&pipeline, &call, &level_shader, &triangle, &image, &error));
+        for (size_t i = 0; i < (size_t)TIES_SIDE * TIES_SIDE; i++) {
+            drawn += pipeline.depth[i] > -INFINITY;
+            wrong += !isfinite(pipeline.depth[i]) && pipeline.depth[i] != -INFINITY;
+        }
+        CHECK(wrong == 0 && drawn == (exponent < 930 ? (size_t)TIES_SIDE * TIES_SIDE : 0));
+        pipeline_free(&pipeline);
+        image_free(&image);
+    }
+}
+
 static void test_visible(void) {
     check_ties(draw_visible);
 }
@@ -86,4 +115,4 @@ static void test_two_calls(void) {
     check_ties(draw_two_calls);
 }
 
-UNIT_MAIN(TEST(test_visible), TEST(test_at_once), TEST(test_two_calls))
+UNIT_MAIN(TEST(test_huge_depths), TEST(test_visible), TEST(test_at_once), TEST(test_two_calls))
