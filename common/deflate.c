@@ -33,10 +33,20 @@ static const uint8_t length_order[ORDER_COUNT] = {16, 17, 18, 0, 8,  7, 9,  6, 1
 
 static uint32_t adler32(const uint8_t *data, size_t size) {
     enum { MODULUS = 65521, SAFE = 5552 }; /* SAFE additions stay inside 32 bits */
+    enum { BLOCK = 16 };                   /* bytes added at once, which compilers can do */
     uint32_t a = 1, b = 0;
     while (size > 0) {
-        size_t count = size < SAFE ? size : SAFE;
-        for (size_t i = 0; i < count; i++) {
+        size_t count = size < SAFE ? size : SAFE, i = 0;
+        for (; i + BLOCK <= count; i += BLOCK) {
+            uint32_t sum = 0, sum_of_sums = 0;
+            for (uint32_t k = 0; k < BLOCK; k++) {
+                sum += data[i + k];
+                sum_of_sums += (BLOCK - k) * data[i + k];
+            }
+            b += BLOCK * a + sum_of_sums;
+            a += sum;
+        }
+        for (; i < count; i++) {
             a += data[i];
             b += a;
         }
@@ -867,10 +877,107 @@ static bool copy_match(struct decompressor *d, unsigned length_symbol) {
     return true;
 }
 
+/* Eight bytes as a number, the first one lowest. */
+static inline uint64_t load_u64(const uint8_t *bytes) {
+    uint64_t value = 0;
+    for (int i = 7; i >= 0; i--) {
+        value = value << 8 | bytes[i];
+    }
+    return value;
+}
+
+/* What is taken from the stream, in the loop below kept apart from the rest. Above the `count` bits
+ * there may be some of the byte that comes next. */
+struct bit_buffer {
+    uint64_t bits;
+    unsigned count;
+};
+
+static inline unsigned take_bits(struct bit_buffer *buffer, unsigned count) {
+    unsigned value = (unsigned)(buffer->bits & ((1u << count) - 1));
+    buffer->bits >>= count;
+    buffer->count -= count;
+    return value;
+}
+
+enum { COPY_BLOCK = 16, INNER_INPUT = 8, INNER_OUTPUT = MATCH_MAX + COPY_BLOCK };
+
+/* Copy a match in blocks that may reach past its end, where its source does not overlap them. */
+static inline void copy_blocks(uint8_t *to, size_t distance, size_t length) {
+    const uint8_t *from = to - distance;
+    if (distance >= COPY_BLOCK) {
+        for (size_t i = 0; i < length; i += COPY_BLOCK) {
+            memcpy(to + i, from + i, COPY_BLOCK);
+        }
+    } else {
+        for (size_t i = 0; i < length; i++) {
+            to[i] = from[i];
+        }
+    }
+}
+
+/* A match whose length symbol is known: its length, and its distance or 0 where it takes the
+ * careful loop to say what is there. At most 5 + 10 + 13 bits. */
+static inline size_t inner_match(const struct decompressor *d, unsigned length_symbol,
+                                 struct bit_buffer *buffer, size_t *distance) {
+    unsigned extra_bits;
+    size_t length = MATCH_MAX;
+    *distance = 0;
+    if (length_symbol < 28) {
+        length = MATCH_MIN + (size_t)join_value(length_symbol, 2, &extra_bits);
+        length += take_bits(buffer, extra_bits);
+    }
+    unsigned entry = d->distances.fast[buffer->bits & ((1u << FAST_BITS) - 1)];
+    if (length_symbol <= 28 && (entry & 15) != 0 && entry >> 4 < DISTANCE_COUNT) {
+        take_bits(buffer, entry & 15);
+        *distance = 1 + (size_t)join_value(entry >> 4, 1, &extra_bits);
+        *distance += take_bits(buffer, extra_bits);
+    }
+    return length;
+}
+
+/* Symbols of a block as long as input and output have room for any symbol, so that nothing need be
+ * checked. Stops before a symbol that is rare or wrong: the careful loop below knows what to do. */
+static void read_inner_symbols(struct decompressor *d) {
+    struct bit_buffer buffer = {d->bits, d->bit_count};
+    const uint8_t *next = d->next;
+    uint8_t *out = d->out + d->out_size, *const limit = d->out + d->out_limit;
+    while (d->end - next >= INNER_INPUT && limit - out >= INNER_OUTPUT) {
+        buffer.bits |= load_u64(next) << buffer.count; /* whole bytes up to 56 bits or more */
+        next += (63 - buffer.count) >> 3;
+        buffer.count |= 56;
+        unsigned entry = d->literals.fast[buffer.bits & ((1u << FAST_BITS) - 1)];
+        unsigned symbol = entry >> 4;
+        if ((entry & 15) == 0 || symbol == END_OF_BLOCK) {
+            break;
+        }
+        if (symbol < END_OF_BLOCK) {
+            take_bits(&buffer, entry & 15);
+            *out++ = (uint8_t)symbol;
+            continue;
+        }
+        struct bit_buffer after = buffer;
+        size_t distance;
+        take_bits(&after, entry & 15);
+        size_t length = inner_match(d, symbol - FIRST_LENGTH, &after, &distance);
+        if (distance == 0 || distance > (size_t)(out - d->out)) {
+            break;
+        }
+        copy_blocks(out, distance, length);
+        out += length;
+        buffer = after;
+    }
+    d->bits = buffer.bits;
+    d->bit_count = buffer.count;
+    d->next = next;
+    d->out_size = (size_t)(out - d->out);
+}
+
 /* The symbols of a block, up to its end. */
 static bool read_symbols(struct decompressor *d) {
     for (;;) {
         unsigned symbol;
+        read_inner_symbols(d);
         if (!get_symbol(d, &d->literals, &symbol)) {
             return false;
         }

@@ -1,5 +1,6 @@
-/* Whole files in and out; see file.h. POSIX calls: open, fstat, read, write, rename. */
-#define _XOPEN_SOURCE 700 /* POSIX.1-2008 with realpath() */
+/* Whole files in and out; see file.h. Of POSIX, only what WebAssembly (WASI) has as well, but for
+ * fchmod(): no getpid(), no realpath(), and no access(), which allows everything there. */
+#define _POSIX_C_SOURCE 200809L
 
 #include "file.h"
 
@@ -18,7 +19,9 @@
 enum {
     FILE_SIZE_LIMIT = 1 << 30, /* bytes of the largest file that is read: 1 GiB */
     SHOWN_PATH_LIMIT = 512,    /* a longer path is shown without its beginning */
-    TEMPORARY_NAME_TRIES = 1000
+    TEMPORARY_NAME_TRIES = 1000,
+    LINK_SIZE = 4096, /* bytes of the longest path in a symbolic link */
+    LINK_LIMIT = 40   /* links that lead from one to the next: as many as Linux follows */
 };
 
 /* ---- Messages ---- */
@@ -213,19 +216,33 @@ static bool write_directly(const char *path, const void *data, size_t size, stru
     return true;
 }
 
-/* Create a new file in the directory of `path`. Its name goes to `name`, an allocated string of at
- * least `name_size` bytes. Returns the open file, or -1 with the reason in errno. */
-static int create_temporary(const char *path, char *name, size_t name_size) {
+/* How much of `path` names the directory: up to the last slash, or nothing. */
+static int directory_length(const char *path) {
     const char *slash = strrchr(path, '/');
-    int directory_length = slash == NULL ? 0 : (int)(slash - path + 1);
+    return slash == NULL ? 0 : (int)(slash - path + 1);
+}
+
+/* Create a new file in the directory of `path`. Its name goes to `name`, an allocated string of at
+ * least `name_size` bytes. O_EXCL sees that no two programs get the same name. Returns the open
+ * file, or -1 with the reason in errno. */
+static int create_temporary(const char *path, char *name, size_t name_size) {
     for (int i = 0; i < TEMPORARY_NAME_TRIES; i++) {
-        snprintf(name, name_size, "%.*s.part-%ld-%d", directory_length, path, (long)getpid(), i);
+        snprintf(name, name_size, "%.*s.part-%d", directory_length(path), path, i);
         int file = open(name, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
         if (file >= 0 || errno != EEXIST) {
             return file;
         }
     }
     return -1;
+}
+
+static void set_permissions(int file, long mode) {
+#ifdef __wasi__ /* has no permissions: what replaces a file gets those of any new file */
+    (void)file;
+    (void)mode;
+#else
+    (void)fchmod(file, (mode_t)mode); /* not every file system has permissions to keep */
+#endif
 }
 
 /* Write a new file beside `path` and rename it. `mode` holds the permissions of the file that is
@@ -244,7 +261,7 @@ static bool write_and_rename(const char *path, long mode, const void *data, size
         goto end;
     }
     if (mode >= 0) {
-        (void)fchmod(file, (mode_t)mode); /* not every file system has permissions to keep */
+        set_permissions(file, mode);
     }
     if (!write_and_close(file, data, size) || rename(name, path) != 0) {
         error_from_system(error);
@@ -254,6 +271,45 @@ static bool write_and_rename(const char *path, long mode, const void *data, size
     done = true;
 end:
     free(name);
+    return done;
+}
+
+/* Follow `*path`, an allocated string, to what is no symbolic link. */
+static bool follow_links(char **path, struct error *error) {
+    for (int i = 0; i <= LINK_LIMIT; i++) {
+        char target[LINK_SIZE];
+        ssize_t length = readlink(*path, target, sizeof target);
+        if (length < 0) {
+            return errno == EINVAL /* no link */ || error_from_system(error);
+        }
+        int kept = target[0] == '/' ? 0 : directory_length(*path);
+        char *next = string_format("%.*s%.*s", kept, *path, (int)length, target);
+        if (next == NULL) {
+            return error_out_of_memory(error);
+        }
+        free(*path);
+        *path = next;
+    }
+    errno = ELOOP;
+    return error_from_system(error);
+}
+
+/* Renaming would get round a write protection. Opening for writing changes nothing. */
+static bool check_writable(const char *path, struct error *error) {
+    int file = open(path, O_WRONLY | O_CLOEXEC);
+    return (file >= 0 && close(file) == 0) || error_from_system(error);
+}
+
+/* Replace a regular file, which has the permissions `mode`. A symbolic link to it stays. */
+static bool replace_file(const char *path, long mode, const void *data, size_t size,
+                         struct error *error) {
+    char *target = string_format("%s", path);
+    if (target == NULL) {
+        return error_out_of_memory(error);
+    }
+    bool done = check_writable(target, error) && follow_links(&target, error) &&
+                write_and_rename(target, mode, data, size, error);
+    free(target);
     return done;
 }
 
@@ -273,16 +329,7 @@ static bool write_whole(const char *path, const void *data, size_t size, struct 
     if (!S_ISREG(status.st_mode) || device_name) {
         return write_directly(path, data, size, error);
     }
-    if (access(path, W_OK) != 0) { /* renaming would get round a write protection */
-        return error_from_system(error);
-    }
-    char *target = realpath(path, NULL); /* a symbolic link stays, the file behind it is replaced */
-    if (target == NULL) {
-        return error_from_system(error);
-    }
-    bool done = write_and_rename(target, (long)(status.st_mode & 07777), data, size, error);
-    free(target);
-    return done;
+    return replace_file(path, (long)(status.st_mode & 07777), data, size, error);
 }
 
 bool file_write(const char *path, const void *data, size_t size, struct error *error) {

@@ -59,7 +59,9 @@ void bytes_free(struct bytes *bytes);
  * bytes). */
 bool file_read(const char *path, struct bytes *bytes, struct error *error);
 
-/* Write the whole file: complete or, on an error, not at all (an older file of that name stays). */
+/* Write the whole file: complete or, on an error, not at all (an older file of that name stays).
+ * What replaces a file keeps its permissions, where the system has any (WASI has none), and a
+ * symbolic link to it stays. */
 bool file_write(const char *path, const void *data, size_t size, struct error *error);
 
 /* The end of every writer: file_write() what was encoded, or, when encoding failed (`encoded` is

@@ -128,10 +128,12 @@ static void filter_row(unsigned filter, const uint8_t *row, const uint8_t *above
     }
 }
 
-/* In place; false for a filter that does not exist. */
-static bool unfilter_row(unsigned filter, uint8_t *row, const uint8_t *above, size_t size,
-                         size_t step) {
-    const uint8_t *left = row - step, *corner = above - step;
+/* In place; false for a filter that does not exist. `step`, the bytes of a pixel, is a constant
+ * where this is called, and the loops are compiled for it. */
+static inline bool unfilter_row_of(unsigned filter, uint8_t *restrict row,
+                                   const uint8_t *restrict above, size_t size, const size_t step) {
+    uint8_t *left = row - step;
+    const uint8_t *corner = above - step;
     switch (filter) {
     case FILTER_NONE:
         return true;
@@ -157,6 +159,20 @@ static bool unfilter_row(unsigned filter, uint8_t *row, const uint8_t *above, si
         return true;
     default:
         return false;
+    }
+}
+
+static bool unfilter_row(unsigned filter, uint8_t *row, const uint8_t *above, size_t size,
+                         size_t step) {
+    switch (step) {
+    case 1:
+        return unfilter_row_of(filter, row, above, size, 1);
+    case 2:
+        return unfilter_row_of(filter, row, above, size, 2);
+    case 3:
+        return unfilter_row_of(filter, row, above, size, 3);
+    default:
+        return unfilter_row_of(filter, row, above, size, 4);
     }
 }
 
@@ -414,6 +430,36 @@ static bool read_pixel(const struct png *png, const uint8_t *row, size_t x, uint
     }
 }
 
+/* A row of pixels as they are in most files: eight bits a channel, and no colour that stands for
+ * transparent. False, and nothing done, for any other. */
+static bool copy_plain_pixels(const struct png *png, const uint8_t *row, uint8_t *pixels) {
+    if (png->has_alpha_chunk || png->depth != 8) {
+        return false;
+    }
+    switch (png->color_type) {
+    case COLOR_GREY:
+        memcpy(pixels, row, png->width);
+        return true;
+    case COLOR_RGB:
+        for (size_t i = 0; i < 3 * png->width; i += 3) {
+            pixels[i] = row[i + 2];
+            pixels[i + 1] = row[i + 1];
+            pixels[i + 2] = row[i];
+        }
+        return true;
+    case COLOR_RGBA:
+        for (size_t i = 0; i < 4 * png->width; i += 4) {
+            pixels[i] = row[i + 2];
+            pixels[i + 1] = row[i + 1];
+            pixels[i + 2] = row[i];
+            pixels[i + 3] = row[i + 3];
+        }
+        return true;
+    default:
+        return false;
+    }
+}
+
 /* Undo the filters of `raw` (each row: filter, `size` bytes), row by row, and fill the image. The
  * two row buffers have PIXEL_LIMIT zero bytes before the row. */
 static bool unpack_rows(const struct png *png, const uint8_t *raw, size_t size, uint8_t *row,
@@ -427,7 +473,8 @@ static bool unpack_rows(const struct png *png, const uint8_t *raw, size_t size, 
             return error_set(error, "a PNG with an unknown row filter, %u", raw[0]);
         }
         uint8_t *pixel = image->pixels + y * image->width * pixel_size;
-        for (size_t x = 0; x < png->width; x++, pixel += pixel_size) {
+        bool copied = copy_plain_pixels(png, row, pixel);
+        for (size_t x = 0; !copied && x < png->width; x++, pixel += pixel_size) {
             uint8_t bgra[4];
             if (!read_pixel(png, row, x, bgra)) {
                 return error_set(error, "a PNG with a pixel outside its palette of %zu colours",

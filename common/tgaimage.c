@@ -458,9 +458,62 @@ static void repeat_pixel(uint8_t *pixels, size_t count, size_t pixel_size) {
     }
 }
 
+enum { BLOCK = 48 }; /* bytes: whole pixels of every size */
+
+/* Unpack packets of pixels that are stored as they are wanted, in whole blocks that may reach past
+ * a packet's end: so only as long as a packet of any size and a block more lie in the file and in
+ * the image. Returns how many pixels are left. `size`, that of a pixel, is a constant where this is
+ * called, and the loops are compiled for it. */
+static inline size_t unpack_inner_packets(struct tga *tga, uint8_t *pixels, size_t left,
+                                          const size_t size) {
+    const size_t packet_limit = TGA_PACKET_LIMIT * size + BLOCK;
+    const uint8_t *next = tga->next;
+    while (left >= TGA_PACKET_LIMIT + BLOCK && (size_t)(tga->end - next) > packet_limit) {
+        unsigned head = *next++;
+        size_t count = (head & 127) + 1;
+        if ((head & 128) == 0) {
+            for (size_t i = 0; i < count * size; i += BLOCK) {
+                memcpy(pixels + i, next + i, BLOCK);
+            }
+            next += count * size;
+        } else {
+            uint8_t block[BLOCK];
+            for (size_t i = 0; i < BLOCK; i += size) {
+                memcpy(block + i, next, size);
+            }
+            for (size_t i = 0; i < count * size; i += BLOCK) {
+                memcpy(pixels + i, block, BLOCK);
+            }
+            next += size;
+        }
+        pixels += count * size;
+        left -= count;
+    }
+    tga->next = next;
+    return left;
+}
+
+/* The same for the image's size of pixels; all are left where they are stored in another form. */
+static size_t unpack_most_packets(struct tga *tga, uint8_t *pixels, size_t left) {
+    if (tga->type == TGA_COLOR_MAPPED || tga->stored != (size_t)tga->format) {
+        return left;
+    }
+    switch (tga->format) {
+    case IMAGE_GREY:
+        return unpack_inner_packets(tga, pixels, left, 1);
+    case IMAGE_BGR:
+        return unpack_inner_packets(tga, pixels, left, 3);
+    default:
+        return unpack_inner_packets(tga, pixels, left, 4);
+    }
+}
+
 /* The packets of a run-length coded image. They may cross rows, but not run past the last pixel. */
-static bool unpack_packets(struct tga *tga, uint8_t *pixels, size_t left, struct error *error) {
+static bool unpack_packets(struct tga *tga, uint8_t *pixels, size_t count_all,
+                           struct error *error) {
     size_t pixel_size = (size_t)tga->format;
+    size_t left = unpack_most_packets(tga, pixels, count_all);
+    pixels += (count_all - left) * pixel_size;
     while (left > 0) {
         if (tga->next == tga->end) {
             return error_set(error, "a TGA cut off: %zu pixels are missing", left);
@@ -528,42 +581,64 @@ bool tga_decode(struct image *image, const void *data, size_t size, struct error
     return true;
 }
 
-/* How many pixels from `pixels` on are equal, `limit` at most. */
-static size_t run_of_equal(const uint8_t *pixels, size_t limit, size_t pixel_size) {
-    size_t count = 1;
-    while (count < limit && memcmp(pixels, pixels + count * pixel_size, pixel_size) == 0) {
-        count++;
+/* Is pixel x equal to pixel x + 1? For every x of a row but the last, 1 or 0. `size` is a constant
+ * where this is called. */
+static inline void compare_neighbours(const uint8_t *row, size_t width, uint8_t *equal,
+                                      const size_t size) {
+    for (size_t x = 0; x + 1 < width; x++) {
+        equal[x] = memcmp(row + x * size, row + (x + 1) * size, size) == 0;
     }
-    return count;
 }
 
-/* How many pixels go into one raw packet: up to the next run that is worth a packet of its own. A
- * run packet between two raw ones costs two heads, so two equal grey pixels are not worth it. */
-static size_t run_of_different(const uint8_t *pixels, size_t limit, size_t pixel_size) {
-    size_t worth = pixel_size == 1 ? 3 : 2;
-    size_t count = 1;
-    while (count < limit) {
-        size_t left = limit - count;
-        size_t look = left < worth ? left : worth;
-        if (look == worth && run_of_equal(pixels + count * pixel_size, look, pixel_size) == worth) {
-            break;
-        }
-        count++;
+/* What is known of a row before it is packed, a byte a pixel and one more. */
+struct repeats {
+    uint8_t *equal; /* 1 where the next pixel is equal */
+    uint8_t *worth; /* 1 where a run begins that is worth a packet of its own. A run packet between
+                     * two raw ones costs two heads, so two equal grey pixels are not. */
+};
+
+static void find_repeats(const uint8_t *row, size_t width, size_t pixel_size,
+                         const struct repeats *repeats) {
+    switch (pixel_size) {
+    case 1:
+        compare_neighbours(row, width, repeats->equal, 1);
+        break;
+    case 3:
+        compare_neighbours(row, width, repeats->equal, 3);
+        break;
+    default:
+        compare_neighbours(row, width, repeats->equal, 4);
     }
-    return count;
+    repeats->equal[width - 1] = 0;
+    repeats->equal[width] = 0;
+    for (size_t x = 0; x < width; x++) {
+        bool enough = pixel_size > 1 || repeats->equal[x + 1] != 0;
+        repeats->worth[x] = repeats->equal[x] != 0 && enough;
+    }
+}
+
+/* How many of `count` bytes come before the first that is `value`. */
+static size_t bytes_before(const uint8_t *bytes, uint8_t value, size_t count) {
+    const uint8_t *found = memchr(bytes, value, count);
+    return found != NULL ? (size_t)(found - bytes) : count;
 }
 
 /* One row as packets; returns their size. `out` has room for the row and one byte per 128 pixels,
  * which is the worst case. */
-static size_t pack_row(const uint8_t *row, size_t width, size_t pixel_size, uint8_t *out) {
+static size_t pack_row(const uint8_t *row, size_t width, size_t pixel_size,
+                       const struct repeats *repeats, uint8_t *out) {
+    const size_t worth = pixel_size == 1 ? 3 : 2;
     uint8_t *next = out;
+    find_repeats(row, width, pixel_size, repeats);
     for (size_t x = 0; x < width;) {
         const uint8_t *pixel = row + x * pixel_size;
         size_t limit = width - x < TGA_PACKET_LIMIT ? width - x : TGA_PACKET_LIMIT;
-        size_t count = run_of_equal(pixel, limit, pixel_size);
+        size_t count = 1 + bytes_before(repeats->equal + x, 0, limit - 1);
         bool run = count > 1;
-        if (!run) {
-            count = run_of_different(pixel, limit, pixel_size);
+        if (!run) { /* up to the next run that is worth it and begins well before the limit */
+            size_t look = limit > worth ? limit - worth : 0;
+            size_t before = bytes_before(repeats->worth + x + 1, 1, look);
+            count = before < look ? 1 + before : limit;
         }
         size_t stored = run ? pixel_size : count * pixel_size;
         *next++ = (uint8_t)((run ? 128 : 0) + count - 1);
@@ -591,11 +666,12 @@ static void put_tga_header(uint8_t *header, const struct image *image, bool run_
 
 /* All rows as packets after what is in `out`, which has room for the raw pixels and one row more.
  * False when they come out larger than the raw pixels. */
-static bool pack_rows(const struct image *image, struct bytes *out) {
+static bool pack_rows(const struct image *image, const struct repeats *repeats, struct bytes *out) {
     size_t raw_end = out->size + image_size(image);
     for (size_t y = 0; y < image->height; y++) {
         const uint8_t *row = image->pixels + y * row_size(image);
-        out->size += pack_row(row, image->width, (size_t)image->format, out->data + out->size);
+        out->size +=
+            pack_row(row, image->width, (size_t)image->format, repeats, out->data + out->size);
         if (out->size > raw_end) {
             return false;
         }
@@ -610,12 +686,16 @@ bool tga_encode(const struct image *image, bool run_length, struct bytes *out,
     }
     /* A row of packets is at most twice as large as the row: one grey pixel in a packet. */
     size_t room = TGA_HEADER_SIZE + image_size(image) + 2 * row_size(image) + sizeof tga_footer;
-    if (!bytes_reserve(out, room)) {
+    uint8_t *known = malloc(2 * (image->width + 1));
+    if (known == NULL || !bytes_reserve(out, room)) {
+        free(known);
         return error_out_of_memory(error);
     }
+    const struct repeats repeats = {known, known + image->width + 1};
     size_t start = out->size;
     out->size += TGA_HEADER_SIZE;
-    bool packed = run_length && pack_rows(image, out);
+    bool packed = run_length && pack_rows(image, &repeats, out);
+    free(known);
     if (!packed) { /* noise: run-length coding would make it larger */
         out->size = start + TGA_HEADER_SIZE;
         memcpy(out->data + out->size, image->pixels, image_size(image));

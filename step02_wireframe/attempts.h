@@ -142,17 +142,18 @@ static inline bool attempt_shorten(double *p_on, double *p_off, double *q_on, do
 
 /* The usual way: compute where the line crosses the borders of the image, round these points to
  * pixels, and draw a line between them. Wrong: the new line has another slope. It lies within one
- * pixel of the right one, and differs from it in many pixels. */
-static inline void attempt_line_ends_rounded(struct image *image, struct pixel a, struct pixel b,
-                                             struct color color) {
+ * pixel of the right one, and differs from it in many pixels. Returns the number of its pixels. */
+static inline uint64_t attempt_line_ends_rounded(struct image *image, struct pixel a,
+                                                 struct pixel b, struct color color) {
     double ax = a.x, ay = a.y, bx = b.x, by = b.y;
     double right = (double)image->width - 1, top = (double)image->height - 1;
     if (attempt_shorten(&ax, &ay, &bx, &by, 0, right) &&
         attempt_shorten(&ay, &ax, &by, &bx, 0, top)) {
         struct pixel new_a = {(int)floor(ax + 0.5), (int)floor(ay + 0.5)};
         struct pixel new_b = {(int)floor(bx + 0.5), (int)floor(by + 0.5)};
-        line(image, new_a, new_b, color);
+        return line(image, new_a, new_b, color);
     }
+    return 0;
 }
 
 #endif

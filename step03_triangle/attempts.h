@@ -26,6 +26,31 @@ static inline void target_put(struct target *target, int x, int y, struct color 
     }
 }
 
+/* Pixels x_begin..x_end - 1 of row y, which lie in the image. */
+static inline void target_row(struct target *target, int y, int x_begin, int x_end,
+                              struct color color) {
+    if (target->draws == NULL) {
+        image_fill_row(target->image, y, x_begin, x_end, color);
+        return;
+    }
+    for (int x = x_begin; x < x_end; x++) {
+        target_put(target, x, y, color);
+    }
+}
+
+/* For attempts that test pixel after pixel of a row: those that stand together are written at once.
+ * `begin` is where they began, -1 while there are none; after the last pixel comes one more call
+ * that is not `inside`. */
+static inline void target_test(struct target *target, int *begin, int x, int y, bool inside,
+                               struct color color) {
+    if (inside && *begin < 0) {
+        *begin = x;
+    } else if (!inside && *begin >= 0) {
+        target_row(target, y, *begin, x, color);
+        *begin = -1;
+    }
+}
+
 static inline double attempt_clamp(double value, double least, double most) {
     return value < least ? least : value > most ? most : value;
 }
@@ -72,9 +97,8 @@ static inline void attempt_1_sweep_whole(struct target *target, const struct vec
             left = right;
             right = kept;
         }
-        for (int64_t x = left > 0 ? left : 0; x <= right && x <= right_most; x++) {
-            target_put(target, (int)x, y, color);
-        }
+        target_row(target, y, (int)(left > 0 ? left : 0),
+                   (int)(right < right_most ? right : right_most) + 1, color);
     }
 }
 
@@ -105,9 +129,7 @@ static inline void attempt_2_sweep_float(struct target *target, const struct vec
             float right = short_x < long_x ? long_x : short_x;
             int begin = (int)attempt_clamp(ceil(left - 0.5F), 0, width);
             int end = (int)attempt_clamp(ceil(right - 0.5F), 0, width);
-            for (int x = begin; x < end; x++) {
-                target_put(target, x, y, color);
-            }
+            target_row(target, y, begin, end, color);
             short_x += short_step;
             long_x += long_step;
         }
@@ -141,14 +163,15 @@ static inline void attempt_3_box_float(struct target *target, const struct vec2 
     float acx = (float)p[2].x - ax, acy = (float)p[2].y - ay;
     float area = abx * acy - aby * acx;
     for (int y = box.y_begin; y < box.y_end && area != 0; y++) {
+        int begin = -1;
         for (int x = box.x_begin; x < box.x_end; x++) {
             float dx = (float)x + 0.5F - ax, dy = (float)y + 0.5F - ay;
             float b = (dx * acy - dy * acx) / area;
             float c = (abx * dy - aby * dx) / area;
-            if (b >= 0 && c >= 0 && 1 - b - c >= 0) {
-                target_put(target, x, y, color);
-            }
+            bool inside = b >= 0 && c >= 0 && 1 - b - c >= 0;
+            target_test(target, &begin, x, y, inside, color);
         }
+        target_test(target, &begin, box.x_end, y, false, color);
     }
 }
 
@@ -166,13 +189,14 @@ static inline void attempt_box_double(struct target *target, const struct vec2 p
     struct box box = attempt_box(target->image, p);
     double area = (p[1].x - p[0].x) * (p[2].y - p[0].y) - (p[1].y - p[0].y) * (p[2].x - p[0].x);
     for (int y = box.y_begin; y < box.y_end && area != 0; y++) {
+        int begin = -1;
         for (int x = box.x_begin; x < box.x_end; x++) {
             struct vec3 weight = attempt_weights(p, area, x + 0.5, y + 0.5);
             double smallest = fmin(weight.x, fmin(weight.y, weight.z));
-            if (open ? smallest > least : smallest >= least) {
-                target_put(target, x, y, color);
-            }
+            bool inside = open ? smallest > least : smallest >= least;
+            target_test(target, &begin, x, y, inside, color);
         }
+        target_test(target, &begin, box.x_end, y, false, color);
     }
 }
 
@@ -218,16 +242,16 @@ static inline void attempt_7_edges_float(struct target *target, const struct vec
     }
     for (int y = box.y_begin; y < box.y_end && area != 0; y++) {
         float value[3] = {row[0], row[1], row[2]};
+        int begin = -1;
         for (int x = box.x_begin; x < box.x_end; x++) {
             bool inside = true;
             for (int i = 0; i < 3; i++) {
                 inside = inside && (value[i] > 0 || (value[i] == 0 && closed[i]));
                 value[i] += right[i];
             }
-            if (inside) {
-                target_put(target, x, y, color);
-            }
+            target_test(target, &begin, x, y, inside, color);
         }
+        target_test(target, &begin, box.x_end, y, false, color);
         for (int i = 0; i < 3; i++) {
             row[i] += up[i];
         }
@@ -282,11 +306,11 @@ static inline void attempt_8_blocks(struct target *target, const struct vec2 p[3
             int y_end = y + ATTEMPT_BLOCK < edges.y_end ? y + ATTEMPT_BLOCK : edges.y_end;
             int x_end = x + ATTEMPT_BLOCK < edges.width ? x + ATTEMPT_BLOCK : edges.width;
             for (int v = y; v < y_end && kind != BLOCK_OUTSIDE; v++) {
-                for (int u = x; u < x_end; u++) {
-                    if (kind == BLOCK_INSIDE || edges_cover(&edges, u, v)) {
-                        target_put(target, u, v, color);
-                    }
+                int begin = kind == BLOCK_INSIDE ? x : -1;
+                for (int u = x; u < x_end && kind == BLOCK_MIXED; u++) {
+                    target_test(target, &begin, u, v, edges_cover(&edges, u, v), color);
                 }
+                target_test(target, &begin, x_end, v, false, color);
             }
         }
     }

@@ -29,11 +29,30 @@ static inline struct color attempt_round_channels(struct vec4 c) {
     return color_rgb(level_from(c.x), level_from(c.y), level_from(c.z));
 }
 
+/* find_neighbours() without the half texel. */
+static inline struct neighbours attempt_neighbours(double coordinate, size_t size) {
+    double position = texture_clamp(coordinate * (double)size, (double)(size - 1));
+    size_t first = (size_t)position;
+    return (struct neighbours){
+        .first = first,
+        .second = first + 1 < size ? first + 1 : first,
+        .part = position - (double)first,
+    };
+}
+
 /* Wrong: takes the corner of a texel for its centre. Smooth, but shifted by half a texel too. */
 static inline struct color attempt_sample_unshifted(const struct texture *texture, struct vec2 uv) {
-    double width = (double)texture->level[0].width, height = (double)texture->level[0].height;
-    struct vec2 shifted = {uv.x + 0.5 / width, uv.y + 0.5 / height};
-    return attempt_round_channels(sample_bilinear(texture, shifted, 0));
+    const struct texture_level *level = &texture->level[0];
+    struct neighbours x = attempt_neighbours(uv.x, level->width);
+    struct neighbours y = attempt_neighbours(uv.y, level->height);
+    const uint32_t *lower = level->texels + y.first * level->width;
+    const uint32_t *upper = level->texels + y.second * level->width;
+    return attempt_round_channels(
+        texture_mix(texture_mix(channels_from_texel(lower[x.first]),
+                                channels_from_texel(lower[x.second]), x.part),
+                    texture_mix(channels_from_texel(upper[x.first]),
+                                channels_from_texel(upper[x.second]), x.part),
+                    y.part));
 }
 
 /* Right up close. Far away, where a pixel covers many texels, it sees only four of them. */
@@ -147,41 +166,17 @@ static inline void attempt_7_every_8(struct image *image, const struct vertex v[
     attempt_every(image, v, texture, 8);
 }
 
-/* Affine again, with mip levels: evenly spread coordinates have the same mip level everywhere. */
-static inline void attempt_8_affine_levels(struct image *image, const struct vertex v[3],
-                                           const struct texture *texture) {
-    struct vertex same[3] = {v[0], v[1], v[2]}; /* all at the same distance */
-    same[0].recip_w = same[1].recip_w = same[2].recip_w = 1;
-    struct plane plane;
-    if (!plane_begin(&plane, image, same)) {
-        return;
-    }
-    double level = attempt_level(&plane, v[0].uv, 1, texture);
-    for (int y = plane.edges.y_begin; y < plane.edges.y_end; y++) {
-        struct span span = edges_span(&plane.edges, y);
-        for (int x = span.begin; x < span.end; x++) {
-            struct vec3 weight = edges_weights(&plane.edges, x, y);
-            struct vec2 uv = vec2_interpolate(weight, v[0].uv, v[1].uv, v[2].uv);
-            struct vec4 c = sample_trilinear(texture, repeat(uv), level);
-            image_set(image, x, y, attempt_round_channels(c));
-        }
-    }
-}
-
 /* ---- The exact answer ---- */
 
-enum { EXACT_SIDE = 16 }; /* 16 x 16 = 256 samples a pixel */
-
-/* The mean colour (red, green, blue) of a pixel of scene checker, from 256 rays to the plane itself
- * and without any triangle or texture. False where some ray misses the plane. */
-static inline bool exact_checker(size_t x, size_t y, size_t width, size_t height,
+/* The mean colour (red, green, blue) of a pixel of scene checker, from `rays` * `rays` rays to the
+ * plane itself and without any triangle or texture. False where some ray misses the plane. */
+static inline bool exact_checker(size_t x, size_t y, size_t width, size_t height, int rays,
                                  struct vec3 *mean) {
     const struct vec3 light = {245, 235, 215}, dark = {150, 45, 30};
     int light_count = 0;
-    for (int i = 0; i < EXACT_SIDE * EXACT_SIDE; i++) {
-        int across = i % EXACT_SIDE, up = i / EXACT_SIDE;
-        double screen_x = (double)x + (across + 0.5) / EXACT_SIDE;
-        double screen_y = (double)y + (up + 0.5) / EXACT_SIDE;
+    for (int i = 0; i < rays * rays; i++) {
+        double screen_x = (double)x + (i % rays + 0.5) / rays;
+        double screen_y = (double)y + (i / rays + 0.5) / rays;
         /* The ray to (a, b, -1) * distance, in the frame of the plane. */
         double a = (screen_x / (double)width - 0.5) * 2;
         double b = (screen_y / (double)height - 0.75) * 2;
@@ -194,18 +189,19 @@ static inline bool exact_checker(size_t x, size_t y, size_t width, size_t height
         double tile = floor(2 * side + 0.5) + floor(2 * distance + 0.5);
         light_count += floor(tile / 2) * 2 == tile;
     }
-    double share = (double)light_count / (EXACT_SIDE * EXACT_SIDE);
+    double share = (double)light_count / (rays * rays);
     *mean = vec3_add(vec3_scale(light, share), vec3_scale(dark, 1 - share));
     return true;
 }
 
-/* Root of the mean squared error of the three channels, in levels, over the pixels of the plane. */
+/* Root of the mean squared error of the three channels, in levels, over the pixels of the plane:
+ * against 256 rays a pixel. */
 static inline double checker_error(const struct image *image) {
     double sum = 0, pixels = 0;
     for (size_t y = 0; y < image->height; y++) {
         for (size_t x = 0; x < image->width; x++) {
             struct vec3 exact;
-            if (!exact_checker(x, y, image->width, image->height, &exact)) {
+            if (!exact_checker(x, y, image->width, image->height, 16, &exact)) {
                 continue;
             }
             struct color c = image_get(image, (int)x, (int)y);

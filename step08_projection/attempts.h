@@ -108,11 +108,11 @@ static inline bool attempt_3_cofactors(struct mat4 a, struct mat4 *inverse) {
     return true;
 }
 
-static inline float attempt_minor_float(const struct mat4 *a, int without_row, int without_column) {
+static inline float attempt_minor_float(const float a[4][4], int without_row, int without_column) {
     float m[3][3];
     for (int i = 0; i < 3; i++) {
         for (int k = 0; k < 3; k++) {
-            m[i][k] = (float)a->m[i < without_row ? i : i + 1][k < without_column ? k : k + 1];
+            m[i][k] = a[i < without_row ? i : i + 1][k < without_column ? k : k + 1];
         }
     }
     float p = m[1][1] * m[2][2], q = m[1][2] * m[2][1], r = m[1][0] * m[2][2];
@@ -123,15 +123,18 @@ static inline float attempt_minor_float(const struct mat4 *a, int without_row, i
 
 /* The same in float. */
 static inline bool attempt_4_cofactors_float(struct mat4 a, struct mat4 *inverse) {
-    float cofactor[4][4], determinant = 0;
+    float m[4][4], cofactor[4][4], determinant = 0;
+    for (int i = 0; i < 16; i++) {
+        m[i / 4][i % 4] = (float)a.m[i / 4][i % 4];
+    }
     for (int row = 0; row < 4; row++) {
         for (int column = 0; column < 4; column++) {
-            float minor = attempt_minor_float(&a, row, column);
+            float minor = attempt_minor_float((const float(*)[4])m, row, column);
             cofactor[row][column] = (row + column) % 2 == 0 ? minor : -minor;
         }
     }
     for (int column = 0; column < 4; column++) {
-        float product = (float)a.m[0][column] * cofactor[0][column];
+        float product = m[0][column] * cofactor[0][column];
         determinant = determinant + product;
     }
     if (determinant == 0) {

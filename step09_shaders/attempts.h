@@ -70,21 +70,21 @@ static inline bool attempt_2_call_per_run(struct pipeline *pipeline, const struc
         return false;
     }
     for (int y = 0; y < pipeline->viewport.height; y++) {
-        attempt_2_row(pipeline, stride, hidden, uniforms, image, pipeline->viewport.y + y);
+        pipeline->stats[STAT_PIXELS_SHADED] +=
+            attempt_2_row(pipeline, stride, hidden, uniforms, image, pipeline->viewport.y + y);
     }
     return true;
 }
 
 /* 3. Specialised, but shaded at once: every pixel that is nearest so far, though it may be hidden
- * later. */
+ * later. So it is for shaders that may discard pixels; this one says so and never does. */
+SHADER(attempt_3_eager, .varying_count = 3, .vertex = gouraud_textured_vertex,
+       .fragment = textured_fragment, .discards = true);
+
 static inline bool attempt_3_shade_at_once(struct pipeline *pipeline, const struct draw_call *call,
                                            const void *uniforms, struct image *image,
                                            struct error *error) {
-    bool kept = pipeline->skip;
-    pipeline->skip = false;
-    bool done = pipeline_draw(pipeline, call, &gouraud_textured, uniforms, image, error);
-    pipeline->skip = kept;
-    return done;
+    return pipeline_draw(pipeline, call, &attempt_3_eager, uniforms, image, error);
 }
 
 /* ---- Wrong pictures ---- */

@@ -10,7 +10,7 @@
 
 /* ---- The power: base 0..1 to a whole power 0..POWER_LIMIT ---- */
 
-enum { POWER_LIMIT = 128, POWER_TABLE_SIZE = 256 };
+enum { POWER_LIMIT = 128, POWER_TABLE_LIMIT = 1024 };
 
 /* 1. The library's pow(): made for any exponent, so it takes a logarithm and an exponential. Its
  * last bit differs from one C library to the next, and so would the picture. */
@@ -27,22 +27,25 @@ static inline double attempt_2_repeated(double base, int power) {
     return result;
 }
 
-/* 3. A table of the power at 257 places, linear between them. One table serves one power. */
+/* 3. A table of the power at places from 0 to 1, straight between them. One table serves one
+ * power. */
 struct power_table {
-    double value[POWER_TABLE_SIZE + 1];
+    int last; /* place of 1; the first, 0, is that of 0 */
+    double value[POWER_TABLE_LIMIT];
 };
 
-static inline struct power_table attempt_3_make_table(int power) {
-    struct power_table table;
-    for (int i = 0; i <= POWER_TABLE_SIZE; i++) {
-        table.value[i] = integer_power((double)i / POWER_TABLE_SIZE, power);
+/* `size` values, 2..POWER_TABLE_LIMIT. */
+static inline struct power_table attempt_3_make_table(int size, int power) {
+    struct power_table table = {.last = size - 1};
+    for (int i = 0; i < size; i++) {
+        table.value[i] = integer_power((double)i / table.last, power);
     }
     return table;
 }
 
 static inline double attempt_3_table(const struct power_table *table, double base) {
-    double place = base * POWER_TABLE_SIZE;
-    int index = (int)place < POWER_TABLE_SIZE ? (int)place : POWER_TABLE_SIZE - 1;
+    double place = base * table->last;
+    int index = (int)place < table->last ? (int)place : table->last - 1;
     double part = place - index;
     return table->value[index] + part * (table->value[index + 1] - table->value[index]);
 }

@@ -11,9 +11,14 @@
  *
  * and defines `const struct bench_lesson bench_stepNN`. A lesson has a few panels; a panel is one
  * piece of work that several versions do, each in its own way, and becomes one chart. Of every
- * version the frame (bench.c) measures two things: how long `run` takes, and what `error` returns.
- * The error is computed, against an answer found in another way (tests/oracle, or long double), and
- * never written down in advance. Times are only shown; nothing fails because of them.
+ * version the frame (measure.c) measures two things: how long `run` takes, and what `error` returns
+ * about that which the last timed run has left in the state. The error is computed, against an
+ * answer found in another way (tests/oracle, or long double), and never written down in advance.
+ * Times are only shown; nothing fails because of them.
+ *
+ * To be fair, the versions of a panel differ in one thing: they share the data, prepared alike
+ * before the clock runs (converted to float for those that compute in float), the loop around them,
+ * and the function that writes their pixels. They are compiled in one file with the same flags.
  */
 #ifndef TESTS_BENCH_H
 #define TESTS_BENCH_H
@@ -34,7 +39,8 @@ struct bench_version {
      * anew. */
     void (*run)(void *state, int choice);
     /* The error of this version in the panel's error unit: 0 only when it is exact, infinite or not
-     * a number when it has no meaning. Called once, before the timing; it may call `run`. */
+     * a number when it has no meaning. Called once, right after the last timed `run` of this
+     * version: judge what that left in the state. (It may do more work of its own.) */
     double (*error)(void *state, int choice);
 };
 
@@ -49,9 +55,24 @@ struct bench_panel {
     const struct bench_version *versions;
     size_t version_count; /* 2..BENCH_VERSION_LIMIT */
     double budget; /* share of the lesson's time, relative to its other panels; 0 counts as 1 */
+
+    /* ---- What follows may be left out ---- */
+
+    /* What `error` counts where it is no error: "work". NULL: "error". Of work 0 is not "exact",
+     * and `against` may be NULL. */
+    const char *across;
+    /* The series that a version belongs to, such as "float": its dots have one colour and are
+     * joined by a line, in the order of the table; then a short name such as "8" is enough for a
+     * version. The same pointer for all of a series, BENCH_SERIES_LIMIT series at most; NULL for a
+     * version without. */
+    const char *(*series)(int choice);
+    /* A third quantity, 0 or more, that the area of a dot shows, and its unit: "bytes a pixel".
+     * Asked for after `error`. */
+    double (*size)(const void *state, int choice);
+    const char *size_label;
 };
 
-enum { BENCH_VERSION_LIMIT = 16, BENCH_PANEL_LIMIT = 4 };
+enum { BENCH_VERSION_LIMIT = 32, BENCH_PANEL_LIMIT = 8, BENCH_SERIES_LIMIT = 6 };
 
 struct bench_lesson {
     const char *step;  /* "step01_line": name of the directory, and of the chart's file */

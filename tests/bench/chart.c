@@ -3,6 +3,7 @@
 
 #include "report.h"
 
+#include <assert.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -10,17 +11,22 @@
 enum {
     CHART_WIDTH = 820,
     HEAD_HEIGHT = 44,   /* the lesson's title */
-    PANEL_HEIGHT = 440, /* a panel with its title and axes */
+    PANEL_HEIGHT = 460, /* a panel with its title and axes */
     FOOT_HEIGHT = 54,
     PLOT_LEFT = 76,
     PLOT_RIGHT = 800,
     PLOT_TOP = 44,     /* below the panel's top */
     PLOT_BOTTOM = 380, /* also below the panel's top */
     PLACE_WIDTH = 200, /* of the places beside the scale, for errors of 0 and for infinite ones */
+    PLACE_WIDTH_SERIES = 110, /* the same where labels are short */
     TICK_LIMIT = 64,
     LABEL_HEIGHT = 15,
-    MARK_RADIUS = 5
+    MARK_RADIUS = 5,      /* of a dot whose area says nothing */
+    MARK_RADIUS_LEAST = 3 /* of one whose area does */
 };
+
+/* The radius of the dot that shows the largest third quantity of a panel. */
+static const double mark_radius_most = 12;
 
 /* A generous guess of how wide a letter of a label (12 pixels high) is, in any sans-serif font. */
 static const double letter_width = 7.0;
@@ -189,6 +195,8 @@ static bool segment_meets(struct point a, struct point b, struct box box) {
 struct mark {
     const struct bench_version *version;
     const struct bench_result *result;
+    int series; /* its place in plot.series; -1: none */
+    double radius;
     double x, y, y_upper, y_lower; /* the dot, and the ends of its bar */
     struct box label;
     const char *anchor; /* the class that ties the text to the box's side: "", "middle", "end" */
@@ -200,8 +208,14 @@ struct plot {
     struct axis error, time;
     double exact_x, none_x; /* the places for an error of 0 and for one that is not finite */
     bool has_scale, has_exact, has_none;
-    bool exact_apart; /* 0 is not on the scale, but in a place of its own at the left */
+    const char *across; /* what is shown across: "error" */
+    const char *zero;   /* what is written at 0 */
+    bool exact_apart;   /* 0 is not on the scale, but in a place of its own at the left */
+    double place_width;
     double top, bottom;
+    double most_size; /* of the third quantity; 0: the panel has none */
+    const char *series[BENCH_SERIES_LIMIT];
+    int series_count;
     struct mark marks[BENCH_VERSION_LIMIT];
     size_t count;
     size_t front[BENCH_VERSION_LIMIT]; /* the useful marks, from the most accurate to the fastest */
@@ -223,26 +237,61 @@ static void plot_axes(struct plot *plot, const struct bench_result *results, siz
         slowest = fmax(slowest, results[i].upper);
     }
     double left = PLOT_LEFT, right = PLOT_RIGHT;
+    plot->place_width = plot->series_count > 0 ? PLACE_WIDTH_SERIES : PLACE_WIDTH;
     if (plot->has_scale) {
         plot->error = make_axis(least, most, 4, left, right);
         /* A scale from 0 has a place for 0 on it; a logarithmic one has none. */
         plot->exact_apart = plot->has_exact && plot->error.logarithmic;
-        left += plot->exact_apart ? PLACE_WIDTH : 0;
-        right -= plot->has_none ? PLACE_WIDTH : 0;
+        left += plot->exact_apart ? plot->place_width : 0;
+        right -= plot->has_none ? plot->place_width : 0;
         plot->error.from_px = left + 24;
         plot->error.to_px = right - 24;
         plot->exact_x = plot->exact_apart ? PLOT_LEFT + 24 : plot->error.from_px;
-        plot->none_x = PLOT_RIGHT - PLACE_WIDTH + 24;
+        plot->none_x = PLOT_RIGHT - plot->place_width + 24;
     } else {
         plot->exact_x = PLOT_LEFT + (PLOT_RIGHT - PLOT_LEFT) / 3.0;
-        plot->none_x = PLOT_RIGHT - PLACE_WIDTH;
+        plot->none_x = PLOT_RIGHT - plot->place_width;
     }
     plot->time = make_axis(fastest, slowest, 10, plot->bottom, plot->top);
+}
+
+/* The series of a panel in the order in which they first appear. */
+static void plot_series(struct plot *plot, const struct bench_panel *panel) {
+    for (size_t i = 0; i < panel->version_count; i++) {
+        const char *name = report_series(panel, i);
+        int k = 0;
+        while (k < plot->series_count && plot->series[k] != name) {
+            k++;
+        }
+        if (name != NULL && k == plot->series_count) {
+            assert(plot->series_count < BENCH_SERIES_LIMIT);
+            plot->series[plot->series_count++] = name;
+        }
+    }
+}
+
+static int series_place(const struct plot *plot, const char *name) {
+    for (int k = 0; k < plot->series_count; k++) {
+        if (plot->series[k] == name) {
+            return k;
+        }
+    }
+    return -1;
+}
+
+/* The area of a dot is proportional to what it shows, but for the smallest. */
+static double mark_radius(const struct plot *plot, const struct bench_result *result) {
+    return plot->most_size > 0
+               ? fmax(mark_radius_most * sqrt(result->size / plot->most_size), MARK_RADIUS_LEAST)
+               : MARK_RADIUS;
 }
 
 static void plot_marks(struct plot *plot, const struct bench_panel *panel,
                        const struct bench_result *results) {
     plot->count = panel->version_count;
+    for (size_t i = 0; panel->size != NULL && i < plot->count; i++) {
+        plot->most_size = fmax(plot->most_size, results[i].size);
+    }
     for (size_t i = 0; i < plot->count; i++) {
         const struct bench_result *r = &results[i];
         double x = plot->exact_x;
@@ -254,6 +303,8 @@ static void plot_marks(struct plot *plot, const struct bench_panel *panel,
         plot->marks[i] = (struct mark){
             .version = &panel->versions[i],
             .result = r,
+            .series = series_place(plot, report_series(panel, i)),
+            .radius = mark_radius(plot, r),
             .x = x,
             .y = axis_px(&plot->time, r->median),
             .y_upper = axis_px(&plot->time, r->upper),
@@ -287,13 +338,35 @@ static bool segments_cross(struct point a, struct point b, struct point c, struc
 }
 
 static struct box dot_box(const struct mark *mark) {
-    double r = MARK_RADIUS + 2;
+    double r = mark->radius + 2;
     return (struct box){mark->x - r, mark->y - r, mark->x + r, mark->y + r};
 }
 
 static struct box bar_box(const struct mark *mark) {
     return (struct box){mark->x - 5, fmin(mark->y_upper, mark->y) - 2, mark->x + 5,
                         fmax(mark->y_lower, mark->y) + 2};
+}
+
+/* The mark that the line of a series goes to from mark i; NULL at its end. */
+static const struct mark *next_of_series(const struct plot *plot, size_t i) {
+    for (size_t j = i + 1; plot->marks[i].series >= 0 && j < plot->count; j++) {
+        if (plot->marks[j].series == plot->marks[i].series) {
+            return &plot->marks[j];
+        }
+    }
+    return NULL;
+}
+
+/* How bad it is that a label would be crossed by the lines of series. */
+static double cost_of_series(const struct plot *plot, struct box label) {
+    double cost = 0;
+    for (size_t i = 0; i < plot->count; i++) {
+        const struct mark *a = &plot->marks[i], *b = next_of_series(plot, i);
+        bool crossed = b != NULL &&
+                       segment_meets((struct point){a->x, a->y}, (struct point){b->x, b->y}, label);
+        cost += crossed ? 12 : 0;
+    }
+    return cost;
 }
 
 /* How bad a place for a label is that would cover marks, or whose leader would cross them. */
@@ -310,11 +383,12 @@ static double cost_of_marks(const struct plot *plot, const struct mark *mark) {
     }
     for (size_t k = 0; k + 1 < plot->front_count; k++) {
         const struct mark *a = &plot->marks[plot->front[k]], *b = &plot->marks[plot->front[k + 1]];
-        bool crossed =
-            segment_meets((struct point){a->x, a->y}, (struct point){b->x, b->y}, mark->label);
-        cost += crossed ? 20 : 0;
+        const struct point corner = {b->x, a->y};
+        bool crossed = segment_meets((struct point){a->x, a->y}, corner, mark->label) ||
+                       segment_meets(corner, (struct point){b->x, b->y}, mark->label);
+        cost += crossed ? 40 : 0;
     }
-    return cost;
+    return cost + cost_of_series(plot, mark->label);
 }
 
 /* The same for the labels that are placed already, order[0..placed-1], and their leaders. */
@@ -366,7 +440,9 @@ static void put_label(struct mark *mark, enum side side, double across, double d
     }
     mark->label =
         (struct box){left, middle - LABEL_HEIGHT / 2.0, left + width, middle + LABEL_HEIGHT / 2.0};
-    mark->has_leader = side == ABOVE_OR_BELOW ? fabs(down) > 20 : fabs(down) > 9 || across > 16;
+    double near = mark->radius + 15;
+    mark->has_leader =
+        side == ABOVE_OR_BELOW ? fabs(down) > near : fabs(down) > 9 || across > near - 4;
     mark->leader = (struct point){fmin(fmax(mark->x, left), left + width), middle};
     if (side == ABOVE_OR_BELOW) {
         mark->leader.y = down > 0 ? mark->label.top : mark->label.bottom;
@@ -374,14 +450,14 @@ static void put_label(struct mark *mark, enum side side, double across, double d
 }
 
 static void place_label(struct plot *plot, struct mark *mark, const size_t *order, size_t placed) {
-    static const double distances[] = {MARK_RADIUS + 5, 24, 44, 70, 100};
+    const double distances[] = {mark->radius + 5, mark->radius + 19, 44, 70, 100};
     double best_cost = INFINITY;
     struct mark best = *mark;
     for (enum side side = TO_THE_RIGHT; side <= ABOVE_OR_BELOW; side++) {
         for (size_t i = 0; i < sizeof distances / sizeof distances[0]; i++) {
             for (int step = -40; step <= 40; step++) {
                 double down = 5 * step;
-                if (side == ABOVE_OR_BELOW && (fabs(down) < 15 || i > 0)) {
+                if (side == ABOVE_OR_BELOW && (fabs(down) < mark->radius + 9 || i > 0)) {
                     continue;
                 }
                 put_label(mark, side, distances[i], down);
@@ -440,30 +516,56 @@ static void draw_style(struct output *output) {
                 ".tick, .foot { fill: #59636e; font-size: 11px; }\n"
                 ".label { fill: #59636e; }\n"
                 ".house { font-weight: bold; }\n"
-                ".useful { fill: #0a5cc2; }\n"
                 ".middle { text-anchor: middle; }\n"
                 ".end { text-anchor: end; }\n"
                 ".paper { fill: #ffffff; }\n"
                 ".plot { fill: #f6f8fa; stroke: #d1d9e0; }\n"
                 ".grid { stroke: #d8dee4; stroke-width: 1; }\n"
-                ".bar, .leader { stroke: #818b98; stroke-width: 1; }\n"
-                ".dot { fill: #ffffff; stroke: #818b98; stroke-width: 1.5; }\n"
-                ".front { fill: none; stroke: #0a5cc2; stroke-width: 1.5; "
+                ".bar, .leader, .break { stroke: #818b98; stroke-width: 1; }\n"
+                ".gap { stroke: #ffffff; stroke-width: 5; }\n");
+    /* A series colours what belongs to it with `color`. */
+    PUT(output, ".plain { color: #818b98; }\n"
+                ".best { color: #0a5cc2; }\n"
+                ".s0 { color: #0a5cc2; }\n"
+                ".s1 { color: #b35900; }\n"
+                ".s2 { color: #1a7f37; }\n"
+                ".s3 { color: #8250df; }\n"
+                ".s4 { color: #bf3989; }\n"
+                ".s5 { color: #57606a; }\n"
+                ".dot { fill: #ffffff; stroke: currentColor; stroke-width: 1.5; }\n"
+                ".filled { fill: currentColor; stroke: currentColor; stroke-width: 1.5; }\n"
+                ".series { fill: none; stroke: currentColor; stroke-width: 1; opacity: 0.6; }\n"
+                ".front { fill: none; stroke: #59636e; stroke-width: 1.5; "
                 "stroke-dasharray: 5 4; }\n"
-                ".best { fill: #0a5cc2; stroke: #0a5cc2; stroke-width: 1.5; }\n");
+                ".name { fill: currentColor; }\n");
     PUT(output, "@media (prefers-color-scheme: dark) {\n"
                 "text { fill: #e6edf3; }\n"
                 ".tick, .foot, .label { fill: #a0aab5; }\n"
-                ".useful { fill: #79b8ff; }\n"
                 ".paper { fill: #0d1117; }\n"
                 ".plot { fill: #151b23; stroke: #3d444d; }\n"
                 ".grid { stroke: #2b323b; }\n"
-                ".bar, .leader { stroke: #8b949e; }\n"
-                ".dot { fill: #151b23; stroke: #8b949e; }\n"
-                ".front { stroke: #79b8ff; }\n"
-                ".best { fill: #79b8ff; stroke: #79b8ff; }\n"
+                ".bar, .leader, .break { stroke: #8b949e; }\n"
+                ".gap { stroke: #0d1117; }\n"
+                ".plain { color: #8b949e; }\n"
+                ".best, .s0 { color: #79b8ff; }\n"
+                ".s1 { color: #f0a050; }\n"
+                ".s2 { color: #56d364; }\n"
+                ".s3 { color: #d2a8ff; }\n"
+                ".s4 { color: #ff9bce; }\n"
+                ".s5 { color: #b1bac4; }\n"
+                ".dot { fill: #151b23; }\n"
+                ".front { stroke: #a0aab5; }\n"
+                ".filled, .name { fill: currentColor; }\n"
                 "}\n"
                 "</style>\n");
+}
+
+/* Two strokes across the axis where it breaks off: what lies beyond is not on the scale. */
+static void draw_break(struct output *output, const struct plot *plot, double x) {
+    put_line(output, "grid", x, plot->top, x, plot->bottom);
+    put_line(output, "gap", x, plot->bottom - 5, x, plot->bottom + 5);
+    put_line(output, "break", x - 5, plot->bottom + 6, x - 1, plot->bottom - 6);
+    put_line(output, "break", x + 1, plot->bottom + 6, x + 5, plot->bottom - 6);
 }
 
 static void draw_error_axis(struct output *output, const struct plot *plot) {
@@ -482,18 +584,16 @@ static void draw_error_axis(struct output *output, const struct plot *plot) {
         }
     }
     if (plot->has_exact) {
-        put_text(output, "middle", plot->exact_x, plot->bottom + 16, "exact");
-        if (plot->exact_apart) {
-            put_line(output, "grid", PLOT_LEFT + PLACE_WIDTH, plot->top, PLOT_LEFT + PLACE_WIDTH,
-                     plot->bottom);
-        }
+        put_text(output, "middle", plot->exact_x, plot->bottom + 16, plot->zero);
+    }
+    if (plot->exact_apart) {
+        draw_break(output, plot, PLOT_LEFT + plot->place_width);
     }
     if (plot->has_none) {
         put_text(output, "middle", plot->none_x, plot->bottom + 16, "no answer");
-        if (plot->has_scale) {
-            put_line(output, "grid", PLOT_RIGHT - PLACE_WIDTH, plot->top, PLOT_RIGHT - PLACE_WIDTH,
-                     plot->bottom);
-        }
+    }
+    if (plot->has_none && plot->has_scale) {
+        draw_break(output, plot, PLOT_RIGHT - plot->place_width);
     }
 }
 
@@ -513,6 +613,7 @@ static void draw_time_axis(struct output *output, const struct plot *plot) {
     }
 }
 
+/* The border of what the useful versions leave to no other: a stair. */
 static void draw_front(struct output *output, const struct plot *plot) {
     if (plot->front_count < 2) {
         return;
@@ -520,9 +621,44 @@ static void draw_front(struct output *output, const struct plot *plot) {
     PUT(output, "<polyline class=\"front\" points=\"");
     for (size_t k = 0; k < plot->front_count; k++) {
         const struct mark *mark = &plot->marks[plot->front[k]];
+        if (k > 0) {
+            PUT(output, "%.1f,%.1f ", mark->x, plot->marks[plot->front[k - 1]].y);
+        }
         PUT(output, "%.1f,%.1f ", mark->x, mark->y);
     }
     PUT(output, "\"/>\n");
+}
+
+static void draw_series(struct output *output, const struct plot *plot) {
+    for (size_t i = 0; i < plot->count; i++) {
+        const struct mark *mark = &plot->marks[i], *next = next_of_series(plot, i);
+        char class[32];
+        if (next != NULL) {
+            snprintf(class, sizeof class, "series s%d", mark->series);
+            put_line(output, class, mark->x, mark->y, next->x, next->y);
+        }
+    }
+}
+
+/* Of the name of a series with its dot and the space before it. */
+static double legend_width(const char *name) {
+    return letter_width * (double)strlen(name) + 28;
+}
+
+/* The names of the series above the plot, at its right. */
+static void draw_legend(struct output *output, const struct plot *plot) {
+    double left = PLOT_RIGHT, y = plot->top - 11;
+    for (int k = 0; k < plot->series_count; k++) {
+        left -= legend_width(plot->series[k]);
+    }
+    for (int k = 0; k < plot->series_count; k++) {
+        char class[32];
+        PUT(output, "<circle class=\"filled s%d\" cx=\"%.1f\" cy=\"%.1f\" r=\"4\"/>\n", k,
+            left + 20, y - 4);
+        snprintf(class, sizeof class, "name s%d", k);
+        put_text(output, class, left + 28, y, plot->series[k]);
+        left += legend_width(plot->series[k]);
+    }
 }
 
 static void draw_bar(struct output *output, const struct mark *mark) {
@@ -534,20 +670,34 @@ static void draw_bar(struct output *output, const struct mark *mark) {
     put_line(output, "bar", mark->x - 4, mark->y_lower, mark->x + 4, mark->y_lower);
 }
 
-static void draw_dot(struct output *output, const struct mark *mark) {
+/* The class that gives a mark its colour. */
+static const char *mark_color(const struct mark *mark) {
+    static const char *const classes[BENCH_SERIES_LIMIT] = {"s0", "s1", "s2", "s3", "s4", "s5"};
+    if (mark->series >= 0) {
+        return classes[mark->series];
+    }
+    return mark->result->front ? "best" : "plain";
+}
+
+static void draw_dot(struct output *output, const struct plot *plot, const struct mark *mark) {
     char error[32], median[32];
     bench_show_number(mark->result->error, error);
     bench_show_number(mark->result->median, median);
-    PUT(output, "<circle class=\"%s\" cx=\"%.1f\" cy=\"%.1f\" r=\"%d\"><title>",
-        mark->result->front ? "best" : "dot", mark->x, mark->y, MARK_RADIUS);
+    PUT(output, "<circle class=\"%s %s\" cx=\"%.1f\" cy=\"%.1f\" r=\"%.1f\"><title>",
+        mark->result->front ? "filled" : "dot", mark_color(mark), mark->x, mark->y, mark->radius);
+    if (mark->series >= 0) {
+        put_escaped(output, plot->series[mark->series]);
+        PUT(output, ", ");
+    }
     put_escaped(output, mark->version->name);
-    PUT(output, ": error %s, time %s</title></circle>\n", error, median);
+    PUT(output, ": %s %s, time %s</title></circle>\n", plot->across, error, median);
 }
 
 static void draw_label(struct output *output, const struct mark *mark) {
-    char class[32];
-    snprintf(class, sizeof class, "%s%s%s", mark->anchor, mark->version->is_house ? " house" : "",
-             mark->result->front ? " useful" : "");
+    char class[64];
+    bool is_colored = mark->series >= 0 || mark->result->front;
+    snprintf(class, sizeof class, "%s%s%s%s", mark->anchor, mark->version->is_house ? " house" : "",
+             is_colored ? " name " : "", is_colored ? mark_color(mark) : "");
     double x = (mark->label.left + mark->label.right) / 2;
     if (strcmp(mark->anchor, "middle") != 0) {
         x = mark->anchor[0] == '\0' ? mark->label.left + 2 : mark->label.right - 2;
@@ -555,30 +705,62 @@ static void draw_label(struct output *output, const struct mark *mark) {
     put_text(output, class, x, mark->label.bottom - 3.5, mark->version->name);
 }
 
+static void draw_captions(struct output *output, const struct bench_panel *panel,
+                          const struct plot *plot, double top) {
+    const double middle = (PLOT_LEFT + PLOT_RIGHT) / 2.0;
+    char text[512], size[128] = "";
+    put_text(output, "title", 20, top + 14, panel->title);
+    snprintf(text, sizeof text, "%s%s", panel->time_label,
+             plot->time.logarithmic ? ", logarithmic scale" : ", from 0");
+    put_text(output, "label", 20, top + 33, text);
+    snprintf(text, sizeof text, "%s: %s%s%s", plot->across, panel->error_label,
+             panel->against != NULL ? ", against " : "",
+             panel->against != NULL ? panel->against : "");
+    put_text(output, "label middle", middle, plot->bottom + 35, text);
+    if (plot->most_size > 0) {
+        char most[32];
+        bench_show_number(plot->most_size, most);
+        snprintf(size, sizeof size, "; area of a dot: %s, at most %s", panel->size_label, most);
+    }
+    snprintf(text, sizeof text, "%s%s%s%s",
+             !plot->has_scale          ? ""
+             : plot->error.logarithmic ? "logarithmic scale"
+                                       : "linear scale from 0",
+             plot->exact_apart ? "; 0 stands apart, left of the break" : "",
+             plot->has_none && plot->has_scale ? "; no answer: right of the break" : "", size);
+    put_text(output, "tick middle", middle, plot->bottom + 52, text);
+}
+
 static void draw_panel(struct output *output, const struct bench_panel *panel,
                        const struct bench_result *results, double top) {
-    struct plot plot = {.top = top + PLOT_TOP, .bottom = top + PLOT_BOTTOM};
-    char text[512];
+    struct plot plot = {
+        .across = report_across(panel),
+        .zero = panel->across != NULL ? "0" : "exact",
+        .top = top + PLOT_TOP,
+        .bottom = top + PLOT_BOTTOM,
+    };
+    plot_series(&plot, panel);
     plot_axes(&plot, results, panel->version_count);
     plot_marks(&plot, panel, results);
     plot_front(&plot);
     place_labels(&plot);
-    put_text(output, "title", 20, top + 14, panel->title);
-    put_text(output, "label", 20, top + 33, panel->time_label);
     PUT(output, "<rect class=\"plot\" x=\"%d\" y=\"%.1f\" width=\"%d\" height=\"%.1f\"/>\n",
         PLOT_LEFT, plot.top, PLOT_RIGHT - PLOT_LEFT, plot.bottom - plot.top);
+    draw_captions(output, panel, &plot, top);
+    draw_legend(output, &plot);
     draw_time_axis(output, &plot);
     draw_error_axis(output, &plot);
     draw_front(output, &plot);
+    draw_series(output, &plot);
     for (size_t i = 0; i < plot.count; i++) {
         draw_bar(output, &plot.marks[i]);
     }
     for (size_t i = 0; i < plot.count; i++) {
-        draw_dot(output, &plot.marks[i]);
+        draw_dot(output, &plot, &plot.marks[i]);
+    }
+    for (size_t i = 0; i < plot.count; i++) {
         draw_label(output, &plot.marks[i]);
     }
-    snprintf(text, sizeof text, "error: %s, against %s", panel->error_label, panel->against);
-    put_text(output, "label middle", (PLOT_LEFT + PLOT_RIGHT) / 2.0, plot.bottom + 36, text);
 }
 
 bool chart_draw(const struct bench_lesson *lesson, const struct bench_results *results,
@@ -600,10 +782,10 @@ bool chart_draw(const struct bench_lesson *lesson, const struct bench_results *r
         draw_panel(&output, &lesson->panels[i], results->of[i],
                    HEAD_HEIGHT + (double)i * PANEL_HEIGHT + 8);
     }
-    put_text(
-        &output, "foot", 20, height - 30,
-        "Filled dots: no other version is both as fast and as accurate. Bold: the lesson's own "
-        "version. Dots are medians, bars quartiles.");
+    put_text(&output, "foot", 20, height - 30,
+             "Filled dots, dashed stair: no other version is as good in both and better in one. "
+             "Bold: the "
+             "lesson's own. Dots: medians; bars: quartiles.");
     report_processor(processor);
     snprintf(text, sizeof text, "%s%s%s", report_compiler(), processor[0] != '\0' ? ", " : "",
              processor);

@@ -73,27 +73,47 @@ static bool as_accurate(double a, double b) {
     return a <= b * 1.01;
 }
 
+/* Times tremble: what differs by less than 2 per cent, or whose quartiles overlap, is equal. So
+ * chance does not decide who is useful. */
+static bool is_faster(const struct bench_result *a, const struct bench_result *b) {
+    return a->median < 0.98 * b->median && a->upper < b->lower;
+}
+
+static bool is_better(const struct bench_result *a, const struct bench_result *b) {
+    bool as_good = as_accurate(a->error, b->error) && !is_faster(b, a);
+    return as_good && (!as_accurate(b->error, a->error) || is_faster(a, b));
+}
+
 static void mark_front(struct bench_result *results, size_t count) {
     for (size_t i = 0; i < count; i++) {
-        const struct bench_result *own = &results[i];
-        results[i].front = isfinite(own->error);
+        results[i].front = isfinite(results[i].error);
         for (size_t j = 0; j < count; j++) {
-            const struct bench_result *other = &results[j];
-            bool as_good = as_accurate(other->error, own->error) && other->median <= own->median;
-            bool better = !as_accurate(own->error, other->error) || other->median < own->median;
-            results[i].front = results[i].front && !(as_good && better);
+            results[i].front = results[i].front && !is_better(&results[j], &results[i]);
         }
     }
 }
 
+static double sample(const struct bench_panel *panel, size_t i, void *state,
+                     const struct bench_result *results) {
+    return time_calls(&panel->versions[i], state, results[i].calls);
+}
+
+/* The last sample of a version, whose outcome is judged before the next one overwrites it: what was
+ * timed is what was judged. */
+static double sample_and_judge(const struct bench_panel *panel, size_t i, void *state,
+                               struct bench_result *results) {
+    const struct bench_version *version = &panel->versions[i];
+    double seconds = sample(panel, i, state, results);
+    results[i].error = version->error(state, version->choice);
+    results[i].size = panel->size != NULL ? panel->size(state, version->choice) : 0;
+    return seconds;
+}
+
 static void measure_panel(const struct bench_panel *panel, void *state, double seconds,
                           struct bench_result *results) {
-    double samples[BENCH_VERSION_LIMIT][ROUNDS_MOST];
+    double samples[BENCH_VERSION_LIMIT][ROUNDS_MOST + 1];
     size_t count = panel->version_count, rounds = 0;
     assert(count <= BENCH_VERSION_LIMIT);
-    for (size_t i = 0; i < count; i++) {
-        results[i].error = panel->versions[i].error(state, panel->versions[i].choice);
-    }
     double start = now();
     double sample_seconds =
         fmin(seconds / (double)(count * (ROUNDS_WANTED + 2)), sample_seconds_most);
@@ -105,13 +125,14 @@ static void measure_panel(const struct bench_panel *panel, void *state, double s
             /* Each round begins with another version, and every other one goes backwards: nobody
              * always runs after the same neighbour. */
             size_t turn = (k + rounds / 2) % count, i = rounds % 2 ? count - 1 - turn : turn;
-            samples[i][rounds] = time_calls(&panel->versions[i], state, results[i].calls);
+            samples[i][rounds] = sample(panel, i, state, results);
         }
         rounds++;
     }
     double scale = panel->units != NULL ? 1e9 / panel->units(state) : 1e3;
     for (size_t i = 0; i < count; i++) {
-        results[i].rounds = rounds;
+        samples[i][rounds] = sample_and_judge(panel, i, state, results);
+        results[i].rounds = rounds + 1;
         summarize(&results[i], samples[i], scale);
     }
     mark_front(results, count);

@@ -9,10 +9,11 @@
 
 struct bench_result {
     double error;         /* in the panel's unit; 0 is exact */
+    double size;          /* the panel's third quantity; 0 where it has none */
     double median;        /* time in the panel's unit */
     double lower, upper;  /* quartiles */
     size_t rounds, calls; /* samples taken, and runs in each of them */
-    bool front;           /* no other version is as good in both, and better in one */
+    bool front;           /* useful: no other version is as good in both and better in one */
 };
 
 /* All of one lesson. */

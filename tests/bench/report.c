@@ -6,28 +6,54 @@
 #include <stdio.h>
 #include <string.h>
 
+/* ---- What panels may leave out ---- */
+
+const char *report_across(const struct bench_panel *panel) {
+    return panel->across != NULL ? panel->across : "error";
+}
+
+const char *report_series(const struct bench_panel *panel, size_t i) {
+    return panel->series != NULL ? panel->series(panel->versions[i].choice) : NULL;
+}
+
 /* ---- The table ---- */
+
+static void print_head(const struct bench_panel *panel, size_t rounds) {
+    const char *against = panel->against;
+    printf("\n  %s\n  %s: %s%s%s; time: %s, median and quartiles of %zu rounds\n", panel->title,
+           report_across(panel), panel->error_label, against != NULL ? ", against " : "",
+           against != NULL ? against : "", panel->time_label, rounds);
+    printf("    %-32s %12s %12s %12s %12s", "version", report_across(panel), "time", "lower",
+           "upper");
+    printf("%s%s\n", panel->size != NULL ? "  " : "", panel->size != NULL ? panel->size_label : "");
+}
+
+static void print_version(const struct bench_panel *panel, size_t i,
+                          const struct bench_result *result) {
+    char name[64], size[32];
+    const char *series = report_series(panel, i);
+    const double numbers[] = {result->error, result->median, result->lower, result->upper};
+    snprintf(name, sizeof name, "%s%s%s", series != NULL ? series : "", series != NULL ? ", " : "",
+             panel->versions[i].name);
+    printf("  %c %-32s", result->front ? '*' : ' ', name);
+    for (size_t k = 0; k < sizeof numbers / sizeof numbers[0]; k++) {
+        char text[32];
+        bench_show_number(numbers[k], text);
+        printf(" %12s", text);
+    }
+    bench_show_number(result->size, size);
+    printf("%s%s\n", panel->size != NULL ? "  " : "", panel->size != NULL ? size : "");
+}
 
 void report_print(const struct bench_lesson *lesson, const struct bench_results *results) {
     printf("\n%s (%s)\n", lesson->title, lesson->step);
     for (size_t i = 0; i < lesson->panel_count; i++) {
-        const struct bench_panel *panel = &lesson->panels[i];
-        printf("\n  %s\n  error: %s, against %s; time: %s, median and quartiles of %zu rounds\n",
-               panel->title, panel->error_label, panel->against, panel->time_label,
-               results->of[i][0].rounds);
-        printf("    %-26s %12s %12s %12s %12s\n", "version", "error", "time", "lower", "upper");
-        for (size_t j = 0; j < panel->version_count; j++) {
-            const struct bench_result *r = &results->of[i][j];
-            char error[32], median[32], lower[32], upper[32];
-            bench_show_number(r->error, error);
-            bench_show_number(r->median, median);
-            bench_show_number(r->lower, lower);
-            bench_show_number(r->upper, upper);
-            printf("  %c %-26s %12s %12s %12s %12s\n", r->front ? '*' : ' ',
-                   panel->versions[j].name, error, median, lower, upper);
+        print_head(&lesson->panels[i], results->of[i][0].rounds);
+        for (size_t j = 0; j < lesson->panels[i].version_count; j++) {
+            print_version(&lesson->panels[i], j, &results->of[i][j]);
         }
     }
-    printf("\n  * useful: no other version is both as fast and as accurate\n");
+    printf("\n  * useful: no other version is as good in both, and better in one\n");
     fflush(stdout);
 }
 
@@ -77,15 +103,27 @@ static bool append_comma(struct bytes *json, struct error *error) {
     return report_append(json, error, ", ");
 }
 
-static bool append_version(struct bytes *json, const struct bench_version *version,
+/* The same where there is no value: null. */
+static bool append_text(struct bytes *json, struct error *error, const char *name,
+                        const char *value) {
+    return value != NULL ? append_string(json, error, name, value)
+                         : report_append(json, error, "\"%s\": null", name);
+}
+
+static bool append_version(struct bytes *json, const struct bench_panel *panel, size_t i,
                            const struct bench_result *result, struct error *error) {
     return report_append(json, error, "        {") &&
-           append_string(json, error, "name", version->name) && append_comma(json, error) &&
-           append_number(json, error, "error", result->error) && append_comma(json, error) &&
-           append_number(json, error, "median", result->median) && append_comma(json, error) &&
+           append_text(json, error, "series", report_series(panel, i)) &&
+           append_comma(json, error) &&
+           append_string(json, error, "name", panel->versions[i].name) &&
+           append_comma(json, error) && append_number(json, error, "error", result->error) &&
+           append_comma(json, error) && append_number(json, error, "median", result->median) &&
+           append_comma(json, error) &&
            append_number(json, error, "lower_quartile", result->lower) &&
            append_comma(json, error) &&
            append_number(json, error, "upper_quartile", result->upper) &&
+           append_comma(json, error) &&
+           append_number(json, error, "size", panel->size != NULL ? result->size : INFINITY) &&
            report_append(json, error, ", \"rounds\": %zu, \"runs_per_round\": %zu, ",
                          result->rounds, result->calls) &&
            report_append(json, error, "\"useful\": %s}", result->front ? "true" : "false");
@@ -97,11 +135,13 @@ static bool append_panel(struct bytes *json, const struct bench_panel *panel,
         report_append(json, error, "      {") &&
         append_string(json, error, "title", panel->title) && append_comma(json, error) &&
         append_string(json, error, "time_unit", panel->time_label) && append_comma(json, error) &&
+        append_string(json, error, "error_is", report_across(panel)) && append_comma(json, error) &&
         append_string(json, error, "error_unit", panel->error_label) && append_comma(json, error) &&
-        append_string(json, error, "error_against", panel->against) &&
+        append_text(json, error, "error_against", panel->against) && append_comma(json, error) &&
+        append_text(json, error, "size_unit", panel->size_label) &&
         report_append(json, error, ", \"versions\": [\n");
     for (size_t i = 0; well && i < panel->version_count; i++) {
-        well = append_version(json, &panel->versions[i], &results[i], error) &&
+        well = append_version(json, panel, i, &results[i], error) &&
                report_append(json, error, i + 1 < panel->version_count ? ",\n" : "\n");
     }
     return well && report_append(json, error, "      ]}");

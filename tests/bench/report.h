@@ -19,6 +19,12 @@ bool report_end(struct bytes *json, struct error *error);
 bool report_append(struct bytes *text, struct error *error, const char *format, ...)
     PRINTF_LIKE(3, 4);
 
+/* What a panel's `error` counts: "error", or "work" and the like. */
+const char *report_across(const struct bench_panel *panel);
+
+/* The series of the i-th version; NULL where it has none. */
+const char *report_series(const struct bench_panel *panel, size_t i);
+
 /* The compiler that compiled this program, and the processor as the system names it ("" where it
  * does not say). */
 const char *report_compiler(void);

@@ -1,10 +1,11 @@
 /*
  * Lesson 3's benchmark: ways to fill a triangle, on a mesh of small ones and on a fan of large
- * ones that reach far beyond the image. Every other side of the fan goes through many pixel
- * centres; the values at the rest need more digits than a float has.
+ * ones that reach far beyond the image, and what it costs to snap corners. Every other side of the
+ * fan goes through many pixel centres; the values at the rest need more digits than a float has.
  *
- * The error counts, triangle by triangle, the pixels drawn that the triangle does not own (on a
- * mesh: drawn twice) and those not drawn that it owns (holes), as 128-bit integers decide.
+ * All versions write rows with image_fill_row(). Each triangle has a colour of its own, and each
+ * version too: so the picture of the last run tells which triangle it shows at each pixel. The
+ * error counts pixels that show another one than 128-bit integers say.
  */
 #define main step03_main
 int step03_main(int argc, char **argv);
@@ -17,7 +18,6 @@ int step03_main(int argc, char **argv);
 #include "oracle.h"
 
 #include <stdlib.h>
-#include <string.h>
 
 enum {
     SIDE = 800,      /* of the image */
@@ -25,83 +25,85 @@ enum {
     FAN_REACH = 4008 /* pixels from its middle to its rim, in x or in y */
 };
 
-/* ---- Triangles and the pixels that they own ---- */
+/* ---- Meshes, and which triangle each pixel shows ---- */
 
 struct filled {
     struct fixed2 snapped[3];
-    struct vec2 corner[3]; /* the same in pixels */
-    int y_begin, y_end;
-    struct span *rows; /* owned pixels of rows y_begin to y_end - 1, somewhere in mesh.rows */
+    struct vec2 corner[3]; /* pixels; where the mesh is not `snapped`, finer than 1/256 */
 };
 
 struct mesh {
     struct filled *triangles;
     size_t count;
-    struct span *rows; /* of all triangles */
-    size_t pixel_count;
+    uint32_t *shown;    /* triangle + 1 at each pixel of the image, 0 for none */
+    size_t pixel_count; /* that show one */
 };
+
+enum { SMALL, LARGE, UNSNAPPED, MESH_COUNT };
 
 struct fill_bench {
-    struct mesh small, large;
-    struct image timed, drawn; /* IMAGE_BGR, as the scenes are */
-    struct column *columns;    /* for the column scanline */
+    struct mesh meshes[MESH_COUNT];
+    struct image image; /* IMAGE_BGR, as the scenes are */
 };
 
-/* The pixels of a row or column of the image that may lie between three coordinates. */
-static struct span pixels_between(int32_t a, int32_t b, int32_t c) {
-    int begin = least_of(a, b, c) / SUBPIXELS - 1, end = most_of(a, b, c) / SUBPIXELS + 2;
-    begin = begin > 0 ? begin : 0;
-    end = end < SIDE ? end : SIDE;
-    return (struct span){begin, end > begin ? end : begin};
+/* A corner in units of 2^-46 pixel, which all corners here are whole numbers of. With images of 800
+ * pixels and corners at most 2^13 away, products stay below 2^120. */
+struct exact2 {
+    int128 x, y;
+};
+
+enum { EXACT_BITS = 46 };
+
+static struct exact2 exact_corner(struct vec2 p) {
+    return (struct exact2){(int128)ldexp(p.x, EXACT_BITS), (int128)ldexp(p.y, EXACT_BITS)};
 }
 
-static void mesh_add(struct mesh *mesh, const struct fixed2 corner[3]) {
-    struct filled *t = &mesh->triangles[mesh->count++];
-    for (int i = 0; i < 3; i++) {
-        t->snapped[i] = corner[i];
-        t->corner[i] =
-            (struct vec2){(double)corner[i].x / SUBPIXELS, (double)corner[i].y / SUBPIXELS};
+/* On which side of p-q a point is, once it is shifted by an infinitely small step to the right, and
+ * a still smaller one down: 1 left, -1 right. */
+static int exact_side(struct exact2 p, struct exact2 q, struct exact2 point) {
+    int128 side = (q.x - p.x) * (point.y - p.y) - (q.y - p.y) * (point.x - p.x);
+    if (side == 0) {
+        side = q.y != p.y ? p.y - q.y : p.x - q.x;
     }
-    struct span rows = pixels_between(corner[0].y, corner[1].y, corner[2].y);
-    t->y_begin = rows.begin;
-    t->y_end = rows.end;
+    return (side > 0) - (side < 0);
 }
 
-/* Ask the oracle for every pixel of a triangle's box. What a triangle owns in a row stands
- * together, because a triangle is convex. */
-static void filled_find_rows(struct filled *t) {
-    struct fixed2 a = t->snapped[0], b = t->snapped[1], c = t->snapped[2];
-    struct span columns = pixels_between(a.x, b.x, c.x);
-    for (int y = t->y_begin; y < t->y_end; y++) {
-        struct span *row = &t->rows[y - t->y_begin];
-        *row = (struct span){0, 0};
-        for (int x = columns.begin; x < columns.end; x++) {
-            if (oracle_covers(a, b, c, x, y)) {
-                row->begin = row->end == 0 ? x : row->begin;
-                row->end = x + 1;
+static bool exact_covers(const struct exact2 p[3], int x, int y) {
+    const int128 pixel = (int128)1 << EXACT_BITS;
+    struct exact2 center = {x * pixel + pixel / 2, y * pixel + pixel / 2};
+    int side = exact_side(p[0], p[1], center);
+    return side != 0 && exact_side(p[1], p[2], center) == side &&
+           exact_side(p[2], p[0], center) == side;
+}
+
+/* Pixels that a coordinate may be in, and one more on either side. */
+static struct span pixels_around(double a, double b, double c) {
+    double begin = floor(fmin(a, fmin(b, c))) - 1, end = floor(fmax(a, fmax(b, c))) + 2;
+    return (struct span){(int)fmin(fmax(begin, 0), SIDE), (int)fmin(fmax(end, 0), SIDE)};
+}
+
+/* The triangles in their order, each over those before it. */
+static bool mesh_find_shown(struct mesh *mesh, struct error *error) {
+    mesh->shown = calloc((size_t)SIDE * SIDE, sizeof *mesh->shown);
+    if (mesh->shown == NULL || mesh->triangles == NULL) {
+        return error_set(error, "out of memory for a picture");
+    }
+    for (size_t i = 0; i < mesh->count; i++) {
+        const struct vec2 *p = mesh->triangles[i].corner;
+        const struct exact2 corner[3] = {exact_corner(p[0]), exact_corner(p[1]),
+                                         exact_corner(p[2])};
+        struct span columns = pixels_around(p[0].x, p[1].x, p[2].x);
+        struct span rows = pixels_around(p[0].y, p[1].y, p[2].y);
+        for (int y = rows.begin; y < rows.end; y++) {
+            for (int x = columns.begin; x < columns.end; x++) {
+                if (exact_covers(corner, x, y)) {
+                    mesh->shown[y * SIDE + x] = (uint32_t)i + 1;
+                }
             }
         }
     }
-}
-
-static bool mesh_find_rows(struct mesh *mesh, struct error *error) {
-    size_t row_count = 0;
-    for (size_t i = 0; i < mesh->count; i++) {
-        row_count += (size_t)(mesh->triangles[i].y_end - mesh->triangles[i].y_begin);
-    }
-    mesh->rows = calloc(row_count + 1, sizeof *mesh->rows);
-    if (mesh->rows == NULL) {
-        return error_set(error, "out of memory for %zu rows", row_count);
-    }
-    struct span *next = mesh->rows;
-    for (size_t i = 0; i < mesh->count; i++) {
-        struct filled *t = &mesh->triangles[i];
-        t->rows = next;
-        filled_find_rows(t);
-        next += t->y_end - t->y_begin;
-    }
-    for (const struct span *row = mesh->rows; row < next; row++) {
-        mesh->pixel_count += (size_t)(row->end - row->begin);
+    for (size_t i = 0; i < (size_t)SIDE * SIDE; i++) {
+        mesh->pixel_count += mesh->shown[i] != 0;
     }
     return true;
 }
@@ -111,24 +113,40 @@ static bool mesh_allocate(struct mesh *mesh, size_t limit, struct error *error) 
     return mesh->triangles != NULL || error_set(error, "out of memory for %zu triangles", limit);
 }
 
-static void mesh_free(struct mesh *mesh) {
-    free(mesh->triangles);
-    free(mesh->rows);
+static struct vec2 in_pixels(struct fixed2 p) {
+    return (struct vec2){(double)p.x / SUBPIXELS, (double)p.y / SUBPIXELS};
 }
 
-/* The faces of the bust that are turned to us. */
-static bool make_small(struct mesh *mesh, const struct image *image, struct error *error) {
+static void mesh_add_snapped(struct mesh *mesh, const struct fixed2 corner[3]) {
+    struct filled *t = &mesh->triangles[mesh->count++];
+    for (int i = 0; i < 3; i++) {
+        t->snapped[i] = corner[i];
+        t->corner[i] = in_pixels(corner[i]);
+    }
+}
+
+/* The faces of the bust that are turned to us: snapped, or as near to where they are as a double
+ * can say. */
+static bool make_bust(struct mesh *mesh, bool snapped, const struct image *image,
+                      struct error *error) {
     struct model model;
     bool well =
         bench_read_model(&model, "bust.obj", error) && mesh_allocate(mesh, model.face_count, error);
     for (size_t face = 0; well && face < model.face_count; face++) {
         struct fixed2 corner[3];
-        if (place_face(&model, face, image, corner) && !is_turned_away(corner)) {
-            mesh_add(mesh, corner);
+        if (!place_face(&model, face, image, corner) || is_turned_away(corner)) {
+            continue;
+        }
+        mesh_add_snapped(mesh, corner);
+        for (size_t i = 0; i < 3 && !snapped; i++) {
+            struct vec2 p = parallel_view(model_position(&model, face, i), SIDE, SIDE);
+            mesh->triangles[mesh->count - 1].corner[i] =
+                (struct vec2){ldexp(floor(ldexp(p.x, EXACT_BITS)), -EXACT_BITS),
+                              ldexp(floor(ldexp(p.y, EXACT_BITS)), -EXACT_BITS)};
         }
     }
     model_free(&model);
-    return well && mesh_find_rows(mesh, error);
+    return well && mesh_find_shown(mesh, error);
 }
 
 /* The middle of the fan is a pixel centre, and so is every other corner on its rim, which lies
@@ -148,7 +166,7 @@ static struct fixed2 fan_corner(int i, struct random *random) {
     return (struct fixed2){center + x * scale + stray, center + y * scale - stray};
 }
 
-static bool make_large(struct mesh *mesh, struct error *error) {
+static bool make_fan(struct mesh *mesh, struct error *error) {
     struct random random = {3};
     const struct fixed2 middle = {SIDE / 2 * SUBPIXELS + SUBPIXELS / 2,
                                   SIDE / 2 * SUBPIXELS + SUBPIXELS / 2};
@@ -159,28 +177,83 @@ static bool make_large(struct mesh *mesh, struct error *error) {
     }
     for (int i = 1; i <= FAN_COUNT; i++) {
         struct fixed2 next = i < FAN_COUNT ? fan_corner(i, &random) : first;
-        mesh_add(mesh, (const struct fixed2[3]){middle, last, next});
+        mesh_add_snapped(mesh, (const struct fixed2[3]){middle, last, next});
         last = next;
     }
-    return mesh_find_rows(mesh, error);
+    return mesh_find_shown(mesh, error);
 }
 
-/* ---- The versions ---- */
+/* ---- Spans without a division a row ---- */
 
-enum { HOUSE = 0, COLUMNS = 9 }; /* choices 1 to 9 are the attempts */
+/* The end of the span at one edge, floor(a / b) + 1 for an `a` that changes by the same from row to
+ * row: whole quotient and remainder are carried along (the lesson's question 7). */
+struct carried {
+    int64_t quotient, remainder, step, step_remainder, divisor;
+    bool is_begin; /* of the span; else its end */
+};
 
-/* The scanline over columns takes corners that are pixels. */
-static void fill_columns(struct target *target, const struct filled *t, struct color color,
-                         struct column *columns) {
-    struct pixel corner[3];
-    for (int i = 0; i < 3; i++) {
-        corner[i] = (struct pixel){(int)t->corner[i].x, (int)t->corner[i].y};
+static inline struct carried carried_from(const struct edge *e, int y) {
+    int64_t missing = e->least - (e->origin + e->dy * y), divisor = llabs(e->dx);
+    int64_t start = e->dx > 0 ? missing - 1 : -missing, change = e->dx > 0 ? -e->dy : e->dy;
+    int64_t quotient = floor_divide(start, divisor), step = floor_divide(change, divisor);
+    return (struct carried){
+        quotient, start - quotient * divisor, step, change - step * divisor, divisor, e->dx > 0};
+}
+
+static inline void carried_next(struct carried *c) {
+    c->quotient += c->step;
+    c->remainder += c->step_remainder;
+    bool full = c->remainder >= c->divisor;
+    c->quotient += full;
+    c->remainder -= full ? c->divisor : 0;
+}
+
+/* A horizontal edge leaves rows out as a whole: exactly those below or above it. */
+static inline void narrow_rows(struct edges *edges, const struct edge *e) {
+    for (; edges->y_begin < edges->y_end && e->origin + e->dy * edges->y_begin < e->least;
+         edges->y_begin++) {
     }
-    attempt_9_columns(target, corner, (const struct color[3]){color, color, color}, columns);
+    for (; edges->y_begin < edges->y_end && e->origin + e->dy * (edges->y_end - 1) < e->least;
+         edges->y_end--) {
+    }
 }
 
-static void fill(const struct filled *t, int choice, struct target *target,
-                 struct column *columns) {
+static void fill_carried(struct image *image, const struct fixed2 corner[3], struct color color) {
+    struct edges edges;
+    struct carried ends[3];
+    int count = 0;
+    if (!triangle_setup(&edges, corner[0], corner[1], corner[2], image->width, image->height)) {
+        return;
+    }
+    for (int i = 0; i < 3; i++) {
+        if (edges.edge[i].dx == 0) {
+            narrow_rows(&edges, &edges.edge[i]);
+        }
+    }
+    for (int i = 0; i < 3; i++) {
+        if (edges.edge[i].dx != 0) {
+            ends[count++] = carried_from(&edges.edge[i], edges.y_begin);
+        }
+    }
+    for (int y = edges.y_begin; y < edges.y_end; y++) {
+        int64_t begin = 0, end = edges.width;
+        for (int i = 0; i < count; i++) {
+            int64_t border = ends[i].quotient + 1;
+            begin = ends[i].is_begin && border > begin ? border : begin;
+            end = !ends[i].is_begin && border < end ? border : end;
+            carried_next(&ends[i]);
+        }
+        if (begin < end) {
+            image_fill_row(image, y, (int)begin, (int)end, color);
+        }
+    }
+}
+
+/* ---- The attempts ---- */
+
+enum { HOUSE = 0, CARRIED = 9 }; /* choices 1 to 8 are the attempts */
+
+static void fill(const struct filled *t, int choice, struct target *target, struct color color) {
     static void (*const attempts[])(struct target *, const struct vec2[3], struct color) = {
         NULL,
         attempt_1_sweep_whole,
@@ -192,74 +265,240 @@ static void fill(const struct filled *t, int choice, struct target *target,
         attempt_7_edges_float,
         attempt_8_blocks,
     };
-    const struct color color = color_rgb(255, 255, 255);
     if (choice == HOUSE) {
         triangle(target->image, t->snapped, color);
-    } else if (choice == COLUMNS) {
-        fill_columns(target, t, color, columns);
+    } else if (choice == CARRIED) {
+        fill_carried(target->image, t->snapped, color);
     } else {
         attempts[choice](target, t->corner, color);
     }
 }
 
-static void fill_mesh(struct fill_bench *bench, const struct mesh *mesh, int choice) {
-    struct target target = {.image = &bench->timed};
+/* ---- Corners snapped to fractions of a pixel, in numbers of all kinds ---- */
+
+/* A triangle whose corners are snapped to `unit` steps a pixel, counted from the pixel (x,y): small
+ * numbers need few digits. */
+struct placed {
+    int x, y;
+    double unit;
+    double corner_x[3], corner_y[3]; /* whole numbers, unless nothing is snapped */
+    struct span rows;                /* counted from y: the centres between the corners */
+};
+
+static inline double fast_floor(double value) {
+    int64_t whole = (int64_t)value;
+    return (double)(whole - (value < (double)whole));
+}
+
+/* `bits` after the point; -1: not snapped. */
+static inline struct placed place(const struct vec2 corner[3], int bits) {
+    struct placed p = {
+        (int)corner[0].x, (int)corner[0].y, bits < 0 ? 1 : (double)(1 << bits), {0}, {0}, {0, 0}};
+    double low = INFINITY, high = -INFINITY;
+    for (int i = 0; i < 3; i++) {
+        double x = (corner[i].x - p.x) * p.unit, y = (corner[i].y - p.y) * p.unit;
+        p.corner_x[i] = bits < 0 ? x : fast_floor(x + 0.5);
+        p.corner_y[i] = bits < 0 ? y : fast_floor(y + 0.5);
+        low = p.corner_y[i] < low ? p.corner_y[i] : low;
+        high = p.corner_y[i] > high ? p.corner_y[i] : high;
+    }
+    int begin = (int)-fast_floor(0.5 - low / p.unit),
+        end = (int)fast_floor(high / p.unit - 0.5) + 1;
+    p.rows = span_overlap((struct span){begin, end}, (struct span){-p.y, SIDE - p.y});
+    return p;
+}
+
+/* Where value + dx * x becomes positive (`closed`: not negative), dx being positive: the first such
+ * x. And where it ends for a negative dx: one after the last such x. */
+#define DEFINE_ENDS_WHOLE(name, number)                                                            \
+    static inline number quotient_##name(number a, number b) {                                     \
+        number quotient = a / b;                                                                   \
+        return quotient - (a % b < 0);                                                             \
+    }                                                                                              \
+    static inline int64_t first_##name(number value, number dx, bool closed) {                     \
+        return (int64_t)quotient_##name((number)(-(int64_t)value - closed), dx) + 1;               \
+    }                                                                                              \
+    static inline int64_t end_##name(number value, number dx, bool closed) {                       \
+        return (int64_t)quotient_##name((number)((int64_t)value - !closed),                        \
+                                        (number)(-(int64_t)dx)) +                                  \
+               1;                                                                                  \
+    }                                                                                              \
+    static inline number product_##name(number a, number b) {                                      \
+        return (number)((uint64_t)a * (uint64_t)b);                                                \
+    }
+
+DEFINE_ENDS_WHOLE(int32, int32_t)
+DEFINE_ENDS_WHOLE(int64, int64_t)
+
+/* Comparisons are added, not branched on: which way they go nobody can guess. */
+#define DEFINE_ENDS_REAL(name, number)                                                             \
+    static inline number limited_##name(number value) {                                            \
+        const number limit = 1 << 20; /* far outside of every image, and an int */                 \
+        number least = value > -limit ? value : -limit;                                            \
+        return least < limit ? least : limit;                                                      \
+    }                                                                                              \
+    static inline int64_t first_##name(number value, number dx, bool closed) {                     \
+        number quotient = limited_##name(-value / dx);                                             \
+        int whole = (int)quotient;                                                                 \
+        return whole + ((number)whole < quotient) + (((number)whole == quotient) & !closed);       \
+    }                                                                                              \
+    static inline int64_t end_##name(number value, number dx, bool closed) {                       \
+        number quotient = limited_##name(value / -dx);                                             \
+        int whole = (int)quotient;                                                                 \
+        return whole + 1 - ((number)whole > quotient) - (((number)whole == quotient) & !closed);   \
+    }                                                                                              \
+    static inline number product_##name(number a, number b) {                                      \
+        return a * b;                                                                              \
+    }
+
+DEFINE_ENDS_REAL(float, float)
+DEFINE_ENDS_REAL(double, double)
+
+/* The edge functions of lesson 3 in numbers of one kind. Lengths are counted in half units, so that
+ * the centre of a pixel is a whole number even where a unit is a pixel. */
+#define DEFINE_FILL(name, number)                                                                  \
+    static inline void fill_##name(struct image *image, struct placed p, struct color color) {     \
+        number x[3], y[3], value[3], dx[3], dy[3];                                                 \
+        bool closed[3];                                                                            \
+        for (int i = 0; i < 3; i++) {                                                              \
+            x[i] = (number)(2 * p.corner_x[i]);                                                    \
+            y[i] = (number)(2 * p.corner_y[i]);                                                    \
+        }                                                                                          \
+        number area =                                                                              \
+            product_##name(x[1] - x[0], y[2] - y[0]) - product_##name(y[1] - y[0], x[2] - x[0]);   \
+        number pixel = (number)(2 * p.unit), center = (number)p.unit;                              \
+        for (int i = 0; i < 3; i++) {                                                              \
+            int from = (i + 1) % 3, to = (i + 2) % 3;                                              \
+            number right = area > 0 ? x[to] - x[from] : x[from] - x[to];                           \
+            number up = area > 0 ? y[to] - y[from] : y[from] - y[to];                              \
+            value[i] =                                                                             \
+                product_##name(right, center - y[from]) - product_##name(up, center - x[from]);    \
+            dx[i] = product_##name(-up, pixel);                                                    \
+            dy[i] = product_##name(right, pixel);                                                  \
+            closed[i] = up < 0 || (up == 0 && right < 0);                                          \
+        }                                                                                          \
+        for (int row = p.rows.begin; row < p.rows.end && area != 0; row++) {                       \
+            int64_t begin = -p.x, end = SIDE - p.x;                                                \
+            for (int i = 0; i < 3; i++) {                                                          \
+                number here = value[i] + product_##name(dy[i], (number)row);                       \
+                if (dx[i] > 0) {                                                                   \
+                    int64_t first = first_##name(here, dx[i], closed[i]);                          \
+                    begin = first > begin ? first : begin;                                         \
+                } else if (dx[i] < 0) {                                                            \
+                    int64_t last = end_##name(here, dx[i], closed[i]);                             \
+                    end = last < end ? last : end;                                                 \
+                } else if (!(here > 0 || (here == 0 && closed[i]))) {                              \
+                    end = begin;                                                                   \
+                }                                                                                  \
+            }                                                                                      \
+            if (begin < end) {                                                                     \
+                image_fill_row(image, p.y + row, p.x + (int)begin, p.x + (int)end, color);         \
+            }                                                                                      \
+        }                                                                                          \
+    }
+
+DEFINE_FILL(int32, int32_t)
+DEFINE_FILL(int64, int64_t)
+DEFINE_FILL(float, float)
+DEFINE_FILL(double, double)
+
+/* A choice of this panel: a kind of number, and how many bits after the point. */
+enum { INT32, INT64, FLOAT, DOUBLE, HOUSE_SNAPPED, KIND = 32 };
+
+enum { NOT_SNAPPED = KIND - 1 };
+
+static void fill_bits(struct image *image, const struct filled *t, int choice, struct color color) {
+    int bits = choice % KIND == NOT_SNAPPED ? -1 : choice % KIND;
+    struct fixed2 corner[3];
+    switch (choice / KIND) {
+    case INT32:
+        fill_int32(image, place(t->corner, bits), color);
+        break;
+    case INT64:
+        fill_int64(image, place(t->corner, bits), color);
+        break;
+    case FLOAT:
+        fill_float(image, place(t->corner, bits), color);
+        break;
+    case DOUBLE:
+        fill_double(image, place(t->corner, bits), color);
+        break;
+    default:
+        if (screen_snap(t->corner[0], &corner[0]) && screen_snap(t->corner[1], &corner[1]) &&
+            screen_snap(t->corner[2], &corner[2])) {
+            triangle(image, corner, color);
+        }
+    }
+}
+
+static const char *kind_of_bits(int choice) {
+    static const char *const kinds[] = {"int32", "int64", "float", "double", NULL};
+    return kinds[choice / KIND];
+}
+
+/* ---- Running and judging ---- */
+
+/* The number of a triangle in blue and green; red tells which version of which panel drew it. */
+static struct color triangle_color(size_t i, int tag) {
+    return (struct color){.b = (uint8_t)(i & 255), .g = (uint8_t)(i >> 8), .r = (uint8_t)tag};
+}
+
+static double count_wrong(const struct fill_bench *bench, const struct mesh *mesh, int tag) {
+    size_t wrong = 0;
+    for (size_t i = 0; i < (size_t)SIDE * SIDE; i++) {
+        const uint8_t *pixel = bench->image.pixels + 3 * i;
+        uint32_t shown = pixel[2] == tag ? (uint32_t)(pixel[0] + 256 * pixel[1]) + 1 : 0;
+        wrong += shown != mesh->shown[i];
+    }
+    return (double)wrong / (double)mesh->pixel_count;
+}
+
+static int attempt_tag(size_t which, int choice) {
+    return 1 + (int)which * 16 + choice;
+}
+
+/* Above those of the attempts. */
+static int bits_tag(int choice) {
+    return 64 + choice / KIND * KIND + choice % KIND;
+}
+
+static void run_attempt(struct fill_bench *bench, size_t which, int choice) {
+    const struct mesh *mesh = &bench->meshes[which];
+    struct target target = {.image = &bench->image};
     for (size_t i = 0; i < mesh->count; i++) {
-        fill(&mesh->triangles[i], choice, &target, bench->columns);
+        fill(&mesh->triangles[i], choice, &target, triangle_color(i, attempt_tag(which, choice)));
     }
 }
 
 static void run_small(void *state, int choice) {
-    struct fill_bench *bench = state;
-    fill_mesh(bench, &bench->small, choice);
+    run_attempt(state, SMALL, choice);
 }
 
 static void run_large(void *state, int choice) {
+    run_attempt(state, LARGE, choice);
+}
+
+static void run_bits(void *state, int choice) {
     struct fill_bench *bench = state;
-    fill_mesh(bench, &bench->large, choice);
-}
-
-/* ---- The errors ---- */
-
-/* Compare what was drawn with what the triangle owns, and clear it. An attempt may stray a little
- * beyond the rows of the triangle. */
-static size_t count_wrong(struct image *drawn, const struct filled *t) {
-    enum { STRAY = 4 };
-    int y_begin = t->y_begin > STRAY ? t->y_begin - STRAY : 0;
-    int y_end = t->y_end + STRAY < SIDE ? t->y_end + STRAY : SIDE;
-    size_t wrong = 0;
-    for (int y = y_begin; y < y_end; y++) {
-        uint8_t *pixels = drawn->pixels + (size_t)y * SIDE * 3;
-        bool inside = y >= t->y_begin && y < t->y_end;
-        struct span owned = inside ? t->rows[y - t->y_begin] : (struct span){0, 0};
-        for (int x = 0; x < SIDE; x++) {
-            bool owns = x >= owned.begin && x < owned.end;
-            wrong += (pixels[3 * (size_t)x] != 0) != owns;
-        }
-        memset(pixels, 0, (size_t)SIDE * 3);
-    }
-    return wrong;
-}
-
-static double mesh_error(struct fill_bench *bench, const struct mesh *mesh, int choice) {
-    struct target target = {.image = &bench->drawn};
-    size_t wrong = 0;
-    image_clear(&bench->drawn, color_rgb(0, 0, 0));
+    const struct mesh *mesh = &bench->meshes[UNSNAPPED];
     for (size_t i = 0; i < mesh->count; i++) {
-        fill(&mesh->triangles[i], choice, &target, bench->columns);
-        wrong += count_wrong(&bench->drawn, &mesh->triangles[i]);
+        fill_bits(&bench->image, &mesh->triangles[i], choice, triangle_color(i, bits_tag(choice)));
     }
-    return 1000 * (double)wrong / (double)mesh->pixel_count;
 }
 
 static double error_small(void *state, int choice) {
-    struct fill_bench *bench = state;
-    return mesh_error(bench, &bench->small, choice);
+    const struct fill_bench *bench = state;
+    return 1e3 * count_wrong(bench, &bench->meshes[SMALL], attempt_tag(SMALL, choice));
 }
 
 static double error_large(void *state, int choice) {
-    struct fill_bench *bench = state;
-    return mesh_error(bench, &bench->large, choice);
+    const struct fill_bench *bench = state;
+    return 1e3 * count_wrong(bench, &bench->meshes[LARGE], attempt_tag(LARGE, choice));
+}
+
+static double error_bits(void *state, int choice) {
+    const struct fill_bench *bench = state;
+    return 1e6 * count_wrong(bench, &bench->meshes[UNSNAPPED], bits_tag(choice));
 }
 
 /* ---- The lesson ---- */
@@ -270,33 +509,34 @@ static bool fill_setup(void **state, struct error *error) {
     if (bench == NULL) {
         return error_set(error, "out of memory for triangles");
     }
-    bench->columns = calloc(SIDE, sizeof *bench->columns);
-    if (bench->columns == NULL) {
-        return error_set(error, "out of memory for columns");
-    }
-    return image_create(&bench->timed, SIDE, SIDE, IMAGE_BGR, error) &&
-           image_create(&bench->drawn, SIDE, SIDE, IMAGE_BGR, error) &&
-           make_small(&bench->small, &bench->timed, error) && make_large(&bench->large, error);
+    return image_create(&bench->image, SIDE, SIDE, IMAGE_BGR, error) &&
+           make_bust(&bench->meshes[SMALL], true, &bench->image, error) &&
+           make_fan(&bench->meshes[LARGE], error) &&
+           make_bust(&bench->meshes[UNSNAPPED], false, &bench->image, error);
 }
 
 static void fill_teardown(void *state) {
     struct fill_bench *bench = state;
+    for (size_t i = 0; bench != NULL && i < MESH_COUNT; i++) {
+        free(bench->meshes[i].triangles);
+        free(bench->meshes[i].shown);
+    }
     if (bench != NULL) {
-        mesh_free(&bench->small);
-        mesh_free(&bench->large);
-        image_free(&bench->timed);
-        image_free(&bench->drawn);
-        free(bench->columns);
+        image_free(&bench->image);
     }
     free(bench);
 }
 
 static double small_units(const void *state) {
-    return (double)((const struct fill_bench *)state)->small.pixel_count;
+    return (double)((const struct fill_bench *)state)->meshes[SMALL].pixel_count;
 }
 
 static double large_units(const void *state) {
-    return (double)((const struct fill_bench *)state)->large.pixel_count;
+    return (double)((const struct fill_bench *)state)->meshes[LARGE].pixel_count;
+}
+
+static double bits_units(const void *state) {
+    return (double)((const struct fill_bench *)state)->meshes[UNSNAPPED].count;
 }
 
 static const struct bench_version small_versions[] = {
@@ -308,7 +548,7 @@ static const struct bench_version small_versions[] = {
     {"6: box, epsilon", 6, false, run_small, error_small},
     {"7: edges summed in float", 7, false, run_small, error_small},
     {"8: blocks, exact", 8, false, run_small, error_small},
-    {"9: columns", COLUMNS, false, run_small, error_small},
+    {"spans by remainders", CARRIED, false, run_small, error_small},
     {"spans, exact (main.c)", HOUSE, true, run_small, error_small},
 };
 
@@ -321,13 +561,29 @@ static const struct bench_version large_versions[] = {
     {"6: box, epsilon", 6, false, run_large, error_large},
     {"7: edges summed in float", 7, false, run_large, error_large},
     {"8: blocks, exact", 8, false, run_large, error_large},
+    {"spans by remainders", CARRIED, false, run_large, error_large},
     {"spans, exact (main.c)", HOUSE, true, run_large, error_large},
+};
+
+#define BITS_0_TO_16(kind)                                                                         \
+    {"0", (kind)*KIND, false, run_bits, error_bits},                                               \
+        {"2", (kind)*KIND + 2, false, run_bits, error_bits},                                       \
+        {"4", (kind)*KIND + 4, false, run_bits, error_bits},                                       \
+        {"8", (kind)*KIND + 8, false, run_bits, error_bits},                                       \
+        {"12", (kind)*KIND + 12, false, run_bits, error_bits},                                     \
+        {"16", (kind)*KIND + 16, false, run_bits, error_bits},
+
+static const struct bench_version bits_versions[] = {
+    BITS_0_TO_16(INT32) BITS_0_TO_16(INT64)
+        BITS_0_TO_16(FLOAT){"all", FLOAT *KIND + NOT_SNAPPED, false, run_bits, error_bits},
+    BITS_0_TO_16(DOUBLE){"all", DOUBLE *KIND + NOT_SNAPPED, false, run_bits, error_bits},
+    {"8 (main.c)", HOUSE_SNAPPED *KIND + 8, true, run_bits, error_bits},
 };
 
 static const struct bench_panel fill_panels[] = {
     {
         .title = "Small triangles: the faces of the bust, on 800x800 pixels",
-        .error_label = "pixels drawn wrongly or left out, per 1000",
+        .error_label = "pixels that show the wrong triangle, per 1000",
         .time_label = "ns per pixel",
         .against = "128-bit integers",
         .units = small_units,
@@ -336,12 +592,23 @@ static const struct bench_panel fill_panels[] = {
     },
     {
         .title = "Large triangles: a fan of 24 that reaches far beyond the image",
-        .error_label = "pixels drawn wrongly or left out, per 1000",
+        .error_label = "pixels that show the wrong triangle, per 1000",
         .time_label = "ns per pixel",
         .against = "128-bit integers",
         .units = large_units,
         .versions = large_versions,
         .version_count = sizeof large_versions / sizeof large_versions[0],
+        .budget = 2,
+    },
+    {
+        .title = "Corners snapped to 0 to 16 bits after the point, or not at all: the bust again",
+        .error_label = "pixels that show the wrong triangle, per million",
+        .time_label = "ns per triangle",
+        .against = "128-bit integers and corners that are not snapped",
+        .units = bits_units,
+        .versions = bits_versions,
+        .version_count = sizeof bits_versions / sizeof bits_versions[0],
+        .series = kind_of_bits,
     },
 };
 

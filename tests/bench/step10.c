@@ -13,6 +13,7 @@ int step10_main(int argc, char **argv);
 #include "../../step10_phong/attempts.h"
 
 #include "bench.h"
+#include "normals.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -24,15 +25,32 @@ enum { SIDE = 600, SHARP_POWER = 80, MESHES = 4, COARSEST_ROWS = 16, MAP_HEIGHT 
 
 static const struct vec3 light = {1, 1, 1};
 
-/* Uniforms, and the table for attempt 3; shaders of main.c see only the former. */
+enum { TABLES = 3, TERMS_LEAST = 2, TERMS_MOST = 5 };
+
+/* Coefficients of polynomials without a constant: for log2(1 + x) and 2^x - 1. */
+struct exp_log {
+    double log2[TERMS_MOST], exp2[TERMS_MOST];
+};
+
+/* What the ways to compute the power need. */
 struct lit {
     struct uniforms u;
-    struct power_table table;
+    struct power_table tables[TABLES];
+    struct exp_log coefficients[TERMS_MOST - TERMS_LEAST + 1];
+};
+
+/* A pixel of a highlight: what the pipeline interpolated there, and the exact colour. */
+struct lit_pixel {
+    double varyings[8];
+    struct color exact;
 };
 
 struct work {
     struct model bust;
     struct lit lit;
+    struct lit_pixel *lit_pixels;
+    struct color *colors; /* what a version finds for them */
+    size_t lit_count;
     struct model meshes[MESHES]; /* of the sphere, each of four times the triangles */
     struct texture ripples;      /* normal map of the sphere */
     struct uniforms sphere;      /* but for the model */
@@ -83,51 +101,153 @@ static struct real3 real_normalized(struct real3 a) {
     return real_add(zero, 1 / sqrtl(real_dot(a, a)), a);
 }
 
-/* The exact level, rounded to the nearest whole one, of a channel whose colour is `channel`. */
-static int exact_level(const struct material *material, double channel, struct real3 normal,
-                       struct real3 position, struct real3 eye) {
+/* The levels of the specular part; 0 where the surface is turned away from the light. */
+static long double exact_shine(const struct material *material, struct real3 normal,
+                               struct real3 position, struct real3 eye) {
     struct real3 to_light = real_normalized(real_from(light));
     struct real3 to_eye = real_normalized(real_add(eye, -1, position));
     long double diffuse = real_dot(normal, to_light), power = 1;
-    if (diffuse <= 0) {
-        return (int)(channel * material->ambient + 0.5);
-    }
     /* (2 (n . l) n - l) . v */
     long double mirrored = 2 * diffuse * real_dot(normal, to_eye) - real_dot(to_light, to_eye);
     for (int i = 0; i < material->power; i++) {
         power *= mirrored > 0 ? mirrored : 0;
     }
-    long double level = channel * (material->ambient + material->diffuse * diffuse) +
-                        255 * (long double)material->specular * power;
-    return level >= 255 ? 255 : (int)(level + 0.5L);
+    return diffuse > 0 ? 255 * (long double)material->specular * power : 0;
 }
 
-static double squared_error(struct color color, const struct material *material,
-                            struct real3 normal, struct real3 position, struct real3 eye) {
+/* To the nearest level. */
+static uint8_t exact_level(long double value) {
+    return value >= 255 ? 255 : (uint8_t)(value + 0.5L);
+}
+
+static struct color exact_color(const struct material *material, struct real3 normal,
+                                struct real3 position, struct real3 eye) {
+    long double shine = exact_shine(material, normal, position, eye);
+    long double diffuse = real_dot(normal, real_normalized(real_from(light)));
+    long double scattered = material->ambient + material->diffuse * (diffuse > 0 ? diffuse : 0);
     const struct vec4 *c = &material->color;
-    double r = color.r - exact_level(material, c->x, normal, position, eye);
-    double g = color.g - exact_level(material, c->y, normal, position, eye);
-    double b = color.b - exact_level(material, c->z, normal, position, eye);
-    return (r * r + g * g + b * b) / 3;
+    return color_rgb(exact_level(c->x * scattered + shine), exact_level(c->y * scattered + shine),
+                     exact_level(c->z * scattered + shine));
 }
 
-/* ---- The power, on the bust ---- */
+static double squared_error(struct color a, struct color b) {
+    return ((a.r - b.r) * (a.r - b.r) + (a.g - b.g) * (a.g - b.g) + (a.b - b.b) * (a.b - b.b)) /
+           3.0;
+}
 
-enum { POW, REPEATED, SQUARED, TABLE, SCHLICK, SHORT_NORMAL, POWERS };
+/* ---- The power, in the highlights of the bust ---- */
 
-/* plain_fragment() with another way to compute the power. */
-static inline struct color light_by(int way, const struct lit *lit, const double *varyings) {
+enum power_way {
+    POW,
+    REPEATED,
+    SQUARED,
+    TABLE_64,
+    TABLE_257,
+    TABLE_1024,
+    SCHLICK,
+    TERMS_2,
+    TERMS_3,
+    TERMS_4,
+    TERMS_5,
+    HALF_VECTOR,
+    HALF_VECTOR_4,
+    ONE_NEWTON_STEP,
+    SHORT_NORMAL,
+    POWERS
+};
+
+/* x (c0 + c1 x + ...), with `terms` constant where this is inlined. */
+static inline double polynomial(const double *c, int terms, double x) {
+    double sum = c[terms - 1];
+    for (int i = terms - 2; i >= 0; i--) {
+        sum = sum * x + c[i];
+    }
+    return sum * x;
+}
+
+/* base^power as 2^(power log2(base)), with polynomials for the parts of the two functions that the
+ * exponent of a double does not hold. */
+static inline double terms_power(const struct exp_log *coefficients, int terms, double base,
+                                 int power) {
+    const uint64_t two_thirds = 0x3FE5555555555555;
+    uint64_t bits;
+    memcpy(&bits, &base, sizeof bits);
+    int64_t exponent = (int64_t)(bits - two_thirds) >> 52; /* base / 2^exponent is in 2/3..4/3 */
+    bits -= (uint64_t)exponent << 52;
+    memcpy(&base, &bits, sizeof base);
+    double log = (double)exponent + polynomial(coefficients->log2, terms, base - 1);
+    double product = power * log;
+    if (product < -1000) {
+        return 0;
+    }
+    int64_t whole = (int64_t)(product - 0.5); /* to the nearest, as no product is above 0 */
+    double result = 1 + polynomial(coefficients->exp2, terms, product - (double)whole);
+    memcpy(&bits, &result, sizeof bits);
+    bits += (uint64_t)whole << 52;
+    memcpy(&result, &bits, sizeof result);
+    return result;
+}
+
+/* base^power in one of the ways. */
+static inline double power_by(enum power_way way, const struct lit *lit, double base) {
+    int power = lit->u.material.power;
+    switch (way) {
+    case POW:
+        return attempt_1_pow(base, power);
+    case REPEATED:
+        return attempt_2_repeated(base, power);
+    case TABLE_64:
+        return attempt_3_table(&lit->tables[0], base);
+    case TABLE_257:
+        return attempt_3_table(&lit->tables[1], base);
+    case TABLE_1024:
+        return attempt_3_table(&lit->tables[2], base);
+    case SCHLICK:
+        return attempt_4_schlick(base, power);
+    case TERMS_2:
+    case TERMS_3:
+    case TERMS_4:
+    case TERMS_5:
+        return terms_power(&lit->coefficients[way - TERMS_2], 2 + (int)(way - TERMS_2), base,
+                           power);
+    case HALF_VECTOR_4:
+        return integer_power(base, 4 * power);
+    default:
+        return integer_power(base, power);
+    }
+}
+
+static inline struct vec3 normal_by(enum power_way way, const double *varyings) {
+    struct vec3 normal = {varyings[5], varyings[6], varyings[7]};
+    switch (way) {
+    case SHORT_NORMAL:
+        return normal;
+    case ONE_NEWTON_STEP:
+        return vec3_renormalized(normal);
+    default:
+        return mesh_normal(varyings);
+    }
+}
+
+/* How near the eye is to the mirrored light: r . v, or n . h with h half-way between l and v
+ * (Blinn, "Models of Light Reflection for Computer Synthesized Pictures", 1977). */
+static inline double nearness_by(enum power_way way, struct vec3 normal, struct vec3 to_light,
+                                 struct vec3 to_eye) {
+    double near = way == HALF_VECTOR || way == HALF_VECTOR_4
+                      ? vec3_dot(normal, vec3_normalized(vec3_add(to_light, to_eye)))
+                      : vec3_dot(reflect(normal, to_light), to_eye);
+    return near > 0 ? near : 0;
+}
+
+/* plain_fragment() with another way to find the specular part. */
+static inline struct color light_by(enum power_way way, const struct lit *lit,
+                                    const double *varyings) {
     const struct uniforms *u = &lit->u;
-    struct vec3 normal = mesh_normal(varyings);
+    struct vec3 normal = normal_by(way, varyings);
     struct vec3 to_eye = vec3_normalized(vec3_sub(u->eye, position_of(varyings)));
     double diffuse = vec3_dot(normal, u->to_light), specular = 0;
     if (diffuse > 0) {
-        double mirrored = vec3_dot(reflect(normal, u->to_light), to_eye);
-        mirrored = mirrored > 0 ? mirrored : 0;
-        specular = way == POW        ? attempt_1_pow(mirrored, u->material.power)
-                   : way == REPEATED ? attempt_2_repeated(mirrored, u->material.power)
-                   : way == TABLE    ? attempt_3_table(&lit->table, mirrored)
-                                     : attempt_4_schlick(mirrored, u->material.power);
+        specular = power_by(way, lit, nearness_by(way, normal, u->to_light, to_eye));
     }
     double scattered = u->material.ambient + u->material.diffuse * (diffuse > 0 ? diffuse : 0);
     double shine = 255 * u->material.specular * specular;
@@ -136,79 +256,158 @@ static inline struct color light_by(int way, const struct lit *lit, const double
                      level_from(rgb.z * scattered + shine));
 }
 
-static bool pow_fragment(const void *uniforms, const double *varyings, struct color *color) {
-    *color = light_by(POW, uniforms, varyings);
-    return true;
-}
+/* The loop over pixels in each of the ways. */
+#define LIGHT_ALL(name, way)                                                                       \
+    static void name(struct work *work) {                                                          \
+        for (size_t i = 0; i < work->lit_count; i++) {                                             \
+            work->colors[i] = light_by(way, &work->lit, work->lit_pixels[i].varyings);             \
+        }                                                                                          \
+    }
 
-static bool repeated_fragment(const void *uniforms, const double *varyings, struct color *color) {
-    *color = light_by(REPEATED, uniforms, varyings);
-    return true;
-}
+LIGHT_ALL(light_by_pow, POW)
+LIGHT_ALL(light_by_repeated, REPEATED)
+LIGHT_ALL(light_by_squared, SQUARED)
+LIGHT_ALL(light_by_table_64, TABLE_64)
+LIGHT_ALL(light_by_table_257, TABLE_257)
+LIGHT_ALL(light_by_table_1024, TABLE_1024)
+LIGHT_ALL(light_by_schlick, SCHLICK)
+LIGHT_ALL(light_by_2_terms, TERMS_2)
+LIGHT_ALL(light_by_3_terms, TERMS_3)
+LIGHT_ALL(light_by_4_terms, TERMS_4)
+LIGHT_ALL(light_by_5_terms, TERMS_5)
+LIGHT_ALL(light_by_half_vector, HALF_VECTOR)
+LIGHT_ALL(light_by_half_vector_4, HALF_VECTOR_4)
+LIGHT_ALL(light_by_one_newton_step, ONE_NEWTON_STEP)
+LIGHT_ALL(light_by_short_normal, SHORT_NORMAL)
 
-static bool table_fragment(const void *uniforms, const double *varyings, struct color *color) {
-    *color = light_by(TABLE, uniforms, varyings);
-    return true;
-}
-
-static bool schlick_fragment(const void *uniforms, const double *varyings, struct color *color) {
-    *color = light_by(SCHLICK, uniforms, varyings);
-    return true;
-}
-
-SHADER(pow_shader, .varying_count = 8, .vertex = vertex_with_normal, .fragment = pow_fragment);
-SHADER(repeated_shader, .varying_count = 8, .vertex = vertex_with_normal,
-       .fragment = repeated_fragment);
-SHADER(squared_shader, .varying_count = 8, .vertex = vertex_with_normal,
-       .fragment = plain_fragment);
-SHADER(table_shader, .varying_count = 8, .vertex = vertex_with_normal, .fragment = table_fragment);
-SHADER(schlick_shader, .varying_count = 8, .vertex = vertex_with_normal,
-       .fragment = schlick_fragment);
-SHADER(short_normal_shader, .varying_count = 8, .vertex = vertex_with_normal,
-       .fragment = attempt_5_not_normalized);
-
-static const struct shader *const power_shaders[POWERS] = {
-    [POW] = &pow_shader,     [REPEATED] = &repeated_shader, [SQUARED] = &squared_shader,
-    [TABLE] = &table_shader, [SCHLICK] = &schlick_shader,   [SHORT_NORMAL] = &short_normal_shader,
+static void (*const lights[POWERS])(struct work *) = {
+    [POW] = light_by_pow,
+    [REPEATED] = light_by_repeated,
+    [SQUARED] = light_by_squared,
+    [TABLE_64] = light_by_table_64,
+    [TABLE_257] = light_by_table_257,
+    [TABLE_1024] = light_by_table_1024,
+    [SCHLICK] = light_by_schlick,
+    [TERMS_2] = light_by_2_terms,
+    [TERMS_3] = light_by_3_terms,
+    [TERMS_4] = light_by_4_terms,
+    [TERMS_5] = light_by_5_terms,
+    [HALF_VECTOR] = light_by_half_vector,
+    [HALF_VECTOR_4] = light_by_half_vector_4,
+    [ONE_NEWTON_STEP] = light_by_one_newton_step,
+    [SHORT_NORMAL] = light_by_short_normal,
 };
-
-static const struct vec3 bust_eye = {1, 0.5, 3};
 
 static void run_power(void *state, int choice) {
-    struct work *work = state;
-    draw(work, &work->bust, bust_eye, power_shaders[choice], &work->lit);
+    lights[choice](state);
 }
 
-/* A shader around another one, which compares each of its colours with the exact one. */
-struct measuring {
-    const struct lit *lit;
-    const struct shader *shader;
-    double *sum, *pixels;
-};
-
-static void measuring_vertex(const void *uniforms, size_t face, size_t corner, double *varyings) {
-    vertex_with_normal(((const struct measuring *)uniforms)->lit, face, corner, varyings);
+static double units_power(const void *state) {
+    return (double)((const struct work *)state)->lit_count;
 }
-
-static bool measuring_fragment(const void *uniforms, const double *varyings, struct color *color) {
-    const struct measuring *m = uniforms;
-    struct real3 normal = {varyings[5], varyings[6], varyings[7]};
-    m->shader->fragment(m->lit, varyings, color);
-    *m->sum += squared_error(*color, &m->lit->u.material, real_normalized(normal),
-                             real_from(position_of(varyings)), real_from(m->lit->u.eye));
-    ++*m->pixels;
-    return true;
-}
-
-SHADER(measuring_shader, .varying_count = 8, .vertex = measuring_vertex,
-       .fragment = measuring_fragment);
 
 static double error_power(void *state, int choice) {
     struct work *work = state;
-    double sum = 0, pixels = 0;
-    struct measuring measuring = {&work->lit, power_shaders[choice], &sum, &pixels};
-    bool done = draw(work, &work->bust, bust_eye, &measuring_shader, &measuring);
-    return done ? sqrt(sum / pixels) : (double)INFINITY;
+    double sum = 0;
+    (void)choice;
+    for (size_t i = 0; i < work->lit_count; i++) {
+        sum += squared_error(work->colors[i], work->lit_pixels[i].exact);
+    }
+    return sqrt(sum / (double)work->lit_count);
+}
+
+static double error_worst(void *state, int choice) {
+    struct work *work = state;
+    int worst = 0;
+    (void)choice;
+    for (size_t i = 0; i < work->lit_count; i++) {
+        struct color a = work->colors[i], b = work->lit_pixels[i].exact;
+        worst = most_of(worst, abs(a.r - b.r), most_of(abs(a.g - b.g), abs(a.b - b.b), 0));
+    }
+    return worst;
+}
+
+/* ---- Which pixels these are ---- */
+
+static const struct vec3 bust_eye = {1, 0.5, 3};
+
+/* A shader that keeps what it gets. */
+struct collecting {
+    const struct uniforms *u;
+    struct work *work;
+};
+
+static void collecting_vertex(const void *uniforms, size_t face, size_t corner, double *varyings) {
+    vertex_with_normal(((const struct collecting *)uniforms)->u, face, corner, varyings);
+}
+
+static bool collecting_fragment(const void *uniforms, const double *varyings, struct color *color) {
+    const struct collecting *c = uniforms;
+    struct lit_pixel *pixel = &c->work->lit_pixels[c->work->lit_count];
+    struct real3 normal = real_normalized((struct real3){varyings[5], varyings[6], varyings[7]});
+    struct real3 position = real_from(position_of(varyings)), eye = real_from(c->u->eye);
+    memcpy(pixel->varyings, varyings, sizeof pixel->varyings);
+    pixel->exact = exact_color(&c->u->material, normal, position, eye);
+    /* Where the light adds at least a level. */
+    c->work->lit_count += exact_shine(&c->u->material, normal, position, eye) >= 1;
+    *color = color_grey(255);
+    return true;
+}
+
+SHADER(collecting_shader, .varying_count = 8, .vertex = collecting_vertex,
+       .fragment = collecting_fragment);
+
+static bool find_highlights(struct work *work, struct error *error) {
+    struct collecting collecting = {&work->lit.u, work};
+    work->lit_pixels = malloc((size_t)SIDE * SIDE * sizeof *work->lit_pixels);
+    work->colors = malloc((size_t)SIDE * SIDE * sizeof *work->colors);
+    return (work->lit_pixels != NULL && work->colors != NULL &&
+            draw(work, &work->bust, bust_eye, &collecting_shader, &collecting)) ||
+           error_out_of_memory(error);
+}
+
+/* Solve a x = b by elimination; a is far from singular. */
+static void solve(int size, long double a[][TERMS_MOST], long double *b) {
+    for (int column = 0; column < size; column++) {
+        for (int row = 0; row < size; row++) {
+            long double factor = row == column ? 0 : a[row][column] / a[column][column];
+            for (int k = column; k < size; k++) {
+                a[row][k] -= factor * a[column][k];
+            }
+            b[row] -= factor * b[column];
+        }
+    }
+    for (int row = 0; row < size; row++) {
+        b[row] /= a[row][row];
+    }
+}
+
+/* The x (c0 + c1 x + ...) that has the values of a function in the zeros of a Chebyshev polynomial,
+ * spread over -reach..reach: nearly the best there is. */
+static void fit(double *c, int terms, long double reach, long double (*function)(long double)) {
+    const long double pi = 3.14159265358979323846L;
+    long double a[TERMS_MOST][TERMS_MOST], b[TERMS_MOST];
+    for (int row = 0; row < terms; row++) {
+        long double x = reach * cosl(pi * (row + 0.5L) / terms), power = 1;
+        x = fabsl(x) < reach / 1024 ? reach / 1024 : x; /* not 0 / 0 */
+        for (int k = 0; k < terms; k++) {
+            a[row][k] = power;
+            power *= x;
+        }
+        b[row] = function(x) / x;
+    }
+    solve(terms, a, b);
+    for (int k = 0; k < terms; k++) {
+        c[k] = (double)b[k];
+    }
+}
+
+static long double log2_beside_1(long double x) {
+    return log2l(1 + x);
+}
+
+static long double exp2_less_1(long double x) {
+    return exp2l(x) - 1;
 }
 
 /* ---- Details: a sphere with ripples, which are in its normals only ---- */
@@ -250,9 +449,11 @@ static bool make_ripples(struct texture *texture, struct error *error) {
 
 static void set_corner(struct model *model, size_t i, long double u, long double v) {
     struct real3 d = direction_at(u, v), n = rippled_normal(d);
-    const float normal[3] = {(float)n.x, (float)n.y, (float)n.z};
+    const long double normal[3] = {n.x, n.y, n.z};
     model->positions[i] = (struct vec3){(double)d.x, (double)d.y, (double)d.z};
-    memcpy(model->normals[i], normal, sizeof normal);
+    for (int k = 0; k < 3; k++) {
+        model->normals[i][k] = (float)normal[k];
+    }
     model->uvs[i][0] = (float)u;
     model->uvs[i][1] = (float)v;
 }
@@ -331,13 +532,13 @@ static bool hit_sphere(int x, int y, struct real3 *hit) {
 static double error_detail(void *state, int choice) {
     struct work *work = state;
     double sum = 0, pixels = 0;
-    run_detail(state, choice);
+    (void)choice;
     for (int i = 0; i < SIDE * SIDE; i++) {
         struct real3 hit;
         struct color color = image_get(&work->image, i % SIDE, i / SIDE);
         if (color.r > 0 && hit_sphere(i % SIDE, i / SIDE, &hit)) { /* ambient light is everywhere */
-            sum += squared_error(color, &work->sphere.material, rippled_normal(hit), hit,
-                                 real_from(sphere_eye));
+            sum += squared_error(color, exact_color(&work->sphere.material, rippled_normal(hit),
+                                                    hit, real_from(sphere_eye)));
             pixels++;
         }
     }
@@ -352,9 +553,16 @@ static bool make_lit(struct work *work, struct error *error) {
                                     .to_light = vec3_normalized(light),
                                     .material = plain_material};
     work->lit.u.material.power = SHARP_POWER;
-    work->lit.table = attempt_3_make_table(SHARP_POWER);
+    work->lit.tables[0] = attempt_3_make_table(64, SHARP_POWER);
+    work->lit.tables[1] = attempt_3_make_table(257, SHARP_POWER);
+    work->lit.tables[2] = attempt_3_make_table(1024, SHARP_POWER);
+    for (int terms = TERMS_LEAST; terms <= TERMS_MOST; terms++) {
+        struct exp_log *coefficients = &work->lit.coefficients[terms - TERMS_LEAST];
+        fit(coefficients->log2, terms, 1 / 3.0L, log2_beside_1);
+        fit(coefficients->exp2, terms, 0.5L, exp2_less_1);
+    }
     return bench_read_model(&work->bust, "bust.obj", error) &&
-           model_need_normals(&work->bust, error);
+           model_need_normals(&work->bust, error) && find_highlights(work, error);
 }
 
 static bool make_details(struct work *work, struct error *error) {
@@ -387,6 +595,8 @@ static void teardown(void *state) {
     struct work *work = state;
     if (work != NULL) {
         model_free(&work->bust);
+        free(work->lit_pixels);
+        free(work->colors);
         for (int i = 0; i < MESHES; i++) {
             model_free(&work->meshes[i]);
         }
@@ -399,10 +609,21 @@ static void teardown(void *state) {
 
 /* ---- The panels ---- */
 
-#define POWER(label, way, house)                                                                   \
+#define POWER(label, way, house, judge)                                                            \
+    { .name = (label), .choice = (way), .is_house = (house), .run = run_power, .error = (judge) }
+/* The same versions, judged in two ways. */
+#define POWER_VERSIONS(judge)                                                                      \
     {                                                                                              \
-        .name = (label), .choice = (way), .is_house = (house), .run = run_power,                   \
-        .error = error_power                                                                       \
+        POWER("pow()", POW, false, judge), POWER("80 multiplications", REPEATED, false, judge),    \
+            POWER("integer power, squaring", SQUARED, true, judge),                                \
+            POWER("64", TABLE_64, false, judge), POWER("257", TABLE_257, false, judge),            \
+            POWER("1,024", TABLE_1024, false, judge),                                              \
+            POWER("Schlick's form", SCHLICK, false, judge), POWER("2", TERMS_2, false, judge),     \
+            POWER("3", TERMS_3, false, judge), POWER("4", TERMS_4, false, judge),                  \
+            POWER("5", TERMS_5, false, judge), POWER("80", HALF_VECTOR, false, judge),             \
+            POWER("320", HALF_VECTOR_4, false, judge),                                             \
+            POWER("normal: one Newton step", ONE_NEWTON_STEP, false, judge),                       \
+            POWER("normal not renormalised", SHORT_NORMAL, false, judge),                          \
     }
 #define DETAIL(label, number, house)                                                               \
     {                                                                                              \
@@ -410,38 +631,54 @@ static void teardown(void *state) {
         .error = error_detail                                                                      \
     }
 
-static const struct bench_version power_versions[] = {
-    POWER("pow()", POW, false),
-    POWER("80 multiplications", REPEATED, false),
-    POWER("integer power, squaring", SQUARED, true),
-    POWER("table of 257", TABLE, false),
-    POWER("Schlick's form", SCHLICK, false),
-    POWER("normal not renormalised", SHORT_NORMAL, false),
-};
+static const char *power_series(int choice) {
+    return choice >= TABLE_64 && choice <= TABLE_1024         ? "table of"
+           : choice >= TERMS_2 && choice <= TERMS_5           ? "log2 and exp2, terms"
+           : choice == HALF_VECTOR || choice == HALF_VECTOR_4 ? "half vector, power"
+                                                              : NULL;
+}
+
+static const struct bench_version power_versions[] = POWER_VERSIONS(error_power);
+static const struct bench_version worst_versions[] = POWER_VERSIONS(error_worst);
+
+static const char *detail_series(int choice) {
+    return choice < WITH_MAP ? "normals of the mesh, triangles" : "normal map, triangles";
+}
 
 static const struct bench_version detail_versions[] = {
-    DETAIL("960 triangles", 0, false),
-    DETAIL("3,968 triangles", 1, false),
-    DETAIL("16,128 triangles", 2, false),
-    DETAIL("65,024 triangles", 3, false),
-    DETAIL("960 and a normal map", WITH_MAP + 0, true),
-    DETAIL("3,968 and a normal map", WITH_MAP + 1, true),
-    DETAIL("16,128 and a normal map", WITH_MAP + 2, true),
+    DETAIL("960", 0, false),
+    DETAIL("3,968", 1, false),
+    DETAIL("16,128", 2, false),
+    DETAIL("65,024", 3, false),
+    DETAIL("960", WITH_MAP + 0, true),
+    DETAIL("3,968", WITH_MAP + 1, true),
+    DETAIL("16,128", WITH_MAP + 2, true),
 };
 
 static const struct bench_panel bench_panels[] = {
-    {.title = "The bust, power 80, 600x600 pixels, 1 thread",
+    {.title = "Pixels of the bust's highlights, power 80",
      .error_label = "levels, root mean square",
-     .time_label = "ms per frame",
+     .time_label = "ns per pixel",
      .against = "Phong's formula, long double",
+     .units = units_power,
      .versions = power_versions,
-     .version_count = sizeof power_versions / sizeof power_versions[0]},
+     .version_count = sizeof power_versions / sizeof power_versions[0],
+     .series = power_series},
+    {.title = "The same, by the worst pixel",
+     .error_label = "levels, the largest",
+     .time_label = "ns per pixel",
+     .against = "Phong's formula, long double",
+     .units = units_power,
+     .versions = worst_versions,
+     .version_count = sizeof worst_versions / sizeof worst_versions[0],
+     .series = power_series},
     {.title = "A rippled sphere: a finer mesh or a normal map",
      .error_label = "levels, root mean square",
      .time_label = "ms per frame",
      .against = "the true surface, long double",
      .versions = detail_versions,
-     .version_count = sizeof detail_versions / sizeof detail_versions[0]},
+     .version_count = sizeof detail_versions / sizeof detail_versions[0],
+     .series = detail_series},
 };
 
 const struct bench_lesson bench_step10 = {

@@ -43,8 +43,8 @@ bool oracle_line_has(struct pixel a, struct pixel b, struct pixel p);
 bool oracle_covers(struct fixed2 a, struct fixed2 b, struct fixed2 c, int64_t x, int64_t y);
 
 /* Compare the depths of two triangles at the centre of pixel (x,y): the sign of first - second,
- * exact. Depths at the corners are whole numbers of at most 2^24; coordinates at most 2^20 (1/256
- * pixel). */
+ * exact. Depths at the corners are whole numbers of at most 2^24 and coordinates at most 2^20 (1/256
+ * pixel), or, at pixels that both cover, depths of 0..2^52 and coordinates of 0..2^18. */
 int oracle_compare_depth(const struct fixed2 first[3], const int64_t first_depth[3],
                          const struct fixed2 second[3], const int64_t second_depth[3], int64_t x,
                          int64_t y);

@@ -21,12 +21,14 @@ top=$(cd "$(dirname "$0")/../.." && pwd) || exit 2
 #            note     the number of differing files is printed and not counted
 # The slowest stand first, so that none of them is left alone at the end. The x87 computes in 64 bits
 # and rounds when it stores; set to 53 bits (-mpc64), it gives the same bytes as every other machine.
+# WebAssembly has a stack of 64 KiB unless told otherwise, and overwrites data where it ends.
 table() {
     cat <<'END'
 s390x          | exact   | s390x-linux-gnu-gcc        | -O2 | qemu-s390x -L /usr/s390x-linux-gnu | gcc-s390x-linux-gnu libc6-dev-s390x-cross qemu-user
 ppc64          | exact   | powerpc64-linux-gnu-gcc    | -O3 | qemu-ppc64 -L /usr/powerpc64-linux-gnu | gcc-powerpc64-linux-gnu libc6-dev-ppc64-cross qemu-user
 arm64          | exact   | aarch64-linux-gnu-gcc      | -O3 -fopenmp | qemu-aarch64 -L /usr/aarch64-linux-gnu | gcc-aarch64-linux-gnu libc6-dev-arm64-cross qemu-user
 arm64-clang    | exact   | clang                      | -O3 --target=aarch64-linux-gnu | qemu-aarch64 -L /usr/aarch64-linux-gnu | clang gcc-aarch64-linux-gnu libc6-dev-arm64-cross qemu-user
+wasm           | exact   | clang | -O3 --target=wasm32-wasi -Wno-unused-command-line-argument -Wl,--stack-first,-z,stack-size=1048576 | node --no-warnings tests/portability/run_wasm.js | clang lld llvm wasi-libc libclang-rt-14-dev-wasm32 nodejs
 arm32          | exact   | arm-linux-gnueabihf-gcc    | -O3 -mfpu=neon-vfpv4 | qemu-arm -L /usr/arm-linux-gnueabihf | gcc-arm-linux-gnueabihf libc6-dev-armhf-cross qemu-user
 riscv64        | exact   | riscv64-linux-gnu-gcc      | -O3 | qemu-riscv64 -L /usr/riscv64-linux-gnu | gcc-riscv64-linux-gnu libc6-dev-riscv64-cross qemu-user
 gcc-O0         | exact   | gcc   | -O0                 | | gcc
@@ -71,12 +73,20 @@ steps() {
 
 # ---- One configuration; it works in $work, and its messages go to $work/log ----
 
+# GNU ar makes no index of WebAssembly objects, and without one wasm-ld does not link.
+archiver() {
+    case $flags in
+        *--target=wasm*) echo llvm-ar ;;
+        *) echo ar ;;
+    esac
+}
+
 # Build everything but the pictures. The build takes no setting from a `make` that runs this script.
 build() {
     (unset MAKEFLAGS MAKEOVERRIDES MFLAGS
      # shellcheck disable=SC2046 # one word a program
-     make -C "$top" -s -k -j1 BUILD="$work" CC="$compiler" CFLAGS="$flags" OPENMP= WERROR=-Werror \
-         $(steps | sed "s|^|$work/|") "$work/sculpt") >"$work/log" 2>&1
+     make -C "$top" -s -k -j1 BUILD="$work" CC="$compiler" AR="$(archiver)" CFLAGS="$flags" OPENMP= \
+         WERROR=-Werror $(steps | sed "s|^|$work/|") "$work/sculpt") >"$work/log" 2>&1
 }
 
 # Can a program of this compiler run here? Vectors that the processor lacks are found here, too.
@@ -99,12 +109,12 @@ END
     $compiler $flags "$work/probe.c" -o "$work/probe" >"$work/log" 2>&1
 }
 
-# run PROGRAM ARGUMENT...
+# run PROGRAM ARGUMENT..., with absolute paths only: the runner's own path begins at $top.
 run() {
     program=$1
     shift
     # shellcheck disable=SC2086 # the runner is several words, or none
-    $runner "$work/$program" "$@" </dev/null >/dev/null 2>>"$work/log"
+    (cd "$top" && $runner "$work/$program" "$@") </dev/null >/dev/null 2>>"$work/log"
 }
 
 sculpt() {
@@ -204,7 +214,7 @@ check_pictures() {
 check_configuration() {
     work=$build/$name
     mkdir -p "$work" || exit 1
-    for tool in "${compiler%% *}" "${runner%% *}"; do
+    for tool in "${compiler%% *}" "$(archiver)" "${runner%% *}"; do
         if [ -n "$tool" ] && ! command -v "$tool" >/dev/null 2>&1; then
             say SKIP "$tool is not installed (Debian: $packages)"
             return
@@ -213,7 +223,7 @@ check_configuration() {
     if ! build_probe; then
         say SKIP "$compiler $flags cannot build an empty program (Debian: $packages)"
     elif ! run probe; then
-        say SKIP "this processor cannot run $compiler $flags"
+        say SKIP "what $compiler $flags builds does not run here (see $work/log)"
     elif ! build; then
         say FAIL "does not build (see $work/log)"
     elif ! sculpt; then

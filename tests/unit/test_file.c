@@ -348,10 +348,14 @@ static void test_write_protection(void) {
     place_remove(&place, NULL);
 }
 
+static bool is_link(const char *path) {
+    struct stat status;
+    return lstat(path, &status) == 0 && S_ISLNK(status.st_mode);
+}
+
 static void test_symbolic_link(void) {
     struct place place;
     struct error error;
-    struct stat status;
     char link[128];
     if (!place_create(&place)) {
         return;
@@ -361,9 +365,65 @@ static void test_symbolic_link(void) {
     CHECK(file_write(path, "old", 3, &error));
     CHECK(symlink("a", link) == 0);
     CHECK(file_write(link, "new", 3, &error));
-    CHECK(lstat(link, &status) == 0 && S_ISLNK(status.st_mode));
+    CHECK(is_link(link));
     CHECK(file_is(path, "new") && place_count(&place) == 2);
     CHECK(unlink(link) == 0);
+    place_remove(&place, "a");
+}
+
+/* first -> DIRECTORY/sub/second -> ../third -> sub/a; the working directory is elsewhere. */
+static void test_chain_of_links(void) {
+    static const char *const names[] = {"first", "sub/second", "third"};
+    struct place place;
+    struct error error;
+    struct stat status;
+    if (!place_create(&place)) {
+        return;
+    }
+    CHECK(mkdir(name_file(&place, "sub"), 0777) == 0);
+    CHECK(file_write(name_file(&place, "sub/a"), "old", 3, &error));
+    CHECK(chmod(place.path, 0640) == 0);
+    CHECK(symlink("sub/a", name_file(&place, "third")) == 0);
+    char second[128];
+    strcpy(second, name_file(&place, "sub/second"));
+    CHECK(symlink("../third", second) == 0);
+    CHECK(symlink(second, name_file(&place, "first")) == 0);
+    CHECK(file_write(place.path, "new", 3, &error));
+    CHECK(file_is(name_file(&place, "sub/a"), "new"));
+    CHECK(stat(place.path, &status) == 0 && (status.st_mode & 0777) == 0640);
+    CHECK(unlink(place.path) == 0);
+    for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
+        CHECK_ROW(is_link(name_file(&place, names[i])), names[i]);
+        CHECK(unlink(place.path) == 0);
+    }
+    CHECK(rmdir(name_file(&place, "sub")) == 0);
+    place_remove(&place, NULL);
+}
+
+/* file_write() follows as many links as the system: 40 under Linux. */
+static void test_many_links(void) {
+    enum { LINKS = 45 };
+    struct place place;
+    struct error error;
+    struct stat status;
+    char target[16] = "a", name[16];
+    if (!place_create(&place)) {
+        return;
+    }
+    CHECK(file_write(name_file(&place, target), "old", 3, &error));
+    for (int i = 0; i < LINKS; i++) {
+        snprintf(name, sizeof name, "link%d", i);
+        CHECK(symlink(target, name_file(&place, name)) == 0);
+        bool followed = stat(place.path, &status) == 0;
+        CHECK_ROW(file_write(place.path, name, strlen(name), &error) == followed, name);
+        CHECK_ROW(is_link(place.path), name);
+        CHECK_ROW(file_is(name_file(&place, "a"), name) == followed, name);
+        strcpy(target, name);
+    }
+    for (int i = 0; i < LINKS; i++) {
+        snprintf(name, sizeof name, "link%d", i);
+        CHECK(unlink(name_file(&place, name)) == 0);
+    }
     place_remove(&place, "a");
 }
 
@@ -411,4 +471,4 @@ UNIT_MAIN(TEST(test_messages), TEST(test_lines_of_messages), TEST(test_names_of_
           TEST(test_long_messages), TEST(test_bytes), TEST(test_read), TEST(test_read_errors),
           TEST(test_standard_input), TEST(test_write), TEST(test_write_errors),
           TEST(test_full_disk), TEST(test_write_protection), TEST(test_symbolic_link),
-          TEST(test_devices))
+          TEST(test_chain_of_links), TEST(test_many_links), TEST(test_devices))
