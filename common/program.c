@@ -383,6 +383,7 @@ static bool draw_text(struct command *command, struct error *error) {
         command->run.text = &text;
         done = name != NULL ? draw_scene(command, &scene, error) : error_out_of_memory(error);
     }
+    command->run.text = NULL;
     free(name);
     text_scene_free(&text);
     return done;

@@ -4,6 +4,7 @@
 #include "oracle.h"
 #include "unit.h"
 
+#include <assert.h>
 #include <stdlib.h>
 
 static struct random random_state = {1};
@@ -201,6 +202,7 @@ static bool make_uncrossed(struct polygon *p) {
 /* The smallest turn from the way (dx, dy) that whole numbers can make: dx * *y - dy * *x is 1, or
  * where the two share a factor 0. dx and dy are positive (Euclid's algorithm, extended). */
 static void smallest_turn(int64_t dx, int64_t dy, int64_t *x, int64_t *y) {
+    assert(dx > 0 && dy > 0);
     int64_t a = dx, b = dy, a_times = 1, b_times = 0; /* of dx, up to a multiple of dy */
     while (b != 0) {
         int64_t quotient = a / b, rest = a % b, rest_times = a_times - quotient * b_times;
@@ -489,7 +491,8 @@ static void test_limit(void) {
     const size_t size = POLYGON_CONCAVE_LIMIT;
     struct vec3 *places = malloc((size + 1) * sizeof *places);
     struct polygon_cutter cutter = {0};
-    if (!CHECK(places != NULL)) {
+    CHECK(places != NULL);
+    if (places == NULL) {
         return;
     }
     for (size_t i = 0; i <= size; i++) { /* all corners but four in one place */
