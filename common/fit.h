@@ -16,8 +16,8 @@ struct box model_box(const struct model *model);
 bool box_reaches_out(struct box box);
 
 /* Move the middle of the model's box to the origin and scale the model, in proportion, so that the
- * longest side of the box nearly fills -1..1: for a parallel view. With `all_around` the model keeps
- * within 7/8 of the origin, so that a camera at a distance of 2 or more sees all of it from
+ * longest side of the box nearly fills -1..1: for a parallel view. With `all_around` the model
+ * keeps within 7/8 of the origin, so that a camera at a distance of 2 or more sees all of it from
  * everywhere. */
 void model_fit(struct model *model, bool all_around);
 

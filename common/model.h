@@ -2,11 +2,11 @@
  * Meshes of triangles, read from OBJ and OFF files, with the textures that lie beside them.
  *
  * A model is a list of faces of three corners; each corner names a position, a texture coordinate
- * and a normal, each by its own index. Positions are kept as the file has them, in double, so that a
- * model may stand far from the origin; all else is rounded to float. The accessors give vectors.
- * Polygons are cut into triangles as they are read, concave ones too (polygon.h). Every index is
- * checked, so every index in a loaded model is valid; every number is finite and within the range of
- * a float, so that products of a few cannot overflow.
+ * and a normal, each by its own index. Positions are kept in double, so that a model may stand far
+ * from the origin; all else is rounded to float. The accessors give vectors. Polygons are cut into
+ * triangles as they are read, concave ones too (polygon.h). Every index is checked, so every index
+ * in a loaded model is valid; every number is finite and within the range of a float, so that
+ * products of a few cannot overflow.
  *
  * OBJ: v (x y z, x y z w: w is not used, x y z r g b), vt (u, u v, u v w: w is not used), vn and f;
  * all other keywords are passed over. A face may name what comes further down; a negative index

@@ -428,8 +428,9 @@ static bool fast_double(const struct decimal *decimal, double *value) {
     return true;
 }
 
-/* With more digits the head is two doubles, and so is the quotient or product: `rounded` and, nearly
- * as exact again, `rest`. That is enough, unless it lies too near the middle between two doubles. */
+/* With more digits the head is two doubles, and so is the quotient or product: `rounded` and,
+ * nearly as exact again, `rest`. That is enough, unless it lies too near the middle between two
+ * doubles. */
 static bool fair_double(const struct decimal *decimal, double *value) {
     double high = (double)decimal->head, power = power_of_ten(decimal->exponent);
     double low = (double)(int64_t)(decimal->head - (uint64_t)high);

@@ -240,8 +240,8 @@ struct laid {
     size_t corner[CORNER_LIMIT];
 };
 
-/* By one of six permutations of the axes, on a slanted plane, with any corner first, and scaled by a
- * power of two. */
+/* By one of six permutations of the axes, on a slanted plane, with any corner first, and scaled by
+ * a power of two. */
 static struct laid lay(const struct polygon *p, bool backwards) {
     static const int orders[6][3] = {{0, 1, 2}, {1, 2, 0}, {2, 0, 1},
                                      {0, 2, 1}, {2, 1, 0}, {1, 0, 2}};

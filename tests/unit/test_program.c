@@ -479,7 +479,7 @@ static const char far_obj[] = "v 1000 1000 0\nv 1004 1000 0\nv 1000 1002 0\nv 9e
 static const char out_message[] =
     "probe: far.obj reaches out of -1..1; --fit brings it into view\n";
 
-/* What is said of a model, and that nothing is said where something is seen or nothing was asked. */
+/* What is said of a model; nothing where something is seen, or where nothing was asked. */
 static void test_out_of_view(void) {
     struct program camera_program = view_program;
     struct error error;
