@@ -2,9 +2,11 @@
  * Meshes of triangles, read from OBJ and OFF files, with the textures that lie beside them.
  *
  * A model is a list of faces of three corners; each corner names a position, a texture coordinate
- * and a normal, each by its own index. Arrays hold the files' floats; the accessors give vectors.
- * Polygons are cut into triangles as they are read, concave ones too (polygon.h). Every index is
- * checked, so every index in a loaded model is valid; every number is finite.
+ * and a normal, each by its own index. Positions are kept in double, so that a model may stand far
+ * from the origin; all else is rounded to float. The accessors give vectors. Polygons are cut into
+ * triangles as they are read, concave ones too (polygon.h). Every index is checked, so every index
+ * in a loaded model is valid; every number is finite and within the range of a float, so that
+ * products of a few cannot overflow.
  *
  * OBJ: v (x y z, x y z w: w is not used, x y z r g b), vt (u, u v, u v w: w is not used), vn and f;
  * all other keywords are passed over. A face may name what comes further down; a negative index
@@ -48,7 +50,7 @@ enum model_texture_kind {
 /* All zero is a valid, empty model. Everything in it belongs to it. */
 struct model {
     size_t position_count, uv_count, normal_count, face_count;
-    float (*positions)[3];   /* x y z */
+    struct vec3 *positions;
     float (*uvs)[2];         /* u v */
     float (*normals)[3];     /* as in the file, of any length; of length 1 where computed */
     float (*colors)[3];      /* red green blue 0..1, one a position; NULL where the file has none */
@@ -69,16 +71,10 @@ bool model_decode(struct model *model, const void *data, size_t size, struct err
 /* Free everything and leave an empty model. */
 void model_free(struct model *model);
 
-/* A position by its number. */
-static inline struct vec3 model_position_at(const struct model *model, size_t position) {
-    const float *p = model->positions[position];
-    return (struct vec3){p[0], p[1], p[2]};
-}
-
 /* The attributes of corner 0, 1 or 2 of a face. A corner without a texture coordinate gives (0,0);
  * normals are given as stored: call model_need_normals() (normals.h) first. */
 static inline struct vec3 model_position(const struct model *model, size_t face, size_t corner) {
-    return model_position_at(model, model->faces[face].corner[corner].position);
+    return model->positions[model->faces[face].corner[corner].position];
 }
 
 static inline struct vec2 model_uv(const struct model *model, size_t face, size_t corner) {

@@ -3,9 +3,9 @@
 
 #include "array.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdlib.h>
-#include <string.h>
 
 /* ---- Lines and numbers ---- */
 
@@ -40,15 +40,15 @@ bool reader_read_numbers(struct model_reader *reader, struct reader_numbers *num
     for (;;) {
         struct word word = text_next_word(&reader->text);
         int64_t ignored;
-        float number;
+        double number;
         if (word.length == 0) {
             return true;
         }
-        if (!word_to_float(word, &number)) {
+        if (!word_to_double(word, &number)) {
             return text_error(reader->error, reader->line, "'%s' is not a number",
                               word_show(word).text);
         }
-        if (isinf(number)) {
+        if (fabs(number) > FLT_MAX) {
             return text_error(reader->error, reader->line, "%s is too large", word_show(word).text);
         }
         if (numbers->count < READER_NUMBER_LIMIT) {
@@ -71,32 +71,41 @@ static void *reserve(struct model_reader *reader, void *array, size_t *capacity,
     return grown;
 }
 
-/* Add three numbers to a list. */
+bool reader_add_position(struct model_reader *reader, const double position[3]) {
+    struct model *model = reader->model;
+    void *grown = reserve(reader, model->positions, &reader->position_capacity,
+                          model->position_count + 1, sizeof *model->positions);
+    if (grown == NULL) {
+        return false;
+    }
+    model->positions = grown;
+    model->positions[model->position_count++] =
+        (struct vec3){position[0], position[1], position[2]};
+    return true;
+}
+
+/* Add three numbers to a list of floats. */
 static bool add_three(struct model_reader *reader, float (**list)[3], size_t *count,
-                      size_t *capacity, const float numbers[3]) {
+                      size_t *capacity, const double numbers[3]) {
     void *grown = reserve(reader, *list, capacity, *count + 1, sizeof **list);
     if (grown == NULL) {
         return false;
     }
     *list = grown;
-    memcpy((*list)[*count], numbers, sizeof **list);
+    for (int i = 0; i < 3; i++) {
+        (*list)[*count][i] = (float)numbers[i];
+    }
     *count += 1;
     return true;
 }
 
-bool reader_add_position(struct model_reader *reader, const float position[3]) {
-    struct model *model = reader->model;
-    return add_three(reader, &model->positions, &model->position_count, &reader->position_capacity,
-                     position);
-}
-
-bool reader_add_normal(struct model_reader *reader, const float normal[3]) {
+bool reader_add_normal(struct model_reader *reader, const double normal[3]) {
     struct model *model = reader->model;
     return add_three(reader, &model->normals, &model->normal_count, &reader->normal_capacity,
                      normal);
 }
 
-bool reader_add_uv(struct model_reader *reader, float u, float v) {
+bool reader_add_uv(struct model_reader *reader, double u, double v) {
     struct model *model = reader->model;
     void *grown =
         reserve(reader, model->uvs, &reader->uv_capacity, model->uv_count + 1, sizeof *model->uvs);
@@ -104,16 +113,16 @@ bool reader_add_uv(struct model_reader *reader, float u, float v) {
         return false;
     }
     model->uvs = grown;
-    model->uvs[model->uv_count][0] = u;
-    model->uvs[model->uv_count++][1] = v;
+    model->uvs[model->uv_count][0] = (float)u;
+    model->uvs[model->uv_count++][1] = (float)v;
     return true;
 }
 
-static const float white[3] = {1, 1, 1};
+static const double white[3] = {1, 1, 1};
 
 /* Add this colour to a list until it holds `count` of them. */
 static bool fill_colors(struct model_reader *reader, float (**colors)[3],
-                        struct reader_colors *filled, size_t count, const float color[3]) {
+                        struct reader_colors *filled, size_t count, const double color[3]) {
     while (filled->count < count) {
         if (!add_three(reader, colors, &filled->count, &filled->capacity, color)) {
             return false;
@@ -125,17 +134,17 @@ static bool fill_colors(struct model_reader *reader, float (**colors)[3],
 /* Elements from `first` up to `count` get the colour, those before that have none are white. */
 static bool add_colors(struct model_reader *reader, float (**colors)[3],
                        struct reader_colors *filled, size_t first, size_t count,
-                       const float color[3]) {
+                       const double color[3]) {
     return fill_colors(reader, colors, filled, first, white) &&
            fill_colors(reader, colors, filled, count, color);
 }
 
-bool reader_color_position(struct model_reader *reader, const float color[3]) {
+bool reader_color_position(struct model_reader *reader, const double color[3]) {
     size_t count = reader->model->position_count;
     return add_colors(reader, &reader->model->colors, &reader->colors, count - 1, count, color);
 }
 
-bool reader_color_faces(struct model_reader *reader, size_t first, const float color[3]) {
+bool reader_color_faces(struct model_reader *reader, size_t first, const double color[3]) {
     struct model *model = reader->model;
     return add_colors(reader, &model->face_colors, &reader->face_colors, first, model->face_count,
                       color);
@@ -184,15 +193,14 @@ static bool gather_places(struct model_reader *reader) {
     }
     reader->places = grown;
     for (size_t i = 0; i < reader->polygon_size; i++) {
-        const float *position = reader->model->positions[reader->polygon[i].position];
-        memcpy(reader->places[i], position, sizeof *reader->places);
+        reader->places[i] = reader->model->positions[reader->polygon[i].position];
     }
     return true;
 }
 
 static bool cut_polygon(struct model_reader *reader) {
     size_t size = reader->polygon_size;
-    switch (polygon_cut(&reader->cutter, (const float(*)[3])reader->places, size)) {
+    switch (polygon_cut(&reader->cutter, reader->places, size)) {
     case POLYGON_CUT:
         return true;
     case POLYGON_TOO_LARGE:

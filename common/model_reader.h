@@ -33,7 +33,7 @@ struct model_reader {
     size_t polygon_size;
 
     /* Private to model_reader.c. */
-    float (*places)[3]; /* of the polygon's corners */
+    struct vec3 *places; /* of the polygon's corners */
     struct polygon_cutter cutter;
     struct reader_colors colors, face_colors;
     size_t position_capacity, uv_capacity, normal_capacity, face_capacity;
@@ -44,9 +44,9 @@ struct model_reader {
 enum { READER_NUMBER_LIMIT = 12 };
 
 struct reader_numbers {
-    float value[READER_NUMBER_LIMIT]; /* the first of them, finite */
-    size_t count;                     /* of all, which may be more */
-    bool whole;                       /* all are written as whole numbers */
+    double value[READER_NUMBER_LIMIT]; /* the first of them, within the range of a float */
+    size_t count;                      /* of all, which may be more */
+    bool whole;                        /* all are written as whole numbers */
 };
 
 /* Go to the next line that is not empty; its first word. False at the end of the text. */
@@ -58,13 +58,13 @@ bool reader_read_numbers(struct model_reader *reader, struct reader_numbers *num
 /* A decimal integer; one outside 64 bits becomes the nearest that fits, which no file can hold. */
 bool reader_parse_index(struct word word, int64_t *index);
 
-/* Add to the model. */
-bool reader_add_position(struct model_reader *reader, const float position[3]);
-bool reader_add_uv(struct model_reader *reader, float u, float v);
-bool reader_add_normal(struct model_reader *reader, const float normal[3]);
+/* Add to the model. All but positions is rounded to float. */
+bool reader_add_position(struct model_reader *reader, const double position[3]);
+bool reader_add_uv(struct model_reader *reader, double u, double v);
+bool reader_add_normal(struct model_reader *reader, const double normal[3]);
 
 /* Give the last position a colour, of any values; earlier ones that have none are white. */
-bool reader_color_position(struct model_reader *reader, const float color[3]);
+bool reader_color_position(struct model_reader *reader, const double color[3]);
 
 /* Add a corner to the polygon. */
 bool reader_add_corner(struct model_reader *reader, struct corner corner);
@@ -73,7 +73,7 @@ bool reader_add_corner(struct model_reader *reader, struct corner corner);
 bool reader_add_faces(struct model_reader *reader);
 
 /* The same for all faces from `first` on. */
-bool reader_color_faces(struct model_reader *reader, size_t first, const float color[3]);
+bool reader_color_faces(struct model_reader *reader, size_t first, const double color[3]);
 
 /* At the end: cut all colours to 0..1, and where some positions or faces have them, make the others
  * white. */

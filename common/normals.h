@@ -10,8 +10,8 @@
 
 /* The angle between two vectors in radians, 0..pi, to 1e-15 of pi; 0 where one has no length. The
  * same bits on every machine, unlike acos() of the C library. (From the lengths of the difference
- * and the sum of the unit vectors, which is accurate for all angles: Kahan, "How Futile are
- * Mindless Assessments of Roundoff in Floating-Point Computation?", 2006, section 12.) */
+ * and the sum of the unit vectors, which is accurate for all angles: Kahan, "Computing
+ * Cross-Products and Rotations in 2- and 3-Dimensional Euclidean Spaces", section 13.) */
 double model_angle(struct vec3 a, struct vec3 b);
 
 /* Give a normal to every corner that has none: the mean of the normals of the faces around its

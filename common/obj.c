@@ -10,7 +10,7 @@ static bool read_position(struct model_reader *reader) {
     if (!reader_read_numbers(reader, &numbers)) {
         return false;
     }
-    const float *value = numbers.value;
+    const double *value = numbers.value;
     size_t count = numbers.count;
     if (count != 3 && count != 4 && count != 6) { /* x y z, x y z w, x y z r g b */
         return text_error(reader->error, reader->line, "'v' takes 3, 4 or 6 numbers, not %zu",

@@ -127,7 +127,7 @@ static bool read_vertex(struct model_reader *reader, const struct off_kind *kind
         return text_error(reader->error, reader->line, "a vertex has %zu%s numbers here, not %zu",
                           least, kind->color ? " (with alpha one more)" : "", count);
     }
-    const float *value = numbers.value;
+    const double *value = numbers.value;
     return reader_add_position(reader, value) &&
            (!kind->color || reader_color_position(reader, value + color_at)) &&
            (!kind->normal || reader_add_normal(reader, value + 3)) &&
@@ -197,7 +197,7 @@ static bool read_polygon(struct model_reader *reader, const struct off_kind *kin
 
 /* What follows the corners: nothing, an index into a table of colours (not used), or a colour,
  * perhaps with alpha: levels 0..255 where all are whole numbers, otherwise 0..1. */
-static bool read_face_color(struct model_reader *reader, float color[3], bool *colored) {
+static bool read_face_color(struct model_reader *reader, double color[3], bool *colored) {
     struct reader_numbers numbers;
     if (!reader_read_numbers(reader, &numbers)) {
         return false;
@@ -208,7 +208,7 @@ static bool read_face_color(struct model_reader *reader, float color[3], bool *c
     }
     *colored = numbers.count >= 3;
     for (int channel = 0; *colored && channel < 3; channel++) {
-        color[channel] = numbers.value[channel] / (numbers.whole ? 255.0F : 1.0F);
+        color[channel] = numbers.value[channel] / (numbers.whole ? 255 : 1);
     }
     return true;
 }
@@ -218,7 +218,7 @@ static bool read_face(struct model_reader *reader, const struct off_kind *kind, 
                       size_t total) {
     struct word word;
     size_t size = 0, first = reader->model->face_count;
-    float color[3];
+    double color[3];
     bool colored = false;
     if (!reader_next_line(reader, &word)) {
         return text_error(reader->error, reader->line, "the file ends after %zu of %zu faces",

@@ -80,6 +80,13 @@ static bool parse_vec3(const struct program *program, const char *value, void *f
     return true;
 }
 
+/* Light without a direction makes every picture black. */
+static bool parse_light(const struct program *program, const char *value, void *field) {
+    struct vec3_option *light = field;
+    return parse_vec3(program, value, field) &&
+           (light->value.x != 0 || light->value.y != 0 || light->value.z != 0);
+}
+
 /* ---- What a message and the help say of the values ---- */
 
 struct details {
@@ -127,7 +134,7 @@ static struct details describe_nothing(const struct program *program) {
 
 /* ---- The table ---- */
 
-enum condition { ALWAYS, WITH_CAMERA, WITH_LIGHT };
+enum condition { ALWAYS, WITH_MODEL, WITH_CAMERA, WITH_LIGHT };
 
 #define FIELD(name) offsetof(struct options, name)
 
@@ -148,15 +155,17 @@ static const struct option {
      parse_scene, ALWAYS},
     {"--format", "F", "a format", "of the images", describe_format, FIELD(format), parse_format,
      ALWAYS},
+    {"--fit", "", "", "move and scale the model into view", describe_nothing, FIELD(fit),
+     parse_switch, WITH_MODEL},
     {"--eye", "X,Y,Z", "three numbers X,Y,Z", "where the camera stands", describe_nothing,
      FIELD(eye), parse_vec3, WITH_CAMERA},
     {"--center", "X,Y,Z", "three numbers X,Y,Z", "the point that it looks at", describe_nothing,
      FIELD(center), parse_vec3, WITH_CAMERA},
     {"--up", "X,Y,Z", "three numbers X,Y,Z", "the direction that appears upwards", describe_nothing,
      FIELD(up), parse_vec3, WITH_CAMERA},
-    {"--light", "X,Y,Z", "three numbers X,Y,Z",
+    {"--light", "X,Y,Z", "three numbers X,Y,Z that are not all 0",
      "where the light goes, comes from or stands: see the lesson", describe_nothing, FIELD(light),
-     parse_vec3, WITH_LIGHT},
+     parse_light, WITH_LIGHT},
     {"--repeat", "N", "a number", "draw N times; print the median milliseconds of one frame",
      describe_repeat, FIELD(repeat), parse_repeat, ALWAYS},
     {"--stats", "", "", "print what was done and what was skipped", describe_nothing, FIELD(stats),
@@ -169,8 +178,17 @@ static const struct option {
 
 enum { OPTIONS_KNOWN = sizeof options_known / sizeof options_known[0] };
 
+bool program_takes_model(const struct program *program) {
+    unsigned needs = 0;
+    for (size_t i = 0; i < program->scene_count; i++) {
+        needs |= program->scenes[i].needs;
+    }
+    return program->draw_text == NULL && (needs & ~(unsigned)NEEDS_DEPTH) != 0;
+}
+
 static bool takes_option(const struct program *program, const struct option *option) {
     return option->condition == ALWAYS ||
+           (option->condition == WITH_MODEL && program_takes_model(program)) ||
            (option->condition == WITH_CAMERA && program->takes_camera) ||
            (option->condition == WITH_LIGHT && program->takes_light);
 }
@@ -186,14 +204,6 @@ static const struct option *find_option(const struct program *program, const cha
 }
 
 /* ---- The command line ---- */
-
-bool program_takes_model(const struct program *program) {
-    unsigned needs = 0;
-    for (size_t i = 0; i < program->scene_count; i++) {
-        needs |= program->scenes[i].needs;
-    }
-    return program->draw_text == NULL && (needs & ~(unsigned)NEEDS_DEPTH) != 0;
-}
 
 static bool parse_input(struct options *options, const struct program *program, const char *input,
                         struct error *error) {

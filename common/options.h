@@ -27,7 +27,7 @@ struct options {
     const struct image_file_format *format;
     struct vec3_option eye, center, up, light;
     size_t repeat; /* 0 without --repeat */
-    bool stats, no_skip, help;
+    bool fit, stats, no_skip, help;
 };
 
 /* Does the program draw a model, which the command line may then name? */

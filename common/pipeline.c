@@ -14,6 +14,9 @@ static const double near_w = 1.0 / 128;
  * SCREEN_LIMIT for the largest image. */
 static const double guard_band = 64;
 
+/* A depth beyond this is no place to draw at: sums and differences of such might overflow. */
+static const double depth_limit = 1e280;
+
 enum { CLIP_PLANES = 5 };
 
 /* Rows are shared out among threads in bands of this many. */
@@ -166,7 +169,7 @@ static bool project(struct vec4 clip, const struct rectangle *viewport, struct f
     double half_width = viewport->width / 2.0, half_height = viewport->height / 2.0;
     struct vec2 position = {viewport->x + (clip.x * *recip_w + 1) * half_width,
                             viewport->y + (clip.y * *recip_w + 1) * half_height};
-    return isfinite(*depth) && screen_snap(position, screen);
+    return fabs(*depth) <= depth_limit && screen_snap(position, screen);
 }
 
 /* Written so that what is not a number is beyond everything. */
@@ -185,9 +188,8 @@ static unsigned find_beyond(struct vec4 p) {
 static void transform_positions(struct pipeline *p, const struct draw_call *call) {
     const struct model *model = call->model;
     for (size_t i = 0; i < model->position_count; i++) {
-        const float *from = model->positions[i];
         struct position *to = &p->positions[i];
-        to->clip = mat4_point(&call->to_clip, (struct vec3){from[0], from[1], from[2]});
+        to->clip = mat4_point(&call->to_clip, model->positions[i]);
         to->beyond = find_beyond(to->clip);
         if ((to->beyond & (BEYOND_NEAR | BEYOND_GUARD_BAND)) == 0 &&
             !project(to->clip, &call->viewport, &to->screen, &to->depth, &to->recip_w)) {

@@ -19,7 +19,9 @@
  * discard pixels cannot wait for pass 2: it is run within pass 1, as everything is with `skip` off.
  *
  * Guarantees: every pixel of a mesh is drawn once, also across clipped faces; the image does not
- * depend on the number of threads, on `skip`, or on which corner of a face comes first.
+ * depend on the number of threads, on `skip`, or on which corner of a face comes first. Of two
+ * equal depths the first one drawn stays; a face with one depth at all corners, not clipped, has
+ * just this depth at every pixel (on other planes the last bits depend on the face's corners).
  */
 #ifndef COMMON_PIPELINE_H
 #define COMMON_PIPELINE_H

@@ -58,10 +58,11 @@ static inline struct depth_row depth_along_row(const struct piece *piece, int x,
     const struct edge *e = piece->edges.edge;
     double scale = 1 / (double)piece->edges.area;
     struct vec3 weight = edges_weights(&piece->edges, x, y);
-    struct vec3 step = {(double)e[0].dx * scale, (double)e[1].dx * scale, (double)e[2].dx * scale};
     const double *z = piece->depth;
-    return (struct depth_row){interpolate(weight, z[0], z[1], z[2]),
-                              interpolate(step, z[0], z[1], z[2])};
+    return (struct depth_row){
+        .begin = interpolate_depth(weight, z[0], z[1], z[2]),
+        .step = (double)e[1].dx * scale * (z[1] - z[0]) + (double)e[2].dx * scale * (z[2] - z[0]),
+    };
 }
 
 /* The varyings of the corners of a piece, those of corner i at varyings[i * varying_count]. */

@@ -2,6 +2,7 @@
 #include "polygon.h"
 
 #include "array.h"
+#include "exact.h"
 #include "geometry.h"
 
 #include <assert.h>
@@ -13,7 +14,7 @@
 
 /* A corner on the plane. Others are given by number. */
 struct polygon_node {
-    double x, y;                       /* exactly two of the corner's coordinates */
+    double x, y;                       /* two of the corner's coordinates, not rounded */
     double turn;                       /* orientation here: positive where the polygon is convex */
     uint32_t previous, next;           /* around the polygon */
     uint32_t cell_previous, cell_next; /* in the list of the same cell, or NOTHING */
@@ -24,42 +25,54 @@ struct polygon_node {
 
 /* ---- Which way points turn ---- */
 
-/* The sign of a sum of six numbers, exactly: they are added to an expansion, a list of doubles
- * whose sum is exact (Shewchuk, "Adaptive Precision Floating-Point Arithmetic and Fast Robust
- * Geometric Predicates", 1997, section 2.4). Its last component that is not 0 has the sign of the
- * sum. */
-static double exact_sign_of_sum(const double terms[6]) {
-    double expansion[6];
-    for (int count = 0; count < 6; count++) {
+/* Six products, each of them the sum of two doubles. */
+enum { TERMS = 12 };
+
+/* The sign of a sum, exactly: the numbers are added to an expansion, a list of doubles whose sum is
+ * exact (Shewchuk, "Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric
+ * Predicates", 1997, section 2.4). Its last component that is not 0 has the sign of the sum. */
+static double exact_sign_of_sum(const double terms[TERMS]) {
+    double expansion[TERMS];
+    for (int count = 0; count < TERMS; count++) {
         double sum = terms[count];
         for (int i = 0; i < count; i++) {
-            double a = sum, b = expansion[i];
-            sum = a + b;
-            double b_part = sum - a, a_part = sum - b_part;
-            expansion[i] = (a - a_part) + (b - b_part); /* what the addition rounded off */
+            struct exact added = exact_sum(sum, expansion[i]);
+            sum = added.rounded;
+            expansion[i] = added.rest;
         }
         expansion[count] = sum;
     }
-    int last = 5;
+    int last = TERMS - 1;
     while (last > 0 && expansion[last] == 0) {
         last--;
     }
     return expansion[last];
 }
 
-/* Positive when a, b, c turn left, negative when they turn right, 0 when they lie on a line. Exact
- * for coordinates that are floats: their products are exact in double. */
+/* The same as orientation(), without differences, which would be rounded. */
+static double exact_orientation(const struct polygon_node *a, const struct polygon_node *b,
+                                const struct polygon_node *c) {
+    const struct exact products[TERMS / 2] = {
+        exact_product(a->x, b->y),  exact_product(-a->y, b->x), exact_product(b->x, c->y),
+        exact_product(-b->y, c->x), exact_product(c->x, a->y),  exact_product(-c->y, a->x),
+    };
+    double terms[TERMS];
+    for (int i = 0; i < TERMS / 2; i++) {
+        terms[2 * i] = products[i].rounded;
+        terms[2 * i + 1] = products[i].rest;
+    }
+    return exact_sign_of_sum(terms);
+}
+
+/* Positive when a, b, c turn left, negative when they turn right, 0 when they lie on a line. Only
+ * the sign counts. */
 static double orientation(const struct polygon_node *a, const struct polygon_node *b,
                           const struct polygon_node *c) {
     double left = (b->x - a->x) * (c->y - a->y);
     double right = (b->y - a->y) * (c->x - a->x);
     /* (3 + 16e)e with e = 2^-53, and some more. */
     double bound = 4e-16 * (fabs(left) + fabs(right));
-    if (fabs(left - right) > bound) {
-        return left - right;
-    }
-    return exact_sign_of_sum((const double[6]){a->x * b->y, -a->y * b->x, b->x * c->y, -b->y * c->x,
-                                               c->x * a->y, -c->y * a->x});
+    return fabs(left - right) > bound ? left - right : exact_orientation(a, b, c);
 }
 
 static bool same_place(const struct polygon_node *a, const struct polygon_node *b) {
@@ -69,14 +82,11 @@ static bool same_place(const struct polygon_node *a, const struct polygon_node *
 /* Twice the polygon's area vector, relative to its first corner so that a place far from the origin
  * costs no accuracy (Newell's formula: Sutherland, Sproull and Schumacker, "A Characterization of
  * Ten Hidden-Surface Algorithms", 1974, attributed to M. Newell). */
-static struct vec3 polygon_normal(const float (*corners)[3], size_t size) {
-    const float *first = corners[0];
+static struct vec3 polygon_normal(const struct vec3 *corners, size_t size) {
     struct vec3 normal = {0, 0, 0};
     struct vec3 previous = {0, 0, 0};
     for (size_t i = 1; i < size; i++) {
-        const float *p = corners[i];
-        struct vec3 current = {(double)p[0] - (double)first[0], (double)p[1] - (double)first[1],
-                               (double)p[2] - (double)first[2]};
+        struct vec3 current = vec3_sub(corners[i], corners[0]);
         normal = vec3_add(normal, vec3_cross(previous, current));
         previous = current;
     }
@@ -98,13 +108,21 @@ static struct plane plane_facing(struct vec3 normal) {
     return facing > 0 ? (struct plane){first, second} : (struct plane){second, first};
 }
 
-static struct polygon_node node_on_plane(const float corner[3], struct plane plane) {
-    return (struct polygon_node){.x = (double)corner[plane.across], .y = (double)corner[plane.up]};
+/* A coordinate of the corner by its number. Very small ones become 0: then no product of two can be
+ * so small that bits of it are lost. */
+static double coordinate(struct vec3 corner, int axis) {
+    double value = axis == 0 ? corner.x : (axis == 1 ? corner.y : corner.z);
+    return fabs(value) < 1e-120 ? 0 : value;
+}
+
+static struct polygon_node node_on_plane(struct vec3 corner, struct plane plane) {
+    return (struct polygon_node){.x = coordinate(corner, plane.across),
+                                 .y = coordinate(corner, plane.up)};
 }
 
 /* Convex: it never turns right. (So does a star that goes round several times; but no way of
  * cutting one is right.) */
-static bool is_convex(const float (*corners)[3], size_t size, struct plane plane) {
+static bool is_convex(const struct vec3 *corners, size_t size, struct plane plane) {
     struct polygon_node a = node_on_plane(corners[0], plane), b = node_on_plane(corners[1], plane);
     for (size_t i = 2; i < size + 2; i++) {
         struct polygon_node c = node_on_plane(corners[i < size ? i : i - size], plane);
@@ -118,7 +136,7 @@ static bool is_convex(const float (*corners)[3], size_t size, struct plane plane
 }
 
 /* Is it right to cut the polygon as a fan? Where it has no area nothing will be seen of it. */
-static bool fan_is_right(const float (*corners)[3], size_t size, struct vec3 normal) {
+static bool fan_is_right(const struct vec3 *corners, size_t size, struct vec3 normal) {
     bool flat = normal.x == 0 && normal.y == 0 && normal.z == 0;
     return flat || is_convex(corners, size, plane_facing(normal));
 }
@@ -421,7 +439,7 @@ static void cut_as_fan(struct polygon_cutter *cutter, size_t size) {
     }
 }
 
-enum polygon_result polygon_cut(struct polygon_cutter *cutter, const float (*corners)[3],
+enum polygon_result polygon_cut(struct polygon_cutter *cutter, const struct vec3 *corners,
                                 size_t size) {
     assert(size >= 3 && size < UINT32_MAX);
     struct vec3 normal = size > 3 ? polygon_normal(corners, size) : (struct vec3){0, 0, 0};

@@ -3,9 +3,10 @@
  *
  * A polygon is a list of corners in space, in order around it. Laid on the coordinate plane that it
  * is most nearly parallel to, it may be concave, touch itself and have holes that a cut leads to.
- * Which way three corners turn is decided exactly. The triangles go round as the polygon does and
- * cover it exactly once; one that crosses itself is cut somehow. Corners on one line, or in one
- * place, are kept, so that n corners always make n - 2 triangles.
+ * Which way three corners turn is decided exactly; for that, a coordinate nearer to 0 than 1e-120
+ * counts as 0. The triangles go round as the polygon does and cover it exactly once; one that
+ * crosses itself is cut somehow. Corners on one line, or in one place, are kept, so that n corners
+ * always make n - 2 triangles.
  *
  *     struct polygon_cutter cutter = {0};
  *     if (polygon_cut(&cutter, corners, size) == POLYGON_CUT) {
@@ -15,6 +16,8 @@
  */
 #ifndef COMMON_POLYGON_H
 #define COMMON_POLYGON_H
+
+#include "geometry.h"
 
 #include <stddef.h>
 #include <stdint.h>
@@ -48,10 +51,11 @@ struct polygon_cutter {
     size_t queue_first, queue_count, queue_size;
 };
 
-/* Cut the polygon of `size` corners (3 or more, below UINT32_MAX), each x y z and finite. The
- * triangles belong to the cutter and stay valid up to the next polygon. A convex polygon becomes a
- * fan around its first corner; so does one without area on its plane, of which nothing is seen. */
-enum polygon_result polygon_cut(struct polygon_cutter *cutter, const float (*corners)[3],
+/* Cut the polygon of `size` corners (3 or more, below UINT32_MAX), with coordinates of -1e120 to
+ * 1e120. The triangles belong to the cutter and stay valid up to the next polygon. A convex polygon
+ * becomes a fan around its first corner; so does one without area on its plane, of which nothing is
+ * seen. */
+enum polygon_result polygon_cut(struct polygon_cutter *cutter, const struct vec3 *corners,
                                 size_t size);
 
 /* Free the memory and leave a cutter that can be used again. */

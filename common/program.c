@@ -2,6 +2,7 @@
 #define _POSIX_C_SOURCE 200809L /* clock_gettime */
 #include "program.h"
 
+#include "fit.h"
 #include "image_file.h"
 #include "options.h"
 #include "stage.h"
@@ -25,6 +26,7 @@ enum { FRAME_DELAY_MS = 40 }; /* of an animation: 25 frames a second */
 struct command {
     struct options options;
     struct run run;
+    bool suggested; /* suggest_fit() has looked at the model */
 };
 
 /* ---- Timing ---- */
@@ -71,11 +73,18 @@ static bool is_chosen(const struct command *command, const struct scene *scene) 
     return command->options.only == NULL || command->options.only == scene;
 }
 
-/* A camera at the point that it looks at looks nowhere. */
+static bool same_point(struct vec3 a, struct vec3 b) {
+    return a.x == b.x && a.y == b.y && a.z == b.z;
+}
+
+/* A camera at the point that it looks at looks nowhere; the square of their distance must not be so
+ * small that bits of it are lost. */
 static bool check_camera(const struct scene *scene, struct error *error) {
-    struct vec3 view = vec3_sub(scene->eye, scene->center);
-    return view.x != 0 || view.y != 0 || view.z != 0 ||
-           error_set(error, "scene %s: the eye and the center are the same point", scene->name);
+    double distance = vec3_length(vec3_sub(scene->eye, scene->center));
+    return distance >= 1e-140 ||
+           error_set(error, "scene %s: the eye and the center are %s", scene->name,
+                     same_point(scene->eye, scene->center) ? "the same point"
+                                                           : "too near to each other");
 }
 
 /* Do the options of the command line go together with the scenes? */
@@ -211,6 +220,72 @@ end:
     return done;
 }
 
+/* ---- Warnings: what a picture does not tell ---- */
+
+/* Say once that the model of the command line may lie out of view. Who places the camera knows. */
+static void suggest_fit(struct command *command, const struct model *model) {
+    const struct options *options = &command->options;
+    bool placed = options->fit || options->eye.given || options->center.given;
+    if (model == NULL || options->input == NULL || placed || command->suggested) {
+        return;
+    }
+    command->suggested = true;
+    if (box_reaches_out(model_box(model))) {
+        fprintf(stderr, "%s: %s reaches out of -1..1; --fit brings it into view\n",
+                command->run.program->name, options->input);
+    }
+}
+
+static bool is_black(const struct image *image) {
+    size_t size = image->width * image->height * image->format;
+    for (size_t i = 0; i < size; i++) {
+        if (image->pixels[i] != 0) {
+            return false;
+        }
+    }
+    return true;
+}
+
+static bool is_far(const double *depth, size_t count) {
+    for (size_t i = 0; i < count; i++) {
+        if (depth[i] > -INFINITY) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/* All frames are black, or a single picture has a background and nothing before it. */
+static bool shows_nothing(const struct stage *stage, const struct frames *frames) {
+    const double *depth = stage->drawing.depth;
+    if (frames->count == 1 && depth != NULL) {
+        return is_far(depth, stage->pixel_count);
+    }
+    for (size_t i = 0; i < frames->count; i++) {
+        if (!is_black(&frames->frame[i])) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/* Say that a scene shows nothing of its model, where an option chose what is in view. Without one
+ * it is the lesson that is not yet written. */
+static void warn_of_nothing(const struct command *command, const struct stage *stage,
+                            const struct frames *frames) {
+    const struct options *options = &command->options;
+    const struct program *program = command->run.program;
+    bool chosen = options->input != NULL || options->eye.given || options->center.given ||
+                  options->light.given;
+    if (!chosen || !scene_needs_model(&stage->scene) || !shows_nothing(stage, frames)) {
+        return;
+    }
+    bool any = !options->fit || program->takes_camera || program->takes_light;
+    fprintf(stderr, "%s: scene %s: nothing was drawn%s%s%s%s\n", program->name, stage->scene.name,
+            any ? "; what may help:" : "", options->fit ? "" : " --fit",
+            program->takes_camera ? " --center" : "", program->takes_light ? " --light" : "");
+}
+
 /* ---- Drawing ---- */
 
 /* Draw all frames once, each on black. */
@@ -260,12 +335,18 @@ static bool draw_scene(struct command *command, const struct scene *given, struc
     struct stage stage = {0};
     bool done = frames_create(&frames, options, &scene, error) &&
                 stage_begin(&stage, &command->run, &scene, frames.width, frames.height, error);
+    if (done) {
+        suggest_fit(command, stage.drawing.model);
+    }
     if (done && options->repeat > 0) {
         done = draw_timed(&stage, &frames, options->repeat, error);
     } else if (done) {
         done = draw_frames(&stage, &frames, error);
     }
     done = done && save(command, &scene, &frames, error);
+    if (done) {
+        warn_of_nothing(command, &stage, &frames);
+    }
     if (done && options->stats) {
         print_counters(&stage);
     }
@@ -302,6 +383,7 @@ static bool draw_text(struct command *command, struct error *error) {
         command->run.text = &text;
         done = name != NULL ? draw_scene(command, &scene, error) : error_out_of_memory(error);
     }
+    command->run.text = NULL;
     free(name);
     text_scene_free(&text);
     return done;
@@ -343,6 +425,7 @@ int program_main(const struct program *program, int argc, char **argv) {
     if (options_parse(&command.options, program, argc, argv, &error) &&
         check_options(&command, &error)) {
         command.run.no_skip = command.options.no_skip;
+        command.run.fit = command.options.fit;
         status = run_command(&command, &error) ? STATUS_DONE : STATUS_FAILED;
     }
     if (status != STATUS_DONE) {

@@ -1,6 +1,7 @@
 /* A scene on its stage: see stage.h. */
 #include "stage.h"
 
+#include "fit.h"
 #include "normals.h"
 
 #include <assert.h>
@@ -78,6 +79,9 @@ static bool load_model(struct run *run, const struct scene *scene, struct error 
                                  : error_set(error, "%s: no such file; `make` sculpts it", path);
         free(path);
     }
+    if (done && run->fit) {
+        model_fit(&run->model, run->program->takes_camera);
+    }
     run->model_file = done ? file : NULL;
     return done;
 }
@@ -102,11 +106,15 @@ static bool load_texture(struct run *run, bool needed, enum model_texture_kind k
     return *texture != NULL;
 }
 
+bool scene_needs_model(const struct scene *scene) {
+    return (scene->needs & ~(unsigned)NEEDS_DEPTH) != 0;
+}
+
 /* All that the scene needs, except for its depth buffer. */
 static bool load_needs(struct run *run, const struct scene *scene, struct drawing *drawing,
                        struct error *error) {
     unsigned needs = scene->needs;
-    if ((needs & ~(unsigned)NEEDS_DEPTH) == 0) {
+    if (!scene_needs_model(scene)) {
         return true;
     }
     if (!load_model(run, scene, error)) {

@@ -14,6 +14,7 @@ struct run {
     const char *input;             /* a model in place of the course's own; NULL: none */
     const struct text_scene *text; /* NULL but for a text scene */
     bool no_skip;
+    bool fit; /* move and scale models into view */
 
     struct model model;     /* loaded when the first scene needs it */
     const char *model_file; /* which file it is; NULL while none is loaded */
@@ -28,6 +29,9 @@ extern const char *const default_model_path;
 
 /* The scene with the program's defaults filled in. */
 struct scene scene_complete(const struct program *program, const struct scene *scene);
+
+/* Is the scene drawn from a model? */
+bool scene_needs_model(const struct scene *scene);
 
 struct stage {
     const struct program *program;

@@ -1,6 +1,8 @@
 /* Lines, words and exact numbers; see text.h. */
 #include "text.h"
 
+#include "exact.h"
+
 #include <assert.h>
 #include <float.h>
 #include <math.h>
@@ -171,10 +173,9 @@ bool word_to_integer(struct word word, int64_t *value) {
 /* ---- Decimal numbers: the digits ---- */
 
 enum {
-    HEAD_DIGITS = 19,       /* any 19 digits fit 64 bits */
-    SLOW_DIGITS = 800,      /* more digits than lie between two doubles: 767 (see below) */
-    FAST_EXPONENT = 22,     /* 10^22 is the largest power of ten that is exact in a double */
-    FLOAT_UNKNOWN_BITS = 29 /* 53 - 24: bits of a double's fraction that a float drops */
+    HEAD_DIGITS = 19,  /* any 19 digits fit 64 bits */
+    SLOW_DIGITS = 800, /* more digits than lie between two doubles: 767 (see below) */
+    FAST_EXPONENT = 22 /* 10^22 is the largest power of ten that is exact in a double */
 };
 
 /* A decimal number taken apart: head * 10^exponent, and the digits after `head` on top of that. */
@@ -254,7 +255,7 @@ static bool decimal_parse(struct decimal *decimal, struct word word) {
 
 /* ---- Decimal numbers: the exact way, with large integers ---- */
 
-/* The largest number that is needed is below 10^1124 * 4 (see decimal_to_binary): 3737 bits. */
+/* The largest number that is needed is below 10^1124 * 4 (see decimal_to_double): 3737 bits. */
 enum { BIG_LIMBS = 120 };
 
 /* A natural number in base 2^32, lowest limb first; the highest limb in use is not 0. */
@@ -329,17 +330,13 @@ static void big_subtract(struct big *a, const struct big *b) {
     }
 }
 
-/* A binary format to round to. */
-struct format {
-    int bits;           /* of the significand */
-    int least_exponent; /* of two, for the last bit of a subnormal */
-    int highest_point;  /* 10^highest_point overflows for certain */
-    int lowest_point; /* what is below 10^lowest_point is certainly nearer to 0 than to anything */
-    double largest;
+/* What a double can hold. */
+enum {
+    SIGNIFICAND_BITS = 53,
+    LEAST_EXPONENT = -1074, /* of two, for the last bit of a subnormal */
+    HIGHEST_POINT = 309,    /* 10^HIGHEST_POINT overflows for certain */
+    LOWEST_POINT = -324     /* what is below 10^LOWEST_POINT is nearer to 0 than to anything */
 };
-
-static const struct format float_format = {24, -149, 39, -46, FLT_MAX};
-static const struct format double_format = {53, -1074, 309, -324, DBL_MAX};
 
 /* The first SLOW_DIGITS digits as one number, and the exponent of its last digit. A middle between
  * two doubles has at most 768 significant digits, so of the digits after SLOW_DIGITS it only
@@ -364,14 +361,14 @@ static struct big big_digits(const struct decimal *decimal, int64_t *exponent) {
     return digits;
 }
 
-/* The nearest number of the format, ties to even: the quotient of two large integers by long
+/* The nearest double, ties to even: the quotient of two large integers by long
  * division in base 2, one bit after the other, and the remainder compared with one half. */
-static double decimal_to_binary(const struct decimal *decimal, const struct format *format) {
+static double decimal_to_double(const struct decimal *decimal) {
     int64_t point = decimal->exponent + (int64_t)head_count(decimal); /* value < 10^point */
-    if (decimal->head == 0 || point <= format->lowest_point) {
+    if (decimal->head == 0 || point <= LOWEST_POINT) {
         return 0;
     }
-    if (point > format->highest_point) {
+    if (point > HIGHEST_POINT) {
         return INFINITY;
     }
     int64_t exponent10;
@@ -388,9 +385,9 @@ static double decimal_to_binary(const struct decimal *decimal, const struct form
         exponent2--;
     }
 
-    int last_exponent = exponent2 - (format->bits - 1);
-    if (last_exponent < format->least_exponent) {
-        last_exponent = format->least_exponent; /* a subnormal has fewer bits */
+    int last_exponent = exponent2 - (SIGNIFICAND_BITS - 1);
+    if (last_exponent < LEAST_EXPONENT) {
+        last_exponent = LEAST_EXPONENT; /* a subnormal has fewer bits */
     }
     uint64_t quotient = 0;
     for (int i = exponent2; i >= last_exponent; i--) {
@@ -407,65 +404,54 @@ static double decimal_to_binary(const struct decimal *decimal, const struct form
     int half = big_compare(&value, &divisor); /* the remainder, doubled, against one */
     quotient += half > 0 || (half == 0 && quotient % 2 == 1);
     double result = ldexp((double)quotient, last_exponent);
-    return result > format->largest ? INFINITY : result;
+    return result > DBL_MAX ? INFINITY : result;
 }
 
 /* ---- Decimal numbers: the fast ways ---- */
 
-/* With at most 15 digits (or 53 bits) and a power of ten that is exact too, one division or
- * multiplication rounds once (Clinger, "How to read floating point numbers accurately", 1990). That
- * needs arithmetic in plain double: FLT_EVAL_METHOD 0. */
-static bool fast_quotient(const struct decimal *decimal, double *value) {
+/* Powers of ten that are exact; for -FAST_EXPONENT to FAST_EXPONENT. */
+static double power_of_ten(int64_t exponent) {
     static const double power[FAST_EXPONENT + 1] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
                                                     1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
                                                     1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
-    int64_t exponent = decimal->exponent;
-    if (FLT_EVAL_METHOD != 0 || exponent < -FAST_EXPONENT || exponent > FAST_EXPONENT) {
-        return false;
-    }
-    double head = (double)decimal->head;
-    *value = exponent < 0 ? head / power[-exponent] : head * power[exponent];
-    return true;
+    return power[exponent < 0 ? -exponent : exponent];
 }
 
+/* With at most 15 digits (or 53 bits) one division or multiplication rounds once (Clinger, "How to
+ * read floating point numbers accurately", 1990). */
 static bool fast_double(const struct decimal *decimal, double *value) {
-    return decimal->count <= HEAD_DIGITS && decimal->head <= UINT64_C(1) << 53 &&
-           fast_quotient(decimal, value);
-}
-
-/* The quotient of up to 19 digits is within 3 units of the double's last place: one rounding for
- * the head, one for the quotient, and the digits after the head. Rounded again to float it is right
- * unless it lies that near the middle between two floats, where the dropped bits are 1000...0. */
-static bool fast_float(const struct decimal *decimal, float *value) {
-    double quotient;
-    if (!fast_quotient(decimal, &quotient)) {
+    if (decimal->count > HEAD_DIGITS || decimal->head > UINT64_C(1) << 53) {
         return false;
     }
-    if (quotient >= FLT_MAX / 2.0) {
-        return false; /* may overflow; no quotient lies as low as the subnormal floats */
-    }
-    uint64_t bits;
-    memcpy(&bits, &quotient, sizeof bits);
-    const uint64_t middle = UINT64_C(1) << (FLOAT_UNKNOWN_BITS - 1), margin = 8;
-    uint64_t dropped = bits & (2 * middle - 1);
-    if (dropped > middle - margin && dropped < middle + margin) {
-        return false;
-    }
-    *value = (float)quotient;
+    double head = (double)decimal->head, power = power_of_ten(decimal->exponent);
+    *value = decimal->exponent < 0 ? head / power : head * power;
     return true;
 }
 
-bool word_to_float(struct word word, float *value) {
-    struct decimal decimal;
-    if (word.length == 0 || !decimal_parse(&decimal, word)) {
-        return false;
+/* With more digits the head is two doubles, and so is the quotient or product: `rounded` and,
+ * nearly as exact again, `rest`. That is enough, unless it lies too near the middle between two
+ * doubles. */
+static bool fair_double(const struct decimal *decimal, double *value) {
+    double high = (double)decimal->head, power = power_of_ten(decimal->exponent);
+    double low = (double)(int64_t)(decimal->head - (uint64_t)high);
+    double rounded = decimal->exponent < 0 ? high / power : high * power;
+    double rest;
+    if (decimal->exponent < 0) {
+        struct exact back = exact_product(rounded, power);
+        rest = (high - back.rounded - back.rest + low) / power;
+    } else {
+        rest = exact_product(high, power).rest + low * power;
     }
-    float magnitude;
-    if (!fast_float(&decimal, &magnitude)) {
-        magnitude = (float)decimal_to_binary(&decimal, &float_format); /* exact: rounded already */
-    }
-    *value = decimal.negative ? -magnitude : magnitude;
-    return true;
+    /* The head has 10^18 or more, if digits after it were left out. */
+    double margin = rounded * (decimal->count > HEAD_DIGITS ? 1.1e-18 : 1e-30);
+    *value = rounded + (rest + margin);
+    return rounded + (rest - margin) == *value;
+}
+
+/* The fast ways need powers of ten that are exact, and arithmetic in plain double. */
+static bool is_ordinary(const struct decimal *decimal) {
+    return FLT_EVAL_METHOD == 0 && decimal->exponent >= -FAST_EXPONENT &&
+           decimal->exponent <= FAST_EXPONENT;
 }
 
 bool word_to_double(struct word word, double *value) {
@@ -474,8 +460,9 @@ bool word_to_double(struct word word, double *value) {
         return false;
     }
     double magnitude;
-    if (!fast_double(&decimal, &magnitude)) {
-        magnitude = decimal_to_binary(&decimal, &double_format);
+    if (!is_ordinary(&decimal) ||
+        (!fast_double(&decimal, &magnitude) && !fair_double(&decimal, &magnitude))) {
+        magnitude = decimal_to_double(&decimal);
     }
     *value = decimal.negative ? -magnitude : magnitude;
     return true;

@@ -45,9 +45,8 @@ struct word text_next_word(struct text *text);
 bool word_is(struct word word, const char *string);
 
 /* The whole word as a decimal number ([+-] digits [. digits] [e [+-] digits], with ".5" and "5."),
- * rounded once to the nearest float or double (ties to even). Too large gives infinity, too small
- * zero or a subnormal; the sign of zero is kept. False for anything else ("nan" and "inf" too). */
-bool word_to_float(struct word word, float *value);
+ * rounded once to the nearest double (ties to even). Too large gives infinity, too small zero or a
+ * subnormal; the sign of zero is kept. False for anything else ("nan" and "inf" too). */
 bool word_to_double(struct word word, double *value);
 
 /* The whole word as a decimal integer; false for anything else or outside 64 bits. */

@@ -58,8 +58,8 @@ static inline void attempt_side(struct image *image, const struct model *model, 
                                 uint32_t q, bool cut, struct work *work) {
     const struct color white = color_rgb(255, 255, 255);
     struct pixel a, b;
-    if (!to_pixel(model_position_at(model, p), image->width, image->height, &a) ||
-        !to_pixel(model_position_at(model, q), image->width, image->height, &b)) {
+    if (!to_pixel(model->positions[p], image->width, image->height, &a) ||
+        !to_pixel(model->positions[q], image->width, image->height, &b)) {
         return;
     }
     work->lines++;

@@ -25,27 +25,26 @@ typedef bool corner_function(const struct model *model, const struct corner *cor
 static bool corner_one_too_far(const struct model *model, const struct corner *corner,
                                struct pixel *pixel) {
     size_t position = (corner->position + (size_t)1) % model->position_count;
-    return to_pixel(model_position_at(model, position), SMALL, SMALL, pixel);
+    return to_pixel(model->positions[position], SMALL, SMALL, pixel);
 }
 
 /* Of `1/2/3` the second number was taken for the position. */
 static bool corner_from_uv(const struct model *model, const struct corner *corner,
                            struct pixel *pixel) {
-    return to_pixel(model_position_at(model, corner->uv % model->position_count), SMALL, SMALL,
-                    pixel);
+    return to_pixel(model->positions[corner->uv % model->position_count], SMALL, SMALL, pixel);
 }
 
 /* x * width / 2 without adding 1 first: the model's middle comes to the corner of the image. */
 static bool corner_not_shifted(const struct model *model, const struct corner *corner,
                                struct pixel *pixel) {
-    struct vec3 position = model_position_at(model, corner->position);
+    struct vec3 position = model->positions[corner->position];
     return to_pixel(vec3_sub(position, (struct vec3){1, 1, 0}), SMALL, SMALL, pixel);
 }
 
 /* y counted from the top. */
 static bool corner_upside_down(const struct model *model, const struct corner *corner,
                                struct pixel *pixel) {
-    if (!to_pixel(model_position_at(model, corner->position), SMALL, SMALL, pixel)) {
+    if (!to_pixel(model->positions[corner->position], SMALL, SMALL, pixel)) {
         return false;
     }
     pixel->y = SMALL - 1 - pixel->y;
@@ -93,10 +92,10 @@ static bool draw_rounded_line(const char *directory, struct error *error) {
 }
 
 /* Move and scale all positions; z is not used here. */
-static void change_positions(struct model *model, float scale, float x, float y) {
+static void change_positions(struct model *model, double scale, double x, double y) {
     for (size_t i = 0; i < model->position_count; i++) {
-        model->positions[i][0] = (model->positions[i][0] - x) * scale;
-        model->positions[i][1] = (model->positions[i][1] - y) * scale;
+        struct vec3 *p = &model->positions[i];
+        *p = (struct vec3){(p->x - x) * scale, (p->y - y) * scale, p->z};
     }
 }
 
@@ -214,7 +213,7 @@ bool draw_figures(const char *directory, struct model *bust, struct error *error
                 print_versions("step02_wireframe: the bust", bust, sides, side_count, error);
     done = done && print_open_mesh(bust, error);
     if (done) { /* the face, sixteen times as large */
-        change_positions(bust, 16, 0, 0.25f);
+        change_positions(bust, 16, 0, 0.25);
         done = draw_rounded_model(directory, bust, error) &&
                print_versions("step02_wireframe: the bust x16", bust, sides, side_count, error);
     }

@@ -36,8 +36,8 @@ static bool draw_wireframe(struct drawing *drawing, struct image *image, struct 
     uint64_t drawn = 0, off_image = 0, too_far = 0;
     for (size_t i = 0; i < wireframe->side_count; i++) {
         struct side side = wireframe->sides[i];
-        struct vec3 from = model_position_at(model, side.low);
-        struct vec3 to = model_position_at(model, side.high);
+        struct vec3 from = model->positions[side.low];
+        struct vec3 to = model->positions[side.high];
         struct pixel a, b;
         if (!to_pixel(from, image->width, image->height, &a) ||
             !to_pixel(to, image->width, image->height, &b)) {

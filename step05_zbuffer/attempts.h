@@ -36,7 +36,7 @@ static inline void attempt_triangle(struct image *image, const struct drawn *d, 
         struct span span = edges_span(&edges, y);
         for (int x = span.begin; x < span.end; x++) {
             struct vec3 weight = edges_weights(&edges, x, y);
-            double depth = interpolate(weight, d->v[0].depth, d->v[1].depth, d->v[2].depth);
+            double depth = interpolate_depth(weight, d->v[0].depth, d->v[1].depth, d->v[2].depth);
             if (test == NULL || test(buffer, (size_t)y * image->width + (size_t)x, depth)) {
                 image_set(image, x, y, d->color);
             }

@@ -73,7 +73,7 @@ static void triangle(struct canvas *canvas, const struct vertex v[3], const stru
         double *row = canvas->depth + (size_t)y * image->width;
         for (int x = span.begin; x < span.end; x++) {
             struct vec3 weight = edges_weights(&edges, x, y);
-            double depth = interpolate(weight, v[0].depth, v[1].depth, v[2].depth);
+            double depth = interpolate_depth(weight, v[0].depth, v[1].depth, v[2].depth);
             bool seen = depth > row[x];
             canvas->pixels_tested++;
             if (!seen && canvas->skip) {

@@ -162,15 +162,26 @@ static const char box_text[] = "v -1 -1 -2\nv 1 -1 -2\nv 1 1 -2\nv -1 1 -2\n"
 
 enum { BOX_CORNER = 6 }; /* of the 8 positions: (1,1,2) */
 
-/* Turn the box so that its corner (1,1,2) shows, and its normals with it. */
-static void turn_vector(float vector[3], double scale) {
+/* Turned so that the box's corner (1,1,2) shows. */
+static struct vec3 turned(struct vec3 v) {
     const struct vec3 right = vec3_normalized((struct vec3){-1, 1, 0});
     const struct vec3 out = vec3_normalized((struct vec3){1, 1, 1});
     const struct vec3 up = vec3_cross(out, right);
-    struct vec3 v = {vector[0], vector[1], vector[2]};
-    vector[0] = (float)(vec3_dot(right, v) * scale);
-    vector[1] = (float)(vec3_dot(up, v) * scale);
-    vector[2] = (float)(vec3_dot(out, v) * scale);
+    return (struct vec3){vec3_dot(right, v), vec3_dot(up, v), vec3_dot(out, v)};
+}
+
+/* Turn and shrink the box, and turn its normals with it. */
+static void turn_box(struct model *box) {
+    for (size_t i = 0; i < box->position_count; i++) {
+        box->positions[i] = vec3_scale(turned(box->positions[i]), 0.36);
+    }
+    for (size_t i = 0; i < box->normal_count; i++) {
+        float *n = box->normals[i];
+        struct vec3 normal = turned((struct vec3){n[0], n[1], n[2]});
+        n[0] = (float)normal.x;
+        n[1] = (float)normal.y;
+        n[2] = (float)normal.z;
+    }
 }
 
 static uint32_t normal_of_position(const struct model *model, uint32_t position) {
@@ -198,12 +209,7 @@ static bool draw_box(struct figure *figure, int weight, struct error *error) {
         const float *n = box.normals[normal_of_position(&box, BOX_CORNER)];
         printf("normal of the box's corner, %-11s (%.3f, %.3f, %.3f)\n", names[weight],
                (double)n[0], (double)n[1], (double)n[2]);
-        for (size_t i = 0; i < box.position_count; i++) {
-            turn_vector(box.positions[i], 0.36);
-        }
-        for (size_t i = 0; i < box.normal_count; i++) {
-            turn_vector(box.normals[i], 1);
-        }
+        turn_box(&box);
         attempt_model(&figure->canvas, &box, (struct vec3){0, 0, 1}, attempt_2_gouraud,
                       NORMAL_RIGHT);
         sheet_add(&figure->sheet);

@@ -52,7 +52,7 @@ struct canvas {
 static bool depth_test(struct canvas *canvas, const struct vertex v[3], struct vec3 weight, int x,
                        int y) {
     double *there = &canvas->depth[(size_t)y * canvas->width + (size_t)x];
-    double depth = interpolate(weight, v[0].depth, v[1].depth, v[2].depth);
+    double depth = interpolate_depth(weight, v[0].depth, v[1].depth, v[2].depth);
     canvas->pixels_tested++;
     if (!(depth > *there)) {
         return false;

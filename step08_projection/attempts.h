@@ -198,7 +198,7 @@ static inline void attempt_12_affine_triangle(const struct canvas *canvas,
         double *row = canvas->depth + (size_t)y * canvas->image->width;
         for (int x = span.begin; x < span.end; x++) {
             struct vec3 w = edges_weights(edges, x, y);
-            double depth = interpolate(w, v[0].depth, v[1].depth, v[2].depth);
+            double depth = interpolate_depth(w, v[0].depth, v[1].depth, v[2].depth);
             if (depth > row[x]) {
                 double intensity = interpolate(w, v[0].intensity, v[1].intensity, v[2].intensity);
                 struct vec2 uv = vec2_interpolate(w, v[0].uv, v[1].uv, v[2].uv);

@@ -233,11 +233,6 @@ static bool draw_normals(const char *directory, struct error *error) {
 
 /* ---- Numbers ---- */
 
-static struct vec3 position_of(const struct model *model, size_t i) {
-    const float *p = model->positions[i];
-    return (struct vec3){p[0], p[1], p[2]};
-}
-
 /* The greatest error in 1/256 pixel, and how many corners are snapped to another place than the
  * exact ones. Where long double has no more bits than double the second version looks exact. */
 static void print_chain(const struct model *model, const char *scene, const struct camera *c,
@@ -246,7 +241,7 @@ static void print_chain(const struct model *model, const char *scene, const stru
     double worst = 0;
     size_t seen = 0, elsewhere = 0;
     for (size_t i = 0; i < model->position_count; i++) {
-        struct vec3 p = position_of(model, i);
+        struct vec3 p = model->positions[i];
         if (find_beyond(mat4_point(&to_clip, p)) != 0) {
             continue;
         }
@@ -278,7 +273,7 @@ static void print_inverse(const struct model *model, const char *matrix, struct 
     long double worst = 0;
     for (size_t i = 0; i < model->position_count; i++) {
         long double before[2], after[2];
-        struct vec3 p = position_of(model, i);
+        struct vec3 p = model->positions[i];
         struct vec4 clip = mat4_point(&to_clip, p), back = mat4_apply(&inverse, clip);
         struct vec3 q = {back.x / back.w, back.y / back.w, back.z / back.w};
         attempt_exact(&to_clip, &to_screen, p, before);

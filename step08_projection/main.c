@@ -206,7 +206,7 @@ static void triangle(const struct canvas *canvas, const struct edges *edges,
         double *row = canvas->depth + (size_t)y * canvas->image->width;
         for (int x = span.begin; x < span.end; x++) {
             struct vec3 weight = edges_weights(edges, x, y);
-            double depth = interpolate(weight, v[0].depth, v[1].depth, v[2].depth);
+            double depth = interpolate_depth(weight, v[0].depth, v[1].depth, v[2].depth);
             if (depth > row[x]) {
                 struct vec3 w = correct_weights(weight, recip_w);
                 double intensity = interpolate(w, v[0].intensity, v[1].intensity, v[2].intensity);

@@ -166,8 +166,7 @@ struct state {
 static void transform_positions(const struct drawing *drawing, const struct mat4 *to_clip) {
     const struct state *state = drawing->state;
     for (size_t i = 0; i < drawing->model->position_count; i++) {
-        const float *p = drawing->model->positions[i];
-        struct vec4 clip = mat4_point(to_clip, (struct vec3){p[0], p[1], p[2]});
+        struct vec4 clip = mat4_point(to_clip, drawing->model->positions[i]);
         state->positions[i] = (struct position){.clip = clip, .beyond = find_beyond(clip)};
     }
 }

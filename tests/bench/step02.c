@@ -21,8 +21,8 @@ int step02_main(int argc, char **argv);
 enum { SIDE = 800 }; /* of the image */
 
 /* How much the model is enlarged about its middle: the face fills the image. */
-static const float enlargement = 6;
-static const float middle_y = 0.25F, hole = 0.06F; /* before that */
+static const double enlargement = 6;
+static const double middle_y = 0.25, hole = 0.06; /* before that */
 
 enum { LINE_COUNT = 200, LENGTH_COUNT = 3 }; /* the lines of the other panels */
 
@@ -108,8 +108,8 @@ static uint64_t frame_draw_rounded(struct frame *frame) {
         const struct model *model = &frame->model;
         struct side side = frame->wireframe.sides[i];
         struct pixel a, b;
-        if (to_pixel(model_position_at(model, side.low), SIDE, SIDE, &a) &&
-            to_pixel(model_position_at(model, side.high), SIDE, SIDE, &b)) {
+        if (to_pixel(model->positions[side.low], SIDE, SIDE, &a) &&
+            to_pixel(model->positions[side.high], SIDE, SIDE, &b)) {
             walked += attempt_line_ends_rounded(&frame->timed, a, b, color_grey(255));
         }
     }
@@ -198,8 +198,8 @@ static bool frame_read_model(struct model *model, struct error *error) {
     }
     model->face_count = kept;
     for (size_t i = 0; i < model->position_count; i++) {
-        model->positions[i][0] *= enlargement;
-        model->positions[i][1] = (model->positions[i][1] - middle_y) * enlargement;
+        model->positions[i].x *= enlargement;
+        model->positions[i].y = (model->positions[i].y - middle_y) * enlargement;
     }
     return true;
 }

@@ -21,7 +21,7 @@ int step04_main(int argc, char **argv);
 enum { LIGHT_COUNT = 4, SIZE_COUNT = 5, TABLE_SIZE = 512 };
 
 /* Of the model, for the last panel. */
-static const float sizes[SIZE_COUNT] = {1, 1e-8F, 1e-9F, 1e-10F, 1e-12F};
+static const double sizes[SIZE_COUNT] = {1, 1e-8, 1e-9, 1e-10, 1e-12};
 
 /* Normals that are not of length 1 yet, each coordinate apart. */
 struct float_normals {
@@ -409,9 +409,7 @@ static bool read_models(struct faces *faces, struct error *error) {
             return false;
         }
         for (size_t i = 0; i < model->position_count; i++) {
-            for (size_t j = 0; j < 3; j++) {
-                model->positions[i][j] *= sizes[k];
-            }
+            model->positions[i] = vec3_scale(model->positions[i], sizes[k]);
         }
     }
     faces->count = faces->models[0].face_count;

@@ -296,7 +296,7 @@ INLINED void kept_triangle(struct canvas *canvas, const struct vertex v[3], stru
         size_t row = (size_t)y * image->width;
         for (int x = span.begin; x < span.end; x++) {
             struct vec3 weight = edges_weights(&edges, x, y);
-            double depth = interpolate(weight, v[0].depth, v[1].depth, v[2].depth);
+            double depth = interpolate_depth(weight, v[0].depth, v[1].depth, v[2].depth);
             canvas->pixels_tested++;
             if (test(buffer, row + (size_t)x, depth)) {
                 image_set(image, x, y, color);

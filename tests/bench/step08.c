@@ -278,8 +278,7 @@ static bool make_view(struct view *view, const struct model *model, const struct
     }
     view_set_matrices(view, offset);
     for (size_t i = 0; i < model->position_count; i++) {
-        struct vec3 corner = {model->positions[i][0], model->positions[i][1],
-                              model->positions[i][2]};
+        struct vec3 corner = model->positions[i];
         if (find_beyond(mat4_point(&to_clip, corner)) == 0) {
             view_add(view, corner, offset);
         }

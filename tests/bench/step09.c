@@ -528,7 +528,7 @@ static void cover(const struct seen *face, uint32_t number, double *depths, uint
         struct span span = edges_span(&face->edges, y);
         for (int x = span.begin; x < span.end; x++) {
             struct vec3 w = edges_weights(&face->edges, x, y);
-            double depth = interpolate(w, face->depth[0], face->depth[1], face->depth[2]);
+            double depth = interpolate_depth(w, face->depth[0], face->depth[1], face->depth[2]);
             if (depth > depths[y * SIDE + x]) {
                 depths[y * SIDE + x] = depth;
                 nearest[y * SIDE + x] = number;
@@ -636,11 +636,7 @@ static bool repeat_model(struct model *model, size_t count, struct vec3 offset, 
     for (size_t copy = count; copy-- > 0;) {
         struct vec3 by = vec3_scale(offset, (double)(order == FAR_FIRST ? count - 1 - copy : copy));
         for (size_t i = 0; i < positions; i++) {
-            const double move[3] = {by.x, by.y, by.z};
-            for (int k = 0; k < 3; k++) {
-                model->positions[copy * positions + i][k] =
-                    (float)(model->positions[i][k] + move[k]);
-            }
+            model->positions[copy * positions + i] = vec3_add(model->positions[i], by);
         }
         for (size_t i = 0; i < faces; i++) {
             struct face *face = &model->faces[copy * faces + i];

@@ -449,9 +449,9 @@ static bool make_ripples(struct texture *texture, struct error *error) {
 
 static void set_corner(struct model *model, size_t i, long double u, long double v) {
     struct real3 d = direction_at(u, v), n = rippled_normal(d);
-    const long double position[3] = {d.x, d.y, d.z}, normal[3] = {n.x, n.y, n.z};
+    const long double normal[3] = {n.x, n.y, n.z};
+    model->positions[i] = (struct vec3){(double)d.x, (double)d.y, (double)d.z};
     for (int k = 0; k < 3; k++) {
-        model->positions[i][k] = (float)position[k];
         model->normals[i][k] = (float)normal[k];
     }
     model->uvs[i][0] = (float)u;

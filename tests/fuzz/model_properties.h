@@ -34,7 +34,8 @@ static inline void require_colors(const float (*colors)[3], size_t count) {
 static inline void require_valid_model(const struct model *model) {
     REQUIRE(model->face_count > 0 && model->position_count > 0);
     for (size_t i = 0; i < model->position_count; i++) {
-        require_finite(model->positions[i], 3);
+        struct vec3 p = model->positions[i];
+        REQUIRE(isfinite(p.x) && isfinite(p.y) && isfinite(p.z));
     }
     if (model->colors != NULL) {
         require_colors((const float(*)[3])model->colors, model->position_count);

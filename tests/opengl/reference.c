@@ -25,8 +25,8 @@ static void draw_triangle(struct reference *reference, const struct picture *pic
         int x_end = span.end < r->x + r->width ? span.end : r->x + r->width;
         for (int x = x_begin; x < x_end; x++) {
             size_t i = (size_t)y * picture->width + (size_t)x;
-            double depth = interpolate(edges_weights(&edges, x, y), corners[0].depth,
-                                       corners[1].depth, corners[2].depth);
+            double depth = interpolate_depth(edges_weights(&edges, x, y), corners[0].depth,
+                                             corners[1].depth, corners[2].depth);
             reference->layers[i][0] += 1;
             reference->layers[i][1] += face;
             if (discarded) {

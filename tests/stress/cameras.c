@@ -37,7 +37,7 @@ static struct vec3 any_vector(struct random *random, int exponent) {
 struct camera_case {
     struct vec3 eye, center, up;
     double zoom;
-    float corner[4][3]; /* of a tetrahedron to look at */
+    struct vec3 corner[4]; /* of a tetrahedron to look at */
 };
 
 static void make_camera(struct random *random, uint64_t index, void *made) {
@@ -66,13 +66,17 @@ static void make_camera(struct random *random, uint64_t index, void *made) {
         break;
     }
     c->zoom = random_bits(random) % 4 ? random_real(random, 0.1, 2) : any_number(random, 60);
+    double places[12];
     for (int i = 0; i < 12; i++) {
         /* Around the center, at the eye, or anywhere. */
         double near_to[3] = {c->center.x, c->center.y, c->center.z};
         double at = index % 3 == 0 ? near_to[i % 3] : index % 3 == 1 ? 0 : any_number(random, 120);
         double place = at + random_real(random, -2, 2);
-        place = place > 3e38 ? 3e38 : place < -3e38 ? -3e38 : place; /* files hold floats */
-        c->corner[i / 3][i % 3] = (float)place;
+        place = place > 3e38 ? 3e38 : place < -3e38 ? -3e38 : place; /* as in files */
+        places[i] = place;
+    }
+    for (int i = 0; i < 4; i++) {
+        c->corner[i] = (struct vec3){places[3 * i], places[3 * i + 1], places[3 * i + 2]};
     }
 }
 
@@ -208,8 +212,7 @@ static void print_camera(const void *failing) {
     printf("    # zoom %.17g, not orthonormal by %.3g ulp, axes off by %.3g ulp\n", c->zoom,
            orthonormality_error(c), axes_error(c));
     for (int i = 0; i < 4; i++) {
-        printf("    v %.9g %.9g %.9g\n", (double)c->corner[i][0], (double)c->corner[i][1],
-               (double)c->corner[i][2]);
+        printf("    v %.17g %.17g %.17g\n", c->corner[i].x, c->corner[i].y, c->corner[i].z);
     }
 }
 

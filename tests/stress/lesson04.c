@@ -38,7 +38,7 @@ static void make_face(struct random *random, uint64_t index, void *made) {
         corner[1] = corner[random_bits(random) % 2 ? 0 : 2];
     }
     for (int i = 0; i < 3; i++) {
-        mesh_set(c->mesh.position[i], corner[i]);
+        c->mesh.position[i] = corner[i];
     }
     c->light = random_direction(random);
     c->width = (int)random_between(random, 1, DRAW_LIMIT);
@@ -52,9 +52,9 @@ static double intensity_error(const void *tried) {
     struct mesh mesh;
     mesh_from(&mesh, &c.mesh, 1);
     double got = face_intensity(&mesh.model, 0, c.light);
-    struct real3 w0 = mesh_get(c.mesh.position[0]);
-    struct real3 a = real3_sub(mesh_get(c.mesh.position[2]), w0);
-    struct real3 b = real3_sub(mesh_get(c.mesh.position[1]), w0);
+    struct real3 w0 = real3_from(c.mesh.position[0]);
+    struct real3 a = real3_sub(real3_from(c.mesh.position[2]), w0);
+    struct real3 b = real3_sub(real3_from(c.mesh.position[1]), w0);
     struct real3 normal = real3_cross(a, b);
     long double area = real3_length(normal), sides = real3_length(a) * real3_length(b);
     if (area == 0) {
@@ -72,9 +72,9 @@ static bool is_snapped(int32_t position, long double world, int size) {
     return fabsl(exact - position) <= 0.5L + 1e-15L * fabsl(exact);
 }
 
-static bool is_off(const float position[3], const struct face_case *c) {
-    long double x = ((long double)position[0] + 1) * c->width / 2;
-    long double y = ((long double)position[1] + 1) * c->height / 2;
+static bool is_off(struct vec3 position, const struct face_case *c) {
+    long double x = ((long double)position.x + 1) * c->width / 2;
+    long double y = ((long double)position.y + 1) * c->height / 2;
     return fabsl(x) > SCREEN_LIMIT || fabsl(y) > SCREEN_LIMIT;
 }
 
@@ -86,12 +86,12 @@ static bool face_is_placed(const void *tried) {
     mesh_from(&mesh, &c.mesh, 1);
     bool placed = place_face(&mesh.model, 0, &image, v);
     for (int i = 0; i < 3; i++) {
-        const float *p = c.mesh.position[i];
+        const struct vec3 p = c.mesh.position[i];
         if (is_off(p, &c)) {
             return !placed;
         }
-        if (placed && !(is_snapped(v[i].position.x, p[0], c.width) &&
-                        is_snapped(v[i].position.y, p[1], c.height))) {
+        if (placed && !(is_snapped(v[i].position.x, p.x, c.width) &&
+                        is_snapped(v[i].position.y, p.y, c.height))) {
             return false;
         }
     }
@@ -101,8 +101,8 @@ static bool face_is_placed(const void *tried) {
 static void print_face(const void *failing) {
     const struct face_case *c = failing;
     for (int i = 0; i < 3; i++) {
-        const float *p = c->mesh.position[i];
-        printf("    v %.9g %.9g %.9g\n", (double)p[0], (double)p[1], (double)p[2]);
+        const struct vec3 p = c->mesh.position[i];
+        printf("    v %.17g %.17g %.17g\n", p.x, p.y, p.z);
     }
     printf("    light %.17g %.17g %.17g, %dx%d pixels\n", c->light.x, c->light.y, c->light.z,
            c->width, c->height);

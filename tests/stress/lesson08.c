@@ -428,8 +428,7 @@ static void make_around(struct random *random, uint64_t index, void *made) {
         struct vec2 to = turn_direction(first + (index % 2 ? -1 : 1) * (i / 3.0) +
                                         random_real(random, -0.1, 0.1));
         double reach = random_real(random, 91, 1000);
-        mesh_set(c->mesh.position[i],
-                 (struct vec3){to.x * reach, to.y * reach, random_real(random, -1, 1)});
+        c->mesh.position[i] = (struct vec3){to.x * reach, to.y * reach, random_real(random, -1, 1)};
     }
 }
 
@@ -463,7 +462,7 @@ static bool around_is_right(const void *tried) {
     draw_model(&drawing, &canvas, &to_clip);
     struct real3 p[3];
     for (int i = 0; i < 3; i++) { /* in pixels */
-        p[i] = mesh_get(c.mesh.position[i]);
+        p[i] = real3_from(c.mesh.position[i]);
         p[i].x = (p[i].x + 1) * SCREEN_WIDTH / 2;
         p[i].y = (p[i].y + 1) * SCREEN_HEIGHT / 2;
     }
@@ -486,8 +485,8 @@ static bool around_is_right(const void *tried) {
 static void print_around(const void *failing) {
     const struct around_case *c = failing;
     for (int i = 0; i < 3; i++) {
-        const float *p = c->mesh.position[i];
-        printf("    v %.9g %.9g %.9g\n", (double)p[0], (double)p[1], (double)p[2]);
+        const struct vec3 p = c->mesh.position[i];
+        printf("    v %.17g %.17g %.17g\n", p.x, p.y, p.z);
     }
 }
 

@@ -21,15 +21,13 @@ struct shader_case {
 static void make_shader_case(struct random *random, uint64_t index, void *made) {
     struct shader_case *c = made;
     for (int i = 0; i < 3; i++) {
-        mesh_set(c->mesh.position[i], random_vector(random, 2));
+        c->mesh.position[i] = random_vector(random, 2);
         mesh_set(c->mesh.normal[i], random_vector(random, index % 2 ? 1 : 60));
         c->mesh.uv[i][0] = (float)random_real(random, -1, 2);
         c->mesh.uv[i][1] = (float)random_real(random, -1, 2);
     }
     if (index % 32 == 0) { /* no area */
-        mesh_set(c->mesh.position[2],
-                 (struct vec3){(double)c->mesh.position[1][0], (double)c->mesh.position[1][1],
-                               (double)c->mesh.position[1][2]});
+        c->mesh.position[2] = c->mesh.position[1];
     }
     c->to_light = random_direction(random);
     make_picture(random, &c->diffuse);
@@ -70,9 +68,9 @@ static bool corners_are_right(const void *tried) {
     struct mesh mesh;
     mesh_from(&mesh, &c.mesh, 1);
     const struct uniforms u = {.model = &mesh.model, .to_light = c.to_light};
-    struct real3 first = mesh_get(c.mesh.position[0]), light = real3_from(c.to_light);
-    struct real3 a = real3_sub(mesh_get(c.mesh.position[1]), first);
-    struct real3 b = real3_sub(mesh_get(c.mesh.position[2]), first);
+    struct real3 first = real3_from(c.mesh.position[0]), light = real3_from(c.to_light);
+    struct real3 a = real3_sub(real3_from(c.mesh.position[1]), first);
+    struct real3 b = real3_sub(real3_from(c.mesh.position[2]), first);
     struct real3 face_normal = real3_cross(a, b);
     long double area = real3_length(face_normal);
     long double cosine = area > 0 ? real3_dot(face_normal, light) / area : 0;
@@ -156,9 +154,10 @@ static bool pixels_are_right(const void *tried) {
 static void print_shader_case(const void *failing) {
     const struct shader_case *c = failing;
     for (int i = 0; i < 3; i++) {
-        const float *p = c->mesh.position[i], *n = c->mesh.normal[i];
-        printf("    v %.9g %.9g %.9g  vn %.9g %.9g %.9g\n", (double)p[0], (double)p[1],
-               (double)p[2], (double)n[0], (double)n[1], (double)n[2]);
+        const struct vec3 p = c->mesh.position[i];
+        const float *n = c->mesh.normal[i];
+        printf("    v %.17g %.17g %.17g  vn %.9g %.9g %.9g\n", p.x, p.y, p.z, (double)n[0],
+               (double)n[1], (double)n[2]);
     }
     printf("    to light %.17g %.17g %.17g, uv %.17g %.17g, mip levels %zu and %zu, intensity "
            "%.17g\n",

@@ -64,7 +64,7 @@ struct phong_case {
 static void make_phong(struct random *random, uint64_t index, void *made) {
     struct phong_case *c = made;
     for (int i = 0; i < 3; i++) {
-        mesh_set(c->mesh.position[i], random_vector(random, 2));
+        c->mesh.position[i] = random_vector(random, 2);
         mesh_set(c->mesh.normal[i], random_vector(random, index % 2 ? 1 : 60));
         c->mesh.uv[i][0] = (float)random_real(random, -1, 2);
         c->mesh.uv[i][1] = (float)random_real(random, -1, 2);
@@ -165,7 +165,7 @@ static bool corners_are_right(const void *tried) {
         double without[8] = {0}, v[8] = {0};
         vertex(&u, 0, i, without);
         vertex_with_normal(&u, 0, i, v);
-        struct real3 p = mesh_get(c.mesh.position[i]), n = real3_unit(mesh_get(c.mesh.normal[i]));
+        struct real3 p = real3_from(c.mesh.position[i]), n = real3_unit(mesh_get(c.mesh.normal[i]));
         const long double exact[8] = {
             p.x, p.y, p.z, (long double)c.mesh.uv[i][0], (long double)c.mesh.uv[i][1],
             n.x, n.y, n.z};

@@ -70,7 +70,8 @@ void print_layers(const struct layers *layers);
 enum { MESH_FACES = 6, MESH_CORNERS = 3 * MESH_FACES };
 
 struct mesh_data {
-    float position[MESH_CORNERS][3], uv[MESH_CORNERS][2], normal[MESH_CORNERS][3];
+    struct vec3 position[MESH_CORNERS];
+    float uv[MESH_CORNERS][2], normal[MESH_CORNERS][3];
 };
 
 struct mesh {

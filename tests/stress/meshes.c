@@ -186,7 +186,7 @@ static bool each_pixel_once(const void *tried) {
 
 struct world_mesh {
     struct model model;
-    float positions[VERTEX_LIMIT * 3][3];
+    struct vec3 positions[VERTEX_LIMIT * 3];
     struct face faces[FACE_LIMIT];
 };
 
@@ -202,10 +202,10 @@ static void build_soup(uint64_t seed, struct world_mesh *mesh) {
     mesh->model = (struct model){.positions = mesh->positions, .faces = mesh->faces};
     size_t faces = (size_t)random_between(&random, 1, 24);
     for (size_t i = 0; i < 3 * faces; i++) {
-        float *p = mesh->positions[i];
-        p[0] = (float)((double)random_between(&random, -1000, 1000) / 1024);
-        p[1] = (float)((double)random_between(&random, -1000, 1000) / 1024);
-        p[2] = (float)random_real(&random, -1, 1);
+        struct vec3 *p = &mesh->positions[i];
+        p->x = (double)random_between(&random, -1000, 1000) / 1024;
+        p->y = (double)random_between(&random, -1000, 1000) / 1024;
+        p->z = random_real(&random, -1, 1);
     }
     for (size_t i = 0; i < faces; i++) {
         uint32_t first = (uint32_t)(3 * i);
@@ -305,8 +305,8 @@ static void print_soup(const void *failing) {
     printf("    # camera at distance %s, %s\n", c->kind == 0 ? "infinity" : "2.5",
            c->kind == 2 ? "shaded at once" : "visible only");
     for (size_t i = 0; i < mesh.model.position_count; i++) {
-        printf("    v %.9g %.9g %.9g\n", (double)mesh.positions[i][0], (double)mesh.positions[i][1],
-               (double)mesh.positions[i][2]);
+        struct vec3 p = mesh.positions[i];
+        printf("    v %.17g %.17g %.17g\n", p.x, p.y, p.z);
     }
     for (size_t i = 0; i < mesh.model.face_count && i < c->faces; i++) {
         printf("    f %zu %zu %zu\n", 3 * i + 1, 3 * i + 2, 3 * i + 3);
@@ -381,8 +381,8 @@ static void build_plane(const struct mesh_case *c, struct plane *plane) {
             struct vec3 p =
                 vec3_add(plane->origin, vec3_add(vec3_scale(plane->u, (double)i / (double)n),
                                                  vec3_scale(plane->v, (double)k / (double)n)));
-            float *to = plane->mesh.positions[model->position_count++];
-            to[0] = rounded(p.x), to[1] = rounded(p.y), to[2] = rounded(p.z);
+            plane->mesh.positions[model->position_count++] =
+                (struct vec3){rounded(p.x), rounded(p.y), rounded(p.z)};
         }
     }
     for (size_t i = 0; i < n; i++) {
@@ -493,8 +493,8 @@ static void print_plane(const void *failing) {
     build_plane(failing, &plane);
     printf("    # camera at z = 2, image %dx%d\n", COUNT_SIZE, COUNT_SIZE);
     for (size_t i = 0; i < plane.mesh.model.position_count; i++) {
-        const float *p = plane.mesh.positions[i];
-        printf("    v %.9g %.9g %.9g\n", (double)p[0], (double)p[1], (double)p[2]);
+        struct vec3 p = plane.mesh.positions[i];
+        printf("    v %.17g %.17g %.17g\n", p.x, p.y, p.z);
     }
     for (size_t i = 0; i < plane.mesh.model.face_count; i++) {
         const struct corner *c = plane.mesh.faces[i].corner;

@@ -289,8 +289,7 @@ static bool see_face(const struct soup *soup, size_t face, struct soup_polygon *
 /* ---- Soups ---- */
 
 static void set_position(struct soup *soup, size_t index, struct vec3 position) {
-    float *to = soup->positions[index];
-    to[0] = (float)position.x, to[1] = (float)position.y, to[2] = (float)position.z;
+    soup->positions[index] = position;
 }
 
 static void choose_corners(struct soup *soup, struct random *random, size_t face) {

@@ -62,7 +62,7 @@ struct soup {
     /* Private. */
     enum soup_kind kind;
     long double exact_to_clip[4][4];
-    float positions[SOUP_CORNERS][3];
+    struct vec3 positions[SOUP_CORNERS];
     struct face faces[SOUP_FACES];
     struct soup_polygon polygons[SOUP_FACES];
 };

@@ -233,12 +233,12 @@ SHADER(number_shader, .varying_count = 1, .vertex = number_vertex, .fragment = n
 
 /* Which triangle shows at the pixel, 1 or 2, when both are drawn; 0 for none. */
 static int face_shown(const struct depth_case *c, bool skip) {
-    float positions[6][3];
+    struct vec3 positions[6];
     struct face faces[2];
     for (uint32_t i = 0; i < 6; i++) {
-        positions[i][0] = (float)(c->corner[i / 3][i % 3].x / (DEPTH_WIDTH * 128.0) - 1);
-        positions[i][1] = (float)(c->corner[i / 3][i % 3].y / (DEPTH_HEIGHT * 128.0) - 1);
-        positions[i][2] = (float)c->depth[i / 3][i % 3];
+        positions[i] = (struct vec3){c->corner[i / 3][i % 3].x / (DEPTH_WIDTH * 128.0) - 1,
+                                     c->corner[i / 3][i % 3].y / (DEPTH_HEIGHT * 128.0) - 1,
+                                     (double)c->depth[i / 3][i % 3]};
         faces[i / 3].corner[i % 3] = (struct corner){i, MODEL_NONE, MODEL_NONE};
     }
     struct model model = {

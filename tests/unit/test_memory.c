@@ -651,6 +651,9 @@ static void test_pipeline(void) {
 static bool draw_dot(struct drawing *drawing, struct image *image, struct error *error) {
     (void)error;
     image_set(image, 1, (int)drawing->frame, color_rgb(1, 2, 3));
+    if (drawing->depth != NULL) {
+        drawing->depth[0] = 0; /* or nothing was drawn */
+    }
     drawing_count(drawing, "dots", 1);
     return true;
 }
@@ -720,9 +723,9 @@ static bool run_with_model(const struct inputs *inputs, const char *option, cons
                            struct error *error) {
     char images[PATH_SIZE];
     snprintf(images, sizeof images, "%.60s/images", inputs->directory);
-    char *argv[] = {(char *)"probe", (char *)"-o",        images, (char *)option,
-                    (char *)value,   (char *)inputs->obj, NULL};
-    return run_program(&model_program, inputs, 6, argv, error);
+    char *argv[] = {(char *)"probe", (char *)"-o",        images, (char *)option, (char *)value,
+                    (char *)"--fit", (char *)inputs->obj, NULL};
+    return run_program(&model_program, inputs, 7, argv, error);
 }
 
 static bool run_tga(const struct inputs *inputs, struct error *error) {

@@ -109,6 +109,11 @@ static bool same3(const float *a, float x, float y, float z) {
     return a[0] == x && a[1] == y && a[2] == z;
 }
 
+static bool at(const struct model *model, size_t position, double x, double y, double z) {
+    struct vec3 p = model->positions[position];
+    return p.x == x && p.y == y && p.z == z;
+}
+
 static void test_obj_numbers(void) {
     static const char text[] = "v 1 -2 .5\nv 1e2 5. -1E-2 7\nv 0.1 0.2 0.3 0.25 -1 300\n"
                                "v 16777217 1e-30 -0\nvt 0.5\nvt 2 -3\nvt 1 2 3\nvn 0 3 4\n"
@@ -119,8 +124,8 @@ static void test_obj_numbers(void) {
         return;
     }
     CHECK(m.position_count == 4 && m.uv_count == 3 && m.normal_count == 1 && m.face_count == 1);
-    CHECK(same3(m.positions[0], 1, -2, 0.5F) && same3(m.positions[1], 100, 5, -0.01F));
-    CHECK(same3(m.positions[2], 0.1F, 0.2F, 0.3F) && same3(m.positions[3], 16777216, 1e-30F, 0));
+    CHECK(at(&m, 0, 1, -2, 0.5) && at(&m, 1, 100, 5, -0.01) && at(&m, 2, 0.1, 0.2, 0.3));
+    CHECK(at(&m, 3, 16777217, 1e-30, 0)); /* the first is no float */
     CHECK(m.uvs[0][0] == 0.5F && m.uvs[0][1] == 0 && m.uvs[1][0] == 2 && m.uvs[1][1] == -3 &&
           m.uvs[2][1] == 2);
     CHECK(same3(m.normals[0], 0, 3, 4));
@@ -152,7 +157,7 @@ static void test_obj_many_colors(void) {
     if (CHECK(model_decode(&m, bytes.data, bytes.size, &error)) && CHECK(m.colors != NULL)) {
         for (int i = 0; i < 1000; i++) {
             bool colored = i >= 300 && i < 500;
-            CHECK(m.positions[i][0] == (float)i);
+            CHECK(m.positions[i].x == (double)i);
             CHECK(same3(m.colors[i], colored ? 0 : 1, colored ? 0.5F : 1, colored ? 0 : 1));
         }
     }
@@ -200,7 +205,7 @@ static void test_off(void) {
         }
         describe_faces(&m, faces, sizeof faces);
         CHECK_TEXT(faces, rows[i].faces);
-        CHECK_ROW(same3(m.positions[1], 1, 0, 0) && same3(m.positions[2], 1, 1, 0), rows[i].name);
+        CHECK_ROW(at(&m, 1, 1, 0, 0) && at(&m, 2, 1, 1, 0), rows[i].name);
         bool colored =
             strstr(rows[i].text, "COFF") != NULL || strstr(rows[i].text, "CNOFF") != NULL;
         CHECK_ROW(colored == (m.colors != NULL), rows[i].name);

@@ -132,19 +132,19 @@ static void check_connected(const struct model *model, const char *name) {
     free(reached);
 }
 
+static int compare_numbers(double a, double b) {
+    return (a > b) - (a < b);
+}
+
 static int compare_positions(const void *a, const void *b) {
-    const float *l = a, *r = b;
-    for (int k = 0; k < 3; k++) {
-        if (l[k] < r[k] || l[k] > r[k]) {
-            return l[k] < r[k] ? -1 : 1;
-        }
-    }
-    return 0;
+    const struct vec3 *l = a, *r = b;
+    int x = compare_numbers(l->x, r->x), y = compare_numbers(l->y, r->y);
+    return x != 0 ? x : (y != 0 ? y : compare_numbers(l->z, r->z));
 }
 
 /* A sorted copy of the positions; the caller frees it. */
-static float (*sorted_positions(const struct model *model))[3] {
-    float(*sorted)[3] = malloc(model->position_count * sizeof *sorted);
+static struct vec3 *sorted_positions(const struct model *model) {
+    struct vec3 *sorted = malloc(model->position_count * sizeof *sorted);
     if (sorted != NULL) {
         memcpy(sorted, model->positions, model->position_count * sizeof *sorted);
         qsort(sorted, model->position_count, sizeof *sorted, compare_positions);
@@ -153,16 +153,15 @@ static float (*sorted_positions(const struct model *model))[3] {
 }
 
 static void check_positions(const struct model *model, const char *name) {
-    float(*sorted)[3] = sorted_positions(model);
+    struct vec3 *sorted = sorted_positions(model);
     if (!CHECK_ROW(sorted != NULL, name)) {
         return;
     }
     size_t twice = 0, outside = 0;
     for (size_t i = 0; i < model->position_count; i++) {
-        twice += i > 0 && compare_positions(sorted[i - 1], sorted[i]) == 0;
-        for (int k = 0; k < 3; k++) {
-            outside += !(sorted[i][k] >= -1 && sorted[i][k] <= 1);
-        }
+        twice += i > 0 && compare_positions(&sorted[i - 1], &sorted[i]) == 0;
+        struct vec3 p = sorted[i];
+        outside += !(fabs(p.x) <= 1 && fabs(p.y) <= 1 && fabs(p.z) <= 1);
     }
     CHECK_ROW(twice == 0, name);
     CHECK_ROW(outside == 0, name);
@@ -277,20 +276,17 @@ static size_t piercings(const struct model *model, size_t i, size_t j) {
 
 /* The surface nowhere passes through itself. */
 static void check_embedded(const struct model *model, const char *name) {
-    float(*boxes)[4] = malloc(model->face_count * sizeof *boxes); /* x and y: least and greatest */
+    double(*boxes)[4] = malloc(model->face_count * sizeof *boxes); /* least and greatest x and y */
     if (!CHECK_ROW(boxes != NULL, name)) {
         return;
     }
     for (size_t i = 0; i < model->face_count; i++) {
-        const struct corner *c = model->faces[i].corner;
-        for (size_t axis = 0; axis < 2; axis++) {
-            float p[3];
-            for (size_t k = 0; k < 3; k++) {
-                p[k] = model->positions[c[k].position][axis];
-            }
-            boxes[i][2 * axis] = fminf(p[0], fminf(p[1], p[2]));
-            boxes[i][2 * axis + 1] = fmaxf(p[0], fmaxf(p[1], p[2]));
-        }
+        struct vec3 a = model_position(model, i, 0), b = model_position(model, i, 1);
+        struct vec3 c = model_position(model, i, 2);
+        boxes[i][0] = fmin(a.x, fmin(b.x, c.x));
+        boxes[i][1] = fmax(a.x, fmax(b.x, c.x));
+        boxes[i][2] = fmin(a.y, fmin(b.y, c.y));
+        boxes[i][3] = fmax(a.y, fmax(b.y, c.y));
     }
     size_t crossings = 0;
     for (size_t i = 0; i < model->face_count; i++) {
@@ -396,12 +392,12 @@ static void test_bust_symmetry(void) {
     if (!read_model(&model, COURSE_MODELS "/bust.obj")) {
         return;
     }
-    float(*sorted)[3] = sorted_positions(&model);
+    struct vec3 *sorted = sorted_positions(&model);
     size_t lonely = 0;
     for (size_t i = 0; sorted != NULL && i < model.position_count; i++) {
-        float image[3] = {0 - sorted[i][0], sorted[i][1], sorted[i][2]};
-        lonely +=
-            bsearch(image, sorted, model.position_count, sizeof *sorted, compare_positions) == NULL;
+        struct vec3 image = {0 - sorted[i].x, sorted[i].y, sorted[i].z};
+        lonely += bsearch(&image, sorted, model.position_count, sizeof *sorted,
+                          compare_positions) == NULL;
     }
     CHECK(sorted != NULL && lonely == 0);
     free(sorted);
@@ -418,8 +414,8 @@ static void test_bust_proportions(void) {
     double low = 1, high = -1, nose_z = -1, nose_y = 0, brow_z = -1, lip_z = -1;
     double head = 0, neck = 1, shoulders = 0;
     for (size_t i = 0; i < model.position_count; i++) {
-        double x = fabs((double)model.positions[i][0]), y = model.positions[i][1];
-        double z = model.positions[i][2];
+        double x = fabs(model.positions[i].x), y = model.positions[i].y;
+        double z = model.positions[i].z;
         low = fmin(low, y);
         high = fmax(high, y);
         if (z > nose_z) {
@@ -435,8 +431,8 @@ static void test_bust_proportions(void) {
     for (int step = 0; step < 6; step++) {
         double reach = 0, y = -0.40 + 0.03 * step;
         for (size_t i = 0; i < model.position_count; i++) {
-            if (fabs((double)model.positions[i][1] - y) < 0.03) {
-                reach = fmax(reach, fabs((double)model.positions[i][0]));
+            if (fabs(model.positions[i].y - y) < 0.03) {
+                reach = fmax(reach, fabs(model.positions[i].x));
             }
         }
         neck = fmin(neck, reach);

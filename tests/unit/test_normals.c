@@ -59,12 +59,14 @@ static void normal_by_definition(const struct model *m, uint32_t position, long 
                 continue;
             }
             long double u[3], v[3], n[3], uu = 0, vv = 0, uv = 0, nn = 0;
-            const float *at = m->positions[position];
-            const float *to = m->positions[m->faces[i].corner[(j + 1) % 3].position];
-            const float *from = m->positions[m->faces[i].corner[(j + 2) % 3].position];
+            struct vec3 p = m->positions[position];
+            struct vec3 q = m->positions[m->faces[i].corner[(j + 1) % 3].position];
+            struct vec3 r = m->positions[m->faces[i].corner[(j + 2) % 3].position];
+            const long double at[3] = {p.x, p.y, p.z}, to[3] = {q.x, q.y, q.z};
+            const long double from[3] = {r.x, r.y, r.z};
             for (int k = 0; k < 3; k++) {
-                u[k] = (long double)to[k] - at[k];
-                v[k] = (long double)from[k] - at[k];
+                u[k] = to[k] - at[k];
+                v[k] = from[k] - at[k];
                 uu += u[k] * u[k];
                 vv += v[k] * v[k];
                 uv += u[k] * v[k];

@@ -11,7 +11,7 @@ enum { SIZE = 32, FACES = 24, MESH_LIMIT = 4096 };
 
 struct mesh {
     struct model model;
-    float positions[MESH_LIMIT][3];
+    struct vec3 positions[MESH_LIMIT];
     struct face faces[MESH_LIMIT];
 };
 
@@ -20,8 +20,7 @@ static void mesh_begin(struct mesh *mesh) {
 }
 
 static uint32_t mesh_vertex(struct mesh *mesh, double x, double y, double z) {
-    float *p = mesh->positions[mesh->model.position_count];
-    p[0] = (float)x, p[1] = (float)y, p[2] = (float)z;
+    mesh->positions[mesh->model.position_count] = (struct vec3){x, y, z};
     return (uint32_t)mesh->model.position_count++;
 }
 
@@ -31,7 +30,7 @@ static void mesh_face(struct mesh *mesh, uint32_t a, uint32_t b, uint32_t c) {
         {{a, MODEL_NONE, MODEL_NONE}, {b, MODEL_NONE, MODEL_NONE}, {c, MODEL_NONE, MODEL_NONE}}};
 }
 
-/* Corners at eighths of a pixel, depths at 1/1024: exact as floats and after projection. */
+/* Corners at eighths of a pixel, depths at 1/1024: exact after projection. */
 static void make_soup(struct mesh *mesh, struct random *random) {
     mesh_begin(mesh);
     for (int i = 0; i < FACES; i++) {
@@ -484,10 +483,9 @@ static void test_interpolation(void) {
         for (int k = 0; k < 3; k++) {
             mesh_vertex(&mesh, random_real(&random, -1, 1), random_real(&random, -1, 1),
                         random_real(&random, -3, 1.5));
-            const float *p = mesh.positions[k];
-            struct vec4 clip = mat4_point(&to_clip, (struct vec3){p[0], p[1], p[2]});
+            struct vec4 clip = mat4_point(&to_clip, mesh.positions[k]);
             recip_w[k] = 1 / clip.w;
-            value[k] = p[2];
+            value[k] = mesh.positions[k].z;
             CHECK(screen_snap((struct vec2){(clip.x * recip_w[k] + 1) * (SIZE / 2.0),
                                             (clip.y * recip_w[k] + 1) * (SIZE / 2.0)},
                               &corner[k]));
@@ -736,10 +734,10 @@ static void test_far_apart(void) {
     static struct seen seen;
     uint64_t stats[PIPELINE_STATS] = {0};
     mesh_begin(&mesh);
-    mesh_vertex(&mesh, 4928.8335, 4.61168602e+18, -0.854364634);
-    mesh_vertex(&mesh, 4194305, 0.897210062, -0.363833278);
-    mesh_vertex(&mesh, -2.04636595e+09, 0.767012835, 0.909459114);
-    mesh_vertex(&mesh, 3.51105126e+09, 2519.08057, -6.03685957e+31);
+    mesh_vertex(&mesh, 4928.8335F, 4.61168602e+18F, -0.854364634F);
+    mesh_vertex(&mesh, 4194305, 0.897210062F, -0.363833278F);
+    mesh_vertex(&mesh, -2.04636595e+09F, 0.767012835F, 0.909459114F);
+    mesh_vertex(&mesh, 3.51105126e+09F, 2519.08057F, -6.03685957e+31F);
     mesh_face(&mesh, 0, 1, 2);
     mesh_face(&mesh, 0, 3, 1);
     mesh_face(&mesh, 1, 3, 2);

@@ -4,6 +4,7 @@
 #include "oracle.h"
 #include "unit.h"
 
+#include <assert.h>
 #include <stdlib.h>
 
 static struct random random_state = {1};
@@ -22,21 +23,22 @@ struct polygon {
     int64_t x[CORNER_LIMIT], y[CORNER_LIMIT];
 };
 
-static void polygon_add(struct polygon *p, int x, int y) {
+static void polygon_add(struct polygon *p, int64_t x, int64_t y) {
     p->x[p->size] = x;
     p->y[p->size++] = y;
 }
 
 /* Twice the area of three corners; positive when counterclockwise. */
-static int64_t area_of(const struct polygon *p, size_t a, size_t b, size_t c) {
-    return (p->x[b] - p->x[a]) * (p->y[c] - p->y[a]) - (p->y[b] - p->y[a]) * (p->x[c] - p->x[a]);
+static int128 area_of(const struct polygon *p, size_t a, size_t b, size_t c) {
+    int128 left = (int128)(p->x[b] - p->x[a]) * (p->y[c] - p->y[a]);
+    return left - (int128)(p->y[b] - p->y[a]) * (p->x[c] - p->x[a]);
 }
 
-static int64_t polygon_area(const struct polygon *p) {
-    int64_t area = 0;
+static int128 polygon_area(const struct polygon *p) {
+    int128 area = 0;
     for (size_t i = 0; i < p->size; i++) {
         size_t next = (i + 1) % p->size;
-        area += p->x[i] * p->y[next] - p->y[i] * p->x[next];
+        area += (int128)p->x[i] * p->y[next] - (int128)p->y[i] * p->x[next];
     }
     return area;
 }
@@ -123,7 +125,7 @@ static void make_touched(struct polygon *p) {
     polygon_add(p, 0, 31);
 }
 
-static int sign_of(int64_t value) {
+static int sign_of(int128 value) {
     return (value > 0) - (value < 0);
 }
 
@@ -197,36 +199,73 @@ static bool make_uncrossed(struct polygon *p) {
     return false;
 }
 
+/* The smallest turn from the way (dx, dy) that whole numbers can make: dx * *y - dy * *x is 1, or
+ * where the two share a factor 0. dx and dy are positive (Euclid's algorithm, extended). */
+static void smallest_turn(int64_t dx, int64_t dy, int64_t *x, int64_t *y) {
+    assert(dx > 0 && dy > 0);
+    int64_t a = dx, b = dy, a_times = 1, b_times = 0; /* of dx, up to a multiple of dy */
+    while (b != 0) {
+        int64_t quotient = a / b, rest = a % b, rest_times = a_times - quotient * b_times;
+        a = b, b = rest;
+        a_times = b_times, b_times = rest_times;
+    }
+    *y = a == 1 ? a_times : 0;
+    *x = a == 1 ? (int64_t)(((int128)dx * a_times - 1) / dy) : 0;
+}
+
+enum { LARGEST_BITS = 52 };
+
+/* Four corners of large numbers, of which the differences are rounded. The second one lies on the
+ * line of its neighbours or beside it, as near to it as can be. */
+static void make_hardly_bent(struct polygon *p) {
+    const int64_t reach = INT64_C(1) << LARGEST_BITS;
+    int64_t x = -reach + random_int(0, 1000), y = -reach + random_int(0, 1000), turn_x, turn_y;
+    int64_t dx = random_between(&random_state, 1, reach / random_int(2, 1000));
+    int64_t dy = random_between(&random_state, 1, reach / random_int(2, 1000));
+    int side = random_int(-1, 1);
+    smallest_turn(dx, dy, &turn_x, &turn_y);
+    *p = (struct polygon){0};
+    polygon_add(p, x, y);
+    polygon_add(p, x + 2 * dx + side * turn_x, y + 2 * dy + side * turn_y);
+    polygon_add(p, x + 4 * dx, y + 4 * dy);
+    polygon_add(p, x, y + 4 * dy);
+}
+
 /* ---- Cutting them ---- */
 
 /* A polygon laid into space: `corner` says which of its corners each place is. */
 struct laid {
     size_t size;
-    float places[CORNER_LIMIT][3];
+    struct vec3 places[CORNER_LIMIT];
     size_t corner[CORNER_LIMIT];
 };
 
-/* By one of six permutations of the axes, on a slanted plane, with any corner first. */
+/* By one of six permutations of the axes, on a slanted plane, with any corner first, and scaled by
+ * a power of two. */
 static struct laid lay(const struct polygon *p, bool backwards) {
     static const int orders[6][3] = {{0, 1, 2}, {1, 2, 0}, {2, 0, 1},
                                      {0, 2, 1}, {2, 1, 0}, {1, 0, 2}};
     struct laid laid = {.size = p->size};
     const int *order = orders[random_int(0, 5)];
-    int a = random_int(-1, 1), b = random_int(-1, 1);
+    bool large = p->y[p->size - 1] >> (LARGEST_BITS - 10) != 0; /* a sum would be rounded */
+    int a = large ? 0 : random_int(-1, 1), b = large ? 0 : random_int(-1, 1);
+    int exponent = random_int(0, 1) == 1 ? random_int(-390, 340) : 0;
     size_t first = (size_t)random_int(0, (int)p->size - 1);
     for (size_t i = 0; i < p->size; i++) {
         size_t k = (first + (backwards ? p->size - i : i)) % p->size;
-        const int64_t place[3] = {p->x[k], p->y[k], a * p->x[k] + b * p->y[k]};
+        const int64_t whole[3] = {p->x[k], p->y[k], a * p->x[k] + b * p->y[k]};
+        double place[3];
         for (int axis = 0; axis < 3; axis++) {
-            laid.places[i][axis] = (float)place[order[axis]];
+            place[axis] = ldexp((double)whole[order[axis]], exponent);
         }
+        laid.places[i] = (struct vec3){place[0], place[1], place[2]};
         laid.corner[i] = k;
     }
     return laid;
 }
 
 static enum polygon_result cut(struct polygon_cutter *cutter, const struct laid *laid) {
-    return polygon_cut(cutter, (const float(*)[3])laid->places, laid->size);
+    return polygon_cut(cutter, laid->places, laid->size);
 }
 
 /* The triangles cover the polygon exactly once: they are joined along the polygon's own sides and
@@ -235,14 +274,14 @@ static enum polygon_result cut(struct polygon_cutter *cutter, const struct laid 
 static bool covers_exactly(const struct polygon *p, const struct laid *laid,
                            const struct polygon_cutter *cutter, bool backwards, bool flat_ones) {
     static int sides[CORNER_LIMIT][CORNER_LIMIT];
-    int64_t total = 0;
+    int128 total = 0;
     memset(sides, 0, sizeof sides);
     for (size_t i = 0; i < cutter->triangle_count; i++) {
         size_t corner[3];
         for (int j = 0; j < 3; j++) {
             corner[j] = laid->corner[cutter->triangles[i][backwards ? 2 - j : j]];
         }
-        int64_t area = area_of(p, corner[0], corner[1], corner[2]);
+        int128 area = area_of(p, corner[0], corner[1], corner[2]);
         if (area < 0 || (area == 0 && !flat_ones)) {
             return false;
         }
@@ -276,8 +315,8 @@ static void check_polygon(struct polygon_cutter *cutter, const struct polygon *p
     CHECK_ROW(cutter->triangle_count == p->size - 2, kind);
     if (!CHECK_ROW(covers_exactly(p, &laid, cutter, backwards, flat_ones), kind)) {
         for (size_t i = 0; i < laid.size; i++) {
-            const float *place = laid.places[i];
-            fprintf(stderr, "    %g %g %g\n", (double)place[0], (double)place[1], (double)place[2]);
+            struct vec3 place = laid.places[i];
+            fprintf(stderr, "    %.17g %.17g %.17g\n", place.x, place.y, place.z);
         }
     }
 }
@@ -305,6 +344,8 @@ static void test_polygons(void) {
         check_polygon(&cutter, &p, true, "touching");
         make_touched(&p);
         check_polygon(&cutter, &p, true, "touched");
+        make_hardly_bent(&p);
+        check_polygon(&cutter, &p, is_convex(&p), "hardly bent");
         if (make_uncrossed(&p)) {
             check_polygon(&cutter, &p, is_convex(&p), "uncrossed");
             uncrossed++;
@@ -325,6 +366,10 @@ static void test_wild_polygons(void) {
             polygon_add(&p, random_int(0, range), random_int(0, range));
         }
         struct laid laid = lay(&p, false);
+        for (size_t k = 0; i % 2 == 1 && k < laid.size; k++) { /* down to what counts as 0 */
+            laid.places[k].x = ldexp(laid.places[k].x, random_int(0, 1) * random_int(-1100, 10));
+            laid.places[k].z = ldexp(laid.places[k].z, random_int(0, 1) * random_int(-1100, 10));
+        }
         CHECK(cut(&cutter, &laid) == POLYGON_CUT && cutter.triangle_count == p.size - 2);
         for (size_t k = 0; k < cutter.triangle_count; k++) {
             const uint32_t *c = cutter.triangles[k];
@@ -352,7 +397,7 @@ static void test_chosen_polygons(void) {
     static const struct {
         const char *name, *triangles;
         size_t size;
-        float corners[5][3];
+        struct vec3 corners[5];
     } rows[] = {
         {"triangle", "0 1 2", 3, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}},
         {"no triangle", "0 1 2", 3, {{1, 1, 1}, {1, 1, 1}, {1, 1, 1}}},
@@ -364,6 +409,8 @@ static void test_chosen_polygons(void) {
          4,
          {{1, 1, 0}, {0, 4, 0}, {0, 0, 0}, {4, 0, 0}}},
         {"arrow from its tip", "1 2 3, 1 3 0", 4, {{4, 0, 0}, {1, 1, 0}, {0, 4, 0}, {0, 0, 0}}},
+        {"dent of almost 0", "0 1 2, 0 2 3", 4, {{0, 0, 0}, {1, 1e-121, 0}, {2, 0, 0}, {1, 3, 0}}},
+        {"dent", "1 2 3, 1 3 0", 4, {{0, 0, 0}, {1, 1e-119, 0}, {2, 0, 0}, {1, 3, 0}}},
         {"on a line", "0 1 2, 0 2 3", 4, {{0, 0, 0}, {2, 2, 2}, {1, 1, 1}, {3, 3, 3}}},
         {"in one place",
          "0 1 2, 0 2 3, 0 3 4",
@@ -383,17 +430,17 @@ static void test_chosen_polygons(void) {
     CHECK(cutter.triangles == NULL && cutter.triangle_count == 0 && cutter.nodes == NULL);
 }
 
-/* A corner that turns right by 2^-100, less than doubles can tell without exact arithmetic: cut as
+/* A corner that turns right by 2^-390, less than doubles can tell without exact arithmetic: cut as
  * if it were straight, there would be a triangle of corners 0, 1 and 2, turned over. */
 static void test_hardly_concave(void) {
-    static const float places[4][3] = {{0x1p-100F, 0, 0}, {1, 1, 0}, {2, 2, 0}, {0, 3, 0}};
+    static const struct vec3 places[4] = {{0x1p-390, 0, 0}, {1, 1, 0}, {2, 2, 0}, {0, 3, 0}};
     struct polygon_cutter cutter = {0};
     for (size_t first = 0; first < 4; first++) {
-        float turned[4][3];
+        struct vec3 turned[4];
         for (size_t i = 0; i < 4; i++) {
-            memcpy(turned[i], places[(first + i) % 4], sizeof turned[i]);
+            turned[i] = places[(first + i) % 4];
         }
-        CHECK(polygon_cut(&cutter, (const float(*)[3])turned, 4) == POLYGON_CUT);
+        CHECK(polygon_cut(&cutter, turned, 4) == POLYGON_CUT);
         for (size_t i = 0; i < cutter.triangle_count; i++) { /* both have corners 1 and 3 */
             bool has_1 = false, has_3 = false;
             for (int j = 0; j < 3; j++) {
@@ -409,26 +456,22 @@ static void test_hardly_concave(void) {
 
 /* ---- Large ones ---- */
 
-static double twice_the_area(const float *a, const float *b, const float *c) {
-    return ((double)b[0] - (double)a[0]) * ((double)c[1] - (double)a[1]) -
-           ((double)b[1] - (double)a[1]) * ((double)c[0] - (double)a[0]);
+static double twice_the_area(struct vec3 a, struct vec3 b, struct vec3 c) {
+    return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
 /* A sawtooth of many corners: quick, and whole. The exact area is known. */
 static void test_sawtooth(void) {
     enum { TEETH = 2500, SIZE = 2 * TEETH + 3 };
-    static float places[SIZE][3];
+    static struct vec3 places[SIZE];
     struct polygon_cutter cutter = {0};
     double area = 0;
     for (int i = 0; i < SIZE; i++) { /* back over the teeth, then below them */
         bool tooth = i <= 2 * TEETH;
-        float x = (float)(2 * TEETH - i), y = (float)(i % 2);
-        memcpy(places[i],
-               tooth ? (const float[3]){x, y, 7}
-                     : (const float[3]){i == SIZE - 1 ? 2 * TEETH : 0, -1, 7},
-               sizeof places[i]);
+        places[i] = tooth ? (struct vec3){2 * TEETH - i, i % 2, 7}
+                          : (struct vec3){i == SIZE - 1 ? 2 * TEETH : 0, -1, 7};
     }
-    if (CHECK(polygon_cut(&cutter, (const float(*)[3])places, SIZE) == POLYGON_CUT)) {
+    if (CHECK(polygon_cut(&cutter, places, SIZE) == POLYGON_CUT)) {
         CHECK(cutter.triangle_count == SIZE - 2);
         for (size_t i = 0; i < cutter.triangle_count; i++) {
             const uint32_t *c = cutter.triangles[i];
@@ -443,25 +486,26 @@ static void test_sawtooth(void) {
 
 /* The limit holds for polygons that are not convex, and a cutter goes on after it. */
 static void test_limit(void) {
-    static const float arrow[4][3] = {{0, 0, 0}, {4, 0, 0}, {1, 1, 0}, {0, 4, 0}};
-    static const float square[4][3] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+    static const struct vec3 arrow[4] = {{0, 0, 0}, {4, 0, 0}, {1, 1, 0}, {0, 4, 0}};
+    static const struct vec3 square[4] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
     const size_t size = POLYGON_CONCAVE_LIMIT;
-    float(*places)[3] = malloc((size + 1) * sizeof *places);
+    struct vec3 *places = malloc((size + 1) * sizeof *places);
     struct polygon_cutter cutter = {0};
-    if (!CHECK(places != NULL)) {
+    CHECK(places != NULL);
+    if (places == NULL) {
         return;
     }
     for (size_t i = 0; i <= size; i++) { /* all corners but four in one place */
-        memcpy(places[i], arrow[i < 4 ? i : 3], sizeof places[i]);
+        places[i] = arrow[i < 4 ? i : 3];
     }
-    CHECK(polygon_cut(&cutter, (const float(*)[3])places, size + 1) == POLYGON_TOO_LARGE);
+    CHECK(polygon_cut(&cutter, places, size + 1) == POLYGON_TOO_LARGE);
     CHECK(cutter.triangle_count == 0);
-    CHECK(polygon_cut(&cutter, (const float(*)[3])places, size) == POLYGON_CUT);
+    CHECK(polygon_cut(&cutter, places, size) == POLYGON_CUT);
     CHECK(cutter.triangle_count == size - 2);
     for (size_t i = 0; i <= size; i++) {
-        memcpy(places[i], square[i < 4 ? i : 3], sizeof places[i]);
+        places[i] = square[i < 4 ? i : 3];
     }
-    CHECK(polygon_cut(&cutter, (const float(*)[3])places, size + 1) == POLYGON_CUT);
+    CHECK(polygon_cut(&cutter, places, size + 1) == POLYGON_CUT);
     CHECK(cutter.triangle_count == size - 1 && cutter.triangles[size - 2][2] == size);
     polygon_cutter_free(&cutter);
     free(places);

@@ -184,7 +184,11 @@ static void test_usage(void) {
         {"--format gif", "probe: --format wants a format: tga, png or ppm, not 'gif'\n"},
         {"--eye 1,2", "probe: --eye wants three numbers X,Y,Z, not '1,2'\n"},
         {"--eye 1,2,3,4", "probe: --eye wants three numbers X,Y,Z, not '1,2,3,4'\n"},
-        {"--light 1,nan,3", "probe: --light wants three numbers X,Y,Z, not '1,nan,3'\n"},
+        {"--light 1,nan,3",
+         "probe: --light wants three numbers X,Y,Z that are not all 0, not '1,nan,3'\n"},
+        {"--light 0,-0,1e-999",
+         "probe: --light wants three numbers X,Y,Z that are not all 0, not '0,-0,1e-999'\n"},
+        {"--fit", "probe: unknown option '--fit'; try --help\n"}, /* no scene has a model */
         {"--up 1,1e999,3", "probe: --up wants three numbers X,Y,Z, not '1,1e999,3'\n"},
         {"--repeat 0", "probe: --repeat wants a number: 1 to 1000000, not '0'\n"},
         {"--repeat 1000001", "probe: --repeat wants a number: 1 to 1000000, not '1000001'\n"},
@@ -195,6 +199,12 @@ static void test_usage(void) {
         {"--center 0,0,3 --only dot",
          "probe: scene dot: the eye and the center are the same point\n"},
         {"--eye 0,0,0", "probe: scene dot: the eye and the center are the same point\n"},
+        {"--eye 1e-200,0,0",
+         "probe: scene dot: the eye and the center are too near to each other\n"},
+        {"--eye 1e-150,0,0",
+         "probe: scene dot: the eye and the center are too near to each other\n"},
+        {"--eye 2,2,3 --center 2,2e0,3",
+         "probe: scene dot: the eye and the center are the same point\n"},
     };
     for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
         draw_calls = 0;
@@ -404,6 +414,7 @@ static void test_defaults(void) {
     }
     CHECK(run(&needs_program, "-o out --only plain --light 1,0,0") == 0);
     CHECK(last_drawing.light.x == 1 && last_drawing.light.z == 0);
+    CHECK_TEXT(output, "out/plain.tga\n"); /* black, but no model belongs into it */
     CHECK(file_write(in_directory("bare.obj"), triangle_obj, strlen(triangle_obj), &error));
     CHECK(run(&needs_program, "-o out --only normals bare.obj") == 0);
     CHECK(last_drawing.light.y == 1);
@@ -416,6 +427,97 @@ static void test_defaults(void) {
     for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
         CHECK_ROW(remove(in_directory(names[i])) == 0, names[i]);
     }
+}
+
+/* ---- Models out of view ---- */
+
+static double farthest_corner; /* from the origin, of the last face drawn */
+
+/* Sets a pixel, or a depth, for each corner in view. */
+static bool draw_corners(struct drawing *drawing, struct image *image, struct error *error) {
+    (void)error;
+    farthest_corner = 0;
+    for (size_t i = 0; i < 3; i++) {
+        farthest_corner = fmax(farthest_corner, vec3_length(model_position(drawing->model, 0, i)));
+        struct vec2 p = parallel_view(model_position(drawing->model, 0, i), 8, 8);
+        if (p.x >= 0 && p.x < 8 && p.y >= 0 && p.y < 8 && drawing->depth == NULL) {
+            image_set(image, (int)p.x, (int)p.y, color_grey(9));
+        } else if (p.x >= 0 && p.x < 8 && p.y >= 0 && p.y < 8) {
+            drawing->depth[(size_t)p.y * 8 + (size_t)p.x] = 0;
+        }
+    }
+    if (drawing->depth != NULL) {
+        image_clear(image, color_grey(50)); /* a background */
+    }
+    return true;
+}
+
+static bool draw_nothing(struct drawing *drawing, struct image *image, struct error *error) {
+    (void)drawing, (void)image, (void)error;
+    return true;
+}
+
+static const struct scene view_scenes[] = {
+    {.name = "view", .needs = NEEDS_MODEL, .draw = draw_corners},
+    {.name = "deep", .needs = NEEDS_MODEL | NEEDS_DEPTH, .draw = draw_corners},
+};
+
+static const struct program view_program = {
+    .name = "probe",
+    .summary = "view",
+    .takes_light = true,
+    .defaults = {.width = 8, .height = 8, .eye = {0, 0, 3}, .light = {0, 1, 0}},
+    .scenes = view_scenes,
+    .scene_count = 2,
+};
+
+static const struct scene blank_scenes[] = {
+    {.name = "blank", .needs = NEEDS_MODEL, .draw = draw_nothing},
+};
+
+static const char far_obj[] = "v 1000 1000 0\nv 1004 1000 0\nv 1000 1002 0\nv 9e9 0 0\nf 1 2 3\n";
+static const char out_message[] =
+    "probe: far.obj reaches out of -1..1; --fit brings it into view\n";
+
+/* What is said of a model; nothing where something is seen, or where nothing was asked. */
+static void test_out_of_view(void) {
+    struct program camera_program = view_program;
+    struct error error;
+    char expected[400];
+    camera_program.takes_camera = true;
+    make_directory();
+    CHECK(file_write(in_directory("far.obj"), far_obj, strlen(far_obj), &error));
+    CHECK(file_write(in_directory("near.obj"), triangle_obj, strlen(triangle_obj), &error));
+    CHECK(run(&view_program, "-o out near.obj") == 0);
+    CHECK_TEXT(output, "out/view.tga\nout/deep.tga\n");
+    CHECK(run(&view_program, "-o out --fit far.obj") == 0);
+    CHECK_TEXT(output, "out/view.tga\nout/deep.tga\n");
+    CHECK(farthest_corner > 0.95); /* of a side from -0.95 to 0.95 */
+    CHECK(run(&camera_program, "-o out --fit far.obj") == 0);
+    CHECK_TEXT(output, "out/view.tga\nout/deep.tga\n");
+    CHECK(fabs(farthest_corner - 0.875) < 1e-12);
+    CHECK(run(&view_program, "-o out far.obj") == 0);
+    CHECK(strncmp(output, out_message, strlen(out_message)) == 0);
+    snprintf(expected, sizeof expected,
+             "%sprobe: scene view: nothing was drawn; what may help: --fit --light\n"
+             "probe: scene deep: nothing was drawn; what may help: --fit --light\n"
+             "out/view.tga\nout/deep.tga\n",
+             out_message);
+    CHECK_TEXT(output, expected);
+    CHECK(run(&camera_program, "-o out --only view --eye 0,0,2 far.obj") == 0); /* placed by hand */
+    CHECK_TEXT(output, "probe: scene view: nothing was drawn; what may help: --fit --center "
+                       "--light\nout/view.tga\n");
+    /* Without an option it is the lesson that is not written yet. */
+    camera_program.scenes = blank_scenes;
+    camera_program.scene_count = 1;
+    CHECK(run(&camera_program, "-o out") == 0);
+    CHECK_TEXT(output, "out/blank.tga\n");
+    CHECK(run(&camera_program, "-o out --light 1,0,0 --fit") == 0);
+    CHECK_TEXT(output, "probe: scene blank: nothing was drawn; what may help: --center --light\n"
+                       "out/blank.tga\n");
+    CHECK(remove(in_directory("out/blank.tga")) == 0);
+    CHECK(remove(in_directory("far.obj")) == 0 && remove(in_directory("near.obj")) == 0);
+    CHECK(remove(in_directory("out/view.tga")) == 0 && remove(in_directory("out/deep.tga")) == 0);
 }
 
 /* ---- Seldom ways ---- */
@@ -575,5 +677,5 @@ static void test_clean_up(void) {
 UNIT_MAIN(TEST(test_usage), TEST(test_help), TEST(test_formats), TEST(test_frames),
           TEST(test_stats_and_repeat), TEST(test_camera), TEST(test_failures),
           TEST(test_text_scene), TEST(test_needs), TEST(test_defaults), TEST(test_grey),
-          TEST(test_seldom_failures), TEST(test_full_output), TEST(test_text_names),
-          TEST(test_default_directory), TEST(test_clean_up))
+          TEST(test_out_of_view), TEST(test_seldom_failures), TEST(test_full_output),
+          TEST(test_text_names), TEST(test_default_directory), TEST(test_clean_up))

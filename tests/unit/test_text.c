@@ -169,18 +169,12 @@ static void test_integers(void) {
 
 /* ---- Numbers ---- */
 
-static bool same_float(float a, float b) {
-    return memcmp(&a, &b, sizeof a) == 0;
-}
-
 static bool same_double(double a, double b) {
     return memcmp(&a, &b, sizeof a) == 0;
 }
 
 static void check_number(const char *string) {
-    float f = 0;
     double d = 0;
-    CHECK_ROW(word_to_float(word_of(string), &f) && same_float(f, strtof(string, NULL)), string);
     CHECK_ROW(word_to_double(word_of(string), &d) && same_double(d, strtod(string, NULL)), string);
 }
 
@@ -264,7 +258,6 @@ static void test_chosen_numbers(void) {
 static void test_long_numbers(void) {
     enum { ZEROS = 100000 };
     char *string = malloc(ZEROS + 100);
-    float f;
     double d;
     CHECK(string != NULL);
     if (string == NULL) {
@@ -274,18 +267,18 @@ static void test_long_numbers(void) {
     string[0] = '1';
     strcpy(string + ZEROS, "e-99999");
     CHECK(word_to_double(word_of(string), &d) && d == 1);
-    CHECK(word_to_float(word_of(string), &f) && f == 1);
     string[0] = '0';
     string[1] = '.';
     strcpy(string + ZEROS, "25e99998");
     CHECK(word_to_double(word_of(string), &d) && d == 0.25);
-    /* The middle between 1 and the next float, with one digit far behind that decides. */
-    memcpy(string, "1.00000005960464477539062500", 28);
+    /* The middle between 1 and the next double, with one digit far behind that decides. */
+    static const char middle[] = "1.00000000000000011102230246251565404236316680908203125";
+    memset(string, '0', ZEROS);
+    memcpy(string, middle, sizeof middle - 1);
     strcpy(string + ZEROS, "000");
-    CHECK(word_to_float(word_of(string), &f) && f == 1);
+    CHECK(word_to_double(word_of(string), &d) && d == 1);
     strcpy(string + ZEROS, "001");
-    CHECK(word_to_float(word_of(string), &f) && f == nextafterf(1, 2));
-    CHECK(word_to_double(word_of(string), &d) && d == 1.0000000596046448);
+    CHECK(word_to_double(word_of(string), &d) && d == nextafter(1, 2));
     free(string);
 }
 
@@ -295,9 +288,7 @@ static void test_refused_numbers(void) {
         "1,5", "nan", "NaN", "inf",  "-inf", "INF", "1f",  "0x1p3", "1e5.5",   "--1",
         "+-1", "1-",  "1d5", "1e5e", "1 ",   " 1",  "1_0", "1e--",  "infinity"};
     for (size_t i = 0; i < sizeof strings / sizeof strings[0]; i++) {
-        float f;
         double d;
-        CHECK_ROW(!word_to_float(word_of(strings[i]), &f), strings[i]);
         CHECK_ROW(!word_to_double(word_of(strings[i]), &d), strings[i]);
     }
 }
@@ -373,31 +364,44 @@ static void middle_of_doubles(char *string, size_t room) {
     }
 }
 
+/* 15 to 25 digits, perhaps with a point among them. */
+static void ordinary_digits(char *string, size_t room) {
+    int digits = (int)random_below(11) + 15, point = (int)random_below(28);
+    size_t used = 0;
+    for (int i = 0; i < digits; i++) {
+        used += (size_t)snprintf(string + used, room - used, "%s%u", i == point ? "." : "",
+                                 random_below(10));
+    }
+}
+
 static void test_random_numbers(void) {
     for (int i = 0; i < 150000; i++) {
         char string[2048];
-        switch (i % 8) {
-        case 0:
-            snprintf(string, sizeof string, "%.17g", random_double(UINT64_MAX));
+        switch (i % 9) {
+        case 0: /* more digits than fast_double() takes, some more than fit 64 bits */
+            ordinary_digits(string, sizeof string);
             break;
         case 1:
-            snprintf(string, sizeof string, "%.9g", (double)random_float(UINT32_MAX));
+            snprintf(string, sizeof string, "%.17g", random_double(UINT64_MAX));
             break;
         case 2:
-            middle_of_floats(string, sizeof string);
+            snprintf(string, sizeof string, "%.9g", (double)random_float(UINT32_MAX));
             break;
         case 3:
+            middle_of_floats(string, sizeof string);
+            break;
+        case 4:
             middle_of_doubles(string, sizeof string);
             break;
-        case 4: /* subnormals */
+        case 5: /* subnormals */
             snprintf(string, sizeof string, "%.*g", (int)random_below(40) + 1,
                      random_double(UINT64_C(0x801FFFFFFFFFFFFF)));
             break;
-        case 5:
+        case 6:
             snprintf(string, sizeof string, "%.*g", (int)random_below(120) + 1,
                      (double)random_float(UINT32_C(0x80FFFFFF)));
             break;
-        case 6:
+        case 7:
             random_digits(string, random_below(40) + 1);
             break;
         default:

@@ -1,0 +1,24 @@
+/* Where a model lies, and moving it to where the lessons look: into -1..1. */
+#ifndef COMMON_FIT_H
+#define COMMON_FIT_H
+
+#include "geometry.h"
+#include "model.h"
+
+/* The smallest box around all corners of the model's faces. */
+struct box {
+    struct vec3 least, greatest;
+};
+
+struct box model_box(const struct model *model);
+
+/* Does a part of the box lie outside -1..1 in x, y or z? */
+bool box_reaches_out(struct box box);
+
+/* Move the middle of the model's box to the origin and scale the model, in proportion, so that the
+ * longest side of the box nearly fills -1..1: for a parallel view. With `all_around` the model
+ * keeps within 7/8 of the origin, so that a camera at a distance of 2 or more sees all of it from
+ * everywhere. */
+void model_fit(struct model *model, bool all_around);
+
+#endif
