@@ -1,5 +1,5 @@
 /*
- * Meshes of triangles, read from OBJ and OFF files, with the textures that lie beside them.
+ * Meshes of triangles, and how their corners are reached. model_file.h reads them.
  *
  * A model is a list of faces of three corners; each corner names a position, a texture coordinate
  * and a normal, each by its own index. Positions are kept in double, so that a model may stand far
@@ -7,13 +7,6 @@
  * triangles as they are read, concave ones too (polygon.h). Every index is checked, so every index
  * in a loaded model is valid; every number is finite and within the range of a float, so that
  * products of a few cannot overflow.
- *
- * OBJ: v (x y z, x y z w: w is not used, x y z r g b), vt (u, u v, u v w: w is not used), vn and f;
- * all other keywords are passed over. A face may name what comes further down; a negative index
- * counts back from the face. OFF, COFF, NOFF, STOFF and their mixtures, as text; a face's colour is
- * in levels 0..255 where its 3 or 4 numbers are whole, otherwise 0..1; one number alone, an index
- * into a table of colours, is not used. Colours are cut to 0..1; where some positions or faces have
- * colours, the others are white. A concave face has at most 131,072 corners.
  */
 #ifndef COMMON_MODEL_H
 #define COMMON_MODEL_H
@@ -59,14 +52,6 @@ struct model {
     char *path;                                   /* the file, for messages and for its textures */
     struct texture textures[MODEL_TEXTURE_KINDS]; /* empty until first asked for */
 };
-
-/* Read an OBJ or OFF file, told apart by the contents ("OFF", "COFF", ... as the first word means
- * OFF). On an error `model` is empty and the message names the file and the line. */
-bool model_read(struct model *model, const char *path, struct error *error);
-
-/* The same from memory (for tests and fuzzing); the message does not name the file, and the line is
- * in `error` alone. */
-bool model_decode(struct model *model, const void *data, size_t size, struct error *error);
 
 /* Free everything and leave an empty model. */
 void model_free(struct model *model);
@@ -116,10 +101,5 @@ static inline double model_face_intensity(const struct model *model, size_t face
                                           struct vec3 light) {
     return -vec3_dot(vec3_normalized(model_face_normal(model, face)), light);
 }
-
-/* A texture of the model, read at the first call. NULL, with a message that names the file that was
- * looked for, when there is none or it cannot be read. The model keeps the texture. */
-const struct texture *model_texture(struct model *model, enum model_texture_kind kind,
-                                    struct error *error);
 
 #endif

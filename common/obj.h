@@ -1,6 +1,6 @@
 /*
- * OBJ files, for model.c (Wavefront Technologies, "Advanced Visualizer Manual", appendix B1 "Object
- * Files (.obj)"). What is read of them: see model.h.
+ * OBJ files, for model_file.c (Wavefront Technologies, "Advanced Visualizer Manual", appendix B1
+ * "Object Files (.obj)"). What is read of them: see model_file.h.
  */
 #ifndef COMMON_OBJ_H
 #define COMMON_OBJ_H

@@ -1,6 +1,6 @@
 /*
- * OFF files, for model.c ("OFF Files" in the Geomview manual, Geometry Center, University of
- * Minnesota). What is read of them: see model.h.
+ * OFF files, for model_file.c ("OFF Files" in the Geomview manual, Geometry Center, University of
+ * Minnesota). What is read of them: see model_file.h.
  */
 #ifndef COMMON_OFF_H
 #define COMMON_OFF_H

@@ -8,7 +8,7 @@
 #define COMMON_OPTIONS_H
 
 #include "image_file.h"
-#include "program.h"
+#include "scene.h"
 
 struct vec3_option {
     bool given;

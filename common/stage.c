@@ -2,6 +2,7 @@
 #include "stage.h"
 
 #include "fit.h"
+#include "model_file.h"
 #include "normals.h"
 
 #include <assert.h>

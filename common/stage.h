@@ -6,7 +6,7 @@
 #ifndef COMMON_STAGE_H
 #define COMMON_STAGE_H
 
-#include "program.h"
+#include "scene.h"
 
 /* What the scenes of one run share. Set the first part, leave the second zero. */
 struct run {

@@ -5,6 +5,7 @@
 #undef main
 
 #include "attempts.h"
+#include "model_file.h"
 
 #include <stdio.h>
 #include <stdlib.h>

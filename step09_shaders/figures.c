@@ -5,6 +5,7 @@
 #undef main
 
 #include "attempts.h"
+#include "model_file.h"
 
 enum { PANEL = 400 };
 

@@ -1,5 +1,6 @@
 #include "figures.h"
 
+#include "model_file.h"
 #include "png.h"
 
 #include <stdio.h>

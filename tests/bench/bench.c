@@ -12,6 +12,7 @@
 
 #include "chart.h"
 #include "measure.h"
+#include "model_file.h"
 #include "report.h"
 
 #include <errno.h>

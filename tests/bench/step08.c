@@ -13,6 +13,7 @@ int step08_main(int argc, char **argv);
 #include "../../step08_projection/attempts.h"
 
 #include "bench.h"
+#include "model_file.h"
 #include "oracle.h"
 
 /* Pixels of a side: of most pictures, and of the small one in which the faces count for more. */

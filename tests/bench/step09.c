@@ -16,6 +16,7 @@ int step09_main(int argc, char **argv);
 
 #include "array.h"
 #include "bench.h"
+#include "model_file.h"
 #include "normals.h"
 #include "oracle.h"
 

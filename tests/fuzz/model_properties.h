@@ -5,6 +5,7 @@
 
 #include "fuzz.h"
 #include "model.h"
+#include "model_file.h"
 #include "normals.h"
 #include "pipeline.h"
 

@@ -374,22 +374,24 @@ int lesson_capture(const struct program *program, int argc, char **argv) {
 static bool compare_lesson(const struct lesson *lesson, struct mesa *mesa,
                            const struct options *options, struct findings *total, bool *good,
                            struct error *error) {
-    const struct program *program = lesson->program;
-    struct run run = {.program = program, .input = options->model};
+    struct program program = *lesson->program;
+    struct run run = {.program = &program, .input = options->model};
     bool done = true;
-    for (size_t i = 0; done && i < program->scene_count; i++) {
-        const struct scene *scene = &program->scenes[i];
+    program.state_size =
+        lesson->state_size > program.state_size ? lesson->state_size : program.state_size;
+    for (size_t i = 0; done && i < program.scene_count; i++) {
+        const struct scene *scene = &program.scenes[i];
         const char *left_out = lesson->left_out(scene->name);
         struct findings found = {0};
         if (left_out != NULL) {
-            printf("%s %s: left out: %s\n", program->name, scene->name, left_out);
+            printf("%s %s: left out: %s\n", program.name, scene->name, left_out);
         }
         if (left_out != NULL && lesson->draw_rest == NULL) {
             continue;
         }
         done = compare_scene(lesson, scene, &run, mesa, options, &found, error);
         if (done) {
-            print_findings(program->name, scene->name, &found);
+            print_findings(program.name, scene->name, &found);
             *good = *good && findings_are_good(&found);
             add_findings(total, &found);
         }

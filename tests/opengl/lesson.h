@@ -13,6 +13,7 @@
 
 struct lesson {
     const struct program *program;
+    size_t state_size; /* of `drawing->state`, where it is to be larger than the program's */
     /* What of a scene is not triangles and is left out; NULL when it is all triangles. */
     const char *(*left_out)(const char *scene);
     /* Draws such a scene without what is left out. NULL: nothing remains, it is not compared. */

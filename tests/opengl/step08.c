@@ -202,5 +202,5 @@ lesson_function lesson_step08;
 struct lesson lesson_step08(void) {
     const struct program *program = NULL;
     lesson_main(0, (char **)&program);
-    return (struct lesson){program, left_out, draw_houses, build, covered};
+    return (struct lesson){program, 0, left_out, draw_houses, build, covered};
 }

@@ -1,4 +1,5 @@
 /* The same scene at the origin and far from it: the model and the camera are moved together. */
+#include "model_file.h"
 #include "oracle.h"
 #include "pipeline.h"
 #include "unit.h"

@@ -11,6 +11,7 @@
 #include "file.h"
 #include "image_file.h"
 #include "model.h"
+#include "model_file.h"
 #include "normals.h"
 #include "pipeline.h"
 #include "png.h"

@@ -3,6 +3,7 @@
 #define _POSIX_C_SOURCE 200809L /* mkdtemp */
 
 #include "model.h"
+#include "model_file.h"
 #include "png.h"
 #include "unit.h"
 

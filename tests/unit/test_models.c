@@ -9,6 +9,7 @@
 
 #include "image_file.h"
 #include "model.h"
+#include "model_file.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,6 +1,7 @@
 /* Normals computed from faces against acosl() and atan2l(), and colours from normals. */
 #include "normals.h"
 
+#include "model_file.h"
 #include "oracle.h"
 #include "unit.h"
 

@@ -1,0 +1,97 @@
+/* Model files: see model_file.h. */
+#include "model_file.h"
+
+#include "image_file.h"
+#include "obj.h"
+#include "off.h"
+
+#include <limits.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* ---- Reading ---- */
+
+bool model_decode(struct model *model, const void *data, size_t size, struct error *error) {
+    *model = (struct model){0};
+    bool done = off_recognize(data, size) ? off_decode(model, data, size, error)
+                                          : obj_decode(model, data, size, error);
+    if (done && model->face_count == 0) {
+        done = error_set(error, "holds no faces");
+    }
+    if (!done) {
+        model_free(model);
+    }
+    return done;
+}
+
+static bool keep_path(struct model *model, const char *path, struct error *error) {
+    size_t size = strlen(path) + 1;
+    model->path = malloc(size);
+    if (model->path == NULL) {
+        model_free(model);
+        return error_out_of_memory(error);
+    }
+    memcpy(model->path, path, size);
+    return true;
+}
+
+bool model_read(struct model *model, const char *path, struct error *error) {
+    struct bytes bytes;
+    *model = (struct model){0};
+    if (!file_read(path, &bytes, error)) {
+        return false;
+    }
+    bool done = model_decode(model, bytes.data, bytes.size, error);
+    bytes_free(&bytes);
+    return (done && keep_path(model, path, error)) || error_name_input(error, path);
+}
+
+/* ---- Textures ---- */
+
+/* "DIRECTORY/NAME" and what follows it for a model at "DIRECTORY/NAME.obj"; the caller frees it. */
+static char *texture_path(const char *model_path, const char *suffix, const char *extension) {
+    const char *slash = strrchr(model_path, '/');
+    const char *name = slash == NULL ? model_path : slash + 1;
+    const char *dot = strrchr(name, '.');
+    size_t length = dot == NULL || dot == name ? strlen(model_path) : (size_t)(dot - model_path);
+    return length > INT_MAX
+               ? NULL
+               : string_format("%.*s%s.%s", (int)length, model_path, suffix, extension);
+}
+
+static bool read_texture(struct texture *texture, const char *path, struct error *error) {
+    struct image image;
+    if (!image_read(&image, path, error)) {
+        return false;
+    }
+    bool done = texture_create(texture, &image, error) || error_name_file(error, path);
+    image_free(&image);
+    return done;
+}
+
+const struct texture *model_texture(struct model *model, enum model_texture_kind kind,
+                                    struct error *error) {
+    static const char *const suffix[] = {"_diffuse", "_nm", "_spec"};
+    struct texture *texture = &model->textures[kind];
+    if (texture->level_count > 0) {
+        return texture;
+    }
+    if (model->path == NULL) {
+        error_set(error, "a model that was not read from a file has no textures");
+        return NULL;
+    }
+    char *tga_path = texture_path(model->path, suffix[kind], "tga");
+    char *png_path = texture_path(model->path, suffix[kind], "png");
+    bool done = false;
+    if (tga_path == NULL || png_path == NULL) {
+        error_out_of_memory(error);
+    } else if (file_exists(tga_path) || file_exists(png_path)) {
+        done = read_texture(texture, file_exists(tga_path) ? tga_path : png_path, error);
+    } else {
+        error_set(error, "no such file, nor the same as .png");
+        error_name_file(error, tga_path);
+    }
+    free(tga_path);
+    free(png_path);
+    return done ? texture : NULL;
+}
