@@ -123,6 +123,69 @@ static void make_touched(struct polygon *p) {
     polygon_add(p, 0, 31);
 }
 
+/* ---- Any polygon that touches itself: triangles glued together along some of their sides ---- */
+
+enum { GRID = 5, GRID_TRIANGLES = 2 * GRID * GRID };
+
+/* Whole-number points in rows and columns; each square is cut one way or the other. */
+struct tiling {
+    int64_t x[(GRID + 1) * (GRID + 1)], y[(GRID + 1) * (GRID + 1)];
+    int corner[GRID_TRIANGLES][3]; /* counterclockwise */
+};
+
+static void make_tiling(struct tiling *t) {
+    int shift = random_int(0, 3); /* 0: many corners on one line */
+    for (int i = 0; i < (GRID + 1) * (GRID + 1); i++) {
+        t->x[i] = 20 * (i % (GRID + 1)) + random_int(-shift, shift);
+        t->y[i] = 20 * (i / (GRID + 1)) + random_int(-shift, shift);
+    }
+    for (int i = 0; i < GRID * GRID; i++) {
+        int a = i / GRID * (GRID + 1) + i % GRID, b = a + 1, c = a + GRID + 2, d = a + GRID + 1;
+        const int cuts[2][2][3] = {{{a, b, c}, {a, c, d}}, {{a, b, d}, {b, c, d}}};
+        memcpy(t->corner[2 * i], cuts[random_int(0, 1)], sizeof cuts[0]);
+    }
+}
+
+/* The triangle, not yet used, on the other side of the side from p to q; -1 where there is none. */
+static int find_beyond_side(const struct tiling *t, const bool *used, int p, int q, int *third) {
+    for (int i = 0; i < GRID_TRIANGLES; i++) {
+        for (int k = 0; k < 3 && !used[i]; k++) {
+            if (t->corner[i][k] == q && t->corner[i][(k + 1) % 3] == p) {
+                *third = t->corner[i][(k + 2) % 3];
+                return i;
+            }
+        }
+    }
+    return -1;
+}
+
+/* Begin with a triangle and glue others to sides of the polygon, anywhere: it comes back to corners
+ * and along sides that it has already, has holes and slits, and never crosses itself. */
+static void make_glued(struct polygon *p) {
+    static struct tiling t;
+    bool used[GRID_TRIANGLES] = {false};
+    int point[CORNER_LIMIT];
+    int first = random_int(0, GRID_TRIANGLES - 1), wanted = random_int(4, 45);
+    make_tiling(&t);
+    memcpy(point, t.corner[first], sizeof t.corner[first]);
+    used[first] = true;
+    int size = 3;
+    for (int tries = 0; size < wanted && tries < 400; tries++) {
+        int side = random_int(0, size - 1), third;
+        int found = find_beyond_side(&t, used, point[side], point[(side + 1) % size], &third);
+        if (found >= 0) {
+            memmove(point + side + 2, point + side + 1, (size_t)(size - side - 1) * sizeof *point);
+            point[side + 1] = third;
+            used[found] = true;
+            size++;
+        }
+    }
+    *p = (struct polygon){0};
+    for (int i = 0; i < size; i++) {
+        polygon_add(p, (int)t.x[point[i]], (int)t.y[point[i]]);
+    }
+}
+
 static int sign_of(int64_t value) {
     return (value > 0) - (value < 0);
 }
@@ -305,6 +368,8 @@ static void test_polygons(void) {
         check_polygon(&cutter, &p, true, "touching");
         make_touched(&p);
         check_polygon(&cutter, &p, true, "touched");
+        make_glued(&p);
+        check_polygon(&cutter, &p, true, "glued");
         if (make_uncrossed(&p)) {
             check_polygon(&cutter, &p, is_convex(&p), "uncrossed");
             uncrossed++;
