@@ -16,13 +16,17 @@ only=${3:-}
 workers=${WORKERS:-2}
 limit=40 # seconds of processor time for a test; the longest takes 3
 
-# make_test TREE ARGUMENT...: calls make there. Built without sanitizers unless asked for: the build
-# takes most of the time.
+# What make is told. All trees have the models of the unchanged one, and so the same flags: what the
+# unchanged one has built can be copied. Sanitizers only where a test asks for them: the build takes
+# most of the time.
+MAKEFLAGS="CFLAGS=-O1 OPENMP= DEFINES=-DCOURSE_BUILD='\"$work/tree0/build\"'"
+export MAKEFLAGS
+
+# make_test TREE ARGUMENT...: calls make there.
 make_test() {
     tree=$1
     shift
-    (cd "$tree" && MAKEFLAGS='' make -s -j"$jobs" CFLAGS=-O1 OPENMP= \
-        DEFINES='-DCOURSE_BUILD=\"build\"' "$@")
+    (cd "$tree" && make -s -j"$jobs" "$@")
 }
 
 # For make: the model is not sculpted again, since a mutant would make another one.
@@ -67,9 +71,8 @@ run_test() {
             STRESS=${share%% *} exec build/stress "${share#* }"
             ;;
         check*)
-            MAKEFLAGS='' build/check --programs build --differences build/differences --make \
-                "make -s $keep_model CFLAGS=-O1 OPENMP= DEFINES='-DCOURSE_BUILD=\\\"build\\\"'" \
-                "${2#check }" >log.check
+            build/check --programs build --differences build/differences \
+                --make "make -s $keep_model" "${2#check }" >log.check
             cat log.check
             grep -q ' exact$' log.check
             ;;

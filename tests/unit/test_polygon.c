@@ -472,6 +472,44 @@ static void test_hardly_concave(void) {
     polygon_cutter_free(&cutter);
 }
 
+/* Twice the exact area of a triangle whose coordinates are whole numbers of up to 2^61. */
+static int128 exact_area(const float *a, const float *b, const float *c) {
+    int128 ax = (int128)a[0], ay = (int128)a[1];
+    return ((int128)b[0] - ax) * ((int128)c[1] - ay) - ((int128)b[1] - ay) * ((int128)c[0] - ax);
+}
+
+/* Four corners of which three lie so nearly on a line that the differences of their coordinates,
+ * rounded, show another turn than the exact ones: near the origin, at b, and at about a multiple of
+ * b. No triangle may be turned over. */
+static void test_nearly_straight(void) {
+    struct polygon_cutter cutter = {0};
+    int concave = 0;
+    for (int i = 0; i < 20000; i++) {
+        float places[4][3] = {{0}}, turned[4][3];
+        float x = (float)random_int(1 << 22, 1 << 23), y = (float)random_int(1, 1 << 23);
+        int large = random_int(20, 34), times = random_int(2, 7);
+        for (int axis = 0; axis < 2; axis++) {
+            float b = (axis == 0 ? x : y) * ldexpf(1, large);
+            places[0][axis] = (float)random_int(-400, 400);
+            places[1][axis] = b;
+            places[2][axis] = b * (float)times; /* rounded to 24 bits */
+        }
+        places[3][0] = -y * ldexpf(1, large - 1); /* to the left of the line */
+        places[3][1] = x * ldexpf(1, large);
+        concave += exact_area(places[0], places[1], places[2]) < 0;
+        for (int k = 0; k < 4; k++) {
+            memcpy(turned[k], places[(i + k) % 4], sizeof turned[k]);
+        }
+        CHECK(polygon_cut(&cutter, (const float(*)[3])turned, 4) == POLYGON_CUT);
+        for (size_t k = 0; k < cutter.triangle_count; k++) {
+            const uint32_t *c = cutter.triangles[k];
+            CHECK(exact_area(turned[c[0]], turned[c[1]], turned[c[2]]) >= 0);
+        }
+    }
+    CHECK(concave > 5000);
+    polygon_cutter_free(&cutter);
+}
+
 /* ---- Large ones ---- */
 
 static double twice_the_area(const float *a, const float *b, const float *c) {
@@ -533,4 +571,5 @@ static void test_limit(void) {
 }
 
 UNIT_MAIN(TEST(test_polygons), TEST(test_wild_polygons), TEST(test_chosen_polygons),
-          TEST(test_hardly_concave), TEST(test_sawtooth), TEST(test_limit))
+          TEST(test_hardly_concave), TEST(test_nearly_straight), TEST(test_sawtooth),
+          TEST(test_limit))
