@@ -2,6 +2,7 @@
 #include "oracle.h"
 
 #include <assert.h>
+#include <math.h>
 
 /* ---- Random numbers ---- */
 
@@ -88,6 +89,10 @@ bool oracle_covers(struct fixed2 a, struct fixed2 b, struct fixed2 c, int64_t x,
            shifted_side(c, a, center_x, center_y) == winding;
 }
 
+int oracle_turn(struct fixed2 a, struct fixed2 b, struct fixed2 c) {
+    return sign_of(orientation(a, b, c.x, c.y));
+}
+
 /* Depth as a fraction: numerator and (positive) denominator. */
 static void exact_depth(const struct fixed2 corner[3], const int64_t depth[3], int64_t x, int64_t y,
                         int128 *numerator, int128 *denominator) {
@@ -107,6 +112,16 @@ int oracle_compare_depth(const struct fixed2 first[3], const int64_t first_depth
     exact_depth(first, first_depth, x, y, &n1, &d1);
     exact_depth(second, second_depth, x, y, &n2, &d2);
     return sign_of(n1 * d2 - n2 * d1);
+}
+
+long double oracle_perspective_depth(const struct fixed2 corner[3], const int64_t z[3],
+                                     const int64_t w[3], int64_t x, int64_t y) {
+    int128 px = (int128)x * 256 + 128, py = (int128)y * 256 + 128;
+    int128 area = orientation(corner[0], corner[1], corner[2].x, corner[2].y);
+    int128 sum = orientation(corner[1], corner[2], px, py) * z[0] * w[1] * w[2] +
+                 orientation(corner[2], corner[0], px, py) * z[1] * w[2] * w[0] +
+                 orientation(corner[0], corner[1], px, py) * z[2] * w[0] * w[1];
+    return (long double)sum / (long double)(area * w[0] * w[1] * w[2]);
 }
 
 /* ---- Interpolation ---- */
@@ -130,6 +145,66 @@ long double oracle_interpolate(const struct fixed2 corner[3], const double recip
     long double c = m[0][0] * m[1][1] - m[0][1] * m[1][0];
     return (a * (long double)value[0] + b * (long double)value[1] + c * (long double)value[2]) /
            (a + b + c);
+}
+
+/* ---- Cameras ---- */
+
+static long double dot(const long double a[3], const long double b[3]) {
+    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+/* False, with v as it was, where it is zero. */
+static bool normalize(long double v[3]) {
+    long double length = sqrtl(dot(v, v));
+    for (int i = 0; length > 0 && i < 3; i++) {
+        v[i] /= length;
+    }
+    return length > 0;
+}
+
+static void cross(const long double a[3], const long double b[3], long double result[3]) {
+    for (int i = 0; i < 3; i++) {
+        int k = (i + 1) % 3, j = (i + 2) % 3;
+        result[i] = a[k] * b[j] - a[j] * b[k];
+    }
+}
+
+struct oracle_frame oracle_frame(struct vec3 eye, struct vec3 center, struct vec3 up) {
+    struct oracle_frame frame = {.axis[2] = {(long double)eye.x - (long double)center.x,
+                                             (long double)eye.y - (long double)center.y,
+                                             (long double)eye.z - (long double)center.z}};
+    long double upwards[3] = {(long double)up.x, (long double)up.y, (long double)up.z};
+    if (normalize(frame.axis[2]) && normalize(upwards)) {
+        cross(upwards, frame.axis[2], frame.axis[0]);
+        frame.sine = sqrtl(dot(frame.axis[0], frame.axis[0]));
+    }
+    frame.sine = frame.sine > 1e-9L ? frame.sine : 0;
+    for (int i = 0; i < 3; i++) {
+        frame.axis[0][i] = frame.sine > 0 ? frame.axis[0][i] / frame.sine : 0;
+    }
+    cross(frame.axis[2], frame.axis[0], frame.axis[1]);
+    return frame;
+}
+
+bool oracle_camera(struct vec3 eye, struct vec3 center, struct vec3 up, double zoom,
+                   long double to_clip[4][4]) {
+    struct oracle_frame frame = oracle_frame(eye, center, up);
+    const long double from[3] = {(long double)eye.x, (long double)eye.y, (long double)eye.z};
+    const long double to[3] = {(long double)center.x, (long double)center.y, (long double)center.z};
+    const long double sight[3] = {from[0] - to[0], from[1] - to[1], from[2] - to[2]};
+    long double distance = sqrtl(dot(sight, sight));
+    for (int row = 0; row < 3; row++) {
+        long double scale = row < 2 ? (long double)zoom : 1;
+        for (int i = 0; i < 3; i++) {
+            to_clip[row][i] = scale * frame.axis[row][i];
+        }
+        to_clip[row][3] = -scale * dot(frame.axis[row], to);
+    }
+    for (int i = 0; i < 3; i++) { /* from the eye forwards */
+        to_clip[3][i] = -frame.axis[2][i] / distance;
+    }
+    to_clip[3][3] = dot(frame.axis[2], from) / distance;
+    return frame.sine > 0;
 }
 
 /* ---- Matrices ---- */

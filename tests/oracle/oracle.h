@@ -42,6 +42,9 @@ bool oracle_line_has(struct pixel a, struct pixel b, struct pixel p);
  * "Simulation of Simplicity", 1990). */
 bool oracle_covers(struct fixed2 a, struct fixed2 b, struct fixed2 c, int64_t x, int64_t y);
 
+/* Which way the corners turn on the screen: 1 counterclockwise, -1 clockwise, 0 on one line. */
+int oracle_turn(struct fixed2 a, struct fixed2 b, struct fixed2 c);
+
 /* Compare the depths of two triangles at the centre of pixel (x,y): the sign of first - second,
  * exact. Depths at the corners are whole numbers of at most 2^24; coordinates at most 2^20 (1/256
  * pixel). */
@@ -49,12 +52,35 @@ int oracle_compare_depth(const struct fixed2 first[3], const int64_t first_depth
                          const struct fixed2 second[3], const int64_t second_depth[3], int64_t x,
                          int64_t y);
 
+/* The depth z/w of a triangle in perspective at the centre of pixel (x,y): a fraction of 128-bit
+ * integers, rounded once. z and w of the corners are whole numbers, |z| < 2^22 and 0 < w < 2^7,
+ * coordinates at most 2^15 (1/256 pixel; 2^20 where each w is 1). */
+long double oracle_perspective_depth(const struct fixed2 corner[3], const int64_t z[3],
+                                     const int64_t w[3], int64_t x, int64_t y);
+
 /* ---- Interpolation ---- */
 
 /* The value at the centre of pixel (x,y) of an attribute that is linear on the triangle in space:
  * solves for the plane's point behind the pixel in long double. */
 long double oracle_interpolate(const struct fixed2 corner[3], const double recip_w[3],
                                const double value[3], int64_t x, int64_t y);
+
+/* ---- Cameras ---- */
+
+/* The axes of a camera's frame: x to the right, y up, z from center to eye. Zero where they are not
+ * certain: z where eye and center are equal, x and y also where up is within 1e-9 of z (or zero). */
+struct oracle_frame {
+    long double axis[3][3];
+    long double sine; /* of the angle between up and z; 0 where x and y are not certain */
+};
+
+struct oracle_frame oracle_frame(struct vec3 eye, struct vec3 center, struct vec3 up);
+
+/* World to clip for a camera at eye that looks at center: x and y are `zoom` times the place beside
+ * the line of sight, z is that along it, from center to eye, and w is the distance from the eye
+ * along it, in units of the distance of the center. False where the frame is not certain. */
+bool oracle_camera(struct vec3 eye, struct vec3 center, struct vec3 up, double zoom,
+                   long double to_clip[4][4]);
 
 /* ---- Matrices ---- */
 

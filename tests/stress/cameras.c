@@ -1,4 +1,4 @@
-/* Cameras, viewports, matrices, interpolation and vectors under hostile numbers. */
+/* Cameras, viewports, matrices and vectors under hostile numbers. */
 #include "lessons.h"
 #include "pipeline.h"
 #include "stress.h"
@@ -94,6 +94,53 @@ static double orthonormality_error(const void *tried) {
     return (double)worst * 0x1p52;
 }
 
+/* Does the cross product of the first two rows point along the third, and not against it? */
+static bool is_right_handed(const struct mat4 *view) {
+    const double(*m)[4] = view->m;
+    double determinant = m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) +
+                         m[0][1] * (m[1][2] * m[2][0] - m[1][0] * m[2][2]) +
+                         m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
+    return determinant > 0;
+}
+
+/* The axes against those of the oracle, in ulp of 1. Those to the right and upwards are the less
+ * certain the smaller the angle between up and the view direction. */
+static double axes_error(const void *tried) {
+    const struct camera_case *c = tried;
+    struct mat4 view = mat4_lookat(c->eye, c->center, c->up);
+    struct oracle_frame frame = oracle_frame(c->eye, c->center, c->up);
+    bool z_is_certain =
+        c->eye.x != c->center.x || c->eye.y != c->center.y || c->eye.z != c->center.z;
+    long double worst = 0;
+    for (int row = z_is_certain && frame.sine > 0 ? 0 : z_is_certain ? 2 : 3; row < 3; row++) {
+        long double certainty = row < 2 ? frame.sine : 1;
+        for (int i = 0; i < 3; i++) {
+            long double error = fabsl((long double)view.m[row][i] - frame.axis[row][i]) * certainty;
+            worst = error > worst || isnan(error) ? error : worst;
+        }
+    }
+    return (double)worst * 0x1p52;
+}
+
+static bool axes_are_right(const void *tried) {
+    return axes_error(tried) <= 4;
+}
+
+/* The center becomes the origin, as nearly as its products with the axes can be added. */
+static bool center_is_the_origin(const struct mat4 *view, struct vec3 center) {
+    for (int row = 0; row < 3; row++) {
+        const double *m = view->m[row];
+        long double x = (long double)m[0] * (long double)center.x;
+        long double y = (long double)m[1] * (long double)center.y;
+        long double z = (long double)m[2] * (long double)center.z;
+        long double allowed = 0x1p-51L * (fabsl(x) + fabsl(y) + fabsl(z)) + 0x1p-1073L;
+        if (!(fabsl(x + y + z + (long double)m[3]) <= allowed)) {
+            return false;
+        }
+    }
+    return true;
+}
+
 enum { SIZE = 6 };
 
 struct camera_uniforms {
@@ -151,7 +198,10 @@ static bool camera_draws_finite_pixels(const void *tried) {
 }
 
 static bool camera_is_sound(const void *tried) {
-    return orthonormality_error(tried) <= 4 && camera_draws_finite_pixels(tried);
+    const struct camera_case *c = tried;
+    struct mat4 view = mat4_lookat(c->eye, c->center, c->up);
+    return orthonormality_error(tried) <= 4 && is_right_handed(&view) &&
+           center_is_the_origin(&view, c->center) && camera_draws_finite_pixels(tried);
 }
 
 static void print_camera(const void *failing) {
@@ -159,7 +209,8 @@ static void print_camera(const void *failing) {
     printf("    --eye %.17g,%.17g,%.17g --center %.17g,%.17g,%.17g --up %.17g,%.17g,%.17g\n",
            c->eye.x, c->eye.y, c->eye.z, c->center.x, c->center.y, c->center.z, c->up.x, c->up.y,
            c->up.z);
-    printf("    # zoom %.17g, error %.3g ulp\n", c->zoom, orthonormality_error(c));
+    printf("    # zoom %.17g, not orthonormal by %.3g ulp, axes off by %.3g ulp\n", c->zoom,
+           orthonormality_error(c), axes_error(c));
     for (int i = 0; i < 4; i++) {
         printf("    v %.9g %.9g %.9g\n", (double)c->corner[i][0], (double)c->corner[i][1],
                (double)c->corner[i][2]);
@@ -322,72 +373,6 @@ static bool singular_is_reported(const void *tried) {
     return mat4_inverse(*a, &inverse) == (oracle_determinant((const int64_t(*)[4])whole) != 0);
 }
 
-/* ---- Interpolation ---- */
-
-struct interpolation_case {
-    struct fixed2 corner[3];
-    double recip_w[3];
-    double value[3];
-};
-
-enum { RASTER = 10 };
-
-static void make_interpolation(struct random *random, uint64_t index, void *made) {
-    struct interpolation_case *c = made;
-    int64_t reach = index % 3 == 0 ? 50 : index % 3 == 1 ? 3000 : 500000;
-    for (int i = 0; i < 3; i++) {
-        c->corner[i].x = (int32_t)random_between(random, -reach, RASTER * SUBPIXELS + reach);
-        c->corner[i].y = (int32_t)random_between(random, -reach, RASTER * SUBPIXELS + reach);
-        c->recip_w[i] = ldexp(random_real(random, 1, 2), (int)random_between(random, -10, 6));
-        c->value[i] = random_real(random, 0, 1);
-    }
-}
-
-/* The largest error of a value 0..1 at any pixel, as a share of 1. */
-static double interpolation_error(const struct interpolation_case *c) {
-    struct edges edges;
-    double worst = 0;
-    if (!edges_setup(&edges, c->corner[0], c->corner[1], c->corner[2], RASTER, RASTER)) {
-        return 0;
-    }
-    for (int y = edges.y_begin; y < edges.y_end; y++) {
-        struct span span = edges_span(&edges, y);
-        for (int x = span.begin; x < span.end; x++) {
-            struct vec3 w = perspective_weights(edges_weights(&edges, x, y), c->recip_w);
-            double value = interpolate(w, c->value[0], c->value[1], c->value[2]);
-            long double exact = oracle_interpolate(c->corner, c->recip_w, c->value, x, y);
-            double error = (double)fabsl((long double)value - exact);
-            worst = error > worst || isnan(error) ? error : worst;
-        }
-    }
-    return worst;
-}
-
-static double error_in_levels(const void *tried) {
-    return interpolation_error(tried) * 255;
-}
-
-/* Of a texture of 1024 texels, in 1/256 of a texel. */
-static double error_in_texels(const void *tried) {
-    return interpolation_error(tried) * 1024 * 256;
-}
-
-static bool interpolates_levels(const void *tried) {
-    return error_in_levels(tried) <= 1e-9;
-}
-
-static bool interpolates_texels(const void *tried) {
-    return error_in_texels(tried) <= 1e-6;
-}
-
-static void print_interpolation(const void *failing) {
-    const struct interpolation_case *c = failing;
-    for (int i = 0; i < 3; i++) {
-        printf("    corner (%d %d)/256, 1/w %.17g, value %.17g\n", (int)c->corner[i].x,
-               (int)c->corner[i].y, c->recip_w[i], c->value[i]);
-    }
-}
-
 /* ---- Vectors and angles ---- */
 
 struct vector_case {
@@ -437,6 +422,7 @@ static void print_vector(const void *failing) {
 
 const struct property camera_properties[] = {
     {.name = "camera: orthonormal, finite pixels",
+     .against = AGAINST_BOUNDS,
      .cases = 1000000,
      .case_size = sizeof(struct camera_case),
      .make = make_camera,
@@ -444,7 +430,17 @@ const struct property camera_properties[] = {
      .print = print_camera,
      .error_unit = "ulp of 1",
      .error = orthonormality_error},
+    {.name = "camera: axes",
+     .against = AGAINST_LONG_DOUBLE,
+     .cases = 300000,
+     .case_size = sizeof(struct camera_case),
+     .make = make_camera,
+     .holds = axes_are_right,
+     .print = print_camera,
+     .error_unit = "ulp of 1",
+     .error = axes_error},
     {.name = "viewport: NDC to pixels",
+     .against = AGAINST_LONG_DOUBLE,
      .cases = 300000,
      .case_size = sizeof(struct viewport_case),
      .make = make_viewport,
@@ -452,7 +448,8 @@ const struct property camera_properties[] = {
      .print = print_viewport,
      .error_unit = "1/256 pixel",
      .error = viewport_error},
-    {.name = "matrix: inverse as its condition allows",
+    {.name = "matrix: inverse, any numbers",
+     .against = AGAINST_LONG_DOUBLE,
      .cases = 1000000,
      .case_size = sizeof(struct matrix_case),
      .make = make_matrix,
@@ -460,7 +457,8 @@ const struct property camera_properties[] = {
      .print = print_matrix,
      .error_unit = "eps * condition",
      .error = inverse_error},
-    {.name = "matrix: inverse against exact fractions",
+    {.name = "matrix: inverse, whole numbers",
+     .against = AGAINST_FRACTIONS,
      .cases = 300000,
      .case_size = sizeof(struct matrix_case),
      .make = make_whole_matrix,
@@ -469,28 +467,14 @@ const struct property camera_properties[] = {
      .error_unit = "eps * condition * entry",
      .error = whole_inverse_error},
     {.name = "matrix: singular is reported",
+     .against = AGAINST_INTEGERS,
      .cases = 500000,
      .case_size = sizeof(struct matrix_case),
      .make = make_whole_matrix,
      .holds = singular_is_reported,
      .print = print_matrix},
-    {.name = "interpolation: levels",
-     .cases = 200000,
-     .case_size = sizeof(struct interpolation_case),
-     .make = make_interpolation,
-     .holds = interpolates_levels,
-     .print = print_interpolation,
-     .error_unit = "level of 255",
-     .error = error_in_levels},
-    {.name = "interpolation: texture coordinates",
-     .cases = 200000,
-     .case_size = sizeof(struct interpolation_case),
-     .make = make_interpolation,
-     .holds = interpolates_texels,
-     .print = print_interpolation,
-     .error_unit = "1/256 texel of 1024",
-     .error = error_in_texels},
     {.name = "vector: normalized",
+     .against = AGAINST_BOUNDS,
      .cases = 1000000,
      .case_size = sizeof(struct vector_case),
      .make = make_vector,
@@ -499,6 +483,7 @@ const struct property camera_properties[] = {
      .error_unit = "ulp of 1",
      .error = length_error},
     {.name = "vector: direction of a turn",
+     .against = AGAINST_LONG_DOUBLE,
      .cases = 500000,
      .case_size = sizeof(struct vector_case),
      .make = make_vector,

@@ -159,6 +159,7 @@ static bool lesson_line_is_exact(const void *tried) {
 
 const struct property line_properties[] = {
     {.name = "line: nearest pixels",
+     .against = AGAINST_INTEGERS,
      .cases = 1000000,
      .case_size = sizeof(struct line_case),
      .make = make_line,
@@ -166,6 +167,7 @@ const struct property line_properties[] = {
      .shrink = shrink_line,
      .print = print_line},
     {.name = "line: same pixels reversed",
+     .against = AGAINST_ITSELF,
      .cases = 1000000,
      .case_size = sizeof(struct line_case),
      .make = make_line,
@@ -173,6 +175,7 @@ const struct property line_properties[] = {
      .shrink = shrink_line,
      .print = print_line},
     {.name = "line: lesson 1, nearest pixels",
+     .against = AGAINST_INTEGERS,
      .cases = 300000,
      .case_size = sizeof(struct line_case),
      .make = make_short_line,

@@ -323,7 +323,7 @@ struct count_uniforms {
     const struct model *model;
     struct mat4 to_clip;
     unsigned char (*times)[COUNT_SIZE];
-    bool *misplaced;
+    bool *misplaced; /* a pixel shows a place outside the image */
 };
 
 /* Count the pixel that shows this place, found by projecting it; draw nothing. */
@@ -461,7 +461,7 @@ static bool count_plane(const struct plane *plane, unsigned char times[COUNT_SIZ
     bool done = pipeline_draw(&pipeline, &call, &count_shader, &uniforms, &image, &error);
     memcpy(stats, pipeline.stats, sizeof pipeline.stats);
     pipeline_free(&pipeline);
-    return done;
+    return done && !misplaced;
 }
 
 static bool clipped_without_gaps(const void *tried) {
@@ -505,6 +505,7 @@ static void print_plane(const void *failing) {
 
 const struct property mesh_properties[] = {
     {.name = "mesh: each pixel once",
+     .against = AGAINST_INTEGERS,
      .cases = 60000,
      .case_size = sizeof(struct mesh_case),
      .make = make_mesh_case,
@@ -512,6 +513,7 @@ const struct property mesh_properties[] = {
      .shrink = shrink_mesh,
      .print = print_mesh},
     {.name = "mesh: same image in every order",
+     .against = AGAINST_ITSELF,
      .cases = 20000,
      .case_size = sizeof(struct mesh_case),
      .make = make_mesh_case,
@@ -519,6 +521,7 @@ const struct property mesh_properties[] = {
      .shrink = shrink_mesh,
      .print = print_soup},
     {.name = "mesh: clipped without gaps",
+     .against = AGAINST_LONG_DOUBLE,
      .cases = 40000, /* of 32 triangles in the mean: more than a million */
      .case_size = sizeof(struct mesh_case),
      .make = make_plane_case,

@@ -2,9 +2,9 @@
  * Runs all properties: stress [NAME ...]
  *
  * Environment: STRESS=10 tries ten times the cases (also fractions: 0.1), SEED=7 another sequence
- * of them. Prints a line a property, `name: cases N, failed N`, and for each failing property the
- * smallest failing case that could be found. Exit status 0: all hold; 1: some do not; 2: wrong
- * usage.
+ * of them. Prints a line a property: what it is held against, cases tried and failed. For each
+ * failing property follows the smallest failing case that could be found. Exit status 0: all hold;
+ * 1: some do not; 2: wrong usage.
  */
 #include "stress.h"
 
@@ -17,9 +17,18 @@
 
 enum { SHRINK_LIMIT = 10000 }; /* ideas tried in all: shrinking ends */
 
+static const char *const against_name[AGAINST_KINDS] = {
+    [AGAINST_NOT_SAID] = "(not said)",
+    [AGAINST_INTEGERS] = "exact integers",
+    [AGAINST_FRACTIONS] = "exact fractions",
+    [AGAINST_LONG_DOUBLE] = "long double",
+    [AGAINST_ITSELF] = "itself",
+    [AGAINST_BOUNDS] = "bounds",
+};
+
 struct outcome {
     uint64_t failed, first_failure;
-    double worst_error;
+    struct tally tally; /* of all cases */
 };
 
 /* A seed of its own for every case. */
@@ -39,11 +48,24 @@ static void make_case(const struct property *property, uint64_t seed, uint64_t i
     property->make(&random, index, made);
 }
 
+static bool try_case(const struct property *property, const void *tried, struct tally *tally) {
+    if (property->judge != NULL) {
+        return property->judge(tried, tally);
+    }
+    tally->error = property->error != NULL ? property->error(tried) : 0;
+    return property->holds(tried);
+}
+
+static bool still_fails(const struct property *property, const void *tried) {
+    struct tally tally = {0};
+    return !try_case(property, tried, &tally);
+}
+
 static struct outcome try_cases(const struct property *property, uint64_t seed, uint64_t cases) {
-    uint64_t failed = 0, first_failure = UINT64_MAX;
+    uint64_t failed = 0, first_failure = UINT64_MAX, asked = 0, left_out = 0;
     double worst = 0;
 #ifdef _OPENMP
-#pragma omp parallel for schedule(dynamic, 64) reduction(+ : failed)                               \
+#pragma omp parallel for schedule(dynamic, 16) reduction(+ : failed, asked, left_out)              \
     reduction(min : first_failure) reduction(max : worst)
 #endif
     for (uint64_t i = 0; i < cases; i++) {
@@ -52,15 +74,16 @@ static struct outcome try_cases(const struct property *property, uint64_t seed, 
             max_align_t aligned;
         } tried;
         make_case(property, seed, i, &tried);
-        if (property->error != NULL) {
-            worst = fmax(worst, property->error(&tried));
-        }
-        if (!property->holds(&tried)) {
+        struct tally tally = {0};
+        if (!try_case(property, &tried, &tally)) {
             failed++;
             first_failure = i < first_failure ? i : first_failure;
         }
+        worst = fmax(worst, tally.error);
+        asked += tally.asked;
+        left_out += tally.left_out;
     }
-    return (struct outcome){failed, first_failure, worst};
+    return (struct outcome){failed, first_failure, {worst, asked, left_out}};
 }
 
 /* Follow the first idea that still fails, again and again. */
@@ -77,7 +100,8 @@ static void shrink_and_print(const struct property *property, uint64_t seed, uin
             break;
         }
         attempt++;
-        if (memcmp(&smaller, &failing, property->case_size) != 0 && !property->holds(&smaller)) {
+        if (memcmp(&smaller, &failing, property->case_size) != 0 &&
+            still_fails(property, &smaller)) {
             memcpy(&failing, &smaller, property->case_size);
             attempt = 0;
         }
@@ -89,10 +113,14 @@ static void shrink_and_print(const struct property *property, uint64_t seed, uin
 static bool run_property(const struct property *property, double factor, uint64_t seed) {
     uint64_t cases = (uint64_t)fmax(1, (double)property->cases * factor);
     struct outcome outcome = try_cases(property, seed, cases);
-    printf("%-36s cases %9llu, failed %llu", property->name, (unsigned long long)cases,
-           (unsigned long long)outcome.failed);
+    printf("%-35s %-15s  cases %7llu, failed %llu", property->name, against_name[property->against],
+           (unsigned long long)cases, (unsigned long long)outcome.failed);
     if (property->error_unit != NULL) {
-        printf(", largest error %.3g %s", outcome.worst_error, property->error_unit);
+        printf(", largest error %.3g %s", outcome.tally.error, property->error_unit);
+    }
+    if (outcome.tally.asked > 0) {
+        printf(", %llu pixels, %llu more left out as ties", (unsigned long long)outcome.tally.asked,
+               (unsigned long long)outcome.tally.left_out);
     }
     printf("\n");
     if (outcome.failed > 0) {
@@ -131,9 +159,9 @@ static bool read_environment(double *factor, uint64_t *seed) {
 }
 
 int main(int argc, char **argv) {
-    static const struct property *const tables[] = {line_properties, triangle_properties,
-                                                    mesh_properties, camera_properties,
-                                                    texture_properties};
+    static const struct property *const tables[] = {line_properties,   triangle_properties,
+                                                    mesh_properties,   pipeline_properties,
+                                                    camera_properties, texture_properties};
     double factor;
     uint64_t seed;
     if (!read_environment(&factor, &seed)) {

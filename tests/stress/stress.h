@@ -16,17 +16,40 @@
 
 enum { CASE_SIZE_LIMIT = 4096 }; /* bytes of a case */
 
+/* What the program's answer is compared with. The first three are answers computed in another way
+ * than the program computes them. */
+enum against {
+    AGAINST_NOT_SAID,
+    AGAINST_INTEGERS,    /* exact: 64 or 128 bits, nothing is rounded */
+    AGAINST_FRACTIONS,   /* exact: of 128-bit integers, within an error that the property names */
+    AGAINST_LONG_DOUBLE, /* 11 more bits than double, within an error that the property names */
+    AGAINST_ITSELF,      /* the same work in another order or place must give the same result */
+    AGAINST_BOUNDS,      /* what must hold of any result, such as a length of 1 */
+    AGAINST_KINDS
+};
+
+/* What the judge of a case tells besides yes or no. Starts as zero. */
+struct tally {
+    double error;      /* the greatest, in the property's unit */
+    uint64_t asked;    /* pixels that were judged */
+    uint64_t left_out; /* pixels that were not: two answers are too close to tell which is right */
+};
+
 struct property {
     const char *name;
+    enum against against;
     uint64_t cases;   /* of a run of ordinary length */
     size_t case_size; /* bytes; a case is plain data */
     void (*make)(struct random *random, uint64_t index, void *made);
+    /* One of these two: does the property hold for this case? */
     bool (*holds)(const void *tried);
+    bool (*judge)(const void *tried, struct tally *tally);
     /* Write the `attempt`-th idea (from 0) of a smaller case; false when there are no more ideas.
      * NULL where cases are not made smaller. */
     bool (*shrink)(const void *failing, unsigned attempt, void *smaller);
     void (*print)(const void *failing);
-    /* Unit of the greatest error, for properties that bound one: "1/256 texel". NULL else. */
+    /* Unit of the greatest error, for properties that bound one: "1/256 texel". NULL else. It comes
+     * from judge(), or else from error(). */
     const char *error_unit;
     double (*error)(const void *tried);
 };
@@ -35,6 +58,7 @@ struct property {
 extern const struct property line_properties[];
 extern const struct property triangle_properties[];
 extern const struct property mesh_properties[];
+extern const struct property pipeline_properties[];
 extern const struct property camera_properties[];
 extern const struct property texture_properties[];
 

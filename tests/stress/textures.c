@@ -210,12 +210,14 @@ static void print_texture(const void *failing) {
 
 const struct property texture_properties[] = {
     {.name = "texture: nearest texel",
+     .against = AGAINST_LONG_DOUBLE,
      .cases = 300000,
      .case_size = sizeof(struct texture_case),
      .make = make_texture,
      .holds = nearest_is_exact,
      .print = print_texture},
     {.name = "texture: bilinear",
+     .against = AGAINST_LONG_DOUBLE,
      .cases = 300000,
      .case_size = sizeof(struct texture_case),
      .make = make_texture,
@@ -224,6 +226,7 @@ const struct property texture_properties[] = {
      .error_unit = "level of 255",
      .error = bilinear_error},
     {.name = "texture: mip-mapped",
+     .against = AGAINST_LONG_DOUBLE,
      .cases = 300000,
      .case_size = sizeof(struct texture_case),
      .make = make_texture,

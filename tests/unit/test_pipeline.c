@@ -50,6 +50,7 @@ static void make_soup(struct mesh *mesh, struct random *random) {
 
 struct uniforms {
     const struct model *model;
+    size_t first_face; /* of the draw call, where there are several: their faces count on */
     size_t *vertex_calls;
     unsigned char *times_drawn; /* a count for each pixel */
 };
@@ -57,7 +58,7 @@ struct uniforms {
 static void number_vertex(const void *uniforms, size_t face, size_t corner, double *varyings) {
     const struct uniforms *u = uniforms;
     (void)corner;
-    varyings[0] = (double)face + 1;
+    varyings[0] = (double)(u->first_face + face + 1);
     ++*u->vertex_calls;
 }
 
@@ -68,6 +69,8 @@ static bool number_fragment(const void *uniforms, const double *varyings, struct
 }
 
 SHADER(number_shader, .varying_count = 1, .vertex = number_vertex, .fragment = number_fragment);
+SHADER(discarding_shader, .varying_count = 1, .vertex = number_vertex, .fragment = number_fragment,
+       .discards = true);
 
 /* ---- Which face shows ---- */
 
@@ -171,6 +174,152 @@ static void test_nearest_face_shows(void) {
         CHECK(stats_at_once[STAT_PIXELS_SHADED] > drawn);
         image_free(&image);
         image_free(&at_once);
+    }
+}
+
+/* ---- Several calls in a frame, in each of the ways to draw ---- */
+
+/* Visible pixels only; with skip off; with a shader that may discard: the last two shade at once. */
+enum { WAYS = 3 };
+
+/* A pipeline, an image and what each call draws, which counts the faces on from call to call. */
+struct frame {
+    struct pipeline pipeline;
+    struct image image;
+    size_t faces, vertex_calls;
+    int way;
+};
+
+static bool frame_begin(struct frame *frame, int way) {
+    struct error error;
+    *frame = (struct frame){.way = way};
+    bool done = CHECK(image_create(&frame->image, SIZE, SIZE, IMAGE_BGR, &error)) &&
+                CHECK(pipeline_create(&frame->pipeline, SIZE, SIZE, &error));
+    frame->pipeline.skip = way != 1;
+    return done;
+}
+
+static void frame_draw(struct frame *frame, const struct mesh *mesh, struct mat4 to_clip,
+                       struct rectangle viewport) {
+    struct error error;
+    struct uniforms uniforms = {
+        .model = &mesh->model, .first_face = frame->faces, .vertex_calls = &frame->vertex_calls};
+    struct draw_call call = {.model = &mesh->model, .to_clip = to_clip, .viewport = viewport};
+    const struct shader *shader = frame->way == 2 ? &discarding_shader : &number_shader;
+    CHECK(pipeline_draw(&frame->pipeline, &call, shader, &uniforms, &frame->image, &error));
+    frame->faces += mesh->model.face_count;
+}
+
+/* How many pixels show that face, from 1; 0 asks for those without any. */
+static size_t frame_count(const struct frame *frame, size_t face) {
+    size_t count = 0;
+    for (int i = 0; i < SIZE * SIZE; i++) {
+        count += image_get(&frame->image, i % SIZE, i / SIZE).r == face;
+    }
+    return count;
+}
+
+static void frame_end(struct frame *frame) {
+    pipeline_free(&frame->pipeline);
+    image_free(&frame->image);
+}
+
+static const struct rectangle whole_image = {0, 0, SIZE, SIZE};
+
+/* Positions are x, y and w of clip space; z is 1, so that depth is 1/w. */
+static const struct mat4 place_is_xyw = {{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 0, 1}, {0, 0, 1, 0}}};
+
+/* Of equal depths the first stays: the same triangle again, as it is, with another corner first, and
+ * once more in a call of its own, hides nothing. */
+static void test_first_of_equal_depths_stays(void) {
+    static struct mesh mesh;
+    for (int way = 0; way < WAYS; way++) {
+        struct frame frame;
+        mesh_begin(&mesh);
+        mesh_vertex(&mesh, -2, -2, 2.5);
+        mesh_vertex(&mesh, 3, -1, 1.5);
+        mesh_vertex(&mesh, 0.5, 4, 3.25);
+        mesh_face(&mesh, 0, 1, 2);
+        mesh_face(&mesh, 0, 1, 2);
+        mesh_face(&mesh, 2, 0, 1);
+        if (frame_begin(&frame, way)) {
+            frame_draw(&frame, &mesh, place_is_xyw, whole_image);
+            frame_draw(&frame, &mesh, place_is_xyw, whole_image);
+            size_t first = frame_count(&frame, 1);
+            CHECK(first > 100 && first + frame_count(&frame, 0) == (size_t)SIZE * SIZE);
+        }
+        frame_end(&frame);
+    }
+}
+
+/* A triangle that covers all of its viewport at one depth. */
+static void make_cover(struct mesh *mesh, double w) {
+    mesh_begin(mesh);
+    mesh_vertex(mesh, -4 * w, -4 * w, w);
+    mesh_vertex(mesh, 9 * w, -4 * w, w);
+    mesh_vertex(mesh, -4 * w, 9 * w, w);
+    mesh_face(mesh, 0, 1, 2);
+}
+
+/* Nine cells, nearest first: what reaches out of a cell on any side would hide its neighbours. */
+static void test_cells_side_by_side(void) {
+    static struct mesh mesh;
+    for (int way = 0; way < WAYS; way++) {
+        struct frame frame;
+        bool right = frame_begin(&frame, way);
+        for (int i = 0; right && i < 9; i++) {
+            make_cover(&mesh, 1 + i);
+            frame_draw(&frame, &mesh, place_is_xyw, grid_cell(SIZE, SIZE, 3, 3, i % 3, i / 3));
+        }
+        for (int i = 0; i < 9; i++) {
+            struct rectangle r = grid_cell(SIZE, SIZE, 3, 3, i % 3, i / 3);
+            for (int k = 0; k < r.width * r.height; k++) {
+                int x = r.x + k % r.width, y = r.y + k / r.width;
+                right = right && image_get(&frame.image, x, y).r == i + 1;
+            }
+        }
+        CHECK(right);
+        frame_end(&frame);
+    }
+}
+
+/* A viewport inside the image, in each way: not a pixel, not a depth outside it. */
+static void test_nothing_outside_the_viewport(void) {
+    static struct mesh mesh;
+    for (int way = 0; way < WAYS; way++) {
+        struct frame frame;
+        make_cover(&mesh, 1);
+        if (frame_begin(&frame, way)) {
+            frame_draw(&frame, &mesh, place_is_xyw, (struct rectangle){11, 7, 8, 5});
+            bool right = true;
+            for (int i = 0; i < SIZE * SIZE; i++) {
+                int x = i % SIZE, y = i / SIZE;
+                bool inside = x >= 11 && x < 19 && y >= 7 && y < 12;
+                right = right && image_get(&frame.image, x, y).r == inside &&
+                        isfinite(frame.pipeline.depth[i]) == inside;
+            }
+            CHECK(right);
+        }
+        frame_end(&frame);
+    }
+}
+
+/* A later call that lies partly behind an earlier one: each pixel keeps the piece of its own call. */
+static void test_calls_that_overlap(void) {
+    static struct mesh mesh;
+    for (int way = 0; way < WAYS; way++) {
+        struct frame frame;
+        if (frame_begin(&frame, way)) {
+            make_cover(&mesh, 2);
+            frame_draw(&frame, &mesh, place_is_xyw, (struct rectangle){0, 0, 20, SIZE});
+            make_cover(&mesh, 3); /* behind the first */
+            frame_draw(&frame, &mesh, place_is_xyw, (struct rectangle){10, 0, 20, SIZE});
+            make_cover(&mesh, 1); /* before all */
+            frame_draw(&frame, &mesh, place_is_xyw, (struct rectangle){5, 3, 2, 2});
+            CHECK(frame_count(&frame, 1) == 20 * SIZE - 4 && frame_count(&frame, 3) == 4);
+            CHECK(frame_count(&frame, 2) == 10 * SIZE && frame_count(&frame, 0) == 2 * SIZE);
+        }
+        frame_end(&frame);
     }
 }
 
@@ -360,6 +509,88 @@ static void test_interpolation(void) {
     CHECK(worst < 1e-12);
 }
 
+/* ---- Near the eye ---- */
+
+/* Two faces share an edge that is cut at the near plane, in the middle between two steps of 1/256
+ * pixel, where the last bit decides which of them it becomes. Pixel centres of a column lie on the
+ * edge or 1/256 pixel beside it: were the cut not the same from both ends, the whole column would be
+ * drawn twice or not at all. */
+static void test_cut_from_both_ends(void) {
+    static struct mesh mesh;
+    static struct seen seen;
+    const double column = 10.5 * 2 / SIZE - 1, near_w = 1.0 / 128;
+    for (int i = 0; i < 80; i++) {
+        double half_step = (i % 2 ? 1 : -1) * 1.0 / (256 * SIZE), beyond = (i / 2 + 1) / 16.0;
+        struct vec3 p = {column, -0.875, 1};
+        struct vec3 cut = {(column + half_step) * near_w, 0.875 * near_w, near_w};
+        struct vec3 q = vec3_add(cut, vec3_scale(vec3_sub(cut, p), beyond));
+        uint64_t stats[PIPELINE_STATS] = {0};
+        mesh_begin(&mesh);
+        mesh_vertex(&mesh, p.x, p.y, p.z);
+        mesh_vertex(&mesh, q.x, q.y, q.z);
+        mesh_vertex(&mesh, -0.9, 0, 1);
+        mesh_vertex(&mesh, 0.9, 0, 1);
+        mesh_face(&mesh, 0, 1, 2);
+        mesh_face(&mesh, 1, 0, 3);
+        see(&mesh, place_is_xyw, &seen, stats);
+        bool once = true;
+        for (int y = 4; y < 28; y++) {
+            once = once && seen.count[y][10] == 1;
+        }
+        CHECK(once && stats[STAT_FACES_CLIPPED] == 2);
+    }
+}
+
+/* Nothing nearer than w = 1/128 is drawn, and all that is not nearer. */
+static void test_nearest_w(void) {
+    static struct mesh mesh;
+    static const struct {
+        double w;
+        bool drawn;
+    } rows[] = {{1.0 / 64, true},    {1.0 / 128, true}, {1.0 / 128 - 0x1p-30, false},
+                {1.0 / 1000, false}, {1e-30, false},    {0, false},
+                {-1, false}};
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        for (int way = 0; way < WAYS; way++) {
+            struct frame frame;
+            make_cover(&mesh, rows[i].w);
+            if (frame_begin(&frame, way)) {
+                frame_draw(&frame, &mesh, place_is_xyw, whole_image);
+                CHECK(frame_count(&frame, 1) == (rows[i].drawn ? (size_t)SIZE * SIZE : 0));
+            }
+            frame_end(&frame);
+        }
+    }
+}
+
+/* A face whose depth z/w is larger than all numbers, at a corner or where it is cut, is left out
+ * there and hides nothing. */
+static void test_depth_overflows(void) {
+    static struct mesh mesh;
+    struct mat4 to_clip = place_is_xyw;
+    to_clip.m[2][0] = 1e308; /* z grows to the right */
+    for (int i = 0; i < 2 * WAYS; i++) {
+        struct frame frame;
+        bool is_cut = i >= WAYS;
+        mesh_begin(&mesh);
+        mesh_vertex(&mesh, -0.9, -0.9, 1);
+        mesh_vertex(&mesh, is_cut ? 0.8 : 0.0625, 0.05, is_cut ? -0.5 : 1.0 / 128);
+        mesh_vertex(&mesh, -0.9, 0.9, 1);
+        mesh_face(&mesh, 0, 1, 2);
+        if (frame_begin(&frame, i % WAYS)) {
+            frame_draw(&frame, &mesh, to_clip, whole_image);
+            make_cover(&mesh, 1);
+            frame_draw(&frame, &mesh, place_is_xyw, whole_image);
+            bool finite = true;
+            for (int k = 0; k < SIZE * SIZE; k++) {
+                finite = finite && isfinite(frame.pipeline.depth[k]);
+            }
+            CHECK(finite && (is_cut || frame_count(&frame, 2) == (size_t)SIZE * SIZE));
+        }
+        frame_end(&frame);
+    }
+}
+
 /* ---- Limits and errors ---- */
 
 static void test_viewport(void) {
@@ -533,7 +764,10 @@ static void test_errors(void) {
     pipeline_free(&pipeline);
 }
 
-UNIT_MAIN(TEST(test_nearest_face_shows), TEST(test_corner_order), TEST(test_ground_without_gaps),
+UNIT_MAIN(TEST(test_nearest_face_shows), TEST(test_first_of_equal_depths_stays),
+          TEST(test_cells_side_by_side), TEST(test_nothing_outside_the_viewport),
+          TEST(test_calls_that_overlap), TEST(test_cut_from_both_ends), TEST(test_nearest_w),
+          TEST(test_depth_overflows), TEST(test_corner_order), TEST(test_ground_without_gaps),
           TEST(test_interpolation), TEST(test_viewport), TEST(test_grid_cell),
           TEST(test_not_finite), TEST(test_below_viewport), TEST(test_equal_corners),
           TEST(test_wrapped_level), TEST(test_far_apart), TEST(test_errors))

@@ -1,0 +1,414 @@
+/* Random triangles in perspective: see soup.h. */
+#include "soup.h"
+
+#include "pipeline.h"
+
+#include <assert.h>
+#include <math.h>
+#include <stdio.h>
+
+static const long double near_w = 1.0L / 128, guard_band = 64;
+
+/* ---- The camera and the viewport ---- */
+
+static void choose_viewport(struct soup *soup, struct random *random) {
+    soup->width = (size_t)random_between(random, 8, 26);
+    soup->height = (size_t)random_between(random, 8, 26);
+    if (soup->kind >= SOUP_WIDE) {
+        soup->width = soup->kind == SOUP_WIDE ? DRAW_LIMIT : 12;
+        soup->height = soup->kind == SOUP_HIGH ? DRAW_LIMIT : 12;
+    }
+    int left = (int)random_between(random, 0, 4), bottom = (int)random_between(random, 0, 4);
+    int right = (int)random_between(random, 0, 3), top = (int)random_between(random, 0, 3);
+    soup->viewport = (struct rectangle){left, bottom, (int)soup->width - left - right,
+                                        (int)soup->height - bottom - top};
+}
+
+/* Positions are (x, y, w) of clip space themselves, and z is any linear function of them, in steps
+ * of 1/4: exact in doubles. */
+static void choose_matrix(struct soup *soup, struct random *random) {
+    soup->to_clip = (struct mat4){{{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 0, 0}, {0, 0, 1, 0}}};
+    for (int i = 0; i < 4; i++) {
+        soup->to_clip.m[2][i] = (double)random_between(random, -8, 8) / 4;
+    }
+    for (int i = 0; i < 16; i++) {
+        soup->exact_to_clip[i / 4][i % 4] = (long double)soup->to_clip.m[i / 4][i % 4];
+    }
+}
+
+static struct vec3 any_place(struct random *random, double reach) {
+    double x = random_real(random, -reach, reach), y = random_real(random, -reach, reach);
+    return (struct vec3){x, y, random_real(random, -reach, reach)};
+}
+
+static void choose_camera(struct soup *soup, struct random *random) {
+    do {
+        soup->eye = any_place(random, 4);
+        soup->center = any_place(random, 4);
+        soup->up = any_place(random, 2);
+    } while (vec3_length(vec3_sub(soup->eye, soup->center)) < 0.5 ||
+             oracle_frame(soup->eye, soup->center, soup->up).sine < 0.1L);
+    soup->zoom = random_real(random, 0.3, 1.5);
+    oracle_camera(soup->eye, soup->center, soup->up, soup->zoom, soup->exact_to_clip);
+    soup->to_clip = camera_call(&soup->model, soup->eye, soup->center, soup->up, soup->zoom,
+                                soup->viewport, CULL_NONE)
+                        .to_clip;
+}
+
+/* ---- Corners ---- */
+
+/* Where corners of the largest images lie: inside, beside the sides, far out, farther still. */
+static double far_place(struct random *random) {
+    static const double least[] = {-1, 0.97, -1.1, 63, -63.9, 9000, -10000};
+    static const double most[] = {1, 1.1, -0.97, 63.9, -63, 10000, -9000};
+    uint64_t choice = random_bits(random) % 12;
+    choice = choice < 7 ? choice : 0;
+    return random_real(random, least[choice], most[choice]);
+}
+
+/* A place in NDC from which, with w, a position is made. */
+static struct vec2 ndc_place(const struct soup *soup, struct random *random) {
+    double reach = random_bits(random) % 8 == 0 && soup->kind == SOUP_STEEP ? 60 : 2;
+    double x = random_real(random, -reach, reach), y = random_real(random, -reach, reach);
+    x = soup->kind == SOUP_WIDE ? far_place(random) : x;
+    y = soup->kind == SOUP_HIGH ? far_place(random) : y;
+    return (struct vec2){x, y};
+}
+
+static void choose_position(const struct soup *soup, struct random *random, float position[3]) {
+    if (soup->kind == SOUP_CAMERA) {
+        static const double reaches[] = {2, 6, 6, 60, 300};
+        double reach = reaches[random_bits(random) % 5];
+        struct vec3 p = vec3_add(soup->center, any_place(random, reach));
+        position[0] = (float)p.x, position[1] = (float)p.y, position[2] = (float)p.z;
+        return;
+    }
+    struct vec2 ndc = ndc_place(soup, random);
+    double w = (double)random_between(random, 8, 64) / 16;
+    if (soup->kind == SOUP_STEEP) {
+        w = ldexp(random_real(random, 1, 2), (int)random_between(random, -6, 9));
+    }
+    double step = soup->kind == SOUP_WHOLE ? 0x1p-12 : 0x1p-40;
+    position[0] = (float)(floor(ndc.x * w / step) * step);
+    position[1] = (float)(floor(ndc.y * w / step) * step);
+    position[2] = (float)w;
+}
+
+/* A face whose corners all lie in the strip beside one side. */
+static void move_beside_side(const struct soup *soup, struct random *random, float (*corners)[3]) {
+    int axis = soup->kind == SOUP_WIDE ? 0 : 1;
+    double side = random_bits(random) % 2 ? 1 : -1;
+    for (int i = 0; i < 3; i++) {
+        double ndc = side * random_real(random, 0.97, 1.2);
+        corners[i][axis] = (float)(ndc * (double)corners[i][2]);
+    }
+}
+
+/* ---- What is seen of a face ---- */
+
+/* A corner of the face in clip space: x, y, z, w. */
+struct homogeneous {
+    long double at[4];
+};
+
+static struct homogeneous to_clip(const struct soup *soup, const float position[3]) {
+    struct homogeneous clip;
+    for (int row = 0; row < 4; row++) {
+        const long double *m = soup->exact_to_clip[row];
+        clip.at[row] = m[0] * (long double)position[0] + m[1] * (long double)position[1] +
+                       m[2] * (long double)position[2] + m[3];
+    }
+    return clip;
+}
+
+enum { HALF_PLANES = 8 };
+
+/* A place in the face's plane is given by weights of its corners. What is seen of the face is where
+ * eight linear functions of the weights are not negative: the weights themselves, what w is above
+ * the near plane, and the distances to the four sides of the guard band. */
+static void find_half_planes(const struct homogeneous corner[3],
+                             long double function[HALF_PLANES][3]) {
+    for (int i = 0; i < 3; i++) {
+        const long double *c = corner[i].at;
+        for (int k = 0; k < 3; k++) {
+            function[k][i] = i == k;
+        }
+        function[3][i] = c[3] - near_w;
+        function[4][i] = guard_band * c[3] - c[0];
+        function[5][i] = guard_band * c[3] + c[0];
+        function[6][i] = guard_band * c[3] - c[1];
+        function[7][i] = guard_band * c[3] + c[1];
+    }
+}
+
+struct weights {
+    long double of[3]; /* sum 1 */
+};
+
+/* Where two of the functions are zero. False where that is nowhere, or nearly so. */
+static bool find_crossing(const long double *f, const long double *g, struct weights *weights) {
+    long double sum = 0, largest = 0;
+    for (int i = 0; i < 3; i++) {
+        int k = (i + 1) % 3, j = (i + 2) % 3;
+        weights->of[i] = f[k] * g[j] - f[j] * g[k];
+        sum += weights->of[i];
+        largest = fmaxl(largest, fabsl(weights->of[i]));
+    }
+    for (int i = 0; i < 3; i++) {
+        weights->of[i] /= sum;
+    }
+    return fabsl(sum) > 1e-12L * largest;
+}
+
+enum side { INSIDE, OUTSIDE, UNSURE };
+
+/* Are all functions but those two positive there? */
+static enum side find_side(long double function[HALF_PLANES][3], int skipped, int also_skipped,
+                           const struct weights *weights) {
+    enum side side = INSIDE;
+    for (int i = 0; i < HALF_PLANES; i++) {
+        long double value = 0, scale = 0;
+        for (int k = 0; k < 3; k++) {
+            value += function[i][k] * weights->of[k];
+            scale = fmaxl(scale, fabsl(function[i][k] * weights->of[k]));
+        }
+        if (i != skipped && i != also_skipped && value < -1e-12L * scale) {
+            return OUTSIDE;
+        }
+        if (i != skipped && i != also_skipped && value < 1e-12L * scale) {
+            side = UNSURE;
+        }
+    }
+    return side;
+}
+
+/* A corner of the polygon, with the angle at which it is seen from the middle of the weights. */
+struct found_corner {
+    struct weights weights;
+    long double angle;
+};
+
+/* All places where two of the lines cross and nothing is outside. False where that is not sure. */
+static bool find_polygon(const struct homogeneous corner[3],
+                         struct found_corner found[SOUP_POLYGON_LIMIT], size_t *count) {
+    long double function[HALF_PLANES][3];
+    find_half_planes(corner, function);
+    *count = 0;
+    for (int i = 0; i < HALF_PLANES; i++) {
+        for (int k = i + 1; k < HALF_PLANES; k++) {
+            struct weights weights;
+            enum side side = find_crossing(function[i], function[k], &weights)
+                                 ? find_side(function, i, k, &weights)
+                                 : OUTSIDE;
+            if (side == UNSURE || (side == INSIDE && *count == SOUP_POLYGON_LIMIT)) {
+                return false;
+            }
+            if (side == INSIDE) {
+                found[(*count)++].weights = weights;
+            }
+        }
+    }
+    return true;
+}
+
+static void put_in_order(struct found_corner found[SOUP_POLYGON_LIMIT], size_t count) {
+    long double middle[2] = {0, 0};
+    for (size_t i = 0; i < count; i++) {
+        middle[0] += found[i].weights.of[0] / (long double)count;
+        middle[1] += found[i].weights.of[1] / (long double)count;
+    }
+    for (size_t i = 0; i < count; i++) {
+        struct found_corner moved = found[i];
+        moved.angle = atan2l(moved.weights.of[1] - middle[1], moved.weights.of[0] - middle[0]);
+        size_t k = i;
+        for (; k > 0 && found[k - 1].angle > moved.angle; k--) {
+            found[k] = found[k - 1];
+        }
+        found[k] = moved;
+    }
+}
+
+/* Round to 1/256 pixel. False where both neighbours are about as near. */
+static bool snap(long double screen, long double size, int32_t *snapped) {
+    long double steps = screen * 256 + 0.5L;
+    *snapped = (int32_t)floorl(steps);
+    long double margin = 1e-6L + 1e-8L * size;
+    return steps - floorl(steps) > margin && steps - floorl(steps) < 1 - margin;
+}
+
+static bool place_corner(const struct soup *soup, const struct homogeneous corner[3],
+                         const double value[3], const struct weights *weights,
+                         struct soup_corner *placed) {
+    long double clip[4] = {0}, sum = 0;
+    for (int i = 0; i < 3; i++) {
+        for (int k = 0; k < 4; k++) {
+            clip[k] += weights->of[i] * corner[i].at[k];
+        }
+        sum += weights->of[i] * (long double)value[i];
+    }
+    const struct rectangle *v = &soup->viewport;
+    long double x = v->x + (clip[0] / clip[3] + 1) * v->width / 2;
+    long double y = v->y + (clip[1] / clip[3] + 1) * v->height / 2;
+    placed->z = clip[2];
+    placed->w = clip[3];
+    placed->value = (double)sum;
+    return snap(x, v->width, &placed->screen.x) && snap(y, v->height, &placed->screen.y);
+}
+
+/* Does it turn only one way? Rounded corners may say otherwise: it depends on how such a polygon is
+ * cut into triangles what is covered. */
+static bool is_convex(const struct soup_polygon *polygon) {
+    bool turns[3] = {false, false, false};
+    for (size_t i = 0; i < polygon->count; i++) {
+        for (size_t k = i + 1; k < polygon->count; k++) {
+            for (size_t j = k + 1; j < polygon->count; j++) {
+                const struct soup_corner *c = polygon->corner;
+                turns[oracle_turn(c[i].screen, c[k].screen, c[j].screen) + 1] = true;
+            }
+        }
+    }
+    return !(turns[0] && turns[2]);
+}
+
+/* False where it is not sure what is seen. */
+static bool see_face(const struct soup *soup, size_t face, struct soup_polygon *polygon) {
+    struct homogeneous corner[3];
+    struct found_corner found[SOUP_POLYGON_LIMIT];
+    for (size_t i = 0; i < 3; i++) {
+        corner[i] = to_clip(soup, soup->positions[3 * face + i]);
+    }
+    if (!find_polygon(corner, found, &polygon->count)) {
+        return false;
+    }
+    put_in_order(found, polygon->count);
+    polygon->scale = 1;
+    for (size_t i = 0; i < polygon->count; i++) {
+        struct soup_corner *placed = &polygon->corner[i];
+        if (!place_corner(soup, corner, &soup->value[3 * face], &found[i].weights, placed)) {
+            return false;
+        }
+        polygon->scale = fmax(polygon->scale, fabs((double)(placed->z / placed->w)));
+    }
+    return is_convex(polygon);
+}
+
+/* ---- Soups ---- */
+
+static void make_face(struct soup *soup, struct random *random, size_t face) {
+    float(*corners)[3] = &soup->positions[3 * face];
+    for (size_t i = 0; i < 3; i++) {
+        soup->faces[face].corner[i] =
+            (struct corner){(uint32_t)(3 * face + i), MODEL_NONE, MODEL_NONE};
+        soup->value[3 * face + i] = random_real(random, 0, 1);
+    }
+    do {
+        for (size_t i = 0; i < 3; i++) {
+            choose_position(soup, random, corners[i]);
+        }
+        if (soup->kind >= SOUP_WIDE && random_bits(random) % 4 == 0) {
+            move_beside_side(soup, random, corners);
+        }
+    } while (!see_face(soup, face, &soup->polygons[face]));
+}
+
+void soup_make(struct soup *soup, uint64_t seed, enum soup_kind kind, size_t faces) {
+    struct random random = {seed};
+    assert(faces <= SOUP_FACES);
+    *soup = (struct soup){.kind = kind};
+    soup->model = (struct model){.positions = soup->positions,
+                                 .position_count = 3 * faces,
+                                 .faces = soup->faces,
+                                 .face_count = faces};
+    choose_viewport(soup, &random);
+    if (kind == SOUP_CAMERA) {
+        choose_camera(soup, &random);
+    } else {
+        choose_matrix(soup, &random);
+    }
+    for (size_t i = 0; i < faces; i++) {
+        make_face(soup, &random, i);
+    }
+}
+
+/* ---- What is seen at a pixel ---- */
+
+static void widen(struct range *range, long double value) {
+    range->least = fminl(range->least, value);
+    range->most = fmaxl(range->most, value);
+}
+
+/* The depth of a whole triangle of SOUP_WHOLE: there z is a multiple of 2^-14, and w of 2^-4. */
+static long double exact_depth(const struct soup_corner *corner, int x, int y) {
+    struct fixed2 screen[3];
+    int64_t z[3], w[3];
+    for (int i = 0; i < 3; i++) {
+        screen[i] = corner[i].screen;
+        z[i] = (int64_t)(corner[i].z * 0x1p14L);
+        w[i] = (int64_t)(corner[i].w * 0x1p4L);
+    }
+    return oracle_perspective_depth(screen, z, w, x, y) / 0x1p10L;
+}
+
+/* The triangle of three of the polygon's corners. */
+static void look_at_triangle(const struct soup_corner *const corner[3], int x, int y,
+                             struct soup_hit *hit) {
+    static const double parallel[3] = {1, 1, 1};
+    struct fixed2 screen[3];
+    double depth[3], recip_w[3], value[3];
+    for (int i = 0; i < 3; i++) {
+        screen[i] = corner[i]->screen;
+        depth[i] = (double)(corner[i]->z / corner[i]->w);
+        recip_w[i] = (double)(1 / corner[i]->w);
+        value[i] = corner[i]->value;
+    }
+    if (oracle_covers(screen[0], screen[1], screen[2], x, y)) {
+        hit->covered = true;
+        widen(&hit->depth, oracle_interpolate(screen, parallel, depth, x, y));
+        widen(&hit->value, oracle_interpolate(screen, recip_w, value, x, y));
+    }
+}
+
+struct soup_hit soup_look(const struct soup *soup, size_t face, int x, int y) {
+    const struct soup_polygon *polygon = &soup->polygons[face];
+    const struct soup_corner *c = polygon->corner;
+    const struct range nothing = {(long double)INFINITY, (long double)-INFINITY};
+    struct soup_hit hit = {false, nothing, nothing};
+    for (size_t i = 0; i < polygon->count; i++) {
+        for (size_t k = i + 1; k < polygon->count; k++) {
+            for (size_t j = k + 1; j < polygon->count; j++) {
+                look_at_triangle((const struct soup_corner *[3]){&c[i], &c[k], &c[j]}, x, y, &hit);
+            }
+        }
+    }
+    if (hit.covered && soup->kind == SOUP_WHOLE) {
+        long double depth = exact_depth(c, x, y);
+        hit.depth = (struct range){depth, depth};
+    }
+    return hit;
+}
+
+double soup_depth_tolerance(const struct soup *soup, size_t face) {
+    return soup->polygons[face].scale * (soup->kind == SOUP_WHOLE ? 0x1p-48 : 0x1p-40);
+}
+
+double soup_value_tolerance(const struct soup *soup) {
+    return soup->kind <= SOUP_STEEP ? 0x1p-46 : 0x1p-38;
+}
+
+void soup_print(const struct soup *soup) {
+    const struct rectangle *v = &soup->viewport;
+    printf("    # image %zux%zu, viewport %dx%d at %d %d\n", soup->width, soup->height, v->width,
+           v->height, v->x, v->y);
+    for (int row = 0; row < 4; row++) {
+        const double *m = soup->to_clip.m[row];
+        printf("    # to clip space: %.17g %.17g %.17g %.17g\n", m[0], m[1], m[2], m[3]);
+    }
+    for (size_t i = 0; i < soup->model.position_count; i++) {
+        const float *p = soup->positions[i];
+        printf("    v %.9g %.9g %.9g # value %.17g\n", (double)p[0], (double)p[1], (double)p[2],
+               soup->value[i]);
+    }
+    for (size_t i = 1; i <= soup->model.face_count; i++) {
+        printf("    f %zu %zu %zu\n", 3 * i - 2, 3 * i - 1, 3 * i);
+    }
+}
