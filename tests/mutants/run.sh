@@ -5,12 +5,14 @@
 #   tests/mutants/run.sh BUILD [LIST [PATTERN]]
 #
 # LIST: only this list, as `geometry`; PATTERN: only mutants whose LIST/NAME has it in it. The copies
-# are in BUILD/mutants. Two mutants at a time; WORKERS=1 in the environment for one.
+# are made in BUILD and removed at the end. Two mutants at a time; WORKERS=1 in the environment for
+# one.
 #
 # Exit status 0: every mutant was killed or is equivalent; 1: some survive, or a list is wrong.
 cd "$(dirname "$0")/../.." || exit 1
-mkdir -p "${1:-build}/mutants" || exit 1
-work=$(cd "${1:-build}/mutants" && pwd)
+mkdir -p "${1:-build}" && work=$(cd "${1:-build}" && mktemp -d "$PWD/mutants.XXXXXX") || exit 1
+trap 'rm -rf "$work"' EXIT
+trap 'exit 1' HUP INT TERM
 list=${2:-*}
 only=${3:-}
 workers=${WORKERS:-2}
@@ -49,8 +51,7 @@ run_test() {
         echo error
         return
     fi
-    {
-      (
+    (
         cd "$1" || exit 126
         ulimit -S -t $limit
         ulimit -f 1000000
@@ -77,8 +78,7 @@ run_test() {
             grep -q ' exact$' log.check
             ;;
         esac
-      )
-    } </dev/null >>"$log" 2>&1
+    ) </dev/null >>"$log" 2>&1
     status=$?
     case $2:$status in
     *:0) echo passed ;;
@@ -116,7 +116,7 @@ try() {
     esac
     touch "$1/stamp"
     cp "$work/list/$2" "$1/$4"
-    case $(run_test "$1" "$5") in
+    case $(run_test "$1" "$5" 2>/dev/null) in # sh itself tells of crashes there
     passed) echo "SURVIVED   $3 ($5)" ;;
     failed) echo "killed     $3 ($5)" ;;
     time) echo "killed     $3 ($5, by time)" ;;
@@ -140,8 +140,7 @@ work_on() { # TREE
 
 # ---- The lists ----
 
-rm -rf "$work/list" "$work/tree0"
-mkdir -p "$work/list" "$work/tree0" || exit 1
+mkdir "$work/list" "$work/tree0" || exit 1
 # shellcheck disable=SC2086 # a pattern
 awk -v directory="$work/list" -v only="$only" -f tests/mutants/parse.awk tests/mutants/$list.txt \
     >"$work/list/table" || exit 1
@@ -175,14 +174,18 @@ fi
 # ---- The mutants ----
 
 jobs=1
-worker=1
-trap 'kill 0' HUP INT TERM
-while [ "$worker" -le "$workers" ]; do
-    rm -rf "$work/tree$worker"
-    cp -pR "$work/tree0" "$work/tree$worker" || exit 1
-    work_on "$work/tree$worker" &
-    worker=$((worker + 1))
-done | tee "$work/results"
+{
+    worker=1
+    pids=
+    trap 'kill $pids' HUP INT TERM
+    while [ "$worker" -le "$workers" ]; do
+        cp -pR "$work/tree0" "$work/tree$worker" || exit 1
+        work_on "$work/tree$worker" &
+        pids="$pids $!"
+        worker=$((worker + 1))
+    done
+    wait
+} | tee "$work/results"
 
 # ---- The counts ----
 
