@@ -52,6 +52,7 @@ enum {
 struct options {
     const char *root, *scenes, *references, *programs, *differences, *make, *first;
     double seconds; /* for one step's program */
+    bool exact;     /* every pixel of every scene, whatever the table says */
 };
 
 static const struct options default_options = {
@@ -84,6 +85,7 @@ static const char help[] =
     "both; dark green ones are not equal, but not wrong.\n"
     "\n"
     "CHECK_TIMEOUT in the environment: seconds that a step's program may take (10).\n"
+    "CHECK_EXACT=1 in the environment: every pixel of every scene must be equal.\n"
     "Exit status: 0 all passed, 1 something failed, 2 the check itself cannot work.\n"
     "To see all that a program says, run it by hand: build/step05_zbuffer -o DIRECTORY\n";
 
@@ -466,6 +468,15 @@ static bool read_seconds(double *seconds, struct error *error) {
     return true;
 }
 
+static bool read_exact(bool *exact, struct error *error) {
+    const char *text = getenv("CHECK_EXACT");
+    *exact = text != NULL && strcmp(text, "1") == 0;
+    if (text == NULL || text[0] == '\0' || *exact || strcmp(text, "0") == 0) {
+        return true;
+    }
+    return error_set(error, "CHECK_EXACT is '%.50s', neither 0 nor 1", text);
+}
+
 /* Read the options in front of the steps; `first_step` becomes the first argument that is none. */
 static bool read_options(struct options *options, int argc, char **argv, int *first_step,
                          struct error *error) {
@@ -500,7 +511,7 @@ static bool read_options(struct options *options, int argc, char **argv, int *fi
         i += 2;
     }
     *first_step = i;
-    return read_seconds(&options->seconds, error);
+    return read_seconds(&options->seconds, error) && read_exact(&options->exact, error);
 }
 
 static bool select_steps(struct scene_table *table, char **steps, struct error *error) {
@@ -562,6 +573,9 @@ int main(int argc, char **argv) {
     if (!scene_table_read(&table, options.scenes, &error)) {
         fprintf(stderr, "check: %s\n", error.message);
         return EXIT_CANNOT_WORK;
+    }
+    if (options.exact) {
+        scene_table_make_exact(&table);
     }
     int status = select_steps(&table, argv + first_step, &error) ? check(&options, &table)
                                                                  : usage_error(error.message);

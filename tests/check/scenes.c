@@ -167,6 +167,15 @@ void scene_table_select_all(struct scene_table *table) {
     }
 }
 
+void scene_table_make_exact(struct scene_table *table) {
+    for (size_t i = 0; i < table->step_count; i++) {
+        for (size_t k = 0; k < table->steps[i].scene_count; k++) {
+            table->steps[i].scenes[k].exact = true;
+            table->steps[i].scenes[k].limit = 0;
+        }
+    }
+}
+
 void scene_table_free(struct scene_table *table) {
     for (size_t i = 0; i < table->step_count; i++) {
         free(table->steps[i].scenes);

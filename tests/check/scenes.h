@@ -48,6 +48,9 @@ bool scene_table_select(struct scene_table *table, const char *step, struct erro
 /* Select every step. */
 void scene_table_select_all(struct scene_table *table);
 
+/* Demand of every scene that every pixel is equal. */
+void scene_table_make_exact(struct scene_table *table);
+
 /* Free the table and leave it empty. */
 void scene_table_free(struct scene_table *table);
 

@@ -192,6 +192,7 @@ static bool set_up(void) {
         fprintf(stderr, "%s: %s\n", check.text, strerror(errno));
         return false;
     }
+    setenv("CHECK_EXACT", "0", 1); /* .ci/run sets it */
     mkdir(inside("tmp").text, 0777);
     mkdir(inside("reference").text, 0777);
     if (!write_references()) {
@@ -421,6 +422,22 @@ static void test_status_of_passed_and_failed(void) {
     bytes_free(&output);
 }
 
+/* Where every picture must be exact, one that is right within its limit fails. */
+static void test_exact_is_demanded(void) {
+    struct bytes output;
+    setenv("CHECK_EXACT", "1", 1);
+    CHECK(run_check("01 02", &output) == 1);
+    setenv("CHECK_EXACT", "0", 1);
+    CHECK_TEXT(line_of(&output, "step01_exact").text, "PASS 2/2 exact");
+    CHECK(strncmp(line_of(&output, "step02_shifted").text, "FAIL 0/1 depth: ", 16) == 0);
+    CHECK(contains(&output, "(must be exact)"));
+    bytes_free(&output);
+    setenv("CHECK_EXACT", "yes", 1);
+    CHECK(run_check("01", &output) == 2);
+    setenv("CHECK_EXACT", "0", 1);
+    bytes_free(&output);
+}
+
 /* A program of an earlier build must not be checked instead of one that does not build. */
 static void test_old_program_is_not_used(void) {
     char command[3 * PATH_LIMIT];
@@ -590,6 +607,7 @@ static const struct unit_test tests[] = {
     TEST(test_nothing_survives),
     TEST(test_temporary_directories_are_removed),
     TEST(test_status_of_passed_and_failed),
+    TEST(test_exact_is_demanded),
     TEST(test_old_program_is_not_used),
     TEST(test_references_are_not_changed),
     TEST(test_wrong_usage),

@@ -157,6 +157,47 @@ static bool lesson_line_is_exact(const void *tried) {
     return is_exact(&drawn, c);
 }
 
+/* ---- Lesson 2: the same on images of any size, of which a line may have little inside ---- */
+
+struct cut_case {
+    struct line_case line;
+    int width, height;
+};
+
+static void make_cut(struct random *random, uint64_t index, void *made) {
+    struct cut_case *c = made;
+    make_line(random, random_bits(random), &c->line);
+    c->width = index % 8 == 0 ? 1 : (int)random_between(random, 1, WIDTH);
+    c->height = index % 8 <= 1 ? 1 : (int)random_between(random, 1, HEIGHT);
+}
+
+/* It must also tell how many pixels it drew. */
+static bool cut_is_exact(const void *tried) {
+    const struct cut_case *c = tried;
+    uint8_t pixels[HEIGHT * WIDTH] = {0};
+    struct image image = {(size_t)c->width, (size_t)c->height, IMAGE_GREY, pixels};
+    uint64_t told = lesson02_line(&image, c->line.a, c->line.b, color_grey(1)), wanted = 0;
+    for (int i = 0; i < c->width * c->height; i++) {
+        struct pixel p = {i % c->width, i / c->width};
+        bool has = oracle_line_has(c->line.a, c->line.b, p);
+        wanted += has;
+        if (pixels[i] != has) {
+            return false;
+        }
+    }
+    return told == wanted;
+}
+
+static bool shrink_cut(const void *failing, unsigned attempt, void *smaller) {
+    return shrink_line(failing, attempt, &((struct cut_case *)smaller)->line);
+}
+
+static void print_cut(const void *failing) {
+    const struct cut_case *c = failing;
+    printf("    size %d %d\n    line %d %d %d %d 255 255 255\n", c->width, c->height, c->line.a.x,
+           c->line.a.y, c->line.b.x, c->line.b.y);
+}
+
 const struct property line_properties[] = {
     {.name = "line: nearest pixels",
      .against = AGAINST_INTEGERS,
@@ -182,5 +223,13 @@ const struct property line_properties[] = {
      .holds = lesson_line_is_exact,
      .shrink = shrink_line,
      .print = print_line},
+    {.name = "line: lesson 2, cut to the image",
+     .against = AGAINST_INTEGERS,
+     .cases = 500000,
+     .case_size = sizeof(struct cut_case),
+     .make = make_cut,
+     .holds = cut_is_exact,
+     .shrink = shrink_cut,
+     .print = print_cut},
     {.name = NULL},
 };

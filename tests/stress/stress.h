@@ -54,6 +54,16 @@ struct property {
     double (*error)(const void *tried);
 };
 
+/* ---- Triangles of any kind on a small screen ---- */
+
+enum { SCREEN_WIDTH = 12, SCREEN_HEIGHT = 9 }; /* pixels */
+
+/* Slivers, points and lines, triangles smaller than a pixel and as far out as is allowed; corners
+ * and edges on pixel centres. `index` chooses the kind: each 32 of them have all. */
+void random_triangle(struct random *random, uint64_t index, struct fixed2 corner[3]);
+
+/* ---- Properties ---- */
+
 /* Tables that end with a property without a name. */
 extern const struct property line_properties[];
 extern const struct property triangle_properties[];
@@ -61,5 +71,13 @@ extern const struct property mesh_properties[];
 extern const struct property pipeline_properties[];
 extern const struct property camera_properties[];
 extern const struct property texture_properties[];
+extern const struct property lesson02_properties[];
+extern const struct property lesson04_properties[];
+extern const struct property lesson05_properties[];
+extern const struct property lesson06_properties[];
+extern const struct property lesson07_properties[];
+extern const struct property lesson08_properties[];
+extern const struct property lesson09_properties[];
+extern const struct property lesson10_properties[];
 
 #endif

@@ -5,7 +5,7 @@
 
 #include <stdio.h>
 
-enum { WIDTH = 12, HEIGHT = 9 }; /* pixels of the image that the triangles lie around */
+enum { WIDTH = SCREEN_WIDTH, HEIGHT = SCREEN_HEIGHT };
 
 static const int32_t limit = SCREEN_LIMIT * SUBPIXELS;
 
@@ -39,9 +39,8 @@ static struct fixed2 beside_segment(struct random *random, struct fixed2 a, stru
                                                   : y)};
 }
 
-static void make_triangle(struct random *random, uint64_t index, void *made) {
+void random_triangle(struct random *random, uint64_t index, struct fixed2 c[3]) {
     static const int64_t reaches[] = {0, 512, 20000, 5000000};
-    struct fixed2 *c = ((struct triangle_case *)made)->corner;
     int64_t reach = reaches[index / 8 % 4];
     switch (index % 8) {
     case 0: /* anywhere */
@@ -98,6 +97,10 @@ static void make_triangle(struct random *random, uint64_t index, void *made) {
     }
 }
 
+static void make_triangle(struct random *random, uint64_t index, void *made) {
+    random_triangle(random, index, ((struct triangle_case *)made)->corner);
+}
+
 static bool shrink_triangle(const void *failing, unsigned attempt, void *smaller) {
     struct fixed2 *c = ((struct triangle_case *)smaller)->corner;
     (void)failing;
@@ -144,17 +147,26 @@ static bool triangle_is_exact(const void *tried) {
     return true;
 }
 
-static bool lesson_triangle_is_exact(const void *tried) {
-    const struct fixed2 *c = ((const struct triangle_case *)tried)->corner;
+typedef void draw_triangle(struct image *image, const struct fixed2 corner[3], struct color color);
+
+static bool draws_exactly(const struct fixed2 c[3], draw_triangle *draw) {
     uint8_t pixels[HEIGHT * WIDTH * 3] = {0};
     struct image image = {WIDTH, HEIGHT, IMAGE_BGR, pixels};
-    lesson03_triangle(&image, c, color_grey(255));
+    draw(&image, c, color_grey(255));
     for (int i = 0; i < WIDTH * HEIGHT; i++) {
         if ((pixels[3 * i] != 0) != oracle_covers(c[0], c[1], c[2], i % WIDTH, i / WIDTH)) {
             return false;
         }
     }
     return true;
+}
+
+static bool lesson03_is_exact(const void *tried) {
+    return draws_exactly(((const struct triangle_case *)tried)->corner, lesson03_triangle);
+}
+
+static bool lesson04_is_exact(const void *tried) {
+    return draws_exactly(((const struct triangle_case *)tried)->corner, lesson04_triangle);
 }
 
 /* The weights at every covered pixel: none negative, sum 1. */
@@ -303,7 +315,15 @@ const struct property triangle_properties[] = {
      .cases = 200000,
      .case_size = sizeof(struct triangle_case),
      .make = make_triangle,
-     .holds = lesson_triangle_is_exact,
+     .holds = lesson03_is_exact,
+     .shrink = shrink_triangle,
+     .print = print_triangle},
+    {.name = "triangle: lesson 4, exact coverage",
+     .against = AGAINST_INTEGERS,
+     .cases = 200000,
+     .case_size = sizeof(struct triangle_case),
+     .make = make_triangle,
+     .holds = lesson04_is_exact,
      .shrink = shrink_triangle,
      .print = print_triangle},
     {.name = "triangle: weights",

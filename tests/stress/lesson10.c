@@ -1,0 +1,326 @@
+/* Step 10: powers, mirrored light, the sum of the three parts, and its six fragment functions. */
+#define main step10_main
+int step10_main(int argc, char **argv);
+#include "../../step10_phong/main.c"
+#undef main
+
+#include "lessons.h"
+#include "stress.h"
+
+#include <stdio.h>
+
+enum { MOST_POWER = 80 };
+
+/* ---- Powers ---- */
+
+struct power_case {
+    double base;
+    int power;
+};
+
+static void make_power(struct random *random, uint64_t index, void *made) {
+    static const double special[] = {0, 1, -1, 0.5, 1e-200, -0.0};
+    struct power_case *c = made;
+    c->base = index % 8 == 0 ? special[random_bits(random) % 6] : random_real(random, -1, 1);
+    c->power = (int)(index / 8 % (MOST_POWER + 1));
+}
+
+static long double exact_power(long double base, int power) {
+    long double product = 1;
+    for (int i = 0; i < power; i++) {
+        product *= base;
+    }
+    return product;
+}
+
+/* In ulp for each factor. */
+static double power_error(const void *tried) {
+    const struct power_case *c = tried;
+    long double exact = exact_power(c->base, c->power);
+    long double error = fabsl(exact - (long double)integer_power(c->base, c->power));
+    if (error <= 0x1p-1022L) {
+        return 0; /* too small for full precision */
+    }
+    return (double)(error / (fabsl(exact) * (1 + c->power))) * 0x1p52;
+}
+
+static bool power_is_right(const void *tried) {
+    return power_error(tried) <= 1;
+}
+
+static void print_power(const void *failing) {
+    const struct power_case *c = failing;
+    printf("    %.17g to the power of %d\n", c->base, c->power);
+}
+
+/* ---- Light ---- */
+
+struct phong_case {
+    struct mesh_data mesh;
+    struct vec3 normal, to_light, eye, position;
+    struct material material;
+    struct picture_data diffuse, normal_map, specular;
+    size_t diffuse_level, normal_level, specular_level;
+    struct vec2 uv;
+    double turns;
+};
+
+static void make_phong(struct random *random, uint64_t index, void *made) {
+    struct phong_case *c = made;
+    for (int i = 0; i < 3; i++) {
+        mesh_set(c->mesh.position[i], random_vector(random, 2));
+        mesh_set(c->mesh.normal[i], random_vector(random, index % 2 ? 1 : 60));
+        c->mesh.uv[i][0] = (float)random_real(random, -1, 2);
+        c->mesh.uv[i][1] = (float)random_real(random, -1, 2);
+    }
+    c->normal = vec3_scale(random_direction(random), random_real(random, 0.5, 1));
+    c->to_light = random_direction(random);
+    c->position = random_vector(random, 1);
+    c->eye = random_vector(random, 3);
+    if (index % 2) { /* look into the mirrored light */
+        struct vec3 n = vec3_normalized(c->normal), l = c->to_light;
+        struct vec3 r = vec3_sub(vec3_scale(n, 2 * vec3_dot(n, l)), l);
+        c->eye = vec3_add(vec3_add(c->position, vec3_scale(r, 5)), random_vector(random, 1));
+    }
+    c->material =
+        (struct material){.ambient = random_real(random, 0, 0.3),
+                          .diffuse = random_real(random, 0, 1),
+                          .specular = random_real(random, 0, 1),
+                          .power = (int)random_between(random, 0, MOST_POWER),
+                          .color = {random_real(random, 0, 255), random_real(random, 0, 255),
+                                    random_real(random, 0, 255), 255}};
+    make_picture(random, &c->diffuse);
+    make_picture(random, &c->normal_map);
+    make_picture(random, &c->specular);
+    c->diffuse_level = (size_t)random_between(random, 0, PICTURE_LEVELS - 1);
+    c->normal_level = (size_t)random_between(random, 0, PICTURE_LEVELS - 1);
+    c->specular_level = (size_t)random_between(random, 0, PICTURE_LEVELS - 1);
+    c->uv = (struct vec2){random_real(random, -0.2, 1.2), random_real(random, -0.2, 1.2)};
+    c->turns =
+        index % 4 == 0 ? (double)random_between(random, 0, 8) / 8 : random_real(random, 0, 1);
+}
+
+/* <r,e>, with r the mirrored light and e the direction to the eye; n, l, e of length 1. */
+static long double exact_mirrored(struct real3 n, struct real3 l, struct real3 e) {
+    return 2 * real3_dot(n, l) * real3_dot(n, e) - real3_dot(l, e);
+}
+
+/* In ulp of 1. */
+static double mirror_error(const void *tried) {
+    const struct phong_case *c = tried;
+    struct vec3 n = vec3_normalized(c->normal);
+    struct real3 got = real3_from(reflect(n, c->to_light)), l = real3_from(c->to_light);
+    struct real3 exact = real3_sub(real3_scale(real3_from(n), 2 * real3_dot(real3_from(n), l)), l);
+    return (double)real3_length(real3_sub(got, exact)) * 0x1p52;
+}
+
+static bool mirror_is_right(const void *tried) {
+    return mirror_error(tried) <= 4;
+}
+
+/* Along the surface or across the mirrored light rounding decides what shines. */
+static bool is_undecided(struct real3 n, struct real3 l, struct real3 e) {
+    return fabsl(real3_dot(n, l)) < 1e-13L || fabsl(exact_mirrored(n, l, e)) < 1e-13L;
+}
+
+/* Diffuse and specular intensity. */
+struct real_light {
+    long double diffuse, specular;
+};
+
+static struct real_light exact_light(struct real3 n, struct real3 l, struct real3 e, int power) {
+    long double diffuse = real3_dot(n, l), mirrored = exact_mirrored(n, l, e);
+    if (diffuse <= 0) {
+        return (struct real_light){0, 0};
+    }
+    return (struct real_light){diffuse, exact_power(mirrored > 0 ? mirrored : 0, power)};
+}
+
+/* In ulp of 1; the specular part for each factor. */
+static double light_error(const void *tried) {
+    const struct phong_case *c = tried;
+    struct vec3 n = vec3_normalized(c->normal);
+    struct vec3 e = vec3_normalized(vec3_sub(c->eye, c->position));
+    struct real3 real_n = real3_from(n), l = real3_from(c->to_light), real_e = real3_from(e);
+    struct vec2 got = phong(n, c->to_light, e, c->material.power);
+    if (is_undecided(real_n, l, real_e)) {
+        return 0;
+    }
+    struct real_light exact = exact_light(real_n, l, real_e, c->material.power);
+    long double first = fabsl(exact.diffuse - (long double)got.x);
+    long double second = fabsl(exact.specular - (long double)got.y) / (1 + c->material.power);
+    return (double)fmaxl(first, second) * 0x1p52;
+}
+
+static bool light_is_right(const void *tried) {
+    return light_error(tried) <= 8;
+}
+
+/* (sin a, 0, cos a) */
+static bool turn_is_right(const void *tried) {
+    double turns = ((const struct phong_case *)tried)->turns;
+    struct vec3 got = turning_light(turns);
+    long double angle = 2 * acosl(-1) * (long double)turns;
+    return fabsl(sinl(angle) - (long double)got.x) <= 0x1p-51L && got.y == 0 &&
+           fabsl(cosl(angle) - (long double)got.z) <= 0x1p-51L;
+}
+
+/* ---- At the corners ---- */
+
+/* Position, texture coordinates, normal of length 1. */
+static bool corners_are_right(const void *tried) {
+    struct phong_case c = *(const struct phong_case *)tried;
+    struct mesh mesh;
+    mesh_from(&mesh, &c.mesh, 1);
+    const struct uniforms u = {.model = &mesh.model};
+    for (size_t i = 0; i < 3; i++) {
+        double without[8] = {0}, v[8] = {0};
+        vertex(&u, 0, i, without);
+        vertex_with_normal(&u, 0, i, v);
+        struct real3 p = mesh_get(c.mesh.position[i]), n = real3_unit(mesh_get(c.mesh.normal[i]));
+        const long double exact[8] = {
+            p.x, p.y, p.z, (long double)c.mesh.uv[i][0], (long double)c.mesh.uv[i][1],
+            n.x, n.y, n.z};
+        for (int k = 0; k < 8; k++) {
+            if (!(fabsl(exact[k] - (long double)v[k]) <= (k < 5 ? 0 : 0x1p-51L)) ||
+                (k < 5 && without[k] != v[k])) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+/* ---- At the pixels ---- */
+
+struct pictures {
+    struct texture diffuse, normal_map, specular;
+};
+
+/* What a fragment function reads, and how. */
+struct fragment {
+    bool (*draw)(const void *uniforms, const double *varyings, struct color *color);
+    bool mapped;   /* the normal comes from the map */
+    bool textured; /* the colour comes from the texture */
+    bool weight_from_map,
+        power_from_map; /* so does the weight, or the power, of the mirrored part */
+};
+
+static const struct fragment fragments[] = {
+    {plain_fragment, false, false, false, false},   {mapped_fragment, true, false, false, false},
+    {textured_fragment, false, true, false, false}, {full_fragment, true, true, false, false},
+    {weight_map_fragment, true, true, true, false}, {power_map_fragment, true, true, false, true},
+};
+
+static bool fragment_is_right(const struct phong_case *c, const struct pictures *pictures,
+                              const struct fragment *f) {
+    const struct uniforms u = {.diffuse = &pictures->diffuse,
+                               .normal_map = &pictures->normal_map,
+                               .specular = &pictures->specular,
+                               .diffuse_level = c->diffuse_level,
+                               .normal_level = c->normal_level,
+                               .specular_level = c->specular_level,
+                               .eye = c->eye,
+                               .to_light = c->to_light,
+                               .material = c->material};
+    const double varyings[8] = {c->position.x, c->position.y, c->position.z, c->uv.x,
+                                c->uv.y,       c->normal.x,   c->normal.y,   c->normal.z};
+    struct color color;
+    bool drawn = f->draw(&u, varyings, &color);
+    struct real3 n = f->mapped ? exact_normal(&pictures->normal_map, c->normal_level, c->uv)
+                               : real3_unit(real3_from(c->normal));
+    struct real3 l = real3_from(c->to_light);
+    struct real3 e = real3_unit(real3_sub(real3_from(c->eye), real3_from(c->position)));
+    struct real3 surface = {c->material.color.x, c->material.color.y, c->material.color.z};
+    surface = f->textured ? exact_color(&pictures->diffuse, c->diffuse_level, c->uv) : surface;
+    long double shine = exact_color(&pictures->specular, c->specular_level, c->uv).x;
+    long double weight = c->material.specular * (f->weight_from_map ? shine / 255 : 1);
+    int power = f->power_from_map ? 1 + (int)shine / 8 : c->material.power;
+    /* On the border of two powers rounding decides. */
+    bool undecided = is_undecided(n, l, e) || fabsl(shine / 8 - roundl(shine / 8)) < 1e-13L;
+    struct real_light light = exact_light(n, l, e, power);
+    long double scattered = c->material.ambient + c->material.diffuse * light.diffuse;
+    long double mirrored = 255 * weight * light.specular;
+    struct real3 exact = real3_scale(surface, scattered);
+    exact = real3_add(exact, (struct real3){1, 1, 1}, mirrored);
+    return drawn && (undecided || color_is_right(color, exact));
+}
+
+static bool pixels_are_right(const void *tried) {
+    const struct phong_case *c = tried;
+    struct pictures pictures = {.diffuse = {0}};
+    bool right = texture_of_picture(&c->diffuse, &pictures.diffuse) &&
+                 texture_of_picture(&c->normal_map, &pictures.normal_map) &&
+                 texture_of_picture(&c->specular, &pictures.specular);
+    for (size_t i = 0; right && i < sizeof fragments / sizeof fragments[0]; i++) {
+        right = fragment_is_right(c, &pictures, &fragments[i]);
+    }
+    texture_free(&pictures.diffuse);
+    texture_free(&pictures.normal_map);
+    texture_free(&pictures.specular);
+    return right;
+}
+
+static void print_phong(const void *failing) {
+    const struct phong_case *c = failing;
+    const struct vec3 v[] = {c->normal, c->to_light, c->eye, c->position};
+    static const char *const names[] = {"normal", "to light", "eye", "position"};
+    for (int i = 0; i < 4; i++) {
+        printf("    %s %.17g %.17g %.17g\n", names[i], v[i].x, v[i].y, v[i].z);
+    }
+    printf("    weights %.17g %.17g %.17g, power %d, uv %.17g %.17g, turns %.17g\n",
+           c->material.ambient, c->material.diffuse, c->material.specular, c->material.power,
+           c->uv.x, c->uv.y, c->turns);
+}
+
+const struct property lesson10_properties[] = {
+    {.name = "lesson10: whole powers",
+     .against = AGAINST_LONG_DOUBLE,
+     .cases = 300000,
+     .case_size = sizeof(struct power_case),
+     .make = make_power,
+     .holds = power_is_right,
+     .print = print_power,
+     .error_unit = "ulp a factor",
+     .error = power_error},
+    {.name = "lesson10: the mirrored light",
+     .against = AGAINST_LONG_DOUBLE,
+     .cases = 100000,
+     .case_size = sizeof(struct phong_case),
+     .make = make_phong,
+     .holds = mirror_is_right,
+     .print = print_phong,
+     .error_unit = "ulp of 1",
+     .error = mirror_error},
+    {.name = "lesson10: diffuse and specular",
+     .against = AGAINST_LONG_DOUBLE,
+     .cases = 200000,
+     .case_size = sizeof(struct phong_case),
+     .make = make_phong,
+     .holds = light_is_right,
+     .print = print_phong,
+     .error_unit = "ulp of 1 a factor",
+     .error = light_error},
+    {.name = "lesson10: the turning light",
+     .against = AGAINST_LONG_DOUBLE,
+     .cases = 50000,
+     .case_size = sizeof(struct phong_case),
+     .make = make_phong,
+     .holds = turn_is_right,
+     .print = print_phong},
+    {.name = "lesson10: at the corners",
+     .against = AGAINST_LONG_DOUBLE,
+     .cases = 100000,
+     .case_size = sizeof(struct phong_case),
+     .make = make_phong,
+     .holds = corners_are_right,
+     .print = print_phong},
+    {.name = "lesson10: at the pixels",
+     .against = AGAINST_LONG_DOUBLE,
+     .cases = 200000,
+     .case_size = sizeof(struct phong_case),
+     .make = make_phong,
+     .holds = pixels_are_right,
+     .print = print_phong},
+    {.name = NULL},
+};
