@@ -2,10 +2,31 @@
 #
 #   awk -v directory=DIR -v only=PATTERN -f parse.awk LIST.txt...
 #
-# Prints, with tabs between: number, name, source file, test. DIR/NUMBER is the source file with the
-# mutation. A text that does not occur exactly once in the source, or a line that means nothing, is
-# reported on standard error with file and line; then the exit status is 1. README.md beside this
-# file says what a list looks like.
+# A list has paragraphs, with empty lines between them, and comments like this one:
+#
+#   file common/geometry.c
+#   test_geometry
+#
+#   mutant dot_sign
+#   - a.x * b.x + a.y * b.y
+#   + a.x * b.x - a.y * b.y
+#
+# The text after `- ` stands exactly once in the file (in several lines, each after `- `); that
+# after `+ ` takes its place. The test that must notice is
+#
+#   test_NAME              a unit test, built without sanitizers
+#   sanitized test_NAME    the same with them
+#   NAME.sh                a script of tests/unit
+#   stress SHARE PROPERTY  as STRESS=SHARE make stress PROPERTY=...
+#   check NN               the pictures of a lesson must all be exact
+#   equivalent: REASON     none can: nothing that is promised changes
+#   awaits: WHAT           none does yet
+#
+# `file` and a test hold for all mutants that follow, or within a mutant's paragraph for it alone.
+#
+# Prints, with tabs between: number, LIST/NAME, source file, test. DIR/NUMBER is the source file with
+# the mutation. What is wrong with a list is reported on standard error with file and line; then the
+# exit status is 1.
 
 function wrong(line, what) {
     print FILENAME ":" line ": " what | "cat 1>&2"
@@ -26,8 +47,9 @@ function source_text(path,    line, text) {
 }
 
 function is_test(test) {
-    return test ~ /^(sanitized )?test_[a-z0-9_]+$/ || test ~ /^[a-z_]+\.sh$/ || test ~ /^check [0-9][0-9]$/ ||
-           test ~ /^stress [0-9.]+ ./ || test ~ /^equivalent: ./ || test ~ /^awaits: ./
+    return test ~ /^(sanitized )?test_[a-z0-9_]+$/ || test ~ /^[a-z_]+\.sh$/ ||
+           test ~ /^check [0-9][0-9]$/ || test ~ /^stress [0-9.]+ ./ ||
+           test ~ /^equivalent: ./ || test ~ /^awaits: ./
 }
 
 # The mutant that began at `begin` is complete.
