@@ -108,7 +108,7 @@ static void make_touched(struct polygon *p) {
         x1 = random_int(1, 30);
         y1 = random_int(1, 30);
         x2 = random_int(1, 30);
-        y2 = random_int(y1, 30);
+        y2 = random_int(y1, 31); /* 31: the hole has a side along the outline's */
     } while (x1 * (y2 - 31) - (y1 - 31) * x2 <= 0); /* the hole must go round clockwise */
     *p = (struct polygon){0};
     polygon_add(p, 0, 0);
@@ -121,6 +121,22 @@ static void make_touched(struct polygon *p) {
     polygon_add(p, 31, 0);
     polygon_add(p, 31, 31);
     polygon_add(p, 0, 31);
+}
+
+/* A rectangle with notches from above, of which many reach the lower side and touch it. */
+static void make_notched(struct polygon *p) {
+    int notches = random_int(1, 6), height = random_int(2, 40);
+    *p = (struct polygon){0};
+    polygon_add(p, 0, 0);
+    polygon_add(p, 20 * notches, 0);
+    polygon_add(p, 20 * notches, height);
+    for (int i = notches; i-- > 0;) {
+        int left = 20 * i + random_int(1, 9), right = left + random_int(1, 9);
+        polygon_add(p, right, height);
+        polygon_add(p, 20 * i + random_int(1, 19), random_int(0, 2) > 0 ? 0 : height / 2);
+        polygon_add(p, left, height);
+    }
+    polygon_add(p, 0, height);
 }
 
 /* ---- Any polygon that touches itself: triangles glued together along some of their sides ---- */
@@ -368,6 +384,8 @@ static void test_polygons(void) {
         check_polygon(&cutter, &p, true, "touching");
         make_touched(&p);
         check_polygon(&cutter, &p, true, "touched");
+        make_notched(&p);
+        check_polygon(&cutter, &p, true, "notched");
         make_glued(&p);
         check_polygon(&cutter, &p, true, "glued");
         if (make_uncrossed(&p)) {
