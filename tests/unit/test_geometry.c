@@ -458,6 +458,12 @@ static bool random_corners(struct random *random, int kind, struct fixed2 corner
 static void check_triangle(const struct fixed2 c[3], int width, int height) {
     struct edges edges;
     bool any = edges_setup(&edges, c[0], c[1], c[2], (size_t)width, (size_t)height);
+    if (any) {
+        int128 area = ((int128)c[1].x - c[0].x) * ((int128)c[2].y - c[0].y) -
+                      ((int128)c[1].y - c[0].y) * ((int128)c[2].x - c[0].x);
+        CHECK(edges.clockwise == (area < 0) && edges.area == (area < 0 ? -area : area));
+        CHECK(edges.y_begin >= 0 && edges.y_begin < edges.y_end && edges.y_end <= height);
+    }
     for (int y = 0; y < height; y++) {
         struct span span = {0, 0};
         if (any && y >= edges.y_begin && y < edges.y_end) {
@@ -510,6 +516,13 @@ static void test_triangle_special(void) {
     }
 }
 
+static void test_depth_clear(void) {
+    double depth[5] = {1, 2, NAN, -3, 0};
+    depth_clear(depth, 4);
+    CHECK(depth[0] == -INFINITY && depth[1] == -INFINITY && depth[2] == -INFINITY);
+    CHECK(depth[3] == -INFINITY && depth[4] == 0);
+}
+
 static void test_snap(void) {
     struct fixed2 f = {7, 7};
     CHECK(screen_snap((struct vec2){0.5, -0.5}, &f) && f.x == 128 && f.y == -128);
@@ -530,4 +543,4 @@ UNIT_MAIN(TEST(test_vectors), TEST(test_normalized), TEST(test_normalized_compon
           TEST(test_lookat_near_parallel), TEST(test_lookat_along_up),
           TEST(test_perpendicular_axis), TEST(test_inverse_overflow), TEST(test_projection),
           TEST(test_lines_all_small), TEST(test_lines_random), TEST(test_triangles_random),
-          TEST(test_triangle_special), TEST(test_snap))
+          TEST(test_triangle_special), TEST(test_depth_clear), TEST(test_snap))

@@ -101,14 +101,15 @@ static void make_touching(struct polygon *p) {
     polygon_add(p, x2, y2);
 }
 
-/* A square whose hole is reached from the lower side and touches the outline's last corner. */
+/* A square whose hole is reached from the lower side and touches the outline's last corner, often
+ * along a side of the outline, even the whole of it. */
 static void make_touched(struct polygon *p) {
-    int x1, y1, x2, y2;
+    int x1, y1, x2, y2, along = random_int(0, 7);
     do {
-        x1 = random_int(1, 30);
-        y1 = random_int(1, 30);
-        x2 = random_int(1, 30);
-        y2 = random_int(y1, 31); /* 31: the hole has a side along the outline's */
+        x1 = along == 1 ? 0 : random_int(1, 30);
+        y1 = along == 1 ? 0 : random_int(1, 30);
+        x2 = along == 0 ? 31 : random_int(1, 30);
+        y2 = along == 0 ? 31 : random_int(y1, 31);
     } while (x1 * (y2 - 31) - (y1 - 31) * x2 <= 0); /* the hole must go round clockwise */
     *p = (struct polygon){0};
     polygon_add(p, 0, 0);
