@@ -13,7 +13,7 @@ For a lesson, here lesson 5:
 
 For the course as a whole:
   make test                   unit tests under sanitizers, and the tests of the check
-  make stress                 hostile numbers, exact answers (STRESS=10, SEED=7, PROPERTY=line)
+  make stress                 hostile numbers, independent answers (STRESS=10, SEED=7, PROPERTY=line)
   make bench                  run time against error, a chart for each lesson (STEP=05 for one)
   make charts                 put these charts into the lessons
   make figures                draw the other pictures that the lessons show

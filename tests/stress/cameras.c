@@ -122,10 +122,6 @@ static double axes_error(const void *tried) {
     return (double)worst * 0x1p52;
 }
 
-static bool axes_are_right(const void *tried) {
-    return axes_error(tried) <= 4;
-}
-
 /* The center becomes the origin, as nearly as its products with the axes can be added. */
 static bool center_is_the_origin(const struct mat4 *view, struct vec3 center) {
     for (int row = 0; row < 3; row++) {
@@ -200,8 +196,8 @@ static bool camera_draws_finite_pixels(const void *tried) {
 static bool camera_is_sound(const void *tried) {
     const struct camera_case *c = tried;
     struct mat4 view = mat4_lookat(c->eye, c->center, c->up);
-    return orthonormality_error(tried) <= 4 && is_right_handed(&view) &&
-           center_is_the_origin(&view, c->center) && camera_draws_finite_pixels(tried);
+    return is_right_handed(&view) && center_is_the_origin(&view, c->center) &&
+           camera_draws_finite_pixels(tried);
 }
 
 static void print_camera(const void *failing) {
@@ -247,10 +243,6 @@ static double viewport_error(const void *tried) {
     double error =
         (double)fmaxl(fabsl((long double)screen.x - x), fabsl((long double)screen.y - y));
     return screen.z == c->ndc.z && screen.w == 1 ? error * SUBPIXELS : (double)INFINITY;
-}
-
-static bool viewport_is_right(const void *tried) {
-    return viewport_error(tried) <= 1e-6;
 }
 
 static void print_viewport(const void *failing) {
@@ -309,10 +301,6 @@ static double inverse_error(const void *tried) {
     return (double)(oracle_inverse_residual(a, &inverse) / (condition * 0x1p-53L));
 }
 
-static bool inverse_is_accurate(const void *tried) {
-    return inverse_error(tried) <= 16;
-}
-
 static void print_matrix(const void *failing) {
     const struct mat4 *a = &((const struct matrix_case *)failing)->a;
     for (int row = 0; row < 4; row++) {
@@ -361,10 +349,6 @@ static double whole_inverse_error(const void *tried) {
     return (double)(worst / (0x1p-53L * row_norm(a) * row_norm(&inverse) * largest));
 }
 
-static bool whole_inverse_is_accurate(const void *tried) {
-    return whole_inverse_error(tried) <= 4;
-}
-
 static bool singular_is_reported(const void *tried) {
     const struct mat4 *a = &((const struct matrix_case *)tried)->a;
     int64_t whole[4][4];
@@ -395,10 +379,9 @@ static double length_error(const void *tried) {
     return (double)fabsl(sqrtl(squared) - (zero ? 0 : 1)) * 0x1p52;
 }
 
-static bool normalized_is_right(const void *tried) {
+static bool keeps_signs(const void *tried) {
     struct vec3 v = ((const struct vector_case *)tried)->v, n = vec3_normalized(v);
-    bool same_signs = n.x * v.x >= 0 && n.y * v.y >= 0 && n.z * v.z >= 0;
-    return length_error(tried) <= 2 && same_signs;
+    return n.x * v.x >= 0 && n.y * v.y >= 0 && n.z * v.z >= 0;
 }
 
 static double direction_error(const void *tried) {
@@ -409,10 +392,6 @@ static double direction_error(const void *tried) {
     return (double)fmaxl(fabsl((long double)d.x - cosl(angle)),
                          fabsl((long double)d.y - sinl(angle))) *
            0x1p52;
-}
-
-static bool direction_is_right(const void *tried) {
-    return direction_error(tried) <= 2;
 }
 
 static void print_vector(const void *failing) {
@@ -429,43 +408,44 @@ const struct property camera_properties[] = {
      .holds = camera_is_sound,
      .print = print_camera,
      .error_unit = "ulp of 1",
-     .error = orthonormality_error},
+     .error = orthonormality_error,
+     .limit = 4},
     {.name = "camera: axes",
      .against = AGAINST_LONG_DOUBLE,
      .cases = 300000,
      .case_size = sizeof(struct camera_case),
      .make = make_camera,
-     .holds = axes_are_right,
      .print = print_camera,
      .error_unit = "ulp of 1",
-     .error = axes_error},
+     .error = axes_error,
+     .limit = 4},
     {.name = "viewport: NDC to pixels",
      .against = AGAINST_LONG_DOUBLE,
      .cases = 300000,
      .case_size = sizeof(struct viewport_case),
      .make = make_viewport,
-     .holds = viewport_is_right,
      .print = print_viewport,
      .error_unit = "1/256 pixel",
-     .error = viewport_error},
+     .error = viewport_error,
+     .limit = 1e-6},
     {.name = "matrix: inverse, any numbers",
      .against = AGAINST_LONG_DOUBLE,
      .cases = 1000000,
      .case_size = sizeof(struct matrix_case),
      .make = make_matrix,
-     .holds = inverse_is_accurate,
      .print = print_matrix,
      .error_unit = "eps * condition",
-     .error = inverse_error},
+     .error = inverse_error,
+     .limit = 16},
     {.name = "matrix: inverse, whole numbers",
      .against = AGAINST_FRACTIONS,
      .cases = 300000,
      .case_size = sizeof(struct matrix_case),
      .make = make_whole_matrix,
-     .holds = whole_inverse_is_accurate,
      .print = print_matrix,
      .error_unit = "eps * condition * entry",
-     .error = whole_inverse_error},
+     .error = whole_inverse_error,
+     .limit = 4},
     {.name = "matrix: singular is reported",
      .against = AGAINST_INTEGERS,
      .cases = 500000,
@@ -478,18 +458,19 @@ const struct property camera_properties[] = {
      .cases = 1000000,
      .case_size = sizeof(struct vector_case),
      .make = make_vector,
-     .holds = normalized_is_right,
+     .holds = keeps_signs,
      .print = print_vector,
      .error_unit = "ulp of 1",
-     .error = length_error},
+     .error = length_error,
+     .limit = 2},
     {.name = "vector: direction of a turn",
      .against = AGAINST_LONG_DOUBLE,
      .cases = 500000,
      .case_size = sizeof(struct vector_case),
      .make = make_vector,
-     .holds = direction_is_right,
      .print = print_vector,
      .error_unit = "ulp of 1",
-     .error = direction_error},
+     .error = direction_error,
+     .limit = 2},
     {.name = NULL},
 };

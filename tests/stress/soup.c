@@ -75,13 +75,11 @@ static struct vec2 ndc_place(const struct soup *soup, struct random *random) {
     return (struct vec2){x, y};
 }
 
-static void choose_position(const struct soup *soup, struct random *random, float position[3]) {
+static struct vec3 choose_position(const struct soup *soup, struct random *random) {
     if (soup->kind == SOUP_CAMERA) {
         static const double reaches[] = {2, 6, 6, 60, 300};
         double reach = reaches[random_bits(random) % 5];
-        struct vec3 p = vec3_add(soup->center, any_place(random, reach));
-        position[0] = (float)p.x, position[1] = (float)p.y, position[2] = (float)p.z;
-        return;
+        return vec3_add(soup->center, any_place(random, reach));
     }
     struct vec2 ndc = ndc_place(soup, random);
     double w = (double)random_between(random, 8, 64) / 16;
@@ -89,19 +87,15 @@ static void choose_position(const struct soup *soup, struct random *random, floa
         w = ldexp(random_real(random, 1, 2), (int)random_between(random, -6, 9));
     }
     double step = soup->kind == SOUP_WHOLE ? 0x1p-12 : 0x1p-40;
-    position[0] = (float)(floor(ndc.x * w / step) * step);
-    position[1] = (float)(floor(ndc.y * w / step) * step);
-    position[2] = (float)w;
+    return (struct vec3){floor(ndc.x * w / step) * step, floor(ndc.y * w / step) * step, w};
 }
 
-/* A face whose corners all lie in the strip beside one side. */
-static void move_beside_side(const struct soup *soup, struct random *random, float (*corners)[3]) {
-    int axis = soup->kind == SOUP_WIDE ? 0 : 1;
-    double side = random_bits(random) % 2 ? 1 : -1;
-    for (int i = 0; i < 3; i++) {
-        double ndc = side * random_real(random, 0.97, 1.2);
-        corners[i][axis] = (float)(ndc * (double)corners[i][2]);
-    }
+/* A position in the strip along a side (1 or -1), at most 2 % inside it. */
+static struct vec3 moved_beside(const struct soup *soup, struct random *random,
+                                struct vec3 position, double side) {
+    double place = side * random_real(random, 0.985, 1.03) * position.z;
+    struct vec3 wide = {place, position.y, position.z}, high = {position.x, place, position.z};
+    return soup->kind == SOUP_WIDE ? wide : high;
 }
 
 /* ---- What is seen of a face ---- */
@@ -111,12 +105,12 @@ struct homogeneous {
     long double at[4];
 };
 
-static struct homogeneous to_clip(const struct soup *soup, const float position[3]) {
+static struct homogeneous to_clip(const struct soup *soup, struct vec3 position) {
     struct homogeneous clip;
     for (int row = 0; row < 4; row++) {
         const long double *m = soup->exact_to_clip[row];
-        clip.at[row] = m[0] * (long double)position[0] + m[1] * (long double)position[1] +
-                       m[2] * (long double)position[2] + m[3];
+        clip.at[row] = m[0] * (long double)position.x + m[1] * (long double)position.y +
+                       m[2] * (long double)position.z + m[3];
     }
     return clip;
 }
@@ -275,7 +269,7 @@ static bool see_face(const struct soup *soup, size_t face, struct soup_polygon *
     struct homogeneous corner[3];
     struct found_corner found[SOUP_POLYGON_LIMIT];
     for (size_t i = 0; i < 3; i++) {
-        corner[i] = to_clip(soup, soup->positions[3 * face + i]);
+        corner[i] = to_clip(soup, model_position(&soup->model, face, i));
     }
     if (!find_polygon(corner, found, &polygon->count)) {
         return false;
@@ -294,20 +288,29 @@ static bool see_face(const struct soup *soup, size_t face, struct soup_polygon *
 
 /* ---- Soups ---- */
 
+static void set_position(struct soup *soup, size_t index, struct vec3 position) {
+    float *to = soup->positions[index];
+    to[0] = (float)position.x, to[1] = (float)position.y, to[2] = (float)position.z;
+}
+
+static void choose_corners(struct soup *soup, struct random *random, size_t face) {
+    bool beside = soup->kind >= SOUP_WIDE && random_bits(random) % 2 == 0;
+    double side = random_bits(random) % 2 ? 1 : -1;
+    for (size_t i = 0; i < 3; i++) {
+        struct vec3 position = choose_position(soup, random);
+        set_position(soup, 3 * face + i,
+                     beside ? moved_beside(soup, random, position, side) : position);
+    }
+}
+
 static void make_face(struct soup *soup, struct random *random, size_t face) {
-    float(*corners)[3] = &soup->positions[3 * face];
     for (size_t i = 0; i < 3; i++) {
         soup->faces[face].corner[i] =
             (struct corner){(uint32_t)(3 * face + i), MODEL_NONE, MODEL_NONE};
         soup->value[3 * face + i] = random_real(random, 0, 1);
     }
     do {
-        for (size_t i = 0; i < 3; i++) {
-            choose_position(soup, random, corners[i]);
-        }
-        if (soup->kind >= SOUP_WIDE && random_bits(random) % 4 == 0) {
-            move_beside_side(soup, random, corners);
-        }
+        choose_corners(soup, random, face);
     } while (!see_face(soup, face, &soup->polygons[face]));
 }
 
@@ -404,9 +407,8 @@ void soup_print(const struct soup *soup) {
         printf("    # to clip space: %.17g %.17g %.17g %.17g\n", m[0], m[1], m[2], m[3]);
     }
     for (size_t i = 0; i < soup->model.position_count; i++) {
-        const float *p = soup->positions[i];
-        printf("    v %.9g %.9g %.9g # value %.17g\n", (double)p[0], (double)p[1], (double)p[2],
-               soup->value[i]);
+        struct vec3 p = model_position(&soup->model, i / 3, i % 3);
+        printf("    v %.9g %.9g %.9g # value %.17g\n", p.x, p.y, p.z, soup->value[i]);
     }
     for (size_t i = 1; i <= soup->model.face_count; i++) {
         printf("    f %zu %zu %zu\n", 3 * i - 2, 3 * i - 1, 3 * i);

@@ -49,11 +49,13 @@ static void make_case(const struct property *property, uint64_t seed, uint64_t i
 }
 
 static bool try_case(const struct property *property, const void *tried, struct tally *tally) {
-    if (property->judge != NULL) {
-        return property->judge(tried, tally);
+    bool right = true;
+    if (property->error != NULL) {
+        tally->error = property->error(tried);
+        right = property->limit == 0 || tally->error <= property->limit;
     }
-    tally->error = property->error != NULL ? property->error(tried) : 0;
-    return property->holds(tried);
+    right = right && (property->holds == NULL || property->holds(tried));
+    return right && (property->judge == NULL || property->judge(tried, tally));
 }
 
 static bool still_fails(const struct property *property, const void *tried) {

@@ -41,17 +41,17 @@ struct property {
     uint64_t cases;   /* of a run of ordinary length */
     size_t case_size; /* bytes; a case is plain data */
     void (*make)(struct random *random, uint64_t index, void *made);
-    /* One of these two: does the property hold for this case? */
+    /* Does the property hold for this case? Any of the three that are given must say so: error() is
+     * at most `limit` (unless that is 0), holds(), and judge(), which also counts. */
+    double (*error)(const void *tried);
+    double limit;
+    const char *error_unit; /* of error(), or of judge()'s; NULL where there is none */
     bool (*holds)(const void *tried);
     bool (*judge)(const void *tried, struct tally *tally);
     /* Write the `attempt`-th idea (from 0) of a smaller case; false when there are no more ideas.
      * NULL where cases are not made smaller. */
     bool (*shrink)(const void *failing, unsigned attempt, void *smaller);
     void (*print)(const void *failing);
-    /* Unit of the greatest error, for properties that bound one: "1/256 texel". NULL else. It comes
-     * from judge(), or else from error(). */
-    const char *error_unit;
-    double (*error)(const void *tried);
 };
 
 /* ---- Triangles of any kind on a small screen ---- */

@@ -168,10 +168,6 @@ static double bilinear_error(const void *tried) {
     return fmax(lesson_error, house_error);
 }
 
-static bool bilinear_is_right(const void *tried) {
-    return bilinear_error(tried) <= 1e-10;
-}
-
 static double trilinear_error(const void *tried) {
     const struct texture_case *c = tried;
     struct texture texture;
@@ -182,10 +178,6 @@ static double trilinear_error(const void *tried) {
     double error = sample_error(got, exact_trilinear(&texture, c->u, c->v, c->mip_level));
     texture_free(&texture);
     return error;
-}
-
-static bool trilinear_is_right(const void *tried) {
-    return trilinear_error(tried) <= 1e-10;
 }
 
 static void print_texture(const void *failing) {
@@ -215,18 +207,18 @@ const struct property texture_properties[] = {
      .cases = 300000,
      .case_size = sizeof(struct texture_case),
      .make = make_texture,
-     .holds = bilinear_is_right,
      .print = print_texture,
      .error_unit = "level of 255",
-     .error = bilinear_error},
+     .error = bilinear_error,
+     .limit = 1e-10},
     {.name = "texture: mip-mapped",
      .against = AGAINST_LONG_DOUBLE,
      .cases = 300000,
      .case_size = sizeof(struct texture_case),
      .make = make_texture,
-     .holds = trilinear_is_right,
      .print = print_texture,
      .error_unit = "level of 255",
-     .error = trilinear_error},
+     .error = trilinear_error,
+     .limit = 1e-10},
     {.name = NULL},
 };

@@ -188,10 +188,6 @@ static double weight_error(const void *tried) {
     return worst * 0x1p52;
 }
 
-static bool weights_are_right(const void *tried) {
-    return weight_error(tried) <= 4;
-}
-
 /* ---- Depth ---- */
 
 struct depth_case {
@@ -331,11 +327,11 @@ const struct property triangle_properties[] = {
      .cases = 500000,
      .case_size = sizeof(struct triangle_case),
      .make = make_triangle,
-     .holds = weights_are_right,
      .shrink = shrink_triangle,
      .print = print_triangle,
      .error_unit = "ulp of 1",
-     .error = weight_error},
+     .error = weight_error,
+     .limit = 4},
     {.name = "depth: the nearer one shows",
      .against = AGAINST_FRACTIONS,
      .cases = 300000,
