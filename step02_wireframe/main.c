@@ -141,7 +141,7 @@ static struct steps steps_inside(const struct course *course, size_t width, size
     int64_t u_first = -course->u, u_last = u_size - 1 - course->u;
     first = first > u_first ? first : u_first;
     last = last < u_last ? last : u_last;
-    return (struct steps){first, last < course->run ? last : course->run};
+    return (struct steps){first, last};
 }
 
 /* END SOLUTION */

@@ -64,10 +64,6 @@ static double intensity_error(const void *tried) {
     return (double)(fabsl(exact - (long double)got) / (0x1p-53L * (sides / area + 1)));
 }
 
-static bool intensity_is_right(const void *tried) {
-    return intensity_error(tried) <= 16;
-}
-
 /* ---- From the model to the screen ---- */
 
 /* Is it the nearest 1/256 pixel? Halfway between two either is right. */
@@ -118,10 +114,10 @@ const struct property lesson04_properties[] = {
      .cases = 500000,
      .case_size = sizeof(struct face_case),
      .make = make_face,
-     .holds = intensity_is_right,
-     .print = print_face,
+     .error = intensity_error,
+     .limit = 16,
      .error_unit = "eps * sides / height",
-     .error = intensity_error},
+     .print = print_face},
     {.name = "lesson04: from model to screen",
      .against = AGAINST_LONG_DOUBLE,
      .cases = 300000,

@@ -1,4 +1,4 @@
-/* Step 6: its samplers are lent to textures.c; here its triangles, its mip level, its perspective. */
+/* Step 6: its samplers are lent to textures.c; here triangles, mip levels and perspective. */
 #define main step06_main
 int step06_main(int argc, char **argv);
 #include "../../step06_texture/main.c"
@@ -77,14 +77,13 @@ static bool may_have_color(const struct texture_case *c, int layer, int x, int y
                        layer_value(&c->layers, layer, vs, x, y), c->intensity[layer]);
 }
 
-/* Draw all; returns the work done. */
-static struct canvas draw_layers(const struct texture_case *c, bool skip, uint8_t *pixels) {
+/* Draw all; returns the work done (its depths are gone). */
+static struct canvas draw_layers(const struct texture_case *c, bool skip, struct image *image) {
     double depth[PIXELS];
     uint32_t texels[TEXELS];
     memcpy(texels, c->texels, sizeof texels);
     struct texture texture = texture_from(texels, SIDE, SIDE);
-    struct image image = {SCREEN_WIDTH, SCREEN_HEIGHT, IMAGE_BGR, pixels};
-    struct canvas canvas = {.image = &image, .depth = depth, .skip = skip};
+    struct canvas canvas = {.image = image, .depth = depth, .skip = skip};
     depth_clear(depth, PIXELS);
     for (int i = 0; i < LAYER_COUNT; i++) {
         struct vertex v[3];
@@ -100,7 +99,9 @@ static struct canvas draw_layers(const struct texture_case *c, bool skip, uint8_
 static bool textured_is_right(const void *tried) {
     const struct texture_case *c = tried;
     uint8_t pixels[3 * PIXELS] = {0}, all_pixels[3 * PIXELS] = {0};
-    struct canvas canvas = draw_layers(c, true, pixels), all = draw_layers(c, false, all_pixels);
+    struct image image = {SCREEN_WIDTH, SCREEN_HEIGHT, IMAGE_BGR, pixels};
+    struct image all_image = {SCREEN_WIDTH, SCREEN_HEIGHT, IMAGE_BGR, all_pixels};
+    struct canvas canvas = draw_layers(c, true, &image), all = draw_layers(c, false, &all_image);
     uint64_t covered = layers_pixel_count(&c->layers);
     if (memcmp(pixels, all_pixels, sizeof pixels) != 0 || all.texels_fetched != covered ||
         all.pixels_tested != covered || canvas.pixels_tested != covered ||
@@ -303,8 +304,8 @@ static bool perspective_is_right(const void *tried) {
             right = color.r == 0 && color.g == 0 && color.b == 0;
             continue;
         }
-        struct vec2 uv;
-        double level;
+        struct vec2 uv = {0, 0};
+        double level = 0;
         right = drawn && place_is_right(c, &plane, x, y, &uv, &level, &texture);
         struct vec2 part = {uv.x - floor(uv.x), uv.y - floor(uv.y)};
         struct vec4 sample = sample_trilinear(&texture, part, level);

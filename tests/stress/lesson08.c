@@ -82,10 +82,6 @@ static double lookat_error(const void *tried) {
     return last ? worst : (double)INFINITY;
 }
 
-static bool lookat_is_right(const void *tried) {
-    return lookat_error(tried) <= 8;
-}
-
 /* x, y and z are kept, and w is the part of the distance that is left. Also a parallel view. */
 static bool projection_is_right(const void *tried) {
     const struct view_case *c = tried;
@@ -268,10 +264,6 @@ static double weights_error(const void *tried) {
     return worst;
 }
 
-static bool weights_are_right(const void *tried) {
-    return weights_error(tried) <= 4;
-}
-
 static void print_weights(const void *failing) {
     const struct weights_case *c = failing;
     for (int i = 0; i < 3; i++) {
@@ -383,6 +375,122 @@ static void print_clip(const void *failing) {
     }
 }
 
+/* ---- Which sides a position is beyond ---- */
+
+struct side_case {
+    struct vec4 p;
+};
+
+/* Often exactly on a side or as near to it as doubles go. */
+static void make_side(struct random *random, uint64_t index, void *made) {
+    static const double ws[] = {0, 1.0 / 128, 1.0 / 256, 1, -1, NAN, INFINITY, 1e-300};
+    static const double parts[] = {0, 1, -1, 64, -64, 0.99, -0.99, 63, NAN, INFINITY};
+    struct vec4 *p = &((struct side_case *)made)->p;
+    p->w = index % 2 ? ws[random_bits(random) % 8] : random_real(random, -0.01, 3);
+    p->x = p->w * (random_bits(random) % 2 ? parts[random_bits(random) % 10]
+                                           : random_real(random, -70, 70));
+    p->y = p->w * (random_bits(random) % 2 ? parts[random_bits(random) % 10]
+                                           : random_real(random, -70, 70));
+    double *moved = random_bits(random) % 2 ? &p->x : &p->w;
+    *moved = index % 3 == 0 && isfinite(*moved)
+                 ? nextafter(*moved, random_bits(random) % 2 ? 1e9 : -1e9)
+                 : *moved;
+}
+
+static bool sides_are_right(const void *tried) {
+    const struct vec4 *p = &((const struct side_case *)tried)->p;
+    long double x = p->x, y = p->y, w = p->w;
+    unsigned exact = 0;
+    exact |= -w <= x ? 0 : BEYOND_LEFT;
+    exact |= w >= x ? 0 : BEYOND_RIGHT;
+    exact |= -w <= y ? 0 : BEYOND_BOTTOM;
+    exact |= w >= y ? 0 : BEYOND_TOP;
+    exact |= 128 * w >= 1 ? 0 : BEYOND_NEAR;
+    exact |= -64 * w <= x && x <= 64 * w && -64 * w <= y && y <= 64 * w ? 0 : BEYOND_GUARD_BAND;
+    return find_beyond(*p) == exact;
+}
+
+static void print_side(const void *failing) {
+    const struct vec4 *p = &((const struct side_case *)failing)->p;
+    printf("    clip x %.17g y %.17g w %.17g\n", p->x, p->y, p->w);
+}
+
+/* ---- A face around the view, all of whose corners are beyond the guard band ---- */
+
+struct around_case {
+    struct mesh_data mesh;
+};
+
+static void make_around(struct random *random, uint64_t index, void *made) {
+    struct around_case *c = made;
+    double first = random_real(random, 0, 1);
+    for (int i = 0; i < 3; i++) { /* about a third of a turn apart */
+        struct vec2 to = turn_direction(first + (index % 2 ? -1 : 1) * (i / 3.0) +
+                                        random_real(random, -0.1, 0.1));
+        double reach = random_real(random, 91, 1000);
+        mesh_set(c->mesh.position[i],
+                 (struct vec3){to.x * reach, to.y * reach, random_real(random, -1, 1)});
+    }
+}
+
+/* Twice the area of p, q and (x,y), by the length of the side: the distance from it. */
+static long double side_distance(struct real3 p, struct real3 q, long double x, long double y) {
+    long double dx = q.x - p.x, dy = q.y - p.y;
+    return (dx * (y - p.y) - dy * (x - p.x)) / hypotl(dx, dy);
+}
+
+/* w is 1 everywhere: positions are NDC. Pixels within 1/64 of a side may be drawn or not. */
+static bool around_is_right(const void *tried) {
+    struct around_case c = *(const struct around_case *)tried;
+    struct mesh mesh;
+    struct position positions[3];
+    struct state state = {positions};
+    uint32_t texel = 0xFFFFFF;
+    struct texture texture = texture_from(&texel, 1, 1);
+    uint8_t pixels[3 * SCREEN_WIDTH * SCREEN_HEIGHT] = {0};
+    struct image image = {SCREEN_WIDTH, SCREEN_HEIGHT, IMAGE_BGR, pixels};
+    double depth[SCREEN_WIDTH * SCREEN_HEIGHT];
+    mesh_from(&mesh, &c.mesh, 1);
+    depth_clear(depth, SCREEN_WIDTH * SCREEN_HEIGHT);
+    struct drawing drawing = {.model = &mesh.model,
+                              .diffuse = &texture,
+                              .depth = depth,
+                              .skip = true,
+                              .light = {0, 0, 1},
+                              .state = &state};
+    struct canvas canvas = make_canvas(&drawing, &image, whole_image(&image));
+    struct mat4 to_clip = mat4_identity();
+    draw_model(&drawing, &canvas, &to_clip);
+    struct real3 p[3];
+    for (int i = 0; i < 3; i++) { /* in pixels */
+        p[i] = mesh_get(c.mesh.position[i]);
+        p[i].x = (p[i].x + 1) * SCREEN_WIDTH / 2;
+        p[i].y = (p[i].y + 1) * SCREEN_HEIGHT / 2;
+    }
+    struct real3 normal = real3_cross(real3_sub(p[1], p[0]), real3_sub(p[2], p[0]));
+    for (int i = 0; i < SCREEN_WIDTH * SCREEN_HEIGHT; i++) {
+        long double x = i % SCREEN_WIDTH + 0.5L, y = i / SCREEN_WIDTH + 0.5L;
+        long double inside =
+            fminl(side_distance(p[0], p[1], x, y),
+                  fminl(side_distance(p[1], p[2], x, y), side_distance(p[2], p[0], x, y)));
+        long double z = p[0].z - ((x - p[0].x) * normal.x + (y - p[0].y) * normal.y) / normal.z;
+        bool drawn = depth[i] != -INFINITY;
+        if ((inside > 1 / 64.0L && !drawn) || (inside < -1 / 64.0L && drawn) ||
+            (drawn && !(fabsl(z - (long double)depth[i]) <= 1e-3L))) {
+            return false;
+        }
+    }
+    return true;
+}
+
+static void print_around(const void *failing) {
+    const struct around_case *c = failing;
+    for (int i = 0; i < 3; i++) {
+        const float *p = c->mesh.position[i];
+        printf("    v %.9g %.9g %.9g\n", (double)p[0], (double)p[1], (double)p[2]);
+    }
+}
+
 /* ---- Soups: random faces in perspective, drawn by the lesson ---- */
 
 struct soup_case {
@@ -454,7 +562,7 @@ static bool scenery_create(struct scenery *s, const struct soup_case *c) {
            image_create(&s->image, s->soup.width, s->soup.height, IMAGE_BGR, &error);
 }
 
-/* A texture with a column a face, whose levels are first + 1, first + 2...: each face has its own. */
+/* A texture with a column a face, in levels first + 1, first + 2...: each face has its own. */
 static void look_like_faces(struct scenery *s, uint32_t first) {
     s->texture = texture_from(s->texels, SOUP_FACES, 1);
     for (uint32_t i = 0; i < SOUP_FACES; i++) {
@@ -567,16 +675,16 @@ static bool is_looked_at(const struct scenery *s, int x, int y) {
 
 /* The same faces once more, in other levels and with nothing skipped, must change nothing. */
 static bool second_drawing_is_hidden(struct scenery *s) {
-    size_t size = 3 * s->soup.width * s->soup.height;
-    uint8_t *before = malloc(size);
-    if (before == NULL) {
+    struct image before;
+    struct error error;
+    if (!image_copy(&before, &s->image, &error)) {
         return false;
     }
-    memcpy(before, s->image.pixels, size);
     look_like_faces(s, 100);
     draw_scenery(s, false);
-    bool same = memcmp(before, s->image.pixels, size) == 0;
-    free(before);
+    size_t size = 3 * s->image.width * s->image.height;
+    bool same = memcmp(before.pixels, s->image.pixels, size) == 0;
+    image_free(&before);
     return same;
 }
 
@@ -621,7 +729,8 @@ static bool value_is_right(const struct scenery *s, enum look look, int x, int y
 static bool values_are_right(const void *tried) {
     const struct soup_case *c = tried;
     struct scenery s;
-    enum look look = LOOK_INTENSITY + (int)(c->seed % 3);
+    static const enum look looks[] = {LOOK_INTENSITY, LOOK_U, LOOK_V};
+    enum look look = looks[c->seed % 3];
     bool right = scenery_create(&s, c);
     if (right) {
         look_like_values(&s, look);
@@ -642,10 +751,10 @@ const struct property lesson08_properties[] = {
      .cases = 300000,
      .case_size = sizeof(struct view_case),
      .make = make_view,
-     .holds = lookat_is_right,
-     .print = print_view,
+     .error = lookat_error,
+     .limit = 8,
      .error_unit = "ulp",
-     .error = lookat_error},
+     .print = print_view},
     {.name = "lesson08: projection",
      .against = AGAINST_LONG_DOUBLE,
      .cases = 200000,
@@ -672,10 +781,10 @@ const struct property lesson08_properties[] = {
      .cases = 300000,
      .case_size = sizeof(struct weights_case),
      .make = make_weights,
-     .holds = weights_are_right,
-     .print = print_weights,
+     .error = weights_error,
+     .limit = 4,
      .error_unit = "ulp of 1",
-     .error = weights_error},
+     .print = print_weights},
     {.name = "lesson08: clipped corners",
      .against = AGAINST_LONG_DOUBLE,
      .cases = 200000,
@@ -683,6 +792,20 @@ const struct property lesson08_properties[] = {
      .make = make_clip,
      .holds = clipping_is_right,
      .print = print_clip},
+    {.name = "lesson08: beyond which sides",
+     .against = AGAINST_LONG_DOUBLE,
+     .cases = 300000,
+     .case_size = sizeof(struct side_case),
+     .make = make_side,
+     .holds = sides_are_right,
+     .print = print_side},
+    {.name = "lesson08: a face around the view",
+     .against = AGAINST_LONG_DOUBLE,
+     .cases = 30000,
+     .case_size = sizeof(struct around_case),
+     .make = make_around,
+     .holds = around_is_right,
+     .print = print_around},
     {.name = "lesson08: the nearest by z/w",
      .against = AGAINST_LONG_DOUBLE,
      .cases = 10000,

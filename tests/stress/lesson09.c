@@ -60,10 +60,6 @@ static double lambert_error(const void *tried) {
     return (double)fabsl(positive(cosine) - (long double)got) * 0x1p52;
 }
 
-static bool lambert_is_right(const void *tried) {
-    return lambert_error(tried) <= 4;
-}
-
 static bool is_near(double got, long double exact, long double slack) {
     return fabsl(exact - (long double)got) <= slack;
 }
@@ -176,10 +172,10 @@ const struct property lesson09_properties[] = {
      .cases = 200000,
      .case_size = sizeof(struct shader_case),
      .make = make_shader_case,
-     .holds = lambert_is_right,
-     .print = print_shader_case,
+     .error = lambert_error,
+     .limit = 4,
      .error_unit = "ulp of 1",
-     .error = lambert_error},
+     .print = print_shader_case},
     {.name = "lesson09: at the corners",
      .against = AGAINST_LONG_DOUBLE,
      .cases = 200000,

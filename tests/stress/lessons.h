@@ -78,7 +78,7 @@ struct mesh {
     struct face faces[MESH_FACES];
 };
 
-/* Face i has corners 3 i, 3 i + 1 and 3 i + 2. The model uses `data` and `mesh`: nothing to free. */
+/* Face i has corners 3 i to 3 i + 2. The model uses `data` and `mesh`: nothing to free. */
 void mesh_from(struct mesh *mesh, struct mesh_data *data, size_t face_count);
 
 void mesh_set(float to[3], struct vec3 from);
