@@ -87,7 +87,7 @@ static void test_sides(void) {
  * for a number although z is one. */
 static void test_place(void) {
     const struct mat4 to_screen = viewport(300, 200);
-    struct vertex v;
+    struct vertex v = {.recip_w = 0};
     CHECK(place((struct vec4){1, -2, 3, 4}, &to_screen, &v));
     CHECK(v.recip_w == 0.25 && v.depth == 0.75);
     CHECK(v.position.x == (int32_t)(187.5 * 256) && v.position.y == 50 * 256);

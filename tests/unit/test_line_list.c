@@ -1,5 +1,5 @@
-/* Lesson 1's list of a line's pixels against the walk of common, whose pixels are held against exact
- * answers elsewhere: the same ones, in the same order. */
+/* Lesson 1's list of a line's pixels against the walk of common, which is held against exact answers
+ * elsewhere: the same pixels, in the same order. */
 #define main step01_main
 int step01_main(int argc, char **argv);
 #include "../../step01_line/main.c"
@@ -12,7 +12,7 @@ int step01_main(int argc, char **argv);
 enum { SIZE = 40 };
 
 static void check_list(struct pixel a, struct pixel b) {
-    struct pixel list[SIZE];
+    struct pixel list[SIZE] = {{0}};
     struct line_walk walk;
     size_t length = line_length(a, b);
     if (!CHECK(length >= 1 && length <= SIZE)) {

@@ -747,7 +747,8 @@ static void test_wrong_headers(void) {
 }
 
 /* Chunks in the wrong place or of the wrong size; H header, P palette of 2, p of no whole number of
- * entries, q of 3, T tRNS, t too long, N no name, D data, X unknown but needed, Z broken length, E end. */
+ * entries, q of 3, T tRNS, t too long, N no name, D data, X unknown but needed, Z
+ * broken length, E end. */
 static void test_wrong_chunks(void) {
     static const struct {
         const char *name, *chunks, *message;
