@@ -22,6 +22,7 @@ For the course as a whole:
   make portability            the same bytes from other compilers (CONFIGURATIONS=arm64)
   make compare-opengl         the same pictures drawn by OpenGL (needs Mesa)
   make fuzz                   hostile files (needs clang; FUZZ_SECONDS=60 for each, TARGET=png)
+  make mutants                small changes of the code that some test must notice (NAME=geometry)
   make coverage               which lines and branches of common the tests reach
   make help                   this list
 

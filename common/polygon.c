@@ -120,13 +120,15 @@ static struct polygon_node node_on_plane(struct vec3 corner, struct plane plane)
                                  .y = coordinate(corner, plane.up)};
 }
 
-/* Convex: it never turns right. (So does a star that goes round several times; but no way of
- * cutting one is right.) */
+/* Convex: it never turns right. One that turns straight back does not either; but there a triangle
+ * of its fan, around `first`, is turned over. (A star that goes round several times may pass; but
+ * no way of cutting one is right.) */
 static bool is_convex(const struct vec3 *corners, size_t size, struct plane plane) {
-    struct polygon_node a = node_on_plane(corners[0], plane), b = node_on_plane(corners[1], plane);
+    const struct polygon_node first = node_on_plane(corners[0], plane);
+    struct polygon_node a = first, b = node_on_plane(corners[1], plane);
     for (size_t i = 2; i < size + 2; i++) {
         struct polygon_node c = node_on_plane(corners[i < size ? i : i - size], plane);
-        if (orientation(&a, &b, &c) < 0) {
+        if (orientation(&a, &b, &c) < 0 || orientation(&first, &b, &c) < 0) {
             return false;
         }
         a = b;

@@ -109,9 +109,12 @@ bench: $(BUILD)/benchmark models
 	@mkdir -p $(BUILD)/bench
 	$(BUILD)/benchmark -o $(BUILD) $(STEP)
 
-# ---- make portability, compare-opengl, fuzz, coverage ----
+# ---- make mutants, portability, compare-opengl, fuzz, coverage ----
 
-.PHONY: portability compare-opengl has-mesa fuzz coverage
+.PHONY: mutants portability compare-opengl has-mesa fuzz coverage
+mutants:
+	@tests/mutants/run.sh $(BUILD) '$(or $(NAME),*)' '$(ONLY)'
+
 portability:
 	@tests/portability/portability.sh -b $(BUILD)/portability $(CONFIGURATIONS)
 

@@ -104,6 +104,10 @@ static void test_lines_of_messages(void) {
     CHECK_TEXT(error.message, "b:17: a.obj: 12 faces too many");
     CHECK(!error_name_file(&error, "c"));
     CHECK_TEXT(error.message, "c: b:17: a.obj: 12 faces too many");
+    error_set(&error, "wrong");
+    error.line = 1;
+    CHECK(!error_name_file(&error, "d"));
+    CHECK_TEXT(error.message, "d:1: wrong");
     memset(path, 'a', LONG - KEPT);
     memset(path + LONG - KEPT, 'b', KEPT);
     path[LONG] = '\0';
@@ -348,6 +352,24 @@ static void test_write_protection(void) {
     place_remove(&place, NULL);
 }
 
+/* Where nobody may write, whoever it is. */
+static bool write_from_elsewhere(const char *path) {
+    struct error error;
+    return chdir("/proc") == 0 && file_write(path, "new", 3, &error);
+}
+
+/* The new file is made beside the old one: the directory of the caller does not matter. */
+static void test_write_from_elsewhere(void) {
+    struct place place;
+    if (!place_create(&place) || access("/proc", F_OK) != 0) {
+        CHECK(true); /* not on Linux */
+        return;
+    }
+    CHECK(in_child(write_from_elsewhere, name_file(&place, "a")));
+    CHECK(file_is(name_file(&place, "a"), "new") && place_count(&place) == 1);
+    place_remove(&place, "a");
+}
+
 static bool is_link(const char *path) {
     struct stat status;
     return lstat(path, &status) == 0 && S_ISLNK(status.st_mode);
@@ -470,5 +492,6 @@ static void test_devices(void) {
 UNIT_MAIN(TEST(test_messages), TEST(test_lines_of_messages), TEST(test_names_of_input),
           TEST(test_long_messages), TEST(test_bytes), TEST(test_read), TEST(test_read_errors),
           TEST(test_standard_input), TEST(test_write), TEST(test_write_errors),
-          TEST(test_full_disk), TEST(test_write_protection), TEST(test_symbolic_link),
-          TEST(test_chain_of_links), TEST(test_many_links), TEST(test_devices))
+          TEST(test_full_disk), TEST(test_write_protection), TEST(test_write_from_elsewhere),
+          TEST(test_symbolic_link), TEST(test_chain_of_links), TEST(test_many_links),
+          TEST(test_devices))

@@ -21,6 +21,12 @@ static void test_vectors(void) {
     struct vec3 mixed = vec3_interpolate((struct vec3){0.25, 0.5, 0.25}, (struct vec3){4, 0, 8},
                                          (struct vec3){0, 2, 0}, (struct vec3){0, 0, 4});
     CHECK(mixed.x == 1 && mixed.y == 1 && mixed.z == 3);
+    struct vec2 flat = vec2_interpolate((struct vec3){0.25, 0.5, 0.25}, (struct vec2){4, 8},
+                                        (struct vec2){2, 0}, (struct vec2){0, 4});
+    CHECK(flat.x == 2 && flat.y == 3);
+    struct vec2 corner = parallel_view((struct vec3){1, 1, 7}, 30, 20);
+    struct vec2 other = parallel_view((struct vec3){-1, -0.5, 7}, 30, 20);
+    CHECK(corner.x == 30 && corner.y == 20 && other.x == 0 && other.y == 5);
 }
 
 static void test_normalized(void) {
@@ -37,13 +43,62 @@ static void test_normalized(void) {
     CHECK(infinite.x == 0 && infinite.y == 0 && infinite.z == 0);
 }
 
+/* How far a component is from that of the exact unit vector, in ulp of 1. */
+static double component_error(struct vec3 n, struct vec3 v) {
+    long double x = (long double)v.x, y = (long double)v.y, z = (long double)v.z;
+    long double length = sqrtl(x * x + y * y + z * z);
+    long double worst =
+        fmaxl(fabsl((long double)n.x - x / length),
+              fmaxl(fabsl((long double)n.y - y / length), fabsl((long double)n.z - z / length)));
+    return (double)worst * 0x1p52;
+}
+
+/* Every component, at every size that a double has: also where the square of the length is 0,
+ * subnormal or infinite, and where one component is far longer than the others. */
+static void test_normalized_components(void) {
+    struct random random = {6};
+    for (int i = 0; i < 40000; i++) {
+        int size = i % 2000 - 1022, spread = i / 2000 % 4 == 0 ? 40 : 2;
+        double v[3];
+        for (int k = 0; k < 3; k++) {
+            v[k] =
+                ldexp(random_real(&random, -1, 1), size - (int)random_between(&random, 0, spread));
+        }
+        struct vec3 a = {v[i % 3], v[(i + 1) % 3], v[(i + 2) % 3]};
+        CHECK(component_error(vec3_normalized(a), a) <= 2);
+        if (component_error(vec3_normalized(a), a) > 2) {
+            return;
+        }
+    }
+    static const double lengths[] = {5e-324, 1e-310, 1e-162, 1e162, 1.7e308};
+    for (size_t i = 0; i < sizeof lengths / sizeof lengths[0]; i++) {
+        struct vec3 x = vec3_normalized((struct vec3){lengths[i], 0, 0});
+        struct vec3 y = vec3_normalized((struct vec3){0, -lengths[i], 0});
+        struct vec3 z = vec3_normalized((struct vec3){0, 0, lengths[i]});
+        CHECK(x.x == 1 && x.y == 0 && x.z == 0);
+        CHECK(y.x == 0 && y.y == -1 && y.z == 0);
+        CHECK(z.x == 0 && z.y == 0 && z.z == 1);
+    }
+}
+
+/* One step of Newton's method squares the error. */
+static void test_renormalized(void) {
+    struct random random = {7};
+    for (int i = 0; i < 1000; i++) {
+        struct vec3 v = {random_real(&random, -1, 1), random_real(&random, -1, 1),
+                         random_real(&random, -1, 1)};
+        struct vec3 nearly = vec3_scale(vec3_normalized(v), 1 + random_real(&random, -1e-9, 1e-9));
+        CHECK(component_error(vec3_renormalized(nearly), v) <= 2);
+    }
+}
+
 static void test_level_from(void) {
     static const struct {
         double value;
         int level;
-    } rows[] = {{0, 0},     {0.49, 0},   {0.5, 1},       {254.49, 254}, {254.5, 255},
-                {255, 255}, {1e30, 255}, {-1, 0},        {-1e30, 0},    {INFINITY, 255},
-                {NAN, 0},   {-0.0, 0},   {-INFINITY, 0}, {127.5, 128}};
+    } rows[] = {{0, 0},      {0.49, 0}, {0.5, 1},   {254.49, 254},   {254.5, 255}, {255, 255},
+                {1e30, 255}, {-1, 0},   {-1e30, 0}, {INFINITY, 255}, {255.5, 255}, {255.6, 255},
+                {256, 255},  {NAN, 0},  {-0.0, 0},  {-INFINITY, 0},  {127.5, 128}};
     for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
         CHECK(level_from(rows[i].value) == rows[i].level);
     }
@@ -107,6 +162,47 @@ static void test_inverse(void) {
     struct mat4 tiny = mat4_scaling((struct vec3){1e-200, 1e200, 1}), inverse;
     if (CHECK(mat4_inverse(tiny, &inverse))) { /* bad numbers, but a harmless matrix */
         CHECK(oracle_inverse_residual(&tiny, &inverse) < 1e-15L);
+    }
+}
+
+/* Rows and columns of the 2 x 2 matrix that is nearly singular, (1 1; 1 1 + 2^-k), whose inverse is
+ * known exactly. Scaled by rows its condition is about 2^(k+2). */
+static void test_inverse_nearly_singular(void) {
+    for (int k = 2; k <= 50; k++) {
+        struct mat4 a = mat4_identity(), inverse;
+        a.m[0][1] = a.m[1][0] = 1;
+        a.m[1][1] = 1 + ldexp(1, -k);
+        bool inverted = mat4_inverse(a, &inverse);
+        if (k >= 49) {
+            CHECK(!inverted);
+        } else if (k <= 46 && CHECK(inverted)) { /* in between, either is right */
+            double large = ldexp(1, k);
+            CHECK(inverse.m[0][0] == large + 1 && inverse.m[0][1] == -large);
+            CHECK(inverse.m[1][0] == -large && inverse.m[1][1] == large);
+            CHECK(inverse.m[2][2] == 1 && inverse.m[2][3] == 0 && inverse.m[0][2] == 0);
+        }
+    }
+}
+
+/* Rows of very different size, which say nothing of how good the matrix is. */
+static void test_inverse_scaled_rows(void) {
+    struct random random = {8};
+    for (int i = 0; i < 1000; i++) {
+        struct mat4 a = random_matrix(&random), scaled = a, inverse, scaled_inverse;
+        int exponent[4];
+        for (int row = 0; row < 4; row++) {
+            exponent[row] = (int)random_between(&random, -300, 300);
+            for (int column = 0; column < 4; column++) {
+                scaled.m[row][column] = ldexp(a.m[row][column], exponent[row]);
+            }
+        }
+        if (!CHECK(mat4_inverse(a, &inverse)) || !CHECK(mat4_inverse(scaled, &scaled_inverse))) {
+            return;
+        }
+        for (int k = 0; k < 16; k++) {
+            CHECK(scaled_inverse.m[k / 4][k % 4] ==
+                  ldexp(inverse.m[k / 4][k % 4], -exponent[k % 4]));
+        }
     }
 }
 
@@ -198,6 +294,40 @@ static void test_lookat_special(void) {
     }
 }
 
+/* Eye and center so far apart that their difference is no number, and so near to zero that its
+ * square is none: the direction between them is right, and up appears upwards. */
+static void test_lookat_ends_of_range(void) {
+    static const double sizes[] = {1.7e308, 1e300, 1e154, 1, 1e-154, 1e-300};
+    for (size_t i = 0; i < sizeof sizes / sizeof sizes[0]; i++) {
+        double s = sizes[i];
+        struct vec3 eye = {0.5 * s, -0.25 * s, s}, center = {-0.5 * s, 0.25 * s, -s};
+        struct mat4 view = mat4_lookat(eye, center, (struct vec3){0, s, 0});
+        double length = sqrt(0.25 + 0.0625 + 1), across = sqrt(1.25);
+        CHECK(near(view.m[2][0], 0.5 / length, 4e-16) && near(view.m[2][1], -0.25 / length, 4e-16));
+        CHECK(near(view.m[2][2], 1 / length, 4e-16));
+        CHECK(near(view.m[0][0], 1 / across, 4e-16) && near(view.m[0][1], 0, 4e-16));
+        CHECK(near(view.m[0][2], -0.5 / across, 4e-16) && view.m[1][1] > 0.9);
+        CHECK(orthonormality_error(&view) <= 4 * 2.3e-16);
+    }
+}
+
+/* However near up is to the view direction, it decides: down to 2^-33 radians, about 10^-8
+ * degrees. Its length does not matter. */
+static void test_lookat_near_parallel(void) {
+    static const double lengths[] = {1, 1e-300, 1e300};
+    for (int k = 0; k <= 33; k++) {
+        for (int i = 0; i < 24; i++) {
+            struct vec2 d = turn_direction(i / 24.0);
+            double apart = ldexp(1, -k), length = lengths[i % 3];
+            struct vec3 up = {length * apart * d.x, length * apart * d.y, length};
+            struct mat4 view = mat4_lookat((struct vec3){0, 0, 5}, (struct vec3){0, 0, 0}, up);
+            double tolerance = 4e-16 * (1 + 1 / apart);
+            CHECK(near(view.m[1][0], d.x, tolerance) && near(view.m[1][1], d.y, tolerance));
+            CHECK(near(view.m[0][0], d.y, tolerance) && near(view.m[0][1], -d.x, tolerance));
+        }
+    }
+}
+
 /* Of axes that are equally near to perpendicular y comes before x, and x before z. */
 static void test_perpendicular_axis(void) {
     static const struct vec3 rows[][2] = {
@@ -249,6 +379,9 @@ static void test_projection(void) {
     CHECK(near(w.x, 2 / 3.0, 1e-16) && near(w.y, 1 / 3.0, 1e-16) && w.z == 0);
     struct vec3 same = perspective_weights((struct vec3){512, 512, 0}, (double[]){1, 0.5, 1});
     CHECK(same.x == w.x && same.y == w.y && same.z == 0); /* a common factor does not count */
+    struct vec3 three = perspective_weights((struct vec3){1, 2, 3}, (double[]){0.5, 0.25, 2});
+    CHECK(near(three.x, 0.5 / 7, 1e-16) && near(three.y, 0.5 / 7, 1e-16));
+    CHECK(near(three.z, 6.0 / 7, 2e-16));
 }
 
 /* ---- Lines ---- */
@@ -325,6 +458,12 @@ static bool random_corners(struct random *random, int kind, struct fixed2 corner
 static void check_triangle(const struct fixed2 c[3], int width, int height) {
     struct edges edges;
     bool any = edges_setup(&edges, c[0], c[1], c[2], (size_t)width, (size_t)height);
+    if (any) {
+        int128 area = ((int128)c[1].x - c[0].x) * ((int128)c[2].y - c[0].y) -
+                      ((int128)c[1].y - c[0].y) * ((int128)c[2].x - c[0].x);
+        CHECK(edges.clockwise == (area < 0) && edges.area == (area < 0 ? -area : area));
+        CHECK(edges.y_begin >= 0 && edges.y_begin < edges.y_end && edges.y_end <= height);
+    }
     for (int y = 0; y < height; y++) {
         struct span span = {0, 0};
         if (any && y >= edges.y_begin && y < edges.y_end) {
@@ -377,6 +516,13 @@ static void test_triangle_special(void) {
     }
 }
 
+static void test_depth_clear(void) {
+    double depth[5] = {1, 2, NAN, -3, 0};
+    depth_clear(depth, 4);
+    CHECK(depth[0] == -INFINITY && depth[1] == -INFINITY && depth[2] == -INFINITY);
+    CHECK(depth[3] == -INFINITY && depth[4] == 0);
+}
+
 static void test_snap(void) {
     struct fixed2 f = {7, 7};
     CHECK(screen_snap((struct vec2){0.5, -0.5}, &f) && f.x == 128 && f.y == -128);
@@ -389,9 +535,12 @@ static void test_snap(void) {
     CHECK(f.x == 7 && f.y == 7);
 }
 
-UNIT_MAIN(TEST(test_vectors), TEST(test_normalized), TEST(test_level_from),
-          TEST(test_turn_direction), TEST(test_product_and_transpose), TEST(test_inverse),
-          TEST(test_singular), TEST(test_rotation), TEST(test_lookat), TEST(test_lookat_special),
-          TEST(test_lookat_along_up), TEST(test_perpendicular_axis), TEST(test_inverse_overflow),
-          TEST(test_projection), TEST(test_lines_all_small), TEST(test_lines_random),
-          TEST(test_triangles_random), TEST(test_triangle_special), TEST(test_snap))
+UNIT_MAIN(TEST(test_vectors), TEST(test_normalized), TEST(test_normalized_components),
+          TEST(test_renormalized), TEST(test_level_from), TEST(test_turn_direction),
+          TEST(test_product_and_transpose), TEST(test_inverse), TEST(test_inverse_nearly_singular),
+          TEST(test_inverse_scaled_rows), TEST(test_singular), TEST(test_rotation),
+          TEST(test_lookat), TEST(test_lookat_special), TEST(test_lookat_ends_of_range),
+          TEST(test_lookat_near_parallel), TEST(test_lookat_along_up),
+          TEST(test_perpendicular_axis), TEST(test_inverse_overflow), TEST(test_projection),
+          TEST(test_lines_all_small), TEST(test_lines_random), TEST(test_triangles_random),
+          TEST(test_triangle_special), TEST(test_depth_clear), TEST(test_snap))

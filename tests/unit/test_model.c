@@ -234,6 +234,25 @@ static bool decode_off_faces(struct model *model, const char *faces, struct erro
     return decode(model, text, error);
 }
 
+/* As few bytes as vertices and faces can have are enough for the numbers in the first line. */
+static void test_off_smallest(void) {
+    char text[400] = "OFF 40 1 0\n";
+    struct model m;
+    struct error error;
+    for (int i = 0; i < 40; i++) {
+        strcat(text, "0 0 0\n");
+    }
+    strcat(text, "3 0 1 2");
+    CHECK(decode(&m, text, &error) && m.position_count == 40 && m.face_count == 1);
+    model_free(&m);
+    strcpy(text, "OFF 3 81 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+    for (int i = 0; i < 80; i++) {
+        strcat(text, "0\n"); /* faces without corners */
+    }
+    CHECK(decode(&m, text, &error) && m.position_count == 3 && m.face_count == 1);
+    model_free(&m);
+}
+
 /* A polygon's colour is that of all its triangles; what has none is white, wherever it stands. */
 static void test_face_colors(void) {
     struct model m;
@@ -332,6 +351,8 @@ static void test_messages(void) {
         {SQUARE "f 1 2 -4294967295\n", "5: face names vertex -4294967295 of 4"},
         {SQUARE "f 1 2 18446744073709551617\n", "5: face names vertex 18446744073709551617 of 4"},
         {SQUARE "f 1 2 -99999999999999999999\n", "5: face names vertex -99999999999999999999 of 4"},
+        {SQUARE "f 1 2 -99999999999999999999\nv 1 1 1\n", /* only those above count */
+         "5: face names vertex -99999999999999999999 of 4"},
         {SQUARE "f 1 2 +99999999999999999999\n", "5: face names vertex +99999999999999999999 of 4"},
         {SQUARE "f 1 2 -5\n", "5: face names vertex -5 of 4"},
         {"v 0 0 0\nf -1 -1 -2\n" SQUARE, "2: face names vertex -2 of 1"},
@@ -601,7 +622,7 @@ static void test_texture_names(void) {
 }
 
 UNIT_MAIN(TEST(test_obj_faces), TEST(test_obj_numbers), TEST(test_obj_many_colors), TEST(test_off),
-          TEST(test_face_colors), TEST(test_face_color_values), TEST(test_colors_of_both),
-          TEST(test_messages), TEST(test_long_lines), TEST(test_long_face),
-          TEST(test_too_many_corners), TEST(test_files), TEST(test_textures),
+          TEST(test_off_smallest), TEST(test_face_colors), TEST(test_face_color_values),
+          TEST(test_colors_of_both), TEST(test_messages), TEST(test_long_lines),
+          TEST(test_long_face), TEST(test_too_many_corners), TEST(test_files), TEST(test_textures),
           TEST(test_texture_names))

@@ -322,6 +322,141 @@ static void test_calls_that_overlap(void) {
     }
 }
 
+/* The second call lies behind all of the many faces of the first: these stay, each in its place. */
+static void test_calls_of_many_faces(void) {
+    static struct mesh soup, cover;
+    struct random random = {16};
+    make_soup(&soup, &random);
+    mesh_begin(&cover);
+    mesh_vertex(&cover, -4, -4, -2);
+    mesh_vertex(&cover, 9, -4, -2);
+    mesh_vertex(&cover, -4, 9, -2);
+    mesh_face(&cover, 0, 1, 2);
+    for (int way = 0; way < WAYS; way++) {
+        struct frame frame;
+        size_t seen[FACES + 1];
+        if (frame_begin(&frame, way)) {
+            frame_draw(&frame, &soup, mat4_identity(), whole_image);
+            for (size_t i = 0; i <= FACES; i++) {
+                seen[i] = frame_count(&frame, i);
+            }
+            frame_draw(&frame, &cover, mat4_identity(), whole_image);
+            for (size_t i = 1; i <= FACES; i++) {
+                CHECK(frame_count(&frame, i) == seen[i]);
+            }
+            CHECK(seen[0] > 0 && frame_count(&frame, FACES + 1) == seen[0]);
+        }
+        frame_end(&frame);
+    }
+}
+
+/* Every pixel is tested in each of two calls. Where it is shaded at once the nearer call, which
+ * comes second, shades it again. A new frame counts from 0. */
+static void test_counts(void) {
+    static struct mesh mesh;
+    for (int way = 0; way < WAYS; way++) {
+        struct frame frame;
+        if (frame_begin(&frame, way)) {
+            const uint64_t *stats = frame.pipeline.stats;
+            for (int call = 1; call <= 2; call++) {
+                make_cover(&mesh, 3 - call);
+                frame_draw(&frame, &mesh, place_is_xyw, whole_image);
+                CHECK(stats[STAT_PIXELS_COVERED] == (uint64_t)(call * SIZE * SIZE));
+                CHECK(stats[STAT_PIXELS_SHADED] == (uint64_t)(call * SIZE * SIZE));
+            }
+            pipeline_clear(&frame.pipeline);
+            for (int i = 0; i < PIPELINE_STATS; i++) {
+                CHECK(stats[i] == 0);
+            }
+        }
+        frame_end(&frame);
+    }
+}
+
+/* A face that lies in the view by half a hundredth, or beyond it by as much, at each of its
+ * sides. */
+static void test_faces_at_the_sides(void) {
+    static struct mesh mesh;
+    for (int i = 0; i < 8; i++) {
+        double away = (i / 2 % 2 == 0 ? 1 : -1) * (i % 2 == 0 ? 0.995 : 1.005);
+        struct frame frame;
+        mesh_begin(&mesh);
+        for (int k = 0; k < 3; k++) {
+            double along = 0.2 * k, across = away * (1 + 0.001 * (k - 1) * (k - 1));
+            mesh_vertex(&mesh, i < 4 ? across : along, i < 4 ? along : across, 0);
+        }
+        mesh_face(&mesh, 0, 1, 2);
+        if (frame_begin(&frame, 0)) {
+            frame_draw(&frame, &mesh, mat4_identity(), whole_image);
+            CHECK(frame.pipeline.stats[STAT_FACES_OUTSIDE] == (uint64_t)(i % 2));
+            CHECK(frame.pipeline.stats[STAT_FACES_WITHOUT_PIXEL] == (uint64_t)(1 - i % 2));
+        }
+        frame_end(&frame);
+    }
+}
+
+/* All four channels, whatever the order in which the image keeps them. */
+static bool violet_fragment(const void *uniforms, const double *varyings, struct color *color) {
+    (void)uniforms, (void)varyings;
+    *color = (struct color){.b = 90, .g = 40, .r = 60, .a = 7};
+    return true;
+}
+
+SHADER(violet_shader, .varying_count = 1, .vertex = number_vertex, .fragment = violet_fragment);
+
+static void test_channels(void) {
+    static struct mesh mesh;
+    static const enum image_format formats[] = {IMAGE_BGR, IMAGE_BGRA};
+    make_cover(&mesh, 1);
+    for (int i = 0; i < 4; i++) {
+        struct frame frame;
+        struct error error;
+        size_t calls = 0;
+        const struct uniforms uniforms = {.model = &mesh.model, .vertex_calls = &calls};
+        const struct draw_call call = {
+            .model = &mesh.model, .to_clip = place_is_xyw, .viewport = whole_image};
+        if (frame_begin(&frame, i % 2)) {
+            image_free(&frame.image);
+            CHECK(image_create(&frame.image, SIZE, SIZE, formats[i / 2], &error));
+            CHECK(pipeline_draw(&frame.pipeline, &call, &violet_shader, &uniforms, &frame.image,
+                                &error));
+            struct color c = image_get(&frame.image, 5, 6);
+            CHECK(c.b == 90 && c.g == 40 && c.r == 60 && c.a == (i < 2 ? 255 : 7));
+        }
+        frame_end(&frame);
+    }
+}
+
+/* ---- Pixels that the shader discards ---- */
+
+/* The first face has holes everywhere. */
+static bool hole_fragment(const void *uniforms, const double *varyings, struct color *color) {
+    return number_fragment(uniforms, varyings, color) && varyings[0] > 1.5;
+}
+
+SHADER(hole_shader, .varying_count = 1, .vertex = number_vertex, .fragment = hole_fragment,
+       .discards = true);
+
+/* A discarded pixel hides nothing, although it was the nearest. */
+static void test_discarded_hides_nothing(void) {
+    static struct mesh mesh;
+    struct frame frame;
+    struct error error;
+    struct uniforms uniforms = {.model = &mesh.model, .vertex_calls = &frame.vertex_calls};
+    make_cover(&mesh, 1);
+    mesh_vertex(&mesh, -8, -8, 2);
+    mesh_vertex(&mesh, 18, -8, 2);
+    mesh_vertex(&mesh, -8, 18, 2);
+    mesh_face(&mesh, 3, 4, 5);
+    const struct draw_call call = {
+        .model = &mesh.model, .to_clip = place_is_xyw, .viewport = whole_image};
+    if (frame_begin(&frame, 0)) {
+        CHECK(pipeline_draw(&frame.pipeline, &call, &hole_shader, &uniforms, &frame.image, &error));
+        CHECK(frame_count(&frame, 2) == (size_t)SIZE * SIZE);
+    }
+    frame_end(&frame);
+}
+
 /* ---- Perspective ---- */
 
 static void place_vertex(const void *uniforms, size_t face, size_t corner, double *varyings) {
@@ -659,28 +794,24 @@ static void test_not_finite(void) {
 }
 
 /* A face that reaches into the view by less than half a pixel covers only pixels of the image that
- * lie below the viewport: nothing is drawn. */
-static void test_below_viewport(void) {
+ * lie below the viewport, or above it: nothing is drawn. */
+static void test_beside_viewport(void) {
     static struct mesh mesh;
-    mesh_begin(&mesh);
-    mesh_vertex(&mesh, -1, -2, 0);
-    mesh_vertex(&mesh, 1, -2, 0);
-    mesh_vertex(&mesh, 0, -0.99, 0);
-    mesh_face(&mesh, 0, 1, 2);
-    struct error error;
-    struct pipeline pipeline;
-    struct image image = {0};
-    size_t calls = 0;
-    struct uniforms uniforms = {.model = &mesh.model, .vertex_calls = &calls};
-    struct draw_call call = {
-        .model = &mesh.model, .to_clip = mat4_identity(), .viewport = {0, 10, 20, 10}};
-    CHECK(image_create(&image, 20, 20, IMAGE_BGR, &error));
-    CHECK(pipeline_create(&pipeline, 20, 20, &error));
-    CHECK(pipeline_draw(&pipeline, &call, &number_shader, &uniforms, &image, &error));
-    CHECK(pipeline.stats[STAT_FACES_WITHOUT_PIXEL] == 1 && calls == 0);
-    CHECK(pipeline.stats[STAT_PIXELS_SHADED] == 0);
-    pipeline_free(&pipeline);
-    image_free(&image);
+    for (int side = -1; side <= 1; side += 2) {
+        mesh_begin(&mesh);
+        mesh_vertex(&mesh, -1, side * 2, 0);
+        mesh_vertex(&mesh, 1, side * 2, 0);
+        mesh_vertex(&mesh, 0, side * 0.99, 0);
+        mesh_face(&mesh, 0, 1, 2);
+        struct frame frame;
+        if (frame_begin(&frame, 0)) {
+            frame_draw(&frame, &mesh, mat4_identity(),
+                       (struct rectangle){0, side < 0 ? SIZE / 2 : 0, SIZE, SIZE / 2});
+            CHECK(frame.pipeline.stats[STAT_FACES_WITHOUT_PIXEL] == 1 && frame.vertex_calls == 0);
+            CHECK(frame.pipeline.stats[STAT_PIXELS_SHADED] == 0);
+        }
+        frame_end(&frame);
+    }
 }
 
 /* Corners at the same place of the screen, and at the same place altogether: no pixel, no trap. */
@@ -704,6 +835,24 @@ static void test_equal_corners(void) {
         see(&mesh, to_clip, &seen, stats);
         CHECK(stats[STAT_FACES] == 4 && stats[STAT_FACES_WITHOUT_PIXEL] == 4);
         CHECK(stats[STAT_PIXELS_SHADED] == 0);
+    }
+}
+
+/* Faces without area have no side: whatever is culled, they are not turned away. */
+static void test_no_area_is_no_side(void) {
+    static struct mesh mesh;
+    mesh_begin(&mesh);
+    mesh_vertex(&mesh, -0.5, 0, 0);
+    mesh_vertex(&mesh, 0.5, 0, 0);
+    mesh_vertex(&mesh, 0.25, 0, 0);
+    mesh_face(&mesh, 0, 1, 2);
+    for (enum cull cull = CULL_NONE; cull <= CULL_FRONT; cull++) {
+        struct image image = {0};
+        uint64_t stats[PIPELINE_STATS] = {0};
+        size_t calls;
+        draw_soup(&mesh, cull, true, &image, stats, &calls);
+        CHECK(stats[STAT_FACES_TURNED_AWAY] == 0 && stats[STAT_FACES_WITHOUT_PIXEL] == 1);
+        image_free(&image);
     }
 }
 
@@ -764,8 +913,10 @@ static void test_errors(void) {
 
 UNIT_MAIN(TEST(test_nearest_face_shows), TEST(test_first_of_equal_depths_stays),
           TEST(test_cells_side_by_side), TEST(test_nothing_outside_the_viewport),
-          TEST(test_calls_that_overlap), TEST(test_cut_from_both_ends), TEST(test_nearest_w),
-          TEST(test_depth_overflows), TEST(test_corner_order), TEST(test_ground_without_gaps),
-          TEST(test_interpolation), TEST(test_viewport), TEST(test_grid_cell),
-          TEST(test_not_finite), TEST(test_below_viewport), TEST(test_equal_corners),
+          TEST(test_calls_that_overlap), TEST(test_calls_of_many_faces), TEST(test_counts),
+          TEST(test_faces_at_the_sides), TEST(test_channels), TEST(test_discarded_hides_nothing),
+          TEST(test_cut_from_both_ends), TEST(test_nearest_w), TEST(test_depth_overflows),
+          TEST(test_corner_order), TEST(test_ground_without_gaps), TEST(test_interpolation),
+          TEST(test_viewport), TEST(test_grid_cell), TEST(test_not_finite),
+          TEST(test_beside_viewport), TEST(test_equal_corners), TEST(test_no_area_is_no_side),
           TEST(test_wrapped_level), TEST(test_far_apart), TEST(test_errors))

@@ -402,6 +402,40 @@ static void test_compress(void) {
     }
 }
 
+/* The checksum is that of the definition where its sums are as large as they get. */
+static void test_checksum(void) {
+    enum { SIZE = 30000 };
+    static uint8_t white[SIZE];
+    struct bytes packed = {0};
+    struct error error;
+    memset(white, 255, SIZE);
+    CHECK(zlib_compress(white, SIZE, &packed, &error));
+    uint32_t check = 0;
+    for (size_t i = packed.size - 4; i < packed.size; i++) {
+        check = check << 8 | packed.data[i];
+    }
+    CHECK(check == slow_adler(white, SIZE));
+    bytes_free(&packed);
+}
+
+/* Copies from just about the longest distance that the format has. */
+static void test_compress_far_copies(void) {
+    enum { COPY = 100, SIZE = 32768 + 10 + COPY };
+    static uint8_t plain[SIZE], out[SIZE];
+    for (size_t distance = 32768 - 3; distance <= 32768 + 3; distance++) {
+        struct bytes packed = {0};
+        struct error error;
+        uint32_t state = 7;
+        for (size_t i = 0; i < SIZE; i++) {
+            plain[i] = i < distance ? (uint8_t)next_random(&state) : plain[i - distance];
+        }
+        CHECK(zlib_compress(plain, distance + COPY, &packed, &error));
+        CHECK(decompress_exact(packed.data, packed.size, out, distance + COPY, &error));
+        CHECK(memcmp(out, plain, distance + COPY) == 0);
+        bytes_free(&packed);
+    }
+}
+
 /* Which kind of block is chosen, and how small the result is. */
 static void test_choice_of_blocks(void) {
     static const struct {
@@ -539,6 +573,12 @@ static void test_color_types(void) {
          "cbafedfedcba"},
         {"palette, 2 bits", 2, 3, TEXT("abcdefghi"), TEXT(""), TEXT("\0\x90\0\x10"), IMAGE_BGR,
          "cbafedihgfed"},
+        {"palette, two with alpha", 8, 3, TEXT("abcdef"), TEXT("\x05\x06"),
+         TEXT("\0\x01\0\0\0\x01"), IMAGE_BGRA,
+         "cba\x05"
+         "fed\x06"
+         "fed\x06"
+         "cba\x05"},
         {"palette, 4 bits, alpha", 4, 3, TEXT("abcdef"), TEXT("\x05"), TEXT("\0\x10\0\x01"),
          IMAGE_BGRA,
          "cba\x05"
@@ -683,7 +723,7 @@ static void test_wrong_headers(void) {
         {"smaller than the data", "larger", 1, 1, 8, 0, 0},
         {"interlaced", "interlaced", 2, 1, 8, 0, 1},
         {"another interlace", "interlace method", 2, 1, 8, 0, 2},
-        {"16 bits", "16 bits", 1, 1, 16, 0, 0},
+        {"16 bits", "16 bits a channel", 1, 1, 16, 0, 0},
         {"RGB of 4 bits", "cannot have 4 bits", 1, 1, 4, 2, 0},
         {"palette of 16 bits", "cannot have 16 bits", 1, 1, 16, 3, 0},
         {"no bits", "cannot have 0 bits", 1, 1, 0, 0, 0},
@@ -707,7 +747,8 @@ static void test_wrong_headers(void) {
 }
 
 /* Chunks in the wrong place or of the wrong size; H header, P palette of 2, p of no whole number of
- * entries, q of 3, T tRNS, t too long, D data, X unknown but needed, Z broken length, E end. */
+ * entries, q of 3, T tRNS, t too long, N no name, D data, X unknown but needed, Z
+ * broken length, E end. */
 static void test_wrong_chunks(void) {
     static const struct {
         const char *name, *chunks, *message;
@@ -728,6 +769,7 @@ static void test_wrong_chunks(void) {
         {"no end", "HPD", "cut off"},
         {"unknown", "HPXDE", "unknown chunk, ABCD"},
         {"lying length", "HPZDE", "claims 2147483647 bytes"},
+        {"a brace in a name", "HPNDE", "chunk without a name at byte 51"},
     };
     for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
         struct bytes file = {0};
@@ -765,6 +807,9 @@ static void test_wrong_chunks(void) {
                 break;
             case 'X':
                 put_chunk(&file, "ABCD", "x", 1);
+                break;
+            case 'N':
+                put_chunk(&file, "ab{d", "x", 1);
                 break;
             case 'Z':
                 put_32(&file, 0x7fffffff);
@@ -1029,7 +1074,8 @@ static void test_files(void) {
 
 UNIT_MAIN(TEST(test_blocks), TEST(test_far_match), TEST(test_wrong_blocks),
           TEST(test_wrong_own_codes), TEST(test_zlib_header), TEST(test_compress),
-          TEST(test_choice_of_blocks), TEST(test_color_types), TEST(test_filters),
-          TEST(test_split_data), TEST(test_wrong_headers), TEST(test_wrong_chunks),
-          TEST(test_pixel_outside_palette), TEST(test_round_trip), TEST(test_choice_of_filters),
-          TEST(test_animation), TEST(test_files))
+          TEST(test_checksum), TEST(test_compress_far_copies), TEST(test_choice_of_blocks),
+          TEST(test_color_types), TEST(test_filters), TEST(test_split_data),
+          TEST(test_wrong_headers), TEST(test_wrong_chunks), TEST(test_pixel_outside_palette),
+          TEST(test_round_trip), TEST(test_choice_of_filters), TEST(test_animation),
+          TEST(test_files))

@@ -103,14 +103,15 @@ static void make_touching(struct polygon *p) {
     polygon_add(p, x2, y2);
 }
 
-/* A square whose hole is reached from the lower side and touches the outline's last corner. */
+/* A square whose hole is reached from the lower side and touches the outline's last corner, often
+ * along a side of the outline, even the whole of it. */
 static void make_touched(struct polygon *p) {
-    int x1, y1, x2, y2;
+    int x1, y1, x2, y2, along = random_int(0, 7);
     do {
-        x1 = random_int(1, 30);
-        y1 = random_int(1, 30);
-        x2 = random_int(1, 30);
-        y2 = random_int(y1, 30);
+        x1 = along == 1 ? 0 : random_int(1, 30);
+        y1 = along == 1 ? 0 : random_int(1, 30);
+        x2 = along == 0 ? 31 : random_int(1, 30);
+        y2 = along == 0 ? 31 : random_int(y1, 31);
     } while (x1 * (y2 - 31) - (y1 - 31) * x2 <= 0); /* the hole must go round clockwise */
     *p = (struct polygon){0};
     polygon_add(p, 0, 0);
@@ -123,6 +124,85 @@ static void make_touched(struct polygon *p) {
     polygon_add(p, 31, 0);
     polygon_add(p, 31, 31);
     polygon_add(p, 0, 31);
+}
+
+/* A rectangle with notches from above, of which many reach the lower side and touch it. */
+static void make_notched(struct polygon *p) {
+    int notches = random_int(1, 6), height = random_int(2, 40);
+    *p = (struct polygon){0};
+    polygon_add(p, 0, 0);
+    polygon_add(p, 20 * notches, 0);
+    polygon_add(p, 20 * notches, height);
+    for (int i = notches; i-- > 0;) {
+        int left = 20 * i + random_int(1, 9), right = left + random_int(1, 9);
+        polygon_add(p, right, height);
+        polygon_add(p, 20 * i + random_int(1, 19), random_int(0, 2) > 0 ? 0 : height / 2);
+        polygon_add(p, left, height);
+    }
+    polygon_add(p, 0, height);
+}
+
+/* ---- Any polygon that touches itself: triangles glued together along some of their sides ---- */
+
+enum { GRID = 5, GRID_TRIANGLES = 2 * GRID * GRID };
+
+/* Whole-number points in rows and columns; each square is cut one way or the other. */
+struct tiling {
+    int64_t x[(GRID + 1) * (GRID + 1)], y[(GRID + 1) * (GRID + 1)];
+    int corner[GRID_TRIANGLES][3]; /* counterclockwise */
+};
+
+static void make_tiling(struct tiling *t) {
+    int shift = random_int(0, 3); /* 0: many corners on one line */
+    for (int i = 0; i < (GRID + 1) * (GRID + 1); i++) {
+        t->x[i] = 20 * (i % (GRID + 1)) + random_int(-shift, shift);
+        t->y[i] = 20 * (i / (GRID + 1)) + random_int(-shift, shift);
+    }
+    for (int i = 0; i < GRID * GRID; i++) {
+        int a = i / GRID * (GRID + 1) + i % GRID, b = a + 1, c = a + GRID + 2, d = a + GRID + 1;
+        const int cuts[2][2][3] = {{{a, b, c}, {a, c, d}}, {{a, b, d}, {b, c, d}}};
+        memcpy(t->corner[2 * i], cuts[random_int(0, 1)], sizeof cuts[0]);
+    }
+}
+
+/* The triangle, not yet used, on the other side of the side from p to q; -1 where there is none. */
+static int find_beyond_side(const struct tiling *t, const bool *used, int p, int q, int *third) {
+    for (int i = 0; i < GRID_TRIANGLES; i++) {
+        for (int k = 0; k < 3 && !used[i]; k++) {
+            if (t->corner[i][k] == q && t->corner[i][(k + 1) % 3] == p) {
+                *third = t->corner[i][(k + 2) % 3];
+                return i;
+            }
+        }
+    }
+    return -1;
+}
+
+/* Begin with a triangle and glue others to sides of the polygon, anywhere: it comes back to corners
+ * and along sides that it has already, has holes and slits, and never crosses itself. */
+static void make_glued(struct polygon *p) {
+    static struct tiling t;
+    bool used[GRID_TRIANGLES] = {false};
+    int point[CORNER_LIMIT];
+    int first = random_int(0, GRID_TRIANGLES - 1), wanted = random_int(4, 45);
+    make_tiling(&t);
+    memcpy(point, t.corner[first], sizeof t.corner[first]);
+    used[first] = true;
+    int size = 3;
+    for (int tries = 0; size < wanted && tries < 400; tries++) {
+        int side = random_int(0, size - 1), third;
+        int found = find_beyond_side(&t, used, point[side], point[(side + 1) % size], &third);
+        if (found >= 0) {
+            memmove(point + side + 2, point + side + 1, (size_t)(size - side - 1) * sizeof *point);
+            point[side + 1] = third;
+            used[found] = true;
+            size++;
+        }
+    }
+    *p = (struct polygon){0};
+    for (int i = 0; i < size; i++) {
+        polygon_add(p, (int)t.x[point[i]], (int)t.y[point[i]]);
+    }
 }
 
 static int sign_of(int128 value) {
@@ -346,6 +426,10 @@ static void test_polygons(void) {
         check_polygon(&cutter, &p, true, "touched");
         make_hardly_bent(&p);
         check_polygon(&cutter, &p, is_convex(&p), "hardly bent");
+        make_notched(&p);
+        check_polygon(&cutter, &p, true, "notched");
+        make_glued(&p);
+        check_polygon(&cutter, &p, true, "glued");
         if (make_uncrossed(&p)) {
             check_polygon(&cutter, &p, is_convex(&p), "uncrossed");
             uncrossed++;
@@ -454,6 +538,47 @@ static void test_hardly_concave(void) {
     polygon_cutter_free(&cutter);
 }
 
+/* Twice the exact area of a triangle whose coordinates are whole numbers of up to 2^61. */
+static int128 exact_area(struct vec3 a, struct vec3 b, struct vec3 c) {
+    int128 ax = (int128)a.x, ay = (int128)a.y;
+    return ((int128)b.x - ax) * ((int128)c.y - ay) - ((int128)b.y - ay) * ((int128)c.x - ax);
+}
+
+/* Four corners of which three lie so nearly on a line that the differences of their coordinates,
+ * rounded, show another turn than the exact ones: near the origin, at b, and at about a multiple of
+ * b. No triangle may be turned over. */
+static void test_nearly_straight(void) {
+    struct polygon_cutter cutter = {0};
+    int concave = 0;
+    for (int i = 0; i < 20000; i++) {
+        float places[4][2] = {{0}};
+        struct vec3 turned[4];
+        float x = (float)random_int(1 << 22, 1 << 23), y = (float)random_int(1, 1 << 23);
+        int large = random_int(20, 34), times = random_int(2, 7);
+        for (int axis = 0; axis < 2; axis++) {
+            float b = (axis == 0 ? x : y) * ldexpf(1, large);
+            places[0][axis] = (float)random_int(-400, 400);
+            places[1][axis] = b;
+            places[2][axis] = b * (float)times; /* rounded to 24 bits */
+        }
+        places[3][0] = -y * ldexpf(1, large - 1); /* to the left of the line */
+        places[3][1] = x * ldexpf(1, large);
+        for (int k = 0; k < 4; k++) {
+            const float *place = places[(i + k) % 4];
+            turned[k] = (struct vec3){(double)place[0], (double)place[1], 0};
+        }
+        concave += exact_area(turned[(4 - i % 4) % 4], turned[(5 - i % 4) % 4],
+                              turned[(6 - i % 4) % 4]) < 0;
+        CHECK(polygon_cut(&cutter, turned, 4) == POLYGON_CUT);
+        for (size_t k = 0; k < cutter.triangle_count; k++) {
+            const uint32_t *c = cutter.triangles[k];
+            CHECK(exact_area(turned[c[0]], turned[c[1]], turned[c[2]]) >= 0);
+        }
+    }
+    CHECK(concave > 5000);
+    polygon_cutter_free(&cutter);
+}
+
 /* ---- Large ones ---- */
 
 static double twice_the_area(struct vec3 a, struct vec3 b, struct vec3 c) {
@@ -512,4 +637,5 @@ static void test_limit(void) {
 }
 
 UNIT_MAIN(TEST(test_polygons), TEST(test_wild_polygons), TEST(test_chosen_polygons),
-          TEST(test_hardly_concave), TEST(test_sawtooth), TEST(test_limit))
+          TEST(test_hardly_concave), TEST(test_nearly_straight), TEST(test_sawtooth),
+          TEST(test_limit))

@@ -292,6 +292,7 @@ static void test_stats_and_repeat(void) {
 }
 
 static void test_camera(void) {
+    CHECK(run(&dot_program, "-o out --only dot -s 16384x2") == 0); /* as large as they get */
     CHECK(run(&dot_program, "-o out --only dot --no-skip") == 0);
     CHECK(last_drawing.eye.z == 3 && last_drawing.up.y == 1 && !last_drawing.skip);
     CHECK(run(&dot_program, "-o out --only dot --eye 1,-2.5,3e1 --light 0,1,0") == 0);

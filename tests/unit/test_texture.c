@@ -151,6 +151,17 @@ static void test_level_rounding(void) {
     CHECK(texture_create(&t, &image, &error) && (t.level[1].texels[0] & 0xFF) == 11);
     texture_free(&t);
     image_free(&image);
+    for (int sum = 0; sum <= 4 * 255; sum++) { /* of four texels: every remainder */
+        const uint8_t level = (uint8_t)(sum / 4);
+        uint8_t four[4] = {level, level, level, level};
+        for (int k = 0; k < sum % 4; k++) {
+            four[k]++;
+        }
+        const struct image square = {2, 2, IMAGE_GREY, four};
+        CHECK(texture_create(&t, &square, &error));
+        CHECK((t.level[1].texels[0] & 0xFF) == (unsigned)(sum + 2) / 4);
+        texture_free(&t);
+    }
     if (!CHECK(image_create(&image, 4105, 4105, IMAGE_GREY, &error))) {
         return;
     }
@@ -215,6 +226,15 @@ static void test_samples(void) {
             check_sample(&t, uv, random_bits() % t.level_count);
         }
         texture_free(&t);
+    }
+}
+
+static void test_clamp(void) {
+    static const double rows[][3] = {{-0.25, 7, 0}, {0, 7, 0},        {6.75, 7, 6.75},  {7, 7, 7},
+                                     {7.25, 7, 7},  {7.75, 7, 7},     {1e300, 7, 7},    {3, 0, 0},
+                                     {NAN, 7, 0},   {INFINITY, 7, 7}, {-INFINITY, 7, 0}};
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        CHECK(texture_clamp(rows[i][0], rows[i][1]) == rows[i][2]);
     }
 }
 
@@ -285,5 +305,5 @@ static void test_sizes(void) {
 }
 
 UNIT_MAIN(TEST(test_texels), TEST(test_level_sizes), TEST(test_levels), TEST(test_level_rounding),
-          TEST(test_samples), TEST(test_texel_centres), TEST(test_hostile_coordinates),
-          TEST(test_sizes))
+          TEST(test_samples), TEST(test_clamp), TEST(test_texel_centres),
+          TEST(test_hostile_coordinates), TEST(test_sizes))

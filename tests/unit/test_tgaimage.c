@@ -114,6 +114,7 @@ static void test_get_and_set(void) {
         image_clear(&image, (struct color){0});
         image_fill_row(&image, 1, 1, 3, color);
         image_fill_row(&image, 0, 2, 2, color);
+        image_fill_row(&image, 0, 3, 1, color);
         for (int k = 0; k < 6; k++) {
             bool filled = k == 4 || k == 5;
             CHECK_ROW((memcmp(image.pixels + (size_t)k * step, rows[i].bytes, step) == 0) == filled,
@@ -254,6 +255,7 @@ static const struct kind kinds[] = {
     {"16 bits", 2, 16, 0, 0, IMAGE_BGR},
     {"16 bits with alpha", 2, 16, 0, 1, IMAGE_BGRA},
     {"24 bits", 2, 24, 0, 0, IMAGE_BGR},
+    {"24 bits that claim one of attributes", 2, 24, 0, 1, IMAGE_BGR},
     {"24 bits with a colour map to skip", 2, 24, 16, 0, IMAGE_BGR},
     {"32 bits", 2, 32, 0, 8, IMAGE_BGRA},
     {"grey", 3, 8, 0, 0, IMAGE_GREY},
@@ -586,6 +588,11 @@ static void test_tga_packs(void) {
     file.size = 0;
     image_free(&image);
     CHECK(!tga_encode(&image, true, &file, &error) && file.size == 0);
+    /* Two equal grey pixels among others are not worth a packet: 5 bytes and 2, not 2 + 2 + 4. */
+    CHECK(image_create(&image, 104, 1, IMAGE_GREY, &error));
+    memcpy(image.pixels, "\1\2\2\3", 4);
+    CHECK(tga_encode(&image, true, &file, &error) && file.size == 18 + 5 + 2 + 26);
+    image_free(&image);
     bytes_free(&file);
 }
 
