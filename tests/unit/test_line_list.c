@@ -1,5 +1,5 @@
-/* Lesson 1's list of a line's pixels against the walk of common, which is held against exact answers
- * elsewhere: the same pixels, in the same order. */
+/* Lesson 1's list of a line's pixels against the walk of common, which is held against exact
+ * answers elsewhere: the same pixels, in the same order. */
 #define main step01_main
 int step01_main(int argc, char **argv);
 #include "../../step01_line/main.c"
