@@ -119,6 +119,15 @@ void pipeline_free(struct pipeline *pipeline) {
     *pipeline = (struct pipeline){0};
 }
 
+void pipeline_use_threads(struct pipeline *pipeline, size_t thread_count) {
+    if (pipeline->thread_count != thread_count) {
+        workers_free(pipeline->workers);
+        pipeline->workers = NULL;
+        pipeline->alone = false;
+        pipeline->thread_count = thread_count;
+    }
+}
+
 void pipeline_clear(struct pipeline *pipeline) {
     size_t pixels = pipeline->width * pipeline->height;
     depth_clear(pipeline->depth, pixels);

@@ -122,12 +122,12 @@ extern const char *const pipeline_stat_name[PIPELINE_STATS];
  * enough. All zero is a valid, empty pipeline. */
 struct pipeline {
     size_t width, height;
-    bool skip;           /* false: do all the work, shade at once; the image is the same */
-    size_t thread_count; /* how many threads draw; 0: see workers_create() */
-    double *depth;       /* width * height; minus infinity where nothing is drawn */
+    bool skip;     /* false: do all the work, shade at once; the image is the same */
+    double *depth; /* width * height; minus infinity where nothing is drawn */
     uint64_t stats[PIPELINE_STATS];
 
     /* From here on private: see pipeline_kernels.h and pipeline.c. */
+    size_t thread_count;          /* for workers_create() */
     struct workers *workers;      /* NULL until they are needed, and where there are none */
     bool alone;                   /* there are none */
     struct pixel_work *band_work; /* of the bands of the last loop */
@@ -148,6 +148,10 @@ struct pipeline {
 /* Allocate the buffers for images of that size, 1..DRAW_LIMIT a side; skip is on. */
 bool pipeline_create(struct pipeline *pipeline, size_t width, size_t height, struct error *error);
 void pipeline_free(struct pipeline *pipeline);
+
+/* Draw with that many threads from now on; 0, at first: one for each processor, or as many as the
+ * environment variable THREADS says. */
+void pipeline_use_threads(struct pipeline *pipeline, size_t thread_count);
 
 /* Begin a frame: nothing is drawn yet, and all counts are zero. */
 void pipeline_clear(struct pipeline *pipeline);

@@ -22,9 +22,6 @@ int step09_main(int argc, char **argv);
 
 #include <stdlib.h>
 #include <string.h>
-#ifdef _OPENMP
-#include <omp.h>
-#endif
 
 enum { SIDE = 800, ROW_OF_BUSTS = 4 };
 
@@ -407,15 +404,10 @@ static double error_call(void *state, int choice) {
 
 /* ---- The pipeline: at once or visible only, in which order, by how many threads ---- */
 
-/* How many threads the frame of the benchmark has; then `wanted` of them until restored. */
-static int set_threads(int wanted) {
-#ifdef _OPENMP
-    int before = omp_get_max_threads();
-    omp_set_num_threads(wanted);
-    return before;
-#else
-    return wanted;
-#endif
+static void use_threads(struct work *work, int thread_count) {
+    for (size_t i = 0; i < sizeof work->targets / sizeof work->targets[0]; i++) {
+        pipeline_use_threads(&work->targets[i].pipeline, (size_t)thread_count);
+    }
 }
 
 /* Each pixel of a small picture becomes a square of the large one. */
@@ -472,11 +464,10 @@ static bool draw_row(struct work *work, const struct subject *row, enum kind kin
 
 static void run_row(void *state, int choice) {
     struct work *work = state;
-    int threads = set_threads(choice / KINDS / 2);
+    use_threads(work, choice / KINDS / 2);
     bool near_first = choice / KINDS % 2 == NEAR_FIRST;
     work->drawn = draw_row(work, near_first ? &work->near_first : &work->far_first,
                            (enum kind)(choice % KINDS));
-    set_threads(threads);
 }
 
 /* Over the pixels that any of the two pictures shows. */
@@ -679,11 +670,10 @@ static bool make_row(struct subject *row, enum order order, struct error *error)
 /* The most patient drawing. */
 static bool draw_patiently(struct work *work, struct error *error) {
     struct target *target = &work->targets[0];
-    int threads = set_threads(1);
+    use_threads(work, 1);
     target->pipeline.skip = false;
     bool done = draw_row(work, &work->far_first, PER_PIXEL);
     target->pipeline.skip = true;
-    set_threads(threads);
     return (done || error_out_of_memory(error)) &&
            image_copy(&work->far_first.right, &target->image, error);
 }
@@ -781,10 +771,8 @@ static const struct bench_version row_versions[] = {
     VERSION("at once, nearest first", row, ROW(AT_ONCE, NEAR_FIRST, 1), false),
     VERSION("visible, farthest first", row, ROW(VISIBLE, FAR_FIRST, 1), true),
     VERSION("visible, nearest first", row, ROW(VISIBLE, NEAR_FIRST, 1), true),
-#ifdef _OPENMP
     VERSION("at once, 2 threads", row, ROW(AT_ONCE, FAR_FIRST, 2), false),
     VERSION("visible, 2 threads", row, ROW(VISIBLE, FAR_FIRST, 2), true),
-#endif
     VERSION("400x400, enlarged", row, ROW(HALF_SIZE, FAR_FIRST, 1), false),
     VERSION("200x200, enlarged", row, ROW(QUARTER_SIZE, FAR_FIRST, 1), false),
 };

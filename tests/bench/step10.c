@@ -17,10 +17,6 @@ int step10_main(int argc, char **argv);
 
 #include <stdlib.h>
 #include <string.h>
-#ifdef _OPENMP
-#include <omp.h>
-#endif
-
 enum { SIDE = 600, SHARP_POWER = 80, MESHES = 4, COARSEST_ROWS = 16, MAP_HEIGHT = 512 };
 
 static const struct vec3 light = {1, 1, 1};
@@ -66,15 +62,8 @@ static bool draw(struct work *work, const struct model *model, struct vec3 eye,
                                         0.8, (struct rectangle){0, 0, SIDE, SIDE}, CULL_BACK);
     pipeline_clear(&work->pipeline);
     memset(work->image.pixels, 0, (size_t)SIDE * SIDE * IMAGE_BGR);
-#ifdef _OPENMP
-    int threads = omp_get_max_threads();
-    omp_set_num_threads(1);
-#endif
-    bool done = pipeline_draw(&work->pipeline, &call, shader, uniforms, &work->image, &error);
-#ifdef _OPENMP
-    omp_set_num_threads(threads);
-#endif
-    return done;
+    pipeline_use_threads(&work->pipeline, 1);
+    return pipeline_draw(&work->pipeline, &call, shader, uniforms, &work->image, &error);
 }
 
 /* ---- Phong's formula in long double ---- */

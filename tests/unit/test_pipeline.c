@@ -176,6 +176,45 @@ static void test_nearest_face_shows(void) {
     }
 }
 
+/* ---- Threads ---- */
+
+static void draw_with_threads(const struct mesh *mesh, size_t thread_count, struct image *image,
+                              uint64_t stats[PIPELINE_STATS]) {
+    enum { LARGE = 200 }; /* rows for more than a few bands */
+    struct error error;
+    struct pipeline pipeline = {0};
+    size_t calls = 0;
+    struct uniforms uniforms = {.model = &mesh->model, .vertex_calls = &calls};
+    struct draw_call call = {
+        .model = &mesh->model, .to_clip = mat4_identity(), .viewport = {0, 0, LARGE, LARGE}};
+    CHECK(image_create(image, LARGE, LARGE, IMAGE_BGR, &error));
+    CHECK(pipeline_create(&pipeline, LARGE, LARGE, &error));
+    for (size_t threads = 7; threads-- > thread_count;) { /* the last number counts */
+        pipeline_use_threads(&pipeline, threads);
+        pipeline_clear(&pipeline);
+        image_clear(image, color_grey(0));
+        CHECK(pipeline_draw(&pipeline, &call, &number_shader, &uniforms, image, &error));
+    }
+    memcpy(stats, pipeline.stats, sizeof pipeline.stats);
+    pipeline_free(&pipeline);
+}
+
+static void test_threads_change_nothing(void) {
+    static struct mesh mesh;
+    struct random random = {17};
+    struct image one = {0}, many = {0};
+    uint64_t stats_one[PIPELINE_STATS], stats_many[PIPELINE_STATS];
+    make_soup(&mesh, &random);
+    draw_with_threads(&mesh, 1, &one, stats_one);
+    for (size_t threads = 2; threads < 6; threads++) {
+        draw_with_threads(&mesh, threads, &many, stats_many);
+        CHECK(memcmp(one.pixels, many.pixels, one.width * one.height * 3) == 0);
+        CHECK(memcmp(stats_one, stats_many, sizeof stats_one) == 0);
+        image_free(&many);
+    }
+    image_free(&one);
+}
+
 /* ---- Several calls in a frame, in each of the ways to draw ---- */
 
 /* Visible pixels only; skip off; a shader that may discard: the last two shade at once. */
@@ -911,12 +950,13 @@ static void test_errors(void) {
     pipeline_free(&pipeline);
 }
 
-UNIT_MAIN(TEST(test_nearest_face_shows), TEST(test_first_of_equal_depths_stays),
-          TEST(test_cells_side_by_side), TEST(test_nothing_outside_the_viewport),
-          TEST(test_calls_that_overlap), TEST(test_calls_of_many_faces), TEST(test_counts),
-          TEST(test_faces_at_the_sides), TEST(test_channels), TEST(test_discarded_hides_nothing),
-          TEST(test_cut_from_both_ends), TEST(test_nearest_w), TEST(test_depth_overflows),
-          TEST(test_corner_order), TEST(test_ground_without_gaps), TEST(test_interpolation),
-          TEST(test_viewport), TEST(test_grid_cell), TEST(test_not_finite),
-          TEST(test_beside_viewport), TEST(test_equal_corners), TEST(test_no_area_is_no_side),
-          TEST(test_wrapped_level), TEST(test_far_apart), TEST(test_errors))
+UNIT_MAIN(TEST(test_nearest_face_shows), TEST(test_threads_change_nothing),
+          TEST(test_first_of_equal_depths_stays), TEST(test_cells_side_by_side),
+          TEST(test_nothing_outside_the_viewport), TEST(test_calls_that_overlap),
+          TEST(test_calls_of_many_faces), TEST(test_counts), TEST(test_faces_at_the_sides),
+          TEST(test_channels), TEST(test_discarded_hides_nothing), TEST(test_cut_from_both_ends),
+          TEST(test_nearest_w), TEST(test_depth_overflows), TEST(test_corner_order),
+          TEST(test_ground_without_gaps), TEST(test_interpolation), TEST(test_viewport),
+          TEST(test_grid_cell), TEST(test_not_finite), TEST(test_beside_viewport),
+          TEST(test_equal_corners), TEST(test_no_area_is_no_side), TEST(test_wrapped_level),
+          TEST(test_far_apart), TEST(test_errors))
