@@ -26,7 +26,7 @@ For the course as a whole:
   make coverage               which lines and branches of common the tests reach
   make help                   this list
 
-CC=clang, CFLAGS=-O0, WERROR=-Werror and BUILD=some/directory may be added to any of these.
+CC=clang, CFLAGS=-O0, MARCH=, WERROR=-Werror and BUILD=some/directory may be added to any of these.
 endef
 
 BUILD  = build

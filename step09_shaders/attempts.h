@@ -1,5 +1,5 @@
 /*
- * Slower ways to call a shader, for the benchmark; the pictures are the same to the byte.
+ * Other ways to call a shader, for the benchmark; the pictures are the same to the byte.
  *
  * Include after the shaders of main.c.
  */
