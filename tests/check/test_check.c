@@ -88,6 +88,7 @@ static pid_t start(const char *name, const char *timeout, const char *const *arg
     int errors = open(inside("errors").text, O_WRONLY | O_CREAT | O_TRUNC, 0666);
     dup2(output, STDOUT_FILENO);
     dup2(errors, STDERR_FILENO);
+    signal(SIGINT, SIG_DFL); /* a shell ignores it for what it runs in the background */
     setenv("TMPDIR", inside("tmp").text, 1);
     setenv("WITNESS", inside("witness").text, 1);
     setenv("CHECK_TIMEOUT", timeout, 1);
