@@ -10,7 +10,7 @@
 
 /* ---- Streams by hand ---- */
 
-enum { STREAM_LIMIT = 128 };
+enum { STREAM_LIMIT = 256 };
 
 struct stream {
     uint8_t bytes[STREAM_LIMIT];
@@ -76,6 +76,26 @@ static void test_single_codes(void) {
             CHECK_ROW(strstr(error.message, rows[i].message) != NULL, rows[i].name);
         }
     }
+}
+
+/* A code with one more of the longest codes, of 15 bits, than there is room for. */
+static void test_one_code_too_many(void) {
+    struct stream stream = {{0x78, 0x01}, 16};
+    struct error error;
+    char out[8];
+    put_string(&stream, "1 01 00000 00000 1111"); /* 257 literal codes, 1 distance, 19 lengths */
+    put_string(&stream, "000 000 000"); /* 16, 17, 18 have none; 0 to 15 themselves, in 4 bits */
+    for (int i = 0; i < 16; i++) {
+        put_string(&stream, "001");
+    }
+    for (int i = 0; i < 258; i++) { /* 1, 2, ... 14, 15, 15 are complete; the end has 15 too */
+        int length = i < 15 ? i + 1 : i == 15 || i == 256 ? 15 : i == 257 ? 1 : 0;
+        for (int bit = 3; bit >= 0; bit--) {
+            put_string(&stream, (length >> bit & 1) != 0 ? "1" : "0");
+        }
+    }
+    CHECK(!zlib_decompress(stream.bytes, stream.bits / 8 + 8, out, sizeof out, &error));
+    CHECK(strstr(error.message, "wrong code") != NULL);
 }
 
 /* The stream ends inside the header of a block, which does not begin on a whole byte there:
@@ -182,4 +202,5 @@ static void test_large(void) {
     free(out);
 }
 
-UNIT_MAIN(TEST(test_single_codes), TEST(test_cut_headers), TEST(test_cut_off), TEST(test_large))
+UNIT_MAIN(TEST(test_single_codes), TEST(test_one_code_too_many), TEST(test_cut_headers),
+          TEST(test_cut_off), TEST(test_large))

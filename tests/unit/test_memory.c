@@ -8,6 +8,7 @@
  */
 #define _XOPEN_SOURCE 700 /* POSIX.1-2008 with mkdtemp() */
 
+#include "array.h"
 #include "file.h"
 #include "image_file.h"
 #include "model.h"
@@ -757,5 +758,12 @@ static void test_programs(void) {
     RUN_TASKS(tasks);
 }
 
-UNIT_MAIN(TEST(test_files), TEST(test_images), TEST(test_scenes_and_models), TEST(test_pipeline),
-          TEST(test_programs))
+/* More elements than a size can count the bytes of; the array stays as it was. */
+static void test_too_many_elements(void) {
+    size_t capacity = 0;
+    CHECK(array_reserve(NULL, &capacity, SIZE_MAX / 16 + 2, 16) == NULL && capacity == 0);
+    CHECK(array_reserve(NULL, &capacity, SIZE_MAX / 8 + 2, 8) == NULL && capacity == 0);
+}
+
+UNIT_MAIN(TEST(test_too_many_elements), TEST(test_files), TEST(test_images),
+          TEST(test_scenes_and_models), TEST(test_pipeline), TEST(test_programs))

@@ -49,6 +49,8 @@ static struct {
     bool failed;       /* it came to that */
     bool interrupt;    /* every second read and write is interrupted, and the others are short */
     bool full;         /* write() takes no byte and gives no error */
+    bool grows;        /* a file claims to have 1 GiB, and has one byte more */
+    size_t grown;      /* of them, read so far; there is nothing in them */
     long taken;        /* so many names of temporary files exist already */
     size_t interrupts; /* so far */
 } system_calls;
@@ -93,7 +95,11 @@ int __wrap_close(int file) {
 }
 
 int __wrap_fstat(int file, struct stat *status) {
-    return fails() ? -1 : __real_fstat(file, status);
+    if (fails() || __real_fstat(file, status) != 0) {
+        return -1;
+    }
+    status->st_size = system_calls.on && system_calls.grows ? 1 << 30 : status->st_size;
+    return 0;
 }
 
 int __wrap_stat(const char *path, struct stat *status) {
@@ -109,7 +115,15 @@ int __wrap_rename(const char *from, const char *to) {
 }
 
 ssize_t __wrap_read(int file, void *data, size_t size) {
-    return fails() || interrupted() ? -1 : __real_read(file, data, part_of(size));
+    if (fails() || interrupted()) {
+        return -1;
+    }
+    if (!system_calls.on || !system_calls.grows) {
+        return __real_read(file, data, part_of(size));
+    }
+    size_t left = ((size_t)1 << 30) + 1 - system_calls.grown, got = size < left ? size : left;
+    system_calls.grown += got;
+    return (ssize_t)got;
 }
 
 ssize_t __wrap_write(int file, const void *data, size_t size) {
@@ -349,5 +363,24 @@ static void test_seldom_names(void) {
     place_remove(&place);
 }
 
+/* A file that grows past the limit while it is read. */
+static void test_growing_file(void) {
+    struct place place;
+    struct bytes bytes;
+    struct error error = {0};
+    if (!place_create(&place)) {
+        return;
+    }
+    system_calls.failing = NEVER;
+    system_calls.grown = 0;
+    system_calls.on = system_calls.grows = true;
+    bool done = file_read(place.old, &bytes, &error);
+    system_calls.on = system_calls.grows = false;
+    CHECK(!done && bytes.data == NULL && strstr(error.message, ": is larger than 1 GiB") != NULL);
+    CHECK(system_calls.grown == ((size_t)1 << 30) + 1);
+    place_remove(&place);
+}
+
 UNIT_MAIN(TEST(test_taken_names), TEST(test_seldom_names), TEST(test_each_call_fails),
-          TEST(test_other_reasons), TEST(test_interrupted), TEST(test_full))
+          TEST(test_other_reasons), TEST(test_interrupted), TEST(test_full),
+          TEST(test_growing_file))
