@@ -534,7 +534,7 @@ bool png_decode(struct image *image, const void *data, size_t size, struct error
 /* ---- Writing ---- */
 
 /* A part of an image; y counts rows from the bottom. */
-struct rect {
+struct rectangle {
     size_t x, y, width, height;
 };
 
@@ -569,7 +569,8 @@ static bool append_header(struct bytes *out, const struct image *image) {
 }
 
 /* Blue, green, red in memory; red, green, blue in the file. */
-static void load_row(const struct image *image, const struct rect *rect, size_t y, uint8_t *row) {
+static void load_row(const struct image *image, const struct rectangle *rect, size_t y,
+                     uint8_t *row) {
     size_t step = (size_t)image->format;
     const uint8_t *pixel = image->pixels + ((rect->y + y) * image->width + rect->x) * step;
     if (step == 1) {
@@ -599,7 +600,7 @@ static uint64_t distance_from_zero(const uint8_t *bytes, size_t size) {
  * With FILTER_ADAPTIVE each row gets the filter whose differences are smallest in sum, as the
  * specification advises (section 12.7). `rows` has room for two rows and their margins, all zero,
  * `trial` for one row. */
-static void filter_rows(const struct image *image, const struct rect *rect, unsigned choice,
+static void filter_rows(const struct image *image, const struct rectangle *rect, unsigned choice,
                         uint8_t *rows, uint8_t *trial, uint8_t *out) {
     size_t step = (size_t)image->format;
     size_t size = rect->width * step;
@@ -644,7 +645,7 @@ static bool is_edge(const uint8_t *row, size_t x, size_t step) {
  * bytes as they are then compress better, and faster, than any differences. Of the changes along
  * the rows of such images more than half are hard edges; of smoothly shaded ones, less than a
  * tenth. */
-static bool has_flat_areas(const struct image *image, const struct rect *rect) {
+static bool has_flat_areas(const struct image *image, const struct rectangle *rect) {
     size_t step = (size_t)image->format;
     uint64_t changes = 0, edges = 0;
     for (size_t y = 0; y < rect->height; y++) {
@@ -660,8 +661,8 @@ static bool has_flat_areas(const struct image *image, const struct rect *rect) {
 }
 
 /* The filtered and compressed pixels of a rectangle, at the end of `out`. */
-static bool compress_pixels(const struct image *image, const struct rect *rect, struct bytes *out,
-                            struct error *error) {
+static bool compress_pixels(const struct image *image, const struct rectangle *rect,
+                            struct bytes *out, struct error *error) {
     unsigned filter = has_flat_areas(image, rect) ? FILTER_NONE : FILTER_ADAPTIVE;
     size_t size = rect->width * (size_t)image->format;
     uint8_t *rows = calloc(3, PIXEL_LIMIT + size);
@@ -679,8 +680,8 @@ end:
     return done;
 }
 
-static struct rect whole(const struct image *image) {
-    return (struct rect){0, 0, image->width, image->height};
+static struct rectangle whole(const struct image *image) {
+    return (struct rectangle){0, 0, image->width, image->height};
 }
 
 static bool append_signature(struct bytes *out) {
@@ -715,7 +716,7 @@ bool png_encode(const struct image *image, struct bytes *out, struct error *erro
         return error_set(error, "an empty image cannot be written");
     }
     struct bytes pixels = {0};
-    struct rect rect = whole(image);
+    struct rectangle rect = whole(image);
     size_t start = out->size;
     bool done = compress_pixels(image, &rect, &pixels, error) &&
                 (append_png(out, image, &pixels) || error_out_of_memory(error));
@@ -740,7 +741,7 @@ enum { FRAME_CONTROL_SIZE = 26 };
 
 /* The smallest rectangle outside of which two images of one size are equal; a single pixel when
  * they are equal everywhere, since a frame cannot be empty. */
-static struct rect changed_rect(const struct image *before, const struct image *after) {
+static struct rectangle changed_rect(const struct image *before, const struct image *after) {
     size_t step = (size_t)after->format;
     size_t left = after->width, bottom = after->height;
     size_t right = 0, top = 0; /* past it */
@@ -762,11 +763,11 @@ static struct rect changed_rect(const struct image *before, const struct image *
         left = first < left ? first : left;
         right = end > right ? end : right;
     }
-    return top == 0 ? (struct rect){0, 0, 1, 1}
-                    : (struct rect){left, bottom, right - left, top - bottom};
+    return top == 0 ? (struct rectangle){0, 0, 1, 1}
+                    : (struct rectangle){left, bottom, right - left, top - bottom};
 }
 
-static bool append_frame_control(struct bytes *out, uint32_t sequence, const struct rect *rect,
+static bool append_frame_control(struct bytes *out, uint32_t sequence, const struct rectangle *rect,
                                  size_t image_height, unsigned delay_ms) {
     uint8_t control[FRAME_CONTROL_SIZE] = {0}; /* the rectangle replaces what was there and stays */
     put_u32(control, sequence);
@@ -799,7 +800,7 @@ static bool append_frame_pixels(struct bytes *out, uint32_t sequence, const stru
 static bool append_frame(const struct image *frames, size_t index, unsigned delay_ms,
                          struct bytes *out, struct error *error) {
     const struct image *frame = &frames[index];
-    struct rect rect = index == 0 ? whole(frame) : changed_rect(&frames[index - 1], frame);
+    struct rectangle rect = index == 0 ? whole(frame) : changed_rect(&frames[index - 1], frame);
     uint32_t sequence = index == 0 ? 0 : (uint32_t)(2 * index - 1);
     struct bytes pixels = {0};
     bool done = compress_pixels(frame, &rect, &pixels, error) &&

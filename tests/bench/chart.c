@@ -37,11 +37,11 @@ static const double letter_width = 7.0;
 struct output {
     struct bytes *svg;
     struct error *error;
-    bool well;
+    bool done;
 };
 
 #define PUT(output, ...)                                                                           \
-    ((output)->well = (output)->well && report_append((output)->svg, (output)->error, __VA_ARGS__))
+    ((output)->done = (output)->done && report_append((output)->svg, (output)->error, __VA_ARGS__))
 
 /* Text in which no character means something to SVG. */
 static void put_escaped(struct output *output, const char *text) {
@@ -765,7 +765,7 @@ static void draw_panel(struct output *output, const struct bench_panel *panel,
 
 bool chart_draw(const struct bench_lesson *lesson, const struct bench_results *results,
                 struct bytes *svg, struct error *error) {
-    struct output output = {.svg = svg, .error = error, .well = true};
+    struct output output = {.svg = svg, .error = error, .done = true};
     int height = HEAD_HEIGHT + (int)lesson->panel_count * PANEL_HEIGHT + FOOT_HEIGHT;
     char processor[128], text[512];
     PUT(&output,
@@ -791,5 +791,5 @@ bool chart_draw(const struct bench_lesson *lesson, const struct bench_results *r
              processor);
     put_text(&output, "foot", 20, height - 13, text);
     PUT(&output, "</svg>\n");
-    return output.well;
+    return output.done;
 }

@@ -77,18 +77,18 @@ bool report_append(struct bytes *text, struct error *error, const char *format, 
 /* "name": "value", with what JSON wants escaped. */
 static bool append_string(struct bytes *json, struct error *error, const char *name,
                           const char *value) {
-    bool well = report_append(json, error, "\"%s\": \"", name);
-    for (; well && *value != '\0'; value++) {
+    bool done = report_append(json, error, "\"%s\": \"", name);
+    for (; done && *value != '\0'; value++) {
         unsigned char c = (unsigned char)*value;
         if (c == '"' || c == '\\') {
-            well = report_append(json, error, "\\%c", c);
+            done = report_append(json, error, "\\%c", c);
         } else if (c < 32) {
-            well = report_append(json, error, "\\u%04x", (unsigned)c);
+            done = report_append(json, error, "\\u%04x", (unsigned)c);
         } else {
-            well = report_append(json, error, "%c", c);
+            done = report_append(json, error, "%c", c);
         }
     }
-    return well && report_append(json, error, "\"");
+    return done && report_append(json, error, "\"");
 }
 
 /* "name": value; JSON has no infinity, so null stands for what is not finite. */
@@ -131,7 +131,7 @@ static bool append_version(struct bytes *json, const struct bench_panel *panel, 
 
 static bool append_panel(struct bytes *json, const struct bench_panel *panel,
                          const struct bench_result *results, struct error *error) {
-    bool well =
+    bool done =
         report_append(json, error, "      {") &&
         append_string(json, error, "title", panel->title) && append_comma(json, error) &&
         append_string(json, error, "time_unit", panel->time_label) && append_comma(json, error) &&
@@ -140,11 +140,11 @@ static bool append_panel(struct bytes *json, const struct bench_panel *panel,
         append_text(json, error, "error_against", panel->against) && append_comma(json, error) &&
         append_text(json, error, "size_unit", panel->size_label) &&
         report_append(json, error, ", \"versions\": [\n");
-    for (size_t i = 0; well && i < panel->version_count; i++) {
-        well = append_version(json, panel, i, &results[i], error) &&
+    for (size_t i = 0; done && i < panel->version_count; i++) {
+        done = append_version(json, panel, i, &results[i], error) &&
                report_append(json, error, i + 1 < panel->version_count ? ",\n" : "\n");
     }
-    return well && report_append(json, error, "      ]}");
+    return done && report_append(json, error, "      ]}");
 }
 
 bool report_begin(struct bytes *json, double seconds, struct error *error) {
@@ -159,15 +159,15 @@ bool report_begin(struct bytes *json, double seconds, struct error *error) {
 
 bool report_lesson(struct bytes *json, const struct bench_lesson *lesson,
                    const struct bench_results *results, bool first, struct error *error) {
-    bool well = report_append(json, error, "%s\n    {", first ? "" : ",") &&
+    bool done = report_append(json, error, "%s\n    {", first ? "" : ",") &&
                 append_string(json, error, "step", lesson->step) && append_comma(json, error) &&
                 append_string(json, error, "title", lesson->title) &&
                 report_append(json, error, ", \"panels\": [\n");
-    for (size_t i = 0; well && i < lesson->panel_count; i++) {
-        well = append_panel(json, &lesson->panels[i], results->of[i], error) &&
+    for (size_t i = 0; done && i < lesson->panel_count; i++) {
+        done = append_panel(json, &lesson->panels[i], results->of[i], error) &&
                report_append(json, error, i + 1 < lesson->panel_count ? ",\n" : "\n");
     }
-    return well && report_append(json, error, "    ]}");
+    return done && report_append(json, error, "    ]}");
 }
 
 bool report_end(struct bytes *json, struct error *error) {

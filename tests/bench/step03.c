@@ -130,9 +130,9 @@ static void mesh_add_snapped(struct mesh *mesh, const struct fixed2 corner[3]) {
 static bool make_bust(struct mesh *mesh, bool snapped, const struct image *image,
                       struct error *error) {
     struct model model;
-    bool well =
+    bool done =
         bench_read_model(&model, "bust.obj", error) && mesh_allocate(mesh, model.face_count, error);
-    for (size_t face = 0; well && face < model.face_count; face++) {
+    for (size_t face = 0; done && face < model.face_count; face++) {
         struct fixed2 corner[3];
         if (!place_face(&model, face, image, corner) || is_turned_away(corner)) {
             continue;
@@ -146,7 +146,7 @@ static bool make_bust(struct mesh *mesh, bool snapped, const struct image *image
         }
     }
     model_free(&model);
-    return well && mesh_find_shown(mesh, error);
+    return done && mesh_find_shown(mesh, error);
 }
 
 /* The middle of the fan is a pixel centre, and so is every other corner on its rim, which lies

@@ -422,16 +422,16 @@ static bool allocate(struct faces *faces, struct error *error) {
     double **doubles[] = {&faces->doubles.x, &faces->doubles.y, &faces->doubles.z};
     faces->levels = calloc(LIGHT_COUNT * count, sizeof *faces->levels);
     faces->stored.word = calloc(count, sizeof *faces->stored.word);
-    bool well = faces->levels != NULL && faces->stored.word != NULL;
+    bool done = faces->levels != NULL && faces->stored.word != NULL;
     for (int i = 0; i < 3; i++) {
         *floats[i] = calloc(count, sizeof **floats[i]);
         *doubles[i] = calloc(count, sizeof **doubles[i]);
         faces->stored.byte[i] = calloc(count, sizeof *faces->stored.byte[i]);
         faces->stored.half[i] = calloc(count, sizeof *faces->stored.half[i]);
-        well = well && *floats[i] != NULL && *doubles[i] != NULL && faces->stored.byte[i] != NULL &&
+        done = done && *floats[i] != NULL && *doubles[i] != NULL && faces->stored.byte[i] != NULL &&
                faces->stored.half[i] != NULL;
     }
-    return well || error_set(error, "out of memory for normals");
+    return done || error_set(error, "out of memory for normals");
 }
 
 static int rounded_to(double value, int most) {

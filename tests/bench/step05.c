@@ -86,20 +86,20 @@ static void add_board(struct pile *pile) {
 static bool make_knot(struct pile *pile, const struct image *image, struct error *error) {
     struct model model;
     const struct vec3 light = {0, 0, -1};
-    bool well = bench_read_model(&model, "knot.off", error) &&
+    bool done = bench_read_model(&model, "knot.off", error) &&
                 pile_allocate(pile, model.face_count + 2, error);
     pile->steps = 0x1p23;
-    for (size_t face = 0; well && face < model.face_count; face++) {
+    for (size_t face = 0; done && face < model.face_count; face++) {
         struct vertex v[3];
         if (model_face_intensity(&model, face, light) > 0 && place_face(&model, face, image, v)) {
             pile_add(pile, v);
         }
     }
-    if (well) {
+    if (done) {
         add_board(pile);
     }
     model_free(&model);
-    return well;
+    return done;
 }
 
 /* A sheet fills its cell; its depth is `depth` to about a thousandth. */

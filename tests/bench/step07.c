@@ -275,14 +275,14 @@ static bool make_meshes(struct work *work, struct error *error) {
     if (faces == NULL) {
         return error_out_of_memory(error);
     }
-    bool well = true;
-    for (int i = 0; well && i < MESH_COUNT; i++) {
+    bool done = true;
+    for (int i = 0; done && i < MESH_COUNT; i++) {
         struct collector collector = {canvas, faces, 0};
         attempt_sphere(&collector.canvas, i + 2, work->light, collect_face);
-        well = make_mesh(&work->meshes[i], faces, collector.count, error);
+        done = make_mesh(&work->meshes[i], faces, collector.count, error);
     }
     free(faces);
-    return well;
+    return done;
 }
 
 /* ---- Setting up ---- */

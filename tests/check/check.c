@@ -163,8 +163,8 @@ static bool build_all(const struct options *options, const struct scene_table *t
     const char **arguments = calloc(table->step_count + 8, sizeof *arguments);
     char(*targets)[DRAWN_PATH_LIMIT] = calloc(table->step_count, sizeof *targets);
     struct run_result result = {.end = RUN_EXITED};
-    bool good = arguments != NULL && targets != NULL;
-    if (!good) {
+    bool done = arguments != NULL && targets != NULL;
+    if (!done) {
         error_set(error, "out of memory");
     } else {
         size_t count = 4;
@@ -179,16 +179,16 @@ static bool build_all(const struct options *options, const struct scene_table *t
                 arguments[count++] = targets[i];
             }
         }
-        good = call_make(options, arguments, &result, error);
+        done = call_make(options, arguments, &result, error);
     }
-    if (good && result.end == RUN_EXITED && result.number == NOT_FOUND_STATUS) {
-        good = error_set(error, "cannot run %.100s: %s", options->make,
+    if (done && result.end == RUN_EXITED && result.number == NOT_FOUND_STATUS) {
+        done = error_set(error, "cannot run %.100s: %s", options->make,
                          drawn_message((const char *)result.messages.data).text);
     }
     bytes_free(&result.messages);
     free(arguments);
     free(targets);
-    return good;
+    return done;
 }
 
 /* Is the step's program built and up to date? Otherwise `reason` says why not. */
@@ -199,7 +199,7 @@ static bool build_step(const struct options *options, const char *step,
     const char *arguments[] = {NULL, NULL, NULL, NULL, "-s", target, NULL};
     struct run_result result = {.end = RUN_EXITED};
     struct error error;
-    bool good = false;
+    bool done = false;
     if (!call_make(options, arguments, &result, &error)) {
         *reason = drawn_message(error.message);
     } else if (result.end == RUN_OUT_OF_TIME) {
@@ -212,10 +212,10 @@ static bool build_step(const struct options *options, const char *step,
     } else if (access(target, X_OK) != 0) {
         snprintf(reason->text, sizeof reason->text, "make has built no %.150s", target);
     } else {
-        good = true;
+        done = true;
     }
     bytes_free(&result.messages);
-    return good;
+    return done;
 }
 
 /* ---- Comparing ---- */
@@ -240,10 +240,10 @@ static void write_difference(const char *path, const struct image *reference,
     struct error error;
     char directory[DRAWN_PATH_LIMIT];
     snprintf(directory, sizeof directory, "%.*s", (int)(strrchr(path, '/') - path), path);
-    bool good = compare_picture(&picture, reference, yours, &error) &&
+    bool done = compare_picture(&picture, reference, yours, &error) &&
                 directory_create(directory, &error) && png_write(&picture, path, &error);
     image_free(&picture);
-    if (good) {
+    if (done) {
         append(&score->differences, "  %s\n", path);
     } else {
         fprintf(stderr, "check: no difference image: %s\n", error.message);
@@ -335,7 +335,7 @@ static bool describe_step(struct bytes *line, const struct options *options,
         no_reference += scenes[i].no_reference;
     }
     bool ended_well = end->end == RUN_EXITED && end->number == 0;
-    bool good = passed == count && ended_well;
+    bool right = passed == count && ended_well;
     if (no_reference > 0) {
         append(line, "ERROR");
     } else if (end->end == RUN_OUT_OF_TIME) {
@@ -343,10 +343,10 @@ static bool describe_step(struct bytes *line, const struct options *options,
     } else if (end->end == RUN_KILLED) {
         append(line, "CRASH %s", run_signal_name(end->number).text);
     } else {
-        append(line, good ? "PASS" : "FAIL");
+        append(line, right ? "PASS" : "FAIL");
     }
     append(line, " %zu/%zu", passed, count);
-    if (good && exact == count) {
+    if (right && exact == count) {
         append(line, " exact");
     }
     size_t start = line->size;
@@ -354,13 +354,13 @@ static bool describe_step(struct bytes *line, const struct options *options,
     for (size_t i = 0; i < count; i++) {
         /* A program that was stopped is not blamed for each picture that it did not get to; of
          * one that failed, only what failed is shown. */
-        bool shown = scenes[i].text[0] != '\0' && (good || !scenes[i].passed) &&
+        bool shown = scenes[i].text[0] != '\0' && (right || !scenes[i].passed) &&
                      (ended_well || !scenes[i].missing);
         if (shown) {
             append(line, "%s %s", line->size > start ? ";" : "", scenes[i].text);
         }
     }
-    return good;
+    return right;
 }
 
 /* Draw the step's scenes in an empty directory and judge them. False, with a message, when the
@@ -377,8 +377,8 @@ static bool draw_and_judge(const struct options *options, const struct checked_s
                                 .file_bytes = (size_t)FILE_MEGABYTES * 1000 * 1000,
                                 .processes = PROCESS_LIMIT};
     struct run_result end;
-    bool good = drawn_run(options->programs, step->name, directory, &limits, &end, error);
-    if (good && end.end != RUN_INTERRUPTED) {
+    bool done = drawn_run(options->programs, step->name, directory, &limits, &end, error);
+    if (done && end.end != RUN_INTERRUPTED) {
         for (size_t i = 0; i < step->scene_count; i++) {
             results[i] = check_scene(options, step->name, &step->scenes[i], directory,
                                      &references[i], &errors[i], score);
@@ -388,7 +388,7 @@ static bool draw_and_judge(const struct options *options, const struct checked_s
     }
     bytes_free(&end.messages);
     run_directory_remove(directory);
-    return good;
+    return done;
 }
 
 /* A picture of an earlier check must not be taken for one of this check. */
@@ -411,12 +411,12 @@ static void check_step(const struct options *options, const struct checked_step 
     struct image *references = calloc(count, sizeof *references);
     struct error *errors = calloc(count, sizeof *errors);
     struct scene_result *results = calloc(count, sizeof *results);
-    bool good = references != NULL && errors != NULL && results != NULL;
-    if (good) {
+    bool done = references != NULL && errors != NULL && results != NULL;
+    if (done) {
         remove_old_differences(options, step);
         read_references(options, step, references, errors);
         if (build_step(options, step->name, &reason)) {
-            good = draw_and_judge(options, step, references, errors, results, &line, &passed, score,
+            done = draw_and_judge(options, step, references, errors, results, &line, &passed, score,
                                   &error);
         } else {
             append(&line, "BUILD %s", reason.text);
@@ -428,7 +428,7 @@ static void check_step(const struct options *options, const struct checked_step 
             }
         }
     }
-    if (!good) {
+    if (!done) {
         line.size = 0;
         append(&line, "ERROR %s", error.message);
         score->cannot_work = true;

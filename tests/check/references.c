@@ -78,13 +78,13 @@ static bool read_pictures(const char *directory, const struct checked_step *step
 static bool draw_step(const struct options *options, const char *directory,
                       const struct checked_step *step, struct image *images, struct error *error) {
     struct run_result end;
-    bool good = drawn_run(options->programs, step->name, directory, &limits, &end, error);
-    if (good && (end.end != RUN_EXITED || end.number != 0)) {
+    bool done = drawn_run(options->programs, step->name, directory, &limits, &end, error);
+    if (done && (end.end != RUN_EXITED || end.number != 0)) {
         const char *said = (const char *)end.messages.data;
-        good = error_set(error, "the program did not end well: %s", drawn_message(said).text);
+        done = error_set(error, "the program did not end well: %s", drawn_message(said).text);
     }
     bytes_free(&end.messages);
-    return good && read_pictures(directory, step, images, error);
+    return done && read_pictures(directory, step, images, error);
 }
 
 static bool redraw_step(const struct options *options, const struct checked_step *step,
@@ -94,19 +94,19 @@ static bool redraw_step(const struct options *options, const struct checked_step
     if (images == NULL) {
         return error_set(error, "out of memory");
     }
-    bool good = run_directory_create(directory, sizeof directory, error);
-    if (good) {
-        good = draw_step(options, directory, step, images, error);
+    bool done = run_directory_create(directory, sizeof directory, error);
+    if (done) {
+        done = draw_step(options, directory, step, images, error);
         run_directory_remove(directory);
     }
-    for (size_t i = 0; i < step->scene_count && good; i++) {
-        good = save_picture(options, step->name, step->scenes[i].name, &images[i], error);
+    for (size_t i = 0; i < step->scene_count && done; i++) {
+        done = save_picture(options, step->name, step->scenes[i].name, &images[i], error);
     }
     for (size_t i = 0; i < step->scene_count; i++) {
         image_free(&images[i]);
     }
     free(images);
-    return good;
+    return done;
 }
 
 /* Read the options in front of the steps; false for a wrong one. */

@@ -402,8 +402,8 @@ bool run(const struct run_command *command, struct run_result *result, struct er
         child(command, ends[1], threads);
     }
     close(ends[1]);
-    bool good = id > 0;
-    if (good) {
+    bool done = id > 0;
+    if (done) {
         setpgid(id, id); /* the child does it too: whoever comes first */
         result->end = watch(command, id, &ends[0], &result->messages);
         int status = end_group(id, result->end);
@@ -414,7 +414,7 @@ bool run(const struct run_command *command, struct run_result *result, struct er
                read_messages(ends[0], &result->messages)) {
         }
         judge_status(result, status);
-        good = bytes_append(&result->messages, "", 1) || error_set(error, "out of memory");
+        done = bytes_append(&result->messages, "", 1) || error_set(error, "out of memory");
     } else {
         error_set(error, "cannot make a process: %s", strerror(errno));
     }
@@ -422,7 +422,7 @@ bool run(const struct run_command *command, struct run_result *result, struct er
         close(ends[0]);
     }
     adopt_orphans(false);
-    return good;
+    return done;
 }
 
 /* ---- Directories ---- */

@@ -118,16 +118,16 @@ bool scene_table_read(struct scene_table *table, const char *path, struct error 
         return false;
     }
     struct text text;
-    bool good = text_begin(&text, file.data, file.size, false, error);
-    while (good && text_next_line(&text)) {
+    bool done = text_begin(&text, file.data, file.size, false, error);
+    while (done && text_next_line(&text)) {
         struct word word = text_next_word(&text);
-        good = word.length == 0 || read_scene(table, &text, word, error);
+        done = word.length == 0 || read_scene(table, &text, word, error);
     }
-    if (good && table->step_count == 0) {
-        good = error_set(error, "there is no scene in it");
+    if (done && table->step_count == 0) {
+        done = error_set(error, "there is no scene in it");
     }
     bytes_free(&file);
-    if (!good) {
+    if (!done) {
         scene_table_free(table);
         return error_name_input(error, path);
     }

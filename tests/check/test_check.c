@@ -157,9 +157,9 @@ static bool write_reference(const char *step, const char *scene, bool blank) {
     if (!blank) {
         memcpy(image.pixels, p.bgr, sizeof p.bgr);
     }
-    bool good = png_write(&image, path.text, &error);
+    bool done = png_write(&image, path.text, &error);
     image_free(&image);
-    return good;
+    return done;
 }
 
 static bool write_references(void) {
@@ -168,15 +168,15 @@ static bool write_references(void) {
         return false;
     }
     char line[256], step[64], scene[64];
-    bool good = true;
+    bool done = true;
     while (fgets(line, sizeof line, table) != NULL) {
         if (sscanf(line, "%63s %63s", step, scene) == 2 && step[0] != '#' &&
             strcmp(scene, "nowhere") != 0) {
-            good &= write_reference(step, scene, strcmp(step, "step24_blankreference") == 0);
+            done &= write_reference(step, scene, strcmp(step, "step24_blankreference") == 0);
         }
     }
     fclose(table);
-    return good;
+    return done;
 }
 
 static bool set_up(void) {
@@ -590,9 +590,9 @@ static void test_redraw(void) {
     CHECK(stat(first.text, &after) == 0 && before.st_ino == after.st_ino); /* not written again */
     struct image drawn, wanted;
     struct error error;
-    bool good = image_read(&drawn, first.text, &error);
-    good = image_read(&wanted, inside("reference/step01_exact/depth.png").text, &error) && good;
-    CHECK(good && drawn.height == wanted.height && drawn.width == wanted.width &&
+    bool done = image_read(&drawn, first.text, &error);
+    done = image_read(&wanted, inside("reference/step01_exact/depth.png").text, &error) && done;
+    CHECK(done && drawn.height == wanted.height && drawn.width == wanted.width &&
           compare_images(&wanted, &drawn).differing == 0);
     image_free(&drawn);
     image_free(&wanted);

@@ -29,10 +29,10 @@ static bool try_file(const char *path) {
 }
 
 int main(int argc, char **argv) {
-    bool good = argc > 1;
+    bool done = argc > 1;
     LLVMFuzzerInitialize(&argc, &argv);
     for (int i = 1; i < argc; i++) {
-        good = try_file(argv[i]) && good;
+        done = try_file(argv[i]) && done;
     }
-    return good ? 0 : 1;
+    return done ? 0 : 1;
 }
