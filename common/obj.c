@@ -2,6 +2,7 @@
 #include "obj.h"
 
 #include "model_reader.h"
+#include "obj_quick.h"
 
 /* ---- Positions, texture coordinates and normals ---- */
 
@@ -186,9 +187,20 @@ static bool read_twice(struct model_reader *reader) {
     return read_faces(reader);
 }
 
-bool obj_decode(struct model *model, const void *data, size_t size, struct error *error) {
+bool obj_decode_carefully(struct model *model, const void *data, size_t size, struct error *error) {
     struct model_reader reader = {.model = model, .error = error};
     bool done = text_begin(&reader.text, data, size, true, error) && read_twice(&reader);
     model_reader_free(&reader);
     return done;
+}
+
+bool obj_decode(struct model *model, const void *data, size_t size, struct error *error) {
+    struct model_reader reader = {.model = model, .error = error};
+    enum obj_quick_result result = obj_quick_read(&reader, data, size);
+    model_reader_free(&reader);
+    if (result != OBJ_QUICK_DECLINED) {
+        return result == OBJ_QUICK_DONE;
+    }
+    model_free(model);
+    return obj_decode_carefully(model, data, size, error);
 }

@@ -4,7 +4,10 @@
 
 #include "model.h"
 #include "model_file.h"
+#include "obj.h"
+#include "off.h"
 #include "png.h"
+#include "same_model.h"
 #include "unit.h"
 
 #include <math.h>
@@ -15,8 +18,23 @@
 #define COURSE_BUILD "."
 #endif
 
+/* Read the text. An OBJ is read carefully, too: the same model or the same message. */
 static bool decode(struct model *model, const char *text, struct error *error) {
-    return model_decode(model, text, strlen(text), error);
+    bool done = model_decode(model, text, strlen(text), error);
+    if (!off_recognize(text, strlen(text))) {
+        struct model careful = {0};
+        struct error error_of_careful = {0};
+        bool both = obj_decode_carefully(&careful, text, strlen(text), &error_of_careful);
+        CHECK(done == (both && careful.face_count > 0));
+        if (done) {
+            CHECK(same_model(model, &careful));
+        } else if (!both) {
+            CHECK_TEXT(error->message, error_of_careful.message);
+            CHECK(error->line == error_of_careful.line);
+        }
+        model_free(&careful);
+    }
+    return done;
 }
 
 /* ---- What is read ---- */

@@ -1,0 +1,96 @@
+/* The quick way to read OBJ files: which files it takes, and that its numbers are the nearest. */
+#include "obj.h"
+#include "obj_quick.h"
+#include "same_model.h"
+#include "unit.h"
+
+#include <stdio.h>
+#include <string.h>
+
+static enum obj_quick_result read_quickly(const char *text) {
+    struct model model = {0};
+    struct error error = {0};
+    struct model_reader reader = {.model = &model, .error = &error};
+    enum obj_quick_result result = obj_quick_read(&reader, text, strlen(text));
+    model_reader_free(&reader);
+    model_free(&model);
+    return result;
+}
+
+#define POINTS "v 0 0 0\nv 1 0 0\nv 0 1 0\n"
+
+static void test_what_is_taken(void) {
+    static const struct {
+        const char *text;
+        bool taken;
+    } rows[] = {
+        {POINTS "f 1 2 3\n", true},
+        {"# by hand\no body\n" POINTS "\n  \n usemtl clay\nf\t1  2 3 \n", true},
+        {"v 0 0 0\r\nv 1 0 0\r\nv 0 1 0\r\nf 1 2 3\r\n", true},
+        {POINTS "vt 0\nvt 1 0\nvt 0 1 7\nvn 0 0 1\nf 1/1/1 2//1 -1/3\n", true},
+        {"v -1.5e-3 +.5 5.\nv 1E2 0 0\nv 0 1 0\nf 1 2 3\n", true},
+        {POINTS "f 1 2 3", false},                  /* no line's end at the end */
+        {"v 0 0 \\\n0\nv 1 0 0\nf 1 2 2\n", false}, /* joined lines */
+        {"v 0 0 0 1 0 0\nv 1 0 0\nf 1 2 2\n", false},
+        {"v 0 0 0 # first\n" POINTS "f 1 2 3\n", false},
+        {"f 1 2 3\n" POINTS, false}, /* what comes further down */
+        {"v 0 0 0\rv 1 0 0\n", false},
+        {"\xEF\xBB\xBF" POINTS, false},
+        {POINTS "f 1 2\n", false},
+        {POINTS "f 1 2 4\n", false},
+        {POINTS "f 0 1 2\n", false},
+        {POINTS "f -4 1 2\n", false},
+        {POINTS "f 1/ 2 3\n", false},
+        {POINTS "f 1 2 3x\n", false},
+        {POINTS "f\n", false},
+        {"v 1 2\n", false},
+        {"v 1 2 nan\n", false},
+        {"v 1e39 0 0\n", false},
+        {"v 1 2 3e\n", false},
+        {"v 1 2 .\n", false},
+        {"v 12345678901234567890 0 0\n", false},
+        {"v 0.1234567890123456789 0 0\n", false},
+        {"v 9007199254740993 0 0\n", false}, /* 2^53 + 1 */
+        {"v 1e-30 0 0\n", false},
+        {"v 1\v2 3\n", false},
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        enum obj_quick_result wanted = rows[i].taken ? OBJ_QUICK_DONE : OBJ_QUICK_DECLINED;
+        CHECK_ROW(read_quickly(rows[i].text) == wanted, rows[i].text);
+    }
+    CHECK(read_quickly("") == OBJ_QUICK_DECLINED);
+}
+
+/* Numbers of up to 17 digits and powers of ten to beyond the limits: the nearest doubles. */
+static void test_numbers(void) {
+    uint32_t seed = 5;
+    for (int i = 0; i < 20000; i++) {
+        char text[256], number[3][48];
+        for (int k = 0; k < 3; k++) {
+            seed = seed * 1664525u + 1013904223u;
+            unsigned digits = 1 + (seed >> 8) % 17, point = (seed >> 16) % (digits + 1);
+            size_t used = (seed >> 28) % 2;
+            number[k][0] = '-';
+            for (unsigned d = 0; d < digits; d++) {
+                seed = seed * 1664525u + 1013904223u;
+                if (d == point) {
+                    number[k][used++] = '.';
+                }
+                number[k][used++] = (char)('0' + (seed >> 24) % 10);
+            }
+            int exponent = (int)((seed >> 12) % 50) - 30;
+            snprintf(number[k] + used, sizeof number[k] - used, (seed >> 20) % 2 ? "e%d" : "",
+                     exponent);
+        }
+        snprintf(text, sizeof text, "v %s %s %s\nf 1 1 1\n", number[0], number[1], number[2]);
+        struct model quick = {0}, careful = {0};
+        struct error error = {0};
+        CHECK_ROW(obj_decode(&quick, text, strlen(text), &error), text);
+        CHECK_ROW(obj_decode_carefully(&careful, text, strlen(text), &error), text);
+        CHECK_ROW(same_model(&quick, &careful), text);
+        model_free(&quick);
+        model_free(&careful);
+    }
+}
+
+UNIT_MAIN(TEST(test_what_is_taken), TEST(test_numbers))
