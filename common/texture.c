@@ -1,6 +1,7 @@
 /* Textures and their mip levels; see texture.h. */
 #include "texture.h"
 
+#include <assert.h>
 #include <stdlib.h>
 
 /* The texels that one texel of the next level covers along one axis. The weights are whole numbers:
@@ -44,6 +45,7 @@ static uint32_t mean_texel(const struct texture_level *from, const struct cover 
             }
         }
     }
+    assert(total > 0); /* a texel covers something */
     uint32_t mean = 0;
     for (int channel = 0; channel < 4; channel++) {
         mean |= (uint32_t)((2 * sum[channel] + total) / (2 * total)) << 8 * channel;

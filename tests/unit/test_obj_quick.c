@@ -79,8 +79,10 @@ static void test_numbers(void) {
                 number[k][used++] = (char)('0' + (seed >> 24) % 10);
             }
             int exponent = (int)((seed >> 12) % 50) - 30;
-            snprintf(number[k] + used, sizeof number[k] - used, (seed >> 20) % 2 ? "e%d" : "",
-                     exponent);
+            number[k][used] = '\0';
+            if ((seed >> 20) % 2) {
+                snprintf(number[k] + used, sizeof number[k] - used, "e%d", exponent);
+            }
         }
         snprintf(text, sizeof text, "v %s %s %s\nf 1 1 1\n", number[0], number[1], number[2]);
         struct model quick = {0}, careful = {0};

@@ -347,7 +347,10 @@ static const char *const mapped_obj =
 
 static bool draw_needs(struct drawing *drawing, struct image *image, struct error *error) {
     (void)error;
-    CHECK(drawing->model != NULL && drawing->model->face_count == 1);
+    if (!CHECK(drawing->model != NULL)) {
+        return false;
+    }
+    CHECK(drawing->model->face_count == 1);
     for (size_t i = 0; drawing->depth != NULL && i < image->width * image->height; i++) {
         CHECK(drawing->depth[i] == -INFINITY); /* also after it was drawn before */
         drawing->depth[i] = 5;
