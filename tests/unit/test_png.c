@@ -355,6 +355,34 @@ static void test_wrong_blocks(void) {
     }
 }
 
+/* The distances that do not exist would be longer than any: far behind the start, too, there must be
+ * none. */
+static void test_wrong_far_distance(void) {
+    enum { BEFORE = 50000, SIZE = BEFORE + 1000 };
+    static uint8_t out[SIZE];
+    for (unsigned symbol = 30; symbol < 32; symbol++) {
+        struct bits bits = {0};
+        struct error error;
+        put_bits(&bits, 0, 3);
+        bits.count = 0;
+        put_bits(&bits, BEFORE, 16);
+        put_bits(&bits, 65535 - BEFORE, 16);
+        CHECK(bytes_append(&bits.bytes, out, BEFORE));
+        put_bits(&bits, 1, 1);
+        put_bits(&bits, 1, 2);
+        put_fixed(&bits, 257);
+        put_code(&bits, symbol, 5);
+        put_bits(&bits, 0, 16);
+        put_fixed(&bits, 256);
+        struct bytes stream = wrap_blocks(&bits, out, BEFORE + 3);
+        put_32(&stream, 0);
+        CHECK(!decompress_exact(stream.data, stream.size, out, SIZE, &error));
+        CHECK(strstr(error.message, "distance that does not exist") != NULL);
+        bytes_free(&stream);
+        bytes_free(&bits.bytes);
+    }
+}
+
 /* A code whose literals leave room, or are too many: the header of put_own_header() changed. */
 static void test_wrong_own_codes(void) {
     static const struct {
@@ -1132,9 +1160,9 @@ static void test_files(void) {
 }
 
 UNIT_MAIN(TEST(test_blocks), TEST(test_far_match), TEST(test_matches_near_end),
-          TEST(test_wrong_blocks), TEST(test_wrong_own_codes), TEST(test_zlib_header),
-          TEST(test_compress), TEST(test_checksum), TEST(test_compress_far_copies),
-          TEST(test_choice_of_blocks), TEST(test_color_types), TEST(test_filters),
-          TEST(test_split_data), TEST(test_wrong_headers), TEST(test_wrong_chunks),
-          TEST(test_pixel_outside_palette), TEST(test_round_trip), TEST(test_choice_of_filters),
-          TEST(test_animation), TEST(test_files))
+          TEST(test_wrong_blocks), TEST(test_wrong_far_distance), TEST(test_wrong_own_codes),
+          TEST(test_zlib_header), TEST(test_compress), TEST(test_checksum),
+          TEST(test_compress_far_copies), TEST(test_choice_of_blocks), TEST(test_color_types),
+          TEST(test_filters), TEST(test_split_data), TEST(test_wrong_headers),
+          TEST(test_wrong_chunks), TEST(test_pixel_outside_palette), TEST(test_round_trip),
+          TEST(test_choice_of_filters), TEST(test_animation), TEST(test_files))

@@ -97,7 +97,7 @@ int __wrap_fstat(int file, struct stat *status) {
     if (fails() || __real_fstat(file, status) != 0) {
         return -1;
     }
-    if (system_calls.on && system_calls.growing > 0) { /* for now */
+    if (system_calls.on && system_calls.growing > 0) {
         status->st_mode = S_IFREG;
         status->st_size = (off_t)1 << 30;
     }
