@@ -355,8 +355,7 @@ static void test_wrong_blocks(void) {
     }
 }
 
-/* The distances that do not exist would be longer than any: far behind the start, too, there must be
- * none. */
+/* Distances that do not exist would be the longest: far behind the start, too, there are none. */
 static void test_wrong_far_distance(void) {
     enum { BEFORE = 50000, SIZE = BEFORE + 1000 };
     static uint8_t out[SIZE];
