@@ -274,7 +274,7 @@ static void test_matches_near_end(void) {
     enum { BEGINNING = 300, MATCH = 258, REST = 40 };
     for (size_t rest = 0; rest < REST; rest++) {
         for (size_t distance = 1; distance < 40; distance++) {
-            uint8_t plain[BEGINNING + MATCH + REST], out[sizeof plain];
+            uint8_t plain[BEGINNING + MATCH + REST] = {0}, out[sizeof plain];
             size_t size = BEGINNING + MATCH + rest;
             struct bits bits = {0};
             struct error error;
@@ -406,6 +406,34 @@ static void test_wrong_own_codes(void) {
         CHECK_ROW(!decompress_exact(stream.data, stream.size, out, sizeof out, &error),
                   rows[i].name);
         CHECK_ROW(strstr(error.message, "wrong code") != NULL, error.message);
+        bytes_free(&stream);
+        bytes_free(&bits.bytes);
+    }
+}
+
+/* Distance codes of 1 to 15 bits: one of 15 bits more is one too many. */
+static void test_long_codes(void) {
+    for (unsigned more = 0; more < 2; more++) {
+        uint8_t out[1];
+        struct bits bits = {0};
+        struct error error;
+        put_bits(&bits, 1, 1);
+        put_bits(&bits, 2, 2);
+        put_bits(&bits, 0, 5);
+        put_bits(&bits, 15 + more, 5);
+        put_bits(&bits, 19 - 4, 4);
+        for (int i = 0; i < 19; i++) { /* the lengths 0 to 15 have the codes 0000 to 1111 */
+            put_bits(&bits, i < 3 ? 0 : 4, 3);
+        }
+        for (int i = 0; i < 257; i++) {
+            put_code(&bits, i == 0 || i == 256, 4);
+        }
+        for (unsigned i = 1; i < 17 + more; i++) {
+            put_code(&bits, i < 15 ? i : 15, 4);
+        }
+        put_string(&bits, "0 1");
+        struct bytes stream = wrap_blocks(&bits, "", 1);
+        CHECK(decompress_exact(stream.data, stream.size, out, 1, &error) == (more == 0));
         bytes_free(&stream);
         bytes_free(&bits.bytes);
     }
@@ -1160,7 +1188,7 @@ static void test_files(void) {
 
 UNIT_MAIN(TEST(test_blocks), TEST(test_far_match), TEST(test_matches_near_end),
           TEST(test_wrong_blocks), TEST(test_wrong_far_distance), TEST(test_wrong_own_codes),
-          TEST(test_zlib_header), TEST(test_compress), TEST(test_checksum),
+          TEST(test_long_codes), TEST(test_zlib_header), TEST(test_compress), TEST(test_checksum),
           TEST(test_compress_far_copies), TEST(test_choice_of_blocks), TEST(test_color_types),
           TEST(test_filters), TEST(test_split_data), TEST(test_wrong_headers),
           TEST(test_wrong_chunks), TEST(test_pixel_outside_palette), TEST(test_round_trip),
