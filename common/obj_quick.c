@@ -72,9 +72,9 @@ static bool read_exponent(struct cursor *cursor, int *exponent) {
     return digits >= 1 && digits <= 3;
 }
 
-/* A number whose digits are a whole number below 2^53 and whose power of ten is exact in double: then
- * one multiplication or division, which rounds once, gives the nearest double (Clinger, "How to Read
- * Floating Point Numbers Accurately", 1990). All others are declined. */
+/* A number whose digits are a whole number below 2^53 and whose power of ten is exact in double:
+ * then one multiplication or division, which rounds once, gives the nearest double (Clinger, "How
+ * to Read Floating Point Numbers Accurately", 1990). All others are declined. */
 static bool read_number(struct cursor *cursor, double *value) {
     skip_blanks(cursor);
     bool negative = *cursor->next == '-';
@@ -175,7 +175,7 @@ static enum obj_quick_result read_face(struct cursor *cursor, struct model_reade
     return result_of(reader_add_faces(reader));
 }
 
-/* How long the keyword is that stands here, one of v, vt, vn and f and then a blank; 0 for another. */
+/* How long the keyword is that stands here: v, vt, vn or f, and then a blank; 0 for another. */
 static size_t keyword_length(const char *word) {
     if (word[0] != 'v' && word[0] != 'f') {
         return 0;

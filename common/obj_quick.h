@@ -1,9 +1,9 @@
 /*
  * OBJ files as nearly all are, in one pass over their bytes; private to obj.c.
  *
- * What is rare (continued lines, colours, a face that names what comes further down) and whatever is
- * wrong is declined: obj.c then reads the file again from its beginning in the careful way, which
- * knows all of the format and every message. A model that is read here is the same to the last bit.
+ * What is rare (continued lines, colours, a face that names what comes further down) and whatever
+ * is wrong is declined: obj.c then reads the file again from its beginning in the careful way,
+ * which knows all of the format and every message. A model read here is the same to the last bit.
  */
 #ifndef COMMON_OBJ_QUICK_H
 #define COMMON_OBJ_QUICK_H

@@ -28,6 +28,25 @@ static void make_cloud(struct cloud *cloud, struct vec3 middle, struct vec3 size
     cloud->positions[CORNERS] = (struct vec3){1e30, -1e30, 5};
 }
 
+/* Each side of the box is that of another corner, and no corner is left out. */
+static void test_box(void) {
+    struct random random = {70};
+    for (uint32_t i = 0; i < CORNERS * 6; i++) {
+        struct cloud cloud;
+        make_cloud(&cloud, (struct vec3){0, 0, 0}, (struct vec3){0.5, 0.5, 0.5}, &random);
+        struct box kept = model_box(&cloud.model);
+        double far = i % 2 == 0 ? -1 : 1;
+        struct vec3 *corner = &cloud.positions[i / 6];
+        double *const coordinate[3] = {&corner->x, &corner->y, &corner->z};
+        *coordinate[i / 2 % 3] = far;
+        struct box box = model_box(&cloud.model);
+        const double sides[6] = {box.least.x,    box.greatest.x, box.least.y,
+                                 box.greatest.y, box.least.z,    box.greatest.z};
+        CHECK(sides[i % 6] == far);
+        CHECK(!box_reaches_out(kept) && !box_reaches_out(box));
+    }
+}
+
 static double longest_side(struct box box) {
     struct vec3 size = vec3_sub(box.greatest, box.least);
     return fmax(size.x, fmax(size.y, size.z));
@@ -97,4 +116,4 @@ static void test_reaching_out(void) {
     }
 }
 
-UNIT_MAIN(TEST(test_fit), TEST(test_odd_sizes), TEST(test_reaching_out))
+UNIT_MAIN(TEST(test_box), TEST(test_fit), TEST(test_odd_sizes), TEST(test_reaching_out))

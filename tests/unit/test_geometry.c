@@ -92,6 +92,19 @@ static void test_renormalized(void) {
     }
 }
 
+/* Three equal depths give this very depth, whatever rounding did to the weights. */
+static void test_depth(void) {
+    struct random random = {8};
+    for (int i = 0; i < 1000; i++) {
+        double y = random_real(&random, 0, 0.5), z = random_real(&random, 0, 0.5);
+        double depth = random_real(&random, -1, 1);
+        struct vec3 weight = {1 - y - z + 0x1p-53, y, z};
+        CHECK(interpolate_depth(weight, depth, depth, depth) == depth);
+        CHECK(fabs(interpolate_depth(weight, 1, depth, -3) - (weight.x + y * depth - 3 * z)) <
+              1e-14);
+    }
+}
+
 static void test_level_from(void) {
     static const struct {
         double value;
@@ -536,11 +549,12 @@ static void test_snap(void) {
 }
 
 UNIT_MAIN(TEST(test_vectors), TEST(test_normalized), TEST(test_normalized_components),
-          TEST(test_renormalized), TEST(test_level_from), TEST(test_turn_direction),
-          TEST(test_product_and_transpose), TEST(test_inverse), TEST(test_inverse_nearly_singular),
-          TEST(test_inverse_scaled_rows), TEST(test_singular), TEST(test_rotation),
-          TEST(test_lookat), TEST(test_lookat_special), TEST(test_lookat_ends_of_range),
-          TEST(test_lookat_near_parallel), TEST(test_lookat_along_up),
-          TEST(test_perpendicular_axis), TEST(test_inverse_overflow), TEST(test_projection),
-          TEST(test_lines_all_small), TEST(test_lines_random), TEST(test_triangles_random),
-          TEST(test_triangle_special), TEST(test_depth_clear), TEST(test_snap))
+          TEST(test_renormalized), TEST(test_depth), TEST(test_level_from),
+          TEST(test_turn_direction), TEST(test_product_and_transpose), TEST(test_inverse),
+          TEST(test_inverse_nearly_singular), TEST(test_inverse_scaled_rows), TEST(test_singular),
+          TEST(test_rotation), TEST(test_lookat), TEST(test_lookat_special),
+          TEST(test_lookat_ends_of_range), TEST(test_lookat_near_parallel),
+          TEST(test_lookat_along_up), TEST(test_perpendicular_axis), TEST(test_inverse_overflow),
+          TEST(test_projection), TEST(test_lines_all_small), TEST(test_lines_random),
+          TEST(test_triangles_random), TEST(test_triangle_special), TEST(test_depth_clear),
+          TEST(test_snap))

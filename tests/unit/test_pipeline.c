@@ -763,6 +763,28 @@ static void test_depth_overflows(void) {
     }
 }
 
+/* The same where both depths are numbers and only their difference is none. */
+static void test_depth_difference_overflows(void) {
+    static struct mesh mesh;
+    struct mat4 to_clip = place_is_xyw;
+    to_clip.m[2][0] = 1.5e308;
+    for (int way = 0; way < WAYS; way++) {
+        struct frame frame;
+        mesh_begin(&mesh);
+        mesh_vertex(&mesh, -0.9, -0.9, 1);
+        mesh_vertex(&mesh, 0.9, 0, 1);
+        mesh_vertex(&mesh, -0.9, 0.9, 1);
+        mesh_face(&mesh, 0, 1, 2);
+        if (frame_begin(&frame, way)) {
+            frame_draw(&frame, &mesh, to_clip, whole_image);
+            make_cover(&mesh, 1);
+            frame_draw(&frame, &mesh, place_is_xyw, whole_image);
+            CHECK(frame_count(&frame, 2) == (size_t)SIZE * SIZE);
+        }
+        frame_end(&frame);
+    }
+}
+
 /* ---- Limits and errors ---- */
 
 static void test_viewport(void) {
@@ -955,8 +977,8 @@ UNIT_MAIN(TEST(test_nearest_face_shows), TEST(test_threads_change_nothing),
           TEST(test_nothing_outside_the_viewport), TEST(test_calls_that_overlap),
           TEST(test_calls_of_many_faces), TEST(test_counts), TEST(test_faces_at_the_sides),
           TEST(test_channels), TEST(test_discarded_hides_nothing), TEST(test_cut_from_both_ends),
-          TEST(test_nearest_w), TEST(test_depth_overflows), TEST(test_corner_order),
-          TEST(test_ground_without_gaps), TEST(test_interpolation), TEST(test_viewport),
-          TEST(test_grid_cell), TEST(test_not_finite), TEST(test_beside_viewport),
-          TEST(test_equal_corners), TEST(test_no_area_is_no_side), TEST(test_wrapped_level),
-          TEST(test_far_apart), TEST(test_errors))
+          TEST(test_nearest_w), TEST(test_depth_overflows), TEST(test_depth_difference_overflows),
+          TEST(test_corner_order), TEST(test_ground_without_gaps), TEST(test_interpolation),
+          TEST(test_viewport), TEST(test_grid_cell), TEST(test_not_finite),
+          TEST(test_beside_viewport), TEST(test_equal_corners), TEST(test_no_area_is_no_side),
+          TEST(test_wrapped_level), TEST(test_far_apart), TEST(test_errors))

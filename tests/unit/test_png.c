@@ -252,6 +252,59 @@ static void test_far_match(void) {
     bytes_free(&bits.bytes);
 }
 
+/* How a distance below 65 is written: a symbol and bits. */
+struct place {
+    unsigned symbol, extra, extra_bits;
+};
+
+static struct place place_of_distance(size_t distance) {
+    unsigned first = 1;
+    for (unsigned symbol = 0;; symbol++) {
+        unsigned bits = symbol < 4 ? 0 : symbol / 2 - 1;
+        if (distance < first + (1u << bits)) {
+            return (struct place){symbol, (unsigned)distance - first, bits};
+        }
+        first += 1u << bits;
+    }
+}
+
+/* The longest match, copied in blocks, some bytes before the end of what comes out: nothing may be
+ * written after it, and nothing read after the end of a stream that is cut off. */
+static void test_matches_near_end(void) {
+    enum { BEGINNING = 300, MATCH = 258, REST = 40 };
+    for (size_t rest = 0; rest < REST; rest++) {
+        for (size_t distance = 1; distance < 40; distance++) {
+            uint8_t plain[BEGINNING + MATCH + REST] = {0}, out[sizeof plain];
+            size_t size = BEGINNING + MATCH + rest;
+            struct bits bits = {0};
+            struct error error;
+            put_bits(&bits, 1, 1);
+            put_bits(&bits, 1, 2);
+            for (size_t i = 0; i < size; i++) {
+                bool copied = i >= BEGINNING && i < BEGINNING + MATCH;
+                plain[i] = copied ? plain[i - distance] : (uint8_t)(i % 140);
+                if (!copied) {
+                    put_fixed(&bits, plain[i]);
+                } else if (i == BEGINNING) {
+                    struct place place = place_of_distance(distance);
+                    put_fixed(&bits, 285);
+                    put_code(&bits, place.symbol, 5);
+                    put_bits(&bits, place.extra, place.extra_bits);
+                }
+            }
+            put_fixed(&bits, 256);
+            struct bytes stream = wrap_blocks(&bits, plain, size);
+            CHECK(decompress_exact(stream.data, stream.size, out, size, &error));
+            CHECK(memcmp(out, plain, size) == 0);
+            for (size_t cut = stream.size - 320; distance == 1 && cut < stream.size; cut++) {
+                CHECK(!decompress_exact(stream.data, cut, out, size, &error));
+            }
+            bytes_free(&stream);
+            bytes_free(&bits.bytes);
+        }
+    }
+}
+
 /* Data that no compressor makes; each row is a stream's bits and a part of the message. */
 static void test_wrong_blocks(void) {
     static const struct {
@@ -280,17 +333,50 @@ static void test_wrong_blocks(void) {
         {"no end of block", "wrong code",
          "1 01 00000 00000 0000 000 000 100 100 1 1111111 1 1011011"},
     };
-    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
-        uint8_t out[16];
+    /* Each twice: shortly before the end, and far from it, where the fast loop meets it. */
+    for (size_t i = 0; i < 2 * sizeof rows / sizeof rows[0]; i++) {
+        uint8_t out[500];
+        bool far = i % 2 == 1;
         struct bits bits = {0};
         struct error error;
-        put_string(&bits, rows[i].bits);
-        put_bits(&bits, 0, 8);
+        put_string(&bits, rows[i / 2].bits);
+        for (int k = 0; k < (far ? 20 : 1); k++) {
+            put_bits(&bits, 0, 8);
+        }
         struct bytes stream = wrap_blocks(&bits, "", 0);
         put_32(&stream, 0);
-        CHECK_ROW(!decompress_exact(stream.data, stream.size, out, sizeof out, &error),
-                  rows[i].name);
-        CHECK_ROW(strstr(error.message, rows[i].message) != NULL, error.message);
+        bool too_long = strcmp(rows[i / 2].message, "larger") == 0;
+        CHECK_ROW(!decompress_exact(stream.data, stream.size, out, far ? sizeof out : 16, &error),
+                  rows[i / 2].name);
+        CHECK_ROW((far && too_long) || strstr(error.message, rows[i / 2].message) != NULL,
+                  error.message);
+        bytes_free(&stream);
+        bytes_free(&bits.bytes);
+    }
+}
+
+/* Distances that do not exist would be the longest: far behind the start, too, there are none. */
+static void test_wrong_far_distance(void) {
+    enum { BEFORE = 50000, SIZE = BEFORE + 1000 };
+    static uint8_t out[SIZE];
+    for (unsigned symbol = 30; symbol < 32; symbol++) {
+        struct bits bits = {0};
+        struct error error;
+        put_bits(&bits, 0, 3);
+        bits.count = 0;
+        put_bits(&bits, BEFORE, 16);
+        put_bits(&bits, 65535 - BEFORE, 16);
+        CHECK(bytes_append(&bits.bytes, out, BEFORE));
+        put_bits(&bits, 1, 1);
+        put_bits(&bits, 1, 2);
+        put_fixed(&bits, 257);
+        put_code(&bits, symbol, 5);
+        for (int i = 0; i < 20; i++) { /* nor is the end near */
+            put_bits(&bits, 0, 8);
+        }
+        struct bytes stream = wrap_blocks(&bits, out, BEFORE + 3);
+        CHECK(!decompress_exact(stream.data, stream.size, out, SIZE, &error));
+        CHECK(strstr(error.message, "distance that does not exist") != NULL);
         bytes_free(&stream);
         bytes_free(&bits.bytes);
     }
@@ -320,6 +406,34 @@ static void test_wrong_own_codes(void) {
         CHECK_ROW(!decompress_exact(stream.data, stream.size, out, sizeof out, &error),
                   rows[i].name);
         CHECK_ROW(strstr(error.message, "wrong code") != NULL, error.message);
+        bytes_free(&stream);
+        bytes_free(&bits.bytes);
+    }
+}
+
+/* Distance codes of 1 to 15 bits: one of 15 bits more is one too many. */
+static void test_long_codes(void) {
+    for (unsigned more = 0; more < 2; more++) {
+        uint8_t out[1];
+        struct bits bits = {0};
+        struct error error;
+        put_bits(&bits, 1, 1);
+        put_bits(&bits, 2, 2);
+        put_bits(&bits, 0, 5);
+        put_bits(&bits, 15 + more, 5);
+        put_bits(&bits, 19 - 4, 4);
+        for (int i = 0; i < 19; i++) { /* the lengths 0 to 15 have the codes 0000 to 1111 */
+            put_bits(&bits, i < 3 ? 0 : 4, 3);
+        }
+        for (int i = 0; i < 257; i++) {
+            put_code(&bits, i == 0 || i == 256, 4);
+        }
+        for (unsigned i = 1; i < 17 + more; i++) {
+            put_code(&bits, i < 15 ? i : 15, 4);
+        }
+        put_string(&bits, "0 1");
+        struct bytes stream = wrap_blocks(&bits, "", 1);
+        CHECK(decompress_exact(stream.data, stream.size, out, 1, &error) == (more == 0));
         bytes_free(&stream);
         bytes_free(&bits.bytes);
     }
@@ -1072,10 +1186,10 @@ static void test_files(void) {
     rmdir(directory);
 }
 
-UNIT_MAIN(TEST(test_blocks), TEST(test_far_match), TEST(test_wrong_blocks),
-          TEST(test_wrong_own_codes), TEST(test_zlib_header), TEST(test_compress),
-          TEST(test_checksum), TEST(test_compress_far_copies), TEST(test_choice_of_blocks),
-          TEST(test_color_types), TEST(test_filters), TEST(test_split_data),
-          TEST(test_wrong_headers), TEST(test_wrong_chunks), TEST(test_pixel_outside_palette),
-          TEST(test_round_trip), TEST(test_choice_of_filters), TEST(test_animation),
-          TEST(test_files))
+UNIT_MAIN(TEST(test_blocks), TEST(test_far_match), TEST(test_matches_near_end),
+          TEST(test_wrong_blocks), TEST(test_wrong_far_distance), TEST(test_wrong_own_codes),
+          TEST(test_long_codes), TEST(test_zlib_header), TEST(test_compress), TEST(test_checksum),
+          TEST(test_compress_far_copies), TEST(test_choice_of_blocks), TEST(test_color_types),
+          TEST(test_filters), TEST(test_split_data), TEST(test_wrong_headers),
+          TEST(test_wrong_chunks), TEST(test_pixel_outside_palette), TEST(test_round_trip),
+          TEST(test_choice_of_filters), TEST(test_animation), TEST(test_files))

@@ -551,21 +551,22 @@ static void test_nearly_straight(void) {
     struct polygon_cutter cutter = {0};
     int concave = 0;
     for (int i = 0; i < 20000; i++) {
-        float places[4][2] = {{0}};
+        double places[4][2] = {{0}};
         struct vec3 turned[4];
-        float x = (float)random_int(1 << 22, 1 << 23), y = (float)random_int(1, 1 << 23);
-        int large = random_int(20, 34), times = random_int(2, 7);
+        double x = (double)random_between(&random_state, INT64_C(1) << 52, INT64_C(1) << 53);
+        double y = (double)random_between(&random_state, 1, INT64_C(1) << 53);
+        int large = random_int(1, 6), times = random_int(2, 4);
         for (int axis = 0; axis < 2; axis++) {
-            float b = (axis == 0 ? x : y) * ldexpf(1, large);
-            places[0][axis] = (float)random_int(-400, 400);
+            double b = (axis == 0 ? x : y) * ldexp(1, large);
+            places[0][axis] = random_int(-400, 400);
             places[1][axis] = b;
-            places[2][axis] = b * (float)times; /* rounded to 24 bits */
+            places[2][axis] = b * times; /* rounded to 53 bits */
         }
-        places[3][0] = -y * ldexpf(1, large - 1); /* to the left of the line */
-        places[3][1] = x * ldexpf(1, large);
+        places[3][0] = -y * ldexp(1, large - 1); /* to the left of the line */
+        places[3][1] = x * ldexp(1, large);
         for (int k = 0; k < 4; k++) {
-            const float *place = places[(i + k) % 4];
-            turned[k] = (struct vec3){(double)place[0], (double)place[1], 0};
+            const double *place = places[(i + k) % 4];
+            turned[k] = (struct vec3){place[0], place[1], 0};
         }
         concave += exact_area(turned[(4 - i % 4) % 4], turned[(5 - i % 4) % 4],
                               turned[(6 - i % 4) % 4]) < 0;

@@ -302,9 +302,18 @@ static struct color put_color(struct bytes *file, unsigned depth, bool has_attri
         .b = (uint8_t)b, .g = (uint8_t)g, .r = (uint8_t)r, .a = depth == 32 ? (uint8_t)a : 255};
 }
 
+/* How many pixels a file has, and the most in a packet. */
+struct layout {
+    unsigned width, height, longest;
+};
+
+static const struct layout small = {WIDTH, HEIGHT, 7};
+
 /* A whole file; `expected` becomes its pixels in the order of the file. */
-static void put_tga(struct bytes *file, const struct kind *kind, unsigned origin, bool run_length,
-                    unsigned id_size, struct color expected[PIXELS], uint32_t *state) {
+static void put_tga(struct bytes *file, const struct kind *kind, struct layout layout,
+                    unsigned origin, bool run_length, unsigned id_size, struct color *expected,
+                    uint32_t *state) {
+    const size_t pixels = (size_t)layout.width * layout.height;
     const bool mapped = kind->type == 1, attribute = kind->attribute_bits == 1;
     struct color map[MAP_LENGTH];
     put(file, id_size);
@@ -315,8 +324,8 @@ static void put_tga(struct bytes *file, const struct kind *kind, unsigned origin
     put(file, kind->map_depth);
     put_16(file, 1000); /* the place on a screen: of no interest */
     put_16(file, 2000);
-    put_16(file, WIDTH);
-    put_16(file, HEIGHT);
+    put_16(file, layout.width);
+    put_16(file, layout.height);
     put(file, kind->depth);
     put(file, origin << 4 | kind->attribute_bits);
     for (unsigned i = 0; i < id_size; i++) {
@@ -325,11 +334,11 @@ static void put_tga(struct bytes *file, const struct kind *kind, unsigned origin
     for (unsigned i = 0; i < MAP_LENGTH && kind->map_depth != 0; i++) {
         map[i] = put_color(file, kind->map_depth, attribute, next_random(state));
     }
-    for (size_t done = 0; done < PIXELS;) {
-        size_t count = PIXELS - done;
+    for (size_t done = 0; done < pixels;) {
+        size_t count = pixels - done;
         bool run = false;
         if (run_length) { /* packets of random lengths, most of them across the end of a row */
-            size_t wanted = 1 + next_random(state) % 7;
+            size_t wanted = 1 + next_random(state) % layout.longest;
             count = wanted < count ? wanted : count;
             run = next_random(state) % 2 == 0;
             put(file, (unsigned)(count - 1) | (run ? 128u : 0u));
@@ -360,7 +369,7 @@ static void test_every_kind_of_tga(void) {
         struct color expected[PIXELS];
         struct image image;
         struct error error;
-        put_tga(&file, kind, origin, run_length, id_size, expected, &state);
+        put_tga(&file, kind, small, origin, run_length, id_size, expected, &state);
         if (CHECK_ROW(decode_exact(&image, file.data, file.size, &error), kind->name)) {
             CHECK_ROW(image.width == WIDTH && image.height == HEIGHT, kind->name);
             CHECK_ROW(image.format == kind->format, kind->name);
@@ -376,6 +385,35 @@ static void test_every_kind_of_tga(void) {
     }
 }
 
+/* Packets of all lengths, in images of which most can be read in large pieces: up to the last byte
+ * of the file and the last pixel. */
+static void test_long_packets(void) {
+    enum { LIMIT = 600 };
+    uint32_t state = 33;
+    for (size_t i = 0; i < KIND_COUNT * 60; i++) {
+        const struct kind *kind = &kinds[i % KIND_COUNT];
+        struct layout layout = {300 + next_random(&state) % (LIMIT - 300), 1, 128};
+        struct bytes file = {0};
+        struct color expected[LIMIT];
+        struct image image;
+        struct error error;
+        bool same = true;
+        put_tga(&file, kind, layout, 0, true, 0, expected, &state);
+        for (int k = 0; i / KIND_COUNT % 2 == 1 && k < 300;
+             k++) { /* or nothing of the file is near its end */
+            put(&file, 99);
+        }
+        if (CHECK_ROW(decode_exact(&image, file.data, file.size, &error), kind->name)) {
+            for (unsigned x = 0; x < layout.width; x++) {
+                same = same && same_color(image_get(&image, (int)x, 0), expected[x]);
+            }
+            CHECK_ROW(same, kind->name);
+        }
+        image_free(&image);
+        bytes_free(&file);
+    }
+}
+
 /* Cut off anywhere, a file is an error and leaves nothing; with bytes after its end it is none. */
 static void test_cut_off_tga(void) {
     uint32_t state = 4;
@@ -385,7 +423,7 @@ static void test_cut_off_tga(void) {
         struct color expected[PIXELS];
         struct image image;
         struct error error;
-        put_tga(&file, kind, 0, i >= KIND_COUNT, 3, expected, &state);
+        put_tga(&file, kind, small, 0, i >= KIND_COUNT, 3, expected, &state);
         for (size_t size = 0; size < file.size; size++) {
             CHECK_ROW(!decode_exact(&image, file.data, size, &error), kind->name);
         }
@@ -403,7 +441,7 @@ static void test_corrupt_tga(void) {
     for (size_t i = 0; i < KIND_COUNT * 2; i++) {
         struct bytes file = {0};
         struct color expected[PIXELS];
-        put_tga(&file, &kinds[i % KIND_COUNT], 3, i >= KIND_COUNT, 1, expected, &state);
+        put_tga(&file, &kinds[i % KIND_COUNT], small, 3, i >= KIND_COUNT, 1, expected, &state);
         for (size_t at = 0; at < file.size; at++) {
             uint8_t kept = file.data[at];
             for (unsigned value = 0; value < 256; value += at < 18 ? 1 : 5) {
@@ -592,6 +630,11 @@ static void test_tga_packs(void) {
     CHECK(image_create(&image, 104, 1, IMAGE_GREY, &error));
     memcpy(image.pixels, "\1\2\2\3", 4);
     CHECK(tga_encode(&image, true, &file, &error) && file.size == 18 + 5 + 2 + 26);
+    /* Behind a run, all that is left stands in one packet. */
+    memset(image.pixels, 0, 104);
+    memcpy(image.pixels + 101, "\1\2\3", 3);
+    file.size = 0;
+    CHECK(tga_encode(&image, true, &file, &error) && file.size == 18 + 2 + 4 + 26);
     image_free(&image);
     bytes_free(&file);
 }
@@ -625,6 +668,6 @@ static void test_files(void) {
 }
 
 UNIT_MAIN(TEST(test_create), TEST(test_get_and_set), TEST(test_flips), TEST(test_scale),
-          TEST(test_scale_limits), TEST(test_every_kind_of_tga), TEST(test_cut_off_tga),
-          TEST(test_corrupt_tga), TEST(test_lying_tga), TEST(test_tga_round_trip),
-          TEST(test_tga_packs), TEST(test_files))
+          TEST(test_scale_limits), TEST(test_every_kind_of_tga), TEST(test_long_packets),
+          TEST(test_cut_off_tga), TEST(test_corrupt_tga), TEST(test_lying_tga),
+          TEST(test_tga_round_trip), TEST(test_tga_packs), TEST(test_files))

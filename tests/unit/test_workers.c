@@ -1,10 +1,11 @@
 /* Loops shared out among threads: every part once, whatever the number of threads. */
-#define _POSIX_C_SOURCE 200809L /* setenv */
+#define _POSIX_C_SOURCE 200809L /* setenv, nanosleep */
 #include "unit.h"
 #include "workers.h"
 
 #include <stdatomic.h>
 #include <stdlib.h>
+#include <time.h>
 
 enum { PART_LIMIT = 1000, ROUNDS = 300 };
 
@@ -71,6 +72,32 @@ static void test_two_at_once(void) {
     workers_free(workers);
 }
 
+/* The loop returns when all parts are done, even those that a thread began last and is slow at. */
+static _Thread_local bool calling;
+
+struct meeting {
+    atomic_int arrived, done;
+};
+
+static void meet_and_linger(void *context, size_t index) {
+    struct meeting *meeting = context;
+    const struct timespec pause = {.tv_nsec = 30000000};
+    meet(&meeting->arrived, index);
+    if (!calling) {
+        nanosleep(&pause, NULL);
+    }
+    atomic_fetch_add(&meeting->done, 1);
+}
+
+static void test_slow_thread(void) {
+    struct meeting meeting = {0};
+    struct workers *workers = workers_create(2);
+    calling = true;
+    workers_run(workers, 2, meet_and_linger, &meeting);
+    CHECK(meeting.done == 2);
+    workers_free(workers);
+}
+
 static void test_alone(void) {
     CHECK(workers_create(1) == NULL); /* one thread is who calls */
     CHECK(each_once(NULL, 10));
@@ -81,8 +108,13 @@ static void test_alone(void) {
     struct workers *workers = workers_create(0);
     CHECK(workers != NULL && each_once(workers, 100));
     workers_free(workers);
+    CHECK(workers_create(1) == NULL); /* who asks for a number gets it */
+    setenv("THREADS", "1000", 1);
+    workers = workers_create(0); /* not that many, however */
+    CHECK(workers != NULL && each_once(workers, 100));
+    workers_free(workers);
     unsetenv("THREADS");
 }
 
 UNIT_MAIN(TEST(test_each_part_once), TEST(test_many_loops), TEST(test_two_at_once),
-          TEST(test_alone))
+          TEST(test_slow_thread), TEST(test_alone))
