@@ -8,6 +8,7 @@
  */
 #define _XOPEN_SOURCE 700 /* POSIX.1-2008 with mkdtemp() */
 
+#include "array.h"
 #include "file.h"
 #include "image_file.h"
 #include "model.h"
@@ -757,5 +758,13 @@ static void test_programs(void) {
     RUN_TASKS(tasks);
 }
 
-UNIT_MAIN(TEST(test_files), TEST(test_images), TEST(test_scenes_and_models), TEST(test_pipeline),
-          TEST(test_programs))
+/* So many elements that the number of their bytes overflows: to 8. */
+static void test_too_many_elements(void) {
+    size_t capacity = 0;
+    void *array = array_reserve(NULL, &capacity, SIZE_MAX / 8 + 2, 8);
+    CHECK(array == NULL && capacity == 0);
+    free(array);
+}
+
+UNIT_MAIN(TEST(test_too_many_elements), TEST(test_files), TEST(test_images),
+          TEST(test_scenes_and_models), TEST(test_pipeline), TEST(test_programs))

@@ -597,11 +597,13 @@ static void test_textures(void) {
     model_free(&m);
 }
 
-/* The names of textures of a model without directory, without extension, and of a hidden file. */
+/* The names of textures of a model without directory, without extension, of a hidden file, and
+ * in a directory with a dot. */
 static void test_texture_names(void) {
     static const char *const rows[][2] = {{"no_such_model.obj", "no_such_model_spec.tga"},
                                           {"no_such_model", "no_such_model_spec.tga"},
-                                          {".no_such_model", ".no_such_model_spec.tga"}};
+                                          {".no_such_model", ".no_such_model_spec.tga"},
+                                          {"no.such/model", "no.such/model_spec.tga"}};
     for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
         struct model m;
         struct error error;
