@@ -29,7 +29,7 @@
 # exit status is 1.
 
 function wrong(line, what) {
-    print FILENAME ":" line ": " what | "cat 1>&2"
+    print path ":" line ": " what | "cat 1>&2"
     failed = 1
 }
 
@@ -89,7 +89,8 @@ function finish(    text, at, before, after) {
 }
 
 FNR == 1 {
-    list = FILENAME
+    finish() # the last one of the list before
+    path = list = FILENAME
     sub(/.*\//, "", list)
     sub(/\.txt$/, "", list)
     file = test = list_file = list_test = name = ""

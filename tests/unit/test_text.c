@@ -280,6 +280,10 @@ static void test_long_numbers(void) {
     strcpy(string + ZEROS, "001");
     CHECK(word_to_double(word_of(string), &d) && d == nextafter(1, 2));
     free(string);
+    /* (2^53 + 3) 2^-200, the middle between two doubles: to even, up. */
+    check_number(
+        "5.605193857299270150599501691502176668340263901543335264103923751909304261078426"
+        "84285620296406351868330844693771408508708997686653674463741481304168701171875e-45");
 }
 
 static void test_refused_numbers(void) {
