@@ -29,21 +29,21 @@
 # exit status is 1.
 
 function wrong(line, what) {
-    print FILENAME ":" line ": " what | "cat 1>&2"
+    print path ":" line ": " what | "cat 1>&2"
     failed = 1
 }
 
 # The whole text of a source file, read once.
-function source_text(path,    line, text) {
-    if (!(path in sources)) {
+function source_text(source,    line, text) {
+    if (!(source in sources)) {
         text = ""
-        while ((getline line < path) > 0) {
+        while ((getline line < source) > 0) {
             text = text line "\n"
         }
-        close(path)
-        sources[path] = text
+        close(source)
+        sources[source] = text
     }
-    return sources[path]
+    return sources[source]
 }
 
 function is_test(test) {
@@ -89,7 +89,8 @@ function finish(    text, at, before, after) {
 }
 
 FNR == 1 {
-    list = FILENAME
+    finish() # the last of the list before
+    list = path = FILENAME
     sub(/.*\//, "", list)
     sub(/\.txt$/, "", list)
     file = test = list_file = list_test = name = ""
