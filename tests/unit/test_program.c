@@ -173,6 +173,7 @@ static void test_usage(void) {
         {"--what", "probe: unknown option '--what'; try --help\n"},
         {"-s", "probe: -s wants WxH: each 1 to 16384\n"},
         {"-s 10", "probe: -s wants WxH: each 1 to 16384, not '10'\n"},
+        {"-s 10 7", "probe: -s wants WxH: each 1 to 16384, not '10'\n"},
         {"-s 0x10", "probe: -s wants WxH: each 1 to 16384, not '0x10'\n"},
         {"-s 10x16385", "probe: -s wants WxH: each 1 to 16384, not '10x16385'\n"},
         {"-s 10x10x", "probe: -s wants WxH: each 1 to 16384, not '10x10x'\n"},
