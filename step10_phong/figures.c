@@ -6,6 +6,7 @@
 
 #include "attempts.h"
 #include "model_file.h"
+#include "normals.h"
 #include "png.h"
 
 #include <stdlib.h>
