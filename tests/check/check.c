@@ -156,6 +156,26 @@ static bool call_make(const struct options *options, const char **arguments,
     return run(&command, result, error);
 }
 
+/* The date of a main.c says nothing of its age (tar and cp -p keep dates), and it may be gone: only a
+ * program that was removed is surely built from what is there now. */
+static bool remove_old_program(const struct options *options, const char *step,
+                               struct error *error) {
+    char program[DRAWN_PATH_LIMIT];
+    snprintf(program, sizeof program, "%s/%s", options->programs, step);
+    return unlink(program) == 0 || errno == ENOENT || errno == ENOTDIR ||
+           error_set(error, "cannot remove %.900s: %s", program, strerror(errno));
+}
+
+static bool remove_old_programs(const struct options *options, const struct scene_table *table,
+                                struct error *error) {
+    bool done = true;
+    for (size_t i = 0; i < table->step_count && done; i++) {
+        done =
+            !table->steps[i].selected || remove_old_program(options, table->steps[i].name, error);
+    }
+    return done;
+}
+
 /* Build all at once, which uses every core and goes on past errors. Who failed is asked later, one
  * by one; only a make that cannot be started is an error here. */
 static bool build_all(const struct options *options, const struct scene_table *table,
@@ -531,7 +551,7 @@ static bool select_steps(struct scene_table *table, char **steps, struct error *
 static int check(const struct options *options, const struct scene_table *table) {
     struct score score = {.passed = 0};
     struct error error;
-    if (!build_all(options, table, &error)) {
+    if (!remove_old_programs(options, table, &error) || !build_all(options, table, &error)) {
         fprintf(stderr, "check: %s\n", error.message);
         return EXIT_CANNOT_WORK;
     }
