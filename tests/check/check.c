@@ -19,8 +19,8 @@
  * then `N passed, N failed` (steps), then where the difference images are. A step passes when all
  * its scenes do and its program ends with status 0. The check never stops early.
  *
- * Exit status: 0 all passed, 1 something failed, 2 the check itself cannot work (wrong usage, or a
- * reference is missing, unreadable or blank).
+ * Exit status: 0 all passed, 1 something failed, 2 the check itself cannot work (wrong usage, the
+ * models cannot be made, or a reference is missing, unreadable or blank).
  */
 #define _POSIX_C_SOURCE 200809L
 
@@ -77,7 +77,7 @@ static const char help[] =
     "  --programs DIR      where make puts the programs (build)\n"
     "  --differences DIR   where difference images go   (build/differences)\n"
     "  --make COMMAND      builds DIR/STEP, the target  (make)\n"
-    "  --first TARGET      what make builds before the steps; may fail (models)\n"
+    "  --first TARGET      what make builds before the steps (models)\n"
     "  -h, --help\n"
     "\n"
     "A difference image shows the reference, yours and the difference. Wrong pixels are red where\n"
@@ -116,22 +116,37 @@ static void print_step(const char *step, const struct bytes *line) {
 
 /* ---- Building ---- */
 
+/* Does the part stand in the line, which may have others after it? */
+static bool line_contains(const char *line, const char *part) {
+    const char *found = strstr(line, part);
+    return found != NULL && found < line + strcspn(line, "\n");
+}
+
+/* Where the line begins in which `at` points; `text` is where the first one does. */
+static const char *line_start(const char *text, const char *at) {
+    while (at > text && at[-1] != '\n') {
+        at--;
+    }
+    return at;
+}
+
 /* The line of a compiler's, a linker's or make's output that a student needs first. */
 static struct message_line first_error(const char *output) {
     static const char *const marks[] = {"error:", "undefined reference", "multiple definition",
                                         "***"};
     for (size_t i = 0; i < sizeof marks / sizeof marks[0]; i++) {
-        for (const char *line = output; *line != '\0';) {
-            size_t length = strcspn(line, "\n");
-            const char *mark = strstr(line, marks[i]);
-            /* A linker's own "error:" only says that it has failed. */
-            const char *linker = strstr(line, "collect2:"), *clang = strstr(line, "linker command");
-            bool final = (linker != NULL && linker < line + length) ||
-                         (clang != NULL && clang < line + length);
-            if (mark != NULL && mark < line + length && !final) {
+        const char *mark = output;
+        while ((mark = strstr(mark, marks[i])) != NULL) {
+            const char *line = line_start(output, mark);
+            /* A linker's own "error:" only says that it has failed. So does make's "***" of a
+             * command; why, stands before it. */
+            if (line_contains(line, "] Error ") && line > output) {
+                return drawn_message(line_start(output, line - 1));
+            }
+            if (!line_contains(line, "collect2:") && !line_contains(line, "linker command")) {
                 return drawn_message(line);
             }
-            line += length + (line[length] == '\n');
+            mark += strlen(marks[i]);
         }
     }
     return drawn_message(output);
@@ -153,86 +168,66 @@ static bool call_make(const struct options *options, const char **arguments,
         .locale = "C", /* so that a compiler writes "error:" and not its translation */
         .limits = {.seconds = BUILD_SECONDS},
     };
-    return run(&command, result, error);
-}
-
-/* The date of a main.c says nothing of its age (tar and cp -p keep dates), and it may be gone: only a
- * program that was removed is surely built from what is there now. */
-static bool remove_old_program(const struct options *options, const char *step,
-                               struct error *error) {
-    char program[DRAWN_PATH_LIMIT];
-    snprintf(program, sizeof program, "%s/%s", options->programs, step);
-    return unlink(program) == 0 || errno == ENOENT || errno == ENOTDIR ||
-           error_set(error, "cannot remove %.900s: %s", program, strerror(errno));
-}
-
-static bool remove_old_programs(const struct options *options, const struct scene_table *table,
-                                struct error *error) {
-    bool done = true;
-    for (size_t i = 0; i < table->step_count && done; i++) {
-        done =
-            !table->steps[i].selected || remove_old_program(options, table->steps[i].name, error);
+    if (!run(&command, result, error)) {
+        return false;
     }
-    return done;
+    bool found = result->end != RUN_EXITED || result->number != NOT_FOUND_STATUS;
+    return found || error_set(error, "cannot run %.100s: %s", options->make,
+                              drawn_message((const char *)result->messages.data).text);
 }
 
-/* Build all at once, which uses every core and goes on past errors. Who failed is asked later, one
- * by one; only a make that cannot be started is an error here. */
-static bool build_all(const struct options *options, const struct scene_table *table,
-                      struct error *error) {
-    const char **arguments = calloc(table->step_count + 8, sizeof *arguments);
-    char(*targets)[DRAWN_PATH_LIMIT] = calloc(table->step_count, sizeof *targets);
+/* Did make build all that it was told to? */
+static bool make_succeeded(const struct run_result *result) {
+    return result->end == RUN_EXITED && result->number == 0;
+}
+
+static struct message_line make_failure(const struct run_result *result) {
+    struct message_line reason;
+    if (result->end == RUN_OUT_OF_TIME) {
+        snprintf(reason.text, sizeof reason.text, "stopped after %d s", BUILD_SECONDS);
+        return reason;
+    }
+    reason = first_error((const char *)result->messages.data);
+    if (reason.text[0] == '\0') {
+        snprintf(reason.text, sizeof reason.text, "make failed and does not say why");
+    }
+    return reason;
+}
+
+/* The date of a main.c says nothing of its age (tar and cp -p keep dates), and it may be gone: only
+ * a program that was removed is surely built from what is there now. */
+static bool remove_old_program(const char *path, struct error *error) {
+    return unlink(path) == 0 || errno == ENOENT ||
+           error_set(error, "cannot remove %.900s: %s", path, strerror(errno));
+}
+
+/* Build what is given: the library, the models. */
+static bool build_given(const struct options *options, struct error *error) {
+    const char *arguments[] = {NULL, NULL, NULL, NULL, "-s", options->first, NULL};
     struct run_result result = {.end = RUN_EXITED};
-    bool done = arguments != NULL && targets != NULL;
-    if (!done) {
-        error_set(error, "out of memory");
-    } else {
-        size_t count = 4;
-        arguments[count++] = "-sk";
-        if (options->first[0] != '\0') {
-            arguments[count++] = options->first;
-        }
-        for (size_t i = 0; i < table->step_count; i++) {
-            if (table->steps[i].selected) {
-                snprintf(targets[i], sizeof targets[i], "%s/%s", options->programs,
-                         table->steps[i].name);
-                arguments[count++] = targets[i];
-            }
-        }
-        done = call_make(options, arguments, &result, error);
-    }
-    if (done && result.end == RUN_EXITED && result.number == NOT_FOUND_STATUS) {
-        done = error_set(error, "cannot run %.100s: %s", options->make,
-                         drawn_message((const char *)result.messages.data).text);
+    bool done = call_make(options, arguments, &result, error);
+    if (done && run_caught_signal() == 0 && !make_succeeded(&result)) {
+        done =
+            error_set(error, "cannot build %.100s: %s", options->first, make_failure(&result).text);
     }
     bytes_free(&result.messages);
-    free(arguments);
-    free(targets);
     return done;
 }
 
-/* Is the step's program built and up to date? Otherwise `reason` says why not. */
-static bool build_step(const struct options *options, const char *step,
-                       struct message_line *reason) {
+/* Build the step's program; `reason` says why it could not be built, or is empty. False, with a
+ * message, when the check itself cannot do that. */
+static bool build_step(const struct options *options, const char *step, struct message_line *reason,
+                       struct error *error) {
     char target[DRAWN_PATH_LIMIT];
     snprintf(target, sizeof target, "%s/%s", options->programs, step);
     const char *arguments[] = {NULL, NULL, NULL, NULL, "-s", target, NULL};
     struct run_result result = {.end = RUN_EXITED};
-    struct error error;
-    bool done = false;
-    if (!call_make(options, arguments, &result, &error)) {
-        *reason = drawn_message(error.message);
-    } else if (result.end == RUN_OUT_OF_TIME) {
-        snprintf(reason->text, sizeof reason->text, "stopped after %d s", BUILD_SECONDS);
-    } else if (result.end != RUN_EXITED || result.number != 0) {
-        *reason = first_error((const char *)result.messages.data);
-        if (reason->text[0] == '\0') {
-            snprintf(reason->text, sizeof reason->text, "make failed and does not say why");
-        }
-    } else if (access(target, X_OK) != 0) {
+    *reason = (struct message_line){""};
+    bool done = remove_old_program(target, error) && call_make(options, arguments, &result, error);
+    if (done && !make_succeeded(&result)) {
+        *reason = make_failure(&result);
+    } else if (done && access(target, X_OK) != 0) {
         snprintf(reason->text, sizeof reason->text, "make has built no %.150s", target);
-    } else {
-        done = true;
     }
     bytes_free(&result.messages);
     return done;
@@ -435,16 +430,17 @@ static void check_step(const struct options *options, const struct checked_step 
     if (done) {
         remove_old_differences(options, step);
         read_references(options, step, references, errors);
-        if (build_step(options, step->name, &reason)) {
-            done = draw_and_judge(options, step, references, errors, results, &line, &passed, score,
-                                  &error);
-        } else {
-            append(&line, "BUILD %s", reason.text);
-            for (size_t i = 0; i < count; i++) {
-                if (references[i].pixels == NULL) { /* the line says only what comes first */
-                    fprintf(stderr, "check: no reference: %s\n", errors[i].message);
-                    score->cannot_work = true;
-                }
+        done = build_step(options, step->name, &reason, &error);
+    }
+    if (done && reason.text[0] == '\0') {
+        done = draw_and_judge(options, step, references, errors, results, &line, &passed, score,
+                              &error);
+    } else if (done) {
+        append(&line, "BUILD %s", reason.text);
+        for (size_t i = 0; i < count; i++) {
+            if (references[i].pixels == NULL) { /* the line says only what comes first */
+                fprintf(stderr, "check: no reference: %s\n", errors[i].message);
+                score->cannot_work = true;
             }
         }
     }
@@ -551,7 +547,7 @@ static bool select_steps(struct scene_table *table, char **steps, struct error *
 static int check(const struct options *options, const struct scene_table *table) {
     struct score score = {.passed = 0};
     struct error error;
-    if (!remove_old_programs(options, table, &error) || !build_all(options, table, &error)) {
+    if (options->first[0] != '\0' && !build_given(options, &error)) {
         fprintf(stderr, "check: %s\n", error.message);
         return EXIT_CANNOT_WORK;
     }

@@ -498,6 +498,34 @@ static void test_wrong_usage(void) {
     }
 }
 
+/* What the lessons are given cannot be made, or an old program not be removed: no score, but why. */
+static void test_own_failures_are_not_scored(void) {
+    static const struct {
+        const char *first, *step, *where, *message;
+    } cases[] = {
+        {"broken", "01", "errors", "check: cannot build broken: sculpt: no clay\n"},
+        {"nowhere", "01", "errors",
+         "check: cannot build nowhere: make: *** No rule to make target"},
+        {"", "12", "output", "step12_absent  ERROR cannot remove "},
+    };
+    char make[2 * PATH_LIMIT];
+    struct path build = inside("build"), references = inside("reference");
+    snprintf(make, sizeof make, "make BUILD=%s", build.text);
+    mkdir(inside("build/step12_absent").text, 0777);
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        const char *arguments[] = {
+            "--root",        "tests/check/wrong", "--scenes",    "scenes.txt", "--references",
+            references.text, "--programs",        build.text,    "--make",     make,
+            "--first",       cases[i].first,      cases[i].step, NULL};
+        CHECK_ROW(finish(start("check", "1", arguments)) == 2, cases[i].message);
+        struct bytes said = read_text(inside(cases[i].where).text);
+        CHECK_ROW(contains(&said, cases[i].message), cases[i].message);
+        CHECK_ROW(!contains(&said, "PASS") && !contains(&said, "FAIL"), cases[i].message);
+        bytes_free(&said);
+    }
+    rmdir(inside("build/step12_absent").text);
+}
+
 static void test_scene_tables(void) {
     static const struct {
         const char *table, *message;
@@ -614,6 +642,7 @@ static const struct unit_test tests[] = {
     TEST(test_old_program_is_not_used),
     TEST(test_references_are_not_changed),
     TEST(test_wrong_usage),
+    TEST(test_own_failures_are_not_scored),
     TEST(test_scene_tables),
     TEST(test_interrupt),
     TEST(test_redraw),
