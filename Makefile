@@ -74,6 +74,10 @@ WARNINGS = -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wstrict-prototypes -W
 # One rounding for each operation, so that every machine computes the same bytes.
 STRICT   = -std=c17 -ffp-contract=off
 DEFINES  = -DCOURSE_BUILD='"$(abspath $(BUILD))"'
+# The same path is a word of the shell and a string of C.
+ifneq ($(strip $(foreach sign,' " \,$(findstring $(sign),$(abspath $(BUILD))))),)
+$(error the path $(abspath $(BUILD)) holds a quote or a backslash: move the course, or set BUILD)
+endif
 # Threads, where the compiler wants to be told; and all that this processor can do. Neither changes
 # a byte of a picture. MARCH= makes programs that run on any processor of the kind.
 PROBE    = $(shell mkdir -p $(BUILD) && echo 'int main(void) { return 0; }' >$(BUILD)/probe.c && \

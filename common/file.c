@@ -26,13 +26,42 @@ enum {
 
 /* ---- Messages ---- */
 
-/* A file name may hold any byte; a message stays one line whatever it quotes. */
-static void hide_control_characters(char *text) {
-    for (char *c = text; *c != '\0'; c++) {
-        unsigned char byte = (unsigned char)*c;
-        if (byte < 32 || byte == 127) {
-            *c = '?';
+/* The UTF-8 character at the beginning of a text (F. Yergeau, "UTF-8, a transformation format of ISO
+ * 10646", RFC 3629, section 4), and how many bytes it takes; 0 where there is none. */
+static size_t utf8_decode(const char *text, uint32_t *character) {
+    static const uint32_t least[] = {0, 0, 0x80, 0x800, 0x10000};
+    unsigned char first = (unsigned char)text[0];
+    size_t size = first < 0x80 ? 1 : first < 0xc0 ? 0 : first < 0xe0 ? 2 : first < 0xf0 ? 3 : 4;
+    *character = size < 2 ? first : first & (0xffu >> (size + 1));
+    for (size_t i = 1; i < size; i++) {
+        unsigned char byte = (unsigned char)text[i];
+        if ((byte & 0xc0) != 0x80) { /* nor is it read past the end of the text */
+            return 0;
         }
+        *character = *character << 6 | (byte & 0x3fu);
+    }
+    bool surrogate = *character >= 0xd800 && *character < 0xe000;
+    return *character < least[size] || *character > 0x10ffff || surrogate ? 0 : size;
+}
+
+/* Control characters, and those that end a line or turn the direction of writing (The Unicode
+ * Standard, sections 23.1 and 23.2, and annex 9, section 2). */
+static bool is_obeyed(uint32_t character) {
+    return character < 0x20 || (character >= 0x7f && character < 0xa0) || character == 0x61c ||
+           (character >= 0x200e && character <= 0x200f) ||
+           (character >= 0x2028 && character <= 0x202e) ||
+           (character >= 0x2066 && character <= 0x2069);
+}
+
+void text_make_printable(char *text, char instead) {
+    while (*text != '\0') {
+        uint32_t character;
+        size_t size = utf8_decode(text, &character);
+        if (size == 0 || is_obeyed(character)) { /* its other bytes, alone, are no character */
+            *text = instead;
+            size = 1;
+        }
+        text += size;
     }
 }
 
@@ -43,7 +72,7 @@ bool error_set(struct error *error, const char *format, ...) {
         error->message[0] = '\0';
     }
     va_end(arguments);
-    hide_control_characters(error->message);
+    text_make_printable(error->message, '?'); /* a file name may hold any byte */
     error->line = 0;
     return false;
 }

@@ -20,7 +20,7 @@
  * its scenes do and its program ends with status 0. The check never stops early.
  *
  * Exit status: 0 all passed, 1 something failed, 2 the check itself cannot work (wrong usage, the
- * models cannot be made, or a reference is missing, unreadable or blank).
+ * models cannot be made, a reference is missing, unreadable or blank, or nobody gets the score).
  */
 #define _POSIX_C_SOURCE 200809L
 
@@ -562,7 +562,10 @@ static int check(const struct options *options, const struct scene_table *table)
             printf("Difference images (reference, yours, difference, side by side):\n%.*s",
                    (int)score.differences.size, (const char *)score.differences.data);
         }
-        fflush(stdout);
+        if (fflush(stdout) != 0 || ferror(stdout)) {
+            fprintf(stderr, "check: the score could not be written to standard output\n");
+            score.cannot_work = true;
+        }
     }
     bytes_free(&score.differences);
     return score.cannot_work ? EXIT_CANNOT_WORK

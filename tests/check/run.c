@@ -274,7 +274,11 @@ static void child_fail(const char *what, const char *name) {
 }
 
 static void child(const struct run_command *command, int messages, size_t threads) {
-    setpgid(0, 0);
+    if (command->contained) {
+        setsid(); /* a group of its own, and no terminal to write a score to */
+    } else {
+        setpgid(0, 0);
+    }
     signal(SIGPIPE, SIG_DFL);
     int input = open("/dev/null", O_RDONLY), output = open("/dev/null", O_WRONLY);
     if (input < 0 || output < 0 || dup2(input, STDIN_FILENO) < 0 ||
@@ -358,15 +362,22 @@ static enum run_end watch(const struct run_command *command, pid_t id, int *pipe
     return RUN_EXITED;
 }
 
+/* The group may not be there yet: then there is only its leader. */
+static void signal_group(pid_t id, int number) {
+    if (kill(-id, number) != 0) {
+        kill(id, number);
+    }
+}
+
 /* End the whole group, and reap its leader. Returns the leader's wait status. */
 static int end_group(pid_t id, enum run_end end) {
     if (end == RUN_OUT_OF_TIME || end == RUN_INTERRUPTED) {
-        kill(-id, SIGTERM);
+        signal_group(id, SIGTERM);
         for (double limit = now() + seconds_to_end; now() < limit && !has_ended(id);) {
             pause_ms(TICK_MS);
         }
     }
-    kill(-id, SIGKILL);
+    signal_group(id, SIGKILL);
     int status = 0;
     while (waitpid(id, &status, 0) < 0 && errno == EINTR) {
     }
@@ -382,6 +393,13 @@ static void judge_status(struct run_result *result, int status) {
         result->end = result->number == SIGXCPU ? RUN_OUT_OF_TIME : RUN_KILLED;
     } else {
         result->number = WEXITSTATUS(status);
+    }
+}
+
+/* A text ends at its first NUL: those in it become blanks. */
+static void blank_nuls(struct bytes *messages) {
+    for (size_t i = 0; i < messages->size; i++) {
+        messages->data[i] = messages->data[i] == '\0' ? ' ' : messages->data[i];
     }
 }
 
@@ -404,7 +422,9 @@ bool run(const struct run_command *command, struct run_result *result, struct er
     close(ends[1]);
     bool done = id > 0;
     if (done) {
-        setpgid(id, id); /* the child does it too: whoever comes first */
+        if (!command->contained) {
+            setpgid(id, id); /* the child does it too: whoever comes first */
+        }
         result->end = watch(command, id, &ends[0], &result->messages);
         int status = end_group(id, result->end);
         if (command->contained) {
@@ -413,6 +433,7 @@ bool run(const struct run_command *command, struct run_result *result, struct er
         while (ends[0] >= 0 && result->messages.size < MESSAGE_LIMIT &&
                read_messages(ends[0], &result->messages)) {
         }
+        blank_nuls(&result->messages);
         judge_status(result, status);
         done = bytes_append(&result->messages, "", 1) || error_set(error, "out of memory");
     } else {
@@ -466,8 +487,9 @@ static void remove_tree(int parent, const char *name) {
 }
 
 void run_directory_remove(const char *path) {
-    /* More than once, because entries may be passed over while others are removed. */
-    for (int i = 0; i < 3 && access(path, F_OK) == 0; i++) {
+    /* More than once, because entries may be passed over while others are removed. A program may have
+     * put something else in the directory's place, such as a link. */
+    for (int i = 0; i < 3 && unlink(path) != 0 && errno != ENOENT; i++) {
         remove_tree(AT_FDCWD, path);
     }
 }

@@ -1,6 +1,6 @@
 /*
- * Running a program that nobody trusts: in an empty directory, in its own process group, under
- * limits, and with nothing left of it afterwards.
+ * Running a program that nobody trusts: in an empty directory, in its own session (a process group
+ * without a terminal), under limits, and with nothing left of it afterwards.
  *
  * What is limited: elapsed time, CPU time (the same on each core), the size of a file, the number
  * of processes, core files (none). When the time is over, the whole group gets SIGTERM and half a
@@ -45,7 +45,8 @@ enum run_end {
 struct run_result {
     enum run_end end;
     int number;
-    struct bytes messages; /* the first 256 KiB of what it wrote to standard error, then a NUL */
+    /* The first 256 KiB of what it wrote to standard error, NULs made blanks, then a NUL. */
+    struct bytes messages;
 };
 
 /* Run a command and wait for it. Standard input is empty, standard output is thrown away. False
@@ -70,7 +71,7 @@ void run_die_of_signal(void);
 /* Make an empty directory in $TMPDIR (or /tmp); `path` becomes its absolute name. */
 bool run_directory_create(char *path, size_t size, struct error *error);
 
-/* Remove a directory with all that a program left in it. */
+/* Remove a directory with all that a program left in it, or what it put in its place. */
 void run_directory_remove(const char *path);
 
 #endif

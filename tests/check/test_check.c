@@ -6,6 +6,8 @@
  * references, built: in the directory that CHECK_PROGRAMS names in the environment, or where the
  * Makefile puts them. All it writes goes to a temporary directory.
  */
+#define _XOPEN_SOURCE 700 /* POSIX.1-2008 with terminals */
+
 #include "wrong/picture.h"
 
 #include "compare.h"
@@ -36,6 +38,7 @@ static struct fixture {
     char programs[600];   /* with check and references in it */
     struct bytes output;  /* of a check of all the wrong programs, NUL at its end */
     int status;           /* its exit status */
+    char terminal[64];    /* the name of the check's terminal, or empty */
     struct bytes witness; /* what those programs have told: process numbers, NUL at its end */
 } fixture;
 
@@ -84,6 +87,10 @@ static pid_t start(const char *name, const char *timeout, const char *const *arg
     }
     char program[PATH_LIMIT];
     snprintf(program, sizeof program, "%s/%s", fixture.programs, name);
+    if (fixture.terminal[0] != '\0') { /* becomes that of the new session */
+        setsid();
+        open(fixture.terminal, O_RDWR);
+    }
     int output = open(inside("output").text, O_WRONLY | O_CREAT | O_TRUNC, 0666);
     int errors = open(inside("errors").text, O_WRONLY | O_CREAT | O_TRUNC, 0666);
     dup2(output, STDOUT_FILENO);
@@ -249,9 +256,12 @@ static void test_verdicts(void) {
         {"step16_stubborn", "TIME 0/1 stopped after 1 s"},
         {"step17_escape", "PASS 1/1 exact"},
         {"step20_limits", "FAIL 0/1 exit status 3: here 1 files 0 open 0 group 1 cpu 1 size "
-                          "64000000 core 0 input -1 make 0"},
+                          "64000000 core 0 input -1 make 0 terminal 0"},
         {"step21_hidden", "PASS 1/1 exact"},
         {"step22_noisy", "PASS 1/1 exact"},
+        {"step26_control", "FAIL 0/1 exit status 1:  [1A  1A   drow s\xc3\xa9"},
+        {"step27_link", "FAIL 0/1 depth: missing (no depth.tga was written)"},
+        {"step28_nul", "BUILD x.c:2: error: no"},
     };
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         CHECK_TEXT(line_of(&fixture.output, cases[i].step).text, cases[i].line);
@@ -316,7 +326,7 @@ static void test_crowd(void) {
 }
 
 static void test_summary_and_status(void) {
-    CHECK(contains(&fixture.output, "\n5 passed, 20 failed\n"));
+    CHECK(contains(&fixture.output, "\n5 passed, 23 failed\n"));
     CHECK(fixture.status == 2); /* a reference is missing */
     size_t lines = 0;
     const char *text = (const char *)fixture.output.data;
@@ -324,7 +334,7 @@ static void test_summary_and_status(void) {
         lines++;
         text += strcspn(text, "\n") + 1;
     }
-    CHECK(lines == 25);
+    CHECK(lines == 28);
     CHECK(strncmp(text, "5 passed", 8) == 0);
 }
 
@@ -421,6 +431,32 @@ static void test_status_of_passed_and_failed(void) {
     CHECK(run_check("10", &output) == 1);
     CHECK(contains(&output, "\n0 passed, 1 failed\n"));
     bytes_free(&output);
+}
+
+/* Where the check has a terminal, a program must not: it could write a score there. */
+static void test_programs_have_no_terminal(void) {
+    struct bytes output;
+    int terminal = posix_openpt(O_RDWR | O_NOCTTY);
+    CHECK(terminal >= 0 && grantpt(terminal) == 0 && unlockpt(terminal) == 0);
+    snprintf(fixture.terminal, sizeof fixture.terminal, "%s", ptsname(terminal));
+    CHECK(run_check("20", &output) == 1);
+    CHECK(contains(&output, " group 1 ") && contains(&output, " terminal 0\n"));
+    fixture.terminal[0] = '\0';
+    close(terminal);
+    bytes_free(&output);
+}
+
+/* A score that nobody gets is no score. */
+static void test_full_output(void) {
+    struct bytes output;
+    unlink(inside("output").text);
+    if (access("/dev/full", W_OK) == 0 && CHECK(symlink("/dev/full", inside("output").text) == 0)) {
+        CHECK(finish(start_check("1", "01")) == 2);
+        output = read_text(inside("errors").text);
+        CHECK(contains(&output, "check: the score could not be written"));
+        bytes_free(&output);
+        unlink(inside("output").text);
+    }
 }
 
 /* Where every picture must be exact, one that is right within its limit fails. */
@@ -638,6 +674,8 @@ static const struct unit_test tests[] = {
     TEST(test_nothing_survives),
     TEST(test_temporary_directories_are_removed),
     TEST(test_status_of_passed_and_failed),
+    TEST(test_programs_have_no_terminal),
+    TEST(test_full_output),
     TEST(test_exact_is_demanded),
     TEST(test_old_program_is_not_used),
     TEST(test_references_are_not_changed),

@@ -91,6 +91,35 @@ static void test_messages(void) {
     CHECK_TEXT(error.message, "two?lines?[31m?");
 }
 
+/* What a terminal would obey is replaced, byte by byte; what it shows stays. */
+static void test_printable_texts(void) {
+    static const struct {
+        const char *text, *shown;
+    } cases[] = {
+        {"", ""},
+        {"\x1f\x20\x7e\x7f", "? ~?"},
+        {"\xc2\x80 \xc2\x9f \xc2\xa0", "?? ?? \xc2\xa0"}, /* C1: U+0080 to U+009F */
+        {"\xd8\x9c \xd8\x9d", "?? \xd8\x9d"},
+        {"\xe2\x80\x8d\xe2\x80\x8e\xe2\x80\x8f\xe2\x80\x90", "\xe2\x80\x8d??????\xe2\x80\x90"},
+        {"\xe2\x80\xa7\xe2\x80\xa8\xe2\x80\xae\xe2\x80\xaf", "\xe2\x80\xa7??????\xe2\x80\xaf"},
+        {"\xe2\x81\xa5\xe2\x81\xa6\xe2\x81\xa9\xe2\x81\xaa", "\xe2\x81\xa5??????\xe2\x81\xaa"},
+        {"\xc3\xa9 \xe4\xb8\xad \xf0\x9f\x99\x82", "\xc3\xa9 \xe4\xb8\xad \xf0\x9f\x99\x82"},
+        {"a\x9b \x80 \xbf", "a? ? ?"},                   /* no first byte */
+        {"\xc3 \xe4\xb8 \xf0\x9f\x99", "? ?? ???"},      /* cut off */
+        {"\xc0\xaf \xc1\xbf \xe0\x9f\xbf", "?? ?? ???"}, /* longer than need be */
+        {"\xf0\x8f\xbf\xbf \xf4\x90\x80\x80", "???? ????"},
+        {"\xed\x9f\xbf \xed\xa0\x80 \xed\xbf\xbf \xee\x80\x80",
+         "\xed\x9f\xbf ??? ??? \xee\x80\x80"},
+        {"\xf4\x8f\xbf\xbf \xf8\x88\x80\x80\x80 \xff", "\xf4\x8f\xbf\xbf ????? ?"},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        char text[40];
+        strcpy(text, cases[i].text);
+        text_make_printable(text, '?');
+        CHECK_TEXT(text, cases[i].shown);
+    }
+}
+
 /* The line stands behind the file's name, once. */
 static void test_lines_of_messages(void) {
     enum { LONG = 600, KEPT = 512 };
@@ -489,9 +518,9 @@ static void test_devices(void) {
     place_remove(&place, "pipe");
 }
 
-UNIT_MAIN(TEST(test_messages), TEST(test_lines_of_messages), TEST(test_names_of_input),
-          TEST(test_long_messages), TEST(test_bytes), TEST(test_read), TEST(test_read_errors),
-          TEST(test_standard_input), TEST(test_write), TEST(test_write_errors),
-          TEST(test_full_disk), TEST(test_write_protection), TEST(test_write_from_elsewhere),
-          TEST(test_symbolic_link), TEST(test_chain_of_links), TEST(test_many_links),
-          TEST(test_devices))
+UNIT_MAIN(TEST(test_messages), TEST(test_printable_texts), TEST(test_lines_of_messages),
+          TEST(test_names_of_input), TEST(test_long_messages), TEST(test_bytes), TEST(test_read),
+          TEST(test_read_errors), TEST(test_standard_input), TEST(test_write),
+          TEST(test_write_errors), TEST(test_full_disk), TEST(test_write_protection),
+          TEST(test_write_from_elsewhere), TEST(test_symbolic_link), TEST(test_chain_of_links),
+          TEST(test_many_links), TEST(test_devices))
