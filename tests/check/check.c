@@ -32,6 +32,7 @@
 #include "scenes.h"
 
 #include <errno.h>
+#include <fcntl.h>
 #include <signal.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -43,16 +44,18 @@ enum {
     EXIT_ALL_PASSED = 0,
     EXIT_FAILED = 1,
     EXIT_CANNOT_WORK = 2,
-    FILE_MEGABYTES = 64,   /* largest file that a program may write */
-    PROCESS_LIMIT = 64,    /* processes of a program at the same time */
-    BUILD_SECONDS = 300,   /* for one call of make */
-    NOT_FOUND_STATUS = 127 /* of a shell that does not find the command */
+    FILE_MEGABYTES = 64,    /* largest file that a program may write */
+    PROCESS_LIMIT = 64,     /* processes of a program at the same time */
+    GIVEN_SECONDS = 600,    /* for what is built before the steps */
+    COMPILER_GIGABYTES = 2, /* memory of each process that builds a step */
+    NOT_FOUND_STATUS = 127  /* of a shell that does not find the command */
 };
 
 struct options {
     const char *root, *scenes, *references, *programs, *differences, *make, *first;
-    double seconds; /* for one step's program */
-    bool exact;     /* every pixel of every scene, whatever the table says */
+    double seconds;       /* for one step's program */
+    double build_seconds; /* for building it */
+    bool exact;           /* every pixel of every scene, whatever the table says */
 };
 
 static const struct options default_options = {
@@ -64,6 +67,7 @@ static const struct options default_options = {
     .make = "make",
     .first = "models",
     .seconds = 10,
+    .build_seconds = 60,
 };
 
 static const char help[] =
@@ -85,6 +89,7 @@ static const char help[] =
     "both; dark green ones are not equal, but not wrong.\n"
     "\n"
     "CHECK_TIMEOUT in the environment: seconds that a step's program may take (10).\n"
+    "CHECK_BUILD_TIMEOUT in the environment: seconds that building it may take (60).\n"
     "CHECK_EXACT=1 in the environment: every pixel of every scene must be equal.\n"
     "Exit status: 0 all passed, 1 something failed, 2 the check itself cannot work.\n"
     "To see all that a program says, run it by hand: build/step05_zbuffer -o DIRECTORY\n";
@@ -112,6 +117,30 @@ static void append(struct bytes *text, const char *format, ...) {
 static void print_step(const char *step, const struct bytes *line) {
     printf("%s  %.*s\n", step, (int)line->size, line->size > 0 ? (const char *)line->data : "");
     fflush(stdout); /* so that each line is seen as soon as it is known */
+}
+
+/* ---- One check at a time ---- */
+
+/* Two checks in one directory would remove each other's programs: the second waits. The lock is the
+ * system's, and goes when this process does, however it ends. False, with a message, when the
+ * directory cannot be written. */
+static bool lock_programs(const struct options *options, struct error *error) {
+    struct flock whole = {.l_type = F_WRLCK, .l_whence = SEEK_SET};
+    char path[DRAWN_PATH_LIMIT];
+    if (!directory_create(options->programs, error)) {
+        return false;
+    }
+    snprintf(path, sizeof path, "%s/check.lock", options->programs);
+    int file = open(path, O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+    if (file < 0) {
+        return error_set(error, "%.900s: %s", path, strerror(errno));
+    }
+    bool busy = fcntl(file, F_SETLK, &whole) != 0 && (errno == EAGAIN || errno == EACCES);
+    if (busy) {
+        fprintf(stderr, "check: waiting for another check in %s\n", options->programs);
+        fcntl(file, F_SETLKW, &whole); /* or until a signal comes */
+    }
+    return true; /* also where the file system knows no locks */
 }
 
 /* ---- Building ---- */
@@ -152,21 +181,19 @@ static struct message_line first_error(const char *output) {
     return drawn_message(output);
 }
 
-/* Call make in the root with the given targets (then NULL), which follow four fixed arguments. */
-static bool call_make(const struct options *options, const char **arguments,
-                      struct run_result *result, struct error *error) {
+/* Let make build the target in the root. */
+static bool call_make(const struct options *options, const char *target,
+                      const struct run_limits *limits, struct run_result *result,
+                      struct error *error) {
     char script[DRAWN_PATH_LIMIT];
     if ((size_t)snprintf(script, sizeof script, "%s \"$@\"", options->make) >= sizeof script) {
         return error_set(error, "the make command is too long");
     }
-    arguments[0] = "sh";
-    arguments[1] = "-c";
-    arguments[2] = script;
-    arguments[3] = "make";
+    const char *arguments[] = {"sh", "-c", script, "make", "-s", target, NULL};
     struct run_command command = {
         .arguments = arguments,
         .locale = "C", /* so that a compiler writes "error:" and not its translation */
-        .limits = {.seconds = BUILD_SECONDS},
+        .limits = *limits,
     };
     if (!run(&command, result, error)) {
         return false;
@@ -181,10 +208,10 @@ static bool make_succeeded(const struct run_result *result) {
     return result->end == RUN_EXITED && result->number == 0;
 }
 
-static struct message_line make_failure(const struct run_result *result) {
+static struct message_line make_failure(const struct run_result *result, double seconds) {
     struct message_line reason;
     if (result->end == RUN_OUT_OF_TIME) {
-        snprintf(reason.text, sizeof reason.text, "stopped after %d s", BUILD_SECONDS);
+        snprintf(reason.text, sizeof reason.text, "stopped after %g s", seconds);
         return reason;
     }
     reason = first_error((const char *)result->messages.data);
@@ -203,12 +230,15 @@ static bool remove_old_program(const char *path, struct error *error) {
 
 /* Build what is given: the library, the models. */
 static bool build_given(const struct options *options, struct error *error) {
-    const char *arguments[] = {NULL, NULL, NULL, NULL, "-s", options->first, NULL};
+    if (options->first[0] == '\0' || run_caught_signal() != 0) {
+        return true;
+    }
+    const struct run_limits limits = {.seconds = GIVEN_SECONDS};
     struct run_result result = {.end = RUN_EXITED};
-    bool done = call_make(options, arguments, &result, error);
+    bool done = call_make(options, options->first, &limits, &result, error);
     if (done && run_caught_signal() == 0 && !make_succeeded(&result)) {
-        done =
-            error_set(error, "cannot build %.100s: %s", options->first, make_failure(&result).text);
+        done = error_set(error, "cannot build %.100s: %s", options->first,
+                         make_failure(&result, limits.seconds).text);
     }
     bytes_free(&result.messages);
     return done;
@@ -220,12 +250,15 @@ static bool build_step(const struct options *options, const char *step, struct m
                        struct error *error) {
     char target[DRAWN_PATH_LIMIT];
     snprintf(target, sizeof target, "%s/%s", options->programs, step);
-    const char *arguments[] = {NULL, NULL, NULL, NULL, "-s", target, NULL};
+    const struct run_limits limits = {.seconds = options->build_seconds,
+                                      .file_bytes = (size_t)FILE_MEGABYTES * 1000 * 1000,
+                                      .memory_bytes = (size_t)COMPILER_GIGABYTES << 30};
     struct run_result result = {.end = RUN_EXITED};
     *reason = (struct message_line){""};
-    bool done = remove_old_program(target, error) && call_make(options, arguments, &result, error);
+    bool done =
+        remove_old_program(target, error) && call_make(options, target, &limits, &result, error);
     if (done && !make_succeeded(&result)) {
-        *reason = make_failure(&result);
+        *reason = make_failure(&result, limits.seconds);
     } else if (done && access(target, X_OK) != 0) {
         snprintf(reason->text, sizeof reason->text, "make has built no %.150s", target);
     }
@@ -470,15 +503,15 @@ static int usage_error(const char *message) {
     return EXIT_CANNOT_WORK;
 }
 
-static bool read_seconds(double *seconds, struct error *error) {
-    const char *text = getenv("CHECK_TIMEOUT");
+static bool read_seconds(const char *variable, double *seconds, struct error *error) {
+    const char *text = getenv(variable);
     if (text == NULL || text[0] == '\0') {
         return true;
     }
     char *end;
     *seconds = strtod(text, &end);
     if (*end != '\0' || !(*seconds >= 0.1 && *seconds <= 3600)) {
-        return error_set(error, "CHECK_TIMEOUT is '%.50s', not a number of seconds, 0.1..3600",
+        return error_set(error, "%s is '%.50s', not a number of seconds, 0.1..3600", variable,
                          text);
     }
     return true;
@@ -527,7 +560,9 @@ static bool read_options(struct options *options, int argc, char **argv, int *fi
         i += 2;
     }
     *first_step = i;
-    return read_seconds(&options->seconds, error) && read_exact(&options->exact, error);
+    return read_seconds("CHECK_TIMEOUT", &options->seconds, error) &&
+           read_seconds("CHECK_BUILD_TIMEOUT", &options->build_seconds, error) &&
+           read_exact(&options->exact, error);
 }
 
 static bool select_steps(struct scene_table *table, char **steps, struct error *error) {
@@ -547,7 +582,7 @@ static bool select_steps(struct scene_table *table, char **steps, struct error *
 static int check(const struct options *options, const struct scene_table *table) {
     struct score score = {.passed = 0};
     struct error error;
-    if (options->first[0] != '\0' && !build_given(options, &error)) {
+    if (!lock_programs(options, &error) || !build_given(options, &error)) {
         fprintf(stderr, "check: %s\n", error.message);
         return EXIT_CANNOT_WORK;
     }

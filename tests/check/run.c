@@ -246,14 +246,22 @@ static void lower_limit(int resource, rlim_t soft, rlim_t hard) {
     setrlimit(resource, &limit);
 }
 
-static void set_limits(const struct run_limits *limits, size_t threads) {
+static void limit_sizes(const struct run_limits *limits) {
+    if (limits->file_bytes > 0) {
+        lower_limit(RLIMIT_FSIZE, limits->file_bytes, limits->file_bytes);
+    }
+    if (limits->memory_bytes > 0) {
+        lower_limit(RLIMIT_AS, limits->memory_bytes, limits->memory_bytes);
+    }
+}
+
+static void limit_work(const struct run_limits *limits, size_t threads) {
     long cores = 1;
 #ifdef _SC_NPROCESSORS_ONLN
     cores = sysconf(_SC_NPROCESSORS_ONLN) > 1 ? sysconf(_SC_NPROCESSORS_ONLN) : 1;
 #endif
     rlim_t seconds = (rlim_t)(limits->seconds * (double)cores) + 1;
     lower_limit(RLIMIT_CPU, seconds, seconds + 1);
-    lower_limit(RLIMIT_FSIZE, limits->file_bytes, limits->file_bytes);
     lower_limit(RLIMIT_CORE, 0, 0);
 #ifdef RLIMIT_NPROC
     /* It counts the threads of all that the user runs: leave room for those, and for ours. */
@@ -299,8 +307,9 @@ static void child(const struct run_command *command, int messages, size_t thread
         }
         unsetenv("MAKEFLAGS");
         unsetenv("MFLAGS");
-        set_limits(&command->limits, threads);
+        limit_work(&command->limits, threads);
     }
+    limit_sizes(&command->limits);
     /* execvp() takes pointers to characters that it does not change. */
     execvp(command->arguments[0], (char *const *)(uintptr_t)command->arguments);
     child_fail("start", command->arguments[0]);

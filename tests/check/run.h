@@ -7,8 +7,8 @@
  * second later SIGKILL; after any end, whoever is left in the group gets SIGKILL. On Linux,
  * processes that left the group are found through /proc and killed too, and the number of processes
  * is counted there, since RLIMIT_NPROC counts all processes of a user and does not bind root. On
- * other systems RLIMIT_NPROC alone stands against a program that forks without end. Memory, the
- * network and reading of other files are not limited: for programs of strangers use a container.
+ * other systems RLIMIT_NPROC alone stands against a program that forks without end. The network and
+ * reading of other files are not limited: for programs of strangers use a container.
  *
  * While a contained program runs, the caller must have no other child process.
  */
@@ -21,16 +21,17 @@
 #include <stddef.h>
 
 struct run_limits {
-    double seconds;     /* elapsed */
-    size_t file_bytes;  /* of each file */
-    unsigned processes; /* at the same time, threads not counted */
+    double seconds;      /* elapsed */
+    size_t file_bytes;   /* of each file; 0: no limit */
+    size_t memory_bytes; /* of each process, as addresses; 0: no limit */
+    unsigned processes;  /* at the same time, threads not counted; only where contained */
 };
 
 struct run_command {
     const char *const *arguments; /* program and arguments, then NULL; found through PATH */
     const char *directory;        /* to run in; NULL: where the caller is */
     const char *locale;           /* LC_ALL of the command; NULL: unchanged */
-    bool contained;               /* all limits and clean-up; otherwise only `limits.seconds` */
+    bool contained;               /* a program that nobody trusts; otherwise the limits alone */
     struct run_limits limits;
 };
 

@@ -33,11 +33,12 @@ enum { ARGUMENT_LIMIT = 24, PATH_LIMIT = 1024 };
 
 /* Made once, before the tests, which only read it. */
 static struct fixture {
-    char directory[64];   /* of all that is written */
-    char here[512];       /* the course's root */
-    char programs[600];   /* with check and references in it */
-    struct bytes output;  /* of a check of all the wrong programs, NUL at its end */
-    int status;           /* its exit status */
+    char directory[64];  /* of all that is written */
+    char here[512];      /* the course's root */
+    char programs[600];  /* with check and references in it */
+    struct bytes output; /* of a check of all the wrong programs, NUL at its end */
+    int status;          /* its exit status */
+    const char *build_timeout;
     char terminal[64];    /* the name of the check's terminal, or empty */
     struct bytes witness; /* what those programs have told: process numbers, NUL at its end */
 } fixture;
@@ -99,6 +100,7 @@ static pid_t start(const char *name, const char *timeout, const char *const *arg
     setenv("TMPDIR", inside("tmp").text, 1);
     setenv("WITNESS", inside("witness").text, 1);
     setenv("CHECK_TIMEOUT", timeout, 1);
+    setenv("CHECK_BUILD_TIMEOUT", fixture.build_timeout, 1);
     setenv("MAKEFLAGS", "s", 1); /* not those of the make that runs this test */
     const char *all[ARGUMENT_LIMIT] = {program};
     for (size_t i = 0; arguments[i] != NULL && i + 2 < ARGUMENT_LIMIT; i++) {
@@ -201,6 +203,7 @@ static bool set_up(void) {
         return false;
     }
     setenv("CHECK_EXACT", "0", 1); /* .ci/run sets it */
+    fixture.build_timeout = "4.5";
     mkdir(inside("tmp").text, 0777);
     mkdir(inside("reference").text, 0777);
     if (!write_references()) {
@@ -262,6 +265,8 @@ static void test_verdicts(void) {
         {"step26_control", "FAIL 0/1 exit status 1:  [1A  1A   drow s\xc3\xa9"},
         {"step27_link", "FAIL 0/1 depth: missing (no depth.tga was written)"},
         {"step28_nul", "BUILD x.c:2: error: no"},
+        {"step29_limits", "BUILD x.c:1: error: memory 2097152 file 125000"},
+        {"step30_slow", "BUILD stopped after 4.5 s"},
     };
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         CHECK_TEXT(line_of(&fixture.output, cases[i].step).text, cases[i].line);
@@ -326,7 +331,7 @@ static void test_crowd(void) {
 }
 
 static void test_summary_and_status(void) {
-    CHECK(contains(&fixture.output, "\n5 passed, 23 failed\n"));
+    CHECK(contains(&fixture.output, "\n5 passed, 25 failed\n"));
     CHECK(fixture.status == 2); /* a reference is missing */
     size_t lines = 0;
     const char *text = (const char *)fixture.output.data;
@@ -334,7 +339,7 @@ static void test_summary_and_status(void) {
         lines++;
         text += strcspn(text, "\n") + 1;
     }
-    CHECK(lines == 28);
+    CHECK(lines == 30);
     CHECK(strncmp(text, "5 passed", 8) == 0);
 }
 
@@ -377,7 +382,9 @@ static void test_nothing_survives(void) {
     size_t processes = 0;
     CHECK(!contains(&fixture.witness, "alive"));
     CHECK(contains(&fixture.witness, "ended by")); /* SIGTERM came first */
-    double end = now() + 2;                        /* for init to reap what is dead already */
+    const char *first_try = strstr(text, "try");   /* to build what takes too long */
+    CHECK(first_try != NULL && strstr(first_try + 3, "try") == NULL);
+    double end = now() + 2; /* for init to reap what is dead already */
     for (; *text != '\0'; text += strcspn(text, "\n") + 1) {
         pid_t id = (pid_t)strtol(text, NULL, 10);
         if (id <= 1) {
@@ -389,7 +396,7 @@ static void test_nothing_survives(void) {
         }
         CHECK(kill(id, 0) != 0);
     }
-    CHECK(processes >= 1 + 2 + 1 + 64); /* sleep, stubborn, escape, crowd */
+    CHECK(processes >= 1 + 2 + 1 + 64 + 1); /* sleep, stubborn, escape, crowd, slow */
 }
 
 static bool is_empty_directory(const char *path) {
@@ -524,6 +531,8 @@ static void test_wrong_usage(void) {
         {{"01"}, "-1", "CHECK_TIMEOUT"},
         {{"01"}, "nan", "CHECK_TIMEOUT"},
         {{"--make", "no_such_make", "01"}, "1", "cannot run no_such_make"},
+        {{"--programs", "/dev/null/x", "01"}, "1", "/dev/null: cannot make the directory"},
+        {{"--programs", "/proc", "01"}, "1", "check: /proc"},
     };
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         int status = finish(start("check", cases[i].timeout, cases[i].arguments));
@@ -560,6 +569,54 @@ static void test_own_failures_are_not_scored(void) {
         bytes_free(&said);
     }
     rmdir(inside("build/step12_absent").text);
+}
+
+static void test_wrong_build_timeout(void) {
+    const char *arguments[] = {"01", NULL}, *right = fixture.build_timeout;
+    fixture.build_timeout = "0";
+    CHECK(finish(start("check", "1", arguments)) == 2);
+    fixture.build_timeout = right;
+    struct bytes errors = read_text(inside("errors").text);
+    CHECK(contains(&errors, "CHECK_BUILD_TIMEOUT is '0'"));
+    bytes_free(&errors);
+}
+
+/* Wait up to ten seconds for words in what the check says. */
+static bool is_said(const char *words) {
+    bool said = false;
+    for (double end = now() + 10; !said && now() < end; sleep_ms(10)) {
+        struct bytes errors = read_text(inside("errors").text);
+        said = contains(&errors, words);
+        bytes_free(&errors);
+    }
+    return said;
+}
+
+/* Two checks in one build directory would remove each other's programs: the second waits, until the
+ * first has ended or it is told to end itself. */
+static void test_checks_wait_for_each_other(void) {
+    static const struct { int signal, status; } cases[] = {{SIGINT, 1000 + SIGINT}, {0, 0}};
+    struct flock whole = {.l_type = F_WRLCK, .l_whence = SEEK_SET};
+    int file = open(inside("build/check.lock").text, O_RDWR);
+    CHECK(file >= 0 && fcntl(file, F_SETLK, &whole) == 0); /* nobody has it now */
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        unlink(inside("errors").text);
+        pid_t check = start_check("1", "01");
+        CHECK(is_said("check: waiting for another check in "));
+        sleep_ms(300);
+        struct bytes output = read_text(inside("output").text);
+        CHECK(!contains(&output, "step01"));
+        bytes_free(&output);
+        if (cases[i].signal != 0) {
+            kill(check, cases[i].signal);
+        } else {
+            close(file); /* lets the lock go */
+        }
+        CHECK(finish(check) == cases[i].status);
+        output = read_text(inside("output").text);
+        CHECK(contains(&output, "PASS 2/2 exact") == (cases[i].status == 0));
+        bytes_free(&output);
+    }
 }
 
 static void test_scene_tables(void) {
@@ -681,6 +738,8 @@ static const struct unit_test tests[] = {
     TEST(test_references_are_not_changed),
     TEST(test_wrong_usage),
     TEST(test_own_failures_are_not_scored),
+    TEST(test_wrong_build_timeout),
+    TEST(test_checks_wait_for_each_other),
     TEST(test_scene_tables),
     TEST(test_interrupt),
     TEST(test_redraw),
