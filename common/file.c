@@ -1,5 +1,5 @@
 /* Whole files in and out; see file.h. Of POSIX, only what WebAssembly (WASI) has as well, but for
- * fchmod(): no getpid(), no realpath(), and no access(), which allows everything there. */
+ * fchmod() and signals: no getpid(), no realpath(), and no access(), which allows everything there. */
 #define _POSIX_C_SOURCE 200809L
 
 #include "file.h"
@@ -8,6 +8,9 @@
 
 #include <errno.h>
 #include <fcntl.h>
+#ifndef __wasi__
+#include <signal.h>
+#endif
 #include <stdarg.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -224,10 +227,27 @@ static bool write_all(int file, const void *data, size_t size) {
     return true;
 }
 
+/* As write_all(). The signal of a file that grows too large would end the program in the middle. */
+static bool write_all_or_fail(int file, const void *data, size_t size) {
+#ifdef SIGXFSZ
+    struct sigaction ignored = {.sa_handler = SIG_IGN}, before;
+    bool changed = sigaction(SIGXFSZ, &ignored, &before) == 0;
+    bool written = write_all(file, data, size);
+    int reason = errno;
+    if (changed) {
+        sigaction(SIGXFSZ, &before, NULL);
+    }
+    errno = reason;
+    return written;
+#else
+    return write_all(file, data, size);
+#endif
+}
+
 /* Write and close; false with the reason in errno. Some file systems tell of a full disk only when
  * the file is closed. */
 static bool write_and_close(int file, const void *data, size_t size) {
-    bool written = write_all(file, data, size);
+    bool written = write_all_or_fail(file, data, size);
     int reason = errno;
     bool closed = close(file) == 0;
     if (!written) {
@@ -303,13 +323,14 @@ end:
     return done;
 }
 
-/* Follow `*path`, an allocated string, to what is no symbolic link. */
+/* Follow `*path`, an allocated string, to what is no symbolic link: a file, or nothing yet. */
 static bool follow_links(char **path, struct error *error) {
     for (int i = 0; i <= LINK_LIMIT; i++) {
         char target[LINK_SIZE];
         ssize_t length = readlink(*path, target, sizeof target);
         if (length < 0) {
-            return errno == EINVAL /* no link */ || error_from_system(error);
+            bool no_link = errno == EINVAL || errno == ENOENT;
+            return no_link || error_from_system(error);
         }
         int kept = target[0] == '/' ? 0 : directory_length(*path);
         char *next = string_format("%.*s%.*s", kept, *path, (int)length, target);
@@ -329,14 +350,15 @@ static bool check_writable(const char *path, struct error *error) {
     return (file >= 0 && close(file) == 0) || error_from_system(error);
 }
 
-/* Replace a regular file, which has the permissions `mode`. A symbolic link to it stays. */
-static bool replace_file(const char *path, long mode, const void *data, size_t size,
-                         struct error *error) {
+/* Write a regular file, which has the permissions `mode`, or -1 when there is none yet. A symbolic
+ * link to it stays. */
+static bool write_regular(const char *path, long mode, const void *data, size_t size,
+                          struct error *error) {
     char *target = string_format("%s", path);
     if (target == NULL) {
         return error_out_of_memory(error);
     }
-    bool done = check_writable(target, error) && follow_links(&target, error) &&
+    bool done = (mode < 0 || check_writable(target, error)) && follow_links(&target, error) &&
                 write_and_rename(target, mode, data, size, error);
     free(target);
     return done;
@@ -347,10 +369,8 @@ static bool write_whole(const char *path, const void *data, size_t size, struct 
     struct stat status;
     bool device_name = strncmp(path, "/dev/", 5) == 0; /* /dev/stdout may be a regular file */
     if (stat(path, &status) != 0) {
-        if (errno != ENOENT || path[0] == '\0') {
-            return error_from_system(error);
-        }
-        return write_and_rename(path, -1, data, size, error);
+        bool missing = errno == ENOENT && path[0] != '\0';
+        return missing ? write_regular(path, -1, data, size, error) : error_from_system(error);
     }
     if (S_ISDIR(status.st_mode)) {
         return error_set(error, "is a directory");
@@ -358,7 +378,7 @@ static bool write_whole(const char *path, const void *data, size_t size, struct 
     if (!S_ISREG(status.st_mode) || device_name) {
         return write_directly(path, data, size, error);
     }
-    return replace_file(path, (long)(status.st_mode & 07777), data, size, error);
+    return write_regular(path, (long)(status.st_mode & 07777), data, size, error);
 }
 
 bool file_write(const char *path, const void *data, size_t size, struct error *error) {
@@ -396,8 +416,11 @@ bool directory_create(const char *path, struct error *error) {
         partial[i] = '\0';
         int reason = mkdir(partial, 0777) == 0 ? 0 : errno;
         if (reason != 0 && !is_directory(partial)) {
+            bool dangling = reason == EEXIST && !file_exists(partial); /* a link to nothing */
             error_set(error, "%s: cannot make the directory: %s", partial,
-                      strerror(reason == EEXIST ? ENOTDIR : reason));
+                      strerror(dangling           ? ENOENT
+                               : reason == EEXIST ? ENOTDIR
+                                                  : reason));
             free(partial);
             return false;
         }

@@ -422,6 +422,60 @@ static void test_symbolic_link(void) {
     place_remove(&place, "a");
 }
 
+/* A link to a file that is not there yet stays too, and leads to the new file; one that leads into
+ * a directory that is not there is an error. */
+static void test_dangling_link(void) {
+    struct place place;
+    struct error error;
+    char link[128], wanted[300];
+    if (!place_create(&place)) {
+        return;
+    }
+    strcpy(link, name_file(&place, "link"));
+    CHECK(symlink("a", link) == 0);
+    CHECK(file_write(link, "new", 3, &error));
+    CHECK(is_link(link) && place_count(&place) == 2);
+    CHECK(file_is(name_file(&place, "a"), "new"));
+    CHECK(unlink(link) == 0 && symlink("b/c", link) == 0);
+    snprintf(wanted, sizeof wanted, "%s: No such file or directory", link);
+    CHECK(!file_write(link, "new", 3, &error) && place_count(&place) == 2);
+    CHECK_TEXT(error.message, wanted);
+    snprintf(wanted, sizeof wanted, "%s: cannot make the directory: No such file or directory",
+             link);
+    CHECK(!directory_create(link, &error));
+    CHECK_TEXT(error.message, wanted);
+    snprintf(wanted, sizeof wanted, "%s: cannot make the directory: Not a directory",
+             name_file(&place, "a"));
+    CHECK(!directory_create(place.path, &error));
+    CHECK_TEXT(error.message, wanted);
+    CHECK(unlink(link) == 0);
+    place_remove(&place, "a");
+}
+
+/* Files may have 1000 bytes. */
+static bool write_past_limit(const char *path) {
+    const struct rlimit limit = {1000, 1000};
+    struct sigaction action;
+    struct error error;
+    char many[5000] = "", wanted[300];
+    snprintf(wanted, sizeof wanted, "%s: File too large", path);
+    return setrlimit(RLIMIT_FSIZE, &limit) == 0 && !file_write(path, many, sizeof many, &error) &&
+           strcmp(error.message, wanted) == 0 && sigaction(SIGXFSZ, NULL, &action) == 0 &&
+           action.sa_handler == SIG_DFL;
+}
+
+/* A file that grows too large is an error, and no signal: the old one and nothing else is left. */
+static void test_limit_of_file_size(void) {
+    struct place place;
+    struct error error;
+    if (place_create(&place)) {
+        CHECK(file_write(name_file(&place, "a"), "old", 3, &error));
+        CHECK(in_child(write_past_limit, place.path));
+        CHECK(file_is(place.path, "old") && place_count(&place) == 1);
+        place_remove(&place, "a");
+    }
+}
+
 /* first -> DIRECTORY/sub/second -> ../third -> sub/a; the working directory is elsewhere. */
 static void test_chain_of_links(void) {
     static const char *const names[] = {"first", "sub/second", "third"};
@@ -522,5 +576,6 @@ UNIT_MAIN(TEST(test_messages), TEST(test_printable_texts), TEST(test_lines_of_me
           TEST(test_names_of_input), TEST(test_long_messages), TEST(test_bytes), TEST(test_read),
           TEST(test_read_errors), TEST(test_standard_input), TEST(test_write),
           TEST(test_write_errors), TEST(test_full_disk), TEST(test_write_protection),
-          TEST(test_write_from_elsewhere), TEST(test_symbolic_link), TEST(test_chain_of_links),
-          TEST(test_many_links), TEST(test_devices))
+          TEST(test_write_from_elsewhere), TEST(test_symbolic_link), TEST(test_dangling_link),
+          TEST(test_limit_of_file_size), TEST(test_chain_of_links), TEST(test_many_links),
+          TEST(test_devices))
