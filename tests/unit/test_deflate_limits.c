@@ -157,8 +157,7 @@ static void test_empty_blocks(void) {
     clock_t start = clock();
     CHECK(!zlib_decompress(stream, SIZE, out, sizeof out, &error));
     CHECK(strstr(error.message, "cut off") != NULL);
-    CHECK(clock() - start <
-          CLOCKS_PER_SEC); /* and is far below it */
+    CHECK(clock() - start < CLOCKS_PER_SEC); /* and is far below it */
     free(stream);
 }
 
