@@ -7,7 +7,7 @@
  * between any two numbers but those of a face's colour, which ends with its line; it is in levels
  * 0..255 where its 3 or 4 numbers are whole, otherwise 0..1; one number alone, an index into a table
  * of colours, is not used. Colours are cut to 0..1; where some positions or faces have colours, the
- * others are white. A concave face has at most 131,072 corners.
+ * others are white. A concave face has at most 8,192 corners.
  */
 #ifndef COMMON_MODEL_FILE_H
 #define COMMON_MODEL_FILE_H
