@@ -404,6 +404,11 @@ static bool is_directory(const char *path) {
     return stat(path, &status) == 0 && S_ISDIR(status.st_mode);
 }
 
+/* What is wrong with what is there, and is no directory: a link may lead to nothing. */
+static int reason_of_existing(const char *path) {
+    return file_exists(path) ? ENOTDIR : ENOENT;
+}
+
 bool directory_create(const char *path, struct error *error) {
     char *partial = string_format("%s", path);
     if (partial == NULL) {
@@ -416,11 +421,8 @@ bool directory_create(const char *path, struct error *error) {
         partial[i] = '\0';
         int reason = mkdir(partial, 0777) == 0 ? 0 : errno;
         if (reason != 0 && !is_directory(partial)) {
-            bool dangling = reason == EEXIST && !file_exists(partial); /* a link to nothing */
             error_set(error, "%s: cannot make the directory: %s", partial,
-                      strerror(dangling           ? ENOENT
-                               : reason == EEXIST ? ENOTDIR
-                                                  : reason));
+                      strerror(reason == EEXIST ? reason_of_existing(partial) : reason));
             free(partial);
             return false;
         }

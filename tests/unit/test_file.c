@@ -365,6 +365,14 @@ static bool write_without_permission(const char *path) {
            strcmp(error.message + strlen(path), ": Permission denied") == 0;
 }
 
+static bool make_directory_without_permission(const char *path) {
+    struct error error;
+    return drop_privileges() && !directory_create(path, &error) &&
+           strncmp(error.message, path, strlen(path)) == 0 &&
+           strcmp(error.message + strlen(path), ": cannot make the directory: Permission denied") ==
+               0;
+}
+
 static void test_write_protection(void) {
     struct place place;
     struct error error;
@@ -377,6 +385,7 @@ static void test_write_protection(void) {
     CHECK(in_child(write_without_permission, path)); /* a protected file */
     CHECK(unlink(path) == 0 && chmod(place.directory, 0555) == 0);
     CHECK(in_child(write_without_permission, path)); /* a protected directory */
+    CHECK(in_child(make_directory_without_permission, path));
     CHECK(chmod(place.directory, 0777) == 0 && place_count(&place) == 0);
     place_remove(&place, NULL);
 }
