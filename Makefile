@@ -58,7 +58,7 @@ $(BUILD)/libcommon.a: $(COMMON:%=$(BUILD)/common/%.o)
 	@rm -f $@
 	$(AR) rcs $@ $^
 
-# The head that the lessons draw is sculpted by a program, once; again where a file of it is missing.
+# The head that the lessons draw is sculpted by a program, once; again when a file is missing.
 MODELS = $(addprefix $(BUILD)/models/,bust.obj bust_diffuse.tga bust_nm.tga bust_spec.tga \
                                       knot.off sphere.obj torus.obj)
 $(BUILD)/models/bust.obj: $(BUILD)/sculpt $(if $(filter-out $(wildcard $(MODELS)),$(MODELS)),force)

@@ -1,5 +1,5 @@
 /* Whole files in and out; see file.h. Of POSIX, only what WebAssembly (WASI) has as well, but for
- * fchmod() and signals: no getpid(), no realpath(), and no access(), which allows everything there. */
+ * fchmod() and signals: no getpid(), no realpath(), and no access(), which allows everything. */
 #define _POSIX_C_SOURCE 200809L
 
 #include "file.h"
@@ -29,8 +29,8 @@ enum {
 
 /* ---- Messages ---- */
 
-/* The UTF-8 character at the beginning of a text (F. Yergeau, "UTF-8, a transformation format of ISO
- * 10646", RFC 3629, section 4), and how many bytes it takes; 0 where there is none. */
+/* The UTF-8 character at the beginning of a text (F. Yergeau, "UTF-8, a transformation format of
+ * ISO 10646", RFC 3629, section 4), and how many bytes it takes; 0 where there is none. */
 static size_t utf8_decode(const char *text, uint32_t *character) {
     static const uint32_t least[] = {0, 0, 0x80, 0x800, 0x10000};
     unsigned char first = (unsigned char)text[0];

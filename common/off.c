@@ -78,8 +78,8 @@ static bool skip_edges(struct model_reader *reader, size_t line_of_vertices) {
                       word_show(word).text);
 }
 
-/* The numbers of vertices, faces and edges, from `word` on. A vertex takes at least 6 bytes ("0 0 0"
- * and a blank), a face at least 2. */
+/* The numbers of vertices, faces and edges, from `word` on. A vertex takes at least 6 bytes
+ * ("0 0 0" and a blank), a face at least 2. */
 static bool read_counts(struct model_reader *reader, struct word word, size_t *vertices,
                         size_t *faces) {
     if (word.length == 0 && !reader_next_line(reader, &word)) {
@@ -127,7 +127,8 @@ static bool read_header(struct model_reader *reader, struct off_kind *kind, size
 /* Is there just one word more on this line? */
 static bool one_word_is_left(const struct model_reader *reader) {
     struct text text = reader->text;
-    return text_next_word(&text).length > 0 && text_next_word(&text).length == 0;
+    struct word first = text_next_word(&text), second = text_next_word(&text);
+    return first.length > 0 && second.length == 0;
 }
 
 /* The next number of vertex `number` of `total`. */

@@ -22,8 +22,8 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* Corners of a polygon that is not convex: cutting one may take as many steps as their square, which
- * is a tenth of a second here. */
+/* Corners of a polygon that is not convex: cutting one may take as many steps as their square,
+ * which is a tenth of a second here. */
 enum { POLYGON_CONCAVE_LIMIT = 1 << 13 };
 
 enum polygon_result {

@@ -496,8 +496,8 @@ static void remove_tree(int parent, const char *name) {
 }
 
 void run_directory_remove(const char *path) {
-    /* More than once, because entries may be passed over while others are removed. A program may have
-     * put something else in the directory's place, such as a link. */
+    /* More than once, because entries may be passed over while others are removed. A program may
+     * have put something else in the directory's place, such as a link. */
     for (int i = 0; i < 3 && unlink(path) != 0 && errno != ENOENT; i++) {
         remove_tree(AT_FDCWD, path);
     }

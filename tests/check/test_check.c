@@ -543,14 +543,13 @@ static void test_wrong_usage(void) {
     }
 }
 
-/* What the lessons are given cannot be made, or an old program not be removed: no score, but why. */
+/* What the lessons are given cannot be made, an old program not be removed: no score, but why. */
 static void test_own_failures_are_not_scored(void) {
     static const struct {
         const char *first, *step, *where, *message;
     } cases[] = {
         {"broken", "01", "errors", "check: cannot build broken: sculpt: no clay\n"},
-        {"nowhere", "01", "errors",
-         "check: cannot build nowhere: make: *** No rule to make target"},
+        {"nowhere", "01", "errors", "check: cannot build nowhere: make"},
         {"", "12", "output", "step12_absent  ERROR cannot remove "},
     };
     char make[2 * PATH_LIMIT];

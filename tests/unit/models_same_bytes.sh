@@ -1,8 +1,8 @@
 #!/bin/sh
 # Do all compilers sculpt the same bytes? Builds the sculptor with each compiler at -O0 and -O3 and
-# compares every file that it writes, also over two runs of one program. The Makefile must build it so
-# whatever CFLAGS say (a student's -Ofast reaches neither the models nor the library), and again when
-# one of its files is missing.
+# compares every file that it writes, also over two runs of one program. The Makefile must build it
+# so whatever CFLAGS say (a student's -Ofast reaches neither the models nor the library), and again
+# when one of its files is missing.
 #
 #   models_same_bytes.sh            gcc and clang, those that are installed
 #   CC="cc" models_same_bytes.sh    these commands only, separated by blanks

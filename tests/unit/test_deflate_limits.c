@@ -146,7 +146,8 @@ static void test_empty_blocks(void) {
     static const uint8_t four_blocks[REPEATED] = {0x02, 0x08, 0x20, 0x80, 0x00};
     uint8_t *stream = calloc(SIZE, 1), out[1] = {0};
     struct error error;
-    if (!CHECK(stream != NULL)) {
+    CHECK(stream != NULL);
+    if (stream == NULL) {
         return;
     }
     stream[0] = 0x78;

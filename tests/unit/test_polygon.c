@@ -611,13 +611,14 @@ static void test_sawtooth(void) {
     polygon_cutter_free(&cutter);
 }
 
-/* What takes longest, up to the limit: a bowl with a corner far above it. Each ear reaches up there,
- * and the corners that may lie in its way are all at the bottom. */
+/* What takes longest, up to the limit: a bowl with a corner far above it. Each ear reaches up
+ * there, and the corners that may lie in its way are all at the bottom. */
 static void test_longest(void) {
     const size_t size = POLYGON_CONCAVE_LIMIT;
     struct vec3 *places = calloc(size, sizeof *places);
     struct polygon_cutter cutter = {0};
-    if (!CHECK(places != NULL)) {
+    CHECK(places != NULL);
+    if (places == NULL) {
         return;
     }
     for (size_t i = 0; i + 1 < size; i++) {
