@@ -112,8 +112,10 @@ bench: $(BUILD)/benchmark models
 # ---- make compare-opengl, make bench-frame: beside Mesa's renderer ----
 
 .PHONY: compare-opengl has-mesa bench-frame
-FIND_MESA = printf '%s\n' '\#include <EGL/egl.h>' '\#include <GL/glcorearb.h>' | $(CC) -E - >/dev/null 2>&1
-MESA_IS_MISSING = Mesa is missing; on Debian: apt-get install libegl-dev libgl-dev libegl1 libgl1-mesa-dri
+FIND_MESA = printf '%s\n' '\#include <EGL/egl.h>' '\#include <GL/glcorearb.h>' | \
+            $(CC) -E - >/dev/null 2>&1
+MESA_IS_MISSING = Mesa is missing; on Debian: apt-get install libegl-dev libgl-dev libegl1 \
+                  libgl1-mesa-dri
 
 OPENGL_OBJECTS = $(call OBJECTS_OF,opengl) $(BUILD)/tests/opengl/list.o
 
@@ -132,8 +134,9 @@ has-mesa:
 ifneq ($(filter bench-frame $(BUILD)/bench-frame,$(MAKECMDGOALS)),)
 HAS_MESA := $(shell $(FIND_MESA) && echo yes)
 endif
-FRAME_OBJECTS = $(filter-out %llvmpipe.o,$(call OBJECTS_OF,frame) $(ORACLE:$(BUILD)/tested/%=$(BUILD)/%)) \
-    $(if $(HAS_MESA),$(addprefix $(BUILD)/tests/,frame/llvmpipe.o opengl/context.o opengl/picture.o),$(BUILD)/tests/frame/without_llvmpipe.o)
+FRAME_OBJECTS = $(filter-out %llvmpipe.o,$(call OBJECTS_OF,frame oracle)) \
+                $(addprefix $(BUILD)/tests/,$(if $(HAS_MESA), \
+                    frame/llvmpipe.o opengl/context.o opengl/picture.o,frame/without_llvmpipe.o))
 
 bench-frame: $(BUILD)/bench-frame models
 	@$(if $(HAS_MESA),,echo 'without llvmpipe: $(MESA_IS_MISSING)')
