@@ -191,9 +191,9 @@ bool child_load(struct child *child, const struct frame_scene *scene, struct err
 
 bool child_draw(struct child *child, double *seconds, struct error *error) {
     struct request request = {.order = ORDER_DRAW};
-    struct reply reply;
+    struct reply reply = {.seconds = 0};
     bool done = ask(child, &request, &reply, error);
-    *seconds = done ? reply.seconds : 0;
+    *seconds = reply.seconds;
     return done;
 }
 
