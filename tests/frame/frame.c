@@ -7,7 +7,8 @@
  * with one thread and with two. A frame is: clear colour and depth, draw, all of it in memory;
  * nothing is read back or saved in that time. The sides take turns, so that what disturbs the
  * machine disturbs all alike. A side draws two frames when it is its turn, and the second one is
- * timed: in between the others have used the caches.
+ * timed: in between the others have used the caches. What counts is the smaller of the time on the
+ * wall and that of all its threads together, so that other programs disturb little.
  *
  * Fair: the same mesh with shared vertices, matrix, viewport and culling, 32 bits a pixel with blue
  * first, bilinear samples of the same mip level. What does not change from frame to frame is made
@@ -60,9 +61,9 @@ static bool draw_side(struct bench *b, enum side side, double *seconds, struct e
         return child_draw(&b->mesa[side - MESA_1], seconds, error);
     }
     bool done = ours_draw(&b->ours[side - OURS_1], error);
-    double start = now();
+    struct stopwatch start = stopwatch_start();
     done = done && ours_draw(&b->ours[side - OURS_1], error);
-    *seconds = now() - start;
+    *seconds = stopwatch_seconds(start);
     return done;
 }
 
@@ -77,16 +78,16 @@ static const uint8_t *read_side(struct bench *b, enum side side, struct error *e
 
 /* What it takes to set colour and depth of a picture at all, 4 bytes each. */
 static double fill_memory(struct bench *b, const struct frame_scene *scene) {
-    double start = 0;
+    struct stopwatch start = stopwatch_start();
     for (int turn = 0; turn < 2; turn++) {
-        start = now();
+        start = stopwatch_start();
         for (int i = 0; i < 2; i++) {
             memset(b->fill[i], turn, scene->width * scene->height * 4);
             /* The compiler must not leave out what nobody reads. */
             ((volatile char *)b->fill[i])[scene->width] = 1;
         }
     }
-    return now() - start;
+    return stopwatch_seconds(start);
 }
 
 /* ---- A cell of the table ---- */
@@ -279,11 +280,12 @@ static bool allocate(struct bench *b, struct error *error) {
            error_out_of_memory(error);
 }
 
-/* What else the machine does: two threads gain nothing where its processors are busy. */
+/* What else the machine does. */
 static void print_load(void) {
     double load;
     if (getloadavg(&load, 1) == 1) {
-        printf("Load of the machine before this: %.2f\n", load);
+        printf("Load of the machine before this: %.1f%s\n", load,
+               load > 0.5 ? "; while it is busy, two threads show no gain" : "");
     }
 }
 
