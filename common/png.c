@@ -83,6 +83,22 @@ static void put_u16(uint8_t *bytes, unsigned value) {
     bytes[1] = (uint8_t)(value & 255);
 }
 
+/* ---- Pixels ---- */
+
+/* Red, green, blue of a file become blue, green, red of memory, and the other way round; alpha
+ * stays. `step`, the bytes of a pixel, is a constant where this is called. */
+static inline void swap_colors(uint8_t *restrict to, const uint8_t *restrict from, size_t count,
+                               const size_t step) {
+    for (size_t i = 0; i < count * step; i += step) {
+        to[i] = from[i + 2];
+        to[i + 1] = from[i + 1];
+        to[i + 2] = from[i];
+        if (step == 4) {
+            to[i + 3] = from[i + 3];
+        }
+    }
+}
+
 /* ---- Row filters ----
  *
  * A byte is predicted from those at its left (a), above (b) and above left (c), one pixel away; the
@@ -441,19 +457,10 @@ static bool copy_plain_pixels(const struct png *png, const uint8_t *row, uint8_t
         memcpy(pixels, row, png->width);
         return true;
     case COLOR_RGB:
-        for (size_t i = 0; i < 3 * png->width; i += 3) {
-            pixels[i] = row[i + 2];
-            pixels[i + 1] = row[i + 1];
-            pixels[i + 2] = row[i];
-        }
+        swap_colors(pixels, row, png->width, 3);
         return true;
     case COLOR_RGBA:
-        for (size_t i = 0; i < 4 * png->width; i += 4) {
-            pixels[i] = row[i + 2];
-            pixels[i + 1] = row[i + 1];
-            pixels[i + 2] = row[i];
-            pixels[i + 3] = row[i + 3];
-        }
+        swap_colors(pixels, row, png->width, 4);
         return true;
     default:
         return false;
@@ -568,28 +575,27 @@ static bool append_header(struct bytes *out, const struct image *image) {
     return append_chunk(out, "IHDR", header, sizeof header, NULL, 0);
 }
 
-/* Blue, green, red in memory; red, green, blue in the file. */
+/* Row y of the rectangle as it stands in the file, not yet filtered. */
 static void load_row(const struct image *image, const struct rectangle *rect, size_t y,
                      uint8_t *row) {
     size_t step = (size_t)image->format;
     const uint8_t *pixel = image->pixels + ((rect->y + y) * image->width + rect->x) * step;
-    if (step == 1) {
+    switch (step) {
+    case 1:
         memcpy(row, pixel, rect->width);
-        return;
-    }
-    for (size_t x = 0; x < rect->width; x++, pixel += step, row += step) {
-        row[0] = pixel[2];
-        row[1] = pixel[1];
-        row[2] = pixel[0];
-        if (step == 4) {
-            row[3] = pixel[3];
-        }
+        break;
+    case 3:
+        swap_colors(row, pixel, rect->width, 3);
+        break;
+    default:
+        swap_colors(row, pixel, rect->width, 4);
+        break;
     }
 }
 
-/* How far the bytes are from zero, counted as differences -128..127. */
-static uint64_t distance_from_zero(const uint8_t *bytes, size_t size) {
-    uint64_t sum = 0;
+/* How far the bytes of a row are from zero, counted as differences -128..127. */
+static uint32_t distance_from_zero(const uint8_t *bytes, size_t size) {
+    uint32_t sum = 0; /* at most 4 * IMAGE_SIZE_LIMIT * 128 */
     for (size_t i = 0; i < size; i++) {
         sum += bytes[i] < 128 ? bytes[i] : 256u - bytes[i];
     }
@@ -611,10 +617,10 @@ static void filter_rows(const struct image *image, const struct rectangle *rect,
         load_row(image, rect, y, row);
         filter_row(first, row, above, size, step, out + 1);
         out[0] = (uint8_t)first;
-        uint64_t best = first == last ? 0 : distance_from_zero(out + 1, size);
+        uint32_t best = first == last ? 0 : distance_from_zero(out + 1, size);
         for (unsigned filter = first + 1; filter <= last && best > 0; filter++) {
             filter_row(filter, row, above, size, step, trial);
-            uint64_t sum = distance_from_zero(trial, size);
+            uint32_t sum = distance_from_zero(trial, size);
             if (sum < best) {
                 best = sum;
                 out[0] = (uint8_t)filter;
@@ -627,18 +633,40 @@ static void filter_rows(const struct image *image, const struct rectangle *rect,
     }
 }
 
-/* Is pixel x of the row (2 or more) the first of a new colour after a run of another one, and
- * clearly different from it? */
-static bool is_edge(const uint8_t *row, size_t x, size_t step) {
-    const uint8_t *pixel = row + x * step, *left = pixel - step, *left_2 = left - step;
-    int difference = 0;
-    for (size_t i = 0; i < step; i++) {
-        int d = abs(pixel[i] - left[i]);
-        difference = d > difference ? d : difference;
+/* What a row's changes of colour are like. */
+struct changes {
+    uint64_t all, hard;
+};
+
+/* The colours of a row that are not those at their left, and how many of these are hard edges: the
+ * first of a new colour after a run of another one, or after a single pixel between two of the same,
+ * and clearly different. `step`, the bytes of a pixel, is a constant where this is called. */
+static inline struct changes count_changes_of(const uint8_t *row, size_t width, const size_t step) {
+    struct changes changes = {0, 0};
+    for (size_t x = 2; x < width; x++) {
+        const uint8_t *pixel = row + x * step, *left = pixel - step, *left_2 = left - step;
+        int difference = 0, before = 0, around = 0; /* to the left, of the left ones, to left_2 */
+        for (size_t i = 0; i < step; i++) {
+            int d = abs(pixel[i] - left[i]);
+            difference = d > difference ? d : difference;
+            before |= left[i] ^ left_2[i];
+            around |= pixel[i] ^ left_2[i];
+        }
+        changes.all += difference != 0;
+        changes.hard += (difference > 8) & ((before == 0) | (around == 0));
     }
-    bool after_run = memcmp(left, left_2, step) == 0;
-    bool thin_line = memcmp(pixel, left_2, step) == 0; /* one pixel between two of another colour */
-    return difference > 8 && (after_run || thin_line);
+    return changes;
+}
+
+static struct changes count_changes(const uint8_t *row, size_t width, size_t step) {
+    switch (step) {
+    case 1:
+        return count_changes_of(row, width, 1);
+    case 3:
+        return count_changes_of(row, width, 3);
+    default:
+        return count_changes_of(row, width, 4);
+    }
 }
 
 /* Does the image consist of areas of one colour with hard edges (flat shading, lines, text)? The
@@ -647,17 +675,14 @@ static bool is_edge(const uint8_t *row, size_t x, size_t step) {
  * tenth. */
 static bool has_flat_areas(const struct image *image, const struct rectangle *rect) {
     size_t step = (size_t)image->format;
-    uint64_t changes = 0, edges = 0;
+    uint64_t all = 0, hard = 0;
     for (size_t y = 0; y < rect->height; y++) {
         const uint8_t *row = image->pixels + ((rect->y + y) * image->width + rect->x) * step;
-        for (size_t x = 2; x < rect->width; x++) {
-            if (memcmp(row + x * step, row + (x - 1) * step, step) != 0) {
-                changes++;
-                edges += is_edge(row, x, step);
-            }
-        }
+        struct changes changes = count_changes(row, rect->width, step);
+        all += changes.all;
+        hard += changes.hard;
     }
-    return edges > changes / 2;
+    return hard > all / 2;
 }
 
 /* The filtered and compressed pixels of a rectangle, at the end of `out`. */
