@@ -999,7 +999,7 @@ static void read_inner_symbols(struct decompressor *d) {
         out += length;
         buffer = after;
     }
-    d->bits = buffer.bits;
+    d->bits = buffer.bits & ((UINT64_C(1) << buffer.count) - 1);
     d->bit_count = buffer.count;
     d->next = next;
     d->out_size = (size_t)(out - d->out);

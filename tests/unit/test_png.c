@@ -223,6 +223,43 @@ static void test_blocks(void) {
     check_stream(&bits, "n\xffn\xffnnnn", "own codes");
 }
 
+/* A stored block begins with the byte after those of which bits have been taken, however many the
+ * block before it has taken ahead, and after it nothing of them may be left. */
+static void test_stored_after_others(void) {
+    enum { STORED = 40, LAST = 300, MOST = 2 * 64 + STORED + LAST }; /* the fast loop needs room */
+    char text[MOST + 1] = {0};
+    uint8_t out[MOST];
+    for (size_t count = 0; count < 2 * 64; count += 2) { /* another bit and another byte */
+        const size_t stored_end = count + STORED, size = stored_end + LAST;
+        struct bits bits = {0};
+        struct error error;
+        for (size_t i = 0; i < size; i++) {
+            text[i] = (char)(i % 7 == 0 ? 0xe5 : 'a' + i % 23); /* 9 and 8 bits */
+        }
+        put_bits(&bits, 0, 1);
+        put_bits(&bits, 1, 2);
+        for (size_t i = 0; i < count; i++) {
+            put_fixed(&bits, (unsigned char)text[i]);
+        }
+        put_fixed(&bits, 256);
+        char next = text[stored_end];
+        text[stored_end] = '\0';
+        put_stored(&bits, false, text + count);
+        text[stored_end] = next;
+        put_bits(&bits, 1, 1);
+        put_bits(&bits, 1, 2);
+        for (size_t i = stored_end; i < size; i++) {
+            put_fixed(&bits, (unsigned char)text[i]);
+        }
+        put_fixed(&bits, 256);
+        struct bytes stream = wrap_blocks(&bits, text, size);
+        CHECK(decompress_exact(stream.data, stream.size, out, size, &error) &&
+              memcmp(out, text, size) == 0);
+        bytes_free(&stream);
+        bytes_free(&bits.bytes);
+    }
+}
+
 /* The longest match from the longest distance. */
 static void test_far_match(void) {
     enum { SIZE = 32768 + 258 };
@@ -1186,10 +1223,11 @@ static void test_files(void) {
     rmdir(directory);
 }
 
-UNIT_MAIN(TEST(test_blocks), TEST(test_far_match), TEST(test_matches_near_end),
-          TEST(test_wrong_blocks), TEST(test_wrong_far_distance), TEST(test_wrong_own_codes),
-          TEST(test_long_codes), TEST(test_zlib_header), TEST(test_compress), TEST(test_checksum),
-          TEST(test_compress_far_copies), TEST(test_choice_of_blocks), TEST(test_color_types),
-          TEST(test_filters), TEST(test_split_data), TEST(test_wrong_headers),
-          TEST(test_wrong_chunks), TEST(test_pixel_outside_palette), TEST(test_round_trip),
-          TEST(test_choice_of_filters), TEST(test_animation), TEST(test_files))
+UNIT_MAIN(TEST(test_blocks), TEST(test_stored_after_others), TEST(test_far_match),
+          TEST(test_matches_near_end), TEST(test_wrong_blocks), TEST(test_wrong_far_distance),
+          TEST(test_wrong_own_codes), TEST(test_long_codes), TEST(test_zlib_header),
+          TEST(test_compress), TEST(test_checksum), TEST(test_compress_far_copies),
+          TEST(test_choice_of_blocks), TEST(test_color_types), TEST(test_filters),
+          TEST(test_split_data), TEST(test_wrong_headers), TEST(test_wrong_chunks),
+          TEST(test_pixel_outside_palette), TEST(test_round_trip), TEST(test_choice_of_filters),
+          TEST(test_animation), TEST(test_files))
