@@ -31,27 +31,19 @@ enum {
 static const uint8_t length_order[ORDER_COUNT] = {16, 17, 18, 0, 8,  7, 9,  6, 10, 5,
                                                   11, 4,  12, 3, 13, 2, 14, 1, 15};
 
+/* The sum of all bytes, and the sum of all these sums: each byte stands in as many of them as bytes
+ * are left from it on. */
 static uint32_t adler32(const uint8_t *data, size_t size) {
     enum { MODULUS = 65521, SAFE = 5552 }; /* SAFE additions stay inside 32 bits */
-    enum { BLOCK = 16 };                   /* bytes added at once, which compilers can do */
     uint32_t a = 1, b = 0;
     while (size > 0) {
-        size_t count = size < SAFE ? size : SAFE, i = 0;
-        for (; i + BLOCK <= count; i += BLOCK) {
-            uint32_t sum = 0, sum_of_sums = 0;
-            for (uint32_t k = 0; k < BLOCK; k++) {
-                sum += data[i + k];
-                sum_of_sums += (BLOCK - k) * data[i + k];
-            }
-            b += BLOCK * a + sum_of_sums;
-            a += sum;
+        uint32_t count = size < SAFE ? (uint32_t)size : SAFE, sum = 0, sum_of_sums = 0;
+        for (uint32_t i = 0; i < count; i++) {
+            sum += data[i];
+            sum_of_sums += (count - i) * data[i];
         }
-        for (; i < count; i++) {
-            a += data[i];
-            b += a;
-        }
-        a %= MODULUS;
-        b %= MODULUS;
+        b = (b + count * a + sum_of_sums) % MODULUS;
+        a = (a + sum) % MODULUS;
         data += count;
         size -= count;
     }
@@ -643,7 +635,7 @@ fail:
 
 /* ---- Decompression ---- */
 
-enum { FAST_BITS = 10 }; /* codes up to this length are found in a table */
+enum { FAST_BITS = 12 }; /* codes up to this length are found in a table */
 
 /* A prefix code. `fast` gives for the next FAST_BITS bits symbol * 16 + length of a code that they
  * begin with, or 0. Longer codes are found by counting (RFC 1951, section 3.2.2). */
@@ -932,24 +924,39 @@ static inline unsigned take_bits(struct bit_buffer *buffer, unsigned count) {
     return value;
 }
 
-enum { COPY_BLOCK = 16, INNER_INPUT = 8, INNER_OUTPUT = MATCH_MAX + COPY_BLOCK };
+/* What the table has for the code that comes next; 0 where it is long or wrong. */
+static inline unsigned next_entry(const struct decoder *decoder, const struct bit_buffer *buffer) {
+    return decoder->fast[buffer->bits & ((1u << FAST_BITS) - 1)];
+}
 
-/* Copy a match in blocks that may reach past its end, where its source does not overlap them. */
+static inline bool is_literal(unsigned entry) {
+    return (entry & 15) != 0 && entry >> 4 < END_OF_BLOCK;
+}
+
+static inline uint8_t take_literal(struct bit_buffer *buffer, unsigned entry) {
+    take_bits(buffer, entry & 15);
+    return (uint8_t)(entry >> 4);
+}
+
+enum { COPY_BLOCK = 16, INNER_INPUT = 8, INNER_OUTPUT = 1 + MATCH_MAX + COPY_BLOCK };
+
+/* Copy a match in blocks that may reach past its end. A block must not overlap its source: where
+ * that is too near, the bytes repeat, and are the same some repetitions before. */
 static inline void copy_blocks(uint8_t *to, size_t distance, size_t length) {
-    const uint8_t *from = to - distance;
-    if (distance >= COPY_BLOCK) {
-        for (size_t i = 0; i < length; i += COPY_BLOCK) {
-            memcpy(to + i, from + i, COPY_BLOCK);
+    size_t done = 0, far = distance;
+    if (distance < COPY_BLOCK) {
+        far = distance * ((COPY_BLOCK - 1) / distance + 1);
+        for (; done < far - distance; done++) {
+            to[done] = (to - distance)[done];
         }
-    } else {
-        for (size_t i = 0; i < length; i++) {
-            to[i] = from[i];
-        }
+    }
+    for (; done < length; done += COPY_BLOCK) {
+        memcpy(to + done, to + done - far, COPY_BLOCK);
     }
 }
 
 /* A match whose length symbol is known: its length, and its distance or 0 where it takes the
- * careful loop to say what is there. At most 5 + 10 + 13 bits. */
+ * careful loop to say what is there (no length at all, for one). At most 5 + FAST_BITS + 13 bits. */
 static inline size_t inner_match(const struct decompressor *d, unsigned length_symbol,
                                  struct bit_buffer *buffer, size_t *distance) {
     unsigned extra_bits;
@@ -959,7 +966,7 @@ static inline size_t inner_match(const struct decompressor *d, unsigned length_s
         length = MATCH_MIN + (size_t)join_value(length_symbol, 2, &extra_bits);
         length += take_bits(buffer, extra_bits);
     }
-    unsigned entry = d->distances.fast[buffer->bits & ((1u << FAST_BITS) - 1)];
+    unsigned entry = next_entry(&d->distances, buffer);
     if (length_symbol <= 28 && (entry & 15) != 0 && entry >> 4 < DISTANCE_COUNT) {
         take_bits(buffer, entry & 15);
         *distance = 1 + (size_t)join_value(entry >> 4, 1, &extra_bits);
@@ -978,20 +985,19 @@ static void read_inner_symbols(struct decompressor *d) {
         buffer.bits |= load_u64(next) << buffer.count; /* whole bytes up to 56 bits or more */
         next += (63 - buffer.count) >> 3;
         buffer.count |= 56;
-        unsigned entry = d->literals.fast[buffer.bits & ((1u << FAST_BITS) - 1)];
-        unsigned symbol = entry >> 4;
-        if ((entry & 15) == 0 || symbol == END_OF_BLOCK) {
-            break;
-        }
-        if (symbol < END_OF_BLOCK) {
-            take_bits(&buffer, entry & 15);
-            *out++ = (uint8_t)symbol;
-            continue;
+        unsigned entry = next_entry(&d->literals, &buffer);
+        if (is_literal(entry)) { /* then there are bits for another one, or for a match */
+            *out++ = take_literal(&buffer, entry);
+            entry = next_entry(&d->literals, &buffer);
+            if (is_literal(entry)) {
+                *out++ = take_literal(&buffer, entry);
+                continue;
+            }
         }
         struct bit_buffer after = buffer;
         size_t distance;
         take_bits(&after, entry & 15);
-        size_t length = inner_match(d, symbol - FIRST_LENGTH, &after, &distance);
+        size_t length = inner_match(d, (entry >> 4) - FIRST_LENGTH, &after, &distance);
         if (distance == 0 || distance > (size_t)(out - d->out)) {
             break;
         }

@@ -476,6 +476,50 @@ static void test_long_codes(void) {
     }
 }
 
+/* A copy whose distance has a code of any length, in the middle of enough other bytes. */
+static void test_long_distance_codes(void) {
+    enum { BEGINNING = 300, MATCH = 258, SIZE = 2 * BEGINNING + MATCH, DISTANCES = 16 };
+    static const unsigned distances[DISTANCES] = {1,  2,  3,  4,  5,  7,  9,   13,
+                                                  17, 25, 33, 49, 65, 97, 129, 193};
+    for (unsigned symbol = 0; symbol < DISTANCES; symbol++) {
+        uint8_t plain[SIZE], out[SIZE];
+        uint32_t state = 3;
+        struct bits bits = {0};
+        struct error error;
+        put_bits(&bits, 1, 1);
+        put_bits(&bits, 2, 2);
+        put_bits(&bits, 286 - 257, 5);
+        put_bits(&bits, DISTANCES - 1, 5);
+        put_bits(&bits, 19 - 4, 4);
+        for (int i = 0; i < 19; i++) { /* the lengths 0 to 15 have the codes 0000 to 1111 */
+            put_bits(&bits, i < 3 ? 0 : 4, 3);
+        }
+        for (int i = 0; i < 286; i++) { /* 00, 01, 10, 11 */
+            put_code(&bits, i == 0 || i == 1 || i == 256 || i == 285 ? 2 : 0, 4);
+        }
+        for (unsigned i = 0; i < DISTANCES; i++) { /* 0, 10, 110 and so on */
+            put_code(&bits, i < 15 ? i + 1 : 15, 4);
+        }
+        for (unsigned i = 0; i < SIZE; i++) {
+            bool copied = i >= BEGINNING && i < BEGINNING + MATCH;
+            plain[i] = copied ? plain[i - distances[symbol]] : next_random(&state) & 1;
+            if (!copied) {
+                put_code(&bits, plain[i], 2);
+            } else if (i == BEGINNING) {
+                put_string(&bits, "11");
+                put_bits(&bits, (1u << symbol) - 1, symbol < 15 ? symbol + 1 : 15);
+                put_bits(&bits, 0, symbol < 4 ? 0 : symbol / 2 - 1);
+            }
+        }
+        put_string(&bits, "10");
+        struct bytes stream = wrap_blocks(&bits, plain, SIZE);
+        CHECK(decompress_exact(stream.data, stream.size, out, SIZE, &error) &&
+              memcmp(out, plain, SIZE) == 0);
+        bytes_free(&stream);
+        bytes_free(&bits.bytes);
+    }
+}
+
 static void test_zlib_header(void) {
     static const struct {
         const char *name;
@@ -796,7 +840,7 @@ static void test_filters(void) {
         unsigned type;
         size_t step;
     } kinds[] = {{0, 1}, {4, 2}, {2, 3}, {6, 4}};
-    enum { WIDTH = 7, HEIGHT = 11 };
+    enum { WIDTH = 7, HEIGHT = 51 };
     uint32_t state = 2;
     for (size_t k = 0; k < 4; k++) {
         size_t step = kinds[k].step, size = WIDTH * step;
@@ -1225,9 +1269,9 @@ static void test_files(void) {
 
 UNIT_MAIN(TEST(test_blocks), TEST(test_stored_after_others), TEST(test_far_match),
           TEST(test_matches_near_end), TEST(test_wrong_blocks), TEST(test_wrong_far_distance),
-          TEST(test_wrong_own_codes), TEST(test_long_codes), TEST(test_zlib_header),
-          TEST(test_compress), TEST(test_checksum), TEST(test_compress_far_copies),
-          TEST(test_choice_of_blocks), TEST(test_color_types), TEST(test_filters),
-          TEST(test_split_data), TEST(test_wrong_headers), TEST(test_wrong_chunks),
-          TEST(test_pixel_outside_palette), TEST(test_round_trip), TEST(test_choice_of_filters),
-          TEST(test_animation), TEST(test_files))
+          TEST(test_wrong_own_codes), TEST(test_long_codes), TEST(test_long_distance_codes),
+          TEST(test_zlib_header), TEST(test_compress), TEST(test_checksum),
+          TEST(test_compress_far_copies), TEST(test_choice_of_blocks), TEST(test_color_types),
+          TEST(test_filters), TEST(test_split_data), TEST(test_wrong_headers),
+          TEST(test_wrong_chunks), TEST(test_pixel_outside_palette), TEST(test_round_trip),
+          TEST(test_choice_of_filters), TEST(test_animation), TEST(test_files))
