@@ -482,7 +482,7 @@ static void test_long_distance_codes(void) {
     static const unsigned distances[DISTANCES] = {1,  2,  3,  4,  5,  7,  9,   13,
                                                   17, 25, 33, 49, 65, 97, 129, 193};
     for (unsigned symbol = 0; symbol < DISTANCES; symbol++) {
-        uint8_t plain[SIZE], out[SIZE];
+        uint8_t plain[SIZE] = {0}, out[SIZE];
         uint32_t state = 3;
         struct bits bits = {0};
         struct error error;
