@@ -618,15 +618,15 @@ static void test_tga_round_trip(void) {
 /* In each row a run of another length, between pixels that are all different. */
 static void test_tga_runs(void) {
     static const enum image_format formats[] = {IMAGE_GREY, IMAGE_BGR, IMAGE_BGRA};
-    enum { WIDTH = 200, HEIGHT = 150 };
+    enum { ACROSS = 200, LENGTHS = 150 };
     for (size_t i = 0; i < 3; i++) {
         struct image image;
         struct error error;
-        if (!CHECK(image_create(&image, WIDTH, HEIGHT, formats[i], &error))) {
+        if (!CHECK(image_create(&image, ACROSS, LENGTHS, formats[i], &error))) {
             continue;
         }
-        for (int y = 0; y < HEIGHT; y++) {
-            for (int x = 0; x < WIDTH; x++) {
+        for (int y = 0; y < LENGTHS; y++) {
+            for (int x = 0; x < ACROSS; x++) {
                 bool in_run = x >= 20 && x < 20 + y;
                 image_set(&image, x, y, color_grey((uint8_t)(in_run ? 7 : x + 9)));
             }
