@@ -58,10 +58,14 @@ $(BUILD)/libcommon.a: $(COMMON:%=$(BUILD)/common/%.o)
 	@rm -f $@
 	$(AR) rcs $@ $^
 
-# The head that the lessons draw is sculpted by a program, once.
-$(BUILD)/models/bust.obj: $(BUILD)/sculpt
+# The head that the lessons draw is sculpted by a program, once: again only when it is another
+# program, and not whenever it is linked again.
+$(BUILD)/models/bust.obj: $(BUILD)/sculptor
 	@mkdir -p $(@D)
-	$(BUILD)/sculpt $(@D)
+	$(BUILD)/sculptor $(@D)
+
+$(BUILD)/sculptor: $(BUILD)/sculpt
+	@cmp -s $< $@ || cp $< $@
 
 $(BUILD)/sculpt: $(SCULPTOR:%=$(BUILD)/common/sculptor/%.o) $(BUILD)/libcommon.a
 	$(LINK) $^ -lm -o $@
