@@ -145,20 +145,44 @@ static void filter_row(unsigned filter, const uint8_t *row, const uint8_t *above
     }
 }
 
-/* In place; false for a filter that does not exist. `step`, the bytes of a pixel, is a constant
- * where this is called, and the loops are compiled for it. */
+/* Undo the filter of a byte, whose left and corner neighbours then become those of the next one. */
+static inline void unfilter_byte(const unsigned filter, uint8_t *byte, uint8_t above, uint8_t *left,
+                                 uint8_t *corner) {
+    unsigned predicted = filter == FILTER_SUB       ? *left
+                         : filter == FILTER_AVERAGE ? (*left + above) / 2u
+                                                    : paeth(*left, above, *corner);
+    *byte = (uint8_t)(*byte + predicted);
+    *left = *byte;
+    *corner = above;
+}
+
+/* A row of pixels of `step` bytes, which is a constant where this is called, as is `filter`. What
+ * each pixel leaves to the next stays in registers; a loop over its bytes would not keep it there. */
+static inline void unfilter_pixels(const unsigned filter, uint8_t *restrict row,
+                                   const uint8_t *restrict above, size_t size, const size_t step) {
+    uint8_t left[PIXEL_LIMIT] = {0}, corner[PIXEL_LIMIT] = {0};
+    for (size_t i = 0; i < size; i += step) {
+        unfilter_byte(filter, &row[i], above[i], &left[0], &corner[0]);
+        if (step > 1) {
+            unfilter_byte(filter, &row[i + 1], above[i + 1], &left[1], &corner[1]);
+        }
+        if (step > 2) {
+            unfilter_byte(filter, &row[i + 2], above[i + 2], &left[2], &corner[2]);
+        }
+        if (step > 3) {
+            unfilter_byte(filter, &row[i + 3], above[i + 3], &left[3], &corner[3]);
+        }
+    }
+}
+
+/* In place; false for a filter that does not exist. */
 static inline bool unfilter_row_of(unsigned filter, uint8_t *restrict row,
                                    const uint8_t *restrict above, size_t size, const size_t step) {
-    uint8_t left[PIXEL_LIMIT] = {0}, corner[PIXEL_LIMIT] = {0}; /* in registers, not in memory */
     switch (filter) {
     case FILTER_NONE:
         return true;
     case FILTER_SUB:
-        for (size_t i = 0; i < size; i += step) {
-            for (size_t c = 0; c < step; c++) {
-                left[c] = row[i + c] = (uint8_t)(row[i + c] + left[c]);
-            }
-        }
+        unfilter_pixels(FILTER_SUB, row, above, size, step);
         return true;
     case FILTER_UP:
         for (size_t i = 0; i < size; i++) {
@@ -166,20 +190,10 @@ static inline bool unfilter_row_of(unsigned filter, uint8_t *restrict row,
         }
         return true;
     case FILTER_AVERAGE:
-        for (size_t i = 0; i < size; i += step) {
-            for (size_t c = 0; c < step; c++) {
-                left[c] = row[i + c] = (uint8_t)(row[i + c] + (left[c] + above[i + c]) / 2);
-            }
-        }
+        unfilter_pixels(FILTER_AVERAGE, row, above, size, step);
         return true;
     case FILTER_PAETH:
-        for (size_t i = 0; i < size; i += step) {
-            for (size_t c = 0; c < step; c++) {
-                uint8_t predicted = paeth(left[c], above[i + c], corner[c]);
-                left[c] = row[i + c] = (uint8_t)(row[i + c] + predicted);
-                corner[c] = above[i + c];
-            }
-        }
+        unfilter_pixels(FILTER_PAETH, row, above, size, step);
         return true;
     default:
         return false;
