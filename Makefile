@@ -15,7 +15,9 @@ For the course as a whole:
   make test                   unit tests under sanitizers, and the tests of the check
   make stress                 hostile numbers, independent answers (STRESS=10, SEED=7, PROPERTY=line)
   make bench                  run time against error, a chart for each lesson (STEP=05 for one)
+  make counts                 the instructions of each scene, beside those committed (STEP=05)
   make bench-files            how fast files are read and written, beside libpng and plain bytes
+  make bench-run              where the time of a whole run goes, beside cat and cp of its files
   make charts                 put these charts into the lessons
   make bench-frame            the time of a frame beside Mesa's llvmpipe (OPTIONS=--help)
   make figures                draw the lessons' other pictures into build/out/*/figures (STEP=05)
@@ -28,7 +30,8 @@ For the course as a whole:
   make coverage               which lines and branches of common the tests reach
   make help                   this list
 
-CC=clang, CFLAGS=-O0, MARCH=, WERROR=-Werror and BUILD=some/directory may be added to any of these.
+CC=clang, CFLAGS=-O0, MARCH=, WERROR=-Werror, BUILD=some/directory, LANES=1 (one pixel at a time, for
+a debugger) and REAL=double (twice the precision) may be added to any of these.
 endef
 
 BUILD  = build
@@ -44,9 +47,15 @@ programs: $(STEPS:%=$(BUILD)/%)
 models: $(BUILD)/models/bust.obj
 $(STEPS): %: $(BUILD)/out/%/.drawn
 
-$(BUILD)/out/%/.drawn: $(BUILD)/% $(BUILD)/models/bust.obj
+$(BUILD)/out/%/.drawn: $(BUILD)/drawn/% $(BUILD)/models/bust.obj
 	$(BUILD)/$* -o $(@D)
 	@touch $@
+
+# The program that drew last. A new one of the same bytes, which is what the check makes, draws the
+# same.
+$(BUILD)/drawn/%: $(BUILD)/%
+	@mkdir -p $(@D)
+	@cmp -s $< $@ || cp $< $@
 
 # A lesson's program is its main.c and what all lessons share.
 $(STEPS:%=$(BUILD)/%): $(BUILD)/%: %/main.c $(BUILD)/libcommon.a $(BUILD)/flags
@@ -76,10 +85,13 @@ $(BUILD)/sculpt: $(SCULPTOR:%=$(BUILD)/common/sculptor/%.o) $(BUILD)/libcommon.a
 
 # ---- How the compiler is called ----
 
-WARNINGS = -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wstrict-prototypes -Wmissing-prototypes
+# (Functions on `lanes` are inlined: how older compilers passed their arguments matters to nobody.)
+WARNINGS = -Wno-psabi -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wstrict-prototypes -Wmissing-prototypes
 # One rounding for each operation, so that every machine computes the same bytes.
-STRICT   = -std=c17 -ffp-contract=off
+STRICT   = -std=c17 -ffp-contract=off -fno-math-errno
 DEFINES  = -DCOURSE_BUILD='"$(abspath $(BUILD))"'
+# LANES=1 shades one pixel at a time, for a debugger; REAL=double shades with twice the precision.
+DEFINES += $(LANES:%=-DLANES=%) $(REAL:%=-DREAL=%)
 # The same path is a word of the shell and a string of C.
 ifneq ($(strip $(foreach sign,' " \,$(findstring $(sign),$(abspath $(BUILD))))),)
 $(error the path $(abspath $(BUILD)) holds a quote or a backslash: move the course, or set BUILD)
@@ -94,7 +106,8 @@ COMPILE  = $(CC) $(STRICT) $(WARNINGS) $(WERROR) $(CFLAGS) $(MARCH) $(THREADED) 
            -Icommon -MMD -MP
 # What the lessons stand on (library, models, check) computes exactly whatever CFLAGS say: -Ofast is
 # for main.c alone. Where the linker saw it, numbers next to 0 would be 0 in the whole program.
-EXACT    = $(subst -Ofast,-O3,$(COMPILE)) -fno-fast-math -ffp-contract=off
+# -fno-fast-math also brings back errno and traps, which keep loops from being vectorised.
+EXACT    = $(subst -Ofast,-O3,$(COMPILE)) -fno-fast-math $(STRICT)
 INEXACT  = -Ofast -ffast-math -funsafe-math-optimizations
 LINK     = $(CC) $(filter-out $(INEXACT),$(CFLAGS)) $(MARCH) $(THREADED)
 

@@ -43,6 +43,7 @@ charts:
 
 # The tests' own build of everything: sanitized, and without threads.
 SANITIZE = -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
+# (Vectors wider than the processor's are passed otherwise than by gcc 4.5, which it would tell.)
 TESTED   = $(CC) $(STRICT) $(WARNINGS) $(WERROR) $(SANITIZE) $(DEFINES) -Icommon -Itests/unit \
            -Itests/oracle -MMD -MP
 
@@ -108,6 +109,16 @@ $(BUILD)/benchmark: $(call OBJECTS_OF,bench oracle) $(BUILD)/tests/bench/list.o 
 bench: $(BUILD)/benchmark models
 	@mkdir -p $(BUILD)/bench
 	$(BUILD)/benchmark -o $(BUILD) $(STEP)
+
+# Instructions, which no other process disturbs.
+.PHONY: counts
+counts:
+	@tests/counts.sh $(BUILD) '$(STEP)'
+
+# A whole run, beside the same bytes only read and copied.
+.PHONY: bench-run
+bench-run:
+	@tests/whole_run.sh $(BUILD)
 
 # Files, beside libpng where it is installed.
 LIBPNG = $(shell echo '\#include <libpng16/png.h>' | $(CC) -E - >/dev/null 2>&1 && echo -lpng16)
