@@ -69,7 +69,7 @@ $(BUILD)/sculpt: $(SCULPTOR:%=$(BUILD)/common/sculptor/%.o) $(BUILD)/libcommon.a
 
 WARNINGS = -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wstrict-prototypes -Wmissing-prototypes
 # One rounding for each operation, so that every machine computes the same bytes.
-STRICT   = -std=c17 -ffp-contract=off
+STRICT   = -std=c17 -ffp-contract=off -fno-math-errno -fno-trapping-math
 DEFINES  = -DCOURSE_BUILD='"$(abspath $(BUILD))"'
 # Threads, where the compiler wants to be told; and all that this processor can do. Neither changes
 # a byte of a picture. MARCH= makes programs that run on any processor of the kind.

@@ -1,90 +1,18 @@
-/* The passes of the pipeline that no shader takes part in: see pipeline.h. */
+/* The pipeline: recording, and the bands of a frame. See pipeline.h. */
 #include "pipeline.h"
 
 #include "array.h"
+#include "pipeline_parts.h"
 
 #include <assert.h>
 #include <stdlib.h>
-#include <string.h>
-
-/* Nearer than this part of the camera's distance nothing is drawn: 1/w would grow without bound. */
-static const double near_w = 1.0 / 128;
-
-/* Faces are cut where they leave NDC -64..64: far outside the image, so that few are, but within
- * SCREEN_LIMIT for the largest image. */
-static const double guard_band = 64;
-
-/* A depth beyond this is no place to draw at: sums and differences of such might overflow. */
-static const double depth_limit = 1e280;
-
-enum { CLIP_PLANES = 5 };
-
-/* Rows are shared out among threads in bands of this many. */
-enum { BAND_HEIGHT = 16, BANDS_FOR_THREADS = 4 /* fewer are not worth waking one */ };
-
-/* A convex polygon gains at most one corner at each plane. Where coordinates differ by many
- * orders of magnitude, rounding can make the polygon not convex, and n corners become up to n +
- * n/2 at each of the five planes: 3, 4, 6, 9, 13, 19. */
-enum { POLYGON_LIMIT = 19 };
-
-/* Sides of the view that a position is beyond. */
-enum {
-    BEYOND_LEFT = 1,
-    BEYOND_RIGHT = 2,
-    BEYOND_BOTTOM = 4,
-    BEYOND_TOP = 8,
-    BEYOND_NEAR = 16,
-    BEYOND_GUARD_BAND = 32
-};
-
-/* A transformed position. */
-struct position {
-    struct vec4 clip;
-    struct fixed2 screen; /* these three only without BEYOND_NEAR and BEYOND_GUARD_BAND */
-    double depth;
-    double recip_w;
-    unsigned beyond;
-};
-
-/* A corner of a polygon while it is clipped. */
-struct clip_corner {
-    struct vec4 clip;
-    struct vec3 weight; /* of the face's corners; sum 1 */
-};
-
-struct polygon {
-    struct clip_corner corner[POLYGON_LIMIT];
-    size_t count;
-};
 
 /* ---- Memory ---- */
 
-/* Room for that many elements. False, with the array as it was, when memory runs out. */
-static bool reserve_positions(struct pipeline *p, size_t count, struct error *error) {
-    struct position *positions =
-        array_reserve(p->positions, &p->position_capacity, count, sizeof *positions);
-    p->positions = positions != NULL ? positions : p->positions;
-    return positions != NULL || error_out_of_memory(error);
-}
-
-static bool reserve_pieces(struct pipeline *p, size_t count, struct error *error) {
-    struct piece *pieces = array_reserve(p->pieces, &p->piece_capacity, count, sizeof *pieces);
-    p->pieces = pieces != NULL ? pieces : p->pieces;
-    return pieces != NULL || error_out_of_memory(error);
-}
-
-static bool reserve_clipped(struct pipeline *p, size_t count, struct error *error) {
-    struct clipped_corners *clipped =
-        array_reserve(p->clipped, &p->clipped_capacity, count, sizeof *clipped);
-    p->clipped = clipped != NULL ? clipped : p->clipped;
-    return clipped != NULL || error_out_of_memory(error);
-}
-
-static bool reserve_attributes(struct pipeline *p, size_t count, struct error *error) {
-    double *attributes =
-        array_reserve(p->attributes, &p->attribute_capacity, count, sizeof *attributes);
-    p->attributes = attributes != NULL ? attributes : p->attributes;
-    return attributes != NULL || error_out_of_memory(error);
+bool buffer_reserve(struct buffer *buffer, size_t count, size_t element_size, struct error *error) {
+    void *data = array_reserve(buffer->data, &buffer->capacity, count, element_size);
+    buffer->data = data != NULL ? data : buffer->data;
+    return data != NULL || error_out_of_memory(error);
 }
 
 bool pipeline_create(struct pipeline *pipeline, size_t width, size_t height, struct error *error) {
@@ -96,31 +24,72 @@ bool pipeline_create(struct pipeline *pipeline, size_t width, size_t height, str
     pipeline->width = width;
     pipeline->height = height;
     pipeline->skip = true;
-    pipeline->depth = malloc(width * height * sizeof *pipeline->depth);
-    pipeline->number = malloc(width * height * sizeof *pipeline->number);
-    pipeline->band_work = malloc((height / BAND_HEIGHT + 1) * sizeof *pipeline->band_work);
-    if (pipeline->depth == NULL || pipeline->number == NULL || pipeline->band_work == NULL) {
-        pipeline_free(pipeline);
-        return error_out_of_memory(error);
-    }
-    pipeline_clear(pipeline);
     return true;
 }
 
+static void scratch_free(struct scratch *scratch) {
+    free(scratch->depth);
+    free(scratch->number);
+    free(scratch->touched);
+    free(scratch->plane_place);
+    free(scratch->planes);
+    *scratch = (struct scratch){0};
+}
+
+static void free_all_scratch(struct pipeline *p) {
+    struct scratch *scratch = p->scratch.data;
+    for (size_t i = 0; i < p->scratch_count; i++) {
+        scratch_free(&scratch[i]);
+    }
+    p->scratch_count = 0;
+}
+
 void pipeline_free(struct pipeline *pipeline) {
-    free(pipeline->depth);
-    free(pipeline->number);
-    free(pipeline->band_work);
+    free_all_scratch(pipeline);
     workers_free(pipeline->workers);
-    free(pipeline->positions);
-    free(pipeline->pieces);
-    free(pipeline->clipped);
-    free(pipeline->attributes);
+    free(pipeline->depth);
+    free(pipeline->draws.data);
+    free(pipeline->uniforms.data);
+    free(pipeline->vertices.data);
+    free(pipeline->blocks.data);
+    free(pipeline->pieces.data);
+    free(pipeline->clipped.data);
+    free(pipeline->band_counts.data);
+    free(pipeline->bins.data);
+    free(pipeline->binned.data);
+    free(pipeline->scratch.data);
     *pipeline = (struct pipeline){0};
 }
 
+/* Memory for one band, whose bin has at most that many pieces. */
+static bool scratch_reserve(struct scratch *scratch, const struct pipeline *p, size_t bin_size,
+                            struct error *error) {
+    size_t pixels = band_stride(p) * BAND_HEIGHT;
+    if (scratch->depth == NULL) {
+        scratch->depth = malloc(pixels * sizeof *scratch->depth);
+        scratch->number = calloc(pixels, sizeof *scratch->number);
+        scratch->touched = calloc(pixels / CHUNK, sizeof *scratch->touched);
+        if (scratch->depth == NULL || scratch->number == NULL || scratch->touched == NULL) {
+            scratch_free(scratch);
+            return error_out_of_memory(error);
+        }
+        depth_clear(scratch->depth, pixels);
+    }
+    uint32_t *places = array_reserve(scratch->plane_place, &scratch->bin_capacity, bin_size + 1,
+                                     sizeof *scratch->plane_place);
+    scratch->plane_place = places != NULL ? places : scratch->plane_place;
+    size_t visible = bin_size < pixels ? bin_size : pixels;
+    struct planes *planes = array_reserve(scratch->planes, &scratch->plane_capacity, visible + 1,
+                                          sizeof *scratch->planes);
+    scratch->planes = planes != NULL ? planes : scratch->planes;
+    return (places != NULL && planes != NULL) || error_out_of_memory(error);
+}
+
+/* ---- Threads ---- */
+
 void pipeline_use_threads(struct pipeline *pipeline, size_t thread_count) {
     if (pipeline->thread_count != thread_count) {
+        free_all_scratch(pipeline);
         workers_free(pipeline->workers);
         pipeline->workers = NULL;
         pipeline->alone = false;
@@ -128,12 +97,18 @@ void pipeline_use_threads(struct pipeline *pipeline, size_t thread_count) {
     }
 }
 
-void pipeline_clear(struct pipeline *pipeline) {
-    size_t pixels = pipeline->width * pipeline->height;
-    depth_clear(pipeline->depth, pixels);
-    memset(pipeline->number, 0, pixels * sizeof *pipeline->number);
-    pipeline->next_number = 1;
-    memset(pipeline->stats, 0, sizeof pipeline->stats);
+static void start_workers(struct pipeline *p) {
+    if (p->workers == NULL && !p->alone) {
+        p->workers = workers_create(p->thread_count);
+        p->alone = p->workers == NULL;
+    }
+}
+
+void pipeline_run(struct pipeline *p, size_t count, worker_function *work, void *context) {
+    if (count > 1) {
+        start_workers(p);
+    }
+    workers_run(p->workers, count, work, context);
 }
 
 /* ---- Draw calls ---- */
@@ -168,408 +143,419 @@ size_t wrapped_level(const struct texture *texture, double pixels) {
     return level;
 }
 
-/* ---- Positions ---- */
-
-/* NDC to the screen, snapped. False when the result is no place on the screen. */
-static bool project(struct vec4 clip, const struct rectangle *viewport, struct fixed2 *screen,
-                    double *depth, double *recip_w) {
-    *recip_w = 1 / clip.w;
-    *depth = clip.z * *recip_w;
-    double half_width = viewport->width / 2.0, half_height = viewport->height / 2.0;
-    struct vec2 position = {viewport->x + (clip.x * *recip_w + 1) * half_width,
-                            viewport->y + (clip.y * *recip_w + 1) * half_height};
-    return fabs(*depth) <= depth_limit && screen_snap(position, screen);
+void pipeline_clear(struct pipeline *pipeline) {
+    pipeline->draw_count = pipeline->uniforms_end = 0;
+    pipeline->piece_end = pipeline->clipped_end = 0;
+    memset(pipeline->stats, 0, sizeof pipeline->stats);
 }
 
-/* Written so that what is not a number is beyond everything. */
-static unsigned find_beyond(struct vec4 p) {
-    unsigned beyond = 0;
-    beyond |= p.x >= -p.w ? 0 : BEYOND_LEFT;
-    beyond |= p.x <= p.w ? 0 : BEYOND_RIGHT;
-    beyond |= p.y >= -p.w ? 0 : BEYOND_BOTTOM;
-    beyond |= p.y <= p.w ? 0 : BEYOND_TOP;
-    beyond |= p.w >= near_w ? 0 : BEYOND_NEAR;
-    double guard = guard_band * p.w;
-    beyond |= fabs(p.x) <= guard && fabs(p.y) <= guard ? 0 : BEYOND_GUARD_BAND;
-    return beyond;
-}
+/* Uniforms lie at multiples of this, so that everything in them is aligned. */
+enum { UNIFORMS_ALIGNMENT = 64 };
 
-static void transform_positions(struct pipeline *p, const struct draw_call *call) {
-    const struct model *model = call->model;
-    for (size_t i = 0; i < model->position_count; i++) {
-        struct position *to = &p->positions[i];
-        to->clip = mat4_point(&call->to_clip, model->positions[i]);
-        to->beyond = find_beyond(to->clip);
-        if ((to->beyond & (BEYOND_NEAR | BEYOND_GUARD_BAND)) == 0 &&
-            !project(to->clip, &call->viewport, &to->screen, &to->depth, &to->recip_w)) {
-            to->beyond = ~0u;
-        }
-    }
-}
-
-/* ---- Clipping ---- */
-
-/* Signed distances to the planes, positive inside. */
-static double plane_distance(struct vec4 p, int plane) {
-    switch (plane) {
-    case 0:
-        return p.w - near_w;
-    case 1:
-        return guard_band * p.w + p.x;
-    case 2:
-        return guard_band * p.w - p.x;
-    case 3:
-        return guard_band * p.w + p.y;
-    default:
-        return guard_band * p.w - p.y;
-    }
-}
-
-static double mix(double from, double to, double t) {
-    return from + t * (to - from);
-}
-
-/* Where an edge crosses the plane. Always computed from the corner inside to the one outside, so
- * that both faces of an edge find the very same point, and no gap opens between them. */
-static struct clip_corner cut_edge(const struct clip_corner *inside,
-                                   const struct clip_corner *outside, double inside_distance,
-                                   double outside_distance) {
-    double t = inside_distance / (inside_distance - outside_distance);
-    struct vec4 p = inside->clip, q = outside->clip;
-    struct vec3 v = inside->weight, w = outside->weight;
-    return (struct clip_corner){
-        .clip = {mix(p.x, q.x, t), mix(p.y, q.y, t), mix(p.z, q.z, t), mix(p.w, q.w, t)},
-        .weight = {mix(v.x, w.x, t), mix(v.y, w.y, t), mix(v.z, w.z, t)},
-    };
-}
-
-/* The part of a polygon on the inner side of a plane (Sutherland and Hodgman, "Reentrant Polygon
- * Clipping", 1974). */
-static struct polygon clip_at_plane(const struct polygon *polygon, int plane) {
-    struct polygon result = {.count = 0};
-    for (size_t i = 0; i < polygon->count; i++) {
-        const struct clip_corner *a = &polygon->corner[i];
-        const struct clip_corner *b = &polygon->corner[(i + 1) % polygon->count];
-        double a_distance = plane_distance(a->clip, plane);
-        double b_distance = plane_distance(b->clip, plane);
-        bool a_inside = a_distance >= 0, b_inside = b_distance >= 0;
-        if (a_inside) {
-            result.corner[result.count++] = *a;
-        }
-        if (a_inside && !b_inside) {
-            result.corner[result.count++] = cut_edge(a, b, a_distance, b_distance);
-        } else if (!a_inside && b_inside) {
-            result.corner[result.count++] = cut_edge(b, a, b_distance, a_distance);
-        }
-    }
-    return result;
-}
-
-/* ---- Pieces ---- */
-
-/* Cut the rows to the viewport. False when none is left. */
-static bool rows_in_viewport(struct edges *edges, const struct rectangle *viewport) {
-    int bottom = viewport->y, top = viewport->y + viewport->height;
-    edges->y_begin = edges->y_begin > bottom ? edges->y_begin : bottom;
-    edges->y_end = edges->y_end < top ? edges->y_end : top;
-    return edges->y_begin < edges->y_end;
-}
-
-/* Is a triangle with this winding culled? */
-static bool is_culled(bool clockwise, enum cull cull) {
-    return (cull == CULL_BACK && clockwise) || (cull == CULL_FRONT && !clockwise);
-}
-
-/* Twice the signed area, in 1/256 pixel squared; positive when counterclockwise. */
-static int64_t signed_area(const struct fixed2 *p) {
-    return ((int64_t)p[1].x - p[0].x) * ((int64_t)p[2].y - p[0].y) -
-           ((int64_t)p[1].y - p[0].y) * ((int64_t)p[2].x - p[0].x);
-}
-
-/* Add a triangle to `pieces` (which have room) if it must be drawn; count why it need not. */
-static bool add_piece(struct pipeline *p, const struct draw_call *call, const struct fixed2 *screen,
-                      const struct piece *description) {
-    int64_t area = signed_area(screen);
-    bool culled = area != 0 && is_culled(area < 0, call->cull);
-    if (culled && p->skip) {
-        p->stats[STAT_FACES_TURNED_AWAY]++;
-        return false;
-    }
-    struct piece *piece = &p->pieces[p->piece_count];
-    *piece = *description;
-    if (!edges_setup(&piece->edges, screen[0], screen[1], screen[2], p->width, p->height) ||
-        !rows_in_viewport(&piece->edges, &call->viewport)) {
-        p->stats[STAT_FACES_WITHOUT_PIXEL]++;
-        return false;
-    }
-    piece->attributes = UINT32_MAX;
-    piece->dropped = culled;
-    p->piece_count++;
-    return true;
-}
-
-/* The first corner in a fixed order of positions, so that a face whose corners are listed from
- * another one on is computed in the same way, to the last bit. */
-static uint32_t find_first_corner(const struct position *const corner[3]) {
-    uint32_t first = 0;
-    for (uint32_t i = 1; i < 3; i++) {
-        struct vec4 a = corner[i]->clip, b = corner[first]->clip;
-        if (a.y < b.y ||
-            (a.y == b.y &&
-             (a.x < b.x || (a.x == b.x && (a.z < b.z || (a.z == b.z && a.w < b.w)))))) {
-            first = i;
-        }
-    }
-    return first;
-}
-
-static void add_whole_face(struct pipeline *p, const struct draw_call *call,
-                           const struct position *const corner[3], uint32_t face,
-                           uint32_t first_corner) {
-    struct fixed2 screen[3];
-    struct piece piece = {.face = face, .first_corner = first_corner, .clipped = NOT_CLIPPED};
-    for (int i = 0; i < 3; i++) {
-        screen[i] = corner[i]->screen;
-        piece.depth[i] = corner[i]->depth;
-        piece.recip_w[i] = corner[i]->recip_w;
-    }
-    add_piece(p, call, screen, &piece);
-}
-
-/* One triangle of the fan that a clipped polygon is cut into. */
-static void add_part(struct pipeline *p, const struct draw_call *call,
-                     const struct clip_corner *const corner[3], uint32_t face,
-                     uint32_t first_corner) {
-    struct fixed2 screen[3];
-    struct piece piece = {
-        .face = face, .first_corner = first_corner, .clipped = (uint32_t)p->clipped_count};
-    struct clipped_corners *clipped = &p->clipped[p->clipped_count];
-    for (int i = 0; i < 3; i++) {
-        if (!project(corner[i]->clip, &call->viewport, &screen[i], &piece.depth[i],
-                     &piece.recip_w[i])) {
-            return;
-        }
-        clipped->weight[i] = corner[i]->weight;
-    }
-    if (add_piece(p, call, screen, &piece)) {
-        p->clipped_count++;
-    }
-}
-
-static bool add_clipped_face(struct pipeline *p, const struct draw_call *call,
-                             const struct position *const corner[3], uint32_t face,
-                             uint32_t first_corner, struct error *error) {
-    struct polygon polygon = {.corner = {{corner[0]->clip, {1, 0, 0}},
-                                         {corner[1]->clip, {0, 1, 0}},
-                                         {corner[2]->clip, {0, 0, 1}}},
-                              .count = 3};
-    for (int plane = 0; plane < CLIP_PLANES && polygon.count > 0; plane++) {
-        polygon = clip_at_plane(&polygon, plane);
-    }
-    if (polygon.count < 3) {
-        p->stats[STAT_FACES_OUTSIDE]++;
-        return true;
-    }
-    p->stats[STAT_FACES_CLIPPED]++;
-    if (!reserve_pieces(p, p->piece_count + POLYGON_LIMIT, error) ||
-        !reserve_clipped(p, p->clipped_count + POLYGON_LIMIT, error)) {
-        return false;
-    }
-    for (size_t i = 2; i < polygon.count; i++) {
-        const struct clip_corner *part[3] = {&polygon.corner[0], &polygon.corner[i - 1],
-                                             &polygon.corner[i]};
-        add_part(p, call, part, face, first_corner);
-    }
-    return true;
-}
-
-static bool add_face(struct pipeline *p, const struct draw_call *call, size_t index,
-                     struct error *error) {
-    const struct corner *corner = call->model->faces[index].corner;
-    const struct position *given[3] = {&p->positions[corner[0].position],
-                                       &p->positions[corner[1].position],
-                                       &p->positions[corner[2].position]};
-    unsigned beyond_one_side = given[0]->beyond & given[1]->beyond & given[2]->beyond;
-    if ((beyond_one_side & ~(unsigned)BEYOND_GUARD_BAND) != 0) {
-        p->stats[STAT_FACES_OUTSIDE]++;
-        return true;
-    }
-    uint32_t first = find_first_corner(given);
-    const struct position *ordered[3] = {given[first], given[(first + 1) % 3],
-                                         given[(first + 2) % 3]};
-    unsigned beyond_any = given[0]->beyond | given[1]->beyond | given[2]->beyond;
-    if ((beyond_any & (BEYOND_NEAR | BEYOND_GUARD_BAND)) != 0) {
-        return add_clipped_face(p, call, ordered, (uint32_t)index, first, error);
-    }
-    add_whole_face(p, call, ordered, (uint32_t)index, first);
-    return true;
-}
-
-bool pipeline_assemble(struct pipeline *p, const struct draw_call *call, struct error *error) {
-    const struct model *model = call->model;
+bool pipeline_draw(struct pipeline *p, const struct draw_call *call, const struct shader *shader,
+                   const void *uniforms, size_t size, struct error *error) {
     const struct rectangle *v = &call->viewport;
+    assert(shader->varying_count <= VARYING_LIMIT);
     assert(v->x >= 0 && v->y >= 0 && v->width >= 0 && v->height >= 0);
     assert((size_t)v->x + (size_t)v->width <= p->width);
     assert((size_t)v->y + (size_t)v->height <= p->height);
-    p->viewport = call->viewport;
-    p->piece_count = p->clipped_count = 0;
-    p->first_number = p->next_number;
-    p->stats[STAT_FACES] += model->face_count;
-    if (!reserve_positions(p, model->position_count, error) ||
-        !reserve_pieces(p, model->face_count, error)) {
+    if (!buffer_reserve(&p->draws, p->draw_count + 1, sizeof(struct draw), error) ||
+        !buffer_reserve(&p->uniforms, p->uniforms_end + size, 1, error)) {
         return false;
     }
-    transform_positions(p, call);
-    for (size_t i = 0; i < model->face_count; i++) {
-        if (!reserve_pieces(p, p->piece_count + 1, error) || !add_face(p, call, i, error)) {
-            return false;
-        }
+    const struct draw *last = (struct draw *)p->draws.data + p->draw_count - 1;
+    struct draw *draw = (struct draw *)p->draws.data + p->draw_count;
+    *draw = (struct draw){
+        .call = *call,
+        .shader = shader,
+        .uniforms = p->uniforms_end,
+        .first_block = p->draw_count > 0 ? last->first_block + last->block_count : 0,
+    };
+    if (!pipeline_assemble(p, draw, error)) {
+        return false;
     }
-    if (p->piece_count > UINT32_MAX - p->next_number) {
-        return error_set(error, "more than %lu triangles in one frame", (unsigned long)UINT32_MAX);
-    }
-    p->next_number += (uint32_t)p->piece_count;
+    memcpy((char *)p->uniforms.data + p->uniforms_end, uniforms, size);
+    p->uniforms_end += (size + UNIFORMS_ALIGNMENT - 1) / UNIFORMS_ALIGNMENT * UNIFORMS_ALIGNMENT;
+    p->draw_count++;
     return true;
 }
 
-/* ---- Pass 1 ---- */
+/* ---- Sorting pieces into bands ---- */
 
-/* Write depth and number where the piece is nearer. Plain selects without branches: compilers turn
- * the loop into vector instructions. */
-static void cover_span(double *restrict depth, uint32_t *restrict number, int pixels,
-                       struct depth_row row, uint32_t piece_number) {
-    for (int i = 0; i < pixels; i++) {
-        double z = row.begin + row.step * i;
-        bool nearer = z > depth[i];
-        depth[i] = nearer ? z : depth[i];
-        number[i] = nearer ? piece_number : number[i];
-    }
+static struct span rows_of_piece(const struct piece *piece, const struct draw *draw) {
+    const struct fixed2 *c = piece->corner;
+    struct span rows = {(least_of(c[0].y, c[1].y, c[2].y) + SUBPIXELS / 2 - 1) >> 8,
+                        ((most_of(c[0].y, c[1].y, c[2].y) - SUBPIXELS / 2) >> 8) + 1};
+    int bottom = draw->call.viewport.y;
+    return span_overlap(rows, (struct span){bottom, bottom + draw->call.viewport.height});
 }
 
-static uint64_t cover_band(const struct pipeline *p, struct span band) {
-    uint64_t covered = 0;
-    for (size_t i = 0; i < p->piece_count; i++) {
-        const struct piece *piece = &p->pieces[i];
-        struct span rows = rows_in_band(piece, band);
-        for (int y = rows.begin; y < rows.end; y++) {
-            struct span span = span_in_viewport(p, piece, y);
-            if (span.begin < span.end) {
-                size_t first = (size_t)y * p->width + (size_t)span.begin;
-                cover_span(p->depth + first, p->number + first, span.end - span.begin,
-                           depth_along_row(piece, span.begin, y), p->first_number + (uint32_t)i);
-                covered += (uint64_t)(span.end - span.begin);
-            }
-        }
-    }
-    return covered;
-}
-
-/* The band of rows that begins at y, in a viewport that ends at `top`. */
-static struct span band_at(int y, int top) {
-    return (struct span){y, y + BAND_HEIGHT < top ? y + BAND_HEIGHT : top};
-}
-
-/* What is done with each band of the viewport: it is covered, or shaded when there is a shader. */
-struct band_loop {
+/* What the threads that draw a frame share. */
+struct frame {
     struct pipeline *pipeline;
-    const struct shader *shader; /* NULL: cover */
-    const void *uniforms;
     struct image *image;
-    bool at_once;
+    size_t block_count;
 };
 
-static void do_band(void *context, size_t index) {
-    const struct band_loop *loop = context;
-    struct pipeline *p = loop->pipeline;
-    const struct shader *shader = loop->shader;
-    struct span band =
-        band_at(p->viewport.y + (int)index * BAND_HEIGHT, p->viewport.y + p->viewport.height);
-    if (shader == NULL) {
-        p->band_work[index] = (struct pixel_work){.covered = cover_band(p, band)};
-    } else if (shader->band != NULL) {
-        p->band_work[index] = shader->band(p, loop->uniforms, loop->image, band, loop->at_once);
-    } else {
-        p->band_work[index] =
-            shade_rows(p, shader, loop->uniforms, loop->image, band, loop->at_once);
-    }
-}
-
-/* Share out the bands among threads, which are started when there is enough to do for the first
- * time. */
-static void do_bands(struct pipeline *p, struct band_loop *loop) {
-    size_t band_count = ((size_t)p->viewport.height + BAND_HEIGHT - 1) / BAND_HEIGHT;
-    if (p->workers == NULL && !p->alone && band_count >= BANDS_FOR_THREADS) {
-        p->workers = workers_create(p->thread_count);
-        p->alone = p->workers == NULL;
-    }
-    workers_run(band_count >= BANDS_FOR_THREADS ? p->workers : NULL, band_count, do_band, loop);
-    for (size_t i = 0; i < band_count; i++) {
-        p->stats[STAT_PIXELS_COVERED] += p->band_work[i].covered;
-        p->stats[STAT_PIXELS_SHADED] += p->band_work[i].shaded;
-    }
-}
-
-void pipeline_cover(struct pipeline *p) {
-    struct band_loop loop = {.pipeline = p};
-    do_bands(p, &loop);
-}
-
-/* ---- Between the passes ---- */
-
-/* Give each visible piece a place in `attributes`. Returns how many there are. */
-static uint32_t number_visible(struct pipeline *p) {
-    uint32_t visible = 0;
-    for (int y = p->viewport.y; y < p->viewport.y + p->viewport.height; y++) {
-        const uint32_t *row = p->number + (size_t)y * p->width + (size_t)p->viewport.x;
-        uint32_t last = 0;
-        for (int x = 0; x < p->viewport.width; x++) {
-            if (row[x] != last && row[x] >= p->first_number) {
-                struct piece *piece = &p->pieces[row[x] - p->first_number];
-                if (piece->attributes == UINT32_MAX) {
-                    piece->attributes = visible++;
-                }
-            }
-            last = row[x];
+/* Write the pieces of a draw call's blocks into the bands' lists; `band_counts` are the places of
+ * the next ones. */
+static void bin_block(const struct pipeline *p, const struct draw *draw, size_t index) {
+    const struct block *block = (const struct block *)p->blocks.data + index;
+    const struct piece *pieces = (const struct piece *)p->pieces.data + block->first_piece;
+    uint32_t *next = (uint32_t *)p->band_counts.data + index * band_count(p);
+    uint32_t *binned = p->binned.data;
+    for (size_t i = 0; i < block->piece_count; i++) {
+        struct span rows = rows_of_piece(&pieces[i], draw);
+        for (int band = rows.begin / BAND_HEIGHT; band <= (rows.end - 1) / BAND_HEIGHT; band++) {
+            binned[next[band]++] = (uint32_t)(block->first_piece + i);
         }
     }
-    return visible;
 }
 
-bool pipeline_fetch_visible(struct pipeline *p, const struct shader *shader, const void *uniforms,
-                            struct error *error) {
-    size_t stride = 3 * shader->varying_count;
-    uint32_t visible = number_visible(p);
-    p->stats[STAT_FACES_HIDDEN] += p->piece_count - visible;
-    if (!reserve_attributes(p, visible * stride, error)) {
+static const struct draw *draw_of_block(const struct pipeline *p, size_t block) {
+    const struct draw *draw = p->draws.data;
+    while (block >= draw->first_block + draw->block_count) {
+        draw++;
+    }
+    return draw;
+}
+
+static void bin_one_block(void *context, size_t index, size_t worker) {
+    (void)worker;
+    const struct frame *frame = context;
+    bin_block(frame->pipeline, draw_of_block(frame->pipeline, index), index);
+}
+
+/* Find where the list of each band begins, and in it the pieces of each block: counts become
+ * places. Returns the size of the largest list. */
+static bool lay_out_bins(struct frame *frame, size_t *largest, struct error *error) {
+    struct pipeline *p = frame->pipeline;
+    size_t bands = band_count(p), place = 0;
+    *largest = 0;
+    if (!buffer_reserve(&p->bins, bands, sizeof(struct bin), error)) {
         return false;
     }
-    for (size_t i = 0; i < p->piece_count; i++) {
-        const struct piece *piece = &p->pieces[i];
-        if (piece->attributes != UINT32_MAX) {
-            fetch_attributes(p, piece, shader, uniforms,
-                             p->attributes + piece->attributes * stride);
+    uint32_t *counts = p->band_counts.data;
+    struct bin *bins = p->bins.data;
+    for (size_t band = 0; band < bands; band++) {
+        bins[band].first = place;
+        for (size_t block = 0; block < frame->block_count; block++) {
+            uint32_t *count = &counts[block * bands + band];
+            place += *count;
+            *count = (uint32_t)(place - *count);
         }
+        bins[band].count = place - bins[band].first;
+        *largest = bins[band].count > *largest ? bins[band].count : *largest;
+    }
+    if (place >= UINT32_MAX) {
+        return error_set(error, "more than %lu triangles in one frame", (unsigned long)UINT32_MAX);
+    }
+    return buffer_reserve(&p->binned, place, sizeof(uint32_t), error);
+}
+
+/* ---- Cover: which piece is nearest at each pixel ---- */
+
+/* Boxes of at most this many pixels are covered without spans, with 32-bit edge functions. */
+enum { SMALL_BOX = 64 };
+
+/* A band that is being covered. */
+struct band {
+    const struct pipeline *pipeline;
+    struct scratch *scratch;
+    struct span rows;
+    size_t stride;
+    uint64_t covered;
+};
+
+static void touch(const struct band *band, int y, int x) {
+    size_t row = (size_t)(y - band->rows.begin) * (band->stride / CHUNK);
+    band->scratch->touched[row + (size_t)(x / CHUNK)] = true;
+}
+
+/* Pixels are covered eight at a time, which begin at multiples of eight on every machine. */
+typedef int32_t eight_ints __attribute__((vector_size(8 * sizeof(int32_t))));
+typedef int64_t eight_longs __attribute__((vector_size(8 * sizeof(int64_t))));
+typedef double eight_depths __attribute__((vector_size(8 * sizeof(double))));
+
+static const eight_ints eight_right = {0, 1, 2, 3, 4, 5, 6, 7};
+static const eight_depths eight_depths_right = {0, 1, 2, 3, 4, 5, 6, 7};
+
+/* Depth and number become those of the piece where it covers (`inside`: all bits or none) and is
+ * nearer. Without branches: each line is one or two instructions for all eight. */
+LANES_INLINE void cover_eight(double *depths, uint32_t *numbers, eight_ints inside, eight_depths z,
+                              uint32_t number) {
+    eight_depths old_z;
+    eight_ints old_number;
+    memcpy(&old_z, depths, sizeof old_z);
+    memcpy(&old_number, numbers, sizeof old_number);
+    eight_longs nearer = __builtin_convertvector(inside, eight_longs) & (z > old_z);
+    z = (eight_depths)((nearer & (eight_longs)z) | (~nearer & (eight_longs)old_z));
+    eight_ints is_new = __builtin_convertvector(nearer, eight_ints);
+    old_number = (is_new & (int32_t)number) | (~is_new & old_number);
+    memcpy(depths, &z, sizeof z);
+    memcpy(numbers, &old_number, sizeof old_number);
+}
+
+/* The span of each row, found exactly. */
+static void cover_by_spans(struct band *band, const struct draw *draw, const struct piece *piece,
+                           uint32_t number) {
+    const struct rectangle *viewport = &draw->call.viewport;
+    const struct fixed2 *c = piece->corner;
+    struct edges edges;
+    if (!edges_setup(&edges, c[0], c[1], c[2], band->pipeline->width, band->pipeline->height)) {
+        return;
+    }
+    struct depth_slopes slopes = find_depth_slopes(piece, edges.area);
+    const struct edge *e1 = &edges.edge[1], *e2 = &edges.edge[2];
+    double step = depth_step(&slopes, e1->dx, e2->dx);
+    struct span rows = span_overlap(rows_of_piece(piece, draw), band->rows);
+    for (int y = rows.begin; y < rows.end; y++) {
+        struct span span = span_overlap(edges_span(&edges, y),
+                                        (struct span){viewport->x, viewport->x + viewport->width});
+        size_t row = (size_t)(y - band->rows.begin) * band->stride;
+        band->covered += span.end > span.begin ? (uint64_t)(span.end - span.begin) : 0;
+        for (int x = span.begin / 8 * 8; x < span.end; x += 8) {
+            double begin = depth_at(&slopes, e1->origin + e1->dx * x + e1->dy * y,
+                                    e2->origin + e2->dx * x + e2->dy * y);
+            eight_ints at = x + eight_right;
+            touch(band, y, x);
+            cover_eight(band->scratch->depth + row + x, band->scratch->number + row + x,
+                        (at >= span.begin) & (at < span.end), begin + step * eight_depths_right,
+                        number);
+        }
+    }
+}
+
+/* An edge function at the centres of the pixels of a small box: its value at pixel (0,0) of the
+ * box, less what is not inside, and its steps. */
+struct small_edge {
+    int32_t origin, dx, dy, bias;
+};
+
+static struct small_edge small_edge(struct fixed2 a, struct fixed2 b) {
+    int32_t x_distance = b.x - a.x, y_distance = b.y - a.y;
+    bool top_left = y_distance < 0 || (y_distance == 0 && x_distance < 0);
+    return (struct small_edge){
+        .origin = y_distance * a.x - x_distance * a.y,
+        .dx = -y_distance * SUBPIXELS,
+        .dy = x_distance * SUBPIXELS,
+        .bias = top_left ? 0 : -1,
+    };
+}
+
+/* All pixels of a small box, tested eight at once. */
+static void cover_box(struct band *band, const struct piece *piece, struct span columns,
+                      struct span rows, uint32_t number) {
+    int left = columns.begin / 8 * 8;
+    struct fixed2 c[3];
+    for (int i = 0; i < 3; i++) { /* from the centre of the box's first pixel */
+        c[i].x = piece->corner[i].x - left * SUBPIXELS - SUBPIXELS / 2;
+        c[i].y = piece->corner[i].y - rows.begin * SUBPIXELS - SUBPIXELS / 2;
+    }
+    struct small_edge e[3] = {small_edge(c[1], c[2]), small_edge(c[2], c[0]),
+                              small_edge(c[0], c[1])};
+    struct depth_slopes slopes = find_depth_slopes(piece, e[0].origin + e[1].origin + e[2].origin);
+    double step = depth_step(&slopes, e[1].dx, e[2].dx);
+    eight_ints covered = {0}, right[3];
+    for (int i = 0; i < 3; i++) {
+        right[i] = e[i].dx * eight_right + e[i].bias;
+    }
+    eight_depths depths_right = step * eight_depths_right;
+    for (int y = rows.begin; y < rows.end; y++) {
+        size_t row = (size_t)(y - band->rows.begin) * band->stride;
+        for (int x = left; x < columns.end; x += 8) {
+            int32_t e0 = e[0].origin + e[0].dx * (x - left);
+            int32_t e1 = e[1].origin + e[1].dx * (x - left);
+            int32_t e2 = e[2].origin + e[2].dx * (x - left);
+            eight_ints outside = (e0 + right[0]) | (e1 + right[1]) | (e2 + right[2]);
+            eight_ints inside = outside >= 0;
+            covered -= inside;
+            touch(band, y, x);
+            cover_eight(band->scratch->depth + row + x, band->scratch->number + row + x, inside,
+                        depth_at(&slopes, e1, e2) + depths_right, number);
+        }
+        for (int i = 0; i < 3; i++) {
+            e[i].origin += e[i].dy;
+        }
+    }
+    for (int i = 0; i < 8; i++) {
+        band->covered += (uint64_t)covered[i];
+    }
+}
+
+static void cover_piece(struct band *band, const struct draw *draw, const struct piece *piece,
+                        uint32_t number) {
+    const struct fixed2 *c = piece->corner;
+    int32_t least_x = least_of(c[0].x, c[1].x, c[2].x), most_x = most_of(c[0].x, c[1].x, c[2].x);
+    int32_t least_y = least_of(c[0].y, c[1].y, c[2].y), most_y = most_of(c[0].y, c[1].y, c[2].y);
+    struct span columns = {(least_x + SUBPIXELS / 2 - 1) >> 8, ((most_x - SUBPIXELS / 2) >> 8) + 1};
+    const struct rectangle *v = &draw->call.viewport;
+    if (most_x - least_x <= SMALL_BOX * SUBPIXELS && most_y - least_y <= SMALL_BOX * SUBPIXELS &&
+        columns.begin >= v->x && columns.end <= v->x + v->width) {
+        cover_box(band, piece, columns, span_overlap(rows_of_piece(piece, draw), band->rows),
+                  number);
+    } else {
+        cover_by_spans(band, draw, piece, number);
+    }
+}
+
+/* ---- A band ---- */
+
+/* Make the band what it was: nothing is drawn. Only what was touched has changed. */
+static void clear_band(const struct band *band) {
+    const struct scratch *scratch = band->scratch;
+    size_t chunks = band->stride / CHUNK * BAND_HEIGHT;
+    for (size_t i = 0; i < chunks; i++) {
+        if (scratch->touched[i]) {
+            depth_clear(scratch->depth + i * CHUNK, CHUNK);
+            memset(scratch->number + i * CHUNK, 0, CHUNK * sizeof *scratch->number);
+        }
+    }
+    memset(scratch->touched, 0, chunks * sizeof *scratch->touched);
+}
+
+static void keep_depth(const struct band *band) {
+    const struct pipeline *p = band->pipeline;
+    for (int y = band->rows.begin; y < band->rows.end; y++) {
+        memcpy(p->depth + (size_t)y * p->width,
+               band->scratch->depth + (size_t)(y - band->rows.begin) * band->stride,
+               p->width * sizeof *p->depth);
+    }
+}
+
+static void call_shader(const struct shading *shading) {
+    if (shading->shader->shade != NULL) {
+        shading->shader->shade(shading);
+    } else {
+        shade_pieces(shading, shading->shader);
+    }
+}
+
+static void cover_draw(struct band *band, struct shading *shading) {
+    const struct piece *pieces = band->pipeline->pieces.data;
+    if (shading->at_once || shading->shader->discards) {
+        struct shading decide = *shading;
+        decide.image = shading->at_once ? shading->image : NULL;
+        decide.at_once = true;
+        call_shader(&decide);
+        return;
+    }
+    for (int i = shading->numbers.begin; i < shading->numbers.end; i++) {
+        cover_piece(band, shading->draw, &pieces[shading->bin[i]], (uint32_t)i + 1);
+    }
+}
+
+/* Find the draw call's pieces in the band's list: `end` is where they end, set from where they
+ * begin, which was the end of the draw call before. */
+static struct span numbers_of_draw(const struct pipeline *p, const struct draw *draw, size_t band,
+                                   int begin) {
+    const struct bin *bins = p->bins.data;
+    const uint32_t *ends = p->band_counts.data;
+    if (draw->block_count == 0) {
+        return (struct span){begin, begin};
+    }
+    size_t last_block = draw->first_block + draw->block_count - 1;
+    size_t end = ends[last_block * band_count(p) + band] - bins[band].first;
+    return (struct span){begin, (int)end};
+}
+
+static void draw_band(void *context, size_t index, size_t worker) {
+    const struct frame *frame = context;
+    struct pipeline *p = frame->pipeline;
+    const struct bin *bin = (const struct bin *)p->bins.data + index;
+    int top = (int)(index + 1) * BAND_HEIGHT;
+    struct band band = {
+        .pipeline = p,
+        .scratch = (struct scratch *)p->scratch.data + worker,
+        .rows = {(int)index * BAND_HEIGHT, top < (int)p->height ? top : (int)p->height},
+        .stride = band_stride(p),
+    };
+    struct pixel_work *work = (struct pixel_work *)p->band_work.data + index;
+    *work = (struct pixel_work){0};
+    memset(band.scratch->plane_place, 0, (bin->count + 1) * sizeof *band.scratch->plane_place);
+    band.scratch->plane_count = 0;
+    for (int pass = 0; pass < (p->skip ? 2 : 1); pass++) {
+        struct shading shading = {
+            .pipeline = p,
+            .scratch = band.scratch,
+            .bin = (const uint32_t *)p->binned.data + bin->first,
+            .rows = band.rows,
+            .image = frame->image,
+            .at_once = !p->skip,
+            .work = work,
+        };
+        const struct draw *draws = p->draws.data;
+        for (size_t i = 0; i < p->draw_count; i++) {
+            shading.draw = &draws[i];
+            shading.shader = draws[i].shader;
+            shading.uniforms = (const char *)p->uniforms.data + draws[i].uniforms;
+            shading.numbers = numbers_of_draw(p, &draws[i], index, shading.numbers.end);
+            if (shading.numbers.begin == shading.numbers.end) {
+                continue;
+            }
+            if (pass == 0) {
+                cover_draw(&band, &shading);
+            } else {
+                call_shader(&shading);
+            }
+        }
+    }
+    work->covered += band.covered;
+    if (p->depth != NULL) {
+        keep_depth(&band);
+    }
+    clear_band(&band);
+}
+
+/* ---- The frame ---- */
+
+static bool reserve_scratch(struct pipeline *p, size_t largest_bin, struct error *error) {
+    size_t count = workers_count(p->workers);
+    if (!buffer_reserve(&p->scratch, count, sizeof(struct scratch), error)) {
+        return false;
+    }
+    struct scratch *scratch = p->scratch.data;
+    for (; p->scratch_count < count; p->scratch_count++) {
+        scratch[p->scratch_count] = (struct scratch){0};
+    }
+    bool reserved = true;
+    for (size_t i = 0; i < count && reserved; i++) {
+        reserved = scratch_reserve(&scratch[i], p, largest_bin, error);
+    }
+    return reserved;
+}
+
+static bool reserve_depth(struct pipeline *p, struct error *error) {
+    if (!p->keep_depth) {
+        free(p->depth);
+        p->depth = NULL;
+    } else if (p->depth == NULL) {
+        p->depth = malloc(p->width * p->height * sizeof *p->depth);
+        return p->depth != NULL || error_out_of_memory(error);
     }
     return true;
 }
 
-/* ---- Drawing ---- */
-
-bool pipeline_draw(struct pipeline *p, const struct draw_call *call, const struct shader *shader,
-                   const void *uniforms, struct image *image, struct error *error) {
-    assert(shader->varying_count <= VARYING_LIMIT);
+bool pipeline_finish(struct pipeline *p, struct image *image, struct error *error) {
     assert(image->width == p->width && image->height == p->height && image->format != IMAGE_GREY);
-    bool at_once = shader->discards || !p->skip;
-    if (!pipeline_assemble(p, call, error)) {
+    const struct draw *draws = p->draws.data;
+    const struct draw *last = p->draw_count > 0 ? &draws[p->draw_count - 1] : NULL;
+    struct frame frame = {p, image, last != NULL ? last->first_block + last->block_count : 0};
+    size_t bands = band_count(p), largest_bin;
+    if (bands > 1) {
+        start_workers(p);
+    }
+    if (!lay_out_bins(&frame, &largest_bin, error) || !reserve_depth(p, error) ||
+        !buffer_reserve(&p->band_work, bands, sizeof(struct pixel_work), error) ||
+        !reserve_scratch(p, largest_bin, error)) {
         return false;
     }
-    if (!at_once) {
-        pipeline_cover(p);
-        if (!pipeline_fetch_visible(p, shader, uniforms, error)) {
-            return false;
-        }
+    pipeline_run(p, frame.block_count, bin_one_block, &frame);
+    pipeline_run(p, bands, draw_band, &frame);
+    const struct pixel_work *work = p->band_work.data;
+    for (size_t i = 0; i < bands; i++) {
+        p->stats[STAT_PIXELS_COVERED] += work[i].covered;
+        p->stats[STAT_PIXELS_SHADED] += work[i].shaded;
     }
-    struct band_loop loop = {p, shader, uniforms, image, at_once};
-    do_bands(p, &loop);
     return true;
 }

@@ -4,19 +4,22 @@
  *     SHADER(toon, .varying_count = 1, .vertex = gouraud_vertex, .fragment = toon_fragment);
  *
  *     pipeline_create(&pipeline, image.width, image.height, &error);
- *     pipeline_draw(&pipeline, &call, &toon, &uniforms, &image, &error);
+ *     pipeline_draw(&pipeline, &call, &toon, &uniforms, sizeof uniforms, &error);
+ *     pipeline_finish(&pipeline, &image, &error);
  *
- * A draw call turns a model into pixels in two passes.
+ * Draw calls are recorded, and the frame is drawn when it is finished:
  *
- *   1. Positions only. Every position is transformed once; every face is clipped, culled and, as
- *      one or more `pieces`, tested against the depth buffer. Each covered pixel keeps the depth
- *      and the number of the piece that is nearest there.
- *   2. Shading. Each row is a sequence of runs of equal piece numbers. The attributes of a face
- *      that is visible somewhere are fetched once, and each visible pixel is shaded exactly once.
+ *   1. pipeline_draw(): positions only. Every position is transformed once; every face is clipped,
+ *      culled and, where it may cover a pixel, kept as one or more `pieces`.
+ *   2. pipeline_finish() sorts the pieces into bands of rows. The depth and the piece numbers of a
+ *      band stay in the processor's cache while the band is worked on:
+ *   3. cover: each pixel keeps the depth and the number of the piece that is nearest there;
+ *   4. shade: the varyings of a piece that is visible somewhere are fetched once, and each visible
+ *      pixel is shaded exactly once, sixteen neighbours at a time (see lanes.h).
  *
  * A hidden face never has an attribute fetched, and what lies behind something else costs one
- * comparison a pixel. (Burns and Hunt, "The Visibility Buffer", JCGT 2(2), 2013.) A shader that may
- * discard pixels cannot wait for pass 2: it is run within pass 1, as everything is with `skip` off.
+ * comparison a pixel. (Burns and Hunt, "The Visibility Buffer", JCGT 2(2), 2013.) The pixels of a
+ * shader that may discard are decided within step 3; with `skip` off everything is shaded there.
  *
  * Guarantees: every pixel of a mesh is drawn once, also across clipped faces; the image does not
  * depend on the number of threads, on `skip`, or on which corner of a face comes first. Of two
@@ -27,8 +30,10 @@
 #define COMMON_PIPELINE_H
 
 #include "geometry.h"
+#include "lanes.h"
 #include "model.h"
 #include "raster.h"
+#include "texture_lanes.h"
 #include "tgaimage.h"
 #include "workers.h"
 
@@ -62,18 +67,10 @@ size_t wrapped_level(const struct texture *texture, double pixels);
 
 enum { VARYING_LIMIT = 16 };
 
-struct pipeline;
+struct shading;
 
-/* The work of a band of rows. */
-struct pixel_work {
-    uint64_t covered; /* depth tests */
-    uint64_t shaded;  /* pixels */
-};
-
-/* Shade some rows: each visible pixel once or, at once with the depth test, all that is nearest so
- * far. */
-typedef struct pixel_work shade_band(const struct pipeline *pipeline, const void *uniforms,
-                                     struct image *image, struct span rows, bool at_once);
+/* The loops over pixels for one shader: see pipeline_kernels.h. */
+typedef void shade_function(const struct shading *shading);
 
 /* `uniforms` points to what is the same for all pixels: matrices, the light, the model and its
  * textures. */
@@ -81,24 +78,33 @@ struct shader {
     size_t varying_count; /* numbers that a corner hands to the pixels, at most VARYING_LIMIT */
     /* Give the varyings of corner 0..2 of a face. */
     void (*vertex)(const void *uniforms, size_t face, size_t corner, double *varyings);
-    /* Give the colour of a pixel from its interpolated varyings; false leaves the pixel undrawn,
-     * which only a shader that `discards` may do. */
-    bool (*fragment)(const void *uniforms, const double *varyings, struct color *color);
+    /* Give the colour of a pixel from its interpolated varyings (sixteen pixels at once: lanes.h).
+     * No lane of the mask that it returns is drawn where it is unset, which only a shader that
+     * `discards` may do; others return lanes_all_set(). */
+    lanes_mask (*fragment)(const void *uniforms, const lanes *varyings, lanes_texel *color);
+    bool flat; /* the varyings of corner 0 for the whole face: nothing is interpolated */
     bool discards;
-    /* The loop over pixels, compiled by SHADER() for this shader alone. NULL: a loop that calls
-     * the functions. */
-    shade_band *band;
+    /* The loops over pixels, compiled by SHADER() for this shader alone. NULL: loops that call the
+     * functions. */
+    shade_function *shade;
 };
 
-/* Define a constant `struct shader name` with the fields that follow the name. Its loop over pixels
- * has them as constants: the functions become part of the loop, and no pixel costs a call. */
+/* All calls of a function become part of it. */
+#if defined(__GNUC__)
+#define FLATTEN __attribute__((flatten))
+#else
+#define FLATTEN
+#endif
+
+/* Define a constant `struct shader name` with the fields that follow the name. Its loops over
+ * pixels have them as constants: the functions become part of the loop, and no pixel costs a
+ * call. */
 #define SHADER(name, ...)                                                                          \
-    static struct pixel_work name##_band(const struct pipeline *pipeline, const void *uniforms,    \
-                                         struct image *image, struct span rows, bool at_once) {    \
+    static FLATTEN void name##_shade(const struct shading *shading) {                              \
         const struct shader constant = {__VA_ARGS__};                                              \
-        return shade_rows(pipeline, &constant, uniforms, image, rows, at_once);                    \
+        shade_pieces(shading, &constant);                                                          \
     }                                                                                              \
-    static const struct shader name = {__VA_ARGS__, .band = name##_band}
+    static const struct shader name = {__VA_ARGS__, .shade = name##_shade}
 
 /* ---- The pipeline ---- */
 
@@ -118,34 +124,44 @@ enum pipeline_stat {
 /* Their names, as --stats prints them. */
 extern const char *const pipeline_stat_name[PIPELINE_STATS];
 
-/* Buffers that are kept from frame to frame, so that drawing allocates nothing once they are large
+/* An array that keeps its memory from frame to frame. */
+struct buffer {
+    void *data;
+    size_t capacity; /* elements */
+};
+
+/* What is kept from frame to frame, so that drawing allocates nothing once they are large
  * enough. All zero is a valid, empty pipeline. */
 struct pipeline {
     size_t width, height;
-    bool skip;     /* false: do all the work, shade at once; the image is the same */
-    double *depth; /* width * height; minus infinity where nothing is drawn */
+    bool skip;       /* false: do all the work, shade at once; the image is the same */
+    bool keep_depth; /* keep what pipeline_finish() found in `depth` */
+    double *depth;   /* width * height; minus infinity where nothing is drawn; NULL if not kept */
     uint64_t stats[PIPELINE_STATS];
 
-    /* From here on private: see pipeline_kernels.h and pipeline.c. */
-    size_t thread_count;          /* for workers_create() */
-    struct workers *workers;      /* NULL until they are needed, and where there are none */
-    bool alone;                   /* there are none */
-    struct pixel_work *band_work; /* of the bands of the last loop */
-    uint32_t *number; /* width * height; first_number + index of the piece that is nearest */
-    struct position *positions;
-    size_t position_capacity;
-    struct piece *pieces;
-    size_t piece_count, piece_capacity;
-    struct clipped_corners *clipped;
-    size_t clipped_count, clipped_capacity;
-    double *attributes; /* varyings of the three corners of each visible piece */
-    size_t attribute_capacity;
-    uint32_t first_number; /* of the current draw call; numbers of earlier ones are smaller */
-    uint32_t next_number;
-    struct rectangle viewport;
+    /* From here on private: see pipeline_kernels.h. */
+    size_t thread_count;     /* for workers_create() */
+    struct workers *workers; /* NULL until they are needed, and where there are none */
+    bool alone;              /* there are none */
+    struct buffer draws;     /* of struct draw */
+    size_t draw_count;
+    struct buffer uniforms; /* of the draw calls, one behind the other: bytes */
+    size_t uniforms_end;
+    struct buffer vertices; /* of struct vertex: transformed positions of one draw call */
+    struct buffer blocks;   /* of struct block */
+    struct buffer pieces;   /* of struct piece; each block has a part of it */
+    size_t piece_end;
+    struct buffer clipped; /* of struct clipped_corners; each block has a part of it */
+    size_t clipped_end;
+    struct buffer band_counts; /* of uint32_t: pieces of a block in a band, then places */
+    struct buffer bins;        /* of struct bin, one a band */
+    struct buffer binned;      /* of uint32_t: indices of pieces, sorted by band */
+    struct buffer band_work;   /* of struct pixel_work, one a band */
+    struct buffer scratch;     /* of struct scratch, one a thread */
+    size_t scratch_count;
 };
 
-/* Allocate the buffers for images of that size, 1..DRAW_LIMIT a side; skip is on. */
+/* Allocate for images of that size, 1..DRAW_LIMIT a side; skip is on, depth is not kept. */
 bool pipeline_create(struct pipeline *pipeline, size_t width, size_t height, struct error *error);
 void pipeline_free(struct pipeline *pipeline);
 
@@ -156,24 +172,16 @@ void pipeline_use_threads(struct pipeline *pipeline, size_t thread_count);
 /* Begin a frame: nothing is drawn yet, and all counts are zero. */
 void pipeline_clear(struct pipeline *pipeline);
 
-/* Draw a model into an image of the pipeline's size, format BGR or BGRA. False when memory runs
- * out; part of the model may then have been drawn. */
+/* Record that a model is to be drawn. `uniforms` are copied (`size` bytes); what they point to, and
+ * the model, must stay as they are until the frame is finished. False when memory runs out: the
+ * frame is then without this model. */
 bool pipeline_draw(struct pipeline *pipeline, const struct draw_call *call,
-                   const struct shader *shader, const void *uniforms, struct image *image,
+                   const struct shader *shader, const void *uniforms, size_t size,
                    struct error *error);
 
-/* ---- The passes of pipeline_draw(), one by one ---- */
-
-/* Transform, clip and cull; fills `pieces`. */
-bool pipeline_assemble(struct pipeline *pipeline, const struct draw_call *call,
-                       struct error *error);
-
-/* Pass 1: depth and piece number of every covered pixel. */
-void pipeline_cover(struct pipeline *pipeline);
-
-/* Between the passes: fetch the attributes of the pieces that are visible. */
-bool pipeline_fetch_visible(struct pipeline *pipeline, const struct shader *shader,
-                            const void *uniforms, struct error *error);
+/* Draw all that was recorded into an image of the pipeline's size, format BGR or BGRA; what nothing
+ * covers stays as it is. False when memory runs out, with the image as it was. */
+bool pipeline_finish(struct pipeline *pipeline, struct image *image, struct error *error);
 
 #include "pipeline_kernels.h" /* private: what SHADER() compiles into its loop */
 

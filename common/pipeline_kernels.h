@@ -1,6 +1,6 @@
 /*
- * Private to the pipeline: the loops over pixels, in a header because SHADER() compiles them anew
- * for every shader. pipeline.h includes it at its end; nothing else does.
+ * Private to the pipeline: what its parts share, and the loops over pixels, in a header because
+ * SHADER() compiles them anew for every shader. pipeline.h includes it at its end.
  */
 #ifndef COMMON_PIPELINE_KERNELS_H
 #define COMMON_PIPELINE_KERNELS_H
@@ -9,23 +9,85 @@
 #error "include pipeline.h instead"
 #endif
 
-/* A triangle on the screen: a face of the model, or a part that clipping left of one. */
-struct piece {
-    struct edges edges;
-    double depth[3];   /* z/w at the corners, linear on the screen */
-    double recip_w[3]; /* 1/w at the corners */
-    uint32_t face;
-    uint32_t first_corner; /* of the face: corner i of the piece is (first_corner + i) % 3 */
-    uint32_t clipped;      /* which entry of `clipped` it has; NOT_CLIPPED for a whole face */
-    uint32_t attributes;   /* which entry of `attributes` it has, once it is known to be visible */
-    bool dropped;          /* covers pixels but must not be drawn (culled, with skip off) */
-};
+/* Rows are drawn in bands of this many, whose depths stay in the cache. */
+enum { BAND_HEIGHT = 16 };
+
+/* Pixels of a row are drawn in chunks of this many, which begin at multiples of it on every
+ * machine, so that every machine rounds alike. */
+enum { CHUNK = 16 };
 
 #define NOT_CLIPPED UINT32_MAX
 
-/* Corners of a clipped piece as weights of its face's corners (counted from first_corner). */
+/* Do the bytes of a texel in memory have the order of a BGRA image? */
+#if defined(__BYTE_ORDER__) && __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__
+enum { IS_LITTLE_ENDIAN = 1 };
+#else
+enum { IS_LITTLE_ENDIAN = 0 };
+#endif
+
+/* A triangle on the screen: a face of the model, or a part that clipping left of one. One cache
+ * line. */
+struct piece {
+    struct fixed2 corner[3]; /* counterclockwise */
+    double depth[3];         /* z/w at the corners, linear on the screen */
+    uint32_t face;
+    uint32_t clipped;       /* which entry of `clipped` it has; NOT_CLIPPED for a whole face */
+    uint8_t face_corner[3]; /* which corner of the face each corner is */
+    bool dropped;           /* covers pixels but must not be drawn (culled, with skip off) */
+};
+
+/* Corners of a clipped piece as weights of its face's corners, and their 1/w. */
 struct clipped_corners {
-    struct vec3 weight[3];
+    struct vec3 weight[3]; /* of the corners in the order of `face_corner` of the whole face */
+    double recip_w[3];
+};
+
+/* A recorded draw call. */
+struct draw {
+    struct draw_call call;
+    const struct shader *shader;
+    size_t uniforms; /* where they are in the pipeline's `uniforms` */
+    size_t first_block, block_count;
+    struct span columns, rows; /* that its pieces may cover */
+};
+
+/* The pieces of a band, in the order in which they were drawn: `binned[first]` to
+ * `binned[first + count - 1]`. A pixel's number is 0 where nothing is drawn, otherwise 1 + the
+ * place of its piece in this list. */
+struct bin {
+    size_t first, count;
+};
+
+/* The work of a band. */
+struct pixel_work {
+    uint64_t covered; /* depth tests */
+    uint64_t shaded;  /* pixels */
+};
+
+/* The memory of a thread, for one band after the other. */
+struct scratch {
+    double *depth;         /* BAND_HEIGHT rows of `stride` */
+    uint32_t *number;      /* the same */
+    bool *touched;         /* for each chunk of a row: something may have been drawn there */
+    uint32_t *plane_place; /* in `planes`, by a piece's number; 0: not fetched */
+    struct planes *planes; /* of visible pieces, from 1 on */
+    uint32_t plane_count;
+    size_t bin_capacity, plane_capacity; /* elements */
+};
+
+/* One draw call in one band: what a shade_function works on. */
+struct shading {
+    const struct pipeline *pipeline;
+    const struct draw *draw;
+    const struct shader *shader;
+    const void *uniforms;
+    struct scratch *scratch;
+    const uint32_t *bin; /* piece indices, those of the whole band */
+    struct span numbers; /* those of the draw call */
+    struct span rows;    /* of the band */
+    struct image *image; /* NULL: only decide what covers, for shaders that discard */
+    bool at_once;        /* cover and shade piece by piece; otherwise shade what is visible */
+    struct pixel_work *work;
 };
 
 /* The kernels below call a shader that is a constant where they are used. Only when they are
@@ -36,157 +98,397 @@ struct clipped_corners {
 #define KERNEL static inline
 #endif
 
-/* The rows of a band that a piece may cover. */
-static inline struct span rows_in_band(const struct piece *piece, struct span band) {
-    const struct edges *e = &piece->edges;
-    return span_overlap((struct span){e->y_begin, e->y_end}, band);
+static inline size_t band_stride(const struct pipeline *pipeline) {
+    return (pipeline->width + CHUNK - 1) / CHUNK * CHUNK;
 }
 
-/* The covered pixels of a row that lie in the viewport. */
-static inline struct span span_in_viewport(const struct pipeline *pipeline,
-                                           const struct piece *piece, int y) {
-    int left = pipeline->viewport.x, right = left + pipeline->viewport.width;
-    return span_overlap(edges_span(&piece->edges, y), (struct span){left, right});
-}
+/* ---- Planes: what is interpolated over a piece ---- */
 
-/* Depth along a row of a piece: begin + step * (x - the span's first pixel). */
-struct depth_row {
-    double begin, step;
+/* The weight of a corner times the area, as a plane on the screen: the exact edge function of the
+ * opposite side, from a to b, at the centres of pixels. Its value at pixel (x0,y0), and its steps. */
+struct plane {
+    double origin, dx, dy;
 };
 
-static inline struct depth_row depth_along_row(const struct piece *piece, int x, int y) {
-    const struct edge *e = piece->edges.edge;
-    double scale = 1 / (double)piece->edges.area;
-    struct vec3 weight = edges_weights(&piece->edges, x, y);
-    const double *z = piece->depth;
-    return (struct depth_row){
-        .begin = interpolate_depth(weight, z[0], z[1], z[2]),
-        .step = (double)e[1].dx * scale * (z[1] - z[0]) + (double)e[2].dx * scale * (z[2] - z[0]),
+static inline struct plane edge_plane(struct fixed2 a, struct fixed2 b, int x0, int y0) {
+    int64_t x_distance = (int64_t)b.x - a.x, y_distance = (int64_t)b.y - a.y;
+    int64_t x = (int64_t)x0 * SUBPIXELS + SUBPIXELS / 2,
+            y = (int64_t)y0 * SUBPIXELS + SUBPIXELS / 2;
+    return (struct plane){
+        .origin = (double)(x_distance * (y - a.y) - y_distance * (x - a.x)),
+        .dx = (double)(-y_distance * SUBPIXELS),
+        .dy = (double)(x_distance * SUBPIXELS),
     };
 }
 
-/* The varyings of the corners of a piece, those of corner i at varyings[i * varying_count]. */
-KERNEL void fetch_attributes(const struct pipeline *pipeline, const struct piece *piece,
-                             const struct shader *shader, const void *uniforms, double *varyings) {
-    size_t n = shader->varying_count;
-    for (size_t corner = 0; corner < 3; corner++) {
-        size_t face_corner = (piece->first_corner + corner) % 3;
-        shader->vertex(uniforms, piece->face, face_corner, varyings + corner * n);
+/* 1/w at the corners of a piece. */
+static inline void find_recip_w(const struct pipeline *p, const struct draw *draw,
+                                const struct piece *piece, double recip_w[3]) {
+    const struct model *model = draw->call.model;
+    const struct clipped_corners *clipped = p->clipped.data;
+    for (size_t i = 0; i < 3; i++) {
+        size_t corner = piece->face_corner[i];
+        if (piece->clipped != NOT_CLIPPED) {
+            recip_w[i] = clipped[piece->clipped].recip_w[corner];
+        } else {
+            struct vec3 position = model_position(model, piece->face, corner);
+            recip_w[i] = 1 / mat4_point(&draw->call.to_clip, position).w;
+        }
     }
+}
+
+/* The varyings of the corners of a piece, those of corner i at varyings[i * varying_count]. */
+KERNEL void fetch_varyings(const struct shading *s, const struct shader *shader,
+                           const struct piece *piece, double *varyings) {
+    size_t n = shader->varying_count;
     if (piece->clipped == NOT_CLIPPED) {
+        for (size_t i = 0; i < 3; i++) {
+            shader->vertex(s->uniforms, piece->face, piece->face_corner[i], varyings + i * n);
+        }
         return;
     }
-    const struct vec3 *weight = pipeline->clipped[piece->clipped].weight;
-    for (size_t i = 0; i < n; i++) {
-        double a = varyings[i], b = varyings[n + i], c = varyings[2 * n + i];
-        for (size_t corner = 0; corner < 3; corner++) {
-            varyings[corner * n + i] = interpolate(weight[corner], a, b, c);
+    double whole[3 * VARYING_LIMIT];
+    for (size_t i = 0; i < 3; i++) {
+        shader->vertex(s->uniforms, piece->face, i, whole + i * n);
+    }
+    const struct clipped_corners *clipped = s->pipeline->clipped.data;
+    for (size_t i = 0; i < 3; i++) {
+        struct vec3 weight = clipped[piece->clipped].weight[piece->face_corner[i]];
+        for (size_t k = 0; k < n; k++) {
+            varyings[i * n + k] = interpolate(weight, whole[k], whole[n + k], whole[2 * n + k]);
         }
     }
 }
 
-/* Shade a run of pixels of row y, all of one piece. With `depths`, those of the row, only where the
- * piece is nearer than the depth there, which then becomes its own. Returns how many. */
-KERNEL uint64_t shade_run(const struct piece *piece, const double *corners,
-                          const struct shader *shader, const void *uniforms, struct image *image,
-                          struct span run, int y, double *depths) {
-    const struct edge *e = piece->edges.edge;
+/* What is kept of a visible piece, so that its varyings can be found at any pixel: those of
+ * corner 0, and at `value` planes on the screen, relative to pixel (x0,y0). Plane i of the first
+ * varying_count is the numerator of varying i, the last one the denominator of all. */
+struct planes {
+    real x0, y0;
+    real corner[VARYING_LIMIT];
+    real origin[VARYING_LIMIT + 1], dx[VARYING_LIMIT + 1], dy[VARYING_LIMIT + 1];
+};
+
+/* Perspective: a varying is v0 + (e1 (v1 - v0) / w1 + e2 (v2 - v0) / w2) / (e0 / w0 + e1 / w1 +
+ * e2 / w2), where e are the edge functions. Both are planes on the screen. (Blinn, "Hyperbolic
+ * Interpolation", IEEE CG&A 12(4), 1992.) */
+KERNEL void fetch_planes(const struct shading *s, const struct shader *shader,
+                         const struct piece *piece, struct planes *planes) {
     size_t n = shader->varying_count;
-    struct depth_row depth = depth_along_row(piece, run.begin, y);
-    uint8_t *pixel = image->pixels + ((size_t)y * image->width + (size_t)run.begin) * image->format;
-    uint64_t shaded = 0;
-    for (int x = run.begin; x < run.end; x++, pixel += image->format) {
-        double z = depth.begin + depth.step * (x - run.begin);
-        if (depths != NULL && !(z > depths[x])) {
-            continue;
-        }
-        /* Exact edge values: the weights on the screen times the area. */
-        struct vec3 screen = {(double)(e[0].origin + e[0].dx * x + e[0].dy * y),
-                              (double)(e[1].origin + e[1].dx * x + e[1].dy * y),
-                              (double)(e[2].origin + e[2].dx * x + e[2].dy * y)};
-        struct vec3 weight = perspective_weights(screen, piece->recip_w);
-        double varyings[VARYING_LIMIT];
+    double v[3 * VARYING_LIMIT], recip_w[3];
+    if (shader->flat) {
+        shader->vertex(s->uniforms, piece->face, 0, v);
         for (size_t i = 0; i < n; i++) {
-            varyings[i] = interpolate(weight, corners[i], corners[n + i], corners[2 * n + i]);
+            planes->corner[i] = (real)v[i];
         }
-        struct color color;
-        shaded++;
-        if (!shader->fragment(uniforms, varyings, &color)) {
-            continue;
-        }
-        if (depths != NULL) {
-            depths[x] = z;
-        }
-        pixel[0] = color.b;
-        pixel[1] = color.g;
-        pixel[2] = color.r;
-        if (image->format == IMAGE_BGRA) {
-            pixel[3] = color.a;
-        }
+        return;
     }
-    return shaded;
+    fetch_varyings(s, shader, piece, v);
+    find_recip_w(s->pipeline, s->draw, piece, recip_w);
+    const struct fixed2 *c = piece->corner;
+    int x0 = c[0].x >> 8, y0 = c[0].y >> 8;
+    struct plane edge[3] = {edge_plane(c[1], c[2], x0, y0), edge_plane(c[2], c[0], x0, y0),
+                            edge_plane(c[0], c[1], x0, y0)};
+    double scale = 1 / (edge[0].origin + edge[1].origin + edge[2].origin);
+    for (size_t i = 0; i < 3; i++) {
+        double over_w = recip_w[i] * scale;
+        edge[i] = (struct plane){edge[i].origin * over_w, edge[i].dx * over_w, edge[i].dy * over_w};
+    }
+    planes->x0 = (real)x0;
+    planes->y0 = (real)y0;
+    for (size_t i = 0; i < n; i++) {
+        double to_1 = v[n + i] - v[i], to_2 = v[2 * n + i] - v[i];
+        planes->corner[i] = (real)v[i];
+        planes->origin[i] = (real)(edge[1].origin * to_1 + edge[2].origin * to_2);
+        planes->dx[i] = (real)(edge[1].dx * to_1 + edge[2].dx * to_2);
+        planes->dy[i] = (real)(edge[1].dy * to_1 + edge[2].dy * to_2);
+    }
+    planes->origin[n] = (real)(edge[0].origin + edge[1].origin + edge[2].origin);
+    planes->dx[n] = (real)(edge[0].dx + edge[1].dx + edge[2].dx);
+    planes->dy[n] = (real)(edge[0].dy + edge[1].dy + edge[2].dy);
 }
 
-/* Pass 2 for a band of rows: find the runs of equal number and shade those of this draw call. */
-KERNEL struct pixel_work shade_visible_rows(const struct pipeline *pipeline,
-                                            const struct shader *shader, const void *uniforms,
-                                            struct image *image, struct span rows) {
-    int left = pipeline->viewport.x, right = left + pipeline->viewport.width;
-    size_t stride = 3 * shader->varying_count;
-    struct pixel_work work = {0, 0};
+/* The planes of a piece by its number, fetched when they are first asked for. */
+KERNEL const struct planes *find_planes(const struct shading *s, const struct shader *shader,
+                                        uint32_t number) {
+    struct scratch *scratch = s->scratch;
+    uint32_t *place = &scratch->plane_place[number];
+    if (*place == 0) {
+        const struct piece *pieces = s->pipeline->pieces.data;
+        *place = ++scratch->plane_count;
+        fetch_planes(s, shader, &pieces[s->bin[number - 1]], &scratch->planes[*place]);
+    }
+    return &scratch->planes[*place];
+}
+
+/* The colour of a flat piece, found when it is first asked for and kept in place of a place. (One
+ * that is 0 is found again and again.) */
+KERNEL uint32_t find_flat_color(const struct shading *s, const struct shader *shader,
+                                uint32_t number) {
+    const struct piece *pieces = s->pipeline->pieces.data;
+    double given[VARYING_LIMIT];
+    lanes varyings[VARYING_LIMIT];
+    lanes_texel color;
+    shader->vertex(s->uniforms, pieces[s->bin[number - 1]].face, 0, given);
+    for (size_t i = 0; i < shader->varying_count; i++) {
+        varyings[i] = lanes_all((real)given[i]);
+    }
+    shader->fragment(s->uniforms, varyings, &color);
+    return s->scratch->plane_place[number] = lanes_texel_at(color, 0);
+}
+
+/* The varyings of pixels x, x + 1, ... of row y. */
+KERNEL void interpolate_varyings(const struct shader *shader, const struct planes *planes, int x,
+                                 int y, lanes *varyings) {
+    size_t n = shader->varying_count;
+    if (shader->flat) {
+        for (size_t i = 0; i < n; i++) {
+            varyings[i] = lanes_all(planes->corner[i]);
+        }
+        return;
+    }
+    lanes right = lanes_from(x) - planes->x0;
+    real up = (real)y - planes->y0;
+    lanes over_w = right * planes->dx[n] + (planes->origin[n] + planes->dy[n] * up);
+    lanes w = 1 / over_w;
+    for (size_t i = 0; i < n; i++) {
+        lanes value = right * planes->dx[i] + (planes->origin[i] + planes->dy[i] * up);
+        varyings[i] = planes->corner[i] + value * w;
+    }
+}
+
+/* ---- Writing pixels ---- */
+
+static inline void write_texel(struct image *image, uint8_t *pixel, uint32_t texel) {
+    pixel[0] = (uint8_t)texel;
+    pixel[1] = (uint8_t)(texel >> 8);
+    pixel[2] = (uint8_t)(texel >> 16);
+    if (image->format == IMAGE_BGRA) {
+        pixel[3] = (uint8_t)(texel >> 24);
+    }
+}
+
+/* Write the lanes that are `drawn`. */
+KERNEL void write_lanes(struct image *image, int x, int y, lanes_texel color, lanes_int drawn) {
+    uint8_t *pixels = image->pixels + ((size_t)y * image->width + (size_t)x) * image->format;
+    if (IS_LITTLE_ENDIAN && image->format == IMAGE_BGRA && (size_t)x + LANES <= image->width) {
+        lanes_texel old;
+        memcpy(&old, pixels, sizeof old);
+        old = lanes_texel_select(drawn, color, old);
+        memcpy(pixels, &old, sizeof old);
+        return;
+    }
+    uint32_t texels[LANES];
+    int32_t write[LANES];
+    memcpy(texels, &color, sizeof texels);
+    memcpy(write, &drawn, sizeof write);
+    for (int i = 0; i < LANES; i++) {
+        if (write[i]) {
+            write_texel(image, pixels + (size_t)i * image->format, texels[i]);
+        }
+    }
+}
+
+/* ---- Shading what is visible ---- */
+
+KERNEL bool has_number(const struct shading *s, uint32_t number) {
+    return number > (uint32_t)s->numbers.begin && number <= (uint32_t)s->numbers.end;
+}
+
+/* The varyings of LANES pixels, which may belong to several pieces: run by run of equal numbers.
+ * False when none of them is of this draw call. */
+KERNEL bool gather_varyings(const struct shading *s, const struct shader *shader,
+                            const uint32_t number[LANES], int x, int y, lanes *varyings) {
+    bool first = true;
+    for (int begin = 0, end; begin < LANES; begin = end) {
+        for (end = begin + 1; end < LANES && number[end] == number[begin]; end++) {
+        }
+        if (!has_number(s, number[begin])) {
+            continue;
+        }
+        const struct planes *planes = find_planes(s, shader, number[begin]);
+        if (first) {
+            interpolate_varyings(shader, planes, x, y, varyings);
+            first = false;
+            continue;
+        }
+        lanes of_run[VARYING_LIMIT];
+        interpolate_varyings(shader, planes, x, y, of_run);
+        lanes_mask later = lanes_from(0) >= (real)begin;
+        for (size_t i = 0; i < shader->varying_count; i++) {
+            varyings[i] = lanes_select(later, of_run[i], varyings[i]);
+        }
+    }
+    return !first;
+}
+
+/* The colours of LANES pixels of flat pieces: one for each piece, found when it is first seen. */
+KERNEL lanes_texel gather_colors(const struct shading *s, const struct shader *shader,
+                                 const uint32_t number[LANES]) {
+    uint32_t colors[LANES];
+    for (int i = 0; i < LANES; i++) {
+        colors[i] = s->scratch->plane_place[number[i]];
+        if (colors[i] == 0 && has_number(s, number[i])) {
+            colors[i] = find_flat_color(s, shader, number[i]);
+        }
+    }
+    lanes_texel result;
+    memcpy(&result, colors, sizeof result);
+    return result;
+}
+
+/* The colours of LANES pixels; those of other draw calls get any colour. False when all are. */
+KERNEL bool shade_lanes(const struct shading *s, const struct shader *shader,
+                        const uint32_t number[LANES], int x, int y, lanes_texel *color) {
+    lanes varyings[VARYING_LIMIT];
+    if (shader->flat) {
+        *color = gather_colors(s, shader, number);
+        return true;
+    }
+    if (!gather_varyings(s, shader, number, x, y, varyings)) {
+        return false;
+    }
+    shader->fragment(s->uniforms, varyings, color);
+    return true;
+}
+
+/* Each visible pixel of the draw call once. */
+KERNEL void shade_visible(const struct shading *s, const struct shader *shader) {
+    struct span columns = s->draw->columns;
+    size_t stride = band_stride(s->pipeline);
+    lanes_int shaded = {0};
+    for (int y = s->rows.begin; y < s->rows.end; y++) {
+        const uint32_t *row = s->scratch->number + (size_t)(y - s->rows.begin) * stride;
+        const bool *touched = s->scratch->touched + (size_t)(y - s->rows.begin) * (stride / CHUNK);
+        for (int x = columns.begin / CHUNK * CHUNK; x < columns.end; x += LANES) {
+            if (!touched[x / CHUNK]) {
+                continue;
+            }
+            lanes_texel number, color;
+            memcpy(&number, row + x, sizeof number);
+            lanes_int drawn = (lanes_int)((number > (uint32_t)s->numbers.begin) &
+                                          (number <= (uint32_t)s->numbers.end));
+            if (!shade_lanes(s, shader, row + x, x, y, &color)) {
+                continue;
+            }
+            write_lanes(s->image, x, y, color, drawn);
+            shaded += drawn & 1;
+        }
+    }
+    s->work->shaded += lanes_sum(shaded);
+}
+
+/* ---- Covering and shading at once ---- */
+
+/* The depth of a piece at a pixel is z0 + e1 k1 + e2 k2, with its exact edge functions e. */
+struct depth_slopes {
+    double origin, k1, k2; /* z0, (z1 - z0) / area, (z2 - z0) / area */
+};
+
+static inline struct depth_slopes find_depth_slopes(const struct piece *piece, int64_t area) {
+    double scale = 1 / (double)area;
+    const double *z = piece->depth;
+    return (struct depth_slopes){z[0], (z[1] - z[0]) * scale, (z[2] - z[0]) * scale};
+}
+
+/* At a pixel whose edge functions are e1 and e2; and from one pixel of a row to the next, where the
+ * edge functions grow by e1 and e2, without the origin. */
+static inline double depth_at(const struct depth_slopes *s, int64_t e1, int64_t e2) {
+    return s->origin + (double)e1 * s->k1 + (double)e2 * s->k2;
+}
+
+static inline double depth_step(const struct depth_slopes *s, int64_t e1, int64_t e2) {
+    return (double)e1 * s->k1 + (double)e2 * s->k2;
+}
+
+/* Draw the pixels of a chunk that a piece covers and where it is nearest so far. With an image,
+ * write their colours; without one, their numbers, for shade_visible(). */
+KERNEL void shade_chunk_at_once(const struct shading *s, const struct shader *shader,
+                                const struct planes *planes, uint32_t number, struct span span,
+                                int x, int y, double depth_begin, double depth_per_pixel) {
+    size_t first = (size_t)(y - s->rows.begin) * band_stride(s->pipeline) + (size_t)x;
+    double *depths = s->scratch->depth + first;
+    for (int lane = 0; lane < CHUNK; lane += LANES) {
+        double depth[LANES];
+        uint32_t drawn[LANES];
+        uint64_t count = 0;
+        for (int i = 0; i < LANES; i++) {
+            depth[i] = depth_begin + depth_per_pixel * (lane + i);
+            int at = x + lane + i;
+            drawn[i] = at >= span.begin && at < span.end && depth[i] > depths[lane + i];
+            count += drawn[i];
+        }
+        if (count == 0) {
+            continue;
+        }
+        lanes varyings[VARYING_LIMIT];
+        lanes_texel color;
+        interpolate_varyings(shader, planes, x + lane, y, varyings);
+        lanes_mask kept = shader->fragment(s->uniforms, varyings, &color);
+        for (int i = 0; i < LANES; i++) {
+            drawn[i] = drawn[i] && lanes_is_set(kept, i);
+            depths[lane + i] = drawn[i] ? depth[i] : depths[lane + i];
+            uint32_t *old_number = &s->scratch->number[first + (size_t)(lane + i)];
+            *old_number = drawn[i] ? number : *old_number;
+        }
+        s->work->shaded += count;
+        s->scratch->touched[first / CHUNK] = true;
+        if (s->image != NULL) {
+            lanes_int mask;
+            for (int i = 0; i < LANES; i++) {
+                drawn[i] = drawn[i] ? UINT32_MAX : 0;
+            }
+            memcpy(&mask, drawn, sizeof mask);
+            write_lanes(s->image, x + lane, y, color, mask);
+        }
+    }
+}
+
+KERNEL void shade_piece_at_once(const struct shading *s, const struct shader *shader,
+                                const struct piece *piece, uint32_t number) {
+    const struct pipeline *p = s->pipeline;
+    const struct rectangle *viewport = &s->draw->call.viewport;
+    struct edges edges;
+    const struct fixed2 *c = piece->corner;
+    if (!edges_setup(&edges, c[0], c[1], c[2], p->width, p->height)) {
+        return;
+    }
+    struct planes planes;
+    fetch_planes(s, shader, piece, &planes);
+    struct depth_slopes slopes = find_depth_slopes(piece, edges.area);
+    const struct edge *e1 = &edges.edge[1], *e2 = &edges.edge[2];
+    double per_pixel = depth_step(&slopes, e1->dx, e2->dx);
+    struct span rows = span_overlap((struct span){edges.y_begin, edges.y_end}, s->draw->rows);
+    rows = span_overlap(rows, s->rows);
     for (int y = rows.begin; y < rows.end; y++) {
-        const uint32_t *number = pipeline->number + (size_t)y * pipeline->width;
-        for (struct span run = {left, left}; run.begin < right; run.begin = run.end) {
-            while (run.end < right && number[run.end] == number[run.begin]) {
-                run.end++;
-            }
-            if (number[run.begin] >= pipeline->first_number) {
-                const struct piece *piece =
-                    &pipeline->pieces[number[run.begin] - pipeline->first_number];
-                const double *corners = pipeline->attributes + piece->attributes * stride;
-                work.shaded += shade_run(piece, corners, shader, uniforms, image, run, y, NULL);
-            }
-        }
-    }
-    return work;
-}
-
-/* Both passes in one for a band of rows, for shaders that discard and with skip off: shade whatever
- * is nearest so far. */
-KERNEL struct pixel_work shade_rows_at_once(const struct pipeline *pipeline,
-                                            const struct shader *shader, const void *uniforms,
-                                            struct image *image, struct span band) {
-    struct pixel_work work = {0, 0};
-    for (size_t i = 0; i < pipeline->piece_count; i++) {
-        const struct piece *piece = &pipeline->pieces[i];
-        struct span rows = rows_in_band(piece, band);
-        if (rows.begin >= rows.end) {
+        struct span span = span_overlap(edges_span(&edges, y),
+                                        (struct span){viewport->x, viewport->x + viewport->width});
+        if (span.begin >= span.end) {
             continue;
         }
-        double corners[3 * VARYING_LIMIT];
-        fetch_attributes(pipeline, piece, shader, uniforms, corners);
-        for (int y = rows.begin; y < rows.end; y++) {
-            struct span span = span_in_viewport(pipeline, piece, y);
-            if (span.begin < span.end) {
-                work.covered += (uint64_t)(span.end - span.begin);
-                if (!piece->dropped) {
-                    work.shaded += shade_run(piece, corners, shader, uniforms, image, span, y,
-                                             pipeline->depth + (size_t)y * pipeline->width);
-                }
-            }
+        s->work->covered += (uint64_t)(span.end - span.begin);
+        for (int x = span.begin / CHUNK * CHUNK; x < span.end && !piece->dropped; x += CHUNK) {
+            double begin = depth_at(&slopes, e1->origin + e1->dx * x + e1->dy * y,
+                                    e2->origin + e2->dx * x + e2->dy * y);
+            shade_chunk_at_once(s, shader, &planes, number, span, x, y, begin, per_pixel);
         }
     }
-    return work;
 }
 
-/* The whole loop over pixels. A shader that discards needs only one of the two. */
-KERNEL struct pixel_work shade_rows(const struct pipeline *pipeline, const struct shader *shader,
-                                    const void *uniforms, struct image *image, struct span rows,
-                                    bool at_once) {
-    if (shader->discards || at_once) {
-        return shade_rows_at_once(pipeline, shader, uniforms, image, rows);
+KERNEL void shade_at_once(const struct shading *s, const struct shader *shader) {
+    const struct piece *pieces = s->pipeline->pieces.data;
+    for (int i = s->numbers.begin; i < s->numbers.end; i++) {
+        shade_piece_at_once(s, shader, &pieces[s->bin[i]], (uint32_t)i + 1);
     }
-    return shade_visible_rows(pipeline, shader, uniforms, image, rows);
+}
+
+/* All loops over pixels for one shader. */
+KERNEL void shade_pieces(const struct shading *s, const struct shader *shader) {
+    if (s->at_once) {
+        shade_at_once(s, shader);
+    } else {
+        shade_visible(s, shader);
+    }
 }
 
 #endif

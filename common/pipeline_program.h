@@ -5,10 +5,10 @@
  * before step 9 carry no pipeline with them, and a pipeline needs no program. Such a program says
  *
  *     .state_size = sizeof(struct pipeline),
- *     .prepare = pipeline_prepare,
- *     .finish = pipeline_finish,
+ *     .prepare = pipeline_begin_drawing,
+ *     .finish = pipeline_end_drawing,
  *
- * and each draw function begins with pipeline_begin() and ends with pipeline_count().
+ * and each draw function begins with pipeline_begin() and ends with pipeline_end().
  */
 #ifndef COMMON_PIPELINE_PROGRAM_H
 #define COMMON_PIPELINE_PROGRAM_H
@@ -17,12 +17,12 @@
 #include "program.h"
 
 /* The drawing's state is its pipeline, kept from frame to frame. */
-static inline bool pipeline_prepare(struct drawing *drawing, size_t width, size_t height,
-                                    struct error *error) {
+static inline bool pipeline_begin_drawing(struct drawing *drawing, size_t width, size_t height,
+                                          struct error *error) {
     return pipeline_create(drawing->state, width, height, error);
 }
 
-static inline void pipeline_finish(struct drawing *drawing) {
+static inline void pipeline_end_drawing(struct drawing *drawing) {
     pipeline_free(drawing->state);
 }
 
@@ -34,12 +34,16 @@ static inline struct pipeline *pipeline_begin(struct drawing *drawing) {
     return pipeline;
 }
 
-/* Count what was done and skipped since pipeline_begin(), for --stats. */
-static inline void pipeline_count(struct drawing *drawing) {
-    const struct pipeline *pipeline = drawing->state;
+/* Finish the frame, if all of it was `recorded`, and count what was done and skipped since
+ * pipeline_begin(), for --stats. */
+static inline bool pipeline_end(struct drawing *drawing, bool recorded, struct image *image,
+                                struct error *error) {
+    struct pipeline *pipeline = drawing->state;
+    bool done = recorded && pipeline_finish(pipeline, image, error);
     for (int i = 0; i < PIPELINE_STATS; i++) {
         drawing_count(drawing, pipeline_stat_name[i], pipeline->stats[i]);
     }
+    return done;
 }
 
 /* The drawing's model, seen by its camera: see camera_call(). */

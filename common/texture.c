@@ -133,13 +133,15 @@ bool texture_create(struct texture *texture, const struct image *image, struct e
         return error_set(error, "a texture of %zux%zu pixels", image->width, image->height);
     }
     uint64_t count = lay_out(texture, image->width, image->height);
-    if (count <= SIZE_MAX / sizeof *texture->texels) {
-        texture->texels = malloc((size_t)count * sizeof *texture->texels);
+    /* One texel more, so that a texel and its right neighbour can always be read together. */
+    if (count < SIZE_MAX / sizeof *texture->texels) {
+        texture->texels = malloc(((size_t)count + 1) * sizeof *texture->texels);
     }
     if (texture->texels == NULL) {
         *texture = (struct texture){0};
         return error_out_of_memory(error);
     }
+    texture->texels[count] = 0;
     uint32_t *next = texture->texels;
     for (size_t i = 0; i < texture->level_count; i++) {
         texture->level[i].texels = next;

@@ -17,7 +17,8 @@ struct workers {
     pthread_mutex_t mutex;
     pthread_cond_t loop_begins, last_leaves;
     pthread_t threads[THREAD_LIMIT];
-    size_t thread_count; /* without the one that calls */
+    size_t thread_count;   /* without the one that calls */
+    size_t threads_awoken; /* that know their own number */
     bool ending;
 
     /* The loop that is being done. The first three change only while nobody is at work. */
@@ -30,13 +31,13 @@ struct workers {
     size_t threads_at_work; /* without the one that calls */
 };
 
-static void do_parts(struct workers *workers) {
+static void do_parts(struct workers *workers, size_t worker) {
     for (;;) {
         size_t index = atomic_fetch_add(&workers->next, 1);
         if (index >= workers->count) {
             return;
         }
-        workers->work(workers->context, index);
+        workers->work(workers->context, index, worker);
     }
 }
 
@@ -45,6 +46,7 @@ static void *thread_main(void *argument) {
     struct workers *workers = argument;
     unsigned long known = 0;
     pthread_mutex_lock(&workers->mutex);
+    size_t worker = ++workers->threads_awoken;
     while (!workers->ending) {
         if (!workers->open || workers->loop == known) {
             pthread_cond_wait(&workers->loop_begins, &workers->mutex);
@@ -53,7 +55,7 @@ static void *thread_main(void *argument) {
         known = workers->loop;
         workers->threads_at_work++;
         pthread_mutex_unlock(&workers->mutex);
-        do_parts(workers);
+        do_parts(workers, worker);
         pthread_mutex_lock(&workers->mutex);
         workers->threads_at_work--;
         if (workers->threads_at_work == 0) {
@@ -110,6 +112,10 @@ void workers_free(struct workers *workers) {
     free(workers);
 }
 
+size_t workers_count(const struct workers *workers) {
+    return workers == NULL ? 1 : workers->thread_count + 1;
+}
+
 static void run_shared(struct workers *workers, size_t count, worker_function *work,
                        void *context) {
     pthread_mutex_lock(&workers->mutex);
@@ -121,7 +127,7 @@ static void run_shared(struct workers *workers, size_t count, worker_function *w
     workers->open = true;
     pthread_cond_broadcast(&workers->loop_begins);
     pthread_mutex_unlock(&workers->mutex);
-    do_parts(workers);
+    do_parts(workers, 0);
     pthread_mutex_lock(&workers->mutex);
     workers->open = false; /* who wakes only now comes too late */
     while (workers->threads_at_work > 0) {
@@ -141,6 +147,11 @@ void workers_free(struct workers *workers) {
     (void)workers;
 }
 
+size_t workers_count(const struct workers *workers) {
+    (void)workers;
+    return 1;
+}
+
 static void run_shared(struct workers *workers, size_t count, worker_function *work,
                        void *context) {
     (void)workers, (void)count, (void)work, (void)context;
@@ -154,6 +165,6 @@ void workers_run(struct workers *workers, size_t count, worker_function *work, v
         return;
     }
     for (size_t i = 0; i < count; i++) {
-        work(context, i);
+        work(context, i, 0);
     }
 }

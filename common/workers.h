@@ -12,8 +12,9 @@
 
 struct workers;
 
-/* Does part `index` of the work. */
-typedef void worker_function(void *context, size_t index);
+/* Does part `index` of the work. `worker` tells apart those that work at the same time: it is below
+ * workers_count(), and 0 is who calls. */
+typedef void worker_function(void *context, size_t index, size_t worker);
 
 /* Start threads, so that with the one that calls there are `thread_count`; 0 means one for each
  * processor, or as many as the environment variable THREADS says. Where no thread can be started,
@@ -23,6 +24,9 @@ struct workers *workers_create(size_t thread_count);
 
 /* End the threads, none of which may be at work. */
 void workers_free(struct workers *workers);
+
+/* How many may work at the same time: 1 for NULL. */
+size_t workers_count(const struct workers *workers);
 
 /* Do the parts 0..count-1, each once, and return when all are done. */
 void workers_run(struct workers *workers, size_t count, worker_function *work, void *context);

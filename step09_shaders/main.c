@@ -29,13 +29,12 @@ static double lambert(struct vec3 normal, struct vec3 to_light) {
 }
 
 /* Red, green, blue 0..255, times an intensity. */
-static struct color shade(struct vec4 rgb, double intensity) {
+static lanes_texel shade(struct lanes3 rgb, lanes intensity) {
     /* BEGIN SOLUTION 9.2 a colour in that light */
-    return color_rgb(level_from(rgb.x * intensity), level_from(rgb.y * intensity),
-                     level_from(rgb.z * intensity));
+    return lanes_rgb(rgb.x * intensity, rgb.y * intensity, rgb.z * intensity);
     /* STARTER
     (void)rgb, (void)intensity;
-    return color_grey(0); // to do 9.2: each channel times the intensity, through level_from()
+    return lanes_black(); // to do 9.2: each channel times the intensity, through lanes_rgb()
     END SOLUTION */
 }
 
@@ -52,17 +51,17 @@ static void flat_vertex(const void *uniforms, size_t face, size_t corner, double
     END SOLUTION */
 }
 
-static bool white_fragment(const void *uniforms, const double *varyings, struct color *color) {
+static lanes_mask white_fragment(const void *uniforms, const lanes *varyings, lanes_texel *color) {
     (void)uniforms;
     /* BEGIN SOLUTION 9.3 flat and Gouraud */
-    *color = shade((struct vec4){255, 255, 255, 255}, varyings[0]);
+    *color = shade(lanes3_all((struct vec3){255, 255, 255}), varyings[0]);
     /* STARTER
-    *color = shade((struct vec4){0, 0, 0, 255}, varyings[0]); // to do 9.3: white in place of black
+    *color = shade(lanes3_all((struct vec3){0, 0, 0}), varyings[0]); // to do 9.3: white in place of black
     END SOLUTION */
-    return true;
+    return lanes_all_set();
 }
 
-SHADER(flat, .varying_count = 1, .vertex = flat_vertex, .fragment = white_fragment);
+SHADER(flat, .varying_count = 1, .flat = true, .vertex = flat_vertex, .fragment = white_fragment);
 
 /* ---- Gouraud: an intensity for each corner ---- */
 
@@ -104,16 +103,17 @@ static void gouraud_textured_vertex(const void *uniforms, size_t face, size_t co
     gouraud_vertex(uniforms, face, corner, varyings + 2);
 }
 
-static bool textured_fragment(const void *uniforms, const double *varyings, struct color *color) {
+static lanes_mask textured_fragment(const void *uniforms, const lanes *varyings,
+                                    lanes_texel *color) {
     const struct uniforms *u = uniforms;
-    struct vec2 uv = {varyings[0], varyings[1]};
+    struct lanes2 uv = {varyings[0], varyings[1]};
     /* BEGIN SOLUTION 9.4 flat and Gouraud with the texture */
-    *color = shade(texture_bilinear(u->diffuse, uv, u->diffuse_level), varyings[2]);
+    *color = shade(texture_lanes(u->diffuse, uv, u->diffuse_level), varyings[2]);
     /* STARTER
     (void)u, (void)uv;
-    *color = color_grey(0); // to do 9.4: the texture's colour times varying 2
+    *color = lanes_black(); // to do 9.4: the texture's colour times varying 2
     END SOLUTION */
-    return true;
+    return lanes_all_set();
 }
 
 SHADER(flat_textured, .varying_count = 3, .vertex = flat_textured_vertex,
@@ -123,36 +123,48 @@ SHADER(gouraud_textured, .varying_count = 3, .vertex = gouraud_textured_vertex,
 
 /* ---- Toon: Gouraud in five levels ---- */
 
-static bool toon_fragment(const void *uniforms, const double *varyings, struct color *color) {
+static lanes_mask toon_fragment(const void *uniforms, const lanes *varyings, lanes_texel *color) {
     (void)uniforms;
     /* BEGIN SOLUTION 9.5 toon */
-    static const struct vec4 orange = {255, 155, 0, 255};
-    double step = floor(varyings[0] * 5);
-    *color = shade(orange, (step < 4 ? step : 4) / 4);
+    static const struct vec3 orange = {255, 155, 0};
+    lanes step = lanes_min(lanes_floor(varyings[0] * 5), lanes_all(4));
+    *color = shade(lanes3_all(orange), step / 4);
     /* STARTER
     (void)varyings;
-    *color = color_grey(0); // to do 9.5: orange in five steps
+    *color = lanes_black(); // to do 9.5: orange in five steps
     END SOLUTION */
-    return true;
+    return lanes_all_set();
 }
 
 SHADER(toon, .varying_count = 1, .vertex = gouraud_vertex, .fragment = toon_fragment);
 
 /* ---- Normals from the normal map, pixel by pixel ---- */
 
-static bool normal_map_fragment(const void *uniforms, const double *varyings, struct color *color) {
-    const struct uniforms *u = uniforms;
-    struct vec2 uv = {varyings[0], varyings[1]};
+/* lambert() for pixels. */
+static lanes lambert_lanes(struct lanes3 normal, struct vec3 to_light) {
     /* BEGIN SOLUTION 9.6 normals from a picture */
-    struct vec4 n = texture_bilinear(u->normal_map, uv, u->normal_level);
-    struct vec3 normal = {n.x / 127.5 - 1, n.y / 127.5 - 1, n.z / 127.5 - 1};
-    double intensity = lambert(normal, u->to_light);
-    *color = shade(texture_bilinear(u->diffuse, uv, u->diffuse_level), intensity);
+    lanes intensity = lanes3_dot(lanes3_normalized(normal), lanes3_all(to_light));
+    return lanes_max(intensity, lanes_all(0));
+    /* STARTER
+    (void)normal, (void)to_light;
+    return lanes_all(0); // to do 9.6: as lambert()
+    END SOLUTION */
+}
+
+static lanes_mask normal_map_fragment(const void *uniforms, const lanes *varyings,
+                                      lanes_texel *color) {
+    const struct uniforms *u = uniforms;
+    struct lanes2 uv = {varyings[0], varyings[1]};
+    /* BEGIN SOLUTION 9.6 normals from a picture */
+    struct lanes3 n = texture_lanes(u->normal_map, uv, u->normal_level);
+    struct lanes3 normal = {n.x / 127.5f - 1, n.y / 127.5f - 1, n.z / 127.5f - 1};
+    lanes intensity = lambert_lanes(normal, u->to_light);
+    *color = shade(texture_lanes(u->diffuse, uv, u->diffuse_level), intensity);
     /* STARTER
     (void)u, (void)uv;
-    *color = color_grey(0); // to do 9.6: the texture's colour in the light on the map's normal
+    *color = lanes_black(); // to do 9.6: the texture's colour in the light on the map's normal
     END SOLUTION */
-    return true;
+    return lanes_all_set();
 }
 
 SHADER(normal_mapped, .varying_count = 2, .vertex = uv_vertex, .fragment = normal_map_fragment);
@@ -171,21 +183,23 @@ static void two_sided_vertex(const void *uniforms, size_t face, size_t corner, d
     END SOLUTION */
 }
 
-SHADER(two_sided, .varying_count = 1, .vertex = two_sided_vertex, .fragment = white_fragment);
+SHADER(two_sided, .varying_count = 1, .flat = true, .vertex = two_sided_vertex,
+       .fragment = white_fragment);
 
 /* ---- Culled by the light, as in steps 4 to 7: what gets no light is not drawn at all ---- */
 
 /* False discards the pixel. */
-static bool lit_only_fragment(const void *uniforms, const double *varyings, struct color *color) {
+static lanes_mask lit_only_fragment(const void *uniforms, const lanes *varyings,
+                                    lanes_texel *color) {
     /* BEGIN SOLUTION 9.8 culled by the light */
-    return white_fragment(uniforms, varyings, color) && varyings[0] > 0;
+    return white_fragment(uniforms, varyings, color) & (varyings[0] > 0);
     /* STARTER
     // to do 9.8: discard what gets no light
     return white_fragment(uniforms, varyings, color);
     END SOLUTION */
 }
 
-SHADER(culled_by_light, .varying_count = 1, .vertex = flat_vertex, .fragment = lit_only_fragment,
-       .discards = true);
+SHADER(culled_by_light, .varying_count = 1, .flat = true, .vertex = flat_vertex,
+       .fragment = lit_only_fragment, .discards = true);
 
 #include "scenes.h"

@@ -35,10 +35,9 @@ static bool draw_cells(struct drawing *drawing, struct image *image, const struc
             grid_cell(image->width, image->height, side, side, i % side, i / side);
         struct draw_call call = pipeline_call(drawing, place, zoom, cells[i].cull);
         struct uniforms u = make_uniforms(drawing, zoom * place.width);
-        done = pipeline_draw(pipeline, &call, cells[i].shader, &u, image, error);
+        done = pipeline_draw(pipeline, &call, cells[i].shader, &u, sizeof u, error);
     }
-    pipeline_count(drawing);
-    return done;
+    return pipeline_end(drawing, done, image, error);
 }
 
 /* ---- Scenes ---- */
@@ -100,8 +99,8 @@ int main(int argc, char **argv) {
         .scenes = scenes,
         .scene_count = sizeof scenes / sizeof scenes[0],
         .state_size = sizeof(struct pipeline),
-        .prepare = pipeline_prepare,
-        .finish = pipeline_finish,
+        .prepare = pipeline_begin_drawing,
+        .finish = pipeline_end_drawing,
     };
     return program_main(&program, argc, argv);
 }

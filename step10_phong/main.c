@@ -11,7 +11,7 @@
 struct material {
     double ambient, diffuse, specular; /* weights of the three parts */
     int power;                         /* of the specular part: larger makes smaller lights */
-    struct vec4 color;                 /* red, green, blue 0..255 */
+    struct vec3 color;                 /* red, green, blue 0..255 */
 };
 
 /* What is the same for all pixels of a drawing. */
@@ -26,85 +26,97 @@ struct uniforms {
 
 /* ---- The technique ---- */
 
-/* base to a small whole power, by multiplying: base^0 is 1. */
-static double integer_power(double base, int power) {
+/* base to a whole power 0..`largest`, which may differ from pixel to pixel, by multiplying: base^0
+ * is 1. */
+static lanes integer_power(lanes base, lanes power, int largest) {
     /* BEGIN SOLUTION 10.1 whole powers */
-    double result = 1;
-    for (; power > 0; power /= 2) {
-        if (power % 2 == 1) {
-            result *= base;
-        }
+    lanes result = lanes_all(1);
+    for (; largest > 0; largest /= 2) {
+        lanes half = lanes_floor(power * 0.5f);
+        result = lanes_select(power > 2 * half, result * base, result); /* where it is odd */
         base *= base;
+        power = half;
     }
     return result;
     /* STARTER
-    (void)base, (void)power;
-    return 0; // to do 10.1: square the base, halve the power
+    (void)base, (void)power, (void)largest;
+    return lanes_all(0); // to do 10.1: square the base, halve the power
     END SOLUTION */
 }
 
 /* Where light from direction `to_light` goes after a mirror: r = 2 (n . l) n - l. */
-static struct vec3 reflect(struct vec3 normal, struct vec3 to_light) {
+static struct lanes3 reflect(struct lanes3 normal, struct lanes3 to_light) {
     /* BEGIN SOLUTION 10.2 the mirrored light */
-    return vec3_sub(vec3_scale(normal, 2 * vec3_dot(normal, to_light)), to_light);
+    return lanes3_sub(lanes3_scale(normal, 2 * lanes3_dot(normal, to_light)), to_light);
     /* STARTER
     (void)normal, (void)to_light;
-    return (struct vec3){0, 0, 0}; // to do 10.2: the formula for r
+    return lanes3_all((struct vec3){0, 0, 0}); // to do 10.2: the formula for r
     END SOLUTION */
 }
 
 /* Diffuse and specular intensity of a point (Phong, "Illumination for Computer Generated Pictures",
  * CACM 18(6), 1975). All vectors of length 1. A surface turned away from the light gets neither. */
-static struct vec2 phong(struct vec3 normal, struct vec3 to_light, struct vec3 to_eye, int power) {
+static struct lanes2 phong(struct lanes3 normal, struct lanes3 to_light, struct lanes3 to_eye,
+                           lanes power, int largest) {
     /* BEGIN SOLUTION 10.3 diffuse and specular */
-    double diffuse = vec3_dot(normal, to_light);
-    if (!(diffuse > 0)) {
-        return (struct vec2){0, 0};
-    }
-    double mirrored = vec3_dot(reflect(normal, to_light), to_eye);
-    return (struct vec2){diffuse, integer_power(mirrored > 0 ? mirrored : 0, power)};
+    lanes zero = lanes_all(0);
+    lanes diffuse = lanes3_dot(normal, to_light);
+    lanes mirrored = lanes_max(lanes3_dot(reflect(normal, to_light), to_eye), zero);
+    lanes specular = lanes_select(diffuse > 0, integer_power(mirrored, power, largest), zero);
+    return (struct lanes2){lanes_max(diffuse, zero), specular};
     /* STARTER
-    double diffuse = 0; // to do 10.3: n . l; where it is not above 0, both are 0
-    double mirrored = vec3_dot(reflect(normal, to_light), to_eye); // to do 10.3: not below 0
-    return (struct vec2){diffuse, integer_power(mirrored, power)};
+    lanes diffuse = lanes_all(0); // to do 10.3: n . l; where it is not above 0, both are 0
+    lanes mirrored = lanes3_dot(reflect(normal, to_light), to_eye); // to do 10.3: not below 0
+    return (struct lanes2){diffuse, integer_power(mirrored, power, largest)};
     END SOLUTION */
 }
+
+/* What lies at a pixel, or rather at sixteen. */
+struct surface {
+    struct lanes3 color;  /* red, green, blue 0..255 */
+    struct lanes3 normal; /* of length 1 */
+    struct lanes3 to_eye; /* of any length */
+    lanes specular;       /* weight */
+    lanes power;          /* 0..`largest_power` */
+    int largest_power;
+};
 
 /* Add up the three parts. The specular part has the colour of the light, which is white. */
-static struct color illuminate(const struct uniforms *u, const struct material *material,
-                               struct vec3 normal, struct vec3 position) {
+static lanes_texel illuminate(const struct uniforms *u, const struct surface *surface) {
     /* BEGIN SOLUTION 10.4 the sum of the three parts */
-    struct vec3 to_eye = vec3_normalized(vec3_sub(u->eye, position));
-    struct vec2 light = phong(normal, u->to_light, to_eye, material->power);
-    double scattered = material->ambient + material->diffuse * light.x;
-    double mirrored = 255 * material->specular * light.y;
-    return color_rgb(level_from(material->color.x * scattered + mirrored),
-                     level_from(material->color.y * scattered + mirrored),
-                     level_from(material->color.z * scattered + mirrored));
+    const struct material *material = &u->material;
+    struct lanes3 to_eye = lanes3_normalized(surface->to_eye), color = surface->color;
+    struct lanes2 light = phong(surface->normal, lanes3_all(u->to_light), to_eye, surface->power,
+                                surface->largest_power);
+    lanes scattered = (real)material->ambient + (real)material->diffuse * light.x;
+    lanes mirrored = 255 * surface->specular * light.y;
+    return lanes_rgb(color.x * scattered + mirrored, color.y * scattered + mirrored,
+                     color.z * scattered + mirrored);
     /* STARTER
-    struct vec3 to_eye = {0, 0, 1}; // to do 10.4: from the position to the eye, of length 1
-    struct vec2 light = phong(normal, u->to_light, to_eye, material->power);
-    (void)position, (void)light;
-    return color_grey(0); // to do 10.4: the three parts in each channel, through level_from()
+    struct lanes3 to_eye = lanes3_all((struct vec3){0, 0, 1}); // to do 10.4: of length 1
+    struct lanes2 light =
+        phong(surface->normal, lanes3_all(u->to_light), to_eye, surface->power, 32);
+    (void)light;
+    return lanes_black(); // to do 10.4: the three parts in each channel, through lanes_rgb()
     END SOLUTION */
 }
 
-/* ---- Varyings: position, texture coordinates, normal ---- */
+/* ---- Varyings: towards the eye, texture coordinates, normal ---- */
 
 static void vertex(const void *uniforms, size_t face, size_t corner, double *varyings) {
     const struct uniforms *u = uniforms;
     /* BEGIN SOLUTION 10.5 what a corner hands over */
-    struct vec3 position = model_position(u->model, face, corner);
+    struct vec3 to_eye = vec3_sub(u->eye, model_position(u->model, face, corner));
     struct vec2 uv = model_uv(u->model, face, corner);
-    varyings[0] = position.x;
-    varyings[1] = position.y;
-    varyings[2] = position.z;
+    varyings[0] = to_eye.x;
+    varyings[1] = to_eye.y;
+    varyings[2] = to_eye.z;
     varyings[3] = uv.x;
     varyings[4] = uv.y;
     /* STARTER
     (void)u, (void)face, (void)corner;
     for (int i = 0; i < 5; i++) {
-        varyings[i] = 0; // to do 10.5: the position x, y, z, then u, v
+        varyings[i] = 0; // to do 10.5: from the position to the eye x, y, z, then u, v
     }
     END SOLUTION */
 }
@@ -123,100 +135,120 @@ static void vertex_with_normal(const void *uniforms, size_t face, size_t corner,
     END SOLUTION */
 }
 
-static struct vec3 position_of(const double *varyings) {
-    return (struct vec3){varyings[0], varyings[1], varyings[2]};
-}
-
-static struct vec2 uv_of(const double *varyings) {
-    return (struct vec2){varyings[3], varyings[4]};
+static struct lanes2 uv_of(const lanes *varyings) {
+    return (struct lanes2){varyings[3], varyings[4]};
 }
 
 /* The mean of unit vectors is shorter than 1: bring it back to length 1. */
-static struct vec3 mesh_normal(const double *varyings) {
+static struct lanes3 mesh_normal(const lanes *varyings) {
     /* BEGIN SOLUTION 10.6 normals of length 1 */
-    return vec3_normalized((struct vec3){varyings[5], varyings[6], varyings[7]});
+    return lanes3_normalized((struct lanes3){varyings[5], varyings[6], varyings[7]});
     /* STARTER
     (void)varyings;
-    return (struct vec3){0, 0, 1}; // to do 10.6: varyings 5 to 7, of length 1
+    return lanes3_all((struct vec3){0, 0, 1}); // to do 10.6: varyings 5 to 7, of length 1
     END SOLUTION */
 }
 
-static struct vec3 mapped_normal(const struct uniforms *u, const double *varyings) {
-    struct vec2 uv = uv_of(varyings);
+static struct lanes3 mapped_normal(const struct uniforms *u, const lanes *varyings) {
+    struct lanes2 uv = uv_of(varyings);
     /* BEGIN SOLUTION 10.6 normals of length 1 */
-    struct vec4 n = texture_bilinear(u->normal_map, uv, u->normal_level);
-    return vec3_normalized((struct vec3){n.x / 127.5 - 1, n.y / 127.5 - 1, n.z / 127.5 - 1});
+    struct lanes3 n = texture_lanes(u->normal_map, uv, u->normal_level);
+    return lanes3_normalized((struct lanes3){n.x - 127.5f, n.y - 127.5f, n.z - 127.5f});
     /* STARTER
     (void)u, (void)uv;
-    return (struct vec3){0, 0, 1}; // to do 10.6: sampled from the normal map, of length 1
+    return lanes3_all((struct vec3){0, 0, 1}); // to do 10.6: from the normal map, of length 1
     END SOLUTION */
 }
 
 /* ---- Shaders: the mesh's normal or the map's, one colour or the texture's ---- */
 
-static bool plain_fragment(const void *uniforms, const double *varyings, struct color *color) {
-    const struct uniforms *u = uniforms;
-    *color = illuminate(u, &u->material, mesh_normal(varyings), position_of(varyings));
-    return true;
+/* The surface of the model's material, without its normal. */
+static struct surface plain_surface(const struct uniforms *u, const lanes *varyings) {
+    return (struct surface){
+        .color = lanes3_all(u->material.color),
+        .to_eye = {varyings[0], varyings[1], varyings[2]},
+        .specular = lanes_all((real)u->material.specular),
+        .power = lanes_all((real)u->material.power),
+        .largest_power = u->material.power,
+    };
 }
 
-static bool mapped_fragment(const void *uniforms, const double *varyings, struct color *color) {
-    const struct uniforms *u = uniforms;
-    *color = illuminate(u, &u->material, mapped_normal(u, varyings), position_of(varyings));
-    return true;
-}
-
-/* The model's material with the colour that the texture has there. */
-static struct material colored_material(const struct uniforms *u, const double *varyings) {
-    struct material material = u->material;
+/* The same with the colour that the texture has there. */
+static struct surface textured_surface(const struct uniforms *u, const lanes *varyings) {
+    struct surface surface = plain_surface(u, varyings);
     /* BEGIN SOLUTION 10.7 fragment functions */
-    material.color = texture_bilinear(u->diffuse, uv_of(varyings), u->diffuse_level);
+    surface.color = texture_lanes(u->diffuse, uv_of(varyings), u->diffuse_level);
     /* STARTER
     (void)varyings; // to do 10.7: sample the colour
     END SOLUTION */
-    return material;
+    return surface;
 }
 
-static bool textured_fragment(const void *uniforms, const double *varyings, struct color *color) {
+static lanes_mask plain_fragment(const void *uniforms, const lanes *varyings, lanes_texel *color) {
     const struct uniforms *u = uniforms;
-    struct material material = colored_material(u, varyings);
-    *color = illuminate(u, &material, mesh_normal(varyings), position_of(varyings));
-    return true;
+    struct surface surface = plain_surface(u, varyings);
+    surface.normal = mesh_normal(varyings);
+    *color = illuminate(u, &surface);
+    return lanes_all_set();
 }
 
-static bool full_fragment(const void *uniforms, const double *varyings, struct color *color) {
+static lanes_mask mapped_fragment(const void *uniforms, const lanes *varyings, lanes_texel *color) {
+    const struct uniforms *u = uniforms;
+    struct surface surface = plain_surface(u, varyings);
+    surface.normal = mapped_normal(u, varyings);
+    *color = illuminate(u, &surface);
+    return lanes_all_set();
+}
+
+static lanes_mask textured_fragment(const void *uniforms, const lanes *varyings,
+                                    lanes_texel *color) {
+    const struct uniforms *u = uniforms;
+    struct surface surface = textured_surface(u, varyings);
+    surface.normal = mesh_normal(varyings);
+    *color = illuminate(u, &surface);
+    return lanes_all_set();
+}
+
+static lanes_mask full_fragment(const void *uniforms, const lanes *varyings, lanes_texel *color) {
     /* BEGIN SOLUTION 10.7 fragment functions */
     const struct uniforms *u = uniforms;
-    struct material material = colored_material(u, varyings);
-    *color = illuminate(u, &material, mapped_normal(u, varyings), position_of(varyings));
-    return true;
+    struct surface surface = textured_surface(u, varyings);
+    surface.normal = mapped_normal(u, varyings);
+    *color = illuminate(u, &surface);
+    return lanes_all_set();
     /* STARTER
     return mapped_fragment(uniforms, varyings, color); // to do 10.7: with the texture's colour
     END SOLUTION */
 }
 
 /* The same with the weight of the specular part read from the specular map. */
-static bool weight_map_fragment(const void *uniforms, const double *varyings, struct color *color) {
+static lanes_mask weight_map_fragment(const void *uniforms, const lanes *varyings,
+                                      lanes_texel *color) {
     /* BEGIN SOLUTION 10.7 fragment functions */
     const struct uniforms *u = uniforms;
-    struct material material = colored_material(u, varyings);
-    material.specular *= texture_bilinear(u->specular, uv_of(varyings), u->specular_level).x / 255;
-    *color = illuminate(u, &material, mapped_normal(u, varyings), position_of(varyings));
-    return true;
+    struct surface surface = textured_surface(u, varyings);
+    surface.normal = mapped_normal(u, varyings);
+    surface.specular *=
+        texture_lanes(u->specular, uv_of(varyings), u->specular_level).x * (1 / 255.0f);
+    *color = illuminate(u, &surface);
+    return lanes_all_set();
     /* STARTER
     return full_fragment(uniforms, varyings, color); // to do 10.7: the weight from the map
     END SOLUTION */
 }
 
 /* The same with the power read from it: 1 for level 0 to 32 for level 255. */
-static bool power_map_fragment(const void *uniforms, const double *varyings, struct color *color) {
+static lanes_mask power_map_fragment(const void *uniforms, const lanes *varyings,
+                                     lanes_texel *color) {
     /* BEGIN SOLUTION 10.7 fragment functions */
     const struct uniforms *u = uniforms;
-    struct material material = colored_material(u, varyings);
-    double level = texture_bilinear(u->specular, uv_of(varyings), u->specular_level).x;
-    material.power = 1 + (int)level / 8;
-    *color = illuminate(u, &material, mapped_normal(u, varyings), position_of(varyings));
-    return true;
+    struct surface surface = textured_surface(u, varyings);
+    surface.normal = mapped_normal(u, varyings);
+    lanes level = texture_lanes(u->specular, uv_of(varyings), u->specular_level).x;
+    surface.power = 1 + lanes_floor(level * 0.125f);
+    surface.largest_power = 32;
+    *color = illuminate(u, &surface);
+    return lanes_all_set();
     /* STARTER
     return full_fragment(uniforms, varyings, color); // to do 10.7: the power from the map
     END SOLUTION */

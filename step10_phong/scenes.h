@@ -6,8 +6,8 @@
 
 /* ---- Drawing ---- */
 
-static const struct material plain_material = {0.1, 1, 0.5, 10, {255, 128, 255, 255}};
-static const struct material textured_material = {0.1, 1, 1, 10, {255, 255, 255, 255}};
+static const struct material plain_material = {0.1, 1, 0.5, 10, {255, 128, 255}};
+static const struct material textured_material = {0.1, 1, 1, 10, {255, 255, 255}};
 
 /* What the shaders of the lesson read, for a model that is seen over so many pixels. */
 static struct uniforms make_uniforms(const struct drawing *drawing, double pixels,
@@ -42,10 +42,9 @@ static bool draw_cells(struct drawing *drawing, struct image *image, const struc
             grid_cell(image->width, image->height, side, side, i % side, i / side);
         struct draw_call call = pipeline_call(drawing, place, zoom, CULL_BACK);
         struct uniforms u = make_uniforms(drawing, zoom * place.width, cells[i].material);
-        done = pipeline_draw(pipeline, &call, cells[i].shader, &u, image, error);
+        done = pipeline_draw(pipeline, &call, cells[i].shader, &u, sizeof u, error);
     }
-    pipeline_count(drawing);
-    return done;
+    return pipeline_end(drawing, done, image, error);
 }
 
 /* ---- Scenes ---- */
@@ -82,9 +81,8 @@ static bool draw_turn(struct drawing *drawing, struct image *image, struct error
     struct draw_call call = pipeline_call(drawing, whole, 0.85, CULL_BACK);
     struct uniforms u = make_uniforms(drawing, 0.85 * whole.width, textured_material);
     u.to_light = turning_light((double)drawing->frame / TURN_FRAMES);
-    bool done = pipeline_draw(pipeline, &call, &weight_mapped, &u, image, error);
-    pipeline_count(drawing);
-    return done;
+    bool done = pipeline_draw(pipeline, &call, &weight_mapped, &u, sizeof u, error);
+    return pipeline_end(drawing, done, image, error);
 }
 
 /* ---- The program ---- */
@@ -119,8 +117,8 @@ int main(int argc, char **argv) {
         .scenes = scenes,
         .scene_count = sizeof scenes / sizeof scenes[0],
         .state_size = sizeof(struct pipeline),
-        .prepare = pipeline_prepare,
-        .finish = pipeline_finish,
+        .prepare = pipeline_begin_drawing,
+        .finish = pipeline_end_drawing,
     };
     return program_main(&program, argc, argv);
 }

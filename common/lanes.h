@@ -1,0 +1,248 @@
+/*
+ * Numbers for sixteen pixels at once: a fragment function is written as if for one pixel and run
+ * for sixteen neighbours of a row, as on a GPU.
+ *
+ *     lanes intensity = lanes_max(lanes3_dot(normal, light), lanes_all(0));
+ *
+ * A `lanes` is used like a number: + - * / and comparisons work lane by lane. Three things differ.
+ * There is no `if`, since the sixteen pixels may disagree: compute both and choose with
+ * lanes_select(). Constants are written as floats (127.5f, 2). What is the same for all pixels is
+ * made a `lanes` by lanes_all() or by an operator whose other side is one. (Vector extensions of
+ * gcc and clang, which make of an operator the instructions that the processor has; "Using the GNU
+ * Compiler Collection", section "Vector Extensions".)
+ *
+ * All is the same on every machine: + - * / and square roots are rounded once, nothing else is
+ * used. `make LANES=1` builds the same programs with one lane, a plain number that a debugger
+ * shows; `make REAL=double` with twice the precision.
+ */
+#ifndef COMMON_LANES_H
+#define COMMON_LANES_H
+
+#include "geometry.h"
+
+#include <math.h>
+#include <stdbool.h>
+#include <stdint.h>
+#include <string.h>
+
+/* The numbers of pixel arithmetic. What decides (coverage, depth) is never one of them. */
+#ifndef REAL
+#define REAL float
+#endif
+typedef REAL real;
+
+#ifndef LANES
+#define LANES 16
+#endif
+
+#define LANES_INLINE static inline __attribute__((always_inline))
+
+/* Integers as wide as a real, so that comparisons give masks of the same size. */
+#define LANES_IS_FLOAT (sizeof(real) == sizeof(float))
+
+#if LANES > 1
+
+/* gcc would tell of every function here that older versions passed its arguments otherwise. */
+#pragma GCC diagnostic ignored "-Wpsabi"
+
+typedef real lanes __attribute__((vector_size(LANES * sizeof(real))));
+typedef int32_t lanes_int __attribute__((vector_size(LANES * sizeof(int32_t))));
+/* Colours as texels have them: blue | green << 8 | red << 16 | alpha << 24. */
+typedef uint32_t lanes_texel __attribute__((vector_size(LANES * sizeof(uint32_t))));
+/* For each lane all bits or none: what a comparison of two `lanes` gives. */
+typedef __typeof__((lanes){0} > (lanes){0}) lanes_mask;
+
+LANES_INLINE lanes lanes_all(real value) {
+    return (lanes){0} + value;
+}
+
+/* Where the mask is set a, elsewhere b. */
+LANES_INLINE lanes lanes_select(lanes_mask mask, lanes a, lanes b) {
+    return (lanes)((mask & (lanes_mask)a) | (~mask & (lanes_mask)b));
+}
+
+LANES_INLINE lanes_texel lanes_texel_select(lanes_int mask, lanes_texel a, lanes_texel b) {
+    return ((lanes_texel)mask & a) | (~(lanes_texel)mask & b);
+}
+
+LANES_INLINE lanes lanes_sqrt(lanes a) {
+    lanes root;
+    for (int i = 0; i < LANES; i++) {
+        root[i] = LANES_IS_FLOAT ? (real)sqrtf((float)a[i]) : (real)sqrt((double)a[i]);
+    }
+    return root;
+}
+
+/* Without the fraction; for what an int32_t can hold. */
+LANES_INLINE lanes_int lanes_to_int(lanes a) {
+    return __builtin_convertvector(a, lanes_int);
+}
+
+LANES_INLINE lanes lanes_from_int(lanes_int a) {
+    return __builtin_convertvector(a, lanes);
+}
+
+/* Is the mask set for lane i? */
+LANES_INLINE bool lanes_is_set(lanes_mask mask, int i) {
+    return mask[i] != 0;
+}
+
+/* The mask that is set everywhere. */
+LANES_INLINE lanes_mask lanes_all_set(void) {
+    return (lanes){0} == (lanes){0};
+}
+
+/* first, first + 1, first + 2, ... */
+LANES_INLINE lanes_int lanes_int_from(int first) {
+    return (lanes_int){0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15} + first;
+}
+
+LANES_INLINE lanes lanes_from(int first) {
+    return (lanes){0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15} + (real)first;
+}
+
+/* Both, cut to 32 bits each: the lower and the upper half of 64-bit words. */
+LANES_INLINE void lanes_split(const uint64_t words[LANES], lanes_texel *lower, lanes_texel *upper) {
+    typedef uint64_t lanes_words __attribute__((vector_size(LANES * sizeof(uint64_t))));
+    lanes_words both;
+    memcpy(&both, words, sizeof both);
+    *lower = __builtin_convertvector(both, lanes_texel);
+    *upper = __builtin_convertvector(both >> 32, lanes_texel);
+}
+
+#else
+
+typedef real lanes;
+typedef int32_t lanes_int;
+typedef uint32_t lanes_texel;
+typedef int lanes_mask;
+
+LANES_INLINE lanes lanes_all(real value) {
+    return value;
+}
+
+LANES_INLINE lanes lanes_select(lanes_mask mask, lanes a, lanes b) {
+    return mask ? a : b;
+}
+
+LANES_INLINE lanes_texel lanes_texel_select(lanes_int mask, lanes_texel a, lanes_texel b) {
+    return mask ? a : b;
+}
+
+LANES_INLINE lanes lanes_sqrt(lanes a) {
+    return LANES_IS_FLOAT ? (real)sqrtf((float)a) : (real)sqrt((double)a);
+}
+
+LANES_INLINE lanes_int lanes_to_int(lanes a) {
+    return (lanes_int)a;
+}
+
+LANES_INLINE lanes lanes_from_int(lanes_int a) {
+    return (lanes)a;
+}
+
+LANES_INLINE bool lanes_is_set(lanes_mask mask, int i) {
+    (void)i;
+    return mask != 0;
+}
+
+LANES_INLINE lanes_mask lanes_all_set(void) {
+    return 1;
+}
+
+LANES_INLINE lanes_int lanes_int_from(int first) {
+    return first;
+}
+
+LANES_INLINE lanes lanes_from(int first) {
+    return (lanes)first;
+}
+
+LANES_INLINE void lanes_split(const uint64_t words[1], lanes_texel *lower, lanes_texel *upper) {
+    *lower = (lanes_texel)words[0];
+    *upper = (lanes_texel)(words[0] >> 32);
+}
+
+#endif
+
+LANES_INLINE lanes lanes_max(lanes a, lanes b) {
+    return lanes_select(a > b, a, b);
+}
+
+LANES_INLINE lanes lanes_min(lanes a, lanes b) {
+    return lanes_select(a < b, a, b);
+}
+
+/* Each lane of the mask counted. */
+LANES_INLINE uint64_t lanes_sum(lanes_int counts) {
+    int32_t count[LANES];
+    uint64_t sum = 0;
+    memcpy(count, &counts, sizeof count);
+    for (int i = 0; i < LANES; i++) {
+        sum += (uint64_t)count[i];
+    }
+    return sum;
+}
+
+LANES_INLINE uint32_t lanes_texel_at(lanes_texel texels, int i) {
+    uint32_t texel[LANES];
+    memcpy(texel, &texels, sizeof texel);
+    return texel[i];
+}
+
+/* The next lower whole number; for what an int32_t can hold. */
+LANES_INLINE lanes lanes_floor(lanes a) {
+    lanes whole = lanes_from_int(lanes_to_int(a));
+    return lanes_select(whole > a, whole - 1, whole);
+}
+
+/* A level rounded to the nearest of 0..255, halves up; what is not a number becomes 0. */
+LANES_INLINE lanes_int lanes_level(lanes level) {
+    return lanes_to_int(lanes_min(lanes_max(level, lanes_all(0)), lanes_all(255)) + 0.5f);
+}
+
+/* ---- Vectors: as struct vec2 and vec3 of geometry.h, for sixteen pixels ---- */
+
+struct lanes2 {
+    lanes x, y;
+};
+
+struct lanes3 {
+    lanes x, y, z;
+};
+
+LANES_INLINE struct lanes3 lanes3_sub(struct lanes3 a, struct lanes3 b) {
+    return (struct lanes3){a.x - b.x, a.y - b.y, a.z - b.z};
+}
+
+LANES_INLINE struct lanes3 lanes3_scale(struct lanes3 a, lanes factor) {
+    return (struct lanes3){a.x * factor, a.y * factor, a.z * factor};
+}
+
+LANES_INLINE lanes lanes3_dot(struct lanes3 a, struct lanes3 b) {
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+/* The same vector for all pixels. */
+LANES_INLINE struct lanes3 lanes3_all(struct vec3 v) {
+    return (struct lanes3){lanes_all((real)v.x), lanes_all((real)v.y), lanes_all((real)v.z)};
+}
+
+/* The vector of length 1 in the same direction; zero stays zero. */
+LANES_INLINE struct lanes3 lanes3_normalized(struct lanes3 a) {
+    lanes square = lanes3_dot(a, a);
+    lanes length = lanes_sqrt(lanes_select(square > 0, square, lanes_all(1)));
+    return lanes3_scale(a, 1 / length);
+}
+
+LANES_INLINE lanes_texel lanes_black(void) {
+    return (lanes_texel){0} + UINT32_C(0xFF000000);
+}
+
+/* Red, green, blue as levels, each rounded to the nearest of 0..255; what is not a number is 0. */
+LANES_INLINE lanes_texel lanes_rgb(lanes red, lanes green, lanes blue) {
+    lanes_int r = lanes_level(red), g = lanes_level(green), b = lanes_level(blue);
+    return (lanes_texel)(b | g << 8 | r << 16) | UINT32_C(0xFF000000);
+}
+
+#endif

@@ -1,0 +1,481 @@
+/* The first part of the pipeline: from a model to pieces on the screen. See pipeline.h. */
+#include "pipeline.h"
+
+#include "pipeline_parts.h"
+
+#include <assert.h>
+
+/* Nearer than this part of the camera's distance nothing is drawn: 1/w would grow without bound. */
+static const double near_w = 1.0 / 128;
+
+/* Faces are cut where they leave NDC -64..64: far outside the image, so that few are, but within
+ * SCREEN_LIMIT for the largest image. */
+static const double guard_band = 64;
+
+/* A depth beyond this is no place to draw at: sums and differences of such might overflow. */
+static const double depth_limit = 1e280;
+
+enum { CLIP_PLANES = 5 };
+
+/* Positions and faces are shared out among threads in blocks of this many. */
+enum { BLOCK_SIZE = 4096 };
+
+/* A convex polygon gains at most one corner at each plane. Where coordinates differ by many
+ * orders of magnitude, rounding can make the polygon not convex, and n corners become up to n +
+ * n/2 at each of the five planes: 3, 4, 6, 9, 13, 19. */
+enum { POLYGON_LIMIT = 19 };
+
+/* Sides of the view that a position is beyond. */
+enum {
+    BEYOND_LEFT = 1,
+    BEYOND_RIGHT = 2,
+    BEYOND_BOTTOM = 4,
+    BEYOND_TOP = 8,
+    BEYOND_NEAR = 16,
+    BEYOND_GUARD_BAND = 32
+};
+
+/* A transformed position. */
+struct vertex {
+    struct fixed2 screen; /* these two only without BEYOND_NEAR and BEYOND_GUARD_BAND */
+    double depth;
+    unsigned beyond;
+};
+
+/* A corner of a polygon while it is clipped. */
+struct clip_corner {
+    struct vec4 clip;
+    struct vec3 weight; /* of the face's corners; sum 1 */
+};
+
+struct polygon {
+    struct clip_corner corner[POLYGON_LIMIT];
+    size_t count;
+};
+
+/* What the threads that assemble a draw call share. */
+struct assembly {
+    struct pipeline *pipeline;
+    const struct draw *draw;
+    struct vertex *vertices;
+};
+
+/* ---- Positions ---- */
+
+/* NDC to the screen, snapped. False when the result is no place on the screen. */
+static bool project(struct vec4 clip, const struct rectangle *viewport, struct fixed2 *screen,
+                    double *depth, double *recip_w) {
+    *recip_w = 1 / clip.w;
+    *depth = clip.z * *recip_w;
+    double half_width = viewport->width / 2.0, half_height = viewport->height / 2.0;
+    struct vec2 position = {viewport->x + (clip.x * *recip_w + 1) * half_width,
+                            viewport->y + (clip.y * *recip_w + 1) * half_height};
+    return fabs(*depth) <= depth_limit && screen_snap(position, screen);
+}
+
+/* Written so that what is not a number is beyond everything. */
+static unsigned find_beyond(struct vec4 p) {
+    unsigned beyond = 0;
+    beyond |= p.x >= -p.w ? 0 : BEYOND_LEFT;
+    beyond |= p.x <= p.w ? 0 : BEYOND_RIGHT;
+    beyond |= p.y >= -p.w ? 0 : BEYOND_BOTTOM;
+    beyond |= p.y <= p.w ? 0 : BEYOND_TOP;
+    beyond |= p.w >= near_w ? 0 : BEYOND_NEAR;
+    double guard = guard_band * p.w;
+    beyond |= fabs(p.x) <= guard && fabs(p.y) <= guard ? 0 : BEYOND_GUARD_BAND;
+    return beyond;
+}
+
+/* A position of the model. Its 1/w is not kept: most are never asked for it. */
+static struct vertex transform(const struct draw_call *call, struct vec3 position) {
+    struct vec4 clip = mat4_point(&call->to_clip, position);
+    struct vertex vertex = {.beyond = find_beyond(clip)};
+    double recip_w;
+    if ((vertex.beyond & (BEYOND_NEAR | BEYOND_GUARD_BAND)) == 0 &&
+        !project(clip, &call->viewport, &vertex.screen, &vertex.depth, &recip_w)) {
+        vertex.beyond = ~0u;
+    }
+    return vertex;
+}
+
+/* The elements of a block. */
+static struct range block_range(size_t index, size_t count) {
+    size_t begin = index * BLOCK_SIZE;
+    return (struct range){begin, count - begin < BLOCK_SIZE ? count : begin + BLOCK_SIZE};
+}
+
+static void transform_block(void *context, size_t index, size_t worker) {
+    (void)worker;
+    const struct assembly *assembly = context;
+    const struct draw_call *call = &assembly->draw->call;
+    struct range range = block_range(index, call->model->position_count);
+    for (size_t i = range.begin; i < range.end; i++) {
+        assembly->vertices[i] = transform(call, call->model->positions[i]);
+    }
+}
+
+/* ---- Clipping ---- */
+
+/* Signed distances to the planes, positive inside. */
+static double plane_distance(struct vec4 p, int plane) {
+    switch (plane) {
+    case 0:
+        return p.w - near_w;
+    case 1:
+        return guard_band * p.w + p.x;
+    case 2:
+        return guard_band * p.w - p.x;
+    case 3:
+        return guard_band * p.w + p.y;
+    default:
+        return guard_band * p.w - p.y;
+    }
+}
+
+static double mix(double from, double to, double t) {
+    return from + t * (to - from);
+}
+
+/* Where an edge crosses the plane. Always computed from the corner inside to the one outside, so
+ * that both faces of an edge find the very same point, and no gap opens between them. */
+static struct clip_corner cut_edge(const struct clip_corner *inside,
+                                   const struct clip_corner *outside, double inside_distance,
+                                   double outside_distance) {
+    double t = inside_distance / (inside_distance - outside_distance);
+    struct vec4 p = inside->clip, q = outside->clip;
+    struct vec3 v = inside->weight, w = outside->weight;
+    return (struct clip_corner){
+        .clip = {mix(p.x, q.x, t), mix(p.y, q.y, t), mix(p.z, q.z, t), mix(p.w, q.w, t)},
+        .weight = {mix(v.x, w.x, t), mix(v.y, w.y, t), mix(v.z, w.z, t)},
+    };
+}
+
+/* The part of a polygon on the inner side of a plane (Sutherland and Hodgman, "Reentrant Polygon
+ * Clipping", 1974). */
+static struct polygon clip_at_plane(const struct polygon *polygon, int plane) {
+    struct polygon result = {.count = 0};
+    for (size_t i = 0; i < polygon->count; i++) {
+        const struct clip_corner *a = &polygon->corner[i];
+        const struct clip_corner *b = &polygon->corner[(i + 1) % polygon->count];
+        double a_distance = plane_distance(a->clip, plane);
+        double b_distance = plane_distance(b->clip, plane);
+        bool a_inside = a_distance >= 0, b_inside = b_distance >= 0;
+        if (a_inside) {
+            result.corner[result.count++] = *a;
+        }
+        if (a_inside && !b_inside) {
+            result.corner[result.count++] = cut_edge(a, b, a_distance, b_distance);
+        } else if (!a_inside && b_inside) {
+            result.corner[result.count++] = cut_edge(b, a, b_distance, a_distance);
+        }
+    }
+    return result;
+}
+
+/* ---- Faces ---- */
+
+/* A face whose corners are put into order. */
+struct ordered_face {
+    const struct vertex *vertex[3];
+    struct vec4 clip[3]; /* only of a face that must be clipped */
+    uint32_t face;
+    uint8_t corner[3]; /* which corner of the face each is */
+};
+
+enum face_kind { FACE_OUTSIDE, FACE_CLIPPED, FACE_WHOLE };
+
+static enum face_kind kind_of_face(const struct vertex *const vertex[3]) {
+    unsigned all = vertex[0]->beyond & vertex[1]->beyond & vertex[2]->beyond;
+    unsigned any = vertex[0]->beyond | vertex[1]->beyond | vertex[2]->beyond;
+    if ((all & ~(unsigned)BEYOND_GUARD_BAND) != 0) {
+        return FACE_OUTSIDE;
+    }
+    return (any & (BEYOND_NEAR | BEYOND_GUARD_BAND)) != 0 ? FACE_CLIPPED : FACE_WHOLE;
+}
+
+static void find_vertices(const struct assembly *a, size_t face, const struct vertex *vertex[3]) {
+    const struct corner *corner = a->draw->call.model->faces[face].corner;
+    for (int i = 0; i < 3; i++) {
+        vertex[i] = &a->vertices[corner[i].position];
+    }
+}
+
+/* Is a triangle with this winding culled? */
+static bool is_culled(bool clockwise, enum cull cull) {
+    return (cull == CULL_BACK && clockwise) || (cull == CULL_FRONT && !clockwise);
+}
+
+/* Twice the signed area, in 1/256 pixel squared; positive when counterclockwise. */
+static int64_t signed_area(const struct fixed2 *p) {
+    return ((int64_t)p[1].x - p[0].x) * ((int64_t)p[2].y - p[0].y) -
+           ((int64_t)p[1].y - p[0].y) * ((int64_t)p[2].x - p[0].x);
+}
+
+/* The pixels whose centres the box of a triangle reaches, cut to the viewport. */
+static struct span columns_of(const struct fixed2 *p, const struct rectangle *viewport) {
+    int begin = (least_of(p[0].x, p[1].x, p[2].x) + SUBPIXELS / 2 - 1) >> 8;
+    int end = ((most_of(p[0].x, p[1].x, p[2].x) - SUBPIXELS / 2) >> 8) + 1;
+    return span_overlap((struct span){begin, end},
+                        (struct span){viewport->x, viewport->x + viewport->width});
+}
+
+static struct span rows_of(const struct fixed2 *p, const struct rectangle *viewport) {
+    int begin = (least_of(p[0].y, p[1].y, p[2].y) + SUBPIXELS / 2 - 1) >> 8;
+    int end = ((most_of(p[0].y, p[1].y, p[2].y) - SUBPIXELS / 2) >> 8) + 1;
+    return span_overlap((struct span){begin, end},
+                        (struct span){viewport->y, viewport->y + viewport->height});
+}
+
+static struct span span_around(struct span a, struct span b) {
+    return (struct span){a.begin < b.begin ? a.begin : b.begin, a.end > b.end ? a.end : b.end};
+}
+
+/* Where a block's pieces go. */
+struct output {
+    struct block *block;
+    struct piece *pieces;
+    struct clipped_corners *clipped;
+    uint32_t *band_counts;
+};
+
+/* Corner 0 becomes the lowest, of those the leftmost, so that a face whose corners are listed from
+ * another one on is computed in the same way, to the last bit; and the rest follows
+ * counterclockwise. */
+static void order_corners(struct piece *piece, bool clockwise) {
+    struct piece given = *piece;
+    int first = 0;
+    for (int i = 1; i < 3; i++) {
+        struct fixed2 a = given.corner[i], b = given.corner[first];
+        first = a.y < b.y || (a.y == b.y && a.x < b.x) ? i : first;
+    }
+    for (int i = 0; i < 3; i++) {
+        int from = (first + (clockwise ? 3 - i : i)) % 3;
+        piece->corner[i] = given.corner[from];
+        piece->depth[i] = given.depth[from];
+        piece->face_corner[i] = given.face_corner[from];
+    }
+}
+
+/* Add a triangle if it must be drawn; count why it need not. */
+static bool add_piece(const struct assembly *a, struct output *to, const struct piece *given) {
+    const struct draw_call *call = &a->draw->call;
+    struct block *block = to->block;
+    int64_t area = signed_area(given->corner);
+    bool culled = is_culled(area < 0, call->cull);
+    if (culled && area != 0 && a->pipeline->skip) {
+        block->stats[STAT_FACES_TURNED_AWAY]++;
+        return false;
+    }
+    struct span columns = columns_of(given->corner, &call->viewport);
+    struct span rows = rows_of(given->corner, &call->viewport);
+    if (area == 0 || columns.begin >= columns.end || rows.begin >= rows.end) {
+        block->stats[STAT_FACES_WITHOUT_PIXEL]++;
+        return false;
+    }
+    struct piece *piece = &to->pieces[block->piece_count++];
+    *piece = *given;
+    piece->dropped = culled;
+    order_corners(piece, area < 0);
+    block->columns = span_around(block->columns, columns);
+    block->rows = span_around(block->rows, rows);
+    for (int band = rows.begin / BAND_HEIGHT; band <= (rows.end - 1) / BAND_HEIGHT; band++) {
+        to->band_counts[band]++;
+    }
+    return true;
+}
+
+static void add_whole_face(const struct assembly *a, struct output *to, size_t face,
+                           const struct vertex *const vertex[3]) {
+    struct piece piece = {.face = (uint32_t)face, .clipped = NOT_CLIPPED, .face_corner = {0, 1, 2}};
+    for (int i = 0; i < 3; i++) {
+        piece.corner[i] = vertex[i]->screen;
+        piece.depth[i] = vertex[i]->depth;
+    }
+    add_piece(a, to, &piece);
+}
+
+/* ---- Faces that are clipped ---- */
+
+/* Is position a before b, in a fixed order? */
+static bool is_before(struct vec4 a, struct vec4 b) {
+    return a.y < b.y ||
+           (a.y == b.y && (a.x < b.x || (a.x == b.x && (a.z < b.z || (a.z == b.z && a.w < b.w)))));
+}
+
+/* The part of a face that can be drawn. Cut from its first corner on, in a fixed order of
+ * positions; the weights are of the face's corners as the model lists them. */
+static struct polygon clip_face(const struct draw_call *call, size_t face) {
+    static const struct vec3 weight[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    struct vec4 clip[3];
+    size_t first = 0;
+    for (size_t i = 0; i < 3; i++) {
+        clip[i] = mat4_point(&call->to_clip, model_position(call->model, face, i));
+        first = i > 0 && is_before(clip[i], clip[first]) ? i : first;
+    }
+    struct polygon polygon = {.count = 3};
+    for (size_t i = 0; i < 3; i++) {
+        size_t from = (first + i) % 3;
+        polygon.corner[i] = (struct clip_corner){clip[from], weight[from]};
+    }
+    for (int plane = 0; plane < CLIP_PLANES && polygon.count > 0; plane++) {
+        polygon = clip_at_plane(&polygon, plane);
+    }
+    return polygon;
+}
+
+/* One triangle of the fan that a clipped polygon is cut into. */
+static void add_part(const struct assembly *a, struct output *to, size_t face,
+                     const struct clip_corner *const corner[3]) {
+    struct piece piece = {.face = (uint32_t)face, .face_corner = {0, 1, 2}};
+    struct clipped_corners clipped;
+    for (int i = 0; i < 3; i++) {
+        if (!project(corner[i]->clip, &a->draw->call.viewport, &piece.corner[i], &piece.depth[i],
+                     &clipped.recip_w[i])) {
+            return;
+        }
+        clipped.weight[i] = corner[i]->weight;
+    }
+    piece.clipped = (uint32_t)(to->block->first_clipped + to->block->clipped_count);
+    if (add_piece(a, to, &piece)) {
+        to->clipped[to->block->clipped_count++] = clipped;
+    }
+}
+
+static void add_clipped_face(const struct assembly *a, struct output *to, size_t face) {
+    struct polygon polygon = clip_face(&a->draw->call, face);
+    if (polygon.count < 3) {
+        to->block->stats[STAT_FACES_OUTSIDE]++;
+        return;
+    }
+    to->block->stats[STAT_FACES_CLIPPED]++;
+    for (size_t i = 2; i < polygon.count; i++) {
+        const struct clip_corner *part[3] = {&polygon.corner[0], &polygon.corner[i - 1],
+                                             &polygon.corner[i]};
+        add_part(a, to, face, part);
+    }
+}
+
+/* ---- Blocks of faces ---- */
+
+static void assemble_block(void *context, size_t index, size_t worker) {
+    (void)worker;
+    const struct assembly *a = context;
+    const struct pipeline *p = a->pipeline;
+    struct block *block = (struct block *)p->blocks.data + a->draw->first_block + index;
+    size_t bands = band_count(p);
+    struct output to = {
+        .block = block,
+        .pieces = (struct piece *)p->pieces.data + block->first_piece,
+        .clipped = (struct clipped_corners *)p->clipped.data + block->first_clipped,
+        .band_counts = (uint32_t *)p->band_counts.data + (a->draw->first_block + index) * bands,
+    };
+    memset(to.band_counts, 0, bands * sizeof *to.band_counts);
+    struct range range = block_range(index, a->draw->call.model->face_count);
+    for (size_t face = range.begin; face < range.end; face++) {
+        const struct vertex *vertex[3];
+        find_vertices(a, face, vertex);
+        switch (kind_of_face(vertex)) {
+        case FACE_OUTSIDE:
+            block->stats[STAT_FACES_OUTSIDE]++;
+            break;
+        case FACE_CLIPPED:
+            add_clipped_face(a, &to, face);
+            break;
+        case FACE_WHOLE:
+            add_whole_face(a, &to, face, vertex);
+            break;
+        }
+    }
+}
+
+/* How many pieces the faces of a block may need, counted into `block`. */
+static void count_pieces(const struct assembly *a, struct range faces, struct block *block) {
+    for (size_t face = faces.begin; face < faces.end; face++) {
+        const struct vertex *vertex[3];
+        find_vertices(a, face, vertex);
+        enum face_kind kind = kind_of_face(vertex);
+        if (kind == FACE_CLIPPED) {
+            size_t corners = clip_face(&a->draw->call, face).count;
+            block->clipped_count += corners > 2 ? corners - 2 : 0;
+        }
+        block->piece_count += kind == FACE_WHOLE;
+    }
+    block->piece_count += block->clipped_count;
+}
+
+/* Could one of the vertices make a face be clipped? */
+static bool may_clip(const struct assembly *a) {
+    unsigned beyond = 0;
+    for (size_t i = 0; i < a->draw->call.model->position_count; i++) {
+        beyond |= a->vertices[i].beyond;
+    }
+    return (beyond & (BEYOND_NEAR | BEYOND_GUARD_BAND)) != 0;
+}
+
+/* Give each block of the draw call its part of `pieces` and `clipped`. */
+static bool lay_out_blocks(struct pipeline *p, const struct assembly *a, struct error *error) {
+    const struct draw *draw = a->draw;
+    size_t face_count = draw->call.model->face_count;
+    bool clips = may_clip(a);
+    struct block *blocks = p->blocks.data;
+    size_t pieces = p->piece_end, clipped = p->clipped_end;
+    for (size_t i = 0; i < draw->block_count; i++) {
+        struct block *block = &blocks[draw->first_block + i];
+        struct range faces = block_range(i, face_count);
+        *block = (struct block){.columns = {INT_MAX, 0}, .rows = {INT_MAX, 0}};
+        if (clips) {
+            count_pieces(a, faces, block);
+        } else {
+            block->piece_count = faces.end - faces.begin;
+        }
+        block->first_piece = pieces;
+        block->first_clipped = clipped;
+        pieces += block->piece_count;
+        clipped += block->clipped_count;
+        block->piece_count = block->clipped_count = 0; /* so far */
+    }
+    if (pieces >= UINT32_MAX) {
+        return error_set(error, "more than %lu triangles in one frame", (unsigned long)UINT32_MAX);
+    }
+    if (!buffer_reserve(&p->pieces, pieces, sizeof(struct piece), error) ||
+        !buffer_reserve(&p->clipped, clipped, sizeof(struct clipped_corners), error)) {
+        return false;
+    }
+    p->piece_end = pieces;
+    p->clipped_end = clipped;
+    return true;
+}
+
+/* What the blocks of a draw call have counted. */
+static void add_up_blocks(struct pipeline *p, struct draw *draw) {
+    const struct block *blocks = p->blocks.data;
+    draw->columns = draw->rows = (struct span){INT_MAX, 0};
+    for (size_t i = draw->first_block; i < draw->first_block + draw->block_count; i++) {
+        draw->columns = span_around(draw->columns, blocks[i].columns);
+        draw->rows = span_around(draw->rows, blocks[i].rows);
+        for (int stat = 0; stat < PIPELINE_STATS; stat++) {
+            p->stats[stat] += blocks[i].stats[stat];
+        }
+    }
+}
+
+bool pipeline_assemble(struct pipeline *p, struct draw *draw, struct error *error) {
+    const struct model *model = draw->call.model;
+    size_t vertex_blocks = (model->position_count + BLOCK_SIZE - 1) / BLOCK_SIZE;
+    draw->block_count = (model->face_count + BLOCK_SIZE - 1) / BLOCK_SIZE;
+    size_t blocks = draw->first_block + draw->block_count;
+    p->stats[STAT_FACES] += model->face_count;
+    if (!buffer_reserve(&p->vertices, model->position_count, sizeof(struct vertex), error) ||
+        !buffer_reserve(&p->blocks, blocks, sizeof(struct block), error) ||
+        !buffer_reserve(&p->band_counts, blocks * band_count(p), sizeof(uint32_t), error)) {
+        return false;
+    }
+    struct assembly assembly = {p, draw, p->vertices.data};
+    pipeline_run(p, vertex_blocks, transform_block, &assembly);
+    if (!lay_out_blocks(p, &assembly, error)) {
+        return false;
+    }
+    pipeline_run(p, draw->block_count, assemble_block, &assembly);
+    add_up_blocks(p, draw);
+    return true;
+}

@@ -1,0 +1,39 @@
+/*
+ * Private to the pipeline: what pipeline.c and pipeline_assemble.c know of each other.
+ */
+#ifndef COMMON_PIPELINE_PARTS_H
+#define COMMON_PIPELINE_PARTS_H
+
+#include "pipeline.h"
+
+#include <limits.h>
+#include <string.h>
+
+/* Elements of an array: begin inclusive, end exclusive. */
+struct range {
+    size_t begin, end;
+};
+
+/* The faces that one thread assembles, and the pieces that they became. */
+struct block {
+    size_t first_piece, piece_count;
+    size_t first_clipped, clipped_count;
+    struct span columns, rows; /* that the pieces may cover */
+    uint64_t stats[PIPELINE_STATS];
+};
+
+/* Room for that many elements. False, with the buffer as it was, when memory runs out. */
+bool buffer_reserve(struct buffer *buffer, size_t count, size_t element_size, struct error *error);
+
+/* Share out a loop among the threads, which are started when there is more than one part for the
+ * first time. */
+void pipeline_run(struct pipeline *pipeline, size_t count, worker_function *work, void *context);
+
+/* Transform, clip and cull the model of a recorded draw call: fills its blocks. */
+bool pipeline_assemble(struct pipeline *pipeline, struct draw *draw, struct error *error);
+
+static inline size_t band_count(const struct pipeline *pipeline) {
+    return (pipeline->height + BAND_HEIGHT - 1) / BAND_HEIGHT;
+}
+
+#endif

@@ -1,0 +1,67 @@
+/*
+ * The bilinear sample of texture.h for sixteen pixels at once: see lanes.h.
+ */
+#ifndef COMMON_TEXTURE_LANES_H
+#define COMMON_TEXTURE_LANES_H
+
+#include "lanes.h"
+#include "texture.h"
+
+/* One channel of the four texels around each place, mixed. */
+LANES_INLINE lanes lanes_mix_channel(const lanes_texel texel[4], int shift, lanes across,
+                                     lanes along) {
+    lanes channel[4];
+    for (int i = 0; i < 4; i++) {
+        channel[i] = lanes_from_int((lanes_int)(texel[i] >> shift & 0xFF));
+    }
+    lanes lower = channel[0] + (channel[1] - channel[0]) * across;
+    lanes upper = channel[2] + (channel[3] - channel[2]) * across;
+    return lower + (upper - lower) * along;
+}
+
+/* A place between texel centres along one axis: the lower one of its two neighbours, and how far it
+ * lies towards the other, 0..1. */
+struct lanes_place {
+    lanes_int texel;
+    lanes fraction;
+};
+
+LANES_INLINE struct lanes_place lanes_find_texel(lanes coordinate, size_t size) {
+    real last = (real)(uint32_t)(size - 1), last_lower = size > 1 ? last - 1 : 0;
+    lanes place = coordinate * (last + 1) - 0.5f;
+    place = lanes_min(lanes_max(place, lanes_all(0)), lanes_all(last));
+    lanes_int texel = lanes_to_int(lanes_min(place, lanes_all(last_lower)));
+    return (struct lanes_place){texel, place - lanes_from_int(texel)};
+}
+
+/* Two neighbours of a row in one word. (The last texel of a texture is followed by one more.) */
+static inline uint64_t texel_pair(const uint32_t *texels) {
+    return texels[0] | (uint64_t)texels[1] << 32;
+}
+
+/* Linear between the four nearest texel centres of one level (clamped to the last one): red, green,
+ * blue as x, y, z in levels 0..255, not rounded. What is not used of it is not computed:
+ * of a grey texture, take x. */
+LANES_INLINE struct lanes3 texture_lanes(const struct texture *texture, struct lanes2 uv,
+                                         size_t level) {
+    size_t last_level = texture->level_count - 1;
+    const struct texture_level *l = &texture->level[level < last_level ? level : last_level];
+    struct lanes_place x = lanes_find_texel(uv.x, l->width), y = lanes_find_texel(uv.y, l->height);
+    lanes_texel index = (lanes_texel)y.texel * (uint32_t)l->width + (lanes_texel)x.texel;
+    size_t up = l->height > 1 ? l->width : 0;
+    uint32_t place[LANES];
+    uint64_t lower[LANES], upper[LANES];
+    memcpy(place, &index, sizeof place);
+    for (int i = 0; i < LANES; i++) {
+        lower[i] = texel_pair(l->texels + place[i]);
+        upper[i] = texel_pair(l->texels + place[i] + up);
+    }
+    lanes_texel texel[4];
+    lanes_split(lower, &texel[0], &texel[1]);
+    lanes_split(upper, &texel[2], &texel[3]);
+    return (struct lanes3){lanes_mix_channel(texel, 16, x.fraction, y.fraction),
+                           lanes_mix_channel(texel, 8, x.fraction, y.fraction),
+                           lanes_mix_channel(texel, 0, x.fraction, y.fraction)};
+}
+
+#endif
