@@ -39,10 +39,15 @@ static inline uint64_t texel_pair(const uint32_t *texels) {
     return texels[0] | (uint64_t)texels[1] << 32;
 }
 
-/* Linear between the four nearest texel centres of one level (clamped to the last one): red, green,
- * blue as x, y, z in levels 0..255, not rounded. What is not used of it is not computed:
- * of a grey texture, take x. */
-LANES_INLINE struct lanes3 texture_lanes(const struct texture *texture, struct lanes2 uv,
+/* The four texels around each pixel's place, and how far it lies between them. */
+struct texels {
+    lanes_texel texel[4]; /* lower left, lower right, upper left, upper right */
+    lanes across, along;  /* 0..1 */
+};
+
+/* Fetch from one level (clamped to the last one). Memory is slow: fetch what is needed from several
+ * textures first, and mix then, so that the processor waits for all of it at once. */
+LANES_INLINE struct texels texture_fetch(const struct texture *texture, struct lanes2 uv,
                                          size_t level) {
     size_t last_level = texture->level_count - 1;
     const struct texture_level *l = &texture->level[level < last_level ? level : last_level];
@@ -56,12 +61,25 @@ LANES_INLINE struct lanes3 texture_lanes(const struct texture *texture, struct l
         lower[i] = texel_pair(l->texels + place[i]);
         upper[i] = texel_pair(l->texels + place[i] + up);
     }
-    lanes_texel texel[4];
-    lanes_split(lower, &texel[0], &texel[1]);
-    lanes_split(upper, &texel[2], &texel[3]);
-    return (struct lanes3){lanes_mix_channel(texel, 16, x.fraction, y.fraction),
-                           lanes_mix_channel(texel, 8, x.fraction, y.fraction),
-                           lanes_mix_channel(texel, 0, x.fraction, y.fraction)};
+    struct texels texels = {.across = x.fraction, .along = y.fraction};
+    lanes_split(lower, &texels.texel[0], &texels.texel[1]);
+    lanes_split(upper, &texels.texel[2], &texels.texel[3]);
+    return texels;
+}
+
+/* Linear between the texels: red, green, blue as x, y, z in levels 0..255, not rounded. What is not
+ * used of it is not computed: of a grey texture, take x. */
+LANES_INLINE struct lanes3 texels_mix(const struct texels *t) {
+    return (struct lanes3){lanes_mix_channel(t->texel, 16, t->across, t->along),
+                           lanes_mix_channel(t->texel, 8, t->across, t->along),
+                           lanes_mix_channel(t->texel, 0, t->across, t->along)};
+}
+
+/* Both: the bilinear sample. */
+LANES_INLINE struct lanes3 texture_lanes(const struct texture *texture, struct lanes2 uv,
+                                         size_t level) {
+    struct texels texels = texture_fetch(texture, uv, level);
+    return texels_mix(&texels);
 }
 
 #endif

@@ -226,10 +226,15 @@ static lanes_mask weight_map_fragment(const void *uniforms, const lanes *varying
                                       lanes_texel *color) {
     /* BEGIN SOLUTION 10.7 fragment functions */
     const struct uniforms *u = uniforms;
-    struct surface surface = textured_surface(u, varyings);
-    surface.normal = mapped_normal(u, varyings);
-    surface.specular *=
-        texture_lanes(u->specular, uv_of(varyings), u->specular_level).x * (1 / 255.0f);
+    struct lanes2 uv = uv_of(varyings);
+    struct texels a = texture_fetch(u->diffuse, uv, u->diffuse_level);
+    struct texels b = texture_fetch(u->normal_map, uv, u->normal_level);
+    struct texels c = texture_fetch(u->specular, uv, u->specular_level);
+    struct surface surface = plain_surface(u, varyings);
+    surface.color = texels_mix(&a);
+    struct lanes3 n = texels_mix(&b);
+    surface.normal = lanes3_normalized((struct lanes3){n.x - 127.5f, n.y - 127.5f, n.z - 127.5f});
+    surface.specular *= texels_mix(&c).x * (1 / 255.0f);
     *color = illuminate(u, &surface);
     return lanes_all_set();
     /* STARTER
