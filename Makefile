@@ -16,6 +16,7 @@ For the course as a whole:
   make stress                 hostile numbers, independent answers (STRESS=10, SEED=7, PROPERTY=line)
   make bench                  run time against error, a chart for each lesson (STEP=05 for one)
   make charts                 put these charts into the lessons
+  make bench-frame            the time of a frame beside Mesa's llvmpipe (OPTIONS=--help)
   make figures                draw the lessons' other pictures into build/out/*/figures (STEP=05)
   make lesson-figures         the same into the lessons, after a change to them (STEP=05)
   make references             draw the reference images again, never part of a check (STEP=05)

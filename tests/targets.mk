@@ -109,14 +109,13 @@ bench: $(BUILD)/benchmark models
 	@mkdir -p $(BUILD)/bench
 	$(BUILD)/benchmark -o $(BUILD) $(STEP)
 
-# ---- make mutants, portability, compare-opengl, fuzz, coverage ----
+# ---- make compare-opengl, make bench-frame: beside Mesa's renderer ----
 
-.PHONY: mutants portability compare-opengl has-mesa fuzz coverage
-mutants:
-	@tests/mutants/run.sh $(BUILD) '$(or $(NAME),*)' '$(ONLY)'
-
-portability:
-	@tests/portability/portability.sh -b $(BUILD)/portability $(CONFIGURATIONS)
+.PHONY: compare-opengl has-mesa bench-frame
+FIND_MESA = printf '%s\n' '\#include <EGL/egl.h>' '\#include <GL/glcorearb.h>' | \
+            $(CC) -E - >/dev/null 2>&1
+MESA_IS_MISSING = Mesa is missing; on Debian: apt-get install libegl-dev libgl-dev libegl1 \
+                  libgl1-mesa-dri
 
 OPENGL_OBJECTS = $(call OBJECTS_OF,opengl) $(BUILD)/tests/opengl/list.o
 
@@ -129,9 +128,31 @@ $(BUILD)/compare-opengl: $(OPENGL_OBJECTS) $(BUILD)/libcommon.a
 # Says what is missing before the compiler does.
 $(OPENGL_OBJECTS): | has-mesa
 has-mesa:
-	@printf '%s\n' '#include <EGL/egl.h>' '#include <GL/glcorearb.h>' | $(CC) -E - >/dev/null 2>&1 || \
-	    { echo 'compare-opengl: Mesa is missing; on Debian: apt-get install libegl-dev libgl-dev' \
-	        'libegl1 libgl1-mesa-dri'; exit 2; }
+	@$(FIND_MESA) || { echo 'compare-opengl: $(MESA_IS_MISSING)'; exit 2; }
+
+# Without Mesa the program has one side only. Whether it is there is asked when it matters.
+ifneq ($(filter bench-frame $(BUILD)/bench-frame,$(MAKECMDGOALS)),)
+HAS_MESA := $(shell $(FIND_MESA) && echo yes)
+endif
+FRAME_OBJECTS = $(filter-out %llvmpipe.o,$(call OBJECTS_OF,frame oracle)) \
+                $(addprefix $(BUILD)/tests/,$(if $(HAS_MESA), \
+                    frame/llvmpipe.o opengl/context.o opengl/picture.o,frame/without_llvmpipe.o))
+
+bench-frame: $(BUILD)/bench-frame models
+	@$(if $(HAS_MESA),,echo 'without llvmpipe: $(MESA_IS_MISSING)')
+	@$(BUILD)/bench-frame $(OPTIONS)
+
+$(BUILD)/bench-frame: $(FRAME_OBJECTS) $(BUILD)/libcommon.a
+	$(LINK) $^ $(if $(HAS_MESA),-lEGL -lGL) -lm -o $@
+
+# ---- make mutants, portability, fuzz, coverage ----
+
+.PHONY: mutants portability fuzz coverage
+mutants:
+	@tests/mutants/run.sh $(BUILD) '$(or $(NAME),*)' '$(ONLY)'
+
+portability:
+	@tests/portability/portability.sh -b $(BUILD)/portability $(CONFIGURATIONS)
 
 FUZZ_SECONDS = 60
 fuzz:

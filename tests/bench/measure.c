@@ -2,27 +2,18 @@
 #define _POSIX_C_SOURCE 200809L
 #include "measure.h"
 
+#include "../timing.h"
+
 #include <assert.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
-#include <time.h>
 
 enum { ROUNDS_LEAST = 5, ROUNDS_WANTED = 31, ROUNDS_MOST = 501, CALLS_MOST = 1000000 };
 
 /* A sample is no longer than this where a run is not: many short samples make a better median than
  * a few long ones. */
 static const double sample_seconds_most = 0.002;
-
-static double clock_seconds(clockid_t clock) {
-    struct timespec t;
-    clock_gettime(clock, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
-
-static double now(void) {
-    return clock_seconds(CLOCK_MONOTONIC);
-}
 
 /* Seconds of one call. While another program has the processor, the clock on the wall goes on and
  * the processor time does not; while several threads run, processor time goes faster. The smaller
@@ -48,21 +39,8 @@ static size_t warm_up(const struct bench_version *version, void *state, double s
     return calls < 1 ? 1 : calls > CALLS_MOST ? CALLS_MOST : (size_t)calls;
 }
 
-static int compare_doubles(const void *a, const void *b) {
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
-/* The value below which `share` of the sorted samples lie, linear between neighbours. */
-static double quantile(const double *sorted, size_t count, double share) {
-    double place = share * (double)(count - 1);
-    size_t i = (size_t)place;
-    double next = sorted[i + 1 < count ? i + 1 : i];
-    return sorted[i] + (next - sorted[i]) * (place - (double)i);
-}
-
 static void summarize(struct bench_result *result, double *samples, double scale) {
-    qsort(samples, result->rounds, sizeof *samples, compare_doubles);
+    sort_doubles(samples, result->rounds);
     result->median = scale * quantile(samples, result->rounds, 0.5);
     result->lower = scale * quantile(samples, result->rounds, 0.25);
     result->upper = scale * quantile(samples, result->rounds, 0.75);

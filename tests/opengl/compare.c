@@ -30,10 +30,11 @@
 #include "reference.h"
 #include "stage.h"
 
+#include "../timing.h"
+
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
 #ifndef COURSE_BUILD
 #define COURSE_BUILD "build"
@@ -68,24 +69,6 @@ struct findings {
     int largest_difference; /* of levels, other than at a jump */
     double ours_ms, mesa_ms;
 };
-
-/* ---- Time ---- */
-
-static double now_ms(void) {
-    struct timespec time;
-    clock_gettime(CLOCK_MONOTONIC, &time);
-    return (double)time.tv_sec * 1e3 + (double)time.tv_nsec * 1e-6;
-}
-
-static int compare_doubles(const void *a, const void *b) {
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
-static double median(double times[REPEATS]) {
-    qsort(times, REPEATS, sizeof *times, compare_doubles);
-    return times[REPEATS / 2];
-}
 
 /* ---- A scene and what belongs to it while it is compared ---- */
 
@@ -226,16 +209,21 @@ static bool save_both(const struct subject *s, const struct mesa_result *mesa,
 
 /* ---- One scene ---- */
 
+static double median_ms(double times[REPEATS]) {
+    sort_doubles(times, REPEATS);
+    return 1e3 * quantile(times, REPEATS, 0.5);
+}
+
 static bool time_ours(struct subject *s, double *ms, struct error *error) {
     double times[REPEATS];
     for (int i = 0; i < REPEATS; i++) {
-        double begin = now_ms();
+        double begin = now();
         if (!draw_over(s, 0, error)) {
             return false;
         }
-        times[i] = now_ms() - begin;
+        times[i] = now() - begin;
     }
-    *ms = median(times);
+    *ms = median_ms(times);
     return true;
 }
 
@@ -246,15 +234,15 @@ static void time_mesa(const struct subject *s, struct mesa *mesa, struct mesa_re
     double times[REPEATS];
     mesa_draw(mesa, &s->picture, POSITIONS_WHOLE); /* compiles the shaders for this state */
     for (int i = 0; i < REPEATS; i++) {
-        double begin = now_ms();
+        double begin = now();
         mesa_draw(mesa, &s->picture, POSITIONS_WHOLE);
         if (s->picture.shows_depth) {
             mesa_read_depths(mesa, &s->picture, result->depths);
             show_depths(result->depths, s->picture.width * s->picture.height, result->pixels);
         }
-        times[i] = now_ms() - begin;
+        times[i] = now() - begin;
     }
-    *ms = median(times);
+    *ms = median_ms(times);
 }
 
 /* Draw the picture that is loaded both ways and compare. */

@@ -1,25 +1,15 @@
 /* Mesa without a window: see mesa.h. */
-#define _POSIX_C_SOURCE 200809L /* setenv */
 #include "mesa.h"
 
+#include "context.h"
 #include "looks.h"
 
-#define GL_GLEXT_PROTOTYPES
-#include <EGL/egl.h>
-#include <EGL/eglext.h>
-#include <GL/gl.h>
-#include <GL/glext.h>
-
-#include <stdio.h>
 #include <stdlib.h>
-#include <string.h>
 
 enum { TEXTURE_LIMIT = 4, UNIFORM_TEXTURES = 3 };
 
 struct mesa {
-    EGLDisplay display;
-    EGLContext context;
-    char name[256];
+    struct gl_context context;
     GLuint programs[LOOK_COUNT], layer_program;
     /* The picture that is loaded. */
     GLuint vertex_array;
@@ -32,90 +22,18 @@ struct mesa {
     size_t texture_count;
 };
 
-/* ---- The context ---- */
-
-static EGLDisplay open_display(void) {
-    PFNEGLGETPLATFORMDISPLAYEXTPROC get_display =
-        (PFNEGLGETPLATFORMDISPLAYEXTPROC)eglGetProcAddress("eglGetPlatformDisplayEXT");
-    return get_display == NULL
-               ? EGL_NO_DISPLAY
-               : get_display(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, NULL);
-}
-
-static bool open_context(struct mesa *mesa, struct error *error) {
-    static const EGLint attributes[] = {
-        EGL_CONTEXT_MAJOR_VERSION,
-        4,
-        EGL_CONTEXT_MINOR_VERSION,
-        5,
-        EGL_CONTEXT_OPENGL_PROFILE_MASK,
-        EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
-        EGL_NONE,
-    };
-    mesa->display = open_display();
-    if (mesa->display == EGL_NO_DISPLAY || !eglInitialize(mesa->display, NULL, NULL)) {
-        return error_set(error,
-                         "EGL has no display without a window (Mesa's surfaceless platform)");
-    }
-    if (!eglBindAPI(EGL_OPENGL_API)) {
-        return error_set(error, "EGL has no OpenGL");
-    }
-    mesa->context = eglCreateContext(mesa->display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes);
-    if (mesa->context == EGL_NO_CONTEXT ||
-        !eglMakeCurrent(mesa->display, EGL_NO_SURFACE, EGL_NO_SURFACE, mesa->context)) {
-        return error_set(error, "EGL cannot make a context of OpenGL 4.5");
-    }
-    snprintf(mesa->name, sizeof mesa->name, "%s, OpenGL %s", (const char *)glGetString(GL_RENDERER),
-             (const char *)glGetString(GL_VERSION));
-    return true;
-}
-
 /* ---- Shaders ---- */
-
-static GLuint compile(GLenum kind, const char *const *parts, struct error *error) {
-    GLuint shader = glCreateShader(kind);
-    GLint compiled = GL_FALSE;
-    glShaderSource(shader, LOOK_PARTS, parts, NULL);
-    glCompileShader(shader);
-    glGetShaderiv(shader, GL_COMPILE_STATUS, &compiled);
-    if (compiled == GL_FALSE) {
-        char log[512];
-        glGetShaderInfoLog(shader, sizeof log, NULL, log);
-        error_set(error, "a shader does not compile: %s", log);
-        glDeleteShader(shader);
-        return 0;
-    }
-    return shader;
-}
 
 /* 0, with a message, when the program cannot be made. */
 static GLuint make_program(enum look look, bool layers, struct error *error) {
     const char *vertex_parts[LOOK_PARTS], *fragment_parts[LOOK_PARTS];
-    GLint linked = GL_FALSE;
     look_vertex_shader(look, vertex_parts);
     if (layers) {
         layer_fragment_shader(fragment_parts);
     } else {
         look_fragment_shader(look, fragment_parts);
     }
-    GLuint vertex = compile(GL_VERTEX_SHADER, vertex_parts, error);
-    GLuint fragment = vertex != 0 ? compile(GL_FRAGMENT_SHADER, fragment_parts, error) : 0;
-    GLuint program = 0;
-    if (fragment != 0) {
-        program = glCreateProgram();
-        glAttachShader(program, vertex);
-        glAttachShader(program, fragment);
-        glLinkProgram(program);
-        glGetProgramiv(program, GL_LINK_STATUS, &linked);
-    }
-    glDeleteShader(vertex);
-    glDeleteShader(fragment);
-    if (fragment != 0 && linked == GL_FALSE) {
-        error_set(error, "the shaders of look %d cannot be linked", (int)look);
-        glDeleteProgram(program);
-        return 0;
-    }
-    return program;
+    return gl_make_program(vertex_parts, fragment_parts, LOOK_PARTS, error);
 }
 
 struct mesa *mesa_open(struct error *error) {
@@ -124,14 +42,7 @@ struct mesa *mesa_open(struct error *error) {
         error_set(error, "out of memory");
         return NULL;
     }
-    mesa->display = EGL_NO_DISPLAY;
-    mesa->context = EGL_NO_CONTEXT;
-    setenv("LIBGL_ALWAYS_SOFTWARE", "1", 1);
-    setenv("GALLIUM_DRIVER", "llvmpipe", 1);
-    /* Otherwise the four pixels of a square share one mip level, even for texelFetch(); and a cache
-     * might hold shaders that were compiled so. */
-    setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);
-    if (!open_context(mesa, error)) {
+    if (!gl_context_open(&mesa->context, error)) {
         goto fail;
     }
     for (int look = 0; look < LOOK_COUNT; look++) {
@@ -154,23 +65,19 @@ void mesa_close(struct mesa *mesa) {
     if (mesa == NULL) {
         return;
     }
-    if (mesa->context != EGL_NO_CONTEXT) {
+    if (mesa->context.context != EGL_NO_CONTEXT) {
         mesa_unload(mesa);
         for (int look = 0; look < LOOK_COUNT; look++) {
             glDeleteProgram(mesa->programs[look]);
         }
         glDeleteProgram(mesa->layer_program);
-        eglMakeCurrent(mesa->display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
-        eglDestroyContext(mesa->display, mesa->context);
     }
-    if (mesa->display != EGL_NO_DISPLAY) {
-        eglTerminate(mesa->display);
-    }
+    gl_context_close(&mesa->context);
     free(mesa);
 }
 
 const char *mesa_name(const struct mesa *mesa) {
-    return mesa->name;
+    return mesa->context.name;
 }
 
 /* ---- A picture ---- */
@@ -289,10 +196,6 @@ void mesa_unload(struct mesa *mesa) {
 
 /* ---- Drawing ---- */
 
-static void set_vec3(GLuint program, const char *name, struct vec3 v) {
-    glUniform3f(glGetUniformLocation(program, name), (float)v.x, (float)v.y, (float)v.z);
-}
-
 static void set_float(GLuint program, const char *name, double value) {
     glUniform1f(glGetUniformLocation(program, name), (float)value);
 }
@@ -321,23 +224,13 @@ static void set_values(const struct mesa *mesa, GLuint program, const struct loo
     set_int(program, "normal_level", (int)v->normal_level);
     set_int(program, "specular_level", (int)v->specular_level);
     set_int(program, "power", v->power);
-    set_vec3(program, "to_light", v->to_light);
-    set_vec3(program, "eye", v->eye);
-    set_vec3(program, "color", v->color);
-    set_vec3(program, "light_color", v->light_color);
+    gl_set_vec3(program, "to_light", v->to_light);
+    gl_set_vec3(program, "eye", v->eye);
+    gl_set_vec3(program, "color", v->color);
+    gl_set_vec3(program, "light_color", v->light_color);
     set_float(program, "ambient", v->ambient);
     set_float(program, "diffuse", v->diffuse);
     set_float(program, "specular", v->specular);
-}
-
-/* With y mirrored: see draw_batches(). */
-static void set_matrix(GLuint program, const struct mat4 *matrix) {
-    float elements[16];
-    for (int i = 0; i < 16; i++) {
-        float element = (float)matrix->m[i / 4][i % 4];
-        elements[i] = i / 4 == 1 ? -element : element;
-    }
-    glUniformMatrix4fv(glGetUniformLocation(program, "to_clip"), 1, GL_TRUE, elements);
 }
 
 static void set_view(GLuint program, const struct picture *picture, const struct batch *batch,
@@ -347,12 +240,12 @@ static void set_view(GLuint program, const struct picture *picture, const struct
     glScissor(r->x, r->y, r->width, r->height);
     if (positions == POSITIONS_WHOLE) {
         glViewport(r->x, r->y, r->width, r->height);
-        set_matrix(program, &batch->to_clip);
+        gl_set_matrix(program, "to_clip", &batch->to_clip);
     } else {
         glViewport((GLint)(picture->width / 2) - SNAPPED_VIEWPORT / 2,
                    (GLint)(picture->height / 2) - SNAPPED_VIEWPORT / 2, SNAPPED_VIEWPORT,
                    SNAPPED_VIEWPORT);
-        set_matrix(program, &identity);
+        gl_set_matrix(program, "to_clip", &identity);
     }
 }
 
@@ -381,12 +274,7 @@ static void describe_corners(GLuint buffer) {
 static void draw_batches(const struct mesa *mesa, const struct picture *picture,
                          enum positions positions, bool layers) {
     glEnable(GL_SCISSOR_TEST);
-    /* Mesa gives a pixel centre on a horizontal edge to the triangle above it when the origin is
-     * below, and to the one below it, as the top-left rule has it, when the origin is above. So the
-     * origin is above and set_matrix() mirrors y: twice mirrored, the picture stays upright. */
-    glClipControl(GL_UPPER_LEFT, GL_ZERO_TO_ONE);
-    glFrontFace(GL_CW);
-    glDepthFunc(GL_GREATER);
+    gl_use_conventions();
     glBlendFunc(GL_ONE, GL_ONE);
     glBindVertexArray(mesa->vertex_array);
     for (size_t i = 0; i < picture->batch_count; i++) {

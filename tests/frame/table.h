@@ -1,0 +1,40 @@
+/* The tables that bench-frame prints: times, errors, and the goals that are met. */
+#ifndef FRAME_TABLE_H
+#define FRAME_TABLE_H
+
+#include "exact.h"
+#include "options.h"
+
+/* Those who draw, in the order of the tables. */
+enum side { OURS_1, OURS_2, MESA_1, MESA_2, SIDES };
+
+struct summary {
+    double typical; /* milliseconds: the median, or the least */
+    double range;   /* from the first quartile to the third */
+};
+
+/* What was measured of one scene. */
+struct cell {
+    enum frame_look look;
+    size_t width, height, faces;
+    size_t visible; /* pixels that show a face */
+    struct summary sides[SIDES];
+    struct summary fill; /* setting as many bytes as colour and depth have */
+    struct deviation deviations[SIDES];
+    bool same[2]; /* one thread and two draw the same bytes: ours, llvmpipe */
+};
+
+struct table {
+    struct cell *cells;
+    size_t count;
+    bool has_mesa;
+};
+
+void table_print_time_head(const struct options *options);
+void table_print_times(const struct table *table, const struct cell *cell);
+void table_print_errors(const struct table *table);
+
+/* How many cells meet what the pipeline is meant to reach. */
+void table_print_goals(const struct table *table);
+
+#endif
