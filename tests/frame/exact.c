@@ -36,7 +36,7 @@ static int64_t area_at(struct fixed2 a, struct fixed2 b, int x, int y) {
 }
 
 /* 1/w at the pixel; linear on the screen. */
-static long double depth_at(const struct fixed2 screen[3], const double recip_w[3], int x, int y) {
+static long double exact_depth(const struct fixed2 screen[3], const double recip_w[3], int x, int y) {
     long double sum = 0, area = 0;
     for (int i = 0; i < 3; i++) {
         long double part = (long double)area_at(screen[(i + 1) % 3], screen[(i + 2) % 3], x, y);
@@ -91,7 +91,7 @@ static void cover_face(struct exact *exact, size_t face) {
             if (!oracle_covers(p[0], p[1], p[2], x, y)) {
                 continue;
             }
-            double depth = (double)depth_at(p, recip_w, x, y);
+            double depth = (double)exact_depth(p, recip_w, x, y);
             if (depth > exact->depths[pixel]) {
                 exact->visible += exact->faces[pixel] == 0;
                 exact->depths[pixel] = depth;

@@ -10,9 +10,9 @@ static double light_on(const struct frame_scene *scene, const float normal[3]) {
     return light > 0 ? light : 0;
 }
 
-static struct vec4 sample(const struct frame_scene *scene, enum model_texture_kind kind,
-                          struct vec2 uv) {
-    return texture_bilinear(scene->textures[kind].texture, uv, scene->textures[kind].level);
+static struct texels fetch(const struct frame_scene *scene, enum model_texture_kind kind,
+                           struct lanes2 uv) {
+    return texture_fetch(scene->textures[kind].texture, uv, scene->textures[kind].level);
 }
 
 static void flat_vertex(const void *uniforms, size_t face, size_t corner, double *varyings) {
@@ -21,10 +21,11 @@ static void flat_vertex(const void *uniforms, size_t face, size_t corner, double
     varyings[0] = light_on(scene, scene->head->face_normals[face]);
 }
 
-static bool flat_fragment(const void *uniforms, const double *varyings, struct color *color) {
+static lanes_mask flat_fragment(const void *uniforms, const lanes *varyings, lanes_texel *color) {
     (void)uniforms;
-    *color = color_grey(level_from(255 * varyings[0]));
-    return true;
+    lanes level = 255 * varyings[0];
+    *color = lanes_rgb(level, level, level);
+    return lanes_all_set();
 }
 
 static void gouraud_vertex(const void *uniforms, size_t face, size_t corner, double *varyings) {
@@ -36,49 +37,55 @@ static void gouraud_vertex(const void *uniforms, size_t face, size_t corner, dou
     varyings[2] = uv.y;
 }
 
-static bool gouraud_fragment(const void *uniforms, const double *varyings, struct color *color) {
-    struct vec4 rgb = sample(uniforms, MODEL_DIFFUSE, (struct vec2){varyings[1], varyings[2]});
-    *color = color_rgb(level_from(rgb.x * varyings[0]), level_from(rgb.y * varyings[0]),
-                       level_from(rgb.z * varyings[0]));
-    return true;
+static lanes_mask gouraud_fragment(const void *uniforms, const lanes *varyings,
+                                   lanes_texel *color) {
+    struct texels texels =
+        fetch(uniforms, MODEL_DIFFUSE, (struct lanes2){varyings[1], varyings[2]});
+    struct lanes3 rgb = texels_mix(&texels);
+    *color = lanes_rgb(rgb.x * varyings[0], rgb.y * varyings[0], rgb.z * varyings[0]);
+    return lanes_all_set();
 }
 
 static void phong_vertex(const void *uniforms, size_t face, size_t corner, double *varyings) {
-    const struct model *model = ((const struct frame_scene *)uniforms)->call.model;
-    struct vec3 position = model_position(model, face, corner);
+    const struct frame_scene *scene = uniforms;
+    const struct model *model = scene->call.model;
+    struct vec3 to_eye = vec3_sub(scene->eye, model_position(model, face, corner));
     struct vec2 uv = model_uv(model, face, corner);
-    varyings[0] = position.x;
-    varyings[1] = position.y;
-    varyings[2] = position.z;
+    varyings[0] = to_eye.x;
+    varyings[1] = to_eye.y;
+    varyings[2] = to_eye.z;
     varyings[3] = uv.x;
     varyings[4] = uv.y;
 }
 
-static double tenth_power(double x) {
-    double square = x * x, fourth = square * square;
+static lanes tenth_power(lanes x) {
+    lanes square = x * x, fourth = square * square;
     return fourth * fourth * square;
 }
 
-static bool phong_fragment(const void *uniforms, const double *varyings, struct color *color) {
+static lanes_mask phong_fragment(const void *uniforms, const lanes *varyings, lanes_texel *color) {
     const struct frame_scene *scene = uniforms;
-    struct vec3 position = {varyings[0], varyings[1], varyings[2]};
-    struct vec2 uv = {varyings[3], varyings[4]};
-    struct vec4 rgb = sample(scene, MODEL_DIFFUSE, uv), n = sample(scene, MODEL_NORMAL_MAP, uv);
-    double weight = sample(scene, MODEL_SPECULAR, uv).x;
-    struct vec3 normal =
-        vec3_normalized((struct vec3){n.x / 127.5 - 1, n.y / 127.5 - 1, n.z / 127.5 - 1});
-    struct vec3 to_eye = vec3_normalized(vec3_sub(scene->eye, position));
-    double light = vec3_dot(normal, scene->to_light);
-    struct vec3 mirrored = vec3_sub(vec3_scale(normal, 2 * light), scene->to_light);
-    double near = vec3_dot(mirrored, to_eye);
-    double shine = light > 0 && near > 0 ? weight * tenth_power(near) : 0;
-    double scattered = AMBIENT + (light > 0 ? light : 0);
-    *color = color_rgb(level_from(rgb.x * scattered + shine), level_from(rgb.y * scattered + shine),
-                       level_from(rgb.z * scattered + shine));
-    return true;
+    struct lanes2 uv = {varyings[3], varyings[4]};
+    struct texels diffuse = fetch(scene, MODEL_DIFFUSE, uv);
+    struct texels map = fetch(scene, MODEL_NORMAL_MAP, uv);
+    struct texels specular = fetch(scene, MODEL_SPECULAR, uv);
+    struct lanes3 rgb = texels_mix(&diffuse), n = texels_mix(&map), zero = {0};
+    struct lanes3 normal =
+        lanes3_normalized((struct lanes3){n.x - 127.5f, n.y - 127.5f, n.z - 127.5f});
+    struct lanes3 to_eye =
+        lanes3_normalized((struct lanes3){varyings[0], varyings[1], varyings[2]});
+    struct lanes3 to_light = lanes3_all(scene->to_light);
+    lanes light = lanes3_dot(normal, to_light);
+    struct lanes3 mirrored = lanes3_sub(lanes3_scale(normal, 2 * light), to_light);
+    lanes near = lanes_max(lanes3_dot(mirrored, to_eye), zero.x);
+    lanes shine = lanes_select(light > 0, texels_mix(&specular).x * tenth_power(near), zero.x);
+    lanes scattered = (real)AMBIENT + lanes_max(light, zero.x);
+    *color =
+        lanes_rgb(rgb.x * scattered + shine, rgb.y * scattered + shine, rgb.z * scattered + shine);
+    return lanes_all_set();
 }
 
-SHADER(flat, .varying_count = 1, .vertex = flat_vertex, .fragment = flat_fragment);
+SHADER(flat, .varying_count = 1, .flat = true, .vertex = flat_vertex, .fragment = flat_fragment);
 SHADER(gouraud, .varying_count = 3, .vertex = gouraud_vertex, .fragment = gouraud_fragment);
 SHADER(phong, .varying_count = 5, .vertex = phong_vertex, .fragment = phong_fragment);
 
@@ -103,7 +110,8 @@ bool ours_draw(struct ours *ours, struct error *error) {
     memset(ours->image.pixels, 0, ours->image.width * ours->image.height * IMAGE_BGRA);
     pipeline_clear(&ours->pipeline);
     return pipeline_draw(&ours->pipeline, &ours->scene.call, shaders[ours->scene.look],
-                         &ours->scene, &ours->image, error);
+                         &ours->scene, sizeof ours->scene, error) &&
+           pipeline_finish(&ours->pipeline, &ours->image, error);
 }
 
 void ours_free(struct ours *ours) {
