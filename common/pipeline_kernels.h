@@ -337,43 +337,71 @@ KERNEL lanes_texel gather_colors(const struct shading *s, const struct shader *s
     return result;
 }
 
-/* The colours of LANES pixels; those of other draw calls get any colour. False when all are. */
-KERNEL bool shade_lanes(const struct shading *s, const struct shader *shader,
-                        const uint32_t number[LANES], int x, int y, lanes_texel *color) {
+/* LANES pixels that are about to be shaded. */
+struct pixels {
+    int x, y;
+    lanes_int drawn; /* those of this draw call */
+    const uint32_t *number;
     lanes varyings[VARYING_LIMIT];
+};
+
+/* Find what is to be shaded at (x,y). False when none of the pixels is of this draw call. */
+KERNEL bool gather_pixels(const struct shading *s, const struct shader *shader,
+                          const uint32_t number[LANES], int x, int y, struct pixels *pixels) {
+    lanes_texel numbers;
+    memcpy(&numbers, number, sizeof numbers);
+    pixels->x = x;
+    pixels->y = y;
+    pixels->number = number;
+    pixels->drawn =
+        (lanes_int)((numbers > (uint32_t)s->numbers.begin) & (numbers <= (uint32_t)s->numbers.end));
     if (shader->flat) {
-        *color = gather_colors(s, shader, number);
         return true;
     }
-    if (!gather_varyings(s, shader, number, x, y, varyings)) {
-        return false;
+    bool visible = gather_varyings(s, shader, number, x, y, pixels->varyings);
+    if (visible && shader->prefetch != NULL) {
+        shader->prefetch(s->uniforms, pixels->varyings);
     }
-    shader->fragment(s->uniforms, varyings, color);
-    return true;
+    return visible;
 }
 
-/* Each visible pixel of the draw call once. */
+KERNEL void shade_pixels(const struct shading *s, const struct shader *shader,
+                         const struct pixels *pixels) {
+    lanes_texel color;
+    if (shader->flat) {
+        color = gather_colors(s, shader, pixels->number);
+    } else {
+        shader->fragment(s->uniforms, pixels->varyings, &color);
+    }
+    write_lanes(s->image, pixels->x, pixels->y, color, pixels->drawn);
+}
+
+/* Each visible pixel of the draw call once. While the varyings of the next pixels are found, what
+ * those of the last ones read comes from memory. */
 KERNEL void shade_visible(const struct shading *s, const struct shader *shader) {
     struct span columns = s->draw->columns;
     size_t stride = band_stride(s->pipeline);
     lanes_int shaded = {0};
+    struct pixels pixels[2];
+    int next = 0;
+    bool waiting = false;
     for (int y = s->rows.begin; y < s->rows.end; y++) {
         const uint32_t *row = s->scratch->number + (size_t)(y - s->rows.begin) * stride;
         const bool *touched = s->scratch->touched + (size_t)(y - s->rows.begin) * (stride / CHUNK);
         for (int x = columns.begin / CHUNK * CHUNK; x < columns.end; x += LANES) {
-            if (!touched[x / CHUNK]) {
+            if (!touched[x / CHUNK] || !gather_pixels(s, shader, row + x, x, y, &pixels[next])) {
                 continue;
             }
-            lanes_texel number, color;
-            memcpy(&number, row + x, sizeof number);
-            lanes_int drawn = (lanes_int)((number > (uint32_t)s->numbers.begin) &
-                                          (number <= (uint32_t)s->numbers.end));
-            if (!shade_lanes(s, shader, row + x, x, y, &color)) {
-                continue;
+            shaded += pixels[next].drawn & 1;
+            next = 1 - next;
+            if (waiting) {
+                shade_pixels(s, shader, &pixels[next]);
             }
-            write_lanes(s->image, x, y, color, drawn);
-            shaded += drawn & 1;
+            waiting = true;
         }
+    }
+    if (waiting) {
+        shade_pixels(s, shader, &pixels[1 - next]);
     }
     s->work->shaded += lanes_sum(shaded);
 }

@@ -6,6 +6,9 @@
 
 #include "lanes.h"
 #include "texture.h"
+#ifndef PREFETCH_STEP
+#define PREFETCH_STEP 5
+#endif
 
 /* One channel of the four texels around each place, mixed. */
 LANES_INLINE lanes lanes_mix_channel(const lanes_texel texel[4], int shift, lanes across,
@@ -39,6 +42,37 @@ static inline uint64_t texel_pair(const uint32_t *texels) {
     return texels[0] | (uint64_t)texels[1] << 32;
 }
 
+/* Where the lower left of the four texels around each pixel's place is, and how far the place lies
+ * between them. */
+struct texel_place {
+    uint32_t index[LANES];
+    lanes across, along;
+    size_t up; /* from a texel to the one above */
+    const uint32_t *texels;
+};
+
+LANES_INLINE struct texel_place texture_place(const struct texture *texture, struct lanes2 uv,
+                                              size_t level) {
+    size_t last_level = texture->level_count - 1;
+    const struct texture_level *l = &texture->level[level < last_level ? level : last_level];
+    struct lanes_place x = lanes_find_texel(uv.x, l->width), y = lanes_find_texel(uv.y, l->height);
+    lanes_texel index = (lanes_texel)y.texel * (uint32_t)l->width + (lanes_texel)x.texel;
+    struct texel_place place = {.across = x.fraction,
+                                .along = y.fraction,
+                                .up = l->height > 1 ? l->width : 0,
+                                .texels = l->texels};
+    memcpy(place.index, &index, sizeof place.index);
+    return place;
+}
+
+LANES_INLINE void texture_prefetch(const struct texture *texture, struct lanes2 uv, size_t level) {
+    struct texel_place place = texture_place(texture, uv, level);
+    for (int i = 0; i < LANES; i += PREFETCH_STEP) {
+        __builtin_prefetch(place.texels + place.index[i]);
+        __builtin_prefetch(place.texels + place.index[i] + place.up);
+    }
+}
+
 /* The four texels around each pixel's place, and how far it lies between them. */
 struct texels {
     lanes_texel texel[4]; /* lower left, lower right, upper left, upper right */
@@ -49,19 +83,13 @@ struct texels {
  * textures first, and mix then, so that the processor waits for all of it at once. */
 LANES_INLINE struct texels texture_fetch(const struct texture *texture, struct lanes2 uv,
                                          size_t level) {
-    size_t last_level = texture->level_count - 1;
-    const struct texture_level *l = &texture->level[level < last_level ? level : last_level];
-    struct lanes_place x = lanes_find_texel(uv.x, l->width), y = lanes_find_texel(uv.y, l->height);
-    lanes_texel index = (lanes_texel)y.texel * (uint32_t)l->width + (lanes_texel)x.texel;
-    size_t up = l->height > 1 ? l->width : 0;
-    uint32_t place[LANES];
+    struct texel_place place = texture_place(texture, uv, level);
     uint64_t lower[LANES], upper[LANES];
-    memcpy(place, &index, sizeof place);
     for (int i = 0; i < LANES; i++) {
-        lower[i] = texel_pair(l->texels + place[i]);
-        upper[i] = texel_pair(l->texels + place[i] + up);
+        lower[i] = texel_pair(place.texels + place.index[i]);
+        upper[i] = texel_pair(place.texels + place.index[i] + place.up);
     }
-    struct texels texels = {.across = x.fraction, .along = y.fraction};
+    struct texels texels = {.across = place.across, .along = place.along};
     lanes_split(lower, &texels.texel[0], &texels.texel[1]);
     lanes_split(upper, &texels.texel[2], &texels.texel[3]);
     return texels;

@@ -36,7 +36,8 @@ static int64_t area_at(struct fixed2 a, struct fixed2 b, int x, int y) {
 }
 
 /* 1/w at the pixel; linear on the screen. */
-static long double exact_depth(const struct fixed2 screen[3], const double recip_w[3], int x, int y) {
+static long double exact_depth(const struct fixed2 screen[3], const double recip_w[3], int x,
+                               int y) {
     long double sum = 0, area = 0;
     for (int i = 0; i < 3; i++) {
         long double part = (long double)area_at(screen[(i + 1) % 3], screen[(i + 2) % 3], x, y);
