@@ -272,13 +272,29 @@ static void touch(const struct band *band, int y, int x) {
     band->scratch->touched[row + (size_t)(x / CHUNK)] = true;
 }
 
-/* Pixels are covered eight at a time, which begin at multiples of eight on every machine. */
-typedef int32_t eight_ints __attribute__((vector_size(8 * sizeof(int32_t))));
-typedef int64_t eight_longs __attribute__((vector_size(8 * sizeof(int64_t))));
-typedef double eight_depths __attribute__((vector_size(8 * sizeof(double))));
+/* Pixels are covered as many at a time as depths fit into the processor's registers. */
+#ifndef COVERED
+enum { COVERED = LANES > 4 ? LANES / 2 : 4 };
+#endif
+typedef int32_t eight_ints __attribute__((vector_size(COVERED * sizeof(int32_t))));
+typedef int64_t eight_longs __attribute__((vector_size(COVERED * sizeof(int64_t))));
+typedef double eight_depths __attribute__((vector_size(COVERED * sizeof(double))));
 
-static const eight_ints eight_right = {0, 1, 2, 3, 4, 5, 6, 7};
-static const eight_depths eight_depths_right = {0, 1, 2, 3, 4, 5, 6, 7};
+LANES_INLINE eight_ints ints_from(int first) {
+    eight_ints from;
+    for (int i = 0; i < COVERED; i++) {
+        from[i] = i;
+    }
+    return from + first;
+}
+
+LANES_INLINE eight_depths depths_from(int first) {
+    eight_depths from;
+    for (int i = 0; i < COVERED; i++) {
+        from[i] = i;
+    }
+    return from + first;
+}
 
 /* Depth and number become those of the piece where it covers (`inside`: all bits or none) and is
  * nearer. Without branches: each line is one or two instructions for all eight. */
@@ -317,9 +333,9 @@ static void cover_by_spans(struct band *band, const struct draw *draw, const str
         band->covered += span.end > span.begin ? (uint64_t)(span.end - span.begin) : 0;
         double depth = depth_at(&slopes, e1->origin + e1->dx * left + e1->dy * y,
                                 e2->origin + e2->dx * left + e2->dy * y);
-        for (int x = span.begin / 8 * 8; x < span.end; x += 8) {
-            eight_ints at = x + eight_right;
-            eight_depths right = (double)(x - left) + eight_depths_right;
+        for (int x = span.begin / COVERED * COVERED; x < span.end; x += COVERED) {
+            eight_ints at = ints_from(x);
+            eight_depths right = depths_from(x - left);
             touch(band, y, x);
             cover_eight(band->scratch->depth + row + x, band->scratch->number + row + x,
                         (at >= span.begin) & (at < span.end), depth + step * right, number);
@@ -359,23 +375,23 @@ static void cover_box(struct band *band, const struct piece *piece, struct span 
     double step = depth_step(&slopes, e[1].dx, e[2].dx);
     eight_ints covered = {0}, right[3], next[3];
     for (int i = 0; i < 3; i++) {
-        right[i] = e[i].dx * eight_right + e[i].bias;
-        next[i] = e[i].dx * 8 + (eight_ints){0};
+        right[i] = e[i].dx * ints_from(0) + e[i].bias;
+        next[i] = e[i].dx * COVERED + (eight_ints){0};
     }
     for (int y = rows.begin; y < rows.end; y++) {
         size_t row = (size_t)(y - band->rows.begin) * band->stride;
         double depth = depth_at(&slopes, e[1].origin, e[2].origin);
-        eight_depths across = eight_depths_right;
+        eight_depths across = depths_from(0);
         eight_ints e0 = e[0].origin + right[0];
         eight_ints e1 = e[1].origin + right[1];
         eight_ints e2 = e[2].origin + right[2];
-        for (int x = left; x < columns.end; x += 8) {
+        for (int x = left; x < columns.end; x += COVERED) {
             eight_ints inside = (e0 | e1 | e2) >= 0;
             covered -= inside;
             touch(band, y, x);
             cover_eight(band->scratch->depth + row + x, band->scratch->number + row + x, inside,
                         depth + step * across, number);
-            across += 8;
+            across += COVERED;
             e0 += next[0];
             e1 += next[1];
             e2 += next[2];
@@ -384,7 +400,7 @@ static void cover_box(struct band *band, const struct piece *piece, struct span 
             e[i].origin += e[i].dy;
         }
     }
-    for (int i = 0; i < 8; i++) {
+    for (int i = 0; i < COVERED; i++) {
         band->covered += (uint64_t)covered[i];
     }
 }
