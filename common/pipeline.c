@@ -276,20 +276,20 @@ static void touch(const struct band *band, int y, int x) {
 #ifndef COVERED
 enum { COVERED = LANES > 4 ? LANES / 2 : 4 };
 #endif
-typedef int32_t eight_ints __attribute__((vector_size(COVERED * sizeof(int32_t))));
-typedef int64_t eight_longs __attribute__((vector_size(COVERED * sizeof(int64_t))));
-typedef double eight_depths __attribute__((vector_size(COVERED * sizeof(double))));
+typedef int32_t cover_ints __attribute__((vector_size(COVERED * sizeof(int32_t))));
+typedef int64_t cover_longs __attribute__((vector_size(COVERED * sizeof(int64_t))));
+typedef double cover_depths __attribute__((vector_size(COVERED * sizeof(double))));
 
-LANES_INLINE eight_ints ints_from(int first) {
-    eight_ints from;
+LANES_INLINE cover_ints ints_from(int first) {
+    cover_ints from = {0};
     for (int i = 0; i < COVERED; i++) {
         from[i] = i;
     }
     return from + first;
 }
 
-LANES_INLINE eight_depths depths_from(int first) {
-    eight_depths from;
+LANES_INLINE cover_depths depths_from(int first) {
+    cover_depths from = {0};
     for (int i = 0; i < COVERED; i++) {
         from[i] = i;
     }
@@ -297,16 +297,16 @@ LANES_INLINE eight_depths depths_from(int first) {
 }
 
 /* Depth and number become those of the piece where it covers (`inside`: all bits or none) and is
- * nearer. Without branches: each line is one or two instructions for all eight. */
-LANES_INLINE void cover_eight(double *depths, uint32_t *numbers, eight_ints inside, eight_depths z,
-                              uint32_t number) {
-    eight_depths old_z;
-    eight_ints old_number;
+ * nearer. Without branches: each line is one or two instructions for all pixels. */
+LANES_INLINE void cover_pixels(double *depths, uint32_t *numbers, cover_ints inside, cover_depths z,
+                               uint32_t number) {
+    cover_depths old_z;
+    cover_ints old_number;
     memcpy(&old_z, depths, sizeof old_z);
     memcpy(&old_number, numbers, sizeof old_number);
-    eight_longs nearer = __builtin_convertvector(inside, eight_longs) & (z > old_z);
-    z = (eight_depths)((nearer & (eight_longs)z) | (~nearer & (eight_longs)old_z));
-    eight_ints is_new = __builtin_convertvector(nearer, eight_ints);
+    cover_longs nearer = __builtin_convertvector(inside, cover_longs) & (z > old_z);
+    z = (cover_depths)((nearer & (cover_longs)z) | (~nearer & (cover_longs)old_z));
+    cover_ints is_new = __builtin_convertvector(nearer, cover_ints);
     old_number = (is_new & (int32_t)number) | (~is_new & old_number);
     memcpy(depths, &z, sizeof z);
     memcpy(numbers, &old_number, sizeof old_number);
@@ -334,11 +334,11 @@ static void cover_by_spans(struct band *band, const struct draw *draw, const str
         double depth = depth_at(&slopes, e1->origin + e1->dx * left + e1->dy * y,
                                 e2->origin + e2->dx * left + e2->dy * y);
         for (int x = span.begin / COVERED * COVERED; x < span.end; x += COVERED) {
-            eight_ints at = ints_from(x);
-            eight_depths right = depths_from(x - left);
+            cover_ints at = ints_from(x);
+            cover_depths right = depths_from(x - left);
             touch(band, y, x);
-            cover_eight(band->scratch->depth + row + x, band->scratch->number + row + x,
-                        (at >= span.begin) & (at < span.end), depth + step * right, number);
+            cover_pixels(band->scratch->depth + row + x, band->scratch->number + row + x,
+                         (at >= span.begin) & (at < span.end), depth + step * right, number);
         }
     }
 }
@@ -360,7 +360,7 @@ static struct small_edge small_edge(struct fixed2 a, struct fixed2 b) {
     };
 }
 
-/* All pixels of a small box, tested eight at once. */
+/* All pixels of a small box, several tested at once. */
 static void cover_box(struct band *band, const struct piece *piece, struct span columns,
                       struct span rows, uint32_t number) {
     int left = depth_column(piece);
@@ -373,24 +373,24 @@ static void cover_box(struct band *band, const struct piece *piece, struct span 
                               small_edge(c[0], c[1])};
     struct depth_slopes slopes = find_depth_slopes(piece, e[0].origin + e[1].origin + e[2].origin);
     double step = depth_step(&slopes, e[1].dx, e[2].dx);
-    eight_ints covered = {0}, right[3], next[3];
+    cover_ints covered = {0}, right[3], next[3];
     for (int i = 0; i < 3; i++) {
         right[i] = e[i].dx * ints_from(0) + e[i].bias;
-        next[i] = e[i].dx * COVERED + (eight_ints){0};
+        next[i] = e[i].dx * COVERED + (cover_ints){0};
     }
     for (int y = rows.begin; y < rows.end; y++) {
         size_t row = (size_t)(y - band->rows.begin) * band->stride;
         double depth = depth_at(&slopes, e[1].origin, e[2].origin);
-        eight_depths across = depths_from(0);
-        eight_ints e0 = e[0].origin + right[0];
-        eight_ints e1 = e[1].origin + right[1];
-        eight_ints e2 = e[2].origin + right[2];
+        cover_depths across = depths_from(0);
+        cover_ints e0 = e[0].origin + right[0];
+        cover_ints e1 = e[1].origin + right[1];
+        cover_ints e2 = e[2].origin + right[2];
         for (int x = left; x < columns.end; x += COVERED) {
-            eight_ints inside = (e0 | e1 | e2) >= 0;
+            cover_ints inside = (e0 | e1 | e2) >= 0;
             covered -= inside;
             touch(band, y, x);
-            cover_eight(band->scratch->depth + row + x, band->scratch->number + row + x, inside,
-                        depth + step * across, number);
+            cover_pixels(band->scratch->depth + row + x, band->scratch->number + row + x, inside,
+                         depth + step * across, number);
             across += COVERED;
             e0 += next[0];
             e1 += next[1];

@@ -301,6 +301,9 @@ KERNEL bool has_number(const struct shading *s, uint32_t number) {
 KERNEL bool gather_varyings(const struct shading *s, const struct shader *shader,
                             const uint32_t number[LANES], int x, int y, lanes *varyings) {
     bool first = true;
+    for (size_t i = 0; i < shader->varying_count; i++) {
+        varyings[i] = lanes_all(0);
+    }
     for (int begin = 0, end; begin < LANES; begin = end) {
         for (end = begin + 1; end < LANES && number[end] == number[begin]; end++) {
         }

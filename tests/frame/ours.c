@@ -39,8 +39,9 @@ static void gouraud_vertex(const void *uniforms, size_t face, size_t corner, dou
 
 static lanes_mask gouraud_fragment(const void *uniforms, const lanes *varyings,
                                    lanes_texel *color) {
+    struct texel_place place = {0};
     struct texels texels =
-        fetch(uniforms, MODEL_DIFFUSE, (struct lanes2){varyings[1], varyings[2]});
+        fetch(uniforms, MODEL_DIFFUSE, (struct lanes2){varyings[1], varyings[2]}, &place);
     struct lanes3 rgb = texels_mix(&texels);
     *color = lanes_rgb(rgb.x * varyings[0], rgb.y * varyings[0], rgb.z * varyings[0]);
     return lanes_all_set();
@@ -79,7 +80,7 @@ static lanes_mask phong_fragment(const void *uniforms, const lanes *varyings, la
     lanes light = lanes3_dot(normal, to_light);
     struct lanes3 mirrored = lanes3_sub(lanes3_scale(normal, 2 * light), to_light);
     lanes near = lanes_max(lanes3_dot(mirrored, to_eye), zero.x);
-    lanes shine = lanes_select(light > 0, texels_mix(&specular).x * tenth_power(near), zero.x);
+    lanes shine = lanes_select(light > 0, texels_mix(&specular).z * tenth_power(near), zero.x);
     lanes scattered = (real)AMBIENT + lanes_max(light, zero.x);
     *color =
         lanes_rgb(rgb.x * scattered + shine, rgb.y * scattered + shine, rgb.z * scattered + shine);
