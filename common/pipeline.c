@@ -57,6 +57,7 @@ void pipeline_free(struct pipeline *pipeline) {
     free(pipeline->band_counts.data);
     free(pipeline->bins.data);
     free(pipeline->binned.data);
+    free(pipeline->band_work.data);
     free(pipeline->scratch.data);
     *pipeline = (struct pipeline){0};
 }
