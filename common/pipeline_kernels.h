@@ -106,15 +106,15 @@ static inline size_t band_stride(const struct pipeline *pipeline) {
 
 /* The weight of a corner times the area, as a plane on the screen: the exact edge function of the
  * opposite side, from a to b, at the centres of pixels. Its value at pixel (x0,y0), and its steps. */
-struct plane {
+struct screen_plane {
     double origin, dx, dy;
 };
 
-static inline struct plane edge_plane(struct fixed2 a, struct fixed2 b, int x0, int y0) {
+static inline struct screen_plane edge_plane(struct fixed2 a, struct fixed2 b, int x0, int y0) {
     int64_t x_distance = (int64_t)b.x - a.x, y_distance = (int64_t)b.y - a.y;
     int64_t x = (int64_t)x0 * SUBPIXELS + SUBPIXELS / 2,
             y = (int64_t)y0 * SUBPIXELS + SUBPIXELS / 2;
-    return (struct plane){
+    return (struct screen_plane){
         .origin = (double)(x_distance * (y - a.y) - y_distance * (x - a.x)),
         .dx = (double)(-y_distance * SUBPIXELS),
         .dy = (double)(x_distance * SUBPIXELS),
@@ -188,12 +188,13 @@ KERNEL void fetch_planes(const struct shading *s, const struct shader *shader,
     find_recip_w(s->pipeline, s->draw, piece, recip_w);
     const struct fixed2 *c = piece->corner;
     int x0 = c[0].x >> 8, y0 = c[0].y >> 8;
-    struct plane edge[3] = {edge_plane(c[1], c[2], x0, y0), edge_plane(c[2], c[0], x0, y0),
-                            edge_plane(c[0], c[1], x0, y0)};
+    struct screen_plane edge[3] = {edge_plane(c[1], c[2], x0, y0), edge_plane(c[2], c[0], x0, y0),
+                                   edge_plane(c[0], c[1], x0, y0)};
     double scale = 1 / (edge[0].origin + edge[1].origin + edge[2].origin);
     for (size_t i = 0; i < 3; i++) {
         double over_w = recip_w[i] * scale;
-        edge[i] = (struct plane){edge[i].origin * over_w, edge[i].dx * over_w, edge[i].dy * over_w};
+        edge[i] = (struct screen_plane){edge[i].origin * over_w, edge[i].dx * over_w,
+                                        edge[i].dy * over_w};
     }
     planes->x0 = (real)x0;
     planes->y0 = (real)y0;
