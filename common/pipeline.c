@@ -311,20 +311,21 @@ static void cover_by_spans(struct band *band, const struct draw *draw, const str
     struct depth_slopes slopes = find_depth_slopes(piece, edges.area);
     const struct edge *e1 = &edges.edge[1], *e2 = &edges.edge[2];
     double step = depth_step(&slopes, e1->dx, e2->dx);
+    int left = depth_column(piece);
     struct span rows = span_overlap(rows_of_piece(piece, draw), band->rows);
     for (int y = rows.begin; y < rows.end; y++) {
         struct span span = span_overlap(edges_span(&edges, y),
                                         (struct span){viewport->x, viewport->x + viewport->width});
         size_t row = (size_t)(y - band->rows.begin) * band->stride;
         band->covered += span.end > span.begin ? (uint64_t)(span.end - span.begin) : 0;
+        double depth = depth_at(&slopes, e1->origin + e1->dx * left + e1->dy * y,
+                                e2->origin + e2->dx * left + e2->dy * y);
         for (int x = span.begin / 8 * 8; x < span.end; x += 8) {
-            double begin = depth_at(&slopes, e1->origin + e1->dx * x + e1->dy * y,
-                                    e2->origin + e2->dx * x + e2->dy * y);
             eight_ints at = x + eight_right;
+            eight_depths right = (double)(x - left) + eight_depths_right;
             touch(band, y, x);
             cover_eight(band->scratch->depth + row + x, band->scratch->number + row + x,
-                        (at >= span.begin) & (at < span.end), begin + step * eight_depths_right,
-                        number);
+                        (at >= span.begin) & (at < span.end), depth + step * right, number);
         }
     }
 }
@@ -349,7 +350,7 @@ static struct small_edge small_edge(struct fixed2 a, struct fixed2 b) {
 /* All pixels of a small box, tested eight at once. */
 static void cover_box(struct band *band, const struct piece *piece, struct span columns,
                       struct span rows, uint32_t number) {
-    int left = columns.begin / 8 * 8;
+    int left = depth_column(piece);
     struct fixed2 c[3];
     for (int i = 0; i < 3; i++) { /* from the centre of the box's first pixel */
         c[i].x = piece->corner[i].x - left * SUBPIXELS - SUBPIXELS / 2;
@@ -359,23 +360,28 @@ static void cover_box(struct band *band, const struct piece *piece, struct span 
                               small_edge(c[0], c[1])};
     struct depth_slopes slopes = find_depth_slopes(piece, e[0].origin + e[1].origin + e[2].origin);
     double step = depth_step(&slopes, e[1].dx, e[2].dx);
-    eight_ints covered = {0}, right[3];
+    eight_ints covered = {0}, right[3], next[3];
     for (int i = 0; i < 3; i++) {
         right[i] = e[i].dx * eight_right + e[i].bias;
+        next[i] = e[i].dx * 8 + (eight_ints){0};
     }
-    eight_depths depths_right = step * eight_depths_right;
     for (int y = rows.begin; y < rows.end; y++) {
         size_t row = (size_t)(y - band->rows.begin) * band->stride;
+        double depth = depth_at(&slopes, e[1].origin, e[2].origin);
+        eight_depths across = eight_depths_right;
+        eight_ints e0 = e[0].origin + right[0];
+        eight_ints e1 = e[1].origin + right[1];
+        eight_ints e2 = e[2].origin + right[2];
         for (int x = left; x < columns.end; x += 8) {
-            int32_t e0 = e[0].origin + e[0].dx * (x - left);
-            int32_t e1 = e[1].origin + e[1].dx * (x - left);
-            int32_t e2 = e[2].origin + e[2].dx * (x - left);
-            eight_ints outside = (e0 + right[0]) | (e1 + right[1]) | (e2 + right[2]);
-            eight_ints inside = outside >= 0;
+            eight_ints inside = (e0 | e1 | e2) >= 0;
             covered -= inside;
             touch(band, y, x);
             cover_eight(band->scratch->depth + row + x, band->scratch->number + row + x, inside,
-                        depth_at(&slopes, e1, e2) + depths_right, number);
+                        depth + step * across, number);
+            across += 8;
+            e0 += next[0];
+            e1 += next[1];
+            e2 += next[2];
         }
         for (int i = 0; i < 3; i++) {
             e[i].origin += e[i].dy;

@@ -10,7 +10,7 @@
 #endif
 
 /* Rows are drawn in bands of this many, whose depths stay in the cache. */
-enum { BAND_HEIGHT = 16 };
+enum { BAND_HEIGHT = 32 };
 
 /* Pixels of a row are drawn in chunks of this many, which begin at multiples of it on every
  * machine, so that every machine rounds alike. */
@@ -421,6 +421,13 @@ static inline struct depth_slopes find_depth_slopes(const struct piece *piece, i
     return (struct depth_slopes){z[0], (z[1] - z[0]) * scale, (z[2] - z[0]) * scale};
 }
 
+/* Along a row, depths are counted from this column on: a multiple of eight, at or left of the first
+ * pixel whose centre the piece may reach. */
+static inline int depth_column(const struct piece *piece) {
+    const struct fixed2 *c = piece->corner;
+    return ((least_of(c[0].x, c[1].x, c[2].x) + SUBPIXELS / 2 - 1) >> 8) & ~7;
+}
+
 /* At a pixel whose edge functions are e1 and e2; and from one pixel of a row to the next, where the
  * edge functions grow by e1 and e2, without the origin. */
 static inline double depth_at(const struct depth_slopes *s, int64_t e1, int64_t e2) {
@@ -435,7 +442,7 @@ static inline double depth_step(const struct depth_slopes *s, int64_t e1, int64_
  * write their colours; without one, their numbers, for shade_visible(). */
 KERNEL void shade_chunk_at_once(const struct shading *s, const struct shader *shader,
                                 const struct planes *planes, uint32_t number, struct span span,
-                                int x, int y, double depth_begin, double depth_per_pixel) {
+                                int x, int y, double depth_begin, double step, int right) {
     size_t first = (size_t)(y - s->rows.begin) * band_stride(s->pipeline) + (size_t)x;
     double *depths = s->scratch->depth + first;
     for (int lane = 0; lane < CHUNK; lane += LANES) {
@@ -443,7 +450,7 @@ KERNEL void shade_chunk_at_once(const struct shading *s, const struct shader *sh
         uint32_t drawn[LANES];
         uint64_t count = 0;
         for (int i = 0; i < LANES; i++) {
-            depth[i] = depth_begin + depth_per_pixel * (lane + i);
+            depth[i] = depth_begin + step * (right + lane + i);
             int at = x + lane + i;
             drawn[i] = at >= span.begin && at < span.end && depth[i] > depths[lane + i];
             count += drawn[i];
@@ -487,7 +494,8 @@ KERNEL void shade_piece_at_once(const struct shading *s, const struct shader *sh
     fetch_planes(s, shader, piece, &planes);
     struct depth_slopes slopes = find_depth_slopes(piece, edges.area);
     const struct edge *e1 = &edges.edge[1], *e2 = &edges.edge[2];
-    double per_pixel = depth_step(&slopes, e1->dx, e2->dx);
+    double step = depth_step(&slopes, e1->dx, e2->dx);
+    int left = depth_column(piece);
     struct span rows = span_overlap((struct span){edges.y_begin, edges.y_end}, s->draw->rows);
     rows = span_overlap(rows, s->rows);
     for (int y = rows.begin; y < rows.end; y++) {
@@ -497,10 +505,10 @@ KERNEL void shade_piece_at_once(const struct shading *s, const struct shader *sh
             continue;
         }
         s->work->covered += (uint64_t)(span.end - span.begin);
+        double depth = depth_at(&slopes, e1->origin + e1->dx * left + e1->dy * y,
+                                e2->origin + e2->dx * left + e2->dy * y);
         for (int x = span.begin / CHUNK * CHUNK; x < span.end && !piece->dropped; x += CHUNK) {
-            double begin = depth_at(&slopes, e1->origin + e1->dx * x + e1->dy * y,
-                                    e2->origin + e2->dx * x + e2->dy * y);
-            shade_chunk_at_once(s, shader, &planes, number, span, x, y, begin, per_pixel);
+            shade_chunk_at_once(s, shader, &planes, number, span, x, y, depth, step, x - left);
         }
     }
 }
