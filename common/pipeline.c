@@ -299,6 +299,12 @@ LANES_INLINE void cover_eight(double *depths, uint32_t *numbers, eight_ints insi
     memcpy(numbers, &old_number, sizeof old_number);
 }
 
+/* depth_at() for eight pixels. */
+LANES_INLINE eight_depths depths_at(const struct depth_slopes *s, eight_depths e1,
+                                    eight_depths e2) {
+    return s->origin + e1 * s->k1 + e2 * s->k2;
+}
+
 /* The span of each row, found exactly. */
 static void cover_by_spans(struct band *band, const struct draw *draw, const struct piece *piece,
                            uint32_t number) {
@@ -310,22 +316,20 @@ static void cover_by_spans(struct band *band, const struct draw *draw, const str
     }
     struct depth_slopes slopes = find_depth_slopes(piece, edges.area);
     const struct edge *e1 = &edges.edge[1], *e2 = &edges.edge[2];
-    double step = depth_step(&slopes, e1->dx, e2->dx);
-    int left = depth_column(piece);
     struct span rows = span_overlap(rows_of_piece(piece, draw), band->rows);
     for (int y = rows.begin; y < rows.end; y++) {
         struct span span = span_overlap(edges_span(&edges, y),
                                         (struct span){viewport->x, viewport->x + viewport->width});
         size_t row = (size_t)(y - band->rows.begin) * band->stride;
         band->covered += span.end > span.begin ? (uint64_t)(span.end - span.begin) : 0;
-        double depth = depth_at(&slopes, e1->origin + e1->dx * left + e1->dy * y,
-                                e2->origin + e2->dx * left + e2->dy * y);
         for (int x = span.begin / 8 * 8; x < span.end; x += 8) {
             eight_ints at = x + eight_right;
-            eight_depths right = (double)(x - left) + eight_depths_right;
+            eight_depths first = edge_at(e1, x, y) + (double)e1->dx * eight_depths_right;
+            eight_depths second = edge_at(e2, x, y) + (double)e2->dx * eight_depths_right;
             touch(band, y, x);
             cover_eight(band->scratch->depth + row + x, band->scratch->number + row + x,
-                        (at >= span.begin) & (at < span.end), depth + step * right, number);
+                        (at >= span.begin) & (at < span.end), depths_at(&slopes, first, second),
+                        number);
         }
     }
 }
@@ -350,7 +354,7 @@ static struct small_edge small_edge(struct fixed2 a, struct fixed2 b) {
 /* All pixels of a small box, tested eight at once. */
 static void cover_box(struct band *band, const struct piece *piece, struct span columns,
                       struct span rows, uint32_t number) {
-    int left = depth_column(piece);
+    int left = columns.begin / 8 * 8;
     struct fixed2 c[3];
     for (int i = 0; i < 3; i++) { /* from the centre of the box's first pixel */
         c[i].x = piece->corner[i].x - left * SUBPIXELS - SUBPIXELS / 2;
@@ -359,26 +363,24 @@ static void cover_box(struct band *band, const struct piece *piece, struct span 
     struct small_edge e[3] = {small_edge(c[1], c[2]), small_edge(c[2], c[0]),
                               small_edge(c[0], c[1])};
     struct depth_slopes slopes = find_depth_slopes(piece, e[0].origin + e[1].origin + e[2].origin);
-    double step = depth_step(&slopes, e[1].dx, e[2].dx);
     eight_ints covered = {0}, right[3], next[3];
     for (int i = 0; i < 3; i++) {
-        right[i] = e[i].dx * eight_right + e[i].bias;
+        right[i] = e[i].dx * eight_right;
         next[i] = e[i].dx * 8 + (eight_ints){0};
     }
     for (int y = rows.begin; y < rows.end; y++) {
         size_t row = (size_t)(y - band->rows.begin) * band->stride;
-        double depth = depth_at(&slopes, e[1].origin, e[2].origin);
-        eight_depths across = eight_depths_right;
         eight_ints e0 = e[0].origin + right[0];
         eight_ints e1 = e[1].origin + right[1];
         eight_ints e2 = e[2].origin + right[2];
         for (int x = left; x < columns.end; x += 8) {
-            eight_ints inside = (e0 | e1 | e2) >= 0;
+            eight_ints inside = ((e0 + e[0].bias) | (e1 + e[1].bias) | (e2 + e[2].bias)) >= 0;
+            eight_depths first = __builtin_convertvector(e1, eight_depths);
+            eight_depths second = __builtin_convertvector(e2, eight_depths);
             covered -= inside;
             touch(band, y, x);
             cover_eight(band->scratch->depth + row + x, band->scratch->number + row + x, inside,
-                        depth + step * across, number);
-            across += 8;
+                        depths_at(&slopes, first, second), number);
             e0 += next[0];
             e1 += next[1];
             e2 += next[2];

@@ -421,28 +421,24 @@ static inline struct depth_slopes find_depth_slopes(const struct piece *piece, i
     return (struct depth_slopes){z[0], (z[1] - z[0]) * scale, (z[2] - z[0]) * scale};
 }
 
-/* Along a row, depths are counted from this column on: a multiple of eight, at or left of the first
- * pixel whose centre the piece may reach. */
-static inline int depth_column(const struct piece *piece) {
-    const struct fixed2 *c = piece->corner;
-    return ((least_of(c[0].x, c[1].x, c[2].x) + SUBPIXELS / 2 - 1) >> 8) & ~7;
+/* At a pixel whose edge functions are e1 and e2. (Not from a neighbour's depth and the step to this
+ * one: in a sliver these are far larger than the depth, and so are their roundings.) */
+static inline double depth_at(const struct depth_slopes *s, double e1, double e2) {
+    return s->origin + e1 * s->k1 + e2 * s->k2;
 }
 
-/* At a pixel whose edge functions are e1 and e2; and from one pixel of a row to the next, where the
- * edge functions grow by e1 and e2, without the origin. */
-static inline double depth_at(const struct depth_slopes *s, int64_t e1, int64_t e2) {
-    return s->origin + (double)e1 * s->k1 + (double)e2 * s->k2;
-}
-
-static inline double depth_step(const struct depth_slopes *s, int64_t e1, int64_t e2) {
-    return (double)e1 * s->k1 + (double)e2 * s->k2;
+/* An edge function at pixel (x,y). Beyond 2^53 it is rounded: so for eight neighbours, which begin
+ * at a multiple of eight, it is always found from the first of them on. */
+static inline double edge_at(const struct edge *e, int x, int y) {
+    return (double)(e->origin + e->dx * (x & ~7) + e->dy * y) + (double)e->dx * (x & 7);
 }
 
 /* Draw the pixels of a chunk that a piece covers and where it is nearest so far. With an image,
  * write their colours; without one, their numbers, for shade_visible(). */
 KERNEL void shade_chunk_at_once(const struct shading *s, const struct shader *shader,
                                 const struct planes *planes, uint32_t number, struct span span,
-                                int x, int y, double depth_begin, double step, int right) {
+                                int x, int y, const struct edges *edges,
+                                const struct depth_slopes *slopes) {
     size_t first = (size_t)(y - s->rows.begin) * band_stride(s->pipeline) + (size_t)x;
     double *depths = s->scratch->depth + first;
     for (int lane = 0; lane < CHUNK; lane += LANES) {
@@ -450,8 +446,9 @@ KERNEL void shade_chunk_at_once(const struct shading *s, const struct shader *sh
         uint32_t drawn[LANES];
         uint64_t count = 0;
         for (int i = 0; i < LANES; i++) {
-            depth[i] = depth_begin + step * (right + lane + i);
             int at = x + lane + i;
+            depth[i] =
+                depth_at(slopes, edge_at(&edges->edge[1], at, y), edge_at(&edges->edge[2], at, y));
             drawn[i] = at >= span.begin && at < span.end && depth[i] > depths[lane + i];
             count += drawn[i];
         }
@@ -493,9 +490,6 @@ KERNEL void shade_piece_at_once(const struct shading *s, const struct shader *sh
     struct planes planes;
     fetch_planes(s, shader, piece, &planes);
     struct depth_slopes slopes = find_depth_slopes(piece, edges.area);
-    const struct edge *e1 = &edges.edge[1], *e2 = &edges.edge[2];
-    double step = depth_step(&slopes, e1->dx, e2->dx);
-    int left = depth_column(piece);
     struct span rows = span_overlap((struct span){edges.y_begin, edges.y_end}, s->draw->rows);
     rows = span_overlap(rows, s->rows);
     for (int y = rows.begin; y < rows.end; y++) {
@@ -505,10 +499,8 @@ KERNEL void shade_piece_at_once(const struct shading *s, const struct shader *sh
             continue;
         }
         s->work->covered += (uint64_t)(span.end - span.begin);
-        double depth = depth_at(&slopes, e1->origin + e1->dx * left + e1->dy * y,
-                                e2->origin + e2->dx * left + e2->dy * y);
         for (int x = span.begin / CHUNK * CHUNK; x < span.end && !piece->dropped; x += CHUNK) {
-            shade_chunk_at_once(s, shader, &planes, number, span, x, y, depth, step, x - left);
+            shade_chunk_at_once(s, shader, &planes, number, span, x, y, &edges, &slopes);
         }
     }
 }
