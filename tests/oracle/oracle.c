@@ -159,20 +159,17 @@ long double oracle_rounding_scale(const struct fixed2 corner[3], const double re
     const struct fixed2 *c = corner;
     long double px = (long double)x * 256 + 128, py = (long double)y * 256 + 128;
     long double width = extent(c[0].x, c[1].x, c[2].x), height = extent(c[0].y, c[1].y, c[2].y);
-    long double shown = oracle_interpolate(corner, recip_w, value, x, y);
-    long double numerator = 0, denominator = 0, sum = 0, largest = 0;
+    long double terms = 0, sum = 0, least = (long double)value[0], most = least;
     for (int i = 0; i < 3; i++) {
         struct fixed2 a = c[(i + 1) % 3], b = c[(i + 2) % 3];
         long double dx = (long double)b.x - a.x, dy = (long double)b.y - a.y;
-        long double weight = (dx * (py - a.y) - dy * (px - a.x)) * (long double)recip_w[i];
-        long double terms =
-            fabsl(weight) + (fabsl(dx) * height + fabsl(dy) * width) * (long double)recip_w[i];
-        numerator += terms * fabsl((long double)value[i] - (long double)value[0]);
-        denominator += terms;
-        sum += weight;
-        largest = fmaxl(largest, fabsl((long double)value[i]));
+        long double w = 1 / (long double)recip_w[i];
+        terms += (fabsl(dx) * height + fabsl(dy) * width) / w;
+        sum += (dx * (py - a.y) - dy * (px - a.x)) / w;
+        least = fminl(least, (long double)value[i]);
+        most = fmaxl(most, (long double)value[i]);
     }
-    return (numerator + denominator * fabsl(shown - (long double)value[0])) / fabsl(sum) + largest;
+    return 2 * (most - least) * terms / fabsl(sum) + fmaxl(fabsl(least), fabsl(most));
 }
 
 /* ---- Cameras ---- */

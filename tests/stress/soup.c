@@ -398,7 +398,7 @@ double soup_depth_tolerance(const struct soup *soup, size_t face) {
 /* Some roundings of what is added up; and where a face was cut, what rounding its corners costs. */
 double soup_value_tolerance(const struct soup *soup, const struct soup_hit *hit) {
     double ulp = sizeof(real) == sizeof(float) ? 0x1p-24 : 0x1p-53;
-    return 4 * ulp * hit->value_terms + (soup->kind <= SOUP_STEEP ? 0 : 0x1p-38);
+    return 8 * ulp * hit->value_terms + (soup->kind <= SOUP_STEEP ? 0 : 0x1p-38);
 }
 
 void soup_print(const struct soup *soup) {
