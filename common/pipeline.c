@@ -275,13 +275,29 @@ static void touch(const struct band *band, int y, int x) {
     band->scratch->touched[row + (size_t)(x / CHUNK)] = true;
 }
 
-/* Pixels are covered eight at a time, which begin at multiples of eight on every machine. */
-typedef int32_t eight_ints __attribute__((vector_size(8 * sizeof(int32_t))));
-typedef int64_t eight_longs __attribute__((vector_size(8 * sizeof(int64_t))));
-typedef double eight_depths __attribute__((vector_size(8 * sizeof(double))));
+/* Pixels are covered as many at a time as depths fit into the processor's registers. */
+#ifndef COVERED
+enum { COVERED = LANES > 4 ? LANES / 2 : 4 };
+#endif
+typedef int32_t eight_ints __attribute__((vector_size(COVERED * sizeof(int32_t))));
+typedef int64_t eight_longs __attribute__((vector_size(COVERED * sizeof(int64_t))));
+typedef double eight_depths __attribute__((vector_size(COVERED * sizeof(double))));
 
-static const eight_ints eight_right = {0, 1, 2, 3, 4, 5, 6, 7};
-static const eight_depths eight_depths_right = {0, 1, 2, 3, 4, 5, 6, 7};
+LANES_INLINE eight_ints ints_from(int first) {
+    eight_ints from;
+    for (int i = 0; i < COVERED; i++) {
+        from[i] = i;
+    }
+    return from + first;
+}
+
+LANES_INLINE eight_depths depths_from(int first) {
+    eight_depths from;
+    for (int i = 0; i < COVERED; i++) {
+        from[i] = i;
+    }
+    return from + first;
+}
 
 /* Depth and number become those of the piece where it covers (`inside`: all bits or none) and is
  * nearer. Without branches: each line is one or two instructions for all eight. */
@@ -322,10 +338,11 @@ static void cover_by_spans(struct band *band, const struct draw *draw, const str
                                         (struct span){viewport->x, viewport->x + viewport->width});
         size_t row = (size_t)(y - band->rows.begin) * band->stride;
         band->covered += span.end > span.begin ? (uint64_t)(span.end - span.begin) : 0;
-        for (int x = span.begin / 8 * 8; x < span.end; x += 8) {
-            eight_ints at = x + eight_right;
-            eight_depths first = edge_at(e1, x, y) + (double)e1->dx * eight_depths_right;
-            eight_depths second = edge_at(e2, x, y) + (double)e2->dx * eight_depths_right;
+        for (int x = span.begin / COVERED * COVERED; x < span.end; x += COVERED) {
+            eight_ints at = ints_from(x);
+            eight_depths right = depths_from(x % CHUNK);
+            eight_depths first = edge_at(e1, x / CHUNK * CHUNK, y) + (double)e1->dx * right;
+            eight_depths second = edge_at(e2, x / CHUNK * CHUNK, y) + (double)e2->dx * right;
             touch(band, y, x);
             cover_eight(band->scratch->depth + row + x, band->scratch->number + row + x,
                         (at >= span.begin) & (at < span.end), depths_at(&slopes, first, second),
@@ -354,7 +371,7 @@ static struct small_edge small_edge(struct fixed2 a, struct fixed2 b) {
 /* All pixels of a small box, tested eight at once. */
 static void cover_box(struct band *band, const struct piece *piece, struct span columns,
                       struct span rows, uint32_t number) {
-    int left = columns.begin / 8 * 8;
+    int left = columns.begin / COVERED * COVERED;
     struct fixed2 c[3];
     for (int i = 0; i < 3; i++) { /* from the centre of the box's first pixel */
         c[i].x = piece->corner[i].x - left * SUBPIXELS - SUBPIXELS / 2;
@@ -365,15 +382,15 @@ static void cover_box(struct band *band, const struct piece *piece, struct span 
     struct depth_slopes slopes = find_depth_slopes(piece, e[0].origin + e[1].origin + e[2].origin);
     eight_ints covered = {0}, right[3], next[3];
     for (int i = 0; i < 3; i++) {
-        right[i] = e[i].dx * eight_right;
-        next[i] = e[i].dx * 8 + (eight_ints){0};
+        right[i] = e[i].dx * ints_from(0);
+        next[i] = e[i].dx * COVERED + (eight_ints){0};
     }
     for (int y = rows.begin; y < rows.end; y++) {
         size_t row = (size_t)(y - band->rows.begin) * band->stride;
         eight_ints e0 = e[0].origin + right[0];
         eight_ints e1 = e[1].origin + right[1];
         eight_ints e2 = e[2].origin + right[2];
-        for (int x = left; x < columns.end; x += 8) {
+        for (int x = left; x < columns.end; x += COVERED) {
             eight_ints inside = ((e0 + e[0].bias) | (e1 + e[1].bias) | (e2 + e[2].bias)) >= 0;
             eight_depths first = __builtin_convertvector(e1, eight_depths);
             eight_depths second = __builtin_convertvector(e2, eight_depths);
@@ -389,7 +406,7 @@ static void cover_box(struct band *band, const struct piece *piece, struct span 
             e[i].origin += e[i].dy;
         }
     }
-    for (int i = 0; i < 8; i++) {
+    for (int i = 0; i < COVERED; i++) {
         band->covered += (uint64_t)covered[i];
     }
 }

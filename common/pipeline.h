@@ -82,8 +82,6 @@ struct shader {
      * No lane of the mask that it returns is drawn where it is unset, which only a shader that
      * `discards` may do; others return lanes_all_set(). */
     lanes_mask (*fragment)(const void *uniforms, const lanes *varyings, lanes_texel *color);
-    /* Ask memory for what the pixels will read, some time before they do. NULL: nothing. */
-    void (*prefetch)(const void *uniforms, const lanes *varyings);
     bool flat; /* the varyings of corner 0 for the whole face: nothing is interpolated */
     bool discards;
     /* The loops over pixels, compiled by SHADER() for this shader alone. NULL: loops that call the

@@ -360,11 +360,7 @@ KERNEL bool gather_pixels(const struct shading *s, const struct shader *shader,
     if (shader->flat) {
         return true;
     }
-    bool visible = gather_varyings(s, shader, number, x, y, pixels->varyings);
-    if (visible && shader->prefetch != NULL) {
-        shader->prefetch(s->uniforms, pixels->varyings);
-    }
-    return visible;
+    return gather_varyings(s, shader, number, x, y, pixels->varyings);
 }
 
 KERNEL void shade_pixels(const struct shading *s, const struct shader *shader,
@@ -378,32 +374,21 @@ KERNEL void shade_pixels(const struct shading *s, const struct shader *shader,
     write_lanes(s->image, pixels->x, pixels->y, color, pixels->drawn);
 }
 
-/* Each visible pixel of the draw call once. While the varyings of the next pixels are found, what
- * those of the last ones read comes from memory. */
+/* Each visible pixel of the draw call once. */
 KERNEL void shade_visible(const struct shading *s, const struct shader *shader) {
     struct span columns = s->draw->columns;
     size_t stride = band_stride(s->pipeline);
     lanes_int shaded = {0};
-    struct pixels pixels[2];
-    int next = 0;
-    bool waiting = false;
     for (int y = s->rows.begin; y < s->rows.end; y++) {
         const uint32_t *row = s->scratch->number + (size_t)(y - s->rows.begin) * stride;
         const bool *touched = s->scratch->touched + (size_t)(y - s->rows.begin) * (stride / CHUNK);
         for (int x = columns.begin / CHUNK * CHUNK; x < columns.end; x += LANES) {
-            if (!touched[x / CHUNK] || !gather_pixels(s, shader, row + x, x, y, &pixels[next])) {
-                continue;
+            struct pixels pixels;
+            if (touched[x / CHUNK] && gather_pixels(s, shader, row + x, x, y, &pixels)) {
+                shade_pixels(s, shader, &pixels);
+                shaded += pixels.drawn & 1;
             }
-            shaded += pixels[next].drawn & 1;
-            next = 1 - next;
-            if (waiting) {
-                shade_pixels(s, shader, &pixels[next]);
-            }
-            waiting = true;
         }
-    }
-    if (waiting) {
-        shade_pixels(s, shader, &pixels[1 - next]);
     }
     s->work->shaded += lanes_sum(shaded);
 }
@@ -427,10 +412,11 @@ static inline double depth_at(const struct depth_slopes *s, double e1, double e2
     return s->origin + e1 * s->k1 + e2 * s->k2;
 }
 
-/* An edge function at pixel (x,y). Beyond 2^53 it is rounded: so for eight neighbours, which begin
- * at a multiple of eight, it is always found from the first of them on. */
+/* An edge function at pixel (x,y). Beyond 2^53 it is rounded: so it is found from the chunk's first
+ * pixel on, for however many pixels at a time. */
 static inline double edge_at(const struct edge *e, int x, int y) {
-    return (double)(e->origin + e->dx * (x & ~7) + e->dy * y) + (double)e->dx * (x & 7);
+    return (double)(e->origin + e->dx * (x / CHUNK * CHUNK) + e->dy * y) +
+           (double)e->dx * (x % CHUNK);
 }
 
 /* Draw the pixels of a chunk that a piece covers and where it is nearest so far. With an image,

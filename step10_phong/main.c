@@ -227,9 +227,10 @@ static lanes_mask weight_map_fragment(const void *uniforms, const lanes *varying
     /* BEGIN SOLUTION 10.7 fragment functions */
     const struct uniforms *u = uniforms;
     struct lanes2 uv = uv_of(varyings);
-    struct texels a = texture_fetch(u->diffuse, uv, u->diffuse_level);
-    struct texels b = texture_fetch(u->normal_map, uv, u->normal_level);
-    struct texels c = texture_fetch(u->specular, uv, u->specular_level);
+    struct texel_place place = {0};
+    struct texels a = texture_fetch(u->diffuse, uv, u->diffuse_level, &place);
+    struct texels b = texture_fetch(u->normal_map, uv, u->normal_level, &place);
+    struct texels c = texture_fetch(u->specular, uv, u->specular_level, &place);
     struct surface surface = plain_surface(u, varyings);
     surface.color = texels_mix(&a);
     struct lanes3 n = texels_mix(&b);
