@@ -71,12 +71,6 @@ static lanes_mask number_fragment(const void *uniforms, const lanes *varyings, l
 SHADER(number_shader, .varying_count = 1, .vertex = number_vertex, .fragment = number_fragment);
 SHADER(discarding_shader, .varying_count = 1, .vertex = number_vertex, .fragment = number_fragment,
        .discards = true);
-SHADER(flat_shader, .varying_count = 1, .flat = true, .vertex = number_vertex,
-       .fragment = number_fragment);
-
-/* Without loops of its own. */
-static const struct shader called_shader = {
-    .varying_count = 1, .vertex = number_vertex, .fragment = number_fragment};
 
 /* ---- Which face shows ---- */
 
@@ -155,12 +149,12 @@ static void draw_soup(const struct mesh *mesh, enum cull cull, bool skip, struct
     *vertex_calls = calls;
 }
 
-/* How many faces show in each band of rows, added up; and how many in the whole image. */
+/* How many faces show in each band of rows, added up. */
 static size_t count_shown(const struct image *image, int band_height) {
     size_t shown = 0;
     for (int y = 0; y < SIZE; y += band_height) {
         bool seen[FACES + 1] = {true}; /* the background does not count */
-        for (int i = 0; i < band_height * SIZE; i++) {
+        for (int i = 0; i < band_height * SIZE && y + i / SIZE < SIZE; i++) {
             uint8_t face = image_get(image, i % SIZE, y + i / SIZE).r;
             shown += !seen[face];
             seen[face] = true;
@@ -172,6 +166,7 @@ static size_t count_shown(const struct image *image, int band_height) {
 static void test_nearest_face_shows(void) {
     static struct mesh mesh;
     struct random random = {11};
+    int fewer = 0;
     for (int i = 0; i < 60; i++) {
         make_soup(&mesh, &random);
         enum cull cull = (enum cull)(i % 3);
@@ -183,7 +178,8 @@ static void test_nearest_face_shows(void) {
         check_soup(&mesh, cull, &image);
         CHECK(memcmp(image.pixels, at_once.pixels, SIZE * SIZE * 3) == 0);
         /* Frugal: what is not seen is not fetched or shaded. */
-        CHECK(calls == 3 * count_shown(&image, BAND_HEIGHT) && calls < calls_at_once);
+        CHECK(calls == 3 * count_shown(&image, BAND_HEIGHT) && calls <= calls_at_once);
+        fewer += calls < calls_at_once;
         size_t drawn = 0;
         for (size_t k = 0; k < SIZE * SIZE; k++) {
             drawn += image.pixels[3 * k] != 0;
@@ -193,6 +189,7 @@ static void test_nearest_face_shows(void) {
         image_free(&image);
         image_free(&at_once);
     }
+    CHECK(fewer > 50);
 }
 
 /* ---- Threads ---- */
@@ -711,7 +708,7 @@ static void test_interpolation(void) {
     static struct mesh mesh;
     static struct seen seen;
     struct random random = {14};
-    double worst = 0;
+    double worst = 0, mean = 0;
     for (int i = 0; i < 300; i++) {
         struct fixed2 corner[3] = {{0, 0}};
         double recip_w[3], value[3];
@@ -738,11 +735,16 @@ static void test_interpolation(void) {
                     continue;
                 }
                 long double exact = oracle_interpolate(corner, recip_w, value, x, y);
-                worst = fmax(worst, fabs((double)((long double)seen.place[y][x].z - exact)));
+                long double scale = oracle_rounding_scale(corner, recip_w, value, x, y);
+                double error = (double)fabsl((long double)seen.place[y][x].z - exact);
+                worst = fmax(worst, error / (double)scale);
+                mean += error / (300.0 * SIZE * SIZE);
             }
         }
     }
-    CHECK(worst < 1e-12);
+    /* Some roundings of what is added up. Seldom is that much more than the value. */
+    double ulp = sizeof(real) == sizeof(float) ? 0x1p-24 : 0x1p-53;
+    CHECK(worst < 8 * ulp && mean < 4 * ulp);
 }
 
 /* ---- Near the eye ---- */
