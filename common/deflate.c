@@ -628,6 +628,7 @@ struct decompressor {
     uint8_t *out;
     size_t out_size, out_limit;
     struct decoder literals, distances;
+    bool fixed;          /* they are those of the fixed codes */
     const char *problem; /* what is wrong with the stream */
 };
 
@@ -814,6 +815,7 @@ static bool read_own_codes(struct decompressor *d) {
         }
         order_lengths[length_order[i]] = (uint8_t)length;
     }
+    d->fixed = false;
     /* The decoder of literals serves for the code lengths first. */
     if (!build_decoder(&d->literals, order_lengths, ORDER_COUNT)) {
         return fail_with(d, "compressed data with a wrong code");
@@ -828,7 +830,12 @@ static bool read_own_codes(struct decompressor *d) {
     return true;
 }
 
+/* Made once for blocks that follow each other: an empty one has only 10 bits. */
 static void set_fixed_codes(struct decompressor *d) {
+    if (d->fixed) {
+        return;
+    }
+    d->fixed = true;
     uint8_t literal_lengths[SYMBOL_LIMIT];
     uint8_t distance_lengths[32]; /* two of them never appear, but make the code complete */
     fixed_lengths(literal_lengths, distance_lengths);

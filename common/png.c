@@ -20,6 +20,7 @@ enum {
     CHUNK_LIMIT = 0x7fffffff, /* bytes of data of a chunk */
     HEADER_SIZE = 13,         /* of IHDR */
     PIXEL_LIMIT = 4,          /* bytes of a pixel */
+    PIXELS_OF_ANY = 1 << 24,  /* pixels that any file may have, however small it is */
     PALETTE_LIMIT = 256
 };
 
@@ -320,8 +321,9 @@ static bool read_transparency(struct png *png, const struct chunk *chunk, struct
     for (size_t i = 0; palette && i < chunk->size; i++) {
         png->palette[i][3] = chunk->data[i];
     }
-    for (size_t i = 0; !palette && i < samples; i++) {
-        png->clear[i] = (uint16_t)(chunk->data[2 * i] << 8 | chunk->data[2 * i + 1]);
+    for (size_t i = 0; !palette && i < samples; i++) { /* of 16 bits, the lowest `depth` count */
+        unsigned sample = (unsigned)chunk->data[2 * i] << 8 | chunk->data[2 * i + 1];
+        png->clear[i] = (uint16_t)(sample & ((1u << png->depth) - 1));
     }
     return true;
 }
@@ -343,6 +345,9 @@ static bool read_chunk(struct png *png, const struct chunk *chunk, struct error 
         return read_data(png, chunk, error);
     }
     png->data_ended = png->seen_data;
+    if (is_type(chunk, "IHDR")) {
+        return error_set(error, "a PNG with a second header");
+    }
     if (is_type(chunk, "PLTE")) {
         return read_palette(png, chunk, error);
     }
@@ -497,6 +502,12 @@ static bool decode_pixels(const struct png *png, struct image *image, struct err
     if (raw_size / DEFLATE_RATIO_LIMIT > png->compressed.size || raw_size > SIZE_MAX / 2) {
         return error_set(error, "a PNG cut off: %zu bytes cannot hold %zux%zu pixels",
                          png->compressed.size, png->width, png->height);
+    }
+    /* Pixels of less than a byte become whole ones, or four of them. */
+    uint64_t pixels = (uint64_t)png->width * png->height;
+    if (pixels > PIXELS_OF_ANY && pixels / DEFLATE_RATIO_LIMIT > png->compressed.size) {
+        return error_set(error, "a PNG of %zux%zu pixels in no more than %zu bytes is not read",
+                         png->width, png->height, png->compressed.size);
     }
     bool done = false;
     uint8_t *raw = malloc((size_t)raw_size);

@@ -142,8 +142,12 @@ bench-frame: $(BUILD)/bench-frame models
 	@$(if $(HAS_MESA),,echo 'without llvmpipe: $(MESA_IS_MISSING)')
 	@$(BUILD)/bench-frame $(OPTIONS)
 
-$(BUILD)/bench-frame: $(FRAME_OBJECTS) $(BUILD)/libcommon.a
-	$(LINK) $^ $(if $(HAS_MESA),-lEGL -lGL) -lm -o $@
+$(BUILD)/bench-frame: $(FRAME_OBJECTS) $(BUILD)/libcommon.a $(BUILD)/with-mesa
+	$(LINK) $(filter-out %-mesa,$^) $(if $(HAS_MESA),-lEGL -lGL) -lm -o $@
+
+# Changes only when Mesa comes or goes.
+$(BUILD)/with-mesa: force
+	@[ "$$(cat $@ 2>/dev/null)" = 'with: $(HAS_MESA)' ] || echo 'with: $(HAS_MESA)' >$@
 
 # ---- make mutants, portability, fuzz, coverage ----
 
