@@ -55,6 +55,7 @@ void pipeline_free(struct pipeline *pipeline) {
     free(pipeline->pieces.data);
     free(pipeline->clipped.data);
     free(pipeline->visible.data);
+    free(pipeline->band_work.data);
     free(pipeline->band_counts.data);
     free(pipeline->bins.data);
     free(pipeline->binned.data);
@@ -175,7 +176,9 @@ bool pipeline_draw(struct pipeline *p, const struct draw_call *call, const struc
     if (!pipeline_assemble(p, draw, error)) {
         return false;
     }
-    memcpy((char *)p->uniforms.data + p->uniforms_end, uniforms, size);
+    if (size > 0) {
+        memcpy((char *)p->uniforms.data + p->uniforms_end, uniforms, size);
+    }
     p->uniforms_end += (size + UNIFORMS_ALIGNMENT - 1) / UNIFORMS_ALIGNMENT * UNIFORMS_ALIGNMENT;
     p->draw_count++;
     return true;

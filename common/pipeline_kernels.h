@@ -106,15 +106,15 @@ static inline size_t band_stride(const struct pipeline *pipeline) {
 
 /* The weight of a corner times the area, as a plane on the screen: the exact edge function of the
  * opposite side, from a to b, at the centres of pixels. Its value at pixel (x0,y0), and its steps. */
-struct plane {
+struct screen_plane {
     double origin, dx, dy;
 };
 
-static inline struct plane edge_plane(struct fixed2 a, struct fixed2 b, int x0, int y0) {
+static inline struct screen_plane edge_plane(struct fixed2 a, struct fixed2 b, int x0, int y0) {
     int64_t x_distance = (int64_t)b.x - a.x, y_distance = (int64_t)b.y - a.y;
     int64_t x = (int64_t)x0 * SUBPIXELS + SUBPIXELS / 2,
             y = (int64_t)y0 * SUBPIXELS + SUBPIXELS / 2;
-    return (struct plane){
+    return (struct screen_plane){
         .origin = (double)(x_distance * (y - a.y) - y_distance * (x - a.x)),
         .dx = (double)(-y_distance * SUBPIXELS),
         .dy = (double)(x_distance * SUBPIXELS),
@@ -188,12 +188,13 @@ KERNEL void fetch_planes(const struct shading *s, const struct shader *shader,
     find_recip_w(s->pipeline, s->draw, piece, recip_w);
     const struct fixed2 *c = piece->corner;
     int x0 = c[0].x >> 8, y0 = c[0].y >> 8;
-    struct plane edge[3] = {edge_plane(c[1], c[2], x0, y0), edge_plane(c[2], c[0], x0, y0),
-                            edge_plane(c[0], c[1], x0, y0)};
+    struct screen_plane edge[3] = {edge_plane(c[1], c[2], x0, y0), edge_plane(c[2], c[0], x0, y0),
+                                   edge_plane(c[0], c[1], x0, y0)};
     double scale = 1 / (edge[0].origin + edge[1].origin + edge[2].origin);
     for (size_t i = 0; i < 3; i++) {
         double over_w = recip_w[i] * scale;
-        edge[i] = (struct plane){edge[i].origin * over_w, edge[i].dx * over_w, edge[i].dy * over_w};
+        edge[i] = (struct screen_plane){edge[i].origin * over_w, edge[i].dx * over_w,
+                                        edge[i].dy * over_w};
     }
     planes->x0 = (real)x0;
     planes->y0 = (real)y0;
@@ -414,28 +415,25 @@ static inline struct depth_slopes find_depth_slopes(const struct piece *piece, i
     return (struct depth_slopes){z[0], (z[1] - z[0]) * scale, (z[2] - z[0]) * scale};
 }
 
-/* Along a row, depths are counted from this column on: a multiple of eight, at or left of the first
- * pixel whose centre the piece may reach. */
-static inline int depth_column(const struct piece *piece) {
-    const struct fixed2 *c = piece->corner;
-    return ((least_of(c[0].x, c[1].x, c[2].x) + SUBPIXELS / 2 - 1) >> 8) & ~7;
+/* At a pixel whose edge functions are e1 and e2. (Not from a neighbour's depth and the step to this
+ * one: in a sliver these are far larger than the depth, and so are their roundings.) */
+static inline double depth_at(const struct depth_slopes *s, double e1, double e2) {
+    return s->origin + e1 * s->k1 + e2 * s->k2;
 }
 
-/* At a pixel whose edge functions are e1 and e2; and from one pixel of a row to the next, where the
- * edge functions grow by e1 and e2, without the origin. */
-static inline double depth_at(const struct depth_slopes *s, int64_t e1, int64_t e2) {
-    return s->origin + (double)e1 * s->k1 + (double)e2 * s->k2;
-}
-
-static inline double depth_step(const struct depth_slopes *s, int64_t e1, int64_t e2) {
-    return (double)e1 * s->k1 + (double)e2 * s->k2;
+/* An edge function at pixel (x,y). Beyond 2^53 it is rounded: so it is found from the chunk's first
+ * pixel on, for however many pixels at a time. */
+static inline double edge_at(const struct edge *e, int x, int y) {
+    return (double)(e->origin + e->dx * (x / CHUNK * CHUNK) + e->dy * y) +
+           (double)e->dx * (x % CHUNK);
 }
 
 /* Draw the pixels of a chunk that a piece covers and where it is nearest so far. With an image,
  * write their colours; without one, their numbers, for shade_visible(). */
 KERNEL void shade_chunk_at_once(const struct shading *s, const struct shader *shader,
                                 const struct planes *planes, uint32_t number, struct span span,
-                                int x, int y, double depth_begin, double step, int right) {
+                                int x, int y, const struct edges *edges,
+                                const struct depth_slopes *slopes) {
     size_t first = (size_t)(y - s->rows.begin) * band_stride(s->pipeline) + (size_t)x;
     double *depths = s->scratch->depth + first;
     for (int lane = 0; lane < CHUNK; lane += LANES) {
@@ -443,8 +441,9 @@ KERNEL void shade_chunk_at_once(const struct shading *s, const struct shader *sh
         uint32_t drawn[LANES];
         uint64_t count = 0;
         for (int i = 0; i < LANES; i++) {
-            depth[i] = depth_begin + step * (right + lane + i);
             int at = x + lane + i;
+            depth[i] =
+                depth_at(slopes, edge_at(&edges->edge[1], at, y), edge_at(&edges->edge[2], at, y));
             drawn[i] = at >= span.begin && at < span.end && depth[i] > depths[lane + i];
             count += drawn[i];
         }
@@ -486,9 +485,6 @@ KERNEL void shade_piece_at_once(const struct shading *s, const struct shader *sh
     struct planes planes;
     fetch_planes(s, shader, piece, &planes);
     struct depth_slopes slopes = find_depth_slopes(piece, edges.area);
-    const struct edge *e1 = &edges.edge[1], *e2 = &edges.edge[2];
-    double step = depth_step(&slopes, e1->dx, e2->dx);
-    int left = depth_column(piece);
     struct span rows = span_overlap((struct span){edges.y_begin, edges.y_end}, s->draw->rows);
     rows = span_overlap(rows, s->rows);
     for (int y = rows.begin; y < rows.end; y++) {
@@ -498,10 +494,8 @@ KERNEL void shade_piece_at_once(const struct shading *s, const struct shader *sh
             continue;
         }
         s->work->covered += (uint64_t)(span.end - span.begin);
-        double depth = depth_at(&slopes, e1->origin + e1->dx * left + e1->dy * y,
-                                e2->origin + e2->dx * left + e2->dy * y);
         for (int x = span.begin / CHUNK * CHUNK; x < span.end && !piece->dropped; x += CHUNK) {
-            shade_chunk_at_once(s, shader, &planes, number, span, x, y, depth, step, x - left);
+            shade_chunk_at_once(s, shader, &planes, number, span, x, y, &edges, &slopes);
         }
     }
 }
