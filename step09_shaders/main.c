@@ -164,8 +164,9 @@ static lanes_mask normal_map_fragment(const void *uniforms, const lanes *varying
     lanes intensity = lambert_lanes(normal, u->to_light);
     *color = shade(texture_lanes(u->diffuse, uv, u->diffuse_level), intensity);
     /* STARTER
-    (void)u, (void)uv;
-    *color = lanes_black(); // to do 9.6: the texture's colour in the light on the map's normal
+    (void)uv;
+    struct lanes3 normal = {lanes_all(0), lanes_all(0), lanes_all(1)}; // to do 9.6: the map's
+    *color = shade(normal, lambert_lanes(normal, u->to_light)); // to do 9.6: the texture's colour
     END SOLUTION */
     return lanes_all_set();
 }
