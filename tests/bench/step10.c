@@ -154,45 +154,40 @@ enum power_way {
 };
 
 /* x (c0 + c1 x + ...), with `terms` constant where this is inlined. */
-static inline float polynomial(const float *c, int terms, float x) {
-    float sum = c[terms - 1];
+static inline lanes polynomial(const float *c, int terms, lanes x) {
+    lanes sum = lanes_all((real)c[terms - 1]);
     for (int i = terms - 2; i >= 0; i--) {
-        sum = sum * x + c[i];
+        sum = sum * x + (real)c[i];
     }
     return sum * x;
 }
 
-/* base^power as 2^(power log2(base)), with polynomials for the parts of the two functions that the
- * exponent of a float does not hold. Without branches, so that compilers do it for several pixels
- * at once. */
-static inline float terms_power(const struct exp_log *coefficients, int terms, float base,
-                                int power) {
-    const int32_t two_thirds = 0x3F2AAAAB;
-    int32_t bits;
-    memcpy(&bits, &base, sizeof bits);
-    int32_t exponent = (bits - two_thirds) >> 23; /* base / 2^exponent is in 2/3..4/3 */
-    bits -= exponent * (1 << 23);
-    memcpy(&base, &bits, sizeof base);
-    float log = (float)exponent + polynomial(coefficients->log2, terms, base - 1);
-    float product = (float)power * log;
-    product = product < -126 ? -126 : product;
-    int32_t whole = (int32_t)(product - 0.5f); /* to the nearest, as no product is above 0 */
-    float result = 1 + polynomial(coefficients->exp2, terms, product - (float)whole);
-    memcpy(&bits, &result, sizeof bits);
-    bits += whole * (1 << 23);
-    memcpy(&result, &bits, sizeof result);
-    return result;
+/* `number` times 2 to the power of `exponent`, by the bits of a float. */
+static inline lanes scaled(lanes number, lanes_int exponent) {
+    lanes_int bits;
+    memcpy(&bits, &number, sizeof bits);
+    bits += exponent * (1 << 23);
+    memcpy(&number, &bits, sizeof bits);
+    return number;
 }
 
-static inline lanes terms_power_lanes(const struct exp_log *coefficients, int terms, lanes base,
-                                      int power) {
-    real value[LANES];
-    memcpy(value, &base, sizeof value);
-    for (int i = 0; i < LANES; i++) {
-        value[i] = (real)terms_power(coefficients, terms, (float)value[i], power);
+/* base^power as 2^(power log2(base)), with polynomials for the parts of the two functions that the
+ * exponent of a float does not hold. */
+static inline lanes terms_power(const struct exp_log *coefficients, int terms, lanes base,
+                                int power) {
+    if (!LANES_IS_FLOAT) {
+        return attempt_1_pow(base, power);
     }
-    memcpy(&base, value, sizeof base);
-    return base;
+    const int32_t two_thirds = 0x3F2AAAAB;
+    lanes_int bits;
+    memcpy(&bits, &base, sizeof bits);
+    lanes_int exponent = (bits - two_thirds) >> 23; /* base / 2^exponent is in 2/3..4/3 */
+    base = scaled(base, -exponent);
+    lanes log = lanes_from_int(exponent) + polynomial(coefficients->log2, terms, base - 1);
+    lanes product = lanes_max((real)power * log, lanes_all(-126));
+    lanes_int whole = lanes_to_int(product - 0.5f); /* to the nearest, as no product is above 0 */
+    lanes part = product - lanes_from_int(whole);
+    return scaled(1 + polynomial(coefficients->exp2, terms, part), whole);
 }
 
 /* base^power in one of the ways. */
@@ -215,8 +210,8 @@ static inline lanes power_by(enum power_way way, const struct lit *lit, lanes ba
     case TERMS_3:
     case TERMS_4:
     case TERMS_5:
-        return terms_power_lanes(&lit->coefficients[way - TERMS_2], 2 + (int)(way - TERMS_2), base,
-                                 power);
+        return terms_power(&lit->coefficients[way - TERMS_2], 2 + (int)(way - TERMS_2), base,
+                           power);
     case HALF_VECTOR_4:
         return integer_power(base, lanes_all((real)(4 * power)), 4 * power);
     default:
