@@ -40,7 +40,8 @@ struct target {
     struct image image;
 };
 
-enum { TARGETS = 2 };
+/* With one thread, with two, and with half of the width and height. */
+enum { ONE_THREAD, TWO_THREADS, HALF_OF_IT, TARGETS };
 
 enum way {
     SINGLE_CALL,
@@ -60,9 +61,10 @@ enum way {
 struct work {
     struct subject bust, far_first, near_first; /* one bust, and rows of them */
     void *planes[LOOKS][WAYS];
-    enum look drawn_look;           /* by the last version of the first two panels */
-    bool drawn;                     /* by the last version, without running out of memory */
-    struct target targets[TARGETS]; /* the next one has half of the width and height */
+    enum look drawn_look; /* by the last version of the first two panels */
+    bool drawn;           /* by the last version, without running out of memory */
+    struct target targets[TARGETS];
+    struct image enlarged; /* from half of the width and height */
 };
 
 /* ---- The visible pixels, in so many ways ---- */
@@ -145,12 +147,6 @@ static double size_pixels(const void *state, int choice) {
 
 /* ---- The pipeline: at once or visible only, in which order, by how many threads ---- */
 
-static void use_threads(struct work *work, int thread_count) {
-    for (size_t i = 0; i < TARGETS; i++) {
-        pipeline_use_threads(&work->targets[i].pipeline, (size_t)thread_count);
-    }
-}
-
 /* Each pixel of a small picture becomes a square of the large one. */
 static void enlarge(const struct image *small, struct image *large) {
     size_t factor = large->width / small->width;
@@ -164,9 +160,9 @@ static void enlarge(const struct image *small, struct image *large) {
 }
 
 enum order { FAR_FIRST, NEAR_FIRST };
-enum kind { CALLED, AT_ONCE, VISIBLE, HALF_SIZE, KINDS };
+enum kind { CALLED, AT_ONCE, VISIBLE, KINDS };
 
-#define ROW(kind, order, threads) ((int)(kind) + (int)KINDS * ((int)(order) + 2 * (threads)))
+#define ROW(kind, order, target) ((int)(kind) + (int)KINDS * ((int)(order) + 2 * (int)(target)))
 
 static bool draw_kind(enum kind kind, struct target *target, const struct draw_call *call,
                       const struct uniforms *u) {
@@ -181,42 +177,39 @@ static bool draw_kind(enum kind kind, struct target *target, const struct draw_c
     return done && pipeline_finish(p, &target->image, &error);
 }
 
-static bool draw_row(struct work *work, const struct subject *row, enum kind kind) {
-    size_t smaller = kind == HALF_SIZE;
-    struct target *target = &work->targets[smaller];
+static bool draw_row(struct target *target, const struct subject *row, enum kind kind) {
     struct draw_call call = row->call;
     struct uniforms uniforms = row->uniforms;
     call.viewport = grid_cell(target->image.width, target->image.height, 1, 1, 0, 0);
-    uniforms.diffuse_level += smaller; /* texels as large as pixels */
+    uniforms.diffuse_level += target->image.width < SIDE; /* texels as large as pixels */
     pipeline_clear(&target->pipeline);
     memset(target->image.pixels, 0, target->image.width * target->image.height * IMAGE_BGRA);
-    bool done = draw_kind(kind, target, &call, &uniforms);
-    if (smaller > 0) {
-        enlarge(&target->image, &work->targets[0].image);
-    }
-    return done;
+    return draw_kind(kind, target, &call, &uniforms);
 }
 
 static void run_row(void *state, int choice) {
     struct work *work = state;
-    use_threads(work, choice / KINDS / 2);
+    struct target *target = &work->targets[choice / KINDS / 2];
     bool near_first = choice / KINDS % 2 == NEAR_FIRST;
-    work->drawn = draw_row(work, near_first ? &work->near_first : &work->far_first,
+    work->drawn = draw_row(target, near_first ? &work->near_first : &work->far_first,
                            (enum kind)(choice % KINDS));
+    if (target->image.width < SIDE) {
+        enlarge(&target->image, &work->enlarged);
+    }
 }
 
 static double error_row(void *state, int choice) {
     const struct work *work = state;
-    (void)choice;
-    return work->drawn ? compare(&work->targets[0].image, &work->far_first.exact[TEXTURED]).mean
-                       : (double)INFINITY;
+    const struct image *image = &work->targets[choice / KINDS / 2].image;
+    image = image->width < SIDE ? &work->enlarged : image;
+    return work->drawn ? compare(image, &work->far_first.exact[TEXTURED]).mean : (double)INFINITY;
 }
 
 /* Pixels shaded. */
 static double size_row(const void *state, int choice) {
     const struct work *work = state;
-    const struct target *target = &work->targets[choice % KINDS == HALF_SIZE];
-    return (double)target->pipeline.stats[STAT_PIXELS_SHADED] / 1000;
+    const struct pipeline *pipeline = &work->targets[choice / KINDS / 2].pipeline;
+    return (double)pipeline->stats[STAT_PIXELS_SHADED] / 1000;
 }
 
 /* ---- Setting up ---- */
@@ -441,11 +434,13 @@ static bool make_row(struct subject *row, enum order order, struct error *error)
 }
 
 static bool make_targets(struct work *work, struct error *error) {
-    bool done = true;
-    for (size_t i = 0; done && i < TARGETS; i++) {
-        size_t side = (size_t)SIDE >> i;
-        done = image_create(&work->targets[i].image, side, side, IMAGE_BGRA, error) &&
-               pipeline_create(&work->targets[i].pipeline, side, side, error);
+    bool done = image_create(&work->enlarged, SIDE, SIDE, IMAGE_BGRA, error);
+    for (int i = 0; done && i < TARGETS; i++) {
+        struct target *target = &work->targets[i];
+        size_t side = i == HALF_OF_IT ? SIDE / 2 : SIDE;
+        done = image_create(&target->image, side, side, IMAGE_BGRA, error) &&
+               pipeline_create(&target->pipeline, side, side, error);
+        pipeline_use_threads(&target->pipeline, i == TWO_THREADS ? 2 : 1);
     }
     return done;
 }
@@ -499,6 +494,7 @@ static void teardown(void *state) {
             image_free(&work->targets[i].image);
             pipeline_free(&work->targets[i].pipeline);
         }
+        image_free(&work->enlarged);
     }
     free(work);
 }
@@ -548,14 +544,14 @@ static const struct bench_version white_versions[] = {
 };
 
 static const struct bench_version row_versions[] = {
-    VERSION("at once, farthest first", row, ROW(AT_ONCE, FAR_FIRST, 1), false),
-    VERSION("at once, nearest first", row, ROW(AT_ONCE, NEAR_FIRST, 1), false),
-    VERSION("visible, called", row, ROW(CALLED, FAR_FIRST, 1), false),
-    VERSION("visible, farthest first", row, ROW(VISIBLE, FAR_FIRST, 1), true),
-    VERSION("visible, nearest first", row, ROW(VISIBLE, NEAR_FIRST, 1), true),
-    VERSION("at once, 2 threads", row, ROW(AT_ONCE, FAR_FIRST, 2), false),
-    VERSION("visible, 2 threads", row, ROW(VISIBLE, FAR_FIRST, 2), true),
-    VERSION("400x400, enlarged", row, ROW(HALF_SIZE, FAR_FIRST, 1), false),
+    VERSION("at once, farthest first", row, ROW(AT_ONCE, FAR_FIRST, ONE_THREAD), false),
+    VERSION("at once, nearest first", row, ROW(AT_ONCE, NEAR_FIRST, ONE_THREAD), false),
+    VERSION("visible, called", row, ROW(CALLED, FAR_FIRST, ONE_THREAD), false),
+    VERSION("visible, farthest first", row, ROW(VISIBLE, FAR_FIRST, ONE_THREAD), true),
+    VERSION("visible, nearest first", row, ROW(VISIBLE, NEAR_FIRST, ONE_THREAD), true),
+    VERSION("at once, 2 threads", row, ROW(AT_ONCE, FAR_FIRST, TWO_THREADS), false),
+    VERSION("visible, 2 threads", row, ROW(VISIBLE, FAR_FIRST, TWO_THREADS), true),
+    VERSION("400x400, enlarged", row, ROW(VISIBLE, FAR_FIRST, HALF_OF_IT), false),
 };
 
 static const struct bench_panel bench_panels[] = {
