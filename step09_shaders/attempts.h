@@ -52,8 +52,7 @@ static inline lanes_mask attempt_color(const struct uniforms *u, const lanes *va
     return lanes_all_set();
 }
 
-/* 3. The levels of the normal map taken as coordinates 0..1: no normal points left, down or back.
- */
+/* 3. The levels of the normal map taken as coordinates 0..1: none points left, down or back. */
 static inline lanes_mask attempt_3_normals_not_shifted(const void *uniforms, const lanes *varyings,
                                                        lanes_texel *color) {
     const struct uniforms *u = uniforms;

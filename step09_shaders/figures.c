@@ -157,17 +157,18 @@ static bool count_at_once(const struct draw_call *call, struct image *times, str
 }
 
 /* Shaded once. */
-static void no_vertex(const void *uniforms, size_t face, size_t corner, double *varyings) {
-    (void)uniforms, (void)face, (void)corner, (void)varyings;
+static void once_vertex(const void *uniforms, size_t face, size_t corner, double *varyings) {
+    (void)uniforms, (void)face, (void)corner;
+    varyings[0] = 90;
 }
 
 static lanes_mask once_fragment(const void *uniforms, const lanes *varyings, lanes_texel *color) {
-    (void)uniforms, (void)varyings;
-    *color = lanes_rgb(lanes_all(90), lanes_all(90), lanes_all(90));
+    (void)uniforms;
+    *color = lanes_rgb(varyings[0], varyings[0], varyings[0]);
     return lanes_all_set();
 }
 
-SHADER(once, .varying_count = 0, .flat = true, .vertex = no_vertex, .fragment = once_fragment);
+SHADER(once, .varying_count = 1, .flat = true, .vertex = once_vertex, .fragment = once_fragment);
 
 static struct color color_of_count(int times) {
     return times == 0   ? color_grey(0)

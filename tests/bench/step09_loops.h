@@ -1,6 +1,6 @@
 /*
- * Step 9: the loops over visible pixels, in one type of number (REAL) and for so many pixels at once
- * (LANES). Included by files that define these and the name of their table, WAYS.
+ * Step 9: the loops over visible pixels, in one type of number (REAL) and for so many pixels at
+ * once (LANES). Included by files that define these and the name of their table, WAYS.
  *
  * All of them read the same list of what is visible, and have the planes of all faces ready.
  */
@@ -232,27 +232,27 @@ LANES_INLINE void shade_half(const struct shader *shader, const struct visible *
 /* The compiler must not know whom they call. */
 #define WAYS_OF(look)                                                                              \
     static FLATTEN void look##_inlined(const struct visible *v, const void *planes) {              \
-        shade_chunks(EACH_PIXEL, &look, look.fragment, v, planes);                                 \
+        shade_chunks(EACH_PIXEL, &(look), (look).fragment, v, planes);                             \
     }                                                                                              \
     static FLATTEN void look##_every_8(const struct visible *v, const void *planes) {              \
-        shade_chunks(EVERY_8, &look, look.fragment, v, planes);                                    \
+        shade_chunks(EVERY_8, &(look), (look).fragment, v, planes);                                \
     }                                                                                              \
     static FLATTEN void look##_every_16(const struct visible *v, const void *planes) {             \
-        shade_chunks(EVERY_16, &look, look.fragment, v, planes);                                   \
+        shade_chunks(EVERY_16, &(look), (look).fragment, v, planes);                               \
     }                                                                                              \
     static FLATTEN void look##_affine(const struct visible *v, const void *planes) {               \
-        shade_chunks(NEVER, &look, look.fragment, v, planes);                                      \
+        shade_chunks(NEVER, &(look), (look).fragment, v, planes);                                  \
     }                                                                                              \
     static FLATTEN void look##_half(const struct visible *v, const void *planes) {                 \
-        shade_half(&look, v, planes);                                                              \
+        shade_half(&(look), v, planes);                                                            \
     }                                                                                              \
     static void look##_call(const struct visible *v, const void *planes) {                         \
-        fragment_function *volatile hidden = look.fragment;                                        \
-        shade_chunks(EACH_PIXEL, &look, hidden, v, planes);                                        \
+        fragment_function *volatile hidden = (look).fragment;                                      \
+        shade_chunks(EACH_PIXEL, &(look), hidden, v, planes);                                      \
     }                                                                                              \
     static FLATTEN void look##_one_run(const struct uniforms *u, const struct visible *v,          \
                                        const struct planes *planes, const struct run *run) {       \
-        shade_run(&look, u, v, planes, run);                                                       \
+        shade_run(&(look), u, v, planes, run);                                                     \
     }                                                                                              \
     static void look##_run(const struct visible *v, const void *planes) {                          \
         shade_run_function *volatile hidden = look##_one_run;                                      \
