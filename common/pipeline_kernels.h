@@ -60,6 +60,7 @@ struct bin {
 
 /* The work of a band. */
 struct pixel_work {
+    uint64_t fetched; /* attribute sets */
     uint64_t covered; /* depth tests */
     uint64_t shaded;  /* pixels */
 };
@@ -177,6 +178,7 @@ KERNEL void fetch_planes(const struct shading *s, const struct shader *shader,
     size_t n = shader->varying_count;
     double v[3 * VARYING_LIMIT], recip_w[3];
     planes->x0 = planes->y0 = 0;
+    s->work->fetched++;
     if (shader->flat) {
         shader->vertex(s->uniforms, piece->face, 0, v);
         for (size_t i = 0; i < n; i++) {
@@ -237,6 +239,7 @@ KERNEL uint32_t find_flat_color(const struct shading *s, const struct shader *sh
     double given[VARYING_LIMIT];
     lanes varyings[VARYING_LIMIT];
     lanes_texel color;
+    s->work->fetched++;
     shader->vertex(s->uniforms, see_piece(s, number)->face, 0, given);
     for (size_t i = 0; i < shader->varying_count; i++) {
         varyings[i] = lanes_all((real)given[i]);
