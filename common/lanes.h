@@ -73,7 +73,7 @@ LANES_INLINE lanes_texel lanes_texel_select(lanes_int mask, lanes_texel a, lanes
 }
 
 LANES_INLINE lanes lanes_sqrt(lanes a) {
-    lanes root;
+    lanes root = a;
     for (int i = 0; i < LANES; i++) {
         root[i] = LANES_IS_FLOAT ? (real)sqrtf((float)a[i]) : (real)sqrt((double)a[i]);
     }
@@ -101,7 +101,7 @@ LANES_INLINE lanes_mask lanes_all_set(void) {
 
 /* first, first + 1, first + 2, ... */
 LANES_INLINE lanes_int lanes_int_from(int first) {
-    lanes_int from;
+    lanes_int from = {0};
     for (int i = 0; i < LANES; i++) {
         from[i] = first + i;
     }
@@ -109,7 +109,7 @@ LANES_INLINE lanes_int lanes_int_from(int first) {
 }
 
 LANES_INLINE lanes lanes_from(int first) {
-    lanes from;
+    lanes from = {0};
     for (int i = 0; i < LANES; i++) {
         from[i] = (real)i;
     }
