@@ -27,7 +27,8 @@ For the course as a whole:
   make coverage               which lines and branches of common the tests reach
   make help                   this list
 
-CC=clang, CFLAGS=-O0, MARCH=, WERROR=-Werror and BUILD=some/directory may be added to any of these.
+CC=clang, CFLAGS=-O0, MARCH=, WERROR=-Werror, BUILD=some/directory, LANES=1 (one pixel at a time, for
+a debugger) and REAL=double (twice the precision) may be added to any of these.
 endef
 
 BUILD  = build
@@ -75,6 +76,8 @@ WARNINGS = -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wstrict-prototypes -W
 # One rounding for each operation, so that every machine computes the same bytes.
 STRICT   = -std=c17 -ffp-contract=off -fno-math-errno -fno-trapping-math
 DEFINES  = -DCOURSE_BUILD='"$(abspath $(BUILD))"'
+# LANES=1 shades one pixel at a time, for a debugger; REAL=double shades with twice the precision.
+DEFINES += $(LANES:%=-DLANES=%) $(REAL:%=-DREAL=%)
 # The same path is a word of the shell and a string of C.
 ifneq ($(strip $(foreach sign,' " \,$(findstring $(sign),$(abspath $(BUILD))))),)
 $(error the path $(abspath $(BUILD)) holds a quote or a backslash: move the course, or set BUILD)

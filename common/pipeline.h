@@ -37,6 +37,7 @@
 #include "tgaimage.h"
 #include "workers.h"
 
+#include <stdatomic.h>
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
@@ -153,6 +154,7 @@ struct pipeline {
     size_t piece_end;
     struct buffer clipped; /* of struct clipped_corners; each block has a part of it */
     size_t clipped_end;
+    struct buffer visible;     /* of atomic_uchar, for each piece: a pixel of it is visible */
     struct buffer band_counts; /* of uint32_t: pieces of a block in a band, then places */
     struct buffer bins;        /* of struct bin, one a band */
     struct buffer binned;      /* of uint32_t: indices of pieces, sorted by band */

@@ -214,15 +214,22 @@ KERNEL void fetch_planes(const struct shading *s, const struct shader *shader,
     planes->dy[n] = (real)(edge[0].dy + edge[1].dy + edge[2].dy);
 }
 
+/* The piece of a number, seen: some pixel of it is visible. Several threads may see it. */
+static inline const struct piece *see_piece(const struct shading *s, uint32_t number) {
+    uint32_t index = s->bin[number - 1];
+    atomic_store_explicit((atomic_uchar *)s->pipeline->visible.data + index, 1,
+                          memory_order_relaxed);
+    return (const struct piece *)s->pipeline->pieces.data + index;
+}
+
 /* The planes of a piece by its number, fetched when they are first asked for. */
 KERNEL const struct planes *find_planes(const struct shading *s, const struct shader *shader,
                                         uint32_t number) {
     struct scratch *scratch = s->scratch;
     uint32_t *place = &scratch->plane_place[number];
     if (*place == 0) {
-        const struct piece *pieces = s->pipeline->pieces.data;
         *place = ++scratch->plane_count;
-        fetch_planes(s, shader, &pieces[s->bin[number - 1]], &scratch->planes[*place]);
+        fetch_planes(s, shader, see_piece(s, number), &scratch->planes[*place]);
     }
     return &scratch->planes[*place];
 }
@@ -231,11 +238,10 @@ KERNEL const struct planes *find_planes(const struct shading *s, const struct sh
  * that is 0 is found again and again.) */
 KERNEL uint32_t find_flat_color(const struct shading *s, const struct shader *shader,
                                 uint32_t number) {
-    const struct piece *pieces = s->pipeline->pieces.data;
     double given[VARYING_LIMIT];
     lanes varyings[VARYING_LIMIT];
     lanes_texel color;
-    shader->vertex(s->uniforms, pieces[s->bin[number - 1]].face, 0, given);
+    shader->vertex(s->uniforms, see_piece(s, number)->face, 0, given);
     for (size_t i = 0; i < shader->varying_count; i++) {
         varyings[i] = lanes_all((real)given[i]);
     }
@@ -306,6 +312,9 @@ KERNEL bool has_number(const struct shading *s, uint32_t number) {
 KERNEL bool gather_varyings(const struct shading *s, const struct shader *shader,
                             const uint32_t number[LANES], int x, int y, lanes *varyings) {
     bool first = true;
+    for (size_t i = 0; i < shader->varying_count; i++) {
+        varyings[i] = lanes_all(0);
+    }
     for (int begin = 0, end; begin < LANES; begin = end) {
         for (end = begin + 1; end < LANES && number[end] == number[begin]; end++) {
         }

@@ -7,18 +7,6 @@
 #include "lanes.h"
 #include "texture.h"
 
-/* One channel of the four texels around each place, mixed. */
-LANES_INLINE lanes lanes_mix_channel(const lanes_texel texel[4], int shift, lanes across,
-                                     lanes along) {
-    lanes channel[4];
-    for (int i = 0; i < 4; i++) {
-        channel[i] = lanes_from_int((lanes_int)(texel[i] >> shift & 0xFF));
-    }
-    lanes lower = channel[0] + (channel[1] - channel[0]) * across;
-    lanes upper = channel[2] + (channel[3] - channel[2]) * across;
-    return lower + (upper - lower) * along;
-}
-
 /* A place between texel centres along one axis: the lower one of its two neighbours, and how far it
  * lies towards the other: 0 at the last texel, which has no other. */
 struct lanes_place {
@@ -38,13 +26,13 @@ LANES_INLINE struct lanes_place lanes_find_texel(lanes coordinate, size_t size) 
 struct texel_place {
     size_t width, height;
     uint32_t index[LANES]; /* of the lower left one */
-    lanes across, along;   /* how far the place lies between them, 0..1 */
+    lanes weight[4];       /* lower left, lower right, upper left, upper right; sum 1 */
 };
 
 /* The four texels, mixed by texels_mix(). */
 struct texels {
-    lanes_texel texel[4]; /* lower left, lower right, upper left, upper right */
-    lanes across, along;
+    lanes_texel texel[4];
+    lanes weight[4];
 };
 
 LANES_INLINE void texture_find(const struct texture_level *level, struct lanes2 uv,
@@ -54,8 +42,10 @@ LANES_INLINE void texture_find(const struct texture_level *level, struct lanes2 
     lanes_texel index = (lanes_texel)y.texel * (uint32_t)level->width + (lanes_texel)x.texel;
     place->width = level->width;
     place->height = level->height;
-    place->across = x.fraction;
-    place->along = y.fraction;
+    place->weight[3] = x.fraction * y.fraction;
+    place->weight[2] = y.fraction - place->weight[3];
+    place->weight[1] = x.fraction - place->weight[3];
+    place->weight[0] = 1 - x.fraction - place->weight[2];
     memcpy(place->index, &index, sizeof place->index);
 }
 
@@ -79,18 +69,29 @@ LANES_INLINE struct texels texture_fetch(const struct texture *texture, struct l
         lower[i] = texel_pair(l->texels + place->index[i]);
         upper[i] = texel_pair(l->texels + place->index[i] + l->width);
     }
-    struct texels texels = {.across = place->across, .along = place->along};
+    struct texels texels;
+    memcpy(texels.weight, place->weight, sizeof texels.weight);
     lanes_split(lower, &texels.texel[0], &texels.texel[1]);
     lanes_split(upper, &texels.texel[2], &texels.texel[3]);
     return texels;
 }
 
+/* The channel of the four texels that the bits of `mask` are, mixed, times the lowest of the bits:
+ * so no bits need be shifted. */
+LANES_INLINE lanes texels_mix_channel(const struct texels *t, uint32_t mask) {
+    lanes channel[4];
+    for (int i = 0; i < 4; i++) {
+        channel[i] = lanes_from_int((lanes_int)(t->texel[i] & mask)) * t->weight[i];
+    }
+    return (channel[0] + channel[1]) + (channel[2] + channel[3]);
+}
+
 /* Linear between the texels: red, green, blue as x, y, z in levels 0..255, not rounded. What is not
- * used of it is not computed: of a grey texture, take x. */
+ * used of it is not computed: of a grey texture, take z. */
 LANES_INLINE struct lanes3 texels_mix(const struct texels *t) {
-    return (struct lanes3){lanes_mix_channel(t->texel, 16, t->across, t->along),
-                           lanes_mix_channel(t->texel, 8, t->across, t->along),
-                           lanes_mix_channel(t->texel, 0, t->across, t->along)};
+    return (struct lanes3){texels_mix_channel(t, 0xFF0000) * (1 / 65536.0f),
+                           texels_mix_channel(t, 0xFF00) * (1 / 256.0f),
+                           texels_mix_channel(t, 0xFF)};
 }
 
 /* Both: the bilinear sample. */

@@ -235,7 +235,7 @@ static lanes_mask weight_map_fragment(const void *uniforms, const lanes *varying
     surface.color = texels_mix(&a);
     struct lanes3 n = texels_mix(&b);
     surface.normal = lanes3_normalized((struct lanes3){n.x - 127.5f, n.y - 127.5f, n.z - 127.5f});
-    surface.specular *= texels_mix(&c).x * (1 / 255.0f);
+    surface.specular *= texels_mix(&c).z * (1 / 255.0f);
     *color = illuminate(u, &surface);
     return lanes_all_set();
     /* STARTER
@@ -250,7 +250,7 @@ static lanes_mask power_map_fragment(const void *uniforms, const lanes *varyings
     const struct uniforms *u = uniforms;
     struct surface surface = textured_surface(u, varyings);
     surface.normal = mapped_normal(u, varyings);
-    lanes level = texture_lanes(u->specular, uv_of(varyings), u->specular_level).x;
+    lanes level = texture_lanes(u->specular, uv_of(varyings), u->specular_level).z;
     surface.power = 1 + lanes_floor(level * 0.125f);
     surface.largest_power = 32;
     *color = illuminate(u, &surface);

@@ -80,7 +80,7 @@ static lanes_mask phong_fragment(const void *uniforms, const lanes *varyings, la
     lanes light = lanes3_dot(normal, to_light);
     struct lanes3 mirrored = lanes3_sub(lanes3_scale(normal, 2 * light), to_light);
     lanes near = lanes_max(lanes3_dot(mirrored, to_eye), zero.x);
-    lanes shine = lanes_select(light > 0, texels_mix(&specular).x * tenth_power(near), zero.x);
+    lanes shine = lanes_select(light > 0, texels_mix(&specular).z * tenth_power(near), zero.x);
     lanes scattered = (real)AMBIENT + lanes_max(light, zero.x);
     *color =
         lanes_rgb(rgb.x * scattered + shine, rgb.y * scattered + shine, rgb.z * scattered + shine);
