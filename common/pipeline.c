@@ -55,6 +55,7 @@ void pipeline_free(struct pipeline *pipeline) {
     free(pipeline->pieces.data);
     free(pipeline->clipped.data);
     free(pipeline->visible.data);
+    free(pipeline->band_work.data);
     free(pipeline->band_counts.data);
     free(pipeline->bins.data);
     free(pipeline->binned.data);

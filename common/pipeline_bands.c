@@ -62,6 +62,12 @@ LANES_INLINE void cover_pixels(double *depths, uint32_t *numbers, cover_ints ins
     memcpy(numbers, &old_number, sizeof old_number);
 }
 
+/* depth_at() for several pixels. */
+LANES_INLINE cover_depths depths_at(const struct depth_slopes *s, cover_depths e1,
+                                    cover_depths e2) {
+    return s->origin + e1 * s->k1 + e2 * s->k2;
+}
+
 /* The span of each row, found exactly. */
 static void cover_by_spans(struct band *band, const struct draw *draw, const struct piece *piece,
                            uint32_t number) {
@@ -73,22 +79,21 @@ static void cover_by_spans(struct band *band, const struct draw *draw, const str
     }
     struct depth_slopes slopes = find_depth_slopes(piece, edges.area);
     const struct edge *e1 = &edges.edge[1], *e2 = &edges.edge[2];
-    double step = depth_step(&slopes, e1->dx, e2->dx);
-    int left = depth_column(piece);
     struct span rows = span_overlap(rows_of_piece(piece, draw), band->rows);
     for (int y = rows.begin; y < rows.end; y++) {
         struct span span = span_overlap(edges_span(&edges, y),
                                         (struct span){viewport->x, viewport->x + viewport->width});
         size_t row = (size_t)(y - band->rows.begin) * band->stride;
         band->covered += span.end > span.begin ? (uint64_t)(span.end - span.begin) : 0;
-        double depth = depth_at(&slopes, e1->origin + e1->dx * left + e1->dy * y,
-                                e2->origin + e2->dx * left + e2->dy * y);
         for (int x = span.begin / COVERED * COVERED; x < span.end; x += COVERED) {
             cover_ints at = ints_from(x);
-            cover_depths right = depths_from(x - left);
+            cover_depths right = depths_from(x % CHUNK);
+            cover_depths first = edge_at(e1, x / CHUNK * CHUNK, y) + (double)e1->dx * right;
+            cover_depths second = edge_at(e2, x / CHUNK * CHUNK, y) + (double)e2->dx * right;
             touch(band, y, x);
             cover_pixels(band->scratch->depth + row + x, band->scratch->number + row + x,
-                         (at >= span.begin) & (at < span.end), depth + step * right, number);
+                         (at >= span.begin) & (at < span.end), depths_at(&slopes, first, second),
+                         number);
         }
     }
 }
@@ -113,7 +118,7 @@ static struct small_edge small_edge(struct fixed2 a, struct fixed2 b) {
 /* All pixels of a small box, several tested at once. */
 static void cover_box(struct band *band, const struct piece *piece, struct span columns,
                       struct span rows, uint32_t number) {
-    int left = depth_column(piece);
+    int left = columns.begin / COVERED * COVERED;
     struct fixed2 c[3];
     for (int i = 0; i < 3; i++) { /* from the centre of the box's first pixel */
         c[i].x = piece->corner[i].x - left * SUBPIXELS - SUBPIXELS / 2;
@@ -122,26 +127,24 @@ static void cover_box(struct band *band, const struct piece *piece, struct span 
     struct small_edge e[3] = {small_edge(c[1], c[2]), small_edge(c[2], c[0]),
                               small_edge(c[0], c[1])};
     struct depth_slopes slopes = find_depth_slopes(piece, e[0].origin + e[1].origin + e[2].origin);
-    double step = depth_step(&slopes, e[1].dx, e[2].dx);
     cover_ints covered = {0}, right[3], next[3];
     for (int i = 0; i < 3; i++) {
-        right[i] = e[i].dx * ints_from(0) + e[i].bias;
+        right[i] = e[i].dx * ints_from(0);
         next[i] = e[i].dx * COVERED + (cover_ints){0};
     }
     for (int y = rows.begin; y < rows.end; y++) {
         size_t row = (size_t)(y - band->rows.begin) * band->stride;
-        double depth = depth_at(&slopes, e[1].origin, e[2].origin);
-        cover_depths across = depths_from(0);
         cover_ints e0 = e[0].origin + right[0];
         cover_ints e1 = e[1].origin + right[1];
         cover_ints e2 = e[2].origin + right[2];
         for (int x = left; x < columns.end; x += COVERED) {
-            cover_ints inside = (e0 | e1 | e2) >= 0;
+            cover_ints inside = ((e0 + e[0].bias) | (e1 + e[1].bias) | (e2 + e[2].bias)) >= 0;
+            cover_depths first = __builtin_convertvector(e1, cover_depths);
+            cover_depths second = __builtin_convertvector(e2, cover_depths);
             covered -= inside;
             touch(band, y, x);
             cover_pixels(band->scratch->depth + row + x, band->scratch->number + row + x, inside,
-                         depth + step * across, number);
-            across += COVERED;
+                         depths_at(&slopes, first, second), number);
             e0 += next[0];
             e1 += next[1];
             e2 += next[2];

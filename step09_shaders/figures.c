@@ -7,6 +7,8 @@
 #include "attempts.h"
 #include "model_file.h"
 
+#include <stdlib.h>
+
 enum { PANEL = 400 };
 
 /* Where all figures are drawn from: the scenes' camera, with the light from the side. */
@@ -46,10 +48,17 @@ static struct draw_call figure_call(const struct figure *figure, int panels, int
     return pipeline_call(&figure->drawing, cell, 0.85, CULL_BACK);
 }
 
-/* Save the figure if it is `drawn`, and free it. */
-static bool figure_end(struct figure *figure, const char *directory, const char *name, bool drawn,
-                       struct error *error) {
-    bool done = drawn && figure_save(&figure->image, directory, name, error);
+static bool figure_draw(struct figure *figure, const struct draw_call *call,
+                        const struct shader *shader, struct error *error) {
+    return pipeline_draw(&figure->pipeline, call, shader, &figure->uniforms,
+                         sizeof figure->uniforms, error);
+}
+
+/* Finish the figure and save it, if all of it was `recorded`; free it. */
+static bool figure_end(struct figure *figure, const char *directory, const char *name,
+                       bool recorded, struct error *error) {
+    bool done = recorded && pipeline_finish(&figure->pipeline, &figure->image, error) &&
+                figure_save(&figure->image, directory, name, error);
     image_free(&figure->image);
     pipeline_free(&figure->pipeline);
     return done;
@@ -63,16 +72,16 @@ static bool draw_culled_by_light(struct model *model, const char *directory, str
         image_clear(&f.image, color_rgb(160, 0, 0));
         struct draw_call right = figure_call(&f, 2, 0), wrong = figure_call(&f, 2, 1);
         wrong.cull = CULL_NONE;
-        done = pipeline_draw(&f.pipeline, &right, &flat, &f.uniforms, &f.image, error) &&
-               pipeline_draw(&f.pipeline, &wrong, &culled_by_light, &f.uniforms, &f.image, error);
+        done = figure_draw(&f, &right, &flat, error) &&
+               figure_draw(&f, &wrong, &culled_by_light, error);
     }
     return figure_end(&f, directory, "culled_by_light", done, error);
 }
 
 SHADER(not_shifted, .varying_count = 2, .vertex = uv_vertex,
-       .fragment = attempt_4_normals_not_shifted);
+       .fragment = attempt_3_normals_not_shifted);
 SHADER(file_order, .varying_count = 2, .vertex = uv_vertex,
-       .fragment = attempt_5_normals_in_file_order);
+       .fragment = attempt_4_normals_in_file_order);
 
 /* Right; levels as 0..1; x and z exchanged. */
 static bool draw_wrong_normals(struct model *model, const char *directory, struct error *error) {
@@ -81,50 +90,99 @@ static bool draw_wrong_normals(struct model *model, const char *directory, struc
     if (done) {
         struct draw_call right = figure_call(&f, 3, 0);
         struct draw_call second = figure_call(&f, 3, 1), third = figure_call(&f, 3, 2);
-        done = pipeline_draw(&f.pipeline, &right, &normal_mapped, &f.uniforms, &f.image, error) &&
-               pipeline_draw(&f.pipeline, &second, &not_shifted, &f.uniforms, &f.image, error) &&
-               pipeline_draw(&f.pipeline, &third, &file_order, &f.uniforms, &f.image, error);
+        done = figure_draw(&f, &right, &normal_mapped, error) &&
+               figure_draw(&f, &second, &not_shifted, error) &&
+               figure_draw(&f, &third, &file_order, error);
     }
     return figure_end(&f, directory, "wrong_normals", done, error);
 }
 
 /* ---- How often each pixel is shaded ---- */
 
-struct counting {
-    const struct model *model;
-    struct draw_call call;
-    struct image *times;
+/* The corners of a face on the screen. */
+struct on_screen {
+    struct fixed2 corner[3];
+    double depth[3];
 };
 
-static void place_vertex(const void *uniforms, size_t face, size_t corner, double *varyings) {
-    const struct counting *u = uniforms;
-    struct vec3 place = model_position(u->model, face, corner);
-    varyings[0] = place.x;
-    varyings[1] = place.y;
-    varyings[2] = place.z;
+static bool face_on_screen(const struct draw_call *call, size_t face, struct on_screen *seen) {
+    const struct rectangle *v = &call->viewport;
+    bool done = true;
+    for (size_t i = 0; i < 3; i++) {
+        struct vec4 clip = mat4_point(&call->to_clip, model_position(call->model, face, i));
+        struct vec2 screen = {v->x + (clip.x / clip.w + 1) * v->width / 2,
+                              v->y + (clip.y / clip.w + 1) * v->height / 2};
+        seen->depth[i] = clip.z / clip.w;
+        done = screen_snap(screen, &seen->corner[i]) && done;
+    }
+    return done;
 }
 
-/* Add 1 to the count of the pixel that shows this place. */
-static bool count_fragment(const void *uniforms, const double *varyings, struct color *color) {
-    const struct counting *u = uniforms;
-    const struct rectangle *v = &u->call.viewport;
-    struct vec3 place = {varyings[0], varyings[1], varyings[2]};
-    struct vec4 clip = mat4_point(&u->call.to_clip, place);
-    int x = v->x + (int)((clip.x / clip.w + 1) * v->width / 2);
-    int y = v->y + (int)((clip.y / clip.w + 1) * v->height / 2);
-    uint8_t times = image_get(u->times, x, y).b;
-    image_set(u->times, x, y, color_grey((uint8_t)(times + 1)));
-    *color = color_grey(0);
+/* Add 1 where the face is nearest so far: there it would be shaded, if all were shaded at once. */
+static void count_face(const struct on_screen *seen, double *depths, struct image *times) {
+    const struct fixed2 *c = seen->corner;
+    const double *z = seen->depth;
+    struct edges edges;
+    if (!edges_setup(&edges, c[0], c[1], c[2], times->width, times->height) || edges.clockwise) {
+        return;
+    }
+    for (int y = edges.y_begin; y < edges.y_end; y++) {
+        struct span span = edges_span(&edges, y);
+        for (int x = span.begin; x < span.end; x++) {
+            double *nearest = &depths[(size_t)y * times->width + (size_t)x];
+            double depth = interpolate_depth(edges_weights(&edges, x, y), z[0], z[1], z[2]);
+            if (depth > *nearest) {
+                *nearest = depth;
+                image_set(times, x, y, color_grey((uint8_t)(image_get(times, x, y).g + 1)));
+            }
+        }
+    }
+}
+
+static bool count_at_once(const struct draw_call *call, struct image *times, struct error *error) {
+    size_t pixels = times->width * times->height;
+    double *depths = malloc(pixels * sizeof *depths);
+    if (depths == NULL) {
+        return error_out_of_memory(error);
+    }
+    depth_clear(depths, pixels);
+    for (size_t i = 0; i < call->model->face_count; i++) {
+        struct on_screen seen;
+        if (face_on_screen(call, i, &seen)) {
+            count_face(&seen, depths, times);
+        }
+    }
+    free(depths);
     return true;
 }
 
-SHADER(counting_shader, .varying_count = 3, .vertex = place_vertex, .fragment = count_fragment);
+/* Shaded once. */
+static void once_vertex(const void *uniforms, size_t face, size_t corner, double *varyings) {
+    (void)uniforms, (void)face, (void)corner;
+    varyings[0] = 90;
+}
 
-static bool draw_count(struct figure *f, int panel, bool skip, struct image *times,
-                       struct error *error) {
-    struct counting u = {f->drawing.model, figure_call(f, 2, panel), times};
-    f->pipeline.skip = skip;
-    return pipeline_draw(&f->pipeline, &u.call, &counting_shader, &u, &f->image, error);
+static lanes_mask once_fragment(const void *uniforms, const lanes *varyings, lanes_texel *color) {
+    (void)uniforms;
+    *color = lanes_rgb(varyings[0], varyings[0], varyings[0]);
+    return lanes_all_set();
+}
+
+SHADER(once, .varying_count = 1, .flat = true, .vertex = once_vertex, .fragment = once_fragment);
+
+static struct color color_of_count(int times) {
+    return times == 0   ? color_grey(0)
+           : times == 1 ? color_grey(90)
+           : times == 2 ? color_rgb(255, 170, 0)
+                        : color_rgb(255, 0, 0);
+}
+
+static void show_counts(const struct image *times, struct image *image) {
+    for (int y = 0; y < (int)times->height; y++) {
+        for (int x = 0; x < (int)times->width; x++) {
+            image_set(image, x, y, color_of_count(image_get(times, x, y).g));
+        }
+    }
 }
 
 /* Left: shaded at once. Right: only what is visible. Grey once, orange twice, red more often. */
@@ -132,17 +190,11 @@ static bool draw_overdraw(struct model *model, const char *directory, struct err
     struct figure f = {0};
     struct image times = {0};
     bool done = figure_begin(&f, model, 2, error) &&
-                image_create(&times, f.image.width, f.image.height, IMAGE_GREY, error) &&
-                draw_count(&f, 0, false, &times, error) && draw_count(&f, 1, true, &times, error);
-    for (int y = 0; done && y < (int)times.height; y++) {
-        for (int x = 0; x < (int)times.width; x++) {
-            uint8_t n = image_get(&times, x, y).b;
-            struct color color = n == 0   ? color_grey(0)
-                                 : n == 1 ? color_grey(90)
-                                 : n == 2 ? color_rgb(255, 170, 0)
-                                          : color_rgb(255, 0, 0);
-            image_set(&f.image, x, y, color);
-        }
+                image_create(&times, f.image.width, f.image.height, IMAGE_GREY, error);
+    if (done) {
+        struct draw_call left = figure_call(&f, 2, 0), right = figure_call(&f, 2, 1);
+        done = count_at_once(&left, &times, error) && figure_draw(&f, &right, &once, error);
+        show_counts(&times, &f.image);
     }
     image_free(&times);
     return figure_end(&f, directory, "overdraw", done, error);

@@ -3,7 +3,8 @@
  *
  * Steps 4 to 8 repeated one loop over faces and one over pixels, and changed only what a corner
  * hands over and what a pixel makes of it. Here the loops are common/pipeline.h, and the two parts
- * that change are the functions of a `shader`.
+ * that change are the functions of a `shader`. What a pixel makes of it is written as if for one
+ * pixel, and run for sixteen at once: a `lanes` is a number for each of them (common/lanes.h).
  */
 #include "pipeline_program.h"
 
@@ -28,7 +29,7 @@ static double lambert(struct vec3 normal, struct vec3 to_light) {
     END SOLUTION */
 }
 
-/* Red, green, blue 0..255, times an intensity. */
+/* Red, green, blue 0..255, times an intensity, as a pixel's colour. */
 static lanes_texel shade(struct lanes3 rgb, lanes intensity) {
     /* BEGIN SOLUTION 9.2 a colour in that light */
     return lanes_rgb(rgb.x * intensity, rgb.y * intensity, rgb.z * intensity);
@@ -54,9 +55,11 @@ static void flat_vertex(const void *uniforms, size_t face, size_t corner, double
 static lanes_mask white_fragment(const void *uniforms, const lanes *varyings, lanes_texel *color) {
     (void)uniforms;
     /* BEGIN SOLUTION 9.3 flat and Gouraud */
-    *color = shade(lanes3_all((struct vec3){255, 255, 255}), varyings[0]);
+    static const struct vec3 white = {255, 255, 255};
+    *color = shade(lanes3_all(white), varyings[0]);
     /* STARTER
-    *color = shade(lanes3_all((struct vec3){0, 0, 0}), varyings[0]); // to do 9.3: white in place of black
+    static const struct vec3 black = {0, 0, 0}; // to do 9.3: white
+    *color = shade(lanes3_all(black), varyings[0]);
     END SOLUTION */
     return lanes_all_set();
 }
@@ -140,7 +143,7 @@ SHADER(toon, .varying_count = 1, .vertex = gouraud_vertex, .fragment = toon_frag
 
 /* ---- Normals from the normal map, pixel by pixel ---- */
 
-/* lambert() for pixels. */
+/* lambert() for sixteen pixels. */
 static lanes lambert_lanes(struct lanes3 normal, struct vec3 to_light) {
     /* BEGIN SOLUTION 9.6 normals from a picture */
     lanes intensity = lanes3_dot(lanes3_normalized(normal), lanes3_all(to_light));
@@ -161,8 +164,9 @@ static lanes_mask normal_map_fragment(const void *uniforms, const lanes *varying
     lanes intensity = lambert_lanes(normal, u->to_light);
     *color = shade(texture_lanes(u->diffuse, uv, u->diffuse_level), intensity);
     /* STARTER
-    (void)u, (void)uv;
-    *color = lanes_black(); // to do 9.6: the texture's colour in the light on the map's normal
+    (void)uv;
+    struct lanes3 normal = {lanes_all(0), lanes_all(0), lanes_all(1)}; // to do 9.6: the map's
+    *color = shade(normal, lambert_lanes(normal, u->to_light)); // to do 9.6: the texture's colour
     END SOLUTION */
     return lanes_all_set();
 }
@@ -188,7 +192,7 @@ SHADER(two_sided, .varying_count = 1, .flat = true, .vertex = two_sided_vertex,
 
 /* ---- Culled by the light, as in steps 4 to 7: what gets no light is not drawn at all ---- */
 
-/* False discards the pixel. */
+/* Where the mask that it returns is not set, the pixel is discarded. */
 static lanes_mask lit_only_fragment(const void *uniforms, const lanes *varyings,
                                     lanes_texel *color) {
     /* BEGIN SOLUTION 9.8 culled by the light */

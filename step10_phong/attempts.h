@@ -8,19 +8,26 @@
 
 #include <math.h>
 
-/* ---- The power: base 0..1 to a whole power 0..POWER_LIMIT ---- */
+/* ---- The power: base 0..1 to a whole power 0..POWER_LIMIT, for sixteen pixels ---- */
 
 enum { POWER_LIMIT = 128, POWER_TABLE_LIMIT = 1024 };
 
-/* 1. The library's pow(): made for any exponent, so it takes a logarithm and an exponential. Its
- * last bit differs from one C library to the next, and so would the picture. */
-static inline double attempt_1_pow(double base, int power) {
-    return pow(base, power);
+/* 1. The library's pow(): made for any exponent, so it takes a logarithm and an exponential, and
+ * for one pixel at a time. Its last bit differs from one C library to the next, and so would the
+ * picture. */
+static inline lanes attempt_1_pow(lanes base, int power) {
+    real value[LANES];
+    memcpy(value, &base, sizeof value);
+    for (int i = 0; i < LANES; i++) {
+        value[i] = (real)pow((double)value[i], power);
+    }
+    memcpy(&base, value, sizeof value);
+    return base;
 }
 
 /* 2. A multiplication for each unit of the power. */
-static inline double attempt_2_repeated(double base, int power) {
-    double result = 1;
+static inline lanes attempt_2_repeated(lanes base, int power) {
+    lanes result = lanes_all(1);
     for (int i = 0; i < power; i++) {
         result *= base;
     }
@@ -31,70 +38,79 @@ static inline double attempt_2_repeated(double base, int power) {
  * power. */
 struct power_table {
     int last; /* place of 1; the first, 0, is that of 0 */
-    double value[POWER_TABLE_LIMIT];
+    real value[POWER_TABLE_LIMIT];
 };
 
 /* `size` values, 2..POWER_TABLE_LIMIT. */
 static inline struct power_table attempt_3_make_table(int size, int power) {
     struct power_table table = {.last = size - 1};
     for (int i = 0; i < size; i++) {
-        table.value[i] = integer_power((double)i / table.last, power);
+        table.value[i] = (real)pow((double)i / table.last, power);
     }
     return table;
 }
 
-static inline double attempt_3_table(const struct power_table *table, double base) {
-    double place = base * table->last;
-    int index = (int)place < table->last ? (int)place : table->last - 1;
-    double part = place - index;
-    return table->value[index] + part * (table->value[index + 1] - table->value[index]);
+static inline lanes attempt_3_table(const struct power_table *table, lanes base) {
+    lanes place = base * (real)table->last;
+    lanes_int index = lanes_to_int(lanes_min(place, lanes_all((real)(table->last - 1))));
+    int32_t at[LANES];
+    real lower[LANES], upper[LANES];
+    memcpy(at, &index, sizeof at);
+    for (int i = 0; i < LANES; i++) {
+        lower[i] = table->value[at[i]];
+        upper[i] = table->value[at[i] + 1];
+    }
+    lanes from, to;
+    memcpy(&from, lower, sizeof from);
+    memcpy(&to, upper, sizeof to);
+    return from + (place - lanes_from_int(index)) * (to - from);
 }
 
 /* 4. Schlick's form t / (n - n t + t): looks like a power and needs one division (Schlick, "A Fast
  * Alternative to Phong's Specular Model", Graphics Gems IV, 1994). The lights become wider. */
-static inline double attempt_4_schlick(double base, int power) {
-    return base / (power - power * base + base);
+static inline lanes attempt_4_schlick(lanes base, int power) {
+    return base / ((real)power - (real)power * base + base);
 }
 
 /* ---- The normal ---- */
 
 /* 5. The interpolated normal as it is: between two corners it is shorter than 1, so that the lights
  * fade in the middle of each face. */
-static inline bool attempt_5_not_normalized(const void *uniforms, const double *varyings,
-                                            struct color *color) {
+static inline lanes_mask attempt_5_not_normalized(const void *uniforms, const lanes *varyings,
+                                                  lanes_texel *color) {
     const struct uniforms *u = uniforms;
-    struct vec3 normal = {varyings[5], varyings[6], varyings[7]};
-    *color = illuminate(u, &u->material, normal, position_of(varyings));
-    return true;
+    struct surface surface = plain_surface(u, varyings);
+    surface.normal = (struct lanes3){varyings[5], varyings[6], varyings[7]};
+    *color = illuminate(u, &surface);
+    return lanes_all_set();
 }
 
 /* ---- Wrong light ---- */
 
 /* 6. No clamping: where the mirrored light points away from the eye its scalar product is negative,
  * and an even power makes that positive. Surfaces turned away from the light shine, too. */
-static inline bool attempt_6_not_clamped(const void *uniforms, const double *varyings,
-                                         struct color *color) {
+static inline lanes_mask attempt_6_not_clamped(const void *uniforms, const lanes *varyings,
+                                               lanes_texel *color) {
     const struct uniforms *u = uniforms;
-    struct vec3 normal = mesh_normal(varyings);
-    struct vec3 to_eye = vec3_normalized(vec3_sub(u->eye, position_of(varyings)));
-    double diffuse = vec3_dot(normal, u->to_light);
-    double mirrored = vec3_dot(reflect(normal, u->to_light), to_eye);
-    double specular = u->material.specular * integer_power(mirrored, u->material.power);
-    double scattered = u->material.ambient + u->material.diffuse * diffuse;
-    struct vec4 rgb = u->material.color;
-    *color = color_rgb(level_from(rgb.x * scattered + 255 * specular),
-                       level_from(rgb.y * scattered + 255 * specular),
-                       level_from(rgb.z * scattered + 255 * specular));
-    return true;
+    struct surface surface = plain_surface(u, varyings);
+    struct lanes3 normal = mesh_normal(varyings), to_light = lanes3_all(u->to_light);
+    struct lanes3 to_eye = lanes3_normalized(surface.to_eye);
+    lanes mirrored = lanes3_dot(reflect(normal, to_light), to_eye);
+    lanes power = integer_power(mirrored, surface.power, surface.largest_power);
+    lanes shine = 255 * surface.specular * power;
+    lanes scattered =
+        (real)u->material.ambient + (real)u->material.diffuse * lanes3_dot(normal, to_light);
+    *color = lanes_rgb(surface.color.x * scattered + shine, surface.color.y * scattered + shine,
+                       surface.color.z * scattered + shine);
+    return lanes_all_set();
 }
 
 /* 7. The direction from the light instead of the one to it: the far side is lit. */
-static inline bool attempt_7_light_reversed(const void *uniforms, const double *varyings,
-                                            struct color *color) {
+static inline lanes_mask attempt_7_light_reversed(const void *uniforms, const lanes *varyings,
+                                                  lanes_texel *color) {
     struct uniforms u = *(const struct uniforms *)uniforms;
     u.to_light = vec3_scale(u.to_light, -1);
-    *color = illuminate(&u, &u.material, mesh_normal(varyings), position_of(varyings));
-    return true;
+    return plain_fragment(&u, varyings, color);
 }
 
 #endif

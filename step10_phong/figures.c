@@ -24,9 +24,13 @@ static struct drawing make_drawing(struct model *model) {
 
 /* A row of panels, each with the function that colours its pixels. */
 struct panel {
-    bool (*fragment)(const void *uniforms, const double *varyings, struct color *color);
+    struct shader shader;
     struct material material;
 };
+
+/* A shader without loops of its own. */
+#define PANEL_SHADER(function)                                                                     \
+    { .varying_count = 8, .vertex = vertex_with_normal, .fragment = (function) }
 
 static bool draw_panels(struct model *model, const struct panel *panels, int count,
                         struct vec3 light, const char *directory, const char *name,
@@ -39,14 +43,13 @@ static bool draw_panels(struct model *model, const struct panel *panels, int cou
     bool done = image_create(&image, width, PANEL, IMAGE_BGR, error) &&
                 pipeline_create(&pipeline, width, PANEL, error);
     for (int i = 0; done && i < count; i++) {
-        struct shader shader = {
-            .varying_count = 8, .vertex = vertex_with_normal, .fragment = panels[i].fragment};
         struct draw_call call =
             pipeline_call(&drawing, grid_cell(width, PANEL, count, 1, i, 0), 0.9, CULL_BACK);
         struct uniforms u = make_uniforms(&drawing, PANEL, panels[i].material);
-        done = pipeline_draw(&pipeline, &call, &shader, &u, &image, error);
+        done = pipeline_draw(&pipeline, &call, &panels[i].shader, &u, sizeof u, error);
     }
-    done = done && figure_save(&image, directory, name, error);
+    done = done && pipeline_finish(&pipeline, &image, error) &&
+           figure_save(&image, directory, name, error);
     image_free(&image);
     pipeline_free(&pipeline);
     return done;
@@ -54,48 +57,55 @@ static bool draw_panels(struct model *model, const struct panel *panels, int cou
 
 /* The three parts and their sum. */
 static bool draw_parts(struct model *model, const char *directory, struct error *error) {
-    static const struct vec4 color = {255, 128, 255, 255};
-    struct panel panels[] = {{plain_fragment, {0.1, 0, 0, 10, color}},
-                             {plain_fragment, {0, 1, 0, 10, color}},
-                             {plain_fragment, {0, 0, 0.5, 10, color}},
-                             {plain_fragment, plain_material}};
+    static const struct vec3 color = {255, 128, 255};
+    struct panel panels[] = {{PANEL_SHADER(plain_fragment), {0.1, 0, 0, 10, color}},
+                             {PANEL_SHADER(plain_fragment), {0, 1, 0, 10, color}},
+                             {PANEL_SHADER(plain_fragment), {0, 0, 0.5, 10, color}},
+                             {PANEL_SHADER(plain_fragment), plain_material}};
     return draw_panels(model, panels, 4, (struct vec3){1, 1, 1}, directory, "parts", error);
 }
 
 /* Right; not normalised; not clamped; light reversed. */
 static bool draw_wrong(struct model *model, const char *directory, struct error *error) {
-    struct panel panels[] = {{plain_fragment, plain_material},
-                             {attempt_5_not_normalized, plain_material},
-                             {attempt_6_not_clamped, plain_material},
-                             {attempt_7_light_reversed, plain_material}};
+    struct panel panels[] = {{PANEL_SHADER(plain_fragment), plain_material},
+                             {PANEL_SHADER(attempt_5_not_normalized), plain_material},
+                             {PANEL_SHADER(attempt_6_not_clamped), plain_material},
+                             {PANEL_SHADER(attempt_7_light_reversed), plain_material}};
     return draw_panels(model, panels, 4, (struct vec3){-1, 0.6, -0.2}, directory, "wrong_light",
                        error);
 }
 
-static bool schlick_fragment(const void *uniforms, const double *varyings, struct color *color) {
+static lanes_mask schlick_fragment(const void *uniforms, const lanes *varyings,
+                                   lanes_texel *color) {
     const struct uniforms *u = uniforms;
-    struct vec3 normal = mesh_normal(varyings);
-    struct vec3 to_eye = vec3_normalized(vec3_sub(u->eye, position_of(varyings)));
-    double diffuse = vec3_dot(normal, u->to_light);
-    double mirrored = vec3_dot(reflect(normal, u->to_light), to_eye);
-    mirrored = diffuse > 0 && mirrored > 0 ? mirrored : 0;
-    double specular = 255 * u->material.specular * attempt_4_schlick(mirrored, u->material.power);
-    *color = color_grey(level_from(specular));
-    return true;
+    struct surface surface = plain_surface(u, varyings);
+    struct lanes3 normal = mesh_normal(varyings), to_light = lanes3_all(u->to_light);
+    struct lanes3 to_eye = lanes3_normalized(surface.to_eye);
+    lanes zero = lanes_all(0), diffuse = lanes3_dot(normal, to_light);
+    lanes mirrored = lanes_max(lanes3_dot(reflect(normal, to_light), to_eye), zero);
+    lanes shine = attempt_4_schlick(mirrored, u->material.power);
+    lanes level = lanes_select(diffuse > 0, 255 * surface.specular * shine, zero);
+    *color = lanes_rgb(level, level, level);
+    return lanes_all_set();
 }
 
-static bool specular_fragment(const void *uniforms, const double *varyings, struct color *color) {
+static lanes_mask specular_fragment(const void *uniforms, const lanes *varyings,
+                                    lanes_texel *color) {
     const struct uniforms *u = uniforms;
-    struct vec3 to_eye = vec3_normalized(vec3_sub(u->eye, position_of(varyings)));
-    struct vec2 light = phong(mesh_normal(varyings), u->to_light, to_eye, u->material.power);
-    *color = color_grey(level_from(255 * u->material.specular * light.y));
-    return true;
+    struct surface surface = plain_surface(u, varyings);
+    struct lanes2 light =
+        phong(mesh_normal(varyings), lanes3_all(u->to_light), lanes3_normalized(surface.to_eye),
+              surface.power, surface.largest_power);
+    lanes level = 255 * surface.specular * light.y;
+    *color = lanes_rgb(level, level, level);
+    return lanes_all_set();
 }
 
 /* The specular part alone: power 10, and Schlick's form of it. */
 static bool draw_schlick(struct model *model, const char *directory, struct error *error) {
-    static const struct material bright = {0, 0, 1, 10, {255, 255, 255, 255}};
-    struct panel panels[] = {{specular_fragment, bright}, {schlick_fragment, bright}};
+    static const struct material bright = {0, 0, 1, 10, {255, 255, 255}};
+    struct panel panels[] = {{PANEL_SHADER(specular_fragment), bright},
+                             {PANEL_SHADER(schlick_fragment), bright}};
     return draw_panels(model, panels, 2, (struct vec3){1, 1, 1}, directory, "schlick", error);
 }
 

@@ -4,6 +4,7 @@
  * The light that a pixel sends to the eye is the sum of three parts: ambient (from everywhere),
  * diffuse (scattered by the surface) and specular (mirrored towards the eye, more or less sharply).
  * The normal comes from the mesh or from the normal map, the colour from a constant or the texture.
+ * All of it is computed for sixteen pixels at once (common/lanes.h).
  */
 #include "pipeline_program.h"
 
@@ -26,12 +27,12 @@ struct uniforms {
 
 /* ---- The technique ---- */
 
-/* base to a whole power 0..`largest`, which may differ from pixel to pixel, by multiplying: base^0
- * is 1. */
-static lanes integer_power(lanes base, lanes power, int largest) {
+/* base to a whole power 0..`largest_power`, which may differ from pixel to pixel, by multiplying.
+ * base^0 is 1. */
+static lanes integer_power(lanes base, lanes power, int largest_power) {
     /* BEGIN SOLUTION 10.1 whole powers */
     lanes result = lanes_all(1);
-    for (; largest > 0; largest /= 2) {
+    for (int left = largest_power; left > 0; left /= 2) {
         lanes half = lanes_floor(power * 0.5f);
         result = lanes_select(power > 2 * half, result * base, result); /* where it is odd */
         base *= base;
@@ -39,7 +40,7 @@ static lanes integer_power(lanes base, lanes power, int largest) {
     }
     return result;
     /* STARTER
-    (void)base, (void)power, (void)largest;
+    (void)base, (void)power, (void)largest_power;
     return lanes_all(0); // to do 10.1: square the base, halve the power
     END SOLUTION */
 }
@@ -57,21 +58,21 @@ static struct lanes3 reflect(struct lanes3 normal, struct lanes3 to_light) {
 /* Diffuse and specular intensity of a point (Phong, "Illumination for Computer Generated Pictures",
  * CACM 18(6), 1975). All vectors of length 1. A surface turned away from the light gets neither. */
 static struct lanes2 phong(struct lanes3 normal, struct lanes3 to_light, struct lanes3 to_eye,
-                           lanes power, int largest) {
+                           lanes power, int largest_power) {
     /* BEGIN SOLUTION 10.3 diffuse and specular */
     lanes zero = lanes_all(0);
     lanes diffuse = lanes3_dot(normal, to_light);
     lanes mirrored = lanes_max(lanes3_dot(reflect(normal, to_light), to_eye), zero);
-    lanes specular = lanes_select(diffuse > 0, integer_power(mirrored, power, largest), zero);
-    return (struct lanes2){lanes_max(diffuse, zero), specular};
+    lanes specular = integer_power(mirrored, power, largest_power);
+    return (struct lanes2){lanes_max(diffuse, zero), lanes_select(diffuse > 0, specular, zero)};
     /* STARTER
     lanes diffuse = lanes_all(0); // to do 10.3: n . l; where it is not above 0, both are 0
     lanes mirrored = lanes3_dot(reflect(normal, to_light), to_eye); // to do 10.3: not below 0
-    return (struct lanes2){diffuse, integer_power(mirrored, power, largest)};
+    return (struct lanes2){diffuse, integer_power(mirrored, power, largest_power)};
     END SOLUTION */
 }
 
-/* What lies at a pixel, or rather at sixteen. */
+/* What lies at a pixel. */
 struct surface {
     struct lanes3 color;  /* red, green, blue 0..255 */
     struct lanes3 normal; /* of length 1 */
@@ -149,15 +150,19 @@ static struct lanes3 mesh_normal(const lanes *varyings) {
     END SOLUTION */
 }
 
-static struct lanes3 mapped_normal(const struct uniforms *u, const lanes *varyings) {
-    struct lanes2 uv = uv_of(varyings);
+/* From the levels 0..255 of a normal map, which stand for -1..1. */
+static struct lanes3 normal_from_levels(struct lanes3 level) {
     /* BEGIN SOLUTION 10.6 normals of length 1 */
-    struct lanes3 n = texture_lanes(u->normal_map, uv, u->normal_level);
-    return lanes3_normalized((struct lanes3){n.x - 127.5f, n.y - 127.5f, n.z - 127.5f});
+    struct lanes3 n = {level.x - 127.5f, level.y - 127.5f, level.z - 127.5f};
+    return lanes3_normalized(n); /* of any length before: no need to divide by 127.5 */
     /* STARTER
-    (void)u, (void)uv;
-    return lanes3_all((struct vec3){0, 0, 1}); // to do 10.6: from the normal map, of length 1
+    (void)level;
+    return lanes3_all((struct vec3){0, 0, 1}); // to do 10.6: from the levels, of length 1
     END SOLUTION */
+}
+
+static struct lanes3 mapped_normal(const struct uniforms *u, const lanes *varyings) {
+    return normal_from_levels(texture_lanes(u->normal_map, uv_of(varyings), u->normal_level));
 }
 
 /* ---- Shaders: the mesh's normal or the map's, one colour or the texture's ---- */
@@ -221,21 +226,21 @@ static lanes_mask full_fragment(const void *uniforms, const lanes *varyings, lan
     END SOLUTION */
 }
 
-/* The same with the weight of the specular part read from the specular map. */
+/* The same with the weight of the specular part read from the specular map. Three textures: all are
+ * fetched before any is used, so that the processor waits for memory once and not three times. */
 static lanes_mask weight_map_fragment(const void *uniforms, const lanes *varyings,
                                       lanes_texel *color) {
     /* BEGIN SOLUTION 10.7 fragment functions */
     const struct uniforms *u = uniforms;
     struct lanes2 uv = uv_of(varyings);
     struct texel_place place = {0};
-    struct texels a = texture_fetch(u->diffuse, uv, u->diffuse_level, &place);
-    struct texels b = texture_fetch(u->normal_map, uv, u->normal_level, &place);
-    struct texels c = texture_fetch(u->specular, uv, u->specular_level, &place);
+    struct texels colors = texture_fetch(u->diffuse, uv, u->diffuse_level, &place);
+    struct texels normals = texture_fetch(u->normal_map, uv, u->normal_level, &place);
+    struct texels weights = texture_fetch(u->specular, uv, u->specular_level, &place);
     struct surface surface = plain_surface(u, varyings);
-    surface.color = texels_mix(&a);
-    struct lanes3 n = texels_mix(&b);
-    surface.normal = lanes3_normalized((struct lanes3){n.x - 127.5f, n.y - 127.5f, n.z - 127.5f});
-    surface.specular *= texels_mix(&c).z * (1 / 255.0f);
+    surface.color = texels_mix(&colors);
+    surface.normal = normal_from_levels(texels_mix(&normals));
+    surface.specular *= texels_mix(&weights).z * (1 / 255.0f);
     *color = illuminate(u, &surface);
     return lanes_all_set();
     /* STARTER

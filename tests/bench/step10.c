@@ -1,9 +1,9 @@
 /*
  * Step 10: ways to compute the power, and details from a normal map or from a finer mesh.
  *
- * The exact answer is Phong's formula in long double: on the bust for what the pipeline
- * interpolated at the pixel, on the sphere for the point of the true surface that a ray through
- * the pixel hits.
+ * All are computed for sixteen pixels at once, as the lesson does. The exact answer is Phong's
+ * formula in long double: on the bust for what the pipeline interpolated at the pixel, on the
+ * sphere for the point of the true surface that a ray through the pixel hits.
  */
 #define main step10_main
 int step10_main(int argc, char **argv);
@@ -25,7 +25,7 @@ enum { TABLES = 3, TERMS_LEAST = 2, TERMS_MOST = 5 };
 
 /* Coefficients of polynomials without a constant: for log2(1 + x) and 2^x - 1. */
 struct exp_log {
-    double log2[TERMS_MOST], exp2[TERMS_MOST];
+    float log2[TERMS_MOST], exp2[TERMS_MOST];
 };
 
 /* What the ways to compute the power need. */
@@ -35,18 +35,25 @@ struct lit {
     struct exp_log coefficients[TERMS_MOST - TERMS_LEAST + 1];
 };
 
-/* A pixel of a highlight: what the pipeline interpolated there, and the exact colour. */
-struct lit_pixel {
-    double varyings[8];
-    struct color exact;
+enum { VARYINGS = 8 };
+
+/* What the pipeline interpolated at LANES pixels. */
+struct interpolated {
+    real varyings[VARYINGS][LANES];
+};
+
+/* So many pixels of highlights, and their exact colours. */
+struct lit_lanes {
+    struct interpolated at;
+    struct color exact[LANES];
 };
 
 struct work {
     struct model bust;
     struct lit lit;
-    struct lit_pixel *lit_pixels;
-    struct color *colors; /* what a version finds for them */
-    size_t lit_count;
+    struct lit_lanes *lit_lanes;
+    uint32_t *colors;            /* what a version finds for them */
+    size_t lit_count;            /* pixels; the last lanes may have some that do not count */
     struct model meshes[MESHES]; /* of the sphere, each of four times the triangles */
     struct texture ripples;      /* normal map of the sphere */
     struct uniforms sphere;      /* but for the model */
@@ -56,14 +63,15 @@ struct work {
 
 /* Draw a model with one thread. False when memory runs out. */
 static bool draw(struct work *work, const struct model *model, struct vec3 eye,
-                 const struct shader *shader, const void *uniforms) {
+                 const struct shader *shader, const void *uniforms, size_t size) {
     struct error error;
     struct draw_call call = camera_call(model, eye, (struct vec3){0, 0, 0}, (struct vec3){0, 1, 0},
                                         0.8, (struct rectangle){0, 0, SIDE, SIDE}, CULL_BACK);
     pipeline_clear(&work->pipeline);
     memset(work->image.pixels, 0, (size_t)SIDE * SIDE * IMAGE_BGR);
     pipeline_use_threads(&work->pipeline, 1);
-    return pipeline_draw(&work->pipeline, &call, shader, uniforms, &work->image, &error);
+    return pipeline_draw(&work->pipeline, &call, shader, uniforms, size, &error) &&
+           pipeline_finish(&work->pipeline, &work->image, &error);
 }
 
 /* ---- Phong's formula in long double ---- */
@@ -92,9 +100,9 @@ static struct real3 real_normalized(struct real3 a) {
 
 /* The levels of the specular part; 0 where the surface is turned away from the light. */
 static long double exact_shine(const struct material *material, struct real3 normal,
-                               struct real3 position, struct real3 eye) {
+                               struct real3 towards_eye) {
     struct real3 to_light = real_normalized(real_from(light));
-    struct real3 to_eye = real_normalized(real_add(eye, -1, position));
+    struct real3 to_eye = real_normalized(towards_eye);
     long double diffuse = real_dot(normal, to_light), power = 1;
     /* (2 (n . l) n - l) . v */
     long double mirrored = 2 * diffuse * real_dot(normal, to_eye) - real_dot(to_light, to_eye);
@@ -110,11 +118,11 @@ static uint8_t exact_level(long double value) {
 }
 
 static struct color exact_color(const struct material *material, struct real3 normal,
-                                struct real3 position, struct real3 eye) {
-    long double shine = exact_shine(material, normal, position, eye);
+                                struct real3 towards_eye) {
+    long double shine = exact_shine(material, normal, towards_eye);
     long double diffuse = real_dot(normal, real_normalized(real_from(light)));
     long double scattered = material->ambient + material->diffuse * (diffuse > 0 ? diffuse : 0);
-    const struct vec4 *c = &material->color;
+    const struct vec3 *c = &material->color;
     return color_rgb(exact_level(c->x * scattered + shine), exact_level(c->y * scattered + shine),
                      exact_level(c->z * scattered + shine));
 }
@@ -146,39 +154,44 @@ enum power_way {
 };
 
 /* x (c0 + c1 x + ...), with `terms` constant where this is inlined. */
-static inline double polynomial(const double *c, int terms, double x) {
-    double sum = c[terms - 1];
+static inline lanes polynomial(const float *c, int terms, lanes x) {
+    lanes sum = lanes_all((real)c[terms - 1]);
     for (int i = terms - 2; i >= 0; i--) {
-        sum = sum * x + c[i];
+        sum = sum * x + (real)c[i];
     }
     return sum * x;
 }
 
+/* `number` times 2 to the power of `exponent`, by the bits of a float. */
+static inline lanes scaled(lanes number, lanes_int exponent) {
+    lanes_int bits;
+    memcpy(&bits, &number, sizeof bits);
+    bits += exponent * (1 << 23);
+    memcpy(&number, &bits, sizeof bits);
+    return number;
+}
+
 /* base^power as 2^(power log2(base)), with polynomials for the parts of the two functions that the
- * exponent of a double does not hold. */
-static inline double terms_power(const struct exp_log *coefficients, int terms, double base,
-                                 int power) {
-    const uint64_t two_thirds = 0x3FE5555555555555;
-    uint64_t bits;
-    memcpy(&bits, &base, sizeof bits);
-    int64_t exponent = (int64_t)(bits - two_thirds) >> 52; /* base / 2^exponent is in 2/3..4/3 */
-    bits -= (uint64_t)exponent << 52;
-    memcpy(&base, &bits, sizeof base);
-    double log = (double)exponent + polynomial(coefficients->log2, terms, base - 1);
-    double product = power * log;
-    if (product < -1000) {
-        return 0;
+ * exponent of a float does not hold. */
+static inline lanes terms_power(const struct exp_log *coefficients, int terms, lanes base,
+                                int power) {
+    if (!LANES_IS_FLOAT) {
+        return attempt_1_pow(base, power);
     }
-    int64_t whole = (int64_t)(product - 0.5); /* to the nearest, as no product is above 0 */
-    double result = 1 + polynomial(coefficients->exp2, terms, product - (double)whole);
-    memcpy(&bits, &result, sizeof bits);
-    bits += (uint64_t)whole << 52;
-    memcpy(&result, &bits, sizeof result);
-    return result;
+    const int32_t two_thirds = 0x3F2AAAAB;
+    lanes_int bits;
+    memcpy(&bits, &base, sizeof bits);
+    lanes_int exponent = (bits - two_thirds) >> 23; /* base / 2^exponent is in 2/3..4/3 */
+    base = scaled(base, -exponent);
+    lanes log = lanes_from_int(exponent) + polynomial(coefficients->log2, terms, base - 1);
+    lanes product = lanes_max((real)power * log, lanes_all(-126));
+    lanes_int whole = lanes_to_int(product - 0.5f); /* to the nearest, as no product is above 0 */
+    lanes part = product - lanes_from_int(whole);
+    return scaled(1 + polynomial(coefficients->exp2, terms, part), whole);
 }
 
 /* base^power in one of the ways. */
-static inline double power_by(enum power_way way, const struct lit *lit, double base) {
+static inline lanes power_by(enum power_way way, const struct lit *lit, lanes base) {
     int power = lit->u.material.power;
     switch (way) {
     case POW:
@@ -200,19 +213,24 @@ static inline double power_by(enum power_way way, const struct lit *lit, double 
         return terms_power(&lit->coefficients[way - TERMS_2], 2 + (int)(way - TERMS_2), base,
                            power);
     case HALF_VECTOR_4:
-        return integer_power(base, 4 * power);
+        return integer_power(base, lanes_all((real)(4 * power)), 4 * power);
     default:
-        return integer_power(base, power);
+        return integer_power(base, lanes_all((real)power), power);
     }
 }
 
-static inline struct vec3 normal_by(enum power_way way, const double *varyings) {
-    struct vec3 normal = {varyings[5], varyings[6], varyings[7]};
+/* Of about the length that it should have: one step of Newton's method from 1 (lesson 4). */
+static inline struct lanes3 renormalized(struct lanes3 normal) {
+    return lanes3_scale(normal, 1.5f - 0.5f * lanes3_dot(normal, normal));
+}
+
+static inline struct lanes3 normal_by(enum power_way way, const lanes *varyings) {
+    struct lanes3 normal = {varyings[5], varyings[6], varyings[7]};
     switch (way) {
     case SHORT_NORMAL:
         return normal;
     case ONE_NEWTON_STEP:
-        return vec3_renormalized(normal);
+        return renormalized(normal);
     default:
         return mesh_normal(varyings);
     }
@@ -220,36 +238,39 @@ static inline struct vec3 normal_by(enum power_way way, const double *varyings) 
 
 /* How near the eye is to the mirrored light: r . v, or n . h with h half-way between l and v
  * (Blinn, "Models of Light Reflection for Computer Synthesized Pictures", 1977). */
-static inline double nearness_by(enum power_way way, struct vec3 normal, struct vec3 to_light,
-                                 struct vec3 to_eye) {
-    double near = way == HALF_VECTOR || way == HALF_VECTOR_4
-                      ? vec3_dot(normal, vec3_normalized(vec3_add(to_light, to_eye)))
-                      : vec3_dot(reflect(normal, to_light), to_eye);
-    return near > 0 ? near : 0;
+static inline lanes nearness_by(enum power_way way, struct lanes3 normal, struct lanes3 to_light,
+                                struct lanes3 to_eye) {
+    struct lanes3 sum = {to_light.x + to_eye.x, to_light.y + to_eye.y, to_light.z + to_eye.z};
+    lanes near = way == HALF_VECTOR || way == HALF_VECTOR_4
+                     ? lanes3_dot(normal, lanes3_normalized(sum))
+                     : lanes3_dot(reflect(normal, to_light), to_eye);
+    return lanes_max(near, lanes_all(0));
 }
 
 /* plain_fragment() with another way to find the specular part. */
-static inline struct color light_by(enum power_way way, const struct lit *lit,
-                                    const double *varyings) {
-    const struct uniforms *u = &lit->u;
-    struct vec3 normal = normal_by(way, varyings);
-    struct vec3 to_eye = vec3_normalized(vec3_sub(u->eye, position_of(varyings)));
-    double diffuse = vec3_dot(normal, u->to_light), specular = 0;
-    if (diffuse > 0) {
-        specular = power_by(way, lit, nearness_by(way, normal, u->to_light, to_eye));
-    }
-    double scattered = u->material.ambient + u->material.diffuse * (diffuse > 0 ? diffuse : 0);
-    double shine = 255 * u->material.specular * specular;
-    struct vec4 rgb = u->material.color;
-    return color_rgb(level_from(rgb.x * scattered + shine), level_from(rgb.y * scattered + shine),
-                     level_from(rgb.z * scattered + shine));
+static inline lanes_texel light_by(enum power_way way, const struct lit *lit,
+                                   const lanes *varyings) {
+    const struct material *material = &lit->u.material;
+    struct lanes3 normal = normal_by(way, varyings), to_light = lanes3_all(lit->u.to_light);
+    struct lanes3 to_eye = {varyings[0], varyings[1], varyings[2]};
+    lanes zero = lanes_all(0), diffuse = lanes3_dot(normal, to_light);
+    lanes near = nearness_by(way, normal, to_light, lanes3_normalized(to_eye));
+    lanes specular = lanes_select(diffuse > 0, power_by(way, lit, near), zero);
+    lanes scattered = (real)material->ambient + (real)material->diffuse * lanes_max(diffuse, zero);
+    lanes shine = 255 * (real)material->specular * specular;
+    struct lanes3 rgb = lanes3_all(material->color);
+    return lanes_rgb(rgb.x * scattered + shine, rgb.y * scattered + shine,
+                     rgb.z * scattered + shine);
 }
 
 /* The loop over pixels in each of the ways. */
 #define LIGHT_ALL(name, way)                                                                       \
-    static void name(struct work *work) {                                                          \
-        for (size_t i = 0; i < work->lit_count; i++) {                                             \
-            work->colors[i] = light_by(way, &work->lit, work->lit_pixels[i].varyings);             \
+    static FLATTEN void name(struct work *work) {                                                  \
+        for (size_t i = 0; i * LANES < work->lit_count; i++) {                                     \
+            lanes varyings[VARYINGS];                                                              \
+            memcpy(varyings, work->lit_lanes[i].at.varyings, sizeof varyings);                     \
+            lanes_texel color = light_by(way, &work->lit, varyings);                               \
+            memcpy(work->colors + i * LANES, &color, sizeof color);                                \
         }                                                                                          \
     }
 
@@ -300,7 +321,8 @@ static double error_power(void *state, int choice) {
     double sum = 0;
     (void)choice;
     for (size_t i = 0; i < work->lit_count; i++) {
-        sum += squared_error(work->colors[i], work->lit_pixels[i].exact);
+        sum += squared_error(color_from_texel(work->colors[i]),
+                             work->lit_lanes[i / LANES].exact[i % LANES]);
     }
     return sqrt(sum / (double)work->lit_count);
 }
@@ -310,7 +332,8 @@ static double error_worst(void *state, int choice) {
     int worst = 0;
     (void)choice;
     for (size_t i = 0; i < work->lit_count; i++) {
-        struct color a = work->colors[i], b = work->lit_pixels[i].exact;
+        struct color a = color_from_texel(work->colors[i]),
+                     b = work->lit_lanes[i / LANES].exact[i % LANES];
         worst = most_of(worst, abs(a.r - b.r), most_of(abs(a.g - b.g), abs(a.b - b.b), 0));
     }
     return worst;
@@ -320,39 +343,79 @@ static double error_worst(void *state, int choice) {
 
 static const struct vec3 bust_eye = {1, 0.5, 3};
 
-/* A shader that keeps what it gets. */
-struct collecting {
-    const struct uniforms *u;
-    struct work *work;
+/* A shader that keeps what it gets. The colour of a pixel says where: 1 + LANES * the call + lane.
+ * So the calls may shade pixels that are not drawn. */
+struct kept {
+    struct interpolated *calls;
+    size_t count, capacity;
 };
 
-static void collecting_vertex(const void *uniforms, size_t face, size_t corner, double *varyings) {
-    vertex_with_normal(((const struct collecting *)uniforms)->u, face, corner, varyings);
+struct keeping {
+    const struct uniforms *u;
+    struct kept *kept;
+};
+
+static void keeping_vertex(const void *uniforms, size_t face, size_t corner, double *varyings) {
+    vertex_with_normal(((const struct keeping *)uniforms)->u, face, corner, varyings);
 }
 
-static bool collecting_fragment(const void *uniforms, const double *varyings, struct color *color) {
-    const struct collecting *c = uniforms;
-    struct lit_pixel *pixel = &c->work->lit_pixels[c->work->lit_count];
-    struct real3 normal = real_normalized((struct real3){varyings[5], varyings[6], varyings[7]});
-    struct real3 position = real_from(position_of(varyings)), eye = real_from(c->u->eye);
-    memcpy(pixel->varyings, varyings, sizeof pixel->varyings);
-    pixel->exact = exact_color(&c->u->material, normal, position, eye);
-    /* Where the light adds at least a level. */
-    c->work->lit_count += exact_shine(&c->u->material, normal, position, eye) >= 1;
-    *color = color_grey(255);
-    return true;
+static lanes_mask keeping_fragment(const void *uniforms, const lanes *varyings,
+                                   lanes_texel *color) {
+    struct kept *kept = ((const struct keeping *)uniforms)->kept;
+    *color = (lanes_texel)lanes_int_from((int)(1 + LANES * kept->count));
+    if (kept->count < kept->capacity) {
+        memcpy(kept->calls[kept->count++].varyings, varyings, VARYINGS * sizeof *varyings);
+    }
+    return lanes_all_set();
 }
 
-SHADER(collecting_shader, .varying_count = 8, .vertex = collecting_vertex,
-       .fragment = collecting_fragment);
+SHADER(keeping_shader, .varying_count = VARYINGS, .vertex = keeping_vertex,
+       .fragment = keeping_fragment);
+
+/* Where the light adds at least a level. */
+static void keep_if_lit(struct work *work, const struct interpolated *call, size_t lane) {
+    real v[VARYINGS];
+    for (int k = 0; k < VARYINGS; k++) {
+        v[k] = call->varyings[k][lane];
+    }
+    const struct material *material = &work->lit.u.material;
+    struct real3 normal = real_normalized((struct real3){v[5], v[6], v[7]});
+    struct real3 to_eye = {v[0], v[1], v[2]};
+    if (exact_shine(material, normal, to_eye) < 1) {
+        return;
+    }
+    struct lit_lanes *lit = &work->lit_lanes[work->lit_count / LANES];
+    lane = work->lit_count++ % LANES;
+    for (int k = 0; k < VARYINGS; k++) {
+        lit->at.varyings[k][lane] = v[k];
+    }
+    lit->exact[lane] = exact_color(material, normal, to_eye);
+}
+
+static void keep_lit_pixels(struct work *work, const struct kept *kept) {
+    for (int i = 0; i < SIDE * SIDE; i++) {
+        struct color c = image_get(&work->image, i % SIDE, i / SIDE);
+        size_t place = (size_t)c.b | (size_t)c.g << 8 | (size_t)c.r << 16;
+        if (place > 0) {
+            keep_if_lit(work, &kept->calls[(place - 1) / LANES], (place - 1) % LANES);
+        }
+    }
+}
 
 static bool find_highlights(struct work *work, struct error *error) {
-    struct collecting collecting = {&work->lit.u, work};
-    work->lit_pixels = malloc((size_t)SIDE * SIDE * sizeof *work->lit_pixels);
-    work->colors = malloc((size_t)SIDE * SIDE * sizeof *work->colors);
-    return (work->lit_pixels != NULL && work->colors != NULL &&
-            draw(work, &work->bust, bust_eye, &collecting_shader, &collecting)) ||
-           error_out_of_memory(error);
+    struct kept kept = {.capacity = (size_t)SIDE * (SIDE + CHUNK) / LANES}; /* of a whole picture */
+    struct keeping keeping = {&work->lit.u, &kept};
+    size_t most = (size_t)SIDE * SIDE / LANES + 1;
+    kept.calls = malloc(kept.capacity * sizeof *kept.calls);
+    work->lit_lanes = calloc(most, sizeof *work->lit_lanes);
+    work->colors = malloc(most * LANES * sizeof *work->colors);
+    bool done = kept.calls != NULL && work->lit_lanes != NULL && work->colors != NULL &&
+                draw(work, &work->bust, bust_eye, &keeping_shader, &keeping, sizeof keeping);
+    if (done) {
+        keep_lit_pixels(work, &kept);
+    }
+    free(kept.calls);
+    return done || error_out_of_memory(error);
 }
 
 /* Solve a x = b by elimination; a is far from singular. */
@@ -373,7 +436,7 @@ static void solve(int size, long double a[][TERMS_MOST], long double *b) {
 
 /* The x (c0 + c1 x + ...) that has the values of a function in the zeros of a Chebyshev polynomial,
  * spread over -reach..reach: nearly the best there is. */
-static void fit(double *c, int terms, long double reach, long double (*function)(long double)) {
+static void fit(float *c, int terms, long double reach, long double (*function)(long double)) {
     const long double pi = 3.14159265358979323846L;
     long double a[TERMS_MOST][TERMS_MOST], b[TERMS_MOST];
     for (int row = 0; row < terms; row++) {
@@ -387,7 +450,7 @@ static void fit(double *c, int terms, long double reach, long double (*function)
     }
     solve(terms, a, b);
     for (int k = 0; k < terms; k++) {
-        c[k] = (double)b[k];
+        c[k] = (float)b[k];
     }
 }
 
@@ -501,7 +564,7 @@ static void run_detail(void *state, int choice) {
     struct work *work = state;
     struct uniforms u = work->sphere;
     u.model = &work->meshes[choice % MESHES];
-    draw(work, u.model, sphere_eye, choice < WITH_MAP ? &plain : &mapped, &u);
+    draw(work, u.model, sphere_eye, choice < WITH_MAP ? &plain : &mapped, &u, sizeof u);
 }
 
 /* Where the ray through the centre of a pixel meets the sphere. The camera of draw() shows what
@@ -527,7 +590,7 @@ static double error_detail(void *state, int choice) {
         struct color color = image_get(&work->image, i % SIDE, i / SIDE);
         if (color.r > 0 && hit_sphere(i % SIDE, i / SIDE, &hit)) { /* ambient light is everywhere */
             sum += squared_error(color, exact_color(&work->sphere.material, rippled_normal(hit),
-                                                    hit, real_from(sphere_eye)));
+                                                    real_add(real_from(sphere_eye), -1, hit)));
             pixels++;
         }
     }
@@ -584,7 +647,7 @@ static void teardown(void *state) {
     struct work *work = state;
     if (work != NULL) {
         model_free(&work->bust);
-        free(work->lit_pixels);
+        free(work->lit_lanes);
         free(work->colors);
         for (int i = 0; i < MESHES; i++) {
             model_free(&work->meshes[i]);

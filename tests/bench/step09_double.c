@@ -1,0 +1,9 @@
+/* Step 9: the loops over pixels in double, for sixteen pixels at once. */
+#undef REAL
+#undef LANES
+#define REAL  double
+#define LANES 16
+#define WAYS  ways_double
+#define main  step09_double_main
+int step09_double_main(int argc, char **argv);
+#include "step09_loops.h"

@@ -1,0 +1,9 @@
+/* Step 9: the loops over pixels in float, for one pixel at a time. */
+#undef REAL
+#undef LANES
+#define REAL  float
+#define LANES 1
+#define WAYS  ways_single
+#define main  step09_single_main
+int step09_single_main(int argc, char **argv);
+#include "step09_loops.h"
