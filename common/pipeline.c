@@ -176,7 +176,9 @@ bool pipeline_draw(struct pipeline *p, const struct draw_call *call, const struc
     if (!pipeline_assemble(p, draw, error)) {
         return false;
     }
-    memcpy((char *)p->uniforms.data + p->uniforms_end, uniforms, size);
+    if (size > 0) {
+        memcpy((char *)p->uniforms.data + p->uniforms_end, uniforms, size);
+    }
     p->uniforms_end += (size + UNIFORMS_ALIGNMENT - 1) / UNIFORMS_ALIGNMENT * UNIFORMS_ALIGNMENT;
     p->draw_count++;
     return true;

@@ -177,7 +177,7 @@ KERNEL void fetch_planes(const struct shading *s, const struct shader *shader,
                          const struct piece *piece, struct planes *planes) {
     size_t n = shader->varying_count;
     double v[3 * VARYING_LIMIT], recip_w[3];
-    planes->x0 = planes->y0 = 0;
+    planes->x0 = planes->y0 = planes->least = 0;
     if (shader->flat) {
         shader->vertex(s->uniforms, piece->face, 0, v);
         for (size_t i = 0; i < n; i++) {

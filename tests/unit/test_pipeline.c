@@ -149,7 +149,7 @@ static void draw_soup(const struct mesh *mesh, enum cull cull, bool skip, struct
     *vertex_calls = calls;
 }
 
-/* How many faces show in each band of rows, added up. */
+/* How many faces show in each band of so many rows, added up. */
 static size_t count_shown(const struct image *image, int band_height) {
     size_t shown = 0;
     for (int y = 0; y < SIZE; y += band_height) {
@@ -178,6 +178,10 @@ static void test_nearest_face_shows(void) {
         check_soup(&mesh, cull, &image);
         CHECK(memcmp(image.pixels, at_once.pixels, SIZE * SIZE * 3) == 0);
         /* Frugal: what is not seen is not fetched or shaded. */
+        uint64_t seen = stats[STAT_FACES] - stats[STAT_FACES_OUTSIDE] -
+                        stats[STAT_FACES_TURNED_AWAY] - stats[STAT_FACES_WITHOUT_PIXEL] -
+                        stats[STAT_FACES_HIDDEN];
+        CHECK(seen == count_shown(&image, SIZE));
         CHECK(calls == 3 * count_shown(&image, BAND_HEIGHT) && calls <= calls_at_once);
         fewer += calls < calls_at_once;
         size_t drawn = 0;
