@@ -15,6 +15,7 @@ For the course as a whole:
   make test                   unit tests under sanitizers, and the tests of the check
   make stress                 hostile numbers, independent answers (STRESS=10, SEED=7, PROPERTY=line)
   make bench                  run time against error, a chart for each lesson (STEP=05 for one)
+  make bench-files            how fast files are read and written, beside libpng and plain bytes
   make charts                 put these charts into the lessons
   make bench-frame            the time of a frame beside Mesa's llvmpipe (OPTIONS=--help)
   make figures                draw the lessons' other pictures into build/out/*/figures (STEP=05)
@@ -60,12 +61,16 @@ $(BUILD)/libcommon.a: $(COMMON:%=$(BUILD)/common/%.o)
 	@rm -f $@
 	$(AR) rcs $@ $^
 
-# The head that the lessons draw is sculpted by a program, once; again when a file is missing.
+# The head that the lessons draw is sculpted by a program, once: again when a file is missing or it
+# is another program, and not whenever it is linked again.
 MODELS = $(addprefix $(BUILD)/models/,bust.obj bust_diffuse.tga bust_nm.tga bust_spec.tga \
                                       knot.off sphere.obj torus.obj)
-$(BUILD)/models/bust.obj: $(BUILD)/sculpt $(if $(filter-out $(wildcard $(MODELS)),$(MODELS)),force)
+$(BUILD)/models/bust.obj: $(BUILD)/sculptor $(if $(filter-out $(wildcard $(MODELS)),$(MODELS)),force)
 	@mkdir -p $(@D)
-	$(BUILD)/sculpt $(@D)
+	$(BUILD)/sculptor $(@D)
+
+$(BUILD)/sculptor: $(BUILD)/sculpt
+	@cmp -s $< $@ || cp $< $@
 
 $(BUILD)/sculpt: $(SCULPTOR:%=$(BUILD)/common/sculptor/%.o) $(BUILD)/libcommon.a
 	$(LINK) $^ -lm -o $@

@@ -222,18 +222,33 @@ static bool cut_polygon(struct model_reader *reader) {
     }
 }
 
+/* Make room for more faces. */
+static bool reserve_faces(struct model_reader *reader, size_t count) {
+    struct model *model = reader->model;
+    void *grown = reserve(reader, model->faces, &reader->face_capacity, model->face_count + count,
+                          sizeof *model->faces);
+    model->faces = grown != NULL ? grown : model->faces;
+    return grown != NULL;
+}
+
+bool reader_add_triangle(struct model_reader *reader, const struct corner corners[3]) {
+    struct model *model = reader->model;
+    if (!reserve_faces(reader, 1)) {
+        return false;
+    }
+    model->faces[model->face_count++] = (struct face){{corners[0], corners[1], corners[2]}};
+    return true;
+}
+
 bool reader_add_faces(struct model_reader *reader) {
     struct model *model = reader->model;
     if (!gather_places(reader) || !cut_polygon(reader)) {
         return false;
     }
     size_t count = reader->cutter.triangle_count;
-    void *grown = reserve(reader, model->faces, &reader->face_capacity, model->face_count + count,
-                          sizeof *model->faces);
-    if (grown == NULL) {
+    if (!reserve_faces(reader, count)) {
         return false;
     }
-    model->faces = grown;
     for (size_t i = 0; i < count; i++) {
         const uint32_t *corner = reader->cutter.triangles[i];
         const struct corner *polygon = reader->polygon;

@@ -109,6 +109,17 @@ bench: $(BUILD)/benchmark models
 	@mkdir -p $(BUILD)/bench
 	$(BUILD)/benchmark -o $(BUILD) $(STEP)
 
+# Files, beside libpng where it is installed.
+LIBPNG = $(shell echo '\#include <libpng16/png.h>' | $(CC) -E - >/dev/null 2>&1 && echo -lpng16)
+.PHONY: bench-files
+bench-files: $(BUILD)/bench-files all
+	$(BUILD)/bench-files
+
+$(BUILD)/bench-files: $(call OBJECTS_OF,files) $(BUILD)/tests/bench/measure.o \
+                      $(BUILD)/tests/bench/report.o $(BUILD)/tests/check/compare.o \
+                      $(BUILD)/libcommon.a
+	$(LINK) $^ $(LIBPNG) -lm -o $@
+
 # ---- make compare-opengl, make bench-frame: beside Mesa's renderer ----
 
 .PHONY: compare-opengl has-mesa bench-frame
