@@ -12,6 +12,7 @@
 #include "shown.h"
 #include "unit.h"
 
+#include <stdatomic.h>
 #include <stdlib.h>
 
 enum { FACE_LIMIT = 10000, CALL_LIMIT = 3 };
@@ -67,6 +68,7 @@ static void part_begin(struct part *part, struct rectangle viewport) {
 
 struct number_uniforms {
     uint32_t first_number;
+    atomic_size_t *vertex_calls;
 };
 
 static void number_vertex(const void *uniforms, size_t face, size_t corner, double *varyings) {
@@ -75,6 +77,13 @@ static void number_vertex(const void *uniforms, size_t face, size_t corner, doub
     (void)corner;
     varyings[0] = (double)(number % 256);
     varyings[1] = (double)(number / 256);
+    atomic_fetch_add(u->vertex_calls, 1);
+}
+
+/* Of a flat face corner 0 counts, and only that. */
+static void flat_vertex(const void *uniforms, size_t face, size_t corner, double *varyings) {
+    number_vertex(uniforms, face, corner, varyings);
+    varyings[0] += 7 * (double)corner;
 }
 
 static lanes_mask number_fragment(const void *uniforms, const lanes *varyings, lanes_texel *color) {
@@ -84,11 +93,11 @@ static lanes_mask number_fragment(const void *uniforms, const lanes *varyings, l
 }
 
 SHADER(number_shader, .varying_count = 2, .vertex = number_vertex, .fragment = number_fragment);
-SHADER(flat_shader, .varying_count = 2, .flat = true, .vertex = number_vertex,
+SHADER(flat_shader, .varying_count = 2, .flat = true, .vertex = flat_vertex,
        .fragment = number_fragment);
 SHADER(discarding_shader, .varying_count = 2, .vertex = number_vertex, .fragment = number_fragment,
        .discards = true);
-SHADER(flat_discarding_shader, .varying_count = 2, .flat = true, .vertex = number_vertex,
+SHADER(flat_discarding_shader, .varying_count = 2, .flat = true, .vertex = flat_vertex,
        .fragment = number_fragment, .discards = true);
 
 /* Without loops of its own. */
@@ -167,18 +176,52 @@ static struct answer *answer(const struct scene *scene) {
 
 enum { UNTOUCHED = 0x77 };
 
-static bool draw_scene(struct pipeline *pipeline, const struct scene *scene, struct image *image) {
+static bool draw_scene(struct pipeline *pipeline, const struct scene *scene, struct image *image,
+                       size_t *vertex_calls) {
     struct error error;
+    atomic_size_t calls = 0;
     bool done = true;
     memset(image->pixels, UNTOUCHED, image->width * image->height * image->format);
     pipeline_clear(pipeline);
     for (size_t i = 0; i < scene->count; i++) {
         const struct part *part = &scene->part[i];
-        struct number_uniforms uniforms = {part->first_number};
+        struct number_uniforms uniforms = {part->first_number, &calls};
         done = done && pipeline_draw(pipeline, &part->call, part->shader, &uniforms,
                                      sizeof uniforms, &error);
     }
-    return CHECK(done && pipeline_finish(pipeline, image, &error));
+    done = done && pipeline_finish(pipeline, image, &error);
+    *vertex_calls = calls;
+    return CHECK(done);
+}
+
+/* Frugal: in each band a face that shows there is asked once for its corners, or for one of them
+ * where it is flat; others never. */
+static size_t calls_needed(const struct scene *scene, const struct answer *answers) {
+    size_t calls = 0;
+    for (size_t y = 0; y < scene->height; y += BAND_HEIGHT) {
+        static bool seen[CALL_LIMIT * FACE_LIMIT + 1];
+        memset(seen, 0, sizeof seen);
+        seen[0] = true; /* nothing */
+        for (size_t i = y * scene->width;
+             i < (y + BAND_HEIGHT) * scene->width && i < scene->height * scene->width; i++) {
+            uint32_t number = answers[i].number;
+            const struct part *part = scene->part;
+            while (!seen[number] && number >= part->first_number + part->model.face_count) {
+                part++;
+            }
+            calls += seen[number] ? 0 : part->shader->flat ? 1 : 3;
+            seen[number] = true;
+        }
+    }
+    return calls;
+}
+
+static bool has_discarding_part(const struct scene *scene) {
+    bool has = false;
+    for (size_t i = 0; i < scene->count; i++) {
+        has = has || scene->part[i].shader->discards;
+    }
+    return has;
 }
 
 static bool pixel_is_right(const struct image *image, size_t pixel, uint32_t number) {
@@ -306,8 +349,11 @@ static void check_size(struct random *random, size_t width, size_t height) {
         pipeline.keep_depth = random_bits(random) % 2 == 0;
         pipeline_use_threads(&pipeline, 1 + random_bits(random) % 8 * (frame == 3));
         struct answer *answers = answer(&scene);
-        if (CHECK(answers != NULL) && draw_scene(&pipeline, &scene, &image)) {
+        size_t calls;
+        if (CHECK(answers != NULL) && draw_scene(&pipeline, &scene, &image, &calls)) {
             CHECK(frame_is_right(&pipeline, &image, answers));
+            CHECK(!pipeline.skip || has_discarding_part(&scene) ||
+                  calls == calls_needed(&scene, answers));
             CHECK((pipeline.depth != NULL) == pipeline.keep_depth);
         }
         free(answers);
@@ -360,8 +406,10 @@ static void test_many_faces(void) {
             pipeline.skip = i < 2;
             scene.part[1].shader = i == 0 ? &flat_shader : &discarding_shader;
             pipeline_use_threads(&pipeline, threads);
-            if (draw_scene(&pipeline, &scene, &image)) {
+            size_t calls;
+            if (draw_scene(&pipeline, &scene, &image, &calls)) {
                 CHECK(frame_is_right(&pipeline, &image, answers));
+                CHECK(i > 0 || calls == calls_needed(&scene, answers));
             }
         }
     }
@@ -393,7 +441,8 @@ static void test_no_face_at_all(void) {
     CHECK(pipeline_create(&pipeline, 40, 50, &error));
     CHECK(image_create(&image, 40, 50, IMAGE_BGR, &error));
     for (int i = 0; i < 2; i++) {
-        if (CHECK(answers != NULL) && draw_scene(&pipeline, &scene, &image)) {
+        size_t calls;
+        if (CHECK(answers != NULL) && draw_scene(&pipeline, &scene, &image, &calls)) {
             CHECK(frame_is_right(&pipeline, &image, answers));
         }
         scene.count = 0; /* and a frame without a call */
