@@ -15,6 +15,7 @@ For the course as a whole:
   make test                   unit tests under sanitizers, and the tests of the check
   make stress                 hostile numbers, independent answers (STRESS=10, SEED=7, PROPERTY=line)
   make bench                  run time against error, a chart for each lesson (STEP=05 for one)
+  make bench-files            how fast files are read and written, beside libpng and plain bytes
   make charts                 put these charts into the lessons
   make bench-frame            the time of a frame beside Mesa's llvmpipe (OPTIONS=--help)
   make figures                draw the lessons' other pictures into build/out/*/figures (STEP=05)
@@ -27,7 +28,8 @@ For the course as a whole:
   make coverage               which lines and branches of common the tests reach
   make help                   this list
 
-CC=clang, CFLAGS=-O0, MARCH=, WERROR=-Werror and BUILD=some/directory may be added to any of these.
+CC=clang, CFLAGS=-O0, MARCH=, WERROR=-Werror, BUILD=some/directory, LANES=1 (one pixel at a time, for
+a debugger) and REAL=double (twice the precision) may be added to any of these.
 endef
 
 BUILD  = build
@@ -49,7 +51,8 @@ $(BUILD)/out/%/.drawn: $(BUILD)/% $(BUILD)/models/bust.obj
 
 # A lesson's program is its main.c and what all lessons share.
 $(STEPS:%=$(BUILD)/%): $(BUILD)/%: %/main.c $(BUILD)/libcommon.a $(BUILD)/flags
-	$(COMPILE) -MF $@.d $< $(BUILD)/libcommon.a -lm -o $@
+	$(COMPILE) -MF $@.d -MT $@ -c $< -o $@.o
+	$(LINK) $@.o $(BUILD)/libcommon.a -lm -o $@
 
 COMMON   = $(basename $(notdir $(wildcard common/*.c)))
 SCULPTOR = $(basename $(notdir $(wildcard common/sculptor/*.c)))
@@ -58,10 +61,16 @@ $(BUILD)/libcommon.a: $(COMMON:%=$(BUILD)/common/%.o)
 	@rm -f $@
 	$(AR) rcs $@ $^
 
-# The head that the lessons draw is sculpted by a program, once.
-$(BUILD)/models/bust.obj: $(BUILD)/sculpt
+# The head that the lessons draw is sculpted by a program, once: again when a file is missing or it
+# is another program, and not whenever it is linked again.
+MODELS = $(addprefix $(BUILD)/models/,bust.obj bust_diffuse.tga bust_nm.tga bust_spec.tga \
+                                      knot.off sphere.obj torus.obj)
+$(BUILD)/models/bust.obj: $(BUILD)/sculptor $(if $(filter-out $(wildcard $(MODELS)),$(MODELS)),force)
 	@mkdir -p $(@D)
-	$(BUILD)/sculpt $(@D)
+	$(BUILD)/sculptor $(@D)
+
+$(BUILD)/sculptor: $(BUILD)/sculpt
+	@cmp -s $< $@ || cp $< $@
 
 $(BUILD)/sculpt: $(SCULPTOR:%=$(BUILD)/common/sculptor/%.o) $(BUILD)/libcommon.a
 	$(LINK) $^ -lm -o $@
@@ -72,6 +81,12 @@ WARNINGS = -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wstrict-prototypes -W
 # One rounding for each operation, so that every machine computes the same bytes.
 STRICT   = -std=c17 -ffp-contract=off -fno-math-errno -fno-trapping-math
 DEFINES  = -DCOURSE_BUILD='"$(abspath $(BUILD))"'
+# LANES=1 shades one pixel at a time, for a debugger; REAL=double shades with twice the precision.
+DEFINES += $(LANES:%=-DLANES=%) $(REAL:%=-DREAL=%)
+# The same path is a word of the shell and a string of C.
+ifneq ($(strip $(foreach sign,' " \,$(findstring $(sign),$(abspath $(BUILD))))),)
+$(error the path $(abspath $(BUILD)) holds a quote or a backslash: move the course, or set BUILD)
+endif
 # Threads, where the compiler wants to be told; and all that this processor can do. Neither changes
 # a byte of a picture. MARCH= makes programs that run on any processor of the kind.
 PROBE    = $(shell mkdir -p $(BUILD) && echo 'int main(void) { return 0; }' >$(BUILD)/probe.c && \
@@ -80,11 +95,15 @@ THREADED := $(call PROBE,-pthread)
 MARCH    := $(call PROBE,-march=native)
 COMPILE  = $(CC) $(STRICT) $(WARNINGS) $(WERROR) $(CFLAGS) $(MARCH) $(THREADED) $(DEFINES) \
            -Icommon -MMD -MP
-LINK     = $(CC) $(CFLAGS) $(MARCH) $(THREADED)
+# What the lessons stand on (library, models, check) computes exactly whatever CFLAGS say: -Ofast is
+# for main.c alone. Where the linker saw it, numbers next to 0 would be 0 in the whole program.
+EXACT    = $(subst -Ofast,-O3,$(COMPILE)) -fno-fast-math -ffp-contract=off
+INEXACT  = -Ofast -ffast-math -funsafe-math-optimizations
+LINK     = $(CC) $(filter-out $(INEXACT),$(CFLAGS)) $(MARCH) $(THREADED)
 
 $(BUILD)/common/%.o: common/%.c $(BUILD)/flags
 	@mkdir -p $(@D)
-	$(COMPILE) -c $< -o $@
+	$(EXACT) -c $< -o $@
 
 # Changes only when the compiler or its flags do, and then everything is built again.
 $(BUILD)/flags: force
@@ -112,7 +131,7 @@ $(BUILD)/check: $(BUILD)/tests/check/check.o $(CHECKER) $(BUILD)/libcommon.a
 
 $(BUILD)/tests/%.o: tests/%.c $(BUILD)/flags
 	@mkdir -p $(@D)
-	$(COMPILE) $(OPENMP) -Itests/oracle -c $< -o $@
+	$(EXACT) $(OPENMP) -Itests/oracle -c $< -o $@
 
 # ---- make start, make solution ----
 

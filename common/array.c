@@ -6,10 +6,7 @@
 
 enum { LEAST_CAPACITY = 16 };
 
-void *array_reserve(void *array, size_t *capacity, size_t count, size_t element_size) {
-    if (count <= *capacity && array != NULL) {
-        return array;
-    }
+void *array_grow(void *array, size_t *capacity, size_t count, size_t element_size) {
     size_t half_more = *capacity < SIZE_MAX / 2 ? *capacity + *capacity / 2 : *capacity;
     size_t wanted = half_more > LEAST_CAPACITY ? half_more : LEAST_CAPACITY;
     wanted = wanted > count ? wanted : count;

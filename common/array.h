@@ -15,9 +15,16 @@
 
 #include <stddef.h>
 
+/* The part of array_reserve() for an array that must be moved. */
+void *array_grow(void *array, size_t *capacity, size_t count, size_t element_size);
+
 /* Room for `count` elements in an array (NULL at first) that has room for `*capacity` (0 at first).
  * Returns the array, moved perhaps, or NULL when memory runs out: the old array is then unchanged.
  * An array that grows gets half as much again at least, so that many small steps stay linear. */
-void *array_reserve(void *array, size_t *capacity, size_t count, size_t element_size);
+static inline void *array_reserve(void *array, size_t *capacity, size_t count,
+                                  size_t element_size) {
+    return count <= *capacity && array != NULL ? array
+                                               : array_grow(array, capacity, count, element_size);
+}
 
 #endif

@@ -31,27 +31,19 @@ enum {
 static const uint8_t length_order[ORDER_COUNT] = {16, 17, 18, 0, 8,  7, 9,  6, 10, 5,
                                                   11, 4,  12, 3, 13, 2, 14, 1, 15};
 
+/* The sum of all bytes, and the sum of all these sums: each byte stands in as many of them as bytes
+ * are left from it on. */
 static uint32_t adler32(const uint8_t *data, size_t size) {
     enum { MODULUS = 65521, SAFE = 5552 }; /* SAFE additions stay inside 32 bits */
-    enum { BLOCK = 16 };                   /* bytes added at once, which compilers can do */
     uint32_t a = 1, b = 0;
     while (size > 0) {
-        size_t count = size < SAFE ? size : SAFE, i = 0;
-        for (; i + BLOCK <= count; i += BLOCK) {
-            uint32_t sum = 0, sum_of_sums = 0;
-            for (uint32_t k = 0; k < BLOCK; k++) {
-                sum += data[i + k];
-                sum_of_sums += (BLOCK - k) * data[i + k];
-            }
-            b += BLOCK * a + sum_of_sums;
-            a += sum;
+        uint32_t count = size < SAFE ? (uint32_t)size : SAFE, sum = 0, sum_of_sums = 0;
+        for (uint32_t i = 0; i < count; i++) {
+            sum += data[i];
+            sum_of_sums += (count - i) * data[i];
         }
-        for (; i < count; i++) {
-            a += data[i];
-            b += a;
-        }
-        a %= MODULUS;
-        b %= MODULUS;
+        b = (b + count * a + sum_of_sums) % MODULUS;
+        a = (a + sum) % MODULUS;
         data += count;
         size -= count;
     }
@@ -168,15 +160,23 @@ struct search {
     unsigned nice;  /* stop searching */
 };
 
+/* Where bits are written. */
+struct bit_writer {
+    uint8_t *next;
+    uint64_t bits;  /* not yet written, the next one lowest */
+    unsigned count; /* of them: below 32 */
+};
+
 struct compressor {
     const uint8_t *data;
     size_t size;
     struct search search;
 
-    /* The newest position with a hash, and before each position the one of the same hash, modulo
-     * 2^32. A number that is out of date does no harm: the bytes there are compared. */
+    /* One more than the newest position with a hash, modulo 2^32 (a wrong one does no harm: the
+     * bytes there are compared); and how far before each position of the window another one has the
+     * same hash, 0 where none has. */
     uint32_t newest[1 << HASH_BITS];
-    uint32_t before[WINDOW_SIZE];
+    uint16_t back[WINDOW_SIZE];
     size_t hashed; /* positions entered so far */
 
     struct token tokens[BLOCK_TOKENS]; /* the block that is being collected */
@@ -186,23 +186,29 @@ struct compressor {
     uint32_t distance_counts[DISTANCE_COUNT];
 
     struct bytes *out;
-    uint64_t bits; /* not yet written, the next one lowest */
-    unsigned bit_count;
+    struct bit_writer writer;
 };
 
 /* Room for what is written must have been reserved. */
-static void put_bits(struct compressor *c, unsigned value, unsigned count) {
-    c->bits |= (uint64_t)value << c->bit_count;
-    c->bit_count += count;
-    while (c->bit_count >= 8) {
-        c->out->data[c->out->size++] = (unsigned char)(c->bits & 255);
-        c->bits >>= 8;
-        c->bit_count -= 8;
+static inline void put_bits(struct bit_writer *writer, unsigned value, unsigned count) {
+    writer->bits |= (uint64_t)value << writer->count;
+    writer->count += count;
+    if (writer->count >= 32) {
+        for (unsigned i = 0; i < 4; i++) {
+            writer->next[i] = (uint8_t)(writer->bits >> 8 * i & 255);
+        }
+        writer->next += 4;
+        writer->bits >>= 32;
+        writer->count -= 32;
     }
 }
 
-static void fill_byte(struct compressor *c) {
-    put_bits(c, 0, (8 - c->bit_count) % 8);
+/* Fill the last byte with zeros, and let no bit wait. */
+static void put_waiting_bits(struct bit_writer *writer) {
+    for (; writer->count > 0; writer->count -= writer->count < 8 ? writer->count : 8) {
+        *writer->next++ = (uint8_t)(writer->bits & 255);
+        writer->bits >>= 8;
+    }
 }
 
 /* A symbol that occurs, and how often. */
@@ -385,55 +391,59 @@ static uint64_t token_cost(const struct compressor *c, const uint8_t *literal_le
     return cost;
 }
 
-static void write_header(struct compressor *c, const struct block_codes *codes) {
+static void write_header(struct bit_writer *writer, const struct block_codes *codes) {
     uint16_t order_codes[ORDER_COUNT];
     assign_codes(codes->order_lengths, ORDER_COUNT, order_codes);
-    put_bits(c, (unsigned)codes->literal_count - FIRST_LENGTH, 5);
-    put_bits(c, (unsigned)codes->distance_count - 1, 5);
-    put_bits(c, (unsigned)codes->order_count - 4, 4);
+    put_bits(writer, (unsigned)codes->literal_count - FIRST_LENGTH, 5);
+    put_bits(writer, (unsigned)codes->distance_count - 1, 5);
+    put_bits(writer, (unsigned)codes->order_count - 4, 4);
     for (size_t i = 0; i < codes->order_count; i++) {
-        put_bits(c, codes->order_lengths[length_order[i]], 3);
+        put_bits(writer, codes->order_lengths[length_order[i]], 3);
     }
     for (size_t i = 0; i < codes->list.count; i++) {
         unsigned symbol = codes->list.entry[i].symbol;
-        put_bits(c, order_codes[symbol], codes->order_lengths[symbol]);
-        put_bits(c, codes->list.entry[i].extra, codes->list.entry[i].extra_bits);
+        put_bits(writer, order_codes[symbol], codes->order_lengths[symbol]);
+        put_bits(writer, codes->list.entry[i].extra, codes->list.entry[i].extra_bits);
     }
 }
 
 static void write_tokens(struct compressor *c, const uint8_t *literal_lengths,
                          const uint8_t *distance_lengths) {
+    struct bit_writer writer = c->writer; /* of its own, so that it stays in registers */
     uint16_t literal_codes[SYMBOL_LIMIT], distance_codes[DISTANCE_COUNT];
     assign_codes(literal_lengths, SYMBOL_LIMIT, literal_codes);
     assign_codes(distance_lengths, DISTANCE_COUNT, distance_codes);
     for (size_t i = 0; i < c->token_count; i++) {
         struct token token = c->tokens[i];
         if (token.distance == 0) {
-            put_bits(c, literal_codes[token.value], literal_lengths[token.value]);
+            put_bits(&writer, literal_codes[token.value], literal_lengths[token.value]);
             continue;
         }
         struct split length = split_length(token.value);
         unsigned symbol = FIRST_LENGTH + length.symbol;
-        put_bits(c, literal_codes[symbol], literal_lengths[symbol]);
-        put_bits(c, (token.value - MATCH_MIN) & ((1u << length.extra_bits) - 1), length.extra_bits);
+        put_bits(&writer, literal_codes[symbol], literal_lengths[symbol]);
+        put_bits(&writer, (token.value - MATCH_MIN) & ((1u << length.extra_bits) - 1),
+                 length.extra_bits);
         struct split distance = split_distance(token.distance);
-        put_bits(c, distance_codes[distance.symbol], distance_lengths[distance.symbol]);
-        put_bits(c, (token.distance - 1u) & ((1u << distance.extra_bits) - 1), distance.extra_bits);
+        put_bits(&writer, distance_codes[distance.symbol], distance_lengths[distance.symbol]);
+        put_bits(&writer, (token.distance - 1u) & ((1u << distance.extra_bits) - 1),
+                 distance.extra_bits);
     }
-    put_bits(c, literal_codes[END_OF_BLOCK], literal_lengths[END_OF_BLOCK]);
+    put_bits(&writer, literal_codes[END_OF_BLOCK], literal_lengths[END_OF_BLOCK]);
+    c->writer = writer;
 }
 
-static void write_stored(struct compressor *c, const uint8_t *data, size_t size, bool last) {
+static void write_stored(struct bit_writer *writer, const uint8_t *data, size_t size, bool last) {
     do {
         unsigned part = size < STORED_LIMIT ? (unsigned)size : STORED_LIMIT;
         size -= part;
-        put_bits(c, last && size == 0, 1);
-        put_bits(c, 0, 2);
-        fill_byte(c);
-        put_bits(c, part, 16);
-        put_bits(c, part ^ 0xffff, 16);
-        memcpy(c->out->data + c->out->size, data, part);
-        c->out->size += part;
+        put_bits(writer, last && size == 0, 1);
+        put_bits(writer, 0, 2);
+        put_waiting_bits(writer);
+        put_bits(writer, part, 16);
+        put_bits(writer, part ^ 0xffff, 16);
+        memcpy(writer->next, data, part);
+        writer->next += part;
         data += part;
     } while (size > 0);
 }
@@ -457,18 +467,24 @@ static bool write_block(struct compressor *c, size_t end, bool last) {
     if (cost / 8 > SIZE_MAX / 2 || !bytes_reserve(c->out, (size_t)(cost / 8) + 16)) {
         return false;
     }
+    struct bit_writer *writer = &c->writer;
+    writer->next = c->out->data + c->out->size; /* the block may have moved */
     if (cost == stored_cost) {
-        write_stored(c, c->data + c->block_start, size, last);
+        write_stored(writer, c->data + c->block_start, size, last);
     } else if (cost == fixed_cost) {
-        put_bits(c, last, 1);
-        put_bits(c, 1, 2);
+        put_bits(writer, last, 1);
+        put_bits(writer, 1, 2);
         write_tokens(c, literal_lengths, distance_lengths);
     } else {
-        put_bits(c, last, 1);
-        put_bits(c, 2, 2);
-        write_header(c, &codes);
+        put_bits(writer, last, 1);
+        put_bits(writer, 2, 2);
+        write_header(writer, &codes);
         write_tokens(c, codes.literal_lengths, codes.distance_lengths);
     }
+    if (last) {
+        put_waiting_bits(writer);
+    }
+    c->out->size = (size_t)(writer->next - c->out->data);
     c->block_start = end;
     c->token_count = 0;
     memset(c->literal_counts, 0, sizeof c->literal_counts);
@@ -489,10 +505,22 @@ static void enter_positions(struct compressor *c, size_t end) {
     end = end < limit ? end : limit;
     for (size_t i = c->hashed; i < end; i++) {
         uint32_t hash = hash_at(c->data + i);
-        c->before[i % WINDOW_SIZE] = c->newest[hash];
-        c->newest[hash] = (uint32_t)i;
+        uint32_t position = (uint32_t)i + 1, back = position - c->newest[hash];
+        c->back[i % WINDOW_SIZE] = (uint16_t)(back <= WINDOW_SIZE && back <= i ? back : 0);
+        c->newest[hash] = position;
     }
     c->hashed = end > c->hashed ? end : c->hashed;
+}
+
+/* Enter the positions of a match, of a long one only those at its ends. Within a run of one colour
+ * all others are alike: they would take long to search, and hide what lies further back. */
+static void enter_match(struct compressor *c, size_t at, size_t length) {
+    enum { END = 8 };
+    if (length > 2 * END) {
+        enter_positions(c, at + END);
+        c->hashed = at + length - END;
+    }
+    enter_positions(c, at + length);
 }
 
 static unsigned count_equal(const uint8_t *a, const uint8_t *b, unsigned limit) {
@@ -517,11 +545,11 @@ static struct match find_match(struct compressor *c, size_t at, unsigned length,
     }
     enter_positions(c, at + 1);
     const uint8_t *here = c->data + at;
-    uint32_t candidate = c->before[at % WINDOW_SIZE];
-    uint32_t last_distance = 0;
+    size_t distance = 0;
     for (; chain > 0; chain--) {
-        uint32_t distance = (uint32_t)at - candidate;
-        if (distance <= last_distance || distance > WINDOW_SIZE || distance > at) {
+        unsigned back = c->back[(at - distance) % WINDOW_SIZE];
+        distance += back;
+        if (back == 0 || distance > WINDOW_SIZE) {
             break;
         }
         const uint8_t *there = here - distance;
@@ -529,14 +557,12 @@ static struct match find_match(struct compressor *c, size_t at, unsigned length,
         if (memcmp(there + tail, here + tail, HASH_BYTES) == 0) {
             unsigned equal = count_equal(there, here, limit);
             if (equal > best.length) {
-                best = (struct match){equal, distance};
+                best = (struct match){equal, (unsigned)distance};
                 if (equal >= c->search.nice || equal == limit) {
                     break;
                 }
             }
         }
-        last_distance = distance;
-        candidate = c->before[candidate % WINDOW_SIZE];
     }
     return best;
 }
@@ -572,7 +598,7 @@ static bool compress_data(struct compressor *c) {
         struct token token = {0, c->data[at]};
         if (match.distance > 0) {
             token = (struct token){(uint16_t)match.distance, (uint16_t)match.length};
-            enter_positions(c, at + match.length);
+            enter_match(c, at, match.length);
         }
         at += match.distance > 0 ? match.length : 1;
         if (!add_token(c, token, at)) {
@@ -591,15 +617,13 @@ bool zlib_compress(const void *data, size_t size, struct bytes *out, struct erro
     }
     c->data = data;
     c->size = size;
-    c->search = (struct search){.chain = 128, .good = 8, .lazy = 16, .nice = 128};
+    c->search = (struct search){.chain = 32, .good = 4, .lazy = 32, .nice = 128};
     c->out = out;
-    if (!compress_data(c) || !bytes_reserve(out, 8)) {
+    uint32_t sum = adler32(data, size);
+    const uint8_t check[4] = {(uint8_t)(sum >> 24), (uint8_t)(sum >> 16 & 255),
+                              (uint8_t)(sum >> 8 & 255), (uint8_t)(sum & 255)};
+    if (!compress_data(c) || !bytes_append(out, check, sizeof check)) {
         goto fail;
-    }
-    fill_byte(c);
-    uint32_t check = adler32(data, size);
-    for (unsigned shift = 32; shift > 0; shift -= 8) {
-        put_bits(c, check >> (shift - 8) & 255, 8);
     }
     free(c);
     return true;
@@ -611,7 +635,7 @@ fail:
 
 /* ---- Decompression ---- */
 
-enum { FAST_BITS = 10 }; /* codes up to this length are found in a table */
+enum { FAST_BITS = 12 }; /* codes up to this length are found in a table */
 
 /* A prefix code. `fast` gives for the next FAST_BITS bits symbol * 16 + length of a code that they
  * begin with, or 0. Longer codes are found by counting (RFC 1951, section 3.2.2). */
@@ -628,6 +652,7 @@ struct decompressor {
     uint8_t *out;
     size_t out_size, out_limit;
     struct decoder literals, distances;
+    bool fixed;          /* they are those of the fixed codes */
     const char *problem; /* what is wrong with the stream */
 };
 
@@ -814,6 +839,7 @@ static bool read_own_codes(struct decompressor *d) {
         }
         order_lengths[length_order[i]] = (uint8_t)length;
     }
+    d->fixed = false;
     /* The decoder of literals serves for the code lengths first. */
     if (!build_decoder(&d->literals, order_lengths, ORDER_COUNT)) {
         return fail_with(d, "compressed data with a wrong code");
@@ -828,7 +854,12 @@ static bool read_own_codes(struct decompressor *d) {
     return true;
 }
 
+/* Made once for blocks that follow each other: an empty one has only 10 bits. */
 static void set_fixed_codes(struct decompressor *d) {
+    if (d->fixed) {
+        return;
+    }
+    d->fixed = true;
     uint8_t literal_lengths[SYMBOL_LIMIT];
     uint8_t distance_lengths[32]; /* two of them never appear, but make the code complete */
     fixed_lengths(literal_lengths, distance_lengths);
@@ -900,24 +931,39 @@ static inline unsigned take_bits(struct bit_buffer *buffer, unsigned count) {
     return value;
 }
 
-enum { COPY_BLOCK = 16, INNER_INPUT = 8, INNER_OUTPUT = MATCH_MAX + COPY_BLOCK };
+/* What the table has for the code that comes next; 0 where it is long or wrong. */
+static inline unsigned next_entry(const struct decoder *decoder, const struct bit_buffer *buffer) {
+    return decoder->fast[buffer->bits & ((1u << FAST_BITS) - 1)];
+}
 
-/* Copy a match in blocks that may reach past its end, where its source does not overlap them. */
+static inline bool is_literal(unsigned entry) {
+    return (entry & 15) != 0 && entry >> 4 < END_OF_BLOCK;
+}
+
+static inline uint8_t take_literal(struct bit_buffer *buffer, unsigned entry) {
+    take_bits(buffer, entry & 15);
+    return (uint8_t)(entry >> 4);
+}
+
+enum { COPY_BLOCK = 16, INNER_INPUT = 8, INNER_OUTPUT = 1 + MATCH_MAX + COPY_BLOCK };
+
+/* Copy a match in blocks that may reach past its end. A block must not overlap its source: where
+ * that is too near, the bytes repeat, and are the same some repetitions before. */
 static inline void copy_blocks(uint8_t *to, size_t distance, size_t length) {
-    const uint8_t *from = to - distance;
-    if (distance >= COPY_BLOCK) {
-        for (size_t i = 0; i < length; i += COPY_BLOCK) {
-            memcpy(to + i, from + i, COPY_BLOCK);
+    size_t done = 0, far = distance;
+    if (distance < COPY_BLOCK) {
+        far = distance * ((COPY_BLOCK - 1) / distance + 1);
+        for (; done < far - distance; done++) {
+            to[done] = (to - distance)[done];
         }
-    } else {
-        for (size_t i = 0; i < length; i++) {
-            to[i] = from[i];
-        }
+    }
+    for (; done < length; done += COPY_BLOCK) {
+        memcpy(to + done, to + done - far, COPY_BLOCK);
     }
 }
 
 /* A match whose length symbol is known: its length, and its distance or 0 where it takes the
- * careful loop to say what is there. At most 5 + 10 + 13 bits. */
+ * careful loop to say what is there (no length at all, for one). At most 5 + FAST_BITS + 13 bits. */
 static inline size_t inner_match(const struct decompressor *d, unsigned length_symbol,
                                  struct bit_buffer *buffer, size_t *distance) {
     unsigned extra_bits;
@@ -927,7 +973,7 @@ static inline size_t inner_match(const struct decompressor *d, unsigned length_s
         length = MATCH_MIN + (size_t)join_value(length_symbol, 2, &extra_bits);
         length += take_bits(buffer, extra_bits);
     }
-    unsigned entry = d->distances.fast[buffer->bits & ((1u << FAST_BITS) - 1)];
+    unsigned entry = next_entry(&d->distances, buffer);
     if (length_symbol <= 28 && (entry & 15) != 0 && entry >> 4 < DISTANCE_COUNT) {
         take_bits(buffer, entry & 15);
         *distance = 1 + (size_t)join_value(entry >> 4, 1, &extra_bits);
@@ -946,20 +992,19 @@ static void read_inner_symbols(struct decompressor *d) {
         buffer.bits |= load_u64(next) << buffer.count; /* whole bytes up to 56 bits or more */
         next += (63 - buffer.count) >> 3;
         buffer.count |= 56;
-        unsigned entry = d->literals.fast[buffer.bits & ((1u << FAST_BITS) - 1)];
-        unsigned symbol = entry >> 4;
-        if ((entry & 15) == 0 || symbol == END_OF_BLOCK) {
-            break;
-        }
-        if (symbol < END_OF_BLOCK) {
-            take_bits(&buffer, entry & 15);
-            *out++ = (uint8_t)symbol;
-            continue;
+        unsigned entry = next_entry(&d->literals, &buffer);
+        if (is_literal(entry)) { /* then there are bits for another one, or for a match */
+            *out++ = take_literal(&buffer, entry);
+            entry = next_entry(&d->literals, &buffer);
+            if (is_literal(entry)) {
+                *out++ = take_literal(&buffer, entry);
+                continue;
+            }
         }
         struct bit_buffer after = buffer;
         size_t distance;
         take_bits(&after, entry & 15);
-        size_t length = inner_match(d, symbol - FIRST_LENGTH, &after, &distance);
+        size_t length = inner_match(d, (entry >> 4) - FIRST_LENGTH, &after, &distance);
         if (distance == 0 || distance > (size_t)(out - d->out)) {
             break;
         }
@@ -967,7 +1012,7 @@ static void read_inner_symbols(struct decompressor *d) {
         out += length;
         buffer = after;
     }
-    d->bits = buffer.bits;
+    d->bits = buffer.bits & ((UINT64_C(1) << buffer.count) - 1);
     d->bit_count = buffer.count;
     d->next = next;
     d->out_size = (size_t)(out - d->out);

@@ -1,5 +1,5 @@
 /* Whole files in and out; see file.h. Of POSIX, only what WebAssembly (WASI) has as well, but for
- * fchmod(): no getpid(), no realpath(), and no access(), which allows everything there. */
+ * fchmod() and signals: no getpid(), no realpath(), and no access(), which allows everything. */
 #define _POSIX_C_SOURCE 200809L
 
 #include "file.h"
@@ -8,6 +8,9 @@
 
 #include <errno.h>
 #include <fcntl.h>
+#ifndef __wasi__
+#include <signal.h>
+#endif
 #include <stdarg.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -26,13 +29,42 @@ enum {
 
 /* ---- Messages ---- */
 
-/* A file name may hold any byte; a message stays one line whatever it quotes. */
-static void hide_control_characters(char *text) {
-    for (char *c = text; *c != '\0'; c++) {
-        unsigned char byte = (unsigned char)*c;
-        if (byte < 32 || byte == 127) {
-            *c = '?';
+/* The UTF-8 character at the beginning of a text (F. Yergeau, "UTF-8, a transformation format of
+ * ISO 10646", RFC 3629, section 4), and how many bytes it takes; 0 where there is none. */
+static size_t utf8_decode(const char *text, uint32_t *character) {
+    static const uint32_t least[] = {0, 0, 0x80, 0x800, 0x10000};
+    unsigned char first = (unsigned char)text[0];
+    size_t size = first < 0x80 ? 1 : first < 0xc0 ? 0 : first < 0xe0 ? 2 : first < 0xf0 ? 3 : 4;
+    *character = size < 2 ? first : first & (0xffu >> (size + 1));
+    for (size_t i = 1; i < size; i++) {
+        unsigned char byte = (unsigned char)text[i];
+        if ((byte & 0xc0) != 0x80) { /* nor is it read past the end of the text */
+            return 0;
         }
+        *character = *character << 6 | (byte & 0x3fu);
+    }
+    bool surrogate = *character >= 0xd800 && *character < 0xe000;
+    return *character < least[size] || *character > 0x10ffff || surrogate ? 0 : size;
+}
+
+/* Control characters, and those that end a line or turn the direction of writing (The Unicode
+ * Standard, sections 23.1 and 23.2, and annex 9, section 2). */
+static bool is_obeyed(uint32_t character) {
+    return character < 0x20 || (character >= 0x7f && character < 0xa0) || character == 0x61c ||
+           (character >= 0x200e && character <= 0x200f) ||
+           (character >= 0x2028 && character <= 0x202e) ||
+           (character >= 0x2066 && character <= 0x2069);
+}
+
+void text_make_printable(char *text, char instead) {
+    while (*text != '\0') {
+        uint32_t character;
+        size_t size = utf8_decode(text, &character);
+        if (size == 0 || is_obeyed(character)) { /* its other bytes, alone, are no character */
+            *text = instead;
+            size = 1;
+        }
+        text += size;
     }
 }
 
@@ -43,7 +75,7 @@ bool error_set(struct error *error, const char *format, ...) {
         error->message[0] = '\0';
     }
     va_end(arguments);
-    hide_control_characters(error->message);
+    text_make_printable(error->message, '?'); /* a file name may hold any byte */
     error->line = 0;
     return false;
 }
@@ -195,10 +227,27 @@ static bool write_all(int file, const void *data, size_t size) {
     return true;
 }
 
+/* As write_all(). The signal of a file that grows too large would end the program in the middle. */
+static bool write_all_or_fail(int file, const void *data, size_t size) {
+#ifdef SIGXFSZ
+    struct sigaction ignored = {.sa_handler = SIG_IGN}, before;
+    bool changed = sigaction(SIGXFSZ, &ignored, &before) == 0;
+    bool written = write_all(file, data, size);
+    int reason = errno;
+    if (changed) {
+        sigaction(SIGXFSZ, &before, NULL);
+    }
+    errno = reason;
+    return written;
+#else
+    return write_all(file, data, size);
+#endif
+}
+
 /* Write and close; false with the reason in errno. Some file systems tell of a full disk only when
  * the file is closed. */
 static bool write_and_close(int file, const void *data, size_t size) {
-    bool written = write_all(file, data, size);
+    bool written = write_all_or_fail(file, data, size);
     int reason = errno;
     bool closed = close(file) == 0;
     if (!written) {
@@ -274,13 +323,14 @@ end:
     return done;
 }
 
-/* Follow `*path`, an allocated string, to what is no symbolic link. */
+/* Follow `*path`, an allocated string, to what is no symbolic link: a file, or nothing yet. */
 static bool follow_links(char **path, struct error *error) {
     for (int i = 0; i <= LINK_LIMIT; i++) {
         char target[LINK_SIZE];
         ssize_t length = readlink(*path, target, sizeof target);
         if (length < 0) {
-            return errno == EINVAL /* no link */ || error_from_system(error);
+            bool no_link = errno == EINVAL || errno == ENOENT;
+            return no_link || error_from_system(error);
         }
         int kept = target[0] == '/' ? 0 : directory_length(*path);
         char *next = string_format("%.*s%.*s", kept, *path, (int)length, target);
@@ -300,14 +350,15 @@ static bool check_writable(const char *path, struct error *error) {
     return (file >= 0 && close(file) == 0) || error_from_system(error);
 }
 
-/* Replace a regular file, which has the permissions `mode`. A symbolic link to it stays. */
-static bool replace_file(const char *path, long mode, const void *data, size_t size,
-                         struct error *error) {
+/* Write a regular file, which has the permissions `mode`, or -1 when there is none yet. A symbolic
+ * link to it stays. */
+static bool write_regular(const char *path, long mode, const void *data, size_t size,
+                          struct error *error) {
     char *target = string_format("%s", path);
     if (target == NULL) {
         return error_out_of_memory(error);
     }
-    bool done = check_writable(target, error) && follow_links(&target, error) &&
+    bool done = (mode < 0 || check_writable(target, error)) && follow_links(&target, error) &&
                 write_and_rename(target, mode, data, size, error);
     free(target);
     return done;
@@ -318,10 +369,8 @@ static bool write_whole(const char *path, const void *data, size_t size, struct 
     struct stat status;
     bool device_name = strncmp(path, "/dev/", 5) == 0; /* /dev/stdout may be a regular file */
     if (stat(path, &status) != 0) {
-        if (errno != ENOENT || path[0] == '\0') {
-            return error_from_system(error);
-        }
-        return write_and_rename(path, -1, data, size, error);
+        bool missing = errno == ENOENT && path[0] != '\0';
+        return missing ? write_regular(path, -1, data, size, error) : error_from_system(error);
     }
     if (S_ISDIR(status.st_mode)) {
         return error_set(error, "is a directory");
@@ -329,7 +378,7 @@ static bool write_whole(const char *path, const void *data, size_t size, struct 
     if (!S_ISREG(status.st_mode) || device_name) {
         return write_directly(path, data, size, error);
     }
-    return replace_file(path, (long)(status.st_mode & 07777), data, size, error);
+    return write_regular(path, (long)(status.st_mode & 07777), data, size, error);
 }
 
 bool file_write(const char *path, const void *data, size_t size, struct error *error) {
@@ -355,6 +404,11 @@ static bool is_directory(const char *path) {
     return stat(path, &status) == 0 && S_ISDIR(status.st_mode);
 }
 
+/* What is wrong with what is there, and is no directory: a link may lead to nothing. */
+static int reason_of_existing(const char *path) {
+    return file_exists(path) ? ENOTDIR : ENOENT;
+}
+
 bool directory_create(const char *path, struct error *error) {
     char *partial = string_format("%s", path);
     if (partial == NULL) {
@@ -368,7 +422,7 @@ bool directory_create(const char *path, struct error *error) {
         int reason = mkdir(partial, 0777) == 0 ? 0 : errno;
         if (reason != 0 && !is_directory(partial)) {
             error_set(error, "%s: cannot make the directory: %s", partial,
-                      strerror(reason == EEXIST ? ENOTDIR : reason));
+                      strerror(reason == EEXIST ? reason_of_existing(partial) : reason));
             free(partial);
             return false;
         }

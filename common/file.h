@@ -24,8 +24,13 @@ struct error {
 #define PRINTF_LIKE(string, first)
 #endif
 
-/* Write a message as printf does (cut if too long). Always returns false, so that a failing
- * function can end with `return error_set(error, ...)`. */
+/* In a text that was written by others, replace each byte of what a terminal would obey and not
+ * show (control characters, also those of two bytes, and marks that turn the direction of writing),
+ * and each byte that is not part of a UTF-8 character. */
+void text_make_printable(char *text, char instead);
+
+/* Write a message as printf does (cut if too long), made printable with '?'. Always returns false,
+ * so that a failing function can end with `return error_set(error, ...)`. */
 bool error_set(struct error *error, const char *format, ...) PRINTF_LIKE(2, 3);
 
 /* The message of every allocation that failed. Always returns false. */

@@ -31,8 +31,15 @@
 #endif
 typedef REAL real;
 
+/* As many lanes as the processor's registers have: the number changes no byte. */
 #ifndef LANES
+#if defined(__AVX512F__)
 #define LANES 16
+#elif defined(__AVX__)
+#define LANES 8
+#else
+#define LANES 4
+#endif
 #endif
 
 #define LANES_INLINE static inline __attribute__((always_inline))
@@ -66,7 +73,7 @@ LANES_INLINE lanes_texel lanes_texel_select(lanes_int mask, lanes_texel a, lanes
 }
 
 LANES_INLINE lanes lanes_sqrt(lanes a) {
-    lanes root;
+    lanes root = a;
     for (int i = 0; i < LANES; i++) {
         root[i] = LANES_IS_FLOAT ? (real)sqrtf((float)a[i]) : (real)sqrt((double)a[i]);
     }
@@ -94,11 +101,19 @@ LANES_INLINE lanes_mask lanes_all_set(void) {
 
 /* first, first + 1, first + 2, ... */
 LANES_INLINE lanes_int lanes_int_from(int first) {
-    return (lanes_int){0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15} + first;
+    lanes_int from = {0};
+    for (int i = 0; i < LANES; i++) {
+        from[i] = first + i;
+    }
+    return from;
 }
 
 LANES_INLINE lanes lanes_from(int first) {
-    return (lanes){0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15} + (real)first;
+    lanes from = {0};
+    for (int i = 0; i < LANES; i++) {
+        from[i] = (real)i;
+    }
+    return from + (real)first;
 }
 
 /* Both, cut to 32 bits each: the lower and the upper half of 64-bit words. */

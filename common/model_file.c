@@ -4,6 +4,7 @@
 #include "image_file.h"
 #include "obj.h"
 #include "off.h"
+#include "text.h"
 
 #include <limits.h>
 #include <stdlib.h>
@@ -11,12 +12,28 @@
 
 /* ---- Reading ---- */
 
+/* An OFF file without its first word looks like an OBJ file of which nothing is known. */
+static bool error_no_faces(const void *data, size_t size, struct error *error) {
+    struct text text;
+    struct error ignored;
+    double number;
+    bool begun = text_begin(&text, data, size, false, &ignored);
+    while (begun && text_next_line(&text)) {
+        struct word word = text_next_word(&text);
+        if (word_to_double(word, &number)) {
+            return error_set(error, "begins with a number: an OFF file begins with the word OFF");
+        }
+        begun = word.length == 0;
+    }
+    return error_set(error, "holds no faces");
+}
+
 bool model_decode(struct model *model, const void *data, size_t size, struct error *error) {
     *model = (struct model){0};
     bool done = off_recognize(data, size) ? off_decode(model, data, size, error)
                                           : obj_decode(model, data, size, error);
     if (done && model->face_count == 0) {
-        done = error_set(error, "holds no faces");
+        done = error_no_faces(data, size, error);
     }
     if (!done) {
         model_free(model);

@@ -20,6 +20,11 @@ bool reader_next_line(struct model_reader *reader, struct word *word) {
     return false;
 }
 
+bool reader_next_word(struct model_reader *reader, struct word *word) {
+    *word = text_next_word(&reader->text);
+    return word->length > 0 || reader_next_line(reader, word);
+}
+
 bool reader_parse_index(struct word word, int64_t *index) {
     if (word_to_integer(word, index)) {
         return true;
@@ -34,6 +39,15 @@ bool reader_parse_index(struct word word, int64_t *index) {
     return word.length > sign;
 }
 
+bool reader_parse_number(struct model_reader *reader, struct word word, double *number) {
+    if (!word_to_double(word, number)) {
+        return text_error(reader->error, reader->line, "'%s' is not a number",
+                          word_show(word).text);
+    }
+    return fabs(*number) <= FLT_MAX ||
+           text_error(reader->error, reader->line, "%s is too large", word_show(word).text);
+}
+
 bool reader_read_numbers(struct model_reader *reader, struct reader_numbers *numbers) {
     numbers->count = 0;
     numbers->whole = true;
@@ -44,12 +58,8 @@ bool reader_read_numbers(struct model_reader *reader, struct reader_numbers *num
         if (word.length == 0) {
             return true;
         }
-        if (!word_to_double(word, &number)) {
-            return text_error(reader->error, reader->line, "'%s' is not a number",
-                              word_show(word).text);
-        }
-        if (fabs(number) > FLT_MAX) {
-            return text_error(reader->error, reader->line, "%s is too large", word_show(word).text);
+        if (!reader_parse_number(reader, word, &number)) {
+            return false;
         }
         if (numbers->count < READER_NUMBER_LIMIT) {
             numbers->value[numbers->count] = number;
@@ -212,18 +222,33 @@ static bool cut_polygon(struct model_reader *reader) {
     }
 }
 
+/* Make room for more faces. */
+static bool reserve_faces(struct model_reader *reader, size_t count) {
+    struct model *model = reader->model;
+    void *grown = reserve(reader, model->faces, &reader->face_capacity, model->face_count + count,
+                          sizeof *model->faces);
+    model->faces = grown != NULL ? grown : model->faces;
+    return grown != NULL;
+}
+
+bool reader_add_triangle(struct model_reader *reader, const struct corner corners[3]) {
+    struct model *model = reader->model;
+    if (!reserve_faces(reader, 1)) {
+        return false;
+    }
+    model->faces[model->face_count++] = (struct face){{corners[0], corners[1], corners[2]}};
+    return true;
+}
+
 bool reader_add_faces(struct model_reader *reader) {
     struct model *model = reader->model;
     if (!gather_places(reader) || !cut_polygon(reader)) {
         return false;
     }
     size_t count = reader->cutter.triangle_count;
-    void *grown = reserve(reader, model->faces, &reader->face_capacity, model->face_count + count,
-                          sizeof *model->faces);
-    if (grown == NULL) {
+    if (!reserve_faces(reader, count)) {
         return false;
     }
-    model->faces = grown;
     for (size_t i = 0; i < count; i++) {
         const uint32_t *corner = reader->cutter.triangles[i];
         const struct corner *polygon = reader->polygon;

@@ -52,6 +52,12 @@ struct reader_numbers {
 /* Go to the next line that is not empty; its first word. False at the end of the text. */
 bool reader_next_line(struct model_reader *reader, struct word *word);
 
+/* The next word, of this line or of those that follow. False at the end of the text. */
+bool reader_next_word(struct model_reader *reader, struct word *word);
+
+/* The word as a number within the range of a float. */
+bool reader_parse_number(struct model_reader *reader, struct word word, double *number);
+
 /* The numbers up to the end of the line. */
 bool reader_read_numbers(struct model_reader *reader, struct reader_numbers *numbers);
 
@@ -71,6 +77,9 @@ bool reader_add_corner(struct model_reader *reader, struct corner corner);
 
 /* Make faces of the polygon (at least 3 corners). Its positions must be known. */
 bool reader_add_faces(struct model_reader *reader);
+
+/* The same for a polygon of three corners, which needs no cutting. */
+bool reader_add_triangle(struct model_reader *reader, const struct corner corners[3]);
 
 /* The same for all faces from `first` on. */
 bool reader_color_faces(struct model_reader *reader, size_t first, const double color[3]);

@@ -15,164 +15,170 @@ enum {
     INDEX_DIGITS = 9
 };
 
-/* A place in the file, which ends with a line's end. */
-struct cursor {
-    const char *next;
-};
+/* A function that reads takes a place in the file, which ends with a line's end, and returns the
+ * place after what it has read; NULL where that is not as usual. */
 
-static bool is_digit(char c) {
-    return c >= '0' && c <= '9';
-}
-
-static bool is_line_end(char c) {
+static inline bool is_line_end(char c) {
     return c == '\n' || c == '\r';
 }
 
-static void skip_blanks(struct cursor *cursor) {
-    while (*cursor->next == ' ' || *cursor->next == '\t') {
-        cursor->next++;
+static inline const char *skip_blanks(const char *p) {
+    while (*p == ' ' || *p == '\t') {
+        p++;
     }
+    return p;
 }
 
-static bool at_word_end(const struct cursor *cursor) {
-    char c = *cursor->next;
-    return c == ' ' || c == '\t' || is_line_end(c);
+/* Of all that is not above a blank, the file has only blanks and line's ends. */
+static inline bool is_word_end(char c) {
+    return (unsigned char)c <= ' ';
 }
 
-/* Nothing may follow on the line but blanks. */
-static bool at_end_of_line(struct cursor *cursor) {
-    skip_blanks(cursor);
-    return is_line_end(*cursor->next);
-}
-
-/* Digits of a number, with those before them in `value`; how many there are. */
-static int read_digits(struct cursor *cursor, uint64_t *value) {
-    const char *start = cursor->next, *p = start;
-    uint64_t digits = *value;
-    for (; is_digit(*p) && p - start <= DIGIT_LIMIT; p++) {
-        digits = 10 * digits + (uint64_t)(*p - '0');
+/* Digits (none is as usual), with those before them in `value`. Up to 18 fit into 64 bits. */
+static inline const char *read_digits(const char *p, uint64_t *value) {
+    uint64_t sum = *value;
+    for (unsigned digit; (digit = (unsigned char)*p - (unsigned)'0') <= 9; p++) {
+        sum = 10 * sum + digit;
     }
-    *value = digits;
-    cursor->next = p;
-    return (int)(p - start);
+    *value = sum;
+    return p;
 }
 
-/* The power of ten of "e-5"; 0 where there is none. False where it is not a small one. */
-static bool read_exponent(struct cursor *cursor, int *exponent) {
+/* The power of ten of "e-5"; 0 where there is none. Only small ones are usual. */
+static inline const char *read_exponent(const char *p, int *exponent) {
     *exponent = 0;
-    if (*cursor->next != 'e' && *cursor->next != 'E') {
-        return true;
+    if (*p != 'e' && *p != 'E') {
+        return p;
     }
-    cursor->next++;
-    bool negative = *cursor->next == '-';
-    cursor->next += negative || *cursor->next == '+';
+    p++;
+    bool negative = *p == '-';
+    p += negative || *p == '+';
     uint64_t value = 0;
-    int digits = read_digits(cursor, &value);
+    const char *end = read_digits(p, &value);
+    if (end == p || end - p > 3) {
+        return NULL;
+    }
     *exponent = negative ? -(int)value : (int)value;
-    return digits >= 1 && digits <= 3;
+    return end;
 }
 
 /* A number whose digits are a whole number below 2^53 and whose power of ten is exact in double:
  * then one multiplication or division, which rounds once, gives the nearest double (Clinger, "How
- * to Read Floating Point Numbers Accurately", 1990). All others are declined. */
-static bool read_number(struct cursor *cursor, double *value) {
-    skip_blanks(cursor);
-    bool negative = *cursor->next == '-';
-    cursor->next += negative || *cursor->next == '+';
+ * to Read Floating Point Numbers Accurately", 1990). No other is usual. All are within the range of
+ * a float, below 2^53 * 10^22. */
+static const char *read_number(const char *p, double *value) {
+    p = skip_blanks(p);
+    bool negative = *p == '-';
+    p += negative | (*p == '+');
     uint64_t digits = 0;
-    int before = read_digits(cursor, &digits), after = 0, exponent;
-    if (*cursor->next == '.') {
-        cursor->next++;
-        if (before <= DIGIT_LIMIT) {
-            after = read_digits(cursor, &digits);
-        }
+    const char *point = read_digits(p, &digits), *end = point;
+    ptrdiff_t count = point - p, decimals = 0;
+    if (*point == '.') {
+        end = read_digits(point + 1, &digits);
+        decimals = end - point - 1;
+        count += decimals;
     }
-    if (before + after < 1 || before + after > DIGIT_LIMIT || digits > UINT64_C(1) << 53 ||
-        !read_exponent(cursor, &exponent) || !at_word_end(cursor)) {
-        return false;
+    int exponent;
+    if (count < 1 || count > DIGIT_LIMIT || digits > UINT64_C(1) << 53) {
+        return NULL;
     }
-    int power = exponent - after;
+    end = read_exponent(end, &exponent);
+    if (end == NULL || !is_word_end(*end)) {
+        return NULL;
+    }
+    int power = exponent - (int)decimals;
     if (power < -POWER_LIMIT || power > POWER_LIMIT) {
-        return false;
+        return NULL;
     }
     double magnitude =
         power < 0 ? (double)digits / power_of_ten[-power] : (double)digits * power_of_ten[power];
-    *value = negative ? -magnitude : magnitude;
-    return magnitude < 1e38; /* a float holds it */
+    *value = magnitude * (negative ? -1.0 : 1.0); /* no branch: nobody can foretell a sign */
+    return end;
 }
 
-static bool read_three(struct cursor *cursor, double value[3]) {
-    return read_number(cursor, &value[0]) && read_number(cursor, &value[1]) &&
-           read_number(cursor, &value[2]) && at_end_of_line(cursor);
+/* To the end of the line, before which only blanks may stand. */
+static inline const char *read_line_end(const char *p) {
+    p = skip_blanks(p);
+    return is_line_end(*p) ? p : NULL;
 }
 
-/* u, u v or u v w; w is not used. */
-static bool read_uv(struct cursor *cursor, double uvw[3]) {
+/* Three numbers and the end of the line. */
+static const char *read_three(const char *p, double value[3]) {
+    for (int i = 0; i < 3 && p != NULL; i++) {
+        p = read_number(p, &value[i]);
+    }
+    return p != NULL ? read_line_end(p) : NULL;
+}
+
+/* u, u v or u v w, and the end of the line; w is not used. */
+static const char *read_uv(const char *p, double uvw[3]) {
     uvw[1] = 0;
     for (int count = 0; count < 3; count++) {
-        if (!read_number(cursor, &uvw[count])) {
-            return false;
-        }
-        if (at_end_of_line(cursor)) {
-            return true;
+        p = read_number(p, &uvw[count]);
+        const char *end = p != NULL ? read_line_end(p) : NULL;
+        if (p == NULL || end != NULL) {
+            return end;
         }
     }
-    return false;
+    return NULL;
 }
 
 /* The index from 0 of an element of which there are `count` so far. */
-static bool read_index(struct cursor *cursor, size_t count, uint32_t *index) {
-    bool negative = *cursor->next == '-';
-    cursor->next += negative;
+static inline const char *read_index(const char *p, size_t count, uint32_t *index) {
+    bool negative = *p == '-';
+    p += negative;
     uint64_t value = 0;
-    int digits = read_digits(cursor, &value);
-    if (digits < 1 || digits > INDEX_DIGITS || value < 1 || value > count) {
-        return false;
+    const char *end = read_digits(p, &value);
+    if (end == p || end - p > INDEX_DIGITS || value < 1 || value > count) {
+        return NULL;
     }
     *index = (uint32_t)(negative ? count - value : value - 1);
-    return true;
+    return end;
 }
 
 /* "v", "v/vt", "v//vn" or "v/vt/vn". */
-static bool read_corner(struct cursor *cursor, const struct model *model, struct corner *corner) {
+static inline const char *read_corner(const char *p, const struct model *model,
+                                      struct corner *corner) {
     *corner = (struct corner){0, MODEL_NONE, MODEL_NONE};
-    if (!read_index(cursor, model->position_count, &corner->position)) {
-        return false;
-    }
-    if (*cursor->next == '/') {
-        cursor->next++;
-        if (*cursor->next != '/' && !read_index(cursor, model->uv_count, &corner->uv)) {
-            return false;
+    p = read_index(p, model->position_count, &corner->position);
+    if (p != NULL && *p == '/') {
+        p++;
+        if (*p != '/') {
+            p = read_index(p, model->uv_count, &corner->uv);
         }
-        if (*cursor->next == '/') {
-            cursor->next++;
-            if (!read_index(cursor, model->normal_count, &corner->normal)) {
-                return false;
-            }
+        if (p != NULL && *p == '/') {
+            p = read_index(p + 1, model->normal_count, &corner->normal);
         }
     }
-    return at_word_end(cursor);
+    return p != NULL && is_word_end(*p) ? p : NULL;
+}
+
+/* The corners of a face, and the end of the line. */
+static const char *read_corners(const char *p, const struct model *model,
+                                struct corner corners[CORNER_LIMIT], size_t *count) {
+    *count = 0;
+    for (p = skip_blanks(p); p != NULL && !is_line_end(*p); *count += 1) {
+        p = *count < CORNER_LIMIT ? read_corner(p, model, &corners[*count]) : NULL;
+        p = p != NULL ? skip_blanks(p) : NULL;
+    }
+    return p;
 }
 
 static enum obj_quick_result result_of(bool has_memory) {
     return has_memory ? OBJ_QUICK_DONE : OBJ_QUICK_OUT_OF_MEMORY;
 }
 
-static enum obj_quick_result read_face(struct cursor *cursor, struct model_reader *reader) {
+static enum obj_quick_result add_polygon(struct model_reader *reader, const struct corner *corners,
+                                         size_t count) {
+    if (count == 3) {
+        return result_of(reader_add_triangle(reader, corners));
+    }
+    bool has_memory = true;
     reader->polygon_size = 0;
-    while (!at_end_of_line(cursor)) {
-        struct corner corner;
-        if (reader->polygon_size == CORNER_LIMIT || !read_corner(cursor, reader->model, &corner)) {
-            return OBJ_QUICK_DECLINED;
-        }
-        if (!reader_add_corner(reader, corner)) {
-            return OBJ_QUICK_OUT_OF_MEMORY;
-        }
+    for (size_t i = 0; has_memory && i < count; i++) {
+        has_memory = reader_add_corner(reader, corners[i]);
     }
-    if (reader->polygon_size < 3) {
-        return OBJ_QUICK_DECLINED;
-    }
-    return result_of(reader_add_faces(reader));
+    return result_of(has_memory && reader_add_faces(reader));
 }
 
 /* How long the keyword is that stands here: v, vt, vn or f, and then a blank; 0 for another. */
@@ -184,27 +190,38 @@ static size_t keyword_length(const char *word) {
     return word[length] == ' ' || word[length] == '\t' ? length : 0;
 }
 
-/* A line. Those that begin with another keyword are passed over. */
-static enum obj_quick_result read_statement(struct cursor *cursor, struct model_reader *reader) {
-    const char *word = cursor->next;
-    size_t length = keyword_length(word);
+/* What stands on a line after a keyword of so many letters. */
+static enum obj_quick_result read_statement(const char **place, size_t length,
+                                            struct model_reader *reader) {
+    const char *word = *place, *p = word + length;
+    struct corner corners[CORNER_LIMIT];
     double value[3];
-    if (length == 0) { /* "f" alone is wrong, "vp" is rare */
-        return word[0] == 'v' || word[0] == 'f' ? OBJ_QUICK_DECLINED : OBJ_QUICK_DONE;
-    }
-    cursor->next += length;
-    if (word[0] == 'f') {
-        return read_face(cursor, reader);
-    }
-    if (length == 2 && word[1] == 't') {
-        return read_uv(cursor, value) ? result_of(reader_add_uv(reader, value[0], value[1]))
-                                      : OBJ_QUICK_DECLINED;
-    }
-    if (!read_three(cursor, value)) {
+    size_t count = 3;
+    bool is_face = word[0] == 'f', is_uv = word[1] == 't';
+    p = is_face ? read_corners(p, reader->model, corners, &count)
+        : is_uv ? read_uv(p, value)
+                : read_three(p, value);
+    if (p == NULL || count < 3) {
         return OBJ_QUICK_DECLINED;
     }
-    return result_of(length == 2 ? reader_add_normal(reader, value)
-                                 : reader_add_position(reader, value));
+    *place = p;
+    if (is_face) {
+        return add_polygon(reader, corners, count);
+    }
+    return result_of(is_uv         ? reader_add_uv(reader, value[0], value[1])
+                     : length == 2 ? reader_add_normal(reader, value)
+                                   : reader_add_position(reader, value));
+}
+
+/* A line up to its end. Those that begin with another keyword are passed over. */
+static enum obj_quick_result read_line(const char **place, struct model_reader *reader) {
+    *place = skip_blanks(*place);
+    size_t length = keyword_length(*place);
+    if (length > 0) {
+        return read_statement(place, length, reader);
+    }
+    bool unusual = **place == 'v' || **place == 'f'; /* "f" alone is wrong, "vp" is rare */
+    return unusual ? OBJ_QUICK_DECLINED : OBJ_QUICK_DONE;
 }
 
 /* Is every carriage return the first half of a line's end? */
@@ -217,13 +234,21 @@ static bool has_usual_line_ends(const char *data, const char *end) {
     return true;
 }
 
-/* Plain text without what needs another look at a line: no backslash, which may join lines, no zero
- * byte, no byte-order mark, no vertical blanks; and it ends with a line's end. */
+/* Is there a character that needs another look at a line: a backslash, which may join lines, or a
+ * control character? */
+static bool has_rare_characters(const char *data, size_t size) {
+    unsigned rare = 0;
+    for (size_t i = 0; i < size; i++) {
+        unsigned char c = (unsigned char)data[i];
+        rare |= (unsigned)(c == '\\') | ((c < ' ') & (c != '\n') & (c != '\r') & (c != '\t'));
+    }
+    return rare != 0;
+}
+
+/* Plain text without a byte-order mark that ends with a line's end. */
 static bool is_usual(const char *data, size_t size) {
     return size > 0 && data[size - 1] == '\n' && data[0] != '\xEF' &&
-           memchr(data, '\\', size) == NULL && memchr(data, '\0', size) == NULL &&
-           memchr(data, '\v', size) == NULL && memchr(data, '\f', size) == NULL &&
-           has_usual_line_ends(data, data + size);
+           !has_rare_characters(data, size) && has_usual_line_ends(data, data + size);
 }
 
 enum obj_quick_result obj_quick_read(struct model_reader *reader, const char *data, size_t size) {
@@ -231,15 +256,14 @@ enum obj_quick_result obj_quick_read(struct model_reader *reader, const char *da
         return OBJ_QUICK_DECLINED;
     }
     const char *end = data + size;
-    struct cursor cursor = {data};
-    while (cursor.next < end) {
-        skip_blanks(&cursor);
-        enum obj_quick_result result = read_statement(&cursor, reader);
+    for (const char *place = data; place < end; place++) {
+        enum obj_quick_result result = read_line(&place, reader);
         if (result != OBJ_QUICK_DONE) {
             return result;
         }
-        const char *line_end = memchr(cursor.next, '\n', (size_t)(end - cursor.next));
-        cursor.next = line_end + 1; /* there is one: the last byte */
+        if (*place != '\n') { /* the last byte is one */
+            place = memchr(place, '\n', (size_t)(end - place));
+        }
     }
     return OBJ_QUICK_DONE;
 }

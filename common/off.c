@@ -1,4 +1,6 @@
-/* OFF files; see off.h. */
+/* OFF files; see off.h. A line may end between any two words of them. It counts in two places: the
+ * colour of a face ends with its line, and where a line has one number more than a vertex with a
+ * colour, that is alpha. */
 #include "off.h"
 
 #include "model_reader.h"
@@ -62,22 +64,36 @@ static bool read_count(struct model_reader *reader, struct word word, const char
     return true;
 }
 
-/* The numbers of vertices, faces and (not used, may be missing) edges, from `word` on. A vertex
- * takes at least 6 bytes ("0 0 0" and a line's end), a face at least 2. */
+/* Read over the number of edges, which nobody needs: it may be missing where the numbers before it
+ * end their line. */
+static bool skip_edges(struct model_reader *reader, size_t line_of_vertices) {
+    struct word word = text_next_word(&reader->text);
+    int64_t ignored;
+    if (word.length == 0 &&
+        (reader->line == line_of_vertices || !reader_next_word(reader, &word))) {
+        return true;
+    }
+    return reader_parse_index(word, &ignored) ||
+           text_error(reader->error, reader->line, "'%s' is not a number of edges",
+                      word_show(word).text);
+}
+
+/* The numbers of vertices, faces and edges, from `word` on. A vertex takes at least 6 bytes
+ * ("0 0 0" and a blank), a face at least 2. */
 static bool read_counts(struct model_reader *reader, struct word word, size_t *vertices,
                         size_t *faces) {
     if (word.length == 0 && !reader_next_line(reader, &word)) {
         return text_error(reader->error, reader->line,
                           "the numbers of vertices and faces are missing");
     }
+    size_t line = reader->line;
     if (!read_count(reader, word, "vertices", vertices)) {
         return false;
     }
-    word = text_next_word(&reader->text);
-    if (word.length == 0) {
+    if (!reader_next_word(reader, &word)) {
         return text_error(reader->error, reader->line, "the number of faces is missing");
     }
-    if (!read_count(reader, word, "faces", faces)) {
+    if (!read_count(reader, word, "faces", faces) || !skip_edges(reader, line)) {
         return false;
     }
     uint64_t left = (uint64_t)(reader->text.end - reader->text.next) + 1;
@@ -87,7 +103,7 @@ static bool read_counts(struct model_reader *reader, struct word word, size_t *v
                       *faces);
 }
 
-/* "OFF" and the numbers, on one line or two. */
+/* "OFF" and the numbers. */
 static bool read_header(struct model_reader *reader, struct off_kind *kind, size_t *vertices,
                         size_t *faces) {
     struct word word;
@@ -108,26 +124,33 @@ static bool read_header(struct model_reader *reader, struct off_kind *kind, size
 
 /* ---- Vertices ---- */
 
-static bool read_vertex(struct model_reader *reader, const struct off_kind *kind, size_t number,
-                        size_t total) {
-    struct reader_numbers numbers;
-    struct word first;
-    if (!reader_next_line(reader, &first)) {
+/* Is there just one word more on this line? */
+static bool one_word_is_left(const struct model_reader *reader) {
+    struct text text = reader->text;
+    struct word first = text_next_word(&text), second = text_next_word(&text);
+    return first.length > 0 && second.length == 0;
+}
+
+/* The next number of vertex `number` of `total`. */
+static bool read_number(struct model_reader *reader, size_t number, size_t total, double *value) {
+    struct word word;
+    if (!reader_next_word(reader, &word)) {
         return text_error(reader->error, reader->line, "the file ends after %zu of %zu vertices",
                           number, total);
     }
-    reader->text.next = first.start; /* the first word is a number too */
-    if (!reader_read_numbers(reader, &numbers)) {
-        return false;
+    return reader_parse_number(reader, word, value);
+}
+
+static bool read_vertex(struct model_reader *reader, const struct off_kind *kind, size_t number,
+                        size_t total) {
+    double value[READER_NUMBER_LIMIT];
+    size_t color_at = kind->normal ? 6 : 3;
+    size_t least = color_at + (kind->color ? 3 : 0) + (kind->uv ? 2 : 0), count = 0;
+    while (count < least || (count == least && kind->color && one_word_is_left(reader))) {
+        if (!read_number(reader, number, total, &value[count++])) {
+            return false;
+        }
     }
-    size_t color_at = kind->normal ? 6 : 3, count = numbers.count;
-    size_t least = color_at + (kind->color ? 3 : 0) + (kind->uv ? 2 : 0);
-    bool alpha = kind->color && count == least + 1; /* read over */
-    if (count != least && !alpha) {
-        return text_error(reader->error, reader->line, "a vertex has %zu%s numbers here, not %zu",
-                          least, kind->color ? " (with alpha one more)" : "", count);
-    }
-    const double *value = numbers.value;
     return reader_add_position(reader, value) &&
            (!kind->color || reader_color_position(reader, value + color_at)) &&
            (!kind->normal || reader_add_normal(reader, value + 3)) &&
@@ -183,8 +206,8 @@ static bool read_corner(struct model_reader *reader, const struct off_kind *kind
 static bool read_polygon(struct model_reader *reader, const struct off_kind *kind, size_t size) {
     reader->polygon_size = 0;
     for (size_t i = 0; i < size; i++) {
-        struct word word = text_next_word(&reader->text);
-        if (word.length == 0) {
+        struct word word;
+        if (!reader_next_word(reader, &word)) {
             return text_error(reader->error, reader->line, "face has %zu corners, not %zu", i,
                               size);
         }
@@ -220,7 +243,7 @@ static bool read_face(struct model_reader *reader, const struct off_kind *kind, 
     size_t size = 0, first = reader->model->face_count;
     double color[3];
     bool colored = false;
-    if (!reader_next_line(reader, &word)) {
+    if (!reader_next_word(reader, &word)) {
         return text_error(reader->error, reader->line, "the file ends after %zu of %zu faces",
                           number, total);
     }
@@ -244,6 +267,11 @@ static bool read_all(struct model_reader *reader) {
         if (!read_face(reader, &kind, i, faces)) {
             return false;
         }
+    }
+    struct word word;
+    if (reader->model->face_count == 0 && reader_next_word(reader, &word)) { /* read amiss */
+        return text_error(reader->error, reader->line,
+                          "the file goes on after %zu faces, none with 3 corners", faces);
     }
     return reader_finish_colors(reader);
 }

@@ -238,10 +238,15 @@ bool options_parse(struct options *options, const struct program *program, int a
                    struct error *error) {
     *options = (struct options){.format = &image_file_formats[0]};
     int count = 1;
+    bool ended = false; /* by "--": what follows is no option, whatever it begins with */
     for (int i = 1; i < argc; i += count) {
-        bool is_input = argv[i][0] != '-' || strcmp(argv[i], "-") == 0;
+        bool is_input = ended || argv[i][0] != '-' || strcmp(argv[i], "-") == 0;
         const char *value = i + 1 < argc ? argv[i + 1] : NULL;
         count = 1;
+        if (!ended && strcmp(argv[i], "--") == 0) {
+            ended = true;
+            continue;
+        }
         if (is_input ? !parse_input(options, program, argv[i], error)
                      : !parse_option(options, program, argv[i], value, &count, error)) {
             return false;

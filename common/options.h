@@ -33,7 +33,7 @@ struct options {
 /* Does the program draw a model, which the command line may then name? */
 bool program_takes_model(const struct program *program);
 
-/* Read the command line. False, with a message, where it is wrong. */
+/* Read the command line; "--" ends the options. False, with a message, where it is wrong. */
 bool options_parse(struct options *options, const struct program *program, int argc, char **argv,
                    struct error *error);
 

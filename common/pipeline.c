@@ -1,4 +1,4 @@
-/* The pipeline: recording, and the bands of a frame. See pipeline.h. */
+/* The pipeline: recording draw calls, and what a frame takes besides the pixels. See pipeline.h. */
 #include "pipeline.h"
 
 #include "array.h"
@@ -54,6 +54,8 @@ void pipeline_free(struct pipeline *pipeline) {
     free(pipeline->blocks.data);
     free(pipeline->pieces.data);
     free(pipeline->clipped.data);
+    free(pipeline->visible.data);
+    free(pipeline->band_work.data);
     free(pipeline->band_counts.data);
     free(pipeline->bins.data);
     free(pipeline->binned.data);
@@ -174,28 +176,15 @@ bool pipeline_draw(struct pipeline *p, const struct draw_call *call, const struc
     if (!pipeline_assemble(p, draw, error)) {
         return false;
     }
-    memcpy((char *)p->uniforms.data + p->uniforms_end, uniforms, size);
+    if (size > 0) {
+        memcpy((char *)p->uniforms.data + p->uniforms_end, uniforms, size);
+    }
     p->uniforms_end += (size + UNIFORMS_ALIGNMENT - 1) / UNIFORMS_ALIGNMENT * UNIFORMS_ALIGNMENT;
     p->draw_count++;
     return true;
 }
 
 /* ---- Sorting pieces into bands ---- */
-
-static struct span rows_of_piece(const struct piece *piece, const struct draw *draw) {
-    const struct fixed2 *c = piece->corner;
-    struct span rows = {(least_of(c[0].y, c[1].y, c[2].y) + SUBPIXELS / 2 - 1) >> 8,
-                        ((most_of(c[0].y, c[1].y, c[2].y) - SUBPIXELS / 2) >> 8) + 1};
-    int bottom = draw->call.viewport.y;
-    return span_overlap(rows, (struct span){bottom, bottom + draw->call.viewport.height});
-}
-
-/* What the threads that draw a frame share. */
-struct frame {
-    struct pipeline *pipeline;
-    struct image *image;
-    size_t block_count;
-};
 
 /* Write the pieces of a draw call's blocks into the bands' lists; `band_counts` are the places of
  * the next ones. */
@@ -247,264 +236,10 @@ static bool lay_out_bins(struct frame *frame, size_t *largest, struct error *err
         bins[band].count = place - bins[band].first;
         *largest = bins[band].count > *largest ? bins[band].count : *largest;
     }
-    if (place >= UINT32_MAX) {
-        return error_set(error, "more than %lu triangles in one frame", (unsigned long)UINT32_MAX);
+    if (place > INT_MAX) {
+        return error_set(error, "more than %d triangles in one frame", INT_MAX);
     }
     return buffer_reserve(&p->binned, place, sizeof(uint32_t), error);
-}
-
-/* ---- Cover: which piece is nearest at each pixel ---- */
-
-/* Boxes of at most this many pixels are covered without spans, with 32-bit edge functions. */
-enum { SMALL_BOX = 64 };
-
-/* A band that is being covered. */
-struct band {
-    const struct pipeline *pipeline;
-    struct scratch *scratch;
-    struct span rows;
-    size_t stride;
-    uint64_t covered;
-};
-
-static void touch(const struct band *band, int y, int x) {
-    size_t row = (size_t)(y - band->rows.begin) * (band->stride / CHUNK);
-    band->scratch->touched[row + (size_t)(x / CHUNK)] = true;
-}
-
-/* Pixels are covered eight at a time, which begin at multiples of eight on every machine. */
-typedef int32_t eight_ints __attribute__((vector_size(8 * sizeof(int32_t))));
-typedef int64_t eight_longs __attribute__((vector_size(8 * sizeof(int64_t))));
-typedef double eight_depths __attribute__((vector_size(8 * sizeof(double))));
-
-static const eight_ints eight_right = {0, 1, 2, 3, 4, 5, 6, 7};
-static const eight_depths eight_depths_right = {0, 1, 2, 3, 4, 5, 6, 7};
-
-/* Depth and number become those of the piece where it covers (`inside`: all bits or none) and is
- * nearer. Without branches: each line is one or two instructions for all eight. */
-LANES_INLINE void cover_eight(double *depths, uint32_t *numbers, eight_ints inside, eight_depths z,
-                              uint32_t number) {
-    eight_depths old_z;
-    eight_ints old_number;
-    memcpy(&old_z, depths, sizeof old_z);
-    memcpy(&old_number, numbers, sizeof old_number);
-    eight_longs nearer = __builtin_convertvector(inside, eight_longs) & (z > old_z);
-    z = (eight_depths)((nearer & (eight_longs)z) | (~nearer & (eight_longs)old_z));
-    eight_ints is_new = __builtin_convertvector(nearer, eight_ints);
-    old_number = (is_new & (int32_t)number) | (~is_new & old_number);
-    memcpy(depths, &z, sizeof z);
-    memcpy(numbers, &old_number, sizeof old_number);
-}
-
-/* The span of each row, found exactly. */
-static void cover_by_spans(struct band *band, const struct draw *draw, const struct piece *piece,
-                           uint32_t number) {
-    const struct rectangle *viewport = &draw->call.viewport;
-    const struct fixed2 *c = piece->corner;
-    struct edges edges;
-    if (!edges_setup(&edges, c[0], c[1], c[2], band->pipeline->width, band->pipeline->height)) {
-        return;
-    }
-    struct depth_slopes slopes = find_depth_slopes(piece, edges.area);
-    const struct edge *e1 = &edges.edge[1], *e2 = &edges.edge[2];
-    double step = depth_step(&slopes, e1->dx, e2->dx);
-    struct span rows = span_overlap(rows_of_piece(piece, draw), band->rows);
-    for (int y = rows.begin; y < rows.end; y++) {
-        struct span span = span_overlap(edges_span(&edges, y),
-                                        (struct span){viewport->x, viewport->x + viewport->width});
-        size_t row = (size_t)(y - band->rows.begin) * band->stride;
-        band->covered += span.end > span.begin ? (uint64_t)(span.end - span.begin) : 0;
-        for (int x = span.begin / 8 * 8; x < span.end; x += 8) {
-            double begin = depth_at(&slopes, e1->origin + e1->dx * x + e1->dy * y,
-                                    e2->origin + e2->dx * x + e2->dy * y);
-            eight_ints at = x + eight_right;
-            touch(band, y, x);
-            cover_eight(band->scratch->depth + row + x, band->scratch->number + row + x,
-                        (at >= span.begin) & (at < span.end), begin + step * eight_depths_right,
-                        number);
-        }
-    }
-}
-
-/* An edge function at the centres of the pixels of a small box: its value at pixel (0,0) of the
- * box, less what is not inside, and its steps. */
-struct small_edge {
-    int32_t origin, dx, dy, bias;
-};
-
-static struct small_edge small_edge(struct fixed2 a, struct fixed2 b) {
-    int32_t x_distance = b.x - a.x, y_distance = b.y - a.y;
-    bool top_left = y_distance < 0 || (y_distance == 0 && x_distance < 0);
-    return (struct small_edge){
-        .origin = y_distance * a.x - x_distance * a.y,
-        .dx = -y_distance * SUBPIXELS,
-        .dy = x_distance * SUBPIXELS,
-        .bias = top_left ? 0 : -1,
-    };
-}
-
-/* All pixels of a small box, tested eight at once. */
-static void cover_box(struct band *band, const struct piece *piece, struct span columns,
-                      struct span rows, uint32_t number) {
-    int left = columns.begin / 8 * 8;
-    struct fixed2 c[3];
-    for (int i = 0; i < 3; i++) { /* from the centre of the box's first pixel */
-        c[i].x = piece->corner[i].x - left * SUBPIXELS - SUBPIXELS / 2;
-        c[i].y = piece->corner[i].y - rows.begin * SUBPIXELS - SUBPIXELS / 2;
-    }
-    struct small_edge e[3] = {small_edge(c[1], c[2]), small_edge(c[2], c[0]),
-                              small_edge(c[0], c[1])};
-    struct depth_slopes slopes = find_depth_slopes(piece, e[0].origin + e[1].origin + e[2].origin);
-    double step = depth_step(&slopes, e[1].dx, e[2].dx);
-    eight_ints covered = {0}, right[3];
-    for (int i = 0; i < 3; i++) {
-        right[i] = e[i].dx * eight_right + e[i].bias;
-    }
-    eight_depths depths_right = step * eight_depths_right;
-    for (int y = rows.begin; y < rows.end; y++) {
-        size_t row = (size_t)(y - band->rows.begin) * band->stride;
-        for (int x = left; x < columns.end; x += 8) {
-            int32_t e0 = e[0].origin + e[0].dx * (x - left);
-            int32_t e1 = e[1].origin + e[1].dx * (x - left);
-            int32_t e2 = e[2].origin + e[2].dx * (x - left);
-            eight_ints outside = (e0 + right[0]) | (e1 + right[1]) | (e2 + right[2]);
-            eight_ints inside = outside >= 0;
-            covered -= inside;
-            touch(band, y, x);
-            cover_eight(band->scratch->depth + row + x, band->scratch->number + row + x, inside,
-                        depth_at(&slopes, e1, e2) + depths_right, number);
-        }
-        for (int i = 0; i < 3; i++) {
-            e[i].origin += e[i].dy;
-        }
-    }
-    for (int i = 0; i < 8; i++) {
-        band->covered += (uint64_t)covered[i];
-    }
-}
-
-static void cover_piece(struct band *band, const struct draw *draw, const struct piece *piece,
-                        uint32_t number) {
-    const struct fixed2 *c = piece->corner;
-    int32_t least_x = least_of(c[0].x, c[1].x, c[2].x), most_x = most_of(c[0].x, c[1].x, c[2].x);
-    int32_t least_y = least_of(c[0].y, c[1].y, c[2].y), most_y = most_of(c[0].y, c[1].y, c[2].y);
-    struct span columns = {(least_x + SUBPIXELS / 2 - 1) >> 8, ((most_x - SUBPIXELS / 2) >> 8) + 1};
-    const struct rectangle *v = &draw->call.viewport;
-    if (most_x - least_x <= SMALL_BOX * SUBPIXELS && most_y - least_y <= SMALL_BOX * SUBPIXELS &&
-        columns.begin >= v->x && columns.end <= v->x + v->width) {
-        cover_box(band, piece, columns, span_overlap(rows_of_piece(piece, draw), band->rows),
-                  number);
-    } else {
-        cover_by_spans(band, draw, piece, number);
-    }
-}
-
-/* ---- A band ---- */
-
-/* Make the band what it was: nothing is drawn. Only what was touched has changed. */
-static void clear_band(const struct band *band) {
-    const struct scratch *scratch = band->scratch;
-    size_t chunks = band->stride / CHUNK * BAND_HEIGHT;
-    for (size_t i = 0; i < chunks; i++) {
-        if (scratch->touched[i]) {
-            depth_clear(scratch->depth + i * CHUNK, CHUNK);
-            memset(scratch->number + i * CHUNK, 0, CHUNK * sizeof *scratch->number);
-        }
-    }
-    memset(scratch->touched, 0, chunks * sizeof *scratch->touched);
-}
-
-static void keep_depth(const struct band *band) {
-    const struct pipeline *p = band->pipeline;
-    for (int y = band->rows.begin; y < band->rows.end; y++) {
-        memcpy(p->depth + (size_t)y * p->width,
-               band->scratch->depth + (size_t)(y - band->rows.begin) * band->stride,
-               p->width * sizeof *p->depth);
-    }
-}
-
-static void call_shader(const struct shading *shading) {
-    if (shading->shader->shade != NULL) {
-        shading->shader->shade(shading);
-    } else {
-        shade_pieces(shading, shading->shader);
-    }
-}
-
-static void cover_draw(struct band *band, struct shading *shading) {
-    const struct piece *pieces = band->pipeline->pieces.data;
-    if (shading->at_once || shading->shader->discards) {
-        struct shading decide = *shading;
-        decide.image = shading->at_once ? shading->image : NULL;
-        decide.at_once = true;
-        call_shader(&decide);
-        return;
-    }
-    for (int i = shading->numbers.begin; i < shading->numbers.end; i++) {
-        cover_piece(band, shading->draw, &pieces[shading->bin[i]], (uint32_t)i + 1);
-    }
-}
-
-/* Find the draw call's pieces in the band's list: `end` is where they end, set from where they
- * begin, which was the end of the draw call before. */
-static struct span numbers_of_draw(const struct pipeline *p, const struct draw *draw, size_t band,
-                                   int begin) {
-    const struct bin *bins = p->bins.data;
-    const uint32_t *ends = p->band_counts.data;
-    if (draw->block_count == 0) {
-        return (struct span){begin, begin};
-    }
-    size_t last_block = draw->first_block + draw->block_count - 1;
-    size_t end = ends[last_block * band_count(p) + band] - bins[band].first;
-    return (struct span){begin, (int)end};
-}
-
-static void draw_band(void *context, size_t index, size_t worker) {
-    const struct frame *frame = context;
-    struct pipeline *p = frame->pipeline;
-    const struct bin *bin = (const struct bin *)p->bins.data + index;
-    int top = (int)(index + 1) * BAND_HEIGHT;
-    struct band band = {
-        .pipeline = p,
-        .scratch = (struct scratch *)p->scratch.data + worker,
-        .rows = {(int)index * BAND_HEIGHT, top < (int)p->height ? top : (int)p->height},
-        .stride = band_stride(p),
-    };
-    struct pixel_work *work = (struct pixel_work *)p->band_work.data + index;
-    *work = (struct pixel_work){0};
-    memset(band.scratch->plane_place, 0, (bin->count + 1) * sizeof *band.scratch->plane_place);
-    band.scratch->plane_count = 0;
-    for (int pass = 0; pass < (p->skip ? 2 : 1); pass++) {
-        struct shading shading = {
-            .pipeline = p,
-            .scratch = band.scratch,
-            .bin = (const uint32_t *)p->binned.data + bin->first,
-            .rows = band.rows,
-            .image = frame->image,
-            .at_once = !p->skip,
-            .work = work,
-        };
-        const struct draw *draws = p->draws.data;
-        for (size_t i = 0; i < p->draw_count; i++) {
-            shading.draw = &draws[i];
-            shading.shader = draws[i].shader;
-            shading.uniforms = (const char *)p->uniforms.data + draws[i].uniforms;
-            shading.numbers = numbers_of_draw(p, &draws[i], index, shading.numbers.end);
-            if (shading.numbers.begin == shading.numbers.end) {
-                continue;
-            }
-            if (pass == 0) {
-                cover_draw(&band, &shading);
-            } else {
-                call_shader(&shading);
-            }
-        }
-    }
-    work->covered += band.covered;
-    if (p->depth != NULL) {
-        keep_depth(&band);
-    }
-    clear_band(&band);
 }
 
 /* ---- The frame ---- */
@@ -536,6 +271,21 @@ static bool reserve_depth(struct pipeline *p, struct error *error) {
     return true;
 }
 
+/* Count the pieces of which nothing was visible. Where all is shaded at once, nobody knows. */
+static void count_hidden(struct pipeline *p) {
+    const struct draw *draws = p->draws.data;
+    const struct block *blocks = p->blocks.data;
+    const atomic_uchar *visible = p->visible.data;
+    for (size_t i = 0; p->skip && i < p->draw_count; i++) {
+        for (size_t k = 0; k < draws[i].block_count && !draws[i].shader->discards; k++) {
+            const struct block *block = &blocks[draws[i].first_block + k];
+            for (size_t piece = 0; piece < block->piece_count; piece++) {
+                p->stats[STAT_FACES_HIDDEN] += visible[block->first_piece + piece] == 0;
+            }
+        }
+    }
+}
+
 bool pipeline_finish(struct pipeline *p, struct image *image, struct error *error) {
     assert(image->width == p->width && image->height == p->height && image->format != IMAGE_GREY);
     const struct draw *draws = p->draws.data;
@@ -546,16 +296,20 @@ bool pipeline_finish(struct pipeline *p, struct image *image, struct error *erro
         start_workers(p);
     }
     if (!lay_out_bins(&frame, &largest_bin, error) || !reserve_depth(p, error) ||
+        !buffer_reserve(&p->visible, p->piece_end, sizeof(atomic_uchar), error) ||
         !buffer_reserve(&p->band_work, bands, sizeof(struct pixel_work), error) ||
         !reserve_scratch(p, largest_bin, error)) {
         return false;
     }
+    atomic_uchar *visible = p->visible.data;
+    memset(visible, 0, p->piece_end * sizeof *visible);
     pipeline_run(p, frame.block_count, bin_one_block, &frame);
-    pipeline_run(p, bands, draw_band, &frame);
+    pipeline_run(p, bands, pipeline_draw_band, &frame);
     const struct pixel_work *work = p->band_work.data;
     for (size_t i = 0; i < bands; i++) {
         p->stats[STAT_PIXELS_COVERED] += work[i].covered;
         p->stats[STAT_PIXELS_SHADED] += work[i].shaded;
     }
+    count_hidden(p);
     return true;
 }

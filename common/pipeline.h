@@ -37,6 +37,7 @@
 #include "tgaimage.h"
 #include "workers.h"
 
+#include <stdatomic.h>
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
@@ -82,8 +83,6 @@ struct shader {
      * No lane of the mask that it returns is drawn where it is unset, which only a shader that
      * `discards` may do; others return lanes_all_set(). */
     lanes_mask (*fragment)(const void *uniforms, const lanes *varyings, lanes_texel *color);
-    /* Ask memory for what the pixels will read, some time before they do. NULL: nothing. */
-    void (*prefetch)(const void *uniforms, const lanes *varyings);
     bool flat; /* the varyings of corner 0 for the whole face: nothing is interpolated */
     bool discards;
     /* The loops over pixels, compiled by SHADER() for this shader alone. NULL: loops that call the
@@ -155,6 +154,7 @@ struct pipeline {
     size_t piece_end;
     struct buffer clipped; /* of struct clipped_corners; each block has a part of it */
     size_t clipped_end;
+    struct buffer visible;     /* of atomic_uchar, for each piece: a pixel of it is visible */
     struct buffer band_counts; /* of uint32_t: pieces of a block in a band, then places */
     struct buffer bins;        /* of struct bin, one a band */
     struct buffer binned;      /* of uint32_t: indices of pieces, sorted by band */

@@ -10,7 +10,7 @@
 #endif
 
 /* Rows are drawn in bands of this many, whose depths stay in the cache. */
-enum { BAND_HEIGHT = 16 };
+enum { BAND_HEIGHT = 32 };
 
 /* Pixels of a row are drawn in chunks of this many, which begin at multiples of it on every
  * machine, so that every machine rounds alike. */
@@ -106,15 +106,15 @@ static inline size_t band_stride(const struct pipeline *pipeline) {
 
 /* The weight of a corner times the area, as a plane on the screen: the exact edge function of the
  * opposite side, from a to b, at the centres of pixels. Its value at pixel (x0,y0), and its steps. */
-struct plane {
+struct screen_plane {
     double origin, dx, dy;
 };
 
-static inline struct plane edge_plane(struct fixed2 a, struct fixed2 b, int x0, int y0) {
+static inline struct screen_plane edge_plane(struct fixed2 a, struct fixed2 b, int x0, int y0) {
     int64_t x_distance = (int64_t)b.x - a.x, y_distance = (int64_t)b.y - a.y;
     int64_t x = (int64_t)x0 * SUBPIXELS + SUBPIXELS / 2,
             y = (int64_t)y0 * SUBPIXELS + SUBPIXELS / 2;
-    return (struct plane){
+    return (struct screen_plane){
         .origin = (double)(x_distance * (y - a.y) - y_distance * (x - a.x)),
         .dx = (double)(-y_distance * SUBPIXELS),
         .dy = (double)(x_distance * SUBPIXELS),
@@ -188,12 +188,13 @@ KERNEL void fetch_planes(const struct shading *s, const struct shader *shader,
     find_recip_w(s->pipeline, s->draw, piece, recip_w);
     const struct fixed2 *c = piece->corner;
     int x0 = c[0].x >> 8, y0 = c[0].y >> 8;
-    struct plane edge[3] = {edge_plane(c[1], c[2], x0, y0), edge_plane(c[2], c[0], x0, y0),
-                            edge_plane(c[0], c[1], x0, y0)};
+    struct screen_plane edge[3] = {edge_plane(c[1], c[2], x0, y0), edge_plane(c[2], c[0], x0, y0),
+                                   edge_plane(c[0], c[1], x0, y0)};
     double scale = 1 / (edge[0].origin + edge[1].origin + edge[2].origin);
     for (size_t i = 0; i < 3; i++) {
         double over_w = recip_w[i] * scale;
-        edge[i] = (struct plane){edge[i].origin * over_w, edge[i].dx * over_w, edge[i].dy * over_w};
+        edge[i] = (struct screen_plane){edge[i].origin * over_w, edge[i].dx * over_w,
+                                        edge[i].dy * over_w};
     }
     planes->x0 = (real)x0;
     planes->y0 = (real)y0;
@@ -209,15 +210,22 @@ KERNEL void fetch_planes(const struct shading *s, const struct shader *shader,
     planes->dy[n] = (real)(edge[0].dy + edge[1].dy + edge[2].dy);
 }
 
+/* The piece of a number, seen: some pixel of it is visible. Several threads may see it. */
+static inline const struct piece *see_piece(const struct shading *s, uint32_t number) {
+    uint32_t index = s->bin[number - 1];
+    atomic_store_explicit((atomic_uchar *)s->pipeline->visible.data + index, 1,
+                          memory_order_relaxed);
+    return (const struct piece *)s->pipeline->pieces.data + index;
+}
+
 /* The planes of a piece by its number, fetched when they are first asked for. */
 KERNEL const struct planes *find_planes(const struct shading *s, const struct shader *shader,
                                         uint32_t number) {
     struct scratch *scratch = s->scratch;
     uint32_t *place = &scratch->plane_place[number];
     if (*place == 0) {
-        const struct piece *pieces = s->pipeline->pieces.data;
         *place = ++scratch->plane_count;
-        fetch_planes(s, shader, &pieces[s->bin[number - 1]], &scratch->planes[*place]);
+        fetch_planes(s, shader, see_piece(s, number), &scratch->planes[*place]);
     }
     return &scratch->planes[*place];
 }
@@ -226,11 +234,10 @@ KERNEL const struct planes *find_planes(const struct shading *s, const struct sh
  * that is 0 is found again and again.) */
 KERNEL uint32_t find_flat_color(const struct shading *s, const struct shader *shader,
                                 uint32_t number) {
-    const struct piece *pieces = s->pipeline->pieces.data;
     double given[VARYING_LIMIT];
     lanes varyings[VARYING_LIMIT];
     lanes_texel color;
-    shader->vertex(s->uniforms, pieces[s->bin[number - 1]].face, 0, given);
+    shader->vertex(s->uniforms, see_piece(s, number)->face, 0, given);
     for (size_t i = 0; i < shader->varying_count; i++) {
         varyings[i] = lanes_all((real)given[i]);
     }
@@ -301,6 +308,9 @@ KERNEL bool has_number(const struct shading *s, uint32_t number) {
 KERNEL bool gather_varyings(const struct shading *s, const struct shader *shader,
                             const uint32_t number[LANES], int x, int y, lanes *varyings) {
     bool first = true;
+    for (size_t i = 0; i < shader->varying_count; i++) {
+        varyings[i] = lanes_all(0);
+    }
     for (int begin = 0, end; begin < LANES; begin = end) {
         for (end = begin + 1; end < LANES && number[end] == number[begin]; end++) {
         }
@@ -359,11 +369,7 @@ KERNEL bool gather_pixels(const struct shading *s, const struct shader *shader,
     if (shader->flat) {
         return true;
     }
-    bool visible = gather_varyings(s, shader, number, x, y, pixels->varyings);
-    if (visible && shader->prefetch != NULL) {
-        shader->prefetch(s->uniforms, pixels->varyings);
-    }
-    return visible;
+    return gather_varyings(s, shader, number, x, y, pixels->varyings);
 }
 
 KERNEL void shade_pixels(const struct shading *s, const struct shader *shader,
@@ -377,32 +383,21 @@ KERNEL void shade_pixels(const struct shading *s, const struct shader *shader,
     write_lanes(s->image, pixels->x, pixels->y, color, pixels->drawn);
 }
 
-/* Each visible pixel of the draw call once. While the varyings of the next pixels are found, what
- * those of the last ones read comes from memory. */
+/* Each visible pixel of the draw call once. */
 KERNEL void shade_visible(const struct shading *s, const struct shader *shader) {
     struct span columns = s->draw->columns;
     size_t stride = band_stride(s->pipeline);
     lanes_int shaded = {0};
-    struct pixels pixels[2];
-    int next = 0;
-    bool waiting = false;
     for (int y = s->rows.begin; y < s->rows.end; y++) {
         const uint32_t *row = s->scratch->number + (size_t)(y - s->rows.begin) * stride;
         const bool *touched = s->scratch->touched + (size_t)(y - s->rows.begin) * (stride / CHUNK);
         for (int x = columns.begin / CHUNK * CHUNK; x < columns.end; x += LANES) {
-            if (!touched[x / CHUNK] || !gather_pixels(s, shader, row + x, x, y, &pixels[next])) {
-                continue;
+            struct pixels pixels;
+            if (touched[x / CHUNK] && gather_pixels(s, shader, row + x, x, y, &pixels)) {
+                shade_pixels(s, shader, &pixels);
+                shaded += pixels.drawn & 1;
             }
-            shaded += pixels[next].drawn & 1;
-            next = 1 - next;
-            if (waiting) {
-                shade_pixels(s, shader, &pixels[next]);
-            }
-            waiting = true;
         }
-    }
-    if (waiting) {
-        shade_pixels(s, shader, &pixels[1 - next]);
     }
     s->work->shaded += lanes_sum(shaded);
 }
@@ -420,21 +415,25 @@ static inline struct depth_slopes find_depth_slopes(const struct piece *piece, i
     return (struct depth_slopes){z[0], (z[1] - z[0]) * scale, (z[2] - z[0]) * scale};
 }
 
-/* At a pixel whose edge functions are e1 and e2; and from one pixel of a row to the next, where the
- * edge functions grow by e1 and e2, without the origin. */
-static inline double depth_at(const struct depth_slopes *s, int64_t e1, int64_t e2) {
-    return s->origin + (double)e1 * s->k1 + (double)e2 * s->k2;
+/* At a pixel whose edge functions are e1 and e2. (Not from a neighbour's depth and the step to this
+ * one: in a sliver these are far larger than the depth, and so are their roundings.) */
+static inline double depth_at(const struct depth_slopes *s, double e1, double e2) {
+    return s->origin + e1 * s->k1 + e2 * s->k2;
 }
 
-static inline double depth_step(const struct depth_slopes *s, int64_t e1, int64_t e2) {
-    return (double)e1 * s->k1 + (double)e2 * s->k2;
+/* An edge function at pixel (x,y). Beyond 2^53 it is rounded: so it is found from the chunk's first
+ * pixel on, for however many pixels at a time. */
+static inline double edge_at(const struct edge *e, int x, int y) {
+    return (double)(e->origin + e->dx * (x / CHUNK * CHUNK) + e->dy * y) +
+           (double)e->dx * (x % CHUNK);
 }
 
 /* Draw the pixels of a chunk that a piece covers and where it is nearest so far. With an image,
  * write their colours; without one, their numbers, for shade_visible(). */
 KERNEL void shade_chunk_at_once(const struct shading *s, const struct shader *shader,
                                 const struct planes *planes, uint32_t number, struct span span,
-                                int x, int y, double depth_begin, double depth_per_pixel) {
+                                int x, int y, const struct edges *edges,
+                                const struct depth_slopes *slopes) {
     size_t first = (size_t)(y - s->rows.begin) * band_stride(s->pipeline) + (size_t)x;
     double *depths = s->scratch->depth + first;
     for (int lane = 0; lane < CHUNK; lane += LANES) {
@@ -442,8 +441,9 @@ KERNEL void shade_chunk_at_once(const struct shading *s, const struct shader *sh
         uint32_t drawn[LANES];
         uint64_t count = 0;
         for (int i = 0; i < LANES; i++) {
-            depth[i] = depth_begin + depth_per_pixel * (lane + i);
             int at = x + lane + i;
+            depth[i] =
+                depth_at(slopes, edge_at(&edges->edge[1], at, y), edge_at(&edges->edge[2], at, y));
             drawn[i] = at >= span.begin && at < span.end && depth[i] > depths[lane + i];
             count += drawn[i];
         }
@@ -485,8 +485,6 @@ KERNEL void shade_piece_at_once(const struct shading *s, const struct shader *sh
     struct planes planes;
     fetch_planes(s, shader, piece, &planes);
     struct depth_slopes slopes = find_depth_slopes(piece, edges.area);
-    const struct edge *e1 = &edges.edge[1], *e2 = &edges.edge[2];
-    double per_pixel = depth_step(&slopes, e1->dx, e2->dx);
     struct span rows = span_overlap((struct span){edges.y_begin, edges.y_end}, s->draw->rows);
     rows = span_overlap(rows, s->rows);
     for (int y = rows.begin; y < rows.end; y++) {
@@ -497,9 +495,7 @@ KERNEL void shade_piece_at_once(const struct shading *s, const struct shader *sh
         }
         s->work->covered += (uint64_t)(span.end - span.begin);
         for (int x = span.begin / CHUNK * CHUNK; x < span.end && !piece->dropped; x += CHUNK) {
-            double begin = depth_at(&slopes, e1->origin + e1->dx * x + e1->dy * y,
-                                    e2->origin + e2->dx * x + e2->dy * y);
-            shade_chunk_at_once(s, shader, &planes, number, span, x, y, begin, per_pixel);
+            shade_chunk_at_once(s, shader, &planes, number, span, x, y, &edges, &slopes);
         }
     }
 }

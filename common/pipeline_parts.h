@@ -1,5 +1,6 @@
 /*
- * Private to the pipeline: what pipeline.c and pipeline_assemble.c know of each other.
+ * Private to the pipeline: what pipeline.c, pipeline_assemble.c and pipeline_bands.c know of each
+ * other.
  */
 #ifndef COMMON_PIPELINE_PARTS_H
 #define COMMON_PIPELINE_PARTS_H
@@ -32,8 +33,27 @@ void pipeline_run(struct pipeline *pipeline, size_t count, worker_function *work
 /* Transform, clip and cull the model of a recorded draw call: fills its blocks. */
 bool pipeline_assemble(struct pipeline *pipeline, struct draw *draw, struct error *error);
 
+/* What the threads that draw a frame share. */
+struct frame {
+    struct pipeline *pipeline;
+    struct image *image;
+    size_t block_count;
+};
+
+/* Draw band `index` of a frame (context: struct frame): see worker_function. */
+void pipeline_draw_band(void *context, size_t index, size_t worker);
+
 static inline size_t band_count(const struct pipeline *pipeline) {
     return (pipeline->height + BAND_HEIGHT - 1) / BAND_HEIGHT;
+}
+
+/* The rows whose pixel centres a piece may reach, in its viewport. */
+static inline struct span rows_of_piece(const struct piece *piece, const struct draw *draw) {
+    const struct fixed2 *c = piece->corner;
+    struct span rows = {(least_of(c[0].y, c[1].y, c[2].y) + SUBPIXELS / 2 - 1) >> 8,
+                        ((most_of(c[0].y, c[1].y, c[2].y) - SUBPIXELS / 2) >> 8) + 1};
+    int bottom = draw->call.viewport.y;
+    return span_overlap(rows, (struct span){bottom, bottom + draw->call.viewport.height});
 }
 
 #endif

@@ -20,6 +20,7 @@ enum {
     CHUNK_LIMIT = 0x7fffffff, /* bytes of data of a chunk */
     HEADER_SIZE = 13,         /* of IHDR */
     PIXEL_LIMIT = 4,          /* bytes of a pixel */
+    PIXELS_OF_ANY = 1 << 24,  /* pixels that any file may have, however small it is */
     PALETTE_LIMIT = 256
 };
 
@@ -83,19 +84,36 @@ static void put_u16(uint8_t *bytes, unsigned value) {
     bytes[1] = (uint8_t)(value & 255);
 }
 
+/* ---- Pixels ---- */
+
+/* Red, green, blue of a file become blue, green, red of memory, and the other way round; alpha
+ * stays. `step`, the bytes of a pixel, is a constant where this is called. */
+static inline void swap_colors(uint8_t *restrict to, const uint8_t *restrict from, size_t count,
+                               const size_t step) {
+    for (size_t i = 0; i < count * step; i += step) {
+        to[i] = from[i + 2];
+        to[i + 1] = from[i + 1];
+        to[i + 2] = from[i];
+        if (step == 4) {
+            to[i + 3] = from[i + 3];
+        }
+    }
+}
+
 /* ---- Row filters ----
  *
  * A byte is predicted from those at its left (a), above (b) and above left (c), one pixel away; the
- * file holds the difference. Rows have PIXEL_LIMIT zero bytes before them, so that a and c always
- * exist. */
+ * file holds the difference. Rows to be written have PIXEL_LIMIT zero bytes before them, so that a
+ * and c always exist. */
 
-/* a, b or c, whichever is nearest to a + b - c; in this order when equally near. */
-static uint8_t paeth(uint8_t a, uint8_t b, uint8_t c) {
-    int to_a = abs(b - c);
-    int to_b = abs(a - c);
-    int to_c = abs(a + b - 2 * c);
-    uint8_t b_or_c = to_b <= to_c ? b : c;
-    return to_a <= to_b && to_a <= to_c ? a : b_or_c;
+/* a, b or c, whichever is nearest to a + b - c; in this order when equally near. Of a and b the
+ * higher is nearest where c is low, the lower where c is high, and c between: without branches,
+ * since no processor could foretell them (Fabian Giesen's form, from stb_image). */
+static inline uint8_t paeth(uint8_t a, uint8_t b, uint8_t c) {
+    int low = a < b ? a : b, high = a < b ? b : a;
+    int place = 3 * c - a - b;
+    int low_or_c = place >= high ? low : c;
+    return (uint8_t)(place <= low ? high : low_or_c);
 }
 
 static void filter_row(unsigned filter, const uint8_t *row, const uint8_t *above, size_t size,
@@ -128,19 +146,44 @@ static void filter_row(unsigned filter, const uint8_t *row, const uint8_t *above
     }
 }
 
-/* In place; false for a filter that does not exist. `step`, the bytes of a pixel, is a constant
- * where this is called, and the loops are compiled for it. */
+/* Undo the filter of a byte, whose left and corner neighbours then become those of the next one. */
+static inline void unfilter_byte(const unsigned filter, uint8_t *byte, uint8_t above, uint8_t *left,
+                                 uint8_t *corner) {
+    unsigned predicted = filter == FILTER_SUB       ? *left
+                         : filter == FILTER_AVERAGE ? (*left + above) / 2u
+                                                    : paeth(*left, above, *corner);
+    *byte = (uint8_t)(*byte + predicted);
+    *left = *byte;
+    *corner = above;
+}
+
+/* A row of pixels of `step` bytes, which is a constant where this is called, as is `filter`. What
+ * each pixel leaves to the next stays in registers; a loop over its bytes would not keep it there. */
+static inline void unfilter_pixels(const unsigned filter, uint8_t *restrict row,
+                                   const uint8_t *restrict above, size_t size, const size_t step) {
+    uint8_t left[PIXEL_LIMIT] = {0}, corner[PIXEL_LIMIT] = {0};
+    for (size_t i = 0; i < size; i += step) {
+        unfilter_byte(filter, &row[i], above[i], &left[0], &corner[0]);
+        if (step > 1) {
+            unfilter_byte(filter, &row[i + 1], above[i + 1], &left[1], &corner[1]);
+        }
+        if (step > 2) {
+            unfilter_byte(filter, &row[i + 2], above[i + 2], &left[2], &corner[2]);
+        }
+        if (step > 3) {
+            unfilter_byte(filter, &row[i + 3], above[i + 3], &left[3], &corner[3]);
+        }
+    }
+}
+
+/* In place; false for a filter that does not exist. */
 static inline bool unfilter_row_of(unsigned filter, uint8_t *restrict row,
                                    const uint8_t *restrict above, size_t size, const size_t step) {
-    uint8_t *left = row - step;
-    const uint8_t *corner = above - step;
     switch (filter) {
     case FILTER_NONE:
         return true;
     case FILTER_SUB:
-        for (size_t i = 0; i < size; i++) {
-            row[i] = (uint8_t)(row[i] + left[i]);
-        }
+        unfilter_pixels(FILTER_SUB, row, above, size, step);
         return true;
     case FILTER_UP:
         for (size_t i = 0; i < size; i++) {
@@ -148,14 +191,10 @@ static inline bool unfilter_row_of(unsigned filter, uint8_t *restrict row,
         }
         return true;
     case FILTER_AVERAGE:
-        for (size_t i = 0; i < size; i++) {
-            row[i] = (uint8_t)(row[i] + (left[i] + above[i]) / 2);
-        }
+        unfilter_pixels(FILTER_AVERAGE, row, above, size, step);
         return true;
     case FILTER_PAETH:
-        for (size_t i = 0; i < size; i++) {
-            row[i] = (uint8_t)(row[i] + paeth(left[i], above[i], corner[i]));
-        }
+        unfilter_pixels(FILTER_PAETH, row, above, size, step);
         return true;
     default:
         return false;
@@ -320,8 +359,9 @@ static bool read_transparency(struct png *png, const struct chunk *chunk, struct
     for (size_t i = 0; palette && i < chunk->size; i++) {
         png->palette[i][3] = chunk->data[i];
     }
-    for (size_t i = 0; !palette && i < samples; i++) {
-        png->clear[i] = (uint16_t)(chunk->data[2 * i] << 8 | chunk->data[2 * i + 1]);
+    for (size_t i = 0; !palette && i < samples; i++) { /* of 16 bits, the lowest `depth` count */
+        unsigned sample = (unsigned)chunk->data[2 * i] << 8 | chunk->data[2 * i + 1];
+        png->clear[i] = (uint16_t)(sample & ((1u << png->depth) - 1));
     }
     return true;
 }
@@ -343,6 +383,9 @@ static bool read_chunk(struct png *png, const struct chunk *chunk, struct error 
         return read_data(png, chunk, error);
     }
     png->data_ended = png->seen_data;
+    if (is_type(chunk, "IHDR")) {
+        return error_set(error, "a PNG with a second header");
+    }
     if (is_type(chunk, "PLTE")) {
         return read_palette(png, chunk, error);
     }
@@ -441,34 +484,26 @@ static bool copy_plain_pixels(const struct png *png, const uint8_t *row, uint8_t
         memcpy(pixels, row, png->width);
         return true;
     case COLOR_RGB:
-        for (size_t i = 0; i < 3 * png->width; i += 3) {
-            pixels[i] = row[i + 2];
-            pixels[i + 1] = row[i + 1];
-            pixels[i + 2] = row[i];
-        }
+        swap_colors(pixels, row, png->width, 3);
         return true;
     case COLOR_RGBA:
-        for (size_t i = 0; i < 4 * png->width; i += 4) {
-            pixels[i] = row[i + 2];
-            pixels[i + 1] = row[i + 1];
-            pixels[i + 2] = row[i];
-            pixels[i + 3] = row[i + 3];
-        }
+        swap_colors(pixels, row, png->width, 4);
         return true;
     default:
         return false;
     }
 }
 
-/* Undo the filters of `raw` (each row: filter, `size` bytes), row by row, and fill the image. The
- * two row buffers have PIXEL_LIMIT zero bytes before the row. */
-static bool unpack_rows(const struct png *png, const uint8_t *raw, size_t size, uint8_t *row,
-                        uint8_t *above, struct image *image, struct error *error) {
+/* Undo the filters of `raw` (each row: filter, `size` bytes), row by row, and fill the image. Before
+ * the first row there are `size` zero bytes, a row above it. */
+static bool unpack_rows(const struct png *png, uint8_t *raw, size_t size, struct image *image,
+                        struct error *error) {
+    const uint8_t *above = raw - size;
     size_t bits = channel_count(png->color_type) * png->depth;
     size_t step = bits < 8 ? 1 : bits / 8;
     size_t pixel_size = (size_t)image->format;
     for (size_t y = png->height; y-- > 0;) {
-        memcpy(row, raw + 1, size);
+        uint8_t *row = raw + 1;
         if (!unfilter_row(raw[0], row, above, size, step)) {
             return error_set(error, "a PNG with an unknown row filter, %u", raw[0]);
         }
@@ -483,9 +518,7 @@ static bool unpack_rows(const struct png *png, const uint8_t *raw, size_t size, 
             memcpy(pixel, bgra, pixel_size);
         }
         raw += 1 + size;
-        uint8_t *kept = above;
         above = row;
-        row = kept;
     }
     return true;
 }
@@ -498,28 +531,26 @@ static bool decode_pixels(const struct png *png, struct image *image, struct err
         return error_set(error, "a PNG cut off: %zu bytes cannot hold %zux%zu pixels",
                          png->compressed.size, png->width, png->height);
     }
-    bool done = false;
-    uint8_t *raw = malloc((size_t)raw_size);
-    uint8_t *rows = calloc(2, PIXEL_LIMIT + row_size);
-    if (raw == NULL || rows == NULL) {
-        error_out_of_memory(error);
-        goto end;
+    /* Pixels of less than a byte become whole ones, or four of them. */
+    uint64_t pixels = (uint64_t)png->width * png->height;
+    if (pixels > PIXELS_OF_ANY && pixels / DEFLATE_RATIO_LIMIT > png->compressed.size) {
+        return error_set(error, "a PNG of %zux%zu pixels in no more than %zu bytes is not read",
+                         png->width, png->height, png->compressed.size);
     }
-    if (!zlib_decompress(png->compressed.data, png->compressed.size, raw, (size_t)raw_size,
-                         error)) {
-        goto end;
+    uint8_t *memory = malloc(row_size + (size_t)raw_size);
+    if (memory == NULL) {
+        return error_out_of_memory(error);
     }
-    if (!image_create(image, png->width, png->height, png_format(png), error)) {
-        goto end;
-    }
-    done = unpack_rows(png, raw, row_size, rows + PIXEL_LIMIT, rows + 2 * PIXEL_LIMIT + row_size,
-                       image, error);
+    uint8_t *raw = memory + row_size;
+    memset(memory, 0, row_size);
+    bool done =
+        zlib_decompress(png->compressed.data, png->compressed.size, raw, (size_t)raw_size, error) &&
+        image_create(image, png->width, png->height, png_format(png), error) &&
+        unpack_rows(png, raw, row_size, image, error);
     if (!done) {
         image_free(image);
     }
-end:
-    free(rows);
-    free(raw);
+    free(memory);
     return done;
 }
 
@@ -568,28 +599,27 @@ static bool append_header(struct bytes *out, const struct image *image) {
     return append_chunk(out, "IHDR", header, sizeof header, NULL, 0);
 }
 
-/* Blue, green, red in memory; red, green, blue in the file. */
+/* Row y of the rectangle as it stands in the file, not yet filtered. */
 static void load_row(const struct image *image, const struct rectangle *rect, size_t y,
                      uint8_t *row) {
     size_t step = (size_t)image->format;
     const uint8_t *pixel = image->pixels + ((rect->y + y) * image->width + rect->x) * step;
-    if (step == 1) {
+    switch (step) {
+    case 1:
         memcpy(row, pixel, rect->width);
-        return;
-    }
-    for (size_t x = 0; x < rect->width; x++, pixel += step, row += step) {
-        row[0] = pixel[2];
-        row[1] = pixel[1];
-        row[2] = pixel[0];
-        if (step == 4) {
-            row[3] = pixel[3];
-        }
+        break;
+    case 3:
+        swap_colors(row, pixel, rect->width, 3);
+        break;
+    default:
+        swap_colors(row, pixel, rect->width, 4);
+        break;
     }
 }
 
-/* How far the bytes are from zero, counted as differences -128..127. */
-static uint64_t distance_from_zero(const uint8_t *bytes, size_t size) {
-    uint64_t sum = 0;
+/* How far the bytes of a row are from zero, counted as differences -128..127. */
+static uint32_t distance_from_zero(const uint8_t *bytes, size_t size) {
+    uint32_t sum = 0; /* at most 4 * IMAGE_SIZE_LIMIT * 128 */
     for (size_t i = 0; i < size; i++) {
         sum += bytes[i] < 128 ? bytes[i] : 256u - bytes[i];
     }
@@ -611,10 +641,10 @@ static void filter_rows(const struct image *image, const struct rectangle *rect,
         load_row(image, rect, y, row);
         filter_row(first, row, above, size, step, out + 1);
         out[0] = (uint8_t)first;
-        uint64_t best = first == last ? 0 : distance_from_zero(out + 1, size);
+        uint32_t best = first == last ? 0 : distance_from_zero(out + 1, size);
         for (unsigned filter = first + 1; filter <= last && best > 0; filter++) {
             filter_row(filter, row, above, size, step, trial);
-            uint64_t sum = distance_from_zero(trial, size);
+            uint32_t sum = distance_from_zero(trial, size);
             if (sum < best) {
                 best = sum;
                 out[0] = (uint8_t)filter;
@@ -627,18 +657,40 @@ static void filter_rows(const struct image *image, const struct rectangle *rect,
     }
 }
 
-/* Is pixel x of the row (2 or more) the first of a new colour after a run of another one, and
- * clearly different from it? */
-static bool is_edge(const uint8_t *row, size_t x, size_t step) {
-    const uint8_t *pixel = row + x * step, *left = pixel - step, *left_2 = left - step;
-    int difference = 0;
-    for (size_t i = 0; i < step; i++) {
-        int d = abs(pixel[i] - left[i]);
-        difference = d > difference ? d : difference;
+/* What a row's changes of colour are like. */
+struct changes {
+    uint64_t all, hard;
+};
+
+/* The colours of a row that are not those at their left, and how many of these are hard edges: the
+ * first of a new colour after a run of another one, or after a single pixel between two of the same,
+ * and clearly different. `step`, the bytes of a pixel, is a constant where this is called. */
+static inline struct changes count_changes_of(const uint8_t *row, size_t width, const size_t step) {
+    struct changes changes = {0, 0};
+    for (size_t x = 2; x < width; x++) {
+        const uint8_t *pixel = row + x * step, *left = pixel - step, *left_2 = left - step;
+        int difference = 0, before = 0, around = 0; /* to the left, of the left ones, to left_2 */
+        for (size_t i = 0; i < step; i++) {
+            int d = abs(pixel[i] - left[i]);
+            difference = d > difference ? d : difference;
+            before |= left[i] ^ left_2[i];
+            around |= pixel[i] ^ left_2[i];
+        }
+        changes.all += difference != 0;
+        changes.hard += (difference > 8) & ((before == 0) | (around == 0));
     }
-    bool after_run = memcmp(left, left_2, step) == 0;
-    bool thin_line = memcmp(pixel, left_2, step) == 0; /* one pixel between two of another colour */
-    return difference > 8 && (after_run || thin_line);
+    return changes;
+}
+
+static struct changes count_changes(const uint8_t *row, size_t width, size_t step) {
+    switch (step) {
+    case 1:
+        return count_changes_of(row, width, 1);
+    case 3:
+        return count_changes_of(row, width, 3);
+    default:
+        return count_changes_of(row, width, 4);
+    }
 }
 
 /* Does the image consist of areas of one colour with hard edges (flat shading, lines, text)? The
@@ -647,17 +699,14 @@ static bool is_edge(const uint8_t *row, size_t x, size_t step) {
  * tenth. */
 static bool has_flat_areas(const struct image *image, const struct rectangle *rect) {
     size_t step = (size_t)image->format;
-    uint64_t changes = 0, edges = 0;
+    uint64_t all = 0, hard = 0;
     for (size_t y = 0; y < rect->height; y++) {
         const uint8_t *row = image->pixels + ((rect->y + y) * image->width + rect->x) * step;
-        for (size_t x = 2; x < rect->width; x++) {
-            if (memcmp(row + x * step, row + (x - 1) * step, step) != 0) {
-                changes++;
-                edges += is_edge(row, x, step);
-            }
-        }
+        struct changes changes = count_changes(row, rect->width, step);
+        all += changes.all;
+        hard += changes.hard;
     }
-    return edges > changes / 2;
+    return hard > all / 2;
 }
 
 /* The filtered and compressed pixels of a rectangle, at the end of `out`. */

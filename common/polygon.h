@@ -22,8 +22,9 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* Corners of a polygon that is not convex: cutting one may take as many steps as their square. */
-enum { POLYGON_CONCAVE_LIMIT = 1 << 17 };
+/* Corners of a polygon that is not convex: cutting one may take as many steps as their square,
+ * which is a tenth of a second here. */
+enum { POLYGON_CONCAVE_LIMIT = 1 << 13 };
 
 enum polygon_result {
     POLYGON_CUT,

@@ -3,6 +3,7 @@
 
 #include <assert.h>
 #include <stdlib.h>
+#include <string.h>
 
 /* The texels that one texel of the next level covers along one axis. The weights are whole numbers:
  * lengths in a unit that divides them all. */
@@ -133,15 +134,17 @@ bool texture_create(struct texture *texture, const struct image *image, struct e
         return error_set(error, "a texture of %zux%zu pixels", image->width, image->height);
     }
     uint64_t count = lay_out(texture, image->width, image->height);
-    /* One texel more, so that a texel and its right neighbour can always be read together. */
-    if (count < SIZE_MAX / sizeof *texture->texels) {
-        texture->texels = malloc(((size_t)count + 1) * sizeof *texture->texels);
+    /* A row and a texel more, so that the right and upper neighbours of every texel can be read:
+     * at the edges they count for nothing. */
+    uint64_t room = count + image->width + 1;
+    if (room <= SIZE_MAX / sizeof *texture->texels) {
+        texture->texels = malloc((size_t)room * sizeof *texture->texels);
     }
     if (texture->texels == NULL) {
         *texture = (struct texture){0};
         return error_out_of_memory(error);
     }
-    texture->texels[count] = 0;
+    memset(texture->texels + count, 0, (size_t)(room - count) * sizeof *texture->texels);
     uint32_t *next = texture->texels;
     for (size_t i = 0; i < texture->level_count; i++) {
         texture->level[i].texels = next;

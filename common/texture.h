@@ -29,7 +29,8 @@ struct texture_level {
 struct texture {
     size_t level_count;                              /* at least 1 once created */
     struct texture_level level[TEXTURE_LEVEL_LIMIT]; /* 0 is the image, each next half of it */
-    uint32_t *texels;                                /* of all levels, owned by the texture */
+    /* Of all levels, owned by the texture; after the last level a row and a texel more. */
+    uint32_t *texels;
 };
 
 /* Make a texture of an image: 32-bit texels and its mip levels down to 1x1. Each level has half the

@@ -6,107 +6,99 @@
 
 #include "lanes.h"
 #include "texture.h"
-#ifndef PREFETCH_STEP
-#define PREFETCH_STEP 5
-#endif
-
-/* One channel of the four texels around each place, mixed. */
-LANES_INLINE lanes lanes_mix_channel(const lanes_texel texel[4], int shift, lanes across,
-                                     lanes along) {
-    lanes channel[4];
-    for (int i = 0; i < 4; i++) {
-        channel[i] = lanes_from_int((lanes_int)(texel[i] >> shift & 0xFF));
-    }
-    lanes lower = channel[0] + (channel[1] - channel[0]) * across;
-    lanes upper = channel[2] + (channel[3] - channel[2]) * across;
-    return lower + (upper - lower) * along;
-}
 
 /* A place between texel centres along one axis: the lower one of its two neighbours, and how far it
- * lies towards the other, 0..1. */
+ * lies towards the other: 0 at the last texel, which has no other. */
 struct lanes_place {
     lanes_int texel;
     lanes fraction;
 };
 
 LANES_INLINE struct lanes_place lanes_find_texel(lanes coordinate, size_t size) {
-    real last = (real)(uint32_t)(size - 1), last_lower = size > 1 ? last - 1 : 0;
+    real last = (real)(uint32_t)(size - 1);
     lanes place = coordinate * (last + 1) - 0.5f;
     place = lanes_min(lanes_max(place, lanes_all(0)), lanes_all(last));
-    lanes_int texel = lanes_to_int(lanes_min(place, lanes_all(last_lower)));
+    lanes_int texel = lanes_to_int(place);
     return (struct lanes_place){texel, place - lanes_from_int(texel)};
 }
 
-/* Two neighbours of a row in one word. (The last texel of a texture is followed by one more.) */
+/* Where the four texels around each pixel's place are in a level of that size. */
+struct texel_place {
+    size_t width, height;
+    uint32_t index[LANES]; /* of the lower left one */
+    lanes weight[4];       /* lower left, lower right, upper left, upper right; sum 1 */
+};
+
+/* The four texels, mixed by texels_mix(). */
+struct texels {
+    lanes_texel texel[4];
+    lanes weight[4];
+};
+
+LANES_INLINE void texture_find(const struct texture_level *level, struct lanes2 uv,
+                               struct texel_place *place) {
+    struct lanes_place x = lanes_find_texel(uv.x, level->width);
+    struct lanes_place y = lanes_find_texel(uv.y, level->height);
+    lanes_texel index = (lanes_texel)y.texel * (uint32_t)level->width + (lanes_texel)x.texel;
+    place->width = level->width;
+    place->height = level->height;
+    place->weight[3] = x.fraction * y.fraction;
+    place->weight[2] = y.fraction - place->weight[3];
+    place->weight[1] = x.fraction - place->weight[3];
+    place->weight[0] = 1 - x.fraction - place->weight[2];
+    memcpy(place->index, &index, sizeof place->index);
+}
+
+/* Two neighbours of a row in one word. */
 static inline uint64_t texel_pair(const uint32_t *texels) {
     return texels[0] | (uint64_t)texels[1] << 32;
 }
 
-/* Where the lower left of the four texels around each pixel's place is, and how far the place lies
- * between them. */
-struct texel_place {
-    uint32_t index[LANES];
-    lanes across, along;
-    size_t up; /* from a texel to the one above */
-    const uint32_t *texels;
-};
-
-LANES_INLINE struct texel_place texture_place(const struct texture *texture, struct lanes2 uv,
-                                              size_t level) {
+/* Fetch from one level (clamped to the last one). `place` is all zero, or where the last fetch at
+ * the same uv was: textures of one size have the same places. Memory is slow: fetch from several
+ * textures first, and mix then, so that the processor waits for all of them at once. */
+LANES_INLINE struct texels texture_fetch(const struct texture *texture, struct lanes2 uv,
+                                         size_t level, struct texel_place *place) {
     size_t last_level = texture->level_count - 1;
     const struct texture_level *l = &texture->level[level < last_level ? level : last_level];
-    struct lanes_place x = lanes_find_texel(uv.x, l->width), y = lanes_find_texel(uv.y, l->height);
-    lanes_texel index = (lanes_texel)y.texel * (uint32_t)l->width + (lanes_texel)x.texel;
-    struct texel_place place = {.across = x.fraction,
-                                .along = y.fraction,
-                                .up = l->height > 1 ? l->width : 0,
-                                .texels = l->texels};
-    memcpy(place.index, &index, sizeof place.index);
-    return place;
-}
-
-LANES_INLINE void texture_prefetch(const struct texture *texture, struct lanes2 uv, size_t level) {
-    struct texel_place place = texture_place(texture, uv, level);
-    for (int i = 0; i < LANES; i += PREFETCH_STEP) {
-        __builtin_prefetch(place.texels + place.index[i]);
-        __builtin_prefetch(place.texels + place.index[i] + place.up);
+    if (place->width != l->width || place->height != l->height) {
+        texture_find(l, uv, place);
     }
-}
-
-/* The four texels around each pixel's place, and how far it lies between them. */
-struct texels {
-    lanes_texel texel[4]; /* lower left, lower right, upper left, upper right */
-    lanes across, along;  /* 0..1 */
-};
-
-/* Fetch from one level (clamped to the last one). Memory is slow: fetch what is needed from several
- * textures first, and mix then, so that the processor waits for all of it at once. */
-LANES_INLINE struct texels texture_fetch(const struct texture *texture, struct lanes2 uv,
-                                         size_t level) {
-    struct texel_place place = texture_place(texture, uv, level);
     uint64_t lower[LANES], upper[LANES];
     for (int i = 0; i < LANES; i++) {
-        lower[i] = texel_pair(place.texels + place.index[i]);
-        upper[i] = texel_pair(place.texels + place.index[i] + place.up);
+        lower[i] = texel_pair(l->texels + place->index[i]);
+        upper[i] = texel_pair(l->texels + place->index[i] + l->width);
     }
-    struct texels texels = {.across = place.across, .along = place.along};
+    struct texels texels;
+    memcpy(texels.weight, place->weight, sizeof texels.weight);
     lanes_split(lower, &texels.texel[0], &texels.texel[1]);
     lanes_split(upper, &texels.texel[2], &texels.texel[3]);
     return texels;
 }
 
+/* The channel of the four texels that the bits of `mask` are, mixed, times the lowest of the bits:
+ * so no bits need be shifted. */
+LANES_INLINE lanes texels_mix_channel(const struct texels *t, uint32_t mask) {
+    lanes channel[4];
+    for (int i = 0; i < 4; i++) {
+        channel[i] = lanes_from_int((lanes_int)(t->texel[i] & mask)) * t->weight[i];
+    }
+    return (channel[0] + channel[1]) + (channel[2] + channel[3]);
+}
+
 /* Linear between the texels: red, green, blue as x, y, z in levels 0..255, not rounded. What is not
- * used of it is not computed: of a grey texture, take x. */
+ * used of it is not computed: of a grey texture, take z. */
 LANES_INLINE struct lanes3 texels_mix(const struct texels *t) {
-    return (struct lanes3){lanes_mix_channel(t->texel, 16, t->across, t->along),
-                           lanes_mix_channel(t->texel, 8, t->across, t->along),
-                           lanes_mix_channel(t->texel, 0, t->across, t->along)};
+    return (struct lanes3){texels_mix_channel(t, 0xFF0000) * (1 / 65536.0f),
+                           texels_mix_channel(t, 0xFF00) * (1 / 256.0f),
+                           texels_mix_channel(t, 0xFF)};
 }
 
 /* Both: the bilinear sample. */
 LANES_INLINE struct lanes3 texture_lanes(const struct texture *texture, struct lanes2 uv,
                                          size_t level) {
-    struct texels texels = texture_fetch(texture, uv, level);
+    struct texel_place place = {0};
+    struct texels texels = texture_fetch(texture, uv, level, &place);
     return texels_mix(&texels);
 }
 

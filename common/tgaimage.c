@@ -460,6 +460,18 @@ static void repeat_pixel(uint8_t *pixels, size_t count, size_t pixel_size) {
 
 enum { BLOCK = 48 }; /* bytes: whole pixels of every size */
 
+/* Fill a block with copies of a pixel, four bytes at a time: what is too much of one is overwritten
+ * by the next, and the last may reach past the block. */
+static inline void fill_block(uint8_t *block, const uint8_t *pixel, const size_t size) {
+    if (size == 1) {
+        memset(block, *pixel, BLOCK);
+        return;
+    }
+    for (size_t i = 0; i < BLOCK; i += size) {
+        memcpy(block + i, pixel, 4);
+    }
+}
+
 /* Unpack packets of pixels that are stored as they are wanted, in whole blocks that may reach past
  * a packet's end: so only as long as a packet of any size and a block more lie in the file and in
  * the image. Returns how many pixels are left. `size`, that of a pixel, is a constant where this is
@@ -477,12 +489,9 @@ static inline size_t unpack_inner_packets(struct tga *tga, uint8_t *pixels, size
             }
             next += count * size;
         } else {
-            uint8_t block[BLOCK];
-            for (size_t i = 0; i < BLOCK; i += size) {
-                memcpy(block + i, next, size);
-            }
-            for (size_t i = 0; i < count * size; i += BLOCK) {
-                memcpy(pixels + i, block, BLOCK);
+            fill_block(pixels, next, size);
+            for (size_t i = BLOCK; i < count * size; i += BLOCK) {
+                memcpy(pixels + i, pixels, BLOCK);
             }
             next += size;
         }
@@ -583,10 +592,14 @@ bool tga_decode(struct image *image, const void *data, size_t size, struct error
 
 /* Is pixel x equal to pixel x + 1? For every x of a row but the last, 1 or 0. `size` is a constant
  * where this is called. */
-static inline void compare_neighbours(const uint8_t *row, size_t width, uint8_t *equal,
-                                      const size_t size) {
+static inline void compare_neighbours(const uint8_t *restrict row, size_t width,
+                                      uint8_t *restrict equal, const size_t size) {
     for (size_t x = 0; x + 1 < width; x++) {
-        equal[x] = memcmp(row + x * size, row + (x + 1) * size, size) == 0;
+        uint8_t different = 0;
+        for (size_t c = 0; c < size; c++) {
+            different |= row[x * size + c] ^ row[(x + 1) * size + c];
+        }
+        equal[x] = different == 0;
     }
 }
 
@@ -597,56 +610,68 @@ struct repeats {
                      * two raw ones costs two heads, so two equal grey pixels are not. */
 };
 
-static void find_repeats(const uint8_t *row, size_t width, size_t pixel_size,
-                         const struct repeats *repeats) {
-    switch (pixel_size) {
-    case 1:
-        compare_neighbours(row, width, repeats->equal, 1);
-        break;
-    case 3:
-        compare_neighbours(row, width, repeats->equal, 3);
-        break;
-    default:
-        compare_neighbours(row, width, repeats->equal, 4);
-    }
-    repeats->equal[width - 1] = 0;
-    repeats->equal[width] = 0;
+static inline void find_repeats(const uint8_t *row, size_t width, const struct repeats *repeats,
+                                const size_t size) {
+    uint8_t *restrict equal = repeats->equal, *restrict worth = repeats->worth;
+    compare_neighbours(row, width, equal, size);
+    equal[width - 1] = 0;
+    equal[width] = 0;
     for (size_t x = 0; x < width; x++) {
-        bool enough = pixel_size > 1 || repeats->equal[x + 1] != 0;
-        repeats->worth[x] = repeats->equal[x] != 0 && enough;
+        worth[x] = size > 1 ? equal[x] : equal[x] & equal[x + 1];
     }
 }
 
-/* How many of `count` bytes come before the first that is `value`. */
-static size_t bytes_before(const uint8_t *bytes, uint8_t value, size_t count) {
-    const uint8_t *found = memchr(bytes, value, count);
-    return found != NULL ? (size_t)(found - bytes) : count;
+/* How many of `count` bytes, each 0 or 1, come before the first that is `value`. */
+static inline size_t bytes_before(const uint8_t *bytes, uint8_t value, size_t count) {
+    static const uint8_t others[2][8] = {{1, 1, 1, 1, 1, 1, 1, 1}, {0}};
+    size_t before = 0;
+    while (before + 8 <= count && memcmp(bytes + before, others[value], 8) == 0) {
+        before += 8;
+    }
+    while (before < count && bytes[before] != value) {
+        before++;
+    }
+    return before;
 }
 
 /* One row as packets; returns their size. `out` has room for the row and one byte per 128 pixels,
  * which is the worst case. */
-static size_t pack_row(const uint8_t *row, size_t width, size_t pixel_size,
-                       const struct repeats *repeats, uint8_t *out) {
-    const size_t worth = pixel_size == 1 ? 3 : 2;
+static inline size_t pack_row_of(const uint8_t *row, size_t width, const struct repeats *repeats,
+                                 uint8_t *out, const size_t size) {
+    const size_t worth = size == 1 ? 3 : 2;
     uint8_t *next = out;
-    find_repeats(row, width, pixel_size, repeats);
+    find_repeats(row, width, repeats, size);
     for (size_t x = 0; x < width;) {
-        const uint8_t *pixel = row + x * pixel_size;
+        const uint8_t *pixel = row + x * size;
         size_t limit = width - x < TGA_PACKET_LIMIT ? width - x : TGA_PACKET_LIMIT;
         size_t count = 1 + bytes_before(repeats->equal + x, 0, limit - 1);
-        bool run = count > 1;
-        if (!run) { /* up to the next run that is worth it and begins well before the limit */
+        if (count > 1) {
+            *next++ = (uint8_t)(128 + count - 1);
+            memcpy(next, pixel, size);
+            next += size;
+        } else { /* up to the next run that is worth it and begins well before the limit */
             size_t look = limit > worth ? limit - worth : 0;
             size_t before = bytes_before(repeats->worth + x + 1, 1, look);
             count = before < look ? 1 + before : limit;
+            *next++ = (uint8_t)(count - 1);
+            memcpy(next, pixel, count * size);
+            next += count * size;
         }
-        size_t stored = run ? pixel_size : count * pixel_size;
-        *next++ = (uint8_t)((run ? 128 : 0) + count - 1);
-        memcpy(next, pixel, stored);
-        next += stored;
         x += count;
     }
     return (size_t)(next - out);
+}
+
+static size_t pack_row(const uint8_t *row, size_t width, size_t pixel_size,
+                       const struct repeats *repeats, uint8_t *out) {
+    switch (pixel_size) {
+    case 1:
+        return pack_row_of(row, width, repeats, out, 1);
+    case 3:
+        return pack_row_of(row, width, repeats, out, 3);
+    default:
+        return pack_row_of(row, width, repeats, out, 4);
+    }
 }
 
 static void put_u16(uint8_t *bytes, size_t value) {

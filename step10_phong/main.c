@@ -233,13 +233,14 @@ static lanes_mask weight_map_fragment(const void *uniforms, const lanes *varying
     /* BEGIN SOLUTION 10.7 fragment functions */
     const struct uniforms *u = uniforms;
     struct lanes2 uv = uv_of(varyings);
-    struct texels colors = texture_fetch(u->diffuse, uv, u->diffuse_level);
-    struct texels normals = texture_fetch(u->normal_map, uv, u->normal_level);
-    struct texels weights = texture_fetch(u->specular, uv, u->specular_level);
+    struct texel_place place = {0};
+    struct texels colors = texture_fetch(u->diffuse, uv, u->diffuse_level, &place);
+    struct texels normals = texture_fetch(u->normal_map, uv, u->normal_level, &place);
+    struct texels weights = texture_fetch(u->specular, uv, u->specular_level, &place);
     struct surface surface = plain_surface(u, varyings);
     surface.color = texels_mix(&colors);
     surface.normal = normal_from_levels(texels_mix(&normals));
-    surface.specular *= texels_mix(&weights).x * (1 / 255.0f);
+    surface.specular *= texels_mix(&weights).z * (1 / 255.0f);
     *color = illuminate(u, &surface);
     return lanes_all_set();
     /* STARTER
@@ -254,7 +255,7 @@ static lanes_mask power_map_fragment(const void *uniforms, const lanes *varyings
     const struct uniforms *u = uniforms;
     struct surface surface = textured_surface(u, varyings);
     surface.normal = mapped_normal(u, varyings);
-    lanes level = texture_lanes(u->specular, uv_of(varyings), u->specular_level).x;
+    lanes level = texture_lanes(u->specular, uv_of(varyings), u->specular_level).z;
     surface.power = 1 + lanes_floor(level * 0.125f);
     surface.largest_power = 32;
     *color = illuminate(u, &surface);

@@ -109,6 +109,17 @@ bench: $(BUILD)/benchmark models
 	@mkdir -p $(BUILD)/bench
 	$(BUILD)/benchmark -o $(BUILD) $(STEP)
 
+# Files, beside libpng where it is installed.
+LIBPNG = $(shell echo '\#include <libpng16/png.h>' | $(CC) -E - >/dev/null 2>&1 && echo -lpng16)
+.PHONY: bench-files
+bench-files: $(BUILD)/bench-files all
+	$(BUILD)/bench-files
+
+$(BUILD)/bench-files: $(call OBJECTS_OF,files) $(BUILD)/tests/bench/measure.o \
+                      $(BUILD)/tests/bench/report.o $(BUILD)/tests/check/compare.o \
+                      $(BUILD)/libcommon.a
+	$(LINK) $^ $(LIBPNG) -lm -o $@
+
 # ---- make compare-opengl, make bench-frame: beside Mesa's renderer ----
 
 .PHONY: compare-opengl has-mesa bench-frame
@@ -142,8 +153,12 @@ bench-frame: $(BUILD)/bench-frame models
 	@$(if $(HAS_MESA),,echo 'without llvmpipe: $(MESA_IS_MISSING)')
 	@$(BUILD)/bench-frame $(OPTIONS)
 
-$(BUILD)/bench-frame: $(FRAME_OBJECTS) $(BUILD)/libcommon.a
-	$(LINK) $^ $(if $(HAS_MESA),-lEGL -lGL) -lm -o $@
+$(BUILD)/bench-frame: $(FRAME_OBJECTS) $(BUILD)/libcommon.a $(BUILD)/with-mesa
+	$(LINK) $(filter-out %-mesa,$^) $(if $(HAS_MESA),-lEGL -lGL) -lm -o $@
+
+# Changes only when Mesa comes or goes.
+$(BUILD)/with-mesa: force
+	@[ "$$(cat $@ 2>/dev/null)" = 'with: $(HAS_MESA)' ] || echo 'with: $(HAS_MESA)' >$@
 
 # ---- make mutants, portability, fuzz, coverage ----
 

@@ -2,6 +2,7 @@
 #ifndef TESTS_TIMING_H
 #define TESTS_TIMING_H
 
+#include <math.h>
 #include <stddef.h>
 #include <stdlib.h>
 #include <time.h>
@@ -15,6 +16,23 @@ static inline double clock_seconds(clockid_t clock) {
 /* The clock on the wall. */
 static inline double now(void) {
     return clock_seconds(CLOCK_MONOTONIC);
+}
+
+/* For work that takes turns with other programs. */
+struct stopwatch {
+    double wall, processor;
+};
+
+static inline struct stopwatch stopwatch_start(void) {
+    return (struct stopwatch){now(), clock_seconds(CLOCK_PROCESS_CPUTIME_ID)};
+}
+
+/* Seconds since the start. While another program has the processor, the clock on the wall goes on
+ * and the processor time does not; while several threads run, processor time goes faster. The
+ * smaller of the two is the time that the work took. */
+static inline double stopwatch_seconds(struct stopwatch start) {
+    double processor = clock_seconds(CLOCK_PROCESS_CPUTIME_ID) - start.processor;
+    return fmin(now() - start.wall, processor);
 }
 
 static inline int compare_doubles(const void *a, const void *b) {

@@ -15,16 +15,13 @@ enum { ROUNDS_LEAST = 5, ROUNDS_WANTED = 31, ROUNDS_MOST = 501, CALLS_MOST = 100
  * a few long ones. */
 static const double sample_seconds_most = 0.002;
 
-/* Seconds of one call. While another program has the processor, the clock on the wall goes on and
- * the processor time does not; while several threads run, processor time goes faster. The smaller
- * of the two is the time that the work took. */
+/* Seconds of one call. */
 static double time_calls(const struct bench_version *version, void *state, size_t calls) {
-    double start = now(), processor_start = clock_seconds(CLOCK_PROCESS_CPUTIME_ID);
+    struct stopwatch start = stopwatch_start();
     for (size_t i = 0; i < calls; i++) {
         version->run(state, version->choice);
     }
-    double processor = clock_seconds(CLOCK_PROCESS_CPUTIME_ID) - processor_start;
-    return fmin(now() - start, processor) / (double)calls;
+    return stopwatch_seconds(start) / (double)calls;
 }
 
 /* Run a version until it has had its share of the warm-up, and find from that how many runs make a

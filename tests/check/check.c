@@ -19,8 +19,8 @@
  * then `N passed, N failed` (steps), then where the difference images are. A step passes when all
  * its scenes do and its program ends with status 0. The check never stops early.
  *
- * Exit status: 0 all passed, 1 something failed, 2 the check itself cannot work (wrong usage, or a
- * reference is missing, unreadable or blank).
+ * Exit status: 0 all passed, 1 something failed, 2 the check itself cannot work (wrong usage, the
+ * models cannot be made, a reference is missing, unreadable or blank, or nobody gets the score).
  */
 #define _POSIX_C_SOURCE 200809L
 
@@ -32,6 +32,7 @@
 #include "scenes.h"
 
 #include <errno.h>
+#include <fcntl.h>
 #include <signal.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -43,16 +44,18 @@ enum {
     EXIT_ALL_PASSED = 0,
     EXIT_FAILED = 1,
     EXIT_CANNOT_WORK = 2,
-    FILE_MEGABYTES = 64,   /* largest file that a program may write */
-    PROCESS_LIMIT = 64,    /* processes of a program at the same time */
-    BUILD_SECONDS = 300,   /* for one call of make */
-    NOT_FOUND_STATUS = 127 /* of a shell that does not find the command */
+    FILE_MEGABYTES = 64,    /* largest file that a program may write */
+    PROCESS_LIMIT = 64,     /* processes of a program at the same time */
+    GIVEN_SECONDS = 600,    /* for what is built before the steps */
+    COMPILER_GIGABYTES = 2, /* memory of each process that builds a step */
+    NOT_FOUND_STATUS = 127  /* of a shell that does not find the command */
 };
 
 struct options {
     const char *root, *scenes, *references, *programs, *differences, *make, *first;
-    double seconds; /* for one step's program */
-    bool exact;     /* every pixel of every scene, whatever the table says */
+    double seconds;       /* for one step's program */
+    double build_seconds; /* for building it */
+    bool exact;           /* every pixel of every scene, whatever the table says */
 };
 
 static const struct options default_options = {
@@ -64,6 +67,7 @@ static const struct options default_options = {
     .make = "make",
     .first = "models",
     .seconds = 10,
+    .build_seconds = 60,
 };
 
 static const char help[] =
@@ -77,7 +81,7 @@ static const char help[] =
     "  --programs DIR      where make puts the programs (build)\n"
     "  --differences DIR   where difference images go   (build/differences)\n"
     "  --make COMMAND      builds DIR/STEP, the target  (make)\n"
-    "  --first TARGET      what make builds before the steps; may fail (models)\n"
+    "  --first TARGET      what make builds before the steps (models)\n"
     "  -h, --help\n"
     "\n"
     "A difference image shows the reference, yours and the difference. Wrong pixels are red where\n"
@@ -85,6 +89,7 @@ static const char help[] =
     "both; dark green ones are not equal, but not wrong.\n"
     "\n"
     "CHECK_TIMEOUT in the environment: seconds that a step's program may take (10).\n"
+    "CHECK_BUILD_TIMEOUT in the environment: seconds that building it may take (60).\n"
     "CHECK_EXACT=1 in the environment: every pixel of every scene must be equal.\n"
     "Exit status: 0 all passed, 1 something failed, 2 the check itself cannot work.\n"
     "To see all that a program says, run it by hand: build/step05_zbuffer -o DIRECTORY\n";
@@ -114,105 +119,148 @@ static void print_step(const char *step, const struct bytes *line) {
     fflush(stdout); /* so that each line is seen as soon as it is known */
 }
 
+/* ---- One check at a time ---- */
+
+/* Two checks in one directory would remove each other's programs: the second waits. The lock is the
+ * system's, and goes when this process does, however it ends. False, with a message, when the
+ * directory cannot be written. */
+static bool lock_programs(const struct options *options, struct error *error) {
+    struct flock whole = {.l_type = F_WRLCK, .l_whence = SEEK_SET};
+    char path[DRAWN_PATH_LIMIT];
+    if (!directory_create(options->programs, error)) {
+        return false;
+    }
+    snprintf(path, sizeof path, "%s/check.lock", options->programs);
+    int file = open(path, O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+    if (file < 0) {
+        return error_set(error, "%.900s: %s", path, strerror(errno));
+    }
+    bool busy = fcntl(file, F_SETLK, &whole) != 0 && (errno == EAGAIN || errno == EACCES);
+    if (busy) {
+        fprintf(stderr, "check: waiting for another check in %s\n", options->programs);
+        fcntl(file, F_SETLKW, &whole); /* or until a signal comes */
+    }
+    return true; /* also where the file system knows no locks */
+}
+
 /* ---- Building ---- */
+
+/* Does the part stand in the line, which may have others after it? */
+static bool line_contains(const char *line, const char *part) {
+    const char *found = strstr(line, part);
+    return found != NULL && found < line + strcspn(line, "\n");
+}
+
+/* Where the line begins in which `at` points; `text` is where the first one does. */
+static const char *line_start(const char *text, const char *at) {
+    while (at > text && at[-1] != '\n') {
+        at--;
+    }
+    return at;
+}
 
 /* The line of a compiler's, a linker's or make's output that a student needs first. */
 static struct message_line first_error(const char *output) {
     static const char *const marks[] = {"error:", "undefined reference", "multiple definition",
                                         "***"};
     for (size_t i = 0; i < sizeof marks / sizeof marks[0]; i++) {
-        for (const char *line = output; *line != '\0';) {
-            size_t length = strcspn(line, "\n");
-            const char *mark = strstr(line, marks[i]);
-            /* A linker's own "error:" only says that it has failed. */
-            const char *linker = strstr(line, "collect2:"), *clang = strstr(line, "linker command");
-            bool final = (linker != NULL && linker < line + length) ||
-                         (clang != NULL && clang < line + length);
-            if (mark != NULL && mark < line + length && !final) {
+        const char *mark = output;
+        while ((mark = strstr(mark, marks[i])) != NULL) {
+            const char *line = line_start(output, mark);
+            /* A linker's own "error:" only says that it has failed. So does make's "***" of a
+             * command; why, stands before it. */
+            if (line_contains(line, "] Error ") && line > output) {
+                return drawn_message(line_start(output, line - 1));
+            }
+            if (!line_contains(line, "collect2:") && !line_contains(line, "linker command")) {
                 return drawn_message(line);
             }
-            line += length + (line[length] == '\n');
+            mark += strlen(marks[i]);
         }
     }
     return drawn_message(output);
 }
 
-/* Call make in the root with the given targets (then NULL), which follow four fixed arguments. */
-static bool call_make(const struct options *options, const char **arguments,
-                      struct run_result *result, struct error *error) {
+/* Let make build the target in the root. */
+static bool call_make(const struct options *options, const char *target,
+                      const struct run_limits *limits, struct run_result *result,
+                      struct error *error) {
     char script[DRAWN_PATH_LIMIT];
     if ((size_t)snprintf(script, sizeof script, "%s \"$@\"", options->make) >= sizeof script) {
         return error_set(error, "the make command is too long");
     }
-    arguments[0] = "sh";
-    arguments[1] = "-c";
-    arguments[2] = script;
-    arguments[3] = "make";
+    const char *arguments[] = {"sh", "-c", script, "make", "-s", target, NULL};
     struct run_command command = {
         .arguments = arguments,
         .locale = "C", /* so that a compiler writes "error:" and not its translation */
-        .limits = {.seconds = BUILD_SECONDS},
+        .limits = *limits,
     };
-    return run(&command, result, error);
+    if (!run(&command, result, error)) {
+        return false;
+    }
+    bool found = result->end != RUN_EXITED || result->number != NOT_FOUND_STATUS;
+    return found || error_set(error, "cannot run %.100s: %s", options->make,
+                              drawn_message((const char *)result->messages.data).text);
 }
 
-/* Build all at once, which uses every core and goes on past errors. Who failed is asked later, one
- * by one; only a make that cannot be started is an error here. */
-static bool build_all(const struct options *options, const struct scene_table *table,
-                      struct error *error) {
-    const char **arguments = calloc(table->step_count + 8, sizeof *arguments);
-    char(*targets)[DRAWN_PATH_LIMIT] = calloc(table->step_count, sizeof *targets);
-    struct run_result result = {.end = RUN_EXITED};
-    bool done = arguments != NULL && targets != NULL;
-    if (!done) {
-        error_set(error, "out of memory");
-    } else {
-        size_t count = 4;
-        arguments[count++] = "-sk";
-        if (options->first[0] != '\0') {
-            arguments[count++] = options->first;
-        }
-        for (size_t i = 0; i < table->step_count; i++) {
-            if (table->steps[i].selected) {
-                snprintf(targets[i], sizeof targets[i], "%s/%s", options->programs,
-                         table->steps[i].name);
-                arguments[count++] = targets[i];
-            }
-        }
-        done = call_make(options, arguments, &result, error);
+/* Did make build all that it was told to? */
+static bool make_succeeded(const struct run_result *result) {
+    return result->end == RUN_EXITED && result->number == 0;
+}
+
+static struct message_line make_failure(const struct run_result *result, double seconds) {
+    struct message_line reason;
+    if (result->end == RUN_OUT_OF_TIME) {
+        snprintf(reason.text, sizeof reason.text, "stopped after %g s", seconds);
+        return reason;
     }
-    if (done && result.end == RUN_EXITED && result.number == NOT_FOUND_STATUS) {
-        done = error_set(error, "cannot run %.100s: %s", options->make,
-                         drawn_message((const char *)result.messages.data).text);
+    reason = first_error((const char *)result->messages.data);
+    if (reason.text[0] == '\0') {
+        snprintf(reason.text, sizeof reason.text, "make failed and does not say why");
+    }
+    return reason;
+}
+
+/* The date of a main.c says nothing of its age (tar and cp -p keep dates), and it may be gone: only
+ * a program that was removed is surely built from what is there now. */
+static bool remove_old_program(const char *path, struct error *error) {
+    return unlink(path) == 0 || errno == ENOENT ||
+           error_set(error, "cannot remove %.900s: %s", path, strerror(errno));
+}
+
+/* Build what is given: the library, the models. */
+static bool build_given(const struct options *options, struct error *error) {
+    if (options->first[0] == '\0' || run_caught_signal() != 0) {
+        return true;
+    }
+    const struct run_limits limits = {.seconds = GIVEN_SECONDS};
+    struct run_result result = {.end = RUN_EXITED};
+    bool done = call_make(options, options->first, &limits, &result, error);
+    if (done && run_caught_signal() == 0 && !make_succeeded(&result)) {
+        done = error_set(error, "cannot build %.100s: %s", options->first,
+                         make_failure(&result, limits.seconds).text);
     }
     bytes_free(&result.messages);
-    free(arguments);
-    free(targets);
     return done;
 }
 
-/* Is the step's program built and up to date? Otherwise `reason` says why not. */
-static bool build_step(const struct options *options, const char *step,
-                       struct message_line *reason) {
+/* Build the step's program; `reason` says why it could not be built, or is empty. False, with a
+ * message, when the check itself cannot do that. */
+static bool build_step(const struct options *options, const char *step, struct message_line *reason,
+                       struct error *error) {
     char target[DRAWN_PATH_LIMIT];
     snprintf(target, sizeof target, "%s/%s", options->programs, step);
-    const char *arguments[] = {NULL, NULL, NULL, NULL, "-s", target, NULL};
+    const struct run_limits limits = {.seconds = options->build_seconds,
+                                      .file_bytes = (size_t)FILE_MEGABYTES * 1000 * 1000,
+                                      .memory_bytes = (size_t)COMPILER_GIGABYTES << 30};
     struct run_result result = {.end = RUN_EXITED};
-    struct error error;
-    bool done = false;
-    if (!call_make(options, arguments, &result, &error)) {
-        *reason = drawn_message(error.message);
-    } else if (result.end == RUN_OUT_OF_TIME) {
-        snprintf(reason->text, sizeof reason->text, "stopped after %d s", BUILD_SECONDS);
-    } else if (result.end != RUN_EXITED || result.number != 0) {
-        *reason = first_error((const char *)result.messages.data);
-        if (reason->text[0] == '\0') {
-            snprintf(reason->text, sizeof reason->text, "make failed and does not say why");
-        }
-    } else if (access(target, X_OK) != 0) {
+    *reason = (struct message_line){""};
+    bool done =
+        remove_old_program(target, error) && call_make(options, target, &limits, &result, error);
+    if (done && !make_succeeded(&result)) {
+        *reason = make_failure(&result, limits.seconds);
+    } else if (done && access(target, X_OK) != 0) {
         snprintf(reason->text, sizeof reason->text, "make has built no %.150s", target);
-    } else {
-        done = true;
     }
     bytes_free(&result.messages);
     return done;
@@ -415,16 +463,17 @@ static void check_step(const struct options *options, const struct checked_step 
     if (done) {
         remove_old_differences(options, step);
         read_references(options, step, references, errors);
-        if (build_step(options, step->name, &reason)) {
-            done = draw_and_judge(options, step, references, errors, results, &line, &passed, score,
-                                  &error);
-        } else {
-            append(&line, "BUILD %s", reason.text);
-            for (size_t i = 0; i < count; i++) {
-                if (references[i].pixels == NULL) { /* the line says only what comes first */
-                    fprintf(stderr, "check: no reference: %s\n", errors[i].message);
-                    score->cannot_work = true;
-                }
+        done = build_step(options, step->name, &reason, &error);
+    }
+    if (done && reason.text[0] == '\0') {
+        done = draw_and_judge(options, step, references, errors, results, &line, &passed, score,
+                              &error);
+    } else if (done) {
+        append(&line, "BUILD %s", reason.text);
+        for (size_t i = 0; i < count; i++) {
+            if (references[i].pixels == NULL) { /* the line says only what comes first */
+                fprintf(stderr, "check: no reference: %s\n", errors[i].message);
+                score->cannot_work = true;
             }
         }
     }
@@ -454,15 +503,15 @@ static int usage_error(const char *message) {
     return EXIT_CANNOT_WORK;
 }
 
-static bool read_seconds(double *seconds, struct error *error) {
-    const char *text = getenv("CHECK_TIMEOUT");
+static bool read_seconds(const char *variable, double *seconds, struct error *error) {
+    const char *text = getenv(variable);
     if (text == NULL || text[0] == '\0') {
         return true;
     }
     char *end;
     *seconds = strtod(text, &end);
     if (*end != '\0' || !(*seconds >= 0.1 && *seconds <= 3600)) {
-        return error_set(error, "CHECK_TIMEOUT is '%.50s', not a number of seconds, 0.1..3600",
+        return error_set(error, "%s is '%.50s', not a number of seconds, 0.1..3600", variable,
                          text);
     }
     return true;
@@ -511,7 +560,9 @@ static bool read_options(struct options *options, int argc, char **argv, int *fi
         i += 2;
     }
     *first_step = i;
-    return read_seconds(&options->seconds, error) && read_exact(&options->exact, error);
+    return read_seconds("CHECK_TIMEOUT", &options->seconds, error) &&
+           read_seconds("CHECK_BUILD_TIMEOUT", &options->build_seconds, error) &&
+           read_exact(&options->exact, error);
 }
 
 static bool select_steps(struct scene_table *table, char **steps, struct error *error) {
@@ -531,7 +582,7 @@ static bool select_steps(struct scene_table *table, char **steps, struct error *
 static int check(const struct options *options, const struct scene_table *table) {
     struct score score = {.passed = 0};
     struct error error;
-    if (!build_all(options, table, &error)) {
+    if (!lock_programs(options, &error) || !build_given(options, &error)) {
         fprintf(stderr, "check: %s\n", error.message);
         return EXIT_CANNOT_WORK;
     }
@@ -546,7 +597,10 @@ static int check(const struct options *options, const struct scene_table *table)
             printf("Difference images (reference, yours, difference, side by side):\n%.*s",
                    (int)score.differences.size, (const char *)score.differences.data);
         }
-        fflush(stdout);
+        if (fflush(stdout) != 0 || ferror(stdout)) {
+            fprintf(stderr, "check: the score could not be written to standard output\n");
+            score.cannot_work = true;
+        }
     }
     bytes_free(&score.differences);
     return score.cannot_work ? EXIT_CANNOT_WORK

@@ -22,57 +22,158 @@ static inline bool is_background(struct rgb c) {
     return c.r == 0 && c.g == 0 && c.b == 0;
 }
 
-static inline bool equal(struct rgb a, struct rgb b) {
-    return a.r == b.r && a.g == b.g && a.b == b.b;
+/* ---- The rule, for a block of a row at a time ---- */
+
+enum { BLOCK = 256 }; /* pixels */
+
+/* A block's pixels and those beside it by channel: pixel i of the block is number i + 1. */
+struct channels {
+    uint8_t blue[BLOCK + 2], green[BLOCK + 2], red[BLOCK + 2];
+};
+
+/* A block, and the rows below and above it. */
+struct patch {
+    struct channels row[3];
+};
+
+/* Pixels of `step` bytes, a constant where this is called, become channels from number `at` on. */
+static inline void split_pixels(struct channels *channels, size_t at, const uint8_t *pixels,
+                                size_t count, const size_t step) {
+    const size_t green = step > 1 ? 1 : 0, red = step > 1 ? 2 : 0;
+    for (size_t i = 0; i < count; i++) {
+        channels->blue[at + i] = pixels[i * step];
+        channels->green[at + i] = pixels[i * step + green];
+        channels->red[at + i] = pixels[i * step + red];
+    }
 }
 
-static inline bool agree(struct rgb a, struct rgb b) {
-    return abs(a.r - b.r) <= COMPARE_LEVELS && abs(a.g - b.g) <= COMPARE_LEVELS &&
-           abs(a.b - b.b) <= COMPARE_LEVELS;
+static void load_pixels(struct channels *channels, size_t at, const struct image *image, size_t x,
+                        size_t y, size_t count) {
+    const uint8_t *pixels = image->pixels + (y * image->width + x) * (size_t)image->format;
+    switch (image->format) {
+    case IMAGE_GREY:
+        split_pixels(channels, at, pixels, count, 1);
+        break;
+    case IMAGE_BGR:
+        split_pixels(channels, at, pixels, count, 3);
+        break;
+    case IMAGE_BGRA:
+        split_pixels(channels, at, pixels, count, 4);
+        break;
+    }
 }
 
-/* Does the colour agree with a pixel of the image in the 3x3 around (x,y)? */
-static bool has_match(const struct image *image, size_t x, size_t y, struct rgb color) {
-    size_t right = x + 1 < image->width ? x + 1 : x, top = y + 1 < image->height ? y + 1 : y;
-    for (size_t j = y > 0 ? y - 1 : 0; j <= top; j++) {
-        for (size_t i = x > 0 ? x - 1 : 0; i <= right; i++) {
-            if (agree(pixel_at(image, i, j), color)) {
-                return true;
-            }
+/* Outside of the image its nearest pixel is repeated. That is among the neighbours anyway. */
+static void load_patch(struct patch *patch, const struct image *image, size_t x, size_t y,
+                       size_t count) {
+    const size_t left = x > 0 ? x - 1 : 0;
+    const size_t right = x + count < image->width ? x + count : x + count - 1;
+    const size_t rows[3] = {y > 0 ? y - 1 : 0, y, y + 1 < image->height ? y + 1 : y};
+    for (int j = 0; j < 3; j++) {
+        load_pixels(&patch->row[j], 0, image, left, rows[j], 1);
+        load_pixels(&patch->row[j], 1, image, x, rows[j], count);
+        load_pixels(&patch->row[j], count + 1, image, right, rows[j], 1);
+    }
+}
+
+static inline uint8_t difference(uint8_t a, uint8_t b) {
+    return (uint8_t)(a > b ? a - b : b - a);
+}
+
+static inline uint8_t larger(uint8_t a, uint8_t b) {
+    return a > b ? a : b;
+}
+
+/* How far each pixel of `colors` is from the nearest of the 3x3 around it in `patch`: two colours
+ * are as far apart as their channel that differs most. */
+static void find_nearest(uint8_t *restrict nearest, const struct channels *restrict colors,
+                         const struct patch *restrict patch, size_t count) {
+    memset(nearest, 255, count);
+    for (size_t k = 0; k < 9; k++) {
+        const struct channels *row = &patch->row[k / 3];
+        const size_t shift = k % 3;
+        for (size_t i = 0; i < count; i++) {
+            uint8_t blue = difference(colors->blue[i + 1], row->blue[i + shift]);
+            uint8_t green = difference(colors->green[i + 1], row->green[i + shift]);
+            uint8_t red = difference(colors->red[i + 1], row->red[i + shift]);
+            uint8_t far = larger(larger(blue, green), red);
+            nearest[i] = far < nearest[i] ? far : nearest[i];
         }
     }
-    return false;
 }
 
-/* A set of marks for the pixel; a pixel that is wrong has MARK_MISSING or MARK_EXTRA. */
-static inline unsigned compare_pixel(const struct image *reference, const struct image *yours,
-                                     size_t x, size_t y) {
-    struct rgb wanted = pixel_at(reference, x, y), got = pixel_at(yours, x, y);
-    if (equal(wanted, got)) {
-        return MARK_EQUAL;
+/* The marks of a block; a pixel that is wrong has MARK_MISSING or MARK_EXTRA. */
+static void mark_block(uint8_t *marks, const struct patch *reference, const struct patch *yours,
+                       size_t count) {
+    const struct channels *wanted = &reference->row[1], *got = &yours->row[1];
+    uint8_t to_wanted[BLOCK], to_got[BLOCK];
+    find_nearest(to_wanted, wanted, yours, count);
+    find_nearest(to_got, got, reference, count);
+    for (size_t i = 0; i < count; i++) {
+        bool equal = wanted->blue[i + 1] == got->blue[i + 1] &&
+                     wanted->green[i + 1] == got->green[i + 1] &&
+                     wanted->red[i + 1] == got->red[i + 1];
+        unsigned missing = to_wanted[i] > COMPARE_LEVELS ? MARK_MISSING : 0;
+        unsigned extra = to_got[i] > COMPARE_LEVELS ? MARK_EXTRA : 0;
+        marks[i] = (uint8_t)(equal ? MARK_EQUAL : MARK_NEAR | missing | extra);
     }
-    unsigned marks = MARK_NEAR;
-    if (!agree(wanted, got)) { /* otherwise the pixel itself is the match, for both sides */
-        marks |= has_match(yours, x, y, wanted) ? 0u : (unsigned)MARK_MISSING;
-        marks |= has_match(reference, x, y, got) ? 0u : (unsigned)MARK_EXTRA;
+}
+
+/* How many pixels are not background in at least one of the two. */
+static size_t count_drawn(const struct channels *a, const struct channels *b, size_t count) {
+    size_t drawn = 0;
+    for (size_t i = 1; i <= count; i++) {
+        drawn += (a->blue[i] | a->green[i] | a->red[i] | b->blue[i] | b->green[i] | b->red[i]) != 0;
     }
-    return marks;
+    return drawn;
+}
+
+/* Is the block the same bytes in both? */
+static bool is_same_block(const struct image *a, const struct image *b, size_t x, size_t y,
+                          size_t count) {
+    size_t start = (y * a->width + x) * (size_t)a->format;
+    return a->format == b->format &&
+           memcmp(a->pixels + start, b->pixels + start, count * (size_t)a->format) == 0;
+}
+
+static void add_same_block(struct comparison *result, const struct image *image, size_t x, size_t y,
+                           size_t count) {
+    struct channels row;
+    load_pixels(&row, 1, image, x, y, count);
+    result->drawn += count_drawn(&row, &row, count);
+}
+
+static void add_block(struct comparison *result, const struct image *reference,
+                      const struct image *yours, size_t x, size_t y, size_t count) {
+    struct patch wanted, got;
+    uint8_t marks[BLOCK];
+    load_patch(&wanted, reference, x, y, count);
+    load_patch(&got, yours, x, y, count);
+    mark_block(marks, &wanted, &got, count);
+    result->drawn += count_drawn(&wanted.row[1], &got.row[1], count);
+    for (size_t i = 0; i < count; i++) {
+        result->differing += marks[i] != MARK_EQUAL;
+        result->wrong += (marks[i] & (MARK_MISSING | MARK_EXTRA)) != 0;
+    }
+}
+
+static size_t block_size(const struct image *image, size_t x) {
+    return image->width - x < BLOCK ? image->width - x : BLOCK;
 }
 
 struct comparison compare_images(const struct image *reference, const struct image *yours) {
     struct comparison result = {.drawn = 0};
-    bool blank = true; /* yours so far */
     for (size_t y = 0; y < reference->height; y++) {
-        for (size_t x = 0; x < reference->width; x++) {
-            bool background = is_background(pixel_at(yours, x, y));
-            blank &= background;
-            result.drawn += !(background && is_background(pixel_at(reference, x, y)));
-            unsigned marks = compare_pixel(reference, yours, x, y);
-            result.differing += marks != MARK_EQUAL;
-            result.wrong += (marks & (MARK_MISSING | MARK_EXTRA)) != 0;
+        for (size_t x = 0; x < reference->width; x += BLOCK) {
+            size_t count = block_size(reference, x);
+            if (is_same_block(reference, yours, x, y, count)) {
+                add_same_block(&result, reference, x, y, count);
+            } else {
+                add_block(&result, reference, yours, x, y, count);
+            }
         }
     }
-    if (blank) {
+    if (image_is_blank(yours)) {
         result.wrong = result.drawn;
     }
     return result;
@@ -127,6 +228,23 @@ static struct rgb mark_color(unsigned marks, struct rgb reference) {
     return (struct rgb){reference.r / 4, reference.g / 4, reference.b / 4};
 }
 
+/* A block of all three panels. */
+static void put_block(struct image *picture, const struct image *reference,
+                      const struct image *yours, size_t x, size_t y) {
+    const size_t panel = reference->width + PANEL_GAP, count = block_size(reference, x);
+    struct patch wanted, got;
+    uint8_t marks[BLOCK];
+    load_patch(&wanted, reference, x, y, count);
+    load_patch(&got, yours, x, y, count);
+    mark_block(marks, &wanted, &got, count);
+    for (size_t i = 0; i < count; i++) {
+        struct rgb color = pixel_at(reference, x + i, y);
+        put(picture, x + i, y, color);
+        put(picture, x + i + panel, y, pixel_at(yours, x + i, y));
+        put(picture, x + i + 2 * panel, y, mark_color(marks[i], color));
+    }
+}
+
 /* `cut` becomes the part of `image` that a picture of that size shows, with background around. */
 static bool cut_to_size(struct image *cut, const struct image *image, size_t width, size_t height,
                         struct error *error) {
@@ -153,12 +271,8 @@ bool compare_picture(struct image *picture, const struct image *reference,
     }
     image_clear(picture, color_grey(128));
     for (size_t y = 0; y < height; y++) {
-        for (size_t x = 0; x < width; x++) {
-            struct rgb wanted = pixel_at(reference, x, y);
-            unsigned marks = compare_pixel(reference, &cut, x, y);
-            put(picture, x, y, wanted);
-            put(picture, x + width + PANEL_GAP, y, pixel_at(&cut, x, y));
-            put(picture, x + 2 * (width + PANEL_GAP), y, mark_color(marks, wanted));
+        for (size_t x = 0; x < width; x += BLOCK) {
+            put_block(picture, reference, &cut, x, y);
         }
     }
     image_free(&cut);

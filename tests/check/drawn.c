@@ -100,10 +100,9 @@ struct message_line drawn_message(const char *text) {
         }
         if (letters > 0) {
             size_t kept = length < MESSAGE_WIDTH ? length : MESSAGE_WIDTH;
-            for (size_t i = 0; i < kept; i++) {
-                unsigned char c = (unsigned char)text[i];
-                line.text[i] = (char)(c < ' ' || c == 127 ? ' ' : c);
-            }
+            memcpy(line.text, text, kept);
+            line.text[kept] = '\0';
+            text_make_printable(line.text, ' ');
             strcpy(line.text + kept, kept < length ? "..." : "");
             return line;
         }

@@ -30,7 +30,7 @@ enum drawn_state drawn_read(struct image *image, const char *directory, const ch
                             const struct image *wanted, struct error *error);
 
 /* The first line of a text that says something (holds a letter), made safe to print: cut to one
- * line of at most 200 characters, and control characters replaced. */
+ * line of at most 200 bytes, with a blank for what text_make_printable() replaces. */
 struct message_line {
     char text[208];
 };

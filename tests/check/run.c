@@ -246,14 +246,22 @@ static void lower_limit(int resource, rlim_t soft, rlim_t hard) {
     setrlimit(resource, &limit);
 }
 
-static void set_limits(const struct run_limits *limits, size_t threads) {
+static void limit_sizes(const struct run_limits *limits) {
+    if (limits->file_bytes > 0) {
+        lower_limit(RLIMIT_FSIZE, limits->file_bytes, limits->file_bytes);
+    }
+    if (limits->memory_bytes > 0) {
+        lower_limit(RLIMIT_AS, limits->memory_bytes, limits->memory_bytes);
+    }
+}
+
+static void limit_work(const struct run_limits *limits, size_t threads) {
     long cores = 1;
 #ifdef _SC_NPROCESSORS_ONLN
     cores = sysconf(_SC_NPROCESSORS_ONLN) > 1 ? sysconf(_SC_NPROCESSORS_ONLN) : 1;
 #endif
     rlim_t seconds = (rlim_t)(limits->seconds * (double)cores) + 1;
     lower_limit(RLIMIT_CPU, seconds, seconds + 1);
-    lower_limit(RLIMIT_FSIZE, limits->file_bytes, limits->file_bytes);
     lower_limit(RLIMIT_CORE, 0, 0);
 #ifdef RLIMIT_NPROC
     /* It counts the threads of all that the user runs: leave room for those, and for ours. */
@@ -274,7 +282,11 @@ static void child_fail(const char *what, const char *name) {
 }
 
 static void child(const struct run_command *command, int messages, size_t threads) {
-    setpgid(0, 0);
+    if (command->contained) {
+        setsid(); /* a group of its own, and no terminal to write a score to */
+    } else {
+        setpgid(0, 0);
+    }
     signal(SIGPIPE, SIG_DFL);
     int input = open("/dev/null", O_RDONLY), output = open("/dev/null", O_WRONLY);
     if (input < 0 || output < 0 || dup2(input, STDIN_FILENO) < 0 ||
@@ -295,8 +307,9 @@ static void child(const struct run_command *command, int messages, size_t thread
         }
         unsetenv("MAKEFLAGS");
         unsetenv("MFLAGS");
-        set_limits(&command->limits, threads);
+        limit_work(&command->limits, threads);
     }
+    limit_sizes(&command->limits);
     /* execvp() takes pointers to characters that it does not change. */
     execvp(command->arguments[0], (char *const *)(uintptr_t)command->arguments);
     child_fail("start", command->arguments[0]);
@@ -358,15 +371,22 @@ static enum run_end watch(const struct run_command *command, pid_t id, int *pipe
     return RUN_EXITED;
 }
 
+/* The group may not be there yet: then there is only its leader. */
+static void signal_group(pid_t id, int number) {
+    if (kill(-id, number) != 0) {
+        kill(id, number);
+    }
+}
+
 /* End the whole group, and reap its leader. Returns the leader's wait status. */
 static int end_group(pid_t id, enum run_end end) {
     if (end == RUN_OUT_OF_TIME || end == RUN_INTERRUPTED) {
-        kill(-id, SIGTERM);
+        signal_group(id, SIGTERM);
         for (double limit = now() + seconds_to_end; now() < limit && !has_ended(id);) {
             pause_ms(TICK_MS);
         }
     }
-    kill(-id, SIGKILL);
+    signal_group(id, SIGKILL);
     int status = 0;
     while (waitpid(id, &status, 0) < 0 && errno == EINTR) {
     }
@@ -382,6 +402,13 @@ static void judge_status(struct run_result *result, int status) {
         result->end = result->number == SIGXCPU ? RUN_OUT_OF_TIME : RUN_KILLED;
     } else {
         result->number = WEXITSTATUS(status);
+    }
+}
+
+/* A text ends at its first NUL: those in it become blanks. */
+static void blank_nuls(struct bytes *messages) {
+    for (size_t i = 0; i < messages->size; i++) {
+        messages->data[i] = messages->data[i] == '\0' ? ' ' : messages->data[i];
     }
 }
 
@@ -404,7 +431,9 @@ bool run(const struct run_command *command, struct run_result *result, struct er
     close(ends[1]);
     bool done = id > 0;
     if (done) {
-        setpgid(id, id); /* the child does it too: whoever comes first */
+        if (!command->contained) {
+            setpgid(id, id); /* the child does it too: whoever comes first */
+        }
         result->end = watch(command, id, &ends[0], &result->messages);
         int status = end_group(id, result->end);
         if (command->contained) {
@@ -413,6 +442,7 @@ bool run(const struct run_command *command, struct run_result *result, struct er
         while (ends[0] >= 0 && result->messages.size < MESSAGE_LIMIT &&
                read_messages(ends[0], &result->messages)) {
         }
+        blank_nuls(&result->messages);
         judge_status(result, status);
         done = bytes_append(&result->messages, "", 1) || error_set(error, "out of memory");
     } else {
@@ -466,8 +496,9 @@ static void remove_tree(int parent, const char *name) {
 }
 
 void run_directory_remove(const char *path) {
-    /* More than once, because entries may be passed over while others are removed. */
-    for (int i = 0; i < 3 && access(path, F_OK) == 0; i++) {
+    /* More than once, because entries may be passed over while others are removed. A program may
+     * have put something else in the directory's place, such as a link. */
+    for (int i = 0; i < 3 && unlink(path) != 0 && errno != ENOENT; i++) {
         remove_tree(AT_FDCWD, path);
     }
 }

@@ -1,14 +1,14 @@
 /*
- * Running a program that nobody trusts: in an empty directory, in its own process group, under
- * limits, and with nothing left of it afterwards.
+ * Running a program that nobody trusts: in an empty directory, in its own session (a process group
+ * without a terminal), under limits, and with nothing left of it afterwards.
  *
  * What is limited: elapsed time, CPU time (the same on each core), the size of a file, the number
  * of processes, core files (none). When the time is over, the whole group gets SIGTERM and half a
  * second later SIGKILL; after any end, whoever is left in the group gets SIGKILL. On Linux,
  * processes that left the group are found through /proc and killed too, and the number of processes
  * is counted there, since RLIMIT_NPROC counts all processes of a user and does not bind root. On
- * other systems RLIMIT_NPROC alone stands against a program that forks without end. Memory, the
- * network and reading of other files are not limited: for programs of strangers use a container.
+ * other systems RLIMIT_NPROC alone stands against a program that forks without end. The network and
+ * reading of other files are not limited: for programs of strangers use a container.
  *
  * While a contained program runs, the caller must have no other child process.
  */
@@ -21,16 +21,17 @@
 #include <stddef.h>
 
 struct run_limits {
-    double seconds;     /* elapsed */
-    size_t file_bytes;  /* of each file */
-    unsigned processes; /* at the same time, threads not counted */
+    double seconds;      /* elapsed */
+    size_t file_bytes;   /* of each file; 0: no limit */
+    size_t memory_bytes; /* of each process, as addresses; 0: no limit */
+    unsigned processes;  /* at the same time, threads not counted; only where contained */
 };
 
 struct run_command {
     const char *const *arguments; /* program and arguments, then NULL; found through PATH */
     const char *directory;        /* to run in; NULL: where the caller is */
     const char *locale;           /* LC_ALL of the command; NULL: unchanged */
-    bool contained;               /* all limits and clean-up; otherwise only `limits.seconds` */
+    bool contained;               /* a program that nobody trusts; otherwise the limits alone */
     struct run_limits limits;
 };
 
@@ -45,7 +46,8 @@ enum run_end {
 struct run_result {
     enum run_end end;
     int number;
-    struct bytes messages; /* the first 256 KiB of what it wrote to standard error, then a NUL */
+    /* The first 256 KiB of what it wrote to standard error, NULs made blanks, then a NUL. */
+    struct bytes messages;
 };
 
 /* Run a command and wait for it. Standard input is empty, standard output is thrown away. False
@@ -70,7 +72,7 @@ void run_die_of_signal(void);
 /* Make an empty directory in $TMPDIR (or /tmp); `path` becomes its absolute name. */
 bool run_directory_create(char *path, size_t size, struct error *error);
 
-/* Remove a directory with all that a program left in it. */
+/* Remove a directory with all that a program left in it, or what it put in its place. */
 void run_directory_remove(const char *path);
 
 #endif

@@ -6,6 +6,8 @@
  * references, built: in the directory that CHECK_PROGRAMS names in the environment, or where the
  * Makefile puts them. All it writes goes to a temporary directory.
  */
+#define _XOPEN_SOURCE 700 /* POSIX.1-2008 with terminals */
+
 #include "wrong/picture.h"
 
 #include "compare.h"
@@ -31,11 +33,13 @@ enum { ARGUMENT_LIMIT = 24, PATH_LIMIT = 1024 };
 
 /* Made once, before the tests, which only read it. */
 static struct fixture {
-    char directory[64];   /* of all that is written */
-    char here[512];       /* the course's root */
-    char programs[600];   /* with check and references in it */
-    struct bytes output;  /* of a check of all the wrong programs, NUL at its end */
-    int status;           /* its exit status */
+    char directory[64];  /* of all that is written */
+    char here[512];      /* the course's root */
+    char programs[600];  /* with check and references in it */
+    struct bytes output; /* of a check of all the wrong programs, NUL at its end */
+    int status;          /* its exit status */
+    const char *build_timeout;
+    char terminal[64];    /* the name of the check's terminal, or empty */
     struct bytes witness; /* what those programs have told: process numbers, NUL at its end */
 } fixture;
 
@@ -84,6 +88,10 @@ static pid_t start(const char *name, const char *timeout, const char *const *arg
     }
     char program[PATH_LIMIT];
     snprintf(program, sizeof program, "%s/%s", fixture.programs, name);
+    if (fixture.terminal[0] != '\0') { /* becomes that of the new session */
+        setsid();
+        open(fixture.terminal, O_RDWR);
+    }
     int output = open(inside("output").text, O_WRONLY | O_CREAT | O_TRUNC, 0666);
     int errors = open(inside("errors").text, O_WRONLY | O_CREAT | O_TRUNC, 0666);
     dup2(output, STDOUT_FILENO);
@@ -92,6 +100,7 @@ static pid_t start(const char *name, const char *timeout, const char *const *arg
     setenv("TMPDIR", inside("tmp").text, 1);
     setenv("WITNESS", inside("witness").text, 1);
     setenv("CHECK_TIMEOUT", timeout, 1);
+    setenv("CHECK_BUILD_TIMEOUT", fixture.build_timeout, 1);
     setenv("MAKEFLAGS", "s", 1); /* not those of the make that runs this test */
     const char *all[ARGUMENT_LIMIT] = {program};
     for (size_t i = 0; arguments[i] != NULL && i + 2 < ARGUMENT_LIMIT; i++) {
@@ -194,6 +203,7 @@ static bool set_up(void) {
         return false;
     }
     setenv("CHECK_EXACT", "0", 1); /* .ci/run sets it */
+    fixture.build_timeout = "4.5";
     mkdir(inside("tmp").text, 0777);
     mkdir(inside("reference").text, 0777);
     if (!write_references()) {
@@ -249,9 +259,14 @@ static void test_verdicts(void) {
         {"step16_stubborn", "TIME 0/1 stopped after 1 s"},
         {"step17_escape", "PASS 1/1 exact"},
         {"step20_limits", "FAIL 0/1 exit status 3: here 1 files 0 open 0 group 1 cpu 1 size "
-                          "64000000 core 0 input -1 make 0"},
+                          "64000000 core 0 input -1 make 0 terminal 0"},
         {"step21_hidden", "PASS 1/1 exact"},
         {"step22_noisy", "PASS 1/1 exact"},
+        {"step26_control", "FAIL 0/1 exit status 1:  [1A  1A   drow s\xc3\xa9"},
+        {"step27_link", "FAIL 0/1 depth: missing (no depth.tga was written)"},
+        {"step28_nul", "BUILD x.c:2: error: no"},
+        {"step29_limits", "BUILD x.c:1: error: memory 2097152 file 125000"},
+        {"step30_slow", "BUILD stopped after 4.5 s"},
     };
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         CHECK_TEXT(line_of(&fixture.output, cases[i].step).text, cases[i].line);
@@ -316,7 +331,7 @@ static void test_crowd(void) {
 }
 
 static void test_summary_and_status(void) {
-    CHECK(contains(&fixture.output, "\n5 passed, 20 failed\n"));
+    CHECK(contains(&fixture.output, "\n5 passed, 25 failed\n"));
     CHECK(fixture.status == 2); /* a reference is missing */
     size_t lines = 0;
     const char *text = (const char *)fixture.output.data;
@@ -324,7 +339,7 @@ static void test_summary_and_status(void) {
         lines++;
         text += strcspn(text, "\n") + 1;
     }
-    CHECK(lines == 25);
+    CHECK(lines == 30);
     CHECK(strncmp(text, "5 passed", 8) == 0);
 }
 
@@ -367,7 +382,9 @@ static void test_nothing_survives(void) {
     size_t processes = 0;
     CHECK(!contains(&fixture.witness, "alive"));
     CHECK(contains(&fixture.witness, "ended by")); /* SIGTERM came first */
-    double end = now() + 2;                        /* for init to reap what is dead already */
+    const char *first_try = strstr(text, "try");   /* to build what takes too long */
+    CHECK(first_try != NULL && strstr(first_try + 3, "try") == NULL);
+    double end = now() + 2; /* for init to reap what is dead already */
     for (; *text != '\0'; text += strcspn(text, "\n") + 1) {
         pid_t id = (pid_t)strtol(text, NULL, 10);
         if (id <= 1) {
@@ -379,7 +396,7 @@ static void test_nothing_survives(void) {
         }
         CHECK(kill(id, 0) != 0);
     }
-    CHECK(processes >= 1 + 2 + 1 + 64); /* sleep, stubborn, escape, crowd */
+    CHECK(processes >= 1 + 2 + 1 + 64 + 1); /* sleep, stubborn, escape, crowd, slow */
 }
 
 static bool is_empty_directory(const char *path) {
@@ -423,6 +440,32 @@ static void test_status_of_passed_and_failed(void) {
     bytes_free(&output);
 }
 
+/* Where the check has a terminal, a program must not: it could write a score there. */
+static void test_programs_have_no_terminal(void) {
+    struct bytes output;
+    int terminal = posix_openpt(O_RDWR | O_NOCTTY);
+    CHECK(terminal >= 0 && grantpt(terminal) == 0 && unlockpt(terminal) == 0);
+    snprintf(fixture.terminal, sizeof fixture.terminal, "%s", ptsname(terminal));
+    CHECK(run_check("20", &output) == 1);
+    CHECK(contains(&output, " group 1 ") && contains(&output, " terminal 0\n"));
+    fixture.terminal[0] = '\0';
+    close(terminal);
+    bytes_free(&output);
+}
+
+/* A score that nobody gets is no score. */
+static void test_full_output(void) {
+    struct bytes output;
+    unlink(inside("output").text);
+    if (access("/dev/full", W_OK) == 0 && CHECK(symlink("/dev/full", inside("output").text) == 0)) {
+        CHECK(finish(start_check("1", "01")) == 2);
+        output = read_text(inside("errors").text);
+        CHECK(contains(&output, "check: the score could not be written"));
+        bytes_free(&output);
+        unlink(inside("output").text);
+    }
+}
+
 /* Where every picture must be exact, one that is right within its limit fails. */
 static void test_exact_is_demanded(void) {
     struct bytes output;
@@ -439,19 +482,21 @@ static void test_exact_is_demanded(void) {
     bytes_free(&output);
 }
 
-/* A program of an earlier build must not be checked instead of one that does not build. */
+/* A program of an earlier build must not be checked instead of one that does not build, or whose
+ * source has gone; nor when it is newer than its source. */
 static void test_old_program_is_not_used(void) {
-    char command[3 * PATH_LIMIT];
-    snprintf(command, sizeof command, "cp '%s' '%s'", inside("build/step01_exact").text,
-             inside("build/step10_build").text);
-    CHECK(system(command) == 0);
-    snprintf(command, sizeof command, "touch -t 200001010000 '%s'",
-             inside("build/step10_build").text);
-    CHECK(system(command) == 0);
-    struct bytes output;
-    CHECK(run_check("10", &output) == 1);
-    CHECK(contains(&output, "step10_build  BUILD "));
-    bytes_free(&output);
+    static const char *const steps[] = {"step10_build", "step12_absent"};
+    for (size_t i = 0; i < sizeof steps / sizeof steps[0]; i++) {
+        char command[3 * PATH_LIMIT], line[80];
+        struct bytes output;
+        snprintf(command, sizeof command, "cp '%s' '%s/%s'", inside("build/step01_exact").text,
+                 inside("build").text, steps[i]);
+        snprintf(line, sizeof line, "%s  BUILD ", steps[i]);
+        CHECK_ROW(system(command) == 0, steps[i]);
+        CHECK_ROW(run_check(steps[i], &output) == 1, steps[i]);
+        CHECK_ROW(contains(&output, line), steps[i]);
+        bytes_free(&output);
+    }
 }
 
 /* The check reads the references and never changes one, whatever fails. */
@@ -486,6 +531,8 @@ static void test_wrong_usage(void) {
         {{"01"}, "-1", "CHECK_TIMEOUT"},
         {{"01"}, "nan", "CHECK_TIMEOUT"},
         {{"--make", "no_such_make", "01"}, "1", "cannot run no_such_make"},
+        {{"--programs", "/dev/null/x", "01"}, "1", "/dev/null: cannot make the directory"},
+        {{"--programs", "/proc", "01"}, "1", "check: /proc"},
     };
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         int status = finish(start("check", cases[i].timeout, cases[i].arguments));
@@ -493,6 +540,81 @@ static void test_wrong_usage(void) {
         CHECK_ROW(status == 2, cases[i].message);
         CHECK_ROW(contains(&errors, cases[i].message), cases[i].message);
         bytes_free(&errors);
+    }
+}
+
+/* What the lessons are given cannot be made, an old program not be removed: no score, but why. */
+static void test_own_failures_are_not_scored(void) {
+    static const struct {
+        const char *first, *step, *where, *message;
+    } cases[] = {
+        {"broken", "01", "errors", "check: cannot build broken: sculpt: no clay\n"},
+        {"nowhere", "01", "errors", "check: cannot build nowhere: make"},
+        {"", "12", "output", "step12_absent  ERROR cannot remove "},
+    };
+    char make[2 * PATH_LIMIT];
+    struct path build = inside("build"), references = inside("reference");
+    snprintf(make, sizeof make, "make BUILD=%s", build.text);
+    mkdir(inside("build/step12_absent").text, 0777);
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        const char *arguments[] = {
+            "--root",        "tests/check/wrong", "--scenes",    "scenes.txt", "--references",
+            references.text, "--programs",        build.text,    "--make",     make,
+            "--first",       cases[i].first,      cases[i].step, NULL};
+        CHECK_ROW(finish(start("check", "1", arguments)) == 2, cases[i].message);
+        struct bytes said = read_text(inside(cases[i].where).text);
+        CHECK_ROW(contains(&said, cases[i].message), cases[i].message);
+        CHECK_ROW(!contains(&said, "PASS") && !contains(&said, "FAIL"), cases[i].message);
+        bytes_free(&said);
+    }
+    rmdir(inside("build/step12_absent").text);
+}
+
+static void test_wrong_build_timeout(void) {
+    const char *arguments[] = {"01", NULL}, *right = fixture.build_timeout;
+    fixture.build_timeout = "0";
+    CHECK(finish(start("check", "1", arguments)) == 2);
+    fixture.build_timeout = right;
+    struct bytes errors = read_text(inside("errors").text);
+    CHECK(contains(&errors, "CHECK_BUILD_TIMEOUT is '0'"));
+    bytes_free(&errors);
+}
+
+/* Wait up to ten seconds for words in what the check says. */
+static bool is_said(const char *words) {
+    bool said = false;
+    for (double end = now() + 10; !said && now() < end; sleep_ms(10)) {
+        struct bytes errors = read_text(inside("errors").text);
+        said = contains(&errors, words);
+        bytes_free(&errors);
+    }
+    return said;
+}
+
+/* Two checks in one build directory would remove each other's programs: the second waits, until the
+ * first has ended or it is told to end itself. */
+static void test_checks_wait_for_each_other(void) {
+    static const struct { int signal, status; } cases[] = {{SIGINT, 1000 + SIGINT}, {0, 0}};
+    struct flock whole = {.l_type = F_WRLCK, .l_whence = SEEK_SET};
+    int file = open(inside("build/check.lock").text, O_RDWR);
+    CHECK(file >= 0 && fcntl(file, F_SETLK, &whole) == 0); /* nobody has it now */
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        unlink(inside("errors").text);
+        pid_t check = start_check("1", "01");
+        CHECK(is_said("check: waiting for another check in "));
+        sleep_ms(300);
+        struct bytes output = read_text(inside("output").text);
+        CHECK(!contains(&output, "step01"));
+        bytes_free(&output);
+        if (cases[i].signal != 0) {
+            kill(check, cases[i].signal);
+        } else {
+            close(file); /* lets the lock go */
+        }
+        CHECK(finish(check) == cases[i].status);
+        output = read_text(inside("output").text);
+        CHECK(contains(&output, "PASS 2/2 exact") == (cases[i].status == 0));
+        bytes_free(&output);
     }
 }
 
@@ -608,10 +730,15 @@ static const struct unit_test tests[] = {
     TEST(test_nothing_survives),
     TEST(test_temporary_directories_are_removed),
     TEST(test_status_of_passed_and_failed),
+    TEST(test_programs_have_no_terminal),
+    TEST(test_full_output),
     TEST(test_exact_is_demanded),
     TEST(test_old_program_is_not_used),
     TEST(test_references_are_not_changed),
     TEST(test_wrong_usage),
+    TEST(test_own_failures_are_not_scored),
+    TEST(test_wrong_build_timeout),
+    TEST(test_checks_wait_for_each_other),
     TEST(test_scene_tables),
     TEST(test_interrupt),
     TEST(test_redraw),

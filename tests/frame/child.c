@@ -57,6 +57,7 @@ static bool read_all(int file, void *data, size_t size) {
 
 static void obey(struct llvmpipe *l, const struct request *request, uint8_t *pixels,
                  struct reply *reply) {
+    struct stopwatch start;
     *reply = (struct reply){.done = true};
     switch (request->order) {
     case ORDER_LOAD:
@@ -64,9 +65,9 @@ static void obey(struct llvmpipe *l, const struct request *request, uint8_t *pix
         break;
     case ORDER_DRAW:
         llvmpipe->draw(l);
-        reply->seconds = now();
+        start = stopwatch_start();
         llvmpipe->draw(l);
-        reply->seconds = now() - reply->seconds;
+        reply->seconds = stopwatch_seconds(start);
         break;
     case ORDER_READ:
         reply->done = llvmpipe->read(l, pixels, &reply->error);
@@ -191,9 +192,9 @@ bool child_load(struct child *child, const struct frame_scene *scene, struct err
 
 bool child_draw(struct child *child, double *seconds, struct error *error) {
     struct request request = {.order = ORDER_DRAW};
-    struct reply reply;
+    struct reply reply = {.seconds = 0};
     bool done = ask(child, &request, &reply, error);
-    *seconds = done ? reply.seconds : 0;
+    *seconds = reply.seconds;
     return done;
 }
 

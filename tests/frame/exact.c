@@ -112,9 +112,11 @@ bool exact_begin(struct exact *exact, const struct frame_scene *scene, struct er
         .faces = calloc(pixels, sizeof *exact->faces),
         .depths = calloc(pixels, sizeof *exact->depths),
     };
-    bool done = (exact->screen != NULL && exact->recip_w != NULL && exact->faces != NULL &&
-                 exact->depths != NULL) ||
-                error_out_of_memory(error);
+    bool done = true;
+    if (exact->screen == NULL || exact->recip_w == NULL || exact->faces == NULL ||
+        exact->depths == NULL) {
+        return error_out_of_memory(error);
+    }
     for (size_t i = 0; done && i < model->position_count; i++) {
         done = place(exact, i, error);
     }

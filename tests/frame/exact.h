@@ -31,7 +31,7 @@ struct deviation {
 };
 
 /* Find what is seen. False where a face reaches the eye: such are not drawn here. The scene must
- * stay. */
+ * stay; exact_end() must be called in any case. */
 bool exact_begin(struct exact *exact, const struct frame_scene *scene, struct error *error);
 void exact_end(struct exact *exact);
 

@@ -5,15 +5,16 @@
  *
  * Draws a head in three looks (scene.h), at three sizes, with three numbers of triangles, each side
  * with one thread and with two. A frame is: clear colour and depth, draw, all of it in memory;
- * nothing is read back or saved in that time. The sides take turns, frame by frame, so that what
- * disturbs the machine disturbs all alike. A side draws two frames when it is its turn, and the
- * second one is timed: in between the others have used the caches.
+ * nothing is read back or saved in that time. The sides take turns, so that what disturbs the
+ * machine disturbs all alike. A side draws two frames when it is its turn, and the second one is
+ * timed: in between the others have used the caches. What counts is the smaller of the time on the
+ * wall and that of all its threads together, so that other programs disturb little.
  *
- * Fair: the same mesh with shared vertices, matrix, viewport, culling and 32 bits a pixel, blue
- * first; bilinear samples of the same mip level; what does not change from frame to frame is made
- * ready by both before the clock runs (normals of length 1, buffers, textures). The formulas are the
- * same, with the power 10 written out as products on both sides. llvmpipe's depth is a 32-bit float,
- * and its specular map has one byte a texel.
+ * Fair: the same mesh with shared vertices, matrix, viewport and culling, 32 bits a pixel with blue
+ * first, bilinear samples of the same mip level. What does not change from frame to frame is made
+ * ready by both before the clock runs (normals of length 1, buffers, textures). The formulas are
+ * the same, with the power 10 written out as products on both sides. llvmpipe's depth is a 32-bit
+ * float and its specular map has one byte a texel; other formats were no faster.
  *
  * Then both pictures are compared with the exact one (exact.h). Times are only shown: nothing fails
  * because of them.
@@ -60,9 +61,9 @@ static bool draw_side(struct bench *b, enum side side, double *seconds, struct e
         return child_draw(&b->mesa[side - MESA_1], seconds, error);
     }
     bool done = ours_draw(&b->ours[side - OURS_1], error);
-    double start = now();
+    struct stopwatch start = stopwatch_start();
     done = done && ours_draw(&b->ours[side - OURS_1], error);
-    *seconds = now() - start;
+    *seconds = stopwatch_seconds(start);
     return done;
 }
 
@@ -77,16 +78,16 @@ static const uint8_t *read_side(struct bench *b, enum side side, struct error *e
 
 /* What it takes to set colour and depth of a picture at all, 4 bytes each. */
 static double fill_memory(struct bench *b, const struct frame_scene *scene) {
-    double start = 0;
+    struct stopwatch start = stopwatch_start();
     for (int turn = 0; turn < 2; turn++) {
-        start = now();
+        start = stopwatch_start();
         for (int i = 0; i < 2; i++) {
             memset(b->fill[i], turn, scene->width * scene->height * 4);
             /* The compiler must not leave out what nobody reads. */
             ((volatile char *)b->fill[i])[scene->width] = 1;
         }
     }
-    return now() - start;
+    return stopwatch_seconds(start);
 }
 
 /* ---- A cell of the table ---- */
@@ -273,17 +274,18 @@ static bool allocate(struct bench *b, struct error *error) {
     b->table.cells =
         calloc(o->look_count * o->size_count * o->triangle_count, sizeof *b->table.cells);
     for (int i = 0; i < 2; i++) {
-        b->fill[i] = malloc(4 * most_pixels(o));
+        b->fill[i] = malloc(4 * most_pixels(o) + 1);
     }
     return (b->table.cells != NULL && b->fill[0] != NULL && b->fill[1] != NULL) ||
            error_out_of_memory(error);
 }
 
-/* What else the machine does: two threads gain nothing where its processors are busy. */
+/* What else the machine does. */
 static void print_load(void) {
     double load;
     if (getloadavg(&load, 1) == 1) {
-        printf("Load of the machine before this: %.2f\n", load);
+        printf("Load of the machine before this: %.1f%s\n", load,
+               load > 0.5 ? "; while it is busy, two threads show no gain" : "");
     }
 }
 
@@ -326,7 +328,7 @@ int main(int argc, char **argv) {
     struct options options;
     struct error error;
     if (!options_read(&options, argc, argv, &error)) {
-        fprintf(stderr, "bench-frame: %s\n%s", error.message, options_help);
+        fprintf(stderr, "bench-frame: %s; --help prints the options\n", error.message);
         return 2;
     }
     if (options.help) {

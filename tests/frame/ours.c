@@ -11,8 +11,8 @@ static double light_on(const struct frame_scene *scene, const float normal[3]) {
 }
 
 static struct texels fetch(const struct frame_scene *scene, enum model_texture_kind kind,
-                           struct lanes2 uv) {
-    return texture_fetch(scene->textures[kind].texture, uv, scene->textures[kind].level);
+                           struct lanes2 uv, struct texel_place *place) {
+    return texture_fetch(scene->textures[kind].texture, uv, scene->textures[kind].level, place);
 }
 
 static void flat_vertex(const void *uniforms, size_t face, size_t corner, double *varyings) {
@@ -39,8 +39,9 @@ static void gouraud_vertex(const void *uniforms, size_t face, size_t corner, dou
 
 static lanes_mask gouraud_fragment(const void *uniforms, const lanes *varyings,
                                    lanes_texel *color) {
+    struct texel_place place = {0};
     struct texels texels =
-        fetch(uniforms, MODEL_DIFFUSE, (struct lanes2){varyings[1], varyings[2]});
+        fetch(uniforms, MODEL_DIFFUSE, (struct lanes2){varyings[1], varyings[2]}, &place);
     struct lanes3 rgb = texels_mix(&texels);
     *color = lanes_rgb(rgb.x * varyings[0], rgb.y * varyings[0], rgb.z * varyings[0]);
     return lanes_all_set();
@@ -66,9 +67,10 @@ static lanes tenth_power(lanes x) {
 static lanes_mask phong_fragment(const void *uniforms, const lanes *varyings, lanes_texel *color) {
     const struct frame_scene *scene = uniforms;
     struct lanes2 uv = {varyings[3], varyings[4]};
-    struct texels diffuse = fetch(scene, MODEL_DIFFUSE, uv);
-    struct texels map = fetch(scene, MODEL_NORMAL_MAP, uv);
-    struct texels specular = fetch(scene, MODEL_SPECULAR, uv);
+    struct texel_place place = {0};
+    struct texels diffuse = fetch(scene, MODEL_DIFFUSE, uv, &place);
+    struct texels map = fetch(scene, MODEL_NORMAL_MAP, uv, &place);
+    struct texels specular = fetch(scene, MODEL_SPECULAR, uv, &place);
     struct lanes3 rgb = texels_mix(&diffuse), n = texels_mix(&map), zero = {0};
     struct lanes3 normal =
         lanes3_normalized((struct lanes3){n.x - 127.5f, n.y - 127.5f, n.z - 127.5f});
@@ -78,7 +80,7 @@ static lanes_mask phong_fragment(const void *uniforms, const lanes *varyings, la
     lanes light = lanes3_dot(normal, to_light);
     struct lanes3 mirrored = lanes3_sub(lanes3_scale(normal, 2 * light), to_light);
     lanes near = lanes_max(lanes3_dot(mirrored, to_eye), zero.x);
-    lanes shine = lanes_select(light > 0, texels_mix(&specular).x * tenth_power(near), zero.x);
+    lanes shine = lanes_select(light > 0, texels_mix(&specular).z * tenth_power(near), zero.x);
     lanes scattered = (real)AMBIENT + lanes_max(light, zero.x);
     *color =
         lanes_rgb(rgb.x * scattered + shine, rgb.y * scattered + shine, rgb.z * scattered + shine);

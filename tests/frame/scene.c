@@ -105,7 +105,9 @@ static float *add_middles(const float *old, const struct middles *middles, size_
     if (longer == NULL) {
         return NULL;
     }
-    memcpy(longer, old, middles->old_count * floats * sizeof *longer);
+    if (middles->old_count > 0) {
+        memcpy(longer, old, middles->old_count * floats * sizeof *longer);
+    }
     for (size_t i = 0; i < middles->edges.capacity; i++) {
         if (middles->edges.numbers[i] == 0) {
             continue;
@@ -126,7 +128,9 @@ static struct vec3 *add_middle_positions(const struct vec3 *old, const struct mi
     if (longer == NULL) {
         return NULL;
     }
-    memcpy(longer, old, middles->old_count * sizeof *longer);
+    if (middles->old_count > 0) {
+        memcpy(longer, old, middles->old_count * sizeof *longer);
+    }
     for (size_t i = 0; i < middles->edges.capacity; i++) {
         if (middles->edges.numbers[i] != 0) {
             struct vec3 a = longer[middles->edges.keys[i] >> 32];
@@ -149,26 +153,36 @@ static bool begin_middles(struct middles middles[ATTRIBUTES], const struct model
     return done;
 }
 
+/* The arrays of the finer model, once all of its faces are known. */
+static bool add_all_middles(struct model *fine, const struct model *coarse,
+                            const struct middles middles[ATTRIBUTES], struct error *error) {
+    fine->position_count = coarse->position_count + middles[0].edges.count;
+    fine->uv_count = coarse->uv_count + middles[1].edges.count;
+    fine->normal_count = coarse->normal_count + middles[2].edges.count;
+    fine->positions = add_middle_positions(coarse->positions, &middles[0]);
+    fine->uvs = (float(*)[2])add_middles((const float *)coarse->uvs, &middles[1], 2);
+    fine->normals = (float(*)[3])add_middles((const float *)coarse->normals, &middles[2], 3);
+    if (fine->positions == NULL || fine->uvs == NULL || fine->normals == NULL) {
+        error_out_of_memory(error);
+        return false;
+    }
+    return true;
+}
+
 /* `fine`, empty, becomes `coarse` with four times the faces, without textures. */
 static bool subdivide(struct model *fine, const struct model *coarse, struct error *error) {
     struct middles middles[ATTRIBUTES] = {{.old_count = 0}};
+    fine->face_count = 4 * coarse->face_count;
+    fine->faces = malloc((fine->face_count + 1) * sizeof *fine->faces);
+    if (fine->faces == NULL) {
+        error_out_of_memory(error);
+        return false;
+    }
     bool done = begin_middles(middles, coarse, error);
-    fine->faces = malloc((4 * coarse->face_count + 1) * sizeof *fine->faces);
-    done = done && (fine->faces != NULL || error_out_of_memory(error));
     for (size_t i = 0; done && i < coarse->face_count; i++) {
         cut_face(middles, &coarse->faces[i], &fine->faces[4 * i]);
     }
-    if (done) {
-        fine->face_count = 4 * coarse->face_count;
-        fine->position_count = coarse->position_count + middles[0].edges.count;
-        fine->uv_count = coarse->uv_count + middles[1].edges.count;
-        fine->normal_count = coarse->normal_count + middles[2].edges.count;
-        fine->positions = add_middle_positions(coarse->positions, &middles[0]);
-        fine->uvs = (float(*)[2])add_middles((const float *)coarse->uvs, &middles[1], 2);
-        fine->normals = (float(*)[3])add_middles((const float *)coarse->normals, &middles[2], 3);
-        done = (fine->positions != NULL && fine->uvs != NULL && fine->normals != NULL) ||
-               error_out_of_memory(error);
-    }
+    done = done && add_all_middles(fine, coarse, middles, error);
     for (int i = 0; i < ATTRIBUTES; i++) {
         pairs_free(&middles[i].edges);
     }
@@ -177,17 +191,17 @@ static bool subdivide(struct model *fine, const struct model *coarse, struct err
 
 bool frame_model_subdivide(struct frame_model *fine, const struct frame_model *coarse, int times,
                            struct error *error) {
-    struct model before = {0};
-    bool done = true;
     *fine = (struct frame_model){0};
-    for (int i = 0; done && i < times; i++) {
-        done = subdivide(&fine->model, i == 0 ? &coarse->model : &before, error);
-        model_free(&before);
-        before = fine->model;
-        fine->model = (struct model){0};
+    for (int i = 0; i < times; i++) {
+        struct model finer = {0};
+        bool done = subdivide(&finer, i == 0 ? &coarse->model : &fine->model, error);
+        model_free(&fine->model);
+        fine->model = finer;
+        if (!done) {
+            return false;
+        }
     }
-    fine->model = before;
-    return done && make_ready(fine, error);
+    return make_ready(fine, error);
 }
 
 /* ---- Scenes ---- */

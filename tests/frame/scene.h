@@ -51,7 +51,7 @@ struct frame_scene {
 /* Read a model with the textures that it has; `head` is freed with frame_model_free(). */
 bool frame_model_read(struct frame_model *head, const char *path, struct error *error);
 
-/* Cut each face into four, so many times: real shared vertices, and every attribute half-way
+/* Cut each face into four, 1 or more times: real shared vertices, and every attribute half-way
  * between those of an edge's ends. */
 bool frame_model_subdivide(struct frame_model *fine, const struct frame_model *coarse, int times,
                            struct error *error);

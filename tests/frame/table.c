@@ -26,10 +26,10 @@ void table_print_time_head(const struct options *options) {
     printf("\nMilliseconds a frame, the %s of %zu (and how far apart the quartiles are); how many\n"
            "times as fast as llvmpipe; how many times as fast with two threads as with one\n\n",
            options->least ? "least" : "median", options->frames);
-    printf("%27s | %-38s | %-38s | %-12s |\n", "", "one thread", "two threads", "two to one");
+    printf("%27s | %-40s | %-40s | %-12s |\n", "", "one thread", "two threads", "two to one");
     printf("%-7s %-9s %9s |", "look", "size", "triangles");
     for (int i = 0; i < 2; i++) {
-        printf(" %-15s  %-15s %5s |", "ours", "llvmpipe", "times");
+        printf(" %-16s  %-16s %5s |", "ours", "llvmpipe", "times");
     }
     printf(" %5s %6s | %6s\n", "ours", "llvmp.", "memset");
 }
@@ -37,7 +37,7 @@ void table_print_time_head(const struct options *options) {
 static void print_summary(struct summary summary) {
     char range[16];
     snprintf(range, sizeof range, "(%.2f)", summary.range);
-    printf(" %7.2f %7s ", summary.typical, range);
+    printf(" %7.2f %8s ", summary.typical, range);
 }
 
 static void print_pair(const struct table *table, const struct cell *cell, enum side ours) {
@@ -46,7 +46,7 @@ static void print_pair(const struct table *table, const struct cell *cell, enum 
         print_summary(cell->sides[ours == OURS_1 ? MESA_1 : MESA_2]);
         printf("%5.2f |", ratio(table, cell, ours));
     } else {
-        printf(" %15s %5s |", "-", "-");
+        printf(" %16s %6s |", "-", "-");
     }
 }
 

@@ -87,8 +87,10 @@ static void add_flat_face(struct vertices *v, const struct frame_model *head, si
 bool vertices_flat(struct vertices *v, const struct frame_model *head, struct error *error) {
     const struct model *model = &head->model;
     bool *is_last = calloc(model->position_count + 1, sizeof *is_last);
-    bool done = allocate(v, model->position_count + model->face_count, model->face_count, error) &&
-                (is_last != NULL || error_out_of_memory(error));
+    if (is_last == NULL) {
+        return error_out_of_memory(error);
+    }
+    bool done = allocate(v, model->position_count + model->face_count, model->face_count, error);
     for (size_t i = 0; done && i < model->position_count; i++) {
         v->vertices[i] = (struct vertex){{0}, {0}, {0}};
         set_position(&v->vertices[i], model->positions[i]);

@@ -83,7 +83,7 @@ static inline void require_normals(struct model *model) {
 enum { VARYINGS = 8 };
 
 static void fetch(const void *uniforms, size_t face, size_t corner, double *varyings) {
-    const struct model *model = uniforms;
+    const struct model *model = *(const struct model *const *)uniforms;
     struct vec2 uv = model_uv(model, face, corner);
     struct vec3 normal = model_normal(model, face, corner);
     for (size_t i = 0; i < 3; i++) {
@@ -96,20 +96,31 @@ static void fetch(const void *uniforms, size_t face, size_t corner, double *vary
     varyings[7] = normal.z;
 }
 
-/* What reaches a pixel is finite, and lies inside the triangle. */
-static bool shade(const void *uniforms, const double *varyings, struct color *color) {
-    const double rounding = 1e-6;
+/* What reaches a pixel that is drawn is finite, and lies inside the triangle: such a pixel has a
+ * blue of 255. (What is not drawn is computed too, and may be anything.) */
+static lanes_mask shade(const void *uniforms, const lanes *varyings, lanes_texel *color) {
+    const real rounding = 1e-6f;
+    lanes_mask right = lanes_all_set();
     (void)uniforms;
     for (size_t i = 0; i < VARYINGS; i++) {
-        REQUIRE(isfinite(varyings[i]));
+        right &= varyings[i] - varyings[i] == 0;
     }
     for (size_t i = 0; i < 3; i++) {
-        REQUIRE(varyings[i] >= -rounding && varyings[i] <= 1 + rounding);
+        right &= (varyings[i] >= -rounding) & (varyings[i] <= 1 + rounding);
     }
-    REQUIRE(fabs(varyings[0] + varyings[1] + varyings[2] - 1) <= rounding);
-    *color = color_rgb(level_from(varyings[0] * 255), level_from(varyings[5] * 255),
-                       level_from(varyings[3] * 255));
-    return true;
+    lanes off = varyings[0] + varyings[1] + varyings[2] - 1;
+    right &= (off >= -rounding) & (off <= rounding);
+    *color = lanes_rgb(varyings[0] * 255, varyings[5] * 255,
+                       lanes_select(right, lanes_all(255), lanes_all(1)));
+    return lanes_all_set();
+}
+
+/* A pixel is drawn and right, or it is black. */
+static inline void require_pixels(const struct image *image) {
+    for (size_t i = 0; i < image->width * image->height; i++) {
+        const uint8_t *p = image->pixels + 3 * i;
+        REQUIRE(p[0] == 255 || (p[0] == 0 && p[1] == 0 && p[2] == 0));
+    }
 }
 
 static inline void draw(const struct model *model, double distance, bool skip,
@@ -126,7 +137,9 @@ static inline void draw(const struct model *model, double distance, bool skip,
     REQUIRE(pipeline_create(&pipeline, SIDE, SIDE, &error));
     pipeline.skip = skip;
     pipeline_clear(&pipeline);
-    REQUIRE(pipeline_draw(&pipeline, &call, &shader, model, image, &error));
+    REQUIRE(pipeline_draw(&pipeline, &call, &shader, &model, sizeof model, &error));
+    REQUIRE(pipeline_finish(&pipeline, image, &error));
+    require_pixels(image);
     REQUIRE(pipeline.stats[STAT_FACES] == model->face_count);
     pipeline_free(&pipeline);
 }

@@ -37,7 +37,7 @@ static const char *const fragment_common =
     "flat in float face;\n"
     "uniform usampler2D diffuse_map, normal_map, specular_map;\n"
     "uniform int diffuse_level, normal_level, specular_level, power;\n"
-    "uniform vec3 to_light, eye, color, light_color;\n"
+    "uniform vec3 to_light, color, light_color;\n"
     "uniform float ambient, diffuse, specular;\n"
     "layout(location = 0) out uvec4 pixel;\n"
     "layout(location = 1) out float pixel_face;\n"
@@ -76,8 +76,8 @@ static const char *const phong =
     "    }\n"
     "    return result;\n"
     "}\n"
-    "vec3 illuminate_with(vec3 rgb, vec3 normal, vec3 position, float weight, int power) {\n"
-    "    vec3 to_eye = normalize(eye - position);\n"
+    "vec3 illuminate_with(vec3 rgb, vec3 normal, vec3 to_eye, float weight, int power) {\n"
+    "    to_eye = normalize(to_eye);\n"
     "    float facing = dot(normal, to_light), shine = 0.0;\n"
     "    at_jump = at_jump || abs(facing) < 1e-4;\n"
     "    if (facing > 0.0) {\n"
@@ -87,8 +87,8 @@ static const char *const phong =
     "    float scattered = ambient + diffuse * max(facing, 0.0);\n"
     "    return rgb * scattered + 255.0 * weight * shine;\n"
     "}\n"
-    "vec3 illuminate(vec3 rgb, vec3 normal, vec3 position, float weight) {\n"
-    "    return illuminate_with(rgb, normal, position, weight, power);\n"
+    "vec3 illuminate(vec3 rgb, vec3 normal, vec3 to_eye, float weight) {\n"
+    "    return illuminate_with(rgb, normal, to_eye, weight, power);\n"
     "}\n";
 
 static const char *const checker =

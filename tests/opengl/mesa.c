@@ -225,7 +225,6 @@ static void set_values(const struct mesa *mesa, GLuint program, const struct loo
     set_int(program, "specular_level", (int)v->specular_level);
     set_int(program, "power", v->power);
     gl_set_vec3(program, "to_light", v->to_light);
-    gl_set_vec3(program, "eye", v->eye);
     gl_set_vec3(program, "color", v->color);
     gl_set_vec3(program, "light_color", v->light_color);
     set_float(program, "ambient", v->ambient);

@@ -35,12 +35,12 @@ enum look {
     LOOK_BILINEAR,         /* steps 8 and 9: u, v, intensity */
     LOOK_TOON,             /* step 9: intensity */
     LOOK_NORMAL_MAP,       /* step 9: u, v */
-    LOOK_PHONG_PLAIN,      /* step 10: position, u, v, normal */
-    LOOK_PHONG_MAPPED,     /* step 10: position, u, v */
-    LOOK_PHONG_TEXTURED,   /* step 10: position, u, v, normal */
-    LOOK_PHONG_FULL,       /* step 10: position, u, v */
-    LOOK_PHONG_WEIGHT_MAP, /* step 10: position, u, v */
-    LOOK_PHONG_POWER_MAP,  /* step 10: position, u, v */
+    LOOK_PHONG_PLAIN,      /* step 10: towards the eye, u, v, normal */
+    LOOK_PHONG_MAPPED,     /* step 10: towards the eye, u, v */
+    LOOK_PHONG_TEXTURED,   /* step 10: towards the eye, u, v, normal */
+    LOOK_PHONG_FULL,       /* step 10: towards the eye, u, v */
+    LOOK_PHONG_WEIGHT_MAP, /* step 10: towards the eye, u, v */
+    LOOK_PHONG_POWER_MAP,  /* step 10: towards the eye, u, v */
     LOOK_COUNT
 };
 
@@ -49,8 +49,7 @@ struct look_values {
     const struct texture *diffuse_map, *normal_map, *specular_map; /* NULL where none is read */
     size_t diffuse_level, normal_level, specular_level;            /* mip levels */
     struct vec3 to_light;                                          /* of length 1 */
-    struct vec3 eye;
-    double ambient, diffuse, specular; /* weights */
+    double ambient, diffuse, specular;                             /* weights */
     int power;
     struct vec3 color, light_color; /* levels 0..255 */
 };

@@ -71,12 +71,12 @@ static inline bool record_draw(struct picture *picture, const struct draw_call *
     return batch != NULL;
 }
 
-KERNEL bool draw_or_record(struct pipeline *pipeline, const struct draw_call *call,
-                           const struct shader *shader, const void *uniforms, struct image *image,
-                           struct error *error) {
+static inline bool draw_or_record(struct pipeline *pipeline, const struct draw_call *call,
+                                  const struct shader *shader, const void *uniforms, size_t size,
+                                  struct error *error) {
     struct picture *picture = ((struct recorder *)pipeline)->picture;
     return picture != NULL ? record_draw(picture, call, shader, uniforms, error)
-                           : pipeline_draw(pipeline, call, shader, uniforms, image, error);
+                           : pipeline_draw(pipeline, call, shader, uniforms, size, error);
 }
 
 #define pipeline_draw draw_or_record

@@ -147,6 +147,31 @@ long double oracle_interpolate(const struct fixed2 corner[3], const double recip
            (a + b + c);
 }
 
+static long double extent(int32_t a, int32_t b, int32_t c) {
+    int32_t least = a < b ? a : b, most = a > b ? a : b;
+    least = c < least ? c : least;
+    most = c > most ? c : most;
+    return (long double)most - (long double)least + 512; /* from the first pixel to the last */
+}
+
+long double oracle_rounding_scale(const struct fixed2 corner[3], const double recip_w[3],
+                                  const double value[3], int64_t x, int64_t y) {
+    const struct fixed2 *c = corner;
+    long double px = (long double)x * 256 + 128, py = (long double)y * 256 + 128;
+    long double width = extent(c[0].x, c[1].x, c[2].x), height = extent(c[0].y, c[1].y, c[2].y);
+    long double terms = 0, sum = 0, least = (long double)value[0], most = least;
+    for (int i = 0; i < 3; i++) {
+        struct fixed2 a = c[(i + 1) % 3], b = c[(i + 2) % 3];
+        long double dx = (long double)b.x - a.x, dy = (long double)b.y - a.y;
+        long double w = 1 / (long double)recip_w[i];
+        terms += (fabsl(dx) * height + fabsl(dy) * width) / w;
+        sum += (dx * (py - a.y) - dy * (px - a.x)) / w;
+        least = fminl(least, (long double)value[i]);
+        most = fmaxl(most, (long double)value[i]);
+    }
+    return 2 * (most - least) * terms / fabsl(sum) + fmaxl(fabsl(least), fabsl(most));
+}
+
 /* ---- Cameras ---- */
 
 static long double dot(const long double a[3], const long double b[3]) {

@@ -65,6 +65,13 @@ long double oracle_perspective_depth(const struct fixed2 corner[3], const int64_
 long double oracle_interpolate(const struct fixed2 corner[3], const double recip_w[3],
                                const double value[3], int64_t x, int64_t y);
 
+/* How much is added up, at most, for that value when it is computed as a quotient of two planes on
+ * the screen, each from its value at some pixel of the triangle's box on: 1 ulp of it is what one
+ * rounding may cost. Much more than the value itself where the triangle is a sliver, or its corners'
+ * w are far apart. */
+long double oracle_rounding_scale(const struct fixed2 corner[3], const double recip_w[3],
+                                  const double value[3], int64_t x, int64_t y);
+
 /* ---- Cameras ---- */
 
 /* The axes of a camera's frame: x to the right, y up, z from center to eye. Zero where they are not

@@ -1,6 +1,7 @@
 /* Cameras, viewports, matrices and vectors under hostile numbers. */
 #include "lessons.h"
 #include "pipeline.h"
+#include "shown.h"
 #include "stress.h"
 
 #include <stdio.h>
@@ -143,26 +144,23 @@ static bool center_is_the_origin(const struct mat4 *view, struct vec3 center) {
 
 enum { SIZE = 6 };
 
-struct camera_uniforms {
-    const struct model *model;
-    bool *all_finite;
-};
-
 static void corner_vertex(const void *uniforms, size_t face, size_t corner, double *varyings) {
-    const struct camera_uniforms *u = uniforms;
-    struct vec3 p = model_position(u->model, face, corner);
+    const struct model *model = *(const struct model *const *)uniforms;
+    struct vec3 p = model_position(model, face, corner);
     varyings[0] = p.x;
     varyings[1] = p.y;
     varyings[2] = p.z;
 }
 
-static bool finite_fragment(const void *uniforms, const double *varyings, struct color *color) {
-    const struct camera_uniforms *u = uniforms;
-    if (!isfinite(varyings[0]) || !isfinite(varyings[1]) || !isfinite(varyings[2])) {
-        *u->all_finite = false;
-    }
-    *color = color_grey(1);
-    return true;
+enum { FINITE = 1, NOT_FINITE = 2 }; /* levels */
+
+static lanes_mask finite_fragment(const void *uniforms, const lanes *varyings, lanes_texel *color) {
+    (void)uniforms;
+    lanes zeros =
+        (varyings[0] - varyings[0]) + (varyings[1] - varyings[1]) + (varyings[2] - varyings[2]);
+    lanes level = lanes_select(zeros == 0, lanes_all(FINITE), lanes_all(NOT_FINITE));
+    *color = lanes_rgb(level, level, level);
+    return lanes_all_set();
 }
 
 SHADER(finite_shader, .varying_count = 3, .vertex = corner_vertex, .fragment = finite_fragment);
@@ -180,18 +178,21 @@ static bool camera_draws_finite_pixels(const void *tried) {
         .positions = c.corner, .position_count = 4, .faces = faces, .face_count = 4};
     struct error error;
     struct pipeline pipeline;
-    uint8_t pixels[SIZE * SIZE * 3];
+    uint8_t pixels[SIZE * SIZE * 3] = {0};
     struct image image = {SIZE, SIZE, IMAGE_BGR, pixels};
-    bool all_finite = true;
-    struct camera_uniforms uniforms = {&model, &all_finite};
+    const struct model *uniforms = &model;
     struct draw_call call = camera_call(&model, c.eye, c.center, c.up, c.zoom,
                                         (struct rectangle){0, 0, SIZE, SIZE}, CULL_NONE);
     if (!pipeline_create(&pipeline, SIZE, SIZE, &error)) {
         return false;
     }
-    bool done = pipeline_draw(&pipeline, &call, &finite_shader, &uniforms, &image, &error);
-    for (int i = 0; i < SIZE * SIZE; i++) {
-        all_finite = all_finite && (isfinite(pipeline.depth[i]) || pipeline.depth[i] == -INFINITY);
+    pipeline.keep_depth = true;
+    bool done =
+        draw_frame(&pipeline, &call, &finite_shader, &uniforms, sizeof uniforms, &image, &error);
+    bool all_finite = true;
+    for (int i = 0; done && i < SIZE * SIZE; i++) {
+        all_finite = all_finite && pixels[3 * i] != NOT_FINITE &&
+                     (isfinite(pipeline.depth[i]) || pipeline.depth[i] == -INFINITY);
     }
     pipeline_free(&pipeline);
     return done && all_finite;

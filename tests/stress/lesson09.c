@@ -100,25 +100,24 @@ static bool corners_are_right(const void *tried) {
 
 /* Orange in five steps; on the border of two either is right. */
 static bool toon_is_right(double intensity) {
+    struct pixel_color pixel = shade_pixel(toon_fragment, NULL, &intensity, 1);
     bool right = false;
     for (int side = -1; side <= 1; side += 2) {
-        long double step = floorl(5 * (long double)intensity + side * 1e-15L);
-        struct color color;
+        long double step = floorl(5 * (long double)intensity + side * 16 * real_ulp);
         struct real3 orange = {255, 155, 0};
-        right = toon_fragment(NULL, &intensity, &color) &&
-                (right || color_is_right(color, real3_scale(orange, (step < 4 ? step : 4) / 4)));
+        right =
+            right || color_is_near(pixel.color, real3_scale(orange, (step < 4 ? step : 4) / 4), 4);
     }
-    return right;
+    return pixel.drawn && right;
 }
 
 static bool white_is_right(double intensity) {
-    struct color color, lit_color;
     long double level = 255 * (long double)intensity;
     struct real3 exact = {level, level, level};
-    bool drawn = white_fragment(NULL, &intensity, &color);
-    bool lit = lit_only_fragment(NULL, &intensity, &lit_color);
-    return drawn && color_is_right(color, exact) && lit == (intensity > 0) &&
-           (!lit || color_is_right(lit_color, exact));
+    struct pixel_color white = shade_pixel(white_fragment, NULL, &intensity, 1);
+    struct pixel_color lit = shade_pixel(lit_only_fragment, NULL, &intensity, 1);
+    return white.drawn && color_is_near(white.color, exact, 4) && lit.drawn == (intensity > 0) &&
+           (!lit.drawn || color_is_near(lit.color, exact, 4));
 }
 
 static bool textures_are_right(const struct shader_case *c, const struct texture *diffuse,
@@ -129,14 +128,16 @@ static bool textures_are_right(const struct shader_case *c, const struct texture
                                .normal_level = c->normal_level,
                                .to_light = c->to_light};
     const double varyings[3] = {c->uv.x, c->uv.y, c->intensity};
-    struct color color, mapped_color;
     struct real3 texel = exact_color(diffuse, c->diffuse_level, c->uv);
     struct real3 normal = exact_normal(normal_map, c->normal_level, c->uv);
     long double cosine = real3_dot(normal, real3_from(c->to_light));
-    return textured_fragment(&u, varyings, &color) &&
-           color_is_right(color, real3_scale(texel, c->intensity)) &&
-           normal_map_fragment(&u, varyings, &mapped_color) &&
-           color_is_right(mapped_color, real3_scale(texel, positive(cosine)));
+    struct pixel_color textured = shade_pixel(textured_fragment, &u, varyings, 3);
+    struct pixel_color mapped = shade_pixel(normal_map_fragment, &u, varyings, 3);
+    return textured.drawn &&
+           color_is_near(textured.color, real3_scale(texel, c->intensity), TEXEL_ROUNDINGS) &&
+           mapped.drawn &&
+           color_is_near(mapped.color, real3_scale(texel, positive(cosine)),
+                         TEXEL_ROUNDINGS + normal_roundings(normal_map, c->normal_level, c->uv));
 }
 
 static bool pixels_are_right(const void *tried) {

@@ -33,15 +33,21 @@ static long double exact_power(long double base, int power) {
     return product;
 }
 
-/* In ulp for each factor. */
-static double power_error(const void *tried) {
-    const struct power_case *c = tried;
-    long double exact = exact_power(c->base, c->power);
-    long double error = fabsl(exact - (long double)integer_power(c->base, c->power));
-    if (error <= 0x1p-1022L) {
+/* In ulp for each factor, when powers are at most `largest`. */
+static double power_error_among(const struct power_case *c, int largest) {
+    real base = (real)c->base;
+    long double exact = exact_power((long double)base, c->power);
+    lanes power = integer_power(lanes_holding((double)base), lanes_holding(c->power), largest);
+    long double error = fabsl(exact - (long double)lane_of(power));
+    if (error <= (sizeof(real) == sizeof(float) ? 0x1p-126L : 0x1p-1022L)) {
         return 0; /* too small for full precision */
     }
-    return (double)(error / (fabsl(exact) * (1 + c->power))) * 0x1p52;
+    return (double)(error / (fabsl(exact) * (1 + c->power) * 2 * real_ulp));
+}
+
+static double power_error(const void *tried) {
+    const struct power_case *c = tried;
+    return fmax(power_error_among(c, c->power), power_error_among(c, MOST_POWER));
 }
 
 static void print_power(const void *failing) {
@@ -84,7 +90,7 @@ static void make_phong(struct random *random, uint64_t index, void *made) {
                           .specular = random_real(random, 0, 1),
                           .power = (int)random_between(random, 0, MOST_POWER),
                           .color = {random_real(random, 0, 255), random_real(random, 0, 255),
-                                    random_real(random, 0, 255), 255}};
+                                    random_real(random, 0, 255)}};
     make_picture(random, &c->diffuse);
     make_picture(random, &c->normal_map);
     make_picture(random, &c->specular);
@@ -101,18 +107,30 @@ static long double exact_mirrored(struct real3 n, struct real3 l, struct real3 e
     return 2 * real3_dot(n, l) * real3_dot(n, e) - real3_dot(l, e);
 }
 
+static struct lanes3 lanes3_holding(struct vec3 v) {
+    return (struct lanes3){lanes_holding(v.x), lanes_holding(v.y), lanes_holding(v.z)};
+}
+
+static struct real3 lane3_of(struct lanes3 v) {
+    return (struct real3){(long double)lane_of(v.x), (long double)lane_of(v.y),
+                          (long double)lane_of(v.z)};
+}
+
 /* In ulp of 1. */
 static double mirror_error(const void *tried) {
     const struct phong_case *c = tried;
-    struct vec3 n = vec3_normalized(c->normal);
-    struct real3 got = real3_from(reflect(n, c->to_light)), l = real3_from(c->to_light);
-    struct real3 exact = real3_sub(real3_scale(real3_from(n), 2 * real3_dot(real3_from(n), l)), l);
-    return (double)real3_length(real3_sub(got, exact)) * 0x1p52;
+    struct lanes3 normal = lanes3_holding(vec3_normalized(c->normal));
+    struct lanes3 to_light = lanes3_holding(c->to_light);
+    struct real3 n = lane3_of(normal), l = lane3_of(to_light);
+    struct real3 got = lane3_of(reflect(normal, to_light));
+    struct real3 exact = real3_sub(real3_scale(n, 2 * real3_dot(n, l)), l);
+    return (double)(real3_length(real3_sub(got, exact)) / (2 * real_ulp));
 }
 
 /* Along the surface or across the mirrored light rounding decides what shines. */
-static bool is_undecided(struct real3 n, struct real3 l, struct real3 e) {
-    return fabsl(real3_dot(n, l)) < 1e-13L || fabsl(exact_mirrored(n, l, e)) < 1e-13L;
+static bool is_undecided(struct real3 n, struct real3 l, struct real3 e, long double roundings) {
+    long double slack = real_slack(roundings, 1e-13L);
+    return fabsl(real3_dot(n, l)) < slack || fabsl(exact_mirrored(n, l, e)) < slack;
 }
 
 /* Diffuse and specular intensity. */
@@ -131,17 +149,19 @@ static struct real_light exact_light(struct real3 n, struct real3 l, struct real
 /* Of both parts together, in ulp of 1; the specular part for each factor. */
 static double light_error(const void *tried) {
     const struct phong_case *c = tried;
-    struct vec3 n = vec3_normalized(c->normal);
-    struct vec3 e = vec3_normalized(vec3_sub(c->eye, c->position));
-    struct real3 real_n = real3_from(n), l = real3_from(c->to_light), real_e = real3_from(e);
-    struct vec2 got = phong(n, c->to_light, e, c->material.power);
-    if (is_undecided(real_n, l, real_e)) {
+    struct lanes3 normal = lanes3_holding(vec3_normalized(c->normal));
+    struct lanes3 to_light = lanes3_holding(c->to_light);
+    struct lanes3 to_eye = lanes3_holding(vec3_normalized(vec3_sub(c->eye, c->position)));
+    struct real3 n = lane3_of(normal), l = lane3_of(to_light), e = lane3_of(to_eye);
+    int power = c->material.power;
+    struct lanes2 got = phong(normal, to_light, to_eye, lanes_holding(power), power);
+    if (is_undecided(n, l, e, 16)) {
         return 0;
     }
-    struct real_light exact = exact_light(real_n, l, real_e, c->material.power);
-    long double first = fabsl(exact.diffuse - (long double)got.x);
-    long double second = fabsl(exact.specular - (long double)got.y) / (1 + c->material.power);
-    return (double)(first + second) * 0x1p52;
+    struct real_light exact = exact_light(n, l, e, power);
+    long double first = fabsl(exact.diffuse - (long double)lane_of(got.x));
+    long double second = fabsl(exact.specular - (long double)lane_of(got.y)) / (1 + power);
+    return (double)((first + second) / (2 * real_ulp));
 }
 
 /* (sin a, 0, cos a) */
@@ -155,22 +175,26 @@ static bool turn_is_right(const void *tried) {
 
 /* ---- At the corners ---- */
 
-/* Position, texture coordinates, normal of length 1. */
+/* Towards the eye, texture coordinates, normal of length 1. */
 static bool corners_are_right(const void *tried) {
     struct phong_case c = *(const struct phong_case *)tried;
     struct mesh mesh;
     mesh_from(&mesh, &c.mesh, 1);
-    const struct uniforms u = {.model = &mesh.model};
+    const struct uniforms u = {.model = &mesh.model, .eye = c.eye};
     for (size_t i = 0; i < 3; i++) {
         double without[8] = {0}, v[8] = {0};
         vertex(&u, 0, i, without);
         vertex_with_normal(&u, 0, i, v);
-        struct real3 p = real3_from(c.mesh.position[i]), n = real3_unit(mesh_get(c.mesh.normal[i]));
+        struct real3 p = real3_sub(real3_from(c.eye), real3_from(c.mesh.position[i]));
+        struct real3 n = real3_unit(mesh_get(c.mesh.normal[i]));
+        const long double slack = 0x1p-53L * (1 + real3_length(p));
         const long double exact[8] = {
             p.x, p.y, p.z, (long double)c.mesh.uv[i][0], (long double)c.mesh.uv[i][1],
             n.x, n.y, n.z};
         for (int k = 0; k < 8; k++) {
-            if (!(fabsl(exact[k] - (long double)v[k]) <= (k < 5 ? 0 : 0x1p-51L)) ||
+            if (!(fabsl(exact[k] - (long double)v[k]) <= (k < 3   ? slack
+                                                          : k < 5 ? 0
+                                                                  : 0x1p-51L)) ||
                 (k < 5 && without[k] != v[k])) {
                 return false;
             }
@@ -187,7 +211,7 @@ struct pictures {
 
 /* What a fragment function reads, and how. */
 struct fragment {
-    bool (*draw)(const void *uniforms, const double *varyings, struct color *color);
+    lanes_mask (*draw)(const void *uniforms, const lanes *varyings, lanes_texel *color);
     bool mapped;   /* the normal comes from the map */
     bool textured; /* the colour comes from the texture */
     bool weight_from_map,
@@ -211,10 +235,10 @@ static bool fragment_is_right(const struct phong_case *c, const struct pictures 
                                .eye = c->eye,
                                .to_light = c->to_light,
                                .material = c->material};
-    const double varyings[8] = {c->position.x, c->position.y, c->position.z, c->uv.x,
-                                c->uv.y,       c->normal.x,   c->normal.y,   c->normal.z};
-    struct color color;
-    bool drawn = f->draw(&u, varyings, &color);
+    struct vec3 to_eye = vec3_sub(c->eye, c->position);
+    const double varyings[8] = {to_eye.x, to_eye.y,    to_eye.z,    c->uv.x,
+                                c->uv.y,  c->normal.x, c->normal.y, c->normal.z};
+    struct pixel_color pixel = shade_pixel(f->draw, &u, varyings, 8);
     struct real3 n = f->mapped ? exact_normal(&pictures->normal_map, c->normal_level, c->uv)
                                : real3_unit(real3_from(c->normal));
     struct real3 l = real3_from(c->to_light);
@@ -224,14 +248,22 @@ static bool fragment_is_right(const struct phong_case *c, const struct pictures 
     long double shine = exact_color(&pictures->specular, c->specular_level, c->uv).x;
     long double weight = c->material.specular * (f->weight_from_map ? shine / 255 : 1);
     int power = f->power_from_map ? 1 + (int)shine / 8 : c->material.power;
+    /* What the directions cost, and then what lies in the light that they mirror. */
+    long double roundings = 16;
+    if (f->mapped) {
+        roundings += 4 * normal_roundings(&pictures->normal_map, c->normal_level, c->uv);
+    }
     /* On the border of two powers rounding decides. */
-    bool undecided = is_undecided(n, l, e) || fabsl(shine / 8 - roundl(shine / 8)) < 1e-13L;
+    bool undecided =
+        is_undecided(n, l, e, roundings) ||
+        fabsl(shine / 8 - roundl(shine / 8)) < real_slack(32 * TEXEL_ROUNDINGS, 1e-13L);
     struct real_light light = exact_light(n, l, e, power);
     long double scattered = c->material.ambient + c->material.diffuse * light.diffuse;
     long double mirrored = 255 * weight * light.specular;
     struct real3 exact = real3_scale(surface, scattered);
     exact = real3_add(exact, (struct real3){1, 1, 1}, mirrored);
-    return drawn && (undecided || color_is_right(color, exact));
+    roundings = 2 * TEXEL_ROUNDINGS + roundings * (2 + power);
+    return pixel.drawn && (undecided || color_is_near(pixel.color, exact, roundings));
 }
 
 static bool pixels_are_right(const void *tried) {

@@ -18,6 +18,56 @@ bool color_is_right(struct color color, struct real3 exact) {
            level_is_right(color.b, exact.z);
 }
 
+long double real_slack(long double roundings, long double if_double) {
+    return sizeof(real) == sizeof(float) ? roundings * real_ulp : if_double;
+}
+
+static bool level_is_near(uint8_t level, long double exact, long double roundings) {
+    long double bounded = exact > 0 ? (exact < 255 ? exact : 255) : 0;
+    return fabsl(level - bounded) <= 0.5L + real_slack(255 * roundings, 1e-9L);
+}
+
+bool color_is_near(struct color color, struct real3 exact, long double roundings) {
+    return level_is_near(color.r, exact.x, roundings) &&
+           level_is_near(color.g, exact.y, roundings) && level_is_near(color.b, exact.z, roundings);
+}
+
+enum { JUDGED_LANE = LANES / 3 };
+
+lanes lanes_holding(double value) {
+    real numbers[LANES];
+    lanes result;
+    for (int i = 0; i < LANES; i++) {
+        numbers[i] = i == JUDGED_LANE ? (real)value : (real)i / 4 - 1;
+    }
+    memcpy(&result, numbers, sizeof result);
+    return result;
+}
+
+double lane_of(lanes value) {
+    real numbers[LANES];
+    memcpy(numbers, &value, sizeof numbers);
+    return (double)numbers[JUDGED_LANE];
+}
+
+struct pixel_color shade_pixel(lanes_mask (*fragment)(const void *, const lanes *, lanes_texel *),
+                               const void *uniforms, const double *varyings, size_t count) {
+    lanes given[8];
+    lanes_texel texels;
+    for (size_t i = 0; i < count; i++) {
+        given[i] = lanes_holding(varyings[i]);
+    }
+    lanes_mask drawn = fragment(uniforms, given, &texels);
+    uint32_t texel = lanes_texel_at(texels, JUDGED_LANE);
+    return (struct pixel_color){
+        .color = {.b = (uint8_t)texel,
+                  .g = (uint8_t)(texel >> 8),
+                  .r = (uint8_t)(texel >> 16),
+                  .a = (uint8_t)(texel >> 24)},
+        .drawn = lanes_is_set(drawn, JUDGED_LANE),
+    };
+}
+
 struct vec3 random_direction(struct random *random) {
     struct vec3 v;
     do {
@@ -183,7 +233,16 @@ struct real3 exact_color(const struct texture *texture, size_t level, struct vec
     return (struct real3){sample.channel[0], sample.channel[1], sample.channel[2]};
 }
 
-struct real3 exact_normal(const struct texture *texture, size_t level, struct vec2 uv) {
+static struct real3 mapped_direction(const struct texture *texture, size_t level, struct vec2 uv) {
     struct real3 c = real3_scale(exact_color(texture, level, uv), 2 / 255.0L);
-    return real3_unit((struct real3){c.x - 1, c.y - 1, c.z - 1});
+    return (struct real3){c.x - 1, c.y - 1, c.z - 1};
+}
+
+struct real3 exact_normal(const struct texture *texture, size_t level, struct vec2 uv) {
+    return real3_unit(mapped_direction(texture, level, uv));
+}
+
+/* A component is off by twice what a texel is, since it goes from -1 to 1. */
+long double normal_roundings(const struct texture *texture, size_t level, struct vec2 uv) {
+    return 2 * TEXEL_ROUNDINGS / real3_length(mapped_direction(texture, level, uv)) + 8;
 }

@@ -3,6 +3,7 @@
 #ifndef TESTS_LESSONS_H
 #define TESTS_LESSONS_H
 
+#include "lanes.h"
 #include "model.h"
 #include "oracle.h"
 #include "raster.h"
@@ -29,6 +30,39 @@ bool level_is_right(uint8_t level, long double exact);
 
 /* The three channels; red, green, blue as x, y, z. */
 bool color_is_right(struct color color, struct real3 exact);
+
+/* ---- Pixel arithmetic, which is done in `real` ---- */
+
+/* What rounding a number near 1 costs at most. */
+static const long double real_ulp = sizeof(real) == sizeof(float) ? 0x1p-24L : 0x1p-53L;
+
+/* So many roundings of numbers near 1, where they are done in float; in double `if_double`. */
+long double real_slack(long double roundings, long double if_double);
+
+/* How many roundings of numbers of the size of the result a bilinear sample costs, of a picture of
+ * PICTURE_SIDE texels: mostly those of the coordinates, which texels multiply. */
+enum { TEXEL_ROUNDINGS = 32 };
+
+/* And a normal of length 1 from such a picture: the more, the shorter the normal was before. */
+long double normal_roundings(const struct texture *texture, size_t level, struct vec2 uv);
+
+/* As color_is_right(), for a colour that was computed in `real` with so many roundings. */
+bool color_is_near(struct color color, struct real3 exact, long double roundings);
+
+/* A number for one of the lanes, which lane_of() gives back; the others hold other numbers. */
+lanes lanes_holding(double value);
+double lane_of(lanes value);
+
+/* What a fragment function makes of a pixel with these varyings, at most 8. */
+struct pixel_color {
+    struct color color;
+    bool drawn;
+};
+
+struct pixel_color shade_pixel(lanes_mask (*fragment)(const void *, const lanes *, lanes_texel *),
+                               const void *uniforms, const double *varyings, size_t count);
+
+/* ---- Random vectors ---- */
 
 /* A direction of length 1, but for rounding. */
 struct vec3 random_direction(struct random *random);

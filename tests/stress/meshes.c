@@ -1,5 +1,6 @@
 /* Whole meshes: every pixel exactly once, the same image in every order, no gaps when clipped. */
 #include "pipeline.h"
+#include "shown.h"
 #include "stress.h"
 
 #include <stdio.h>
@@ -227,11 +228,10 @@ static void place_vertex(const void *uniforms, size_t face, size_t corner, doubl
     varyings[2] = p.z;
 }
 
-static bool place_fragment(const void *uniforms, const double *varyings, struct color *color) {
+static lanes_mask place_fragment(const void *uniforms, const lanes *varyings, lanes_texel *color) {
     (void)uniforms;
-    *color = color_rgb(level_from(128 + 120 * varyings[0]), level_from(128 + 120 * varyings[1]),
-                       level_from(128 + 120 * varyings[2]));
-    return true;
+    *color = lanes_rgb(128 + 120 * varyings[0], 128 + 120 * varyings[1], 128 + 120 * varyings[2]);
+    return lanes_all_set();
 }
 
 SHADER(place_shader, .varying_count = 3, .vertex = place_vertex, .fragment = place_fragment);
@@ -252,7 +252,9 @@ static bool draw_soup(const struct world_mesh *mesh, double distance, int left, 
         return false;
     }
     pipeline.skip = skip;
-    bool done = pipeline_draw(&pipeline, &call, &place_shader, &uniforms, image, &error);
+    pipeline_use_threads(&pipeline, 1 + (size_t)(left * bottom) % 61 / 59);
+    bool done =
+        draw_frame(&pipeline, &call, &place_shader, &uniforms, sizeof uniforms, image, &error);
     pipeline_free(&pipeline);
     return done;
 }
@@ -321,29 +323,24 @@ enum { COUNT_SIZE = 16 };
 
 struct count_uniforms {
     const struct model *model;
-    struct mat4 to_clip;
-    unsigned char (*times)[COUNT_SIZE];
-    bool *misplaced; /* a pixel shows a place outside the image */
+    size_t reversed; /* how many faces are listed in reverse; 0: they are listed in order */
 };
 
-/* Count the pixel that shows this place, found by projecting it; draw nothing. */
-static bool count_fragment(const void *uniforms, const double *varyings, struct color *color) {
+/* The number of the face, from 1. */
+static void count_vertex(const void *uniforms, size_t face, size_t corner, double *varyings) {
     const struct count_uniforms *u = uniforms;
-    struct vec3 place = {varyings[0], varyings[1], varyings[2]};
-    struct vec4 clip = mat4_point(&u->to_clip, place);
-    double x = floor((clip.x / clip.w + 1) * COUNT_SIZE / 2);
-    double y = floor((clip.y / clip.w + 1) * COUNT_SIZE / 2);
-    if (x >= 0 && x < COUNT_SIZE && y >= 0 && y < COUNT_SIZE) {
-        u->times[(int)y][(int)x]++;
-    } else {
-        *u->misplaced = true;
-    }
-    *color = color_grey(0);
-    return false;
+    (void)corner;
+    varyings[0] = (double)(u->reversed > 0 ? u->reversed - face : face + 1);
 }
 
-SHADER(count_shader, .varying_count = 3, .vertex = place_vertex, .fragment = count_fragment,
-       .discards = true);
+static lanes_mask count_fragment(const void *uniforms, const lanes *varyings, lanes_texel *color) {
+    (void)uniforms;
+    *color = lanes_rgb(varyings[0], varyings[0], varyings[0]);
+    return lanes_all_set();
+}
+
+SHADER(count_shader, .varying_count = 1, .flat = true, .vertex = count_vertex,
+       .fragment = count_fragment);
 
 struct plane {
     struct world_mesh mesh;
@@ -443,33 +440,57 @@ static enum ray follow_ray(const struct plane *plane, int x, int y) {
     return ray;
 }
 
-static bool count_plane(const struct plane *plane, unsigned char times[COUNT_SIZE][COUNT_SIZE],
-                        uint64_t stats[PIPELINE_STATS]) {
+/* Which face shows at each pixel, from 1, when all have the same depth: the first one that covers
+ * it; the last one when they are drawn in reverse. */
+static bool show_faces(const struct plane *plane, bool reverse,
+                       uint8_t shown[COUNT_SIZE * COUNT_SIZE], uint64_t stats[PIPELINE_STATS]) {
     struct error error;
     struct pipeline pipeline;
-    bool misplaced = false;
-    uint8_t pixels[COUNT_SIZE * COUNT_SIZE * 3];
+    uint8_t pixels[COUNT_SIZE * COUNT_SIZE * 3] = {0};
     struct image image = {COUNT_SIZE, COUNT_SIZE, IMAGE_BGR, pixels};
-    struct count_uniforms uniforms = {&plane->mesh.model, plane->to_clip, times, &misplaced};
-    struct draw_call call = {.model = &plane->mesh.model,
-                             .to_clip = plane->to_clip,
-                             .viewport = {0, 0, COUNT_SIZE, COUNT_SIZE}};
-    memset(times, 0, (size_t)COUNT_SIZE * COUNT_SIZE);
-    if (!pipeline_create(&pipeline, COUNT_SIZE, COUNT_SIZE, &error)) {
-        return false;
+    struct face faces[FACE_LIMIT];
+    struct model model = plane->mesh.model;
+    model.faces = faces;
+    for (size_t i = 0; i < model.face_count; i++) {
+        faces[i] = plane->mesh.faces[reverse ? model.face_count - 1 - i : i];
     }
-    bool done = pipeline_draw(&pipeline, &call, &count_shader, &uniforms, &image, &error);
+    struct count_uniforms uniforms = {&model, reverse ? model.face_count : 0};
+    struct draw_call call = {
+        .model = &model, .to_clip = plane->to_clip, .viewport = {0, 0, COUNT_SIZE, COUNT_SIZE}};
+    memset(call.to_clip.m[2], 0, sizeof call.to_clip.m[2]);
+    bool done =
+        pipeline_create(&pipeline, COUNT_SIZE, COUNT_SIZE, &error) &&
+        draw_frame(&pipeline, &call, &count_shader, &uniforms, sizeof uniforms, &image, &error);
     memcpy(stats, pipeline.stats, sizeof pipeline.stats);
     pipeline_free(&pipeline);
-    return done && !misplaced;
+    for (size_t i = 0; i < COUNT_SIZE * COUNT_SIZE; i++) {
+        shown[i] = pixels[3 * i];
+    }
+    return done;
+}
+
+/* How often each pixel is drawn: 2 stands for more than once, by different faces. That no face
+ * draws one twice by itself is seen in `all`, how often pixels are drawn altogether. */
+static bool count_plane(const struct plane *plane, unsigned char times[COUNT_SIZE][COUNT_SIZE],
+                        uint64_t *all) {
+    uint64_t stats[PIPELINE_STATS];
+    uint8_t first[COUNT_SIZE * COUNT_SIZE], last[COUNT_SIZE * COUNT_SIZE];
+    bool done = show_faces(plane, true, last, stats) && show_faces(plane, false, first, stats);
+    for (size_t i = 0; i < COUNT_SIZE * COUNT_SIZE; i++) {
+        times[i / COUNT_SIZE][i % COUNT_SIZE] =
+            (unsigned char)((first[i] > 0) + (first[i] != last[i]));
+    }
+    *all = stats[STAT_PIXELS_COVERED];
+    return done;
 }
 
 static bool clipped_without_gaps(const void *tried) {
     struct plane plane;
     unsigned char times[COUNT_SIZE][COUNT_SIZE];
-    uint64_t stats[PIPELINE_STATS];
+    uint64_t all, sum = 0;
+    bool edge_on = false;
     build_plane(tried, &plane);
-    if (!count_plane(&plane, times, stats)) {
+    if (!count_plane(&plane, times, &all)) {
         return false;
     }
     for (int y = 0; y < COUNT_SIZE; y++) {
@@ -479,9 +500,11 @@ static bool clipped_without_gaps(const void *tried) {
             if (ray != RAY_EDGE_ON && (times[y][x] < least || times[y][x] > most)) {
                 return false;
             }
+            edge_on = edge_on || ray == RAY_EDGE_ON;
+            sum += times[y][x];
         }
     }
-    return true;
+    return edge_on || sum == all;
 }
 
 static void make_plane_case(struct random *random, uint64_t index, void *made) {

@@ -1,5 +1,6 @@
 /* The pipeline, by pipeline_draw() alone: what shows at each pixel, its depth, its attributes. */
 #include "pipeline.h"
+#include "shown.h"
 #include "soup.h"
 #include "stress.h"
 
@@ -50,14 +51,14 @@ static void print_soup(const void *failing) {
 
 /* ---- Drawing a soup ---- */
 
-/* What a drawing shows in the four bytes of a pixel: the number of the face, or half of the bits of
- * its interpolated value. */
-enum shown { SHOW_FACE, SHOW_LOW_BITS, SHOW_HIGH_BITS };
+/* What a drawing shows in the four bytes of a pixel: the number of the face, or that part of the
+ * bits of its interpolated value. */
+enum { SHOW_FACE = -1 };
 
 struct soup_uniforms {
     const struct soup *soup;
     size_t first_face; /* of the draw call */
-    enum shown shown;
+    int shown;         /* SHOW_FACE, or a part from 0 */
 };
 
 static void soup_vertex(const void *uniforms, size_t face, size_t corner, double *varyings) {
@@ -69,20 +70,15 @@ static void soup_vertex(const void *uniforms, size_t face, size_t corner, double
 /* Transparent on purpose: the pipeline must not make it opaque. */
 enum { ALPHA = 7 };
 
-static bool soup_fragment(const void *uniforms, const double *varyings, struct color *color) {
+static lanes_mask soup_fragment(const void *uniforms, const lanes *varyings, lanes_texel *color) {
     const struct soup_uniforms *u = uniforms;
-    uint64_t bits;
-    memcpy(&bits, &varyings[1], sizeof bits);
-    bits = u->shown == SHOW_HIGH_BITS ? bits >> 32 : bits;
-    *color = (struct color){.b = (uint8_t)bits,
-                            .g = (uint8_t)(bits >> 8),
-                            .r = (uint8_t)(bits >> 16),
-                            .a = (uint8_t)(bits >> 24)};
     if (u->shown == SHOW_FACE) {
-        *color = color_grey(level_from(varyings[0]));
-        color->a = ALPHA;
+        *color = lanes_rgb(varyings[0], varyings[0], varyings[0]);
+        *color = (*color & 0xFFFFFF) | (uint32_t)ALPHA << 24;
+    } else {
+        *color = show_part(varyings[1], (size_t)u->shown);
     }
-    return true;
+    return lanes_all_set();
 }
 
 SHADER(soup_shader, .varying_count = 2, .vertex = soup_vertex, .fragment = soup_fragment);
@@ -96,7 +92,8 @@ enum { UNTOUCHED = 0xA5 }; /* all bytes of the image before it is drawn on */
 
 /* A soup's faces in two draw calls, the first of which has `split` faces. */
 static bool draw_calls(struct pipeline *pipeline, const struct soup *soup, size_t split,
-                       enum way way, enum shown shown, struct image *image) {
+                       enum way way, int shown, struct image *image) {
+    struct error error;
     struct model models[2] = {soup->model, soup->model};
     models[0].face_count = split;
     models[1].faces += split;
@@ -105,37 +102,42 @@ static bool draw_calls(struct pipeline *pipeline, const struct soup *soup, size_
     pipeline_clear(pipeline);
     pipeline->skip = way != SHADE_ALL;
     for (size_t i = 0; i < 2; i++) {
-        struct error error;
         struct soup_uniforms uniforms = {soup, i * split, shown};
         struct draw_call call = {
             .model = &models[i], .to_clip = soup->to_clip, .viewport = soup->viewport};
         const struct shader *shader = way == SHADE_DISCARDING ? &discarding_shader : &soup_shader;
-        if (!pipeline_draw(pipeline, &call, shader, &uniforms, image, &error)) {
+        if (!pipeline_draw(pipeline, &call, shader, &uniforms, sizeof uniforms, &error)) {
             return false;
         }
     }
-    return true;
+    return pipeline_finish(pipeline, image, &error);
 }
 
 struct drawing {
     struct pipeline pipeline;
-    struct image faces, low_bits, high_bits;
+    struct image faces, bits[REAL_PARTS];
 };
 
 static void drawing_free(struct drawing *drawing) {
     pipeline_free(&drawing->pipeline);
     image_free(&drawing->faces);
-    image_free(&drawing->low_bits);
-    image_free(&drawing->high_bits);
+    for (size_t i = 0; i < REAL_PARTS; i++) {
+        image_free(&drawing->bits[i]);
+    }
 }
 
-static bool drawing_create(struct drawing *drawing, size_t width, size_t height) {
+/* Now and then with several threads. */
+static bool drawing_create(struct drawing *drawing, size_t width, size_t height, uint64_t seed) {
     struct error error;
     *drawing = (struct drawing){0};
-    return pipeline_create(&drawing->pipeline, width, height, &error) &&
-           image_create(&drawing->faces, width, height, IMAGE_BGRA, &error) &&
-           image_create(&drawing->low_bits, width, height, IMAGE_BGRA, &error) &&
-           image_create(&drawing->high_bits, width, height, IMAGE_BGRA, &error);
+    bool done = pipeline_create(&drawing->pipeline, width, height, &error) &&
+                image_create(&drawing->faces, width, height, IMAGE_BGRA, &error);
+    for (size_t i = 0; i < REAL_PARTS; i++) {
+        done = done && image_create(&drawing->bits[i], width, height, IMAGE_BGRA, &error);
+    }
+    drawing->pipeline.keep_depth = true;
+    pipeline_use_threads(&drawing->pipeline, seed / 32 % 64 == 0 ? 2 + seed / 2048 % 7 : 1);
+    return done;
 }
 
 /* The faces in one of the ways, chosen by the seed; false where another way gives other bytes. */
@@ -145,9 +147,9 @@ static bool draw_faces(struct drawing *drawing, const struct soup *soup, uint64_
     bool same = true;
     for (unsigned i = 0; i < WAYS && same; i++) {
         enum way way = (enum way)((seed / 8 + i) % WAYS);
-        struct image *image = i == 0 ? &drawing->low_bits : &drawing->faces;
+        struct image *image = i == 0 ? &drawing->bits[0] : &drawing->faces;
         same = draw_calls(&drawing->pipeline, soup, split, way, SHOW_FACE, image) &&
-               (i == 0 || memcmp(image->pixels, drawing->low_bits.pixels, size) == 0);
+               (i == 0 || memcmp(image->pixels, drawing->bits[0].pixels, size) == 0);
     }
     return same;
 }
@@ -155,22 +157,11 @@ static bool draw_faces(struct drawing *drawing, const struct soup *soup, uint64_
 static bool draw_values(struct drawing *drawing, const struct soup *soup, uint64_t seed) {
     enum way way = (enum way)(seed / 8 % WAYS);
     size_t split = seed % (soup->model.face_count + 1);
-    struct pipeline *p = &drawing->pipeline;
-    return draw_calls(p, soup, split, way, SHOW_LOW_BITS, &drawing->low_bits) &&
-           draw_calls(p, soup, split, way, SHOW_HIGH_BITS, &drawing->high_bits);
-}
-
-static uint32_t bits_at(const struct image *image, size_t pixel) {
-    const uint8_t *p = image->pixels + 4 * pixel;
-    return p[0] | (uint32_t)p[1] << 8 | (uint32_t)p[2] << 16 | (uint32_t)p[3] << 24;
-}
-
-static double value_at(const struct drawing *drawing, size_t pixel) {
-    uint64_t bits =
-        bits_at(&drawing->low_bits, pixel) | (uint64_t)bits_at(&drawing->high_bits, pixel) << 32;
-    double value;
-    memcpy(&value, &bits, sizeof value);
-    return value;
+    bool done = true;
+    for (int i = 0; i < REAL_PARTS; i++) {
+        done = done && draw_calls(&drawing->pipeline, soup, split, way, i, &drawing->bits[i]);
+    }
+    return done;
 }
 
 /* ---- Judging what was drawn ---- */
@@ -178,7 +169,7 @@ static double value_at(const struct drawing *drawing, size_t pixel) {
 /* The face that shows at a pixel, from 0; -1 where nothing was drawn, -2 for what cannot be. */
 static int face_at(const struct soup *soup, const struct drawing *drawing, size_t pixel) {
     const uint8_t *p = drawing->faces.pixels + 4 * pixel;
-    if (bits_at(&drawing->faces, pixel) == UNTOUCHED * 0x01010101u) {
+    if (texel_at(&drawing->faces, pixel) == UNTOUCHED * 0x01010101u) {
         return drawing->pipeline.depth[pixel] == (double)-INFINITY ? -1 : -2;
     }
     bool possible = p[0] == p[1] && p[1] == p[2] && p[3] == ALPHA && p[0] >= 1 &&
@@ -260,8 +251,8 @@ static bool is_chosen(const struct soup *soup, const struct image *faces, int x,
     int place = wide ? x : y, size = wide ? (int)soup->width : (int)soup->height;
     size_t pixel = (size_t)y * soup->width + (size_t)x, step = wide ? 1 : soup->width;
     return soup->kind < SOUP_WIDE || (x + y) % 41 == 0 || place == 0 || place == size - 1 ||
-           bits_at(faces, pixel - step) != bits_at(faces, pixel) ||
-           bits_at(faces, pixel + step) != bits_at(faces, pixel);
+           texel_at(faces, pixel - step) != texel_at(faces, pixel) ||
+           texel_at(faces, pixel + step) != texel_at(faces, pixel);
 }
 
 static bool judge_faces(const void *tried, struct tally *tally) {
@@ -269,8 +260,8 @@ static bool judge_faces(const void *tried, struct tally *tally) {
     struct soup soup;
     struct drawing drawing;
     soup_make(&soup, c->seed, (enum soup_kind)c->kind, c->faces);
-    bool right =
-        drawing_create(&drawing, soup.width, soup.height) && draw_faces(&drawing, &soup, c->seed);
+    bool right = drawing_create(&drawing, soup.width, soup.height, c->seed) &&
+                 draw_faces(&drawing, &soup, c->seed);
     for (int y = 0; right && y < (int)soup.height; y++) {
         for (int x = 0; right && x < (int)soup.width; x++) {
             right =
@@ -290,10 +281,10 @@ static bool judge_value(const struct soup *soup, const struct drawing *drawing, 
         return face == -1;
     }
     struct soup_hit hit = soup_look(soup, (size_t)face, x, y);
-    double error = distance_outside(value_at(drawing, pixel), hit.value);
+    double error = distance_outside(shown_real(drawing->bits, pixel), hit.value);
     tally->asked++;
     tally->error = fmax(tally->error, error * 1024 * 256);
-    return hit.covered && error <= soup_value_tolerance(soup);
+    return hit.covered && error <= soup_value_tolerance(soup, &hit);
 }
 
 static bool judge_values(const void *tried, struct tally *tally) {
@@ -301,7 +292,7 @@ static bool judge_values(const void *tried, struct tally *tally) {
     struct soup soup;
     struct drawing drawing;
     soup_make(&soup, c->seed, (enum soup_kind)c->kind, c->faces);
-    bool right = drawing_create(&drawing, soup.width, soup.height) &&
+    bool right = drawing_create(&drawing, soup.width, soup.height, c->seed) &&
                  draw_faces(&drawing, &soup, c->seed) && draw_values(&drawing, &soup, c->seed);
     for (int y = 0; right && y < (int)soup.height; y++) {
         for (int x = 0; right && x < (int)soup.width; x++) {

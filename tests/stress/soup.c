@@ -367,6 +367,8 @@ static void look_at_triangle(const struct soup_corner *const corner[3], int x, i
         hit->covered = true;
         widen(&hit->depth, oracle_interpolate(screen, parallel, depth, x, y));
         widen(&hit->value, oracle_interpolate(screen, recip_w, value, x, y));
+        hit->value_terms =
+            fmax(hit->value_terms, (double)oracle_rounding_scale(screen, recip_w, value, x, y));
     }
 }
 
@@ -374,7 +376,7 @@ struct soup_hit soup_look(const struct soup *soup, size_t face, int x, int y) {
     const struct soup_polygon *polygon = &soup->polygons[face];
     const struct soup_corner *c = polygon->corner;
     const struct range nothing = {(long double)INFINITY, (long double)-INFINITY};
-    struct soup_hit hit = {false, nothing, nothing};
+    struct soup_hit hit = {false, nothing, nothing, 0};
     for (size_t i = 0; i < polygon->count; i++) {
         for (size_t k = i + 1; k < polygon->count; k++) {
             for (size_t j = k + 1; j < polygon->count; j++) {
@@ -393,8 +395,10 @@ double soup_depth_tolerance(const struct soup *soup, size_t face) {
     return soup->polygons[face].scale * (soup->kind == SOUP_WHOLE ? 0x1p-48 : 0x1p-40);
 }
 
-double soup_value_tolerance(const struct soup *soup) {
-    return soup->kind <= SOUP_STEEP ? 0x1p-46 : 0x1p-38;
+/* Some roundings of what is added up; and where a face was cut, what rounding its corners costs. */
+double soup_value_tolerance(const struct soup *soup, const struct soup_hit *hit) {
+    double ulp = sizeof(real) == sizeof(float) ? 0x1p-24 : 0x1p-53;
+    return 8 * ulp * hit->value_terms + (soup->kind <= SOUP_STEEP ? 0 : 0x1p-38);
 }
 
 void soup_print(const struct soup *soup) {

@@ -81,14 +81,15 @@ struct range {
 struct soup_hit {
     bool covered; /* the pixel's centre, by the face; depth and value only then */
     struct range depth, value;
+    double value_terms; /* how much is added up for the value: see oracle_rounding_scale() */
 };
 
 struct soup_hit soup_look(const struct soup *soup, size_t face, int x, int y);
 
-/* By how much a depth of that face may be off and still be right, and by how much a value. Doubles
- * lose this much; floats lose thousands of times as much. */
+/* By how much a depth of that face may be off and still be right: doubles lose this much, floats
+ * thousands of times as much. And by how much a value, which is interpolated in `real`. */
 double soup_depth_tolerance(const struct soup *soup, size_t face);
-double soup_value_tolerance(const struct soup *soup);
+double soup_value_tolerance(const struct soup *soup, const struct soup_hit *hit);
 
 /* In the form of an OBJ file, with the rest as comments. */
 void soup_print(const struct soup *soup);

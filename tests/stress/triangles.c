@@ -1,6 +1,7 @@
 /* Triangles: coverage against 128-bit integers, the depths of two against fractions. */
 #include "lessons.h"
 #include "pipeline.h"
+#include "shown.h"
 #include "stress.h"
 
 #include <stdio.h>
@@ -223,10 +224,10 @@ static void number_vertex(const void *uniforms, size_t face, size_t corner, doub
     varyings[0] = (double)face + 1;
 }
 
-static bool number_fragment(const void *uniforms, const double *varyings, struct color *color) {
+static lanes_mask number_fragment(const void *uniforms, const lanes *varyings, lanes_texel *color) {
     (void)uniforms;
-    *color = color_grey(level_from(varyings[0]));
-    return true;
+    *color = lanes_rgb(varyings[0], varyings[0], varyings[0]);
+    return lanes_all_set();
 }
 
 SHADER(number_shader, .varying_count = 1, .vertex = number_vertex, .fragment = number_fragment);
@@ -253,7 +254,7 @@ static int face_shown(const struct depth_case *c, bool skip) {
         return 0;
     }
     pipeline.skip = skip;
-    bool done = pipeline_draw(&pipeline, &call, &number_shader, NULL, &image, &error);
+    bool done = draw_frame(&pipeline, &call, &number_shader, NULL, 0, &image, &error);
     pipeline_free(&pipeline);
     return done ? image_get(&image, c->x, c->y).r : 0;
 }

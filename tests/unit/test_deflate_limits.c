@@ -7,6 +7,7 @@
 #include "unit.h"
 
 #include <stdlib.h>
+#include <time.h>
 
 /* ---- Streams by hand ---- */
 
@@ -121,6 +122,46 @@ static void test_cut_headers(void) {
     }
 }
 
+/* Fixed codes before a block with codes of its own, and after it: "a" in each. */
+static void test_changing_codes(void) {
+    struct stream stream = {{0x78, 0x01}, 16};
+    struct error error;
+    char out[4] = "";
+    put_string(&stream, "0 10 10010001 0000000");
+    put_string(&stream, "0 10 10010001 0000000");
+    put_string(&stream, "0 01 10000 00000 0111"); /* as in make_stream() */
+    put_string(&stream, "000 000 100 000 000 000 000 000 000 000 000 000 000 000 000 010 000 010");
+    put_string(&stream, "0 0110101 10 0 1111111 0 1001000 11 11 10 0 10");
+    put_string(&stream, "1 10 10010001 0000000");
+    size_t size = (stream.bits + 7) / 8;
+    const uint8_t check[4] = {3, 0xce, 1, 0x85}; /* of "aaaa": 1 + 4 * 97 */
+    memcpy(stream.bytes + size, check, sizeof check);
+    CHECK(zlib_decompress(stream.bytes, size + sizeof check, out, sizeof out, &error));
+    CHECK(memcmp(out, "aaaa", sizeof out) == 0);
+}
+
+/* A megabyte of empty blocks with fixed codes, of 10 bits each, takes no longer than other data. */
+static void test_empty_blocks(void) {
+    enum { SIZE = 1 << 20, REPEATED = 5 };
+    static const uint8_t four_blocks[REPEATED] = {0x02, 0x08, 0x20, 0x80, 0x00};
+    uint8_t *stream = calloc(SIZE, 1), out[1] = {0};
+    struct error error;
+    CHECK(stream != NULL);
+    if (stream == NULL) {
+        return;
+    }
+    stream[0] = 0x78;
+    stream[1] = 0x01;
+    for (size_t i = 2; i < SIZE; i++) {
+        stream[i] = four_blocks[(i - 2) % REPEATED];
+    }
+    clock_t start = clock();
+    CHECK(!zlib_decompress(stream, SIZE, out, sizeof out, &error));
+    CHECK(strstr(error.message, "cut off") != NULL);
+    CHECK(clock() - start < CLOCKS_PER_SEC); /* and is far below it */
+    free(stream);
+}
+
 /* ---- Streams that the compressor makes ---- */
 
 static uint32_t next_random(uint32_t *state) {
@@ -203,4 +244,4 @@ static void test_large(void) {
 }
 
 UNIT_MAIN(TEST(test_single_codes), TEST(test_one_code_too_many), TEST(test_cut_headers),
-          TEST(test_cut_off), TEST(test_large))
+          TEST(test_changing_codes), TEST(test_empty_blocks), TEST(test_cut_off), TEST(test_large))

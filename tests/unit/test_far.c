@@ -2,6 +2,7 @@
 #include "model_file.h"
 #include "oracle.h"
 #include "pipeline.h"
+#include "shown.h"
 #include "unit.h"
 
 #include <stdlib.h>
@@ -38,19 +39,20 @@ static bool make_model(struct model *model, int steps, const char *digits, int64
 /* ---- Its picture ---- */
 
 static void light_vertex(const void *uniforms, size_t face, size_t corner, double *varyings) {
-    const struct model *model = uniforms;
+    const struct model *model = *(const struct model *const *)uniforms;
     (void)corner;
     varyings[0] = fabs(model_face_intensity(model, face, (struct vec3){0, 0, -1}));
     varyings[1] = (double)(face % 256);
 }
 
-static bool light_fragment(const void *uniforms, const double *varyings, struct color *color) {
+static lanes_mask light_fragment(const void *uniforms, const lanes *varyings, lanes_texel *color) {
     (void)uniforms;
-    *color = color_rgb(level_from(varyings[0] * 255), level_from(varyings[1]), 255);
-    return true;
+    *color = lanes_rgb(varyings[0] * 255, varyings[1], lanes_all(255));
+    return lanes_all_set();
 }
 
-SHADER(light_shader, .varying_count = 2, .vertex = light_vertex, .fragment = light_fragment);
+SHADER(light_shader, .varying_count = 2, .flat = true, .vertex = light_vertex,
+       .fragment = light_fragment);
 
 /* The camera stands at `eye` when the model is at the origin, and looks at its middle. */
 static void draw(struct image *image, const struct model *model, struct vec3 eye, int64_t offset) {
@@ -62,7 +64,7 @@ static void draw(struct image *image, const struct model *model, struct vec3 eye
     struct error error;
     CHECK(image_create(image, SIDE, SIDE, IMAGE_BGR, &error));
     if (CHECK(pipeline_create(&pipeline, SIDE, SIDE, &error))) {
-        CHECK(pipeline_draw(&pipeline, &call, &light_shader, model, image, &error));
+        CHECK(draw_frame(&pipeline, &call, &light_shader, &model, sizeof model, image, &error));
         pipeline_free(&pipeline);
     }
 }

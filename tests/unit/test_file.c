@@ -91,6 +91,35 @@ static void test_messages(void) {
     CHECK_TEXT(error.message, "two?lines?[31m?");
 }
 
+/* What a terminal would obey is replaced, byte by byte; what it shows stays. */
+static void test_printable_texts(void) {
+    static const struct {
+        const char *text, *shown;
+    } cases[] = {
+        {"", ""},
+        {"\x1f\x20\x7e\x7f", "? ~?"},
+        {"\xc2\x80 \xc2\x9f \xc2\xa0", "?? ?? \xc2\xa0"}, /* C1: U+0080 to U+009F */
+        {"\xd8\x9c \xd8\x9d", "?? \xd8\x9d"},
+        {"\xe2\x80\x8d\xe2\x80\x8e\xe2\x80\x8f\xe2\x80\x90", "\xe2\x80\x8d??????\xe2\x80\x90"},
+        {"\xe2\x80\xa7\xe2\x80\xa8\xe2\x80\xae\xe2\x80\xaf", "\xe2\x80\xa7??????\xe2\x80\xaf"},
+        {"\xe2\x81\xa5\xe2\x81\xa6\xe2\x81\xa9\xe2\x81\xaa", "\xe2\x81\xa5??????\xe2\x81\xaa"},
+        {"\xc3\xa9 \xe4\xb8\xad \xf0\x9f\x99\x82", "\xc3\xa9 \xe4\xb8\xad \xf0\x9f\x99\x82"},
+        {"a\x9b \x80 \xbf", "a? ? ?"},                   /* no first byte */
+        {"\xc3 \xe4\xb8 \xf0\x9f\x99", "? ?? ???"},      /* cut off */
+        {"\xc0\xaf \xc1\xbf \xe0\x9f\xbf", "?? ?? ???"}, /* longer than need be */
+        {"\xf0\x8f\xbf\xbf \xf4\x90\x80\x80", "???? ????"},
+        {"\xed\x9f\xbf \xed\xa0\x80 \xed\xbf\xbf \xee\x80\x80",
+         "\xed\x9f\xbf ??? ??? \xee\x80\x80"},
+        {"\xf4\x8f\xbf\xbf \xf8\x88\x80\x80\x80 \xff", "\xf4\x8f\xbf\xbf ????? ?"},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        char text[40];
+        strcpy(text, cases[i].text);
+        text_make_printable(text, '?');
+        CHECK_TEXT(text, cases[i].shown);
+    }
+}
+
 /* The line stands behind the file's name, once. */
 static void test_lines_of_messages(void) {
     enum { LONG = 600, KEPT = 512 };
@@ -336,6 +365,14 @@ static bool write_without_permission(const char *path) {
            strcmp(error.message + strlen(path), ": Permission denied") == 0;
 }
 
+static bool make_directory_without_permission(const char *path) {
+    struct error error;
+    return drop_privileges() && !directory_create(path, &error) &&
+           strncmp(error.message, path, strlen(path)) == 0 &&
+           strcmp(error.message + strlen(path), ": cannot make the directory: Permission denied") ==
+               0;
+}
+
 static void test_write_protection(void) {
     struct place place;
     struct error error;
@@ -348,6 +385,7 @@ static void test_write_protection(void) {
     CHECK(in_child(write_without_permission, path)); /* a protected file */
     CHECK(unlink(path) == 0 && chmod(place.directory, 0555) == 0);
     CHECK(in_child(write_without_permission, path)); /* a protected directory */
+    CHECK(in_child(make_directory_without_permission, path));
     CHECK(chmod(place.directory, 0777) == 0 && place_count(&place) == 0);
     place_remove(&place, NULL);
 }
@@ -391,6 +429,60 @@ static void test_symbolic_link(void) {
     CHECK(file_is(path, "new") && place_count(&place) == 2);
     CHECK(unlink(link) == 0);
     place_remove(&place, "a");
+}
+
+/* A link to a file that is not there yet stays too, and leads to the new file; one that leads into
+ * a directory that is not there is an error. */
+static void test_dangling_link(void) {
+    struct place place;
+    struct error error;
+    char link[128], wanted[300];
+    if (!place_create(&place)) {
+        return;
+    }
+    strcpy(link, name_file(&place, "link"));
+    CHECK(symlink("a", link) == 0);
+    CHECK(file_write(link, "new", 3, &error));
+    CHECK(is_link(link) && place_count(&place) == 2);
+    CHECK(file_is(name_file(&place, "a"), "new"));
+    CHECK(unlink(link) == 0 && symlink("b/c", link) == 0);
+    snprintf(wanted, sizeof wanted, "%s: No such file or directory", link);
+    CHECK(!file_write(link, "new", 3, &error) && place_count(&place) == 2);
+    CHECK_TEXT(error.message, wanted);
+    snprintf(wanted, sizeof wanted, "%s: cannot make the directory: No such file or directory",
+             link);
+    CHECK(!directory_create(link, &error));
+    CHECK_TEXT(error.message, wanted);
+    snprintf(wanted, sizeof wanted, "%s: cannot make the directory: Not a directory",
+             name_file(&place, "a"));
+    CHECK(!directory_create(place.path, &error));
+    CHECK_TEXT(error.message, wanted);
+    CHECK(unlink(link) == 0);
+    place_remove(&place, "a");
+}
+
+/* Files may have 1000 bytes. */
+static bool write_past_limit(const char *path) {
+    const struct rlimit limit = {1000, 1000};
+    struct sigaction action;
+    struct error error;
+    char many[5000] = "", wanted[300];
+    snprintf(wanted, sizeof wanted, "%s: File too large", path);
+    return setrlimit(RLIMIT_FSIZE, &limit) == 0 && !file_write(path, many, sizeof many, &error) &&
+           strcmp(error.message, wanted) == 0 && sigaction(SIGXFSZ, NULL, &action) == 0 &&
+           action.sa_handler == SIG_DFL;
+}
+
+/* A file that grows too large is an error, and no signal: the old one and nothing else is left. */
+static void test_limit_of_file_size(void) {
+    struct place place;
+    struct error error;
+    if (place_create(&place)) {
+        CHECK(file_write(name_file(&place, "a"), "old", 3, &error));
+        CHECK(in_child(write_past_limit, place.path));
+        CHECK(file_is(place.path, "old") && place_count(&place) == 1);
+        place_remove(&place, "a");
+    }
 }
 
 /* first -> DIRECTORY/sub/second -> ../third -> sub/a; the working directory is elsewhere. */
@@ -489,9 +581,10 @@ static void test_devices(void) {
     place_remove(&place, "pipe");
 }
 
-UNIT_MAIN(TEST(test_messages), TEST(test_lines_of_messages), TEST(test_names_of_input),
-          TEST(test_long_messages), TEST(test_bytes), TEST(test_read), TEST(test_read_errors),
-          TEST(test_standard_input), TEST(test_write), TEST(test_write_errors),
-          TEST(test_full_disk), TEST(test_write_protection), TEST(test_write_from_elsewhere),
-          TEST(test_symbolic_link), TEST(test_chain_of_links), TEST(test_many_links),
+UNIT_MAIN(TEST(test_messages), TEST(test_printable_texts), TEST(test_lines_of_messages),
+          TEST(test_names_of_input), TEST(test_long_messages), TEST(test_bytes), TEST(test_read),
+          TEST(test_read_errors), TEST(test_standard_input), TEST(test_write),
+          TEST(test_write_errors), TEST(test_full_disk), TEST(test_write_protection),
+          TEST(test_write_from_elsewhere), TEST(test_symbolic_link), TEST(test_dangling_link),
+          TEST(test_limit_of_file_size), TEST(test_chain_of_links), TEST(test_many_links),
           TEST(test_devices))

@@ -192,6 +192,12 @@ static void test_off(void) {
         {"counts on the first line", "OFF 3 1 3\n0 0 0\n1 0 0\n1 1 0\n3 0 1 2", TRIANGLE},
         {"no blank after OFF", "OFF3 1 3\n0 0 0\n1 0 0\n1 1 0\n3 0 1 2", TRIANGLE},
         {"no number of edges", "OFF\n3 1\n0 0 0\n1 0 0\n1 1 0\n3 0 1 2", TRIANGLE},
+        {"a word on each line", "OFF\n3\n1\n0\n0\n0\n0\n1\n0\n0\n1\n1\n0\n3\n0\n1\n2\n", TRIANGLE},
+        {"all on one line", "OFF 3 1 0 0 0 0 1 0 0 1 1 0 3 0 1 2", TRIANGLE},
+        {"lines that end anywhere", "OFF 3\n1 0 0 0\n0 1 0 0 1\n1 0 3 0\n1 2 0.5 0.5 0.5\n",
+         TRIANGLE},
+        {"colours, lines that end anywhere",
+         "COFF\n3 1 0\n0 0\n0 255 0 0 255\n1 0 0 0\n51 0\n1 1 0 0 0 255 0\n3 0\n1 2\n", TRIANGLE},
         {"comments and empty lines",
          "# made by hand\n\nOFF # what\n\n# x\n3 1 0 # y\n0 0 0\n\n1 0 0 # z\n1 1 0\n\n#\n3 0 1 2 "
          "#\n",
@@ -427,10 +433,18 @@ static void test_messages(void) {
          "2: '99999999999999999999' is not a number of vertices"},
         {"OFF\n2 1 0\n0 0 0\n# end of it\n", "4: the file ends after 1 of 2 vertices"},
         {"OFF\n1 1 0\n0 0 0\n", "3: the file ends after 0 of 1 faces"},
-        {"OFF\n1 1 0\n0 0\n3 0 0 0\n", "3: a vertex has 3 numbers here, not 2"},
-        {"OFF\n1 1 0\n0 0 0 0\n3 0 0 0\n", "3: a vertex has 3 numbers here, not 4"},
-        {"COFF\n1 1 0\n0 0 0\n3 0 0 0\n",
-         "3: a vertex has 6 (with alpha one more) numbers here, not 3"},
+        {"OFF\n1 1 0\n0 0\n3 0 0 0\n", "4: the colour of a face has 3 or 4 numbers, not 2"},
+        {"OFF\n1 1 0\n0 0 0 0\n3 0 0 0\n",
+         "4: the file goes on after 1 faces, none with 3 corners"},
+        {"OFF\n2 1 0\n0 0 0 0.5 0.5 0.5\n0.5 0 0 0 0.5 0\n3 0 0 0\n",
+         "4: '0.5' is not a number of corners"},
+        {"COFF\n1 1 0\n0 0 0\n3 0 0 0\n", "4: the file ends after 0 of 1 faces"},
+        {"COFF\n1 1 0\n0 0 0 1 1\n", "3: the file ends after 0 of 1 vertices"},
+        {"OFF 1 1 x\n0 0 0\n3 0 0 0\n", "1: 'x' is not a number of edges"},
+        {"OFF 1\n1\nx\n0 0 0\n3 0 0 0\n", "3: 'x' is not a number of edges"},
+        {"8 6 12\n0 0 0\n", "begins with a number: an OFF file begins with the word OFF"},
+        {"# a cube\n\n8 6 12\n", "begins with a number: an OFF file begins with the word OFF"},
+        {"cube\n8 6 12\n", "holds no faces"},
         {"OFF\n1 1 0\n0 nan 0\n3 0 0 0\n", "3: 'nan' is not a number"},
         {"OFF\n1 1 0\n0 1e39 0\n3 0 0 0\n", "3: 1e39 is too large"},
         {"OFF\n1 1 0\n0 0 0\n3 0 0 1\n", "4: face names vertex 1 of 1 (from 0)"},
@@ -512,7 +526,7 @@ static void test_long_face(void) {
 
 /* One corner more than a face that is not convex may have. */
 static void test_too_many_corners(void) {
-    enum { CORNERS_LIMIT = 131072 };
+    enum { CORNERS_LIMIT = 8192 };
     static const char points[] = "v 0 0 0\nv 4 0 0\nv 1 1 0\nv 0 4 0\nf";
     struct bytes text = {0};
     struct model m;
@@ -525,7 +539,7 @@ static void test_too_many_corners(void) {
         }
     }
     CHECK(!model_decode(&m, text.data, text.size, &error));
-    CHECK_ERROR(error, "5: face of 131073 corners: one that is not convex may have 131072");
+    CHECK_ERROR(error, "5: face of 8193 corners: one that is not convex may have 8192");
     bytes_free(&text);
 }
 

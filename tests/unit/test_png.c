@@ -223,6 +223,43 @@ static void test_blocks(void) {
     check_stream(&bits, "n\xffn\xffnnnn", "own codes");
 }
 
+/* A stored block begins with the byte after those of which bits have been taken, however many the
+ * block before it has taken ahead, and after it nothing of them may be left. */
+static void test_stored_after_others(void) {
+    enum { STORED = 40, LAST = 300, MOST = 2 * 64 + STORED + LAST }; /* the fast loop needs room */
+    char text[MOST + 1] = {0};
+    uint8_t out[MOST];
+    for (size_t count = 0; count < 2 * 64; count += 2) { /* another bit and another byte */
+        const size_t stored_end = count + STORED, size = stored_end + LAST;
+        struct bits bits = {0};
+        struct error error;
+        for (size_t i = 0; i < size; i++) {
+            text[i] = (char)(i % 7 == 0 ? 0xe5 : 'a' + i % 23); /* 9 and 8 bits */
+        }
+        put_bits(&bits, 0, 1);
+        put_bits(&bits, 1, 2);
+        for (size_t i = 0; i < count; i++) {
+            put_fixed(&bits, (unsigned char)text[i]);
+        }
+        put_fixed(&bits, 256);
+        char next = text[stored_end];
+        text[stored_end] = '\0';
+        put_stored(&bits, false, text + count);
+        text[stored_end] = next;
+        put_bits(&bits, 1, 1);
+        put_bits(&bits, 1, 2);
+        for (size_t i = stored_end; i < size; i++) {
+            put_fixed(&bits, (unsigned char)text[i]);
+        }
+        put_fixed(&bits, 256);
+        struct bytes stream = wrap_blocks(&bits, text, size);
+        CHECK(decompress_exact(stream.data, stream.size, out, size, &error) &&
+              memcmp(out, text, size) == 0);
+        bytes_free(&stream);
+        bytes_free(&bits.bytes);
+    }
+}
+
 /* The longest match from the longest distance. */
 static void test_far_match(void) {
     enum { SIZE = 32768 + 258 };
@@ -434,6 +471,50 @@ static void test_long_codes(void) {
         put_string(&bits, "0 1");
         struct bytes stream = wrap_blocks(&bits, "", 1);
         CHECK(decompress_exact(stream.data, stream.size, out, 1, &error) == (more == 0));
+        bytes_free(&stream);
+        bytes_free(&bits.bytes);
+    }
+}
+
+/* A copy whose distance has a code of any length, in the middle of enough other bytes. */
+static void test_long_distance_codes(void) {
+    enum { BEGINNING = 300, MATCH = 258, SIZE = 2 * BEGINNING + MATCH, DISTANCES = 16 };
+    static const unsigned distances[DISTANCES] = {1,  2,  3,  4,  5,  7,  9,   13,
+                                                  17, 25, 33, 49, 65, 97, 129, 193};
+    for (unsigned symbol = 0; symbol < DISTANCES; symbol++) {
+        uint8_t plain[SIZE] = {0}, out[SIZE];
+        uint32_t state = 3;
+        struct bits bits = {0};
+        struct error error;
+        put_bits(&bits, 1, 1);
+        put_bits(&bits, 2, 2);
+        put_bits(&bits, 286 - 257, 5);
+        put_bits(&bits, DISTANCES - 1, 5);
+        put_bits(&bits, 19 - 4, 4);
+        for (int i = 0; i < 19; i++) { /* the lengths 0 to 15 have the codes 0000 to 1111 */
+            put_bits(&bits, i < 3 ? 0 : 4, 3);
+        }
+        for (int i = 0; i < 286; i++) { /* 00, 01, 10, 11 */
+            put_code(&bits, i == 0 || i == 1 || i == 256 || i == 285 ? 2 : 0, 4);
+        }
+        for (unsigned i = 0; i < DISTANCES; i++) { /* 0, 10, 110 and so on */
+            put_code(&bits, i < 15 ? i + 1 : 15, 4);
+        }
+        for (unsigned i = 0; i < SIZE; i++) {
+            bool copied = i >= BEGINNING && i < BEGINNING + MATCH;
+            plain[i] = copied ? plain[i - distances[symbol]] : next_random(&state) & 1;
+            if (!copied) {
+                put_code(&bits, plain[i], 2);
+            } else if (i == BEGINNING) {
+                put_string(&bits, "11");
+                put_bits(&bits, (1u << symbol) - 1, symbol < 15 ? symbol + 1 : 15);
+                put_bits(&bits, 0, symbol < 4 ? 0 : symbol / 2 - 1);
+            }
+        }
+        put_string(&bits, "10");
+        struct bytes stream = wrap_blocks(&bits, plain, SIZE);
+        CHECK(decompress_exact(stream.data, stream.size, out, SIZE, &error) &&
+              memcmp(out, plain, SIZE) == 0);
         bytes_free(&stream);
         bytes_free(&bits.bytes);
     }
@@ -670,6 +751,12 @@ static void test_color_types(void) {
          "\x22\0\x11\xff"},
         {"grey with a clear level", 8, 0, TEXT(""), TEXT("\0\x02"), TEXT("\0\x01\x02\0\x03\x04"),
          IMAGE_BGRA, "\x03\x03\x03\xff\x04\x04\x04\xff\x01\x01\x01\xff\x02\x02\x02\0"},
+        {"grey with a clear level, in 16 bits", 8, 0, TEXT(""), TEXT("\xff\x02"),
+         TEXT("\0\x01\x02\0\x03\x04"), IMAGE_BGRA,
+         "\x03\x03\x03\xff\x04\x04\x04\xff\x01\x01\x01\xff\x02\x02\x02\0"},
+        {"grey, 2 bits, a clear level in more", 2, 0, TEXT(""), TEXT("\0\xfd"),
+         TEXT("\0\x10\0\xb0"), IMAGE_BGRA,
+         "\xaa\xaa\xaa\xff\xff\xff\xff\xff\0\0\0\xff\x55\x55\x55\0"},
         {"grey and alpha", 8, 4, TEXT(""), TEXT(""), TEXT("\0\x01\x02\x03\x04\0\x05\x06\x07\x08"),
          IMAGE_BGRA, "\x05\x05\x05\x06\x07\x07\x07\x08\x01\x01\x01\x02\x03\x03\x03\x04"},
         {"RGB", 8, 2, TEXT(""), TEXT(""),
@@ -759,7 +846,7 @@ static void test_filters(void) {
         unsigned type;
         size_t step;
     } kinds[] = {{0, 1}, {4, 2}, {2, 3}, {6, 4}};
-    enum { WIDTH = 7, HEIGHT = 11 };
+    enum { WIDTH = 7, HEIGHT = 51 };
     uint32_t state = 2;
     for (size_t k = 0; k < 4; k++) {
         size_t step = kinds[k].step, size = WIDTH * step;
@@ -871,7 +958,7 @@ static void test_wrong_chunks(void) {
         {"more after the end", "HPDEX", NULL},
         {"nothing", "", "cut off"},
         {"no header", "PDE", "begin with a header"},
-        {"two headers", "HHPDE", "unknown chunk, IHDR"},
+        {"two headers", "HHPDE", "a second header"},
         {"two palettes", "HPPDE", "palette in the wrong place"},
         {"palette after the data", "HPDPE", "palette in the wrong place"},
         {"half an entry", "HpDE", "palette of 4 bytes"},
@@ -1186,9 +1273,10 @@ static void test_files(void) {
     rmdir(directory);
 }
 
-UNIT_MAIN(TEST(test_blocks), TEST(test_far_match), TEST(test_matches_near_end),
-          TEST(test_wrong_blocks), TEST(test_wrong_far_distance), TEST(test_wrong_own_codes),
-          TEST(test_long_codes), TEST(test_zlib_header), TEST(test_compress), TEST(test_checksum),
+UNIT_MAIN(TEST(test_blocks), TEST(test_stored_after_others), TEST(test_far_match),
+          TEST(test_matches_near_end), TEST(test_wrong_blocks), TEST(test_wrong_far_distance),
+          TEST(test_wrong_own_codes), TEST(test_long_codes), TEST(test_long_distance_codes),
+          TEST(test_zlib_header), TEST(test_compress), TEST(test_checksum),
           TEST(test_compress_far_copies), TEST(test_choice_of_blocks), TEST(test_color_types),
           TEST(test_filters), TEST(test_split_data), TEST(test_wrong_headers),
           TEST(test_wrong_chunks), TEST(test_pixel_outside_palette), TEST(test_round_trip),

@@ -3,6 +3,7 @@
  * specification about the order and size of chunks that test_png.c does not hold. Files are put
  * together here, with checksums that share nothing with the code under test.
  */
+#include "deflate.h"
 #include "png.h"
 #include "unit.h"
 
@@ -174,6 +175,55 @@ static void test_huge_length(void) {
     bytes_free(&file);
 }
 
+/* A square PNG of 1 bit a pixel; `noise` bytes of it are not black. */
+static struct bytes make_square(uint32_t side, size_t noise) {
+    static const uint8_t signature[8] = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
+    uint8_t header[13] = {0, 0, (uint8_t)(side >> 8), (uint8_t)(side & 255),
+                          0, 0, (uint8_t)(side >> 8), (uint8_t)(side & 255),
+                          1};
+    size_t row = 1 + (side + 7) / 8, size = side * row;
+    uint8_t *rows = calloc(size, 1);
+    struct bytes file = {0}, stream = {0};
+    struct error error;
+    uint32_t state = 1;
+    for (size_t i = 0; CHECK(rows != NULL) && i < noise; i++) {
+        state = state * 1664525u + 1013904223u;
+        rows[i + 1 + i / (row - 1)] = (uint8_t)(state >> 24); /* never a row's filter */
+    }
+    CHECK(zlib_compress(rows, size, &stream, &error));
+    put(&file, signature, sizeof signature);
+    put_chunk(&file, "IHDR", header, sizeof header);
+    put_chunk(&file, "IDAT", stream.data, stream.size);
+    put_chunk(&file, "IEND", NULL, 0);
+    bytes_free(&stream);
+    free(rows);
+    return file;
+}
+
+/* 16 million pixels may stand in any file; more, only where there are as many bytes as could hold
+ * them when each had one. */
+static void test_limit_of_pixels(void) {
+    static const struct {
+        uint32_t side;
+        size_t noise;
+        const char *message;
+    } rows[] = {
+        {4096, 0, NULL},
+        {4097, 0, "a PNG of 4097x4097 pixels in no more than "},
+        {4097, 10000, "a PNG of 4097x4097 pixels in no more than "},
+        {4097, 17000, NULL}, /* 4097 * 4097 / 1032 = 16265 */
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        struct bytes file = make_square(rows[i].side, rows[i].noise);
+        struct image image;
+        struct error error = {0};
+        CHECK(png_decode(&image, file.data, file.size, &error) == (rows[i].message == NULL));
+        CHECK(rows[i].message == NULL || strstr(error.message, rows[i].message) != NULL);
+        image_free(&image);
+        bytes_free(&file);
+    }
+}
+
 /* ---- Images ---- */
 
 static void test_empty_images(void) {
@@ -216,4 +266,4 @@ static void test_animations(void) {
 }
 
 UNIT_MAIN(TEST(test_chunks), TEST(test_clear_color), TEST(test_huge_length),
-          TEST(test_empty_images), TEST(test_animations))
+          TEST(test_limit_of_pixels), TEST(test_empty_images), TEST(test_animations))

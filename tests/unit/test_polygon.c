@@ -6,6 +6,7 @@
 
 #include <assert.h>
 #include <stdlib.h>
+#include <time.h>
 
 static struct random random_state = {1};
 
@@ -610,6 +611,28 @@ static void test_sawtooth(void) {
     polygon_cutter_free(&cutter);
 }
 
+/* What takes longest, up to the limit: a bowl with a corner far above it. Each ear reaches up
+ * there, and the corners that may lie in its way are all at the bottom. */
+static void test_longest(void) {
+    const size_t size = POLYGON_CONCAVE_LIMIT;
+    struct vec3 *places = calloc(size, sizeof *places);
+    struct polygon_cutter cutter = {0};
+    CHECK(places != NULL);
+    if (places == NULL) {
+        return;
+    }
+    for (size_t i = 0; i + 1 < size; i++) {
+        double x = (double)i / (double)(size - 2);
+        places[i] = (struct vec3){x, x * (1 - x), 0};
+    }
+    places[size - 1] = (struct vec3){0.5, 10, 0};
+    clock_t start = clock();
+    CHECK(polygon_cut(&cutter, places, size) == POLYGON_CUT && cutter.triangle_count == size - 2);
+    CHECK(clock() - start < 3 * CLOCKS_PER_SEC); /* and is far below it */
+    polygon_cutter_free(&cutter);
+    free(places);
+}
+
 /* The limit holds for polygons that are not convex, and a cutter goes on after it. */
 static void test_limit(void) {
     static const struct vec3 arrow[4] = {{0, 0, 0}, {4, 0, 0}, {1, 1, 0}, {0, 4, 0}};
@@ -639,4 +662,4 @@ static void test_limit(void) {
 
 UNIT_MAIN(TEST(test_polygons), TEST(test_wild_polygons), TEST(test_chosen_polygons),
           TEST(test_hardly_concave), TEST(test_nearly_straight), TEST(test_sawtooth),
-          TEST(test_limit))
+          TEST(test_longest), TEST(test_limit))

@@ -576,6 +576,27 @@ static void test_grey(void) {
     CHECK(remove(in_directory("out/grey.tga")) == 0);
 }
 
+/* After "--" nothing is an option. */
+static void test_end_of_options(void) {
+    static const struct {
+        const char *arguments;
+        int status;
+        const char *output;
+    } rows[] = {
+        {"-- -x.obj", 1, "probe: -x.obj: No such file or directory\n"},
+        {"--fit -- --stats", 1, "probe: --stats: No such file or directory\n"},
+        {"-- --", 1, "probe: --: No such file or directory\n"},
+        {"-- -a -b", 2, "probe: one argument too many: '-b'; try --help\n"},
+        {"-s -- -b", 2, "probe: -s wants WxH: each 1 to 16384, not '--'\n"},
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        CHECK_ROW(run(&model_program, rows[i].arguments) == rows[i].status, rows[i].arguments);
+        CHECK_TEXT(output, rows[i].output);
+    }
+    CHECK(run(&dot_program, "-o out --only dot --") == 0);
+    CHECK(remove(in_directory("out/dot.tga")) == 0);
+}
+
 static void test_seldom_failures(void) {
     prepare_calls = finish_calls = draw_calls = 0;
     CHECK(run(&unprepared_program, "-o nothing") == 1);
@@ -682,5 +703,6 @@ static void test_clean_up(void) {
 UNIT_MAIN(TEST(test_usage), TEST(test_help), TEST(test_formats), TEST(test_frames),
           TEST(test_stats_and_repeat), TEST(test_camera), TEST(test_failures),
           TEST(test_text_scene), TEST(test_needs), TEST(test_defaults), TEST(test_grey),
-          TEST(test_out_of_view), TEST(test_seldom_failures), TEST(test_full_output),
-          TEST(test_text_names), TEST(test_default_directory), TEST(test_clean_up))
+          TEST(test_out_of_view), TEST(test_end_of_options), TEST(test_seldom_failures),
+          TEST(test_full_output), TEST(test_text_names), TEST(test_default_directory),
+          TEST(test_clean_up))

@@ -615,6 +615,27 @@ static void test_tga_round_trip(void) {
     }
 }
 
+/* In each row a run of another length, between pixels that are all different. */
+static void test_tga_runs(void) {
+    static const enum image_format formats[] = {IMAGE_GREY, IMAGE_BGR, IMAGE_BGRA};
+    enum { ACROSS = 200, LENGTHS = 150 };
+    for (size_t i = 0; i < 3; i++) {
+        struct image image;
+        struct error error;
+        if (!CHECK(image_create(&image, ACROSS, LENGTHS, formats[i], &error))) {
+            continue;
+        }
+        for (int y = 0; y < LENGTHS; y++) {
+            for (int x = 0; x < ACROSS; x++) {
+                bool in_run = x >= 20 && x < 20 + y;
+                image_set(&image, x, y, color_grey((uint8_t)(in_run ? 7 : x + 9)));
+            }
+        }
+        check_tga_round_trip(&image, true);
+        image_free(&image);
+    }
+}
+
 /* An empty picture must become small, and one with long runs smaller than raw. */
 static void test_tga_packs(void) {
     struct image image;
@@ -670,4 +691,4 @@ static void test_files(void) {
 UNIT_MAIN(TEST(test_create), TEST(test_get_and_set), TEST(test_flips), TEST(test_scale),
           TEST(test_scale_limits), TEST(test_every_kind_of_tga), TEST(test_long_packets),
           TEST(test_cut_off_tga), TEST(test_corrupt_tga), TEST(test_lying_tga),
-          TEST(test_tga_round_trip), TEST(test_tga_packs), TEST(test_files))
+          TEST(test_tga_round_trip), TEST(test_tga_runs), TEST(test_tga_packs), TEST(test_files))

@@ -7,25 +7,36 @@
 #include <stdlib.h>
 #include <time.h>
 
-enum { PART_LIMIT = 1000, ROUNDS = 300 };
+enum { PART_LIMIT = 1000, ROUNDS = 300, WORKER_LIMIT = 256 };
 
 struct tally {
-    atomic_int times[PART_LIMIT + 1]; /* one more, which nobody may touch */
+    atomic_int times[PART_LIMIT + 1];     /* one more, which nobody may touch */
+    atomic_int at_work[WORKER_LIMIT + 1]; /* how many have that number now */
+    size_t workers;
+    atomic_bool mistaken; /* a worker's number was too large, or that of another, too */
 };
 
-static void count_part(void *context, size_t index) {
+static void count_part(void *context, size_t index, size_t worker) {
     struct tally *tally = context;
+    atomic_int *at_work = &tally->at_work[worker < WORKER_LIMIT ? worker : WORKER_LIMIT];
+    bool alone = atomic_fetch_add(at_work, 1) == 0;
     atomic_fetch_add(&tally->times[index < PART_LIMIT ? index : PART_LIMIT], 1);
+    if (!alone || worker >= tally->workers) {
+        atomic_store(&tally->mistaken, true);
+    }
+    atomic_fetch_sub(at_work, 1);
 }
 
 /* Every part of 0..count-1 once, and no other. */
 static bool each_once(struct workers *workers, size_t count) {
     static struct tally tally;
-    bool right = true;
     for (size_t i = 0; i <= PART_LIMIT; i++) {
         atomic_store(&tally.times[i], 0);
     }
+    tally.workers = workers_count(workers);
+    atomic_store(&tally.mistaken, false);
     workers_run(workers, count, count_part, &tally);
+    bool right = !atomic_load(&tally.mistaken);
     for (size_t i = 0; i <= PART_LIMIT; i++) {
         right = right && atomic_load(&tally.times[i]) == (i < count ? 1 : 0);
     }
@@ -36,6 +47,7 @@ static void test_each_part_once(void) {
     static const size_t counts[] = {0, 1, 2, 3, 7, 50, PART_LIMIT};
     for (size_t threads = 1; threads <= 9; threads++) {
         struct workers *workers = workers_create(threads);
+        CHECK(workers_count(workers) == threads);
         for (size_t i = 0; i < sizeof counts / sizeof counts[0]; i++) {
             CHECK(each_once(workers, counts[i]));
         }
@@ -56,9 +68,9 @@ static void test_many_loops(void) {
 }
 
 /* Parts that wait for one another can only end if several threads are at work. */
-static void meet(void *context, size_t index) {
+static void meet(void *context, size_t index, size_t worker) {
     atomic_int *arrived = context;
-    (void)index;
+    (void)index, (void)worker;
     atomic_fetch_add(arrived, 1);
     while (atomic_load(arrived) < 2) {
     }
@@ -79,10 +91,10 @@ struct meeting {
     atomic_int arrived, done;
 };
 
-static void meet_and_linger(void *context, size_t index) {
+static void meet_and_linger(void *context, size_t index, size_t worker) {
     struct meeting *meeting = context;
     const struct timespec pause = {.tv_nsec = 30000000};
-    meet(&meeting->arrived, index);
+    meet(&meeting->arrived, index, worker);
     if (!calling) {
         nanosleep(&pause, NULL);
     }

@@ -2,6 +2,7 @@
 #include "picture.h"
 
 #include <dirent.h>
+#include <fcntl.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -24,9 +25,13 @@ int main(int argc, char **argv) {
     getrlimit(RLIMIT_CPU, &cpu);
     getrlimit(RLIMIT_FSIZE, &size);
     getrlimit(RLIMIT_CORE, &core);
+    int terminal = open("/dev/tty", O_WRONLY);
     int here_is_directory = strcmp(getcwd(here, sizeof here), directory) == 0;
-    fprintf(stderr, "here %d files %d open %d group %d cpu %d size %ld core %ld input %d make %d\n",
+    fprintf(stderr,
+            "here %d files %d open %d group %d cpu %d size %ld core %ld input %d make %d "
+            "terminal %d\n",
             here_is_directory, files - 2, open_files, getpgrp() == getpid(), cpu.rlim_cur < 10000,
-            (long)size.rlim_cur, (long)core.rlim_cur, getchar(), getenv("MAKEFLAGS") != NULL);
+            (long)size.rlim_cur, (long)core.rlim_cur, getchar(), getenv("MAKEFLAGS") != NULL,
+            terminal >= 0);
     return 3;
 }

@@ -1,0 +1,288 @@
+/* The pixels of a frame, band by band: cover, then shade. See pipeline.h. */
+#include "pipeline.h"
+
+#include "pipeline_parts.h"
+
+/* ---- Cover: which piece is nearest at each pixel ---- */
+
+/* Boxes of at most this many pixels are covered without spans, with 32-bit edge functions. */
+enum { SMALL_BOX = 64 };
+
+/* A band that is being covered. */
+struct band {
+    const struct pipeline *pipeline;
+    struct scratch *scratch;
+    struct span rows;
+    size_t stride;
+    uint64_t covered;
+};
+
+static void touch(const struct band *band, int y, int x) {
+    size_t row = (size_t)(y - band->rows.begin) * (band->stride / CHUNK);
+    band->scratch->touched[row + (size_t)(x / CHUNK)] = true;
+}
+
+/* Pixels are covered as many at a time as depths fit into the processor's registers. */
+#ifndef COVERED
+enum { COVERED = LANES > 4 ? LANES / 2 : 4 };
+#endif
+typedef int32_t cover_ints __attribute__((vector_size(COVERED * sizeof(int32_t))));
+typedef int64_t cover_longs __attribute__((vector_size(COVERED * sizeof(int64_t))));
+typedef double cover_depths __attribute__((vector_size(COVERED * sizeof(double))));
+
+LANES_INLINE cover_ints ints_from(int first) {
+    cover_ints from = {0};
+    for (int i = 0; i < COVERED; i++) {
+        from[i] = i;
+    }
+    return from + first;
+}
+
+LANES_INLINE cover_depths depths_from(int first) {
+    cover_depths from = {0};
+    for (int i = 0; i < COVERED; i++) {
+        from[i] = i;
+    }
+    return from + first;
+}
+
+/* Depth and number become those of the piece where it covers (`inside`: all bits or none) and is
+ * nearer. Without branches: each line is one or two instructions for all pixels. */
+LANES_INLINE void cover_pixels(double *depths, uint32_t *numbers, cover_ints inside, cover_depths z,
+                               uint32_t number) {
+    cover_depths old_z;
+    cover_ints old_number;
+    memcpy(&old_z, depths, sizeof old_z);
+    memcpy(&old_number, numbers, sizeof old_number);
+    cover_longs nearer = __builtin_convertvector(inside, cover_longs) & (z > old_z);
+    z = (cover_depths)((nearer & (cover_longs)z) | (~nearer & (cover_longs)old_z));
+    cover_ints is_new = __builtin_convertvector(nearer, cover_ints);
+    old_number = (is_new & (int32_t)number) | (~is_new & old_number);
+    memcpy(depths, &z, sizeof z);
+    memcpy(numbers, &old_number, sizeof old_number);
+}
+
+/* depth_at() for several pixels. */
+LANES_INLINE cover_depths depths_at(const struct depth_slopes *s, cover_depths e1,
+                                    cover_depths e2) {
+    return s->origin + e1 * s->k1 + e2 * s->k2;
+}
+
+/* The span of each row, found exactly. */
+static void cover_by_spans(struct band *band, const struct draw *draw, const struct piece *piece,
+                           uint32_t number) {
+    const struct rectangle *viewport = &draw->call.viewport;
+    const struct fixed2 *c = piece->corner;
+    struct edges edges;
+    if (!edges_setup(&edges, c[0], c[1], c[2], band->pipeline->width, band->pipeline->height)) {
+        return;
+    }
+    struct depth_slopes slopes = find_depth_slopes(piece, edges.area);
+    const struct edge *e1 = &edges.edge[1], *e2 = &edges.edge[2];
+    struct span rows = span_overlap(rows_of_piece(piece, draw), band->rows);
+    for (int y = rows.begin; y < rows.end; y++) {
+        struct span span = span_overlap(edges_span(&edges, y),
+                                        (struct span){viewport->x, viewport->x + viewport->width});
+        size_t row = (size_t)(y - band->rows.begin) * band->stride;
+        band->covered += span.end > span.begin ? (uint64_t)(span.end - span.begin) : 0;
+        for (int x = span.begin / COVERED * COVERED; x < span.end; x += COVERED) {
+            cover_ints at = ints_from(x);
+            cover_depths right = depths_from(x % CHUNK);
+            cover_depths first = edge_at(e1, x / CHUNK * CHUNK, y) + (double)e1->dx * right;
+            cover_depths second = edge_at(e2, x / CHUNK * CHUNK, y) + (double)e2->dx * right;
+            touch(band, y, x);
+            cover_pixels(band->scratch->depth + row + x, band->scratch->number + row + x,
+                         (at >= span.begin) & (at < span.end), depths_at(&slopes, first, second),
+                         number);
+        }
+    }
+}
+
+/* An edge function at the centres of the pixels of a small box: its value at pixel (0,0) of the
+ * box, less what is not inside, and its steps. */
+struct small_edge {
+    int32_t origin, dx, dy, bias;
+};
+
+static struct small_edge small_edge(struct fixed2 a, struct fixed2 b) {
+    int32_t x_distance = b.x - a.x, y_distance = b.y - a.y;
+    bool top_left = y_distance < 0 || (y_distance == 0 && x_distance < 0);
+    return (struct small_edge){
+        .origin = y_distance * a.x - x_distance * a.y,
+        .dx = -y_distance * SUBPIXELS,
+        .dy = x_distance * SUBPIXELS,
+        .bias = top_left ? 0 : -1,
+    };
+}
+
+/* All pixels of a small box, several tested at once. */
+static void cover_box(struct band *band, const struct piece *piece, struct span columns,
+                      struct span rows, uint32_t number) {
+    int left = columns.begin / COVERED * COVERED;
+    struct fixed2 c[3];
+    for (int i = 0; i < 3; i++) { /* from the centre of the box's first pixel */
+        c[i].x = piece->corner[i].x - left * SUBPIXELS - SUBPIXELS / 2;
+        c[i].y = piece->corner[i].y - rows.begin * SUBPIXELS - SUBPIXELS / 2;
+    }
+    struct small_edge e[3] = {small_edge(c[1], c[2]), small_edge(c[2], c[0]),
+                              small_edge(c[0], c[1])};
+    struct depth_slopes slopes = find_depth_slopes(piece, e[0].origin + e[1].origin + e[2].origin);
+    cover_ints covered = {0}, right[3], next[3];
+    for (int i = 0; i < 3; i++) {
+        right[i] = e[i].dx * ints_from(0);
+        next[i] = e[i].dx * COVERED + (cover_ints){0};
+    }
+    for (int y = rows.begin; y < rows.end; y++) {
+        size_t row = (size_t)(y - band->rows.begin) * band->stride;
+        cover_ints e0 = e[0].origin + right[0];
+        cover_ints e1 = e[1].origin + right[1];
+        cover_ints e2 = e[2].origin + right[2];
+        for (int x = left; x < columns.end; x += COVERED) {
+            cover_ints inside = ((e0 + e[0].bias) | (e1 + e[1].bias) | (e2 + e[2].bias)) >= 0;
+            cover_depths first = __builtin_convertvector(e1, cover_depths);
+            cover_depths second = __builtin_convertvector(e2, cover_depths);
+            covered -= inside;
+            touch(band, y, x);
+            cover_pixels(band->scratch->depth + row + x, band->scratch->number + row + x, inside,
+                         depths_at(&slopes, first, second), number);
+            e0 += next[0];
+            e1 += next[1];
+            e2 += next[2];
+        }
+        for (int i = 0; i < 3; i++) {
+            e[i].origin += e[i].dy;
+        }
+    }
+    for (int i = 0; i < COVERED; i++) {
+        band->covered += (uint64_t)covered[i];
+    }
+}
+
+static void cover_piece(struct band *band, const struct draw *draw, const struct piece *piece,
+                        uint32_t number) {
+    const struct fixed2 *c = piece->corner;
+    int32_t least_x = least_of(c[0].x, c[1].x, c[2].x), most_x = most_of(c[0].x, c[1].x, c[2].x);
+    int32_t least_y = least_of(c[0].y, c[1].y, c[2].y), most_y = most_of(c[0].y, c[1].y, c[2].y);
+    struct span columns = {(least_x + SUBPIXELS / 2 - 1) >> 8, ((most_x - SUBPIXELS / 2) >> 8) + 1};
+    const struct rectangle *v = &draw->call.viewport;
+    if (most_x - least_x <= SMALL_BOX * SUBPIXELS && most_y - least_y <= SMALL_BOX * SUBPIXELS &&
+        columns.begin >= v->x && columns.end <= v->x + v->width) {
+        cover_box(band, piece, columns, span_overlap(rows_of_piece(piece, draw), band->rows),
+                  number);
+    } else {
+        cover_by_spans(band, draw, piece, number);
+    }
+}
+
+/* ---- A band ---- */
+
+/* Make the band what it was: nothing is drawn. Only what was touched has changed. */
+static void clear_band(const struct band *band) {
+    const struct scratch *scratch = band->scratch;
+    size_t chunks = band->stride / CHUNK * BAND_HEIGHT;
+    for (size_t i = 0; i < chunks; i++) {
+        if (scratch->touched[i]) {
+            depth_clear(scratch->depth + i * CHUNK, CHUNK);
+            memset(scratch->number + i * CHUNK, 0, CHUNK * sizeof *scratch->number);
+        }
+    }
+    memset(scratch->touched, 0, chunks * sizeof *scratch->touched);
+}
+
+static void keep_depth(const struct band *band) {
+    const struct pipeline *p = band->pipeline;
+    for (int y = band->rows.begin; y < band->rows.end; y++) {
+        memcpy(p->depth + (size_t)y * p->width,
+               band->scratch->depth + (size_t)(y - band->rows.begin) * band->stride,
+               p->width * sizeof *p->depth);
+    }
+}
+
+static void call_shader(const struct shading *shading) {
+    if (shading->shader->shade != NULL) {
+        shading->shader->shade(shading);
+    } else {
+        shade_pieces(shading, shading->shader);
+    }
+}
+
+static void cover_draw(struct band *band, struct shading *shading) {
+    const struct piece *pieces = band->pipeline->pieces.data;
+    if (shading->at_once || shading->shader->discards) {
+        struct shading decide = *shading;
+        decide.image = shading->at_once ? shading->image : NULL;
+        decide.at_once = true;
+        call_shader(&decide);
+        return;
+    }
+    for (int i = shading->numbers.begin; i < shading->numbers.end; i++) {
+        cover_piece(band, shading->draw, &pieces[shading->bin[i]], (uint32_t)i + 1);
+    }
+}
+
+/* Find the draw call's pieces in the band's list: `end` is where they end, set from where they
+ * begin, which was the end of the draw call before. */
+static struct span numbers_of_draw(const struct pipeline *p, const struct draw *draw, size_t band,
+                                   int begin) {
+    const struct bin *bins = p->bins.data;
+    const uint32_t *ends = p->band_counts.data;
+    if (draw->block_count == 0) {
+        return (struct span){begin, begin};
+    }
+    size_t last_block = draw->first_block + draw->block_count - 1;
+    size_t end = ends[last_block * band_count(p) + band] - bins[band].first;
+    return (struct span){begin, (int)end};
+}
+
+/* Cover (first) or shade the pieces of all draw calls in the band. */
+static void draw_pieces(struct band *band, struct shading *shading, size_t index, bool cover) {
+    const struct pipeline *p = band->pipeline;
+    const struct draw *draws = p->draws.data;
+    shading->numbers = (struct span){0, 0};
+    for (size_t i = 0; i < p->draw_count; i++) {
+        shading->draw = &draws[i];
+        shading->shader = draws[i].shader;
+        shading->uniforms = (const char *)p->uniforms.data + draws[i].uniforms;
+        shading->numbers = numbers_of_draw(p, &draws[i], index, shading->numbers.end);
+        if (shading->numbers.begin == shading->numbers.end) {
+            continue;
+        }
+        if (cover) {
+            cover_draw(band, shading);
+        } else {
+            call_shader(shading);
+        }
+    }
+}
+
+void pipeline_draw_band(void *context, size_t index, size_t worker) {
+    const struct frame *frame = context;
+    struct pipeline *p = frame->pipeline;
+    const struct bin *bin = (const struct bin *)p->bins.data + index;
+    struct pixel_work *work = (struct pixel_work *)p->band_work.data + index;
+    struct scratch *scratch = (struct scratch *)p->scratch.data + worker;
+    int bottom = (int)index * BAND_HEIGHT, height = (int)p->height;
+    struct span rows = {bottom, height - bottom < BAND_HEIGHT ? height : bottom + BAND_HEIGHT};
+    struct band band = {.pipeline = p, .scratch = scratch, .rows = rows, .stride = band_stride(p)};
+    struct shading shading = {
+        .pipeline = p,
+        .scratch = scratch,
+        .bin = (const uint32_t *)p->binned.data + bin->first,
+        .rows = rows,
+        .image = frame->image,
+        .at_once = !p->skip,
+        .work = work,
+    };
+    *work = (struct pixel_work){0};
+    scratch->plane_count = 0;
+    memset(scratch->plane_place, 0, (bin->count + 1) * sizeof *scratch->plane_place);
+    draw_pieces(&band, &shading, index, true);
+    if (p->skip) {
+        draw_pieces(&band, &shading, index, false);
+    }
+    work->covered += band.covered;
+    if (p->depth != NULL) {
+        keep_depth(&band);
+    }
+    clear_band(&band);
+}

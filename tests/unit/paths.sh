@@ -1,0 +1,39 @@
+#!/bin/sh
+# A path becomes a word of the shell and a string of C. Is one that would be read otherwise there
+# refused by name, before anything is built, and one with a blank or a dollar in it not?
+#
+# Exit status 0: all of that is so; 1: something is not.
+
+top=$(cd "$(dirname "$0")/../.." && pwd) || exit 1
+work=$(mktemp -d) || exit 1
+trap 'rm -rf "$work"' EXIT
+trap 'exit 1' HUP INT TERM
+unset MAKEFLAGS MFLAGS # of the make that runs this test
+failed=0
+
+# A lesson that prints the path that is compiled into it.
+cat >"$work/main.c" <<'EOF'
+#include <stdio.h>
+int main(void) {
+    puts(COURSE_BUILD);
+}
+EOF
+
+for name in "it's" 'a "b"' 'a\b'; do
+    mkdir "$work/$name" && cp "$top/Makefile" "$work/$name" || exit 1
+    if make -s -C "$work/$name" help >"$work/log" 2>&1 || ! grep -q 'holds a quote' "$work/log"; then
+        echo "paths: $name is not refused: $(cat "$work/log")"
+        failed=1
+    fi
+done
+for name in 'a b' 'a$b' 'é'; do
+    mkdir "$work/$name" "$work/$name/step01_line" "$work/$name/common" || exit 1
+    cp "$top/Makefile" "$work/$name" && cp "$work/main.c" "$work/$name/step01_line" || exit 1
+    echo 'extern int nothing;' >"$work/$name/common/nothing.c"
+    make -s -C "$work/$name" build/step01_line >"$work/log" 2>&1 || cat "$work/log"
+    if [ "$("$work/$name/build/step01_line")" != "$work/$name/build" ]; then
+        echo "paths: $name is not what the programs have"
+        failed=1
+    fi
+done
+exit $failed
