@@ -15,6 +15,7 @@ For the course as a whole:
   make test                   unit tests under sanitizers, and the tests of the check
   make stress                 hostile numbers, independent answers (STRESS=10, SEED=7, PROPERTY=line)
   make bench                  run time against error, a chart for each lesson (STEP=05 for one)
+  make counts                 the instructions of each scene, beside those committed (STEP=05)
   make bench-files            how fast files are read and written, beside libpng and plain bytes
   make charts                 put these charts into the lessons
   make bench-frame            the time of a frame beside Mesa's llvmpipe (OPTIONS=--help)

@@ -109,6 +109,11 @@ bench: $(BUILD)/benchmark models
 	@mkdir -p $(BUILD)/bench
 	$(BUILD)/benchmark -o $(BUILD) $(STEP)
 
+# Instructions, which no other process disturbs.
+.PHONY: counts
+counts:
+	@tests/counts.sh $(BUILD) '$(STEP)'
+
 # Files, beside libpng where it is installed.
 LIBPNG = $(shell echo '\#include <libpng16/png.h>' | $(CC) -E - >/dev/null 2>&1 && echo -lpng16)
 .PHONY: bench-files
