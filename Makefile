@@ -17,6 +17,7 @@ For the course as a whole:
   make bench                  run time against error, a chart for each lesson (STEP=05 for one)
   make counts                 the instructions of each scene, beside those committed (STEP=05)
   make bench-files            how fast files are read and written, beside libpng and plain bytes
+  make bench-run              where the time of a whole run goes, beside cat and cp of its files
   make charts                 put these charts into the lessons
   make bench-frame            the time of a frame beside Mesa's llvmpipe (OPTIONS=--help)
   make figures                draw the lessons' other pictures into build/out/*/figures (STEP=05)
