@@ -6,10 +6,6 @@
 #include "model.h"
 
 /* The smallest box around all corners of the model's faces. */
-struct box {
-    struct vec3 least, greatest;
-};
-
 struct box model_box(const struct model *model);
 
 /* Does a part of the box lie outside -1..1 in x, y or z? */

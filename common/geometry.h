@@ -59,6 +59,11 @@ static inline struct vec3 vec3_sub(struct vec3 a, struct vec3 b) {
     return (struct vec3){a.x - b.x, a.y - b.y, a.z - b.z};
 }
 
+/* All points between two corners. */
+struct box {
+    struct vec3 least, greatest;
+};
+
 static inline struct vec3 vec3_scale(struct vec3 a, double factor) {
     return (struct vec3){a.x * factor, a.y * factor, a.z * factor};
 }

@@ -116,8 +116,9 @@ void pipeline_run(struct pipeline *p, size_t count, worker_function *work, void 
 /* ---- Draw calls ---- */
 
 const char *const pipeline_stat_name[PIPELINE_STATS] = {
-    "faces",         "faces_outside", "faces_turned_away", "faces_without_pixel",
-    "faces_clipped", "faces_hidden",  "pixels_covered",    "pixels_shaded",
+    "objects",       "objects_outside",   "vertices_transformed", "faces",
+    "faces_outside", "faces_turned_away", "faces_without_pixel",  "faces_clipped",
+    "faces_hidden",  "attribute_sets",    "pixels_covered",       "pixels_shaded",
 };
 
 struct draw_call camera_call(const struct model *model, struct vec3 eye, struct vec3 center,
@@ -148,6 +149,7 @@ size_t wrapped_level(const struct texture *texture, double pixels) {
 void pipeline_clear(struct pipeline *pipeline) {
     pipeline->draw_count = pipeline->uniforms_end = 0;
     pipeline->piece_end = pipeline->clipped_end = 0;
+    pipeline->boxed = NULL;
     memset(pipeline->stats, 0, sizeof pipeline->stats);
 }
 
@@ -307,6 +309,7 @@ bool pipeline_finish(struct pipeline *p, struct image *image, struct error *erro
     pipeline_run(p, bands, pipeline_draw_band, &frame);
     const struct pixel_work *work = p->band_work.data;
     for (size_t i = 0; i < bands; i++) {
+        p->stats[STAT_ATTRIBUTE_SETS] += work[i].fetched;
         p->stats[STAT_PIXELS_COVERED] += work[i].covered;
         p->stats[STAT_PIXELS_SHADED] += work[i].shaded;
     }

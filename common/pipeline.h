@@ -111,13 +111,17 @@ struct shader {
 
 /* What was done and what was skipped since pipeline_clear(). */
 enum pipeline_stat {
-    STAT_FACES,               /* asked for */
-    STAT_FACES_OUTSIDE,       /* skipped: beyond one side of the viewport, or behind the eye */
-    STAT_FACES_TURNED_AWAY,   /* skipped: culled */
-    STAT_FACES_WITHOUT_PIXEL, /* skipped: too small, between pixel centres */
-    STAT_FACES_CLIPPED,       /* cut at the near plane or the guard band */
-    STAT_FACES_HIDDEN,        /* drawn, but behind others: no attribute fetched */
-    STAT_PIXELS_COVERED,      /* depth tests */
+    STAT_OBJECTS,              /* draw calls */
+    STAT_OBJECTS_OUTSIDE,      /* skipped: all of the model is beyond one side of the view */
+    STAT_VERTICES_TRANSFORMED, /* positions; skipped: those of objects outside */
+    STAT_FACES,                /* asked for */
+    STAT_FACES_OUTSIDE,        /* skipped: beyond one side of the viewport, or behind the eye */
+    STAT_FACES_TURNED_AWAY,    /* skipped: culled */
+    STAT_FACES_WITHOUT_PIXEL,  /* skipped: too small, between pixel centres */
+    STAT_FACES_CLIPPED,        /* cut at the near plane or the guard band */
+    STAT_FACES_HIDDEN,         /* drawn, but behind others: no attribute fetched */
+    STAT_ATTRIBUTE_SETS,       /* fetched: once for each visible face in each band of rows */
+    STAT_PIXELS_COVERED,       /* depth tests */
     STAT_PIXELS_SHADED,
     PIPELINE_STATS
 };
@@ -146,6 +150,8 @@ struct pipeline {
     bool alone;              /* there are none */
     struct buffer draws;     /* of struct draw */
     size_t draw_count;
+    const struct model *boxed; /* of which `box` is the box in this frame; or NULL */
+    struct box box;
     struct buffer uniforms; /* of the draw calls, one behind the other: bytes */
     size_t uniforms_end;
     struct buffer vertices; /* of struct vertex: transformed positions of one draw call */

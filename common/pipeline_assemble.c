@@ -4,6 +4,7 @@
 #include "pipeline_parts.h"
 
 #include <assert.h>
+#include <float.h>
 
 /* Nearer than this part of the camera's distance nothing is drawn: 1/w would grow without bound. */
 static const double near_w = 1.0 / 128;
@@ -32,6 +33,7 @@ enum {
     BEYOND_BOTTOM = 4,
     BEYOND_TOP = 8,
     BEYOND_NEAR = 16,
+    BEYOND_ONE_SIDE = 31, /* any of these */
     BEYOND_GUARD_BAND = 32
 };
 
@@ -114,6 +116,74 @@ static void transform_block(void *context, size_t index, size_t worker) {
     }
 }
 
+/* ---- Objects outside the view ---- */
+
+/* Are a few of the positions beyond one side, as all of an object outside must be? Most objects in
+ * view are found to be so by the first of them. */
+static bool may_be_outside(const struct draw_call *call) {
+    const struct model *model = call->model;
+    unsigned beyond = BEYOND_ONE_SIDE;
+    for (size_t i = 0; i < model->position_count && beyond != 0;
+         i += model->position_count / 8 + 1) {
+        beyond &= find_beyond(mat4_point(&call->to_clip, model->positions[i]));
+    }
+    return beyond != 0;
+}
+
+static struct box box_of_positions(const struct model *model) {
+    struct vec3 a = model->positions[0], b = a;
+    for (size_t i = 1; i < model->position_count; i++) {
+        struct vec3 p = model->positions[i];
+        a = (struct vec3){p.x < a.x ? p.x : a.x, p.y < a.y ? p.y : a.y, p.z < a.z ? p.z : a.z};
+        b = (struct vec3){p.x > b.x ? p.x : b.x, p.y > b.y ? p.y : b.y, p.z > b.z ? p.z : b.z};
+    }
+    return (struct box){a, b};
+}
+
+/* Kept for the next draw call: many draw one model again and again, and it stays as it is until the
+ * frame is finished. */
+static struct box find_box(struct pipeline *p, const struct model *model) {
+    if (p->boxed != model) {
+        p->box = box_of_positions(model);
+        p->boxed = model;
+    }
+    return p->box;
+}
+
+/* The sum of the absolute terms of a row of the matrix, for any point of the box. */
+static double sum_of_terms(const double row[4], struct box box) {
+    return fabs(row[0]) * fmax(fabs(box.least.x), fabs(box.greatest.x)) +
+           fabs(row[1]) * fmax(fabs(box.least.y), fabs(box.greatest.y)) +
+           fabs(row[2]) * fmax(fabs(box.least.z), fabs(box.greatest.z)) + fabs(row[3]);
+}
+
+/* Is the box beyond one side, so far that no rounding could bring a position in it back? Exactly, a
+ * side's x + w (or the like) is least and greatest at corners of the box. Computed, x and w differ
+ * from that by a few ulp of the sum of their terms; w is taken to be larger by more. */
+static bool box_is_outside(const struct mat4 *to_clip, struct box box) {
+    double terms = 0;
+    for (int row = 0; row < 4; row++) {
+        terms += row == 2 ? 0 : sum_of_terms(to_clip->m[row], box);
+    }
+    double roundings = 1e-14 * terms + DBL_MIN;
+    unsigned beyond = isfinite(roundings) ? BEYOND_ONE_SIDE : 0;
+    for (int i = 0; i < 8; i++) {
+        struct vec3 corner = {i & 1 ? box.greatest.x : box.least.x,
+                              i & 2 ? box.greatest.y : box.least.y,
+                              i & 4 ? box.greatest.z : box.least.z};
+        struct vec4 clip = mat4_point(to_clip, corner);
+        clip.w += roundings;
+        beyond &= find_beyond(clip);
+    }
+    return beyond != 0;
+}
+
+/* Would every face be found to be outside? */
+static bool is_outside(struct pipeline *p, const struct draw_call *call) {
+    return call->model->position_count > 0 && may_be_outside(call) &&
+           box_is_outside(&call->to_clip, find_box(p, call->model));
+}
+
 /* ---- Clipping ---- */
 
 /* Signed distances to the planes, positive inside. */
@@ -187,7 +257,7 @@ enum face_kind { FACE_OUTSIDE, FACE_CLIPPED, FACE_WHOLE };
 static enum face_kind kind_of_face(const struct vertex *const vertex[3]) {
     unsigned all = vertex[0]->beyond & vertex[1]->beyond & vertex[2]->beyond;
     unsigned any = vertex[0]->beyond | vertex[1]->beyond | vertex[2]->beyond;
-    if ((all & ~(unsigned)BEYOND_GUARD_BAND) != 0) {
+    if ((all & BEYOND_ONE_SIDE) != 0) {
         return FACE_OUTSIDE;
     }
     return (any & (BEYOND_NEAR | BEYOND_GUARD_BAND)) != 0 ? FACE_CLIPPED : FACE_WHOLE;
@@ -238,60 +308,60 @@ struct output {
     uint32_t *band_counts;
 };
 
-/* Corner 0 becomes the lowest, of those the leftmost, so that a face whose corners are listed from
- * another one on is computed in the same way, to the last bit; and the rest follows
- * counterclockwise. */
-static void order_corners(struct piece *piece, bool clockwise) {
-    struct piece given = *piece;
-    int first = 0;
+/* The lowest corner, of those the leftmost. */
+static int lowest_corner(const struct fixed2 *screen) {
+    int lowest = 0;
     for (int i = 1; i < 3; i++) {
-        struct fixed2 a = given.corner[i], b = given.corner[first];
-        first = a.y < b.y || (a.y == b.y && a.x < b.x) ? i : first;
+        struct fixed2 a = screen[i], b = screen[lowest];
+        lowest = a.y < b.y || (a.y == b.y && a.x < b.x) ? i : lowest;
     }
-    for (int i = 0; i < 3; i++) {
-        int from = (first + (clockwise ? 3 - i : i)) % 3;
-        piece->corner[i] = given.corner[from];
-        piece->depth[i] = given.depth[from];
-        piece->face_corner[i] = given.face_corner[from];
-    }
+    return lowest;
 }
 
-/* Add a triangle if it must be drawn; count why it need not. */
-static bool add_piece(const struct assembly *a, struct output *to, const struct piece *given) {
+/* Corner 0 becomes the lowest, so that a face whose corners are listed from another one on is
+ * computed in the same way, to the last bit; and the rest follows counterclockwise. */
+static struct piece make_piece(const struct fixed2 *screen, const struct vertex *const vertex[3],
+                               bool clockwise) {
+    int first = lowest_corner(screen), next = clockwise ? 2 : 1;
+    uint8_t order[3] = {(uint8_t)first, (uint8_t)((first + next) % 3),
+                        (uint8_t)((first + 3 - next) % 3)};
+    return (struct piece){
+        .corner = {screen[order[0]], screen[order[1]], screen[order[2]]},
+        .depth = {vertex[order[0]]->depth, vertex[order[1]]->depth, vertex[order[2]]->depth},
+        .face_corner = {order[0], order[1], order[2]},
+    };
+}
+
+/* Add a triangle if it must be drawn; count why it need not. What most triangles are is asked
+ * first. */
+static bool add_piece(const struct assembly *a, struct output *to, size_t face, uint32_t clipped,
+                      const struct vertex *const vertex[3]) {
     const struct draw_call *call = &a->draw->call;
     struct block *block = to->block;
-    int64_t area = signed_area(given->corner);
+    struct fixed2 screen[3] = {vertex[0]->screen, vertex[1]->screen, vertex[2]->screen};
+    int64_t area = signed_area(screen);
     bool culled = is_culled(area < 0, call->cull);
     if (culled && area != 0 && a->pipeline->skip) {
         block->stats[STAT_FACES_TURNED_AWAY]++;
         return false;
     }
-    struct span columns = columns_of(given->corner, &call->viewport);
-    struct span rows = rows_of(given->corner, &call->viewport);
+    struct span columns = columns_of(screen, &call->viewport);
+    struct span rows = rows_of(screen, &call->viewport);
     if (area == 0 || columns.begin >= columns.end || rows.begin >= rows.end) {
         block->stats[STAT_FACES_WITHOUT_PIXEL]++;
         return false;
     }
     struct piece *piece = &to->pieces[block->piece_count++];
-    *piece = *given;
+    *piece = make_piece(screen, vertex, area < 0);
+    piece->face = (uint32_t)face;
+    piece->clipped = clipped;
     piece->dropped = culled;
-    order_corners(piece, area < 0);
     block->columns = span_around(block->columns, columns);
     block->rows = span_around(block->rows, rows);
     for (int band = rows.begin / BAND_HEIGHT; band <= (rows.end - 1) / BAND_HEIGHT; band++) {
         to->band_counts[band]++;
     }
     return true;
-}
-
-static void add_whole_face(const struct assembly *a, struct output *to, size_t face,
-                           const struct vertex *const vertex[3]) {
-    struct piece piece = {.face = (uint32_t)face, .clipped = NOT_CLIPPED, .face_corner = {0, 1, 2}};
-    for (int i = 0; i < 3; i++) {
-        piece.corner[i] = vertex[i]->screen;
-        piece.depth[i] = vertex[i]->depth;
-    }
-    add_piece(a, to, &piece);
 }
 
 /* ---- Faces that are clipped ---- */
@@ -326,17 +396,18 @@ static struct polygon clip_face(const struct draw_call *call, size_t face) {
 /* One triangle of the fan that a clipped polygon is cut into. */
 static void add_part(const struct assembly *a, struct output *to, size_t face,
                      const struct clip_corner *const corner[3]) {
-    struct piece piece = {.face = (uint32_t)face, .face_corner = {0, 1, 2}};
+    struct vertex vertex[3];
     struct clipped_corners clipped;
     for (int i = 0; i < 3; i++) {
-        if (!project(corner[i]->clip, &a->draw->call.viewport, &piece.corner[i], &piece.depth[i],
+        if (!project(corner[i]->clip, &a->draw->call.viewport, &vertex[i].screen, &vertex[i].depth,
                      &clipped.recip_w[i])) {
             return;
         }
         clipped.weight[i] = corner[i]->weight;
     }
-    piece.clipped = (uint32_t)(to->block->first_clipped + to->block->clipped_count);
-    if (add_piece(a, to, &piece)) {
+    size_t index = to->block->first_clipped + to->block->clipped_count;
+    const struct vertex *const given[3] = {&vertex[0], &vertex[1], &vertex[2]};
+    if (add_piece(a, to, face, (uint32_t)index, given)) {
         to->clipped[to->block->clipped_count++] = clipped;
     }
 }
@@ -382,7 +453,7 @@ static void assemble_block(void *context, size_t index, size_t worker) {
             add_clipped_face(a, &to, face);
             break;
         case FACE_WHOLE:
-            add_whole_face(a, &to, face, vertex);
+            add_piece(a, &to, face, NOT_CLIPPED, vertex);
             break;
         }
     }
@@ -459,12 +530,12 @@ static void add_up_blocks(struct pipeline *p, struct draw *draw) {
     }
 }
 
-bool pipeline_assemble(struct pipeline *p, struct draw *draw, struct error *error) {
+static bool assemble(struct pipeline *p, struct draw *draw, struct error *error) {
     const struct model *model = draw->call.model;
     size_t vertex_blocks = (model->position_count + BLOCK_SIZE - 1) / BLOCK_SIZE;
     draw->block_count = (model->face_count + BLOCK_SIZE - 1) / BLOCK_SIZE;
     size_t blocks = draw->first_block + draw->block_count;
-    p->stats[STAT_FACES] += model->face_count;
+    p->stats[STAT_VERTICES_TRANSFORMED] += model->position_count;
     if (!buffer_reserve(&p->vertices, model->position_count, sizeof(struct vertex), error) ||
         !buffer_reserve(&p->blocks, blocks, sizeof(struct block), error) ||
         !buffer_reserve(&p->band_counts, blocks * band_count(p), sizeof(uint32_t), error)) {
@@ -478,4 +549,15 @@ bool pipeline_assemble(struct pipeline *p, struct draw *draw, struct error *erro
     pipeline_run(p, draw->block_count, assemble_block, &assembly);
     add_up_blocks(p, draw);
     return true;
+}
+
+bool pipeline_assemble(struct pipeline *p, struct draw *draw, struct error *error) {
+    p->stats[STAT_OBJECTS]++;
+    p->stats[STAT_FACES] += draw->call.model->face_count;
+    if (p->skip && is_outside(p, &draw->call)) {
+        p->stats[STAT_OBJECTS_OUTSIDE]++;
+        p->stats[STAT_FACES_OUTSIDE] += draw->call.model->face_count;
+        return true;
+    }
+    return assemble(p, draw, error);
 }
