@@ -88,7 +88,7 @@ $(BUILD)/sculpt: $(SCULPTOR:%=$(BUILD)/common/sculptor/%.o) $(BUILD)/libcommon.a
 # (Functions on `lanes` are inlined: how older compilers passed their arguments matters to nobody.)
 WARNINGS = -Wno-psabi -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wstrict-prototypes -Wmissing-prototypes
 # One rounding for each operation, so that every machine computes the same bytes.
-STRICT   = -std=c17 -ffp-contract=off -fno-math-errno -fno-trapping-math
+STRICT   = -std=c17 -ffp-contract=off -fno-math-errno
 DEFINES  = -DCOURSE_BUILD='"$(abspath $(BUILD))"'
 # LANES=1 shades one pixel at a time, for a debugger; REAL=double shades with twice the precision.
 DEFINES += $(LANES:%=-DLANES=%) $(REAL:%=-DREAL=%)
