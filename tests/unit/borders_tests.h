@@ -66,6 +66,8 @@ static void part_begin(struct part *part, struct rectangle viewport) {
 
 /* ---- Shaders: a face shows its number ---- */
 
+enum { ALPHA = 200 };
+
 struct number_uniforms {
     uint32_t first_number;
     atomic_size_t *vertex_calls;
@@ -89,6 +91,7 @@ static void flat_vertex(const void *uniforms, size_t face, size_t corner, double
 static lanes_mask number_fragment(const void *uniforms, const lanes *varyings, lanes_texel *color) {
     (void)uniforms;
     *color = lanes_rgb(lanes_all(1), varyings[1], varyings[0]);
+    *color = (*color & 0xFFFFFF) | (uint32_t)ALPHA << 24;
     return lanes_all_set();
 }
 
@@ -138,9 +141,15 @@ static int limit(int value, int least, int most) {
     return value < least ? least : value > most ? most : value;
 }
 
+/* How much work it is to draw every face, one after the other. */
+struct work {
+    uint64_t covered; /* pixels */
+    uint64_t nearest; /* pixels where the face is nearest so far */
+};
+
 /* One face over what was drawn before it: of equal depths the first stays. */
 static void answer_face(const struct placed *placed, const struct rectangle *v, uint32_t number,
-                        size_t width, struct answer *answers) {
+                        size_t width, struct answer *answers, struct work *work) {
     const struct fixed2 *c = placed->corner;
     int left = limit(first_pixel(c[0].x, c[1].x, c[2].x), v->x, v->x + v->width);
     int right = limit(last_pixel(c[0].x, c[1].x, c[2].x) + 1, v->x, v->x + v->width);
@@ -149,23 +158,27 @@ static void answer_face(const struct placed *placed, const struct rectangle *v, 
     for (int y = bottom; y < top; y++) {
         for (int x = left; x < right; x++) {
             struct answer *a = &answers[(size_t)y * width + (size_t)x];
-            if (oracle_covers(c[0], c[1], c[2], x, y) &&
+            bool covered = oracle_covers(c[0], c[1], c[2], x, y);
+            work->covered += covered;
+            if (covered &&
                 (a->number == 0 || oracle_compare_depth(c, placed->depth, a->placed->corner,
                                                         a->placed->depth, x, y) > 0)) {
                 *a = (struct answer){number, placed};
+                work->nearest++;
             }
         }
     }
 }
 
-static struct answer *answer(const struct scene *scene) {
+static struct answer *answer(const struct scene *scene, struct work *work) {
     struct answer *answers = calloc(scene->width * scene->height, sizeof *answers);
+    *work = (struct work){0, 0};
     for (size_t i = 0; answers != NULL && i < scene->count; i++) {
         const struct part *part = &scene->part[i];
         for (size_t k = 0; k < part->model.face_count; k++) {
             if (!is_left_out(&part->placed[k], part->call.cull)) {
                 answer_face(&part->placed[k], &part->call.viewport,
-                            part->first_number + (uint32_t)k, scene->width, answers);
+                            part->first_number + (uint32_t)k, scene->width, answers, work);
             }
         }
     }
@@ -231,7 +244,7 @@ static bool pixel_is_right(const struct image *image, size_t pixel, uint32_t num
                p[image->format - 1] == UNTOUCHED;
     }
     return p[0] == number % 256 && p[1] == number / 256 && p[2] == 1 &&
-           (image->format == IMAGE_BGR || p[3] == 255);
+           (image->format == IMAGE_BGR || p[3] == ALPHA);
 }
 
 /* The depth of a face that is level must be just that; of others a few roundings are lost. */
@@ -267,6 +280,25 @@ static bool frame_is_right(const struct pipeline *pipeline, const struct image *
 
 /* ---- Random scenes of any size ---- */
 
+static uint64_t count_drawn(const struct scene *scene, const struct answer *answers) {
+    uint64_t drawn = 0;
+    for (size_t i = 0; i < scene->width * scene->height; i++) {
+        drawn += answers[i].number != 0;
+    }
+    return drawn;
+}
+
+/* What was counted while a frame was drawn, of faces none of which is culled. Each pixel is shaded
+ * once; with skip off, and to find what a shader discards, wherever a face is nearest so far. */
+static bool counts_are_right(const struct pipeline *pipeline, const struct scene *scene,
+                             const struct answer *answers, const struct work *work) {
+    uint64_t drawn = count_drawn(scene, answers), least = pipeline->skip ? drawn : work->nearest;
+    uint64_t most = has_discarding_part(scene) ? drawn + work->nearest : least;
+    uint64_t shaded = pipeline->stats[STAT_PIXELS_SHADED];
+    return pipeline->stats[STAT_PIXELS_COVERED] == work->covered && shaded >= least &&
+           shaded <= (pipeline->skip ? most : least);
+}
+
 /* Now and then at a multiple of 8 pixels, where bands and chunks begin, or half a pixel from it. */
 static int32_t any_place(struct random *random, int size) {
     if (random_bits(random) % 4 == 0) {
@@ -280,12 +312,15 @@ static void any_face(struct random *random, const struct scene *scene, struct pl
     bool small = random_bits(random) % 2 == 0, level = random_bits(random) % 2 == 0;
     struct fixed2 near = {any_place(random, (int)scene->width),
                           any_place(random, (int)scene->height)};
+    bool flat_top = random_bits(random) % 4 == 0; /* or bottom, on pixel centres */
+    near.y = flat_top ? near.y / 256 * 256 + 128 : near.y;
     for (int i = 0; i < 3; i++) {
         placed->corner[i] =
             small ? (struct fixed2){near.x + (int32_t)random_between(random, -1500, 1500),
                                     near.y + (int32_t)random_between(random, -1500, 1500)}
                   : (struct fixed2){any_place(random, (int)scene->width),
                                     any_place(random, (int)scene->height)};
+        placed->corner[i].y = flat_top && i < 2 ? near.y : placed->corner[i].y;
         placed->depth[i] = random_between(random, -3, 3) * (level ? 16 : 1);
         if (level) {
             placed->depth[i] = i > 0 ? placed->depth[0] : placed->depth[i];
@@ -314,13 +349,13 @@ static struct rectangle any_viewport(struct random *random, const struct scene *
     return (struct rectangle){x.begin, y.begin, x.end - x.begin, y.end - y.begin};
 }
 
-static void make_scene(struct random *random, struct scene *scene, size_t faces) {
+static void make_scene(struct random *random, struct scene *scene, size_t faces, bool culls) {
     uint32_t number = 1;
     scene->count = 1 + random_bits(random) % CALL_LIMIT;
     for (size_t i = 0; i < scene->count; i++) {
         struct part *part = &scene->part[i];
         part_begin(part, any_viewport(random, scene));
-        part->call.cull = (enum cull)(random_bits(random) % 3);
+        part->call.cull = (enum cull)(culls ? random_bits(random) % 3 : CULL_NONE);
         part->shader = shaders[random_bits(random) % SHADERS];
         part->first_number = number;
         for (size_t k = 0; k < faces; k++) {
@@ -344,16 +379,19 @@ static void check_size(struct random *random, size_t width, size_t height) {
     scene.width = width;
     scene.height = height;
     for (int frame = 0; frame < 6; frame++) {
-        make_scene(random, &scene, 1 + random_bits(random) % 12);
+        bool culls = frame % 2 == 0;
+        make_scene(random, &scene, 1 + random_bits(random) % 12, culls);
         pipeline.skip = random_bits(random) % 3 != 0;
         pipeline.keep_depth = random_bits(random) % 2 == 0;
         pipeline_use_threads(&pipeline, 1 + random_bits(random) % 8 * (frame == 3));
-        struct answer *answers = answer(&scene);
+        struct work work;
+        struct answer *answers = answer(&scene, &work);
         size_t calls;
         if (CHECK(answers != NULL) && draw_scene(&pipeline, &scene, &image, &calls)) {
             CHECK(frame_is_right(&pipeline, &image, answers));
             CHECK(!pipeline.skip || has_discarding_part(&scene) ||
                   calls == calls_needed(&scene, answers));
+            CHECK(culls || counts_are_right(&pipeline, &scene, answers, &work));
             CHECK((pipeline.depth != NULL) == pipeline.keep_depth);
         }
         free(answers);
@@ -363,7 +401,7 @@ static void check_size(struct random *random, size_t width, size_t height) {
 }
 
 static void test_images_of_all_sizes(void) {
-    static const size_t sides[] = {1, 2, 7, 8, 9, 15, 16, 17, 23, 31, 32, 33, 47, 64, 65, 70, 129};
+    static const size_t sides[] = {1, 2, 7, 8, 9, 15, 16, 17, 31, 32, 33, 47, 64, 65, 70, 190};
     enum { SIDES = sizeof sides / sizeof sides[0] };
     struct random random = {71};
     for (size_t i = 0; i < SIDES; i++) {
@@ -398,9 +436,11 @@ static void test_many_faces(void) {
     struct image image = {0};
     struct error error;
     make_crowd(&random, &scene);
-    struct answer *answers = answer(&scene);
+    struct work work;
+    struct answer *answers = answer(&scene, &work);
     CHECK(pipeline_create(&pipeline, scene.width, scene.height, &error));
     CHECK(image_create(&image, scene.width, scene.height, IMAGE_BGR, &error));
+    CHECK(answers != NULL);
     for (size_t threads = 1; answers != NULL && threads <= 8; threads++) {
         for (size_t i = 0; i < 3; i++) {
             pipeline.skip = i < 2;
@@ -410,10 +450,46 @@ static void test_many_faces(void) {
             if (draw_scene(&pipeline, &scene, &image, &calls)) {
                 CHECK(frame_is_right(&pipeline, &image, answers));
                 CHECK(i > 0 || calls == calls_needed(&scene, answers));
+                CHECK(counts_are_right(&pipeline, &scene, answers, &work));
             }
         }
     }
     free(answers);
+    pipeline_free(&pipeline);
+    image_free(&image);
+}
+
+/* A face for each pixel: none of a block, and none of its corners, may be lost. The image is filled
+ * row by row or column by column, so that each block of faces lies somewhere else. */
+static void test_every_face_shows(void) {
+    static struct scene scene;
+    struct pipeline pipeline;
+    struct image image = {0};
+    struct error error;
+    CHECK(pipeline_create(&pipeline, 100, 95, &error));
+    CHECK(image_create(&image, 100, 95, IMAGE_BGR, &error));
+    for (int by_columns = 0; by_columns < 2; by_columns++) {
+        scene.count = 1, scene.width = 100, scene.height = 95;
+        struct part *part = &scene.part[0];
+        part_begin(part, (struct rectangle){0, 0, 100, 95});
+        part->first_number = 1;
+        part->shader = by_columns ? &number_shader : &flat_shader;
+        for (int i = 0; i < 9500; i++) {
+            int32_t x = 256 * (by_columns ? i / 95 : i % 100),
+                    y = 256 * (by_columns ? i % 95 : i / 100);
+            add_face(part,
+                     &(struct placed){{{x + 20, y + 20}, {x + 230, y + 40}, {x + 90, y + 250}},
+                                      {i % 8, i % 8, i % 8}});
+        }
+        struct work work;
+        struct answer *answers = answer(&scene, &work);
+        size_t calls;
+        if (CHECK(answers != NULL) && draw_scene(&pipeline, &scene, &image, &calls)) {
+            CHECK(count_drawn(&scene, answers) == 9500);
+            CHECK(frame_is_right(&pipeline, &image, answers));
+        }
+        free(answers);
+    }
     pipeline_free(&pipeline);
     image_free(&image);
 }
@@ -426,7 +502,7 @@ static void test_no_face_at_all(void) {
     struct image image = {0};
     struct error error;
     scene.width = 40, scene.height = 50;
-    make_scene(&random, &scene, 5);
+    make_scene(&random, &scene, 5, true);
     scene.count = 3;
     part_begin(&scene.part[0], (struct rectangle){0, 0, 40, 50}); /* without faces */
     part_begin(&scene.part[2], (struct rectangle){7, 7, 0, 0});
@@ -437,7 +513,8 @@ static void test_no_face_at_all(void) {
     struct placed placed;
     any_face(&random, &scene, &placed);
     add_face(&scene.part[1], &placed);
-    struct answer *answers = answer(&scene);
+    struct work work;
+    struct answer *answers = answer(&scene, &work);
     CHECK(pipeline_create(&pipeline, 40, 50, &error));
     CHECK(image_create(&image, 40, 50, IMAGE_BGR, &error));
     for (int i = 0; i < 2; i++) {
@@ -453,6 +530,7 @@ static void test_no_face_at_all(void) {
     image_free(&image);
 }
 
-UNIT_MAIN(TEST(test_images_of_all_sizes), TEST(test_many_faces), TEST(test_no_face_at_all))
+UNIT_MAIN(TEST(test_images_of_all_sizes), TEST(test_many_faces), TEST(test_every_face_shows),
+          TEST(test_no_face_at_all))
 
 #endif

@@ -196,7 +196,7 @@ static void test_nearest_face_shows(void) {
             drawn += image.pixels[3 * k] != 0;
         }
         CHECK(stats[STAT_PIXELS_SHADED] == drawn);
-        CHECK(stats_at_once[STAT_PIXELS_SHADED] > drawn);
+        CHECK(stats_at_once[STAT_PIXELS_SHADED] > drawn && stats_at_once[STAT_FACES_HIDDEN] == 0);
         image_free(&image);
         image_free(&at_once);
     }
@@ -697,6 +697,7 @@ static void test_clipped_in_every_block(void) {
     struct random random = {18};
     uint64_t stats[PIPELINE_STATS] = {0}, stats_often[PIPELINE_STATS] = {0};
     make_ground(&once, 27, 40, &random);
+    mesh_vertex(&once, 0, 0, 0); /* of no face, in the middle of the view */
     often = once;
     often.model.positions = often.positions;
     often.model.faces = often.faces;
@@ -720,6 +721,32 @@ static void test_clipped_in_every_block(void) {
     CHECK(REPEATS * stats[STAT_FACES_CLIPPED] == stats_often[STAT_FACES_CLIPPED]);
     CHECK(REPEATS * stats[STAT_PIXELS_COVERED] == stats_often[STAT_PIXELS_COVERED]);
     CHECK(stats[STAT_PIXELS_SHADED] == stats_often[STAT_PIXELS_SHADED]);
+}
+
+/* Clip space has no unit: times 2^140 it is the same, to the last bit, although no float holds 1/w.
+ */
+static void test_scale_of_clip_space(void) {
+    static struct mesh mesh;
+    static struct seen seen, scaled;
+    struct random random = {19};
+    uint64_t stats[PIPELINE_STATS] = {0};
+    for (int i = 0; i < 20; i++) {
+        mesh_begin(&mesh);
+        for (int k = 0; k < 12; k++) {
+            mesh_vertex(&mesh, random_real(&random, -1, 1), random_real(&random, -1, 1),
+                        random_real(&random, -3, 1.5));
+        }
+        for (uint32_t k = 0; k < 12; k += 3) {
+            mesh_face(&mesh, k, k + 1, k + 2);
+        }
+        struct mat4 to_clip = mat4_projection(2), larger = to_clip;
+        for (int k = 0; k < 16; k++) {
+            larger.m[k / 4][k % 4] *= 0x1p140;
+        }
+        see(&mesh, to_clip, &seen, stats);
+        see(&mesh, larger, &scaled, stats);
+        CHECK(seen.count > 0 && memcmp(&seen, &scaled, sizeof seen) == 0);
+    }
 }
 
 /* ---- The same from another first corner, to the last bit ---- */
@@ -851,10 +878,10 @@ static void test_nearest_w(void) {
 static void test_depth_overflows(void) {
     static struct mesh mesh, cover;
     struct mat4 to_clip = place_is_xyw;
-    to_clip.m[2][0] = 1e308; /* z grows to the right */
-    for (int i = 0; i < 2 * WAYS; i++) {
+    for (int i = 0; i < 4 * WAYS; i++) {
+        to_clip.m[2][0] = i < 2 * WAYS ? 1e308 : 1e290; /* z grows to the right */
         struct frame frame;
-        bool is_cut = i >= WAYS;
+        bool is_cut = i / WAYS % 2 == 1;
         mesh_begin(&mesh);
         mesh_vertex(&mesh, -0.9, -0.9, 1);
         mesh_vertex(&mesh, is_cut ? 0.8 : 0.0625, 0.05, is_cut ? -0.5 : 1.0 / 128);
@@ -1093,8 +1120,8 @@ UNIT_MAIN(TEST(test_nearest_face_shows), TEST(test_threads_change_nothing),
           TEST(test_calls_of_many_faces), TEST(test_counts), TEST(test_faces_at_the_sides),
           TEST(test_channels), TEST(test_discarded_hides_nothing), TEST(test_cut_from_both_ends),
           TEST(test_nearest_w), TEST(test_depth_overflows), TEST(test_depth_difference_overflows),
-          TEST(test_clipped_in_every_block), TEST(test_corner_order),
-          TEST(test_ground_without_gaps), TEST(test_interpolation), TEST(test_viewport),
-          TEST(test_grid_cell), TEST(test_not_finite), TEST(test_beside_viewport),
-          TEST(test_equal_corners), TEST(test_no_area_is_no_side), TEST(test_wrapped_level),
-          TEST(test_far_apart), TEST(test_errors))
+          TEST(test_clipped_in_every_block), TEST(test_scale_of_clip_space),
+          TEST(test_corner_order), TEST(test_ground_without_gaps), TEST(test_interpolation),
+          TEST(test_viewport), TEST(test_grid_cell), TEST(test_not_finite),
+          TEST(test_beside_viewport), TEST(test_equal_corners), TEST(test_no_area_is_no_side),
+          TEST(test_wrapped_level), TEST(test_far_apart), TEST(test_errors))
