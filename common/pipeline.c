@@ -24,6 +24,7 @@ bool pipeline_create(struct pipeline *pipeline, size_t width, size_t height, str
     pipeline->width = width;
     pipeline->height = height;
     pipeline->skip = true;
+    pipeline->shortcuts = SHORTCUTS;
     return true;
 }
 
@@ -278,7 +279,7 @@ static void count_hidden(struct pipeline *p) {
     const struct draw *draws = p->draws.data;
     const struct block *blocks = p->blocks.data;
     const atomic_uchar *visible = p->visible.data;
-    for (size_t i = 0; p->skip && i < p->draw_count; i++) {
+    for (size_t i = 0; takes_shortcut(p, SHORTCUT_VISIBLE) && i < p->draw_count; i++) {
         for (size_t k = 0; k < draws[i].block_count && !draws[i].shader->discards; k++) {
             const struct block *block = &blocks[draws[i].first_block + k];
             for (size_t piece = 0; piece < block->piece_count; piece++) {

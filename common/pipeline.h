@@ -145,6 +145,7 @@ struct pipeline {
     uint64_t stats[PIPELINE_STATS];
 
     /* From here on private: see pipeline_kernels.h. */
+    unsigned shortcuts;      /* of enum shortcut: those taken while `skip` is on; at first all */
     size_t thread_count;     /* for workers_create() */
     struct workers *workers; /* NULL until they are needed, and where there are none */
     bool alone;              /* there are none */

@@ -553,7 +553,7 @@ static bool assemble(struct pipeline *p, struct draw *draw, struct error *error)
 bool pipeline_assemble(struct pipeline *p, struct draw *draw, struct error *error) {
     p->stats[STAT_OBJECTS]++;
     p->stats[STAT_FACES] += draw->call.model->face_count;
-    if (p->skip && is_outside(p, &draw->call)) {
+    if (takes_shortcut(p, SHORTCUT_OUTSIDE) && is_outside(p, &draw->call)) {
         p->stats[STAT_OBJECTS_OUTSIDE]++;
         p->stats[STAT_FACES_OUTSIDE] += draw->call.model->face_count;
         return true;

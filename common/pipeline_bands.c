@@ -270,14 +270,14 @@ void pipeline_draw_band(void *context, size_t index, size_t worker) {
         .bin = (const uint32_t *)p->binned.data + bin->first,
         .rows = rows,
         .image = frame->image,
-        .at_once = !p->skip,
+        .at_once = !takes_shortcut(p, SHORTCUT_VISIBLE),
         .work = work,
     };
     *work = (struct pixel_work){0};
     scratch->plane_count = 0;
     memset(scratch->plane_place, 0, (bin->count + 1) * sizeof *scratch->plane_place);
     draw_pieces(&band, &shading, index, true);
-    if (p->skip) {
+    if (!shading.at_once) {
         draw_pieces(&band, &shading, index, false);
     }
     work->covered += band.covered;

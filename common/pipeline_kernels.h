@@ -16,6 +16,13 @@ enum { BAND_HEIGHT = 32 };
  * machine, so that every machine rounds alike. */
 enum { CHUNK = 16 };
 
+/* What `skip` switches on and off, so that each can be measured alone. */
+enum shortcut {
+    SHORTCUT_OUTSIDE = 1, /* objects beyond a side of the view are not transformed */
+    SHORTCUT_VISIBLE = 2, /* what is visible is found before anything is shaded */
+    SHORTCUTS = 3
+};
+
 #define NOT_CLIPPED UINT32_MAX
 
 /* Do the bytes of a texel in memory have the order of a BGRA image? */
@@ -101,6 +108,10 @@ struct shading {
 
 static inline size_t band_stride(const struct pipeline *pipeline) {
     return (pipeline->width + CHUNK - 1) / CHUNK * CHUNK;
+}
+
+static inline bool takes_shortcut(const struct pipeline *pipeline, enum shortcut shortcut) {
+    return pipeline->skip && (pipeline->shortcuts & (unsigned)shortcut) != 0;
 }
 
 /* ---- Planes: what is interpolated over a piece ---- */
