@@ -97,7 +97,8 @@ COMPILE  = $(CC) $(STRICT) $(WARNINGS) $(WERROR) $(CFLAGS) $(MARCH) $(THREADED) 
            -Icommon -MMD -MP
 # What the lessons stand on (library, models, check) computes exactly whatever CFLAGS say: -Ofast is
 # for main.c alone. Where the linker saw it, numbers next to 0 would be 0 in the whole program.
-EXACT    = $(subst -Ofast,-O3,$(COMPILE)) -fno-fast-math -ffp-contract=off
+# -fno-fast-math also brings back errno and traps, which keep loops from being vectorised.
+EXACT    = $(subst -Ofast,-O3,$(COMPILE)) -fno-fast-math $(STRICT)
 INEXACT  = -Ofast -ffast-math -funsafe-math-optimizations
 LINK     = $(CC) $(filter-out $(INEXACT),$(CFLAGS)) $(MARCH) $(THREADED)
 

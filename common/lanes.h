@@ -96,7 +96,8 @@ LANES_INLINE bool lanes_is_set(lanes_mask mask, int i) {
 
 /* The mask that is set everywhere. */
 LANES_INLINE lanes_mask lanes_all_set(void) {
-    return (lanes){0} == (lanes){0};
+    lanes zero = {0};
+    return zero == zero;
 }
 
 /* first, first + 1, first + 2, ... */

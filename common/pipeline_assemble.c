@@ -308,60 +308,60 @@ struct output {
     uint32_t *band_counts;
 };
 
-/* Corner 0 becomes the lowest, of those the leftmost, so that a face whose corners are listed from
- * another one on is computed in the same way, to the last bit; and the rest follows
- * counterclockwise. */
-static void order_corners(struct piece *piece, bool clockwise) {
-    struct piece given = *piece;
-    int first = 0;
+/* The lowest corner, of those the leftmost. */
+static int lowest_corner(const struct fixed2 *screen) {
+    int lowest = 0;
     for (int i = 1; i < 3; i++) {
-        struct fixed2 a = given.corner[i], b = given.corner[first];
-        first = a.y < b.y || (a.y == b.y && a.x < b.x) ? i : first;
+        struct fixed2 a = screen[i], b = screen[lowest];
+        lowest = a.y < b.y || (a.y == b.y && a.x < b.x) ? i : lowest;
     }
-    for (int i = 0; i < 3; i++) {
-        int from = (first + (clockwise ? 3 - i : i)) % 3;
-        piece->corner[i] = given.corner[from];
-        piece->depth[i] = given.depth[from];
-        piece->face_corner[i] = given.face_corner[from];
-    }
+    return lowest;
 }
 
-/* Add a triangle if it must be drawn; count why it need not. */
-static bool add_piece(const struct assembly *a, struct output *to, const struct piece *given) {
+/* Corner 0 becomes the lowest, so that a face whose corners are listed from another one on is
+ * computed in the same way, to the last bit; and the rest follows counterclockwise. */
+static struct piece make_piece(const struct fixed2 *screen, const struct vertex *const vertex[3],
+                               bool clockwise) {
+    int first = lowest_corner(screen), next = clockwise ? 2 : 1;
+    uint8_t order[3] = {(uint8_t)first, (uint8_t)((first + next) % 3),
+                        (uint8_t)((first + 3 - next) % 3)};
+    return (struct piece){
+        .corner = {screen[order[0]], screen[order[1]], screen[order[2]]},
+        .depth = {vertex[order[0]]->depth, vertex[order[1]]->depth, vertex[order[2]]->depth},
+        .face_corner = {order[0], order[1], order[2]},
+    };
+}
+
+/* Add a triangle if it must be drawn; count why it need not. What most triangles are is asked
+ * first. */
+static bool add_piece(const struct assembly *a, struct output *to, size_t face, uint32_t clipped,
+                      const struct vertex *const vertex[3]) {
     const struct draw_call *call = &a->draw->call;
     struct block *block = to->block;
-    int64_t area = signed_area(given->corner);
+    struct fixed2 screen[3] = {vertex[0]->screen, vertex[1]->screen, vertex[2]->screen};
+    int64_t area = signed_area(screen);
     bool culled = is_culled(area < 0, call->cull);
     if (culled && area != 0 && a->pipeline->skip) {
         block->stats[STAT_FACES_TURNED_AWAY]++;
         return false;
     }
-    struct span columns = columns_of(given->corner, &call->viewport);
-    struct span rows = rows_of(given->corner, &call->viewport);
+    struct span columns = columns_of(screen, &call->viewport);
+    struct span rows = rows_of(screen, &call->viewport);
     if (area == 0 || columns.begin >= columns.end || rows.begin >= rows.end) {
         block->stats[STAT_FACES_WITHOUT_PIXEL]++;
         return false;
     }
     struct piece *piece = &to->pieces[block->piece_count++];
-    *piece = *given;
+    *piece = make_piece(screen, vertex, area < 0);
+    piece->face = (uint32_t)face;
+    piece->clipped = clipped;
     piece->dropped = culled;
-    order_corners(piece, area < 0);
     block->columns = span_around(block->columns, columns);
     block->rows = span_around(block->rows, rows);
     for (int band = rows.begin / BAND_HEIGHT; band <= (rows.end - 1) / BAND_HEIGHT; band++) {
         to->band_counts[band]++;
     }
     return true;
-}
-
-static void add_whole_face(const struct assembly *a, struct output *to, size_t face,
-                           const struct vertex *const vertex[3]) {
-    struct piece piece = {.face = (uint32_t)face, .clipped = NOT_CLIPPED, .face_corner = {0, 1, 2}};
-    for (int i = 0; i < 3; i++) {
-        piece.corner[i] = vertex[i]->screen;
-        piece.depth[i] = vertex[i]->depth;
-    }
-    add_piece(a, to, &piece);
 }
 
 /* ---- Faces that are clipped ---- */
@@ -396,17 +396,18 @@ static struct polygon clip_face(const struct draw_call *call, size_t face) {
 /* One triangle of the fan that a clipped polygon is cut into. */
 static void add_part(const struct assembly *a, struct output *to, size_t face,
                      const struct clip_corner *const corner[3]) {
-    struct piece piece = {.face = (uint32_t)face, .face_corner = {0, 1, 2}};
+    struct vertex vertex[3];
     struct clipped_corners clipped;
     for (int i = 0; i < 3; i++) {
-        if (!project(corner[i]->clip, &a->draw->call.viewport, &piece.corner[i], &piece.depth[i],
+        if (!project(corner[i]->clip, &a->draw->call.viewport, &vertex[i].screen, &vertex[i].depth,
                      &clipped.recip_w[i])) {
             return;
         }
         clipped.weight[i] = corner[i]->weight;
     }
-    piece.clipped = (uint32_t)(to->block->first_clipped + to->block->clipped_count);
-    if (add_piece(a, to, &piece)) {
+    size_t index = to->block->first_clipped + to->block->clipped_count;
+    const struct vertex *const given[3] = {&vertex[0], &vertex[1], &vertex[2]};
+    if (add_piece(a, to, face, (uint32_t)index, given)) {
         to->clipped[to->block->clipped_count++] = clipped;
     }
 }
@@ -452,7 +453,7 @@ static void assemble_block(void *context, size_t index, size_t worker) {
             add_clipped_face(a, &to, face);
             break;
         case FACE_WHOLE:
-            add_whole_face(a, &to, face, vertex);
+            add_piece(a, &to, face, NOT_CLIPPED, vertex);
             break;
         }
     }

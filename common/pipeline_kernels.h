@@ -177,6 +177,7 @@ KERNEL void fetch_varyings(const struct shading *s, const struct shader *shader,
  * varying_count is the numerator of varying i, the last one the denominator of all. */
 struct planes {
     real x0, y0;
+    real least; /* that the denominator is at a corner: rounding may make it less, even 0 */
     real corner[VARYING_LIMIT];
     real origin[VARYING_LIMIT + 1], dx[VARYING_LIMIT + 1], dy[VARYING_LIMIT + 1];
 };
@@ -188,7 +189,7 @@ KERNEL void fetch_planes(const struct shading *s, const struct shader *shader,
                          const struct piece *piece, struct planes *planes) {
     size_t n = shader->varying_count;
     double v[3 * VARYING_LIMIT], recip_w[3];
-    planes->x0 = planes->y0 = 0;
+    planes->x0 = planes->y0 = planes->least = 0;
     s->work->fetched++;
     if (shader->flat) {
         shader->vertex(s->uniforms, piece->face, 0, v);
@@ -203,7 +204,9 @@ KERNEL void fetch_planes(const struct shading *s, const struct shader *shader,
     int x0 = c[0].x >> 8, y0 = c[0].y >> 8;
     struct screen_plane edge[3] = {edge_plane(c[1], c[2], x0, y0), edge_plane(c[2], c[0], x0, y0),
                                    edge_plane(c[0], c[1], x0, y0)};
-    double scale = 1 / (edge[0].origin + edge[1].origin + edge[2].origin);
+    /* So that the denominator is at most 1 inside: 1/w itself may be too small for a float. */
+    double most = fmax(recip_w[0], fmax(recip_w[1], recip_w[2]));
+    double scale = 1 / (most * (edge[0].origin + edge[1].origin + edge[2].origin));
     for (size_t i = 0; i < 3; i++) {
         double over_w = recip_w[i] * scale;
         edge[i] = (struct screen_plane){edge[i].origin * over_w, edge[i].dx * over_w,
@@ -211,6 +214,7 @@ KERNEL void fetch_planes(const struct shading *s, const struct shader *shader,
     }
     planes->x0 = (real)x0;
     planes->y0 = (real)y0;
+    planes->least = (real)fmax(fmin(recip_w[0], fmin(recip_w[1], recip_w[2])) / most, 1e-30);
     for (size_t i = 0; i < n; i++) {
         double to_1 = v[n + i] - v[i], to_2 = v[2 * n + i] - v[i];
         planes->corner[i] = (real)v[i];
@@ -272,7 +276,7 @@ KERNEL void interpolate_varyings(const struct shader *shader, const struct plane
     lanes right = lanes_from(x) - planes->x0;
     real up = (real)y - planes->y0;
     lanes over_w = right * planes->dx[n] + (planes->origin[n] + planes->dy[n] * up);
-    lanes w = 1 / over_w;
+    lanes w = 1 / lanes_max(over_w, lanes_all(planes->least));
     for (size_t i = 0; i < n; i++) {
         lanes value = right * planes->dx[i] + (planes->origin[i] + planes->dy[i] * up);
         varyings[i] = planes->corner[i] + value * w;

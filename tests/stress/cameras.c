@@ -146,7 +146,9 @@ enum { SIZE = 6 };
 
 static void corner_vertex(const void *uniforms, size_t face, size_t corner, double *varyings) {
     const struct model *model = *(const struct model *const *)uniforms;
-    struct vec3 p = model_position(model, face, corner);
+    /* In floats there must be room for differences, and for slopes across a sliver. */
+    const double room = sizeof(real) == sizeof(float) ? 0x1p-120 : 1;
+    struct vec3 p = vec3_scale(model_position(model, face, corner), room);
     varyings[0] = p.x;
     varyings[1] = p.y;
     varyings[2] = p.z;

@@ -7,7 +7,7 @@
 #include <stdatomic.h>
 #include <stdlib.h>
 
-enum { SIZE = 32, FACES = 24, MESH_LIMIT = 4096 };
+enum { SIZE = 32, FACES = 24, MESH_LIMIT = 10000, REPEATS = 6 };
 
 /* ---- Small models made in memory ---- */
 
@@ -141,6 +141,13 @@ static void draw_soup(const struct mesh *mesh, enum cull cull, bool skip, struct
     if (CHECK(image_create(image, SIZE, SIZE, IMAGE_BGR, &error)) &&
         CHECK(pipeline_create(&pipeline, SIZE, SIZE, &error))) {
         pipeline.skip = skip;
+        /* A frame before, from behind: other faces are seen. */
+        call.to_clip.m[2][2] = -1;
+        CHECK(draw_frame(&pipeline, &call, &number_shader, &uniforms, sizeof uniforms, image,
+                         &error));
+        call.to_clip.m[2][2] = 1;
+        calls = 0;
+        image_clear(image, color_grey(0));
         CHECK(draw_frame(&pipeline, &call, &number_shader, &uniforms, sizeof uniforms, image,
                          &error));
         memcpy(stats, pipeline.stats, sizeof pipeline.stats);
@@ -149,7 +156,7 @@ static void draw_soup(const struct mesh *mesh, enum cull cull, bool skip, struct
     *vertex_calls = calls;
 }
 
-/* How many faces show in each band of rows, added up. */
+/* How many faces show in each band of so many rows, added up. */
 static size_t count_shown(const struct image *image, int band_height) {
     size_t shown = 0;
     for (int y = 0; y < SIZE; y += band_height) {
@@ -178,6 +185,10 @@ static void test_nearest_face_shows(void) {
         check_soup(&mesh, cull, &image);
         CHECK(memcmp(image.pixels, at_once.pixels, SIZE * SIZE * 3) == 0);
         /* Frugal: what is not seen is not fetched or shaded. */
+        uint64_t seen = stats[STAT_FACES] - stats[STAT_FACES_OUTSIDE] -
+                        stats[STAT_FACES_TURNED_AWAY] - stats[STAT_FACES_WITHOUT_PIXEL] -
+                        stats[STAT_FACES_HIDDEN];
+        CHECK(seen == count_shown(&image, SIZE));
         CHECK(calls == 3 * count_shown(&image, BAND_HEIGHT) && calls <= calls_at_once);
         fewer += calls < calls_at_once;
         size_t drawn = 0;
@@ -678,6 +689,39 @@ static void test_ground_without_gaps(void) {
     CHECK(clipped > 200); /* or the test would say little */
 }
 
+/* The same faces again and again, until they fill several blocks: of equal depths the first stays,
+ * and the pieces that are cut from a face in a later block are its own. */
+static void test_clipped_in_every_block(void) {
+    static struct mesh once, often;
+    static struct seen seen, seen_often;
+    struct random random = {18};
+    uint64_t stats[PIPELINE_STATS] = {0}, stats_often[PIPELINE_STATS] = {0};
+    make_ground(&once, 27, 40, &random);
+    often = once;
+    often.model.positions = often.positions;
+    often.model.faces = often.faces;
+    for (size_t i = 0; i < REPEATS * once.model.face_count; i++) {
+        /* First faces between three corners at one place, which cover nothing. */
+        struct face none = once.faces[i % once.model.face_count];
+        none.corner[1] = none.corner[2] = none.corner[0];
+        bool last = i >= (REPEATS - 1) * once.model.face_count;
+        often.faces[i] = last ? once.faces[i % once.model.face_count] : none;
+    }
+    often.model.face_count = REPEATS * once.model.face_count;
+    see(&once, mat4_projection(2), &seen, stats);
+    see(&often, mat4_projection(2), &seen_often, stats_often);
+    CHECK(memcmp(&seen, &seen_often, sizeof seen) == 0);
+    CHECK(stats[STAT_PIXELS_COVERED] == stats_often[STAT_PIXELS_COVERED]);
+    for (size_t i = 0; i < REPEATS * once.model.face_count; i++) {
+        often.faces[i] = once.faces[i % once.model.face_count];
+    }
+    see(&often, mat4_projection(2), &seen_often, stats_often);
+    CHECK(memcmp(&seen, &seen_often, sizeof seen) == 0);
+    CHECK(REPEATS * stats[STAT_FACES_CLIPPED] == stats_often[STAT_FACES_CLIPPED]);
+    CHECK(REPEATS * stats[STAT_PIXELS_COVERED] == stats_often[STAT_PIXELS_COVERED]);
+    CHECK(stats[STAT_PIXELS_SHADED] == stats_often[STAT_PIXELS_SHADED]);
+}
+
 /* ---- The same from another first corner, to the last bit ---- */
 
 static void turn_corners(struct mesh *mesh) {
@@ -1049,7 +1093,8 @@ UNIT_MAIN(TEST(test_nearest_face_shows), TEST(test_threads_change_nothing),
           TEST(test_calls_of_many_faces), TEST(test_counts), TEST(test_faces_at_the_sides),
           TEST(test_channels), TEST(test_discarded_hides_nothing), TEST(test_cut_from_both_ends),
           TEST(test_nearest_w), TEST(test_depth_overflows), TEST(test_depth_difference_overflows),
-          TEST(test_corner_order), TEST(test_ground_without_gaps), TEST(test_interpolation),
-          TEST(test_viewport), TEST(test_grid_cell), TEST(test_not_finite),
-          TEST(test_beside_viewport), TEST(test_equal_corners), TEST(test_no_area_is_no_side),
-          TEST(test_wrapped_level), TEST(test_far_apart), TEST(test_errors))
+          TEST(test_clipped_in_every_block), TEST(test_corner_order),
+          TEST(test_ground_without_gaps), TEST(test_interpolation), TEST(test_viewport),
+          TEST(test_grid_cell), TEST(test_not_finite), TEST(test_beside_viewport),
+          TEST(test_equal_corners), TEST(test_no_area_is_no_side), TEST(test_wrapped_level),
+          TEST(test_far_apart), TEST(test_errors))

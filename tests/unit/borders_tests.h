@@ -1,0 +1,458 @@
+/*
+ * The pipeline at its seams, against exact answers at every pixel: bands of rows, chunks of a row,
+ * blocks of faces, sides of viewports, draw calls and frames that follow each other; images of any
+ * width, in both formats, with one thread to eight. Included by programs that have chosen REAL and
+ * LANES, or not.
+ */
+#ifndef TESTS_BORDERS_TESTS_H
+#define TESTS_BORDERS_TESTS_H
+
+#include "oracle.h"
+#include "pipeline.h"
+#include "shown.h"
+#include "unit.h"
+
+#include <stdatomic.h>
+#include <stdlib.h>
+
+enum { FACE_LIMIT = 10000, CALL_LIMIT = 3 };
+
+/* ---- Scenes ---- */
+
+/* A face as it lies on the screen, in 1/256 pixel and in depth. */
+struct placed {
+    struct fixed2 corner[3];
+    int64_t depth[3];
+};
+
+enum { DEPTH_STEPS = 64 }; /* of a depth, in 1 */
+
+/* What one draw call draws: faces with corners of their own. */
+struct part {
+    struct placed placed[FACE_LIMIT];
+    struct vec3 positions[3 * FACE_LIMIT];
+    struct face faces[FACE_LIMIT];
+    struct model model;
+    struct draw_call call;
+    const struct shader *shader;
+    uint32_t first_number; /* of the face that is listed first */
+};
+
+struct scene {
+    struct part part[CALL_LIMIT];
+    size_t count;
+    size_t width, height;
+};
+
+static void add_face(struct part *part, const struct placed *placed) {
+    uint32_t n = (uint32_t)part->model.face_count++;
+    const struct rectangle *v = &part->call.viewport;
+    part->placed[n] = *placed;
+    for (uint32_t i = 0; i < 3; i++) {
+        struct fixed2 c = placed->corner[i];
+        part->positions[3 * n + i] = (struct vec3){(c.x / 256.0 - v->x) * 2 / v->width - 1,
+                                                   (c.y / 256.0 - v->y) * 2 / v->height - 1,
+                                                   (double)placed->depth[i] / DEPTH_STEPS};
+        part->faces[n].corner[i] = (struct corner){3 * n + i, MODEL_NONE, MODEL_NONE};
+    }
+    part->model.position_count += 3;
+}
+
+static void part_begin(struct part *part, struct rectangle viewport) {
+    part->model = (struct model){.positions = part->positions, .faces = part->faces};
+    part->call =
+        (struct draw_call){.model = &part->model, .to_clip = mat4_identity(), .viewport = viewport};
+}
+
+/* ---- Shaders: a face shows its number ---- */
+
+struct number_uniforms {
+    uint32_t first_number;
+    atomic_size_t *vertex_calls;
+};
+
+static void number_vertex(const void *uniforms, size_t face, size_t corner, double *varyings) {
+    const struct number_uniforms *u = uniforms;
+    size_t number = u->first_number + face;
+    (void)corner;
+    varyings[0] = (double)(number % 256);
+    varyings[1] = (double)(number / 256);
+    atomic_fetch_add(u->vertex_calls, 1);
+}
+
+/* Of a flat face corner 0 counts, and only that. */
+static void flat_vertex(const void *uniforms, size_t face, size_t corner, double *varyings) {
+    number_vertex(uniforms, face, corner, varyings);
+    varyings[0] += 7 * (double)corner;
+}
+
+static lanes_mask number_fragment(const void *uniforms, const lanes *varyings, lanes_texel *color) {
+    (void)uniforms;
+    *color = lanes_rgb(lanes_all(1), varyings[1], varyings[0]);
+    return lanes_all_set();
+}
+
+SHADER(number_shader, .varying_count = 2, .vertex = number_vertex, .fragment = number_fragment);
+SHADER(flat_shader, .varying_count = 2, .flat = true, .vertex = flat_vertex,
+       .fragment = number_fragment);
+SHADER(discarding_shader, .varying_count = 2, .vertex = number_vertex, .fragment = number_fragment,
+       .discards = true);
+SHADER(flat_discarding_shader, .varying_count = 2, .flat = true, .vertex = flat_vertex,
+       .fragment = number_fragment, .discards = true);
+
+/* Without loops of its own. */
+static const struct shader called_shader = {
+    .varying_count = 2, .vertex = number_vertex, .fragment = number_fragment};
+
+static const struct shader *const shaders[] = {&number_shader, &flat_shader, &discarding_shader,
+                                               &flat_discarding_shader, &called_shader};
+enum { SHADERS = sizeof shaders / sizeof shaders[0] };
+
+/* ---- The exact answer ---- */
+
+struct answer {
+    uint32_t number; /* of the face that shows, from 1 on; 0 where nothing is drawn */
+    const struct placed *placed;
+};
+
+static bool is_left_out(const struct placed *p, enum cull cull) {
+    const struct fixed2 *c = p->corner;
+    int64_t area = (int64_t)(c[1].x - c[0].x) * (c[2].y - c[0].y) -
+                   (int64_t)(c[1].y - c[0].y) * (c[2].x - c[0].x);
+    return (cull == CULL_BACK && area < 0) || (cull == CULL_FRONT && area > 0);
+}
+
+static int first_pixel(int32_t a, int32_t b, int32_t c) {
+    int32_t least = a < b ? a : b;
+    least = c < least ? c : least;
+    return (int)floor(least / 256.0);
+}
+
+static int last_pixel(int32_t a, int32_t b, int32_t c) {
+    int32_t most = a > b ? a : b;
+    most = c > most ? c : most;
+    return (int)floor(most / 256.0);
+}
+
+static int limit(int value, int least, int most) {
+    return value < least ? least : value > most ? most : value;
+}
+
+/* One face over what was drawn before it: of equal depths the first stays. */
+static void answer_face(const struct placed *placed, const struct rectangle *v, uint32_t number,
+                        size_t width, struct answer *answers) {
+    const struct fixed2 *c = placed->corner;
+    int left = limit(first_pixel(c[0].x, c[1].x, c[2].x), v->x, v->x + v->width);
+    int right = limit(last_pixel(c[0].x, c[1].x, c[2].x) + 1, v->x, v->x + v->width);
+    int bottom = limit(first_pixel(c[0].y, c[1].y, c[2].y), v->y, v->y + v->height);
+    int top = limit(last_pixel(c[0].y, c[1].y, c[2].y) + 1, v->y, v->y + v->height);
+    for (int y = bottom; y < top; y++) {
+        for (int x = left; x < right; x++) {
+            struct answer *a = &answers[(size_t)y * width + (size_t)x];
+            if (oracle_covers(c[0], c[1], c[2], x, y) &&
+                (a->number == 0 || oracle_compare_depth(c, placed->depth, a->placed->corner,
+                                                        a->placed->depth, x, y) > 0)) {
+                *a = (struct answer){number, placed};
+            }
+        }
+    }
+}
+
+static struct answer *answer(const struct scene *scene) {
+    struct answer *answers = calloc(scene->width * scene->height, sizeof *answers);
+    for (size_t i = 0; answers != NULL && i < scene->count; i++) {
+        const struct part *part = &scene->part[i];
+        for (size_t k = 0; k < part->model.face_count; k++) {
+            if (!is_left_out(&part->placed[k], part->call.cull)) {
+                answer_face(&part->placed[k], &part->call.viewport,
+                            part->first_number + (uint32_t)k, scene->width, answers);
+            }
+        }
+    }
+    return answers;
+}
+
+/* ---- Drawing and judging ---- */
+
+enum { UNTOUCHED = 0x77 };
+
+static bool draw_scene(struct pipeline *pipeline, const struct scene *scene, struct image *image,
+                       size_t *vertex_calls) {
+    struct error error;
+    atomic_size_t calls = 0;
+    bool done = true;
+    memset(image->pixels, UNTOUCHED, image->width * image->height * image->format);
+    pipeline_clear(pipeline);
+    for (size_t i = 0; i < scene->count; i++) {
+        const struct part *part = &scene->part[i];
+        struct number_uniforms uniforms = {part->first_number, &calls};
+        done = done && pipeline_draw(pipeline, &part->call, part->shader, &uniforms,
+                                     sizeof uniforms, &error);
+    }
+    done = done && pipeline_finish(pipeline, image, &error);
+    *vertex_calls = calls;
+    return CHECK(done);
+}
+
+/* Frugal: in each band a face that shows there is asked once for its corners, or for one of them
+ * where it is flat; others never. */
+static size_t calls_needed(const struct scene *scene, const struct answer *answers) {
+    size_t calls = 0;
+    for (size_t y = 0; y < scene->height; y += BAND_HEIGHT) {
+        static bool seen[CALL_LIMIT * FACE_LIMIT + 1];
+        memset(seen, 0, sizeof seen);
+        seen[0] = true; /* nothing */
+        for (size_t i = y * scene->width;
+             i < (y + BAND_HEIGHT) * scene->width && i < scene->height * scene->width; i++) {
+            uint32_t number = answers[i].number;
+            const struct part *part = scene->part;
+            while (!seen[number] && number >= part->first_number + part->model.face_count) {
+                part++;
+            }
+            calls += seen[number] ? 0 : part->shader->flat ? 1 : 3;
+            seen[number] = true;
+        }
+    }
+    return calls;
+}
+
+static bool has_discarding_part(const struct scene *scene) {
+    bool has = false;
+    for (size_t i = 0; i < scene->count; i++) {
+        has = has || scene->part[i].shader->discards;
+    }
+    return has;
+}
+
+static bool pixel_is_right(const struct image *image, size_t pixel, uint32_t number) {
+    const uint8_t *p = image->pixels + pixel * image->format;
+    if (number == 0) {
+        return p[0] == UNTOUCHED && p[1] == UNTOUCHED && p[2] == UNTOUCHED &&
+               p[image->format - 1] == UNTOUCHED;
+    }
+    return p[0] == number % 256 && p[1] == number / 256 && p[2] == 1 &&
+           (image->format == IMAGE_BGR || p[3] == 255);
+}
+
+/* The depth of a face that is level must be just that; of others a few roundings are lost. */
+static bool depth_is_right(const struct pipeline *pipeline, size_t pixel, const struct answer *a) {
+    static const int64_t parallel[3] = {1, 1, 1};
+    double depth = pipeline->depth[pixel];
+    if (a->number == 0) {
+        return depth == (double)-INFINITY;
+    }
+    const int64_t *z = a->placed->depth;
+    long double exact =
+        oracle_perspective_depth(a->placed->corner, z, parallel, (int)(pixel % pipeline->width),
+                                 (int)(pixel / pipeline->width)) /
+        DEPTH_STEPS;
+    bool level = z[0] == z[1] && z[1] == z[2];
+    return fabsl((long double)depth - exact) <= (level ? 0 : 0x1p-49L);
+}
+
+static bool frame_is_right(const struct pipeline *pipeline, const struct image *image,
+                           const struct answer *answers) {
+    for (size_t i = 0; i < image->width * image->height; i++) {
+        if (!pixel_is_right(image, i, answers[i].number) ||
+            (pipeline->keep_depth && !depth_is_right(pipeline, i, &answers[i]))) {
+            const uint8_t *p = image->pixels + i * image->format;
+            fprintf(stderr, "    %zux%zu: pixel %zu %zu should show %u, shows %d\n", image->width,
+                    image->height, i % image->width, i / image->width, (unsigned)answers[i].number,
+                    p[0] + 256 * p[1]);
+            return false;
+        }
+    }
+    return true;
+}
+
+/* ---- Random scenes of any size ---- */
+
+/* Now and then at a multiple of 8 pixels, where bands and chunks begin, or half a pixel from it. */
+static int32_t any_place(struct random *random, int size) {
+    if (random_bits(random) % 4 == 0) {
+        return (int32_t)random_between(random, -1, size / 8 + 1) * 8 * 256 +
+               (int32_t)random_between(random, 0, 2) * 128;
+    }
+    return (int32_t)random_between(random, -20 * 256, (size + 20) * 256);
+}
+
+static void any_face(struct random *random, const struct scene *scene, struct placed *placed) {
+    bool small = random_bits(random) % 2 == 0, level = random_bits(random) % 2 == 0;
+    struct fixed2 near = {any_place(random, (int)scene->width),
+                          any_place(random, (int)scene->height)};
+    for (int i = 0; i < 3; i++) {
+        placed->corner[i] =
+            small ? (struct fixed2){near.x + (int32_t)random_between(random, -1500, 1500),
+                                    near.y + (int32_t)random_between(random, -1500, 1500)}
+                  : (struct fixed2){any_place(random, (int)scene->width),
+                                    any_place(random, (int)scene->height)};
+        placed->depth[i] = random_between(random, -3, 3) * (level ? 16 : 1);
+        if (level) {
+            placed->depth[i] = i > 0 ? placed->depth[0] : placed->depth[i];
+        } else {
+            placed->depth[i] += random_between(random, -40, 40);
+        }
+    }
+}
+
+/* So wide or high, at least, that no face has to be clipped: that would move its edges a little. */
+enum { LEAST_SIDE = 6 };
+
+static struct span any_side(struct random *random, int size) {
+    int least = size < LEAST_SIDE ? size : LEAST_SIDE;
+    int begin = (int)random_between(random, 0, size - least);
+    return (struct span){begin, begin + (int)random_between(random, least, size - begin)};
+}
+
+/* Part of the image, with its sides in the middle of bands and chunks; seldom all of it. */
+static struct rectangle any_viewport(struct random *random, const struct scene *scene) {
+    int width = (int)scene->width, height = (int)scene->height;
+    if (random_bits(random) % 4 == 0) {
+        return (struct rectangle){0, 0, width, height};
+    }
+    struct span x = any_side(random, width), y = any_side(random, height);
+    return (struct rectangle){x.begin, y.begin, x.end - x.begin, y.end - y.begin};
+}
+
+static void make_scene(struct random *random, struct scene *scene, size_t faces) {
+    uint32_t number = 1;
+    scene->count = 1 + random_bits(random) % CALL_LIMIT;
+    for (size_t i = 0; i < scene->count; i++) {
+        struct part *part = &scene->part[i];
+        part_begin(part, any_viewport(random, scene));
+        part->call.cull = (enum cull)(random_bits(random) % 3);
+        part->shader = shaders[random_bits(random) % SHADERS];
+        part->first_number = number;
+        for (size_t k = 0; k < faces; k++) {
+            struct placed placed;
+            any_face(random, scene, &placed);
+            add_face(part, &placed);
+        }
+        number += (uint32_t)faces;
+    }
+}
+
+/* Several frames of one pipeline: what one has left behind must not show in the next. */
+static void check_size(struct random *random, size_t width, size_t height) {
+    static struct scene scene;
+    struct pipeline pipeline;
+    struct image image = {0};
+    struct error error;
+    CHECK(pipeline_create(&pipeline, width, height, &error));
+    CHECK(image_create(&image, width, height, random_bits(random) % 2 ? IMAGE_BGR : IMAGE_BGRA,
+                       &error));
+    scene.width = width;
+    scene.height = height;
+    for (int frame = 0; frame < 6; frame++) {
+        make_scene(random, &scene, 1 + random_bits(random) % 12);
+        pipeline.skip = random_bits(random) % 3 != 0;
+        pipeline.keep_depth = random_bits(random) % 2 == 0;
+        pipeline_use_threads(&pipeline, 1 + random_bits(random) % 8 * (frame == 3));
+        struct answer *answers = answer(&scene);
+        size_t calls;
+        if (CHECK(answers != NULL) && draw_scene(&pipeline, &scene, &image, &calls)) {
+            CHECK(frame_is_right(&pipeline, &image, answers));
+            CHECK(!pipeline.skip || has_discarding_part(&scene) ||
+                  calls == calls_needed(&scene, answers));
+            CHECK((pipeline.depth != NULL) == pipeline.keep_depth);
+        }
+        free(answers);
+    }
+    pipeline_free(&pipeline);
+    image_free(&image);
+}
+
+static void test_images_of_all_sizes(void) {
+    static const size_t sides[] = {1, 2, 7, 8, 9, 15, 16, 17, 23, 31, 32, 33, 47, 64, 65, 70, 129};
+    enum { SIDES = sizeof sides / sizeof sides[0] };
+    struct random random = {71};
+    for (size_t i = 0; i < SIDES; i++) {
+        for (size_t k = 0; k < SIDES; k++) {
+            check_size(&random, sides[i], sides[k]);
+        }
+    }
+}
+
+/* ---- More faces than a block has ---- */
+
+/* Small faces all over the image, many at equal depths; in two calls with other shaders. */
+static void make_crowd(struct random *random, struct scene *scene) {
+    *scene = (struct scene){.count = 2, .width = 100, .height = 90};
+    for (size_t i = 0; i < 2; i++) {
+        struct part *part = &scene->part[i];
+        part_begin(part, (struct rectangle){3, 2, 91, 85});
+        part->first_number = i == 0 ? 1 : 9001;
+        part->shader = i == 0 ? &number_shader : &flat_shader;
+        for (size_t k = 0; k < (i == 0 ? 9000 : 5000); k++) {
+            struct placed placed;
+            any_face(random, scene, &placed);
+            add_face(part, &placed);
+        }
+    }
+}
+
+static void test_many_faces(void) {
+    static struct scene scene;
+    struct random random = {72};
+    struct pipeline pipeline;
+    struct image image = {0};
+    struct error error;
+    make_crowd(&random, &scene);
+    struct answer *answers = answer(&scene);
+    CHECK(pipeline_create(&pipeline, scene.width, scene.height, &error));
+    CHECK(image_create(&image, scene.width, scene.height, IMAGE_BGR, &error));
+    for (size_t threads = 1; answers != NULL && threads <= 8; threads++) {
+        for (size_t i = 0; i < 3; i++) {
+            pipeline.skip = i < 2;
+            scene.part[1].shader = i == 0 ? &flat_shader : &discarding_shader;
+            pipeline_use_threads(&pipeline, threads);
+            size_t calls;
+            if (draw_scene(&pipeline, &scene, &image, &calls)) {
+                CHECK(frame_is_right(&pipeline, &image, answers));
+                CHECK(i > 0 || calls == calls_needed(&scene, answers));
+            }
+        }
+    }
+    free(answers);
+    pipeline_free(&pipeline);
+    image_free(&image);
+}
+
+/* Draw calls without a face, with an empty viewport; a frame without a call. */
+static void test_no_face_at_all(void) {
+    static struct scene scene;
+    struct random random = {73};
+    struct pipeline pipeline;
+    struct image image = {0};
+    struct error error;
+    scene.width = 40, scene.height = 50;
+    make_scene(&random, &scene, 5);
+    scene.count = 3;
+    part_begin(&scene.part[0], (struct rectangle){0, 0, 40, 50}); /* without faces */
+    part_begin(&scene.part[2], (struct rectangle){7, 7, 0, 0});
+    scene.part[0].shader = scene.part[2].shader = &flat_shader;
+    part_begin(&scene.part[1], (struct rectangle){0, 0, 40, 50});
+    scene.part[1].shader = &number_shader;
+    scene.part[1].first_number = 1;
+    struct placed placed;
+    any_face(&random, &scene, &placed);
+    add_face(&scene.part[1], &placed);
+    struct answer *answers = answer(&scene);
+    CHECK(pipeline_create(&pipeline, 40, 50, &error));
+    CHECK(image_create(&image, 40, 50, IMAGE_BGR, &error));
+    for (int i = 0; i < 2; i++) {
+        size_t calls;
+        if (CHECK(answers != NULL) && draw_scene(&pipeline, &scene, &image, &calls)) {
+            CHECK(frame_is_right(&pipeline, &image, answers));
+        }
+        scene.count = 0; /* and a frame without a call */
+        memset(answers, 0, scene.width * scene.height * sizeof *answers);
+    }
+    free(answers);
+    pipeline_free(&pipeline);
+    image_free(&image);
+}
+
+UNIT_MAIN(TEST(test_images_of_all_sizes), TEST(test_many_faces), TEST(test_no_face_at_all))
+
+#endif

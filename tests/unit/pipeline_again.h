@@ -1,0 +1,27 @@
+/*
+ * The pipeline once more, compiled with other REAL and LANES than what a test is linked with. Its
+ * functions get other names.
+ */
+#ifndef TESTS_PIPELINE_AGAIN_H
+#define TESTS_PIPELINE_AGAIN_H
+
+#define buffer_reserve       again_buffer_reserve
+#define camera_call          again_camera_call
+#define pipeline_assemble    again_pipeline_assemble
+#define pipeline_clear       again_pipeline_clear
+#define pipeline_create      again_pipeline_create
+#define pipeline_draw        again_pipeline_draw
+#define pipeline_draw_band   again_pipeline_draw_band
+#define pipeline_finish      again_pipeline_finish
+#define pipeline_free        again_pipeline_free
+#define pipeline_run         again_pipeline_run
+#define pipeline_stat_name   again_pipeline_stat_name
+#define pipeline_use_threads again_pipeline_use_threads
+#define wrapped_level        again_wrapped_level
+
+#include "../../common/pipeline.c"
+
+#include "../../common/pipeline_assemble.c"
+#include "../../common/pipeline_bands.c"
+
+#endif

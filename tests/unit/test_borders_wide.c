@@ -1,0 +1,6 @@
+/* The same borders with sixteen pixels at once: a chunk is one step. */
+#define REAL  float
+#define LANES 16
+#include "pipeline_again.h"
+
+#include "borders_tests.h"
