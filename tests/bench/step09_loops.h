@@ -166,7 +166,7 @@ LANES_INLINE void shade_run(const struct shader *shader, const struct uniforms *
         interpolate_varyings(shader, &planes[run->number], x, run->y, varyings);
         shader->fragment(u, varyings, &color);
         write_lanes(&image, x, run->y, color,
-                    (lanes_int)(lanes_int_from(x) < (int32_t)run->span.end));
+                    (lanes_int)(lanes_int_from(0) < (int32_t)(run->span.end - x)));
     }
 }
 
