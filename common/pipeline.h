@@ -120,6 +120,7 @@ enum pipeline_stat {
     STAT_FACES_WITHOUT_PIXEL,  /* skipped: too small, between pixel centres */
     STAT_FACES_CLIPPED,        /* cut at the near plane or the guard band */
     STAT_FACES_HIDDEN,         /* drawn, but behind others: no attribute fetched */
+    STAT_FACES_BEHIND,         /* of these, so far behind that no pixel was tested; in each band */
     STAT_ATTRIBUTE_SETS,       /* fetched: once for each visible face in each band of rows */
     STAT_PIXELS_COVERED,       /* depth tests */
     STAT_PIXELS_SHADED,
@@ -151,8 +152,10 @@ struct pipeline {
     bool alone;              /* there are none */
     struct buffer draws;     /* of struct draw */
     size_t draw_count;
+    bool discards;             /* one of their shaders does */
     const struct model *boxed; /* of which `box` is the box in this frame; or NULL */
     struct box box;
+    struct buffer order;    /* of struct draw_order: as draw calls are covered */
     struct buffer uniforms; /* of the draw calls, one behind the other: bytes */
     size_t uniforms_end;
     struct buffer vertices; /* of struct vertex: transformed positions of one draw call */

@@ -493,7 +493,8 @@ static bool lay_out_blocks(struct pipeline *p, const struct assembly *a, struct 
     for (size_t i = 0; i < draw->block_count; i++) {
         struct block *block = &blocks[draw->first_block + i];
         struct range faces = block_range(i, face_count);
-        *block = (struct block){.columns = {INT_MAX, 0}, .rows = {INT_MAX, 0}};
+        *block =
+            (struct block){.columns = {INT_MAX, 0}, .rows = {INT_MAX, 0}, .nearest = -INFINITY};
         if (clips) {
             count_pieces(a, faces, block);
         } else {

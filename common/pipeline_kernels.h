@@ -20,7 +20,9 @@ enum { CHUNK = 16 };
 enum shortcut {
     SHORTCUT_OUTSIDE = 1, /* objects beyond a side of the view are not transformed */
     SHORTCUT_VISIBLE = 2, /* what is visible is found before anything is shaded */
-    SHORTCUTS = 3
+    SHORTCUT_BEHIND =
+        4, /* the nearest objects are covered first; what is behind them, not at all */
+    SHORTCUTS = 7
 };
 
 #define NOT_CLIPPED UINT32_MAX
@@ -56,6 +58,7 @@ struct draw {
     size_t uniforms; /* where they are in the pipeline's `uniforms` */
     size_t first_block, block_count;
     struct span columns, rows; /* that its pieces may cover */
+    double nearest; /* at least the depth of every pixel, where there are several draws */
 };
 
 /* The pieces of a band, in the order in which they were drawn: `binned[first]` to
@@ -68,6 +71,7 @@ struct bin {
 /* The work of a band. */
 struct pixel_work {
     uint64_t fetched; /* attribute sets */
+    uint64_t behind;  /* pieces that were not covered */
     uint64_t covered; /* depth tests */
     uint64_t shaded;  /* pixels */
 };
@@ -77,6 +81,7 @@ struct scratch {
     double *depth;         /* BAND_HEIGHT rows of `stride` */
     uint32_t *number;      /* the same */
     bool *touched;         /* for each chunk of a row: something may have been drawn there */
+    double *farthest;      /* in each column of chunks: at most the depth of every pixel */
     uint32_t *plane_place; /* in `planes`, by a piece's number; 0: not fetched */
     struct planes *planes; /* of visible pieces, from 1 on */
     uint32_t plane_count;
