@@ -201,7 +201,7 @@ bool pipeline_draw(struct pipeline *p, const struct draw_call *call, const struc
 static void bin_block(const struct pipeline *p, const struct draw *draw, size_t index) {
     struct block *block = (struct block *)p->blocks.data + index;
     const struct piece *pieces = (const struct piece *)p->pieces.data + block->first_piece;
-    bool find_nearest = covers_in_order(p);
+    bool find_nearest = reorders_draws(p);
     uint32_t *next = (uint32_t *)p->band_counts.data + index * band_count(p);
     uint32_t *binned = p->binned.data;
     for (size_t i = 0; i < block->piece_count; i++) {
@@ -278,7 +278,7 @@ static void order_draws(struct pipeline *p) {
         }
         order[i] = (struct draw_order){draws[i].nearest, i};
     }
-    if (covers_in_order(p)) {
+    if (reorders_draws(p)) {
         qsort(order, p->draw_count, sizeof *order, compare_draws);
     }
 }

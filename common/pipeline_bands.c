@@ -14,7 +14,7 @@ struct band {
     struct scratch *scratch;
     struct span rows;
     size_t stride;
-    bool in_order; /* covers_in_order() */
+    bool reordered; /* the nearest draw calls are covered first */
     uint64_t behind, covered;
 };
 
@@ -48,16 +48,20 @@ LANES_INLINE cover_depths depths_from(int first) {
 }
 
 /* Depth and number become those of the piece where it covers (`inside`: all bits or none) and is
- * nearer. Without branches: each line is one or two instructions for all pixels. */
+ * nearer; with `reordered`, of equal depths that of the lowest number stays, otherwise the first
+ * one. Without branches: each line is one or two instructions for all pixels. */
 LANES_INLINE void cover_pixels(double *depths, uint32_t *numbers, cover_ints inside, cover_depths z,
-                               uint32_t number) {
+                               uint32_t number, bool reordered) {
     cover_depths old_z;
     cover_ints old_number;
     memcpy(&old_z, depths, sizeof old_z);
     memcpy(&old_number, numbers, sizeof old_number);
-    cover_longs first = __builtin_convertvector(old_number > (int32_t)number, cover_longs);
-    cover_longs nearer =
-        __builtin_convertvector(inside, cover_longs) & ((z > old_z) | ((z == old_z) & first));
+    cover_longs nearer = z > old_z;
+    if (reordered) {
+        cover_ints is_later = old_number > (int32_t)number;
+        nearer |= (z == old_z) & __builtin_convertvector(is_later, cover_longs);
+    }
+    nearer &= __builtin_convertvector(inside, cover_longs);
     z = (cover_depths)((nearer & (cover_longs)z) | (~nearer & (cover_longs)old_z));
     cover_ints is_new = __builtin_convertvector(nearer, cover_ints);
     old_number = (is_new & (int32_t)number) | (~is_new & old_number);
@@ -76,6 +80,7 @@ static void cover_by_spans(struct band *band, const struct draw *draw, const str
                            uint32_t number) {
     const struct rectangle *viewport = &draw->call.viewport;
     const struct fixed2 *c = piece->corner;
+    bool reordered = band->reordered;
     struct edges edges;
     if (!edges_setup(&edges, c[0], c[1], c[2], band->pipeline->width, band->pipeline->height)) {
         return;
@@ -96,7 +101,7 @@ static void cover_by_spans(struct band *band, const struct draw *draw, const str
             touch(band, y, x);
             cover_pixels(band->scratch->depth + row + x, band->scratch->number + row + x,
                          (at >= span.begin) & (at < span.end), depths_at(&slopes, first, second),
-                         number);
+                         number, reordered);
         }
     }
 }
@@ -122,6 +127,7 @@ static struct small_edge small_edge(struct fixed2 a, struct fixed2 b) {
 static void cover_box(struct band *band, const struct piece *piece, struct span columns,
                       struct span rows, uint32_t number) {
     int left = columns.begin / COVERED * COVERED;
+    bool reordered = band->reordered;
     struct fixed2 c[3];
     for (int i = 0; i < 3; i++) { /* from the centre of the box's first pixel */
         c[i].x = piece->corner[i].x - left * SUBPIXELS - SUBPIXELS / 2;
@@ -147,7 +153,7 @@ static void cover_box(struct band *band, const struct piece *piece, struct span 
             covered -= inside;
             touch(band, y, x);
             cover_pixels(band->scratch->depth + row + x, band->scratch->number + row + x, inside,
-                         depths_at(&slopes, first, second), number);
+                         depths_at(&slopes, first, second), number, reordered);
             e0 += next[0];
             e1 += next[1];
             e2 += next[2];
@@ -207,7 +213,7 @@ static void cover_piece(struct band *band, const struct draw *draw, const struct
     struct span columns = {(least_x + SUBPIXELS / 2 - 1) >> 8, ((most_x - SUBPIXELS / 2) >> 8) + 1};
     const struct rectangle *v = &draw->call.viewport;
     struct span seen = span_overlap(columns, (struct span){v->x, v->x + v->width});
-    if (band->in_order && is_behind(band, nearest_of_piece(piece), seen)) {
+    if (band->reordered && is_behind(band, nearest_of_piece(piece), seen)) {
         band->behind++;
         return;
     }
@@ -288,12 +294,12 @@ static void draw_pieces(struct band *band, struct shading *shading, size_t index
         if (shading->numbers.begin == shading->numbers.end) {
             continue;
         }
-        bool behind = band->in_order && is_behind(band, draw->nearest, draw->columns);
+        bool behind = band->reordered && is_behind(band, draw->nearest, draw->columns);
         if (cover && behind) {
             band->behind += (uint64_t)(shading->numbers.end - shading->numbers.begin);
         } else if (cover) {
             cover_draw(band, shading);
-            if (band->in_order) {
+            if (band->reordered) {
                 update_farthest(band, draw);
             }
         } else if (!behind) {
@@ -314,7 +320,7 @@ void pipeline_draw_band(void *context, size_t index, size_t worker) {
                         .scratch = scratch,
                         .rows = rows,
                         .stride = band_stride(p),
-                        .in_order = covers_in_order(p)};
+                        .reordered = reorders_draws(p)};
     struct shading shading = {
         .pipeline = p,
         .scratch = scratch,

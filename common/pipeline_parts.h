@@ -52,7 +52,7 @@ struct draw_order {
 };
 
 /* Are the nearest draw calls covered first? A shader that discards needs the order of drawing. */
-static inline bool covers_in_order(const struct pipeline *pipeline) {
+static inline bool reorders_draws(const struct pipeline *pipeline) {
     return takes_shortcut(pipeline, SHORTCUT_VISIBLE) &&
            takes_shortcut(pipeline, SHORTCUT_BEHIND) && pipeline->draw_count > 1 &&
            !pipeline->discards;

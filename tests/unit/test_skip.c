@@ -246,6 +246,7 @@ static void test_nested_spheres(void) {
         check_scene(&scene, false, stats);
         CHECK(stats[STAT_ATTRIBUTE_SETS] <= sphere.face_count * BANDS);
         CHECK(stats[STAT_VERTICES_TRANSFORMED] == 128 * sphere.position_count);
+        CHECK(stats[STAT_FACES_BEHIND] > 10 * sphere.face_count);
     }
 }
 
@@ -308,6 +309,27 @@ static void test_two_models(void) {
     CHECK(stats[STAT_OBJECTS_OUTSIDE] == 1 && stats[STAT_PIXELS_SHADED] > 100);
 }
 
+/* A wall, and after it a model that lies in the same plane, except for one face that goes through
+ * the wall: it is nearest, but where depths are equal the wall was first. */
+static void test_equal_depths(void) {
+    static struct vec3 positions[] = {{-1, -1, 0}, {1, -1, 0},    {1, 1, 0},    {-1, 1, 0},
+                                      {0, -1, -1}, {0.9, 0, 0.5}, {0, 0.9, 0.5}};
+    static struct face faces[3];
+    static const uint32_t corners[3][3] = {{0, 1, 2}, {0, 2, 3}, {4, 5, 6}};
+    for (size_t i = 0; i < 9; i++) {
+        faces[i / 3].corner[i % 3] = (struct corner){corners[i / 3][i % 3], MODEL_NONE, MODEL_NONE};
+    }
+    struct model through = {
+        .positions = positions, .position_count = 7, .faces = faces, .face_count = 3};
+    uint64_t stats[PIPELINE_STATS] = {0};
+    scene = (struct scene){.name = "a wall and what goes through it"};
+    add_object(&scene, &wall, mat4_identity(), origin, 1);
+    add_object(&scene, &through, mat4_identity(), origin, 1);
+    check_scene(&scene, true, stats);
+    CHECK(stats[STAT_PIXELS_SHADED] == WIDTH * HEIGHT);
+    CHECK(stats[STAT_ATTRIBUTE_SETS] > 2 * BANDS && stats[STAT_ATTRIBUTE_SETS] <= 3 * BANDS);
+}
+
 /* Points within roundings of one side of the view: a face is skipped with its object only if it
  * would be skipped alone. */
 static void test_within_roundings_of_a_side(void) {
@@ -365,4 +387,4 @@ static void test_free(void) {
 
 UNIT_MAIN(TEST(test_models_are_there), TEST(test_single), TEST(test_nested_spheres),
           TEST(test_behind_a_wall), TEST(test_crowd), TEST(test_two_models),
-          TEST(test_within_roundings_of_a_side), TEST(test_free))
+          TEST(test_equal_depths), TEST(test_within_roundings_of_a_side), TEST(test_free))
