@@ -187,6 +187,15 @@ struct planes {
     real origin[VARYING_LIMIT + 1], dx[VARYING_LIMIT + 1], dy[VARYING_LIMIT + 1];
 };
 
+/* The largest power of two that is not above a positive number. A product with it is exact. */
+static inline double power_of_two(double number) {
+    uint64_t bits;
+    memcpy(&bits, &number, sizeof bits);
+    bits &= UINT64_C(0x7FF) << 52;
+    memcpy(&number, &bits, sizeof bits);
+    return fmax(number, 0x1p-1022);
+}
+
 /* Perspective: a varying is v0 + (e1 (v1 - v0) / w1 + e2 (v2 - v0) / w2) / (e0 / w0 + e1 / w1 +
  * e2 / w2), where e are the edge functions. Both are planes on the screen. (Blinn, "Hyperbolic
  * Interpolation", IEEE CG&A 12(4), 1992.) */
@@ -209,17 +218,17 @@ KERNEL void fetch_planes(const struct shading *s, const struct shader *shader,
     int x0 = c[0].x >> 8, y0 = c[0].y >> 8;
     struct screen_plane edge[3] = {edge_plane(c[1], c[2], x0, y0), edge_plane(c[2], c[0], x0, y0),
                                    edge_plane(c[0], c[1], x0, y0)};
-    /* So that the denominator is at most 1 inside: 1/w itself may be too small for a float. */
-    double most = fmax(recip_w[0], fmax(recip_w[1], recip_w[2]));
-    double scale = 1 / (most * (edge[0].origin + edge[1].origin + edge[2].origin));
+    double scale = 1 / (edge[0].origin + edge[1].origin + edge[2].origin);
+    /* 1/w itself may be too small for a float: so as a part of the largest. */
+    double unit = 1 / power_of_two(fmax(recip_w[0], fmax(recip_w[1], recip_w[2])));
     for (size_t i = 0; i < 3; i++) {
-        double over_w = recip_w[i] * scale;
+        double over_w = recip_w[i] * scale * unit;
         edge[i] = (struct screen_plane){edge[i].origin * over_w, edge[i].dx * over_w,
                                         edge[i].dy * over_w};
     }
     planes->x0 = (real)x0;
     planes->y0 = (real)y0;
-    planes->least = (real)fmax(fmin(recip_w[0], fmin(recip_w[1], recip_w[2])) / most, 1e-30);
+    planes->least = (real)fmax(fmin(recip_w[0], fmin(recip_w[1], recip_w[2])) * unit, 1e-30);
     for (size_t i = 0; i < n; i++) {
         double to_1 = v[n + i] - v[i], to_2 = v[2 * n + i] - v[i];
         planes->corner[i] = (real)v[i];

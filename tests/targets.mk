@@ -110,6 +110,16 @@ bench: $(BUILD)/benchmark models
 	@mkdir -p $(BUILD)/bench
 	$(BUILD)/benchmark -o $(BUILD) $(STEP)
 
+# Instructions, which no other process disturbs.
+.PHONY: counts
+counts:
+	@tests/counts.sh $(BUILD) '$(STEP)'
+
+# A whole run, beside the same bytes only read and copied.
+.PHONY: bench-run
+bench-run:
+	@tests/whole_run.sh $(BUILD)
+
 # Files, beside libpng where it is installed.
 LIBPNG = $(shell echo '\#include <libpng16/png.h>' | $(CC) -E - >/dev/null 2>&1 && echo -lpng16)
 .PHONY: bench-files

@@ -159,11 +159,11 @@ static void show_tick(double value, char text[32]) {
 
 /* ---- Where things are ---- */
 
-struct box {
+struct label_box {
     double left, top, right, bottom;
 };
 
-static bool boxes_overlap(struct box a, struct box b) {
+static bool boxes_overlap(struct label_box a, struct label_box b) {
     return a.left < b.right && b.left < a.right && a.top < b.bottom && b.top < a.bottom;
 }
 
@@ -173,7 +173,7 @@ struct point {
 
 /* Does the segment come into the box? Cut it to the box's slabs and see whether anything is left
  * (Liang and Barsky, "A New Concept and Method for Line Clipping", 1984). */
-static bool segment_meets(struct point a, struct point b, struct box box) {
+static bool segment_meets(struct point a, struct point b, struct label_box box) {
     double first = 0, last = 1;
     const double from[2] = {a.x, a.y}, step[2] = {b.x - a.x, b.y - a.y};
     const double low[2] = {box.left, box.top}, high[2] = {box.right, box.bottom};
@@ -198,7 +198,7 @@ struct mark {
     int series; /* its place in plot.series; -1: none */
     double radius;
     double x, y, y_upper, y_lower; /* the dot, and the ends of its bar */
-    struct box label;
+    struct label_box label;
     const char *anchor; /* the class that ties the text to the box's side: "", "middle", "end" */
     bool has_leader;
     struct point leader; /* where the leader line meets the label */
@@ -337,14 +337,14 @@ static bool segments_cross(struct point a, struct point b, struct point c, struc
     return cross(a, b, c) * cross(a, b, d) < 0 && cross(c, d, a) * cross(c, d, b) < 0;
 }
 
-static struct box dot_box(const struct mark *mark) {
+static struct label_box dot_box(const struct mark *mark) {
     double r = mark->radius + 2;
-    return (struct box){mark->x - r, mark->y - r, mark->x + r, mark->y + r};
+    return (struct label_box){mark->x - r, mark->y - r, mark->x + r, mark->y + r};
 }
 
-static struct box bar_box(const struct mark *mark) {
-    return (struct box){mark->x - 5, fmin(mark->y_upper, mark->y) - 2, mark->x + 5,
-                        fmax(mark->y_lower, mark->y) + 2};
+static struct label_box bar_box(const struct mark *mark) {
+    return (struct label_box){mark->x - 5, fmin(mark->y_upper, mark->y) - 2, mark->x + 5,
+                              fmax(mark->y_lower, mark->y) + 2};
 }
 
 /* The mark that the line of a series goes to from mark i; NULL at its end. */
@@ -358,7 +358,7 @@ static const struct mark *next_of_series(const struct plot *plot, size_t i) {
 }
 
 /* How bad it is that a label would be crossed by the lines of series. */
-static double cost_of_series(const struct plot *plot, struct box label) {
+static double cost_of_series(const struct plot *plot, struct label_box label) {
     double cost = 0;
     for (size_t i = 0; i < plot->count; i++) {
         const struct mark *a = &plot->marks[i], *b = next_of_series(plot, i);
@@ -415,7 +415,7 @@ static double cost_of_labels(const struct plot *plot, const struct mark *mark, c
 
 static double place_cost(const struct plot *plot, const struct mark *mark, const size_t *order,
                          size_t placed) {
-    const struct box box = mark->label;
+    const struct label_box box = mark->label;
     bool outside = box.left < PLOT_LEFT + 2 || box.right > PLOT_RIGHT - 2 ||
                    box.top < plot->top + 1 || box.bottom > plot->bottom - 1;
     double along = (box.left + box.right) / 2 < mark->x ? box.right - mark->x : box.left - mark->x;
@@ -438,8 +438,8 @@ static void put_label(struct mark *mark, enum side side, double across, double d
         left = mark->x - across - width;
         mark->anchor = "end";
     }
-    mark->label =
-        (struct box){left, middle - LABEL_HEIGHT / 2.0, left + width, middle + LABEL_HEIGHT / 2.0};
+    mark->label = (struct label_box){left, middle - LABEL_HEIGHT / 2.0, left + width,
+                                     middle + LABEL_HEIGHT / 2.0};
     double near = mark->radius + 15;
     mark->has_leader =
         side == ABOVE_OR_BELOW ? fabs(down) > near : fabs(down) > 9 || across > near - 4;

@@ -1,0 +1,107 @@
+#!/bin/sh
+# Do `make` and `make check` redo what changed, and nothing else? In a small course of two lessons
+# all files are made old; then one is changed, and what make writes anew is listed.
+#
+# Exit status 0: all of that is so; 1: something is not.
+
+one=step01_line
+two=step02_copy
+top=$(cd "$(dirname "$0")/../.." && pwd) || exit 1
+work=$(mktemp -d) || exit 1
+trap 'rm -rf "$work"' EXIT
+trap 'exit 1' HUP INT TERM
+unset MAKEFLAGS MFLAGS MAKELEVEL STEP BUILD CFLAGS MARCH # of the make that runs this test
+failed=0
+
+cp -R "$top/Makefile" "$top/common" "$top/$one" "$work" && cd "$work" || exit 1
+mkdir -p tests/reference && cp -R "$top/tests/check" tests || exit 1
+cp -R $one $two && sed "s/$one/$two/" $one/scenes.h >$two/scenes.h
+for lesson in $one $two; do
+    cp -R "$top/tests/reference/$one" "tests/reference/$lesson"
+done
+sed -n "s/^$one /$one /p; s/^$one /$two /p" "$top/tests/check/scenes.txt" | sort >tests/check/scenes
+mv tests/check/scenes tests/check/scenes.txt
+
+# The sculptor only makes its files: these lessons draw none of them.
+rm -rf common/sculptor && mkdir common/sculptor || exit 1
+cat >common/sculptor/sculpt.c <<'EOF'
+#include <stdio.h>
+int main(int count, char **arguments) {
+    static const char *const names[] = {"bust.obj", "bust_diffuse.tga", "bust_nm.tga",
+                                        "bust_spec.tga", "knot.off", "sphere.obj", "torus.obj"};
+    for (int i = 0; count == 2 && i < 7; i++) {
+        char path[4096];
+        snprintf(path, sizeof path, "%s/%s", arguments[1], names[i]);
+        fclose(fopen(path, "w"));
+    }
+}
+EOF
+
+words() {
+    tr ' ' '\n' | grep . | LC_ALL=C sort | tr '\n' ' '
+}
+
+# redone EXPECTED TARGET...: is that what make writes anew? The compiler's probes, and what the check
+# keeps of a run, do not count.
+redone() {
+    expected=$1
+    shift
+    make CFLAGS=-O1 MARCH= "$@" >log 2>&1 || { tail -n 20 log; failed=1; }
+    found=$(find build -type f -newer old ! -name 'probe*' ! -name check.lock |
+        sed 's:^build/::' | words)
+    if [ "$found" != "$(echo "$expected" | words)" ]; then
+        echo "redo: make $* after a change of '$changed' wrote '$found', not '$expected'"
+        failed=1
+    fi
+}
+
+# after FILE [TEXT]: this file is new, with more text at its end, and all the others are old.
+after() {
+    changed=$*
+    find . -type f -exec touch -t 200001010000 {} +
+    [ $# -eq 0 ] || echo "$2" >>"$1"
+}
+
+program() {
+    echo "$1 $1.d $1.o"
+}
+
+drawn() {
+    echo "drawn/$1 out/$1/.drawn out/$1/gradient.tga out/$1/line.tga out/$1/pixel.tga"
+}
+
+nothing_said() {
+    [ ! -s log ] || { echo "redo: make with nothing to do says: $(cat log)"; failed=1; }
+}
+
+touch -t 200001010000 old
+make -s CFLAGS=-O1 MARCH= all check >log 2>&1 || { tail -n 20 log; exit 1; }
+used='const int used = 1;' # a program that this is a part of is another one
+
+after
+redone ''
+nothing_said
+after $two/main.c "$used"
+redone "$(program $two) $(drawn $two)"
+after $one/scenes.h "$used"
+redone "$(program $one) $(drawn $one)"
+
+# A comment makes a program of the same bytes, which need not draw again.
+after $two/main.c '/* The end. */'
+redone "$(program $two)"
+after common/raster.c '/* The end. */'
+redone "common/raster.d common/raster.o libcommon.a sculpt $(program $one) $(program $two)"
+after common/program.c 'const int used_by_all = 1;'
+redone "common/program.d common/program.o libcommon.a sculpt \
+    $(program $one) $(drawn $one) $(program $two) $(drawn $two)"
+
+# The check makes the programs that it judges, since dates may lie, and nothing else. After it make
+# has nothing to draw.
+after
+redone "$(program $one) $(program $two)" check
+[ "$(tail -n 1 log)" = '2 passed, 0 failed' ] || { tail -n 20 log; failed=1; }
+redone "$(program $one) $(program $two)"
+nothing_said
+after tests/check/run.c '/* The end. */'
+redone "check tests/check/run.d tests/check/run.o $(program $two)" check STEP=02
+exit $failed
