@@ -210,7 +210,8 @@ static void bin_block(const struct pipeline *p, const struct draw *draw, size_t 
             binned[next[band]++] = (uint32_t)(block->first_piece + i);
         }
         if (find_nearest) {
-            block->nearest = fmax(block->nearest, nearest_of_piece(&pieces[i]));
+            double nearest = nearest_of_piece(&pieces[i]);
+            block->nearest = nearest > block->nearest ? nearest : block->nearest;
         }
     }
 }

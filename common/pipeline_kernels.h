@@ -398,6 +398,9 @@ KERNEL bool gather_pixels(const struct shading *s, const struct shader *shader,
     pixels->number = number;
     pixels->drawn =
         (lanes_int)((numbers > (uint32_t)s->numbers.begin) & (numbers <= (uint32_t)s->numbers.end));
+    if (s->pipeline->draw_count > 1 && lanes_sum(pixels->drawn & 1) == 0) {
+        return false; /* found sooner than run by run */
+    }
     if (shader->flat) {
         return true;
     }

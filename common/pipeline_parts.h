@@ -74,7 +74,8 @@ static inline double nearest_of_piece(const struct piece *piece) {
             return INFINITY;
         }
     }
-    return fmax(z[0], fmax(z[1], z[2])) + 1e-14 * (fabs(z[0]) + fabs(z[1]) + fabs(z[2]));
+    double most = z[0] > z[1] ? z[0] : z[1];
+    return (most > z[2] ? most : z[2]) + 1e-14 * (fabs(z[0]) + fabs(z[1]) + fabs(z[2]));
 }
 
 /* The rows whose pixel centres a piece may reach, in its viewport. */

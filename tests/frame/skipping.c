@@ -38,7 +38,8 @@ static void lit_vertex(const void *uniforms, size_t face, size_t corner, double 
 static lanes_mask lit_fragment(const void *uniforms, const lanes *varyings, lanes_texel *color) {
     static const struct vec3 to_light = {0.6, 0.48, 0.64};
     (void)uniforms;
-    struct lanes3 normal = lanes3_normalized((struct lanes3){varyings[0], varyings[1], varyings[2]});
+    struct lanes3 normal =
+        lanes3_normalized((struct lanes3){varyings[0], varyings[1], varyings[2]});
     lanes level = 255 * lanes_max(lanes3_dot(normal, lanes3_all(to_light)), lanes_all(0));
     *color = lanes_rgb(level, level, level);
     return lanes_all_set();
@@ -130,10 +131,8 @@ struct way {
 };
 
 static const struct way ways[] = {
-    {"nothing skipped", 0, false, CULL_NONE},
-    {"off screen", SHORTCUT_OUTSIDE, true, CULL_NONE},
-    {"turned away", 0, true, CULL_BACK},
-    {"visible first", SHORTCUT_VISIBLE, true, CULL_NONE},
+    {"nothing skipped", 0, false, CULL_NONE}, {"off screen", SHORTCUT_OUTSIDE, true, CULL_NONE},
+    {"turned away", 0, true, CULL_BACK},      {"visible first", SHORTCUT_VISIBLE, true, CULL_NONE},
     {"all", SHORTCUTS, true, CULL_BACK},
 };
 
@@ -148,9 +147,10 @@ static bool draw(struct pipeline *pipeline, const struct scene *scene, const str
     memset(image->pixels, 0, SIDE * SIDE * (size_t)image->format);
     for (size_t i = 0; i < scene->count; i++) {
         const struct object *o = &scene->objects[i];
-        struct mat4 to_world =
-            mat4_mul(mat4_translation(o->place), mat4_scaling((struct vec3){o->size, o->size, o->size}));
-        struct draw_call call = {o->model, mat4_mul(scene->camera, to_world), everywhere, way->cull};
+        struct mat4 to_world = mat4_mul(mat4_translation(o->place),
+                                        mat4_scaling((struct vec3){o->size, o->size, o->size}));
+        struct draw_call call = {o->model, mat4_mul(scene->camera, to_world), everywhere,
+                                 way->cull};
         struct uniforms u = {o->model, first_id};
         if (!pipeline_draw(pipeline, &call, shader, &u, sizeof u, error)) {
             return false;
@@ -163,9 +163,8 @@ static bool draw(struct pipeline *pipeline, const struct scene *scene, const str
 /* ---- The visible faces alone, as one model ---- */
 
 static bool allocate_model(struct model *model, size_t face_count, struct error *error) {
-    *model = (struct model){.face_count = face_count,
-                            .position_count = 3 * face_count,
-                            .normal_count = 3 * face_count};
+    *model = (struct model){
+        .face_count = face_count, .position_count = 3 * face_count, .normal_count = 3 * face_count};
     model->faces = calloc(face_count + 1, sizeof *model->faces);
     model->positions = calloc(3 * face_count + 1, sizeof *model->positions);
     model->normals = calloc(3 * face_count + 1, sizeof *model->normals);
