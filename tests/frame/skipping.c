@@ -4,6 +4,7 @@
 
 #include "model_file.h"
 #include "normals.h"
+#include "options.h"
 #include "pipeline.h"
 
 #include "../timing.h"
@@ -16,7 +17,7 @@
 #define COURSE_BUILD "build"
 #endif
 
-enum { SIDE = 800, OBJECT_LIMIT = 400, FRAMES_LIMIT = 1000 };
+enum { SIDE = 800, OBJECT_LIMIT = 400 };
 
 static const struct rectangle everywhere = {0, 0, SIDE, SIDE};
 
@@ -48,6 +49,8 @@ static lanes_mask lit_fragment(const void *uniforms, const lanes *varyings, lane
 SHADER(lit, .varying_count = 3, .vertex = lit_vertex, .fragment = lit_fragment);
 
 /* Which face is visible: 1 + its number, in three bytes. */
+enum { ID_LIMIT = 1 << 24 };
+
 static void id_vertex(const void *uniforms, size_t face, size_t corner, double *varyings) {
     const struct uniforms *u = uniforms;
     (void)corner;
@@ -122,7 +125,8 @@ static void make_crowd(struct scene *scene, const struct model *head) {
 
 /* ---- Drawing ---- */
 
-/* A way to draw. The models are closed: without culling the picture is the same. */
+/* A way to draw. The models are closed: without culling the picture is the same. The nearest can
+ * come first only where shading comes last. */
 struct way {
     const char *name;
     unsigned shortcuts;
@@ -131,8 +135,11 @@ struct way {
 };
 
 static const struct way ways[] = {
-    {"nothing skipped", 0, false, CULL_NONE}, {"off screen", SHORTCUT_OUTSIDE, true, CULL_NONE},
-    {"turned away", 0, true, CULL_BACK},      {"visible first", SHORTCUT_VISIBLE, true, CULL_NONE},
+    {"nothing skipped", 0, false, CULL_NONE},
+    {"off screen", SHORTCUT_OUTSIDE, true, CULL_NONE},
+    {"turned away", 0, true, CULL_BACK},
+    {"shaded last", SHORTCUT_VISIBLE, true, CULL_NONE},
+    {"nearest first", SHORTCUT_VISIBLE | SHORTCUT_BEHIND, true, CULL_NONE},
     {"all", SHORTCUTS, true, CULL_BACK},
 };
 
@@ -273,13 +280,15 @@ static bool measure_scene(struct skipping *s, size_t frames, struct error *error
     return true;
 }
 
-static bool read_ball(struct model *model, const char *path, struct error *error) {
+static bool read_model(struct model *model, const char *path, struct error *error) {
     return model_read(model, path, error) && model_need_normals(model, error);
 }
 
-static bool set_up(struct skipping *s, struct error *error) {
-    return read_ball(&s->head, COURSE_BUILD "/models/bust.obj", error) &&
-           read_ball(&s->ball, COURSE_BUILD "/models/sphere.obj", error) &&
+static bool set_up(struct skipping *s, const char *path, struct error *error) {
+    return read_model(&s->head, path, error) &&
+           (OBJECT_LIMIT * s->head.face_count < ID_LIMIT ||
+            error_set(error, "%s: too many faces to draw %d of it", path, OBJECT_LIMIT)) &&
+           read_model(&s->ball, COURSE_BUILD "/models/sphere.obj", error) &&
            image_create(&s->image, SIDE, SIDE, IMAGE_BGRA, error) &&
            pipeline_create(&s->pipeline, SIDE, SIDE, error);
 }
@@ -302,12 +311,12 @@ static bool measure_scenes(struct skipping *s, size_t frames, struct error *erro
     return done && measure_scene(s, frames, error);
 }
 
-bool skipping_measure(size_t frames, struct error *error) {
+bool skipping_measure(const char *model, size_t frames, struct error *error) {
     struct skipping *s = calloc(1, sizeof *s);
     if (s == NULL) {
         return error_out_of_memory(error);
     }
-    bool done = set_up(s, error) && measure_scenes(s, frames, error);
+    bool done = set_up(s, model, error) && measure_scenes(s, frames, error);
     model_free(&s->head);
     model_free(&s->ball);
     model_free(&s->visible);
