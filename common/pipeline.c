@@ -24,6 +24,7 @@ bool pipeline_create(struct pipeline *pipeline, size_t width, size_t height, str
     pipeline->width = width;
     pipeline->height = height;
     pipeline->skip = true;
+    pipeline->shortcuts = SHORTCUTS;
     return true;
 }
 
@@ -31,6 +32,7 @@ static void scratch_free(struct scratch *scratch) {
     free(scratch->depth);
     free(scratch->number);
     free(scratch->touched);
+    free(scratch->farthest);
     free(scratch->plane_place);
     free(scratch->planes);
     *scratch = (struct scratch){0};
@@ -49,6 +51,7 @@ void pipeline_free(struct pipeline *pipeline) {
     workers_free(pipeline->workers);
     free(pipeline->depth);
     free(pipeline->draws.data);
+    free(pipeline->order.data);
     free(pipeline->uniforms.data);
     free(pipeline->vertices.data);
     free(pipeline->blocks.data);
@@ -71,7 +74,9 @@ static bool scratch_reserve(struct scratch *scratch, const struct pipeline *p, s
         scratch->depth = malloc(pixels * sizeof *scratch->depth);
         scratch->number = calloc(pixels, sizeof *scratch->number);
         scratch->touched = calloc(pixels / CHUNK, sizeof *scratch->touched);
-        if (scratch->depth == NULL || scratch->number == NULL || scratch->touched == NULL) {
+        scratch->farthest = malloc(pixels / CHUNK * sizeof *scratch->farthest);
+        if (scratch->depth == NULL || scratch->number == NULL || scratch->touched == NULL ||
+            scratch->farthest == NULL) {
             scratch_free(scratch);
             return error_out_of_memory(error);
         }
@@ -118,7 +123,8 @@ void pipeline_run(struct pipeline *p, size_t count, worker_function *work, void 
 const char *const pipeline_stat_name[PIPELINE_STATS] = {
     "objects",       "objects_outside",   "vertices_transformed", "faces",
     "faces_outside", "faces_turned_away", "faces_without_pixel",  "faces_clipped",
-    "faces_hidden",  "attribute_sets",    "pixels_covered",       "pixels_shaded",
+    "faces_hidden",  "faces_behind",      "attribute_sets",       "pixels_covered",
+    "pixels_shaded",
 };
 
 struct draw_call camera_call(const struct model *model, struct vec3 eye, struct vec3 center,
@@ -150,6 +156,7 @@ void pipeline_clear(struct pipeline *pipeline) {
     pipeline->draw_count = pipeline->uniforms_end = 0;
     pipeline->piece_end = pipeline->clipped_end = 0;
     pipeline->boxed = NULL;
+    pipeline->discards = false;
     memset(pipeline->stats, 0, sizeof pipeline->stats);
 }
 
@@ -183,6 +190,7 @@ bool pipeline_draw(struct pipeline *p, const struct draw_call *call, const struc
     }
     p->uniforms_end += (size + UNIFORMS_ALIGNMENT - 1) / UNIFORMS_ALIGNMENT * UNIFORMS_ALIGNMENT;
     p->draw_count++;
+    p->discards |= shader->discards;
     return true;
 }
 
@@ -191,14 +199,19 @@ bool pipeline_draw(struct pipeline *p, const struct draw_call *call, const struc
 /* Write the pieces of a draw call's blocks into the bands' lists; `band_counts` are the places of
  * the next ones. */
 static void bin_block(const struct pipeline *p, const struct draw *draw, size_t index) {
-    const struct block *block = (const struct block *)p->blocks.data + index;
+    struct block *block = (struct block *)p->blocks.data + index;
     const struct piece *pieces = (const struct piece *)p->pieces.data + block->first_piece;
+    bool find_nearest = reorders_draws(p);
     uint32_t *next = (uint32_t *)p->band_counts.data + index * band_count(p);
     uint32_t *binned = p->binned.data;
     for (size_t i = 0; i < block->piece_count; i++) {
         struct span rows = rows_of_piece(&pieces[i], draw);
         for (int band = rows.begin / BAND_HEIGHT; band <= (rows.end - 1) / BAND_HEIGHT; band++) {
             binned[next[band]++] = (uint32_t)(block->first_piece + i);
+        }
+        if (find_nearest) {
+            double nearest = nearest_of_piece(&pieces[i]);
+            block->nearest = nearest > block->nearest ? nearest : block->nearest;
         }
     }
 }
@@ -244,6 +257,33 @@ static bool lay_out_bins(struct frame *frame, size_t *largest, struct error *err
     return buffer_reserve(&p->binned, place, sizeof(uint32_t), error);
 }
 
+/* ---- The order of draw calls ---- */
+
+/* The nearest first; of equally near ones the first drawn. */
+static int compare_draws(const void *left, const void *right) {
+    const struct draw_order *a = left, *b = right;
+    if (a->nearest != b->nearest) {
+        return a->nearest > b->nearest ? -1 : 1;
+    }
+    return (a->draw > b->draw) - (a->draw < b->draw);
+}
+
+static void order_draws(struct pipeline *p) {
+    struct draw *draws = p->draws.data;
+    const struct block *blocks = p->blocks.data;
+    struct draw_order *order = p->order.data;
+    for (size_t i = 0; i < p->draw_count; i++) {
+        draws[i].nearest = -INFINITY;
+        for (size_t k = 0; k < draws[i].block_count; k++) {
+            draws[i].nearest = fmax(draws[i].nearest, blocks[draws[i].first_block + k].nearest);
+        }
+        order[i] = (struct draw_order){draws[i].nearest, i};
+    }
+    if (reorders_draws(p)) {
+        qsort(order, p->draw_count, sizeof *order, compare_draws);
+    }
+}
+
 /* ---- The frame ---- */
 
 static bool reserve_scratch(struct pipeline *p, size_t largest_bin, struct error *error) {
@@ -278,7 +318,7 @@ static void count_hidden(struct pipeline *p) {
     const struct draw *draws = p->draws.data;
     const struct block *blocks = p->blocks.data;
     const atomic_uchar *visible = p->visible.data;
-    for (size_t i = 0; p->skip && i < p->draw_count; i++) {
+    for (size_t i = 0; takes_shortcut(p, SHORTCUT_VISIBLE) && i < p->draw_count; i++) {
         for (size_t k = 0; k < draws[i].block_count && !draws[i].shader->discards; k++) {
             const struct block *block = &blocks[draws[i].first_block + k];
             for (size_t piece = 0; piece < block->piece_count; piece++) {
@@ -298,6 +338,7 @@ bool pipeline_finish(struct pipeline *p, struct image *image, struct error *erro
         start_workers(p);
     }
     if (!lay_out_bins(&frame, &largest_bin, error) || !reserve_depth(p, error) ||
+        !buffer_reserve(&p->order, p->draw_count, sizeof(struct draw_order), error) ||
         !buffer_reserve(&p->visible, p->piece_end, sizeof(atomic_uchar), error) ||
         !buffer_reserve(&p->band_work, bands, sizeof(struct pixel_work), error) ||
         !reserve_scratch(p, largest_bin, error)) {
@@ -306,10 +347,12 @@ bool pipeline_finish(struct pipeline *p, struct image *image, struct error *erro
     atomic_uchar *visible = p->visible.data;
     memset(visible, 0, p->piece_end * sizeof *visible);
     pipeline_run(p, frame.block_count, bin_one_block, &frame);
+    order_draws(p);
     pipeline_run(p, bands, pipeline_draw_band, &frame);
     const struct pixel_work *work = p->band_work.data;
     for (size_t i = 0; i < bands; i++) {
         p->stats[STAT_ATTRIBUTE_SETS] += work[i].fetched;
+        p->stats[STAT_FACES_BEHIND] += work[i].behind;
         p->stats[STAT_PIXELS_COVERED] += work[i].covered;
         p->stats[STAT_PIXELS_SHADED] += work[i].shaded;
     }

@@ -17,9 +17,13 @@
  *   4. shade: the varyings of a piece that is visible somewhere are fetched once, and each visible
  *      pixel is shaded exactly once, sixteen neighbours at a time (see lanes.h).
  *
- * A hidden face never has an attribute fetched, and what lies behind something else costs one
- * comparison a pixel. (Burns and Hunt, "The Visibility Buffer", JCGT 2(2), 2013.) The pixels of a
- * shader that may discard are decided within step 3; with `skip` off everything is shaded there.
+ * Skipped, in this order, and counted (enum pipeline_stat): draw calls whose model lies beyond one
+ * side of the view, as the box around it shows, before a position is transformed; faces off screen;
+ * faces turned away; faces that reach no pixel centre; draw calls, then pieces, behind the farthest
+ * depth that 16 columns of a band already show, for which the nearest draw calls are covered first;
+ * attributes and shading of what is hidden after all, which costs one comparison a pixel. (Burns
+ * and Hunt, "The Visibility Buffer", JCGT 2(2), 2013.) The pixels of a shader that may discard are
+ * decided within step 3, in the order of drawing; with `skip` off everything is shaded there.
  *
  * Guarantees: every pixel of a mesh is drawn once, also across clipped faces; the image does not
  * depend on the number of threads, on `skip`, or on which corner of a face comes first. Of two
@@ -109,7 +113,8 @@ struct shader {
 
 /* ---- The pipeline ---- */
 
-/* What was done and what was skipped since pipeline_clear(). */
+/* What was done and what was skipped since pipeline_clear(). What is skipped with its object or as
+ * a part of it is counted like what is skipped alone: FACES_OUTSIDE, FACES_HIDDEN. */
 enum pipeline_stat {
     STAT_OBJECTS,              /* draw calls */
     STAT_OBJECTS_OUTSIDE,      /* skipped: all of the model is beyond one side of the view */
@@ -120,6 +125,7 @@ enum pipeline_stat {
     STAT_FACES_WITHOUT_PIXEL,  /* skipped: too small, between pixel centres */
     STAT_FACES_CLIPPED,        /* cut at the near plane or the guard band */
     STAT_FACES_HIDDEN,         /* drawn, but behind others: no attribute fetched */
+    STAT_FACES_BEHIND,         /* of these, so far behind that no pixel was tested; in each band */
     STAT_ATTRIBUTE_SETS,       /* fetched: once for each visible face in each band of rows */
     STAT_PIXELS_COVERED,       /* depth tests */
     STAT_PIXELS_SHADED,
@@ -145,13 +151,16 @@ struct pipeline {
     uint64_t stats[PIPELINE_STATS];
 
     /* From here on private: see pipeline_kernels.h. */
+    unsigned shortcuts;      /* of enum shortcut: those taken while `skip` is on; at first all */
     size_t thread_count;     /* for workers_create() */
     struct workers *workers; /* NULL until they are needed, and where there are none */
     bool alone;              /* there are none */
     struct buffer draws;     /* of struct draw */
     size_t draw_count;
+    bool discards;             /* one of their shaders does */
     const struct model *boxed; /* of which `box` is the box in this frame; or NULL */
     struct box box;
+    struct buffer order;    /* of struct draw_order: as draw calls are covered */
     struct buffer uniforms; /* of the draw calls, one behind the other: bytes */
     size_t uniforms_end;
     struct buffer vertices; /* of struct vertex: transformed positions of one draw call */

@@ -493,7 +493,8 @@ static bool lay_out_blocks(struct pipeline *p, const struct assembly *a, struct 
     for (size_t i = 0; i < draw->block_count; i++) {
         struct block *block = &blocks[draw->first_block + i];
         struct range faces = block_range(i, face_count);
-        *block = (struct block){.columns = {INT_MAX, 0}, .rows = {INT_MAX, 0}};
+        *block =
+            (struct block){.columns = {INT_MAX, 0}, .rows = {INT_MAX, 0}, .nearest = -INFINITY};
         if (clips) {
             count_pieces(a, faces, block);
         } else {
@@ -554,7 +555,7 @@ static bool assemble(struct pipeline *p, struct draw *draw, struct error *error)
 bool pipeline_assemble(struct pipeline *p, struct draw *draw, struct error *error) {
     p->stats[STAT_OBJECTS]++;
     p->stats[STAT_FACES] += draw->call.model->face_count;
-    if (p->skip && is_outside(p, &draw->call)) {
+    if (takes_shortcut(p, SHORTCUT_OUTSIDE) && is_outside(p, &draw->call)) {
         p->stats[STAT_OBJECTS_OUTSIDE]++;
         p->stats[STAT_FACES_OUTSIDE] += draw->call.model->face_count;
         return true;

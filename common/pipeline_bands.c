@@ -14,7 +14,8 @@ struct band {
     struct scratch *scratch;
     struct span rows;
     size_t stride;
-    uint64_t covered;
+    bool reordered; /* the nearest draw calls are covered first */
+    uint64_t behind, covered;
 };
 
 static void touch(const struct band *band, int y, int x) {
@@ -47,14 +48,20 @@ LANES_INLINE cover_depths depths_from(int first) {
 }
 
 /* Depth and number become those of the piece where it covers (`inside`: all bits or none) and is
- * nearer. Without branches: each line is one or two instructions for all pixels. */
+ * nearer; with `reordered`, of equal depths that of the lowest number stays, otherwise the first
+ * one. Without branches: each line is one or two instructions for all pixels. */
 LANES_INLINE void cover_pixels(double *depths, uint32_t *numbers, cover_ints inside, cover_depths z,
-                               uint32_t number) {
+                               uint32_t number, bool reordered) {
     cover_depths old_z;
     cover_ints old_number;
     memcpy(&old_z, depths, sizeof old_z);
     memcpy(&old_number, numbers, sizeof old_number);
-    cover_longs nearer = __builtin_convertvector(inside, cover_longs) & (z > old_z);
+    cover_longs nearer = z > old_z;
+    if (reordered) {
+        cover_ints is_later = old_number > (int32_t)number;
+        nearer |= (z == old_z) & __builtin_convertvector(is_later, cover_longs);
+    }
+    nearer &= __builtin_convertvector(inside, cover_longs);
     z = (cover_depths)((nearer & (cover_longs)z) | (~nearer & (cover_longs)old_z));
     cover_ints is_new = __builtin_convertvector(nearer, cover_ints);
     old_number = (is_new & (int32_t)number) | (~is_new & old_number);
@@ -73,6 +80,7 @@ static void cover_by_spans(struct band *band, const struct draw *draw, const str
                            uint32_t number) {
     const struct rectangle *viewport = &draw->call.viewport;
     const struct fixed2 *c = piece->corner;
+    bool reordered = band->reordered;
     struct edges edges;
     if (!edges_setup(&edges, c[0], c[1], c[2], band->pipeline->width, band->pipeline->height)) {
         return;
@@ -93,7 +101,7 @@ static void cover_by_spans(struct band *band, const struct draw *draw, const str
             touch(band, y, x);
             cover_pixels(band->scratch->depth + row + x, band->scratch->number + row + x,
                          (at >= span.begin) & (at < span.end), depths_at(&slopes, first, second),
-                         number);
+                         number, reordered);
         }
     }
 }
@@ -119,6 +127,7 @@ static struct small_edge small_edge(struct fixed2 a, struct fixed2 b) {
 static void cover_box(struct band *band, const struct piece *piece, struct span columns,
                       struct span rows, uint32_t number) {
     int left = columns.begin / COVERED * COVERED;
+    bool reordered = band->reordered;
     struct fixed2 c[3];
     for (int i = 0; i < 3; i++) { /* from the centre of the box's first pixel */
         c[i].x = piece->corner[i].x - left * SUBPIXELS - SUBPIXELS / 2;
@@ -144,7 +153,7 @@ static void cover_box(struct band *band, const struct piece *piece, struct span 
             covered -= inside;
             touch(band, y, x);
             cover_pixels(band->scratch->depth + row + x, band->scratch->number + row + x, inside,
-                         depths_at(&slopes, first, second), number);
+                         depths_at(&slopes, first, second), number, reordered);
             e0 += next[0];
             e1 += next[1];
             e2 += next[2];
@@ -158,6 +167,44 @@ static void cover_box(struct band *band, const struct piece *piece, struct span 
     }
 }
 
+/* ---- What is behind ---- */
+
+/* Find the farthest depth of a column of chunks. */
+static double find_farthest(const struct band *band, size_t chunk) {
+    double least[CHUNK];
+    for (int i = 0; i < CHUNK; i++) {
+        least[i] = INFINITY;
+    }
+    for (size_t row = 0; row < (size_t)(band->rows.end - band->rows.begin); row++) {
+        const double *depth = band->scratch->depth + row * band->stride + chunk * CHUNK;
+        if (!band->scratch->touched[row * (band->stride / CHUNK) + chunk]) {
+            return -INFINITY;
+        }
+        for (int i = 0; i < CHUNK; i++) {
+            least[i] = depth[i] < least[i] ? depth[i] : least[i];
+        }
+    }
+    for (int i = 1; i < CHUNK; i++) {
+        least[0] = least[i] < least[0] ? least[i] : least[0];
+    }
+    return least[0];
+}
+
+static void update_farthest(const struct band *band, const struct draw *draw) {
+    for (int x = draw->columns.begin / CHUNK; x * CHUNK < draw->columns.end; x++) {
+        band->scratch->farthest[x] = find_farthest(band, (size_t)x);
+    }
+}
+
+/* Is all that is no nearer than that behind what these columns of the band already show? */
+static bool is_behind(const struct band *band, double nearest, struct span columns) {
+    bool behind = true;
+    for (int x = columns.begin / CHUNK; behind && x * CHUNK < columns.end; x++) {
+        behind = nearest < band->scratch->farthest[x];
+    }
+    return behind;
+}
+
 static void cover_piece(struct band *band, const struct draw *draw, const struct piece *piece,
                         uint32_t number) {
     const struct fixed2 *c = piece->corner;
@@ -165,6 +212,11 @@ static void cover_piece(struct band *band, const struct draw *draw, const struct
     int32_t least_y = least_of(c[0].y, c[1].y, c[2].y), most_y = most_of(c[0].y, c[1].y, c[2].y);
     struct span columns = {(least_x + SUBPIXELS / 2 - 1) >> 8, ((most_x - SUBPIXELS / 2) >> 8) + 1};
     const struct rectangle *v = &draw->call.viewport;
+    struct span seen = span_overlap(columns, (struct span){v->x, v->x + v->width});
+    if (band->reordered && is_behind(band, nearest_of_piece(piece), seen)) {
+        band->behind++;
+        return;
+    }
     if (most_x - least_x <= SMALL_BOX * SUBPIXELS && most_y - least_y <= SMALL_BOX * SUBPIXELS &&
         columns.begin >= v->x && columns.end <= v->x + v->width) {
         cover_box(band, piece, columns, span_overlap(rows_of_piece(piece, draw), band->rows),
@@ -220,36 +272,37 @@ static void cover_draw(struct band *band, struct shading *shading) {
     }
 }
 
-/* Find the draw call's pieces in the band's list: `end` is where they end, set from where they
- * begin, which was the end of the draw call before. */
-static struct span numbers_of_draw(const struct pipeline *p, const struct draw *draw, size_t band,
-                                   int begin) {
-    const struct bin *bins = p->bins.data;
-    const uint32_t *ends = p->band_counts.data;
-    if (draw->block_count == 0) {
-        return (struct span){begin, begin};
-    }
-    size_t last_block = draw->first_block + draw->block_count - 1;
-    size_t end = ends[last_block * band_count(p) + band] - bins[band].first;
-    return (struct span){begin, (int)end};
+/* The draw call's pieces in the band's list. */
+static struct span numbers_of_draw(const struct pipeline *p, const struct draw *draw, size_t band) {
+    const uint32_t *ends = (const uint32_t *)p->band_counts.data + band;
+    size_t first = ((const struct bin *)p->bins.data)[band].first, bands = band_count(p);
+    size_t begin = draw->first_block, end = begin + draw->block_count; /* blocks */
+    return (struct span){begin > 0 ? (int)(ends[(begin - 1) * bands] - first) : 0,
+                         end > 0 ? (int)(ends[(end - 1) * bands] - first) : 0};
 }
 
 /* Cover (first) or shade the pieces of all draw calls in the band. */
 static void draw_pieces(struct band *band, struct shading *shading, size_t index, bool cover) {
     const struct pipeline *p = band->pipeline;
-    const struct draw *draws = p->draws.data;
-    shading->numbers = (struct span){0, 0};
+    const struct draw_order *order = p->order.data;
     for (size_t i = 0; i < p->draw_count; i++) {
-        shading->draw = &draws[i];
-        shading->shader = draws[i].shader;
-        shading->uniforms = (const char *)p->uniforms.data + draws[i].uniforms;
-        shading->numbers = numbers_of_draw(p, &draws[i], index, shading->numbers.end);
+        const struct draw *draw = (const struct draw *)p->draws.data + order[i].draw;
+        shading->draw = draw;
+        shading->shader = draw->shader;
+        shading->uniforms = (const char *)p->uniforms.data + draw->uniforms;
+        shading->numbers = numbers_of_draw(p, draw, index);
         if (shading->numbers.begin == shading->numbers.end) {
             continue;
         }
-        if (cover) {
+        bool behind = band->reordered && is_behind(band, draw->nearest, draw->columns);
+        if (cover && behind) {
+            band->behind += (uint64_t)(shading->numbers.end - shading->numbers.begin);
+        } else if (cover) {
             cover_draw(band, shading);
-        } else {
+            if (band->reordered) {
+                update_farthest(band, draw);
+            }
+        } else if (!behind) {
             call_shader(shading);
         }
     }
@@ -263,23 +316,29 @@ void pipeline_draw_band(void *context, size_t index, size_t worker) {
     struct scratch *scratch = (struct scratch *)p->scratch.data + worker;
     int bottom = (int)index * BAND_HEIGHT, height = (int)p->height;
     struct span rows = {bottom, height - bottom < BAND_HEIGHT ? height : bottom + BAND_HEIGHT};
-    struct band band = {.pipeline = p, .scratch = scratch, .rows = rows, .stride = band_stride(p)};
+    struct band band = {.pipeline = p,
+                        .scratch = scratch,
+                        .rows = rows,
+                        .stride = band_stride(p),
+                        .reordered = reorders_draws(p)};
     struct shading shading = {
         .pipeline = p,
         .scratch = scratch,
         .bin = (const uint32_t *)p->binned.data + bin->first,
         .rows = rows,
         .image = frame->image,
-        .at_once = !p->skip,
+        .at_once = !takes_shortcut(p, SHORTCUT_VISIBLE),
         .work = work,
     };
     *work = (struct pixel_work){0};
     scratch->plane_count = 0;
     memset(scratch->plane_place, 0, (bin->count + 1) * sizeof *scratch->plane_place);
+    depth_clear(scratch->farthest, band.stride / CHUNK);
     draw_pieces(&band, &shading, index, true);
-    if (p->skip) {
+    if (!shading.at_once) {
         draw_pieces(&band, &shading, index, false);
     }
+    work->behind = band.behind;
     work->covered += band.covered;
     if (p->depth != NULL) {
         keep_depth(&band);

@@ -16,6 +16,15 @@ enum { BAND_HEIGHT = 32 };
  * machine, so that every machine rounds alike. */
 enum { CHUNK = 16 };
 
+/* What `skip` switches on and off, so that each can be measured alone. */
+enum shortcut {
+    SHORTCUT_OUTSIDE = 1, /* objects beyond a side of the view are not transformed */
+    SHORTCUT_VISIBLE = 2, /* what is visible is found before anything is shaded */
+    SHORTCUT_BEHIND =
+        4, /* the nearest objects are covered first; what is behind them, not at all */
+    SHORTCUTS = 7
+};
+
 #define NOT_CLIPPED UINT32_MAX
 
 /* Do the bytes of a texel in memory have the order of a BGRA image? */
@@ -49,6 +58,7 @@ struct draw {
     size_t uniforms; /* where they are in the pipeline's `uniforms` */
     size_t first_block, block_count;
     struct span columns, rows; /* that its pieces may cover */
+    double nearest; /* at least the depth of every pixel, where there are several draws */
 };
 
 /* The pieces of a band, in the order in which they were drawn: `binned[first]` to
@@ -61,6 +71,7 @@ struct bin {
 /* The work of a band. */
 struct pixel_work {
     uint64_t fetched; /* attribute sets */
+    uint64_t behind;  /* pieces that were not covered */
     uint64_t covered; /* depth tests */
     uint64_t shaded;  /* pixels */
 };
@@ -70,6 +81,7 @@ struct scratch {
     double *depth;         /* BAND_HEIGHT rows of `stride` */
     uint32_t *number;      /* the same */
     bool *touched;         /* for each chunk of a row: something may have been drawn there */
+    double *farthest;      /* in each column of chunks: at most the depth of every pixel */
     uint32_t *plane_place; /* in `planes`, by a piece's number; 0: not fetched */
     struct planes *planes; /* of visible pieces, from 1 on */
     uint32_t plane_count;
@@ -101,6 +113,10 @@ struct shading {
 
 static inline size_t band_stride(const struct pipeline *pipeline) {
     return (pipeline->width + CHUNK - 1) / CHUNK * CHUNK;
+}
+
+static inline bool takes_shortcut(const struct pipeline *pipeline, enum shortcut shortcut) {
+    return pipeline->skip && (pipeline->shortcuts & (unsigned)shortcut) != 0;
 }
 
 /* ---- Planes: what is interpolated over a piece ---- */
@@ -382,6 +398,9 @@ KERNEL bool gather_pixels(const struct shading *s, const struct shader *shader,
     pixels->number = number;
     pixels->drawn =
         (lanes_int)((numbers > (uint32_t)s->numbers.begin) & (numbers <= (uint32_t)s->numbers.end));
+    if (s->pipeline->draw_count > 1 && lanes_sum(pixels->drawn & 1) == 0) {
+        return false; /* found sooner than run by run */
+    }
     if (shader->flat) {
         return true;
     }

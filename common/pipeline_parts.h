@@ -8,6 +8,7 @@
 #include "pipeline.h"
 
 #include <limits.h>
+#include <stdlib.h>
 #include <string.h>
 
 /* Elements of an array: begin inclusive, end exclusive. */
@@ -20,6 +21,7 @@ struct block {
     size_t first_piece, piece_count;
     size_t first_clipped, clipped_count;
     struct span columns, rows; /* that the pieces may cover */
+    double nearest; /* at least the depth of every pixel, where there are several draws */
     uint64_t stats[PIPELINE_STATS];
 };
 
@@ -43,8 +45,37 @@ struct frame {
 /* Draw band `index` of a frame (context: struct frame): see worker_function. */
 void pipeline_draw_band(void *context, size_t index, size_t worker);
 
+/* A draw call's place in the order of covering. */
+struct draw_order {
+    double nearest;
+    size_t draw;
+};
+
+/* Are the nearest draw calls covered first? A shader that discards needs the order of drawing. */
+static inline bool reorders_draws(const struct pipeline *pipeline) {
+    return takes_shortcut(pipeline, SHORTCUT_VISIBLE) &&
+           takes_shortcut(pipeline, SHORTCUT_BEHIND) && pipeline->draw_count > 1 &&
+           !pipeline->discards;
+}
+
 static inline size_t band_count(const struct pipeline *pipeline) {
     return (pipeline->height + BAND_HEIGHT - 1) / BAND_HEIGHT;
+}
+
+/* At least the depth of the piece at every pixel, whatever roundings: as far as edge functions are
+ * exact in double, these amount to a few ulp of its corners' depths. */
+static inline double nearest_of_piece(const struct piece *piece) {
+    enum { EXACT = 1 << 25 }; /* sides so long have edge functions within 2^53 */
+    const struct fixed2 *c = piece->corner;
+    const double *z = piece->depth;
+    for (int i = 0; i < 3; i++) {
+        struct fixed2 a = c[i], b = c[(i + 1) % 3];
+        if (abs(b.x - a.x) > EXACT || abs(b.y - a.y) > EXACT) {
+            return INFINITY;
+        }
+    }
+    double most = z[0] > z[1] ? z[0] : z[1];
+    return (most > z[2] ? most : z[2]) + 1e-14 * (fabs(z[0]) + fabs(z[1]) + fabs(z[2]));
 }
 
 /* The rows whose pixel centres a piece may reach, in its viewport. */

@@ -25,6 +25,7 @@
 #include "options.h"
 #include "ours.h"
 #include "png.h"
+#include "skipping.h"
 #include "table.h"
 
 #include "../timing.h"
@@ -314,6 +315,9 @@ static void tear_down(struct bench *b) {
 }
 
 static bool run(const struct options *options, struct error *error) {
+    if (options->skipping) {
+        return skipping_measure(options->model, options->frames, error);
+    }
     struct bench *bench = calloc(1, sizeof *bench);
     if (bench == NULL) {
         return error_out_of_memory(error);

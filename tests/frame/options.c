@@ -18,6 +18,7 @@ const char options_help[] =
     "  --triangles N      each face cut into four until there are about N (may be repeated)\n"
     "  --frames N         frames that are timed of each (default 15)\n"
     "  --quick            3 frames, at the first size, of the model as it is\n"
+    "  --skipping         only what each shortcut is worth, where much is hidden or off screen\n"
     "  --least            show the least time instead of the median: for a busy machine\n"
     "  --nearest          llvmpipe takes the nearest texel, this course still four\n"
     "  -o DIR             save the pictures of both there, as PNG\n"
@@ -107,6 +108,8 @@ static bool read_flag(struct options *o, const char *name) {
         o->size_count = o->triangle_count = 1;
     } else if (strcmp(name, "--least") == 0) {
         o->least = true;
+    } else if (strcmp(name, "--skipping") == 0) {
+        o->skipping = true;
     } else if (strcmp(name, "--nearest") == 0) {
         o->filter = FILTER_NEAREST;
     } else if (strcmp(name, "-h") == 0 || strcmp(name, "--help") == 0) {

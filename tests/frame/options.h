@@ -24,7 +24,8 @@ struct options {
     size_t look_count, size_count, triangle_count;
     size_t frames; /* timed of each, 1..FRAMES_LIMIT */
     enum llvmpipe_filter filter;
-    bool least; /* show the least time, not the median */
+    bool skipping; /* measure only what shortcuts are worth */
+    bool least;    /* show the least time, not the median */
     bool help;
 };
 

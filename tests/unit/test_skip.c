@@ -1,0 +1,390 @@
+/*
+ * What the pipeline skips: with `skip` on and off it draws the same bytes, in scenes where most of
+ * the work is for nothing, and the counters say what was not done.
+ */
+#include "model_file.h"
+#include "oracle.h"
+#include "pipeline.h"
+#include "unit.h"
+
+#include <stdlib.h>
+
+#define COURSE_MODELS COURSE_BUILD "/models/"
+
+enum { WIDTH = 96, HEIGHT = 72, OBJECT_LIMIT = 400, BANDS = (HEIGHT + 31) / 32 };
+
+static const struct vec3 up = {0, 1, 0};
+
+/* ---- Shaders: a colour that tells the object, the face and the place in it ---- */
+
+struct uniforms {
+    const struct model *model;
+    double tint; /* the object's, 0.25..1 */
+};
+
+static void place_vertex(const void *uniforms, size_t face, size_t corner, double *varyings) {
+    const struct uniforms *u = uniforms;
+    struct vec3 p = model_position(u->model, face, corner);
+    double scale = 255 * u->tint / (1 + vec3_length(p));
+    varyings[0] = scale * fabs(p.x) + 1;
+    varyings[1] = scale * fabs(p.y) + 1;
+    varyings[2] = (double)(face % 200) * u->tint + 1;
+}
+
+static lanes_mask place_fragment(const void *uniforms, const lanes *varyings, lanes_texel *color) {
+    (void)uniforms;
+    *color = lanes_rgb(varyings[0], varyings[1], varyings[2]);
+    return lanes_all_set();
+}
+
+/* With holes. */
+static lanes_mask hole_fragment(const void *uniforms, const lanes *varyings, lanes_texel *color) {
+    place_fragment(uniforms, varyings, color);
+    return varyings[0] > 20;
+}
+
+SHADER(smooth, .varying_count = 3, .vertex = place_vertex, .fragment = place_fragment);
+SHADER(flat, .varying_count = 3, .vertex = place_vertex, .fragment = place_fragment, .flat = true);
+SHADER(holes, .varying_count = 3, .vertex = place_vertex, .fragment = hole_fragment,
+       .discards = true);
+
+static const struct shader *const shaders[] = {&flat, &holes, &smooth};
+
+/* ---- Scenes ---- */
+
+struct object {
+    const struct model *model;
+    struct mat4 to_clip;
+};
+
+struct scene {
+    const char *name;
+    struct object objects[OBJECT_LIMIT];
+    size_t count;
+};
+
+static void add_object(struct scene *scene, const struct model *model, struct mat4 camera,
+                       struct vec3 place, double size) {
+    struct mat4 to_world =
+        mat4_mul(mat4_translation(place), mat4_scaling((struct vec3){size, size, size}));
+    scene->objects[scene->count++] = (struct object){model, mat4_mul(camera, to_world)};
+}
+
+static struct mat4 camera_at(struct vec3 eye, struct vec3 center) {
+    struct rectangle all = {0, 0, WIDTH, HEIGHT};
+    return camera_call(NULL, eye, center, up, 0.9, all, CULL_NONE).to_clip;
+}
+
+static const struct vec3 origin = {0, 0, 0};
+
+static void make_single(struct scene *scene, const struct model *model) {
+    *scene = (struct scene){.name = "one model"};
+    add_object(scene, model, camera_at((struct vec3){1, 1, 3}, origin), origin, 1);
+}
+
+/* 64 spheres, one in the other; each drawn twice, so that depths are equal. */
+static void make_nested(struct scene *scene, const struct model *sphere, bool outer_first) {
+    *scene = (struct scene){.name = outer_first ? "spheres, outer first" : "spheres, inner first"};
+    struct mat4 camera = camera_at((struct vec3){0.5, 1, 3}, origin);
+    for (int i = 0; i < 128; i++) {
+        int size = outer_first ? 64 - i / 2 : i / 2 + 1;
+        add_object(scene, sphere, camera, origin, size / 64.0);
+    }
+}
+
+/* A square from -2 to 2, two faces. */
+static void make_wall(struct model *wall) {
+    static struct vec3 corners[] = {{-2, -2, 0}, {2, -2, 0}, {2, 2, 0}, {-2, 2, 0}};
+    static struct face faces[] = {
+        {{{0, MODEL_NONE, MODEL_NONE}, {1, MODEL_NONE, MODEL_NONE}, {2, MODEL_NONE, MODEL_NONE}}},
+        {{{0, MODEL_NONE, MODEL_NONE}, {2, MODEL_NONE, MODEL_NONE}, {3, MODEL_NONE, MODEL_NONE}}}};
+    *wall =
+        (struct model){.positions = corners, .position_count = 4, .faces = faces, .face_count = 2};
+}
+
+static void make_behind(struct scene *scene, const struct model *model, const struct model *wall) {
+    *scene = (struct scene){.name = "a model behind a wall"};
+    struct mat4 camera = camera_at((struct vec3){0, 0, 3}, origin);
+    add_object(scene, wall, camera, (struct vec3){0, 0, 1}, 1);
+    add_object(scene, model, camera, origin, 1);
+}
+
+/* 20 rows of 20, each of them with a wall, and with the camera among them: some in view, most
+ * behind the eye, beyond a side, or hidden by others; some on the edges of the view. */
+static void make_crowd(struct scene *scene, const struct model *model, const struct model *wall,
+                       struct vec3 direction) {
+    *scene = (struct scene){.name = "a crowd"};
+    struct vec3 eye = {0.4, 0.3, 0.4};
+    struct mat4 camera = camera_at(eye, vec3_add(eye, direction));
+    for (int i = 0; i < 400; i++) {
+        struct vec3 place = {0.9 * (i % 20 - 10), 0, 0.9 * (i / 20 - 10)};
+        add_object(scene, i % 20 == 13 ? wall : model, camera, place, 0.5);
+    }
+}
+
+/* ---- Drawing ---- */
+
+struct drawn {
+    struct image image;
+    uint64_t stats[PIPELINE_STATS];
+};
+
+/* Objects `begin` to `end`, exclusive. */
+static void draw_objects(struct pipeline *pipeline, const struct scene *scene, size_t begin,
+                         size_t end, enum cull cull, const struct shader *shader,
+                         struct drawn *drawn) {
+    struct error error;
+    pipeline_clear(pipeline);
+    image_clear(&drawn->image, color_grey(0));
+    for (size_t i = begin; i < end; i++) {
+        const struct object *object = &scene->objects[i];
+        struct uniforms u = {object->model, 0.25 + 0.75 * (double)(i % 16) / 15};
+        struct draw_call call = {object->model, object->to_clip, {0, 0, WIDTH, HEIGHT}, cull};
+        CHECK(pipeline_draw(pipeline, &call, shader, &u, sizeof u, &error));
+    }
+    CHECK(pipeline_finish(pipeline, &drawn->image, &error));
+    memcpy(drawn->stats, pipeline->stats, sizeof drawn->stats);
+}
+
+/* ---- Checks ---- */
+
+static size_t count_drawn_pixels(const struct image *image) {
+    size_t count = 0;
+    for (size_t i = 0; i < WIDTH * HEIGHT; i++) {
+        const uint8_t *pixel = image->pixels + 3 * i;
+        count += pixel[0] != 0 || pixel[1] != 0 || pixel[2] != 0;
+    }
+    return count;
+}
+
+static size_t count_vertices(const struct scene *scene) {
+    size_t count = 0;
+    for (size_t i = 0; i < scene->count; i++) {
+        count += scene->objects[i].model->position_count;
+    }
+    return count;
+}
+
+/* Both ways count the same scene. */
+static void check_counters(const struct scene *scene, const uint64_t *skip, const uint64_t *all) {
+    static const enum pipeline_stat same[] = {STAT_OBJECTS, STAT_FACES, STAT_FACES_OUTSIDE,
+                                              STAT_FACES_CLIPPED};
+    for (size_t i = 0; i < sizeof same / sizeof same[0]; i++) {
+        CHECK_ROW(skip[same[i]] == all[same[i]], pipeline_stat_name[same[i]]);
+    }
+    CHECK_ROW(all[STAT_OBJECTS] == scene->count, scene->name);
+    CHECK_ROW(all[STAT_OBJECTS_OUTSIDE] == 0 && all[STAT_FACES_TURNED_AWAY] == 0, scene->name);
+    CHECK_ROW(all[STAT_VERTICES_TRANSFORMED] == count_vertices(scene), scene->name);
+    CHECK_ROW(skip[STAT_VERTICES_TRANSFORMED] <= all[STAT_VERTICES_TRANSFORMED], scene->name);
+    CHECK_ROW(skip[STAT_PIXELS_COVERED] <= all[STAT_PIXELS_COVERED], scene->name);
+}
+
+/* A visible pixel is shaded once, and a visible face fetched at most once in each band. */
+static void check_frugal(const struct scene *scene, const struct drawn *drawn) {
+    const uint64_t *stats = drawn->stats;
+    CHECK_ROW(stats[STAT_PIXELS_SHADED] == count_drawn_pixels(&drawn->image), scene->name);
+    CHECK_ROW(stats[STAT_ATTRIBUTE_SETS] <= stats[STAT_PIXELS_SHADED], scene->name);
+    uint64_t seen = stats[STAT_FACES] - stats[STAT_FACES_OUTSIDE] - stats[STAT_FACES_TURNED_AWAY];
+    CHECK_ROW(stats[STAT_FACES_CLIPPED] > 0 || stats[STAT_ATTRIBUTE_SETS] <= seen * BANDS,
+              scene->name);
+}
+
+/* Draws the scene with skip on and off and whatever culled: with all shaders, or with another one
+ * each time. `stats` are those of what was drawn last, with skip on: culled what is turned away,
+ * and no shader that discards. */
+static void check_scene(const struct scene *scene, bool all_shaders,
+                        uint64_t stats[PIPELINE_STATS]) {
+    struct error error;
+    struct pipeline pipeline = {0};
+    struct drawn skip = {0}, all = {0};
+    CHECK(pipeline_create(&pipeline, WIDTH, HEIGHT, &error));
+    CHECK(image_create(&skip.image, WIDTH, HEIGHT, IMAGE_BGR, &error));
+    CHECK(image_create(&all.image, WIDTH, HEIGHT, IMAGE_BGR, &error));
+    static const enum cull culls[] = {CULL_NONE, CULL_FRONT, CULL_BACK};
+    for (size_t i = 0; i < 9; i++) {
+        enum cull cull = culls[i / 3];
+        const struct shader *shader = shaders[i % 3];
+        if (!all_shaders && i / 3 != i % 3) {
+            continue;
+        }
+        pipeline.skip = true;
+        draw_objects(&pipeline, scene, 0, scene->count, cull, shader, &skip);
+        pipeline.skip = false;
+        draw_objects(&pipeline, scene, 0, scene->count, cull, shader, &all);
+        CHECK_ROW(memcmp(skip.image.pixels, all.image.pixels, WIDTH * HEIGHT * 3) == 0,
+                  scene->name);
+        check_counters(scene, skip.stats, all.stats);
+        if (!shader->discards) {
+            check_frugal(scene, &skip);
+            CHECK_ROW(skip.stats[STAT_ATTRIBUTE_SETS] <= all.stats[STAT_ATTRIBUTE_SETS],
+                      scene->name);
+        }
+    }
+    memcpy(stats, skip.stats, sizeof skip.stats);
+    image_free(&skip.image);
+    image_free(&all.image);
+    pipeline_free(&pipeline);
+}
+
+/* ---- Tests ---- */
+
+static struct model bust, sphere, wall;
+static struct scene scene;
+
+static void test_single(void) {
+    uint64_t stats[PIPELINE_STATS] = {0};
+    make_single(&scene, &bust);
+    check_scene(&scene, true, stats);
+    CHECK(stats[STAT_FACES_TURNED_AWAY] > bust.face_count / 3 && stats[STAT_FACES_HIDDEN] > 0);
+    CHECK(stats[STAT_OBJECTS_OUTSIDE] == 0);
+}
+
+static void test_nested_spheres(void) {
+    for (int outer_first = 0; outer_first < 2; outer_first++) {
+        uint64_t stats[PIPELINE_STATS] = {0};
+        make_nested(&scene, &sphere, outer_first);
+        check_scene(&scene, false, stats);
+        CHECK(stats[STAT_ATTRIBUTE_SETS] <= sphere.face_count * BANDS);
+        CHECK(stats[STAT_VERTICES_TRANSFORMED] == 128 * sphere.position_count);
+        CHECK(stats[STAT_FACES_BEHIND] > 10 * sphere.face_count);
+    }
+}
+
+static void test_behind_a_wall(void) {
+    uint64_t stats[PIPELINE_STATS] = {0};
+    make_behind(&scene, &bust, &wall);
+    check_scene(&scene, true, stats);
+    CHECK(stats[STAT_FACES_HIDDEN] + stats[STAT_FACES_TURNED_AWAY] +
+              stats[STAT_FACES_WITHOUT_PIXEL] ==
+          bust.face_count);
+    CHECK(stats[STAT_ATTRIBUTE_SETS] == 2 * BANDS);
+    CHECK(stats[STAT_PIXELS_SHADED] == WIDTH * HEIGHT);
+}
+
+/* Objects of which, drawn alone with skip off, each face is found to be outside. */
+static size_t count_outside(void) {
+    struct error error;
+    struct pipeline pipeline = {0};
+    struct drawn drawn = {0};
+    size_t outside = 0;
+    CHECK(pipeline_create(&pipeline, WIDTH, HEIGHT, &error));
+    CHECK(image_create(&drawn.image, WIDTH, HEIGHT, IMAGE_BGR, &error));
+    pipeline.skip = false;
+    for (size_t i = 0; i < scene.count; i++) {
+        draw_objects(&pipeline, &scene, i, i + 1, CULL_NONE, &flat, &drawn);
+        outside += drawn.stats[STAT_FACES_OUTSIDE] == drawn.stats[STAT_FACES];
+    }
+    image_free(&drawn.image);
+    pipeline_free(&pipeline);
+    return outside;
+}
+
+static void test_crowd(void) {
+    static const struct vec3 directions[] = {{0, -0.2, -2}, {0.5, -0.1, 2}};
+    for (size_t i = 0; i < sizeof directions / sizeof directions[0]; i++) {
+        uint64_t stats[PIPELINE_STATS] = {0};
+        make_crowd(&scene, &bust, &wall, directions[i]);
+        check_scene(&scene, false, stats);
+        size_t outside = count_outside();
+        CHECK(stats[STAT_OBJECTS_OUTSIDE] > 200 && stats[STAT_OBJECTS_OUTSIDE] <= outside);
+        CHECK(stats[STAT_OBJECTS_OUTSIDE] + 10 >= outside);
+    }
+}
+
+/* After a model that is outside, one whose positions are nearly all at the same place, but of which
+ * one face reaches into the view: each has a box of its own. */
+static void test_two_models(void) {
+    static struct vec3 positions[16] = {[1] = {10, 3, 0}, [2] = {10, -3, 0}};
+    static struct face face = {
+        {{0, MODEL_NONE, MODEL_NONE}, {2, MODEL_NONE, MODEL_NONE}, {1, MODEL_NONE, MODEL_NONE}}};
+    struct model spike = {
+        .positions = positions, .position_count = 16, .faces = &face, .face_count = 1};
+    struct mat4 camera = camera_at((struct vec3){0, 0, 3}, origin);
+    struct vec3 place = {-5, 0, 0};
+    uint64_t stats[PIPELINE_STATS] = {0};
+    scene = (struct scene){.name = "two models"};
+    add_object(&scene, &bust, camera, place, 1);
+    add_object(&scene, &spike, camera, place, 1);
+    check_scene(&scene, true, stats);
+    CHECK(stats[STAT_OBJECTS_OUTSIDE] == 1 && stats[STAT_PIXELS_SHADED] > 100);
+}
+
+/* A wall, and after it a model that lies in the same plane, except for one face that goes through
+ * the wall: it is nearest, but where depths are equal the wall was first. */
+static void test_equal_depths(void) {
+    static struct vec3 positions[] = {{-1, -1, 0}, {1, -1, 0},    {1, 1, 0},    {-1, 1, 0},
+                                      {0, -1, -1}, {0.9, 0, 0.5}, {0, 0.9, 0.5}};
+    static struct face faces[3];
+    static const uint32_t corners[3][3] = {{0, 1, 2}, {0, 2, 3}, {4, 5, 6}};
+    for (size_t i = 0; i < 9; i++) {
+        faces[i / 3].corner[i % 3] = (struct corner){corners[i / 3][i % 3], MODEL_NONE, MODEL_NONE};
+    }
+    struct model through = {
+        .positions = positions, .position_count = 7, .faces = faces, .face_count = 3};
+    uint64_t stats[PIPELINE_STATS] = {0};
+    scene = (struct scene){.name = "a wall and what goes through it"};
+    add_object(&scene, &wall, mat4_identity(), origin, 1);
+    add_object(&scene, &through, mat4_identity(), origin, 1);
+    check_scene(&scene, true, stats);
+    CHECK(stats[STAT_PIXELS_SHADED] == WIDTH * HEIGHT);
+    CHECK(stats[STAT_ATTRIBUTE_SETS] > 2 * BANDS && stats[STAT_ATTRIBUTE_SETS] <= 3 * BANDS);
+}
+
+/* Points within roundings of one side of the view: a face is skipped with its object only if it
+ * would be skipped alone. */
+static void test_within_roundings_of_a_side(void) {
+    enum { FACES = 10 };
+    struct error error;
+    struct pipeline pipeline = {0};
+    struct random random = {5};
+    struct vec3 positions[3 * FACES];
+    struct face faces[FACES];
+    struct model model = {
+        .positions = positions, .position_count = 3 * FACES, .faces = faces, .face_count = FACES};
+    for (uint32_t i = 0; i < 3 * FACES; i++) {
+        faces[i / 3].corner[i % 3] = (struct corner){i, MODEL_NONE, MODEL_NONE};
+    }
+    struct uniforms u = {&model, 1};
+    size_t outside[2] = {0, 0}, whole = 0;
+    CHECK(pipeline_create(&pipeline, WIDTH, HEIGHT, &error));
+    for (int i = 0; i < 8000; i++) {
+        struct mat4 m = {{{0}}};
+        double sign = i % 2 == 0 ? 1 : -1, spread = i / 4 % 2 == 0 ? 1 : 4e-15;
+        for (int k = 0; k < 4; k++) { /* x or y is w, up to roundings and the sign */
+            m.m[3][k] = random_real(&random, 0.1, 1);
+            m.m[i / 2 % 2][k] = sign * m.m[3][k] * (1 + 1e-16 * random_real(&random, -4, 4));
+        }
+        for (int k = 0; k < 3 * FACES; k++) {
+            positions[k] = (struct vec3){random_real(&random, 1, 1 + spread),
+                                         random_real(&random, 1, 1 + spread),
+                                         random_real(&random, 1, 1 + spread)};
+        }
+        struct draw_call call = {&model, m, {0, 0, WIDTH, HEIGHT}, CULL_NONE};
+        for (int skip = 0; skip < 2; skip++) {
+            pipeline.skip = skip;
+            pipeline_clear(&pipeline);
+            CHECK(pipeline_draw(&pipeline, &call, &flat, &u, sizeof u, &error));
+            outside[skip] += pipeline.stats[STAT_FACES_OUTSIDE];
+        }
+        whole += pipeline.stats[STAT_FACES_OUTSIDE] == FACES;
+    }
+    CHECK(whole > 200 && outside[1] == outside[0]);
+    pipeline_free(&pipeline);
+}
+
+static void test_models_are_there(void) {
+    struct error error;
+    CHECK(model_read(&bust, COURSE_MODELS "bust.obj", &error));
+    CHECK(model_read(&sphere, COURSE_MODELS "sphere.obj", &error));
+    make_wall(&wall);
+}
+
+static void test_free(void) {
+    model_free(&bust);
+    model_free(&sphere);
+    CHECK(bust.face_count == 0 && sphere.face_count == 0);
+}
+
+UNIT_MAIN(TEST(test_models_are_there), TEST(test_single), TEST(test_nested_spheres),
+          TEST(test_behind_a_wall), TEST(test_crowd), TEST(test_two_models),
+          TEST(test_equal_depths), TEST(test_within_roundings_of_a_side), TEST(test_free))
