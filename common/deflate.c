@@ -963,7 +963,7 @@ static inline void copy_blocks(uint8_t *to, size_t distance, size_t length) {
 }
 
 /* A match whose length symbol is known: its length, and its distance or 0 where it takes the
- * careful loop to say what is there (no length at all, for one). At most 5 + FAST_BITS + 13 bits. */
+ * careful loop to say what is there (no length, for one). At most 5 + FAST_BITS + 13 bits. */
 static inline size_t inner_match(const struct decompressor *d, unsigned length_symbol,
                                  struct bit_buffer *buffer, size_t *distance) {
     unsigned extra_bits;

@@ -122,7 +122,7 @@ static inline bool takes_shortcut(const struct pipeline *pipeline, enum shortcut
 /* ---- Planes: what is interpolated over a piece ---- */
 
 /* The weight of a corner times the area, as a plane on the screen: the exact edge function of the
- * opposite side, from a to b, at the centres of pixels. Its value at pixel (x0,y0), and its steps. */
+ * opposite side, from a to b, at the centres of pixels. Its value at pixel (x0,y0), its steps. */
 struct screen_plane {
     double origin, dx, dy;
 };

@@ -158,7 +158,7 @@ static inline void unfilter_byte(const unsigned filter, uint8_t *byte, uint8_t a
 }
 
 /* A row of pixels of `step` bytes, which is a constant where this is called, as is `filter`. What
- * each pixel leaves to the next stays in registers; a loop over its bytes would not keep it there. */
+ * each pixel leaves to the next stays in registers; a loop over its bytes would not keep it so. */
 static inline void unfilter_pixels(const unsigned filter, uint8_t *restrict row,
                                    const uint8_t *restrict above, size_t size, const size_t step) {
     uint8_t left[PIXEL_LIMIT] = {0}, corner[PIXEL_LIMIT] = {0};
@@ -494,7 +494,7 @@ static bool copy_plain_pixels(const struct png *png, const uint8_t *row, uint8_t
     }
 }
 
-/* Undo the filters of `raw` (each row: filter, `size` bytes), row by row, and fill the image. Before
+/* Undo the filters of `raw` (each row: filter, `size` bytes), row by row; fill the image. Before
  * the first row there are `size` zero bytes, a row above it. */
 static bool unpack_rows(const struct png *png, uint8_t *raw, size_t size, struct image *image,
                         struct error *error) {
@@ -663,8 +663,8 @@ struct changes {
 };
 
 /* The colours of a row that are not those at their left, and how many of these are hard edges: the
- * first of a new colour after a run of another one, or after a single pixel between two of the same,
- * and clearly different. `step`, the bytes of a pixel, is a constant where this is called. */
+ * first of a new colour after a run of another one, or after one pixel between two of the same, and
+ * clearly different. `step`, the bytes of a pixel, is a constant where this is called. */
 static inline struct changes count_changes_of(const uint8_t *row, size_t width, const size_t step) {
     struct changes changes = {0, 0};
     for (size_t x = 2; x < width; x++) {

@@ -1,6 +1,4 @@
-/*
- * The bilinear sample of texture.h for sixteen pixels at once: see lanes.h.
- */
+/* The bilinear sample of texture.h for sixteen pixels at once: see lanes.h. */
 #ifndef COMMON_TEXTURE_LANES_H
 #define COMMON_TEXTURE_LANES_H
 

@@ -67,8 +67,8 @@ long double oracle_interpolate(const struct fixed2 corner[3], const double recip
 
 /* How much is added up, at most, for that value when it is computed as a quotient of two planes on
  * the screen, each from its value at some pixel of the triangle's box on: 1 ulp of it is what one
- * rounding may cost. Much more than the value itself where the triangle is a sliver, or its corners'
- * w are far apart. */
+ * rounding may cost. Much more than the value itself where the triangle is a sliver, or where w
+ * differs much from corner to corner. */
 long double oracle_rounding_scale(const struct fixed2 corner[3], const double recip_w[3],
                                   const double value[3], int64_t x, int64_t y);
 

@@ -1,5 +1,5 @@
 /*
- * lanes.h against plain C, number by number, and texture_lanes.h against texture_bilinear(). Included
+ * lanes.h against plain C, number by number; texture_lanes.h against texture_bilinear(). Included
  * by programs that have chosen REAL and LANES, or not.
  */
 #ifndef TESTS_LANES_TESTS_H
@@ -303,7 +303,7 @@ static void test_textures(void) {
     }
 }
 
-/* Beyond the corners there is nothing but the corner's own texel, whatever is beyond it in memory. */
+/* Beyond the corners there is only the corner's own texel, whatever is beyond it in memory. */
 static void test_corner_texels(void) {
     static const struct color colors[4] = {
         {255, 1, 2, 255}, {3, 255, 4, 255}, {5, 6, 255, 255}, {250, 251, 252, 255}};

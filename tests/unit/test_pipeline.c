@@ -724,8 +724,7 @@ static void test_clipped_in_every_block(void) {
     CHECK(stats[STAT_PIXELS_SHADED] == stats_often[STAT_PIXELS_SHADED]);
 }
 
-/* Clip space has no unit: times 2^140 it is the same, to the last bit, although no float holds 1/w.
- */
+/* Clip space has no unit: times 2^140 it is the same to the last bit, though no float holds 1/w. */
 static void test_scale_of_clip_space(void) {
     static struct mesh mesh;
     static struct seen seen, scaled;
