@@ -58,7 +58,7 @@ LANES_INLINE void interpolate_every(int step, const struct shader *shader,
     size_t n = shader->varying_count;
     const int parts = CHUNK / step;
     real up = (real)y - planes->y0, right[CHUNK / 8 + 1], w[CHUNK / 8 + 1];
-    lanes share[CHUNK / 8]; /* of the way from one of these pixels to the next */
+    lanes share[CHUNK / 8] = {0}; /* of the way from one of these pixels to the next */
     for (int i = 0; i <= parts; i++) {
         int lane = first + i * step < last ? first + i * step : last;
         right[i] = (real)(x + lane) - planes->x0;
