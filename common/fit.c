@@ -8,9 +8,9 @@ static const double reach_in_parallel_view = 0.95;
  * r / sqrt(1 - (r / d)^2): 0.97 for 7/8 at the distance 2. */
 static const double reach_all_around = 0.875;
 
-struct box model_box(const struct model *model) {
+struct box3 model_box(const struct model *model) {
     struct vec3 first = model_position(model, 0, 0);
-    struct box box = {first, first};
+    struct box3 box = {first, first};
     for (size_t i = 0; i < model->face_count; i++) {
         for (size_t j = 0; j < 3; j++) {
             struct vec3 p = model_position(model, i, j), a = box.least, b = box.greatest;
@@ -21,12 +21,12 @@ struct box model_box(const struct model *model) {
     return box;
 }
 
-bool box_reaches_out(struct box box) {
+bool box_reaches_out(struct box3 box) {
     struct vec3 a = box.least, b = box.greatest;
     return a.x < -1 || a.y < -1 || a.z < -1 || b.x > 1 || b.y > 1 || b.z > 1;
 }
 
-static double longest_side(struct box box) {
+static double longest_side(struct box3 box) {
     struct vec3 sides = vec3_sub(box.greatest, box.least);
     return fmax(sides.x, fmax(sides.y, sides.z));
 }
@@ -42,7 +42,7 @@ static double distance_from_origin(const struct model *model) {
 }
 
 void model_fit(struct model *model, bool all_around) {
-    struct box box = model_box(model);
+    struct box3 box = model_box(model);
     struct vec3 middle = vec3_scale(vec3_add(box.least, box.greatest), 0.5);
     double side = longest_side(box), half = side > 0 ? side / 2 : 1;
     for (size_t i = 0; i < model->position_count; i++) {

@@ -60,7 +60,7 @@ static inline struct vec3 vec3_sub(struct vec3 a, struct vec3 b) {
 }
 
 /* All points between two corners. */
-struct box {
+struct box3 {
     struct vec3 least, greatest;
 };
 

@@ -159,7 +159,7 @@ struct pipeline {
     size_t draw_count;
     bool discards;             /* one of their shaders does */
     const struct model *boxed; /* of which `box` is the box in this frame; or NULL */
-    struct box box;
+    struct box3 box;
     struct buffer order;    /* of struct draw_order: as draw calls are covered */
     struct buffer uniforms; /* of the draw calls, one behind the other: bytes */
     size_t uniforms_end;

@@ -130,19 +130,19 @@ static bool may_be_outside(const struct draw_call *call) {
     return beyond != 0;
 }
 
-static struct box box_of_positions(const struct model *model) {
+static struct box3 box_of_positions(const struct model *model) {
     struct vec3 a = model->positions[0], b = a;
     for (size_t i = 1; i < model->position_count; i++) {
         struct vec3 p = model->positions[i];
         a = (struct vec3){p.x < a.x ? p.x : a.x, p.y < a.y ? p.y : a.y, p.z < a.z ? p.z : a.z};
         b = (struct vec3){p.x > b.x ? p.x : b.x, p.y > b.y ? p.y : b.y, p.z > b.z ? p.z : b.z};
     }
-    return (struct box){a, b};
+    return (struct box3){a, b};
 }
 
 /* Kept for the next draw call: many draw one model again and again, and it stays as it is until the
  * frame is finished. */
-static struct box find_box(struct pipeline *p, const struct model *model) {
+static struct box3 find_box(struct pipeline *p, const struct model *model) {
     if (p->boxed != model) {
         p->box = box_of_positions(model);
         p->boxed = model;
@@ -151,7 +151,7 @@ static struct box find_box(struct pipeline *p, const struct model *model) {
 }
 
 /* The sum of the absolute terms of a row of the matrix, for any point of the box. */
-static double sum_of_terms(const double row[4], struct box box) {
+static double sum_of_terms(const double row[4], struct box3 box) {
     return fabs(row[0]) * fmax(fabs(box.least.x), fabs(box.greatest.x)) +
            fabs(row[1]) * fmax(fabs(box.least.y), fabs(box.greatest.y)) +
            fabs(row[2]) * fmax(fabs(box.least.z), fabs(box.greatest.z)) + fabs(row[3]);
@@ -160,7 +160,7 @@ static double sum_of_terms(const double row[4], struct box box) {
 /* Is the box beyond one side, so far that no rounding could bring a position in it back? Exactly, a
  * side's x + w (or the like) is least and greatest at corners of the box. Computed, x and w differ
  * from that by a few ulp of the sum of their terms; w is taken to be larger by more. */
-static bool box_is_outside(const struct mat4 *to_clip, struct box box) {
+static bool box_is_outside(const struct mat4 *to_clip, struct box3 box) {
     double terms = 0;
     for (int row = 0; row < 4; row++) {
         terms += row == 2 ? 0 : sum_of_terms(to_clip->m[row], box);

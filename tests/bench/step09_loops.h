@@ -69,7 +69,7 @@ LANES_INLINE void interpolate_every(int step, const struct shader *shader,
         share[i] = ((lanes_from(x) - planes->x0) - right[i]) * (1 / (length > 0 ? length : 1));
     }
     for (size_t k = 0; k < n; k++) {
-        real begin_of_row = planes->origin[k] + planes->dy[k] * up, at[CHUNK / 8 + 1];
+        real begin_of_row = planes->origin[k] + planes->dy[k] * up, at[CHUNK / 8 + 1] = {0};
         for (int i = 0; i <= parts; i++) {
             at[i] = planes->corner[k] + (right[i] * planes->dx[k] + begin_of_row) * w[i];
         }

@@ -34,12 +34,12 @@ static void test_box(void) {
     for (uint32_t i = 0; i < CORNERS * 6; i++) {
         struct cloud cloud;
         make_cloud(&cloud, (struct vec3){0, 0, 0}, (struct vec3){0.5, 0.5, 0.5}, &random);
-        struct box kept = model_box(&cloud.model);
+        struct box3 kept = model_box(&cloud.model);
         double far = i % 2 == 0 ? -1 : 1;
         struct vec3 *corner = &cloud.positions[i / 6];
         double *const coordinate[3] = {&corner->x, &corner->y, &corner->z};
         *coordinate[i / 2 % 3] = far;
-        struct box box = model_box(&cloud.model);
+        struct box3 box = model_box(&cloud.model);
         const double sides[6] = {box.least.x,    box.greatest.x, box.least.y,
                                  box.greatest.y, box.least.z,    box.greatest.z};
         CHECK(sides[i % 6] == far);
@@ -47,7 +47,7 @@ static void test_box(void) {
     }
 }
 
-static double longest_side(struct box box) {
+static double longest_side(struct box3 box) {
     struct vec3 size = vec3_sub(box.greatest, box.least);
     return fmax(size.x, fmax(size.y, size.z));
 }
@@ -77,7 +77,7 @@ static void test_fit(void) {
         make_cloud(&cloud, middles[i / 2 % 3], sizes[i / 6], &random);
         double kept = proportion(&cloud);
         model_fit(&cloud.model, all_around);
-        struct box box = model_box(&cloud.model);
+        struct box3 box = model_box(&cloud.model);
         CHECK(!box_reaches_out(box));
         CHECK(fabs(proportion(&cloud) / kept - 1) < 1e-6);
         CHECK(vec3_length(vec3_add(box.least, box.greatest)) < 1e-6);
@@ -97,14 +97,14 @@ static void test_odd_sizes(void) {
         cloud.positions[0] = (struct vec3){-size, -size, -size};
         cloud.positions[1] = (struct vec3){size, size, size};
         model_fit(&cloud.model, i % 2 == 1);
-        struct box box = model_box(&cloud.model);
+        struct box3 box = model_box(&cloud.model);
         double reach = i % 2 == 1 ? 0.875 / sqrt(3) : 0.95;
         CHECK(fabs(longest_side(box) - (size > 0 ? 2 * reach : 0)) < 1e-12);
     }
 }
 
 static void test_reaching_out(void) {
-    struct box box = {{-1, -1, -1}, {1, 1, 1}};
+    struct box3 box = {{-1, -1, -1}, {1, 1, 1}};
     double *const sides[6] = {&box.least.x,    &box.least.y,    &box.least.z,
                               &box.greatest.x, &box.greatest.y, &box.greatest.z};
     CHECK(!box_reaches_out(box));
