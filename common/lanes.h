@@ -96,8 +96,8 @@ LANES_INLINE bool lanes_is_set(lanes_mask mask, int i) {
 
 /* The mask that is set everywhere. */
 LANES_INLINE lanes_mask lanes_all_set(void) {
-    lanes_mask none = {0};
-    return ~none;
+    lanes lower = {0}, higher = lower + 1;
+    return lower < higher;
 }
 
 /* first, first + 1, first + 2, ... */
