@@ -160,6 +160,15 @@ void pipeline_clear(struct pipeline *pipeline) {
     memset(pipeline->stats, 0, sizeof pipeline->stats);
 }
 
+/* The blocks of all draw calls so far. */
+static size_t block_count(const struct pipeline *p) {
+    if (p->draw_count == 0) {
+        return 0;
+    }
+    const struct draw *last = (const struct draw *)p->draws.data + p->draw_count - 1;
+    return last->first_block + last->block_count;
+}
+
 /* Uniforms lie at multiples of this, so that everything in them is aligned. */
 enum { UNIFORMS_ALIGNMENT = 64 };
 
@@ -174,13 +183,12 @@ bool pipeline_draw(struct pipeline *p, const struct draw_call *call, const struc
         !buffer_reserve(&p->uniforms, p->uniforms_end + size, 1, error)) {
         return false;
     }
-    const struct draw *last = (struct draw *)p->draws.data + p->draw_count - 1;
     struct draw *draw = (struct draw *)p->draws.data + p->draw_count;
     *draw = (struct draw){
         .call = *call,
         .shader = shader,
         .uniforms = p->uniforms_end,
-        .first_block = p->draw_count > 0 ? last->first_block + last->block_count : 0,
+        .first_block = block_count(p),
     };
     if (!pipeline_assemble(p, draw, error)) {
         return false;
@@ -194,6 +202,34 @@ bool pipeline_draw(struct pipeline *p, const struct draw_call *call, const struc
     return true;
 }
 
+/* ---- The order of draw calls ---- */
+
+static uint64_t span_product(struct span columns, struct span rows) {
+    return (uint64_t)(columns.end - columns.begin) * (uint64_t)(rows.end - rows.begin);
+}
+
+/* Do the boxes of the draw calls on the screen overlap, for all that their areas tell? Pictures side
+ * by side do not. */
+static bool draws_overlap(const struct pipeline *p) {
+    struct span columns = {INT_MAX, 0}, rows = columns;
+    uint64_t sum = 0;
+    for (size_t i = 0; i < p->draw_count; i++) {
+        const struct draw *draw = (const struct draw *)p->draws.data + i;
+        if (draw->columns.begin < draw->columns.end) {
+            columns = span_around(columns, draw->columns);
+            rows = span_around(rows, draw->rows);
+            sum += span_product(draw->columns, draw->rows);
+        }
+    }
+    return sum > 0 && sum > span_product(columns, rows);
+}
+
+/* A shader that discards needs the order of drawing. */
+static bool reorders_draws(const struct pipeline *p) {
+    return takes_shortcut(p, SHORTCUT_VISIBLE) && takes_shortcut(p, SHORTCUT_BEHIND) &&
+           !p->discards && draws_overlap(p);
+}
+
 /* ---- Sorting pieces into bands ---- */
 
 /* Write the pieces of a draw call's blocks into the bands' lists; `band_counts` are the places of
@@ -201,7 +237,6 @@ bool pipeline_draw(struct pipeline *p, const struct draw_call *call, const struc
 static void bin_block(const struct pipeline *p, const struct draw *draw, size_t index) {
     struct block *block = (struct block *)p->blocks.data + index;
     const struct piece *pieces = (const struct piece *)p->pieces.data + block->first_piece;
-    bool find_nearest = reorders_draws(p);
     uint32_t *next = (uint32_t *)p->band_counts.data + index * band_count(p);
     uint32_t *binned = p->binned.data;
     for (size_t i = 0; i < block->piece_count; i++) {
@@ -209,7 +244,7 @@ static void bin_block(const struct pipeline *p, const struct draw *draw, size_t 
         for (int band = rows.begin / BAND_HEIGHT; band <= (rows.end - 1) / BAND_HEIGHT; band++) {
             binned[next[band]++] = (uint32_t)(block->first_piece + i);
         }
-        if (find_nearest) {
+        if (p->reordered) {
             double nearest = nearest_of_piece(&pieces[i]);
             block->nearest = nearest > block->nearest ? nearest : block->nearest;
         }
@@ -257,8 +292,6 @@ static bool lay_out_bins(struct frame *frame, size_t *largest, struct error *err
     return buffer_reserve(&p->binned, place, sizeof(uint32_t), error);
 }
 
-/* ---- The order of draw calls ---- */
-
 /* The nearest first; of equally near ones the first drawn. */
 static int compare_draws(const void *left, const void *right) {
     const struct draw_order *a = left, *b = right;
@@ -279,7 +312,7 @@ static void order_draws(struct pipeline *p) {
         }
         order[i] = (struct draw_order){draws[i].nearest, i};
     }
-    if (reorders_draws(p)) {
+    if (p->reordered) {
         qsort(order, p->draw_count, sizeof *order, compare_draws);
     }
 }
@@ -330,10 +363,9 @@ static void count_hidden(struct pipeline *p) {
 
 bool pipeline_finish(struct pipeline *p, struct image *image, struct error *error) {
     assert(image->width == p->width && image->height == p->height && image->format != IMAGE_GREY);
-    const struct draw *draws = p->draws.data;
-    const struct draw *last = p->draw_count > 0 ? &draws[p->draw_count - 1] : NULL;
-    struct frame frame = {p, image, last != NULL ? last->first_block + last->block_count : 0};
+    struct frame frame = {p, image, block_count(p)};
     size_t bands = band_count(p), largest_bin;
+    p->reordered = reorders_draws(p);
     if (bands > 1) {
         start_workers(p);
     }

@@ -158,6 +158,7 @@ struct pipeline {
     struct buffer draws;     /* of struct draw */
     size_t draw_count;
     bool discards;             /* one of their shaders does */
+    bool reordered;            /* the nearest draw calls are covered first */
     const struct model *boxed; /* of which `box` is the box in this frame; or NULL */
     struct box3 box;
     struct buffer order;    /* of struct draw_order: as draw calls are covered */

@@ -296,10 +296,6 @@ static struct span rows_of(const struct fixed2 *p, const struct rectangle *viewp
                         (struct span){viewport->y, viewport->y + viewport->height});
 }
 
-static struct span span_around(struct span a, struct span b) {
-    return (struct span){a.begin < b.begin ? a.begin : b.begin, a.end > b.end ? a.end : b.end};
-}
-
 /* Where a block's pieces go. */
 struct output {
     struct block *block;

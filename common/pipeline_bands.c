@@ -320,7 +320,7 @@ void pipeline_draw_band(void *context, size_t index, size_t worker) {
                         .scratch = scratch,
                         .rows = rows,
                         .stride = band_stride(p),
-                        .reordered = reorders_draws(p)};
+                        .reordered = p->reordered};
     struct shading shading = {
         .pipeline = p,
         .scratch = scratch,

@@ -58,7 +58,7 @@ struct draw {
     size_t uniforms; /* where they are in the pipeline's `uniforms` */
     size_t first_block, block_count;
     struct span columns, rows; /* that its pieces may cover */
-    double nearest; /* at least the depth of every pixel, where there are several draws */
+    double nearest;            /* at least the depth of every pixel, where draws are reordered */
 };
 
 /* The pieces of a band, in the order in which they were drawn: `binned[first]` to
@@ -398,7 +398,7 @@ KERNEL bool gather_pixels(const struct shading *s, const struct shader *shader,
     pixels->number = number;
     pixels->drawn =
         (lanes_int)((numbers > (uint32_t)s->numbers.begin) & (numbers <= (uint32_t)s->numbers.end));
-    if (s->pipeline->draw_count > 1 && lanes_sum(pixels->drawn & 1) == 0) {
+    if (s->pipeline->reordered && lanes_sum(pixels->drawn & 1) == 0) {
         return false; /* found sooner than run by run */
     }
     if (shader->flat) {

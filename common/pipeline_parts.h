@@ -21,7 +21,7 @@ struct block {
     size_t first_piece, piece_count;
     size_t first_clipped, clipped_count;
     struct span columns, rows; /* that the pieces may cover */
-    double nearest; /* at least the depth of every pixel, where there are several draws */
+    double nearest;            /* at least the depth of every pixel, where draws are reordered */
     uint64_t stats[PIPELINE_STATS];
 };
 
@@ -51,11 +51,8 @@ struct draw_order {
     size_t draw;
 };
 
-/* Are the nearest draw calls covered first? A shader that discards needs the order of drawing. */
-static inline bool reorders_draws(const struct pipeline *pipeline) {
-    return takes_shortcut(pipeline, SHORTCUT_VISIBLE) &&
-           takes_shortcut(pipeline, SHORTCUT_BEHIND) && pipeline->draw_count > 1 &&
-           !pipeline->discards;
+static inline struct span span_around(struct span a, struct span b) {
+    return (struct span){a.begin < b.begin ? a.begin : b.begin, a.end > b.end ? a.end : b.end};
 }
 
 static inline size_t band_count(const struct pipeline *pipeline) {

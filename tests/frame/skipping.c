@@ -208,7 +208,7 @@ static bool find_visible(struct model *visible, const struct scene *scene,
     for (size_t i = 0; i < scene->count; i++) {
         faces += scene->objects[i].model->face_count;
     }
-    bool *is_visible = calloc(faces, sizeof *is_visible);
+    bool *is_visible = calloc(faces + 1, sizeof *is_visible);
     if (is_visible == NULL) {
         return error_out_of_memory(error);
     }
@@ -236,7 +236,6 @@ struct skipping {
     struct model head, ball, visible;
     struct scene scene, visible_scene;
     double seconds[VERSIONS][FRAMES_LIMIT];
-    uint64_t shaded;
 };
 
 /* The last version is the visible faces alone. */
@@ -254,7 +253,6 @@ static bool time_versions(struct skipping *s, size_t frames, struct error *error
                 return false;
             }
             s->seconds[version][i] = stopwatch_seconds(start);
-            s->shaded = s->pipeline.stats[STAT_PIXELS_SHADED];
         }
     }
     return true;

@@ -330,6 +330,27 @@ static void test_corner_texels(void) {
     image_free(&image);
 }
 
+/* A place is found anew where the texture has another size. */
+static void test_places_of_two_sizes(void) {
+    static const size_t sizes[][2] = {{4, 8}, {8, 8}, {8, 4}, {8, 8}, {8, 8}};
+    struct random random = {96};
+    struct lanes2 uv = {lanes_from(0) * 0.05f, 1 - lanes_from(0) * 0.03f};
+    struct texel_place place = {0};
+    for (size_t i = 0; i < sizeof sizes / sizeof sizes[0]; i++) {
+        struct error error;
+        struct image image = {0};
+        struct texture texture = {0};
+        CHECK(image_create(&image, sizes[i][0], sizes[i][1], IMAGE_BGR, &error));
+        fill(&image, &random);
+        CHECK(texture_create(&texture, &image, &error));
+        struct texels texels = texture_fetch(&texture, uv, 0, &place);
+        struct lanes3 got = texels_mix(&texels), alone = texture_lanes(&texture, uv, 0);
+        CHECK(memcmp(&got, &alone, sizeof got) == 0);
+        texture_free(&texture);
+        image_free(&image);
+    }
+}
+
 /* Nowhere is at the lower left corner. */
 static void test_nowhere(void) {
     struct error error;
@@ -347,6 +368,6 @@ static void test_nowhere(void) {
 
 UNIT_MAIN(TEST(test_one_number), TEST(test_two_numbers), TEST(test_not_a_number),
           TEST(test_sequences), TEST(test_colors), TEST(test_vectors), TEST(test_textures),
-          TEST(test_corner_texels), TEST(test_nowhere))
+          TEST(test_corner_texels), TEST(test_places_of_two_sizes), TEST(test_nowhere))
 
 #endif
