@@ -474,7 +474,7 @@ static bool show_faces(const struct plane *plane, bool reverse,
 static bool count_plane(const struct plane *plane, unsigned char times[COUNT_SIZE][COUNT_SIZE],
                         uint64_t *all) {
     uint64_t stats[PIPELINE_STATS];
-    uint8_t first[COUNT_SIZE * COUNT_SIZE], last[COUNT_SIZE * COUNT_SIZE];
+    uint8_t first[COUNT_SIZE * COUNT_SIZE] = {0}, last[COUNT_SIZE * COUNT_SIZE] = {0};
     bool done = show_faces(plane, true, last, stats) && show_faces(plane, false, first, stats);
     for (size_t i = 0; i < COUNT_SIZE * COUNT_SIZE; i++) {
         times[i / COUNT_SIZE][i % COUNT_SIZE] =

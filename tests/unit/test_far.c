@@ -64,7 +64,7 @@ static void draw(struct image *image, const struct model *model, struct vec3 eye
     struct error error;
     CHECK(image_create(image, SIDE, SIDE, IMAGE_BGR, &error));
     if (CHECK(pipeline_create(&pipeline, SIDE, SIDE, &error))) {
-        CHECK(draw_frame(&pipeline, &call, &light_shader, &model, sizeof model, image, &error));
+        CHECK(draw_frame(&pipeline, &call, &light_shader, &model, sizeof(void *), image, &error));
         pipeline_free(&pipeline);
     }
 }

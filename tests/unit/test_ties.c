@@ -51,7 +51,7 @@ static void draw_levels_at(struct pipeline *pipeline, struct level_model *m,
                                         2 * (p.y / (128.0 * TIES_SIDE) - 1), 2 * t->depth};
         m->faces[i / 3].corner[i % 3] = (struct corner){i, MODEL_NONE, MODEL_NONE};
     }
-    CHECK(pipeline_draw(pipeline, &call, shader, &triangles, sizeof triangles, &error));
+    CHECK(pipeline_draw(pipeline, &call, shader, &triangles, sizeof(void *), &error));
 }
 
 /* Call i has shader i, where there are several calls. */
@@ -124,7 +124,7 @@ static void test_huge_depths(void) {
         CHECK(image_create(&image, TIES_SIDE, TIES_SIDE, IMAGE_BGR, &error));
         CHECK(pipeline_create(&pipeline, TIES_SIDE, TIES_SIDE, &error));
         pipeline.keep_depth = true;
-        CHECK(draw_frame(&pipeline, &call, &level_shader, &uniforms, sizeof uniforms, &image,
+        CHECK(draw_frame(&pipeline, &call, &level_shader, &uniforms, sizeof(void *), &image,
                          &error));
         for (size_t i = 0; i < (size_t)TIES_SIDE * TIES_SIDE; i++) {
             drawn += pipeline.depth[i] > -INFINITY;
