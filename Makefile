@@ -27,6 +27,8 @@ For the course as a whole:
   make compare-opengl         the same pictures drawn by OpenGL (needs Mesa)
   make fuzz                   hostile files (needs clang; FUZZ_SECONDS=60 for each, TARGET=png)
   make mutants                small changes of the code that some test must notice (NAME=geometry)
+  make verify                 the check fails every mistake and passes every correct program that is
+                              listed (STEP=05, NAME=depth)
   make coverage               which lines and branches of common the tests reach
   make help                   this list
 

@@ -171,6 +171,17 @@ $(BUILD)/bench-frame: $(FRAME_OBJECTS) $(BUILD)/libcommon.a $(BUILD)/with-mesa
 $(BUILD)/with-mesa: force
 	@[ "$$(cat $@ 2>/dev/null)" = 'with: $(HAS_MESA)' ] || echo 'with: $(HAS_MESA)' >$@
 
+# ---- make verify: what the check makes of wrong programs, and of correct ones ----
+
+.PHONY: verify
+verify: $(BUILD)/check models
+	@tests/verify/verify.sh $(BUILD) '$(MAKE) -s' '$(STEP)' '$(NAME)'
+
+# One of these programs, built with what is there: the library has the flags of the course.
+$(BUILD)/verify.%: force
+	$(COMPILE) -I$(@F) -c $(@D)/main.c -o $@.o
+	$(LINK) $@.o $(BUILD)/libcommon.a -lm -o $@
+
 # ---- make mutants, portability, fuzz, coverage ----
 
 .PHONY: mutants portability fuzz coverage

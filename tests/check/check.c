@@ -9,8 +9,9 @@
  * "the same picture" means is said in compare.h. One line a step is printed:
  *
  *     step05_zbuffer  PASS 3/3 exact
- *     step05_zbuffer  PASS 3/3 zbuffer: 0.3 % of drawn pixels wrong (limit 1.5 %)
- *     step05_zbuffer  FAIL 2/3 zbuffer: 4.4 % of drawn pixels wrong (limit 1.5 %)
+ *     step05_zbuffer  PASS 3/3 zbuffer: 0.1 % differ (9 pixels), first at (41,30): 9,0,0 for 8,0,0
+ *     step05_zbuffer  FAIL 2/3 zbuffer: 4.4 % of drawn pixels wrong (limit 0.25 %), first at ...
+ *     step05_zbuffer  FAIL 2/3 zbuffer: 0.7 % of drawn pixels of another colour there (limit ...
  *     step05_zbuffer  TIME 0/3 stopped after 10 s
  *     step05_zbuffer  CRASH SIGSEGV 1/3 depth: missing (no depth.tga was written)
  *     step05_zbuffer  BUILD step05_zbuffer/main.c:12:5: error: ...
@@ -52,7 +53,7 @@ enum {
 };
 
 struct options {
-    const char *root, *scenes, *references, *programs, *differences, *make, *first;
+    const char *root, *scenes, *references, *programs, *differences, *make, *first, *only, *shares;
     double seconds;       /* for one step's program */
     double build_seconds; /* for building it */
     bool exact;           /* every pixel of every scene, whatever the table says */
@@ -66,6 +67,8 @@ static const struct options default_options = {
     .differences = "build/differences",
     .make = "make",
     .first = "models",
+    .only = "",
+    .shares = "",
     .seconds = 10,
     .build_seconds = 60,
 };
@@ -82,6 +85,9 @@ static const char help[] =
     "  --differences DIR   where difference images go   (build/differences)\n"
     "  --make COMMAND      builds DIR/STEP, the target  (make)\n"
     "  --first TARGET      what make builds before the steps (models)\n"
+    "  --only SCENE        draw and compare just this scene of a step\n"
+    "  --shares FILE       add a line to it for each picture: step, scene, % wrong, % apart,\n"
+    "                      % drawn in one picture only\n"
     "  -h, --help\n"
     "\n"
     "A difference image shows the reference, yours and the difference. Wrong pixels are red where\n"
@@ -304,22 +310,108 @@ struct scene_result {
     char text[400]; /* empty when exact */
 };
 
-static void judge_picture(struct scene_result *result, const struct checked_scene *scene,
+/* 1597 as "1,597". */
+struct count_text {
+    char text[32];
+};
+
+static struct count_text show_count(uint64_t count) {
+    struct count_text shown;
+    char digits[24];
+    int length = snprintf(digits, sizeof digits, "%llu", (unsigned long long)count), size = 0;
+    for (int i = 0; i < length; i++) {
+        if (i > 0 && (length - i) % 3 == 0) {
+            shown.text[size++] = ',';
+        }
+        shown.text[size++] = digits[i];
+    }
+    shown.text[size] = '\0';
+    return shown;
+}
+
+static void add_text(struct scene_result *result, const char *format, ...) PRINTF_LIKE(2, 3);
+
+/* Add to the text, as much of it as there is room for. */
+static void add_text(struct scene_result *result, const char *format, ...) {
+    size_t length = strlen(result->text);
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(result->text + length, sizeof result->text - length, format, arguments);
+    va_end(arguments);
+}
+
+/* Where the first of these pixels is, your colour there and the right one. */
+static void describe_first(struct scene_result *result, const struct tally *tally,
+                           const struct image *reference, const struct image *yours) {
+    int x = (int)tally->x, y = (int)tally->y;
+    struct color got = image_get(yours, x, y), wanted = image_get(reference, x, y);
+    struct shift shift = compare_shift(reference, yours);
+    if (!result->passed && (shift.x != 0 || shift.y != 0)) {
+        add_text(result, ", shifted by (%d,%d)", shift.x, shift.y);
+    }
+    add_text(result, ", first at (%d,%d): %d,%d,%d for %d,%d,%d", x, y, got.r, got.g, got.b,
+             wanted.r, wanted.g, wanted.b);
+}
+
+/* Judge a picture that is not exact by its limits. Returns the pixels to be told about. */
+static const struct tally *judge_shares(struct scene_result *result,
+                                        const struct checked_scene *scene,
+                                        const struct comparison *comparison) {
+    const struct {
+        const struct tally *tally;
+        unsigned limit;
+        const char *what;
+    } limits[] = {
+        {&comparison->wrong, scene->wrong_limit, "wrong"},
+        {&comparison->coverage, scene->coverage_limit, "missing or too many"},
+        {&comparison->apart, scene->apart_limit, "of another colour there"},
+    };
+    const uint64_t drawn = comparison->drawn, differing = comparison->differing.count;
+    if (scene->exact) {
+        add_text(result, "%s of %s drawn pixels differ (must be exact)", show_count(differing).text,
+                 show_count(drawn).text);
+        return &comparison->differing;
+    }
+    for (size_t i = 0; i < sizeof limits / sizeof limits[0]; i++) {
+        if (!share_within(limits[i].tally->count, drawn, limits[i].limit)) {
+            add_text(result, "%s of drawn pixels %s (limit %g %%)",
+                     share_show(limits[i].tally->count, drawn, limits[i].limit).text,
+                     limits[i].what, limits[i].limit / 1000.0);
+            return limits[i].tally;
+        }
+    }
+    result->passed = true;
+    add_text(result, "%s differ (%s pixel%s)", share_show(differing, drawn, 0).text,
+             show_count(differing).text, differing == 1 ? "" : "s");
+    return &comparison->differing;
+}
+
+/* For who sets the limits. */
+static void write_shares(const char *path, const char *step, const char *scene,
+                         const struct comparison *comparison) {
+    FILE *file = path[0] == '\0' ? NULL : fopen(path, "a");
+    double drawn = comparison->drawn > 0 ? (double)comparison->drawn : 1;
+    if (file != NULL) {
+        fprintf(file, "%s %s %.4f %.4f %.4f\n", step, scene,
+                100 * (double)comparison->wrong.count / drawn,
+                100 * (double)comparison->apart.count / drawn,
+                100 * (double)comparison->coverage.count / drawn);
+    }
+    if (path[0] != '\0' && (file == NULL || fclose(file) != 0)) {
+        fprintf(stderr, "check: %s: %s\n", path, strerror(errno));
+    }
+}
+
+static void judge_picture(struct scene_result *result, const struct options *options,
+                          const char *step, const struct checked_scene *scene,
                           const struct image *reference, const struct image *yours) {
     struct comparison comparison = compare_images(reference, yours);
-    result->exact = comparison.differing == 0;
-    result->passed = scene->exact ? result->exact : comparison_within(&comparison, scene->limit);
-    if (result->exact) {
-        return;
+    write_shares(options->shares, step, scene->name, &comparison);
+    result->exact = result->passed = comparison.differing.count == 0;
+    if (!result->exact) {
+        add_text(result, "%s: ", scene->name);
+        describe_first(result, judge_shares(result, scene, &comparison), reference, yours);
     }
-    if (scene->exact) {
-        snprintf(result->text, sizeof result->text,
-                 "%s: %llu of %llu drawn pixels differ (must be exact)", scene->name,
-                 (unsigned long long)comparison.differing, (unsigned long long)comparison.drawn);
-        return;
-    }
-    snprintf(result->text, sizeof result->text, "%s: %s of drawn pixels wrong (limit %g %%)",
-             scene->name, comparison_share(&comparison, scene->limit).text, scene->limit / 1000.0);
 }
 
 static struct scene_result check_scene(const struct options *options, const char *step,
@@ -339,13 +431,13 @@ static struct scene_result check_scene(const struct options *options, const char
     struct error error;
     enum drawn_state state = drawn_read(&yours, directory, scene->name, reference, &error);
     if (state == DRAWN_READ) {
-        judge_picture(&result, scene, reference, &yours);
+        judge_picture(&result, options, step, scene, reference, &yours);
     } else {
         result.missing = state == DRAWN_MISSING;
         snprintf(result.text, sizeof result.text, "%s: %s", scene->name,
                  drawn_message(error.message).text);
     }
-    if (!result.passed) {
+    if (!result.exact) {
         write_difference(path, reference, &yours, score);
     }
     image_free(&yours);
@@ -425,7 +517,8 @@ static bool draw_and_judge(const struct options *options, const struct checked_s
                                 .file_bytes = (size_t)FILE_MEGABYTES * 1000 * 1000,
                                 .processes = PROCESS_LIMIT};
     struct run_result end;
-    bool done = drawn_run(options->programs, step->name, directory, &limits, &end, error);
+    bool done =
+        drawn_run(options->programs, step->name, directory, options->only, &limits, &end, error);
     if (done && end.end != RUN_INTERRUPTED) {
         for (size_t i = 0; i < step->scene_count; i++) {
             results[i] = check_scene(options, step->name, &step->scenes[i], directory,
@@ -540,6 +633,8 @@ static bool read_options(struct options *options, int argc, char **argv, int *fi
         {"--differences", &options->differences},
         {"--make", &options->make},
         {"--first", &options->first},
+        {"--only", &options->only},
+        {"--shares", &options->shares},
     };
     int i = 1;
     while (i < argc && argv[i][0] == '-') {
@@ -631,8 +726,9 @@ int main(int argc, char **argv) {
     if (options.exact) {
         scene_table_make_exact(&table);
     }
-    int status = select_steps(&table, argv + first_step, &error) ? check(&options, &table)
-                                                                 : usage_error(error.message);
+    bool selected = select_steps(&table, argv + first_step, &error) &&
+                    scene_table_keep(&table, options.only, &error);
+    int status = selected ? check(&options, &table) : usage_error(error.message);
     scene_table_free(&table);
     if (run_caught_signal() != 0) {
         run_die_of_signal();

@@ -6,7 +6,16 @@
 
 enum { PANEL_GAP = 8 }; /* grey pixels between two panels */
 
-enum mark { MARK_EQUAL = 0, MARK_NEAR = 1, MARK_MISSING = 2, MARK_EXTRA = 4 };
+enum mark {
+    MARK_EQUAL = 0,
+    MARK_NEAR = 1,
+    MARK_APART = 2,
+    MARK_COVERAGE = 4,
+    MARK_MISSING = 8,
+    MARK_EXTRA = 16,
+    MARK_WRONG = MARK_MISSING | MARK_EXTRA
+};
+enum { SHIFT_LIMIT = 2, SHIFT_BETTER = 8 }; /* pixels; so many times fewer are apart */
 
 struct rgb {
     uint8_t r, g, b;
@@ -102,6 +111,11 @@ static void find_nearest(uint8_t *restrict nearest, const struct channels *restr
     }
 }
 
+/* Is pixel i of the block not background? */
+static inline bool is_drawn(const struct channels *row, size_t i) {
+    return (row->blue[i + 1] | row->green[i + 1] | row->red[i + 1]) != 0;
+}
+
 /* The marks of a block; a pixel that is wrong has MARK_MISSING or MARK_EXTRA. */
 static void mark_block(uint8_t *marks, const struct patch *reference, const struct patch *yours,
                        size_t count) {
@@ -110,20 +124,24 @@ static void mark_block(uint8_t *marks, const struct patch *reference, const stru
     find_nearest(to_wanted, wanted, yours, count);
     find_nearest(to_got, got, reference, count);
     for (size_t i = 0; i < count; i++) {
-        bool equal = wanted->blue[i + 1] == got->blue[i + 1] &&
-                     wanted->green[i + 1] == got->green[i + 1] &&
-                     wanted->red[i + 1] == got->red[i + 1];
+        uint8_t blue = difference(wanted->blue[i + 1], got->blue[i + 1]);
+        uint8_t green = difference(wanted->green[i + 1], got->green[i + 1]);
+        uint8_t red = difference(wanted->red[i + 1], got->red[i + 1]);
+        uint8_t far = larger(larger(blue, green), red);
+        unsigned apart = far > COMPARE_LEVELS ? MARK_APART : 0;
+        unsigned coverage = is_drawn(wanted, i) != is_drawn(got, i) && apart ? MARK_COVERAGE : 0;
         unsigned missing = to_wanted[i] > COMPARE_LEVELS ? MARK_MISSING : 0;
         unsigned extra = to_got[i] > COMPARE_LEVELS ? MARK_EXTRA : 0;
-        marks[i] = (uint8_t)(equal ? MARK_EQUAL : MARK_NEAR | missing | extra);
+        marks[i] =
+            (uint8_t)(far == 0 ? MARK_EQUAL : MARK_NEAR | apart | coverage | missing | extra);
     }
 }
 
 /* How many pixels are not background in at least one of the two. */
 static size_t count_drawn(const struct channels *a, const struct channels *b, size_t count) {
     size_t drawn = 0;
-    for (size_t i = 1; i <= count; i++) {
-        drawn += (a->blue[i] | a->green[i] | a->red[i] | b->blue[i] | b->green[i] | b->red[i]) != 0;
+    for (size_t i = 0; i < count; i++) {
+        drawn += is_drawn(a, i) | is_drawn(b, i);
     }
     return drawn;
 }
@@ -143,6 +161,13 @@ static void add_same_block(struct comparison *result, const struct image *image,
     result->drawn += count_drawn(&row, &row, count);
 }
 
+static inline void add_pixel(struct tally *tally, bool is_one, size_t x, size_t y) {
+    if (is_one && tally->count++ == 0) {
+        tally->x = x;
+        tally->y = y;
+    }
+}
+
 static void add_block(struct comparison *result, const struct image *reference,
                       const struct image *yours, size_t x, size_t y, size_t count) {
     struct patch wanted, got;
@@ -152,8 +177,10 @@ static void add_block(struct comparison *result, const struct image *reference,
     mark_block(marks, &wanted, &got, count);
     result->drawn += count_drawn(&wanted.row[1], &got.row[1], count);
     for (size_t i = 0; i < count; i++) {
-        result->differing += marks[i] != MARK_EQUAL;
-        result->wrong += (marks[i] & (MARK_MISSING | MARK_EXTRA)) != 0;
+        add_pixel(&result->differing, marks[i] != MARK_EQUAL, x + i, y);
+        add_pixel(&result->apart, (marks[i] & MARK_APART) != 0, x + i, y);
+        add_pixel(&result->coverage, (marks[i] & MARK_COVERAGE) != 0, x + i, y);
+        add_pixel(&result->wrong, (marks[i] & MARK_WRONG) != 0, x + i, y);
     }
 }
 
@@ -174,22 +201,22 @@ struct comparison compare_images(const struct image *reference, const struct ima
         }
     }
     if (image_is_blank(yours)) {
-        result.wrong = result.drawn;
+        result.wrong = result.differing; /* also where the reference is nearly background */
     }
     return result;
 }
 
-bool comparison_within(const struct comparison *comparison, unsigned limit) {
-    return comparison->wrong * 100000 <= limit * comparison->drawn;
+bool share_within(uint64_t count, uint64_t drawn, unsigned limit) {
+    return count * 100000 <= limit * drawn;
 }
 
-struct share_text comparison_share(const struct comparison *comparison, unsigned limit) {
+struct share_text share_show(uint64_t count, uint64_t drawn, unsigned limit) {
     struct share_text share = {"0 %"};
-    if (comparison->wrong == 0) {
+    if (count == 0) {
         return share;
     }
-    double percent = 100 * (double)comparison->wrong / (double)comparison->drawn;
-    double above = comparison_within(comparison, limit) ? 0 : limit / 1000.0;
+    double percent = 100 * (double)count / (double)drawn;
+    double above = share_within(count, drawn, limit) ? 0 : limit / 1000.0;
     for (int decimals = 1; decimals < 16; decimals++) {
         snprintf(share.text, sizeof share.text, "%.*f", decimals, percent);
         if (strtod(share.text, NULL) > above) {
@@ -198,6 +225,47 @@ struct share_text comparison_share(const struct comparison *comparison, unsigned
     }
     strcat(share.text, " %");
     return share;
+}
+
+/* ---- Moved pictures ---- */
+
+static bool is_apart(struct rgb a, struct rgb b) {
+    return difference(a.r, b.r) > COMPARE_LEVELS || difference(a.g, b.g) > COMPARE_LEVELS ||
+           difference(a.b, b.b) > COMPARE_LEVELS;
+}
+
+/* How many pixels are apart when yours is moved back by (right, up)? What is moved out of the
+ * picture, and what has come in, does not count. No more than `most` are counted. */
+static uint64_t count_apart(const struct image *reference, const struct image *yours, int right,
+                            int up, uint64_t most) {
+    uint64_t count = 0;
+    int width = (int)reference->width, height = (int)reference->height;
+    for (int y = up < 0 ? -up : 0; y < height && y + up < height && count < most; y++) {
+        for (int x = right < 0 ? -right : 0; x < width && x + right < width; x++) {
+            count += is_apart(pixel_at(reference, (size_t)x, (size_t)y),
+                              pixel_at(yours, (size_t)(x + right), (size_t)(y + up)));
+        }
+    }
+    return count;
+}
+
+struct shift compare_shift(const struct image *reference, const struct image *yours) {
+    struct shift best = {0, 0};
+    uint64_t apart = count_apart(reference, yours, 0, 0, UINT64_MAX);
+    uint64_t least = apart / SHIFT_BETTER + 1;
+    if (apart == 0 || image_is_blank(yours)) {
+        return best;
+    }
+    for (int y = -SHIFT_LIMIT; y <= SHIFT_LIMIT; y++) {
+        for (int x = -SHIFT_LIMIT; x <= SHIFT_LIMIT; x++) {
+            uint64_t count = count_apart(reference, yours, x, y, least);
+            if (count < least && (x != 0 || y != 0)) {
+                least = count;
+                best = (struct shift){x, y};
+            }
+        }
+    }
+    return best;
 }
 
 bool image_is_blank(const struct image *image) {
@@ -219,7 +287,7 @@ static void put(struct image *picture, size_t x, size_t y, struct rgb color) {
 }
 
 static struct rgb mark_color(unsigned marks, struct rgb reference) {
-    if (marks & (MARK_MISSING | MARK_EXTRA)) {
+    if (marks & MARK_WRONG) {
         return (struct rgb){.r = marks & MARK_EXTRA ? 255 : 0, .b = marks & MARK_MISSING ? 255 : 0};
     }
     if (marks & MARK_NEAR) {

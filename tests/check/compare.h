@@ -3,13 +3,17 @@
  *
  * The rule. The background is black (0,0,0), to which every scene is cleared. A pixel is drawn when
  * it is not background in either picture. Two colours agree when no channel differs by more than 4
- * levels. A drawn pixel is wrong when the reference's colour there agrees with none of your pixels
- * in the 3x3 around it, or your colour there with none of the reference's pixels around it.
+ * levels. A drawn pixel is apart when the two colours there do not agree, and wrong when moreover
+ * the reference's colour there agrees with none of your pixels in the 3x3 around it, or your colour
+ * there with none of the reference's pixels around it.
  *
  * Why not count the pixels that differ: a correct renderer with another fill rule moves edges by
  * one pixel all over the picture, while a missing depth buffer shows in few places, at the mouth
  * and the ears. By a plain count the wrong program comes out better. A moved edge has its colour
- * next to it; a wrong triangle has not.
+ * next to it; a wrong triangle has not. What is apart is counted too, and has a limit of its own,
+ * because otherwise a picture that is shifted by one pixel would be right. And so is what is drawn
+ * in one picture only: holes between triangles are thin, and few beside the moved edges inside of a
+ * model.
  *
  * Pictures are compared as red, green and blue: a grey picture equals the same grey in colours, and
  * alpha is not looked at.
@@ -25,25 +29,40 @@
 
 enum { COMPARE_LEVELS = 4 }; /* channels of colours that agree differ by this at most */
 
+/* Some pixels of a picture: how many, and the first of them, by rows from the bottom. */
+struct tally {
+    uint64_t count;
+    size_t x, y;
+};
+
 struct comparison {
-    uint64_t drawn;     /* pixels that are not background in either picture */
-    uint64_t differing; /* pixels that are not equal; 0 means exact */
-    uint64_t wrong;     /* drawn pixels that are wrong */
+    uint64_t drawn;         /* pixels that are not background in either picture */
+    struct tally differing; /* pixels that are not equal; none means exact */
+    struct tally apart;     /* drawn pixels whose colours do not agree */
+    struct tally wrong;     /* those that have no match next to them either */
+    struct tally coverage;  /* those that are apart, and background in one of the two pictures */
 };
 
 /* Compare two pictures of the same size (the caller checks that). When yours is all background and
  * the reference is not, every drawn pixel is wrong. */
 struct comparison compare_images(const struct image *reference, const struct image *yours);
 
-/* Is the share of wrong pixels within the limit (thousandths of a percent, inclusive)? */
-bool comparison_within(const struct comparison *comparison, unsigned limit);
+/* Is the share of the drawn pixels within the limit (thousandths of a percent, inclusive)? */
+bool share_within(uint64_t count, uint64_t drawn, unsigned limit);
 
-/* The share of wrong pixels as "4.4 %", with as many decimals as it takes to show that it is above
- * the limit, when it is, and that it is not zero. */
+/* That share as "4.4 %", with as many decimals as it takes to show that it is above the limit, when
+ * it is, and that it is not zero. */
 struct share_text {
     char text[32];
 };
-struct share_text comparison_share(const struct comparison *comparison, unsigned limit);
+struct share_text share_show(uint64_t count, uint64_t drawn, unsigned limit);
+
+/* How far yours is moved to the right and up, when that explains what is apart: moved back, at most
+ * an eighth of it is left. Otherwise, and for moves by more than two pixels, (0,0). */
+struct shift {
+    int x, y;
+};
+struct shift compare_shift(const struct image *reference, const struct image *yours);
 
 /* Is every pixel background? */
 bool image_is_blank(const struct image *image);

@@ -15,7 +15,7 @@ enum {
     MESSAGE_WIDTH = 200
 };
 
-bool drawn_run(const char *programs, const char *step, const char *directory,
+bool drawn_run(const char *programs, const char *step, const char *directory, const char *scene,
                const struct run_limits *limits, struct run_result *result, struct error *error) {
     *result = (struct run_result){.end = RUN_EXITED};
     /* The program runs in another directory, so its own name must be an absolute one. */
@@ -28,7 +28,8 @@ bool drawn_run(const char *programs, const char *step, const char *directory,
     if (length < 0 || (size_t)length >= sizeof path) {
         return error_set(error, "%s: name too long", programs);
     }
-    const char *arguments[] = {path, "-o", directory, NULL};
+    const char *arguments[] = {path,  "-o", directory, scene[0] == '\0' ? NULL : "--only",
+                               scene, NULL};
     struct run_command command = {
         .arguments = arguments, .directory = directory, .contained = true, .limits = *limits};
     return run(&command, result, error);

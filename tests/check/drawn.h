@@ -16,9 +16,9 @@
 enum { DRAWN_PATH_LIMIT = 4096 };
 
 /* Run `PROGRAM -o DIRECTORY` in the directory, with the limits of an untrusted program. `programs`
- * is the directory of the programs, `step` the program's name. The caller frees
- * result->messages, also on an error. */
-bool drawn_run(const char *programs, const char *step, const char *directory,
+ * is the directory of the programs, `step` the program's name; with a scene that is not "" the
+ * program is told `--only SCENE` too. The caller frees result->messages, also on an error. */
+bool drawn_run(const char *programs, const char *step, const char *directory, const char *scene,
                const struct run_limits *limits, struct run_result *result, struct error *error);
 
 enum drawn_state { DRAWN_READ, DRAWN_MISSING, DRAWN_UNREADABLE, DRAWN_WRONG_SIZE };

@@ -36,7 +36,8 @@ static const struct run_limits limits = {
 
 /* The same look in the same size? Alpha counts for nothing, as in the check. */
 static bool same_picture(const struct image *a, const struct image *b) {
-    return a->width == b->width && a->height == b->height && compare_images(a, b).differing == 0;
+    return a->width == b->width && a->height == b->height &&
+           compare_images(a, b).differing.count == 0;
 }
 
 static bool save_picture(const struct options *options, const char *step, const char *scene,
@@ -78,7 +79,7 @@ static bool read_pictures(const char *directory, const struct checked_step *step
 static bool draw_step(const struct options *options, const char *directory,
                       const struct checked_step *step, struct image *images, struct error *error) {
     struct run_result end;
-    bool done = drawn_run(options->programs, step->name, directory, &limits, &end, error);
+    bool done = drawn_run(options->programs, step->name, directory, "", &limits, &end, error);
     if (done && (end.end != RUN_EXITED || end.number != 0)) {
         const char *said = (const char *)end.messages.data;
         done = error_set(error, "the program did not end well: %s", drawn_message(said).text);

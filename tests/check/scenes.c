@@ -63,18 +63,26 @@ static struct checked_step *find_or_add_step(struct scene_table *table, struct t
     return step;
 }
 
-static bool read_limit(struct checked_scene *scene, struct text *text, struct error *error) {
-    struct word word = text_next_word(text);
+static bool read_limit(unsigned *limit, struct text *text, struct word word, struct error *error) {
     double percent;
-    if (word.length == 0) {
-        scene->limit = SCENE_LIMIT_DEFAULT;
-    } else if (word_is(word, "exact")) {
-        scene->exact = true;
-    } else if (word_to_double(word, &percent) && percent >= 0 && percent <= 1.5) {
-        scene->limit = (unsigned)(percent * 1000 + 0.5);
-    } else {
-        return text_error(error, text->line, "'%s' is neither 'exact' nor a percentage of 0..1.5",
+    if (!word_to_double(word, &percent) || !(percent >= 0 && percent <= 100)) {
+        return text_error(error, text->line, "'%s' is neither 'exact' nor a percentage of 0..100",
                           word_show(word).text);
+    }
+    *limit = (unsigned)(percent * 1000 + 0.5);
+    return true;
+}
+
+/* `exact`, or the three limits. */
+static bool read_limits(struct checked_scene *scene, struct text *text, struct error *error) {
+    unsigned *limits[] = {&scene->wrong_limit, &scene->apart_limit, &scene->coverage_limit};
+    struct word word = text_next_word(text);
+    scene->exact = word_is(word, "exact");
+    for (size_t i = 0; i < 3 && !scene->exact; i++) {
+        if (!read_limit(limits[i], text, word, error)) {
+            return false;
+        }
+        word = i < 2 ? text_next_word(text) : word;
     }
     word = text_next_word(text);
     return word.length == 0 ||
@@ -98,7 +106,7 @@ static bool read_scene(struct scene_table *table, struct text *text, struct word
             return text_error(error, text->line, "%s stands here twice", scene.name);
         }
     }
-    if (!read_limit(&scene, text, error)) {
+    if (!read_limits(&scene, text, error)) {
         return false;
     }
     struct checked_scene *scenes =
@@ -167,11 +175,33 @@ void scene_table_select_all(struct scene_table *table) {
     }
 }
 
+static bool keep_scene(struct checked_step *step, const char *scene) {
+    for (size_t i = 0; i < step->scene_count; i++) {
+        if (strcmp(step->scenes[i].name, scene) == 0) {
+            step->scenes[0] = step->scenes[i];
+            step->scene_count = 1;
+            return true;
+        }
+    }
+    return false;
+}
+
+bool scene_table_keep(struct scene_table *table, const char *scene, struct error *error) {
+    for (size_t i = 0; i < table->step_count && scene[0] != '\0'; i++) {
+        struct checked_step *step = &table->steps[i];
+        if (step->selected && !keep_scene(step, scene)) {
+            return error_set(error, "%s has no scene '%.100s'", step->name, scene);
+        }
+    }
+    return true;
+}
+
 void scene_table_make_exact(struct scene_table *table) {
     for (size_t i = 0; i < table->step_count; i++) {
         for (size_t k = 0; k < table->steps[i].scene_count; k++) {
-            table->steps[i].scenes[k].exact = true;
-            table->steps[i].scenes[k].limit = 0;
+            struct checked_scene *scene = &table->steps[i].scenes[k];
+            scene->exact = true;
+            scene->wrong_limit = scene->apart_limit = scene->coverage_limit = 0;
         }
     }
 }

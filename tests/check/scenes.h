@@ -1,8 +1,9 @@
 /*
  * The table of scenes: which pictures each step draws and how strictly each is compared.
  *
- * One line a scene: `step05_zbuffer  zbuffer  [PERCENT | exact]`; '#' begins a comment. The check
- * and the program that redraws the references read the same file, tests/check/scenes.txt.
+ * One line a scene: `step05_zbuffer  zbuffer  WRONG APART COVERAGE` with three percentages of the
+ * drawn pixels, or `exact` in their place; '#' begins a comment. The check and the program that
+ * redraws the references read the same file, tests/check/scenes.txt.
  */
 #ifndef TESTS_CHECK_SCENES_H
 #define TESTS_CHECK_SCENES_H
@@ -12,15 +13,14 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-enum {
-    SCENE_NAME_LIMIT = 64,     /* bytes of a step's or a scene's name with its final NUL */
-    SCENE_LIMIT_DEFAULT = 1500 /* thousandths of a percent: 1.5 % of the drawn pixels */
-};
+enum { SCENE_NAME_LIMIT = 64 }; /* bytes of a step's or a scene's name with its final NUL */
 
 struct checked_scene {
     char name[SCENE_NAME_LIMIT];
-    bool exact;     /* every pixel must be equal; `limit` is then 0 */
-    unsigned limit; /* drawn pixels that may be wrong, thousandths of a percent, inclusive */
+    bool exact; /* every pixel must be equal; the limits are then 0 */
+    /* How many of the drawn pixels may be wrong, apart, and drawn in one picture only (compare.h),
+     * in thousandths of a percent, inclusive. */
+    unsigned wrong_limit, apart_limit, coverage_limit;
 };
 
 struct checked_step {
@@ -47,6 +47,10 @@ bool scene_table_select(struct scene_table *table, const char *step, struct erro
 
 /* Select every step. */
 void scene_table_select_all(struct scene_table *table);
+
+/* Keep of the selected steps only the scene of that name; "" keeps all. A step without it is an
+ * error. */
+bool scene_table_keep(struct scene_table *table, const char *scene, struct error *error);
 
 /* Demand of every scene that every pixel is equal. */
 void scene_table_make_exact(struct scene_table *table);

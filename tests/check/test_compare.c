@@ -38,6 +38,16 @@ static bool oracle_found_near(const struct image *image, int x, int y, struct co
     return false;
 }
 
+static void oracle_count(struct tally *tally, int x, int y) {
+    bool is_first = tally->count == 0 || (size_t)y < tally->y ||
+                    ((size_t)y == tally->y && (size_t)x < tally->x);
+    if (is_first) {
+        tally->x = (size_t)x;
+        tally->y = (size_t)y;
+    }
+    tally->count++;
+}
+
 static struct comparison oracle(const struct image *a, const struct image *b) {
     struct comparison result = {.drawn = 0};
     bool blank = true;
@@ -46,24 +56,36 @@ static struct comparison oracle(const struct image *a, const struct image *b) {
             struct color p = image_get(a, x, y), q = image_get(b, x, y);
             blank = blank && !oracle_drawn(q);
             if (p.r != q.r || p.g != q.g || p.b != q.b) {
-                result.differing++;
+                oracle_count(&result.differing, x, y);
             }
             if (oracle_drawn(p) || oracle_drawn(q)) {
                 result.drawn++;
+                if (oracle_drawn(p) != oracle_drawn(q) && !oracle_agree(p, q)) {
+                    oracle_count(&result.coverage, x, y);
+                }
+                if (!oracle_agree(p, q)) {
+                    oracle_count(&result.apart, x, y);
+                }
                 if (!oracle_found_near(b, x, y, p) || !oracle_found_near(a, x, y, q)) {
-                    result.wrong++;
+                    oracle_count(&result.wrong, x, y);
                 }
             }
         }
     }
     if (blank) {
-        result.wrong = result.drawn;
+        result.wrong = result.differing;
     }
     return result;
 }
 
+static bool same_tally(struct tally a, struct tally b) {
+    return a.count == b.count && (a.count == 0 || (a.x == b.x && a.y == b.y));
+}
+
 static bool same(struct comparison a, struct comparison b) {
-    return a.drawn == b.drawn && a.differing == b.differing && a.wrong == b.wrong;
+    return a.drawn == b.drawn && same_tally(a.differing, b.differing) &&
+           same_tally(a.apart, b.apart) && same_tally(a.wrong, b.wrong) &&
+           same_tally(a.coverage, b.coverage);
 }
 
 /* Few levels, so that colours agree often; much background. */
@@ -77,7 +99,7 @@ static void fill_random(struct image *image, uint32_t *state) {
 static void test_rule_against_oracle(void) {
     static const enum image_format formats[] = {IMAGE_GREY, IMAGE_BGR, IMAGE_BGRA};
     uint32_t state = 1;
-    uint64_t wrong = 0, right = 0;
+    uint64_t wrong = 0, near = 0, right = 0;
     for (int i = 0; i < 2000; i++) {
         uint32_t wide = i % 100 < 2 ? 600 : 9; /* more than a block of pixels that are compared */
         size_t width = 1 + next_random(&state) % wide, height = 1 + next_random(&state) % 9;
@@ -95,32 +117,39 @@ static void test_rule_against_oracle(void) {
         }
         struct comparison got = compare_images(&a, &b), expected = oracle(&a, &b);
         CHECK(same(got, expected));
-        wrong += got.wrong;
-        right += got.drawn - got.wrong;
+        wrong += got.wrong.count;
+        near += got.apart.count - got.wrong.count;
+        right += got.drawn - got.apart.count;
         image_free(&a);
         image_free(&b);
     }
-    CHECK(wrong > 1000 && right > 1000); /* both happen, or the test shows nothing */
+    CHECK(wrong > 1000 && near > 1000 && right > 1000); /* all happen, or the test shows nothing */
 }
 
 static void test_levels_and_neighbours(void) {
     struct image a = make(5, 5, IMAGE_BGR), b = make(5, 5, IMAGE_BGR);
     static const struct {
         int x, y, level;
-        uint64_t differing, wrong;
+        uint64_t differing, apart, wrong;
     } cases[] = {
-        {2, 2, 100, 0, 0}, {2, 2, 104, 1, 0}, {2, 2, 96, 1, 0},  {2, 2, 105, 1, 1},
-        {2, 2, 95, 1, 1},  {3, 3, 100, 2, 0}, {1, 2, 104, 2, 0}, {1, 3, 105, 2, 2},
-        {4, 2, 100, 2, 2}, {0, 0, 100, 2, 2},
+        {2, 2, 100, 0, 0, 0}, {2, 2, 104, 1, 0, 0}, {2, 2, 96, 1, 0, 0},  {2, 2, 105, 1, 1, 1},
+        {2, 2, 95, 1, 1, 1},  {3, 3, 100, 2, 2, 0}, {1, 2, 104, 2, 2, 0}, {1, 3, 105, 2, 2, 2},
+        {4, 2, 100, 2, 2, 2}, {0, 0, 100, 2, 2, 2},
     };
+    image_set(&a, 2, 2, color_rgb(4, 1, 0)); /* so dark that background agrees with it */
+    CHECK(compare_images(&a, &b).coverage.count == 0);
+    image_set(&a, 2, 2, color_rgb(5, 1, 0));
+    CHECK(compare_images(&a, &b).coverage.count == 1);
     image_set(&a, 2, 2, color_rgb(100, 50, 50));
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         image_clear(&b, color_grey(0));
         image_set(&b, cases[i].x, cases[i].y, color_rgb((uint8_t)cases[i].level, 50, 50));
         struct comparison c = compare_images(&a, &b);
-        CHECK(c.differing == cases[i].differing && c.wrong == cases[i].wrong);
+        CHECK(c.differing.count == cases[i].differing && c.apart.count == cases[i].apart &&
+              c.wrong.count == cases[i].wrong);
         c = compare_images(&b, &a); /* both sides count the same */
-        CHECK(c.differing == cases[i].differing && c.wrong == cases[i].wrong);
+        CHECK(c.differing.count == cases[i].differing && c.apart.count == cases[i].apart &&
+              c.wrong.count == cases[i].wrong);
     }
     image_free(&a);
     image_free(&b);
@@ -132,8 +161,7 @@ static void test_blank_picture_is_all_wrong(void) {
     image_set(&a, 1, 1, color_grey(3)); /* nearly background, and yet a picture */
     CHECK(!image_is_blank(&a));
     struct comparison c = compare_images(&a, &b);
-    CHECK(c.drawn == 1 && c.wrong == 1 && !comparison_within(&c, 1500));
-    CHECK_TEXT(comparison_share(&c, 1500).text, "100.0 %");
+    CHECK(c.drawn == 1 && c.wrong.count == 1 && c.wrong.x == 1 && c.wrong.y == 1);
     image_free(&a);
     image_free(&b);
 }
@@ -148,8 +176,8 @@ static void test_formats_with_equal_look(void) {
         c.a = (uint8_t)i;
         image_set(&clear, i % 3, i / 3, c);
     }
-    CHECK(compare_images(&grey, &color).differing == 0);
-    CHECK(compare_images(&color, &clear).differing == 0);
+    CHECK(compare_images(&grey, &color).differing.count == 0);
+    CHECK(compare_images(&color, &clear).differing.count == 0);
     CHECK(compare_images(&clear, &grey).drawn == 5);
     image_free(&grey);
     image_free(&color);
@@ -177,11 +205,48 @@ static void test_limit_and_its_text(void) {
         {7, 7, 1500, false, "100.0 %"},
     };
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
-        struct comparison c = {
-            .drawn = cases[i].drawn, .differing = cases[i].wrong, .wrong = cases[i].wrong};
-        CHECK_ROW(comparison_within(&c, cases[i].limit) == cases[i].within, cases[i].text);
-        CHECK_TEXT(comparison_share(&c, cases[i].limit).text, cases[i].text);
+        uint64_t wrong = cases[i].wrong, drawn = cases[i].drawn;
+        CHECK_ROW(share_within(wrong, drawn, cases[i].limit) == cases[i].within, cases[i].text);
+        CHECK_TEXT(share_show(wrong, drawn, cases[i].limit).text, cases[i].text);
     }
+}
+
+/* A disc of many colours; `noise` pixels of it are of others. */
+static void fill_disc(struct image *image, int x, int y, int noise) {
+    image_clear(image, color_grey(0));
+    for (int j = -10; j <= 10; j++) {
+        for (int i = -10; i <= 10; i++) {
+            if (i * i + j * j <= 100) {
+                struct color c = color_rgb((uint8_t)(128 + 10 * i), (uint8_t)(128 + 10 * j), 99);
+                image_set(image, x + i, y + j, noise-- > 0 ? color_grey(255) : c);
+            }
+        }
+    }
+}
+
+static void test_shift(void) {
+    static const struct {
+        int x, y, noise, shift_x, shift_y;
+    } cases[] = {
+        {0, 0, 0, 0, 0}, {1, 0, 0, 1, 0},  {0, -1, 0, 0, -1}, {-2, 2, 0, -2, 2},
+        {3, 0, 0, 0, 0}, {1, 1, 30, 1, 1}, {1, 1, 60, 0, 0},  {0, 0, 60, 0, 0},
+    };
+    struct image a = make(40, 30, IMAGE_BGR), b = make(40, 30, IMAGE_BGRA);
+    fill_disc(&a, 20, 15, 0);
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        fill_disc(&b, 20 + cases[i].x, 15 + cases[i].y, cases[i].noise);
+        struct shift shift = compare_shift(&a, &b);
+        CHECK(shift.x == cases[i].shift_x && shift.y == cases[i].shift_y);
+    }
+    fill_disc(&a, 0, 15, 0); /* what has left the picture is not missed */
+    fill_disc(&b, -1, 15, 0);
+    CHECK(compare_shift(&a, &b).x == -1);
+    image_clear(&a, color_grey(0));
+    image_clear(&b, color_grey(0));
+    image_set(&a, 0, 0, color_grey(255)); /* nothing is not something that has moved away */
+    CHECK(compare_shift(&a, &b).x == 0 && compare_shift(&a, &b).y == 0);
+    image_free(&a);
+    image_free(&b);
 }
 
 static void test_difference_picture(void) {
@@ -223,4 +288,4 @@ static void test_difference_picture(void) {
 
 UNIT_MAIN(TEST(test_rule_against_oracle), TEST(test_levels_and_neighbours),
           TEST(test_blank_picture_is_all_wrong), TEST(test_formats_with_equal_look),
-          TEST(test_limit_and_its_text), TEST(test_difference_picture))
+          TEST(test_limit_and_its_text), TEST(test_shift), TEST(test_difference_picture))

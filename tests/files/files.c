@@ -163,7 +163,7 @@ static void compare_equal(void *state, int file) {
     struct files *files = state;
     const struct image *picture = &files->images[file];
     error_set(&files->error, "the rule finds a difference where there is none");
-    must(compare_images(picture, picture).wrong == 0, &files->error);
+    must(compare_images(picture, picture).wrong.count == 0, &files->error);
     files->size = 0;
 }
 
@@ -171,7 +171,7 @@ static void compare_noise(void *state, int file) {
     struct files *files = state;
     struct comparison found = compare_images(&files->images[file], &files->noise);
     error_set(&files->error, "the rule finds noise like a picture");
-    must(found.wrong > found.drawn / 2, &files->error);
+    must(found.wrong.count > found.drawn / 2, &files->error);
     files->size = 0;
 }
 

@@ -148,8 +148,8 @@ work_on() { # TREE
 
 mkdir "$work/list" "$work/tree0" || exit 1
 # shellcheck disable=SC2086 # a pattern
-awk -v directory="$work/list" -v only="$only" -f tests/mutants/parse.awk tests/mutants/$list.txt \
-    >"$work/list/table" || exit 1
+awk -v directory="$work/list" -v only="$only" -f tests/replace.awk -f tests/mutants/parse.awk \
+    tests/mutants/$list.txt >"$work/list/table" || exit 1
 if [ ! -s "$work/list/table" ]; then
     echo "mutants: no mutant has such a name" >&2
     exit 1

@@ -189,7 +189,7 @@ static bool camera_draws_finite_pixels(const void *tried) {
     }
     pipeline.keep_depth = true;
     bool done =
-        draw_frame(&pipeline, &call, &finite_shader, &uniforms, sizeof uniforms, &image, &error);
+        draw_frame(&pipeline, &call, &finite_shader, &uniforms, sizeof(void *), &image, &error);
     bool all_finite = true;
     for (int i = 0; done && i < SIZE * SIZE; i++) {
         all_finite = all_finite && pixels[3 * i] != NOT_FINITE &&

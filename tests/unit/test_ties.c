@@ -124,8 +124,8 @@ static void test_huge_depths(void) {
         CHECK(image_create(&image, TIES_SIDE, TIES_SIDE, IMAGE_BGR, &error));
         CHECK(pipeline_create(&pipeline, TIES_SIDE, TIES_SIDE, &error));
         pipeline.keep_depth = true;
-        CHECK(draw_frame(&pipeline, &call, &level_shader, &uniforms, sizeof(void *), &image,
-                         &error));
+        CHECK(
+            draw_frame(&pipeline, &call, &level_shader, &uniforms, sizeof(void *), &image, &error));
         for (size_t i = 0; i < (size_t)TIES_SIDE * TIES_SIDE; i++) {
             drawn += pipeline.depth[i] > -INFINITY;
             wrong += !isfinite(pipeline.depth[i]) && pipeline.depth[i] != -INFINITY;

@@ -1,0 +1,10 @@
+/* Everything is one pixel further to the right, where what may be missing or too many is less. */
+#include "picture.h"
+
+int main(int argc, char **argv) {
+    const char *directory = argc == 3 && strcmp(argv[1], "-o") == 0 ? argv[2] : NULL;
+    if (directory == NULL) {
+        return 2;
+    }
+    picture(directory, "depth", 1, 1);
+}

@@ -1,0 +1,200 @@
+#!/bin/sh
+# Does `make verify` find what it is for? In a copy of lesson 1: a mistake that passes, a correct
+# program that fails, a wrong solution and a finished starter are findings; lists that are wrong are
+# refused with file and line.
+#
+# Exit status 0: all of that is so; 1: something is not.
+top=$(cd "$(dirname "$0")/../.." && pwd) || exit 1
+build=$(cd "$top" && cd "${CHECK_PROGRAMS:-build}" && pwd) || exit 1
+work=$(mktemp -d) || exit 1
+trap 'rm -rf "$work"' EXIT
+trap 'exit 1' HUP INT TERM
+unset MAKEFLAGS MFLAGS STEP NAME # of the make that runs this test
+failed=0
+
+wrong() {
+    echo "verify: $*"
+    sed 's/^/    /' "$work/said"
+    failed=1
+}
+
+mkdir -p "$work/tests/reference" "$work/tests/check" && cd "$work" || exit 1
+cp -R "$top/Makefile" "$top/common" "$top/step01_line" . || exit 1
+(cd "$top/tests" && cp -R verify starter replace.awk targets.mk "$work/tests") || exit 1
+cp -R "$top/tests/reference/step01_line" tests/reference || exit 1
+grep -e '^#' -e '^step01' "$top/tests/check/scenes.txt" >tests/check/scenes.txt
+mkdir tests/accept
+
+# verify STATUS [NAME]: what it says is in `said`.
+verify() {
+    tests/verify/verify.sh "$build" "make -s BUILD='$build'" 01 "$2" >said 2>&1
+    status=$?
+    [ $status -eq "$1" ] || wrong "status $status, not $1"
+}
+
+# says TEXT: a line begins with it.
+says() {
+    grep -q "^$1" said || wrong "nothing says: $1"
+}
+
+mistakes() {
+    cat >step01_line/mistakes.txt
+}
+
+programs() {
+    cat >tests/accept/step01.txt
+}
+
+# ---- All is well ----
+
+mistakes <<'END'
+# A comment.
+
+mistake axes
+says the axes exchanged
+scene pixel
+- image_set(image, 52, 41,
++ image_set(image, 41, 52,
+
+mistake no_end
+says for ever
+scene line
+- walk->u++;
++ walk->u += 0;
+END
+programs <<'END'
+accept two_changes
+says another bound, and a pixel found by a sum
+build CFLAGS=-O0
+- walk.u <= walk.u_last; walk_next(&walk)) {
+-         struct pixel p
++ walk.u < walk.u_last + 1; walk_next(&walk)) {
++         struct pixel p
+- image_set(image, 52, 41,
++ image_set(image, 51 + 1, 41,
+END
+CHECK_TIMEOUT=1 verify 0
+says 'step01_line  *2/2  *1/1  fails  *exact'
+verify 0 axes
+says 'step01_line  *1/1  *0/0  -  *-'
+printf 'accept elsewhere\nsays no compiler\nbuild CC=no_such_compiler\n' >tests/accept/step01.txt
+verify 0 elsewhere
+says 'SKIPPED step01/elsewhere: there is no no_such_compiler'
+verify 1 nothing_like_it
+says 'verify: no name has'
+
+# ---- Findings ----
+
+mistakes <<'END'
+mistake elsewhere
+says shown by another scene
+scene pixel
+- .error = -(u_end - u_start),
++ .error = 0,
+
+mistake no_program
+says it does not build
+scene pixel
+- walk->u++;
++ walk->u++
+END
+programs <<'END'
+accept axes
+says not correct
+- image_set(image, 52, 41,
++ image_set(image, 41, 52,
+END
+verify 1
+says 'PASSES step01/elsewhere: exact (shown by another scene); all scenes: FAIL 1/3 line: '
+says 'ERROR step01/no_program: BUILD '
+says 'FAILS step01/axes: FAIL 2/3 pixel: 2 of 2 drawn pixels differ'
+says 'step01_line  *0/2  *0/1  fails  *exact'
+
+rm step01_line/mistakes.txt tests/accept/step01.txt
+sed -i.old 's/image_set(image, 52, 41,/image_set(image, 52, 42,/' step01_line/main.c
+verify 1
+says 'WRONG step01_line/solution: FAIL 2/3 pixel: 2 of 2 drawn pixels differ (must be exact), shi'
+says 'step01_line  *0/0  *0/0  fails  *wrong'
+mv step01_line/main.c.old step01_line/main.c
+cp step01_line/main.c main.c
+awk -v mode=solution -v name=step01_line/main.c -f tests/starter/marks.awk main.c \
+    >step01_line/main.c
+verify 1
+says 'WRONG step01_line/starter: PASS 3/3 exact'
+cp main.c step01_line/main.c
+
+# ---- Lists that are wrong ----
+
+# refused LINE MESSAGE: the list on standard input is, for that.
+refused() {
+    mistakes
+    verify 1
+    says "step01_line/mistakes.txt:$1: $2"
+}
+
+refused 4 'a: the text does not occur in step01_line/main.c' <<'END'
+mistake a
+says b
+scene pixel
+- no such text
++ text
+END
+refused 4 'a: the text occurs more than once' <<'END'
+mistake a
+says b
+scene pixel
+- walk
++ walks
+END
+refused 4 'a: changes nothing' <<'END'
+mistake a
+says b
+scene pixel
+- walk->u++;
++ walk->u++;
+END
+refused 1 'a: changes nothing' <<'END'
+mistake a
+says b
+scene pixel
+END
+refused 1 'a: no line `says' <<'END'
+mistake a
+scene pixel
+- walk->u++;
++ walk->u--;
+END
+refused 1 'a: no scene of step01_line: pixels' <<'END'
+mistake a
+says b
+scene pixels
+- walk->u++;
++ walk->u--;
+END
+refused 6 'a second a' <<'END'
+mistake a
+says b
+scene pixel
+- walk->u++;
++ walk->u--;
+mistake a
+says b
+scene pixel
+- walk->u++;
++ walk->u--;
+END
+refused 1 'mistakes stand in ' <<'END'
+accept a
+says b
+build CC=clang
+END
+refused 2 'a line that means nothing: say b' <<'END'
+mistake a
+say b
+END
+refused 1 'this is in no paragraph' <<'END'
+says b
+END
+
+[ $failed -eq 0 ] && echo "verify: finds what it is for"
+exit $failed

@@ -1,0 +1,61 @@
+# How far from the limits of each scene the correct programs stay, and how far beyond them the
+# mistakes that name it are.
+#
+#   awk -f limits.awk tests/check/scenes.txt WORK/shares
+#
+# Prints for each scene its three limits (wrong, apart, coverage), each with the most that a correct
+# program reaches, and the mistake that is least beyond the limits, with how many times one of them
+# it reaches. All in percent of the drawn pixels.
+
+# How many times the limit is that? Beyond a limit of 0 infinitely many, here a thousand.
+function times(share, limit) {
+    return limit > 0 ? share / limit : share > 0 ? 1000 : 0
+}
+
+FNR == NR {
+    sub(/#.*/, "")
+    if (NF == 5) {
+        key = $1 " " $2
+        order[++count] = key
+        for (i = 1; i <= 3; i++) limit[key, i] = $(2 + i)
+    }
+    next
+}
+
+{ key = $3 " " $4 }
+!((key, 1) in limit) { next }
+
+$1 == "accept" {
+    accepted[key]++
+    for (i = 1; i <= 3; i++) {
+        if ($(4 + i) > most[key, i]) {
+            most[key, i] = $(4 + i)
+            who[key, i] = $2
+        }
+    }
+}
+$1 == "mistake" {
+    beyond = 0
+    for (i = 1; i <= 3; i++)
+        if (times($(4 + i), limit[key, i]) > beyond) beyond = times($(4 + i), limit[key, i])
+    if (!(key in least) || beyond < least[key]) { least[key] = beyond; nearest[key] = $2 }
+}
+
+# A limit and the most of a correct program, with its name.
+function column(limit, key, i) {
+    if (!(key in accepted)) return sprintf("%-5s %-30s", limit, "-")
+    if (!((key, i) in who)) return sprintf("%-5s %-30s", limit, 0)
+    return sprintf("%-5s %-30s", limit, sprintf("%.3f %.23s", most[key, i], who[key, i]))
+}
+
+END {
+    printf "%-30s%-36s%-36s%-36s%s\n", "scene", "wrong: limit, most", "apart: limit, most", \
+        "coverage: limit, most", "nearest mistake"
+    for (k = 1; k <= count; k++) {
+        key = order[k]
+        if (!(key in accepted) && !(key in least)) continue
+        printf "%-30s", key
+        for (i = 1; i <= 3; i++) printf "%s", column(limit[key, i], key, i)
+        print key in least ? sprintf("%.1f times %s", least[key], nearest[key]) : "-"
+    }
+}

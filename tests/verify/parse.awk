@@ -1,0 +1,112 @@
+# Reads the lists of mistakes and of correct programs; prints a line for each entry and writes its
+# main.c.
+#
+#   awk -v directory=DIR -v only=PATTERN -f replace.awk -f parse.awk LIST.txt...
+#
+# stepNN_name/mistakes.txt has paragraphs like this one (tests/replace.awk says how a text of main.c
+# is replaced):
+#
+#   mistake least_positive
+#   says depth cleared to the smallest positive float
+#   scene zbuffer
+#   - double far = INFINITY, near = -INFINITY;
+#   + double far = INFINITY, near = DBL_MIN;
+#
+# `scene` names the scene of tests/check/scenes.txt that must show it. tests/accept/stepNN.txt has
+# programs that are correct, `accept NAME`: all scenes must pass, so it names none. Both may have
+#
+#   build CC=clang         another compiler
+#   build CFLAGS=-O3       other flags; without the line -O0
+#
+# and where one of them stands, nothing need be replaced.
+#
+# Prints, with tabs between: number, lesson, mistake or accept, name, scene, compiler, flags,
+# what it says; - where there is nothing. DIR/NUMBER/main.c is its source.
+
+# Is the scene one of the lesson's?
+function is_scene(lesson, scene,    line, part) {
+    if (!scenes_read++) {
+        while ((getline line < "tests/check/scenes.txt") > 0) {
+            split(line, part)
+            scenes[part[1] "/" part[2]] = 1
+        }
+    }
+    return (lesson "/" scene) in scenes
+}
+
+# step05_zbuffer, of step05_zbuffer/mistakes.txt or tests/accept/step05.txt; empty: there is none.
+function find_lesson(    lesson) {
+    lesson = path
+    if (sub(/\/mistakes\.txt$/, "", lesson)) {
+        return lesson
+    }
+    ("echo " list "_*/main.c") | getline lesson
+    return sub(/\/main\.c$/, "", lesson) && lesson !~ /\*/ ? lesson : ""
+}
+
+function write_source(text,    place) {
+    place = directory "/" count
+    system("mkdir '" place "'")
+    printf "%s", text > (place "/main.c")
+    close(place "/main.c")
+}
+
+function check_entry() {
+    if (seen[lesson "/" name]++) {
+        wrong(begin, "a second " name)
+    }
+    if (says == "") {
+        wrong(begin, name ": no line `says ...`")
+    }
+    if (kind == "accept" && scene != "-") {
+        wrong(begin, name ": a correct program is correct in all scenes")
+    } else if (kind == "mistake" && !is_scene(lesson, scene)) {
+        wrong(begin, name ": no scene of " lesson ": " scene)
+    }
+    if (changes == 0 && compiler == "-" && flags == "-") {
+        wrong(begin, name ": changes nothing")
+    }
+}
+
+# The entry that began at `begin` is complete.
+function finish(    text) {
+    if (name == "") {
+        return
+    }
+    check_entry()
+    text = changed_text(lesson "/main.c", name)
+    if (index(name, only) > 0) {
+        count++
+        write_source(text)
+        printf "%d\t%s\t%s\t%s\t%s\t%s\t%s\t%s\n", \
+            count, lesson, kind, name, scene, compiler, flags, says
+    }
+    name = ""
+}
+
+function begin_list() {
+    lesson = find_lesson()
+    if (lesson == "") {
+        wrong(1, "there is no lesson " list)
+    }
+    name = ""
+}
+
+/^(mistake|accept) [a-z0-9_]+$/ {
+    finish()
+    kind = $1
+    name = $2
+    says = ""
+    scene = compiler = flags = "-"
+    begin_changes()
+    if ((kind == "mistake") != (path ~ /\/mistakes\.txt$/)) {
+        wrong(FNR, "mistakes stand in stepNN_name/mistakes.txt, correct programs in tests/accept")
+    }
+    next
+}
+name == "" { wrong(FNR, "this is in no paragraph of a mistake: " $0); next }
+/^says ./ { says = substr($0, 6); next }
+/^scene ./ { scene = $2; next }
+/^build CC=./ { compiler = substr($0, 10); next }
+/^build CFLAGS=./ { flags = substr($0, 14); next }
+{ wrong(FNR, "a line that means nothing: " $0) }
