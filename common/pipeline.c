@@ -208,8 +208,8 @@ static uint64_t span_product(struct span columns, struct span rows) {
     return (uint64_t)(columns.end - columns.begin) * (uint64_t)(rows.end - rows.begin);
 }
 
-/* Do the boxes of the draw calls on the screen overlap, for all that their areas tell? Pictures side
- * by side do not. */
+/* Do the boxes of the draw calls on the screen overlap, for all that their areas tell? Pictures
+ * side by side do not. */
 static bool draws_overlap(const struct pipeline *p) {
     struct span columns = {INT_MAX, 0}, rows = columns;
     uint64_t sum = 0;

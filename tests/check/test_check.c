@@ -452,6 +452,9 @@ static void test_one_scene(void) {
     CHECK(run_check("--only depth2 01", &output) == 0);
     CHECK_TEXT(line_of(&output, "step01_exact").text, "PASS 1/1 exact");
     bytes_free(&output);
+    output = read_text(inside("witness").text); /* the program was told */
+    CHECK(contains(&output, "one scene of 2\n"));
+    bytes_free(&output);
     CHECK(run_check("--only depth3 01", &output) == 2);
     CHECK(output.size == 1);
     bytes_free(&output);

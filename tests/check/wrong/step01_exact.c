@@ -7,6 +7,9 @@ int main(int argc, char **argv) {
     if (directory == NULL) {
         return 2;
     }
+    if (one) {
+        witness("one scene of %ld\n", 2);
+    }
     if (!one || strcmp(argv[4], "depth") == 0) {
         picture(directory, "depth", 0, 1);
     }
