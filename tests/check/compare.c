@@ -141,7 +141,7 @@ static void mark_block(uint8_t *marks, const struct patch *reference, const stru
 static size_t count_drawn(const struct channels *a, const struct channels *b, size_t count) {
     size_t drawn = 0;
     for (size_t i = 0; i < count; i++) {
-        drawn += is_drawn(a, i) | is_drawn(b, i);
+        drawn += is_drawn(a, i) || is_drawn(b, i) ? 1 : 0;
     }
     return drawn;
 }

@@ -24,7 +24,7 @@ top=$(cd "$(dirname "$0")/../.." && pwd) || exit 2
 # WebAssembly has a stack of 64 KiB unless told otherwise, and overwrites data where it ends.
 table() {
     cat <<'END'
-s390x          | exact   | s390x-linux-gnu-gcc        | -O2 | qemu-s390x -L /usr/s390x-linux-gnu | gcc-s390x-linux-gnu libc6-dev-s390x-cross qemu-user
+s390x          | exact   | s390x-linux-gnu-gcc        | -O2 -fexcess-precision=fast | qemu-s390x -L /usr/s390x-linux-gnu | gcc-s390x-linux-gnu libc6-dev-s390x-cross qemu-user
 ppc64          | exact   | powerpc64-linux-gnu-gcc    | -O3 | qemu-ppc64 -L /usr/powerpc64-linux-gnu | gcc-powerpc64-linux-gnu libc6-dev-ppc64-cross qemu-user
 arm64          | exact   | aarch64-linux-gnu-gcc      | -O3 | qemu-aarch64 -L /usr/aarch64-linux-gnu | gcc-aarch64-linux-gnu libc6-dev-arm64-cross qemu-user
 arm64-clang    | exact   | clang                      | -O3 --target=aarch64-linux-gnu | qemu-aarch64 -L /usr/aarch64-linux-gnu | clang gcc-aarch64-linux-gnu libc6-dev-arm64-cross qemu-user
