@@ -245,7 +245,7 @@ static bool fragment_is_right(const struct phong_case *c, const struct pictures 
     struct real3 e = real3_unit(real3_sub(real3_from(c->eye), real3_from(c->position)));
     struct real3 surface = {c->material.color.x, c->material.color.y, c->material.color.z};
     surface = f->textured ? exact_color(&pictures->diffuse, c->diffuse_level, c->uv) : surface;
-    long double shine = exact_color(&pictures->specular, c->specular_level, c->uv).x;
+    long double shine = exact_color(&pictures->specular, c->specular_level, c->uv).z;
     long double weight = c->material.specular * (f->weight_from_map ? shine / 255 : 1);
     int power = f->power_from_map ? 1 + (int)shine / 8 : c->material.power;
     /* What the directions cost, and then what lies in the light that they mirror. */
