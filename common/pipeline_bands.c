@@ -274,11 +274,11 @@ static void cover_draw(struct band *band, struct shading *shading) {
 
 /* The draw call's pieces in the band's list. */
 static struct span numbers_of_draw(const struct pipeline *p, const struct draw *draw, size_t band) {
-    const uint32_t *ends = (const uint32_t *)p->band_counts.data + band;
+    const uint32_t *ends = p->band_counts.data;
     size_t first = ((const struct bin *)p->bins.data)[band].first, bands = band_count(p);
     size_t begin = draw->first_block, end = begin + draw->block_count; /* blocks */
-    return (struct span){begin > 0 ? (int)(ends[(begin - 1) * bands] - first) : 0,
-                         end > 0 ? (int)(ends[(end - 1) * bands] - first) : 0};
+    return (struct span){begin > 0 ? (int)(ends[(begin - 1) * bands + band] - first) : 0,
+                         end > 0 ? (int)(ends[(end - 1) * bands + band] - first) : 0};
 }
 
 /* Cover (first) or shade the pieces of all draw calls in the band. */
