@@ -6,6 +6,7 @@
 #     ...what the starter has in its place; comments only with //...
 #     END SOLUTION */
 #
+# In a lesson of several parts the number names the part, too: 8b.2 is the second task of part b.
 # Where the starter has nothing in its place, /* END SOLUTION */ follows the solution. Marks stand
 # alone on their lines. A task may have several such regions. What clang-format lines up (includes,
 # comments behind fields) stands in a region as a whole, or all of it outside.
@@ -26,7 +27,7 @@ function wrong(line, message) {
 function kind_of(line) {
     if (line !~ /BEGIN SOLUTION|STARTER|END SOLUTION/) return "text"
     sub(/^[ \t]+/, "", line)
-    if (line ~ /^\/\* BEGIN SOLUTION [1-9][0-9]*\.[1-9][0-9]* [^ *]([^*]*[^ *])? \*\/$/)
+    if (line ~ /^\/\* BEGIN SOLUTION [1-9][0-9]*[a-z]?\.[1-9][0-9]* [^ *]([^*]*[^ *])? \*\/$/)
         return "begin"
     if (line == "/* STARTER") return "starter"
     if (line == "/* END SOLUTION */") return "end"
@@ -94,8 +95,12 @@ END {
     if (failed) exit 1
     if (part != "what is given") wrong(task_line, "task " task " has no END SOLUTION")
     if (mode == "tasks") {
-        for (i = 1; i <= last; i++)
-            if ((step "." i) in titles) print step "." i "\t" titles[step "." i]
+        parts = split("- a b c d e f g h i j k l m n o p q r s t u v w x y z", part_names, " ")
+        for (p = 1; p <= parts; p++)
+            for (i = 1; i <= last; i++) {
+                number = step (p > 1 ? part_names[p] : "") "." i
+                if (number in titles) print number "\t" titles[number]
+            }
     } else {
         for (i = 1; i <= kept; i++) print text[i]
     }
