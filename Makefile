@@ -9,6 +9,7 @@ For a lesson, here lesson 5:
   make check STEP=05          the same for one lesson
   make start STEP=05          turn main.c into the starter: what you write is left out
   make solution STEP=05       bring the lesson's own solution back
+  make hint STEP=05           a hint for what is to do, and more each time (TASK=5.2)
   make clean                  remove all that was built
 
 For the course as a whole:
@@ -148,6 +149,10 @@ $(BUILD)/tests/%.o: tests/%.c $(BUILD)/flags
 # ---- make start, make solution ----
 
 -include $(wildcard tests/starter/starter.mk)
+
+# ---- make hint ----
+
+-include $(wildcard tests/help/help.mk)
 
 # ---- make help, make clean, and what nobody knows ----
 

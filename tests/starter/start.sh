@@ -11,26 +11,9 @@
 
 cd "$(dirname "$0")/../.." || exit 1
 target=$1
-wanted=${2%/}
+wanted=$2
 
-# fail STATUS MESSAGE...
-fail() {
-    status=$1
-    shift
-    printf '%s\n' "make $target: $*" >&2
-    exit "$status"
-}
-
-find_lesson() {
-    for lesson in step[0-9]*_*/; do
-        lesson=${lesson%/}
-        number=${lesson#step}
-        number=${number%%_*}
-        case $wanted in "$lesson" | "$number" | "${number#0}") return 0 ;; esac
-    done
-    fail 2 "${wanted:+there is no step \"$wanted\"; }say which step, for example STEP=05. There are:
-$(printf '    %s\n' step[0-9]*_*)"
-}
+. tests/starter/lesson.sh
 
 # text MODE FILE [NAME]: what marks.awk makes of a file, which messages call NAME.
 text() {
