@@ -63,6 +63,69 @@ static struct checked_step *find_or_add_step(struct scene_table *table, struct t
     return step;
 }
 
+/* Is it the number of a task, like 5.2 or 8b.2? */
+static bool is_task(const char *text) {
+    for (int part = 0; part < 2; part++) {
+        size_t digits = strspn(text, "0123456789");
+        if (digits == 0 || text[0] == '0') {
+            return false;
+        }
+        text += digits;
+        if (part == 0) {
+            text += islower((unsigned char)*text) != 0;
+            if (*text++ != '.') {
+                return false;
+            }
+        }
+    }
+    return *text == '\0';
+}
+
+static bool add_task(struct checked_scene *scene, const char *start, size_t length) {
+    struct task_name task = {""};
+    if (length >= sizeof task.text || scene->task_count == SCENE_TASK_LIMIT) {
+        return false;
+    }
+    memcpy(task.text, start, length);
+    for (size_t i = 0; i < scene->task_count; i++) {
+        if (strcmp(scene->tasks[i].text, task.text) == 0) {
+            return false;
+        }
+    }
+    scene->tasks[scene->task_count++] = task;
+    return is_task(task.text);
+}
+
+/* `5.2` or `5.1,5.2`. */
+static bool read_tasks(struct checked_scene *scene, struct text *text, struct error *error) {
+    struct word word = text_next_word(text);
+    bool done = true;
+    for (size_t start = 0; done && start <= word.length;) {
+        size_t end = start;
+        while (end < word.length && word.start[end] != ',') {
+            end++;
+        }
+        done = add_task(scene, word.start + start, end - start);
+        start = end + 1;
+    }
+    return done || text_error(error, text->line, "'%s' are no tasks, like 5.2 or 5.1,5.2",
+                              word_show(word).text);
+}
+
+static bool read_points(struct checked_scene *scene, struct text *text, struct error *error) {
+    struct word word = text_next_word(text);
+    double points;
+    if (!word_to_double(word, &points) || !(points >= 1 && points <= SCENE_POINT_LIMIT) ||
+        points != (unsigned)points) {
+        return text_error(error, text->line, "'%s' is not a number of points, 1..%d",
+                          word_show(word).text, SCENE_POINT_LIMIT);
+    }
+    scene->points = (unsigned)points;
+    return scene->points % scene->task_count == 0 ||
+           text_error(error, text->line, "%u points cannot be shared out evenly to %zu tasks",
+                      scene->points, scene->task_count);
+}
+
 static bool read_limit(unsigned *limit, struct text *text, struct word word, struct error *error) {
     double percent;
     if (!word_to_double(word, &percent) || !(percent >= 0 && percent <= 100)) {
@@ -106,7 +169,8 @@ static bool read_scene(struct scene_table *table, struct text *text, struct word
             return text_error(error, text->line, "%s stands here twice", scene.name);
         }
     }
-    if (!read_limits(&scene, text, error)) {
+    if (!read_tasks(&scene, text, error) || !read_points(&scene, text, error) ||
+        !read_limits(&scene, text, error)) {
         return false;
     }
     struct checked_scene *scenes =

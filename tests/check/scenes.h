@@ -1,9 +1,12 @@
 /*
  * The table of scenes: which pictures each step draws and how strictly each is compared.
  *
- * One line a scene: `step05_zbuffer  zbuffer  WRONG APART COVERAGE` with three percentages of the
- * drawn pixels, or `exact` in their place; '#' begins a comment. The check and the program that
- * redraws the references read the same file, tests/check/scenes.txt.
+ * One line a scene: `step05_zbuffer  zbuffer  5.2  4  WRONG APART COVERAGE`. First the tasks of
+ * main.c that it shows, with commas between them and no blanks (in a lesson of several parts 8b.2).
+ * Then its points, which are shared out to these tasks evenly, so they must be a multiple of their
+ * number. Then three percentages of the drawn pixels, or `exact` in their place. '#' begins a
+ * comment. The check and the program that redraws the references read the same file,
+ * tests/check/scenes.txt.
  */
 #ifndef TESTS_CHECK_SCENES_H
 #define TESTS_CHECK_SCENES_H
@@ -13,11 +16,23 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-enum { SCENE_NAME_LIMIT = 64 }; /* bytes of a step's or a scene's name with its final NUL */
+enum {
+    SCENE_NAME_LIMIT = 64, /* bytes of a step's or a scene's name with its final NUL */
+    TASK_NAME_LIMIT = 12,  /* bytes of "10b.12" with its final NUL */
+    SCENE_TASK_LIMIT = 16, /* tasks that a scene shows */
+    SCENE_POINT_LIMIT = 1000
+};
+
+struct task_name {
+    char text[TASK_NAME_LIMIT];
+};
 
 struct checked_scene {
     char name[SCENE_NAME_LIMIT];
-    bool exact; /* every pixel must be equal; the limits are then 0 */
+    struct task_name tasks[SCENE_TASK_LIMIT]; /* all different */
+    size_t task_count;                        /* at least 1 */
+    unsigned points;                          /* a multiple of task_count, not 0 */
+    bool exact;                               /* every pixel must be equal; the limits are then 0 */
     /* How many of the drawn pixels may be wrong, apart, and drawn in one picture only (compare.h),
      * in thousandths of a percent, inclusive. */
     unsigned wrong_limit, apart_limit, coverage_limit;

@@ -14,10 +14,10 @@ function times(share, limit) {
 
 FNR == NR {
     sub(/#.*/, "")
-    if (NF == 5) {
+    if (NF == 7) {
         key = $1 " " $2
         order[++count] = key
-        for (i = 1; i <= 3; i++) limit[key, i] = $(2 + i)
+        for (i = 1; i <= 3; i++) limit[key, i] = $(4 + i)
     }
     next
 }
