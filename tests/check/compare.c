@@ -296,20 +296,26 @@ static struct rgb mark_color(unsigned marks, struct rgb reference) {
     return (struct rgb){reference.r / 4, reference.g / 4, reference.b / 4};
 }
 
-/* A block of all three panels. */
-static void put_block(struct image *picture, const struct image *reference,
+/* A block of the difference. */
+static void put_block(struct image *difference, const struct image *reference,
                       const struct image *yours, size_t x, size_t y) {
-    const size_t panel = reference->width + PANEL_GAP, count = block_size(reference, x);
+    const size_t count = block_size(reference, x);
     struct patch wanted, got;
     uint8_t marks[BLOCK];
     load_patch(&wanted, reference, x, y, count);
     load_patch(&got, yours, x, y, count);
     mark_block(marks, &wanted, &got, count);
     for (size_t i = 0; i < count; i++) {
-        struct rgb color = pixel_at(reference, x + i, y);
-        put(picture, x + i, y, color);
-        put(picture, x + i + panel, y, pixel_at(yours, x + i, y));
-        put(picture, x + i + 2 * panel, y, mark_color(marks[i], color));
+        put(difference, x + i, y, mark_color(marks[i], pixel_at(reference, x + i, y)));
+    }
+}
+
+/* Lay the part of `panel` that has room there on the picture, from column x on. */
+static void put_panel(struct image *picture, const struct image *panel, size_t x) {
+    for (size_t y = 0; y < picture->height && y < panel->height; y++) {
+        for (size_t i = 0; x + i < picture->width && i < panel->width; i++) {
+            put(picture, x + i, y, pixel_at(panel, i, y));
+        }
     }
 }
 
@@ -319,30 +325,44 @@ static bool cut_to_size(struct image *cut, const struct image *image, size_t wid
     if (!image_create(cut, width, height, IMAGE_BGR, error)) {
         return false;
     }
-    for (size_t y = 0; y < height && y < image->height; y++) {
-        for (size_t x = 0; x < width && x < image->width; x++) {
-            put(cut, x, y, pixel_at(image, x, y));
+    put_panel(cut, image, 0);
+    return true;
+}
+
+bool compare_difference(struct image *difference, const struct image *reference,
+                        const struct image *yours, struct error *error) {
+    size_t width = reference->width, height = reference->height;
+    struct image cut;
+    *difference = (struct image){.pixels = NULL};
+    if (!cut_to_size(&cut, yours, width, height, error) ||
+        !image_create(difference, width, height, IMAGE_BGR, error)) {
+        image_free(&cut);
+        return false;
+    }
+    for (size_t y = 0; y < height; y++) {
+        for (size_t x = 0; x < width; x += BLOCK) {
+            put_block(difference, reference, &cut, x, y);
         }
     }
+    image_free(&cut);
     return true;
 }
 
 bool compare_picture(struct image *picture, const struct image *reference,
                      const struct image *yours, struct error *error) {
     size_t width = reference->width, height = reference->height;
-    struct image cut;
+    struct image cut = {.pixels = NULL}, difference = {.pixels = NULL};
     *picture = (struct image){.pixels = NULL};
-    if (!cut_to_size(&cut, yours, width, height, error) ||
-        !image_create(picture, 3 * width + 2 * PANEL_GAP, height, IMAGE_BGR, error)) {
-        image_free(&cut);
-        return false;
-    }
-    image_clear(picture, color_grey(128));
-    for (size_t y = 0; y < height; y++) {
-        for (size_t x = 0; x < width; x += BLOCK) {
-            put_block(picture, reference, &cut, x, y);
-        }
+    bool done = cut_to_size(&cut, yours, width, height, error) &&
+                compare_difference(&difference, reference, yours, error) &&
+                image_create(picture, 3 * width + 2 * PANEL_GAP, height, IMAGE_BGR, error);
+    if (done) {
+        image_clear(picture, color_grey(128));
+        put_panel(picture, reference, 0);
+        put_panel(picture, &cut, width + PANEL_GAP);
+        put_panel(picture, &difference, 2 * (width + PANEL_GAP));
     }
     image_free(&cut);
-    return true;
+    image_free(&difference);
+    return done;
 }

@@ -67,11 +67,15 @@ struct shift compare_shift(const struct image *reference, const struct image *yo
 /* Is every pixel background? */
 bool image_is_blank(const struct image *image);
 
-/* Make a picture of three panels: reference, yours, difference. Each has the reference's size;
- * yours is laid at the bottom-left corner and cut, and an empty image shows as background. The
- * difference is the reference at a quarter of its brightness with, on top, red: this pixel of yours
- * has no match; blue: this pixel of the reference has none; magenta: both; dark green: not equal,
- * but not wrong. The caller frees `picture`. */
+/* Make the picture of the difference, of the reference's size: the reference at a quarter of its
+ * brightness with, on top, red: this pixel of yours has no match; blue: this pixel of the reference
+ * has none; magenta: both; dark green: not equal, but not wrong. Yours is laid at the bottom-left
+ * corner and cut, and an empty image shows as background. The caller frees `difference`. */
+bool compare_difference(struct image *difference, const struct image *reference,
+                        const struct image *yours, struct error *error);
+
+/* Make a picture of three panels: reference, yours, difference. Each has the reference's size. The
+ * caller frees `picture`. */
 bool compare_picture(struct image *picture, const struct image *reference,
                      const struct image *yours, struct error *error);
 
