@@ -78,6 +78,7 @@ static const struct scene scenes[] = {
     {
         .name = "normalmap",
         .needs = NEEDS_MODEL | NEEDS_DIFFUSE | NEEDS_NORMAL_MAP,
+        .light = {1, 0.2, 0.5}, /* x, y, z all differ: none can stand in for another */
         .draw = draw_normal_map,
     },
     {

@@ -94,6 +94,12 @@ static const struct scene scenes[] = {
         .draw = draw_four,
     },
     {
+        .name = "behind",
+        .needs = NEEDS_MODEL | NEEDS_NORMALS | NEEDS_DIFFUSE | NEEDS_NORMAL_MAP,
+        .light = {-2, 2, -3}, /* what is turned away from it must not shine */
+        .draw = draw_four,
+    },
+    {
         .name = "powers",
         .needs = NEEDS_MODEL | NEEDS_NORMALS | NEEDS_DIFFUSE | NEEDS_NORMAL_MAP | NEEDS_SPECULAR,
         .draw = draw_powers,
