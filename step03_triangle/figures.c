@@ -56,30 +56,19 @@ static bool mesh_from_model(struct mesh *mesh, const struct model *model, const 
     return true;
 }
 
-enum { SHEET_CELLS = 24, SHEET_CELL = 12, SHEET_SIZE = SHEET_CELLS * SHEET_CELL + 24 };
-
-/* A corner of the sheet: a grid point, moved by halves of a pixel. All corners lie on pixel centres
- * or half-way between them, where the rule for ties counts most. */
-static struct vec2 sheet_corner(int column, int row) {
-    uint32_t h = (uint32_t)(row * 1009 + column) * 2654435761U;
-    int x = 2 * (12 + column * SHEET_CELL) + (int)(h >> 29) - 4;
-    int y = 2 * (12 + row * SHEET_CELL) + (int)(h >> 26 & 7) - 4;
-    return (struct vec2){x * 0.5, y * 0.5};
-}
-
-/* A sheet of cells, each cut into two triangles: every pixel in it belongs to exactly one. */
-static bool mesh_from_sheet(struct mesh *mesh, struct error *error) {
-    if (!mesh_create(mesh, 2 * SHEET_CELLS * SHEET_CELLS, error)) {
+/* A mesh of the scenes. */
+static bool mesh_from_scene(struct mesh *mesh, mesh_function *place, int count,
+                            const struct image *image, struct error *error) {
+    if (!mesh_create(mesh, (size_t)count, error)) {
         return false;
     }
-    for (int row = 0; row < SHEET_CELLS; row++) {
-        for (int column = 0; column < SHEET_CELLS; column++) {
-            struct vec2 a = sheet_corner(column, row), b = sheet_corner(column + 1, row);
-            struct vec2 c = sheet_corner(column + 1, row + 1), d = sheet_corner(column, row + 1);
-            struct vec2 first[3] = {a, b, c}, second[3] = {a, c, d};
-            memcpy(mesh->corners[mesh->count++], first, sizeof first);
-            memcpy(mesh->corners[mesh->count++], second, sizeof second);
+    for (int i = 0; i < count; i++) {
+        struct fixed2 corner[3];
+        place(i, image, corner);
+        for (int k = 0; k < 3; k++) {
+            mesh->corners[mesh->count][k] = unsnapped(corner[k]);
         }
+        mesh->count++;
     }
     return true;
 }
@@ -288,19 +277,26 @@ static bool draw_counts(const struct mesh *mesh, attempt_function *draw, struct 
                 : error_out_of_memory(error);
 }
 
-static bool draw_sheet(const char *directory, struct error *error) {
-    struct mesh sheet = {0};
+/* What rules and attempts make of the sheet, and what float sums make of the long sides of the fan:
+ * their edge values need more digits. */
+static bool draw_meshes(const char *directory, struct error *error) {
+    struct mesh sheet = {0}, fan = {0};
     struct image image = {0};
-    struct detail part = {6, 6, 64, 64, .zoom = 5};
+    struct detail part = {12, 12, 64, 64, .zoom = 5}, whole = {0, 0, 200, 200, .zoom = 2};
     bool done =
-        image_create(&image, SHEET_SIZE, SHEET_SIZE, IMAGE_BGR, error) &&
-        mesh_from_sheet(&sheet, error) && measure("sheet", &sheet, &image, error) &&
+        image_create(&image, 200, 200, IMAGE_BGR, error) &&
+        mesh_from_scene(&sheet, place_in_sheet, SHEET_TRIANGLES, &image, error) &&
+        mesh_from_scene(&fan, place_in_fan, FAN_BLADES, &image, error) &&
+        measure("sheet", &sheet, &image, error) && measure("fan", &fan, &image, error) &&
         draw_counts(&sheet, attempt_1_sweep_whole, &image, part, directory, "sheet_sweep_whole",
                     error) &&
         draw_counts(&sheet, attempt_4_box_double, &image, part, directory, "sheet_closed", error) &&
         draw_counts(&sheet, attempt_5_box_open, &image, part, directory, "sheet_open", error) &&
-        draw_counts(&sheet, draw_spans, &image, part, directory, "sheet_exact", error);
+        draw_counts(&sheet, draw_spans, &image, part, directory, "sheet_exact", error) &&
+        draw_counts(&fan, attempt_7_edges_float, &image, whole, directory, "fan_edges_float",
+                    error);
     mesh_free(&sheet);
+    mesh_free(&fan);
     image_free(&image);
     return done;
 }
@@ -341,79 +337,6 @@ static bool draw_backs_too(const struct model *bust, const char *directory, stru
         }
     }
     bool done = figure_save(&image, directory, "backs_too", error);
-    image_free(&image);
-    return done;
-}
-
-enum { FAN_BLADES = 400, FAN_SIZE = 2000 };
-
-/* Long thin triangles from one corner of a large image to its right and upper side. */
-static bool mesh_from_fan(struct mesh *mesh, struct error *error) {
-    const struct fixed2 center = {1037, 1405};
-    struct fixed2 last = {(FAN_SIZE - 4) * 256 + 91, 11 * 256 + 37};
-    if (!mesh_create(mesh, FAN_BLADES, error)) {
-        return false;
-    }
-    for (int i = 1; i <= FAN_BLADES; i++) {
-        int along = 2 * FAN_SIZE * 253 / FAN_BLADES * i; /* up the right side, then leftwards */
-        int limit = (FAN_SIZE - 9) * 256 + 53;
-        struct fixed2 next = {along > limit ? 2 * limit - along : last.x,
-                              along > limit ? limit : along};
-        mesh->corners[mesh->count][0] = unsnapped(center);
-        mesh->corners[mesh->count][1] = unsnapped(last);
-        mesh->corners[mesh->count++][2] = unsnapped(next);
-        last = next;
-    }
-    return true;
-}
-
-/* The fan of attempt 7 at a quarter of its size, with a dot for every pixel drawn too often
- * (orange) or not at all (magenta). */
-static bool save_fan_faults(const struct image *fan, const uint8_t *draws, const uint8_t *exact,
-                            const char *directory, struct error *error) {
-    struct image small;
-    if (!image_create(&small, FAN_SIZE / 4, FAN_SIZE / 4, IMAGE_BGR, error)) {
-        return false;
-    }
-    for (int y = 0; y < FAN_SIZE / 4; y++) {
-        for (int x = 0; x < FAN_SIZE / 4; x++) {
-            uint8_t level = image_get(fan, 4 * x, 4 * y).g;
-            image_set(&small, x, y, color_grey(level / 3));
-        }
-    }
-    for (size_t i = 0; i < (size_t)FAN_SIZE * FAN_SIZE; i++) {
-        int x = (int)(i % FAN_SIZE) / 4, y = (int)(i / FAN_SIZE) / 4;
-        bool often = draws[i] > exact[i];
-        for (int dot = 0; draws[i] != exact[i] && dot < 49; dot++) {
-            image_set(&small, x - 3 + dot % 7, y - 3 + dot / 7,
-                      often ? color_rgb(255, 150, 0) : color_rgb(255, 0, 160));
-        }
-    }
-    bool done = figure_save(&small, directory, "fan_edges_float", error);
-    image_free(&small);
-    return done;
-}
-
-/* What float sums make of long sides: the edge values of large triangles need more digits. */
-static bool draw_large_fan(const char *directory, struct error *error) {
-    struct mesh fan = {0};
-    struct image image = {0};
-    uint8_t *draws = malloc((size_t)FAN_SIZE * FAN_SIZE);
-    uint8_t *exact = malloc((size_t)FAN_SIZE * FAN_SIZE);
-    bool done = draws != NULL && exact != NULL;
-    if (!done) {
-        error_out_of_memory(error);
-    }
-    done = done && image_create(&image, FAN_SIZE, FAN_SIZE, IMAGE_BGR, error) &&
-           mesh_from_fan(&fan, error) && measure("fan", &fan, &image, error);
-    if (done) {
-        count_exactly(&fan, &image, exact);
-        draw_mesh(&fan, attempt_7_edges_float, &image, draws);
-        done = save_fan_faults(&image, draws, exact, directory, error);
-    }
-    free(draws);
-    free(exact);
-    mesh_free(&fan);
     image_free(&image);
     return done;
 }
@@ -478,7 +401,7 @@ static bool draw_columns(const char *directory, struct error *error) {
 
 bool draw_figures(const char *directory, struct model *bust, struct error *error) {
     return draw_half_planes(directory, error) && draw_small_fan(directory, error) &&
-           draw_sheet(directory, error) && draw_bust(bust, directory, error) &&
-           draw_backs_too(bust, directory, error) && draw_large_fan(directory, error) &&
-           draw_blocks(directory, error) && draw_columns(directory, error);
+           draw_meshes(directory, error) && draw_bust(bust, directory, error) &&
+           draw_backs_too(bust, directory, error) && draw_blocks(directory, error) &&
+           draw_columns(directory, error);
 }

@@ -1,17 +1,22 @@
 /*
  * Step 3, the given part: its scenes and the program.
  *
- * `outline` draws the sides only, `triangle` fills them, `gradient` mixes the colours of the
- * corners, `faces` fills the faces of a model, each in a colour of its own. A text scene draws the
- * triangles that it lists.
+ * `outline` draws the sides only, `triangle` fills them, `sheet` and `fan` show how often each pixel
+ * of a mesh is drawn, `gradient` mixes the colours of the corners, `faces` fills the faces of a
+ * model, each in a colour of its own. A text scene draws the triangles that it lists.
  */
+#include <stdlib.h>
 
 /* ---- Filling ---- */
+
+static bool same_color(struct color a, struct color b) {
+    return a.r == b.r && a.g == b.g && a.b == b.b;
+}
 
 /* A triangle without spans: every pixel of its rows is tested. Returns the number of pixels
  * written. */
 static uint64_t tested_triangle(struct image *image, const struct fixed2 corner[3],
-                                const struct color color[3]) {
+                                const struct color color[3], bool one_color) {
     struct edges edges;
     uint64_t written = 0;
     if (!triangle_setup(&edges, corner[0], corner[1], corner[2], image->width, image->height)) {
@@ -20,7 +25,9 @@ static uint64_t tested_triangle(struct image *image, const struct fixed2 corner[
     for (int y = edges.y_begin; y < edges.y_end; y++) {
         for (int x = 0; x < edges.width; x++) {
             if (edges_cover(&edges, x, y)) {
-                image_set(image, x, y, mix_colors(triangle_weights(&edges, x, y), color));
+                struct color mixed =
+                    one_color ? color[0] : mix_colors(triangle_weights(&edges, x, y), color);
+                image_set(image, x, y, mixed);
                 written++;
             }
         }
@@ -28,17 +35,13 @@ static uint64_t tested_triangle(struct image *image, const struct fixed2 corner[
     return written;
 }
 
-static bool same_color(struct color a, struct color b) {
-    return a.r == b.r && a.g == b.g && a.b == b.b;
-}
-
-/* A triangle in the simplest way that its colours allow; with --no-skip always in the longest. */
+/* A triangle in one colour, or in one that runs from corner to corner. */
 static uint64_t fill_triangle(const struct drawing *drawing, struct image *image,
                               const struct fixed2 corner[3], const struct color color[3]) {
-    if (!drawing->skip) {
-        return tested_triangle(image, corner, color);
-    }
     bool one_color = same_color(color[0], color[1]) && same_color(color[0], color[2]);
+    if (!drawing->skip) {
+        return tested_triangle(image, corner, color, one_color);
+    }
     return one_color ? triangle(image, corner, color[0]) : gradient_triangle(image, corner, color);
 }
 
@@ -130,6 +133,162 @@ static bool draw_text(struct drawing *drawing, struct image *image, struct error
     return true;
 }
 
+/* ---- Scenes: sheet, fan ---- */
+
+/* Which triangle `i` of a mesh is, on an image of that size. */
+typedef void mesh_function(int i, const struct image *image, struct fixed2 corner[3]);
+
+enum {
+    COUNT_ZOOM = 4, /* a pixel of a mesh is shown as a block of 4 x 4 */
+    SHEET_CELLS = 14,
+    SHEET_CELL = 12, /* pixels */
+    SHEET_TRIANGLES = 2 * SHEET_CELLS * SHEET_CELLS,
+    FAN_BLADES = 24,
+    FAN_REACH = 668 * SUBPIXELS + 91 /* the rim is 6 times as far from the middle */
+};
+
+/* A corner of the sheet: a point of a grid, moved by halves of a pixel. So corners lie on pixel
+ * centres or half-way between them, where the rule for ties counts most. The border is straight and
+ * far from all centres: there no rule is asked. */
+static struct fixed2 sheet_corner(int column, int row) {
+    const int half = SUBPIXELS / 2, margin = 16;
+    uint32_t h = (uint32_t)(row * 1009 + column) * 2654435761U;
+    int x = 2 * (margin + column * SHEET_CELL), y = 2 * (margin + row * SHEET_CELL);
+    if (column % SHEET_CELLS == 0 || row % SHEET_CELLS == 0) {
+        return (struct fixed2){x * half + half / 2, y * half + half / 2};
+    }
+    return (struct fixed2){(x + (int)(h >> 29) - 4) * half, (y + (int)(h >> 26 & 7) - 4) * half};
+}
+
+/* Every cell is cut into two triangles. Half of them are given clockwise. */
+static void place_in_sheet(int i, const struct image *image, struct fixed2 corner[3]) {
+    int column = i / 2 % SHEET_CELLS, row = i / 2 / SHEET_CELLS;
+    bool upper = i % 2 != 0;
+    (void)image;
+    corner[0] = sheet_corner(column, row);
+    corner[1] = sheet_corner(column + !upper, row + upper);
+    corner[2] = sheet_corner(column + 1, row + 1);
+}
+
+/* A corner on the rim of the fan, a square around its middle. Every other one lies so
+ * that the side from the middle to it goes through many pixel centres. */
+static struct fixed2 fan_corner(int i, struct fixed2 middle) {
+    const int side = FAN_BLADES / 4;
+    int x = side, y = i % side * 2 - side;
+    for (int turns = i / side % 4; turns > 0; turns--) {
+        int kept = x;
+        x = -y;
+        y = kept;
+    }
+    int stray = i % 2 == 0 ? 0 : 1009 * i;
+    return (struct fixed2){middle.x + x * FAN_REACH + stray, middle.y + y * FAN_REACH - stray};
+}
+
+/* The blades of the fan meet in a pixel centre; together they cover the image. */
+static void place_in_fan(int i, const struct image *image, struct fixed2 corner[3]) {
+    corner[0] = (struct fixed2){(int)image->width / 2 * SUBPIXELS + SUBPIXELS / 2,
+                                (int)image->height / 2 * SUBPIXELS + SUBPIXELS / 2};
+    corner[1] = fan_corner(i, corner[0]);
+    corner[2] = fan_corner(i + 1, corner[0]);
+}
+
+/* What is known of a pixel of a mesh. */
+struct counted {
+    uint8_t draws; /* how many triangles have drawn it; 255 stands for more, too */
+    uint8_t shade; /* grey of the one triangle that must draw it; 0: none must */
+};
+
+/* Count the pixels that a triangle has drawn in white, and make them black again. */
+static void count_draws(struct image *image, struct counted *counted) {
+    for (size_t i = 0; i < image->width * image->height; i++) {
+        if (image->pixels[i * IMAGE_BGR] != 0 && counted[i].draws < 255) {
+            counted[i].draws++;
+        }
+    }
+    image_clear(image, color_grey(0));
+}
+
+/* The pixels of a triangle as common/raster.h finds them. */
+static void mark_triangle(const struct image *image, const struct fixed2 corner[3], uint8_t shade,
+                          struct counted *counted) {
+    struct edges edges;
+    if (!edges_setup(&edges, corner[0], corner[1], corner[2], image->width, image->height)) {
+        return;
+    }
+    for (int y = edges.y_begin; y < edges.y_end; y++) {
+        struct span span = edges_span(&edges, y);
+        for (int x = span.begin; x < span.end; x++) {
+            counted[(size_t)y * image->width + (size_t)x].shade = shade;
+        }
+    }
+}
+
+/* Grey: drawn exactly once, as it must be. Orange: drawn too often. Magenta: not drawn. */
+static struct color counted_color(struct counted counted) {
+    int wanted = counted.shade > 0;
+    return counted.draws > wanted   ? color_rgb(255, 150, 0)
+           : counted.draws < wanted ? color_rgb(255, 0, 160)
+                                    : color_grey(counted.shade);
+}
+
+/* The small image, enlarged. */
+static void show_counted(struct image *image, const struct image *small,
+                         const struct counted *counted) {
+    for (size_t y = 0; y < image->height; y++) {
+        for (size_t x = 0; x < image->width; x++) {
+            size_t i = y / COUNT_ZOOM * small->width + x / COUNT_ZOOM;
+            image_set(image, (int)x, (int)y, counted_color(counted[i]));
+        }
+    }
+}
+
+/* How often each pixel of a mesh is drawn. Its triangles are drawn one by one in a small image. */
+static void count_mesh(struct drawing *drawing, struct image *small, mesh_function *place,
+                       int triangle_count, struct counted *counted) {
+    const struct color white[3] = {{WHITE}, {WHITE}, {WHITE}};
+    uint64_t too_often = 0, missing = 0;
+    for (int i = 0; i < triangle_count; i++) {
+        struct fixed2 corner[3];
+        place(i, small, corner);
+        fill_triangle(drawing, small, corner, white);
+        count_draws(small, counted);
+        mark_triangle(small, corner, (uint8_t)(90 + 17 * (i % 4)), counted);
+    }
+    for (size_t i = 0; i < small->width * small->height; i++) {
+        too_often += counted[i].draws > (counted[i].shade > 0);
+        missing += counted[i].draws < (counted[i].shade > 0);
+    }
+    drawing_count(drawing, "pixels_too_often", too_often);
+    drawing_count(drawing, "pixels_missing", missing);
+}
+
+static bool draw_counted(struct drawing *drawing, struct image *image, mesh_function *place,
+                         int triangle_count, struct error *error) {
+    size_t width = (image->width + COUNT_ZOOM - 1) / COUNT_ZOOM;
+    size_t height = (image->height + COUNT_ZOOM - 1) / COUNT_ZOOM;
+    struct image small;
+    if (!image_create(&small, width, height, IMAGE_BGR, error)) {
+        return false;
+    }
+    struct counted *counted = calloc(width * height, sizeof *counted);
+    if (counted != NULL) {
+        count_mesh(drawing, &small, place, triangle_count, counted);
+        show_counted(image, &small, counted);
+    }
+    bool done = counted != NULL || error_out_of_memory(error);
+    free(counted);
+    image_free(&small);
+    return done;
+}
+
+static bool draw_sheet(struct drawing *drawing, struct image *image, struct error *error) {
+    return draw_counted(drawing, image, place_in_sheet, SHEET_TRIANGLES, error);
+}
+
+static bool draw_fan(struct drawing *drawing, struct image *image, struct error *error) {
+    return draw_counted(drawing, image, place_in_fan, FAN_BLADES, error);
+}
+
 /* ---- Scene: faces ---- */
 
 /* A colour that looks random but depends on the number alone. The mixing of bits is the last step
@@ -187,6 +346,8 @@ static bool draw_faces(struct drawing *drawing, struct image *image, struct erro
 static const struct scene scenes[] = {
     {.name = "outline", .draw = draw_outline},
     {.name = "triangle", .draw = draw_triangle},
+    {.name = "sheet", .width = 800, .height = 800, .draw = draw_sheet},
+    {.name = "fan", .width = 800, .height = 800, .draw = draw_fan},
     {.name = "gradient", .width = 800, .height = 800, .draw = draw_gradient},
     {.name = "faces", .needs = NEEDS_MODEL, .width = 800, .height = 800, .draw = draw_faces},
 };
