@@ -399,6 +399,11 @@ bool file_exists(const char *path) {
     return stat(path, &status) == 0;
 }
 
+uint64_t file_size(const char *path) {
+    struct stat status;
+    return stat(path, &status) == 0 && status.st_size > 0 ? (uint64_t)status.st_size : 0;
+}
+
 static bool is_directory(const char *path) {
     struct stat status;
     return stat(path, &status) == 0 && S_ISDIR(status.st_mode);

@@ -11,6 +11,7 @@
 
 #include <stdbool.h>
 #include <stddef.h>
+#include <stdint.h>
 
 /* What went wrong, for the user: one line without a final newline or the program's name. */
 struct error {
@@ -74,6 +75,9 @@ bool file_write(const char *path, const void *data, size_t size, struct error *e
 bool file_write_encoded(const char *path, bool encoded, struct bytes *bytes, struct error *error);
 
 bool file_exists(const char *path);
+
+/* Bytes in the file; 0 where there is none. */
+uint64_t file_size(const char *path);
 
 /* Make the directory and those above it that do not exist yet. */
 bool directory_create(const char *path, struct error *error);

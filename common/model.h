@@ -51,13 +51,15 @@ struct model {
     struct face *faces;
     char *path;                                   /* the file, for messages and for its textures */
     struct texture textures[MODEL_TEXTURE_KINDS]; /* empty until first asked for */
+    uint64_t bytes_read;                          /* of the file and of its textures */
 };
 
 /* Free everything and leave an empty model. */
 void model_free(struct model *model);
 
 /* The attributes of corner 0, 1 or 2 of a face. A corner without a texture coordinate gives (0,0);
- * normals are given as stored: call model_need_normals() (normals.h) first. */
+ * one without a normal (0,0,0), but model_need_normals() (normals.h) gives it one; normals are
+ * given as stored. */
 static inline struct vec3 model_position(const struct model *model, size_t face, size_t corner) {
     return model->positions[model->faces[face].corner[corner].position];
 }
@@ -71,7 +73,11 @@ static inline struct vec2 model_uv(const struct model *model, size_t face, size_
 }
 
 static inline struct vec3 model_normal(const struct model *model, size_t face, size_t corner) {
-    const float *n = model->normals[model->faces[face].corner[corner].normal];
+    uint32_t index = model->faces[face].corner[corner].normal;
+    if (index == MODEL_NONE) {
+        return (struct vec3){0, 0, 0};
+    }
+    const float *n = model->normals[index];
     return (struct vec3){n[0], n[1], n[2]};
 }
 

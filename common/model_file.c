@@ -28,10 +28,11 @@ static bool error_no_faces(const void *data, size_t size, struct error *error) {
     return error_set(error, "holds no faces");
 }
 
-bool model_decode(struct model *model, const void *data, size_t size, struct error *error) {
+static bool decode(struct model *model, const void *data, size_t size, unsigned parts,
+                   struct error *error) {
     *model = (struct model){0};
     bool done = off_recognize(data, size) ? off_decode(model, data, size, error)
-                                          : obj_decode(model, data, size, error);
+                                          : obj_decode(model, data, size, parts, error);
     if (done && model->face_count == 0) {
         done = error_no_faces(data, size, error);
     }
@@ -39,6 +40,10 @@ bool model_decode(struct model *model, const void *data, size_t size, struct err
         model_free(model);
     }
     return done;
+}
+
+bool model_decode(struct model *model, const void *data, size_t size, struct error *error) {
+    return decode(model, data, size, MODEL_ALL_PARTS, error);
 }
 
 static bool keep_path(struct model *model, const char *path, struct error *error) {
@@ -52,15 +57,20 @@ static bool keep_path(struct model *model, const char *path, struct error *error
     return true;
 }
 
-bool model_read(struct model *model, const char *path, struct error *error) {
+bool model_read_parts(struct model *model, const char *path, unsigned parts, struct error *error) {
     struct bytes bytes;
     *model = (struct model){0};
     if (!file_read(path, &bytes, error)) {
         return false;
     }
-    bool done = model_decode(model, bytes.data, bytes.size, error);
+    bool done = decode(model, bytes.data, bytes.size, parts, error);
+    model->bytes_read = bytes.size;
     bytes_free(&bytes);
     return (done && keep_path(model, path, error)) || error_name_input(error, path);
+}
+
+bool model_read(struct model *model, const char *path, struct error *error) {
+    return model_read_parts(model, path, MODEL_ALL_PARTS, error);
 }
 
 /* ---- Textures ---- */
@@ -86,9 +96,42 @@ static bool read_texture(struct texture *texture, const char *path, struct error
     return done;
 }
 
+/* The path of the texture, as .tga or else as .png; the caller frees it. NULL, with a message, where
+ * there is none. */
+static char *find_texture(const struct model *model, enum model_texture_kind kind,
+                          struct error *error) {
+    static const char *const suffix[] = {"_diffuse", "_nm", "_spec"};
+    char *tga_path = texture_path(model->path, suffix[kind], "tga");
+    char *png_path = texture_path(model->path, suffix[kind], "png");
+    char *found = NULL;
+    if (tga_path == NULL || png_path == NULL) {
+        error_out_of_memory(error);
+    } else if (file_exists(tga_path) || file_exists(png_path)) {
+        char **path = file_exists(tga_path) ? &tga_path : &png_path;
+        found = *path;
+        *path = NULL;
+    } else {
+        error_set(error, "no such file, nor the same as .png");
+        error_name_file(error, tga_path);
+    }
+    free(tga_path);
+    free(png_path);
+    return found;
+}
+
+size_t model_textures_present(const struct model *model) {
+    size_t present = 0;
+    for (int kind = 0; model->path != NULL && kind < MODEL_TEXTURE_KINDS; kind++) {
+        struct error ignored;
+        char *path = find_texture(model, (enum model_texture_kind)kind, &ignored);
+        present += path != NULL;
+        free(path);
+    }
+    return present;
+}
+
 const struct texture *model_texture(struct model *model, enum model_texture_kind kind,
                                     struct error *error) {
-    static const char *const suffix[] = {"_diffuse", "_nm", "_spec"};
     struct texture *texture = &model->textures[kind];
     if (texture->level_count > 0) {
         return texture;
@@ -97,18 +140,9 @@ const struct texture *model_texture(struct model *model, enum model_texture_kind
         error_set(error, "a model that was not read from a file has no textures");
         return NULL;
     }
-    char *tga_path = texture_path(model->path, suffix[kind], "tga");
-    char *png_path = texture_path(model->path, suffix[kind], "png");
-    bool done = false;
-    if (tga_path == NULL || png_path == NULL) {
-        error_out_of_memory(error);
-    } else if (file_exists(tga_path) || file_exists(png_path)) {
-        done = read_texture(texture, file_exists(tga_path) ? tga_path : png_path, error);
-    } else {
-        error_set(error, "no such file, nor the same as .png");
-        error_name_file(error, tga_path);
-    }
-    free(tga_path);
-    free(png_path);
+    char *path = find_texture(model, kind, error);
+    bool done = path != NULL && read_texture(texture, path, error);
+    model->bytes_read += done ? file_size(path) : 0;
+    free(path);
     return done ? texture : NULL;
 }

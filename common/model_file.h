@@ -22,9 +22,22 @@
  * OFF). On an error `model` is empty and the message names the file and the line. */
 bool model_read(struct model *model, const char *path, struct error *error);
 
-/* The same from memory (for tests and fuzzing); the message does not name the file, and the line is
+/* What a file may hold beside positions and faces. */
+enum model_part { MODEL_UVS = 1, MODEL_NORMALS = 2, MODEL_ALL_PARTS = MODEL_UVS | MODEL_NORMALS };
+
+/* The same, but of an OBJ file only the parts that are asked for, joined with |: the lines of the
+ * others are counted and not read, and no corner has them. */
+bool model_read_parts(struct model *model, const char *path, unsigned parts, struct error *error);
+
+/* model_read() from memory (for tests and fuzzing); the message does not name the file, and the line is
  * in `error` alone. */
 bool model_decode(struct model *model, const void *data, size_t size, struct error *error);
+
+/* How many of the textures lie beside the model. */
+size_t model_textures_present(const struct model *model);
+
+/* How many of the textures lie beside the model. */
+size_t model_textures_present(const struct model *model);
 
 /* A texture of the model, read at the first call. NULL, with a message that names the file that was
  * looked for, when there is none or it cannot be read. The model keeps the texture. */

@@ -10,6 +10,7 @@
 
 #include "file.h"
 #include "model.h"
+#include "model_file.h"
 #include "polygon.h"
 #include "text.h"
 
@@ -28,6 +29,8 @@ struct model_reader {
     size_t line; /* where the current statement began, for messages */
     struct model *model;
     struct error *error;
+    unsigned parts;                /* of enum model_part: what is wanted of an OBJ file */
+    size_t uv_count, normal_count; /* in the file so far, wanted or not */
 
     struct corner *polygon; /* the corners of the current face */
     size_t polygon_size;
@@ -48,6 +51,17 @@ struct reader_numbers {
     size_t count;                      /* of all, which may be more */
     bool whole;                        /* all are written as whole numbers */
 };
+
+/* The corner without what is not wanted. */
+static inline struct corner reader_wanted(const struct model_reader *reader, struct corner corner) {
+    if ((reader->parts & MODEL_UVS) == 0) {
+        corner.uv = MODEL_NONE;
+    }
+    if ((reader->parts & MODEL_NORMALS) == 0) {
+        corner.normal = MODEL_NONE;
+    }
+    return corner;
+}
 
 /* Go to the next line that is not empty; its first word. False at the end of the text. */
 bool reader_next_line(struct model_reader *reader, struct word *word);

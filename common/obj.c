@@ -45,6 +45,13 @@ static bool read_normal(struct model_reader *reader) {
     return reader_add_normal(reader, numbers.value);
 }
 
+/* A line of an attribute that some corner may name. */
+static bool read_if_wanted(struct model_reader *reader, enum model_part part, size_t *count,
+                           bool read(struct model_reader *)) {
+    *count += 1;
+    return (reader->parts & part) == 0 || read(reader);
+}
+
 /* Everything but the faces. */
 static bool read_attributes(struct model_reader *reader) {
     struct word keyword;
@@ -53,9 +60,9 @@ static bool read_attributes(struct model_reader *reader) {
         if (word_is(keyword, "v")) {
             done = read_position(reader);
         } else if (word_is(keyword, "vt")) {
-            done = read_uv(reader);
+            done = read_if_wanted(reader, MODEL_UVS, &reader->uv_count, read_uv);
         } else if (word_is(keyword, "vn")) {
-            done = read_normal(reader);
+            done = read_if_wanted(reader, MODEL_NORMALS, &reader->normal_count, read_normal);
         }
         if (!done) {
             return false;
@@ -134,7 +141,8 @@ static bool read_corner(struct model_reader *reader, struct word word, const str
                           "face corner '%s' is none of v, v/vt, v//vn, v/vt/vn",
                           word_show(word).text);
     }
-    return reader_add_corner(reader, (struct corner){resolved[0], resolved[1], resolved[2]});
+    const struct corner corner = {resolved[0], resolved[1], resolved[2]};
+    return reader_add_corner(reader, reader_wanted(reader, corner));
 }
 
 static bool read_face(struct model_reader *reader, const struct lists *lists) {
@@ -156,10 +164,9 @@ static bool read_face(struct model_reader *reader, const struct lists *lists) {
 }
 
 static bool read_faces(struct model_reader *reader) {
-    const struct model *model = reader->model;
-    struct lists lists = {{{"vertex", 0, model->position_count},
-                           {"texture coordinate", 0, model->uv_count},
-                           {"normal", 0, model->normal_count}}};
+    struct lists lists = {{{"vertex", 0, reader->model->position_count},
+                           {"texture coordinate", 0, reader->uv_count},
+                           {"normal", 0, reader->normal_count}}};
     struct word keyword;
     while (reader_next_line(reader, &keyword)) {
         if (word_is(keyword, "f")) {
@@ -187,20 +194,22 @@ static bool read_twice(struct model_reader *reader) {
     return read_faces(reader);
 }
 
-bool obj_decode_carefully(struct model *model, const void *data, size_t size, struct error *error) {
-    struct model_reader reader = {.model = model, .error = error};
+bool obj_decode_carefully(struct model *model, const void *data, size_t size, unsigned parts,
+                          struct error *error) {
+    struct model_reader reader = {.model = model, .error = error, .parts = parts};
     bool done = text_begin(&reader.text, data, size, true, error) && read_twice(&reader);
     model_reader_free(&reader);
     return done;
 }
 
-bool obj_decode(struct model *model, const void *data, size_t size, struct error *error) {
-    struct model_reader reader = {.model = model, .error = error};
+bool obj_decode(struct model *model, const void *data, size_t size, unsigned parts,
+                struct error *error) {
+    struct model_reader reader = {.model = model, .error = error, .parts = parts};
     enum obj_quick_result result = obj_quick_read(&reader, data, size);
     model_reader_free(&reader);
     if (result != OBJ_QUICK_DECLINED) {
         return result == OBJ_QUICK_DONE;
     }
     model_free(model);
-    return obj_decode_carefully(model, data, size, error);
+    return obj_decode_carefully(model, data, size, parts, error);
 }

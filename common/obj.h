@@ -11,10 +11,12 @@
 #include <stddef.h>
 
 /* Read into an empty model, which is left half-read on an error; messages do not name the file. */
-bool obj_decode(struct model *model, const void *data, size_t size, struct error *error);
+bool obj_decode(struct model *model, const void *data, size_t size, unsigned parts,
+                struct error *error);
 
 /* The same in the way that knows all of the format. obj_decode() takes a quicker one for files that
  * are as usual; the tests hold both to the same model. */
-bool obj_decode_carefully(struct model *model, const void *data, size_t size, struct error *error);
+bool obj_decode_carefully(struct model *model, const void *data, size_t size, unsigned parts,
+                          struct error *error);
 
 #endif

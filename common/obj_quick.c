@@ -137,28 +137,29 @@ static inline const char *read_index(const char *p, size_t count, uint32_t *inde
 }
 
 /* "v", "v/vt", "v//vn" or "v/vt/vn". */
-static inline const char *read_corner(const char *p, const struct model *model,
-                                      struct corner *corner) {
-    *corner = (struct corner){0, MODEL_NONE, MODEL_NONE};
-    p = read_index(p, model->position_count, &corner->position);
+static inline const char *read_corner(const char *p, const struct model_reader *reader,
+                                      struct corner *result) {
+    struct corner corner = {0, MODEL_NONE, MODEL_NONE};
+    p = read_index(p, reader->model->position_count, &corner.position);
     if (p != NULL && *p == '/') {
         p++;
         if (*p != '/') {
-            p = read_index(p, model->uv_count, &corner->uv);
+            p = read_index(p, reader->uv_count, &corner.uv);
         }
         if (p != NULL && *p == '/') {
-            p = read_index(p + 1, model->normal_count, &corner->normal);
+            p = read_index(p + 1, reader->normal_count, &corner.normal);
         }
     }
+    *result = reader_wanted(reader, corner);
     return p != NULL && is_word_end(*p) ? p : NULL;
 }
 
 /* The corners of a face, and the end of the line. */
-static const char *read_corners(const char *p, const struct model *model,
+static const char *read_corners(const char *p, const struct model_reader *reader,
                                 struct corner corners[CORNER_LIMIT], size_t *count) {
     *count = 0;
     for (p = skip_blanks(p); p != NULL && !is_line_end(*p); *count += 1) {
-        p = *count < CORNER_LIMIT ? read_corner(p, model, &corners[*count]) : NULL;
+        p = *count < CORNER_LIMIT ? read_corner(p, reader, &corners[*count]) : NULL;
         p = p != NULL ? skip_blanks(p) : NULL;
     }
     return p;
@@ -190,6 +191,12 @@ static size_t keyword_length(const char *word) {
     return word[length] == ' ' || word[length] == '\t' ? length : 0;
 }
 
+/* Count a texture coordinate or a normal. Is it of no use? */
+static inline bool is_passed_over(struct model_reader *reader, bool is_uv) {
+    *(is_uv ? &reader->uv_count : &reader->normal_count) += 1;
+    return (reader->parts & (is_uv ? MODEL_UVS : MODEL_NORMALS)) == 0;
+}
+
 /* What stands on a line after a keyword of so many letters. */
 static enum obj_quick_result read_statement(const char **place, size_t length,
                                             struct model_reader *reader) {
@@ -198,7 +205,10 @@ static enum obj_quick_result read_statement(const char **place, size_t length,
     double value[3];
     size_t count = 3;
     bool is_face = word[0] == 'f', is_uv = word[1] == 't';
-    p = is_face ? read_corners(p, reader->model, corners, &count)
+    if (length == 2 && is_passed_over(reader, is_uv)) {
+        return OBJ_QUICK_DONE;
+    }
+    p = is_face ? read_corners(p, reader, corners, &count)
         : is_uv ? read_uv(p, value)
                 : read_three(p, value);
     if (p == NULL || count < 3) {

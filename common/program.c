@@ -327,6 +327,14 @@ static void print_counters(const struct stage *stage) {
     }
 }
 
+/* How much was read, in all. */
+static void print_loaded(const struct run *run) {
+    struct loaded loaded = run_loaded(run);
+    printf("files.bytes_read: %llu\n", (unsigned long long)loaded.bytes);
+    printf("files.textures_present: %llu\n", (unsigned long long)loaded.textures_present);
+    printf("files.textures_read: %llu\n", (unsigned long long)loaded.textures_read);
+}
+
 /* Load, draw and save one scene. */
 static bool draw_scene(struct command *command, const struct scene *given, struct error *error) {
     const struct options *options = &command->options;
@@ -394,9 +402,16 @@ static bool draw_scenes(struct command *command, struct error *error) {
     command->run.input = command->options.input;
     for (size_t i = 0; i < program->scene_count; i++) {
         const struct scene *scene = &program->scenes[i];
+        command->run.needs |= is_chosen(command, scene) ? scene->needs : 0;
+    }
+    for (size_t i = 0; i < program->scene_count; i++) {
+        const struct scene *scene = &program->scenes[i];
         if (is_chosen(command, scene) && !draw_scene(command, scene, error)) {
             return false;
         }
+    }
+    if (command->options.stats && command->run.model_file != NULL) {
+        print_loaded(&command->run);
     }
     return true;
 }

@@ -60,23 +60,48 @@ struct scene scene_complete(const struct program *program, const struct scene *g
 
 /* ---- Loading ---- */
 
+struct loaded run_loaded(const struct run *run) {
+    struct loaded loaded = run->unloaded;
+    loaded.bytes += run->model.bytes_read;
+    loaded.textures_present += model_textures_present(&run->model);
+    for (int kind = 0; kind < MODEL_TEXTURE_KINDS; kind++) {
+        loaded.textures_read += run->model.textures[kind].level_count > 0;
+    }
+    return loaded;
+}
+
+static void unload_model(struct run *run) {
+    run->unloaded = run_loaded(run);
+    model_free(&run->model);
+    run->model_file = NULL;
+}
+
+/* What of a model's file such scenes look at. */
+static unsigned needed_parts(unsigned needs) {
+    unsigned normals = NEEDS_NORMALS | NEEDS_COLORS;
+    unsigned textures = NEEDS_DIFFUSE | NEEDS_NORMAL_MAP | NEEDS_SPECULAR;
+    return ((needs & normals) != 0 ? MODEL_NORMALS : 0) | ((needs & textures) != 0 ? MODEL_UVS : 0);
+}
+
 /* The model of the command line or else the scene's, unless it is loaded already. */
 static bool load_model(struct run *run, const struct scene *scene, struct error *error) {
     const char *file = run->input != NULL ? run->input : scene->model;
-    if (run->model_file != NULL && strcmp(run->model_file, file) == 0) {
+    unsigned parts = needed_parts(run->needs | scene->needs);
+    if (run->model_file != NULL && strcmp(run->model_file, file) == 0 &&
+        (parts & ~run->model_parts) == 0) {
         return true;
     }
-    model_free(&run->model);
-    run->model_file = NULL;
+    unload_model(run);
+    run->model_parts = parts;
     bool done;
     if (run->input != NULL) {
-        done = model_read(&run->model, file, error);
+        done = model_read_parts(&run->model, file, parts, error);
     } else {
         char *path = string_format(MODELS_DIRECTORY "/%s", file);
         if (path == NULL) {
             return error_out_of_memory(error);
         }
-        done = file_exists(path) ? model_read(&run->model, path, error)
+        done = file_exists(path) ? model_read_parts(&run->model, path, parts, error)
                                  : error_set(error, "%s: no such file; `make` sculpts it", path);
         free(path);
     }

@@ -8,18 +8,29 @@
 
 #include "scene.h"
 
+/* What was read, for --stats. */
+struct loaded {
+    uint64_t bytes, textures_read, textures_present;
+};
+
 /* What the scenes of one run share. Set the first part, leave the second zero. */
 struct run {
     const struct program *program;
     const char *input;             /* a model in place of the course's own; NULL: none */
     const struct text_scene *text; /* NULL but for a text scene */
     bool no_skip;
-    bool fit; /* move and scale models into view */
+    bool fit;       /* move and scale models into view */
+    unsigned needs; /* of all scenes that will be drawn, so that a model is read once; 0: unknown */
 
     struct model model;     /* loaded when the first scene needs it */
     const char *model_file; /* which file it is; NULL while none is loaded */
+    unsigned model_parts;   /* what of it is loaded, of enum model_part */
+    struct loaded unloaded; /* of models that made room for others */
     struct texture white;   /* for a model without texture coordinates; empty until needed */
 };
+
+/* What was read up to now. */
+struct loaded run_loaded(const struct run *run);
 
 /* Free what was loaded. */
 void run_free(struct run *run);

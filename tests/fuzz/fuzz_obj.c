@@ -12,11 +12,11 @@
 #include <string.h>
 
 /* The quick way gives the model of the careful one, or leaves the file to it. */
-static void require_one_answer(const uint8_t *data, size_t size) {
+static void require_one_answer(const uint8_t *data, size_t size, unsigned parts) {
     struct model quick = {0}, careful = {0};
     struct error error_of_quick = {0}, error_of_careful = {0};
-    bool done = obj_decode(&quick, data, size, &error_of_quick);
-    REQUIRE(obj_decode_carefully(&careful, data, size, &error_of_careful) == done);
+    bool done = obj_decode(&quick, data, size, parts, &error_of_quick);
+    REQUIRE(obj_decode_carefully(&careful, data, size, parts, &error_of_careful) == done);
     REQUIRE(strcmp(error_of_quick.message, error_of_careful.message) == 0);
     REQUIRE(error_of_quick.line == error_of_careful.line);
     REQUIRE(!done || same_model(&quick, &careful));
@@ -26,6 +26,8 @@ static void require_one_answer(const uint8_t *data, size_t size) {
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     require_model(data, size);
-    require_one_answer(data, size);
+    for (unsigned parts = 0; parts <= MODEL_ALL_PARTS; parts++) {
+        require_one_answer(data, size, parts);
+    }
     return 0;
 }

@@ -24,7 +24,8 @@ static bool decode(struct model *model, const char *text, struct error *error) {
     if (!off_recognize(text, strlen(text))) {
         struct model careful = {0};
         struct error error_of_careful = {0};
-        bool both = obj_decode_carefully(&careful, text, strlen(text), &error_of_careful);
+        bool both =
+            obj_decode_carefully(&careful, text, strlen(text), MODEL_ALL_PARTS, &error_of_careful);
         CHECK(done == (both && careful.face_count > 0));
         if (done) {
             CHECK(same_model(model, &careful));
@@ -654,7 +655,52 @@ static void test_texture_names(void) {
     }
 }
 
-UNIT_MAIN(TEST(test_obj_faces), TEST(test_obj_numbers), TEST(test_obj_many_colors), TEST(test_off),
+/* What is not asked for is counted and not read, in the quick way and in the careful one. */
+static void test_parts(void) {
+    static const char *const texts[] = {
+        "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 1\nvt 1 1\nvn 0 0 1\nf 1/1/1 2/2/-1 3/-1/1\n",
+        "v 0 0 0\nv 1 0 \\\n0\nv 0 1 0\nf 1/1/1 2/2/1 3/2/1\nvt 0 1\nvt 1 1\nvn 0 0 1\n",
+    };
+    for (size_t i = 0; i < 2; i++) {
+        for (unsigned parts = 0; parts <= MODEL_ALL_PARTS; parts++) {
+            bool uvs = (parts & MODEL_UVS) != 0, normals = (parts & MODEL_NORMALS) != 0;
+            struct model m = {0};
+            struct error error = {0};
+            CHECK(obj_decode(&m, texts[i], strlen(texts[i]), parts, &error));
+            CHECK(m.position_count == 3 && m.face_count == 1);
+            CHECK(m.uv_count == (uvs ? 2 : 0) && m.normal_count == (normals ? 1 : 0));
+            CHECK(m.faces[0].corner[1].uv == (uvs ? 1 : MODEL_NONE));
+            CHECK(m.faces[0].corner[1].normal == (normals ? 0 : MODEL_NONE));
+            CHECK(model_normal(&m, 0, 1).z == (normals ? 1 : 0));
+            model_free(&m);
+        }
+    }
+}
+
+static void test_errors_in_parts(void) {
+    static const struct {
+        const char *text;
+        unsigned parts;
+        bool is_read;
+    } rows[] = {
+        {SQUARE "vt what\nf 1/1 2 3\n", MODEL_NORMALS, true},
+        {SQUARE "vt what\nf 1/1 2 3\n", MODEL_UVS, false},
+        {SQUARE "vn 1\nf 1//1 2 3\n", MODEL_UVS, true},
+        {SQUARE "vn 1\nf 1//1 2 3\n", MODEL_NORMALS, false},
+        {SQUARE "vt 1 1\nf 1/2 2 3\n", 0, false}, /* there is no second one */
+        {SQUARE "vn 1 1 1\nf 1//-2 2 3\n", 0, false},
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        struct model m = {0};
+        struct error error = {0};
+        bool is_read = obj_decode(&m, rows[i].text, strlen(rows[i].text), rows[i].parts, &error);
+        CHECK_ROW(is_read == rows[i].is_read, rows[i].text);
+        model_free(&m);
+    }
+}
+
+UNIT_MAIN(TEST(test_parts), TEST(test_errors_in_parts), TEST(test_obj_faces),
+          TEST(test_obj_numbers), TEST(test_obj_many_colors), TEST(test_off),
           TEST(test_off_smallest), TEST(test_face_colors), TEST(test_face_color_values),
           TEST(test_colors_of_both), TEST(test_messages), TEST(test_long_lines),
           TEST(test_long_face), TEST(test_too_many_corners), TEST(test_files), TEST(test_textures),

@@ -11,7 +11,7 @@
 /* From memory of just that size. */
 static enum obj_quick_result read_quickly(struct model *model, const void *text, size_t size) {
     struct error error = {0};
-    struct model_reader reader = {.model = model, .error = &error};
+    struct model_reader reader = {.model = model, .error = &error, .parts = MODEL_ALL_PARTS};
     char *copy = malloc(size + 1);
     enum obj_quick_result result = OBJ_QUICK_OUT_OF_MEMORY;
     if (CHECK(copy != NULL)) {
@@ -27,7 +27,7 @@ static enum obj_quick_result read_quickly(struct model *model, const void *text,
 static void check_same(const struct model *quick, const char *text) {
     struct model careful = {0};
     struct error error = {0};
-    CHECK_ROW(obj_decode_carefully(&careful, text, strlen(text), &error), text);
+    CHECK_ROW(obj_decode_carefully(&careful, text, strlen(text), MODEL_ALL_PARTS, &error), text);
     CHECK_ROW(same_model(quick, &careful), text);
     model_free(&careful);
 }
@@ -120,7 +120,7 @@ static void test_numbers(void) {
         snprintf(text, sizeof text, "v %s %s %s\nf 1 1 1\n", number[0], number[1], number[2]);
         struct model quick = {0};
         struct error error = {0};
-        CHECK_ROW(obj_decode(&quick, text, strlen(text), &error), text);
+        CHECK_ROW(obj_decode(&quick, text, strlen(text), MODEL_ALL_PARTS, &error), text);
         check_same(&quick, text);
         model_free(&quick);
     }
