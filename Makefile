@@ -10,6 +10,8 @@ For a lesson, here lesson 5:
   make start STEP=05          turn main.c into the starter: what you write is left out
   make solution STEP=05       bring the lesson's own solution back
   make hint STEP=05           a hint for what is to do, and more each time (TASK=5.2)
+  make show STEP=05           the pictures in the terminal, beside the references (SCENE=depth,
+                              WHICH=yours,reference,difference, KIND=blocks, sixel or kitty)
   make clean                  remove all that was built
 
 For the course as a whole:
@@ -150,7 +152,7 @@ $(BUILD)/tests/%.o: tests/%.c $(BUILD)/flags
 
 -include $(wildcard tests/starter/starter.mk)
 
-# ---- make hint ----
+# ---- make hint, make show ----
 
 -include $(wildcard tests/help/help.mk)
 

@@ -49,6 +49,7 @@ TESTED   = $(CC) $(STRICT) $(WARNINGS) $(WERROR) $(SANITIZE) $(DEFINES) -Icommon
 
 UNITS    = $(patsubst %.c,$(BUILD)/tests/%,$(notdir $(wildcard tests/unit/test_*.c)))
 CHECKERS = $(patsubst %.c,$(BUILD)/tests/%,$(notdir $(wildcard tests/check/test_*.c)))
+HELPERS  = $(patsubst %.c,$(BUILD)/tests/%,$(notdir $(wildcard tests/help/test_*.c)))
 REPLAYS  = $(patsubst %.c,$(BUILD)/tests/%,$(notdir $(wildcard tests/fuzz/fuzz_*.c)))
 SCRIPTS  = $(wildcard tests/unit/*.sh) tests/fuzz/replay.sh
 
@@ -73,15 +74,20 @@ $(UNITS): $(BUILD)/tests/%: $(BUILD)/tested/tests/unit/%.o $(ORACLE) $(TESTED_CO
 $(CHECKERS): $(BUILD)/tests/%: $(BUILD)/tested/tests/check/%.o $(TESTED_CHECKER) $(TESTED_COMMON)
 	$(TESTED) $^ -lm -o $@
 
+$(HELPERS): $(BUILD)/tests/%: $(BUILD)/tested/tests/help/%.o $(HELP:$(BUILD)/%=$(BUILD)/tested/%) \
+                              $(TESTED_COMMON)
+	$(TESTED) $^ -lm -o $@
+
 $(REPLAYS): $(BUILD)/tests/%: $(BUILD)/tested/tests/fuzz/%.o $(BUILD)/tested/tests/fuzz/replay.o \
                               $(TESTED_COMMON)
 	$(TESTED) $^ -lm -o $@
 
 # Every test runs, also after one that failed.
 .PHONY: test
-test: $(UNITS) $(CHECKERS) $(REPLAYS) $(BUILD)/check $(BUILD)/references models
+test: $(UNITS) $(CHECKERS) $(HELPERS) $(REPLAYS) $(BUILD)/check $(BUILD)/references $(BUILD)/show \
+      models
 	@passed=0; failed=0; names=; \
-	for test in $(UNITS) $(CHECKERS) $(SCRIPTS); do \
+	for test in $(UNITS) $(CHECKERS) $(HELPERS) $(SCRIPTS); do \
 	    echo "== $$test"; \
 	    if CHECK_PROGRAMS=$(BUILD) $$test; then passed=$$((passed + 1)); \
 	    else failed=$$((failed + 1)); names="$$names $$test"; fi; \

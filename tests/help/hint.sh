@@ -86,8 +86,9 @@ if [ -n "$again" ]; then
 fi
 if [ "$shown" -lt 3 ]; then
     shown=$((shown + 1))
-    mkdir -p "$build/hints" && echo "$task $shown" >>"$state" ||
+    if ! mkdir -p "$build/hints" || ! echo "$task $shown" >>"$state"; then
         fail 1 "cannot write $state"
+    fi
     echo "Task $task, hint $shown of 3:"
     print_hints "$shown" "$shown"
 else

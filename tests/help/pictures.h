@@ -1,0 +1,39 @@
+/*
+ * The pictures of a scene that a student looks at: yours, the reference, and their difference.
+ */
+#ifndef TESTS_HELP_PICTURES_H
+#define TESTS_HELP_PICTURES_H
+
+#include "file.h"
+#include "tgaimage.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+
+enum { PICTURE_YOURS, PICTURE_REFERENCE, PICTURE_DIFFERENCE, PICTURE_COUNT };
+
+/* "yours", "reference", "difference". */
+extern const char *const picture_names[PICTURE_COUNT];
+
+/* All zero is valid and empty: no picture at all. */
+struct pictures {
+    struct image image[PICTURE_COUNT]; /* an empty image: this picture is not there */
+};
+
+/* Read both files and compare them. A file that does not exist is left out, and so is then the
+ * difference; one that cannot be read is an error that names it. The caller frees the pictures. */
+bool pictures_read(struct pictures *pictures, const char *yours, const char *reference,
+                   struct error *error);
+
+/* Free the images and leave them empty. */
+void pictures_free(struct pictures *pictures);
+
+/* `enlarged` becomes the image with each pixel as a square of `times` by `times`. */
+bool picture_enlarge(struct image *enlarged, const struct image *image, size_t times,
+                     struct error *error);
+
+/* How many times an image of that size must be enlarged, by whole numbers, to fill `room`, and at
+ * least 1. */
+size_t picture_times(size_t size, size_t room);
+
+#endif
