@@ -1,9 +1,9 @@
 /*
  * Step 3, the given part: its scenes and the program.
  *
- * `outline` draws the sides only, `triangle` fills them, `sheet` and `fan` show how often each pixel
- * of a mesh is drawn, `gradient` mixes the colours of the corners, `faces` fills the faces of a
- * model, each in a colour of its own. A text scene draws the triangles that it lists.
+ * `outline` draws the sides only, `triangle` fills them, `sheet` and `fan` show how often each
+ * pixel of a mesh is drawn, `gradient` mixes the colours of the corners, `faces` fills the faces of
+ * a model, each in a colour of its own. A text scene draws the triangles that it lists.
  */
 #include <stdlib.h>
 
