@@ -1,6 +1,4 @@
-/*
- * Pictures as bytes that a terminal shows.
- */
+/* Pictures as bytes that a terminal shows. */
 #ifndef TESTS_HELP_TERMINAL_H
 #define TESTS_HELP_TERMINAL_H
 
