@@ -96,8 +96,8 @@ static bool read_texture(struct texture *texture, const char *path, struct error
     return done;
 }
 
-/* The path of the texture, as .tga or else as .png; the caller frees it. NULL, with a message, where
- * there is none. */
+/* The path of the texture, as .tga or else as .png; the caller frees it. NULL, with a message,
+ * where there is none. */
 static char *find_texture(const struct model *model, enum model_texture_kind kind,
                           struct error *error) {
     static const char *const suffix[] = {"_diffuse", "_nm", "_spec"};

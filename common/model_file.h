@@ -29,8 +29,8 @@ enum model_part { MODEL_UVS = 1, MODEL_NORMALS = 2, MODEL_ALL_PARTS = MODEL_UVS 
  * others are counted and not read, and no corner has them. */
 bool model_read_parts(struct model *model, const char *path, unsigned parts, struct error *error);
 
-/* model_read() from memory (for tests and fuzzing); the message does not name the file, and the line
- * is in `error` alone. */
+/* model_read() from memory (for tests and fuzzing); the message does not name the file, and the
+ * line is in `error` alone. */
 bool model_decode(struct model *model, const void *data, size_t size, struct error *error);
 
 /* How many of the textures lie beside the model. */

@@ -1,6 +1,4 @@
-/*
- * Bytes as text: base64, RFC 4648 (S. Josefsson, "The Base16, Base32, and Base64 Data Encodings").
- */
+/* Base64 (S. Josefsson, "The Base16, Base32, and Base64 Data Encodings", RFC 4648). */
 #ifndef TESTS_HELP_BASE64_H
 #define TESTS_HELP_BASE64_H
 

@@ -1,6 +1,4 @@
-/*
- * The pictures of a scene that a student looks at: yours, the reference, and their difference.
- */
+/* The pictures of a scene that a student looks at: yours, the reference, and their difference. */
 #ifndef TESTS_HELP_PICTURES_H
 #define TESTS_HELP_PICTURES_H
 

@@ -265,7 +265,7 @@ static bool begins_with(const char *text, const char *beginning) {
 enum terminal_kind terminal_find_kind(void) {
     const char *name = getenv("TERM");
     name = name != NULL ? name : "";
-    /* screen and tmux stand between the program and the terminal, and do not let pictures through */
+    /* screen and tmux stand between the program and the terminal, and let no picture through */
     if (!isatty(STDOUT_FILENO) || begins_with(name, "screen") || begins_with(name, "tmux")) {
         return TERMINAL_BLOCKS;
     }
