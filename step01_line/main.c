@@ -10,6 +10,7 @@
 #include "program.h"
 
 #include <stdlib.h>
+#include <string.h>
 
 /* ---- A pixel ---- */
 

@@ -1,23 +1,32 @@
 /*
  * Step 1, the given part: its scenes and the program.
  *
- * `pixel`, `line`, `gradient`, or the lines of a text scene.
+ * `pixel`; lines by line(): `line`, `octants`, `ties` and `far`; lines by line_list(): `list` and
+ * `gradient`; or the lines of a text scene.
  */
+
+/* The pixels of a line, to be freed by the caller; NULL when memory runs out. */
+static struct pixel *make_list(struct pixel a, struct pixel b, size_t length, struct error *error) {
+    struct pixel *list = calloc(length, sizeof *list);
+    if (list == NULL) {
+        error_set(error, "out of memory for a line of %zu pixels", length);
+        return NULL;
+    }
+    line_list(a, b, list);
+    return list;
+}
 
 /* Draw a line whose colour runs from color_a at a to color_b at b. */
 static bool line_gradient(struct image *image, struct pixel a, struct pixel b, struct color color_a,
                           struct color color_b, struct error *error) {
     size_t length = line_length(a, b);
-    struct pixel *list = calloc(length, sizeof *list);
-    if (list == NULL) {
-        return error_set(error, "out of memory for a line of %zu pixels", length);
-    }
-    line_list(a, b, list);
-    for (size_t i = 0; i < length; i++) {
+    struct pixel *list = make_list(a, b, length, error);
+    for (size_t i = 0; list != NULL && i < length; i++) {
         image_set(image, list[i].x, list[i].y, color_along(a, b, color_a, color_b, list[i]));
     }
+    bool done = list != NULL;
     free(list);
-    return true;
+    return done;
 }
 
 /* ---- Scenes ---- */
@@ -32,6 +41,104 @@ static bool draw_line(struct drawing *drawing, struct image *image, struct error
     (void)drawing, (void)error;
     line(image, (struct pixel){13, 20}, (struct pixel){80, 40}, color_rgb(255, 255, 255));
     line(image, (struct pixel){20, 13}, (struct pixel){40, 80}, color_rgb(255, 0, 0));
+    return true;
+}
+
+/* Lines from the middle in all octants, every other one drawn inwards (red); a frame, drawn
+ * leftwards and downwards; a point in each corner of the image. None comes half-way between two
+ * pixels: 47 is odd. */
+static bool draw_octants(struct drawing *drawing, struct image *image, struct error *error) {
+    (void)drawing, (void)error;
+    const struct color white = color_rgb(255, 255, 255), red = color_rgb(255, 0, 0);
+    const struct pixel middle = {50, 50};
+    static const int other[] = {0, 13, 29, 47, -13, -29};
+    for (int i = 0; i < 4 * 6; i++) {
+        int u = i % 2 ? -47 : 47, v = other[i / 4];
+        bool steep = i / 2 % 2;
+        struct pixel end = {50 + (steep ? v : u), 50 + (steep ? u : v)};
+        if ((i / 4 + i) % 2) {
+            line(image, end, middle, red);
+        } else {
+            line(image, middle, end, white);
+        }
+    }
+    static const struct pixel corners[] = {{1, 1}, {98, 1}, {98, 98}, {1, 98}};
+    for (int i = 0; i < 4; i++) {
+        struct pixel p = corners[i], point = {p.x > 50 ? 99 : 0, p.y > 50 ? 99 : 0};
+        line(image, p, corners[(i + 1) % 4], color_rgb(0, 255, 255));
+        line(image, point, point, color_rgb(255, 255, 0));
+    }
+    return true;
+}
+
+/* ---- Lines that come half-way between two pixels ---- */
+
+/* Eight directions of eight lines, row by row from the bottom; all of them have ties. */
+enum { TIE_LINES = 64 };
+
+static void tie_line(int index, struct pixel *a, struct pixel *b) {
+    static const int run[] = {10, 10, 10, 10, 10, 2, 4, 8}, rise[] = {1, 3, 5, 7, 9, 1, 3, 1};
+    int direction = index % 8, kind = index / 8;
+    bool steep = direction & 1;
+    int width = steep ? rise[kind] : run[kind], height = steep ? run[kind] : rise[kind];
+    int x = 3 + 12 * direction, y = 3 + 12 * kind;
+    bool left = direction & 2, down = direction & 4;
+    *a = (struct pixel){left ? x + width : x, down ? y + height : y};
+    *b = (struct pixel){left ? x : x + width, down ? y : y + height};
+}
+
+/* Each from a to b in white, then from b to a in red: nothing white may be left. */
+static bool draw_ties(struct drawing *drawing, struct image *image, struct error *error) {
+    (void)drawing, (void)error;
+    for (int i = 0; i < TIE_LINES; i++) {
+        struct pixel a, b;
+        tie_line(i, &a, &b);
+        line(image, a, b, color_rgb(255, 255, 255));
+        line(image, b, a, color_rgb(255, 0, 0));
+    }
+    return true;
+}
+
+/* The same lines, as lists: from a to b in green. */
+static bool draw_list(struct drawing *drawing, struct image *image, struct error *error) {
+    (void)drawing;
+    for (int i = 0; i < TIE_LINES; i++) {
+        struct pixel a, b;
+        tie_line(i, &a, &b);
+        size_t length = line_length(a, b);
+        struct pixel *list = make_list(a, b, length, error);
+        if (list == NULL) {
+            return false;
+        }
+        for (size_t k = 0; k < length; k++) {
+            image_set(image, list[k].x, list[k].y, color_rgb(0, 255, 0));
+        }
+        free(list);
+    }
+    return true;
+}
+
+/* Lines that begin or end far outside the image, or never come in. */
+static bool draw_far(struct drawing *drawing, struct image *image, struct error *error) {
+    (void)drawing, (void)error;
+    static const struct {
+        struct pixel a, b;
+        struct color color; /* blue, green, red, alpha */
+    } lines[] = {
+        {{-1000000, -250007}, {199, 60}, {255, 255, 255, 255}}, /* flat, up */
+        {{1000000, -370935}, {-999000, 370701}, {0, 0, 255, 255}},
+        {{-299983, 1000000}, {300071, -1000000}, {0, 255, 255, 255}}, /* steep */
+        {{70, 99}, {-777777, -1000000}, {0, 255, 0, 255}},
+        {{-1000000, 999989}, {1000000, -999853}, {255, 128, 0, 255}}, /* nearly diagonal */
+        {{1000000, 96}, {-1000000, 96}, {0, 128, 255, 255}},
+        {{3, 1000000}, {3, -1000000}, {255, 0, 255, 255}},
+        {{-1000000, 50}, {-1, 50}, {255, 255, 255, 255}}, /* none of these three comes in */
+        {{100, 0}, {100, 99}, {255, 255, 255, 255}},
+        {{-1000000, -1000000}, {-5, 90}, {255, 255, 255, 255}},
+    };
+    for (size_t i = 0; i < sizeof lines / sizeof lines[0]; i++) {
+        line(image, lines[i].a, lines[i].b, lines[i].color);
+    }
     return true;
 }
 
@@ -64,36 +171,18 @@ static bool draw_gradient(struct drawing *drawing, struct image *image, struct e
     return true;
 }
 
-/* Only the pixels inside the image: the house version, line_begin() and line_next(), leaps over the
- * others. Step 2 shows how. Returns how many there are. */
-static size_t draw_visible(struct image *image, struct pixel a, struct pixel b,
-                           struct color color_a, struct color color_b) {
-    struct line_walk walk;
-    size_t visible = 0;
-    bool more = line_begin(&walk, a, b, image->width, image->height);
-    for (; more; more = line_next(&walk)) {
-        struct pixel p = {walk.x, walk.y};
-        image_set(image, p.x, p.y, color_along(a, b, color_a, color_b, p));
-        visible++;
-    }
-    return visible;
-}
-
-/* Draw the lines of a text scene. They may be far longer than the image: what lies outside is
- * skipped, or with --no-skip walked over pixel by pixel. */
+/* Draw the lines of a text scene: by line() where both ends have the same colour. */
 static bool draw_text(struct drawing *drawing, struct image *image, struct error *error) {
     for (size_t i = 0; i < drawing->text->shape_count; i++) {
         const struct text_scene_shape *shape = &drawing->text->shapes[i];
         struct pixel a = {(int)shape->x[0], (int)shape->y[0]};
         struct pixel b = {(int)shape->x[1], (int)shape->y[1]};
-        size_t length = line_length(a, b), walked = length;
-        if (drawing->skip) {
-            walked = draw_visible(image, a, b, shape->color[0], shape->color[1]);
+        if (memcmp(&shape->color[0], &shape->color[1], sizeof shape->color[0]) == 0) {
+            line(image, a, b, shape->color[0]);
         } else if (!line_gradient(image, a, b, shape->color[0], shape->color[1], error)) {
             return false;
         }
-        drawing_count(drawing, "pixels_walked", walked);
-        drawing_count(drawing, "pixels_skipped", length - walked);
+        drawing_count(drawing, "pixels_walked", line_length(a, b));
     }
     return true;
 }
@@ -101,8 +190,9 @@ static bool draw_text(struct drawing *drawing, struct image *image, struct error
 /* ---- The program ---- */
 
 static const struct scene scenes[] = {
-    {.name = "pixel", .draw = draw_pixel},
-    {.name = "line", .draw = draw_line},
+    {.name = "pixel", .draw = draw_pixel},       {.name = "line", .draw = draw_line},
+    {.name = "octants", .draw = draw_octants},   {.name = "ties", .draw = draw_ties},
+    {.name = "far", .draw = draw_far},           {.name = "list", .draw = draw_list},
     {.name = "gradient", .draw = draw_gradient},
 };
 

@@ -19,7 +19,7 @@ struct side {
 
 /* All three sides of every face, one face after the other; `sides` has room for 3 a face. */
 static void list_sides(const struct model *model, struct side *sides) {
-    /* BEGIN SOLUTION 2.1 the sides of the faces */
+    /* BEGIN SOLUTION 2a.1 the sides of the faces */
     for (size_t i = 0; i < model->face_count; i++) {
         const struct corner *corner = model->faces[i].corner;
         for (size_t j = 0; j < 3; j++) {
@@ -28,11 +28,11 @@ static void list_sides(const struct model *model, struct side *sides) {
         }
     }
     /* STARTER
-    (void)model, (void)sides; // to do 2.1: three sides a face, the smaller number first
+    (void)model, (void)sides; // to do 2a.1: three sides a face, the smaller number first
     END SOLUTION */
 }
 
-/* BEGIN SOLUTION 2.4 each side once */
+/* BEGIN SOLUTION 2a.4 each side once */
 static int compare_sides(const void *a, const void *b) {
     const struct side *p = a, *q = b;
     if (p->low != q->low) {
@@ -45,7 +45,7 @@ static int compare_sides(const void *a, const void *b) {
 
 /* Keep one of each: after sorting, equal sides stand together. Returns how many are left. */
 static size_t keep_one_of_each(struct side *sides, size_t side_count) {
-    /* BEGIN SOLUTION 2.4 each side once */
+    /* BEGIN SOLUTION 2a.4 each side once */
     qsort(sides, side_count, sizeof *sides, compare_sides);
     size_t kept = 0;
     for (size_t i = 0; i < side_count; i++) {
@@ -56,7 +56,7 @@ static size_t keep_one_of_each(struct side *sides, size_t side_count) {
     return kept;
     /* STARTER
     (void)sides;
-    return side_count; // to do 2.4: keep one of each side, at the beginning of the list
+    return side_count; // to do 2a.4: keep one of each side, at the beginning of the list
     END SOLUTION */
 }
 
@@ -65,7 +65,7 @@ static size_t keep_one_of_each(struct side *sides, size_t side_count) {
 /* x and y in -1..1 fill the image. False, with `pixel` unchanged, for a position so far away that
  * lines are not drawn there. */
 static bool to_pixel(struct vec3 position, size_t width, size_t height, struct pixel *pixel) {
-    /* BEGIN SOLUTION 2.2 from the model to the image */
+    /* BEGIN SOLUTION 2a.2 from the model to the image */
     double x = floor((position.x + 1) * (double)width / 2);
     double y = floor((position.y + 1) * (double)height / 2);
     if (!(fabs(x) <= LINE_LIMIT && fabs(y) <= LINE_LIMIT)) {
@@ -75,13 +75,13 @@ static bool to_pixel(struct vec3 position, size_t width, size_t height, struct p
     return true;
     /* STARTER
     (void)position, (void)width, (void)height, (void)pixel;
-    return false; // to do 2.2: test the limit before you convert to int
+    return false; // to do 2a.2: test the limit before you convert to int
     END SOLUTION */
 }
 
 /* ---- A line cut to the image ---- */
 
-/* BEGIN SOLUTION 2.5 a line cut to the image */
+/* BEGIN SOLUTION 2a.3 a line */
 /* A line as in step 1: u is the axis along which it is longer, v the other one. After k steps along
  * u (0 <= k <= run) it has moved by floor((2 * k * rise + run - 1) / (2 * run)) along v: k * rise /
  * run to the nearest whole number, halves down. */
@@ -110,6 +110,9 @@ static struct course course_from(struct pixel a, struct pixel b) {
     };
 }
 
+/* END SOLUTION */
+
+/* BEGIN SOLUTION 2b.1 the steps in the image */
 /* The first step after which the line has moved by `move` or more along v; run + 1 when it never
  * moves as far. From (2 * k * rise + run - 1) / (2 * run) >= move, solved for k. With coordinates
  * within LINE_LIMIT all products are below 2^62. */
@@ -144,34 +147,54 @@ static struct steps steps_inside(const struct course *course, size_t width, size
     return (struct steps){first, last};
 }
 
-/* END SOLUTION */
+/* STARTER
+// to do 2b.1: which steps of a line lie in the image?
+END SOLUTION */
 
-/* Draw the part of a line that lies in the image; returns the number of its pixels. */
+/* BEGIN SOLUTION 2b.2 the walk from there on */
+/* Where Bresenham's walk is after k steps, as if it had come there from the start of the line. */
+struct place {
+    int64_t u, v, error;
+};
+
+static struct place place_after(const struct course *course, int64_t k) {
+    int64_t climbed = 2 * k * course->rise;
+    int64_t moved = course->run > 0 ? (climbed + course->run - 1) / (2 * course->run) : 0;
+    return (struct place){
+        .u = course->u + k,
+        .v = course->v + course->v_step * moved,
+        .error = climbed - course->run - 2 * course->run * moved,
+    };
+}
+
+/* STARTER
+// to do 2b.2: where is the walk after k steps, and what is its error there?
+END SOLUTION */
+
+/* Draw the part of a line that lies in the image. Returns how many pixels were walked over: from
+ * part b on these are the pixels in the image, and no others. */
 static uint64_t line(struct image *image, struct pixel a, struct pixel b, struct color color) {
-    /* BEGIN SOLUTION 2.3 a line */
+    /* BEGIN SOLUTION 2a.3 a line */
     struct course course = course_from(a, b);
     struct steps inside = steps_inside(&course, image->width, image->height);
     if (inside.first > inside.last) {
         return 0;
     }
-    /* Bresenham's walk, joined at the first step inside: the error is what it would be there. */
-    int64_t climbed = 2 * inside.first * course.rise;
-    int64_t moved = course.run > 0 ? (climbed + course.run - 1) / (2 * course.run) : 0;
-    int64_t error = climbed - course.run - 2 * course.run * moved;
-    int64_t u = course.u + inside.first, v = course.v + course.v_step * moved;
+    struct place at = place_after(&course, inside.first);
     for (int64_t k = inside.first; k <= inside.last; k++) {
-        image_set(image, (int)(course.steep ? v : u), (int)(course.steep ? u : v), color);
-        u++;
-        error += 2 * course.rise;
-        if (error > 0) {
-            v += course.v_step;
-            error -= 2 * course.run;
+        image_set(image, (int)(course.steep ? at.v : at.u), (int)(course.steep ? at.u : at.v),
+                  color);
+        at.u++;
+        at.error += 2 * course.rise;
+        if (at.error > 0) {
+            at.v += course.v_step;
+            at.error -= 2 * course.run;
         }
     }
     return (uint64_t)(inside.last - inside.first + 1);
     /* STARTER
     (void)image, (void)a, (void)b, (void)color;
-    return 0; // to do 2.3: the line of step 1; to do 2.5: cut to the image
+    return 0; // to do 2a.3: the line of lesson 1; it returns how many pixels it has
     END SOLUTION */
 }
 
