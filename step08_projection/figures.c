@@ -137,57 +137,17 @@ static bool draw_wrong(struct drawing *drawing, const char *directory, struct er
 
 /* ---- Affine: a wall that goes away from the viewer ---- */
 
-enum { TILES = 8, TILE = 16 }; /* of its texture, in texels */
-
-static bool make_tiles(struct texture *texture, struct error *error) {
-    struct image image;
-    if (!image_create(&image, TILES * TILE, TILES * TILE, IMAGE_BGR, error)) {
-        return false;
-    }
-    for (int y = 0; y < TILES * TILE; y++) {
-        for (int x = 0; x < TILES * TILE; x++) {
-            bool light = (x / TILE + y / TILE) % 2 == 0;
-            image_set(&image, x, y, light ? color_rgb(235, 225, 200) : color_rgb(40, 95, 130));
-        }
-    }
-    bool done = texture_create(texture, &image, error);
-    image_free(&image);
-    return done;
-}
-
-static void draw_wall(struct canvas *canvas, const struct mat4 *to_clip, bool affine) {
-    static const struct vec3 corners[4] = {
-        {-0.9, -0.45, 1.1}, {0.9, -0.45, -2}, {0.9, 0.45, -2}, {-0.9, 0.45, 1.1}};
-    static const struct vec2 uv[4] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
-    struct vertex v[4];
-    for (int i = 0; i < 4; i++) {
-        if (!place(mat4_point(to_clip, corners[i]), &canvas->to_screen, &v[i])) {
-            return;
-        }
-        v[i].uv = uv[i];
-        v[i].intensity = 1;
-        v[i].recip_w = affine ? 1 : v[i].recip_w;
-    }
-    const struct vertex halves[2][3] = {{v[0], v[1], v[2]}, {v[0], v[2], v[3]}};
-    for (int i = 0; i < 2; i++) {
-        struct edges edges;
-        if (edges_setup(&edges, halves[i][0].position, halves[i][1].position, halves[i][2].position,
-                        canvas->image->width, canvas->image->height)) {
-            triangle(canvas, &edges, halves[i]);
-        }
-    }
-}
-
+/* Left with the weights of the screen, right as in scene `wall`. */
 static bool draw_affine(const struct drawing *drawing, const char *directory, struct error *error) {
+    static attempt_draw *const draws[] = {attempt_5_affine, draw_model};
+    struct quad_model made;
     struct texture tiles = {0};
     struct sheet sheet = {0};
+    quad_model_make(&made, &wall, 1, drawing->light);
+    struct drawing of_wall = drawing_of_quads(drawing, &made, &tiles);
     bool done = make_tiles(&tiles, error) && row_create(&sheet, SIDE, 2, error);
-    struct mat4 to_clip = camera_clip(&front);
     for (int i = 0; done && i < 2; i++) {
-        struct canvas canvas = make_canvas(drawing, &sheet.panel, whole_image(&sheet.panel));
-        canvas.texture = &tiles;
-        depth_clear(canvas.depth, sheet.panel.width * sheet.panel.height);
-        draw_wall(&canvas, &to_clip, i == 0);
+        draw_with(&of_wall, &sheet.panel, camera_clip(&front), draws[i]);
         sheet_add(&sheet);
     }
     done = done && figure_save(&sheet.image, directory, "affine", error);

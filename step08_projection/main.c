@@ -3,7 +3,8 @@
  *
  * A point goes through a chain of matrices, from the model to the screen:
  *
- *     clip   = projection * lookat * point      the camera; w says how far away it is
+ *     world  = to_world * point                 where the model stands, and how large
+ *     clip   = projection * lookat * world      the camera; w says how far away it is
  *     ndc    = clip / w                         -1..1 over the picture
  *     screen = viewport * ndc                   pixels
  *
@@ -19,14 +20,14 @@
 
 /* NDC (-1..1) to a picture of width x height pixels whose lower left corner is at (0,0). */
 static struct mat4 viewport(size_t width, size_t height) {
-    /* BEGIN SOLUTION 8.1 viewport */
+    /* BEGIN SOLUTION 8a.1 viewport */
     double half_width = (double)width / 2, half_height = (double)height / 2;
     return (struct mat4){{{half_width, 0, 0, half_width},
                           {0, half_height, 0, half_height},
                           {0, 0, 1, 0},
                           {0, 0, 0, 1}}};
     /* STARTER
-    (void)width, (void)height; // to do 8.1: the matrix
+    (void)width, (void)height; // to do 8a.1: the matrix
     return mat4_identity();
     END SOLUTION */
 }
@@ -35,18 +36,18 @@ static struct mat4 viewport(size_t width, size_t height) {
 
 /* Where a map takes a point of the plane z = 0; what the scene maps to are pixels. */
 static struct vec2 to_pixels(const struct mat4 *map, struct vec2 p) {
-    /* BEGIN SOLUTION 8.2 point through a map */
+    /* BEGIN SOLUTION 8a.2 point through a map */
     struct vec4 q = mat4_point(map, (struct vec3){p.x, p.y, 0});
     return (struct vec2){q.x / q.w, q.y / q.w};
     /* STARTER
-    (void)map, (void)p; // to do 8.2: apply the map to (x, y, 0, 1) and divide by w
+    (void)map, (void)p; // to do 8a.2: apply the map to (x, y, 0, 1) and divide by w
     return (struct vec2){0, 0};
     END SOLUTION */
 }
 
 static const struct vec3 pivot = {1, 0.8, 0}; /* of the rotation about a point */
 
-/* BEGIN SOLUTION 8.3 maps of the plane */
+/* BEGIN SOLUTION 8a.3 maps of the plane */
 /* Moves x by y * amount; y stays. */
 static struct mat4 shear(double amount) {
     struct mat4 shear = mat4_identity();
@@ -68,7 +69,7 @@ static struct mat4 rotate_about(struct vec3 point, double turns) {
 
 /* What panel 0..8 shows, row by row from the top left. */
 static struct mat4 panel_map(int panel) {
-    /* BEGIN SOLUTION 8.3 maps of the plane */
+    /* BEGIN SOLUTION 8a.3 maps of the plane */
     const struct mat4 scale = mat4_scaling((struct vec3){1.5, 0.5, 1}), turn = rotate(0.125);
     const struct mat4 move = mat4_translation((struct vec3){-0.8, -1.3, 0});
     struct mat4 perspective = mat4_identity();
@@ -86,7 +87,7 @@ static struct mat4 panel_map(int panel) {
     };
     return maps[panel];
     /* STARTER
-    (void)panel; // to do 8.3: the map of each panel
+    (void)panel; // to do 8a.3: the map of each panel
     return mat4_identity();
     END SOLUTION */
 }
@@ -105,7 +106,7 @@ struct vertex {
 /* Here is the division by w: find recip_w, depth and, by `to_screen` from NDC, position. False when
  * there is no such place on the screen: coordinates too large to compute with. */
 static bool place(struct vec4 clip, const struct mat4 *to_screen, struct vertex *vertex) {
-    /* BEGIN SOLUTION 8.4 division by w */
+    /* BEGIN SOLUTION 8a.4 division by w */
     vertex->recip_w = 1 / clip.w;
     vertex->depth = clip.z * vertex->recip_w;
     struct vec3 ndc = {clip.x * vertex->recip_w, clip.y * vertex->recip_w, vertex->depth};
@@ -114,47 +115,21 @@ static bool place(struct vec4 clip, const struct mat4 *to_screen, struct vertex 
            screen_snap((struct vec2){screen.x, screen.y}, &vertex->position);
     /* STARTER
     (void)clip, (void)to_screen, (void)vertex;
-    return false; // to do 8.4: true when depth is finite and screen_snap() has found the position
+    return false; // to do 8a.4: true when depth is finite and screen_snap() has found the position
     END SOLUTION */
 }
 
-/* ---- The camera ---- */
+/* ---- Perspective ---- */
 
 /* A camera at (0, 0, distance) that looks along -z: w = 1 - z / distance. An infinite distance
  * gives the parallel view. */
 static struct mat4 projection(double distance) {
-    /* BEGIN SOLUTION 8.5 perspective */
+    /* BEGIN SOLUTION 8a.5 perspective */
     struct mat4 projection = mat4_identity();
     projection.m[3][2] = -1 / distance;
     return projection;
     /* STARTER
-    (void)distance; // to do 8.5: the matrix that makes w
-    return mat4_identity();
-    END SOLUTION */
-}
-
-/* The world as the camera sees it: `center` becomes the origin, the direction from there to `eye`
- * becomes z, and `up` appears upwards. The rows are the camera's own axes x, y, z. */
-static struct mat4 lookat(struct vec3 eye, struct vec3 center, struct vec3 up) {
-    /* BEGIN SOLUTION 8.6 camera anywhere */
-    struct vec3 z = vec3_renormalized(vec3_normalized(vec3_half_difference(eye, center)));
-    if (vec3_dot(z, z) == 0) {
-        z = (struct vec3){0, 0, 1};
-    }
-    struct vec3 x = vec3_cross(vec3_normalized(up), z);
-    if (vec3_dot(x, x) < 1e-20) { /* up is parallel to the view direction, as near as it matters */
-        x = vec3_cross(vec3_perpendicular_axis(z), z);
-    }
-    x = vec3_normalized(x);
-    /* A short cross product has lost digits: make x perpendicular to z once more. */
-    x = vec3_renormalized(vec3_sub(x, vec3_scale(z, vec3_dot(x, z))));
-    struct vec3 y = vec3_renormalized(vec3_cross(z, x));
-    return (struct mat4){{{x.x, x.y, x.z, -vec3_dot(x, center)},
-                          {y.x, y.y, y.z, -vec3_dot(y, center)},
-                          {z.x, z.y, z.z, -vec3_dot(z, center)},
-                          {0, 0, 0, 1}}};
-    /* STARTER
-    (void)eye, (void)center, (void)up; // to do 8.6: the three axes, then the matrix
+    (void)distance; // to do 8a.5: the matrix that makes w
     return mat4_identity();
     END SOLUTION */
 }
@@ -164,12 +139,12 @@ static struct mat4 lookat(struct vec3 eye, struct vec3 center, struct vec3 up) {
 /* The weights of the corners in the plane of the triangle, from those on the screen: a corner far
  * away counts for less (Blinn, "Hyperbolic Interpolation", 1992). */
 static struct vec3 correct_weights(struct vec3 screen, const double recip_w[3]) {
-    /* BEGIN SOLUTION 8.7 correct weights */
+    /* BEGIN SOLUTION 8b.1 correct weights */
     double a = screen.x * recip_w[0], b = screen.y * recip_w[1], c = screen.z * recip_w[2];
     double scale = 1 / (a + b + c);
     return (struct vec3){a * scale, b * scale, c * scale};
     /* STARTER
-    (void)recip_w; // to do 8.7: weigh each corner by its 1/w, then make the sum 1 again
+    (void)recip_w; // to do 8b.1: weigh each corner by its 1/w, then make the sum 1 again
     return screen;
     END SOLUTION */
 }
@@ -181,6 +156,8 @@ struct canvas {
     struct rectangle area;         /* of the image: nothing is drawn outside */
     struct mat4 to_screen;         /* from NDC to the area */
     const struct texture *texture; /* the colour of the surface */
+    struct mat4 normals_to_world;
+    bool one_color; /* a face: that of its middle */
     uint64_t positions_divided;
     uint64_t faces_outside, faces_clipped, triangles_turned_away;
 };
@@ -218,6 +195,48 @@ static void triangle(const struct canvas *canvas, const struct edges *edges,
     }
 }
 
+/* ---- The camera ---- */
+
+/* The world as the camera sees it: `center` becomes the origin, the direction from there to `eye`
+ * becomes z, and `up` appears upwards. The rows are the camera's own axes x, y, z. */
+static struct mat4 lookat(struct vec3 eye, struct vec3 center, struct vec3 up) {
+    /* BEGIN SOLUTION 8b.2 camera anywhere */
+    struct vec3 z = vec3_renormalized(vec3_normalized(vec3_half_difference(eye, center)));
+    if (vec3_dot(z, z) == 0) {
+        z = (struct vec3){0, 0, 1};
+    }
+    struct vec3 x = vec3_cross(vec3_normalized(up), z);
+    if (vec3_dot(x, x) < 1e-20) { /* up is parallel to the view direction, as near as it matters */
+        x = vec3_cross(vec3_perpendicular_axis(z), z);
+    }
+    x = vec3_normalized(x);
+    /* A short cross product has lost digits: make x perpendicular to z once more. */
+    x = vec3_renormalized(vec3_sub(x, vec3_scale(z, vec3_dot(x, z))));
+    struct vec3 y = vec3_renormalized(vec3_cross(z, x));
+    return (struct mat4){{{x.x, x.y, x.z, -vec3_dot(x, center)},
+                          {y.x, y.y, y.z, -vec3_dot(y, center)},
+                          {z.x, z.y, z.z, -vec3_dot(z, center)},
+                          {0, 0, 0, 1}}};
+    /* STARTER
+    (void)eye, (void)center, (void)up; // to do 8b.2: the three axes, then the matrix
+    return mat4_identity();
+    END SOLUTION */
+}
+
+/* ---- Normals of a model that is scaled ---- */
+
+/* Takes normals to the world, where to_world takes points: by the inverse transpose they stay
+ * perpendicular to the surface. A map without an inverse leaves them as they are. */
+static struct mat4 normals_to_world(struct mat4 to_world) {
+    /* BEGIN SOLUTION 8b.3 normals */
+    struct mat4 inverse = mat4_identity();
+    mat4_inverse(to_world, &inverse);
+    return mat4_transpose(inverse);
+    /* STARTER
+    return to_world; // to do 8b.3: the inverse, and of that the transpose
+    END SOLUTION */
+}
+
 /* ---- Clipping: only what lies in front of the camera can be divided by w ---- */
 
 /* Nearer than this part of the camera's distance nothing is drawn: 1/w would grow without bound. */
@@ -243,7 +262,7 @@ struct polygon {
     size_t count;
 };
 
-/* BEGIN SOLUTION 8.8 clipping */
+/* BEGIN SOLUTION 8c.1 clipping */
 /* Signed distances to the planes, positive inside. */
 static double plane_distance(struct vec4 p, int plane) {
     switch (plane) {
@@ -283,7 +302,7 @@ static struct clip_corner cut_edge(const struct clip_corner *inside,
  * Clipping", 1974): w >= near_w, guard_band * w >= -x, >= x, >= -y, >= y. */
 static struct polygon clip_at_plane(const struct polygon *polygon, int plane) {
     struct polygon result = {.count = 0};
-    /* BEGIN SOLUTION 8.8 clipping */
+    /* BEGIN SOLUTION 8c.1 clipping */
     for (size_t i = 0; i < polygon->count; i++) {
         const struct clip_corner *a = &polygon->corner[i];
         const struct clip_corner *b = &polygon->corner[(i + 1) % polygon->count];
@@ -300,7 +319,7 @@ static struct polygon clip_at_plane(const struct polygon *polygon, int plane) {
         }
     }
     /* STARTER
-    (void)polygon, (void)plane; // to do 8.8: keep the corners inside, cut the edges that cross
+    (void)polygon, (void)plane; // to do 8c.1: keep the corners inside, cut the edges that cross
     END SOLUTION */
     return result;
 }

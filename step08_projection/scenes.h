@@ -1,9 +1,15 @@
 /*
  * Step 8, the given part: its scenes and the program.
  *
- * `transforms` shows what matrices do to a small house. `viewport` draws a model into several
- * rectangles, without perspective. `projection` adds perspective, `lookat` a camera anywhere, and
- * `closeup` a camera so near that faces pass behind it.
+ * Part a: `scale` to `divided` show what nine matrices do to a small house, `transforms` all of
+ * them together. `viewport` draws a model into several rectangles, without perspective.
+ * `projection` adds perspective, and `crossing` planes whose depths decide. In part a a face has
+ * one colour, or w is 1: no weights are needed.
+ *
+ * Part b: `wall` needs the correct weights, `lookat` and `above` a camera anywhere, `narrow`
+ * normals for a model that is not scaled alike in all directions.
+ *
+ * Part c: in `closeup` and `endless` faces pass behind the camera.
  */
 #include <stdlib.h>
 
@@ -136,6 +142,59 @@ static void draw_panel(const struct plane *plane, int panel) {
     }
 }
 
+/* One panel by itself. */
+static bool draw_alone(struct image *image, int panel) {
+    const struct plane plane = {image, {0, 0, (int)image->width, (int)image->height}};
+    fill_area(image, plane.area, color_grey(26));
+    draw_panel(&plane, panel);
+    return true;
+}
+
+static bool draw_scale(struct drawing *drawing, struct image *image, struct error *error) {
+    (void)drawing, (void)error;
+    return draw_alone(image, 0);
+}
+
+static bool draw_shear(struct drawing *drawing, struct image *image, struct error *error) {
+    (void)drawing, (void)error;
+    return draw_alone(image, 1);
+}
+
+static bool draw_turn(struct drawing *drawing, struct image *image, struct error *error) {
+    (void)drawing, (void)error;
+    return draw_alone(image, 2);
+}
+
+static bool draw_scale_turn(struct drawing *drawing, struct image *image, struct error *error) {
+    (void)drawing, (void)error;
+    return draw_alone(image, 3);
+}
+
+static bool draw_turn_scale(struct drawing *drawing, struct image *image, struct error *error) {
+    (void)drawing, (void)error;
+    return draw_alone(image, 4);
+}
+
+static bool draw_turn_about(struct drawing *drawing, struct image *image, struct error *error) {
+    (void)drawing, (void)error;
+    return draw_alone(image, 5);
+}
+
+static bool draw_move_turn(struct drawing *drawing, struct image *image, struct error *error) {
+    (void)drawing, (void)error;
+    return draw_alone(image, 6);
+}
+
+static bool draw_turn_move(struct drawing *drawing, struct image *image, struct error *error) {
+    (void)drawing, (void)error;
+    return draw_alone(image, 7);
+}
+
+static bool draw_divided(struct drawing *drawing, struct image *image, struct error *error) {
+    (void)drawing, (void)error;
+    return draw_alone(image, 8);
+}
+
 static bool draw_transforms(struct drawing *drawing, struct image *image, struct error *error) {
     (void)drawing, (void)error;
     for (int i = 0; i < PANEL_COUNT; i++) {
@@ -195,17 +254,40 @@ struct face_attributes {
     struct vec2 uv[3];
 };
 
-/* The intensities are those of step 7. */
-static struct face_attributes fetch_face(const struct drawing *drawing, size_t face) {
-    const struct vec3 to_light = vec3_normalized(drawing->light);
+/* The intensity of step 7, with the normal brought to the world. */
+static double light_on(const struct drawing *drawing, const struct canvas *canvas,
+                       struct vec3 model_normal) {
+    struct vec3 normal = vec3_normalized(mat4_direction(&canvas->normals_to_world, model_normal));
+    double cosine = vec3_dot(normal, vec3_normalized(drawing->light));
+    return cosine > 0 ? cosine : 0;
+}
+
+static struct face_attributes fetch_corners(const struct drawing *drawing,
+                                            const struct canvas *canvas, size_t face) {
     struct face_attributes attributes;
     for (size_t i = 0; i < 3; i++) {
-        struct vec3 normal = vec3_normalized(model_normal(drawing->model, face, i));
-        double cosine = vec3_dot(normal, to_light);
-        attributes.intensity[i] = cosine > 0 ? cosine : 0;
+        struct vec3 normal = model_normal(drawing->model, face, i);
+        attributes.intensity[i] = light_on(drawing, canvas, normal);
         attributes.uv[i] = model_uv(drawing->model, face, i);
     }
     return attributes;
+}
+
+/* The same at all corners: then no weights can be wrong. */
+static struct face_attributes fetch_middle(const struct drawing *drawing,
+                                           const struct canvas *canvas, size_t face) {
+    const struct vec3 third = {1.0 / 3, 1.0 / 3, 1.0 / 3};
+    const struct model *model = drawing->model;
+    double intensity = light_on(drawing, canvas, model_face_normal(model, face));
+    struct vec2 uv = vec2_interpolate(third, model_uv(model, face, 0), model_uv(model, face, 1),
+                                      model_uv(model, face, 2));
+    return (struct face_attributes){{intensity, intensity, intensity}, {uv, uv, uv}};
+}
+
+static struct face_attributes fetch_face(const struct drawing *drawing, const struct canvas *canvas,
+                                         size_t face) {
+    return canvas->one_color ? fetch_middle(drawing, canvas, face)
+                             : fetch_corners(drawing, canvas, face);
 }
 
 /* The weights of a face's own corners. */
@@ -225,7 +307,7 @@ static void draw_part(const struct drawing *drawing, struct canvas *canvas, size
     if (edges.clockwise && drawing->skip) {
         return; /* before its light is computed */
     }
-    const struct face_attributes a = fetch_face(drawing, face);
+    const struct face_attributes a = fetch_face(drawing, canvas, face);
     for (int i = 0; i < 3; i++) {
         v[i].intensity = interpolate(weight[i], a.intensity[0], a.intensity[1], a.intensity[2]);
         v[i].uv = vec2_interpolate(weight[i], a.uv[0], a.uv[1], a.uv[2]);
@@ -294,19 +376,28 @@ static void draw_face(const struct drawing *drawing, struct canvas *canvas, size
     }
 }
 
-/* Draw the model, transformed by to_clip, into the canvas's area. */
-static void draw_model(struct drawing *drawing, struct canvas *canvas, const struct mat4 *to_clip) {
-    const struct model *model = drawing->model;
+static void draw_faces(const struct drawing *drawing, struct canvas *canvas,
+                       const struct mat4 *to_clip) {
     transform_positions(drawing, to_clip);
-    for (size_t face = 0; face < model->face_count; face++) {
+    for (size_t face = 0; face < drawing->model->face_count; face++) {
         draw_face(drawing, canvas, face);
     }
+}
+
+static void count_work(struct drawing *drawing, const struct canvas *canvas,
+                       const struct model *model) {
     drawing_count(drawing, "positions", model->position_count);
     drawing_count(drawing, "positions_divided", canvas->positions_divided);
     drawing_count(drawing, "faces", model->face_count);
     drawing_count(drawing, "faces_outside", canvas->faces_outside);
     drawing_count(drawing, "faces_clipped", canvas->faces_clipped);
     drawing_count(drawing, "triangles_turned_away", canvas->triangles_turned_away);
+}
+
+/* Draw the model, transformed by to_clip, into the canvas's area. */
+static void draw_model(struct drawing *drawing, struct canvas *canvas, const struct mat4 *to_clip) {
+    draw_faces(drawing, canvas, to_clip);
+    count_work(drawing, canvas, drawing->model);
 }
 
 /* ---- Scenes with the model ---- */
@@ -319,6 +410,7 @@ static struct canvas make_canvas(const struct drawing *drawing, struct image *im
         .area = area,
         .to_screen = area_to_screen(area),
         .texture = drawing->diffuse,
+        .normals_to_world = mat4_identity(),
     };
 }
 
@@ -331,11 +423,42 @@ static struct mat4 camera(const struct drawing *drawing, double distance) {
     return mat4_mul(projection(distance), lookat(drawing->eye, drawing->center, drawing->up));
 }
 
-/* Scenes projection, lookat and closeup: they differ in their eye, center and up. */
+/* In perspective, at the distance between eye and center. */
+static struct mat4 perspective_camera(const struct drawing *drawing) {
+    return camera(drawing, vec3_length(vec3_sub(drawing->eye, drawing->center)));
+}
+
+/* Scenes lookat, above and closeup: they differ in their eye, center and up. */
 static bool draw_view(struct drawing *drawing, struct image *image, struct error *error) {
     (void)error;
     struct canvas canvas = make_canvas(drawing, image, whole_image(image));
-    struct mat4 to_clip = camera(drawing, vec3_length(vec3_sub(drawing->eye, drawing->center)));
+    struct mat4 to_clip = perspective_camera(drawing);
+    draw_model(drawing, &canvas, &to_clip);
+    return true;
+}
+
+/* The head of many facets, each of one colour. */
+static bool draw_projection(struct drawing *drawing, struct image *image, struct error *error) {
+    (void)error;
+    struct canvas canvas = make_canvas(drawing, image, whole_image(image));
+    struct mat4 to_clip = perspective_camera(drawing);
+    canvas.one_color = true;
+    draw_model(drawing, &canvas, &to_clip);
+    return true;
+}
+
+/* The model made narrow, then turned: its matrix comes before those of the camera. */
+static struct mat4 narrow_to_world(void) {
+    return mat4_mul(mat4_rotation((struct vec3){0, 1, 0}, 0.05),
+                    mat4_scaling((struct vec3){0.5, 1, 1}));
+}
+
+static bool draw_narrow(struct drawing *drawing, struct image *image, struct error *error) {
+    (void)error;
+    const struct mat4 to_world = narrow_to_world();
+    struct canvas canvas = make_canvas(drawing, image, whole_image(image));
+    struct mat4 to_clip = mat4_mul(perspective_camera(drawing), to_world);
+    canvas.normals_to_world = normals_to_world(to_world);
     draw_model(drawing, &canvas, &to_clip);
     return true;
 }
@@ -372,6 +495,138 @@ static bool draw_viewport(struct drawing *drawing, struct image *image, struct e
     return true;
 }
 
+/* ---- Scenes of a few large quads ---- */
+
+struct quad {
+    struct vec3 corner[4]; /* counterclockwise as the camera sees them */
+    struct vec2 uv[4];
+};
+
+enum { QUAD_LIMIT = 3, QUAD_CORNERS = 4 * QUAD_LIMIT };
+
+/* A model of quads, and where its positions are transformed to. */
+struct quad_model {
+    struct model model;
+    struct vec3 positions[QUAD_CORNERS];
+    float uvs[QUAD_CORNERS][2], normals[1][3];
+    struct face faces[2 * QUAD_LIMIT];
+    struct position places[QUAD_CORNERS];
+    struct state state;
+};
+
+/* All normals point to the light: the tiles are seen in their own colours. */
+static void quad_model_make(struct quad_model *made, const struct quad *quads, size_t count,
+                            struct vec3 light) {
+    *made = (struct quad_model){.model = {.position_count = 4 * count, .face_count = 2 * count}};
+    for (uint32_t i = 0; i < 4 * count; i++) {
+        const struct quad *quad = &quads[i / 4];
+        made->positions[i] = quad->corner[i % 4];
+        made->uvs[i][0] = (float)quad->uv[i % 4].x;
+        made->uvs[i][1] = (float)quad->uv[i % 4].y;
+    }
+    for (uint32_t i = 0; i < 2 * count; i++) { /* corners 0 1 2 and 0 2 3 */
+        const uint32_t first = i / 2 * 4, second = first + 1 + i % 2;
+        made->faces[i] =
+            (struct face){{{first, first, 0}, {second, second, 0}, {second + 1, second + 1, 0}}};
+    }
+    made->normals[0][0] = (float)light.x;
+    made->normals[0][1] = (float)light.y;
+    made->normals[0][2] = (float)light.z;
+    made->model.positions = made->positions;
+    made->model.uvs = made->uvs;
+    made->model.normals = made->normals;
+    made->model.faces = made->faces;
+    made->state.positions = made->places;
+}
+
+enum { TILES = 8, TILE = 16 }; /* a side of the texture, in tiles, and of a tile, in texels */
+
+/* Light tiles and dark ones; redder to the right, bluer upwards. */
+static bool make_tiles(struct texture *texture, struct error *error) {
+    struct image image;
+    if (!image_create(&image, TILES * TILE, TILES * TILE, IMAGE_BGR, error)) {
+        return false;
+    }
+    for (int y = 0; y < TILES * TILE; y++) {
+        for (int x = 0; x < TILES * TILE; x++) {
+            int column = x / TILE, row = y / TILE, dark = (column + row) % 2;
+            double red = 150 + 15 * column, green = 190, blue = 80 + 20 * row;
+            double part = dark ? 0.45 : 1;
+            image_set(&image, x, y,
+                      color_rgb(level_from(red * part), level_from(green * part),
+                                level_from(blue * part)));
+        }
+    }
+    bool done = texture_create(texture, &image, error);
+    image_free(&image);
+    return done;
+}
+
+/* The same drawing of another model. */
+static struct drawing drawing_of_quads(const struct drawing *drawing, struct quad_model *quads,
+                                       const struct texture *tiles) {
+    struct drawing of_quads = *drawing;
+    of_quads.model = &quads->model;
+    of_quads.diffuse = tiles;
+    of_quads.state = &quads->state;
+    return of_quads;
+}
+
+static bool draw_quads(struct drawing *drawing, struct image *image, const struct quad *quads,
+                       size_t count, struct error *error) {
+    struct texture tiles;
+    struct quad_model made;
+    if (!make_tiles(&tiles, error)) {
+        return false;
+    }
+    quad_model_make(&made, quads, count, drawing->light);
+    const struct drawing of_quads = drawing_of_quads(drawing, &made, &tiles);
+    struct canvas canvas = make_canvas(&of_quads, image, whole_image(image));
+    struct mat4 to_clip = perspective_camera(drawing);
+    draw_faces(&of_quads, &canvas, &to_clip);
+    count_work(drawing, &canvas, &made.model);
+    texture_free(&tiles);
+    return true;
+}
+
+/* Three planes that cross, each of the colour of one tile. */
+static bool draw_crossing(struct drawing *drawing, struct image *image, struct error *error) {
+    static const struct vec2 a = {1 / 16.0, 1 / 16.0}, b = {13 / 16.0, 1 / 16.0};
+    static const struct vec2 c = {5 / 16.0, 15 / 16.0};
+    const struct quad quads[] = {
+        {{{-0.7, -0.6, 0.2}, {0.7, -0.6, 0.2}, {0.7, 0.6, 0.2}, {-0.7, 0.6, 0.2}}, {a, a, a, a}},
+        {{{-0.4, -0.3, 1.3}, {1.6, -0.9, -2}, {1.6, 0.9, -2}, {-0.4, 0.3, 1.3}}, {b, b, b, b}},
+        {{{-0.3, -0.4, 1.3}, {0.3, -0.4, 1.3}, {1.2, 1.4, -3}, {-1.2, 1.4, -3}}, {c, c, c, c}},
+    };
+    return draw_quads(drawing, image, quads, sizeof quads / sizeof quads[0], error);
+}
+
+/* It goes away from the viewer. */
+static const struct quad wall = {
+    {{-0.9, -0.45, 1.1}, {0.9, -0.45, -2}, {0.9, 0.45, -2}, {-0.9, 0.45, 1.1}},
+    {{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
+
+static bool draw_wall(struct drawing *drawing, struct image *image, struct error *error) {
+    return draw_quads(drawing, image, &wall, 1, error);
+}
+
+/* A floor and a wall that have no end behind the camera, and a leaf before its lens. */
+static bool draw_endless(struct drawing *drawing, struct image *image, struct error *error) {
+    const double far = 1e14, wide = 1e15, u = wide / 4, v = far / 8;
+    const struct quad quads[] = {
+        {{{-wide, -0.5, far}, {wide, -0.5, far}, {8, -0.5, -14}, {-8, -0.5, -14}},
+         {{-u, -v}, {u, -v}, {2.5, 2}, {-1.5, 2}}},
+        {{{0.9, -wide, far}, {0.9, wide, far}, {0.9, 4, -14}, {0.9, -4, -14}},
+         {{-v, -u}, {-v, u}, {2, 1.44}, {2, -0.56}}},
+        {{{-0.009, 0.004, 1.97},
+          {-0.002, 0.002, 1.97},
+          {-0.001, 0.003, 1.997},
+          {-0.002, 0.003, 1.997}},
+         {{0, 0}, {1, 0}, {1, 1}, {0, 1}}},
+    };
+    return draw_quads(drawing, image, quads, sizeof quads / sizeof quads[0], error);
+}
+
 /* ---- The program ---- */
 
 static bool prepare(struct drawing *drawing, size_t width, size_t height, struct error *error) {
@@ -395,10 +650,30 @@ static void finish(struct drawing *drawing) {
 enum { NEEDS_VIEW = NEEDS_MODEL | NEEDS_NORMALS | NEEDS_DIFFUSE | NEEDS_DEPTH };
 
 static const struct scene scenes[] = {
+    {.name = "scale", .width = 400, .height = 400, .draw = draw_scale},
+    {.name = "shear", .width = 400, .height = 400, .draw = draw_shear},
+    {.name = "turn", .width = 400, .height = 400, .draw = draw_turn},
+    {.name = "scale_turn", .width = 400, .height = 400, .draw = draw_scale_turn},
+    {.name = "turn_scale", .width = 400, .height = 400, .draw = draw_turn_scale},
+    {.name = "turn_about", .width = 400, .height = 400, .draw = draw_turn_about},
+    {.name = "move_turn", .width = 400, .height = 400, .draw = draw_move_turn},
+    {.name = "turn_move", .width = 400, .height = 400, .draw = draw_turn_move},
+    {.name = "divided", .width = 400, .height = 400, .draw = draw_divided},
     {.name = "transforms", .draw = draw_transforms},
     {.name = "viewport", .needs = NEEDS_VIEW, .draw = draw_viewport},
-    {.name = "projection", .needs = NEEDS_VIEW, .draw = draw_view},
+    {.name = "projection", .needs = NEEDS_VIEW, .draw = draw_projection},
+    {.name = "crossing", .needs = NEEDS_DEPTH, .draw = draw_crossing},
+    {.name = "wall", .needs = NEEDS_DEPTH, .draw = draw_wall},
     {.name = "lookat", .needs = NEEDS_VIEW, .eye = {1, 1, 2}, .draw = draw_view},
+    {
+        .name = "above",
+        .needs = NEEDS_VIEW,
+        .eye = {0.1, 2.3, 0.2}, /* looks along `up` */
+        .center = {0.1, 0.3, 0.2},
+        .light = {1, 3, 2},
+        .draw = draw_view,
+    },
+    {.name = "narrow", .needs = NEEDS_VIEW, .draw = draw_narrow},
     {
         .name = "closeup",
         .needs = NEEDS_VIEW,
@@ -407,6 +682,7 @@ static const struct scene scenes[] = {
         .up = {0, 0, 1},
         .draw = draw_view,
     },
+    {.name = "endless", .needs = NEEDS_DEPTH, .draw = draw_endless},
 };
 
 int main(int argc, char **argv) {

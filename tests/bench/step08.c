@@ -678,7 +678,7 @@ static double error_wall(void *state, int choice) {
     return sqrt(sum / pixels);
 }
 
-static bool make_tiles(struct work *work, struct error *error) {
+static bool make_wall_tiles(struct work *work, struct error *error) {
     struct image image;
     if (!image_create(&image, TILES_SIDE, TILES_SIDE, IMAGE_BGR, error)) {
         return false;
@@ -930,7 +930,7 @@ static bool setup(void **state, struct error *error) {
     if (work == NULL) {
         return error_out_of_memory(error);
     }
-    if (!make_state(work, error) || !make_views(work, error) || !make_tiles(work, error)) {
+    if (!make_state(work, error) || !make_views(work, error) || !make_wall_tiles(work, error)) {
         return false;
     }
     make_matrices(work);

@@ -14,6 +14,8 @@
 struct lesson {
     const struct program *program;
     size_t state_size; /* of `drawing->state`, where it is to be larger than the program's */
+    /* Why a scene is not compared; NULL when it is. May be NULL itself: all are. */
+    const char *(*skipped)(const char *scene);
     /* What of a scene is not triangles and is left out; NULL when it is all triangles. */
     const char *(*left_out)(const char *scene);
     /* Draws such a scene without what is left out. NULL: nothing remains, it is not compared. */

@@ -43,5 +43,5 @@ lesson_function lesson_step04;
 struct lesson lesson_step04(void) {
     const struct program *program = NULL;
     lesson_main(0, (char **)&program);
-    return (struct lesson){program, 0, left_out, NULL, build, NULL};
+    return (struct lesson){program, 0, NULL, left_out, NULL, build, NULL};
 }

@@ -49,5 +49,5 @@ lesson_function lesson_step05;
 struct lesson lesson_step05(void) {
     const struct program *program = NULL;
     lesson_main(0, (char **)&program);
-    return (struct lesson){program, 0, left_out, NULL, build, covered};
+    return (struct lesson){program, 0, NULL, left_out, NULL, build, covered};
 }

@@ -87,5 +87,5 @@ lesson_function lesson_step06;
 struct lesson lesson_step06(void) {
     const struct program *program = NULL;
     lesson_main(0, (char **)&program);
-    return (struct lesson){program, 0, left_out, NULL, build, NULL};
+    return (struct lesson){program, 0, NULL, left_out, NULL, build, NULL};
 }

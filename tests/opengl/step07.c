@@ -106,5 +106,5 @@ lesson_function lesson_step07;
 struct lesson lesson_step07(void) {
     const struct program *program = NULL;
     lesson_main(0, (char **)&program);
-    return (struct lesson){program, 0, left_out, NULL, build, NULL};
+    return (struct lesson){program, 0, NULL, left_out, NULL, build, NULL};
 }

@@ -46,5 +46,5 @@ lesson_function lesson_step09;
 struct lesson lesson_step09(void) {
     const struct program *program = NULL;
     lesson_main(0, (char **)&program);
-    return (struct lesson){program, sizeof(struct recorder), left_out, NULL, build, NULL};
+    return (struct lesson){program, sizeof(struct recorder), NULL, left_out, NULL, build, NULL};
 }

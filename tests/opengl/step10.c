@@ -56,5 +56,5 @@ lesson_function lesson_step10;
 struct lesson lesson_step10(void) {
     const struct program *program = NULL;
     lesson_main(0, (char **)&program);
-    return (struct lesson){program, sizeof(struct recorder), left_out, NULL, build, NULL};
+    return (struct lesson){program, sizeof(struct recorder), NULL, left_out, NULL, build, NULL};
 }
