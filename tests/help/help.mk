@@ -11,7 +11,7 @@ HELPED = $(if $(STEP),$(filter $(STEP:%/=%) step$(STEP)_% step0$(STEP)_%,$(STEPS
 show: $(BUILD)/show $(HELPED:%=$(BUILD)/out/%/.drawn)
 	@tests/help/show.sh '$(BUILD)' '$(STEP)' '$(SCENE)' '$(WHICH)' '$(KIND)'
 
-HELP = $(addprefix $(BUILD)/tests/,help/base64.o help/pictures.o help/terminal.o check/compare.o)
+TERMINAL = $(addprefix $(BUILD)/tests/,help/base64.o help/pictures.o help/terminal.o check/compare.o)
 
-$(BUILD)/show: $(BUILD)/tests/help/show.o $(HELP) $(BUILD)/libcommon.a
+$(BUILD)/show: $(BUILD)/tests/help/show.o $(TERMINAL) $(BUILD)/libcommon.a
 	$(LINK) $^ -lm -o $@
