@@ -33,7 +33,7 @@ static void scratch_free(struct scratch *scratch) {
     free(scratch->number);
     free(scratch->touched);
     free(scratch->farthest);
-    free(scratch->plane_place);
+    free(scratch->fetched);
     free(scratch->planes);
     *scratch = (struct scratch){0};
 }
@@ -82,14 +82,14 @@ static bool scratch_reserve(struct scratch *scratch, const struct pipeline *p, s
         }
         depth_clear(scratch->depth, pixels);
     }
-    uint32_t *places = array_reserve(scratch->plane_place, &scratch->bin_capacity, bin_size + 1,
-                                     sizeof *scratch->plane_place);
-    scratch->plane_place = places != NULL ? places : scratch->plane_place;
+    uint32_t *fetched = array_reserve(scratch->fetched, &scratch->fetched_capacity, bin_size + 1,
+                                      sizeof *scratch->fetched);
+    scratch->fetched = fetched != NULL ? fetched : scratch->fetched;
     size_t visible = bin_size < pixels ? bin_size : pixels;
     struct planes *planes = array_reserve(scratch->planes, &scratch->plane_capacity, visible + 1,
                                           sizeof *scratch->planes);
     scratch->planes = planes != NULL ? planes : scratch->planes;
-    return (places != NULL && planes != NULL) || error_out_of_memory(error);
+    return (fetched != NULL && planes != NULL) || error_out_of_memory(error);
 }
 
 /* ---- Threads ---- */

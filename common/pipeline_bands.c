@@ -228,6 +228,18 @@ static void cover_piece(struct band *band, const struct draw *draw, const struct
 
 /* ---- A band ---- */
 
+/* Mark the pieces of which a pixel is visible. */
+static void mark_visible(const struct band *band) {
+    const struct scratch *scratch = band->scratch;
+    size_t chunks = band->stride / CHUNK * BAND_HEIGHT;
+    for (size_t i = 0; i < chunks; i++) {
+        const uint32_t *number = scratch->number + i * CHUNK;
+        for (int k = 0; scratch->touched[i] && k < CHUNK; k++) {
+            scratch->fetched[number[k]] = 1;
+        }
+    }
+}
+
 /* Make the band what it was: nothing is drawn. Only what was touched has changed. */
 static void clear_band(const struct band *band) {
     const struct scratch *scratch = band->scratch;
@@ -331,11 +343,11 @@ void pipeline_draw_band(void *context, size_t index, size_t worker) {
         .work = work,
     };
     *work = (struct pixel_work){0};
-    scratch->plane_count = 0;
-    memset(scratch->plane_place, 0, (bin->count + 1) * sizeof *scratch->plane_place);
+    memset(scratch->fetched, 0, (bin->count + 1) * sizeof *scratch->fetched);
     depth_clear(scratch->farthest, band.stride / CHUNK);
     draw_pieces(&band, &shading, index, true);
     if (!shading.at_once) {
+        mark_visible(&band);
         draw_pieces(&band, &shading, index, false);
     }
     work->behind = band.behind;

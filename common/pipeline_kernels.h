@@ -78,14 +78,15 @@ struct pixel_work {
 
 /* The memory of a thread, for one band after the other. */
 struct scratch {
-    double *depth;         /* BAND_HEIGHT rows of `stride` */
-    uint32_t *number;      /* the same */
-    bool *touched;         /* for each chunk of a row: something may have been drawn there */
-    double *farthest;      /* in each column of chunks: at most the depth of every pixel */
-    uint32_t *plane_place; /* in `planes`, by a piece's number; 0: not fetched */
-    struct planes *planes; /* of visible pieces, from 1 on */
-    uint32_t plane_count;
-    size_t bin_capacity, plane_capacity; /* elements */
+    double *depth;    /* BAND_HEIGHT rows of `stride` */
+    uint32_t *number; /* the same */
+    bool *touched;    /* for each chunk of a row: something may have been drawn there */
+    double *farthest; /* in each column of chunks: at most the depth of every pixel */
+    /* By a piece's number: 0 while nothing of it is visible, otherwise 1; and once its draw call is
+     * shaded, what was fetched for it: the colour of a flat piece, or where its planes are. */
+    uint32_t *fetched;
+    struct planes *planes; /* of the visible pieces of a draw call: see planes_at() */
+    size_t fetched_capacity, plane_capacity; /* elements */
 };
 
 /* One draw call in one band: what a shade_function works on. */
@@ -177,15 +178,28 @@ KERNEL void fetch_varyings(const struct shading *s, const struct shader *shader,
     }
 }
 
-/* What is kept of a visible piece, so that its varyings can be found at any pixel: those of
- * corner 0, and at `value` planes on the screen, relative to pixel (x0,y0). Plane i of the first
- * varying_count is the numerator of varying i, the last one the denominator of all. */
+/* A plane on the screen over a piece, relative to pixel (x0,y0), and with it what a varying is at
+ * corner 0. */
+struct plane {
+    real corner, origin, dx, dy;
+};
+
+/* What is kept of a visible piece, so that its varyings can be found at any pixel. Plane i of the
+ * first varying_count is the numerator of varying i, the last one the denominator of all. */
 struct planes {
     real x0, y0;
     real least; /* that the denominator is at a corner: rounding may make it less, even 0 */
-    real corner[VARYING_LIMIT];
-    real origin[VARYING_LIMIT + 1], dx[VARYING_LIMIT + 1], dy[VARYING_LIMIT + 1];
+    struct plane plane[VARYING_LIMIT + 1];
 };
+
+/* Planes are kept without those that the shader does not have: half of the time of small pieces is
+ * waiting for memory. */
+static inline struct planes *planes_at(const struct scratch *scratch, const struct shader *shader,
+                                       uint32_t place) {
+    size_t size =
+        offsetof(struct planes, plane) + (shader->varying_count + 1) * sizeof(struct plane);
+    return (struct planes *)((char *)scratch->planes + place * size);
+}
 
 /* The largest power of two that is not above a positive number. A product with it is exact. */
 static inline double power_of_two(double number) {
@@ -193,7 +207,17 @@ static inline double power_of_two(double number) {
     memcpy(&bits, &number, sizeof bits);
     bits &= UINT64_C(0x7FF) << 52;
     memcpy(&number, &bits, sizeof bits);
-    return fmax(number, 0x1p-1022);
+    return number > 0x1p-1022 ? number : 0x1p-1022;
+}
+
+static inline double least_of_three(const double of[3]) {
+    double least = of[0] < of[1] ? of[0] : of[1];
+    return least < of[2] ? least : of[2];
+}
+
+static inline double most_of_three(const double of[3]) {
+    double most = of[0] > of[1] ? of[0] : of[1];
+    return most > of[2] ? most : of[2];
 }
 
 /* Perspective: a varying is v0 + (e1 (v1 - v0) / w1 + e2 (v2 - v0) / w2) / (e0 / w0 + e1 / w1 +
@@ -204,11 +228,10 @@ KERNEL void fetch_planes(const struct shading *s, const struct shader *shader,
     size_t n = shader->varying_count;
     double v[3 * VARYING_LIMIT], recip_w[3];
     planes->x0 = planes->y0 = planes->least = 0;
-    s->work->fetched++;
     if (shader->flat) {
         shader->vertex(s->uniforms, piece->face, 0, v);
         for (size_t i = 0; i < n; i++) {
-            planes->corner[i] = (real)v[i];
+            planes->plane[i].corner = (real)v[i];
         }
         return;
     }
@@ -220,26 +243,33 @@ KERNEL void fetch_planes(const struct shading *s, const struct shader *shader,
                                    edge_plane(c[0], c[1], x0, y0)};
     double scale = 1 / (edge[0].origin + edge[1].origin + edge[2].origin);
     /* 1/w itself may be too small for a float: so as a part of the largest. */
-    double unit = 1 / power_of_two(fmax(recip_w[0], fmax(recip_w[1], recip_w[2])));
+    double unit = 1 / power_of_two(most_of_three(recip_w));
     for (size_t i = 0; i < 3; i++) {
         double over_w = recip_w[i] * scale * unit;
         edge[i] = (struct screen_plane){edge[i].origin * over_w, edge[i].dx * over_w,
                                         edge[i].dy * over_w};
     }
+    double least = least_of_three(recip_w) * unit;
     planes->x0 = (real)x0;
     planes->y0 = (real)y0;
-    planes->least = (real)fmax(fmin(recip_w[0], fmin(recip_w[1], recip_w[2])) * unit, 1e-30);
+    planes->least = (real)(least > 1e-30 ? least : 1e-30);
     for (size_t i = 0; i < n; i++) {
         double to_1 = v[n + i] - v[i], to_2 = v[2 * n + i] - v[i];
-        planes->corner[i] = (real)v[i];
-        planes->origin[i] = (real)(edge[1].origin * to_1 + edge[2].origin * to_2);
-        planes->dx[i] = (real)(edge[1].dx * to_1 + edge[2].dx * to_2);
-        planes->dy[i] = (real)(edge[1].dy * to_1 + edge[2].dy * to_2);
+        planes->plane[i] = (struct plane){
+            .corner = (real)v[i],
+            .origin = (real)(edge[1].origin * to_1 + edge[2].origin * to_2),
+            .dx = (real)(edge[1].dx * to_1 + edge[2].dx * to_2),
+            .dy = (real)(edge[1].dy * to_1 + edge[2].dy * to_2),
+        };
     }
-    planes->origin[n] = (real)(edge[0].origin + edge[1].origin + edge[2].origin);
-    planes->dx[n] = (real)(edge[0].dx + edge[1].dx + edge[2].dx);
-    planes->dy[n] = (real)(edge[0].dy + edge[1].dy + edge[2].dy);
+    planes->plane[n] = (struct plane){
+        .origin = (real)(edge[0].origin + edge[1].origin + edge[2].origin),
+        .dx = (real)(edge[0].dx + edge[1].dx + edge[2].dx),
+        .dy = (real)(edge[0].dy + edge[1].dy + edge[2].dy),
+    };
 }
+
+/* ---- Fetching: once for each visible piece of a draw call ---- */
 
 /* The piece of a number, seen: some pixel of it is visible. Several threads may see it. */
 static inline const struct piece *see_piece(const struct shading *s, uint32_t number) {
@@ -249,32 +279,57 @@ static inline const struct piece *see_piece(const struct shading *s, uint32_t nu
     return (const struct piece *)s->pipeline->pieces.data + index;
 }
 
-/* The planes of a piece by its number, fetched when they are first asked for. */
-KERNEL const struct planes *find_planes(const struct shading *s, const struct shader *shader,
-                                        uint32_t number) {
-    struct scratch *scratch = s->scratch;
-    uint32_t *place = &scratch->plane_place[number];
-    if (*place == 0) {
-        *place = ++scratch->plane_count;
-        fetch_planes(s, shader, see_piece(s, number), &scratch->planes[*place]);
+/* LANES flat pieces whose colour is asked for. */
+struct flat_pieces {
+    int count;
+    uint32_t number[LANES];
+    real varyings[VARYING_LIMIT][LANES];
+};
+
+KERNEL void find_flat_colors(const struct shading *s, const struct shader *shader,
+                             struct flat_pieces *pieces) {
+    lanes varyings[VARYING_LIMIT];
+    lanes_texel colors;
+    memcpy(varyings, pieces->varyings, sizeof varyings);
+    shader->fragment(s->uniforms, varyings, &colors);
+    for (int i = 0; i < pieces->count; i++) {
+        s->scratch->fetched[pieces->number[i]] = lanes_texel_at(colors, i);
     }
-    return &scratch->planes[*place];
+    pieces->count = 0;
 }
 
-/* The colour of a flat piece, found when it is first asked for and kept in place of a place. (One
- * that is 0 is found again and again.) */
-KERNEL uint32_t find_flat_color(const struct shading *s, const struct shader *shader,
-                                uint32_t number) {
-    double given[VARYING_LIMIT];
-    lanes varyings[VARYING_LIMIT];
-    lanes_texel color;
-    s->work->fetched++;
-    shader->vertex(s->uniforms, see_piece(s, number)->face, 0, given);
-    for (size_t i = 0; i < shader->varying_count; i++) {
-        varyings[i] = lanes_all((real)given[i]);
+/* Fetch what the visible pieces of the draw call need, in the order of the model, whose faces lie
+ * close together in memory there. Returns how many these are. */
+KERNEL uint32_t fetch_visible(const struct shading *s, const struct shader *shader) {
+    uint32_t *fetched = s->scratch->fetched, count = 0;
+    struct flat_pieces flat = {0};
+    for (uint32_t number = (uint32_t)s->numbers.begin + 1; number <= (uint32_t)s->numbers.end;
+         number++) {
+        if (fetched[number] == 0) {
+            continue;
+        }
+        const struct piece *piece = see_piece(s, number);
+        if (shader->flat) {
+            double given[VARYING_LIMIT];
+            shader->vertex(s->uniforms, piece->face, 0, given);
+            for (size_t i = 0; i < shader->varying_count; i++) {
+                flat.varyings[i][flat.count] = (real)given[i];
+            }
+            flat.number[flat.count++] = number;
+            if (flat.count == LANES) {
+                find_flat_colors(s, shader, &flat);
+            }
+        } else {
+            fetched[number] = count;
+            fetch_planes(s, shader, piece, planes_at(s->scratch, shader, count));
+        }
+        count++;
     }
-    shader->fragment(s->uniforms, varyings, &color);
-    return s->scratch->plane_place[number] = lanes_texel_at(color, 0);
+    if (flat.count > 0) {
+        find_flat_colors(s, shader, &flat);
+    }
+    s->work->fetched += count;
+    return count;
 }
 
 /* The varyings of pixels x, x + 1, ... of row y. */
@@ -283,17 +338,19 @@ KERNEL void interpolate_varyings(const struct shader *shader, const struct plane
     size_t n = shader->varying_count;
     if (shader->flat) {
         for (size_t i = 0; i < n; i++) {
-            varyings[i] = lanes_all(planes->corner[i]);
+            varyings[i] = lanes_all(planes->plane[i].corner);
         }
         return;
     }
     lanes right = lanes_from(x) - planes->x0;
     real up = (real)y - planes->y0;
-    lanes over_w = right * planes->dx[n] + (planes->origin[n] + planes->dy[n] * up);
+    const struct plane *bottom = &planes->plane[n];
+    lanes over_w = right * bottom->dx + (bottom->origin + bottom->dy * up);
     lanes w = 1 / lanes_max(over_w, lanes_all(planes->least));
     for (size_t i = 0; i < n; i++) {
-        lanes value = right * planes->dx[i] + (planes->origin[i] + planes->dy[i] * up);
-        varyings[i] = planes->corner[i] + value * w;
+        const struct plane *top = &planes->plane[i];
+        lanes value = right * top->dx + (top->origin + top->dy * up);
+        varyings[i] = top->corner + value * w;
     }
 }
 
@@ -349,7 +406,8 @@ KERNEL bool gather_varyings(const struct shading *s, const struct shader *shader
         if (!has_number(s, number[begin])) {
             continue;
         }
-        const struct planes *planes = find_planes(s, shader, number[begin]);
+        const struct planes *planes =
+            planes_at(s->scratch, shader, s->scratch->fetched[number[begin]]);
         if (first) {
             interpolate_varyings(shader, planes, x, y, varyings);
             first = false;
@@ -365,15 +423,11 @@ KERNEL bool gather_varyings(const struct shading *s, const struct shader *shader
     return !first;
 }
 
-/* The colours of LANES pixels of flat pieces: one for each piece, found when it is first seen. */
-KERNEL lanes_texel gather_colors(const struct shading *s, const struct shader *shader,
-                                 const uint32_t number[LANES]) {
+/* The colours of LANES pixels of flat pieces; those of other draw calls are of no use. */
+KERNEL lanes_texel gather_colors(const struct shading *s, const uint32_t number[LANES]) {
     uint32_t colors[LANES];
     for (int i = 0; i < LANES; i++) {
-        colors[i] = s->scratch->plane_place[number[i]];
-        if (colors[i] == 0 && has_number(s, number[i])) {
-            colors[i] = find_flat_color(s, shader, number[i]);
-        }
+        colors[i] = s->scratch->fetched[number[i]];
     }
     lanes_texel result;
     memcpy(&result, colors, sizeof result);
@@ -411,7 +465,7 @@ KERNEL void shade_pixels(const struct shading *s, const struct shader *shader,
                          const struct pixels *pixels) {
     lanes_texel color;
     if (shader->flat) {
-        color = gather_colors(s, shader, pixels->number);
+        color = gather_colors(s, pixels->number);
     } else {
         shader->fragment(s->uniforms, pixels->varyings, &color);
     }
@@ -423,6 +477,9 @@ KERNEL void shade_visible(const struct shading *s, const struct shader *shader) 
     struct span columns = s->draw->columns;
     size_t stride = band_stride(s->pipeline);
     lanes_int shaded = {0};
+    if (fetch_visible(s, shader) == 0) {
+        return;
+    }
     for (int y = s->rows.begin; y < s->rows.end; y++) {
         const uint32_t *row = s->scratch->number + (size_t)(y - s->rows.begin) * stride;
         const bool *touched = s->scratch->touched + (size_t)(y - s->rows.begin) * (stride / CHUNK);
@@ -519,6 +576,7 @@ KERNEL void shade_piece_at_once(const struct shading *s, const struct shader *sh
     }
     struct planes planes;
     fetch_planes(s, shader, piece, &planes);
+    s->work->fetched++;
     struct depth_slopes slopes = find_depth_slopes(piece, edges.area);
     struct span rows = span_overlap((struct span){edges.y_begin, edges.y_end}, s->draw->rows);
     rows = span_overlap(rows, s->rows);
