@@ -134,7 +134,9 @@ endif
 
 # ---- make check ----
 
-CHECKER = $(addprefix $(BUILD)/tests/check/,compare.o drawn.o run.o scenes.o)
+# Its parts; the files with a main() are not among them.
+CHECKER = $(patsubst %.c,$(BUILD)/%.o,$(filter-out %/check.c %/references.c %/looks_make.c \
+              tests/check/test_%.c,$(wildcard tests/check/*.c)))
 
 # The check builds the lessons itself: one that does not build is a finding, not the end.
 .PHONY: check

@@ -17,6 +17,12 @@ enum {
 
 bool drawn_run(const char *programs, const char *step, const char *directory, const char *scene,
                const struct run_limits *limits, struct run_result *result, struct error *error) {
+    return drawn_run_stats(programs, step, directory, scene, NULL, limits, result, error);
+}
+
+bool drawn_run_stats(const char *programs, const char *step, const char *directory,
+                     const char *scene, const char *output, const struct run_limits *limits,
+                     struct run_result *result, struct error *error) {
     *result = (struct run_result){.end = RUN_EXITED};
     /* The program runs in another directory, so its own name must be an absolute one. */
     char here[DRAWN_PATH_LIMIT], path[DRAWN_PATH_LIMIT];
@@ -28,10 +34,20 @@ bool drawn_run(const char *programs, const char *step, const char *directory, co
     if (length < 0 || (size_t)length >= sizeof path) {
         return error_set(error, "%s: name too long", programs);
     }
-    const char *arguments[] = {path,  "-o", directory, scene[0] == '\0' ? NULL : "--only",
-                               scene, NULL};
-    struct run_command command = {
-        .arguments = arguments, .directory = directory, .contained = true, .limits = *limits};
+    const char *arguments[7] = {path, "-o", directory};
+    size_t count = 3;
+    if (output != NULL) {
+        arguments[count++] = "--stats";
+    }
+    if (scene[0] != '\0') {
+        arguments[count++] = "--only";
+        arguments[count++] = scene;
+    }
+    struct run_command command = {.arguments = arguments,
+                                  .directory = directory,
+                                  .output = output,
+                                  .contained = true,
+                                  .limits = *limits};
     return run(&command, result, error);
 }
 

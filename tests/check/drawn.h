@@ -21,6 +21,11 @@ enum { DRAWN_PATH_LIMIT = 4096 };
 bool drawn_run(const char *programs, const char *step, const char *directory, const char *scene,
                const struct run_limits *limits, struct run_result *result, struct error *error);
 
+/* The same with `--stats`: what the program prints becomes the new file `output`. */
+bool drawn_run_stats(const char *programs, const char *step, const char *directory,
+                     const char *scene, const char *output, const struct run_limits *limits,
+                     struct run_result *result, struct error *error);
+
 enum drawn_state { DRAWN_READ, DRAWN_MISSING, DRAWN_UNREADABLE, DRAWN_WRONG_SIZE };
 
 /* Read DIRECTORY/SCENE.tga. With `wanted` not NULL, a picture of another size than that one is

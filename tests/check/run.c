@@ -288,7 +288,9 @@ static void child(const struct run_command *command, int messages, size_t thread
         setpgid(0, 0);
     }
     signal(SIGPIPE, SIG_DFL);
-    int input = open("/dev/null", O_RDONLY), output = open("/dev/null", O_WRONLY);
+    int input = open("/dev/null", O_RDONLY);
+    int output = command->output == NULL ? open("/dev/null", O_WRONLY)
+                                         : open(command->output, O_WRONLY | O_CREAT | O_EXCL, 0600);
     if (input < 0 || output < 0 || dup2(input, STDIN_FILENO) < 0 ||
         dup2(output, STDOUT_FILENO) < 0 || dup2(messages, STDERR_FILENO) < 0) {
         _exit(127);

@@ -30,6 +30,7 @@ struct run_limits {
 struct run_command {
     const char *const *arguments; /* program and arguments, then NULL; found through PATH */
     const char *directory;        /* to run in; NULL: where the caller is */
+    const char *output;           /* a file for its standard output; NULL: it is thrown away */
     const char *locale;           /* LC_ALL of the command; NULL: unchanged */
     bool contained;               /* a program that nobody trusts; otherwise the limits alone */
     struct run_limits limits;
@@ -50,8 +51,8 @@ struct run_result {
     struct bytes messages;
 };
 
-/* Run a command and wait for it. Standard input is empty, standard output is thrown away. False
- * when it could not even be tried. The caller frees result->messages, also on an error. */
+/* Run a command and wait for it. Standard input is empty. False when it could not even be tried.
+ * The caller frees result->messages, also on an error. */
 bool run(const struct run_command *command, struct run_result *result, struct error *error);
 
 /* The name of a signal, like "SIGSEGV". */

@@ -81,23 +81,23 @@ static bool is_task(const char *text) {
     return *text == '\0';
 }
 
-static bool add_task(struct checked_scene *scene, const char *start, size_t length) {
+static bool add_task(struct credit *credit, const char *start, size_t length) {
     struct task_name task = {""};
-    if (length >= sizeof task.text || scene->task_count == SCENE_TASK_LIMIT) {
+    if (length >= sizeof task.text || credit->task_count == SCENE_TASK_LIMIT) {
         return false;
     }
     memcpy(task.text, start, length);
-    for (size_t i = 0; i < scene->task_count; i++) {
-        if (strcmp(scene->tasks[i].text, task.text) == 0) {
+    for (size_t i = 0; i < credit->task_count; i++) {
+        if (strcmp(credit->tasks[i].text, task.text) == 0) {
             return false;
         }
     }
-    scene->tasks[scene->task_count++] = task;
+    credit->tasks[credit->task_count++] = task;
     return is_task(task.text);
 }
 
 /* `5.2` or `5.1,5.2`. */
-static bool read_tasks(struct checked_scene *scene, struct text *text, struct error *error) {
+static bool read_tasks(struct credit *credit, struct text *text, struct error *error) {
     struct word word = text_next_word(text);
     bool done = true;
     for (size_t start = 0; done && start <= word.length;) {
@@ -105,14 +105,14 @@ static bool read_tasks(struct checked_scene *scene, struct text *text, struct er
         while (end < word.length && word.start[end] != ',') {
             end++;
         }
-        done = add_task(scene, word.start + start, end - start);
+        done = add_task(credit, word.start + start, end - start);
         start = end + 1;
     }
     return done || text_error(error, text->line, "'%s' are no tasks, like 5.2 or 5.1,5.2",
                               word_show(word).text);
 }
 
-static bool read_points(struct checked_scene *scene, struct text *text, struct error *error) {
+static bool read_points(struct credit *credit, struct text *text, struct error *error) {
     struct word word = text_next_word(text);
     double points;
     if (!word_to_double(word, &points) || !(points >= 1 && points <= SCENE_POINT_LIMIT) ||
@@ -120,10 +120,14 @@ static bool read_points(struct checked_scene *scene, struct text *text, struct e
         return text_error(error, text->line, "'%s' is not a number of points, 1..%d",
                           word_show(word).text, SCENE_POINT_LIMIT);
     }
-    scene->points = (unsigned)points;
-    return scene->points % scene->task_count == 0 ||
+    credit->points = (unsigned)points;
+    return credit->points % credit->task_count == 0 ||
            text_error(error, text->line, "%u points cannot be shared out evenly to %zu tasks",
-                      scene->points, scene->task_count);
+                      credit->points, credit->task_count);
+}
+
+static bool read_credit(struct credit *credit, struct text *text, struct error *error) {
+    return read_tasks(credit, text, error) && read_points(credit, text, error);
 }
 
 static bool read_limit(unsigned *limit, struct text *text, struct word word, struct error *error) {
@@ -134,6 +138,12 @@ static bool read_limit(unsigned *limit, struct text *text, struct word word, str
     }
     *limit = (unsigned)(percent * 1000 + 0.5);
     return true;
+}
+
+static bool read_end(struct text *text, struct error *error) {
+    struct word word = text_next_word(text);
+    return word.length == 0 ||
+           text_error(error, text->line, "unexpected '%s'", word_show(word).text);
 }
 
 /* `exact`, or the three limits. */
@@ -147,9 +157,16 @@ static bool read_limits(struct checked_scene *scene, struct text *text, struct e
         }
         word = i < 2 ? text_next_word(text) : word;
     }
-    word = text_next_word(text);
-    return word.length == 0 ||
-           text_error(error, text->line, "unexpected '%s'", word_show(word).text);
+    return read_end(text, error);
+}
+
+static bool has_scene(const struct checked_step *step, const char *name) {
+    for (size_t i = 0; i < step->scene_count; i++) {
+        if (strcmp(step->scenes[i].name, name) == 0) {
+            return true;
+        }
+    }
+    return false;
 }
 
 static bool read_scene(struct scene_table *table, struct text *text, struct word step_name,
@@ -164,13 +181,10 @@ static bool read_scene(struct scene_table *table, struct text *text, struct word
         return text_error(error, text->line, "'%s' is not the name of a scene",
                           word_show(word).text);
     }
-    for (size_t i = 0; i < step->scene_count; i++) {
-        if (strcmp(step->scenes[i].name, scene.name) == 0) {
-            return text_error(error, text->line, "%s stands here twice", scene.name);
-        }
+    if (has_scene(step, scene.name)) {
+        return text_error(error, text->line, "%s stands here twice", scene.name);
     }
-    if (!read_tasks(&scene, text, error) || !read_points(&scene, text, error) ||
-        !read_limits(&scene, text, error)) {
+    if (!read_credit(&scene.credit, text, error) || !read_limits(&scene, text, error)) {
         return false;
     }
     struct checked_scene *scenes =
@@ -180,6 +194,53 @@ static bool read_scene(struct scene_table *table, struct text *text, struct word
     }
     step->scenes = scenes;
     scenes[step->scene_count++] = scene;
+    return true;
+}
+
+static bool read_most(uint64_t *most, struct text *text, struct error *error) {
+    struct word word = text_next_word(text);
+    double number;
+    if (!word_to_double(word, &number) || !(number >= 0 && number <= 1e15) ||
+        number != (double)(uint64_t)number) {
+        return text_error(error, text->line, "'%s' is not what a counter can count to",
+                          word_show(word).text);
+    }
+    *most = (uint64_t)number;
+    return true;
+}
+
+/* What follows `work`. */
+static bool read_work(struct scene_table *table, struct text *text, struct error *error) {
+    struct word word = text_next_word(text);
+    struct checked_step *step = table->step_count > 0 ? &table->steps[table->step_count - 1] : NULL;
+    if (step == NULL || !word_is(word, step->name)) {
+        return text_error(error, text->line, "work of '%s' must stand behind its scenes",
+                          word_show(word).text);
+    }
+    struct checked_work work = {.most = 0};
+    word = text_next_word(text);
+    if (!name_copy(work.scene, word) || !has_scene(step, work.scene)) {
+        return text_error(error, text->line, "%s has no scene '%s'", step->name,
+                          word_show(word).text);
+    }
+    if (!read_credit(&work.credit, text, error)) {
+        return false;
+    }
+    word = text_next_word(text);
+    if (!name_copy(work.counter, word)) {
+        return text_error(error, text->line, "'%s' is not the name of a counter",
+                          word_show(word).text);
+    }
+    if (!read_most(&work.most, text, error) || !read_end(text, error)) {
+        return false;
+    }
+    struct checked_work *works =
+        array_reserve(step->works, &step->work_capacity, step->work_count + 1, sizeof *works);
+    if (works == NULL) {
+        return error_out_of_memory(error);
+    }
+    step->works = works;
+    works[step->work_count++] = work;
     return true;
 }
 
@@ -193,7 +254,11 @@ bool scene_table_read(struct scene_table *table, const char *path, struct error 
     bool done = text_begin(&text, file.data, file.size, false, error);
     while (done && text_next_line(&text)) {
         struct word word = text_next_word(&text);
-        done = word.length == 0 || read_scene(table, &text, word, error);
+        if (word_is(word, "work")) {
+            done = read_work(table, &text, error);
+        } else {
+            done = word.length == 0 || read_scene(table, &text, word, error);
+        }
     }
     if (done && table->step_count == 0) {
         done = error_set(error, "there is no scene in it");
@@ -240,14 +305,20 @@ void scene_table_select_all(struct scene_table *table) {
 }
 
 static bool keep_scene(struct checked_step *step, const char *scene) {
+    size_t kept = 0, kept_works = 0;
     for (size_t i = 0; i < step->scene_count; i++) {
         if (strcmp(step->scenes[i].name, scene) == 0) {
-            step->scenes[0] = step->scenes[i];
-            step->scene_count = 1;
-            return true;
+            step->scenes[kept++] = step->scenes[i];
         }
     }
-    return false;
+    for (size_t i = 0; i < step->work_count; i++) {
+        if (strcmp(step->works[i].scene, scene) == 0) {
+            step->works[kept_works++] = step->works[i];
+        }
+    }
+    step->scene_count = kept;
+    step->work_count = kept_works;
+    return kept > 0;
 }
 
 bool scene_table_keep(struct scene_table *table, const char *scene, struct error *error) {
@@ -273,6 +344,7 @@ void scene_table_make_exact(struct scene_table *table) {
 void scene_table_free(struct scene_table *table) {
     for (size_t i = 0; i < table->step_count; i++) {
         free(table->steps[i].scenes);
+        free(table->steps[i].works);
     }
     free(table->steps);
     *table = (struct scene_table){.steps = NULL};

@@ -4,9 +4,12 @@
  * One line a scene: `step05_zbuffer  zbuffer  5.2  4  WRONG APART COVERAGE`. First the tasks of
  * main.c that it shows, with commas between them and no blanks (in a lesson of several parts 8b.2).
  * Then its points, which are shared out to these tasks evenly, so they must be a multiple of their
- * number. Then three percentages of the drawn pixels, or `exact` in their place. '#' begins a
- * comment. The check and the program that redraws the references read the same file,
- * tests/check/scenes.txt.
+ * number. Then three percentages of the drawn pixels, or `exact` in their place.
+ *
+ * Where a task is about work that is not done, a line `work  step02_wireframe  wireframe  2.4  2
+ * lines_drawn  7467` stands behind the step's scenes: with --stats the counter of that scene must
+ * not be above that number. '#' begins a comment. The check and the program that redraws the
+ * references read the same file, tests/check/scenes.txt.
  */
 #ifndef TESTS_CHECK_SCENES_H
 #define TESTS_CHECK_SCENES_H
@@ -15,6 +18,7 @@
 
 #include <stdbool.h>
 #include <stddef.h>
+#include <stdint.h>
 
 enum {
     SCENE_NAME_LIMIT = 64, /* bytes of a step's or a scene's name with its final NUL */
@@ -27,15 +31,27 @@ struct task_name {
     char text[TASK_NAME_LIMIT];
 };
 
-struct checked_scene {
-    char name[SCENE_NAME_LIMIT];
+/* For what points are given. */
+struct credit {
     struct task_name tasks[SCENE_TASK_LIMIT]; /* all different */
     size_t task_count;                        /* at least 1 */
     unsigned points;                          /* a multiple of task_count, not 0 */
-    bool exact;                               /* every pixel must be equal; the limits are then 0 */
+};
+
+struct checked_scene {
+    char name[SCENE_NAME_LIMIT];
+    struct credit credit;
+    bool exact; /* every pixel must be equal; the limits are then 0 */
     /* How many of the drawn pixels may be wrong, apart, and drawn in one picture only (compare.h),
      * in thousandths of a percent, inclusive. */
     unsigned wrong_limit, apart_limit, coverage_limit;
+};
+
+struct checked_work {
+    char scene[SCENE_NAME_LIMIT]; /* one of the step's */
+    char counter[SCENE_NAME_LIMIT];
+    struct credit credit;
+    uint64_t most; /* inclusive */
 };
 
 struct checked_step {
@@ -44,6 +60,8 @@ struct checked_step {
     struct checked_scene *scenes;
     size_t scene_count; /* at least 1 */
     size_t scene_capacity;
+    struct checked_work *works;
+    size_t work_count, work_capacity;
 };
 
 /* All zero is a valid, empty table. */

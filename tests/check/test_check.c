@@ -226,16 +226,26 @@ static void tear_down(void) {
 
 /* ---- Tests of one check of everything ---- */
 
-/* The line of a step in the output; what follows "STEP  ", without the end of the line. */
+/* Cut "STEP  " from a line that begins with it; NULL for another line. */
+static const char *after_step(const char *line, const char *step) {
+    size_t length = strlen(step);
+    bool same = strncmp(line, step, length) == 0 && strncmp(line + length, "  ", 2) == 0;
+    return same ? line + length + 2 : NULL;
+}
+
+/* What the output says of a step: what follows "STEP  ", then with "; " between them the lines
+ * below it, without the two blanks in front. */
 static struct path line_of(const struct bytes *output, const char *step) {
-    struct path line = {"(no such line)"};
-    char start_of_line[80];
-    snprintf(start_of_line, sizeof start_of_line, "%s  ", step);
+    struct path line = {""};
+    bool inside_step = false;
     for (const char *text = (const char *)output->data; *text != '\0';) {
-        size_t length = strcspn(text, "\n");
-        if (strncmp(text, start_of_line, strlen(start_of_line)) == 0) {
-            snprintf(line.text, sizeof line.text, "%.*s", (int)(length - strlen(start_of_line)),
-                     text + strlen(start_of_line));
+        size_t length = strcspn(text, "\n"), used = strlen(line.text);
+        const char *begin = after_step(text, step);
+        inside_step = begin != NULL || (inside_step && strncmp(text, "  ", 2) == 0);
+        if (inside_step) {
+            begin = begin != NULL ? begin : text + 2;
+            snprintf(line.text + used, sizeof line.text - used, "%s%.*s", used > 0 ? "; " : "",
+                     (int)(length - (size_t)(begin - text)), begin);
         }
         text += length + (text[length] == '\n');
     }
@@ -246,37 +256,58 @@ static void test_verdicts(void) {
     static const struct {
         const char *step, *line;
     } cases[] = {
-        {"step01_exact", "PASS 2/2 exact"},
-        {"step05_blank", "FAIL 0/1 depth: 100.0 % of drawn pixels wrong (limit 1.5 %), first at "
+        {"step01_exact", "PASS 2/2 SCORE 2/2 exact"},
+        {"step05_blank", "FAIL 0/1 SCORE 0/1; depth FAIL 0/1: 100.0 % of drawn pixels wrong (limit "
+                         "1.5 %), first at "
                          "(88,21): 0,0,0 for 120,112,120"},
-        {"step06_size", "FAIL 0/2 depth: 200x150 pixels instead of 200x200; huge: 65535x65535 "
+        {"step06_size", "FAIL 0/2 SCORE 0/2; depth FAIL 0/1: 200x150 pixels instead of 200x200; "
+                        "huge FAIL 0/1: 65535x65535 "
                         "pixels instead of 200x200"},
-        {"step07_missing", "FAIL 1/2 depth2: missing (no depth2.tga was written)"},
-        {"step09_status",
-         "FAIL 1/1 exit status 1: step09_status: bust.obj:17: face names vertex 99 of 12"},
-        {"step13_crash", "CRASH SIGSEGV 1/2"},
-        {"step15_sleep", "TIME 1/2 stopped after 1 s"},
-        {"step25_cputime", "TIME 0/1 stopped after 1 s"},
-        {"step16_stubborn", "TIME 0/1 stopped after 1 s"},
-        {"step17_escape", "PASS 1/1 exact"},
-        {"step20_limits", "FAIL 0/1 exit status 3: here 1 files 0 open 0 group 1 cpu 1 size "
+        {"step07_missing",
+         "FAIL 1/2 SCORE 1/2; depth2 FAIL 0/1: missing (no depth2.tga was written)"},
+        {"step09_status", "FAIL 1/1 SCORE 1/1: exit status 1: step09_status: bust.obj:17: face "
+                          "names vertex 99 of 12"},
+        {"step13_crash", "CRASH 1/2 SCORE 1/2; depth2 CRASH 0/1: SIGSEGV"},
+        {"step15_sleep", "TIME 1/2 SCORE 1/2; depth2 TIME 0/1: stopped after 1 s"},
+        {"step25_cputime", "TIME 0/1 SCORE 0/1; depth TIME 0/1: stopped after 1 s"},
+        {"step16_stubborn", "TIME 0/1 SCORE 0/1; depth TIME 0/1: stopped after 1 s"},
+        {"step17_escape", "PASS 1/1 SCORE 1/1 exact"},
+        {"step20_limits", "FAIL 0/1 SCORE 0/1; depth FAIL 0/1: exit status 3: here 1 files 0 open "
+                          "0 group 1 cpu 1 size "
                           "64000000 core 0 input -1 make 0 terminal 0"},
-        {"step21_hidden", "PASS 1/1 exact"},
-        {"step22_noisy", "PASS 1/1 exact"},
-        {"step26_control", "FAIL 0/1 exit status 1:  [1A  1A   drow s\xc3\xa9"},
-        {"step27_link", "FAIL 0/1 depth: missing (no depth.tga was written)"},
-        {"step28_nul", "BUILD x.c:2: error: no"},
-        {"step29_limits", "BUILD x.c:1: error: memory 2097152 file 125000"},
-        {"step30_slow", "BUILD stopped after 4.5 s"},
-        {"step02_shifted", "PASS 1/1 depth: 100.0 % differ (20,425 pixels), first at (88,21): "
-                           "0,0,0 for 120,112,120"},
-        {"step04_strict", "FAIL 0/1 depth: 20,425 of 20,425 drawn pixels differ (must be exact), "
+        {"step21_hidden", "PASS 1/1 SCORE 1/1 exact"},
+        {"step22_noisy", "PASS 1/1 SCORE 1/1 exact"},
+        {"step26_control",
+         "FAIL 0/1 SCORE 0/1; depth FAIL 0/1: exit status 1:  [1A  1A   drow s\xc3\xa9"},
+        {"step27_link", "FAIL 0/1 SCORE 0/1; depth FAIL 0/1: missing (no depth.tga was written)"},
+        {"step28_nul", "BUILD 0/1 SCORE 0/1: x.c:2: error: no"},
+        {"step29_limits", "BUILD 0/1 SCORE 0/1: x.c:1: error: memory 2097152 file 125000"},
+        {"step30_slow", "BUILD 0/1 SCORE 0/1: stopped after 4.5 s"},
+        {"step02_shifted",
+         "PASS 1/1 SCORE 1/1; depth PASS 1/1: 100.0 % differ (20,425 pixels), first at (88,21): "
+         "0,0,0 for 120,112,120"},
+        {"step04_strict", "FAIL 0/1 SCORE 0/1; depth FAIL 0/1: 20,425 of 20,425 drawn pixels "
+                          "differ (must be exact), "
                           "shifted by (1,0), first at (88,21): 0,0,0 for 120,112,120"},
-        {"step32_coverage",
-         "FAIL 0/1 depth: 1.6 % of drawn pixels missing or too many (limit 1 %), "
-         "shifted by (1,0), first at (88,21): 0,0,0 for 120,112,120"},
-        {"step31_apart", "FAIL 0/1 depth: 1.7 % of drawn pixels of another colour there (limit "
-                         "1 %), shifted by (1,0), first at (88,21): 0,0,0 for 120,112,120"},
+        {"step32_coverage", "FAIL 0/1 SCORE 0/1; depth FAIL 0/1: 1.6 % of drawn pixels missing or "
+                            "too many (limit 1 %), "
+                            "shifted by (1,0), first at (88,21): 0,0,0 for 120,112,120"},
+        {"step33_first", "CRASH 1/2 SCORE 3/4; depth CRASH 0/1: SIGABRT; "
+                         "tasks: 33.1 CRASH 0/1, 33.2 3/3"},
+        {"step34_todo",
+         "FAIL 1/3 SCORE 1/7; depth2 FAIL 0/2: 2,612 of 20,266 drawn pixels differ (must be "
+         "exact), "
+         "first at (60,31): 160,100,60 for 120,140,120; depth3 TODO 0/4: task 34b.30 is to do; "
+         "tasks: 34.1 1/1, 34.2 FAIL 0/2; part b 0/4: 34b.3 TODO 0/2, 34b.30 TODO 0/2"},
+        {"step35_work",
+         "FAIL 3/7 SCORE 3/7; depth3 FAIL 0/1: 2,612 of 20,266 drawn pixels differ (must be "
+         "exact), "
+         "first at (60,31): 160,100,60 for 120,140,120; depth2 pixels FAIL 0/1: 2,001, but 2,000 "
+         "are enough; depth nothing FAIL 0/1: --stats does not print it; depth3 pixels FAIL 0/1: "
+         "the picture does not pass; tasks: 35.1 FAIL 2/3, 35.2 FAIL 1/4"},
+        {"step31_apart",
+         "FAIL 0/1 SCORE 0/1; depth FAIL 0/1: 1.7 % of drawn pixels of another colour there (limit "
+         "1 %), shifted by (1,0), first at (88,21): 0,0,0 for 120,112,120"},
     };
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         CHECK_TEXT(line_of(&fixture.output, cases[i].step).text, cases[i].line);
@@ -288,17 +319,21 @@ static void test_verdicts_with_messages(void) {
     static const struct {
         const char *step, *start, *part;
     } cases[] = {
-        {"step10_build", "BUILD step10_build.c:", "no_such_variable"},
-        {"step11_link", "BUILD ", "undefined reference to `no_such_function'"},
-        {"step12_absent", "BUILD ", "No rule to make target"},
-        {"step14_abort", "CRASH SIGABRT 0/1 ", "directory[0] == 0"},
-        {"step19_large", "CRASH SIGXFSZ 0/1 file larger than 64 MB", "depth: unreadable: "},
-        {"step23_noreference", "ERROR 1/2 nowhere: no reference: ", "nowhere.png"},
-        {"step24_blankreference", "ERROR 0/1 depth: no reference: ", "depth.png: is blank"},
-        {"step08_unreadable", "FAIL 0/5 text: unreadable: ", "short: unreadable: "},
-        {"step08_unreadable", "FAIL 0/5 text: unreadable: ",
-         "link: unreadable: not a plain file; pipe: unreadable: not a plain file; "
-         "directory: unreadable: not a plain file"},
+        {"step10_build", "BUILD 0/1 SCORE 0/1: step10_build.c:", "no_such_variable"},
+        {"step11_link", "BUILD 0/1 SCORE 0/1: ", "undefined reference to `no_such_function'"},
+        {"step12_absent", "BUILD 0/1 SCORE 0/1: ", "No rule to make target"},
+        {"step14_abort", "CRASH 0/1 SCORE 0/1; depth CRASH 0/1: SIGABRT: ", "directory[0] == 0"},
+        {"step19_large", "CRASH 0/1 SCORE 0/1: SIGXFSZ, file larger than 64 MB",
+         "depth FAIL 0/1: unreadable: "},
+        {"step23_noreference",
+         "ERROR 1/2 SCORE 1/2; nowhere ERROR 0/1: no reference: ", "nowhere.png"},
+        {"step24_blankreference",
+         "ERROR 0/1 SCORE 0/1; depth ERROR 0/1: no reference: ", "depth.png: is blank"},
+        {"step08_unreadable",
+         "FAIL 0/5 SCORE 0/5; text FAIL 0/1: unreadable: ", "short FAIL 0/1: unreadable: "},
+        {"step08_unreadable", "FAIL 0/5 SCORE 0/5; text FAIL 0/1: unreadable: ",
+         "link FAIL 0/1: unreadable: not a plain file; pipe FAIL 0/1: unreadable: not a plain "
+         "file; directory FAIL 0/1: unreadable: not a plain file"},
     };
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         struct path line = line_of(&fixture.output, cases[i].step);
@@ -313,8 +348,8 @@ static void test_verdicts_with_messages(void) {
 /* How much is wrong, as a number out of the step's line. */
 static double percentage(const char *step) {
     struct path line = line_of(&fixture.output, step);
-    const char *colon = strstr(line.text, "depth: ");
-    return colon == NULL ? -1 : strtod(colon + 7, NULL);
+    const char *colon = strstr(line.text, "depth FAIL 0/1: ");
+    return colon == NULL ? -1 : strtod(colon + strlen("depth FAIL 0/1: "), NULL);
 }
 
 static bool verdict_is(const char *step, const char *verdict) {
@@ -322,7 +357,7 @@ static bool verdict_is(const char *step, const char *verdict) {
 }
 
 static void test_missing_depth_fails(void) {
-    CHECK(verdict_is("step03_nodepth", "FAIL 0/1 depth: "));
+    CHECK(verdict_is("step03_nodepth", "FAIL 0/1 SCORE 0/1; depth FAIL 0/1: "));
     CHECK(percentage("step03_nodepth") > 4);
 }
 
@@ -330,23 +365,25 @@ static void test_crowd(void) {
     /* Where /proc does not tell the number of processes, the program just takes too long. */
     if (access("/proc/self/stat", R_OK) == 0) {
         CHECK_TEXT(line_of(&fixture.output, "step18_crowd").text,
-                   "FAIL 0/1 stopped at more than 64 processes");
+                   "FAIL 0/1 SCORE 0/1; depth FAIL 0/1: stopped at more than 64 processes");
     } else {
         CHECK(verdict_is("step18_crowd", "TIME 0/1"));
     }
 }
 
 static void test_summary_and_status(void) {
-    CHECK(contains(&fixture.output, "\n5 passed, 27 failed\n"));
+    CHECK(contains(&fixture.output, "\n5 passed, 30 failed\n"));
     CHECK(fixture.status == 2); /* a reference is missing */
     size_t lines = 0;
     const char *text = (const char *)fixture.output.data;
-    while (strncmp(text, "step", 4) == 0) { /* one a step, before anything else */
-        lines++;
+    while (strncmp(text, "step", 4) == 0 || text[0] == ' ') { /* before anything else */
+        lines += text[0] != ' ';
         text += strcspn(text, "\n") + 1;
     }
-    CHECK(lines == 32);
-    CHECK(strncmp(text, "5 passed", 8) == 0);
+    CHECK(lines == 35);
+    char score[24];
+    snprintf(score, sizeof score, "%.*s", (int)strcspn(text, "\n"), text);
+    CHECK_TEXT(score, "SCORE 18/60");
 }
 
 /* Each failed scene has its picture, with the reference on its left, and yours in the middle. */
@@ -433,7 +470,7 @@ static void test_status_of_passed_and_failed(void) {
     CHECK(file_write(old.text, "old", 3, &error));
     CHECK(run_check("01 2", &output) == 0);
     CHECK(access(old.text, F_OK) != 0);
-    CHECK_TEXT(line_of(&output, "step01_exact").text, "PASS 2/2 exact");
+    CHECK_TEXT(line_of(&output, "step01_exact").text, "PASS 2/2 SCORE 2/2 exact");
     CHECK(contains(&output, "\n2 passed, 0 failed\n"));
     CHECK(!contains(&output, "/step01_exact/") && contains(&output, "/step02_shifted/"));
     CHECK(!contains(&output, "step03"));
@@ -450,7 +487,7 @@ static void test_status_of_passed_and_failed(void) {
 static void test_one_scene(void) {
     struct bytes output;
     CHECK(run_check("--only depth2 01", &output) == 0);
-    CHECK_TEXT(line_of(&output, "step01_exact").text, "PASS 1/1 exact");
+    CHECK_TEXT(line_of(&output, "step01_exact").text, "PASS 1/1 SCORE 1/1 exact");
     bytes_free(&output);
     output = read_text(inside("witness").text); /* the program was told */
     CHECK(contains(&output, "one scene of 2\n"));
@@ -495,8 +532,8 @@ static void test_exact_is_demanded(void) {
     setenv("CHECK_EXACT", "1", 1);
     CHECK(run_check("01 02", &output) == 1);
     setenv("CHECK_EXACT", "0", 1);
-    CHECK_TEXT(line_of(&output, "step01_exact").text, "PASS 2/2 exact");
-    CHECK(strncmp(line_of(&output, "step02_shifted").text, "FAIL 0/1 depth: ", 16) == 0);
+    CHECK_TEXT(line_of(&output, "step01_exact").text, "PASS 2/2 SCORE 2/2 exact");
+    CHECK(strncmp(line_of(&output, "step02_shifted").text, "FAIL 0/1 ", 9) == 0);
     CHECK(contains(&output, "(must be exact)"));
     bytes_free(&output);
     setenv("CHECK_EXACT", "yes", 1);
@@ -573,7 +610,7 @@ static void test_own_failures_are_not_scored(void) {
     } cases[] = {
         {"broken", "01", "errors", "check: cannot build broken: sculpt: no clay\n"},
         {"nowhere", "01", "errors", "check: cannot build nowhere: make"},
-        {"", "12", "output", "step12_absent  ERROR cannot remove "},
+        {"", "12", "output", "step12_absent  ERROR 0/1 SCORE 0/1: cannot remove "},
     };
     char make[2 * PATH_LIMIT];
     struct path build = inside("build"), references = inside("reference");
@@ -636,7 +673,7 @@ static void test_checks_wait_for_each_other(void) {
         }
         CHECK(finish(check) == cases[i].status);
         output = read_text(inside("output").text);
-        CHECK(contains(&output, "PASS 2/2 exact") == (cases[i].status == 0));
+        CHECK(contains(&output, "PASS 2/2 SCORE 2/2 exact") == (cases[i].status == 0));
         bytes_free(&output);
     }
 }
@@ -672,6 +709,14 @@ static void test_scene_tables(void) {
         {"step1_a b 1.1 1 1 2 3 4\n", ":1: unexpected '4'"},
         {"step1_a b 1.1 1 -1\n", ":1: '-1' is neither 'exact' nor a percentage"},
         {"step1_a b 1.1 1 exact c\n", ":1: unexpected 'c'"},
+        {"work step1_a b 1.1 1 c 1\n", ":1: work of 'step1_a' must stand behind its scenes"},
+        {"step1_a b 1.1 1 exact\nwork step2_a b\n", ":2: work of 'step2_a' must stand behind"},
+        {"step1_a b 1.1 1 exact\nwork step1_a c\n", ":2: step1_a has no scene 'c'"},
+        {"step1_a b 1.1 1 exact\nwork step1_a b 1\n", ":2: '1' are no tasks"},
+        {"step1_a b 1.1 1 exact\nwork step1_a b 1.1 1\n", ":2: '' is not the name of a counter"},
+        {"step1_a b 1.1 1 exact\nwork step1_a b 1.1 1 c -1\n", ":2: '-1' is not what a counter"},
+        {"step1_a b 1.1 1 exact\nwork step1_a b 1.1 1 c 1.5\n", ":2: '1.5' is not what a counter"},
+        {"step1_a b 1.1 1 exact\nwork step1_a b 1.1 1 c 1 2\n", ":2: unexpected '2'"},
         {"step1_a b 1.1 1 exact\nstep1_a b 1.1 1 exact\n", ":2: b stands here twice"},
         {"step1_a b 1.1 1 exact\nstep2_a b 2.1 1 1 1 1\n\nstep1_a c 1.1 1 exact\n",
          ":4: the scenes of step1_a must stand together"},

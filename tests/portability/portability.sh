@@ -64,7 +64,7 @@ END
 
 # "step05_zbuffer zbuffer", one scene a line
 scenes() {
-    sed -e 's/#.*//' "$top/tests/check/scenes.txt" | awk 'NF { print $1, $2 }'
+    awk '/^step/ { print $1, $2 }' "$top/tests/check/scenes.txt"
 }
 
 steps() {
@@ -262,7 +262,7 @@ check_reference() {
           make -C "$top" -s BUILD="$work" CC="$compiler" CFLAGS="$flags" MARCH= \
               OPENMP= check) >"$work/check.log" 2>&1; then
         say FAIL "make check fails (see $work/check.log)"
-    elif [ "$(grep -c '^step.* PASS [0-9/]* exact$' "$work/check.log")" -ne "$(steps | wc -l)" ]; then
+    elif [ "$(grep -c '^step.* PASS .* exact$' "$work/check.log")" -ne "$(steps | wc -l)" ]; then
         say FAIL "not the pixels of tests/reference (see $work/check.log)"
     else
         say PASS "$(($(scenes | wc -l))) scenes, as in tests/reference"

@@ -1,6 +1,6 @@
 #!/bin/sh
 # Can a student start each lesson, and come back? In a copy of the course, `make start` makes every
-# main.c its starter: it must build without a warning, and the check must say FAIL for all its
+# main.c its starter: it must build without a warning, and the check must say TODO for all its
 # scenes (the pictures are still empty), not BUILD or CRASH. `make solution` must give an exact
 # PASS. Then, on a small main.c: nothing that a student wrote is ever lost, and wrong marks are
 # refused with their line.
@@ -86,9 +86,9 @@ done
 if [ -n "$lessons" ]; then
     become start
     build
-    verdict 'FAIL 0/[1-9]'
+    verdict 'TODO 0/[1-9]'
     become solution
-    verdict 'PASS \([0-9]*\)/\1 exact$'
+    verdict 'PASS \([0-9]*\)/\1 SCORE \([0-9]*\)/\2 exact$'
 fi
 
 # ---- What is kept ----

@@ -105,22 +105,22 @@ says not correct
 + image_set(image, 41, 52,
 END
 verify 1
-says 'PASSES step01/elsewhere: exact (shown by another scene); all scenes: FAIL 1/7 line: '
+says 'PASSES step01/elsewhere: 1/1 .* exact (shown by another scene); all scenes: FAIL 1/.*; line F'
 says 'ERROR step01/no_program: BUILD '
-says 'FAILS step01/axes: FAIL 6/7 pixel: 2 of 2 drawn pixels differ'
+says 'FAILS step01/axes: FAIL [0-9]*/.*; pixel FAIL 0/1: 2 of 2 drawn pixels differ'
 says 'step01_line  *0/2  *0/1  fails  *exact'
 
 rm step01_line/mistakes.txt tests/accept/step01.txt
 sed -i.old 's/image_set(image, 52, 41,/image_set(image, 52, 42,/' step01_line/main.c
 verify 1
-says 'WRONG step01_line/solution: FAIL 6/7 pixel: 2 of 2 drawn pixels differ (must be exact), shi'
+says 'WRONG step01_line/solution: FAIL [0-9]*/.*; pixel FAIL 0/1: 2 of 2 drawn pixels differ (must be exact), shi'
 says 'step01_line  *0/0  *0/0  fails  *wrong'
 mv step01_line/main.c.old step01_line/main.c
 cp step01_line/main.c main.c
 awk -v mode=solution -v name=step01_line/main.c -f tests/starter/marks.awk main.c \
     >step01_line/main.c
 verify 1
-says 'WRONG step01_line/starter: PASS 7/7 exact'
+says 'WRONG step01_line/starter: PASS .* exact'
 cp main.c step01_line/main.c
 
 # ---- Lists that are wrong ----

@@ -25,13 +25,15 @@ finding() {
     esac
 }
 
-# check [OPTION...]: sets status, and said to the verdict and what follows it.
+# check [OPTION...]: sets status, and said to the verdict and what follows it, as one line.
 check() {
-    said=$("$build/check" --programs "$place" --differences "$place/differences" --first '' \
-        --shares "$place/shares" --make "$make CFLAGS='$flags' WERROR= $compiler" "$@" "$lesson" \
-        2>"$place/errors")
+    said=$("$build/check" --programs "$place" --sources "$place/sources" --first '' \
+        --differences "$place/differences" --shares "$place/shares" \
+        --make "$make CFLAGS='$flags' WERROR= $compiler" "$@" "$lesson" 2>"$place/errors")
     status=$?
-    said=$(echo "$said" | sed -n "s/^$lesson  //p")
+    said=$(echo "$said" | awk '/^SCORE/ { exit }
+        /^  / { printf "; %s", substr($0, 3); next }
+        { sub(/^[^ ]+  /, ""); printf "%s", $0 }')
     [ -n "$said" ] || said=$(cat "$place/errors")
 }
 
@@ -44,8 +46,8 @@ describe_others() {
 judge() {
     case $kind:$status:$said in
     mistake:1:BUILD*) finding ERROR "$said" ;;
-    mistake:1:* | starter:1:FAIL* | accept:0:* | solution:0:*' exact') ;; # as it should be
-    mistake:0:*) finding PASSES "${said#PASS 1/1 } ($says)$(describe_others)" ;;
+    mistake:1:* | starter:1:TODO\ 0/* | accept:0:* | solution:0:*' exact') ;; # as it should be
+    mistake:0:*) finding PASSES "${said#PASS } ($says)$(describe_others)" ;;
     accept:1:*) finding FAILS "$said ($says)" ;;
     starter:[01]:* | solution:[01]:*) finding WRONG "$said" ;;
     *) finding ERROR "$said" ;;
@@ -63,6 +65,10 @@ export CHECK_EXACT=0
 # Correct programs have time: they may be built with sanitizers, on a busy machine.
 export CHECK_BUILD_TIMEOUT="${CHECK_BUILD_TIMEOUT:-600}"
 [ "$kind" = mistake ] || export CHECK_TIMEOUT="${CHECK_TIMEOUT:-60}"
+# A starter's main.c says what is to do.
+if [ "$kind" = starter ]; then
+    mkdir -p "$place/sources/$lesson" && cp "$place/main.c" "$place/sources/$lesson" || exit 1
+fi
 # A mistake may want all memory there is. (Not in POSIX, but in every sh.)
 # shellcheck disable=SC3045
 [ "$kind" != mistake ] || ulimit -v 4000000

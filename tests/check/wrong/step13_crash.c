@@ -4,7 +4,7 @@
 #include <signal.h>
 
 int main(int argc, char **argv) {
-    const char *directory = argc == 3 && strcmp(argv[1], "-o") == 0 ? argv[2] : NULL;
+    const char *directory = argc >= 3 && strcmp(argv[1], "-o") == 0 ? argv[2] : NULL;
     if (directory == NULL) {
         return 2;
     }

@@ -1,0 +1,134 @@
+#define _POSIX_C_SOURCE 200809L
+
+#include "build.h"
+
+#include "run.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <string.h>
+#include <unistd.h>
+
+enum {
+    GIVEN_SECONDS = 600,    /* for what is built before the steps */
+    COMPILER_GIGABYTES = 2, /* memory of each process that builds a step */
+    NOT_FOUND_STATUS = 127  /* of a shell that does not find the command */
+};
+
+/* Does the part stand in the line, which may have others after it? */
+static bool line_contains(const char *line, const char *part) {
+    const char *found = strstr(line, part);
+    return found != NULL && found < line + strcspn(line, "\n");
+}
+
+/* Where the line begins in which `at` points; `text` is where the first one does. */
+static const char *line_start(const char *text, const char *at) {
+    while (at > text && at[-1] != '\n') {
+        at--;
+    }
+    return at;
+}
+
+/* The line of a compiler's, a linker's or make's output that a student needs first. */
+static struct message_line first_error(const char *output) {
+    static const char *const marks[] = {"error:", "undefined reference", "multiple definition",
+                                        "***"};
+    for (size_t i = 0; i < sizeof marks / sizeof marks[0]; i++) {
+        const char *mark = output;
+        while ((mark = strstr(mark, marks[i])) != NULL) {
+            const char *line = line_start(output, mark);
+            /* A linker's own "error:" only says that it has failed. So does make's "***" of a
+             * command; why, stands before it. */
+            if (line_contains(line, "] Error ") && line > output) {
+                return drawn_message(line_start(output, line - 1));
+            }
+            if (!line_contains(line, "collect2:") && !line_contains(line, "linker command")) {
+                return drawn_message(line);
+            }
+            mark += strlen(marks[i]);
+        }
+    }
+    return drawn_message(output);
+}
+
+/* Let make build the target in the root. */
+static bool call_make(const struct options *options, const char *target,
+                      const struct run_limits *limits, struct run_result *result,
+                      struct error *error) {
+    char script[DRAWN_PATH_LIMIT];
+    if ((size_t)snprintf(script, sizeof script, "%s \"$@\"", options->make) >= sizeof script) {
+        return error_set(error, "the make command is too long");
+    }
+    const char *arguments[] = {"sh", "-c", script, "make", "-s", target, NULL};
+    struct run_command command = {
+        .arguments = arguments,
+        .locale = "C", /* so that a compiler writes "error:" and not its translation */
+        .limits = *limits,
+    };
+    if (!run(&command, result, error)) {
+        return false;
+    }
+    bool found = result->end != RUN_EXITED || result->number != NOT_FOUND_STATUS;
+    return found || error_set(error, "cannot run %.100s: %s", options->make,
+                              drawn_message((const char *)result->messages.data).text);
+}
+
+/* Did make build all that it was told to? */
+static bool make_succeeded(const struct run_result *result) {
+    return result->end == RUN_EXITED && result->number == 0;
+}
+
+static struct message_line make_failure(const struct run_result *result, double seconds) {
+    struct message_line reason;
+    if (result->end == RUN_OUT_OF_TIME) {
+        snprintf(reason.text, sizeof reason.text, "stopped after %g s", seconds);
+        return reason;
+    }
+    reason = first_error((const char *)result->messages.data);
+    if (reason.text[0] == '\0') {
+        snprintf(reason.text, sizeof reason.text, "make failed and does not say why");
+    }
+    return reason;
+}
+
+/* The date of a main.c says nothing of its age (tar and cp -p keep dates), and it may be gone: only
+ * a program that was removed is surely built from what is there now. */
+static bool remove_old_program(const char *path, struct error *error) {
+    return unlink(path) == 0 || errno == ENOENT ||
+           error_set(error, "cannot remove %.900s: %s", path, strerror(errno));
+}
+
+bool build_given(const struct options *options, struct error *error) {
+    if (options->first[0] == '\0' || run_caught_signal() != 0) {
+        return true;
+    }
+    const struct run_limits limits = {.seconds = GIVEN_SECONDS};
+    struct run_result result = {.end = RUN_EXITED};
+    bool done = call_make(options, options->first, &limits, &result, error);
+    if (done && run_caught_signal() == 0 && !make_succeeded(&result)) {
+        done = error_set(error, "cannot build %.100s: %s", options->first,
+                         make_failure(&result, limits.seconds).text);
+    }
+    bytes_free(&result.messages);
+    return done;
+}
+
+bool build_step(const struct options *options, const char *step, struct message_line *reason,
+                struct bytes *messages, struct error *error) {
+    char target[DRAWN_PATH_LIMIT];
+    snprintf(target, sizeof target, "%s/%s", options->programs, step);
+    const struct run_limits limits = {.seconds = options->build_seconds,
+                                      .file_bytes = (size_t)FILE_MEGABYTES * 1000 * 1000,
+                                      .memory_bytes = (size_t)COMPILER_GIGABYTES << 30};
+    struct run_result result = {.end = RUN_EXITED};
+    *reason = (struct message_line){""};
+    bool done =
+        remove_old_program(target, error) && call_make(options, target, &limits, &result, error);
+    if (done && !make_succeeded(&result)) {
+        *reason = make_failure(&result, limits.seconds);
+    } else if (done && access(target, X_OK) != 0) {
+        snprintf(reason->text, sizeof reason->text, "make has built no %.150s", target);
+    }
+    *messages = result.messages;
+    return done;
+}

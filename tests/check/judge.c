@@ -1,0 +1,481 @@
+#define _POSIX_C_SOURCE 200809L
+
+#include "judge.h"
+
+#include "build.h"
+#include "compare.h"
+#include "drawn.h"
+#include "image_file.h"
+#include "png.h"
+#include "run.h"
+#include "todo.h"
+
+#include <errno.h>
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+enum { PROCESS_LIMIT = 64 }; /* processes of a program at the same time */
+
+/* What is known of a step before its program runs, which could change files. */
+struct judging {
+    const struct options *options;
+    const struct checked_step *step;
+    struct step_result *result;
+    struct image *references; /* one a scene, empty where there is none */
+    struct error *errors;     /* then why */
+    struct bytes source;      /* main.c, a NUL at its end */
+    struct run_limits limits;
+    char directory[DRAWN_PATH_LIMIT]; /* where the program draws */
+};
+
+/* ---- What a picture shows ---- */
+
+/* 1597 as "1,597". */
+struct count_text {
+    char text[32];
+};
+
+static struct count_text show_count(uint64_t count) {
+    struct count_text shown;
+    char digits[24];
+    int length = snprintf(digits, sizeof digits, "%llu", (unsigned long long)count), size = 0;
+    for (int i = 0; i < length; i++) {
+        if (i > 0 && (length - i) % 3 == 0) {
+            shown.text[size++] = ',';
+        }
+        shown.text[size++] = digits[i];
+    }
+    shown.text[size] = '\0';
+    return shown;
+}
+
+/* Where the first of these pixels is, your colour there and the right one. */
+static void describe_first(struct item_result *item, const struct tally *tally,
+                           const struct image *reference, const struct image *yours) {
+    item->x = tally->x;
+    item->y = tally->y;
+    item->got = image_get(yours, (int)tally->x, (int)tally->y);
+    item->wanted = image_get(reference, (int)tally->x, (int)tally->y);
+    if (item->state != RESULT_PASS) {
+        item->shift = compare_shift(reference, yours);
+    }
+    if (item->shift.x != 0 || item->shift.y != 0) {
+        result_say(&item->message, ", shifted by (%d,%d)", item->shift.x, item->shift.y);
+    }
+    result_say(&item->message, ", first at (%zu,%zu): %d,%d,%d for %d,%d,%d", item->x, item->y,
+               item->got.r, item->got.g, item->got.b, item->wanted.r, item->wanted.g,
+               item->wanted.b);
+}
+
+/* Judge a picture that is not exact by its limits. Returns the pixels to be told about. */
+static const struct tally *judge_shares(struct item_result *item,
+                                        const struct checked_scene *scene) {
+    const struct comparison *shares = &item->shares;
+    const struct {
+        const struct tally *tally;
+        unsigned limit;
+        const char *what;
+    } limits[] = {
+        {&shares->wrong, scene->wrong_limit, "wrong"},
+        {&shares->coverage, scene->coverage_limit, "missing or too many"},
+        {&shares->apart, scene->apart_limit, "of another colour there"},
+    };
+    const uint64_t drawn = shares->drawn, differing = shares->differing.count;
+    if (scene->exact) {
+        result_say(&item->message, "%s of %s drawn pixels differ (must be exact)",
+                   show_count(differing).text, show_count(drawn).text);
+        return &shares->differing;
+    }
+    for (size_t i = 0; i < sizeof limits / sizeof limits[0]; i++) {
+        if (!share_within(limits[i].tally->count, drawn, limits[i].limit)) {
+            result_say(&item->message, "%s of drawn pixels %s (limit %g %%)",
+                       share_show(limits[i].tally->count, drawn, limits[i].limit).text,
+                       limits[i].what, limits[i].limit / 1000.0);
+            return limits[i].tally;
+        }
+    }
+    item->state = RESULT_PASS;
+    result_say(&item->message, "%s differ (%s pixel%s)", share_show(differing, drawn, 0).text,
+               show_count(differing).text, differing == 1 ? "" : "s");
+    return &shares->differing;
+}
+
+/* For who sets the limits. */
+static void write_shares(const char *path, const char *step, const struct item_result *item) {
+    FILE *file = path[0] == '\0' ? NULL : fopen(path, "a");
+    const struct comparison *shares = &item->shares;
+    double drawn = shares->drawn > 0 ? (double)shares->drawn : 1;
+    if (file != NULL) {
+        fprintf(file, "%s %s %.4f %.4f %.4f\n", step, item->scene,
+                100 * (double)shares->wrong.count / drawn,
+                100 * (double)shares->apart.count / drawn,
+                100 * (double)shares->coverage.count / drawn);
+    }
+    if (path[0] != '\0' && (file == NULL || fclose(file) != 0)) {
+        fprintf(stderr, "check: %s: %s\n", path, strerror(errno));
+    }
+}
+
+static void judge_picture(const struct judging *judging, struct item_result *item,
+                          const struct checked_scene *scene, const struct image *reference,
+                          const struct image *yours) {
+    item->shares = compare_images(reference, yours);
+    item->compared = true;
+    write_shares(judging->options->shares, judging->step->name, item);
+    item->exact = item->shares.differing.count == 0;
+    if (item->exact) {
+        item->state = RESULT_PASS;
+    } else {
+        describe_first(item, judge_shares(item, scene), reference, yours);
+    }
+}
+
+/* ---- The pictures that are kept ---- */
+
+/* DIFFERENCES/STEP/PLACE/SCENE.png; PLACE/ may be "". */
+static struct result_path kept_path(const struct judging *judging, const char *place,
+                                    const char *scene) {
+    struct result_path path;
+    snprintf(path.text, sizeof path.text, "%s/%s/%s%s.png", judging->options->differences,
+             judging->step->name, place, scene);
+    return path;
+}
+
+static struct result_path reference_path(const struct judging *judging, const char *scene) {
+    struct result_path path;
+    snprintf(path.text, sizeof path.text, "%s/%s/%s.png", judging->options->references,
+             judging->step->name, scene);
+    return path;
+}
+
+/* Write the picture, and make the directory above it. Returns its path, or none. */
+static struct result_path keep_picture(const struct image *picture, struct result_path path) {
+    struct error error;
+    struct result_path directory = path;
+    *strrchr(directory.text, '/') = '\0';
+    if (!directory_create(directory.text, &error) || !png_write(picture, path.text, &error)) {
+        fprintf(stderr, "check: no difference image: %s\n", error.message);
+        path.text[0] = '\0';
+    }
+    return path;
+}
+
+static void keep_pictures(const struct judging *judging, struct item_result *item,
+                          const struct image *reference, const struct image *yours) {
+    struct image picture;
+    struct error error;
+    item->reference = reference_path(judging, item->scene);
+    if (yours->pixels != NULL) {
+        item->yours = keep_picture(yours, kept_path(judging, "yours/", item->scene));
+    }
+    if (compare_picture(&picture, reference, yours, &error)) {
+        item->difference = keep_picture(&picture, kept_path(judging, "", item->scene));
+    } else {
+        fprintf(stderr, "check: no difference image: %s\n", error.message);
+    }
+    image_free(&picture);
+}
+
+/* A picture of an earlier check must not be taken for one of this check. */
+static void remove_old_pictures(const struct judging *judging) {
+    for (size_t i = 0; i < judging->step->scene_count; i++) {
+        unlink(kept_path(judging, "", judging->step->scenes[i].name).text);
+        unlink(kept_path(judging, "yours/", judging->step->scenes[i].name).text);
+    }
+}
+
+/* ---- How a program ended ---- */
+
+static bool ended_well(const struct run_result *end) {
+    return end->end == RUN_EXITED && end->number == 0;
+}
+
+/* The state that an end gives to what was not drawn, or RESULT_FAIL. */
+static enum result_state state_of_end(const struct run_result *end) {
+    return end->end == RUN_OUT_OF_TIME ? RESULT_TIME
+           : end->end == RUN_KILLED    ? RESULT_CRASH
+                                       : RESULT_FAIL;
+}
+
+/* How it ended, when not well. */
+static void describe_end(struct result_text *text, const struct run_result *end, double seconds) {
+    struct message_line said = drawn_message((const char *)end->messages.data);
+    const char *colon = said.text[0] != '\0' ? ": " : "";
+    if (end->end == RUN_OUT_OF_TIME) {
+        result_say(text, "stopped after %g s", seconds);
+    } else if (end->end == RUN_TOO_MANY) {
+        result_say(text, "stopped at more than %d processes", PROCESS_LIMIT);
+    } else if (end->end == RUN_KILLED && end->number == SIGXFSZ) {
+        result_say(text, "SIGXFSZ, file larger than %d MB%s%s", FILE_MEGABYTES, colon, said.text);
+    } else if (end->end == RUN_KILLED) {
+        result_say(text, "%s%s%s", run_signal_name(end->number).text, colon, said.text);
+    } else if (end->number != 0) {
+        result_say(text, "exit status %d%s%s", end->number, colon, said.text);
+    }
+}
+
+/* ---- Pictures ---- */
+
+/* Read the references. A bad one stays empty. */
+static void read_references(const struct judging *judging) {
+    for (size_t i = 0; i < judging->step->scene_count; i++) {
+        struct result_path path = reference_path(judging, judging->step->scenes[i].name);
+        struct image *reference = &judging->references[i];
+        if (image_read(reference, path.text, &judging->errors[i]) && image_is_blank(reference)) {
+            error_set(&judging->errors[i], "%.900s: is blank", path.text);
+            image_free(reference);
+        }
+    }
+}
+
+/* Judge scene i by the picture that the program has left. */
+static enum drawn_state judge_scene(const struct judging *judging, size_t i) {
+    struct item_result *item = &judging->result->items[i];
+    const struct image *reference = &judging->references[i];
+    struct image yours;
+    struct error error;
+    item->message.text[0] = '\0';
+    enum drawn_state state = drawn_read(&yours, judging->directory, item->scene, reference, &error);
+    if (state == DRAWN_READ) {
+        judge_picture(judging, item, &judging->step->scenes[i], reference, &yours);
+    } else {
+        result_say(&item->message, "%s", drawn_message(error.message).text);
+    }
+    if (!item->exact) {
+        keep_pictures(judging, item, reference, &yours);
+    }
+    image_free(&yours);
+    return state;
+}
+
+static void blame(struct item_result *item, const struct run_result *end, double seconds) {
+    item->state = state_of_end(end);
+    item->blamed = true;
+    item->message.text[0] = '\0';
+    describe_end(&item->message, end, seconds);
+}
+
+/* The program ended badly before it had drawn this scene, and perhaps before it began it: let it
+ * draw nothing else. */
+static bool judge_alone(const struct judging *judging, size_t i, struct error *error) {
+    const struct options *options = judging->options;
+    struct item_result *item = &judging->result->items[i];
+    struct run_result end;
+    bool done = drawn_run(options->programs, judging->step->name, judging->directory, item->scene,
+                          &judging->limits, &end, error);
+    if (done && end.end != RUN_INTERRUPTED && judge_scene(judging, i) == DRAWN_MISSING &&
+        !ended_well(&end)) {
+        blame(item, &end, options->seconds);
+    }
+    bytes_free(&end.messages);
+    return done;
+}
+
+static bool judge_pictures(const struct judging *judging, const struct run_result *end,
+                           struct error *error) {
+    const struct checked_step *step = judging->step;
+    struct item_result *items = judging->result->items;
+    bool done = true;
+    for (size_t i = 0; i < step->scene_count && done; i++) {
+        if (judging->references[i].pixels == NULL) {
+            items[i].state = RESULT_ERROR;
+            judging->result->state = RESULT_ERROR;
+            result_say(&items[i].message, "no reference: %s",
+                       drawn_message(judging->errors[i].message).text);
+        } else if (judge_scene(judging, i) == DRAWN_MISSING && !ended_well(end)) {
+            if (step->scene_count > 1) {
+                done = judge_alone(judging, i, error);
+            } else {
+                blame(&items[i], end, judging->options->seconds);
+            }
+        }
+    }
+    return done;
+}
+
+/* ---- Work ---- */
+
+/* The number in the last line "SCENE.COUNTER: NUMBER" of a text; false when there is none. */
+static bool find_counter(const char *text, const struct item_result *item, uint64_t *number) {
+    char start[2 * SCENE_NAME_LIMIT + 8];
+    snprintf(start, sizeof start, "%s.%s: ", item->scene, item->counter);
+    bool found = false;
+    for (; *text != '\0'; text += strcspn(text, "\n"), text += *text == '\n') {
+        if (strncmp(text, start, strlen(start)) == 0) {
+            *number = strtoull(text + strlen(start), NULL, 10);
+            found = true;
+        }
+    }
+    return found;
+}
+
+static void judge_counter(struct item_result *item, const char *output,
+                          const struct run_result *end, double seconds) {
+    struct bytes text = {.data = NULL};
+    struct error ignored;
+    bool found = file_read(output, &text, &ignored) && bytes_append(&text, "", 1) &&
+                 find_counter((const char *)text.data, item, &item->counted);
+    bytes_free(&text);
+    if (!ended_well(end)) {
+        blame(item, end, seconds);
+    } else if (!found) {
+        result_say(&item->message, "--stats does not print it");
+    } else if (item->counted > item->most) {
+        result_say(&item->message, "%s, but %s are enough", show_count(item->counted).text,
+                   show_count(item->most).text);
+    } else {
+        item->state = RESULT_PASS;
+    }
+}
+
+/* Let the program draw the scene once more and count. */
+static bool judge_work(const struct judging *judging, struct item_result *item,
+                       struct error *error) {
+    const struct options *options = judging->options;
+    char directory[DRAWN_PATH_LIMIT], output[DRAWN_PATH_LIMIT + 8];
+    struct run_result end;
+    if (!run_directory_create(directory, sizeof directory, error)) {
+        return false;
+    }
+    snprintf(output, sizeof output, "%s/.stats", directory);
+    bool done = drawn_run_stats(options->programs, judging->step->name, directory, item->scene,
+                                output, &judging->limits, &end, error);
+    if (done && end.end != RUN_INTERRUPTED) {
+        judge_counter(item, output, &end, options->seconds);
+    }
+    bytes_free(&end.messages);
+    run_directory_remove(directory);
+    return done;
+}
+
+/* Little work is no merit where the picture is wrong. */
+static bool judge_works(const struct judging *judging, struct error *error) {
+    struct step_result *result = judging->result;
+    size_t pictures = judging->step->scene_count;
+    bool done = true;
+    for (size_t i = pictures; i < result->item_count && done; i++) {
+        struct item_result *item = &result->items[i];
+        size_t k = 0;
+        while (strcmp(result->items[k].scene, item->scene) != 0) {
+            k++;
+        }
+        if (result->items[k].state == RESULT_PASS) {
+            done = judge_work(judging, item, error);
+        } else {
+            item->state = result->items[k].state;
+            result_say(&item->message, "the picture does not pass");
+        }
+    }
+    return done;
+}
+
+/* ---- One step ---- */
+
+/* What has failed is to do while a task that it shows is as the starter has it. */
+static void find_to_do(const struct judging *judging) {
+    for (size_t i = 0; i < judging->result->item_count; i++) {
+        struct item_result *item = &judging->result->items[i];
+        const char *found = NULL;
+        for (size_t k = 0; k < item->credit->task_count && found == NULL; k++) {
+            const char *task = item->credit->tasks[k].text;
+            found = todo_has_task((const char *)judging->source.data, task) ? task : NULL;
+        }
+        if (item->state == RESULT_FAIL && found != NULL) {
+            item->state = RESULT_TODO;
+            item->message.text[0] = '\0';
+            result_say(&item->message, "task %s is to do", found);
+        }
+    }
+}
+
+static bool draw_and_judge(struct judging *judging, struct error *error) {
+    const struct options *options = judging->options;
+    struct step_result *result = judging->result;
+    struct run_result end;
+    if (!run_directory_create(judging->directory, sizeof judging->directory, error)) {
+        return false;
+    }
+    bool done = drawn_run(options->programs, judging->step->name, judging->directory, options->only,
+                          &judging->limits, &end, error);
+    if (done && end.end != RUN_INTERRUPTED) {
+        result->state = state_of_end(&end);
+        describe_end(&result->reason, &end, options->seconds);
+        done = judge_pictures(judging, &end, error) && judge_works(judging, error);
+        find_to_do(judging);
+    }
+    result->messages = end.messages;
+    run_directory_remove(judging->directory);
+    return done;
+}
+
+/* A step that cannot be built; a missing reference is told of all the same. */
+static void set_not_built(const struct judging *judging, const struct message_line *reason) {
+    struct step_result *result = judging->result;
+    result->state = RESULT_BUILD;
+    result_say(&result->reason, "%s", reason->text);
+    for (size_t i = 0; i < result->item_count; i++) {
+        result->items[i].state = RESULT_BUILD;
+        if (i < judging->step->scene_count && judging->references[i].pixels == NULL) {
+            result->items[i].state = RESULT_ERROR;
+            result_say(&result->items[i].message, "no reference: %s",
+                       drawn_message(judging->errors[i].message).text);
+        }
+    }
+}
+
+static bool build_and_judge(struct judging *judging, struct error *error) {
+    struct message_line reason;
+    struct bytes messages = {.data = NULL};
+    remove_old_pictures(judging);
+    read_references(judging);
+    bool done = build_step(judging->options, judging->step->name, &reason, &messages, error);
+    if (!done || reason.text[0] == '\0') {
+        bytes_free(&messages);
+        return done && draw_and_judge(judging, error);
+    }
+    judging->result->messages = messages;
+    set_not_built(judging, &reason);
+    return true;
+}
+
+static void set_error(struct step_result *result, const struct error *error) {
+    result->state = RESULT_ERROR;
+    result->reason.text[0] = '\0';
+    result_say(&result->reason, "%s", error->message);
+    for (size_t i = 0; i < result->item_count; i++) {
+        result->items[i].state = RESULT_ERROR;
+        result->items[i].exact = false;
+    }
+}
+
+void judge_step(const struct options *options, const struct checked_step *step,
+                struct step_result *result) {
+    struct error error = {.message = "out of memory"};
+    struct judging judging = {
+        .options = options,
+        .step = step,
+        .result = result,
+        .references = calloc(step->scene_count, sizeof *judging.references),
+        .errors = calloc(step->scene_count, sizeof *judging.errors),
+        .limits = {.seconds = options->seconds,
+                   .file_bytes = (size_t)FILE_MEGABYTES * 1000 * 1000,
+                   .processes = PROCESS_LIMIT},
+    };
+    char path[DRAWN_PATH_LIMIT];
+    snprintf(path, sizeof path, "%s/%s/main.c", options->sources, step->name);
+    judging.source = todo_read(path);
+    if (!step_result_begin(result, step, &error) || judging.references == NULL ||
+        judging.errors == NULL || !build_and_judge(&judging, &error)) {
+        set_error(result, &error);
+    }
+    step_result_finish(result);
+    for (size_t i = 0; judging.references != NULL && i < step->scene_count; i++) {
+        image_free(&judging.references[i]);
+    }
+    free(judging.references);
+    free(judging.errors);
+    bytes_free(&judging.source);
+}

@@ -1,0 +1,118 @@
+#include "report.h"
+
+#include <ctype.h>
+#include <stdio.h>
+#include <string.h>
+
+/* Does an item tell how the program ended? */
+static bool is_blamed(const struct step_result *step) {
+    bool blamed = false;
+    for (size_t i = 0; i < step->item_count; i++) {
+        blamed |= step->items[i].blamed;
+    }
+    return blamed;
+}
+
+static bool is_exact(const struct step_result *step) {
+    for (size_t i = 0; i < step->item_count; i++) {
+        if (step->items[i].message.text[0] != '\0') {
+            return false;
+        }
+    }
+    return step->state == RESULT_PASS;
+}
+
+static void report_item(const struct item_result *item) {
+    printf("  %s%s%s %s %u/%u", item->scene, item->counter[0] != '\0' ? " " : "", item->counter,
+           result_state_name(item->state), item->points, item->credit->points);
+    if (item->message.text[0] != '\0') {
+        printf(": %s", item->message.text);
+    }
+    printf("\n");
+}
+
+/* The letter of a lesson's part in "8b.2", 0 for a lesson without parts. */
+static char part_of(const struct task_result *task) {
+    char letter = task->name.text[strspn(task->name.text, "0123456789")];
+    return islower((unsigned char)letter) ? letter : '\0';
+}
+
+/* One line for the tasks of a part, with its points. */
+static void report_part(const struct step_result *step, char part) {
+    unsigned points = 0, most = 0;
+    for (size_t i = 0; i < step->task_count; i++) {
+        if (part_of(&step->tasks[i]) == part) {
+            points += step->tasks[i].points;
+            most += step->tasks[i].most;
+        }
+    }
+    if (part != '\0') {
+        printf("  part %c %u/%u:", part, points, most);
+    } else {
+        printf("  tasks:");
+    }
+    const char *comma = "";
+    for (size_t i = 0; i < step->task_count; i++) {
+        const struct task_result *task = &step->tasks[i];
+        bool passed = task->state == RESULT_PASS;
+        if (part_of(task) == part) {
+            printf("%s %s%s%s %u/%u", comma, task->name.text, passed ? "" : " ",
+                   passed ? "" : result_state_name(task->state), task->points, task->most);
+            comma = ",";
+        }
+    }
+    printf("\n");
+}
+
+/* First those of no part. */
+static void report_tasks(const struct step_result *step) {
+    static const char parts[] = "\0abcdefghijklmnopqrstuvwxyz";
+    for (size_t p = 0; p + 1 < sizeof parts; p++) {
+        const char part = parts[p];
+        bool found = false;
+        for (size_t i = 0; i < step->task_count; i++) {
+            found |= part_of(&step->tasks[i]) == part;
+        }
+        if (found) {
+            report_part(step, part);
+        }
+    }
+}
+
+void report_step(const struct step_result *step) {
+    printf("%s  %s %zu/%zu SCORE %u/%u%s", step->name, result_state_name(step->state), step->passed,
+           step->item_count, step->points, step->most, is_exact(step) ? " exact" : "");
+    if (step->reason.text[0] != '\0' && !is_blamed(step)) {
+        printf(": %s", step->reason.text);
+    }
+    printf("\n");
+    for (size_t i = 0; i < step->item_count; i++) {
+        if (step->items[i].message.text[0] != '\0') {
+            report_item(&step->items[i]);
+        }
+    }
+    if (step->state != RESULT_PASS && step->task_count > 1) {
+        report_tasks(step);
+    }
+    fflush(stdout); /* so that each step is seen as soon as it is known */
+}
+
+bool report_end(const struct check_result *result, struct error *error) {
+    bool any = false;
+    printf("SCORE %u/%u\n%zu passed, %zu failed\n", result->points, result->most, result->passed,
+           result->failed);
+    for (size_t i = 0; i < result->step_count; i++) {
+        const struct step_result *step = &result->steps[i];
+        for (size_t k = 0; k < step->item_count; k++) {
+            if (step->items[k].difference.text[0] != '\0') {
+                printf("%s  %s\n",
+                       any ? ""
+                           : "Difference images (reference, yours, difference, side by side):\n",
+                       step->items[k].difference.text);
+                any = true;
+            }
+        }
+    }
+    return (fflush(stdout) == 0 && !ferror(stdout)) ||
+           error_set(error, "the score could not be written to standard output");
+}

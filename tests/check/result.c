@@ -1,0 +1,117 @@
+#include "result.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+const char *result_state_name(enum result_state state) {
+    static const char *const names[] = {
+        [RESULT_PASS] = "PASS",   [RESULT_TODO] = "TODO",   [RESULT_FAIL] = "FAIL",
+        [RESULT_TIME] = "TIME",   [RESULT_CRASH] = "CRASH", [RESULT_BUILD] = "BUILD",
+        [RESULT_ERROR] = "ERROR",
+    };
+    return names[state];
+}
+
+void result_say(struct result_text *text, const char *format, ...) {
+    size_t length = strlen(text->text);
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(text->text + length, sizeof text->text - length, format, arguments);
+    va_end(arguments);
+}
+
+bool check_result_create(struct check_result *result, size_t step_count, struct error *error) {
+    *result = (struct check_result){.steps = calloc(step_count + 1, sizeof *result->steps)};
+    return result->steps != NULL || error_out_of_memory(error);
+}
+
+void check_result_free(struct check_result *result) {
+    for (size_t i = 0; i < result->step_count; i++) {
+        free(result->steps[i].items);
+        free(result->steps[i].tasks);
+        bytes_free(&result->steps[i].messages);
+    }
+    free(result->steps);
+    *result = (struct check_result){.steps = NULL};
+}
+
+bool step_result_begin(struct step_result *result, const struct checked_step *step,
+                       struct error *error) {
+    *result = (struct step_result){.name = step->name, .state = RESULT_FAIL};
+    result->item_count = step->scene_count + step->work_count;
+    result->items = calloc(result->item_count, sizeof *result->items);
+    result->tasks = calloc(result->item_count * SCENE_TASK_LIMIT, sizeof *result->tasks);
+    if (result->items == NULL || result->tasks == NULL) {
+        result->item_count = 0;
+        return error_out_of_memory(error);
+    }
+    for (size_t i = 0; i < result->item_count; i++) {
+        struct item_result *item = &result->items[i];
+        item->state = RESULT_FAIL;
+        if (i < step->scene_count) {
+            item->scene = step->scenes[i].name;
+            item->counter = "";
+            item->credit = &step->scenes[i].credit;
+        } else {
+            const struct checked_work *work = &step->works[i - step->scene_count];
+            item->scene = work->scene;
+            item->counter = work->counter;
+            item->credit = &work->credit;
+            item->most = work->most;
+        }
+    }
+    return true;
+}
+
+/* ---- The sums ---- */
+
+static struct task_result *find_task(struct step_result *result, struct task_name name) {
+    for (size_t i = 0; i < result->task_count; i++) {
+        if (strcmp(result->tasks[i].name.text, name.text) == 0) {
+            return &result->tasks[i];
+        }
+    }
+    struct task_result *task = &result->tasks[result->task_count++];
+    task->name = name;
+    return task;
+}
+
+static void add_item(struct step_result *result, struct item_result *item) {
+    const struct credit *credit = item->credit;
+    item->points = item->state == RESULT_PASS ? credit->points : 0;
+    result->points += item->points;
+    result->most += credit->points;
+    result->passed += item->state == RESULT_PASS;
+    result->pictures_exact += item->exact;
+    for (size_t i = 0; i < credit->task_count; i++) {
+        struct task_result *task = find_task(result, credit->tasks[i]);
+        task->points += item->points / (unsigned)credit->task_count;
+        task->most += credit->points / (unsigned)credit->task_count;
+        task->state = item->state > task->state ? item->state : task->state;
+    }
+}
+
+void step_result_finish(struct step_result *result) {
+    enum result_state worst = RESULT_PASS;
+    for (size_t i = 0; i < result->item_count; i++) {
+        add_item(result, &result->items[i]);
+        worst = result->items[i].state > worst ? result->items[i].state : worst;
+    }
+    bool is_open = result->state == RESULT_FAIL; /* not said by how the program ended */
+    if (is_open && (worst > RESULT_FAIL || result->reason.text[0] == '\0')) {
+        result->state = worst;
+    }
+}
+
+void check_result_add(struct check_result *result, const struct step_result *step) {
+    result->passed += step->state == RESULT_PASS;
+    result->failed += step->state != RESULT_PASS;
+    result->points += step->points;
+    result->most += step->most;
+    result->cannot_work |= step->state == RESULT_ERROR;
+    for (size_t i = 0; i < step->item_count; i++) {
+        result->cannot_work |= step->items[i].state == RESULT_ERROR;
+    }
+}

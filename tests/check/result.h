@@ -1,0 +1,110 @@
+/*
+ * What a check has found: filled in once, and read by whoever reports it.
+ *
+ * A step has items: its pictures, and the counters of work that the table of scenes limits. Points
+ * belong to items: all of them when it passes, otherwise none. An item's points are shared out
+ * evenly to its tasks, so the tasks' points add up to the step's too.
+ */
+#ifndef TESTS_CHECK_RESULT_H
+#define TESTS_CHECK_RESULT_H
+
+#include "compare.h"
+#include "drawn.h"
+#include "file.h"
+#include "scenes.h"
+#include "tgaimage.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+enum result_state {
+    RESULT_PASS,
+    RESULT_TODO, /* not passed, and main.c still has the starter's line of one of its tasks */
+    RESULT_FAIL,
+    RESULT_TIME,  /* the program was stopped after its time */
+    RESULT_CRASH, /* a signal ended the program, or a sanitizer did */
+    RESULT_BUILD, /* the program could not be built */
+    RESULT_ERROR  /* the check itself could not judge it */
+};
+
+/* A sentence without a full stop; cut when it is too long. */
+struct result_text {
+    char text[700];
+};
+
+struct result_path {
+    char text[DRAWN_PATH_LIMIT]; /* from the root; "" when there is no such file */
+};
+
+/* A picture, or a counter. */
+struct item_result {
+    const char *scene;   /* its name */
+    const char *counter; /* "" for a picture */
+    const struct credit *credit;
+    enum result_state state;
+    unsigned points;            /* 0, or all of them */
+    struct result_text message; /* what is wrong, or not exact; empty when there is nothing */
+    struct result_text looks;   /* "A" or "B", the mistakes that draw this picture; or empty */
+    uint64_t counted, most;     /* of a counter: the work done, and what is enough */
+    bool blamed;                /* the program ended badly over it; `message` says how */
+    bool exact;                 /* of a picture: equal to the last bit */
+    bool compared;              /* of a picture: it could be; what follows is known */
+    struct comparison shares;   /* pixels drawn, and of them wrong, apart, in one picture only */
+    size_t x, y;                /* the first pixel that `message` is about, when not exact */
+    struct color got, wanted;   /* its colour, and the right one */
+    struct shift shift;         /* (0,0) when yours is not moved */
+    struct result_path yours, reference, difference; /* pictures, when not exact */
+};
+
+struct task_result {
+    struct task_name name;
+    enum result_state state; /* the worst of its items' */
+    unsigned points, most;
+};
+
+struct step_result {
+    const char *name;
+    enum result_state state;
+    struct item_result *items;
+    size_t item_count;
+    struct task_result *tasks; /* in the order in which the items name them */
+    size_t task_count;
+    size_t passed, pictures_exact; /* items */
+    unsigned points, most;
+    struct result_text reason; /* why the step as a whole did not end well; or empty */
+    struct bytes messages;     /* what compiler or program wrote to standard error, then a NUL */
+};
+
+/* All zero is a valid, empty result. */
+struct check_result {
+    struct step_result *steps;
+    size_t step_count;
+    size_t passed, failed; /* steps */
+    unsigned points, most;
+    bool cannot_work; /* the check itself */
+};
+
+/* The word for it: "PASS", "TODO", ... */
+const char *result_state_name(enum result_state state);
+
+/* A result for that many steps; false when memory runs out. */
+bool check_result_create(struct check_result *result, size_t step_count, struct error *error);
+void check_result_free(struct check_result *result);
+
+/* Begin the result of a step, of which the names stay the table's: nothing is judged, nothing has
+ * passed. False when memory runs out. */
+bool step_result_begin(struct step_result *result, const struct checked_step *step,
+                       struct error *error);
+
+/* When all items are judged: points, tasks, and where the step is FAIL so far, its state. TIME,
+ * CRASH, BUILD and ERROR stay. */
+void step_result_finish(struct step_result *result);
+
+/* Add a finished step to the sums. */
+void check_result_add(struct check_result *result, const struct step_result *step);
+
+/* Add to a text, as much as there is room for. */
+void result_say(struct result_text *text, const char *format, ...) PRINTF_LIKE(2, 3);
+
+#endif
