@@ -35,6 +35,29 @@ static void draw_three_lines(struct image *image, line_function *draw) {
     draw(image, (struct pixel){80, 40}, (struct pixel){13, 20}, red);
 }
 
+/* The scenes line, octants and gradient, side by side; and the scene pixel. */
+static bool draw_made(const char *directory, struct error *error) {
+    struct sheet sheet = {.width = 300, .height = 300, .columns = 3, .rows = 1, .gap = 6};
+    struct image image = {0};
+    bool (*const draw[])(struct drawing *, struct image *,
+                         struct error *) = {draw_line, draw_octants, draw_gradient};
+    bool done = sheet_create(&sheet, error) && image_create(&image, 100, 100, IMAGE_BGR, error);
+    for (int i = 0; done && i < 3; i++) {
+        image_clear(&image, background);
+        done = draw[i](NULL, &image, error);
+        sheet_add_detail(&sheet, &image, detail_of_whole(&image, 3, 0));
+    }
+    done = done && figure_save(&sheet.image, directory, "made", error);
+    if (done) {
+        image_clear(&image, background);
+        draw_pixel(NULL, &image, error);
+        done = save_enlarged(&image, directory, "pixel", error);
+    }
+    image_free(&image);
+    sheet_free(&sheet);
+    return done;
+}
+
 static bool draw_attempts(const char *directory, struct error *error) {
     static const char *const names[] = {"attempt_1", "attempt_2", "attempt_3", "attempt_4"};
     bool done = true;
@@ -280,8 +303,9 @@ static bool print_table(struct error *error) {
 
 bool draw_figures(const char *directory, struct model *bust, struct error *error) {
     (void)bust;
-    return draw_attempts(directory, error) && draw_holes(directory, error) &&
-           draw_pairs(directory, error) && draw_cases(directory, error) &&
+    return draw_made(directory, error) && draw_attempts(directory, error) &&
+           draw_holes(directory, error) && draw_pairs(directory, error) &&
+           draw_cases(directory, error) &&
            draw_star(directory, "not_exchanged_back", line_not_exchanged_back, error) &&
            draw_star(directory, "only_upwards", line_only_upwards, error) && print_table(error);
 }

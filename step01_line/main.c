@@ -121,8 +121,8 @@ static void line_list(struct pixel a, struct pixel b, struct pixel list[]) {
 /* ---- Colours along a line ---- */
 
 /* BEGIN SOLUTION 1.5 colours along a line */
-/* The nearest level to from + (to - from) * k / n, halves up, in integers; n > 0, 0 <= k <= n. */
-static uint8_t mix_level(uint8_t from, uint8_t to, int64_t k, int64_t n) {
+/* The whole number nearest to from + (to - from) * k / n, halves up; n > 0, 0 <= k <= n. */
+static uint8_t mix_value(uint8_t from, uint8_t to, int64_t k, int64_t n) {
     return (uint8_t)((2 * (from * (n - k) + to * k) + n) / (2 * n));
 }
 
@@ -140,11 +140,11 @@ static struct color color_along(struct pixel a, struct pixel b, struct color col
     if (n == 0) {
         return color_a;
     }
-    return color_rgb(mix_level(color_a.r, color_b.r, k, n), mix_level(color_a.g, color_b.g, k, n),
-                     mix_level(color_a.b, color_b.b, k, n));
+    return color_rgb(mix_value(color_a.r, color_b.r, k, n), mix_value(color_a.g, color_b.g, k, n),
+                     mix_value(color_a.b, color_b.b, k, n));
     /* STARTER
     (void)a, (void)b, (void)color_a, (void)color_b, (void)p;
-    return color_rgb(0, 0, 0); // to do 1.5: alpha, then each channel
+    return color_rgb(0, 0, 0); // to do 1.5: alpha, then each value
     END SOLUTION */
 }
 
