@@ -36,7 +36,8 @@ For the course as a whole:
   make help                   this list
 
 CC=clang, CFLAGS=-O0, MARCH=, WERROR=-Werror, BUILD=some/directory, LANES=1 (one pixel at a time, for
-a debugger) and REAL=double (twice the precision) may be added to any of these.
+a debugger), REAL=double (twice the precision) and LINE=mine (lessons 2 to 8 draw with what you wrote
+in lessons 1 and 3) may be added to any of these.
 endef
 
 BUILD  = build
@@ -62,10 +63,28 @@ $(BUILD)/drawn/%: $(BUILD)/%
 	@mkdir -p $(@D)
 	@cmp -s $< $@ || cp $< $@
 
+# LINE=mine: lessons 2 and 3 draw with the line() of lesson 1's main.c, lessons 4 to 8 with the
+# triangles of lesson 3's, whoever wrote them. (The house versions get their names.)
+ifeq ($(LINE),mine)
+MINE = $(patsubst %/mine.c,$(BUILD)/mine/%.o,$(wildcard step*/mine.c))
+$(BUILD)/step02% $(BUILD)/step03%: DRAW_WITH = -DLINE_IS_MINE -Wno-unused-function
+$(foreach n,4 5 6 7 8,$(BUILD)/step0$(n)%): DRAW_WITH = -Dedges_setup=my_triangle_setup \
+                                                         -Dedges_span=my_triangle_span
+endif
+
 # A lesson's program is its main.c and what all lessons share.
-$(STEPS:%=$(BUILD)/%): $(BUILD)/%: %/main.c $(BUILD)/libcommon.a $(BUILD)/flags
-	$(COMPILE) -MF $@.d -MT $@ -c $< -o $@.o
-	$(LINK) $@.o $(BUILD)/libcommon.a -lm -o $@
+$(STEPS:%=$(BUILD)/%): $(BUILD)/%: %/main.c $(BUILD)/libcommon.a $(MINE) $(BUILD)/line $(BUILD)/flags
+	$(COMPILE) $(DRAW_WITH) -MF $@.d -MT $@ -c $< -o $@.o
+	$(LINK) $@.o $(MINE) $(BUILD)/libcommon.a -lm -o $@
+
+$(BUILD)/mine/%.o: %/mine.c %/main.c $(BUILD)/flags
+	@mkdir -p $(@D)
+	$(COMPILE) -c $< -o $@
+
+# Changes only when LINE does.
+$(BUILD)/line: force
+	@mkdir -p $(@D)
+	@[ "$$(cat $@ 2>/dev/null)" = 'LINE=$(LINE)' ] || echo 'LINE=$(LINE)' >$@
 
 COMMON   = $(basename $(notdir $(wildcard common/*.c)))
 SCULPTOR = $(basename $(notdir $(wildcard common/sculptor/*.c)))

@@ -4,6 +4,10 @@
  * `wireframe` draws the sides of a model, white on black. `border` draws a third of its faces in an
  * image that is not square, `enlarged` the model much larger than the image, `cut` single lines.
  */
+#ifdef LINE_IS_MINE /* make LINE=mine: the line() of lesson 1 draws */
+#include "mine.h"
+#define line my_line
+#endif
 
 /* What is drawn: a list of sides, made before the drawing. */
 struct wireframe {

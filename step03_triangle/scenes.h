@@ -5,6 +5,10 @@
  * pixel of a mesh is drawn, `gradient` mixes the colours of the corners, `faces` fills the faces of
  * a model, each in a colour of its own. A text scene draws the triangles that it lists.
  */
+#ifdef LINE_IS_MINE /* make LINE=mine: the line() of lesson 1 draws */
+#include "mine.h"
+#define draw_line my_line
+#endif
 #include <stdlib.h>
 
 /* ---- Filling ---- */

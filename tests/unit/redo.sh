@@ -67,7 +67,10 @@ program() {
 }
 
 drawn() {
-    echo "drawn/$1 out/$1/.drawn out/$1/gradient.tga out/$1/line.tga out/$1/pixel.tga"
+    echo "drawn/$1 out/$1/.drawn"
+    for picture in "tests/reference/$1"/*.png; do
+        echo "out/$1/$(basename "$picture" .png).tga"
+    done
 }
 
 nothing_said() {
