@@ -12,6 +12,7 @@ For a lesson, here lesson 5:
   make hint STEP=05           a hint for what is to do, and more each time (TASK=5.2)
   make show STEP=05           the pictures in the terminal, beside the references (SCENE=depth,
                               WHICH=yours,reference,difference, KIND=blocks, sixel or kitty)
+  make open STEP=05           the same in the browser, in one page
   make clean                  remove all that was built
 
 For the course as a whole:
@@ -173,7 +174,7 @@ $(BUILD)/tests/%.o: tests/%.c $(BUILD)/flags
 
 -include $(wildcard tests/starter/starter.mk)
 
-# ---- make hint, make show ----
+# ---- make hint, make show, make open ----
 
 -include $(wildcard tests/help/help.mk)
 

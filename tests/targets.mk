@@ -74,7 +74,7 @@ $(UNITS): $(BUILD)/tests/%: $(BUILD)/tested/tests/unit/%.o $(ORACLE) $(TESTED_CO
 $(CHECKERS): $(BUILD)/tests/%: $(BUILD)/tested/tests/check/%.o $(TESTED_CHECKER) $(TESTED_COMMON)
 	$(TESTED) $^ -lm -o $@
 
-$(HELPERS): $(BUILD)/tests/%: $(BUILD)/tested/tests/help/%.o $(HELP:$(BUILD)/%=$(BUILD)/tested/%) \
+$(HELPERS): $(BUILD)/tests/%: $(BUILD)/tested/tests/help/%.o $(HELPING:$(BUILD)/%=$(BUILD)/tested/%) \
                               $(TESTED_COMMON)
 	$(TESTED) $^ -lm -o $@
 
@@ -85,7 +85,7 @@ $(REPLAYS): $(BUILD)/tests/%: $(BUILD)/tested/tests/fuzz/%.o $(BUILD)/tested/tes
 # Every test runs, also after one that failed.
 .PHONY: test
 test: $(UNITS) $(CHECKERS) $(HELPERS) $(REPLAYS) $(BUILD)/check $(BUILD)/references $(BUILD)/show \
-      models
+      $(BUILD)/compare_page models
 	@passed=0; failed=0; names=; \
 	for test in $(UNITS) $(CHECKERS) $(HELPERS) $(SCRIPTS); do \
 	    echo "== $$test"; \

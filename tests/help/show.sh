@@ -16,6 +16,7 @@ scene=$3
 which=$4
 kind=$5
 . tests/starter/lesson.sh
+. tests/help/drawn.sh
 
 # The size of the terminal: what it says itself, else what the shell knows.
 find_size() {
@@ -27,17 +28,10 @@ find_size() {
 
 find_lesson
 find_size
-pictures=$build/out/$lesson
-set -- "$pictures"/*.tga # the scenes' pictures
-if [ -n "$scene" ]; then
-    [ -f "$pictures/$scene.tga" ] ||
-        fail 2 "there is no scene \"$scene\" in $lesson. There are: $(
-            for file in "$@"; do basename "$file" .tga; done | tr '\n' ' ')"
-    set -- "$pictures/$scene.tga"
-fi
-for picture in "$@"; do
-    name=$(basename "$picture" .tga)
+find_drawn
+for name in $drawn; do
     echo "$lesson $name"
     "$build/show" --columns "$columns" --lines "$lines" ${which:+--which "$which"} \
-        ${kind:+--as "$kind"} "$picture" "tests/reference/$lesson/$name.png" || exit
+        ${kind:+--as "$kind"} "$build/out/$lesson/$name.tga" \
+        "tests/reference/$lesson/$name.png" || exit
 done
