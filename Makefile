@@ -13,6 +13,7 @@ For a lesson, here lesson 5:
   make show STEP=05           the pictures in the terminal, beside the references (SCENE=depth,
                               WHICH=yours,reference,difference, KIND=blocks, sixel or kitty)
   make open STEP=05           the same in the browser, in one page
+  make watch STEP=05          check and show again at every save, until Ctrl-C
   make clean                  remove all that was built
 
 For the course as a whole:
@@ -174,7 +175,7 @@ $(BUILD)/tests/%.o: tests/%.c $(BUILD)/flags
 
 -include $(wildcard tests/starter/starter.mk)
 
-# ---- make hint, make show, make open ----
+# ---- make hint, make show, make open, make watch ----
 
 -include $(wildcard tests/help/help.mk)
 

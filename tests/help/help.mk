@@ -2,7 +2,8 @@
 # make show STEP=05       the pictures in the terminal (SCENE=depth; WHICH=yours,reference,difference;
 #                         KIND=blocks, sixel or kitty, where it is not seen what the terminal can)
 # make open STEP=05       the same in the browser, as a page that needs nothing else (SCENE=depth)
-.PHONY: hint show open
+# make watch STEP=05      builds, checks and shows at every save; Ctrl-C ends it (SCENE=depth)
+.PHONY: hint show open watch
 hint:
 	@tests/help/hint.sh '$(BUILD)' '$(STEP)' '$(TASK)' '$(AGAIN)'
 
@@ -14,6 +15,9 @@ open: $(BUILD)/compare_page $(HELPED:%=$(BUILD)/out/%/.drawn)
 
 show: $(BUILD)/show $(HELPED:%=$(BUILD)/out/%/.drawn)
 	@tests/help/show.sh '$(BUILD)' '$(STEP)' '$(SCENE)' '$(WHICH)' '$(KIND)'
+
+watch:
+	@tests/help/watch.sh '$(BUILD)' '$(MAKE) -s' '$(STEP)' '$(SCENE)'
 
 HELPING = $(addprefix $(BUILD)/tests/,help/base64.o help/page.o help/pictures.o help/terminal.o \
                                        check/compare.o)
