@@ -78,12 +78,47 @@ static bool draw_culled_by_light(struct model *model, const char *directory, str
     return figure_end(&f, directory, "culled_by_light", done, error);
 }
 
-SHADER(not_shifted, .varying_count = 2, .vertex = uv_vertex,
-       .fragment = attempt_3_normals_not_shifted);
-SHADER(file_order, .varying_count = 2, .vertex = uv_vertex,
-       .fragment = attempt_4_normals_in_file_order);
+/* A mip level of a texture as it is, a quarter of its width and height. */
+static bool draw_texture(const struct texture *texture, const char *directory, const char *name,
+                         struct error *error) {
+    const struct texture_level *level = &texture->level[2];
+    struct image image = {0};
+    bool done = image_create(&image, level->width, level->height, IMAGE_BGR, error);
+    for (size_t i = 0; done && i < level->width * level->height; i++) {
+        uint32_t texel = level->texels[i];
+        image_set(&image, (int)(i % level->width), (int)(i / level->width),
+                  color_rgb((uint8_t)(texel >> 16), (uint8_t)(texel >> 8), (uint8_t)texel));
+    }
+    done = done && figure_save(&image, directory, name, error);
+    image_free(&image);
+    return done;
+}
 
-/* Right; levels as 0..1; x and z exchanged. */
+static bool draw_textures(struct model *model, const char *directory, struct error *error) {
+    struct drawing drawing;
+    return make_drawing(&drawing, model, error) &&
+           draw_texture(drawing.diffuse, directory, "texture_colors", error) &&
+           draw_texture(drawing.normal_map, directory, "texture_normals", error);
+}
+
+/* Left: the normals of the mesh, as in lesson 8. Right: those of the map. */
+static bool draw_smooth(struct model *model, const char *directory, struct error *error) {
+    struct figure f = {0};
+    bool done = figure_begin(&f, model, 2, error);
+    if (done) {
+        struct draw_call left = figure_call(&f, 2, 0), right = figure_call(&f, 2, 1);
+        done = figure_draw(&f, &left, &gouraud_textured, error) &&
+               figure_draw(&f, &right, &normal_mapped, error);
+    }
+    return figure_end(&f, directory, "smooth", done, error);
+}
+
+SHADER(not_shifted, .varying_count = 2, .vertex = uv_vertex,
+       .fragment = attempt_5_normals_not_shifted);
+SHADER(file_order, .varying_count = 2, .vertex = uv_vertex,
+       .fragment = attempt_6_normals_in_file_order);
+
+/* Right; values as 0..1; x and z exchanged. */
 static bool draw_wrong_normals(struct model *model, const char *directory, struct error *error) {
     struct figure f = {0};
     bool done = figure_begin(&f, model, 3, error);
@@ -201,6 +236,7 @@ static bool draw_overdraw(struct model *model, const char *directory, struct err
 }
 
 bool draw_figures(const char *directory, struct model *bust, struct error *error) {
-    return draw_culled_by_light(bust, directory, error) &&
+    return draw_textures(bust, directory, error) && draw_smooth(bust, directory, error) &&
+           draw_culled_by_light(bust, directory, error) &&
            draw_wrong_normals(bust, directory, error) && draw_overdraw(bust, directory, error);
 }

@@ -1,8 +1,9 @@
 /*
  * Step 9, the given part: its scenes and the program.
  *
- * A scene is a square of cells, and in each cell the model as one shader draws it. `four`, `toon`
- * and `normalmap` show shaders, `culling` which faces may be left out.
+ * A scene is a square of cells, and in each cell the model as one shader draws it. `loops`, `looks`
+ * and `more_looks` are drawn by simple_draw(); the others by the pipeline: `four`, `toon` and
+ * `normalmap` show shaders, `culling` which faces may be left out.
  */
 
 /* ---- Drawing ---- */
@@ -40,7 +41,83 @@ static bool draw_cells(struct drawing *drawing, struct image *image, const struc
     return pipeline_end(drawing, done, image, error);
 }
 
-/* ---- Scenes ---- */
+/* ---- Scenes of simple_draw() ---- */
+
+/* Each corner of a face in a colour of its own: what is in between shows the weights. */
+static void corner_vertex(const void *uniforms, size_t face, size_t corner, double *varyings) {
+    (void)uniforms, (void)face;
+    for (size_t i = 0; i < 3; i++) {
+        varyings[i] = i == corner ? 255 : 0;
+    }
+}
+
+static bool corner_pixel(const void *uniforms, const double *varyings, struct vec3 *rgb) {
+    (void)uniforms;
+    *rgb = (struct vec3){varyings[0], varyings[1], varyings[2]};
+    return true;
+}
+
+static const struct simple_shader simple_corners = {3, corner_vertex, corner_pixel};
+
+/* One cell of such a picture. */
+struct simple_cell {
+    const struct simple_shader *shader;
+    enum cull cull;
+    double zoom;
+    struct vec3 eye; /* zero: that of the drawing */
+};
+
+/* Draw two rows of two cells, the first one top left. */
+static bool draw_simple_cells(const struct drawing *drawing, struct image *image,
+                              const struct simple_cell cells[4]) {
+    const struct canvas canvas = {image, drawing->depth};
+    for (int i = 0; i < 4; i++) {
+        const struct simple_cell *cell = &cells[i];
+        struct rectangle place = grid_cell(image->width, image->height, 2, 2, i % 2, i / 2);
+        bool has_eye = vec3_dot(cell->eye, cell->eye) > 0;
+        struct draw_call call =
+            camera_call(drawing->model, has_eye ? cell->eye : drawing->eye, drawing->center,
+                        drawing->up, cell->zoom, place, cell->cull);
+        struct uniforms u = make_uniforms(drawing, cell->zoom * place.width);
+        simple_draw(&canvas, &call, cell->shader, &u);
+    }
+    return true;
+}
+
+/* Above: the corners, the normals. Below: the corners from so near that the face fills the cell and
+ * perspective is strong; a look into the head. */
+static bool draw_loops(struct drawing *drawing, struct image *image, struct error *error) {
+    const struct vec3 near_the_nose = {0.25, -0.1, 0.75};
+    const struct simple_cell cells[4] = {{&simple_corners, CULL_BACK, 0.8, {0, 0, 0}},
+                                         {&simple_normals, CULL_BACK, 0.8, {0, 0, 0}},
+                                         {&simple_corners, CULL_BACK, 1.2, near_the_nose},
+                                         {&simple_normals, CULL_FRONT, 0.8, {0, 0, 0}}};
+    (void)error;
+    return draw_simple_cells(drawing, image, cells);
+}
+
+static bool draw_looks(struct drawing *drawing, struct image *image, struct error *error) {
+    static const struct simple_cell cells[4] = {
+        {&simple_flat, CULL_BACK, 0.8, {0, 0, 0}},
+        {&simple_gouraud, CULL_BACK, 0.8, {0, 0, 0}},
+        {&simple_flat_textured, CULL_BACK, 0.8, {0, 0, 0}},
+        {&simple_gouraud_textured, CULL_BACK, 0.8, {0, 0, 0}}};
+    (void)error;
+    return draw_simple_cells(drawing, image, cells);
+}
+
+/* The last one is seen from where no light falls: what is left is the inside of the lit half. */
+static bool draw_more_looks(struct drawing *drawing, struct image *image, struct error *error) {
+    const struct vec3 from_the_dark_side = {-2.5, 0.5, 1.8};
+    const struct simple_cell cells[4] = {{&simple_toon, CULL_BACK, 0.8, {0, 0, 0}},
+                                         {&simple_normal_mapped, CULL_BACK, 0.8, {0, 0, 0}},
+                                         {&simple_two_sided, CULL_FRONT, 0.8, {0, 0, 0}},
+                                         {&simple_lit_only, CULL_NONE, 0.8, from_the_dark_side}};
+    (void)error;
+    return draw_simple_cells(drawing, image, cells);
+}
+
+/* ---- Scenes of the pipeline ---- */
 
 static bool draw_four(struct drawing *drawing, struct image *image, struct error *error) {
     static const struct cell cells[] = {{&flat, CULL_BACK},
@@ -73,12 +150,24 @@ static bool draw_culling(struct drawing *drawing, struct image *image, struct er
 /* ---- The program ---- */
 
 static const struct scene scenes[] = {
+    {.name = "loops", .needs = NEEDS_MODEL | NEEDS_NORMALS | NEEDS_DEPTH, .draw = draw_loops},
+    {
+        .name = "looks",
+        .needs = NEEDS_MODEL | NEEDS_NORMALS | NEEDS_DIFFUSE | NEEDS_DEPTH,
+        .draw = draw_looks,
+    },
+    {
+        .name = "more_looks",
+        .needs = NEEDS_MODEL | NEEDS_NORMALS | NEEDS_DIFFUSE | NEEDS_NORMAL_MAP | NEEDS_DEPTH,
+        .light = {1, 0.2, 0.5}, /* from the side; x, y, z all differ */
+        .draw = draw_more_looks,
+    },
     {.name = "four", .needs = NEEDS_MODEL | NEEDS_NORMALS | NEEDS_DIFFUSE, .draw = draw_four},
     {.name = "toon", .needs = NEEDS_MODEL | NEEDS_NORMALS, .draw = draw_toon},
     {
         .name = "normalmap",
         .needs = NEEDS_MODEL | NEEDS_DIFFUSE | NEEDS_NORMAL_MAP,
-        .light = {1, 0.2, 0.5}, /* x, y, z all differ: none can stand in for another */
+        .light = {1, 0.2, 0.5},
         .draw = draw_normal_map,
     },
     {

@@ -65,6 +65,10 @@ struct work {
     bool drawn;           /* by the last version, without running out of memory */
     struct target targets[TARGETS];
     struct image enlarged; /* from half of the width and height */
+    /* What simple_draw() and its attempts draw on, and with. */
+    struct image simple_image;
+    double *depth;
+    struct attempt_memory memory;
 };
 
 /* ---- The visible pixels, in so many ways ---- */
@@ -167,10 +171,10 @@ enum kind { CALLED, AT_ONCE, VISIBLE, KINDS };
 static bool draw_kind(enum kind kind, struct target *target, const struct draw_call *call,
                       const struct uniforms *u) {
     struct error error;
-    struct shader called = attempt_1_called(&gouraud_textured);
-    struct attempt_2_uniforms with_image = {*u, &target->image};
+    struct shader called = attempt_3_called(&gouraud_textured);
+    struct attempt_4_uniforms with_image = {*u, &target->image};
     struct pipeline *p = &target->pipeline;
-    bool done = kind == AT_ONCE  ? pipeline_draw(p, call, &attempt_2_at_once, &with_image,
+    bool done = kind == AT_ONCE  ? pipeline_draw(p, call, &attempt_4_at_once, &with_image,
                                                  sizeof with_image, &error)
                 : kind == CALLED ? pipeline_draw(p, call, &called, u, sizeof *u, &error)
                                  : pipeline_draw(p, call, &gouraud_textured, u, sizeof *u, &error);
@@ -210,6 +214,69 @@ static double size_row(const void *state, int choice) {
     const struct work *work = state;
     const struct pipeline *pipeline = &work->targets[choice / KINDS / 2].pipeline;
     return (double)pipeline->stats[STAT_PIXELS_SHADED] / 1000;
+}
+
+/* ---- From simple_draw() to the pipeline ---- */
+
+enum stage { SIMPLE, POSITIONS_ONCE, VISIBLE_FIRST, SIMPLE_STAGES };
+
+#define STAGE(row) ((int)SIMPLE_STAGES + (row))
+
+static void draw_stage(struct work *work, enum stage stage, const struct simple_shader *shader,
+                       const void *uniforms) {
+    const size_t pixels = (size_t)SIDE * SIDE;
+    const struct canvas canvas = {&work->simple_image, work->depth};
+    const struct draw_call *call = &work->far_first.call;
+    memset(work->simple_image.pixels, 0, pixels * IMAGE_BGRA);
+    depth_clear(work->depth, pixels);
+    if (stage == SIMPLE) {
+        simple_draw(&canvas, call, shader, uniforms);
+    } else if (stage == POSITIONS_ONCE) {
+        attempt_1_positions_once(&canvas, call, shader, uniforms, &work->memory);
+    } else {
+        memset(work->memory.nearest, 0, pixels * sizeof *work->memory.nearest);
+        attempt_2_visible_first(&canvas, call, shader, uniforms, &work->memory);
+    }
+}
+
+static void run_stage(void *state, int choice) {
+    struct work *work = state;
+    if (choice >= SIMPLE_STAGES) {
+        run_row(state, choice - SIMPLE_STAGES);
+    } else {
+        draw_stage(work, (enum stage)choice, &simple_gouraud_textured, &work->far_first.uniforms);
+    }
+}
+
+static double error_stage(void *state, int choice) {
+    const struct work *work = state;
+    return choice >= SIMPLE_STAGES
+               ? error_row(state, choice - SIMPLE_STAGES)
+               : compare(&work->simple_image, &work->far_first.exact[TEXTURED]).mean;
+}
+
+/* The lesson's shader that counts its pixels. */
+struct counting_uniforms {
+    struct uniforms u; /* first, so that the shader finds what it knows */
+    uint64_t *count;
+};
+
+static bool counting_pixel(const void *uniforms, const double *varyings, struct vec3 *rgb) {
+    const struct counting_uniforms *u = uniforms;
+    ++*u->count;
+    return textured_pixel(&u->u, varyings, rgb);
+}
+
+static double size_stage(const void *state, int choice) {
+    struct work work = *(const struct work *)state;
+    const struct simple_shader counting = {3, gouraud_textured_vertex, counting_pixel};
+    uint64_t count = 0;
+    const struct counting_uniforms uniforms = {work.far_first.uniforms, &count};
+    if (choice >= SIMPLE_STAGES) {
+        return size_row(state, choice - SIMPLE_STAGES);
+    }
+    draw_stage(&work, (enum stage)choice, &counting, &uniforms);
+    return (double)count / 1000;
 }
 
 /* ---- Setting up ---- */
@@ -445,6 +512,19 @@ static bool make_targets(struct work *work, struct error *error) {
     return done;
 }
 
+/* When the row of busts is there. */
+static bool make_memory(struct work *work, struct error *error) {
+    const size_t pixels = (size_t)SIDE * SIDE;
+    const size_t positions = work->far_first.model.position_count;
+    work->depth = malloc(pixels * sizeof *work->depth);
+    work->memory.nearest = malloc(pixels * sizeof *work->memory.nearest);
+    work->memory.positions = malloc(positions * sizeof *work->memory.positions);
+    if (work->depth == NULL || work->memory.nearest == NULL || work->memory.positions == NULL) {
+        return error_out_of_memory(error);
+    }
+    return image_create(&work->simple_image, SIDE, SIDE, IMAGE_BGRA, error);
+}
+
 static bool make_all_planes(struct work *work, struct error *error) {
     for (int i = 0; i < LOOKS * WAYS; i++) {
         enum look look = (enum look)(i / WAYS);
@@ -467,7 +547,7 @@ static bool setup(void **state, struct error *error) {
     return make_targets(work, error) && bench_read_model(&work->bust.model, "bust.obj", error) &&
            prepare_subject(&work->bust, error) && make_all_planes(work, error) &&
            make_row(&work->far_first, FAR_FIRST, error) &&
-           make_row(&work->near_first, NEAR_FIRST, error);
+           make_row(&work->near_first, NEAR_FIRST, error) && make_memory(work, error);
 }
 
 static void subject_free(struct subject *subject) {
@@ -495,6 +575,10 @@ static void teardown(void *state) {
             pipeline_free(&work->targets[i].pipeline);
         }
         image_free(&work->enlarged);
+        image_free(&work->simple_image);
+        free(work->depth);
+        free(work->memory.nearest);
+        free(work->memory.positions);
     }
     free(work);
 }
@@ -554,9 +638,26 @@ static const struct bench_version row_versions[] = {
     VERSION("400x400, enlarged", row, ROW(VISIBLE, FAR_FIRST, HALF_OF_IT), false),
 };
 
+static const struct bench_version stage_versions[] = {
+    VERSION("simple_draw()", stage, SIMPLE, false),
+    VERSION("positions once", stage, POSITIONS_ONCE, false),
+    VERSION("visible first", stage, VISIBLE_FIRST, false),
+    VERSION("bands of 16, called", stage, STAGE(ROW(CALLED, FAR_FIRST, ONE_THREAD)), false),
+    VERSION("the pipeline", stage, STAGE(ROW(VISIBLE, FAR_FIRST, ONE_THREAD)), true),
+    VERSION("the pipeline, 2 threads", stage, STAGE(ROW(VISIBLE, FAR_FIRST, TWO_THREADS)), true),
+};
+
 static const struct bench_panel bench_panels[] = {
+    {.title = "From your draw() to the pipeline: four busts in a row, textured",
+     .error_label = "values of 0..255, mean",
+     .time_label = "ms per frame",
+     .against = "long double",
+     .versions = stage_versions,
+     .version_count = sizeof stage_versions / sizeof stage_versions[0],
+     .size = size_stage,
+     .size_label = "thousand pixels shaded"},
     {.title = "The bust, Gouraud and texture: its visible pixels",
-     .error_label = "levels, mean",
+     .error_label = "values of 0..255, mean",
      .time_label = "ns per pixel",
      .against = "long double",
      .units = units_pixels,
@@ -564,9 +665,9 @@ static const struct bench_panel bench_panels[] = {
      .version_count = sizeof textured_versions / sizeof textured_versions[0],
      .series = pixels_series,
      .size = size_pixels,
-     .size_label = "levels, the largest"},
+     .size_label = "the largest difference"},
     {.title = "The same, Gouraud alone: a shader that does little",
-     .error_label = "levels, mean",
+     .error_label = "values of 0..255, mean",
      .time_label = "ns per pixel",
      .against = "long double",
      .units = units_pixels,
@@ -574,9 +675,9 @@ static const struct bench_panel bench_panels[] = {
      .version_count = sizeof white_versions / sizeof white_versions[0],
      .series = pixels_series,
      .size = size_pixels,
-     .size_label = "levels, the largest"},
+     .size_label = "the largest difference"},
     {.title = "Four busts in a row, textured: the pipeline, 800x800 pixels",
-     .error_label = "levels, mean",
+     .error_label = "values of 0..255, mean",
      .time_label = "ms per frame",
      .against = "long double",
      .versions = row_versions,

@@ -23,7 +23,8 @@ static void *make_planes(const struct visible *v, enum look look, enum planes_ki
     struct uniforms u = uniforms_of(v);
     struct draw draw = {.call = {.model = v->model, .to_clip = v->to_clip}};
     struct pipeline pipeline = {0};
-    struct shading shading = {.pipeline = &pipeline, .draw = &draw, .uniforms = &u};
+    struct pixel_work work = {0};
+    struct shading shading = {.pipeline = &pipeline, .draw = &draw, .uniforms = &u, .work = &work};
     struct planes *planes = malloc((v->face_count + 1) * sizeof *planes);
     if (kind == FLAT_ON_SCREEN) { /* w is 1 everywhere */
         draw.call.to_clip.m[3][0] = draw.call.to_clip.m[3][1] = draw.call.to_clip.m[3][2] = 0;

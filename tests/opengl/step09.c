@@ -4,8 +4,15 @@
 
 #include "../../step09_shaders/main.c"
 
+#include <string.h>
+
 static const char *left_out(const char *scene) {
-    (void)scene;
+    static const char *const simple[] = {"loops", "looks", "more_looks"};
+    for (size_t i = 0; i < sizeof simple / sizeof simple[0]; i++) {
+        if (strcmp(scene, simple[i]) == 0) {
+            return "all of it: drawn without the pipeline; the other scenes have the same looks";
+        }
+    }
     return NULL;
 }
 

@@ -140,13 +140,83 @@ static bool textures_are_right(const struct shader_case *c, const struct texture
                          TEXEL_ROUNDINGS + normal_roundings(normal_map, c->normal_level, c->uv));
 }
 
+/* What simple_draw() calls: in double, so nearly exact before the rounding to 0..255. */
+static bool rgb_is_near(struct vec3 rgb, struct real3 exact) {
+    return is_near(rgb.x, exact.x, 1e-9L) && is_near(rgb.y, exact.y, 1e-9L) &&
+           is_near(rgb.z, exact.z, 1e-9L);
+}
+
+static bool simple_pixels_are_right(const struct shader_case *c, const struct texture *diffuse,
+                                    const struct texture *normal_map) {
+    const struct uniforms u = {.diffuse = diffuse,
+                               .normal_map = normal_map,
+                               .diffuse_level = c->diffuse_level,
+                               .normal_level = c->normal_level,
+                               .to_light = c->to_light};
+    const double varyings[3] = {c->uv.x, c->uv.y, c->intensity}, step = floor(5 * c->intensity);
+    struct real3 texel = exact_color(diffuse, c->diffuse_level, c->uv), white = {255, 255, 255};
+    struct real3 orange = {255, 155, 0}, normal = exact_normal(normal_map, c->normal_level, c->uv);
+    long double cosine = real3_dot(normal, real3_from(c->to_light));
+    struct vec3 plain, sampled, stepped, mapped, lit;
+    bool drawn = white_pixel(&u, &c->intensity, &plain) && textured_pixel(&u, varyings, &sampled) &&
+                 toon_pixel(&u, &c->intensity, &stepped) && normal_map_pixel(&u, varyings, &mapped);
+    return drawn && lit_only_pixel(&u, &c->intensity, &lit) == (c->intensity > 0) &&
+           rgb_is_near(plain, real3_scale(white, c->intensity)) &&
+           rgb_is_near(sampled, real3_scale(texel, c->intensity)) &&
+           rgb_is_near(stepped, real3_scale(orange, (step < 4 ? step : 4) / 4)) &&
+           (normal_roundings(normal_map, c->normal_level, c->uv) > 1e5L ||
+            rgb_is_near(mapped, real3_scale(texel, positive(cosine))));
+}
+
+/* The corners of a face on the screen, seen from a place that may be inside or behind the face. */
+static bool face_is_placed(const void *tried) {
+    struct shader_case c = *(const struct shader_case *)tried;
+    struct mesh mesh;
+    mesh_from(&mesh, &c.mesh, 1);
+    const struct rectangle view = {7, 5, 300, 200};
+    const struct draw_call call =
+        camera_call(&mesh.model, vec3_scale(c.to_light, 2), (struct vec3){0, 0, 0},
+                    (struct vec3){0, 1, 0}, 1, view, CULL_NONE);
+    const double(*m)[4] = call.to_clip.m;
+    struct placed_face placed;
+    bool in_front = true, far_away = false, right = true;
+    for (size_t i = 0; i < 3; i++) {
+        struct real3 p = real3_from(c.mesh.position[i]);
+        long double clip[4];
+        for (int k = 0; k < 4; k++) {
+            clip[k] = m[k][0] * p.x + m[k][1] * p.y + m[k][2] * p.z + m[k][3];
+        }
+        if (fabsl(clip[3]) < 1e-9L) {
+            return true; /* in front of the eye or behind it: too near to tell */
+        }
+        in_front = in_front && clip[3] > 0;
+        long double x = view.x + (clip[0] / clip[3] + 1) * view.width / 2;
+        long double y = view.y + (clip[1] / clip[3] + 1) * view.height / 2;
+        far_away = far_away || fabsl(x) > SCREEN_LIMIT - 1 || fabsl(y) > SCREEN_LIMIT - 1;
+    }
+    if (place_face(&call, 0, &placed) != in_front) {
+        return in_front && far_away;
+    }
+    for (size_t i = 0; in_front && i < 3; i++) {
+        struct vec4 clip = mat4_point(&call.to_clip, c.mesh.position[i]);
+        double x = view.x + (clip.x / clip.w + 1) * view.width / 2;
+        double y = view.y + (clip.y / clip.w + 1) * view.height / 2;
+        right = right && fabs(placed.position[i].x - x * SUBPIXELS) <= 0.51 &&
+                fabs(placed.position[i].y - y * SUBPIXELS) <= 0.51 &&
+                fabs(placed.depth[i] * clip.w - clip.z) <= 1e-12 * (1 + fabs(clip.z)) &&
+                fabs(placed.recip_w[i] * clip.w - 1) <= 1e-12;
+    }
+    return right;
+}
+
 static bool pixels_are_right(const void *tried) {
     const struct shader_case *c = tried;
     struct texture diffuse = {0}, normal_map = {0};
     bool right = texture_of_picture(&c->diffuse, &diffuse) &&
                  texture_of_picture(&c->normal_map, &normal_map) &&
-                 textures_are_right(c, &diffuse, &normal_map) && white_is_right(c->intensity) &&
-                 toon_is_right(c->intensity);
+                 textures_are_right(c, &diffuse, &normal_map) &&
+                 simple_pixels_are_right(c, &diffuse, &normal_map) &&
+                 white_is_right(c->intensity) && toon_is_right(c->intensity);
     texture_free(&diffuse);
     texture_free(&normal_map);
     return right;
@@ -182,6 +252,13 @@ const struct property lesson09_properties[] = {
      .case_size = sizeof(struct shader_case),
      .make = make_shader_case,
      .holds = corners_are_right,
+     .print = print_shader_case},
+    {.name = "lesson09: corners on the screen",
+     .against = AGAINST_LONG_DOUBLE,
+     .cases = 100000,
+     .case_size = sizeof(struct shader_case),
+     .make = make_shader_case,
+     .holds = face_is_placed,
      .print = print_shader_case},
     {.name = "lesson09: at the pixels",
      .against = AGAINST_LONG_DOUBLE,
