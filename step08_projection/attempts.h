@@ -185,6 +185,24 @@ static inline void attempt_5_affine(struct drawing *drawing, struct canvas *canv
     }
 }
 
+/* The depth is z and not z/w. It does not run evenly over the screen: planes cross in the wrong
+ * place. */
+static inline void attempt_15_depth_z(struct drawing *drawing, struct canvas *canvas,
+                                      const struct mat4 *to_clip) {
+    transform_positions(drawing, to_clip);
+    for (size_t i = 0; i < drawing->model->face_count; i++) {
+        struct position *corner[3];
+        attempt_corners(drawing, i, corner);
+        if (attempt_in_front(corner) && place_face(corner, canvas)) {
+            struct vertex v[3] = {corner[0]->vertex, corner[1]->vertex, corner[2]->vertex};
+            for (int k = 0; k < 3; k++) {
+                v[k].depth = corner[k]->clip.z;
+            }
+            draw_part(drawing, canvas, i, v, whole_face);
+        }
+    }
+}
+
 /* One triangle with the weights of the screen for everything: triangle() without correct_weights(),
  * which saves a division and a few products a pixel. */
 static inline void attempt_12_affine_triangle(const struct canvas *canvas,
@@ -240,6 +258,23 @@ static inline void attempt_7_left_out(struct drawing *drawing, struct canvas *ca
             draw_whole(drawing, canvas, i, corner);
         }
     }
+}
+
+/* ---- Perspective ---- */
+
+typedef struct vec2 attempt_perspective(struct vec3 view, double distance);
+
+/* Larger when nearer, by a factor that grows evenly. The size is right at z = 0, but straight lines
+ * become curves. */
+static inline struct vec2 attempt_13_evenly(struct vec3 view, double distance) {
+    double factor = 1 + view.z / distance;
+    return (struct vec2){view.x * factor, view.y * factor};
+}
+
+/* Divided by what is left of the distance. */
+static inline struct vec2 attempt_14_divided(struct vec3 view, double distance) {
+    double w = 1 - view.z / distance;
+    return (struct vec2){view.x / w, view.y / w};
 }
 
 /* ---- The camera's frame ---- */

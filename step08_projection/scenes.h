@@ -589,16 +589,20 @@ static bool draw_quads(struct drawing *drawing, struct image *image, const struc
     return true;
 }
 
-/* Three planes that cross, each of the colour of one tile. */
+/* Planes that cross, each of the colour of one tile. */
+static const struct quad crossing[] = {
+    {{{-0.7, -0.6, 0.2}, {0.7, -0.6, 0.2}, {0.7, 0.6, 0.2}, {-0.7, 0.6, 0.2}},
+     {{0.0625, 0.0625}, {0.0625, 0.0625}, {0.0625, 0.0625}, {0.0625, 0.0625}}},
+    {{{-0.4, -0.3, 1.3}, {1.6, -0.9, -2}, {1.6, 0.9, -2}, {-0.4, 0.3, 1.3}},
+     {{0.8125, 0.0625}, {0.8125, 0.0625}, {0.8125, 0.0625}, {0.8125, 0.0625}}},
+    {{{-0.3, -0.4, 1.3}, {0.3, -0.4, 1.3}, {1.2, 1.4, -3}, {-1.2, 1.4, -3}},
+     {{0.3125, 0.9375}, {0.3125, 0.9375}, {0.3125, 0.9375}, {0.3125, 0.9375}}},
+};
+
+enum { CROSSING_QUADS = sizeof crossing / sizeof crossing[0] };
+
 static bool draw_crossing(struct drawing *drawing, struct image *image, struct error *error) {
-    static const struct vec2 a = {1 / 16.0, 1 / 16.0}, b = {13 / 16.0, 1 / 16.0};
-    static const struct vec2 c = {5 / 16.0, 15 / 16.0};
-    const struct quad quads[] = {
-        {{{-0.7, -0.6, 0.2}, {0.7, -0.6, 0.2}, {0.7, 0.6, 0.2}, {-0.7, 0.6, 0.2}}, {a, a, a, a}},
-        {{{-0.4, -0.3, 1.3}, {1.6, -0.9, -2}, {1.6, 0.9, -2}, {-0.4, 0.3, 1.3}}, {b, b, b, b}},
-        {{{-0.3, -0.4, 1.3}, {0.3, -0.4, 1.3}, {1.2, 1.4, -3}, {-1.2, 1.4, -3}}, {c, c, c, c}},
-    };
-    return draw_quads(drawing, image, quads, sizeof quads / sizeof quads[0], error);
+    return draw_quads(drawing, image, crossing, CROSSING_QUADS, error);
 }
 
 /* It goes away from the viewer. */
