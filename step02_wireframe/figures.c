@@ -28,12 +28,6 @@ static bool corner_one_too_far(const struct model *model, const struct corner *c
     return to_pixel(model->positions[position], SMALL, SMALL, pixel);
 }
 
-/* Of `1/2/3` the second number was taken for the position. */
-static bool corner_from_uv(const struct model *model, const struct corner *corner,
-                           struct pixel *pixel) {
-    return to_pixel(model->positions[corner->uv % model->position_count], SMALL, SMALL, pixel);
-}
-
 /* x * width / 2 without adding 1 first: the model's middle comes to the corner of the image. */
 static bool corner_not_shifted(const struct model *model, const struct corner *corner,
                                struct pixel *pixel) {
@@ -125,6 +119,52 @@ static bool draw_rounded_model(const char *directory, const struct model *model,
     return done;
 }
 
+/* The scene `cut`, enlarged. */
+static bool draw_cut_lines(const char *directory, struct error *error) {
+    struct image image;
+    struct drawing drawing = {0};
+    bool done =
+        image_create(&image, 160, 100, IMAGE_BGR, error) && draw_cut(&drawing, &image, error) &&
+        figure_save_detail(&image, detail_of_whole(&image, 4, 0), directory, "cut_lines", error);
+    image_free(&image);
+    return done;
+}
+
+/* ---- A mesh with a border ---- */
+
+/* The scene `border`: what is missing when a side is drawn in one direction only. Moves the
+ * positions of `part`, which are its own. */
+static bool compare_border(const char *directory, struct model *part, struct error *error) {
+    part->faces += part->face_count / 8;
+    part->face_count = (part->face_count + 3) / 4;
+    change_positions(part, 2.4, 0.26, 0.1);
+    struct comparison compared;
+    bool done = comparison_create(&compared, 480, 360, error);
+    if (done) {
+        attempt_4_one_direction(&compared.first, part);
+        attempt_1_every_side_tested(&compared.second, part);
+        comparison_show(&compared, grey);
+        done = figure_save_detail(&compared.shown, (struct detail){86, 30, 170, 100, .zoom = 4},
+                                  directory, "one_direction", error);
+    }
+    comparison_free(&compared);
+    return done;
+}
+
+static bool draw_one_direction(const char *directory, const struct model *model,
+                               struct error *error) {
+    struct model part = *model;
+    size_t size = part.position_count * sizeof *part.positions;
+    part.positions = malloc(size);
+    if (part.positions == NULL) {
+        return error_out_of_memory(error);
+    }
+    memcpy(part.positions, model->positions, size);
+    bool done = compare_border(directory, &part, error);
+    free(part.positions);
+    return done;
+}
+
 /* ---- The table of work ---- */
 
 static void print_work(const char *name, const struct work *work) {
@@ -206,10 +246,10 @@ bool draw_figures(const char *directory, struct model *bust, struct error *error
         return error_out_of_memory(error);
     }
     bool done = draw_wrong(directory, "one_too_far", bust, corner_one_too_far, error) &&
-                draw_wrong(directory, "second_number", bust, corner_from_uv, error) &&
                 draw_wrong(directory, "not_shifted", bust, corner_not_shifted, error) &&
                 draw_wrong(directory, "upside_down", bust, corner_upside_down, error) &&
-                draw_rounded_line(directory, error) &&
+                draw_rounded_line(directory, error) && draw_cut_lines(directory, error) &&
+                draw_one_direction(directory, bust, error) &&
                 print_versions("step02_wireframe: the bust", bust, sides, side_count, error);
     done = done && print_open_mesh(bust, error);
     if (done) { /* the face, sixteen times as large */
