@@ -33,10 +33,6 @@ static bool mesh_create(struct mesh *mesh, size_t limit, struct error *error) {
     return mesh->corners != NULL;
 }
 
-static struct vec2 unsnapped(struct fixed2 p) {
-    return (struct vec2){(double)p.x / SUBPIXELS, (double)p.y / SUBPIXELS};
-}
-
 /* The faces of the model that show their outside. */
 static bool mesh_from_model(struct mesh *mesh, const struct model *model, const struct image *image,
                             struct error *error) {
@@ -45,11 +41,12 @@ static bool mesh_from_model(struct mesh *mesh, const struct model *model, const 
     }
     for (size_t face = 0; face < model->face_count; face++) {
         struct fixed2 corner[3];
-        if (!place_face(model, face, image, corner) || is_turned_away(corner)) {
+        uint64_t turned_away = 0;
+        if (!place_face(model, face, image, corner, &turned_away)) {
             continue;
         }
         for (int i = 0; i < 3; i++) {
-            mesh->corners[mesh->count][i] = unsnapped(corner[i]);
+            mesh->corners[mesh->count][i] = in_pixels(corner[i]);
         }
         mesh->count++;
     }
@@ -66,7 +63,7 @@ static bool mesh_from_scene(struct mesh *mesh, mesh_function *place, int count,
         struct fixed2 corner[3];
         place(i, image, corner);
         for (int k = 0; k < 3; k++) {
-            mesh->corners[mesh->count][k] = unsnapped(corner[k]);
+            mesh->corners[mesh->count][k] = in_pixels(corner[k]);
         }
         mesh->count++;
     }
@@ -288,8 +285,6 @@ static bool draw_meshes(const char *directory, struct error *error) {
         mesh_from_scene(&sheet, place_in_sheet, SHEET_TRIANGLES, &image, error) &&
         mesh_from_scene(&fan, place_in_fan, FAN_BLADES, &image, error) &&
         measure("sheet", &sheet, &image, error) && measure("fan", &fan, &image, error) &&
-        draw_counts(&sheet, attempt_1_sweep_whole, &image, part, directory, "sheet_sweep_whole",
-                    error) &&
         draw_counts(&sheet, attempt_4_box_double, &image, part, directory, "sheet_closed", error) &&
         draw_counts(&sheet, attempt_5_box_open, &image, part, directory, "sheet_open", error) &&
         draw_counts(&sheet, draw_spans, &image, part, directory, "sheet_exact", error) &&
@@ -302,7 +297,8 @@ static bool draw_meshes(const char *directory, struct error *error) {
 }
 
 /* Part of the bust in colours: whole-number sweep, spans, and how often each pixel is drawn. */
-static bool draw_bust(const struct model *bust, const char *directory, struct error *error) {
+static bool draw_bust_details(const struct model *bust, const char *directory,
+                              struct error *error) {
     const struct detail eye = {300, 480, 130, 100, .zoom = 4};
     const struct detail head = {100, 40, 600, 760, .zoom = 1};
     struct mesh mesh = {0};
@@ -324,20 +320,41 @@ static bool draw_bust(const struct model *bust, const char *directory, struct er
     return done;
 }
 
-/* All faces, backs too. */
+/* All faces in the order of the file, the backs in magenta. */
 static bool draw_backs_too(const struct model *bust, const char *directory, struct error *error) {
+    const struct detail head = {90, 100, 220, 300, .zoom = 2};
     struct image image;
     if (!image_create(&image, 400, 400, IMAGE_BGR, error)) {
         return false;
     }
     for (size_t face = 0; face < bust->face_count; face++) {
-        struct fixed2 corner[3];
-        if (place_face(bust, face, &image, corner)) {
-            triangle(&image, corner, face_color(face));
-        }
+        struct vec2 screen[3];
+        face_on_screen(bust, face, &image, screen);
+        uint8_t shade = (uint8_t)(face_color(face).g / 2 + 60);
+        box_triangle(&image, screen,
+                     is_turned_away(screen) ? color_rgb(shade, 0, (uint8_t)(shade / 2))
+                                            : color_grey(shade));
     }
-    bool done = figure_save(&image, directory, "backs_too", error);
+    bool done = figure_save_detail(&image, head, directory, "backs_too", error);
     image_free(&image);
+    return done;
+}
+
+/* The outline and the same triangles filled, enlarged. */
+static bool draw_first_scenes(const char *directory, struct error *error) {
+    struct drawing drawing = {.skip = true};
+    struct sheet sheet = {.width = 200, .height = 200, .columns = 2, .rows = 1, .gap = 4};
+    bool done = sheet_create(&sheet, error) && draw_outline(&drawing, &sheet.panel, error);
+    if (done) {
+        sheet_add(&sheet);
+        done = draw_signs(&drawing, &sheet.panel, error);
+    }
+    if (done) {
+        sheet_add(&sheet);
+        done = figure_save_detail(&sheet.image, detail_of_whole(&sheet.image, 2, 0), directory,
+                                  "outline_and_signs", error);
+    }
+    sheet_free(&sheet);
     return done;
 }
 
@@ -400,8 +417,8 @@ static bool draw_columns(const char *directory, struct error *error) {
 }
 
 bool draw_figures(const char *directory, struct model *bust, struct error *error) {
-    return draw_half_planes(directory, error) && draw_small_fan(directory, error) &&
-           draw_meshes(directory, error) && draw_bust(bust, directory, error) &&
-           draw_backs_too(bust, directory, error) && draw_blocks(directory, error) &&
-           draw_columns(directory, error);
+    return draw_first_scenes(directory, error) && draw_half_planes(directory, error) &&
+           draw_small_fan(directory, error) && draw_meshes(directory, error) &&
+           draw_bust_details(bust, directory, error) && draw_backs_too(bust, directory, error) &&
+           draw_blocks(directory, error) && draw_columns(directory, error);
 }

@@ -1,9 +1,11 @@
 /*
  * Step 3, the given part: its scenes and the program.
  *
- * `outline` draws the sides only, `triangle` fills them, `sheet` and `fan` show how often each
- * pixel of a mesh is drawn, `gradient` mixes the colours of the corners, `faces` fills the faces of
- * a model, each in a colour of its own. A text scene draws the triangles that it lists.
+ * Part a: `outline` draws the sides of three triangles, `signs` fills them by three signs, `bust`
+ * does the same with the faces of a model, each in a colour of its own. Part b draws the triangles
+ * and the model again, `triangle` and `faces`, and shows with `sheet` and `fan` how often each
+ * pixel of a mesh is drawn. Part c: `gradient` mixes the colours of the corners. A text scene draws
+ * the triangles that it lists.
  */
 #ifdef LINE_IS_MINE /* make LINE=mine: the line() of lesson 1 draws */
 #include "mine.h"
@@ -51,24 +53,27 @@ static uint64_t fill_triangle(const struct drawing *drawing, struct image *image
 
 /* ---- Scenes made of listed triangles ---- */
 
-/* The corners, given in pixels: (x,y) means the centre of pixel (x,y). False for one too far off
- * the image to draw. */
-static bool place_shape(const struct text_scene_shape *shape, struct fixed2 corner[3]) {
+/* False for a triangle too far off the image to draw. */
+static bool snap_corners(const struct vec2 screen[3], struct fixed2 corner[3]) {
+    return screen_snap(screen[0], &corner[0]) && screen_snap(screen[1], &corner[1]) &&
+           screen_snap(screen[2], &corner[2]);
+}
+
+/* The corners, given in pixels: (x,y) means the centre of pixel (x,y). */
+static void place_shape(const struct text_scene_shape *shape, struct vec2 screen[3]) {
     for (int i = 0; i < 3; i++) {
-        struct vec2 screen = {shape->x[i] + 0.5, shape->y[i] + 0.5};
-        if (!screen_snap(screen, &corner[i])) {
-            return false;
-        }
+        screen[i] = (struct vec2){shape->x[i] + 0.5, shape->y[i] + 0.5};
     }
-    return true;
 }
 
 static void draw_shapes(struct drawing *drawing, struct image *image,
                         const struct text_scene_shape *shapes, size_t shape_count) {
     uint64_t written = 0;
     for (size_t i = 0; i < shape_count; i++) {
+        struct vec2 screen[3];
         struct fixed2 corner[3];
-        if (place_shape(&shapes[i], corner)) {
+        place_shape(&shapes[i], screen);
+        if (snap_corners(screen, corner)) {
             written += fill_triangle(drawing, image, corner, shapes[i].color);
         }
     }
@@ -115,6 +120,17 @@ static bool draw_outline(struct drawing *drawing, struct image *image, struct er
             struct pixel b = {(int)shape->x[next], (int)shape->y[next]};
             drawing_count(drawing, "pixels_written", draw_line(image, a, b, shape->color[0]));
         }
+    }
+    return true;
+}
+
+static bool draw_signs(struct drawing *drawing, struct image *image, struct error *error) {
+    (void)error;
+    for (size_t i = 0; i < THREE_TRIANGLES; i++) {
+        struct vec2 screen[3];
+        place_shape(&three_triangles[i], screen);
+        drawing_count(drawing, "pixels_written",
+                      box_triangle(image, screen, three_triangles[i].color[0]));
     }
     return true;
 }
@@ -293,7 +309,7 @@ static bool draw_fan(struct drawing *drawing, struct image *image, struct error 
     return draw_counted(drawing, image, place_in_fan, FAN_BLADES, error);
 }
 
-/* ---- Scene: faces ---- */
+/* ---- Scenes: bust, faces ---- */
 
 /* A colour that looks random but depends on the number alone. The mixing of bits is the last step
  * of MurmurHash3 (Appleby, 2011). No channel is darker than 55. */
@@ -308,16 +324,54 @@ static struct color face_color(size_t face) {
     return color_rgb((uint8_t)(55 + r % 201), (uint8_t)(55 + g % 201), (uint8_t)(55 + b % 201));
 }
 
-/* The corners of a face in the parallel view. False for one too far off the image to draw. */
-static bool place_face(const struct model *model, size_t face, const struct image *image,
-                       struct fixed2 corner[3]) {
+/* The corners of a face in the parallel view. */
+static void face_on_screen(const struct model *model, size_t face, const struct image *image,
+                           struct vec2 screen[3]) {
     for (size_t i = 0; i < 3; i++) {
-        struct vec3 world = model_position(model, face, i);
-        if (!screen_snap(parallel_view(world, image->width, image->height), &corner[i])) {
-            return false;
-        }
+        screen[i] = parallel_view(model_position(model, face, i), image->width, image->height);
     }
+}
+
+static bool draw_bust(struct drawing *drawing, struct image *image, struct error *error) {
+    (void)error;
+    const struct model *model = drawing->model;
+    uint64_t turned_away = 0, written = 0;
+    for (size_t face = 0; face < model->face_count; face++) {
+        struct vec2 screen[3];
+        struct fixed2 corner[3];
+        face_on_screen(model, face, image, screen);
+        if (!snap_corners(screen, corner)) {
+            continue;
+        }
+        if (is_turned_away(screen)) {
+            turned_away++;
+            continue;
+        }
+        written += box_triangle(image, screen, face_color(face));
+    }
+    drawing_count(drawing, "faces_turned_away", turned_away);
+    drawing_count(drawing, "pixels_written", written);
     return true;
+}
+
+static struct vec2 in_pixels(struct fixed2 p) {
+    return (struct vec2){(double)p.x / SUBPIXELS, (double)p.y / SUBPIXELS};
+}
+
+/* The snapped corners of a face that is to be drawn. False, and the reason counted, for another. */
+static bool place_face(const struct model *model, size_t face, const struct image *image,
+                       struct fixed2 corner[3], uint64_t *turned_away) {
+    struct vec2 screen[3];
+    face_on_screen(model, face, image, screen);
+    if (!snap_corners(screen, corner)) {
+        return false;
+    }
+    for (int i = 0; i < 3; i++) {
+        screen[i] = in_pixels(corner[i]);
+    }
+    bool is_back = is_turned_away(screen);
+    *turned_away += is_back;
+    return !is_back;
 }
 
 static bool draw_faces(struct drawing *drawing, struct image *image, struct error *error) {
@@ -326,18 +380,13 @@ static bool draw_faces(struct drawing *drawing, struct image *image, struct erro
     uint64_t turned_away = 0, without_pixel = 0, written = 0;
     for (size_t face = 0; face < model->face_count; face++) {
         struct fixed2 corner[3];
-        if (!place_face(model, face, image, corner)) {
-            continue;
+        if (place_face(model, face, image, corner, &turned_away)) {
+            struct color color = face_color(face);
+            uint64_t pixels =
+                fill_triangle(drawing, image, corner, (struct color[3]){color, color, color});
+            without_pixel += pixels == 0;
+            written += pixels;
         }
-        if (is_turned_away(corner)) {
-            turned_away++;
-            continue;
-        }
-        struct color color = face_color(face);
-        uint64_t pixels =
-            fill_triangle(drawing, image, corner, (struct color[3]){color, color, color});
-        without_pixel += pixels == 0;
-        written += pixels;
     }
     drawing_count(drawing, "faces_turned_away", turned_away);
     drawing_count(drawing, "faces_without_pixel", without_pixel);
@@ -349,11 +398,13 @@ static bool draw_faces(struct drawing *drawing, struct image *image, struct erro
 
 static const struct scene scenes[] = {
     {.name = "outline", .draw = draw_outline},
+    {.name = "signs", .draw = draw_signs},
+    {.name = "bust", .needs = NEEDS_MODEL, .width = 800, .height = 800, .draw = draw_bust},
     {.name = "triangle", .draw = draw_triangle},
     {.name = "sheet", .width = 800, .height = 800, .draw = draw_sheet},
     {.name = "fan", .width = 800, .height = 800, .draw = draw_fan},
-    {.name = "gradient", .width = 800, .height = 800, .draw = draw_gradient},
     {.name = "faces", .needs = NEEDS_MODEL, .width = 800, .height = 800, .draw = draw_faces},
+    {.name = "gradient", .width = 800, .height = 800, .draw = draw_gradient},
 };
 
 int main(int argc, char **argv) {

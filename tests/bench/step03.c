@@ -20,9 +20,9 @@ int step03_main(int argc, char **argv);
 #include <stdlib.h>
 
 enum {
-    SIDE = 800,      /* of the image */
-    FAN_COUNT = 24,  /* triangles of the fan */
-    FAN_REACH = 4008 /* pixels from its middle to its rim, in x or in y */
+    SIDE = 800,        /* of the image */
+    LARGE_COUNT = 24,  /* triangles of the fan */
+    LARGE_REACH = 4008 /* pixels from its middle to its rim, in x or in y */
 };
 
 /* ---- Meshes, and which triangle each pixel shows ---- */
@@ -113,10 +113,6 @@ static bool mesh_allocate(struct mesh *mesh, size_t limit, struct error *error) 
     return mesh->triangles != NULL || error_set(error, "out of memory for %zu triangles", limit);
 }
 
-static struct vec2 in_pixels(struct fixed2 p) {
-    return (struct vec2){(double)p.x / SUBPIXELS, (double)p.y / SUBPIXELS};
-}
-
 static void mesh_add_snapped(struct mesh *mesh, const struct fixed2 corner[3]) {
     struct filled *t = &mesh->triangles[mesh->count++];
     for (int i = 0; i < 3; i++) {
@@ -134,7 +130,8 @@ static bool make_bust(struct mesh *mesh, bool snapped, const struct image *image
         bench_read_model(&model, "bust.obj", error) && mesh_allocate(mesh, model.face_count, error);
     for (size_t face = 0; done && face < model.face_count; face++) {
         struct fixed2 corner[3];
-        if (!place_face(&model, face, image, corner) || is_turned_away(corner)) {
+        uint64_t turned_away = 0;
+        if (!place_face(&model, face, image, corner, &turned_away)) {
             continue;
         }
         mesh_add_snapped(mesh, corner);
@@ -152,8 +149,8 @@ static bool make_bust(struct mesh *mesh, bool snapped, const struct image *image
 /* The middle of the fan is a pixel centre, and so is every other corner on its rim, which lies
  * some whole number of times as far as a pixel centre near by: then many centres lie on the side
  * between. The rim is a square walked counterclockwise. */
-static struct fixed2 fan_corner(int i, struct random *random) {
-    const int side = FAN_COUNT / 4, center = SIDE / 2 * SUBPIXELS + SUBPIXELS / 2;
+static struct fixed2 large_corner(int i, struct random *random) {
+    const int side = LARGE_COUNT / 4, center = SIDE / 2 * SUBPIXELS + SUBPIXELS / 2;
     int along = i % side * 2 - side; /* -side .. side - 2 along each side of the rim */
     int x = side, y = along;
     for (int turns = i / side % 4; turns > 0; turns--) {
@@ -161,7 +158,7 @@ static struct fixed2 fan_corner(int i, struct random *random) {
         x = -y;
         y = kept;
     }
-    int32_t scale = FAN_REACH / side * SUBPIXELS;
+    int32_t scale = LARGE_REACH / side * SUBPIXELS;
     int32_t stray = i % 2 != 0 ? 0 : (int32_t)random_between(random, 1, scale / 2);
     return (struct fixed2){center + x * scale + stray, center + y * scale - stray};
 }
@@ -170,13 +167,13 @@ static bool make_fan(struct mesh *mesh, struct error *error) {
     struct random random = {3};
     const struct fixed2 middle = {SIDE / 2 * SUBPIXELS + SUBPIXELS / 2,
                                   SIDE / 2 * SUBPIXELS + SUBPIXELS / 2};
-    const struct fixed2 first = fan_corner(0, &random);
+    const struct fixed2 first = large_corner(0, &random);
     struct fixed2 last = first;
-    if (!mesh_allocate(mesh, FAN_COUNT, error)) {
+    if (!mesh_allocate(mesh, LARGE_COUNT, error)) {
         return false;
     }
-    for (int i = 1; i <= FAN_COUNT; i++) {
-        struct fixed2 next = i < FAN_COUNT ? fan_corner(i, &random) : first;
+    for (int i = 1; i <= LARGE_COUNT; i++) {
+        struct fixed2 next = i < LARGE_COUNT ? large_corner(i, &random) : first;
         mesh_add_snapped(mesh, (const struct fixed2[3]){middle, last, next});
         last = next;
     }
