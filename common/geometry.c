@@ -226,7 +226,7 @@ struct mat4 mat4_rotation(struct vec3 axis, double turns) {
                           {0, 0, 0, 1}}};
 }
 
-/* ---- Cameras ---- */
+/* ---- Cameras (taught in step08_projection) ---- */
 
 struct mat4 mat4_lookat(struct vec3 eye, struct vec3 center, struct vec3 up) {
     struct vec3 z = vec3_renormalized(vec3_normalized(vec3_half_difference(eye, center)));

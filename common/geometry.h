@@ -113,13 +113,6 @@ static inline double interpolate(struct vec3 weight, double a, double b, double 
     return weight.x * a + weight.y * b + weight.z * c;
 }
 
-/* A depth inside a triangle, taught in step05_zbuffer. The weights' sum may differ from 1 by a
- * rounding: written this way, three equal depths give this very depth all the same. No difference
- * of two depths may overflow. */
-static inline double interpolate_depth(struct vec3 weight, double a, double b, double c) {
-    return a + weight.y * (b - a) + weight.z * (c - a);
-}
-
 static inline struct vec2 vec2_interpolate(struct vec3 weight, struct vec2 a, struct vec2 b,
                                            struct vec2 c) {
     return (struct vec2){interpolate(weight, a.x, b.x, c.x), interpolate(weight, a.y, b.y, c.y)};
@@ -185,6 +178,14 @@ static inline struct vec3 mat4_direction(const struct mat4 *a, struct vec3 d) {
     return (struct vec3){r.x, r.y, r.z};
 }
 
+/* ---- The parallel view ---- */
+
+/* The parallel view of lessons 2 to 7, on a screen of width x height pixels: x and y in -1..1 fill
+ * it, z does not count. */
+static inline struct vec2 parallel_view(struct vec3 world, size_t width, size_t height) {
+    return (struct vec2){(world.x + 1) * (double)width / 2, (world.y + 1) * (double)height / 2};
+}
+
 /* ---- Cameras (taught in step08_projection) ---- */
 
 /* World to view: a rigid change of frame. `center` becomes the origin, the direction from center to
@@ -197,12 +198,6 @@ struct mat4 mat4_lookat(struct vec3 eye, struct vec3 center, struct vec3 up);
  * lies at z = 0 keeps its size; depth z/w still grows towards the camera. An infinite distance
  * gives the parallel view. `distance` must not be 0. */
 struct mat4 mat4_projection(double distance);
-
-/* The parallel view of lessons 2 to 7, on a screen of width x height pixels: x and y in -1..1 fill
- * it, z does not count. */
-static inline struct vec2 parallel_view(struct vec3 world, size_t width, size_t height) {
-    return (struct vec2){(world.x + 1) * (double)width / 2, (world.y + 1) * (double)height / 2};
-}
 
 /* Barycentric weights in the plane of the triangle from those on the screen, for perspective: each
  * corner counts by its recip_w (Blinn, "Hyperbolic Interpolation", 1992). The weights on the screen

@@ -101,8 +101,10 @@ static inline struct vec3 model_face_normal(const struct model *model, size_t fa
     return vec3_cross(vec3_sub(b, a), vec3_sub(c, a));
 }
 
+/* ---- Light on a face (taught in step04_flat) ---- */
+
 /* How directly light that travels in direction `light` (of length 1) falls on the outside of a
- * face: 1 straight, 0 along it, negative from behind. Taught in step04_flat. */
+ * face: 1 straight, 0 along it, negative from behind. */
 static inline double model_face_intensity(const struct model *model, size_t face,
                                           struct vec3 light) {
     return -vec3_dot(vec3_normalized(model_face_normal(model, face)), light);

@@ -14,7 +14,7 @@ struct rectangle grid_cell(size_t width, size_t height, int columns, int rows, i
     return (struct rectangle){left, bottom, right - left, top - bottom};
 }
 
-/* ---- Lines ---- */
+/* ---- Lines (taught in step02_wireframe) ---- */
 
 static bool within_line_limit(struct pixel p) {
     return p.x >= -LINE_LIMIT && p.x <= LINE_LIMIT && p.y >= -LINE_LIMIT && p.y <= LINE_LIMIT;
@@ -77,7 +77,7 @@ bool line_begin(struct line_walk *walk, struct pixel a, struct pixel b, size_t w
     return true;
 }
 
-/* ---- Triangles ---- */
+/* ---- Triangles (taught in step03_triangle) ---- */
 
 /* The edge from p to q, with the triangle to its left when `sign` is 1 and to its right when -1. */
 static struct edge make_edge(struct fixed2 p, struct fixed2 q, int sign) {

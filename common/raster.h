@@ -1,10 +1,10 @@
 /*
  * The exact pixels of lines and triangles. The fill rule lives here: edges_setup(), edges_span().
  *
- * Taught in step01_line, step02_wireframe (lines cut to the image) and step03_triangle: read these
- * first. Everything is decided with integers: a pixel is covered or not, whatever the compiler, and
- * triangles that share an edge neither overlap nor leave a gap. Pixels and positions are those of
- * geometry.h.
+ * Taught in step01_line, step02_wireframe (lines cut to the image), step03_triangle and
+ * step05_zbuffer: read these first. Everything is decided with integers: a pixel is covered or not,
+ * whatever the compiler, and triangles that share an edge neither overlap nor leave a gap. Pixels
+ * and positions are those of geometry.h.
  */
 #ifndef COMMON_RASTER_H
 #define COMMON_RASTER_H
@@ -80,7 +80,7 @@ static inline bool line_next(struct line_walk *walk) {
     return true;
 }
 
-/* ---- Triangles (taught in step03_triangle) ---- */
+/* ---- Positions and edges on the screen ---- */
 
 enum {
     SUBPIXELS = 256,        /* steps of a snapped position in one pixel */
@@ -120,6 +120,39 @@ struct edges {
     int width;          /* of the image */
 };
 
+/* ---- Whole numbers ---- */
+
+/* Division rounded down; C's own division rounds towards zero. */
+static inline int64_t floor_divide(int64_t a, int64_t b) {
+    int64_t quotient = a / b;
+    return quotient - (a % b != 0 && (a < 0) != (b < 0));
+}
+
+/* Division rounded up. */
+static inline int64_t ceil_divide(int64_t a, int64_t b) {
+    return -floor_divide(-a, b);
+}
+
+static inline int32_t least_of(int32_t a, int32_t b, int32_t c) {
+    int32_t least = a < b ? a : b;
+    return least < c ? least : c;
+}
+
+static inline int32_t most_of(int32_t a, int32_t b, int32_t c) {
+    int32_t most = a > b ? a : b;
+    return most > c ? most : c;
+}
+
+/* The pixels of a row or column whose centres lie in least..most (1/256 pixel), cut to 0..size. */
+static inline struct span centers_between(int32_t least, int32_t most, size_t size) {
+    int64_t begin = ceil_divide((int64_t)least - SUBPIXELS / 2, SUBPIXELS);
+    int64_t end = floor_divide((int64_t)most - SUBPIXELS / 2, SUBPIXELS) + 1;
+    return (struct span){(int)(begin > 0 ? begin : 0),
+                         (int)(end < (int64_t)size ? end : (int64_t)size)};
+}
+
+/* ---- Triangles (taught in step03_triangle) ---- */
+
 /* Set up a triangle on an image of at most DRAW_LIMIT pixels a side. False when it certainly covers
  * no pixel: no area, off the image, or too small to reach a pixel centre.
  *
@@ -155,40 +188,18 @@ static inline struct vec3 edges_weights(const struct edges *edges, int x, int y)
                          (double)(e[2].origin + e[2].dx * x + e[2].dy * y) * scale};
 }
 
-/* ---- Whole numbers (given in the lessons) ---- */
-
-/* Division rounded down; C's own division rounds towards zero. */
-static inline int64_t floor_divide(int64_t a, int64_t b) {
-    int64_t quotient = a / b;
-    return quotient - (a % b != 0 && (a < 0) != (b < 0));
-}
-
-/* Division rounded up. */
-static inline int64_t ceil_divide(int64_t a, int64_t b) {
-    return -floor_divide(-a, b);
-}
-
-static inline int32_t least_of(int32_t a, int32_t b, int32_t c) {
-    int32_t least = a < b ? a : b;
-    return least < c ? least : c;
-}
-
-static inline int32_t most_of(int32_t a, int32_t b, int32_t c) {
-    int32_t most = a > b ? a : b;
-    return most > c ? most : c;
-}
-
-/* The pixels of a row or column whose centres lie in least..most (1/256 pixel), cut to 0..size. */
-static inline struct span centers_between(int32_t least, int32_t most, size_t size) {
-    int64_t begin = ceil_divide((int64_t)least - SUBPIXELS / 2, SUBPIXELS);
-    int64_t end = floor_divide((int64_t)most - SUBPIXELS / 2, SUBPIXELS) + 1;
-    return (struct span){(int)(begin > 0 ? begin : 0),
-                         (int)(end < (int64_t)size ? end : (int64_t)size)};
-}
-
-/* ---- Depth (taught in step05_zbuffer) ---- */
+/* ---- Depth ---- */
 
 /* All depths become minus infinity: nothing is drawn yet. */
 void depth_clear(double *depth, size_t pixel_count);
+
+/* ---- Depth at a pixel (taught in step05_zbuffer) ---- */
+
+/* A depth inside a triangle. The weights' sum may differ from 1 by a
+ * rounding: written this way, three equal depths give this very depth all the same. No difference
+ * of two depths may overflow. */
+static inline double interpolate_depth(struct vec3 weight, double a, double b, double c) {
+    return a + weight.y * (b - a) + weight.z * (c - a);
+}
 
 #endif
