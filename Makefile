@@ -34,6 +34,7 @@ For the course as a whole:
   make mutants                small changes of the code that some test must notice (NAME=geometry)
   make verify                 the check fails every mistake and passes every correct program that is
                               listed (STEP=05, NAME=depth)
+  make handout OUT=dir        what a student gets: starters, and no solution (LESSONS=1-5)
   make coverage               which lines and branches of common the tests reach
   make help                   this list
 
@@ -173,7 +174,7 @@ $(BUILD)/tests/%.o: tests/%.c $(BUILD)/flags
 
 # ---- make start, make solution ----
 
--include $(wildcard tests/starter/starter.mk)
+-include $(wildcard tests/starter/starter.mk tests/handout/handout.mk)
 
 # ---- make hint, make show, make open, make watch ----
 

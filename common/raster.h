@@ -28,6 +28,10 @@ static inline struct span span_overlap(struct span a, struct span b) {
     return (struct span){a.begin > b.begin ? a.begin : b.begin, a.end < b.end ? a.end : b.end};
 }
 
+struct pixel {
+    int x, y;
+};
+
 /* A part of an image, in pixels; (x,y) is its bottom-left pixel. */
 struct rectangle {
     int x, y, width, height;
@@ -38,10 +42,6 @@ struct rectangle {
 struct rectangle grid_cell(size_t width, size_t height, int columns, int rows, int column, int row);
 
 /* ---- Lines (taught in step01_line, cut to the image in step02_wireframe) ---- */
-
-struct pixel {
-    int x, y;
-};
 
 enum { LINE_LIMIT = 1 << 29 }; /* end points of a line lie in -LINE_LIMIT..LINE_LIMIT */
 
@@ -120,6 +120,17 @@ struct edges {
     int width;          /* of the image */
 };
 
+/* Is pixel (x,y) of the image covered? What spans find, asked of a single pixel. */
+static inline bool edges_cover(const struct edges *edges, int x, int y) {
+    for (int i = 0; i < 3; i++) {
+        const struct edge *e = &edges->edge[i];
+        if (e->origin + e->dx * x + e->dy * y < e->least) {
+            return false;
+        }
+    }
+    return true;
+}
+
 /* ---- Whole numbers ---- */
 
 /* Division rounded down; C's own division rounds towards zero. */
@@ -165,17 +176,6 @@ bool edges_setup(struct edges *edges, struct fixed2 a, struct fixed2 b, struct f
 
 /* The covered pixels of row y (y_begin <= y < y_end), found with one exact division per edge. */
 struct span edges_span(const struct edges *edges, int y);
-
-/* Is pixel (x,y) of the image covered? The same answer for a single pixel. */
-static inline bool edges_cover(const struct edges *edges, int x, int y) {
-    for (int i = 0; i < 3; i++) {
-        const struct edge *e = &edges->edge[i];
-        if (e->origin + e->dx * x + e->dy * y < e->least) {
-            return false;
-        }
-    }
-    return true;
-}
 
 /* The weights of corners a, b and c at the centre of a pixel: their sum is 1 (but for rounding),
  * and inside the triangle none is negative. Each is the exact edge value divided by the area, so

@@ -188,6 +188,12 @@ $(BUILD)/verify.%: force
 	$(COMPILE) -I$(@F) -c $(@D)/main.c -o $@.o
 	$(LINK) $@.o $(BUILD)/libcommon.a -lm -o $@
 
+# ---- make handout ----
+
+.PHONY: handout
+handout:
+	@tests/handout/handout.sh '$(OUT)' $(LESSONS)
+
 # ---- make mutants, portability, fuzz, coverage ----
 
 .PHONY: mutants portability fuzz coverage

@@ -1,0 +1,65 @@
+#!/bin/sh
+# Is what is handed out a course of its own, and without solutions? Hands out two lessons: the same
+# bytes twice; `make` builds their starters without a warning; the check finds them to do; no mark,
+# no answer, no mistake, nothing of what the next lessons teach; no link that leads nowhere.
+#
+# Exit status 0: all of that is so; 1: something is not.
+
+cd "$(dirname "$0")/../.." || exit 1
+top=$PWD
+work=$(mktemp -d) || exit 1
+trap 'rm -rf "$work"' EXIT
+trap 'exit 1' HUP INT TERM
+unset MAKEFLAGS MFLAGS MAKELEVEL STEP # of the make that runs this test
+failed=0
+
+fail() {
+    echo "handout: $*"
+    failed=1
+}
+
+hand_out() {
+    make -s handout OUT="$1" LESSONS="$2" >"$work/log" 2>&1
+}
+
+hand_out "$work/a" 4-5 || fail "LESSONS=4-5 fails: $(cat "$work/log")"
+hand_out "$work/b" 4-5 && diff -r "$work/a" "$work/b" >"$work/log" || fail "the second time differs"
+hand_out "$work/b" 4-5 && fail "a directory with something in it is written over"
+hand_out "$work/c" 4-x && fail "LESSONS=4-x is taken"
+hand_out "$work/c" 44 && fail "LESSONS=44 is taken"
+[ ! -e "$work/c" ] || fail "a failure leaves something behind"
+
+# What must not be there, and what must.
+cd "$work/a" || exit 1
+for file in step03_triangle step06_texture tests/targets.mk tests/unit tests/accept \
+    step04_flat/mistakes.txt common/pipeline.h; do
+    [ ! -e "$file" ] || fail "$file is handed out"
+done
+grep -rl 'BEGIN SOLUTION\|<details>\|texture_bilinear(' . >"$work/log" &&
+    fail "a solution or an answer is handed out in $(cat "$work/log")"
+grep -q 'bool edges_setup' common/raster.h || fail "the triangle of lesson 3 is missing in lesson 4"
+grep -q 'to do 4\.1' step04_flat/main.c || fail "the starter of lesson 4 is not one"
+make -s help | grep -q 'make check' || fail "make help does not help"
+make -s help | grep -q 'handout\|mutants' && fail "make help names targets of the instructor"
+
+make -s CFLAGS=-O1 WERROR=-Werror programs build/check >"$work/log" 2>&1 ||
+    fail "make: $(tail -n 5 "$work/log")"
+make -s CFLAGS=-O1 WERROR=-Werror check >"$work/log" 2>&1 && fail "a starter passes"
+[ "$(grep -c '^step0[45]_[a-z]* .* 0/' "$work/log")" -eq 2 ] || fail "the check says: $(cat "$work/log")"
+
+echo '// mine' >>step04_flat/main.c
+make -s start STEP=04 >"$work/log" 2>&1 || fail "make start: $(cat "$work/log")"
+cmp -s step04_flat/main.c tests/handout/step04_flat.c || fail "make start brings no starter back"
+grep -q '// mine' step04_flat/main.c.1 || fail "make start does not keep what main.c held"
+
+cp "$top/tests/unit/links.sh" "$work/links.sh"
+mkdir -p tests/unit && cp "$work/links.sh" tests/unit/
+tests/unit/links.sh >"$work/log" 2>&1 || fail "$(cat "$work/log")"
+
+# The first lesson stands on nothing that it teaches.
+cd "$top" || exit 1
+hand_out "$work/one" 1 && cd "$work/one" || fail "LESSONS=1 fails: $(cat "$work/log")"
+grep -q 'line_begin' common/*.h common/*.c && fail "the line of lesson 1 is handed out with it"
+make -s CFLAGS=-O0 WERROR=-Werror programs >"$work/log" 2>&1 || fail "make: $(cat "$work/log")"
+[ $failed -eq 0 ] && echo "handout: a course of its own"
+exit $failed
