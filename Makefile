@@ -7,6 +7,7 @@ For a lesson, here lesson 5:
   make step05_zbuffer         draw only the pictures of this lesson
   make check                  compare the pictures with tests/reference
   make check STEP=05          the same for one lesson
+  make check STEP=05 SANITIZE=1   the same, and in which line a program goes wrong
   make start STEP=05          turn main.c into the starter: what you write is left out
   make solution STEP=05       bring the lesson's own solution back
   make hint STEP=05           a hint for what is to do, and more each time (TASK=5.2)
@@ -161,9 +162,20 @@ CHECKER = $(patsubst %.c,$(BUILD)/%.o,$(filter-out %/check.c %/references.c %/lo
               tests/check/test_%.c,$(wildcard tests/check/*.c)))
 
 # The check builds the lessons itself: one that does not build is a finding, not the end.
+# SANITIZE=1: their main.c with the sanitizers, which tell in which line a program goes wrong. They
+# are slow, and what is not freed at the end is not meant.
+CHECKED = $(BUILD)$(if $(SANITIZE),/sanitized)
 .PHONY: check
 check: $(BUILD)/check
-	@$(BUILD)/check --programs $(BUILD) --differences $(BUILD)/differences --make '$(MAKE) -s' $(STEP)
+	@$(if $(SANITIZE),ASAN_OPTIONS=detect_leaks=0 CHECK_TIMEOUT=$${CHECK_TIMEOUT:-60}) \
+	$(BUILD)/check --programs $(CHECKED) --differences $(CHECKED)/differences --make '$(MAKE) -s' \
+	    $(STEP)
+
+SANITIZED = -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
+$(STEPS:%=$(BUILD)/sanitized/%): $(BUILD)/sanitized/%: %/main.c $(BUILD)/libcommon.a $(BUILD)/flags
+	@mkdir -p $(@D)
+	$(COMPILE) $(SANITIZED) -MF $@.d -MT $@ -c $< -o $@.o
+	$(LINK) $(SANITIZED) $@.o $(BUILD)/libcommon.a -lm -o $@
 
 $(BUILD)/check: $(BUILD)/tests/check/check.o $(CHECKER) $(BUILD)/libcommon.a
 	$(LINK) $^ -lm -o $@

@@ -42,9 +42,8 @@ charts:
 # ---- make test ----
 
 # The tests' own build of everything: sanitized, and without threads.
-SANITIZE = -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
 # (Vectors wider than the processor's are passed otherwise than by gcc 4.5, which it would tell.)
-TESTED   = $(CC) $(STRICT) $(WARNINGS) $(WERROR) $(SANITIZE) $(DEFINES) -Icommon -Itests/unit \
+TESTED   = $(CC) $(STRICT) $(WARNINGS) $(WERROR) $(SANITIZED) $(DEFINES) -Icommon -Itests/unit \
            -Itests/oracle -MMD -MP
 
 UNITS    = $(patsubst %.c,$(BUILD)/tests/%,$(notdir $(wildcard tests/unit/test_*.c)))

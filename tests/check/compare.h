@@ -69,7 +69,7 @@ bool image_is_blank(const struct image *image);
 
 /* Make the picture of the difference, of the reference's size: the reference at a quarter of its
  * brightness with, on top, red: this pixel of yours has no match; blue: this pixel of the reference
- * has none; magenta: both; dark green: not equal, but not wrong. Yours is laid at the bottom-left
+ * has none; magenta: both; dark green: not equal, but nearly. Yours is laid at the bottom-left
  * corner and cut, and an empty image shows as background. The caller frees `difference`. */
 bool compare_difference(struct image *difference, const struct image *reference,
                         const struct image *yours, struct error *error);

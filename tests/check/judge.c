@@ -5,7 +5,9 @@
 #include "build.h"
 #include "compare.h"
 #include "drawn.h"
+#include "fault.h"
 #include "image_file.h"
+#include "legend.h"
 #include "png.h"
 #include "run.h"
 #include "todo.h"
@@ -165,17 +167,19 @@ static struct result_path keep_picture(const struct image *picture, struct resul
 
 static void keep_pictures(const struct judging *judging, struct item_result *item,
                           const struct image *reference, const struct image *yours) {
-    struct image picture;
+    struct image panels, picture = {.pixels = NULL};
     struct error error;
     item->reference = reference_path(judging, item->scene);
     if (yours->pixels != NULL) {
         item->yours = keep_picture(yours, kept_path(judging, "yours/", item->scene));
     }
-    if (compare_picture(&picture, reference, yours, &error)) {
+    if (compare_picture(&panels, reference, yours, &error) &&
+        legend_picture(&picture, &panels, reference->width, &error)) {
         item->difference = keep_picture(&picture, kept_path(judging, "", item->scene));
     } else {
         fprintf(stderr, "check: no difference image: %s\n", error.message);
     }
+    image_free(&panels);
     image_free(&picture);
 }
 
@@ -198,6 +202,13 @@ static enum result_state state_of_end(const struct run_result *end) {
     return end->end == RUN_OUT_OF_TIME ? RESULT_TIME
            : end->end == RUN_KILLED    ? RESULT_CRASH
                                        : RESULT_FAIL;
+}
+
+/* Has a sanitizer ended it? */
+static bool is_fault(const struct judging *judging, const struct run_result *end,
+                     struct result_text *text) {
+    return end->end != RUN_OUT_OF_TIME && !ended_well(end) &&
+           fault_describe(text, judging->step->name, (const char *)end->messages.data);
 }
 
 /* How it ended, when not well. */
@@ -251,11 +262,23 @@ static enum drawn_state judge_scene(const struct judging *judging, size_t i) {
     return state;
 }
 
-static void blame(struct item_result *item, const struct run_result *end, double seconds) {
-    item->state = state_of_end(end);
+/* Let the state and the text say how the program ended, when not well. */
+static void judge_end(const struct judging *judging, enum result_state *state,
+                      struct result_text *text, const struct run_result *end) {
+    text->text[0] = '\0';
+    if (is_fault(judging, end, text)) {
+        *state = RESULT_CRASH;
+        judging->result->fault_is_found = true;
+    } else {
+        *state = state_of_end(end);
+        describe_end(text, end, judging->options->seconds);
+    }
+}
+
+static void blame(const struct judging *judging, struct item_result *item,
+                  const struct run_result *end) {
     item->blamed = true;
-    item->message.text[0] = '\0';
-    describe_end(&item->message, end, seconds);
+    judge_end(judging, &item->state, &item->message, end);
 }
 
 /* The program ended badly before it had drawn this scene, and perhaps before it began it: let it
@@ -268,7 +291,7 @@ static bool judge_alone(const struct judging *judging, size_t i, struct error *e
                           &judging->limits, &end, error);
     if (done && end.end != RUN_INTERRUPTED && judge_scene(judging, i) == DRAWN_MISSING &&
         !ended_well(&end)) {
-        blame(item, &end, options->seconds);
+        blame(judging, item, &end);
     }
     bytes_free(&end.messages);
     return done;
@@ -289,7 +312,7 @@ static bool judge_pictures(const struct judging *judging, const struct run_resul
             if (step->scene_count > 1) {
                 done = judge_alone(judging, i, error);
             } else {
-                blame(&items[i], end, judging->options->seconds);
+                blame(judging, &items[i], end);
             }
         }
     }
@@ -312,15 +335,15 @@ static bool find_counter(const char *text, const struct item_result *item, uint6
     return found;
 }
 
-static void judge_counter(struct item_result *item, const char *output,
-                          const struct run_result *end, double seconds) {
+static void judge_counter(const struct judging *judging, struct item_result *item,
+                          const char *output, const struct run_result *end) {
     struct bytes text = {.data = NULL};
     struct error ignored;
     bool found = file_read(output, &text, &ignored) && bytes_append(&text, "", 1) &&
                  find_counter((const char *)text.data, item, &item->counted);
     bytes_free(&text);
     if (!ended_well(end)) {
-        blame(item, end, seconds);
+        blame(judging, item, end);
     } else if (!found) {
         result_say(&item->message, "--stats does not print it");
     } else if (item->counted > item->most) {
@@ -344,7 +367,7 @@ static bool judge_work(const struct judging *judging, struct item_result *item,
     bool done = drawn_run_stats(options->programs, judging->step->name, directory, item->scene,
                                 output, &judging->limits, &end, error);
     if (done && end.end != RUN_INTERRUPTED) {
-        judge_counter(item, output, &end, options->seconds);
+        judge_counter(judging, item, output, &end);
     }
     bytes_free(&end.messages);
     run_directory_remove(directory);
@@ -401,8 +424,7 @@ static bool draw_and_judge(struct judging *judging, struct error *error) {
     bool done = drawn_run(options->programs, judging->step->name, judging->directory, options->only,
                           &judging->limits, &end, error);
     if (done && end.end != RUN_INTERRUPTED) {
-        result->state = state_of_end(&end);
-        describe_end(&result->reason, &end, options->seconds);
+        judge_end(judging, &result->state, &result->reason, &end);
         done = judge_pictures(judging, &end, error) && judge_works(judging, error);
         find_to_do(judging);
     }

@@ -40,7 +40,7 @@ const char options_help[] =
     "\n"
     "A difference image shows the reference, yours and the difference. Wrong pixels are red where\n"
     "yours has no match in the reference, blue where the reference has none in yours, magenta for\n"
-    "both; dark green ones are not equal, but not wrong.\n"
+    "both; dark green ones are not equal, but nearly.\n"
     "\n"
     "CHECK_TIMEOUT in the environment: seconds that a step's program may take (10).\n"
     "CHECK_BUILD_TIMEOUT in the environment: seconds that building it may take (60).\n"

@@ -91,6 +91,10 @@ void report_step(const struct step_result *step) {
             report_item(&step->items[i]);
         }
     }
+    if (step->state == RESULT_CRASH && !step->fault_is_found) {
+        printf("  make check STEP=%.2s SANITIZE=1 says in which line\n",
+               step->name + strlen("step"));
+    }
     if (step->state != RESULT_PASS && step->task_count > 1) {
         report_tasks(step);
     }

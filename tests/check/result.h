@@ -73,6 +73,7 @@ struct step_result {
     size_t passed, pictures_exact; /* items */
     unsigned points, most;
     struct result_text reason; /* why the step as a whole did not end well; or empty */
+    bool fault_is_found;       /* a sanitizer has told in which line the program crashes */
     struct bytes messages;     /* what compiler or program wrote to standard error, then a NUL */
 };
 

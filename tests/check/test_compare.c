@@ -1,6 +1,7 @@
 /* Tests of the comparison: its rule against a plain reading of it, each pixel, and its limits. */
 #include "compare.h"
 
+#include "legend.h"
 #include "unit.h"
 
 #include <stdlib.h>
@@ -286,6 +287,45 @@ static void test_difference_picture(void) {
     image_free(&b);
 }
 
+/* How many white pixels there are in a part of the picture. */
+static size_t count_white(const struct image *image, int x, int y, int width, int height) {
+    size_t white = 0;
+    for (int j = y; j < y + height; j++) {
+        for (int i = x; i < x + width; i++) {
+            struct color color = image_get(image, i, j);
+            white += color.r == 255 && color.g == 255 && color.b == 255;
+        }
+    }
+    return white;
+}
+
+/* Panels of 100 pixels are enlarged 4 times; words stand above each and below all of them. */
+static void test_legend(void) {
+    struct image a, panels, picture;
+    struct error error;
+    CHECK(image_create(&a, 100, 110, IMAGE_BGR, &error));
+    image_set(&a, 7, 3, color_rgb(10, 200, 30));
+    CHECK(compare_picture(&panels, &a, &a, &error));
+    CHECK(legend_picture(&picture, &panels, a.width, &error));
+    int height = (int)picture.height, bottom = height - 24 - 4 * 110;
+    CHECK(picture.width == 4 * (3 * 100 + 2 * 8) && bottom == 2 * 24);
+    for (int i = 0; i < 16; i++) {
+        struct color color = image_get(&picture, 4 * 7 + i % 4, bottom + 4 * 3 + i / 4);
+        CHECK(color.r == 10 && color.g == 200 && color.b == 30);
+    }
+    CHECK(image_get(&picture, 4 * 7 - 1, bottom + 4 * 3).g == 0);
+    for (int i = 0; i < 3; i++) {
+        CHECK(count_white(&picture, i * 4 * 108, height - 24, 400, 24) > 100);
+    }
+    CHECK(count_white(&picture, 0, 0, 4 * 316, bottom) > 1000);
+    struct color red = image_get(&picture, 8, bottom - 12);
+    CHECK(red.r == 255 && red.g == 0 && red.b == 0);
+    image_free(&a);
+    image_free(&panels);
+    image_free(&picture);
+}
+
 UNIT_MAIN(TEST(test_rule_against_oracle), TEST(test_levels_and_neighbours),
           TEST(test_blank_picture_is_all_wrong), TEST(test_formats_with_equal_look),
-          TEST(test_limit_and_its_text), TEST(test_shift), TEST(test_difference_picture))
+          TEST(test_limit_and_its_text), TEST(test_shift), TEST(test_difference_picture),
+          TEST(test_legend))

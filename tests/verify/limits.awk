@@ -38,6 +38,7 @@ $1 == "mistake" {
     beyond = 0
     for (i = 1; i <= 3; i++)
         if (times($(4 + i), limit[key, i]) > beyond) beyond = times($(4 + i), limit[key, i])
+    if (beyond <= 1) next # it fails for another reason: a crash, too much work
     if (!(key in least) || beyond < least[key]) { least[key] = beyond; nearest[key] = $2 }
 }
 

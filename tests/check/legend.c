@@ -1,0 +1,125 @@
+#include "legend.h"
+
+#include <string.h>
+
+enum {
+    LEAST_SIZE = 400, /* pixels of a panel in the picture, along its shorter side */
+    MOST_TIMES = 16,  /* how much it is enlarged at most */
+    DOT = 2,          /* pixels along the side of a letter's dot */
+    LETTER_WIDTH = 5, /* dots */
+    LETTER_HEIGHT = 7,
+    LETTER_STEP = 6 * DOT, /* from a letter to the next */
+    LINE_STEP = 12 * DOT,  /* from a line of text to the next */
+    MARGIN = (LINE_STEP - LETTER_HEIGHT * DOT) / 2,
+    WORDS_WIDTH = 33 * LETTER_STEP /* of the longest explanation */
+};
+
+/* The capital letters and the comma: seven rows from the top, bit 4 is the leftmost dot. */
+static const uint8_t letters[27][LETTER_HEIGHT] = {
+    {0x0E, 0x11, 0x11, 0x1F, 0x11, 0x11, 0x11}, {0x1E, 0x11, 0x11, 0x1E, 0x11, 0x11, 0x1E},
+    {0x0E, 0x11, 0x10, 0x10, 0x10, 0x11, 0x0E}, {0x1E, 0x11, 0x11, 0x11, 0x11, 0x11, 0x1E},
+    {0x1F, 0x10, 0x10, 0x1E, 0x10, 0x10, 0x1F}, {0x1F, 0x10, 0x10, 0x1E, 0x10, 0x10, 0x10},
+    {0x0E, 0x11, 0x10, 0x17, 0x11, 0x11, 0x0E}, {0x11, 0x11, 0x11, 0x1F, 0x11, 0x11, 0x11},
+    {0x0E, 0x04, 0x04, 0x04, 0x04, 0x04, 0x0E}, {0x07, 0x02, 0x02, 0x02, 0x02, 0x12, 0x0C},
+    {0x11, 0x12, 0x14, 0x18, 0x14, 0x12, 0x11}, {0x10, 0x10, 0x10, 0x10, 0x10, 0x10, 0x1F},
+    {0x11, 0x1B, 0x15, 0x15, 0x11, 0x11, 0x11}, {0x11, 0x19, 0x15, 0x13, 0x11, 0x11, 0x11},
+    {0x0E, 0x11, 0x11, 0x11, 0x11, 0x11, 0x0E}, {0x1E, 0x11, 0x11, 0x1E, 0x10, 0x10, 0x10},
+    {0x0E, 0x11, 0x11, 0x11, 0x15, 0x12, 0x0D}, {0x1E, 0x11, 0x11, 0x1E, 0x14, 0x12, 0x11},
+    {0x0F, 0x10, 0x10, 0x0E, 0x01, 0x01, 0x1E}, {0x1F, 0x04, 0x04, 0x04, 0x04, 0x04, 0x04},
+    {0x11, 0x11, 0x11, 0x11, 0x11, 0x11, 0x0E}, {0x11, 0x11, 0x11, 0x11, 0x11, 0x0A, 0x04},
+    {0x11, 0x11, 0x11, 0x15, 0x15, 0x15, 0x0A}, {0x11, 0x11, 0x0A, 0x04, 0x0A, 0x11, 0x11},
+    {0x11, 0x11, 0x0A, 0x04, 0x04, 0x04, 0x04}, {0x1F, 0x01, 0x02, 0x04, 0x08, 0x10, 0x1F},
+    {0x00, 0x00, 0x00, 0x00, 0x04, 0x04, 0x08},
+};
+
+/* The colours of a mark in compare.c, and what they mean. */
+static const struct {
+    struct color color;
+    const char *words;
+} explanations[] = {
+    {{.r = 255, .g = 0, .b = 0, .a = 255}, "YOURS IS WRONG HERE"},
+    {{.r = 0, .g = 0, .b = 255, .a = 255}, "YOURS LACKS WHAT IS HERE"},
+    {{.r = 255, .g = 0, .b = 255, .a = 255}, "BOTH"},
+    {{.r = 0, .g = 96, .b = 0, .a = 255}, "NOT EQUAL, BUT NEARLY"},
+};
+enum { EXPLANATIONS = sizeof explanations / sizeof explanations[0] };
+
+static void fill(struct image *image, size_t x, size_t y, size_t width, size_t height,
+                 struct color color) {
+    for (size_t j = y; j < y + height; j++) {
+        for (size_t i = x; i < x + width; i++) {
+            image_set(image, (int)i, (int)j, color);
+        }
+    }
+}
+
+/* (x,y) is the bottom-left corner of the first letter. */
+static void write_words(struct image *image, size_t x, size_t y, const char *words) {
+    for (; *words != '\0'; words++, x += LETTER_STEP) {
+        if (*words == ' ') {
+            continue;
+        }
+        const uint8_t *rows = letters[*words == ',' ? 26 : *words - 'A'];
+        for (size_t row = 0; row < LETTER_HEIGHT; row++) {
+            for (size_t column = 0; column < LETTER_WIDTH; column++) {
+                if (rows[row] >> (LETTER_WIDTH - 1 - column) & 1) {
+                    fill(image, x + column * DOT, y + (LETTER_HEIGHT - 1 - row) * DOT, DOT, DOT,
+                         color_grey(255));
+                }
+            }
+        }
+    }
+}
+
+/* How many explanations stand beside each other in a picture of that width. */
+static size_t explanation_columns(size_t width) {
+    size_t columns = width / WORDS_WIDTH;
+    return columns < 1 ? 1 : columns > EXPLANATIONS ? EXPLANATIONS : columns;
+}
+
+static void write_explanations(struct image *image, size_t columns) {
+    size_t rows = (EXPLANATIONS + columns - 1) / columns;
+    for (size_t i = 0; i < EXPLANATIONS; i++) {
+        size_t x = MARGIN + i % columns * WORDS_WIDTH;
+        size_t y = (rows - 1 - i / columns) * LINE_STEP + MARGIN;
+        fill(image, x, y, LETTER_HEIGHT * DOT, LETTER_HEIGHT * DOT, explanations[i].color);
+        write_words(image, x + 2 * LETTER_STEP, y, explanations[i].words);
+    }
+}
+
+/* Every pixel of the panels becomes a square; the panels' bottom row is at y. */
+static void enlarge(struct image *picture, const struct image *panels, size_t times, size_t y) {
+    for (size_t j = 0; j < panels->height * times; j++) {
+        for (size_t i = 0; i < panels->width * times; i++) {
+            image_set(picture, (int)i, (int)(y + j),
+                      image_get(panels, (int)(i / times), (int)(j / times)));
+        }
+    }
+}
+
+/* How many times a panel is enlarged. */
+static size_t find_times(size_t width, size_t height) {
+    size_t shorter = width < height ? width : height;
+    size_t times = (LEAST_SIZE + shorter - 1) / shorter;
+    return times > MOST_TIMES ? MOST_TIMES : times;
+}
+
+bool legend_picture(struct image *picture, const struct image *panels, size_t width,
+                    struct error *error) {
+    static const char *const names[] = {"REFERENCE", "YOURS", "DIFFERENCE"};
+    size_t times = find_times(width, panels->height), panels_width = panels->width * times;
+    size_t columns = explanation_columns(panels_width);
+    size_t bottom = (EXPLANATIONS + columns - 1) / columns * LINE_STEP;
+    size_t top = bottom + panels->height * times;
+    if (!image_create(picture, panels_width, top + LINE_STEP, IMAGE_BGR, error)) {
+        return false;
+    }
+    image_clear(picture, color_grey(64));
+    enlarge(picture, panels, times, bottom);
+    write_explanations(picture, columns);
+    for (size_t i = 0; i < 3; i++) {
+        size_t begin = i * (panels->width - width) / 2 * times;
+        write_words(picture, begin + MARGIN, top + MARGIN, names[i]);
+    }
+    return true;
+}

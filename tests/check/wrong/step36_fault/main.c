@@ -1,0 +1,35 @@
+/* Each scene has a fault that a sanitizer finds; lines are named in test_check.c. */
+#include "../picture.h"
+
+static int sum(const int *numbers, int count) {
+    int all = 0;
+    for (int i = 0; i <= count; i++) {
+        all += numbers[i]; /* line 7 */
+    }
+    return all;
+}
+
+static int deeper(volatile int *depth) {
+    volatile int here = *depth + 1;
+    return deeper(&here) + here; /* the function begins at line 12 */
+}
+
+int main(int argc, char **argv) {
+    const char *scene = argc >= 5 ? argv[4] : "heap";
+    volatile int large = 2147483647, small = 0;
+    int *volatile numbers = calloc(8, sizeof *numbers);
+    int *volatile nowhere = NULL;
+    if (strcmp(scene, "heap") == 0) {
+        return sum(numbers, 8);
+    }
+    if (strcmp(scene, "freed") == 0) {
+        free(numbers);
+        numbers[0] = 1; /* line 27 */
+    } else if (strcmp(scene, "large") == 0) {
+        large = large + 1; /* line 29 */
+    } else if (strcmp(scene, "null") == 0) {
+        *nowhere = 1; /* line 31 */
+    } else {
+        return deeper(&small);
+    }
+}
