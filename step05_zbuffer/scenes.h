@@ -3,7 +3,8 @@
  *
  * `rows` shows the idea in one dimension: three segments of a plane, seen from above, in one row of
  * pixels. `zbuffer` is lesson 4 with a depth buffer, `depth` shows its depths, and `knot` is a body
- * that winds around itself.
+ * that winds around itself. In `side` the light comes from the side, and falls on faces that look
+ * away from us too.
  */
 
 /* ---- Scene: rows ---- */
@@ -132,6 +133,12 @@ static const struct scene scenes[] = {
         .name = "knot",
         .needs = NEEDS_MODEL | NEEDS_DEPTH,
         .model = "knot.off",
+        .draw = draw_zbuffer,
+    },
+    {
+        .name = "side",
+        .needs = NEEDS_MODEL | NEEDS_DEPTH,
+        .light = {1, 0, -1},
         .draw = draw_zbuffer,
     },
 };

@@ -11,7 +11,7 @@
 
 /* ---- From a place in a picture to a colour ---- */
 
-/* BEGIN SOLUTION 6.1 nearest texel */
+/* BEGIN SOLUTION 6a.1 nearest texel */
 /* Which texel of an axis of `size` texels holds the coordinate: i where i/size <= coordinate <
  * (i+1)/size. Outside 0..1 the edge texel is repeated. */
 static size_t texel_index(double coordinate, size_t size) {
@@ -21,12 +21,12 @@ static size_t texel_index(double coordinate, size_t size) {
 
 /* Sampler 1: the colour of the texel that holds the point. */
 static struct color sample_nearest(const struct texture *texture, struct vec2 uv) {
-    /* BEGIN SOLUTION 6.1 nearest texel */
+    /* BEGIN SOLUTION 6a.1 nearest texel */
     const struct texture_level *level = &texture->level[0];
     size_t x = texel_index(uv.x, level->width), y = texel_index(uv.y, level->height);
     return color_from_texel(level->texels[y * level->width + x]);
     /* STARTER
-    (void)texture, (void)uv; // to do 6.1: which texel of texture->level[0] holds uv?
+    (void)texture, (void)uv; // to do 6a.1: which texel of texture->level[0] holds uv?
     return color_from_texel(0);
     END SOLUTION */
 }
@@ -45,6 +45,7 @@ struct vertex {
 struct canvas {
     struct image *image;
     double *depth;          /* one a pixel, row by row from the bottom; NULL without depth test */
+    bool nearest;           /* in perspective: sampler 1, without mip levels */
     bool skip;              /* fetch a texel only where it will be seen */
     uint64_t pixels_tested; /* covered by a triangle */
     uint64_t pixels_written;
@@ -69,7 +70,7 @@ static void triangle(struct canvas *canvas, const struct vertex v[3], const stru
     }
     for (int y = edges.y_begin; y < edges.y_end; y++) {
         struct span span = edges_span(&edges, y);
-        /* BEGIN SOLUTION 6.2 texture on a triangle */
+        /* BEGIN SOLUTION 6a.2 texture on a triangle */
         double *row = canvas->depth + (size_t)y * image->width;
         for (int x = span.begin; x < span.end; x++) {
             struct vec3 weight = edges_weights(&edges, x, y);
@@ -89,24 +90,76 @@ static void triangle(struct canvas *canvas, const struct vertex v[3], const stru
             }
         }
         /* STARTER
-        // to do 6.2: lesson 5, but each pixel in the colour of its texel times the intensity
+        // to do 6a.2: lesson 5, but each pixel in the colour of its texel times the intensity
         (void)span, (void)texture, (void)intensity, (void)sample_nearest, (void)shade;
         END SOLUTION */
     }
 }
 
-/* ---- The same at every distance ---- */
+/* ---- Triangles in perspective ---- */
 
 /* The part after the point, always 0 <= part < 1: the picture repeats. */
 static struct vec2 repeat(struct vec2 uv) {
-    /* BEGIN SOLUTION 6.3 repeat */
+    /* BEGIN SOLUTION 6b.1 repeat */
     return (struct vec2){uv.x - floor(uv.x), uv.y - floor(uv.y)};
     /* STARTER
-    return uv; // to do 6.3: keep the part after the point
+    return uv; // to do 6b.1: keep the part after the point
     END SOLUTION */
 }
 
-/* BEGIN SOLUTION 6.4 bilinear */
+/* On the screen u and v are not linear in perspective, but u/w, v/w and 1/w are (Heckbert and
+ * Moreton, "Interpolation for polygon texture mapping and shading", 1991): here as x, y and z. */
+struct plane {
+    struct edges edges;
+    struct vec3 corner[3]; /* their values at the corners */
+    struct vec3 right, up; /* what they gain in a step to the right and in one up */
+};
+
+/* Set up a triangle; false where edges_setup() says so. */
+static bool plane_begin(struct plane *plane, const struct image *image, const struct vertex v[3]) {
+    struct edges *edges = &plane->edges;
+    if (!edges_setup(edges, v[0].position, v[1].position, v[2].position, image->width,
+                     image->height)) {
+        return false;
+    }
+    struct vec3 *c = plane->corner;
+    /* BEGIN SOLUTION 6b.2 linear on the screen */
+    for (int i = 0; i < 3; i++) {
+        c[i] = (struct vec3){v[i].uv.x * v[i].recip_w, v[i].uv.y * v[i].recip_w, v[i].recip_w};
+    }
+    /* STARTER
+    c[0] = c[1] = c[2] = (struct vec3){0, 0, 1}; // to do 6b.2: u/w, v/w and 1/w of each corner
+    END SOLUTION */
+    /* BEGIN SOLUTION 6c.3 one step */
+    const struct edge *e = edges->edge;
+    double area = (double)edges->area;
+    struct vec3 right = {(double)e[0].dx / area, (double)e[1].dx / area, (double)e[2].dx / area};
+    struct vec3 up = {(double)e[0].dy / area, (double)e[1].dy / area, (double)e[2].dy / area};
+    plane->right = vec3_interpolate(right, c[0], c[1], c[2]);
+    plane->up = vec3_interpolate(up, c[0], c[1], c[2]);
+    /* STARTER
+    plane->right = plane->up = (struct vec3){0, 0, 0}; // to do 6c.3: what c gains in one step
+    END SOLUTION */
+    return true;
+}
+
+/* The place in the picture that a pixel shows, and its distance. */
+static struct vec2 plane_uv(const struct plane *plane, int x, int y, double *w) {
+    /* BEGIN SOLUTION 6b.3 divided back */
+    const struct vec3 *c = plane->corner;
+    struct vec3 over_w = vec3_interpolate(edges_weights(&plane->edges, x, y), c[0], c[1], c[2]);
+    *w = 1 / over_w.z;
+    return vec2_scale((struct vec2){over_w.x, over_w.y}, *w);
+    /* STARTER
+    (void)plane, (void)x, (void)y; // to do 6b.3: interpolate u/w, v/w and 1/w, then divide once
+    *w = 1;
+    return (struct vec2){0, 0};
+    END SOLUTION */
+}
+
+/* ---- The same at every distance ---- */
+
+/* BEGIN SOLUTION 6c.1 bilinear */
 /* Two neighbouring texels on one axis, and where the point lies between their centres. */
 struct neighbours {
     size_t first, second;
@@ -137,13 +190,13 @@ static struct vec4 mix_in_row(const struct texture_level *level, size_t row, str
 /* Sampler 2: mixed from the four texels whose centres lie around the point, on one mip level. The
  * channels are 0..255 and not rounded. texture_bilinear() gives later lessons the same values. */
 static struct vec4 sample_bilinear(const struct texture *texture, struct vec2 uv, size_t number) {
-    /* BEGIN SOLUTION 6.4 bilinear */
+    /* BEGIN SOLUTION 6c.1 bilinear */
     const struct texture_level *level = &texture->level[number];
     struct neighbours x = find_neighbours(uv.x, level->width);
     struct neighbours y = find_neighbours(uv.y, level->height);
     return texture_mix(mix_in_row(level, y.first, x), mix_in_row(level, y.second, x), y.part);
     /* STARTER
-    (void)texture, (void)uv, (void)number; // to do 6.4: mix four texels of texture->level[number]
+    (void)texture, (void)uv, (void)number; // to do 6c.1: mix four texels of texture->level[number]
     return channels_from_texel(0);
     END SOLUTION */
 }
@@ -151,15 +204,26 @@ static struct vec4 sample_bilinear(const struct texture *texture, struct vec2 uv
 /* Sampler 3: mixed from the two mip levels next to `level` (Williams, "Pyramidal parametrics",
  * 1983). Level 0 is the whole picture, each next level has half its width and height. */
 static struct vec4 sample_trilinear(const struct texture *texture, struct vec2 uv, double level) {
-    /* BEGIN SOLUTION 6.5 trilinear */
+    /* BEGIN SOLUTION 6c.2 trilinear */
     size_t last = texture->level_count - 1;
     double clamped = texture_clamp(level, (double)last);
     size_t finer = (size_t)clamped, coarser = finer < last ? finer + 1 : last;
     return texture_mix(sample_bilinear(texture, uv, finer), sample_bilinear(texture, uv, coarser),
                        clamped - (double)finer);
     /* STARTER
-    (void)level; // to do 6.5: mix the two levels; there are texture->level_count
+    (void)level; // to do 6c.2: mix the two levels; there are texture->level_count
     return sample_bilinear(texture, uv, 0);
+    END SOLUTION */
+}
+
+/* How far u and v move in a step: the derivative of the quotient u = (u/w) / (1/w). `gain` is
+ * what u/w, v/w and 1/w gain. */
+static struct vec2 uv_step(struct vec3 gain, struct vec2 uv, double w) {
+    /* BEGIN SOLUTION 6c.3 one step */
+    return (struct vec2){(gain.x - uv.x * gain.z) * w, (gain.y - uv.y * gain.z) * w};
+    /* STARTER
+    (void)gain, (void)uv, (void)w; // to do 6c.3: (gain of u/w - u * gain of 1/w) * w, and v
+    return (struct vec2){0, 0};
     END SOLUTION */
 }
 
@@ -167,7 +231,7 @@ static struct vec4 sample_trilinear(const struct texture *texture, struct vec2 u
  * number of texels in it. `right` and `up` say how far u and v move, in units of the whole picture,
  * from a pixel to its right and its upper neighbour; the longer of the two counts. */
 static double mip_level(struct vec2 right, struct vec2 up, const struct texture *texture) {
-    /* BEGIN SOLUTION 6.6 mip level */
+    /* BEGIN SOLUTION 6c.4 mip level */
     double width = (double)texture->level[0].width, height = (double)texture->level[0].height;
     double last = (double)(texture->level_count - 1);
     double across = right.x * width * (right.x * width) + right.y * height * (right.y * height);
@@ -179,65 +243,46 @@ static double mip_level(struct vec2 right, struct vec2 up, const struct texture 
     if (square > 0x1p40) {
         return last; /* beyond all levels; infinity ends here too */
     }
-    /* log2 of 2^e * (1 + f) is taken as e + f: exact at powers of 2, elsewhere at most 0.09 too
-     * small, and the same on every machine. Half of it, since the square was measured. */
+    /* log2 of 2^e * (1 + f) is taken as e + f: exact at powers of 2, and at most 0.087
+     * too small between them, and the same on every machine. Half of it, since the square was
+     * measured: the level is at most 0.044 too small. */
     int exponent;
     double fraction = frexp(square, &exponent); /* square = fraction * 2^exponent, 0.5..1 */
     return texture_clamp(0.5 * ((exponent - 1) + (2 * fraction - 1)), last);
     /* STARTER
-    (void)right, (void)up, (void)texture; // to do 6.6: how many texels does a pixel move?
+    (void)right, (void)up, (void)texture; // to do 6c.4: how many texels does a pixel move?
     return 0;
     END SOLUTION */
 }
 
-/* ---- Triangles in perspective ---- */
+/* ---- The colour of a pixel in perspective ---- */
 
-/* BEGIN SOLUTION 6.7 perspective */
-/* On the screen u and v are not linear in perspective, but u/w, v/w and 1/w are (Heckbert and
- * Moreton, "Interpolation for polygon texture mapping and shading", 1991): here as x, y and z. */
-struct plane {
-    struct edges edges;
-    struct vec3 corner[3]; /* their values at the corners */
-    struct vec3 right, up; /* what they gain in a step to the right and in one up */
-};
-
-static bool plane_begin(struct plane *plane, const struct image *image, const struct vertex v[3]) {
-    struct edges *edges = &plane->edges;
-    if (!edges_setup(edges, v[0].position, v[1].position, v[2].position, image->width,
-                     image->height)) {
-        return false;
+/* By sampler 1, or by sampler 3 with the mip level of this place. */
+static struct color color_at(struct canvas *canvas, const struct plane *plane, int x, int y,
+                             const struct texture *texture) {
+    double w;
+    struct vec2 uv = plane_uv(plane, x, y, &w);
+    if (canvas->nearest) {
+        canvas->texels_fetched++;
+        return sample_nearest(texture, repeat(uv));
     }
-    struct vec3 *c = plane->corner;
-    for (int i = 0; i < 3; i++) {
-        c[i] = (struct vec3){v[i].uv.x * v[i].recip_w, v[i].uv.y * v[i].recip_w, v[i].recip_w};
-    }
-    const struct edge *e = edges->edge;
-    double area = (double)edges->area;
-    struct vec3 right = {(double)e[0].dx / area, (double)e[1].dx / area, (double)e[2].dx / area};
-    struct vec3 up = {(double)e[0].dy / area, (double)e[1].dy / area, (double)e[2].dy / area};
-    plane->right = vec3_interpolate(right, c[0], c[1], c[2]);
-    plane->up = vec3_interpolate(up, c[0], c[1], c[2]);
-    return true;
+    /* BEGIN SOLUTION 6c.5 the level of the pixel */
+    double level = mip_level(uv_step(plane->right, uv, w), uv_step(plane->up, uv, w), texture);
+    bool one_level = canvas->skip && level == 0; /* the second would count for nothing */
+    struct vec4 c = one_level ? sample_bilinear(texture, repeat(uv), 0)
+                              : sample_trilinear(texture, repeat(uv), level);
+    canvas->texels_fetched += one_level ? 4 : 8;
+    return color_rgb(level_from(c.x), level_from(c.y), level_from(c.z));
+    /* STARTER
+    // to do 6c.5: find the level, take sampler 3, round each channel with level_from()
+    (void)sample_trilinear, (void)mip_level, (void)uv_step;
+    return sample_nearest(texture, repeat(uv));
+    END SOLUTION */
 }
 
-/* Where a pixel lies in the picture, and its distance: one division gives u and v back. */
-static struct vec2 plane_uv(const struct plane *plane, int x, int y, double *w) {
-    const struct vec3 *c = plane->corner;
-    struct vec3 over_w = vec3_interpolate(edges_weights(&plane->edges, x, y), c[0], c[1], c[2]);
-    *w = 1 / over_w.z;
-    return vec2_scale((struct vec2){over_w.x, over_w.y}, *w);
-}
-
-/* How far u and v move in a step: the derivative of the quotient u = (u/w) / (1/w). */
-static struct vec2 uv_step(struct vec3 gain, struct vec2 uv, double w) {
-    return (struct vec2){(gain.x - uv.x * gain.z) * w, (gain.y - uv.y * gain.z) * w};
-}
-/* END SOLUTION */
-
-/* A triangle in perspective: trilinear, without depth test and light. */
+/* A triangle in perspective, without depth test and light. */
 static void perspective_triangle(struct canvas *canvas, const struct vertex v[3],
                                  const struct texture *texture) {
-    /* BEGIN SOLUTION 6.7 perspective */
     struct plane plane;
     if (!plane_begin(&plane, canvas->image, v)) {
         return;
@@ -245,23 +290,10 @@ static void perspective_triangle(struct canvas *canvas, const struct vertex v[3]
     for (int y = plane.edges.y_begin; y < plane.edges.y_end; y++) {
         struct span span = edges_span(&plane.edges, y);
         for (int x = span.begin; x < span.end; x++) {
-            double w;
-            struct vec2 uv = plane_uv(&plane, x, y, &w);
-            double level =
-                mip_level(uv_step(plane.right, uv, w), uv_step(plane.up, uv, w), texture);
-            bool one_level = canvas->skip && level == 0; /* the second would count for nothing */
-            struct vec4 c = one_level ? sample_bilinear(texture, repeat(uv), 0)
-                                      : sample_trilinear(texture, repeat(uv), level);
-            canvas->texels_fetched += one_level ? 4 : 8;
-            image_set(canvas->image, x, y,
-                      color_rgb(level_from(c.x), level_from(c.y), level_from(c.z)));
+            image_set(canvas->image, x, y, color_at(canvas, &plane, x, y, texture));
             canvas->pixels_written++;
         }
     }
-    /* STARTER
-    // to do 6.7: interpolate u/w, v/w and 1/w, divide, find the level, take sampler 3
-    (void)canvas, (void)v, (void)texture, (void)repeat, (void)mip_level, (void)sample_trilinear;
-    END SOLUTION */
 }
 
 #include "scenes.h"

@@ -2,8 +2,9 @@
  * Step 6, the given part: its scenes and the program.
  *
  * `texture` draws a model with its diffuse texture, nearest texel, times the intensity of the face.
- * `checker` draws a plane that reaches towards the horizon, with perspective-correct texture
- * coordinates, and a mip level chosen for every pixel.
+ * `letters` draws a board whose texture coordinates leave the picture. `room` lays that picture on
+ * a floor and a wall in perspective, again and again, nearest texel too; `mipmapped` is the same
+ * with a mip level chosen for every pixel, and so is `checker`, a plane towards the horizon.
  */
 
 /* ---- Scene: texture ---- */
@@ -49,11 +50,95 @@ static bool draw_texture(struct drawing *drawing, struct image *image, struct er
     return true;
 }
 
-/* ---- Scene: checker ---- */
+/* ---- Scene: letters ---- */
 
 struct state {
-    struct texture checker;
+    struct texture letters, checker;
 };
+
+/* A picture of 5 x 3 tiles with the letters A to O, so that nothing can be exchanged unseen. */
+enum {
+    LETTERS_COLUMNS = 5,
+    LETTERS_ROWS = 3,
+    LETTERS_TILE = 32,  /* texels a side */
+    LETTERS_STROKE = 4, /* texels; a letter is 3 strokes wide and 5 high */
+    LETTERS_LEFT = 11,  /* texels of a tile beside a letter */
+    LETTERS_BELOW = 7,
+    LETTERS_JOINT = 2 /* dark texels at the left and lower side of a tile */
+};
+
+/* Row by row from the top, a digit each: 4 is the left stroke, 2 the middle, 1 the right one. */
+static const char letters[LETTERS_COLUMNS * LETTERS_ROWS][6] = {
+    "25755", "65656", "34443", "65556", "74647", /* A B C D E */
+    "74644", "34553", "55755", "72227", "11152", /* F G H I J */
+    "55655", "44447", "57755", "65555", "25552", /* K L M N O */
+};
+
+/* Is texel (x,y) of a tile, (0,0) being its lower left one, part of its letter? */
+static bool letter_covers(const char letter[6], int x, int y) {
+    int column = (x - LETTERS_LEFT + LETTERS_STROKE) / LETTERS_STROKE - 1;
+    int row = (y - LETTERS_BELOW + LETTERS_STROKE) / LETTERS_STROKE - 1;
+    return column >= 0 && column < 3 && row >= 0 && row < 5 &&
+           ((letter[4 - row] - '0') >> (2 - column) & 1) != 0;
+}
+
+static struct color letters_color(int x, int y) {
+    const struct color light = color_rgb(245, 235, 215), dark = color_rgb(150, 45, 30);
+    int column = x / LETTERS_TILE, row = y / LETTERS_TILE;
+    int left = x % LETTERS_TILE, below = y % LETTERS_TILE;
+    if (left < LETTERS_JOINT || below < LETTERS_JOINT) {
+        return color_rgb(70, 60, 55);
+    }
+    const char *letter = letters[(LETTERS_ROWS - 1 - row) * LETTERS_COLUMNS + column];
+    bool is_light = (column + row) % 2 == 0;
+    return is_light != letter_covers(letter, left, below) ? light : dark;
+}
+
+static bool make_letters(struct texture *texture, struct error *error) {
+    struct image image;
+    if (!image_create(&image, LETTERS_COLUMNS * LETTERS_TILE, LETTERS_ROWS * LETTERS_TILE,
+                      IMAGE_BGR, error)) {
+        return false;
+    }
+    for (int y = 0; y < (int)image.height; y++) {
+        for (int x = 0; x < (int)image.width; x++) {
+            image_set(&image, x, y, letters_color(x, y));
+        }
+    }
+    bool done = texture_create(texture, &image, error);
+    image_free(&image);
+    return done;
+}
+
+/* The corners of a board that faces us, a little askew, and larger than its picture. */
+static void place_board(const struct image *image, struct vertex corners[4]) {
+    static const struct vec2 places[4] = {{0.10, 0.04}, {0.98, 0.17}, {0.90, 0.96}, {0.02, 0.83}};
+    static const struct vec2 uvs[4] = {{-0.3, -0.4}, {1.3, -0.4}, {1.3, 1.4}, {-0.3, 1.4}};
+    for (int i = 0; i < 4; i++) {
+        struct vec2 screen = {places[i].x * (double)image->width,
+                              places[i].y * (double)image->height};
+        corners[i] = (struct vertex){.uv = uvs[i]};
+        screen_snap(screen, &corners[i].position); /* always within the limit */
+    }
+}
+
+static bool draw_letters(struct drawing *drawing, struct image *image, struct error *error) {
+    (void)error;
+    const struct state *state = drawing->state;
+    struct vertex corners[4];
+    place_board(image, corners);
+    const struct vertex first[3] = {corners[0], corners[1], corners[2]};
+    const struct vertex second[3] = {corners[0], corners[2], corners[3]};
+    struct canvas canvas = {.image = image, .depth = drawing->depth, .skip = drawing->skip};
+    triangle(&canvas, first, &state->letters, 1);
+    triangle(&canvas, second, &state->letters, 1);
+    drawing_count(drawing, "pixels_tested", canvas.pixels_tested);
+    drawing_count(drawing, "pixels_written", canvas.pixels_written);
+    drawing_count(drawing, "texels_fetched", canvas.texels_fetched);
+    return true;
+}
+
+/* ---- Scene: checker ---- */
 
 enum { CHECKER_SIZE = 256 }; /* texels a side: a picture of two by two tiles */
 
@@ -87,16 +172,24 @@ static bool make_checker(struct texture *texture, struct error *error) {
 #define PLANE_NEAR   0.75
 #define PLANE_FAR    60.0
 
-/* A corner of the plane: `side` units to the right of the line of sight, `distance` before the
- * camera. In perspective a point appears at its x and y divided by w, the distance. One unit of the
- * plane is one picture: two tiles. */
-static struct vertex place_on_plane(double side, double distance, const struct image *image) {
-    double x = PLANE_COSINE * side + PLANE_SINE * PLANE_BELOW;
-    double y = PLANE_SINE * side - PLANE_COSINE * PLANE_BELOW;
+/* Where a point appears: `side` units to the right of the line of sight, `height` over the plane,
+ * `distance` before the camera. In perspective that is its x and y divided by w, the distance. */
+static struct vertex place_over_plane(double side, double height, double distance,
+                                      const struct image *image) {
+    double above = height - PLANE_BELOW;
+    double x = PLANE_COSINE * side - PLANE_SINE * above;
+    double y = PLANE_SINE * side + PLANE_COSINE * above;
     struct vec2 screen = {(0.5 + 0.5 * x / distance) * (double)image->width,
                           (0.75 + 0.5 * y / distance) * (double)image->height};
-    struct vertex vertex = {.uv = {side, distance}, .recip_w = 1 / distance};
+    struct vertex vertex = {.recip_w = 1 / distance};
     screen_snap(screen, &vertex.position); /* never beyond the limit: 0.5 * 72 / 0.75 images */
+    return vertex;
+}
+
+/* A corner of the plane. One unit of it is one picture: two tiles. */
+static struct vertex place_on_plane(double side, double distance, const struct image *image) {
+    struct vertex vertex = place_over_plane(side, 0, distance, image);
+    vertex.uv = (struct vec2){side, distance};
     return vertex;
 }
 
@@ -108,18 +201,85 @@ static void place_plane(const struct image *image, struct vertex corners[4]) {
     corners[3] = place_on_plane(-PLANE_SIDE, PLANE_FAR, image);
 }
 
+static void draw_plane(struct drawing *drawing, struct image *image, const struct vertex corners[4],
+                       const struct texture *texture, bool nearest) {
+    const struct vertex first[3] = {corners[0], corners[1], corners[2]};
+    const struct vertex second[3] = {corners[0], corners[2], corners[3]};
+    struct canvas canvas = {.image = image, .nearest = nearest, .skip = drawing->skip};
+    perspective_triangle(&canvas, first, texture);
+    perspective_triangle(&canvas, second, texture);
+    drawing_count(drawing, "pixels_written", canvas.pixels_written);
+    drawing_count(drawing, "texels_fetched", canvas.texels_fetched);
+}
+
 static bool draw_checker(struct drawing *drawing, struct image *image, struct error *error) {
     (void)error;
     const struct state *state = drawing->state;
     struct vertex corners[4];
     place_plane(image, corners);
-    const struct vertex first[3] = {corners[0], corners[1], corners[2]};
-    const struct vertex second[3] = {corners[0], corners[2], corners[3]};
-    struct canvas canvas = {.image = image, .skip = drawing->skip};
-    perspective_triangle(&canvas, first, &state->checker);
-    perspective_triangle(&canvas, second, &state->checker);
-    drawing_count(drawing, "pixels_written", canvas.pixels_written);
-    drawing_count(drawing, "texels_fetched", canvas.texels_fetched);
+    draw_plane(drawing, image, corners, &state->checker, false);
+    return true;
+}
+
+/* ---- Scenes: room and mipmapped ---- */
+
+/* Over the plane of scene checker stands a wall, along the left side of a floor. */
+#define ROOM_LEFT  (-3.1)
+#define ROOM_RIGHT 2.3
+#define ROOM_NEAR  1.3
+#define ROOM_FAR   6.1
+#define ROOM_HIGH  1.7
+
+/* A place of a wall or the floor, in units of the room. The picture of the letters is 2 units wide
+ * and 1.2 high, so that its tiles are squares. */
+static struct vec2 room_uv(double across, double along) {
+    return (struct vec2){across / 2, along / 1.2};
+}
+
+static struct vertex place_on_floor(double side, double distance, const struct image *image) {
+    struct vertex vertex = place_over_plane(side, 0, distance, image);
+    vertex.uv = room_uv(side, distance);
+    return vertex;
+}
+
+static struct vertex place_on_wall(double distance, double height, const struct image *image) {
+    struct vertex vertex = place_over_plane(ROOM_LEFT, height, distance, image);
+    vertex.uv = room_uv(distance, height);
+    return vertex;
+}
+
+static void place_floor(const struct image *image, struct vertex corners[4]) {
+    corners[0] = place_on_floor(ROOM_LEFT, ROOM_NEAR, image);
+    corners[1] = place_on_floor(ROOM_RIGHT, ROOM_NEAR, image);
+    corners[2] = place_on_floor(ROOM_RIGHT, ROOM_FAR, image);
+    corners[3] = place_on_floor(ROOM_LEFT, ROOM_FAR, image);
+}
+
+static void place_wall(const struct image *image, struct vertex corners[4]) {
+    corners[0] = place_on_wall(ROOM_NEAR, 0, image);
+    corners[1] = place_on_wall(ROOM_FAR, 0, image);
+    corners[2] = place_on_wall(ROOM_FAR, ROOM_HIGH, image);
+    corners[3] = place_on_wall(ROOM_NEAR, ROOM_HIGH, image);
+}
+
+static void draw_room_by(struct drawing *drawing, struct image *image, bool nearest) {
+    const struct state *state = drawing->state;
+    struct vertex corners[4];
+    place_floor(image, corners);
+    draw_plane(drawing, image, corners, &state->letters, nearest);
+    place_wall(image, corners);
+    draw_plane(drawing, image, corners, &state->letters, nearest);
+}
+
+static bool draw_room(struct drawing *drawing, struct image *image, struct error *error) {
+    (void)error;
+    draw_room_by(drawing, image, true);
+    return true;
+}
+
+static bool draw_mipmapped(struct drawing *drawing, struct image *image, struct error *error) {
+    (void)error;
+    draw_room_by(drawing, image, false);
     return true;
 }
 
@@ -128,11 +288,13 @@ static bool draw_checker(struct drawing *drawing, struct image *image, struct er
 static bool prepare(struct drawing *drawing, size_t width, size_t height, struct error *error) {
     (void)width, (void)height;
     struct state *state = drawing->state;
-    return drawing->model != NULL || make_checker(&state->checker, error);
+    return drawing->model != NULL ||
+           (make_letters(&state->letters, error) && make_checker(&state->checker, error));
 }
 
 static void finish(struct drawing *drawing) {
     struct state *state = drawing->state;
+    texture_free(&state->letters);
     texture_free(&state->checker);
 }
 
@@ -142,6 +304,15 @@ static const struct scene scenes[] = {
         .needs = NEEDS_MODEL | NEEDS_DIFFUSE | NEEDS_DEPTH,
         .draw = draw_texture,
     },
+    {
+        .name = "letters",
+        .needs = NEEDS_DEPTH,
+        .width = 800,
+        .height = 600,
+        .draw = draw_letters,
+    },
+    {.name = "room", .width = 800, .height = 600, .draw = draw_room},
+    {.name = "mipmapped", .width = 800, .height = 600, .draw = draw_mipmapped},
     {.name = "checker", .draw = draw_checker},
 };
 

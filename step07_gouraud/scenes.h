@@ -3,7 +3,7 @@
  *
  * `gouraud` has one intensity at each corner, `colors` a colour. `lit` adds up three kinds of light
  * at each corner, with a light and a camera at points: the ambient, the diffuse and the specular
- * part, and their sum, are four pictures in one.
+ * part, and their sum, are four pictures in one. In `behind` the light stands behind the model.
  */
 
 #include <stdlib.h>
@@ -204,6 +204,13 @@ static const struct scene scenes[] = {
         .name = "lit",
         .needs = NEEDS_MODEL | NEEDS_NORMALS | NEEDS_DEPTH,
         .light = {-2, 2, 3},
+        .eye = {0, 0, 3},
+        .draw = draw_lit,
+    },
+    {
+        .name = "behind",
+        .needs = NEEDS_MODEL | NEEDS_NORMALS | NEEDS_DEPTH,
+        .light = {-2, 2, -3},
         .eye = {0, 0, 3},
         .draw = draw_lit,
     },

@@ -6,8 +6,8 @@
 #include <string.h>
 
 static const char *left_out(const char *scene) {
-    (void)scene;
-    return NULL;
+    return strcmp(scene, "room") == 0 ? "no look here repeats a picture by its nearest texel"
+                                      : NULL;
 }
 
 static bool build_texture(struct drawing *drawing, struct image *image, struct picture *picture,
@@ -39,48 +39,111 @@ static bool build_texture(struct drawing *drawing, struct image *image, struct p
     return batch != NULL;
 }
 
-/* place_on_plane() as a matrix: from (side, distance, 0) to clip space, with w the distance. */
-static struct mat4 plane_to_clip(void) {
-    return (struct mat4){{{PLANE_COSINE, 0, 0, PLANE_SINE * PLANE_BELOW},
-                          {PLANE_SINE, 0.5, 0, -PLANE_COSINE * PLANE_BELOW},
+/* Two triangles, of four corners that have been placed. */
+static bool add_quad(struct batch *batch, size_t first_face, const struct corner_data corners[4],
+                     struct error *error) {
+    const struct corner_data first[3] = {corners[0], corners[1], corners[2]};
+    const struct corner_data second[3] = {corners[0], corners[2], corners[3]};
+    return batch_add_face(batch, first_face, first, error) &&
+           batch_add_face(batch, first_face + 1, second, error);
+}
+
+/* ---- Scene letters ---- */
+
+static bool build_letters(struct drawing *drawing, struct image *image, struct picture *picture,
+                          struct error *error) {
+    const struct state *state = drawing->state;
+    double width = (double)image->width * SUBPIXELS, height = (double)image->height * SUBPIXELS;
+    struct vertex board[4];
+    struct corner_data corners[4];
+    struct batch settings = parallel_batch(
+        LOOK_NEAREST, (struct rectangle){0, 0, (int)image->width, (int)image->height});
+    settings.values.diffuse_map = &state->letters;
+    struct batch *batch = picture_add_batch(picture, &settings, error);
+    place_board(image, board);
+    for (int i = 0; i < 4; i++) {
+        struct fixed2 screen = board[i].position;
+        corners[i] = (struct corner_data){
+            .position = {2 * screen.x / width - 1, 2 * screen.y / height - 1, 0},
+            .placed = {screen, parallel_depth(0), 1},
+            .varyings = {board[i].uv.x, board[i].uv.y, 1},
+        };
+    }
+    return batch != NULL && add_quad(batch, 0, corners, error);
+}
+
+/* ---- Scenes in perspective ---- */
+
+/* place_in_room() as a matrix: from (side, distance, height) to clip space, with w the distance. */
+static struct mat4 room_to_clip(void) {
+    return (struct mat4){{{PLANE_COSINE, 0, -PLANE_SINE, PLANE_SINE * PLANE_BELOW},
+                          {PLANE_SINE, 0.5, PLANE_COSINE, -PLANE_COSINE * PLANE_BELOW},
                           {0, 0, 0, NEAR_W},
                           {0, 1, 0, 0}}};
 }
 
+static struct batch perspective_batch(const struct texture *texture, const struct image *image) {
+    return (struct batch){
+        .look = LOOK_CHECKER,
+        .values = {.diffuse_map = texture},
+        .viewport = {0, 0, (int)image->width, (int)image->height},
+        .to_clip = room_to_clip(),
+    };
+}
+
+static struct corner_data perspective_corner(const struct vertex *v, struct vec3 position) {
+    return (struct corner_data){
+        .position = position,
+        .placed = {v->position, NEAR_W * v->recip_w, v->recip_w},
+        .varyings = {v->uv.x, v->uv.y},
+    };
+}
+
 static bool build_checker(struct drawing *drawing, struct image *image, struct picture *picture,
                           struct error *error) {
-    static const int triangles[2][3] = {{0, 1, 2}, {0, 2, 3}};
     const struct state *state = drawing->state;
     struct vertex plane[4];
-    struct batch settings = {
-        .look = LOOK_CHECKER,
-        .values = {.diffuse_map = &state->checker},
-        .viewport = {0, 0, (int)image->width, (int)image->height},
-        .to_clip = plane_to_clip(),
-    };
+    struct corner_data corners[4];
+    struct batch settings = perspective_batch(&state->checker, image);
     struct batch *batch = picture_add_batch(picture, &settings, error);
     place_plane(image, plane);
-    for (size_t t = 0; batch != NULL && t < 2; t++) {
-        struct corner_data corners[3];
-        for (int i = 0; i < 3; i++) {
-            const struct vertex *v = &plane[triangles[t][i]];
-            corners[i] = (struct corner_data){
-                .position = {v->uv.x, v->uv.y, 0},
-                .placed = {v->position, NEAR_W * v->recip_w, v->recip_w},
-                .varyings = {v->uv.x, v->uv.y},
-            };
-        }
-        if (!batch_add_face(batch, t, corners, error)) {
-            return false;
-        }
+    for (int i = 0; i < 4; i++) {
+        corners[i] = perspective_corner(&plane[i], (struct vec3){plane[i].uv.x, plane[i].uv.y, 0});
     }
-    return batch != NULL;
+    return batch != NULL && add_quad(batch, 0, corners, error);
+}
+
+/* Scene mipmapped. */
+static bool build_room(struct drawing *drawing, struct image *image, struct picture *picture,
+                       struct error *error) {
+    const struct state *state = drawing->state;
+    struct vertex ground[4], wall[4];
+    struct corner_data on_ground[4], on_wall[4];
+    struct batch settings = perspective_batch(&state->letters, image);
+    struct batch *batch = picture_add_batch(picture, &settings, error);
+    place_floor(image, ground);
+    place_wall(image, wall);
+    for (int i = 0; i < 4; i++) {
+        double side = 2 * ground[i].uv.x, height = 1.2 * wall[i].uv.y;
+        on_ground[i] =
+            perspective_corner(&ground[i], (struct vec3){side, 1 / ground[i].recip_w, 0});
+        on_wall[i] =
+            perspective_corner(&wall[i], (struct vec3){ROOM_LEFT, 1 / wall[i].recip_w, height});
+    }
+    return batch != NULL && add_quad(batch, 0, on_ground, error) &&
+           add_quad(batch, 2, on_wall, error);
 }
 
 static bool build(const char *scene, struct drawing *drawing, struct image *image,
                   struct picture *picture, struct error *error) {
-    return strcmp(scene, "texture") == 0 ? build_texture(drawing, image, picture, error)
-                                         : build_checker(drawing, image, picture, error);
+    if (strcmp(scene, "texture") == 0) {
+        return build_texture(drawing, image, picture, error);
+    }
+    if (strcmp(scene, "letters") == 0) {
+        return build_letters(drawing, image, picture, error);
+    }
+    return strcmp(scene, "checker") == 0 ? build_checker(drawing, image, picture, error)
+                                         : build_room(drawing, image, picture, error);
 }
 
 lesson_function lesson_step06;

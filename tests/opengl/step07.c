@@ -94,7 +94,7 @@ static bool build_lit(struct drawing *drawing, struct image *image, struct pictu
 static bool build(const char *scene, struct drawing *drawing, struct image *image,
                   struct picture *picture, struct error *error) {
     const struct lighting lighting = {.light = vec3_normalized(drawing->light)};
-    if (strcmp(scene, "lit") == 0) {
+    if (strcmp(scene, "lit") == 0 || strcmp(scene, "behind") == 0) {
         return build_lit(drawing, image, picture, error);
     }
     return strcmp(scene, "colors") == 0
