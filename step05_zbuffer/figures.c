@@ -5,6 +5,7 @@
 #undef main
 
 #include "attempts.h"
+#include "model_file.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -23,11 +24,19 @@ static struct color number_color(size_t number) {
                      (uint8_t)(number & 255));
 }
 
-/* The lit faces of the model, as draw_faces() draws them, moved to the right by `shift`; numbered
+/* A model as a scene shows it. */
+struct view {
+    const char *name;
+    const struct model *model;
+    struct vec3 light;
+};
+
+/* The lit faces of the model, as draw_zbuffer() draws them, moved to the right by `shift`; numbered
  * from 1 instead of grey when `numbered` is set. */
-static bool list_from_model(struct list *list, const struct model *model, const struct image *image,
+static bool list_from_model(struct list *list, const struct view *view, const struct image *image,
                             double shift, bool numbered, struct error *error) {
-    const struct vec3 light = {0, 0, -1};
+    const struct model *model = view->model;
+    const struct vec3 light = vec3_normalized(view->light);
     *list = (struct list){.items = malloc(model->face_count * sizeof *list->items)};
     if (list->items == NULL) {
         return error_out_of_memory(error);
@@ -111,14 +120,19 @@ static const struct version versions[] = {
 };
 enum { VERSION_COUNT = sizeof versions / sizeof versions[0] };
 
-/* Draw the bust with every version and count the pixels that show another face than main.c does. */
-static void print_wrong_pixels(const struct list *list, struct image *right, struct image *image,
-                               double *depth, void *buffer) {
+/* Draw the list with the first versions and count the pixels that show another face than main.c
+ * does. */
+static void print_wrong_pixels(const char *name, const struct list *list, size_t version_count,
+                               struct image *right, struct image *image, double *depth,
+                               void *buffer) {
+    image_clear(right, color_grey(0));
     draw_right(right, list->items, list->count, depth);
-    for (size_t i = 0; i < VERSION_COUNT; i++) {
+    for (size_t i = 0; i < version_count; i++) {
         image_clear(image, color_grey(0));
         versions[i].draw(image, list->items, list->count, buffer);
-        printf("bust   %-28s %6zu pixels wrong\n", versions[i].name,
+        size_t wrong = different_pixels(image, right);
+        image_clear(image, color_grey(0));
+        printf("%-6s %-28s %6zu pixels wrong of %zu\n", name, versions[i].name, wrong,
                different_pixels(image, right));
     }
 }
@@ -145,7 +159,7 @@ static bool print_shuffled(const struct list *list, struct image *right, struct 
 }
 
 /* Pictures of the attempts that look wrong from afar. */
-static bool draw_attempts(const struct model *model, const char *directory, double *depth,
+static bool draw_attempts(const struct view *view, const char *directory, double *depth,
                           void *buffer, struct error *error) {
     static const struct version shown[] = {
         {"cleared_to_0", attempt_4_cleared_to_0},
@@ -154,8 +168,8 @@ static bool draw_attempts(const struct model *model, const char *directory, doub
     struct image image = {0};
     struct list list = {0}, moved = {0};
     bool done = image_create(&image, 400, 400, IMAGE_GREY, error) &&
-                list_from_model(&list, model, &image, 0, false, error) &&
-                list_from_model(&moved, model, &image, 0.25, false, error);
+                list_from_model(&list, view, &image, 0, false, error) &&
+                list_from_model(&moved, view, &image, 0.25, false, error);
     for (size_t i = 0; done && i < sizeof shown / sizeof shown[0]; i++) {
         image_clear(&image, color_grey(0));
         shown[i].draw(&image, list.items, list.count, buffer);
@@ -176,22 +190,61 @@ static bool draw_attempts(const struct model *model, const char *directory, doub
     return done;
 }
 
-static bool draw_bust(const struct model *bust, const char *directory, double *depth, void *buffer,
-                      struct error *error) {
+/* Print how many pixels the first versions show wrong; of all the orders of the bust too. */
+static bool print_view(const struct view *view, size_t version_count, double *depth, void *buffer,
+                       struct error *error) {
     struct list list = {0};
     struct image right = {0}, image = {0};
     bool done = image_create(&right, 800, 800, IMAGE_BGR, error) &&
                 image_create(&image, 800, 800, IMAGE_BGR, error) &&
-                list_from_model(&list, bust, &image, 0, true, error);
+                list_from_model(&list, view, &image, 0, true, error);
     if (done) {
-        print_wrong_pixels(&list, &right, &image, depth, buffer);
-        done = print_shuffled(&list, &right, &image, depth, error) &&
-               draw_attempts(bust, directory, depth, buffer, error);
+        print_wrong_pixels(view->name, &list, version_count, &right, &image, depth, buffer);
+        done = version_count < VERSION_COUNT || print_shuffled(&list, &right, &image, depth, error);
     }
     list_free(&list);
     image_free(&right);
     image_free(&image);
     return done;
+}
+
+/* ---- What lesson 4 draws ---- */
+
+static bool draw_painted_over(const struct view *views, size_t view_count, const char *directory,
+                              struct error *error) {
+    struct sheet sheet = {.width = 400,
+                          .height = 400,
+                          .columns = view_count,
+                          .rows = 1,
+                          .gap = 8,
+                          .format = IMAGE_GREY};
+    bool done = sheet_create(&sheet, error);
+    for (size_t i = 0; done && i < view_count; i++) {
+        struct list list = {0};
+        done = list_from_model(&list, &views[i], &sheet.panel, 0, false, error);
+        if (done) {
+            attempt_1_file_order(&sheet.panel, list.items, list.count);
+            sheet_add(&sheet);
+        }
+        list_free(&list);
+    }
+    done = done && figure_save(&sheet.image, directory, "painted_over", error);
+    sheet_free(&sheet);
+    return done;
+}
+
+static bool draw_models(const struct model *bust, const struct model *knot, const char *directory,
+                        double *depth, void *buffer, struct error *error) {
+    const struct view views[] = {
+        {"knot", knot, {0, 0, -1}},
+        {"side", bust, {1, 0, -1}},
+        {"bust", bust, {0, 0, -1}},
+    };
+    return print_view(&views[0], 3, depth, buffer, error) &&
+           print_view(&views[1], 3, depth, buffer, error) &&
+           print_view(&views[2], VERSION_COUNT, depth, buffer, error) &&
+           draw_painted_over(views, 2, directory, error) &&
+           draw_attempts(&views[2], directory, depth, buffer, error);
 }
 
 /* ---- Three bars in a circle ---- */
@@ -325,50 +378,24 @@ static bool draw_sheets(const char *directory, double *depth, void *buffer, stru
     return done;
 }
 
-/* ---- One dimension, step by step ---- */
-
-/* The row of colours after one, two and three segments, and after three in the opposite order. */
-static bool draw_row_steps(const char *directory, double *depth, struct error *error) {
-    static const struct segment segments[] = {
-        {{20, 34}, {744, 400}, {.r = 255, .a = 255}},
-        {{120, 434}, {444, 400}, {.g = 255, .a = 255}},
-        {{330, 463}, {594, 200}, {.b = 255, .a = 255}},
-    };
-    static const int order[4][3] = {{0}, {0, 1}, {0, 1, 2}, {2, 1, 0}};
-    static const int length[4] = {1, 2, 3, 3};
-    enum { STRIP = 28 }; /* height; between two strips are 8 rows of black */
-    struct image image;
-    if (!image_create(&image, 800, 4 * (STRIP + 8) - 8, IMAGE_BGR, error)) {
+bool draw_figures(const char *directory, struct model *bust, struct error *error) {
+    struct model knot = {0};
+    if (!model_read(&knot, COURSE_BUILD "/models/knot.off", error)) {
         return false;
     }
-    for (int i = 0; i < 4; i++) {
-        depth_clear(depth, 800);
-        int bottom = (3 - i) * (STRIP + 8);
-        for (int k = 0; k < length[i]; k++) {
-            draw_segment(&segments[order[i][k]], &image, bottom, depth);
-        }
-        for (int x = 0; x < 800; x++) {
-            draw_column(&image, x, bottom, STRIP, image_get(&image, x, bottom));
-        }
-    }
-    bool done = figure_save(&image, directory, "row_steps", error);
-    image_free(&image);
-    return done;
-}
-
-bool draw_figures(const char *directory, struct model *bust, struct error *error) {
     /* The buffer holds 4 bytes a pixel, or the list of the painter. */
     size_t depths_size = 800 * 800 * sizeof(uint32_t);
-    size_t list_size = bust->face_count * sizeof(struct drawn);
+    size_t most_faces = bust->face_count > knot.face_count ? bust->face_count : knot.face_count;
+    size_t list_size = most_faces * sizeof(struct drawn);
     double *depth = malloc(800 * 800 * sizeof *depth);
     void *buffer = malloc(list_size > depths_size ? list_size : depths_size);
     bool done = depth != NULL && buffer != NULL;
-    done = done ? draw_row_steps(directory, depth, error) &&
-                      draw_bust(bust, directory, depth, buffer, error) &&
+    done = done ? draw_models(bust, &knot, directory, depth, buffer, error) &&
                       draw_circle_and_floor(directory, depth, buffer, error) &&
                       draw_sheets(directory, depth, buffer, error)
                 : error_out_of_memory(error);
     free(depth);
     free(buffer);
+    model_free(&knot);
     return done;
 }

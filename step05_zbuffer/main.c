@@ -93,7 +93,7 @@ enum { DEPTH_LEVEL_FAR = 55, DEPTH_LEVEL_NEAR = 255 };
 /* The grey image of the depths: the farthest that is seen is DEPTH_LEVEL_FAR, the nearest
  * DEPTH_LEVEL_NEAR, nothing 0. A single depth becomes DEPTH_LEVEL_FAR. */
 static void show_depths(struct image *image, const double *depth) {
-    /* BEGIN SOLUTION 5.3 depths as levels */
+    /* BEGIN SOLUTION 5.3 depths as grey values */
     size_t pixel_count = image->width * image->height;
     double far = INFINITY, near = -INFINITY;
     for (size_t i = 0; i < pixel_count; i++) {
@@ -109,7 +109,7 @@ static void show_depths(struct image *image, const double *depth) {
         image->pixels[i] = depth[i] > -INFINITY ? level_from(level) : 0;
     }
     /* STARTER
-    (void)depth; // to do 5.3: find the farthest and the nearest depth, then the levels
+    (void)depth; // to do 5.3: find the farthest and the nearest depth, then the grey values
     image_clear(image, color_grey(0));
     END SOLUTION */
 }
