@@ -219,7 +219,6 @@ enum texture_mistake {
     MISTAKE_FLIPPED,  /* v counted from the top: the face wears its picture upside down */
     MISTAKE_SWAPPED,  /* u and v exchanged: the picture lies on its side */
     MISTAKE_CHANNELS, /* red and blue exchanged: blue skin */
-    MISTAKE_INDEX,    /* the position's index used for the texture coordinate too: shreds */
     MISTAKE_COUNT
 };
 
@@ -231,10 +230,6 @@ static inline struct vec2 mistaken_uv(const struct model *model, size_t face, si
         return (struct vec2){uv.x, 1 - uv.y};
     case MISTAKE_SWAPPED:
         return (struct vec2){uv.y, uv.x};
-    case MISTAKE_INDEX: {
-        size_t index = model->faces[face].corner[corner].position % model->uv_count;
-        return (struct vec2){model->uvs[index][0], model->uvs[index][1]};
-    }
     default:
         return uv;
     }

@@ -217,11 +217,111 @@ static bool draw_mistakes(struct model *bust, const char *directory, struct erro
     return done;
 }
 
+/* ---- The textures themselves ---- */
+
+/* The finest level that is not wider than the image, into its lower left corner. */
+static void show_texture(struct image *image, const struct texture *texture) {
+    size_t number = 0;
+    while (texture->level[number].width > image->width) {
+        number++;
+    }
+    const struct texture_level *level = &texture->level[number];
+    for (size_t i = 0; i < level->width * level->height; i++) {
+        image_set(image, (int)(i % level->width), (int)(i / level->width),
+                  color_from_texel(level->texels[i]));
+    }
+}
+
+static bool draw_textures(struct model *bust, const char *directory, struct error *error) {
+    static const enum model_texture_kind kinds[] = {MODEL_DIFFUSE, MODEL_NORMAL_MAP,
+                                                    MODEL_SPECULAR};
+    struct sheet sheet = {.width = 256, .height = 256, .columns = 3, .rows = 1, .gap = GAP};
+    bool done = sheet_create(&sheet, error);
+    for (size_t i = 0; done && i < 3; i++) {
+        const struct texture *texture = model_texture(bust, kinds[i], error);
+        done = texture != NULL;
+        if (done) {
+            show_texture(&sheet.panel, texture);
+            sheet_add(&sheet);
+        }
+    }
+    done = done && figure_save(&sheet.image, directory, "textures", error);
+    sheet_free(&sheet);
+    return done;
+}
+
+/* Half the texture's colour, half blue: the same, however often an edge is drawn. */
+static void draw_uv_edge(struct image *image, const struct image *below, struct vec2 a,
+                         struct vec2 b) {
+    double side = (double)image->width;
+    struct pixel from = {(int)floor(a.x * side), (int)floor(a.y * side)};
+    struct pixel to = {(int)floor(b.x * side), (int)floor(b.y * side)};
+    struct line_walk walk;
+    bool more = line_begin(&walk, from, to, image->width, image->height);
+    for (; more; more = line_next(&walk)) {
+        struct color c = image_get(below, walk.x, walk.y);
+        image_set(image, walk.x, walk.y,
+                  color_rgb((uint8_t)(c.r / 2), (uint8_t)(c.g / 2), (uint8_t)(c.b / 2 + 127)));
+    }
+}
+
+/* All faces of the bust where they lie in its texture. */
+static bool draw_uv_mesh(struct model *bust, const char *directory, struct error *error) {
+    enum { SIDE = 512 };
+    struct image below = {0}, image = {0};
+    const struct texture *texture = model_texture(bust, MODEL_DIFFUSE, error);
+    bool done = texture != NULL && image_create(&below, SIDE, SIDE, IMAGE_BGR, error) &&
+                image_create(&image, SIDE, SIDE, IMAGE_BGR, error);
+    if (done) {
+        show_texture(&below, texture);
+        show_texture(&image, texture);
+        for (size_t face = 0; face < bust->face_count; face++) {
+            for (size_t i = 0; i < 3; i++) {
+                draw_uv_edge(&image, &below, model_uv(bust, face, i),
+                             model_uv(bust, face, (i + 1) % 3));
+            }
+        }
+        done = figure_save(&image, directory, "uv_mesh", error);
+    }
+    image_free(&below);
+    image_free(&image);
+    return done;
+}
+
+/* The first five levels of the letters, each enlarged to the size of level 0. */
+static bool draw_mips(const char *directory, struct error *error) {
+    enum { LEVELS = 5 };
+    struct texture letters_texture = {0};
+    bool done = make_letters(&letters_texture, error);
+    struct sheet sheet = {.width = LETTERS_COLUMNS * LETTERS_TILE,
+                          .height = LETTERS_ROWS * LETTERS_TILE,
+                          .columns = LEVELS,
+                          .rows = 1,
+                          .gap = GAP};
+    done = done && sheet_create(&sheet, error);
+    for (size_t i = 0; done && i < LEVELS; i++) {
+        const struct texture_level *level = &letters_texture.level[i];
+        for (int y = 0; y < (int)sheet.height; y++) {
+            for (int x = 0; x < (int)sheet.width; x++) {
+                size_t at = (size_t)(y >> i) * level->width + (size_t)(x >> i);
+                image_set(&sheet.panel, x, y, color_from_texel(level->texels[at]));
+            }
+        }
+        sheet_add(&sheet);
+    }
+    done = done && figure_save(&sheet.image, directory, "mips", error);
+    sheet_free(&sheet);
+    texture_free(&letters_texture);
+    return done;
+}
+
 bool draw_figures(const char *directory, struct model *bust, struct error *error) {
     struct texture checker = {0};
     bool done = make_checker(&checker, error) && draw_scene(directory, &checker, error) &&
                 draw_samplers(directory, error) && draw_affine(directory, &checker, error) &&
-                draw_levels(directory, error) && draw_mistakes(bust, directory, error);
+                draw_levels(directory, error) && draw_mistakes(bust, directory, error) &&
+                draw_textures(bust, directory, error) && draw_uv_mesh(bust, directory, error) &&
+                draw_mips(directory, error);
     texture_free(&checker);
     return done;
 }
