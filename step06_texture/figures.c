@@ -123,7 +123,7 @@ static bool draw_versions(struct image images[VERSION_COUNT], const struct textu
         struct vertex corners[4];
         place_plane(&images[i], corners);
         draw_quad(&images[i], corners, checker, versions[i].draw);
-        printf("%-36s error %6.2f levels\n", versions[i].name, checker_error(&images[i]));
+        printf("%-36s error %6.2f\n", versions[i].name, checker_error(&images[i]));
     }
     return true;
 }

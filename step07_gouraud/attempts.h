@@ -228,8 +228,8 @@ enum normal_weight {
 };
 
 /* Replace the normals of a model that had none, for which model_need_normals() has made one normal
- * per position. With `unit` false they keep their length: the sums of the face normals. */
-static inline void attempt_normals(struct model *model, enum normal_weight weight, bool unit) {
+ * per position. */
+static inline void attempt_normals(struct model *model, enum normal_weight weight) {
     for (size_t i = 0; i < model->normal_count; i++) {
         struct vec3 sum = {0, 0, 0};
         for (size_t face = 0; face < model->face_count; face++) {
@@ -239,7 +239,7 @@ static inline void attempt_normals(struct model *model, enum normal_weight weigh
                 sum = vec3_add(sum, weight == WEIGHT_AREA ? normal : vec3_normalized(normal));
             }
         }
-        sum = unit ? vec3_normalized(sum) : sum;
+        sum = vec3_normalized(sum);
         model->normals[i][0] = (float)sum.x;
         model->normals[i][1] = (float)sum.y;
         model->normals[i][2] = (float)sum.z;
@@ -248,26 +248,8 @@ static inline void attempt_normals(struct model *model, enum normal_weight weigh
 
 /* ---- A whole model by any version ---- */
 
-enum normal_mistake {
-    NORMAL_RIGHT,
-    NORMAL_INDEX,   /* the position's index used for the normal too: stains */
-    NORMAL_AS_READ, /* not brought to length 1 */
-};
-
-static inline struct vec3 attempt_corner_normal(const struct model *model, size_t face,
-                                                size_t corner, enum normal_mistake mistake) {
-    struct vec3 normal = model_normal(model, face, corner);
-    if (mistake == NORMAL_INDEX) {
-        size_t index = model->faces[face].corner[corner].position % model->normal_count;
-        const float *n = model->normals[index];
-        normal = (struct vec3){n[0], n[1], n[2]};
-    }
-    return mistake == NORMAL_AS_READ ? normal : vec3_normalized(normal);
-}
-
 static inline void attempt_model(struct canvas *canvas, const struct model *model,
-                                 struct vec3 light, attempt_function *attempt,
-                                 enum normal_mistake mistake) {
+                                 struct vec3 light, attempt_function *attempt) {
     depth_clear(canvas->depth, canvas->width * canvas->height);
     for (size_t i = 0; i < model->face_count; i++) {
         struct attempt_face face = {0};
@@ -276,7 +258,7 @@ static inline void attempt_model(struct canvas *canvas, const struct model *mode
         }
         face.face_normal = vec3_normalized(model_face_normal(model, i));
         for (size_t j = 0; j < 3; j++) {
-            face.normals[j] = attempt_corner_normal(model, i, j, mistake);
+            face.normals[j] = vec3_normalized(model_normal(model, i, j));
         }
         attempt(canvas, &face, light);
     }

@@ -61,7 +61,7 @@ static bool draw_spheres(const char *directory, struct error *error) {
     for (size_t i = 0; done && i < sizeof versions / sizeof versions[0]; i++) {
         for (int times = 2; times <= 4; times++) {
             attempt_sphere(&figure.canvas, times, light, versions[i].attempt);
-            printf("%-36s %4d triangles: error %5.2f levels\n", versions[i].name, 8 << 2 * times,
+            printf("%-36s %4d triangles: error %5.2f\n", versions[i].name, 8 << 2 * times,
                    sphere_error(&figure.canvas, light));
             if (versions[i].shown) {
                 sheet_add(&figure.sheet);
@@ -74,11 +74,10 @@ static bool draw_spheres(const char *directory, struct error *error) {
     return done;
 }
 
-/* ---- The bust: versions and mistakes ---- */
+/* ---- The bust ---- */
 
 struct picture {
     attempt_function *attempt;
-    enum normal_mistake mistake;
     struct vec3 light;
 };
 
@@ -89,7 +88,7 @@ static bool draw_pictures(const char *directory, const char *name, const struct 
     bool done = figure_begin(&figure, picture_count, 1, error);
     for (size_t i = 0; done && i < picture_count; i++) {
         attempt_model(&figure.canvas, model, vec3_normalized(pictures[i].light),
-                      pictures[i].attempt, pictures[i].mistake);
+                      pictures[i].attempt);
         sheet_add(&figure.sheet);
     }
     done = done && figure_save(&figure.sheet.image, directory, name, error);
@@ -97,57 +96,20 @@ static bool draw_pictures(const char *directory, const char *name, const struct 
     return done;
 }
 
-/* As if the file had no normals. */
-static void drop_normals(struct model *model) {
-    model->normal_count = 0;
-    for (size_t i = 0; i < model->face_count; i++) {
-        for (size_t j = 0; j < 3; j++) {
-            model->faces[i].corner[j].normal = MODEL_NONE;
-        }
-    }
-}
-
-/* The sums of the face normals, as they are: mistake "not normalised". */
-static bool draw_unnormalised(const char *directory, struct model *model, struct error *error) {
-    static const struct picture pictures[] = {
-        {attempt_2_gouraud, NORMAL_INDEX, {0, 0, 1}},
-        {attempt_2_gouraud, NORMAL_AS_READ, {0, 0, 1}},
-    };
-    struct figure figure;
-    bool done = figure_begin(&figure, 2, 1, error);
-    if (done) {
-        attempt_model(&figure.canvas, model, pictures[0].light, pictures[0].attempt,
-                      pictures[0].mistake);
-        sheet_add(&figure.sheet);
-        drop_normals(model);
-        done = model_need_normals(model, error);
-    }
-    if (done) {
-        attempt_normals(model, WEIGHT_NONE, false);
-        attempt_model(&figure.canvas, model, pictures[1].light, pictures[1].attempt,
-                      pictures[1].mistake);
-        sheet_add(&figure.sheet);
-        done = figure_save(&figure.sheet.image, directory, "mistakes", error);
-    }
-    figure_free(&figure);
-    return done;
-}
-
 static bool draw_bust(struct model *bust, const char *directory, struct error *error) {
     static const struct picture versions[] = {
-        {attempt_1_flat, NORMAL_RIGHT, {0, 0, 1}},
-        {attempt_2_gouraud, NORMAL_RIGHT, {0, 0, 1}},
-        {attempt_3_normal, NORMAL_RIGHT, {0, 0, 1}},
+        {attempt_1_flat, {0, 0, 1}},
+        {attempt_2_gouraud, {0, 0, 1}},
+        {attempt_3_normal, {0, 0, 1}},
     };
     static const struct picture clamps[] = {
-        {attempt_2_gouraud, NORMAL_RIGHT, {-1, 0.25, 0}},
-        {attempt_5_late, NORMAL_RIGHT, {-1, 0.25, 0}},
-        {attempt_6_wrapped, NORMAL_RIGHT, {-1, 0.25, 0}},
+        {attempt_2_gouraud, {-1, 0.25, 0}},
+        {attempt_5_late, {-1, 0.25, 0}},
+        {attempt_6_wrapped, {-1, 0.25, 0}},
     };
     return model_need_normals(bust, error) &&
            draw_pictures(directory, "versions", bust, versions, 3, error) &&
-           draw_pictures(directory, "clamps", bust, clamps, 3, error) &&
-           draw_unnormalised(directory, bust, error);
+           draw_pictures(directory, "clamps", bust, clamps, 3, error);
 }
 
 /* ---- Weights: a box, each side cut into two triangles, seen on a corner ---- */
@@ -205,14 +167,13 @@ static bool draw_box(struct figure *figure, int weight, struct error *error) {
     bool done = model_need_normals(&box, error); /* by angle */
     if (done) {
         if (weight < WEIGHT_COUNT) {
-            attempt_normals(&box, (enum normal_weight)weight, true);
+            attempt_normals(&box, (enum normal_weight)weight);
         }
         const float *n = box.normals[normal_of_position(&box, BOX_CORNER)];
         printf("normal of the box's corner, %-11s (%.3f, %.3f, %.3f)\n", names[weight],
                (double)n[0], (double)n[1], (double)n[2]);
         turn_box(&box);
-        attempt_model(&figure->canvas, &box, (struct vec3){0, 0, 1}, attempt_2_gouraud,
-                      NORMAL_RIGHT);
+        attempt_model(&figure->canvas, &box, (struct vec3){0, 0, 1}, attempt_2_gouraud);
         sheet_add(&figure->sheet);
     }
     model_free(&box);

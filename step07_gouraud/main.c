@@ -15,18 +15,18 @@
 /* How much light a surface takes. `normal` and `to_light` have length 1; the result is the cosine
  * of the angle between them, and 0 where the surface looks away from the light. */
 static double corner_intensity(struct vec3 normal, struct vec3 to_light) {
-    /* BEGIN SOLUTION 7.1 intensity at a corner */
+    /* BEGIN SOLUTION 7a.1 intensity at a corner */
     double cosine = vec3_dot(normal, to_light);
     return cosine > 0 ? cosine : 0;
     /* STARTER
-    (void)normal, (void)to_light; // to do 7.1: <normal, to_light>, and 0 where it is negative
+    (void)normal, (void)to_light; // to do 7a.1: n . l, and 0 where it is negative
     return 0;
     END SOLUTION */
 }
 
 /* What differs from corner to corner in scene lit; the ambient part does not. */
 struct light_parts {
-    double diffuse, specular; /* ad * <n,l>^kd and as * <s,t>^ks */
+    double diffuse, specular; /* ad * (n . l)^kd and as * (r . v)^ks */
 };
 
 /* A corner of a triangle that is to be drawn. */
@@ -65,7 +65,7 @@ static bool depth_test(struct canvas *canvas, const struct vertex v[3], struct v
 static void triangle(struct canvas *canvas, const struct edges *edges, const struct vertex v[3]) {
     for (int y = edges->y_begin; y < edges->y_end; y++) {
         struct span span = edges_span(edges, y);
-        /* BEGIN SOLUTION 7.2 intensity inside a triangle */
+        /* BEGIN SOLUTION 7a.2 intensity inside a triangle */
         for (int x = span.begin; x < span.end; x++) {
             struct vec3 weight = edges_weights(edges, x, y);
             bool seen = depth_test(canvas, v, weight, x, y);
@@ -80,7 +80,7 @@ static void triangle(struct canvas *canvas, const struct edges *edges, const str
             }
         }
         /* STARTER
-        // to do 7.2: for each pixel that passes the depth test interpolate the intensity
+        // to do 7a.2: for each pixel that passes the depth test interpolate the intensity
         (void)canvas, (void)v, (void)span, (void)depth_test;
         END SOLUTION */
     }
@@ -91,7 +91,7 @@ static void color_triangle(struct canvas *canvas, const struct edges *edges,
                            const struct vertex v[3]) {
     for (int y = edges->y_begin; y < edges->y_end; y++) {
         struct span span = edges_span(edges, y);
-        /* BEGIN SOLUTION 7.3 colour inside a triangle */
+        /* BEGIN SOLUTION 7a.3 colour inside a triangle */
         for (int x = span.begin; x < span.end; x++) {
             struct vec3 weight = edges_weights(edges, x, y);
             bool seen = depth_test(canvas, v, weight, x, y);
@@ -107,7 +107,7 @@ static void color_triangle(struct canvas *canvas, const struct edges *edges,
             }
         }
         /* STARTER
-        (void)canvas, (void)v, (void)span; // to do 7.3: as in 7.2, with red, green and blue
+        (void)canvas, (void)v, (void)span; // to do 7a.3: as in 7a.2, with red, green and blue
         END SOLUTION */
     }
 }
@@ -117,8 +117,8 @@ static void color_triangle(struct canvas *canvas, const struct edges *edges,
 /* The surface and the light of scene lit. */
 struct material {
     double ambient, diffuse, specular;      /* weights of the three kinds of light: aa, ad, as */
-    int diffuse_power, specular_power;      /* kd and ks */
-    struct vec3 surface_color, light_color; /* c and cl: red, green, blue in levels 0..255 */
+    int diffuse_power, specular_power;      /* the exponents kd and ks */
+    struct vec3 surface_color, light_color; /* c and cl: red, green, blue 0..255 */
 };
 
 static const struct material clay = {
@@ -131,29 +131,29 @@ static const struct material clay = {
     .light_color = {255, 255, 255},
 };
 
-/* 1 * base * base * ... * base. pow() of the C library may round differently on another machine; a
- * product never does. */
+/* 1 * base * base * ... * base, `power` times. pow() of the C library may round differently on
+ * another machine; a product never does. */
 static double integer_power(double base, int power) {
-    /* BEGIN SOLUTION 7.4 three kinds of light */
+    /* BEGIN SOLUTION 7b.1 power */
     double product = 1;
     for (int i = 0; i < power; i++) {
         product *= base;
     }
     return product;
     /* STARTER
-    (void)power; // to do 7.4: multiply
+    (void)power; // to do 7b.1: multiply
     return base;
     END SOLUTION */
 }
 
 /* The light that a point sends to the camera (Phong, "Illumination for computer generated
- * pictures", 1975). With n the normal, l the direction to the light, s = 2 <n,l> n - l the mirrored
- * direction, and t the direction to the camera. A negative product counts as 0, and what looks away
- * from the light does not shine. */
+ * pictures", 1975). With n the normal, l the direction to the light, r = 2 (n . l) n - l the
+ * mirrored direction, and v the direction to the camera. A negative product counts as 0, and what
+ * looks away from the light does not shine. */
 static struct light_parts corner_light(struct vec3 position, struct vec3 normal, struct vec3 light,
                                        struct vec3 camera, const struct material *material) {
     struct light_parts parts = {0, 0};
-    /* BEGIN SOLUTION 7.4 three kinds of light */
+    /* BEGIN SOLUTION 7b.2 light at a point */
     struct vec3 to_light = vec3_normalized(vec3_sub(light, position));
     struct vec3 to_camera = vec3_normalized(vec3_sub(camera, position));
     double facing = vec3_dot(normal, to_light);
@@ -167,7 +167,7 @@ static struct light_parts corner_light(struct vec3 position, struct vec3 normal,
         parts.specular = material->specular * integer_power(shining, material->specular_power);
     }
     /* STARTER
-    // to do 7.4: find l, t, <n,l>, s and <s,t>, then both parts
+    // to do 7b.2: find l, v, n . l, r and r . v, then both parts
     (void)position, (void)normal, (void)light, (void)camera, (void)material, (void)integer_power;
     END SOLUTION */
     return parts;
@@ -189,7 +189,7 @@ static const struct panel {
 /* ambient * c + diffuse * c + specular * cl for each channel: the parts that the panel shows. */
 static struct color panel_color(const struct panel *panel, struct light_parts parts,
                                 const struct material *material) {
-    /* BEGIN SOLUTION 7.5 light inside a triangle */
+    /* BEGIN SOLUTION 7b.3 light inside a triangle */
     struct vec3 c = material->surface_color, cl = material->light_color;
     double surface = panel->ambient * material->ambient + panel->diffuse * parts.diffuse;
     double shine = panel->specular * parts.specular;
@@ -197,7 +197,7 @@ static struct color panel_color(const struct panel *panel, struct light_parts pa
                      level_from(surface * c.y + shine * cl.y),
                      level_from(surface * c.z + shine * cl.z));
     /* STARTER
-    (void)panel, (void)parts, (void)material; // to do 7.5: the sum
+    (void)panel, (void)parts, (void)material; // to do 7b.3: the sum
     return color_grey(0);
     END SOLUTION */
 }
@@ -208,7 +208,7 @@ static void lit_triangle(struct canvas *canvas, const struct edges *edges,
                          const struct vertex v[3]) {
     for (int y = edges->y_begin; y < edges->y_end; y++) {
         struct span span = edges_span(edges, y);
-        /* BEGIN SOLUTION 7.5 light inside a triangle */
+        /* BEGIN SOLUTION 7b.3 light inside a triangle */
         for (int x = span.begin; x < span.end; x++) {
             struct vec3 weight = edges_weights(edges, x, y);
             bool seen = depth_test(canvas, v, weight, x, y);
@@ -227,7 +227,7 @@ static void lit_triangle(struct canvas *canvas, const struct edges *edges,
             }
         }
         /* STARTER
-        // to do 7.5: as in 7.2, with both parts; each pixel that is seen is set in all panels
+        // to do 7b.3: as in 7a.2, with both parts; each pixel that is seen is set in all panels
         (void)canvas, (void)v, (void)span, (void)panels, (void)panel_color, (void)clay;
         END SOLUTION */
     }

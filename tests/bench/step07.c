@@ -2,7 +2,7 @@
  * Step 7: flat, Gouraud, or a normal per pixel, on spheres of few and of many triangles.
  *
  * The exact answer is the true sphere in long double: its normal is the point itself. One panel has
- * diffuse light, <n,l>. The other has a highlight, <s,t>^8 as in scene lit, which changes faster.
+ * diffuse light, n . l. The other has a highlight, (r . v)^8 as in scene lit, which changes faster.
  */
 #include "geometry.h"
 
