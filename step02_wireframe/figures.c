@@ -119,13 +119,15 @@ static bool draw_rounded_model(const char *directory, const struct model *model,
     return done;
 }
 
-/* The scene `cut`, enlarged. */
-static bool draw_cut_lines(const char *directory, struct error *error) {
+/* A scene of single lines, enlarged. */
+static bool draw_single_lines(const char *directory, const char *name,
+                              bool (*draw)(struct drawing *, struct image *, struct error *),
+                              size_t width, size_t height, struct error *error) {
     struct image image;
     struct drawing drawing = {0};
-    bool done =
-        image_create(&image, 160, 100, IMAGE_BGR, error) && draw_cut(&drawing, &image, error) &&
-        figure_save_detail(&image, detail_of_whole(&image, 4, 0), directory, "cut_lines", error);
+    bool done = image_create(&image, width, height, IMAGE_BGR, error) &&
+                draw(&drawing, &image, error) &&
+                figure_save_detail(&image, detail_of_whole(&image, 4, 0), directory, name, error);
     image_free(&image);
     return done;
 }
@@ -248,7 +250,9 @@ bool draw_figures(const char *directory, struct model *bust, struct error *error
     bool done = draw_wrong(directory, "one_too_far", bust, corner_one_too_far, error) &&
                 draw_wrong(directory, "not_shifted", bust, corner_not_shifted, error) &&
                 draw_wrong(directory, "upside_down", bust, corner_upside_down, error) &&
-                draw_rounded_line(directory, error) && draw_cut_lines(directory, error) &&
+                draw_rounded_line(directory, error) &&
+                draw_single_lines(directory, "cut_lines", draw_cut, CUT_WIDTH, CUT_HEIGHT, error) &&
+                draw_single_lines(directory, "walked", draw_walked, 200, 4 * CUT_LINES, error) &&
                 draw_one_direction(directory, bust, error) &&
                 print_versions("step02_wireframe: the bust", bust, sides, side_count, error);
     done = done && print_open_mesh(bust, error);

@@ -1,8 +1,9 @@
 /*
  * Step 2, the given part: its scenes and the program.
  *
- * `wireframe` draws the sides of a model, white on black. `border` draws a third of its faces in an
- * image that is not square, `enlarged` the model much larger than the image, `cut` single lines.
+ * `wireframe` draws the sides of a model, white on black. `border` draws a quarter of its faces and
+ * `enlarged` the model much larger than the image, in images that are not square. `cut` draws
+ * single lines, and `walked` how many pixels line() walked over for each of these.
  */
 #ifdef LINE_IS_MINE /* make LINE=mine: the line() of lesson 1 draws */
 #include "mine.h"
@@ -30,7 +31,7 @@ static bool wireframe_create(struct wireframe *wireframe, const struct model *mo
 
 static bool prepare(struct drawing *drawing, size_t width, size_t height, struct error *error) {
     (void)width, (void)height;
-    return drawing->model == NULL || /* the scene `cut` */
+    return drawing->model == NULL || /* the single lines */
            wireframe_create(drawing->state, drawing->model, drawing->skip, error);
 }
 
@@ -105,51 +106,81 @@ static bool draw_enlarged(struct drawing *drawing, struct image *image, struct e
 
 /* ---- Single lines ---- */
 
+enum { CUT_WIDTH = 160, CUT_HEIGHT = 100, RIGHT = CUT_WIDTH - 1, TOP = CUT_HEIGHT - 1 };
+
+enum line_color { WHITE, RED, GREEN, BLUE };
+
 /* Lines that leave the image on every side, end on its outermost pixels, run along its edges, or
  * never come in. The ones along the edges lie below the others. */
+static const struct cut_line {
+    struct pixel a, b;
+    enum line_color color;
+} cut_lines[] = {
+    /* along the edges */
+    {{-5, 0}, {RIGHT + 5, 0}, GREEN},
+    {{RIGHT + 1000000, TOP}, {-1000000, TOP}, GREEN},
+    {{0, TOP + 9}, {0, -9}, GREEN},
+    {{RIGHT, -1000000}, {RIGHT, 1000000}, GREEN},
+    /* across all of the image, to its outermost pixels */
+    {{0, 10}, {RIGHT, TOP - 10}, BLUE},
+    {{0, TOP - 10}, {RIGHT, 10}, BLUE},
+    {{30, TOP}, {50, 0}, BLUE},
+    {{RIGHT - 30, 0}, {RIGHT - 50, TOP}, BLUE},
+    /* in on the left, the right, at the bottom, at the top */
+    {{-17, -9}, {RIGHT + 30, TOP + 22}, WHITE},
+    {{RIGHT + 51, -14}, {-30, TOP + 29}, WHITE},
+    {{RIGHT - 20, -40}, {33, TOP + 71}, WHITE},
+    {{40, TOP + 90}, {RIGHT + 10, -301}, WHITE},
+    {{-1000000, -612345}, {999999, 612421}, WHITE},
+    {{-499979, 1000000}, {500121, -999901}, WHITE},
+    /* one end inside */
+    {{80, 50}, {RIGHT + 100, 77}, RED},
+    {{80, 50}, {-111, 20}, RED},
+    {{80, 50}, {101, TOP + 200}, RED},
+    {{80, 50}, {48, -150}, RED},
+    /* outside: beside, above and below, past a corner */
+    {{-9, -5}, {-1, TOP + 5}, WHITE},
+    {{RIGHT + 1, -5}, {RIGHT + 1, TOP + 5}, WHITE},
+    {{-5, TOP + 1}, {RIGHT + 9, TOP + 2}, WHITE},
+    {{-5, -1}, {RIGHT + 9, -1}, WHITE},
+    {{-70, 50}, {60, TOP + 80}, WHITE},
+    {{RIGHT + 2, -1}, {RIGHT + 2, -1}, WHITE},
+};
+enum { CUT_LINES = sizeof cut_lines / sizeof cut_lines[0] };
+
+static struct color cut_color(enum line_color color) {
+    return color_rgb(color == WHITE || color == RED ? 255 : (color == BLUE ? 96 : 0),
+                     color == WHITE || color == GREEN ? 255 : (color == BLUE ? 160 : 0),
+                     color == WHITE || color == BLUE ? 255 : 0);
+}
+
 static bool draw_cut(struct drawing *drawing, struct image *image, struct error *error) {
     (void)error;
-    const struct color white = color_rgb(255, 255, 255), red = color_rgb(255, 0, 0);
-    const struct color green = color_rgb(0, 255, 0), blue = color_rgb(96, 160, 255);
-    const int right = (int)image->width - 1, top = (int)image->height - 1;
-    const struct {
-        struct pixel a, b;
-        struct color color;
-    } lines[] = {
-        /* along the edges */
-        {{-5, 0}, {right + 5, 0}, green},
-        {{right + 1000000, top}, {-1000000, top}, green},
-        {{0, top + 9}, {0, -9}, green},
-        {{right, -1000000}, {right, 1000000}, green},
-        /* across all of the image, to its outermost pixels */
-        {{0, 10}, {right, top - 10}, blue},
-        {{0, top - 10}, {right, 10}, blue},
-        {{30, top}, {50, 0}, blue},
-        {{right - 30, 0}, {right - 50, top}, blue},
-        /* in on the left, the right, at the bottom, at the top */
-        {{-17, -9}, {right + 30, top + 22}, white},
-        {{right + 51, -14}, {-30, top + 29}, white},
-        {{right - 20, -40}, {33, top + 71}, white},
-        {{40, top + 90}, {right + 10, -301}, white},
-        {{-1000000, -612345}, {999999, 612421}, white},
-        {{-499979, 1000000}, {500121, -999901}, white},
-        /* one end inside */
-        {{80, 50}, {right + 100, 77}, red},
-        {{80, 50}, {-111, 20}, red},
-        {{80, 50}, {101, top + 200}, red},
-        {{80, 50}, {48, -150}, red},
-        /* outside: beside, above and below, past a corner */
-        {{-9, -5}, {-1, top + 5}, white},
-        {{right + 1, -5}, {right + 1, top + 5}, white},
-        {{-5, top + 1}, {right + 9, top + 2}, white},
-        {{-5, -1}, {right + 9, -1}, white},
-        {{-70, 50}, {60, top + 80}, white},
-        {{right + 2, -1}, {right + 2, -1}, white},
-    };
-    for (size_t i = 0; i < sizeof lines / sizeof lines[0]; i++) {
-        drawing_count(drawing, "pixels_walked",
-                      line(image, lines[i].a, lines[i].b, lines[i].color));
+    for (size_t i = 0; i < CUT_LINES; i++) {
+        const struct cut_line *l = &cut_lines[i];
+        drawing_count(drawing, "pixels_walked", line(image, l->a, l->b, cut_color(l->color)));
     }
+    return true;
+}
+
+/* For each of these lines, from the top on, a bar as long as the line was walked. */
+static bool draw_walked(struct drawing *drawing, struct image *image, struct error *error) {
+    (void)drawing;
+    struct image canvas;
+    if (!image_create(&canvas, CUT_WIDTH, CUT_HEIGHT, IMAGE_BGR, error)) {
+        return false;
+    }
+    for (int i = 0; i < CUT_LINES; i++) {
+        const struct cut_line *l = &cut_lines[i];
+        struct color color = cut_color(l->color);
+        uint64_t walked = line(&canvas, l->a, l->b, color);
+        for (uint64_t x = 0; x < walked && x < image->width; x++) {
+            for (int y = 1; y < 4; y++) {
+                image_set(image, (int)x, 4 * (CUT_LINES - 1 - i) + y, color);
+            }
+        }
+    }
+    image_free(&canvas);
     return true;
 }
 
@@ -159,7 +190,8 @@ static const struct scene scenes[] = {
     {.name = "wireframe", .needs = NEEDS_MODEL, .draw = draw_wireframe},
     {.name = "border", .needs = NEEDS_MODEL, .width = 480, .height = 360, .draw = draw_border},
     {.name = "enlarged", .needs = NEEDS_MODEL, .width = 480, .height = 360, .draw = draw_enlarged},
-    {.name = "cut", .width = 160, .height = 100, .draw = draw_cut},
+    {.name = "cut", .width = CUT_WIDTH, .height = CUT_HEIGHT, .draw = draw_cut},
+    {.name = "walked", .width = 200, .height = 4 * CUT_LINES, .draw = draw_walked},
 };
 
 int main(int argc, char **argv) {
