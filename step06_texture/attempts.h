@@ -62,7 +62,7 @@ static inline struct color attempt_sample_bilinear(const struct texture *texture
 
 /* ---- Triangles ---- */
 
-static inline double attempt_level(const struct plane *plane, struct vec2 uv, double w,
+static inline double attempt_level(const struct quotients *plane, struct vec2 uv, double w,
                                    const struct texture *texture) {
     return mip_level(uv_step(plane->right, uv, w), uv_step(plane->up, uv, w), texture);
 }
@@ -70,7 +70,7 @@ static inline double attempt_level(const struct plane *plane, struct vec2 uv, do
 /* Exact coordinates and a sampler that knows nothing of mip levels. */
 static inline void attempt_perspective(struct image *image, const struct vertex v[3],
                                        const struct texture *texture, attempt_sampler *sampler) {
-    struct plane plane;
+    struct quotients plane;
     if (!plane_begin(&plane, image, v)) {
         return;
     }
@@ -113,7 +113,7 @@ static inline void attempt_4_no_levels(struct image *image, const struct vertex 
  * do not become smaller with distance. */
 static inline void attempt_5_affine(struct image *image, const struct vertex v[3],
                                     const struct texture *texture) {
-    struct plane plane;
+    struct quotients plane;
     if (!plane_begin(&plane, image, v)) {
         return;
     }
@@ -131,7 +131,7 @@ static inline void attempt_5_affine(struct image *image, const struct vertex v[3
  * one division for `step` pixels. Where the distance changes fast along a row, lines get waves. */
 static inline void attempt_every(struct image *image, const struct vertex v[3],
                                  const struct texture *texture, int step) {
-    struct plane plane;
+    struct quotients plane;
     if (!plane_begin(&plane, image, v)) {
         return;
     }

@@ -109,14 +109,15 @@ static struct vec2 repeat(struct vec2 uv) {
 
 /* On the screen u and v are not linear in perspective, but u/w, v/w and 1/w are (Heckbert and
  * Moreton, "Interpolation for polygon texture mapping and shading", 1991): here as x, y and z. */
-struct plane {
+struct quotients {
     struct edges edges;
     struct vec3 corner[3]; /* their values at the corners */
     struct vec3 right, up; /* what they gain in a step to the right and in one up */
 };
 
 /* Set up a triangle; false where edges_setup() says so. */
-static bool plane_begin(struct plane *plane, const struct image *image, const struct vertex v[3]) {
+static bool plane_begin(struct quotients *plane, const struct image *image,
+                        const struct vertex v[3]) {
     struct edges *edges = &plane->edges;
     if (!edges_setup(edges, v[0].position, v[1].position, v[2].position, image->width,
                      image->height)) {
@@ -130,7 +131,7 @@ static bool plane_begin(struct plane *plane, const struct image *image, const st
     /* STARTER
     c[0] = c[1] = c[2] = (struct vec3){0, 0, 1}; // to do 6b.2: u/w, v/w and 1/w of each corner
     END SOLUTION */
-    /* BEGIN SOLUTION 6c.3 one step */
+    /* BEGIN SOLUTION 6d.2 one step */
     const struct edge *e = edges->edge;
     double area = (double)edges->area;
     struct vec3 right = {(double)e[0].dx / area, (double)e[1].dx / area, (double)e[2].dx / area};
@@ -138,13 +139,13 @@ static bool plane_begin(struct plane *plane, const struct image *image, const st
     plane->right = vec3_interpolate(right, c[0], c[1], c[2]);
     plane->up = vec3_interpolate(up, c[0], c[1], c[2]);
     /* STARTER
-    plane->right = plane->up = (struct vec3){0, 0, 0}; // to do 6c.3: what c gains in one step
+    plane->right = plane->up = (struct vec3){0, 0, 0}; // to do 6d.2: what c gains in one step
     END SOLUTION */
     return true;
 }
 
 /* The place in the picture that a pixel shows, and its distance. */
-static struct vec2 plane_uv(const struct plane *plane, int x, int y, double *w) {
+static struct vec2 plane_uv(const struct quotients *plane, int x, int y, double *w) {
     /* BEGIN SOLUTION 6b.3 divided back */
     const struct vec3 *c = plane->corner;
     struct vec3 over_w = vec3_interpolate(edges_weights(&plane->edges, x, y), c[0], c[1], c[2]);
@@ -204,14 +205,14 @@ static struct vec4 sample_bilinear(const struct texture *texture, struct vec2 uv
 /* Sampler 3: mixed from the two mip levels next to `level` (Williams, "Pyramidal parametrics",
  * 1983). Level 0 is the whole picture, each next level has half its width and height. */
 static struct vec4 sample_trilinear(const struct texture *texture, struct vec2 uv, double level) {
-    /* BEGIN SOLUTION 6c.2 trilinear */
+    /* BEGIN SOLUTION 6d.1 trilinear */
     size_t last = texture->level_count - 1;
     double clamped = texture_clamp(level, (double)last);
     size_t finer = (size_t)clamped, coarser = finer < last ? finer + 1 : last;
     return texture_mix(sample_bilinear(texture, uv, finer), sample_bilinear(texture, uv, coarser),
                        clamped - (double)finer);
     /* STARTER
-    (void)level; // to do 6c.2: mix the two levels; there are texture->level_count
+    (void)level; // to do 6d.1: mix the two levels; there are texture->level_count
     return sample_bilinear(texture, uv, 0);
     END SOLUTION */
 }
@@ -219,10 +220,10 @@ static struct vec4 sample_trilinear(const struct texture *texture, struct vec2 u
 /* How far u and v move in a step: the derivative of the quotient u = (u/w) / (1/w). `gain` is
  * what u/w, v/w and 1/w gain. */
 static struct vec2 uv_step(struct vec3 gain, struct vec2 uv, double w) {
-    /* BEGIN SOLUTION 6c.3 one step */
+    /* BEGIN SOLUTION 6d.2 one step */
     return (struct vec2){(gain.x - uv.x * gain.z) * w, (gain.y - uv.y * gain.z) * w};
     /* STARTER
-    (void)gain, (void)uv, (void)w; // to do 6c.3: (gain of u/w - u * gain of 1/w) * w, and v
+    (void)gain, (void)uv, (void)w; // to do 6d.2: (gain of u/w - u * gain of 1/w) * w, and v
     return (struct vec2){0, 0};
     END SOLUTION */
 }
@@ -231,7 +232,7 @@ static struct vec2 uv_step(struct vec3 gain, struct vec2 uv, double w) {
  * number of texels in it. `right` and `up` say how far u and v move, in units of the whole picture,
  * from a pixel to its right and its upper neighbour; the longer of the two counts. */
 static double mip_level(struct vec2 right, struct vec2 up, const struct texture *texture) {
-    /* BEGIN SOLUTION 6c.4 mip level */
+    /* BEGIN SOLUTION 6d.3 mip level */
     double width = (double)texture->level[0].width, height = (double)texture->level[0].height;
     double last = (double)(texture->level_count - 1);
     double across = right.x * width * (right.x * width) + right.y * height * (right.y * height);
@@ -250,7 +251,7 @@ static double mip_level(struct vec2 right, struct vec2 up, const struct texture 
     double fraction = frexp(square, &exponent); /* square = fraction * 2^exponent, 0.5..1 */
     return texture_clamp(0.5 * ((exponent - 1) + (2 * fraction - 1)), last);
     /* STARTER
-    (void)right, (void)up, (void)texture; // to do 6c.4: how many texels does a pixel move?
+    (void)right, (void)up, (void)texture; // to do 6d.3: how many texels does a pixel move?
     return 0;
     END SOLUTION */
 }
@@ -258,7 +259,7 @@ static double mip_level(struct vec2 right, struct vec2 up, const struct texture 
 /* ---- The colour of a pixel in perspective ---- */
 
 /* By sampler 1, or by sampler 3 with the mip level of this place. */
-static struct color color_at(struct canvas *canvas, const struct plane *plane, int x, int y,
+static struct color color_at(struct canvas *canvas, const struct quotients *plane, int x, int y,
                              const struct texture *texture) {
     double w;
     struct vec2 uv = plane_uv(plane, x, y, &w);
@@ -266,7 +267,7 @@ static struct color color_at(struct canvas *canvas, const struct plane *plane, i
         canvas->texels_fetched++;
         return sample_nearest(texture, repeat(uv));
     }
-    /* BEGIN SOLUTION 6c.5 the level of the pixel */
+    /* BEGIN SOLUTION 6d.4 the level of the pixel */
     double level = mip_level(uv_step(plane->right, uv, w), uv_step(plane->up, uv, w), texture);
     bool one_level = canvas->skip && level == 0; /* the second would count for nothing */
     struct vec4 c = one_level ? sample_bilinear(texture, repeat(uv), 0)
@@ -274,16 +275,16 @@ static struct color color_at(struct canvas *canvas, const struct plane *plane, i
     canvas->texels_fetched += one_level ? 4 : 8;
     return color_rgb(level_from(c.x), level_from(c.y), level_from(c.z));
     /* STARTER
-    // to do 6c.5: find the level, take sampler 3, round each channel with level_from()
     (void)sample_trilinear, (void)mip_level, (void)uv_step;
-    return sample_nearest(texture, repeat(uv));
+    struct vec4 t = sample_bilinear(texture, repeat(uv), 0); // to do 6d.4: sampler 3 at its level
+    return color_rgb(level_from(t.x), level_from(t.y), level_from(t.z));
     END SOLUTION */
 }
 
 /* A triangle in perspective, without depth test and light. */
 static void perspective_triangle(struct canvas *canvas, const struct vertex v[3],
                                  const struct texture *texture) {
-    struct plane plane;
+    struct quotients plane;
     if (!plane_begin(&plane, canvas->image, v)) {
         return;
     }

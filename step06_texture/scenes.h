@@ -3,8 +3,9 @@
  *
  * `texture` draws a model with its diffuse texture, nearest texel, times the intensity of the face.
  * `letters` draws a board whose texture coordinates leave the picture. `room` lays that picture on
- * a floor and a wall in perspective, again and again, nearest texel too; `mipmapped` is the same
- * with a mip level chosen for every pixel, and so is `checker`, a plane towards the horizon.
+ * a floor and a wall in perspective, again and again, nearest texel too. `close` is a wall before
+ * the camera, bilinear. `mipmapped` is the room with a mip level for every pixel, and so is
+ * `checker`, a plane towards the horizon.
  */
 
 /* ---- Scene: texture ---- */
@@ -221,7 +222,7 @@ static bool draw_checker(struct drawing *drawing, struct image *image, struct er
     return true;
 }
 
-/* ---- Scenes: room and mipmapped ---- */
+/* ---- Scenes: room, close and mipmapped ---- */
 
 /* Over the plane of scene checker stands a wall, along the left side of a floor. */
 #define ROOM_LEFT  (-3.1)
@@ -260,6 +261,28 @@ static void place_wall(const struct image *image, struct vertex corners[4]) {
     corners[1] = place_on_wall(ROOM_FAR, 0, image);
     corners[2] = place_on_wall(ROOM_FAR, ROOM_HIGH, image);
     corners[3] = place_on_wall(ROOM_NEAR, ROOM_HIGH, image);
+}
+
+/* A piece of wall right before the camera: a texel is larger than a pixel everywhere. */
+static void place_close(const struct image *image, struct vertex corners[4]) {
+    static const struct vec3 places[4] = {/* side, distance, height */
+                                          {-0.75, 1.0, 0.35},
+                                          {1.05, 1.5, 0.05},
+                                          {1.05, 1.5, 1.25},
+                                          {-0.75, 1.0, 1.55}};
+    for (int i = 0; i < 4; i++) {
+        corners[i] = place_over_plane(places[i].x, places[i].z, places[i].y, image);
+        corners[i].uv = room_uv(places[i].x, places[i].z);
+    }
+}
+
+static bool draw_close(struct drawing *drawing, struct image *image, struct error *error) {
+    (void)error;
+    const struct state *state = drawing->state;
+    struct vertex corners[4];
+    place_close(image, corners);
+    draw_plane(drawing, image, corners, &state->letters, false);
+    return true;
 }
 
 static void draw_room_by(struct drawing *drawing, struct image *image, bool nearest) {
@@ -312,6 +335,7 @@ static const struct scene scenes[] = {
         .draw = draw_letters,
     },
     {.name = "room", .width = 800, .height = 600, .draw = draw_room},
+    {.name = "close", .width = 800, .height = 600, .draw = draw_close},
     {.name = "mipmapped", .width = 800, .height = 600, .draw = draw_mipmapped},
     {.name = "checker", .draw = draw_checker},
 };

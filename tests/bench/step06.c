@@ -16,13 +16,13 @@
 #define INLINED static inline
 #endif
 struct neighbours;
-struct plane;
+struct quotients;
 INLINED struct color sample_nearest(const struct texture *texture, struct vec2 uv);
 INLINED struct vec4 mix_in_row(const struct texture_level *level, size_t row, struct neighbours x);
 INLINED struct vec4 sample_bilinear(const struct texture *texture, struct vec2 uv, size_t number);
 INLINED struct vec4 sample_trilinear(const struct texture *texture, struct vec2 uv, double level);
 INLINED double mip_level(struct vec2 right, struct vec2 up, const struct texture *texture);
-INLINED struct vec2 plane_uv(const struct plane *plane, int x, int y, double *w);
+INLINED struct vec2 plane_uv(const struct quotients *plane, int x, int y, double *w);
 
 #define main step06_main
 int step06_main(int argc, char **argv);
@@ -55,29 +55,29 @@ struct work {
 /* ---- Samplers ---- */
 
 /* The colour of a pixel that shows the place uv of the picture, at distance w. */
-typedef struct color sampler(const struct plane *plane, const struct texture *texture,
+typedef struct color sampler(const struct quotients *plane, const struct texture *texture,
                              struct vec2 uv, double w);
 
-INLINED struct color sample_by_rounding(const struct plane *plane, const struct texture *texture,
-                                        struct vec2 uv, double w) {
+INLINED struct color sample_by_rounding(const struct quotients *plane,
+                                        const struct texture *texture, struct vec2 uv, double w) {
     (void)plane, (void)w;
     return attempt_sample_rounded(texture, repeat(uv));
 }
 
-INLINED struct color sample_by_floor(const struct plane *plane, const struct texture *texture,
+INLINED struct color sample_by_floor(const struct quotients *plane, const struct texture *texture,
                                      struct vec2 uv, double w) {
     (void)plane, (void)w;
     return sample_nearest(texture, repeat(uv));
 }
 
-INLINED struct color sample_half_off(const struct plane *plane, const struct texture *texture,
+INLINED struct color sample_half_off(const struct quotients *plane, const struct texture *texture,
                                      struct vec2 uv, double w) {
     (void)plane, (void)w;
     return attempt_sample_unshifted(texture, repeat(uv));
 }
 
-INLINED struct color sample_four_texels(const struct plane *plane, const struct texture *texture,
-                                        struct vec2 uv, double w) {
+INLINED struct color sample_four_texels(const struct quotients *plane,
+                                        const struct texture *texture, struct vec2 uv, double w) {
     (void)plane, (void)w;
     return attempt_sample_bilinear(texture, repeat(uv));
 }
@@ -105,7 +105,7 @@ static inline struct footprint footprint_of(struct vec2 right, struct vec2 up, d
 /* Up to `most` trilinear samples in a row along the longer axis, on the level that the shorter one
  * asks for (McCormack, Perry, Farkas and Jouppi, "Feline: Fast Elliptical Lines for Anisotropic
  * Texture Mapping", 1999). */
-INLINED struct color sample_in_a_row(const struct plane *plane, const struct texture *texture,
+INLINED struct color sample_in_a_row(const struct quotients *plane, const struct texture *texture,
                                      struct vec2 uv, double w, int most) {
     double width = (double)texture->level[0].width, height = (double)texture->level[0].height;
     struct footprint foot =
@@ -128,7 +128,7 @@ INLINED struct color sample_in_a_row(const struct plane *plane, const struct tex
 }
 
 /* The mean of side * side nearest texels, at places spread over the pixel. */
-INLINED struct color sample_many(const struct plane *plane, const struct texture *texture,
+INLINED struct color sample_many(const struct quotients *plane, const struct texture *texture,
                                  struct vec2 uv, double w, int side) {
     int red = 0, green = 0, blue = 0;
     for (int i = 0; i < side * side; i++) {
@@ -146,7 +146,7 @@ INLINED struct color sample_many(const struct plane *plane, const struct texture
 }
 
 #define SAMPLER(name, sample, number)                                                              \
-    INLINED struct color name(const struct plane *plane, const struct texture *texture,            \
+    INLINED struct color name(const struct quotients *plane, const struct texture *texture,        \
                               struct vec2 uv, double w) {                                          \
         return sample(plane, texture, uv, w, number);                                              \
     }
@@ -165,7 +165,7 @@ typedef void draw_function(struct image *image, const struct vertex v[3],
 /* perspective_triangle() of main.c with any sampler: a constant where this is used. */
 INLINED void draw_sampled(struct image *image, const struct vertex v[3],
                           const struct texture *texture, sampler *sample) {
-    struct plane plane;
+    struct quotients plane;
     if (!plane_begin(&plane, image, v)) {
         return;
     }
@@ -190,17 +190,17 @@ static inline struct vec2 divided(struct vec3 over_w) {
 }
 
 /* u/w, v/w and 1/w so many pixels after the first of a row. */
-static inline struct vec3 stepped(struct vec3 first, const struct plane *plane, int pixels) {
+static inline struct vec3 stepped(struct vec3 first, const struct quotients *plane, int pixels) {
     return vec3_add(first, vec3_scale(plane->right, pixels));
 }
 
-static struct vec3 first_of_row(const struct plane *plane, int x, int y) {
+static struct vec3 first_of_row(const struct quotients *plane, int x, int y) {
     const struct vec3 *c = plane->corner;
     return vec3_interpolate(edges_weights(&plane->edges, x, y), c[0], c[1], c[2]);
 }
 
 /* A row with a division at every pixel, and u/w, v/w and 1/w stepped from its first pixel. */
-static void draw_row(struct image *image, const struct plane *plane, struct span span, int y,
+static void draw_row(struct image *image, const struct quotients *plane, struct span span, int y,
                      const struct texture *texture) {
     const struct vec3 first = first_of_row(plane, span.begin, y);
     for (int x = span.begin; x < span.end; x++) {
@@ -209,8 +209,8 @@ static void draw_row(struct image *image, const struct plane *plane, struct span
 }
 
 /* A row with a division at every `step`-th pixel, and u and v linear between. */
-INLINED void draw_row_every(struct image *image, const struct plane *plane, struct span span, int y,
-                            const struct texture *texture, int step) {
+INLINED void draw_row_every(struct image *image, const struct quotients *plane, struct span span,
+                            int y, const struct texture *texture, int step) {
     const struct vec3 first = first_of_row(plane, span.begin, y);
     struct vec2 begin = divided(first);
     for (int x = span.begin; x < span.end; x += step) {
@@ -229,7 +229,7 @@ INLINED void draw_row_every(struct image *image, const struct plane *plane, stru
 /* `step` 1 is a division at every pixel. */
 INLINED void draw_every(struct image *image, const struct vertex v[3],
                         const struct texture *texture, int step) {
-    struct plane plane;
+    struct quotients plane;
     if (!plane_begin(&plane, image, v)) {
         return;
     }
@@ -248,7 +248,7 @@ static void draw_affine(struct image *image, const struct vertex v[3],
                         const struct texture *texture) {
     struct vertex same[3] = {v[0], v[1], v[2]};
     same[0].recip_w = same[1].recip_w = same[2].recip_w = 1;
-    struct plane plane;
+    struct quotients plane;
     if (!plane_begin(&plane, image, same)) {
         return;
     }

@@ -113,6 +113,21 @@ static bool build_checker(struct drawing *drawing, struct image *image, struct p
     return batch != NULL && add_quad(batch, 0, corners, error);
 }
 
+static bool build_close(struct drawing *drawing, struct image *image, struct picture *picture,
+                        struct error *error) {
+    const struct state *state = drawing->state;
+    struct vertex wall[4];
+    struct corner_data corners[4];
+    struct batch settings = perspective_batch(&state->letters, image);
+    struct batch *batch = picture_add_batch(picture, &settings, error);
+    place_close(image, wall);
+    for (int i = 0; i < 4; i++) {
+        struct vec3 place = {2 * wall[i].uv.x, 1 / wall[i].recip_w, 1.2 * wall[i].uv.y};
+        corners[i] = perspective_corner(&wall[i], place);
+    }
+    return batch != NULL && add_quad(batch, 0, corners, error);
+}
+
 /* Scene mipmapped. */
 static bool build_room(struct drawing *drawing, struct image *image, struct picture *picture,
                        struct error *error) {
@@ -141,6 +156,9 @@ static bool build(const char *scene, struct drawing *drawing, struct image *imag
     }
     if (strcmp(scene, "letters") == 0) {
         return build_letters(drawing, image, picture, error);
+    }
+    if (strcmp(scene, "close") == 0) {
+        return build_close(drawing, image, picture, error);
     }
     return strcmp(scene, "checker") == 0 ? build_checker(drawing, image, picture, error)
                                          : build_room(drawing, image, picture, error);

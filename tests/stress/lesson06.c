@@ -253,7 +253,7 @@ static bool is_near(double got, long double exact, double scale) {
 }
 
 /* u, v and w at a pixel, and what they gain: they choose the mip level. */
-static bool place_is_right(const struct perspective_case *c, const struct plane *plane, int x,
+static bool place_is_right(const struct perspective_case *c, const struct quotients *plane, int x,
                            int y, struct vec2 *uv, double *level, const struct texture *texture) {
     const double u[3] = {c->uv[0].x, c->uv[1].x, c->uv[2].x};
     const double v[3] = {c->uv[0].y, c->uv[1].y, c->uv[2].y};
@@ -294,7 +294,7 @@ static bool perspective_is_right(const void *tried) {
     struct canvas canvas = {.image = &image, .skip = true}, all = {.image = &all_image};
     perspective_triangle(&canvas, vertices, &texture);
     perspective_triangle(&all, vertices, &texture);
-    struct plane plane;
+    struct quotients plane;
     bool drawn = plane_begin(&plane, &image, vertices), right = true;
     uint64_t fetched = 0;
     for (int i = 0; i < PIXELS && right; i++) {
