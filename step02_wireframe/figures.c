@@ -119,12 +119,12 @@ static bool draw_rounded_model(const char *directory, const struct model *model,
     return done;
 }
 
-/* A scene of single lines, enlarged. */
-static bool draw_single_lines(const char *directory, const char *name,
-                              bool (*draw)(struct drawing *, struct image *, struct error *),
-                              size_t width, size_t height, struct error *error) {
+/* A scene without a model, enlarged. */
+static bool draw_small_scene(const char *directory, const char *name,
+                             bool (*draw)(struct drawing *, struct image *, struct error *),
+                             size_t width, size_t height, struct error *error) {
     struct image image;
-    struct drawing drawing = {0};
+    struct drawing drawing = {.skip = true};
     bool done = image_create(&image, width, height, IMAGE_BGR, error) &&
                 draw(&drawing, &image, error) &&
                 figure_save_detail(&image, detail_of_whole(&image, 4, 0), directory, name, error);
@@ -251,8 +251,9 @@ bool draw_figures(const char *directory, struct model *bust, struct error *error
                 draw_wrong(directory, "not_shifted", bust, corner_not_shifted, error) &&
                 draw_wrong(directory, "upside_down", bust, corner_upside_down, error) &&
                 draw_rounded_line(directory, error) &&
-                draw_single_lines(directory, "cut_lines", draw_cut, CUT_WIDTH, CUT_HEIGHT, error) &&
-                draw_single_lines(directory, "walked", draw_walked, 200, 4 * CUT_LINES, error) &&
+                draw_small_scene(directory, "square", draw_square, 100, 100, error) &&
+                draw_small_scene(directory, "cut_lines", draw_cut, CUT_WIDTH, CUT_HEIGHT, error) &&
+                draw_small_scene(directory, "walked", draw_walked, 200, 4 * CUT_LINES, error) &&
                 draw_one_direction(directory, bust, error) &&
                 print_versions("step02_wireframe: the bust", bust, sides, side_count, error);
     done = done && print_open_mesh(bust, error);

@@ -1,9 +1,10 @@
 /*
  * Step 2, the given part: its scenes and the program.
  *
- * `wireframe` draws the sides of a model, white on black. `border` draws a quarter of its faces and
- * `enlarged` the model much larger than the image, in images that are not square. `cut` draws
- * single lines, and `walked` how many pixels line() walked over for each of these.
+ * `square` draws the sides of two faces, `wireframe` those of a model, white on black. `border`
+ * draws a quarter of its faces and `enlarged` the model much larger than the image, in images that
+ * are not square. `cut` draws single lines, and `walked` how many pixels line() walked over for
+ * each of these.
  */
 #ifdef LINE_IS_MINE /* make LINE=mine: the line() of lesson 1 draws */
 #include "mine.h"
@@ -31,7 +32,7 @@ static bool wireframe_create(struct wireframe *wireframe, const struct model *mo
 
 static bool prepare(struct drawing *drawing, size_t width, size_t height, struct error *error) {
     (void)width, (void)height;
-    return drawing->model == NULL || /* the single lines */
+    return drawing->model == NULL || /* the square, and single lines */
            wireframe_create(drawing->state, drawing->model, drawing->skip, error);
 }
 
@@ -52,9 +53,8 @@ static struct vec3 seen(struct vec3 position, struct view view) {
                          position.z};
 }
 
-static void draw_sides(struct drawing *drawing, const struct wireframe *wireframe, struct view view,
-                       struct image *image) {
-    const struct vec3 *positions = drawing->model->positions;
+static void draw_sides(struct drawing *drawing, const struct wireframe *wireframe,
+                       const struct vec3 *positions, struct view view, struct image *image) {
     uint64_t drawn = 0, off_image = 0, too_far = 0;
     for (size_t i = 0; i < wireframe->side_count; i++) {
         struct side side = wireframe->sides[i];
@@ -77,10 +77,34 @@ static void draw_sides(struct drawing *drawing, const struct wireframe *wirefram
 static bool draw_wireframe(struct drawing *drawing, struct image *image, struct error *error) {
     (void)error;
     const struct wireframe *wireframe = drawing->state;
-    draw_sides(drawing, wireframe, (struct view){0, 0, 1}, image);
+    draw_sides(drawing, wireframe, drawing->model->positions, (struct view){0, 0, 1}, image);
     drawing_count(drawing, "lines_shared_skipped",
                   3 * drawing->model->face_count - wireframe->side_count);
     return true;
+}
+
+static bool draw_part(struct drawing *drawing, const struct model *part, struct view view,
+                      struct image *image, struct error *error) {
+    struct wireframe wireframe = {0};
+    bool made = wireframe_create(&wireframe, part, drawing->skip, error);
+    if (made) {
+        draw_sides(drawing, &wireframe, part->positions, view, image);
+    }
+    free(wireframe.sides);
+    return made;
+}
+
+/* Two faces, which share a side. */
+static bool draw_square(struct drawing *drawing, struct image *image, struct error *error) {
+    struct vec3 positions[] = {{-0.5, -0.5, 0}, {0.5, -0.5, 0}, {0.5, 0.5, 0}, {-0.5, 0.5, 0}};
+    static const uint32_t corners[2][3] = {{0, 1, 2}, {0, 2, 3}};
+    struct face faces[2] = {0};
+    for (int i = 0; i < 6; i++) {
+        faces[i / 3].corner[i % 3].position = corners[i / 3][i % 3];
+    }
+    const struct model square = {
+        .positions = positions, .position_count = 4, .faces = faces, .face_count = 2};
+    return draw_part(drawing, &square, (struct view){0, 0, 1}, image, error);
 }
 
 /* A quarter of the faces: a mesh with a border. */
@@ -88,19 +112,14 @@ static bool draw_border(struct drawing *drawing, struct image *image, struct err
     struct model part = *drawing->model;
     part.faces += part.face_count / 8;
     part.face_count = (part.face_count + 3) / 4;
-    struct wireframe wireframe = {0};
-    bool made = wireframe_create(&wireframe, &part, drawing->skip, error);
-    if (made) {
-        draw_sides(drawing, &wireframe, (struct view){0.26, 0.1, 2.4}, image);
-    }
-    free(wireframe.sides);
-    return made;
+    return draw_part(drawing, &part, (struct view){0.26, 0.1, 2.4}, image, error);
 }
 
 /* One side of the face, six times as large: most of the model lies outside. */
 static bool draw_enlarged(struct drawing *drawing, struct image *image, struct error *error) {
     (void)error;
-    draw_sides(drawing, drawing->state, (struct view){0.08, 0.42, 6}, image);
+    draw_sides(drawing, drawing->state, drawing->model->positions, (struct view){0.08, 0.42, 6},
+               image);
     return true;
 }
 
@@ -187,6 +206,7 @@ static bool draw_walked(struct drawing *drawing, struct image *image, struct err
 /* ---- The program ---- */
 
 static const struct scene scenes[] = {
+    {.name = "square", .width = 100, .height = 100, .draw = draw_square},
     {.name = "wireframe", .needs = NEEDS_MODEL, .draw = draw_wireframe},
     {.name = "border", .needs = NEEDS_MODEL, .width = 480, .height = 360, .draw = draw_border},
     {.name = "enlarged", .needs = NEEDS_MODEL, .width = 480, .height = 360, .draw = draw_enlarged},
