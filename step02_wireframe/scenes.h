@@ -104,7 +104,9 @@ static bool draw_square(struct drawing *drawing, struct image *image, struct err
     }
     const struct model square = {
         .positions = positions, .position_count = 4, .faces = faces, .face_count = 2};
-    return draw_part(drawing, &square, (struct view){0, 0, 1}, image, error);
+    /* Once as it is; once so large that its upper right corner is seen, and others are far away. */
+    return draw_part(drawing, &square, (struct view){0, 0, 1}, image, error) &&
+           draw_part(drawing, &square, (struct view){0.5 - 2e-5, 0.5 - 2.4e-5, 3e4}, image, error);
 }
 
 /* A quarter of the faces: a mesh with a border. */
@@ -157,6 +159,10 @@ static const struct cut_line {
     {{80, 50}, {-111, 20}, RED},
     {{80, 50}, {101, TOP + 200}, RED},
     {{80, 50}, {48, -150}, RED},
+    /* a tie in the first pixel inside */
+    {{-2, 60}, {18, 65}, BLUE},
+    {{18, 70}, {-2, 75}, BLUE},
+    {{20, -5}, {21, 5}, BLUE},
     /* outside: beside, above and below, past a corner */
     {{-9, -5}, {-1, TOP + 5}, WHITE},
     {{RIGHT + 1, -5}, {RIGHT + 1, TOP + 5}, WHITE},
