@@ -2,9 +2,9 @@
  * Step 5, the given part: its scenes and the program.
  *
  * `rows` shows the idea in one dimension: three segments of a plane, seen from above, in one row of
- * pixels. `zbuffer` is lesson 4 with a depth buffer, `depth` shows its depths, and `knot` is a body
- * that winds around itself. In `side` the light comes from the side, and falls on faces that look
- * away from us too.
+ * pixels. `zbuffer` is lesson 4 with a depth buffer, `depth` shows its depths, `deep` the same ones
+ * 3 units farther away, and `knot` is a body that winds around itself. In `side` the light comes
+ * from the side, and falls on faces that look away from us too.
  */
 
 /* ---- Scene: rows ---- */
@@ -112,6 +112,16 @@ static bool draw_depth(struct drawing *drawing, struct image *image, struct erro
     return done;
 }
 
+/* The same picture of depths, but all of them are 3 less. */
+static bool draw_deep(struct drawing *drawing, struct image *image, struct error *error) {
+    bool done = draw_zbuffer(drawing, image, error);
+    for (size_t i = 0; i < image->width * image->height; i++) {
+        drawing->depth[i] -= 3;
+    }
+    show_depths(image, drawing->depth);
+    return done;
+}
+
 /* ---- The program ---- */
 
 static const struct scene scenes[] = {
@@ -130,6 +140,12 @@ static const struct scene scenes[] = {
         .draw = draw_depth,
     },
     {
+        .name = "deep",
+        .needs = NEEDS_MODEL | NEEDS_DEPTH,
+        .format = IMAGE_GREY,
+        .draw = draw_deep,
+    },
+    {
         .name = "knot",
         .needs = NEEDS_MODEL | NEEDS_DEPTH,
         .model = "knot.off",
@@ -138,6 +154,8 @@ static const struct scene scenes[] = {
     {
         .name = "side",
         .needs = NEEDS_MODEL | NEEDS_DEPTH,
+        .width = 720,
+        .height = 800,
         .light = {1, 0, -1},
         .draw = draw_zbuffer,
     },

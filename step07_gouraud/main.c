@@ -24,7 +24,36 @@ static double corner_intensity(struct vec3 normal, struct vec3 to_light) {
     END SOLUTION */
 }
 
-/* What differs from corner to corner in scene lit; the ambient part does not. */
+/* A surface and its light. */
+struct material {
+    double ambient, diffuse, specular;      /* weights of the three kinds of light: aa, ad, as */
+    int diffuse_power, specular_power;      /* the exponents kd and ks */
+    struct vec3 surface_color, light_color; /* c and cl: red, green, blue 0..255 */
+};
+
+/* Of scene lit. */
+static const struct material clay = {
+    .ambient = 0.2,
+    .diffuse = 0.7,
+    .specular = 0.4,
+    .diffuse_power = 1,
+    .specular_power = 8,
+    .surface_color = {225, 165, 130},
+    .light_color = {255, 255, 255},
+};
+
+/* Of scene behind. */
+static const struct material satin = {
+    .ambient = 0.1,
+    .diffuse = 0.8,
+    .specular = 0.6,
+    .diffuse_power = 2,
+    .specular_power = 5,
+    .surface_color = {90, 140, 220},
+    .light_color = {255, 240, 200},
+};
+
+/* What differs from corner to corner of the three kinds of light; the ambient part does not. */
 struct light_parts {
     double diffuse, specular; /* ad * (n . l)^kd and as * (r . v)^ks */
 };
@@ -41,10 +70,11 @@ struct vertex {
 /* What is drawn on, and the work done on it. */
 struct canvas {
     struct image *image;
-    size_t width, height;   /* pixels of the image, or of one of the four pictures in it */
-    double *depth;          /* width * height, row by row from the bottom */
-    bool skip;              /* compute a colour only where it will be seen */
-    uint64_t pixels_tested; /* covered by a triangle */
+    size_t width, height;            /* pixels of the image, or of one of the four pictures in it */
+    double *depth;                   /* width * height, row by row from the bottom */
+    const struct material *material; /* in scenes with three kinds of light */
+    bool skip;                       /* compute a colour only where it will be seen */
+    uint64_t pixels_tested;          /* covered by a triangle */
     uint64_t pixels_shaded;
 };
 
@@ -113,23 +143,6 @@ static void color_triangle(struct canvas *canvas, const struct edges *edges,
 }
 
 /* ---- Three kinds of light ---- */
-
-/* The surface and the light of scene lit. */
-struct material {
-    double ambient, diffuse, specular;      /* weights of the three kinds of light: aa, ad, as */
-    int diffuse_power, specular_power;      /* the exponents kd and ks */
-    struct vec3 surface_color, light_color; /* c and cl: red, green, blue 0..255 */
-};
-
-static const struct material clay = {
-    .ambient = 0.2,
-    .diffuse = 0.7,
-    .specular = 0.4,
-    .diffuse_power = 1,
-    .specular_power = 8,
-    .surface_color = {225, 165, 130},
-    .light_color = {255, 255, 255},
-};
 
 /* 1 * base * base * ... * base, `power` times. pow() of the C library may round differently on
  * another machine; a product never does. */
@@ -223,12 +236,12 @@ static void lit_triangle(struct canvas *canvas, const struct edges *edges,
             for (size_t i = 0; seen && i < PANEL_COUNT; i++) {
                 image_set(canvas->image, x + panels[i].column * (int)canvas->width,
                           y + panels[i].row * (int)canvas->height,
-                          panel_color(&panels[i], parts, &clay));
+                          panel_color(&panels[i], parts, canvas->material));
             }
         }
         /* STARTER
         // to do 7b.3: as in 7a.2, with both parts; each pixel that is seen is set in all panels
-        (void)canvas, (void)v, (void)span, (void)panels, (void)panel_color, (void)clay;
+        (void)canvas, (void)v, (void)span, (void)panels, (void)panel_color;
         END SOLUTION */
     }
 }

@@ -3,7 +3,8 @@
  *
  * `gouraud` has one intensity at each corner, `colors` a colour. `lit` adds up three kinds of light
  * at each corner, with a light and a camera at points: the ambient, the diffuse and the specular
- * part, and their sum, are four pictures in one. In `behind` the light stands behind the model.
+ * part, and their sum, are four pictures in one. In `behind` the light stands behind the model, and
+ * the surface is another.
  */
 
 #include <stdlib.h>
@@ -59,6 +60,7 @@ static void count_pixels(struct drawing *drawing, const struct canvas *canvas) {
 struct lighting {
     bool at_points;
     struct vec3 light, camera;
+    const struct material *material; /* at points */
 };
 
 /* The light at a corner that has been computed before. A normal is shared by all faces around its
@@ -89,7 +91,7 @@ static void light_corner(const struct model *model, size_t face, size_t corner,
     result->position = model->faces[face].corner[corner].position;
     if (lighting->at_points) {
         result->parts = corner_light(model_position(model, face, corner), normal, lighting->light,
-                                     lighting->camera, &clay);
+                                     lighting->camera, lighting->material);
     } else {
         result->intensity = corner_intensity(normal, lighting->light);
     }
@@ -145,12 +147,24 @@ static bool draw_gouraud(struct drawing *drawing, struct image *image, struct er
     return true;
 }
 
+static void draw_lit_as(struct drawing *drawing, struct image *image,
+                        const struct material *material) {
+    const struct lighting lighting = {
+        .at_points = true, .light = drawing->light, .camera = drawing->eye, .material = material};
+    struct canvas canvas = canvas_on(image, image->width / 2, image->height / 2, drawing);
+    canvas.material = material;
+    draw_faces(drawing, &canvas, &lighting);
+}
+
 static bool draw_lit(struct drawing *drawing, struct image *image, struct error *error) {
     (void)error;
-    const struct lighting lighting = {
-        .at_points = true, .light = drawing->light, .camera = drawing->eye};
-    struct canvas canvas = canvas_on(image, image->width / 2, image->height / 2, drawing);
-    draw_faces(drawing, &canvas, &lighting);
+    draw_lit_as(drawing, image, &clay);
+    return true;
+}
+
+static bool draw_behind(struct drawing *drawing, struct image *image, struct error *error) {
+    (void)error;
+    draw_lit_as(drawing, image, &satin);
     return true;
 }
 
@@ -210,9 +224,11 @@ static const struct scene scenes[] = {
     {
         .name = "behind",
         .needs = NEEDS_MODEL | NEEDS_NORMALS | NEEDS_DEPTH,
+        .width = 800,
+        .height = 720,
         .light = {-2, 2, -3},
         .eye = {0, 0, 3},
-        .draw = draw_lit,
+        .draw = draw_behind,
     },
 };
 

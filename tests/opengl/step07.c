@@ -65,10 +65,10 @@ static bool build_whole(enum look look, const struct lighting *lighting,
     return batch != NULL && add_faces(batch, drawing->model, lighting, error);
 }
 
-static bool build_lit(struct drawing *drawing, struct image *image, struct picture *picture,
-                      struct error *error) {
+static bool build_lit(struct drawing *drawing, const struct material *material, struct image *image,
+                      struct picture *picture, struct error *error) {
     const struct lighting lighting = {
-        .at_points = true, .light = drawing->light, .camera = drawing->eye};
+        .at_points = true, .light = drawing->light, .camera = drawing->eye, .material = material};
     int width = (int)image->width / 2, height = (int)image->height / 2;
     for (size_t i = 0; i < PANEL_COUNT; i++) {
         const struct panel *panel = &panels[i];
@@ -77,11 +77,11 @@ static bool build_lit(struct drawing *drawing, struct image *image, struct pictu
                                                         width, height});
         settings.cull = CULL_BACK;
         settings.values = (struct look_values){
-            .ambient = panel->ambient * clay.ambient,
+            .ambient = panel->ambient * material->ambient,
             .diffuse = panel->diffuse,
             .specular = panel->specular,
-            .color = clay.surface_color,
-            .light_color = clay.light_color,
+            .color = material->surface_color,
+            .light_color = material->light_color,
         };
         struct batch *batch = picture_add_batch(picture, &settings, error);
         if (batch == NULL || !add_faces(batch, drawing->model, &lighting, error)) {
@@ -95,7 +95,8 @@ static bool build(const char *scene, struct drawing *drawing, struct image *imag
                   struct picture *picture, struct error *error) {
     const struct lighting lighting = {.light = vec3_normalized(drawing->light)};
     if (strcmp(scene, "lit") == 0 || strcmp(scene, "behind") == 0) {
-        return build_lit(drawing, image, picture, error);
+        const struct material *material = strcmp(scene, "lit") == 0 ? &clay : &satin;
+        return build_lit(drawing, material, image, picture, error);
     }
     return strcmp(scene, "colors") == 0
                ? build_whole(LOOK_COLORS, NULL, drawing, image, picture, error)

@@ -151,6 +151,7 @@ static struct canvas draw_layers(const struct smooth_case *c, draw_smooth *draw,
                             .width = SCREEN_WIDTH,
                             .height = SCREEN_HEIGHT,
                             .depth = depth,
+                            .material = &clay,
                             .skip = skip};
     depth_clear(depth, SCREEN_WIDTH * SCREEN_HEIGHT);
     for (int i = 0; i < LAYER_COUNT; i++) {
