@@ -113,4 +113,32 @@ static inline lanes_mask attempt_7_light_reversed(const void *uniforms, const la
     return plain_fragment(&u, varyings, color);
 }
 
+/* 8. r = l - 2 (n . l) n: points into the surface, so that no eye is near it. */
+static inline lanes_mask attempt_8_wrong_sign(const void *uniforms, const lanes *varyings,
+                                              lanes_texel *color) {
+    struct uniforms u = *(const struct uniforms *)uniforms;
+    struct lanes3 to_light = lanes3_all(u.to_light), normal = mesh_normal(varyings);
+    struct lanes3 to_eye = {varyings[0], varyings[1], varyings[2]}, r = reflect(normal, to_light);
+    lanes zero = lanes_all(0), diffuse = lanes_max(lanes3_dot(normal, to_light), zero);
+    lanes mirrored = lanes_max(-lanes3_dot(r, lanes3_normalized(to_eye)), zero);
+    lanes power = integer_power(mirrored, lanes_all((real)u.material.power), u.material.power);
+    lanes shine = lanes_select(diffuse > 0, 255 * (real)u.material.specular * power, zero);
+    lanes scattered = (real)u.material.ambient + (real)u.material.diffuse * diffuse;
+    *color = lanes_rgb((real)u.material.color.x * scattered + shine,
+                       (real)u.material.color.y * scattered + shine,
+                       (real)u.material.color.z * scattered + shine);
+    return lanes_all_set();
+}
+
+/* 9. Blue, green, red of the normal map taken as x, y, z, in the order of the file. */
+static inline lanes_mask attempt_9_file_order(const void *uniforms, const lanes *varyings,
+                                              lanes_texel *color) {
+    const struct uniforms *u = uniforms;
+    struct surface surface = plain_surface(u, varyings);
+    struct lanes3 n = mapped_normal(u, varyings);
+    surface.normal = (struct lanes3){n.z, n.y, n.x};
+    *color = illuminate(u, &surface);
+    return lanes_all_set();
+}
+
 #endif

@@ -49,6 +49,18 @@ static bool draw_cells(struct drawing *drawing, struct image *image, const struc
 
 /* ---- Scenes ---- */
 
+/* The three parts alone, and their sum. */
+static bool draw_parts(struct drawing *drawing, struct image *image, struct error *error) {
+    struct cell cells[4];
+    for (int i = 0; i < 4; i++) {
+        cells[i] = (struct cell){&plain, plain_material};
+    }
+    cells[0].material.diffuse = cells[0].material.specular = 0;
+    cells[1].material.ambient = cells[1].material.specular = 0;
+    cells[2].material.ambient = cells[2].material.diffuse = 0;
+    return draw_cells(drawing, image, cells, 2, 0.8, error);
+}
+
 /* Phong alone, with the normal map, with the texture, and with both. */
 static bool draw_four(struct drawing *drawing, struct image *image, struct error *error) {
     const struct cell cells[] = {{&plain, plain_material},
@@ -88,6 +100,7 @@ static bool draw_turn(struct drawing *drawing, struct image *image, struct error
 /* ---- The program ---- */
 
 static const struct scene scenes[] = {
+    {.name = "parts", .needs = NEEDS_MODEL | NEEDS_NORMALS, .draw = draw_parts},
     {
         .name = "four",
         .needs = NEEDS_MODEL | NEEDS_NORMALS | NEEDS_DIFFUSE | NEEDS_NORMAL_MAP,
