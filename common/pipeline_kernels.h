@@ -180,7 +180,7 @@ KERNEL void fetch_varyings(const struct shading *s, const struct shader *shader,
 
 /* A plane on the screen over a piece, relative to pixel (x0,y0), and with it what a varying is at
  * corner 0. */
-struct plane {
+struct varying_plane {
     real corner, origin, dx, dy;
 };
 
@@ -189,7 +189,7 @@ struct plane {
 struct planes {
     real x0, y0;
     real least; /* that the denominator is at a corner: rounding may make it less, even 0 */
-    struct plane plane[VARYING_LIMIT + 1];
+    struct varying_plane plane[VARYING_LIMIT + 1];
 };
 
 /* Planes are kept without those that the shader does not have: half of the time of small pieces is
@@ -197,7 +197,7 @@ struct planes {
 static inline struct planes *planes_at(const struct scratch *scratch, const struct shader *shader,
                                        uint32_t place) {
     size_t size =
-        offsetof(struct planes, plane) + (shader->varying_count + 1) * sizeof(struct plane);
+        offsetof(struct planes, plane) + (shader->varying_count + 1) * sizeof(struct varying_plane);
     return (struct planes *)((char *)scratch->planes + place * size);
 }
 
@@ -255,14 +255,14 @@ KERNEL void fetch_planes(const struct shading *s, const struct shader *shader,
     planes->least = (real)(least > 1e-30 ? least : 1e-30);
     for (size_t i = 0; i < n; i++) {
         double to_1 = v[n + i] - v[i], to_2 = v[2 * n + i] - v[i];
-        planes->plane[i] = (struct plane){
+        planes->plane[i] = (struct varying_plane){
             .corner = (real)v[i],
             .origin = (real)(edge[1].origin * to_1 + edge[2].origin * to_2),
             .dx = (real)(edge[1].dx * to_1 + edge[2].dx * to_2),
             .dy = (real)(edge[1].dy * to_1 + edge[2].dy * to_2),
         };
     }
-    planes->plane[n] = (struct plane){
+    planes->plane[n] = (struct varying_plane){
         .origin = (real)(edge[0].origin + edge[1].origin + edge[2].origin),
         .dx = (real)(edge[0].dx + edge[1].dx + edge[2].dx),
         .dy = (real)(edge[0].dy + edge[1].dy + edge[2].dy),
@@ -344,11 +344,11 @@ KERNEL void interpolate_varyings(const struct shader *shader, const struct plane
     }
     lanes right = lanes_from(x) - planes->x0;
     real up = (real)y - planes->y0;
-    const struct plane *bottom = &planes->plane[n];
+    const struct varying_plane *bottom = &planes->plane[n];
     lanes over_w = right * bottom->dx + (bottom->origin + bottom->dy * up);
     lanes w = 1 / lanes_max(over_w, lanes_all(planes->least));
     for (size_t i = 0; i < n; i++) {
-        const struct plane *top = &planes->plane[i];
+        const struct varying_plane *top = &planes->plane[i];
         lanes value = right * top->dx + (top->origin + top->dy * up);
         varyings[i] = top->corner + value * w;
     }

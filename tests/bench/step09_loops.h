@@ -58,7 +58,7 @@ LANES_INLINE void interpolate_every(int step, const struct shader *shader,
                                     lanes *varyings) {
     size_t n = shader->varying_count;
     const int parts = CHUNK / step;
-    const struct plane *bottom = &planes->plane[n];
+    const struct varying_plane *bottom = &planes->plane[n];
     real up = (real)y - planes->y0, right[CHUNK / 8 + 1], w[CHUNK / 8 + 1];
     lanes share[CHUNK / 8] = {0}; /* of the way from one of these pixels to the next */
     for (int i = 0; i <= parts; i++) {
@@ -71,7 +71,7 @@ LANES_INLINE void interpolate_every(int step, const struct shader *shader,
         share[i] = ((lanes_from(x) - planes->x0) - right[i]) * (1 / (length > 0 ? length : 1));
     }
     for (size_t k = 0; k < n; k++) {
-        const struct plane *top = &planes->plane[k];
+        const struct varying_plane *top = &planes->plane[k];
         real begin_of_row = top->origin + top->dy * up, at[CHUNK / 8 + 1] = {0};
         for (int i = 0; i <= parts; i++) {
             at[i] = top->corner + (right[i] * top->dx + begin_of_row) * w[i];
@@ -89,7 +89,7 @@ LANES_INLINE void interpolate_affine(const struct shader *shader, const struct p
     lanes right = lanes_from(x) - planes->x0;
     real up = (real)y - planes->y0;
     for (size_t k = 0; k < shader->varying_count; k++) {
-        const struct plane *top = &planes->plane[k];
+        const struct varying_plane *top = &planes->plane[k];
         varyings[k] = right * top->dx + (top->corner + top->origin + top->dy * up);
     }
 }
