@@ -85,8 +85,8 @@ static bool draw_chalk(struct model *model, const char *directory, struct error 
     return draw_panels(model, &view, panels, directory, "chalk", error);
 }
 
-/* Right; r with the wrong sign; light reversed. Below: nothing clamped; the normal map, right and in
- * file order. */
+/* Right; r with the wrong sign; light reversed. Below: nothing clamped; the normal map, rightly and
+ * in file order. */
 static bool draw_wrong(struct model *model, const char *directory, struct error *error) {
     static const struct material shiny = {0.1, 1, 1, 10, {255, 128, 255}};
     const struct view view = {3, 2, {0, 0, 0}, {-1, 0.6, -0.2}, 0.9};

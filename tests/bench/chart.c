@@ -151,7 +151,7 @@ static void show_tick(double value, char text[32]) {
     double size = fabs(value);
     if (size != 0 && (size < 0.9e-3 || size > 0.9e6)) {
         int power = (int)floor(log10(size) + 1e-9);
-        snprintf(text, 32, "%.0fe%d", value / pow(10, power), power);
+        snprintf(text, 32, "%.2ge%d", value / pow(10, power), power);
     } else {
         snprintf(text, 32, "%.6g", value);
     }
