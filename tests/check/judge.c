@@ -374,6 +374,28 @@ static bool judge_work(const struct judging *judging, struct item_result *item,
     return done;
 }
 
+/* Let the program draw something new in two ways that must give the same picture. The first
+ * relation that does not hold is told. */
+static bool judge_relations(const struct judging *judging, const struct checked_work *work,
+                            struct item_result *item, struct error *error) {
+    for (int i = 0; i < RELATION_COUNT; i++) {
+        struct relation_result tried;
+        if (!work->relations[i]) {
+            continue;
+        }
+        if (!relation_try(judging->options->programs, judging->step->name, work->scene,
+                          (enum relation)i, &judging->limits, &tried, error)) {
+            return false;
+        }
+        if (!tried.drawn || !share_within(tried.differing, tried.drawn_pixels, work->limit)) {
+            result_say(&item->message, "%s", tried.text);
+            return true;
+        }
+    }
+    item->state = RESULT_PASS;
+    return true;
+}
+
 /* Little work is no merit where the picture is wrong. */
 static bool judge_works(const struct judging *judging, struct error *error) {
     struct step_result *result = judging->result;
@@ -385,8 +407,10 @@ static bool judge_works(const struct judging *judging, struct error *error) {
         while (strcmp(result->items[k].scene, item->scene) != 0) {
             k++;
         }
+        const struct checked_work *work = &judging->step->works[i - pictures];
         if (result->items[k].state == RESULT_PASS) {
-            done = judge_work(judging, item, error);
+            done = strcmp(work->counter, "same") == 0 ? judge_relations(judging, work, item, error)
+                                                      : judge_work(judging, item, error);
         } else {
             item->state = result->items[k].state;
             result_say(&item->message, "the picture does not pass");

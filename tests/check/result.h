@@ -1,9 +1,9 @@
 /*
  * What a check has found: filled in once, and read by whoever reports it.
  *
- * A step has items: its pictures, and the counters of work that the table of scenes limits. Points
- * belong to items: all of them when it passes, otherwise none. An item's points are shared out
- * evenly to its tasks, so the tasks' points add up to the step's too.
+ * A step has items: its pictures, and the counters of work and the relations that the table of
+ * scenes wants. Points belong to items: all of them when it passes, otherwise none. An item's points
+ * are shared out evenly to its tasks, so the tasks' points add up to the step's too.
  */
 #ifndef TESTS_CHECK_RESULT_H
 #define TESTS_CHECK_RESULT_H
@@ -37,10 +37,10 @@ struct result_path {
     char text[DRAWN_PATH_LIMIT]; /* from the root; "" when there is no such file */
 };
 
-/* A picture, or a counter. */
+/* A picture, a counter, or relations. */
 struct item_result {
     const char *scene;   /* its name */
-    const char *counter; /* "" for a picture */
+    const char *counter; /* "" for a picture, "same" for relations */
     const struct credit *credit;
     enum result_state state;
     unsigned points;            /* 0, or all of them */

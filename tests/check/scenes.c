@@ -209,13 +209,51 @@ static bool read_most(uint64_t *most, struct text *text, struct error *error) {
     return true;
 }
 
-/* What follows `work`. */
-static bool read_work(struct scene_table *table, struct text *text, struct error *error) {
+static bool read_counter(struct checked_work *work, struct text *text, struct error *error) {
+    struct word word = text_next_word(text);
+    if (!name_copy(work->counter, word)) {
+        return text_error(error, text->line, "'%s' is not the name of a counter",
+                          word_show(word).text);
+    }
+    return read_most(&work->most, text, error) && read_end(text, error);
+}
+
+/* Note the relation of that name; false when there is none, or it is noted already. */
+static bool add_relation(struct checked_work *work, struct word name) {
+    for (size_t i = 0; i < RELATION_COUNT; i++) {
+        if (word_is(name, relation_names[i]) && !work->relations[i]) {
+            work->relations[i] = true;
+            return true;
+        }
+    }
+    return false;
+}
+
+/* `shuffled,moved  0.1`. */
+static bool read_relations(struct checked_work *work, struct text *text, struct error *error) {
+    struct word word = text_next_word(text);
+    for (size_t start = 0; start <= word.length;) {
+        size_t end = start;
+        while (end < word.length && word.start[end] != ',') {
+            end++;
+        }
+        if (!add_relation(work, (struct word){word.start + start, end - start})) {
+            return text_error(error, text->line, "'%s' are no relations", word_show(word).text);
+        }
+        start = end + 1;
+    }
+    strcpy(work->counter, "same");
+    return read_limit(&work->limit, text, text_next_word(text), error) && read_end(text, error);
+}
+
+/* What follows `work` or `same`. */
+static bool read_work(struct scene_table *table, struct text *text, bool same,
+                      struct error *error) {
     struct word word = text_next_word(text);
     struct checked_step *step = table->step_count > 0 ? &table->steps[table->step_count - 1] : NULL;
     if (step == NULL || !word_is(word, step->name)) {
-        return text_error(error, text->line, "work of '%s' must stand behind its scenes",
-                          word_show(word).text);
+        return text_error(error, text->line, "%s of '%s' must stand behind its scenes",
+                          same ? "relations" : "work", word_show(word).text);
     }
     struct checked_work work = {.most = 0};
     word = text_next_word(text);
@@ -223,15 +261,8 @@ static bool read_work(struct scene_table *table, struct text *text, struct error
         return text_error(error, text->line, "%s has no scene '%s'", step->name,
                           word_show(word).text);
     }
-    if (!read_credit(&work.credit, text, error)) {
-        return false;
-    }
-    word = text_next_word(text);
-    if (!name_copy(work.counter, word)) {
-        return text_error(error, text->line, "'%s' is not the name of a counter",
-                          word_show(word).text);
-    }
-    if (!read_most(&work.most, text, error) || !read_end(text, error)) {
+    if (!read_credit(&work.credit, text, error) ||
+        !(same ? read_relations : read_counter)(&work, text, error)) {
         return false;
     }
     struct checked_work *works =
@@ -254,8 +285,8 @@ bool scene_table_read(struct scene_table *table, const char *path, struct error 
     bool done = text_begin(&text, file.data, file.size, false, error);
     while (done && text_next_line(&text)) {
         struct word word = text_next_word(&text);
-        if (word_is(word, "work")) {
-            done = read_work(table, &text, error);
+        if (word_is(word, "work") || word_is(word, "same")) {
+            done = read_work(table, &text, word_is(word, "same"), error);
         } else {
             done = word.length == 0 || read_scene(table, &text, word, error);
         }

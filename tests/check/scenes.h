@@ -8,13 +8,16 @@
  *
  * Where a task is about work that is not done, a line `work  step02_wireframe  wireframe  2.4  2
  * lines_drawn  7467` stands behind the step's scenes: with --stats the counter of that scene must
- * not be above that number. '#' begins a comment. The check and the program that redraws the
+ * not be above that number. A line `same  step05_zbuffer  zbuffer  5.2  1  shuffled,moved  0.1`
+ * names relations (relation.h) that the scene must keep with what it has never drawn, but for that
+ * percentage of the drawn pixels. '#' begins a comment. The check and the program that redraws the
  * references read the same file, tests/check/scenes.txt.
  */
 #ifndef TESTS_CHECK_SCENES_H
 #define TESTS_CHECK_SCENES_H
 
 #include "file.h"
+#include "relation.h"
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -47,11 +50,14 @@ struct checked_scene {
     unsigned wrong_limit, apart_limit, coverage_limit;
 };
 
+/* What else is judged of a scene that passes: a counter, or relations. */
 struct checked_work {
-    char scene[SCENE_NAME_LIMIT]; /* one of the step's */
-    char counter[SCENE_NAME_LIMIT];
+    char scene[SCENE_NAME_LIMIT];   /* one of the step's */
+    char counter[SCENE_NAME_LIMIT]; /* "same" for relations */
     struct credit credit;
-    uint64_t most; /* inclusive */
+    uint64_t most;                  /* of a counter; inclusive */
+    bool relations[RELATION_COUNT]; /* none for a counter */
+    unsigned limit;                 /* of relations, as those of a scene */
 };
 
 struct checked_step {

@@ -1,0 +1,132 @@
+/* Two pictures of the same program that must agree: see relation.h. */
+#include "relation.h"
+
+#include "compare.h"
+#include "unseen.h"
+
+#include <stdio.h>
+#include <string.h>
+
+const char *const relation_names[RELATION_COUNT] = {"shuffled", "turned", "reversed", "moved",
+                                                    "halved"};
+
+enum { SEED = 5, RIGHT = 3, UP = 2 };
+
+/* How a relation writes the input again, and what is said of it. */
+static const struct {
+    struct variant variant;
+    const char *size; /* of the second picture */
+    const char *says;
+} table[RELATION_COUNT] = {
+    [RELATION_SHUFFLED] = {{.shuffled = true}, "256x256", "in another order"},
+    [RELATION_TURNED] = {{.turned = 1}, "256x256", "the corners of each triangle turned"},
+    [RELATION_REVERSED] = {{.reversed = true}, "256x256", "the ends of each line exchanged"},
+    [RELATION_MOVED] = {{.right = RIGHT, .up = UP}, "256x256", "moved by (3,2)"},
+    [RELATION_HALVED] = {{.right = 0}, "512x512", "drawn twice as large and halved"},
+};
+
+/* What the scene is drawn from. */
+static enum input_kind kind_for(const char *step, const char *scene) {
+    if (!unseen_takes_text(step)) {
+        return INPUT_MODEL;
+    }
+    bool lines = strncmp(step, "step01_", 7) == 0;
+    if (strcmp(scene, "gradient") == 0) {
+        return lines ? INPUT_GRADIENT_LINES : INPUT_GRADIENT_TRIANGLES;
+    }
+    return lines ? INPUT_LINES : INPUT_TRIANGLES;
+}
+
+/* Draw one of the two pictures. False when the check cannot; where the program did not draw it,
+ * the image is empty. */
+static bool draw(struct image *image, const char *programs, const char *step, const char *scene,
+                 enum input_kind kind, const struct variant *variant, const char *size,
+                 const struct run_limits *limits, struct error *error) {
+    const bool text = unseen_takes_text(step);
+    const char *const options[] = {"-s", size, "--only", scene, NULL};
+    const char *const nothing[] = {NULL};
+    char program[DRAWN_PATH_LIMIT];
+    struct unseen_place place;
+    struct run_result end;
+    struct error reason;
+    *image = (struct image){.pixels = NULL};
+    if (!unseen_program(program, programs, step, error) || !unseen_begin(&place, error)) {
+        return false;
+    }
+    bool done = unseen_draw(&place, program, text ? nothing : options, kind, SEED, variant, limits,
+                            &end, error);
+    if (done && end.end == RUN_EXITED && end.number == 0) {
+        drawn_read(image, place.pictures, text ? "scene" : scene, NULL, &reason);
+    }
+    bytes_free(&end.messages);
+    unseen_end(&place);
+    return done;
+}
+
+/* `part` becomes what the image shows from (x,y) on, every `step`th pixel, in that size. */
+static bool take_part(struct image *part, const struct image *image, size_t x, size_t y,
+                      size_t step, size_t width, size_t height, struct error *error) {
+    if (!image_create(part, width, height, IMAGE_BGR, error)) {
+        return false;
+    }
+    for (size_t row = 0; row < height; row++) {
+        for (size_t column = 0; column < width; column++) {
+            image_set(part, (int)column, (int)row,
+                      image_get(image, (int)(x + column * step), (int)(y + row * step)));
+        }
+    }
+    return true;
+}
+
+/* Halved, an edge may lie a pixel beside: there only what has no match next to it counts. */
+static bool compare(struct relation_result *result, enum relation relation,
+                    const struct image *first, const struct image *second, struct error *error) {
+    const struct variant *variant = &table[relation].variant;
+    size_t right = (size_t)variant->right, up = (size_t)variant->up;
+    size_t width = first->width - right, height = first->height - up;
+    struct image before, after;
+    if (!take_part(&before, first, 0, 0, 1, width, height, error)) {
+        return false;
+    }
+    if (!take_part(&after, second, right, up, relation == RELATION_HALVED ? 2 : 1, width, height,
+                   error)) {
+        image_free(&before);
+        return false;
+    }
+    struct comparison found = compare_images(&before, &after);
+    const struct tally *tally = relation == RELATION_HALVED ? &found.wrong : &found.apart;
+    result->differing = tally->count;
+    result->drawn_pixels = found.drawn;
+    result->drawn = found.drawn > 0;
+    if (result->drawn) {
+        snprintf(result->text, sizeof result->text, "%s: %llu pixels differ, first at (%zu,%zu)",
+                 table[relation].says, (unsigned long long)tally->count, tally->x, tally->y);
+    } else {
+        snprintf(result->text, sizeof result->text, "of a new scene nothing is drawn");
+    }
+    image_free(&before);
+    image_free(&after);
+    return true;
+}
+
+bool relation_try(const char *programs, const char *step, const char *scene, enum relation relation,
+                  const struct run_limits *limits, struct relation_result *result,
+                  struct error *error) {
+    enum input_kind kind = kind_for(step, scene);
+    const size_t size = INPUT_SIZE, second_size = relation == RELATION_HALVED ? 2 * size : size;
+    struct image first = {.pixels = NULL}, second = {.pixels = NULL};
+    *result = (struct relation_result){.drawn = false};
+    bool done = draw(&first, programs, step, scene, kind, &(struct variant){.turned = 0}, "256x256",
+                     limits, error) &&
+                draw(&second, programs, step, scene, kind, &table[relation].variant,
+                     table[relation].size, limits, error);
+    if (done && (first.width != size || first.height != size || second.width != second_size ||
+                 second.height != second_size)) {
+        snprintf(result->text, sizeof result->text, "a new scene is not drawn, or in another size");
+    } else if (done) {
+        done = compare(result, relation, &first, &second, error);
+    }
+    image_free(&first);
+    image_free(&second);
+    return done;
+}
