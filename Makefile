@@ -18,6 +18,8 @@ For a lesson, here lesson 5:
   make clean                  remove all that was built
 
 For the course as a whole:
+  make check HIDDEN=7         and then scenes that nobody has seen, made from that number
+                              (SOLUTION=dir holds them against dir/step05_zbuffer/main.c)
   make test                   unit tests under sanitizers, and the tests of the check
   make stress                 hostile numbers, independent answers (STRESS=10, SEED=7, PROPERTY=line)
   make bench                  run time against error, a chart for each lesson (STEP=05 for one)
@@ -166,16 +168,18 @@ CHECKER = $(patsubst %.c,$(BUILD)/%.o,$(filter-out %/check.c %/references.c %/lo
 # are slow, and what is not freed at the end is not meant.
 CHECKED = $(BUILD)$(if $(SANITIZE),/sanitized)
 .PHONY: check
-check: $(BUILD)/check
+check: $(BUILD)/check $(HIDDEN:%=$(BUILD)/hidden)
 	@$(if $(SANITIZE),ASAN_OPTIONS=detect_leaks=0 CHECK_TIMEOUT=$${CHECK_TIMEOUT:-60}) \
 	$(BUILD)/check --programs $(CHECKED) --differences $(CHECKED)/differences --make '$(MAKE) -s' \
-	    $(STEP)
+	    $(STEP) $(THEN_HIDDEN)
 
 SANITIZED = -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
 $(STEPS:%=$(BUILD)/sanitized/%): $(BUILD)/sanitized/%: %/main.c $(BUILD)/libcommon.a $(BUILD)/flags
 	@mkdir -p $(@D)
 	$(COMPILE) $(SANITIZED) -MF $@.d -MT $@ -c $< -o $@.o
 	$(LINK) $(SANITIZED) $@.o $(BUILD)/libcommon.a -lm -o $@
+
+-include $(wildcard tests/hidden/hidden.mk)
 
 $(BUILD)/check: $(BUILD)/tests/check/check.o $(CHECKER) $(BUILD)/libcommon.a
 	$(LINK) $^ -lm -o $@

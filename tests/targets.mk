@@ -84,7 +84,7 @@ $(REPLAYS): $(BUILD)/tests/%: $(BUILD)/tested/tests/fuzz/%.o $(BUILD)/tested/tes
 # Every test runs, also after one that failed.
 .PHONY: test
 test: $(UNITS) $(CHECKERS) $(HELPERS) $(REPLAYS) $(BUILD)/check $(BUILD)/references $(BUILD)/show \
-      $(BUILD)/compare_page models
+      $(BUILD)/compare_page $(BUILD)/hidden models
 	@passed=0; failed=0; names=; \
 	for test in $(UNITS) $(CHECKERS) $(HELPERS) $(SCRIPTS); do \
 	    echo "== $$test"; \

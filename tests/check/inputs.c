@@ -307,10 +307,10 @@ static struct color diffuse_texel(struct random *random) {
                      (uint8_t)random_between(random, 60, 255));
 }
 
-/* Blocks of normals that look more or less to the front. */
+/* Blocks of normals that look to all sides of the front. */
 static struct color normal_texel(struct random *random) {
-    struct vec3 n = vec3_normalized(
-        (struct vec3){random_part(random, -600, 600), random_part(random, -600, 600), 1});
+    double x = random_part(random, -1000, 1000), y = random_part(random, -1000, 1000);
+    struct vec3 n = vec3_normalized((struct vec3){x, y, random_part(random, 200, 1000)});
     return color_rgb((uint8_t)floor((n.x + 1) * 127.5 + 0.5),
                      (uint8_t)floor((n.y + 1) * 127.5 + 0.5),
                      (uint8_t)floor((n.z + 1) * 127.5 + 0.5));

@@ -2,8 +2,8 @@
  * What a check has found: filled in once, and read by whoever reports it.
  *
  * A step has items: its pictures, and the counters of work and the relations that the table of
- * scenes wants. Points belong to items: all of them when it passes, otherwise none. An item's points
- * are shared out evenly to its tasks, so the tasks' points add up to the step's too.
+ * scenes wants. Points belong to items: all of them when it passes, otherwise none. An item's
+ * points are shared out evenly to its tasks, so the tasks' points add up to the step's too.
  */
 #ifndef TESTS_CHECK_RESULT_H
 #define TESTS_CHECK_RESULT_H

@@ -14,7 +14,7 @@ function times(share, limit) {
 
 FNR == NR {
     sub(/#.*/, "")
-    if (NF == 7 && $1 != "work") {
+    if (NF == 7 && $1 != "work" && $1 != "same") {
         key = $1 " " $2
         order[++count] = key
         for (i = 1; i <= 3; i++) limit[key, i] = $(4 + i)

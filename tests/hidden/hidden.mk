@@ -1,0 +1,13 @@
+# make check HIDDEN=7     after the check, scenes that nobody has seen, made from that number; the
+#                         pictures are held against those of the solution (the lesson's own, or
+#                         that of SOLUTION=dir, dir/step05_zbuffer/main.c)
+THEN_HIDDEN = $(if $(HIDDEN),; status=$$?; tests/hidden/hidden.sh '$(BUILD)' '$(CHECKED)' \
+                  '$(MAKE) -s' '$(HIDDEN)' '$(STEP)' '$(SOLUTION)' && exit $$status)
+
+$(BUILD)/hidden: $(BUILD)/tests/hidden/hidden.o $(CHECKER) $(BUILD)/libcommon.a
+	$(LINK) $^ -lm -o $@
+
+# A solution, built with what is there.
+$(BUILD)/hidden.%: force
+	$(COMPILE) -I$(@F) -c $(@D)/main.c -o $@.o
+	$(LINK) $@.o $(BUILD)/libcommon.a -lm -o $@

@@ -1,0 +1,67 @@
+#!/bin/sh
+# Lets the lessons' programs draw hidden scenes beside their solutions.
+#
+#     hidden.sh BUILD PROGRAMS MAKE SEED STEP SOLUTION
+#
+# The programs must be built in PROGRAMS. STEP is 5, 05 or step05_zbuffer, several of them, or empty:
+# all lessons. A solution is made of SOLUTION/step05_zbuffer/main.c where SOLUTION is given, and
+# otherwise of the lesson's marked source, wherever it is found (tests/starter/marked.sh); it is
+# built in a directory of its own, and removed.
+#
+# Exit status: that of BUILD/hidden (hidden.c).
+
+cd "$(dirname "$0")/../.." || exit 2
+build=$1
+programs=$2
+make=$3
+seed=$4
+steps=$5
+solution=$6
+. tests/starter/lesson.sh
+. tests/starter/marked.sh
+
+# fail STATUS MESSAGE...: whatever it is, the check itself cannot work.
+fail() {
+    shift
+    printf '%s\n' "make check HIDDEN=$seed: $*" >&2
+    exit 2
+}
+
+cannot() {
+    fail 2 "$@"
+}
+
+# Sets lessons to the names of those that are wanted.
+find_lessons() {
+    lessons=
+    for wanted in ${steps:-step[0-9]*_*}; do
+        find_lesson
+        lessons="$lessons $lesson"
+    done
+}
+
+# The solution's source becomes $place/main.c.
+find_solution() {
+    main=$lesson/main.c
+    work=$place
+    if [ -z "$solution" ]; then
+        find_marked
+        text solution "$place/marked" "$main" >"$place/main.c" || cannot "no solution of $lesson"
+        return
+    fi
+    [ -f "$solution/$lesson/main.c" ] || cannot "there is no $solution/$lesson/main.c"
+    text solution "$solution/$lesson/main.c" >"$place/main.c" || cannot "no solution of $lesson"
+}
+
+find_lessons
+all=$(mktemp -d "$build/hidden.XXXXXX") || cannot "cannot write into $build"
+trap 'rm -rf "$all"' EXIT
+trap 'exit 2' HUP INT TERM
+for lesson in $lessons; do
+    place=$all/$lesson
+    mkdir "$place" || cannot "cannot write into $build"
+    find_solution
+    said=$($make "$place/$lesson" 2>&1) || cannot "the solution of $lesson does not build: $said"
+done
+# shellcheck disable=SC2086 # one word a lesson
+"$build/hidden" --programs "$programs" --solutions "$all" --seed "$seed" $lessons

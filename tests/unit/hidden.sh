@@ -1,0 +1,131 @@
+#!/bin/sh
+# Hidden scenes: does the solution pass them all, a program that prints stored pictures none, and is
+# nothing but the class of a scene told? In a copy of lessons 1 and 5.
+#
+# Exit status 0: all of that is so; 1: something is not.
+
+top=$(cd "$(dirname "$0")/../.." && pwd) || exit 1
+build=$(cd "$top" && cd "${CHECK_PROGRAMS:-build}" && pwd) || exit 1
+work=$(mktemp -d) || exit 1
+trap 'rm -rf "$work"' EXIT
+trap 'exit 1' HUP INT TERM
+unset MAKEFLAGS MFLAGS STEP HIDDEN SOLUTION # of the make that runs this test
+failed=0
+
+wrong() {
+    echo "hidden: $*"
+    sed 's/^/    /' "$work/said"
+    failed=1
+}
+
+mkdir -p "$work/course/tests/reference" && cd "$work/course" || exit 1
+cp -R "$top/Makefile" "$top/common" "$top/step01_line" "$top/step05_zbuffer" . || exit 1
+(cd "$top/tests" && cp -R check hidden starter "$work/course/tests" &&
+    cp -R reference/step01_line reference/step05_zbuffer "$work/course/tests/reference") || exit 1
+grep -e '^#' -e 'step01_' -e 'step05_' "$top/tests/check/scenes.txt" >tests/check/scenes.txt
+mkdir build && cp -R "$build/models" "$build/hidden" build || exit 1
+flags='CFLAGS=-O1 MARCH='
+
+# built STEP...: the programs of what is in their main.c now.
+built() {
+    for lesson in "$@"; do
+        # shellcheck disable=SC2086
+        make -s "build/$lesson" $flags >"$work/said" 2>&1 || wrong "$lesson does not build"
+    done
+}
+
+# hidden STATUS SEED STEP [SOLUTION]: what it says is in $work/said.
+hidden() {
+    tests/hidden/hidden.sh build build "make -s $flags" "$2" "$3" "$4" >"$work/said" 2>&1
+    status=$?
+    [ $status -eq "$1" ] || wrong "status $status, not $1: seed $2, step $3"
+}
+
+# says PATTERN: a whole line is so.
+says() {
+    grep -qx "$1" "$work/said" || wrong "nothing says: $1"
+}
+
+# ---- The solution ----
+
+built step01_line step05_zbuffer
+touch before
+hidden 0 1 ''
+says 'step01_line  HIDDEN \([1-9][0-9]*\)/\1'
+says 'step05_zbuffer  HIDDEN \([1-9][0-9]*\)/\1'
+says 'HIDDEN \([1-9][0-9]*\)/\1'
+[ "$(find build -name 'hidden.*' | wc -l)" -eq 0 ] || wrong "solutions are left behind"
+
+# ---- Programs that are wrong ----
+
+# A program that knows the references by heart, and nothing else.
+cp -R step01_line step05_zbuffer "$work"
+for lesson in step01_line step05_zbuffer; do
+    cat >$lesson/main.c <<EOF
+#include "image_file.h"
+#include <stdio.h>
+#include <string.h>
+
+static void print(const char *directory, const char *scene, const char *name) {
+    struct image image;
+    struct error error;
+    char path[4096];
+    snprintf(path, sizeof path, "$PWD/tests/reference/$lesson/%s.png", scene);
+    if (image_read(&image, path, &error)) {
+        snprintf(path, sizeof path, "%s/%s.tga", directory, name);
+        tga_write(&image, path, &error);
+        image_free(&image);
+    }
+}
+
+int main(int argc, char **argv) {
+    static const char *const scenes[] = {
+$(for picture in "tests/reference/$lesson"/*.png; do
+    echo "        \"$(basename "$picture" .png)\","
+done)
+    };
+    for (int i = 1; i + 1 < argc; i++) {
+        for (size_t k = 0; strcmp(argv[i], "-o") == 0 && k < sizeof scenes / sizeof scenes[0]; k++) {
+            print(argv[i + 1], scenes[k], scenes[k]);
+            print(argv[i + 1], scenes[k], "scene");
+        }
+    }
+    return 0;
+}
+EOF
+done
+built step01_line step05_zbuffer
+hidden 1 1 '' "$work"
+says 'HIDDEN 0/[1-9][0-9]*'
+says '  hidden: lines: wrong'
+says '  hidden: depth of a new model: wrong'
+! grep -q "$work" "$work/said" || wrong "tells where the solution is"
+
+# Right for the light and the size of the lesson's own scenes.
+sed 's/if (depth > row\[x\])/if (depth > row[x] || image->width != 800)/' \
+    "$work/step05_zbuffer/main.c" >step05_zbuffer/main.c
+built step05_zbuffer
+hidden 1 2 5 "$work"
+says '  hidden: zbuffer of a model in another size: wrong'
+! grep -q 'light: wrong' "$work/said" || wrong "what is right is called wrong"
+
+# ---- What cannot be tried ----
+
+hidden 2 1 1
+says 'make check HIDDEN=1: step01_line/main.c has no good marks.*'
+hidden 2 1 5 "$work/nowhere"
+says "make check HIDDEN=1: there is no $work/nowhere/step05_zbuffer/main.c"
+hidden 2 x 5 "$work"
+says "hidden: 'x' is no seed: a number is wanted"
+hidden 2 1 7
+grep -q '^make check HIDDEN=1: there is no step "7"' "$work/said" || wrong "step 7"
+
+# ---- make check HIDDEN=1 ----
+
+cp "$work/step05_zbuffer/main.c" step05_zbuffer/main.c
+# shellcheck disable=SC2086
+make -s check STEP=5 HIDDEN=3 $flags >"$work/said" 2>&1 || wrong "make check HIDDEN=3 fails"
+says '1 passed, 0 failed'
+says 'HIDDEN \([1-9][0-9]*\)/\1'
+
+exit $failed
