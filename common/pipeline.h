@@ -146,6 +146,7 @@ struct buffer {
 struct pipeline {
     size_t width, height;
     bool skip;       /* false: do all the work, shade at once; the image is the same */
+    bool clears;     /* pipeline_finish() makes 0 of what nothing covers; otherwise it stays */
     bool keep_depth; /* keep what pipeline_finish() found in `depth` */
     double *depth;   /* width * height; minus infinity where nothing is drawn; NULL if not kept */
     uint64_t stats[PIPELINE_STATS];
@@ -198,7 +199,7 @@ bool pipeline_draw(struct pipeline *pipeline, const struct draw_call *call,
                    struct error *error);
 
 /* Draw all that was recorded into an image of the pipeline's size, format BGR or BGRA; what nothing
- * covers stays as it is. False when memory runs out, with the image as it was. */
+ * covers stays as it is, or is 0 where the pipeline `clears`. False when memory runs out, with the image as it was. */
 bool pipeline_finish(struct pipeline *pipeline, struct image *image, struct error *error);
 
 #include "pipeline_kernels.h" /* private: what SHADER() compiles into its loop */

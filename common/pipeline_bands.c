@@ -5,8 +5,12 @@
 
 /* ---- Cover: which piece is nearest at each pixel ---- */
 
-/* Boxes of at most this many pixels are covered without spans, with 32-bit edge functions. */
-enum { SMALL_BOX = 64 };
+/* Boxes of at most this many pixels a side are covered without spans, with edge functions in 32 bits:
+ * a side times a distance is below 2^29, and an edge function is the sum of two or three such. */
+enum { SMALL_BOX = 80 };
+
+/* In boxes wider than this many pixels it pays to ask whether a few neighbours are all outside. */
+enum { WIDE_BOX = 10 };
 
 /* A band that is being covered. */
 struct band {
@@ -123,9 +127,10 @@ static struct small_edge small_edge(struct fixed2 a, struct fixed2 b) {
     };
 }
 
-/* All pixels of a small box, several tested at once. */
-static void cover_box(struct band *band, const struct piece *piece, struct span columns,
-                      struct span rows, uint32_t number) {
+/* All pixels of a small box, several tested at once; in a wide one, those that lie on the outer side
+ * of an edge together are left out. */
+LANES_INLINE void cover_box_of(bool wide, struct band *band, const struct piece *piece,
+                               struct span columns, struct span rows, uint32_t number) {
     int left = columns.begin / COVERED * COVERED;
     bool reordered = band->reordered;
     struct fixed2 c[3];
@@ -137,23 +142,33 @@ static void cover_box(struct band *band, const struct piece *piece, struct span 
                               small_edge(c[0], c[1])};
     struct depth_slopes slopes = find_depth_slopes(piece, e[0].origin + e[1].origin + e[2].origin);
     cover_ints covered = {0}, right[3], next[3];
+    int32_t most[3]; /* to add to the first of several pixels, for the greatest value of them */
     for (int i = 0; i < 3; i++) {
         right[i] = e[i].dx * ints_from(0);
         next[i] = e[i].dx * COVERED + (cover_ints){0};
+        most[i] = e[i].bias + (e[i].dx > 0 ? e[i].dx * (COVERED - 1) : 0);
     }
     for (int y = rows.begin; y < rows.end; y++) {
         size_t row = (size_t)(y - band->rows.begin) * band->stride;
         cover_ints e0 = e[0].origin + right[0];
         cover_ints e1 = e[1].origin + right[1];
         cover_ints e2 = e[2].origin + right[2];
+        int32_t most0 = e[0].origin + most[0];
+        int32_t most1 = e[1].origin + most[1];
+        int32_t most2 = e[2].origin + most[2];
         for (int x = left; x < columns.end; x += COVERED) {
-            cover_ints inside = ((e0 + e[0].bias) | (e1 + e[1].bias) | (e2 + e[2].bias)) >= 0;
-            cover_depths first = __builtin_convertvector(e1, cover_depths);
-            cover_depths second = __builtin_convertvector(e2, cover_depths);
-            covered -= inside;
-            touch(band, y, x);
-            cover_pixels(band->scratch->depth + row + x, band->scratch->number + row + x, inside,
-                         depths_at(&slopes, first, second), number, reordered);
+            if (!wide || (most0 | most1 | most2) >= 0) {
+                cover_ints inside = ((e0 + e[0].bias) | (e1 + e[1].bias) | (e2 + e[2].bias)) >= 0;
+                cover_depths first = __builtin_convertvector(e1, cover_depths);
+                cover_depths second = __builtin_convertvector(e2, cover_depths);
+                covered -= inside;
+                touch(band, y, x);
+                cover_pixels(band->scratch->depth + row + x, band->scratch->number + row + x,
+                             inside, depths_at(&slopes, first, second), number, reordered);
+            }
+            most0 += e[0].dx * COVERED;
+            most1 += e[1].dx * COVERED;
+            most2 += e[2].dx * COVERED;
             e0 += next[0];
             e1 += next[1];
             e2 += next[2];
@@ -164,6 +179,15 @@ static void cover_box(struct band *band, const struct piece *piece, struct span 
     }
     for (int i = 0; i < COVERED; i++) {
         band->covered += (uint64_t)covered[i];
+    }
+}
+
+static void cover_box(struct band *band, const struct piece *piece, struct span columns,
+                      struct span rows, uint32_t number) {
+    if (columns.end - columns.begin > WIDE_BOX) {
+        cover_box_of(true, band, piece, columns, rows, number);
+    } else {
+        cover_box_of(false, band, piece, columns, rows, number);
     }
 }
 
@@ -262,6 +286,13 @@ static void keep_depth(const struct band *band) {
     }
 }
 
+/* While the rows are in the cache: the shaders write to them next. */
+static void clear_image(const struct image *image, struct span rows) {
+    size_t row_size = image->width * image->format;
+    memset(image->pixels + (size_t)rows.begin * row_size, 0,
+           (size_t)(rows.end - rows.begin) * row_size);
+}
+
 static void call_shader(const struct shading *shading) {
     if (shading->shader->shade != NULL) {
         shading->shader->shade(shading);
@@ -345,6 +376,9 @@ void pipeline_draw_band(void *context, size_t index, size_t worker) {
     *work = (struct pixel_work){0};
     memset(scratch->fetched, 0, (bin->count + 1) * sizeof *scratch->fetched);
     depth_clear(scratch->farthest, band.stride / CHUNK);
+    if (p->clears) {
+        clear_image(frame->image, rows);
+    }
     draw_pieces(&band, &shading, index, true);
     if (!shading.at_once) {
         mark_visible(&band);

@@ -52,6 +52,14 @@ static inline uint64_t texel_pair(const uint32_t *texels) {
     return texels[0] | (uint64_t)texels[1] << 32;
 }
 
+/* Ask the memory for the texel some rows above this one: the pixels above will need it, or one beside
+ * it in the same line of the cache, and find it there. */
+LANES_INLINE void texture_expect(const struct texture_level *level, uint32_t index) {
+    enum { ROWS_AHEAD = 6 };
+    size_t ahead = index + ROWS_AHEAD * level->width, end = level->width * level->height;
+    __builtin_prefetch(level->texels + (ahead < end ? ahead : end));
+}
+
 /* Fetch from one level (clamped to the last one). `place` is all zero, or where the last fetch at
  * the same uv was: textures of one size have the same places. Memory is slow: fetch from several
  * textures first, and mix then, so that the processor waits for all of them at once. */
@@ -67,6 +75,8 @@ LANES_INLINE struct texels texture_fetch(const struct texture *texture, struct l
         lower[i] = texel_pair(l->texels + place->index[i]);
         upper[i] = texel_pair(l->texels + place->index[i] + l->width);
     }
+    texture_expect(l, place->index[0]);
+    texture_expect(l, place->index[LANES - 1]);
     struct texels texels;
     memcpy(texels.weight, place->weight, sizeof texels.weight);
     lanes_split(lower, &texels.texel[0], &texels.texel[1]);

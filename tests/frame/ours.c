@@ -104,12 +104,12 @@ bool ours_load(struct ours *ours, const struct frame_scene *scene, size_t thread
         !pipeline_create(&ours->pipeline, scene->width, scene->height, error)) {
         return false;
     }
+    ours->pipeline.clears = true;
     pipeline_use_threads(&ours->pipeline, threads);
     return true;
 }
 
 bool ours_draw(struct ours *ours, struct error *error) {
-    memset(ours->image.pixels, 0, ours->image.width * ours->image.height * IMAGE_BGRA);
     pipeline_clear(&ours->pipeline);
     return pipeline_draw(&ours->pipeline, &ours->scene.call, shaders[ours->scene.look],
                          &ours->scene, sizeof ours->scene, error) &&

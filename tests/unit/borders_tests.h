@@ -463,6 +463,88 @@ static void test_many_faces(void) {
     image_free(&image);
 }
 
+/* A level face around a place, of any size. */
+static void add_level_face(struct part *part, int32_t x, int32_t y, int32_t size, int64_t depth) {
+    add_face(part, &(struct placed){{{x - size, y - size}, {x + size, y - size}, {x, y + size}},
+                                    {depth, depth, depth}});
+}
+
+/* Draw the scene and judge it. */
+static void check_scene(struct pipeline *pipeline, const struct scene *scene, struct image *image) {
+    struct work work;
+    struct answer *answers = answer(scene, &work);
+    size_t calls;
+    if (CHECK(answers != NULL) && draw_scene(pipeline, scene, image, &calls)) {
+        CHECK(frame_is_right(pipeline, image, answers));
+        CHECK(counts_are_right(pipeline, scene, answers, &work));
+    }
+    free(answers);
+}
+
+/* A wall that covers parts of some chunks and all of others, drawn first since a face of its call is
+ * near: faces behind it, before it, through it and beside it. */
+static void test_walls(void) {
+    static struct scene scene;
+    struct random random = {75};
+    struct pipeline pipeline;
+    struct image image = {0};
+    struct error error;
+    uint64_t behind = 0;
+    scene.count = 2, scene.width = 70, scene.height = 40;
+    CHECK(pipeline_create(&pipeline, 70, 40, &error));
+    CHECK(image_create(&image, 70, 40, IMAGE_BGR, &error));
+    for (int round = 0; round < 400; round++) {
+        struct part *wall = &scene.part[round % 2], *faces = &scene.part[1 - round % 2];
+        part_begin(wall, (struct rectangle){0, 0, 70, 40});
+        part_begin(faces, wall->call.viewport);
+        wall->shader = &flat_shader;
+        faces->shader = &number_shader;
+        add_level_face(wall, 256 * (round % 70), 256 * 20, 300, DEPTH_STEPS);
+        int32_t side = (int32_t)random_between(&random, 0, 80) * 256;
+        int64_t right = round / 2 % 2 ? 0 : -30, left = -30 - right;
+        add_face(wall, &(struct placed){{{side, -4000}, {side, 14000}, {side + 30000, 5000}},
+                                        {right, right, right}});
+        add_face(wall, &(struct placed){{{side, -4000}, {side - 30000, 5000}, {side, 14000}},
+                                        {left, left, left}});
+        add_level_face(faces, side + 128, 256 * (round % 40) + 128, 200, -15); /* one pixel */
+        for (int i = 0; i < 8; i++) {
+            struct placed placed;
+            any_face(&random, &scene, &placed);
+            add_face(faces, &placed);
+        }
+        scene.part[0].first_number = 1;
+        scene.part[1].first_number = 1 + (uint32_t)scene.part[0].model.face_count;
+        check_scene(&pipeline, &scene, &image);
+        behind += pipeline.stats[STAT_FACES_BEHIND];
+    }
+    CHECK(behind > 100);
+    pipeline_free(&pipeline);
+    image_free(&image);
+}
+
+/* One near face, before thousands of others in the same call that lie behind a wall. */
+static void test_near_face_of_many(void) {
+    static struct scene scene;
+    struct pipeline pipeline;
+    struct image image = {0};
+    struct error error;
+    scene.count = 2, scene.width = 64, scene.height = 64;
+    CHECK(pipeline_create(&pipeline, 64, 64, &error));
+    CHECK(image_create(&image, 64, 64, IMAGE_BGR, &error));
+    for (int i = 0; i < 2; i++) {
+        part_begin(&scene.part[i], (struct rectangle){0, 0, 64, 64});
+        scene.part[i].shader = &flat_shader;
+        scene.part[i].first_number = i == 0 ? 1 : 9001;
+    }
+    for (int i = 0; i < 9000; i++) {
+        add_level_face(&scene.part[0], 8000, 8000, 3000, i == 0 ? 50 : -50);
+    }
+    add_level_face(&scene.part[1], 8192, 8192, 40000, 0);
+    check_scene(&pipeline, &scene, &image);
+    pipeline_free(&pipeline);
+    image_free(&image);
+}
+
 /* A face for each pixel: none of a block, and none of its corners, may be lost. The image is filled
  * row by row or column by column, so that each block of faces lies somewhere else. */
 static void test_every_face_shows(void) {
@@ -572,7 +654,8 @@ static void test_no_face_at_all(void) {
     image_free(&image);
 }
 
-UNIT_MAIN(TEST(test_images_of_all_sizes), TEST(test_many_faces), TEST(test_large_faces),
-          TEST(test_every_face_shows), TEST(test_no_face_at_all))
+UNIT_MAIN(TEST(test_images_of_all_sizes), TEST(test_many_faces), TEST(test_walls),
+          TEST(test_near_face_of_many), TEST(test_large_faces), TEST(test_every_face_shows),
+          TEST(test_no_face_at_all))
 
 #endif

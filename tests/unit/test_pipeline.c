@@ -386,6 +386,25 @@ static void test_nothing_outside_the_viewport(void) {
     }
 }
 
+/* What nothing covers stays as it is, or is 0 where the pipeline clears. */
+static void test_image_is_cleared(void) {
+    static struct mesh mesh;
+    make_cover(&mesh, 1);
+    for (int way = 0; way < 2 * WAYS; way++) {
+        struct frame frame;
+        uint8_t outside = way < WAYS ? 0 : 200;
+        if (frame_begin(&frame, way % WAYS)) {
+            frame.pipeline.clears = way < WAYS;
+            image_clear(&frame.image, color_grey(200));
+            frame_draw(&frame, &mesh, place_is_xyw, (struct rectangle){11, 7, 8, 5});
+            frame_finish(&frame);
+            CHECK(frame_count(&frame, 1) == 40);
+            CHECK(frame_count(&frame, outside) == (size_t)SIZE * SIZE - 40);
+        }
+        frame_end(&frame);
+    }
+}
+
 /* A later call that lies partly behind an earlier one: each pixel keeps its own call's piece. */
 static void test_calls_that_overlap(void) {
     static struct mesh first, behind, nearest;
@@ -519,9 +538,10 @@ static void test_object_partly_in_view(void) {
             memcpy(kept, mesh.positions, sizeof kept);
             memcpy(mesh.positions, outside.positions, sizeof kept);
             frame_next(&frame);
+            frame_draw(&frame, &outside, mat4_identity(), whole_image);
             frame_draw(&frame, &mesh, mat4_identity(), whole_image);
             frame_finish(&frame);
-            CHECK(frame_count(&frame, 1) == 0);
+            CHECK(frame_count(&frame, 0) == (size_t)SIZE * SIZE);
             memcpy(mesh.positions, kept, sizeof kept);
             frame_next(&frame);
             frame_draw(&frame, &mesh, mat4_identity(), whole_image);
@@ -1179,13 +1199,13 @@ static void test_errors(void) {
 
 UNIT_MAIN(TEST(test_nearest_face_shows), TEST(test_threads_change_nothing),
           TEST(test_first_of_equal_depths_stays), TEST(test_cells_side_by_side),
-          TEST(test_nothing_outside_the_viewport), TEST(test_calls_that_overlap),
-          TEST(test_calls_of_many_faces), TEST(test_counts), TEST(test_faces_at_the_sides),
-          TEST(test_object_partly_in_view), TEST(test_channels), TEST(test_discarded_hides_nothing),
-          TEST(test_cut_from_both_ends), TEST(test_nearest_w), TEST(test_depth_overflows),
-          TEST(test_depth_difference_overflows), TEST(test_clipped_in_every_block),
-          TEST(test_scale_of_clip_space), TEST(test_corner_order), TEST(test_ground_without_gaps),
-          TEST(test_interpolation), TEST(test_viewport), TEST(test_grid_cell),
-          TEST(test_not_finite), TEST(test_beside_viewport), TEST(test_equal_corners),
-          TEST(test_no_area_is_no_side), TEST(test_wrapped_level), TEST(test_far_apart),
-          TEST(test_errors))
+          TEST(test_nothing_outside_the_viewport), TEST(test_image_is_cleared),
+          TEST(test_calls_that_overlap), TEST(test_calls_of_many_faces), TEST(test_counts),
+          TEST(test_faces_at_the_sides), TEST(test_object_partly_in_view), TEST(test_channels),
+          TEST(test_discarded_hides_nothing), TEST(test_cut_from_both_ends), TEST(test_nearest_w),
+          TEST(test_depth_overflows), TEST(test_depth_difference_overflows),
+          TEST(test_clipped_in_every_block), TEST(test_scale_of_clip_space),
+          TEST(test_corner_order), TEST(test_ground_without_gaps), TEST(test_interpolation),
+          TEST(test_viewport), TEST(test_grid_cell), TEST(test_not_finite),
+          TEST(test_beside_viewport), TEST(test_equal_corners), TEST(test_no_area_is_no_side),
+          TEST(test_wrapped_level), TEST(test_far_apart), TEST(test_errors))
