@@ -1,11 +1,12 @@
 /*
- * Numbers for sixteen pixels at once: a fragment function is written as if for one pixel and run
- * for sixteen neighbours of a row, as on a GPU.
+ * Numbers for several pixels at once: a fragment function is written as if for one pixel and run
+ * for LANES neighbours of a row, as on a GPU: 16, 8 or 4 of them, as many floats as a register of
+ * the processor holds.
  *
  *     lanes intensity = lanes_max(lanes3_dot(normal, light), lanes_all(0));
  *
  * A `lanes` is used like a number: + - * / and comparisons work lane by lane. Three things differ.
- * There is no `if`, since the sixteen pixels may disagree: compute both and choose with
+ * There is no `if`, since the pixels may disagree: compute both and choose with
  * lanes_select(). Constants are written as floats (127.5f, 2). What is the same for all pixels is
  * made a `lanes` by lanes_all() or by an operator whose other side is one. (Vector extensions of
  * gcc and clang, which make of an operator the instructions that the processor has; "Using the GNU
@@ -31,7 +32,7 @@
 #endif
 typedef REAL real;
 
-/* As many lanes as the processor's registers have: the number changes no byte. */
+/* As many floats as a register of the processor holds: the number changes no byte. */
 #ifndef LANES
 #if defined(__AVX512F__)
 #define LANES 16
@@ -44,7 +45,6 @@ typedef REAL real;
 
 #define LANES_INLINE static inline __attribute__((always_inline))
 
-/* Integers as wide as a real, so that comparisons give masks of the same size. */
 #define LANES_IS_FLOAT (sizeof(real) == sizeof(float))
 
 #if LANES > 1
@@ -100,7 +100,7 @@ LANES_INLINE lanes_mask lanes_all_set(void) {
     return lower < higher;
 }
 
-/* first, first + 1, first + 2, ... */
+/* first, first + 1, first + 2, ...: as integers, and below as numbers. */
 LANES_INLINE lanes_int lanes_int_from(int first) {
     lanes_int from = {0};
     for (int i = 0; i < LANES; i++) {
@@ -117,7 +117,7 @@ LANES_INLINE lanes lanes_from(int first) {
     return from + (real)first;
 }
 
-/* Both, cut to 32 bits each: the lower and the upper half of 64-bit words. */
+/* The lower and the upper 32 bits of each of LANES words. */
 LANES_INLINE void lanes_split(const uint64_t words[LANES], lanes_texel *lower, lanes_texel *upper) {
     typedef uint64_t lanes_words __attribute__((vector_size(LANES * sizeof(uint64_t))));
     lanes_words both;
@@ -217,7 +217,7 @@ LANES_INLINE lanes_int lanes_level(lanes level) {
     return lanes_to_int(lanes_min(lanes_max(level, lanes_all(0)), lanes_all(255)) + 0.5f);
 }
 
-/* ---- Vectors: as struct vec2 and vec3 of geometry.h, for sixteen pixels ---- */
+/* ---- Vectors: as struct vec2 and vec3 of geometry.h, for LANES pixels ---- */
 
 struct lanes2 {
     lanes x, y;

@@ -169,7 +169,8 @@ static size_t block_count(const struct pipeline *p) {
     return last->first_block + last->block_count;
 }
 
-/* Uniforms lie at multiples of this, so that everything in them is aligned. */
+/* Uniforms lie at multiples of this: each in a line of the cache of its own, and, since malloc()
+ * aligns for every type, aligned as well as a variable is. */
 enum { UNIFORMS_ALIGNMENT = 64 };
 
 bool pipeline_draw(struct pipeline *p, const struct draw_call *call, const struct shader *shader,
@@ -240,7 +241,7 @@ static void bin_block(const struct pipeline *p, const struct draw *draw, size_t 
     uint32_t *next = (uint32_t *)p->band_counts.data + index * band_count(p);
     uint32_t *binned = p->binned.data;
     for (size_t i = 0; i < block->piece_count; i++) {
-        struct span rows = rows_of_piece(&pieces[i], draw);
+        struct span rows = rows_in(rows_of(pieces[i].corner), &draw->call.viewport);
         for (int band = rows.begin / BAND_HEIGHT; band <= (rows.end - 1) / BAND_HEIGHT; band++) {
             binned[next[band]++] = (uint32_t)(block->first_piece + i);
         }

@@ -15,7 +15,7 @@
  *      band stay in the processor's cache while the band is worked on:
  *   3. cover: each pixel keeps the depth and the number of the piece that is nearest there;
  *   4. shade: the varyings of a piece that is visible somewhere are fetched once, and each visible
- *      pixel is shaded exactly once, sixteen neighbours at a time (see lanes.h).
+ *      pixel is shaded exactly once, several neighbours at a time (see lanes.h).
  *
  * Skipped, in this order, and counted (enum pipeline_stat): draw calls whose model lies beyond one
  * side of the view, as the box around it shows, before a position is transformed; faces off screen;
@@ -83,7 +83,7 @@ struct shader {
     size_t varying_count; /* numbers that a corner hands to the pixels, at most VARYING_LIMIT */
     /* Give the varyings of corner 0..2 of a face. */
     void (*vertex)(const void *uniforms, size_t face, size_t corner, double *varyings);
-    /* Give the colour of a pixel from its interpolated varyings (sixteen pixels at once: lanes.h).
+    /* Give the colour of a pixel from its interpolated varyings (several pixels at once: lanes.h).
      * No lane of the mask that it returns is drawn where it is unset, which only a shader that
      * `discards` may do; others return lanes_all_set(). */
     lanes_mask (*fragment)(const void *uniforms, const lanes *varyings, lanes_texel *color);
@@ -199,7 +199,8 @@ bool pipeline_draw(struct pipeline *pipeline, const struct draw_call *call,
                    struct error *error);
 
 /* Draw all that was recorded into an image of the pipeline's size, format BGR or BGRA; what nothing
- * covers stays as it is, or is 0 where the pipeline `clears`. False when memory runs out, with the image as it was. */
+ * covers stays as it is, or is 0 where the pipeline `clears`. False when memory runs out, with the
+ * image as it was. */
 bool pipeline_finish(struct pipeline *pipeline, struct image *image, struct error *error);
 
 #include "pipeline_kernels.h" /* private: what SHADER() compiles into its loop */

@@ -281,21 +281,6 @@ static int64_t signed_area(const struct fixed2 *p) {
            ((int64_t)p[1].y - p[0].y) * ((int64_t)p[2].x - p[0].x);
 }
 
-/* The pixels whose centres the box of a triangle reaches, cut to the viewport. */
-static struct span columns_of(const struct fixed2 *p, const struct rectangle *viewport) {
-    int begin = (least_of(p[0].x, p[1].x, p[2].x) + SUBPIXELS / 2 - 1) >> 8;
-    int end = ((most_of(p[0].x, p[1].x, p[2].x) - SUBPIXELS / 2) >> 8) + 1;
-    return span_overlap((struct span){begin, end},
-                        (struct span){viewport->x, viewport->x + viewport->width});
-}
-
-static struct span rows_of(const struct fixed2 *p, const struct rectangle *viewport) {
-    int begin = (least_of(p[0].y, p[1].y, p[2].y) + SUBPIXELS / 2 - 1) >> 8;
-    int end = ((most_of(p[0].y, p[1].y, p[2].y) - SUBPIXELS / 2) >> 8) + 1;
-    return span_overlap((struct span){begin, end},
-                        (struct span){viewport->y, viewport->y + viewport->height});
-}
-
 /* Where a block's pieces go. */
 struct output {
     struct block *block;
@@ -341,8 +326,8 @@ static bool add_piece(const struct assembly *a, struct output *to, size_t face, 
         block->stats[STAT_FACES_TURNED_AWAY]++;
         return false;
     }
-    struct span columns = columns_of(screen, &call->viewport);
-    struct span rows = rows_of(screen, &call->viewport);
+    struct span columns = columns_in(columns_of(screen), &call->viewport);
+    struct span rows = rows_in(rows_of(screen), &call->viewport);
     if (area == 0 || columns.begin >= columns.end || rows.begin >= rows.end) {
         block->stats[STAT_FACES_WITHOUT_PIXEL]++;
         return false;

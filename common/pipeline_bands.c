@@ -5,8 +5,8 @@
 
 /* ---- Cover: which piece is nearest at each pixel ---- */
 
-/* Boxes of at most this many pixels a side are covered without spans, with edge functions in 32 bits:
- * a side times a distance is below 2^29, and an edge function is the sum of two or three such. */
+/* Boxes of at most this many pixels a side are covered without spans, with 32-bit edge functions: a
+ * side times a distance in it is below 2^30, and such a function is the difference of two. */
 enum { SMALL_BOX = 80 };
 
 /* In boxes wider than this many pixels it pays to ask whether a few neighbours are all outside. */
@@ -91,7 +91,7 @@ static void cover_by_spans(struct band *band, const struct draw *draw, const str
     }
     struct depth_slopes slopes = find_depth_slopes(piece, edges.area);
     const struct edge *e1 = &edges.edge[1], *e2 = &edges.edge[2];
-    struct span rows = span_overlap(rows_of_piece(piece, draw), band->rows);
+    struct span rows = span_overlap(rows_in(rows_of(c), viewport), band->rows);
     for (int y = rows.begin; y < rows.end; y++) {
         struct span span = span_overlap(edges_span(&edges, y),
                                         (struct span){viewport->x, viewport->x + viewport->width});
@@ -127,8 +127,8 @@ static struct small_edge small_edge(struct fixed2 a, struct fixed2 b) {
     };
 }
 
-/* All pixels of a small box, several tested at once; in a wide one, those that lie on the outer side
- * of an edge together are left out. */
+/* All pixels of a small box, several tested at once; in a wide one, those that lie together on the
+ * outer side of an edge are left out. */
 LANES_INLINE void cover_box_of(bool wide, struct band *band, const struct piece *piece,
                                struct span columns, struct span rows, uint32_t number) {
     int left = columns.begin / COVERED * COVERED;
@@ -231,20 +231,16 @@ static bool is_behind(const struct band *band, double nearest, struct span colum
 
 static void cover_piece(struct band *band, const struct draw *draw, const struct piece *piece,
                         uint32_t number) {
-    const struct fixed2 *c = piece->corner;
-    int32_t least_x = least_of(c[0].x, c[1].x, c[2].x), most_x = most_of(c[0].x, c[1].x, c[2].x);
-    int32_t least_y = least_of(c[0].y, c[1].y, c[2].y), most_y = most_of(c[0].y, c[1].y, c[2].y);
-    struct span columns = {(least_x + SUBPIXELS / 2 - 1) >> 8, ((most_x - SUBPIXELS / 2) >> 8) + 1};
     const struct rectangle *v = &draw->call.viewport;
-    struct span seen = span_overlap(columns, (struct span){v->x, v->x + v->width});
+    struct span columns = columns_of(piece->corner), rows = rows_of(piece->corner);
+    struct span seen = columns_in(columns, v);
     if (band->reordered && is_behind(band, nearest_of_piece(piece), seen)) {
         band->behind++;
         return;
     }
-    if (most_x - least_x <= SMALL_BOX * SUBPIXELS && most_y - least_y <= SMALL_BOX * SUBPIXELS &&
+    if (columns.end - columns.begin <= SMALL_BOX && rows.end - rows.begin <= SMALL_BOX &&
         columns.begin >= v->x && columns.end <= v->x + v->width) {
-        cover_box(band, piece, columns, span_overlap(rows_of_piece(piece, draw), band->rows),
-                  number);
+        cover_box(band, piece, columns, span_overlap(rows_in(rows, v), band->rows), number);
     } else {
         cover_by_spans(band, draw, piece, number);
     }

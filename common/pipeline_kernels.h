@@ -12,8 +12,8 @@
 /* Rows are drawn in bands of this many, whose depths stay in the cache. */
 enum { BAND_HEIGHT = 32 };
 
-/* Pixels of a row are drawn in chunks of this many, which begin at multiples of it on every
- * machine, so that every machine rounds alike. */
+/* A row is divided into chunks of this many pixels, for however many LANES: what is touched, and
+ * what is farthest, is known by the chunk, and edge functions are found from its first pixel on. */
 enum { CHUNK = 16 };
 
 /* What `skip` switches on and off, so that each can be measured alone. */

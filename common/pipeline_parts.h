@@ -75,13 +75,24 @@ static inline double nearest_of_piece(const struct piece *piece) {
     return (most > z[2] ? most : z[2]) + 1e-14 * (fabs(z[0]) + fabs(z[1]) + fabs(z[2]));
 }
 
-/* The rows whose pixel centres a piece may reach, in its viewport. */
-static inline struct span rows_of_piece(const struct piece *piece, const struct draw *draw) {
-    const struct fixed2 *c = piece->corner;
-    struct span rows = {(least_of(c[0].y, c[1].y, c[2].y) + SUBPIXELS / 2 - 1) >> 8,
-                        ((most_of(c[0].y, c[1].y, c[2].y) - SUBPIXELS / 2) >> 8) + 1};
-    int bottom = draw->call.viewport.y;
-    return span_overlap(rows, (struct span){bottom, bottom + draw->call.viewport.height});
+/* The columns whose pixel centres the box of a triangle reaches, in an image without end; and the
+ * rows. centers_between() of raster.h, with shifts, and not cut. */
+static inline struct span columns_of(const struct fixed2 *c) {
+    return (struct span){(least_of(c[0].x, c[1].x, c[2].x) + SUBPIXELS / 2 - 1) >> 8,
+                         ((most_of(c[0].x, c[1].x, c[2].x) - SUBPIXELS / 2) >> 8) + 1};
+}
+
+static inline struct span rows_of(const struct fixed2 *c) {
+    return (struct span){(least_of(c[0].y, c[1].y, c[2].y) + SUBPIXELS / 2 - 1) >> 8,
+                         ((most_of(c[0].y, c[1].y, c[2].y) - SUBPIXELS / 2) >> 8) + 1};
+}
+
+static inline struct span columns_in(struct span columns, const struct rectangle *viewport) {
+    return span_overlap(columns, (struct span){viewport->x, viewport->x + viewport->width});
+}
+
+static inline struct span rows_in(struct span rows, const struct rectangle *viewport) {
+    return span_overlap(rows, (struct span){viewport->y, viewport->y + viewport->height});
 }
 
 #endif

@@ -1,4 +1,4 @@
-/* The bilinear sample of texture.h for sixteen pixels at once: see lanes.h. */
+/* The bilinear sample of texture.h for several pixels at once: see lanes.h. */
 #ifndef COMMON_TEXTURE_LANES_H
 #define COMMON_TEXTURE_LANES_H
 
@@ -52,8 +52,8 @@ static inline uint64_t texel_pair(const uint32_t *texels) {
     return texels[0] | (uint64_t)texels[1] << 32;
 }
 
-/* Ask the memory for the texel some rows above this one: the pixels above will need it, or one beside
- * it in the same line of the cache, and find it there. */
+/* Ask the memory for the texel some rows above this one: the pixels above will need it, or one that
+ * lies beside it, and find it in the cache. */
 LANES_INLINE void texture_expect(const struct texture_level *level, uint32_t index) {
     enum { ROWS_AHEAD = 6 };
     size_t ahead = index + ROWS_AHEAD * level->width, end = level->width * level->height;

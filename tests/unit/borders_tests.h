@@ -481,8 +481,8 @@ static void check_scene(struct pipeline *pipeline, const struct scene *scene, st
     free(answers);
 }
 
-/* A wall that covers parts of some chunks and all of others, drawn first since a face of its call is
- * near: faces behind it, before it, through it and beside it. */
+/* A wall that covers parts of some chunks and all of others, drawn first since a face of its call
+ * is near: faces behind it, before it, through it and beside it. */
 static void test_walls(void) {
     static struct scene scene;
     struct random random = {75};
