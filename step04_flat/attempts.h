@@ -55,10 +55,10 @@ static inline float attempt_square(struct attempt_vec3 n) {
     return n.x * n.x + n.y * n.y + n.z * n.z;
 }
 
-/* Attempt 4: everything in float. Good to about seven digits, so a level is wrong only where the
- * exact value lies at the limit between two. But the square of the length of a normal is the fourth
- * power of the size of the model: in float it becomes 0 below 1e-45, which a model of size 1e-11 is
- * enough for. */
+/* Attempt 4: everything in float. Good to about seven digits, so a grey value is wrong only where
+ * the exact one lies at the limit between two. But the square of the length of a normal is the
+ * fourth power of the size of the model: in float it becomes 0 below 1e-45, which a model of size
+ * 1e-11 is enough for. */
 static inline double attempt_4_float(struct vec3 w0, struct vec3 w1, struct vec3 w2,
                                      struct vec3 light) {
     struct attempt_vec3 n = attempt_normal(w0, w1, w2);
@@ -88,14 +88,14 @@ static inline double attempt_by_root(struct vec3 w0, struct vec3 w1, struct vec3
     return (double)(attempt_dot(n, light) * root);
 }
 
-/* Attempt 5: the guess alone: up to 3.5 % wrong, several grey levels; faces that should be equal
+/* Attempt 5: the guess alone: up to 3.5 % wrong, several grey values; faces that should be equal
  * differ. */
 static inline double attempt_5_root_0(struct vec3 w0, struct vec3 w1, struct vec3 w2,
                                       struct vec3 light) {
     return attempt_by_root(w0, w1, w2, light, 0);
 }
 
-/* Attempt 6: one Newton step: up to 0.18 % wrong, never more than one grey level. */
+/* Attempt 6: one Newton step: up to 0.18 % wrong, never more than one grey value. */
 static inline double attempt_6_root_1(struct vec3 w0, struct vec3 w1, struct vec3 w2,
                                       struct vec3 light) {
     return attempt_by_root(w0, w1, w2, light, 1);

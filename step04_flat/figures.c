@@ -49,6 +49,25 @@ static bool draw_picture(const struct model *model, intensity_function *find, st
     return done;
 }
 
+/* Attempt 1 as it is, and many times brighter, so that something can be seen. */
+static double intensity_of_area(struct vec3 w0, struct vec3 w1, struct vec3 w2, struct vec3 light) {
+    return 100 * attempt_1_not_normalized(w0, w1, w2, light);
+}
+
+static bool draw_not_normalized(const struct model *model, const char *directory,
+                                struct error *error) {
+    static intensity_function *const shown[2] = {attempt_1_not_normalized, intensity_of_area};
+    struct sheet sheet = {.width = 400, .height = 400, .columns = 2, .rows = 1, .gap = 4};
+    bool done = sheet_create(&sheet, error);
+    for (int i = 0; done && i < 2; i++) {
+        draw_with(model, shown[i], (struct vec3){0, 0, -1}, &sheet.panel);
+        sheet_add(&sheet);
+    }
+    done = done && figure_save(&sheet.image, directory, "not_normalized", error);
+    sheet_free(&sheet);
+    return done;
+}
+
 /* Paint magenta what shows a face although another lies before it there. The nearest face of each
  * pixel is found with a depth for every pixel: that is lesson 5. */
 static void mark_faults(const struct model *model, struct image *image, double *nearest,
@@ -126,9 +145,9 @@ static struct vec3 random_vector(uint32_t *seed, double size) {
     return vec3_scale((struct vec3){x, y, z}, size);
 }
 
-/* How far the levels of an attempt lie from the right ones, for 100,000 small faces in all
+/* How far the grey values of an attempt lie from the right ones, for 100,000 small faces in all
  * directions. */
-static void print_levels(const char *name, intensity_function *find) {
+static void print_values(const char *name, intensity_function *find) {
     const struct vec3 light = {0, 0, -1};
     size_t lit = 0, wrong = 0;
     int worst = 0;
@@ -148,7 +167,7 @@ static void print_levels(const char *name, intensity_function *find) {
         worst = difference > worst ? difference : worst;
         worst_intensity = fmax(worst_intensity, fabs(found - right));
     }
-    printf("%-16s %zu faces lit, %5zu with a wrong level, worst by %d; worst intensity by %.1e\n",
+    printf("%-16s %zu faces lit, %5zu with a wrong value, worst by %d; worst intensity by %.1e\n",
            name, lit, wrong, worst, worst_intensity);
 }
 
@@ -183,12 +202,11 @@ static bool draw_cylinder(intensity_function *find, const char *directory, const
 
 bool draw_figures(const char *directory, struct model *bust, struct error *error) {
     const struct vec3 front = {0, 0, -1}, side = vec3_normalized((struct vec3){1, 0, -1});
-    print_levels("4 float", attempt_4_float);
-    print_levels("5 root, 0 steps", attempt_5_root_0);
-    print_levels("6 root, 1 step", attempt_6_root_1);
-    print_levels("7 root, 2 steps", attempt_7_root_2);
-    return draw_picture(bust, attempt_1_not_normalized, front, directory, "not_normalized",
-                        error) &&
+    print_values("4 float", attempt_4_float);
+    print_values("5 root, 0 steps", attempt_5_root_0);
+    print_values("6 root, 1 step", attempt_6_root_1);
+    print_values("7 root, 2 steps", attempt_7_root_2);
+    return draw_not_normalized(bust, directory, error) &&
            draw_picture(bust, attempt_2_outward, front, directory, "outward", error) &&
            draw_picture(bust, attempt_3_absolute, front, directory, "absolute", error) &&
            draw_picture(bust, intensity_of_main, side, directory, "light_side", error) &&

@@ -1,34 +1,37 @@
 /*
  * Step 4: flat shading.
  *
- * Every face gets one grey level: how directly the light falls on it. The face's direction is its
+ * Every face gets one grey: how directly the light falls on it. The face's direction is its
  * normal, a cross product; how directly the light falls is a dot product of two unit vectors.
  */
 #include "program.h"
 
-/* ---- Light ---- */
-
-/* How directly the light falls on a face: 1 straight, 0 along the face, negative from behind.
- * `light` has length 1 and is the direction in which the light travels. The normal is taken so that
- * it points into the model; it agrees with `light` where the light falls on the outside. */
-static double face_intensity(const struct model *model, size_t face, struct vec3 light) {
-    /* BEGIN SOLUTION 4.1 light on a face */
-    struct vec3 w0 = model_position(model, face, 0), w1 = model_position(model, face, 1);
-    struct vec3 w2 = model_position(model, face, 2);
-    struct vec3 normal = vec3_normalized(vec3_cross(vec3_sub(w2, w0), vec3_sub(w1, w0)));
-    return vec3_dot(normal, light);
-    /* STARTER
-    (void)model, (void)face, (void)light;
-    return 0; // to do 4.1: the normal, and its dot product with the light
-    END SOLUTION */
-}
-
-/* ---- Triangles ---- */
+/* ---- From the model to the screen ---- */
 
 /* A corner of a triangle that is to be drawn. Later lessons add what is interpolated. */
 struct vertex {
     struct fixed2 position; /* on the screen */
 };
+
+/* The corners of a face in the parallel view. False for a face too far off the image to draw. */
+static bool place_face(const struct model *model, size_t face, const struct image *image,
+                       struct vertex vertices[3]) {
+    /* BEGIN SOLUTION 4.1 from the model to the screen */
+    for (size_t i = 0; i < 3; i++) {
+        struct vec3 world = model_position(model, face, i);
+        struct vec2 screen = parallel_view(world, image->width, image->height);
+        if (!screen_snap(screen, &vertices[i].position)) {
+            return false;
+        }
+    }
+    return true;
+    /* STARTER
+    (void)model, (void)face, (void)image, (void)vertices;
+    return false; // to do 4.1: parallel_view() and screen_snap() for each corner
+    END SOLUTION */
+}
+
+/* ---- Triangles ---- */
 
 /* The triangle of step 3: one span a row. */
 static void triangle(struct image *image, const struct vertex v[3], struct color color) {
@@ -48,23 +51,20 @@ static void triangle(struct image *image, const struct vertex v[3], struct color
     END SOLUTION */
 }
 
-/* ---- From the model to the screen ---- */
+/* ---- Light ---- */
 
-/* The corners of a face in the parallel view. False for a face too far off the image to draw. */
-static bool place_face(const struct model *model, size_t face, const struct image *image,
-                       struct vertex vertices[3]) {
-    /* BEGIN SOLUTION 4.3 from the model to the screen */
-    for (size_t i = 0; i < 3; i++) {
-        struct vec3 world = model_position(model, face, i);
-        struct vec2 screen = parallel_view(world, image->width, image->height);
-        if (!screen_snap(screen, &vertices[i].position)) {
-            return false;
-        }
-    }
-    return true;
+/* How directly the light falls on a face, n . l: 1 straight, 0 along the face, negative from
+ * behind. `light` has length 1 and is the direction in which the light travels, so it is -l. The
+ * normal here is -n: it points into the model. */
+static double face_intensity(const struct model *model, size_t face, struct vec3 light) {
+    /* BEGIN SOLUTION 4.3 light on a face */
+    struct vec3 w0 = model_position(model, face, 0), w1 = model_position(model, face, 1);
+    struct vec3 w2 = model_position(model, face, 2);
+    struct vec3 normal = vec3_normalized(vec3_cross(vec3_sub(w2, w0), vec3_sub(w1, w0)));
+    return vec3_dot(normal, light);
     /* STARTER
-    (void)model, (void)face, (void)image, (void)vertices;
-    return false; // to do 4.3: parallel_view() and screen_snap() for each corner
+    (void)model, (void)face, (void)light;
+    return 1; // to do 4.3: the normal, and its dot product with the light
     END SOLUTION */
 }
 

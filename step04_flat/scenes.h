@@ -37,7 +37,7 @@ static const struct scene scenes[] = {
 int main(int argc, char **argv) {
     static const struct program program = {
         .name = "step04_flat",
-        .summary = "one grey level a face, from its normal and the light",
+        .summary = "one grey for each face, from its normal and the light",
         .takes_light = true,
         .defaults = {.width = 800, .height = 800, .light = {0, 0, -1}},
         .scenes = scenes,
