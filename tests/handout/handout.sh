@@ -3,14 +3,14 @@
 #
 #     handout.sh OUT [LESSONS]        LESSONS is 5 or 1-5; all of them without it
 #
-# OUT is a directory that is not there yet, or empty. It gets the lessons with main.c as the starter,
-# the texts without answers, common, the check with its references, hints, and the Makefile without
-# the targets for the course as a whole. What common has of a technique (sections whose heading says
+# OUT is a directory that is not there yet, or empty. It gets the lessons with main.c as the
+# starter, the texts without answers, common, the check with its references, hints, and the Makefile
+# without the targets for the course as a whole. What common has of a technique (sections whose heading says
 # `taught in step03_triangle`) comes with the first hand-out that reaches beyond that lesson. Twice
 # the same command writes the same bytes.
 #
-# Exit status: 0 done; 1 it cannot be done, or a mark of a solution would have gone out, and OUT is as
-# it was; 2 wrong usage.
+# Exit status: 0 done; 1 it cannot be done, or a mark of a solution would have gone out, and OUT is
+# as it was; 2 wrong usage.
 
 cd "$(dirname "$0")/../.." || exit 1
 target=handout
@@ -87,7 +87,7 @@ done
 
 # Of files: the pipeline is explained, and given, in lesson 9.
 later_files() {
-    [ "$last" -ge 9 ] || echo ' pipeline.c pipeline.h pipeline_*.c pipeline_*.h lanes.h texture_lanes.h workers.c workers.h '
+    [ "$last" -ge 9 ] || echo 'pipeline.[ch] pipeline_*.[ch] lanes.h texture_lanes.h workers.[ch]'
 }
 
 is_later() {
@@ -206,8 +206,8 @@ rm -f "$work/missing"
 
 # ---- Nothing of a solution goes out ----
 
-left=$(grep -rlE 'BEGIN SOLUTION|END SOLUTION|/\* STARTER$|<summary>Answer' "$work" |
-    sed "s|^$work/||")
+left=$(grep -rlE 'BEGIN SOLUTION|END SOLUTION|/\* STARTER$|<summary>Answer' "$work"/*.md \
+    "$work"/step* "$work/common" "$work/tests/handout" | sed "s|^$work/||")
 [ -z "$left" ] || fail 1 "a mark is left in" $left
 chmod 755 "$work"
 [ ! -d "$out" ] || rmdir "$out"

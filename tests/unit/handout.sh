@@ -35,7 +35,8 @@ for file in step03_triangle step06_texture tests/targets.mk tests/unit tests/acc
     step04_flat/mistakes.txt common/pipeline.h; do
     [ ! -e "$file" ] || fail "$file is handed out"
 done
-grep -rl 'BEGIN SOLUTION\|<details>\|texture_bilinear(' . >"$work/log" &&
+grep -rl 'BEGIN SOLUTION\|<details>\|texture_bilinear(' ./*.md step* common tests/handout \
+    >"$work/log" &&
     fail "a solution or an answer is handed out in $(cat "$work/log")"
 grep -q 'bool edges_setup' common/raster.h || fail "the triangle of lesson 3 is missing in lesson 4"
 grep -q 'to do 4\.1' step04_flat/main.c || fail "the starter of lesson 4 is not one"
@@ -45,7 +46,8 @@ make -s help | grep -q 'handout\|mutants' && fail "make help names targets of th
 make -s CFLAGS=-O1 WERROR=-Werror programs build/check >"$work/log" 2>&1 ||
     fail "make: $(tail -n 5 "$work/log")"
 make -s CFLAGS=-O1 WERROR=-Werror check >"$work/log" 2>&1 && fail "a starter passes"
-[ "$(grep -c '^step0[45]_[a-z]* .* 0/' "$work/log")" -eq 2 ] || fail "the check says: $(cat "$work/log")"
+[ "$(grep -c '^step0[45]_[a-z]* .* 0/' "$work/log")" -eq 2 ] ||
+    fail "the check says: $(cat "$work/log")"
 
 echo '// mine' >>step04_flat/main.c
 make -s start STEP=04 >"$work/log" 2>&1 || fail "make start: $(cat "$work/log")"
