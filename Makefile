@@ -6,7 +6,8 @@ For a lesson, here lesson 5:
   make                        draw every picture of the course into build/out
   make step05_zbuffer         draw only the pictures of this lesson
   make check                  compare the pictures with tests/reference
-  make check STEP=05          the same for one lesson
+  make check STEP=05          the same for one lesson (REPORT=file writes file.html, and .xml,
+                              .json and .tap for other programs)
   make check STEP=05 SANITIZE=1   the same, and in which line a program goes wrong
   make start STEP=05          turn main.c into the starter: what you write is left out
   make solution STEP=05       bring the lesson's own solution back
@@ -161,7 +162,8 @@ endif
 
 # Its parts; the files with a main() are not among them.
 CHECKER = $(patsubst %.c,$(BUILD)/%.o,$(filter-out %/check.c %/references.c %/looks_make.c \
-              tests/check/test_%.c,$(wildcard tests/check/*.c)))
+              tests/check/test_%.c,$(wildcard tests/check/*.c))) \
+          $(addprefix $(BUILD)/tests/help/,base64.o page.o pictures.o)
 
 # The check builds the lessons itself: one that does not build is a finding, not the end.
 # SANITIZE=1: their main.c with the sanitizers, which tell in which line a program goes wrong. They
@@ -171,6 +173,8 @@ CHECKED = $(BUILD)$(if $(SANITIZE),/sanitized)
 check: $(BUILD)/check $(HIDDEN:%=$(BUILD)/hidden)
 	@$(if $(SANITIZE),ASAN_OPTIONS=detect_leaks=0 CHECK_TIMEOUT=$${CHECK_TIMEOUT:-60}) \
 	$(BUILD)/check --programs $(CHECKED) --differences $(CHECKED)/differences --make '$(MAKE) -s' \
+	    $(if $(REPORT),--junit $(REPORT).xml --json $(REPORT).json --tap $(REPORT).tap \
+	                   --html $(REPORT).html) \
 	    $(STEP) $(THEN_HIDDEN)
 
 SANITIZED = -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer

@@ -21,6 +21,7 @@
 
 #include "build.h"
 #include "drawn.h"
+#include "export.h"
 #include "judge.h"
 #include "options.h"
 #include "report.h"
@@ -96,6 +97,33 @@ static bool check_steps(const struct options *options, const struct scene_table 
     return run_caught_signal() != 0 || report_end(result, error);
 }
 
+/* Write the reports that were asked for. One that cannot be written keeps the others from nothing. */
+static bool export_all(const struct options *options, const struct check_result *result) {
+    const struct {
+        const char *path;
+        bool (*write)(struct bytes *report, const struct check_result *result,
+                      const char *references, struct error *error);
+    } exports[] = {
+        {options->junit, export_junit},
+        {options->json, export_json},
+        {options->tap, export_tap},
+        {options->html, export_html},
+    };
+    bool done = true;
+    for (size_t i = 0; i < sizeof exports / sizeof exports[0]; i++) {
+        struct bytes report = {.data = NULL};
+        struct error error;
+        if (exports[i].path[0] != '\0' &&
+            !(exports[i].write(&report, result, options->references, &error) &&
+              file_write(exports[i].path, report.data, report.size, &error))) {
+            fprintf(stderr, "check: %s\n", error.message);
+            done = false;
+        }
+        bytes_free(&report);
+    }
+    return done;
+}
+
 static int check(const struct options *options, const struct scene_table *table) {
     struct check_result result = {.steps = NULL};
     struct error error;
@@ -103,6 +131,7 @@ static int check(const struct options *options, const struct scene_table *table)
     if (!done) {
         fprintf(stderr, "check: %s\n", error.message);
     }
+    done = (run_caught_signal() != 0 || export_all(options, &result)) && done;
     int status = !done || result.cannot_work ? EXIT_CANNOT_WORK
                  : result.failed > 0         ? EXIT_FAILED
                                              : EXIT_ALL_PASSED;

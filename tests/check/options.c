@@ -16,6 +16,10 @@ static const struct options default_options = {
     .first = "models",
     .only = "",
     .shares = "",
+    .junit = "",
+    .json = "",
+    .tap = "",
+    .html = "",
     .seconds = 10,
     .build_seconds = 60,
 };
@@ -36,6 +40,7 @@ const char options_help[] =
     "  --only SCENE        draw and compare just this scene of a step\n"
     "  --shares FILE       add a line to it for each picture: step, scene, % wrong, % apart,\n"
     "                      % drawn in one picture only\n"
+    "  --junit FILE        a report for CI; also --json, --tap, and --html for people\n"
     "  -h, --help\n"
     "\n"
     "A difference image shows the reference, yours and the difference. Wrong pixels are red where\n"
@@ -82,6 +87,8 @@ bool options_read(struct options *options, int argc, char **argv, int *first_ste
         {"--programs", &options->programs}, {"--differences", &options->differences},
         {"--make", &options->make},         {"--first", &options->first},
         {"--only", &options->only},         {"--shares", &options->shares},
+        {"--junit", &options->junit},       {"--json", &options->json},
+        {"--tap", &options->tap},           {"--html", &options->html},
     };
     int i = 1;
     *options = default_options;

@@ -121,8 +121,8 @@ for file in $files; do
     tests/check/scenes.txt)
         # shellcheck disable=SC2016
         put_changed '
-            match($1, /^step[0-9]+_/) {
-                step = substr($1, 5, RLENGTH - 5) + 0
+            match($1 == "work" ? $2 : $1, /^step[0-9]+_/) {
+                step = substr($1 == "work" ? $2 : $1, 5, RLENGTH - 5) + 0
                 if (step < first || step > last) next
             }
             { print }' "$file"

@@ -36,7 +36,8 @@ static const char *const style[] = {
     "#values{position:fixed;left:0;right:0;bottom:0;background:var(--soft);padding:6px 16px;",
     "border-top:1px solid var(--line);font:14px/1.4 monospace;min-height:32px}",
     "kbd{border:1px solid var(--line);border-radius:4px;padding:0 4px;font-size:13px}",
-    "details{margin:8px 0}",
+    "details{margin:8px 0}a{color:var(--mark)}pre{overflow:auto;font-size:13px}",
+    "th,td{text-align:left;padding:2px 12px 2px 0;vertical-align:top}",
     "@media (max-width:700px){body:not(.single) .pictures{flex-direction:column}",
     "body:not(.single) figure{width:100%;flex:none}}",
     NULL};
@@ -135,6 +136,7 @@ static const char *const script[] = {
     " }\n",
     " byId('values').textContent=text;\n",
     "});\n",
+    "document.addEventListener('toggle',update,true);\n",
     "addEventListener('resize',update);addEventListener('load',update);update();\n",
     NULL};
 
