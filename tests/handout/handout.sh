@@ -204,6 +204,11 @@ for text in "$work"/*.md "$work"/*/*.md; do
 done
 rm -f "$work/missing"
 
+# Pictures that only answers show stay here, too.
+for figure in "$work"/step*/figures/*; do
+    cat "$work"/*.md "$work"/*/*.md | grep -qF "${figure##*/}" || rm -f "$figure"
+done
+
 # ---- Nothing of a solution goes out ----
 
 left=$(grep -rlE 'BEGIN SOLUTION|END SOLUTION|/\* STARTER$|<summary>Answer' "$work"/*.md \
