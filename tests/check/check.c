@@ -97,7 +97,7 @@ static bool check_steps(const struct options *options, const struct scene_table 
     return run_caught_signal() != 0 || report_end(result, error);
 }
 
-/* Write the reports that were asked for. One that cannot be written keeps the others from nothing. */
+/* Write the reports that were asked for; one that cannot be written stops none of the others. */
 static bool export_all(const struct options *options, const struct check_result *result) {
     const struct {
         const char *path;

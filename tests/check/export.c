@@ -27,8 +27,8 @@ static bool finish(const struct writer *writer, struct error *error) {
     return !writer->failed || error_out_of_memory(error);
 }
 
-/* Text from a submission, each byte as `escape` writes it; what a terminal would obey is '?', but for
- * the ends of lines. */
+/* Text from a submission, each byte as `escape` writes it; what a terminal would obey is '?', but
+ * for the ends of lines. */
 static void put_escaped(struct writer *writer, const char *text,
                         void escape(struct writer *, char)) {
     char *copy = string_format("%s", text), *next = copy;

@@ -121,8 +121,9 @@ for file in $files; do
     tests/check/scenes.txt)
         # shellcheck disable=SC2016
         put_changed '
-            match($1 == "work" ? $2 : $1, /^step[0-9]+_/) {
-                step = substr($1 == "work" ? $2 : $1, 5, RLENGTH - 5) + 0
+            { name = $1 ~ /^step/ ? $1 : $2 } # `work` and `relations` stand before it
+            match(name, /^step[0-9]+_/) {
+                step = substr(name, 5, RLENGTH - 5) + 0
                 if (step < first || step > last) next
             }
             { print }' "$file"
