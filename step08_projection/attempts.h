@@ -9,6 +9,192 @@
 #include "geometry.h"
 #include "model.h"
 
+/* ---- Perspective ---- */
+
+typedef struct vec2 attempt_perspective(struct vec3 view, double distance);
+
+/* Larger when nearer, by a factor that grows evenly. The size is right at z = 0, but straight lines
+ * become curves. */
+static inline struct vec2 attempt_1_evenly(struct vec3 view, double distance) {
+    double factor = 1 + view.z / distance;
+    return (struct vec2){view.x * factor, view.y * factor};
+}
+
+/* Divided by what is left of the distance. */
+static inline struct vec2 attempt_14_divided(struct vec3 view, double distance) {
+    double w = 1 - view.z / distance;
+    return (struct vec2){view.x / w, view.y / w};
+}
+
+/* ---- Drawing the whole model: the same shape as draw_model() ---- */
+
+typedef void attempt_draw(struct drawing *drawing, struct canvas *canvas,
+                          const struct mat4 *to_clip);
+
+/* The corners of a face as transform_positions() left them. */
+static inline void attempt_corners(const struct drawing *drawing, size_t face,
+                                   struct position *corner[3]) {
+    const struct state *state = drawing->state;
+    for (int i = 0; i < 3; i++) {
+        corner[i] = &state->positions[drawing->model->faces[face].corner[i].position];
+    }
+}
+
+/* Whether the whole face lies in front of the near plane and within the guard band. */
+static inline bool attempt_in_front(struct position *const corner[3]) {
+    unsigned beyond = corner[0]->beyond | corner[1]->beyond | corner[2]->beyond;
+    return (beyond & (BEYOND_NEAR | BEYOND_GUARD_BAND)) == 0;
+}
+
+/* A face, its corners placed. False when it must be clipped, or has no place on the screen. */
+static inline bool attempt_place(const struct drawing *drawing, struct canvas *canvas, size_t face,
+                                 struct position *corner[3], struct vertex v[3]) {
+    attempt_corners(drawing, face, corner);
+    if (!attempt_in_front(corner) || !place_face(corner, canvas)) {
+        return false;
+    }
+    for (int i = 0; i < 3; i++) {
+        v[i] = corner[i]->vertex;
+    }
+    return true;
+}
+
+/* The depth is z and not z/w. It does not run evenly over the screen: planes cross in the wrong
+ * place. */
+static inline void attempt_2_depth_z(struct drawing *drawing, struct canvas *canvas,
+                                     const struct mat4 *to_clip) {
+    transform_positions(drawing, to_clip);
+    for (size_t i = 0; i < drawing->model->face_count; i++) {
+        struct position *corner[3];
+        struct vertex v[3];
+        if (attempt_place(drawing, canvas, i, corner, v)) {
+            for (int k = 0; k < 3; k++) {
+                v[k].depth = corner[k]->clip.z;
+            }
+            draw_part(drawing, canvas, i, v, whole_face);
+        }
+    }
+}
+
+/* Interpolated on the screen as if there were no perspective. With 1/w taken as 1 everywhere the
+ * correct weights are those of the screen. Textures swim: they bend along the edges of triangles.
+ * (Faces that cross the near plane are left out.) */
+static inline void attempt_3_affine(struct drawing *drawing, struct canvas *canvas,
+                                    const struct mat4 *to_clip) {
+    transform_positions(drawing, to_clip);
+    for (size_t i = 0; i < drawing->model->face_count; i++) {
+        struct position *corner[3];
+        struct vertex v[3];
+        if (attempt_place(drawing, canvas, i, corner, v)) {
+            v[0].recip_w = v[1].recip_w = v[2].recip_w = 1;
+            draw_part(drawing, canvas, i, v, whole_face);
+        }
+    }
+}
+
+/* One triangle with the weights of the screen for everything: triangle() without correct_weights(),
+ * which saves a division and a few products a pixel. */
+static inline void attempt_15_affine_triangle(const struct canvas *canvas,
+                                              const struct edges *edges, const struct vertex v[3]) {
+    const struct rectangle area = canvas->area;
+    const struct span columns = {area.x, area.x + area.width};
+    const struct span rows = span_overlap((struct span){edges->y_begin, edges->y_end},
+                                          (struct span){area.y, area.y + area.height});
+    for (int y = rows.begin; y < rows.end; y++) {
+        struct span span = span_overlap(edges_span(edges, y), columns);
+        double *row = canvas->depth + (size_t)y * canvas->image->width;
+        for (int x = span.begin; x < span.end; x++) {
+            struct vec3 w = edges_weights(edges, x, y);
+            double depth = interpolate_depth(w, v[0].depth, v[1].depth, v[2].depth);
+            if (depth > row[x]) {
+                double intensity = interpolate(w, v[0].intensity, v[1].intensity, v[2].intensity);
+                struct vec2 uv = vec2_interpolate(w, v[0].uv, v[1].uv, v[2].uv);
+                row[x] = depth;
+                image_set(canvas->image, x, y, shade(canvas->texture, uv, intensity));
+            }
+        }
+    }
+}
+
+/* Divided by w, whatever w is. A point behind the camera has a negative w: it appears in front,
+ * upside down, and a face with one such corner covers the wrong side of the picture. */
+static inline void attempt_7_unclipped(struct drawing *drawing, struct canvas *canvas,
+                                       const struct mat4 *to_clip) {
+    transform_positions(drawing, to_clip);
+    for (size_t i = 0; i < drawing->model->face_count; i++) {
+        struct position *corner[3];
+        struct vertex v[3];
+        bool placed = true;
+        attempt_corners(drawing, i, corner);
+        for (int k = 0; k < 3; k++) {
+            placed = placed && place(corner[k]->clip, &canvas->to_screen, &v[k]);
+        }
+        if (placed) {
+            draw_part(drawing, canvas, i, v, whole_face);
+        }
+    }
+}
+
+/* Faces with a corner behind the near plane are left out: holes where large faces pass under the
+ * camera. */
+static inline void attempt_8_left_out(struct drawing *drawing, struct canvas *canvas,
+                                      const struct mat4 *to_clip) {
+    transform_positions(drawing, to_clip);
+    for (size_t i = 0; i < drawing->model->face_count; i++) {
+        struct position *corner[3];
+        attempt_corners(drawing, i, corner);
+        if (attempt_in_front(corner)) {
+            draw_whole(drawing, canvas, i, corner);
+        }
+    }
+}
+
+/* ---- The camera's frame ---- */
+
+typedef struct mat4 attempt_lookat(struct vec3 eye, struct vec3 center, struct vec3 up);
+
+/* The center is taken away after the rotation instead of before it, so it is not rotated. Right
+ * only for a center at the origin; otherwise the model slides out of the picture. */
+static inline struct mat4 attempt_4_unrotated(struct vec3 eye, struct vec3 center, struct vec3 up) {
+    struct mat4 frame = lookat(eye, center, up);
+    frame.m[0][3] = -center.x;
+    frame.m[1][3] = -center.y;
+    frame.m[2][3] = -center.z;
+    return frame;
+}
+
+/* No care for `up`. Where it is parallel to the view, the cross product is 0 and dividing by its
+ * length gives NaN: nothing is drawn. Where it is nearly parallel, x is mostly rounding error. */
+static inline struct mat4 attempt_5_careless(struct vec3 eye, struct vec3 center, struct vec3 up) {
+    struct vec3 z = vec3_sub(eye, center);
+    z = vec3_scale(z, 1 / vec3_length(z));
+    struct vec3 x = vec3_cross(up, z);
+    x = vec3_scale(x, 1 / vec3_length(x));
+    struct vec3 y = vec3_cross(z, x);
+    return (struct mat4){{{x.x, x.y, x.z, -vec3_dot(x, center)},
+                          {y.x, y.y, y.z, -vec3_dot(y, center)},
+                          {z.x, z.y, z.z, -vec3_dot(z, center)},
+                          {0, 0, 0, 1}}};
+}
+
+/* ---- Normals ---- */
+
+typedef struct vec3 attempt_normal(const struct mat4 *map, struct vec3 normal);
+
+/* A normal sent through the same matrix as the points: no longer perpendicular to the surface when
+ * the scale is not the same in all directions. */
+static inline struct vec3 attempt_6_same_matrix(const struct mat4 *map, struct vec3 normal) {
+    return vec3_normalized(mat4_direction(map, normal));
+}
+
+/* By the transpose of the inverse. A map without an inverse keeps the normal. */
+static inline struct vec3 attempt_13_inverse_transpose(const struct mat4 *map, struct vec3 normal) {
+    struct mat4 inverse = mat4_identity();
+    mat4_inverse(*map, &inverse);
+    struct mat4 transpose = mat4_transpose(inverse);
+    return vec3_normalized(mat4_direction(&transpose, normal));
+}
+
 /* ---- From the model to the screen, in three precisions ---- */
 
 /* Where a point of the model lies on the screen, in pixels, not snapped; w must be positive. */
@@ -18,7 +204,7 @@ typedef struct vec2 attempt_chain(const struct mat4 *to_clip, const struct mat4 
 /* All in float, as on a graphics card. It has 24 bits; the pixel takes 10 of them and its 256
  * parts 8. After a few roundings the 6 others no longer tell on which side of a half a position
  * lies: some corners snap to the neighbouring 1/256 pixel. */
-static inline struct vec2 attempt_1_float(const struct mat4 *to_clip, const struct mat4 *to_screen,
+static inline struct vec2 attempt_9_float(const struct mat4 *to_clip, const struct mat4 *to_screen,
                                           struct vec3 point) {
     float p[4] = {(float)point.x, (float)point.y, (float)point.z, 1}, clip[4], screen[2];
     for (int row = 0; row < 4; row++) {
@@ -37,8 +223,8 @@ static inline struct vec2 attempt_1_float(const struct mat4 *to_clip, const stru
 }
 
 /* The lesson's own, in double. */
-static inline struct vec2 attempt_2_double(const struct mat4 *to_clip, const struct mat4 *to_screen,
-                                           struct vec3 point) {
+static inline struct vec2 attempt_10_double(const struct mat4 *to_clip,
+                                            const struct mat4 *to_screen, struct vec3 point) {
     struct vec4 clip = mat4_point(to_clip, point);
     double recip_w = 1 / clip.w;
     struct vec4 screen =
@@ -84,7 +270,7 @@ static inline double attempt_minor(const struct mat4 *a, int without_row, int wi
 /* By Cramer's rule: transposed cofactors divided by the determinant, 16 minors. Subtracting nearly
  * equal products loses digits when the matrix is nearly singular, and a determinant of a well
  * behaved matrix may underflow to 0. */
-static inline bool attempt_3_cofactors(struct mat4 a, struct mat4 *inverse) {
+static inline bool attempt_11_cofactors(struct mat4 a, struct mat4 *inverse) {
     struct mat4 result;
     double determinant = 0;
     for (int row = 0; row < 4; row++) {
@@ -122,7 +308,7 @@ static inline float attempt_minor_float(const float a[4][4], int without_row, in
 }
 
 /* The same in float. */
-static inline bool attempt_4_cofactors_float(struct mat4 a, struct mat4 *inverse) {
+static inline bool attempt_12_cofactors_float(struct mat4 a, struct mat4 *inverse) {
     float m[4][4], cofactor[4][4], determinant = 0;
     for (int i = 0; i < 16; i++) {
         m[i / 4][i % 4] = (float)a.m[i / 4][i % 4];
@@ -146,181 +332,6 @@ static inline bool attempt_4_cofactors_float(struct mat4 a, struct mat4 *inverse
         }
     }
     return true;
-}
-
-/* ---- Drawing the whole model: the same shape as draw_model() ---- */
-
-typedef void attempt_draw(struct drawing *drawing, struct canvas *canvas,
-                          const struct mat4 *to_clip);
-
-/* The corners of a face as transform_positions() left them. */
-static inline void attempt_corners(const struct drawing *drawing, size_t face,
-                                   struct position *corner[3]) {
-    const struct state *state = drawing->state;
-    for (int i = 0; i < 3; i++) {
-        corner[i] = &state->positions[drawing->model->faces[face].corner[i].position];
-    }
-}
-
-/* Whether the whole face lies in front of the near plane and within the guard band. */
-static inline bool attempt_in_front(struct position *const corner[3]) {
-    unsigned beyond = corner[0]->beyond | corner[1]->beyond | corner[2]->beyond;
-    return (beyond & (BEYOND_NEAR | BEYOND_GUARD_BAND)) == 0;
-}
-
-/* Interpolated on the screen as if there were no perspective. With 1/w taken as 1 everywhere the
- * correct weights are those of the screen. Textures swim: they bend along the edges of triangles.
- * (Faces that cross the near plane are left out.) */
-static inline void attempt_5_affine(struct drawing *drawing, struct canvas *canvas,
-                                    const struct mat4 *to_clip) {
-    transform_positions(drawing, to_clip);
-    for (size_t i = 0; i < drawing->model->face_count; i++) {
-        struct position *corner[3];
-        attempt_corners(drawing, i, corner);
-        if (attempt_in_front(corner) && place_face(corner, canvas)) {
-            struct vertex v[3] = {corner[0]->vertex, corner[1]->vertex, corner[2]->vertex};
-            v[0].recip_w = v[1].recip_w = v[2].recip_w = 1;
-            draw_part(drawing, canvas, i, v, whole_face);
-        }
-    }
-}
-
-/* The depth is z and not z/w. It does not run evenly over the screen: planes cross in the wrong
- * place. */
-static inline void attempt_15_depth_z(struct drawing *drawing, struct canvas *canvas,
-                                      const struct mat4 *to_clip) {
-    transform_positions(drawing, to_clip);
-    for (size_t i = 0; i < drawing->model->face_count; i++) {
-        struct position *corner[3];
-        attempt_corners(drawing, i, corner);
-        if (attempt_in_front(corner) && place_face(corner, canvas)) {
-            struct vertex v[3] = {corner[0]->vertex, corner[1]->vertex, corner[2]->vertex};
-            for (int k = 0; k < 3; k++) {
-                v[k].depth = corner[k]->clip.z;
-            }
-            draw_part(drawing, canvas, i, v, whole_face);
-        }
-    }
-}
-
-/* One triangle with the weights of the screen for everything: triangle() without correct_weights(),
- * which saves a division and a few products a pixel. */
-static inline void attempt_12_affine_triangle(const struct canvas *canvas,
-                                              const struct edges *edges, const struct vertex v[3]) {
-    const struct rectangle area = canvas->area;
-    const struct span columns = {area.x, area.x + area.width};
-    const struct span rows = span_overlap((struct span){edges->y_begin, edges->y_end},
-                                          (struct span){area.y, area.y + area.height});
-    for (int y = rows.begin; y < rows.end; y++) {
-        struct span span = span_overlap(edges_span(edges, y), columns);
-        double *row = canvas->depth + (size_t)y * canvas->image->width;
-        for (int x = span.begin; x < span.end; x++) {
-            struct vec3 w = edges_weights(edges, x, y);
-            double depth = interpolate_depth(w, v[0].depth, v[1].depth, v[2].depth);
-            if (depth > row[x]) {
-                double intensity = interpolate(w, v[0].intensity, v[1].intensity, v[2].intensity);
-                struct vec2 uv = vec2_interpolate(w, v[0].uv, v[1].uv, v[2].uv);
-                row[x] = depth;
-                image_set(canvas->image, x, y, shade(canvas->texture, uv, intensity));
-            }
-        }
-    }
-}
-
-/* Divided by w, whatever w is. A point behind the camera has a negative w: it appears in front,
- * upside down, and a face with one such corner covers the wrong side of the picture. */
-static inline void attempt_6_unclipped(struct drawing *drawing, struct canvas *canvas,
-                                       const struct mat4 *to_clip) {
-    transform_positions(drawing, to_clip);
-    for (size_t i = 0; i < drawing->model->face_count; i++) {
-        struct position *corner[3];
-        struct vertex v[3];
-        bool placed = true;
-        attempt_corners(drawing, i, corner);
-        for (int k = 0; k < 3; k++) {
-            placed = placed && place(corner[k]->clip, &canvas->to_screen, &v[k]);
-        }
-        if (placed) {
-            draw_part(drawing, canvas, i, v, whole_face);
-        }
-    }
-}
-
-/* Faces with a corner before the near plane are left out. No wrong pixel, but holes where large
- * faces pass under the camera. */
-static inline void attempt_7_left_out(struct drawing *drawing, struct canvas *canvas,
-                                      const struct mat4 *to_clip) {
-    transform_positions(drawing, to_clip);
-    for (size_t i = 0; i < drawing->model->face_count; i++) {
-        struct position *corner[3];
-        attempt_corners(drawing, i, corner);
-        if (attempt_in_front(corner)) {
-            draw_whole(drawing, canvas, i, corner);
-        }
-    }
-}
-
-/* ---- Perspective ---- */
-
-typedef struct vec2 attempt_perspective(struct vec3 view, double distance);
-
-/* Larger when nearer, by a factor that grows evenly. The size is right at z = 0, but straight lines
- * become curves. */
-static inline struct vec2 attempt_13_evenly(struct vec3 view, double distance) {
-    double factor = 1 + view.z / distance;
-    return (struct vec2){view.x * factor, view.y * factor};
-}
-
-/* Divided by what is left of the distance. */
-static inline struct vec2 attempt_14_divided(struct vec3 view, double distance) {
-    double w = 1 - view.z / distance;
-    return (struct vec2){view.x / w, view.y / w};
-}
-
-/* ---- The camera's frame ---- */
-
-typedef struct mat4 attempt_lookat(struct vec3 eye, struct vec3 center, struct vec3 up);
-
-/* The center is taken away after the rotation instead of before it, so it is not rotated. Right
- * only for a center at the origin; otherwise the model slides out of the picture. */
-static inline struct mat4 attempt_8_unrotated(struct vec3 eye, struct vec3 center, struct vec3 up) {
-    struct mat4 frame = lookat(eye, center, up);
-    frame.m[0][3] = -center.x;
-    frame.m[1][3] = -center.y;
-    frame.m[2][3] = -center.z;
-    return frame;
-}
-
-/* No care for `up`. Where it is parallel to the view, the cross product is 0 and dividing by its
- * length gives NaN: nothing is drawn. Where it is nearly parallel, x is mostly rounding error. */
-static inline struct mat4 attempt_9_careless(struct vec3 eye, struct vec3 center, struct vec3 up) {
-    struct vec3 z = vec3_sub(eye, center);
-    z = vec3_scale(z, 1 / vec3_length(z));
-    struct vec3 x = vec3_cross(up, z);
-    x = vec3_scale(x, 1 / vec3_length(x));
-    struct vec3 y = vec3_cross(z, x);
-    return (struct mat4){{{x.x, x.y, x.z, -vec3_dot(x, center)},
-                          {y.x, y.y, y.z, -vec3_dot(y, center)},
-                          {z.x, z.y, z.z, -vec3_dot(z, center)},
-                          {0, 0, 0, 1}}};
-}
-
-/* ---- Normals ---- */
-
-typedef struct vec3 attempt_normal(const struct mat4 *map, struct vec3 normal);
-
-/* A normal sent through the same matrix as the points: no longer perpendicular to the surface when
- * the scale is not the same in all directions. */
-static inline struct vec3 attempt_10_same_matrix(const struct mat4 *map, struct vec3 normal) {
-    return vec3_normalized(mat4_direction(map, normal));
-}
-
-/* By the transpose of the inverse. A map without an inverse keeps the normal. */
-static inline struct vec3 attempt_11_inverse_transpose(const struct mat4 *map, struct vec3 normal) {
-    struct mat4 inverse = mat4_identity();
-    mat4_inverse(*map, &inverse);
-    struct mat4 transpose = mat4_transpose(inverse);
-    return vec3_normalized(mat4_direction(&transpose, normal));
 }
 
 #endif

@@ -67,7 +67,7 @@ static bool draw_distances(struct drawing *drawing, const char *directory, struc
 }
 
 static bool draw_clipping(struct drawing *drawing, const char *directory, struct error *error) {
-    static attempt_draw *const draws[] = {attempt_6_unclipped, attempt_7_left_out, draw_model};
+    static attempt_draw *const draws[] = {attempt_7_unclipped, attempt_8_left_out, draw_model};
     struct sheet sheet;
     bool done = row_create(&sheet, SIDE, 3, error);
     for (int i = 0; done && i < 3; i++) {
@@ -192,7 +192,7 @@ static void draw_wall_lines(struct image *image, attempt_perspective *see) {
 }
 
 static bool draw_evenly(const char *directory, struct error *error) {
-    static attempt_perspective *const versions[] = {attempt_13_evenly, attempt_14_divided};
+    static attempt_perspective *const versions[] = {attempt_1_evenly, attempt_14_divided};
     struct sheet sheet;
     bool done = row_create(&sheet, SIDE, 2, error);
     for (int i = 0; done && i < 2; i++) {
@@ -238,8 +238,8 @@ static bool draw_pairs(const struct drawing *drawing, const char *directory, str
     const struct pair pairs[] = {
         /* as lesson 7 sees it, and in perspective */
         {"parallel", &wall, 1, {frame, seen}, {draw_model, draw_model}},
-        {"affine", &wall, 1, {seen, seen}, {attempt_5_affine, draw_model}},
-        {"crossing", crossing, CROSSING_QUADS, {seen, seen}, {attempt_15_depth_z, draw_model}},
+        {"affine", &wall, 1, {seen, seen}, {attempt_3_affine, draw_model}},
+        {"crossing", crossing, CROSSING_QUADS, {seen, seen}, {attempt_2_depth_z, draw_model}},
     };
     bool done = true;
     for (size_t i = 0; done && i < sizeof pairs / sizeof pairs[0]; i++) {
@@ -271,8 +271,7 @@ static void draw_normals_of(struct image *image, attempt_normal *normal_of) {
 }
 
 static bool draw_normals(const char *directory, struct error *error) {
-    static attempt_normal *const versions[] = {attempt_10_same_matrix,
-                                               attempt_11_inverse_transpose};
+    static attempt_normal *const versions[] = {attempt_6_same_matrix, attempt_13_inverse_transpose};
     struct sheet sheet;
     bool done = row_create(&sheet, SIDE, 2, error);
     for (int i = 0; done && i < 2; i++) {
@@ -366,15 +365,15 @@ static void print_numbers(const struct drawing *drawing) {
     const struct {
         const char *name;
         attempt_inverse *invert;
-    } inverses[] = {{"cofactors, float", attempt_4_cofactors_float},
-                    {"cofactors, double", attempt_3_cofactors},
+    } inverses[] = {{"cofactors, float", attempt_12_cofactors_float},
+                    {"cofactors, double", attempt_11_cofactors},
                     {"mat4_inverse()", mat4_inverse}};
     printf("step08_projection: where the model's corners lie on 800x800 pixels\n");
     printf("    scene    version   1/256 px  snapped elsewhere\n");
-    print_chain(model, "lookat", &side, "float", attempt_1_float);
-    print_chain(model, "lookat", &side, "double", attempt_2_double);
-    print_chain(model, "closeup", &close_up, "float", attempt_1_float);
-    print_chain(model, "closeup", &close_up, "double", attempt_2_double);
+    print_chain(model, "lookat", &side, "float", attempt_9_float);
+    print_chain(model, "lookat", &side, "double", attempt_10_double);
+    print_chain(model, "closeup", &close_up, "float", attempt_9_float);
+    print_chain(model, "closeup", &close_up, "double", attempt_10_double);
     printf("step08_projection: there and back by the inverse\n");
     printf("    matrix           version              1/256 px\n");
     for (size_t i = 0; i < 3; i++) {
@@ -429,9 +428,9 @@ static bool print_picture(struct drawing *drawing, const char *scene, const stru
 static bool print_pictures(struct drawing *drawing, struct error *error) {
     printf("step08_projection: pixels that differ from the lesson's picture\n");
     printf("    scene    version     differ  clearly  missing\n");
-    return print_picture(drawing, "lookat", &side, "affine", attempt_5_affine, error) &&
-           print_picture(drawing, "closeup", &close_up, "unclipped", attempt_6_unclipped, error) &&
-           print_picture(drawing, "closeup", &close_up, "left out", attempt_7_left_out, error);
+    return print_picture(drawing, "lookat", &side, "affine", attempt_3_affine, error) &&
+           print_picture(drawing, "closeup", &close_up, "unclipped", attempt_7_unclipped, error) &&
+           print_picture(drawing, "closeup", &close_up, "left out", attempt_8_left_out, error);
 }
 
 /* ---- The program ---- */
@@ -442,8 +441,8 @@ static bool draw_all(struct drawing *drawing, const char *directory, struct erro
     return draw_distances(drawing, directory, error) && draw_pairs(drawing, directory, error) &&
            draw_evenly(directory, error) && draw_narrow_normals(drawing, directory, error) &&
            draw_clipping(drawing, directory, error) &&
-           draw_frames(drawing, directory, "unrotated", &off_center, attempt_8_unrotated, error) &&
-           draw_frames(drawing, directory, "careless", &above, attempt_9_careless, error) &&
+           draw_frames(drawing, directory, "unrotated", &off_center, attempt_4_unrotated, error) &&
+           draw_frames(drawing, directory, "careless", &above, attempt_5_careless, error) &&
            draw_normals(directory, error) && draw_wrong(drawing, directory, error);
 }
 

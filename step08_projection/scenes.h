@@ -1,8 +1,8 @@
 /*
  * Step 8, the given part: its scenes and the program.
  *
- * Part a: `scale` to `divided` show what nine matrices do to a small house, `transforms` all of
- * them together. `viewport` draws a model into several rectangles, without perspective.
+ * Part a: `house` shows a small house, `scale` to `divided` what nine matrices do to it,
+ * `transforms` all of them together. `viewport` draws a model into several rectangles, without perspective.
  * `projection` adds perspective, and `crossing` planes whose depths decide. In part a a face has
  * one colour, or w is 1: no weights are needed.
  *
@@ -17,6 +17,10 @@
 static struct mat4 area_to_screen(struct rectangle area) {
     const struct vec3 corner = {area.x, area.y, 0};
     return mat4_mul(mat4_translation(corner), viewport((size_t)area.width, (size_t)area.height));
+}
+
+static struct rectangle whole_image(const struct image *image) {
+    return (struct rectangle){0, 0, (int)image->width, (int)image->height};
 }
 
 static void fill_area(struct image *image, struct rectangle area, struct color color) {
@@ -128,15 +132,21 @@ static struct mat4 panel_to_screen(struct rectangle area) {
     return mat4_mul(area_to_screen(area), mat4_scaling((struct vec3){0.5, 0.5, 1}));
 }
 
-/* Axes, the house through the panel's map, and its outline without. */
-static void draw_panel(const struct plane *plane, int panel) {
+/* Axes, the house through a map, and its outline without. */
+static void draw_mapped(const struct plane *plane, const struct mat4 *map) {
     const struct color axis = color_grey(90), outline = color_grey(165);
     const struct mat4 to_screen = panel_to_screen(plane->area);
-    const struct mat4 mapped = mat4_mul(to_screen, panel_map(panel));
+    const struct mat4 mapped = mat4_mul(to_screen, *map);
+    fill_area(plane->image, plane->area, color_grey(26));
     plane_line(plane, &to_screen, (struct vec2){-2, 0}, (struct vec2){2, 0}, axis);
     plane_line(plane, &to_screen, (struct vec2){0, -2}, (struct vec2){0, 2}, axis);
     draw_house(plane, &mapped);
     outline_house(plane, &to_screen, outline);
+}
+
+static void draw_panel(const struct plane *plane, int panel) {
+    const struct mat4 to_screen = panel_to_screen(plane->area), map = panel_map(panel);
+    draw_mapped(plane, &map);
     if (panel == PANEL_OF_PIVOT) {
         mark_point(plane, &to_screen, pivot, color_grey(255));
     }
@@ -144,9 +154,17 @@ static void draw_panel(const struct plane *plane, int panel) {
 
 /* One panel by itself. */
 static bool draw_alone(struct image *image, int panel) {
-    const struct plane plane = {image, {0, 0, (int)image->width, (int)image->height}};
-    fill_area(image, plane.area, color_grey(26));
+    const struct plane plane = {image, whole_image(image)};
     draw_panel(&plane, panel);
+    return true;
+}
+
+/* The house where it stands. */
+static bool draw_unmapped(struct drawing *drawing, struct image *image, struct error *error) {
+    (void)drawing, (void)error;
+    const struct plane plane = {image, whole_image(image)};
+    const struct mat4 still = mat4_identity();
+    draw_mapped(&plane, &still);
     return true;
 }
 
@@ -200,7 +218,6 @@ static bool draw_transforms(struct drawing *drawing, struct image *image, struct
     for (int i = 0; i < PANEL_COUNT; i++) {
         const struct plane plane = {image, panel_area(image, i)};
         if (plane.area.width > 0 && plane.area.height > 0) {
-            fill_area(image, plane.area, color_grey(26));
             draw_panel(&plane, i);
         }
     }
@@ -412,10 +429,6 @@ static struct canvas make_canvas(const struct drawing *drawing, struct image *im
         .texture = drawing->diffuse,
         .normals_to_world = mat4_identity(),
     };
-}
-
-static struct rectangle whole_image(const struct image *image) {
-    return (struct rectangle){0, 0, (int)image->width, (int)image->height};
 }
 
 /* The drawing's camera, at a distance that may be infinite. */
@@ -654,6 +667,7 @@ static void finish(struct drawing *drawing) {
 enum { NEEDS_VIEW = NEEDS_MODEL | NEEDS_NORMALS | NEEDS_DIFFUSE | NEEDS_DEPTH };
 
 static const struct scene scenes[] = {
+    {.name = "house", .width = 400, .height = 400, .draw = draw_unmapped},
     {.name = "scale", .width = 400, .height = 400, .draw = draw_scale},
     {.name = "shear", .width = 400, .height = 400, .draw = draw_shear},
     {.name = "turn", .width = 400, .height = 400, .draw = draw_turn},

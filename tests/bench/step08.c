@@ -364,8 +364,8 @@ static bool gauss_jordan_pivoting(struct mat4 a, struct mat4 *inverse) {
 enum inverter { COFACTORS_FLOAT, COFACTORS, AS_IS, PIVOTING, HOUSE_INVERSE };
 
 static attempt_inverse *const inverters[] = {
-    [COFACTORS_FLOAT] = attempt_4_cofactors_float,
-    [COFACTORS] = attempt_3_cofactors,
+    [COFACTORS_FLOAT] = attempt_12_cofactors_float,
+    [COFACTORS] = attempt_11_cofactors,
     [AS_IS] = gauss_jordan_as_is,
     [PIVOTING] = gauss_jordan_pivoting,
     [HOUSE_INVERSE] = mat4_inverse,
@@ -598,7 +598,7 @@ static const struct {
     [AFFINE_2] = {1, affine_by_rows},    [AFFINE_32] = {4, affine_by_rows},
     [AFFINE_512] = {16, affine_by_rows}, [AFFINE_8192] = {CUTS_MOST, affine_by_rows},
     [EVERY_64] = {1, divided_every_64},  [EVERY_16] = {1, divided_every_16},
-    [EVERY_1] = {1, divided_every_1},    [SCREEN_WEIGHTS] = {1, attempt_12_affine_triangle},
+    [EVERY_1] = {1, divided_every_1},    [SCREEN_WEIGHTS] = {1, attempt_15_affine_triangle},
     [CORRECT_WEIGHTS] = {1, triangle},
 };
 
@@ -766,7 +766,7 @@ static void draw_without_skipping(struct drawing *drawing, struct canvas *canvas
 enum { UNCLIPPED, LEFT_OUT, NEAR_ONLY, CLIPPED, AT_SIDES, NOTHING_SKIPPED };
 
 static attempt_draw *const draws[] = {
-    [UNCLIPPED] = attempt_6_unclipped, [LEFT_OUT] = attempt_7_left_out,
+    [UNCLIPPED] = attempt_7_unclipped, [LEFT_OUT] = attempt_8_left_out,
     [NEAR_ONLY] = draw_cut_near,       [CLIPPED] = draw_model,
     [AT_SIDES] = draw_cut_at_sides,    [NOTHING_SKIPPED] = draw_without_skipping,
 };
