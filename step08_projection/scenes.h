@@ -1,13 +1,13 @@
 /*
  * Step 8, the given part: its scenes and the program.
  *
- * Part a: `house` shows a small house, `scale` to `divided` what nine matrices do to it,
- * `transforms` all of them together. `viewport` draws a model into several rectangles, without perspective.
- * `projection` adds perspective, and `crossing` planes whose depths decide. In part a a face has
- * one colour, or w is 1: no weights are needed.
+ * Part a: `house` shows a small house, `scale` to `divided` what nine matrices do to it, and
+ * `transforms` all of them together. `viewport` draws a model into several rectangles, without
+ * perspective. `projection` adds perspective, and `crossing` planes whose depths decide. In part a
+ * a face has one colour, or w is 1: no weights are needed.
  *
- * Part b: `wall` needs the correct weights, `lookat` and `above` a camera anywhere, `narrow`
- * normals for a model that is not scaled alike in all directions.
+ * Part b: `wall` needs the correct weights, `lookat`, `tilted` and `above` a camera anywhere,
+ * `narrow` normals for a model that is not scaled alike in all directions.
  *
  * Part c: in `closeup` and `endless` faces pass behind the camera.
  */
@@ -441,7 +441,7 @@ static struct mat4 perspective_camera(const struct drawing *drawing) {
     return camera(drawing, vec3_length(vec3_sub(drawing->eye, drawing->center)));
 }
 
-/* Scenes lookat, above and closeup: they differ in their eye, center and up. */
+/* Scenes lookat, tilted, above and closeup: they differ in their eye, center and up. */
 static bool draw_view(struct drawing *drawing, struct image *image, struct error *error) {
     (void)error;
     struct canvas canvas = make_canvas(drawing, image, whole_image(image));
@@ -683,6 +683,14 @@ static const struct scene scenes[] = {
     {.name = "crossing", .needs = NEEDS_DEPTH, .draw = draw_crossing},
     {.name = "wall", .needs = NEEDS_DEPTH, .draw = draw_wall},
     {.name = "lookat", .needs = NEEDS_VIEW, .eye = {1, 1, 2}, .draw = draw_view},
+    {
+        .name = "tilted",
+        .needs = NEEDS_VIEW,
+        .eye = {-2, 0.5, 0.8},
+        .up = {0, 2, 1},
+        .light = {-2, 1, 1},
+        .draw = draw_view,
+    },
     {
         .name = "above",
         .needs = NEEDS_VIEW,
