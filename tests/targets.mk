@@ -83,8 +83,8 @@ $(REPLAYS): $(BUILD)/tests/%: $(BUILD)/tested/tests/fuzz/%.o $(BUILD)/tested/tes
 
 # Every test runs, also after one that failed.
 .PHONY: test
-test: $(UNITS) $(CHECKERS) $(HELPERS) $(REPLAYS) $(BUILD)/check $(BUILD)/references $(BUILD)/show \
-      $(BUILD)/compare_page $(BUILD)/hidden models
+test: $(UNITS) $(CHECKERS) $(HELPERS) $(REPLAYS) $(BUILD)/check $(BUILD)/looks_make \
+      $(BUILD)/references $(BUILD)/show $(BUILD)/compare_page $(BUILD)/hidden models
 	@passed=0; failed=0; names=; \
 	for test in $(UNITS) $(CHECKERS) $(HELPERS) $(SCRIPTS); do \
 	    echo "== $$test"; \
@@ -182,10 +182,20 @@ $(BUILD)/with-mesa: force
 verify: $(BUILD)/check models
 	@tests/verify/verify.sh $(BUILD) '$(MAKE) -s' '$(STEP)' '$(NAME)'
 
+# What the mistakes look like, which the check knows them by.
+.PHONY: mistakes
+mistakes: $(BUILD)/check $(BUILD)/looks_make models
+	@tests/verify/mistakes.sh $(BUILD) '$(MAKE) -s' '$(STEP)' '$(MEASURE)'
+
+$(BUILD)/looks_make: $(BUILD)/tests/check/looks_make.o $(CHECKER) $(BUILD)/libcommon.a
+	$(LINK) $^ -lm -o $@
+
 # One of these programs, built with what is there: the library has the flags of the course.
 $(BUILD)/verify.%: force
 	$(COMPILE) -I$(@F) -c $(@D)/main.c -o $@.o
 	$(LINK) $@.o $(BUILD)/libcommon.a -lm -o $@
+# What such a program depends on is no program.
+$(BUILD)/verify.%.d: ;
 
 # ---- make handout ----
 

@@ -8,6 +8,7 @@
 #include "fault.h"
 #include "image_file.h"
 #include "legend.h"
+#include "looks.h"
 #include "png.h"
 #include "run.h"
 #include "todo.h"
@@ -28,6 +29,7 @@ struct judging {
     struct step_result *result;
     struct image *references; /* one a scene, empty where there is none */
     struct error *errors;     /* then why */
+    struct looks *looks;      /* the known mistakes of each scene */
     struct bytes source;      /* main.c, a NUL at its end */
     struct run_limits limits;
     char directory[DRAWN_PATH_LIMIT]; /* where the program draws */
@@ -105,34 +107,46 @@ static const struct tally *judge_shares(struct item_result *item,
     return &shares->differing;
 }
 
-/* For who sets the limits. */
-static void write_shares(const char *path, const char *step, const struct item_result *item) {
+/* For who sets the limits; at the end how far the picture is from the mistake that it looks like,
+ * or - when it looks like none. */
+static void write_shares(const char *path, const char *step, const struct item_result *item,
+                         const struct likeness *likeness) {
+    char distance[24] = "-";
     FILE *file = path[0] == '\0' ? NULL : fopen(path, "a");
     const struct comparison *shares = &item->shares;
     double drawn = shares->drawn > 0 ? (double)shares->drawn : 1;
     if (file != NULL) {
-        fprintf(file, "%s %s %.4f %.4f %.4f\n", step, item->scene,
+        if (likeness->row > 0) {
+            snprintf(distance, sizeof distance, "%zu", likeness->distance);
+        }
+        fprintf(file, "%s %s %.4f %.4f %.4f %s\n", step, item->scene,
                 100 * (double)shares->wrong.count / drawn,
                 100 * (double)shares->apart.count / drawn,
-                100 * (double)shares->coverage.count / drawn);
+                100 * (double)shares->coverage.count / drawn, distance);
     }
     if (path[0] != '\0' && (file == NULL || fclose(file) != 0)) {
         fprintf(stderr, "check: %s: %s\n", path, strerror(errno));
     }
 }
 
-static void judge_picture(const struct judging *judging, struct item_result *item,
-                          const struct checked_scene *scene, const struct image *reference,
-                          const struct image *yours) {
+static void judge_picture(const struct judging *judging, size_t i, const struct image *yours) {
+    struct item_result *item = &judging->result->items[i];
+    const struct image *reference = &judging->references[i];
+    struct likeness likeness = {.row = 0};
     item->shares = compare_images(reference, yours);
     item->compared = true;
-    write_shares(judging->options->shares, judging->step->name, item);
     item->exact = item->shares.differing.count == 0;
     if (item->exact) {
         item->state = RESULT_PASS;
     } else {
-        describe_first(item, judge_shares(item, scene), reference, yours);
+        const struct tally *tally = judge_shares(item, &judging->step->scenes[i]);
+        describe_first(item, tally, reference, yours);
     }
+    if (item->state == RESULT_FAIL) {
+        likeness = looks_find(&judging->looks[i], reference, yours, item->shares.apart.count, 0);
+        looks_say(&item->looks, &judging->looks[i], likeness.row);
+    }
+    write_shares(judging->options->shares, judging->step->name, item, &likeness);
 }
 
 /* ---- The pictures that are kept ---- */
@@ -230,9 +244,11 @@ static void describe_end(struct result_text *text, const struct run_result *end,
 
 /* ---- Pictures ---- */
 
-/* Read the references. A bad one stays empty. */
+/* Read the references and what is known of mistakes. A bad reference stays empty. */
 static void read_references(const struct judging *judging) {
     for (size_t i = 0; i < judging->step->scene_count; i++) {
+        looks_read(&judging->looks[i], judging->options->looks, judging->step->name,
+                   judging->step->scenes[i].name);
         struct result_path path = reference_path(judging, judging->step->scenes[i].name);
         struct image *reference = &judging->references[i];
         if (image_read(reference, path.text, &judging->errors[i]) && image_is_blank(reference)) {
@@ -251,7 +267,7 @@ static enum drawn_state judge_scene(const struct judging *judging, size_t i) {
     item->message.text[0] = '\0';
     enum drawn_state state = drawn_read(&yours, judging->directory, item->scene, reference, &error);
     if (state == DRAWN_READ) {
-        judge_picture(judging, item, &judging->step->scenes[i], reference, &yours);
+        judge_picture(judging, i, &yours);
     } else {
         result_say(&item->message, "%s", drawn_message(error.message).text);
     }
@@ -432,7 +448,7 @@ static void find_to_do(const struct judging *judging) {
         }
         if (item->state == RESULT_FAIL && found != NULL) {
             item->state = RESULT_TODO;
-            item->message.text[0] = '\0';
+            item->message.text[0] = item->looks.text[0] = '\0';
             result_say(&item->message, "task %s is to do", found);
         }
     }
@@ -506,6 +522,7 @@ void judge_step(const struct options *options, const struct checked_step *step,
         .result = result,
         .references = calloc(step->scene_count, sizeof *judging.references),
         .errors = calloc(step->scene_count, sizeof *judging.errors),
+        .looks = calloc(step->scene_count, sizeof *judging.looks),
         .limits = {.seconds = options->seconds,
                    .file_bytes = (size_t)FILE_MEGABYTES * 1000 * 1000,
                    .processes = PROCESS_LIMIT},
@@ -514,13 +531,17 @@ void judge_step(const struct options *options, const struct checked_step *step,
     snprintf(path, sizeof path, "%s/%s/main.c", options->sources, step->name);
     judging.source = todo_read(path);
     if (!step_result_begin(result, step, &error) || judging.references == NULL ||
-        judging.errors == NULL || !build_and_judge(&judging, &error)) {
+        judging.errors == NULL || judging.looks == NULL || !build_and_judge(&judging, &error)) {
         set_error(result, &error);
     }
     step_result_finish(result);
     for (size_t i = 0; judging.references != NULL && i < step->scene_count; i++) {
         image_free(&judging.references[i]);
     }
+    for (size_t i = 0; judging.looks != NULL && i < step->scene_count; i++) {
+        looks_free(&judging.looks[i]);
+    }
+    free(judging.looks);
     free(judging.references);
     free(judging.errors);
     bytes_free(&judging.source);

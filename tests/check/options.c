@@ -10,6 +10,7 @@ static const struct options default_options = {
     .scenes = "tests/check/scenes.txt",
     .sources = ".",
     .references = "tests/reference",
+    .looks = "tests/check/looks",
     .programs = "build",
     .differences = "build/differences",
     .make = "make",
@@ -33,13 +34,14 @@ const char options_help[] =
     "  --scenes FILE       the table of scenes          (tests/check/scenes.txt)\n"
     "  --sources DIR       DIR/STEP/main.c tells what is still to do         (.)\n"
     "  --references DIR    the reference images         (tests/reference)\n"
+    "  --looks DIR         what known mistakes look like (tests/check/looks)\n"
     "  --programs DIR      where make puts the programs (build)\n"
     "  --differences DIR   where difference images go   (build/differences)\n"
     "  --make COMMAND      builds DIR/STEP, the target  (make)\n"
     "  --first TARGET      what make builds before the steps (models)\n"
     "  --only SCENE        draw and compare just this scene of a step\n"
     "  --shares FILE       add a line to it for each picture: step, scene, % wrong, % apart,\n"
-    "                      % drawn in one picture only\n"
+    "                      % drawn in one picture only, how far from the mistake it looks like\n"
     "  --junit FILE        a report for CI; also --json, --tap, and --html for people\n"
     "  -h, --help\n"
     "\n"
@@ -82,13 +84,21 @@ bool options_read(struct options *options, int argc, char **argv, int *first_ste
         const char *name;
         const char **value;
     } known[] = {
-        {"--root", &options->root},         {"--scenes", &options->scenes},
-        {"--sources", &options->sources},   {"--references", &options->references},
-        {"--programs", &options->programs}, {"--differences", &options->differences},
-        {"--make", &options->make},         {"--first", &options->first},
-        {"--only", &options->only},         {"--shares", &options->shares},
-        {"--junit", &options->junit},       {"--json", &options->json},
-        {"--tap", &options->tap},           {"--html", &options->html},
+        {"--root", &options->root},
+        {"--scenes", &options->scenes},
+        {"--sources", &options->sources},
+        {"--references", &options->references},
+        {"--looks", &options->looks},
+        {"--programs", &options->programs},
+        {"--differences", &options->differences},
+        {"--make", &options->make},
+        {"--first", &options->first},
+        {"--only", &options->only},
+        {"--shares", &options->shares},
+        {"--junit", &options->junit},
+        {"--json", &options->json},
+        {"--tap", &options->tap},
+        {"--html", &options->html},
     };
     int i = 1;
     *options = default_options;

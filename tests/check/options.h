@@ -13,7 +13,8 @@ enum { FILE_MEGABYTES = 64 }; /* largest file that a compiler or a program may w
 
 /* Paths begin at the root, where the check runs. None is longer than DRAWN_PATH_LIMIT / 2. */
 struct options {
-    const char *root, *scenes, *sources, *references, *programs, *differences, *make, *first;
+    const char *root, *scenes, *sources, *references, *looks, *programs, *differences, *make,
+        *first;
     const char *only;                      /* judge just this scene; "" means all */
     const char *shares;                    /* a file to add each picture's numbers to, or "" */
     const char *junit, *json, *tap, *html; /* files for reports, or "" */

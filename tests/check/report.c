@@ -22,13 +22,18 @@ static bool is_exact(const struct step_result *step) {
     return step->state == RESULT_PASS;
 }
 
-static void report_item(const struct item_result *item) {
+static void report_item(const struct step_result *step, const struct item_result *item) {
     printf("  %s%s%s %s %u/%u", item->scene, item->counter[0] != '\0' ? " " : "", item->counter,
            result_state_name(item->state), item->points, item->credit->points);
     if (item->message.text[0] != '\0') {
         printf(": %s", item->message.text);
     }
     printf("\n");
+    if (item->looks.text[0] != '\0') {
+        printf(
+            "    looks like %s: see %s/README.md, \"Common wrong pictures\"; make hint STEP=%.2s\n",
+            item->looks.text, step->name, step->name + strlen("step"));
+    }
 }
 
 /* The letter of a lesson's part in "8b.2", 0 for a lesson without parts. */
@@ -88,7 +93,7 @@ void report_step(const struct step_result *step) {
     printf("\n");
     for (size_t i = 0; i < step->item_count; i++) {
         if (step->items[i].message.text[0] != '\0') {
-            report_item(&step->items[i]);
+            report_item(step, &step->items[i]);
         }
     }
     if (step->state == RESULT_CRASH && !step->fault_is_found) {

@@ -4,17 +4,10 @@
 #
 #   tests/verify/try.sh BUILD MAKE WORK NUMBER
 #
-# Prints a finding, or nothing. Adds `LESSON KIND right` or `... wrong` to WORK/results, and to
-# WORK/shares, for each picture, `KIND NAME LESSON SCENE WRONG APART COVERAGE` with percentages.
-build=$1
-make=$2
-work=$3
-number=$4
-tab=$(printf '\t')
-IFS=$tab read -r _ lesson kind name scene compiler flags says <<END
-$(grep "^$number$tab" "$work/table")
-END
-place=$work/$number
+# Prints a finding, or nothing. Adds `LESSON KIND right TOLD` or `... wrong TOLD` to WORK/results
+# (TOLD: yes for a mistake that the check names), and to WORK/shares, for each picture, `KIND NAME
+# LESSON SCENE WRONG APART COVERAGE LOOK` as `check --shares` writes them.
+. tests/verify/entry.sh
 
 # finding WORDS: prints them with the name; the result is wrong.
 finding() {
@@ -25,28 +18,41 @@ finding() {
     esac
 }
 
-# check [OPTION...]: sets status, and said to the verdict and what follows it, as one line.
-check() {
-    said=$("$build/check" --programs "$place" --sources "$place/sources" --first '' \
-        --differences "$place/differences" --shares "$place/shares" \
-        --make "$make CFLAGS='$flags' WERROR= $compiler" "$@" "$lesson" 2>"$place/errors")
-    status=$?
-    said=$(echo "$said" | awk '/^SCORE/ { exit }
-        /^  / { printf "; %s", substr($0, 3); next }
-        { sub(/^[^ ]+  /, ""); printf "%s", $0 }')
-    [ -n "$said" ] || said=$(cat "$place/errors")
-}
-
 # A mistake that the scene does not show: whether others do.
 describe_others() {
     check
     [ "$status" -eq 1 ] && echo "; all scenes: $said"
 }
 
+# A mistake that is found must look like itself, when its picture can be told from others. Sets told
+# to yes, or no when it cannot.
+judge_looks() {
+    list=tests/check/looks/$lesson/$scene.txt
+    redo="make mistakes STEP=${lesson#step}"
+    redo=${redo%%_*}
+    row=none
+    [ ! -f "$list" ] || row=$(awk -v says="$says" '
+        substr($0, length($1 " " $2) + 2) == says { row = $1 > row ? $1 : row; found = 1 }
+        END { print found ? row + 0 : "none" }' "$list")
+    distance=$(awk 'END { print $6 }' "$place/shares" 2>/dev/null)
+    told=no
+    case $row:$said in
+    none:*) [ ! -d "${list%/*}" ] || [ ! -f "$list" ] || finding STALE "not in $list: $redo" ;;
+    *'looks like'*"\"$says\""*)
+        told=yes
+        [ "$distance" = 0 ] || finding STALE "$redo"
+        ;;
+    *'looks like'*) finding MISLEADS "$said ($says)" ;;
+    0:*) ;;
+    *) finding STALE "looks like nothing: $redo" ;;
+    esac
+}
+
 judge() {
     case $kind:$status:$said in
     mistake:1:BUILD*) finding ERROR "$said" ;;
-    mistake:1:* | starter:1:TODO\ 0/* | accept:0:* | solution:0:*' exact') ;; # as it should be
+    mistake:1:*) judge_looks ;;
+    starter:1:TODO\ 0/* | accept:0:* | solution:0:*' exact') ;; # as it should be
     mistake:0:*) finding PASSES "${said#PASS } ($says)$(describe_others)" ;;
     accept:1:*) finding FAILS "$said ($says)" ;;
     starter:[01]:* | solution:[01]:*) finding WRONG "$said" ;;
@@ -58,22 +64,14 @@ if [ "$compiler" != - ] && ! command -v "$compiler" >/dev/null; then
     echo "SKIPPED ${lesson%%_*}/$name: there is no $compiler"
     exit 0
 fi
-[ "$flags" != - ] || flags=-O0 # builds in a third of the time that -O1 takes, and draws the same
-[ "$compiler" = - ] && compiler= || compiler="CC='$compiler'"
 result=right
-export CHECK_EXACT=0
-# Correct programs have time: they may be built with sanitizers, on a busy machine.
-export CHECK_BUILD_TIMEOUT="${CHECK_BUILD_TIMEOUT:-600}"
-[ "$kind" = mistake ] || export CHECK_TIMEOUT="${CHECK_TIMEOUT:-60}"
+told=no
 # A starter's main.c says what is to do.
 if [ "$kind" = starter ]; then
     mkdir -p "$place/sources/$lesson" && cp "$place/main.c" "$place/sources/$lesson" || exit 1
 fi
-# A mistake may want all memory there is. (Not in POSIX, but in every sh.)
-# shellcheck disable=SC3045
-[ "$kind" != mistake ] || ulimit -v 4000000
 case $scene in -) check ;; *) check --only "$scene" ;; esac
 [ ! -f "$place/shares" ] || sed "s/^/$kind $name /" "$place/shares" >>"$work/shares"
 judge
-echo "$lesson $kind $result" >>"$work/results"
+echo "$lesson $kind $result $told" >>"$work/results"
 rm -rf "$place"

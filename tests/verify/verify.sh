@@ -1,7 +1,8 @@
 #!/bin/sh
 # Does the check fail every mistake, and pass every correct program? For every lesson: the solution
-# must pass exactly, the starter must fail, each mistake of stepNN_name/mistakes.txt must fail in
-# the scene that it names, each program of tests/accept/stepNN.txt must pass.
+# must pass exactly, the starter must be to do, each mistake of stepNN_name/mistakes.txt must fail in
+# the scene that it names and look like itself there (tests/check/looks.h), each program of
+# tests/accept/stepNN.txt must pass.
 #
 #   tests/verify/verify.sh BUILD MAKE [STEP [PATTERN]]
 #
@@ -76,19 +77,26 @@ share() {
     echo "$(count "$1" "$2" right)/$(count "$1" "$2" '')"
 }
 
+# named LESSON: of the mistakes that are found, those that the check names.
+named() {
+    awk -v lesson="$1" '$1 == lesson && $2 == "mistake" { n++; named += $4 == "yes" }
+        END { print named + 0 "/" n + 0 }' "$work/results"
+}
+
 # one LESSON KIND WORDS: the words, when it is right.
 one() {
     case $(share "$1" "$2") in 1/1) echo "$3" ;; 0/0) echo - ;; *) echo wrong ;; esac
 }
 
 print_table() {
-    format='%-20s %14s %20s  %-8s %s\n'
+    format='%-20s %14s %8s %20s  %-8s %s\n'
     # shellcheck disable=SC2059 # the same for all rows
     {
-        printf "$format" lesson 'mistakes found' 'alternatives passed' starter solution
+        printf "$format" lesson 'mistakes found' named 'alternatives passed' starter solution
         for lesson in $lessons; do
-            printf "$format" "$lesson" "$(share "$lesson" mistake)" "$(share "$lesson" accept)" \
-                "$(one "$lesson" starter fails)" "$(one "$lesson" solution exact)"
+            printf "$format" "$lesson" "$(share "$lesson" mistake)" "$(named "$lesson")" \
+                "$(share "$lesson" accept)" \
+                "$(one "$lesson" starter "to do")" "$(one "$lesson" solution exact)"
         done
     }
 }
@@ -101,4 +109,4 @@ cut -f 1 "$work/table" |
 [ ! -f "$work/shares" ] || awk -f tests/verify/limits.awk tests/check/scenes.txt "$work/shares"
 echo
 print_table
-! grep -q 'wrong$' "$work/results"
+! grep -q ' wrong ' "$work/results"

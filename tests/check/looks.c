@@ -1,0 +1,187 @@
+#include "looks.h"
+
+#include "array.h"
+#include "image_file.h"
+#include "text.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum {
+    LEAST_WRONG = 8,   /* pixels in a wrong colour, below which nothing can be told */
+    MOST_NAMES = 3,    /* mistakes that draw the same picture, above which nothing is told */
+    UNEXPLAINED = 32,  /* for so many pixels in a wrong colour one may be another */
+    APART_QUARTERS = 4 /* how exactly the number of pixels apart must be met: one in so many */
+};
+
+/* ---- Reading ---- */
+
+struct place looks_place(const struct image *pixels, size_t i) {
+    struct color color = image_get(pixels, (int)i, 0);
+    unsigned bits = (unsigned)color.b | (unsigned)color.g << 8 | (unsigned)color.r << 16;
+    return (struct place){bits & 0xfff, bits >> 12};
+}
+
+void looks_set_place(struct image *pixels, size_t i, struct place place) {
+    unsigned bits = (unsigned)place.x | (unsigned)place.y << 12;
+    image_set(pixels, (int)i, 0,
+              color_rgb((uint8_t)(bits >> 16), (uint8_t)(bits >> 8), (uint8_t)bits));
+}
+
+/* "2 4711 depth cleared to 0": a line of the list. */
+static bool read_look(struct looks *looks, const char *line, size_t length) {
+    struct look look = {.row = 0};
+    char text[LOOKS_WORDS_LIMIT + 48];
+    unsigned long long row, apart;
+    int words = 0;
+    snprintf(text, sizeof text, "%.*s", (int)length, line);
+    if (sscanf(text, "%llu %llu %n", &row, &apart, &words) < 2 || text[words] == '\0' ||
+        (row > 0 && (row < LOOKS_FIRST_ROW || row >= looks->pixels.height))) {
+        return false;
+    }
+    look.row = (size_t)row;
+    look.apart = apart;
+    snprintf(look.words, sizeof look.words, "%.*s", LOOKS_WORDS_LIMIT - 1, text + words);
+    struct look *list =
+        array_reserve(looks->list, &looks->capacity, looks->count + 1, sizeof *list);
+    if (list == NULL) {
+        return false;
+    }
+    looks->list = list;
+    list[looks->count++] = look;
+    return true;
+}
+
+static bool read_list(struct looks *looks, const char *path) {
+    struct bytes file = {.data = NULL};
+    struct error ignored;
+    bool done = file_read(path, &file, &ignored) && bytes_append(&file, "", 1);
+    for (const char *line = (const char *)file.data; done && *line != '\0';) {
+        size_t length = strcspn(line, "\n");
+        done = line[0] == '#' || read_look(looks, line, length);
+        line += length + (line[length] == '\n');
+    }
+    bytes_free(&file);
+    return done;
+}
+
+void looks_read(struct looks *looks, const char *directory, const char *step, const char *scene) {
+    char path[DRAWN_PATH_LIMIT];
+    struct error ignored;
+    *looks = (struct looks){.count = 0};
+    snprintf(path, sizeof path, "%s/%s/%s.png", directory, step, scene);
+    bool done =
+        image_read(&looks->pixels, path, &ignored) && looks->pixels.height > LOOKS_FIRST_ROW;
+    snprintf(path, sizeof path, "%s/%s/%s.txt", directory, step, scene);
+    if (!done || !read_list(looks, path)) {
+        looks_free(looks);
+    }
+}
+
+void looks_free(struct looks *looks) {
+    image_free(&looks->pixels);
+    free(looks->list);
+    *looks = (struct looks){.count = 0};
+}
+
+/* ---- Comparing ---- */
+
+static bool agree(struct color a, struct color b) {
+    return abs(a.r - b.r) <= COMPARE_LEVELS && abs(a.g - b.g) <= COMPARE_LEVELS &&
+           abs(a.b - b.b) <= COMPARE_LEVELS;
+}
+
+/* At how many of the pixels has the picture not the colours of that row? */
+static size_t find_distance(const struct looks *looks, size_t row, const struct image *picture) {
+    size_t distance = 0;
+    for (size_t i = 0; i < looks->pixels.width; i++) {
+        struct place place = looks_place(&looks->pixels, i);
+        distance += !agree(image_get(&looks->pixels, (int)i, (int)row),
+                           image_get(picture, (int)place.x, (int)place.y));
+    }
+    return distance;
+}
+
+/* At how many of the pixels has the picture a colour, and not that of the reference? What is black
+ * there tells little: pictures that lack much look the same. */
+static size_t count_wrong_colors(const struct looks *looks, const struct image *picture) {
+    size_t count = 0;
+    for (size_t i = 0; i < looks->pixels.width; i++) {
+        struct place place = looks_place(&looks->pixels, i);
+        struct color color = image_get(picture, (int)place.x, (int)place.y);
+        bool is_black = color.r == 0 && color.g == 0 && color.b == 0;
+        count += !is_black && !agree(color, image_get(&looks->pixels, (int)i, 1));
+    }
+    return count;
+}
+
+/* Was this the reference when the pixels were kept? */
+static bool is_up_to_date(const struct looks *looks, const struct image *reference) {
+    for (size_t i = 0; i < looks->pixels.width; i++) {
+        struct place place = looks_place(&looks->pixels, i);
+        if (place.x >= reference->width || place.y >= reference->height) {
+            return false;
+        }
+    }
+    return find_distance(looks, 1, reference) == 0;
+}
+
+static uint64_t apart_of(const struct looks *looks, size_t row) {
+    for (size_t i = 0; i < looks->count; i++) {
+        if (looks->list[i].row == row) {
+            return looks->list[i].apart;
+        }
+    }
+    return 0;
+}
+
+static size_t count_names(const struct looks *looks, size_t row) {
+    size_t names = 0;
+    for (size_t i = 0; i < looks->count; i++) {
+        names += looks->list[i].row == row;
+    }
+    return names;
+}
+
+/* Are as many pixels apart as in a picture of the mistake? */
+static bool is_as_far(uint64_t apart, uint64_t of_mistake) {
+    uint64_t difference = apart > of_mistake ? apart - of_mistake : of_mistake - apart;
+    return difference * APART_QUARTERS <= of_mistake;
+}
+
+struct likeness looks_find(const struct looks *looks, const struct image *reference,
+                           const struct image *yours, uint64_t apart, size_t left_out) {
+    const struct likeness none = {.row = 0};
+    struct likeness best = none;
+    size_t second = SIZE_MAX;
+    if (looks->count == 0 || !is_up_to_date(looks, reference)) {
+        return none;
+    }
+    for (size_t row = LOOKS_FIRST_ROW; row < looks->pixels.height; row++) {
+        size_t distance = row == left_out ? SIZE_MAX : find_distance(looks, row, yours);
+        if (best.row == 0 || distance < best.distance) {
+            second = best.row == 0 ? SIZE_MAX : best.distance;
+            best = (struct likeness){row, distance};
+        } else if (distance < second) {
+            second = distance;
+        }
+    }
+    size_t wrong = count_wrong_colors(looks, yours), names = count_names(looks, best.row);
+    uint64_t of_mistake = apart_of(looks, best.row);
+    bool is_same = best.distance == 0 && apart > 0 && apart == of_mistake;
+    bool is_near = wrong >= LEAST_WRONG && best.distance <= wrong / UNEXPLAINED &&
+                   is_as_far(apart, of_mistake);
+    bool is_clear = second > 2 * best.distance;
+    return (is_same || is_near) && is_clear && names <= MOST_NAMES ? best : none;
+}
+
+void looks_say(struct result_text *text, const struct looks *looks, size_t row) {
+    const char * or = "";
+    for (size_t i = 0; i < looks->count; i++) {
+        if (row > 0 && looks->list[i].row == row) {
+            result_say(text, "%s\"%s\"", or, looks->list[i].words);
+            or = " or ";
+        }
+    }
+}

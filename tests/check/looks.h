@@ -1,0 +1,77 @@
+/*
+ * Which of the lessons' known mistakes a wrong picture looks like.
+ *
+ * Of each mistake of stepNN_name/mistakes.txt the colours at some hundred pixels of each scene are
+ * kept: pixels at which the mistakes differ from the reference and from each other, and some
+ * others. They are made by `make mistakes STEP=NN` after a change of main.c, scenes or mistakes.txt
+ * (`make verify` finds those that are out of date), in two files for each scene:
+ *
+ *     tests/check/looks/stepNN_name/scene.png    a column for each pixel; row 0, at the bottom,
+ *                                                holds where it is (x in 12 bits, then y, from
+ *                                                blue's lowest on), row 1 the reference, then one
+ *                                                row for each picture that mistakes draw
+ *     tests/check/looks/stepNN_name/scene.txt    a line for each mistake: its row, how many pixels
+ *                                                of it are apart (compare.h), what it is. Row 0:
+ *                                                nothing can be told from its picture
+ *
+ * A wrong diagnosis is worse than none. So a picture looks like a mistake only when
+ *
+ *     at least 8 of the pixels have a wrong colour, other than black, and for every 32 of these at
+ *     most one of all pixels has not the mistake's colour;
+ *     as many pixels of it are apart as of the mistake's, within a quarter;
+ *     or no difference from the mistake's picture is known at all;
+ *     no other mistake has nearly as many of these colours, and not more than three are the same.
+ */
+#ifndef TESTS_CHECK_LOOKS_H
+#define TESTS_CHECK_LOOKS_H
+
+#include "compare.h"
+#include "file.h"
+#include "result.h"
+#include "tgaimage.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+enum { LOOKS_FIRST_ROW = 2, LOOKS_WORDS_LIMIT = 160 };
+
+struct look {
+    size_t row;     /* of the pixels; 0: nothing can be told */
+    uint64_t apart; /* in the whole picture */
+    char words[LOOKS_WORDS_LIMIT];
+};
+
+/* What is known of a scene. All zero: nothing. */
+struct looks {
+    struct image pixels;
+    struct look *list;
+    size_t count, capacity;
+};
+
+/* The mistake that a picture looks like. */
+struct likeness {
+    size_t row;      /* 0: none */
+    size_t distance; /* pixels that it has not the colour of */
+};
+
+/* Read those of a scene: DIRECTORY/STEP/SCENE.png and .txt. What cannot be read is not known. */
+void looks_read(struct looks *looks, const char *directory, const char *step, const char *scene);
+void looks_free(struct looks *looks);
+
+/* Which mistake does a wrong picture look like? `apart` is what the comparison has counted. The row
+ * `left_out` is not looked at (0: all are). Of another reference than it was made with, none. */
+struct likeness looks_find(const struct looks *looks, const struct image *reference,
+                           const struct image *yours, uint64_t apart, size_t left_out);
+
+/* Add "A" or "B", the mistakes of that row, to the text. */
+void looks_say(struct result_text *text, const struct looks *looks, size_t row);
+
+/* Column i of row 0 tells where this pixel is. */
+struct place {
+    size_t x, y;
+};
+struct place looks_place(const struct image *pixels, size_t i);
+void looks_set_place(struct image *pixels, size_t i, struct place place);
+
+#endif

@@ -1,0 +1,244 @@
+/*
+ * Tests of what the known mistakes are told by: a picture looks like the mistake that drew it, and
+ * in doubt like none.
+ */
+#define _POSIX_C_SOURCE 200809L
+
+#include "image_file.h"
+#include "looks.h"
+#include "png.h"
+#include "unit.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+enum { SIZE = 64, PLACES = 128, ROWS = 3 }; /* three pictures, in rows 2, 3 and 4 */
+
+/* What was kept of a reference of one grey, and of three wrong pictures. */
+struct fixture {
+    struct image reference, yours;
+    struct looks looks;
+};
+
+/* Pixel number i of the places. */
+static struct place place_of(size_t i) {
+    return (struct place){i % SIZE, i / SIZE * 7};
+}
+
+/* The second picture is the first but for 40 pixels. */
+static struct color color_of(size_t row, size_t i) {
+    static const uint8_t levels[] = {0, 50, 90, 150, 200};
+    return color_grey(i >= 64 ? 50 : row == 3 && i >= 40 ? levels[2] : levels[row]);
+}
+
+static void set_up(struct fixture *f) {
+    static const char *const words[] = {"the first", "the second", "the third", "as the third"};
+    static const size_t rows[] = {2, 3, 4, 4};
+    struct error error;
+    memset(f, 0, sizeof *f);
+    CHECK(image_create(&f->reference, SIZE, SIZE, IMAGE_BGR, &error));
+    CHECK(image_create(&f->yours, SIZE, SIZE, IMAGE_BGR, &error));
+    CHECK(image_create(&f->looks.pixels, PLACES, 2 + ROWS, IMAGE_BGR, &error));
+    image_clear(&f->reference, color_grey(50));
+    for (size_t i = 0; i < PLACES; i++) {
+        looks_set_place(&f->looks.pixels, i, place_of(i));
+        for (size_t row = 1; row < 2 + ROWS; row++) {
+            image_set(&f->looks.pixels, (int)i, (int)row, color_of(row, i));
+        }
+    }
+    f->looks.list = calloc(8, sizeof *f->looks.list);
+    for (size_t i = 0; i < 4; i++) {
+        struct look *look = &f->looks.list[f->looks.count++];
+        look->row = rows[i];
+        look->apart = 1000;
+        strcpy(look->words, words[i]);
+    }
+}
+
+static void tear_down(struct fixture *f) {
+    image_free(&f->reference);
+    image_free(&f->yours);
+    looks_free(&f->looks);
+}
+
+/* Draw that row, with `other` of its wrong pixels in another colour. */
+static void draw(struct fixture *f, size_t row, size_t other) {
+    image_clear(&f->yours, color_grey(50));
+    for (size_t i = 0; i < PLACES; i++) {
+        struct place place = place_of(i);
+        image_set(&f->yours, (int)place.x, (int)place.y,
+                  i < other ? color_grey(255) : color_of(row, i));
+    }
+}
+
+static size_t find(const struct fixture *f, uint64_t apart, size_t left_out) {
+    return looks_find(&f->looks, &f->reference, &f->yours, apart, left_out).row;
+}
+
+static void test_places(void) {
+    struct image pixels;
+    struct error error;
+    CHECK(image_create(&pixels, 3, 1, IMAGE_BGR, &error));
+    const struct place places[] = {{0, 0}, {4095, 4095}, {1234, 3021}};
+    for (size_t i = 0; i < 3; i++) {
+        looks_set_place(&pixels, i, places[i]);
+        struct place found = looks_place(&pixels, i);
+        CHECK(found.x == places[i].x && found.y == places[i].y);
+    }
+    image_free(&pixels);
+}
+
+static void test_what_is_told(void) {
+    static const struct {
+        const char *what;
+        size_t row, other;
+        uint64_t apart;
+        size_t left_out, wanted;
+    } cases[] = {
+        {"itself", 2, 0, 1000, 0, 2},          {"its neighbour", 3, 0, 1000, 0, 3},
+        {"the last", 4, 0, 1000, 0, 4},        {"nearly", 4, 2, 1000, 0, 4},
+        {"not near enough", 4, 3, 1000, 0, 0}, {"a quarter more is apart", 4, 1, 1250, 0, 4},
+        {"more than that", 4, 1, 1251, 0, 0},  {"a quarter less", 4, 1, 750, 0, 4},
+        {"less than that", 4, 1, 749, 0, 0},   {"the reference", 1, 0, 1000, 0, 0},
+        {"unknown", 4, 0, 1000, 4, 0},
+    };
+    struct fixture f;
+    set_up(&f);
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        draw(&f, cases[i].row, cases[i].other);
+        CHECK_ROW(find(&f, cases[i].apart, cases[i].left_out) == cases[i].wanted, cases[i].what);
+    }
+    tear_down(&f);
+}
+
+/* Between two pictures, neither is told. */
+static void test_doubt(void) {
+    struct fixture f;
+    set_up(&f);
+    draw(&f, 2, 0);
+    for (int i = 0; i < 2; i++) { /* two of the forty pixels in which the second differs */
+        struct place place = place_of((size_t)i);
+        image_set(&f.yours, (int)place.x, (int)place.y, color_of(3, (size_t)i));
+    }
+    CHECK(find(&f, 1000, 0) == 2);
+    for (size_t i = 2; i < 40; i++) { /* now the two differ in two only */
+        image_set(&f.looks.pixels, (int)i, 3, color_of(2, i));
+    }
+    CHECK(find(&f, 1000, 0) == 3);
+    struct place place = place_of(1);
+    image_set(&f.yours, (int)place.x, (int)place.y, color_of(2, 1));
+    CHECK(find(&f, 1000, 0) == 0);
+    tear_down(&f);
+}
+
+static void test_small_pictures(void) {
+    struct fixture f;
+    set_up(&f);
+    for (size_t i = 5; i < PLACES; i++) { /* five pixels are wrong at all */
+        for (int row = 2; row < 2 + ROWS; row++) {
+            image_set(&f.looks.pixels, (int)i, row, color_grey(50));
+        }
+    }
+    image_clear(&f.yours, color_grey(50));
+    for (size_t i = 0; i < 5; i++) {
+        struct place place = place_of(i);
+        image_set(&f.yours, (int)place.x, (int)place.y, color_of(4, i));
+    }
+    CHECK(find(&f, 1000, 0) == 4);
+    CHECK(find(&f, 1001, 0) == 0);
+    tear_down(&f);
+}
+
+/* Pictures that lack nearly everything are not told by what they lack. */
+static void test_black(void) {
+    struct fixture f;
+    set_up(&f);
+    draw(&f, 4, 0);
+    for (size_t i = 0; i < 64; i++) {
+        struct place place = place_of(i);
+        image_set(&f.looks.pixels, (int)i, 4, color_grey(i < 2 ? 200 : 0));
+        image_set(&f.yours, (int)place.x, (int)place.y, color_grey(0));
+    }
+    CHECK(find(&f, 1000, 0) == 0);
+    tear_down(&f);
+}
+
+static void test_names(void) {
+    struct fixture f;
+    struct result_text text = {""};
+    set_up(&f);
+    looks_say(&text, &f.looks, 4);
+    CHECK_TEXT(text.text, "\"the third\" or \"as the third\"");
+    looks_say(&text, &f.looks, 0);
+    CHECK_TEXT(text.text, "\"the third\" or \"as the third\"");
+    draw(&f, 4, 0);
+    f.looks.list[f.looks.count++] = f.looks.list[3];
+    CHECK(find(&f, 1000, 0) == 4);
+    f.looks.list[f.looks.count++] = f.looks.list[3];
+    CHECK(find(&f, 1000, 0) == 0); /* four draw the same */
+    for (size_t i = 0; i < f.looks.count; i++) {
+        f.looks.list[i].row = 0;
+    }
+    CHECK(find(&f, 1000, 0) == 0);
+    text.text[0] = '\0';
+    looks_say(&text, &f.looks, 0);
+    CHECK_TEXT(text.text, "");
+    tear_down(&f);
+}
+
+/* Kept of another reference, or of a larger one. */
+static void test_out_of_date(void) {
+    struct fixture f;
+    set_up(&f);
+    draw(&f, 4, 0);
+    image_set(&f.reference, 3, 0, color_grey(70));
+    CHECK(find(&f, 1000, 0) == 0);
+    image_set(&f.reference, 3, 0, color_grey(50));
+    CHECK(find(&f, 1000, 0) == 4);
+    looks_set_place(&f.looks.pixels, 100, (struct place){SIZE, 0}); /* where nothing is */
+    image_set(&f.looks.pixels, 100, 1, color_grey(0));
+    CHECK(find(&f, 1000, 0) == 0);
+    tear_down(&f);
+}
+
+static void test_files(void) {
+    static const struct {
+        const char *list;
+        size_t count;
+    } cases[] = {
+        {"# words\n2 1000 the first\n0 0 nothing\n4 99 a \"b\"\n", 3},
+        {"", 0},
+        {"5 1000 no such row\n", 0},
+        {"1 1000 the reference\n", 0},
+        {"2 1000\n", 0},
+        {"-3 1000 a\n", 0},
+        {"x 1000 a\n", 0},
+    };
+    char directory[] = "/tmp/test_looks.XXXXXX", path[64], command[80];
+    struct fixture f;
+    struct looks looks;
+    struct error error;
+    CHECK(mkdtemp(directory) != NULL);
+    set_up(&f);
+    snprintf(path, sizeof path, "%s/a", directory);
+    CHECK(directory_create(path, &error));
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        snprintf(path, sizeof path, "%s/a/b.png", directory);
+        CHECK(png_write(&f.looks.pixels, path, &error));
+        snprintf(path, sizeof path, "%s/a/b.txt", directory);
+        CHECK(file_write(path, cases[i].list, strlen(cases[i].list), &error));
+        looks_read(&looks, directory, "a", "b");
+        CHECK_ROW(looks.count == cases[i].count, cases[i].list);
+        looks_free(&looks);
+    }
+    looks_read(&looks, directory, "a", "c");
+    CHECK(looks.count == 0 && looks.pixels.pixels == NULL);
+    snprintf(command, sizeof command, "rm -rf '%s'", directory);
+    CHECK(system(command) == 0);
+    tear_down(&f);
+}
+
+UNIT_MAIN(TEST(test_places), TEST(test_what_is_told), TEST(test_doubt), TEST(test_small_pictures),
+          TEST(test_black), TEST(test_names), TEST(test_out_of_date), TEST(test_files))

@@ -1,0 +1,12 @@
+#!/bin/sh
+# Draws all scenes of one mistake of the table that mistakes.sh has made. What is wrong in them
+# becomes WORK/NUMBER/SCENE.png. Exit status 255, at which xargs ends: the check cannot work.
+#
+#   tests/verify/draw.sh BUILD MAKE WORK NUMBER
+. tests/verify/entry.sh
+
+# No diagnosis is wanted, and the directory that is named has none.
+check --looks "$place"
+[ "$status" -le 1 ] || { echo "mistakes: ${lesson%%_*}/$name: $said" >&2 && exit 255; }
+mv "$place/differences/$lesson/yours" "$place.yours" 2>/dev/null || mkdir "$place.yours"
+rm -rf "$place" && mv "$place.yours" "$place"

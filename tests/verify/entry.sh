@@ -1,0 +1,33 @@
+# shellcheck shell=sh disable=SC2034 # who reads this uses what it sets
+# What try.sh and draw.sh share: sets what the line of WORK/table tells of a program, and gives them
+# check(). They are called with BUILD MAKE WORK NUMBER.
+build=$1
+make=$2
+work=$3
+number=$4
+tab=$(printf '\t')
+IFS=$tab read -r _ lesson kind name scene compiler flags says <<END
+$(grep "^$number$tab" "$work/table")
+END
+place=$work/$number
+[ "$flags" != - ] || flags=-O0 # builds in a third of the time that -O1 takes, and draws the same
+[ "$compiler" = - ] && cc= || cc="CC='$compiler'"
+export CHECK_EXACT=0
+# Correct programs have time: they may be built with sanitizers, on a busy machine.
+export CHECK_BUILD_TIMEOUT="${CHECK_BUILD_TIMEOUT:-600}"
+[ "$kind" = mistake ] || export CHECK_TIMEOUT="${CHECK_TIMEOUT:-60}"
+# A mistake may want all memory there is. (Not in POSIX, but in every sh.)
+# shellcheck disable=SC3045
+[ "$kind" != mistake ] || ulimit -v 4000000
+
+# check [OPTION...]: sets status, and said to the verdict and what follows it, as one line.
+check() {
+    said=$("$build/check" --programs "$place" --sources "$place/sources" --first '' \
+        --differences "$place/differences" --shares "$place/shares" \
+        --make "$make CFLAGS='$flags' WERROR= $cc" "$@" "$lesson" 2>"$place/errors")
+    status=$?
+    said=$(echo "$said" | awk '/^SCORE/ { exit }
+        /^  / { printf "; %s", substr($0, 3); next }
+        { sub(/^[^ ]+  /, ""); printf "%s", $0 }')
+    [ -n "$said" ] || said=$(cat "$place/errors")
+}

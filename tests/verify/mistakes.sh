@@ -1,0 +1,51 @@
+#!/bin/sh
+# Draws what the mistakes of each stepNN_name/mistakes.txt draw, and keeps what they look like in
+# tests/check/looks, where the check finds it (tests/check/looks.h says how). To be called again
+# after a change of a lesson's main.c, scenes, references or mistakes.txt.
+#
+#   tests/verify/mistakes.sh BUILD MAKE [STEP [MEASURE]]
+#
+# MAKE builds a program; STEP is 5, 05 or step05_zbuffer. Works in BUILD, where the check, looks_make,
+# the library and the models must be built. As many at a time as there are processors; WORKERS=1 in
+# the environment for one. With MEASURE (any word) it also says what each mistake would look like if
+# it were not known.
+#
+# Exit status 0: done; 1: a list is wrong, or something cannot be written.
+cd "$(dirname "$0")/../.." || exit 1
+build=$1
+make=$2
+wanted=${3:-}
+measure=${4:+-m}
+workers=${WORKERS:-$(getconf _NPROCESSORS_ONLN 2>/dev/null || echo 2)}
+work=$(mktemp -d "$build/verify.XXXXXX") || exit 1
+trap 'rm -rf "$work"' EXIT
+trap 'exit 1' HUP INT TERM
+
+# keep LESSON: what its mistakes look like, scene by scene.
+keep() {
+    grep "	$1	" "$work/table" | cut -f 1,8 >"$work/list"
+    rm -rf "tests/check/looks/$1"
+    # shellcheck disable=SC2013 # one word a line
+    for scene in $(awk -v lesson="$1" '$1 == lesson { print $2 }' tests/check/scenes.txt); do
+        # shellcheck disable=SC2086 # no word where nothing is wanted
+        "$build/looks_make" $measure "$1" "$scene" "tests/reference/$1/$scene.png" "$work/list" \
+            "$work" tests/check/looks || exit 1
+    done
+}
+
+found=
+for lesson in step[0-9]*_*/mistakes.txt; do
+    lesson=${lesson%/mistakes.txt}
+    number=${lesson#step}
+    number=${number%%_*}
+    case $wanted in '' | "$lesson" | "$number" | "${number#0}") ;; *) continue ;; esac
+    found=yes
+    awk -v directory="$work" -f tests/replace.awk -f tests/verify/parse.awk \
+        "$lesson/mistakes.txt" >"$work/table" || exit 1
+    cut -f 1 "$work/table" |
+        xargs -P "$workers" -n 1 tests/verify/draw.sh "$build" "$make" "$work" || exit 1
+    keep "$lesson"
+    find "$work" -mindepth 1 -delete
+    echo "$lesson: $(cat "tests/check/looks/$lesson"/* 2>/dev/null | wc -c) bytes"
+done
+[ -n "$found" ] || { echo "mistakes: there is no step '$wanted'" >&2 && exit 1; }
