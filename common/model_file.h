@@ -36,9 +36,6 @@ bool model_decode(struct model *model, const void *data, size_t size, struct err
 /* How many of the textures lie beside the model. */
 size_t model_textures_present(const struct model *model);
 
-/* How many of the textures lie beside the model. */
-size_t model_textures_present(const struct model *model);
-
 /* A texture of the model, read at the first call. NULL, with a message that names the file that was
  * looked for, when there is none or it cannot be read. The model keeps the texture. */
 const struct texture *model_texture(struct model *model, enum model_texture_kind kind,

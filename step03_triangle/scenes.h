@@ -158,10 +158,18 @@ static bool draw_text(struct drawing *drawing, struct image *image, struct error
 /* Which triangle `i` of a mesh is, on an image of that size. */
 typedef void mesh_function(int i, const struct image *image, struct fixed2 corner[3]);
 
+/* Triangles that cover a square part of the image without gap or overlap. */
+struct covering {
+    mesh_function *place;
+    int triangle_count;
+    size_t begin, end; /* the columns, and the rows, that it covers; end exclusive */
+};
+
 enum {
     COUNT_ZOOM = 4, /* a pixel of a mesh is shown as a block of 4 x 4 */
     SHEET_CELLS = 14,
-    SHEET_CELL = 12, /* pixels */
+    SHEET_CELL = 12,   /* pixels */
+    SHEET_MARGIN = 16, /* pixels */
     SHEET_TRIANGLES = 2 * SHEET_CELLS * SHEET_CELLS,
     FAN_BLADES = 24,
     FAN_REACH = 668 * SUBPIXELS + 91 /* the rim is 6 times as far from the middle */
@@ -171,9 +179,9 @@ enum {
  * centres or half-way between them, where the rule for ties counts most. The border is straight and
  * far from all centres: there no rule is asked. */
 static struct fixed2 sheet_corner(int column, int row) {
-    const int half = SUBPIXELS / 2, margin = 16;
+    const int half = SUBPIXELS / 2;
     uint32_t h = (uint32_t)(row * 1009 + column) * 2654435761U;
-    int x = 2 * (margin + column * SHEET_CELL), y = 2 * (margin + row * SHEET_CELL);
+    int x = 2 * (SHEET_MARGIN + column * SHEET_CELL), y = 2 * (SHEET_MARGIN + row * SHEET_CELL);
     if (column % SHEET_CELLS == 0 || row % SHEET_CELLS == 0) {
         return (struct fixed2){x * half + half / 2, y * half + half / 2};
     }
@@ -215,37 +223,27 @@ static void place_in_fan(int i, const struct image *image, struct fixed2 corner[
 /* What is known of a pixel of a mesh. */
 struct counted {
     uint8_t draws; /* how many triangles have drawn it; 255 stands for more, too */
-    uint8_t shade; /* grey of the one triangle that must draw it; 0: none must */
+    uint8_t shade; /* grey of the last of them */
 };
 
 /* Count the pixels that a triangle has drawn in white, and make them black again. */
-static void count_draws(struct image *image, struct counted *counted) {
+static void count_draws(struct image *image, uint8_t shade, struct counted *counted) {
     for (size_t i = 0; i < image->width * image->height; i++) {
-        if (image->pixels[i * IMAGE_BGR] != 0 && counted[i].draws < 255) {
-            counted[i].draws++;
+        if (image->pixels[i * IMAGE_BGR] != 0) {
+            counted[i].draws = (uint8_t)(counted[i].draws + (counted[i].draws < 255));
+            counted[i].shade = shade;
         }
     }
     image_clear(image, color_grey(0));
 }
 
-/* The pixels of a triangle as common/raster.h finds them. */
-static void mark_triangle(const struct image *image, const struct fixed2 corner[3], uint8_t shade,
-                          struct counted *counted) {
-    struct edges edges;
-    if (!edges_setup(&edges, corner[0], corner[1], corner[2], image->width, image->height)) {
-        return;
-    }
-    for (int y = edges.y_begin; y < edges.y_end; y++) {
-        struct span span = edges_span(&edges, y);
-        for (int x = span.begin; x < span.end; x++) {
-            counted[(size_t)y * image->width + (size_t)x].shade = shade;
-        }
-    }
+/* Must a triangle of the mesh draw the pixel? */
+static bool in_mesh(const struct covering *mesh, size_t x, size_t y) {
+    return x >= mesh->begin && x < mesh->end && y >= mesh->begin && y < mesh->end;
 }
 
 /* Grey: drawn exactly once, as it must be. Orange: drawn too often. Magenta: not drawn. */
-static struct color counted_color(struct counted counted) {
-    int wanted = counted.shade > 0;
+static struct color counted_color(struct counted counted, int wanted) {
     return counted.draws > wanted   ? color_rgb(255, 150, 0)
            : counted.draws < wanted ? color_rgb(255, 0, 160)
                                     : color_grey(counted.shade);
@@ -253,37 +251,39 @@ static struct color counted_color(struct counted counted) {
 
 /* The small image, enlarged. */
 static void show_counted(struct image *image, const struct image *small,
-                         const struct counted *counted) {
+                         const struct covering *mesh, const struct counted *counted) {
     for (size_t y = 0; y < image->height; y++) {
         for (size_t x = 0; x < image->width; x++) {
-            size_t i = y / COUNT_ZOOM * small->width + x / COUNT_ZOOM;
-            image_set(image, (int)x, (int)y, counted_color(counted[i]));
+            size_t column = x / COUNT_ZOOM, row = y / COUNT_ZOOM;
+            image_set(
+                image, (int)x, (int)y,
+                counted_color(counted[row * small->width + column], in_mesh(mesh, column, row)));
         }
     }
 }
 
 /* How often each pixel of a mesh is drawn. Its triangles are drawn one by one in a small image. */
-static void count_mesh(struct drawing *drawing, struct image *small, mesh_function *place,
-                       int triangle_count, struct counted *counted) {
+static void count_mesh(struct drawing *drawing, struct image *small, const struct covering *mesh,
+                       struct counted *counted) {
     const struct color white[3] = {{WHITE}, {WHITE}, {WHITE}};
     uint64_t too_often = 0, missing = 0;
-    for (int i = 0; i < triangle_count; i++) {
+    for (int i = 0; i < mesh->triangle_count; i++) {
         struct fixed2 corner[3];
-        place(i, small, corner);
+        mesh->place(i, small, corner);
         fill_triangle(drawing, small, corner, white);
-        count_draws(small, counted);
-        mark_triangle(small, corner, (uint8_t)(90 + 17 * (i % 4)), counted);
+        count_draws(small, (uint8_t)(90 + 17 * (i % 4)), counted);
     }
     for (size_t i = 0; i < small->width * small->height; i++) {
-        too_often += counted[i].draws > (counted[i].shade > 0);
-        missing += counted[i].draws < (counted[i].shade > 0);
+        int wanted = in_mesh(mesh, i % small->width, i / small->width);
+        too_often += counted[i].draws > wanted;
+        missing += counted[i].draws < wanted;
     }
     drawing_count(drawing, "pixels_too_often", too_often);
     drawing_count(drawing, "pixels_missing", missing);
 }
 
-static bool draw_counted(struct drawing *drawing, struct image *image, mesh_function *place,
-                         int triangle_count, struct error *error) {
+static bool draw_counted(struct drawing *drawing, struct image *image, const struct covering *mesh,
+                         struct error *error) {
     size_t width = (image->width + COUNT_ZOOM - 1) / COUNT_ZOOM;
     size_t height = (image->height + COUNT_ZOOM - 1) / COUNT_ZOOM;
     struct image small;
@@ -292,8 +292,8 @@ static bool draw_counted(struct drawing *drawing, struct image *image, mesh_func
     }
     struct counted *counted = calloc(width * height, sizeof *counted);
     if (counted != NULL) {
-        count_mesh(drawing, &small, place, triangle_count, counted);
-        show_counted(image, &small, counted);
+        count_mesh(drawing, &small, mesh, counted);
+        show_counted(image, &small, mesh, counted);
     }
     bool done = counted != NULL || error_out_of_memory(error);
     free(counted);
@@ -302,11 +302,14 @@ static bool draw_counted(struct drawing *drawing, struct image *image, mesh_func
 }
 
 static bool draw_sheet(struct drawing *drawing, struct image *image, struct error *error) {
-    return draw_counted(drawing, image, place_in_sheet, SHEET_TRIANGLES, error);
+    const struct covering sheet = {place_in_sheet, SHEET_TRIANGLES, SHEET_MARGIN,
+                                   SHEET_MARGIN + SHEET_CELLS * SHEET_CELL};
+    return draw_counted(drawing, image, &sheet, error);
 }
 
 static bool draw_fan(struct drawing *drawing, struct image *image, struct error *error) {
-    return draw_counted(drawing, image, place_in_fan, FAN_BLADES, error);
+    const struct covering fan = {place_in_fan, FAN_BLADES, 0, SIZE_MAX};
+    return draw_counted(drawing, image, &fan, error);
 }
 
 /* ---- Scenes: bust, faces ---- */
