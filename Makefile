@@ -75,6 +75,9 @@ $(BUILD)/drawn/%: $(BUILD)/%
 # LINE=mine: lessons 2 and 3 draw with the line() of lesson 1's main.c, lessons 4 to 8 with the
 # triangles of lesson 3's, whoever wrote them. (The house versions get their names.)
 ifeq ($(LINE),mine)
+ifeq ($(wildcard step01_line/mine.c)$(wildcard step03_triangle/mine.c),)
+$(error LINE=mine draws with what you wrote in lessons 1 and 3, which are not here)
+endif
 MINE = $(patsubst %/mine.c,$(BUILD)/mine/%.o,$(wildcard step*/mine.c))
 $(BUILD)/step02% $(BUILD)/step03%: DRAW_WITH = -DLINE_IS_MINE -Wno-unused-function
 $(foreach n,4 5 6 7 8,$(BUILD)/step0$(n)%): DRAW_WITH = -Dedges_setup=my_triangle_setup \
@@ -171,6 +174,11 @@ CHECKER = $(patsubst %.c,$(BUILD)/%.o,$(filter-out %/check.c %/references.c %/lo
 # SANITIZE=1: their main.c with the sanitizers, which tell in which line a program goes wrong. They
 # are slow, and what is not freed at the end is not meant.
 CHECKED = $(BUILD)$(if $(SANITIZE),/sanitized)
+ifneq ($(HIDDEN),)
+ifeq ($(wildcard tests/hidden/hidden.mk),)
+$(error HIDDEN=$(HIDDEN): hidden scenes are drawn where the solutions are)
+endif
+endif
 .PHONY: check
 check: $(BUILD)/check $(HIDDEN:%=$(BUILD)/hidden)
 	@$(if $(SANITIZE),ASAN_OPTIONS=detect_leaks=0 CHECK_TIMEOUT=$${CHECK_TIMEOUT:-60}) \

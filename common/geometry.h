@@ -113,6 +113,13 @@ static inline double interpolate(struct vec3 weight, double a, double b, double 
     return weight.x * a + weight.y * b + weight.z * c;
 }
 
+/* A depth inside a triangle, explained in step05_zbuffer. The weights' sum may differ from 1 by a
+ * rounding: written this way, three equal depths give this very depth all the same. No difference
+ * of two depths may overflow. */
+static inline double interpolate_depth(struct vec3 weight, double a, double b, double c) {
+    return a + weight.y * (b - a) + weight.z * (c - a);
+}
+
 static inline struct vec2 vec2_interpolate(struct vec3 weight, struct vec2 a, struct vec2 b,
                                            struct vec2 c) {
     return (struct vec2){interpolate(weight, a.x, b.x, c.x), interpolate(weight, a.y, b.y, c.y)};

@@ -1,10 +1,10 @@
 /*
  * The exact pixels of lines and triangles. The fill rule lives here: edges_setup(), edges_span().
  *
- * Taught in step01_line, step02_wireframe (lines cut to the image), step03_triangle and
- * step05_zbuffer: read these first. Everything is decided with integers: a pixel is covered or not,
- * whatever the compiler, and triangles that share an edge neither overlap nor leave a gap. Pixels
- * and positions are those of geometry.h.
+ * Taught in step01_line, step02_wireframe (lines cut to the image) and step03_triangle: read these
+ * first. Everything is decided with integers: a pixel is covered or not, whatever the compiler, and
+ * triangles that share an edge neither overlap nor leave a gap. Pixels and positions are those of
+ * geometry.h.
  */
 #ifndef COMMON_RASTER_H
 #define COMMON_RASTER_H
@@ -192,14 +192,5 @@ static inline struct vec3 edges_weights(const struct edges *edges, int x, int y)
 
 /* All depths become minus infinity: nothing is drawn yet. */
 void depth_clear(double *depth, size_t pixel_count);
-
-/* ---- Depth at a pixel (taught in step05_zbuffer) ---- */
-
-/* A depth inside a triangle. The weights' sum may differ from 1 by a
- * rounding: written this way, three equal depths give this very depth all the same. No difference
- * of two depths may overflow. */
-static inline double interpolate_depth(struct vec3 weight, double a, double b, double c) {
-    return a + weight.y * (b - a) + weight.z * (c - a);
-}
 
 #endif

@@ -74,7 +74,7 @@ put_lesson() {
     awk -v mode=starter -f tests/starter/marks.awk "$1/main.c" >"$work/$1/main.c" ||
         fail 1 "no starter of $1"
     cp "$work/$1/main.c" "$work/tests/handout/$1.c"
-    for file in "$1"/scenes.h "$1"/attempts.h "$1"/hints.txt "$1"/figures/* "$1"/[A-Z]*.md \
+    for file in "$1"/scenes.h "$1"/mine.c "$1"/attempts.h "$1"/hints.txt "$1"/figures/* "$1"/[A-Z]*.md \
         tests/reference/"$1"/*; do
         [ ! -f "$file" ] || [ "$file" = "$1/README.md" ] || put "$file"
     done
@@ -112,12 +112,25 @@ without_later_sections='
     /^#endif$/ { later = 0 }
     !later { print }'
 
+# Of lessons that are not handed out nobody needs to know what mistakes look like.
+is_handed_out() {
+    case $1 in
+    tests/check/looks/step*)
+        lesson=${1#tests/check/looks/}
+        [ -d "$work/${lesson%%/*}" ]
+        ;;
+    common/*) ! is_later "$1" ;;
+    esac
+}
+
 set -f # patterns are for is_later
-files=$(find common tests/check tests/help -type f | grep -v '/test_\|/wrong/\|/references.c$\|/looks_make.c$' | sort)
+files=$(find common tests/check tests/help -type f |
+    grep -v '/test_\|/wrong/\|/references.c$\|/looks_make.c$' | sort)
 set +f
 for file in $files; do
+    is_handed_out "$file" || continue
     case $file in
-    common/*) is_later "$file" || put_changed "$without_later_sections" "$file" ;;
+    common/*) put_changed "$without_later_sections" "$file" ;;
     tests/check/scenes.txt)
         # shellcheck disable=SC2016
         put_changed '
@@ -177,7 +190,14 @@ put_changed '
     /^\| \[[0-9]+: / && !keep { next }
     !left_out { print }' README.md
 
-# Links to what is not there become plain words.
+# Pictures of other lessons that a text shows come along; links to what is not there become words.
+for text in "$work"/*/*.md; do
+    directory=$(dirname "$text")
+    grep -oE '(src="|\]\()[^")]*\.(png|svg)' "$text" | sed 's/^src="//; s/^](//' |
+        while IFS= read -r link; do
+            [ -e "$directory/$link" ] || put "$(echo "${directory#"$work"/}/$link" | sed 's|[^/]*/\.\./||')"
+        done
+done
 for text in "$work"/*.md "$work"/*/*.md; do
     directory=$(dirname "$text")
     grep -o '\](\([^)#]*\)[^)]*)' "$text" | sed 's/^](//; s/[#)].*//' | sort -u |
