@@ -70,7 +70,7 @@ static struct scene chosen_scene(const struct command *command, const struct sce
 }
 
 static bool is_chosen(const struct command *command, const struct scene *scene) {
-    return command->options.only == NULL || command->options.only == scene;
+    return command->options.only == NULL ? !scene->extra : command->options.only == scene;
 }
 
 static bool same_point(struct vec3 a, struct vec3 b) {

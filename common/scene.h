@@ -63,6 +63,7 @@ struct scene {
     size_t width, height; /* of the image, unless -s says otherwise; a sheet's frames share it */
     enum image_format format;    /* IMAGE_BGR by default */
     size_t frames;               /* of an animation, drawn as a sheet or, in PNG, moving */
+    bool extra;                  /* no part of the lesson: drawn when --only names it */
     struct vec3 eye, center, up; /* the camera, in steps that have one */
     struct vec3 light;           /* in steps that have one */
     /* Draw into the image, which is black and of the right size and format. */

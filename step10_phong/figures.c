@@ -196,9 +196,12 @@ static bool draw_animation(struct model *model, const char *directory, struct er
     return done;
 }
 
+#include "figures_extra.h"
+
 bool draw_figures(const char *directory, struct model *bust, struct error *error) {
     return model_need_normals(bust, error) && draw_textures(bust, directory, error) &&
            draw_chalk(bust, directory, error) && draw_near(bust, directory, error) &&
            draw_normals(bust, directory, error) && draw_wrong(bust, directory, error) &&
-           draw_schlick(bust, directory, error) && draw_animation(bust, directory, error);
+           draw_schlick(bust, directory, error) && draw_animation(bust, directory, error) &&
+           draw_shadow_figure(bust, directory, error) && print_shadow_table(bust, error);
 }

@@ -97,6 +97,10 @@ static bool draw_turn(struct drawing *drawing, struct image *image, struct error
     return pipeline_end(drawing, done, image, error);
 }
 
+/* ---- Beyond the lesson: see BEYOND.md ---- */
+
+#include "extra_shadow.h"
+
 /* ---- The program ---- */
 
 static const struct scene scenes[] = {
@@ -122,6 +126,13 @@ static const struct scene scenes[] = {
         .needs = NEEDS_MODEL | NEEDS_DIFFUSE | NEEDS_NORMAL_MAP | NEEDS_SPECULAR,
         .frames = TURN_FRAMES,
         .draw = draw_turn,
+    },
+    {
+        .name = "shadow",
+        .extra = true,
+        .needs = NEEDS_MODEL | NEEDS_DIFFUSE | NEEDS_NORMAL_MAP,
+        .light = {-1, 1, 1}, /* the head stands between it and a shoulder */
+        .draw = draw_shadow,
     },
 };
 

@@ -74,8 +74,8 @@ put_lesson() {
     awk -v mode=starter -f tests/starter/marks.awk "$1/main.c" >"$work/$1/main.c" ||
         fail 1 "no starter of $1"
     cp "$work/$1/main.c" "$work/tests/handout/$1.c"
-    for file in "$1"/scenes.h "$1"/mine.c "$1"/attempts.h "$1"/hints.txt "$1"/figures/* "$1"/[A-Z]*.md \
-        tests/reference/"$1"/*; do
+    for file in "$1"/scenes.h "$1"/extra_*.h "$1"/mine.c "$1"/attempts.h "$1"/hints.txt \
+        "$1"/figures/* "$1"/[A-Z]*.md tests/reference/"$1"/*; do
         [ ! -f "$file" ] || [ "$file" = "$1/README.md" ] || put "$file"
     done
 }

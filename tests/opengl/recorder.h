@@ -71,9 +71,11 @@ static inline bool record_draw(struct picture *picture, const struct draw_call *
     return batch != NULL;
 }
 
-static inline bool draw_or_record(struct pipeline *pipeline, const struct draw_call *call,
-                                  const struct shader *shader, const void *uniforms, size_t size,
-                                  struct error *error) {
+/* Never inlined: an extra scene, which is not recorded, has pipelines with no recorder behind them,
+ * and the compiler would see it. */
+static __attribute__((noinline)) bool
+draw_or_record(struct pipeline *pipeline, const struct draw_call *call, const struct shader *shader,
+               const void *uniforms, size_t size, struct error *error) {
     struct picture *picture = ((struct recorder *)pipeline)->picture;
     return picture != NULL ? record_draw(picture, call, shader, uniforms, error)
                            : pipeline_draw(pipeline, call, shader, uniforms, size, error);

@@ -66,6 +66,7 @@ static const struct scene scenes[] = {
      .up = {0, 1, 0},
      .light = {0, 0, 1}},
     {.name = "film", .width = 5, .height = 4, .frames = 3, .draw = draw_dot, .eye = {0, 0, 3}},
+    {.name = "more", .width = 4, .height = 3, .extra = true, .draw = draw_dot, .eye = {0, 0, 3}},
 };
 
 static const struct program dot_program = {
@@ -74,7 +75,7 @@ static const struct program dot_program = {
     .takes_camera = true,
     .takes_light = true,
     .scenes = scenes,
-    .scene_count = 2,
+    .scene_count = 3,
     .state_size = sizeof(struct probe_state),
     .prepare = prepare,
     .finish = finish,
@@ -181,7 +182,7 @@ static void test_usage(void) {
         {"-s 10x0", "probe: -s wants WxH: each 1 to 16384, not '10x0'\n"},
         {"-s 16385x10", "probe: -s wants WxH: each 1 to 16384, not '16385x10'\n"},
         {"-s -5x10", "probe: -s wants WxH: each 1 to 16384, not '-5x10'\n"},
-        {"--only what", "probe: --only wants a scene: dot, film, not 'what'\n"},
+        {"--only what", "probe: --only wants a scene: dot, film, more, not 'what'\n"},
         {"--format gif", "probe: --format wants a format: tga, png or ppm, not 'gif'\n"},
         {"--eye 1,2", "probe: --eye wants three numbers X,Y,Z, not '1,2'\n"},
         {"--eye 1,2,3,4", "probe: --eye wants three numbers X,Y,Z, not '1,2,3,4'\n"},
@@ -222,10 +223,19 @@ static void test_usage(void) {
 static void test_help(void) {
     CHECK(run(&dot_program, "--help") == 0);
     CHECK(strstr(output, "probe: a program to try") != NULL);
-    CHECK(strstr(output, "dot, film") != NULL);
+    CHECK(strstr(output, "dot, film, more") != NULL);
     CHECK(strstr(output, "--eye") != NULL);
     CHECK(run(&failing_program, "-h") == 0);
     CHECK(strstr(output, "--eye") == NULL);
+}
+
+/* A scene that is no part of the lesson is drawn when it is named. */
+static void test_extra(void) {
+    CHECK(run(&dot_program, "-o out/deep") == 0);
+    CHECK(exists("out/deep/dot.tga") && exists("out/deep/film.tga"));
+    CHECK(!exists("out/deep/more.tga"));
+    CHECK(run(&dot_program, "-o out/deep --only more") == 0);
+    CHECK(exists("out/deep/more.tga"));
 }
 
 static void test_formats(void) {
@@ -682,6 +692,8 @@ static void test_default_directory(void) {
 /* Last: remove what the others left. */
 static void test_clean_up(void) {
     static const char *const names[] = {"out/deep/dot.tga",
+                                        "out/deep/film.tga",
+                                        "out/deep/more.tga",
                                         "out/dot.png",
                                         "out/dot.ppm",
                                         "out/dot.tga",
@@ -700,8 +712,8 @@ static void test_clean_up(void) {
     }
 }
 
-UNIT_MAIN(TEST(test_usage), TEST(test_help), TEST(test_formats), TEST(test_frames),
-          TEST(test_stats_and_repeat), TEST(test_camera), TEST(test_failures),
+UNIT_MAIN(TEST(test_usage), TEST(test_help), TEST(test_extra), TEST(test_formats),
+          TEST(test_frames), TEST(test_stats_and_repeat), TEST(test_camera), TEST(test_failures),
           TEST(test_text_scene), TEST(test_needs), TEST(test_defaults), TEST(test_grey),
           TEST(test_out_of_view), TEST(test_end_of_options), TEST(test_seldom_failures),
           TEST(test_full_output), TEST(test_text_names), TEST(test_default_directory),
