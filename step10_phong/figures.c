@@ -203,5 +203,6 @@ bool draw_figures(const char *directory, struct model *bust, struct error *error
            draw_chalk(bust, directory, error) && draw_near(bust, directory, error) &&
            draw_normals(bust, directory, error) && draw_wrong(bust, directory, error) &&
            draw_schlick(bust, directory, error) && draw_animation(bust, directory, error) &&
-           draw_shadow_figure(bust, directory, error) && print_shadow_table(bust, error);
+           draw_shadow_figure(bust, directory, error) && print_shadow_table(bust, error) &&
+           show_samples(bust, directory, error);
 }

@@ -180,3 +180,131 @@ static bool print_shadow_table(struct model *model, struct error *error) {
     pipeline_free(&pipeline);
     return done;
 }
+
+/* ---- Samples ---- */
+
+enum { SAMPLED_SIDE = 200, EXACT_SAMPLES = 16 };
+
+/* The parts of a figure about samples: a picture of the head, and what it should be. */
+struct sampled {
+    struct drawing drawing;
+    struct image image, exact;
+    struct image samples; /* of the exact one */
+};
+
+static bool draw_one(struct sampled *sampled, int side, enum averaging averaging,
+                     struct error *error) {
+    struct rectangle whole = {0, 0, SAMPLED_SIDE, SAMPLED_SIDE};
+    return draw_sampled(&sampled->drawing, &sampled->image, whole, side, averaging, error);
+}
+
+/* The picture from 256 samples a pixel, which are kept. */
+static bool begin_samples(struct sampled *sampled, struct model *model, struct error *error) {
+    enum { LARGE = SAMPLED_SIDE * EXACT_SAMPLES };
+    struct rectangle whole = {0, 0, SAMPLED_SIDE, SAMPLED_SIDE};
+    sampled->drawing = make_drawing(model);
+    bool done = load_textures(&sampled->drawing, model, error) &&
+                image_create(&sampled->image, SAMPLED_SIDE, SAMPLED_SIDE, IMAGE_BGR, error) &&
+                image_create(&sampled->exact, SAMPLED_SIDE, SAMPLED_SIDE, IMAGE_BGR, error) &&
+                image_create(&sampled->samples, LARGE, LARGE, IMAGE_BGRA, error) &&
+                draw_head(&sampled->drawing, &sampled->samples, error);
+    if (done) {
+        average_into(&sampled->exact, whole, &sampled->samples, EXACT_SAMPLES, MEAN_OF_LIGHT);
+    }
+    return done;
+}
+
+/* A piece of the shoulder, enlarged. Above 1, 4 and 16 samples; below 256, and 4 and 16
+ * of which the values were averaged. */
+static bool draw_samples_figure(struct sampled *sampled, const char *directory,
+                                struct error *error) {
+    static const int sides[] = {1, 2, 4, 0, 2, 4};
+    const struct detail detail = {.x = 132, .y = 36, .width = 40, .height = 40, .zoom = 8};
+    struct sheet sheet = {.width = 320, .height = 320, .columns = 3, .rows = 2, .gap = 4};
+    bool done = sheet_create(&sheet, error);
+    for (int i = 0; done && i < 6; i++) {
+        done = sides[i] == 0 ||
+               draw_one(sampled, sides[i], i < 3 ? MEAN_OF_LIGHT : MEAN_OF_VALUES, error);
+        if (done) {
+            sheet_add_detail(&sheet, sides[i] == 0 ? &sampled->exact : &sampled->image, detail);
+        }
+    }
+    done = done && figure_save(&sheet.image, directory, "samples", error);
+    sheet_free(&sheet);
+    return done;
+}
+
+/* Is a pixel on the outline: do some of its 256 samples show the head, and some not? */
+static bool on_outline(const struct image *samples, int x, int y) {
+    int count = 0;
+    for (int i = 0; i < EXACT_SAMPLES * EXACT_SAMPLES; i++) {
+        count += image_get(samples, x * EXACT_SAMPLES + i % EXACT_SAMPLES,
+                           y * EXACT_SAMPLES + i / EXACT_SAMPLES)
+                     .a > 0;
+    }
+    return count > 0 && count < EXACT_SAMPLES * EXACT_SAMPLES;
+}
+
+static double squared_difference(struct color a, struct color b) {
+    return ((a.r - b.r) * (a.r - b.r) + (a.g - b.g) * (a.g - b.g) + (a.b - b.b) * (a.b - b.b)) /
+           3.0;
+}
+
+/* Root mean square of the error on the outline, and its pixels. */
+static double outline_error(const struct sampled *sampled, int *pixels) {
+    double sum = 0;
+    *pixels = 0;
+    for (int i = 0; i < SAMPLED_SIDE * SAMPLED_SIDE; i++) {
+        int x = i % SAMPLED_SIDE, y = i / SAMPLED_SIDE;
+        if (on_outline(&sampled->samples, x, y)) {
+            sum += squared_difference(image_get(&sampled->image, x, y),
+                                      image_get(&sampled->exact, x, y));
+            ++*pixels;
+        }
+    }
+    return sqrt(sum / *pixels);
+}
+
+/* The error and the shortest time of some runs. */
+static bool print_sampled(struct sampled *sampled, int side, enum averaging averaging,
+                          struct error *error) {
+    double best = INFINITY;
+    int pixels;
+    for (int run = 0; run < RUNS; run++) {
+        struct stopwatch start = stopwatch_start();
+        if (!draw_one(sampled, side, averaging, error)) {
+            return false;
+        }
+        best = fmin(best, 1e3 * stopwatch_seconds(start));
+    }
+    printf("%10.1f %7.1f", outline_error(sampled, &pixels), best);
+    return true;
+}
+
+static bool print_samples_table(struct sampled *sampled, struct error *error) {
+    static const int sides[] = {1, 2, 4, 8, 16};
+    int pixels;
+    bool done = true;
+    outline_error(sampled, &pixels);
+    printf("\nRMSE on the outline (%d pixels), and ms\n"
+           "samples     light      ms    values      ms\n",
+           pixels);
+    for (int i = 0; done && i < 5; i++) {
+        printf("%-7d", sides[i] * sides[i]);
+        done = print_sampled(sampled, sides[i], MEAN_OF_LIGHT, error) &&
+               print_sampled(sampled, sides[i], MEAN_OF_VALUES, error);
+        printf("\n");
+    }
+    return done;
+}
+
+static bool show_samples(struct model *model, const char *directory, struct error *error) {
+    struct sampled sampled = {0};
+    bool done = begin_samples(&sampled, model, error) &&
+                draw_samples_figure(&sampled, directory, error) &&
+                print_samples_table(&sampled, error);
+    image_free(&sampled.image);
+    image_free(&sampled.exact);
+    image_free(&sampled.samples);
+    return done;
+}

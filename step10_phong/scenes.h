@@ -99,6 +99,7 @@ static bool draw_turn(struct drawing *drawing, struct image *image, struct error
 
 /* ---- Beyond the lesson: see BEYOND.md ---- */
 
+#include "extra_samples.h"
 #include "extra_shadow.h"
 
 /* ---- The program ---- */
@@ -133,6 +134,12 @@ static const struct scene scenes[] = {
         .needs = NEEDS_MODEL | NEEDS_DIFFUSE | NEEDS_NORMAL_MAP,
         .light = {-1, 1, 1}, /* the head stands between it and a shoulder */
         .draw = draw_shadow,
+    },
+    {
+        .name = "samples",
+        .extra = true,
+        .needs = NEEDS_MODEL | NEEDS_DIFFUSE | NEEDS_NORMAL_MAP | NEEDS_SPECULAR,
+        .draw = draw_samples,
     },
 };
 
