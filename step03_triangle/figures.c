@@ -296,25 +296,39 @@ static bool draw_meshes(const char *directory, struct error *error) {
     return done;
 }
 
+/* A white ring, for the reader's eye. */
+static void draw_ring(struct image *image, int x, int y, int radius) {
+    for (int v = -radius; v <= radius; v++) {
+        for (int u = -radius; u <= radius; u++) {
+            if (fabs(hypot(u, v) - radius) < 0.5) {
+                image_set(image, x + u, y + v, color_grey(255));
+            }
+        }
+    }
+}
+
+/* The eye of the bust. The rings show where the versions differ most. */
+static bool draw_eye(const struct mesh *bust, attempt_function *draw, struct image *image,
+                     const char *directory, const char *name, struct error *error) {
+    const struct detail eye = {300, 480, 130, 100, .zoom = 4};
+    draw_mesh(bust, draw, image, NULL);
+    draw_ring(image, 339, 542, 12); /* the iris */
+    draw_ring(image, 400, 500, 12); /* the ridge of the nose */
+    return figure_save_detail(image, eye, directory, name, error);
+}
+
 /* Part of the bust in colours: whole-number sweep, spans, and how often each pixel is drawn. */
 static bool draw_bust_details(const struct model *bust, const char *directory,
                               struct error *error) {
-    const struct detail eye = {300, 480, 130, 100, .zoom = 4};
     const struct detail head = {100, 40, 600, 760, .zoom = 1};
     struct mesh mesh = {0};
     struct image image = {0};
-    bool done = image_create(&image, 800, 800, IMAGE_BGR, error) &&
-                mesh_from_model(&mesh, bust, &image, error) &&
-                measure("bust", &mesh, &image, error) &&
-                draw_counts(&mesh, draw_spans, &image, head, directory, "bust_exact_draws", error);
-    if (done) {
-        draw_mesh(&mesh, attempt_1_sweep_whole, &image, NULL);
-        done = figure_save_detail(&image, eye, directory, "bust_sweep_whole", error);
-    }
-    if (done) {
-        draw_mesh(&mesh, draw_spans, &image, NULL);
-        done = figure_save_detail(&image, eye, directory, "bust_spans", error);
-    }
+    bool done =
+        image_create(&image, 800, 800, IMAGE_BGR, error) &&
+        mesh_from_model(&mesh, bust, &image, error) && measure("bust", &mesh, &image, error) &&
+        draw_counts(&mesh, draw_spans, &image, head, directory, "bust_exact_draws", error) &&
+        draw_eye(&mesh, attempt_1_sweep_whole, &image, directory, "bust_sweep_whole", error) &&
+        draw_eye(&mesh, draw_spans, &image, directory, "bust_spans", error);
     mesh_free(&mesh);
     image_free(&image);
     return done;
@@ -394,31 +408,9 @@ static bool draw_blocks(const char *directory, struct error *error) {
     return done;
 }
 
-/* The column scanline beside the exact triangle, both with colours. */
-static bool draw_columns(const char *directory, struct error *error) {
-    struct image image;
-    struct column columns[64];
-    const struct pixel corner[3] = {{2, 4}, {27, 1}, {18, 28}};
-    const struct color color[3] = {{RED}, {GREEN}, {BLUE}};
-    if (!image_create(&image, 64, 31, IMAGE_BGR, error)) {
-        return false;
-    }
-    struct target target = {.image = &image};
-    attempt_9_columns(&target, corner, color, columns);
-    struct fixed2 snapped[3] = {{0, 0}};
-    for (int i = 0; i < 3; i++) {
-        screen_snap((struct vec2){corner[i].x + 32.5, corner[i].y + 0.5}, &snapped[i]);
-    }
-    gradient_triangle(&image, snapped, color);
-    bool done =
-        figure_save_detail(&image, detail_of_whole(&image, 10, GRID), directory, "columns", error);
-    image_free(&image);
-    return done;
-}
-
 bool draw_figures(const char *directory, struct model *bust, struct error *error) {
     return draw_first_scenes(directory, error) && draw_half_planes(directory, error) &&
            draw_small_fan(directory, error) && draw_meshes(directory, error) &&
            draw_bust_details(bust, directory, error) && draw_backs_too(bust, directory, error) &&
-           draw_blocks(directory, error) && draw_columns(directory, error);
+           draw_blocks(directory, error);
 }

@@ -96,9 +96,9 @@ static const struct text_scene_shape three_triangles[] = {
 };
 enum { THREE_TRIANGLES = sizeof three_triangles / sizeof three_triangles[0] };
 
-/* One triangle; a hexagon of six; a rectangle of two. */
+/* One triangle, given clockwise; a hexagon of six; a rectangle of two. */
 static const struct text_scene_shape colored_triangles[] = {
-    {{40, 380, 210}, {440, 440, 760}, {{RED}, {GREEN}, {BLUE}}},
+    {{40, 210, 380}, {440, 760, 440}, {{RED}, {BLUE}, {GREEN}}},
     {{600, 770, 685}, {590, 590, 737}, {{WHITE}, {RED}, {YELLOW}}},
     {{600, 685, 515}, {590, 737, 737}, {{WHITE}, {YELLOW}, {GREEN}}},
     {{600, 515, 430}, {590, 737, 590}, {{WHITE}, {GREEN}, {CYAN}}},
