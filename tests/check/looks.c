@@ -103,6 +103,21 @@ static size_t find_distance(const struct looks *looks, size_t row, const struct 
     return distance;
 }
 
+static bool is_black(struct color color) {
+    return color.r == 0 && color.g == 0 && color.b == 0;
+}
+
+/* A black picture looks like that of every mistake that makes all nearly black. */
+static bool is_all_black(const struct looks *looks, const struct image *picture) {
+    for (size_t i = 0; i < looks->pixels.width; i++) {
+        struct place place = looks_place(&looks->pixels, i);
+        if (!is_black(image_get(picture, (int)place.x, (int)place.y))) {
+            return false;
+        }
+    }
+    return true;
+}
+
 /* At how many of the pixels has the picture a colour, and not that of the reference? What is black
  * there tells little: pictures that lack much look the same. */
 static size_t count_wrong_colors(const struct looks *looks, const struct image *picture) {
@@ -110,8 +125,7 @@ static size_t count_wrong_colors(const struct looks *looks, const struct image *
     for (size_t i = 0; i < looks->pixels.width; i++) {
         struct place place = looks_place(&looks->pixels, i);
         struct color color = image_get(picture, (int)place.x, (int)place.y);
-        bool is_black = color.r == 0 && color.g == 0 && color.b == 0;
-        count += !is_black && !agree(color, image_get(&looks->pixels, (int)i, 1));
+        count += !is_black(color) && !agree(color, image_get(&looks->pixels, (int)i, 1));
     }
     return count;
 }
@@ -169,7 +183,8 @@ struct likeness looks_find(const struct looks *looks, const struct image *refere
     }
     size_t wrong = count_wrong_colors(looks, yours), names = count_names(looks, best.row);
     uint64_t of_mistake = apart_of(looks, best.row);
-    bool is_same = best.distance == 0 && apart > 0 && apart == of_mistake;
+    bool is_same =
+        best.distance == 0 && apart > 0 && apart == of_mistake && !is_all_black(looks, yours);
     bool is_near = wrong >= LEAST_WRONG && best.distance <= wrong / UNEXPLAINED &&
                    is_as_far(apart, of_mistake);
     bool is_clear = second > 2 * best.distance;

@@ -19,7 +19,7 @@
  *     at least 8 of the pixels have a wrong colour, other than black, and for every 32 of these at
  *     most one of all pixels has not the mistake's colour;
  *     as many pixels of it are apart as of the mistake's, within a quarter;
- *     or no difference from the mistake's picture is known at all;
+ *     or no difference from the mistake's picture is known at all, and some of it is not black;
  *     no other mistake has nearly as many of these colours, and not more than three are the same.
  */
 #ifndef TESTS_CHECK_LOOKS_H

@@ -162,6 +162,11 @@ static void test_black(void) {
         image_set(&f.yours, (int)place.x, (int)place.y, color_grey(0));
     }
     CHECK(find(&f, 1000, 0) == 0);
+    image_clear(&f.yours, color_grey(0));
+    for (int i = 0; i < PLACES; i++) { /* a mistake that draws all nearly black */
+        image_set(&f.looks.pixels, i, 4, color_grey(1));
+    }
+    CHECK(find(&f, 1000, 0) == 0);
     tear_down(&f);
 }
 
