@@ -56,9 +56,10 @@ static inline float attempt_square(struct attempt_vec3 n) {
 }
 
 /* Attempt 4: everything in float. Good to about seven digits, so a grey value is wrong only where
- * the exact one lies at the limit between two. But the square of the length of a normal is the
- * fourth power of the size of the model: in float it becomes 0 below 1e-45, which a model of size
- * 1e-11 is enough for. */
+ * the exact one lies at the limit between two. (Fewer digits where a face is as thin as a needle:
+ * its cross product is made of differences of nearly equal numbers.) But the square of the length
+ * of a normal is the fourth power of the size of the model: in float it becomes 0 below 1e-45,
+ * which a model of size 1e-11 is enough for. */
 static inline double attempt_4_float(struct vec3 w0, struct vec3 w1, struct vec3 w2,
                                      struct vec3 light) {
     struct attempt_vec3 n = attempt_normal(w0, w1, w2);

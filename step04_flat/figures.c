@@ -145,15 +145,28 @@ static struct vec3 random_vector(uint32_t *seed, double size) {
     return vec3_scale((struct vec3){x, y, z}, size);
 }
 
+static int compare_numbers(const void *left, const void *right) {
+    double a = *(const double *)left, b = *(const double *)right;
+    return (a > b) - (a < b);
+}
+
+/* In degrees, at corner 0. */
+static double angle_of_face(struct vec3 w0, struct vec3 w1, struct vec3 w2) {
+    struct vec3 a = vec3_normalized(vec3_sub(w1, w0)), b = vec3_normalized(vec3_sub(w2, w0));
+    return atan2(vec3_length(vec3_cross(a, b)), vec3_dot(a, b)) * 90 / acos(0);
+}
+
 /* How far the grey values of an attempt lie from the right ones, for 100,000 small faces in all
  * directions. */
 static void print_values(const char *name, intensity_function *find) {
+    enum { FACES = 100000 };
+    static double errors[FACES];
     const struct vec3 light = {0, 0, -1};
     size_t lit = 0, wrong = 0;
-    int worst = 0;
+    int worst_value = 0;
     uint32_t seed = 1;
-    double worst_intensity = 0;
-    for (int face = 0; face < 100000; face++) {
+    double worst = 0, worst_angle = 0;
+    for (int face = 0; face < FACES; face++) {
         struct vec3 w0 = random_vector(&seed, 0.9);
         struct vec3 w1 = vec3_add(w0, random_vector(&seed, 0.05));
         struct vec3 w2 = vec3_add(w0, random_vector(&seed, 0.05));
@@ -162,13 +175,19 @@ static void print_values(const char *name, intensity_function *find) {
             continue;
         }
         int difference = abs(level_from(found * 255) - level_from(right * 255));
-        lit++;
         wrong += difference != 0;
-        worst = difference > worst ? difference : worst;
-        worst_intensity = fmax(worst_intensity, fabs(found - right));
+        worst_value = difference > worst_value ? difference : worst_value;
+        errors[lit] = fabs(found - right);
+        if (errors[lit] > worst) {
+            worst = errors[lit];
+            worst_angle = angle_of_face(w0, w1, w2);
+        }
+        lit++;
     }
-    printf("%-16s %zu faces lit, %5zu with a wrong value, worst by %d; worst intensity by %.1e\n",
-           name, lit, wrong, worst, worst_intensity);
+    qsort(errors, lit, sizeof *errors, compare_numbers);
+    printf("%-16s %zu faces lit, %5zu with a wrong value, worst by %d; n . l: typically wrong by "
+           "%.1e, worst by %.1e (a face with an angle of %.1f degrees)\n",
+           name, lit, wrong, worst_value, errors[lit / 2], worst, worst_angle);
 }
 
 /* A cylinder of many sides, lit from the front: neighbours differ by little, so that steps show.

@@ -2,9 +2,9 @@
  * Step 4, the given part: its scenes and the program.
  *
  * `flat` draws a model from the front, in the order of the file; `side` does the same with a light
- * that comes a little from the left. Faces on which no light falls are not drawn. With the light in
- * the viewer's direction these are the faces that show their backs; what lies behind something else
- * is still painted over it: that is lesson 5.
+ * that comes from the left and from above, in an image that is not square. Faces on which no light
+ * falls are not drawn. With the light in the viewer's direction these are the faces that show their
+ * backs; what lies behind something else is still painted over it: that is lesson 5.
  */
 
 static bool draw_flat(struct drawing *drawing, struct image *image, struct error *error) {
@@ -31,7 +31,11 @@ static bool draw_flat(struct drawing *drawing, struct image *image, struct error
 
 static const struct scene scenes[] = {
     {.name = "flat", .needs = NEEDS_MODEL, .draw = draw_flat},
-    {.name = "side", .needs = NEEDS_MODEL, .light = {0.1, 0, -1}, .draw = draw_flat},
+    {.name = "side",
+     .needs = NEEDS_MODEL,
+     .width = 720, /* not the height: who exchanges them sees it */
+     .light = {0.4, -0.25, -1},
+     .draw = draw_flat},
 };
 
 int main(int argc, char **argv) {
