@@ -1,4 +1,5 @@
 /* The pictures of step 10's README that are not references, one of them moving. */
+#define _POSIX_C_SOURCE 200809L /* clock_gettime */
 #include "../tests/figures.h"
 #define main step_main
 #include "main.c"
