@@ -99,7 +99,7 @@ static bool draw_ties(struct drawing *drawing, struct image *image, struct error
     return true;
 }
 
-/* The same lines, as lists: from a to b in green. */
+/* The same lines, as lists: in green, the first pixel of each list in white. */
 static bool draw_list(struct drawing *drawing, struct image *image, struct error *error) {
     (void)drawing;
     for (int i = 0; i < TIE_LINES; i++) {
@@ -111,7 +111,8 @@ static bool draw_list(struct drawing *drawing, struct image *image, struct error
             return false;
         }
         for (size_t k = 0; k < length; k++) {
-            image_set(image, list[k].x, list[k].y, color_rgb(0, 255, 0));
+            struct color color = k == 0 ? color_rgb(255, 255, 255) : color_rgb(0, 255, 0);
+            image_set(image, list[k].x, list[k].y, color);
         }
         free(list);
     }
