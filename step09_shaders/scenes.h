@@ -85,7 +85,7 @@ static bool draw_simple_cells(const struct drawing *drawing, struct image *image
 }
 
 /* Above: the corners, the normals. Below: the corners from so near that the face fills the cell and
- * perspective is strong; a look into the head. */
+ * perspective is strong; the inside of the back of the head. */
 static bool draw_loops(struct drawing *drawing, struct image *image, struct error *error) {
     const struct vec3 near_the_nose = {0.25, -0.1, 0.75};
     const struct simple_cell cells[4] = {{&simple_corners, CULL_BACK, 0.8, {0, 0, 0}},

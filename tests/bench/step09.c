@@ -639,16 +639,16 @@ static const struct bench_version row_versions[] = {
 };
 
 static const struct bench_version stage_versions[] = {
-    VERSION("simple_draw()", stage, SIMPLE, false),
-    VERSION("positions once", stage, POSITIONS_ONCE, false),
-    VERSION("visible first", stage, VISIBLE_FIRST, false),
-    VERSION("bands of 16, called", stage, STAGE(ROW(CALLED, FAR_FIRST, ONE_THREAD)), false),
-    VERSION("the pipeline", stage, STAGE(ROW(VISIBLE, FAR_FIRST, ONE_THREAD)), true),
-    VERSION("the pipeline, 2 threads", stage, STAGE(ROW(VISIBLE, FAR_FIRST, TWO_THREADS)), true),
+    VERSION("stage 0: simple_draw()", stage, SIMPLE, false),
+    VERSION("stage 1: positions once", stage, POSITIONS_ONCE, false),
+    VERSION("stage 2: visible first", stage, VISIBLE_FIRST, false),
+    VERSION("stage 4: by 16, in bands", stage, STAGE(ROW(CALLED, FAR_FIRST, ONE_THREAD)), false),
+    VERSION("stage 5: no call", stage, STAGE(ROW(VISIBLE, FAR_FIRST, ONE_THREAD)), true),
+    VERSION("stage 6: 2 threads", stage, STAGE(ROW(VISIBLE, FAR_FIRST, TWO_THREADS)), true),
 };
 
 static const struct bench_panel bench_panels[] = {
-    {.title = "From your draw() to the pipeline: four busts in a row, textured",
+    {.title = "From your draw() to the pipeline: four busts one behind another, textured",
      .error_label = "values of 0..255, mean",
      .time_label = "ms per frame",
      .against = "long double",
@@ -676,7 +676,7 @@ static const struct bench_panel bench_panels[] = {
      .series = pixels_series,
      .size = size_pixels,
      .size_label = "the largest difference"},
-    {.title = "Four busts in a row, textured: the pipeline, 800x800 pixels",
+    {.title = "Four busts one behind another, textured: the pipeline, 800x800 pixels",
      .error_label = "values of 0..255, mean",
      .time_label = "ms per frame",
      .against = "long double",
