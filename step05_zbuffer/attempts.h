@@ -99,7 +99,7 @@ static inline bool attempt_keep_float(void *buffer, size_t i, double depth) {
 }
 
 /* Attempt 3: a depth buffer, but one depth for the whole triangle: its mean. Triangles cut into
- * each other along their sides: the same faults as attempt 2, without the sorting. */
+ * each other along their sides: as many faults as attempt 2 has, without the sorting. */
 static inline void attempt_3_mean_depth(struct image *image, const struct drawn *list, size_t count,
                                         void *buffer) {
     attempt_fill_float(buffer, image->width * image->height, -INFINITY);

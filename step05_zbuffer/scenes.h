@@ -4,7 +4,8 @@
  * `rows` shows the idea in one dimension: three segments of a plane, seen from above, in one row of
  * pixels. `zbuffer` is lesson 4 with a depth buffer, `depth` shows its depths, `deep` the same ones
  * 3 units farther away, and `knot` is a body that winds around itself. In `side` the light comes
- * from the side, and falls on faces that look away from us too.
+ * from the side, and falls on faces that look away from us too. The cards of `cards` lie almost, or
+ * exactly, in one plane.
  */
 
 /* ---- Scene: rows ---- */
@@ -44,7 +45,7 @@ static void draw_column(struct image *image, int x, int bottom, int height, stru
 static bool draw_rows(struct drawing *drawing, struct image *image, struct error *error) {
     (void)error;
     static const struct segment segments[] = {
-        {{20, 34}, {744, 400}, {.r = 255, .a = 255}},
+        {{20.5, 34}, {744.5, 400}, {.r = 255, .a = 255}},
         {{120, 434}, {444, 400}, {.g = 255, .a = 255}},
         {{330, 463}, {594, 200}, {.b = 255, .a = 255}},
     };
@@ -122,6 +123,45 @@ static bool draw_deep(struct drawing *drawing, struct image *image, struct error
     return done;
 }
 
+/* ---- Scene: cards ---- */
+
+/* A rectangle that faces us, in the parallel view. */
+struct card {
+    struct vec2 low, high;
+    double depth;
+    struct color color;
+};
+
+static void draw_card(const struct card *card, struct canvas *canvas) {
+    const struct image *image = canvas->image;
+    struct vec2 low = card->low, high = card->high;
+    const struct vec3 corners[4] = {
+        {low.x, low.y, 0}, {high.x, low.y, 0}, {high.x, high.y, 0}, {low.x, high.y, 0}};
+    struct vertex v[4];
+    for (int i = 0; i < 4; i++) {
+        v[i].depth = card->depth;
+        screen_snap(parallel_view(corners[i], image->width, image->height), &v[i].position);
+    }
+    triangle(canvas, (struct vertex[]){v[0], v[1], v[2]}, card->color);
+    triangle(canvas, (struct vertex[]){v[0], v[2], v[3]}, card->color);
+}
+
+/* Red; blue is a thousandth behind it, green exactly as near, yellow a thousandth nearer. */
+static bool draw_cards(struct drawing *drawing, struct image *image, struct error *error) {
+    (void)error;
+    static const struct card cards[] = {
+        {{-0.5, -0.4}, {0.3, 0.4}, 0, {.r = 220, .g = 60, .b = 50, .a = 255}},
+        {{-0.8, 0}, {-0.1, 0.8}, -0.001, {.r = 60, .g = 90, .b = 220, .a = 255}},
+        {{-0.8, -0.8}, {-0.1, -0.1}, 0, {.r = 60, .g = 170, .b = 70, .a = 255}},
+        {{0, -0.7}, {0.8, 0.2}, 0.001, {.r = 230, .g = 190, .b = 40, .a = 255}},
+    };
+    struct canvas canvas = {.image = image, .depth = drawing->depth};
+    for (size_t i = 0; i < sizeof cards / sizeof cards[0]; i++) {
+        draw_card(&cards[i], &canvas);
+    }
+    return true;
+}
+
 /* ---- The program ---- */
 
 static const struct scene scenes[] = {
@@ -159,6 +199,7 @@ static const struct scene scenes[] = {
         .light = {1, 0, -1},
         .draw = draw_zbuffer,
     },
+    {.name = "cards", .needs = NEEDS_DEPTH, .width = 400, .height = 400, .draw = draw_cards},
 };
 
 int main(int argc, char **argv) {

@@ -6,7 +6,9 @@
 #include <string.h>
 
 static const char *left_out(const char *scene) {
-    return strcmp(scene, "rows") == 0 ? "all of it: rows of pixels, no triangles" : NULL;
+    return strcmp(scene, "rows") == 0    ? "all of it: rows of pixels, no triangles"
+           : strcmp(scene, "cards") == 0 ? "all of it: depths of one plane, no model"
+                                         : NULL;
 }
 
 static bool build(const char *scene, struct drawing *drawing, struct image *image,
@@ -15,7 +17,7 @@ static bool build(const char *scene, struct drawing *drawing, struct image *imag
     const struct vec3 light = vec3_normalized(drawing->light);
     struct batch settings =
         parallel_batch(LOOK_WHITE, (struct rectangle){0, 0, (int)image->width, (int)image->height});
-    picture->shows_depth = strcmp(scene, "depth") == 0;
+    picture->shows_depth = strcmp(scene, "depth") == 0 || strcmp(scene, "deep") == 0;
     struct batch *batch = picture_add_batch(picture, &settings, error);
     for (size_t face = 0; batch != NULL && face < model->face_count; face++) {
         double intensity = model_face_intensity(model, face, light);
