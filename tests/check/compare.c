@@ -286,11 +286,23 @@ static void put(struct image *picture, size_t x, size_t y, struct rgb color) {
     p[2] = color.r;
 }
 
-static struct rgb mark_color(unsigned marks, struct rgb reference) {
-    if (marks & MARK_WRONG) {
-        return (struct rgb){.r = marks & MARK_EXTRA ? 255 : 0, .b = marks & MARK_MISSING ? 255 : 0};
+/* What must be among its marks for a pixel to count as wrong. */
+static unsigned marks_of(enum compare_pixels wrong) {
+    static const unsigned marks[] = {
+        [COMPARE_UNMATCHED] = MARK_WRONG,
+        [COMPARE_COVERAGE] = MARK_COVERAGE,
+        [COMPARE_APART] = MARK_APART,
+        [COMPARE_DIFFERING] = MARK_NEAR,
+    };
+    return marks[wrong];
+}
+
+static struct rgb mark_color(unsigned marks, enum compare_pixels wrong, struct rgb reference,
+                             struct rgb yours) {
+    if (marks & marks_of(wrong)) {
+        return is_background(yours) ? (struct rgb){.b = 255} : (struct rgb){.r = 255};
     }
-    if (marks & MARK_NEAR) {
+    if (marks != MARK_EQUAL) {
         return (struct rgb){.g = 96};
     }
     return (struct rgb){reference.r / 4, reference.g / 4, reference.b / 4};
@@ -298,7 +310,7 @@ static struct rgb mark_color(unsigned marks, struct rgb reference) {
 
 /* A block of the difference. */
 static void put_block(struct image *difference, const struct image *reference,
-                      const struct image *yours, size_t x, size_t y) {
+                      const struct image *yours, enum compare_pixels wrong, size_t x, size_t y) {
     const size_t count = block_size(reference, x);
     struct patch wanted, got;
     uint8_t marks[BLOCK];
@@ -306,7 +318,8 @@ static void put_block(struct image *difference, const struct image *reference,
     load_patch(&got, yours, x, y, count);
     mark_block(marks, &wanted, &got, count);
     for (size_t i = 0; i < count; i++) {
-        put(difference, x + i, y, mark_color(marks[i], pixel_at(reference, x + i, y)));
+        put(difference, x + i, y,
+            mark_color(marks[i], wrong, pixel_at(reference, x + i, y), pixel_at(yours, x + i, y)));
     }
 }
 
@@ -330,7 +343,7 @@ static bool cut_to_size(struct image *cut, const struct image *image, size_t wid
 }
 
 bool compare_difference(struct image *difference, const struct image *reference,
-                        const struct image *yours, struct error *error) {
+                        const struct image *yours, enum compare_pixels wrong, struct error *error) {
     size_t width = reference->width, height = reference->height;
     struct image cut;
     *difference = (struct image){.pixels = NULL};
@@ -341,7 +354,7 @@ bool compare_difference(struct image *difference, const struct image *reference,
     }
     for (size_t y = 0; y < height; y++) {
         for (size_t x = 0; x < width; x += BLOCK) {
-            put_block(difference, reference, &cut, x, y);
+            put_block(difference, reference, &cut, wrong, x, y);
         }
     }
     image_free(&cut);
@@ -349,12 +362,12 @@ bool compare_difference(struct image *difference, const struct image *reference,
 }
 
 bool compare_picture(struct image *picture, const struct image *reference,
-                     const struct image *yours, struct error *error) {
+                     const struct image *yours, enum compare_pixels wrong, struct error *error) {
     size_t width = reference->width, height = reference->height;
     struct image cut = {.pixels = NULL}, difference = {.pixels = NULL};
     *picture = (struct image){.pixels = NULL};
     bool done = cut_to_size(&cut, yours, width, height, error) &&
-                compare_difference(&difference, reference, yours, error) &&
+                compare_difference(&difference, reference, yours, wrong, error) &&
                 image_create(picture, 3 * width + 2 * PANEL_GAP, height, IMAGE_BGR, error);
     if (done) {
         image_clear(picture, color_grey(128));

@@ -64,19 +64,27 @@ struct shift {
 };
 struct shift compare_shift(const struct image *reference, const struct image *yours);
 
+/* The pixels that count as wrong in a picture: those that its broken limit is about. */
+enum compare_pixels {
+    COMPARE_UNMATCHED, /* `wrong` of a comparison */
+    COMPARE_COVERAGE,
+    COMPARE_APART,
+    COMPARE_DIFFERING
+};
+
 /* Is every pixel background? */
 bool image_is_blank(const struct image *image);
 
 /* Make the picture of the difference, of the reference's size: the reference at a quarter of its
- * brightness with, on top, red: this pixel of yours has no match; blue: this pixel of the reference
- * has none; magenta: both; dark green: not equal, but nearly. Yours is laid at the bottom-left
- * corner and cut, and an empty image shows as background. The caller frees `difference`. */
+ * brightness with, on top, red: this pixel of yours should not be there, or has another colour;
+ * blue: missing; dark green: differs, but does not count. Yours is laid at the bottom-left corner
+ * and cut, and an empty image shows as background. The caller frees `difference`. */
 bool compare_difference(struct image *difference, const struct image *reference,
-                        const struct image *yours, struct error *error);
+                        const struct image *yours, enum compare_pixels wrong, struct error *error);
 
 /* Make a picture of three panels: reference, yours, difference. Each has the reference's size. The
  * caller frees `picture`. */
 bool compare_picture(struct image *picture, const struct image *reference,
-                     const struct image *yours, struct error *error);
+                     const struct image *yours, enum compare_pixels wrong, struct error *error);
 
 #endif

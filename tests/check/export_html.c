@@ -103,7 +103,7 @@ static bool put_item(struct bytes *page, const struct step_result *step,
     if (!done) {
         error_out_of_memory(error);
     } else if (item->counter[0] == '\0') {
-        done = pictures_read(&pictures, item->yours.text, reference, error);
+        done = pictures_read(&pictures, item->yours.text, reference, item->rule, error);
     }
     bool folded = item->state == RESULT_PASS && item->exact;
     done = done && put_summary(page, folded, name, error) &&

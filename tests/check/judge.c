@@ -12,6 +12,7 @@
 #include "png.h"
 #include "run.h"
 #include "todo.h"
+#include "verdict.h"
 
 #include <errno.h>
 #include <signal.h>
@@ -78,33 +79,23 @@ static void describe_first(struct item_result *item, const struct tally *tally,
 static const struct tally *judge_shares(struct item_result *item,
                                         const struct checked_scene *scene) {
     const struct comparison *shares = &item->shares;
-    const struct {
-        const struct tally *tally;
-        unsigned limit;
-        const char *what;
-    } limits[] = {
-        {&shares->wrong, scene->wrong_limit, "wrong"},
-        {&shares->coverage, scene->coverage_limit, "missing or too many"},
-        {&shares->apart, scene->apart_limit, "of another colour there"},
-    };
+    const struct verdict verdict = verdict_find(shares, scene);
     const uint64_t drawn = shares->drawn, differing = shares->differing.count;
-    if (scene->exact) {
+    if (!verdict.passes && scene->exact) {
         result_say(&item->message, "%s of %s drawn pixels differ (must be exact)",
                    show_count(differing).text, show_count(drawn).text);
-        return &shares->differing;
+        return verdict.tally;
     }
-    for (size_t i = 0; i < sizeof limits / sizeof limits[0]; i++) {
-        if (!share_within(limits[i].tally->count, drawn, limits[i].limit)) {
-            result_say(&item->message, "%s of drawn pixels %s (limit %g %%)",
-                       share_show(limits[i].tally->count, drawn, limits[i].limit).text,
-                       limits[i].what, limits[i].limit / 1000.0);
-            return limits[i].tally;
-        }
+    if (!verdict.passes) {
+        result_say(&item->message, "%s of drawn pixels %s (limit %g %%)",
+                   share_show(verdict.tally->count, drawn, verdict.limit).text, verdict.what,
+                   verdict.limit / 1000.0);
+        return verdict.tally;
     }
     item->state = RESULT_PASS;
     result_say(&item->message, "%s differ (%s pixel%s)", share_show(differing, drawn, 0).text,
                show_count(differing).text, differing == 1 ? "" : "s");
-    return &shares->differing;
+    return verdict.tally;
 }
 
 /* For who sets the limits; at the end how far the picture is from the mistake that it looks like,
@@ -187,7 +178,8 @@ static void keep_pictures(const struct judging *judging, struct item_result *ite
     if (yours->pixels != NULL) {
         item->yours = keep_picture(yours, kept_path(judging, "yours/", item->scene));
     }
-    if (compare_picture(&panels, reference, yours, &error) &&
+    if (compare_picture(&panels, reference, yours, verdict_find(&item->shares, item->rule).pixels,
+                        &error) &&
         legend_picture(&picture, &panels, reference->width, &error)) {
         item->difference = keep_picture(&picture, kept_path(judging, "", item->scene));
     } else {

@@ -11,7 +11,7 @@ enum {
     LETTER_STEP = 6 * DOT, /* from a letter to the next */
     LINE_STEP = 12 * DOT,  /* from a line of text to the next */
     MARGIN = (LINE_STEP - LETTER_HEIGHT * DOT) / 2,
-    WORDS_WIDTH = 33 * LETTER_STEP /* of the longest explanation */
+    WORDS_WIDTH = 45 * LETTER_STEP /* of the longest explanation */
 };
 
 /* The capital letters and the comma: seven rows from the top, bit 4 is the leftmost dot. */
@@ -37,10 +37,9 @@ static const struct {
     struct color color;
     const char *words;
 } explanations[] = {
-    {{.r = 255, .g = 0, .b = 0, .a = 255}, "YOURS IS WRONG HERE"},
-    {{.r = 0, .g = 0, .b = 255, .a = 255}, "YOURS LACKS WHAT IS HERE"},
-    {{.r = 255, .g = 0, .b = 255, .a = 255}, "BOTH"},
-    {{.r = 0, .g = 96, .b = 0, .a = 255}, "NOT EQUAL, BUT NEARLY"},
+    {{.r = 255, .g = 0, .b = 0, .a = 255}, "SHOULD NOT BE THERE, OR HAS ANOTHER COLOUR"},
+    {{.r = 0, .g = 0, .b = 255, .a = 255}, "MISSING"},
+    {{.r = 0, .g = 96, .b = 0, .a = 255}, "DIFFERS, BUT DOES NOT COUNT"},
 };
 enum { EXPLANATIONS = sizeof explanations / sizeof explanations[0] };
 

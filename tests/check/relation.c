@@ -7,9 +7,6 @@
 #include <stdio.h>
 #include <string.h>
 
-const char *const relation_names[RELATION_COUNT] = {"shuffled", "turned", "reversed", "moved",
-                                                    "halved"};
-
 enum { SEED = 5, RIGHT = 3, UP = 2 };
 
 /* How a relation writes the input again, and what is said of it. */

@@ -24,9 +24,6 @@ enum relation {
     RELATION_COUNT
 };
 
-/* "shuffled", ... as the table of scenes has it. */
-extern const char *const relation_names[RELATION_COUNT];
-
 struct relation_result {
     bool drawn; /* both pictures are there; otherwise `text` says why not */
     uint64_t differing, drawn_pixels;

@@ -54,6 +54,7 @@ bool step_result_begin(struct step_result *result, const struct checked_step *st
             item->scene = step->scenes[i].name;
             item->counter = "";
             item->credit = &step->scenes[i].credit;
+            item->rule = &step->scenes[i];
         } else {
             const struct checked_work *work = &step->works[i - step->scene_count];
             item->scene = work->scene;

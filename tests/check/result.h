@@ -42,6 +42,7 @@ struct item_result {
     const char *scene;   /* its name */
     const char *counter; /* "" for a picture, "same" for relations */
     const struct credit *credit;
+    const struct checked_scene *rule; /* of a picture: how it is compared; else NULL */
     enum result_state state;
     unsigned points;            /* 0, or all of them */
     struct result_text message; /* what is wrong, or not exact; empty when there is nothing */

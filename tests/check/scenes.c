@@ -220,8 +220,10 @@ static bool read_counter(struct checked_work *work, struct text *text, struct er
 
 /* Note the relation of that name; false when there is none, or it is noted already. */
 static bool add_relation(struct checked_work *work, struct word name) {
+    static const char *const names[RELATION_COUNT] = {"shuffled", "turned", "reversed", "moved",
+                                                      "halved"};
     for (size_t i = 0; i < RELATION_COUNT; i++) {
-        if (word_is(name, relation_names[i]) && !work->relations[i]) {
+        if (word_is(name, names[i]) && !work->relations[i]) {
             work->relations[i] = true;
             return true;
         }
@@ -333,6 +335,19 @@ void scene_table_select_all(struct scene_table *table) {
     for (size_t i = 0; i < table->step_count; i++) {
         table->steps[i].selected = true;
     }
+}
+
+const struct checked_scene *scene_table_find(const struct scene_table *table, const char *step,
+                                             const char *scene) {
+    for (size_t i = 0; i < table->step_count; i++) {
+        const struct checked_step *of = &table->steps[i];
+        for (size_t k = 0; k < of->scene_count && strcmp(of->name, step) == 0; k++) {
+            if (strcmp(of->scenes[k].name, scene) == 0) {
+                return &of->scenes[k];
+            }
+        }
+    }
+    return NULL;
 }
 
 static bool keep_scene(struct checked_step *step, const char *scene) {

@@ -91,6 +91,10 @@ void scene_table_select_all(struct scene_table *table);
  * error. */
 bool scene_table_keep(struct scene_table *table, const char *scene, struct error *error);
 
+/* The scene of that name, NULL where the table has none. */
+const struct checked_scene *scene_table_find(const struct scene_table *table, const char *step,
+                                             const char *scene);
+
 /* Demand of every scene that every pixel is equal. */
 void scene_table_make_exact(struct scene_table *table);
 

@@ -261,7 +261,9 @@ static void test_difference_picture(void) {
     image_set(&b, 5, 7, color_grey(90));  /* extra */
     image_set(&a, 9, 8, color_grey(90));  /* both: another colour in a place of its own */
     image_set(&b, 9, 8, color_grey(190));
-    if (!CHECK(compare_picture(&picture, &a, &b, &error))) {
+    image_set(&b, 8, 2, color_grey(90)); /* one pixel beside: no match at its own place */
+    image_set(&a, 9, 2, color_grey(90));
+    if (!CHECK(compare_picture(&picture, &a, &b, COMPARE_UNMATCHED, &error))) {
         return;
     }
     static const struct {
@@ -270,8 +272,9 @@ static void test_difference_picture(void) {
     } cases[] = {
         {2, 2, 200, 200, 200},   {28 + 6, 2, 201, 201, 201}, {28 + 18, 5, 0, 0, 0},
         {18, 5, 80, 80, 80},     {56 + 2, 2, 50, 50, 50},    {56 + 6, 2, 0, 96, 0},
-        {56 + 18, 5, 0, 0, 255}, {56 + 5, 7, 255, 0, 0},     {56 + 9, 8, 255, 0, 255},
+        {56 + 18, 5, 0, 0, 255}, {56 + 5, 7, 255, 0, 0},     {56 + 9, 8, 255, 0, 0},
         {20, 0, 128, 128, 128},  {55, 9, 128, 128, 128},     {56, 0, 0, 0, 0},
+        {56 + 8, 2, 0, 96, 0},   {56 + 9, 2, 0, 96, 0},
     };
     CHECK(picture.width == 3 * 20 + 16 && picture.height == 10);
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
@@ -280,9 +283,48 @@ static void test_difference_picture(void) {
     }
     struct image nothing = {.pixels = NULL};
     image_free(&picture);
-    CHECK(compare_picture(&picture, &a, &nothing, &error));
+    CHECK(compare_picture(&picture, &a, &nothing, COMPARE_UNMATCHED, &error));
     CHECK(image_get(&picture, 56 + 2, 2).b == 255);
     image_free(&picture);
+    image_free(&a);
+    image_free(&b);
+}
+
+/* What counts as wrong is red, or blue where yours is background; what does not is green. */
+static void test_difference_of_what_counts(void) {
+    static const struct {
+        enum compare_pixels wrong;
+        const char *colors; /* of the pixels below */
+    } cases[] = {
+        {COMPARE_UNMATCHED, "gggg."},
+        {COMPARE_COVERAGE, "rbgg."},
+        {COMPARE_APART, "rbrg."},
+        {COMPARE_DIFFERING, "rbrr."},
+    };
+    /* a line that lies a column too far to the left, another colour that stands beside, a level */
+    static const uint8_t wanted[] = {0, 200, 100, 90, 60}, got[] = {200, 0, 90, 91, 60};
+    struct image a = make(40, 1, IMAGE_BGR), b = make(40, 1, IMAGE_BGR), difference;
+    struct error error;
+    const int place[] = {1, 2, 10, 11, 20};
+    for (int i = 0; i < 5; i++) {
+        image_set(&a, place[i], 0, color_grey(wanted[i]));
+        image_set(&b, place[i], 0, color_grey(got[i]));
+    }
+    image_set(&a, 9, 0, color_grey(90)); /* gives both colours of pixel 10 a match */
+    image_set(&b, 9, 0, color_grey(100));
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        CHECK(compare_difference(&difference, &a, &b, cases[i].wrong, &error));
+        char colors[6] = "";
+        for (int k = 0; k < 5; k++) {
+            struct color c = image_get(&difference, place[k], 0);
+            colors[k] = c.r == 255 && c.g + c.b == 0   ? 'r'
+                        : c.b == 255 && c.r + c.g == 0 ? 'b'
+                        : c.g == 96 && c.r + c.b == 0  ? 'g'
+                                                       : '.';
+        }
+        CHECK_TEXT(colors, cases[i].colors);
+        image_free(&difference);
+    }
     image_free(&a);
     image_free(&b);
 }
@@ -305,7 +347,7 @@ static void test_legend(void) {
     struct error error;
     CHECK(image_create(&a, 100, 110, IMAGE_BGR, &error));
     image_set(&a, 7, 3, color_rgb(10, 200, 30));
-    CHECK(compare_picture(&panels, &a, &a, &error));
+    CHECK(compare_picture(&panels, &a, &a, COMPARE_UNMATCHED, &error));
     CHECK(legend_picture(&picture, &panels, a.width, &error));
     int height = (int)picture.height, bottom = height - 24 - 4 * 110;
     CHECK(picture.width == 4 * (3 * 100 + 2 * 8) && bottom == 2 * 24);
@@ -328,4 +370,4 @@ static void test_legend(void) {
 UNIT_MAIN(TEST(test_rule_against_oracle), TEST(test_levels_and_neighbours),
           TEST(test_blank_picture_is_all_wrong), TEST(test_formats_with_equal_look),
           TEST(test_limit_and_its_text), TEST(test_shift), TEST(test_difference_picture),
-          TEST(test_legend))
+          TEST(test_difference_of_what_counts), TEST(test_legend))

@@ -3,7 +3,8 @@
  *
  *     compare_page PAGE TITLE SCENE YOURS REFERENCE [SCENE YOURS REFERENCE ...]
  *
- * YOURS and REFERENCE are image files; one that does not exist is left out.
+ * YOURS and REFERENCE are image files; one that does not exist is left out. In the course's
+ * directory, TITLE a step's name, what counts as wrong is what the check counts.
  *
  * Exit status: 0 written, 1 a file cannot be read or written, 2 wrong usage.
  */
@@ -43,12 +44,16 @@ static struct note describe(const struct pictures *pictures) {
     return note;
 }
 
-static bool add_scene(struct bytes *page, char **argument, struct error *error) {
+static bool add_scene(struct bytes *page, const char *step, char **argument, struct error *error) {
     struct pictures pictures;
-    if (!pictures_read(&pictures, argument[1], argument[2], error)) {
+    struct scene_table table;
+    const struct checked_scene *rule = pictures_rule(&table, step, argument[0]);
+    bool done = pictures_read(&pictures, argument[1], argument[2], rule, error);
+    scene_table_free(&table);
+    if (!done) {
         return false;
     }
-    bool done = page_scene(page, argument[0], describe(&pictures).text, &pictures, error);
+    done = page_scene(page, argument[0], describe(&pictures).text, &pictures, error);
     pictures_free(&pictures);
     return done;
 }
@@ -62,7 +67,7 @@ int main(int argc, char **argv) {
     }
     bool done = page_begin(&page, argv[2]) || error_out_of_memory(&error);
     for (int i = BEFORE_SCENES; i < argc && done; i += SCENE_ARGUMENTS) {
-        done = add_scene(&page, argv + i, &error);
+        done = add_scene(&page, argv[2], argv + i, &error);
     }
     done = done && (page_end(&page) || error_out_of_memory(&error)) &&
            file_write(argv[1], page.data, page.size, &error);

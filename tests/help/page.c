@@ -57,8 +57,8 @@ static const char *const legend[] = {
     "<p><kbd>s</kbd> side by side, <kbd>y</kbd> yours, <kbd>r</kbd> reference, <kbd>d</kbd> ",
     "difference, <kbd>space</kbd> yours and reference in turn, <kbd>+</kbd> <kbd>-</kbd> larger ",
     "and smaller, <kbd>n</kbd> <kbd>p</kbd> next and previous scene.</p>\n",
-    "<p>In the difference, red: this pixel of yours has no match; blue: this pixel of the ",
-    "reference has none; magenta: both; dark green: not equal, but not wrong.</p>\n",
+    "<p>In the difference, red: this pixel of yours should not be there, or has another colour; ",
+    "blue: missing; dark green: differs, but does not count.</p>\n",
     "</details>\n",
     NULL};
 

@@ -2,6 +2,7 @@
 #include "pictures.h"
 
 #include "../check/compare.h"
+#include "../check/verdict.h"
 #include "image_file.h"
 
 const char *const picture_names[PICTURE_COUNT] = {"yours", "reference", "difference"};
@@ -10,15 +11,37 @@ static bool read_if_there(struct image *image, const char *path, struct error *e
     return !file_exists(path) || image_read(image, path, error);
 }
 
+const struct checked_scene *pictures_rule(struct scene_table *table, const char *step,
+                                          const char *scene) {
+    struct error ignored;
+    bool found = scene_table_read(table, "tests/check/scenes.txt", &ignored);
+    return found ? scene_table_find(table, step, scene) : NULL;
+}
+
+/* Which pixels count as wrong? Pictures of different sizes have no shares. */
+static enum compare_pixels find_wrong(const struct image *reference, const struct image *yours,
+                                      const struct checked_scene *rule) {
+    struct comparison shares = {.drawn = 0};
+    if (rule == NULL) {
+        return COMPARE_UNMATCHED;
+    }
+    if (reference->width == yours->width && reference->height == yours->height) {
+        shares = compare_images(reference, yours);
+    }
+    return verdict_find(&shares, rule).pixels;
+}
+
 bool pictures_read(struct pictures *pictures, const char *yours, const char *reference,
-                   struct error *error) {
+                   const struct checked_scene *rule, struct error *error) {
     struct image *image = pictures->image;
     *pictures = (struct pictures){.image = {{.pixels = NULL}}};
     bool done = read_if_there(&image[PICTURE_YOURS], yours, error) &&
                 read_if_there(&image[PICTURE_REFERENCE], reference, error);
     if (done && image[PICTURE_YOURS].width > 0 && image[PICTURE_REFERENCE].width > 0) {
+        enum compare_pixels wrong =
+            find_wrong(&image[PICTURE_REFERENCE], &image[PICTURE_YOURS], rule);
         done = compare_difference(&image[PICTURE_DIFFERENCE], &image[PICTURE_REFERENCE],
-                                  &image[PICTURE_YOURS], error);
+                                  &image[PICTURE_YOURS], wrong, error);
     }
     if (!done) {
         pictures_free(pictures);

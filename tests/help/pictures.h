@@ -2,6 +2,7 @@
 #ifndef TESTS_HELP_PICTURES_H
 #define TESTS_HELP_PICTURES_H
 
+#include "../check/scenes.h"
 #include "file.h"
 #include "tgaimage.h"
 
@@ -18,10 +19,16 @@ struct pictures {
     struct image image[PICTURE_COUNT]; /* an empty image: this picture is not there */
 };
 
-/* Read both files and compare them. A file that does not exist is left out, and so is then the
- * difference; one that cannot be read is an error that names it. The caller frees the pictures. */
+/* How the check compares that scene; NULL where the table of scenes is not here or lacks it. The
+ * caller frees the table. */
+const struct checked_scene *pictures_rule(struct scene_table *table, const char *step,
+                                          const char *scene);
+
+/* Read both files and compare them by the scene's rule; NULL: what has no match is wrong. A file
+ * that does not exist is left out, and so is then the difference; one that cannot be read is an
+ * error that names it. The caller frees the pictures. */
 bool pictures_read(struct pictures *pictures, const char *yours, const char *reference,
-                   struct error *error);
+                   const struct checked_scene *rule, struct error *error);
 
 /* Free the images and leave them empty. */
 void pictures_free(struct pictures *pictures);

@@ -31,7 +31,8 @@ struct options {
     size_t columns, lines; /* of the terminal */
     enum terminal_kind kind;
     bool kind_given;
-    const char *which; /* names with commas between them, or NULL */
+    const char *which;        /* names with commas between them, or NULL */
+    const char *step, *scene; /* that the pictures are of, or "" */
     const char *path[2];
     size_t path_count;
 };
@@ -45,6 +46,8 @@ static const char help[] =
     "  --as KIND      blocks, sixel or kitty; otherwise what the terminal can\n"
     "  --which NAMES  which of yours,reference,difference (all where they have room side by side,\n"
     "                 otherwise yours)\n"
+    "  --step NAME    with --scene NAME, in the course's directory: what counts as wrong in the\n"
+    "                 difference is what the check counts\n"
     "  -h, --help\n";
 
 /* ---- Options ---- */
@@ -102,6 +105,10 @@ static bool parse_option(const char *name, const char *value, struct options *op
     }
     if (strcmp(name, "--as") == 0) {
         return parse_kind(value, options);
+    }
+    if (strcmp(name, "--step") == 0 || strcmp(name, "--scene") == 0) {
+        *(name[3] == 't' ? &options->step : &options->scene) = value;
+        return true;
     }
     return strcmp(name, "--which") == 0 && parse_which(value, options);
 }
@@ -246,7 +253,11 @@ static bool show(struct bytes *out, const struct options *options, struct error 
     const struct image *images[PICTURE_COUNT];
     const char *names[PICTURE_COUNT];
     size_t count = 0;
-    if (!pictures_read(&pictures, options->path[0], options->path[1], error)) {
+    struct scene_table table;
+    const struct checked_scene *rule = pictures_rule(&table, options->step, options->scene);
+    bool done = pictures_read(&pictures, options->path[0], options->path[1], rule, error);
+    scene_table_free(&table);
+    if (!done) {
         return false;
     }
     for (int i = 0; i < PICTURE_COUNT; i++) {
@@ -255,15 +266,15 @@ static bool show(struct bytes *out, const struct options *options, struct error 
             names[count++] = picture_names[i];
         }
     }
-    bool done = count > 0 ? show_all(out, images, names, count, options, error)
-                          : error_set(error, "no such picture: %.400s, %.400s", options->path[0],
-                                      options->path[1]);
+    done = count > 0 ? show_all(out, images, names, count, options, error)
+                     : error_set(error, "no such picture: %.400s, %.400s", options->path[0],
+                                 options->path[1]);
     pictures_free(&pictures);
     return done;
 }
 
 int main(int argc, char **argv) {
-    struct options options = {.columns = 80, .lines = 24};
+    struct options options = {.columns = 80, .lines = 24, .step = "", .scene = ""};
     struct bytes out = {.data = NULL};
     struct error error;
     if (argc == 2 && (strcmp(argv[1], "-h") == 0 || strcmp(argv[1], "--help") == 0)) {

@@ -31,7 +31,7 @@ find_size
 find_drawn
 for name in $drawn; do
     echo "$lesson $name"
-    "$build/show" --columns "$columns" --lines "$lines" ${which:+--which "$which"} \
-        ${kind:+--as "$kind"} "$build/out/$lesson/$name.tga" \
+    "$build/show" --columns "$columns" --lines "$lines" --step "$lesson" --scene "$name" \
+        ${which:+--which "$which"} ${kind:+--as "$kind"} "$build/out/$lesson/$name.tga" \
         "tests/reference/$lesson/$name.png" || exit
 done

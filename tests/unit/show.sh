@@ -69,13 +69,24 @@ size 64 10
 [ "$(head -n 1 shown)" = "yours                 reference             difference" ] ||
     wrong "names: $(head -n 1 shown)"
 says '38;2;64;64;64m'  # the reference
-says '38;2;255;0;255m' # the difference: another colour in a place of its own
+says '38;2;255;0;0m'   # the difference: another colour
 show 0 --columns 93 --lines 13 white.tga grey.tga # no room for three: yours alone
 size 20 10
 show 0 --columns 40 --lines 8 --which reference,yours white.tga grey.tga # one below the other
 [ "$(grep -cx -e yours -e reference shown)" -eq 2 ] || wrong "names: $(cat shown)"
 show 0 --columns 94 --lines 13 none.tga grey.tga --which reference
 size 20 10
+
+
+# A level less counts where the scene must be exact.
+tga near.tga 10 10 376
+show 0 --which difference white.tga near.tga
+says '38;2;0;96;0m'
+cd "$top" || exit 1
+"$build/show" --as blocks --which difference --step step01_line --scene line "$work/white.tga" \
+    "$work/near.tga" >"$work/shown"
+cd "$work" || exit 1
+says '38;2;255;0;0m'
 
 show 1 none.tga none.png
 says 'show: no such picture: none.tga, none.png'
