@@ -29,8 +29,9 @@ static bool put_row(struct bytes *page, const struct step_result *step) {
     for (size_t i = 0; done && i < step->task_count; i++) {
         const struct task_result *task = &step->tasks[i];
         done = page_html(page, i > 0 ? ", " : "") && page_text(page, task->name.text) &&
-               page_html(page, " ") && page_html(page, result_state_name(task->state)) &&
-               page_html(page, " ") && put_points(page, task->points, task->most);
+               page_html(page, task->perhaps ? " perhaps " : " ") &&
+               page_html(page, result_state_name(task->state)) && page_html(page, " ") &&
+               put_points(page, task->points, task->most);
     }
     return done && page_html(page, "</td></tr>\n");
 }

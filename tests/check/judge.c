@@ -417,11 +417,12 @@ static bool judge_works(const struct judging *judging, struct error *error) {
         }
         const struct checked_work *work = &judging->step->works[i - pictures];
         if (result->items[k].state == RESULT_PASS) {
-            done = strcmp(work->counter, "same") == 0 ? judge_relations(judging, work, item, error)
-                                                      : judge_work(judging, item, error);
+            done = work->has_relations ? judge_relations(judging, work, item, error)
+                                       : judge_work(judging, item, error);
         } else {
             item->state = result->items[k].state;
-            result_say(&item->message, "the picture does not pass");
+            item->unjudged = true;
+            result_say(&item->message, "is not judged while the picture itself does not pass");
         }
     }
     return done;
@@ -441,6 +442,10 @@ static void find_to_do(const struct judging *judging) {
         if (item->state == RESULT_FAIL && found != NULL) {
             item->state = RESULT_TODO;
             item->message.text[0] = item->looks.text[0] = '\0';
+            if (item->difference.text[0] != '\0') {
+                unlink(item->difference.text);
+                item->difference.text[0] = '\0';
+            }
             result_say(&item->message, "task %s is to do", found);
         }
     }

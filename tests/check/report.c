@@ -30,9 +30,10 @@ static void report_item(const struct step_result *step, const struct item_result
     }
     printf("\n");
     if (item->looks.text[0] != '\0') {
-        printf(
-            "    looks like %s: see %s/README.md, \"Common wrong pictures\"; make hint STEP=%.2s\n",
-            item->looks.text, step->name, step->name + strlen("step"));
+        printf("    looks like %s: see %s/README.md, \"Common wrong pictures\"; "
+               "make hint STEP=%.2s TASK=%s\n",
+               item->looks.text, step->name, step->name + strlen("step"),
+               result_first_suspect(step, item));
     }
 }
 
@@ -59,10 +60,10 @@ static void report_part(const struct step_result *step, char part) {
     const char *comma = "";
     for (size_t i = 0; i < step->task_count; i++) {
         const struct task_result *task = &step->tasks[i];
-        bool passed = task->state == RESULT_PASS;
         if (part_of(task) == part) {
-            printf("%s %s%s%s %u/%u", comma, task->name.text, passed ? "" : " ",
-                   passed ? "" : result_state_name(task->state), task->points, task->most);
+            const char *state = task->state == RESULT_PASS ? "" : result_state_name(task->state);
+            printf("%s %s%s%s%s %u/%u", comma, task->name.text, task->perhaps ? " perhaps" : "",
+                   state[0] != '\0' ? " " : "", state, task->points, task->most);
             comma = ",";
         }
     }
@@ -92,8 +93,10 @@ void report_step(const struct step_result *step) {
     }
     printf("\n");
     for (size_t i = 0; i < step->item_count; i++) {
-        if (step->items[i].message.text[0] != '\0') {
-            report_item(step, &step->items[i]);
+        const struct item_result *item = &step->items[i];
+        bool passes = item->state == RESULT_PASS && step->state != RESULT_PASS;
+        if (passes || item->message.text[0] != '\0') {
+            report_item(step, item);
         }
     }
     if (step->state == RESULT_CRASH && !step->fault_is_found) {

@@ -79,6 +79,51 @@ static struct task_result *find_task(struct step_result *result, struct task_nam
     return task;
 }
 
+/* Does a scene that passes show this task alone? */
+static bool is_shown_right(const struct step_result *result, const struct task_name *task) {
+    for (size_t i = 0; i < result->item_count; i++) {
+        const struct item_result *item = &result->items[i];
+        if (item->state == RESULT_PASS && item->credit->task_count == 1 &&
+            strcmp(item->credit->tasks[0].text, task->text) == 0) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/* How many of a failing item's tasks are shown right by no other scene. */
+static size_t count_suspects(const struct step_result *result, const struct credit *credit) {
+    size_t suspects = 0;
+    for (size_t i = 0; i < credit->task_count; i++) {
+        suspects += !is_shown_right(result, &credit->tasks[i]);
+    }
+    return suspects;
+}
+
+const char *result_first_suspect(const struct step_result *result, const struct item_result *item) {
+    const struct credit *credit = item->credit;
+    for (size_t i = 0; i < credit->task_count; i++) {
+        if (!is_shown_right(result, &credit->tasks[i])) {
+            return credit->tasks[i].text;
+        }
+    }
+    return credit->tasks[0].text;
+}
+
+/* The task's state, of an item that shows it. The first picture that fails decides if the task is
+ * to blame for sure: a later one may need what the first one shows as well. */
+static void add_state(const struct step_result *result, const struct item_result *item,
+                      struct task_result *task) {
+    size_t suspects = count_suspects(result, item->credit);
+    bool fails = item->state == RESULT_FAIL;
+    bool excused = fails && (suspects > 0 || item->unjudged) && is_shown_right(result, &task->name);
+    if (item->state > task->state && !excused) {
+        task->state = item->state;
+        task->perhaps =
+            fails && (item->unjudged || (suspects != 1 && item->credit->task_count > 1));
+    }
+}
+
 static void add_item(struct step_result *result, struct item_result *item) {
     const struct credit *credit = item->credit;
     item->points = item->state == RESULT_PASS ? credit->points : 0;
@@ -90,7 +135,7 @@ static void add_item(struct step_result *result, struct item_result *item) {
         struct task_result *task = find_task(result, credit->tasks[i]);
         task->points += item->points / (unsigned)credit->task_count;
         task->most += credit->points / (unsigned)credit->task_count;
-        task->state = item->state > task->state ? item->state : task->state;
+        add_state(result, item, task);
     }
 }
 

@@ -40,7 +40,7 @@ struct result_path {
 /* A picture, a counter, or relations. */
 struct item_result {
     const char *scene;   /* its name */
-    const char *counter; /* "" for a picture, "same" for relations */
+    const char *counter; /* "" for a picture; of relations "drawn again (moved, halved)" */
     const struct credit *credit;
     const struct checked_scene *rule; /* of a picture: how it is compared; else NULL */
     enum result_state state;
@@ -48,6 +48,7 @@ struct item_result {
     struct result_text message; /* what is wrong, or not exact; empty when there is nothing */
     struct result_text looks;   /* "A" or "B", the mistakes that draw this picture; or empty */
     uint64_t counted, most;     /* of a counter: the work done, and what is enough */
+    bool unjudged;              /* a counter or relations, because the picture does not pass */
     bool blamed;                /* the program ended badly over it; `message` says how */
     bool exact;                 /* of a picture: equal to the last bit */
     bool compared;              /* of a picture: it could be; what follows is known */
@@ -60,7 +61,8 @@ struct item_result {
 
 struct task_result {
     struct task_name name;
-    enum result_state state; /* the worst of its items' */
+    enum result_state state; /* the worst of those of its items that may be its fault */
+    bool perhaps;            /* the fault may as well be another task's of the same picture */
     unsigned points, most;
 };
 
@@ -102,6 +104,9 @@ bool step_result_begin(struct step_result *result, const struct checked_step *st
 /* When all items are judged: points, tasks, and where the step is FAIL so far, its state. TIME,
  * CRASH, BUILD and ERROR stay. */
 void step_result_finish(struct step_result *result);
+
+/* The first task that may be to blame for an item that is wrong. */
+const char *result_first_suspect(const struct step_result *result, const struct item_result *item);
 
 /* Add a finished step to the sums. */
 void check_result_add(struct check_result *result, const struct step_result *step);

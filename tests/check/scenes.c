@@ -218,17 +218,31 @@ static bool read_counter(struct checked_work *work, struct text *text, struct er
     return read_most(&work->most, text, error) && read_end(text, error);
 }
 
+static const char *const relation_names[RELATION_COUNT] = {"shuffled", "turned", "reversed",
+                                                           "moved", "halved"};
+
 /* Note the relation of that name; false when there is none, or it is noted already. */
 static bool add_relation(struct checked_work *work, struct word name) {
-    static const char *const names[RELATION_COUNT] = {"shuffled", "turned", "reversed", "moved",
-                                                      "halved"};
     for (size_t i = 0; i < RELATION_COUNT; i++) {
-        if (word_is(name, names[i]) && !work->relations[i]) {
+        if (word_is(name, relation_names[i]) && !work->relations[i]) {
             work->relations[i] = true;
             return true;
         }
     }
     return false;
+}
+
+/* What a report calls them: "drawn again (shuffled, moved)". */
+static void name_relations(struct checked_work *work) {
+    const char *before = "drawn again (";
+    work->counter[0] = '\0';
+    for (size_t i = 0; i < RELATION_COUNT; i++) {
+        if (work->relations[i]) {
+            strcat(strcat(work->counter, before), relation_names[i]);
+            before = ", ";
+        }
+    }
+    strcat(work->counter, ")");
 }
 
 /* `shuffled,moved  0.1`. */
@@ -244,7 +258,8 @@ static bool read_relations(struct checked_work *work, struct text *text, struct 
         }
         start = end + 1;
     }
-    strcpy(work->counter, "same");
+    work->has_relations = true;
+    name_relations(work);
     return read_limit(&work->limit, text, text_next_word(text), error) && read_end(text, error);
 }
 

@@ -53,11 +53,12 @@ struct checked_scene {
 /* What else is judged of a scene that passes: a counter, or relations. */
 struct checked_work {
     char scene[SCENE_NAME_LIMIT];   /* one of the step's */
-    char counter[SCENE_NAME_LIMIT]; /* "same" for relations */
+    char counter[SCENE_NAME_LIMIT]; /* of relations "drawn again (moved, halved)" */
     struct credit credit;
-    uint64_t most;                  /* of a counter; inclusive */
-    bool relations[RELATION_COUNT]; /* none for a counter */
-    unsigned limit;                 /* of relations, as those of a scene */
+    uint64_t most;      /* of a counter; inclusive */
+    bool has_relations; /* otherwise it is a counter */
+    bool relations[RELATION_COUNT];
+    unsigned limit; /* of relations, as those of a scene */
 };
 
 struct checked_step {

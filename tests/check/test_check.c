@@ -263,13 +263,14 @@ static void test_verdicts(void) {
         {"step06_size", "FAIL 0/2 SCORE 0/2; depth FAIL 0/1: 200x150 pixels instead of 200x200; "
                         "huge FAIL 0/1: 65535x65535 "
                         "pixels instead of 200x200"},
-        {"step07_missing",
-         "FAIL 1/2 SCORE 1/2; depth2 FAIL 0/1: missing (no depth2.tga was written)"},
+        {"step07_missing", "FAIL 1/2 SCORE 1/2; depth PASS 1/1; depth2 FAIL 0/1: missing (no "
+                           "depth2.tga was written)"},
         {"step09_status", "FAIL 1/1 SCORE 1/1: exit status 1: step09_status: bust.obj:17: face "
-                          "names vertex 99 of 12"},
-        {"step13_crash", "CRASH 1/2 SCORE 1/2; depth2 CRASH 0/1: SIGSEGV; make check STEP=13 "
-                         "SANITIZE=1 says in which line"},
-        {"step15_sleep", "TIME 1/2 SCORE 1/2; depth2 TIME 0/1: stopped after 1 s"},
+                          "names vertex 99 of 12; depth PASS 1/1"},
+        {"step13_crash",
+         "CRASH 1/2 SCORE 1/2; depth PASS 1/1; depth2 CRASH 0/1: SIGSEGV; make check STEP=13 "
+         "SANITIZE=1 says in which line"},
+        {"step15_sleep", "TIME 1/2 SCORE 1/2; depth PASS 1/1; depth2 TIME 0/1: stopped after 1 s"},
         {"step25_cputime", "TIME 0/1 SCORE 0/1; depth TIME 0/1: stopped after 1 s"},
         {"step16_stubborn", "TIME 0/1 SCORE 0/1; depth TIME 0/1: stopped after 1 s"},
         {"step17_escape", "PASS 1/1 SCORE 1/1 exact"},
@@ -303,20 +304,33 @@ static void test_verdicts(void) {
          "null CRASH 0/1: step36_fault/main.c:31: store to null pointer of type 'int'; "
          "deep CRASH 0/1: step36_fault/main.c:12: deeper() calls itself without end, or has too "
          "large an array"},
-        {"step33_first", "CRASH 1/2 SCORE 3/4; depth CRASH 0/1: SIGABRT; "
+        {"step33_first", "CRASH 1/2 SCORE 3/4; depth CRASH 0/1: SIGABRT; depth2 PASS 3/3; "
                          "make check STEP=33 SANITIZE=1 says in which line; "
                          "tasks: 33.1 CRASH 0/1, 33.2 3/3"},
         {"step34_todo",
-         "FAIL 1/3 SCORE 1/7; depth2 FAIL 0/2: 2,612 of 20,266 drawn pixels differ (must be "
+         "FAIL 1/3 SCORE 1/7; depth PASS 1/1; depth2 FAIL 0/2: 2,612 of 20,266 drawn pixels differ "
+         "(must be "
          "exact), "
          "first at (60,31): 160,100,60 for 120,140,120; depth3 TODO 0/4: task 34b.30 is to do; "
          "tasks: 34.1 1/1, 34.2 FAIL 0/2; part b 0/4: 34b.3 TODO 0/2, 34b.30 TODO 0/2"},
         {"step35_work",
-         "FAIL 3/7 SCORE 3/7; depth3 FAIL 0/1: 2,612 of 20,266 drawn pixels differ (must be "
+         "FAIL 3/7 SCORE 3/7; depth PASS 1/1; depth2 PASS 1/1; depth3 FAIL 0/1: 2,612 of 20,266 "
+         "drawn pixels differ (must be "
          "exact), "
-         "first at (60,31): 160,100,60 for 120,140,120; depth2 pixels FAIL 0/1: 2,001, but 2,000 "
+         "first at (60,31): 160,100,60 for 120,140,120; depth pixels PASS 1/1; depth2 pixels FAIL "
+         "0/1: 2,001, but 2,000 "
          "are enough; depth nothing FAIL 0/1: --stats does not print it; depth3 pixels FAIL 0/1: "
-         "the picture does not pass; tasks: 35.1 FAIL 2/3, 35.2 FAIL 1/4"},
+         "is not judged while the picture itself does not pass; tasks: 35.1 FAIL 2/3, 35.2 FAIL "
+         "1/4"},
+        {"step37_shared",
+         "FAIL 2/7 SCORE 2/10; depth FAIL 0/2: 2,612 of 20,266 drawn pixels differ (must be "
+         "exact), first at (60,31): 160,100,60 for 120,140,120; depth2 PASS 1/1; depth3 PASS 1/1; "
+         "depth4 FAIL 0/3: 2,612 of 20,266 drawn pixels differ (must be exact), first at (60,31): "
+         "160,100,60 for 120,140,120; depth5 FAIL 0/1: 2,612 of 20,266 drawn pixels differ (must "
+         "be exact), first at (60,31): 160,100,60 for 120,140,120; depth5 drawn again (turned, "
+         "moved) FAIL 0/1: is not judged while the picture itself does not pass; depth5 drawn "
+         "again (halved) FAIL 0/1: is not judged while the picture itself does not pass; tasks: "
+         "37.1 1/3, 37.2 FAIL 0/1, 37.3 1/2, 37.4 perhaps FAIL 0/2, 37.5 perhaps FAIL 0/2"},
         {"step31_apart",
          "FAIL 0/1 SCORE 0/1; depth FAIL 0/1: 1.7 % of drawn pixels of another colour there (limit "
          "1 %), shifted by (1,0), first at (88,21): 0,0,0 for 120,112,120"},
@@ -338,7 +352,7 @@ static void test_verdicts_with_messages(void) {
         {"step19_large", "CRASH 0/1 SCORE 0/1: SIGXFSZ, file larger than 64 MB",
          "depth FAIL 0/1: unreadable: "},
         {"step23_noreference",
-         "ERROR 1/2 SCORE 1/2; nowhere ERROR 0/1: no reference: ", "nowhere.png"},
+         "ERROR 1/2 SCORE 1/2; depth PASS 1/1; nowhere ERROR 0/1: no reference: ", "nowhere.png"},
         {"step24_blankreference",
          "ERROR 0/1 SCORE 0/1; depth ERROR 0/1: no reference: ", "depth.png: is blank"},
         {"step08_unreadable",
@@ -384,7 +398,7 @@ static void test_crowd(void) {
 }
 
 static void test_summary_and_status(void) {
-    CHECK(contains(&fixture.output, "\n5 passed, 31 failed\n"));
+    CHECK(contains(&fixture.output, "\n5 passed, 32 failed\n"));
     CHECK(fixture.status == 2); /* a reference is missing */
     size_t lines = 0;
     const char *text = (const char *)fixture.output.data;
@@ -392,10 +406,10 @@ static void test_summary_and_status(void) {
         lines += text[0] != ' ';
         text += strcspn(text, "\n") + 1;
     }
-    CHECK(lines == 36);
+    CHECK(lines == 37);
     char score[24];
     snprintf(score, sizeof score, "%.*s", (int)strcspn(text, "\n"), text);
-    CHECK_TEXT(score, "SCORE 18/65");
+    CHECK_TEXT(score, "SCORE 20/75");
 }
 
 /* Each failed scene has its picture, with the reference on its left, and yours in the middle. */
@@ -412,6 +426,7 @@ static void test_difference_images(void) {
         {"step08_unreadable/pipe", true},    {"step09_status/depth", false},
         {"step10_build/depth", false},       {"step13_crash/depth", false},
         {"step13_crash/depth2", true},       {"step15_sleep/depth2", true},
+        {"step34_todo/depth2", true},        {"step34_todo/depth3", false},
         {"step23_noreference/depth", false}, {"step23_noreference/nowhere", false},
     };
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {

@@ -46,17 +46,17 @@ judge() {
 mkdir build && cp -R "$build/models" build
 judge 0 'PASS 3/3' ''
 new='image->width != 800'
-judge 1 'same FAIL 0/1: in another order: [0-9]* pixels differ, first at (' \
+judge 1 'again (shuffled, turned, moved) FAIL 0/1: in another order: [0-9]* pixels differ, first at (' \
     "s/if (depth > row\\[x\\])/if ($new || depth > row[x])/"
-judge 1 'same FAIL 0/1: the corners of each triangle turned: ' \
+judge 1 'again (shuffled, turned, moved) FAIL 0/1: the corners of each triangle turned: ' \
     "s/if (depth > row\\[x\\])/if (depth > row[x] \\&\\& !($new \\&\\& v[0].depth > v[1].depth))/"
-judge 1 'same FAIL 0/1: moved by (3,2): ' \
+judge 1 'again (shuffled, turned, moved) FAIL 0/1: moved by (3,2): ' \
     "s/if (depth > row\\[x\\])/if (depth > row[x] \\&\\& !($new \\&\\& x % 5 == 0))/"
-judge 1 'same FAIL 0/1: drawn twice as large and halved: ' \
+judge 1 'again (halved) FAIL 0/1: drawn twice as large and halved: ' \
     "s/if (depth > row\\[x\\])/if (depth > row[x] \\&\\& !(image->width == 512 \\&\\& y > 300))/"
-judge 1 'same FAIL 0/1: a new scene is not drawn' \
+judge 1 'again (shuffled, turned, moved) FAIL 0/1: a new scene is not drawn' \
     "s/^    for (int y = edges.y_begin;/    image = $new ? NULL : image;\\n&/"
-judge 1 'same FAIL 0/1: of a new scene nothing is drawn' \
+judge 1 'again (shuffled, turned, moved) FAIL 0/1: of a new scene nothing is drawn' \
     "s/if (depth > row\\[x\\])/if (depth > row[x] \\&\\& !($new))/"
 
 exit $failed
