@@ -37,6 +37,11 @@ void pictures_free(struct pictures *pictures);
 bool picture_enlarge(struct image *enlarged, const struct image *image, size_t times,
                      struct error *error);
 
+/* `shrunk` becomes the image in that size, which is not larger: of the pixels that become one it
+ * keeps the one that differs most from the background, so that no line and no mark is lost. */
+bool picture_shrink(struct image *shrunk, const struct image *image, size_t width, size_t height,
+                    struct error *error);
+
 /* How many times an image of that size must be enlarged, by whole numbers, to fill `room`, and at
  * least 1. */
 size_t picture_times(size_t size, size_t room);

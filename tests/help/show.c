@@ -4,8 +4,8 @@
  *     show [options] YOURS REFERENCE         two image files; one that does not exist is left out
  *
  * The pictures stand side by side where the terminal is wide enough for 30 characters each, and
- * otherwise one below the other. A large one is shrunk to fit, a small one enlarged by a whole
- * number, so that its pixels are squares.
+ * otherwise one below the other. A large one is shrunk to fit, and keeps what is drawn, even a
+ * single pixel; a small one is enlarged by a whole number, so that its pixels are squares.
  *
  * Exit status: 0 shown, 1 a file cannot be read or nothing is there, 2 wrong usage.
  */
@@ -167,8 +167,7 @@ static bool fit(struct image *fitted, const struct image *image, struct room roo
         width = image->width * room.height / image->height;
         height = room.height;
     }
-    return image_copy(fitted, image, error) &&
-           image_scale(fitted, width > 0 ? width : 1, height > 0 ? height : 1, error);
+    return picture_shrink(fitted, image, width > 0 ? width : 1, height > 0 ? height : 1, error);
 }
 
 /* ---- Pictures side by side ---- */

@@ -62,6 +62,16 @@ show 0 --columns 29 --lines 100 white.tga none.tga # twice as large, as whole nu
 size 20 10
 show 0 --columns 50 --lines 23 wide.tga none.tga # a quarter
 size 50 1
+# One red pixel on black: as red when the picture is shrunk.
+{
+    printf '\0\0\2\0\0\0\0\0\0\0\0\0\144\0\144\0\30\0'
+    head -c 15000 /dev/zero
+    printf '\0\0\377'
+    head -c 14997 /dev/zero
+} >point.tga
+show 0 --columns 40 --lines 23 point.tga none.tga
+size 40 20
+says ';2;255;0;0m'
 show 0 --columns 10 --lines 1 white.tga none.tga # one line at least
 size 2 1
 show 0 --columns 94 --lines 13 white.tga grey.tga # side by side: 20 + 2 + 20 + 2 + 20
