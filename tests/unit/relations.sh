@@ -59,4 +59,7 @@ judge 1 'again (shuffled, turned, moved) FAIL 0/1: a new scene is not drawn' \
 judge 1 'again (shuffled, turned, moved) FAIL 0/1: of a new scene nothing is drawn' \
     "s/if (depth > row\\[x\\])/if (depth > row[x] \\&\\& !($new))/"
 
+# A mistake that is known: the hint that is named is one for the task of this scene.
+judge 1 'make hint STEP=05 TASK=5\.2$' "s/if (depth > row\\[x\\])/if (true)/"
+
 exit $failed
