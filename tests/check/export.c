@@ -330,7 +330,11 @@ bool export_json(struct bytes *report, const struct check_result *result, const 
 
 /* '#' begins a directive. */
 static void escape_tap(struct writer *writer, char byte) {
-    put_byte(writer, byte == '#' || byte == '\n' ? ' ' : byte);
+    if (byte == '#' || byte == '\n') {
+        put(writer, " ");
+    } else {
+        put_byte(writer, byte);
+    }
 }
 
 static void tap_item(struct writer *writer, size_t number, const struct step_result *step,

@@ -126,7 +126,7 @@ static void test_obj_faces(void) {
 }
 
 static bool same3(const float *a, float x, float y, float z) {
-    return a[0] == x && a[1] == y && a[2] == z;
+    return a != NULL && a[0] == x && a[1] == y && a[2] == z;
 }
 
 static bool at(const struct model *model, size_t position, double x, double y, double z) {
