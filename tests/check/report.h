@@ -1,13 +1,14 @@
 /*
  * What a check has found, as text: for each step a line, and below it one for each item of it that
- * is not right to the last bit.
+ * is not right to the last bit; while the step does not pass, for what passes, too.
  *
  *     step05_zbuffer  PASS 4/4 SCORE 10/10 exact
  *     step05_zbuffer  PASS 4/4 SCORE 10/10
  *       zbuffer PASS 4/4: 0.1 % differ (9 pixels), first at (41,30): 9,0,0 for 8,0,0
  *     step05_zbuffer  FAIL 2/4 SCORE 4/10
  *       zbuffer FAIL 0/4: 4.4 % of drawn pixels wrong (limit 0.25 %), first at ...
- *         looks like "depth cleared to 0": see step05_zbuffer/README.md, ...
+ *       zbuffer drawn again (halved) FAIL 0/1: is not judged while ...
+ *       zbuffer drawn again (halved) FAIL 0/1: is not judged while the picture itself does not pass
  *       knot TODO 0/2: task 5.2 is to do
  *       tasks: 5.1 2/2, 5.2 FAIL 0/6, 5.3 2/2
  *     step05_zbuffer  CRASH 1/4 SCORE 2/10
@@ -15,6 +16,9 @@
  *     step05_zbuffer  BUILD 0/4 SCORE 0/10: step05_zbuffer/main.c:12:5: error: ...
  *     step05_zbuffer  ERROR 3/4 SCORE 8/10
  *       depth ERROR 0/2: no reference: ...
+ *
+ * A task is not FAIL over a scene that it shares when another scene shows it right alone, and
+ * `perhaps FAIL` where it is not known which of several is to blame.
  *
  * The fraction in a step's line counts its pictures and counters; all others are points.
  */
