@@ -14,7 +14,7 @@ unset MAKEFLAGS MFLAGS MAKELEVEL STEP BUILD CFLAGS MARCH # of the make that runs
 failed=0
 
 cp -R "$top/Makefile" "$top/common" "$top/$one" "$work" && cd "$work" || exit 1
-mkdir -p tests/reference && cp -R "$top/tests/check" tests || exit 1
+mkdir -p tests/reference && cp -R "$top/tests/check" "$top/tests/help" tests || exit 1
 cp -R $one $two && sed "s/$one/$two/" $one/scenes.h >$two/scenes.h
 for lesson in $one $two; do
     cp -R "$top/tests/reference/$one" "tests/reference/$lesson"

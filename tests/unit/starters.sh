@@ -74,7 +74,8 @@ verdict() {
 
 mkdir -p "$work/course/tests" || exit 1
 cp -R "$top/Makefile" "$top/.clang-format" "$top/common" "$top"/step* "$work/course" || exit 1
-cp -R "$top/tests/check" "$top/tests/reference" "$top/tests/starter" "$work/course/tests" || exit 1
+cp -R "$top/tests/check" "$top/tests/help" "$top/tests/reference" "$top/tests/starter" \
+    "$work/course/tests" || exit 1
 cd "$work/course" || exit 1
 compilers=$(for name in gcc clang; do command -v $name >/dev/null && printf '%s ' $name; done)
 compilers=${compilers:-cc }
