@@ -300,7 +300,8 @@ static unsigned marks_of(enum compare_pixels wrong) {
 static struct rgb mark_color(unsigned marks, enum compare_pixels wrong, struct rgb reference,
                              struct rgb yours) {
     if (marks & marks_of(wrong)) {
-        return is_background(yours) ? (struct rgb){.b = 255} : (struct rgb){.r = 255};
+        struct rgb red = {.r = 255}, blue = {.b = 255}; /* missing: blue */
+        return is_background(yours) ? blue : red;
     }
     if (marks != MARK_EQUAL) {
         return (struct rgb){.g = 96};
