@@ -437,9 +437,9 @@ bool directory_create(const char *path, struct error *error) {
     return true;
 }
 
-char *string_format(const char *format, ...) {
-    va_list arguments, again;
-    va_start(arguments, format);
+/* What vprintf would print, in memory that the caller frees; NULL when memory runs out. */
+static char *format_string(const char *format, va_list arguments) {
+    va_list again;
     va_copy(again, arguments);
     int length = vsnprintf(NULL, 0, format, arguments);
     char *string = length >= 0 ? malloc((size_t)length + 1) : NULL;
@@ -447,6 +447,23 @@ char *string_format(const char *format, ...) {
         vsnprintf(string, (size_t)length + 1, format, again);
     }
     va_end(again);
+    return string;
+}
+
+char *string_format(const char *format, ...) {
+    va_list arguments;
+    va_start(arguments, format);
+    char *string = format_string(format, arguments);
     va_end(arguments);
     return string;
+}
+
+bool bytes_print(struct bytes *bytes, const char *format, ...) {
+    va_list arguments;
+    va_start(arguments, format);
+    char *text = format_string(format, arguments);
+    va_end(arguments);
+    bool done = text != NULL && bytes_append(bytes, text, strlen(text));
+    free(text);
+    return done;
 }

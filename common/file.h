@@ -53,6 +53,9 @@ struct bytes {
 /* Add `size` bytes at the end; false when memory runs out (the block is then unchanged). */
 bool bytes_append(struct bytes *bytes, const void *data, size_t size);
 
+/* Append what printf would print; false when memory runs out (the block is then unchanged). */
+bool bytes_print(struct bytes *bytes, const char *format, ...) PRINTF_LIKE(2, 3);
+
 /* Make room for `size` more bytes without changing the contents; false when memory runs out. */
 bool bytes_reserve(struct bytes *bytes, size_t size);
 

@@ -83,7 +83,7 @@ static bool find_shadows(const struct drawing *drawing, const struct mat4 *to_cl
     const struct pipeline *pipeline = drawing->state;
     const struct model *model = drawing->model;
     const struct draw_call light = light_call(model, drawing->light, 1);
-    struct vec3(*faces)[3] = malloc(model->face_count * sizeof *faces);
+    struct vec3(*faces)[3] = calloc(model->face_count, sizeof *faces);
     struct mat4 to_world;
     bool done = faces != NULL && mat4_inverse(*to_clip, &to_world);
     for (size_t i = 0; done && i < 3 * model->face_count; i++) {
@@ -166,12 +166,15 @@ static bool print_shadow_table(struct model *model, struct error *error) {
     struct pipeline pipeline = {0};
     struct image image = {0};
     bool *shadow = calloc(EXACT_SIDE * EXACT_SIDE, sizeof *shadow);
+    if (shadow == NULL) {
+        return error_set(error, "no exact shadows: out of memory");
+    }
     bool done = begin_shadow(&drawing, model, &pipeline, &image, EXACT_SIDE, error) &&
                 draw_with_map(&drawing, &image, 1, 0, &say, error); /* for the depths */
     if (done) {
         struct rectangle whole = grid_cell(EXACT_SIDE, EXACT_SIDE, 1, 1, 0, 0);
         struct draw_call call = pipeline_call(&drawing, whole, 0.85, CULL_BACK);
-        done = (shadow != NULL && find_shadows(&drawing, &call.to_clip, shadow)) ||
+        done = find_shadows(&drawing, &call.to_clip, shadow) ||
                error_set(error, "no exact shadows: out of memory");
     }
     done = done && print_shadow_rows(&drawing, &image, shadow, error);

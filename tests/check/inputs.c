@@ -5,7 +5,6 @@
 #include "tgaimage.h"
 
 #include <math.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -45,18 +44,6 @@ static void shuffle(size_t *order, size_t count, uint64_t seed, bool shuffled) {
         order[i - 1] = order[j];
         order[j] = kept;
     }
-}
-
-static bool put(struct bytes *out, const char *format, ...) PRINTF_LIKE(2, 3);
-
-/* Append a short text. */
-static bool put(struct bytes *out, const char *format, ...) {
-    char text[256];
-    va_list arguments;
-    va_start(arguments, format);
-    int length = vsnprintf(text, sizeof text, format, arguments);
-    va_end(arguments);
-    return bytes_append(out, text, (size_t)length);
 }
 
 /* ---- Text scenes ---- */
@@ -116,25 +103,26 @@ static bool put_line(struct bytes *out, const struct shape *shape, const struct 
                      bool one_color) {
     int first = variant->reversed ? 1 : 0, second = 1 - first;
     const int *a = shape->color[first], *b = shape->color[second];
-    bool done = put(out, "line %d %d %d %d %d %d %d", shape->x[first] + variant->right,
-                    shape->y[first] + variant->up, shape->x[second] + variant->right,
-                    shape->y[second] + variant->up, a[0], a[1], a[2]);
-    return done && (one_color || put(out, " %d %d %d", b[0], b[1], b[2])) && put(out, "\n");
+    bool done = bytes_print(out, "line %d %d %d %d %d %d %d", shape->x[first] + variant->right,
+                            shape->y[first] + variant->up, shape->x[second] + variant->right,
+                            shape->y[second] + variant->up, a[0], a[1], a[2]);
+    return done && (one_color || bytes_print(out, " %d %d %d", b[0], b[1], b[2])) &&
+           bytes_print(out, "\n");
 }
 
 static bool put_triangle(struct bytes *out, const struct shape *shape,
                          const struct variant *variant, bool one_color) {
-    bool done = put(out, "triangle");
+    bool done = bytes_print(out, "triangle");
     for (int i = 0; i < 3 && done; i++) {
         int corner = (i + variant->turned) % 3;
-        done = put(out, " %.10f %.10f", (double)shape->x[corner] / UNIT + variant->right,
-                   (double)shape->y[corner] / UNIT + variant->up);
+        done = bytes_print(out, " %.10f %.10f", (double)shape->x[corner] / UNIT + variant->right,
+                           (double)shape->y[corner] / UNIT + variant->up);
     }
     for (int i = 0; i < (one_color ? 1 : 3) && done; i++) {
         const int *color = shape->color[(i + variant->turned) % 3];
-        done = put(out, " %d %d %d", color[0], color[1], color[2]);
+        done = bytes_print(out, " %d %d %d", color[0], color[1], color[2]);
     }
-    return done && put(out, "\n");
+    return done && bytes_print(out, "\n");
 }
 
 static bool put_text_scene(struct bytes *out, enum input_kind kind, uint64_t seed,
@@ -146,7 +134,7 @@ static bool put_text_scene(struct bytes *out, enum input_kind kind, uint64_t see
     bool one_color = kind == INPUT_LINES || kind == INPUT_TRIANGLES;
     (lines ? make_lines : make_triangles)(shapes, &random, one_color);
     shuffle(order, SHAPES, seed, variant->shuffled);
-    bool done = put(out, "size %d %d\n", INPUT_SIZE, INPUT_SIZE);
+    bool done = bytes_print(out, "size %d %d\n", INPUT_SIZE, INPUT_SIZE);
     for (size_t i = 0; i < SHAPES && done; i++) {
         done = (lines ? put_line : put_triangle)(out, &shapes[order[i]], variant, one_color);
     }
@@ -248,7 +236,7 @@ static bool put_positions(struct bytes *out, const struct mesh *mesh, const char
     bool done = true;
     for (size_t i = 0; i < mesh->position_count && done; i++) {
         struct vec3 p = vec3_add(mesh->position[i], moved);
-        done = put(out, "%s%.10f %.10f %.10f\n", before, p.x, p.y, p.z);
+        done = bytes_print(out, "%s%.10f %.10f %.10f\n", before, p.x, p.y, p.z);
     }
     return done;
 }
@@ -258,28 +246,28 @@ static bool put_obj(struct bytes *out, const struct mesh *mesh, const size_t *or
     bool done = put_positions(out, mesh, "v ", variant);
     for (size_t i = 0; i < mesh->position_count && done; i++) {
         struct vec3 n = mesh->normal[i];
-        done = put(out, "vt %.10f %.10f\nvn %.10f %.10f %.10f\n", mesh->uv[i].x, mesh->uv[i].y, n.x,
-                   n.y, n.z);
+        done = bytes_print(out, "vt %.10f %.10f\nvn %.10f %.10f %.10f\n", mesh->uv[i].x,
+                           mesh->uv[i].y, n.x, n.y, n.z);
     }
     for (size_t i = 0; i < mesh->face_count && done; i++) {
-        done = put(out, "f");
+        done = bytes_print(out, "f");
         for (int j = 0; j < 3 && done; j++) {
             size_t number = mesh->face[order[i]][(j + variant->turned) % 3] + 1;
-            done = put(out, " %zu/%zu/%zu", number, number, number);
+            done = bytes_print(out, " %zu/%zu/%zu", number, number, number);
         }
-        done = done && put(out, "\n");
+        done = done && bytes_print(out, "\n");
     }
     return done;
 }
 
 static bool put_off(struct bytes *out, const struct mesh *mesh, const size_t *order,
                     const struct variant *variant) {
-    bool done = put(out, "OFF\n%zu %zu 0\n", mesh->position_count, mesh->face_count) &&
+    bool done = bytes_print(out, "OFF\n%zu %zu 0\n", mesh->position_count, mesh->face_count) &&
                 put_positions(out, mesh, "", variant);
     for (size_t i = 0; i < mesh->face_count && done; i++) {
         const size_t *face = mesh->face[order[i]];
-        done = put(out, "3 %zu %zu %zu\n", face[variant->turned], face[(variant->turned + 1) % 3],
-                   face[(variant->turned + 2) % 3]);
+        done = bytes_print(out, "3 %zu %zu %zu\n", face[variant->turned],
+                           face[(variant->turned + 1) % 3], face[(variant->turned + 2) % 3]);
     }
     return done;
 }

@@ -317,10 +317,9 @@ static void test_difference_of_what_counts(void) {
         char colors[6] = "";
         for (int k = 0; k < 5; k++) {
             struct color c = image_get(&difference, place[k], 0);
-            colors[k] = c.r == 255 && c.g + c.b == 0   ? 'r'
-                        : c.b == 255 && c.r + c.g == 0 ? 'b'
-                        : c.g == 96 && c.r + c.b == 0  ? 'g'
-                                                       : '.';
+            bool red = c.r == 255 && c.g + c.b == 0, blue = c.b == 255 && c.r + c.g == 0;
+            bool green = c.g == 96 && c.r + c.b == 0;
+            colors[k] = ".rbg"[red ? 1 : blue ? 2 : green ? 3 : 0];
         }
         CHECK_TEXT(colors, cases[i].colors);
         image_free(&difference);

@@ -14,26 +14,11 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <signal.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <termios.h>
 #include <unistd.h>
-
-/* ---- Text ---- */
-
-static bool put_text(struct bytes *out, const char *format, ...) PRINTF_LIKE(2, 3);
-
-/* Append a short text. */
-static bool put_text(struct bytes *out, const char *format, ...) {
-    char text[128];
-    va_list arguments;
-    va_start(arguments, format);
-    int length = vsnprintf(text, sizeof text, format, arguments);
-    va_end(arguments);
-    return bytes_append(out, text, (size_t)length);
-}
 
 /* ---- Blocks ---- */
 
@@ -49,20 +34,20 @@ static bool put_row_of_blocks(struct bytes *out, const struct image *image, int 
         struct color upper = image_get(image, x, upper_y);
         struct color lower = image_get(image, x, upper_y - 1);
         if ((x == 0 || !same_color(upper, upper_before)) &&
-            !put_text(out, "\033[38;2;%d;%d;%dm", upper.r, upper.g, upper.b)) {
+            !bytes_print(out, "\033[38;2;%d;%d;%dm", upper.r, upper.g, upper.b)) {
             return false;
         }
         if ((x == 0 || !same_color(lower, lower_before)) &&
-            !put_text(out, "\033[48;2;%d;%d;%dm", lower.r, lower.g, lower.b)) {
+            !bytes_print(out, "\033[48;2;%d;%d;%dm", lower.r, lower.g, lower.b)) {
             return false;
         }
-        if (!put_text(out, "\xe2\x96\x80")) { /* U+2580, upper half block */
+        if (!bytes_print(out, "\xe2\x96\x80")) { /* U+2580, upper half block */
             return false;
         }
         upper_before = upper;
         lower_before = lower;
     }
-    return put_text(out, "\033[0m\n");
+    return bytes_print(out, "\033[0m\n");
 }
 
 static bool show_blocks(struct bytes *out, const struct image *image) {
@@ -83,13 +68,13 @@ static bool show_kitty(struct bytes *out, const struct bytes *png, size_t column
     for (size_t at = 0; at < png->size; at += PIECE) {
         size_t size = png->size - at < PIECE ? png->size - at : PIECE;
         int more = at + size < png->size;
-        bool begun = at == 0 ? put_text(out, "\033_Ga=T,f=100,q=2,c=%zu,m=%d;", columns, more)
-                             : put_text(out, "\033_Gm=%d;", more);
-        if (!begun || !base64_encode(out, png->data + at, size) || !put_text(out, "\033\\")) {
+        bool begun = at == 0 ? bytes_print(out, "\033_Ga=T,f=100,q=2,c=%zu,m=%d;", columns, more)
+                             : bytes_print(out, "\033_Gm=%d;", more);
+        if (!begun || !base64_encode(out, png->data + at, size) || !bytes_print(out, "\033\\")) {
             return false;
         }
     }
-    return put_text(out, "\n");
+    return bytes_print(out, "\n");
 }
 
 /* ---- Sixel ---- */
@@ -115,8 +100,8 @@ static unsigned palette_index(struct color color, size_t x, size_t y) {
 static bool put_palette(struct bytes *out) {
     for (unsigned i = 0; i < COLORS; i++) {
         unsigned r = i / (SIDE * SIDE), g = i / SIDE % SIDE, b = i % SIDE; /* to per cent */
-        if (!put_text(out, "#%u;2;%u;%u;%u", i, r * 100 / (SIDE - 1), g * 100 / (SIDE - 1),
-                      b * 100 / (SIDE - 1))) {
+        if (!bytes_print(out, "#%u;2;%u;%u;%u", i, r * 100 / (SIDE - 1), g * 100 / (SIDE - 1),
+                         b * 100 / (SIDE - 1))) {
             return false;
         }
     }
@@ -126,10 +111,10 @@ static bool put_palette(struct bytes *out) {
 /* The same column `count` times. */
 static bool put_columns(struct bytes *out, unsigned bits, size_t count) {
     if (count > 3) {
-        return put_text(out, "!%zu%c", count, 63 + (int)bits);
+        return bytes_print(out, "!%zu%c", count, 63 + (int)bits);
     }
     while (count-- > 0) {
-        if (!put_text(out, "%c", 63 + (int)bits)) {
+        if (!bytes_print(out, "%c", 63 + (int)bits)) {
             return false;
         }
     }
@@ -141,7 +126,7 @@ static bool put_color(struct bytes *out, const unsigned char *indices, size_t wi
                       unsigned index) {
     unsigned before = 0;
     size_t count = 0;
-    bool done = put_text(out, "#%u", index);
+    bool done = bytes_print(out, "#%u", index);
     for (size_t x = 0; x < width && done; x++) {
         unsigned bits = 0;
         for (size_t row = 0; row < rows; row++) {
@@ -154,7 +139,7 @@ static bool put_color(struct bytes *out, const unsigned char *indices, size_t wi
         before = bits;
         count++;
     }
-    return done && put_columns(out, before, count) && put_text(out, "$");
+    return done && put_columns(out, before, count) && bytes_print(out, "$");
 }
 
 static bool put_band(struct bytes *out, unsigned char *indices, const struct image *image,
@@ -172,19 +157,19 @@ static bool put_band(struct bytes *out, unsigned char *indices, const struct ima
     for (unsigned i = 0; i < COLORS && done; i++) {
         done = !used[i] || put_color(out, indices, width, rows, i);
     }
-    return done && put_text(out, "-");
+    return done && bytes_print(out, "-");
 }
 
 static bool show_sixel(struct bytes *out, const struct image *image) {
     unsigned char *indices = malloc(image->width * BAND);
     bool done = indices != NULL &&
-                put_text(out, "\033P0;1q\"1;1;%zu;%zu", image->width, image->height) &&
+                bytes_print(out, "\033P0;1q\"1;1;%zu;%zu", image->width, image->height) &&
                 put_palette(out);
     for (size_t top = 0; top < image->height && done; top += BAND) {
         done = put_band(out, indices, image, top);
     }
     free(indices);
-    return done && put_text(out, "\033\\\n");
+    return done && bytes_print(out, "\033\\\n");
 }
 
 bool terminal_show(struct bytes *out, const struct image *image, enum terminal_kind kind,
