@@ -32,6 +32,8 @@ struct pixel {
     int x, y;
 };
 
+enum { LINE_LIMIT = 1 << 29 }; /* end points of a line lie in -LINE_LIMIT..LINE_LIMIT */
+
 /* A part of an image, in pixels; (x,y) is its bottom-left pixel. */
 struct rectangle {
     int x, y, width, height;
@@ -42,8 +44,6 @@ struct rectangle {
 struct rectangle grid_cell(size_t width, size_t height, int columns, int rows, int column, int row);
 
 /* ---- Lines (taught in step01_line, cut to the image in step02_wireframe) ---- */
-
-enum { LINE_LIMIT = 1 << 29 }; /* end points of a line lie in -LINE_LIMIT..LINE_LIMIT */
 
 /* The pixels of a line that lie in the image, one after the other, starting at its left end (a
  * steep line: at its lower end), whatever the order of the end points. In every column (a steep

@@ -58,8 +58,6 @@ static inline struct vec4 channels_from_texel(uint32_t texel) {
     return (struct vec4){c.r, c.g, c.b, c.a};
 }
 
-/* ---- The bilinear sample (taught in step06_texture) ---- */
-
 /* A coordinate in texels brought into 0..last; what is not a number becomes 0. Written so that
  * compilers make two selects of it and no branch. */
 static inline double texture_clamp(double texels, double last) {
@@ -67,18 +65,21 @@ static inline double texture_clamp(double texels, double last) {
     return positive < last ? positive : last;
 }
 
-/* from + (to - from) * fraction for each channel of two texels. */
+/* from + (to - from) * fraction for each channel. */
+static inline struct vec4 texture_mix(struct vec4 from, struct vec4 to, double fraction) {
+    return (struct vec4){from.x + (to.x - from.x) * fraction, from.y + (to.y - from.y) * fraction,
+                         from.z + (to.z - from.z) * fraction, from.w + (to.w - from.w) * fraction};
+}
+
+/* ---- The bilinear sample (taught in step06_texture) ---- */
+
+/* The same for the channels of two texels. */
 static inline struct vec4 texture_mix_texels(uint32_t from, uint32_t to, double fraction) {
     int r = (int)(from >> 16 & 0xFF), g = (int)(from >> 8 & 0xFF), b = (int)(from & 0xFF);
     int a = (int)(from >> 24);
     return (struct vec4){
         r + ((int)(to >> 16 & 0xFF) - r) * fraction, g + ((int)(to >> 8 & 0xFF) - g) * fraction,
         b + ((int)(to & 0xFF) - b) * fraction, a + ((int)(to >> 24) - a) * fraction};
-}
-
-static inline struct vec4 texture_mix(struct vec4 from, struct vec4 to, double fraction) {
-    return (struct vec4){from.x + (to.x - from.x) * fraction, from.y + (to.y - from.y) * fraction,
-                         from.z + (to.z - from.z) * fraction, from.w + (to.w - from.w) * fraction};
 }
 
 /* Linear between the four nearest texel centres of one level (clamped to the last one). The result

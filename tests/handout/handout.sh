@@ -66,7 +66,11 @@ without_answers='
     inside { if (/<\/details>/) { inside = 0; gap = 1 } next }
     gap && /^ *$/ { next }
     gap { gap = 0; if (!/^ *[0-9]+\. /) print "" }
-    { print }'
+    { print }
+    /^\[.*\.\.\/README\.md#map-of-the-course/ {
+        print "\nThis is a part of the course: `make figures`, `make bench`, `make counts` and `make"
+        print "charts`, which this page names, belong to the whole of it."
+    }'
 
 put_lesson() {
     put_changed "$without_answers" "$1/README.md"
@@ -167,28 +171,31 @@ cp tests/handout/start.sh "$work/tests/handout/start.sh" || fail 1 "cannot write
 
 # ---- README.md: of a course that ends here ----
 
+first_lesson=${lessons# }
+first_lesson=${first_lesson%% *}
 # shellcheck disable=SC2016
-put_changed '
-    /^## The programs/ {
-        print "This is a part of the course. Where a text names targets that `make help` does not list"
-        print "(`make figures`, `make bench`, `make counts`), they belong to the whole of it.\n"
-    }
-    /^## / { left_out = /^## (If you teach|Accurate, fast|Layout|For contributors)/ }
-    /^<tr>/ { row = ""; in_row = 1 }
-    in_row {
-        row = row $0 "\n"
-        if (/<\/tr>/) {
-            in_row = 0
-            match(row, /href="step[0-9]+_/)
-            step = substr(row, RSTART + 10, RLENGTH - 11) + 0
-            if (step >= first && step <= last) printf "%s", row
+sed -e "/^Go to/s|step01_line|$first_lesson|g; s/STEP=01/STEP=$(echo "$first_lesson" | cut -c 5-6)/" \
+    -e "s/10 passed, 0 failed/$(echo "$lessons" | wc -w | tr -d ' ') passed, 0 failed/" README.md |
+    awk -v first="$first" -v last="$last" '
+        /^## / { left_out = /^## (If you teach|Accurate, fast|Layout|For contributors)/ }
+        /^A position travels/ && (first > 8 || last < 8) { elsewhere = 1 } # what lesson 8 shows
+        /^Hidden scenes/ { elsewhere = 1 }
+        elsewhere || /^    make (solution|check HIDDEN)/ { if (/^$/) elsewhere = 0; next }
+        /^<tr>/ { row = ""; in_row = 1 }
+        in_row {
+            row = row $0 "\n"
+            if (/<\/tr>/) {
+                in_row = 0
+                match(row, /href="step[0-9]+_/)
+                step = substr(row, RSTART + 10, RLENGTH - 11) + 0
+                if (step >= first && step <= last) printf "%s", row
+            }
+            next
         }
-        next
-    }
-    /^\| \[[0-9]+: / { keep = substr($0, 4) + 0 >= first && substr($0, 4) + 0 <= last }
-    /^\| \|/ || /^\|  \|/ { if (!keep) next }
-    /^\| \[[0-9]+: / && !keep { next }
-    !left_out { print }' README.md
+        /^\| \[[0-9]+: / { keep = substr($0, 4) + 0 >= first && substr($0, 4) + 0 <= last }
+        /^\| \|/ || /^\|  \|/ { if (!keep) next }
+        /^\| \[[0-9]+: / && !keep { next }
+        !left_out { print }' >"$work/README.md" || fail 1 "cannot write $work/README.md"
 
 # Pictures of other lessons that a text shows come along; links to what is not there become words.
 for text in "$work"/*/*.md; do
@@ -220,7 +227,12 @@ for text in "$work"/*.md "$work"/*/*.md; do
                 line = line before ((target in gone) ? words : whole)
                 rest = substr(rest, RSTART + RLENGTH)
             }
-            print line rest
+            line = line rest
+            if (line ~ /README\.md#map-of-the-course/) { # from lesson to lesson
+                sub(/^< [^|]* \| /, "", line)
+                sub(/ \| [^]|[]* >$/, "", line)
+            }
+            print line
         }' "$text" >"$work/changed" && mv "$work/changed" "$text" || fail 1 "cannot write $text"
 done
 rm -f "$work/missing"

@@ -1,7 +1,8 @@
 #!/bin/sh
 # Is what is handed out a course of its own, and without solutions? Hands out two lessons: the same
 # bytes twice; `make` builds their starters without a warning; the check finds them to do; no mark,
-# no answer, no mistake, nothing of what the next lessons teach; no link that leads nowhere.
+# no answer, no mistake, nothing of what the next lessons teach; no link that leads nowhere. And each
+# lesson alone: its solution compiles there.
 #
 # Exit status 0: all of that is so; 1: something is not.
 
@@ -63,5 +64,20 @@ cd "$top" || exit 1
 hand_out "$work/one" 1 && cd "$work/one" || fail "LESSONS=1 fails: $(cat "$work/log")"
 grep -q 'line_begin' common/*.h common/*.c && fail "the line of lesson 1 is handed out with it"
 make -s CFLAGS=-O0 WERROR=-Werror programs >"$work/log" 2>&1 || fail "make: $(cat "$work/log")"
+
+# What a lesson asks for can be written with the headers that come with it, and what its text tells
+# to do is there.
+cd "$top" || exit 1
+for lesson in step*; do
+    out=$work/only/$lesson
+    mkdir -p "$work/only" && hand_out "$out" "$(echo "$lesson" | cut -c 5-6)" ||
+        fail "$lesson alone fails: $(cat "$work/log")"
+    awk -v mode=solution -f tests/starter/marks.awk "$lesson/main.c" >"$out/$lesson/main.c"
+    "${CC:-cc}" -std=c17 -Wall -Werror -DCOURSE_BUILD='"build"' -I"$out/common" -fsyntax-only \
+        "$out/$lesson/main.c" >"$work/log" 2>&1 ||
+        fail "$lesson needs what is not handed out with it: $(head -n 3 "$work/log")"
+    grep -n 'make solution' "$out/README.md" "$out/$lesson"/*.md && fail "there are no solutions"
+    grep -q "(${lesson}/README.md) and read" "$out/README.md" || fail "where does $lesson begin?"
+done
 [ $failed -eq 0 ] && echo "handout: a course of its own"
 exit $failed
