@@ -39,6 +39,8 @@ For the course as a whole:
   make verify                 the check fails every mistake and passes every correct program that is
                               listed (STEP=05, NAME=depth)
   make handout OUT=dir        what a student gets: starters, and no solution (LESSONS=1-5)
+  make key OUT=dir            what an instructor gets: solutions, answers, the pictures of mistakes,
+                              points (LESSONS=1-5)
   make mistakes               keep what the listed mistakes look like, by which the check knows them
                               (STEP=05)
   make coverage               which lines and branches of common the tests reach

@@ -197,11 +197,14 @@ $(BUILD)/verify.%: force
 # What such a program depends on is no program.
 $(BUILD)/verify.%.d: ;
 
-# ---- make handout ----
+# ---- make handout, make key: what students get, and what their instructor gets ----
 
-.PHONY: handout
+.PHONY: handout key
 handout:
-	@tests/handout/handout.sh '$(OUT)' $(LESSONS)
+	@tests/handout/handout.sh '$(OUT)' '$(LESSONS)'
+
+key: $(BUILD)/check models
+	@tests/handout/key.sh $(BUILD) '$(MAKE) -s' '$(OUT)' '$(LESSONS)'
 
 # ---- make mutants, portability, fuzz, coverage ----
 
