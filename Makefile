@@ -183,7 +183,8 @@ endif
 endif
 .PHONY: check
 check: $(BUILD)/check $(HIDDEN:%=$(BUILD)/hidden)
-	@$(if $(SANITIZE),ASAN_OPTIONS=detect_leaks=0 CHECK_TIMEOUT=$${CHECK_TIMEOUT:-60}) \
+	@$(if $(SANITIZE),ASAN_OPTIONS=detect_leaks=0 UBSAN_OPTIONS=print_stacktrace=1 \
+	                CHECK_TIMEOUT=$${CHECK_TIMEOUT:-60}) \
 	$(BUILD)/check --programs $(CHECKED) --differences $(CHECKED)/differences --make '$(MAKE) -s' \
 	    $(if $(REPORT),--junit $(REPORT).xml --json $(REPORT).json --tap $(REPORT).tap \
 	                   --html $(REPORT).html) \

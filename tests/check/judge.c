@@ -136,6 +136,7 @@ static void judge_picture(const struct judging *judging, size_t i, const struct 
     if (item->state == RESULT_FAIL) {
         likeness = looks_find(&judging->looks[i], reference, yours, item->shares.apart.count, 0);
         looks_say(&item->looks, &judging->looks[i], likeness.row);
+        item->looks_task = looks_task(&judging->looks[i], likeness.row);
     }
     write_shares(judging->options->shares, judging->step->name, item, &likeness);
 }
@@ -430,14 +431,22 @@ static bool judge_works(const struct judging *judging, struct error *error) {
 
 /* ---- One step ---- */
 
-/* What has failed is to do while a task that it shows is as the starter has it. */
+static bool is_to_do(const struct judging *judging, const char *task) {
+    return todo_has_task((const char *)judging->source.data, task);
+}
+
+/* What has failed is to do while a task that it shows is as the starter has it. Such a task is not
+ * at fault. */
 static void find_to_do(const struct judging *judging) {
     for (size_t i = 0; i < judging->result->item_count; i++) {
         struct item_result *item = &judging->result->items[i];
         const char *found = NULL;
         for (size_t k = 0; k < item->credit->task_count && found == NULL; k++) {
             const char *task = item->credit->tasks[k].text;
-            found = todo_has_task((const char *)judging->source.data, task) ? task : NULL;
+            found = is_to_do(judging, task) ? task : NULL;
+        }
+        if (found != NULL || is_to_do(judging, item->looks_task.text)) {
+            item->looks_task.text[0] = '\0';
         }
         if (item->state == RESULT_FAIL && found != NULL) {
             item->state = RESULT_TODO;

@@ -29,16 +29,20 @@ void looks_set_place(struct image *pixels, size_t i, struct place place) {
               color_rgb((uint8_t)(bits >> 16), (uint8_t)(bits >> 8), (uint8_t)bits));
 }
 
-/* "2 4711 depth cleared to 0": a line of the list. */
+/* "2 4711 5.2 depth cleared to 0": a line of the list. */
 static bool read_look(struct looks *looks, const char *line, size_t length) {
     struct look look = {.row = 0};
     char text[LOOKS_WORDS_LIMIT + 48];
     unsigned long long row, apart;
     int words = 0;
     snprintf(text, sizeof text, "%.*s", (int)length, line);
-    if (sscanf(text, "%llu %llu %n", &row, &apart, &words) < 2 || text[words] == '\0' ||
+    if (sscanf(text, "%llu %llu %11s %n", &row, &apart, look.task.text, &words) < 3 || words == 0 ||
+        text[words] == '\0' ||
         (row > 0 && (row < LOOKS_FIRST_ROW || row >= looks->pixels.height))) {
         return false;
+    }
+    if (strcmp(look.task.text, "-") == 0) {
+        look.task.text[0] = '\0';
     }
     look.row = (size_t)row;
     look.apart = apart;
@@ -199,4 +203,19 @@ void looks_say(struct result_text *text, const struct looks *looks, size_t row) 
             or = " or ";
         }
     }
+}
+
+struct task_name looks_task(const struct looks *looks, size_t row) {
+    const struct look *first = NULL;
+    for (size_t i = 0; i < looks->count; i++) {
+        const struct look *look = &looks->list[i];
+        if (row == 0 || look->row != row) {
+            continue;
+        }
+        if (first != NULL && strcmp(look->task.text, first->task.text) != 0) {
+            return (struct task_name){""};
+        }
+        first = look;
+    }
+    return first != NULL ? first->task : (struct task_name){""};
 }

@@ -11,8 +11,9 @@
  *                                                blue's lowest on), row 1 the reference, then one
  *                                                row for each picture that mistakes draw
  *     tests/check/looks/stepNN_name/scene.txt    a line for each mistake: its row, how many pixels
- *                                                of it are apart (compare.h), what it is. Row 0:
- *                                                nothing can be told from its picture
+ *                                                of it are apart (compare.h), the task that is at
+ *                                                fault or -, what it is. Row 0: nothing can be told
+ *                                                from its picture
  *
  * A wrong diagnosis is worse than none. So a picture looks like a mistake only when
  *
@@ -37,8 +38,9 @@
 enum { LOOKS_FIRST_ROW = 2, LOOKS_WORDS_LIMIT = 160 };
 
 struct look {
-    size_t row;     /* of the pixels; 0: nothing can be told */
-    uint64_t apart; /* in the whole picture */
+    size_t row;            /* of the pixels; 0: nothing can be told */
+    uint64_t apart;        /* in the whole picture */
+    struct task_name task; /* that is at fault; "" when it is none's */
     char words[LOOKS_WORDS_LIMIT];
 };
 
@@ -66,6 +68,9 @@ struct likeness looks_find(const struct looks *looks, const struct image *refere
 
 /* Add "A" or "B", the mistakes of that row, to the text. */
 void looks_say(struct result_text *text, const struct looks *looks, size_t row);
+
+/* The task at fault in the mistakes of that row; "" when they are not of one task. */
+struct task_name looks_task(const struct looks *looks, size_t row);
 
 /* Column i of row 0 tells where this pixel is. */
 struct place {

@@ -3,10 +3,11 @@
  *
  *     looks_make [-m] STEP SCENE REFERENCE.png LIST DIRECTORY LOOKS
  *
- * LIST has a line for each mistake: its number, a tab, what it is. DIRECTORY/NUMBER/SCENE.png is
- * what it draws, when it draws something wrong there. Writes LOOKS/STEP/SCENE.png and .txt, or
- * removes them where no mistake can be told. With -m it also prints, for each mistake of its own
- * picture, what it would look like if it were not known: a wrong diagnosis.
+ * LIST has a line for each mistake: its number, its task or -, what it is, with tabs between.
+ * DIRECTORY/NUMBER/SCENE.png is what it draws, when it draws something wrong there. Writes
+ * LOOKS/STEP/SCENE.png and .txt, or removes them where no mistake can be told. With -m it also
+ * prints, for each mistake of its own picture, what it would look like if it were not known: a
+ * wrong diagnosis.
  *
  * Exit status: 0 done, 1 something cannot be read or written, 2 wrong usage.
  */
@@ -32,7 +33,7 @@ enum {
 };
 
 struct mistake {
-    char words[LOOKS_WORDS_LIMIT];
+    char task[TASK_NAME_LIMIT], words[LOOKS_WORDS_LIMIT];
     size_t row;     /* 0: nothing can be told */
     uint64_t apart; /* from the reference */
     struct image image;
@@ -60,10 +61,10 @@ static bool are_apart(const struct image *a, const struct image *b, size_t x, si
 
 static bool add_mistake(struct making *making, const char *directory, const char *line,
                         struct error *error) {
-    char place[DRAWN_PATH_LIMIT], words[LOOKS_WORDS_LIMIT];
+    char place[DRAWN_PATH_LIMIT], task[TASK_NAME_LIMIT], words[LOOKS_WORDS_LIMIT];
     unsigned long number;
     struct error ignored;
-    if (sscanf(line, "%lu\t%159[^\n]", &number, words) != 2) {
+    if (sscanf(line, "%lu\t%11s\t%159[^\n]", &number, task, words) != 3) {
         return error_set(error, "not the line of a mistake: %.200s", line);
     }
     struct mistake *mistakes =
@@ -74,6 +75,7 @@ static bool add_mistake(struct making *making, const char *directory, const char
     making->mistakes = mistakes;
     struct mistake *mistake = &mistakes[making->count++];
     *mistake = (struct mistake){.row = 0};
+    memcpy(mistake->task, task, sizeof task);
     memcpy(mistake->words, words, sizeof words);
     snprintf(place, sizeof place, "%s/%lu/%s.png", directory, number, making->scene);
     bool is_drawn = image_read(&mistake->image, place, &ignored);
@@ -220,8 +222,8 @@ static bool write_list(const struct making *making, const char *path, struct err
     bool done = bytes_append(&text, line, strlen(line));
     for (size_t i = 0; i < making->count && done; i++) {
         const struct mistake *mistake = &making->mistakes[i];
-        snprintf(line, sizeof line, "%zu %llu %s\n", mistake->row,
-                 (unsigned long long)mistake->apart, mistake->words);
+        snprintf(line, sizeof line, "%zu %llu %s %s\n", mistake->row,
+                 (unsigned long long)mistake->apart, mistake->task, mistake->words);
         done = bytes_append(&text, line, strlen(line));
     }
     return file_write_encoded(path, done, &text, error);

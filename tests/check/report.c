@@ -22,6 +22,15 @@ static bool is_exact(const struct step_result *step) {
     return step->state == RESULT_PASS;
 }
 
+/* Does an item before this one look like the same mistake? */
+static bool is_told(const struct step_result *step, const struct item_result *item) {
+    bool told = false;
+    for (const struct item_result *other = step->items; other < item; other++) {
+        told |= item->looks.text[0] != '\0' && strcmp(other->looks.text, item->looks.text) == 0;
+    }
+    return told;
+}
+
 static void report_item(const struct step_result *step, const struct item_result *item) {
     printf("  %s%s%s %s %u/%u", item->scene, item->counter[0] != '\0' ? " " : "", item->counter,
            result_state_name(item->state), item->points, item->credit->points);
@@ -29,11 +38,11 @@ static void report_item(const struct step_result *step, const struct item_result
         printf(": %s", item->message.text);
     }
     printf("\n");
-    if (item->looks.text[0] != '\0') {
-        printf("    looks like %s: see %s/README.md, \"Common wrong pictures\"; "
-               "make hint STEP=%.2s TASK=%s\n",
-               item->looks.text, step->name, step->name + strlen("step"),
-               result_first_suspect(step, item));
+    if (is_told(step, item)) {
+        printf("    looks like the same\n");
+    } else if (item->looks.text[0] != '\0') {
+        printf("    looks like %s; make hint STEP=%.2s TASK=%s\n", item->looks.text,
+               step->name + strlen("step"), result_first_suspect(step, item));
     }
 }
 

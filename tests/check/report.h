@@ -7,7 +7,7 @@
  *       zbuffer PASS 4/4: 0.1 % differ (9 pixels), first at (41,30): 9,0,0 for 8,0,0
  *     step05_zbuffer  FAIL 2/4 SCORE 4/10
  *       zbuffer FAIL 0/4: 4.4 % of drawn pixels wrong (limit 0.25 %), first at ...
- *         looks like "depth cleared to 0": see ...; make hint STEP=05 TASK=5.2
+ *         looks like "depth cleared to 0"; make hint STEP=05 TASK=5.2
  *       zbuffer drawn again (halved) FAIL 0/1: is not judged while the picture itself does not pass
  *       knot TODO 0/2: task 5.2 is to do
  *       tasks: 5.1 2/2, 5.2 FAIL 0/6, 5.3 2/2
@@ -17,8 +17,10 @@
  *     step05_zbuffer  ERROR 3/4 SCORE 8/10
  *       depth ERROR 0/2: no reference: ...
  *
- * A task is not FAIL over a scene that it shares when another scene shows it right alone, and
- * `perhaps FAIL` where it is not known which of several is to blame.
+ * The hint's task is that of the known mistake, or else the first that may be to blame. A task is
+ * not FAIL over a scene that it shares when another scene shows it right alone, or when the picture
+ * looks like a mistake of another one of them; and `perhaps FAIL` where it is not known which of
+ * several is to blame, or the picture looks like a mistake of a task that the scene does not show.
  *
  * The fraction in a step's line counts its pictures and counters; all others are points.
  */

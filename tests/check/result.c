@@ -100,8 +100,24 @@ static size_t count_suspects(const struct step_result *result, const struct cred
     return suspects;
 }
 
+/* Is it a known mistake, and that of another task? */
+static bool is_of_another(const struct item_result *item, const struct task_name *task) {
+    return item->looks_task.text[0] != '\0' && strcmp(item->looks_task.text, task->text) != 0;
+}
+
+static bool has_task(const struct credit *credit, const char *task) {
+    bool found = false;
+    for (size_t i = 0; i < credit->task_count; i++) {
+        found |= strcmp(credit->tasks[i].text, task) == 0;
+    }
+    return found;
+}
+
 const char *result_first_suspect(const struct step_result *result, const struct item_result *item) {
     const struct credit *credit = item->credit;
+    if (item->looks_task.text[0] != '\0') {
+        return item->looks_task.text;
+    }
     for (size_t i = 0; i < credit->task_count; i++) {
         if (!is_shown_right(result, &credit->tasks[i])) {
             return credit->tasks[i].text;
@@ -116,11 +132,14 @@ static void add_state(const struct step_result *result, const struct item_result
                       struct task_result *task) {
     size_t suspects = count_suspects(result, item->credit);
     bool fails = item->state == RESULT_FAIL;
+    bool is_known = item->looks_task.text[0] != '\0';
+    bool of_another = is_of_another(item, &task->name);
     bool excused = fails && (suspects > 0 || item->unjudged) && is_shown_right(result, &task->name);
+    excused |= of_another && has_task(item->credit, item->looks_task.text);
     if (item->state > task->state && !excused) {
         task->state = item->state;
-        task->perhaps =
-            fails && (item->unjudged || (suspects != 1 && item->credit->task_count > 1));
+        task->perhaps = fails && (item->unjudged || of_another ||
+                                  (!is_known && suspects != 1 && item->credit->task_count > 1));
     }
 }
 

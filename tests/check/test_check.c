@@ -11,6 +11,7 @@
 #include "wrong/picture.h"
 
 #include "compare.h"
+#include "fault.h"
 #include "file.h"
 #include "image_file.h"
 #include "png.h"
@@ -843,6 +844,28 @@ static void test_redraw(void) {
     image_free(&wanted);
 }
 
+/* Where undefined behaviour is: in the step's own file, though a header's function was called. */
+static void test_place_of_fault(void) {
+    static const struct {
+        const char *messages, *said;
+    } cases[] = {
+        {"/a/step02_b/main.c:12:5: runtime error: index 9 out of bounds\n",
+         "step02_b/main.c:12: index 9 out of bounds"},
+        {"common/raster.h:138:26: runtime error: division by zero\n"
+         "    #0 0x5581 in floor_divide common/raster.h:138\n"
+         "    #1 0x5582 in line step02_b/main.c:126\n"
+         "    #2 0x5583 in draw step02_b/scenes.h:67\n",
+         "step02_b/main.c:126: division by zero"},
+        {"common/raster.h:138:26: runtime error: division by zero\n",
+         "common/raster.h:138: division by zero"},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        struct result_text text = {""};
+        CHECK_ROW(fault_describe(&text, "step02_b", cases[i].messages), cases[i].said);
+        CHECK_TEXT(text.text, cases[i].said);
+    }
+}
+
 static const struct unit_test tests[] = {
     TEST(test_verdicts),
     TEST(test_verdicts_with_messages),
@@ -866,6 +889,7 @@ static const struct unit_test tests[] = {
     TEST(test_scene_tables),
     TEST(test_interrupt),
     TEST(test_redraw),
+    TEST(test_place_of_fault),
 };
 
 int main(void) {

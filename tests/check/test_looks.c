@@ -53,6 +53,7 @@ static void set_up(struct fixture *f) {
         struct look *look = &f->looks.list[f->looks.count++];
         look->row = rows[i];
         look->apart = 1000;
+        strcpy(look->task.text, i == 0 ? "" : "5.2");
         strcpy(look->words, words[i]);
     }
 }
@@ -193,6 +194,21 @@ static void test_names(void) {
     tear_down(&f);
 }
 
+/* The task at fault, when the mistakes that draw the picture are all of one. */
+static void test_tasks(void) {
+    struct fixture f;
+    set_up(&f);
+    CHECK_TEXT(looks_task(&f.looks, 2).text, "");
+    CHECK_TEXT(looks_task(&f.looks, 3).text, "5.2");
+    CHECK_TEXT(looks_task(&f.looks, 4).text, "5.2");
+    strcpy(f.looks.list[3].task.text, "5.3");
+    CHECK_TEXT(looks_task(&f.looks, 4).text, "");
+    CHECK_TEXT(looks_task(&f.looks, 0).text, "");
+    f.looks.list[1].row = 0;
+    CHECK_TEXT(looks_task(&f.looks, 0).text, "");
+    tear_down(&f);
+}
+
 /* Kept of another reference, or of a larger one. */
 static void test_out_of_date(void) {
     struct fixture f;
@@ -213,13 +229,14 @@ static void test_files(void) {
         const char *list;
         size_t count;
     } cases[] = {
-        {"# words\n2 1000 the first\n0 0 nothing\n4 99 a \"b\"\n", 3},
+        {"# words\n2 1000 - the first\n0 0 5.2 nothing\n4 99 10b.12 a \"b\"\n", 3},
         {"", 0},
-        {"5 1000 no such row\n", 0},
-        {"1 1000 the reference\n", 0},
+        {"5 1000 - no such row\n", 0},
+        {"1 1000 - the reference\n", 0},
         {"2 1000\n", 0},
-        {"-3 1000 a\n", 0},
-        {"x 1000 a\n", 0},
+        {"2 1000 -\n", 0},
+        {"-3 1000 - a\n", 0},
+        {"x 1000 - a\n", 0},
     };
     char directory[] = "/tmp/test_looks.XXXXXX", path[64], command[80];
     struct fixture f;
@@ -236,6 +253,8 @@ static void test_files(void) {
         CHECK(file_write(path, cases[i].list, strlen(cases[i].list), &error));
         looks_read(&looks, directory, "a", "b");
         CHECK_ROW(looks.count == cases[i].count, cases[i].list);
+        CHECK(i > 0 || (strcmp(looks.list[0].task.text, "") == 0 &&
+                        strcmp(looks.list[2].task.text, "10b.12") == 0));
         looks_free(&looks);
     }
     looks_read(&looks, directory, "a", "c");
@@ -246,4 +265,5 @@ static void test_files(void) {
 }
 
 UNIT_MAIN(TEST(test_places), TEST(test_what_is_told), TEST(test_doubt), TEST(test_small_pictures),
-          TEST(test_black), TEST(test_names), TEST(test_out_of_date), TEST(test_files))
+          TEST(test_black), TEST(test_names), TEST(test_tasks), TEST(test_out_of_date),
+          TEST(test_files))

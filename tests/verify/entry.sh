@@ -6,7 +6,7 @@ make=$2
 work=$3
 number=$4
 tab=$(printf '\t')
-IFS=$tab read -r _ lesson kind name scene compiler flags says <<END
+IFS=$tab read -r _ lesson kind name scene compiler flags task says <<END
 $(grep "^$number$tab" "$work/table")
 END
 place=$work/$number

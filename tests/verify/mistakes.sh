@@ -23,7 +23,7 @@ trap 'exit 1' HUP INT TERM
 
 # keep LESSON: what its mistakes look like, scene by scene.
 keep() {
-    grep "	$1	" "$work/table" | cut -f 1,8 >"$work/list"
+    grep "	$1	" "$work/table" | cut -f 1,8,9 >"$work/list"
     rm -rf "tests/check/looks/$1"
     # shellcheck disable=SC2013 # one word a line
     for scene in $(awk -v lesson="$1" '$1 == lesson { print $2 }' tests/check/scenes.txt); do

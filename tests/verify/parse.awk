@@ -12,15 +12,17 @@
 #   - double far = INFINITY, near = -INFINITY;
 #   + double far = INFINITY, near = DBL_MIN;
 #
-# `scene` names the scene of tests/check/scenes.txt that must show it. tests/accept/stepNN.txt has
-# programs that are correct, `accept NAME`: all scenes must pass, so it names none. Both may have
+# `scene` names the scene of tests/check/scenes.txt that must show it. The task that is at fault is
+# that of the marks around the changed text; a line `task 2a.3` names another one.
+# tests/accept/stepNN.txt has programs that are correct, `accept NAME`: all scenes must pass, so it
+# names none. Both may have
 #
 #   build CC=clang         another compiler
 #   build CFLAGS=-O3       other flags; without the line -O0
 #
 # and where one of them stands, nothing need be replaced.
 #
-# Prints, with tabs between: number, lesson, mistake or accept, name, scene, compiler, flags,
+# Prints, with tabs between: number, lesson, mistake or accept, name, scene, compiler, flags, task,
 # what it says; - where there is nothing. DIR/NUMBER/main.c is its source.
 
 # Is the scene one of the lesson's?
@@ -42,6 +44,19 @@ function find_lesson(    lesson) {
     }
     ("echo " list "_*/main.c") | getline lesson
     return sub(/\/main\.c$/, "", lesson) && lesson !~ /\*/ ? lesson : ""
+}
+
+# The task of the marks around the first changed text that has some, or -.
+function task_of(source,    i, before, part) {
+    for (i = 1; i <= changes; i++) {
+        before = substr(source, 1, index(source, old[i]) + length(old[i]))
+        sub(/.*END SOLUTION/, "", before)
+        if (sub(/.*BEGIN SOLUTION /, "", before)) {
+            split(before, part, " ")
+            return part[1]
+        }
+    }
+    return "-"
 }
 
 function write_source(text,    place) {
@@ -75,11 +90,14 @@ function finish(    text) {
     }
     check_entry()
     text = changed_text(lesson "/main.c", name)
+    if (task == "-" && kind == "mistake") {
+        task = task_of(source_text(lesson "/main.c"))
+    }
     if (index(name, only) > 0) {
         count++
         write_source(text)
-        printf "%d\t%s\t%s\t%s\t%s\t%s\t%s\t%s\n", \
-            count, lesson, kind, name, scene, compiler, flags, says
+        printf "%d\t%s\t%s\t%s\t%s\t%s\t%s\t%s\t%s\n", \
+            count, lesson, kind, name, scene, compiler, flags, task, says
     }
     name = ""
 }
@@ -97,7 +115,7 @@ function begin_list() {
     kind = $1
     name = $2
     says = ""
-    scene = compiler = flags = "-"
+    scene = task = compiler = flags = "-"
     begin_changes()
     if ((kind == "mistake") != (path ~ /\/mistakes\.txt$/)) {
         wrong(FNR, "mistakes stand in stepNN_name/mistakes.txt, correct programs in tests/accept")
@@ -107,6 +125,7 @@ function begin_list() {
 name == "" { wrong(FNR, "this is in no paragraph of a mistake: " $0); next }
 /^says ./ { says = substr($0, 6); next }
 /^scene ./ { scene = $2; next }
+/^task [1-9][0-9]*[a-z]?\.[1-9][0-9]*$/ { task = $2; next }
 /^build CC=./ { compiler = substr($0, 10); next }
 /^build CFLAGS=./ { flags = substr($0, 14); next }
 { wrong(FNR, "a line that means nothing: " $0) }

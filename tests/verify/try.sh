@@ -24,14 +24,14 @@ describe_others() {
     [ "$status" -eq 1 ] && echo "; all scenes: $said"
 }
 
-# A mistake that is found must look like itself, when its picture can be told from others. Sets told
-# to yes, or no when it cannot.
+# A mistake that is found must look like itself, when its picture can be told from others, and lead
+# to a hint for its task. Sets told to yes, or no when it cannot be told.
 judge_looks() {
     list=tests/check/looks/$lesson/$scene.txt
     redo="make mistakes STEP=${lesson#step}"
     redo=${redo%%_*}
     row=none
-    [ ! -f "$list" ] || row=$(awk -v says="$says" '
+    [ ! -f "$list" ] || row=$(awk -v says="$task $says" '
         substr($0, length($1 " " $2) + 2) == says { row = $1 > row ? $1 : row; found = 1 }
         END { print found ? row + 0 : "none" }' "$list")
     distance=$(awk 'END { print $6 }' "$place/shares" 2>/dev/null)
@@ -41,6 +41,10 @@ judge_looks() {
     *'looks like'*"\"$says\""*)
         told=yes
         [ "$distance" = 0 ] || finding STALE "$redo"
+        case $task:$said in
+        -:* | *" TASK=$task"* | *'looks like'*'" or "'*) ;; # or: perhaps of different tasks
+        *) finding MISLEADS "not to task $task: $said" ;;
+        esac
         ;;
     *'looks like'*) finding MISLEADS "$said ($says)" ;;
     0:*) ;;

@@ -60,7 +60,7 @@ make_table() {
             mkdir "$work/$lesson.$kind" &&
                 awk -v mode=$kind -f tests/starter/marks.awk "$lesson/main.c" \
                     >"$work/$lesson.$kind/main.c" || exit 1
-            printf '%s\t%s\t%s\t%s\t-\t-\t-\t-\n' "$lesson.$kind" "$lesson" $kind $kind
+            printf '%s\t%s\t%s\t%s\t-\t-\t-\t-\t-\n' "$lesson.$kind" "$lesson" $kind $kind
         done
     done >>"$work/table"
 }
