@@ -73,6 +73,10 @@ $(BUILD)/tested/%.o: %.c $(BUILD)/tested/flags
 	@mkdir -p $(@D)
 	$(TESTED) -c $< -o $@
 
+$(BUILD)/tested/tests/help/page_files.o: $(BUILD)/tests/help/page_files.c $(BUILD)/tested/flags
+	@mkdir -p $(@D)
+	$(TESTED) -Itests/help -c $< -o $@
+
 # A test that defines __wrap_malloc() or the like gets the calls of malloc() (--wrap of GNU ld).
 WRAPPED = $$(sed -n 's/.*__wrap_\([a-z]*\).*{$$/-Wl,--wrap=\1/p' tests/unit/$*.c)
 
