@@ -4,7 +4,7 @@
  * The light that a pixel sends to the eye is the sum of three parts: ambient (from everywhere),
  * diffuse (scattered by the surface) and specular (mirrored towards the eye, more or less sharply).
  * The normal comes from the mesh or from the normal map, the colour from a constant or the texture.
- * All of it is computed for sixteen pixels at once (common/lanes.h).
+ * All of it is computed for up to sixteen pixels at once (common/lanes.h).
  */
 #include "pipeline_program.h"
 
@@ -68,7 +68,8 @@ static struct lanes2 phong(struct lanes3 normal, struct lanes3 to_light, struct 
     /* STARTER
     lanes diffuse = lanes_all(0); // to do 10a.3: n . l; where it is not above 0, both are 0
     lanes mirrored = lanes3_dot(reflect(normal, to_light), to_eye); // to do 10a.3: not below 0
-    return (struct lanes2){diffuse, integer_power(mirrored, power, largest_power)};
+    lanes specular = integer_power(mirrored, power, largest_power);
+    return (struct lanes2){diffuse, specular}; // to do 10a.3: specular is 0 where diffuse is 0
     END SOLUTION */
 }
 
@@ -95,8 +96,9 @@ static lanes_texel illuminate(const struct uniforms *u, const struct surface *su
                      color.z * scattered + mirrored);
     /* STARTER
     struct lanes3 to_eye = lanes3_all((struct vec3){0, 0, 1}); // to do 10a.4: of length 1
+    int largest_power = 32; // to do 10a.4: the surface's
     struct lanes2 light =
-        phong(surface->normal, lanes3_all(u->to_light), to_eye, surface->power, 32);
+        phong(surface->normal, lanes3_all(u->to_light), to_eye, surface->power, largest_power);
     (void)light;
     return lanes_black(); // to do 10a.4: the three parts in each channel, through lanes_rgb()
     END SOLUTION */
@@ -226,13 +228,13 @@ static lanes_mask full_fragment(const void *uniforms, const lanes *varyings, lan
     END SOLUTION */
 }
 
-/* The same with the weight of the specular part read from the specular map. Three textures: all are
- * fetched before any is used, so that the processor waits for memory once and not three times. */
+/* The same with the weight of the specular part read from the specular map. */
 static lanes_mask weight_map_fragment(const void *uniforms, const lanes *varyings,
                                       lanes_texel *color) {
     /* BEGIN SOLUTION 10b.3 the specular map */
     const struct uniforms *u = uniforms;
     struct lanes2 uv = uv_of(varyings);
+    /* All are fetched before any is used, so that we wait for memory once and not three times. */
     struct texel_place place = {0};
     struct texels colors = texture_fetch(u->diffuse, uv, u->diffuse_level, &place);
     struct texels normals = texture_fetch(u->normal_map, uv, u->normal_level, &place);
