@@ -103,9 +103,9 @@ static bool draw_bust(struct model *bust, const char *directory, struct error *e
         {attempt_3_normal, {0, 0, 1}},
     };
     static const struct picture clamps[] = {
-        {attempt_2_gouraud, {-1, 0.25, 0}},
-        {attempt_5_late, {-1, 0.25, 0}},
         {attempt_6_wrapped, {-1, 0.25, 0}},
+        {attempt_5_late, {-1, 0.25, 0}},
+        {attempt_2_gouraud, {-1, 0.25, 0}},
     };
     return model_need_normals(bust, error) &&
            draw_pictures(directory, "versions", bust, versions, 3, error) &&

@@ -91,7 +91,7 @@ static bool depth_test(struct canvas *canvas, const struct vertex v[3], struct v
     return true;
 }
 
-/* The triangle of step 5 with an intensity at each corner, interpolated like the depth. */
+/* The triangle of step 5 with an intensity at each corner, interpolated in between. */
 static void triangle(struct canvas *canvas, const struct edges *edges, const struct vertex v[3]) {
     for (int y = edges->y_begin; y < edges->y_end; y++) {
         struct span span = edges_span(edges, y);
@@ -199,7 +199,8 @@ static const struct panel {
     {.column = 1, .row = 0, .ambient = 1, .diffuse = 1, .specular = 1},
 };
 
-/* ambient * c + diffuse * c + specular * cl for each channel: the parts that the panel shows. */
+/* For each channel (panel->ambient * aa + panel->diffuse * diffuse part) * c + panel->specular *
+ * specular part * cl. */
 static struct color panel_color(const struct panel *panel, struct light_parts parts,
                                 const struct material *material) {
     /* BEGIN SOLUTION 7b.3 light inside a triangle */
