@@ -29,30 +29,12 @@ static inline struct color attempt_round_channels(struct vec4 c) {
     return color_rgb(level_from(c.x), level_from(c.y), level_from(c.z));
 }
 
-/* find_neighbours() without the half texel. */
-static inline struct neighbours attempt_neighbours(double coordinate, size_t size) {
-    double position = texture_clamp(coordinate * (double)size, (double)(size - 1));
-    size_t first = (size_t)position;
-    return (struct neighbours){
-        .first = first,
-        .second = first + 1 < size ? first + 1 : first,
-        .part = position - (double)first,
-    };
-}
-
-/* Wrong: takes the corner of a texel for its centre. Smooth, but shifted by half a texel too. */
+/* Wrong: takes the corner of a texel for its centre. Smooth, but shifted by half a texel too: it
+ * shows what lies half a texel further on. */
 static inline struct color attempt_sample_unshifted(const struct texture *texture, struct vec2 uv) {
     const struct texture_level *level = &texture->level[0];
-    struct neighbours x = attempt_neighbours(uv.x, level->width);
-    struct neighbours y = attempt_neighbours(uv.y, level->height);
-    const uint32_t *lower = level->texels + y.first * level->width;
-    const uint32_t *upper = level->texels + y.second * level->width;
-    return attempt_round_channels(
-        texture_mix(texture_mix(channels_from_texel(lower[x.first]),
-                                channels_from_texel(lower[x.second]), x.part),
-                    texture_mix(channels_from_texel(upper[x.first]),
-                                channels_from_texel(upper[x.second]), x.part),
-                    y.part));
+    struct vec2 further = {uv.x + 0.5 / (double)level->width, uv.y + 0.5 / (double)level->height};
+    return attempt_round_channels(sample_bilinear(texture, further, 0));
 }
 
 /* Right up close. Far away, where a pixel covers many texels, it sees only four of them. */

@@ -112,7 +112,7 @@ static const struct version {
 };
 
 enum { VERSION_COUNT = sizeof versions / sizeof versions[0], SCENE_SIDE = 800 };
-enum { VERSION_NEAREST = 1, VERSION_BILINEAR = 3, VERSION_EVERY_16 = 5, VERSION_GOOD = 7 };
+enum { VERSION_NEAREST = 1, VERSION_BILINEAR = 3, VERSION_GOOD = 7 };
 
 static bool draw_versions(struct image images[VERSION_COUNT], const struct texture *checker,
                           struct error *error) {
@@ -148,12 +148,10 @@ static bool draw_parts(const char *directory, const char *name, const struct ima
 /* Draw the scene by every version, print their errors, and show where they differ. */
 static bool draw_scene(const char *directory, const struct texture *checker, struct error *error) {
     static const size_t horizon[] = {VERSION_NEAREST, VERSION_BILINEAR, VERSION_GOOD};
-    static const size_t waves[] = {VERSION_EVERY_16, VERSION_GOOD};
-    const struct detail far = {200, 440, 162, 120, .zoom = 2}, near = {0, 350, 108, 80, .zoom = 3};
+    const struct detail far = {200, 440, 162, 120, .zoom = 2};
     struct image images[VERSION_COUNT] = {{0}};
     bool done = draw_versions(images, checker, error) &&
-                draw_parts(directory, "horizon", images, horizon, 3, far, error) &&
-                draw_parts(directory, "waves", images, waves, 2, near, error);
+                draw_parts(directory, "horizon", images, horizon, 3, far, error);
     for (size_t i = 0; i < VERSION_COUNT; i++) {
         image_free(&images[i]);
     }

@@ -44,7 +44,7 @@ struct vertex {
 /* What is drawn on, and the work done on it. */
 struct canvas {
     struct image *image;
-    double *depth;          /* one a pixel, row by row from the bottom; NULL without depth test */
+    double *depth;          /* one a pixel, row by row from the bottom; none in perspective */
     bool nearest;           /* in perspective: sampler 1, without mip levels */
     bool skip;              /* fetch a texel only where it will be seen */
     uint64_t pixels_tested; /* covered by a triangle */
