@@ -60,7 +60,7 @@ typedef uint32_t lanes_texel __attribute__((vector_size(LANES * sizeof(uint32_t)
 typedef __typeof__((lanes){0} > (lanes){0}) lanes_mask;
 
 LANES_INLINE lanes lanes_all(real value) {
-    return (lanes){0} + value;
+    return value - (lanes){0};
 }
 
 /* Where the mask is set a, elsewhere b. */
@@ -98,6 +98,32 @@ LANES_INLINE bool lanes_is_set(lanes_mask mask, int i) {
 LANES_INLINE lanes_mask lanes_all_set(void) {
     lanes lower = {0}, higher = lower + 1;
     return lower < higher;
+}
+
+/* Bit i of the result is set where lane i of the mask is. */
+LANES_INLINE uint32_t lanes_bits(lanes_int mask) {
+    typedef uint16_t lanes_short __attribute__((vector_size(LANES * sizeof(uint16_t))));
+    lanes_int bit = {0};
+    for (int i = 0; i < LANES; i++) {
+        bit[i] = 1 << i;
+    }
+    lanes_short bits = __builtin_convertvector(mask & bit, lanes_short);
+    uint64_t words[sizeof bits / sizeof(uint64_t)], all = 0;
+    memcpy(words, &bits, sizeof words);
+    for (size_t i = 0; i < sizeof words / sizeof *words; i++) {
+        all |= words[i];
+    }
+    all |= all >> 32;
+    return (uint16_t)(all | all >> 16);
+}
+
+/* The mask that is set for lane `first` and those behind it. */
+LANES_INLINE lanes_mask lanes_not_before(int first) {
+    lanes_int place = {0};
+    for (int i = 0; i < LANES; i++) {
+        place[i] = i;
+    }
+    return __builtin_convertvector(~((place - first) >> 31), lanes_mask);
 }
 
 /* first, first + 1, first + 2, ...: as integers, and below as numbers. */
@@ -164,6 +190,14 @@ LANES_INLINE bool lanes_is_set(lanes_mask mask, int i) {
 
 LANES_INLINE lanes_mask lanes_all_set(void) {
     return 1;
+}
+
+LANES_INLINE uint32_t lanes_bits(lanes_int mask) {
+    return mask != 0;
+}
+
+LANES_INLINE lanes_mask lanes_not_before(int first) {
+    return first <= 0;
 }
 
 LANES_INLINE lanes_int lanes_int_from(int first) {

@@ -72,7 +72,7 @@ static bool scratch_reserve(struct scratch *scratch, const struct pipeline *p, s
     size_t pixels = band_stride(p) * BAND_HEIGHT;
     if (scratch->depth == NULL) {
         scratch->depth = malloc(pixels * sizeof *scratch->depth);
-        scratch->number = calloc(pixels, sizeof *scratch->number);
+        scratch->number = calloc(pixels + 1, sizeof *scratch->number);
         scratch->touched = calloc(pixels / CHUNK, sizeof *scratch->touched);
         scratch->farthest = malloc(pixels / CHUNK * sizeof *scratch->farthest);
         if (scratch->depth == NULL || scratch->number == NULL || scratch->touched == NULL ||

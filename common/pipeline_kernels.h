@@ -332,26 +332,67 @@ KERNEL uint32_t fetch_visible(const struct shading *s, const struct shader *shad
     return count;
 }
 
-/* The varyings of pixels x, x + 1, ... of row y. */
+/* ---- The varyings of several pixels at once ---- */
+
+/* The planes of LANES neighbours of a row, which may belong to several pieces. */
+struct lanes_planes {
+    lanes right; /* from the planes' x0 */
+    lanes least;
+    lanes corner[VARYING_LIMIT], at_x0[VARYING_LIMIT + 1], dx[VARYING_LIMIT + 1];
+};
+
+/* Where the mask is set, the planes become those of a piece at pixels x, x + 1, ... of row y. */
+KERNEL void take_planes(struct lanes_planes *to, lanes_mask mask, const struct shader *shader,
+                        const struct planes *from, int x, int y) {
+    real up = (real)y - from->y0;
+    to->right = lanes_select(mask, lanes_from(x) - from->x0, to->right);
+    to->least = lanes_select(mask, lanes_all(from->least), to->least);
+    for (size_t i = 0; i <= shader->varying_count; i++) {
+        const struct varying_plane *plane = &from->plane[i];
+        if (i < shader->varying_count) {
+            to->corner[i] = lanes_select(mask, lanes_all(plane->corner), to->corner[i]);
+        }
+        to->at_x0[i] = lanes_select(mask, lanes_all(plane->origin + plane->dy * up), to->at_x0[i]);
+        to->dx[i] = lanes_select(mask, lanes_all(plane->dx), to->dx[i]);
+    }
+}
+
+/* Planes that are 0 everywhere. */
+KERNEL void clear_planes(struct lanes_planes *planes, const struct shader *shader) {
+    planes->right = lanes_all(0);
+    planes->least = lanes_all(1);
+    for (size_t i = 0; i <= shader->varying_count; i++) {
+        planes->at_x0[i] = planes->dx[i] = lanes_all(0);
+        if (i < shader->varying_count) {
+            planes->corner[i] = lanes_all(0);
+        }
+    }
+}
+
+KERNEL void planes_at_pixels(const struct lanes_planes *planes, const struct shader *shader,
+                             lanes *varyings) {
+    size_t n = shader->varying_count;
+    lanes over_w = planes->right * planes->dx[n] + planes->at_x0[n];
+    lanes w = 1 / lanes_max(over_w, planes->least);
+    for (size_t i = 0; i < n; i++) {
+        lanes value = planes->right * planes->dx[i] + planes->at_x0[i];
+        varyings[i] = planes->corner[i] + value * w;
+    }
+}
+
+/* The varyings of pixels x, x + 1, ... of row y, all of one piece. */
 KERNEL void interpolate_varyings(const struct shader *shader, const struct planes *planes, int x,
                                  int y, lanes *varyings) {
-    size_t n = shader->varying_count;
     if (shader->flat) {
-        for (size_t i = 0; i < n; i++) {
+        for (size_t i = 0; i < shader->varying_count; i++) {
             varyings[i] = lanes_all(planes->plane[i].corner);
         }
         return;
     }
-    lanes right = lanes_from(x) - planes->x0;
-    real up = (real)y - planes->y0;
-    const struct varying_plane *bottom = &planes->plane[n];
-    lanes over_w = right * bottom->dx + (bottom->origin + bottom->dy * up);
-    lanes w = 1 / lanes_max(over_w, lanes_all(planes->least));
-    for (size_t i = 0; i < n; i++) {
-        const struct varying_plane *top = &planes->plane[i];
-        lanes value = right * top->dx + (top->origin + top->dy * up);
-        varyings[i] = top->corner + value * w;
-    }
+    struct lanes_planes same;
+    clear_planes(&same, shader);
+    take_planes(&same, lanes_all_set(), shader, planes, x, y);
+    planes_at_pixels(&same, shader, varyings);
 }
 
 /* ---- Writing pixels ---- */
@@ -392,35 +433,36 @@ KERNEL bool has_number(const struct shading *s, uint32_t number) {
     return number > (uint32_t)s->numbers.begin && number <= (uint32_t)s->numbers.end;
 }
 
-/* The varyings of LANES pixels, which may belong to several pieces: run by run of equal numbers.
- * False when none of them is of this draw call. */
+/* Where runs of equal numbers begin: bit 0, and bit i where pixel i has another number than the one
+ * before it. The number behind the LANES pixels is read, too. */
+KERNEL uint32_t find_runs(const uint32_t number[LANES + 1]) {
+    lanes_texel here, next;
+    memcpy(&here, number, sizeof here);
+    memcpy(&next, number + 1, sizeof next);
+    uint32_t ends = lanes_bits((lanes_int)(here != next));
+    return (ends << 1 & ((UINT32_C(1) << LANES) - 1)) | 1;
+}
+
+/* The varyings of LANES pixels, which may belong to several pieces: the planes are taken run by
+ * run, and divided by w once. False when none of the pixels is of this draw call. */
 KERNEL bool gather_varyings(const struct shading *s, const struct shader *shader,
-                            const uint32_t number[LANES], int x, int y, lanes *varyings) {
-    bool first = true;
-    for (size_t i = 0; i < shader->varying_count; i++) {
-        varyings[i] = lanes_all(0);
-    }
-    for (int begin = 0, end; begin < LANES; begin = end) {
-        for (end = begin + 1; end < LANES && number[end] == number[begin]; end++) {
-        }
-        if (!has_number(s, number[begin])) {
-            continue;
-        }
-        const struct planes *planes =
-            planes_at(s->scratch, shader, s->scratch->fetched[number[begin]]);
-        if (first) {
-            interpolate_varyings(shader, planes, x, y, varyings);
-            first = false;
-            continue;
-        }
-        lanes of_run[VARYING_LIMIT];
-        interpolate_varyings(shader, planes, x, y, of_run);
-        lanes_mask later = lanes_from(0) >= (real)begin;
-        for (size_t i = 0; i < shader->varying_count; i++) {
-            varyings[i] = lanes_select(later, of_run[i], varyings[i]);
+                            const uint32_t number[LANES + 1], int x, int y, lanes *varyings) {
+    struct lanes_planes planes;
+    bool found = false;
+    clear_planes(&planes, shader);
+    for (uint32_t runs = find_runs(number); runs != 0; runs &= runs - 1) {
+        int first = __builtin_ctz(runs);
+        if (has_number(s, number[first])) {
+            uint32_t place = s->scratch->fetched[number[first]];
+            take_planes(&planes, lanes_not_before(first), shader,
+                        planes_at(s->scratch, shader, place), x, y);
+            found = true;
         }
     }
-    return !first;
+    if (found) {
+        planes_at_pixels(&planes, shader, varyings);
+    }
+    return found;
 }
 
 /* The colours of LANES pixels of flat pieces; those of other draw calls are of no use. */
@@ -444,7 +486,7 @@ struct pixels {
 
 /* Find what is to be shaded at (x,y). False when none of the pixels is of this draw call. */
 KERNEL bool gather_pixels(const struct shading *s, const struct shader *shader,
-                          const uint32_t number[LANES], int x, int y, struct pixels *pixels) {
+                          const uint32_t number[LANES + 1], int x, int y, struct pixels *pixels) {
     lanes_texel numbers;
     memcpy(&numbers, number, sizeof numbers);
     pixels->x = x;
@@ -472,7 +514,8 @@ KERNEL void shade_pixels(const struct shading *s, const struct shader *shader,
     write_lanes(s->image, pixels->x, pixels->y, color, pixels->drawn);
 }
 
-/* Each visible pixel of the draw call once. */
+/* Each visible pixel of the draw call once, in columns: what lies above a chunk is mostly of the
+ * same pieces, and its texels lie beside those just fetched. */
 KERNEL void shade_visible(const struct shading *s, const struct shader *shader) {
     struct span columns = s->draw->columns;
     size_t stride = band_stride(s->pipeline);
@@ -480,15 +523,17 @@ KERNEL void shade_visible(const struct shading *s, const struct shader *shader) 
     if (fetch_visible(s, shader) == 0) {
         return;
     }
-    for (int y = s->rows.begin; y < s->rows.end; y++) {
-        const uint32_t *row = s->scratch->number + (size_t)(y - s->rows.begin) * stride;
-        const bool *touched = s->scratch->touched + (size_t)(y - s->rows.begin) * (stride / CHUNK);
-        for (int x = columns.begin / CHUNK * CHUNK; x < columns.end; x += LANES) {
+    for (int x = columns.begin / CHUNK * CHUNK; x < columns.end; x += LANES) {
+        const uint32_t *number = s->scratch->number + x;
+        const bool *touched = s->scratch->touched + x / CHUNK;
+        for (int y = s->rows.begin; y < s->rows.end; y++) {
             struct pixels pixels;
-            if (touched[x / CHUNK] && gather_pixels(s, shader, row + x, x, y, &pixels)) {
+            if (*touched && gather_pixels(s, shader, number, x, y, &pixels)) {
                 shade_pixels(s, shader, &pixels);
                 shaded += pixels.drawn & 1;
             }
+            number += stride;
+            touched += stride / CHUNK;
         }
     }
     s->work->shaded += lanes_sum(shaded);
