@@ -20,14 +20,6 @@ static const struct color grey = {130, 130, 130, 255};
 typedef bool corner_function(const struct model *model, const struct corner *corner,
                              struct pixel *pixel);
 
-/* OBJ counts from 1, arrays from 0; here 1 was not taken away. (The last one would lie outside the
- * array: here it becomes the first.) */
-static bool corner_one_too_far(const struct model *model, const struct corner *corner,
-                               struct pixel *pixel) {
-    size_t position = (corner->position + (size_t)1) % model->position_count;
-    return to_pixel(model->positions[position], SMALL, SMALL, pixel);
-}
-
 /* x * width / 2 without adding 1 first: the model's middle comes to the corner of the image. */
 static bool corner_not_shifted(const struct model *model, const struct corner *corner,
                                struct pixel *pixel) {
@@ -247,8 +239,7 @@ bool draw_figures(const char *directory, struct model *bust, struct error *error
     if (sides == NULL) {
         return error_out_of_memory(error);
     }
-    bool done = draw_wrong(directory, "one_too_far", bust, corner_one_too_far, error) &&
-                draw_wrong(directory, "not_shifted", bust, corner_not_shifted, error) &&
+    bool done = draw_wrong(directory, "not_shifted", bust, corner_not_shifted, error) &&
                 draw_wrong(directory, "upside_down", bust, corner_upside_down, error) &&
                 draw_rounded_line(directory, error) &&
                 draw_small_scene(directory, "square", draw_square, 100, 100, error) &&

@@ -1,10 +1,10 @@
 /*
  * Step 2, the given part: its scenes and the program.
  *
- * `square` draws the sides of two faces, `wireframe` those of a model, white on black. `border`
- * draws a quarter of its faces and `enlarged` the model much larger than the image, in images that
- * are not square. `cut` draws single lines, and `walked` how many pixels line() walked over for
- * each of these.
+ * `square` draws the sides of two faces, `points` the positions of a model as pixels, and
+ * `wireframe` its sides, white on black. `border` draws a quarter of its faces and `enlarged` the
+ * model much larger than the image, in images that are not square. `cut` draws single lines, and
+ * `walked` how many pixels line() walked over for each of these.
  */
 #ifdef LINE_IS_MINE /* make LINE=mine: the line() of lesson 1 draws */
 #include "mine.h"
@@ -39,6 +39,43 @@ static bool prepare(struct drawing *drawing, size_t width, size_t height, struct
 static void finish(struct drawing *drawing) {
     struct wireframe *wireframe = drawing->state;
     free(wireframe->sides);
+}
+
+/* ---- Points ---- */
+
+enum { FAR_BOX = 10 }; /* pixels of a side */
+
+/* Positions far outside: the first three within LINE_LIMIT, the others beyond it. */
+static const struct vec3 far_positions[] = {
+    {4e6, 0, 0},  {0, -5e6, 0},  {-4e6, 5e6, 0}, {6e6, 0, 0},
+    {0, -6e6, 0}, {-1e30, 0, 0}, {0, 1e30, 0},   {1e30, -1e30, 0},
+};
+enum { FAR_POSITIONS = sizeof far_positions / sizeof far_positions[0] };
+
+/* A box at the top left for each of these that has a pixel. */
+static void draw_far_positions(struct image *image) {
+    for (int i = 0; i < FAR_POSITIONS; i++) {
+        struct pixel pixel;
+        if (!to_pixel(far_positions[i], image->width, image->height, &pixel)) {
+            continue;
+        }
+        for (int k = 0; k < FAR_BOX * FAR_BOX; k++) {
+            image_set(image, FAR_BOX / 2 + 2 * FAR_BOX * i + k % FAR_BOX,
+                      (int)image->height - 2 * FAR_BOX + k / FAR_BOX, color_rgb(0, 255, 0));
+        }
+    }
+}
+
+static bool draw_points(struct drawing *drawing, struct image *image, struct error *error) {
+    (void)error;
+    draw_far_positions(image);
+    for (size_t i = 0; i < drawing->model->position_count; i++) {
+        struct pixel pixel;
+        if (to_pixel(drawing->model->positions[i], image->width, image->height, &pixel)) {
+            image_set(image, pixel.x, pixel.y, color_rgb(255, 255, 255));
+        }
+    }
+    return true;
 }
 
 /* ---- Wireframes ---- */
@@ -213,6 +250,7 @@ static bool draw_walked(struct drawing *drawing, struct image *image, struct err
 
 static const struct scene scenes[] = {
     {.name = "square", .width = 100, .height = 100, .draw = draw_square},
+    {.name = "points", .needs = NEEDS_MODEL, .width = 240, .height = 200, .draw = draw_points},
     {.name = "wireframe", .needs = NEEDS_MODEL, .draw = draw_wireframe},
     {.name = "border", .needs = NEEDS_MODEL, .width = 480, .height = 360, .draw = draw_border},
     {.name = "enlarged", .needs = NEEDS_MODEL, .width = 480, .height = 360, .draw = draw_enlarged},

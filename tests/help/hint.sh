@@ -43,10 +43,12 @@ choose_task() {
     if [ -z "$task" ]; then
         task=$(echo "$to_do" | head -n 1)
     fi
-    [ -n "$task" ] ||
-        fail 2 "nothing is left to do in $main. Say for which task you want a hint, for example
+    if [ -z "$task" ]; then
+        echo "Nothing is left to do in $main. Say for which task you want a hint, for example
     make hint STEP=$number TASK=$(echo "$hints" | head -n 1 | cut -f 1)
 There are: $(all_tasks)"
+        exit 0
+    fi
     echo "$hints" | cut -f 1 | grep -qxF -e "$task" ||
         fail 2 "there is no task \"$task\" in this lesson. There are: $(all_tasks)"
     others=$(echo "$to_do" | grep -vxF -e "$task" | tr '\n' ' ' | sed 's/ $//')

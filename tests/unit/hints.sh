@@ -97,8 +97,8 @@ silent 'Third'
 sed -i.old 's/to do 5.2: one thing; //' step05_zbuffer/main.c
 says 0 'Third of ten.' STEP=05
 sed -i.old 's/to do 5.10//' step05_zbuffer/main.c
-says 1 'nothing is left to do' STEP=05
-says 1 'There are: 5.1 5.2 5.10' STEP=05
+says 0 'Nothing is left to do' STEP=05
+says 0 'There are: 5.1 5.2 5.10' STEP=05
 says 1 'there is no task "5.20" in this lesson' STEP=05 TASK=5.20
 says 1 'there is no task "5." in this lesson' STEP=05 TASK=5.
 says 1 'step10_phong has no hints.txt' STEP=10
