@@ -92,7 +92,7 @@ END
     done
     printf '\n## Points\n\n'
     # shellcheck disable=SC2086 # one word a file
-    awk -v titles="$work/titles" -f tests/handout/points.awk $sums
+    awk -v titles="$work/titles" -f tests/check/report.awk -f tests/handout/points.awk $sums
 } >"$new/README.md" || fail 1 "cannot write $new"
 
 finish_texts

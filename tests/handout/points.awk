@@ -1,19 +1,8 @@
 # The points of each task, as a table, from what the check has written of solutions.
 #
-#   awk -v titles=FILE -f points.awk WORK/step05_zbuffer.json...
+#   awk -v titles=FILE -f report.awk -f points.awk WORK/step05_zbuffer.json...
 #
 # FILE has a line `5.2<TAB>title` for each task.
-
-function text_of(name,    rest) {
-    if (!match($0, "\"" name "\": \"[^\"]*\"")) return ""
-    rest = substr($0, RSTART, RLENGTH - 1)
-    sub(/.*"/, "", rest)
-    return rest
-}
-
-function number_of(name) {
-    return match($0, "\"" name "\": [0-9]+") ? substr($0, RSTART + length(name) + 4) + 0 : 0
-}
 
 function print_lesson(    i) {
     for (i = 1; i <= tasks; i++)
@@ -31,20 +20,17 @@ BEGIN {
 }
 
 FNR == 1 { print_lesson() }
-/^ *"step": / { lesson = text_of("step") }
-/^ *{"task": / {
+{ lesson = step }
+is_task() {
     task[++tasks] = text_of("task")
     points[task[tasks]] = number_of("most")
     sum += number_of("most")
 }
-# Its tasks are the last list of an item; what shows them is a picture, or a counter of work.
-/^ *{"scene": / {
-    name = text_of("scene") (text_of("counter") == "" ? "" : ": " text_of("counter"))
-    match($0, /"tasks": \[[^]]*/)
-    count = split(substr($0, RSTART + 10, RLENGTH - 10), of, ", ")
+is_item() {
+    count = split(tasks_of(), of, ", ")
     for (i = 1; i <= count; i++) {
         gsub(/"/, "", of[i])
-        shown[of[i]] = shown[of[i]] (shown[of[i]] == "" ? " " : "; ") name
+        shown[of[i]] = shown[of[i]] (shown[of[i]] == "" ? " " : "; ") item_name()
     }
 }
 
