@@ -71,7 +71,8 @@ BEGIN {
 
 $2 == lesson && $3 == "mistake" {
     said = finding(lines_of(work "/" $1 ".said"))
-    print "<article id=\"" $4 "\">\n<h2>" $4 "</h2>\n<p>" escaped($8) "</p>"
+    print "<article id=\"" $4 "\">\n<h2>" $4 "</h2>"
+    print "<p>" escaped($9) ($8 == "-" ? "" : " (task " $8 ")") "</p>"
     print "<div class=\"pictures\">"
     mistaken = "mistakes/" $4 ".png"
     if (is_there(page "/" mistaken)) print_picture(mistaken, "this mistake, scene " $5)

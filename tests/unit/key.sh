@@ -84,7 +84,8 @@ page=step01_line/mistakes.html
 grep -o '<h2>.*</h2>' $page >"$work/said"
 [ "$(tr -d '\n' <"$work/said")" = '<h2>axes</h2><h2>next_column</h2><h2>killed</h2>' ] ||
     wrong "other mistakes"
-grep -qF '<p>x &amp; y exchanged: "41" &lt;before&gt; 52</p>' $page || wrong "no sentence in HTML"
+grep -qF '<p>x &amp; y exchanged: "41" &lt;before&gt; 52 (task 1.1)</p>' $page ||
+    wrong "no sentence in HTML"
 grep -q '^+ *image_set(image, 41, 52,' $page || wrong "nobody sees what was changed"
 grep -q 'CRASH' $page || wrong "nobody sees that a program was killed"
 [ "$(grep -c 'src="reference/pixel.png"' $page)" -eq 2 ] || wrong "no references"
