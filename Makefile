@@ -170,7 +170,8 @@ endif
 # Its parts; the files with a main() are not among them.
 CHECKER = $(patsubst %.c,$(BUILD)/%.o,$(filter-out %/check.c %/references.c %/looks_make.c \
               tests/check/test_%.c,$(wildcard tests/check/*.c))) \
-          $(addprefix $(BUILD)/tests/help/,base64.o page.o pictures.o)
+          $(addprefix $(BUILD)/tests/help/,base64.o escape.o page.o page_files.o \
+                                               pictures.o)
 
 # The check builds the lessons itself: one that does not build is a finding, not the end.
 # SANITIZE=1: their main.c with the sanitizers, which tell in which line a program goes wrong. They
@@ -204,6 +205,19 @@ $(BUILD)/check: $(BUILD)/tests/check/check.o $(CHECKER) $(BUILD)/libcommon.a
 $(BUILD)/tests/%.o: tests/%.c $(BUILD)/flags
 	@mkdir -p $(@D)
 	$(EXACT) $(OPENMP) -Itests/oracle -c $< -o $@
+
+# Style and script of the pages, as strings of C.
+$(BUILD)/tests/help/page_files.c: tests/help/page.css tests/help/page.js
+	@mkdir -p $(@D)
+	@{ echo '#include "page.h"'; \
+	   for file in css js; do \
+	       echo "const char *const page_$$file[] = {"; \
+	       sed 's/[\\"]/\\&/g; s/.*/    "&\\n",/' tests/help/page.$$file; \
+	       echo '    NULL};'; \
+	   done; } >$@
+
+$(BUILD)/tests/help/page_files.o: $(BUILD)/tests/help/page_files.c $(BUILD)/flags
+	$(EXACT) -Itests/help -c $< -o $@
 
 # ---- make start, make solution ----
 

@@ -39,6 +39,14 @@ charts:
 	        echo "$$step: no chart yet; make bench draws it"; \
 	    fi; done
 
+# ---- Submissions that are alike, of a class ----
+
+SIMILAR = $(patsubst %.c,$(BUILD)/%.o,$(filter-out %/similar.c tests/similar/test_%.c, \
+              $(wildcard tests/similar/*.c)))
+
+$(BUILD)/similar: $(BUILD)/tests/similar/similar.o $(SIMILAR) $(CHECKER) $(BUILD)/libcommon.a
+	$(LINK) $^ -lm -o $@
+
 # ---- make test ----
 
 # The tests' own build of everything: sanitized, and without threads.
@@ -49,6 +57,7 @@ TESTED   = $(CC) $(STRICT) $(WARNINGS) $(WERROR) $(SANITIZED) $(DEFINES) -Icommo
 UNITS    = $(patsubst %.c,$(BUILD)/tests/%,$(notdir $(wildcard tests/unit/test_*.c)))
 CHECKERS = $(patsubst %.c,$(BUILD)/tests/%,$(notdir $(wildcard tests/check/test_*.c)))
 HELPERS  = $(patsubst %.c,$(BUILD)/tests/%,$(notdir $(wildcard tests/help/test_*.c)))
+ALIKE    = $(patsubst %.c,$(BUILD)/tests/%,$(notdir $(wildcard tests/similar/test_*.c)))
 REPLAYS  = $(patsubst %.c,$(BUILD)/tests/%,$(notdir $(wildcard tests/fuzz/fuzz_*.c)))
 SCRIPTS  = $(wildcard tests/unit/*.sh) tests/fuzz/replay.sh
 
@@ -64,6 +73,10 @@ $(BUILD)/tested/%.o: %.c $(BUILD)/tested/flags
 	@mkdir -p $(@D)
 	$(TESTED) -c $< -o $@
 
+$(BUILD)/tested/tests/help/page_files.o: $(BUILD)/tests/help/page_files.c $(BUILD)/tested/flags
+	@mkdir -p $(@D)
+	$(TESTED) -Itests/help -c $< -o $@
+
 # A test that defines __wrap_malloc() or the like gets the calls of malloc() (--wrap of GNU ld).
 WRAPPED = $$(sed -n 's/.*__wrap_\([a-z]*\).*{$$/-Wl,--wrap=\1/p' tests/unit/$*.c)
 
@@ -77,16 +90,20 @@ $(HELPERS): $(BUILD)/tests/%: $(BUILD)/tested/tests/help/%.o $(HELPING:$(BUILD)/
                               $(TESTED_COMMON)
 	$(TESTED) $^ -lm -o $@
 
+$(ALIKE): $(BUILD)/tests/%: $(BUILD)/tested/tests/similar/%.o $(SIMILAR:$(BUILD)/%=$(BUILD)/tested/%) \
+                            $(TESTED_CHECKER) $(TESTED_COMMON)
+	$(TESTED) $^ -lm -o $@
+
 $(REPLAYS): $(BUILD)/tests/%: $(BUILD)/tested/tests/fuzz/%.o $(BUILD)/tested/tests/fuzz/replay.o \
                               $(TESTED_COMMON)
 	$(TESTED) $^ -lm -o $@
 
 # Every test runs, also after one that failed.
 .PHONY: test
-test: $(UNITS) $(CHECKERS) $(HELPERS) $(REPLAYS) $(BUILD)/check $(BUILD)/looks_make \
-      $(BUILD)/references $(BUILD)/show $(BUILD)/compare_page $(BUILD)/hidden models
+test: $(UNITS) $(CHECKERS) $(HELPERS) $(ALIKE) $(REPLAYS) $(BUILD)/check $(BUILD)/looks_make \
+      $(BUILD)/references $(BUILD)/show $(BUILD)/compare_page $(BUILD)/hidden $(BUILD)/similar models
 	@passed=0; failed=0; names=; \
-	for test in $(UNITS) $(CHECKERS) $(HELPERS) $(SCRIPTS); do \
+	for test in $(UNITS) $(CHECKERS) $(HELPERS) $(ALIKE) $(SCRIPTS); do \
 	    echo "== $$test"; \
 	    if CHECK_PROGRAMS=$(BUILD) $$test; then passed=$$((passed + 1)); \
 	    else failed=$$((failed + 1)); names="$$names $$test"; fi; \

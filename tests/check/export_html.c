@@ -2,71 +2,66 @@
 #include "../help/page.h"
 #include "../help/pictures.h"
 #include "export.h"
+#include "looks.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-static bool put_number(struct bytes *page, uint64_t number) {
-    char digits[24];
-    snprintf(digits, sizeof digits, "%llu", (unsigned long long)number);
-    return page_html(page, digits);
+static bool put_points(struct bytes *page, unsigned points, unsigned most) {
+    return bytes_print(page, "%u/%u", points, most);
 }
 
-static bool put_points(struct bytes *page, unsigned points, unsigned most) {
-    return put_number(page, points) && page_html(page, "/") && put_number(page, most);
+/* "FAIL", in its colour. */
+static bool put_state(struct bytes *page, enum result_state state) {
+    const char *name = result_state_name(state);
+    return bytes_print(page, "<b class=%s>%s</b> ", name, name);
 }
 
 /* ---- The table at the top ---- */
+
+/* Below `perhaps` the fault may as well be another task's. */
+static bool put_task(struct bytes *page, const struct task_result *task) {
+    return page_html(page, "<span>") && page_text(page, task->name.text) &&
+           page_html(page, task->perhaps ? " perhaps " : " ") && put_state(page, task->state) &&
+           put_points(page, task->points, task->most) && page_html(page, "</span> ");
+}
 
 /* A step: its name leads to its part of the page. */
 static bool put_row(struct bytes *page, const struct step_result *step) {
     bool done = page_html(page, "<tr><td><a href=\"#") && page_text(page, step->name) &&
                 page_html(page, "\">") && page_text(page, step->name) &&
-                page_html(page, "</a></td><td>") &&
-                page_html(page, result_state_name(step->state)) && page_html(page, "</td><td>") &&
-                put_points(page, step->points, step->most) && page_html(page, "</td><td>");
+                page_html(page, "</a></td><td>") && put_state(page, step->state) &&
+                page_html(page, "</td><td>") && put_points(page, step->points, step->most) &&
+                page_html(page, "</td><td>");
     for (size_t i = 0; done && i < step->task_count; i++) {
-        const struct task_result *task = &step->tasks[i];
-        done = page_html(page, i > 0 ? ", " : "") && page_text(page, task->name.text) &&
-               page_html(page, task->perhaps ? " perhaps " : " ") &&
-               page_html(page, result_state_name(task->state)) && page_html(page, " ") &&
-               put_points(page, task->points, task->most);
+        done = put_task(page, &step->tasks[i]);
     }
     return done && page_html(page, "</td></tr>\n");
 }
 
 static bool put_table(struct bytes *page, const struct check_result *result) {
-    bool done = page_html(page, "<p>SCORE ") && put_points(page, result->points, result->most) &&
-                page_html(page, ", ") && put_number(page, result->passed) &&
-                page_html(page, " passed, ") && put_number(page, result->failed) &&
-                page_html(page, " failed</p>\n<table><tr><th>step</th><th>state</th>"
+    bool done = page_html(page, "<p class=score>SCORE ") &&
+                put_points(page, result->points, result->most) &&
+                bytes_print(page, "</p>\n<p>%zu passed, %zu failed</p>\n", result->passed,
+                            result->failed) &&
+                page_html(page, "<div class=table><table><tr><th>step</th><th>state</th>"
                                 "<th>points</th><th>tasks</th></tr>\n");
     for (size_t i = 0; done && i < result->step_count; i++) {
         done = put_row(page, &result->steps[i]);
     }
-    return done && page_html(page, "</table>\n");
+    return done && page_html(page, "</table></div>\n");
 }
 
 /* ---- A step ---- */
 
-/* What a compiler or a program said, as it said it. */
+/* What a compiler or a program said, as it said it; that of a step that does not build is open. */
 static bool put_messages(struct bytes *page, const struct step_result *step) {
-    if (step->messages.size <= 1) {
-        return true;
-    }
-    char *copy = string_format("%s", (const char *)step->messages.data);
-    bool done = copy != NULL && page_html(page, "<details><summary>Messages</summary><pre>");
-    for (char *line = copy; done && line != NULL;) {
-        char *end = strchr(line, '\n');
-        if (end != NULL) {
-            *end = '\0';
-        }
-        done = page_text(page, line) && page_html(page, "\n");
-        line = end != NULL ? end + 1 : NULL;
-    }
-    free(copy);
-    return done && page_html(page, "</pre></details>\n");
+    return step->messages.size <= 1 ||
+           (page_html(page, step->state == RESULT_BUILD ? "<details open>" : "<details>") &&
+            page_html(page, "<summary>Messages</summary><pre tabindex=0>") &&
+            page_text(page, (const char *)step->messages.data) &&
+            page_html(page, "</pre></details>\n"));
 }
 
 /* "FAIL 0/4: 4.4 % of drawn pixels wrong ..." */
@@ -74,8 +69,18 @@ static char *note_of(const struct item_result *item) {
     const char *message = item->message.text[0] != '\0' ? item->message.text
                           : item->exact                 ? "exact"
                                                         : "";
-    return string_format("%s %u/%u%s%s", result_state_name(item->state), item->points,
-                         item->credit->points, message[0] != '\0' ? ": " : "", message);
+    char counted[80] = "";
+    if (item->counted > 0) {
+        snprintf(counted, sizeof counted, " (counted %llu, enough %llu)",
+                 (unsigned long long)item->counted, (unsigned long long)item->most);
+    }
+    return string_format("%s %u/%u%s%s%s", result_state_name(item->state), item->points,
+                         item->credit->points, message[0] != '\0' ? ": " : "", message, counted);
+}
+
+static char *looks_of(const struct step_result *step, const struct item_result *item) {
+    return string_format("looks like %s; make hint STEP=%.2s TASK=%s", item->looks.text,
+                         step->name + strlen("step"), result_first_suspect(step, item));
 }
 
 static char *reference_of(const struct step_result *step, const struct item_result *item,
@@ -93,13 +98,46 @@ static bool put_summary(struct bytes *page, bool folded, const char *name, struc
            error_out_of_memory(error);
 }
 
-/* An item with its pictures: all three, or where all pixels are equal the reference alone. */
+/* The mistake's small picture, and yours in the same size. None where that is not kept. */
+static bool read_small(const struct item_result *item, const struct pictures *pictures,
+                       struct image *mistake, struct image *small, struct error *error) {
+    struct error ignored;
+    const struct image *yours = &pictures->image[PICTURE_YOURS];
+    const struct image *reference = &pictures->image[PICTURE_REFERENCE];
+    return yours->width == 0 ||
+           !looks_small(mistake, item->looks_path.text, item->looks_row, reference, &ignored) ||
+           looks_shrink(small, yours, reference, error);
+}
+
+/* The item's part of the page, with its pictures: all three, or where all pixels are equal the
+ * reference alone. */
+static bool put_pictures(struct bytes *page, const struct step_result *step,
+                         const struct item_result *item, struct page_scene scene,
+                         struct error *error) {
+    if (item->looks.text[0] == '\0') {
+        return page_scene(page, &scene, error);
+    }
+    struct image mistake = {.pixels = NULL}, small = {.pixels = NULL};
+    char *looks = looks_of(step, item);
+    scene.looks = looks;
+    scene.mistake = &mistake;
+    scene.small = &small;
+    bool done = (looks != NULL || error_out_of_memory(error)) &&
+                read_small(item, scene.pictures, &mistake, &small, error) &&
+                page_scene(page, &scene, error);
+    image_free(&mistake);
+    image_free(&small);
+    free(looks);
+    return done;
+}
+
 static bool put_item(struct bytes *page, const struct step_result *step,
                      const struct item_result *item, const char *references, struct error *error) {
     struct pictures pictures = {0};
     char *name =
         string_format("%s%s%s", item->scene, item->counter[0] != '\0' ? " " : "", item->counter);
     char *note = note_of(item), *reference = reference_of(step, item, references);
+    struct page_scene scene = {.name = name, .note = note, .level = 3, .pictures = &pictures};
     bool done = name != NULL && note != NULL && reference != NULL;
     if (!done) {
         error_out_of_memory(error);
@@ -108,7 +146,7 @@ static bool put_item(struct bytes *page, const struct step_result *step,
     }
     bool folded = item->state == RESULT_PASS && item->exact;
     done = done && put_summary(page, folded, name, error) &&
-           page_scene(page, name, note, &pictures, error) &&
+           put_pictures(page, step, item, scene, error) &&
            (page_html(page, folded ? "</details>\n" : "") || error_out_of_memory(error));
     pictures_free(&pictures);
     free(name);
@@ -121,10 +159,9 @@ static bool put_step(struct bytes *page, const struct step_result *step, const c
                      struct error *error) {
     bool begun = page_html(page, "<h2 id=\"") && page_text(page, step->name) &&
                  page_html(page, "\">") && page_text(page, step->name) && page_html(page, " ") &&
-                 page_html(page, result_state_name(step->state)) && page_html(page, " ") &&
-                 put_points(page, step->points, step->most) && page_html(page, "</h2>\n<p>") &&
-                 page_text(page, step->reason.text) && page_html(page, "</p>\n") &&
-                 put_messages(page, step);
+                 put_state(page, step->state) && put_points(page, step->points, step->most) &&
+                 page_html(page, "</h2>\n<p>") && page_text(page, step->reason.text) &&
+                 page_html(page, "</p>\n") && put_messages(page, step);
     if (!begun) {
         return error_out_of_memory(error);
     }

@@ -137,6 +137,9 @@ static void judge_picture(const struct judging *judging, size_t i, const struct 
         likeness = looks_find(&judging->looks[i], reference, yours, item->shares.apart.count, 0);
         looks_say(&item->looks, &judging->looks[i], likeness.row);
         item->looks_task = looks_task(&judging->looks[i], likeness.row);
+        item->looks_path =
+            looks_small_path(judging->options->looks, judging->step->name, item->scene);
+        item->looks_row = likeness.row;
     }
     write_shares(judging->options->shares, judging->step->name, item, &likeness);
 }

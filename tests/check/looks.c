@@ -219,3 +219,99 @@ struct task_name looks_task(const struct looks *looks, size_t row) {
     }
     return first != NULL ? first->task : (struct task_name){""};
 }
+
+/* ---- Small pictures ---- */
+
+struct result_path looks_small_path(const char *directory, const char *step, const char *scene) {
+    struct result_path path;
+    snprintf(path.text, sizeof path.text, "%s/%s/%s.small.png", directory, step, scene);
+    return path;
+}
+
+struct size {
+    size_t width, height;
+};
+
+static struct size small_size(const struct image *picture) {
+    size_t width = picture->width, height = picture->height;
+    size_t longer = width > height ? width : height;
+    if (longer > LOOKS_AS_IT_IS) {
+        width = (width * LOOKS_SMALL_SIDE + longer - 1) / longer;
+        height = (height * LOOKS_SMALL_SIDE + longer - 1) / longer;
+    }
+    return (struct size){width, height};
+}
+
+/* The nearest of the few levels. */
+static uint8_t find_level(uint8_t value) {
+    enum { MOST = 255, LEVELS = LOOKS_SMALL_LEVELS - 1 };
+    return (uint8_t)((value * LEVELS + MOST / 2) / MOST * MOST / LEVELS);
+}
+
+static int distance(struct color a, struct color b) {
+    int red = abs(a.r - b.r), green = abs(a.g - b.g), blue = abs(a.b - b.b);
+    int most = red > green ? red : green;
+    return most > blue ? most : blue;
+}
+
+/* Of the pixels from (x,y) up to, without, (right,top): the one that is farthest from the
+ * reference's, so that no hole and no line is lost; where none is, the brightest. */
+static struct color choose_pixel(const struct image *picture, const struct image *reference,
+                                 size_t x, size_t y, size_t right, size_t top) {
+    const struct color black = {.a = 255};
+    struct color chosen = black;
+    int most = -1;
+    for (size_t j = y; j < top; j++) {
+        for (size_t i = x; i < right; i++) {
+            struct color color = image_get(picture, (int)i, (int)j);
+            int wrong = distance(color, image_get(reference, (int)i, (int)j));
+            int weight = (wrong > COMPARE_LEVELS ? wrong * 256 : 0) + distance(color, black);
+            if (weight > most) {
+                most = weight;
+                chosen = color;
+            }
+        }
+    }
+    return chosen;
+}
+
+bool looks_shrink(struct image *small, const struct image *picture, const struct image *reference,
+                  struct error *error) {
+    struct size size = small_size(reference);
+    size_t width = reference->width, height = reference->height;
+    if (!image_create(small, size.width, size.height, IMAGE_BGR, error)) {
+        return false;
+    }
+    for (size_t y = 0; y < size.height; y++) {
+        for (size_t x = 0; x < size.width; x++) {
+            struct color color =
+                choose_pixel(picture, reference, x * width / size.width, y * height / size.height,
+                             (x + 1) * width / size.width, (y + 1) * height / size.height);
+            image_set(small, (int)x, (int)y,
+                      color_rgb(find_level(color.r), find_level(color.g), find_level(color.b)));
+        }
+    }
+    return true;
+}
+
+bool looks_small(struct image *small, const char *path, size_t row, const struct image *reference,
+                 struct error *error) {
+    struct size size = small_size(reference);
+    struct image sheet;
+    *small = (struct image){.pixels = NULL};
+    if (!image_read(&sheet, path, error)) {
+        return false;
+    }
+    bool is_there = row >= LOOKS_FIRST_ROW && sheet.height == size.height &&
+                    (row - LOOKS_FIRST_ROW + 1) * size.width <= sheet.width;
+    bool done = is_there ? image_create(small, size.width, size.height, IMAGE_BGR, error)
+                         : error_set(error, "%.900s: has no picture %zu", path, row);
+    for (size_t y = 0; done && y < size.height; y++) {
+        for (size_t x = 0; x < size.width; x++) {
+            size_t column = (row - LOOKS_FIRST_ROW) * size.width + x;
+            image_set(small, (int)x, (int)y, image_get(&sheet, (int)column, (int)y));
+        }
+    }
+    image_free(&sheet);
+    return done;
+}

@@ -4,7 +4,7 @@
  * Of each mistake of stepNN_name/mistakes.txt the colours at some hundred pixels of each scene are
  * kept: pixels at which the mistakes differ from the reference and from each other, and some
  * others. They are made by `make mistakes STEP=NN` after a change of main.c, scenes or mistakes.txt
- * (`make verify` finds those that are out of date), in two files for each scene:
+ * (`make verify` finds those that are out of date), in three files for each scene:
  *
  *     tests/check/looks/stepNN_name/scene.png    a column for each pixel; row 0, at the bottom,
  *                                                holds where it is (x in 12 bits, then y, from
@@ -14,6 +14,9 @@
  *                                                of it are apart (compare.h), the task that is at
  *                                                fault or -, what it is. Row 0: nothing can be told
  *                                                from its picture
+ *     tests/check/looks/stepNN_name/scene.small.png
+ *                                                the picture of each row, for people: small, side
+ *                                                by side in the order of the rows
  *
  * A wrong diagnosis is worse than none. So a picture looks like a mistake only when
  *
@@ -35,7 +38,13 @@
 #include <stddef.h>
 #include <stdint.h>
 
-enum { LOOKS_FIRST_ROW = 2, LOOKS_WORDS_LIMIT = 160 };
+enum {
+    LOOKS_FIRST_ROW = 2,
+    LOOKS_WORDS_LIMIT = 160,
+    LOOKS_SMALL_SIDE = 64, /* pixels along the longer side of a small picture */
+    LOOKS_AS_IT_IS = 100,  /* pixels up to which a picture is not made smaller */
+    LOOKS_SMALL_LEVELS = 16
+};
 
 struct look {
     size_t row;            /* of the pixels; 0: nothing can be told */
@@ -71,6 +80,20 @@ void looks_say(struct result_text *text, const struct looks *looks, size_t row);
 
 /* The task at fault in the mistakes of that row; "" when they are not of one task. */
 struct task_name looks_task(const struct looks *looks, size_t row);
+
+/* Where the small pictures of a scene are: DIRECTORY/STEP/SCENE.small.png. */
+struct result_path looks_small_path(const char *directory, const char *step, const char *scene);
+
+/* `small` becomes the picture, which has the reference's size, in few pixels and in few levels a
+ * channel: it takes half a kilobyte of a file. Of the pixels that become one it keeps the one that
+ * is farthest from the reference's. */
+bool looks_shrink(struct image *small, const struct image *picture, const struct image *reference,
+                  struct error *error);
+
+/* `small` becomes the picture of that row; `reference` tells its size. False, with a message, when
+ * the file has none. */
+bool looks_small(struct image *small, const char *path, size_t row, const struct image *reference,
+                 struct error *error);
 
 /* Column i of row 0 tells where this pixel is. */
 struct place {

@@ -5,9 +5,9 @@
  *
  * LIST has a line for each mistake: its number, its task or -, what it is, with tabs between.
  * DIRECTORY/NUMBER/SCENE.png is what it draws, when it draws something wrong there. Writes
- * LOOKS/STEP/SCENE.png and .txt, or removes them where no mistake can be told. With -m it also
- * prints, for each mistake of its own picture, what it would look like if it were not known: a
- * wrong diagnosis.
+ * LOOKS/STEP/SCENE.png, .txt and .small.png, or removes them where no mistake can be told. With -m
+ * it also prints, for each mistake of its own picture, what it would look like if it were not
+ * known: a wrong diagnosis.
  *
  * Exit status: 0 done, 1 something cannot be read or written, 2 wrong usage.
  */
@@ -215,6 +215,25 @@ static bool make_pixels(const struct making *making, struct image *pixels, struc
     return true;
 }
 
+/* The small pictures of all rows, side by side. */
+static bool make_small(const struct making *making, struct image *sheet, struct error *error) {
+    struct image small;
+    bool done = true;
+    for (size_t i = 0; i < making->row_count && done; i++) {
+        done = looks_shrink(&small, picture_of(making, i), &making->reference, error) &&
+               (i > 0 || image_create(sheet, small.width * making->row_count, small.height,
+                                      IMAGE_BGR, error));
+        for (size_t y = 0; done && y < small.height; y++) {
+            for (size_t x = 0; x < small.width; x++) {
+                image_set(sheet, (int)(i * small.width + x), (int)y,
+                          image_get(&small, (int)x, (int)y));
+            }
+        }
+        image_free(&small);
+    }
+    return done;
+}
+
 static bool write_list(const struct making *making, const char *path, struct error *error) {
     char line[LOOKS_WORDS_LIMIT + 64];
     struct bytes text = {.data = NULL};
@@ -232,6 +251,7 @@ static bool write_list(const struct making *making, const char *path, struct err
 struct paths {
     char directory[DRAWN_PATH_LIMIT];
     char pixels[DRAWN_PATH_LIMIT + 80], list[DRAWN_PATH_LIMIT + 80];
+    struct result_path small;
 };
 
 static struct paths find_paths(const struct making *making, const char *looks) {
@@ -239,6 +259,7 @@ static struct paths find_paths(const struct making *making, const char *looks) {
     snprintf(paths.directory, sizeof paths.directory, "%s/%s", looks, making->step);
     snprintf(paths.pixels, sizeof paths.pixels, "%s/%s.png", paths.directory, making->scene);
     snprintf(paths.list, sizeof paths.list, "%s/%s.txt", paths.directory, making->scene);
+    paths.small = looks_small_path(looks, making->step, making->scene);
     return paths;
 }
 
@@ -259,15 +280,18 @@ static void forget_untold(struct making *making, const char *directory) {
 
 static bool write_looks(struct making *making, const char *directory, struct error *error) {
     struct paths paths = find_paths(making, directory);
-    struct image pixels = {.pixels = NULL};
+    struct image pixels = {.pixels = NULL}, small = {.pixels = NULL};
     if (making->row_count == 0) {
         unlink(paths.pixels);
         unlink(paths.list);
+        unlink(paths.small.text);
         return true;
     }
     bool done = directory_create(paths.directory, error) && make_pixels(making, &pixels, error) &&
-                png_write(&pixels, paths.pixels, error) && write_list(making, paths.list, error);
+                png_write(&pixels, paths.pixels, error) && write_list(making, paths.list, error) &&
+                make_small(making, &small, error) && png_write(&small, paths.small.text, error);
     image_free(&pixels);
+    image_free(&small);
     if (done) {
         forget_untold(making, directory);
         done = write_list(making, paths.list, error);

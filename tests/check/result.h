@@ -44,19 +44,21 @@ struct item_result {
     const struct credit *credit;
     const struct checked_scene *rule; /* of a picture: how it is compared; else NULL */
     enum result_state state;
-    unsigned points;             /* 0, or all of them */
-    struct result_text message;  /* what is wrong, or not exact; empty when there is nothing */
-    struct result_text looks;    /* "A" or "B", the mistakes that draw this picture; or empty */
-    struct task_name looks_task; /* the task that is at fault in these; "" when not known */
-    uint64_t counted, most;      /* of a counter: the work done, and what is enough */
-    bool unjudged;               /* a counter or relations, because the picture does not pass */
-    bool blamed;                 /* the program ended badly over it; `message` says how */
-    bool exact;                  /* of a picture: equal to the last bit */
-    bool compared;               /* of a picture: it could be; what follows is known */
-    struct comparison shares;    /* pixels drawn, and of them wrong, apart, in one picture only */
-    size_t x, y;                 /* the first pixel that `message` is about, when not exact */
-    struct color got, wanted;    /* its colour, and the right one */
-    struct shift shift;          /* (0,0) when yours is not moved */
+    unsigned points;               /* 0, or all of them */
+    struct result_text message;    /* what is wrong, or not exact; empty when there is nothing */
+    struct result_text looks;      /* "A" or "B", the mistakes that draw this picture; or empty */
+    struct task_name looks_task;   /* the task that is at fault in these; "" when not known */
+    struct result_path looks_path; /* with that, a file of small pictures of mistakes, */
+    size_t looks_row;              /* and which of them it is */
+    uint64_t counted, most;        /* of a counter: the work done, and what is enough */
+    bool unjudged;                 /* a counter or relations, because the picture does not pass */
+    bool blamed;                   /* the program ended badly over it; `message` says how */
+    bool exact;                    /* of a picture: equal to the last bit */
+    bool compared;                 /* of a picture: it could be; what follows is known */
+    struct comparison shares;      /* pixels drawn, and of them wrong, apart, in one picture only */
+    size_t x, y;                   /* the first pixel that `message` is about, when not exact */
+    struct color got, wanted;      /* its colour, and the right one */
+    struct shift shift;            /* (0,0) when yours is not moved */
     struct result_path yours, reference, difference; /* pictures, when not exact */
 };
 

@@ -53,7 +53,10 @@ static bool add_scene(struct bytes *page, const char *step, char **argument, str
     if (!done) {
         return false;
     }
-    done = page_scene(page, argument[0], describe(&pictures).text, &pictures, error);
+    struct note note = describe(&pictures);
+    const struct page_scene scene = {
+        .name = argument[0], .note = note.text, .level = 2, .pictures = &pictures};
+    done = page_scene(page, &scene, error);
     pictures_free(&pictures);
     return done;
 }

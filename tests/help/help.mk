@@ -19,8 +19,8 @@ show: $(BUILD)/show $(HELPED:%=$(BUILD)/out/%/.drawn)
 watch:
 	@tests/help/watch.sh '$(BUILD)' '$(MAKE) -s' '$(STEP)' '$(SCENE)'
 
-HELPING = $(addprefix $(BUILD)/tests/,help/base64.o help/page.o help/pictures.o help/terminal.o \
-                                       check/compare.o check/scenes.o check/verdict.o)
+HELPING = $(addprefix $(BUILD)/tests/,help/base64.o help/escape.o help/page.o help/page_files.o \
+                                       help/pictures.o help/terminal.o check/compare.o check/scenes.o check/verdict.o)
 
 $(BUILD)/show $(BUILD)/compare_page: $(BUILD)/%: $(BUILD)/tests/help/%.o $(HELPING) \
                                      $(BUILD)/libcommon.a

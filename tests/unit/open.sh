@@ -113,7 +113,8 @@ addEventListener('load', () => {
   image.dispatchEvent(new MouseEvent('mousemove', {bubbles: true,
     clientX: box.left + 52.5 * 32, clientY: box.top + (99 - 41 + 0.5) * 32}));
   expect('values: ' + document.getElementById('values').textContent,
-    document.getElementById('values').textContent == '(52,41)  yours 255,0,0  reference 0,0,0');
+    document.getElementById('values').textContent ==
+      '(52,41) yours 255,0,0 reference 0,0,0  error 255');
   document.title = failed.length ? 'FAILED ' + failed.join('; ') : 'ALL RIGHT';
 });
 </script>
