@@ -96,7 +96,8 @@ static lanes_texel illuminate(const struct uniforms *u, const struct surface *su
                      color.z * scattered + mirrored);
     /* STARTER
     struct lanes3 to_eye = lanes3_all((struct vec3){0, 0, 1}); // to do 10a.4: of length 1
-    int largest_power = 32; // to do 10a.4: the surface's
+    // to do 10a.4: the surface's
+    int largest_power = 32;
     struct lanes2 light =
         phong(surface->normal, lanes3_all(u->to_light), to_eye, surface->power, largest_power);
     (void)light;
