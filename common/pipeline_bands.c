@@ -18,7 +18,8 @@ struct band {
     struct scratch *scratch;
     struct span rows;
     size_t stride;
-    bool reordered; /* the nearest draw calls are covered first */
+    bool reordered;      /* the nearest draw calls are covered first */
+    struct span columns; /* those of its draw calls so far */
     uint64_t behind, covered;
 };
 
@@ -248,29 +249,47 @@ static void cover_piece(struct band *band, const struct draw *draw, const struct
 
 /* ---- A band ---- */
 
+/* The chunks of a row of the band that may be touched. */
+static struct span chunks_of_row(const struct band *band, int row) {
+    int first = row * (int)(band->stride / CHUNK);
+    return (struct span){first + band->columns.begin / CHUNK,
+                         first + (band->columns.end + CHUNK - 1) / CHUNK};
+}
+
 /* Mark the pieces of which a pixel is visible. */
 static void mark_visible(const struct band *band) {
     const struct scratch *scratch = band->scratch;
-    size_t chunks = band->stride / CHUNK * BAND_HEIGHT;
-    for (size_t i = 0; i < chunks; i++) {
-        const uint32_t *number = scratch->number + i * CHUNK;
-        for (int k = 0; scratch->touched[i] && k < CHUNK; k++) {
-            scratch->fetched[number[k]] = 1;
+    for (int row = 0; row < BAND_HEIGHT; row++) {
+        struct span chunks = chunks_of_row(band, row);
+        for (int i = chunks.begin; i < chunks.end; i++) {
+            const uint32_t *number = scratch->number + (size_t)i * CHUNK;
+            for (int k = 0; scratch->touched[i] && k < CHUNK; k++) {
+                scratch->fetched[number[k]] = 1;
+            }
         }
     }
+}
+
+static void clear_chunk(double depth[CHUNK], uint32_t number[CHUNK]) {
+    for (int i = 0; i < CHUNK; i++) {
+        depth[i] = -INFINITY;
+    }
+    memset(number, 0, CHUNK * sizeof *number);
 }
 
 /* Make the band what it was: nothing is drawn. Only what was touched has changed. */
 static void clear_band(const struct band *band) {
     const struct scratch *scratch = band->scratch;
-    size_t chunks = band->stride / CHUNK * BAND_HEIGHT;
-    for (size_t i = 0; i < chunks; i++) {
-        if (scratch->touched[i]) {
-            depth_clear(scratch->depth + i * CHUNK, CHUNK);
-            memset(scratch->number + i * CHUNK, 0, CHUNK * sizeof *scratch->number);
+    for (int row = 0; row < BAND_HEIGHT; row++) {
+        struct span chunks = chunks_of_row(band, row);
+        for (int i = chunks.begin; i < chunks.end; i++) {
+            if (scratch->touched[i]) {
+                clear_chunk(scratch->depth + (size_t)i * CHUNK,
+                            scratch->number + (size_t)i * CHUNK);
+                scratch->touched[i] = false;
+            }
         }
     }
-    memset(scratch->touched, 0, chunks * sizeof *scratch->touched);
 }
 
 static void keep_depth(const struct band *band) {
@@ -334,6 +353,7 @@ static void draw_pieces(struct band *band, struct shading *shading, size_t index
             continue;
         }
         bool behind = band->reordered && is_behind(band, draw->nearest, draw->columns);
+        band->columns = span_around(band->columns, draw->columns);
         if (cover && behind) {
             band->behind += (uint64_t)(shading->numbers.end - shading->numbers.begin);
         } else if (cover) {
@@ -359,7 +379,8 @@ void pipeline_draw_band(void *context, size_t index, size_t worker) {
                         .scratch = scratch,
                         .rows = rows,
                         .stride = band_stride(p),
-                        .reordered = p->reordered};
+                        .reordered = p->reordered,
+                        .columns = {(int)p->width, 0}};
     struct shading shading = {
         .pipeline = p,
         .scratch = scratch,

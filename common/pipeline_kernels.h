@@ -465,11 +465,16 @@ KERNEL bool gather_varyings(const struct shading *s, const struct shader *shader
     return found;
 }
 
-/* The colours of LANES pixels of flat pieces; those of other draw calls are of no use. */
-KERNEL lanes_texel gather_colors(const struct shading *s, const uint32_t number[LANES]) {
+/* The colours of LANES pixels of flat pieces; those of other draw calls are of no use. Often all
+ * pixels are of one piece. */
+KERNEL lanes_texel gather_colors(const struct shading *s, const uint32_t number[LANES + 1]) {
+    const uint32_t *fetched = s->scratch->fetched;
+    if (find_runs(number) == 1) {
+        return (lanes_texel){0} + fetched[number[0]];
+    }
     uint32_t colors[LANES];
     for (int i = 0; i < LANES; i++) {
-        colors[i] = s->scratch->fetched[number[i]];
+        colors[i] = fetched[number[i]];
     }
     lanes_texel result;
     memcpy(&result, colors, sizeof result);

@@ -71,9 +71,11 @@ LANES_INLINE struct texels texture_fetch(const struct texture *texture, struct l
         texture_find(l, uv, place);
     }
     uint64_t lower[LANES], upper[LANES];
+    const uint32_t *row = l->texels, *row_above = l->texels + l->width; /* both kept at hand */
     for (int i = 0; i < LANES; i++) {
-        lower[i] = texel_pair(l->texels + place->index[i]);
-        upper[i] = texel_pair(l->texels + place->index[i] + l->width);
+        size_t index = place->index[i];
+        lower[i] = texel_pair(row + index);
+        upper[i] = texel_pair(row_above + index);
     }
     texture_expect(l, place->index[0]);
     texture_expect(l, place->index[LANES - 1]);
