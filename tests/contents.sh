@@ -33,7 +33,7 @@ parts() {
             next
         }
         /\/\* STARTER|END SOLUTION/ { inside = 0 }
-        inside && !/^ *$/ && !/^ *\/?\*/ && !/^ *\/\// { lines[part]++ }
+        inside && !/^ *$/ && !/^ *(\/\*|\*( |\/|$)|\/\/)/ { lines[part]++ }
         END { for (i = 1; i <= count; i++) print order[i], tasks[order[i]], lines[order[i]] + 0 }' \
         "$1/main.c" | sort
 }
