@@ -47,13 +47,15 @@ static size_t utf8_decode(const char *text, uint32_t *character) {
     return *character < least[size] || *character > 0x10ffff || surrogate ? 0 : size;
 }
 
-/* Control characters, and those that end a line or turn the direction of writing (The Unicode
- * Standard, sections 23.1 and 23.2, and annex 9, section 2). */
+/* Control characters, those that end a line or turn the direction of writing (The Unicode Standard,
+ * sections 23.1 and 23.2, and annex 9, section 2), and the two that XML allows nowhere (W3C,
+ * "Extensible Markup Language (XML) 1.0", section 2.2). */
 static bool is_obeyed(uint32_t character) {
     return character < 0x20 || (character >= 0x7f && character < 0xa0) || character == 0x61c ||
            (character >= 0x200e && character <= 0x200f) ||
            (character >= 0x2028 && character <= 0x202e) ||
-           (character >= 0x2066 && character <= 0x2069);
+           (character >= 0x2066 && character <= 0x2069) || character == 0xfffe ||
+           character == 0xffff;
 }
 
 void text_make_printable(char *text, char instead) {

@@ -27,7 +27,8 @@ struct error {
 
 /* In a text that was written by others, replace each byte of what a terminal would obey and not
  * show (control characters, also those of two bytes, and marks that turn the direction of writing),
- * and each byte that is not part of a UTF-8 character. */
+ * of what no XML may hold (U+FFFE and U+FFFF), and each byte that is not part of a UTF-8
+ * character. */
 void text_make_printable(char *text, char instead);
 
 /* Write a message as printf does (cut if too long), made printable with '?'. Always returns false,

@@ -125,7 +125,8 @@ $(BUILD)/stress: $(call OBJECTS_OF,stress oracle) $(BUILD)/libcommon.a
 stress: $(BUILD)/stress
 	$(BUILD)/stress $(PROPERTY)
 
-$(BUILD)/benchmark: $(call OBJECTS_OF,bench oracle) $(BUILD)/tests/bench/list.o $(BUILD)/libcommon.a
+$(BUILD)/benchmark: $(call OBJECTS_OF,bench oracle) $(BUILD)/tests/bench/list.o \
+                    $(BUILD)/tests/help/escape.o $(BUILD)/libcommon.a
 	$(LINK) $(OPENMP) $^ -lm -o $@
 
 bench: $(BUILD)/benchmark models

@@ -1,6 +1,7 @@
 /* SVG charts: see chart.h. Coordinates here are SVG's: y goes down. */
 #include "chart.h"
 
+#include "../help/escape.h"
 #include "report.h"
 
 #include <assert.h>
@@ -43,26 +44,9 @@ struct output {
 #define PUT(output, ...)                                                                           \
     ((output)->done = (output)->done && report_append((output)->svg, (output)->error, __VA_ARGS__))
 
-/* Text in which no character means something to SVG. */
 static void put_escaped(struct output *output, const char *text) {
-    for (; *text != '\0'; text++) {
-        switch (*text) {
-        case '<':
-            PUT(output, "&lt;");
-            break;
-        case '>':
-            PUT(output, "&gt;");
-            break;
-        case '&':
-            PUT(output, "&amp;");
-            break;
-        case '"':
-            PUT(output, "&quot;");
-            break;
-        default:
-            PUT(output, "%c", *text);
-        }
-    }
+    output->done =
+        output->done && (escape_markup(output->svg, text) || error_out_of_memory(output->error));
 }
 
 static void put_text(struct output *output, const char *class, double x, double y,

@@ -1,6 +1,8 @@
 /* A check's result in the formats that other programs read: see export.h. */
 #include "export.h"
 
+#include "../help/escape.h"
+
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -27,31 +29,19 @@ static bool finish(const struct writer *writer, struct error *error) {
     return !writer->failed || error_out_of_memory(error);
 }
 
-/* Text from a submission, each byte as `escape` writes it; what a terminal would obey is '?', but
- * for the ends of lines. */
-static void put_escaped(struct writer *writer, const char *text,
-                        void escape(struct writer *, char)) {
-    char *copy = string_format("%s", text), *next = copy;
-    writer->failed = writer->failed || copy == NULL;
-    while (!writer->failed && next != NULL) {
-        char *line = next, *end = strchr(line, '\n');
-        next = end != NULL ? end + 1 : NULL;
-        if (end != NULL) {
-            *end = '\0';
-        }
-        text_make_printable(line, '?');
-        for (const char *at = line; *at != '\0'; at++) {
-            escape(writer, *at);
-        }
-        if (end != NULL) {
-            escape(writer, '\n');
-        }
-    }
-    free(copy);
-}
-
 static void put_byte(struct writer *writer, char byte) {
     writer->failed = writer->failed || !bytes_append(writer->report, &byte, 1);
+}
+
+/* Text from a submission, each byte as `escape` writes it. */
+static void put_escaped(struct writer *writer, const char *text,
+                        void escape(struct writer *, char)) {
+    char *printable = printable_lines(text);
+    writer->failed = writer->failed || printable == NULL;
+    for (const char *at = printable; !writer->failed && *at != '\0'; at++) {
+        escape(writer, *at);
+    }
+    free(printable);
 }
 
 /* ---- Words ---- */
@@ -85,27 +75,8 @@ static const char *message_of(const struct step_result *step, const struct item_
 
 /* ---- JUnit XML ---- */
 
-static void escape_xml(struct writer *writer, char byte) {
-    switch (byte) {
-    case '<':
-        put(writer, "&lt;");
-        break;
-    case '>':
-        put(writer, "&gt;");
-        break;
-    case '&':
-        put(writer, "&amp;");
-        break;
-    case '"':
-        put(writer, "&quot;");
-        break;
-    default:
-        put_byte(writer, byte);
-    }
-}
-
 static void put_xml(struct writer *writer, const char *text) {
-    put_escaped(writer, text, escape_xml);
+    writer->failed = writer->failed || !escape_markup(writer->report, text);
 }
 
 static void put_attribute(struct writer *writer, const char *name, uint64_t number) {
