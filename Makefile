@@ -41,6 +41,8 @@ For the course as a whole:
   make handout OUT=dir        what a student gets: starters, and no solution (LESSONS=1-5)
   make key OUT=dir            what an instructor gets: solutions, answers, the pictures of mistakes,
                               points (LESSONS=1-5)
+  make grade SUBMISSIONS=dir  grade a class into OUT=dir (LESSONS=1-5, SEED=7, JOBS=8); grade-one
+                              (SUBMISSION=path) and grade-merge do it in parts
   make mistakes               keep what the listed mistakes look like, by which the check knows them
                               (STEP=05)
   make coverage               which lines and branches of common the tests reach
@@ -136,8 +138,9 @@ $(error the path $(abspath $(BUILD)) holds a quote or a backslash: move the cour
 endif
 # Threads, where the compiler wants to be told; and all that this processor can do. Neither changes
 # a byte of a picture. MARCH= makes programs that run on any processor of the kind.
-PROBE    = $(shell mkdir -p $(BUILD) && echo 'int main(void) { return 0; }' >$(BUILD)/probe.c && \
-                   $(CC) $(1) $(BUILD)/probe.c -o $(BUILD)/probe 2>/dev/null && echo $(1))
+PROBE    = $(shell mkdir -p $(BUILD) && probe=$(BUILD)/probe.$$$$ && \
+                   echo 'int main(void) { return 0; }' >$$probe.c && \
+                   $(CC) $(1) $$probe.c -o $$probe 2>/dev/null && echo $(1); rm -f $$probe $$probe.c)
 THREADED := $(call PROBE,-pthread)
 MARCH    := $(call PROBE,-march=native)
 COMPILE  = $(CC) $(STRICT) $(WARNINGS) $(WERROR) $(CFLAGS) $(MARCH) $(THREADED) $(DEFINES) \
@@ -245,5 +248,5 @@ ifeq ($(MAKECMDGOALS)$(origin STEP),command line)
 $(error what about STEP=$(STEP)? `make check STEP=$(STEP)`, for example; `make help` prints all)
 endif
 
--include $(wildcard tests/targets.mk)
+-include $(wildcard tests/targets.mk tests/grade/grade.mk)
 -include $(wildcard $(BUILD)/*.d $(BUILD)/*/*.d $(BUILD)/*/*/*.d $(BUILD)/*/*/*/*.d)

@@ -118,7 +118,7 @@ bool build_step(const struct options *options, const char *step, struct message_
     char target[DRAWN_PATH_LIMIT];
     snprintf(target, sizeof target, "%s/%s", options->programs, step);
     const struct run_limits limits = {.seconds = options->build_seconds,
-                                      .file_bytes = (size_t)FILE_MEGABYTES * 1000 * 1000,
+                                      .file_bytes = run_program_limits(0).file_bytes,
                                       .memory_bytes = (size_t)COMPILER_GIGABYTES << 30};
     struct run_result result = {.end = RUN_EXITED};
     *reason = (struct message_line){""};

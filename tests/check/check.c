@@ -104,10 +104,8 @@ static bool export_all(const struct options *options, const struct check_result 
         bool (*write)(struct bytes *report, const struct check_result *result,
                       const char *references, struct error *error);
     } exports[] = {
-        {options->junit, export_junit},
-        {options->json, export_json},
-        {options->tap, export_tap},
-        {options->html, export_html},
+        {options->junit, export_junit}, {options->json, export_json}, {options->tap, export_tap},
+        {options->html, export_html},   {options->csv, export_csv},
     };
     bool done = true;
     for (size_t i = 0; i < sizeof exports / sizeof exports[0]; i++) {
@@ -131,6 +129,7 @@ static int check(const struct options *options, const struct scene_table *table)
     if (!done) {
         fprintf(stderr, "check: %s\n", error.message);
     }
+    result.note = options->note;
     done = (run_caught_signal() != 0 || export_all(options, &result)) && done;
     int status = !done || result.cannot_work ? EXIT_CANNOT_WORK
                  : result.failed > 0         ? EXIT_FAILED

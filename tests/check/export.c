@@ -154,6 +154,11 @@ bool export_junit(struct bytes *report, const struct check_result *result, const
         for (size_t k = 0; k < step->item_count; k++) {
             junit_item(&writer, step, &step->items[k]);
         }
+        if (result->note[0] != '\0') {
+            put(&writer, "    <system-out>");
+            put_xml(&writer, result->note);
+            put(&writer, "</system-out>\n");
+        }
         if (step->messages.size > 1) {
             put(&writer, "    <system-err>");
             put_xml(&writer, (const char *)step->messages.data);
@@ -288,6 +293,9 @@ bool export_json(struct bytes *report, const struct check_result *result, const 
     json_number(&writer, ",\n  \"most\"", result->most);
     json_number(&writer, ",\n  \"passed\"", result->passed);
     json_number(&writer, ",\n  \"failed\"", result->failed);
+    if (result->note[0] != '\0') {
+        json_text(&writer, ",\n  \"note\"", result->note);
+    }
     put(&writer, ",\n  \"steps\": [\n");
     for (size_t i = 0; i < result->step_count; i++) {
         json_step(&writer, &result->steps[i]);
@@ -349,6 +357,11 @@ bool export_tap(struct bytes *report, const struct check_result *result, const c
     put(&writer, "TAP version 13\n1..");
     put_number(&writer, number);
     put(&writer, "\n");
+    if (result->note[0] != '\0') {
+        put(&writer, "# ");
+        put_escaped(&writer, result->note, escape_tap);
+        put(&writer, "\n");
+    }
     number = 0;
     for (size_t i = 0; i < result->step_count; i++) {
         const struct step_result *step = &result->steps[i];

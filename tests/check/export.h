@@ -1,5 +1,6 @@
 /*
- * What a check has found, as files for other programs and for people: JUnit XML, JSON, TAP, HTML.
+ * What a check has found, as files for other programs and for people: JUnit XML, JSON, TAP, CSV,
+ * HTML.
  *
  * All are written from one result. FAIL is a failure; BUILD, CRASH, TIME and ERROR are errors; TODO
  * is skipped, with 0 points.
@@ -19,5 +20,9 @@ bool export_tap(struct bytes *report, const struct check_result *result, const c
                 struct error *error);
 bool export_html(struct bytes *report, const struct check_result *result, const char *references,
                  struct error *error);
+
+/* A line a task: step,task,state,points,most; and a first line that says so. */
+bool export_csv(struct bytes *report, const struct check_result *result, const char *references,
+                struct error *error);
 
 #endif

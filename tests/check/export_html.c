@@ -50,7 +50,8 @@ static bool put_table(struct bytes *page, const struct check_result *result) {
     for (size_t i = 0; done && i < result->step_count; i++) {
         done = put_row(page, &result->steps[i]);
     }
-    return done && page_html(page, "</table></div>\n");
+    return done && page_html(page, "</table></div>\n<p>") && page_text(page, result->note) &&
+           page_html(page, "</p>\n");
 }
 
 /* ---- A step ---- */

@@ -21,7 +21,7 @@
 #include <string.h>
 #include <unistd.h>
 
-enum { PROCESS_LIMIT = 64 }; /* processes of a program at the same time */
+enum { TIMEOUT_LIMIT = 3 }; /* times that a step's program is waited for in vain */
 
 /* What is known of a step before its program runs, which could change files. */
 struct judging {
@@ -222,15 +222,14 @@ static bool is_fault(const struct judging *judging, const struct run_result *end
 }
 
 /* How it ended, when not well. */
-static void describe_end(struct result_text *text, const struct run_result *end, double seconds) {
+static void describe_end(struct result_text *text, const struct run_result *end,
+                         const struct run_limits *limits) {
+    struct run_text stopped = run_stopped_by(end, limits);
     struct message_line said = drawn_message((const char *)end->messages.data);
     const char *colon = said.text[0] != '\0' ? ": " : "";
-    if (end->end == RUN_OUT_OF_TIME) {
-        result_say(text, "stopped after %g s", seconds);
-    } else if (end->end == RUN_TOO_MANY) {
-        result_say(text, "stopped at more than %d processes", PROCESS_LIMIT);
-    } else if (end->end == RUN_KILLED && end->number == SIGXFSZ) {
-        result_say(text, "SIGXFSZ, file larger than %d MB%s%s", FILE_MEGABYTES, colon, said.text);
+    if (stopped.text[0] != '\0') {
+        bool speaks = end->end == RUN_KILLED;
+        result_say(text, "%s%s%s", stopped.text, speaks ? colon : "", speaks ? said.text : "");
     } else if (end->end == RUN_KILLED) {
         result_say(text, "%s%s%s", run_signal_name(end->number).text, colon, said.text);
     } else if (end->number != 0) {
@@ -283,7 +282,7 @@ static void judge_end(const struct judging *judging, enum result_state *state,
         judging->result->fault_is_found = true;
     } else {
         *state = state_of_end(end);
-        describe_end(text, end, judging->options->seconds);
+        describe_end(text, end, &judging->limits);
     }
 }
 
@@ -313,6 +312,7 @@ static bool judge_pictures(const struct judging *judging, const struct run_resul
                            struct error *error) {
     const struct checked_step *step = judging->step;
     struct item_result *items = judging->result->items;
+    int stopped = end->end == RUN_OUT_OF_TIME; /* so many times; nobody waits for each scene */
     bool done = true;
     for (size_t i = 0; i < step->scene_count && done; i++) {
         if (judging->references[i].pixels == NULL) {
@@ -321,8 +321,9 @@ static bool judge_pictures(const struct judging *judging, const struct run_resul
             result_say(&items[i].message, "no reference: %s",
                        drawn_message(judging->errors[i].message).text);
         } else if (judge_scene(judging, i) == DRAWN_MISSING && !ended_well(end)) {
-            if (step->scene_count > 1) {
+            if (step->scene_count > 1 && stopped < TIMEOUT_LIMIT) {
                 done = judge_alone(judging, i, error);
+                stopped += items[i].state == RESULT_TIME;
             } else {
                 blame(judging, &items[i], end);
             }
@@ -532,9 +533,7 @@ void judge_step(const struct options *options, const struct checked_step *step,
         .references = calloc(step->scene_count, sizeof *judging.references),
         .errors = calloc(step->scene_count, sizeof *judging.errors),
         .looks = calloc(step->scene_count, sizeof *judging.looks),
-        .limits = {.seconds = options->seconds,
-                   .file_bytes = (size_t)FILE_MEGABYTES * 1000 * 1000,
-                   .processes = PROCESS_LIMIT},
+        .limits = run_program_limits(options->seconds),
     };
     char path[DRAWN_PATH_LIMIT];
     snprintf(path, sizeof path, "%s/%s/main.c", options->sources, step->name);

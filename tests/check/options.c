@@ -21,6 +21,8 @@ static const struct options default_options = {
     .json = "",
     .tap = "",
     .html = "",
+    .csv = "",
+    .note = "",
     .seconds = 10,
     .build_seconds = 60,
 };
@@ -42,7 +44,9 @@ const char options_help[] =
     "  --only SCENE        draw and compare just this scene of a step\n"
     "  --shares FILE       add a line to it for each picture: step, scene, % wrong, % apart,\n"
     "                      % drawn in one picture only, how far from the mistake it looks like\n"
-    "  --junit FILE        a report for CI; also --json, --tap, and --html for people\n"
+    "  --junit FILE        a report for CI; also --json, --tap, --csv (a line for each task), and\n"
+    "                      --html for people\n"
+    "  --note TEXT         a line that the reports begin with\n"
     "  -h, --help\n"
     "\n"
     "A difference image shows the reference, yours and the difference. Red: this pixel of yours\n"
@@ -51,6 +55,7 @@ const char options_help[] =
     "\n"
     "CHECK_TIMEOUT in the environment: seconds that a step's program may take (10).\n"
     "CHECK_BUILD_TIMEOUT in the environment: seconds that building it may take (60).\n"
+    "CHECK_RUNNER in the environment: a command that runs the programs, shut in.\n"
     "CHECK_EXACT=1 in the environment: every pixel of every scene must be equal.\n"
     "Exit status: 0 all passed, 1 something failed, 2 the check itself cannot work.\n"
     "To see all that a program says, run it by hand: build/step05_zbuffer -o DIRECTORY\n";
@@ -99,6 +104,8 @@ bool options_read(struct options *options, int argc, char **argv, int *first_ste
         {"--json", &options->json},
         {"--tap", &options->tap},
         {"--html", &options->html},
+        {"--csv", &options->csv},
+        {"--note", &options->note},
     };
     int i = 1;
     *options = default_options;

@@ -9,18 +9,17 @@
 
 #include <stdbool.h>
 
-enum { FILE_MEGABYTES = 64 }; /* largest file that a compiler or a program may write */
-
 /* Paths begin at the root, where the check runs. None is longer than DRAWN_PATH_LIMIT / 2. */
 struct options {
     const char *root, *scenes, *sources, *references, *looks, *programs, *differences, *make,
         *first;
-    const char *only;                      /* judge just this scene; "" means all */
-    const char *shares;                    /* a file to add each picture's numbers to, or "" */
-    const char *junit, *json, *tap, *html; /* files for reports, or "" */
-    double seconds;                        /* for one step's program */
-    double build_seconds;                  /* for building it */
-    bool exact;                            /* every pixel of every scene must be equal */
+    const char *only;   /* judge just this scene; "" means all */
+    const char *shares; /* a file to add each picture's numbers to, or "" */
+    const char *junit, *json, *tap, *html, *csv; /* files for reports, or "" */
+    const char *note;                            /* a line for the reports, or "" */
+    double seconds;                              /* for one step's program */
+    double build_seconds;                        /* for building it */
+    bool exact;                                  /* every pixel of every scene must be equal */
 };
 
 extern const char options_help[];

@@ -90,6 +90,7 @@ struct check_result {
     size_t passed, failed; /* steps */
     unsigned points, most;
     bool cannot_work; /* the check itself */
+    const char *note; /* a line that the reports begin with, or "" */
 };
 
 /* The word for it: "PASS", "TODO", ... */

@@ -24,7 +24,11 @@
 enum {
     MESSAGE_LIMIT = 256 * 1024, /* bytes of standard error that are kept */
     TICK_MS = 5,                /* between two looks at a running program */
-    COUNT_MS = 100              /* between two counts of its processes */
+    COUNT_MS = 100,             /* between two counts of what it uses */
+    OPEN_FILES = 256,           /* in each of its processes */
+    FILE_COUNT = 4096,          /* in its directory */
+    FILE_DEPTH = 64,            /* directories in one another */
+    SIGNALED = 128              /* and a signal: the status that tells of it */
 };
 
 static const double seconds_to_end = 0.5;      /* between SIGTERM and SIGKILL */
@@ -81,6 +85,38 @@ struct signal_name run_signal_name(int number) {
     return name;
 }
 
+/* ---- Limits ---- */
+
+enum { MEGABYTE = 1000 * 1000 };
+
+struct run_limits run_program_limits(double seconds) {
+    return (struct run_limits){.seconds = seconds,
+                               .file_bytes = (size_t)64 * MEGABYTE,
+                               .disk_bytes = (size_t)256 * MEGABYTE,
+                               .group_bytes = (size_t)2000 * MEGABYTE,
+                               .processes = 64};
+}
+
+struct run_text run_stopped_by(const struct run_result *result, const struct run_limits *limits) {
+    struct run_text text = {""};
+    if (result->end == RUN_OUT_OF_TIME) {
+        snprintf(text.text, sizeof text.text, "stopped after %g s", limits->seconds);
+    } else if (result->end == RUN_TOO_MANY) {
+        snprintf(text.text, sizeof text.text, "stopped at more than %u processes",
+                 limits->processes);
+    } else if (result->end == RUN_TOO_LARGE) {
+        snprintf(text.text, sizeof text.text, "stopped at more than %zu MB of memory",
+                 limits->group_bytes / MEGABYTE);
+    } else if (result->end == RUN_DISK_FULL) {
+        snprintf(text.text, sizeof text.text, "stopped at more than %zu MB of files, or %d of them",
+                 limits->disk_bytes / MEGABYTE, FILE_COUNT);
+    } else if (result->end == RUN_KILLED && result->number == SIGXFSZ) {
+        snprintf(text.text, sizeof text.text, "SIGXFSZ, file larger than %zu MB",
+                 limits->file_bytes / MEGABYTE);
+    }
+    return text;
+}
+
 /* ---- Time ---- */
 
 static double now(void) {
@@ -97,7 +133,13 @@ static void pause_ms(long ms) {
 
 struct process {
     pid_t id, parent;
+    size_t pages; /* in memory */
     bool descends;
+};
+
+/* What the descendants use together. */
+struct group {
+    size_t processes, bytes;
 };
 
 struct process_list {
@@ -107,8 +149,9 @@ struct process_list {
 
 #ifdef __linux__
 
-/* The parent from /proc/ID/stat: "ID (name) state parent ..."; the name may hold anything. */
-static bool read_parent(const char *id, pid_t *parent) {
+/* From /proc/ID/stat, "ID (name) state parent ...", of which the 24th is the pages in memory; the
+ * name may hold anything. */
+static bool read_process(const char *id, struct process *process) {
     char path[64], text[512];
     snprintf(path, sizeof path, "/proc/%.20s/stat", id);
     int file = open(path, O_RDONLY | O_CLOEXEC);
@@ -123,11 +166,16 @@ static bool read_parent(const char *id, pid_t *parent) {
     text[length] = '\0';
     const char *after_name = strrchr(text, ')');
     char state;
-    long number;
-    if (after_name == NULL || sscanf(after_name + 1, " %c %ld", &state, &number) != 2) {
+    long parent, pages;
+    if (after_name == NULL ||
+        sscanf(after_name + 1,
+               " %c %ld %*s %*s %*s %*s %*s %*s %*s %*s %*s %*s %*s %*s %*s %*s %*s %*s %*s %*s "
+               "%*s %ld",
+               &state, &parent, &pages) != 3) {
         return false;
     }
-    *parent = (pid_t)number;
+    process->parent = (pid_t)parent;
+    process->pages = pages > 0 ? (size_t)pages : 0;
     return true;
 }
 
@@ -140,7 +188,7 @@ static void list_all(struct process_list *list) {
     struct dirent *entry;
     while ((entry = readdir(directory)) != NULL) {
         struct process process = {.id = (pid_t)strtol(entry->d_name, NULL, 10)};
-        if (process.id <= 0 || !read_parent(entry->d_name, &process.parent)) {
+        if (process.id <= 0 || !read_process(entry->d_name, &process)) {
             continue;
         }
         if (list->count == capacity) {
@@ -165,24 +213,26 @@ static bool is_descendant(const struct process_list *list, pid_t id) {
     return false;
 }
 
-/* Mark all descendants of this process and return how many there are; with a signal, send it. */
-static size_t find_descendants(int signal_to_send) {
+/* Mark all descendants of this process and return what they use; with a signal, send it. */
+static struct group find_descendants(int signal_to_send) {
     struct process_list list = {.processes = NULL};
     list_all(&list);
-    size_t found = 0, before;
+    struct group found = {0};
+    size_t before, page = (size_t)sysconf(_SC_PAGESIZE);
     do { /* a parent may stand behind its child in the list */
-        before = found;
+        before = found.processes;
         for (size_t i = 0; i < list.count; i++) {
             struct process *p = &list.processes[i];
             if (!p->descends && (p->parent == getpid() || is_descendant(&list, p->parent))) {
                 p->descends = true;
-                found++;
+                found.processes++;
+                found.bytes += p->pages * page;
                 if (signal_to_send != 0) {
                     kill(p->id, signal_to_send);
                 }
             }
         }
-    } while (found != before);
+    } while (found.processes != before);
     free(list.processes);
     return found;
 }
@@ -207,9 +257,9 @@ static size_t count_threads(void) {
 
 #else
 
-static size_t find_descendants(int signal_to_send) {
+static struct group find_descendants(int signal_to_send) {
     (void)signal_to_send;
-    return 0;
+    return (struct group){0};
 }
 
 static void adopt_orphans(bool adopt) {
@@ -263,6 +313,7 @@ static void limit_work(const struct run_limits *limits, size_t threads) {
     rlim_t seconds = (rlim_t)(limits->seconds * (double)cores) + 1;
     lower_limit(RLIMIT_CPU, seconds, seconds + 1);
     lower_limit(RLIMIT_CORE, 0, 0);
+    lower_limit(RLIMIT_NOFILE, OPEN_FILES, OPEN_FILES);
 #ifdef RLIMIT_NPROC
     /* It counts the threads of all that the user runs: leave room for those, and for ours. */
     rlim_t processes = (threads > 0 ? threads : 2048) + limits->processes + 1024;
@@ -279,6 +330,27 @@ static void child_fail(const char *what, const char *name) {
         _exit(126);
     }
     _exit(127);
+}
+
+/* The command that runs the programs, or NULL. */
+static const char *runner(void) {
+    const char *command = getenv("CHECK_RUNNER");
+    return command != NULL && command[0] != '\0' ? command : NULL;
+}
+
+static void execute(const struct run_command *command) {
+    enum { ARGUMENT_LIMIT = 64 };
+    const char *const *arguments = command->arguments;
+    const char *run_by[ARGUMENT_LIMIT + 2] = {runner()};
+    if (command->contained && run_by[0] != NULL) {
+        for (size_t i = 0; arguments[i] != NULL && i < ARGUMENT_LIMIT; i++) {
+            run_by[i + 1] = arguments[i];
+        }
+        arguments = run_by;
+    }
+    /* execvp() takes pointers to characters that it does not change. */
+    execvp(arguments[0], (char *const *)(uintptr_t)arguments);
+    child_fail("start", arguments[0]);
 }
 
 static void child(const struct run_command *command, int messages, size_t threads) {
@@ -312,9 +384,7 @@ static void child(const struct run_command *command, int messages, size_t thread
         limit_work(&command->limits, threads);
     }
     limit_sizes(&command->limits);
-    /* execvp() takes pointers to characters that it does not change. */
-    execvp(command->arguments[0], (char *const *)(uintptr_t)command->arguments);
-    child_fail("start", command->arguments[0]);
+    execute(command);
 }
 
 /* ---- The parent's side ---- */
@@ -350,6 +420,50 @@ static void wait_a_tick(int *pipe_end, struct bytes *messages) {
     }
 }
 
+/* What a directory holds; more than is allowed of depth or count is `full`. */
+struct disk_use {
+    size_t bytes, files;
+    bool full;
+};
+
+static void measure_directory(struct disk_use *use, int parent, const char *name, int depth) {
+    int file = openat(parent, name, O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
+    DIR *directory = file < 0 ? NULL : fdopendir(file);
+    struct dirent *entry;
+    struct stat status;
+    while (directory != NULL && !use->full && (entry = readdir(directory)) != NULL) {
+        bool counts = strcmp(entry->d_name, ".") != 0 && strcmp(entry->d_name, "..") != 0;
+        if (counts && fstatat(file, entry->d_name, &status, AT_SYMLINK_NOFOLLOW) == 0) {
+            use->files++;
+            use->bytes += (size_t)status.st_blocks * 512;
+            use->full = use->files > FILE_COUNT || depth > FILE_DEPTH;
+            if (S_ISDIR(status.st_mode) && !use->full) {
+                measure_directory(use, file, entry->d_name, depth + 1);
+            }
+        }
+    }
+    if (directory != NULL) {
+        closedir(directory);
+    } else if (file >= 0) {
+        close(file);
+    }
+}
+
+/* Does it use more than it may? RUN_EXITED: it does not. */
+static enum run_end judge_use(const struct run_command *command) {
+    const struct run_limits *limits = &command->limits;
+    struct group group = find_descendants(0);
+    struct disk_use disk = {.bytes = 0};
+    if (limits->disk_bytes > 0) {
+        measure_directory(&disk, AT_FDCWD, command->directory, 0);
+    }
+    bool disk_full = disk.full || disk.bytes > limits->disk_bytes;
+    return group.processes > limits->processes                            ? RUN_TOO_MANY
+           : limits->group_bytes > 0 && group.bytes > limits->group_bytes ? RUN_TOO_LARGE
+           : limits->disk_bytes > 0 && disk_full                          ? RUN_DISK_FULL
+                                                                          : RUN_EXITED;
+}
+
 /* Wait until the program ends or must be stopped. */
 static enum run_end watch(const struct run_command *command, pid_t id, int *pipe_end,
                           struct bytes *messages) {
@@ -363,9 +477,10 @@ static enum run_end watch(const struct run_command *command, pid_t id, int *pipe
             return RUN_OUT_OF_TIME;
         }
         if (command->contained && time > next_count) {
-            next_count = time + COUNT_MS / 1000.0;
-            if (find_descendants(0) > command->limits.processes) {
-                return RUN_TOO_MANY;
+            enum run_end end = judge_use(command);
+            next_count = now() + COUNT_MS / 1000.0;
+            if (end != RUN_EXITED) {
+                return end;
             }
         }
         wait_a_tick(pipe_end, messages);
@@ -395,12 +510,14 @@ static int end_group(pid_t id, enum run_end end) {
     return status;
 }
 
-static void judge_status(struct run_result *result, int status) {
+static void judge_status(struct run_result *result, int status, bool contained) {
     if (result->end != RUN_EXITED) {
         return;
     }
-    if (WIFSIGNALED(status)) {
-        result->number = WTERMSIG(status);
+    bool told =
+        contained && runner() != NULL && WIFEXITED(status) && WEXITSTATUS(status) > SIGNALED;
+    if (WIFSIGNALED(status) || told) {
+        result->number = told ? WEXITSTATUS(status) - SIGNALED : WTERMSIG(status);
         result->end = result->number == SIGXCPU ? RUN_OUT_OF_TIME : RUN_KILLED;
     } else {
         result->number = WEXITSTATUS(status);
@@ -445,7 +562,7 @@ bool run(const struct run_command *command, struct run_result *result, struct er
                read_messages(ends[0], &result->messages)) {
         }
         blank_nuls(&result->messages);
-        judge_status(result, status);
+        judge_status(result, status, command->contained);
         done = bytes_append(&result->messages, "", 1) || error_set(error, "out of memory");
     } else {
         error_set(error, "cannot make a process: %s", strerror(errno));

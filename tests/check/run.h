@@ -2,13 +2,18 @@
  * Running a program that nobody trusts: in an empty directory, in its own session (a process group
  * without a terminal), under limits, and with nothing left of it afterwards.
  *
- * What is limited: elapsed time, CPU time (the same on each core), the size of a file, the number
- * of processes, core files (none). When the time is over, the whole group gets SIGTERM and half a
- * second later SIGKILL; after any end, whoever is left in the group gets SIGKILL. On Linux,
- * processes that left the group are found through /proc and killed too, and the number of processes
- * is counted there, since RLIMIT_NPROC counts all processes of a user and does not bind root. On
- * other systems RLIMIT_NPROC alone stands against a program that forks without end. The network and
- * reading of other files are not limited: for programs of strangers use a container.
+ * What is limited: elapsed time, CPU time (the same on each core), the size of a file and of all
+ * files in its directory, open files, memory, the number of processes, core files (none). When the
+ * time is over, the whole group gets SIGTERM and half a second later SIGKILL; after any end,
+ * whoever is left in the group gets SIGKILL. On Linux, processes that left the group are found
+ * through /proc and killed too, and the number of processes is counted there, since RLIMIT_NPROC
+ * counts all processes of a user and does not bind root. On other systems RLIMIT_NPROC alone stands
+ * against a program that forks without end.
+ *
+ * The network and the files of others are not limited here: for programs of strangers CHECK_RUNNER
+ * in the environment names a command, which is called as `RUNNER PROGRAM ARGUMENT...` in the
+ * program's place, and shuts it in (tests/grade/contain.sh does). It must end as a shell would:
+ * with the program's status, or 128 and the number of the signal that ended it.
  *
  * While a contained program runs, the caller must have no other child process.
  */
@@ -25,6 +30,8 @@ struct run_limits {
     size_t file_bytes;   /* of each file; 0: no limit */
     size_t memory_bytes; /* of each process, as addresses; 0: no limit */
     unsigned processes;  /* at the same time, threads not counted; only where contained */
+    size_t group_bytes;  /* memory in use by all its processes together; 0: no limit; as above */
+    size_t disk_bytes;   /* of all files in `directory` together; 0: no limit; as above */
 };
 
 struct run_command {
@@ -41,6 +48,8 @@ enum run_end {
     RUN_KILLED,      /* `number` is the signal */
     RUN_OUT_OF_TIME, /* stopped after limits.seconds, or it used up its CPU time */
     RUN_TOO_MANY,    /* stopped for more than limits.processes */
+    RUN_TOO_LARGE,   /* stopped for more than limits.group_bytes of memory */
+    RUN_DISK_FULL,   /* stopped for more than limits.disk_bytes, or for thousands of files */
     RUN_INTERRUPTED  /* stopped, because this process was asked to end */
 };
 
@@ -54,6 +63,16 @@ struct run_result {
 /* Run a command and wait for it. Standard input is empty. False when it could not even be tried.
  * The caller frees result->messages, also on an error. */
 bool run(const struct run_command *command, struct run_result *result, struct error *error);
+
+/* What a step's program may use while it draws for so many seconds: what holds in every place where
+ * submissions run. */
+struct run_limits run_program_limits(double seconds);
+
+/* What made it end as it did, where that is a limit: "stopped after 10 s"; else "". */
+struct run_text {
+    char text[80];
+};
+struct run_text run_stopped_by(const struct run_result *result, const struct run_limits *limits);
 
 /* The name of a signal, like "SIGSEGV". */
 struct signal_name {

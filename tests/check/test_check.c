@@ -303,7 +303,7 @@ static void test_verdicts(void) {
          "large CRASH 0/1: step36_fault/main.c:29: signed integer overflow: 2147483647 + 1 cannot "
          "be represented in type 'int'; "
          "null CRASH 0/1: step36_fault/main.c:31: store to null pointer of type 'int'; "
-         "deep CRASH 0/1: step36_fault/main.c:12: deeper() calls itself without end, or has too "
+         "deep CRASH 0/1: step36_fault/main.c:14: deeper() calls itself without end, or has too "
          "large an array"},
         {"step33_first", "CRASH 1/2 SCORE 3/4; depth CRASH 0/1: SIGABRT; depth2 PASS 3/3; "
                          "make check STEP=33 SANITIZE=1 says in which line; "
@@ -332,6 +332,9 @@ static void test_verdicts(void) {
          "moved) FAIL 0/1: is not judged while the picture itself does not pass; depth5 drawn "
          "again (halved) FAIL 0/1: is not judged while the picture itself does not pass; tasks: "
          "37.1 1/3, 37.2 FAIL 0/1, 37.3 1/2, 37.4 perhaps FAIL 0/2, 37.5 perhaps FAIL 0/2"},
+        {"step38_files",
+         "FAIL 0/1 SCORE 0/1; depth FAIL 0/1: stopped at more than 256 MB of files, or "
+         "4096 of them"},
         {"step31_apart",
          "FAIL 0/1 SCORE 0/1; depth FAIL 0/1: 1.7 % of drawn pixels of another colour there (limit "
          "1 %), shifted by (1,0), first at (88,21): 0,0,0 for 120,112,120"},
@@ -399,7 +402,7 @@ static void test_crowd(void) {
 }
 
 static void test_summary_and_status(void) {
-    CHECK(contains(&fixture.output, "\n5 passed, 32 failed\n"));
+    CHECK(contains(&fixture.output, "\n5 passed, 33 failed\n"));
     CHECK(fixture.status == 2); /* a reference is missing */
     size_t lines = 0;
     const char *text = (const char *)fixture.output.data;
@@ -407,10 +410,10 @@ static void test_summary_and_status(void) {
         lines += text[0] != ' ';
         text += strcspn(text, "\n") + 1;
     }
-    CHECK(lines == 37);
+    CHECK(lines == 38);
     char score[24];
     snprintf(score, sizeof score, "%.*s", (int)strcspn(text, "\n"), text);
-    CHECK_TEXT(score, "SCORE 20/75");
+    CHECK_TEXT(score, "SCORE 20/76");
 }
 
 /* Each failed scene has its picture, with the reference on its left, and yours in the middle. */
@@ -794,6 +797,24 @@ static void test_interrupt(void) {
     }
 }
 
+/* A program that is run by another one: its status tells of a signal. */
+static void test_runner(void) {
+    struct bytes output;
+    char runner[2 * PATH_LIMIT];
+    snprintf(runner, sizeof runner, "%s/tests/check/wrong/runner.sh", fixture.here);
+    setenv("CHECK_RUNNER", runner, 1);
+    CHECK(run_check("1 9 14", &output) == 1);
+    CHECK_TEXT(line_of(&output, "step01_exact").text, "PASS 2/2 SCORE 2/2 exact");
+    CHECK(contains(&output, "exit status 1: step09_status: bust.obj:17"));
+    CHECK(contains(&output, "step14_abort  CRASH 0/1 SCORE 0/1\n  depth CRASH 0/1: SIGABRT: "));
+    bytes_free(&output);
+    setenv("CHECK_RUNNER", "/nowhere/runner", 1);
+    CHECK(run_check("1", &output) == 1);
+    CHECK(contains(&output, "cannot start /nowhere/runner"));
+    bytes_free(&output);
+    unsetenv("CHECK_RUNNER");
+}
+
 /* Run the other program for one step of the wrong programs. */
 static int redraw(const char *step, struct bytes *output, struct bytes *errors) {
     struct path references = inside("redrawn"), build = inside("build");
@@ -888,6 +909,7 @@ static const struct unit_test tests[] = {
     TEST(test_checks_wait_for_each_other),
     TEST(test_scene_tables),
     TEST(test_interrupt),
+    TEST(test_runner),
     TEST(test_redraw),
     TEST(test_place_of_fault),
 };

@@ -15,6 +15,8 @@
  *
  * Exit status: 0 all right, 1 something is wrong, 2 it cannot be tried.
  */
+#define _POSIX_C_SOURCE 200809L
+
 #include "../check/compare.h"
 #include "../check/drawn.h"
 #include "../check/inputs.h"
@@ -33,8 +35,6 @@ enum {
     STATUS_WRONG = 1,
     STATUS_CANNOT_WORK = 2,
     SECONDS = 30,
-    FILE_MEGABYTES = 64,
-    PROCESS_LIMIT = 64,
     OPTION_TEXT = 48,
     FIRST_SIZE = 600, /* of images in another size: these, and up to LAST_SIZE */
     LAST_SIZE = 900
@@ -64,6 +64,7 @@ static const struct hidden_case cases[] = {
 };
 
 struct hidden {
+    char runner[DRAWN_PATH_LIMIT]; /* what submissions are run by, or "" */
     const char *programs, *solutions;
     uint64_t seed;
     struct scene_table table;
@@ -145,21 +146,28 @@ static void pair_end(const struct pair *pair) {
     unseen_end(&pair->solution);
 }
 
-static bool draw(struct unseen_place *place, const char *programs, const char *step,
-                 const struct told *told, enum input_kind kind, uint64_t seed, bool *ended_well,
-                 struct error *error) {
-    const struct run_limits limits = {.seconds = SECONDS,
-                                      .file_bytes = (size_t)FILE_MEGABYTES * 1000 * 1000,
-                                      .processes = PROCESS_LIMIT};
+/* How a program ended, and what it said. */
+struct ending {
+    bool well;
+    struct message_line said;
+};
+
+/* `runner` is what the program is run by, or "": a solution needs none, which could hide it. */
+static bool draw(struct unseen_place *place, const char *runner, const char *programs,
+                 const char *step, const struct told *told, enum input_kind kind, uint64_t seed,
+                 struct ending *ending, struct error *error) {
+    const struct run_limits limits = run_program_limits(SECONDS);
     const struct variant plain = {.turned = 0};
     char program[DRAWN_PATH_LIMIT];
     struct run_result result;
     if (!unseen_program(program, programs, step, error)) {
         return false;
     }
+    setenv("CHECK_RUNNER", runner, 1);
     bool done =
         unseen_draw(place, program, told->list, kind, seed, &plain, &limits, &result, error);
-    *ended_well = done && result.end == RUN_EXITED && result.number == 0;
+    ending->well = done && result.end == RUN_EXITED && result.number == 0;
+    ending->said = drawn_message(done ? (const char *)result.messages.data : "");
     if (done && run_caught_signal() != 0) {
         done = error_set(error, "interrupted");
     }
@@ -244,13 +252,13 @@ static bool find_secrets(const struct hidden *hidden, const struct checked_step 
     const struct told nothing = {.count = 0};
     char solutions[DRAWN_PATH_LIMIT];
     struct unseen_place place;
-    bool ended_well;
+    struct ending ending;
     snprintf(solutions, sizeof solutions, "%s/%s", hidden->solutions, step->name);
     if (!unseen_begin(&place, error)) {
         return false;
     }
-    bool done = draw(&place, solutions, step->name, &nothing, INPUT_MODEL, hidden->seed,
-                     &ended_well, error);
+    bool done = draw(&place, "", solutions, step->name, &nothing, INPUT_MODEL, hidden->seed,
+                     &ending, error);
     for (size_t i = 0; i < step->scene_count && done; i++) {
         struct image image;
         struct error ignored;
@@ -269,19 +277,19 @@ static bool try_case(struct hidden *hidden, const struct checked_step *step, siz
     uint64_t seed = hidden->seed * 1000 + number;
     struct told told;
     struct pair pair;
-    bool ended_well = false, solved = false;
+    struct ending yours, solved;
     char solutions[DRAWN_PATH_LIMIT], says[256];
     snprintf(solutions, sizeof solutions, "%s/%s", hidden->solutions, step->name);
     tell_all(&told, hidden_case, step_number, seed);
     if (!pair_begin(&pair, error)) {
         return false;
     }
-    bool done = draw(&pair.solution, solutions, step->name, &told, hidden_case->kind, seed, &solved,
-                     error) &&
-                (solved || error_set(error, "%s: the solution does not draw %s", step->name,
-                                     hidden_case->says)) &&
-                draw(&pair.yours, hidden->programs, step->name, &told, hidden_case->kind, seed,
-                     &ended_well, error);
+    bool done = draw(&pair.solution, "", solutions, step->name, &told, hidden_case->kind, seed,
+                     &solved, error) &&
+                (solved.well || error_set(error, "%s: the solution does not draw %s: %s",
+                                          step->name, hidden_case->says, solved.said.text)) &&
+                draw(&pair.yours, hidden->runner, hidden->programs, step->name, &told,
+                     hidden_case->kind, seed, &yours, error);
     if (done && unseen_takes_text(step->name)) {
         judge(hidden, &pair, "scene", limits_for(step, hidden_case->kind), hidden_case->says);
     }
@@ -352,6 +360,8 @@ int main(int argc, char **argv) {
         fputs("usage: hidden --programs DIR --solutions DIR --seed NUMBER STEP...\n", stderr);
         return STATUS_CANNOT_WORK;
     }
+    const char *runner = getenv("CHECK_RUNNER");
+    snprintf(hidden.runner, sizeof hidden.runner, "%s", runner != NULL ? runner : "");
     hidden.programs = argv[2];
     hidden.solutions = argv[4];
     hidden.seed = strtoull(argv[6], &end, 10);

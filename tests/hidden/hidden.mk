@@ -7,7 +7,7 @@ THEN_HIDDEN = $(if $(HIDDEN),; status=$$?; tests/hidden/hidden.sh '$(BUILD)' '$(
 $(BUILD)/hidden: $(BUILD)/tests/hidden/hidden.o $(CHECKER) $(BUILD)/libcommon.a
 	$(LINK) $^ -lm -o $@
 
-# A solution, built with what is there.
-$(BUILD)/hidden.%: force
-	$(COMPILE) -I$(@F) -c $(@D)/main.c -o $@.o
+# A solution, built with what is there. (It has no .d: make would take that for a program to build.)
+$(BUILD)/hidden.% $(BUILD)/solutions/%: force
+	$(filter-out -MMD -MP,$(COMPILE)) -I$(@F) -c $(@D)/main.c -o $@.o
 	$(LINK) $@.o $(BUILD)/libcommon.a -lm -o $@

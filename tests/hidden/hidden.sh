@@ -18,7 +18,6 @@ seed=$4
 steps=$5
 solution=$6
 . tests/starter/lesson.sh
-. tests/starter/marked.sh
 
 # fail STATUS MESSAGE...: whatever it is, the check itself cannot work.
 fail() {
@@ -40,28 +39,11 @@ find_lessons() {
     done
 }
 
-# The solution's source becomes $place/main.c.
-find_solution() {
-    main=$lesson/main.c
-    work=$place
-    if [ -z "$solution" ]; then
-        find_marked
-        text solution "$place/marked" "$main" >"$place/main.c" || cannot "no solution of $lesson"
-        return
-    fi
-    [ -f "$solution/$lesson/main.c" ] || cannot "there is no $solution/$lesson/main.c"
-    text solution "$solution/$lesson/main.c" >"$place/main.c" || cannot "no solution of $lesson"
-}
-
 find_lessons
 all=$(mktemp -d "$build/hidden.XXXXXX") || cannot "cannot write into $build"
 trap 'rm -rf "$all"' EXIT
 trap 'exit 2' HUP INT TERM
-for lesson in $lessons; do
-    place=$all/$lesson
-    mkdir "$place" || cannot "cannot write into $build"
-    find_solution
-    said=$($make "$place/$lesson" 2>&1) || cannot "the solution of $lesson does not build: $said"
-done
+# shellcheck disable=SC2086 # one word a lesson
+said=$(tests/hidden/solutions.sh "$all" "$make" "$solution" $lessons 2>&1) || cannot "$said"
 # shellcheck disable=SC2086 # one word a lesson
 "$build/hidden" --programs "$programs" --solutions "$all" --seed "$seed" $lessons

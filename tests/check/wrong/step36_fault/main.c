@@ -9,10 +9,10 @@ static int sum(const int *numbers, int count) {
     return all;
 }
 
-static int deeper(volatile int *depth) {
-    volatile int here = *depth + 1;
-    return deeper(&here) + here; /* the function begins at line 12 */
-}
+/* On one line, since the stack may end at its beginning or at the call. */
+/* clang-format off */
+static int deeper(volatile int *a) { volatile int b = *a + 1; return deeper(&b) + b; } /* line 14 */
+/* clang-format on */
 
 int main(int argc, char **argv) {
     const char *scene = argc >= 5 ? argv[4] : "heap";

@@ -1,0 +1,64 @@
+#!/bin/bash
+# Grades a class: grade.sh BUILD MAKE SUBMISSIONS OUT [JOBS [LESSONS [SEED]]]
+#
+# Each directory, .zip or .tar.gz in SUBMISSIONS is a submission, graded by grade_one.sh, JOBS at a
+# time (as many as there are processors); a failure stops none of the others. Stopped and started
+# again, it goes on where it was. At the end merge.sh makes OUT/class.csv and OUT/index.html.
+#
+# Exit status: 0 each has a result; 1 not; 2 wrong usage.
+build=$1
+make=$2
+submissions=$3
+out=$4
+jobs=${5:-$(getconf _NPROCESSORS_ONLN 2>/dev/null || echo 1)}
+lessons=$6
+seed=$7
+
+fail() {
+    echo "make grade: $*" >&2
+    exit 2
+}
+
+[ -d "$submissions" ] || fail "say whose: make grade SUBMISSIONS=some/directory [OUT=dir]"
+case $jobs in '' | *[!0-9]* | 0) fail "JOBS=$jobs is no number of submissions at a time" ;; esac
+case $lessons in
+*[!0-9-]* | -* | *- | *-*-*) fail "LESSONS=$lessons is neither a number nor like 1-5" ;;
+esac
+case $seed in *[!0-9]*) fail "SEED=$seed is no number" ;; esac
+mkdir -p "$out" || fail "cannot write into $out"
+list=()
+for submission in "$submissions"/*; do
+    case $submission in
+    *.zip | *.tar.gz | *.tgz) list+=("$submission") ;;
+    *) if [ -d "$submission" ] && [ ! -h "$submission" ]; then list+=("$submission"); fi ;;
+    esac
+done
+[ ${#list[@]} -gt 0 ] || fail "there is no directory, .zip or .tar.gz in $submissions"
+. tests/grade/contained.sh
+
+# On a terminal one line that says how far it is; otherwise a line each.
+show_progress() {
+    local count begun=$SECONDS line
+    count=$(find "$out/submissions" -name state 2>/dev/null | wc -l)
+    while IFS= read -r line; do
+        count=$((count + 1))
+        if [ -t 1 ]; then
+            printf '\r\033[K%d of %d, %d s: %s' $count ${#list[@]} $((SECONDS - begun)) "$line"
+        else
+            printf '[%d/%d] %s\n' $count ${#list[@]} "$line"
+        fi
+    done
+    [ ! -t 1 ] || echo
+}
+
+# xargs stops when a command dies of a signal: no submission may stop the others.
+# shellcheck disable=SC2016 # for that shell
+printf '%s\0' "${list[@]}" |
+    xargs -0 -n 1 -P "$jobs" sh -c 'tests/grade/grade_one.sh "$1" "$2" "$5" "$3" "$4" "$0" || :' \
+        "$seed" "$build" "$make" "$out" "$lessons" | show_progress
+tests/grade/merge.sh "$build" "$out" || exit 1
+graded=$(find "$out/submissions" -name state | wc -l)
+[ "$graded" -ge ${#list[@]} ] || {
+    echo "make grade: $((${#list[@]} - graded)) have no result: try again" >&2
+    exit 1
+}

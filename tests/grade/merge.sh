@@ -1,0 +1,58 @@
+#!/bin/sh
+# Makes of the results in OUT/submissions the class's: merge.sh BUILD OUT
+#
+# OUT/class.csv has a row a submission, OUT/index.html the same with how each task went and the
+# most frequent diagnoses, OUT/similar.html and .csv what is alike (tests/similar). All are written
+# anew from what is there.
+#
+# Exit status: 0 done; 1 there is nothing, or it cannot be written.
+cd "$(dirname "$0")/../.." || exit 1
+build=$1
+out=$2
+[ -d "$out/submissions" ] || {
+    echo "make grade: nothing is graded in $out" >&2
+    exit 1
+}
+work=$(mktemp -d "$out/.merging.XXXXXX") || exit 1
+trap 'rm -rf "$work"' EXIT
+trap 'exit 1' HUP INT TERM
+
+# What is alike, but for what everybody was given.
+mkdir "$work/given" && cp -R common "$work/given" || exit 1
+for lesson in step[0-9]*_*; do
+    mkdir "$work/given/$lesson" && cp "$lesson"/*.h "$work/given/$lesson" &&
+        awk -v mode=starter -f tests/starter/marks.awk "$lesson/main.c" \
+            >"$work/given/$lesson/main.c" || exit 1
+done
+set --
+for submission in "$out"/submissions/*/; do
+    [ ! -d "$submission/sources" ] || set -- "$@" "$(basename "$submission")=$submission/sources"
+done
+"$build/similar" --starters "$work/given" --html "$work/similar.html" --csv "$work/similar.csv" \
+    "$@" || exit 1
+
+# Lines `NAME KIND ...` of all results, in the order of the names; sums.awk says what follows.
+for submission in "$out"/submissions/*/; do
+    name=$(basename "$submission")
+    [ -s "$submission/state" ] || continue
+    sed "s|^|$name	state	|; 1q" "$submission/state"
+    sed "s|^|$name	seconds	|; 1q" "$submission/seconds"
+    [ ! -f "$submission/report.csv" ] ||
+        sed "1d; s|,|	|g; s|^|$name	task	|" "$submission/report.csv"
+    [ ! -f "$submission/hidden" ] ||
+        sed -n "s|^\(step[^ ]*\)  HIDDEN \([0-9]*\)/\([0-9]*\)|$name	hidden	\1	\2	\3|p" \
+            "$submission/hidden"
+    [ ! -f "$submission/log" ] ||
+        awk -v name="$name" '/^step[0-9]+_/ { step = $1 }
+            sub(/^    looks like /, "") {
+                sub(/"[:;] .*/, "\"")
+                if (!seen[step, $0]++) printf "%s\tlooks\t%s\t%s\n", name, step, $0
+            }' "$submission/log"
+done >"$work/results"
+show() {
+    awk -F '\t' -f tests/grade/sums.awk -f "tests/grade/$1" "$work/results"
+}
+show class.awk >"$work/class.csv" && show page.awk >"$work/index.html" &&
+    mv "$work/class.csv" "$work/index.html" "$work/similar.html" "$work/similar.csv" "$out" ||
+    exit 1
+echo "$out/index.html and $out/class.csv: $(grep -c '	state	' "$work/results") submissions"

@@ -1,0 +1,127 @@
+# The class as a page (after sums.awk): who has how many points, how each task went, and what went
+# wrong most often. One file without scripts; names lead to the reports beside it.
+function html(text) {
+    gsub(/&/, "\\&amp;", text)
+    gsub(/</, "\\&lt;", text)
+    gsub(/>/, "\\&gt;", text)
+    gsub(/"/, "\\&quot;", text)
+    return text
+}
+
+# Names hold % for what is no plain letter, which a link has to say once more.
+function link_to(name,    address) {
+    address = name
+    gsub(/%/, "%25", address)
+    return "<a href=\"submissions/" address "/" (state[name] ~ /^GRADED/ ? "report.html" : "log") \
+        "\">" name "</a>"
+}
+
+function class_of(state) {
+    return state == "PASS" ? "pass" : state == "TODO" ? "todo" : state == "FAIL" ? "fail" : "error"
+}
+
+function print_head() {
+    print "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
+    print "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">"
+    print "<title>The class</title><style>"
+    print ":root { color-scheme: light dark; --pass: #1a7f37; --todo: #8c959f; --fail: #bc4c00;"
+    print "    --error: #8250df; }"
+    print "body { font: 15px/1.5 sans-serif; margin: 1em auto; max-width: 60em; padding: 0 1em; }"
+    print "table { border-collapse: collapse; } td, th { padding: 2px 8px; text-align: left; }"
+    print "td.number { text-align: right; font-variant-numeric: tabular-nums; }"
+    print ".wide { overflow-x: auto; } .bar { display: flex; width: 16em; height: 1em; }"
+    print ".pass { background: var(--pass); } .todo { background: var(--todo); }"
+    print ".fail { background: var(--fail); } .error { background: var(--error); }"
+    print ".key span { display: inline-block; width: 1em; height: 1em; vertical-align: -2px; }"
+    print ".who { font-size: 13px; }</style></head><body>\n<h1>The class</h1>"
+}
+
+function print_points(    n, i, all, least, row) {
+    all = total_most()
+    print "<h2>Points</h2>\n<table>"
+    for (n = 1; n <= name_count; n++)
+        bin[all > 0 ? int(total(names[n]) * 9.999 / all) : 0]++
+    for (i = 0; i < 10; i++) {
+        least = int((all * i + 9) / 10)
+        printf "<tr><td class=\"number\">%d to %d</td><td class=\"number\">%d</td>", least,
+            i == 9 ? all : int((all * (i + 1) + 9) / 10) - 1, bin[i]
+        printf "<td><div class=\"bar\"><span class=\"pass\" style=\"flex: %d\"></span>", bin[i]
+        printf "<span style=\"flex: %d\"></span></div></td></tr>\n", name_count - bin[i]
+    }
+    print "</table>"
+}
+
+function print_tasks(    t, n, i, task, name, sum, count, kinds, kind) {
+    split("pass todo fail error", kinds, " ")
+    print "<h2>Tasks</h2>\n<p class=\"key\"><span class=\"pass\"></span> passed"
+    print "<span class=\"todo\"></span> still to do <span class=\"fail\"></span> wrong"
+    print "<span class=\"error\"></span> does not build, crashes or takes too long</p>"
+    print "<div class=\"wide\"><table><tr><th>task</th><th>lesson</th><th>mean</th><th>of</th>"
+    print "<th>how it went</th></tr>"
+    for (t = 1; t <= task_count; t++) {
+        task = tasks[t]
+        sum = 0
+        split("", count)
+        for (n = 1; n <= name_count; n++) {
+            name = names[n]
+            sum += points_of(name, task)
+            if ((name, task) in task_state) count[class_of(task_state[name, task])]++
+        }
+        printf "<tr><td>%s</td><td>%s</td><td class=\"number\">%.1f</td>" \
+            "<td class=\"number\">%d</td>", task, step_of[task], sum / name_count, most[task]
+        printf "<td><div class=\"bar\">"
+        for (i = 1; i <= 4; i++) {
+            kind = kinds[i]
+            if (count[kind])
+                printf "<span class=\"%s\" title=\"%d\" style=\"flex: %d\"></span>", kind,
+                    count[kind], count[kind]
+        }
+        print "</div></td></tr>"
+    }
+    print "</table></div>"
+}
+
+function print_looks(    i, k, best, part, who, many, shown) {
+    if (looks_total == 0) return
+    print "<h2>Most frequent diagnoses</h2>\n<div class=\"wide\"><table>"
+    for (shown = 0; shown < 20; shown++) {
+        best = ""
+        for (k = 1; k <= looks_total; k++)
+            if (looks_count[looks_list[k]] > looks_count[best]) best = looks_list[k]
+        if (best == "") break
+        split(best, part, "\t")
+        many = split(looks_who[best], who, " ")
+        printf "<tr><td class=\"number\">%d</td><td>%s</td><td>looks like %s<div class=\"who\">",
+            looks_count[best], html(part[1]), html(part[2])
+        for (i = 1; i <= many && i <= 8; i++) printf "%s%s", (i > 1 ? ", " : ""), link_to(who[i])
+        print (many > 8 ? " and others" : "") "</div></td></tr>"
+        looks_count[best] = 0
+    }
+    print "</table></div>"
+}
+
+function print_names(    n, name) {
+    print "<h2>Submissions</h2>\n<div class=\"wide\"><table><tr><th>submission</th><th>points</th>"
+    print (any_hidden ? "<th>hidden scenes</th>" : "") "<th>state</th></tr>"
+    for (n = 1; n <= name_count; n++) {
+        name = names[n]
+        printf "<tr><td>%s</td><td class=\"number\">%d/%d</td>", link_to(name), total(name),
+            total_most()
+        if (any_hidden) printf "<td class=\"number\">%d/%d</td>", hidden[name], hidden_most[name]
+        printf "<td>%s</td></tr>\n", html(state[name])
+    }
+    print "</table></div>"
+}
+
+END {
+    sort_tasks()
+    print_head()
+    print "<p>" name_count " submissions. <a href=\"class.csv\">class.csv</a> has their points, a"
+    print "column a task; <a href=\"similar.html\">similar.html</a> lists those that are alike,"
+    print "for a person to look at.</p>"
+    print_points()
+    print_tasks()
+    print_looks()
+    print_names()
+    print "</body></html>"
+}

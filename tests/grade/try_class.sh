@@ -1,0 +1,80 @@
+#!/bin/bash
+# Is a class graded rightly, whatever some of it do? try_class.sh WORK [COUNT]
+#
+# Makes up a class of COUNT (60) in WORK, which is not there yet, kills the grading in the middle,
+# lets it go on, and compares the points with those expected. Nothing may have been written, nothing
+# may be left running or lying about. CONTAIN_BY in the environment: bwrap, unshare.
+#
+# Exit status 0: all of that is so; 1: something is not.
+cd "$(dirname "$0")/../.." || exit 1
+work=$1
+count=${2:-60}
+mkdir "$work" && work=$(cd "$work" && pwd) || exit 1
+failed=0
+
+wrong() {
+    echo "class: $*"
+    failed=1
+}
+
+build=build
+. tests/grade/contained.sh
+make -s grade-tools || exit 1
+contained=1
+[ "$CONTAIN_BY" != nothing ] || contained=
+CONTAINED=$contained tests/grade/make_class.sh "$work" "$count" || exit 1
+precious="build/libcommon.a build/check tests/check/scenes.txt tests/reference/step01_line/line.png"
+# shellcheck disable=SC2086
+before=$(cksum $precious)
+grade() {
+    make -s grade SUBMISSIONS="$work/class" OUT="$work/out" LESSONS=1-3
+}
+
+# Killed after some results: what is there stays, and nothing else is left.
+# shellcheck disable=SC2016 # for that shell
+setsid bash -c 'exec make -s grade SUBMISSIONS="$1" OUT="$2" LESSONS=1-3' - "$work/class" \
+    "$work/out" >"$work/first" 2>&1 &
+first=$!
+until [ "$(find "$work/out/submissions" -name state 2>/dev/null | wc -l)" -ge $((count / 3)) ]; do
+    kill -0 $first 2>/dev/null || break
+    sleep 0.2
+done
+kill -TERM -- -$first
+wait $first
+early=$(find "$work/out/submissions" -name state | wc -l)
+echo "stopped after $early"
+[ "$early" -lt "$count" ] || wrong "it was over before it could be stopped"
+begun=$SECONDS
+grade >"$work/second" || wrong "make grade fails: $(tail -n 3 "$work/second")"
+echo "the other $((count - early)) took $((SECONDS - begun)) s"
+
+# Each in the class has the points that it should have.
+awk -F, 'NR == FNR { split($0, part, " "); state[part[1]] = part[2]; sign[part[1]] = part[3]
+        points[part[1]] = part[4]; next }
+    FNR > 1 {
+        seen[$1] = 1
+        right = $2 == state[$1] && (sign[$1] == "=" ? $3 == points[$1] : $3 < points[$1])
+        if (!right) { print $1 ": " $2, $3 ", expected " state[$1], sign[$1], points[$1]; bad = 1 }
+    }
+    END { for (name in state) if (!(name in seen)) { print name ": has no row"; bad = 1 }
+        exit bad }' FS=' ' "$work/expected" FS=, "$work/out/class.csv" || failed=1
+
+# What it must not have done.
+# shellcheck disable=SC2086
+[ "$before" = "$(cksum $precious)" ] || wrong "the course was changed"
+for place in "$work/written" written /var/tmp/written "$work"/class/*/written; do
+    [ ! -e "$place" ] || wrong "$place was written"
+done
+! pgrep -f 'sleep 98765' >/dev/null || wrong "a child is left running"
+! grep -rqs CONNECTED "$work/out/submissions"/*/log || wrong "the network can be reached"
+for litter in build/grade.* "$work"/out/.grading* "$work"/out/.merging* "$work"/out/.begun/*; do
+    [ ! -e "$litter" ] || wrong "$litter is left behind"
+done
+
+# Once more: nothing is done again, and the same comes out.
+cp "$work/out/class.csv" "$work/class.csv"
+begun=$SECONDS
+grade >"$work/third" && cmp "$work/class.csv" "$work/out/class.csv" ||
+    wrong "another CSV the second time"
+echo "again took $((SECONDS - begun)) s"
+exit $failed
