@@ -42,7 +42,7 @@ run_test() {
     log=$1/log
     : >"$log"
     case $2 in
-    test_*) arguments="SANITIZE=-O1 build/tests/$2" ;;
+    test_*) arguments="SANITIZED=-O1 build/tests/$2" ;;
     sanitized*) arguments="BUILD=sanitized sanitized/tests/${2#* }" ;;
     stress*) arguments=build/stress ;;
     check*) arguments="build/check build/$(cd "$1" && echo step"${2#* }"_*)" ;;
