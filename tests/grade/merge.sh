@@ -26,10 +26,13 @@ for lesson in step[0-9]*_*; do
 done
 set --
 for submission in "$out"/submissions/*/; do
-    [ ! -d "$submission/sources" ] || set -- "$@" "$(basename "$submission")=$submission/sources"
+    for source in "$submission"/sources/*/main.c; do
+        [ -f "$source" ] && set -- "$@" "$(basename "$submission")=$submission/sources" && break
+    done
 done
 "$build/similar" --starters "$work/given" --html "$work/similar.html" --csv "$work/similar.csv" \
-    "$@" || exit 1
+    "$@" >"$work/said" || exit 1
+sed 1q "$work/said"
 
 # Lines `NAME KIND ...` of all results, in the order of the names; sums.awk says what follows.
 for submission in "$out"/submissions/*/; do
@@ -46,7 +49,7 @@ for submission in "$out"/submissions/*/; do
         awk -v name="$name" '/^step[0-9]+_/ { step = $1 }
             sub(/^    looks like /, "") {
                 sub(/"[:;] .*/, "\"")
-                if (!seen[step, $0]++) printf "%s\tlooks\t%s\t%s\n", name, step, $0
+                if (/^"/ && !seen[step, $0]++) printf "%s\tlooks\t%s\t%s\n", name, step, $0
             }' "$submission/log"
 done >"$work/results"
 show() {

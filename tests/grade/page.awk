@@ -28,7 +28,7 @@ function print_head() {
     print "    --error: #8250df; }"
     print "body { font: 15px/1.5 sans-serif; margin: 1em auto; max-width: 60em; padding: 0 1em; }"
     print "table { border-collapse: collapse; } td, th { padding: 2px 8px; text-align: left; }"
-    print "td.number { text-align: right; font-variant-numeric: tabular-nums; }"
+    print "td.number { text-align: right; white-space: nowrap; }"
     print ".wide { overflow-x: auto; } .bar { display: flex; width: 16em; height: 1em; }"
     print ".pass { background: var(--pass); } .todo { background: var(--todo); }"
     print ".fail { background: var(--fail); } .error { background: var(--error); }"
