@@ -139,4 +139,25 @@ rm -r ../out/submissions/starter
 make -s grade-one $flags SUBMISSION=../class/starter OUT=../out LESSONS=1 >"$work/said" 2>&1
 grep -qx 'ERROR killed the grading twice' ../out/submissions/starter/state ||
     wrong "who kills the grading is graded"
+
+# Not shut in, a program can kill the check: somebody outlives that. What cannot be kept from it is
+# said in the report of everybody.
+mkdir -p ../class/kills/step01_line
+cat >../class/kills/step01_line/main.c <<'END'
+#define _POSIX_C_SOURCE 200809L
+#include <signal.h>
+#include <unistd.h>
+int main(void) { return kill(getppid(), SIGKILL); }
+END
+rm -rf ../out
+for name in kills solution; do
+    # shellcheck disable=SC2086
+    CONTAIN_BY=nothing make -s grade-one $flags SUBMISSION=../class/$name OUT=../out LESSONS=1 \
+        >"$work/said" 2>&1
+done
+grep -qx 'ERROR killed by the submission' ../out/submissions/kills/state ||
+    wrong "kills: $(cat ../out/submissions/kills/state)"
+grep -qx GRADED ../out/submissions/solution/state || wrong "who comes after it is not graded"
+grep -q '"note": "Graded without bwrap and unshare' ../out/submissions/solution/report.json ||
+    wrong "what is not prevented is not said"
 exit $failed
