@@ -48,7 +48,7 @@ mkdir "$work/result" || exit 1
 finish() {
     printf '%s\n' "$*" >"$work/result/state"
     echo "$(($(date +%s) - begun))" >"$work/result/seconds"
-    chmod 755 "$work/result" && mv "$work/result" "$result" || exit 1
+    chmod -R u+rw,go+rX "$work/result" && mv "$work/result" "$result" || exit 1
     rm -f "$out/.begun/$name"
     points=$(awk -F, 'NR > 1 { got += $4; most += $5 } END { if (most) print got "/" most }' \
         "$result/report.csv" 2>/dev/null)
