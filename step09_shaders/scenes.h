@@ -1,7 +1,7 @@
 /*
  * Step 9, the given part: its scenes and the program.
  *
- * A scene is a square of cells, and in each cell the model as one shader draws it. `loops`, `looks`
+ * A scene is a grid of cells, and in each cell the model as one shader draws it. `loops`, `looks`
  * and `more_looks` are drawn by simple_draw(); the others by the pipeline: `four`, `toon` and
  * `normalmap` show shaders, `culling` which faces may be left out.
  */
@@ -91,7 +91,7 @@ static bool draw_loops(struct drawing *drawing, struct image *image, struct erro
     const struct simple_cell cells[4] = {{&simple_corners, CULL_BACK, 0.8, {0, 0, 0}},
                                          {&simple_normals, CULL_BACK, 0.8, {0, 0, 0}},
                                          {&simple_corners, CULL_BACK, 1.2, near_the_nose},
-                                         {&simple_normals, CULL_FRONT, 0.8, {0, 0, 0}}};
+                                         {&simple_normals, CULL_FRONT, 1.15, {0, 0, 0}}};
     (void)error;
     return draw_simple_cells(drawing, image, cells);
 }
@@ -150,7 +150,12 @@ static bool draw_culling(struct drawing *drawing, struct image *image, struct er
 /* ---- The program ---- */
 
 static const struct scene scenes[] = {
-    {.name = "loops", .needs = NEEDS_MODEL | NEEDS_NORMALS | NEEDS_DEPTH, .draw = draw_loops},
+    {
+        .name = "loops",
+        .needs = NEEDS_MODEL | NEEDS_NORMALS | NEEDS_DEPTH,
+        .height = 720, /* not the width: who exchanges them sees it */
+        .draw = draw_loops,
+    },
     {
         .name = "looks",
         .needs = NEEDS_MODEL | NEEDS_NORMALS | NEEDS_DIFFUSE | NEEDS_DEPTH,
