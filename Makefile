@@ -41,8 +41,11 @@ For the course as a whole:
   make handout OUT=dir        what a student gets: starters, and no solution (LESSONS=1-5)
   make key OUT=dir            what an instructor gets: solutions, answers, the pictures of mistakes,
                               points (LESSONS=1-5)
-  make grade SUBMISSIONS=dir  grade a class into OUT=dir (LESSONS=1-5, SEED=7, JOBS=8); grade-one
-                              (SUBMISSION=path) and grade-merge do it in parts
+  make grade SUBMISSIONS=dir  a class: points, reports, what is alike, into OUT=dir (LESSONS=1-5,
+                              SEED=7 for hidden scenes, JOBS=8)
+  make grade-one SUBMISSION=path   one of them, into OUT=dir
+  make grade-merge OUT=dir    the class, from those that are there
+  make grade-tools            build what these use
   make mistakes               keep what the listed mistakes look like, by which the check knows them
                               (STEP=05)
   make coverage               which lines and branches of common the tests reach

@@ -101,7 +101,8 @@ $(REPLAYS): $(BUILD)/tests/%: $(BUILD)/tested/tests/fuzz/%.o $(BUILD)/tested/tes
 # Every test runs, also after one that failed.
 .PHONY: test
 test: $(UNITS) $(CHECKERS) $(HELPERS) $(ALIKE) $(REPLAYS) $(BUILD)/check $(BUILD)/looks_make \
-      $(BUILD)/references $(BUILD)/show $(BUILD)/compare_page $(BUILD)/hidden $(BUILD)/similar models
+      $(BUILD)/references $(BUILD)/show $(BUILD)/compare_page $(BUILD)/hidden $(BUILD)/similar \
+      $(BUILD)/limited models
 	@passed=0; failed=0; names=; \
 	for test in $(UNITS) $(CHECKERS) $(HELPERS) $(ALIKE) $(SCRIPTS); do \
 	    echo "== $$test"; \

@@ -154,7 +154,7 @@ bool export_junit(struct bytes *report, const struct check_result *result, const
         for (size_t k = 0; k < step->item_count; k++) {
             junit_item(&writer, step, &step->items[k]);
         }
-        if (result->note[0] != '\0') {
+        if (result->note != NULL && result->note[0] != '\0') {
             put(&writer, "    <system-out>");
             put_xml(&writer, result->note);
             put(&writer, "</system-out>\n");
@@ -293,7 +293,7 @@ bool export_json(struct bytes *report, const struct check_result *result, const 
     json_number(&writer, ",\n  \"most\"", result->most);
     json_number(&writer, ",\n  \"passed\"", result->passed);
     json_number(&writer, ",\n  \"failed\"", result->failed);
-    if (result->note[0] != '\0') {
+    if (result->note != NULL && result->note[0] != '\0') {
         json_text(&writer, ",\n  \"note\"", result->note);
     }
     put(&writer, ",\n  \"steps\": [\n");
@@ -357,7 +357,7 @@ bool export_tap(struct bytes *report, const struct check_result *result, const c
     put(&writer, "TAP version 13\n1..");
     put_number(&writer, number);
     put(&writer, "\n");
-    if (result->note[0] != '\0') {
+    if (result->note != NULL && result->note[0] != '\0') {
         put(&writer, "# ");
         put_escaped(&writer, result->note, escape_tap);
         put(&writer, "\n");

@@ -40,6 +40,11 @@ static bool put_row(struct bytes *page, const struct step_result *step) {
     return done && page_html(page, "</td></tr>\n");
 }
 
+static bool put_note(struct bytes *page, const char *note) {
+    return note == NULL || note[0] == '\0' ||
+           (page_html(page, "<p>") && page_text(page, note) && page_html(page, "</p>\n"));
+}
+
 static bool put_table(struct bytes *page, const struct check_result *result) {
     bool done = page_html(page, "<p class=score>SCORE ") &&
                 put_points(page, result->points, result->most) &&
@@ -50,8 +55,7 @@ static bool put_table(struct bytes *page, const struct check_result *result) {
     for (size_t i = 0; done && i < result->step_count; i++) {
         done = put_row(page, &result->steps[i]);
     }
-    return done && page_html(page, "</table></div>\n<p>") && page_text(page, result->note) &&
-           page_html(page, "</p>\n");
+    return done && page_html(page, "</table></div>\n") && put_note(page, result->note);
 }
 
 /* ---- A step ---- */

@@ -90,7 +90,7 @@ struct check_result {
     size_t passed, failed; /* steps */
     unsigned points, most;
     bool cannot_work; /* the check itself */
-    const char *note; /* a line that the reports begin with, or "" */
+    const char *note; /* a line that the reports begin with; NULL or "" for none */
 };
 
 /* The word for it: "PASS", "TODO", ... */
