@@ -260,7 +260,7 @@ async function judgeLooks() {
 
 const wrongItem = report.steps.flatMap(step => step.items).find(item => item.scene == 'zbuffer');
 const [, firstX, firstY, got, wanted] =
-    wrongItem.message.match(/first at \((\d+),(\d+)\): ([\d,]+) for ([\d,]+)/);
+    wrongItem.message.match(/first at \((\d+),(\d+)\): yours ([\d,]+), right ([\d,]+)/);
 const count = percent => Math.round(percent * wrongItem.pixels_drawn / 100);
 const scene = 'scenes.find(s => s.name == "zbuffer")';
 

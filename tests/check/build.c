@@ -29,10 +29,30 @@ static const char *line_start(const char *text, const char *at) {
     return at;
 }
 
+/* The compiler's warning about the function that the linker does not find: it says in which line
+ * it is called, and what its name may have been meant to be. NULL when there is none. */
+static const char *find_undeclared(const char *output) {
+    const char *reference = strstr(output, "undefined reference to `");
+    if (reference == NULL) {
+        return NULL;
+    }
+    const char *name = strchr(reference, '`') + 1;
+    const int length = (int)strcspn(name, "'\n");
+    char warning[2][DRAWN_PATH_LIMIT];
+    snprintf(warning[0], sizeof warning[0], "declaration of function '%.*s'", length, name);
+    snprintf(warning[1], sizeof warning[1], "'%.*s' used but never defined", length, name);
+    const char *found = strstr(output, warning[0]);
+    return found != NULL ? found : strstr(output, warning[1]);
+}
+
 /* The line of a compiler's, a linker's or make's output that a student needs first. */
 static struct message_line first_error(const char *output) {
     static const char *const marks[] = {"error:", "undefined reference", "multiple definition",
                                         "***"};
+    const char *undeclared = find_undeclared(output);
+    if (undeclared != NULL) {
+        return drawn_message(line_start(output, undeclared));
+    }
     for (size_t i = 0; i < sizeof marks / sizeof marks[0]; i++) {
         const char *mark = output;
         while ((mark = strstr(mark, marks[i])) != NULL) {

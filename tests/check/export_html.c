@@ -79,7 +79,7 @@ static char *note_of(const struct item_result *item) {
         snprintf(counted, sizeof counted, " (counted %llu, enough %llu)",
                  (unsigned long long)item->counted, (unsigned long long)item->most);
     }
-    return string_format("%s %u/%u%s%s%s", result_state_name(item->state), item->points,
+    return string_format("%s %u/%u%s%s%s", result_item_state(item), item->points,
                          item->credit->points, message[0] != '\0' ? ": " : "", message, counted);
 }
 

@@ -70,8 +70,8 @@ static void describe_first(struct item_result *item, const struct tally *tally,
     if (item->shift.x != 0 || item->shift.y != 0) {
         result_say(&item->message, ", shifted by (%d,%d)", item->shift.x, item->shift.y);
     }
-    result_say(&item->message, ", first at (%zu,%zu): %d,%d,%d for %d,%d,%d", item->x, item->y,
-               item->got.r, item->got.g, item->got.b, item->wanted.r, item->wanted.g,
+    result_say(&item->message, ", first at (%zu,%zu): yours %d,%d,%d, right %d,%d,%d", item->x,
+               item->y, item->got.r, item->got.g, item->got.b, item->wanted.r, item->wanted.g,
                item->wanted.b);
 }
 
@@ -427,7 +427,7 @@ static bool judge_works(const struct judging *judging, struct error *error) {
         } else {
             item->state = result->items[k].state;
             item->unjudged = true;
-            result_say(&item->message, "is not judged while the picture itself does not pass");
+            result_say(&item->message, "its picture must pass before this is judged");
         }
     }
     return done;

@@ -33,7 +33,7 @@ static bool is_told(const struct step_result *step, const struct item_result *it
 
 static void report_item(const struct step_result *step, const struct item_result *item) {
     printf("  %s%s%s %s %u/%u", item->scene, item->counter[0] != '\0' ? " " : "", item->counter,
-           result_state_name(item->state), item->points, item->credit->points);
+           result_item_state(item), item->points, item->credit->points);
     if (item->message.text[0] != '\0') {
         printf(": %s", item->message.text);
     }

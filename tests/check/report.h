@@ -4,11 +4,11 @@
  *
  *     step05_zbuffer  PASS 4/4 SCORE 10/10 exact
  *     step05_zbuffer  PASS 4/4 SCORE 10/10
- *       zbuffer PASS 4/4: 0.1 % differ (9 pixels), first at (41,30): 9,0,0 for 8,0,0
+ *       zbuffer PASS 4/4: 0.1 % differ (9 pixels), first at (41,30): yours 9,0,0, right 8,0,0
  *     step05_zbuffer  FAIL 2/4 SCORE 4/10
  *       zbuffer FAIL 0/4: 4.4 % of drawn pixels wrong (limit 0.25 %), first at ...
  *         looks like "depth cleared to 0"; make hint STEP=05 TASK=5.2
- *       zbuffer drawn again (halved) FAIL 0/1: is not judged while the picture itself does not pass
+ *       zbuffer drawn again (halved) NOT JUDGED 0/1: its picture must pass before ...
  *       knot TODO 0/2: task 5.2 is to do
  *       tasks: 5.1 2/2, 5.2 FAIL 0/6, 5.3 2/2
  *     step05_zbuffer  CRASH 1/4 SCORE 2/10

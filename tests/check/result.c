@@ -14,6 +14,11 @@ const char *result_state_name(enum result_state state) {
     return names[state];
 }
 
+const char *result_item_state(const struct item_result *item) {
+    return item->unjudged && item->state != RESULT_TODO ? "NOT JUDGED"
+                                                        : result_state_name(item->state);
+}
+
 void result_say(struct result_text *text, const char *format, ...) {
     size_t length = strlen(text->text);
     va_list arguments;

@@ -96,6 +96,9 @@ struct check_result {
 /* The word for it: "PASS", "TODO", ... */
 const char *result_state_name(enum result_state state);
 
+/* The same for a reader: "NOT JUDGED" where an item fails only because its picture does. */
+const char *result_item_state(const struct item_result *item);
+
 /* A result for that many steps; false when memory runs out. */
 bool check_result_create(struct check_result *result, size_t step_count, struct error *error);
 void check_result_free(struct check_result *result);

@@ -260,7 +260,7 @@ static void test_verdicts(void) {
         {"step01_exact", "PASS 2/2 SCORE 2/2 exact"},
         {"step05_blank", "FAIL 0/1 SCORE 0/1; depth FAIL 0/1: 100.0 % of drawn pixels wrong (limit "
                          "1.5 %), first at "
-                         "(88,21): 0,0,0 for 120,112,120"},
+                         "(88,21): yours 0,0,0, right 120,112,120"},
         {"step06_size", "FAIL 0/2 SCORE 0/2; depth FAIL 0/1: 200x150 pixels instead of 200x200; "
                         "huge FAIL 0/1: 65535x65535 "
                         "pixels instead of 200x200"},
@@ -288,13 +288,13 @@ static void test_verdicts(void) {
         {"step30_slow", "BUILD 0/1 SCORE 0/1: stopped after 4.5 s"},
         {"step02_shifted",
          "PASS 1/1 SCORE 1/1; depth PASS 1/1: 100.0 % differ (20,425 pixels), first at (88,21): "
-         "0,0,0 for 120,112,120"},
+         "yours 0,0,0, right 120,112,120"},
         {"step04_strict", "FAIL 0/1 SCORE 0/1; depth FAIL 0/1: 20,425 of 20,425 drawn pixels "
                           "differ (must be exact), "
-                          "shifted by (1,0), first at (88,21): 0,0,0 for 120,112,120"},
+                          "shifted by (1,0), first at (88,21): yours 0,0,0, right 120,112,120"},
         {"step32_coverage", "FAIL 0/1 SCORE 0/1; depth FAIL 0/1: 1.6 % of drawn pixels missing or "
                             "too many (limit 1 %), "
-                            "shifted by (1,0), first at (88,21): 0,0,0 for 120,112,120"},
+                            "shifted by (1,0), first at (88,21): yours 0,0,0, right 120,112,120"},
         {"step36_fault",
          "CRASH 0/5 SCORE 0/5; "
          "heap CRASH 0/1: step36_fault/main.c:7: sum() reads outside of the memory that it was "
@@ -312,32 +312,37 @@ static void test_verdicts(void) {
          "FAIL 1/3 SCORE 1/7; depth PASS 1/1; depth2 FAIL 0/2: 2,612 of 20,266 drawn pixels differ "
          "(must be "
          "exact), "
-         "first at (60,31): 160,100,60 for 120,140,120; depth3 TODO 0/4: task 34b.30 is to do; "
+         "first at (60,31): yours 160,100,60, right 120,140,120; depth3 TODO 0/4: task 34b.30 is "
+         "to do; "
          "tasks: 34.1 1/1, 34.2 FAIL 0/2; part b 0/4: 34b.3 TODO 0/2, 34b.30 TODO 0/2"},
         {"step35_work",
          "FAIL 3/7 SCORE 3/7; depth PASS 1/1; depth2 PASS 1/1; depth3 FAIL 0/1: 2,612 of 20,266 "
          "drawn pixels differ (must be "
          "exact), "
-         "first at (60,31): 160,100,60 for 120,140,120; depth pixels PASS 1/1; depth2 pixels FAIL "
+         "first at (60,31): yours 160,100,60, right 120,140,120; depth pixels PASS 1/1; depth2 "
+         "pixels FAIL "
          "0/1: 2,001, but 2,000 "
-         "are enough; depth nothing FAIL 0/1: --stats does not print it; depth3 pixels FAIL 0/1: "
-         "is not judged while the picture itself does not pass; tasks: 35.1 FAIL 2/3, 35.2 FAIL "
+         "are enough; depth nothing FAIL 0/1: --stats does not print it; depth3 pixels NOT JUDGED "
+         "0/1: its picture must pass before this is judged; tasks: 35.1 FAIL 2/3, 35.2 FAIL "
          "1/4"},
         {"step37_shared",
          "FAIL 2/7 SCORE 2/10; depth FAIL 0/2: 2,612 of 20,266 drawn pixels differ (must be "
-         "exact), first at (60,31): 160,100,60 for 120,140,120; depth2 PASS 1/1; depth3 PASS 1/1; "
+         "exact), first at (60,31): yours 160,100,60, right 120,140,120; depth2 PASS 1/1; depth3 "
+         "PASS 1/1; "
          "depth4 FAIL 0/3: 2,612 of 20,266 drawn pixels differ (must be exact), first at (60,31): "
-         "160,100,60 for 120,140,120; depth5 FAIL 0/1: 2,612 of 20,266 drawn pixels differ (must "
-         "be exact), first at (60,31): 160,100,60 for 120,140,120; depth5 drawn again (turned, "
-         "moved) FAIL 0/1: is not judged while the picture itself does not pass; depth5 drawn "
-         "again (halved) FAIL 0/1: is not judged while the picture itself does not pass; tasks: "
+         "yours 160,100,60, right 120,140,120; depth5 FAIL 0/1: 2,612 of 20,266 drawn pixels "
+         "differ (must "
+         "be exact), first at (60,31): yours 160,100,60, right 120,140,120; depth5 drawn again "
+         "(turned, "
+         "moved) NOT JUDGED 0/1: its picture must pass before this is judged; depth5 drawn "
+         "again (halved) NOT JUDGED 0/1: its picture must pass before this is judged; tasks: "
          "37.1 1/3, 37.2 FAIL 0/1, 37.3 1/2, 37.4 perhaps FAIL 0/2, 37.5 perhaps FAIL 0/2"},
         {"step38_files",
          "FAIL 0/1 SCORE 0/1; depth FAIL 0/1: stopped at more than 256 MB of files, or "
          "4096 of them"},
         {"step31_apart",
          "FAIL 0/1 SCORE 0/1; depth FAIL 0/1: 1.7 % of drawn pixels of another colour there (limit "
-         "1 %), shifted by (1,0), first at (88,21): 0,0,0 for 120,112,120"},
+         "1 %), shifted by (1,0), first at (88,21): yours 0,0,0, right 120,112,120"},
     };
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         CHECK_TEXT(line_of(&fixture.output, cases[i].step).text, cases[i].line);
@@ -351,6 +356,7 @@ static void test_verdicts_with_messages(void) {
     } cases[] = {
         {"step10_build", "BUILD 0/1 SCORE 0/1: step10_build.c:", "no_such_variable"},
         {"step11_link", "BUILD 0/1 SCORE 0/1: ", "undefined reference to `no_such_function'"},
+        {"step39_undeclared", "BUILD 0/1 SCORE 0/1: step39_undeclared.c:4:", "no_such_function"},
         {"step12_absent", "BUILD 0/1 SCORE 0/1: ", "No rule to make target"},
         {"step14_abort", "CRASH 0/1 SCORE 0/1; depth CRASH 0/1: SIGABRT: ", "directory[0] == 0"},
         {"step19_large", "CRASH 0/1 SCORE 0/1: SIGXFSZ, file larger than 64 MB",
@@ -402,7 +408,7 @@ static void test_crowd(void) {
 }
 
 static void test_summary_and_status(void) {
-    CHECK(contains(&fixture.output, "\n5 passed, 33 failed\n"));
+    CHECK(contains(&fixture.output, "\n5 passed, 34 failed\n"));
     CHECK(fixture.status == 2); /* a reference is missing */
     size_t lines = 0;
     const char *text = (const char *)fixture.output.data;
@@ -410,10 +416,10 @@ static void test_summary_and_status(void) {
         lines += text[0] != ' ';
         text += strcspn(text, "\n") + 1;
     }
-    CHECK(lines == 38);
+    CHECK(lines == 39);
     char score[24];
     snprintf(score, sizeof score, "%.*s", (int)strcspn(text, "\n"), text);
-    CHECK_TEXT(score, "SCORE 20/76");
+    CHECK_TEXT(score, "SCORE 20/77");
 }
 
 /* Each failed scene has its picture, with the reference on its left, and yours in the middle. */
