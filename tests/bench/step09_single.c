@@ -1,7 +1,9 @@
 /* Step 9: the loops over pixels in float, for one pixel at a time. */
 #undef REAL
 #undef LANES
-#define REAL  float
+#undef REAL
+#define REAL float
+#undef LANES
 #define LANES 1
 #define WAYS  ways_single
 #define main  step09_single_main

@@ -1,5 +1,7 @@
 /* The same borders in double, eight pixels at once. */
-#define REAL  double
+#undef REAL
+#define REAL double
+#undef LANES
 #define LANES 8
 #include "pipeline_again.h"
 

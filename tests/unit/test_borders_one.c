@@ -1,5 +1,7 @@
 /* The same borders with one pixel at a time, for a debugger. */
-#define REAL  float
+#undef REAL
+#define REAL float
+#undef LANES
 #define LANES 1
 #include "pipeline_again.h"
 

@@ -1,5 +1,7 @@
 /* The same borders with sixteen pixels at once: a chunk is one step. */
-#define REAL  float
+#undef REAL
+#define REAL float
+#undef LANES
 #define LANES 16
 #include "pipeline_again.h"
 

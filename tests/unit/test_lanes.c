@@ -1,4 +1,6 @@
 /* Pixel arithmetic in float, sixteen pixels at once. */
-#define REAL  float
+#undef REAL
+#define REAL float
+#undef LANES
 #define LANES 16
 #include "lanes_tests.h"

@@ -1,4 +1,6 @@
 /* Pixel arithmetic in double, eight pixels at once. */
-#define REAL  double
+#undef REAL
+#define REAL double
+#undef LANES
 #define LANES 8
 #include "lanes_tests.h"

@@ -1,4 +1,6 @@
 /* Pixel arithmetic in float, four pixels at once. */
-#define REAL  float
+#undef REAL
+#define REAL float
+#undef LANES
 #define LANES 4
 #include "lanes_tests.h"

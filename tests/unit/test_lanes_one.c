@@ -1,4 +1,6 @@
 /* Pixel arithmetic for a debugger: one pixel at a time, plain numbers. */
-#define REAL  float
+#undef REAL
+#define REAL float
+#undef LANES
 #define LANES 1
 #include "lanes_tests.h"
