@@ -28,7 +28,9 @@ root=
 if [ "$(id -u)" -eq 0 ]; then
     root=yes
     chown 65534 "$writes" 2>/dev/null && chmod 755 "$writes"
-    chmod -R a+rX "${PWD%/*}/input" 2>/dev/null
+    if [ -d "${PWD%/*}/input" ]; then # see below
+        chmod a+x "${PWD%/*}" && chmod -R a+rX "${PWD%/*}/input"
+    fi
     limits="$limits --nproc=512"
     powerless="--reuid=65534 --regid=65534 --clear-groups $powerless"
 fi
