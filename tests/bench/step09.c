@@ -319,7 +319,7 @@ static void cover(const struct seen *face, uint32_t number, double *depths, uint
 }
 
 /* There are at most as many runs, and as many chunks with a visible pixel, as pixels. */
-static void find_runs(struct visible *v, int y) {
+static void find_row_runs(struct visible *v, int y) {
     const uint32_t *row = v->number + y * SIDE;
     for (struct span span = {0, 0}; span.begin < SIDE; span.begin = span.end) {
         while (span.end < SIDE && row[span.end] == row[span.begin]) {
@@ -374,7 +374,7 @@ static bool find_visible(struct subject *subject, struct error *error) {
     }
     free(depths);
     for (int y = 0; y < SIDE; y++) {
-        find_runs(v, y);
+        find_row_runs(v, y);
         find_places(v, y);
     }
     return image_create(&v->image, SIDE, SIDE, IMAGE_BGRA, error);
