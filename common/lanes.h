@@ -123,7 +123,7 @@ LANES_INLINE lanes_mask lanes_not_before(int first) {
     for (int i = 0; i < LANES; i++) {
         place[i] = i;
     }
-    return __builtin_convertvector(~((place - first) >> 31), lanes_mask);
+    return __builtin_convertvector(place >= first, lanes_mask);
 }
 
 /* first, first + 1, first + 2, ...: as integers, and below as numbers. */

@@ -343,7 +343,7 @@ static void execute(const struct run_command *command) {
     const char *const *arguments = command->arguments;
     const char *run_by[ARGUMENT_LIMIT + 2] = {runner()};
     if (command->contained && run_by[0] != NULL) {
-        for (size_t i = 0; arguments[i] != NULL && i < ARGUMENT_LIMIT; i++) {
+        for (size_t i = 0; i < ARGUMENT_LIMIT && arguments[i] != NULL; i++) {
             run_by[i + 1] = arguments[i];
         }
         arguments = run_by;
