@@ -67,9 +67,9 @@ for lesson in step[0-9]*_*/; do
         lessons="$lessons ${lesson%/}"
 done
 # shellcheck disable=SC2086 # one word a lesson
-reason=$(tests/grade/unpack.sh "$build/limited" "$submission" "$work/result/sources" $lessons) ||
+reason=$(tests/grade/unpack.sh "$build/limited" "$submission" "$work/sources" $lessons) ||
     finish "ERROR $reason"
-cp -R "$work/result/sources" "$place/sources" && mkdir "$place/tmp" &&
+mv "$work/sources" "$work/result" && cp -R "$work/result/sources" "$place/sources" && mkdir "$place/tmp" &&
     chmod 711 "$place" "$place/tmp" || exit 1
 
 export CONTAIN_COURSE="$PWD" CONTAIN_BUILD="$build" CONTAIN_SECRET="$out $build/solutions"

@@ -71,6 +71,8 @@ for litter in build/grade.* "$work"/out/.grading* "$work"/out/.merging* "$work"/
     [ ! -e "$litter" ] || wrong "$litter is left behind"
 done
 
+[ -z "$(find "$work/out/submissions" -name 'sources.*')" ] || wrong "archives are left unpacked"
+
 # Once more: nothing is done again, and the same comes out.
 cp "$work/out/class.csv" "$work/class.csv"
 begun=$SECONDS
