@@ -66,6 +66,10 @@ for lesson in step[0-9]*_*/; do
     [ "$number" -ge "${wanted%-*}" ] && [ "$number" -le "${wanted#*-}" ] &&
         lessons="$lessons ${lesson%/}"
 done
+[ -n "$lessons" ] || {
+    echo "make grade-one: there is no lesson in LESSONS=$wanted" >&2
+    exit 1
+}
 # shellcheck disable=SC2086 # one word a lesson
 reason=$(tests/grade/unpack.sh "$build/limited" "$submission" "$work/sources" $lessons) ||
     finish "ERROR $reason"

@@ -71,7 +71,6 @@ hostile() {
 program() {
     hostile "$1" <<END
 #define _GNU_SOURCE
-#include <arpa/inet.h>
 #include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>
@@ -80,7 +79,7 @@ program() {
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/socket.h>
+#include <net/if.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -117,11 +116,17 @@ program writes_outside "const char *places[] = {\"$into/written\", \"$PWD/writte
         \"/var/tmp/written\", \"$PWD/tests/check/scenes.txt\", \"$PWD/build/libcommon.a\"};
     for (int i = 0; i < 5; i++) { int f = open(places[i], O_WRONLY | O_CREAT | O_APPEND, 0666);
         if (f >= 0 && write(f, \"x\", 1) == 1) close(f); }"
-program opens_the_network 'struct sockaddr_in a = {.sin_family = AF_INET, .sin_port = htons(80)};
-    inet_pton(AF_INET, "1.1.1.1", &a.sin_addr); int s = socket(AF_INET, SOCK_STREAM, 0);
-    bool connected = connect(s, (struct sockaddr *)&a, sizeof a) == 0;
-    fprintf(stderr, "%s\n", connected ? "CONNECTED" : strerror(errno));
+# A network has more than the loop to oneself.
+program opens_the_network 'struct if_nameindex *i = if_nameindex();
+    for (; i != NULL && i->if_index != 0; i++)
+        if (strcmp(i->if_name, "lo") != 0) fputs("CONNECTED\n", stderr);
     return 1;'
+program reads_solutions "const char *places[] = {\"$PWD/step02_wireframe/main.c\", \"$PWD/.git/HEAD\",
+        \"$references/line.png\"};
+    for (int i = 0; i < 3; i++) {
+        FILE *f = fopen(places[i], \"rb\");
+        if (f != NULL && fgetc(f) != EOF) fprintf(stderr, \"READ %s\\n\", places[i]); }
+    return 1;"
 if [ -n "$CONTAINED" ]; then
     program kills_all 'kill(-1, SIGKILL); kill(getppid(), SIGKILL); for (;;) kill(1, SIGKILL);'
 fi

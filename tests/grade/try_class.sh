@@ -67,6 +67,7 @@ for place in "$work/written" written /var/tmp/written "$work"/class/*/written; d
 done
 ! pgrep -f 'sleep 98765' >/dev/null || wrong "a child is left running"
 ! grep -rqs CONNECTED "$work/out/submissions"/*/log || wrong "the network can be reached"
+! grep -rqsE '(: |^)READ /' "$work/out/submissions"/*/log || wrong "what is secret can be read"
 for litter in build/grade.* "$work"/out/.grading* "$work"/out/.merging* "$work"/out/.begun/*; do
     [ ! -e "$litter" ] || wrong "$litter is left behind"
 done
