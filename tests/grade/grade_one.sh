@@ -73,8 +73,8 @@ done
 # shellcheck disable=SC2086 # one word a lesson
 reason=$(tests/grade/unpack.sh "$build/limited" "$submission" "$work/sources" $lessons) ||
     finish "ERROR $reason"
-mv "$work/sources" "$work/result" && cp -R "$work/result/sources" "$place/sources" && mkdir "$place/tmp" &&
-    chmod 711 "$place" "$place/tmp" || exit 1
+mv "$work/sources" "$work/result" && cp -R "$work/result/sources" "$place/sources" &&
+    mkdir "$place/tmp" && chmod 711 "$place" "$place/tmp" || exit 1
 
 export CONTAIN_COURSE="$PWD" CONTAIN_BUILD="$build" CONTAIN_SECRET="$out $build/solutions"
 # What make was told, but not where it gets its jobs from.

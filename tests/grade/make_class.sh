@@ -121,8 +121,8 @@ program opens_the_network 'struct if_nameindex *i = if_nameindex();
     for (; i != NULL && i->if_index != 0; i++)
         if (strcmp(i->if_name, "lo") != 0) fputs("CONNECTED\n", stderr);
     return 1;'
-program reads_solutions "const char *places[] = {\"$PWD/step02_wireframe/main.c\", \"$PWD/.git/HEAD\",
-        \"$references/line.png\"};
+program reads_solutions "const char *places[] = {\"$PWD/step02_wireframe/main.c\",
+        \"$PWD/.git/HEAD\", \"$references/line.png\"};
     for (int i = 0; i < 3; i++) {
         FILE *f = fopen(places[i], \"rb\");
         if (f != NULL && fgetc(f) != EOF) fprintf(stderr, \"READ %s\\n\", places[i]); }
