@@ -19,10 +19,14 @@ trap 'exit 1' HUP INT TERM
 
 # What is alike, but for what everybody was given.
 mkdir "$work/given" && cp -R common "$work/given" || exit 1
+target=grade
+. tests/starter/lesson.sh
+. tests/starter/marked.sh
 for lesson in step[0-9]*_*; do
+    main=$lesson/main.c
+    find_marked
     mkdir "$work/given/$lesson" && cp "$lesson"/*.h "$work/given/$lesson" &&
-        awk -v mode=starter -f tests/starter/marks.awk "$lesson/main.c" \
-            >"$work/given/$lesson/main.c" || exit 1
+        text starter "$work/marked" "$main" >"$work/given/$main" || exit 1
 done
 set --
 for submission in "$out"/submissions/*/; do
