@@ -18,7 +18,7 @@ typedef void draw_function(struct image *image, const struct vertex v[3],
 /* The good version, with the attempts' parameters. */
 static void draw_good(struct image *image, const struct vertex v[3],
                       const struct texture *texture) {
-    struct canvas canvas = {.image = image, .skip = true};
+    struct canvas canvas = {.image = image, .sampler = SAMPLE_TRILINEAR, .skip = true};
     perspective_triangle(&canvas, v, texture);
 }
 

@@ -41,11 +41,14 @@ struct vertex {
     double recip_w; /* 1/w, w being the distance from the camera; used with perspective only */
 };
 
+/* How a pixel in perspective finds its colour. */
+enum sampler { SAMPLE_NEAREST, SAMPLE_BILINEAR, SAMPLE_TRILINEAR };
+
 /* What is drawn on, and the work done on it. */
 struct canvas {
     struct image *image;
     double *depth;          /* one a pixel, row by row from the bottom; none in perspective */
-    bool nearest;           /* in perspective: sampler 1, without mip levels */
+    enum sampler sampler;   /* in perspective; the first two read level 0 */
     bool skip;              /* fetch a texel only where it will be seen */
     uint64_t pixels_tested; /* covered by a triangle */
     uint64_t pixels_written;
@@ -131,7 +134,7 @@ static bool plane_begin(struct quotients *plane, const struct image *image,
     /* STARTER
     c[0] = c[1] = c[2] = (struct vec3){0, 0, 1}; // to do 6b.2: u/w, v/w and 1/w of each corner
     END SOLUTION */
-    /* BEGIN SOLUTION 6d.2 one step */
+    /* BEGIN SOLUTION 6e.1 one step */
     const struct edge *e = edges->edge;
     double area = (double)edges->area;
     struct vec3 right = {(double)e[0].dx / area, (double)e[1].dx / area, (double)e[2].dx / area};
@@ -139,7 +142,7 @@ static bool plane_begin(struct quotients *plane, const struct image *image,
     plane->right = vec3_interpolate(right, c[0], c[1], c[2]);
     plane->up = vec3_interpolate(up, c[0], c[1], c[2]);
     /* STARTER
-    plane->right = plane->up = (struct vec3){0, 0, 0}; // to do 6d.2: what c gains in one step
+    plane->right = plane->up = (struct vec3){0, 0, 0}; // to do 6e.1: what c gains in one step
     END SOLUTION */
     return true;
 }
@@ -220,10 +223,10 @@ static struct vec4 sample_trilinear(const struct texture *texture, struct vec2 u
 /* How far u and v move in a step: the derivative of the quotient u = (u/w) / (1/w). `gain` is
  * what u/w, v/w and 1/w gain. */
 static struct vec2 uv_step(struct vec3 gain, struct vec2 uv, double w) {
-    /* BEGIN SOLUTION 6d.2 one step */
+    /* BEGIN SOLUTION 6e.1 one step */
     return (struct vec2){(gain.x - uv.x * gain.z) * w, (gain.y - uv.y * gain.z) * w};
     /* STARTER
-    (void)gain, (void)uv, (void)w; // to do 6d.2: (gain of u/w - u * gain of 1/w) * w, and v
+    (void)gain, (void)uv, (void)w; // to do 6e.1: (gain of u/w - u * gain of 1/w) * w, and v
     return (struct vec2){0, 0};
     END SOLUTION */
 }
@@ -232,7 +235,7 @@ static struct vec2 uv_step(struct vec3 gain, struct vec2 uv, double w) {
  * number of texels in it. `right` and `up` say how far u and v move, in units of the whole picture,
  * from a pixel to its right and its upper neighbour; the longer of the two counts. */
 static double mip_level(struct vec2 right, struct vec2 up, const struct texture *texture) {
-    /* BEGIN SOLUTION 6d.3 mip level */
+    /* BEGIN SOLUTION 6e.2 mip level */
     double width = (double)texture->level[0].width, height = (double)texture->level[0].height;
     double last = (double)(texture->level_count - 1);
     double across = right.x * width * (right.x * width) + right.y * height * (right.y * height);
@@ -251,23 +254,28 @@ static double mip_level(struct vec2 right, struct vec2 up, const struct texture 
     double fraction = frexp(square, &exponent); /* square = fraction * 2^exponent, 0.5..1 */
     return texture_clamp(0.5 * ((exponent - 1) + (2 * fraction - 1)), last);
     /* STARTER
-    (void)right, (void)up, (void)texture; // to do 6d.3: how many texels does a pixel move?
+    (void)right, (void)up, (void)texture; // to do 6e.2: how many texels does a pixel move?
     return 0;
     END SOLUTION */
 }
 
 /* ---- The colour of a pixel in perspective ---- */
 
-/* By sampler 1, or by sampler 3 with the mip level of this place. */
+/* By the sampler of the canvas; sampler 3 with the mip level of this place. */
 static struct color color_at(struct canvas *canvas, const struct quotients *plane, int x, int y,
                              const struct texture *texture) {
     double w;
     struct vec2 uv = plane_uv(plane, x, y, &w);
-    if (canvas->nearest) {
+    if (canvas->sampler == SAMPLE_NEAREST) {
         canvas->texels_fetched++;
         return sample_nearest(texture, repeat(uv));
     }
-    /* BEGIN SOLUTION 6d.4 the level of the pixel */
+    if (canvas->sampler == SAMPLE_BILINEAR) {
+        struct vec4 four = sample_bilinear(texture, repeat(uv), 0);
+        canvas->texels_fetched += 4;
+        return color_rgb(level_from(four.x), level_from(four.y), level_from(four.z));
+    }
+    /* BEGIN SOLUTION 6e.3 the level of the pixel */
     double level = mip_level(uv_step(plane->right, uv, w), uv_step(plane->up, uv, w), texture);
     bool one_level = canvas->skip && level == 0; /* the second would count for nothing */
     struct vec4 c = one_level ? sample_bilinear(texture, repeat(uv), 0)
@@ -275,8 +283,8 @@ static struct color color_at(struct canvas *canvas, const struct quotients *plan
     canvas->texels_fetched += one_level ? 4 : 8;
     return color_rgb(level_from(c.x), level_from(c.y), level_from(c.z));
     /* STARTER
-    (void)sample_trilinear, (void)mip_level, (void)uv_step;
-    struct vec4 t = sample_bilinear(texture, repeat(uv), 0); // to do 6d.4: sampler 3 at its level
+    (void)mip_level, (void)uv_step;
+    struct vec4 t = sample_bilinear(texture, repeat(uv), 0); // to do 6e.3: sampler 3 at its level
     return color_rgb(level_from(t.x), level_from(t.y), level_from(t.z));
     END SOLUTION */
 }

@@ -4,8 +4,9 @@
  * `texture` draws a model with its diffuse texture, nearest texel, times the intensity of the face.
  * `letters` draws a board whose texture coordinates leave the picture. `room` lays that picture on
  * a floor and a wall in perspective, again and again, nearest texel too. `close` is a wall before
- * the camera, bilinear. `mipmapped` is the room with a mip level for every pixel, and so is
- * `checker`, a plane towards the horizon.
+ * the camera, bilinear. `softer` shows the mip levels of that picture, and what lies between them.
+ * `mipmapped` is the room with a mip level for every pixel, and so is `checker`, a plane towards
+ * the horizon.
  */
 
 /* ---- Scene: texture ---- */
@@ -203,10 +204,10 @@ static void place_plane(const struct image *image, struct vertex corners[4]) {
 }
 
 static void draw_plane(struct drawing *drawing, struct image *image, const struct vertex corners[4],
-                       const struct texture *texture, bool nearest) {
+                       const struct texture *texture, enum sampler sampler) {
     const struct vertex first[3] = {corners[0], corners[1], corners[2]};
     const struct vertex second[3] = {corners[0], corners[2], corners[3]};
-    struct canvas canvas = {.image = image, .nearest = nearest, .skip = drawing->skip};
+    struct canvas canvas = {.image = image, .sampler = sampler, .skip = drawing->skip};
     perspective_triangle(&canvas, first, texture);
     perspective_triangle(&canvas, second, texture);
     drawing_count(drawing, "pixels_written", canvas.pixels_written);
@@ -218,7 +219,7 @@ static bool draw_checker(struct drawing *drawing, struct image *image, struct er
     const struct state *state = drawing->state;
     struct vertex corners[4];
     place_plane(image, corners);
-    draw_plane(drawing, image, corners, &state->checker, false);
+    draw_plane(drawing, image, corners, &state->checker, SAMPLE_TRILINEAR);
     return true;
 }
 
@@ -281,28 +282,57 @@ static bool draw_close(struct drawing *drawing, struct image *image, struct erro
     const struct state *state = drawing->state;
     struct vertex corners[4];
     place_close(image, corners);
-    draw_plane(drawing, image, corners, &state->letters, false);
+    draw_plane(drawing, image, corners, &state->letters, SAMPLE_BILINEAR);
     return true;
 }
 
-static void draw_room_by(struct drawing *drawing, struct image *image, bool nearest) {
+static void draw_room_by(struct drawing *drawing, struct image *image, enum sampler sampler) {
     const struct state *state = drawing->state;
     struct vertex corners[4];
     place_floor(image, corners);
-    draw_plane(drawing, image, corners, &state->letters, nearest);
+    draw_plane(drawing, image, corners, &state->letters, sampler);
     place_wall(image, corners);
-    draw_plane(drawing, image, corners, &state->letters, nearest);
+    draw_plane(drawing, image, corners, &state->letters, sampler);
 }
 
 static bool draw_room(struct drawing *drawing, struct image *image, struct error *error) {
     (void)error;
-    draw_room_by(drawing, image, true);
+    draw_room_by(drawing, image, SAMPLE_NEAREST);
     return true;
 }
 
 static bool draw_mipmapped(struct drawing *drawing, struct image *image, struct error *error) {
     (void)error;
-    draw_room_by(drawing, image, false);
+    draw_room_by(drawing, image, SAMPLE_TRILINEAR);
+    return true;
+}
+
+/* ---- Scene: softer ---- */
+
+enum { SOFTER_SIDE = 3 }; /* cells in a row, and rows */
+
+/* One cell: the whole picture, one level finer at its left edge than at its right one. */
+static void draw_softer_cell(struct image *image, struct rectangle cell,
+                             const struct texture *texture, double coarsest) {
+    for (int y = 0; y < cell.height; y++) {
+        for (int x = 0; x < cell.width; x++) {
+            struct vec2 uv = {(x + 0.5) / cell.width, (y + 0.5) / cell.height};
+            struct vec4 c = sample_trilinear(texture, uv, coarsest - 1 + uv.x);
+            image_set(image, cell.x + x, cell.y + y,
+                      color_rgb(level_from(c.x), level_from(c.y), level_from(c.z)));
+        }
+    }
+}
+
+/* Levels -1 to 8, from the top left. There are levels 0 to 7 of the letters. */
+static bool draw_softer(struct drawing *drawing, struct image *image, struct error *error) {
+    (void)error;
+    const struct state *state = drawing->state;
+    for (int i = 0; i < SOFTER_SIDE * SOFTER_SIDE; i++) {
+        struct rectangle cell = grid_cell(image->width, image->height, SOFTER_SIDE, SOFTER_SIDE,
+                                          i % SOFTER_SIDE, i / SOFTER_SIDE);
+        draw_softer_cell(image, cell, &state->letters, i);
+    }
     return true;
 }
 
@@ -336,6 +366,7 @@ static const struct scene scenes[] = {
     },
     {.name = "room", .width = 800, .height = 600, .draw = draw_room},
     {.name = "close", .width = 800, .height = 600, .draw = draw_close},
+    {.name = "softer", .width = 800, .height = 480, .draw = draw_softer},
     {.name = "mipmapped", .width = 800, .height = 600, .draw = draw_mipmapped},
     {.name = "checker", .draw = draw_checker},
 };

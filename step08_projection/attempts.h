@@ -149,41 +149,13 @@ static inline void attempt_8_left_out(struct drawing *drawing, struct canvas *ca
     }
 }
 
-/* ---- The camera's frame ---- */
-
-typedef struct mat4 attempt_lookat(struct vec3 eye, struct vec3 center, struct vec3 up);
-
-/* The center is taken away after the rotation instead of before it, so it is not rotated. Right
- * only for a center at the origin; otherwise the model slides out of the picture. */
-static inline struct mat4 attempt_4_unrotated(struct vec3 eye, struct vec3 center, struct vec3 up) {
-    struct mat4 frame = lookat(eye, center, up);
-    frame.m[0][3] = -center.x;
-    frame.m[1][3] = -center.y;
-    frame.m[2][3] = -center.z;
-    return frame;
-}
-
-/* No care for `up`. Where it is parallel to the view, the cross product is 0 and dividing by its
- * length gives NaN: nothing is drawn. Where it is nearly parallel, x is mostly rounding error. */
-static inline struct mat4 attempt_5_careless(struct vec3 eye, struct vec3 center, struct vec3 up) {
-    struct vec3 z = vec3_sub(eye, center);
-    z = vec3_scale(z, 1 / vec3_length(z));
-    struct vec3 x = vec3_cross(up, z);
-    x = vec3_scale(x, 1 / vec3_length(x));
-    struct vec3 y = vec3_cross(z, x);
-    return (struct mat4){{{x.x, x.y, x.z, -vec3_dot(x, center)},
-                          {y.x, y.y, y.z, -vec3_dot(y, center)},
-                          {z.x, z.y, z.z, -vec3_dot(z, center)},
-                          {0, 0, 0, 1}}};
-}
-
 /* ---- Normals ---- */
 
 typedef struct vec3 attempt_normal(const struct mat4 *map, struct vec3 normal);
 
 /* A normal sent through the same matrix as the points: no longer perpendicular to the surface when
  * the scale is not the same in all directions. */
-static inline struct vec3 attempt_6_same_matrix(const struct mat4 *map, struct vec3 normal) {
+static inline struct vec3 attempt_4_same_matrix(const struct mat4 *map, struct vec3 normal) {
     return vec3_normalized(mat4_direction(map, normal));
 }
 
@@ -193,6 +165,34 @@ static inline struct vec3 attempt_13_inverse_transpose(const struct mat4 *map, s
     mat4_inverse(*map, &inverse);
     struct mat4 transpose = mat4_transpose(inverse);
     return vec3_normalized(mat4_direction(&transpose, normal));
+}
+
+/* ---- The camera's frame ---- */
+
+typedef struct mat4 attempt_lookat(struct vec3 eye, struct vec3 center, struct vec3 up);
+
+/* The center is taken away after the rotation instead of before it, so it is not rotated. Right
+ * only for a center at the origin; otherwise the model slides out of the picture. */
+static inline struct mat4 attempt_5_unrotated(struct vec3 eye, struct vec3 center, struct vec3 up) {
+    struct mat4 frame = lookat(eye, center, up);
+    frame.m[0][3] = -center.x;
+    frame.m[1][3] = -center.y;
+    frame.m[2][3] = -center.z;
+    return frame;
+}
+
+/* No care for `up`. Where it is parallel to the view, the cross product is 0 and dividing by its
+ * length gives NaN: nothing is drawn. Where it is nearly parallel, x is mostly rounding error. */
+static inline struct mat4 attempt_6_careless(struct vec3 eye, struct vec3 center, struct vec3 up) {
+    struct vec3 z = vec3_sub(eye, center);
+    z = vec3_scale(z, 1 / vec3_length(z));
+    struct vec3 x = vec3_cross(up, z);
+    x = vec3_scale(x, 1 / vec3_length(x));
+    struct vec3 y = vec3_cross(z, x);
+    return (struct mat4){{{x.x, x.y, x.z, -vec3_dot(x, center)},
+                          {y.x, y.y, y.z, -vec3_dot(y, center)},
+                          {z.x, z.y, z.z, -vec3_dot(z, center)},
+                          {0, 0, 0, 1}}};
 }
 
 /* ---- From the model to the screen, in three precisions ---- */

@@ -271,7 +271,7 @@ static void draw_normals_of(struct image *image, attempt_normal *normal_of) {
 }
 
 static bool draw_normals(const char *directory, struct error *error) {
-    static attempt_normal *const versions[] = {attempt_6_same_matrix, attempt_13_inverse_transpose};
+    static attempt_normal *const versions[] = {attempt_4_same_matrix, attempt_13_inverse_transpose};
     struct sheet sheet;
     bool done = row_create(&sheet, SIDE, 2, error);
     for (int i = 0; done && i < 2; i++) {
@@ -441,8 +441,8 @@ static bool draw_all(struct drawing *drawing, const char *directory, struct erro
     return draw_distances(drawing, directory, error) && draw_pairs(drawing, directory, error) &&
            draw_evenly(directory, error) && draw_narrow_normals(drawing, directory, error) &&
            draw_clipping(drawing, directory, error) &&
-           draw_frames(drawing, directory, "unrotated", &off_center, attempt_4_unrotated, error) &&
-           draw_frames(drawing, directory, "careless", &above, attempt_5_careless, error) &&
+           draw_frames(drawing, directory, "unrotated", &off_center, attempt_5_unrotated, error) &&
+           draw_frames(drawing, directory, "careless", &above, attempt_6_careless, error) &&
            draw_normals(directory, error) && draw_wrong(drawing, directory, error);
 }
 

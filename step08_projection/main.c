@@ -87,8 +87,19 @@ static struct mat4 panel_map(int panel) {
     };
     return maps[panel];
     /* STARTER
-    (void)panel; // to do 8a.3: the map of each panel
-    return mat4_identity();
+    const struct mat4 maps[] = {
+        // to do 8a.3: the map of each panel
+        mat4_identity(), // scale
+        mat4_identity(), // shear
+        mat4_identity(), // turn
+        mat4_identity(), // scale_turn
+        mat4_identity(), // turn_scale
+        mat4_identity(), // turn_about
+        mat4_identity(), // move_turn
+        mat4_identity(), // turn_move
+        mat4_identity(), // divided
+    };
+    return maps[panel];
     END SOLUTION */
 }
 
@@ -106,7 +117,7 @@ struct vertex {
 /* Here is the division by w: find recip_w, depth and, by `to_screen` from NDC, position. False when
  * there is no such place on the screen: coordinates too large to compute with. */
 static bool place(struct vec4 clip, const struct mat4 *to_screen, struct vertex *vertex) {
-    /* BEGIN SOLUTION 8a.4 division by w */
+    /* BEGIN SOLUTION 8b.1 division by w */
     vertex->recip_w = 1 / clip.w;
     vertex->depth = clip.z * vertex->recip_w;
     struct vec3 ndc = {clip.x * vertex->recip_w, clip.y * vertex->recip_w, vertex->depth};
@@ -115,7 +126,7 @@ static bool place(struct vec4 clip, const struct mat4 *to_screen, struct vertex 
            screen_snap((struct vec2){screen.x, screen.y}, &vertex->position);
     /* STARTER
     (void)clip, (void)to_screen, (void)vertex;
-    return false; // to do 8a.4: true when depth is finite and screen_snap() has found the position
+    return false; // to do 8b.1: true when depth is finite and screen_snap() has found the position
     END SOLUTION */
 }
 
@@ -124,12 +135,12 @@ static bool place(struct vec4 clip, const struct mat4 *to_screen, struct vertex 
 /* A camera at (0, 0, distance) that looks along -z: w = 1 - z / distance. An infinite distance
  * gives the parallel view. */
 static struct mat4 projection(double distance) {
-    /* BEGIN SOLUTION 8a.5 perspective */
+    /* BEGIN SOLUTION 8b.2 perspective */
     struct mat4 projection = mat4_identity();
     projection.m[3][2] = -1 / distance;
     return projection;
     /* STARTER
-    (void)distance; // to do 8a.5: the matrix that makes w
+    (void)distance; // to do 8b.2: the matrix that makes w
     return mat4_identity();
     END SOLUTION */
 }
@@ -139,12 +150,12 @@ static struct mat4 projection(double distance) {
 /* The weights of the corners in the plane of the triangle, from those on the screen: a corner far
  * away counts for less (Blinn, "Hyperbolic Interpolation", 1992). */
 static struct vec3 correct_weights(struct vec3 screen, const double recip_w[3]) {
-    /* BEGIN SOLUTION 8b.1 correct weights */
+    /* BEGIN SOLUTION 8c.1 correct weights */
     double a = screen.x * recip_w[0], b = screen.y * recip_w[1], c = screen.z * recip_w[2];
     double scale = 1 / (a + b + c);
     return (struct vec3){a * scale, b * scale, c * scale};
     /* STARTER
-    (void)recip_w; // to do 8b.1: weigh each corner by its 1/w, then make the sum 1 again
+    (void)recip_w; // to do 8c.1: weigh each corner by its 1/w, then make the sum 1 again
     return screen;
     END SOLUTION */
 }
@@ -157,7 +168,8 @@ struct canvas {
     struct mat4 to_screen;         /* from NDC to the area */
     const struct texture *texture; /* the colour of the surface */
     struct mat4 normals_to_world;
-    bool one_color; /* a face: that of its middle */
+    bool one_color;  /* a face: that of its middle */
+    bool unweighted; /* a face is alike all over: 1/w is taken for 1 */
     uint64_t positions_divided;
     uint64_t faces_outside, faces_clipped, triangles_turned_away;
 };
@@ -195,12 +207,26 @@ static void triangle(const struct canvas *canvas, const struct edges *edges,
     }
 }
 
+/* ---- Normals of a model that is scaled ---- */
+
+/* Takes normals to the world, where to_world takes points: by the inverse transpose they stay
+ * perpendicular to the surface. A map without an inverse leaves them as they are. */
+static struct mat4 normals_to_world(struct mat4 to_world) {
+    /* BEGIN SOLUTION 8c.2 normals */
+    struct mat4 inverse = mat4_identity();
+    mat4_inverse(to_world, &inverse);
+    return mat4_transpose(inverse);
+    /* STARTER
+    return to_world; // to do 8c.2: the inverse, and of that the transpose
+    END SOLUTION */
+}
+
 /* ---- The camera ---- */
 
 /* The world as the camera sees it: `center` becomes the origin, the direction from there to `eye`
  * becomes z, and `up` appears upwards. The rows are the camera's own axes x, y, z. */
 static struct mat4 lookat(struct vec3 eye, struct vec3 center, struct vec3 up) {
-    /* BEGIN SOLUTION 8b.2 camera anywhere */
+    /* BEGIN SOLUTION 8d.1 camera anywhere */
     struct vec3 z = vec3_renormalized(vec3_normalized(vec3_half_difference(eye, center)));
     if (vec3_dot(z, z) == 0) {
         z = (struct vec3){0, 0, 1};
@@ -218,22 +244,8 @@ static struct mat4 lookat(struct vec3 eye, struct vec3 center, struct vec3 up) {
                           {z.x, z.y, z.z, -vec3_dot(z, center)},
                           {0, 0, 0, 1}}};
     /* STARTER
-    (void)eye, (void)center, (void)up; // to do 8b.2: the three axes, then the matrix
+    (void)eye, (void)center, (void)up; // to do 8d.1: the three axes, then the matrix
     return mat4_identity();
-    END SOLUTION */
-}
-
-/* ---- Normals of a model that is scaled ---- */
-
-/* Takes normals to the world, where to_world takes points: by the inverse transpose they stay
- * perpendicular to the surface. A map without an inverse leaves them as they are. */
-static struct mat4 normals_to_world(struct mat4 to_world) {
-    /* BEGIN SOLUTION 8b.3 normals */
-    struct mat4 inverse = mat4_identity();
-    mat4_inverse(to_world, &inverse);
-    return mat4_transpose(inverse);
-    /* STARTER
-    return to_world; // to do 8b.3: the inverse, and of that the transpose
     END SOLUTION */
 }
 
@@ -262,7 +274,7 @@ struct polygon {
     size_t count;
 };
 
-/* BEGIN SOLUTION 8c.1 clipping */
+/* BEGIN SOLUTION 8e.1 clipping */
 /* Signed distances to the planes, positive inside. */
 static double plane_distance(struct vec4 p, int plane) {
     switch (plane) {
@@ -302,7 +314,7 @@ static struct clip_corner cut_edge(const struct clip_corner *inside,
  * Clipping", 1974): w >= near_w, guard_band * w >= -x, >= x, >= -y, >= y. */
 static struct polygon clip_at_plane(const struct polygon *polygon, int plane) {
     struct polygon result = {.count = 0};
-    /* BEGIN SOLUTION 8c.1 clipping */
+    /* BEGIN SOLUTION 8e.1 clipping */
     for (size_t i = 0; i < polygon->count; i++) {
         const struct clip_corner *a = &polygon->corner[i];
         const struct clip_corner *b = &polygon->corner[(i + 1) % polygon->count];
@@ -319,7 +331,7 @@ static struct polygon clip_at_plane(const struct polygon *polygon, int plane) {
         }
     }
     /* STARTER
-    (void)polygon, (void)plane; // to do 8c.1: keep the corners inside, cut the edges that cross
+    (void)polygon, (void)plane; // to do 8e.1: keep the corners inside, cut the edges that cross
     END SOLUTION */
     return result;
 }

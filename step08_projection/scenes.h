@@ -2,14 +2,19 @@
  * Step 8, the given part: its scenes and the program.
  *
  * Part a: `house` shows a small house, `scale` to `divided` what nine matrices do to it, and
- * `transforms` all of them together. `viewport` draws a model into several rectangles, without
- * perspective. `projection` adds perspective, and `crossing` planes whose depths decide. In part a
- * a face has one colour, or w is 1: no weights are needed.
+ * `transforms` all of them together.
  *
- * Part b: `wall` needs the correct weights, `lookat`, `tilted` and `above` a camera anywhere,
- * `narrow` normals for a model that is not scaled alike in all directions.
+ * Part b: `viewport` draws a model into several rectangles, without perspective. `projection` adds
+ * perspective, and `crossing` planes whose depths decide. A face has one colour, or w is 1: no
+ * weights are needed.
  *
- * Part c: in `closeup` and `endless` faces pass behind the camera.
+ * Part c: `wall` needs the correct weights, `narrow` normals for a model that is not scaled alike
+ * in all directions.
+ *
+ * Part d: `lookat`, `tilted` and `above` need a camera anywhere. Until there, and in `endless`, the
+ * camera stands in front.
+ *
+ * Part e: in `closeup` and `endless` faces pass behind the camera.
  */
 #include <stdlib.h>
 
@@ -328,6 +333,7 @@ static void draw_part(const struct drawing *drawing, struct canvas *canvas, size
     for (int i = 0; i < 3; i++) {
         v[i].intensity = interpolate(weight[i], a.intensity[0], a.intensity[1], a.intensity[2]);
         v[i].uv = vec2_interpolate(weight[i], a.uv[0], a.uv[1], a.uv[2]);
+        v[i].recip_w = canvas->unweighted ? 1 : v[i].recip_w;
     }
     if (!edges.clockwise) {
         triangle(canvas, &edges, v);
@@ -431,8 +437,19 @@ static struct canvas make_canvas(const struct drawing *drawing, struct image *im
     };
 }
 
+/* Does the camera stand where lookat() has nothing to do? It is not called then, so that a mistake
+ * in it costs no scene of the parts before it. */
+static bool stands_in_front(const struct drawing *drawing) {
+    const struct vec3 eye = drawing->eye, center = drawing->center, up = drawing->up;
+    return eye.x == 0 && eye.y == 0 && eye.z > 0 && vec3_dot(center, center) == 0 && up.x == 0 &&
+           up.y > 0 && up.z == 0;
+}
+
 /* The drawing's camera, at a distance that may be infinite. */
 static struct mat4 camera(const struct drawing *drawing, double distance) {
+    if (stands_in_front(drawing)) {
+        return projection(distance);
+    }
     return mat4_mul(projection(distance), lookat(drawing->eye, drawing->center, drawing->up));
 }
 
@@ -455,7 +472,7 @@ static bool draw_projection(struct drawing *drawing, struct image *image, struct
     (void)error;
     struct canvas canvas = make_canvas(drawing, image, whole_image(image));
     struct mat4 to_clip = perspective_camera(drawing);
-    canvas.one_color = true;
+    canvas.one_color = canvas.unweighted = true;
     draw_model(drawing, &canvas, &to_clip);
     return true;
 }
@@ -586,7 +603,7 @@ static struct drawing drawing_of_quads(const struct drawing *drawing, struct qua
 }
 
 static bool draw_quads(struct drawing *drawing, struct image *image, const struct quad *quads,
-                       size_t count, struct error *error) {
+                       size_t count, bool unweighted, struct error *error) {
     struct texture tiles;
     struct quad_model made;
     if (!make_tiles(&tiles, error)) {
@@ -595,6 +612,7 @@ static bool draw_quads(struct drawing *drawing, struct image *image, const struc
     quad_model_make(&made, quads, count, drawing->light);
     const struct drawing of_quads = drawing_of_quads(drawing, &made, &tiles);
     struct canvas canvas = make_canvas(&of_quads, image, whole_image(image));
+    canvas.unweighted = unweighted;
     struct mat4 to_clip = perspective_camera(drawing);
     draw_faces(&of_quads, &canvas, &to_clip);
     count_work(drawing, &canvas, &made.model);
@@ -615,7 +633,7 @@ static const struct quad crossing[] = {
 enum { CROSSING_QUADS = sizeof crossing / sizeof crossing[0] };
 
 static bool draw_crossing(struct drawing *drawing, struct image *image, struct error *error) {
-    return draw_quads(drawing, image, crossing, CROSSING_QUADS, error);
+    return draw_quads(drawing, image, crossing, CROSSING_QUADS, true, error);
 }
 
 /* It goes away from the viewer. */
@@ -624,7 +642,7 @@ static const struct quad wall = {
     {{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
 
 static bool draw_wall(struct drawing *drawing, struct image *image, struct error *error) {
-    return draw_quads(drawing, image, &wall, 1, error);
+    return draw_quads(drawing, image, &wall, 1, false, error);
 }
 
 /* A floor and a wall that have no end behind the camera, and a leaf before its lens. */
@@ -641,7 +659,7 @@ static bool draw_endless(struct drawing *drawing, struct image *image, struct er
           {-0.002, 0.003, 1.997}},
          {{0, 0}, {1, 0}, {1, 1}, {0, 1}}},
     };
-    return draw_quads(drawing, image, quads, sizeof quads / sizeof quads[0], error);
+    return draw_quads(drawing, image, quads, sizeof quads / sizeof quads[0], false, error);
 }
 
 /* ---- The program ---- */
@@ -682,6 +700,7 @@ static const struct scene scenes[] = {
     {.name = "projection", .needs = NEEDS_VIEW, .draw = draw_projection},
     {.name = "crossing", .needs = NEEDS_DEPTH, .draw = draw_crossing},
     {.name = "wall", .needs = NEEDS_DEPTH, .draw = draw_wall},
+    {.name = "narrow", .needs = NEEDS_VIEW, .draw = draw_narrow},
     {.name = "lookat", .needs = NEEDS_VIEW, .eye = {1, 1, 2}, .draw = draw_view},
     {
         .name = "tilted",
@@ -699,7 +718,6 @@ static const struct scene scenes[] = {
         .light = {1, 3, 2},
         .draw = draw_view,
     },
-    {.name = "narrow", .needs = NEEDS_VIEW, .draw = draw_narrow},
     {
         .name = "closeup",
         .needs = NEEDS_VIEW,

@@ -30,7 +30,7 @@ struct uniforms {
 /* base to a whole power 0..`largest_power`, which may differ from pixel to pixel, by multiplying.
  * base^0 is 1. */
 static lanes integer_power(lanes base, lanes power, int largest_power) {
-    /* BEGIN SOLUTION 10a.1 whole powers */
+    /* BEGIN SOLUTION 10b.1 whole powers */
     lanes result = lanes_all(1);
     for (int left = largest_power; left > 0; left /= 2) {
         lanes half = lanes_floor(power * 0.5f);
@@ -41,17 +41,17 @@ static lanes integer_power(lanes base, lanes power, int largest_power) {
     return result;
     /* STARTER
     (void)base, (void)power, (void)largest_power;
-    return lanes_all(0); // to do 10a.1: square the base, halve the power
+    return lanes_all(0); // to do 10b.1: square the base, halve the power
     END SOLUTION */
 }
 
 /* Where light from direction `to_light` goes after a mirror: r = 2 (n . l) n - l. */
 static struct lanes3 reflect(struct lanes3 normal, struct lanes3 to_light) {
-    /* BEGIN SOLUTION 10a.2 the mirrored light */
+    /* BEGIN SOLUTION 10b.2 the mirrored light */
     return lanes3_sub(lanes3_scale(normal, 2 * lanes3_dot(normal, to_light)), to_light);
     /* STARTER
     (void)normal, (void)to_light;
-    return lanes3_all((struct vec3){0, 0, 0}); // to do 10a.2: the formula for r
+    return lanes3_all((struct vec3){0, 0, 0}); // to do 10b.2: the formula for r
     END SOLUTION */
 }
 
@@ -59,18 +59,22 @@ static struct lanes3 reflect(struct lanes3 normal, struct lanes3 to_light) {
  * CACM 18(6), 1975). All vectors of length 1. A surface turned away from the light gets neither. */
 static struct lanes2 phong(struct lanes3 normal, struct lanes3 to_light, struct lanes3 to_eye,
                            lanes power, int largest_power) {
-    /* BEGIN SOLUTION 10a.3 diffuse and specular */
     lanes zero = lanes_all(0);
-    lanes diffuse = lanes3_dot(normal, to_light);
+    /* BEGIN SOLUTION 10a.1 diffuse light */
+    lanes diffuse = lanes_max(lanes3_dot(normal, to_light), zero);
+    /* STARTER
+    lanes diffuse = zero; // to do 10a.1: n . l, where it is above 0
+    END SOLUTION */
+    /* BEGIN SOLUTION 10b.3 specular light */
     lanes mirrored = lanes_max(lanes3_dot(reflect(normal, to_light), to_eye), zero);
     lanes specular = integer_power(mirrored, power, largest_power);
-    return (struct lanes2){lanes_max(diffuse, zero), lanes_select(diffuse > 0, specular, zero)};
+    specular = lanes_select(diffuse > 0, specular, zero);
     /* STARTER
-    lanes diffuse = lanes_all(0); // to do 10a.3: n . l; where it is not above 0, both are 0
-    lanes mirrored = lanes3_dot(reflect(normal, to_light), to_eye); // to do 10a.3: not below 0
+    lanes mirrored = lanes3_dot(reflect(normal, to_light), to_eye); // to do 10b.3: not below 0
     lanes specular = integer_power(mirrored, power, largest_power);
-    return (struct lanes2){diffuse, specular}; // to do 10a.3: specular is 0 where diffuse is 0
+    // to do 10b.3: specular is 0 where diffuse is 0
     END SOLUTION */
+    return (struct lanes2){diffuse, specular};
 }
 
 /* What lies at a pixel. */
@@ -85,7 +89,7 @@ struct surface {
 
 /* Add up the three parts. The specular part has the colour of the light, which is white. */
 static lanes_texel illuminate(const struct uniforms *u, const struct surface *surface) {
-    /* BEGIN SOLUTION 10a.4 the sum of the three parts */
+    /* BEGIN SOLUTION 10a.2 the sum of the three parts */
     const struct material *material = &u->material;
     struct lanes3 to_eye = lanes3_normalized(surface->to_eye), color = surface->color;
     struct lanes2 light = phong(surface->normal, lanes3_all(u->to_light), to_eye, surface->power,
@@ -95,13 +99,13 @@ static lanes_texel illuminate(const struct uniforms *u, const struct surface *su
     return lanes_rgb(color.x * scattered + mirrored, color.y * scattered + mirrored,
                      color.z * scattered + mirrored);
     /* STARTER
-    struct lanes3 to_eye = lanes3_all((struct vec3){0, 0, 1}); // to do 10a.4: of length 1
-    // to do 10a.4: the surface's
+    struct lanes3 to_eye = lanes3_all((struct vec3){0, 0, 1}); // to do 10a.2: of length 1
+    // to do 10a.2: the surface's
     int largest_power = 32;
     struct lanes2 light =
         phong(surface->normal, lanes3_all(u->to_light), to_eye, surface->power, largest_power);
     (void)light;
-    return lanes_black(); // to do 10a.4: the three parts in each channel, through lanes_rgb()
+    return lanes_black(); // to do 10a.2: the three parts in each channel, through lanes_rgb()
     END SOLUTION */
 }
 
@@ -109,7 +113,7 @@ static lanes_texel illuminate(const struct uniforms *u, const struct surface *su
 
 static void vertex(const void *uniforms, size_t face, size_t corner, double *varyings) {
     const struct uniforms *u = uniforms;
-    /* BEGIN SOLUTION 10a.5 what a corner hands over */
+    /* BEGIN SOLUTION 10b.4 where the eye is */
     struct vec3 to_eye = vec3_sub(u->eye, model_position(u->model, face, corner));
     struct vec2 uv = model_uv(u->model, face, corner);
     varyings[0] = to_eye.x;
@@ -120,7 +124,7 @@ static void vertex(const void *uniforms, size_t face, size_t corner, double *var
     /* STARTER
     (void)u, (void)face, (void)corner;
     for (int i = 0; i < 5; i++) {
-        varyings[i] = 0; // to do 10a.5: from the position to the eye x, y, z, then u, v
+        varyings[i] = 0; // to do 10b.4: from the position to the eye x, y, z, then u, v
     }
     END SOLUTION */
 }
@@ -128,14 +132,14 @@ static void vertex(const void *uniforms, size_t face, size_t corner, double *var
 static void vertex_with_normal(const void *uniforms, size_t face, size_t corner, double *varyings) {
     const struct uniforms *u = uniforms;
     vertex(uniforms, face, corner, varyings);
-    /* BEGIN SOLUTION 10a.5 what a corner hands over */
+    /* BEGIN SOLUTION 10a.3 the normal of a corner */
     struct vec3 normal = vec3_normalized(model_normal(u->model, face, corner));
     varyings[5] = normal.x;
     varyings[6] = normal.y;
     varyings[7] = normal.z;
     /* STARTER
     (void)u;
-    varyings[5] = varyings[6] = varyings[7] = 0; // to do 10a.5: the normal, of length 1
+    varyings[5] = varyings[6] = varyings[7] = 0; // to do 10a.3: the normal, of length 1
     END SOLUTION */
 }
 
@@ -145,22 +149,22 @@ static struct lanes2 uv_of(const lanes *varyings) {
 
 /* The mean of unit vectors is shorter than 1: bring it back to length 1. */
 static struct lanes3 mesh_normal(const lanes *varyings) {
-    /* BEGIN SOLUTION 10a.6 normals of the mesh */
+    /* BEGIN SOLUTION 10a.4 normals of the mesh */
     return lanes3_normalized((struct lanes3){varyings[5], varyings[6], varyings[7]});
     /* STARTER
     (void)varyings;
-    return lanes3_all((struct vec3){0, 0, 1}); // to do 10a.6: varyings 5 to 7, of length 1
+    return lanes3_all((struct vec3){0, 0, 1}); // to do 10a.4: varyings 5 to 7, of length 1
     END SOLUTION */
 }
 
 /* From the values 0..255 of a normal map, which stand for -1..1. */
 static struct lanes3 normal_from_values(struct lanes3 value) {
-    /* BEGIN SOLUTION 10b.1 normals of the map */
+    /* BEGIN SOLUTION 10c.1 normals of the map */
     struct lanes3 n = {value.x - 127.5f, value.y - 127.5f, value.z - 127.5f};
     return lanes3_normalized(n); /* of any length before: no need to divide by 127.5 */
     /* STARTER
     (void)value;
-    return lanes3_all((struct vec3){0, 0, 1}); // to do 10b.1: from the values, of length 1
+    return lanes3_all((struct vec3){0, 0, 1}); // to do 10c.1: from the values, of length 1
     END SOLUTION */
 }
 
@@ -184,10 +188,10 @@ static struct surface plain_surface(const struct uniforms *u, const lanes *varyi
 /* The same with the colour that the texture has there. */
 static struct surface textured_surface(const struct uniforms *u, const lanes *varyings) {
     struct surface surface = plain_surface(u, varyings);
-    /* BEGIN SOLUTION 10b.2 the texture's colours */
+    /* BEGIN SOLUTION 10c.2 the texture's colours */
     surface.color = texture_lanes(u->diffuse, uv_of(varyings), u->diffuse_level);
     /* STARTER
-    (void)varyings; // to do 10b.2: sample the colour
+    (void)varyings; // to do 10c.2: sample the colour
     END SOLUTION */
     return surface;
 }
@@ -218,21 +222,21 @@ static lanes_mask textured_fragment(const void *uniforms, const lanes *varyings,
 }
 
 static lanes_mask full_fragment(const void *uniforms, const lanes *varyings, lanes_texel *color) {
-    /* BEGIN SOLUTION 10b.2 the texture's colours */
+    /* BEGIN SOLUTION 10c.2 the texture's colours */
     const struct uniforms *u = uniforms;
     struct surface surface = textured_surface(u, varyings);
     surface.normal = mapped_normal(u, varyings);
     *color = illuminate(u, &surface);
     return lanes_all_set();
     /* STARTER
-    return mapped_fragment(uniforms, varyings, color); // to do 10b.2: with the texture's colour
+    return mapped_fragment(uniforms, varyings, color); // to do 10c.2: with the texture's colour
     END SOLUTION */
 }
 
 /* The same with the weight of the specular part read from the specular map. */
 static lanes_mask weight_map_fragment(const void *uniforms, const lanes *varyings,
                                       lanes_texel *color) {
-    /* BEGIN SOLUTION 10b.3 the specular map */
+    /* BEGIN SOLUTION 10c.3 the specular map */
     const struct uniforms *u = uniforms;
     struct lanes2 uv = uv_of(varyings);
     /* All are fetched before any is used, so that we wait for memory once and not three times. */
@@ -247,14 +251,14 @@ static lanes_mask weight_map_fragment(const void *uniforms, const lanes *varying
     *color = illuminate(u, &surface);
     return lanes_all_set();
     /* STARTER
-    return full_fragment(uniforms, varyings, color); // to do 10b.3: the weight from the map
+    return full_fragment(uniforms, varyings, color); // to do 10c.3: the weight from the map
     END SOLUTION */
 }
 
 /* The same with the power read from it: 1 for value 0 to 32 for value 255. */
 static lanes_mask power_map_fragment(const void *uniforms, const lanes *varyings,
                                      lanes_texel *color) {
-    /* BEGIN SOLUTION 10b.3 the specular map */
+    /* BEGIN SOLUTION 10c.3 the specular map */
     const struct uniforms *u = uniforms;
     struct surface surface = textured_surface(u, varyings);
     surface.normal = mapped_normal(u, varyings);
@@ -264,7 +268,7 @@ static lanes_mask power_map_fragment(const void *uniforms, const lanes *varyings
     *color = illuminate(u, &surface);
     return lanes_all_set();
     /* STARTER
-    return full_fragment(uniforms, varyings, color); // to do 10b.3: the power from the map
+    return full_fragment(uniforms, varyings, color); // to do 10c.3: the power from the map
     END SOLUTION */
 }
 
@@ -279,12 +283,12 @@ SHADER(power_mapped, .varying_count = 5, .vertex = vertex, .fragment = power_map
 
 /* Towards the light after so many whole turns around the head: (sin a, 0, cos a). */
 static struct vec3 turning_light(double turns) {
-    /* BEGIN SOLUTION 10b.4 the turning light */
+    /* BEGIN SOLUTION 10c.4 the turning light */
     struct vec2 direction = turn_direction(turns);
     return (struct vec3){direction.y, 0, direction.x};
     /* STARTER
     (void)turns;
-    return (struct vec3){0, 0, 1}; // to do 10b.4: turn_direction() gives cosine and sine
+    return (struct vec3){0, 0, 1}; // to do 10c.4: turn_direction() gives cosine and sine
     END SOLUTION */
 }
 

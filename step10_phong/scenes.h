@@ -49,6 +49,13 @@ static bool draw_cells(struct drawing *drawing, struct image *image, const struc
 
 /* ---- Scenes ---- */
 
+/* Ambient and diffuse light: nothing shines. */
+static bool draw_matt(struct drawing *drawing, struct image *image, struct error *error) {
+    struct cell cell = {&plain, plain_material};
+    cell.material.specular = 0;
+    return draw_cells(drawing, image, &cell, 1, 0.8, error);
+}
+
 /* The three parts alone, and their sum. */
 static bool draw_parts(struct drawing *drawing, struct image *image, struct error *error) {
     struct cell cells[4];
@@ -105,6 +112,14 @@ static bool draw_turn(struct drawing *drawing, struct image *image, struct error
 /* ---- The program ---- */
 
 static const struct scene scenes[] = {
+    {
+        .name = "matt",
+        .needs = NEEDS_MODEL | NEEDS_NORMALS,
+        .width = 600,
+        .height = 500,
+        .light = {-1, 0.5, 0.4}, /* from the side: a part of what is seen is dark */
+        .draw = draw_matt,
+    },
     {.name = "parts", .needs = NEEDS_MODEL | NEEDS_NORMALS, .draw = draw_parts},
     {
         .name = "four",

@@ -264,7 +264,7 @@ static void draw_affine(struct image *image, const struct vertex v[3],
 
 static void draw_house(struct image *image, const struct vertex v[3],
                        const struct texture *texture) {
-    struct canvas canvas = {.image = image, .skip = true};
+    struct canvas canvas = {.image = image, .sampler = SAMPLE_TRILINEAR, .skip = true};
     perspective_triangle(&canvas, v, texture);
 }
 

@@ -291,7 +291,8 @@ static bool perspective_is_right(const void *tried) {
     if (!texture_create(&texture, &picture, &error)) {
         return false;
     }
-    struct canvas canvas = {.image = &image, .skip = true}, all = {.image = &all_image};
+    struct canvas canvas = {.image = &image, .sampler = SAMPLE_TRILINEAR, .skip = true};
+    struct canvas all = {.image = &all_image, .sampler = SAMPLE_TRILINEAR};
     perspective_triangle(&canvas, vertices, &texture);
     perspective_triangle(&all, vertices, &texture);
     struct quotients plane;
