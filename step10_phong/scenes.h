@@ -87,6 +87,7 @@ static bool draw_powers(struct drawing *drawing, struct image *image, struct err
         cells[i].material.power = powers[i];
     }
     cells[14] = (struct cell){&weight_mapped, textured_material};
+    cells[14].material.specular = 1.5; /* times what the map says */
     cells[15] = (struct cell){&power_mapped, textured_material};
     return draw_cells(drawing, image, cells, 4, 0.8, error);
 }
