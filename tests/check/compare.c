@@ -179,6 +179,7 @@ static void add_block(struct comparison *result, const struct image *reference,
     for (size_t i = 0; i < count; i++) {
         add_pixel(&result->differing, marks[i] != MARK_EQUAL, x + i, y);
         add_pixel(&result->apart, (marks[i] & MARK_APART) != 0, x + i, y);
+        add_pixel(&result->near, (marks[i] & (MARK_NEAR | MARK_APART)) == MARK_NEAR, x + i, y);
         add_pixel(&result->coverage, (marks[i] & MARK_COVERAGE) != 0, x + i, y);
         add_pixel(&result->wrong, (marks[i] & MARK_WRONG) != 0, x + i, y);
     }

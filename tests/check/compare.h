@@ -13,7 +13,8 @@
  * next to it; a wrong triangle has not. What is apart is counted too, and has a limit of its own,
  * because otherwise a picture that is shifted by one pixel would be right. And so is what is drawn
  * in one picture only: holes between triangles are thin, and few beside the moved edges inside of a
- * model.
+ * model. Last, pixels that are near but not equal: other arithmetic gives a few of them, but where
+ * values are cut off and not rounded half of them and more are one too small.
  *
  * Pictures are compared as red, green and blue: a grey picture equals the same grey in colours, and
  * alpha is not looked at.
@@ -39,6 +40,7 @@ struct comparison {
     uint64_t drawn;         /* pixels that are not background in either picture */
     struct tally differing; /* pixels that are not equal; none means exact */
     struct tally apart;     /* drawn pixels whose colours do not agree */
+    struct tally near;      /* those that agree, and are not equal */
     struct tally wrong;     /* those that have no match next to them either */
     struct tally coverage;  /* those that are apart, and background in one of the two pictures */
 };

@@ -110,10 +110,11 @@ static void write_shares(const char *path, const char *step, const struct item_r
         if (likeness->row > 0) {
             snprintf(distance, sizeof distance, "%zu", likeness->distance);
         }
-        fprintf(file, "%s %s %.4f %.4f %.4f %s\n", step, item->scene,
+        fprintf(file, "%s %s %.4f %.4f %.4f %.4f %s\n", step, item->scene,
                 100 * (double)shares->wrong.count / drawn,
                 100 * (double)shares->apart.count / drawn,
-                100 * (double)shares->coverage.count / drawn, distance);
+                100 * (double)shares->coverage.count / drawn,
+                100 * (double)shares->near.count / drawn, distance);
     }
     if (path[0] != '\0' && (file == NULL || fclose(file) != 0)) {
         fprintf(stderr, "check: %s: %s\n", path, strerror(errno));
@@ -121,6 +122,7 @@ static void write_shares(const char *path, const char *step, const struct item_r
 }
 
 static void judge_picture(const struct judging *judging, size_t i, const struct image *yours) {
+    bool is_near = false; /* does it fail only for pixels that are near? */
     struct item_result *item = &judging->result->items[i];
     const struct image *reference = &judging->references[i];
     struct likeness likeness = {.row = 0};
@@ -132,9 +134,16 @@ static void judge_picture(const struct judging *judging, size_t i, const struct 
     } else {
         const struct tally *tally = judge_shares(item, &judging->step->scenes[i]);
         describe_first(item, tally, reference, yours);
+        is_near = tally == &item->shares.near;
     }
     if (item->state == RESULT_FAIL) {
-        likeness = looks_find(&judging->looks[i], reference, yours, item->shares.apart.count, 0);
+        const uint64_t apart = item->shares.apart.count;
+        if (is_near) {
+            likeness = looks_find(&judging->looks[i], reference, yours, 0, 0);
+        }
+        if (likeness.row == 0) {
+            likeness = looks_find(&judging->looks[i], reference, yours, apart, 0);
+        }
         looks_say(&item->looks, &judging->looks[i], likeness.row);
         item->looks_task = looks_task(&judging->looks[i], likeness.row);
         item->looks_path =

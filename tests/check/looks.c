@@ -91,18 +91,18 @@ void looks_free(struct looks *looks) {
 
 /* ---- Comparing ---- */
 
-static bool agree(struct color a, struct color b) {
-    return abs(a.r - b.r) <= COMPARE_LEVELS && abs(a.g - b.g) <= COMPARE_LEVELS &&
-           abs(a.b - b.b) <= COMPARE_LEVELS;
+static bool agree(struct color a, struct color b, int levels) {
+    return abs(a.r - b.r) <= levels && abs(a.g - b.g) <= levels && abs(a.b - b.b) <= levels;
 }
 
 /* At how many of the pixels has the picture not the colours of that row? */
-static size_t find_distance(const struct looks *looks, size_t row, const struct image *picture) {
+static size_t find_distance(const struct looks *looks, size_t row, const struct image *picture,
+                            int levels) {
     size_t distance = 0;
     for (size_t i = 0; i < looks->pixels.width; i++) {
         struct place place = looks_place(&looks->pixels, i);
         distance += !agree(image_get(&looks->pixels, (int)i, (int)row),
-                           image_get(picture, (int)place.x, (int)place.y));
+                           image_get(picture, (int)place.x, (int)place.y), levels);
     }
     return distance;
 }
@@ -124,12 +124,14 @@ static bool is_all_black(const struct looks *looks, const struct image *picture)
 
 /* At how many of the pixels has the picture a colour, and not that of the reference? What is black
  * there tells little: pictures that lack much look the same. */
-static size_t count_wrong_colors(const struct looks *looks, const struct image *picture) {
+static size_t count_wrong_colors(const struct looks *looks, const struct image *picture,
+                                 int levels) {
     size_t count = 0;
     for (size_t i = 0; i < looks->pixels.width; i++) {
         struct place place = looks_place(&looks->pixels, i);
         struct color color = image_get(picture, (int)place.x, (int)place.y);
-        count += !is_black(color) && !agree(color, image_get(&looks->pixels, (int)i, 1));
+        struct color right = image_get(&looks->pixels, (int)i, 1);
+        count += !is_black(color) && !agree(color, right, levels);
     }
     return count;
 }
@@ -142,7 +144,7 @@ static bool is_up_to_date(const struct looks *looks, const struct image *referen
             return false;
         }
     }
-    return find_distance(looks, 1, reference) == 0;
+    return find_distance(looks, 1, reference, 0) == 0;
 }
 
 static uint64_t apart_of(const struct looks *looks, size_t row) {
@@ -171,13 +173,17 @@ static bool is_as_far(uint64_t apart, uint64_t of_mistake) {
 struct likeness looks_find(const struct looks *looks, const struct image *reference,
                            const struct image *yours, uint64_t apart, size_t left_out) {
     const struct likeness none = {.row = 0};
+    const int levels = apart > 0 ? COMPARE_LEVELS : 0;
     struct likeness best = none;
     size_t second = SIZE_MAX;
     if (looks->count == 0 || !is_up_to_date(looks, reference)) {
         return none;
     }
     for (size_t row = LOOKS_FIRST_ROW; row < looks->pixels.height; row++) {
-        size_t distance = row == left_out ? SIZE_MAX : find_distance(looks, row, yours);
+        if (row == left_out || (apart_of(looks, row) == 0) != (apart == 0)) {
+            continue;
+        }
+        size_t distance = find_distance(looks, row, yours, levels);
         if (best.row == 0 || distance < best.distance) {
             second = best.row == 0 ? SIZE_MAX : best.distance;
             best = (struct likeness){row, distance};
@@ -185,14 +191,16 @@ struct likeness looks_find(const struct looks *looks, const struct image *refere
             second = distance;
         }
     }
-    size_t wrong = count_wrong_colors(looks, yours), names = count_names(looks, best.row);
+    size_t wrong = count_wrong_colors(looks, yours, levels);
+    size_t names = count_names(looks, best.row);
     uint64_t of_mistake = apart_of(looks, best.row);
     bool is_same =
         best.distance == 0 && apart > 0 && apart == of_mistake && !is_all_black(looks, yours);
     bool is_near = wrong >= LEAST_WRONG && best.distance <= wrong / UNEXPLAINED &&
                    is_as_far(apart, of_mistake);
     bool is_clear = second > 2 * best.distance;
-    return (is_same || is_near) && is_clear && names <= MOST_NAMES ? best : none;
+    bool is_told = best.row > 0 && (is_same || is_near) && is_clear && names <= MOST_NAMES;
+    return is_told ? best : none;
 }
 
 void looks_say(struct result_text *text, const struct looks *looks, size_t row) {

@@ -25,6 +25,10 @@
  *     as many pixels of it are apart as of the mistake's, within a quarter;
  *     or no difference from the mistake's picture is known at all, and some of it is not black;
  *     no other mistake has nearly as many of these colours, and not more than three are the same.
+ *
+ * Colours are compared as in compare.h, but where a picture is near the reference everywhere: then
+ * it is held only against mistakes that are near it too (0 pixels apart), and the colours must be
+ * equal.
  */
 #ifndef TESTS_CHECK_LOOKS_H
 #define TESTS_CHECK_LOOKS_H
@@ -70,8 +74,9 @@ struct likeness {
 void looks_read(struct looks *looks, const char *directory, const char *step, const char *scene);
 void looks_free(struct looks *looks);
 
-/* Which mistake does a wrong picture look like? `apart` is what the comparison has counted. The row
- * `left_out` is not looked at (0: all are). Of another reference than it was made with, none. */
+/* Which mistake does a wrong picture look like? `apart` is what the comparison has counted; 0: the
+ * picture is wrong because much of it is near, but not equal. The row `left_out` is not looked at
+ * (0: all are). Of another reference than it was made with, none. */
 struct likeness looks_find(const struct looks *looks, const struct image *reference,
                            const struct image *yours, uint64_t apart, size_t left_out);
 

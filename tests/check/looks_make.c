@@ -29,6 +29,7 @@ enum {
     FROM_REFERENCE = 24, /* pixels kept of each picture that differ from the reference's */
     FROM_EACH_OTHER = 6, /* at least, of each two pictures */
     ELSEWHERE = 64,      /* pixels kept whatever is there */
+    LEAST_NEAR = 20,     /* a picture is near but not equal when one drawn pixel of so many is */
     LARGEST_SIDE = 4096  /* of a picture: a place is kept in 12 bits for x and 12 for y */
 };
 
@@ -51,10 +52,10 @@ struct making {
     unsigned char *is_kept; /* by pixel of the picture */
 };
 
-static bool are_apart(const struct image *a, const struct image *b, size_t x, size_t y) {
+static bool are_apart(const struct image *a, const struct image *b, size_t x, size_t y,
+                      int levels) {
     struct color p = image_get(a, (int)x, (int)y), q = image_get(b, (int)x, (int)y);
-    return abs(p.r - q.r) > COMPARE_LEVELS || abs(p.g - q.g) > COMPARE_LEVELS ||
-           abs(p.b - q.b) > COMPARE_LEVELS;
+    return abs(p.r - q.r) > levels || abs(p.g - q.g) > levels || abs(p.b - q.b) > levels;
 }
 
 /* ---- Reading ---- */
@@ -100,6 +101,13 @@ static bool read_mistakes(struct making *making, const char *list, const char *d
     return done;
 }
 
+/* Are they the same picture to looks_find()? It tells those that are near the reference (none of
+ * their pixels is apart) only when they are equal. */
+static bool are_same(const struct mistake *a, const struct mistake *b) {
+    struct comparison found = compare_images(&a->image, &b->image);
+    return a->apart > 0 && b->apart > 0 ? found.apart.count == 0 : found.differing.count == 0;
+}
+
 /* Give each picture a row, the same picture the same one. */
 static void find_rows(struct making *making) {
     for (size_t i = 0; i < making->count; i++) {
@@ -107,14 +115,15 @@ static void find_rows(struct making *making) {
         if (mistake->image.pixels == NULL || image_is_blank(&mistake->image)) {
             continue;
         }
-        mistake->apart = compare_images(&making->reference, &mistake->image).apart.count;
-        for (size_t k = 0; k < making->row_count && mistake->row == 0; k++) {
-            const struct image *other = &making->mistakes[making->rows[k]].image;
-            if (compare_images(other, &mistake->image).apart.count == 0) {
+        struct comparison found = compare_images(&making->reference, &mistake->image);
+        bool is_shown = found.apart.count > 0 || found.near.count * LEAST_NEAR >= found.drawn;
+        mistake->apart = found.apart.count;
+        for (size_t k = 0; k < making->row_count && is_shown && mistake->row == 0; k++) {
+            if (are_same(&making->mistakes[making->rows[k]], mistake)) {
                 mistake->row = LOOKS_FIRST_ROW + k;
             }
         }
-        if (mistake->apart > 0 && mistake->row == 0) {
+        if (is_shown && mistake->row == 0) {
             making->rows[making->row_count] = i;
             mistake->row = LOOKS_FIRST_ROW + making->row_count++;
         }
@@ -139,14 +148,17 @@ static bool keep(struct making *making, size_t x, size_t y) {
     return true;
 }
 
-/* Of the pixels at which two pictures are apart, keep `wanted` that lie evenly among them. */
+/* Of the pixels at which two pictures are apart, keep `wanted` that lie evenly among them; where
+ * none is, of those at which they differ. */
 static bool keep_apart(struct making *making, const struct image *a, const struct image *b,
                        size_t wanted) {
-    uint64_t apart = compare_images(a, b).apart.count, found = 0, kept = 0;
+    const struct comparison all = compare_images(a, b);
+    const int levels = all.apart.count > 0 ? COMPARE_LEVELS : 0;
+    uint64_t apart = levels > 0 ? all.apart.count : all.differing.count, found = 0, kept = 0;
     bool done = true;
     for (size_t y = 0; y < a->height; y++) {
         for (size_t x = 0; x < a->width && done; x++) {
-            if (are_apart(a, b, x, y)) {
+            if (are_apart(a, b, x, y, levels)) {
                 bool is_next = found++ * wanted >= kept * apart;
                 kept += is_next;
                 done = !is_next || keep(making, x, y);
@@ -161,7 +173,7 @@ static size_t count_kept(const struct making *making, const struct image *a,
                          const struct image *b) {
     size_t count = 0;
     for (size_t i = 0; i < making->place_count; i++) {
-        count += are_apart(a, b, making->places[i].x, making->places[i].y);
+        count += are_apart(a, b, making->places[i].x, making->places[i].y, COMPARE_LEVELS);
     }
     return count;
 }

@@ -146,18 +146,24 @@ static bool read_end(struct text *text, struct error *error) {
            text_error(error, text->line, "unexpected '%s'", word_show(word).text);
 }
 
-/* `exact`, or the three limits. */
+/* `exact`, or three limits and perhaps a fourth: without it any number of pixels may be near. */
 static bool read_limits(struct checked_scene *scene, struct text *text, struct error *error) {
-    unsigned *limits[] = {&scene->wrong_limit, &scene->apart_limit, &scene->coverage_limit};
+    unsigned *limits[] = {&scene->wrong_limit, &scene->apart_limit, &scene->coverage_limit,
+                          &scene->near_limit};
     struct word word = text_next_word(text);
     scene->exact = word_is(word, "exact");
-    for (size_t i = 0; i < 3 && !scene->exact; i++) {
+    if (scene->exact) {
+        return read_end(text, error);
+    }
+    scene->near_limit = 100 * 1000;
+    for (size_t i = 0; i < 4 && (i < 3 || word.length > 0); i++) {
         if (!read_limit(limits[i], text, word, error)) {
             return false;
         }
-        word = i < 2 ? text_next_word(text) : word;
+        word = text_next_word(text);
     }
-    return read_end(text, error);
+    return word.length == 0 ||
+           text_error(error, text->line, "unexpected '%s'", word_show(word).text);
 }
 
 static bool has_scene(const struct checked_step *step, const char *name) {
@@ -398,6 +404,7 @@ void scene_table_make_exact(struct scene_table *table) {
             struct checked_scene *scene = &table->steps[i].scenes[k];
             scene->exact = true;
             scene->wrong_limit = scene->apart_limit = scene->coverage_limit = 0;
+            scene->near_limit = 0;
         }
     }
 }

@@ -4,7 +4,7 @@
  * One line a scene: `step05_zbuffer  zbuffer  5.2  4  WRONG APART COVERAGE`. First the tasks of
  * main.c that it shows, with commas between them and no blanks (in a lesson of several parts 8b.2).
  * Then its points, which are shared out to these tasks evenly, so they must be a multiple of their
- * number. Then three percentages of the drawn pixels, or `exact` in their place.
+ * number. Then three or four percentages of the drawn pixels, or `exact` in their place.
  *
  * Where a task is about work that is not done, a line `work  step02_wireframe  wireframe  2.4  2
  * lines_drawn  7467` stands behind the step's scenes: with --stats the counter of that scene must
@@ -45,9 +45,9 @@ struct checked_scene {
     char name[SCENE_NAME_LIMIT];
     struct credit credit;
     bool exact; /* every pixel must be equal; the limits are then 0 */
-    /* How many of the drawn pixels may be wrong, apart, and drawn in one picture only (compare.h),
-     * in thousandths of a percent, inclusive. */
-    unsigned wrong_limit, apart_limit, coverage_limit;
+    /* How many of the drawn pixels may be wrong, apart, drawn in one picture only, and near
+     * (compare.h), in thousandths of a percent, inclusive. */
+    unsigned wrong_limit, apart_limit, coverage_limit, near_limit;
 };
 
 /* What else is judged of a scene that passes: a counter, or relations. */

@@ -343,6 +343,11 @@ static void test_verdicts(void) {
         {"step31_apart",
          "FAIL 0/1 SCORE 0/1; depth FAIL 0/1: 1.7 % of drawn pixels of another colour there (limit "
          "1 %), shifted by (1,0), first at (88,21): yours 0,0,0, right 120,112,120"},
+        {"step40_near",
+         "FAIL 1/2 SCORE 1/2; depth PASS 1/1: 100.0 % differ (20,266 pixels), first at (88,21): "
+         "yours 119,111,119, right 120,112,120; depth2 FAIL 0/1: 100.0 % of drawn pixels a little "
+         "too light or dark (limit 99.5 %), first at (88,21): yours 119,111,119, right "
+         "120,112,120"},
     };
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         CHECK_TEXT(line_of(&fixture.output, cases[i].step).text, cases[i].line);
@@ -408,7 +413,7 @@ static void test_crowd(void) {
 }
 
 static void test_summary_and_status(void) {
-    CHECK(contains(&fixture.output, "\n5 passed, 34 failed\n"));
+    CHECK(contains(&fixture.output, "\n5 passed, 35 failed\n"));
     CHECK(fixture.status == 2); /* a reference is missing */
     size_t lines = 0;
     const char *text = (const char *)fixture.output.data;
@@ -416,10 +421,10 @@ static void test_summary_and_status(void) {
         lines += text[0] != ' ';
         text += strcspn(text, "\n") + 1;
     }
-    CHECK(lines == 39);
+    CHECK(lines == 40);
     char score[24];
     snprintf(score, sizeof score, "%.*s", (int)strcspn(text, "\n"), text);
-    CHECK_TEXT(score, "SCORE 20/77");
+    CHECK_TEXT(score, "SCORE 21/79");
 }
 
 /* Each failed scene has its picture, with the reference on its left, and yours in the middle. */
@@ -744,7 +749,8 @@ static void test_scene_tables(void) {
         {"step1_a b 1.1 1 1 nan\n", ":1: 'nan' is neither 'exact' nor a percentage"},
         {"step1_a b 1.1 1 1 2\n", ":1: '' is neither 'exact' nor a percentage"},
         {"step1_a b 1.1 1 1 2 x\n", ":1: 'x' is neither 'exact' nor a percentage"},
-        {"step1_a b 1.1 1 1 2 3 4\n", ":1: unexpected '4'"},
+        {"step1_a b 1.1 1 1 2 3 x\n", ":1: 'x' is neither 'exact' nor a percentage"},
+        {"step1_a b 1.1 1 1 2 3 4 5\n", ":1: unexpected '5'"},
         {"step1_a b 1.1 1 -1\n", ":1: '-1' is neither 'exact' nor a percentage"},
         {"step1_a b 1.1 1 exact c\n", ":1: unexpected 'c'"},
         {"work step1_a b 1.1 1 c 1\n", ":1: work of 'step1_a' must stand behind its scenes"},

@@ -66,6 +66,8 @@ static struct comparison oracle(const struct image *a, const struct image *b) {
                 }
                 if (!oracle_agree(p, q)) {
                     oracle_count(&result.apart, x, y);
+                } else if (p.r != q.r || p.g != q.g || p.b != q.b) {
+                    oracle_count(&result.near, x, y);
                 }
                 if (!oracle_found_near(b, x, y, p) || !oracle_found_near(a, x, y, q)) {
                     oracle_count(&result.wrong, x, y);
@@ -85,8 +87,8 @@ static bool same_tally(struct tally a, struct tally b) {
 
 static bool same(struct comparison a, struct comparison b) {
     return a.drawn == b.drawn && same_tally(a.differing, b.differing) &&
-           same_tally(a.apart, b.apart) && same_tally(a.wrong, b.wrong) &&
-           same_tally(a.coverage, b.coverage);
+           same_tally(a.apart, b.apart) && same_tally(a.near, b.near) &&
+           same_tally(a.wrong, b.wrong) && same_tally(a.coverage, b.coverage);
 }
 
 /* Few levels, so that colours agree often; much background. */

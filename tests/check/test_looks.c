@@ -134,6 +134,29 @@ static void test_doubt(void) {
     tear_down(&f);
 }
 
+/* What is near everywhere is held against mistakes that are near, and must have their colours. */
+static void test_near(void) {
+    struct fixture f;
+    set_up(&f);
+    for (size_t i = 0; i < PLACES; i++) { /* the first is one too dark where it was wrong */
+        image_set(&f.looks.pixels, (int)i, 2, color_grey(i < 64 ? 49 : 50));
+    }
+    f.looks.list[0].apart = 0;
+    CHECK(find(&f, 0, 0) == 0); /* black */
+    image_clear(&f.yours, color_grey(49));
+    CHECK(find(&f, 0, 0) == 0); /* too dark elsewhere, too */
+    for (size_t i = 0; i < PLACES; i++) {
+        struct place place = place_of(i);
+        image_set(&f.yours, (int)place.x, (int)place.y, color_grey(i < 64 ? 49 : 50));
+    }
+    CHECK(find(&f, 0, 0) == 2);
+    CHECK(find(&f, 0, 2) == 0);    /* no other one is near */
+    CHECK(find(&f, 1000, 0) == 0); /* something is apart that is not seen here */
+    f.looks.list[0].apart = 1000;
+    CHECK(find(&f, 0, 0) == 0);
+    tear_down(&f);
+}
+
 static void test_small_pictures(void) {
     struct fixture f;
     set_up(&f);
@@ -302,6 +325,6 @@ static void test_shrinking(void) {
     image_free(&sheet);
 }
 
-UNIT_MAIN(TEST(test_places), TEST(test_what_is_told), TEST(test_doubt), TEST(test_small_pictures),
-          TEST(test_black), TEST(test_shrinking), TEST(test_names), TEST(test_tasks),
-          TEST(test_out_of_date), TEST(test_files))
+UNIT_MAIN(TEST(test_places), TEST(test_what_is_told), TEST(test_doubt), TEST(test_near),
+          TEST(test_small_pictures), TEST(test_black), TEST(test_shrinking), TEST(test_names),
+          TEST(test_tasks), TEST(test_out_of_date), TEST(test_files))

@@ -5,6 +5,7 @@ struct verdict verdict_find(const struct comparison *shares, const struct checke
         {false, COMPARE_UNMATCHED, &shares->wrong, scene->wrong_limit, "wrong"},
         {false, COMPARE_COVERAGE, &shares->coverage, scene->coverage_limit, "missing or too many"},
         {false, COMPARE_APART, &shares->apart, scene->apart_limit, "of another colour there"},
+        {false, COMPARE_DIFFERING, &shares->near, scene->near_limit, "a little too light or dark"},
     };
     if (scene->exact) {
         bool passes = shares->differing.count == 0;

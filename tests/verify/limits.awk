@@ -3,9 +3,9 @@
 #
 #   awk -f limits.awk tests/check/scenes.txt WORK/shares
 #
-# Prints for each scene its three limits (wrong, apart, coverage), each with the most that a correct
-# program reaches, and the mistake that is least beyond the limits, with how many times one of them
-# it reaches. All in percent of the drawn pixels.
+# Prints for each scene its limits (wrong, apart, coverage, and near where there is one), each with the
+# most that a correct program reaches, and the mistake that is least beyond the limits, with how many
+# times one of them it reaches. All in percent of the drawn pixels.
 
 # How many times the limit is that? Beyond a limit of 0 infinitely many, here a thousand.
 function times(share, limit) {
@@ -14,10 +14,11 @@ function times(share, limit) {
 
 FNR == NR {
     sub(/#.*/, "")
-    if (NF == 7 && $1 != "work" && $1 != "same") {
+    if ((NF == 7 || NF == 8) && $1 != "work" && $1 != "same") {
         key = $1 " " $2
         order[++count] = key
         for (i = 1; i <= 3; i++) limit[key, i] = $(4 + i)
+        limit[key, 4] = NF == 8 ? $8 : 100
     }
     next
 }
@@ -27,7 +28,7 @@ FNR == NR {
 
 $1 == "accept" {
     accepted[key]++
-    for (i = 1; i <= 3; i++) {
+    for (i = 1; i <= 4; i++) {
         if ($(4 + i) > most[key, i]) {
             most[key, i] = $(4 + i)
             who[key, i] = $2
@@ -36,7 +37,7 @@ $1 == "accept" {
 }
 $1 == "mistake" {
     beyond = 0
-    for (i = 1; i <= 3; i++)
+    for (i = 1; i <= 4; i++)
         if (times($(4 + i), limit[key, i]) > beyond) beyond = times($(4 + i), limit[key, i])
     if (beyond <= 1) next # it fails for another reason: a crash, too much work
     if (!(key in least) || beyond < least[key]) { least[key] = beyond; nearest[key] = $2 }
@@ -46,17 +47,17 @@ $1 == "mistake" {
 function column(limit, key, i) {
     if (!(key in accepted)) return sprintf("%-5s %-30s", limit, "-")
     if (!((key, i) in who)) return sprintf("%-5s %-30s", limit, 0)
-    return sprintf("%-5s %-30s", limit, sprintf("%.3f %.23s", most[key, i], who[key, i]))
+    return sprintf("%-5s %-30s", limit, sprintf("%.3f %.22s", most[key, i], who[key, i]))
 }
 
 END {
-    printf "%-30s%-36s%-36s%-36s%s\n", "scene", "wrong: limit, most", "apart: limit, most", \
-        "coverage: limit, most", "nearest mistake"
+    printf "%-30s%-36s%-36s%-36s%-36s%s\n", "scene", "wrong: limit, most", "apart: limit, most", \
+        "coverage: limit, most", "near: limit, most", "nearest mistake"
     for (k = 1; k <= count; k++) {
         key = order[k]
         if (!(key in accepted) && !(key in least)) continue
         printf "%-30s", key
-        for (i = 1; i <= 3; i++) printf "%s", column(limit[key, i], key, i)
+        for (i = 1; i <= 4; i++) printf "%s", column(limit[key, i], key, i)
         print key in least ? sprintf("%.1f times %s", least[key], nearest[key]) : "-"
     }
 }

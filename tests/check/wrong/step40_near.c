@@ -1,0 +1,17 @@
+/* Every value is one too dark, where the table says for how many pixels that is too much. */
+#include "picture.h"
+
+int main(int argc, char **argv) {
+    const char *directory = argc == 3 && strcmp(argv[1], "-o") == 0 ? argv[2] : NULL;
+    static struct picture p;
+    if (directory == NULL) {
+        return 2;
+    }
+    picture_draw(&p, 0, 1);
+    unsigned char *values = p.bgr[0][0];
+    for (size_t i = 0; i < sizeof p.bgr; i++) {
+        values[i] = (unsigned char)(values[i] > 0 ? values[i] - 1 : 0);
+    }
+    picture_save(&p, PICTURE_SIZE, directory, "depth");
+    picture_save(&p, PICTURE_SIZE, directory, "depth2");
+}
