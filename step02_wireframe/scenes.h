@@ -43,12 +43,15 @@ static void finish(struct drawing *drawing) {
 
 /* ---- Points ---- */
 
-enum { FAR_BOX = 10 }; /* pixels of a side */
+enum { FAR_BOX = 8, FAR_STEP = 12 }; /* pixels of a side, and to the next box */
 
-/* Positions far outside: the first three within LINE_LIMIT, the others beyond it. */
+/* Far outside an image of this size: three positions within LINE_LIMIT, three exactly at it, the
+ * others beyond. */
+enum { FAR_WIDTH = 256, FAR_HEIGHT = 128 };
 static const struct vec3 far_positions[] = {
-    {4e6, 0, 0},  {0, -5e6, 0},  {-4e6, 5e6, 0}, {6e6, 0, 0},
-    {0, -6e6, 0}, {-1e30, 0, 0}, {0, 1e30, 0},   {1e30, -1e30, 0},
+    {4e6, 0, 0},        {0, -5e6, 0},     {-4e6, 5e6, 0}, {4194303, 0, 0},
+    {0, 8388607, 0},    {0, -8388609, 0}, {6e6, 0, 0},    {0, -1e7, 0},
+    {-4194303, 1e7, 0}, {-1e30, 0, 0},    {0, 1e30, 0},   {1e30, -1e30, 0},
 };
 enum { FAR_POSITIONS = sizeof far_positions / sizeof far_positions[0] };
 
@@ -56,11 +59,11 @@ enum { FAR_POSITIONS = sizeof far_positions / sizeof far_positions[0] };
 static void draw_far_positions(struct image *image) {
     for (int i = 0; i < FAR_POSITIONS; i++) {
         struct pixel pixel;
-        if (!to_pixel(far_positions[i], image->width, image->height, &pixel)) {
+        if (!to_pixel(far_positions[i], FAR_WIDTH, FAR_HEIGHT, &pixel)) {
             continue;
         }
         for (int k = 0; k < FAR_BOX * FAR_BOX; k++) {
-            image_set(image, FAR_BOX / 2 + 2 * FAR_BOX * i + k % FAR_BOX,
+            image_set(image, FAR_BOX / 2 + FAR_STEP * i + k % FAR_BOX,
                       (int)image->height - 2 * FAR_BOX + k / FAR_BOX, color_rgb(0, 255, 0));
         }
     }

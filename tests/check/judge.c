@@ -371,6 +371,9 @@ static void judge_counter(const struct judging *judging, struct item_result *ite
     } else if (item->counted > item->most) {
         result_say(&item->message, "%s, but %s are enough", show_count(item->counted).text,
                    show_count(item->most).text);
+    } else if (item->counted < item->least) {
+        result_say(&item->message, "%s, but it must count %s or more",
+                   show_count(item->counted).text, show_count(item->least).text);
     } else {
         item->state = RESULT_PASS;
     }

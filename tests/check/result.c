@@ -66,6 +66,7 @@ bool step_result_begin(struct step_result *result, const struct checked_step *st
             item->counter = work->counter;
             item->credit = &work->credit;
             item->most = work->most;
+            item->least = work->least;
         }
     }
     return true;

@@ -50,7 +50,7 @@ struct item_result {
     struct task_name looks_task;   /* the task that is at fault in these; "" when not known */
     struct result_path looks_path; /* with that, a file of small pictures of mistakes, */
     size_t looks_row;              /* and which of them it is */
-    uint64_t counted, most;        /* of a counter: the work done, and what is enough */
+    uint64_t counted, most, least; /* of a counter: the work done, what is enough, what is needed */
     bool unjudged;                 /* a counter or relations, because the picture does not pass */
     bool blamed;                   /* the program ended badly over it; `message` says how */
     bool exact;                    /* of a picture: equal to the last bit */

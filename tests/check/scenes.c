@@ -203,15 +203,14 @@ static bool read_scene(struct scene_table *table, struct text *text, struct word
     return true;
 }
 
-static bool read_most(uint64_t *most, struct text *text, struct error *error) {
-    struct word word = text_next_word(text);
+static bool read_count(uint64_t *count, struct text *text, struct word word, struct error *error) {
     double number;
     if (!word_to_double(word, &number) || !(number >= 0 && number <= 1e15) ||
         number != (double)(uint64_t)number) {
         return text_error(error, text->line, "'%s' is not what a counter can count to",
                           word_show(word).text);
     }
-    *most = (uint64_t)number;
+    *count = (uint64_t)number;
     return true;
 }
 
@@ -221,7 +220,12 @@ static bool read_counter(struct checked_work *work, struct text *text, struct er
         return text_error(error, text->line, "'%s' is not the name of a counter",
                           word_show(word).text);
     }
-    return read_most(&work->most, text, error) && read_end(text, error);
+    if (!read_count(&work->most, text, text_next_word(text), error)) {
+        return false;
+    }
+    word = text_next_word(text);
+    return word.length == 0 ||
+           (read_count(&work->least, text, word, error) && read_end(text, error));
 }
 
 static const char *const relation_names[RELATION_COUNT] = {"shuffled", "turned", "reversed",

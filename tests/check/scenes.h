@@ -8,10 +8,11 @@
  *
  * Where a task is about work that is not done, a line `work  step02_wireframe  wireframe  2.4  2
  * lines_drawn  7467` stands behind the step's scenes: with --stats the counter of that scene must
- * not be above that number. A line `same  step05_zbuffer  zbuffer  5.2  1  shuffled,moved  0.1`
- * names relations (relation.h) that the scene must keep with what it has never drawn, but for that
- * percentage of the drawn pixels. '#' begins a comment. The check and the program that redraws the
- * references read the same file, tests/check/scenes.txt.
+ * not be above that number, and where a second one follows not below that. A line `same
+ * step05_zbuffer  zbuffer  5.2  1  shuffled,moved  0.1` names relations (relation.h) that the scene
+ * must keep with what it has never drawn, but for that percentage of the drawn pixels. '#' begins a
+ * comment. The check and the program that redraws the references read the same file,
+ * tests/check/scenes.txt.
  */
 #ifndef TESTS_CHECK_SCENES_H
 #define TESTS_CHECK_SCENES_H
@@ -55,8 +56,8 @@ struct checked_work {
     char scene[SCENE_NAME_LIMIT];   /* one of the step's */
     char counter[SCENE_NAME_LIMIT]; /* of relations "drawn again (moved, halved)" */
     struct credit credit;
-    uint64_t most;      /* of a counter; inclusive */
-    bool has_relations; /* otherwise it is a counter */
+    uint64_t most, least; /* of a counter; inclusive */
+    bool has_relations;   /* otherwise it is a counter */
     bool relations[RELATION_COUNT];
     unsigned limit; /* of relations, as those of a scene */
 };

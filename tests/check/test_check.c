@@ -316,15 +316,12 @@ static void test_verdicts(void) {
          "to do; "
          "tasks: 34.1 1/1, 34.2 FAIL 0/2; part b 0/4: 34b.3 TODO 0/2, 34b.30 TODO 0/2"},
         {"step35_work",
-         "FAIL 3/7 SCORE 3/7; depth PASS 1/1; depth2 PASS 1/1; depth3 FAIL 0/1: 2,612 of 20,266 "
-         "drawn pixels differ (must be "
-         "exact), "
-         "first at (60,31): yours 160,100,60, right 120,140,120; depth pixels PASS 1/1; depth2 "
-         "pixels FAIL "
-         "0/1: 2,001, but 2,000 "
-         "are enough; depth nothing FAIL 0/1: --stats does not print it; depth3 pixels NOT JUDGED "
-         "0/1: its picture must pass before this is judged; tasks: 35.1 FAIL 2/3, 35.2 FAIL "
-         "1/4"},
+         "FAIL 4/9 SCORE 4/9; depth PASS 1/1; depth2 PASS 1/1; depth3 FAIL 0/1: 2,612 of 20,266 "
+         "drawn pixels differ (must be exact), first at (60,31): yours 160,100,60, right "
+         "120,140,120; depth pixels PASS 1/1; depth2 pixels FAIL 0/1: 2,001, but 2,000 are enough; "
+         "depth2 pixels PASS 1/1; depth2 pixels FAIL 0/1: 2,001, but it must count 2,002 or more; "
+         "depth nothing FAIL 0/1: --stats does not print it; depth3 pixels NOT JUDGED 0/1: its "
+         "picture must pass before this is judged; tasks: 35.1 FAIL 2/3, 35.2 FAIL 2/6"},
         {"step37_shared",
          "FAIL 2/7 SCORE 2/10; depth FAIL 0/2: 2,612 of 20,266 drawn pixels differ (must be "
          "exact), first at (60,31): yours 160,100,60, right 120,140,120; depth2 PASS 1/1; depth3 "
@@ -424,7 +421,7 @@ static void test_summary_and_status(void) {
     CHECK(lines == 40);
     char score[24];
     snprintf(score, sizeof score, "%.*s", (int)strcspn(text, "\n"), text);
-    CHECK_TEXT(score, "SCORE 21/79");
+    CHECK_TEXT(score, "SCORE 22/81");
 }
 
 /* Each failed scene has its picture, with the reference on its left, and yours in the middle. */
@@ -760,7 +757,8 @@ static void test_scene_tables(void) {
         {"step1_a b 1.1 1 exact\nwork step1_a b 1.1 1\n", ":2: '' is not the name of a counter"},
         {"step1_a b 1.1 1 exact\nwork step1_a b 1.1 1 c -1\n", ":2: '-1' is not what a counter"},
         {"step1_a b 1.1 1 exact\nwork step1_a b 1.1 1 c 1.5\n", ":2: '1.5' is not what a counter"},
-        {"step1_a b 1.1 1 exact\nwork step1_a b 1.1 1 c 1 2\n", ":2: unexpected '2'"},
+        {"step1_a b 1.1 1 exact\nwork step1_a b 1.1 1 c 1 x\n", ":2: 'x' is not what a counter"},
+        {"step1_a b 1.1 1 exact\nwork step1_a b 1.1 1 c 1 2 3\n", ":2: unexpected '3'"},
         {"same step1_a b 1.1 1 moved 1\n", ":1: relations of 'step1_a' must stand behind"},
         {"step1_a b 1.1 1 exact\nsame step1_a b 1.1 1 1\n", ":2: '1' are no relations"},
         {"step1_a b 1.1 1 exact\nsame step1_a b 1.1 1 moved,\n", ":2: 'moved,' are no relations"},
