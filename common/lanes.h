@@ -63,13 +63,21 @@ LANES_INLINE lanes lanes_all(real value) {
     return value - (lanes){0};
 }
 
-/* Where the mask is set a, elsewhere b. */
+/* Where the mask is set a, elsewhere b. (With `+`: of that gcc makes one instruction, but two or
+ * three of (mask & a) | (~mask & b), which it takes apart first.) */
 LANES_INLINE lanes lanes_select(lanes_mask mask, lanes a, lanes b) {
-    return (lanes)((mask & (lanes_mask)a) | (~mask & (lanes_mask)b));
+    return (lanes)((mask & (lanes_mask)a) + (~mask & (lanes_mask)b));
+}
+
+/* Where the mask is set one number for all, elsewhere b; by its bits, for the same reason. */
+LANES_INLINE lanes lanes_put(lanes_mask mask, real number, lanes b) {
+    __typeof__(_Generic(number, float : (int32_t)0, default : (int64_t)0)) bits;
+    memcpy(&bits, &number, sizeof bits);
+    return (lanes)((mask & bits) + (~mask & (lanes_mask)b));
 }
 
 LANES_INLINE lanes_texel lanes_texel_select(lanes_int mask, lanes_texel a, lanes_texel b) {
-    return ((lanes_texel)mask & a) | (~(lanes_texel)mask & b);
+    return ((lanes_texel)mask & a) + (~(lanes_texel)mask & b);
 }
 
 LANES_INLINE lanes lanes_sqrt(lanes a) {
@@ -165,6 +173,10 @@ LANES_INLINE lanes lanes_all(real value) {
 
 LANES_INLINE lanes lanes_select(lanes_mask mask, lanes a, lanes b) {
     return mask ? a : b;
+}
+
+LANES_INLINE lanes lanes_put(lanes_mask mask, real number, lanes b) {
+    return mask ? number : b;
 }
 
 LANES_INLINE lanes_texel lanes_texel_select(lanes_int mask, lanes_texel a, lanes_texel b) {

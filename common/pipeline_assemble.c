@@ -26,17 +26,6 @@ enum { BLOCK_SIZE = 4096 };
  * n/2 at each of the five planes: 3, 4, 6, 9, 13, 19. */
 enum { POLYGON_LIMIT = 19 };
 
-/* Sides of the view that a position is beyond. */
-enum {
-    BEYOND_LEFT = 1,
-    BEYOND_RIGHT = 2,
-    BEYOND_BOTTOM = 4,
-    BEYOND_TOP = 8,
-    BEYOND_NEAR = 16,
-    BEYOND_ONE_SIDE = 31, /* any of these */
-    BEYOND_GUARD_BAND = 32
-};
-
 /* A transformed position. */
 struct vertex {
     struct fixed2 screen; /* these two only without BEYOND_NEAR and BEYOND_GUARD_BAND */
@@ -242,26 +231,7 @@ static struct polygon clip_at_plane(const struct polygon *polygon, int plane) {
     return result;
 }
 
-/* ---- Faces ---- */
-
-/* A face whose corners are put into order. */
-struct ordered_face {
-    const struct vertex *vertex[3];
-    struct vec4 clip[3]; /* only of a face that must be clipped */
-    uint32_t face;
-    uint8_t corner[3]; /* which corner of the face each is */
-};
-
-enum face_kind { FACE_OUTSIDE, FACE_CLIPPED, FACE_WHOLE };
-
-static enum face_kind kind_of_face(const struct vertex *const vertex[3]) {
-    unsigned all = vertex[0]->beyond & vertex[1]->beyond & vertex[2]->beyond;
-    unsigned any = vertex[0]->beyond | vertex[1]->beyond | vertex[2]->beyond;
-    if ((all & BEYOND_ONE_SIDE) != 0) {
-        return FACE_OUTSIDE;
-    }
-    return (any & (BEYOND_NEAR | BEYOND_GUARD_BAND)) != 0 ? FACE_CLIPPED : FACE_WHOLE;
-}
+/* ---- Triangles on the screen ---- */
 
 static void find_vertices(const struct assembly *a, size_t face, const struct vertex *vertex[3]) {
     const struct corner *corner = a->draw->call.model->faces[face].corner;
@@ -270,15 +240,14 @@ static void find_vertices(const struct assembly *a, size_t face, const struct ve
     }
 }
 
-/* Is a triangle with this winding culled? */
-static bool is_culled(bool clockwise, enum cull cull) {
-    return (cull == CULL_BACK && clockwise) || (cull == CULL_FRONT && !clockwise);
-}
-
-/* Twice the signed area, in 1/256 pixel squared; positive when counterclockwise. */
-static int64_t signed_area(const struct fixed2 *p) {
-    return ((int64_t)p[1].x - p[0].x) * ((int64_t)p[2].y - p[0].y) -
-           ((int64_t)p[1].y - p[0].y) * ((int64_t)p[2].x - p[0].x);
+static void batch_put(struct batch *batch, const struct vertex *const vertex[3]) {
+    size_t at = batch->count++;
+    for (int i = 0; i < 3; i++) {
+        batch->x[i][at] = vertex[i]->screen.x;
+        batch->y[i][at] = vertex[i]->screen.y;
+    }
+    batch->beyond_all[at] = (int32_t)(vertex[0]->beyond & vertex[1]->beyond & vertex[2]->beyond);
+    batch->beyond_any[at] = (int32_t)(vertex[0]->beyond | vertex[1]->beyond | vertex[2]->beyond);
 }
 
 /* Where a block's pieces go. */
@@ -289,60 +258,36 @@ struct output {
     uint32_t *band_counts;
 };
 
-/* The lowest corner, of those the leftmost. */
-static int lowest_corner(const struct fixed2 *screen) {
-    int lowest = 0;
-    for (int i = 1; i < 3; i++) {
-        struct fixed2 a = screen[i], b = screen[lowest];
-        lowest = a.y < b.y || (a.y == b.y && a.x < b.x) ? i : lowest;
-    }
-    return lowest;
-}
-
-/* Corner 0 becomes the lowest, so that a face whose corners are listed from another one on is
- * computed in the same way, to the last bit; and the rest follows counterclockwise. */
-static struct piece make_piece(const struct fixed2 *screen, const struct vertex *const vertex[3],
-                               bool clockwise) {
-    int first = lowest_corner(screen), next = clockwise ? 2 : 1;
-    uint8_t order[3] = {(uint8_t)first, (uint8_t)((first + next) % 3),
-                        (uint8_t)((first + 3 - next) % 3)};
-    return (struct piece){
-        .corner = {screen[order[0]], screen[order[1]], screen[order[2]]},
-        .depth = {vertex[order[0]]->depth, vertex[order[1]]->depth, vertex[order[2]]->depth},
-        .face_corner = {order[0], order[1], order[2]},
-    };
-}
-
-/* Add a triangle if it must be drawn; count why it need not. What most triangles are is asked
- * first. */
-static bool add_piece(const struct assembly *a, struct output *to, size_t face, uint32_t clipped,
-                      const struct vertex *const vertex[3]) {
-    const struct draw_call *call = &a->draw->call;
+/* Add a triangle of a batch that is whole. Corner 0 becomes the lowest, so that a face whose
+ * corners are listed from another one on is computed in the same way, to the last bit; and the rest
+ * follows counterclockwise. */
+static void add_piece(struct output *to, const struct batch *batch, size_t at, size_t face,
+                      uint32_t clipped, const struct vertex *const vertex[3]) {
     struct block *block = to->block;
-    struct fixed2 screen[3] = {vertex[0]->screen, vertex[1]->screen, vertex[2]->screen};
-    int64_t area = signed_area(screen);
-    bool culled = is_culled(area < 0, call->cull);
-    if (culled && area != 0 && a->pipeline->skip) {
-        block->stats[STAT_FACES_TURNED_AWAY]++;
-        return false;
-    }
-    struct span columns = columns_in(columns_of(screen), &call->viewport);
-    struct span rows = rows_in(rows_of(screen), &call->viewport);
-    if (area == 0 || columns.begin >= columns.end || rows.begin >= rows.end) {
-        block->stats[STAT_FACES_WITHOUT_PIXEL]++;
-        return false;
-    }
     struct piece *piece = &to->pieces[block->piece_count++];
-    *piece = make_piece(screen, vertex, area < 0);
+    int order[3] = {batch->first[at], batch->second[at], 3 - batch->first[at] - batch->second[at]};
+    for (int i = 0; i < 3; i++) {
+        piece->corner[i] = vertex[order[i]]->screen;
+        piece->depth[i] = vertex[order[i]]->depth;
+        piece->face_corner[i] = (uint8_t)order[i];
+    }
     piece->face = (uint32_t)face;
     piece->clipped = clipped;
-    piece->dropped = culled;
+    piece->dropped = batch->culled[at] != 0;
+    struct span columns = {batch->left[at], batch->right[at] + 1};
+    struct span rows = {batch->bottom[at], batch->top[at] + 1};
     block->columns = span_around(block->columns, columns);
     block->rows = span_around(block->rows, rows);
     for (int band = rows.begin / BAND_HEIGHT; band <= (rows.end - 1) / BAND_HEIGHT; band++) {
         to->band_counts[band]++;
     }
-    return true;
+}
+
+/* Count a triangle that is not drawn. */
+static void count_left_out(struct block *block, enum triangle_kind kind) {
+    block->stats[STAT_FACES_OUTSIDE] += kind == TRIANGLE_OUTSIDE;
+    block->stats[STAT_FACES_TURNED_AWAY] += kind == TRIANGLE_TURNED_AWAY;
+    block->stats[STAT_FACES_WITHOUT_PIXEL] += kind == TRIANGLE_WITHOUT_PIXEL;
 }
 
 /* ---- Faces that are clipped ---- */
@@ -377,7 +322,7 @@ static struct polygon clip_face(const struct draw_call *call, size_t face) {
 /* One triangle of the fan that a clipped polygon is cut into. */
 static void add_part(const struct assembly *a, struct output *to, size_t face,
                      const struct clip_corner *const corner[3]) {
-    struct vertex vertex[3];
+    struct vertex vertex[3] = {0};
     struct clipped_corners clipped;
     for (int i = 0; i < 3; i++) {
         if (!project(corner[i]->clip, &a->draw->call.viewport, &vertex[i].screen, &vertex[i].depth,
@@ -386,11 +331,17 @@ static void add_part(const struct assembly *a, struct output *to, size_t face,
         }
         clipped.weight[i] = corner[i]->weight;
     }
-    size_t index = to->block->first_clipped + to->block->clipped_count;
     const struct vertex *const given[3] = {&vertex[0], &vertex[1], &vertex[2]};
-    if (add_piece(a, to, face, (uint32_t)index, given)) {
-        to->clipped[to->block->clipped_count++] = clipped;
+    struct batch batch = {.count = 0};
+    batch_put(&batch, given);
+    batch_classify(&batch, &a->draw->call, a->pipeline->skip);
+    if (batch.kind[0] != TRIANGLE_WHOLE) {
+        count_left_out(to->block, (enum triangle_kind)batch.kind[0]);
+        return;
     }
+    size_t index = to->block->first_clipped + to->block->clipped_count;
+    add_piece(to, &batch, 0, face, (uint32_t)index, given);
+    to->clipped[to->block->clipped_count++] = clipped;
 }
 
 static void add_clipped_face(const struct assembly *a, struct output *to, size_t face) {
@@ -407,7 +358,37 @@ static void add_clipped_face(const struct assembly *a, struct output *to, size_t
     }
 }
 
-/* ---- Blocks of faces ---- */
+/* ---- Batches and blocks of faces ---- */
+
+/* Those that may be drawn, in their order; without a branch, see pipeline_batch.c. */
+static size_t list_drawn(const struct batch *batch, uint32_t list[BATCH_SIZE]) {
+    size_t count = 0;
+    for (uint32_t at = 0; at < batch->count; at++) {
+        list[count] = at;
+        count += batch->kind[at] >= TRIANGLE_CLIPPED;
+    }
+    return count;
+}
+
+/* Add the faces of a batch from `first_face` on, or count why they need not be drawn. */
+static void add_batch(const struct assembly *a, struct output *to, const struct batch *batch,
+                      size_t first_face) {
+    uint32_t list[BATCH_SIZE];
+    size_t count = list_drawn(batch, list);
+    for (size_t at = 0; at < batch->count; at++) {
+        count_left_out(to->block, (enum triangle_kind)batch->kind[at]);
+    }
+    for (size_t i = 0; i < count; i++) {
+        size_t face = first_face + list[i];
+        if (batch->kind[list[i]] == TRIANGLE_CLIPPED) {
+            add_clipped_face(a, to, face);
+        } else {
+            const struct vertex *vertex[3];
+            find_vertices(a, face, vertex);
+            add_piece(to, batch, list[i], face, NOT_CLIPPED, vertex);
+        }
+    }
+}
 
 static void assemble_block(void *context, size_t index, size_t worker) {
     (void)worker;
@@ -423,34 +404,33 @@ static void assemble_block(void *context, size_t index, size_t worker) {
     };
     memset(to.band_counts, 0, bands * sizeof *to.band_counts);
     struct range range = block_range(index, a->draw->call.model->face_count);
-    for (size_t face = range.begin; face < range.end; face++) {
-        const struct vertex *vertex[3];
-        find_vertices(a, face, vertex);
-        switch (kind_of_face(vertex)) {
-        case FACE_OUTSIDE:
-            block->stats[STAT_FACES_OUTSIDE]++;
-            break;
-        case FACE_CLIPPED:
-            add_clipped_face(a, &to, face);
-            break;
-        case FACE_WHOLE:
-            add_piece(a, &to, face, NOT_CLIPPED, vertex);
-            break;
+    struct batch batch = {.count = 0};
+    for (size_t first = range.begin; first < range.end; first += BATCH_SIZE) {
+        batch.count = 0;
+        for (size_t face = first; face < range.end && batch.count < BATCH_SIZE; face++) {
+            const struct vertex *vertex[3];
+            find_vertices(a, face, vertex);
+            batch_put(&batch, vertex);
         }
+        batch_classify(&batch, &a->draw->call, p->skip);
+        add_batch(a, &to, &batch, first);
     }
 }
 
 /* How many pieces the faces of a block may need, counted into `block`. */
 static void count_pieces(const struct assembly *a, struct range faces, struct block *block) {
     for (size_t face = faces.begin; face < faces.end; face++) {
-        const struct vertex *vertex[3];
-        find_vertices(a, face, vertex);
-        enum face_kind kind = kind_of_face(vertex);
-        if (kind == FACE_CLIPPED) {
+        const struct vertex *v[3];
+        find_vertices(a, face, v);
+        unsigned all = v[0]->beyond & v[1]->beyond & v[2]->beyond;
+        unsigned any = v[0]->beyond | v[1]->beyond | v[2]->beyond;
+        bool outside = (all & BEYOND_ONE_SIDE) != 0;
+        bool cut = (any & (BEYOND_NEAR | BEYOND_GUARD_BAND)) != 0;
+        if (!outside && cut) {
             size_t corners = clip_face(&a->draw->call, face).count;
             block->clipped_count += corners > 2 ? corners - 2 : 0;
         }
-        block->piece_count += kind == FACE_WHOLE;
+        block->piece_count += !outside && !cut;
     }
     block->piece_count += block->clipped_count;
 }

@@ -28,25 +28,17 @@ static void touch(const struct band *band, int y, int x) {
     band->scratch->touched[row + (size_t)(x / CHUNK)] = true;
 }
 
-/* Pixels are covered as many at a time as depths fit into the processor's registers. */
-#ifndef COVERED
-enum { COVERED = LANES > 4 ? LANES / 2 : 4 };
-#endif
-typedef int32_t cover_ints __attribute__((vector_size(COVERED * sizeof(int32_t))));
-typedef int64_t cover_longs __attribute__((vector_size(COVERED * sizeof(int64_t))));
-typedef double cover_depths __attribute__((vector_size(COVERED * sizeof(double))));
-
-LANES_INLINE cover_ints ints_from(int first) {
-    cover_ints from = {0};
-    for (int i = 0; i < COVERED; i++) {
+LANES_INLINE ints ints_from(int first) {
+    ints from = {0};
+    for (int i = 0; i < TOGETHER; i++) {
         from[i] = i;
     }
     return from + first;
 }
 
-LANES_INLINE cover_depths depths_from(int first) {
-    cover_depths from = {0};
-    for (int i = 0; i < COVERED; i++) {
+LANES_INLINE doubles doubles_from(int first) {
+    doubles from = {0};
+    for (int i = 0; i < TOGETHER; i++) {
         from[i] = i;
     }
     return from + first;
@@ -55,28 +47,27 @@ LANES_INLINE cover_depths depths_from(int first) {
 /* Depth and number become those of the piece where it covers (`inside`: all bits or none) and is
  * nearer; with `reordered`, of equal depths that of the lowest number stays, otherwise the first
  * one. Without branches: each line is one or two instructions for all pixels. */
-LANES_INLINE void cover_pixels(double *depths, uint32_t *numbers, cover_ints inside, cover_depths z,
+LANES_INLINE void cover_pixels(double *depths, uint32_t *numbers, ints inside, doubles z,
                                uint32_t number, bool reordered) {
-    cover_depths old_z;
-    cover_ints old_number;
+    doubles old_z;
+    ints old_number;
     memcpy(&old_z, depths, sizeof old_z);
     memcpy(&old_number, numbers, sizeof old_number);
-    cover_longs nearer = z > old_z;
+    longs nearer = z > old_z;
     if (reordered) {
-        cover_ints is_later = old_number > (int32_t)number;
-        nearer |= (z == old_z) & __builtin_convertvector(is_later, cover_longs);
+        ints is_later = old_number > (int32_t)number;
+        nearer |= (z == old_z) & __builtin_convertvector(is_later, longs);
     }
-    nearer &= __builtin_convertvector(inside, cover_longs);
-    z = (cover_depths)((nearer & (cover_longs)z) | (~nearer & (cover_longs)old_z));
-    cover_ints is_new = __builtin_convertvector(nearer, cover_ints);
+    nearer &= __builtin_convertvector(inside, longs);
+    z = (doubles)((nearer & (longs)z) | (~nearer & (longs)old_z));
+    ints is_new = __builtin_convertvector(nearer, ints);
     old_number = (is_new & (int32_t)number) | (~is_new & old_number);
     memcpy(depths, &z, sizeof z);
     memcpy(numbers, &old_number, sizeof old_number);
 }
 
 /* depth_at() for several pixels. */
-LANES_INLINE cover_depths depths_at(const struct depth_slopes *s, cover_depths e1,
-                                    cover_depths e2) {
+LANES_INLINE doubles depths_at(const struct depth_slopes *s, doubles e1, doubles e2) {
     return s->origin + e1 * s->k1 + e2 * s->k2;
 }
 
@@ -98,11 +89,11 @@ static void cover_by_spans(struct band *band, const struct draw *draw, const str
                                         (struct span){viewport->x, viewport->x + viewport->width});
         size_t row = (size_t)(y - band->rows.begin) * band->stride;
         band->covered += span.end > span.begin ? (uint64_t)(span.end - span.begin) : 0;
-        for (int x = span.begin / COVERED * COVERED; x < span.end; x += COVERED) {
-            cover_ints at = ints_from(x);
-            cover_depths right = depths_from(x % CHUNK);
-            cover_depths first = edge_at(e1, x / CHUNK * CHUNK, y) + (double)e1->dx * right;
-            cover_depths second = edge_at(e2, x / CHUNK * CHUNK, y) + (double)e2->dx * right;
+        for (int x = span.begin / TOGETHER * TOGETHER; x < span.end; x += TOGETHER) {
+            ints at = ints_from(x);
+            doubles right = doubles_from(x % CHUNK);
+            doubles first = edge_at(e1, x / CHUNK * CHUNK, y) + (double)e1->dx * right;
+            doubles second = edge_at(e2, x / CHUNK * CHUNK, y) + (double)e2->dx * right;
             touch(band, y, x);
             cover_pixels(band->scratch->depth + row + x, band->scratch->number + row + x,
                          (at >= span.begin) & (at < span.end), depths_at(&slopes, first, second),
@@ -132,7 +123,7 @@ static struct small_edge small_edge(struct fixed2 a, struct fixed2 b) {
  * outer side of an edge are left out. */
 LANES_INLINE void cover_box_of(bool wide, struct band *band, const struct piece *piece,
                                struct span columns, struct span rows, uint32_t number) {
-    int left = columns.begin / COVERED * COVERED;
+    int left = columns.begin / TOGETHER * TOGETHER;
     bool reordered = band->reordered;
     struct fixed2 c[3];
     for (int i = 0; i < 3; i++) { /* from the centre of the box's first pixel */
@@ -142,34 +133,34 @@ LANES_INLINE void cover_box_of(bool wide, struct band *band, const struct piece 
     struct small_edge e[3] = {small_edge(c[1], c[2]), small_edge(c[2], c[0]),
                               small_edge(c[0], c[1])};
     struct depth_slopes slopes = find_depth_slopes(piece, e[0].origin + e[1].origin + e[2].origin);
-    cover_ints covered = {0}, right[3], next[3];
+    ints covered = {0}, right[3], next[3];
     int32_t most[3]; /* to add to the first of several pixels, for the greatest value of them */
     for (int i = 0; i < 3; i++) {
         right[i] = e[i].dx * ints_from(0);
-        next[i] = e[i].dx * COVERED + (cover_ints){0};
-        most[i] = e[i].bias + (e[i].dx > 0 ? e[i].dx * (COVERED - 1) : 0);
+        next[i] = e[i].dx * TOGETHER + (ints){0};
+        most[i] = e[i].bias + (e[i].dx > 0 ? e[i].dx * (TOGETHER - 1) : 0);
     }
     for (int y = rows.begin; y < rows.end; y++) {
         size_t row = (size_t)(y - band->rows.begin) * band->stride;
-        cover_ints e0 = e[0].origin + right[0];
-        cover_ints e1 = e[1].origin + right[1];
-        cover_ints e2 = e[2].origin + right[2];
+        ints e0 = e[0].origin + right[0];
+        ints e1 = e[1].origin + right[1];
+        ints e2 = e[2].origin + right[2];
         int32_t most0 = e[0].origin + most[0];
         int32_t most1 = e[1].origin + most[1];
         int32_t most2 = e[2].origin + most[2];
-        for (int x = left; x < columns.end; x += COVERED) {
+        for (int x = left; x < columns.end; x += TOGETHER) {
             if (!wide || (most0 | most1 | most2) >= 0) {
-                cover_ints inside = ((e0 + e[0].bias) | (e1 + e[1].bias) | (e2 + e[2].bias)) >= 0;
-                cover_depths first = __builtin_convertvector(e1, cover_depths);
-                cover_depths second = __builtin_convertvector(e2, cover_depths);
+                ints inside = ((e0 + e[0].bias) | (e1 + e[1].bias) | (e2 + e[2].bias)) >= 0;
+                doubles first = __builtin_convertvector(e1, doubles);
+                doubles second = __builtin_convertvector(e2, doubles);
                 covered -= inside;
                 touch(band, y, x);
                 cover_pixels(band->scratch->depth + row + x, band->scratch->number + row + x,
                              inside, depths_at(&slopes, first, second), number, reordered);
             }
-            most0 += e[0].dx * COVERED;
-            most1 += e[1].dx * COVERED;
-            most2 += e[2].dx * COVERED;
+            most0 += e[0].dx * TOGETHER;
+            most1 += e[1].dx * TOGETHER;
+            most2 += e[2].dx * TOGETHER;
             e0 += next[0];
             e1 += next[1];
             e2 += next[2];
@@ -178,7 +169,7 @@ LANES_INLINE void cover_box_of(bool wide, struct band *band, const struct piece 
             e[i].origin += e[i].dy;
         }
     }
-    for (int i = 0; i < COVERED; i++) {
+    for (int i = 0; i < TOGETHER; i++) {
         band->covered += (uint64_t)covered[i];
     }
 }

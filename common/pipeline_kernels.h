@@ -346,14 +346,14 @@ KERNEL void take_planes(struct lanes_planes *to, lanes_mask mask, const struct s
                         const struct planes *from, int x, int y) {
     real up = (real)y - from->y0;
     to->right = lanes_select(mask, lanes_from(x) - from->x0, to->right);
-    to->least = lanes_select(mask, lanes_all(from->least), to->least);
+    to->least = lanes_put(mask, from->least, to->least);
     for (size_t i = 0; i <= shader->varying_count; i++) {
         const struct varying_plane *plane = &from->plane[i];
         if (i < shader->varying_count) {
-            to->corner[i] = lanes_select(mask, lanes_all(plane->corner), to->corner[i]);
+            to->corner[i] = lanes_put(mask, plane->corner, to->corner[i]);
         }
-        to->at_x0[i] = lanes_select(mask, lanes_all(plane->origin + plane->dy * up), to->at_x0[i]);
-        to->dx[i] = lanes_select(mask, lanes_all(plane->dx), to->dx[i]);
+        to->at_x0[i] = lanes_put(mask, plane->origin + plane->dy * up, to->at_x0[i]);
+        to->dx[i] = lanes_put(mask, plane->dx, to->dx[i]);
     }
 }
 

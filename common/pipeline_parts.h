@@ -11,6 +11,28 @@
 #include <stdlib.h>
 #include <string.h>
 
+/* ---- Several whole numbers at once, for what must be exact ---- */
+
+/* As many as 64-bit numbers fit into a register of the processor. */
+#ifndef TOGETHER
+enum { TOGETHER = LANES > 4 ? LANES / 2 : 4 };
+#endif
+typedef int32_t ints __attribute__((vector_size(TOGETHER * sizeof(int32_t))));
+typedef uint32_t uints __attribute__((vector_size(TOGETHER * sizeof(uint32_t))));
+typedef int64_t longs __attribute__((vector_size(TOGETHER * sizeof(int64_t))));
+typedef double doubles __attribute__((vector_size(TOGETHER * sizeof(double))));
+
+/* Where the mask is set a, elsewhere b; with `+`, as in lanes_select(). */
+LANES_INLINE ints ints_select(ints mask, ints a, ints b) {
+    return (mask & a) + (~mask & b);
+}
+
+LANES_INLINE ints ints_all(int32_t value) {
+    return value + (ints){0};
+}
+
+/* ---- What the parts share ---- */
+
 /* Elements of an array: begin inclusive, end exclusive. */
 struct range {
     size_t begin, end;
@@ -31,6 +53,48 @@ bool buffer_reserve(struct buffer *buffer, size_t count, size_t element_size, st
 /* Share out a loop among the threads, which are started when there is more than one part for the
  * first time. */
 void pipeline_run(struct pipeline *pipeline, size_t count, worker_function *work, void *context);
+
+/* Sides of the view that a position is beyond. */
+enum {
+    BEYOND_LEFT = 1,
+    BEYOND_RIGHT = 2,
+    BEYOND_BOTTOM = 4,
+    BEYOND_TOP = 8,
+    BEYOND_NEAR = 16,
+    BEYOND_ONE_SIDE = 31, /* any of these */
+    BEYOND_GUARD_BAND = 32
+};
+
+/* What becomes of a face, or of a part of a clipped one. */
+enum triangle_kind {
+    TRIANGLE_OUTSIDE,       /* beyond one side of the view */
+    TRIANGLE_TURNED_AWAY,   /* culled */
+    TRIANGLE_WITHOUT_PIXEL, /* it covers no pixel centre */
+    TRIANGLE_CLIPPED,       /* must be cut before it can be drawn */
+    TRIANGLE_WHOLE          /* to be drawn */
+};
+
+/* Triangles that are classified together. */
+enum { BATCH_SIZE = 64 };
+
+struct batch {
+    size_t count; /* behind them may be anything that fits the screen */
+    /* Their corners on the screen, in 1/256 pixel (anything, where a corner has no place there),
+     * and the sides that all of the corners, and any of them, are beyond. */
+    int32_t x[3][BATCH_SIZE], y[3][BATCH_SIZE];
+    int32_t beyond_all[BATCH_SIZE], beyond_any[BATCH_SIZE];
+    /* Found by batch_classify(); all but the first only of what is whole: */
+    int32_t kind[BATCH_SIZE]; /* of enum triangle_kind */
+    int32_t culled[BATCH_SIZE];
+    /* The lowest corner, of those the leftmost; and the next, counterclockwise. */
+    int32_t first[BATCH_SIZE], second[BATCH_SIZE];
+    /* The pixel centres of its box in the viewport, inclusive. */
+    int32_t left[BATCH_SIZE], right[BATCH_SIZE], bottom[BATCH_SIZE], top[BATCH_SIZE];
+};
+
+/* Classify the triangles. With `skip` off none is turned away, and those that miss the centres in
+ * their box are not looked for. */
+void batch_classify(struct batch *batch, const struct draw_call *call, bool skip);
 
 /* Transform, clip and cull the model of a recorded draw call: fills its blocks. */
 bool pipeline_assemble(struct pipeline *pipeline, struct draw *draw, struct error *error);
