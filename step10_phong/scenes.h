@@ -32,14 +32,14 @@ struct cell {
     struct material material;
 };
 
-/* Draw `side` rows of `side` cells, the first one top left. */
+/* Draw rows of cells, the first one top left. */
 static bool draw_cells(struct drawing *drawing, struct image *image, const struct cell *cells,
-                       int side, double zoom, struct error *error) {
+                       int columns, int rows, double zoom, struct error *error) {
     struct pipeline *pipeline = pipeline_begin(drawing);
     bool done = true;
-    for (int i = 0; done && i < side * side; i++) {
+    for (int i = 0; done && i < columns * rows; i++) {
         struct rectangle place =
-            grid_cell(image->width, image->height, side, side, i % side, i / side);
+            grid_cell(image->width, image->height, columns, rows, i % columns, i / columns);
         struct draw_call call = pipeline_call(drawing, place, zoom, CULL_BACK);
         struct uniforms u = make_uniforms(drawing, zoom * place.width, cells[i].material);
         done = pipeline_draw(pipeline, &call, cells[i].shader, &u, sizeof u, error);
@@ -53,7 +53,7 @@ static bool draw_cells(struct drawing *drawing, struct image *image, const struc
 static bool draw_matt(struct drawing *drawing, struct image *image, struct error *error) {
     struct cell cell = {&plain, plain_material};
     cell.material.specular = 0;
-    return draw_cells(drawing, image, &cell, 1, 0.8, error);
+    return draw_cells(drawing, image, &cell, 1, 1, 0.8, error);
 }
 
 /* The three parts alone, and their sum. */
@@ -65,7 +65,18 @@ static bool draw_parts(struct drawing *drawing, struct image *image, struct erro
     cells[0].material.diffuse = cells[0].material.specular = 0;
     cells[1].material.ambient = cells[1].material.specular = 0;
     cells[2].material.ambient = cells[2].material.diffuse = 0;
-    return draw_cells(drawing, image, cells, 2, 0.8, error);
+    return draw_cells(drawing, image, cells, 2, 2, 0.8, error);
+}
+
+/* Four powers of one light, which comes from the side and from behind. */
+static bool draw_shine(struct drawing *drawing, struct image *image, struct error *error) {
+    static const int powers[] = {0, 2, 40, 80};
+    struct cell cells[4];
+    for (int i = 0; i < 4; i++) {
+        cells[i] = (struct cell){&plain, plain_material};
+        cells[i].material.power = powers[i];
+    }
+    return draw_cells(drawing, image, cells, 2, 2, 0.8, error);
 }
 
 /* Phong alone, with the normal map, with the texture, and with both. */
@@ -74,7 +85,8 @@ static bool draw_four(struct drawing *drawing, struct image *image, struct error
                                  {&mapped, plain_material},
                                  {&textured, textured_material},
                                  {&full, textured_material}};
-    return draw_cells(drawing, image, cells, 2, 0.8, error); /* of a quarter: 0.4 of the picture */
+    return draw_cells(drawing, image, cells, 2, 2, 0.8,
+                      error); /* of a quarter: 0.4 of the picture */
 }
 
 /* Powers 0 to 10 and three large ones; then the textured head with the weight, and with the power,
@@ -89,7 +101,35 @@ static bool draw_powers(struct drawing *drawing, struct image *image, struct err
     cells[14] = (struct cell){&weight_mapped, textured_material};
     cells[14].material.specular = 1.5; /* times what the map says */
     cells[15] = (struct cell){&power_mapped, textured_material};
-    return draw_cells(drawing, image, cells, 4, 0.8, error);
+    return draw_cells(drawing, image, cells, 4, 4, 0.8, error);
+}
+
+/* A map of one texel, which says 255. */
+static bool make_white(struct texture *texture, struct error *error) {
+    struct image image;
+    if (!image_create(&image, 1, 1, IMAGE_GREY, error)) {
+        return false;
+    }
+    image_set(&image, 0, 0, color_grey(255));
+    bool done = texture_create(texture, &image, error);
+    image_free(&image);
+    return done;
+}
+
+/* A shoulder, so near that its faces are large. Right the largest power that a map can say. */
+static bool draw_shoulder(struct drawing *drawing, struct image *image, struct error *error) {
+    struct texture white;
+    const struct texture *own = drawing->specular;
+    struct cell cells[] = {{&plain, plain_material}, {&power_mapped, textured_material}};
+    cells[0].material.power = 80;
+    if (!make_white(&white, error)) {
+        return false;
+    }
+    drawing->specular = &white;
+    bool done = draw_cells(drawing, image, cells, 2, 1, 2.5, error);
+    drawing->specular = own;
+    texture_free(&white);
+    return done;
 }
 
 enum { TURN_FRAMES = 100 };
@@ -123,6 +163,12 @@ static const struct scene scenes[] = {
     },
     {.name = "parts", .needs = NEEDS_MODEL | NEEDS_NORMALS, .draw = draw_parts},
     {
+        .name = "shine",
+        .needs = NEEDS_MODEL | NEEDS_NORMALS,
+        .light = {-1, 0.6, -0.2}, /* what is turned away from it must not shine */
+        .draw = draw_shine,
+    },
+    {
         .name = "four",
         .needs = NEEDS_MODEL | NEEDS_NORMALS | NEEDS_DIFFUSE | NEEDS_NORMAL_MAP,
         .draw = draw_four,
@@ -130,13 +176,23 @@ static const struct scene scenes[] = {
     {
         .name = "behind",
         .needs = NEEDS_MODEL | NEEDS_NORMALS | NEEDS_DIFFUSE | NEEDS_NORMAL_MAP,
-        .light = {-2, 2, -3}, /* what is turned away from it must not shine */
+        .light = {-2, 2, -3},
         .draw = draw_four,
     },
     {
         .name = "powers",
         .needs = NEEDS_MODEL | NEEDS_NORMALS | NEEDS_DIFFUSE | NEEDS_NORMAL_MAP | NEEDS_SPECULAR,
         .draw = draw_powers,
+    },
+    {
+        .name = "near",
+        .needs = NEEDS_MODEL | NEEDS_NORMALS | NEEDS_DIFFUSE | NEEDS_NORMAL_MAP,
+        .width = 800,
+        .height = 400,
+        .eye = {0.5, -0.25, 0.35},
+        .center = {0.42, -0.5, 0},
+        .light = {1, 1, 1},
+        .draw = draw_shoulder,
     },
     {
         .name = "turn",
