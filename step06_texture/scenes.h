@@ -55,7 +55,7 @@ static bool draw_texture(struct drawing *drawing, struct image *image, struct er
 /* ---- Scene: letters ---- */
 
 struct state {
-    struct texture letters, checker;
+    struct texture letters, fading, checker;
 };
 
 /* A picture of 5 x 3 tiles with the letters A to O, so that nothing can be exchanged unseen. */
@@ -96,7 +96,8 @@ static struct color letters_color(int x, int y) {
     return is_light != letter_covers(letter, left, below) ? light : dark;
 }
 
-static bool make_letters(struct texture *texture, struct error *error) {
+/* The picture, darker from column to column: `rightmost` of its light is left in the last one. */
+static bool make_letters(struct texture *texture, double rightmost, struct error *error) {
     struct image image;
     if (!image_create(&image, LETTERS_COLUMNS * LETTERS_TILE, LETTERS_ROWS * LETTERS_TILE,
                       IMAGE_BGR, error)) {
@@ -104,7 +105,8 @@ static bool make_letters(struct texture *texture, struct error *error) {
     }
     for (int y = 0; y < (int)image.height; y++) {
         for (int x = 0; x < (int)image.width; x++) {
-            image_set(&image, x, y, letters_color(x, y));
+            double light = 1 - (1 - rightmost) * x / (double)(image.width - 1);
+            image_set(&image, x, y, shade(letters_color(x, y), light));
         }
     }
     bool done = texture_create(texture, &image, error);
@@ -324,14 +326,15 @@ static void draw_softer_cell(struct image *image, struct rectangle cell,
     }
 }
 
-/* Levels -1 to 8, from the top left. There are levels 0 to 7 of the letters. */
+/* Levels -1 to 8, from the top left. There are levels 0 to 7 of the letters; by their fading even
+ * the last two are not alike. */
 static bool draw_softer(struct drawing *drawing, struct image *image, struct error *error) {
     (void)error;
     const struct state *state = drawing->state;
     for (int i = 0; i < SOFTER_SIDE * SOFTER_SIDE; i++) {
         struct rectangle cell = grid_cell(image->width, image->height, SOFTER_SIDE, SOFTER_SIDE,
                                           i % SOFTER_SIDE, i / SOFTER_SIDE);
-        draw_softer_cell(image, cell, &state->letters, i);
+        draw_softer_cell(image, cell, &state->fading, i);
     }
     return true;
 }
@@ -342,12 +345,14 @@ static bool prepare(struct drawing *drawing, size_t width, size_t height, struct
     (void)width, (void)height;
     struct state *state = drawing->state;
     return drawing->model != NULL ||
-           (make_letters(&state->letters, error) && make_checker(&state->checker, error));
+           (make_letters(&state->letters, 1, error) && make_letters(&state->fading, 0.3, error) &&
+            make_checker(&state->checker, error));
 }
 
 static void finish(struct drawing *drawing) {
     struct state *state = drawing->state;
     texture_free(&state->letters);
+    texture_free(&state->fading);
     texture_free(&state->checker);
 }
 
