@@ -23,13 +23,22 @@ struct band {
     uint64_t behind, covered;
 };
 
-static void touch(const struct band *band, int y, int x) {
-    size_t row = (size_t)(y - band->rows.begin) * (band->stride / CHUNK);
-    band->scratch->touched[row + (size_t)(x / CHUNK)] = true;
+/* A row of the band. */
+struct row {
+    double *depth;
+    uint32_t *number;
+    bool *touched; /* by the chunk */
+};
+
+static struct row row_of_band(const struct band *band, int y) {
+    size_t first = (size_t)(y - band->rows.begin) * band->stride;
+    const struct scratch *scratch = band->scratch;
+    return (struct row){scratch->depth + first, scratch->number + first,
+                        scratch->touched + first / CHUNK};
 }
 
-LANES_INLINE ints ints_from(int first) {
-    ints from = {0};
+LANES_INLINE longs longs_from(int first) {
+    longs from = {0};
     for (int i = 0; i < TOGETHER; i++) {
         from[i] = i;
     }
@@ -44,26 +53,27 @@ LANES_INLINE doubles doubles_from(int first) {
     return from + first;
 }
 
-/* Depth and number become those of the piece where it covers (`inside`: all bits or none) and is
- * nearer; with `reordered`, of equal depths that of the lowest number stays, otherwise the first
- * one. Without branches: each line is one or two instructions for all pixels. */
-LANES_INLINE void cover_pixels(double *depths, uint32_t *numbers, ints inside, doubles z,
+/* Depth and number from x on become those of the piece where it covers (`inside`: all bits or none)
+ * and is nearer; with `reordered`, of equal depths that of the lowest number stays, otherwise the
+ * first one. Without branches: each line is one or two instructions for all pixels. */
+LANES_INLINE void cover_pixels(const struct row *row, int x, longs inside, doubles z,
                                uint32_t number, bool reordered) {
     doubles old_z;
     ints old_number;
-    memcpy(&old_z, depths, sizeof old_z);
-    memcpy(&old_number, numbers, sizeof old_number);
+    row->touched[(unsigned)x / CHUNK] = true;
+    memcpy(&old_z, row->depth + x, sizeof old_z);
+    memcpy(&old_number, row->number + x, sizeof old_number);
     longs nearer = z > old_z;
     if (reordered) {
         ints is_later = old_number > (int32_t)number;
         nearer |= (z == old_z) & __builtin_convertvector(is_later, longs);
     }
-    nearer &= __builtin_convertvector(inside, longs);
+    nearer &= inside;
     z = (doubles)((nearer & (longs)z) | (~nearer & (longs)old_z));
     ints is_new = __builtin_convertvector(nearer, ints);
     old_number = (is_new & (int32_t)number) | (~is_new & old_number);
-    memcpy(depths, &z, sizeof z);
-    memcpy(numbers, &old_number, sizeof old_number);
+    memcpy(row->depth + x, &z, sizeof z);
+    memcpy(row->number + x, &old_number, sizeof old_number);
 }
 
 /* depth_at() for several pixels. */
@@ -87,17 +97,15 @@ static void cover_by_spans(struct band *band, const struct draw *draw, const str
     for (int y = rows.begin; y < rows.end; y++) {
         struct span span = span_overlap(edges_span(&edges, y),
                                         (struct span){viewport->x, viewport->x + viewport->width});
-        size_t row = (size_t)(y - band->rows.begin) * band->stride;
+        struct row row = row_of_band(band, y);
         band->covered += span.end > span.begin ? (uint64_t)(span.end - span.begin) : 0;
         for (int x = span.begin / TOGETHER * TOGETHER; x < span.end; x += TOGETHER) {
-            ints at = ints_from(x);
+            longs at = longs_from(x);
             doubles right = doubles_from(x % CHUNK);
             doubles first = edge_at(e1, x / CHUNK * CHUNK, y) + (double)e1->dx * right;
             doubles second = edge_at(e2, x / CHUNK * CHUNK, y) + (double)e2->dx * right;
-            touch(band, y, x);
-            cover_pixels(band->scratch->depth + row + x, band->scratch->number + row + x,
-                         (at >= span.begin) & (at < span.end), depths_at(&slopes, first, second),
-                         number, reordered);
+            cover_pixels(&row, x, (at >= span.begin) & (at < span.end),
+                         depths_at(&slopes, first, second), number, reordered);
         }
     }
 }
@@ -133,30 +141,29 @@ LANES_INLINE void cover_box_of(bool wide, struct band *band, const struct piece 
     struct small_edge e[3] = {small_edge(c[1], c[2]), small_edge(c[2], c[0]),
                               small_edge(c[0], c[1])};
     struct depth_slopes slopes = find_depth_slopes(piece, e[0].origin + e[1].origin + e[2].origin);
-    ints covered = {0}, right[3], next[3];
+    /* In double, as the depths are, and as exact as whole numbers. */
+    longs covered = {0};
+    doubles right[3], next[3];
     int32_t most[3]; /* to add to the first of several pixels, for the greatest value of them */
     for (int i = 0; i < 3; i++) {
-        right[i] = e[i].dx * ints_from(0);
-        next[i] = e[i].dx * TOGETHER + (ints){0};
+        right[i] = (double)e[i].dx * doubles_from(0);
+        next[i] = (double)e[i].dx * TOGETHER + (doubles){0};
         most[i] = e[i].bias + (e[i].dx > 0 ? e[i].dx * (TOGETHER - 1) : 0);
     }
     for (int y = rows.begin; y < rows.end; y++) {
-        size_t row = (size_t)(y - band->rows.begin) * band->stride;
-        ints e0 = e[0].origin + right[0];
-        ints e1 = e[1].origin + right[1];
-        ints e2 = e[2].origin + right[2];
+        struct row row = row_of_band(band, y);
+        doubles e0 = (double)(e[0].origin + e[0].bias) + right[0];
+        doubles e1 = (double)e[1].origin + right[1];
+        doubles e2 = (double)e[2].origin + right[2];
         int32_t most0 = e[0].origin + most[0];
         int32_t most1 = e[1].origin + most[1];
         int32_t most2 = e[2].origin + most[2];
         for (int x = left; x < columns.end; x += TOGETHER) {
             if (!wide || (most0 | most1 | most2) >= 0) {
-                ints inside = ((e0 + e[0].bias) | (e1 + e[1].bias) | (e2 + e[2].bias)) >= 0;
-                doubles first = __builtin_convertvector(e1, doubles);
-                doubles second = __builtin_convertvector(e2, doubles);
+                doubles first = e1 + (double)e[1].bias, second = e2 + (double)e[2].bias;
+                longs inside = ((longs)e0 | (longs)first | (longs)second) >= 0; /* by their signs */
                 covered -= inside;
-                touch(band, y, x);
-                cover_pixels(band->scratch->depth + row + x, band->scratch->number + row + x,
-                             inside, depths_at(&slopes, first, second), number, reordered);
+                cover_pixels(&row, x, inside, depths_at(&slopes, e1, e2), number, reordered);
             }
             most0 += e[0].dx * TOGETHER;
             most1 += e[1].dx * TOGETHER;
