@@ -99,12 +99,26 @@ static bool draw_ties(struct drawing *drawing, struct image *image, struct error
     return true;
 }
 
-/* The same lines, as lists: in green, the first pixel of each list in white. */
+/* Short diagonals, one a direction, in the room that the row of the shortest lines leaves. */
+enum { DIAGONALS = 4 };
+
+static void diagonal_line(int direction, struct pixel *a, struct pixel *b) {
+    int x = 7 + 12 * direction, y = 65, size = 4;
+    bool left = direction & 1, down = direction & 2;
+    *a = (struct pixel){left ? x + size : x, down ? y + size : y};
+    *b = (struct pixel){left ? x : x + size, down ? y : y + size};
+}
+
+/* The same lines and diagonals, as lists: in green, the first pixel of each list in white. */
 static bool draw_list(struct drawing *drawing, struct image *image, struct error *error) {
     (void)drawing;
-    for (int i = 0; i < TIE_LINES; i++) {
+    for (int i = 0; i < TIE_LINES + DIAGONALS; i++) {
         struct pixel a, b;
-        tie_line(i, &a, &b);
+        if (i < TIE_LINES) {
+            tie_line(i, &a, &b);
+        } else {
+            diagonal_line(i - TIE_LINES, &a, &b);
+        }
         size_t length = line_length(a, b);
         struct pixel *list = make_list(a, b, length, error);
         if (list == NULL) {

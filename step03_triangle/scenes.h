@@ -96,6 +96,11 @@ static const struct text_scene_shape three_triangles[] = {
 };
 enum { THREE_TRIANGLES = sizeof three_triangles / sizeof three_triangles[0] };
 
+/* It reaches far out of the image and covers its lowest rows. Its long side meets them at an x that
+ * does not fit in an int. */
+static const struct text_scene_shape far_triangle = {
+    {1000000, -1000000, 0}, {7.00390625, 7, -1000000}, {{BLUE}, {BLUE}, {BLUE}}};
+
 /* One triangle, given clockwise; a hexagon of six; a rectangle of two. */
 static const struct text_scene_shape colored_triangles[] = {
     {{40, 210, 380}, {440, 760, 440}, {{RED}, {BLUE}, {GREEN}}},
@@ -137,6 +142,7 @@ static bool draw_signs(struct drawing *drawing, struct image *image, struct erro
 
 static bool draw_triangle(struct drawing *drawing, struct image *image, struct error *error) {
     (void)error;
+    draw_shapes(drawing, image, &far_triangle, 1);
     draw_shapes(drawing, image, three_triangles, THREE_TRIANGLES);
     return true;
 }
@@ -262,6 +268,15 @@ static void show_counted(struct image *image, const struct image *small,
     }
 }
 
+/* The grey of a triangle of a mesh: one of four, lighter where it is given clockwise. */
+static uint8_t mesh_shade(int i, const struct image *image, const struct fixed2 corner[3]) {
+    struct edges edges;
+    bool clockwise =
+        triangle_setup(&edges, corner[0], corner[1], corner[2], image->width, image->height) &&
+        edges.clockwise;
+    return (uint8_t)(90 + 17 * (i % 4) + (clockwise ? 80 : 0));
+}
+
 /* How often each pixel of a mesh is drawn. Its triangles are drawn one by one in a small image. */
 static void count_mesh(struct drawing *drawing, struct image *small, const struct covering *mesh,
                        struct counted *counted) {
@@ -271,7 +286,7 @@ static void count_mesh(struct drawing *drawing, struct image *small, const struc
         struct fixed2 corner[3];
         mesh->place(i, small, corner);
         fill_triangle(drawing, small, corner, white);
-        count_draws(small, (uint8_t)(90 + 17 * (i % 4)), counted);
+        count_draws(small, mesh_shade(i, small, corner), counted);
     }
     for (size_t i = 0; i < small->width * small->height; i++) {
         int wanted = in_mesh(mesh, i % small->width, i / small->width);

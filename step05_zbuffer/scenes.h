@@ -5,7 +5,7 @@
  * pixels. `zbuffer` is lesson 4 with a depth buffer, `depth` shows its depths, `deep` the same ones
  * 3 units farther away, and `knot` is a body that winds around itself. In `side` the light comes
  * from the side, and falls on faces that look away from us too. The cards of `cards` lie almost, or
- * exactly, in one plane.
+ * exactly, in one plane; `single` shows the depths of one card, which are all the same.
  */
 
 /* ---- Scene: rows ---- */
@@ -123,7 +123,7 @@ static bool draw_deep(struct drawing *drawing, struct image *image, struct error
     return done;
 }
 
-/* ---- Scene: cards ---- */
+/* ---- Scenes: cards, single ---- */
 
 /* A rectangle that faces us, in the parallel view. */
 struct card {
@@ -159,6 +159,15 @@ static bool draw_cards(struct drawing *drawing, struct image *image, struct erro
     for (size_t i = 0; i < sizeof cards / sizeof cards[0]; i++) {
         draw_card(&cards[i], &canvas);
     }
+    return true;
+}
+
+static bool draw_single(struct drawing *drawing, struct image *image, struct error *error) {
+    (void)error;
+    static const struct card card = {{-0.6, -0.4}, {0.5, 0.7}, 0, {.r = 255, .a = 255}};
+    struct canvas canvas = {.image = image, .depth = drawing->depth};
+    draw_card(&card, &canvas);
+    show_depths(image, drawing->depth);
     return true;
 }
 
@@ -200,6 +209,14 @@ static const struct scene scenes[] = {
         .draw = draw_zbuffer,
     },
     {.name = "cards", .needs = NEEDS_DEPTH, .width = 400, .height = 400, .draw = draw_cards},
+    {
+        .name = "single",
+        .needs = NEEDS_DEPTH,
+        .width = 100,
+        .height = 100,
+        .format = IMAGE_GREY,
+        .draw = draw_single,
+    },
 };
 
 int main(int argc, char **argv) {

@@ -41,6 +41,65 @@ static bool draw_cells(struct drawing *drawing, struct image *image, const struc
     return pipeline_end(drawing, done, image, error);
 }
 
+/* ---- Two faces beside a head ---- */
+
+/* A model of two faces, and what shaders read of it. */
+struct pair {
+    struct vec3 positions[6];
+    float normals[1][3];
+    struct face faces[2];
+    struct model model; /* of these */
+    struct uniforms uniforms;
+};
+
+/* Normals and light have the same direction: the intensity is exactly 1. */
+static void pair_create(struct pair *pair, const struct vec3 positions[6]) {
+    *pair = (struct pair){
+        .normals = {{0, 0, 1}},
+        .uniforms = {.model = &pair->model, .to_light = {0, 0, 1}},
+    };
+    for (uint32_t i = 0; i < 6; i++) {
+        pair->positions[i] = positions[i];
+        pair->faces[i / 3].corner[i % 3] = (struct corner){.position = i};
+    }
+    pair->model = (struct model){
+        .position_count = 6,
+        .positions = pair->positions,
+        .normal_count = 1,
+        .normals = pair->normals,
+        .face_count = 2,
+        .faces = pair->faces,
+    };
+}
+
+/* The upper left corner of a cell. */
+static struct rectangle corner_of(struct rectangle cell) {
+    const int size = cell.width / 10, margin = cell.width / 20;
+    return (struct rectangle){cell.x + margin, cell.y + cell.height - margin - size, size, size};
+}
+
+/* A square that fills this corner. */
+static struct draw_call square_call(struct pair *square, struct rectangle cell) {
+    static const struct vec3 positions[6] = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0},
+                                             {-1, -1, 0}, {1, 1, 0},  {-1, 1, 0}};
+    pair_create(square, positions);
+    return (struct draw_call){
+        .model = &square->model,
+        .to_clip = mat4_identity(),
+        .viewport = corner_of(cell),
+        .cull = CULL_NONE,
+    };
+}
+
+/* A triangle that faces us, and one that lies: it comes from behind, through the other one. */
+static struct draw_call crossing_call(struct pair *crossing, struct rectangle cell) {
+    static const struct vec3 positions[6] = {{-1, -1, -0.3}, {1, -1, -0.3},     {0, 1, -0.3},
+                                             {0.3, 1, -3},   {-0.5, -0.5, 0.6}, {0.5, -0.5, 0.6}};
+    const struct vec3 eye = {0, 0, 1.2}, center = {0, 0, 0}, up = {0, 1, 0};
+    pair_create(crossing, positions);
+    return camera_call(&crossing->model, eye, center, up, 1, corner_of(cell), CULL_NONE);
+}
+
 /* ---- Scenes of simple_draw() ---- */
 
 /* Each corner of a face in a colour of its own: what is in between shows the weights. */
@@ -84,15 +143,21 @@ static bool draw_simple_cells(const struct drawing *drawing, struct image *image
     return true;
 }
 
-/* Above: the corners, the normals. Below: the corners from so near that the face fills the cell and
- * perspective is strong; the inside of the back of the head. */
+/* Above: the corners, and beside the head two triangles that cross; the normals. Below: the corners
+ * from so near that perspective is strong, and a shoulder is behind the eye; the inside of the back
+ * of the head. */
 static bool draw_loops(struct drawing *drawing, struct image *image, struct error *error) {
-    const struct vec3 near_the_nose = {0.25, -0.1, 0.75};
+    const struct vec3 over_the_shoulder = {0.5, -0.2, 0.5};
     const struct simple_cell cells[4] = {{&simple_corners, CULL_BACK, 0.8, {0, 0, 0}},
                                          {&simple_normals, CULL_BACK, 0.8, {0, 0, 0}},
-                                         {&simple_corners, CULL_BACK, 1.2, near_the_nose},
+                                         {&simple_corners, CULL_BACK, 1.2, over_the_shoulder},
                                          {&simple_normals, CULL_FRONT, 1.15, {0, 0, 0}}};
+    const struct canvas canvas = {image, drawing->depth};
+    struct pair crossing;
     (void)error;
+    struct draw_call call =
+        crossing_call(&crossing, grid_cell(image->width, image->height, 2, 2, 0, 0));
+    simple_draw(&canvas, &call, &simple_corners, &crossing.uniforms);
     return draw_simple_cells(drawing, image, cells);
 }
 
@@ -106,14 +171,20 @@ static bool draw_looks(struct drawing *drawing, struct image *image, struct erro
     return draw_simple_cells(drawing, image, cells);
 }
 
-/* The last one is seen from where no light falls: what is left is the inside of the lit half. */
+/* The first one has a square in full light beside it. The last one is seen from where no light
+ * falls: what is left is the inside of the lit half. */
 static bool draw_more_looks(struct drawing *drawing, struct image *image, struct error *error) {
     const struct vec3 from_the_dark_side = {-2.5, 0.5, 1.8};
     const struct simple_cell cells[4] = {{&simple_toon, CULL_BACK, 0.8, {0, 0, 0}},
                                          {&simple_normal_mapped, CULL_BACK, 0.8, {0, 0, 0}},
                                          {&simple_two_sided, CULL_FRONT, 0.8, {0, 0, 0}},
                                          {&simple_lit_only, CULL_NONE, 0.8, from_the_dark_side}};
+    const struct canvas canvas = {image, drawing->depth};
+    struct pair square;
     (void)error;
+    struct draw_call call =
+        square_call(&square, grid_cell(image->width, image->height, 2, 2, 0, 0));
+    simple_draw(&canvas, &call, &simple_toon, &square.uniforms);
     return draw_simple_cells(drawing, image, cells);
 }
 
@@ -127,9 +198,17 @@ static bool draw_four(struct drawing *drawing, struct image *image, struct error
     return draw_cells(drawing, image, cells, 2, 0.8, error); /* of a quarter: 0.4 of the picture */
 }
 
+/* With a square in full light beside it. */
 static bool draw_toon(struct drawing *drawing, struct image *image, struct error *error) {
-    static const struct cell cell = {&toon, CULL_BACK};
-    return draw_cells(drawing, image, &cell, 1, 0.85, error);
+    struct pipeline *pipeline = pipeline_begin(drawing);
+    const struct rectangle place = grid_cell(image->width, image->height, 1, 1, 0, 0);
+    struct draw_call call = pipeline_call(drawing, place, 0.85, CULL_BACK);
+    struct uniforms u = make_uniforms(drawing, 0.85 * place.width);
+    struct pair square;
+    struct draw_call beside = square_call(&square, place);
+    bool done = pipeline_draw(pipeline, &call, &toon, &u, sizeof u, error) &&
+                pipeline_draw(pipeline, &beside, &toon, &square.uniforms, sizeof u, error);
+    return pipeline_end(drawing, done, image, error);
 }
 
 static bool draw_normal_map(struct drawing *drawing, struct image *image, struct error *error) {
@@ -153,7 +232,8 @@ static const struct scene scenes[] = {
     {
         .name = "loops",
         .needs = NEEDS_MODEL | NEEDS_NORMALS | NEEDS_DEPTH,
-        .height = 720, /* not the width: who exchanges them sees it */
+        .width = 806, /* cells of odd sizes, which differ: who exchanges or halves them sees it */
+        .height = 662,
         .draw = draw_loops,
     },
     {
