@@ -449,8 +449,17 @@ KERNEL bool gather_varyings(const struct shading *s, const struct shader *shader
                             const uint32_t number[LANES + 1], int x, int y, lanes *varyings) {
     struct lanes_planes planes;
     bool found = false;
+    uint32_t runs = find_runs(number);
+    if (runs == 1) {
+        if (!has_number(s, number[0])) {
+            return false;
+        }
+        interpolate_varyings(shader, planes_at(s->scratch, shader, s->scratch->fetched[number[0]]),
+                             x, y, varyings);
+        return true;
+    }
     clear_planes(&planes, shader);
-    for (uint32_t runs = find_runs(number); runs != 0; runs &= runs - 1) {
+    for (; runs != 0; runs &= runs - 1) {
         int first = __builtin_ctz(runs);
         if (has_number(s, number[first])) {
             uint32_t place = s->scratch->fetched[number[first]];
