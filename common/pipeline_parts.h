@@ -1,6 +1,6 @@
 /*
- * Private to the pipeline: what pipeline.c, pipeline_assemble.c and pipeline_bands.c know of each
- * other.
+ * Private to the pipeline: what pipeline.c, pipeline_assemble.c, pipeline_batch.c and
+ * pipeline_bands.c know of each other.
  */
 #ifndef COMMON_PIPELINE_PARTS_H
 #define COMMON_PIPELINE_PARTS_H

@@ -115,6 +115,32 @@ static void test_two_numbers(void) {
     CHECK(right);
 }
 
+/* Chosen are bits: also those of -0 and of what is not a number. */
+static void test_put(void) {
+    static const real special[] = {0, -0.0f, (real)NAN, (real)INFINITY, -1, 1e-38f, 3.5f};
+    enum { SPECIAL = sizeof special / sizeof special[0] };
+    struct random random = {97};
+    bool right = true;
+    for (int round = 0; round < ROUNDS; round++) {
+        struct numbers a, b, order = {{0}};
+        real number = special[round % SPECIAL];
+        for (int i = 0; i < LANES; i++) {
+            a.at[i] = special[random_bits(&random) % SPECIAL];
+            b.at[i] = special[random_bits(&random) % SPECIAL];
+            order.at[i] = (real)(random_bits(&random) % 3) - 1;
+        }
+        lanes_mask mask = lanes_of(order) < 0;
+        struct numbers put = numbers_of(lanes_put(mask, number, lanes_of(b)));
+        struct numbers chosen = numbers_of(lanes_select(mask, lanes_of(a), lanes_of(b)));
+        for (int i = 0; i < LANES; i++) {
+            bool set = order.at[i] < 0;
+            right = right && memcmp(&put.at[i], set ? &number : &b.at[i], sizeof(real)) == 0 &&
+                    memcmp(&chosen.at[i], set ? &a.at[i] : &b.at[i], sizeof(real)) == 0;
+        }
+    }
+    CHECK(right);
+}
+
 /* What is not a number is no level and no place. */
 static void test_not_a_number(void) {
     struct numbers a = {{(real)NAN}};
@@ -366,7 +392,7 @@ static void test_nowhere(void) {
     image_free(&image);
 }
 
-UNIT_MAIN(TEST(test_one_number), TEST(test_two_numbers), TEST(test_not_a_number),
+UNIT_MAIN(TEST(test_one_number), TEST(test_two_numbers), TEST(test_put), TEST(test_not_a_number),
           TEST(test_sequences), TEST(test_colors), TEST(test_vectors), TEST(test_textures),
           TEST(test_corner_texels), TEST(test_places_of_two_sizes), TEST(test_nowhere))
 

@@ -5,6 +5,7 @@
 #ifndef TESTS_PIPELINE_AGAIN_H
 #define TESTS_PIPELINE_AGAIN_H
 
+#define batch_classify       again_batch_classify
 #define buffer_reserve       again_buffer_reserve
 #define camera_call          again_camera_call
 #define pipeline_assemble    again_pipeline_assemble
@@ -23,5 +24,6 @@
 
 #include "../../common/pipeline_assemble.c"
 #include "../../common/pipeline_bands.c"
+#include "../../common/pipeline_batch.c"
 
 #endif

@@ -330,6 +330,25 @@ static void test_equal_depths(void) {
     CHECK(stats[STAT_ATTRIBUTE_SETS] > 2 * BANDS && stats[STAT_ATTRIBUTE_SETS] <= 3 * BANDS);
 }
 
+/* A wall, and a model of which one face is before and the next one behind it: as a whole it is not
+ * behind. */
+static void test_before_and_behind(void) {
+    static struct vec3 positions[] = {{-0.8, -0.8, 0.5},  {0.2, -0.8, 0.5},  {-0.8, 0.2, 0.5},
+                                      {-0.2, -0.8, -0.5}, {0.8, -0.8, -0.5}, {0.8, 0.8, -0.5}};
+    static struct face faces[2];
+    for (uint32_t i = 0; i < 6; i++) {
+        faces[i / 3].corner[i % 3] = (struct corner){i, MODEL_NONE, MODEL_NONE};
+    }
+    struct model both = {
+        .positions = positions, .position_count = 6, .faces = faces, .face_count = 2};
+    uint64_t stats[PIPELINE_STATS] = {0};
+    scene = (struct scene){.name = "before and behind a wall"};
+    add_object(&scene, &wall, mat4_identity(), origin, 1);
+    add_object(&scene, &both, mat4_identity(), origin, 1);
+    check_scene(&scene, true, stats);
+    CHECK(stats[STAT_FACES_HIDDEN] == 1 && stats[STAT_PIXELS_SHADED] == WIDTH * HEIGHT);
+}
+
 /* Points within roundings of one side of the view: a face is skipped with its object only if it
  * would be skipped alone. */
 static void test_within_roundings_of_a_side(void) {
@@ -387,4 +406,5 @@ static void test_free(void) {
 
 UNIT_MAIN(TEST(test_models_are_there), TEST(test_single), TEST(test_nested_spheres),
           TEST(test_behind_a_wall), TEST(test_crowd), TEST(test_two_models),
-          TEST(test_equal_depths), TEST(test_within_roundings_of_a_side), TEST(test_free))
+          TEST(test_equal_depths), TEST(test_before_and_behind),
+          TEST(test_within_roundings_of_a_side), TEST(test_free))
