@@ -6,9 +6,10 @@
 #include <string.h>
 
 static const char *left_out(const char *scene) {
-    return strcmp(scene, "rows") == 0    ? "all of it: rows of pixels, no triangles"
-           : strcmp(scene, "cards") == 0 ? "all of it: depths of one plane, no model"
-                                         : NULL;
+    return strcmp(scene, "rows") == 0     ? "all of it: rows of pixels, no triangles"
+           : strcmp(scene, "cards") == 0  ? "all of it: depths of one plane, no model"
+           : strcmp(scene, "single") == 0 ? "all of it: pixels, no model"
+                                          : NULL;
 }
 
 static bool build(const char *scene, struct drawing *drawing, struct image *image,
