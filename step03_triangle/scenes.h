@@ -142,8 +142,13 @@ static bool draw_signs(struct drawing *drawing, struct image *image, struct erro
 
 static bool draw_triangle(struct drawing *drawing, struct image *image, struct error *error) {
     (void)error;
-    draw_shapes(drawing, image, &far_triangle, 1);
     draw_shapes(drawing, image, three_triangles, THREE_TRIANGLES);
+    return true;
+}
+
+static bool draw_far(struct drawing *drawing, struct image *image, struct error *error) {
+    (void)error;
+    draw_shapes(drawing, image, &far_triangle, 1);
     return true;
 }
 
@@ -419,6 +424,7 @@ static const struct scene scenes[] = {
     {.name = "signs", .draw = draw_signs},
     {.name = "bust", .needs = NEEDS_MODEL, .width = 800, .height = 800, .draw = draw_bust},
     {.name = "triangle", .draw = draw_triangle},
+    {.name = "far", .draw = draw_far},
     {.name = "sheet", .width = 800, .height = 800, .draw = draw_sheet},
     {.name = "fan", .width = 800, .height = 800, .draw = draw_fan},
     {.name = "faces", .needs = NEEDS_MODEL, .width = 800, .height = 800, .draw = draw_faces},
