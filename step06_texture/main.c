@@ -232,8 +232,8 @@ static struct vec2 uv_step(struct vec3 gain, struct vec2 uv, double w) {
 }
 
 /* The mip level whose texels are as large as the step from one pixel to the next: log2 of the
- * number of texels in it. `right` and `up` say how far u and v move, in units of the whole picture,
- * from a pixel to its right and its upper neighbour; the longer of the two counts. */
+ * step's length in texels. `right` and `up` say how far u and v move, in units of the whole
+ * picture, from a pixel to its right and its upper neighbour; the longer of the two counts. */
 static double mip_level(struct vec2 right, struct vec2 up, const struct texture *texture) {
     /* BEGIN SOLUTION 6e.2 mip level */
     double width = (double)texture->level[0].width, height = (double)texture->level[0].height;
@@ -247,9 +247,9 @@ static double mip_level(struct vec2 right, struct vec2 up, const struct texture 
     if (square > 0x1p40) {
         return last; /* beyond all levels; infinity ends here too */
     }
-    /* log2 of 2^e * (1 + f) is taken as e + f: exact at powers of 2, and at most 0.087
+    /* log2 of 2^e * (1 + f) is taken as e + f: exact at powers of 2, and at most 0.0861
      * too small between them, and the same on every machine. Half of it, since the square was
-     * measured: the level is at most 0.044 too small. */
+     * measured: the level is at most 0.0431 too small. */
     int exponent;
     double fraction = frexp(square, &exponent); /* square = fraction * 2^exponent, 0.5..1 */
     return texture_clamp(0.5 * ((exponent - 1) + (2 * fraction - 1)), last);
