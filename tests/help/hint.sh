@@ -100,3 +100,5 @@ fi
 [ "$shown" -eq 3 ] || echo "The same command again tells more."
 [ "$shown" -eq 1 ] || echo "All so far: make hint STEP=$number TASK=$task AGAIN=1"
 [ -z "$others" ] || echo "Also to do: $others (make hint STEP=$number TASK=${others%% *})"
+[ -n "$3" ] ||
+    echo "A task that is written, but wrong: make hint STEP=$number TASK=... (the check says which)"
