@@ -27,6 +27,12 @@ work=$(mktemp -d) || exit 1
 trap 'rm -rf "$work"' EXIT
 set -eE
 trap 'echo "templates: wrong in line $LINENO" >&2' ERR
+# The lesson's points, and how many pictures and counters have them.
+points=$(awk '$1 == "step05_zbuffer" { sum += $4 } # a scene
+    $2 == "step05_zbuffer" { sum += $5 } # work, same
+    END { print sum }' tests/check/scenes.txt)
+tests=$(grep -cE '^((work|same) +)?step05_zbuffer ' tests/check/scenes.txt)
+export points tests
 make -s handout OUT="$work/course" LESSONS=5 >/dev/null
 mkdir "$work/solution" "$work/broken"
 awk -v mode=solution -f tests/starter/marks.awk step05_zbuffer/main.c >"$work/solution/main.c"
@@ -86,18 +92,18 @@ if node "$work/lint.mjs" "$work/wrong.yml" >/dev/null; then false; fi
 
 in_course solution github_actions
 run_workflow .github/workflows/check.yml
-grep -qx '| step05_zbuffer | PASS | 12/12 |' summary
+grep -qx "| step05_zbuffer | PASS | $points/$points |" summary
 test -f report.html
 in_course starter github_actions
 if run_workflow .github/workflows/check.yml; then false; fi
-grep -qx '| step05_zbuffer | TODO | 0/12 |' summary
+grep -qx "| step05_zbuffer | TODO | 0/$points |" summary
 echo "github_actions: ok"
 
 for name in solution starter broken; do
     in_course $name github_classroom
     run_workflow .github/workflows/classroom.yml
     python3 - $name output report.json <<'END'
-import base64, json, sys
+import base64, json, os, sys
 
 line, = open(sys.argv[2])
 name, _, value = line.rstrip("\n").partition("=")
@@ -106,7 +112,7 @@ wanted = {"solution": "pass", "starter": "fail", "broken": "error"}[sys.argv[1]]
 report = json.load(open(sys.argv[3]))
 assert name == "result" and result["status"] == wanted, result
 assert sum(test["score"] for test in result["tests"]) == report["points"]
-assert result["max_score"] == report["most"] == 12
+assert result["max_score"] == report["most"] == int(os.environ["points"])
 assert {test["status"] for test in result["tests"]} == {wanted}
 END
 done
@@ -127,12 +133,13 @@ for name in solution starter; do
     [ $status -eq "$([ $name = solution ] && echo 0 || echo 1)" ] || { cat "$work/said" && false; }
     grep -q 'SCORE' "$work/said"
     python3 - .gitlab-ci.yml <<'END'
-import sys, yaml
+import os, sys, yaml
 import xml.etree.ElementTree as xml
 
 artifacts = yaml.safe_load(open(sys.argv[1]))["check"]["artifacts"]
 assert artifacts["when"] == "always"
-assert len(xml.parse(artifacts["reports"]["junit"]).findall(".//testcase")) == 10
+cases = xml.parse(artifacts["reports"]["junit"]).findall(".//testcase")
+assert len(cases) == int(os.environ["tests"]), len(cases)
 for path in artifacts["paths"]:
     open(path)
 END
@@ -151,14 +158,16 @@ cp "$AUTOGRADER/source/run_autograder" "$AUTOGRADER"
 gradescope() {
     (cd "$AUTOGRADER" && ./run_autograder) >"$work/said"
     python3 - "$AUTOGRADER/results/results.json" "$templates/gradescope.schema.json" "$1" <<'END'
-import json, sys
+import json, os, sys
 import jsonschema
 
 result = json.load(open(sys.argv[1], encoding="utf-8"))
 jsonschema.validate(result, json.load(open(sys.argv[2])))
 scores = sum(test["score"] for test in result["tests"])
-assert sum(test["max_score"] for test in result["tests"]) == 12 and len(result["tests"]) == 10
-assert scores == (12 if sys.argv[3] == "solution" else 0), scores
+points = int(os.environ["points"])
+assert sum(test["max_score"] for test in result["tests"]) == points
+assert len(result["tests"]) == int(os.environ["tests"])
+assert scores == (points if sys.argv[3] == "solution" else 0), scores
 if sys.argv[3] == "broken":
     assert "error" in result["output"], result["output"]
 if sys.argv[3] == "nothing":
@@ -202,7 +211,7 @@ grade_is() {
     [ "$(grep -cx -e '<|--' -e '--|>' "$work/said")" -eq 2 ]
 }
 vpl solution vpl_evaluate.sh && grade_is 24.00
-grep -qx -e '-Score: 12 of 12 points' "$work/said"
+grep -qx -e "-Score: $points of $points points" "$work/said"
 vpl broken vpl_evaluate.sh && grade_is 0.00
 grep -q '^>.*error' "$work/said"
 vpl solution vpl_run.sh
