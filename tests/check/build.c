@@ -133,22 +133,37 @@ bool build_given(const struct options *options, struct error *error) {
     return done;
 }
 
-bool build_step(const struct options *options, const char *step, struct message_line *reason,
-                struct bytes *messages, struct error *error) {
+/* What is built before the steps says nothing any more. */
+static void find_warnings(struct build_result *result) {
+    static const char mark[] = "warning: ";
+    const char *output = (const char *)result->messages.data;
+    for (const char *at = output; at != NULL && (at = strstr(at, mark)) != NULL; at++) {
+        if (result->warning.text[0] == '\0') {
+            result->warning = drawn_message(line_start(output, at));
+        } else {
+            result->more_warnings++;
+        }
+    }
+}
+
+bool build_step(const struct options *options, const char *step, struct build_result *result,
+                struct error *error) {
     char target[DRAWN_PATH_LIMIT];
     snprintf(target, sizeof target, "%s/%s", options->programs, step);
     const struct run_limits limits = {.seconds = options->build_seconds,
                                       .file_bytes = run_program_limits(0).file_bytes,
                                       .memory_bytes = (size_t)COMPILER_GIGABYTES << 30};
-    struct run_result result = {.end = RUN_EXITED};
-    *reason = (struct message_line){""};
+    struct run_result end = {.end = RUN_EXITED};
+    *result = (struct build_result){.reason = {""}};
     bool done =
-        remove_old_program(target, error) && call_make(options, target, &limits, &result, error);
-    if (done && !make_succeeded(&result)) {
-        *reason = make_failure(&result, limits.seconds);
+        remove_old_program(target, error) && call_make(options, target, &limits, &end, error);
+    if (done && !make_succeeded(&end)) {
+        result->reason = make_failure(&end, limits.seconds);
     } else if (done && access(target, X_OK) != 0) {
-        snprintf(reason->text, sizeof reason->text, "make has built no %.150s", target);
+        snprintf(result->reason.text, sizeof result->reason.text, "make has built no %.150s",
+                 target);
     }
-    *messages = result.messages;
+    result->messages = end.messages;
+    find_warnings(result);
     return done;
 }

@@ -15,10 +15,17 @@
  * fails. */
 bool build_given(const struct options *options, struct error *error);
 
-/* Remove the step's old program and build it. `reason` says why it could not be built, or is empty;
- * `messages` becomes all that make and the compiler said, and the caller frees it, also on an
- * error. False, with a message, when the check itself cannot do that. */
-bool build_step(const struct options *options, const char *step, struct message_line *reason,
-                struct bytes *messages, struct error *error);
+/* How a step was built. */
+struct build_result {
+    struct message_line reason;  /* why it could not be; or empty */
+    struct message_line warning; /* the first line in which the compiler warns; or empty */
+    size_t more_warnings;
+    struct bytes messages; /* all that make and the compiler said */
+};
+
+/* Remove the step's old program and build it. The caller frees result->messages, also on an error.
+ * False, with a message, when the check itself cannot do that. */
+bool build_step(const struct options *options, const char *step, struct build_result *result,
+                struct error *error);
 
 #endif

@@ -144,8 +144,6 @@ static void judge_picture(const struct judging *judging, size_t i, const struct 
         if (likeness.row == 0) {
             likeness = looks_find(&judging->looks[i], reference, yours, apart, 0);
         }
-        looks_say(&item->looks, &judging->looks[i], likeness.row);
-        item->looks_task = looks_task(&judging->looks[i], likeness.row);
         item->looks_path =
             looks_small_path(judging->options->looks, judging->step->name, item->scene);
         item->looks_row = likeness.row;
@@ -428,16 +426,13 @@ static bool judge_works(const struct judging *judging, struct error *error) {
     bool done = true;
     for (size_t i = pictures; i < result->item_count && done; i++) {
         struct item_result *item = &result->items[i];
-        size_t k = 0;
-        while (strcmp(result->items[k].scene, item->scene) != 0) {
-            k++;
-        }
+        const struct item_result *picture = result_picture_of(result, item);
         const struct checked_work *work = &judging->step->works[i - pictures];
-        if (result->items[k].state == RESULT_PASS) {
+        if (picture->state == RESULT_PASS) {
             done = work->has_relations ? judge_relations(judging, work, item, error)
                                        : judge_work(judging, item, error);
         } else {
-            item->state = result->items[k].state;
+            item->state = picture->state;
             item->unjudged = true;
             result_say(&item->message, "its picture must pass before this is judged");
         }
@@ -447,32 +442,66 @@ static bool judge_works(const struct judging *judging, struct error *error) {
 
 /* ---- One step ---- */
 
-static bool is_to_do(const struct judging *judging, const char *task) {
-    return todo_has_task((const char *)judging->source.data, task);
+/* The task, or the part, that is as the starter has it, of those that the item shows or needs; or
+ * NULL. */
+static const char *find_to_do(const struct judging *judging, const struct credit *credit) {
+    const char *source = (const char *)judging->source.data, *found = NULL;
+    for (size_t i = 0; i < credit->task_count + credit->need_count && found == NULL; i++) {
+        const char *task = i < credit->task_count ? credit->tasks[i].text
+                                                  : credit->needs[i - credit->task_count].text;
+        found = todo_has_task(source, task) ? task : NULL;
+    }
+    return found;
 }
 
-/* What has failed is to do while a task that it shows is as the starter has it. Such a task is not
- * at fault. */
-static void find_to_do(const struct judging *judging) {
-    for (size_t i = 0; i < judging->result->item_count; i++) {
+/* What has failed is to do while such a task is, also where the program crashes for want of it. */
+static void set_to_do(struct item_result *item, const char *task) {
+    item->state = RESULT_TODO;
+    item->blamed = false;
+    item->message.text[0] = '\0';
+    item->looks_row = 0;
+    if (item->difference.text[0] != '\0') {
+        unlink(item->difference.text);
+        item->difference.text[0] = '\0';
+    }
+    const char *kind = strchr(task, '.') != NULL ? "task" : "part";
+    result_say(&item->message, "%s %s is to do", kind, task);
+}
+
+/* Work and relations that were not judged because of their picture are to do when it is. */
+static void find_all_to_do(const struct judging *judging) {
+    struct step_result *result = judging->result;
+    bool was_blamed = false, is_blamed = false;
+    for (size_t i = 0; i < result->item_count; i++) {
+        struct item_result *item = &result->items[i];
+        const char *task = find_to_do(judging, item->credit);
+        if (task == NULL && item->unjudged) {
+            task = find_to_do(judging, result_picture_of(result, item)->credit);
+        }
+        was_blamed |= item->blamed;
+        if (item->state >= RESULT_FAIL && item->state <= RESULT_CRASH && task != NULL) {
+            set_to_do(item, task);
+        }
+        is_blamed |= item->blamed;
+    }
+    if (was_blamed && !is_blamed) { /* that is why the program ended so */
+        result->state = RESULT_FAIL;
+        result->reason.text[0] = '\0';
+    }
+}
+
+/* Is this task not at fault? One that is to do is not wrong. */
+static bool is_not_at_fault(const void *context, const char *task) {
+    const struct judging *judging = context;
+    return result_is_right(judging->result, task) ||
+           todo_has_task((const char *)judging->source.data, task);
+}
+
+/* Say what the wrong pictures look like, now that all is known. */
+static void tell_likenesses(const struct judging *judging) {
+    for (size_t i = 0; i < judging->step->scene_count; i++) {
         struct item_result *item = &judging->result->items[i];
-        const char *found = NULL;
-        for (size_t k = 0; k < item->credit->task_count && found == NULL; k++) {
-            const char *task = item->credit->tasks[k].text;
-            found = is_to_do(judging, task) ? task : NULL;
-        }
-        if (found != NULL || is_to_do(judging, item->looks_task.text)) {
-            item->looks_task.text[0] = '\0';
-        }
-        if (item->state == RESULT_FAIL && found != NULL) {
-            item->state = RESULT_TODO;
-            item->message.text[0] = item->looks.text[0] = '\0';
-            if (item->difference.text[0] != '\0') {
-                unlink(item->difference.text);
-                item->difference.text[0] = '\0';
-            }
-            result_say(&item->message, "task %s is to do", found);
-        }
+        looks_tell(item, &judging->looks[i], item->looks_row, is_not_at_fault, judging);
     }
 }
 
@@ -488,7 +517,8 @@ static bool draw_and_judge(struct judging *judging, struct error *error) {
     if (done && end.end != RUN_INTERRUPTED) {
         judge_end(judging, &result->state, &result->reason, &end);
         done = judge_pictures(judging, &end, error) && judge_works(judging, error);
-        find_to_do(judging);
+        find_all_to_do(judging);
+        tell_likenesses(judging);
     }
     result->messages = end.messages;
     run_directory_remove(judging->directory);
@@ -511,18 +541,20 @@ static void set_not_built(const struct judging *judging, const struct message_li
 }
 
 static bool build_and_judge(struct judging *judging, struct error *error) {
-    struct message_line reason;
-    struct bytes messages = {.data = NULL};
+    struct step_result *result = judging->result;
+    struct build_result built;
     remove_old_pictures(judging);
     read_references(judging);
-    bool done = build_step(judging->options, judging->step->name, &reason, &messages, error);
-    if (!done || reason.text[0] == '\0') {
-        bytes_free(&messages);
-        return done && draw_and_judge(judging, error);
+    bool done = build_step(judging->options, judging->step->name, &built, error);
+    if (done && built.reason.text[0] != '\0') {
+        result->messages = built.messages;
+        set_not_built(judging, &built.reason);
+        return true;
     }
-    judging->result->messages = messages;
-    set_not_built(judging, &reason);
-    return true;
+    result_say(&result->warning, "%s", built.warning.text);
+    result->more_warnings = built.more_warnings;
+    bytes_free(&built.messages);
+    return done && draw_and_judge(judging, error);
 }
 
 static void set_error(struct step_result *result, const struct error *error) {

@@ -10,7 +10,6 @@
 
 enum {
     LEAST_WRONG = 8,   /* pixels in a wrong colour, below which nothing can be told */
-    MOST_NAMES = 3,    /* mistakes that draw the same picture, above which nothing is told */
     UNEXPLAINED = 32,  /* for so many pixels in a wrong colour one may be another */
     APART_QUARTERS = 4 /* how exactly the number of pixels apart must be met: one in so many */
 };
@@ -199,33 +198,31 @@ struct likeness looks_find(const struct looks *looks, const struct image *refere
     bool is_near = wrong >= LEAST_WRONG && best.distance <= wrong / UNEXPLAINED &&
                    is_as_far(apart, of_mistake);
     bool is_clear = second > 2 * best.distance;
-    bool is_told = best.row > 0 && (is_same || is_near) && is_clear && names <= MOST_NAMES;
+    bool is_told = best.row > 0 && (is_same || is_near) && is_clear && names <= LOOKS_NAME_LIMIT;
     return is_told ? best : none;
 }
 
-void looks_say(struct result_text *text, const struct looks *looks, size_t row) {
-    const char * or = "";
-    for (size_t i = 0; i < looks->count; i++) {
-        if (row > 0 && looks->list[i].row == row) {
-            result_say(text, "%s\"%s\"", or, looks->list[i].words);
-            or = " or ";
-        }
+/* Note the task at fault, "" for none's, once. */
+static void add_task(struct item_result *item, const char *task) {
+    if (task[0] != '\0' && !task_is_among(item->looks_tasks, item->looks_task_count, task)) {
+        snprintf(item->looks_tasks[item->looks_task_count++].text, TASK_NAME_LIMIT, "%s", task);
     }
 }
 
-struct task_name looks_task(const struct looks *looks, size_t row) {
-    const struct look *first = NULL;
-    for (size_t i = 0; i < looks->count; i++) {
-        const struct look *look = &looks->list[i];
-        if (row == 0 || look->row != row) {
-            continue;
+void looks_tell(struct item_result *item, const struct looks *looks, size_t row,
+                bool (*is_right)(const void *context, const char *task), const void *context) {
+    bool told = false;
+    for (int all = 0; all <= 1 && !told; all++) {
+        for (size_t i = 0; i < looks->count && row > 0; i++) {
+            const struct look *look = &looks->list[i];
+            bool right = !all && is_right != NULL && is_right(context, look->task.text);
+            if (look->row == row && !right) {
+                result_say(&item->looks, "%s\"%s\"", told ? " or " : "", look->words);
+                add_task(item, look->task.text);
+                told = true;
+            }
         }
-        if (first != NULL && strcmp(look->task.text, first->task.text) != 0) {
-            return (struct task_name){""};
-        }
-        first = look;
     }
-    return first != NULL ? first->task : (struct task_name){""};
 }
 
 /* ---- Small pictures ---- */

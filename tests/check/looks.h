@@ -80,11 +80,11 @@ void looks_free(struct looks *looks);
 struct likeness looks_find(const struct looks *looks, const struct image *reference,
                            const struct image *yours, uint64_t apart, size_t left_out);
 
-/* Add "A" or "B", the mistakes of that row, to the text. */
-void looks_say(struct result_text *text, const struct looks *looks, size_t row);
-
-/* The task at fault in the mistakes of that row; "" when they are not of one task. */
-struct task_name looks_task(const struct looks *looks, size_t row);
+/* Say of an item that its picture looks like "A" or "B", the mistakes of that row, and which tasks
+ * are at fault in these. Mistakes of the tasks that `is_right` (NULL: none is) says are right are
+ * left out, but when no others are left. */
+void looks_tell(struct item_result *item, const struct looks *looks, size_t row,
+                bool (*is_right)(const void *context, const char *task), const void *context);
 
 /* Where the small pictures of a scene are: DIRECTORY/STEP/SCENE.small.png. */
 struct result_path looks_small_path(const char *directory, const char *step, const char *scene);

@@ -321,11 +321,11 @@ static void measure(const struct making *making, const char *directory) {
         const struct mistake *mistake = &making->mistakes[making->rows[i]];
         struct likeness other = looks_find(&looks, &making->reference, &mistake->image,
                                            mistake->apart, LOOKS_FIRST_ROW + i);
-        struct result_text text = {""};
-        looks_say(&text, &looks, other.row);
+        struct item_result item = {.scene = making->scene};
+        looks_tell(&item, &looks, other.row, NULL, NULL);
         printf("%s %s: %s: %s%s%s\n", making->step, making->scene, mistake->words,
                mistake->row > 0 ? "itself" : "not told",
-               other.row == 0 ? "" : "; held out: ", text.text);
+               other.row == 0 ? "" : "; held out: ", item.looks.text);
     }
     looks_free(&looks);
 }

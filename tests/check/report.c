@@ -41,8 +41,12 @@ static void report_item(const struct step_result *step, const struct item_result
     if (is_told(step, item)) {
         printf("    looks like the same\n");
     } else if (item->looks.text[0] != '\0') {
-        printf("    looks like %s; make hint STEP=%.2s TASK=%s\n", item->looks.text,
+        printf("    looks like %s; make hint STEP=%.2s TASK=%s", item->looks.text,
                step->name + strlen("step"), result_first_suspect(step, item));
+        for (size_t i = 1; i < item->looks_task_count; i++) {
+            printf(" or TASK=%s", item->looks_tasks[i].text);
+        }
+        printf("\n");
     }
 }
 
@@ -94,6 +98,17 @@ static void report_tasks(const struct step_result *step) {
     }
 }
 
+static void report_warnings(const struct step_result *step) {
+    if (step->warning.text[0] == '\0') {
+        return;
+    }
+    printf("  the compiler warns: %s", step->warning.text);
+    if (step->more_warnings > 0) {
+        printf(" (and of %zu more)", step->more_warnings);
+    }
+    printf("\n");
+}
+
 void report_step(const struct step_result *step) {
     printf("%s  %s %zu/%zu SCORE %u/%u%s", step->name, result_state_name(step->state), step->passed,
            step->item_count, step->points, step->most, is_exact(step) ? " exact" : "");
@@ -108,6 +123,7 @@ void report_step(const struct step_result *step) {
             report_item(step, item);
         }
     }
+    report_warnings(step);
     if (step->state == RESULT_CRASH && !step->fault_is_found) {
         printf("  make check STEP=%.2s SANITIZE=1 says in which line\n",
                step->name + strlen("step"));

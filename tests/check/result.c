@@ -85,12 +85,20 @@ static struct task_result *find_task(struct step_result *result, struct task_nam
     return task;
 }
 
-/* Does a scene that passes show this task alone? */
-static bool is_shown_right(const struct step_result *result, const struct task_name *task) {
+const struct item_result *result_picture_of(const struct step_result *result,
+                                            const struct item_result *item) {
+    const struct item_result *picture = result->items; /* pictures come first */
+    while (strcmp(picture->scene, item->scene) != 0) {
+        picture++;
+    }
+    return picture;
+}
+
+bool result_is_right(const struct step_result *result, const char *task) {
     for (size_t i = 0; i < result->item_count; i++) {
         const struct item_result *item = &result->items[i];
         if (item->state == RESULT_PASS && item->credit->task_count == 1 &&
-            strcmp(item->credit->tasks[0].text, task->text) == 0) {
+            strcmp(item->credit->tasks[0].text, task) == 0) {
             return true;
         }
     }
@@ -101,31 +109,28 @@ static bool is_shown_right(const struct step_result *result, const struct task_n
 static size_t count_suspects(const struct step_result *result, const struct credit *credit) {
     size_t suspects = 0;
     for (size_t i = 0; i < credit->task_count; i++) {
-        suspects += !is_shown_right(result, &credit->tasks[i]);
+        suspects += !result_is_right(result, credit->tasks[i].text);
     }
     return suspects;
 }
 
-/* Is it a known mistake, and that of another task? */
-static bool is_of_another(const struct item_result *item, const struct task_name *task) {
-    return item->looks_task.text[0] != '\0' && strcmp(item->looks_task.text, task->text) != 0;
-}
-
-static bool has_task(const struct credit *credit, const char *task) {
+/* Is it a known mistake of a task that the item shows? */
+static bool is_own_mistake(const struct item_result *item) {
     bool found = false;
-    for (size_t i = 0; i < credit->task_count; i++) {
-        found |= strcmp(credit->tasks[i].text, task) == 0;
+    for (size_t i = 0; i < item->looks_task_count; i++) {
+        found |=
+            task_is_among(item->credit->tasks, item->credit->task_count, item->looks_tasks[i].text);
     }
     return found;
 }
 
 const char *result_first_suspect(const struct step_result *result, const struct item_result *item) {
     const struct credit *credit = item->credit;
-    if (item->looks_task.text[0] != '\0') {
-        return item->looks_task.text;
+    if (item->looks_task_count > 0) {
+        return item->looks_tasks[0].text;
     }
     for (size_t i = 0; i < credit->task_count; i++) {
-        if (!is_shown_right(result, &credit->tasks[i])) {
+        if (!result_is_right(result, credit->tasks[i].text)) {
             return credit->tasks[i].text;
         }
     }
@@ -138,14 +143,15 @@ static void add_state(const struct step_result *result, const struct item_result
                       struct task_result *task) {
     size_t suspects = count_suspects(result, item->credit);
     bool fails = item->state == RESULT_FAIL;
-    bool is_known = item->looks_task.text[0] != '\0';
-    bool of_another = is_of_another(item, &task->name);
-    bool excused = fails && (suspects > 0 || item->unjudged) && is_shown_right(result, &task->name);
-    excused |= of_another && has_task(item->credit, item->looks_task.text);
+    size_t guesses = item->looks_task_count;
+    bool of_another = guesses > 0 && !task_is_among(item->looks_tasks, guesses, task->name.text);
+    bool excused =
+        fails && (suspects > 0 || item->unjudged) && result_is_right(result, task->name.text);
+    excused |= of_another && is_own_mistake(item);
     if (item->state > task->state && !excused) {
         task->state = item->state;
-        task->perhaps = fails && (item->unjudged || of_another ||
-                                  (!is_known && suspects != 1 && item->credit->task_count > 1));
+        task->perhaps = fails && (item->unjudged || of_another || guesses > 1 ||
+                                  (guesses == 0 && suspects != 1 && item->credit->task_count > 1));
     }
 }
 

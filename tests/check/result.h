@@ -18,9 +18,11 @@
 #include <stddef.h>
 #include <stdint.h>
 
+enum { LOOKS_NAME_LIMIT = 3 }; /* mistakes that a picture can look like at once */
+
 enum result_state {
     RESULT_PASS,
-    RESULT_TODO, /* not passed, and main.c still has the starter's line of one of its tasks */
+    RESULT_TODO, /* not passed, and main.c still has the starter's line of a task that it needs */
     RESULT_FAIL,
     RESULT_TIME,  /* the program was stopped after its time */
     RESULT_CRASH, /* a signal ended the program, or a sanitizer did */
@@ -44,10 +46,12 @@ struct item_result {
     const struct credit *credit;
     const struct checked_scene *rule; /* of a picture: how it is compared; else NULL */
     enum result_state state;
-    unsigned points;               /* 0, or all of them */
-    struct result_text message;    /* what is wrong, or not exact; empty when there is nothing */
-    struct result_text looks;      /* "A" or "B", the mistakes that draw this picture; or empty */
-    struct task_name looks_task;   /* the task that is at fault in these; "" when not known */
+    unsigned points;            /* 0, or all of them */
+    struct result_text message; /* what is wrong, or not exact; empty when there is nothing */
+    struct result_text looks;   /* "A" or "B", the mistakes that draw this picture; or empty */
+    /* The tasks that are at fault in these, as far as known. */
+    struct task_name looks_tasks[LOOKS_NAME_LIMIT];
+    size_t looks_task_count;
     struct result_path looks_path; /* with that, a file of small pictures of mistakes, */
     size_t looks_row;              /* and which of them it is */
     uint64_t counted, most, least; /* of a counter: the work done, what is enough, what is needed */
@@ -78,9 +82,11 @@ struct step_result {
     size_t task_count;
     size_t passed, pictures_exact; /* items */
     unsigned points, most;
-    struct result_text reason; /* why the step as a whole did not end well; or empty */
-    bool fault_is_found;       /* a sanitizer has told in which line the program crashes */
-    struct bytes messages;     /* what compiler or program wrote to standard error, then a NUL */
+    struct result_text reason;  /* why the step as a whole did not end well; or empty */
+    struct result_text warning; /* the compiler's first one of a program that it built; or empty */
+    size_t more_warnings;
+    bool fault_is_found;   /* a sanitizer has told in which line the program crashes */
+    struct bytes messages; /* what compiler or program wrote to standard error, then a NUL */
 };
 
 /* All zero is a valid, empty result. */
@@ -111,6 +117,13 @@ bool step_result_begin(struct step_result *result, const struct checked_step *st
 /* When all items are judged: points, tasks, and where the step is FAIL so far, its state. TIME,
  * CRASH, BUILD and ERROR stay. */
 void step_result_finish(struct step_result *result);
+
+/* The picture of an item's scene: the item itself, or that of a counter or of relations. */
+const struct item_result *result_picture_of(const struct step_result *result,
+                                            const struct item_result *item);
+
+/* Does a scene that passes show this task alone? */
+bool result_is_right(const struct step_result *result, const char *task);
 
 /* The first task that may be to blame for an item that is wrong. */
 const char *result_first_suspect(const struct step_result *result, const struct item_result *item);

@@ -63,8 +63,8 @@ static struct checked_step *find_or_add_step(struct scene_table *table, struct t
     return step;
 }
 
-/* Is it the number of a task, like 5.2 or 8b.2? */
-static bool is_task(const char *text) {
+/* Is it the number of a task, like 5.2 or 8b.2? Or of a part, 8b, where that is `allowed`. */
+static bool is_task(const char *text, bool part_allowed) {
     for (int part = 0; part < 2; part++) {
         size_t digits = strspn(text, "0123456789");
         if (digits == 0 || text[0] == '0') {
@@ -72,7 +72,11 @@ static bool is_task(const char *text) {
         }
         text += digits;
         if (part == 0) {
-            text += islower((unsigned char)*text) != 0;
+            bool has_letter = islower((unsigned char)*text) != 0;
+            text += has_letter;
+            if (*text == '\0' && has_letter && part_allowed) {
+                return true;
+            }
             if (*text++ != '.') {
                 return false;
             }
@@ -81,31 +85,42 @@ static bool is_task(const char *text) {
     return *text == '\0';
 }
 
-static bool add_task(struct credit *credit, const char *start, size_t length) {
+bool task_is_among(const struct task_name *tasks, size_t count, const char *task) {
+    bool found = false;
+    for (size_t i = 0; i < count; i++) {
+        found |= strcmp(tasks[i].text, task) == 0;
+    }
+    return found;
+}
+
+/* Add a task to those that the credit shows, or to what it needs. */
+static bool add_task(struct credit *credit, bool is_need, const char *start, size_t length) {
+    struct task_name *tasks = is_need ? credit->needs : credit->tasks;
+    size_t *count = is_need ? &credit->need_count : &credit->task_count;
     struct task_name task = {""};
-    if (length >= sizeof task.text || credit->task_count == SCENE_TASK_LIMIT) {
+    if (length >= sizeof task.text || *count == SCENE_TASK_LIMIT) {
         return false;
     }
     memcpy(task.text, start, length);
-    for (size_t i = 0; i < credit->task_count; i++) {
-        if (strcmp(credit->tasks[i].text, task.text) == 0) {
-            return false;
-        }
+    if (task_is_among(credit->tasks, credit->task_count, task.text) ||
+        task_is_among(credit->needs, credit->need_count, task.text)) {
+        return false;
     }
-    credit->tasks[credit->task_count++] = task;
-    return is_task(task.text);
+    tasks[(*count)++] = task;
+    return is_task(task.text, is_need);
 }
 
-/* `5.2` or `5.1,5.2`. */
+/* `5.2` or `5.1,5.2` or `8e.1+8b,8d.1`. */
 static bool read_tasks(struct credit *credit, struct text *text, struct error *error) {
     struct word word = text_next_word(text);
-    bool done = true;
+    bool done = true, is_need = false;
     for (size_t start = 0; done && start <= word.length;) {
         size_t end = start;
-        while (end < word.length && word.start[end] != ',') {
+        while (end < word.length && word.start[end] != ',' && (is_need || word.start[end] != '+')) {
             end++;
         }
-        done = add_task(credit, word.start + start, end - start);
+        done = add_task(credit, is_need, word.start + start, end - start);
+        is_need |= end < word.length && word.start[end] == '+';
         start = end + 1;
     }
     return done || text_error(error, text->line, "'%s' are no tasks, like 5.2 or 5.1,5.2",

@@ -2,9 +2,10 @@
  * The table of scenes: which pictures each step draws and how strictly each is compared.
  *
  * One line a scene: `step05_zbuffer  zbuffer  5.2  4  WRONG APART COVERAGE`. First the tasks of
- * main.c that it shows, with commas between them and no blanks (in a lesson of several parts 8b.2).
- * Then its points, which are shared out to these tasks evenly, so they must be a multiple of their
- * number. Then three or four percentages of the drawn pixels, or `exact` in their place.
+ * main.c that it shows, with commas between them and no blanks (in a lesson of several parts 8b.2);
+ * behind a `+` what else it needs, tasks or parts: `8e.1+8b,8d.1`. Then its points, which are
+ * shared out to the tasks that it shows evenly, so they must be a multiple of their number. Then
+ * three or four percentages of the drawn pixels, or `exact` in their place.
  *
  * Where a task is about work that is not done, a line `work  step02_wireframe  wireframe  2.4  2
  * lines_drawn  7467` stands behind the step's scenes: with --stats the counter of that scene must
@@ -35,11 +36,16 @@ struct task_name {
     char text[TASK_NAME_LIMIT];
 };
 
+/* Is a task of that name one of these? */
+bool task_is_among(const struct task_name *tasks, size_t count, const char *task);
+
 /* For what points are given. */
 struct credit {
     struct task_name tasks[SCENE_TASK_LIMIT]; /* all different */
     size_t task_count;                        /* at least 1 */
-    unsigned points;                          /* a multiple of task_count, not 0 */
+    struct task_name needs[SCENE_TASK_LIMIT]; /* other tasks, or "8b": all of a part */
+    size_t need_count;
+    unsigned points; /* a multiple of task_count, not 0 */
 };
 
 struct checked_scene {

@@ -265,7 +265,8 @@ static void test_verdicts(void) {
                         "huge FAIL 0/1: 65535x65535 "
                         "pixels instead of 200x200"},
         {"step07_missing", "FAIL 1/2 SCORE 1/2; depth PASS 1/1; depth2 FAIL 0/1: missing (no "
-                           "depth2.tga was written)"},
+                           "depth2.tga was written); the compiler warns: x.c:1:2: warning: first "
+                           "(and of 2 more)"},
         {"step09_status", "FAIL 1/1 SCORE 1/1: exit status 1: step09_status: bust.obj:17: face "
                           "names vertex 99 of 12; depth PASS 1/1"},
         {"step13_crash",
@@ -309,12 +310,13 @@ static void test_verdicts(void) {
                          "make check STEP=33 SANITIZE=1 says in which line; "
                          "tasks: 33.1 CRASH 0/1, 33.2 3/3"},
         {"step34_todo",
-         "FAIL 1/3 SCORE 1/7; depth PASS 1/1; depth2 FAIL 0/2: 2,612 of 20,266 drawn pixels differ "
+         "FAIL 1/5 SCORE 1/9; depth PASS 1/1; depth2 FAIL 0/2: 2,612 of 20,266 drawn pixels differ "
          "(must be "
          "exact), "
          "first at (60,31): yours 160,100,60, right 120,140,120; depth3 TODO 0/4: task 34b.30 is "
-         "to do; "
-         "tasks: 34.1 1/1, 34.2 FAIL 0/2; part b 0/4: 34b.3 TODO 0/2, 34b.30 TODO 0/2"},
+         "to do; depth4 TODO 0/1: part 34b is to do; depth3 drawn again (turned) TODO 0/1: task "
+         "34b.30 is to do; "
+         "tasks: 34.1 1/1, 34.2 FAIL 0/4; part b 0/4: 34b.3 TODO 0/2, 34b.30 TODO 0/2"},
         {"step35_work",
          "FAIL 4/9 SCORE 4/9; depth PASS 1/1; depth2 PASS 1/1; depth3 FAIL 0/1: 2,612 of 20,266 "
          "drawn pixels differ (must be exact), first at (60,31): yours 160,100,60, right "
@@ -421,7 +423,7 @@ static void test_summary_and_status(void) {
     CHECK(lines == 40);
     char score[24];
     snprintf(score, sizeof score, "%.*s", (int)strcspn(text, "\n"), text);
-    CHECK_TEXT(score, "SCORE 22/81");
+    CHECK_TEXT(score, "SCORE 22/83");
 }
 
 /* Each failed scene has its picture, with the reference on its left, and yours in the middle. */
@@ -733,6 +735,11 @@ static void test_scene_tables(void) {
         {"step1_a b 1.01\n", ":1: '1.01' are no tasks"},
         {"step1_a b 1b.1.1\n", ":1: '1b.1.1' are no tasks"},
         {"step1_a b 1234567890.1\n", ":1: '1234567890.1' are no tasks"},
+        {"step1_a b 1b\n", ":1: '1b' are no tasks"},
+        {"step1_a b 1.1+1\n", ":1: '1.1+1' are no tasks"},
+        {"step1_a b 1.1+1b.1,1.1\n", ":1: '1.1+1b.1,1.1' are no tasks"},
+        {"step1_a b 1.1+1b+1c\n", ":1: '1.1+1b+1c' are no tasks"},
+        {"step1_a b 1.1+\n", ":1: '1.1+' are no tasks"},
         {"step1_a b 1.1,1.2,1.3,1.4,1.5,1.6,1.7,1.8,1.9,2.1,2.2,2.3,2.4,2.5,2.6,2.7,2.8\n",
          "are no tasks"},
         {"step1_a b 1.1\n", ":1: '' is not a number of points"},

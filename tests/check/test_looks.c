@@ -194,41 +194,54 @@ static void test_black(void) {
     tear_down(&f);
 }
 
+/* At most three mistakes may draw the same. */
 static void test_names(void) {
     struct fixture f;
-    struct result_text text = {""};
     set_up(&f);
-    looks_say(&text, &f.looks, 4);
-    CHECK_TEXT(text.text, "\"the third\" or \"as the third\"");
-    looks_say(&text, &f.looks, 0);
-    CHECK_TEXT(text.text, "\"the third\" or \"as the third\"");
     draw(&f, 4, 0);
     f.looks.list[f.looks.count++] = f.looks.list[3];
     CHECK(find(&f, 1000, 0) == 4);
     f.looks.list[f.looks.count++] = f.looks.list[3];
-    CHECK(find(&f, 1000, 0) == 0); /* four draw the same */
+    CHECK(find(&f, 1000, 0) == 0);
     for (size_t i = 0; i < f.looks.count; i++) {
         f.looks.list[i].row = 0;
     }
     CHECK(find(&f, 1000, 0) == 0);
-    text.text[0] = '\0';
-    looks_say(&text, &f.looks, 0);
-    CHECK_TEXT(text.text, "");
     tear_down(&f);
 }
 
-/* The task at fault, when the mistakes that draw the picture are all of one. */
-static void test_tasks(void) {
+/* The context is the name of a task. */
+static bool is_that_task(const void *context, const char *task) {
+    return strcmp(context, task) == 0;
+}
+
+/* What is told of a row when the task is right: `tasks` are those at fault. */
+static void check_told(const struct fixture *f, size_t row, const char *right, const char *words,
+                       const char *tasks) {
+    struct item_result item = {.scene = "scene"};
+    char told[LOOKS_NAME_LIMIT * TASK_NAME_LIMIT] = "";
+    looks_tell(&item, &f->looks, row, right != NULL ? is_that_task : NULL, right);
+    for (size_t i = 0; i < item.looks_task_count; i++) {
+        strcat(strcat(told, i > 0 ? " " : ""), item.looks_tasks[i].text);
+    }
+    CHECK_TEXT(item.looks.text, words);
+    CHECK_TEXT(told, tasks);
+}
+
+static void test_told(void) {
     struct fixture f;
     set_up(&f);
-    CHECK_TEXT(looks_task(&f.looks, 2).text, "");
-    CHECK_TEXT(looks_task(&f.looks, 3).text, "5.2");
-    CHECK_TEXT(looks_task(&f.looks, 4).text, "5.2");
+    check_told(&f, 0, NULL, "", "");
+    check_told(&f, 2, NULL, "\"the first\"", "");
+    check_told(&f, 3, NULL, "\"the second\"", "5.2");
+    check_told(&f, 4, NULL, "\"the third\" or \"as the third\"", "5.2");
     strcpy(f.looks.list[3].task.text, "5.3");
-    CHECK_TEXT(looks_task(&f.looks, 4).text, "");
-    CHECK_TEXT(looks_task(&f.looks, 0).text, "");
-    f.looks.list[1].row = 0;
-    CHECK_TEXT(looks_task(&f.looks, 0).text, "");
+    check_told(&f, 4, NULL, "\"the third\" or \"as the third\"", "5.2 5.3");
+    check_told(&f, 4, "5.2", "\"as the third\"", "5.3");
+    check_told(&f, 4, "5.3", "\"the third\"", "5.2");
+    check_told(&f, 3, "5.2", "\"the second\"", "5.2"); /* there is no other */
+    f.looks.list[3].row = 0;
+    check_told(&f, 0, NULL, "", "");
     tear_down(&f);
 }
 
@@ -327,4 +340,4 @@ static void test_shrinking(void) {
 
 UNIT_MAIN(TEST(test_places), TEST(test_what_is_told), TEST(test_doubt), TEST(test_near),
           TEST(test_small_pictures), TEST(test_black), TEST(test_shrinking), TEST(test_names),
-          TEST(test_tasks), TEST(test_out_of_date), TEST(test_files))
+          TEST(test_told), TEST(test_out_of_date), TEST(test_files))

@@ -11,7 +11,8 @@
 
 #include <stdbool.h>
 
-/* Does the text (with a NUL at its end, or NULL) have the line of that task, like "5.2"? */
+/* Does the text (with a NUL at its end, or NULL) have the line of that task, like "5.2", or of one
+ * of the part "8b"? */
 bool todo_has_task(const char *text, const char *task);
 
 /* The text of a main.c with a NUL at its end; of one that cannot be read, an empty text. The caller

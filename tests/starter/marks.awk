@@ -13,7 +13,8 @@
 #
 #     awk -v mode=MODE -f marks.awk step05_zbuffer/main.c
 #
-# MODE starter or solution prints that text without marks; tasks prints "5.2<TAB>depth test" for
+# MODE starter or solution prints that text without marks; with solution and -v undone=5.2 this task
+# is as in the starter. tasks prints "5.2<TAB>depth test" for
 # each task, by number. With -v name=FILE the text is called FILE, whatever file it is read from.
 #
 # Exit status 1: a mark is wrong. It is named on standard error as FILE:LINE; nothing is printed.
@@ -82,7 +83,7 @@ NR == 1 && name == "" { name = FILENAME }
 
 kind == "text" {
     if (part == "a starter" && /\/\*|\*\//) wrong(NR, "a block comment in a starter: use //")
-    if (part == "what is given" || part == "a " mode) keep($0)
+    if (part == "what is given" || part == "a " (task == undone ? "starter" : mode)) keep($0)
     next
 }
 

@@ -74,9 +74,9 @@ build CFLAGS=-O0
 + image_set(image, 51 + 1, 41,
 END
 CHECK_TIMEOUT=1 verify 0
-says 'step01_line  *2/2  *0/2  *1/1  to do  *exact'
+says 'step01_line  *2/2  *0/2  *1/1  *5/5  to do  *exact'
 verify 0 axes
-says 'step01_line  *1/1  *0/1  *0/0  -  *-'
+says 'step01_line  *1/1  *0/1  *0/0  *0/0  -  *-'
 printf 'accept elsewhere\nsays no compiler\nbuild CC=no_such_compiler\n' >tests/accept/step01.txt
 verify 0 elsewhere
 says 'SKIPPED step01/elsewhere: there is no no_such_compiler'
@@ -118,7 +118,7 @@ looks() {
 }
 looks
 verify 0
-says 'step01_line  *4/4  *3/4  *0/0  to do  *exact'
+says 'step01_line  *4/4  *3/4  *0/0  *5/5  to do  *exact'
 sed -i.old 's/color_rgb(255, 0, 255)/color_rgb(255, 255, 0)/' step01_line/mistakes.txt
 verify 1
 says 'STALE step01/purple: '
@@ -162,14 +162,21 @@ verify 1
 says 'PASSES step01/elsewhere: 1/1 .* exact (shown by another scene); all scenes: FAIL 1/.*; line F'
 says 'ERROR step01/no_program: BUILD '
 says 'FAILS step01/axes: FAIL [0-9]*/.*; pixel FAIL 0/1: 2 of 2 drawn pixels differ'
-says 'step01_line  *0/2  *0/2  *0/1  to do  *exact'
+says 'step01_line  *0/2  *0/2  *0/1  *5/5  to do  *exact'
 
 rm step01_line/mistakes.txt tests/accept/step01.txt
 sed -i.old 's/image_set(image, 52, 41,/image_set(image, 52, 42,/' step01_line/main.c
 verify 1
 says 'WRONG step01_line/solution: FAIL [0-9]*/.*; pixel FAIL 0/1: 2 of 2 drawn pixels differ (must be exact), shi'
-says 'step01_line  *0/0  *0/0  *0/0  to do  *wrong'
+says 'step01_line  *0/0  *0/0  *0/0  *2/5  to do  *wrong'
 mv step01_line/main.c.old step01_line/main.c
+sed -i.old 's/ 1\.3,1\.4 / 1.4     /; s/1\.5+1\.3,1\.4/1.5+1.4    /' tests/check/scenes.txt
+verify 1
+says 'WRONG step01_line without 1.3: CRASH [0-9]*/.*; list CRASH 0/'
+says 'step01_line  *0/0  *0/0  *0/0  *4/5  to do  *exact'
+sed 's/ 1\.3,1\.4 / 1.4+1.3 /' tests/check/scenes.txt.old >tests/check/scenes.txt
+verify 0
+mv tests/check/scenes.txt.old tests/check/scenes.txt
 cp step01_line/main.c main.c
 awk -v mode=solution -v name=step01_line/main.c -f tests/starter/marks.awk main.c \
     >step01_line/main.c

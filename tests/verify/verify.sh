@@ -1,6 +1,7 @@
 #!/bin/sh
 # Does the check fail every mistake, and pass every correct program? For every lesson: the solution
-# must pass exactly, the starter must be to do, each mistake of stepNN_name/mistakes.txt must fail in
+# must pass exactly, the starter must be to do, a solution in which one task is as in the starter must
+# fail nothing that does not need it, each mistake of stepNN_name/mistakes.txt must fail in
 # the scene that it names and look like itself there (tests/check/looks.h), each program of
 # tests/accept/stepNN.txt must pass.
 #
@@ -45,7 +46,20 @@ find_lessons() {
     [ -n "$lessons" ] || fail "there is no step '$wanted'"
 }
 
-# The entries of the lists, then each lesson's starter and solution, in $work/table.
+# add_program LESSON KIND NAME MARKS...: adds what marks.awk makes of the lesson, with these options.
+add_program() {
+    program_lesson=$1
+    kind=$2
+    name=$3
+    shift 3
+    mkdir "$work/$program_lesson.$name" &&
+        awk "$@" -f tests/starter/marks.awk "$program_lesson/main.c" \
+            >"$work/$program_lesson.$name/main.c" || exit 1
+    printf '%s\t%s\t%s\t%s\t-\t-\t-\t-\t-\n' "$program_lesson.$name" "$program_lesson" "$kind" \
+        "$name" >>"$work/table"
+}
+
+# The entries of the lists, then what is made of each lesson's solution, in $work/table.
 make_table() {
     : >"$work/table"
     # shellcheck disable=SC2086 # one word a list
@@ -56,13 +70,12 @@ make_table() {
         return
     fi
     for lesson in $lessons; do
-        for kind in starter solution; do
-            mkdir "$work/$lesson.$kind" &&
-                awk -v mode=$kind -f tests/starter/marks.awk "$lesson/main.c" \
-                    >"$work/$lesson.$kind/main.c" || exit 1
-            printf '%s\t%s\t%s\t%s\t-\t-\t-\t-\t-\n' "$lesson.$kind" "$lesson" $kind $kind
+        add_program "$lesson" starter starter -v mode=starter
+        add_program "$lesson" solution solution -v mode=solution
+        for task in $(awk -v mode=tasks -f tests/starter/marks.awk "$lesson/main.c" | cut -f 1); do
+            add_program "$lesson" undone "$task" -v mode=solution -v "undone=$task"
         done
-    done >>"$work/table"
+    done
 }
 
 # count LESSON KIND RESULT: how many of those have that result.
@@ -89,13 +102,14 @@ one() {
 }
 
 print_table() {
-    format='%-20s %14s %8s %20s  %-8s %s\n'
+    format='%-20s %14s %8s %20s %12s  %-8s %s\n'
     # shellcheck disable=SC2059 # the same for all rows
     {
-        printf "$format" lesson 'mistakes found' named 'alternatives passed' starter solution
+        printf "$format" lesson 'mistakes found' named 'alternatives passed' 'tasks undone' starter \
+            solution
         for lesson in $lessons; do
             printf "$format" "$lesson" "$(share "$lesson" mistake)" "$(named "$lesson")" \
-                "$(share "$lesson" accept)" \
+                "$(share "$lesson" accept)" "$(share "$lesson" undone)" \
                 "$(one "$lesson" starter "to do")" "$(one "$lesson" solution exact)"
         done
     }
