@@ -227,13 +227,7 @@ LANES_INLINE void lanes_split(const uint64_t words[1], lanes_texel *lower, lanes
 
 #endif
 
-LANES_INLINE lanes lanes_max(lanes a, lanes b) {
-    return lanes_select(a > b, a, b);
-}
-
-LANES_INLINE lanes lanes_min(lanes a, lanes b) {
-    return lanes_select(a < b, a, b);
-}
+#include "lanes_native.h" /* lanes_max(), lanes_min() */
 
 /* Each lane of the mask counted. */
 LANES_INLINE uint64_t lanes_sum(lanes_int counts) {

@@ -81,6 +81,12 @@ LANES_INLINE doubles depths_at(const struct depth_slopes *s, doubles e1, doubles
     return s->origin + e1 * s->k1 + e2 * s->k2;
 }
 
+/* edge_at() of several pixels of a row; `row` is the edge function at its pixel 0. */
+LANES_INLINE doubles edges_in_row(const struct edge *e, int64_t row, int x) {
+    double first = (double)(row + e->dx * (x / CHUNK * CHUNK));
+    return first + (double)e->dx * doubles_from(x % CHUNK);
+}
+
 /* The span of each row, found exactly. */
 static void cover_by_spans(struct band *band, const struct draw *draw, const struct piece *piece,
                            uint32_t number) {
@@ -98,14 +104,12 @@ static void cover_by_spans(struct band *band, const struct draw *draw, const str
         struct span span = span_overlap(edges_span(&edges, y),
                                         (struct span){viewport->x, viewport->x + viewport->width});
         struct row row = row_of_band(band, y);
+        int64_t row1 = e1->origin + e1->dy * y, row2 = e2->origin + e2->dy * y;
         band->covered += span.end > span.begin ? (uint64_t)(span.end - span.begin) : 0;
         for (int x = span.begin / TOGETHER * TOGETHER; x < span.end; x += TOGETHER) {
             longs at = longs_from(x);
-            doubles right = doubles_from(x % CHUNK);
-            doubles first = edge_at(e1, x / CHUNK * CHUNK, y) + (double)e1->dx * right;
-            doubles second = edge_at(e2, x / CHUNK * CHUNK, y) + (double)e2->dx * right;
-            cover_pixels(&row, x, (at >= span.begin) & (at < span.end),
-                         depths_at(&slopes, first, second), number, reordered);
+            doubles z = depths_at(&slopes, edges_in_row(e1, row1, x), edges_in_row(e2, row2, x));
+            cover_pixels(&row, x, (at >= span.begin) & (at < span.end), z, number, reordered);
         }
     }
 }

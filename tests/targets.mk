@@ -69,9 +69,10 @@ $(BUILD)/tested/flags: force
 	@mkdir -p $(@D) $(BUILD)/tests
 	@[ "$$(cat $@ 2>/dev/null)" = '$(TESTED)' ] || echo '$(TESTED)' >$@
 
+# Those of lanes_native.h with the instructions of this processor, which it chooses.
 $(BUILD)/tested/%.o: %.c $(BUILD)/tested/flags
 	@mkdir -p $(@D)
-	$(TESTED) -c $< -o $@
+	$(TESTED) $(if $(findstring /test_lanes,$@),$(MARCH)) -c $< -o $@
 
 $(BUILD)/tested/tests/help/page_files.o: $(BUILD)/tests/help/page_files.c $(BUILD)/tested/flags
 	@mkdir -p $(@D)

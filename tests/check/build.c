@@ -4,6 +4,7 @@
 
 #include "run.h"
 
+#include <ctype.h>
 #include <errno.h>
 #include <stdio.h>
 #include <string.h>
@@ -133,11 +134,14 @@ bool build_given(const struct options *options, struct error *error) {
     return done;
 }
 
-/* What is built before the steps says nothing any more. */
+/* Those of a compiler, behind a line's or a column's number: make has warnings of its own. */
 static void find_warnings(struct build_result *result) {
-    static const char mark[] = "warning: ";
+    static const char mark[] = ": warning: ";
     const char *output = (const char *)result->messages.data;
     for (const char *at = output; at != NULL && (at = strstr(at, mark)) != NULL; at++) {
+        if (at == output || !isdigit((unsigned char)at[-1])) {
+            continue;
+        }
         if (result->warning.text[0] == '\0') {
             result->warning = drawn_message(line_start(output, at));
         } else {

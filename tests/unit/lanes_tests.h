@@ -141,6 +141,29 @@ static void test_put(void) {
     CHECK(right);
 }
 
+/* An instruction gives them: of zeros, and where one is not a number, the second. */
+static void test_max_and_min(void) {
+    static const real special[] = {0, -0.0f, (real)NAN, (real)-NAN, (real)INFINITY, -1, 1e-38f};
+    enum { SPECIAL = sizeof special / sizeof special[0] };
+    bool right = true;
+    for (int k = 0; k < SPECIAL * SPECIAL; k++) {
+        real x = special[k % SPECIAL], y = special[k / SPECIAL];
+        real greater = x > y ? x : y, lesser = x < y ? x : y;
+        struct numbers a, b;
+        for (int i = 0; i < LANES; i++) {
+            a.at[i] = x;
+            b.at[i] = y;
+        }
+        struct numbers most = numbers_of(lanes_max(lanes_of(a), lanes_of(b)));
+        struct numbers least = numbers_of(lanes_min(lanes_of(a), lanes_of(b)));
+        for (int i = 0; i < LANES; i++) {
+            right = right && memcmp(&most.at[i], &greater, sizeof greater) == 0 &&
+                    memcmp(&least.at[i], &lesser, sizeof lesser) == 0;
+        }
+    }
+    CHECK(right);
+}
+
 /* What is not a number is no level and no place. */
 static void test_not_a_number(void) {
     struct numbers a = {{(real)NAN}};
@@ -392,8 +415,9 @@ static void test_nowhere(void) {
     image_free(&image);
 }
 
-UNIT_MAIN(TEST(test_one_number), TEST(test_two_numbers), TEST(test_put), TEST(test_not_a_number),
-          TEST(test_sequences), TEST(test_colors), TEST(test_vectors), TEST(test_textures),
-          TEST(test_corner_texels), TEST(test_places_of_two_sizes), TEST(test_nowhere))
+UNIT_MAIN(TEST(test_one_number), TEST(test_two_numbers), TEST(test_max_and_min), TEST(test_put),
+          TEST(test_not_a_number), TEST(test_sequences), TEST(test_colors), TEST(test_vectors),
+          TEST(test_textures), TEST(test_corner_texels), TEST(test_places_of_two_sizes),
+          TEST(test_nowhere))
 
 #endif
