@@ -154,6 +154,7 @@ LANES_INLINE void cover_box_of(bool wide, struct band *band, const struct piece 
         next[i] = (double)e[i].dx * TOGETHER + (doubles){0};
         most[i] = e[i].bias + (e[i].dx > 0 ? e[i].dx * (TOGETHER - 1) : 0);
     }
+    doubles bias1 = (double)e[1].bias + (doubles){0}, bias2 = (double)e[2].bias + (doubles){0};
     for (int y = rows.begin; y < rows.end; y++) {
         struct row row = row_of_band(band, y);
         doubles e0 = (double)(e[0].origin + e[0].bias) + right[0];
@@ -164,7 +165,7 @@ LANES_INLINE void cover_box_of(bool wide, struct band *band, const struct piece 
         int32_t most2 = e[2].origin + most[2];
         for (int x = left; x < columns.end; x += TOGETHER) {
             if (!wide || (most0 | most1 | most2) >= 0) {
-                doubles first = e1 + (double)e[1].bias, second = e2 + (double)e[2].bias;
+                doubles first = e1 + bias1, second = e2 + bias2;
                 longs inside = ((longs)e0 | (longs)first | (longs)second) >= 0; /* by their signs */
                 covered -= inside;
                 cover_pixels(&row, x, inside, depths_at(&slopes, e1, e2), number, reordered);
