@@ -70,15 +70,14 @@ LANES_INLINE struct tiny_edges tiny_edges(struct corners a, struct corners b, in
 }
 
 /* Which triangles have a box of at most two columns and two rows, and miss all its centres? Of the
- * very small ones that is half. */
+ * very small ones that is half. (Of a narrower box, centres beside it are looked at as well: missed
+ * in any case.) */
 LANES_INLINE ints miss_centers(const struct corners *c, ints clockwise, const struct boxes *box) {
     ints wide = box->right - box->left, high = box->top - box->bottom;
     uints missed = (uints)((wide <= 1) & (high <= 1));
     struct tiny_edges edge[3];
     for (int i = 0; i < 3; i++) {
         edge[i] = tiny_edges(c[i], c[(i + 1) % 3], clockwise | 1, box);
-        edge[i].right &= (uints)(wide > 0);
-        edge[i].up &= (uints)(high > 0);
     }
     for (int center = 0; center < 4; center++) {
         uints outside = {0};

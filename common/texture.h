@@ -83,7 +83,7 @@ static inline struct vec4 texture_mix_texels(uint32_t from, uint32_t to, double 
 }
 
 /* Linear between the four nearest texel centres of one level (clamped to the last one). The result
- * is red, green, blue, alpha as x, y, z, w in levels 0..255, not rounded. */
+ * is red, green, blue, alpha as x, y, z, w in values 0..255, not rounded. */
 static inline struct vec4 texture_bilinear(const struct texture *texture, struct vec2 uv,
                                            size_t level) {
     size_t last_level = texture->level_count - 1;

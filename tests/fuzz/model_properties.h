@@ -82,6 +82,11 @@ static inline void require_normals(struct model *model) {
 /* Weights of the corners, the texture coordinate, the normal. */
 enum { VARYINGS = 8 };
 
+/* Varyings up to this stay finite: see struct shader. */
+static inline double limited(double number) {
+    return fmax(fmin(number, 1e10), -1e10);
+}
+
 static void fetch(const void *uniforms, size_t face, size_t corner, double *varyings) {
     const struct model *model = *(const struct model *const *)uniforms;
     struct vec2 uv = model_uv(model, face, corner);
@@ -89,11 +94,11 @@ static void fetch(const void *uniforms, size_t face, size_t corner, double *vary
     for (size_t i = 0; i < 3; i++) {
         varyings[i] = i == corner;
     }
-    varyings[3] = uv.x;
-    varyings[4] = uv.y;
-    varyings[5] = normal.x;
-    varyings[6] = normal.y;
-    varyings[7] = normal.z;
+    varyings[3] = limited(uv.x);
+    varyings[4] = limited(uv.y);
+    varyings[5] = limited(normal.x);
+    varyings[6] = limited(normal.y);
+    varyings[7] = limited(normal.z);
 }
 
 /* What reaches a pixel that is drawn is finite, and lies inside the triangle: such a pixel has a
