@@ -81,8 +81,8 @@ typedef void shade_function(const struct shading *shading);
  * textures. */
 struct shader {
     size_t varying_count; /* numbers that a corner hands to the pixels, at most VARYING_LIMIT */
-    /* Give the varyings of corner 0..2 of a face. Beyond about 1e10 they may reach a pixel as what is
-     * infinite or no number, since `real` is a float. */
+    /* Give the varyings of corner 0..2 of a face. Beyond about 1e10 they may reach a pixel
+     * as infinite, or as no number, since `real` is a float. */
     void (*vertex)(const void *uniforms, size_t face, size_t corner, double *varyings);
     /* Give the colour of a pixel from its interpolated varyings (several pixels at once: lanes.h).
      * No lane of the mask that it returns is drawn where it is unset, which only a shader that
