@@ -49,6 +49,7 @@ struct assembly {
     struct pipeline *pipeline;
     const struct draw *draw;
     struct vertex *vertices;
+    atomic_uint beyond; /* the sides that any of the vertices is beyond */
 };
 
 /* ---- Positions ---- */
@@ -97,12 +98,15 @@ static struct range block_range(size_t index, size_t count) {
 
 static void transform_block(void *context, size_t index, size_t worker) {
     (void)worker;
-    const struct assembly *assembly = context;
+    struct assembly *assembly = context;
     const struct draw_call *call = &assembly->draw->call;
     struct range range = block_range(index, call->model->position_count);
+    unsigned beyond = 0;
     for (size_t i = range.begin; i < range.end; i++) {
         assembly->vertices[i] = transform(call, call->model->positions[i]);
+        beyond |= assembly->vertices[i].beyond;
     }
+    atomic_fetch_or_explicit(&assembly->beyond, beyond, memory_order_relaxed);
 }
 
 /* ---- Objects outside the view ---- */
@@ -435,20 +439,11 @@ static void count_pieces(const struct assembly *a, struct range faces, struct bl
     block->piece_count += block->clipped_count;
 }
 
-/* Could one of the vertices make a face be clipped? */
-static bool may_clip(const struct assembly *a) {
-    unsigned beyond = 0;
-    for (size_t i = 0; i < a->draw->call.model->position_count; i++) {
-        beyond |= a->vertices[i].beyond;
-    }
-    return (beyond & (BEYOND_NEAR | BEYOND_GUARD_BAND)) != 0;
-}
-
 /* Give each block of the draw call its part of `pieces` and `clipped`. */
 static bool lay_out_blocks(struct pipeline *p, const struct assembly *a, struct error *error) {
     const struct draw *draw = a->draw;
     size_t face_count = draw->call.model->face_count;
-    bool clips = may_clip(a);
+    bool clips = (a->beyond & (BEYOND_NEAR | BEYOND_GUARD_BAND)) != 0; /* some face, perhaps */
     struct block *blocks = p->blocks.data;
     size_t pieces = p->piece_end, clipped = p->clipped_end;
     for (size_t i = 0; i < draw->block_count; i++) {
@@ -503,7 +498,7 @@ static bool assemble(struct pipeline *p, struct draw *draw, struct error *error)
         !buffer_reserve(&p->band_counts, blocks * band_count(p), sizeof(uint32_t), error)) {
         return false;
     }
-    struct assembly assembly = {p, draw, p->vertices.data};
+    struct assembly assembly = {.pipeline = p, .draw = draw, .vertices = p->vertices.data};
     pipeline_run(p, vertex_blocks, transform_block, &assembly);
     if (!lay_out_blocks(p, &assembly, error)) {
         return false;

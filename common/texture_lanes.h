@@ -47,11 +47,6 @@ LANES_INLINE void texture_find(const struct texture_level *level, struct lanes2 
     memcpy(place->index, &index, sizeof place->index);
 }
 
-/* Two neighbours of a row in one word. */
-static inline uint64_t texel_pair(const uint32_t *texels) {
-    return texels[0] | (uint64_t)texels[1] << 32;
-}
-
 /* Ask the memory for the texel some rows above this one: the pixels above will need it, or one that
  * lies beside it, and find it in the cache. */
 LANES_INLINE void texture_expect(const struct texture_level *level, uint32_t index) {
@@ -70,19 +65,12 @@ LANES_INLINE struct texels texture_fetch(const struct texture *texture, struct l
     if (place->width != l->width || place->height != l->height) {
         texture_find(l, uv, place);
     }
-    uint64_t lower[LANES], upper[LANES];
-    const uint32_t *row = l->texels, *row_above = l->texels + l->width; /* both kept at hand */
-    for (int i = 0; i < LANES; i++) {
-        size_t index = place->index[i];
-        lower[i] = texel_pair(row + index);
-        upper[i] = texel_pair(row_above + index);
-    }
+    struct texels texels;
+    lanes_fetch_pairs(l->texels, place->index, &texels.texel[0], &texels.texel[1]);
+    lanes_fetch_pairs(l->texels + l->width, place->index, &texels.texel[2], &texels.texel[3]);
     texture_expect(l, place->index[0]);
     texture_expect(l, place->index[LANES - 1]);
-    struct texels texels;
     memcpy(texels.weight, place->weight, sizeof texels.weight);
-    lanes_split(lower, &texels.texel[0], &texels.texel[1]);
-    lanes_split(upper, &texels.texel[2], &texels.texel[3]);
     return texels;
 }
 

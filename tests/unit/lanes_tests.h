@@ -200,6 +200,50 @@ static void test_sequences(void) {
     CHECK(lanes_sum(lanes_int_from(3)) == sum);
 }
 
+/* Texels at random places, those of the first ones neighbours of each other. */
+static void test_fetched_pairs(void) {
+    enum { COUNT = 1000 };
+    struct random random = {97};
+    uint32_t *texels = malloc((COUNT + 1) * sizeof *texels);
+    for (uint32_t i = 0; texels != NULL && i <= COUNT; i++) {
+        texels[i] = i * UINT32_C(2654435761);
+    }
+    for (uint32_t round = 0; texels != NULL && round < ROUNDS; round++) {
+        uint32_t index[LANES];
+        lanes_texel first, second;
+        for (uint32_t i = 0; i < LANES; i++) {
+            index[i] = round < 100 ? round + i : (uint32_t)(random_bits(&random) % COUNT);
+        }
+        lanes_fetch_pairs(texels, index, &first, &second);
+        for (int i = 0; i < LANES; i++) {
+            CHECK(lanes_texel_at(first, i) == texels[index[i]]);
+            CHECK(lanes_texel_at(second, i) == texels[index[i] + 1]);
+        }
+    }
+    free(texels);
+}
+
+/* The largest textures have more texels than an int32_t can count: here only those around the
+ * first that it cannot are in memory. */
+static void test_far_texels(void) {
+    enum { COUNT = 2 * LANES + 1 };
+    uint32_t texels[COUNT], index[LANES];
+    const uint32_t middle = UINT32_C(1) << 31;
+    uintptr_t begin = (uintptr_t)texels - (uintptr_t)(middle - LANES) * sizeof *texels;
+    lanes_texel first, second;
+    for (uint32_t i = 0; i < COUNT; i++) {
+        texels[i] = i + 5;
+    }
+    for (uint32_t i = 0; i < LANES; i++) {
+        index[i] = middle - LANES + 2 * i;
+    }
+    lanes_fetch_pairs((const uint32_t *)begin, index, &first, &second);
+    for (uint32_t i = 0; i < LANES; i++) {
+        CHECK(lanes_texel_at(first, (int)i) == 2 * i + 5);
+        CHECK(lanes_texel_at(second, (int)i) == 2 * i + 6);
+    }
+}
+
 /* ---- Colours ---- */
 
 static void test_colors(void) {
@@ -416,8 +460,8 @@ static void test_nowhere(void) {
 }
 
 UNIT_MAIN(TEST(test_one_number), TEST(test_two_numbers), TEST(test_max_and_min), TEST(test_put),
-          TEST(test_not_a_number), TEST(test_sequences), TEST(test_colors), TEST(test_vectors),
-          TEST(test_textures), TEST(test_corner_texels), TEST(test_places_of_two_sizes),
-          TEST(test_nowhere))
+          TEST(test_not_a_number), TEST(test_sequences), TEST(test_fetched_pairs),
+          TEST(test_far_texels), TEST(test_colors), TEST(test_vectors), TEST(test_textures),
+          TEST(test_corner_texels), TEST(test_places_of_two_sizes), TEST(test_nowhere))
 
 #endif
