@@ -179,7 +179,8 @@ struct likeness looks_find(const struct looks *looks, const struct image *refere
         return none;
     }
     for (size_t row = LOOKS_FIRST_ROW; row < looks->pixels.height; row++) {
-        if (row == left_out || (apart_of(looks, row) == 0) != (apart == 0)) {
+        bool named = count_names(looks, row) > 0; /* what is not may still be the nearest */
+        if (row == left_out || (named && (apart_of(looks, row) == 0) != (apart == 0))) {
             continue;
         }
         size_t distance = find_distance(looks, row, yours, levels);
@@ -198,7 +199,7 @@ struct likeness looks_find(const struct looks *looks, const struct image *refere
     bool is_near = wrong >= LEAST_WRONG && best.distance <= wrong / UNEXPLAINED &&
                    is_as_far(apart, of_mistake);
     bool is_clear = second > 2 * best.distance;
-    bool is_told = best.row > 0 && (is_same || is_near) && is_clear && names <= LOOKS_NAME_LIMIT;
+    bool is_told = (is_same || is_near) && is_clear && names > 0 && names <= LOOKS_NAME_LIMIT;
     return is_told ? best : none;
 }
 

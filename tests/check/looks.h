@@ -24,7 +24,7 @@
  *     most one of all pixels has not the mistake's colour;
  *     as many pixels of it are apart as of the mistake's, within a quarter;
  *     or no difference from the mistake's picture is known at all, and some of it is not black;
- *     no other mistake has nearly as many of these colours, and not more than three are the same.
+ *     no other mistake has nearly as many of these colours, and not more than four are the same.
  *
  * Colours are compared as in compare.h, but where a picture is near the reference everywhere: then
  * it is held only against mistakes that are near it too (0 pixels apart), and the colours must be
