@@ -19,7 +19,7 @@ static const double depth_limit = 1e280;
 enum { CLIP_PLANES = 5 };
 
 /* Positions and faces are shared out among threads in blocks of this many. */
-enum { BLOCK_SIZE = 4096 };
+enum { BLOCK_SIZE = 1024 };
 
 /* A convex polygon gains at most one corner at each plane. Where coordinates differ by many
  * orders of magnitude, rounding can make the polygon not convex, and n corners become up to n +

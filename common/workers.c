@@ -3,6 +3,7 @@
 #include "workers.h"
 
 #include <stdlib.h>
+#include <time.h>
 #include <unistd.h>
 
 #if defined(_POSIX_THREADS) && _POSIX_THREADS > 0 && !defined(__wasi__)
@@ -12,6 +13,11 @@
 #include <stdbool.h>
 
 enum { THREAD_LIMIT = 256 };
+
+/* A frame is several loops, some microseconds apart: to fall asleep and be woken up takes longer.
+ * So who waits stays awake for this many nanoseconds first. (Without sched_yield(), after which
+ * busy processes of others run for milliseconds.) */
+enum { PATIENCE = 50000 };
 
 struct workers {
     pthread_mutex_t mutex;
@@ -25,10 +31,10 @@ struct workers {
     worker_function *work;
     void *context;
     size_t count;
-    atomic_size_t next;     /* the first part that nobody has taken */
-    unsigned long loop;     /* its number, which tells a thread whether it knows it already */
-    bool open;              /* threads may still join */
-    size_t threads_at_work; /* without the one that calls */
+    atomic_size_t next; /* the first part that nobody has taken */
+    atomic_ulong loop;  /* its number, which tells a thread whether it knows it already */
+    bool open;          /* threads may still join */
+    atomic_size_t threads_at_work; /* without the one that calls */
 };
 
 static void do_parts(struct workers *workers, size_t worker) {
@@ -41,7 +47,27 @@ static void do_parts(struct workers *workers, size_t worker) {
     }
 }
 
-/* A thread's life: sleep until a loop begins, help, sleep. */
+static bool has_patience(const struct timespec *since) {
+    struct timespec now;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return (now.tv_sec - since->tv_sec) * 1000000000LL + now.tv_nsec - since->tv_nsec < PATIENCE;
+}
+
+static void wait_for_loop(const struct workers *workers, unsigned long known) {
+    struct timespec since;
+    clock_gettime(CLOCK_MONOTONIC, &since);
+    while (atomic_load(&workers->loop) == known && has_patience(&since)) {
+    }
+}
+
+static void wait_for_threads(const struct workers *workers) {
+    struct timespec since;
+    clock_gettime(CLOCK_MONOTONIC, &since);
+    while (atomic_load(&workers->threads_at_work) > 0 && has_patience(&since)) {
+    }
+}
+
+/* A thread's life: sleep until a loop begins, help, wait a little for the next one, sleep. */
 static void *thread_main(void *argument) {
     struct workers *workers = argument;
     unsigned long known = 0;
@@ -61,6 +87,9 @@ static void *thread_main(void *argument) {
         if (workers->threads_at_work == 0) {
             pthread_cond_signal(&workers->last_leaves);
         }
+        pthread_mutex_unlock(&workers->mutex);
+        wait_for_loop(workers, known);
+        pthread_mutex_lock(&workers->mutex);
     }
     pthread_mutex_unlock(&workers->mutex);
     return NULL;
@@ -130,6 +159,9 @@ static void run_shared(struct workers *workers, size_t count, worker_function *w
     do_parts(workers, 0);
     pthread_mutex_lock(&workers->mutex);
     workers->open = false; /* who wakes only now comes too late */
+    pthread_mutex_unlock(&workers->mutex);
+    wait_for_threads(workers);
+    pthread_mutex_lock(&workers->mutex);
     while (workers->threads_at_work > 0) {
         pthread_cond_wait(&workers->last_leaves, &workers->mutex);
     }

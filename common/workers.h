@@ -1,9 +1,10 @@
 /*
  * Loops shared out among threads that sleep while there is nothing to do.
  *
- * A busy machine is the normal case: a grading job, a laptop in class. So no thread ever waits by
- * spinning, and a loop never waits for a thread that the machine has not woken yet: who calls does
- * all that is left. What a loop computes must not depend on which thread does which part.
+ * A busy machine is the normal case: a grading job, a laptop in class. So no thread waits awake for
+ * more than 50 microseconds, and a loop never waits for a thread that the machine has not woken
+ * yet: who calls does all that is left. What a loop computes must not depend on which thread does
+ * which part.
  */
 #ifndef COMMON_WORKERS_H
 #define COMMON_WORKERS_H

@@ -309,6 +309,26 @@ static void test_two_models(void) {
     CHECK(stats[STAT_OBJECTS_OUTSIDE] == 1 && stats[STAT_PIXELS_SHADED] > 100);
 }
 
+/* Faces that are clipped at the near plane, and whose positions are the first of thousands: who
+ * transforms the last of these has seen none that is clipped. */
+static void test_clipped_by_the_first_positions(void) {
+    enum { POSITIONS = 5000, FACES = 1000 };
+    static struct vec3 positions[POSITIONS] = {{-1, -1, 0}, {1, -1, 0}, {0, 3, 10}};
+    static struct face faces[FACES];
+    for (size_t i = 0; i < FACES; i++) {
+        for (uint32_t k = 0; k < 3; k++) {
+            faces[i].corner[k] = (struct corner){(4 - k) % 3, MODEL_NONE, MODEL_NONE};
+        }
+    }
+    struct model model = {
+        .positions = positions, .position_count = POSITIONS, .faces = faces, .face_count = FACES};
+    uint64_t stats[PIPELINE_STATS] = {0};
+    scene = (struct scene){.name = "clipped by the first positions"};
+    add_object(&scene, &model, camera_at((struct vec3){0, 0.5, 3}, origin), origin, 1);
+    check_scene(&scene, true, stats);
+    CHECK(stats[STAT_FACES_CLIPPED] == FACES && stats[STAT_PIXELS_SHADED] > 100);
+}
+
 /* A wall, and after it a model that lies in the same plane, except for one face that goes through
  * the wall: it is nearest, but where depths are equal the wall was first. */
 static void test_equal_depths(void) {
@@ -406,5 +426,5 @@ static void test_free(void) {
 
 UNIT_MAIN(TEST(test_models_are_there), TEST(test_single), TEST(test_nested_spheres),
           TEST(test_behind_a_wall), TEST(test_crowd), TEST(test_two_models),
-          TEST(test_equal_depths), TEST(test_before_and_behind),
-          TEST(test_within_roundings_of_a_side), TEST(test_free))
+          TEST(test_clipped_by_the_first_positions), TEST(test_equal_depths),
+          TEST(test_before_and_behind), TEST(test_within_roundings_of_a_side), TEST(test_free))
