@@ -48,11 +48,11 @@ LANES_INLINE void texture_find(const struct texture_level *level, struct lanes2 
 }
 
 /* Ask the memory for the texel some rows above this one: the pixels above will need it, or one that
- * lies beside it, and find it in the cache. */
+ * lies beside it, and find it in the cache. (Beyond the texture nothing happens.) */
 LANES_INLINE void texture_expect(const struct texture_level *level, uint32_t index) {
     enum { ROWS_AHEAD = 6 };
-    size_t ahead = index + ROWS_AHEAD * level->width, end = level->width * level->height;
-    __builtin_prefetch(level->texels + (ahead < end ? ahead : end));
+    uintptr_t ahead = ROWS_AHEAD * level->width * sizeof *level->texels;
+    __builtin_prefetch((const void *)((uintptr_t)(level->texels + index) + ahead));
 }
 
 /* Fetch from one level (clamped to the last one). `place` is all zero, or where the last fetch at
