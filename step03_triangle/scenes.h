@@ -424,7 +424,7 @@ static const struct scene scenes[] = {
     {.name = "signs", .draw = draw_signs},
     {.name = "bust", .needs = NEEDS_MODEL, .width = 800, .height = 800, .draw = draw_bust},
     {.name = "triangle", .draw = draw_triangle},
-    {.name = "far", .draw = draw_far},
+    {.name = "far", .width = 240, .height = 160, .draw = draw_far},
     {.name = "sheet", .width = 800, .height = 800, .draw = draw_sheet},
     {.name = "fan", .width = 800, .height = 800, .draw = draw_fan},
     {.name = "faces", .needs = NEEDS_MODEL, .width = 800, .height = 800, .draw = draw_faces},

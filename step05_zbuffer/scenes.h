@@ -212,8 +212,8 @@ static const struct scene scenes[] = {
     {
         .name = "single",
         .needs = NEEDS_DEPTH,
-        .width = 100,
-        .height = 100,
+        .width = 125,
+        .height = 80,
         .format = IMAGE_GREY,
         .draw = draw_single,
     },
