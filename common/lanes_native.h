@@ -58,12 +58,17 @@ typedef long long lanes_eight_pairs __attribute__((vector_size(64)));
 
 LANES_INLINE lanes_texel lanes_gather_pairs(const uint32_t *texels, const uint32_t index[8]) {
     typedef int32_t eight __attribute__((vector_size(32)));
+#ifdef __clang__
+    const unsigned char all = 255;
+#else
+    const signed char all = -1;
+#endif
     const void *middle = (const void *)((uintptr_t)texels + (sizeof *texels << 31));
     eight from_middle;
     memcpy(&from_middle, index, sizeof from_middle);
     from_middle ^= INT32_MIN;
-    return (lanes_texel)__builtin_ia32_gathersiv8di((lanes_eight_pairs){0}, middle, from_middle, -1,
-                                                    sizeof *texels);
+    return (lanes_texel)__builtin_ia32_gathersiv8di((lanes_eight_pairs){0}, middle, from_middle,
+                                                    all, sizeof *texels);
 }
 
 #endif
