@@ -51,6 +51,7 @@ LANES_INLINE lanes lanes_min(lanes a, lanes b) {
 }
 
 #if LANES == 16 && defined(__AVX512FP16__)
+#define LANES_GATHERED
 
 /* The pairs of eight lanes: a, b, a, b, ... An index is signed for this instruction: so it counts
  * from the middle of what 32 bits reach. */
@@ -76,7 +77,7 @@ LANES_INLINE lanes_texel lanes_gather_pairs(const uint32_t *texels, const uint32
 /* texels[index[i]] and the texel behind it, for each lane i. */
 LANES_INLINE void lanes_fetch_pairs(const uint32_t *texels, const uint32_t index[LANES],
                                     lanes_texel *first, lanes_texel *second) {
-#if LANES == 16 && defined(__AVX512FP16__)
+#ifdef LANES_GATHERED
     lanes_texel low = lanes_gather_pairs(texels, index);
     lanes_texel high = lanes_gather_pairs(texels, index + 8);
     *first = __builtin_shufflevector(low, high, 0, 2, 4, 6, 8, 10, 12, 14, 16, 18, 20, 22, 24, 26,

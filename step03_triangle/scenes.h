@@ -3,9 +3,9 @@
  *
  * Part a: `outline` draws the sides of three triangles, `signs` fills them by three signs, `bust`
  * does the same with the faces of a model, each in a colour of its own. Part b draws the triangles
- * and the model again, `triangle` and `faces`, and shows with `sheet` and `fan` how often each
- * pixel of a mesh is drawn. Part c: `gradient` mixes the colours of the corners. A text scene draws
- * the triangles that it lists.
+ * and the model again, `triangle` and `faces`; in `far` a triangle leaves a wide image on three
+ * sides; `sheet` and `fan` show how often each pixel of a mesh is drawn. Part c: `gradient` mixes
+ * the colours of the corners. A text scene draws the triangles that it lists.
  */
 #ifdef LINE_IS_MINE /* make LINE=mine: the line() of lesson 1 draws */
 #include "mine.h"
