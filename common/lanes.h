@@ -108,23 +108,6 @@ LANES_INLINE lanes_mask lanes_all_set(void) {
     return lower < higher;
 }
 
-/* Bit i of the result is set where lane i of the mask is. */
-LANES_INLINE uint32_t lanes_bits(lanes_int mask) {
-    typedef uint16_t lanes_short __attribute__((vector_size(LANES * sizeof(uint16_t))));
-    lanes_int bit = {0};
-    for (int i = 0; i < LANES; i++) {
-        bit[i] = 1 << i;
-    }
-    lanes_short bits = __builtin_convertvector(mask & bit, lanes_short);
-    uint64_t words[sizeof bits / sizeof(uint64_t)], all = 0;
-    memcpy(words, &bits, sizeof words);
-    for (size_t i = 0; i < sizeof words / sizeof *words; i++) {
-        all |= words[i];
-    }
-    all |= all >> 32;
-    return (uint16_t)(all | all >> 16);
-}
-
 /* The mask that is set for lane `first` and those behind it. */
 LANES_INLINE lanes_mask lanes_not_before(int first) {
     lanes_int place = {0};
@@ -204,10 +187,6 @@ LANES_INLINE lanes_mask lanes_all_set(void) {
     return 1;
 }
 
-LANES_INLINE uint32_t lanes_bits(lanes_int mask) {
-    return mask != 0;
-}
-
 LANES_INLINE lanes_mask lanes_not_before(int first) {
     return first <= 0;
 }
@@ -227,7 +206,7 @@ LANES_INLINE void lanes_split(const uint64_t words[1], lanes_texel *lower, lanes
 
 #endif
 
-#include "lanes_native.h" /* lanes_max(), lanes_min(), lanes_fetch_pairs() */
+#include "lanes_native.h" /* lanes_max(), lanes_min(), lanes_bits(), lanes_fetch_pairs() */
 
 /* Each lane of the mask counted. */
 LANES_INLINE uint64_t lanes_sum(lanes_int counts) {

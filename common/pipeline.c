@@ -54,6 +54,7 @@ void pipeline_free(struct pipeline *pipeline) {
     free(pipeline->order.data);
     free(pipeline->uniforms.data);
     free(pipeline->vertices.data);
+    free(pipeline->recip_w.data);
     free(pipeline->blocks.data);
     free(pipeline->pieces.data);
     free(pipeline->clipped.data);
@@ -154,7 +155,7 @@ size_t wrapped_level(const struct texture *texture, double pixels) {
 
 void pipeline_clear(struct pipeline *pipeline) {
     pipeline->draw_count = pipeline->uniforms_end = 0;
-    pipeline->piece_end = pipeline->clipped_end = 0;
+    pipeline->piece_end = pipeline->clipped_end = pipeline->recip_w_end = 0;
     pipeline->boxed = NULL;
     pipeline->discards = false;
     memset(pipeline->stats, 0, sizeof pipeline->stats);

@@ -49,6 +49,7 @@ struct assembly {
     struct pipeline *pipeline;
     const struct draw *draw;
     struct vertex *vertices;
+    double *recip_w;    /* NULL for a flat shader, which needs none */
     atomic_uint beyond; /* the sides that any of the vertices is beyond */
 };
 
@@ -78,13 +79,14 @@ static unsigned find_beyond(struct vec4 p) {
     return beyond;
 }
 
-/* A position of the model. Its 1/w is not kept: most are never asked for it. */
-static struct vertex transform(const struct draw_call *call, struct vec3 position) {
+/* A position of the model. Its 1/w is of use only where it has a place on the screen. */
+static struct vertex transform(const struct draw_call *call, struct vec3 position,
+                               double *recip_w) {
     struct vec4 clip = mat4_point(&call->to_clip, position);
     struct vertex vertex = {.beyond = find_beyond(clip)};
-    double recip_w;
+    *recip_w = 0;
     if ((vertex.beyond & (BEYOND_NEAR | BEYOND_GUARD_BAND)) == 0 &&
-        !project(clip, &call->viewport, &vertex.screen, &vertex.depth, &recip_w)) {
+        !project(clip, &call->viewport, &vertex.screen, &vertex.depth, recip_w)) {
         vertex.beyond = ~0u;
     }
     return vertex;
@@ -103,8 +105,12 @@ static void transform_block(void *context, size_t index, size_t worker) {
     struct range range = block_range(index, call->model->position_count);
     unsigned beyond = 0;
     for (size_t i = range.begin; i < range.end; i++) {
-        assembly->vertices[i] = transform(call, call->model->positions[i]);
+        double recip_w;
+        assembly->vertices[i] = transform(call, call->model->positions[i], &recip_w);
         beyond |= assembly->vertices[i].beyond;
+        if (assembly->recip_w != NULL) {
+            assembly->recip_w[i] = recip_w;
+        }
     }
     atomic_fetch_or_explicit(&assembly->beyond, beyond, memory_order_relaxed);
 }
@@ -487,6 +493,14 @@ static void add_up_blocks(struct pipeline *p, struct draw *draw) {
     }
 }
 
+/* Room for the 1/w of the positions behind those of the draw calls before. */
+static bool reserve_recip_w(struct pipeline *p, struct draw *draw, struct error *error) {
+    size_t count = draw->shader->flat ? 0 : draw->call.model->position_count;
+    draw->first_recip_w = p->recip_w_end;
+    p->recip_w_end += count;
+    return buffer_reserve(&p->recip_w, p->recip_w_end, sizeof(double), error);
+}
+
 static bool assemble(struct pipeline *p, struct draw *draw, struct error *error) {
     const struct model *model = draw->call.model;
     size_t vertex_blocks = (model->position_count + BLOCK_SIZE - 1) / BLOCK_SIZE;
@@ -495,10 +509,14 @@ static bool assemble(struct pipeline *p, struct draw *draw, struct error *error)
     p->stats[STAT_VERTICES_TRANSFORMED] += model->position_count;
     if (!buffer_reserve(&p->vertices, model->position_count, sizeof(struct vertex), error) ||
         !buffer_reserve(&p->blocks, blocks, sizeof(struct block), error) ||
-        !buffer_reserve(&p->band_counts, blocks * band_count(p), sizeof(uint32_t), error)) {
+        !buffer_reserve(&p->band_counts, blocks * band_count(p), sizeof(uint32_t), error) ||
+        !reserve_recip_w(p, draw, error)) {
         return false;
     }
     struct assembly assembly = {.pipeline = p, .draw = draw, .vertices = p->vertices.data};
+    if (!draw->shader->flat) {
+        assembly.recip_w = (double *)p->recip_w.data + draw->first_recip_w;
+    }
     pipeline_run(p, vertex_blocks, transform_block, &assembly);
     if (!lay_out_blocks(p, &assembly, error)) {
         return false;

@@ -328,7 +328,11 @@ static void cover_draw(struct band *band, struct shading *shading) {
         call_shader(&decide);
         return;
     }
+    enum { PIECES_AHEAD = 8 }; /* so that the memory is asked for a piece before it is covered */
     for (int i = shading->numbers.begin; i < shading->numbers.end; i++) {
+        if (i + PIECES_AHEAD < shading->numbers.end) {
+            __builtin_prefetch(&pieces[shading->bin[i + PIECES_AHEAD]]);
+        }
         cover_piece(band, shading->draw, &pieces[shading->bin[i]], (uint32_t)i + 1);
     }
 }

@@ -57,6 +57,7 @@ struct draw {
     const struct shader *shader;
     size_t uniforms; /* where they are in the pipeline's `uniforms` */
     size_t first_block, block_count;
+    size_t first_recip_w; /* of its positions, in `recip_w`; without use where the shader is flat */
     struct span columns, rows; /* that its pieces may cover */
     double nearest;            /* at least the depth of every pixel, where draws are reordered */
 };
@@ -122,35 +123,31 @@ static inline bool takes_shortcut(const struct pipeline *pipeline, enum shortcut
 
 /* ---- Planes: what is interpolated over a piece ---- */
 
-/* The weight of a corner times the area, as a plane on the screen: the exact edge function of the
- * opposite side, from a to b, at the centres of pixels. Its value at pixel (x0,y0), its steps. */
-struct screen_plane {
-    double origin, dx, dy;
-};
+/* A plane on the screen: its value at some pixel, then its steps to the right and up. */
+typedef double screen_plane __attribute__((vector_size(4 * sizeof(double))));
 
-static inline struct screen_plane edge_plane(struct fixed2 a, struct fixed2 b, int x0, int y0) {
+/* The weight of a corner times the area: the exact edge function of the opposite side, from a to b,
+ * at the centres of pixels. Its first value is at pixel (x0,y0). */
+KERNEL screen_plane edge_plane(struct fixed2 a, struct fixed2 b, int x0, int y0) {
     int64_t x_distance = (int64_t)b.x - a.x, y_distance = (int64_t)b.y - a.y;
     int64_t x = (int64_t)x0 * SUBPIXELS + SUBPIXELS / 2,
             y = (int64_t)y0 * SUBPIXELS + SUBPIXELS / 2;
-    return (struct screen_plane){
-        .origin = (double)(x_distance * (y - a.y) - y_distance * (x - a.x)),
-        .dx = (double)(-y_distance * SUBPIXELS),
-        .dy = (double)(x_distance * SUBPIXELS),
-    };
+    return (screen_plane){(double)(x_distance * (y - a.y) - y_distance * (x - a.x)),
+                          (double)(-y_distance * SUBPIXELS), (double)(x_distance * SUBPIXELS)};
 }
 
 /* 1/w at the corners of a piece. */
 static inline void find_recip_w(const struct pipeline *p, const struct draw *draw,
                                 const struct piece *piece, double recip_w[3]) {
-    const struct model *model = draw->call.model;
+    const struct corner *corners = draw->call.model->faces[piece->face].corner;
+    const double *of_positions = (const double *)p->recip_w.data + draw->first_recip_w;
     const struct clipped_corners *clipped = p->clipped.data;
     for (size_t i = 0; i < 3; i++) {
         size_t corner = piece->face_corner[i];
         if (piece->clipped != NOT_CLIPPED) {
             recip_w[i] = clipped[piece->clipped].recip_w[corner];
         } else {
-            struct vec3 position = model_position(model, piece->face, corner);
-            recip_w[i] = 1 / mat4_point(&draw->call.to_clip, position).w;
+            recip_w[i] = of_positions[corners[corner].position];
         }
     }
 }
@@ -181,8 +178,17 @@ KERNEL void fetch_varyings(const struct shading *s, const struct shader *shader,
 /* A plane on the screen over a piece, relative to pixel (x0,y0), and with it what a varying is at
  * corner 0. */
 struct varying_plane {
-    real corner, origin, dx, dy;
+    real origin, dx, dy, corner;
 };
+
+KERNEL struct varying_plane varying_plane(screen_plane plane, double corner) {
+    typedef real rounded __attribute__((vector_size(4 * sizeof(real))));
+    struct varying_plane result;
+    rounded values = __builtin_convertvector(plane, rounded);
+    memcpy(&result, &values, sizeof result);
+    result.corner = (real)corner;
+    return result;
+}
 
 /* What is kept of a visible piece, so that its varyings can be found at any pixel. Plane i of the
  * first varying_count is the numerator of varying i, the last one the denominator of all. */
@@ -239,15 +245,15 @@ KERNEL void fetch_planes(const struct shading *s, const struct shader *shader,
     find_recip_w(s->pipeline, s->draw, piece, recip_w);
     const struct fixed2 *c = piece->corner;
     int x0 = c[0].x >> 8, y0 = c[0].y >> 8;
-    struct screen_plane edge[3] = {edge_plane(c[1], c[2], x0, y0), edge_plane(c[2], c[0], x0, y0),
-                                   edge_plane(c[0], c[1], x0, y0)};
-    double scale = 1 / (edge[0].origin + edge[1].origin + edge[2].origin);
+    screen_plane edge[3];
+    for (int i = 0; i < 3; i++) {
+        edge[i] = edge_plane(c[(i + 1) % 3], c[(i + 2) % 3], x0, y0);
+    }
+    double scale = 1 / (edge[0][0] + edge[1][0] + edge[2][0]);
     /* 1/w itself may be too small for a float: so as a part of the largest. */
     double unit = 1 / power_of_two(most_of_three(recip_w));
-    for (size_t i = 0; i < 3; i++) {
-        double over_w = recip_w[i] * scale * unit;
-        edge[i] = (struct screen_plane){edge[i].origin * over_w, edge[i].dx * over_w,
-                                        edge[i].dy * over_w};
+    for (int i = 0; i < 3; i++) {
+        edge[i] *= recip_w[i] * scale * unit;
     }
     double least = least_of_three(recip_w) * unit;
     planes->x0 = (real)x0;
@@ -255,18 +261,9 @@ KERNEL void fetch_planes(const struct shading *s, const struct shader *shader,
     planes->least = (real)(least > 1e-30 ? least : 1e-30);
     for (size_t i = 0; i < n; i++) {
         double to_1 = v[n + i] - v[i], to_2 = v[2 * n + i] - v[i];
-        planes->plane[i] = (struct varying_plane){
-            .corner = (real)v[i],
-            .origin = (real)(edge[1].origin * to_1 + edge[2].origin * to_2),
-            .dx = (real)(edge[1].dx * to_1 + edge[2].dx * to_2),
-            .dy = (real)(edge[1].dy * to_1 + edge[2].dy * to_2),
-        };
+        planes->plane[i] = varying_plane(edge[1] * to_1 + edge[2] * to_2, v[i]);
     }
-    planes->plane[n] = (struct varying_plane){
-        .origin = (real)(edge[0].origin + edge[1].origin + edge[2].origin),
-        .dx = (real)(edge[0].dx + edge[1].dx + edge[2].dx),
-        .dy = (real)(edge[0].dy + edge[1].dy + edge[2].dy),
-    };
+    planes->plane[n] = varying_plane(edge[0] + edge[1] + edge[2], 0);
 }
 
 /* ---- Fetching: once for each visible piece of a draw call ---- */
@@ -298,6 +295,24 @@ KERNEL void find_flat_colors(const struct shading *s, const struct shader *shade
     pieces->count = 0;
 }
 
+/* Ask the memory for the pieces that will be fetched soon, and sooner for their faces. */
+KERNEL void expect_pieces(const struct shading *s, uint32_t number) {
+    enum { PIECES_AHEAD = 16, FACES_AHEAD = 8 };
+    const struct piece *pieces = s->pipeline->pieces.data;
+    const uint32_t *fetched = s->scratch->fetched;
+    uint32_t end = (uint32_t)s->numbers.end, piece = number + PIECES_AHEAD;
+    uint32_t face = number + FACES_AHEAD;
+    if (piece <= end && fetched[piece] != 0) {
+        __builtin_prefetch(&pieces[s->bin[piece - 1]]);
+    }
+    if (face <= end && fetched[face] != 0) {
+        const struct corner *corner =
+            s->draw->call.model->faces[pieces[s->bin[face - 1]].face].corner;
+        __builtin_prefetch(&corner[0]);
+        __builtin_prefetch(&corner[2].normal);
+    }
+}
+
 /* Fetch what the visible pieces of the draw call need, in the order of the model, whose faces lie
  * close together in memory there. Returns how many these are. */
 KERNEL uint32_t fetch_visible(const struct shading *s, const struct shader *shader) {
@@ -305,6 +320,9 @@ KERNEL uint32_t fetch_visible(const struct shading *s, const struct shader *shad
     struct flat_pieces flat = {0};
     for (uint32_t number = (uint32_t)s->numbers.begin + 1; number <= (uint32_t)s->numbers.end;
          number++) {
+        if (!shader->flat) {
+            expect_pieces(s, number);
+        }
         if (fetched[number] == 0) {
             continue;
         }
@@ -447,24 +465,21 @@ KERNEL uint32_t find_runs(const uint32_t number[LANES + 1]) {
  * run, and divided by w once. False when none of the pixels is of this draw call. */
 KERNEL bool gather_varyings(const struct shading *s, const struct shader *shader,
                             const uint32_t number[LANES + 1], int x, int y, lanes *varyings) {
+    const uint32_t *fetched = s->scratch->fetched;
     struct lanes_planes planes;
-    bool found = false;
-    uint32_t runs = find_runs(number);
-    if (runs == 1) {
-        if (!has_number(s, number[0])) {
-            return false;
-        }
-        interpolate_varyings(shader, planes_at(s->scratch, shader, s->scratch->fetched[number[0]]),
-                             x, y, varyings);
-        return true;
+    bool found = has_number(s, number[0]);
+    if (found) {
+        take_planes(&planes, lanes_all_set(), shader,
+                    planes_at(s->scratch, shader, fetched[number[0]]), x, y);
+    } else {
+        clear_planes(&planes, shader);
     }
-    clear_planes(&planes, shader);
-    for (; runs != 0; runs &= runs - 1) {
+    uint32_t runs = find_runs(number);
+    for (runs &= runs - 1; runs != 0; runs &= runs - 1) {
         int first = __builtin_ctz(runs);
         if (has_number(s, number[first])) {
-            uint32_t place = s->scratch->fetched[number[first]];
             take_planes(&planes, lanes_not_before(first), shader,
-                        planes_at(s->scratch, shader, place), x, y);
+                        planes_at(s->scratch, shader, fetched[number[first]]), x, y);
             found = true;
         }
     }
@@ -528,27 +543,40 @@ KERNEL void shade_pixels(const struct shading *s, const struct shader *shader,
     write_lanes(s->image, pixels->x, pixels->y, color, pixels->drawn);
 }
 
+/* The pixels of the draw call in LANES columns of the band. All are gathered before the first is
+ * shaded: a processor foresees badly how many pieces there are, and would begin anew with texels
+ * that are on their way. Returns how many pixels there were in each column. */
+KERNEL lanes_int shade_columns(const struct shading *s, const struct shader *shader, int x) {
+    const uint32_t *number = s->scratch->number + x;
+    const bool *touched = s->scratch->touched + x / CHUNK;
+    size_t stride = band_stride(s->pipeline);
+    struct pixels pixels[BAND_HEIGHT];
+    int count = 0;
+    lanes_int shaded = {0};
+    for (int y = s->rows.begin; y < s->rows.end; y++) {
+        if (*touched && gather_pixels(s, shader, number, x, y, &pixels[count])) {
+            shaded += pixels[count].drawn & 1;
+            count++;
+        }
+        number += stride;
+        touched += stride / CHUNK;
+    }
+    for (int i = 0; i < count; i++) {
+        shade_pixels(s, shader, &pixels[i]);
+    }
+    return shaded;
+}
+
 /* Each visible pixel of the draw call once, in columns: what lies above a chunk is mostly of the
  * same pieces, and its texels lie beside those just fetched. */
 KERNEL void shade_visible(const struct shading *s, const struct shader *shader) {
     struct span columns = s->draw->columns;
-    size_t stride = band_stride(s->pipeline);
     lanes_int shaded = {0};
     if (fetch_visible(s, shader) == 0) {
         return;
     }
     for (int x = columns.begin / CHUNK * CHUNK; x < columns.end; x += LANES) {
-        const uint32_t *number = s->scratch->number + x;
-        const bool *touched = s->scratch->touched + x / CHUNK;
-        for (int y = s->rows.begin; y < s->rows.end; y++) {
-            struct pixels pixels;
-            if (*touched && gather_pixels(s, shader, number, x, y, &pixels)) {
-                shade_pixels(s, shader, &pixels);
-                shaded += pixels.drawn & 1;
-            }
-            number += stride;
-            touched += stride / CHUNK;
-        }
+        shaded += shade_columns(s, shader, x);
     }
     s->work->shaded += lanes_sum(shaded);
 }

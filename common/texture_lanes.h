@@ -47,12 +47,15 @@ LANES_INLINE void texture_find(const struct texture_level *level, struct lanes2 
     memcpy(place->index, &index, sizeof place->index);
 }
 
-/* Ask the memory for the texel some rows above this one: the pixels above will need it, or one that
- * lies beside it, and find it in the cache. (Beyond the texture nothing happens.) */
+/* Ask the memory for the texel some rows above this one, and for the next above that: the pixels
+ * above will need them, or what lies beside them, and find it in the cache. (Beyond the texture
+ * nothing happens.) */
 LANES_INLINE void texture_expect(const struct texture_level *level, uint32_t index) {
-    enum { ROWS_AHEAD = 6 };
-    uintptr_t ahead = ROWS_AHEAD * level->width * sizeof *level->texels;
-    __builtin_prefetch((const void *)((uintptr_t)(level->texels + index) + ahead));
+    enum { ROWS_AHEAD = 10 };
+    uintptr_t row = level->width * sizeof *level->texels;
+    uintptr_t ahead = (uintptr_t)(level->texels + index) + ROWS_AHEAD * row;
+    __builtin_prefetch((const void *)ahead);
+    __builtin_prefetch((const void *)(ahead + row));
 }
 
 /* Fetch from one level (clamped to the last one). `place` is all zero, or where the last fetch at
@@ -69,6 +72,7 @@ LANES_INLINE struct texels texture_fetch(const struct texture *texture, struct l
     lanes_fetch_pairs(l->texels, place->index, &texels.texel[0], &texels.texel[1]);
     lanes_fetch_pairs(l->texels + l->width, place->index, &texels.texel[2], &texels.texel[3]);
     texture_expect(l, place->index[0]);
+    texture_expect(l, place->index[LANES / 2]);
     texture_expect(l, place->index[LANES - 1]);
     memcpy(texels.weight, place->weight, sizeof texels.weight);
     return texels;
