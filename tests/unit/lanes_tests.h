@@ -200,6 +200,23 @@ static void test_sequences(void) {
     CHECK(lanes_sum(lanes_int_from(3)) == sum);
 }
 
+/* One bit for each lane whose mask is set. */
+static void test_bits(void) {
+    struct random random = {97};
+    bool right = true;
+    for (int round = 0; round < ROUNDS; round++) {
+        uint32_t bits = (uint32_t)random_bits(&random) & (uint32_t)((UINT64_C(1) << LANES) - 1);
+        uint32_t number[LANES];
+        lanes_texel numbers;
+        for (int i = 0; i < LANES; i++) {
+            number[i] = bits >> i & 1;
+        }
+        memcpy(&numbers, number, sizeof numbers);
+        right = right && lanes_bits((lanes_int)(numbers != 0)) == bits;
+    }
+    CHECK(right);
+}
+
 /* Texels at random places, those of the first ones neighbours of each other. */
 static void test_fetched_pairs(void) {
     enum { COUNT = 1000 };
@@ -460,7 +477,7 @@ static void test_nowhere(void) {
 }
 
 UNIT_MAIN(TEST(test_one_number), TEST(test_two_numbers), TEST(test_max_and_min), TEST(test_put),
-          TEST(test_not_a_number), TEST(test_sequences), TEST(test_fetched_pairs),
+          TEST(test_not_a_number), TEST(test_sequences), TEST(test_bits), TEST(test_fetched_pairs),
           TEST(test_far_texels), TEST(test_colors), TEST(test_vectors), TEST(test_textures),
           TEST(test_corner_texels), TEST(test_places_of_two_sizes), TEST(test_nowhere))
 

@@ -816,6 +816,53 @@ static void test_scale_of_clip_space(void) {
     }
 }
 
+/* A triangle from near to far that reaches over both halves of the view. */
+static void make_slope(struct mesh *mesh, double near, double far) {
+    mesh_begin(mesh);
+    mesh_vertex(mesh, -3, -3, near);
+    mesh_vertex(mesh, 3, -3, far);
+    mesh_vertex(mesh, 0, 3, far);
+    mesh_face(mesh, 0, 1, 2);
+}
+
+/* Record it in the left half of the view, 0, or in the right one, 1. */
+static void record_slope(struct pipeline *pipeline, const struct mesh *mesh, int half) {
+    struct draw_call call = {.model = &mesh->model,
+                             .to_clip = mat4_projection(2),
+                             .viewport = {half * SIZE / 2, 0, SIZE / 2, SIZE}};
+    struct seen_uniforms uniforms = {{.model = call.model}, 2, 0};
+    struct error error;
+    CHECK(pipeline_draw(pipeline, &call, &see_shader, &uniforms, sizeof uniforms, &error));
+}
+
+/* Two calls in one frame, side by side, and in a frame of its own each: the same image, though the
+ * corners lie at other distances from the eye. */
+static void test_each_call_has_its_perspective(void) {
+    static struct mesh mesh[2];
+    struct pipeline pipeline;
+    struct error error;
+    struct image together, alone;
+    make_slope(&mesh[0], 1.5, -1);
+    make_slope(&mesh[1], -6, 1);
+    CHECK(pipeline_create(&pipeline, SIZE, SIZE, &error));
+    CHECK(image_create(&together, SIZE, SIZE, IMAGE_BGRA, &error));
+    CHECK(image_create(&alone, SIZE, SIZE, IMAGE_BGRA, &error));
+    for (int half = 0; half < 2; half++) {
+        pipeline_clear(&pipeline);
+        record_slope(&pipeline, &mesh[half], half);
+        CHECK(pipeline_finish(&pipeline, &alone, &error));
+        CHECK(pipeline.stats[STAT_PIXELS_SHADED] > SIZE * SIZE / 8);
+    }
+    pipeline_clear(&pipeline);
+    record_slope(&pipeline, &mesh[0], 0);
+    record_slope(&pipeline, &mesh[1], 1);
+    CHECK(pipeline_finish(&pipeline, &together, &error));
+    CHECK(memcmp(together.pixels, alone.pixels, (size_t)SIZE * SIZE * IMAGE_BGRA) == 0);
+    pipeline_free(&pipeline);
+    image_free(&together);
+    image_free(&alone);
+}
+
 /* ---- The same from another first corner, to the last bit ---- */
 
 static void turn_corners(struct mesh *mesh) {
@@ -1205,7 +1252,8 @@ UNIT_MAIN(TEST(test_nearest_face_shows), TEST(test_threads_change_nothing),
           TEST(test_discarded_hides_nothing), TEST(test_cut_from_both_ends), TEST(test_nearest_w),
           TEST(test_depth_overflows), TEST(test_depth_difference_overflows),
           TEST(test_clipped_in_every_block), TEST(test_scale_of_clip_space),
-          TEST(test_corner_order), TEST(test_ground_without_gaps), TEST(test_interpolation),
-          TEST(test_viewport), TEST(test_grid_cell), TEST(test_not_finite),
-          TEST(test_beside_viewport), TEST(test_equal_corners), TEST(test_no_area_is_no_side),
-          TEST(test_wrapped_level), TEST(test_far_apart), TEST(test_errors))
+          TEST(test_each_call_has_its_perspective), TEST(test_corner_order),
+          TEST(test_ground_without_gaps), TEST(test_interpolation), TEST(test_viewport),
+          TEST(test_grid_cell), TEST(test_not_finite), TEST(test_beside_viewport),
+          TEST(test_equal_corners), TEST(test_no_area_is_no_side), TEST(test_wrapped_level),
+          TEST(test_far_apart), TEST(test_errors))
