@@ -10,7 +10,7 @@
 enum { SMALL_BOX = 80 };
 
 /* In boxes wider than this many pixels it pays to ask whether a few neighbours are all outside. */
-enum { WIDE_BOX = 10 };
+enum { WIDE_BOX = 16 };
 
 /* A band that is being covered. */
 struct band {
