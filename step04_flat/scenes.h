@@ -11,7 +11,7 @@ static bool draw_flat(struct drawing *drawing, struct image *image, struct error
     (void)error;
     const struct model *model = drawing->model;
     const struct vec3 light = vec3_normalized(drawing->light);
-    uint64_t unlit = 0;
+    uint64_t unlit = 0, too_far = 0;
     for (size_t face = 0; face < model->face_count; face++) {
         struct vertex vertices[3];
         double intensity = face_intensity(model, face, light);
@@ -20,12 +20,15 @@ static bool draw_flat(struct drawing *drawing, struct image *image, struct error
         if (!lit && drawing->skip) {
             continue; /* it will not be drawn: where it lies does not matter */
         }
-        if (place_face(model, face, image, vertices) && lit) {
+        bool placed = place_face(model, face, image, vertices);
+        too_far += lit && !placed;
+        if (placed && lit) {
             triangle(image, vertices, color_grey(level_from(intensity * 255)));
         }
     }
     drawing_count(drawing, "faces", model->face_count);
     drawing_count(drawing, "faces_unlit", unlit);
+    drawing_count(drawing, "faces_too_far", too_far);
     return true;
 }
 

@@ -4,6 +4,7 @@
 
 #include "build.h"
 #include "compare.h"
+#include "counters.h"
 #include "drawn.h"
 #include "fault.h"
 #include "image_file.h"
@@ -28,10 +29,11 @@ struct judging {
     const struct options *options;
     const struct checked_step *step;
     struct step_result *result;
-    struct image *references; /* one a scene, empty where there is none */
-    struct error *errors;     /* then why */
-    struct looks *looks;      /* the known mistakes of each scene */
-    struct bytes source;      /* main.c, a NUL at its end */
+    struct image *references;    /* one a scene, empty where there is none */
+    struct error *errors;        /* then why */
+    struct looks *looks;         /* the known mistakes of each scene */
+    struct counted_list counted; /* and those that no picture tells */
+    struct bytes source;         /* main.c, a NUL at its end */
     struct run_limits limits;
     char directory[DRAWN_PATH_LIMIT]; /* where the program draws */
 };
@@ -129,6 +131,7 @@ static void judge_picture(const struct judging *judging, size_t i, const struct 
     item->shares = compare_images(reference, yours);
     item->compared = true;
     item->exact = item->shares.differing.count == 0;
+    item->blank = image_is_blank(yours);
     if (item->exact) {
         item->state = RESULT_PASS;
     } else {
@@ -247,7 +250,8 @@ static void describe_end(struct result_text *text, const struct run_result *end,
 /* ---- Pictures ---- */
 
 /* Read the references and what is known of mistakes. A bad reference stays empty. */
-static void read_references(const struct judging *judging) {
+static void read_references(struct judging *judging) {
+    counted_read(&judging->counted, judging->options->looks, judging->step->name);
     for (size_t i = 0; i < judging->step->scene_count; i++) {
         looks_read(&judging->looks[i], judging->options->looks, judging->step->name,
                    judging->step->scenes[i].name);
@@ -355,13 +359,10 @@ static bool find_counter(const char *text, const struct item_result *item, uint6
     return found;
 }
 
+/* Judge a counter by what the program has printed. */
 static void judge_counter(const struct judging *judging, struct item_result *item,
                           const char *output, const struct run_result *end) {
-    struct bytes text = {.data = NULL};
-    struct error ignored;
-    bool found = file_read(output, &text, &ignored) && bytes_append(&text, "", 1) &&
-                 find_counter((const char *)text.data, item, &item->counted);
-    bytes_free(&text);
+    bool found = find_counter(output, item, &item->counted);
     if (!ended_well(end)) {
         blame(judging, item, end);
     } else if (!found) {
@@ -377,23 +378,37 @@ static void judge_counter(const struct judging *judging, struct item_result *ite
     }
 }
 
-/* Let the program draw the scene once more and count. */
-static bool judge_work(const struct judging *judging, struct item_result *item,
-                       struct error *error) {
-    const struct options *options = judging->options;
-    char directory[DRAWN_PATH_LIMIT], output[DRAWN_PATH_LIMIT + 8];
-    struct run_result end;
+/* Let the program draw a scene once more, "" for all, and count: `output` becomes what it prints,
+ * with a NUL at its end. The caller frees output, and end->messages. */
+static bool run_counting(const struct judging *judging, const char *scene, struct bytes *output,
+                         struct run_result *end, struct error *error) {
+    char directory[DRAWN_PATH_LIMIT], path[DRAWN_PATH_LIMIT + 8];
+    struct error ignored;
+    *output = (struct bytes){.data = NULL};
+    *end = (struct run_result){.end = RUN_EXITED};
     if (!run_directory_create(directory, sizeof directory, error)) {
         return false;
     }
-    snprintf(output, sizeof output, "%s/.stats", directory);
-    bool done = drawn_run_stats(options->programs, judging->step->name, directory, item->scene,
-                                output, &judging->limits, &end, error);
-    if (done && end.end != RUN_INTERRUPTED) {
-        judge_counter(judging, item, output, &end);
+    snprintf(path, sizeof path, "%s/.stats", directory);
+    bool done = drawn_run_stats(judging->options->programs, judging->step->name, directory, scene,
+                                path, &judging->limits, end, error);
+    if (done && !file_read(path, output, &ignored)) {
+        bytes_free(output); /* it has made something else of the file */
     }
-    bytes_free(&end.messages);
     run_directory_remove(directory);
+    return done && (bytes_append(output, "", 1) || error_out_of_memory(error));
+}
+
+static bool judge_work(const struct judging *judging, struct item_result *item,
+                       struct error *error) {
+    struct bytes output;
+    struct run_result end;
+    bool done = run_counting(judging, item->scene, &output, &end, error);
+    if (done && end.end != RUN_INTERRUPTED) {
+        judge_counter(judging, item, (const char *)output.data, &end);
+    }
+    bytes_free(&output);
+    bytes_free(&end.messages);
     return done;
 }
 
@@ -505,6 +520,60 @@ static void tell_likenesses(const struct judging *judging) {
     }
 }
 
+/* Does item i fail in a way that no picture tells: by a counter, or because nothing is drawn? */
+static bool is_untold(const struct judging *judging, size_t i) {
+    const struct item_result *item = &judging->result->items[i];
+    size_t pictures = judging->step->scene_count;
+    bool is_work = i >= pictures && !judging->step->works[i - pictures].has_relations;
+    return item->state == RESULT_FAIL && !item->blamed && !item->unjudged &&
+           (is_work || item->blank);
+}
+
+/* For who keeps what is known of mistakes. */
+static void write_counted(const char *path, const struct counted *counted) {
+    FILE *file = path[0] == '\0' ? NULL : fopen(path, "a");
+    if (file != NULL) {
+        fprintf(file, "%s %s %s\n", counted->scene, counted->pictures.text, counted->counters.text);
+    }
+    if (path[0] != '\0' && (file == NULL || fclose(file) != 0)) {
+        fprintf(stderr, "check: %s: %s\n", path, strerror(errno));
+    }
+}
+
+/* Say of such an item which mistakes show the same. */
+static void tell_counted(const struct judging *judging, struct item_result *item,
+                         const char *output) {
+    struct counted counted;
+    struct look found[LOOKS_NAME_LIMIT];
+    if (counted_of(&counted, judging->result, item, output)) {
+        write_counted(judging->options->counted, &counted);
+        struct looks looks = {.list = found,
+                              .count = counted_find(&judging->counted, &counted, found)};
+        looks_tell(item, &looks, 1, is_not_at_fault, judging);
+    }
+}
+
+static bool tell_untold(const struct judging *judging, struct error *error) {
+    struct step_result *result = judging->result;
+    struct bytes output = {.data = NULL};
+    struct run_result end = {.end = RUN_EXITED};
+    bool done = true;
+    for (size_t i = 0; i < result->item_count && done; i++) {
+        if (!is_untold(judging, i)) {
+            continue;
+        }
+        if (output.data == NULL) {
+            done = run_counting(judging, judging->options->only, &output, &end, error);
+        }
+        if (done && ended_well(&end)) {
+            tell_counted(judging, &result->items[i], (const char *)output.data);
+        }
+    }
+    bytes_free(&output);
+    bytes_free(&end.messages);
+    return done;
+}
+
 static bool draw_and_judge(struct judging *judging, struct error *error) {
     const struct options *options = judging->options;
     struct step_result *result = judging->result;
@@ -519,6 +588,7 @@ static bool draw_and_judge(struct judging *judging, struct error *error) {
         done = judge_pictures(judging, &end, error) && judge_works(judging, error);
         find_all_to_do(judging);
         tell_likenesses(judging);
+        done = done && tell_untold(judging, error);
     }
     result->messages = end.messages;
     run_directory_remove(judging->directory);
@@ -593,6 +663,7 @@ void judge_step(const struct options *options, const struct checked_step *step,
     for (size_t i = 0; judging.looks != NULL && i < step->scene_count; i++) {
         looks_free(&judging.looks[i]);
     }
+    counted_free(&judging.counted);
     free(judging.looks);
     free(judging.references);
     free(judging.errors);

@@ -17,6 +17,7 @@ static const struct options default_options = {
     .first = "models",
     .only = "",
     .shares = "",
+    .counted = "",
     .junit = "",
     .json = "",
     .tap = "",
@@ -46,6 +47,8 @@ const char options_help[] =
     "                      % drawn in one picture only, % near, and how far it is from the "
     "mistake\n"
     "                      that it looks like\n"
+    "  --counted FILE      add what tells a mistake that no picture tells: scene, which pictures\n"
+    "                      are right, counters (tests/check/counters.h)\n"
     "  --junit FILE        a report for CI; also --json, --tap, --csv (a line for each task), and\n"
     "                      --html for people\n"
     "  --note TEXT         a line that the reports begin with\n"
@@ -102,6 +105,7 @@ bool options_read(struct options *options, int argc, char **argv, int *first_ste
         {"--first", &options->first},
         {"--only", &options->only},
         {"--shares", &options->shares},
+        {"--counted", &options->counted},
         {"--junit", &options->junit},
         {"--json", &options->json},
         {"--tap", &options->tap},

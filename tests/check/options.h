@@ -13,8 +13,9 @@
 struct options {
     const char *root, *scenes, *sources, *references, *looks, *programs, *differences, *make,
         *first;
-    const char *only;   /* judge just this scene; "" means all */
-    const char *shares; /* a file to add each picture's numbers to, or "" */
+    const char *only;    /* judge just this scene; "" means all */
+    const char *shares;  /* a file to add each picture's numbers to, or "" */
+    const char *counted; /* one to add to what tells a mistake that no picture tells, or "" */
     const char *junit, *json, *tap, *html, *csv; /* files for reports, or "" */
     const char *note;                            /* a line for the reports, or "" */
     double seconds;                              /* for one step's program */

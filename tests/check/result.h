@@ -48,7 +48,7 @@ struct item_result {
     enum result_state state;
     unsigned points;            /* 0, or all of them */
     struct result_text message; /* what is wrong, or not exact; empty when there is nothing */
-    struct result_text looks;   /* "A" or "B", the mistakes that draw this picture; or empty */
+    struct result_text looks;   /* "A" or "B", the mistakes that draw or count this; or empty */
     /* The tasks that are at fault in these, as far as known. */
     struct task_name looks_tasks[LOOKS_NAME_LIMIT];
     size_t looks_task_count;
@@ -59,6 +59,7 @@ struct item_result {
     bool blamed;                   /* the program ended badly over it; `message` says how */
     bool exact;                    /* of a picture: equal to the last bit */
     bool compared;                 /* of a picture: it could be; what follows is known */
+    bool blank;                    /* nothing is drawn in it */
     struct comparison shares;      /* pixels drawn, and of them wrong, apart, in one picture only */
     size_t x, y;                   /* the first pixel that `message` is about, when not exact */
     struct color got, wanted;      /* its colour, and the right one */

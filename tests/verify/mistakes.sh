@@ -31,6 +31,19 @@ keep() {
         "$build/looks_make" $measure "$1" "$scene" "tests/reference/$1/$scene.png" "$work/list" \
             "$work" tests/check/looks || exit 1
     done
+    cut -f 1 "$work/list" | while read -r number; do
+        cat "$work/$number/counted" || exit 1
+    done >"$work/counted" || exit 1
+    [ ! -s "$work/counted" ] || keep_counted "$1"
+}
+
+# keep_counted LESSON: what tells its mistakes where no picture does.
+keep_counted() {
+    mkdir -p "tests/check/looks/$1" || exit 1
+    {
+        echo '# Made by `make mistakes`: see tests/check/counters.h.'
+        cat "$work/counted"
+    } >"tests/check/looks/$1/counters.list" || exit 1
 }
 
 found=

@@ -25,8 +25,38 @@ describe_others() {
     [ "$status" -eq 1 ] && echo "; all scenes: $said"
 }
 
-# A mistake that is found must look like itself, when its picture can be told from others, and lead
-# to a hint for its task. Sets told to yes, or no when it cannot be told.
+# It leads to a hint for its task.
+judge_task() {
+    told=yes
+    case $task:$said in
+    -:* | *" TASK=$task"*) ;;
+    *) finding MISLEADS "not to task $task: $said" ;;
+    esac
+}
+
+# A mistake that no picture tells is told by what it counts, and by which pictures of the whole
+# lesson are right (tests/check/counters.h), when not more than four are the same.
+judge_counted() {
+    list=tests/check/looks/$lesson/counters.list
+    [ -d "${list%/*}" ] || return
+    check --counted "$place/shown"
+    list_counted "$place/shown" >"$place/now"
+    awk -v says="$task $says" 'substr($0, length($1 " " $2 " " $3) + 2) == says' "$list" \
+        >"$place/kept" 2>/dev/null
+    same=$(awk -v scene="$scene" '{ key = $1 " " $2 " " $3 }
+        FNR == NR { if ($1 == scene) wanted = key; next }
+        key == wanted { n++ }
+        END { print n + 0 }' "$place/now" "$list" 2>/dev/null)
+    case $same:$said in
+    *'looks like'*"\"$says\""*) judge_task ;;
+    *'looks like'*) finding MISLEADS "$said ($says)" ;;
+    [1-4]:*) finding STALE "looks like nothing: $redo" ;;
+    esac
+    cmp -s "$place/now" "$place/kept" || finding STALE "not so in $list: $redo"
+}
+
+# A mistake that is found must look like itself, when it can be told from others, and lead to a hint
+# for its task. Sets told to yes, or no when it cannot be told.
 judge_looks() {
     list=tests/check/looks/$lesson/$scene.txt
     redo="make mistakes STEP=${lesson#step}"
@@ -38,18 +68,13 @@ judge_looks() {
     distance=$(awk 'END { print $7 }' "$place/shares" 2>/dev/null)
     told=no
     case $row:$said in
-    none:*) [ ! -d "${list%/*}" ] || [ ! -f "$list" ] || finding STALE "not in $list: $redo" ;;
+    none:*) if [ -f "$list" ]; then finding STALE "not in $list: $redo"; else judge_counted; fi ;;
+    0:* | *"; $scene PASS"*) judge_counted ;; # a picture that is right, or within the limits
     *'looks like'*"\"$says\""*)
-        told=yes
+        judge_task
         [ "$distance" = 0 ] || finding STALE "$redo"
-        case $task:$said in
-        -:* | *" TASK=$task"*) ;;
-        *) finding MISLEADS "not to task $task: $said" ;;
-        esac
         ;;
     *'looks like'*) finding MISLEADS "$said ($says)" ;;
-    0:*) ;;
-    *"; $scene PASS"*) ;; # its work is wrong, and its picture is within the limits
     *) finding STALE "looks like nothing: $redo" ;;
     esac
 }

@@ -1,0 +1,179 @@
+#include "counters.h"
+
+#include "array.h"
+#include "file.h"
+
+#include <ctype.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* ---- Reading ---- */
+
+static bool is_known_pictures(const struct counters_pictures *pictures) {
+    return strcmp(pictures->text, "-") == 0 ||
+           strspn(pictures->text, "rb") == strlen(pictures->text);
+}
+
+/* "zbuffer - pixels_tested=5 5.2 words": a line of the list. */
+static bool read_counted(struct counted_list *list, const char *line, size_t length) {
+    struct counted counted = {.scene = ""};
+    struct look *look = &counted.look;
+    char text[sizeof(struct counted) + 8];
+    int words = 0;
+    if (length >= sizeof text) {
+        return false;
+    }
+    memcpy(text, line, length);
+    text[length] = '\0';
+    if (sscanf(text, "%63s %63s %1023s %11s %n", counted.scene, counted.pictures.text,
+               counted.counters.text, look->task.text, &words) < 4 ||
+        words == 0 || text[words] == '\0' || !is_known_pictures(&counted.pictures)) {
+        return false;
+    }
+    if (strcmp(look->task.text, "-") == 0) {
+        look->task.text[0] = '\0';
+    }
+    look->row = 1;
+    snprintf(look->words, sizeof look->words, "%s", text + words);
+    struct counted *grown =
+        array_reserve(list->list, &list->capacity, list->count + 1, sizeof *grown);
+    if (grown == NULL) {
+        return false;
+    }
+    list->list = grown;
+    grown[list->count++] = counted;
+    return true;
+}
+
+void counted_read(struct counted_list *list, const char *directory, const char *step) {
+    char path[DRAWN_PATH_LIMIT];
+    struct bytes file = {.data = NULL};
+    struct error ignored;
+    *list = (struct counted_list){.count = 0};
+    snprintf(path, sizeof path, "%s/%s/counters.list", directory, step);
+    bool done = file_read(path, &file, &ignored) && bytes_append(&file, "", 1);
+    for (const char *line = (const char *)file.data; done && *line != '\0';) {
+        size_t length = strcspn(line, "\n");
+        done = line[0] == '#' || read_counted(list, line, length);
+        line += length + (line[length] == '\n');
+    }
+    bytes_free(&file);
+    if (!done) {
+        counted_free(list);
+    }
+}
+
+void counted_free(struct counted_list *list) {
+    free(list->list);
+    *list = (struct counted_list){.count = 0};
+}
+
+/* ---- What a program shows ---- */
+
+/* Add "pixels_tested: 5" as pixels_tested=5. False where it is something else, or too long. */
+static bool add_counter(struct counters *counters, const char *line, size_t length) {
+    const char *const name_bytes = "abcdefghijklmnopqrstuvwxyz0123456789_";
+    size_t name = strspn(line, name_bytes), used = strlen(counters->text);
+    size_t digits = strncmp(line + name, ": ", 2) == 0 ? strspn(line + name + 2, "0123456789") : 0;
+    if (name == 0 || digits == 0 || name + 2 + digits != length ||
+        used + length + 1 > sizeof counters->text) {
+        return false;
+    }
+    snprintf(counters->text + used, sizeof counters->text - used, "%s%.*s=%.*s",
+             used > 0 ? "," : "", (int)name, line, (int)digits, line + name + 2);
+    return true;
+}
+
+struct counters counters_of(const char *output, const char *scene) {
+    const struct counters unclear = {""};
+    struct counters counters = {""};
+    const size_t prefix = strlen(scene);
+    for (const char *line = output; *line != '\0';) {
+        size_t length = strcspn(line, "\n");
+        bool is_scene = strncmp(line, scene, prefix) == 0 && line[prefix] == '.';
+        if (is_scene && !add_counter(&counters, line + prefix + 1, length - prefix - 1)) {
+            return unclear;
+        }
+        line += length + (line[length] == '\n');
+    }
+    return counters.text[0] != '\0' ? counters : (struct counters){"-"};
+}
+
+static char letter_of(const struct item_result *item) {
+    return item->state == RESULT_PASS                  ? 'r'
+           : item->state == RESULT_TODO                ? '?'
+           : item->state == RESULT_FAIL && item->blank ? 'b'
+                                                       : 'x';
+}
+
+struct counters_pictures counters_pictures(const struct step_result *result) {
+    struct counters_pictures pictures = {""};
+    for (size_t i = 0; i < result->item_count && result->items[i].counter[0] == '\0'; i++) {
+        if (i + 1 == sizeof pictures.text) {
+            return (struct counters_pictures){"x"};
+        }
+        pictures.text[i] = letter_of(&result->items[i]);
+    }
+    return pictures;
+}
+
+/* Does it count something other than 0? */
+static bool is_counted(const struct counters *counters) {
+    for (const char *at = strchr(counters->text, '='); at != NULL; at = strchr(at + 1, '=')) {
+        if (at[1] != '0') {
+            return true;
+        }
+    }
+    return false;
+}
+
+/* Does a picture that nothing is drawn in tell something, with the others and the counters? */
+static bool is_telling(const struct counted *counted) {
+    const char *pictures = counted->pictures.text;
+    return is_counted(&counted->counters) ||
+           (strchr(pictures, '?') == NULL && strchr(pictures, 'r') != NULL);
+}
+
+bool counted_of(struct counted *counted, const struct step_result *result,
+                const struct item_result *item, const char *output) {
+    *counted = (struct counted){.pictures = counters_pictures(result),
+                                .counters = counters_of(output, item->scene)};
+    snprintf(counted->scene, sizeof counted->scene, "%s", item->scene);
+    bool is_drawn = strchr(counted->pictures.text, 'x') == NULL;
+    if (item->counter[0] != '\0') {
+        is_drawn &= strchr(counted->pictures.text, 'b') == NULL;
+        counted->pictures = (struct counters_pictures){"-"};
+        return is_drawn && strchr(counted->counters.text, '=') != NULL;
+    }
+    return is_drawn && counted->counters.text[0] != '\0' && is_telling(counted);
+}
+
+/* ---- Comparing ---- */
+
+/* Are yours those of the mistake, but for what is to do? */
+static bool are_same_pictures(const char *mistake, const char *yours) {
+    size_t i = 0;
+    while (mistake[i] != '\0' && (yours[i] == mistake[i] || yours[i] == '?')) {
+        i++;
+    }
+    return mistake[i] == '\0' && yours[i] == '\0';
+}
+
+size_t counted_find(const struct counted_list *list, const struct counted *yours,
+                    struct look found[LOOKS_NAME_LIMIT]) {
+    size_t count = 0;
+    for (size_t i = 0; i < list->count; i++) {
+        const struct counted *known = &list->list[i];
+        if (strcmp(known->scene, yours->scene) != 0 ||
+            strcmp(known->counters.text, yours->counters.text) != 0 ||
+            !are_same_pictures(known->pictures.text, yours->pictures.text)) {
+            continue;
+        }
+        if (count == LOOKS_NAME_LIMIT) {
+            return 0;
+        }
+        found[count++] = known->look;
+    }
+    return count;
+}

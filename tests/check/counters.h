@@ -1,0 +1,84 @@
+/*
+ * Which of the lessons' known mistakes a program makes, where no picture tells it: the pictures are
+ * right and the work is not, or nothing is drawn. Then it is told by what the program counts with
+ * --stats, and by which pictures of the lesson are right.
+ *
+ * What is known is made by `make mistakes STEP=NN`, of the mistakes of which each picture is right
+ * or blank: tests/check/looks/stepNN_name/counters.list has a line for each scene of theirs that
+ * tells them, with blanks between
+ *
+ *     the scene;
+ *     which pictures are right: - for all, where a counter of this scene is wrong; where its picture
+ *         is blank a letter for each scene of the lesson, r right or b blank;
+ *     all that the program counts in this scene, pixels_tested=5,pixels_written=0, or - for nothing;
+ *     the task that is at fault, or -;
+ *     what it is, up to the end of the line.
+ *
+ * A wrong diagnosis is worse than none. So a program makes such a mistake only when
+ *
+ *     it counts exactly the same in this scene;
+ *     no picture is wrong, where the work is; or each picture is right where the mistake's is right,
+ *     and blank where that is blank;
+ *     not more than four mistakes are the same.
+ *
+ * A program that has not come so far draws nothing either. What is still to do may be right or
+ * blank, but then the blank scene must count something; and where it counts nothing, another
+ * picture must be right.
+ */
+#ifndef TESTS_CHECK_COUNTERS_H
+#define TESTS_CHECK_COUNTERS_H
+
+#include "looks.h"
+#include "result.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+
+enum { COUNTERS_LIMIT = 1024, COUNTERS_SCENE_LIMIT = 64 };
+
+/* What a program counts in a scene: "pixels_tested=5,pixels_written=0", "-" for nothing. Empty when
+ * it cannot be told. */
+struct counters {
+    char text[COUNTERS_LIMIT];
+};
+
+/* A letter for each scene of the lesson: r right, b blank, ? to do, x wrong in another way. */
+struct counters_pictures {
+    char text[COUNTERS_SCENE_LIMIT];
+};
+
+/* What is known of a mistake's scene, or found of a program's. */
+struct counted {
+    char scene[SCENE_NAME_LIMIT];
+    struct counters_pictures pictures; /* "-": all are right */
+    struct counters counters;
+    struct look look; /* what it is; of a program nothing */
+};
+
+/* What is known of a lesson. All zero: nothing. */
+struct counted_list {
+    struct counted *list;
+    size_t count, capacity;
+};
+
+/* Read those of a step: DIRECTORY/STEP/counters.list. What cannot be read is not known. */
+void counted_read(struct counted_list *list, const char *directory, const char *step);
+void counted_free(struct counted_list *list);
+
+/* What a program has printed with --stats, of that scene. */
+struct counters counters_of(const char *output, const char *scene);
+
+/* The pictures of a step's result, of which all is judged. */
+struct counters_pictures counters_pictures(const struct step_result *result);
+
+/* What may be told of an item of the result that fails: of a counter, or of a blank picture. False:
+ * it tells nothing. `output` is what the program has printed with --stats. */
+bool counted_of(struct counted *counted, const struct step_result *result,
+                const struct item_result *item, const char *output);
+
+/* Which mistakes show what was found of a program? At most LOOKS_NAME_LIMIT; with more of them, or
+ * in doubt, none. All are of row 1 (looks_tell). Returns how many. */
+size_t counted_find(const struct counted_list *list, const struct counted *yours,
+                    struct look found[LOOKS_NAME_LIMIT]);
+
+#endif
