@@ -3,7 +3,6 @@
 #include "array.h"
 #include "file.h"
 
-#include <ctype.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -15,27 +14,38 @@ static bool is_known_pictures(const struct counters_pictures *pictures) {
            strspn(pictures->text, "rb") == strlen(pictures->text);
 }
 
-/* "zbuffer - pixels_tested=5 5.2 words": a line of the list. */
-static bool read_counted(struct counted_list *list, const char *line, size_t length) {
-    struct counted counted = {.scene = ""};
-    struct look *look = &counted.look;
-    char text[sizeof(struct counted) + 8];
-    int words = 0;
-    if (length >= sizeof text) {
+/* Take the next word of a line, up to a blank. False when there is none, or no room for it. */
+static bool take_word(const char **line, const char *end, char *word, size_t size) {
+    const char *start = *line;
+    while (*line < end && **line != ' ') {
+        (*line)++;
+    }
+    size_t length = (size_t)(*line - start);
+    if (length == 0 || length >= size) {
         return false;
     }
-    memcpy(text, line, length);
-    text[length] = '\0';
-    if (sscanf(text, "%63s %63s %1023s %11s %n", counted.scene, counted.pictures.text,
-               counted.counters.text, look->task.text, &words) < 4 ||
-        words == 0 || text[words] == '\0' || !is_known_pictures(&counted.pictures)) {
+    memcpy(word, start, length);
+    word[length] = '\0';
+    *line += *line < end;
+    return true;
+}
+
+/* "zbuffer - pixels_tested=5 5.2 words": a line of the list. */
+static bool read_counted(struct counted_list *list, const char *line, const char *end) {
+    struct counted counted = {.scene = ""};
+    struct look *look = &counted.look;
+    if (!take_word(&line, end, counted.scene, sizeof counted.scene) ||
+        !take_word(&line, end, counted.pictures.text, sizeof counted.pictures.text) ||
+        !take_word(&line, end, counted.counters.text, sizeof counted.counters.text) ||
+        !take_word(&line, end, look->task.text, sizeof look->task.text) || line == end ||
+        !is_known_pictures(&counted.pictures)) {
         return false;
     }
     if (strcmp(look->task.text, "-") == 0) {
         look->task.text[0] = '\0';
     }
     look->row = 1;
-    snprintf(look->words, sizeof look->words, "%s", text + words);
+    snprintf(look->words, sizeof look->words, "%.*s", (int)(end - line), line);
     struct counted *grown =
         array_reserve(list->list, &list->capacity, list->count + 1, sizeof *grown);
     if (grown == NULL) {
@@ -54,9 +64,9 @@ void counted_read(struct counted_list *list, const char *directory, const char *
     snprintf(path, sizeof path, "%s/%s/counters.list", directory, step);
     bool done = file_read(path, &file, &ignored) && bytes_append(&file, "", 1);
     for (const char *line = (const char *)file.data; done && *line != '\0';) {
-        size_t length = strcspn(line, "\n");
-        done = line[0] == '#' || read_counted(list, line, length);
-        line += length + (line[length] == '\n');
+        const char *end = line + strcspn(line, "\n");
+        done = line[0] == '#' || read_counted(list, line, end);
+        line = end + (*end == '\n');
     }
     bytes_free(&file);
     if (!done) {
@@ -76,13 +86,13 @@ static bool add_counter(struct counters *counters, const char *line, size_t leng
     const char *const name_bytes = "abcdefghijklmnopqrstuvwxyz0123456789_";
     size_t name = strspn(line, name_bytes), used = strlen(counters->text);
     size_t digits = strncmp(line + name, ": ", 2) == 0 ? strspn(line + name + 2, "0123456789") : 0;
-    if (name == 0 || digits == 0 || name + 2 + digits != length ||
-        used + length + 1 > sizeof counters->text) {
+    if (name == 0 || digits == 0 || name + 2 + digits != length || length > COUNTERS_LIMIT) {
         return false;
     }
-    snprintf(counters->text + used, sizeof counters->text - used, "%s%.*s=%.*s",
-             used > 0 ? "," : "", (int)name, line, (int)digits, line + name + 2);
-    return true;
+    size_t room = sizeof counters->text - used;
+    int written = snprintf(counters->text + used, room, "%s%.*s=%.*s", used > 0 ? "," : "",
+                           (int)name, line, (int)digits, line + name + 2);
+    return written >= 0 && (size_t)written < room;
 }
 
 struct counters counters_of(const char *output, const char *scene) {
@@ -140,13 +150,13 @@ bool counted_of(struct counted *counted, const struct step_result *result,
     *counted = (struct counted){.pictures = counters_pictures(result),
                                 .counters = counters_of(output, item->scene)};
     snprintf(counted->scene, sizeof counted->scene, "%s", item->scene);
-    bool is_drawn = strchr(counted->pictures.text, 'x') == NULL;
+    bool is_clear = strchr(counted->pictures.text, 'x') == NULL;
     if (item->counter[0] != '\0') {
-        is_drawn &= strchr(counted->pictures.text, 'b') == NULL;
+        is_clear &= strchr(counted->pictures.text, 'b') == NULL;
         counted->pictures = (struct counters_pictures){"-"};
-        return is_drawn && strchr(counted->counters.text, '=') != NULL;
+        return is_clear && strchr(counted->counters.text, '=') != NULL;
     }
-    return is_drawn && counted->counters.text[0] != '\0' && is_telling(counted);
+    return is_clear && counted->counters.text[0] != '\0' && is_telling(counted);
 }
 
 /* ---- Comparing ---- */

@@ -412,7 +412,7 @@ static void test_crowd(void) {
 }
 
 static void test_summary_and_status(void) {
-    CHECK(contains(&fixture.output, "\n5 passed, 35 failed\n"));
+    CHECK(contains(&fixture.output, "\n5 passed, 37 failed\n"));
     CHECK(fixture.status == 2); /* a reference is missing */
     size_t lines = 0;
     const char *text = (const char *)fixture.output.data;
@@ -420,10 +420,10 @@ static void test_summary_and_status(void) {
         lines += text[0] != ' ';
         text += strcspn(text, "\n") + 1;
     }
-    CHECK(lines == 40);
+    CHECK(lines == 42);
     char score[24];
     snprintf(score, sizeof score, "%.*s", (int)strcspn(text, "\n"), text);
-    CHECK_TEXT(score, "SCORE 22/83");
+    CHECK_TEXT(score, "SCORE 25/91");
 }
 
 /* Each failed scene has its picture, with the reference on its left, and yours in the middle. */
@@ -882,6 +882,56 @@ static void test_redraw(void) {
     image_free(&wanted);
 }
 
+/* What the check says of the step, when the list is all that is known of it, must hold `wanted`; ""
+ * when it must not look like anything. */
+static void check_known(const char *step, const char *list, const char *options,
+                        const char *wanted) {
+    char arguments[2 * PATH_LIMIT];
+    struct bytes output;
+    struct error error;
+    struct path path = inside("looks/");
+    strcat(path.text, step);
+    CHECK(directory_create(path.text, &error));
+    strcat(path.text, "/counters.list");
+    CHECK(file_write(path.text, list, strlen(list), &error));
+    snprintf(arguments, sizeof arguments, "--looks %s %s %s", inside("looks").text, options, step);
+    CHECK(run_check(arguments, &output) == 1);
+    struct path line = line_of(&output, step);
+    bool looks = strstr(line.text, "looks like") != NULL;
+    CHECK_ROW(looks == (wanted[0] != '\0') && strstr(line.text, wanted) != NULL, list);
+    bytes_free(&output);
+}
+
+/* What a program counts, and which of its pictures are black, tells a mistake. */
+static void test_known_counters(void) {
+    static const struct {
+        const char *step, *list, *options, *wanted;
+    } cases[] = {
+        {"step41_counted", "depth - pixels=5,rows=7 41.2 five\n", "",
+         "depth pixels FAIL 0/1: 5, but it must count 9 or more;   looks like \"five\"; make hint "
+         "STEP=41 TASK=41.2; depth2 pixels FAIL 0/1: 5, but it must count 9 or more; depth2 rows"},
+        {"step41_counted", "depth - pixels=5,rows=7 41.2 five\n", "--only depth", "\"five\""},
+        {"step41_counted", "depth - pixels=5,rows=7 41.2 five\n", "--only depth2", ""},
+        {"step41_counted", "depth - pixels=5,rows=8 41.2 as the other scene\n", "", ""},
+        {"step41_counted", "depth - pixels=5 41.2 not all of it\n", "", ""},
+        {"step41_counted", "depth2 - pixels=5,rows=8 41.2 five\n", "",
+         "depth2 pixels FAIL 0/1: 5, but it must count 9 or more;   looks like \"five\"; make hint "
+         "STEP=41 TASK=41.2; depth2 rows FAIL 0/1: 8, but it must count 9 or more;   looks like "
+         "the same"},
+        {"step41_counted", "depth rr pixels=5,rows=7 41.2 of a picture\n", "", ""},
+        {"step42_black", "depth2 rbb pixels=5 42.2 black\n", "", "looks like \"black\""},
+        {"step42_black", "depth3 rbb pixels=0 42.2 black\n", "", "looks like \"black\""},
+        {"step42_black", "depth2 rbb pixels=5 42.2 black\n", "--only depth2", ""},
+        {"step42_black", "depth2 rbr pixels=5 42.2 black\n", "", ""},
+        {"step42_black", "depth2 bbb pixels=5 42.2 black\n", "", ""},
+        {"step42_black", "depth2 rbb pixels=6 42.2 black\n", "", ""},
+        {"step42_black", "depth2 - pixels=5 42.2 of a counter\n", "", ""},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        check_known(cases[i].step, cases[i].list, cases[i].options, cases[i].wanted);
+    }
+}
+
 /* Where undefined behaviour is: in the step's own file, though a header's function was called. */
 static void test_place_of_fault(void) {
     static const struct {
@@ -928,6 +978,7 @@ static const struct unit_test tests[] = {
     TEST(test_interrupt),
     TEST(test_runner),
     TEST(test_redraw),
+    TEST(test_known_counters),
     TEST(test_place_of_fault),
 };
 

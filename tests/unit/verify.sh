@@ -85,7 +85,7 @@ says 'verify: no name has'
 
 # ---- What mistakes look like ----
 
-# `mistakes` keeps it, and then they are named: but not one that draws the right picture.
+# `mistakes` keeps it, and then they are named; one that draws nothing, by that it draws all else.
 cat >step01_line/mistakes.txt <<'END'
 mistake axes
 says the axes exchanged
@@ -118,11 +118,31 @@ looks() {
 }
 looks
 verify 0
-says 'step01_line  *4/4  *3/4  *0/0  *5/5  to do  *exact'
+says 'step01_line  *4/4  *4/4  *0/0  *5/5  to do  *exact'
+counters=tests/check/looks/step01_line/counters.list
+cp "$counters" kept
+grep -q '^pixel brrrrrr - 1\.1 no pixel$' kept || wrong "not kept: no pixel"
+sed -i.old 's/ no pixel/ nothing/' "$counters"
+verify 1 nothing
+says 'MISLEADS step01/nothing: FAIL '
+says 'STALE step01/nothing: not so in '
+sed 's/brrr/bbrr/' kept >"$counters"
+verify 1 nothing
+says 'STALE step01/nothing: not so in '
+sed 's/ 1\.1 / 1.2 /' kept >"$counters"
+verify 1 nothing
+says 'MISLEADS step01/nothing: not to task 1\.1: '
+rm "$counters"
+verify 1 nothing
+says 'STALE step01/nothing: not so in '
+cat kept kept kept kept kept >"$counters" # five that are the same are told by none
+verify 1 nothing
+says 'step01_line  *0/1  *0/1'
+mv kept "$counters"
 sed -i.old 's/color_rgb(255, 0, 255)/color_rgb(255, 255, 0)/' step01_line/mistakes.txt
 verify 1
 says 'STALE step01/purple: '
-says 'step01_line  *3/4  *2/4  *0/0'
+says 'step01_line  *3/4  *3/4  *0/0'
 sed -i.old 's/too much blue/too much green/' step01_line/mistakes.txt
 verify 1 purple
 says 'STALE step01/purple: not in '
