@@ -11,7 +11,7 @@
 
 static bool is_known_pictures(const struct counters_pictures *pictures) {
     return strcmp(pictures->text, "-") == 0 ||
-           strspn(pictures->text, "rb") == strlen(pictures->text);
+           strspn(pictures->text, "rbd") == strlen(pictures->text);
 }
 
 /* Take the next word of a line, up to a blank. False when there is none, or no room for it. */
@@ -111,10 +111,11 @@ struct counters counters_of(const char *output, const char *scene) {
 }
 
 static char letter_of(const struct item_result *item) {
-    return item->state == RESULT_PASS                  ? 'r'
-           : item->state == RESULT_TODO                ? '?'
-           : item->state == RESULT_FAIL && item->blank ? 'b'
-                                                       : 'x';
+    return item->state == RESULT_PASS                     ? 'r'
+           : item->state == RESULT_TODO                   ? '?'
+           : item->state == RESULT_FAIL && item->blank    ? 'b'
+           : item->state == RESULT_CRASH && item->divided ? 'd'
+                                                          : 'x';
 }
 
 struct counters_pictures counters_pictures(const struct step_result *result) {
@@ -138,7 +139,7 @@ static bool is_counted(const struct counters *counters) {
     return false;
 }
 
-/* Does a picture that nothing is drawn in tell something, with the others and the counters? */
+/* Does a picture that is not there tell something, with the others and the counters? */
 static bool is_telling(const struct counted *counted) {
     const char *pictures = counted->pictures.text;
     return is_counted(&counted->counters) ||
@@ -152,7 +153,7 @@ bool counted_of(struct counted *counted, const struct step_result *result,
     snprintf(counted->scene, sizeof counted->scene, "%s", item->scene);
     bool is_clear = strchr(counted->pictures.text, 'x') == NULL;
     if (item->counter[0] != '\0') {
-        is_clear &= strchr(counted->pictures.text, 'b') == NULL;
+        is_clear &= strpbrk(counted->pictures.text, "bd") == NULL;
         counted->pictures = (struct counters_pictures){"-"};
         return is_clear && strchr(counted->counters.text, '=') != NULL;
     }

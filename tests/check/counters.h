@@ -1,29 +1,28 @@
 /*
  * Which of the lessons' known mistakes a program makes, where no picture tells it: the pictures are
- * right and the work is not, or nothing is drawn. Then it is told by what the program counts with
- * --stats, and by which pictures of the lesson are right.
+ * right and the work is not, nothing is drawn, or the program ends for a division by 0. Then it is
+ * told by what it counts with --stats, and by which pictures of the lesson are right.
  *
- * What is known is made by `make mistakes STEP=NN`, of the mistakes of which each picture is right
- * or blank: tests/check/looks/stepNN_name/counters.list has a line for each scene of theirs that
- * tells them, with blanks between
+ * What is known is made by `make mistakes STEP=NN`, of the mistakes without a picture that is wrong
+ * in another way: tests/check/looks/stepNN_name/counters.list has a line for each scene of theirs
+ * that tells them, with blanks between
  *
  *     the scene;
- *     which pictures are right: - for all, where a counter of this scene is wrong; where its picture
- *         is blank a letter for each scene of the lesson, r right or b blank;
- *     all that the program counts in this scene, pixels_tested=5,pixels_written=0, or - for nothing;
+ *     which pictures are right: - for all, where a counter of this scene is wrong; else a letter
+ *         for each scene of the lesson: r right, b blank, d none for a division by 0;
+ *     all that the program counts in this scene, pixels_tested=5,pixels_written=0; - for nothing;
  *     the task that is at fault, or -;
  *     what it is, up to the end of the line.
  *
  * A wrong diagnosis is worse than none. So a program makes such a mistake only when
  *
  *     it counts exactly the same in this scene;
- *     no picture is wrong, where the work is; or each picture is right where the mistake's is right,
- *     and blank where that is blank;
+ *     each picture is as the mistake's is: one that is wrong in another way tells more;
  *     not more than four mistakes are the same.
  *
- * A program that has not come so far draws nothing either. What is still to do may be right or
- * blank, but then the blank scene must count something; and where it counts nothing, another
- * picture must be right.
+ * A program that has not come so far draws nothing either. So what is still to do may be as it is,
+ * but then the blank scene must count something; and where it counts nothing, another picture must
+ * be right.
  */
 #ifndef TESTS_CHECK_COUNTERS_H
 #define TESTS_CHECK_COUNTERS_H
@@ -42,7 +41,8 @@ struct counters {
     char text[COUNTERS_LIMIT];
 };
 
-/* A letter for each scene of the lesson: r right, b blank, ? to do, x wrong in another way. */
+/* A letter for each scene of the lesson: r right, b blank, d none for a division by 0, ? to do,
+ * x wrong in another way. */
 struct counters_pictures {
     char text[COUNTERS_SCENE_LIMIT];
 };
@@ -71,8 +71,8 @@ struct counters counters_of(const char *output, const char *scene);
 /* The pictures of a step's result, of which all is judged. */
 struct counters_pictures counters_pictures(const struct step_result *result);
 
-/* What may be told of an item of the result that fails: of a counter, or of a blank picture. False:
- * it tells nothing. `output` is what the program has printed with --stats. */
+/* What may be told of an item of the result that fails: of a counter, or of a picture that is blank
+ * or missing. False: it tells nothing. `output` is what the program has printed with --stats. */
 bool counted_of(struct counted *counted, const struct step_result *result,
                 const struct item_result *item, const char *output);
 

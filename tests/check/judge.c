@@ -300,6 +300,7 @@ static void judge_end(const struct judging *judging, enum result_state *state,
 static void blame(const struct judging *judging, struct item_result *item,
                   const struct run_result *end) {
     item->blamed = true;
+    item->divided = end->end == RUN_KILLED && end->number == SIGFPE;
     judge_end(judging, &item->state, &item->message, end);
 }
 
@@ -520,13 +521,15 @@ static void tell_likenesses(const struct judging *judging) {
     }
 }
 
-/* Does item i fail in a way that no picture tells: by a counter, or because nothing is drawn? */
+/* Does item i fail in a way that no picture tells: by a counter, because nothing is drawn, or for a
+ * division by 0? */
 static bool is_untold(const struct judging *judging, size_t i) {
     const struct item_result *item = &judging->result->items[i];
     size_t pictures = judging->step->scene_count;
     bool is_work = i >= pictures && !judging->step->works[i - pictures].has_relations;
-    return item->state == RESULT_FAIL && !item->blamed && !item->unjudged &&
-           (is_work || item->blank);
+    return (item->state == RESULT_CRASH && item->divided) ||
+           (item->state == RESULT_FAIL && !item->blamed && !item->unjudged &&
+            (is_work || item->blank));
 }
 
 /* For who keeps what is known of mistakes. */
@@ -559,14 +562,19 @@ static bool tell_untold(const struct judging *judging, struct error *error) {
     struct run_result end = {.end = RUN_EXITED};
     bool done = true;
     for (size_t i = 0; i < result->item_count && done; i++) {
+        struct item_result *item = &result->items[i];
         if (!is_untold(judging, i)) {
+            continue;
+        }
+        if (item->divided) { /* and has not come to print what it counts */
+            tell_counted(judging, item, "");
             continue;
         }
         if (output.data == NULL) {
             done = run_counting(judging, judging->options->only, &output, &end, error);
         }
         if (done && ended_well(&end)) {
-            tell_counted(judging, &result->items[i], (const char *)output.data);
+            tell_counted(judging, item, (const char *)output.data);
         }
     }
     bytes_free(&output);

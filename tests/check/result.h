@@ -57,6 +57,7 @@ struct item_result {
     uint64_t counted, most, least; /* of a counter: the work done, what is enough, what is needed */
     bool unjudged;                 /* a counter or relations, because the picture does not pass */
     bool blamed;                   /* the program ended badly over it; `message` says how */
+    bool divided;                  /* and that by SIGFPE: it has divided a whole number by 0 */
     bool exact;                    /* of a picture: equal to the last bit */
     bool compared;                 /* of a picture: it could be; what follows is known */
     bool blank;                    /* nothing is drawn in it */

@@ -412,7 +412,7 @@ static void test_crowd(void) {
 }
 
 static void test_summary_and_status(void) {
-    CHECK(contains(&fixture.output, "\n5 passed, 37 failed\n"));
+    CHECK(contains(&fixture.output, "\n5 passed, 38 failed\n"));
     CHECK(fixture.status == 2); /* a reference is missing */
     size_t lines = 0;
     const char *text = (const char *)fixture.output.data;
@@ -420,10 +420,10 @@ static void test_summary_and_status(void) {
         lines += text[0] != ' ';
         text += strcspn(text, "\n") + 1;
     }
-    CHECK(lines == 42);
+    CHECK(lines == 43);
     char score[24];
     snprintf(score, sizeof score, "%.*s", (int)strcspn(text, "\n"), text);
-    CHECK_TEXT(score, "SCORE 25/91");
+    CHECK_TEXT(score, "SCORE 26/93");
 }
 
 /* Each failed scene has its picture, with the reference on its left, and yours in the middle. */
@@ -902,7 +902,7 @@ static void check_known(const char *step, const char *list, const char *options,
     bytes_free(&output);
 }
 
-/* What a program counts, and which of its pictures are black, tells a mistake. */
+/* What a program counts, and which of its pictures are black or missing, tells a mistake. */
 static void test_known_counters(void) {
     static const struct {
         const char *step, *list, *options, *wanted;
@@ -926,6 +926,11 @@ static void test_known_counters(void) {
         {"step42_black", "depth2 bbb pixels=5 42.2 black\n", "", ""},
         {"step42_black", "depth2 rbb pixels=6 42.2 black\n", "", ""},
         {"step42_black", "depth2 - pixels=5 42.2 of a counter\n", "", ""},
+        {"step43_divided", "depth2 rd - 43.2 by 0\n", "",
+         "depth2 CRASH 0/1: SIGFPE;   looks like \"by 0\"; make hint STEP=43 TASK=43.2"},
+        {"step43_divided", "depth2 rb - 43.2 black\n", "", ""},
+        {"step43_divided", "depth2 rd pixels=5 43.2 counted\n", "", ""},
+        {"step13_crash", "depth2 rd - 13.1 another crash\n", "", ""},
     };
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         check_known(cases[i].step, cases[i].list, cases[i].options, cases[i].wanted);

@@ -19,7 +19,7 @@ struct fixture {
     struct step_result result;
 };
 
-/* The pictures are `states`: r right, b blank, ? to do, w wrong, c crashed. */
+/* The pictures are `states`: r right, b blank, d divided by 0, ? to do, w wrong, c crashed. */
 static void set_up(struct fixture *f, const char *states) {
     static const char *const scenes[ITEMS] = {"rows", "depth", "deep", "depth"};
     memset(f, 0, sizeof *f);
@@ -32,8 +32,10 @@ static void set_up(struct fixture *f, const char *states) {
         item->state = state == 'r'   ? RESULT_PASS
                       : state == '?' ? RESULT_TODO
                       : state == 'c' ? RESULT_CRASH
+                      : state == 'd' ? RESULT_CRASH
                                      : RESULT_FAIL;
         item->blank = state == 'b' || state == 'c' || state == '?';
+        item->divided = state == 'd' || state == '?';
     }
 }
 
@@ -75,7 +77,7 @@ static void test_counters(void) {
 static void test_pictures(void) {
     static const struct {
         const char *states, *letters;
-    } cases[] = {{"rrr", "rrr"}, {"rb?", "rb?"}, {"wbr", "xbr"}, {"rrc", "rrx"}};
+    } cases[] = {{"rrr", "rrr"}, {"rb?", "rb?"}, {"wbr", "xbr"}, {"rrc", "rrx"}, {"rdb", "rdb"}};
     struct fixture f;
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         set_up(&f, cases[i].states);
@@ -120,6 +122,11 @@ static void test_what_may_be_told(void) {
         {3, "rrr", "depth.tested: no\n", false},
         {3, "rrb", "depth.tested: 5\n", false}, /* a picture is wrong, too */
         {3, "wrr", "depth.tested: 5\n", false},
+        {3, "drr", "depth.tested: 5\n", false},
+        {1, "rdd", "", true},
+        {1, "rd?", "", false}, /* it may have begun anywhere */
+        {1, "ddd", "", false},
+        {1, "rdc", "", false},
     };
     struct fixture f;
     struct counted counted;
@@ -172,6 +179,7 @@ static void test_files(void) {
         {"depth\n", 0},
         {"\n", 0},
         {"depth rbx tested=5 5.2 a letter that is none\n", 0},
+        {"depth rbd - 5.2 black, and a crash\n", 1},
         {"depth rb? tested=5 5.2 what is to do is known of no mistake\n", 0},
         {"depth - tested=5 5.2000000000 too long for a task\n", 0},
         {"depth  tested=5 5.2 no word for the pictures\n", 0},
@@ -274,6 +282,7 @@ static void test_what_is_told(void) {
         {"depth", "rb", "tested=5", NULL, 0},
         {"depth", "rbb", "-", "nothing", 1},
         {"depth", "rbb", "", NULL, 0},
+        {"depth", "rdd", "-", NULL, 0},
         {"depth", "-", "tested=1", "a", 4},
         {"depth", "-", "tested=2", NULL, 0}, /* five of them */
     };

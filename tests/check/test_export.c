@@ -98,6 +98,19 @@ static void test_hostile_texts(void) {
     }
 }
 
+/* What a counter looks like is told as that of a picture is, without small pictures. */
+static void test_counters(void) {
+    struct fixture f;
+    set_up(&f, RESULT_FAIL, "five");
+    f.item.counter = "tested";
+    f.item.counted = 5;
+    check_report(export_json, &f, "\"counter\": \"tested\", \"counted\": 5, \"enough\": 0, ", "",
+                 "\"message\": \"five\", \"looks_like\": \"five\"");
+    check_report(export_html, &f, "<aside class=looks><p>looks like five; make hint STEP=05 ",
+                 "TASK=5.2", "</p>\n</aside>\n");
+    bytes_free(&f.step.messages);
+}
+
 /* How often does a text stand in another? (Not by strstr(), which the sanitizers make slow.) */
 static size_t count_of(const char *text, const char *wanted) {
     size_t count = 0, length = strlen(wanted);
@@ -132,4 +145,4 @@ static void test_long_texts(void) {
     bytes_free(&text);
 }
 
-UNIT_MAIN(TEST(test_hostile_texts), TEST(test_long_texts))
+UNIT_MAIN(TEST(test_hostile_texts), TEST(test_counters), TEST(test_long_texts))
