@@ -18,6 +18,8 @@
  *                                                the picture of each row, for people: small, side
  *                                                by side in the order of the rows
  *
+ * Mistakes that no picture tells stand in counters.list beside these files (counters.h).
+ *
  * A wrong diagnosis is worse than none. So a picture looks like a mistake only when
  *
  *     at least 8 of the pixels have a wrong colour, other than black, and for every 32 of these at

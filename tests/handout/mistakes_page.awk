@@ -79,7 +79,7 @@ $2 == lesson && $3 == "mistake" {
     else print "<p>It leaves no wrong picture.</p>"
     print_picture("reference/" $5 ".png", "the reference")
     print "</div>\n<p>The check: <code>" said "</code>" \
-        (named ? ", and it knows the mistake by its picture" : "") ".</p>"
+        (named ? ", and it knows the mistake" : "") ".</p>"
     if ($6 != "-") print "<p>Built with CC=" escaped($6) "</p>"
     if ($7 != "-") print "<p>Built with CFLAGS=" escaped($7) "</p>"
     print "<pre>" lines_of(work "/" $1 ".diff") "</pre>\n</article>"
