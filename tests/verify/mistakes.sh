@@ -40,6 +40,7 @@ keep() {
 # keep_counted LESSON: what tells its mistakes where no picture does.
 keep_counted() {
     mkdir -p "tests/check/looks/$1" || exit 1
+    # shellcheck disable=SC2016 # nothing to expand
     {
         echo '# Made by `make mistakes`: see tests/check/counters.h.'
         cat "$work/counted"
