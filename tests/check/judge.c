@@ -521,14 +521,14 @@ static void tell_likenesses(const struct judging *judging) {
     }
 }
 
-/* Does item i fail in a way that no picture tells: by a counter, because nothing is drawn, or for a
- * division by 0? */
-static bool is_untold(const struct judging *judging, size_t i) {
+/* Does item i fail in a way that no picture tells: for a division by 0, or, when the program can say
+ * what it counts, by a counter or because nothing is drawn? */
+static bool is_untold(const struct judging *judging, size_t i, bool can_count) {
     const struct item_result *item = &judging->result->items[i];
     size_t pictures = judging->step->scene_count;
     bool is_work = i >= pictures && !judging->step->works[i - pictures].has_relations;
     return (item->state == RESULT_CRASH && item->divided) ||
-           (item->state == RESULT_FAIL && !item->blamed && !item->unjudged &&
+           (can_count && item->state == RESULT_FAIL && !item->blamed && !item->unjudged &&
             (is_work || item->blank));
 }
 
@@ -556,25 +556,23 @@ static void tell_counted(const struct judging *judging, struct item_result *item
     }
 }
 
-static bool tell_untold(const struct judging *judging, struct error *error) {
+/* `drawn` is how it ended when it drew all: badly, and it will not say what it counts. */
+static bool tell_untold(const struct judging *judging, const struct run_result *drawn,
+                        struct error *error) {
     struct step_result *result = judging->result;
     struct bytes output = {.data = NULL};
     struct run_result end = {.end = RUN_EXITED};
     bool done = true;
     for (size_t i = 0; i < result->item_count && done; i++) {
         struct item_result *item = &result->items[i];
-        if (!is_untold(judging, i)) {
+        if (!is_untold(judging, i, ended_well(drawn) && ended_well(&end))) {
             continue;
         }
-        if (item->divided) { /* and has not come to print what it counts */
-            tell_counted(judging, item, "");
-            continue;
-        }
-        if (output.data == NULL) {
+        if (!item->divided && output.data == NULL) {
             done = run_counting(judging, judging->options->only, &output, &end, error);
         }
         if (done && ended_well(&end)) {
-            tell_counted(judging, item, (const char *)output.data);
+            tell_counted(judging, item, item->divided ? "" : (const char *)output.data);
         }
     }
     bytes_free(&output);
@@ -596,7 +594,7 @@ static bool draw_and_judge(struct judging *judging, struct error *error) {
         done = judge_pictures(judging, &end, error) && judge_works(judging, error);
         find_all_to_do(judging);
         tell_likenesses(judging);
-        done = done && tell_untold(judging, error);
+        done = done && tell_untold(judging, &end, error);
     }
     result->messages = end.messages;
     run_directory_remove(judging->directory);
