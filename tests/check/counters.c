@@ -139,13 +139,6 @@ static bool is_counted(const struct counters *counters) {
     return false;
 }
 
-/* Does a picture that is not there tell something, with the others and the counters? */
-static bool is_telling(const struct counted *counted) {
-    const char *pictures = counted->pictures.text;
-    return is_counted(&counted->counters) ||
-           (strchr(pictures, '?') == NULL && strchr(pictures, 'r') != NULL);
-}
-
 bool counted_of(struct counted *counted, const struct step_result *result,
                 const struct item_result *item, const char *output) {
     *counted = (struct counted){.pictures = counters_pictures(result),
@@ -157,7 +150,17 @@ bool counted_of(struct counted *counted, const struct step_result *result,
         counted->pictures = (struct counters_pictures){"-"};
         return is_clear && strchr(counted->counters.text, '=') != NULL;
     }
-    return is_clear && counted->counters.text[0] != '\0' && is_telling(counted);
+    return is_clear && counted->counters.text[0] != '\0';
+}
+
+bool counted_tells(const struct counted *yours, size_t count) {
+    bool tells = false;
+    for (size_t i = 0; i < count; i++) {
+        const char *pictures = yours[i].pictures.text;
+        tells |= strcmp(pictures, "-") == 0 || is_counted(&yours[i].counters) ||
+                 (strchr(pictures, '?') == NULL && strchr(pictures, 'r') != NULL);
+    }
+    return tells;
 }
 
 /* ---- Comparing ---- */
@@ -171,20 +174,40 @@ static bool are_same_pictures(const char *mistake, const char *yours) {
     return mistake[i] == '\0' && yours[i] == '\0';
 }
 
-size_t counted_find(const struct counted_list *list, const struct counted *yours,
-                    struct look found[LOOKS_NAME_LIMIT]) {
-    size_t count = 0;
-    for (size_t i = 0; i < list->count; i++) {
-        const struct counted *known = &list->list[i];
-        if (strcmp(known->scene, yours->scene) != 0 ||
-            strcmp(known->counters.text, yours->counters.text) != 0 ||
-            !are_same_pictures(known->pictures.text, yours->pictures.text)) {
-            continue;
+static bool is_same(const struct counted *known, const struct counted *yours) {
+    return strcmp(known->scene, yours->scene) == 0 &&
+           strcmp(known->counters.text, yours->counters.text) == 0 &&
+           are_same_pictures(known->pictures.text, yours->pictures.text);
+}
+
+/* Does this mistake show all that yours shows? */
+static bool shows_all(const struct counted_list *list, const struct look *mistake,
+                      const struct counted *yours, size_t count) {
+    size_t same = 0;
+    for (size_t i = 0; i < count; i++) {
+        bool found = false;
+        for (size_t k = 0; k < list->count && !found; k++) {
+            const struct counted *known = &list->list[k];
+            found = strcmp(known->look.words, mistake->words) == 0 &&
+                    strcmp(known->look.task.text, mistake->task.text) == 0 &&
+                    is_same(known, &yours[i]);
         }
-        if (count == LOOKS_NAME_LIMIT) {
-            return 0;
-        }
-        found[count++] = known->look;
+        same += found;
     }
-    return count;
+    return same == count;
+}
+
+size_t counted_find(const struct counted_list *list, const struct counted *yours, size_t count,
+                    struct look found[LOOKS_NAME_LIMIT]) {
+    size_t names = 0;
+    for (size_t i = 0; i < list->count && count > 0; i++) {
+        const struct counted *known = &list->list[i];
+        if (is_same(known, &yours[0]) && shows_all(list, &known->look, yours, count)) {
+            if (names == LOOKS_NAME_LIMIT) {
+                return 0;
+            }
+            found[names++] = known->look;
+        }
+    }
+    return names;
 }

@@ -16,13 +16,12 @@
  *
  * A wrong diagnosis is worse than none. So a program makes such a mistake only when
  *
- *     it counts exactly the same in this scene;
+ *     it counts exactly the same in this scene, and in all others that are blank;
  *     each picture is as the mistake's is: one that is wrong in another way tells more;
  *     not more than four mistakes are the same.
  *
  * A program that has not come so far draws nothing either. So what is still to do may be as it is,
- * but then the blank scene must count something; and where it counts nothing, another picture must
- * be right.
+ * but then a blank scene must count something; and where none does, another picture must be right.
  */
 #ifndef TESTS_CHECK_COUNTERS_H
 #define TESTS_CHECK_COUNTERS_H
@@ -76,9 +75,13 @@ struct counters_pictures counters_pictures(const struct step_result *result);
 bool counted_of(struct counted *counted, const struct step_result *result,
                 const struct item_result *item, const char *output);
 
-/* Which mistakes show what was found of a program? At most LOOKS_NAME_LIMIT; with more of them, or
- * in doubt, none. All are of row 1 (looks_tell). Returns how many. */
-size_t counted_find(const struct counted_list *list, const struct counted *yours,
+/* Do these tell a mistake from a program that has not come so far? A counter does; of all pictures
+ * that are blank or missing one must. */
+bool counted_tells(const struct counted *yours, size_t count);
+
+/* Which mistakes show all of this? At most LOOKS_NAME_LIMIT; where there are more, none. All are of
+ * row 1 (looks_tell). Returns how many. */
+size_t counted_find(const struct counted_list *list, const struct counted *yours, size_t count,
                     struct look found[LOOKS_NAME_LIMIT]);
 
 #endif

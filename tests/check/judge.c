@@ -521,15 +521,19 @@ static void tell_likenesses(const struct judging *judging) {
     }
 }
 
-/* Does item i fail in a way that no picture tells: for a division by 0, or, when the program can say
- * what it counts, by a counter or because nothing is drawn? */
-static bool is_untold(const struct judging *judging, size_t i, bool can_count) {
+/* Does item i fail for its work, which no picture tells? */
+static bool is_wrong_work(const struct judging *judging, size_t i) {
     const struct item_result *item = &judging->result->items[i];
     size_t pictures = judging->step->scene_count;
-    bool is_work = i >= pictures && !judging->step->works[i - pictures].has_relations;
-    return (item->state == RESULT_CRASH && item->divided) ||
-           (can_count && item->state == RESULT_FAIL && !item->blamed && !item->unjudged &&
-            (is_work || item->blank));
+    return i >= pictures && !judging->step->works[i - pictures].has_relations &&
+           item->state == RESULT_FAIL && !item->blamed && !item->unjudged;
+}
+
+/* Is item i a picture that tells nothing, blank or missing for a division by 0? */
+static bool is_not_there(const struct judging *judging, size_t i) {
+    const struct item_result *item = &judging->result->items[i];
+    return (item->state == RESULT_FAIL && item->blank) ||
+           (item->state == RESULT_CRASH && item->divided);
 }
 
 /* For who keeps what is known of mistakes. */
@@ -543,38 +547,64 @@ static void write_counted(const char *path, const struct counted *counted) {
     }
 }
 
-/* Say of such an item which mistakes show the same. */
-static void tell_counted(const struct judging *judging, struct item_result *item,
-                         const char *output) {
-    struct counted counted;
+/* Say of these items, which show `yours` together, which mistakes do so too. */
+static void tell_counted(const struct judging *judging, struct item_result *const *items,
+                         const struct counted *yours, size_t count) {
     struct look found[LOOKS_NAME_LIMIT];
-    if (counted_of(&counted, judging->result, item, output)) {
-        write_counted(judging->options->counted, &counted);
+    if (counted_tells(yours, count)) {
         struct looks looks = {.list = found,
-                              .count = counted_find(&judging->counted, &counted, found)};
-        looks_tell(item, &looks, 1, is_not_at_fault, judging);
+                              .count = counted_find(&judging->counted, yours, count, found)};
+        for (size_t i = 0; i < count; i++) {
+            write_counted(judging->options->counted, &yours[i]);
+            looks_tell(items[i], &looks, 1, is_not_at_fault, judging);
+        }
     }
 }
 
-/* `drawn` is how it ended when it drew all: badly, and it will not say what it counts. */
-static bool tell_untold(const struct judging *judging, const struct run_result *drawn,
-                        struct error *error) {
+/* `output` is what the program has printed with --stats. Each counter is told by itself, all
+ * pictures that are not there together. `items` and `yours` have room for all. */
+static void tell_untold(const struct judging *judging, const char *output,
+                        struct item_result **items, struct counted *yours) {
     struct step_result *result = judging->result;
-    struct bytes output = {.data = NULL};
-    struct run_result end = {.end = RUN_EXITED};
-    bool done = true;
-    for (size_t i = 0; i < result->item_count && done; i++) {
-        struct item_result *item = &result->items[i];
-        if (!is_untold(judging, i, ended_well(drawn) && ended_well(&end))) {
-            continue;
-        }
-        if (!item->divided && output.data == NULL) {
-            done = run_counting(judging, judging->options->only, &output, &end, error);
-        }
-        if (done && ended_well(&end)) {
-            tell_counted(judging, item, item->divided ? "" : (const char *)output.data);
+    size_t count = 0;
+    bool is_clear = true;
+    for (size_t i = 0; i < result->item_count; i++) {
+        items[count] = &result->items[i];
+        if (is_not_there(judging, i)) {
+            is_clear &= counted_of(&yours[count], result, items[count], output);
+            count++;
+        } else if (is_wrong_work(judging, i) &&
+                   counted_of(&yours[count], result, items[count], output)) {
+            tell_counted(judging, &items[count], &yours[count], 1);
         }
     }
+    if (is_clear) {
+        tell_counted(judging, items, yours, count);
+    }
+}
+
+/* Say what the failures look like that no picture tells. */
+static bool count_and_tell(const struct judging *judging, const struct run_result *drawn,
+                           struct error *error) {
+    const struct step_result *result = judging->result;
+    struct bytes output = {.data = NULL};
+    struct run_result end = {.end = RUN_EXITED};
+    bool is_untold = false, done = true;
+    for (size_t i = 0; i < result->item_count; i++) {
+        is_untold |= is_wrong_work(judging, i) || is_not_there(judging, i);
+    }
+    if (is_untold && ended_well(drawn)) { /* else it would end badly again */
+        done = run_counting(judging, judging->options->only, &output, &end, error);
+    }
+    struct item_result **items = calloc(result->item_count, sizeof *items);
+    struct counted *yours = calloc(result->item_count, sizeof *yours);
+    if (items == NULL || yours == NULL) {
+        done = error_out_of_memory(error);
+    } else if (done && is_untold && ended_well(&end)) {
+        tell_untold(judging, output.data != NULL ? (const char *)output.data : "", items, yours);
+    }
+    free(items);
+    free(yours);
     bytes_free(&output);
     bytes_free(&end.messages);
     return done;
@@ -594,7 +624,7 @@ static bool draw_and_judge(struct judging *judging, struct error *error) {
         done = judge_pictures(judging, &end, error) && judge_works(judging, error);
         find_all_to_do(judging);
         tell_likenesses(judging);
-        done = done && tell_untold(judging, &end, error);
+        done = done && count_and_tell(judging, &end, error);
     }
     result->messages = end.messages;
     run_directory_remove(judging->directory);

@@ -134,7 +134,8 @@ static void test_what_may_be_told(void) {
         char what[80];
         snprintf(what, sizeof what, "%zu: item %zu of %s", i, cases[i].item, cases[i].states);
         set_up(&f, cases[i].states);
-        bool told = counted_of(&counted, &f.result, &f.items[cases[i].item], cases[i].output);
+        bool told = counted_of(&counted, &f.result, &f.items[cases[i].item], cases[i].output) &&
+                    counted_tells(&counted, 1);
         CHECK_ROW(told == cases[i].wanted, what);
         CHECK_TEXT(counted.scene, "depth");
     }
@@ -294,7 +295,7 @@ static void test_what_is_told(void) {
         snprintf(yours.scene, sizeof yours.scene, "%s", cases[i].scene);
         snprintf(yours.pictures.text, sizeof yours.pictures.text, "%s", cases[i].pictures);
         snprintf(yours.counters.text, sizeof yours.counters.text, "%s", cases[i].counters);
-        size_t count = counted_find(&list, &yours, found);
+        size_t count = counted_find(&list, &yours, 1, found);
         CHECK_ROW(count == cases[i].count, cases[i].counters);
         CHECK_ROW(count == 0 || found[0].row == 1, cases[i].counters);
         if (count > 0 && cases[i].words != NULL) {
@@ -304,5 +305,44 @@ static void test_what_is_told(void) {
     counted_free(&list);
 }
 
+/* Two scenes are black: what they count must be one mistake's, and one of them must tell it. */
+static void test_of_two_scenes(void) {
+    static const char list_text[] = "depth bb tested=5 5.2 five\n"
+                                    "deep bb - 5.2 five\n"
+                                    "depth bb tested=6 5.2 six\n"
+                                    "deep bb - 5.2 six\n"
+                                    "depth bb tested=5 5.3 five\n"
+                                    "depth bb - 5.3 nothing\n"
+                                    "deep bb - 5.3 nothing\n";
+    static const struct {
+        const char *counters, *words, *task;
+        bool tells;
+    } cases[] = {{"tested=5", "five", "5.2", true},
+                 {"tested=6", "six", "5.2", true},
+                 {"tested=7", NULL, NULL, true}, /* deep alone would be told */
+                 {"-", "nothing", "5.3", false}};
+    struct counted_list list = read_list(list_text, strlen(list_text));
+    CHECK(list.count == 7);
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        for (size_t first = 0; first < 2; first++) { /* in both orders */
+            struct counted yours[2];
+            struct look found[LOOKS_NAME_LIMIT];
+            yours[first] = (struct counted){.scene = "depth", .pictures = {"bb"}};
+            yours[1 - first] =
+                (struct counted){.scene = "deep", .pictures = {"bb"}, .counters = {"-"}};
+            strcpy(yours[first].counters.text, cases[i].counters);
+            CHECK(counted_tells(yours, 2) == cases[i].tells);
+            size_t count = counted_find(&list, yours, 2, found);
+            CHECK_ROW(count == (cases[i].words != NULL), cases[i].counters);
+            if (count == 1 && cases[i].words != NULL) {
+                CHECK_TEXT(found[0].words, cases[i].words);
+                CHECK_TEXT(found[0].task.text, cases[i].task);
+            }
+            CHECK(counted_find(&list, yours, 0, found) == 0 && !counted_tells(yours, 0));
+        }
+    }
+    counted_free(&list);
+}
+
 UNIT_MAIN(TEST(test_counters), TEST(test_pictures), TEST(test_what_may_be_told), TEST(test_files),
-          TEST(test_hostile_files), TEST(test_what_is_told))
+          TEST(test_hostile_files), TEST(test_what_is_told), TEST(test_of_two_scenes))
