@@ -77,6 +77,9 @@ judge_looks() {
     *'looks like'*) finding MISLEADS "$said ($says)" ;;
     *) finding STALE "looks like nothing: $redo" ;;
     esac
+    case $result:$told in
+    right:no) [ ! -d "${list%/*}" ] || finding UNNAMED "$said ($says)" ;;
+    esac
 }
 
 judge() {
