@@ -206,7 +206,8 @@ LANES_INLINE void lanes_split(const uint64_t words[1], lanes_texel *lower, lanes
 
 #endif
 
-#include "lanes_native.h" /* lanes_max(), lanes_min(), lanes_bits(), lanes_fetch_pairs() */
+/* lanes_max(), lanes_min(), lanes_bits(), lanes_fetch(), lanes_fetch_pairs() */
+#include "lanes_native.h"
 
 /* Each lane of the mask counted. */
 LANES_INLINE uint64_t lanes_sum(lanes_int counts) {

@@ -7,8 +7,9 @@
  *                                 instructions and a register for masks; a seventh of the time of a
  *                                 textured pixel
  *     lanes_bits()                vpmovd2m, movmskps: a twentieth of the time of a textured pixel
- *     lanes_fetch_pairs()         vpgatherdq, vpermt2d: both load word by word, and put the words
- *                                 together one by one; a tenth of it. Only for processors with
+ *     lanes_fetch(),              vpgatherdd, vpgatherdq, vpermt2d: both load word by word, and put
+ *     lanes_fetch_pairs()         the words together one by one; a twentieth of the time of a flat
+ *                                 pixel, a tenth of a textured one's. Only for processors with
  *                                 AVX512-FP16: on older ones gathering is slow since 2023 (Intel,
  *                                 "Gather Data Sampling", INTEL-SA-00828)
  */
@@ -76,26 +77,54 @@ LANES_INLINE uint32_t lanes_bits(lanes_int mask) {
 #if LANES == 16 && defined(__AVX512FP16__)
 #define LANES_GATHERED
 
+/* All bits of a mask, of the type that the compiler wants. */
+#ifdef __clang__
+static const unsigned char lanes_eight_set = (unsigned char)-1;
+static const unsigned short lanes_sixteen_set = (unsigned short)-1;
+#else
+static const signed char lanes_eight_set = -1;
+static const short lanes_sixteen_set = -1;
+#endif
+
 /* The pairs of eight lanes: a, b, a, b, ... An index is signed for this instruction: so it counts
  * from the middle of what 32 bits reach. */
 typedef long long lanes_eight_pairs __attribute__((vector_size(64)));
 
 LANES_INLINE lanes_texel lanes_gather_pairs(const uint32_t *texels, const uint32_t index[8]) {
     typedef int32_t eight __attribute__((vector_size(32)));
-#ifdef __clang__
-    const unsigned char all = 255;
-#else
-    const signed char all = -1;
-#endif
     const void *middle = (const void *)((uintptr_t)texels + (sizeof *texels << 31));
     eight from_middle;
     memcpy(&from_middle, index, sizeof from_middle);
     from_middle ^= INT32_MIN;
     return (lanes_texel)__builtin_ia32_gathersiv8di((lanes_eight_pairs){0}, middle, from_middle,
-                                                    all, sizeof *texels);
+                                                    lanes_eight_set, sizeof *texels);
 }
 
 #endif
+
+/* texels[index[i]] for each lane i; an index is below 2^31. Where one instruction does not do it, it
+ * is worth to ask whether all are the same. */
+LANES_INLINE lanes_texel lanes_fetch(const uint32_t *texels, const uint32_t index[LANES]) {
+#ifdef LANES_GATHERED
+    typedef int32_t sixteen __attribute__((vector_size(64)));
+    sixteen at;
+    memcpy(&at, index, sizeof at);
+    return (lanes_texel)__builtin_ia32_gathersiv16si((sixteen){0}, texels, at, lanes_sixteen_set,
+                                                     sizeof *texels);
+#else
+    lanes_texel all;
+    memcpy(&all, index, sizeof all);
+    if (lanes_bits((lanes_int)(all != index[0])) == 0) {
+        return (lanes_texel){0} + texels[index[0]];
+    }
+    uint32_t fetched[LANES];
+    for (int i = 0; i < LANES; i++) {
+        fetched[i] = texels[index[i]];
+    }
+    memcpy(&all, fetched, sizeof all);
+    return all;
+#endif
+}
 
 /* texels[index[i]] and the texel behind it, for each lane i. */
 LANES_INLINE void lanes_fetch_pairs(const uint32_t *texels, const uint32_t index[LANES],

@@ -57,6 +57,7 @@ void pipeline_free(struct pipeline *pipeline) {
     free(pipeline->recip_w.data);
     free(pipeline->blocks.data);
     free(pipeline->pieces.data);
+    free(pipeline->piece_bands.data);
     free(pipeline->clipped.data);
     free(pipeline->visible.data);
     free(pipeline->band_work.data);
@@ -236,14 +237,15 @@ static bool reorders_draws(const struct pipeline *p) {
 
 /* Write the pieces of a draw call's blocks into the bands' lists; `band_counts` are the places of
  * the next ones. */
-static void bin_block(const struct pipeline *p, const struct draw *draw, size_t index) {
+static void bin_block(const struct pipeline *p, size_t index) {
     struct block *block = (struct block *)p->blocks.data + index;
     const struct piece *pieces = (const struct piece *)p->pieces.data + block->first_piece;
+    const struct band_span *bands =
+        (const struct band_span *)p->piece_bands.data + block->first_piece;
     uint32_t *next = (uint32_t *)p->band_counts.data + index * band_count(p);
     uint32_t *binned = p->binned.data;
     for (size_t i = 0; i < block->piece_count; i++) {
-        struct span rows = rows_in(rows_of(pieces[i].corner), &draw->call.viewport);
-        for (int band = rows.begin / BAND_HEIGHT; band <= (rows.end - 1) / BAND_HEIGHT; band++) {
+        for (int band = bands[i].first; band <= bands[i].last; band++) {
             binned[next[band]++] = (uint32_t)(block->first_piece + i);
         }
         if (p->reordered) {
@@ -253,18 +255,10 @@ static void bin_block(const struct pipeline *p, const struct draw *draw, size_t 
     }
 }
 
-static const struct draw *draw_of_block(const struct pipeline *p, size_t block) {
-    const struct draw *draw = p->draws.data;
-    while (block >= draw->first_block + draw->block_count) {
-        draw++;
-    }
-    return draw;
-}
-
 static void bin_one_block(void *context, size_t index, size_t worker) {
     (void)worker;
     const struct frame *frame = context;
-    bin_block(frame->pipeline, draw_of_block(frame->pipeline, index), index);
+    bin_block(frame->pipeline, index);
 }
 
 /* Find where the list of each band begins, and in it the pieces of each block: counts become

@@ -169,8 +169,9 @@ struct pipeline {
     struct buffer vertices; /* of struct vertex: transformed positions of one draw call */
     struct buffer recip_w; /* of double: 1/w of the positions, of each draw call that is not flat */
     size_t recip_w_end;
-    struct buffer blocks; /* of struct block */
-    struct buffer pieces; /* of struct piece; each block has a part of it */
+    struct buffer blocks;      /* of struct block */
+    struct buffer piece_bands; /* of struct band_span, for each piece */
+    struct buffer pieces;      /* of struct piece; each block has a part of it */
     size_t piece_end;
     struct buffer clipped; /* of struct clipped_corners; each block has a part of it */
     size_t clipped_end;

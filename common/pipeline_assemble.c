@@ -264,6 +264,7 @@ static void batch_put(struct batch *batch, const struct vertex *const vertex[3])
 struct output {
     struct block *block;
     struct piece *pieces;
+    struct band_span *piece_bands;
     struct clipped_corners *clipped;
     uint32_t *band_counts;
 };
@@ -274,6 +275,7 @@ struct output {
 static void add_piece(struct output *to, const struct batch *batch, size_t at, size_t face,
                       uint32_t clipped, const struct vertex *const vertex[3]) {
     struct block *block = to->block;
+    struct band_span *bands = &to->piece_bands[block->piece_count];
     struct piece *piece = &to->pieces[block->piece_count++];
     int order[3] = {batch->first[at], batch->second[at], 3 - batch->first[at] - batch->second[at]};
     for (int i = 0; i < 3; i++) {
@@ -288,7 +290,9 @@ static void add_piece(struct output *to, const struct batch *batch, size_t at, s
     struct span rows = {batch->bottom[at], batch->top[at] + 1};
     block->columns = span_around(block->columns, columns);
     block->rows = span_around(block->rows, rows);
-    for (int band = rows.begin / BAND_HEIGHT; band <= (rows.end - 1) / BAND_HEIGHT; band++) {
+    bands->first = (uint16_t)(rows.begin / BAND_HEIGHT);
+    bands->last = (uint16_t)((rows.end - 1) / BAND_HEIGHT);
+    for (int band = bands->first; band <= bands->last; band++) {
         to->band_counts[band]++;
     }
 }
@@ -409,6 +413,7 @@ static void assemble_block(void *context, size_t index, size_t worker) {
     struct output to = {
         .block = block,
         .pieces = (struct piece *)p->pieces.data + block->first_piece,
+        .piece_bands = (struct band_span *)p->piece_bands.data + block->first_piece,
         .clipped = (struct clipped_corners *)p->clipped.data + block->first_clipped,
         .band_counts = (uint32_t *)p->band_counts.data + (a->draw->first_block + index) * bands,
     };
@@ -472,6 +477,7 @@ static bool lay_out_blocks(struct pipeline *p, const struct assembly *a, struct 
         return error_set(error, "more than %lu triangles in one frame", (unsigned long)UINT32_MAX);
     }
     if (!buffer_reserve(&p->pieces, pieces, sizeof(struct piece), error) ||
+        !buffer_reserve(&p->piece_bands, pieces, sizeof(struct band_span), error) ||
         !buffer_reserve(&p->clipped, clipped, sizeof(struct clipped_corners), error)) {
         return false;
     }

@@ -489,22 +489,6 @@ KERNEL bool gather_varyings(const struct shading *s, const struct shader *shader
     return found;
 }
 
-/* The colours of LANES pixels of flat pieces; those of other draw calls are of no use. Often all
- * pixels are of one piece. */
-KERNEL lanes_texel gather_colors(const struct shading *s, const uint32_t number[LANES + 1]) {
-    const uint32_t *fetched = s->scratch->fetched;
-    if (find_runs(number) == 1) {
-        return (lanes_texel){0} + fetched[number[0]];
-    }
-    uint32_t colors[LANES];
-    for (int i = 0; i < LANES; i++) {
-        colors[i] = fetched[number[i]];
-    }
-    lanes_texel result;
-    memcpy(&result, colors, sizeof result);
-    return result;
-}
-
 /* LANES pixels that are about to be shaded. */
 struct pixels {
     int x, y;
@@ -535,8 +519,8 @@ KERNEL bool gather_pixels(const struct shading *s, const struct shader *shader,
 KERNEL void shade_pixels(const struct shading *s, const struct shader *shader,
                          const struct pixels *pixels) {
     lanes_texel color;
-    if (shader->flat) {
-        color = gather_colors(s, pixels->number);
+    if (shader->flat) { /* colours of other draw calls are of no use */
+        color = lanes_fetch(s->scratch->fetched, pixels->number);
     } else {
         shader->fragment(s->uniforms, pixels->varyings, &color);
     }

@@ -38,6 +38,12 @@ struct range {
     size_t begin, end;
 };
 
+/* The bands that a piece reaches, inclusive. They lie apart from the pieces, which sorting them into
+ * bands need not read: of fine models these are most of what a frame reads. */
+struct band_span {
+    uint16_t first, last;
+};
+
 /* The faces that one thread assembles, and the pieces that they became. */
 struct block {
     size_t first_piece, piece_count;

@@ -217,8 +217,9 @@ static void test_bits(void) {
     CHECK(right);
 }
 
-/* Texels at random places, those of the first ones neighbours of each other. */
-static void test_fetched_pairs(void) {
+/* Texels at random places; those of the first rounds are neighbours of each other, those of the
+ * next ones all the same. */
+static void test_fetched(void) {
     enum { COUNT = 1000 };
     struct random random = {97};
     uint32_t *texels = malloc((COUNT + 1) * sizeof *texels);
@@ -229,10 +230,14 @@ static void test_fetched_pairs(void) {
         uint32_t index[LANES];
         lanes_texel first, second;
         for (uint32_t i = 0; i < LANES; i++) {
-            index[i] = round < 100 ? round + i : (uint32_t)(random_bits(&random) % COUNT);
+            index[i] = round < 100   ? round + i
+                       : round < 200 ? round
+                                     : (uint32_t)(random_bits(&random) % COUNT);
         }
+        lanes_texel alone = lanes_fetch(texels, index);
         lanes_fetch_pairs(texels, index, &first, &second);
         for (int i = 0; i < LANES; i++) {
+            CHECK(lanes_texel_at(alone, i) == texels[index[i]]);
             CHECK(lanes_texel_at(first, i) == texels[index[i]]);
             CHECK(lanes_texel_at(second, i) == texels[index[i] + 1]);
         }
@@ -477,7 +482,7 @@ static void test_nowhere(void) {
 }
 
 UNIT_MAIN(TEST(test_one_number), TEST(test_two_numbers), TEST(test_max_and_min), TEST(test_put),
-          TEST(test_not_a_number), TEST(test_sequences), TEST(test_bits), TEST(test_fetched_pairs),
+          TEST(test_not_a_number), TEST(test_sequences), TEST(test_bits), TEST(test_fetched),
           TEST(test_far_texels), TEST(test_colors), TEST(test_vectors), TEST(test_textures),
           TEST(test_corner_texels), TEST(test_places_of_two_sizes), TEST(test_nowhere))
 
