@@ -21,6 +21,7 @@ struct band {
     bool reordered;      /* the nearest draw calls are covered first */
     struct span columns; /* those of its draw calls so far */
     uint64_t behind, covered;
+    longs covered_in_boxes; /* in addition; to be added up */
 };
 
 /* A row of the band. */
@@ -146,7 +147,7 @@ LANES_INLINE void cover_box_of(bool wide, struct band *band, const struct piece 
                               small_edge(c[0], c[1])};
     struct depth_slopes slopes = find_depth_slopes(piece, e[0].origin + e[1].origin + e[2].origin);
     /* In double, as the depths are, and as exact as whole numbers. */
-    longs covered = {0};
+    longs covered = band->covered_in_boxes;
     doubles right[3], next[3];
     int32_t most[3]; /* to add to the first of several pixels, for the greatest value of them */
     for (int i = 0; i < 3; i++) {
@@ -181,9 +182,7 @@ LANES_INLINE void cover_box_of(bool wide, struct band *band, const struct piece 
             e[i].origin += e[i].dy;
         }
     }
-    for (int i = 0; i < TOGETHER; i++) {
-        band->covered += (uint64_t)covered[i];
-    }
+    band->covered_in_boxes = covered;
 }
 
 static void cover_box(struct band *band, const struct piece *piece, struct span columns,
@@ -409,6 +408,9 @@ void pipeline_draw_band(void *context, size_t index, size_t worker) {
         draw_pieces(&band, &shading, index, false);
     }
     work->behind = band.behind;
+    for (int i = 0; i < TOGETHER; i++) {
+        band.covered += (uint64_t)band.covered_in_boxes[i];
+    }
     work->covered += band.covered;
     if (p->depth != NULL) {
         keep_depth(&band);
