@@ -6,15 +6,7 @@
 
 enum { PANEL_GAP = 8 }; /* grey pixels between two panels */
 
-enum mark {
-    MARK_EQUAL = 0,
-    MARK_NEAR = 1,
-    MARK_APART = 2,
-    MARK_COVERAGE = 4,
-    MARK_MISSING = 8,
-    MARK_EXTRA = 16,
-    MARK_WRONG = MARK_MISSING | MARK_EXTRA
-};
+enum mark { MARK_EQUAL = 0, MARK_NEAR = 1, MARK_APART = 2, MARK_COVERAGE = 4, MARK_WRONG = 8 };
 enum { SHIFT_LIMIT = 2, SHIFT_BETTER = 8 }; /* pixels; so many times fewer are apart */
 
 struct rgb {
@@ -33,7 +25,7 @@ static inline bool is_background(struct rgb c) {
 
 /* ---- The rule, for a block of a row at a time ---- */
 
-enum { BLOCK = 256 }; /* pixels */
+enum { BLOCK = 256 }; /* pixels; fewer than 2^16, since those of a block are counted in 16 bits */
 
 /* A block's pixels and those beside it by channel: pixel i of the block is number i + 1. */
 struct channels {
@@ -73,16 +65,27 @@ static void load_pixels(struct channels *channels, size_t at, const struct image
 }
 
 /* Outside of the image its nearest pixel is repeated. That is among the neighbours anyway. */
-static void load_patch(struct patch *patch, const struct image *image, size_t x, size_t y,
-                       size_t count) {
+static void load_row(struct channels *row, const struct image *image, size_t x, size_t y,
+                     size_t count) {
     const size_t left = x > 0 ? x - 1 : 0;
     const size_t right = x + count < image->width ? x + count : x + count - 1;
-    const size_t rows[3] = {y > 0 ? y - 1 : 0, y, y + 1 < image->height ? y + 1 : y};
-    for (int j = 0; j < 3; j++) {
-        load_pixels(&patch->row[j], 0, image, left, rows[j], 1);
-        load_pixels(&patch->row[j], 1, image, x, rows[j], count);
-        load_pixels(&patch->row[j], count + 1, image, right, rows[j], 1);
-    }
+    load_pixels(row, 0, image, left, y, 1);
+    load_pixels(row, 1, image, x, y, count);
+    load_pixels(row, count + 1, image, right, y, 1);
+}
+
+static void load_patch(struct patch *patch, const struct image *image, size_t x, size_t y,
+                       size_t count) {
+    load_row(&patch->row[0], image, x, y > 0 ? y - 1 : 0, count);
+    load_row(&patch->row[1], image, x, y, count);
+    load_row(&patch->row[2], image, x, y + 1 < image->height ? y + 1 : y, count);
+}
+
+/* What was that of the row below becomes that of row y. */
+static void move_patch_up(struct patch *patch, const struct image *image, size_t x, size_t y,
+                          size_t count) {
+    memmove(&patch->row[0], &patch->row[1], 2 * sizeof patch->row[0]);
+    load_row(&patch->row[2], image, x, y + 1 < image->height ? y + 1 : y, count);
 }
 
 static inline uint8_t difference(uint8_t a, uint8_t b) {
@@ -116,7 +119,7 @@ static inline bool is_drawn(const struct channels *row, size_t i) {
     return (row->blue[i + 1] | row->green[i + 1] | row->red[i + 1]) != 0;
 }
 
-/* The marks of a block; a pixel that is wrong has MARK_MISSING or MARK_EXTRA. */
+/* The marks of a block; all but MARK_EQUAL have MARK_NEAR. */
 static void mark_block(uint8_t *marks, const struct patch *reference, const struct patch *yours,
                        size_t count) {
     const struct channels *wanted = &reference->row[1], *got = &yours->row[1];
@@ -130,18 +133,17 @@ static void mark_block(uint8_t *marks, const struct patch *reference, const stru
         uint8_t far = larger(larger(blue, green), red);
         unsigned apart = far > COMPARE_LEVELS ? MARK_APART : 0;
         unsigned coverage = is_drawn(wanted, i) != is_drawn(got, i) && apart ? MARK_COVERAGE : 0;
-        unsigned missing = to_wanted[i] > COMPARE_LEVELS ? MARK_MISSING : 0;
-        unsigned extra = to_got[i] > COMPARE_LEVELS ? MARK_EXTRA : 0;
-        marks[i] =
-            (uint8_t)(far == 0 ? MARK_EQUAL : MARK_NEAR | apart | coverage | missing | extra);
+        uint8_t farthest = larger(to_wanted[i], to_got[i]); /* missing, or too much */
+        unsigned wrong = farthest > COMPARE_LEVELS ? MARK_WRONG : 0;
+        marks[i] = (uint8_t)(far == 0 ? MARK_EQUAL : MARK_NEAR | apart | coverage | wrong);
     }
 }
 
 /* How many pixels are not background in at least one of the two. */
 static size_t count_drawn(const struct channels *a, const struct channels *b, size_t count) {
-    size_t drawn = 0;
+    uint16_t drawn = 0;
     for (size_t i = 0; i < count; i++) {
-        drawn += is_drawn(a, i) || is_drawn(b, i) ? 1 : 0;
+        drawn = (uint16_t)(drawn + (is_drawn(a, i) | is_drawn(b, i)));
     }
     return drawn;
 }
@@ -161,45 +163,73 @@ static void add_same_block(struct comparison *result, const struct image *image,
     result->drawn += count_drawn(&row, &row, count);
 }
 
-static inline void add_pixel(struct tally *tally, bool is_one, size_t x, size_t y) {
-    if (is_one && tally->count++ == 0) {
-        tally->x = x;
-        tally->y = y;
+/* A block of a row, from (x,y) on. */
+struct marked_block {
+    size_t x, y, count;
+    uint8_t marks[BLOCK];
+};
+
+/* Add the pixels whose marks, of those in `mask`, are `wanted`. */
+static void add_marked(struct tally *tally, const struct marked_block *block, unsigned mask,
+                       unsigned wanted) {
+    uint8_t is_one[BLOCK];
+    uint16_t count = 0;
+    for (size_t i = 0; i < block->count; i++) {
+        is_one[i] = (block->marks[i] & mask) == wanted;
+        count = (uint16_t)(count + is_one[i]);
     }
+    if (count > 0 && (tally->count == 0 || block->y < tally->y)) {
+        const uint8_t *first = memchr(is_one, 1, block->count);
+        tally->x = block->x + (size_t)(first - is_one);
+        tally->y = block->y;
+    }
+    tally->count += count;
 }
 
-static void add_block(struct comparison *result, const struct image *reference,
-                      const struct image *yours, size_t x, size_t y, size_t count) {
-    struct patch wanted, got;
-    uint8_t marks[BLOCK];
-    load_patch(&wanted, reference, x, y, count);
-    load_patch(&got, yours, x, y, count);
-    mark_block(marks, &wanted, &got, count);
-    result->drawn += count_drawn(&wanted.row[1], &got.row[1], count);
-    for (size_t i = 0; i < count; i++) {
-        add_pixel(&result->differing, marks[i] != MARK_EQUAL, x + i, y);
-        add_pixel(&result->apart, (marks[i] & MARK_APART) != 0, x + i, y);
-        add_pixel(&result->near, (marks[i] & (MARK_NEAR | MARK_APART)) == MARK_NEAR, x + i, y);
-        add_pixel(&result->coverage, (marks[i] & MARK_COVERAGE) != 0, x + i, y);
-        add_pixel(&result->wrong, (marks[i] & MARK_WRONG) != 0, x + i, y);
-    }
+static void add_block(struct comparison *result, const struct patch *wanted,
+                      const struct patch *got, size_t x, size_t y, size_t count) {
+    struct marked_block block = {.x = x, .y = y, .count = count};
+    mark_block(block.marks, wanted, got, count);
+    result->drawn += count_drawn(&wanted->row[1], &got->row[1], count);
+    add_marked(&result->differing, &block, MARK_NEAR, MARK_NEAR);
+    add_marked(&result->apart, &block, MARK_APART, MARK_APART);
+    add_marked(&result->near, &block, MARK_NEAR | MARK_APART, MARK_NEAR);
+    add_marked(&result->coverage, &block, MARK_COVERAGE, MARK_COVERAGE);
+    add_marked(&result->wrong, &block, MARK_WRONG, MARK_WRONG);
 }
 
 static size_t block_size(const struct image *image, size_t x) {
     return image->width - x < BLOCK ? image->width - x : BLOCK;
 }
 
+/* The blocks that begin in column x, upwards: each row is loaded once. */
+static void add_blocks(struct comparison *result, const struct image *reference,
+                       const struct image *yours, size_t x) {
+    const size_t count = block_size(reference, x);
+    struct patch wanted, got;
+    bool is_loaded = false; /* for the row below */
+    for (size_t y = 0; y < reference->height; y++) {
+        if (is_same_block(reference, yours, x, y, count)) {
+            add_same_block(result, reference, x, y, count);
+            is_loaded = false;
+            continue;
+        }
+        if (is_loaded) {
+            move_patch_up(&wanted, reference, x, y, count);
+            move_patch_up(&got, yours, x, y, count);
+        } else {
+            load_patch(&wanted, reference, x, y, count);
+            load_patch(&got, yours, x, y, count);
+        }
+        is_loaded = true;
+        add_block(result, &wanted, &got, x, y, count);
+    }
+}
+
 struct comparison compare_images(const struct image *reference, const struct image *yours) {
     struct comparison result = {.drawn = 0};
-    for (size_t y = 0; y < reference->height; y++) {
-        for (size_t x = 0; x < reference->width; x += BLOCK) {
-            size_t count = block_size(reference, x);
-            if (is_same_block(reference, yours, x, y, count)) {
-                add_same_block(&result, reference, x, y, count);
-            } else {
-                add_block(&result, reference, yours, x, y, count);
-            }
-        }
+    for (size_t x = 0; x < reference->width; x += BLOCK) {
+        add_blocks(&result, reference, yours, x);
     }
     if (image_is_blank(yours)) {
         result.wrong = result.differing; /* also where the reference is nearly background */
