@@ -84,8 +84,9 @@ static char *note_of(const struct item_result *item) {
 }
 
 static char *looks_of(const struct step_result *step, const struct item_result *item) {
-    return string_format("looks like %s; make hint STEP=%.2s TASK=%s", item->looks.text,
-                         step->name + strlen("step"), result_first_suspect(step, item));
+    return string_format("%s %s; make hint STEP=%.2s TASK=%s", result_likeness(item),
+                         item->looks.text, step->name + strlen("step"),
+                         result_first_suspect(step, item));
 }
 
 static char *reference_of(const struct step_result *step, const struct item_result *item,

@@ -517,7 +517,9 @@ static bool is_not_at_fault(const void *context, const char *task) {
 static void tell_likenesses(const struct judging *judging) {
     for (size_t i = 0; i < judging->step->scene_count; i++) {
         struct item_result *item = &judging->result->items[i];
-        looks_tell(item, &judging->looks[i], item->looks_row, is_not_at_fault, judging);
+        const struct looks *looks = &judging->looks[i];
+        item->nothing_drawn = item->looks_row > 0 && item->looks_row == looks->starter;
+        looks_tell(item, looks, item->looks_row, is_not_at_fault, judging);
     }
 }
 
@@ -556,6 +558,7 @@ static void tell_counted(const struct judging *judging, struct item_result *cons
                               .count = counted_find(&judging->counted, yours, count, found)};
         for (size_t i = 0; i < count; i++) {
             write_counted(judging->options->counted, &yours[i]);
+            items[i]->nothing_drawn = items[i]->blank && items[i]->counter[0] == '\0';
             looks_tell(items[i], &looks, 1, is_not_at_fault, judging);
         }
     }

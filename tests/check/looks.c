@@ -46,6 +46,10 @@ static bool read_look(struct looks *looks, const char *line, size_t length) {
     look.row = (size_t)row;
     look.apart = apart;
     snprintf(look.words, sizeof look.words, "%.*s", LOOKS_WORDS_LIMIT - 1, text + words);
+    if (strcmp(look.words, LOOKS_STARTER) == 0) {
+        looks->starter = look.row;
+        return true;
+    }
     struct look *list =
         array_reserve(looks->list, &looks->capacity, looks->count + 1, sizeof *list);
     if (list == NULL) {

@@ -13,7 +13,8 @@
  *     tests/check/looks/stepNN_name/scene.txt    a line for each mistake: its row, how many pixels
  *                                                of it are apart (compare.h), the task that is at
  *                                                fault or -, what it is. Row 0: nothing can be told
- *                                                from its picture
+ *                                                from its picture. And a line for what is there
+ *                                                when nothing is drawn, LOOKS_STARTER
  *     tests/check/looks/stepNN_name/scene.small.png
  *                                                the picture of each row, for people: small, side
  *                                                by side in the order of the rows
@@ -44,6 +45,9 @@
 #include <stddef.h>
 #include <stdint.h>
 
+/* What the starter of the lesson draws is no mistake's for sure: much draws nothing. */
+#define LOOKS_STARTER "(the starter)"
+
 enum {
     LOOKS_FIRST_ROW = 2,
     LOOKS_WORDS_LIMIT = 160,
@@ -64,6 +68,7 @@ struct looks {
     struct image pixels;
     struct look *list;
     size_t count, capacity;
+    size_t starter; /* the row of what it draws; 0: nothing, or what is not known */
 };
 
 /* The mistake that a picture looks like. */

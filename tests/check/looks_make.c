@@ -3,7 +3,8 @@
  *
  *     looks_make [-m] STEP SCENE REFERENCE.png LIST DIRECTORY LOOKS
  *
- * LIST has a line for each mistake: its number, its task or -, what it is, with tabs between.
+ * LIST has a line for each mistake: its number, its task or -, what it is, with tabs between; and
+ * one for the starter (LOOKS_STARTER).
  * DIRECTORY/NUMBER/SCENE.png is what it draws, when it draws something wrong there. Writes
  * LOOKS/STEP/SCENE.png, .txt and .small.png, or removes them where no mistake can be told. With -m
  * it also prints, for each mistake of its own picture, what it would look like if it were not
@@ -51,6 +52,10 @@ struct making {
     size_t place_count, place_capacity;
     unsigned char *is_kept; /* by pixel of the picture */
 };
+
+static bool is_starter(const struct mistake *mistake) {
+    return strcmp(mistake->words, LOOKS_STARTER) == 0;
+}
 
 static bool are_apart(const struct image *a, const struct image *b, size_t x, size_t y,
                       int levels) {
@@ -281,7 +286,7 @@ static void forget_untold(struct making *making, const char *directory) {
     looks_read(&looks, directory, making->step, making->scene);
     for (size_t i = 0; i < making->count; i++) {
         struct mistake *mistake = &making->mistakes[i];
-        if (mistake->row > 0 &&
+        if (mistake->row > 0 && !is_starter(mistake) &&
             looks_find(&looks, &making->reference, &mistake->image, mistake->apart, 0).row !=
                 mistake->row) {
             mistake->row = 0;

@@ -39,9 +39,9 @@ static void report_item(const struct step_result *step, const struct item_result
     }
     printf("\n");
     if (is_told(step, item)) {
-        printf("    looks like the same\n");
+        printf("    %s the same\n", result_likeness(item));
     } else if (item->looks.text[0] != '\0') {
-        printf("    looks like %s; make hint STEP=%.2s TASK=%s", item->looks.text,
+        printf("    %s %s; make hint STEP=%.2s TASK=%s", result_likeness(item), item->looks.text,
                step->name + strlen("step"), result_first_suspect(step, item));
         for (size_t i = 1; i < item->looks_task_count; i++) {
             printf(" or TASK=%s", item->looks_tasks[i].text);

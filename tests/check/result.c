@@ -124,6 +124,10 @@ static bool is_own_mistake(const struct item_result *item) {
     return found;
 }
 
+const char *result_likeness(const struct item_result *item) {
+    return item->nothing_drawn ? "may be" : "looks like";
+}
+
 const char *result_first_suspect(const struct step_result *result, const struct item_result *item) {
     const struct credit *credit = item->credit;
     if (item->looks_task_count > 0) {

@@ -49,6 +49,7 @@ struct item_result {
     unsigned points;            /* 0, or all of them */
     struct result_text message; /* what is wrong, or not exact; empty when there is nothing */
     struct result_text looks;   /* "A" or "B", the mistakes that draw or count this; or empty */
+    bool nothing_drawn;         /* which others do as well: it may be such a mistake, and may not */
     /* The tasks that are at fault in these, as far as known. */
     struct task_name looks_tasks[LOOKS_NAME_LIMIT];
     size_t looks_task_count;
@@ -126,6 +127,9 @@ const struct item_result *result_picture_of(const struct step_result *result,
 
 /* Does a scene that passes show this task alone? */
 bool result_is_right(const struct step_result *result, const char *task);
+
+/* The words before `looks`: "looks like", or "may be". */
+const char *result_likeness(const struct item_result *item);
 
 /* The first task that may be to blame for an item that is wrong. */
 const char *result_first_suspect(const struct step_result *result, const struct item_result *item);

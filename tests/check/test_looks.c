@@ -267,16 +267,19 @@ static void test_out_of_date(void) {
 static void test_files(void) {
     static const struct {
         const char *list;
-        size_t count;
+        size_t count, starter;
     } cases[] = {
-        {"# words\n2 1000 - the first\n0 0 5.2 nothing\n4 99 10b.12 a \"b\"\n", 3},
-        {"", 0},
-        {"5 1000 - no such row\n", 0},
-        {"1 1000 - the reference\n", 0},
-        {"2 1000\n", 0},
-        {"2 1000 -\n", 0},
-        {"-3 1000 - a\n", 0},
-        {"x 1000 - a\n", 0},
+        {"# words\n2 1000 - the first\n0 0 5.2 nothing\n4 99 10b.12 a \"b\"\n", 3, 0},
+        {"2 1000 - the first\n3 1000 - (the starter)\n", 1, 3},
+        {"2 1000 - the first\n0 0 - (the starter)\n", 1, 0},
+        {"2 1000 - the first\n5 1000 - (the starter)\n", 0, 0},
+        {"", 0, 0},
+        {"5 1000 - no such row\n", 0, 0},
+        {"1 1000 - the reference\n", 0, 0},
+        {"2 1000\n", 0, 0},
+        {"2 1000 -\n", 0, 0},
+        {"-3 1000 - a\n", 0, 0},
+        {"x 1000 - a\n", 0, 0},
     };
     char directory[] = "/tmp/test_looks.XXXXXX", path[64], command[80];
     struct fixture f;
@@ -292,7 +295,8 @@ static void test_files(void) {
         snprintf(path, sizeof path, "%s/a/b.txt", directory);
         CHECK(file_write(path, cases[i].list, strlen(cases[i].list), &error));
         looks_read(&looks, directory, "a", "b");
-        CHECK_ROW(looks.count == cases[i].count, cases[i].list);
+        CHECK_ROW(looks.count == cases[i].count && looks.starter == cases[i].starter,
+                  cases[i].list);
         CHECK(i > 0 || (strcmp(looks.list[0].task.text, "") == 0 &&
                         strcmp(looks.list[2].task.text, "10b.12") == 0));
         looks_free(&looks);

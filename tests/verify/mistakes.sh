@@ -31,7 +31,7 @@ keep() {
         "$build/looks_make" $measure "$1" "$scene" "tests/reference/$1/$scene.png" "$work/list" \
             "$work" tests/check/looks || exit 1
     done
-    cut -f 1 "$work/list" | while read -r number; do
+    grep -v '^0	' "$work/list" | cut -f 1 | while read -r number; do
         cat "$work/$number/counted" || exit 1
     done >"$work/counted" || exit 1
     [ ! -s "$work/counted" ] || keep_counted "$1"
@@ -47,6 +47,13 @@ keep_counted() {
     } >"tests/check/looks/$1/counters.list" || exit 1
 }
 
+# add_starter LESSON: an entry of the table for what is there when nothing is drawn (looks.h).
+add_starter() {
+    mkdir "$work/0" && awk -v mode=starter -f tests/starter/marks.awk "$1/main.c" >"$work/0/main.c" ||
+        exit 1
+    printf '0\t%s\tmistake\tstarter\t-\t-\t-\t-\t(the starter)\n' "$1" >>"$work/table"
+}
+
 found=
 for lesson in step[0-9]*_*/mistakes.txt; do
     lesson=${lesson%/mistakes.txt}
@@ -56,6 +63,7 @@ for lesson in step[0-9]*_*/mistakes.txt; do
     found=yes
     awk -v directory="$work" -f tests/replace.awk -f tests/verify/parse.awk \
         "$lesson/mistakes.txt" >"$work/table" || exit 1
+    add_starter "$lesson"
     cut -f 1 "$work/table" |
         xargs -P "$workers" -n 1 tests/verify/draw.sh "$build" "$make" "$work" || exit 1
     keep "$lesson"

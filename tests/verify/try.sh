@@ -48,8 +48,8 @@ judge_counted() {
         key == wanted { n++ }
         END { print n + 0 }' "$place/now" "$list" 2>/dev/null)
     case $same:$said in
-    *'looks like'*"\"$says\""*) judge_task ;;
-    *'looks like'*) finding MISLEADS "$said ($says)" ;;
+    *'looks like'*"\"$says\""* | *'may be'*"\"$says\""*) judge_task ;;
+    *'looks like'* | *'may be'*) finding MISLEADS "$said ($says)" ;;
     [1-4]:*) finding STALE "looks like nothing: $redo" ;;
     esac
     cmp -s "$place/now" "$place/kept" || finding STALE "not so in $list: $redo"
@@ -70,11 +70,11 @@ judge_looks() {
     case $row:$said in
     none:*) if [ -f "$list" ]; then finding STALE "not in $list: $redo"; else judge_counted; fi ;;
     0:* | *"; $scene PASS"*) judge_counted ;; # a picture that is right, or within the limits
-    *'looks like'*"\"$says\""*)
+    *'looks like'*"\"$says\""* | *'may be'*"\"$says\""*)
         judge_task
         [ "$distance" = 0 ] || finding STALE "$redo"
         ;;
-    *'looks like'*) finding MISLEADS "$said ($says)" ;;
+    *'looks like'* | *'may be'*) finding MISLEADS "$said ($says)" ;;
     *) finding STALE "looks like nothing: $redo" ;;
     esac
     case $result:$told in

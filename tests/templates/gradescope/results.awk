@@ -9,10 +9,12 @@ function line(text) { return text == "" ? "" : text "\\n" }
 /^      "messages": / { output = output line(text_of("messages")) }
 is_item() {
     looks = text_of("looks_like")
+    may_be = text_of("may_be")
     tests = tests (tests == "" ? "" : ",") "\n    {\"name\": \"" step " " item_name() \
         "\", \"score\": " number_of("points") ", \"max_score\": " number_of("most") \
         ", \"output\": \"" text_of("state") "\\n" line(text_of("message")) \
-        line(looks == "" ? "" : "looks like " looks) "\", \"tags\": [" tasks_of() \
+        line(looks == "" ? "" : "looks like " looks) line(may_be == "" ? "" : "may be " may_be) \
+        "\", \"tags\": [" tasks_of() \
         "], \"visibility\": \"" visibility "\"}"
 }
 END {
