@@ -506,11 +506,31 @@ static void find_all_to_do(const struct judging *judging) {
     }
 }
 
-/* Is this task not at fault? One that is to do is not wrong. */
-static bool is_not_at_fault(const void *context, const char *task) {
+/* Are pixels of that scene apart in a program with this mistake? */
+static bool shows_mistake(const struct looks *scene, const struct look *mistake) {
+    bool found = false;
+    for (size_t i = 0; i < scene->count; i++) {
+        const struct look *look = &scene->list[i];
+        found |= look->apart > 0 && strcmp(look->words, mistake->words) == 0 &&
+                 strcmp(look->task.text, mistake->task.text) == 0;
+    }
+    return found;
+}
+
+/* It is not that mistake where a scene is exact that shows it; nor, for all that is known, when its
+ * task is right. A task that is to do is not wrong. */
+static enum looks_doubt doubt(const void *context, const struct look *mistake) {
     const struct judging *judging = context;
+    const char *task = mistake->task.text;
+    for (size_t i = 0; i < judging->step->scene_count; i++) {
+        if (judging->result->items[i].exact && shows_mistake(&judging->looks[i], mistake)) {
+            return LOOKS_IMPOSSIBLE;
+        }
+    }
     return result_is_right(judging->result, task) ||
-           todo_has_task((const char *)judging->source.data, task);
+                   todo_has_task((const char *)judging->source.data, task)
+               ? LOOKS_UNLIKELY
+               : LOOKS_LIKELY;
 }
 
 /* Say what the wrong pictures look like, now that all is known. */
@@ -519,7 +539,7 @@ static void tell_likenesses(const struct judging *judging) {
         struct item_result *item = &judging->result->items[i];
         const struct looks *looks = &judging->looks[i];
         item->nothing_drawn = item->looks_row > 0 && item->looks_row == looks->starter;
-        looks_tell(item, looks, item->looks_row, is_not_at_fault, judging);
+        looks_tell(item, looks, item->looks_row, doubt, judging);
     }
 }
 
@@ -559,7 +579,7 @@ static void tell_counted(const struct judging *judging, struct item_result *cons
         for (size_t i = 0; i < count; i++) {
             write_counted(judging->options->counted, &yours[i]);
             items[i]->nothing_drawn = items[i]->blank && items[i]->counter[0] == '\0';
-            looks_tell(items[i], &looks, 1, is_not_at_fault, judging);
+            looks_tell(items[i], &looks, 1, doubt, judging);
         }
     }
 }

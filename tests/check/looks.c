@@ -215,13 +215,13 @@ static void add_task(struct item_result *item, const char *task) {
 }
 
 void looks_tell(struct item_result *item, const struct looks *looks, size_t row,
-                bool (*is_right)(const void *context, const char *task), const void *context) {
+                looks_doubt_function *doubt, const void *context) {
     bool told = false;
-    for (int all = 0; all <= 1 && !told; all++) {
+    for (int most = LOOKS_LIKELY; most <= LOOKS_UNLIKELY && !told; most++) {
         for (size_t i = 0; i < looks->count && row > 0; i++) {
             const struct look *look = &looks->list[i];
-            bool right = !all && is_right != NULL && is_right(context, look->task.text);
-            if (look->row == row && !right) {
+            int doubts = doubt != NULL ? (int)doubt(context, look) : LOOKS_LIKELY;
+            if (look->row == row && doubts <= most) {
                 result_say(&item->looks, "%s\"%s\"", told ? " or " : "", look->words);
                 add_task(item, look->task.text);
                 told = true;

@@ -87,11 +87,18 @@ void looks_free(struct looks *looks);
 struct likeness looks_find(const struct looks *looks, const struct image *reference,
                            const struct image *yours, uint64_t apart, size_t left_out);
 
+/* What else is known of a program, and speaks against a mistake. */
+enum looks_doubt {
+    LOOKS_LIKELY,
+    LOOKS_UNLIKELY,  /* to be told only when there is none that is likely */
+    LOOKS_IMPOSSIBLE /* never */
+};
+typedef enum looks_doubt looks_doubt_function(const void *context, const struct look *look);
+
 /* Say of an item that its picture looks like "A" or "B", the mistakes of that row, and which tasks
- * are at fault in these. Mistakes of the tasks that `is_right` (NULL: none is) says are right are
- * left out, but when no others are left. */
+ * are at fault in these. Without `doubt` (NULL) all are likely. */
 void looks_tell(struct item_result *item, const struct looks *looks, size_t row,
-                bool (*is_right)(const void *context, const char *task), const void *context);
+                looks_doubt_function *doubt, const void *context);
 
 /* Where the small pictures of a scene are: DIRECTORY/STEP/SCENE.small.png. */
 struct result_path looks_small_path(const char *directory, const char *step, const char *scene);

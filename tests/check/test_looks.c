@@ -214,17 +214,19 @@ static void test_names(void) {
     tear_down(&f);
 }
 
-/* The context is the name of a task. */
-static bool is_that_task(const void *context, const char *task) {
-    return strcmp(context, task) == 0;
+/* The context is the name of a task that is right, or the words of a mistake that cannot be. */
+static enum looks_doubt doubt_that(const void *context, const struct look *look) {
+    return strcmp(context, look->words) == 0       ? LOOKS_IMPOSSIBLE
+           : strcmp(context, look->task.text) == 0 ? LOOKS_UNLIKELY
+                                                   : LOOKS_LIKELY;
 }
 
-/* What is told of a row when the task is right: `tasks` are those at fault. */
+/* What is told of a row with that doubt: `tasks` are those at fault. */
 static void check_told(const struct fixture *f, size_t row, const char *right, const char *words,
                        const char *tasks) {
     struct item_result item = {.scene = "scene"};
     char told[LOOKS_NAME_LIMIT * TASK_NAME_LIMIT] = "";
-    looks_tell(&item, &f->looks, row, right != NULL ? is_that_task : NULL, right);
+    looks_tell(&item, &f->looks, row, right != NULL ? doubt_that : NULL, right);
     for (size_t i = 0; i < item.looks_task_count; i++) {
         strcat(strcat(told, i > 0 ? " " : ""), item.looks_tasks[i].text);
     }
@@ -244,6 +246,8 @@ static void test_told(void) {
     check_told(&f, 4, "5.2", "\"as the third\"", "5.3");
     check_told(&f, 4, "5.3", "\"the third\"", "5.2");
     check_told(&f, 3, "5.2", "\"the second\"", "5.2"); /* there is no other */
+    check_told(&f, 4, "the third", "\"as the third\"", "5.3");
+    check_told(&f, 3, "the second", "", "");
     f.looks.list[3].row = 0;
     check_told(&f, 0, NULL, "", "");
     tear_down(&f);
