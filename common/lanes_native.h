@@ -102,8 +102,8 @@ LANES_INLINE lanes_texel lanes_gather_pairs(const uint32_t *texels, const uint32
 
 #endif
 
-/* texels[index[i]] for each lane i; an index is below 2^31. Where one instruction does not do it, it
- * is worth to ask whether all are the same. */
+/* texels[index[i]] for each lane i; an index is below 2^31. Where one instruction does not do it,
+ * it is worth to ask whether all are the same. */
 LANES_INLINE lanes_texel lanes_fetch(const uint32_t *texels, const uint32_t index[LANES]) {
 #ifdef LANES_GATHERED
     typedef int32_t sixteen __attribute__((vector_size(64)));

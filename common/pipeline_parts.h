@@ -38,8 +38,8 @@ struct range {
     size_t begin, end;
 };
 
-/* The bands that a piece reaches, inclusive. They lie apart from the pieces, which sorting them into
- * bands need not read: of fine models these are most of what a frame reads. */
+/* The bands that a piece reaches, inclusive. They lie apart from the pieces, which need not be read
+ * to be sorted into bands: of fine models these are most of what a frame reads. */
 struct band_span {
     uint16_t first, last;
 };
