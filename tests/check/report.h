@@ -18,9 +18,10 @@
  *       depth ERROR 0/2: no reference: ...
  *
  * The hint's task is that of the known mistake, or else the first that may be to blame. A task is
- * not FAIL over a scene that it shares when another scene shows it right alone, or when the picture
- * looks like a mistake of another one of them; and `perhaps FAIL` where it is not known which of
- * several is to blame, or the picture looks like a mistake of a task that the scene does not show.
+ * not FAIL over a scene that it shares when another picture shows it right alone, or when the scene
+ * looks like a mistake of another task that it shows or needs; and `perhaps FAIL` where it is not
+ * known which of several is to blame, a task that the scene needs is not right either, or the scene
+ * looks like a mistake of a task that it neither shows nor needs (result.h).
  *
  * The fraction in a step's line counts its pictures and counters; all others are points.
  */

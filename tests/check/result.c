@@ -97,7 +97,8 @@ const struct item_result *result_picture_of(const struct step_result *result,
 bool result_is_right(const struct step_result *result, const char *task) {
     for (size_t i = 0; i < result->item_count; i++) {
         const struct item_result *item = &result->items[i];
-        if (item->state == RESULT_PASS && item->credit->task_count == 1 &&
+        bool is_picture = item->counter[0] == '\0';
+        if (item->state == RESULT_PASS && is_picture && item->credit->task_count == 1 &&
             strcmp(item->credit->tasks[0].text, task) == 0) {
             return true;
         }
@@ -112,16 +113,6 @@ static size_t count_suspects(const struct step_result *result, const struct cred
         suspects += !result_is_right(result, credit->tasks[i].text);
     }
     return suspects;
-}
-
-/* Is it a known mistake of a task that the item shows? */
-static bool is_own_mistake(const struct item_result *item) {
-    bool found = false;
-    for (size_t i = 0; i < item->looks_task_count; i++) {
-        found |=
-            task_is_among(item->credit->tasks, item->credit->task_count, item->looks_tasks[i].text);
-    }
-    return found;
 }
 
 const char *result_likeness(const struct item_result *item) {
@@ -141,22 +132,66 @@ const char *result_first_suspect(const struct step_result *result, const struct 
     return credit->tasks[0].text;
 }
 
-/* The task's state, of an item that shows it. The first picture that fails decides if the task is
- * to blame for sure: a later one may need what the first one shows as well. */
-static void add_state(const struct step_result *result, const struct item_result *item,
-                      struct task_result *task) {
-    size_t suspects = count_suspects(result, item->credit);
-    bool fails = item->state == RESULT_FAIL;
-    size_t guesses = item->looks_task_count;
-    bool of_another = guesses > 0 && !task_is_among(item->looks_tasks, guesses, task->name.text);
-    bool excused =
-        fails && (suspects > 0 || item->unjudged) && result_is_right(result, task->name.text);
-    excused |= of_another && is_own_mistake(item);
-    if (item->state > task->state && !excused) {
-        task->state = item->state;
-        task->perhaps = fails && (item->unjudged || of_another || guesses > 1 ||
-                                  (guesses == 0 && suspects != 1 && item->credit->task_count > 1));
+/* Is this task, or the part "8b" of a task 8b.2, among what is needed? */
+static bool is_needed(const struct credit *credit, const char *task) {
+    bool found = false;
+    for (size_t i = 0; i < credit->need_count; i++) {
+        const char *need = credit->needs[i].text;
+        size_t length = strlen(need);
+        found |= strncmp(need, task, length) == 0 && (task[length] == '\0' || task[length] == '.');
     }
+    return found;
+}
+
+/* Does the item look like a mistake of this task, which it shows or needs? */
+static bool names(const struct item_result *item, const char *task) {
+    const struct credit *credit = item->credit;
+    return task_is_among(item->looks_tasks, item->looks_task_count, task) &&
+           (task_is_among(credit->tasks, credit->task_count, task) || is_needed(credit, task));
+}
+
+static bool names_any(const struct step_result *result, const struct item_result *item) {
+    bool found = false;
+    for (size_t i = 0; i < result->task_count; i++) {
+        found |= names(item, result->tasks[i].name.text);
+    }
+    return found;
+}
+
+/* May this task be at fault in the item, which is wrong? */
+static bool is_suspect(const struct step_result *result, const struct item_result *item,
+                       const char *task) {
+    const struct credit *credit = item->credit;
+    if (names_any(result, item)) {
+        return names(item, task);
+    }
+    bool may_be_right =
+        item->state == RESULT_FAIL && (item->unjudged || count_suspects(result, credit) > 0);
+    return task_is_among(credit->tasks, credit->task_count, task) &&
+           !(may_be_right && result_is_right(result, task));
+}
+
+/* May the fault be that of a task that the item needs? */
+static bool is_need_wrong(const struct step_result *result, const struct credit *credit) {
+    bool wrong = false;
+    for (size_t i = 0; i < result->task_count; i++) {
+        const struct task_result *task = &result->tasks[i];
+        wrong |= task->state != RESULT_PASS && is_needed(credit, task->name.text);
+    }
+    return wrong;
+}
+
+/* Is it not known whose fault the item is? The states of all tasks are known. */
+static bool is_unsure(const struct step_result *result, const struct item_result *item) {
+    const struct credit *credit = item->credit;
+    if (item->state != RESULT_FAIL) {
+        return false;
+    }
+    if (item->looks_task_count > 0) {
+        return item->looks_task_count > 1 || !names_any(result, item);
+    }
+    bool is_shared = credit->task_count > 1 && count_suspects(result, credit) != 1;
+    return item->unjudged || is_shared || is_need_wrong(result, credit);
 }
 
 static void add_item(struct step_result *result, struct item_result *item) {
@@ -170,7 +205,34 @@ static void add_item(struct step_result *result, struct item_result *item) {
         struct task_result *task = find_task(result, credit->tasks[i]);
         task->points += item->points / (unsigned)credit->task_count;
         task->most += credit->points / (unsigned)credit->task_count;
-        add_state(result, item, task);
+    }
+}
+
+/* The first item of the task's state, of those that may be its fault; NULL for a right task. */
+static const struct item_result *find_worst(const struct step_result *result,
+                                            const struct task_result *task) {
+    const struct item_result *worst = NULL;
+    enum result_state state = RESULT_PASS;
+    for (size_t i = 0; i < result->item_count; i++) {
+        const struct item_result *item = &result->items[i];
+        if (item->state > state && is_suspect(result, item, task->name.text)) {
+            state = item->state;
+            worst = item;
+        }
+    }
+    return worst;
+}
+
+/* The first picture that fails decides if a task is to blame for sure: a later one may need what
+ * the first one shows as well. */
+static void judge_tasks(struct step_result *result) {
+    for (size_t i = 0; i < result->task_count; i++) {
+        const struct item_result *worst = find_worst(result, &result->tasks[i]);
+        result->tasks[i].state = worst != NULL ? worst->state : RESULT_PASS;
+    }
+    for (size_t i = 0; i < result->task_count; i++) {
+        const struct item_result *worst = find_worst(result, &result->tasks[i]);
+        result->tasks[i].perhaps = worst != NULL && is_unsure(result, worst);
     }
 }
 
@@ -180,6 +242,7 @@ void step_result_finish(struct step_result *result) {
         add_item(result, &result->items[i]);
         worst = result->items[i].state > worst ? result->items[i].state : worst;
     }
+    judge_tasks(result);
     bool is_open = result->state == RESULT_FAIL; /* not said by how the program ended */
     if (is_open && (worst > RESULT_FAIL || result->reason.text[0] == '\0')) {
         result->state = worst;

@@ -69,10 +69,21 @@ struct item_result {
     struct result_path yours, reference, difference; /* pictures, when not exact */
 };
 
+/* What is wrong may be the fault of these tasks:
+ *
+ * - where the item looks like known mistakes of tasks that it shows or needs: of these, whatever
+ *   other items show, and of no others; for sure when it is one task;
+ * - otherwise, of the tasks that it shows without those that a picture shows right alone; where
+ *   none is left, and in an item that does not just FAIL, of all that it shows. For sure when it is
+ *   one task, nothing that the item needs has a state other than PASS, and it looks like no mistake
+ *   of yet another task.
+ *
+ * An item that is not judged because of its picture is nobody's fault for sure, and that of no task
+ * shown right. Points do not depend on any of this. */
 struct task_result {
     struct task_name name;
-    enum result_state state; /* the worst of those of its items that may be its fault */
-    bool perhaps;            /* the fault may as well be another task's of the same picture */
+    enum result_state state; /* the worst of those of the items that may be its fault */
+    bool perhaps;            /* FAIL, and of the first such item it is not sure */
     unsigned points, most;
 };
 
@@ -125,7 +136,8 @@ void step_result_finish(struct step_result *result);
 const struct item_result *result_picture_of(const struct step_result *result,
                                             const struct item_result *item);
 
-/* Does a scene that passes show this task alone? */
+/* Does a picture that passes show this task alone? (Work that is counted right shows nothing: what
+ * it counts may be drawn wrong.) */
 bool result_is_right(const struct step_result *result, const char *task);
 
 /* The words before `looks`: "looks like", or "may be". */

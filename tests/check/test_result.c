@@ -1,0 +1,130 @@
+/* Tests of which tasks are to blame for what is wrong: the contract of struct task_result. */
+#include "result.h"
+#include "unit.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum { ITEM_LIMIT = 12, LINE_LIMIT = 500 };
+
+struct line {
+    char text[LINE_LIMIT];
+};
+
+/* Split "3a.2,3a.3"; "-" is none. Returns how many there are. */
+static size_t read_tasks(struct task_name *tasks, const char *text) {
+    size_t count = 0;
+    while (*text != '\0' && *text != '-') {
+        size_t length = strcspn(text, ",");
+        snprintf(tasks[count++].text, TASK_NAME_LIMIT, "%.*s", (int)length, text);
+        text += length + (text[length] == ',');
+    }
+    return count;
+}
+
+/* "KIND TASKS NEEDS STATE LOOKS": what is wrong is FAIL, or CRASH; LOOKS are the tasks of the
+ * mistakes that it looks like. A `counter` or one that is `unjudged` is about no picture. */
+static void read_item(struct item_result *item, struct credit *credit, const char *text) {
+    char kind[LINE_LIMIT], tasks[LINE_LIMIT], needs[LINE_LIMIT], state[LINE_LIMIT],
+        looks[LINE_LIMIT];
+    CHECK(sscanf(text, "%s %s %s %s %s", kind, tasks, needs, state, looks) == 5);
+    credit->task_count = read_tasks(credit->tasks, tasks);
+    credit->need_count = read_tasks(credit->needs, needs);
+    credit->points = (unsigned)credit->task_count;
+    item->credit = credit;
+    item->counter = strcmp(kind, "picture") == 0 ? "" : "counted";
+    item->unjudged = strcmp(kind, "unjudged") == 0;
+    item->state = strcmp(state, "PASS") == 0   ? RESULT_PASS
+                  : strcmp(state, "FAIL") == 0 ? RESULT_FAIL
+                                               : RESULT_CRASH;
+    item->looks_task_count = read_tasks(item->looks_tasks, looks);
+}
+
+/* The tasks of a step with these items, as "5.1, 5.2 FAIL, 5.3 perhaps FAIL". */
+static struct line tasks_of(const char *const *items) {
+    static struct credit credits[ITEM_LIMIT];
+    static struct item_result results[ITEM_LIMIT];
+    static struct task_result tasks[ITEM_LIMIT * SCENE_TASK_LIMIT];
+    struct line line = {""};
+    struct step_result step = {.state = RESULT_FAIL, .items = results, .tasks = tasks};
+    memset(results, 0, sizeof results);
+    memset(tasks, 0, sizeof tasks);
+    for (; step.item_count < ITEM_LIMIT && items[step.item_count] != NULL; step.item_count++) {
+        read_item(&results[step.item_count], &credits[step.item_count], items[step.item_count]);
+    }
+    step_result_finish(&step);
+    for (size_t i = 0; i < step.task_count; i++) {
+        size_t used = strlen(line.text);
+        const char *state = tasks[i].state == RESULT_PASS ? "" : result_state_name(tasks[i].state);
+        snprintf(line.text + used, sizeof line.text - used, "%s%s%s%s%s", i > 0 ? ", " : "",
+                 tasks[i].name.text, tasks[i].perhaps ? " perhaps" : "",
+                 state[0] != '\0' ? " " : "", state);
+    }
+    return line;
+}
+
+struct blame_case {
+    const char *items[ITEM_LIMIT];
+    const char *tasks;
+};
+
+static void check_blame(const struct blame_case *cases, size_t count) {
+    for (size_t i = 0; i < count; i++) {
+        CHECK_TEXT(tasks_of(cases[i].items).text, cases[i].tasks);
+    }
+}
+
+/* A picture shows a task right that it shows alone; what is counted does not. */
+static void test_pictures_show(void) {
+    static const struct blame_case cases[] = {
+        {{"picture 1.1,1.2 - FAIL -"}, "1.1 perhaps FAIL, 1.2 perhaps FAIL"},
+        {{"picture 1.1,1.2 - FAIL -", "picture 1.1 - PASS -"}, "1.1, 1.2 FAIL"},
+        {{"picture 1.1,1.2 - FAIL -", "picture 1.1 - PASS -", "picture 1.2 - PASS -"},
+         "1.1 perhaps FAIL, 1.2 perhaps FAIL"},
+        {{"picture 1.1,1.2 - FAIL -", "counter 1.1 - PASS -"},
+         "1.1 perhaps FAIL, 1.2 perhaps FAIL"},
+        {{"picture 1.1,1.2 - FAIL -", "picture 1.1 - PASS -", "unjudged 1.1 - FAIL -",
+          "unjudged 1.3 - FAIL -"},
+         "1.1, 1.2 FAIL, 1.3 perhaps FAIL"},
+        {{"picture 1.1 - PASS -", "counter 1.1 - FAIL -"}, "1.1 FAIL"},
+        {{"picture 1.1,1.2 - CRASH -", "picture 1.1 - PASS -"}, "1.1 CRASH, 1.2 CRASH"},
+    };
+    check_blame(cases, sizeof cases / sizeof cases[0]);
+}
+
+/* The mistake that an item looks like says whose fault it is, also of a task right elsewhere. */
+static void test_likenesses_name(void) {
+    static const struct blame_case cases[] = {
+        {{"picture 1.1,1.2 - FAIL 1.2"}, "1.1, 1.2 FAIL"},
+        {{"picture 1.1,1.2,1.3 - FAIL 1.1,1.2"}, "1.1 perhaps FAIL, 1.2 perhaps FAIL, 1.3"},
+        {{"picture 1.1,1.2 - FAIL 1.2", "picture 1.2 - PASS -"}, "1.1, 1.2 FAIL"},
+        /* a task that it needs */
+        {{"picture 1.1 - PASS -", "picture 1.2,1.3 1.1 FAIL 1.1"}, "1.1 FAIL, 1.2, 1.3"},
+        {{"picture 2b.1 - PASS -", "picture 2c.1 2b FAIL 2b.1"}, "2b.1 FAIL, 2c.1"},
+        {{"picture 2b.1 - PASS -", "picture 2c.1 2b.1 FAIL 2b.1"}, "2b.1 FAIL, 2c.1"},
+        /* one that it has nothing to do with, or that is not judged */
+        {{"picture 1.1 - PASS -", "picture 1.2 - FAIL 1.1"}, "1.1, 1.2 perhaps FAIL"},
+        {{"picture 1.11 - PASS -", "picture 1.2 1.1 FAIL 1.11"}, "1.11, 1.2 perhaps FAIL"},
+        {{"picture 1.2 1.1 FAIL 1.1"}, "1.2 perhaps FAIL"},
+    };
+    check_blame(cases, sizeof cases / sizeof cases[0]);
+}
+
+/* Where a task is needed that is not right, it is not known whose fault it is. */
+static void test_needs_excuse(void) {
+    static const struct blame_case cases[] = {
+        {{"picture 1.1 - PASS -", "picture 1.2 1.1 FAIL -"}, "1.1, 1.2 FAIL"},
+        {{"picture 1.1 - FAIL -", "picture 1.2 1.1 FAIL -"}, "1.1 FAIL, 1.2 perhaps FAIL"},
+        {{"picture 1.1 - FAIL -", "picture 1.11 - PASS -", "picture 1.2 1.11 FAIL -"},
+         "1.1 FAIL, 1.11, 1.2 FAIL"},
+        {{"picture 1.2 1.1 FAIL -", "picture 1.1 - CRASH -"}, "1.2 perhaps FAIL, 1.1 CRASH"},
+        {{"picture 1.1 - FAIL -", "picture 1.2 1.1 FAIL 1.2"}, "1.1 FAIL, 1.2 FAIL"},
+        {{"picture 1.1,1.2 - FAIL -", "picture 1.3 1.1 FAIL -", "picture 1.4 1.3 FAIL -"},
+         "1.1 perhaps FAIL, 1.2 perhaps FAIL, 1.3 perhaps FAIL, 1.4 perhaps FAIL"},
+        {{"picture 2a.1,2a.2 - FAIL -", "picture 2b.1 2a FAIL -", "picture 2c.1 2d FAIL -"},
+         "2a.1 perhaps FAIL, 2a.2 perhaps FAIL, 2b.1 perhaps FAIL, 2c.1 FAIL"},
+    };
+    check_blame(cases, sizeof cases / sizeof cases[0]);
+}
+
+UNIT_MAIN(TEST(test_pictures_show), TEST(test_likenesses_name), TEST(test_needs_excuse))
