@@ -162,8 +162,9 @@ static bool names_any(const struct step_result *result, const struct item_result
 static bool is_suspect(const struct step_result *result, const struct item_result *item,
                        const char *task) {
     const struct credit *credit = item->credit;
-    if (names_any(result, item)) {
-        return names(item, task);
+    const struct item_result *told = item->unjudged ? result_picture_of(result, item) : item;
+    if (names_any(result, told)) {
+        return names(told, task);
     }
     bool may_be_right =
         item->state == RESULT_FAIL && (item->unjudged || count_suspects(result, credit) > 0);

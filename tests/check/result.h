@@ -78,8 +78,9 @@ struct item_result {
  *   one task, nothing that the item needs has a state other than PASS, and it looks like no mistake
  *   of yet another task.
  *
- * An item that is not judged because of its picture is nobody's fault for sure, and that of no task
- * shown right. Points do not depend on any of this. */
+ * An item that is not judged because of its picture is nobody's fault for sure and that of no task
+ * shown right; where the picture looks like such mistakes, only of their tasks. Points do not
+ * depend on any of this. */
 struct task_result {
     struct task_name name;
     enum result_state state; /* the worst of those of the items that may be its fault */

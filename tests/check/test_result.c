@@ -32,6 +32,7 @@ static void read_item(struct item_result *item, struct credit *credit, const cha
     credit->need_count = read_tasks(credit->needs, needs);
     credit->points = (unsigned)credit->task_count;
     item->credit = credit;
+    item->scene = "scene";
     item->counter = strcmp(kind, "picture") == 0 ? "" : "counted";
     item->unjudged = strcmp(kind, "unjudged") == 0;
     item->state = strcmp(state, "PASS") == 0   ? RESULT_PASS
@@ -98,6 +99,7 @@ static void test_likenesses_name(void) {
         {{"picture 1.1,1.2 - FAIL 1.2"}, "1.1, 1.2 FAIL"},
         {{"picture 1.1,1.2,1.3 - FAIL 1.1,1.2"}, "1.1 perhaps FAIL, 1.2 perhaps FAIL, 1.3"},
         {{"picture 1.1,1.2 - FAIL 1.2", "picture 1.2 - PASS -"}, "1.1, 1.2 FAIL"},
+        {{"picture 1.1,1.2 - FAIL 1.1", "unjudged 1.2 - FAIL -"}, "1.1 FAIL, 1.2"},
         /* a task that it needs */
         {{"picture 1.1 - PASS -", "picture 1.2,1.3 1.1 FAIL 1.1"}, "1.1 FAIL, 1.2, 1.3"},
         {{"picture 2b.1 - PASS -", "picture 2c.1 2b FAIL 2b.1"}, "2b.1 FAIL, 2c.1"},
