@@ -189,7 +189,9 @@ static bool is_unsure(const struct step_result *result, const struct item_result
         return false;
     }
     if (item->looks_task_count > 0) {
-        return item->looks_task_count > 1 || !names_any(result, item);
+        const char *named = item->looks_tasks[0].text;
+        return item->looks_task_count > 1 ||
+               !task_is_among(credit->tasks, credit->task_count, named);
     }
     bool is_shared = credit->task_count > 1 && count_suspects(result, credit) != 1;
     return item->unjudged || is_shared || is_need_wrong(result, credit);
