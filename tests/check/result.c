@@ -143,10 +143,11 @@ static bool is_needed(const struct credit *credit, const char *task) {
     return found;
 }
 
-/* Does the item look like a mistake of this task, which it shows or needs? */
+/* Does the item look like a mistake of this task, which it shows or needs? What only may be one
+ * names none. */
 static bool names(const struct item_result *item, const char *task) {
     const struct credit *credit = item->credit;
-    return task_is_among(item->looks_tasks, item->looks_task_count, task) &&
+    return !item->nothing_drawn && task_is_among(item->looks_tasks, item->looks_task_count, task) &&
            (task_is_among(credit->tasks, credit->task_count, task) || is_needed(credit, task));
 }
 
@@ -188,7 +189,7 @@ static bool is_unsure(const struct step_result *result, const struct item_result
     if (item->state != RESULT_FAIL) {
         return false;
     }
-    if (item->looks_task_count > 0) {
+    if (item->looks_task_count > 0 && !item->nothing_drawn) {
         const char *named = item->looks_tasks[0].text;
         return item->looks_task_count > 1 ||
                !task_is_among(credit->tasks, credit->task_count, named);

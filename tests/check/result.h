@@ -72,7 +72,8 @@ struct item_result {
 /* What is wrong may be the fault of these tasks:
  *
  * - where the item looks like known mistakes of tasks that it shows or needs: of these, whatever
- *   other items show, and of no others; for sure when it is one task, which it shows;
+ *   other items show, and of no others; for sure when it is one task, which it shows (a picture
+ *   in which nothing is drawn looks like none);
  * - otherwise, of the tasks that it shows without those that a picture shows right alone; where
  *   none is left, and in an item that does not just FAIL, of all that it shows. For sure when it is
  *   one task, nothing that the item needs has a state other than PASS, and it looks like no mistake

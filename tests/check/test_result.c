@@ -23,7 +23,8 @@ static size_t read_tasks(struct task_name *tasks, const char *text) {
 }
 
 /* "KIND TASKS NEEDS STATE LOOKS": what is wrong is FAIL, or CRASH; LOOKS are the tasks of the
- * mistakes that it looks like. A `counter` or one that is `unjudged` is about no picture. */
+ * mistakes that it looks like. A `counter` or one that is `unjudged` is about no picture; in one
+ * that is `blank` nothing is drawn. */
 static void read_item(struct item_result *item, struct credit *credit, const char *text) {
     char kind[LINE_LIMIT], tasks[LINE_LIMIT], needs[LINE_LIMIT], state[LINE_LIMIT],
         looks[LINE_LIMIT];
@@ -33,7 +34,8 @@ static void read_item(struct item_result *item, struct credit *credit, const cha
     credit->points = (unsigned)credit->task_count;
     item->credit = credit;
     item->scene = "scene";
-    item->counter = strcmp(kind, "picture") == 0 ? "" : "counted";
+    item->nothing_drawn = strcmp(kind, "blank") == 0;
+    item->counter = strcmp(kind, "picture") == 0 || item->nothing_drawn ? "" : "counted";
     item->unjudged = strcmp(kind, "unjudged") == 0;
     item->state = strcmp(state, "PASS") == 0   ? RESULT_PASS
                   : strcmp(state, "FAIL") == 0 ? RESULT_FAIL
@@ -108,6 +110,9 @@ static void test_likenesses_name(void) {
         {{"picture 1.1 - PASS -", "picture 1.2 - FAIL 1.1"}, "1.1, 1.2 perhaps FAIL"},
         {{"picture 1.11 - PASS -", "picture 1.2 1.1 FAIL 1.11"}, "1.11, 1.2 perhaps FAIL"},
         {{"picture 1.2 1.1 FAIL 1.1"}, "1.2 perhaps FAIL"},
+        /* nothing drawn: it may be that, and may not */
+        {{"blank 1.1,1.2 - FAIL 1.2"}, "1.1 perhaps FAIL, 1.2 perhaps FAIL"},
+        {{"blank 1.1,1.2 - FAIL 1.2", "picture 1.2 - PASS -"}, "1.1 FAIL, 1.2"},
     };
     check_blame(cases, sizeof cases / sizeof cases[0]);
 }
