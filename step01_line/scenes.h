@@ -163,15 +163,16 @@ static bool draw_gradient(struct drawing *drawing, struct image *image, struct e
     (void)drawing;
     const struct color red = color_rgb(255, 0, 0), yellow = color_rgb(255, 255, 0);
     const struct color green = color_rgb(0, 255, 0), blue = color_rgb(0, 0, 255);
-    const struct color white = color_rgb(255, 255, 255), dark = color_rgb(32, 32, 32);
+    /* three different values at each end: none may be mixed with another's */
+    const struct color leaf = color_rgb(10, 200, 90), rose = color_rgb(240, 60, 130);
     const struct {
         struct pixel a, b;
         struct color color_a, color_b;
     } lines[] = {
         {{58, 50}, {97, 50}, red, yellow}, {{50, 58}, {50, 97}, red, yellow},
         {{42, 50}, {3, 50}, red, yellow},  {{50, 42}, {50, 3}, red, yellow},
-        {{56, 56}, {84, 84}, white, dark}, {{44, 56}, {16, 84}, white, dark},
-        {{44, 44}, {16, 16}, white, dark}, {{56, 44}, {84, 16}, white, dark},
+        {{56, 56}, {84, 84}, leaf, rose}, {{44, 56}, {16, 84}, leaf, rose},
+        {{44, 44}, {16, 16}, leaf, rose}, {{56, 44}, {84, 16}, leaf, rose},
         {{58, 53}, {95, 68}, green, blue}, {{53, 58}, {68, 95}, green, blue},
         {{47, 58}, {32, 95}, green, blue}, {{42, 53}, {5, 68}, green, blue},
         {{5, 32}, {42, 47}, green, blue},  {{32, 5}, {47, 42}, green, blue},
