@@ -138,6 +138,7 @@ static bool draw_simple_cells(const struct drawing *drawing, struct image *image
             camera_call(drawing->model, has_eye ? cell->eye : drawing->eye, drawing->center,
                         drawing->up, cell->zoom, place, cell->cull);
         struct uniforms u = make_uniforms(drawing, cell->zoom * place.width);
+        u.normal_level++; /* not the texture's: who exchanges the levels sees it */
         simple_draw(&canvas, &call, cell->shader, &u);
     }
     return true;
