@@ -42,6 +42,10 @@ static bool draw_cells(struct drawing *drawing, struct image *image, const struc
             grid_cell(image->width, image->height, columns, rows, i % columns, i / columns);
         struct draw_call call = pipeline_call(drawing, place, zoom, CULL_BACK);
         struct uniforms u = make_uniforms(drawing, zoom * place.width, cells[i].material);
+        if (cells[i].shader == &weight_mapped || cells[i].shader == &power_mapped) {
+            u.normal_level += 1; /* three different levels: who exchanges them sees it */
+            u.specular_level += 2;
+        }
         done = pipeline_draw(pipeline, &call, cells[i].shader, &u, sizeof u, error);
     }
     return pipeline_end(drawing, done, image, error);
