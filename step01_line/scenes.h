@@ -171,8 +171,8 @@ static bool draw_gradient(struct drawing *drawing, struct image *image, struct e
     } lines[] = {
         {{58, 50}, {97, 50}, red, yellow}, {{50, 58}, {50, 97}, red, yellow},
         {{42, 50}, {3, 50}, red, yellow},  {{50, 42}, {50, 3}, red, yellow},
-        {{56, 56}, {84, 84}, leaf, rose}, {{44, 56}, {16, 84}, leaf, rose},
-        {{44, 44}, {16, 16}, leaf, rose}, {{56, 44}, {84, 16}, leaf, rose},
+        {{56, 56}, {84, 84}, leaf, rose},  {{44, 56}, {16, 84}, leaf, rose},
+        {{44, 44}, {16, 16}, leaf, rose},  {{56, 44}, {84, 16}, leaf, rose},
         {{58, 53}, {95, 68}, green, blue}, {{53, 58}, {68, 95}, green, blue},
         {{47, 58}, {32, 95}, green, blue}, {{42, 53}, {5, 68}, green, blue},
         {{5, 32}, {42, 47}, green, blue},  {{32, 5}, {47, 42}, green, blue},
