@@ -468,11 +468,10 @@ KERNEL bool gather_varyings(const struct shading *s, const struct shader *shader
     const uint32_t *fetched = s->scratch->fetched;
     struct lanes_planes planes;
     bool found = has_number(s, number[0]);
+    clear_planes(&planes, shader);
     if (found) {
         take_planes(&planes, lanes_all_set(), shader,
                     planes_at(s->scratch, shader, fetched[number[0]]), x, y);
-    } else {
-        clear_planes(&planes, shader);
     }
     uint32_t runs = find_runs(number);
     for (runs &= runs - 1; runs != 0; runs &= runs - 1) {

@@ -2,9 +2,10 @@
  * Step 4, the given part: its scenes and the program.
  *
  * `flat` draws a model from the front, in the order of the file; `side` does the same with a light
- * that comes from the left and from above, in an image that is not square. Faces on which no light
- * falls are not drawn. With the light in the viewer's direction these are the faces that show their
- * backs; what lies behind something else is still painted over it: that is lesson 5.
+ * that comes from the left and from above, in an image that is not square, and has one face more,
+ * which reaches too far for the screen: nothing of that is drawn. Faces on which no light falls are
+ * not drawn. With the light in the viewer's direction these are the faces that show their backs;
+ * what lies behind something else is still painted over it: that is lesson 5.
  */
 
 static bool draw_flat(struct drawing *drawing, struct image *image, struct error *error) {
@@ -13,7 +14,7 @@ static bool draw_flat(struct drawing *drawing, struct image *image, struct error
     const struct vec3 light = vec3_normalized(drawing->light);
     uint64_t unlit = 0, too_far = 0;
     for (size_t face = 0; face < model->face_count; face++) {
-        struct vertex vertices[3];
+        struct vertex vertices[3] = {{{0, 0}}};
         double intensity = face_intensity(model, face, light);
         bool lit = intensity > 0;
         unlit += !lit;
@@ -32,13 +33,27 @@ static bool draw_flat(struct drawing *drawing, struct image *image, struct error
     return true;
 }
 
+static bool draw_side(struct drawing *drawing, struct image *image, struct error *error) {
+    struct vec3 positions[] = {{-0.95, 0.5, 0}, {-0.6, 0.9, 0}, {-1e9, 0.9, 0}};
+    struct face face = {
+        {{0, MODEL_NONE, MODEL_NONE}, {1, MODEL_NONE, MODEL_NONE}, {2, MODEL_NONE, MODEL_NONE}}};
+    const struct model beyond = {
+        .positions = positions, .position_count = 3, .faces = &face, .face_count = 1};
+    const struct model *model = drawing->model;
+    bool done = draw_flat(drawing, image, error);
+    drawing->model = &beyond;
+    done = done && draw_flat(drawing, image, error);
+    drawing->model = model;
+    return done;
+}
+
 static const struct scene scenes[] = {
     {.name = "flat", .needs = NEEDS_MODEL, .draw = draw_flat},
     {.name = "side",
      .needs = NEEDS_MODEL,
      .width = 720, /* not the height: who exchanges them sees it */
      .light = {0.4, -0.25, -1},
-     .draw = draw_flat},
+     .draw = draw_side},
 };
 
 int main(int argc, char **argv) {

@@ -570,7 +570,7 @@ static void write_counted(const char *path, const struct counted *counted) {
 }
 
 /* Say of these items, which show `yours` together, which mistakes do so too. */
-static void tell_counted(const struct judging *judging, struct item_result *const *items,
+static void tell_counted(const struct judging *judging, const size_t *items,
                          const struct counted *yours, size_t count) {
     struct look found[LOOKS_NAME_LIMIT];
     if (counted_tells(yours, count)) {
@@ -578,26 +578,27 @@ static void tell_counted(const struct judging *judging, struct item_result *cons
                               .count = counted_find(&judging->counted, yours, count, found)};
         for (size_t i = 0; i < count; i++) {
             write_counted(judging->options->counted, &yours[i]);
-            items[i]->nothing_drawn = items[i]->blank && items[i]->counter[0] == '\0';
-            looks_tell(items[i], &looks, 1, doubt, judging);
+            struct item_result *item = &judging->result->items[items[i]];
+            item->nothing_drawn = item->blank && item->counter[0] == '\0';
+            looks_tell(item, &looks, 1, doubt, judging);
         }
     }
 }
 
 /* `output` is what the program has printed with --stats. Each counter is told by itself, all
  * pictures that are not there together. `items` and `yours` have room for all. */
-static void tell_untold(const struct judging *judging, const char *output,
-                        struct item_result **items, struct counted *yours) {
+static void tell_untold(const struct judging *judging, const char *output, size_t *items,
+                        struct counted *yours) {
     struct step_result *result = judging->result;
     size_t count = 0;
     bool is_clear = true;
     for (size_t i = 0; i < result->item_count; i++) {
-        items[count] = &result->items[i];
+        const struct item_result *item = &result->items[i];
+        items[count] = i;
         if (is_not_there(judging, i)) {
-            is_clear &= counted_of(&yours[count], result, items[count], output);
+            is_clear &= counted_of(&yours[count], result, item, output);
             count++;
-        } else if (is_wrong_work(judging, i) &&
-                   counted_of(&yours[count], result, items[count], output)) {
+        } else if (is_wrong_work(judging, i) && counted_of(&yours[count], result, item, output)) {
             tell_counted(judging, &items[count], &yours[count], 1);
         }
     }
@@ -616,14 +617,17 @@ static bool count_and_tell(const struct judging *judging, const struct run_resul
     for (size_t i = 0; i < result->item_count; i++) {
         is_untold |= is_wrong_work(judging, i) || is_not_there(judging, i);
     }
-    if (is_untold && ended_well(drawn)) { /* else it would end badly again */
+    if (!is_untold) {
+        return true;
+    }
+    if (ended_well(drawn)) { /* else it would end badly again */
         done = run_counting(judging, judging->options->only, &output, &end, error);
     }
-    struct item_result **items = calloc(result->item_count, sizeof *items);
+    size_t *items = calloc(result->item_count, sizeof *items);
     struct counted *yours = calloc(result->item_count, sizeof *yours);
     if (items == NULL || yours == NULL) {
         done = error_out_of_memory(error);
-    } else if (done && is_untold && ended_well(&end)) {
+    } else if (done && ended_well(&end)) {
         tell_untold(judging, output.data != NULL ? (const char *)output.data : "", items, yours);
     }
     free(items);
