@@ -143,7 +143,7 @@ static void mark_block(uint8_t *marks, const struct patch *reference, const stru
 static size_t count_drawn(const struct channels *a, const struct channels *b, size_t count) {
     uint16_t drawn = 0;
     for (size_t i = 0; i < count; i++) {
-        drawn = (uint16_t)(drawn + (is_drawn(a, i) | is_drawn(b, i)));
+        drawn = (uint16_t)(drawn + ((int)is_drawn(a, i) | (int)is_drawn(b, i)));
     }
     return drawn;
 }

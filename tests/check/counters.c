@@ -111,11 +111,18 @@ struct counters counters_of(const char *output, const char *scene) {
 }
 
 static char letter_of(const struct item_result *item) {
-    return item->state == RESULT_PASS                     ? 'r'
-           : item->state == RESULT_TODO                   ? '?'
-           : item->state == RESULT_FAIL && item->blank    ? 'b'
-           : item->state == RESULT_CRASH && item->divided ? 'd'
-                                                          : 'x';
+    switch (item->state) {
+    case RESULT_PASS:
+        return 'r';
+    case RESULT_TODO:
+        return '?';
+    case RESULT_FAIL:
+        return (char)(item->blank ? 'b' : 'x');
+    case RESULT_CRASH:
+        return (char)(item->divided ? 'd' : 'x');
+    default:
+        return 'x';
+    }
 }
 
 struct counters_pictures counters_pictures(const struct step_result *result) {

@@ -26,7 +26,7 @@ static void set_up(struct fixture *f, const char *states) {
     f->result = (struct step_result){.items = f->items, .item_count = ITEMS};
     for (size_t i = 0; i < ITEMS; i++) {
         struct item_result *item = &f->items[i];
-        char state = i < SCENES ? states[i] : 'w';
+        char state = (char)(i < SCENES ? states[i] : 'w');
         item->scene = scenes[i];
         item->counter = i < SCENES ? "" : "tested";
         item->state = state == 'r'   ? RESULT_PASS

@@ -28,7 +28,7 @@ static size_t read_tasks(struct task_name *tasks, const char *text) {
 static void read_item(struct item_result *item, struct credit *credit, const char *text) {
     char kind[LINE_LIMIT], tasks[LINE_LIMIT], needs[LINE_LIMIT], state[LINE_LIMIT],
         looks[LINE_LIMIT];
-    CHECK(sscanf(text, "%s %s %s %s %s", kind, tasks, needs, state, looks) == 5);
+    CHECK(sscanf(text, "%499s %499s %499s %499s %499s", kind, tasks, needs, state, looks) == 5);
     credit->task_count = read_tasks(credit->tasks, tasks);
     credit->need_count = read_tasks(credit->needs, needs);
     credit->points = (unsigned)credit->task_count;
