@@ -103,7 +103,7 @@ $(REPLAYS): $(BUILD)/tests/%: $(BUILD)/tested/tests/fuzz/%.o $(BUILD)/tested/tes
 .PHONY: test
 test: $(UNITS) $(CHECKERS) $(HELPERS) $(ALIKE) $(REPLAYS) $(BUILD)/check $(BUILD)/looks_make \
       $(BUILD)/references $(BUILD)/show $(BUILD)/compare_page $(BUILD)/hidden $(BUILD)/similar \
-      $(BUILD)/limited models
+      $(BUILD)/limited $(BUILD)/step01_line models
 	@passed=0; failed=0; names=; \
 	for test in $(UNITS) $(CHECKERS) $(HELPERS) $(ALIKE) $(SCRIPTS); do \
 	    echo "== $$test"; \
