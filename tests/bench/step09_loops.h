@@ -19,18 +19,25 @@ static struct uniforms uniforms_of(const struct visible *v) {
 
 static const struct shader *const shader_of_look[LOOKS] = {&gouraud_textured, &gouraud};
 
+/* 1/w of all positions, as the pipeline keeps them; 1 where there is no perspective. */
+static double *find_all_recip_w(const struct visible *v, enum planes_kind kind) {
+    double *recip_w = malloc(v->model->position_count * sizeof *recip_w);
+    for (size_t i = 0; recip_w != NULL && i < v->model->position_count; i++) {
+        double w = mat4_point(&v->to_clip, v->model->positions[i]).w;
+        recip_w[i] = kind == FLAT_ON_SCREEN ? 1 : 1 / w;
+    }
+    return recip_w;
+}
+
 static void *make_planes(const struct visible *v, enum look look, enum planes_kind kind) {
     struct uniforms u = uniforms_of(v);
     struct draw draw = {.call = {.model = v->model, .to_clip = v->to_clip}};
-    struct pipeline pipeline = {0};
+    struct pipeline pipeline = {.recip_w.data = find_all_recip_w(v, kind)};
     struct pixel_work work = {0};
     struct shading shading = {.pipeline = &pipeline, .draw = &draw, .uniforms = &u, .work = &work};
     struct planes *planes = malloc((v->face_count + 1) * sizeof *planes);
-    if (kind == FLAT_ON_SCREEN) { /* w is 1 everywhere */
-        draw.call.to_clip.m[3][0] = draw.call.to_clip.m[3][1] = draw.call.to_clip.m[3][2] = 0;
-        draw.call.to_clip.m[3][3] = 1;
-    }
-    for (size_t i = 0; planes != NULL && i < v->face_count; i++) {
+    bool whole = planes != NULL && pipeline.recip_w.data != NULL;
+    for (size_t i = 0; whole && i < v->face_count; i++) {
         const struct seen *face = &v->faces[i];
         struct piece piece = {.corner = {face->corner[0], face->corner[1], face->corner[2]},
                               .face = face->face,
@@ -42,6 +49,11 @@ static void *make_planes(const struct visible *v, enum look look, enum planes_ki
             at->plane[k].dx *= 2;
         }
         at->x0 = kind == EVERY_SECOND ? at->x0 / 2 : at->x0;
+    }
+    free(pipeline.recip_w.data);
+    if (!whole) {
+        free(planes);
+        return NULL;
     }
     return planes;
 }
