@@ -167,7 +167,7 @@ static bool draw_enlarged(struct drawing *drawing, struct image *image, struct e
 
 /* ---- Single lines ---- */
 
-enum { CUT_WIDTH = 160, CUT_HEIGHT = 100, RIGHT = CUT_WIDTH - 1, TOP = CUT_HEIGHT - 1 };
+enum { CUT_WIDTH = 160, CUT_HEIGHT = 100, RIGHT = CUT_WIDTH - 1, TOP = CUT_HEIGHT - 1, WIDE = 300 };
 
 enum line_color { WHITE, RED, GREEN, BLUE };
 
@@ -228,25 +228,33 @@ static bool draw_cut(struct drawing *drawing, struct image *image, struct error 
     return true;
 }
 
-/* For each of these lines, from the top on, a bar as long as the line was walked. */
-static bool draw_walked(struct drawing *drawing, struct image *image, struct error *error) {
-    (void)drawing;
+/* A bar as long as a line was walked in an image of that size; the bars stand one below another. */
+static bool draw_bar(struct image *image, int index, const struct cut_line *l, size_t width,
+                     size_t height, struct error *error) {
     struct image canvas;
-    if (!image_create(&canvas, CUT_WIDTH, CUT_HEIGHT, IMAGE_BGR, error)) {
+    struct color color = cut_color(l->color);
+    if (!image_create(&canvas, width, height, IMAGE_BGR, error)) {
         return false;
     }
-    for (int i = 0; i < CUT_LINES; i++) {
-        const struct cut_line *l = &cut_lines[i];
-        struct color color = cut_color(l->color);
-        uint64_t walked = line(&canvas, l->a, l->b, color);
-        for (uint64_t x = 0; x < walked && x < image->width; x++) {
-            for (int y = 1; y < 4; y++) {
-                image_set(image, (int)x, 4 * (CUT_LINES - 1 - i) + y, color);
-            }
+    uint64_t walked = line(&canvas, l->a, l->b, color);
+    for (uint64_t x = 0; x < walked && x < image->width; x++) {
+        for (int y = 1; y < 4; y++) {
+            image_set(image, (int)x, 4 * (CUT_LINES - index) + y, color);
         }
     }
     image_free(&canvas);
     return true;
+}
+
+/* For each of these lines, and at the bottom for one in a wide image. */
+static bool draw_walked(struct drawing *drawing, struct image *image, struct error *error) {
+    (void)drawing;
+    const struct cut_line wide = {{-2, 0}, {WIDE + 1, 2}, RED};
+    bool done = true;
+    for (int i = 0; done && i < CUT_LINES; i++) {
+        done = draw_bar(image, i, &cut_lines[i], CUT_WIDTH, CUT_HEIGHT, error);
+    }
+    return done && draw_bar(image, CUT_LINES, &wide, WIDE, 3, error);
 }
 
 /* ---- The program ---- */
@@ -258,7 +266,7 @@ static const struct scene scenes[] = {
     {.name = "border", .needs = NEEDS_MODEL, .width = 480, .height = 360, .draw = draw_border},
     {.name = "enlarged", .needs = NEEDS_MODEL, .width = 480, .height = 360, .draw = draw_enlarged},
     {.name = "cut", .width = CUT_WIDTH, .height = CUT_HEIGHT, .draw = draw_cut},
-    {.name = "walked", .width = 200, .height = 4 * CUT_LINES, .draw = draw_walked},
+    {.name = "walked", .width = 320, .height = 4 * (CUT_LINES + 1), .draw = draw_walked},
 };
 
 int main(int argc, char **argv) {

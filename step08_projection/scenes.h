@@ -5,11 +5,11 @@
  * `transforms` all of them together.
  *
  * Part b: `viewport` draws a model into several rectangles, without perspective. `projection` adds
- * perspective, and `crossing` planes whose depths decide. A face has one colour, or w is 1: no
- * weights are needed.
+ * perspective, and `crossing` planes whose depths decide, and two faces without a place on the
+ * screen. A face has one colour, or w is 1: no weights are needed.
  *
  * Part c: `wall` needs the correct weights, `narrow` normals for a model that is not scaled alike
- * in all directions.
+ * in all directions, and for a leaf that is flattened.
  *
  * Part d: `lookat`, `tilted` and `above` need a camera anywhere. Until there, and in `endless`, the
  * camera stands in front.
@@ -477,22 +477,6 @@ static bool draw_projection(struct drawing *drawing, struct image *image, struct
     return true;
 }
 
-/* The model made narrow, then turned: its matrix comes before those of the camera. */
-static struct mat4 narrow_to_world(void) {
-    return mat4_mul(mat4_rotation((struct vec3){0, 1, 0}, 0.05),
-                    mat4_scaling((struct vec3){0.5, 1, 1}));
-}
-
-static bool draw_narrow(struct drawing *drawing, struct image *image, struct error *error) {
-    (void)error;
-    const struct mat4 to_world = narrow_to_world();
-    struct canvas canvas = make_canvas(drawing, image, whole_image(image));
-    struct mat4 to_clip = mat4_mul(perspective_camera(drawing), to_world);
-    canvas.normals_to_world = normals_to_world(to_world);
-    draw_model(drawing, &canvas, &to_clip);
-    return true;
-}
-
 /* The rectangles of scene viewport, in eighths of the image, and what they are filled with. */
 static const struct pane {
     struct rectangle eighths;
@@ -602,8 +586,9 @@ static struct drawing drawing_of_quads(const struct drawing *drawing, struct qua
     return of_quads;
 }
 
-static bool draw_quads(struct drawing *drawing, struct image *image, const struct quad *quads,
-                       size_t count, bool unweighted, struct error *error) {
+/* Draw the quads, transformed by to_clip, with tiles on them. */
+static bool draw_quads(struct drawing *drawing, struct canvas *canvas, const struct quad *quads,
+                       size_t count, const struct mat4 *to_clip, struct error *error) {
     struct texture tiles;
     struct quad_model made;
     if (!make_tiles(&tiles, error)) {
@@ -611,11 +596,9 @@ static bool draw_quads(struct drawing *drawing, struct image *image, const struc
     }
     quad_model_make(&made, quads, count, drawing->light);
     const struct drawing of_quads = drawing_of_quads(drawing, &made, &tiles);
-    struct canvas canvas = make_canvas(&of_quads, image, whole_image(image));
-    canvas.unweighted = unweighted;
-    struct mat4 to_clip = perspective_camera(drawing);
-    draw_faces(&of_quads, &canvas, &to_clip);
-    count_work(drawing, &canvas, &made.model);
+    canvas->texture = &tiles;
+    draw_faces(&of_quads, canvas, to_clip);
+    count_work(drawing, canvas, &made.model);
     texture_free(&tiles);
     return true;
 }
@@ -632,8 +615,37 @@ static const struct quad crossing[] = {
 
 enum { CROSSING_QUADS = sizeof crossing / sizeof crossing[0] };
 
+/* Two faces of which nothing may be seen, on a screen that is far larger than the image: NDC 0 is
+ * pixel 0, and NDC 1 pixel 2^22. One corner is too far for the screen, one has no finite depth. */
+static bool draw_nowhere(struct drawing *drawing, struct image *image, struct error *error) {
+    const int side = 1 << 22;
+    const double pixel = 1.0 / side;
+    const struct quad nowhere[] = {
+        {{{600 * pixel, 100 * pixel, 0},
+          {200 * pixel, 700 * pixel, 0},
+          {-0.9, -0.9, 0},
+          {-1, -1, 0}},
+         {{0.4375, 0.0625}, {0.4375, 0.0625}, {0.4375, 0.0625}, {0.4375, 0.0625}}},
+        {{{150 * pixel, 150 * pixel, 0},
+          {650 * pixel, 150 * pixel, 0},
+          {400 * pixel, 600 * pixel, 1e308},
+          {200 * pixel, 600 * pixel, 1e308}},
+         {{0.5625, 0.0625}, {0.5625, 0.0625}, {0.5625, 0.0625}, {0.5625, 0.0625}}},
+    };
+    const struct mat4 to_clip = mat4_scaling((struct vec3){1, 1, 10});
+    struct canvas canvas =
+        make_canvas(drawing, image, (struct rectangle){-side, -side, 2 * side, 2 * side});
+    canvas.unweighted = true;
+    return draw_quads(drawing, &canvas, nowhere, sizeof nowhere / sizeof nowhere[0], &to_clip,
+                      error);
+}
+
 static bool draw_crossing(struct drawing *drawing, struct image *image, struct error *error) {
-    return draw_quads(drawing, image, crossing, CROSSING_QUADS, true, error);
+    struct canvas canvas = make_canvas(drawing, image, whole_image(image));
+    struct mat4 to_clip = perspective_camera(drawing);
+    canvas.unweighted = true;
+    return draw_quads(drawing, &canvas, crossing, CROSSING_QUADS, &to_clip, error) &&
+           draw_nowhere(drawing, image, error);
 }
 
 /* It goes away from the viewer. */
@@ -641,8 +653,44 @@ static const struct quad wall = {
     {{-0.9, -0.45, 1.1}, {0.9, -0.45, -2}, {0.9, 0.45, -2}, {-0.9, 0.45, 1.1}},
     {{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
 
+/* Quads that stand in the world as they are. */
+static bool draw_standing(struct drawing *drawing, struct image *image, const struct quad *quads,
+                          size_t count, struct error *error) {
+    struct canvas canvas = make_canvas(drawing, image, whole_image(image));
+    struct mat4 to_clip = perspective_camera(drawing);
+    return draw_quads(drawing, &canvas, quads, count, &to_clip, error);
+}
+
 static bool draw_wall(struct drawing *drawing, struct image *image, struct error *error) {
-    return draw_quads(drawing, image, &wall, 1, false, error);
+    return draw_standing(drawing, image, &wall, 1, error);
+}
+
+/* The model made narrow, then turned: its matrix comes before those of the camera. */
+static struct mat4 narrow_to_world(void) {
+    return mat4_mul(mat4_rotation((struct vec3){0, 1, 0}, 0.05),
+                    mat4_scaling((struct vec3){0.5, 1, 1}));
+}
+
+/* A leaf, flattened by a map that has no inverse: its light is that on the leaf as it was. */
+static const struct quad leaf = {
+    {{-0.9, -0.9, 0.3}, {-0.6, -0.9, 0}, {-0.6, -0.6, -0.3}, {-0.9, -0.6, 0}},
+    {{0, 0}, {0.375, 0}, {0.375, 0.375}, {0, 0.375}}};
+
+static bool draw_flattened(struct drawing *drawing, struct image *image, struct error *error) {
+    const struct mat4 to_world = mat4_scaling((struct vec3){1, 1, 0});
+    struct canvas canvas = make_canvas(drawing, image, whole_image(image));
+    struct mat4 to_clip = mat4_mul(perspective_camera(drawing), to_world);
+    canvas.normals_to_world = normals_to_world(to_world);
+    return draw_quads(drawing, &canvas, &leaf, 1, &to_clip, error);
+}
+
+static bool draw_narrow(struct drawing *drawing, struct image *image, struct error *error) {
+    const struct mat4 to_world = narrow_to_world();
+    struct canvas canvas = make_canvas(drawing, image, whole_image(image));
+    struct mat4 to_clip = mat4_mul(perspective_camera(drawing), to_world);
+    canvas.normals_to_world = normals_to_world(to_world);
+    draw_model(drawing, &canvas, &to_clip);
+    return draw_flattened(drawing, image, error);
 }
 
 /* A floor and a wall that have no end behind the camera, and a leaf before its lens. */
@@ -659,7 +707,7 @@ static bool draw_endless(struct drawing *drawing, struct image *image, struct er
           {-0.002, 0.003, 1.997}},
          {{0, 0}, {1, 0}, {1, 1}, {0, 1}}},
     };
-    return draw_quads(drawing, image, quads, sizeof quads / sizeof quads[0], false, error);
+    return draw_standing(drawing, image, quads, sizeof quads / sizeof quads[0], error);
 }
 
 /* ---- The program ---- */

@@ -100,6 +100,19 @@ static struct draw_call crossing_call(struct pair *crossing, struct rectangle ce
     return camera_call(&crossing->model, eye, center, up, 1, corner_of(cell), CULL_NONE);
 }
 
+/* Two triangles of which a corner is too far for the screen: nothing of them is drawn. */
+static struct draw_call too_far_call(struct pair *too_far, struct rectangle cell) {
+    static const struct vec3 positions[6] = {{1, -1, 0},  {-1, 1, 0}, {-1, -1e9, 0},
+                                             {1e9, 1, 0}, {-1, 1, 0}, {1, -1, 0}};
+    pair_create(too_far, positions);
+    return (struct draw_call){
+        .model = &too_far->model,
+        .to_clip = mat4_identity(),
+        .viewport = corner_of(cell),
+        .cull = CULL_NONE,
+    };
+}
+
 /* ---- Scenes of simple_draw() ---- */
 
 /* Each corner of a face in a colour of its own: what is in between shows the weights. */
@@ -144,9 +157,9 @@ static bool draw_simple_cells(const struct drawing *drawing, struct image *image
     return true;
 }
 
-/* Above: the corners, and beside the head two triangles that cross; the normals. Below: the corners
- * from so near that perspective is strong, and a shoulder is behind the eye; the inside of the back
- * of the head. */
+/* Above: the corners, and beside the head two triangles that cross; the normals, and two triangles
+ * that reach too far. Below: the corners from so near that perspective is strong, and a shoulder is
+ * behind the eye; the inside of the back of the head. */
 static bool draw_loops(struct drawing *drawing, struct image *image, struct error *error) {
     const struct vec3 over_the_shoulder = {0.5, -0.2, 0.5};
     const struct simple_cell cells[4] = {{&simple_corners, CULL_BACK, 0.8, {0, 0, 0}},
@@ -154,11 +167,13 @@ static bool draw_loops(struct drawing *drawing, struct image *image, struct erro
                                          {&simple_corners, CULL_BACK, 1.2, over_the_shoulder},
                                          {&simple_normals, CULL_FRONT, 1.15, {0, 0, 0}}};
     const struct canvas canvas = {image, drawing->depth};
-    struct pair crossing;
+    struct pair crossing, too_far;
     (void)error;
     struct draw_call call =
         crossing_call(&crossing, grid_cell(image->width, image->height, 2, 2, 0, 0));
     simple_draw(&canvas, &call, &simple_corners, &crossing.uniforms);
+    call = too_far_call(&too_far, grid_cell(image->width, image->height, 2, 2, 1, 0));
+    simple_draw(&canvas, &call, &simple_corners, &too_far.uniforms);
     return draw_simple_cells(drawing, image, cells);
 }
 
@@ -212,9 +227,19 @@ static bool draw_toon(struct drawing *drawing, struct image *image, struct error
     return pipeline_end(drawing, done, image, error);
 }
 
+/* In the corner once more, small: there the maps are not read at the same level. */
 static bool draw_normal_map(struct drawing *drawing, struct image *image, struct error *error) {
-    static const struct cell cell = {&normal_mapped, CULL_BACK};
-    return draw_cells(drawing, image, &cell, 1, 0.85, error);
+    struct pipeline *pipeline = pipeline_begin(drawing);
+    const struct rectangle place = grid_cell(image->width, image->height, 1, 1, 0, 0);
+    const struct rectangle corner = corner_of(place);
+    struct draw_call call = pipeline_call(drawing, place, 0.85, CULL_BACK);
+    struct draw_call small_call = pipeline_call(drawing, corner, 1, CULL_BACK);
+    struct uniforms u = make_uniforms(drawing, 0.85 * place.width);
+    struct uniforms small = make_uniforms(drawing, corner.width);
+    small.diffuse_level++; /* who exchanges the levels sees it */
+    bool done = pipeline_draw(pipeline, &call, &normal_mapped, &u, sizeof u, error) &&
+                pipeline_draw(pipeline, &small_call, &normal_mapped, &small, sizeof small, error);
+    return pipeline_end(drawing, done, image, error);
 }
 
 /* Above: without the faces turned away from the camera; without those turned towards it. Below:
