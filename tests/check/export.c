@@ -248,7 +248,7 @@ static void json_item(struct writer *writer, const struct item_result *item) {
         json_text(writer, ", \"message\"", item->message.text);
     }
     if (item->looks.text[0] != '\0') {
-        json_text(writer, item->nothing_drawn ? ", \"may_be\"" : ", \"looks_like\"",
+        json_text(writer, item->only_may_be ? ", \"may_be\"" : ", \"looks_like\"",
                   item->looks.text);
     }
     put(writer, "}");

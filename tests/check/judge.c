@@ -5,6 +5,7 @@
 #include "build.h"
 #include "compare.h"
 #include "counters.h"
+#include "doubt.h"
 #include "drawn.h"
 #include "fault.h"
 #include "image_file.h"
@@ -147,6 +148,7 @@ static void judge_picture(const struct judging *judging, size_t i, const struct 
         if (likeness.row == 0) {
             likeness = looks_find(&judging->looks[i], reference, yours, apart, 0);
         }
+        looks_compare(&judging->looks[i], yours);
         item->looks_path =
             looks_small_path(judging->options->looks, judging->step->name, item->scene);
         item->looks_row = likeness.row;
@@ -506,31 +508,14 @@ static void find_all_to_do(const struct judging *judging) {
     }
 }
 
-/* Are pixels of that scene apart in a program with this mistake? */
-static bool shows_mistake(const struct looks *scene, const struct look *mistake) {
-    bool found = false;
-    for (size_t i = 0; i < scene->count; i++) {
-        const struct look *look = &scene->list[i];
-        found |= look->apart > 0 && strcmp(look->words, mistake->words) == 0 &&
-                 strcmp(look->task.text, mistake->task.text) == 0;
-    }
-    return found;
-}
-
-/* It is not that mistake where a scene is exact that shows it; nor, for all that is known, when its
- * task is right. A task that is to do is not wrong. */
-static enum looks_doubt doubt(const void *context, const struct look *mistake) {
-    const struct judging *judging = context;
-    const char *task = mistake->task.text;
-    for (size_t i = 0; i < judging->step->scene_count; i++) {
-        if (judging->result->items[i].exact && shows_mistake(&judging->looks[i], mistake)) {
-            return LOOKS_IMPOSSIBLE;
-        }
-    }
-    return result_is_right(judging->result, task) ||
-                   todo_has_task((const char *)judging->source.data, task)
-               ? LOOKS_UNLIKELY
-               : LOOKS_LIKELY;
+/* What is known of the program, for an item of which it is asked what it looks like. */
+static struct suspicion suspicion_of(const struct judging *judging,
+                                     const struct item_result *item) {
+    return (struct suspicion){.result = judging->result,
+                              .looks = judging->looks,
+                              .scene_count = judging->step->scene_count,
+                              .source = (const char *)judging->source.data,
+                              .item = item};
 }
 
 /* Say what the wrong pictures look like, now that all is known. */
@@ -538,8 +523,9 @@ static void tell_likenesses(const struct judging *judging) {
     for (size_t i = 0; i < judging->step->scene_count; i++) {
         struct item_result *item = &judging->result->items[i];
         const struct looks *looks = &judging->looks[i];
-        item->nothing_drawn = item->looks_row > 0 && item->looks_row == looks->starter;
-        looks_tell(item, looks, item->looks_row, doubt, judging);
+        const struct suspicion suspicion = suspicion_of(judging, item);
+        item->only_may_be = item->looks_row > 0 && item->looks_row == looks->starter;
+        looks_tell(item, looks, item->looks_row, doubt_find, &suspicion);
     }
 }
 
@@ -579,8 +565,9 @@ static void tell_counted(const struct judging *judging, const size_t *items,
         for (size_t i = 0; i < count; i++) {
             write_counted(judging->options->counted, &yours[i]);
             struct item_result *item = &judging->result->items[items[i]];
-            item->nothing_drawn = item->blank && item->counter[0] == '\0';
-            looks_tell(item, &looks, 1, doubt, judging);
+            const struct suspicion suspicion = suspicion_of(judging, item);
+            item->only_may_be = item->blank && item->counter[0] == '\0';
+            looks_tell(item, &looks, 1, doubt_find, &suspicion);
         }
     }
 }

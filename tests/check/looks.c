@@ -11,6 +11,7 @@
 enum {
     LEAST_WRONG = 8,   /* pixels in a wrong colour, below which nothing can be told */
     UNEXPLAINED = 32,  /* for so many pixels in a wrong colour one may be another */
+    OTHERWISE = 8,     /* of so many pixels that are wrong, one may be so in another way */
     APART_QUARTERS = 4 /* how exactly the number of pixels apart must be met: one in so many */
 };
 
@@ -89,6 +90,7 @@ void looks_read(struct looks *looks, const char *directory, const char *step, co
 void looks_free(struct looks *looks) {
     image_free(&looks->pixels);
     free(looks->list);
+    free(looks->explains);
     *looks = (struct looks){.count = 0};
 }
 
@@ -207,6 +209,19 @@ struct likeness looks_find(const struct looks *looks, const struct image *refere
     return is_told ? best : none;
 }
 
+void looks_compare(struct looks *looks, const struct image *yours) {
+    if (looks->count == 0) {
+        return;
+    }
+    size_t wrong = find_distance(looks, 1, yours, COMPARE_LEVELS);
+    looks->explains = calloc(looks->pixels.height, sizeof *looks->explains);
+    for (size_t row = LOOKS_FIRST_ROW; looks->explains != NULL && row < looks->pixels.height;
+         row++) {
+        size_t left = find_distance(looks, row, yours, COMPARE_LEVELS);
+        looks->explains[row] = left * OTHERWISE <= wrong;
+    }
+}
+
 /* Note the task at fault, "" for none's, once. */
 static void add_task(struct item_result *item, const char *task) {
     if (task[0] != '\0' && !task_is_among(item->looks_tasks, item->looks_task_count, task)) {
@@ -224,6 +239,7 @@ void looks_tell(struct item_result *item, const struct looks *looks, size_t row,
             if (look->row == row && doubts <= most) {
                 result_say(&item->looks, "%s\"%s\"", told ? " or " : "", look->words);
                 add_task(item, look->task.text);
+                item->only_may_be |= doubts == LOOKS_DOUBTFUL;
                 told = true;
             }
         }

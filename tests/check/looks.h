@@ -69,6 +69,7 @@ struct looks {
     struct look *list;
     size_t count, capacity;
     size_t starter; /* the row of what it draws; 0: nothing, or what is not known */
+    bool *explains; /* of each row, whether it explains your picture; NULL: not known */
 };
 
 /* The mistake that a picture looks like. */
@@ -87,16 +88,22 @@ void looks_free(struct looks *looks);
 struct likeness looks_find(const struct looks *looks, const struct image *reference,
                            const struct image *yours, uint64_t apart, size_t left_out);
 
+/* Find which rows explain a wrong picture: of eight of the pixels that are wrong in it, at most one
+ * has not the colours of the row. When memory runs out, nothing is known of that. */
+void looks_compare(struct looks *looks, const struct image *yours);
+
 /* What else is known of a program, and speaks against a mistake. */
 enum looks_doubt {
     LOOKS_LIKELY,
-    LOOKS_UNLIKELY,  /* to be told only when there is none that is likely */
-    LOOKS_IMPOSSIBLE /* never */
+    LOOKS_DOUBTFUL,  /* another scene is wrong in another way */
+    LOOKS_UNLIKELY,  /* its task is right elsewhere */
+    LOOKS_IMPOSSIBLE /* never to be told */
 };
 typedef enum looks_doubt looks_doubt_function(const void *context, const struct look *look);
 
-/* Say of an item that its picture looks like "A" or "B", the mistakes of that row, and which tasks
- * are at fault in these. Without `doubt` (NULL) all are likely. */
+/* Say of an item that its picture looks like "A" or "B", of the mistakes of that row those with the
+ * least doubt, and which tasks are at fault in these; where they are doubtful, that it only may be
+ * one of them. Without `doubt` (NULL) all are likely. */
 void looks_tell(struct item_result *item, const struct looks *looks, size_t row,
                 looks_doubt_function *doubt, const void *context);
 

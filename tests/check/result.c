@@ -116,7 +116,7 @@ static size_t count_suspects(const struct step_result *result, const struct cred
 }
 
 const char *result_likeness(const struct item_result *item) {
-    return item->nothing_drawn ? "may be" : "looks like";
+    return item->only_may_be ? "may be" : "looks like";
 }
 
 const char *result_first_suspect(const struct step_result *result, const struct item_result *item) {
@@ -132,23 +132,12 @@ const char *result_first_suspect(const struct step_result *result, const struct 
     return credit->tasks[0].text;
 }
 
-/* Is this task, or the part "8b" of a task 8b.2, among what is needed? */
-static bool is_needed(const struct credit *credit, const char *task) {
-    bool found = false;
-    for (size_t i = 0; i < credit->need_count; i++) {
-        const char *need = credit->needs[i].text;
-        size_t length = strlen(need);
-        found |= strncmp(need, task, length) == 0 && (task[length] == '\0' || task[length] == '.');
-    }
-    return found;
-}
-
 /* Does the item look like a mistake of this task, which it shows or needs? What only may be one
  * names none. */
 static bool names(const struct item_result *item, const char *task) {
     const struct credit *credit = item->credit;
-    return !item->nothing_drawn && task_is_among(item->looks_tasks, item->looks_task_count, task) &&
-           (task_is_among(credit->tasks, credit->task_count, task) || is_needed(credit, task));
+    return !item->only_may_be && task_is_among(item->looks_tasks, item->looks_task_count, task) &&
+           credit_has(credit, task);
 }
 
 static bool names_any(const struct step_result *result, const struct item_result *item) {
@@ -178,7 +167,7 @@ static bool is_need_wrong(const struct step_result *result, const struct credit 
     bool wrong = false;
     for (size_t i = 0; i < result->task_count; i++) {
         const struct task_result *task = &result->tasks[i];
-        wrong |= task->state != RESULT_PASS && is_needed(credit, task->name.text);
+        wrong |= task->state != RESULT_PASS && credit_needs(credit, task->name.text);
     }
     return wrong;
 }
@@ -189,7 +178,7 @@ static bool is_unsure(const struct step_result *result, const struct item_result
     if (item->state != RESULT_FAIL) {
         return false;
     }
-    if (item->looks_task_count > 0 && !item->nothing_drawn) {
+    if (item->looks_task_count > 0 && !item->only_may_be) {
         const char *named = item->looks_tasks[0].text;
         return item->looks_task_count > 1 ||
                !task_is_among(credit->tasks, credit->task_count, named);

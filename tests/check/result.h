@@ -49,7 +49,9 @@ struct item_result {
     unsigned points;            /* 0, or all of them */
     struct result_text message; /* what is wrong, or not exact; empty when there is nothing */
     struct result_text looks;   /* "A" or "B", the mistakes that draw or count this; or empty */
-    bool nothing_drawn;         /* which others do as well: it may be such a mistake, and may not */
+    /* It may be such a mistake, and may not: others draw nothing as well, or another scene that
+     * shows the mistake is wrong in another way. */
+    bool only_may_be;
     /* The tasks that are at fault in these, as far as known. */
     struct task_name looks_tasks[LOOKS_NAME_LIMIT];
     size_t looks_task_count;
@@ -72,8 +74,8 @@ struct item_result {
 /* What is wrong may be the fault of these tasks:
  *
  * - where the item looks like known mistakes of tasks that it shows or needs: of these, whatever
- *   other items show, and of no others; for sure when it is one task, which it shows (a picture
- *   in which nothing is drawn looks like none);
+ *   other items show, and of no others; for sure when it is one task, which it shows (what only
+ *   may be a mistake looks like none);
  * - otherwise, of the tasks that it shows without those that a picture shows right alone; where
  *   none is left, and in an item that does not just FAIL, of all that it shows. For sure when it is
  *   one task, nothing that the item needs has a state other than PASS, and it looks like no mistake

@@ -93,6 +93,31 @@ bool task_is_among(const struct task_name *tasks, size_t count, const char *task
     return found;
 }
 
+bool credit_needs(const struct credit *credit, const char *task) {
+    bool found = false;
+    for (size_t i = 0; i < credit->need_count; i++) {
+        const char *need = credit->needs[i].text;
+        size_t length = strlen(need);
+        found |= strncmp(need, task, length) == 0 && (task[length] == '\0' || task[length] == '.');
+    }
+    return found;
+}
+
+bool credit_has(const struct credit *credit, const char *task) {
+    return task_is_among(credit->tasks, credit->task_count, task) || credit_needs(credit, task);
+}
+
+bool credit_covers(const struct credit *credit, const struct credit *other) {
+    bool covers = true;
+    for (size_t i = 0; i < other->task_count; i++) {
+        covers &= credit_has(credit, other->tasks[i].text);
+    }
+    for (size_t i = 0; i < other->need_count; i++) {
+        covers &= credit_has(credit, other->needs[i].text);
+    }
+    return covers;
+}
+
 /* Add a task to those that the credit shows, or to what it needs. */
 static bool add_task(struct credit *credit, bool is_need, const char *start, size_t length) {
     struct task_name *tasks = is_need ? credit->needs : credit->tasks;

@@ -48,6 +48,15 @@ struct credit {
     unsigned points; /* a multiple of task_count, not 0 */
 };
 
+/* Is this task, or the part "8b" of a task 8b.2, among what is needed? */
+bool credit_needs(const struct credit *credit, const char *task);
+
+/* Is it shown or needed? */
+bool credit_has(const struct credit *credit, const char *task);
+
+/* Are all that the other one shows and needs? */
+bool credit_covers(const struct credit *credit, const struct credit *other);
+
 struct checked_scene {
     char name[SCENE_NAME_LIMIT];
     struct credit credit;

@@ -214,11 +214,14 @@ static void test_names(void) {
     tear_down(&f);
 }
 
-/* The context is the name of a task that is right, or the words of a mistake that cannot be. */
+/* The context is the name of a task that is right, or the words of a mistake that cannot be; behind
+ * a question mark those of one that is doubtful. */
 static enum looks_doubt doubt_that(const void *context, const struct look *look) {
-    return strcmp(context, look->words) == 0       ? LOOKS_IMPOSSIBLE
-           : strcmp(context, look->task.text) == 0 ? LOOKS_UNLIKELY
-                                                   : LOOKS_LIKELY;
+    const char *text = context;
+    return text[0] == '?' && strcmp(text + 1, look->words) == 0 ? LOOKS_DOUBTFUL
+           : strcmp(context, look->words) == 0                  ? LOOKS_IMPOSSIBLE
+           : strcmp(context, look->task.text) == 0              ? LOOKS_UNLIKELY
+                                                                : LOOKS_LIKELY;
 }
 
 /* What is told of a row with that doubt: `tasks` are those at fault. */
@@ -232,6 +235,8 @@ static void check_told(const struct fixture *f, size_t row, const char *right, c
     }
     CHECK_TEXT(item.looks.text, words);
     CHECK_TEXT(told, tasks);
+    CHECK_TEXT(result_likeness(&item),
+               right != NULL && right[0] == '?' && row == 3 ? "may be" : "looks like");
 }
 
 static void test_told(void) {
@@ -248,8 +253,38 @@ static void test_told(void) {
     check_told(&f, 3, "5.2", "\"the second\"", "5.2"); /* there is no other */
     check_told(&f, 4, "the third", "\"as the third\"", "5.3");
     check_told(&f, 3, "the second", "", "");
+    check_told(&f, 3, "?the second", "\"the second\"", "5.2");
+    check_told(&f, 4, "?the third", "\"as the third\"", "5.3"); /* which is not doubtful */
     f.looks.list[3].row = 0;
     check_told(&f, 0, NULL, "", "");
+    tear_down(&f);
+}
+
+/* Of eight pixels that are wrong one may be so in another way. */
+static void test_explained(void) {
+    static const struct {
+        size_t row, other;
+        bool explains[ROWS];
+    } cases[] = {
+        {2, 0, {true, false, false}}, /* of 64 wrong pixels 24 are not the second's */
+        {3, 0, {false, true, false}},
+        {4, 8, {false, false, true}},
+        {4, 9, {false, false, false}},
+    };
+    struct fixture f;
+    set_up(&f);
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        draw(&f, cases[i].row, cases[i].other);
+        looks_compare(&f.looks, &f.yours);
+        for (size_t row = 0; row < ROWS; row++) {
+            CHECK(f.looks.explains[LOOKS_FIRST_ROW + row] == cases[i].explains[row]);
+        }
+        free(f.looks.explains);
+    }
+    f.looks.explains = NULL;
+    f.looks.count = 0; /* nothing is known */
+    looks_compare(&f.looks, &f.yours);
+    CHECK(f.looks.explains == NULL);
     tear_down(&f);
 }
 
@@ -352,4 +387,4 @@ static void test_shrinking(void) {
 
 UNIT_MAIN(TEST(test_places), TEST(test_what_is_told), TEST(test_doubt), TEST(test_near),
           TEST(test_small_pictures), TEST(test_black), TEST(test_shrinking), TEST(test_names),
-          TEST(test_told), TEST(test_out_of_date), TEST(test_files))
+          TEST(test_told), TEST(test_explained), TEST(test_out_of_date), TEST(test_files))

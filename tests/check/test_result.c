@@ -34,8 +34,8 @@ static void read_item(struct item_result *item, struct credit *credit, const cha
     credit->points = (unsigned)credit->task_count;
     item->credit = credit;
     item->scene = "scene";
-    item->nothing_drawn = strcmp(kind, "blank") == 0;
-    item->counter = strcmp(kind, "picture") == 0 || item->nothing_drawn ? "" : "counted";
+    item->only_may_be = strcmp(kind, "blank") == 0;
+    item->counter = strcmp(kind, "picture") == 0 || item->only_may_be ? "" : "counted";
     item->unjudged = strcmp(kind, "unjudged") == 0;
     item->state = strcmp(state, "PASS") == 0   ? RESULT_PASS
                   : strcmp(state, "FAIL") == 0 ? RESULT_FAIL

@@ -1,0 +1,136 @@
+/* Tests of what speaks against a mistake that a picture looks like. */
+#include "doubt.h"
+#include "unit.h"
+
+#include <string.h>
+
+enum { SCENES = 2, ROWS = 4 };
+
+/* Two scenes that fail. In the first one it is asked for "a", of task 5.2: row 2 in both. */
+struct fixture {
+    struct item_result items[SCENES];
+    struct credit credits[SCENES];
+    struct looks looks[SCENES];
+    struct look lists[SCENES][1];
+    bool explains[SCENES][ROWS];
+    struct step_result result;
+    const char *source;
+};
+
+static void add_task(struct credit *credit, bool is_need, const char *task) {
+    struct task_name *tasks = is_need ? credit->needs : credit->tasks;
+    size_t *count = is_need ? &credit->need_count : &credit->task_count;
+    strcpy(tasks[(*count)++].text, task);
+}
+
+static void set_up(struct fixture *f) {
+    static const struct look known = {
+        .row = 2, .apart = 100, .task = {.text = "5.2"}, .words = "a"};
+    memset(f, 0, sizeof *f);
+    for (size_t i = 0; i < SCENES; i++) {
+        f->items[i] = (struct item_result){.scene = i == 0 ? "first" : "second",
+                                           .counter = "",
+                                           .credit = &f->credits[i],
+                                           .state = RESULT_FAIL};
+        f->items[i].shares.apart.count = 100;
+        add_task(&f->credits[i], false, "5.2");
+        f->lists[i][0] = known;
+        f->explains[i][2] = true;
+        f->looks[i] = (struct looks){.list = f->lists[i], .count = 1, .explains = f->explains[i]};
+    }
+    f->result = (struct step_result){.items = f->items, .item_count = SCENES};
+    f->source = "";
+}
+
+static enum looks_doubt find(const struct fixture *f) {
+    const struct suspicion suspicion = {.result = &f->result,
+                                        .looks = f->looks,
+                                        .scene_count = SCENES,
+                                        .source = f->source,
+                                        .item = &f->items[0]};
+    return doubt_find(&suspicion, &f->lists[0][0]);
+}
+
+static void test_likely(void) {
+    struct fixture f;
+    set_up(&f);
+    CHECK(find(&f) == LOOKS_LIKELY);
+    f.items[1].state = RESULT_PASS; /* but not exact: near is near */
+    f.credits[1].task_count = 2;
+    f.explains[1][2] = false;
+    CHECK(find(&f) == LOOKS_LIKELY);
+    f.items[1].exact = true;
+    f.lists[1][0].apart = 0; /* a scene that does not show it */
+    CHECK(find(&f) == LOOKS_LIKELY);
+}
+
+static void test_impossible(void) {
+    struct fixture f;
+    set_up(&f);
+    f.items[1].state = RESULT_PASS;
+    f.items[1].exact = true;
+    CHECK(find(&f) == LOOKS_IMPOSSIBLE);
+    strcpy(f.lists[1][0].words, "another");
+    CHECK(find(&f) == LOOKS_UNLIKELY);
+    strcpy(f.lists[1][0].words, "a");
+    strcpy(f.lists[1][0].task.text, "5.3"); /* the same words of another task */
+    CHECK(find(&f) == LOOKS_UNLIKELY);
+}
+
+static void test_unlikely(void) {
+    struct fixture f;
+    set_up(&f);
+    f.source = "x // to do 5.2: y";
+    CHECK(find(&f) == LOOKS_UNLIKELY);
+    f.source = "x // to do 5.3: y";
+    CHECK(find(&f) == LOOKS_LIKELY);
+    f.items[1].state = RESULT_PASS;
+    CHECK(find(&f) == LOOKS_UNLIKELY);
+}
+
+static void test_doubtful(void) {
+    struct fixture f;
+    set_up(&f);
+    f.explains[1][2] = false;
+    CHECK(find(&f) == LOOKS_DOUBTFUL);
+    f.items[1].state = RESULT_CRASH;
+    CHECK(find(&f) == LOOKS_LIKELY);
+    f.items[1].state = RESULT_TODO;
+    CHECK(find(&f) == LOOKS_LIKELY);
+    f.items[1].state = RESULT_FAIL;
+    f.looks[1].explains = NULL; /* not known */
+    CHECK(find(&f) == LOOKS_LIKELY);
+    f.looks[1].explains = f.explains[1];
+    strcpy(f.lists[1][0].words, "another");
+    CHECK(find(&f) == LOOKS_LIKELY);
+    /* one that the mistake leaves right */
+    set_up(&f);
+    f.lists[1][0].row = 0;
+    CHECK(find(&f) == LOOKS_LIKELY);
+    f.lists[1][0].apart = 0;
+    CHECK(find(&f) == LOOKS_DOUBTFUL);
+    f.items[1].shares.apart.count = 0; /* and that is near */
+    CHECK(find(&f) == LOOKS_LIKELY);
+}
+
+/* Where another task is shown or needed, that may be wrong, too. */
+static void test_other_tasks(void) {
+    struct fixture f;
+    set_up(&f);
+    f.explains[1][2] = false;
+    add_task(&f.credits[1], false, "5.3");
+    CHECK(find(&f) == LOOKS_LIKELY);
+    add_task(&f.credits[0], true, "5.3");
+    CHECK(find(&f) == LOOKS_DOUBTFUL);
+    add_task(&f.credits[1], true, "6b.2");
+    CHECK(find(&f) == LOOKS_LIKELY);
+    add_task(&f.credits[0], true, "6b");
+    CHECK(find(&f) == LOOKS_DOUBTFUL);
+    add_task(&f.credits[1], true, "6c");
+    CHECK(find(&f) == LOOKS_LIKELY);
+    add_task(&f.credits[0], true, "6c.1"); /* not all of the part */
+    CHECK(find(&f) == LOOKS_LIKELY);
+}
+
+UNIT_MAIN(TEST(test_likely), TEST(test_impossible), TEST(test_unlikely), TEST(test_doubtful),
+          TEST(test_other_tasks))
