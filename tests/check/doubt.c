@@ -17,14 +17,14 @@ static bool shows_mistake(const struct looks *scene, const struct look *mistake)
     return found;
 }
 
-/* Is the scene wrong in another way than the mistake makes it, if it makes it wrong at all? */
+/* Is the scene wrong in another way than the mistake makes it, if it makes it wrong at all? (What a
+ * mistake draws that draws nothing is not kept.) */
 static bool is_wrong_otherwise(const struct item_result *item, const struct looks *scene,
                                const struct look *mistake) {
-    bool found = false;
+    bool found = false, is_apart = item->shares.apart.count > 0 && !item->blank;
     for (size_t i = 0; i < scene->count && scene->explains != NULL; i++) {
         const struct look *look = &scene->list[i];
-        bool otherwise = look->row > 0 ? !scene->explains[look->row]
-                                       : look->apart == 0 && item->shares.apart.count > 0;
+        bool otherwise = look->row > 0 ? !scene->explains[look->row] : look->apart == 0 && is_apart;
         found |= is_same(look, mistake) && otherwise;
     }
     return found;
@@ -55,8 +55,10 @@ enum looks_doubt doubt_find(const void *context, const struct look *mistake) {
     if (is_right_where_shown(suspicion, mistake)) {
         return LOOKS_IMPOSSIBLE;
     }
-    if (result_is_right(suspicion->result, task) || todo_has_task(suspicion->source, task)) {
-        return LOOKS_UNLIKELY;
+    if (is_contradicted(suspicion, mistake)) {
+        return LOOKS_DOUBTFUL;
     }
-    return is_contradicted(suspicion, mistake) ? LOOKS_DOUBTFUL : LOOKS_LIKELY;
+    return result_is_right(suspicion->result, task) || todo_has_task(suspicion->source, task)
+               ? LOOKS_UNLIKELY
+               : LOOKS_LIKELY;
 }

@@ -232,7 +232,7 @@ static void add_task(struct item_result *item, const char *task) {
 void looks_tell(struct item_result *item, const struct looks *looks, size_t row,
                 looks_doubt_function *doubt, const void *context) {
     bool told = false;
-    for (int most = LOOKS_LIKELY; most <= LOOKS_UNLIKELY && !told; most++) {
+    for (int most = LOOKS_LIKELY; most <= LOOKS_DOUBTFUL && !told; most++) {
         for (size_t i = 0; i < looks->count && row > 0; i++) {
             const struct look *look = &looks->list[i];
             int doubts = doubt != NULL ? (int)doubt(context, look) : LOOKS_LIKELY;

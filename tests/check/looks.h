@@ -95,8 +95,8 @@ void looks_compare(struct looks *looks, const struct image *yours);
 /* What else is known of a program, and speaks against a mistake. */
 enum looks_doubt {
     LOOKS_LIKELY,
-    LOOKS_DOUBTFUL,  /* another scene is wrong in another way */
     LOOKS_UNLIKELY,  /* its task is right elsewhere */
+    LOOKS_DOUBTFUL,  /* another scene is wrong in another way */
     LOOKS_IMPOSSIBLE /* never to be told */
 };
 typedef enum looks_doubt looks_doubt_function(const void *context, const struct look *look);

@@ -109,6 +109,9 @@ static void test_doubtful(void) {
     CHECK(find(&f) == LOOKS_LIKELY);
     f.lists[1][0].apart = 0;
     CHECK(find(&f) == LOOKS_DOUBTFUL);
+    f.items[1].blank = true;
+    CHECK(find(&f) == LOOKS_LIKELY);
+    f.items[1].blank = false;
     f.items[1].shares.apart.count = 0; /* and that is near */
     CHECK(find(&f) == LOOKS_LIKELY);
 }
