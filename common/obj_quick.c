@@ -245,20 +245,22 @@ static bool has_usual_line_ends(const char *data, const char *end) {
 }
 
 /* Is there a character that needs another look at a line: a backslash, which may join lines, or a
- * control character? */
+ * control character? Of these a carriage return may be usual. */
 static bool has_rare_characters(const char *data, size_t size) {
-    unsigned rare = 0;
+    unsigned char rare = 0, returns = 0; /* as narrow as what is read: so more at once */
     for (size_t i = 0; i < size; i++) {
         unsigned char c = (unsigned char)data[i];
-        rare |= (unsigned)(c == '\\') | ((c < ' ') & (c != '\n') & (c != '\r') & (c != '\t'));
+        unsigned control = (c < ' ') & (c != '\n') & (c != '\r') & (c != '\t');
+        rare = (unsigned char)(rare | (c == '\\') | control);
+        returns = (unsigned char)(returns | (c == '\r'));
     }
-    return rare != 0;
+    return rare != 0 || (returns != 0 && !has_usual_line_ends(data, data + size));
 }
 
 /* Plain text without a byte-order mark that ends with a line's end. */
 static bool is_usual(const char *data, size_t size) {
     return size > 0 && data[size - 1] == '\n' && data[0] != '\xEF' &&
-           !has_rare_characters(data, size) && has_usual_line_ends(data, data + size);
+           !has_rare_characters(data, size);
 }
 
 enum obj_quick_result obj_quick_read(struct model_reader *reader, const char *data, size_t size) {

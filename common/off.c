@@ -49,8 +49,8 @@ bool off_recognize(const void *data, size_t size) {
     struct off_kind kind;
     struct word word = {0};
     struct model_reader reader = {.error = &ignored};
-    return text_begin(&reader.text, data, size, false, &ignored) &&
-           reader_next_line(&reader, &word) && parse_keyword(word, &kind);
+    text_peek(&reader.text, data, size); /* the first word of a file that may be large */
+    return reader_next_line(&reader, &word) && parse_keyword(word, &kind);
 }
 
 static bool read_count(struct model_reader *reader, struct word word, const char *what,

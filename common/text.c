@@ -65,25 +65,27 @@ static const char *over_line_end(const char *p, const char *end) {
     return p < end ? p + 1 : p;
 }
 
+void text_peek(struct text *text, const void *data, size_t size) {
+    const char *start = data;
+    *text = (struct text){.next = NULL};
+    if (size > 0) { /* otherwise `data` may be NULL, on which nothing may be computed */
+        text->end = start + size;
+        text->next = start + (size >= 3 && memcmp(start, "\xEF\xBB\xBF", 3) == 0 ? 3 : 0);
+    }
+}
+
 bool text_begin(struct text *text, const void *data, size_t size, bool continuation,
                 struct error *error) {
     const char *start = data;
-    *text = (struct text){.continuation = continuation};
-    if (size == 0) { /* `data` may be NULL, on which nothing may be computed */
-        return true;
-    }
-    text->next = start;
-    text->end = start + size;
-    const char *nul = memchr(start, '\0', size);
+    text_peek(text, data, size);
+    text->continuation = continuation;
+    const char *nul = size > 0 ? memchr(start, '\0', size) : NULL;
     if (nul != NULL) {
         size_t line = 1;
         for (const char *p = start; p < nul; p++) {
             line += *p == '\n' || (*p == '\r' && p[1] != '\n');
         }
         return text_error(error, line, "not a text file: it holds a zero byte");
-    }
-    if (size >= 3 && memcmp(start, "\xEF\xBB\xBF", 3) == 0) {
-        text->next += 3;
     }
     return true;
 }

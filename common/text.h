@@ -34,6 +34,9 @@ struct word {
 bool text_begin(struct text *text, const void *data, size_t size, bool continuation,
                 struct error *error);
 
+/* The same without a look for NUL bytes: for who needs but the first words of a large file. */
+void text_peek(struct text *text, const void *data, size_t size);
+
 /* Go to the next line, over what is left of this one; false at the end of the text. */
 bool text_next_line(struct text *text);
 
