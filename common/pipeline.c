@@ -53,7 +53,9 @@ void pipeline_free(struct pipeline *pipeline) {
     free(pipeline->draws.data);
     free(pipeline->order.data);
     free(pipeline->uniforms.data);
-    free(pipeline->vertices.data);
+    free(pipeline->screens.data);
+    free(pipeline->depths.data);
+    free(pipeline->beyonds.data);
     free(pipeline->recip_w.data);
     free(pipeline->blocks.data);
     free(pipeline->pieces.data);

@@ -26,11 +26,13 @@ enum { BLOCK_SIZE = 1024 };
  * n/2 at each of the five planes: 3, 4, 6, 9, 13, 19. */
 enum { POLYGON_LIMIT = 19 };
 
-/* A transformed position. */
-struct vertex {
-    struct fixed2 screen; /* these two only without BEYOND_NEAR and BEYOND_GUARD_BAND */
-    double depth;
-    unsigned beyond;
+/* The transformed positions of a draw call. Where one is beyond the near plane or the guard band, it
+ * has no place on the screen, and all but `beyond` is 0. */
+struct vertices {
+    struct fixed2 *screen;
+    double *depth;
+    double *recip_w; /* NULL for a flat shader, which needs none */
+    uint8_t *beyond;
 };
 
 /* A corner of a polygon while it is clipped. */
@@ -48,48 +50,112 @@ struct polygon {
 struct assembly {
     struct pipeline *pipeline;
     const struct draw *draw;
-    struct vertex *vertices;
-    double *recip_w;    /* NULL for a flat shader, which needs none */
+    struct vertices vertices;
     atomic_uint beyond; /* the sides that any of the vertices is beyond */
 };
 
 /* ---- Positions ---- */
 
-/* NDC to the screen, snapped. False when the result is no place on the screen. */
-static bool project(struct vec4 clip, const struct rectangle *viewport, struct fixed2 *screen,
-                    double *depth, double *recip_w) {
-    *recip_w = 1 / clip.w;
-    *depth = clip.z * *recip_w;
-    double half_width = viewport->width / 2.0, half_height = viewport->height / 2.0;
-    struct vec2 position = {viewport->x + (clip.x * *recip_w + 1) * half_width,
-                            viewport->y + (clip.y * *recip_w + 1) * half_height};
-    return fabs(*depth) <= depth_limit && screen_snap(position, screen);
+/* Several at once, as many as the processor takes in one instruction or two. */
+struct clip_positions {
+    doubles x, y, z, w;
+};
+
+/* Where they are on the screen; 0 where they have no place there. */
+struct screen_positions {
+    ints x, y; /* in 1/256 pixel */
+    doubles depth, recip_w;
+    longs placed; /* which have one */
+};
+
+LANES_INLINE doubles doubles_all(double value) {
+    return value + (doubles){0};
+}
+
+LANES_INLINE doubles doubles_abs(doubles value) {
+    return (doubles)((longs)value & INT64_MAX);
+}
+
+/* Where the mask is set, the value, otherwise 0. */
+LANES_INLINE doubles doubles_where(longs mask, doubles value) {
+    return (doubles)(mask & (longs)value);
 }
 
 /* Written so that what is not a number is beyond everything. */
-static unsigned find_beyond(struct vec4 p) {
-    unsigned beyond = 0;
-    beyond |= p.x >= -p.w ? 0 : BEYOND_LEFT;
-    beyond |= p.x <= p.w ? 0 : BEYOND_RIGHT;
-    beyond |= p.y >= -p.w ? 0 : BEYOND_BOTTOM;
-    beyond |= p.y <= p.w ? 0 : BEYOND_TOP;
-    beyond |= p.w >= near_w ? 0 : BEYOND_NEAR;
-    double guard = guard_band * p.w;
-    beyond |= fabs(p.x) <= guard && fabs(p.y) <= guard ? 0 : BEYOND_GUARD_BAND;
-    return beyond;
+LANES_INLINE longs find_beyond(const struct clip_positions *p) {
+    doubles guard = guard_band * p->w;
+    longs in_guard_band = (doubles_abs(p->x) <= guard) & (doubles_abs(p->y) <= guard);
+    return (~(p->x >= -p->w) & BEYOND_LEFT) | (~(p->x <= p->w) & BEYOND_RIGHT) |
+           (~(p->y >= -p->w) & BEYOND_BOTTOM) | (~(p->y <= p->w) & BEYOND_TOP) |
+           (~(p->w >= near_w) & BEYOND_NEAR) | (~in_guard_band & BEYOND_GUARD_BAND);
 }
 
-/* A position of the model. Its 1/w is of use only where it has a place on the screen. */
-static struct vertex transform(const struct draw_call *call, struct vec3 position,
-                               double *recip_w) {
-    struct vec4 clip = mat4_point(&call->to_clip, position);
-    struct vertex vertex = {.beyond = find_beyond(clip)};
-    *recip_w = 0;
-    if ((vertex.beyond & (BEYOND_NEAR | BEYOND_GUARD_BAND)) == 0 &&
-        !project(clip, &call->viewport, &vertex.screen, &vertex.depth, recip_w)) {
-        vertex.beyond = ~0u;
+/* screen_snap() of what is within SCREEN_LIMIT. */
+LANES_INLINE ints snap(doubles screen) {
+    doubles place = screen * SUBPIXELS + 0.5;
+    ints whole = __builtin_convertvector(place, ints); /* towards 0, which may be upwards */
+    longs is_above = __builtin_convertvector(whole, doubles) > place;
+    return whole + __builtin_convertvector(is_above, ints);
+}
+
+/* Where those are that are `wanted`. */
+LANES_INLINE struct screen_positions project(const struct clip_positions *clip, longs wanted,
+                                             const struct rectangle *viewport) {
+    doubles recip_w = 1 / clip->w, depth = clip->z * recip_w;
+    doubles x = viewport->x + (clip->x * recip_w + 1) * (viewport->width / 2.0);
+    doubles y = viewport->y + (clip->y * recip_w + 1) * (viewport->height / 2.0);
+    longs placed = wanted & (doubles_abs(depth) <= depth_limit) & (doubles_abs(x) <= SCREEN_LIMIT) &
+                   (doubles_abs(y) <= SCREEN_LIMIT);
+    return (struct screen_positions){
+        .x = snap(doubles_where(placed, x)),
+        .y = snap(doubles_where(placed, y)),
+        .depth = doubles_where(placed, depth),
+        .recip_w = doubles_where(placed, recip_w),
+        .placed = placed,
+    };
+}
+
+/* One position, several times. */
+LANES_INLINE struct clip_positions clip_positions_all(struct vec4 p) {
+    return (struct clip_positions){doubles_all(p.x), doubles_all(p.y), doubles_all(p.z),
+                                   doubles_all(p.w)};
+}
+
+static unsigned find_beyond_one(struct vec4 p) {
+    struct clip_positions clip = clip_positions_all(p);
+    return (unsigned)find_beyond(&clip)[0];
+}
+
+/* Positions of the model from number `at` on; behind the last one that again. As mat4_point(). */
+LANES_INLINE struct clip_positions transform(const struct draw_call *call, size_t at) {
+    const struct model *model = call->model;
+    const double(*m)[4] = call->to_clip.m;
+    size_t last = model->position_count - 1;
+    doubles x = {0}, y = {0}, z = {0};
+    for (size_t i = 0; i < TOGETHER; i++) {
+        struct vec3 p = model->positions[at + i < last ? at + i : last];
+        x[i] = p.x;
+        y[i] = p.y;
+        z[i] = p.z;
     }
-    return vertex;
+    return (struct clip_positions){
+        .x = m[0][0] * x + m[0][1] * y + m[0][2] * z + m[0][3],
+        .y = m[1][0] * x + m[1][1] * y + m[1][2] * z + m[1][3],
+        .z = m[2][0] * x + m[2][1] * y + m[2][2] * z + m[2][3],
+        .w = m[3][0] * x + m[3][1] * y + m[3][2] * z + m[3][3],
+    };
+}
+
+static void keep(const struct vertices *vertices, size_t at, const struct screen_positions *p,
+                 longs beyond) {
+    memcpy(vertices->depth + at, &p->depth, sizeof p->depth);
+    if (vertices->recip_w != NULL) {
+        memcpy(vertices->recip_w + at, &p->recip_w, sizeof p->recip_w);
+    }
+    for (size_t i = 0; i < TOGETHER; i++) {
+        vertices->screen[at + i] = (struct fixed2){p->x[i], p->y[i]};
+        vertices->beyond[at + i] = (uint8_t)beyond[i];
+    }
 }
 
 /* The elements of a block. */
@@ -103,16 +169,19 @@ static void transform_block(void *context, size_t index, size_t worker) {
     struct assembly *assembly = context;
     const struct draw_call *call = &assembly->draw->call;
     struct range range = block_range(index, call->model->position_count);
-    unsigned beyond = 0;
-    for (size_t i = range.begin; i < range.end; i++) {
-        double recip_w;
-        assembly->vertices[i] = transform(call, call->model->positions[i], &recip_w);
-        beyond |= assembly->vertices[i].beyond;
-        if (assembly->recip_w != NULL) {
-            assembly->recip_w[i] = recip_w;
-        }
+    longs any = {0};
+    for (size_t i = range.begin; i < range.end; i += TOGETHER) {
+        struct clip_positions clip = transform(call, i);
+        longs beyond = find_beyond(&clip);
+        longs may_be_placed = (beyond & (BEYOND_NEAR | BEYOND_GUARD_BAND)) == 0;
+        struct screen_positions positions = project(&clip, may_be_placed, &call->viewport);
+        beyond |= may_be_placed & ~positions.placed & BEYOND_ALL;
+        keep(&assembly->vertices, i, &positions, beyond);
+        any |= beyond;
     }
-    atomic_fetch_or_explicit(&assembly->beyond, beyond, memory_order_relaxed);
+    for (int i = 0; i < TOGETHER; i++) {
+        atomic_fetch_or_explicit(&assembly->beyond, (unsigned)any[i], memory_order_relaxed);
+    }
 }
 
 /* ---- Objects outside the view ---- */
@@ -124,7 +193,7 @@ static bool may_be_outside(const struct draw_call *call) {
     unsigned beyond = BEYOND_ONE_SIDE;
     for (size_t i = 0; i < model->position_count && beyond != 0;
          i += model->position_count / 8 + 1) {
-        beyond &= find_beyond(mat4_point(&call->to_clip, model->positions[i]));
+        beyond &= find_beyond_one(mat4_point(&call->to_clip, model->positions[i]));
     }
     return beyond != 0;
 }
@@ -172,7 +241,7 @@ static bool box_is_outside(const struct mat4 *to_clip, struct box3 box) {
                               i & 4 ? box.greatest.z : box.least.z};
         struct vec4 clip = mat4_point(to_clip, corner);
         clip.w += roundings;
-        beyond &= find_beyond(clip);
+        beyond &= find_beyond_one(clip);
     }
     return beyond != 0;
 }
@@ -243,21 +312,32 @@ static struct polygon clip_at_plane(const struct polygon *polygon, int plane) {
 
 /* ---- Triangles on the screen ---- */
 
-static void find_vertices(const struct assembly *a, size_t face, const struct vertex *vertex[3]) {
-    const struct corner *corner = a->draw->call.model->faces[face].corner;
-    for (int i = 0; i < 3; i++) {
-        vertex[i] = &a->vertices[corner[i].position];
-    }
+/* What the corners of a face are beyond: all of them, and any of them. */
+struct face_beyond {
+    unsigned all, any;
+};
+
+static inline struct face_beyond find_face_beyond(const struct assembly *a,
+                                                  const struct corner corner[3]) {
+    const uint8_t *beyond = a->vertices.beyond;
+    unsigned b[3] = {beyond[corner[0].position], beyond[corner[1].position],
+                     beyond[corner[2].position]};
+    return (struct face_beyond){b[0] & b[1] & b[2], b[0] | b[1] | b[2]};
 }
 
-static void batch_put(struct batch *batch, const struct vertex *const vertex[3]) {
+/* Where all positions are beyond nothing, `inside`, that is not asked. */
+static inline void batch_put(struct batch *batch, const struct assembly *a,
+                             const struct corner corner[3], bool inside) {
+    const struct face_beyond none = {0, 0};
     size_t at = batch->count++;
     for (int i = 0; i < 3; i++) {
-        batch->x[i][at] = vertex[i]->screen.x;
-        batch->y[i][at] = vertex[i]->screen.y;
+        struct fixed2 screen = a->vertices.screen[corner[i].position];
+        batch->x[i][at] = screen.x;
+        batch->y[i][at] = screen.y;
     }
-    batch->beyond_all[at] = (int32_t)(vertex[0]->beyond & vertex[1]->beyond & vertex[2]->beyond);
-    batch->beyond_any[at] = (int32_t)(vertex[0]->beyond | vertex[1]->beyond | vertex[2]->beyond);
+    struct face_beyond beyond = inside ? none : find_face_beyond(a, corner);
+    batch->beyond_all[at] = (int32_t)beyond.all;
+    batch->beyond_any[at] = (int32_t)beyond.any;
 }
 
 /* Where a block's pieces go. */
@@ -273,14 +353,14 @@ struct output {
  * corners are listed from another one on is computed in the same way, to the last bit; and the rest
  * follows counterclockwise. */
 static void add_piece(struct output *to, const struct batch *batch, size_t at, size_t face,
-                      uint32_t clipped, const struct vertex *const vertex[3]) {
+                      uint32_t clipped, const double depth[3]) {
     struct block *block = to->block;
     struct band_span *bands = &to->piece_bands[block->piece_count];
     struct piece *piece = &to->pieces[block->piece_count++];
     int order[3] = {batch->first[at], batch->second[at], 3 - batch->first[at] - batch->second[at]};
     for (int i = 0; i < 3; i++) {
-        piece->corner[i] = vertex[order[i]]->screen;
-        piece->depth[i] = vertex[order[i]]->depth;
+        piece->corner[i] = (struct fixed2){batch->x[order[i]][at], batch->y[order[i]][at]};
+        piece->depth[i] = depth[order[i]];
         piece->face_corner[i] = (uint8_t)order[i];
     }
     piece->face = (uint32_t)face;
@@ -336,25 +416,28 @@ static struct polygon clip_face(const struct draw_call *call, size_t face) {
 /* One triangle of the fan that a clipped polygon is cut into. */
 static void add_part(const struct assembly *a, struct output *to, size_t face,
                      const struct clip_corner *const corner[3]) {
-    struct vertex vertex[3] = {0};
     struct clipped_corners clipped;
+    struct batch batch = {.count = 1};
+    double depth[3];
     for (int i = 0; i < 3; i++) {
-        if (!project(corner[i]->clip, &a->draw->call.viewport, &vertex[i].screen, &vertex[i].depth,
-                     &clipped.recip_w[i])) {
+        struct clip_positions clip = clip_positions_all(corner[i]->clip);
+        struct screen_positions position = project(&clip, ~(longs){0}, &a->draw->call.viewport);
+        if (!position.placed[0]) {
             return;
         }
+        batch.x[i][0] = position.x[0];
+        batch.y[i][0] = position.y[0];
+        depth[i] = position.depth[0];
+        clipped.recip_w[i] = position.recip_w[0];
         clipped.weight[i] = corner[i]->weight;
     }
-    const struct vertex *const given[3] = {&vertex[0], &vertex[1], &vertex[2]};
-    struct batch batch = {.count = 0};
-    batch_put(&batch, given);
     batch_classify(&batch, &a->draw->call, a->pipeline->skip);
     if (batch.kind[0] != TRIANGLE_WHOLE) {
         count_left_out(to->block, (enum triangle_kind)batch.kind[0]);
         return;
     }
     size_t index = to->block->first_clipped + to->block->clipped_count;
-    add_piece(to, &batch, 0, face, (uint32_t)index, given);
+    add_piece(to, &batch, 0, face, (uint32_t)index, depth);
     to->clipped[to->block->clipped_count++] = clipped;
 }
 
@@ -397,10 +480,22 @@ static void add_batch(const struct assembly *a, struct output *to, const struct 
         if (batch->kind[list[i]] == TRIANGLE_CLIPPED) {
             add_clipped_face(a, to, face);
         } else {
-            const struct vertex *vertex[3];
-            find_vertices(a, face, vertex);
-            add_piece(to, batch, list[i], face, NOT_CLIPPED, vertex);
+            const struct corner *corner = a->draw->call.model->faces[face].corner;
+            const double *depths = a->vertices.depth;
+            const double depth[3] = {depths[corner[0].position], depths[corner[1].position],
+                                     depths[corner[2].position]};
+            add_piece(to, batch, list[i], face, NOT_CLIPPED, depth);
         }
+    }
+}
+
+/* Constant where it is called: see batch_put(). */
+LANES_INLINE void fill_batch(struct batch *batch, const struct assembly *a, struct range faces,
+                             bool inside) {
+    const struct face *face = a->draw->call.model->faces;
+    batch->count = 0;
+    for (size_t i = faces.begin; i < faces.end; i++) {
+        batch_put(batch, a, face[i].corner, inside);
     }
 }
 
@@ -421,11 +516,12 @@ static void assemble_block(void *context, size_t index, size_t worker) {
     struct range range = block_range(index, a->draw->call.model->face_count);
     struct batch batch = {.count = 0};
     for (size_t first = range.begin; first < range.end; first += BATCH_SIZE) {
-        batch.count = 0;
-        for (size_t face = first; face < range.end && batch.count < BATCH_SIZE; face++) {
-            const struct vertex *vertex[3];
-            find_vertices(a, face, vertex);
-            batch_put(&batch, vertex);
+        struct range faces = {first,
+                              range.end - first < BATCH_SIZE ? range.end : first + BATCH_SIZE};
+        if (a->beyond == 0) {
+            fill_batch(&batch, a, faces, true);
+        } else {
+            fill_batch(&batch, a, faces, false);
         }
         batch_classify(&batch, &a->draw->call, p->skip);
         add_batch(a, &to, &batch, first);
@@ -435,12 +531,9 @@ static void assemble_block(void *context, size_t index, size_t worker) {
 /* How many pieces the faces of a block may need, counted into `block`. */
 static void count_pieces(const struct assembly *a, struct range faces, struct block *block) {
     for (size_t face = faces.begin; face < faces.end; face++) {
-        const struct vertex *v[3];
-        find_vertices(a, face, v);
-        unsigned all = v[0]->beyond & v[1]->beyond & v[2]->beyond;
-        unsigned any = v[0]->beyond | v[1]->beyond | v[2]->beyond;
-        bool outside = (all & BEYOND_ONE_SIDE) != 0;
-        bool cut = (any & (BEYOND_NEAR | BEYOND_GUARD_BAND)) != 0;
+        struct face_beyond beyond = find_face_beyond(a, a->draw->call.model->faces[face].corner);
+        bool outside = (beyond.all & BEYOND_ONE_SIDE) != 0;
+        bool cut = (beyond.any & (BEYOND_NEAR | BEYOND_GUARD_BAND)) != 0;
         if (!outside && cut) {
             size_t corners = clip_face(&a->draw->call, face).count;
             block->clipped_count += corners > 2 ? corners - 2 : 0;
@@ -501,7 +594,8 @@ static void add_up_blocks(struct pipeline *p, struct draw *draw) {
 
 /* Room for the 1/w of the positions behind those of the draw calls before. */
 static bool reserve_recip_w(struct pipeline *p, struct draw *draw, struct error *error) {
-    size_t count = draw->shader->flat ? 0 : draw->call.model->position_count;
+    size_t positions = draw->call.model->position_count;
+    size_t count = draw->shader->flat ? 0 : (positions + TOGETHER - 1) / TOGETHER * TOGETHER;
     draw->first_recip_w = p->recip_w_end;
     p->recip_w_end += count;
     return buffer_reserve(&p->recip_w, p->recip_w_end, sizeof(double), error);
@@ -513,15 +607,22 @@ static bool assemble(struct pipeline *p, struct draw *draw, struct error *error)
     draw->block_count = (model->face_count + BLOCK_SIZE - 1) / BLOCK_SIZE;
     size_t blocks = draw->first_block + draw->block_count;
     p->stats[STAT_VERTICES_TRANSFORMED] += model->position_count;
-    if (!buffer_reserve(&p->vertices, model->position_count, sizeof(struct vertex), error) ||
+    size_t vertices = (model->position_count + TOGETHER - 1) / TOGETHER * TOGETHER;
+    if (!buffer_reserve(&p->screens, vertices, sizeof(struct fixed2), error) ||
+        !buffer_reserve(&p->depths, vertices, sizeof(double), error) ||
+        !buffer_reserve(&p->beyonds, vertices, sizeof(uint8_t), error) ||
         !buffer_reserve(&p->blocks, blocks, sizeof(struct block), error) ||
         !buffer_reserve(&p->band_counts, blocks * band_count(p), sizeof(uint32_t), error) ||
         !reserve_recip_w(p, draw, error)) {
         return false;
     }
-    struct assembly assembly = {.pipeline = p, .draw = draw, .vertices = p->vertices.data};
+    struct assembly assembly = {
+        .pipeline = p,
+        .draw = draw,
+        .vertices = {.screen = p->screens.data, .depth = p->depths.data, .beyond = p->beyonds.data},
+    };
     if (!draw->shader->flat) {
-        assembly.recip_w = (double *)p->recip_w.data + draw->first_recip_w;
+        assembly.vertices.recip_w = (double *)p->recip_w.data + draw->first_recip_w;
     }
     pipeline_run(p, vertex_blocks, transform_block, &assembly);
     if (!lay_out_blocks(p, &assembly, error)) {

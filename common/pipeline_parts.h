@@ -68,7 +68,8 @@ enum {
     BEYOND_TOP = 8,
     BEYOND_NEAR = 16,
     BEYOND_ONE_SIDE = 31, /* any of these */
-    BEYOND_GUARD_BAND = 32
+    BEYOND_GUARD_BAND = 32,
+    BEYOND_ALL = 63
 };
 
 /* What becomes of a face, or of a part of a clipped one. */

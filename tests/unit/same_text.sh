@@ -39,7 +39,7 @@ lesson=step08_projection/main.c
 same $lesson common/geometry.c projection mat4_projection
 same $lesson common/geometry.c lookat mat4_lookat
 same $lesson common/geometry.h correct_weights perspective_weights
-for name in plane_distance mix cut_edge clip_at_plane find_beyond; do
+for name in plane_distance mix cut_edge clip_at_plane; do
     same $lesson common/pipeline_assemble.c $name
 done
 
