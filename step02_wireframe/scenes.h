@@ -203,6 +203,9 @@ static const struct cut_line {
     {{-2, 60}, {18, 65}, BLUE},
     {{18, 70}, {-2, 75}, BLUE},
     {{20, -5}, {21, 5}, BLUE},
+    /* in with its last step aside alone */
+    {{10, -7}, {60, 0}, WHITE},
+    {{RIGHT + 7, 90}, {RIGHT, 30}, WHITE},
     /* outside: beside, above and below, past a corner */
     {{-9, -5}, {-1, TOP + 5}, WHITE},
     {{RIGHT + 1, -5}, {RIGHT + 1, TOP + 5}, WHITE},

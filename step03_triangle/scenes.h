@@ -3,8 +3,7 @@
  *
  * Part a: `outline` draws the sides of three triangles, `signs` fills them by three signs, `bust`
  * does the same with the faces of a model, each in a colour of its own. Part b draws the triangles
- * and the model again, `triangle` and `faces`; in `far` a triangle leaves a wide image on three
- * sides; `sheet` and `fan` show how often each pixel of a mesh is drawn. Part c: `gradient` mixes
+ * and the model again, `triangle` and `faces`; in `far` triangles leave the image on three sides; `sheet` and `fan` show how often each pixel of a mesh is drawn. Part c: `gradient` mixes
  * the colours of the corners. A text scene draws the triangles that it lists.
  */
 #ifdef LINE_IS_MINE /* make LINE=mine: the line() of lesson 1 draws */
@@ -96,10 +95,15 @@ static const struct text_scene_shape three_triangles[] = {
 };
 enum { THREE_TRIANGLES = sizeof three_triangles / sizeof three_triangles[0] };
 
-/* It reaches far out of the image and covers its lowest rows. Its long side meets them at an x that
- * does not fit in an int. */
-static const struct text_scene_shape far_triangle = {
-    {1000000, -1000000, 0}, {7.00390625, 7, -1000000}, {{BLUE}, {BLUE}, {BLUE}}};
+/* The first one reaches far out of the image and covers its lowest rows. Its long side meets them at
+ * an x that does not fit in an int. Of the others a corner is in the image, and most rows are beside
+ * it. */
+static const struct text_scene_shape far_triangles[] = {
+    {{1000000, -1000000, 0}, {7.00390625, 7, -1000000}, {{BLUE}, {BLUE}, {BLUE}}},
+    {{220, 300, 300}, {40, 40, 150}, {{GREEN}, {GREEN}, {GREEN}}},
+    {{20, -60, -60}, {120, 40, 130}, {{RED}, {RED}, {RED}}},
+};
+enum { FAR_TRIANGLES = sizeof far_triangles / sizeof far_triangles[0] };
 
 /* One triangle, given clockwise; a hexagon of six; a rectangle of two. */
 static const struct text_scene_shape colored_triangles[] = {
@@ -148,7 +152,7 @@ static bool draw_triangle(struct drawing *drawing, struct image *image, struct e
 
 static bool draw_far(struct drawing *drawing, struct image *image, struct error *error) {
     (void)error;
-    draw_shapes(drawing, image, &far_triangle, 1);
+    draw_shapes(drawing, image, far_triangles, FAR_TRIANGLES);
     return true;
 }
 

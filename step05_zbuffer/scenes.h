@@ -48,6 +48,8 @@ static bool draw_rows(struct drawing *drawing, struct image *image, struct error
         {{20.5, 34}, {744.5, 400}, {.r = 255, .a = 255}},
         {{120, 434}, {444, 400}, {.g = 255, .a = 255}},
         {{330, 463}, {594, 200}, {.b = 255, .a = 255}},
+        {{-40, 150}, {8, 90}, {.b = 150, .g = 150, .r = 150, .a = 255}}, /* beyond the sides */
+        {{770, 90}, {840, 150}, {.b = 150, .g = 150, .r = 150, .a = 255}},
     };
     /* Another size than the usual one shows the same picture, smaller or larger. */
     double across = (double)image->width / ROWS_WIDTH, up = (double)image->height / ROWS_HEIGHT;

@@ -136,6 +136,9 @@ static bool draw_letters(struct drawing *drawing, struct image *image, struct er
     struct canvas canvas = {.image = image, .depth = drawing->depth, .skip = drawing->skip};
     triangle(&canvas, first, &state->letters, 1);
     triangle(&canvas, second, &state->letters, 1);
+    /* What is no nearer than what is there stays hidden. */
+    triangle(&canvas, first, &state->letters, 0.5);
+    triangle(&canvas, second, &state->letters, 0.5);
     drawing_count(drawing, "pixels_tested", canvas.pixels_tested);
     drawing_count(drawing, "pixels_written", canvas.pixels_written);
     drawing_count(drawing, "texels_fetched", canvas.texels_fetched);

@@ -156,9 +156,21 @@ static void draw_lit_as(struct drawing *drawing, struct image *image,
     draw_faces(drawing, &canvas, &lighting);
 }
 
+/* In the lower left corner the powers 0 to 7 of 0.8. */
+static void draw_powers(struct image *image) {
+    int side = (int)image->width / 40;
+    for (int power = 0; power < 8; power++) {
+        struct color grey = color_grey(level_from(255 * integer_power(0.8, power)));
+        for (int y = 0; y < side && y < (int)image->height; y++) {
+            image_fill_row(image, y, power * side, (power + 1) * side, grey);
+        }
+    }
+}
+
 static bool draw_lit(struct drawing *drawing, struct image *image, struct error *error) {
     (void)error;
     draw_lit_as(drawing, image, &clay);
+    draw_powers(image);
     return true;
 }
 

@@ -168,7 +168,10 @@ static bool draw_alone(struct image *image, int panel) {
 static bool draw_unmapped(struct drawing *drawing, struct image *image, struct error *error) {
     (void)drawing, (void)error;
     const struct plane plane = {image, whole_image(image)};
-    const struct mat4 still = mat4_identity();
+    struct mat4 still = mat4_identity(); /* times 2, which changes nothing: w is 2 */
+    for (int i = 0; i < 4; i++) {
+        still.m[i][i] = 2;
+    }
     draw_mapped(&plane, &still);
     return true;
 }
@@ -761,8 +764,9 @@ static const struct scene scenes[] = {
     {
         .name = "above",
         .needs = NEEDS_VIEW,
-        .eye = {0.1, 2.3, 0.2}, /* looks along `up` */
+        .eye = {0.1, 2.3, 0.2}, /* looks along `up`, as near as it matters */
         .center = {0.1, 0.3, 0.2},
+        .up = {0, 1, 1e-12},
         .light = {1, 3, 2},
         .draw = draw_view,
     },

@@ -172,6 +172,8 @@ static bool draw_loops(struct drawing *drawing, struct image *image, struct erro
     struct draw_call call =
         crossing_call(&crossing, grid_cell(image->width, image->height, 2, 2, 0, 0));
     simple_draw(&canvas, &call, &simple_corners, &crossing.uniforms);
+    /* What is no nearer than what is there stays hidden. */
+    simple_draw(&canvas, &call, &simple_normals, &crossing.uniforms);
     call = too_far_call(&too_far, grid_cell(image->width, image->height, 2, 2, 1, 0));
     simple_draw(&canvas, &call, &simple_corners, &too_far.uniforms);
     return draw_simple_cells(drawing, image, cells);
