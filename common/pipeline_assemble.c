@@ -26,8 +26,8 @@ enum { BLOCK_SIZE = 1024 };
  * n/2 at each of the five planes: 3, 4, 6, 9, 13, 19. */
 enum { POLYGON_LIMIT = 19 };
 
-/* The transformed positions of a draw call. Where one is beyond the near plane or the guard band, it
- * has no place on the screen, and all but `beyond` is 0. */
+/* The transformed positions of a draw call. What is beyond the near plane or the guard band has no
+ * place on the screen: all but `beyond` is 0. */
 struct vertices {
     struct fixed2 *screen;
     double *depth;

@@ -295,7 +295,7 @@ KERNEL void find_flat_colors(const struct shading *s, const struct shader *shade
     pieces->count = 0;
 }
 
-/* Ask the memory for a piece that will be fetched soon, and for the face of one that comes sooner. */
+/* Ask the memory for a piece that will be fetched soon, and for the face of a sooner one. */
 KERNEL void expect_pieces(const struct shading *s, uint32_t number) {
     enum { PIECES_AHEAD = 16, FACES_AHEAD = 8 };
     const struct piece *pieces = s->pipeline->pieces.data;

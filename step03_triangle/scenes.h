@@ -3,8 +3,9 @@
  *
  * Part a: `outline` draws the sides of three triangles, `signs` fills them by three signs, `bust`
  * does the same with the faces of a model, each in a colour of its own. Part b draws the triangles
- * and the model again, `triangle` and `faces`; in `far` triangles leave the image on three sides; `sheet` and `fan` show how often each pixel of a mesh is drawn. Part c: `gradient` mixes
- * the colours of the corners. A text scene draws the triangles that it lists.
+ * and the model again, `triangle` and `faces`; in `far` triangles leave the image on three sides;
+ * `sheet` and `fan` show how often each pixel of a mesh is drawn. Part c: `gradient` mixes the
+ * colours of the corners. A text scene draws the triangles that it lists.
  */
 #ifdef LINE_IS_MINE /* make LINE=mine: the line() of lesson 1 draws */
 #include "mine.h"
@@ -95,9 +96,9 @@ static const struct text_scene_shape three_triangles[] = {
 };
 enum { THREE_TRIANGLES = sizeof three_triangles / sizeof three_triangles[0] };
 
-/* The first one reaches far out of the image and covers its lowest rows. Its long side meets them at
- * an x that does not fit in an int. Of the others a corner is in the image, and most rows are beside
- * it. */
+/* The first one reaches far out of the image and covers its lowest rows: its long side meets them
+ * at an x that does not fit in an int. Of the others a corner is in the image, and most rows are
+ * beside it. */
 static const struct text_scene_shape far_triangles[] = {
     {{1000000, -1000000, 0}, {7.00390625, 7, -1000000}, {{BLUE}, {BLUE}, {BLUE}}},
     {{220, 300, 300}, {40, 40, 150}, {{GREEN}, {GREEN}, {GREEN}}},
