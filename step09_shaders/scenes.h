@@ -78,17 +78,30 @@ static struct rectangle corner_of(struct rectangle cell) {
     return (struct rectangle){cell.x + margin, cell.y + cell.height - margin - size, size, size};
 }
 
-/* A square that fills this corner. */
-static struct draw_call square_call(struct pair *square, struct rectangle cell) {
-    static const struct vec3 positions[6] = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0},
-                                             {-1, -1, 0}, {1, 1, 0},  {-1, 1, 0}};
-    pair_create(square, positions);
+/* Two faces in this corner, whose corners are given in NDC. */
+static struct draw_call flat_call(struct pair *pair, const struct vec3 positions[6],
+                                  struct rectangle cell) {
+    pair_create(pair, positions);
     return (struct draw_call){
-        .model = &square->model,
+        .model = &pair->model,
         .to_clip = mat4_identity(),
         .viewport = corner_of(cell),
         .cull = CULL_NONE,
     };
+}
+
+/* A square that fills this corner. */
+static struct draw_call square_call(struct pair *square, struct rectangle cell) {
+    static const struct vec3 positions[6] = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0},
+                                             {-1, -1, 0}, {1, 1, 0},  {-1, 1, 0}};
+    return flat_call(square, positions, cell);
+}
+
+/* Two triangles of which a corner is too far for the screen: nothing of them is drawn. */
+static struct draw_call too_far_call(struct pair *too_far, struct rectangle cell) {
+    static const struct vec3 positions[6] = {{1, -1, 0},  {-1, 1, 0}, {-1, -1e9, 0},
+                                             {1e9, 1, 0}, {-1, 1, 0}, {1, -1, 0}};
+    return flat_call(too_far, positions, cell);
 }
 
 /* A triangle that faces us, and one that lies: it comes from behind, through the other one. */
@@ -98,19 +111,6 @@ static struct draw_call crossing_call(struct pair *crossing, struct rectangle ce
     const struct vec3 eye = {0, 0, 1.2}, center = {0, 0, 0}, up = {0, 1, 0};
     pair_create(crossing, positions);
     return camera_call(&crossing->model, eye, center, up, 1, corner_of(cell), CULL_NONE);
-}
-
-/* Two triangles of which a corner is too far for the screen: nothing of them is drawn. */
-static struct draw_call too_far_call(struct pair *too_far, struct rectangle cell) {
-    static const struct vec3 positions[6] = {{1, -1, 0},  {-1, 1, 0}, {-1, -1e9, 0},
-                                             {1e9, 1, 0}, {-1, 1, 0}, {1, -1, 0}};
-    pair_create(too_far, positions);
-    return (struct draw_call){
-        .model = &too_far->model,
-        .to_clip = mat4_identity(),
-        .viewport = corner_of(cell),
-        .cull = CULL_NONE,
-    };
 }
 
 /* ---- Scenes of simple_draw() ---- */
