@@ -264,7 +264,7 @@ static bool draw_walked(struct drawing *drawing, struct image *image, struct err
 
 static const struct scene scenes[] = {
     {.name = "square", .width = 100, .height = 100, .draw = draw_square},
-    {.name = "points", .needs = NEEDS_MODEL, .width = 240, .height = 200, .draw = draw_points},
+    {.name = "points", .needs = NEEDS_MODEL, .width = 241, .height = 201, .draw = draw_points},
     {.name = "wireframe", .needs = NEEDS_MODEL, .draw = draw_wireframe},
     {.name = "border", .needs = NEEDS_MODEL, .width = 480, .height = 360, .draw = draw_border},
     {.name = "enlarged", .needs = NEEDS_MODEL, .width = 480, .height = 360, .draw = draw_enlarged},

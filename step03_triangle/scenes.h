@@ -96,13 +96,14 @@ static const struct text_scene_shape three_triangles[] = {
 };
 enum { THREE_TRIANGLES = sizeof three_triangles / sizeof three_triangles[0] };
 
-/* The first one reaches far out of the image and covers its lowest rows: its long side meets them
- * at an x that does not fit in an int. Of the others a corner is in the image, and most rows are
- * beside it. */
+/* The first and the last one reach far out of the image and cover its lowest and its highest rows:
+ * their long sides meet them at an x that does not fit in an int. Of the others a corner is in the
+ * image, and most rows are beside it. */
 static const struct text_scene_shape far_triangles[] = {
     {{1000000, -1000000, 0}, {7.00390625, 7, -1000000}, {{BLUE}, {BLUE}, {BLUE}}},
     {{220, 300, 300}, {40, 40, 150}, {{GREEN}, {GREEN}, {GREEN}}},
     {{20, -60, -60}, {120, 40, 130}, {{RED}, {RED}, {RED}}},
+    {{1000000, -1000000, 0}, {146.00390625, 146, 1000000}, {{YELLOW}, {YELLOW}, {YELLOW}}},
 };
 enum { FAR_TRIANGLES = sizeof far_triangles / sizeof far_triangles[0] };
 

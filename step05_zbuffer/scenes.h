@@ -50,6 +50,7 @@ static bool draw_rows(struct drawing *drawing, struct image *image, struct error
         {{330, 463}, {594, 200}, {.b = 255, .a = 255}},
         {{-40, 150}, {8, 90}, {.b = 150, .g = 150, .r = 150, .a = 255}}, /* beyond the sides */
         {{770, 90}, {840, 150}, {.b = 150, .g = 150, .r = 150, .a = 255}},
+        {{770, 90}, {840, 150}, {.b = 220, .g = 220, .r = 220, .a = 255}}, /* as near: hidden */
     };
     /* Another size than the usual one shows the same picture, smaller or larger. */
     double across = (double)image->width / ROWS_WIDTH, up = (double)image->height / ROWS_HEIGHT;
@@ -148,7 +149,8 @@ static void draw_card(const struct card *card, struct canvas *canvas) {
     triangle(canvas, (struct vertex[]){v[0], v[2], v[3]}, card->color);
 }
 
-/* Red; blue is a thousandth behind it, green exactly as near, yellow a thousandth nearer. */
+/* Red; blue is a thousandth behind it, green exactly as near, yellow a thousandth nearer. Apart
+ * from them purple far away, and cyan very near. */
 static bool draw_cards(struct drawing *drawing, struct image *image, struct error *error) {
     (void)error;
     static const struct card cards[] = {
@@ -156,6 +158,8 @@ static bool draw_cards(struct drawing *drawing, struct image *image, struct erro
         {{-0.8, 0}, {-0.1, 0.8}, -0.001, {.r = 60, .g = 90, .b = 220, .a = 255}},
         {{-0.8, -0.8}, {-0.1, -0.1}, 0, {.r = 60, .g = 170, .b = 70, .a = 255}},
         {{0, -0.7}, {0.8, 0.2}, 0.001, {.r = 230, .g = 190, .b = 40, .a = 255}},
+        {{0.45, 0.4}, {0.95, 0.9}, -7, {.r = 130, .g = 60, .b = 140, .a = 255}},
+        {{0.6, 0.55}, {0.8, 0.75}, 7, {.r = 120, .g = 210, .b = 220, .a = 255}},
     };
     struct canvas canvas = {.image = image, .depth = drawing->depth};
     for (size_t i = 0; i < sizeof cards / sizeof cards[0]; i++) {

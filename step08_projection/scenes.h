@@ -461,13 +461,35 @@ static struct mat4 perspective_camera(const struct drawing *drawing) {
     return camera(drawing, vec3_length(vec3_sub(drawing->eye, drawing->center)));
 }
 
-/* Scenes lookat, tilted, above and closeup: they differ in their eye, center and up. */
+/* Scenes lookat, tilted and closeup, and most of above: they differ in their eye, center and up. */
 static bool draw_view(struct drawing *drawing, struct image *image, struct error *error) {
     (void)error;
     struct canvas canvas = make_canvas(drawing, image, whole_image(image));
     struct mat4 to_clip = perspective_camera(drawing);
     draw_model(drawing, &canvas, &to_clip);
     return true;
+}
+
+/* A small view in a corner of the image. */
+static void draw_small_view(struct drawing *drawing, struct image *image, int column,
+                            struct vec3 from_center, struct vec3 up) {
+    struct drawing small = *drawing;
+    const int size = (int)image->width / 5;
+    const struct rectangle corner = {column * ((int)image->width - size), 0, size, size};
+    struct canvas canvas = make_canvas(&small, image, corner);
+    small.eye = vec3_add(drawing->center, from_center);
+    small.up = up;
+    struct mat4 to_clip = perspective_camera(&small);
+    draw_faces(&small, &canvas, &to_clip);
+}
+
+/* In the lower corners an `up` along a view that is aslant, and one that is 9 degrees off. */
+static bool draw_above(struct drawing *drawing, struct image *image, struct error *error) {
+    const struct vec3 aslant = {1.2, 1.8, 1.5};
+    bool done = draw_view(drawing, image, error);
+    draw_small_view(drawing, image, 0, aslant, aslant);
+    draw_small_view(drawing, image, 1, aslant, (struct vec3){0.5, 1, 1});
+    return done;
 }
 
 /* The head of many facets, each of one colour. */
@@ -687,12 +709,16 @@ static bool draw_flattened(struct drawing *drawing, struct image *image, struct 
     return draw_quads(drawing, &canvas, &leaf, 1, &to_clip, error);
 }
 
-static bool draw_narrow(struct drawing *drawing, struct image *image, struct error *error) {
+static void draw_narrow_head(struct drawing *drawing, struct image *image) {
     const struct mat4 to_world = narrow_to_world();
     struct canvas canvas = make_canvas(drawing, image, whole_image(image));
     struct mat4 to_clip = mat4_mul(perspective_camera(drawing), to_world);
     canvas.normals_to_world = normals_to_world(to_world);
     draw_model(drawing, &canvas, &to_clip);
+}
+
+static bool draw_narrow(struct drawing *drawing, struct image *image, struct error *error) {
+    draw_narrow_head(drawing, image);
     return draw_flattened(drawing, image, error);
 }
 
@@ -768,7 +794,7 @@ static const struct scene scenes[] = {
         .center = {0.1, 0.3, 0.2},
         .up = {0, 1, 1e-12},
         .light = {1, 3, 2},
-        .draw = draw_view,
+        .draw = draw_above,
     },
     {
         .name = "closeup",

@@ -104,10 +104,11 @@ static struct draw_call too_far_call(struct pair *too_far, struct rectangle cell
     return flat_call(too_far, positions, cell);
 }
 
-/* A triangle that faces us, and one that lies: it comes from behind, through the other one. */
+/* A triangle that faces us and is larger than the corner, and one that lies: it comes from far
+ * behind, through the other one. */
 static struct draw_call crossing_call(struct pair *crossing, struct rectangle cell) {
-    static const struct vec3 positions[6] = {{-1, -1, -0.3}, {1, -1, -0.3},     {0, 1, -0.3},
-                                             {0.3, 1, -3},   {-0.5, -0.5, 0.6}, {0.5, -0.5, 0.6}};
+    static const struct vec3 positions[6] = {{-2, -2, -0.3}, {2, -2, -0.3},     {-2, 1, -0.3},
+                                             {0.9, 3, -9},   {-0.5, -0.5, 0.6}, {0.5, -0.5, 0.6}};
     const struct vec3 eye = {0, 0, 1.2}, center = {0, 0, 0}, up = {0, 1, 0};
     pair_create(crossing, positions);
     return camera_call(&crossing->model, eye, center, up, 1, corner_of(cell), CULL_NONE);

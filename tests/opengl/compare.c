@@ -293,7 +293,7 @@ static bool compare_scene(const struct lesson *lesson, const struct scene *given
     struct scene scene = scene_complete(lesson->program, given);
     struct subject s = {.lesson = lesson};
     if (lesson->left_out(scene.name) != NULL) {
-        scene.draw = lesson->draw_rest;
+        scene.draw = lesson->rest(scene.name);
     }
     s.covered = calloc(scene.width * scene.height, sizeof *s.covered);
     bool done = s.covered != NULL || error_out_of_memory(error);
@@ -382,7 +382,7 @@ static bool compare_lesson(const struct lesson *lesson, struct mesa *mesa,
         if (left_out != NULL) {
             printf("%s %s: left out: %s\n", program.name, scene->name, left_out);
         }
-        if (left_out != NULL && lesson->draw_rest == NULL) {
+        if (left_out != NULL && lesson->rest == NULL) {
             continue;
         }
         done = compare_scene(lesson, scene, &run, mesa, options, &found, error);

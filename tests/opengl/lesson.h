@@ -11,6 +11,8 @@
 #include "picture.h"
 #include "program.h"
 
+typedef bool draw_function(struct drawing *drawing, struct image *image, struct error *error);
+
 struct lesson {
     const struct program *program;
     size_t state_size; /* of `drawing->state`, where it is to be larger than the program's */
@@ -18,8 +20,9 @@ struct lesson {
     const char *(*skipped)(const char *scene);
     /* What of a scene is not triangles and is left out; NULL when it is all triangles. */
     const char *(*left_out)(const char *scene);
-    /* Draws such a scene without what is left out. NULL: nothing remains, it is not compared. */
-    bool (*draw_rest)(struct drawing *drawing, struct image *image, struct error *error);
+    /* What draws such a scene without what is left out. NULL: nothing remains of any, they are not
+     * compared. */
+    draw_function *(*rest)(const char *scene);
     /* Collect the triangles of a scene, for an image of that size. To be called after `prepare` of
      * the program and after the scene was drawn once. `picture` is empty and has its size. */
     bool (*build)(const char *scene, struct drawing *drawing, struct image *image,

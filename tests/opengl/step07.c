@@ -6,8 +6,18 @@
 #include <string.h>
 
 static const char *left_out(const char *scene) {
+    return strcmp(scene, "lit") == 0 ? "the powers in the corner" : NULL;
+}
+
+static bool draw_clay(struct drawing *drawing, struct image *image, struct error *error) {
+    (void)error;
+    draw_lit_as(drawing, image, &clay);
+    return true;
+}
+
+static draw_function *rest(const char *scene) {
     (void)scene;
-    return NULL;
+    return draw_clay;
 }
 
 /* What is interpolated from a corner; without lighting its colour. */
@@ -107,5 +117,5 @@ lesson_function lesson_step07;
 struct lesson lesson_step07(void) {
     const struct program *program = NULL;
     lesson_main(0, (char **)&program);
-    return (struct lesson){program, 0, NULL, left_out, NULL, build, NULL};
+    return (struct lesson){program, 0, NULL, left_out, rest, build, NULL};
 }

@@ -26,7 +26,9 @@ static const char *skipped(const char *scene) {
 static const char *left_out(const char *scene) {
     return strcmp(scene, "transforms") == 0
                ? "the lines: between whole pixels, where OpenGL has another rule"
-               : NULL;
+           : strcmp(scene, "narrow") == 0 ? "the leaf, which is not the model's"
+           : strcmp(scene, "above") == 0  ? "the small views in the corners"
+                                          : NULL;
 }
 
 /* One view of the model: the whole image in perspective, or a pane of it in the parallel view. */
@@ -188,6 +190,18 @@ static bool add_houses(struct picture *picture, const struct image *image, struc
 
 /* ---- All scenes ---- */
 
+static bool draw_narrow_alone(struct drawing *drawing, struct image *image, struct error *error) {
+    (void)error;
+    draw_narrow_head(drawing, image);
+    return true;
+}
+
+static draw_function *rest(const char *scene) {
+    return strcmp(scene, "transforms") == 0 ? draw_houses
+           : strcmp(scene, "narrow") == 0   ? draw_narrow_alone
+                                            : draw_view;
+}
+
 static bool build(const char *scene, struct drawing *drawing, struct image *image,
                   struct picture *picture, struct error *error) {
     if (strcmp(scene, "transforms") == 0) {
@@ -224,5 +238,5 @@ lesson_function lesson_step08;
 struct lesson lesson_step08(void) {
     const struct program *program = NULL;
     lesson_main(0, (char **)&program);
-    return (struct lesson){program, 0, skipped, left_out, draw_houses, build, covered};
+    return (struct lesson){program, 0, skipped, left_out, rest, build, covered};
 }
