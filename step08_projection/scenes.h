@@ -612,8 +612,9 @@ static struct drawing drawing_of_quads(const struct drawing *drawing, struct qua
 }
 
 /* Draw the quads, transformed by to_clip, with tiles on them. */
-static bool draw_quads(struct drawing *drawing, struct canvas *canvas, const struct quad *quads,
-                       size_t count, const struct mat4 *to_clip, struct error *error) {
+static bool draw_quads(struct drawing *drawing, const struct canvas *canvas,
+                       const struct quad *quads, size_t count, const struct mat4 *to_clip,
+                       struct error *error) {
     struct texture tiles;
     struct quad_model made;
     if (!make_tiles(&tiles, error)) {
@@ -621,9 +622,10 @@ static bool draw_quads(struct drawing *drawing, struct canvas *canvas, const str
     }
     quad_model_make(&made, quads, count, drawing->light);
     const struct drawing of_quads = drawing_of_quads(drawing, &made, &tiles);
-    canvas->texture = &tiles;
-    draw_faces(&of_quads, canvas, to_clip);
-    count_work(drawing, canvas, &made.model);
+    struct canvas tiled = *canvas;
+    tiled.texture = &tiles;
+    draw_faces(&of_quads, &tiled, to_clip);
+    count_work(drawing, &tiled, &made.model);
     texture_free(&tiles);
     return true;
 }
