@@ -4,7 +4,7 @@
  * `square` draws the sides of two faces, `points` the positions of a model as pixels, and
  * `wireframe` its sides, white on black. `border` draws a quarter of its faces and `enlarged` the
  * model much larger than the image, in images that are not square. `cut` draws single lines, and
- * `walked` how many pixels line() walked over for each of these.
+ * `walked` how many pixels line() walked over for each of these and a long one.
  */
 #ifdef LINE_IS_MINE /* make LINE=mine: the line() of lesson 1 draws */
 #include "mine.h"

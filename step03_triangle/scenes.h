@@ -3,7 +3,7 @@
  *
  * Part a: `outline` draws the sides of three triangles, `signs` fills them by three signs, `bust`
  * does the same with the faces of a model, each in a colour of its own. Part b draws the triangles
- * and the model again, `triangle` and `faces`; in `far` triangles leave the image on three sides;
+ * and the model again, `triangle` and `faces`; in `far` triangles leave the image on all sides;
  * `sheet` and `fan` show how often each pixel of a mesh is drawn. Part c: `gradient` mixes the
  * colours of the corners. A text scene draws the triangles that it lists.
  */

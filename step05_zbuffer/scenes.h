@@ -2,10 +2,11 @@
  * Step 5, the given part: its scenes and the program.
  *
  * `rows` shows the idea in one dimension: three segments of a plane, seen from above, in one row of
- * pixels. `zbuffer` is lesson 4 with a depth buffer, `depth` shows its depths, `deep` the same ones
- * 3 units farther away, and `knot` is a body that winds around itself. In `side` the light comes
- * from the side, and falls on faces that look away from us too. The cards of `cards` lie almost, or
- * exactly, in one plane; `single` shows the depths of one card, which are all the same.
+ * pixels, and short ones that leave it at its sides. `zbuffer` is lesson 4 with a depth buffer,
+ * `depth` shows its depths, `deep` the same ones 3 units farther away, and `knot` is a body that
+ * winds around itself. In `side` the light comes from the side, and falls on faces that look away
+ * from us too. The cards of `cards` lie almost, or exactly, in one plane, or far apart; `single`
+ * shows the depths of one card, which are all the same.
  */
 
 /* ---- Scene: rows ---- */
