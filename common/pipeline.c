@@ -73,12 +73,12 @@ void pipeline_free(struct pipeline *pipeline) {
 /* Memory for one band, whose bin has at most that many pieces. */
 static bool scratch_reserve(struct scratch *scratch, const struct pipeline *p, size_t bin_size,
                             struct error *error) {
-    size_t pixels = band_stride(p) * BAND_HEIGHT;
+    size_t columns = chunk_columns(p), pixels = columns * CHUNK * BAND_HEIGHT;
     if (scratch->depth == NULL) {
         scratch->depth = malloc(pixels * sizeof *scratch->depth);
         scratch->number = calloc(pixels + 1, sizeof *scratch->number);
-        scratch->touched = calloc(pixels / CHUNK, sizeof *scratch->touched);
-        scratch->farthest = malloc(pixels / CHUNK * sizeof *scratch->farthest);
+        scratch->touched = calloc(columns, sizeof *scratch->touched);
+        scratch->farthest = malloc(columns * sizeof *scratch->farthest);
         if (scratch->depth == NULL || scratch->number == NULL || scratch->touched == NULL ||
             scratch->farthest == NULL) {
             scratch_free(scratch);

@@ -9,33 +9,25 @@
  * side times a distance in it is below 2^30, and such a function is the difference of two. */
 enum { SMALL_BOX = 80 };
 
-/* In boxes wider than this many pixels it pays to ask whether a few neighbours are all outside. */
-enum { WIDE_BOX = 16 };
+/* In boxes higher than this many pixels it pays to ask in which rows a strip lies outside. */
+enum { HIGH_BOX = 16 };
 
 /* A band that is being covered. */
 struct band {
     const struct pipeline *pipeline;
     struct scratch *scratch;
     struct span rows;
-    size_t stride;
     bool reordered;      /* the nearest draw calls are covered first */
     struct span columns; /* those of its draw calls so far */
     uint64_t behind, covered;
     longs covered_in_boxes; /* in addition; to be added up */
 };
 
-/* A row of the band. */
-struct row {
-    double *depth;
-    uint32_t *number;
-    bool *touched; /* by the chunk */
-};
-
-static struct row row_of_band(const struct band *band, int y) {
-    size_t first = (size_t)(y - band->rows.begin) * band->stride;
-    const struct scratch *scratch = band->scratch;
-    return (struct row){scratch->depth + first, scratch->number + first,
-                        scratch->touched + first / CHUNK};
+/* Mark that something may be drawn in these rows of the columns from x on. */
+static void touch(const struct band *band, int x, struct span rows) {
+    int begin = rows.begin - band->rows.begin, end = rows.end - band->rows.begin;
+    uint64_t before_end = (UINT64_C(1) << end) - 1;
+    band->scratch->touched[x / CHUNK] |= (uint32_t)(before_end >> begin << begin);
 }
 
 LANES_INLINE longs longs_from(int first) {
@@ -54,16 +46,15 @@ LANES_INLINE doubles doubles_from(int first) {
     return from + first;
 }
 
-/* Depth and number from x on become those of the piece where it covers (`inside`: all bits or none)
- * and is nearer; with `reordered`, of equal depths that of the lowest number stays, otherwise the
- * first one. Without branches: each line is one or two instructions for all pixels. */
-LANES_INLINE void cover_pixels(const struct row *row, int x, longs inside, doubles z,
+/* Depths and numbers of neighbours become those of the piece where it covers (`inside`: all bits or
+ * none) and is nearer; with `reordered`, of equal depths that of the lowest number stays, otherwise
+ * the first one. Without branches: each line is one or two instructions for all pixels. */
+LANES_INLINE void cover_pixels(double *depths, uint32_t *numbers, longs inside, doubles z,
                                uint32_t number, bool reordered) {
     doubles old_z;
     ints old_number;
-    row->touched[(unsigned)x / CHUNK] = true;
-    memcpy(&old_z, row->depth + x, sizeof old_z);
-    memcpy(&old_number, row->number + x, sizeof old_number);
+    memcpy(&old_z, depths, sizeof old_z);
+    memcpy(&old_number, numbers, sizeof old_number);
     longs nearer = z > old_z;
     if (reordered) {
         ints is_later = old_number > (int32_t)number;
@@ -73,8 +64,8 @@ LANES_INLINE void cover_pixels(const struct row *row, int x, longs inside, doubl
     z = (doubles)((nearer & (longs)z) | (~nearer & (longs)old_z));
     ints is_new = __builtin_convertvector(nearer, ints);
     old_number = (is_new & (int32_t)number) | (~is_new & old_number);
-    memcpy(row->depth + x, &z, sizeof z);
-    memcpy(row->number + x, &old_number, sizeof old_number);
+    memcpy(depths, &z, sizeof z);
+    memcpy(numbers, &old_number, sizeof old_number);
 }
 
 /* depth_at() for several pixels. */
@@ -93,6 +84,7 @@ static void cover_by_spans(struct band *band, const struct draw *draw, const str
                            uint32_t number) {
     const struct rectangle *viewport = &draw->call.viewport;
     const struct fixed2 *c = piece->corner;
+    const struct scratch *scratch = band->scratch;
     bool reordered = band->reordered;
     struct edges edges;
     if (!edges_setup(&edges, c[0], c[1], c[2], band->pipeline->width, band->pipeline->height)) {
@@ -104,13 +96,15 @@ static void cover_by_spans(struct band *band, const struct draw *draw, const str
     for (int y = rows.begin; y < rows.end; y++) {
         struct span span = span_overlap(edges_span(&edges, y),
                                         (struct span){viewport->x, viewport->x + viewport->width});
-        struct row row = row_of_band(band, y);
         int64_t row1 = e1->origin + e1->dy * y, row2 = e2->origin + e2->dy * y;
         band->covered += span.end > span.begin ? (uint64_t)(span.end - span.begin) : 0;
         for (int x = span.begin / TOGETHER * TOGETHER; x < span.end; x += TOGETHER) {
+            size_t place = place_in_band(y - band->rows.begin, x);
             longs at = longs_from(x);
             doubles z = depths_at(&slopes, edges_in_row(e1, row1, x), edges_in_row(e2, row2, x));
-            cover_pixels(&row, x, (at >= span.begin) & (at < span.end), z, number, reordered);
+            touch(band, x, (struct span){y, y + 1});
+            cover_pixels(scratch->depth + place, scratch->number + place,
+                         (at >= span.begin) & (at < span.end), z, number, reordered);
         }
     }
 }
@@ -132,12 +126,31 @@ static struct small_edge small_edge(struct fixed2 a, struct fixed2 b) {
     };
 }
 
-/* All pixels of a small box, several tested at once; in a wide one, those that lie together on the
- * outer side of an edge are left out. */
-LANES_INLINE void cover_box_of(bool wide, struct band *band, const struct piece *piece,
-                               struct span columns, struct span rows, uint32_t number) {
+/* The rows of a strip of pixels in which some may be inside all edges: there the greatest value of
+ * each edge function in the strip, now that of row rows.begin, is not negative. A row more does no
+ * harm. */
+LANES_INLINE struct span rows_of_strip(const struct small_edge e[3], struct span rows) {
+    double begin = 0, end = rows.end - rows.begin;
+    for (int i = 0; i < 3; i++) {
+        int32_t most = e[i].origin + e[i].bias + (e[i].dx > 0 ? e[i].dx * (TOGETHER - 1) : 0);
+        double zero = -(double)most / e[i].dy;
+        double first = e[i].dy > 0 ? zero : 0, last = e[i].dy < 0 ? zero + 1 : end;
+        begin = first > begin ? first : begin;
+        end = last < end ? last : end;
+    }
+    if (!(begin < end)) {
+        return (struct span){rows.begin, rows.begin};
+    }
+    return (struct span){rows.begin + (int)begin, rows.begin + (int)ceil(end)};
+}
+
+/* All pixels of a small box, several tested at once: strip by strip, each from its lowest row on.
+ * (Row by row, a processor would often be wrong about where the row ends.) */
+static void cover_box(struct band *band, const struct piece *piece, struct span columns,
+                      struct span rows, uint32_t number) {
+    const struct scratch *scratch = band->scratch;
     int left = columns.begin / TOGETHER * TOGETHER;
-    bool reordered = band->reordered;
+    bool reordered = band->reordered, high = rows.end - rows.begin > HIGH_BOX;
     struct fixed2 c[3];
     for (int i = 0; i < 3; i++) { /* from the centre of the box's first pixel */
         c[i].x = piece->corner[i].x - left * SUBPIXELS - SUBPIXELS / 2;
@@ -148,50 +161,36 @@ LANES_INLINE void cover_box_of(bool wide, struct band *band, const struct piece 
     struct depth_slopes slopes = find_depth_slopes(piece, e[0].origin + e[1].origin + e[2].origin);
     /* In double, as the depths are, and as exact as whole numbers. */
     longs covered = band->covered_in_boxes;
-    doubles right[3], next[3];
-    int32_t most[3]; /* to add to the first of several pixels, for the greatest value of them */
+    doubles right[3], up[3], bias[3];
     for (int i = 0; i < 3; i++) {
         right[i] = (double)e[i].dx * doubles_from(0);
-        next[i] = (double)e[i].dx * TOGETHER + (doubles){0};
-        most[i] = e[i].bias + (e[i].dx > 0 ? e[i].dx * (TOGETHER - 1) : 0);
+        up[i] = (double)e[i].dy + (doubles){0};
+        bias[i] = (double)e[i].bias + (doubles){0};
     }
-    doubles bias1 = (double)e[1].bias + (doubles){0}, bias2 = (double)e[2].bias + (doubles){0};
-    for (int y = rows.begin; y < rows.end; y++) {
-        struct row row = row_of_band(band, y);
-        doubles e0 = (double)(e[0].origin + e[0].bias) + right[0];
-        doubles e1 = (double)e[1].origin + right[1];
-        doubles e2 = (double)e[2].origin + right[2];
-        int32_t most0 = e[0].origin + most[0];
-        int32_t most1 = e[1].origin + most[1];
-        int32_t most2 = e[2].origin + most[2];
-        for (int x = left; x < columns.end; x += TOGETHER) {
-            if (!wide || (most0 | most1 | most2) >= 0) {
-                doubles first = e1 + bias1, second = e2 + bias2;
-                longs inside = ((longs)e0 | (longs)first | (longs)second) >= 0; /* by their signs */
-                covered -= inside;
-                cover_pixels(&row, x, inside, depths_at(&slopes, e1, e2), number, reordered);
-            }
-            most0 += e[0].dx * TOGETHER;
-            most1 += e[1].dx * TOGETHER;
-            most2 += e[2].dx * TOGETHER;
-            e0 += next[0];
-            e1 += next[1];
-            e2 += next[2];
+    for (int x = left; x < columns.end; x += TOGETHER) {
+        struct span within = high ? rows_of_strip(e, rows) : rows;
+        int above = within.begin - rows.begin;
+        doubles e0 = (double)(e[0].origin + e[0].dy * above + e[0].bias) + right[0];
+        doubles e1 = (double)(e[1].origin + e[1].dy * above) + right[1];
+        doubles e2 = (double)(e[2].origin + e[2].dy * above) + right[2];
+        size_t place = place_in_band(within.begin - band->rows.begin, x);
+        for (int y = within.begin; y < within.end; y++) {
+            doubles first = e1 + bias[1], second = e2 + bias[2];
+            longs inside = ((longs)e0 | (longs)first | (longs)second) >= 0; /* by their signs */
+            covered -= inside;
+            cover_pixels(scratch->depth + place, scratch->number + place, inside,
+                         depths_at(&slopes, e1, e2), number, reordered);
+            e0 += up[0];
+            e1 += up[1];
+            e2 += up[2];
+            place += CHUNK;
         }
+        touch(band, x, within);
         for (int i = 0; i < 3; i++) {
-            e[i].origin += e[i].dy;
+            e[i].origin += e[i].dx * TOGETHER;
         }
     }
     band->covered_in_boxes = covered;
-}
-
-static void cover_box(struct band *band, const struct piece *piece, struct span columns,
-                      struct span rows, uint32_t number) {
-    if (columns.end - columns.begin > WIDE_BOX) {
-        cover_box_of(true, band, piece, columns, rows, number);
-    } else {
-        cover_box_of(false, band, piece, columns, rows, number);
-    }
 }
 
 /* ---- What is behind ---- */
@@ -199,17 +198,19 @@ static void cover_box(struct band *band, const struct piece *piece, struct span 
 /* Find the farthest depth of a column of chunks. */
 static double find_farthest(const struct band *band, size_t chunk) {
     double least[CHUNK];
+    int rows = band->rows.end - band->rows.begin;
+    const double *depth = band->scratch->depth + chunk * CHUNK * BAND_HEIGHT;
+    if (band->scratch->touched[chunk] != (uint32_t)((UINT64_C(1) << rows) - 1)) {
+        return -INFINITY;
+    }
     for (int i = 0; i < CHUNK; i++) {
         least[i] = INFINITY;
     }
-    for (size_t row = 0; row < (size_t)(band->rows.end - band->rows.begin); row++) {
-        const double *depth = band->scratch->depth + row * band->stride + chunk * CHUNK;
-        if (!band->scratch->touched[row * (band->stride / CHUNK) + chunk]) {
-            return -INFINITY;
-        }
+    for (int row = 0; row < rows; row++) {
         for (int i = 0; i < CHUNK; i++) {
             least[i] = depth[i] < least[i] ? depth[i] : least[i];
         }
+        depth += CHUNK;
     }
     for (int i = 1; i < CHUNK; i++) {
         least[0] = least[i] < least[0] ? least[i] : least[0];
@@ -251,55 +252,52 @@ static void cover_piece(struct band *band, const struct draw *draw, const struct
 
 /* ---- A band ---- */
 
-/* The chunks of a row of the band that may be touched. */
-static struct span chunks_of_row(const struct band *band, int row) {
-    int first = row * (int)(band->stride / CHUNK);
-    return (struct span){first + band->columns.begin / CHUNK,
-                         first + (band->columns.end + CHUNK - 1) / CHUNK};
+/* The columns of chunks that may be touched. */
+static struct span chunks_of_band(const struct band *band) {
+    return (struct span){band->columns.begin / CHUNK, (band->columns.end + CHUNK - 1) / CHUNK};
 }
 
 /* Mark the pieces of which a pixel is visible. */
 static void mark_visible(const struct band *band) {
     const struct scratch *scratch = band->scratch;
-    for (int row = 0; row < BAND_HEIGHT; row++) {
-        struct span chunks = chunks_of_row(band, row);
-        for (int i = chunks.begin; i < chunks.end; i++) {
-            const uint32_t *number = scratch->number + (size_t)i * CHUNK;
-            for (int k = 0; scratch->touched[i] && k < CHUNK; k++) {
+    struct span chunks = chunks_of_band(band);
+    for (int i = chunks.begin; i < chunks.end; i++) {
+        const uint32_t *number = scratch->number + place_in_band(0, i * CHUNK);
+        for (uint32_t rows = scratch->touched[i]; rows != 0; rows >>= 1) {
+            for (int k = 0; (rows & 1) != 0 && k < CHUNK; k++) {
                 scratch->fetched[number[k]] = 1;
             }
+            number += CHUNK;
         }
     }
-}
-
-static void clear_chunk(double depth[CHUNK], uint32_t number[CHUNK]) {
-    for (int i = 0; i < CHUNK; i++) {
-        depth[i] = -INFINITY;
-    }
-    memset(number, 0, CHUNK * sizeof *number);
 }
 
 /* Make the band what it was: nothing is drawn. Only what was touched has changed. */
 static void clear_band(const struct band *band) {
     const struct scratch *scratch = band->scratch;
-    for (int row = 0; row < BAND_HEIGHT; row++) {
-        struct span chunks = chunks_of_row(band, row);
-        for (int i = chunks.begin; i < chunks.end; i++) {
-            if (scratch->touched[i]) {
-                clear_chunk(scratch->depth + (size_t)i * CHUNK,
-                            scratch->number + (size_t)i * CHUNK);
-                scratch->touched[i] = false;
+    struct span chunks = chunks_of_band(band);
+    for (int i = chunks.begin; i < chunks.end; i++) {
+        size_t place = place_in_band(0, i * CHUNK);
+        for (uint32_t rows = scratch->touched[i]; rows != 0; rows >>= 1) {
+            if ((rows & 1) != 0) {
+                for (int k = 0; k < CHUNK; k++) {
+                    scratch->depth[place + (size_t)k] = -INFINITY;
+                }
+                memset(scratch->number + place, 0, CHUNK * sizeof *scratch->number);
             }
+            place += CHUNK;
         }
+        scratch->touched[i] = 0;
     }
 }
 
 static void keep_depth(const struct band *band) {
     const struct pipeline *p = band->pipeline;
     for (int y = band->rows.begin; y < band->rows.end; y++) {
-        memcpy(p->depth + (size_t)y * p->width,
-               band->scratch->depth + (size_t)(y - band->rows.begin) * band->stride,
-               p->width * sizeof *p->depth);
+        for (size_t x = 0; x < p->width; x++) {
+            p->depth[(size_t)y * p->width + x] =
+                band->scratch->depth[place_in_band(y - band->rows.begin, (int)x)];
+        }
     }
 }
 
@@ -384,7 +382,6 @@ void pipeline_draw_band(void *context, size_t index, size_t worker) {
     struct band band = {.pipeline = p,
                         .scratch = scratch,
                         .rows = rows,
-                        .stride = band_stride(p),
                         .reordered = p->reordered,
                         .columns = {(int)p->width, 0}};
     struct shading shading = {
@@ -398,7 +395,7 @@ void pipeline_draw_band(void *context, size_t index, size_t worker) {
     };
     *work = (struct pixel_work){0};
     memset(scratch->fetched, 0, (bin->count + 1) * sizeof *scratch->fetched);
-    depth_clear(scratch->farthest, band.stride / CHUNK);
+    depth_clear(scratch->farthest, chunk_columns(p));
     if (p->clears) {
         clear_image(frame->image, rows);
     }

@@ -79,10 +79,10 @@ struct pixel_work {
 
 /* The memory of a thread, for one band after the other. */
 struct scratch {
-    double *depth;    /* BAND_HEIGHT rows of `stride` */
-    uint32_t *number; /* the same */
-    bool *touched;    /* for each chunk of a row: something may have been drawn there */
-    double *farthest; /* in each column of chunks: at most the depth of every pixel */
+    double *depth;     /* of each pixel, at place_in_band() */
+    uint32_t *number;  /* the same */
+    uint32_t *touched; /* of each column of chunks, bit i: something may be drawn in row i */
+    double *farthest;  /* in each column of chunks: at most the depth of every pixel */
     /* By a piece's number: 0 while nothing of it is visible, otherwise 1; and once its draw call is
      * shaded, what was fetched for it: the colour of a flat piece, or where its planes are. */
     uint32_t *fetched;
@@ -113,8 +113,14 @@ struct shading {
 #define KERNEL static inline
 #endif
 
-static inline size_t band_stride(const struct pipeline *pipeline) {
-    return (pipeline->width + CHUNK - 1) / CHUNK * CHUNK;
+static inline size_t chunk_columns(const struct pipeline *pipeline) {
+    return (pipeline->width + CHUNK - 1) / CHUNK;
+}
+
+/* Where a pixel of a band is in memory: chunk above chunk, and column of chunks beside column. So
+ * what lies above is near, and as many rows as are wanted are read in turn. */
+static inline size_t place_in_band(int row, int x) {
+    return ((size_t)x / CHUNK * BAND_HEIGHT + (size_t)row) * CHUNK + (size_t)x % CHUNK;
 }
 
 static inline bool takes_shortcut(const struct pipeline *pipeline, enum shortcut shortcut) {
@@ -530,19 +536,18 @@ KERNEL void shade_pixels(const struct shading *s, const struct shader *shader,
  * shaded: a processor foresees badly how many pieces there are, and would begin anew with texels
  * that are on their way. Returns how many pixels there were in each column. */
 KERNEL lanes_int shade_columns(const struct shading *s, const struct shader *shader, int x) {
-    const uint32_t *number = s->scratch->number + x;
-    const bool *touched = s->scratch->touched + x / CHUNK;
-    size_t stride = band_stride(s->pipeline);
+    const uint32_t *number = s->scratch->number + place_in_band(0, x);
+    uint32_t touched = s->scratch->touched[x / CHUNK];
     struct pixels pixels[BAND_HEIGHT];
     int count = 0;
     lanes_int shaded = {0};
     for (int y = s->rows.begin; y < s->rows.end; y++) {
-        if (*touched && gather_pixels(s, shader, number, x, y, &pixels[count])) {
+        if ((touched & 1) != 0 && gather_pixels(s, shader, number, x, y, &pixels[count])) {
             shaded += pixels[count].drawn & 1;
             count++;
         }
-        number += stride;
-        touched += stride / CHUNK;
+        number += CHUNK;
+        touched >>= 1;
     }
     for (int i = 0; i < count; i++) {
         shade_pixels(s, shader, &pixels[i]);
@@ -596,7 +601,7 @@ KERNEL void shade_chunk_at_once(const struct shading *s, const struct shader *sh
                                 const struct planes *planes, uint32_t number, struct span span,
                                 int x, int y, const struct edges *edges,
                                 const struct depth_slopes *slopes) {
-    size_t first = (size_t)(y - s->rows.begin) * band_stride(s->pipeline) + (size_t)x;
+    size_t first = place_in_band(y - s->rows.begin, x);
     double *depths = s->scratch->depth + first;
     for (int lane = 0; lane < CHUNK; lane += LANES) {
         double depth[LANES];
@@ -623,7 +628,7 @@ KERNEL void shade_chunk_at_once(const struct shading *s, const struct shader *sh
             *old_number = drawn[i] ? number : *old_number;
         }
         s->work->shaded += count;
-        s->scratch->touched[first / CHUNK] = true;
+        s->scratch->touched[x / CHUNK] |= UINT32_C(1) << (y - s->rows.begin);
         if (s->image != NULL) {
             lanes_int mask;
             for (int i = 0; i < LANES; i++) {
