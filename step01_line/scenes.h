@@ -109,14 +109,15 @@ static void diagonal_line(int direction, struct pixel *a, struct pixel *b) {
     *b = (struct pixel){left ? x : x + size, down ? y : y + size};
 }
 
-/* The same lines and diagonals, as lists: in green, the first pixel of each list in white. */
+/* The same lines and diagonals, and a long line with three ties above them, as lists: in green, the
+ * first pixel of each list in white. */
 static bool draw_list(struct drawing *drawing, struct image *image, struct error *error) {
     (void)drawing;
-    for (int i = 0; i < TIE_LINES + DIAGONALS; i++) {
-        struct pixel a, b;
+    for (int i = 0; i <= TIE_LINES + DIAGONALS; i++) {
+        struct pixel a = {3, 96}, b = {93, 99};
         if (i < TIE_LINES) {
             tie_line(i, &a, &b);
-        } else {
+        } else if (i < TIE_LINES + DIAGONALS) {
             diagonal_line(i - TIE_LINES, &a, &b);
         }
         size_t length = line_length(a, b);

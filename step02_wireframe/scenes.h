@@ -4,7 +4,7 @@
  * `square` draws the sides of two faces, `points` the positions of a model as pixels, and
  * `wireframe` its sides, white on black. `border` draws a quarter of its faces and `enlarged` the
  * model much larger than the image, in images that are not square. `cut` draws single lines, and
- * `walked` how many pixels line() walked over for each of these and a long one.
+ * `walked` how many pixels line() walked over for each of these and two long ones.
  */
 #ifdef LINE_IS_MINE /* make LINE=mine: the line() of lesson 1 draws */
 #include "mine.h"
@@ -55,16 +55,19 @@ static const struct vec3 far_positions[] = {
 };
 enum { FAR_POSITIONS = sizeof far_positions / sizeof far_positions[0] };
 
-/* A box at the top left for each of these that has a pixel. */
+/* A box at the top left for each of these that has a pixel: green; red, for one that has none but
+ * whose pixel was changed. */
 static void draw_far_positions(struct image *image) {
     for (int i = 0; i < FAR_POSITIONS; i++) {
-        struct pixel pixel;
-        if (!to_pixel(far_positions[i], FAR_WIDTH, FAR_HEIGHT, &pixel)) {
+        struct pixel pixel = {-7, -7};
+        bool found = to_pixel(far_positions[i], FAR_WIDTH, FAR_HEIGHT, &pixel);
+        if (!found && pixel.x == -7 && pixel.y == -7) {
             continue;
         }
         for (int k = 0; k < FAR_BOX * FAR_BOX; k++) {
             image_set(image, FAR_BOX / 2 + FAR_STEP * i + k % FAR_BOX,
-                      (int)image->height - 2 * FAR_BOX + k / FAR_BOX, color_rgb(0, 255, 0));
+                      (int)image->height - 2 * FAR_BOX + k / FAR_BOX,
+                      found ? color_rgb(0, 255, 0) : color_rgb(255, 0, 0));
         }
     }
 }
@@ -203,6 +206,8 @@ static const struct cut_line {
     {{-2, 60}, {18, 65}, BLUE},
     {{18, 70}, {-2, 75}, BLUE},
     {{20, -5}, {21, 5}, BLUE},
+    {{100, 90}, {120, 100}, WHITE}, /* ... and in the last one */
+    {{100, -1}, {120, 9}, WHITE},
     /* in with its last step aside alone */
     {{10, -7}, {60, 0}, WHITE},
     {{RIGHT + 7, 90}, {RIGHT, 30}, WHITE},
@@ -242,22 +247,26 @@ static bool draw_bar(struct image *image, int index, const struct cut_line *l, s
     uint64_t walked = line(&canvas, l->a, l->b, color);
     for (uint64_t x = 0; x < walked && x < image->width; x++) {
         for (int y = 1; y < 4; y++) {
-            image_set(image, (int)x, 4 * (CUT_LINES - index) + y, color);
+            image_set(image, (int)x, 4 * (CUT_LINES + 1 - index) + y, color);
         }
     }
     image_free(&canvas);
     return true;
 }
 
-/* For each of these lines, and at the bottom for one in a wide image. */
+/* For each of these lines, and at the bottom for one in a wide image, and for the longest that there
+ * may be. */
 static bool draw_walked(struct drawing *drawing, struct image *image, struct error *error) {
     (void)drawing;
     const struct cut_line wide = {{-2, 0}, {WIDE + 1, 2}, RED};
+    const struct cut_line longest = {
+        {-LINE_LIMIT, -LINE_LIMIT / 2}, {LINE_LIMIT, LINE_LIMIT / 2 + 99}, GREEN};
     bool done = true;
     for (int i = 0; done && i < CUT_LINES; i++) {
         done = draw_bar(image, i, &cut_lines[i], CUT_WIDTH, CUT_HEIGHT, error);
     }
-    return done && draw_bar(image, CUT_LINES, &wide, WIDE, 3, error);
+    return done && draw_bar(image, CUT_LINES, &wide, WIDE, 3, error) &&
+           draw_bar(image, CUT_LINES + 1, &longest, CUT_WIDTH, CUT_HEIGHT, error);
 }
 
 /* ---- The program ---- */
@@ -269,7 +278,7 @@ static const struct scene scenes[] = {
     {.name = "border", .needs = NEEDS_MODEL, .width = 480, .height = 360, .draw = draw_border},
     {.name = "enlarged", .needs = NEEDS_MODEL, .width = 480, .height = 360, .draw = draw_enlarged},
     {.name = "cut", .width = CUT_WIDTH, .height = CUT_HEIGHT, .draw = draw_cut},
-    {.name = "walked", .width = 320, .height = 4 * (CUT_LINES + 1), .draw = draw_walked},
+    {.name = "walked", .width = 320, .height = 4 * (CUT_LINES + 2), .draw = draw_walked},
 };
 
 int main(int argc, char **argv) {

@@ -1,8 +1,9 @@
 /*
  * Step 3, the given part: its scenes and the program.
  *
- * Part a: `outline` draws the sides of three triangles, `signs` fills them by three signs, `bust`
- * does the same with the faces of a model, each in a colour of its own. Part b draws the triangles
+ * Part a: `outline` draws the sides of three triangles, `leaving` those of some that leave the
+ * image; `signs` fills triangles by three signs, `bust` does the same with the faces of a model,
+ * each in a colour of its own. Part b draws the triangles
  * and the model again, `triangle` and `faces`; in `far` triangles leave the image on all sides;
  * `sheet` and `fan` show how often each pixel of a mesh is drawn. Part c: `gradient` mixes the
  * colours of the corners. A text scene draws the triangles that it lists.
@@ -107,6 +108,14 @@ static const struct text_scene_shape far_triangles[] = {
 };
 enum { FAR_TRIANGLES = sizeof far_triangles / sizeof far_triangles[0] };
 
+/* Outlines that leave the image on all sides, and one beside it: of that nothing is drawn. */
+static const struct text_scene_shape leaving_triangles[] = {
+    {{-30, 60, 100}, {30, -25, 55}, {{RED}, {RED}, {RED}}},
+    {{130, 160, 40}, {20, 45, 75}, {{GREEN}, {GREEN}, {GREEN}}},
+    {{-50, -20, -35}, {10, 30, 50}, {{WHITE}, {WHITE}, {WHITE}}},
+};
+enum { LEAVING_TRIANGLES = sizeof leaving_triangles / sizeof leaving_triangles[0] };
+
 /* One triangle, given clockwise; a hexagon of six; a rectangle of two. */
 static const struct text_scene_shape colored_triangles[] = {
     {{40, 210, 380}, {440, 760, 440}, {{RED}, {BLUE}, {GREEN}}},
@@ -121,17 +130,26 @@ static const struct text_scene_shape colored_triangles[] = {
 };
 enum { COLORED_TRIANGLES = sizeof colored_triangles / sizeof colored_triangles[0] };
 
+static void outline_shapes(struct drawing *drawing, struct image *image,
+                           const struct text_scene_shape *shapes, size_t shape_count) {
+    for (size_t i = 0; i < 3 * shape_count; i++) {
+        const struct text_scene_shape *shape = &shapes[i / 3];
+        size_t k = i % 3, next = (k + 1) % 3;
+        struct pixel a = {(int)shape->x[k], (int)shape->y[k]};
+        struct pixel b = {(int)shape->x[next], (int)shape->y[next]};
+        drawing_count(drawing, "pixels_written", draw_line(image, a, b, shape->color[0]));
+    }
+}
+
 static bool draw_outline(struct drawing *drawing, struct image *image, struct error *error) {
     (void)error;
-    for (size_t i = 0; i < THREE_TRIANGLES; i++) {
-        const struct text_scene_shape *shape = &three_triangles[i];
-        for (int k = 0; k < 3; k++) {
-            int next = (k + 1) % 3;
-            struct pixel a = {(int)shape->x[k], (int)shape->y[k]};
-            struct pixel b = {(int)shape->x[next], (int)shape->y[next]};
-            drawing_count(drawing, "pixels_written", draw_line(image, a, b, shape->color[0]));
-        }
-    }
+    outline_shapes(drawing, image, three_triangles, THREE_TRIANGLES);
+    return true;
+}
+
+static bool draw_leaving(struct drawing *drawing, struct image *image, struct error *error) {
+    (void)error;
+    outline_shapes(drawing, image, leaving_triangles, LEAVING_TRIANGLES);
     return true;
 }
 
@@ -193,8 +211,8 @@ enum {
 };
 
 /* A corner of the sheet: a point of a grid, moved by halves of a pixel. So corners lie on pixel
- * centres or half-way between them, where the rule for ties counts most. The border is straight and
- * far from all centres: there no rule is asked. */
+ * centres or half-way between them, where the rule for ties counts most; those of the upper half
+ * lie just below, where it must not count. The border is straight and far from all centres: there no rule is asked. */
 static struct fixed2 sheet_corner(int column, int row) {
     const int half = SUBPIXELS / 2;
     uint32_t h = (uint32_t)(row * 1009 + column) * 2654435761U;
@@ -202,7 +220,9 @@ static struct fixed2 sheet_corner(int column, int row) {
     if (column % SHEET_CELLS == 0 || row % SHEET_CELLS == 0) {
         return (struct fixed2){x * half + half / 2, y * half + half / 2};
     }
-    return (struct fixed2){(x + (int)(h >> 29) - 4) * half, (y + (int)(h >> 26 & 7) - 4) * half};
+    int lower = row > SHEET_CELLS / 2; /* 1/256 pixel */
+    return (struct fixed2){(x + (int)(h >> 29) - 4) * half,
+                           (y + (int)(h >> 26 & 7) - 4) * half - lower};
 }
 
 /* Every cell is cut into two triangles. Half of them are given clockwise. */
@@ -427,6 +447,7 @@ static bool draw_faces(struct drawing *drawing, struct image *image, struct erro
 
 static const struct scene scenes[] = {
     {.name = "outline", .draw = draw_outline},
+    {.name = "leaving", .width = 120, .height = 60, .draw = draw_leaving},
     {.name = "signs", .draw = draw_signs},
     {.name = "bust", .needs = NEEDS_MODEL, .width = 800, .height = 800, .draw = draw_bust},
     {.name = "triangle", .draw = draw_triangle},

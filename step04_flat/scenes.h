@@ -2,8 +2,8 @@
  * Step 4, the given part: its scenes and the program.
  *
  * `flat` draws a model from the front, in the order of the file; `side` does the same with a light
- * that comes from the left and from above, in an image that is not square, and has one face more,
- * which reaches too far for the screen: nothing of that is drawn. Faces on which no light falls are
+ * that comes from the left and from above, in an image that is not square, and has two faces more:
+ * one reaches too far for the screen, and nothing of it is drawn; one leaves the image. Faces on which no light falls are
  * not drawn. With the light in the viewer's direction these are the faces that show their backs;
  * what lies behind something else is still painted over it: that is lesson 5.
  */
@@ -34,11 +34,14 @@ static bool draw_flat(struct drawing *drawing, struct image *image, struct error
 }
 
 static bool draw_side(struct drawing *drawing, struct image *image, struct error *error) {
-    struct vec3 positions[] = {{-0.95, 0.5, 0}, {-0.6, 0.9, 0}, {-1e9, 0.9, 0}};
-    struct face face = {
-        {{0, MODEL_NONE, MODEL_NONE}, {1, MODEL_NONE, MODEL_NONE}, {2, MODEL_NONE, MODEL_NONE}}};
+    struct vec3 positions[] = {{-0.95, 0.5, 0},   {-0.6, 0.9, 0}, {-1e9, 0.9, 0},
+                               {-0.95, -0.15, 0}, {-0.7, 0.2, 0}, {-1.3, 0.25, 0.3}};
+    struct face faces[2] = {0};
+    for (uint32_t i = 0; i < 6; i++) {
+        faces[i / 3].corner[i % 3] = (struct corner){i, MODEL_NONE, MODEL_NONE};
+    }
     const struct model beyond = {
-        .positions = positions, .position_count = 3, .faces = &face, .face_count = 1};
+        .positions = positions, .position_count = 6, .faces = faces, .face_count = 2};
     const struct model *model = drawing->model;
     bool done = draw_flat(drawing, image, error);
     drawing->model = &beyond;
@@ -51,7 +54,8 @@ static const struct scene scenes[] = {
     {.name = "flat", .needs = NEEDS_MODEL, .draw = draw_flat},
     {.name = "side",
      .needs = NEEDS_MODEL,
-     .width = 720, /* not the height: who exchanges them sees it */
+     .width = 719, /* odd, and not the height: who halves or exchanges them sees it */
+     .height = 797,
      .light = {0.4, -0.25, -1},
      .draw = draw_side},
 };

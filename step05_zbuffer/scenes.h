@@ -3,7 +3,7 @@
  *
  * `rows` shows the idea in one dimension: three segments of a plane, seen from above, in one row of
  * pixels, and short ones that leave it at its sides. `zbuffer` is lesson 4 with a depth buffer,
- * `depth` shows its depths, `deep` the same ones 3 units farther away, and `knot` is a body that
+ * `depth` shows its depths, `deep` the same ones 300 units farther away, and `knot` is a body that
  * winds around itself. In `side` the light comes from the side, and falls on faces that look away
  * from us too. The cards of `cards` lie almost, or exactly, in one plane, or far apart; `single`
  * shows the depths of one card, which are all the same.
@@ -63,10 +63,13 @@ static bool draw_rows(struct drawing *drawing, struct image *image, struct error
         draw_plane_line(&s, image, (int)(ROWS_PLANE_BOTTOM * up));
         draw_segment(&s, image, color_bottom, drawing->depth);
     }
+    double levels = 255 / (ROWS_PLANE * up);
+    const double *behind = drawing->depth + (image->height > 1 ? image->width : 0); /* the row */
     for (int x = 0; x < (int)image->width; x++) {
-        uint8_t level = level_from(drawing->depth[x] * 255 / (ROWS_PLANE * up));
         draw_column(image, x, color_bottom, strip, image_get(image, x, color_bottom));
-        draw_column(image, x, (int)(ROWS_DEPTH_BOTTOM * up), strip, color_grey(level));
+        draw_column(image, x, (int)(ROWS_DEPTH_BOTTOM * up), strip,
+                    color_grey(level_from(drawing->depth[x] * levels)));
+        image_set(image, x, 0, color_grey(level_from(behind[x] * levels))); /* black */
     }
     return true;
 }
@@ -117,11 +120,12 @@ static bool draw_depth(struct drawing *drawing, struct image *image, struct erro
     return done;
 }
 
-/* The same picture of depths, but all of them are 3 less. */
+/* The same picture of depths, but all of them are 300 less. The first pixel is the nearest one. */
 static bool draw_deep(struct drawing *drawing, struct image *image, struct error *error) {
     bool done = draw_zbuffer(drawing, image, error);
+    drawing->depth[0] = 0.7;
     for (size_t i = 0; i < image->width * image->height; i++) {
-        drawing->depth[i] -= 3;
+        drawing->depth[i] -= 300;
     }
     show_depths(image, drawing->depth);
     return done;
@@ -150,15 +154,14 @@ static void draw_card(const struct card *card, struct canvas *canvas) {
     triangle(canvas, (struct vertex[]){v[0], v[2], v[3]}, card->color);
 }
 
-/* Red; blue is a thousandth behind it, green exactly as near, yellow a thousandth nearer. Apart
- * from them purple far away, and cyan very near. */
+/* Red; blue is a little behind it, green exactly as near, yellow a little nearer. Apart from them purple far away, and cyan very near. */
 static bool draw_cards(struct drawing *drawing, struct image *image, struct error *error) {
     (void)error;
     static const struct card cards[] = {
         {{-0.5, -0.4}, {0.3, 0.4}, 0, {.r = 220, .g = 60, .b = 50, .a = 255}},
-        {{-0.8, 0}, {-0.1, 0.8}, -0.001, {.r = 60, .g = 90, .b = 220, .a = 255}},
+        {{-0.8, 0}, {-0.1, 0.8}, -0.00001, {.r = 60, .g = 90, .b = 220, .a = 255}},
         {{-0.8, -0.8}, {-0.1, -0.1}, 0, {.r = 60, .g = 170, .b = 70, .a = 255}},
-        {{0, -0.7}, {0.8, 0.2}, 0.001, {.r = 230, .g = 190, .b = 40, .a = 255}},
+        {{0, -0.7}, {0.8, 0.2}, 0.00001, {.r = 230, .g = 190, .b = 40, .a = 255}},
         {{0.45, 0.4}, {0.95, 0.9}, -7, {.r = 130, .g = 60, .b = 140, .a = 255}},
         {{0.6, 0.55}, {0.8, 0.75}, 7, {.r = 120, .g = 210, .b = 220, .a = 255}},
     };

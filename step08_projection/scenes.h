@@ -470,35 +470,44 @@ static bool draw_view(struct drawing *drawing, struct image *image, struct error
     return true;
 }
 
-/* A small view in a corner of the image. */
-static void draw_small_view(struct drawing *drawing, struct image *image, int column,
+/* A small view in a corner of the image: column and row are 0 or 1. */
+static void draw_small_view(struct drawing *drawing, struct image *image, int column, int row,
                             struct vec3 from_center, struct vec3 up) {
     struct drawing small = *drawing;
     const int size = (int)image->width / 5;
-    const struct rectangle corner = {column * ((int)image->width - size), 0, size, size};
+    const struct rectangle corner = {column * ((int)image->width - size),
+                                     row * ((int)image->height - size), size, size};
     struct canvas canvas = make_canvas(&small, image, corner);
     small.eye = vec3_add(drawing->center, from_center);
     small.up = up;
     struct mat4 to_clip = perspective_camera(&small);
     draw_faces(&small, &canvas, &to_clip);
+    count_work(drawing, &canvas, drawing->model);
 }
 
-/* In the lower corners an `up` along a view that is aslant, and one that is 9 degrees off. */
+/* In the corners an `up` along a view that is aslant, one that is 9 degrees off, and one that is
+ * almost along the view, but just not so near that it does not count. */
 static bool draw_above(struct drawing *drawing, struct image *image, struct error *error) {
-    const struct vec3 aslant = {1.2, 1.8, 1.5};
+    const struct vec3 aslant = {1.2, 1.8, 1.5}, upwards = {0, 2.5, 0};
     bool done = draw_view(drawing, image, error);
-    draw_small_view(drawing, image, 0, aslant, aslant);
-    draw_small_view(drawing, image, 1, aslant, (struct vec3){0.5, 1, 1});
+    draw_small_view(drawing, image, 0, 0, aslant, aslant);
+    draw_small_view(drawing, image, 1, 0, aslant, (struct vec3){0.5, 1, 1});
+    draw_small_view(drawing, image, 0, 1, upwards, (struct vec3){1e-8, 1, 0.5e-8});
     return done;
 }
 
-/* The head of many facets, each of one colour. */
+/* The head of many facets, each of one colour; and small beside it, from infinitely far away. */
 static bool draw_projection(struct drawing *drawing, struct image *image, struct error *error) {
     (void)error;
-    struct canvas canvas = make_canvas(drawing, image, whole_image(image));
-    struct mat4 to_clip = perspective_camera(drawing);
-    canvas.one_color = canvas.unweighted = true;
-    draw_model(drawing, &canvas, &to_clip);
+    const int size = (int)image->width / 5;
+    const struct rectangle areas[] = {whole_image(image),
+                                      {0, (int)image->height - size, size, size}};
+    const struct mat4 to_clip[] = {perspective_camera(drawing), camera(drawing, INFINITY)};
+    for (size_t i = 0; i < 2; i++) {
+        struct canvas canvas = make_canvas(drawing, image, areas[i]);
+        canvas.one_color = canvas.unweighted = true;
+        draw_model(drawing, &canvas, &to_clip[i]);
+    }
     return true;
 }
 
@@ -521,10 +530,15 @@ static struct rectangle pane_area(struct rectangle eighths, const struct image *
     return (struct rectangle){left, bottom, right - left, top - bottom};
 }
 
+/* Without perspective. */
+static struct mat4 parallel_camera(const struct drawing *drawing) {
+    return stands_in_front(drawing) ? mat4_identity() : camera(drawing, INFINITY);
+}
+
 /* The same view in each pane, without perspective: only the viewport differs. */
 static bool draw_viewport(struct drawing *drawing, struct image *image, struct error *error) {
     (void)error;
-    const struct mat4 to_clip = camera(drawing, INFINITY);
+    const struct mat4 to_clip = parallel_camera(drawing);
     for (size_t i = 0; i < sizeof panes / sizeof panes[0]; i++) {
         struct rectangle area = pane_area(panes[i].eighths, image);
         struct canvas canvas = make_canvas(drawing, image, area);
@@ -764,7 +778,8 @@ static void finish(struct drawing *drawing) {
 enum { NEEDS_VIEW = NEEDS_MODEL | NEEDS_NORMALS | NEEDS_DIFFUSE | NEEDS_DEPTH };
 
 static const struct scene scenes[] = {
-    {.name = "house", .width = 400, .height = 400, .draw = draw_unmapped},
+    /* Not square, and odd: who exchanges or cuts off sizes or places sees it. */
+    {.name = "house", .width = 405, .height = 363, .draw = draw_unmapped},
     {.name = "scale", .width = 400, .height = 400, .draw = draw_scale},
     {.name = "shear", .width = 400, .height = 400, .draw = draw_shear},
     {.name = "turn", .width = 400, .height = 400, .draw = draw_turn},

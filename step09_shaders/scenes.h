@@ -107,11 +107,21 @@ static struct draw_call too_far_call(struct pair *too_far, struct rectangle cell
 /* A triangle that faces us and is larger than the corner, and one that lies: it comes from far
  * behind, through the other one. */
 static struct draw_call crossing_call(struct pair *crossing, struct rectangle cell) {
-    static const struct vec3 positions[6] = {{-2, -2, -0.3}, {2, -2, -0.3},     {-2, 1, -0.3},
+    static const struct vec3 positions[6] = {{-3, -2, -0.3}, {4, -2, -0.3},     {-1, 5, -0.3},
                                              {0.9, 3, -9},   {-0.5, -0.5, 0.6}, {0.5, -0.5, 0.6}};
     const struct vec3 eye = {0, 0, 1.2}, center = {0, 0, 0}, up = {0, 1, 0};
     pair_create(crossing, positions);
     return camera_call(&crossing->model, eye, center, up, 1, corner_of(cell), CULL_NONE);
+}
+
+/* Two triangles, each with a corner just before the eye, where w is 1/240 and 1/1200. */
+static struct draw_call near_call(struct pair *near, struct rectangle cell) {
+    static const struct vec3 positions[6] = {{-0.8, -0.8, 0},       {0.8, -0.8, 0},
+                                             {0.002, 0.001, 1.195}, {0.8, 0.8, 0},
+                                             {-0.8, 0.8, 0},        {-0.0005, -0.0002, 1.199}};
+    const struct vec3 eye = {0, 0, 1.2}, center = {0, 0, 0}, up = {0, 1, 0};
+    pair_create(near, positions);
+    return camera_call(&near->model, eye, center, up, 1, corner_of(cell), CULL_NONE);
 }
 
 /* ---- Scenes of simple_draw() ---- */
@@ -160,7 +170,7 @@ static bool draw_simple_cells(const struct drawing *drawing, struct image *image
 
 /* Above: the corners, and beside the head two triangles that cross; the normals, and two triangles
  * that reach too far. Below: the corners from so near that perspective is strong, and a shoulder is
- * behind the eye; the inside of the back of the head. */
+ * behind the eye; the inside of the back of the head, and two triangles that reach to the eye. */
 static bool draw_loops(struct drawing *drawing, struct image *image, struct error *error) {
     const struct vec3 over_the_shoulder = {0.5, -0.2, 0.5};
     const struct simple_cell cells[4] = {{&simple_corners, CULL_BACK, 0.8, {0, 0, 0}},
@@ -168,7 +178,7 @@ static bool draw_loops(struct drawing *drawing, struct image *image, struct erro
                                          {&simple_corners, CULL_BACK, 1.2, over_the_shoulder},
                                          {&simple_normals, CULL_FRONT, 1.15, {0, 0, 0}}};
     const struct canvas canvas = {image, drawing->depth};
-    struct pair crossing, too_far;
+    struct pair crossing, too_far, near;
     (void)error;
     struct draw_call call =
         crossing_call(&crossing, grid_cell(image->width, image->height, 2, 2, 0, 0));
@@ -177,6 +187,8 @@ static bool draw_loops(struct drawing *drawing, struct image *image, struct erro
     simple_draw(&canvas, &call, &simple_normals, &crossing.uniforms);
     call = too_far_call(&too_far, grid_cell(image->width, image->height, 2, 2, 1, 0));
     simple_draw(&canvas, &call, &simple_corners, &too_far.uniforms);
+    call = near_call(&near, grid_cell(image->width, image->height, 2, 2, 1, 1));
+    simple_draw(&canvas, &call, &simple_corners, &near.uniforms);
     return draw_simple_cells(drawing, image, cells);
 }
 
