@@ -205,6 +205,18 @@ static void keep_pictures(const struct judging *judging, struct item_result *ite
     image_free(&picture);
 }
 
+/* A scene that was missing, and is exact where it is drawn alone, has none. */
+static void drop_pictures(struct item_result *item) {
+    struct result_path *paths[] = {&item->yours, &item->difference};
+    for (size_t i = 0; i < sizeof paths / sizeof paths[0]; i++) {
+        if (paths[i]->text[0] != '\0') {
+            unlink(paths[i]->text);
+            paths[i]->text[0] = '\0';
+        }
+    }
+    item->reference.text[0] = '\0';
+}
+
 /* A picture of an earlier check must not be taken for one of this check. */
 static void remove_old_pictures(const struct judging *judging) {
     for (size_t i = 0; i < judging->step->scene_count; i++) {
@@ -279,7 +291,9 @@ static enum drawn_state judge_scene(const struct judging *judging, size_t i) {
     } else {
         result_say(&item->message, "%s", drawn_message(error.message).text);
     }
-    if (!item->exact) {
+    if (item->exact) {
+        drop_pictures(item);
+    } else {
         keep_pictures(judging, item, reference, &yours);
     }
     image_free(&yours);
