@@ -113,10 +113,19 @@ static struct message_line make_failure(const struct run_result *result, double 
 }
 
 /* The date of a main.c says nothing of its age (tar and cp -p keep dates), and it may be gone: only
- * a program that was removed is surely built from what is there now. */
-static bool remove_old_program(const char *path, struct error *error) {
-    return unlink(path) == 0 || errno == ENOENT ||
-           error_set(error, "cannot remove %.900s: %s", path, strerror(errno));
+ * a program that was removed is surely built from what is there now. What the compiler writes on
+ * the way goes too: where it cannot, it could not be written either, and that is no fault of
+ * main.c. */
+static bool remove_old_program(const char *program, struct error *error) {
+    static const char *const endings[] = {"", ".o", ".d"};
+    char path[DRAWN_PATH_LIMIT + 2];
+    for (size_t i = 0; i < sizeof endings / sizeof endings[0]; i++) {
+        snprintf(path, sizeof path, "%s%s", program, endings[i]);
+        if (unlink(path) != 0 && errno != ENOENT) {
+            return error_set(error, "cannot remove %.900s: %s", path, strerror(errno));
+        }
+    }
+    return true;
 }
 
 bool build_given(const struct options *options, struct error *error) {

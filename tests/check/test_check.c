@@ -646,7 +646,8 @@ static void test_wrong_usage(void) {
     }
 }
 
-/* What the lessons are given cannot be made, an old program not be removed: no score, but why. */
+/* What the lessons are given cannot be made, an old program or what the compiler leaves beside it
+ * not be removed: no score, but why. */
 static void test_own_failures_are_not_scored(void) {
     static const struct {
         const char *first, *step, *where, *message;
@@ -654,11 +655,15 @@ static void test_own_failures_are_not_scored(void) {
         {"broken", "01", "errors", "check: cannot build broken: sculpt: no clay\n"},
         {"nowhere", "01", "errors", "check: cannot build nowhere: make"},
         {"", "12", "output", "step12_absent  ERROR 0/1 SCORE 0/1: cannot remove "},
+        {"", "01", "output", "step01_exact  ERROR 0/2 SCORE 0/2: cannot remove "},
+        {"", "09", "output", "step09_status  ERROR 0/1 SCORE 0/1: cannot remove "},
     };
     char make[2 * PATH_LIMIT];
     struct path build = inside("build"), references = inside("reference");
     snprintf(make, sizeof make, "make BUILD=%s", build.text);
     mkdir(inside("build/step12_absent").text, 0777);
+    mkdir(inside("build/step01_exact.o").text, 0777);
+    mkdir(inside("build/step09_status.d").text, 0777);
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         const char *arguments[] = {
             "--root",        "tests/check/wrong", "--scenes",    "scenes.txt", "--references",
@@ -671,6 +676,8 @@ static void test_own_failures_are_not_scored(void) {
         bytes_free(&said);
     }
     rmdir(inside("build/step12_absent").text);
+    rmdir(inside("build/step01_exact.o").text);
+    rmdir(inside("build/step09_status.d").text);
 }
 
 static void test_wrong_build_timeout(void) {
