@@ -112,6 +112,22 @@ static struct message_line make_failure(const struct run_result *result, double 
     return reason;
 }
 
+/* Has make no rule for the step, because there is no main.c? Then its words are about its rules. */
+static bool lacks_source(const struct options *options, const char *step, const char *output,
+                         struct message_line *reason) {
+    const bool here = strcmp(options->sources, ".") == 0;
+    char path[DRAWN_PATH_LIMIT];
+    snprintf(path, sizeof path, "%s%s%s/main.c", here ? "" : options->sources, here ? "" : "/",
+             step);
+    if ((strstr(output, "*** there is no target") == NULL &&
+         strstr(output, "*** No rule to make target") == NULL) ||
+        access(path, F_OK) == 0 || errno != ENOENT) {
+        return false;
+    }
+    snprintf(reason->text, sizeof reason->text, "there is no %.180s", path);
+    return true;
+}
+
 /* The date of a main.c says nothing of its age (tar and cp -p keep dates), and it may be gone: only
  * a program that was removed is surely built from what is there now. What the compiler writes on
  * the way goes too: where it cannot, it could not be written either, and that is no fault of
@@ -171,7 +187,9 @@ bool build_step(const struct options *options, const char *step, struct build_re
     bool done =
         remove_old_program(target, error) && call_make(options, target, &limits, &end, error);
     if (done && !make_succeeded(&end)) {
-        result->reason = make_failure(&end, limits.seconds);
+        if (!lacks_source(options, step, (const char *)end.messages.data, &result->reason)) {
+            result->reason = make_failure(&end, limits.seconds);
+        }
     } else if (done && access(target, X_OK) != 0) {
         snprintf(result->reason.text, sizeof result->reason.text, "make has built no %.150s",
                  target);
