@@ -2,7 +2,7 @@
  * The check behind `make check`: builds every step, draws its scenes, and compares them with the
  * reference images.
  *
- *     check [options] [STEP ...]        STEP is 5, 05 or step05_zbuffer; none means all of them
+ *     check [options] [--] [STEP ...]   STEP is 5, 05 or step05_zbuffer; none means all of them
  *
  * A step's program runs as `PROGRAM -o DIRECTORY` in that empty directory, in its own process group
  * and under limits (run.h says which), and must leave there SCENE.tga for each of its scenes. When
@@ -143,6 +143,9 @@ int main(int argc, char **argv) {
     struct scene_table table;
     struct error error;
     int first_step = argc;
+    if (!run_open_standard_files()) {
+        return EXIT_CANNOT_WORK;
+    }
     if (argc == 2 && (strcmp(argv[1], "-h") == 0 || strcmp(argv[1], "--help") == 0)) {
         fputs(options_help, stdout);
         return EXIT_ALL_PASSED;

@@ -29,7 +29,7 @@ static const struct options default_options = {
 };
 
 const char options_help[] =
-    "Usage: check [options] [STEP ...]\n"
+    "Usage: check [options] [--] [STEP ...]\n"
     "Build the steps, draw their scenes, compare them with the reference images.\n"
     "STEP is 5, 05 or step05_zbuffer; without it all steps are checked.\n"
     "\n"
@@ -115,7 +115,7 @@ bool options_read(struct options *options, int argc, char **argv, int *first_ste
     };
     int i = 1;
     *options = default_options;
-    while (i < argc && argv[i][0] == '-') {
+    while (i < argc && argv[i][0] == '-' && strcmp(argv[i], "--") != 0) {
         size_t k = 0, count = sizeof known / sizeof known[0];
         while (k < count && strcmp(argv[i], known[k].name) != 0) {
             k++;
@@ -132,7 +132,7 @@ bool options_read(struct options *options, int argc, char **argv, int *first_ste
         *known[k].value = argv[i + 1];
         i += 2;
     }
-    *first_step = i;
+    *first_step = i < argc && argv[i][0] == '-' ? i + 1 : i; /* behind "--" */
     return read_seconds("CHECK_TIMEOUT", &options->seconds, error) &&
            read_seconds("CHECK_BUILD_TIMEOUT", &options->build_seconds, error) &&
            read_exact(&options->exact, error);

@@ -136,6 +136,9 @@ int main(int argc, char **argv) {
     struct scene_table table;
     struct error error;
     int first_step = argc;
+    if (!run_open_standard_files()) {
+        return 2;
+    }
     if (!read_options(&options, argc, argv, &first_step)) {
         fprintf(stderr, "Usage: references [--root DIR] [--scenes FILE] [--references DIR] "
                         "[--programs DIR] [STEP ...]\n");

@@ -34,6 +34,18 @@ enum {
 static const double seconds_to_end = 0.5;      /* between SIGTERM and SIGKILL */
 static const double seconds_to_clean_up = 2.0; /* for killed processes to be gone */
 
+/* ---- Standard files ---- */
+
+bool run_open_standard_files(void) {
+    for (int file = STDIN_FILENO; file <= STDERR_FILENO; file++) {
+        /* The lowest number that is free is this one. */
+        if (fcntl(file, F_GETFD) < 0 && open("/dev/null", O_RDONLY) != file) {
+            return false;
+        }
+    }
+    return true;
+}
+
 /* ---- Being asked to end ---- */
 
 /* The only changing global: a signal handler has no other way to tell. */

@@ -80,6 +80,11 @@ struct signal_name {
 };
 struct signal_name run_signal_name(int number);
 
+/* Call this before any file is opened: it would become standard input, output or error of whoever
+ * has called us without, and be written into. Output that was closed stays one that nobody can
+ * write to. False when that cannot be had. */
+bool run_open_standard_files(void);
+
 /* From now on SIGINT, SIGTERM, SIGHUP and SIGPIPE do not end this process but make run() end. */
 void run_catch_signals(void);
 

@@ -41,6 +41,7 @@ static struct fixture {
     int status;          /* its exit status */
     const char *build_timeout;
     char terminal[64];    /* the name of the check's terminal, or empty */
+    int closed;           /* a standard file that the check is called without, or -1 */
     struct bytes witness; /* what those programs have told: process numbers, NUL at its end */
 } fixture;
 
@@ -97,6 +98,11 @@ static pid_t start(const char *name, const char *timeout, const char *const *arg
     int errors = open(inside("errors").text, O_WRONLY | O_CREAT | O_TRUNC, 0666);
     dup2(output, STDOUT_FILENO);
     dup2(errors, STDERR_FILENO);
+    if (fixture.closed >= 0) {
+        close(output);
+        close(errors);
+        close(fixture.closed);
+    }
     signal(SIGINT, SIG_DFL); /* a shell ignores it for what it runs in the background */
     setenv("TMPDIR", inside("tmp").text, 1);
     setenv("WITNESS", inside("witness").text, 1);
@@ -205,6 +211,7 @@ static bool set_up(void) {
     }
     setenv("CHECK_EXACT", "0", 1); /* .ci/run sets it */
     fixture.build_timeout = "4.5";
+    fixture.closed = -1;
     mkdir(inside("tmp").text, 0777);
     mkdir(inside("reference").text, 0777);
     if (!write_references()) {
@@ -529,7 +536,7 @@ static void test_status_of_passed_and_failed(void) {
 /* One scene is drawn and judged, and a step that has none of that name is wrong usage. */
 static void test_one_scene(void) {
     struct bytes output;
-    CHECK(run_check("--only depth2 01", &output) == 0);
+    CHECK(run_check("--only depth2 -- 01", &output) == 0);
     CHECK_TEXT(line_of(&output, "step01_exact").text, "PASS 1/1 SCORE 1/1 exact");
     bytes_free(&output);
     output = read_text(inside("witness").text); /* the program was told */
@@ -566,6 +573,23 @@ static void test_full_output(void) {
         CHECK(contains(&output, "check: the score could not be written"));
         bytes_free(&output);
         unlink(inside("output").text);
+    }
+}
+
+/* Nor is one that went into a file which the check has opened for itself. */
+static void test_closed_output(void) {
+    struct path lock = inside("build/check.lock");
+    struct error error;
+    CHECK(file_write(lock.text, "", 0, &error));
+    for (int closed = STDIN_FILENO; closed <= STDERR_FILENO; closed++) {
+        fixture.closed = closed;
+        int status = finish(start_check("1", "01"));
+        fixture.closed = -1;
+        CHECK(status == (closed == STDOUT_FILENO ? 2 : 0));
+        CHECK(file_size(lock.text) == 0);
+        struct bytes output = read_text(inside("output").text);
+        CHECK(contains(&output, "SCORE 2/2 exact") == (closed != STDOUT_FILENO));
+        bytes_free(&output);
     }
 }
 
@@ -625,6 +649,8 @@ static void test_wrong_usage(void) {
     } cases[] = {
         {{"--nonsense"}, "1", "unknown option '--nonsense'"},
         {{"--root"}, "1", "--root needs a value"},
+        {{"--", "--root"}, "1", "there is no step '--root'"},
+        {{"--", "--", "1"}, "1", "there is no step '--'"},
         {{"--root", "/nowhere"}, "1", "/nowhere: No such file"},
         {{"--scenes", "/nowhere"}, "1", "/nowhere"},
         {{"77"}, "1", "there is no step '77'; the steps are step01_line"},
@@ -985,6 +1011,7 @@ static const struct unit_test tests[] = {
     TEST(test_one_scene),
     TEST(test_programs_have_no_terminal),
     TEST(test_full_output),
+    TEST(test_closed_output),
     TEST(test_exact_is_demanded),
     TEST(test_old_program_is_not_used),
     TEST(test_references_are_not_changed),
