@@ -181,7 +181,7 @@ CHECKER = $(patsubst %.c,$(BUILD)/%.o,$(filter-out %/check.c %/references.c %/lo
 
 # The check builds the lessons itself: one that does not build is a finding, not the end.
 # SANITIZE=1: their main.c with the sanitizers, which tell in which line a program goes wrong. They
-# are slow, and what is not freed at the end is not meant.
+# are slow; what is not freed at the end is not meant, and a failed assert() is.
 CHECKED = $(BUILD)$(if $(SANITIZE),/sanitized)
 ifneq ($(HIDDEN),)
 ifeq ($(wildcard tests/hidden/hidden.mk),)
@@ -190,9 +190,10 @@ endif
 endif
 .PHONY: check
 check: $(BUILD)/check $(HIDDEN:%=$(BUILD)/hidden)
-	@$(if $(SANITIZE),ASAN_OPTIONS=detect_leaks=0 UBSAN_OPTIONS=print_stacktrace=1 \
+	@$(if $(SANITIZE),ASAN_OPTIONS=detect_leaks=0:handle_abort=1 UBSAN_OPTIONS=print_stacktrace=1 \
 	                CHECK_TIMEOUT=$${CHECK_TIMEOUT:-60}) \
 	$(BUILD)/check --programs $(CHECKED) --differences $(CHECKED)/differences --make '$(MAKE) -s' \
+	    $(if $(SANITIZE),--sanitized) \
 	    $(if $(REPORT),--junit $(REPORT).xml --json $(REPORT).json --tap $(REPORT).tap \
 	                   --html $(REPORT).html) \
 	    $(STEP) $(THEN_HIDDEN)

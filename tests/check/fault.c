@@ -84,6 +84,13 @@ static void describe_frame(struct result_text *text, const char *step, const cha
                function);
 }
 
+/* abort() does not say why; assert() does, before it: "main.c:4: f: Assertion `n > 1' failed." */
+static void describe_abort(struct result_text *text, const char *messages) {
+    const char *assertion = strstr(messages, "Assertion ");
+    result_say(text, " stops the program: %s",
+               assertion != NULL ? drawn_message(assertion).text : "abort()");
+}
+
 static bool describe_address(struct result_text *text, const char *step, const char *messages) {
     static const char words[] = "AddressSanitizer: ";
     const char *report = strstr(messages, words);
@@ -94,6 +101,10 @@ static bool describe_address(struct result_text *text, const char *step, const c
     describe_frame(text, step, report);
     if (strncmp(name, "stack-overflow", strlen("stack-overflow")) == 0) {
         result_say(text, " calls itself without end, or has too large an array");
+        return true;
+    }
+    if (strncmp(name, "ABRT", strlen("ABRT")) == 0) {
+        describe_abort(text, messages);
         return true;
     }
     for (size_t i = 0; i < sizeof faults / sizeof faults[0]; i++) {

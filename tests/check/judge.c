@@ -306,7 +306,7 @@ static void judge_end(const struct judging *judging, enum result_state *state,
     text->text[0] = '\0';
     if (is_fault(judging, end, text)) {
         *state = RESULT_CRASH;
-        judging->result->fault_is_found = true;
+        judging->result->sanitized = true;
     } else {
         *state = state_of_end(end);
         describe_end(text, end, &judging->limits);
@@ -677,6 +677,7 @@ static void set_not_built(const struct judging *judging, const struct message_li
 static bool build_and_judge(struct judging *judging, struct error *error) {
     struct step_result *result = judging->result;
     struct build_result built;
+    result->sanitized = judging->options->sanitized;
     remove_old_pictures(judging);
     read_references(judging);
     bool done = build_step(judging->options, judging->step->name, &built, error);

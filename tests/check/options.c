@@ -52,6 +52,7 @@ const char options_help[] =
     "  --junit FILE        a report for CI; also --json, --tap, --csv (a line for each task), and\n"
     "                      --html for people\n"
     "  --note TEXT         a line that the reports begin with\n"
+    "  --sanitized         make builds the programs so that they say in which line they crash\n"
     "  -h, --help\n"
     "\n"
     "A difference image shows the reference, yours and the difference. Red: this pixel of yours\n"
@@ -119,6 +120,11 @@ bool options_read(struct options *options, int argc, char **argv, int *first_ste
         size_t k = 0, count = sizeof known / sizeof known[0];
         while (k < count && strcmp(argv[i], known[k].name) != 0) {
             k++;
+        }
+        if (strcmp(argv[i], "--sanitized") == 0) {
+            options->sanitized = true;
+            i++;
+            continue;
         }
         if (k == count) {
             return error_set(error, "unknown option '%.100s'", argv[i]);

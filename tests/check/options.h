@@ -21,6 +21,7 @@ struct options {
     double seconds;                              /* for one step's program */
     double build_seconds;                        /* for building it */
     bool exact;                                  /* every pixel of every scene must be equal */
+    bool sanitized;                              /* the programs say in which line they crash */
 };
 
 extern const char options_help[];

@@ -124,7 +124,7 @@ void report_step(const struct step_result *step) {
         }
     }
     report_warnings(step);
-    if (step->state == RESULT_CRASH && !step->fault_is_found) {
+    if (step->state == RESULT_CRASH && !step->sanitized) {
         printf("  make check STEP=%.2s SANITIZE=1 says in which line\n",
                step->name + strlen("step"));
     }

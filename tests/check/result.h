@@ -103,7 +103,7 @@ struct step_result {
     struct result_text reason;  /* why the step as a whole did not end well; or empty */
     struct result_text warning; /* the compiler's first one of a program that it built; or empty */
     size_t more_warnings;
-    bool fault_is_found;   /* a sanitizer has told in which line the program crashes */
+    bool sanitized;        /* built to tell in which line it crashes, or it has told */
     struct bytes messages; /* what compiler or program wrote to standard error, then a NUL */
 };
 

@@ -988,6 +988,15 @@ static void test_place_of_fault(void) {
          "    #1 0x5582 in line step02_b/main.c:126\n"
          "    #2 0x5583 in draw step02_b/scenes.h:67\n",
          "step02_b/main.c:126: division by zero"},
+        {"x: step02_b/main.c:4: f: Assertion `n > 1' failed.\n"
+         "==9==ERROR: AddressSanitizer: ABRT on unknown address 0x03 (pc 0x04 T0)\n"
+         "    #0 0x05 in __GI_abort stdlib/abort.c:79\n"
+         "    #1 0x06 in f step02_b/main.c:4\n",
+         "step02_b/main.c:4: f() stops the program: Assertion `n > 1' failed."},
+        {"==9==ERROR: AddressSanitizer: ABRT on unknown address 0x03 (pc 0x04 T0)\n"
+         "    #0 0x05 in __GI_abort stdlib/abort.c:79\n"
+         "    #1 0x06 in main step02_b/main.c:5:58\n",
+         "step02_b/main.c:5: main() stops the program: abort()"},
         {"common/raster.h:138:26: runtime error: division by zero\n",
          "common/raster.h:138: division by zero"},
     };
@@ -996,6 +1005,16 @@ static void test_place_of_fault(void) {
         CHECK_ROW(fault_describe(&text, "step02_b", cases[i].messages), cases[i].said);
         CHECK_TEXT(text.text, cases[i].said);
     }
+}
+
+/* Who has the program built with sanitizers is not told to do that. */
+static void test_sanitized_is_not_advised(void) {
+    struct bytes output;
+    CHECK(run_check("--sanitized 33", &output) == 1);
+    CHECK_TEXT(line_of(&output, "step33_first").text,
+               "CRASH 1/2 SCORE 3/4; depth CRASH 0/1: SIGABRT; depth2 PASS 3/3; tasks: 33.1 CRASH "
+               "0/1, 33.2 3/3");
+    bytes_free(&output);
 }
 
 static const struct unit_test tests[] = {
@@ -1025,6 +1044,7 @@ static const struct unit_test tests[] = {
     TEST(test_redraw),
     TEST(test_known_counters),
     TEST(test_place_of_fault),
+    TEST(test_sanitized_is_not_advised),
 };
 
 int main(void) {
