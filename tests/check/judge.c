@@ -36,7 +36,7 @@ struct judging {
     struct counted_list counted; /* and those that no picture tells */
     struct bytes source;         /* main.c, a NUL at its end */
     struct run_limits limits;
-    char directory[DRAWN_PATH_LIMIT]; /* where the program draws */
+    struct run_directory directory; /* where the program draws */
 };
 
 /* ---- What a picture shows ---- */
@@ -285,7 +285,8 @@ static enum drawn_state judge_scene(const struct judging *judging, size_t i) {
     struct image yours;
     struct error error;
     item->message.text[0] = '\0';
-    enum drawn_state state = drawn_read(&yours, judging->directory, item->scene, reference, &error);
+    enum drawn_state state =
+        drawn_read(&yours, judging->directory.path, item->scene, reference, &error);
     if (state == DRAWN_READ) {
         judge_picture(judging, i, &yours);
     } else {
@@ -326,8 +327,8 @@ static bool judge_alone(const struct judging *judging, size_t i, struct error *e
     const struct options *options = judging->options;
     struct item_result *item = &judging->result->items[i];
     struct run_result end;
-    bool done = drawn_run(options->programs, judging->step->name, judging->directory, item->scene,
-                          &judging->limits, &end, error);
+    bool done = drawn_run(options->programs, judging->step->name, judging->directory.path,
+                          item->scene, &judging->limits, &end, error);
     if (done && end.end != RUN_INTERRUPTED && judge_scene(judging, i) == DRAWN_MISSING &&
         !ended_well(&end)) {
         blame(judging, item, &end);
@@ -399,20 +400,21 @@ static void judge_counter(const struct judging *judging, struct item_result *ite
  * with a NUL at its end. The caller frees output, and end->messages. */
 static bool run_counting(const struct judging *judging, const char *scene, struct bytes *output,
                          struct run_result *end, struct error *error) {
-    char directory[DRAWN_PATH_LIMIT], path[DRAWN_PATH_LIMIT + 8];
+    struct run_directory directory;
+    char path[RUN_PATH_LIMIT + 8];
     struct error ignored;
     *output = (struct bytes){.data = NULL};
     *end = (struct run_result){.end = RUN_EXITED};
-    if (!run_directory_create(directory, sizeof directory, error)) {
+    if (!run_directory_create(&directory, error)) {
         return false;
     }
-    snprintf(path, sizeof path, "%s/.stats", directory);
-    bool done = drawn_run_stats(judging->options->programs, judging->step->name, directory, scene,
-                                path, &judging->limits, end, error);
+    snprintf(path, sizeof path, "%s/.stats", directory.path);
+    bool done = drawn_run_stats(judging->options->programs, judging->step->name, directory.path,
+                                scene, path, &judging->limits, end, error);
     if (done && !file_read(path, output, &ignored)) {
         bytes_free(output); /* it has made something else of the file */
     }
-    run_directory_remove(directory);
+    run_directory_remove(&directory);
     return done && (bytes_append(output, "", 1) || error_out_of_memory(error));
 }
 
@@ -642,11 +644,11 @@ static bool draw_and_judge(struct judging *judging, struct error *error) {
     const struct options *options = judging->options;
     struct step_result *result = judging->result;
     struct run_result end;
-    if (!run_directory_create(judging->directory, sizeof judging->directory, error)) {
+    if (!run_directory_create(&judging->directory, error)) {
         return false;
     }
-    bool done = drawn_run(options->programs, judging->step->name, judging->directory, options->only,
-                          &judging->limits, &end, error);
+    bool done = drawn_run(options->programs, judging->step->name, judging->directory.path,
+                          options->only, &judging->limits, &end, error);
     if (done && end.end != RUN_INTERRUPTED) {
         judge_end(judging, &result->state, &result->reason, &end);
         done = judge_pictures(judging, &end, error) && judge_works(judging, error);
@@ -655,7 +657,7 @@ static bool draw_and_judge(struct judging *judging, struct error *error) {
         done = done && count_and_tell(judging, &end, error);
     }
     result->messages = end.messages;
-    run_directory_remove(judging->directory);
+    run_directory_remove(&judging->directory);
     return done;
 }
 

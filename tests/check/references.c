@@ -90,15 +90,15 @@ static bool draw_step(const struct options *options, const char *directory,
 
 static bool redraw_step(const struct options *options, const struct checked_step *step,
                         struct error *error) {
-    char directory[DRAWN_PATH_LIMIT];
+    struct run_directory directory;
     struct image *images = calloc(step->scene_count, sizeof *images);
     if (images == NULL) {
         return error_set(error, "out of memory");
     }
-    bool done = run_directory_create(directory, sizeof directory, error);
+    bool done = run_directory_create(&directory, error);
     if (done) {
-        done = draw_step(options, directory, step, images, error);
-        run_directory_remove(directory);
+        done = draw_step(options, directory.path, step, images, error);
+        run_directory_remove(&directory);
     }
     for (size_t i = 0; i < step->scene_count && done; i++) {
         done = save_picture(options, step->name, step->scenes[i].name, &images[i], error);

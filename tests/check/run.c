@@ -588,48 +588,116 @@ bool run(const struct run_command *command, struct run_result *result, struct er
 
 /* ---- Directories ---- */
 
-bool run_directory_create(char *path, size_t size, struct error *error) {
+enum { DIRECTORY_FLAGS = O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC };
+
+/* One that cannot be opened is not left there. */
+static bool open_directory(struct run_directory *directory, struct error *error) {
+    directory->file = open(directory->path, DIRECTORY_FLAGS);
+    if (directory->file < 0) {
+        error_set(error, "%.900s: %s", directory->path, strerror(errno));
+        rmdir(directory->path);
+    }
+    return directory->file >= 0;
+}
+
+bool run_directory_make(struct run_directory *directory, const char *path, struct error *error) {
+    directory->file = -1;
+    if ((size_t)snprintf(directory->path, sizeof directory->path, "%s", path) >=
+        sizeof directory->path) {
+        return error_set(error, "%.900s: name too long", path);
+    }
+    if (mkdir(path, 0777) != 0) {
+        return error_set(error, "%.900s: cannot make the directory: %s", path, strerror(errno));
+    }
+    return open_directory(directory, error);
+}
+
+bool run_directory_create(struct run_directory *directory, struct error *error) {
     const char *parent = getenv("TMPDIR");
     if (parent == NULL || parent[0] != '/') {
         parent = "/tmp";
     }
-    if ((size_t)snprintf(path, size, "%s/check.XXXXXX", parent) >= size) {
-        return error_set(error, "%s: name too long", parent);
+    directory->file = -1;
+    if ((size_t)snprintf(directory->path, sizeof directory->path, "%s/check.XXXXXX", parent) >=
+        sizeof directory->path) {
+        return error_set(error, "%.900s: name too long", parent);
     }
-    if (mkdtemp(path) == NULL) {
+    if (mkdtemp(directory->path) == NULL) {
         return error_set(error, "cannot make a directory in %s: %s", parent, strerror(errno));
     }
-    return true;
+    return open_directory(directory, error);
+}
+
+static void remove_tree(int parent, const char *name);
+
+/* Remove everything in an open directory, and close it. */
+static void remove_contents(int file) {
+    DIR *directory = fdopendir(file);
+    if (directory == NULL) {
+        close(file);
+        return;
+    }
+    fchmod(file, 0700);
+    struct dirent *entry;
+    while ((entry = readdir(directory)) != NULL) {
+        if (strcmp(entry->d_name, ".") != 0 && strcmp(entry->d_name, "..") != 0 &&
+            unlinkat(file, entry->d_name, 0) != 0) {
+            remove_tree(file, entry->d_name);
+        }
+    }
+    closedir(directory);
 }
 
 /* Remove everything in the directory `name` of `parent`, then the directory. Links are removed, not
  * followed. */
 static void remove_tree(int parent, const char *name) {
-    int file = openat(parent, name, O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
+    int file = openat(parent, name, DIRECTORY_FLAGS);
     if (file < 0 && errno == EACCES && fchmodat(parent, name, 0700, 0) == 0) {
-        file = openat(parent, name, O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
+        file = openat(parent, name, DIRECTORY_FLAGS);
     }
-    DIR *directory = file < 0 ? NULL : fdopendir(file);
-    if (directory != NULL) {
-        fchmod(file, 0700);
-        struct dirent *entry;
-        while ((entry = readdir(directory)) != NULL) {
-            if (strcmp(entry->d_name, ".") != 0 && strcmp(entry->d_name, "..") != 0 &&
-                unlinkat(file, entry->d_name, 0) != 0) {
-                remove_tree(file, entry->d_name);
-            }
-        }
-        closedir(directory);
-    } else if (file >= 0) {
-        close(file);
+    if (file >= 0) {
+        remove_contents(file);
     }
     unlinkat(parent, name, AT_REMOVEDIR);
 }
 
-void run_directory_remove(const char *path) {
+/* The name that an open directory has now. Only Linux tells it, where there is a /proc. */
+static bool name_of(int file, char *path, size_t size) {
+    char link[40];
+    struct stat open_one, named;
+    snprintf(link, sizeof link, "/proc/self/fd/%d", file);
+    ssize_t length = readlink(link, path, size - 1);
+    if (length < 0) {
+        return false;
+    }
+    path[length] = '\0';
+    return fstat(file, &open_one) == 0 && lstat(path, &named) == 0 &&
+           open_one.st_dev == named.st_dev && open_one.st_ino == named.st_ino;
+}
+
+/* A program may have given its directory another name, anywhere on the disk: what is in it goes in
+ * any case. Where the new name cannot be found, an empty directory stays. */
+static void remove_moved(int moved) {
+    char path[4096];
+    bool removed = false;
+    fchmod(moved, 0700);
+    for (int i = 0; i < 3 && !removed; i++) {
+        int file = openat(moved, ".", DIRECTORY_FLAGS);
+        if (file >= 0) {
+            remove_contents(file);
+        }
+        removed = !name_of(moved, path, sizeof path) || rmdir(path) == 0;
+    }
+}
+
+void run_directory_remove(const struct run_directory *directory) {
     /* More than once, because entries may be passed over while others are removed. A program may
      * have put something else in the directory's place, such as a link. */
-    for (int i = 0; i < 3 && unlink(path) != 0 && errno != ENOENT; i++) {
-        remove_tree(AT_FDCWD, path);
+    for (int i = 0; i < 3 && unlink(directory->path) != 0 && errno != ENOENT; i++) {
+        remove_tree(AT_FDCWD, directory->path);
+    }
+    if (directory->file >= 0) {
+        remove_moved(directory->file);
+        close(directory->file);
     }
 }

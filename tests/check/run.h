@@ -25,6 +25,8 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+enum { RUN_PATH_LIMIT = 2048 };
+
 struct run_limits {
     double seconds;      /* elapsed */
     size_t file_bytes;   /* of each file; 0: no limit */
@@ -94,10 +96,19 @@ int run_caught_signal(void);
 /* End this process by that signal, once everything is cleaned up. */
 void run_die_of_signal(void);
 
-/* Make an empty directory in $TMPDIR (or /tmp); `path` becomes its absolute name. */
-bool run_directory_create(char *path, size_t size, struct error *error);
+/* An empty directory for a program, which stays open: it may be given another name. */
+struct run_directory {
+    char path[RUN_PATH_LIMIT];
+    int file; /* -1 where there is none */
+};
 
-/* Remove a directory with all that a program left in it, or what it put in its place. */
-void run_directory_remove(const char *path);
+/* Make one in $TMPDIR (or /tmp); its name is absolute. */
+bool run_directory_create(struct run_directory *directory, struct error *error);
+
+/* Make one of this name. */
+bool run_directory_make(struct run_directory *directory, const char *path, struct error *error);
+
+/* Remove a directory with all that a program left in it, and what it put in its place; close it. */
+void run_directory_remove(const struct run_directory *directory);
 
 #endif

@@ -355,6 +355,8 @@ static void test_verdicts(void) {
          "yours 119,111,119, right 120,112,120; depth2 FAIL 0/1: 100.0 % of drawn pixels a little "
          "too light or dark (limit 99.5 %), first at (88,21): yours 119,111,119, right "
          "120,112,120"},
+        {"step44_moved", "FAIL 1/2 SCORE 1/2; depth PASS 1/1; depth drawn again (turned) FAIL 0/1: "
+                         "a new scene is not drawn, or in another size"},
     };
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         CHECK_TEXT(line_of(&fixture.output, cases[i].step).text, cases[i].line);
@@ -419,7 +421,7 @@ static void test_crowd(void) {
 }
 
 static void test_summary_and_status(void) {
-    CHECK(contains(&fixture.output, "\n5 passed, 38 failed\n"));
+    CHECK(contains(&fixture.output, "\n5 passed, 39 failed\n"));
     CHECK(fixture.status == 2); /* a reference is missing */
     size_t lines = 0;
     const char *text = (const char *)fixture.output.data;
@@ -427,10 +429,10 @@ static void test_summary_and_status(void) {
         lines += text[0] != ' ';
         text += strcspn(text, "\n") + 1;
     }
-    CHECK(lines == 43);
+    CHECK(lines == 44);
     char score[24];
     snprintf(score, sizeof score, "%.*s", (int)strcspn(text, "\n"), text);
-    CHECK_TEXT(score, "SCORE 26/93");
+    CHECK_TEXT(score, "SCORE 27/95");
 }
 
 /* Each failed scene has its picture, with the reference on its left, and yours in the middle. */

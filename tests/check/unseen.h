@@ -14,7 +14,8 @@
 /* A directory of its own with two empty ones: where the input lies, and where the program runs and
  * leaves its pictures. */
 struct unseen_place {
-    char directory[DRAWN_PATH_LIMIT / 2], input[DRAWN_PATH_LIMIT], pictures[DRAWN_PATH_LIMIT];
+    struct run_directory whole, drawn;
+    char input[DRAWN_PATH_LIMIT], pictures[DRAWN_PATH_LIMIT];
 };
 
 bool unseen_begin(struct unseen_place *place, struct error *error);
