@@ -11,9 +11,10 @@
 #include <unistd.h>
 
 enum {
-    GIVEN_SECONDS = 600,    /* for what is built before the steps */
-    COMPILER_GIGABYTES = 2, /* memory of each process that builds a step */
-    NOT_FOUND_STATUS = 127  /* of a shell that does not find the command */
+    GIVEN_SECONDS = 600,      /* for what is built before the steps */
+    COMPILER_GIGABYTES = 2,   /* memory of each process that builds a step */
+    COMPILER_ROOM = 64000000, /* bytes on the disk that it may need besides */
+    NOT_FOUND_STATUS = 127    /* of a shell that does not find the command */
 };
 
 /* Does the part stand in the line, which may have others after it? */
@@ -128,6 +129,17 @@ static bool lacks_source(const struct options *options, const char *step, const 
     return true;
 }
 
+/* Was there no room for what the compiler writes? Its words alone do not prove it: a main.c can
+ * make it say anything. */
+static bool lacked_room(const struct options *options, const char *output, struct error *error) {
+    const char *words = strstr(output, strerror(ENOSPC));
+    struct error reason;
+    return words != NULL &&
+           (!run_has_room(run_temporary(), COMPILER_ROOM, &reason) ||
+            !run_has_room(options->programs, COMPILER_ROOM, &reason)) &&
+           !error_set(error, "%s", drawn_message(line_start(output, words)).text);
+}
+
 /* The date of a main.c says nothing of its age (tar and cp -p keep dates), and it may be gone: only
  * a program that was removed is surely built from what is there now. What the compiler writes on
  * the way goes too: where it cannot, it could not be written either, and that is no fault of
@@ -187,6 +199,7 @@ bool build_step(const struct options *options, const char *step, struct build_re
     bool done =
         remove_old_program(target, error) && call_make(options, target, &limits, &end, error);
     if (done && !make_succeeded(&end)) {
+        done = !lacked_room(options, (const char *)end.messages.data, error);
         if (!lacks_source(options, step, (const char *)end.messages.data, &result->reason)) {
             result->reason = make_failure(&end, limits.seconds);
         }

@@ -15,7 +15,8 @@
  * early.
  *
  * Exit status: 0 all passed, 1 something failed, 2 the check itself cannot work (wrong usage, the
- * models cannot be made, a reference is missing, unreadable or blank, or nobody gets the score).
+ * models cannot be made, a reference is missing, unreadable or blank, the disk is full, an old file
+ * cannot be removed, or nobody gets the score).
  */
 #define _POSIX_C_SOURCE 200809L
 

@@ -23,7 +23,10 @@
 #include <string.h>
 #include <unistd.h>
 
-enum { TIMEOUT_LIMIT = 3 }; /* times that a step's program is waited for in vain */
+enum {
+    TIMEOUT_LIMIT = 3, /* times that a step's program is waited for in vain */
+    FILE_EXTRA = 8192  /* bytes on the disk of a picture's file, besides its pixels */
+};
 
 /* What is known of a step before its program runs, which could change files. */
 struct judging {
@@ -640,6 +643,23 @@ static bool count_and_tell(const struct judging *judging, const struct run_resul
     return done;
 }
 
+/* Something is not drawn: could it have been? What the program has left is gone, so a disk that it
+ * has filled itself has room again. */
+static bool had_room(const struct judging *judging, struct error *error) {
+    const struct step_result *result = judging->result;
+    size_t bytes = 0;
+    bool is_missing = false;
+    for (size_t i = 0; i < result->item_count; i++) {
+        const struct item_result *item = &result->items[i];
+        is_missing |= item->state != RESULT_PASS && !item->compared;
+    }
+    for (size_t i = 0; i < judging->step->scene_count; i++) {
+        const struct image *reference = &judging->references[i];
+        bytes += (size_t)4 * reference->width * reference->height + FILE_EXTRA;
+    }
+    return !is_missing || run_has_room(run_temporary(), bytes, error);
+}
+
 static bool draw_and_judge(struct judging *judging, struct error *error) {
     const struct options *options = judging->options;
     struct step_result *result = judging->result;
@@ -658,7 +678,7 @@ static bool draw_and_judge(struct judging *judging, struct error *error) {
     }
     result->messages = end.messages;
     run_directory_remove(&judging->directory);
-    return done;
+    return done && had_room(judging, error);
 }
 
 /* A step that cannot be built; a missing reference is told of all the same. */
@@ -699,8 +719,11 @@ static void set_error(struct step_result *result, const struct error *error) {
     result->reason.text[0] = '\0';
     result_say(&result->reason, "%s", error->message);
     for (size_t i = 0; i < result->item_count; i++) {
-        result->items[i].state = RESULT_ERROR;
-        result->items[i].exact = false;
+        struct item_result *item = &result->items[i];
+        drop_pictures(item);
+        item->state = RESULT_ERROR;
+        item->exact = item->blamed = false;
+        item->message.text[0] = item->looks.text[0] = '\0';
     }
 }
 

@@ -13,6 +13,7 @@
 #include <string.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
+#include <sys/statvfs.h>
 #include <sys/wait.h>
 #include <time.h>
 #include <unistd.h>
@@ -590,6 +591,25 @@ bool run(const struct run_command *command, struct run_result *result, struct er
 
 enum { DIRECTORY_FLAGS = O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC };
 
+const char *run_temporary(void) {
+    const char *directory = getenv("TMPDIR");
+    return directory != NULL && directory[0] == '/' ? directory : "/tmp";
+}
+
+bool run_has_room(const char *directory, size_t bytes, struct error *error) {
+    struct statvfs disk;
+    if (statvfs(directory, &disk) != 0) {
+        return true;
+    }
+    const double wanted = (double)bytes, free_bytes = (double)disk.f_bavail * (double)disk.f_frsize;
+    if (free_bytes < wanted) {
+        return error_set(error, "%.900s: %s (%.1f MB may be needed, %.1f MB are free)", directory,
+                         strerror(ENOSPC), wanted / MEGABYTE, free_bytes / MEGABYTE);
+    }
+    return disk.f_files == 0 || disk.f_favail > 0 || /* some file systems count none */
+           error_set(error, "%.900s: %s (for another file)", directory, strerror(ENOSPC));
+}
+
 /* One that cannot be opened is not left there. */
 static bool open_directory(struct run_directory *directory, struct error *error) {
     directory->file = open(directory->path, DIRECTORY_FLAGS);
@@ -613,10 +633,7 @@ bool run_directory_make(struct run_directory *directory, const char *path, struc
 }
 
 bool run_directory_create(struct run_directory *directory, struct error *error) {
-    const char *parent = getenv("TMPDIR");
-    if (parent == NULL || parent[0] != '/') {
-        parent = "/tmp";
-    }
+    const char *parent = run_temporary();
     directory->file = -1;
     if ((size_t)snprintf(directory->path, sizeof directory->path, "%s/check.XXXXXX", parent) >=
         sizeof directory->path) {

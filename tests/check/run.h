@@ -96,13 +96,20 @@ int run_caught_signal(void);
 /* End this process by that signal, once everything is cleaned up. */
 void run_die_of_signal(void);
 
+/* The directory of temporary files: $TMPDIR, or /tmp. */
+const char *run_temporary(void);
+
+/* Is there room for so many bytes in new files of the directory? False, with a message, when the
+ * system says that there is not. (Of a user's own quota it says nothing.) */
+bool run_has_room(const char *directory, size_t bytes, struct error *error);
+
 /* An empty directory for a program, which stays open: it may be given another name. */
 struct run_directory {
     char path[RUN_PATH_LIMIT];
     int file; /* -1 where there is none */
 };
 
-/* Make one in $TMPDIR (or /tmp); its name is absolute. */
+/* Make one in run_temporary(); its name is absolute. */
 bool run_directory_create(struct run_directory *directory, struct error *error);
 
 /* Make one of this name. */
