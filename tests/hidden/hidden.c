@@ -2,10 +2,13 @@
  * Hidden scenes: lets a step's program and a solution draw what nobody has seen, from a seed, and
  * compares the pictures with the limits of the scenes' table.
  *
- *     hidden --programs DIR --solutions DIR --seed NUMBER STEP...
+ *     hidden --programs DIR --solutions DIR --seed NUMBER [--make COMMAND] STEP...
+ *     hidden --locked DIR COMMAND...
  *
- * STEP is a name like step05_zbuffer; its solution is SOLUTIONS/step05_zbuffer/step05_zbuffer. Of a
- * scene that is wrong only the class is told:
+ * With --make each program is built anew, as the check does it. The second form does nothing but
+ * call the command while no check can work in DIR: a shell cannot take that lock itself. STEP is a
+ * name like step05_zbuffer; its solution is SOLUTIONS/step05_zbuffer/step05_zbuffer. Of a scene
+ * that is wrong only the class is told:
  *
  *     step05_zbuffer  HIDDEN 11/12
  *       hidden: depth of a model in another size: wrong
@@ -17,19 +20,25 @@
  */
 #define _POSIX_C_SOURCE 200809L
 
+#include "lock.h"
+
+#include "../check/build.h"
 #include "../check/compare.h"
 #include "../check/drawn.h"
 #include "../check/inputs.h"
+#include "../check/options.h"
 #include "../check/run.h"
 #include "../check/scenes.h"
 #include "../check/unseen.h"
 
 #include "image_file.h"
 
+#include <errno.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 enum {
     STATUS_WRONG = 1,
@@ -64,8 +73,8 @@ static const struct hidden_case cases[] = {
 };
 
 struct hidden {
-    char runner[DRAWN_PATH_LIMIT]; /* what submissions are run by, or "" */
-    const char *programs, *solutions;
+    char runner[DRAWN_PATH_LIMIT];     /* what submissions are run by, or "" */
+    char *programs, *solutions, *make; /* make: "" where the programs are built already */
     uint64_t seed;
     struct scene_table table;
     size_t right, tried;
@@ -121,6 +130,26 @@ static void tell_all(struct told *told, const struct hidden_case *hidden_case, u
         tell(told, "--up");
         tell(told, "%.2f,1,0", random_between(&random, -30, 30) / 100.0);
     }
+}
+
+/* ---- Building ---- */
+
+/* What is judged is what stands in main.c now, whatever was built of it before. One that does not
+ * build is gone, and draws nothing. */
+static bool build_yours(const struct hidden *hidden, const char *step, struct error *error) {
+    char name[] = "hidden", programs[] = "--programs", make[] = "--make";
+    char *told[] = {name, programs, hidden->programs, make, hidden->make, NULL};
+    struct options options;
+    struct build_result result = {.reason = {""}};
+    int end;
+    if (hidden->make[0] == '\0') {
+        return true;
+    }
+    bool done =
+        options_read(&options, (int)(sizeof told / sizeof told[0]) - 1, told, &end, error) &&
+        build_step(&options, step, &result, error);
+    bytes_free(&result.messages);
+    return done && (run_caught_signal() == 0 || error_set(error, "interrupted"));
 }
 
 /* ---- Drawing ---- */
@@ -312,7 +341,8 @@ static bool try_step(struct hidden *hidden, const struct checked_step *step, str
     if (secrets == NULL) {
         return error_out_of_memory(error);
     }
-    bool done = text || find_secrets(hidden, step, secrets, error);
+    bool done = build_yours(hidden, step->name, error) &&
+                (text || find_secrets(hidden, step, secrets, error));
     for (size_t i = 0; i < sizeof cases / sizeof cases[0] && done; i++) {
         bool text_case = strcmp(input_name(cases[i].kind), "scene.txt") == 0;
         if (number >= cases[i].first && number <= cases[i].last && text == text_case) {
@@ -350,28 +380,49 @@ static bool try_all(struct hidden *hidden, char **steps, int step_count, struct 
            error_set(error, "the score could not be written to standard output");
 }
 
-int main(int argc, char **argv) {
-    enum { FIRST_STEP = 7 };
-    struct hidden hidden = {.right = 0};
+/* ---- What is wanted ---- */
+
+/* Returns the number of the first step among the arguments, or 0 when something is missing. */
+static int read_options(struct hidden *hidden, char **seed, int argc, char **argv) {
+    const struct {
+        const char *name;
+        char **value;
+    } known[] = {
+        {"--programs", &hidden->programs},
+        {"--solutions", &hidden->solutions},
+        {"--seed", seed},
+        {"--make", &hidden->make},
+    };
+    int i = 1;
+    for (; i + 1 < argc && argv[i][0] == '-'; i += 2) {
+        size_t k = 0, count = sizeof known / sizeof known[0];
+        while (k < count && strcmp(argv[i], known[k].name) != 0) {
+            k++;
+        }
+        if (k == count) {
+            return 0;
+        }
+        *known[k].value = argv[i + 1];
+    }
+    bool whole = hidden->programs != NULL && hidden->solutions != NULL && *seed != NULL;
+    return whole && i < argc ? i : 0;
+}
+
+static int call_locked(const char *programs, char **command) {
     struct error error;
-    char *end;
-    if (argc < FIRST_STEP || strcmp(argv[1], "--programs") != 0 ||
-        strcmp(argv[3], "--solutions") != 0 || strcmp(argv[5], "--seed") != 0) {
-        fputs("usage: hidden --programs DIR --solutions DIR --seed NUMBER STEP...\n", stderr);
-        return STATUS_CANNOT_WORK;
+    if (lock_programs(programs, &error)) {
+        execvp(command[0], command);
+        error_set(&error, "cannot run %.900s: %s", command[0], strerror(errno));
     }
-    const char *runner = getenv("CHECK_RUNNER");
-    snprintf(hidden.runner, sizeof hidden.runner, "%s", runner != NULL ? runner : "");
-    hidden.programs = argv[2];
-    hidden.solutions = argv[4];
-    hidden.seed = strtoull(argv[6], &end, 10);
-    if (argv[6][0] < '0' || argv[6][0] > '9' || *end != '\0') {
-        fprintf(stderr, "hidden: '%s' is no seed: a number is wanted\n", argv[6]);
-        return STATUS_CANNOT_WORK;
-    }
+    fprintf(stderr, "hidden: %s\n", error.message);
+    return STATUS_CANNOT_WORK;
+}
+
+static int try_and_tell(struct hidden *hidden, char **steps, int step_count) {
+    struct error error;
     run_catch_signals();
-    bool done = try_all(&hidden, argv + FIRST_STEP, argc - FIRST_STEP, &error);
-    scene_table_free(&hidden.table);
+    bool done = try_all(hidden, steps, step_count, &error);
+    scene_table_free(&hidden->table);
     if (run_caught_signal() != 0) {
         run_die_of_signal();
     }
@@ -379,5 +430,30 @@ int main(int argc, char **argv) {
         fprintf(stderr, "hidden: %s\n", error.message);
         return STATUS_CANNOT_WORK;
     }
-    return hidden.right == hidden.tried ? EXIT_SUCCESS : STATUS_WRONG;
+    return hidden->right == hidden->tried ? EXIT_SUCCESS : STATUS_WRONG;
+}
+
+int main(int argc, char **argv) {
+    enum { LOCKED_COMMAND = 3 };
+    char nothing[] = "", *seed = NULL, *end;
+    struct hidden hidden = {.make = nothing};
+    if (argc > LOCKED_COMMAND && strcmp(argv[1], "--locked") == 0) {
+        return call_locked(argv[2], argv + LOCKED_COMMAND);
+    }
+    int first_step = read_options(&hidden, &seed, argc, argv);
+    if (first_step == 0) {
+        fputs(
+            "usage: hidden --programs DIR --solutions DIR --seed NUMBER [--make COMMAND] STEP...\n"
+            "       hidden --locked DIR COMMAND...\n",
+            stderr);
+        return STATUS_CANNOT_WORK;
+    }
+    const char *runner = getenv("CHECK_RUNNER");
+    snprintf(hidden.runner, sizeof hidden.runner, "%s", runner != NULL ? runner : "");
+    hidden.seed = strtoull(seed, &end, 10);
+    if (seed[0] < '0' || seed[0] > '9' || *end != '\0') {
+        fprintf(stderr, "hidden: '%s' is no seed: a number is wanted\n", seed);
+        return STATUS_CANNOT_WORK;
+    }
+    return try_and_tell(&hidden, argv + first_step, argc - first_step);
 }

@@ -4,7 +4,8 @@
 THEN_HIDDEN = $(if $(HIDDEN),; status=$$?; tests/hidden/hidden.sh '$(BUILD)' '$(CHECKED)' \
                   '$(MAKE) -s' '$(HIDDEN)' '$(STEP)' '$(SOLUTION)' && exit $$status)
 
-$(BUILD)/hidden: $(BUILD)/tests/hidden/hidden.o $(CHECKER) $(BUILD)/libcommon.a
+$(BUILD)/hidden: $(BUILD)/tests/hidden/hidden.o $(BUILD)/tests/hidden/lock.o $(CHECKER) \
+                 $(BUILD)/libcommon.a
 	$(LINK) $^ -lm -o $@
 
 # A solution, built with what is there. (It has no .d: make would take that for a program to build.)

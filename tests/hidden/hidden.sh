@@ -3,14 +3,20 @@
 #
 #     hidden.sh BUILD PROGRAMS MAKE SEED STEP SOLUTION
 #
-# The programs must be built in PROGRAMS. STEP is 5, 05 or step05_zbuffer, several of them, or empty:
-# all lessons. A solution is made of SOLUTION/step05_zbuffer/main.c where SOLUTION is given, and
+# The programs are built anew in PROGRAMS. Until all is told no check works there: it waits, as this
+# does for one that is at work. STEP is 5, 05 or step05_zbuffer, several of them, or empty: all
+# lessons. A solution is made of SOLUTION/step05_zbuffer/main.c where SOLUTION is given, and
 # otherwise of the lesson's marked source, wherever it is found (tests/starter/marked.sh); it is
 # built in a directory of its own, and removed.
 #
 # Exit status: that of BUILD/hidden (hidden.c).
 
 cd "$(dirname "$0")/../.." || exit 2
+# The lock is a process's own: a program takes it, and becomes this script.
+if [ "$1" != --locked ]; then
+    exec "$1/hidden" --locked "$2" tests/hidden/hidden.sh --locked "$@"
+fi
+shift
 build=$1
 programs=$2
 make=$3
@@ -46,4 +52,5 @@ trap 'exit 2' HUP INT TERM
 # shellcheck disable=SC2086 # one word a lesson
 said=$(tests/hidden/solutions.sh "$all" "$make" "$solution" $lessons 2>&1) || cannot "$said"
 # shellcheck disable=SC2086 # one word a lesson
-"$build/hidden" --programs "$programs" --solutions "$all" --seed "$seed" $lessons
+"$build/hidden" --programs "$programs" --solutions "$all" --seed "$seed" --make "$make" \
+    $lessons

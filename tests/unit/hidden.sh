@@ -1,6 +1,7 @@
 #!/bin/sh
 # Hidden scenes: does the solution pass them all, a program that prints stored pictures none, and is
-# nothing but the class of a scene told? In a copy of lessons 1 and 5.
+# nothing but the class of a scene told? Does it wait for a check that is at work, and judge what is
+# in main.c now? In a copy of lessons 1 and 5.
 #
 # Exit status 0: all of that is so; 1: something is not.
 
@@ -108,6 +109,44 @@ built step05_zbuffer
 hidden 1 2 5 "$work"
 says '  hidden: zbuffer of a model in another size: wrong'
 ! grep -q 'zbuffer of a model in another light' "$work/said" || wrong "what is right is called wrong"
+
+# ---- What else is at work ----
+
+# The program is there, but of another main.c.
+cp "$work/step05_zbuffer/main.c" step05_zbuffer/main.c
+hidden 0 2 5 "$work"
+
+# A check has removed the program, and builds it only when it may.
+cat >held <<'EOF'
+#!/bin/sh
+touch held.began
+until [ -e held.go ]; do sleep 0.1; done
+exec make "$@"
+EOF
+chmod +x held
+"$build/check" --first '' --make "./held $flags" 5 >"$work/check.said" 2>&1 &
+check=$!
+until [ -e held.began ] || ! kill -0 $check 2>/dev/null; do sleep 0.1; done
+(failed=0 && hidden 0 2 5 "$work" && exit $failed) &
+beside=$!
+until grep -qs 'waiting' "$work/said" || ! kill -0 $beside 2>/dev/null; do sleep 0.1; done
+says 'check: waiting for another check in build'
+touch held.go
+wait $check || wrong "the check that was waited for fails: $(cat "$work/check.said")"
+wait $beside || failed=1
+says 'HIDDEN \([1-9][0-9]*\)/\1'
+
+# And a check waits for hidden scenes, here for whatever holds their lock.
+build/hidden --locked build sh -c 'touch locked; until [ -e go ]; do sleep 0.1; done' &
+locked=$!
+until [ -e locked ] || ! kill -0 $locked 2>/dev/null; do sleep 0.1; done
+"$build/check" --first '' --make "make $flags" 5 >"$work/said" 2>&1 &
+check=$!
+until grep -qs 'waiting' "$work/said" || ! kill -0 $check 2>/dev/null; do sleep 0.1; done
+says 'check: waiting for another check in build'
+touch go
+wait $check || wrong "a check that waited fails"
+wait $locked || wrong "the status of a locked command is not told"
 
 # ---- What cannot be tried ----
 
