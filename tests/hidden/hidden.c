@@ -349,6 +349,10 @@ static bool try_step(struct hidden *hidden, const struct checked_step *step, str
             done = try_case(hidden, step, i, secrets, error);
         }
     }
+    if (done && hidden->tried == tried) {
+        done = error_set(error, "%s: the solution draws nothing new: nothing can be compared",
+                         step->name);
+    }
     if (done) {
         printf("%s  HIDDEN %zu/%zu\n%.*s", step->name, hidden->right - right, hidden->tried - tried,
                (int)hidden->wrong.size,

@@ -1,6 +1,6 @@
 # make check HIDDEN=7     after the check, scenes that nobody has seen, made from that number; the
-#                         pictures are held against those of the solution (the lesson's own, or
-#                         that of SOLUTION=dir, dir/step05_zbuffer/main.c)
+#                         pictures are held against those of the solution (the lesson's own, as git
+#                         or make start keeps it, or SOLUTION=dir's, dir/step05_zbuffer/main.c)
 THEN_HIDDEN = $(if $(HIDDEN),; status=$$?; tests/hidden/hidden.sh '$(BUILD)' '$(CHECKED)' \
                   '$(MAKE) -s' '$(HIDDEN)' '$(STEP)' '$(SOLUTION)' && exit $$status)
 

@@ -6,8 +6,8 @@
 # The programs are built anew in PROGRAMS. Until all is told no check works there: it waits, as this
 # does for one that is at work. STEP is 5, 05 or step05_zbuffer, several of them, or empty: all
 # lessons. A solution is made of SOLUTION/step05_zbuffer/main.c where SOLUTION is given, and
-# otherwise of the lesson's marked source, wherever it is found (tests/starter/marked.sh); it is
-# built in a directory of its own, and removed.
+# otherwise of the marked source that git has or `make start` keeps (tests/starter/marked.sh), but
+# never of the main.c that is judged; it is built in a directory of its own, and removed.
 #
 # Exit status: that of BUILD/hidden (hidden.c).
 
@@ -50,7 +50,8 @@ all=$(mktemp -d "$build/hidden.XXXXXX") || cannot "cannot write into $build"
 trap 'rm -rf "$all"' EXIT
 trap 'exit 2' HUP INT TERM
 # shellcheck disable=SC2086 # one word a lesson
-said=$(tests/hidden/solutions.sh "$all" "$make" "$solution" $lessons 2>&1) || cannot "$said"
+said=$(tests/hidden/solutions.sh --judged "$all" "$make" "$solution" $lessons 2>&1) ||
+    cannot "$said"
 # shellcheck disable=SC2086 # one word a lesson
 "$build/hidden" --programs "$programs" --solutions "$all" --seed "$seed" --make "$make" \
     $lessons

@@ -1,12 +1,17 @@
 #!/bin/sh
-# Builds solutions to hold submissions against: solutions.sh OUT MAKE SOLUTION [LESSON...]
+# Builds solutions to hold submissions against:
+#
+#     solutions.sh [--judged] OUT MAKE SOLUTION [LESSON...]
 #
 # OUT/LESSON/LESSON becomes the program of each LESSON (all, when none is named), made of
 # SOLUTION/LESSON/main.c or, where SOLUTION is empty, of the lesson's marked source, wherever it is
-# found (tests/starter/marked.sh). OUT lies in the build directory; MAKE builds there.
+# found (tests/starter/marked.sh). With --judged the lessons' own main.c are what is judged, and no
+# solution is made of them. OUT lies in the build directory; MAKE builds there.
 #
 # Exit status: 0 done, 2 not: a line says why.
 cd "$(dirname "$0")/../.." || exit 2
+judged=
+[ "$1" != --judged ] || { judged=yes && shift; }
 out=$1
 make=$2
 solution=$3
@@ -21,17 +26,27 @@ fail() {
     exit 2
 }
 
+# Is the main.c of SOLUTION that which is judged?
+is_judged() {
+    [ -n "$judged" ] && [ "$(cd "$solution/$lesson" && pwd -P)" = "$(cd "$lesson" && pwd -P)" ]
+}
+
 # The solution's source becomes $place/main.c.
 find_solution() {
     main=$lesson/main.c
     work=$place
+    source=$solution/$lesson/main.c
+    name=$source # in messages
     if [ -z "$solution" ]; then
-        find_marked
-        text solution "$place/marked" "$main" >"$place/main.c" || fail 2 "no solution of $lesson"
-        return
+        if [ -n "$judged" ]; then find_marked_elsewhere; else find_marked; fi
+        source=$place/marked
+        name=$main
+    elif [ ! -f "$source" ]; then
+        fail 2 "there is no $source"
+    elif is_judged; then
+        fail 2 "nothing can be compared: $source is what is judged"
     fi
-    [ -f "$solution/$lesson/main.c" ] || fail 2 "there is no $solution/$lesson/main.c"
-    text solution "$solution/$lesson/main.c" >"$place/main.c" || fail 2 "no solution of $lesson"
+    text solution "$source" "$name" >"$place/main.c" || fail 2 "no solution of $lesson"
 }
 
 for lesson in "$@"; do

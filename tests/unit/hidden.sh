@@ -1,7 +1,7 @@
 #!/bin/sh
-# Hidden scenes: does the solution pass them all, a program that prints stored pictures none, and is
-# nothing but the class of a scene told? Does it wait for a check that is at work, and judge what is
-# in main.c now? In a copy of lessons 1 and 5.
+# Hidden scenes: does the solution pass them all, a program that prints stored pictures none, is a
+# main.c never its own solution, and is nothing but the class of a scene told? Do they wait for a
+# check that is at work, and judge what is in main.c now? In a copy of lessons 1 and 5.
 #
 # Exit status 0: all of that is so; 1: something is not.
 
@@ -49,13 +49,46 @@ says() {
 
 # ---- The solution ----
 
+# make_mistake: into the main.c of lesson 5, which keeps its marks.
+make_mistake() {
+    cp step05_zbuffer/main.c right
+    sed 's/if (depth > row\[x\])/if (depth < row[x])/' right >step05_zbuffer/main.c
+    cmp -s right step05_zbuffer/main.c && wrong "no mistake is made"
+}
+
 built step01_line step05_zbuffer
-touch before
+
+# The copy is in no repository: no solution but what is judged.
+hidden 2 1 5
+says 'make check HIDDEN=1: nothing can be compared: step05_zbuffer/main.c is what is judged, .*'
+hidden 2 1 5 .
+says 'make check HIDDEN=1: nothing can be compared: ./step05_zbuffer/main.c is what is judged'
+
+# A clone: main.c is what git has, or was.
+if command -v git >/dev/null; then
+    git init -q . && git add step*/main.c &&
+        git -c user.name=test -c user.email=test commit -qm marked || wrong "git does not work here"
+    hidden 0 1 5
+    make_mistake
+    hidden 1 1 5
+    says '  hidden: zbuffer of a new model: wrong'
+    mv right step05_zbuffer/main.c
+    rm -rf .git
+fi
+
+# What make start keeps.
+for lesson in step01_line step05_zbuffer; do
+    cp $lesson/main.c $lesson/main.c.marked
+done
 hidden 0 1 ''
 says 'step01_line  HIDDEN \([1-9][0-9]*\)/\1'
 says 'step05_zbuffer  HIDDEN \([1-9][0-9]*\)/\1'
 says 'HIDDEN \([1-9][0-9]*\)/\1'
 [ "$(find build -name 'hidden.*' | wc -l)" -eq 0 ] || wrong "solutions are left behind"
+make_mistake
+hidden 1 1 5
+says '  hidden: zbuffer of a new model: wrong'
+mv right step05_zbuffer/main.c
 
 # ---- Programs that are wrong ----
 
@@ -101,6 +134,15 @@ says 'HIDDEN 0/[1-9][0-9]*'
 says '  hidden: lines: wrong'
 says '  hidden: depth of a new model: wrong'
 ! grep -q "$work" "$work/said" || wrong "tells where the solution is"
+
+# As a solution it has nothing to hold others against, even with marks.
+mkdir -p stored/step05_zbuffer
+{
+    cat step05_zbuffer/main.c
+    printf '%s\n' '/* BEGIN SOLUTION 5.1 nothing */' '/* END SOLUTION */'
+} >stored/step05_zbuffer/main.c
+hidden 2 1 5 stored
+says 'hidden: step05_zbuffer: the solution draws nothing new: nothing can be compared'
 
 # Right for the light and the size of the lesson's own scenes.
 sed 's/if (depth > row\[x\])/if (depth > row[x] || image->width != 800)/' \
@@ -150,8 +192,9 @@ wait $locked || wrong "the status of a locked command is not told"
 
 # ---- What cannot be tried ----
 
+mv step01_line/main.c.marked .
 hidden 2 1 1
-says 'make check HIDDEN=1: step01_line/main.c has no good marks.*'
+says 'make check HIDDEN=1: nothing can be compared: step01_line/main.c is what is judged, .*'
 hidden 2 1 5 "$work/nowhere"
 says "make check HIDDEN=1: there is no $work/nowhere/step05_zbuffer/main.c"
 hidden 2 x 5 "$work"
