@@ -223,7 +223,7 @@ static bool is_secret(const struct image *solution, const char *step, const char
 
 /* The limits were chosen between correct programs and mistakes on the scenes of the course. Faces
  * made here are fewer and larger, and their colours differ more: so much more is allowed, in
- * thousandths of a percent. (The worst correct program needed 0.7 %, 0.9 % and 0.1 %.) */
+ * thousandths of a percent. (The worst correct program needed 0.8 %, 1.2 % and 0.1 %.) */
 enum { MORE_WRONG = 1000, MORE_APART = 2000, MORE_COVERAGE = 200 };
 
 static bool is_right(const struct image *solution, const struct image *yours,
@@ -275,6 +275,16 @@ static const struct checked_scene *limits_for(const struct checked_step *step,
     return NULL;
 }
 
+/* Scenes that are left to the references, since correct programs differ in them. In `near` the
+ * faces made here are larger than the picture, and how directions are carried over a face is most
+ * of what is seen. In 50 seeds, two programs of tests/accept were not right there: that with the
+ * way to the eye of length 1 at the corners in 12 (up to 37.7 % wrong, 37.9 % apart), that which
+ * takes 128 from the values of the normal map in 6 (2.2 %, 3.5 %). In the lesson's other scenes
+ * they have 0.9 % and 1.2 % at most. */
+static bool is_left_out(const char *step, const char *scene) {
+    return strncmp(step, "step10_", 7) == 0 && strcmp(scene, "near") == 0;
+}
+
 /* Which scenes depend on what is given? Those that differ from their reference without options. */
 static bool find_secrets(const struct hidden *hidden, const struct checked_step *step,
                          bool *secrets, struct error *error) {
@@ -292,7 +302,8 @@ static bool find_secrets(const struct hidden *hidden, const struct checked_step 
         struct image image;
         struct error ignored;
         drawn_read(&image, place.pictures, step->scenes[i].name, NULL, &ignored);
-        secrets[i] = image.width > 0 && is_secret(&image, step->name, step->scenes[i].name);
+        secrets[i] = image.width > 0 && !is_left_out(step->name, step->scenes[i].name) &&
+                     is_secret(&image, step->name, step->scenes[i].name);
         image_free(&image);
     }
     unseen_end(&place);

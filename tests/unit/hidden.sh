@@ -152,6 +152,15 @@ hidden 1 2 5 "$work"
 says '  hidden: zbuffer of a model in another size: wrong'
 ! grep -q 'zbuffer of a model in another light' "$work/said" || wrong "what is right is called wrong"
 
+# A correct program of lesson 10, with a seed whose faces are so large that its scene `near` differs.
+cp -R "$top/step10_phong" . && cp -R "$top/tests/reference/step10_phong" tests/reference || exit 1
+grep 'step10_' "$top/tests/check/scenes.txt" >>tests/check/scenes.txt
+mkdir other && (cd "$top" && awk -v directory="$work/course/other" -v only=eye_normalized \
+    -f tests/replace.awk -f tests/verify/parse.awk tests/accept/step10.txt) >"$work/said" &&
+    cp other/1/main.c step10_phong || wrong "there is no such program"
+hidden 0 60 10 "$top"
+says 'HIDDEN \([1-9][0-9]*\)/\1'
+
 # ---- What else is at work ----
 
 # The program is there, but of another main.c.
@@ -169,6 +178,7 @@ chmod +x held
 "$build/check" --first '' --make "./held $flags" 5 >"$work/check.said" 2>&1 &
 check=$!
 until [ -e held.began ] || ! kill -0 $check 2>/dev/null; do sleep 0.1; done
+: >"$work/said"
 (failed=0 && hidden 0 2 5 "$work" && exit $failed) &
 beside=$!
 until grep -qs 'waiting' "$work/said" || ! kill -0 $beside 2>/dev/null; do sleep 0.1; done
@@ -182,6 +192,7 @@ says 'HIDDEN \([1-9][0-9]*\)/\1'
 build/hidden --locked build sh -c 'touch locked; until [ -e go ]; do sleep 0.1; done' &
 locked=$!
 until [ -e locked ] || ! kill -0 $locked 2>/dev/null; do sleep 0.1; done
+: >"$work/said"
 "$build/check" --first '' --make "make $flags" 5 >"$work/said" 2>&1 &
 check=$!
 until grep -qs 'waiting' "$work/said" || ! kill -0 $check 2>/dev/null; do sleep 0.1; done
