@@ -201,7 +201,7 @@ static bool save(const struct command *command, const struct scene *scene,
     char *path = NULL;
     char *directory = options->directory != NULL
                           ? string_format("%s", options->directory)
-                          : string_format(OUTPUT_DIRECTORY "/%s", command->run.program->name);
+                          : string_format("%s/%s", OUTPUT_DIRECTORY, command->run.program->name);
     if (directory != NULL) {
         path = string_format("%s/%s.%s", directory, scene->name, extension);
     }

@@ -97,7 +97,7 @@ static bool load_model(struct run *run, const struct scene *scene, struct error 
     if (run->input != NULL) {
         done = model_read_parts(&run->model, file, parts, error);
     } else {
-        char *path = string_format(MODELS_DIRECTORY "/%s", file);
+        char *path = string_format("%s/%s", MODELS_DIRECTORY, file);
         if (path == NULL) {
             return error_out_of_memory(error);
         }

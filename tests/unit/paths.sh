@@ -1,6 +1,7 @@
 #!/bin/sh
 # A path becomes a word of the shell and a string of C. Is one that would be read otherwise there
-# refused by name, before anything is built, and one with a blank or a dollar in it not?
+# refused by name, before anything is built, and one with a blank or a dollar in it not? And does a
+# program read and write there where the path looks like a format of printf()?
 #
 # Exit status 0: all of that is so; 1: something is not.
 
@@ -36,4 +37,34 @@ for name in 'a b' 'a$b' 'é'; do
         failed=1
     fi
 done
+# A lesson that draws a model, which is a triangle here.
+name='100%s % n'
+mkdir -p "$work/$name/step01_line" "$work/$name/build/models" && cd "$work/$name" || exit 1
+cp -R "$top/Makefile" "$top/common" . && rm -r common/sculptor || exit 1
+printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >build/models/bust.obj
+cat >step01_line/main.c <<'EOF'
+#include "program.h"
+
+static bool draw(struct drawing *drawing, struct image *image, struct error *error) {
+    (void)error;
+    image_set(image, 0, 0, color_rgb(255, 0, 0));
+    return drawing->model->face_count == 1;
+}
+
+int main(int argc, char **argv) {
+    static const struct scene scenes[] = {{.name = "dot", .needs = NEEDS_MODEL, .draw = draw}};
+    static const struct program program = {.name = "step01_line",
+                                           .summary = "a dot",
+                                           .defaults = {.width = 2, .height = 2},
+                                           .scenes = scenes,
+                                           .scene_count = 1};
+    return program_main(&program, argc, argv);
+}
+EOF
+make -s CFLAGS=-O0 MARCH= build/step01_line >"$work/log" 2>&1 || cat "$work/log"
+said=$(build/step01_line 2>&1)
+if [ "$said" != "$work/$name/build/out/step01_line/dot.tga" ] || [ ! -f "$said" ]; then
+    echo "paths: in $name the program says: $said"
+    failed=1
+fi
 exit $failed
