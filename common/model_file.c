@@ -12,8 +12,13 @@
 
 /* ---- Reading ---- */
 
+static bool is_named_off(const char *path) {
+    const char *dot = strrchr(path, '.');
+    return dot != NULL && (strcmp(dot, ".off") == 0 || strcmp(dot, ".OFF") == 0);
+}
+
 /* An OFF file without its first word looks like an OBJ file of which nothing is known. */
-static bool error_no_faces(const void *data, size_t size, struct error *error) {
+static bool error_no_faces(const char *path, const void *data, size_t size, struct error *error) {
     struct text text;
     struct error ignored;
     double number;
@@ -25,16 +30,20 @@ static bool error_no_faces(const void *data, size_t size, struct error *error) {
         }
         begun = word.length == 0;
     }
+    if (is_named_off(path) && !off_recognize(data, size)) {
+        return error_set(error, "does not begin with the word OFF");
+    }
     return error_set(error, "holds no faces");
 }
 
-static bool decode(struct model *model, const void *data, size_t size, unsigned parts,
-                   struct error *error) {
+/* The path, which is not read, may tell what the file should be. */
+static bool decode(struct model *model, const char *path, const void *data, size_t size,
+                   unsigned parts, struct error *error) {
     *model = (struct model){0};
     bool done = off_recognize(data, size) ? off_decode(model, data, size, error)
                                           : obj_decode(model, data, size, parts, error);
     if (done && model->face_count == 0) {
-        done = error_no_faces(data, size, error);
+        done = error_no_faces(path, data, size, error);
     }
     if (!done) {
         model_free(model);
@@ -43,7 +52,7 @@ static bool decode(struct model *model, const void *data, size_t size, unsigned 
 }
 
 bool model_decode(struct model *model, const void *data, size_t size, struct error *error) {
-    return decode(model, data, size, MODEL_ALL_PARTS, error);
+    return decode(model, "", data, size, MODEL_ALL_PARTS, error);
 }
 
 static bool keep_path(struct model *model, const char *path, struct error *error) {
@@ -63,7 +72,7 @@ bool model_read_parts(struct model *model, const char *path, unsigned parts, str
     if (!file_read(path, &bytes, error)) {
         return false;
     }
-    bool done = decode(model, bytes.data, bytes.size, parts, error);
+    bool done = decode(model, path, bytes.data, bytes.size, parts, error);
     model->bytes_read = bytes.size;
     bytes_free(&bytes);
     return (done && keep_path(model, path, error)) || error_name_input(error, path);

@@ -4,10 +4,10 @@
  * OBJ: v (x y z, x y z w: w is not used, x y z r g b), vt (u, u v, u v w: w is not used), vn and f;
  * all other keywords are passed over. A face may name what comes further down; a negative index
  * counts back from the face. OFF, COFF, NOFF, STOFF and their mixtures, as text; lines may end
- * between any two numbers, but a face's colour ends with its line. It is in levels 0..255 where its
- * 3 or 4 numbers are whole, otherwise 0..1; one number alone, an index into a table of colours, is
- * not used. Colours are cut to 0..1; where some positions or faces have colours, the others are
- * white. A concave face has at most 8,192 corners.
+ * between any two numbers, but a face ends with its line, so that two need two lines (off.h). Its
+ * colour is in levels 0..255 where its 3 or 4 numbers are whole, otherwise 0..1; one number alone,
+ * an index into a table of colours, is not used. Colours are cut to 0..1; where some positions or
+ * faces have colours, the others are white. A concave face has at most 8,192 corners.
  */
 #ifndef COMMON_MODEL_FILE_H
 #define COMMON_MODEL_FILE_H

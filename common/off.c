@@ -1,6 +1,6 @@
-/* OFF files; see off.h. A line may end between any two words of them. It counts in two places: the
- * colour of a face ends with its line, and where a line has one number more than a vertex with a
- * colour, that is alpha. */
+/* OFF files; see off.h. A line may end between any two words of them. It counts in three places:
+ * the colour of a face ends with its line; where a line has one number more than a vertex with a
+ * colour, that is alpha; the number of edges may be missing where those before it end their line. */
 #include "off.h"
 
 #include "model_reader.h"
@@ -14,8 +14,12 @@
 struct off_kind {
     bool uv, color, normal;
     bool four, dimension; /* 4OFF and nOFF: positions of more than three coordinates */
+    bool only_drawn;      /* faces with fewer than 3 corners tell that the file is read amiss */
     struct word rest;     /* what follows OFF in the same word: some writers leave out the blank */
 };
+
+/* Whether the number of edges is there, where the line ends before it. */
+enum edges_guess { EDGES_AS_IT_LOOKS, EDGES_OTHERWISE };
 
 static bool over_prefix(const char **p, const char *end, const char *prefix) {
     size_t length = strlen(prefix);
@@ -64,13 +68,34 @@ static bool read_count(struct model_reader *reader, struct word word, const char
     return true;
 }
 
-/* Read over the number of edges, which nobody needs: it may be missing where the numbers before it
- * end their line. */
-static bool skip_edges(struct model_reader *reader, size_t line_of_vertices) {
+/* Is there just one word more on this line? */
+static bool one_word_is_left(struct text text) {
+    struct word first = text_next_word(&text), second = text_next_word(&text);
+    return first.length > 0 && second.length == 0;
+}
+
+/* Does the next line that is not empty have one word? */
+static bool one_word_follows(struct text text) {
+    struct text line = text;
+    while (text_next_line(&text)) {
+        line = text;
+        if (text_next_word(&text).length > 0) {
+            return one_word_is_left(line);
+        }
+    }
+    return false;
+}
+
+/* Read over the number of edges, which nobody needs. Behind numbers that end their line it looks
+ * like one where it has a line of its own. */
+static bool skip_edges(struct model_reader *reader, enum edges_guess guess, bool *in_doubt) {
     struct word word = text_next_word(&reader->text);
     int64_t ignored;
-    if (word.length == 0 &&
-        (reader->line == line_of_vertices || !reader_next_word(reader, &word))) {
+    *in_doubt = word.length == 0;
+    if (*in_doubt && one_word_follows(reader->text) == (guess == EDGES_OTHERWISE)) {
+        return true;
+    }
+    if (word.length == 0 && !reader_next_word(reader, &word)) {
         return true;
     }
     return reader_parse_index(word, &ignored) ||
@@ -78,34 +103,39 @@ static bool skip_edges(struct model_reader *reader, size_t line_of_vertices) {
                       word_show(word).text);
 }
 
+struct off_counts {
+    size_t vertices, faces;
+    bool in_doubt; /* whether the number of edges follows */
+};
+
 /* The numbers of vertices, faces and edges, from `word` on. A vertex takes at least 6 bytes
  * ("0 0 0" and a blank), a face at least 2. */
-static bool read_counts(struct model_reader *reader, struct word word, size_t *vertices,
-                        size_t *faces) {
+static bool read_counts(struct model_reader *reader, struct word word, enum edges_guess guess,
+                        struct off_counts *counts) {
     if (word.length == 0 && !reader_next_line(reader, &word)) {
         return text_error(reader->error, reader->line,
                           "the numbers of vertices and faces are missing");
     }
-    size_t line = reader->line;
-    if (!read_count(reader, word, "vertices", vertices)) {
+    if (!read_count(reader, word, "vertices", &counts->vertices)) {
         return false;
     }
     if (!reader_next_word(reader, &word)) {
         return text_error(reader->error, reader->line, "the number of faces is missing");
     }
-    if (!read_count(reader, word, "faces", faces) || !skip_edges(reader, line)) {
+    if (!read_count(reader, word, "faces", &counts->faces) ||
+        !skip_edges(reader, guess, &counts->in_doubt)) {
         return false;
     }
     uint64_t left = (uint64_t)(reader->text.end - reader->text.next) + 1;
-    return (*vertices <= left / 6 && *faces <= left / 2) ||
+    return (counts->vertices <= left / 6 && counts->faces <= left / 2) ||
            text_error(reader->error, reader->line,
-                      "%zu vertices and %zu faces are more than the file can hold", *vertices,
-                      *faces);
+                      "%zu vertices and %zu faces are more than the file can hold",
+                      counts->vertices, counts->faces);
 }
 
 /* "OFF" and the numbers. */
-static bool read_header(struct model_reader *reader, struct off_kind *kind, size_t *vertices,
-                        size_t *faces) {
+static bool read_header(struct model_reader *reader, enum edges_guess guess, struct off_kind *kind,
+                        struct off_counts *counts) {
     struct word word;
     bool is_off = reader_next_line(reader, &word) && parse_keyword(word, kind);
     assert(is_off); /* or off_recognize() was not asked */
@@ -119,17 +149,10 @@ static bool read_header(struct model_reader *reader, struct off_kind *kind, size
     if (word_is(word, "BINARY")) {
         return text_error(reader->error, reader->line, "binary OFF files cannot be read");
     }
-    return read_counts(reader, word, vertices, faces);
+    return read_counts(reader, word, guess, counts);
 }
 
 /* ---- Vertices ---- */
-
-/* Is there just one word more on this line? */
-static bool one_word_is_left(const struct model_reader *reader) {
-    struct text text = reader->text;
-    struct word first = text_next_word(&text), second = text_next_word(&text);
-    return first.length > 0 && second.length == 0;
-}
 
 /* The next number of vertex `number` of `total`. */
 static bool read_number(struct model_reader *reader, size_t number, size_t total, double *value) {
@@ -146,7 +169,7 @@ static bool read_vertex(struct model_reader *reader, const struct off_kind *kind
     double value[READER_NUMBER_LIMIT];
     size_t color_at = kind->normal ? 6 : 3;
     size_t least = color_at + (kind->color ? 3 : 0) + (kind->uv ? 2 : 0), count = 0;
-    while (count < least || (count == least && kind->color && one_word_is_left(reader))) {
+    while (count < least || (count == least && kind->color && one_word_is_left(reader->text))) {
         if (!read_number(reader, number, total, &value[count++])) {
             return false;
         }
@@ -252,33 +275,56 @@ static bool read_face(struct model_reader *reader, const struct off_kind *kind, 
         return false;
     }
     if (size < 3) { /* points and lines are not drawn */
-        return true;
+        return !kind->only_drawn ||
+               text_error(reader->error, reader->line, "face has %zu corners", size);
     }
     return reader_add_faces(reader) && (!colored || reader_color_faces(reader, first, color));
 }
 
-static bool read_all(struct model_reader *reader) {
+/* What is left over tells that something was read amiss, or else is lost. */
+static bool read_end(struct model_reader *reader, size_t faces) {
+    struct word word;
+    return !reader_next_word(reader, &word) ||
+           text_error(reader->error, reader->line, "the file goes on after %zu faces%s", faces,
+                      reader->model->face_count == 0 ? ", none with 3 corners" : "");
+}
+
+/* ---- All of it ---- */
+
+static bool read_all(struct model_reader *reader, enum edges_guess guess, bool *in_doubt) {
     struct off_kind kind;
-    size_t vertices = 0, faces = 0;
-    if (!read_header(reader, &kind, &vertices, &faces) || !read_vertices(reader, &kind, vertices)) {
+    struct off_counts counts = {0};
+    bool done = read_header(reader, guess, &kind, &counts);
+    *in_doubt = counts.in_doubt;
+    kind.only_drawn = guess == EDGES_OTHERWISE;
+    if (!done || !read_vertices(reader, &kind, counts.vertices)) {
         return false;
     }
-    for (size_t i = 0; i < faces; i++) {
-        if (!read_face(reader, &kind, i, faces)) {
+    for (size_t i = 0; i < counts.faces; i++) {
+        if (!read_face(reader, &kind, i, counts.faces)) {
             return false;
         }
     }
-    struct word word;
-    if (reader->model->face_count == 0 && reader_next_word(reader, &word)) { /* read amiss */
-        return text_error(reader->error, reader->line,
-                          "the file goes on after %zu faces, none with 3 corners", faces);
-    }
-    return reader_finish_colors(reader);
+    return read_end(reader, counts.faces) && reader_finish_colors(reader);
 }
 
-bool off_decode(struct model *model, const void *data, size_t size, struct error *error) {
+static bool decode(struct model *model, const void *data, size_t size, enum edges_guess guess,
+                   bool *in_doubt, struct error *error) {
     struct model_reader reader = {.model = model, .error = error};
-    bool done = text_begin(&reader.text, data, size, false, error) && read_all(&reader);
+    bool done =
+        text_begin(&reader.text, data, size, false, error) && read_all(&reader, guess, in_doubt);
     model_reader_free(&reader);
     return done;
+}
+
+/* Where what looks right does not fit, the other guess may; not with points and lines, which it
+ * finds in many a file that is wrong elsewhere. */
+bool off_decode(struct model *model, const void *data, size_t size, struct error *error) {
+    struct error ignored;
+    bool in_doubt = false;
+    if (decode(model, data, size, EDGES_AS_IT_LOOKS, &in_doubt, error)) {
+        return true;
+    }
+    model_free(model);
+    return in_doubt && decode(model, data, size, EDGES_OTHERWISE, &in_doubt, &ignored);
 }

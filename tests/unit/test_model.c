@@ -193,6 +193,18 @@ static void test_off(void) {
         {"counts on the first line", "OFF 3 1 3\n0 0 0\n1 0 0\n1 1 0\n3 0 1 2", TRIANGLE},
         {"no blank after OFF", "OFF3 1 3\n0 0 0\n1 0 0\n1 1 0\n3 0 1 2", TRIANGLE},
         {"no number of edges", "OFF\n3 1\n0 0 0\n1 0 0\n1 1 0\n3 0 1 2", TRIANGLE},
+        {"number of edges on the next line", "OFF\n3 2\n0\n0 0 0\n1 0 0\n1 1 0\n3 0 1 2\n3 0 1 2\n",
+         TRIANGLE " " TRIANGLE},
+        {"number of edges on the next line that is not empty",
+         "OFF\n3 1 #\n\n# edges\n5 # 5\n0 0 0\n1 0 0\n1 1 0\n3 0 1 2\n", TRIANGLE},
+        {"number of edges before the first vertex", "OFF\n3 1\n3 0 0 0\n1 0 0\n1 1 0\n3 0 1 2\n",
+         TRIANGLE},
+        {"number of edges, and a vertex that looks like a face",
+         "OFF\n4 1\n3\n0 0 0\n1 0 0\n1 1 0\n0 1 3\n3 0 1 2\n", TRIANGLE},
+        {"no number of edges, a word on each line",
+         "OFF\n3 1\n0\n0\n0\n1\n0\n0\n1\n1\n0\n3\n0\n1\n2\n", TRIANGLE},
+        {"numbers on two lines, none of edges", "OFF\n3\n1\n0 0 0\n1 0 0\n1 1 0\n3 0 1 2\n",
+         TRIANGLE},
         {"a word on each line", "OFF\n3\n1\n0\n0\n0\n0\n1\n0\n0\n1\n1\n0\n3\n0\n1\n2\n", TRIANGLE},
         {"all on one line", "OFF 3 1 0 0 0 0 1 0 0 1 1 0 3 0 1 2", TRIANGLE},
         {"lines that end anywhere", "OFF 3\n1 0 0 0\n0 1 0 0 1\n1 0 3 0\n1 2 0.5 0.5 0.5\n",
@@ -437,6 +449,12 @@ static void test_messages(void) {
         {"OFF\n1 1 0\n0 0\n3 0 0 0\n", "4: the colour of a face has 3 or 4 numbers, not 2"},
         {"OFF\n1 1 0\n0 0 0 0\n3 0 0 0\n",
          "4: the file goes on after 1 faces, none with 3 corners"},
+        {"OFF\n1 1 0\n0 0 0\n3 0 0 0\n3 0 0 0\n", "5: the file goes on after 1 faces"},
+        {"OFF\n1 1\n0 0 0\n3 0 0 0\n\nend\n", "6: the file goes on after 1 faces"},
+        {"OFF 1 2 0 0 0 0 3 0 0 0 3 0 0 0\n", "1: the file ends after 1 of 2 faces"},
+        /* Wrong in a face, and as a number of edges the 0 of the first vertex would fit. */
+        {"OFF\n4 1\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 9\n",
+         "7: face names vertex 9 of 4 (from 0)"},
         {"OFF\n2 1 0\n0 0 0 0.5 0.5 0.5\n0.5 0 0 0 0.5 0\n3 0 0 0\n",
          "4: '0.5' is not a number of corners"},
         {"COFF\n1 1 0\n0 0 0\n3 0 0 0\n", "4: the file ends after 0 of 1 faces"},
@@ -588,6 +606,38 @@ static void test_files(void) {
     CHECK(unlink(path) == 0 && rmdir(directory) == 0);
 }
 
+/* What the name promises, the first word must keep; an OBJ file may have any name. */
+static void test_named_off(void) {
+    static const struct {
+        const char *text, *message; /* NULL: it is read */
+    } rows[] = {
+        {"off\n1 1 0\n0 0 0\n3 0 0 0\n", "does not begin with the word OFF"},
+        {"OFFF\n1 1 0\n0 0 0\n3 0 0 0\n", "does not begin with the word OFF"},
+        {"hello\n", "does not begin with the word OFF"},
+        {"", "does not begin with the word OFF"},
+        {"1 1 0\n", "begins with a number: an OFF file begins with the word OFF"},
+        {"OFF\n1 0 0\n0 0 0\n", "holds no faces"},
+        {SQUARE "f 1 2 3\n", NULL},
+    };
+    char directory[] = COURSE_BUILD "/test_model.XXXXXX", path[400], expected[500];
+    if (!CHECK(mkdtemp(directory) != NULL)) {
+        return;
+    }
+    snprintf(path, sizeof path, "%s/a.off", directory);
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        struct model m;
+        struct error error = {0};
+        CHECK(write_text(path, rows[i].text));
+        CHECK_ROW(model_read(&m, path, &error) == (rows[i].message == NULL), rows[i].text);
+        if (rows[i].message != NULL) {
+            snprintf(expected, sizeof expected, "%s: %s", path, rows[i].message);
+            CHECK_TEXT(error.message, expected);
+        }
+        model_free(&m);
+    }
+    CHECK(unlink(path) == 0 && rmdir(directory) == 0);
+}
+
 /* Found beside the model as TGA before PNG, read once and only when asked for. */
 static void test_textures(void) {
     char directory[] = COURSE_BUILD "/test_model.XXXXXX", path[400], tga[400], png[400],
@@ -703,5 +753,5 @@ UNIT_MAIN(TEST(test_parts), TEST(test_errors_in_parts), TEST(test_obj_faces),
           TEST(test_obj_numbers), TEST(test_obj_many_colors), TEST(test_off),
           TEST(test_off_smallest), TEST(test_face_colors), TEST(test_face_color_values),
           TEST(test_colors_of_both), TEST(test_messages), TEST(test_long_lines),
-          TEST(test_long_face), TEST(test_too_many_corners), TEST(test_files), TEST(test_textures),
-          TEST(test_texture_names))
+          TEST(test_long_face), TEST(test_too_many_corners), TEST(test_files), TEST(test_named_off),
+          TEST(test_textures), TEST(test_texture_names))
