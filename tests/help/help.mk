@@ -10,10 +10,13 @@ hint:
 # Of the lesson that STEP names; without one the scripts say what is wrong.
 HELPED = $(if $(STEP),$(filter $(STEP:%/=%) step$(STEP)_% step0$(STEP)_%,$(STEPS)))
 
-open: $(BUILD)/compare_page $(HELPED:%=$(BUILD)/out/%/.drawn)
+# They draw themselves, since what hangs or crashes is to be shown as far as it comes.
+DRAWS  = $(HELPED:%=$(BUILD)/drawn/%) $(BUILD)/models/bust.obj
+
+open: $(BUILD)/compare_page $(DRAWS)
 	@tests/help/open.sh '$(BUILD)' '$(STEP)' '$(SCENE)'
 
-show: $(BUILD)/show $(HELPED:%=$(BUILD)/out/%/.drawn)
+show: $(BUILD)/show $(DRAWS)
 	@tests/help/show.sh '$(BUILD)' '$(STEP)' '$(SCENE)' '$(WHICH)' '$(KIND)'
 
 watch:

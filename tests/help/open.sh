@@ -14,6 +14,7 @@ scene=$3
 . tests/help/drawn.sh
 
 find_lesson
+draw
 find_drawn
 page=$build/pages/$lesson.html
 mkdir -p "$build/pages" || fail 1 "cannot write into $build"

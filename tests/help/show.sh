@@ -28,6 +28,7 @@ find_size() {
 
 find_lesson
 find_size
+draw
 find_drawn
 for name in $drawn; do
     echo "$lesson $name"

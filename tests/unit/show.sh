@@ -109,6 +109,53 @@ for options in '--columns 0' '--columns x' '--columns 2001' '--lines' '--as pape
     show 2 white.tga grey.tga $options
 done
 
+# ---- A program that hangs or crashes ----
+
+# In place of a lesson's program: a scene a line of `draws`, as a command that draws it or does not.
+mkdir -p course/tests/check course/step05_zbuffer course/build/drawn course/build/models || exit 1
+cp -R "$top/tests/starter" "$top/tests/help" course/tests || exit 1
+cp "$build/show" course/build && cp grey.tga course && cd course || exit 1
+printf 'step05_zbuffer %s\n' first bad last >tests/check/scenes.txt
+cat >build/step05_zbuffer <<'EOF'
+#!/bin/sh
+[ "$1 $2" = '-o build/out/step05_zbuffer' ] || exit 2
+for scene in first bad last; do
+    if [ -z "$3" ] || [ "$3 $4" = "--only $scene" ]; then
+        if [ $scene = bad ]; then eval "$(cat bad)"; fi
+        cp grey.tga "$2/$scene.tga"
+    fi
+done
+EOF
+chmod +x build/step05_zbuffer
+
+# draws BAD STATUS SCENE...: BAD is what the program does for `bad`.
+draws() {
+    echo "$1" >bad
+    cp build/step05_zbuffer build/drawn
+    touch build/models/bust.obj
+    sleep 1 # a file system may count seconds
+    CHECK_TIMEOUT=1 tests/help/show.sh build 5 "$3" yours blocks >shown 2>&1
+    got=$?
+    [ $got -eq "$2" ] || wrong "status $got, not $2, where a program does '$1': $(cat shown)"
+    shift 3
+    [ "$(grep -o '^step05_zbuffer [a-z]*$' shown | cut -d ' ' -f 2 | xargs)" = "$*" ] ||
+        wrong "not $*: $(cat shown)"
+}
+
+draws : 0 '' first bad last
+draws 'kill -SEGV $$' 0 '' first
+says 'make show: step05_zbuffer crashed: SIGSEGV'
+draws 'kill -SEGV $$' 0 last last
+draws 'kill -SEGV $$' 1 bad
+says 'step05_zbuffer has not drawn bad'
+draws 'while :; do :; done' 0 '' first
+says 'make show: step05_zbuffer was stopped after 1 s'
+draws 'exit 3' 0 '' first
+says 'make show: step05_zbuffer ended with status 3'
+draws 'exit 3' 2 none
+says 'there is no scene "none" in step05_zbuffer. There are: first bad last'
+cd "$work" || exit 1
+
 # ---- make show ----
 
 # The build directory as it is, but a terminal of 80 x 24 or none.
