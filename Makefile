@@ -92,13 +92,21 @@ $(foreach n,4 5 6 7 8,$(BUILD)/step0$(n)%): DRAW_WITH = -Dedges_setup=my_triangl
 endif
 
 # A lesson's program is its main.c and what all lessons share.
-$(STEPS:%=$(BUILD)/%): $(BUILD)/%: %/main.c $(BUILD)/libcommon.a $(MINE) $(BUILD)/line $(BUILD)/flags
+$(STEPS:%=$(BUILD)/%): $(BUILD)/%: %/main.c $(BUILD)/sums/% $(BUILD)/libcommon.a $(MINE) \
+                                   $(BUILD)/line $(BUILD)/flags
 	$(COMPILE) $(DRAW_WITH) -MF $@.d -MT $@ -c $< -o $@.o
 	$(LINK) $@.o $(MINE) $(BUILD)/libcommon.a -lm -o $@
 
 $(BUILD)/mine/%.o: %/mine.c %/main.c $(BUILD)/flags
 	@mkdir -p $(@D)
 	$(COMPILE) -c $< -o $@
+
+# Changes only when what a lesson's program is built from does, whatever its date: a main.c that was
+# unpacked or copied may be older than the program of the one before it.
+$(STEPS:%=$(BUILD)/sums/%): $(BUILD)/sums/%: force
+	@mkdir -p $(@D)
+	@sums=$$(cksum $*/main.c $*/*.h 2>/dev/null); \
+	 [ "$$(cat $@ 2>/dev/null)" = "$$sums" ] || echo "$$sums" >$@
 
 # Changes only when LINE does.
 $(BUILD)/line: force
