@@ -97,7 +97,7 @@ $(STEPS:%=$(BUILD)/%): $(BUILD)/%: %/main.c $(BUILD)/sums/% $(BUILD)/libcommon.a
 	$(COMPILE) $(DRAW_WITH) -MF $@.d -MT $@ -c $< -o $@.o
 	$(LINK) $@.o $(MINE) $(BUILD)/libcommon.a -lm -o $@
 
-$(BUILD)/mine/%.o: %/mine.c %/main.c $(BUILD)/flags
+$(BUILD)/mine/%.o: %/mine.c %/main.c $(BUILD)/sums/% $(BUILD)/flags
 	@mkdir -p $(@D)
 	$(COMPILE) -c $< -o $@
 
@@ -105,7 +105,7 @@ $(BUILD)/mine/%.o: %/mine.c %/main.c $(BUILD)/flags
 # unpacked or copied may be older than the program of the one before it.
 $(STEPS:%=$(BUILD)/sums/%): $(BUILD)/sums/%: force
 	@mkdir -p $(@D)
-	@sums=$$(cksum $*/main.c $*/*.h 2>/dev/null); \
+	@sums=$$(cksum $*/main.c $*/mine.c $*/*.h 2>/dev/null); \
 	 [ "$$(cat $@ 2>/dev/null)" = "$$sums" ] || echo "$$sums" >$@
 
 # Changes only when LINE does.

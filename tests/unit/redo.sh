@@ -113,4 +113,12 @@ redone "$(program $one) $(program $two)"
 nothing_said
 after tests/check/run.c '/* The end. */'
 redone "check tests/check/run.d tests/check/run.o $(program $two)" check STEP=02
+
+# The line() that the second lesson draws with is that of the first one's main.c as it is now.
+rm $two/mine.c
+cp "$top/$one"/*.[ch] $one
+make -s CFLAGS=-O1 MARCH= LINE=mine build/$two >log 2>&1 || { tail -n 20 log; exit 1; }
+after $one/main.c 'const int used_by_mine = 1;'
+touch -t 199901010000 $one/main.c
+redone "sums/$one mine/$one.d mine/$one.o $(program $two)" LINE=mine build/$two
 exit $failed
