@@ -120,13 +120,22 @@ $(BUILD)/libcommon.a: $(COMMON:%=$(BUILD)/common/%.o)
 	@rm -f $@
 	$(AR) rcs $@ $^
 
-# The head that the lessons draw is sculpted by a program, once: again when a file is missing or it
-# is another program, and not whenever it is linked again.
+# The head that the lessons draw is sculpted by a program, once: again when a file is not as it was
+# written, which the check would count against a lesson, or it is another program, and not whenever
+# it is linked again.
 MODELS = $(addprefix $(BUILD)/models/,bust.obj bust_diffuse.tga bust_nm.tga bust_spec.tga \
                                       knot.off sphere.obj torus.obj)
-$(BUILD)/models/bust.obj: $(BUILD)/sculptor $(if $(filter-out $(wildcard $(MODELS)),$(MODELS)),force)
+SUMS   = (cd $(BUILD)/models && cksum $(notdir $(MODELS)))
+$(BUILD)/models/bust.obj: $(BUILD)/sculptor $(BUILD)/sums/models
 	@mkdir -p $(@D)
+	@rmdir $(MODELS) 2>/dev/null || :
 	$(BUILD)/sculptor $(@D)
+	@$(SUMS) >$(BUILD)/sums/models && touch $@
+
+# Changes only when a file is not what was sculpted.
+$(BUILD)/sums/models: force
+	@mkdir -p $(@D)
+	@$(SUMS) 2>/dev/null | cmp -s - $@ || echo 'To be sculpted' >$@
 
 $(BUILD)/sculptor: $(BUILD)/sculpt
 	@cmp -s $< $@ || cp $< $@
