@@ -95,11 +95,11 @@ endif
 $(STEPS:%=$(BUILD)/%): $(BUILD)/%: %/main.c $(BUILD)/sums/% $(BUILD)/libcommon.a $(MINE) \
                                    $(BUILD)/line $(BUILD)/flags
 	$(COMPILE) $(DRAW_WITH) -MF $@.d -MT $@ -c $< -o $@.o
-	$(LINK) $@.o $(MINE) $(BUILD)/libcommon.a -lm -o $@
+	$(LINK) $@.o $(MINE) $(BUILD)/libcommon.a -lm $(PLACED)
 
 $(BUILD)/mine/%.o: %/mine.c %/main.c $(BUILD)/sums/% $(BUILD)/flags
 	@mkdir -p $(@D)
-	$(COMPILE) -c $< -o $@
+	$(COMPILE) -c $< $(OBJECT)
 
 # Changes only when what a lesson's program is built from does, whatever its date: a main.c that was
 # unpacked or copied may be older than the program of the one before it.
@@ -117,8 +117,7 @@ COMMON   = $(basename $(notdir $(wildcard common/*.c)))
 SCULPTOR = $(basename $(notdir $(wildcard common/sculptor/*.c)))
 
 $(BUILD)/libcommon.a: $(COMMON:%=$(BUILD)/common/%.o)
-	@rm -f $@
-	$(AR) rcs $@ $^
+	$(AR) rcs $@.$$$$ $^ && mv -f $@.$$$$ $@
 
 # The head that the lessons draw is sculpted by a program, once: again when a file is not as it was
 # written, which the check would count against a lesson, or it is another program, and not whenever
@@ -138,10 +137,10 @@ $(BUILD)/sums/models: force
 	@$(SUMS) 2>/dev/null | cmp -s - $@ || echo 'To be sculpted' >$@
 
 $(BUILD)/sculptor: $(BUILD)/sculpt
-	@cmp -s $< $@ || cp $< $@
+	@cmp -s $< $@ || { cp $< $@.$$$$ && mv -f $@.$$$$ $@; }
 
 $(BUILD)/sculpt: $(SCULPTOR:%=$(BUILD)/common/sculptor/%.o) $(BUILD)/libcommon.a
-	$(LINK) $^ -lm -o $@
+	$(LINK) $^ -lm $(PLACED)
 
 # ---- How the compiler is called ----
 
@@ -171,10 +170,14 @@ COMPILE  = $(CC) $(STRICT) $(WARNINGS) $(WERROR) $(CFLAGS) $(MARCH) $(THREADED) 
 EXACT    = $(subst -Ofast,-O3,$(COMPILE)) -fno-fast-math $(STRICT)
 INEXACT  = -Ofast -ffast-math -funsafe-math-optimizations
 LINK     = $(CC) $(filter-out $(INEXACT),$(CFLAGS)) $(MARCH) $(THREADED)
+# Written under another name first: while a program is written no other make of the same directory
+# could run it, nor link an object.
+PLACED   = -o $@.$$$$ && mv -f $@.$$$$ $@
+OBJECT   = -MF $(@:.o=.d) -MT $@ $(PLACED)
 
 $(BUILD)/common/%.o: common/%.c $(BUILD)/flags
 	@mkdir -p $(@D)
-	$(EXACT) -c $< -o $@
+	$(EXACT) -c $< $(OBJECT)
 
 # Changes only when the compiler or its flags do, and then everything is built again.
 $(BUILD)/flags: force
@@ -219,16 +222,16 @@ SANITIZED = -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all -fno-o
 $(STEPS:%=$(BUILD)/sanitized/%): $(BUILD)/sanitized/%: %/main.c $(BUILD)/libcommon.a $(BUILD)/flags
 	@mkdir -p $(@D)
 	$(COMPILE) $(SANITIZED) -MF $@.d -MT $@ -c $< -o $@.o
-	$(LINK) $(SANITIZED) $@.o $(BUILD)/libcommon.a -lm -o $@
+	$(LINK) $(SANITIZED) $@.o $(BUILD)/libcommon.a -lm $(PLACED)
 
 -include $(wildcard tests/hidden/hidden.mk)
 
 $(BUILD)/check: $(BUILD)/tests/check/check.o $(CHECKER) $(BUILD)/libcommon.a
-	$(LINK) $^ -lm -o $@
+	$(LINK) $^ -lm $(PLACED)
 
 $(BUILD)/tests/%.o: tests/%.c $(BUILD)/flags
 	@mkdir -p $(@D)
-	$(EXACT) $(OPENMP) -Itests/oracle -c $< -o $@
+	$(EXACT) $(OPENMP) -Itests/oracle -c $< $(OBJECT)
 
 # Style and script of the pages, as strings of C.
 $(BUILD)/tests/help/page_files.c: tests/help/page.css tests/help/page.js
@@ -238,10 +241,10 @@ $(BUILD)/tests/help/page_files.c: tests/help/page.css tests/help/page.js
 	       echo "const char *const page_$$file[] = {"; \
 	       sed 's/[\\"]/\\&/g; s/.*/    "&\\n",/' tests/help/page.$$file; \
 	       echo '    NULL};'; \
-	   done; } >$@
+	   done; } >$@.$$$$ && mv -f $@.$$$$ $@
 
 $(BUILD)/tests/help/page_files.o: $(BUILD)/tests/help/page_files.c $(BUILD)/flags
-	$(EXACT) -Itests/help -c $< -o $@
+	$(EXACT) -Itests/help -c $< $(OBJECT)
 
 # ---- make start, make solution ----
 

@@ -28,7 +28,7 @@ $(BUILD)/solutions/.built: $(STEPS:%=%/main.c) $(BUILD)/libcommon.a
 	@touch $@
 
 $(BUILD)/limited: $(BUILD)/tests/grade/limited.o $(CHECKER) $(BUILD)/libcommon.a
-	$(LINK) $^ -lm -o $@
+	$(LINK) $^ -lm $(PLACED)
 
 # A lesson of a submission: compiled and linked where it can do no harm.
 CONTAINED = CONTAIN_WRITES=$(abspath $(@D)) tests/grade/contain.sh

@@ -27,4 +27,4 @@ HELPING = $(addprefix $(BUILD)/tests/,help/base64.o help/escape.o help/page.o he
 
 $(BUILD)/show $(BUILD)/compare_page: $(BUILD)/%: $(BUILD)/tests/help/%.o $(HELPING) \
                                      $(BUILD)/libcommon.a
-	$(LINK) $^ -lm -o $@
+	$(LINK) $^ -lm $(PLACED)
