@@ -193,24 +193,31 @@ bool terminal_show(struct bytes *out, const struct image *image, enum terminal_k
 
 /* ---- What the terminal can ---- */
 
-/* The answer to "what are you?", ESC [ ? 62 ; 4 ; ... c, up to its last letter. */
-static size_t read_answer(int terminal, char *answer, size_t size) {
+/* "Can you show a picture of 1x1 pixels?", which only a terminal answers that knows the protocol,
+ * and "what are you?", which all answer. */
+static const char question[] = "\033_Gi=31,s=1,v=1,a=q,t=d,f=24;AAAA\033\\"
+                               "\033[c";
+static const char can_kitty[] = "\033_Gi=31;OK\033\\";
+static const char attributes[] = "\033[?"; /* 62 ; 4 ; ... c, which ends the answers */
+
+/* The answers, up to the last letter of the last one. */
+static void read_answer(int terminal, char *answer, size_t size) {
     enum { WAIT_MS = 300 };
     size_t length = 0;
     struct pollfd waiting = {.fd = terminal, .events = POLLIN};
     while (length + 1 < size && poll(&waiting, 1, WAIT_MS) == 1 &&
            read(terminal, answer + length, 1) == 1) {
-        if (answer[length++] == 'c') {
+        answer[++length] = '\0';
+        if (answer[length - 1] == 'c' && strstr(answer, attributes) != NULL) {
             break;
         }
     }
-    answer[length] = '\0';
-    return length;
 }
 
-/* Attribute 4 of the answer is sixel. */
+/* Attribute 4 is sixel. */
 static bool names_sixel(const char *answer) {
-    const char *attribute = strchr(answer, '?');
+    const char *attribute = strstr(answer, attributes);
+    attribute = attribute != NULL ? strchr(attribute, '?') : NULL;
     while (attribute != NULL) {
         char *end;
         if (strtol(attribute + 1, &end, 10) == 4 && (*end == ';' || *end == 'c')) {
@@ -222,45 +229,58 @@ static bool names_sixel(const char *answer) {
 }
 
 /* Ask with signals held back, so that the terminal is always left as it was. */
-static bool ask_for_sixel(int terminal) {
+static void ask(int terminal, char *answer, size_t size) {
     struct termios before, silent;
     sigset_t all, signals;
-    char answer[128] = "";
+    ssize_t length = (ssize_t)strlen(question);
     if (tcgetpgrp(terminal) != getpgrp() || tcgetattr(terminal, &before) != 0) {
-        return false; /* who stands in the background must not touch the terminal */
+        return; /* who stands in the background must not touch the terminal */
     }
     sigfillset(&all);
     sigprocmask(SIG_BLOCK, &all, &signals);
     silent = before;
     silent.c_lflag &= ~(tcflag_t)(ICANON | ECHO);
     if (tcsetattr(terminal, TCSANOW, &silent) == 0) {
-        if (write(terminal, "\033[c", 3) == 3) {
-            read_answer(terminal, answer, sizeof answer);
+        if (write(terminal, question, (size_t)length) == length) {
+            read_answer(terminal, answer, size);
         }
         tcsetattr(terminal, TCSANOW, &before);
     }
     sigprocmask(SIG_SETMASK, &signals, NULL);
-    return names_sixel(answer);
+}
+
+static enum terminal_kind kind_of_answer(const char *answer) {
+    if (strstr(answer, can_kitty) != NULL) {
+        return TERMINAL_KITTY;
+    }
+    return names_sixel(answer) ? TERMINAL_SIXEL : TERMINAL_BLOCKS;
 }
 
 static bool begins_with(const char *text, const char *beginning) {
     return strncmp(text, beginning, strlen(beginning)) == 0;
 }
 
+/* screen and tmux stand between the program and the terminal, and let no picture through; a console
+ * may show the question. */
+static bool is_known_to_have_none(const char *name) {
+    return begins_with(name, "screen") || begins_with(name, "tmux") || strcmp(name, "linux") == 0 ||
+           strcmp(name, "dumb") == 0;
+}
+
 enum terminal_kind terminal_find_kind(void) {
     const char *name = getenv("TERM");
     name = name != NULL ? name : "";
-    /* screen and tmux stand between the program and the terminal, and let no picture through */
-    if (!isatty(STDOUT_FILENO) || begins_with(name, "screen") || begins_with(name, "tmux")) {
+    if (!isatty(STDOUT_FILENO) || is_known_to_have_none(name)) {
         return TERMINAL_BLOCKS;
     }
     if (strstr(name, "kitty") != NULL || getenv("KITTY_WINDOW_ID") != NULL) {
         return TERMINAL_KITTY;
     }
     int terminal = open("/dev/tty", O_RDWR | O_NOCTTY | O_CLOEXEC);
-    bool sixel = terminal >= 0 && ask_for_sixel(terminal);
+    char answer[256] = "";
     if (terminal >= 0) {
+        ask(terminal, answer, sizeof answer);
         close(terminal);
     }
-    return sixel ? TERMINAL_SIXEL : TERMINAL_BLOCKS;
+    return kind_of_answer(answer);
 }

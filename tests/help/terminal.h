@@ -14,9 +14,9 @@ enum terminal_kind {
     TERMINAL_KITTY   /* the graphics protocol of kitty, which Ghostty and others know, too */
 };
 
-/* What the terminal of this process can show: kitty by TERM and KITTY_WINDOW_ID; sixel when the
- * terminal names it, asked for its attributes, within 0.3 seconds; blocks when standard output is
- * no terminal. */
+/* What the terminal of this process can show: kitty by TERM, KITTY_WINDOW_ID or the answer of the
+ * terminal, which is asked; sixel when its attributes name that; blocks when it does not answer
+ * within 0.3 seconds, or standard output is no terminal. */
 enum terminal_kind terminal_find_kind(void);
 
 /* Append the image. `columns` is how many characters of a line it takes, which only kitty is told.

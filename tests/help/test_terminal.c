@@ -132,11 +132,14 @@ static void be_asked(const char *path, const char *term) {
     _exit(after.c_lflag == before.c_lflag ? (int)kind : 99);
 }
 
-/* Read the question, and write the answer. */
+/* Read the questions, and write the answers. */
 static void answer(int terminal, const char *text) {
-    char question[4] = "";
-    CHECK(read(terminal, question, 3) == 3);
-    CHECK_TEXT(question, "\033[c");
+    static const char expected[] = "\033_Gi=31,s=1,v=1,a=q,t=d,f=24;AAAA\033\\\033[c";
+    char question[sizeof expected] = "";
+    for (size_t i = 0; i + 1 < sizeof question && read(terminal, question + i, 1) == 1;) {
+        i++;
+    }
+    CHECK_TEXT(question, expected);
     CHECK(write(terminal, text, strlen(text)) == (ssize_t)strlen(text));
 }
 
@@ -169,12 +172,20 @@ static void test_kind(void) {
         {"xterm-256color", "\033[?4c", TERMINAL_SIXEL},
         {"xterm-256color", "\033[?64;1;2;6;22c", TERMINAL_BLOCKS},
         {"xterm-256color", "\033[?62;14;44c", TERMINAL_BLOCKS},
+        {"xterm-256color", "\033_Gi=31;OK\033\\\033[?62;c", TERMINAL_KITTY},
+        {"xterm-256color", "\033_Gi=31;OK\033\\\033[?62;4c", TERMINAL_KITTY},
+        {"xterm-256color", "\033_Gi=31;EINVAL:cannot?4c\033\\\033[?62;22c", TERMINAL_BLOCKS},
+        {"xterm-256color", "\033_Gi=31;EINVAL:cannot\033\\\033[?62;4c", TERMINAL_SIXEL},
         {"xterm-256color", "", TERMINAL_BLOCKS}, /* no answer: it does not wait for ever */
         {"xterm-256color",
+         "qqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqq"
+         "qqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqq"
          "qqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqq"
          "qqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqq",
          TERMINAL_BLOCKS},
         {"xterm-kitty", NULL, TERMINAL_KITTY},
+        {"linux", NULL, TERMINAL_BLOCKS},
+        {"dumb", NULL, TERMINAL_BLOCKS},
         {"tmux-256color", NULL, TERMINAL_BLOCKS},
         {"screen", NULL, TERMINAL_BLOCKS},
     };
