@@ -165,9 +165,11 @@ MARCH    := $(call PROBE,-march=native)
 COMPILE  = $(CC) $(STRICT) $(WARNINGS) $(WERROR) $(CFLAGS) $(MARCH) $(THREADED) $(DEFINES) \
            -Icommon -MMD -MP
 # What the lessons stand on (library, models, check) computes exactly whatever CFLAGS say: -Ofast is
-# for main.c alone. Where the linker saw it, numbers next to 0 would be 0 in the whole program.
-# -fno-fast-math also brings back errno and traps, which keep loops from being vectorised.
-EXACT    = $(subst -Ofast,-O3,$(COMPILE)) -fno-fast-math $(STRICT)
+# for main.c alone, and constants of single precision, which clang does not know. Where the linker
+# saw -Ofast, numbers next to 0 would be 0 in the whole program. -fno-fast-math also brings back
+# errno and traps, which keep loops from being vectorised.
+EXACT    = $(subst -fsingle-precision-constant,,$(subst -Ofast,-O3,$(COMPILE))) -fno-fast-math \
+           $(STRICT)
 INEXACT  = -Ofast -ffast-math -funsafe-math-optimizations
 LINK     = $(CC) $(filter-out $(INEXACT),$(CFLAGS)) $(MARCH) $(THREADED)
 # Written under another name first: while a program is written no other make of the same directory
