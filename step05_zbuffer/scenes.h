@@ -154,14 +154,16 @@ static void draw_card(const struct card *card, struct canvas *canvas) {
     triangle(canvas, (struct vertex[]){v[0], v[2], v[3]}, card->color);
 }
 
-/* Red; blue is a little behind it, green exactly as near, yellow a little nearer. Apart from them purple far away, and cyan very near. */
+/* Red; blue is a thousandth behind it, green exactly as near, yellow a thousandth nearer, orange a
+ * hundred-thousandth. Apart from them purple far away, and cyan very near. */
 static bool draw_cards(struct drawing *drawing, struct image *image, struct error *error) {
     (void)error;
     static const struct card cards[] = {
         {{-0.5, -0.4}, {0.3, 0.4}, 0, {.r = 220, .g = 60, .b = 50, .a = 255}},
-        {{-0.8, 0}, {-0.1, 0.8}, -0.00001, {.r = 60, .g = 90, .b = 220, .a = 255}},
+        {{-0.8, 0}, {-0.1, 0.8}, -0.001, {.r = 60, .g = 90, .b = 220, .a = 255}},
         {{-0.8, -0.8}, {-0.1, -0.1}, 0, {.r = 60, .g = 170, .b = 70, .a = 255}},
-        {{0, -0.7}, {0.8, 0.2}, 0.00001, {.r = 230, .g = 190, .b = 40, .a = 255}},
+        {{0, -0.7}, {0.8, 0.2}, 0.001, {.r = 230, .g = 190, .b = 40, .a = 255}},
+        {{-0.05, 0.23}, {0.25, 0.37}, 0.00001, {.r = 250, .g = 150, .b = 90, .a = 255}},
         {{0.45, 0.4}, {0.95, 0.9}, -7, {.r = 130, .g = 60, .b = 140, .a = 255}},
         {{0.6, 0.55}, {0.8, 0.75}, 7, {.r = 120, .g = 210, .b = 220, .a = 255}},
     };
