@@ -1,6 +1,8 @@
-/* OFF files; see off.h. A line may end between any two words of them. It counts in three places:
+/*
+ * OFF files; see off.h. A line may end between any two words of them. It counts in three places:
  * the colour of a face ends with its line; where a line has one number more than a vertex with a
- * colour, that is alpha; the number of edges may be missing where those before it end their line. */
+ * colour, that is alpha; the number of edges may be missing where those before it end their line.
+ */
 #include "off.h"
 
 #include "model_reader.h"

@@ -212,7 +212,8 @@ enum {
 
 /* A corner of the sheet: a point of a grid, moved by halves of a pixel. So corners lie on pixel
  * centres or half-way between them, where the rule for ties counts most; those of the upper half
- * lie just below, where it must not count. The border is straight and far from all centres: there no rule is asked. */
+ * lie just below, where it must not count. The border is straight and far from all centres: there
+ * no rule is asked. */
 static struct fixed2 sheet_corner(int column, int row) {
     const int half = SUBPIXELS / 2;
     uint32_t h = (uint32_t)(row * 1009 + column) * 2654435761U;
