@@ -254,8 +254,8 @@ static bool draw_bar(struct image *image, int index, const struct cut_line *l, s
     return true;
 }
 
-/* For each of these lines; at the bottom for one in a wide image, and for the longest that there may
- * be. */
+/* For each of these lines; at the bottom for one in a wide image, and for the longest that there
+ * may be. */
 static bool draw_walked(struct drawing *drawing, struct image *image, struct error *error) {
     (void)drawing;
     const struct cut_line wide = {{-2, 0}, {WIDE + 1, 2}, RED};

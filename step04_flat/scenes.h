@@ -5,7 +5,8 @@
  * that comes from the left and from above, in an image that is not square, and has two faces more:
  * one reaches too far for the screen, and nothing of it is drawn; one leaves the image. Faces on
  * which no light falls are not drawn. With the light in the viewer's direction these are the faces
- * that show their backs; what lies behind something else is still painted over it: that is lesson 5.
+ * that show their backs; what lies behind something else is still painted over it: that is lesson
+ * 5.
  */
 
 static bool draw_flat(struct drawing *drawing, struct image *image, struct error *error) {
