@@ -129,7 +129,7 @@ $(BUILD)/models/bust.obj: $(BUILD)/sculptor $(BUILD)/sums/models
 	@mkdir -p $(@D)
 	@rmdir $(MODELS) 2>/dev/null || :
 	$(BUILD)/sculptor $(@D)
-	@$(SUMS) >$(BUILD)/sums/models && touch $@
+	@$(SUMS) >$(BUILD)/sums/models 2>/dev/null; touch $@
 
 # Changes only when a file is not what was sculpted.
 $(BUILD)/sums/models: force

@@ -79,8 +79,8 @@ done
 cd "$top" || exit 1
 hand_out "$work/all" '' || fail "make handout fails: $(cat "$work/log")"
 mkdir "$work/bin"
-for tool in gcc as ld ar make sh awk sed cmp getconf cat chmod cp date dirname basename echo env \
-    expr head ls mkdir mktemp mv rm rmdir sort tail test touch tr true uname wc; do
+for tool in gcc as ld ar make sh awk sed cmp cksum getconf cat chmod cp date dirname basename echo \
+    env expr head ls mkdir mktemp mv rm rmdir sort tail test touch tr true uname wc; do
     ln -s "$(command -v $tool)" "$work/bin/$tool" 2>/dev/null || : # a word of the shell
 done
 ln -s gcc "$work/bin/cc"
