@@ -78,9 +78,8 @@ static bool one_word_is_left(struct text text) {
 
 /* Does the next line that is not empty have one word? */
 static bool one_word_follows(struct text text) {
-    struct text line = text;
     while (text_next_line(&text)) {
-        line = text;
+        struct text line = text;
         if (text_next_word(&text).length > 0) {
             return one_word_is_left(line);
         }
