@@ -456,9 +456,13 @@ static struct mat4 camera(const struct drawing *drawing, double distance) {
     return mat4_mul(projection(distance), lookat(drawing->eye, drawing->center, drawing->up));
 }
 
+static double camera_distance(const struct drawing *drawing) {
+    return vec3_length(vec3_sub(drawing->eye, drawing->center));
+}
+
 /* In perspective, at the distance between eye and center. */
 static struct mat4 perspective_camera(const struct drawing *drawing) {
-    return camera(drawing, vec3_length(vec3_sub(drawing->eye, drawing->center)));
+    return camera(drawing, camera_distance(drawing));
 }
 
 /* Scenes lookat, tilted and closeup, and most of above: they differ in their eye, center and up. */
@@ -496,18 +500,22 @@ static bool draw_above(struct drawing *drawing, struct image *image, struct erro
     return done;
 }
 
-/* The head of many facets, each of one colour; and small beside it, from infinitely far away. */
+/* The head of many facets, each of one colour. */
+static void draw_facets(struct drawing *drawing, struct image *image, struct rectangle area,
+                        double distance) {
+    struct canvas canvas = make_canvas(drawing, image, area);
+    const struct mat4 to_clip = camera(drawing, distance);
+    canvas.one_color = canvas.unweighted = true;
+    draw_model(drawing, &canvas, &to_clip);
+}
+
+/* Once large; and small beside it, from infinitely far away. */
 static bool draw_projection(struct drawing *drawing, struct image *image, struct error *error) {
     (void)error;
     const int size = (int)image->width / 5;
-    const struct rectangle areas[] = {whole_image(image),
-                                      {0, (int)image->height - size, size, size}};
-    const struct mat4 to_clip[] = {perspective_camera(drawing), camera(drawing, INFINITY)};
-    for (size_t i = 0; i < 2; i++) {
-        struct canvas canvas = make_canvas(drawing, image, areas[i]);
-        canvas.one_color = canvas.unweighted = true;
-        draw_model(drawing, &canvas, &to_clip[i]);
-    }
+    const struct rectangle corner = {0, (int)image->height - size, size, size};
+    draw_facets(drawing, image, whole_image(image), camera_distance(drawing));
+    draw_facets(drawing, image, corner, INFINITY);
     return true;
 }
 

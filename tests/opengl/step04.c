@@ -4,8 +4,12 @@
 #include "../../step04_flat/main.c"
 
 static const char *left_out(const char *scene) {
+    return strcmp(scene, "side") == 0 ? "two faces, which are not the model's" : NULL;
+}
+
+static draw_function *rest(const char *scene) {
     (void)scene;
-    return NULL;
+    return draw_flat;
 }
 
 static bool build(const char *scene, struct drawing *drawing, struct image *image,
@@ -43,5 +47,5 @@ lesson_function lesson_step04;
 struct lesson lesson_step04(void) {
     const struct program *program = NULL;
     lesson_main(0, (char **)&program);
-    return (struct lesson){program, 0, NULL, left_out, NULL, build, NULL};
+    return (struct lesson){program, 0, NULL, left_out, rest, build, NULL};
 }

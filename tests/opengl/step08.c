@@ -26,9 +26,10 @@ static const char *skipped(const char *scene) {
 static const char *left_out(const char *scene) {
     return strcmp(scene, "transforms") == 0
                ? "the lines: between whole pixels, where OpenGL has another rule"
-           : strcmp(scene, "narrow") == 0 ? "the leaf, which is not the model's"
-           : strcmp(scene, "above") == 0  ? "the small views in the corners"
-                                          : NULL;
+           : strcmp(scene, "narrow") == 0     ? "the leaf, which is not the model's"
+           : strcmp(scene, "above") == 0      ? "the small views in the corners"
+           : strcmp(scene, "projection") == 0 ? "the small view in a corner"
+                                              : NULL;
 }
 
 /* One view of the model: the whole image in perspective, or a pane of it in the parallel view. */
@@ -196,10 +197,18 @@ static bool draw_narrow_alone(struct drawing *drawing, struct image *image, stru
     return true;
 }
 
+static bool draw_projection_alone(struct drawing *drawing, struct image *image,
+                                  struct error *error) {
+    (void)error;
+    draw_facets(drawing, image, whole_image(image), camera_distance(drawing));
+    return true;
+}
+
 static draw_function *rest(const char *scene) {
-    return strcmp(scene, "transforms") == 0 ? draw_houses
-           : strcmp(scene, "narrow") == 0   ? draw_narrow_alone
-                                            : draw_view;
+    return strcmp(scene, "transforms") == 0   ? draw_houses
+           : strcmp(scene, "narrow") == 0     ? draw_narrow_alone
+           : strcmp(scene, "projection") == 0 ? draw_projection_alone
+                                              : draw_view;
 }
 
 static bool build(const char *scene, struct drawing *drawing, struct image *image,
