@@ -456,13 +456,13 @@ static struct mat4 camera(const struct drawing *drawing, double distance) {
     return mat4_mul(projection(distance), lookat(drawing->eye, drawing->center, drawing->up));
 }
 
-static double camera_distance(const struct drawing *drawing) {
+static double eye_distance(const struct drawing *drawing) {
     return vec3_length(vec3_sub(drawing->eye, drawing->center));
 }
 
 /* In perspective, at the distance between eye and center. */
 static struct mat4 perspective_camera(const struct drawing *drawing) {
-    return camera(drawing, camera_distance(drawing));
+    return camera(drawing, eye_distance(drawing));
 }
 
 /* Scenes lookat, tilted and closeup, and most of above: they differ in their eye, center and up. */
@@ -514,7 +514,7 @@ static bool draw_projection(struct drawing *drawing, struct image *image, struct
     (void)error;
     const int size = (int)image->width / 5;
     const struct rectangle corner = {0, (int)image->height - size, size, size};
-    draw_facets(drawing, image, whole_image(image), camera_distance(drawing));
+    draw_facets(drawing, image, whole_image(image), eye_distance(drawing));
     draw_facets(drawing, image, corner, INFINITY);
     return true;
 }

@@ -200,7 +200,7 @@ static bool draw_narrow_alone(struct drawing *drawing, struct image *image, stru
 static bool draw_projection_alone(struct drawing *drawing, struct image *image,
                                   struct error *error) {
     (void)error;
-    draw_facets(drawing, image, whole_image(image), camera_distance(drawing));
+    draw_facets(drawing, image, whole_image(image), eye_distance(drawing));
     return true;
 }
 
