@@ -5,8 +5,8 @@
  * `transforms` all of them together.
  *
  * Part b: `viewport` draws a model into several rectangles, without perspective. `projection` adds
- * perspective, with d infinite in a corner, and `crossing` planes whose depths decide, and two faces without a place on the
- * screen. A face has one colour, or w is 1: no weights are needed.
+ * perspective, with d infinite in a corner, and `crossing` planes whose depths decide, and two
+ * faces without a place on the screen. A face has one colour, or w is 1: no weights are needed.
  *
  * Part c: `wall` needs the correct weights, `narrow` normals for a model that is not scaled alike
  * in all directions, and for a leaf that is flattened.
