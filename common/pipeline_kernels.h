@@ -11,6 +11,7 @@
 
 /* Rows are drawn in bands of this many, whose depths stay in the cache. */
 enum { BAND_HEIGHT = 32 };
+_Static_assert(BAND_HEIGHT <= 32, "`touched` has a bit for each row");
 
 /* A row is divided into chunks of this many pixels, for however many LANES: what is touched, and
  * what is farthest, is known by the chunk, and edge functions are found from its first pixel on. */
