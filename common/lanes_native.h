@@ -89,15 +89,12 @@ static const short lanes_sixteen_set = -1;
 /* The pairs of eight lanes: a, b, a, b, ... An index is signed for this instruction: so it counts
  * from the middle of what 32 bits reach. */
 typedef long long lanes_eight_pairs __attribute__((vector_size(64)));
+typedef int32_t lanes_eight_indices __attribute__((vector_size(32)));
 
-LANES_INLINE lanes_texel lanes_gather_pairs(const uint32_t *texels, const uint32_t index[8]) {
-    typedef int32_t eight __attribute__((vector_size(32)));
+LANES_INLINE lanes_texel lanes_gather_pairs(const uint32_t *texels, lanes_eight_indices index) {
     const void *middle = (const void *)((uintptr_t)texels + (sizeof *texels << 31));
-    eight from_middle;
-    memcpy(&from_middle, index, sizeof from_middle);
-    from_middle ^= INT32_MIN;
-    return (lanes_texel)__builtin_ia32_gathersiv8di((lanes_eight_pairs){0}, middle, from_middle,
-                                                    lanes_eight_set, sizeof *texels);
+    return (lanes_texel)__builtin_ia32_gathersiv8di(
+        (lanes_eight_pairs){0}, middle, index ^ INT32_MIN, lanes_eight_set, sizeof *texels);
 }
 
 #endif
@@ -127,19 +124,24 @@ LANES_INLINE lanes_texel lanes_fetch(const uint32_t *texels, const uint32_t inde
 }
 
 /* texels[index[i]] and the texel behind it, for each lane i. */
-LANES_INLINE void lanes_fetch_pairs(const uint32_t *texels, const uint32_t index[LANES],
-                                    lanes_texel *first, lanes_texel *second) {
+LANES_INLINE void lanes_fetch_pairs(const uint32_t *texels, lanes_texel index, lanes_texel *first,
+                                    lanes_texel *second) {
 #ifdef LANES_GATHERED
-    lanes_texel low = lanes_gather_pairs(texels, index);
-    lanes_texel high = lanes_gather_pairs(texels, index + 8);
+    lanes_int at = (lanes_int)index;
+    lanes_texel low =
+        lanes_gather_pairs(texels, __builtin_shufflevector(at, at, 0, 1, 2, 3, 4, 5, 6, 7));
+    lanes_texel high =
+        lanes_gather_pairs(texels, __builtin_shufflevector(at, at, 8, 9, 10, 11, 12, 13, 14, 15));
     *first = __builtin_shufflevector(low, high, 0, 2, 4, 6, 8, 10, 12, 14, 16, 18, 20, 22, 24, 26,
                                      28, 30);
     *second = __builtin_shufflevector(low, high, 1, 3, 5, 7, 9, 11, 13, 15, 17, 19, 21, 23, 25, 27,
                                       29, 31);
 #else
+    uint32_t place[LANES];
     uint64_t pair[LANES];
+    memcpy(place, &index, sizeof place);
     for (int i = 0; i < LANES; i++) {
-        const uint32_t *at = texels + index[i];
+        const uint32_t *at = texels + place[i];
         pair[i] = at[0] | (uint64_t)at[1] << 32;
     }
     lanes_split(pair, first, second);

@@ -23,8 +23,8 @@ LANES_INLINE struct lanes_place lanes_find_texel(lanes coordinate, size_t size) 
 /* Where the four texels around each pixel's place are in a level of that size. */
 struct texel_place {
     size_t width, height;
-    uint32_t index[LANES]; /* of the lower left one */
-    lanes weight[4];       /* lower left, lower right, upper left, upper right; sum 1 */
+    lanes_texel index; /* of the lower left one */
+    lanes weight[4];   /* lower left, lower right, upper left, upper right; sum 1 */
 };
 
 /* The four texels, mixed by texels_mix(). */
@@ -37,14 +37,13 @@ LANES_INLINE void texture_find(const struct texture_level *level, struct lanes2 
                                struct texel_place *place) {
     struct lanes_place x = lanes_find_texel(uv.x, level->width);
     struct lanes_place y = lanes_find_texel(uv.y, level->height);
-    lanes_texel index = (lanes_texel)y.texel * (uint32_t)level->width + (lanes_texel)x.texel;
+    place->index = (lanes_texel)y.texel * (uint32_t)level->width + (lanes_texel)x.texel;
     place->width = level->width;
     place->height = level->height;
     place->weight[3] = x.fraction * y.fraction;
     place->weight[2] = y.fraction - place->weight[3];
     place->weight[1] = x.fraction - place->weight[3];
     place->weight[0] = 1 - x.fraction - place->weight[2];
-    memcpy(place->index, &index, sizeof place->index);
 }
 
 /* Ask the memory for the texel some rows above this one, and for the next above that: the pixels
@@ -71,9 +70,9 @@ LANES_INLINE struct texels texture_fetch(const struct texture *texture, struct l
     struct texels texels;
     lanes_fetch_pairs(l->texels, place->index, &texels.texel[0], &texels.texel[1]);
     lanes_fetch_pairs(l->texels + l->width, place->index, &texels.texel[2], &texels.texel[3]);
-    texture_expect(l, place->index[0]);
-    texture_expect(l, place->index[LANES / 2]);
-    texture_expect(l, place->index[LANES - 1]);
+    texture_expect(l, lanes_texel_at(place->index, 0));
+    texture_expect(l, lanes_texel_at(place->index, LANES / 2));
+    texture_expect(l, lanes_texel_at(place->index, LANES - 1));
     memcpy(texels.weight, place->weight, sizeof texels.weight);
     return texels;
 }

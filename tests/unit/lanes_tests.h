@@ -228,14 +228,15 @@ static void test_fetched(void) {
     }
     for (uint32_t round = 0; texels != NULL && round < ROUNDS; round++) {
         uint32_t index[LANES];
-        lanes_texel first, second;
+        lanes_texel indices, first, second;
         for (uint32_t i = 0; i < LANES; i++) {
             index[i] = round < 100   ? round + i
                        : round < 200 ? round
                                      : (uint32_t)(random_bits(&random) % COUNT);
         }
+        memcpy(&indices, index, sizeof indices);
         lanes_texel alone = lanes_fetch(texels, index);
-        lanes_fetch_pairs(texels, index, &first, &second);
+        lanes_fetch_pairs(texels, indices, &first, &second);
         for (int i = 0; i < LANES; i++) {
             CHECK(lanes_texel_at(alone, i) == texels[index[i]]);
             CHECK(lanes_texel_at(first, i) == texels[index[i]]);
@@ -252,14 +253,15 @@ static void test_far_texels(void) {
     uint32_t texels[COUNT], index[LANES];
     const uint32_t middle = UINT32_C(1) << 31;
     uintptr_t begin = (uintptr_t)texels - (uintptr_t)(middle - LANES) * sizeof *texels;
-    lanes_texel first, second;
+    lanes_texel indices, first, second;
     for (uint32_t i = 0; i < COUNT; i++) {
         texels[i] = i + 5;
     }
     for (uint32_t i = 0; i < LANES; i++) {
         index[i] = middle - LANES + 2 * i;
     }
-    lanes_fetch_pairs((const uint32_t *)begin, index, &first, &second);
+    memcpy(&indices, index, sizeof indices);
+    lanes_fetch_pairs((const uint32_t *)begin, indices, &first, &second);
     for (uint32_t i = 0; i < LANES; i++) {
         CHECK(lanes_texel_at(first, (int)i) == 2 * i + 5);
         CHECK(lanes_texel_at(second, (int)i) == 2 * i + 6);
