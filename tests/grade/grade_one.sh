@@ -39,7 +39,8 @@ work=
 mkdir -p "$out/.begun" "$out/submissions" && work=$(mktemp -d "$out/.grading.XXXXXX") &&
     place=$(mktemp -d "$build/grade.XXXXXX") || exit 1
 place_short=$short${place#"$build"}
-trap 'chmod -R u+rwx "$work" "$place" 2>/dev/null; rm -rf "$work" "$place"' EXIT
+# A make that is stopped stops its commands once more: that must not stop the tidying.
+trap 'trap "" HUP INT TERM; chmod -R u+rwx "$work" "$place" 2>/dev/null; rm -rf "$work" "$place"' EXIT
 # Whoever stops this does not mean the submission.
 trap 'rm -f "$out/.begun/$name"; exit 1' HUP INT TERM
 mkdir "$work/result" || exit 1

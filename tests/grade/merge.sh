@@ -14,7 +14,7 @@ out=$2
     exit 1
 }
 work=$(mktemp -d "$out/.merging.XXXXXX") || exit 1
-trap 'rm -rf "$work"' EXIT
+trap 'trap "" HUP INT TERM; rm -rf "$work"' EXIT # see grade_one.sh
 trap 'exit 1' HUP INT TERM
 
 # What is alike, but for what everybody was given.

@@ -40,6 +40,8 @@ until [ "$(find "$work/out/submissions" -name state 2>/dev/null | wc -l)" -ge $(
     sleep 0.2
 done
 kill -TERM -- -$first
+sleep 0.1
+kill -TERM -- -$first 2>/dev/null # and once more, while they tidy up
 wait $first
 early=$(find "$work/out/submissions" -name state | wc -l)
 echo "stopped after $early"

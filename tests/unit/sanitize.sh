@@ -9,7 +9,7 @@ top=$(cd "$(dirname "$0")/../.." && pwd) || exit 1
 work=$(mktemp -d) || exit 1
 trap 'rm -rf "$work"' EXIT
 trap 'exit 1' HUP INT TERM
-unset MAKEFLAGS MFLAGS MAKELEVEL STEP BUILD CFLAGS MARCH # of the make that runs this test
+unset MAKEFLAGS MFLAGS MAKELEVEL STEP BUILD CFLAGS MARCH WERROR CC # of the make that runs this test
 unset ASAN_OPTIONS UBSAN_OPTIONS CHECK_EXACT
 failed=0
 
@@ -25,7 +25,7 @@ rm -rf common/sculptor && mkdir common/sculptor && echo 'int main(void) {}' >com
 says() {
     printf '#include <assert.h>\n#include <stdlib.h>\n%s\n%s\n' \
         'static void stop(int count) { if (count > 1) { abort(); } }' \
-        "int main(int count, char **words) { (void)words; stop(0); $2; }" >$lesson/main.c
+        "int main(int count, char **words) { (void)words, (void)count; stop(0); $2; }" >$lesson/main.c
     make -s CFLAGS=-O0 MARCH= check STEP=01 SANITIZE=1 >said 2>log
     if ! grep -qF "$1" said || grep -q 'SANITIZE=1' said; then
         echo "sanitize: after '$2':"
