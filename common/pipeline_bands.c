@@ -46,22 +46,23 @@ LANES_INLINE doubles doubles_from(int first) {
     return from + first;
 }
 
-/* Depths and numbers of neighbours become those of the piece where it covers (`inside`: all bits or
- * none) and is nearer; with `reordered`, of equal depths that of the lowest number stays, otherwise
- * the first one. Without branches: each line is one or two instructions for all pixels. */
-LANES_INLINE void cover_pixels(double *depths, uint32_t *numbers, longs inside, doubles z,
+/* Depths and numbers of neighbours become those of the piece where it covers (`outside`: no bit, or
+ * all) and is nearer; with `reordered`, of equal depths that of the lowest number stays, otherwise
+ * the first one. Without branches: each line is one or two instructions for all pixels. A depth of
+ * all bits is no number, and not nearer than anything. */
+LANES_INLINE void cover_pixels(double *depths, uint32_t *numbers, longs outside, doubles z,
                                uint32_t number, bool reordered) {
     doubles old_z;
     ints old_number;
     memcpy(&old_z, depths, sizeof old_z);
     memcpy(&old_number, numbers, sizeof old_number);
+    z = (doubles)((longs)z | outside);
     longs nearer = z > old_z;
     if (reordered) {
         ints is_later = old_number > (int32_t)number;
         nearer |= (z == old_z) & __builtin_convertvector(is_later, longs);
     }
-    nearer &= inside;
-    z = (doubles)((nearer & (longs)z) | (~nearer & (longs)old_z));
+    z = (doubles)((nearer & (longs)z) + (~nearer & (longs)old_z)); /* `+`: see lanes_select() */
     ints is_new = __builtin_convertvector(nearer, ints);
     old_number = (is_new & (int32_t)number) | (~is_new & old_number);
     memcpy(depths, &z, sizeof z);
@@ -104,7 +105,7 @@ static void cover_by_spans(struct band *band, const struct draw *draw, const str
             doubles z = depths_at(&slopes, edges_in_row(e1, row1, x), edges_in_row(e2, row2, x));
             touch(band, x, (struct span){y, y + 1});
             cover_pixels(scratch->depth + place, scratch->number + place,
-                         (at >= span.begin) & (at < span.end), z, number, reordered);
+                         (at < span.begin) | (at >= span.end), z, number, reordered);
         }
     }
 }
@@ -174,16 +175,18 @@ static void cover_box(struct band *band, const struct piece *piece, struct span 
         doubles e1 = (double)(e[1].origin + e[1].dy * above) + right[1];
         doubles e2 = (double)(e[2].origin + e[2].dy * above) + right[2];
         size_t place = place_in_band(within.begin - band->rows.begin, x);
+        double *depths = scratch->depth + place;
+        uint32_t *numbers = scratch->number + place;
         for (int y = within.begin; y < within.end; y++) {
             doubles first = e1 + bias[1], second = e2 + bias[2];
-            longs inside = ((longs)e0 | (longs)first | (longs)second) >= 0; /* by their signs */
-            covered -= inside;
-            cover_pixels(scratch->depth + place, scratch->number + place, inside,
-                         depths_at(&slopes, e1, e2), number, reordered);
+            longs outside = ((longs)e0 | (longs)first | (longs)second) >> 63; /* by their signs */
+            covered += outside + 1;
+            cover_pixels(depths, numbers, outside, depths_at(&slopes, e1, e2), number, reordered);
             e0 += up[0];
             e1 += up[1];
             e2 += up[2];
-            place += CHUNK;
+            depths += CHUNK;
+            numbers += CHUNK;
         }
         touch(band, x, within);
         for (int i = 0; i < 3; i++) {
