@@ -12,15 +12,19 @@
 
 /* ---- Images ---- */
 
-bool image_create(struct image *image, size_t width, size_t height, enum image_format format,
-                  struct error *error) {
+/* As image_create(); but where the caller sets all pixels, none is cleared before. */
+static bool create(struct image *image, size_t width, size_t height, enum image_format format,
+                   bool cleared, struct error *error) {
     assert(format == IMAGE_GREY || format == IMAGE_BGR || format == IMAGE_BGRA);
     *image = (struct image){0};
     if (width < 1 || height < 1 || width > IMAGE_SIZE_LIMIT || height > IMAGE_SIZE_LIMIT) {
         return error_set(error, "an image cannot be %zux%zu pixels: a side has 1 to %d", width,
                          height, IMAGE_SIZE_LIMIT);
     }
-    uint8_t *pixels = calloc(height, width * (size_t)format);
+    size_t row = width * (size_t)format;
+    uint8_t *pixels = cleared                   ? calloc(height, row)
+                      : height > SIZE_MAX / row ? NULL
+                                                : malloc(height * row);
     if (pixels == NULL) {
         return error_set(error, "out of memory for an image of %zux%zu pixels", width, height);
     }
@@ -29,6 +33,11 @@ bool image_create(struct image *image, size_t width, size_t height, enum image_f
     image->format = format;
     image->pixels = pixels;
     return true;
+}
+
+bool image_create(struct image *image, size_t width, size_t height, enum image_format format,
+                  struct error *error) {
+    return create(image, width, height, format, true, error);
 }
 
 void image_free(struct image *image) {
@@ -50,7 +59,7 @@ bool image_copy(struct image *copy, const struct image *image, struct error *err
         *copy = (struct image){0};
         return true;
     }
-    if (!image_create(copy, image->width, image->height, image->format, error)) {
+    if (!create(copy, image->width, image->height, image->format, false, error)) {
         return false;
     }
     memcpy(copy->pixels, image->pixels, image_size(image));
@@ -458,41 +467,48 @@ static void repeat_pixel(uint8_t *pixels, size_t count, size_t pixel_size) {
     }
 }
 
-enum { BLOCK = 48 }; /* bytes: whole pixels of every size */
+enum { BLOCK = 128 }; /* bytes; the longest packets are whole blocks */
 
-/* Fill a block with copies of a pixel, four bytes at a time: what is too much of one is overwritten
- * by the next, and the last may reach past the block. */
-static inline void fill_block(uint8_t *block, const uint8_t *pixel, const size_t size) {
-    if (size == 1) {
-        memset(block, *pixel, BLOCK);
-        return;
+/* Copy whole blocks, of which the last may reach past `size` bytes: a packet is short, and how many
+ * steps a copy takes cannot be foretold, so the fewer the better. */
+static inline void copy_blocks(uint8_t *restrict to, const uint8_t *restrict from, size_t size) {
+    for (size_t i = 0; i < size; i += BLOCK) {
+        memcpy(to + i, from + i, BLOCK);
     }
-    for (size_t i = 0; i < BLOCK; i += size) {
-        memcpy(block + i, pixel, 4);
+}
+
+/* Fill `count` bytes, and less than a block more, with copies of a pixel: sixteen bytes at a time,
+ * of which those that begin a pixel too many are overwritten by the next. */
+static inline void fill_blocks(uint8_t *restrict to, const uint8_t *restrict pixel, size_t count,
+                               const size_t size) {
+    const size_t whole = 16 / size * size;
+    uint8_t copies[16];
+    for (size_t i = 0; i < 16; i++) {
+        copies[i] = pixel[i % size];
+    }
+    for (size_t i = 0; i < count; i += 4 * whole) {
+        for (size_t k = 0; k < 4; k++) {
+            memcpy(to + i + k * whole, copies, 16);
+        }
     }
 }
 
 /* Unpack packets of pixels that are stored as they are wanted, in whole blocks that may reach past
- * a packet's end: so only as long as a packet of any size and a block more lie in the file and in
- * the image. Returns how many pixels are left. `size`, that of a pixel, is a constant where this is
- * called, and the loops are compiled for it. */
+ * a packet's end: so only as long as a packet of any size, which is blocks of pixels, lies in the
+ * file, and one and a block more in the image. Returns how many pixels are left. `size`, that of a
+ * pixel, is a constant where this is called, and the loops are compiled for it. */
 static inline size_t unpack_inner_packets(struct tga *tga, uint8_t *pixels, size_t left,
                                           const size_t size) {
-    const size_t packet_limit = TGA_PACKET_LIMIT * size + BLOCK;
+    const size_t packet_limit = TGA_PACKET_LIMIT * size;
     const uint8_t *next = tga->next;
     while (left >= TGA_PACKET_LIMIT + BLOCK && (size_t)(tga->end - next) > packet_limit) {
         unsigned head = *next++;
         size_t count = (head & 127) + 1;
         if ((head & 128) == 0) {
-            for (size_t i = 0; i < count * size; i += BLOCK) {
-                memcpy(pixels + i, next + i, BLOCK);
-            }
+            copy_blocks(pixels, next, count * size);
             next += count * size;
         } else {
-            fill_block(pixels, next, size);
-            for (size_t i = BLOCK; i < count * size; i += BLOCK) {
-                memcpy(pixels + i, pixels, BLOCK);
-            }
+            fill_blocks(pixels, next, count * size, size);
             next += size;
         }
         pixels += count * size;
@@ -571,10 +587,11 @@ bool tga_decode(struct image *image, const void *data, size_t size, struct error
     tga.color_depth = tga.type == TGA_COLOR_MAPPED ? tga.map_depth : tga.depth;
     tga.format = tga_format(&tga);
     if (!skip_to_pixels(&tga, error) || !check_tga_size(&tga, error) ||
-        !image_create(image, tga.width, tga.height, tga.format, error)) {
+        !create(image, tga.width, tga.height, tga.format, false, error)) {
         return false;
     }
     size_t count = image->width * image->height;
+    assert(count > 0);
     bool done = tga.run_length ? unpack_packets(&tga, image->pixels, count, error)
                                : convert_pixels(&tga, count, image->pixels, error);
     if (!done) {
@@ -603,58 +620,90 @@ static inline void compare_neighbours(const uint8_t *restrict row, size_t width,
     }
 }
 
-/* What is known of a row before it is packed, a byte a pixel and one more. */
+/* What is known of a row before it is packed. */
 struct repeats {
-    uint8_t *equal; /* 1 where the next pixel is equal */
-    uint8_t *worth; /* 1 where a run begins that is worth a packet of its own. A run packet between
-                     * two raw ones costs two heads, so two equal grey pixels are not. */
+    uint8_t *equal;     /* a byte a pixel: 1 where the next pixel is equal. Zero behind the row */
+    uint8_t *bits;      /* the same, a bit a pixel; eight bytes more are zero */
+    const uint8_t *end; /* of the image */
 };
+
+/* Bytes that hold a bit for each pixel of a row, and one more. */
+static size_t bits_size(size_t width) {
+    return width / 8 + 1;
+}
+
+/* Eight bytes as a number, the first one lowest. Compilers know this form as one instruction. */
+static inline uint64_t load_u64(const uint8_t *bytes) {
+    return bytes[0] | (uint64_t)bytes[1] << 8 | (uint64_t)bytes[2] << 16 |
+           (uint64_t)bytes[3] << 24 | (uint64_t)bytes[4] << 32 | (uint64_t)bytes[5] << 40 |
+           (uint64_t)bytes[6] << 48 | (uint64_t)bytes[7] << 56;
+}
 
 static inline void find_repeats(const uint8_t *row, size_t width, const struct repeats *repeats,
                                 const size_t size) {
-    uint8_t *restrict equal = repeats->equal, *restrict worth = repeats->worth;
-    compare_neighbours(row, width, equal, size);
-    equal[width - 1] = 0;
-    equal[width] = 0;
-    for (size_t x = 0; x < width; x++) {
-        worth[x] = size > 1 ? equal[x] : equal[x] & equal[x + 1];
+    compare_neighbours(row, width, repeats->equal, size);
+    for (size_t i = 0; i < bits_size(width); i++) { /* byte k of eight goes to bit 56 + k */
+        uint64_t eight = load_u64(repeats->equal + 8 * i);
+        repeats->bits[i] = (uint8_t)(eight * UINT64_C(0x0102040810204080) >> 56);
     }
 }
 
-/* How many of `count` bytes, each 0 or 1, come before the first that is `value`. */
-static inline size_t bytes_before(const uint8_t *bytes, uint8_t value, size_t count) {
-    static const uint8_t others[2][8] = {{1, 1, 1, 1, 1, 1, 1, 1}, {0}};
-    size_t before = 0;
-    while (before + 8 <= count && memcmp(bytes + before, others[value], 8) == 0) {
-        before += 8;
+/* How many zeros stand below the lowest one; there is a one. */
+static inline size_t trailing_zeros(uint64_t bits) {
+#if defined(__GNUC__)
+    return (size_t)__builtin_ctzll(bits);
+#else
+    size_t zeros = 0;
+    for (; (bits & 1) == 0; bits >>= 1) {
+        zeros++;
     }
-    while (before < count && bytes[before] != value) {
-        before++;
+    return zeros;
+#endif
+}
+
+enum { WINDOW = 56 }; /* bits that eight bytes hold from any of their first eight bits on */
+
+/* How many pixels from x on, at most `limit`, come before one that differs from the next, or else
+ * before a run that is worth a packet of its own. A run packet between two raw ones costs two
+ * heads, so two equal grey pixels are not. */
+static inline size_t pixels_before(const uint8_t *bits, size_t x, size_t limit, const bool differs,
+                                   const size_t size) {
+    size_t before = 0, step = WINDOW;
+    while (step == WINDOW && before < limit) {
+        uint64_t equal = load_u64(bits + (x + before) / 8) >> (x + before) % 8;
+        uint64_t found = differs ? ~equal : size > 1 ? equal : equal & equal >> 1;
+        step = trailing_zeros(found | UINT64_C(1) << WINDOW);
+        before += step;
     }
-    return before;
+    return before < limit ? before : limit;
 }
 
 /* One row as packets; returns their size. `out` has room for the row and one byte per 128 pixels,
- * which is the worst case. */
+ * which is the worst case, and for a block more. */
 static inline size_t pack_row_of(const uint8_t *row, size_t width, const struct repeats *repeats,
                                  uint8_t *out, const size_t size) {
     const size_t worth = size == 1 ? 3 : 2;
+    const bool inner = (size_t)(repeats->end - row) >= width * size + BLOCK;
     uint8_t *next = out;
     find_repeats(row, width, repeats, size);
     for (size_t x = 0; x < width;) {
         const uint8_t *pixel = row + x * size;
         size_t limit = width - x < TGA_PACKET_LIMIT ? width - x : TGA_PACKET_LIMIT;
-        size_t count = 1 + bytes_before(repeats->equal + x, 0, limit - 1);
+        size_t count = 1 + pixels_before(repeats->bits, x, limit - 1, true, size);
         if (count > 1) {
             *next++ = (uint8_t)(128 + count - 1);
             memcpy(next, pixel, size);
             next += size;
         } else { /* up to the next run that is worth it and begins well before the limit */
             size_t look = limit > worth ? limit - worth : 0;
-            size_t before = bytes_before(repeats->worth + x + 1, 1, look);
+            size_t before = pixels_before(repeats->bits, x + 1, look, false, size);
             count = before < look ? 1 + before : limit;
             *next++ = (uint8_t)(count - 1);
-            memcpy(next, pixel, count * size);
+            if (inner) {
+                copy_blocks(next, pixel, count * size);
+            } else {
+                memcpy(next, pixel, count * size);
+            }
             next += count * size;
         }
         x += count;
@@ -710,13 +759,15 @@ bool tga_encode(const struct image *image, bool run_length, struct bytes *out,
         return error_set(error, "an empty image cannot be written");
     }
     /* A row of packets is at most twice as large as the row: one grey pixel in a packet. */
-    size_t room = TGA_HEADER_SIZE + image_size(image) + 2 * row_size(image) + sizeof tga_footer;
-    uint8_t *known = malloc(2 * (image->width + 1));
+    size_t room =
+        TGA_HEADER_SIZE + image_size(image) + 2 * row_size(image) + BLOCK + sizeof tga_footer;
+    uint8_t *known = calloc(9, bits_size(image->width) + 1);
     if (known == NULL || !bytes_reserve(out, room)) {
         free(known);
         return error_out_of_memory(error);
     }
-    const struct repeats repeats = {known, known + image->width + 1};
+    const struct repeats repeats = {known, known + 8 * bits_size(image->width),
+                                    image->pixels + image_size(image)};
     size_t start = out->size;
     out->size += TGA_HEADER_SIZE;
     bool packed = run_length && pack_rows(image, &repeats, out);

@@ -550,25 +550,42 @@ static void test_lying_tga(void) {
 
 /* ---- TGA out ---- */
 
-/* Follow the packets of each row, which must end with a packet. Returns the bytes read, or 0. */
-static size_t follow_packets(const uint8_t *data, size_t size, size_t width, size_t height,
-                             size_t pixel_size) {
-    size_t at = 0;
-    for (size_t y = 0; y < height; y++) {
-        size_t x = 0;
-        while (x < width) {
-            if (at >= size) {
-                return 0;
-            }
-            size_t count = (data[at] & 127u) + 1;
-            at += 1 + (data[at] >= 128 ? 1 : count) * pixel_size;
-            x += count;
-        }
-        if (x != width) {
-            return 0;
-        }
+/* Pixels from the first on that equal it, up to `limit`. */
+static size_t count_equal(const uint8_t *pixel, size_t limit, size_t step) {
+    size_t count = 1;
+    while (count < limit && memcmp(pixel, pixel + count * step, step) == 0) {
+        count++;
     }
-    return at;
+    return count;
+}
+
+/* One row as the writer should pack it, a pixel after the other. */
+static void pack_plainly(const uint8_t *row, size_t width, size_t step, struct bytes *packed) {
+    const size_t worth = step == 1 ? 3 : 2;
+    for (size_t x = 0, count; x < width; x += count) {
+        const uint8_t *pixel = row + x * step;
+        size_t limit = width - x < 128 ? width - x : 128;
+        count = count_equal(pixel, limit, step);
+        bool run = count > 1;
+        for (; !run && count < limit; count++) {
+            if (count + worth <= limit && count_equal(pixel + count * step, worth, step) == worth) {
+                break;
+            }
+        }
+        put(packed, (unsigned)(count - 1 + (run ? 128 : 0)));
+        CHECK(bytes_append(packed, pixel, (run ? 1 : count) * step));
+    }
+}
+
+static bool is_packed_plainly(const struct image *image, const uint8_t *body, size_t size) {
+    struct bytes plain = {0};
+    size_t step = (size_t)image->format;
+    for (size_t y = 0; y < image->height; y++) {
+        pack_plainly(image->pixels + y * image->width * step, image->width, step, &plain);
+    }
+    bool same = plain.size == size && memcmp(plain.data, body, size) == 0;
+    bytes_free(&plain);
+    return same;
 }
 
 static void check_tga_round_trip(const struct image *image, bool run_length) {
@@ -595,8 +612,7 @@ static void check_tga_round_trip(const struct image *image, bool run_length) {
     CHECK(tga[16] == 8 * step && tga[17] == (step == 4 ? 8 : 0)); /* origin at the bottom left */
     CHECK(run_length || !packed);
     CHECK(body <= raw + raw / 100);
-    CHECK(packed ? follow_packets(tga + 18, body, image->width, image->height, step) == body
-                 : body == raw);
+    CHECK(packed ? is_packed_plainly(image, tga + 18, body) : body == raw);
     image_free(&again);
     bytes_free(&file);
 }
@@ -613,9 +629,13 @@ static void test_tga_round_trip(void) {
         check_tga_round_trip(&image, false);
         image_free(&image);
     }
+    /* Packets that become larger than the pixels, far from the end of these. */
+    struct image image = random_image(1, 1000, IMAGE_GREY, 256, &state);
+    check_tga_round_trip(&image, true);
+    image_free(&image);
 }
 
-/* In each row a run of another length, between pixels that are all different. */
+/* In each row a run of another length, and at another place, between pixels that all differ. */
 static void test_tga_runs(void) {
     static const enum image_format formats[] = {IMAGE_GREY, IMAGE_BGR, IMAGE_BGRA};
     enum { ACROSS = 200, LENGTHS = 150 };
@@ -627,7 +647,8 @@ static void test_tga_runs(void) {
         }
         for (int y = 0; y < LENGTHS; y++) {
             for (int x = 0; x < ACROSS; x++) {
-                bool in_run = x >= 20 && x < 20 + y;
+                int first = 20 + y % 8;
+                bool in_run = x >= first && x < first + y;
                 image_set(&image, x, y, color_grey((uint8_t)(in_run ? 7 : x + 9)));
             }
         }
@@ -644,6 +665,13 @@ static void test_tga_packs(void) {
     CHECK(image_create(&image, 256, 4, IMAGE_BGR, &error));
     CHECK(tga_encode(&image, true, &file, &error));
     CHECK(file.size == 18 + 4 * 2 * 4 + 26 && file.data[2] == 10);
+    /* With more behind the pixels, as version 2.0 allows. */
+    struct image again;
+    for (int i = 0; i < 1000; i++) {
+        put(&file, 0);
+    }
+    CHECK(decode_exact(&again, file.data, file.size, &error) && same_image(&image, &again));
+    image_free(&again);
     file.size = 0;
     image_free(&image);
     CHECK(!tga_encode(&image, true, &file, &error) && file.size == 0);
