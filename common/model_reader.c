@@ -231,13 +231,8 @@ static bool reserve_faces(struct model_reader *reader, size_t count) {
     return grown != NULL;
 }
 
-bool reader_add_triangle(struct model_reader *reader, const struct corner corners[3]) {
-    struct model *model = reader->model;
-    if (!reserve_faces(reader, 1)) {
-        return false;
-    }
-    model->faces[model->face_count++] = (struct face){{corners[0], corners[1], corners[2]}};
-    return true;
+struct face *reader_next_face(struct model_reader *reader) {
+    return reserve_faces(reader, 1) ? &reader->model->faces[reader->model->face_count] : NULL;
 }
 
 bool reader_add_faces(struct model_reader *reader) {

@@ -92,8 +92,8 @@ bool reader_add_corner(struct model_reader *reader, struct corner corner);
 /* Make faces of the polygon (at least 3 corners). Its positions must be known. */
 bool reader_add_faces(struct model_reader *reader);
 
-/* The same for a polygon of three corners, which needs no cutting. */
-bool reader_add_triangle(struct model_reader *reader, const struct corner corners[3]);
+/* Room for one face more behind the model's, which does not count it yet; NULL without memory. */
+struct face *reader_next_face(struct model_reader *reader);
 
 /* The same for all faces from `first` on. */
 bool reader_color_faces(struct model_reader *reader, size_t first, const double color[3]);

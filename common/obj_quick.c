@@ -1,6 +1,7 @@
 /* OBJ files in one pass: see obj_quick.h. */
 #include "obj_quick.h"
 
+#include <stdlib.h>
 #include <string.h>
 
 /* Exact in double: 10^22 = 2^22 * 5^22, and 5^22 has 52 bits. */
@@ -12,18 +13,27 @@ enum {
     DIGIT_LIMIT = 18,    /* so many always fit into 64 bits */
     POWER_LIMIT = 22,    /* of ten: see above */
     CORNER_LIMIT = 1000, /* of a face; far fewer than cutting may refuse */
-    INDEX_DIGITS = 9
+    INDEX_DIGITS = 9,
+    PIECE = 65536, /* bytes that are looked through, then read, while they are in the cache */
+    AHEAD = 3      /* bytes that may be read behind the end of a line */
 };
 
 /* A function that reads takes a place in the file, which ends with a line's end, and returns the
- * place after what it has read; NULL where that is not as usual. */
+ * place after what it has read; NULL where that is not as usual.
+ *
+ * What a processor waits for is where the next word begins. It foretells how many digits a number
+ * has, since that is as often before, but not signs: so branches for digits, and none for signs. */
 
 static inline bool is_line_end(char c) {
     return c == '\n' || c == '\r';
 }
 
+static inline bool is_blank(char c) {
+    return c == ' ' || c == '\t';
+}
+
 static inline const char *skip_blanks(const char *p) {
-    while (*p == ' ' || *p == '\t') {
+    while (is_blank(*p)) {
         p++;
     }
     return p;
@@ -34,9 +44,22 @@ static inline bool is_word_end(char c) {
     return (unsigned char)c <= ' ';
 }
 
+/* Four bytes as a number, the first one lowest. Compilers know this form as one instruction. */
+static inline uint32_t load_u32(const char *p) {
+    const unsigned char *bytes = (const unsigned char *)p;
+    return bytes[0] | (uint32_t)bytes[1] << 8 | (uint32_t)bytes[2] << 16 | (uint32_t)bytes[3] << 24;
+}
+
 /* Digits (none is as usual), with those before them in `value`. Up to 18 fit into 64 bits. */
 static inline const char *read_digits(const char *p, uint64_t *value) {
     uint64_t sum = *value;
+    uint32_t four = load_u32(p) ^ 0x30303030; /* a byte up to 9 was a digit */
+    if (((four | (four + 0x76767676)) & 0x80808080) == 0) {
+        four = 10 * four + (four >> 8); /* two digits in byte 0, two in byte 2 */
+        four = (four & 0xff00ff) * (100 << 16 | 1);
+        sum = 10000 * sum + (four >> 16);
+        p += 4;
+    }
     for (unsigned digit; (digit = (unsigned char)*p - (unsigned)'0') <= 9; p++) {
         sum = 10 * sum + digit;
     }
@@ -44,22 +67,21 @@ static inline const char *read_digits(const char *p, uint64_t *value) {
     return p;
 }
 
-/* The power of ten of "e-5"; 0 where there is none. Only small ones are usual. */
-static inline const char *read_exponent(const char *p, int *exponent) {
-    *exponent = 0;
+/* "e-5", after which the word must end: adds to the power of ten. Only small ones are usual. */
+static const char *read_exponent(const char *p, int *power) {
     if (*p != 'e' && *p != 'E') {
-        return p;
+        return NULL;
     }
     p++;
     bool negative = *p == '-';
     p += negative || *p == '+';
     uint64_t value = 0;
     const char *end = read_digits(p, &value);
-    if (end == p || end - p > 3) {
+    if (end == p || end - p > 3 || !is_word_end(*end)) {
         return NULL;
     }
-    *exponent = negative ? -(int)value : (int)value;
-    return end;
+    *power += negative ? -(int)value : (int)value;
+    return *power < -POWER_LIMIT || *power > POWER_LIMIT ? NULL : end;
 }
 
 /* A number whose digits are a whole number below 2^53 and whose power of ten is exact in double:
@@ -67,32 +89,28 @@ static inline const char *read_exponent(const char *p, int *exponent) {
  * to Read Floating Point Numbers Accurately", 1990). No other is usual. All are within the range of
  * a float, below 2^53 * 10^22. */
 static const char *read_number(const char *p, double *value) {
+    static const double sign[] = {1, -1}; /* no branch: nobody can foretell it */
     p = skip_blanks(p);
     bool negative = *p == '-';
     p += negative | (*p == '+');
     uint64_t digits = 0;
     const char *point = read_digits(p, &digits), *end = point;
-    ptrdiff_t count = point - p, decimals = 0;
+    ptrdiff_t count = point - p;
+    int power = 0;
     if (*point == '.') {
         end = read_digits(point + 1, &digits);
-        decimals = end - point - 1;
-        count += decimals;
+        power = (int)(point + 1 - end);
+        count -= power;
     }
-    int exponent;
     if (count < 1 || count > DIGIT_LIMIT || digits > UINT64_C(1) << 53) {
         return NULL;
     }
-    end = read_exponent(end, &exponent);
-    if (end == NULL || !is_word_end(*end)) {
+    end = is_word_end(*end) ? end : read_exponent(end, &power);
+    if (end == NULL) {
         return NULL;
     }
-    int power = exponent - (int)decimals;
-    if (power < -POWER_LIMIT || power > POWER_LIMIT) {
-        return NULL;
-    }
-    double magnitude =
-        power < 0 ? (double)digits / power_of_ten[-power] : (double)digits * power_of_ten[power];
-    *value = magnitude * (negative ? -1.0 : 1.0); /* no branch: nobody can foretell a sign */
+    double whole = sign[negative] * (double)(int64_t)digits;
+    *value = power <= 0 ? whole / power_of_ten[-power] : whole * power_of_ten[power];
     return end;
 }
 
@@ -125,15 +143,17 @@ static const char *read_uv(const char *p, double uvw[3]) {
 
 /* The index from 0 of an element of which there are `count` so far. */
 static inline const char *read_index(const char *p, size_t count, uint32_t *index) {
-    bool negative = *p == '-';
-    p += negative;
     uint64_t value = 0;
-    const char *end = read_digits(p, &value);
-    if (end == p || end - p > INDEX_DIGITS || value < 1 || value > count) {
-        return NULL;
+    const char *end;
+    if (*p == '-') { /* all of a file or none */
+        p++;
+        end = read_digits(p, &value);
+        *index = (uint32_t)(count - value);
+    } else {
+        end = read_digits(p, &value);
+        *index = (uint32_t)(value - 1);
     }
-    *index = (uint32_t)(negative ? count - value : value - 1);
-    return end;
+    return value - 1 < count && end - p <= INDEX_DIGITS ? end : NULL; /* 0 - 1 is huge */
 }
 
 /* "v", "v/vt", "v//vn" or "v/vt/vn". */
@@ -154,84 +174,99 @@ static inline const char *read_corner(const char *p, const struct model_reader *
     return p != NULL && is_word_end(*p) ? p : NULL;
 }
 
-/* The corners of a face, and the end of the line. */
-static const char *read_corners(const char *p, const struct model_reader *reader,
-                                struct corner corners[CORNER_LIMIT], size_t *count) {
-    *count = 0;
-    for (p = skip_blanks(p); p != NULL && !is_line_end(*p); *count += 1) {
-        p = *count < CORNER_LIMIT ? read_corner(p, reader, &corners[*count]) : NULL;
-        p = p != NULL ? skip_blanks(p) : NULL;
-    }
-    return p;
-}
-
 static enum obj_quick_result result_of(bool has_memory) {
     return has_memory ? OBJ_QUICK_DONE : OBJ_QUICK_OUT_OF_MEMORY;
 }
 
-static enum obj_quick_result add_polygon(struct model_reader *reader, const struct corner *corners,
-                                         size_t count) {
-    if (count == 3) {
-        return result_of(reader_add_triangle(reader, corners));
-    }
-    bool has_memory = true;
+/* The statements: from behind the keyword to the end of the line, where `*place` then is. */
+
+/* The corners behind the first three of a face, which becomes triangles. */
+static enum obj_quick_result read_polygon(const char **place, const struct corner first[3],
+                                          struct model_reader *reader) {
+    struct corner corner;
+    const char *p = *place;
     reader->polygon_size = 0;
-    for (size_t i = 0; has_memory && i < count; i++) {
-        has_memory = reader_add_corner(reader, corners[i]);
+    bool has_memory = true;
+    for (int i = 0; has_memory && i < 3; i++) {
+        has_memory = reader_add_corner(reader, first[i]);
     }
+    while (has_memory && !is_line_end(*p)) {
+        p = reader->polygon_size < CORNER_LIMIT ? read_corner(p, reader, &corner) : NULL;
+        if (p == NULL) {
+            return OBJ_QUICK_DECLINED;
+        }
+        has_memory = reader_add_corner(reader, corner);
+        p = skip_blanks(p);
+    }
+    *place = p;
     return result_of(has_memory && reader_add_faces(reader));
 }
 
-/* How long the keyword is that stands here: v, vt, vn or f, and then a blank; 0 for another. */
-static size_t keyword_length(const char *word) {
-    if (word[0] != 'v' && word[0] != 'f') {
-        return 0;
+/* Three corners are written where the model will have them. */
+static enum obj_quick_result read_face(const char **place, struct model_reader *reader) {
+    struct face *face = reader_next_face(reader);
+    if (face == NULL) {
+        return OBJ_QUICK_OUT_OF_MEMORY;
     }
-    size_t length = word[0] == 'v' && (word[1] == 't' || word[1] == 'n') ? 2 : 1;
-    return word[length] == ' ' || word[length] == '\t' ? length : 0;
-}
-
-/* Count a texture coordinate or a normal. Is it of no use? */
-static inline bool is_passed_over(struct model_reader *reader, bool is_uv) {
-    *(is_uv ? &reader->uv_count : &reader->normal_count) += 1;
-    return (reader->parts & (is_uv ? MODEL_UVS : MODEL_NORMALS)) == 0;
-}
-
-/* What stands on a line after a keyword of so many letters. */
-static enum obj_quick_result read_statement(const char **place, size_t length,
-                                            struct model_reader *reader) {
-    const char *word = *place, *p = word + length;
-    struct corner corners[CORNER_LIMIT];
-    double value[3];
-    size_t count = 3;
-    bool is_face = word[0] == 'f', is_uv = word[1] == 't';
-    if (length == 2 && is_passed_over(reader, is_uv)) {
+    const char *p = skip_blanks(*place);
+    for (int i = 0; i < 3; i++) {
+        p = read_corner(p, reader, &face->corner[i]);
+        if (p == NULL) {
+            return OBJ_QUICK_DECLINED;
+        }
+        p = skip_blanks(p);
+    }
+    *place = p;
+    if (is_line_end(*p)) {
+        reader->model->face_count++;
         return OBJ_QUICK_DONE;
     }
-    p = is_face ? read_corners(p, reader, corners, &count)
-        : is_uv ? read_uv(p, value)
-                : read_three(p, value);
-    if (p == NULL || count < 3) {
+    return read_polygon(place, face->corner, reader);
+}
+
+static enum obj_quick_result read_position(const char **place, struct model_reader *reader) {
+    double position[3];
+    const char *p = read_three(*place, position);
+    if (p == NULL) {
         return OBJ_QUICK_DECLINED;
     }
     *place = p;
-    if (is_face) {
-        return add_polygon(reader, corners, count);
+    return result_of(reader_add_position(reader, position));
+}
+
+/* A texture coordinate or a normal: counted, and read if it is of use. */
+static enum obj_quick_result read_attribute(const char **place, bool is_uv,
+                                            struct model_reader *reader) {
+    double value[3];
+    *(is_uv ? &reader->uv_count : &reader->normal_count) += 1;
+    if ((reader->parts & (is_uv ? MODEL_UVS : MODEL_NORMALS)) == 0) {
+        return OBJ_QUICK_DONE;
     }
-    return result_of(is_uv         ? reader_add_uv(reader, value[0], value[1])
-                     : length == 2 ? reader_add_normal(reader, value)
-                                   : reader_add_position(reader, value));
+    const char *p = is_uv ? read_uv(*place, value) : read_three(*place, value);
+    if (p == NULL) {
+        return OBJ_QUICK_DECLINED;
+    }
+    *place = p;
+    return result_of(is_uv ? reader_add_uv(reader, value[0], value[1])
+                           : reader_add_normal(reader, value));
 }
 
 /* A line up to its end. Those that begin with another keyword are passed over. */
 static enum obj_quick_result read_line(const char **place, struct model_reader *reader) {
-    *place = skip_blanks(*place);
-    size_t length = keyword_length(*place);
-    if (length > 0) {
-        return read_statement(place, length, reader);
+    const char *word = skip_blanks(*place);
+    *place = word + 1;
+    if (word[0] != 'v' && word[0] != 'f') {
+        *place = word;
+        return OBJ_QUICK_DONE;
     }
-    bool unusual = **place == 'v' || **place == 'f'; /* "f" alone is wrong, "vp" is rare */
-    return unusual ? OBJ_QUICK_DECLINED : OBJ_QUICK_DONE;
+    if (is_blank(word[1])) {
+        return word[0] == 'v' ? read_position(place, reader) : read_face(place, reader);
+    }
+    if (word[0] == 'v' && (word[1] == 't' || word[1] == 'n') && is_blank(word[2])) {
+        *place = word + 2;
+        return read_attribute(place, word[1] == 't', reader);
+    }
+    return OBJ_QUICK_DECLINED; /* "f" alone is wrong, "vp" is rare */
 }
 
 /* Is every carriage return the first half of a line's end? */
@@ -257,18 +292,10 @@ static bool has_rare_characters(const char *data, size_t size) {
     return rare != 0 || (returns != 0 && !has_usual_line_ends(data, data + size));
 }
 
-/* Plain text without a byte-order mark that ends with a line's end. */
-static bool is_usual(const char *data, size_t size) {
-    return size > 0 && data[size - 1] == '\n' && data[0] != '\xEF' &&
-           !has_rare_characters(data, size);
-}
-
-enum obj_quick_result obj_quick_read(struct model_reader *reader, const char *data, size_t size) {
-    if (!is_usual(data, size)) {
-        return OBJ_QUICK_DECLINED;
-    }
-    const char *end = data + size;
-    for (const char *place = data; place < end; place++) {
+/* Lines, of which the last one ends at `end`. */
+static enum obj_quick_result read_lines(const char *place, const char *end,
+                                        struct model_reader *reader) {
+    for (; place < end; place++) {
         enum obj_quick_result result = read_line(&place, reader);
         if (result != OBJ_QUICK_DONE) {
             return result;
@@ -278,4 +305,46 @@ enum obj_quick_result obj_quick_read(struct model_reader *reader, const char *da
         }
     }
     return OBJ_QUICK_DONE;
+}
+
+/* The same for the end of the file, from a copy that has room behind it. */
+static enum obj_quick_result read_last_lines(const char *data, size_t size,
+                                             struct model_reader *reader) {
+    char *copy = calloc(size + AHEAD, 1);
+    if (copy == NULL) {
+        error_out_of_memory(reader->error);
+        return OBJ_QUICK_OUT_OF_MEMORY;
+    }
+    memcpy(copy, data, size);
+    enum obj_quick_result result = read_lines(copy, copy + size, reader);
+    free(copy);
+    return result;
+}
+
+/* The size of a piece of what is left of the file: whole lines, behind which nothing is left or at
+ * least AHEAD bytes. */
+static size_t piece_size(const char *data, size_t left) {
+    if (left <= PIECE) {
+        return left;
+    }
+    const char *line_end = memchr(data + PIECE, '\n', left - PIECE);
+    size_t size = (size_t)(line_end + 1 - data);
+    return left - size < AHEAD ? left : size;
+}
+
+enum obj_quick_result obj_quick_read(struct model_reader *reader, const char *data, size_t size) {
+    if (size == 0 || data[size - 1] != '\n' || data[0] == '\xEF') { /* a byte-order mark */
+        return OBJ_QUICK_DECLINED;
+    }
+    enum obj_quick_result result = OBJ_QUICK_DONE;
+    for (size_t done = 0, piece; result == OBJ_QUICK_DONE && done < size; done += piece) {
+        const char *start = data + done;
+        piece = piece_size(start, size - done);
+        if (has_rare_characters(start, piece)) {
+            return OBJ_QUICK_DECLINED;
+        }
+        result = done + piece == size ? read_last_lines(start, piece, reader)
+                                      : read_lines(start, start + piece, reader);
+    }
+    return result;
 }

@@ -44,6 +44,11 @@ static void test_what_is_taken(void) {
         {"v 0 0 0\r\nv 1 0 0\r\nv 0 1 0\r\nf 1 2 3\r\n", true},
         {POINTS "vt 0\nvt 1 0\nvt 0 1 7\nvn 0 0 1\nf 1/1/1 2//1 -1/3\n", true},
         {"v -1.5e-3 +.5 5.\nv 1E2 0 0\nv 0 1 0\nf 1 2 3\n", true},
+        {POINTS "f 1 2 3\n\n", true}, /* short lines at the end */
+        {POINTS "f 1 2 3\n\n\n\n", true},
+        {POINTS "v 1 1 0\nf 1 2 4 3 \n", true}, /* cut into triangles */
+        {POINTS "v 2 1 0\nv 1 2 0\nf 1 2 4 5 3\nf 1 3 2\n", true},
+        {"v 12345 -1234.5678 +0.12345678\nv 1234 12345678 -.1234\nv 0 0 0\nf 1 2 3\n", true},
         {POINTS "f 1 2 3", false}, /* no line's end at the end */
         {POINTS "f 1 2 3\no body", false},
         {POINTS "o body\\\nf 1 2 3\nf 1 2 3\n", false},
@@ -56,6 +61,13 @@ static void test_what_is_taken(void) {
         {"\xEF\xBB\xBF" POINTS, false},
         {POINTS "f 1 2\n", false},
         {POINTS "f 1 2 4\n", false},
+        {POINTS "f 1 2 3 4\n", false},
+        {POINTS "f 1 2 0003\n", true},
+        {POINTS "f 1 2 00003\n", true},
+        {POINTS "f 1 2 1003\n", false},
+        {"v 1 2 000:\n", false},
+        {"v 1 2\n\n\n", false}, /* a number is looked for where the line ends */
+        {"v 1e5-3 2\n", false},
         {POINTS "f 0 1 2\n", false},
         {POINTS "f -4 1 2\n", false},
         {POINTS "f 1/ 2 3\n", false},
@@ -78,6 +90,11 @@ static void test_what_is_taken(void) {
         {POINTS "f 1-2 3\n", false},
         {"# \x01\n" POINTS "f 1 2 3\n", false},
         {"v 1\v2 3\n", false},
+        {"v 1 2 3x\n" POINTS, false},
+        {"vx 1 2 3\n" POINTS, false},
+        {"vt1 2 3\n" POINTS, false},
+        {"v 1 2 000\xB0\n", false}, /* a zero but for the highest bit */
+        {"v 1 2 000\xBA\n", false},
     };
     for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
         enum obj_quick_result wanted = rows[i].taken ? OBJ_QUICK_DONE : OBJ_QUICK_DECLINED;
@@ -92,6 +109,50 @@ static void test_what_is_taken(void) {
     CHECK(read_quickly(&model, "", 0) == OBJ_QUICK_DECLINED);
     CHECK(read_quickly(&model, "o \0\n", 4) == OBJ_QUICK_DECLINED);
     model_free(&model);
+}
+
+/* A corner more than the quick way takes. */
+static void test_many_corners(void) {
+    enum { TAKEN = 1000 };
+    for (int corners = TAKEN; corners <= TAKEN + 1; corners++) {
+        struct bytes text = {0};
+        struct model model = {0};
+        CHECK(bytes_print(&text, POINTS "f"));
+        for (int i = 0; i < corners; i++) {
+            CHECK(bytes_print(&text, " 1"));
+        }
+        CHECK(bytes_print(&text, "\n"));
+        enum obj_quick_result result = read_quickly(&model, text.data, text.size);
+        CHECK(result == (corners <= TAKEN ? OBJ_QUICK_DONE : OBJ_QUICK_DECLINED));
+        model_free(&model);
+        bytes_free(&text);
+    }
+}
+
+/* A file is read in pieces of some 65536 bytes: one line after a comment that fills the first. */
+static void test_pieces(void) {
+    static const struct {
+        const char *text;
+        bool taken;
+    } rows[] = {
+        {"f 1 2 3\n", true},    {"f 1 2 3\n\n", true}, {"f 1 2 3\nf 1 3 2\n", true},
+        {"v 1 2\n\n\n", false}, {"o a\\b\n", false},
+    };
+    for (size_t i = 0; i < 20 * sizeof rows / sizeof rows[0]; i++) {
+        struct bytes text = {0};
+        struct model model = {0};
+        const char *line = rows[i / 20].text;
+        int length = 65536 - 10 + (int)(i % 20) - (int)strlen(POINTS);
+        CHECK(bytes_print(&text, POINTS "#%*s\n%s", length, "", line));
+        enum obj_quick_result wanted = rows[i / 20].taken ? OBJ_QUICK_DONE : OBJ_QUICK_DECLINED;
+        enum obj_quick_result result = read_quickly(&model, text.data, text.size);
+        if (CHECK_ROW(result == wanted, line) && rows[i / 20].taken) {
+            CHECK(bytes_append(&text, "", 1));
+            check_same(&model, (const char *)text.data);
+        }
+        model_free(&model);
+        bytes_free(&text);
+    }
 }
 
 /* Numbers of up to 17 digits and powers of ten to beyond the limits: the nearest doubles. */
@@ -126,4 +187,4 @@ static void test_numbers(void) {
     }
 }
 
-UNIT_MAIN(TEST(test_what_is_taken), TEST(test_numbers))
+UNIT_MAIN(TEST(test_what_is_taken), TEST(test_many_corners), TEST(test_pieces), TEST(test_numbers))
