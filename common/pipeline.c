@@ -67,6 +67,7 @@ void pipeline_free(struct pipeline *pipeline) {
     free(pipeline->bins.data);
     free(pipeline->binned.data);
     free(pipeline->scratch.data);
+    free(pipeline->last_touched.data);
     *pipeline = (struct pipeline){0};
 }
 
@@ -344,6 +345,16 @@ static bool reserve_depth(struct pipeline *p, struct error *error) {
     return true;
 }
 
+/* Room for what the frame touches, if it is to be remembered; and do we know it of the last one? */
+static bool reserve_touched(struct frame *frame, struct error *error) {
+    struct pipeline *p = frame->pipeline;
+    const struct image *image = frame->image, *last = &p->last_image;
+    bool remembers = p->clearing == CLEAR_LAST_FRAME;
+    frame->knows_last = remembers && last->pixels == image->pixels && last->format == image->format;
+    return !remembers || buffer_reserve(&p->last_touched, band_count(p) * chunk_columns(p),
+                                        sizeof(uint32_t), error);
+}
+
 /* Count the pieces of which nothing was visible. Where all is shaded at once, nobody knows. */
 static void count_hidden(struct pipeline *p) {
     const struct draw *draws = p->draws.data;
@@ -361,13 +372,14 @@ static void count_hidden(struct pipeline *p) {
 
 bool pipeline_finish(struct pipeline *p, struct image *image, struct error *error) {
     assert(image->width == p->width && image->height == p->height && image->format != IMAGE_GREY);
-    struct frame frame = {p, image, block_count(p)};
+    struct frame frame = {p, image, block_count(p), false};
     size_t bands = band_count(p), largest_bin;
     p->reordered = reorders_draws(p);
     if (bands > 1) {
         start_workers(p);
     }
     if (!lay_out_bins(&frame, &largest_bin, error) || !reserve_depth(p, error) ||
+        !reserve_touched(&frame, error) ||
         !buffer_reserve(&p->order, p->draw_count, sizeof(struct draw_order), error) ||
         !buffer_reserve(&p->visible, p->piece_end, sizeof(atomic_uchar), error) ||
         !buffer_reserve(&p->band_work, bands, sizeof(struct pixel_work), error) ||
@@ -379,6 +391,7 @@ bool pipeline_finish(struct pipeline *p, struct image *image, struct error *erro
     pipeline_run(p, frame.block_count, bin_one_block, &frame);
     order_draws(p);
     pipeline_run(p, bands, pipeline_draw_band, &frame);
+    p->last_image = p->clearing == CLEAR_LAST_FRAME ? *image : (struct image){0};
     const struct pixel_work *work = p->band_work.data;
     for (size_t i = 0; i < bands; i++) {
         p->stats[STAT_ATTRIBUTE_SETS] += work[i].fetched;

@@ -142,12 +142,21 @@ struct buffer {
     size_t capacity; /* elements */
 };
 
+/* What becomes of pixels that nothing covers. */
+enum clearing {
+    CLEAR_NOTHING, /* they stay as they are */
+    CLEAR_ALL,     /* they become 0 */
+    /* They become 0, and nobody else writes to the image between frames: then most are 0 already,
+     * and only what the last frame has drawn is cleared. */
+    CLEAR_LAST_FRAME
+};
+
 /* What is kept from frame to frame, so that drawing allocates nothing once they are large
  * enough. All zero is a valid, empty pipeline. */
 struct pipeline {
     size_t width, height;
-    bool skip;       /* false: do all the work, shade at once; the image is the same */
-    bool clears;     /* pipeline_finish() makes 0 of what nothing covers; otherwise it stays */
+    bool skip; /* false: do all the work, shade at once; the image is the same */
+    enum clearing clearing;
     bool keep_depth; /* keep what pipeline_finish() found in `depth` */
     double *depth;   /* width * height; minus infinity where nothing is drawn; NULL if not kept */
     uint64_t stats[PIPELINE_STATS];
@@ -184,6 +193,8 @@ struct pipeline {
     struct buffer band_work;   /* of struct pixel_work, one a band */
     struct buffer scratch;     /* of struct scratch, one a thread */
     size_t scratch_count;
+    struct buffer last_touched; /* of uint32_t, by band and column of chunks: see struct scratch */
+    struct image last_image;    /* whose they are: none unless CLEAR_LAST_FRAME */
 };
 
 /* Allocate for images of that size, 1..DRAW_LIMIT a side; skip is on, depth is not kept. */
@@ -205,7 +216,7 @@ bool pipeline_draw(struct pipeline *pipeline, const struct draw_call *call,
                    struct error *error);
 
 /* Draw all that was recorded into an image of the pipeline's size, format BGR or BGRA; what nothing
- * covers stays as it is, or is 0 where the pipeline `clears`. False when memory runs out, with the
+ * covers is as `clearing` says. False when memory runs out, with the
  * image as it was. */
 bool pipeline_finish(struct pipeline *pipeline, struct image *image, struct error *error);
 

@@ -304,11 +304,38 @@ static void keep_depth(const struct band *band) {
     }
 }
 
+/* What of the last frame's `touched` and `scratch.touched` of this one are of the band: as many as
+ * there are columns of chunks. */
+static uint32_t *last_touched(const struct pipeline *p, size_t band) {
+    return (uint32_t *)p->last_touched.data + band * chunk_columns(p);
+}
+
+/* Clear what the last frame has touched in some rows of the image. */
+static void clear_touched(const struct image *image, struct span rows, const uint32_t *touched) {
+    for (size_t x = 0; x < image->width; x += CHUNK) {
+        uint8_t *pixels = image->pixels + ((size_t)rows.begin * image->width + x) * image->format;
+        size_t size = (image->width - x < CHUNK ? image->width - x : CHUNK) * image->format;
+        for (uint32_t left = touched[x / CHUNK]; left != 0; left >>= 1) {
+            if ((left & 1) != 0 && size == CHUNK * IMAGE_BGRA) {
+                memset(pixels, 0, CHUNK * IMAGE_BGRA); /* one instruction or two */
+            } else if ((left & 1) != 0) {
+                memset(pixels, 0, size);
+            }
+            pixels += image->width * image->format;
+        }
+    }
+}
+
 /* While the rows are in the cache: the shaders write to them next. */
-static void clear_image(const struct image *image, struct span rows) {
+static void clear_image(const struct frame *frame, struct span rows, size_t band) {
+    const struct image *image = frame->image;
     size_t row_size = image->width * image->format;
-    memset(image->pixels + (size_t)rows.begin * row_size, 0,
-           (size_t)(rows.end - rows.begin) * row_size);
+    if (frame->knows_last) {
+        clear_touched(image, rows, last_touched(frame->pipeline, band));
+    } else if (frame->pipeline->clearing != CLEAR_NOTHING) {
+        memset(image->pixels + (size_t)rows.begin * row_size, 0,
+               (size_t)(rows.end - rows.begin) * row_size);
+    }
 }
 
 static void call_shader(const struct shading *shading) {
@@ -399,9 +426,7 @@ void pipeline_draw_band(void *context, size_t index, size_t worker) {
     *work = (struct pixel_work){0};
     memset(scratch->fetched, 0, (bin->count + 1) * sizeof *scratch->fetched);
     depth_clear(scratch->farthest, chunk_columns(p));
-    if (p->clears) {
-        clear_image(frame->image, rows);
-    }
+    clear_image(frame, rows, index);
     draw_pieces(&band, &shading, index, true);
     if (!shading.at_once) {
         mark_visible(&band);
@@ -414,6 +439,10 @@ void pipeline_draw_band(void *context, size_t index, size_t worker) {
     work->covered += band.covered;
     if (p->depth != NULL) {
         keep_depth(&band);
+    }
+    if (p->clearing == CLEAR_LAST_FRAME) {
+        memcpy(last_touched(p, index), scratch->touched,
+               chunk_columns(p) * sizeof *scratch->touched);
     }
     clear_band(&band);
 }

@@ -111,6 +111,7 @@ struct frame {
     struct pipeline *pipeline;
     struct image *image;
     size_t block_count;
+    bool knows_last; /* the image is that of the last frame, of which is known what it touched */
 };
 
 /* Draw band `index` of a frame (context: struct frame): see worker_function. */

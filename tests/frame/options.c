@@ -20,6 +20,8 @@ const char options_help[] =
     "  --quick            3 frames, at the first size, of the model as it is\n"
     "  --skipping         only what each shortcut is worth, where much is hidden or off screen\n"
     "  --least            show the least time instead of the median: for a busy machine\n"
+    "  --clear-all        clear all of the image, not only what the last frame has drawn, as\n"
+    "                     llvmpipe does\n"
     "  --nearest          llvmpipe takes the nearest texel, this course still four\n"
     "  -o DIR             save the pictures of both there, as PNG\n"
     "  -h, --help         this text\n"
@@ -35,6 +37,7 @@ static const struct options defaults = {
     .triangles = {2500, 40000, 640000},
     .triangle_count = 3,
     .frames = 15,
+    .clearing = CLEAR_LAST_FRAME,
 };
 
 /* A whole number of at most `digits` characters. */
@@ -108,6 +111,8 @@ static bool read_flag(struct options *o, const char *name) {
         o->size_count = o->triangle_count = 1;
     } else if (strcmp(name, "--least") == 0) {
         o->least = true;
+    } else if (strcmp(name, "--clear-all") == 0) {
+        o->clearing = CLEAR_ALL;
     } else if (strcmp(name, "--skipping") == 0) {
         o->skipping = true;
     } else if (strcmp(name, "--nearest") == 0) {

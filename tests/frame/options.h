@@ -24,8 +24,9 @@ struct options {
     size_t look_count, size_count, triangle_count;
     size_t frames; /* timed of each, 1..FRAMES_LIMIT */
     enum llvmpipe_filter filter;
-    bool skipping; /* measure only what shortcuts are worth */
-    bool least;    /* show the least time, not the median */
+    bool skipping;          /* measure only what shortcuts are worth */
+    bool least;             /* show the least time, not the median */
+    enum clearing clearing; /* how the course's side clears the image */
     bool help;
 };
 

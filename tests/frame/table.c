@@ -23,6 +23,8 @@ static double gain(const struct cell *cell, enum side one) {
 /* ---- Times ---- */
 
 void table_print_time_head(const struct options *options) {
+    printf("\nBefore a frame this course clears %s; llvmpipe clears all.\n",
+           options->clearing == CLEAR_ALL ? "all" : "what its last frame has drawn");
     printf("\nMilliseconds a frame, the %s of %zu (and how far apart the quartiles are); how many\n"
            "times as fast as llvmpipe; how many times as fast with two threads as with one\n\n",
            options->least ? "least" : "median", options->frames);

@@ -189,12 +189,15 @@ static struct answer *answer(const struct scene *scene, struct work *work) {
 
 enum { UNTOUCHED = 0x77 };
 
-static bool draw_scene(struct pipeline *pipeline, const struct scene *scene, struct image *image,
-                       size_t *vertex_calls) {
+static void scribble(struct image *image) {
+    memset(image->pixels, UNTOUCHED, image->width * image->height * image->format);
+}
+
+static bool draw_on_top(struct pipeline *pipeline, const struct scene *scene, struct image *image,
+                        size_t *vertex_calls) {
     struct error error;
     atomic_size_t calls = 0;
     bool done = true;
-    memset(image->pixels, UNTOUCHED, image->width * image->height * image->format);
     pipeline_clear(pipeline);
     for (size_t i = 0; i < scene->count; i++) {
         const struct part *part = &scene->part[i];
@@ -205,6 +208,13 @@ static bool draw_scene(struct pipeline *pipeline, const struct scene *scene, str
     done = done && pipeline_finish(pipeline, image, &error);
     *vertex_calls = calls;
     return CHECK(done);
+}
+
+/* The same on an image that is not empty. */
+static bool draw_scene(struct pipeline *pipeline, const struct scene *scene, struct image *image,
+                       size_t *vertex_calls) {
+    scribble(image);
+    return draw_on_top(pipeline, scene, image, vertex_calls);
 }
 
 /* Frugal: in each band a face that shows there is asked once for its corners, or for one of them
@@ -237,11 +247,12 @@ static bool has_discarding_part(const struct scene *scene) {
     return has;
 }
 
-static bool pixel_is_right(const struct image *image, size_t pixel, uint32_t number) {
+static bool pixel_is_right(const struct image *image, size_t pixel, uint32_t number,
+                           enum clearing clearing) {
     const uint8_t *p = image->pixels + pixel * image->format;
     if (number == 0) {
-        return p[0] == UNTOUCHED && p[1] == UNTOUCHED && p[2] == UNTOUCHED &&
-               p[image->format - 1] == UNTOUCHED;
+        uint8_t left = clearing == CLEAR_NOTHING ? UNTOUCHED : 0;
+        return p[0] == left && p[1] == left && p[2] == left && p[image->format - 1] == left;
     }
     return p[0] == number % 256 && p[1] == number / 256 && p[2] == 1 &&
            (image->format == IMAGE_BGR || p[3] == ALPHA);
@@ -266,7 +277,7 @@ static bool depth_is_right(const struct pipeline *pipeline, size_t pixel, const 
 static bool frame_is_right(const struct pipeline *pipeline, const struct image *image,
                            const struct answer *answers) {
     for (size_t i = 0; i < image->width * image->height; i++) {
-        if (!pixel_is_right(image, i, answers[i].number) ||
+        if (!pixel_is_right(image, i, answers[i].number, pipeline->clearing) ||
             (pipeline->keep_depth && !depth_is_right(pipeline, i, &answers[i]))) {
             const uint8_t *p = image->pixels + i * image->format;
             fprintf(stderr, "    %zux%zu: pixel %zu %zu should show %u, shows %d\n", image->width,
@@ -371,18 +382,28 @@ static void make_scene(struct random *random, struct scene *scene, size_t faces,
     }
 }
 
-/* Several frames of one pipeline: what one has left behind must not show in the next. */
+/* Several frames of one pipeline, on two images: what one has left behind must not show in the
+ * next. Before each of them the image is scribbled on, where somebody else may write to it. */
 static void check_size(struct random *random, size_t width, size_t height) {
     static struct scene scene;
     struct pipeline pipeline;
-    struct image image = {0};
+    struct image images[2] = {{0}}, *last = NULL;
     struct error error;
     CHECK(pipeline_create(&pipeline, width, height, &error));
-    CHECK(image_create(&image, width, height, random_bits(random) % 2 ? IMAGE_BGR : IMAGE_BGRA,
-                       &error));
+    for (int i = 0; i < 2; i++) {
+        CHECK(image_create(&images[i], width, height,
+                           random_bits(random) % 2 ? IMAGE_BGR : IMAGE_BGRA, &error));
+    }
     scene.width = width;
     scene.height = height;
-    for (int frame = 0; frame < 4; frame++) {
+    for (int frame = 0; frame < 6; frame++) {
+        struct image *image = &images[random_bits(random) % 4 == 0];
+        pipeline.clearing =
+            random_bits(random) % 2 ? CLEAR_LAST_FRAME : (enum clearing)(random_bits(random) % 3);
+        if (pipeline.clearing != CLEAR_LAST_FRAME || image != last) {
+            scribble(image);
+        }
+        last = pipeline.clearing == CLEAR_LAST_FRAME ? image : NULL;
         bool culls = frame % 2 == 0;
         make_scene(random, &scene, 1 + random_bits(random) % 12, culls);
         pipeline.skip = random_bits(random) % 3 != 0;
@@ -391,8 +412,8 @@ static void check_size(struct random *random, size_t width, size_t height) {
         struct work work;
         struct answer *answers = answer(&scene, &work);
         size_t calls;
-        if (CHECK(answers != NULL) && draw_scene(&pipeline, &scene, &image, &calls)) {
-            CHECK(frame_is_right(&pipeline, &image, answers));
+        if (CHECK(answers != NULL) && draw_on_top(&pipeline, &scene, image, &calls)) {
+            CHECK(frame_is_right(&pipeline, image, answers));
             CHECK(!pipeline.skip || has_discarding_part(&scene) ||
                   calls == calls_needed(&scene, answers));
             CHECK(culls || counts_are_right(&pipeline, &scene, answers, &work));
@@ -401,7 +422,8 @@ static void check_size(struct random *random, size_t width, size_t height) {
         free(answers);
     }
     pipeline_free(&pipeline);
-    image_free(&image);
+    image_free(&images[0]);
+    image_free(&images[1]);
 }
 
 static void test_images_of_all_sizes(void) {

@@ -394,7 +394,7 @@ static void test_image_is_cleared(void) {
         struct frame frame;
         uint8_t outside = way < WAYS ? 0 : 200;
         if (frame_begin(&frame, way % WAYS)) {
-            frame.pipeline.clears = way < WAYS;
+            frame.pipeline.clearing = way < WAYS ? CLEAR_ALL : CLEAR_NOTHING;
             image_clear(&frame.image, color_grey(200));
             frame_draw(&frame, &mesh, place_is_xyw, (struct rectangle){11, 7, 8, 5});
             frame_finish(&frame);
