@@ -288,11 +288,14 @@ static void warn_of_nothing(const struct command *command, const struct stage *s
 
 /* ---- Drawing ---- */
 
-/* Draw all frames once, each on black. */
-static bool draw_frames(struct stage *stage, const struct frames *frames, struct error *error) {
+/* Draw all frames once, each on black, which they are the first time. */
+static bool draw_frames(struct stage *stage, const struct frames *frames, bool again,
+                        struct error *error) {
     stage->drawing.counter_count = 0;
     for (size_t i = 0; i < frames->count; i++) {
-        image_clear(&frames->frame[i], (struct color){0, 0, 0, 0});
+        if (again) {
+            image_clear(&frames->frame[i], (struct color){0, 0, 0, 0});
+        }
         if (!stage_draw(stage, &frames->frame[i], i, error)) {
             return false;
         }
@@ -310,7 +313,7 @@ static bool draw_timed(struct stage *stage, const struct frames *frames, size_t 
     bool done = true;
     for (size_t i = 0; done && i < repeat; i++) {
         double begin = now_ms();
-        done = draw_frames(stage, frames, error);
+        done = draw_frames(stage, frames, i > 0, error);
         times[i] = (now_ms() - begin) / (double)frames->count;
     }
     if (done) {
@@ -349,7 +352,7 @@ static bool draw_scene(struct command *command, const struct scene *given, struc
     if (done && options->repeat > 0) {
         done = draw_timed(&stage, &frames, options->repeat, error);
     } else if (done) {
-        done = draw_frames(&stage, &frames, error);
+        done = draw_frames(&stage, &frames, false, error);
     }
     done = done && save(command, &scene, &frames, error);
     if (done) {
