@@ -46,8 +46,8 @@ For the course as a whole:
   make grade-one SUBMISSION=path   one of them, into OUT=dir
   make grade-merge OUT=dir    the class, from those that are there
   make grade-tools            build what these use
-  make mistakes               keep what the listed mistakes look like, by which the check knows them
-                              (STEP=05)
+  make mistakes               keep what the listed mistakes look like, by which the check knows them,
+                              and draw the lessons' wrong pictures (STEP=05)
   make coverage               which lines and branches of common the tests reach
   make help                   this list
 
@@ -197,7 +197,7 @@ endif
 
 # Its parts; the files with a main() are not among them.
 CHECKER = $(patsubst %.c,$(BUILD)/%.o,$(filter-out %/check.c %/references.c %/looks_make.c \
-              tests/check/test_%.c,$(wildcard tests/check/*.c))) \
+              %/figure_make.c tests/check/test_%.c,$(wildcard tests/check/*.c))) \
           $(addprefix $(BUILD)/tests/help/,base64.o escape.o page.o page_files.o \
                                                pictures.o)
 

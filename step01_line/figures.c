@@ -174,41 +174,6 @@ static bool draw_cases(const char *directory, struct error *error) {
     return done;
 }
 
-/* Wrong: the axes of a steep line are exchanged for the walk, but not back for the picture. */
-static void line_not_exchanged_back(struct image *image, struct pixel a, struct pixel b,
-                                    struct color color) {
-    make_flat(&a, &b);
-    line(image, a, b, color);
-}
-
-/* Wrong: v always grows, so a line that goes down to the right goes up. */
-static void line_only_upwards(struct image *image, struct pixel a, struct pixel b,
-                              struct color color) {
-    struct walk walk = walk_begin(a, b);
-    walk.v_step = 1;
-    for (; walk.u <= walk.u_last; walk_next(&walk)) {
-        struct pixel p = walk_pixel(&walk);
-        image_set(image, p.x, p.y, color);
-    }
-}
-
-/* The oblique lines of the scene `gradient`, in one colour. */
-static bool draw_star(const char *directory, const char *name, line_function *draw,
-                      struct error *error) {
-    static const struct pixel ends[] = {{95, 68}, {68, 95}, {32, 95}, {5, 68},
-                                        {5, 32},  {32, 5},  {68, 5},  {95, 32}};
-    struct image image;
-    if (!image_create(&image, 100, 100, IMAGE_BGR, error)) {
-        return false;
-    }
-    for (size_t i = 0; i < sizeof ends / sizeof ends[0]; i++) {
-        draw(&image, (struct pixel){50, 50}, ends[i], white);
-    }
-    bool done = save_enlarged(&image, directory, name, error);
-    image_free(&image);
-    return done;
-}
-
 /* ---- The table of errors ---- */
 
 struct tally {
@@ -309,7 +274,5 @@ bool draw_figures(const char *directory, struct model *bust, struct error *error
     (void)bust;
     return draw_made(directory, error) && draw_attempts(directory, error) &&
            draw_holes(directory, error) && draw_pairs(directory, error) &&
-           draw_cases(directory, error) &&
-           draw_star(directory, "not_exchanged_back", line_not_exchanged_back, error) &&
-           draw_star(directory, "only_upwards", line_only_upwards, error) && print_table(error);
+           draw_cases(directory, error) && print_table(error);
 }

@@ -3,9 +3,11 @@
 # each lesson and its parts the words to read and the lines to write, counted.
 #
 #   tests/contents.sh            writes the table into README.md again
-#   tests/contents.sh --check    says whether it is right: exit status 1 when it is not
+#   tests/contents.sh --check    says whether it is right, and whether the tables of wrong pictures
+#                                in the lessons are (tests/verify/figures.awk): exit status 1 when
+#                                one is not
 #
-# Words are those of the lesson without code and answers, to the nearest hundred. Lines are those of
+# Words are those of the lesson without code, answers and pictures, to the nearest hundred. Lines are those of
 # main.c between the marks of a part's tasks, without empty ones and comments on lines of their own.
 
 cd "$(dirname "$0")/.." || exit 1
@@ -14,7 +16,10 @@ cd "$(dirname "$0")/.." || exit 1
 words() {
     awk '/^ *```/ { quoted = !quoted; next }
         /<details>/ { answer = 1 }
-        !quoted && !answer && !/^    / { count += NF }
+        !quoted && !answer && !/^    / {
+            gsub(/!\[[^]]*\]\([^)]*\)|\|/, " ")
+            count += NF
+        }
         /<\/details>/ { answer = 0 }
         END { print int(count / 100 + 0.5) * 100 }' "$1/README.md"
 }
@@ -73,6 +78,9 @@ if [ "$1" = --check ]; then
         echo "contents: README.md is out of date; tests/contents.sh writes it again" >&2
         exit 1
     }
+    # shellcheck disable=SC2046 # one word a file
+    awk -f tests/verify/figures.awk \
+        $(find step[0-9]*_* -name README.md -o -name mistakes.txt | sort) >&2
 else
     cat "$new" >README.md
 fi

@@ -102,8 +102,8 @@ $(REPLAYS): $(BUILD)/tests/%: $(BUILD)/tested/tests/fuzz/%.o $(BUILD)/tested/tes
 # Every test runs, also after one that failed.
 .PHONY: test
 test: $(UNITS) $(CHECKERS) $(HELPERS) $(ALIKE) $(REPLAYS) $(BUILD)/check $(BUILD)/looks_make \
-      $(BUILD)/references $(BUILD)/show $(BUILD)/compare_page $(BUILD)/hidden $(BUILD)/similar \
-      $(BUILD)/limited $(BUILD)/step01_line models
+      $(BUILD)/figure_make $(BUILD)/references $(BUILD)/show $(BUILD)/compare_page \
+      $(BUILD)/hidden $(BUILD)/similar $(BUILD)/limited $(BUILD)/step01_line models
 	@passed=0; failed=0; names=; \
 	for test in $(UNITS) $(CHECKERS) $(HELPERS) $(ALIKE) $(SCRIPTS); do \
 	    echo "== $$test"; \
@@ -199,15 +199,16 @@ $(BUILD)/with-mesa: force
 # ---- make verify: what the check makes of wrong programs, and of correct ones ----
 
 .PHONY: verify
-verify: $(BUILD)/check models
+verify: $(BUILD)/check $(BUILD)/figure_make models
 	@tests/verify/verify.sh $(BUILD) '$(MAKE) -s' '$(STEP)' '$(NAME)'
 
-# What the mistakes look like, which the check knows them by.
+# What the mistakes look like, which the check knows them by, and the lessons' figures of them.
 .PHONY: mistakes
-mistakes: $(BUILD)/check $(BUILD)/looks_make models
+mistakes: $(BUILD)/check $(BUILD)/looks_make $(BUILD)/figure_make models
 	@tests/verify/mistakes.sh $(BUILD) '$(MAKE) -s' '$(STEP)' '$(MEASURE)'
 
-$(BUILD)/looks_make: $(BUILD)/tests/check/looks_make.o $(CHECKER) $(BUILD)/libcommon.a
+$(BUILD)/looks_make $(BUILD)/figure_make: $(BUILD)/%: $(BUILD)/tests/check/%.o $(CHECKER) \
+                                           $(BUILD)/libcommon.a
 	$(LINK) $^ -lm -o $@
 
 # One of these programs, built with what is there: the library has the flags of the course.

@@ -30,15 +30,24 @@ static bool take_word(const char **line, const char *end, char *word, size_t siz
     return true;
 }
 
-/* "zbuffer - pixels_tested=5 5.2 words": a line of the list. */
+/* "4" is 4. False when it is no such number. */
+static bool read_figure(const char *word, unsigned *figure) {
+    int end = 0;
+    bool is_number = strspn(word, "0123456789") == strlen(word);
+    return is_number && sscanf(word, "%4u%n", figure, &end) == 1 && word[end] == '\0';
+}
+
+/* "zbuffer - pixels_tested=5 5.2 4 words": a line of the list. */
 static bool read_counted(struct counted_list *list, const char *line, const char *end) {
     struct counted counted = {.scene = ""};
+    char figure[8];
     struct look *look = &counted.look;
     if (!take_word(&line, end, counted.scene, sizeof counted.scene) ||
         !take_word(&line, end, counted.pictures.text, sizeof counted.pictures.text) ||
         !take_word(&line, end, counted.counters.text, sizeof counted.counters.text) ||
-        !take_word(&line, end, look->task.text, sizeof look->task.text) || line == end ||
-        !is_known_pictures(&counted.pictures)) {
+        !take_word(&line, end, look->task.text, sizeof look->task.text) ||
+        !take_word(&line, end, figure, sizeof figure) || !read_figure(figure, &look->figure) ||
+        line == end || !is_known_pictures(&counted.pictures)) {
         return false;
     }
     if (strcmp(look->task.text, "-") == 0) {

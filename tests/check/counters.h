@@ -12,6 +12,7 @@
  *         for each scene of the lesson: r right, b blank, d none for a division by 0;
  *     all that the program counts in this scene, pixels_tested=5,pixels_written=0; - for nothing;
  *     the task that is at fault, or -;
+ *     the figure of the lesson's wrong pictures that shows it, or 0;
  *     what it is, up to the end of the line.
  *
  * A wrong diagnosis is worse than none. So a program makes such a mistake only when

@@ -226,6 +226,15 @@ static void json_picture(struct writer *writer, const struct item_result *item) 
     }
 }
 
+/* The figures of the lesson's wrong pictures that show what it looks like. */
+static void json_figures(struct writer *writer, const struct item_result *item) {
+    for (size_t i = 0; i < item->looks_figure_count; i++) {
+        put(writer, i > 0 ? ", " : ", \"figures\": [");
+        put_number(writer, item->looks_figures[i]);
+    }
+    put(writer, item->looks_figure_count > 0 ? "]" : "");
+}
+
 static void json_item(struct writer *writer, const struct item_result *item) {
     json_text(writer, "        {\"scene\"", item->scene);
     json_text(writer, ", \"state\"", result_state_name(item->state));
@@ -250,6 +259,7 @@ static void json_item(struct writer *writer, const struct item_result *item) {
     if (item->looks.text[0] != '\0') {
         json_text(writer, item->only_may_be ? ", \"may_be\"" : ", \"looks_like\"",
                   item->looks.text);
+        json_figures(writer, item);
     }
     put(writer, "}");
 }

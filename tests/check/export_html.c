@@ -84,9 +84,8 @@ static char *note_of(const struct item_result *item) {
 }
 
 static char *looks_of(const struct step_result *step, const struct item_result *item) {
-    return string_format("%s %s; make hint STEP=%.2s TASK=%s", result_likeness(item),
-                         item->looks.text, step->name + strlen("step"),
-                         result_first_suspect(step, item));
+    return string_format("%s %s%s", result_likeness(item), item->looks.text,
+                         result_advice(step, item).text);
 }
 
 static char *reference_of(const struct step_result *step, const struct item_result *item,

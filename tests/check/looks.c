@@ -29,15 +29,16 @@ void looks_set_place(struct image *pixels, size_t i, struct place place) {
               color_rgb((uint8_t)(bits >> 16), (uint8_t)(bits >> 8), (uint8_t)bits));
 }
 
-/* "2 4711 5.2 depth cleared to 0": a line of the list. */
+/* "2 4711 5.2 4 depth cleared to 0": a line of the list. */
 static bool read_look(struct looks *looks, const char *line, size_t length) {
     struct look look = {.row = 0};
-    char text[LOOKS_WORDS_LIMIT + 48];
+    char text[LOOKS_WORDS_LIMIT + 64];
     unsigned long long row, apart;
     int words = 0;
     snprintf(text, sizeof text, "%.*s", (int)length, line);
-    if (sscanf(text, "%llu %llu %11s %n", &row, &apart, look.task.text, &words) < 3 || words == 0 ||
-        text[words] == '\0' ||
+    if (sscanf(text, "%llu %llu %11s %4u %n", &row, &apart, look.task.text, &look.figure, &words) <
+            4 ||
+        words == 0 || text[words] == '\0' ||
         (row > 0 && (row < LOOKS_FIRST_ROW || row >= looks->pixels.height))) {
         return false;
     }
@@ -229,6 +230,17 @@ static void add_task(struct item_result *item, const char *task) {
     }
 }
 
+/* Note the figure that shows it, 0 for none, once. */
+static void add_figure(struct item_result *item, unsigned figure) {
+    bool is_new = figure > 0;
+    for (size_t i = 0; i < item->looks_figure_count; i++) {
+        is_new &= item->looks_figures[i] != figure;
+    }
+    if (is_new) {
+        item->looks_figures[item->looks_figure_count++] = figure;
+    }
+}
+
 void looks_tell(struct item_result *item, const struct looks *looks, size_t row,
                 looks_doubt_function *doubt, const void *context) {
     bool told = false;
@@ -239,6 +251,7 @@ void looks_tell(struct item_result *item, const struct looks *looks, size_t row,
             if (look->row == row && doubts <= most) {
                 result_say(&item->looks, "%s\"%s\"", told ? " or " : "", look->words);
                 add_task(item, look->task.text);
+                add_figure(item, look->figure);
                 item->only_may_be |= doubts == LOOKS_DOUBTFUL;
                 told = true;
             }

@@ -12,9 +12,10 @@
  *                                                row for each picture that mistakes draw
  *     tests/check/looks/stepNN_name/scene.txt    a line for each mistake: its row, how many pixels
  *                                                of it are apart (compare.h), the task that is at
- *                                                fault or -, what it is. Row 0: nothing can be told
- *                                                from its picture. And a line for what is there
- *                                                when nothing is drawn, LOOKS_STARTER
+ *                                                fault or -, the figure of the lesson's wrong
+ *                                                pictures or 0, what it is. Row 0: nothing can be
+ *                                                told from its picture. And a line for what is
+ *                                                there when nothing is drawn, LOOKS_STARTER
  *     tests/check/looks/stepNN_name/scene.small.png
  *                                                the picture of each row, for people: small, side
  *                                                by side in the order of the rows
@@ -60,6 +61,7 @@ struct look {
     size_t row;            /* of the pixels; 0: nothing can be told */
     uint64_t apart;        /* in the whole picture */
     struct task_name task; /* that is at fault; "" when it is none's */
+    unsigned figure;       /* of the lesson's wrong pictures, from 1; 0: none shows it */
     char words[LOOKS_WORDS_LIMIT];
 };
 
@@ -102,8 +104,8 @@ enum looks_doubt {
 typedef enum looks_doubt looks_doubt_function(const void *context, const struct look *look);
 
 /* Say of an item that its picture looks like "A" or "B", of the mistakes of that row those with the
- * least doubt, and which tasks are at fault in these; where they are doubtful, that it only may be
- * one of them. Without `doubt` (NULL) all are likely. */
+ * least doubt, which tasks are at fault in these, and which figures show them; where they are
+ * doubtful, that it only may be one of them. Without `doubt` (NULL) all are likely. */
 void looks_tell(struct item_result *item, const struct looks *looks, size_t row,
                 looks_doubt_function *doubt, const void *context);
 

@@ -3,8 +3,8 @@
  *
  *     looks_make [-m] STEP SCENE REFERENCE.png LIST DIRECTORY LOOKS
  *
- * LIST has a line for each mistake: its number, its task or -, what it is, with tabs between; and
- * one for the starter (LOOKS_STARTER).
+ * LIST has a line for each mistake: its number, its task or -, its figure or 0, what it is, with
+ * tabs between; and one for the starter (LOOKS_STARTER).
  * DIRECTORY/NUMBER/SCENE.png is what it draws, when it draws something wrong there. Writes
  * LOOKS/STEP/SCENE.png, .txt and .small.png, or removes them where no mistake can be told. With -m
  * it also prints, for each mistake of its own picture, what it would look like if it were not
@@ -36,8 +36,9 @@ enum {
 
 struct mistake {
     char task[TASK_NAME_LIMIT], words[LOOKS_WORDS_LIMIT];
-    size_t row;     /* 0: nothing can be told */
-    uint64_t apart; /* from the reference */
+    unsigned figure; /* 0: none */
+    size_t row;      /* 0: nothing can be told */
+    uint64_t apart;  /* from the reference */
     struct image image;
 };
 
@@ -69,8 +70,9 @@ static bool add_mistake(struct making *making, const char *directory, const char
                         struct error *error) {
     char place[DRAWN_PATH_LIMIT], task[TASK_NAME_LIMIT], words[LOOKS_WORDS_LIMIT];
     unsigned long number;
+    unsigned figure;
     struct error ignored;
-    if (sscanf(line, "%lu\t%11s\t%159[^\n]", &number, task, words) != 3) {
+    if (sscanf(line, "%lu\t%11s\t%4u\t%159[^\n]", &number, task, &figure, words) != 4) {
         return error_set(error, "not the line of a mistake: %.200s", line);
     }
     struct mistake *mistakes =
@@ -80,7 +82,7 @@ static bool add_mistake(struct making *making, const char *directory, const char
     }
     making->mistakes = mistakes;
     struct mistake *mistake = &mistakes[making->count++];
-    *mistake = (struct mistake){.row = 0};
+    *mistake = (struct mistake){.figure = figure};
     memcpy(mistake->task, task, sizeof task);
     memcpy(mistake->words, words, sizeof words);
     snprintf(place, sizeof place, "%s/%lu/%s.png", directory, number, making->scene);
@@ -258,8 +260,9 @@ static bool write_list(const struct making *making, const char *path, struct err
     bool done = bytes_append(&text, line, strlen(line));
     for (size_t i = 0; i < making->count && done; i++) {
         const struct mistake *mistake = &making->mistakes[i];
-        snprintf(line, sizeof line, "%zu %llu %s %s\n", mistake->row,
-                 (unsigned long long)mistake->apart, mistake->task, mistake->words);
+        snprintf(line, sizeof line, "%zu %llu %s %u %s\n", mistake->row,
+                 (unsigned long long)mistake->apart, mistake->task, mistake->figure,
+                 mistake->words);
         done = bytes_append(&text, line, strlen(line));
     }
     return file_write_encoded(path, done, &text, error);

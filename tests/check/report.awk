@@ -18,6 +18,13 @@ function tasks_of() {
     return match($0, /"tasks": \[[^]]*/) ? substr($0, RSTART + 10, RLENGTH - 10) : ""
 }
 
+# The figures of the lesson that show what an item looks like: "4 or 12".
+function figures_of(    figures) {
+    figures = match($0, /"figures": \[[^]]*/) ? substr($0, RSTART + 12, RLENGTH - 12) : ""
+    gsub(/, /, " or ", figures)
+    return figures
+}
+
 function is_task() { return /^ *[{]"task": / }
 function is_item() { return /^ *[{]"scene": / }
 

@@ -41,12 +41,8 @@ static void report_item(const struct step_result *step, const struct item_result
     if (is_told(step, item)) {
         printf("    %s the same\n", result_likeness(item));
     } else if (item->looks.text[0] != '\0') {
-        printf("    %s %s; make hint STEP=%.2s TASK=%s", result_likeness(item), item->looks.text,
-               step->name + strlen("step"), result_first_suspect(step, item));
-        for (size_t i = 1; i < item->looks_task_count; i++) {
-            printf(" or TASK=%s", item->looks_tasks[i].text);
-        }
-        printf("\n");
+        printf("    %s %s%s\n", result_likeness(item), item->looks.text,
+               result_advice(step, item).text);
     }
 }
 

@@ -7,7 +7,7 @@
  *       zbuffer PASS 4/4: 0.1 % differ (9 pixels), first at (41,30): yours 9,0,0, right 8,0,0
  *     step05_zbuffer  FAIL 2/4 SCORE 4/10
  *       zbuffer FAIL 0/4: 4.4 % of drawn pixels wrong (limit 0.25 %), first at ...
- *         looks like "depth cleared to 0"; make hint STEP=05 TASK=5.2
+ *         looks like "depth cleared to 0": see step05_zbuffer/README.md, figure 4; make hint ...
  *       zbuffer drawn again (halved) NOT JUDGED 0/1: its picture must pass before ...
  *       knot TODO 0/2: task 5.2 is to do
  *       tasks: 5.1 2/2, 5.2 FAIL 0/6, 5.3 2/2
@@ -17,11 +17,12 @@
  *     step05_zbuffer  ERROR 3/4 SCORE 8/10
  *       depth ERROR 0/2: no reference: ...
  *
- * The hint's task is that of the known mistake, or else the first that may be to blame. A task is
- * not FAIL over a scene that it shares when another picture shows it right alone, or when the scene
- * looks like a mistake of another task that it shows or needs; and `perhaps FAIL` where it is not
- * known which of several is to blame, a task that the scene needs is not right either, or the scene
- * looks like a mistake of a task that it neither shows nor needs (result.h).
+ * The figure is the row of the lesson's wrong pictures that the known mistake belongs to, where it
+ * belongs to one. The hint's task is that of the known mistake, or else the first that may be to
+ * blame. A task is not FAIL over a scene that it shares when another picture shows it right alone,
+ * or when the scene looks like a mistake of another task that it shows or needs; and `perhaps FAIL`
+ * where it is not known which of several is to blame, a task that the scene needs is not right
+ * either, or the scene looks like a mistake of a task that it neither shows nor needs (result.h).
  *
  * The fraction in a step's line counts its pictures and counters; all others are points.
  */

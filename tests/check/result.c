@@ -119,7 +119,8 @@ const char *result_likeness(const struct item_result *item) {
     return item->only_may_be ? "may be" : "looks like";
 }
 
-const char *result_first_suspect(const struct step_result *result, const struct item_result *item) {
+/* The first task that may be to blame for an item that is wrong. */
+static const char *first_suspect(const struct step_result *result, const struct item_result *item) {
     const struct credit *credit = item->credit;
     if (item->looks_task_count > 0) {
         return item->looks_tasks[0].text;
@@ -130,6 +131,22 @@ const char *result_first_suspect(const struct step_result *result, const struct 
         }
     }
     return credit->tasks[0].text;
+}
+
+struct result_text result_advice(const struct step_result *result, const struct item_result *item) {
+    struct result_text advice = {""};
+    for (size_t i = 0; i < item->looks_figure_count; i++) {
+        if (i == 0) {
+            result_say(&advice, ": see %s/README.md, figure ", result->name);
+        }
+        result_say(&advice, "%s%u", i > 0 ? " or " : "", item->looks_figures[i]);
+    }
+    result_say(&advice, "; make hint STEP=%.2s TASK=%s", result->name + strlen("step"),
+               first_suspect(result, item));
+    for (size_t i = 1; i < item->looks_task_count; i++) {
+        result_say(&advice, " or TASK=%s", item->looks_tasks[i].text);
+    }
+    return advice;
 }
 
 /* Does the item look like a mistake of this task, which it shows or needs? What only may be one

@@ -55,6 +55,9 @@ struct item_result {
     /* The tasks that are at fault in these, as far as known. */
     struct task_name looks_tasks[LOOKS_NAME_LIMIT];
     size_t looks_task_count;
+    /* The figures of the lesson's wrong pictures that show these. */
+    unsigned looks_figures[LOOKS_NAME_LIMIT];
+    size_t looks_figure_count;
     struct result_path looks_path; /* with that, a file of small pictures of mistakes, */
     size_t looks_row;              /* and which of them it is */
     uint64_t counted, most, least; /* of a counter: the work done, what is enough, what is needed */
@@ -147,8 +150,9 @@ bool result_is_right(const struct step_result *result, const char *task);
 /* The words before `looks`: "looks like", or "may be". */
 const char *result_likeness(const struct item_result *item);
 
-/* The first task that may be to blame for an item that is wrong. */
-const char *result_first_suspect(const struct step_result *result, const struct item_result *item);
+/* What to do about what it looks like: ": see step08_projection/README.md, figure 4" where a figure
+ * shows it, and "; make hint STEP=08 TASK=8b.2 or TASK=8b.3". */
+struct result_text result_advice(const struct step_result *result, const struct item_result *item);
 
 /* Add a finished step to the sums. */
 void check_result_add(struct check_result *result, const struct step_result *step);

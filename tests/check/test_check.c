@@ -943,35 +943,37 @@ static void test_known_counters(void) {
     static const struct {
         const char *step, *list, *options, *wanted;
     } cases[] = {
-        {"step41_counted", "depth - pixels=5,rows=7 41.2 five\n", "",
+        {"step41_counted", "depth - pixels=5,rows=7 41.2 0 five\n", "",
          "depth pixels FAIL 0/1: 5, but it must count 9 or more;   looks like \"five\"; make hint "
          "STEP=41 TASK=41.2; depth2 pixels FAIL 0/1: 5, but it must count 9 or more; depth2 rows"},
-        {"step41_counted", "depth - pixels=5,rows=7 41.2 five\n", "--only depth", "\"five\""},
-        {"step41_counted", "depth - pixels=5,rows=7 41.2 five\n", "--only depth2", ""},
-        {"step41_counted", "depth - pixels=5,rows=8 41.2 as the other scene\n", "", ""},
-        {"step41_counted", "depth - pixels=5 41.2 not all of it\n", "", ""},
-        {"step41_counted", "depth2 - pixels=5,rows=8 41.2 five\n", "",
+        {"step41_counted", "depth - pixels=5,rows=7 41.2 4 five\n", "--only depth",
+         "looks like \"five\": see step41_counted/README.md, figure 4; make hint STEP=41 "
+         "TASK=41.2"},
+        {"step41_counted", "depth - pixels=5,rows=7 41.2 0 five\n", "--only depth2", ""},
+        {"step41_counted", "depth - pixels=5,rows=8 41.2 0 as the other scene\n", "", ""},
+        {"step41_counted", "depth - pixels=5 41.2 0 not all of it\n", "", ""},
+        {"step41_counted", "depth2 - pixels=5,rows=8 41.2 0 five\n", "",
          "depth2 pixels FAIL 0/1: 5, but it must count 9 or more;   looks like \"five\"; make hint "
          "STEP=41 TASK=41.2; depth2 rows FAIL 0/1: 8, but it must count 9 or more;   looks like "
          "the same"},
-        {"step41_counted", "depth rr pixels=5,rows=7 41.2 of a picture\n", "", ""},
-        {"step42_black", "depth2 rbb pixels=5 42.2 black\ndepth3 rbb pixels=0 42.2 black\n", "",
+        {"step41_counted", "depth rr pixels=5,rows=7 41.2 0 of a picture\n", "", ""},
+        {"step42_black", "depth2 rbb pixels=5 42.2 0 black\ndepth3 rbb pixels=0 42.2 0 black\n", "",
          "may be \"black\"; make hint STEP=42 TASK=42.2; depth3 FAIL 0/1: "},
-        {"step42_black", "depth2 rbb pixels=5 42.2 black\ndepth3 rbb pixels=0 42.2 black\n", "",
+        {"step42_black", "depth2 rbb pixels=5 42.2 0 black\ndepth3 rbb pixels=0 42.2 0 black\n", "",
          "may be the same"},
-        {"step42_black", "depth2 rbb pixels=5 42.2 black\ndepth3 rbb pixels=1 42.2 black\n", "",
+        {"step42_black", "depth2 rbb pixels=5 42.2 0 black\ndepth3 rbb pixels=1 42.2 0 black\n", "",
          ""},
-        {"step42_black", "depth2 rbb pixels=5 42.2 black\n", "", ""},
-        {"step42_black", "depth2 rbb pixels=5 42.2 black\n", "--only depth2", ""},
-        {"step42_black", "depth2 rbr pixels=5 42.2 black\n", "", ""},
-        {"step42_black", "depth2 bbb pixels=5 42.2 black\n", "", ""},
-        {"step42_black", "depth2 rbb pixels=6 42.2 black\n", "", ""},
-        {"step42_black", "depth2 - pixels=5 42.2 of a counter\n", "", ""},
-        {"step43_divided", "depth2 rd - 43.2 by 0\n", "",
+        {"step42_black", "depth2 rbb pixels=5 42.2 0 black\n", "", ""},
+        {"step42_black", "depth2 rbb pixels=5 42.2 0 black\n", "--only depth2", ""},
+        {"step42_black", "depth2 rbr pixels=5 42.2 0 black\n", "", ""},
+        {"step42_black", "depth2 bbb pixels=5 42.2 0 black\n", "", ""},
+        {"step42_black", "depth2 rbb pixels=6 42.2 0 black\n", "", ""},
+        {"step42_black", "depth2 - pixels=5 42.2 0 of a counter\n", "", ""},
+        {"step43_divided", "depth2 rd - 43.2 0 by 0\n", "",
          "depth2 CRASH 0/1: SIGFPE;   looks like \"by 0\"; make hint STEP=43 TASK=43.2"},
-        {"step43_divided", "depth2 rb - 43.2 black\n", "", ""},
-        {"step43_divided", "depth2 rd pixels=5 43.2 counted\n", "", ""},
-        {"step13_crash", "depth2 rd - 13.1 another crash\n", "", ""},
+        {"step43_divided", "depth2 rb - 43.2 0 black\n", "", ""},
+        {"step43_divided", "depth2 rd pixels=5 43.2 0 counted\n", "", ""},
+        {"step13_crash", "depth2 rd - 13.1 0 another crash\n", "", ""},
     };
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         check_known(cases[i].step, cases[i].list, cases[i].options, cases[i].wanted);

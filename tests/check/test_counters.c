@@ -167,24 +167,31 @@ static struct counted_list read_list(const char *text, size_t size) {
 }
 
 static void test_files(void) {
-    static const char line[] = "depth rbr tested=5 5.2 a \"b\" 7\n";
+    static const char line[] = "depth rbr tested=5 5.2 4 a \"b\" 7\n";
     static const struct {
         const char *text;
         size_t count;
     } cases[] = {
         {"", 0},
         {"# words\n", 0},
-        {"depth - tested=5 - not counted", 1},
+        {"depth - tested=5 - 0 not counted", 1},
         {"depth - tested=5 5.2\n", 0},
         {"depth - tested=5 5.2 \n", 0},
+        {"depth - tested=5 5.2 no figure\n", 0},
+        {"depth - tested=5 5.2 -4 no figure\n", 0},
+        {"depth - tested=5 5.2 4x no figure\n", 0},
+        {"depth - tested=5 5.2 12345 figures\n", 0},
+        {"depth - tested=5 5.2 4\n", 0},
+        {"depth - tested=5 5.2 1234 figures\n", 1},
         {"depth\n", 0},
         {"\n", 0},
-        {"depth rbx tested=5 5.2 a letter that is none\n", 0},
-        {"depth rbd - 5.2 black, and a crash\n", 1},
-        {"depth rb? tested=5 5.2 what is to do is known of no mistake\n", 0},
-        {"depth - tested=5 5.2000000000 too long for a task\n", 0},
-        {"depth  tested=5 5.2 no word for the pictures\n", 0},
-        {"depth rrrrrrrrrrrrrrrrrrrrrrrrrrrrrrrrrrrrrrrrrrrrrrrrrrrrrrrrrrrrrrrrrrrr - 5.2 long\n",
+        {"depth rbx tested=5 5.2 0 a letter that is none\n", 0},
+        {"depth rbd - 5.2 0 black, and a crash\n", 1},
+        {"depth rb? tested=5 5.2 0 what is to do is known of no mistake\n", 0},
+        {"depth - tested=5 5.2000000000 0 too long for a task\n", 0},
+        {"depth  tested=5 5.2 0 no word for the pictures\n", 0},
+        {"depth rrrrrrrrrrrrrrrrrrrrrrrrrrrrrrrrrrrrrrrrrrrrrrrrrrrrrrrrrrrrrrrrrrrr - 5.2 0 "
+         "long\n",
          0},
     };
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
@@ -206,8 +213,9 @@ static void test_files(void) {
     CHECK_TEXT(list.list[0].counters.text, "tested=5");
     CHECK_TEXT(list.list[0].look.task.text, "5.2");
     CHECK_TEXT(list.list[0].look.words, "a \"b\" 7");
+    CHECK(list.list[0].look.figure == 4);
     counted_free(&list);
-    list = read_list("depth - tested=5 - a\n", 21);
+    list = read_list("depth - tested=5 - 0 a\n", 23);
     CHECK(list.count == 1 && list.list[0].look.task.text[0] == '\0');
     counted_free(&list);
     counted_read(&list, "/tmp/there is no such directory", "a");
@@ -218,8 +226,8 @@ static void test_files(void) {
 static void test_hostile_files(void) {
     enum { SIZE = 8192 };
     static char text[SIZE];
-    static const char *const begins[] = {"", "depth ", "depth - ", "depth - a=1 ",
-                                         "depth - a=1 5.2 "};
+    static const char *const begins[] = {
+        "", "depth ", "depth - ", "depth - a=1 ", "depth - a=1 5.2 ", "depth - a=1 5.2 0 "};
     for (size_t i = 0; i < sizeof begins / sizeof begins[0]; i++) {
         for (size_t size = 1; size <= SIZE; size *= 2) {
             memset(text, 'r', sizeof text);
@@ -233,7 +241,7 @@ static void test_hostile_files(void) {
             counted_free(&list);
         }
     }
-    struct counted_list list = read_list("depth - a=1 5.2 a\n\0depth - a=1 5.2 b\n", 37);
+    struct counted_list list = read_list("depth - a=1 5.2 0 a\n\0depth - a=1 5.2 0 b\n", 41);
     CHECK(list.count == 1);
     counted_free(&list);
 }
@@ -241,22 +249,22 @@ static void test_hostile_files(void) {
 /* ---- Which mistake it is ---- */
 
 static const char known[] = "# words\n"
-                            "depth - tested=5 5.2 five\n"
-                            "depth - tested=0 5.2 none\n"
-                            "depth - tested=0 5.3 none, again\n"
-                            "deep - tested=7 5.2 seven elsewhere\n"
-                            "depth rbr tested=5 5.2 five, and black\n"
-                            "depth bbr tested=5 5.2 five, and black from the begin\n"
-                            "depth rbb - 5.3 nothing\n"
-                            "depth - tested=1 - a\n"
-                            "depth - tested=1 - b\n"
-                            "depth - tested=1 - c\n"
-                            "depth - tested=1 - d\n"
-                            "depth - tested=2 - a\n"
-                            "depth - tested=2 - b\n"
-                            "depth - tested=2 - c\n"
-                            "depth - tested=2 - d\n"
-                            "depth - tested=2 - e\n";
+                            "depth - tested=5 5.2 0 five\n"
+                            "depth - tested=0 5.2 0 none\n"
+                            "depth - tested=0 5.3 0 none, again\n"
+                            "deep - tested=7 5.2 0 seven elsewhere\n"
+                            "depth rbr tested=5 5.2 0 five, and black\n"
+                            "depth bbr tested=5 5.2 0 five, and black from the begin\n"
+                            "depth rbb - 5.3 0 nothing\n"
+                            "depth - tested=1 - 0 a\n"
+                            "depth - tested=1 - 0 b\n"
+                            "depth - tested=1 - 0 c\n"
+                            "depth - tested=1 - 0 d\n"
+                            "depth - tested=2 - 0 a\n"
+                            "depth - tested=2 - 0 b\n"
+                            "depth - tested=2 - 0 c\n"
+                            "depth - tested=2 - 0 d\n"
+                            "depth - tested=2 - 0 e\n";
 
 static void test_what_is_told(void) {
     static const struct {
@@ -307,13 +315,13 @@ static void test_what_is_told(void) {
 
 /* Two scenes are black: what they count must be one mistake's, and one of them must tell it. */
 static void test_of_two_scenes(void) {
-    static const char list_text[] = "depth bb tested=5 5.2 five\n"
-                                    "deep bb - 5.2 five\n"
-                                    "depth bb tested=6 5.2 six\n"
-                                    "deep bb - 5.2 six\n"
-                                    "depth bb tested=5 5.3 five\n"
-                                    "depth bb - 5.3 nothing\n"
-                                    "deep bb - 5.3 nothing\n";
+    static const char list_text[] = "depth bb tested=5 5.2 0 five\n"
+                                    "deep bb - 5.2 0 five\n"
+                                    "depth bb tested=6 5.2 0 six\n"
+                                    "deep bb - 5.2 0 six\n"
+                                    "depth bb tested=5 5.3 0 five\n"
+                                    "depth bb - 5.3 0 nothing\n"
+                                    "deep bb - 5.3 0 nothing\n";
     static const struct {
         const char *counters, *words, *task;
         bool tells;

@@ -98,6 +98,22 @@ static void test_hostile_texts(void) {
     }
 }
 
+/* The figures that show what it looks like. */
+static void test_figures(void) {
+    struct fixture f;
+    set_up(&f, RESULT_FAIL, "five");
+    check_report(export_json, &f, "\"looks_like\": \"five\"", "}", "");
+    f.item.looks_figures[f.item.looks_figure_count++] = 4;
+    check_report(export_json, &f, "\"looks_like\": \"five\", \"figures\": [", "4", "]}");
+    check_report(export_html, &f, "<p>looks like five: see ", "step05_zbuffer/README.md, figure 4",
+                 "; make hint STEP=05 TASK=5.2</p>");
+    f.item.looks_figures[f.item.looks_figure_count++] = 12;
+    check_report(export_json, &f, "\"looks_like\": \"five\", \"figures\": [", "4, 12", "]}");
+    check_report(export_html, &f, "<p>looks like five: see ",
+                 "step05_zbuffer/README.md, figure 4 or 12", "; make hint STEP=05 TASK=5.2</p>");
+    bytes_free(&f.step.messages);
+}
+
 /* What a counter looks like is told as that of a picture is, without small pictures. */
 static void test_counters(void) {
     struct fixture f;
@@ -145,4 +161,4 @@ static void test_long_texts(void) {
     bytes_free(&text);
 }
 
-UNIT_MAIN(TEST(test_hostile_texts), TEST(test_counters), TEST(test_long_texts))
+UNIT_MAIN(TEST(test_hostile_texts), TEST(test_figures), TEST(test_counters), TEST(test_long_texts))

@@ -260,6 +260,31 @@ static void test_told(void) {
     tear_down(&f);
 }
 
+/* The figures of all mistakes that are told, each once; 0 stands for none. */
+static void test_figures(void) {
+    static const struct {
+        unsigned figures[2];
+        const char *right;
+        size_t count;
+        unsigned first;
+    } cases[] = {
+        {{4, 7}, NULL, 2, 4},        {{4, 4}, NULL, 1, 4}, {{0, 7}, NULL, 1, 7},
+        {{0, 0}, NULL, 0, 0},        {{4, 0}, NULL, 1, 4}, {{4, 7}, "the third", 1, 7},
+        {{4, 0}, "the third", 0, 0},
+    };
+    struct fixture f;
+    set_up(&f);
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        struct item_result item = {.scene = "scene"};
+        f.looks.list[2].figure = cases[i].figures[0];
+        f.looks.list[3].figure = cases[i].figures[1];
+        looks_tell(&item, &f.looks, 4, cases[i].right != NULL ? doubt_that : NULL, cases[i].right);
+        CHECK(item.looks_figure_count == cases[i].count);
+        CHECK(item.looks_figures[0] == cases[i].first);
+    }
+    tear_down(&f);
+}
+
 /* Of eight pixels that are wrong one may be so in another way. */
 static void test_explained(void) {
     static const struct {
@@ -308,17 +333,19 @@ static void test_files(void) {
         const char *list;
         size_t count, starter;
     } cases[] = {
-        {"# words\n2 1000 - the first\n0 0 5.2 nothing\n4 99 10b.12 a \"b\"\n", 3, 0},
-        {"2 1000 - the first\n3 1000 - (the starter)\n", 1, 3},
-        {"2 1000 - the first\n0 0 - (the starter)\n", 1, 0},
-        {"2 1000 - the first\n5 1000 - (the starter)\n", 0, 0},
+        {"# words\n2 1000 - 0 the first\n0 0 5.2 0 nothing\n4 99 10b.12 14 a \"b\"\n", 3, 0},
+        {"2 1000 - 0 the first\n3 1000 - 0 (the starter)\n", 1, 3},
+        {"2 1000 - 0 the first\n0 0 - 0 (the starter)\n", 1, 0},
+        {"2 1000 - 0 the first\n5 1000 - 0 (the starter)\n", 0, 0},
         {"", 0, 0},
-        {"5 1000 - no such row\n", 0, 0},
-        {"1 1000 - the reference\n", 0, 0},
+        {"5 1000 - 0 no such row\n", 0, 0},
+        {"1 1000 - 0 the reference\n", 0, 0},
         {"2 1000\n", 0, 0},
         {"2 1000 -\n", 0, 0},
-        {"-3 1000 - a\n", 0, 0},
-        {"x 1000 - a\n", 0, 0},
+        {"2 1000 - 4\n", 0, 0},
+        {"2 1000 - the first\n", 0, 0},
+        {"-3 1000 - 0 a\n", 0, 0},
+        {"x 1000 - 0 a\n", 0, 0},
     };
     char directory[] = "/tmp/test_looks.XXXXXX", path[64], command[80];
     struct fixture f;
@@ -337,7 +364,8 @@ static void test_files(void) {
         CHECK_ROW(looks.count == cases[i].count && looks.starter == cases[i].starter,
                   cases[i].list);
         CHECK(i > 0 || (strcmp(looks.list[0].task.text, "") == 0 &&
-                        strcmp(looks.list[2].task.text, "10b.12") == 0));
+                        strcmp(looks.list[2].task.text, "10b.12") == 0 &&
+                        looks.list[0].figure == 0 && looks.list[2].figure == 14));
         looks_free(&looks);
     }
     looks_read(&looks, directory, "a", "c");
@@ -387,4 +415,5 @@ static void test_shrinking(void) {
 
 UNIT_MAIN(TEST(test_places), TEST(test_what_is_told), TEST(test_doubt), TEST(test_near),
           TEST(test_small_pictures), TEST(test_black), TEST(test_shrinking), TEST(test_names),
-          TEST(test_told), TEST(test_explained), TEST(test_out_of_date), TEST(test_files))
+          TEST(test_told), TEST(test_figures), TEST(test_explained), TEST(test_out_of_date),
+          TEST(test_files))

@@ -134,4 +134,30 @@ static void test_needs_excuse(void) {
     check_blame(cases, sizeof cases / sizeof cases[0]);
 }
 
-UNIT_MAIN(TEST(test_pictures_show), TEST(test_likenesses_name), TEST(test_needs_excuse))
+/* Where to read about a mistake, and what to ask for: as far as it is known. */
+static void test_advice(void) {
+    static const struct {
+        size_t figures, tasks;
+        const char *advice;
+    } cases[] = {
+        {0, 0, "; make hint STEP=08 TASK=8b.1"},
+        {0, 2, "; make hint STEP=08 TASK=8b.2 or TASK=8c.1"},
+        {1, 1, ": see step08_a/README.md, figure 4; make hint STEP=08 TASK=8b.2"},
+        {2, 0, ": see step08_a/README.md, figure 4 or 12; make hint STEP=08 TASK=8b.1"},
+    };
+    const struct credit credit = {.tasks = {{"8b.1"}}, .task_count = 1};
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        struct item_result item = {.scene = "scene",
+                                   .counter = "",
+                                   .credit = &credit,
+                                   .looks_tasks = {{"8b.2"}, {"8c.1"}},
+                                   .looks_task_count = cases[i].tasks,
+                                   .looks_figures = {4, 12},
+                                   .looks_figure_count = cases[i].figures};
+        const struct step_result step = {.name = "step08_a", .items = &item, .item_count = 1};
+        CHECK_TEXT(result_advice(&step, &item).text, cases[i].advice);
+    }
+}
+
+UNIT_MAIN(TEST(test_advice), TEST(test_pictures_show), TEST(test_likenesses_name),
+          TEST(test_needs_excuse))

@@ -46,7 +46,7 @@ mkdir -p "$work/course/tests/check" && cp tests/check/scenes.txt "$work/course/t
     fail 1 "a mistakes.txt is wrong"
 cd - >/dev/null || exit 1
 for lesson in $lessons; do
-    printf '%s\t%s\tsolution\tsolution\t-\t-\t-\t-\t-\n' "$lesson.solution" "$lesson"
+    printf '%s\t%s\tsolution\tsolution\t-\t-\t-\t-\t-\t0\t-\n' "$lesson.solution" "$lesson"
 done >>"$work/table"
 cut -f 1 "$work/table" |
     xargs -P "$workers" -n 1 tests/handout/draw.sh "$build" "$make" "$work" || fail 1 "stopped"

@@ -90,18 +90,21 @@ cat >step01_line/mistakes.txt <<'END'
 mistake axes
 says the axes exchanged
 scene pixel
+figure 1
 - image_set(image, 52, 41,
 + image_set(image, 41, 52,
 
 mistake blue
 says blue for red
 scene pixel
+figure 1
 - image_set(image, 52, 41, color_rgb(255, 0, 0));
 + image_set(image, 52, 41, color_rgb(0, 0, 255));
 
 mistake purple
 says too much blue
 scene pixel
+figure 2 20x10+45+35
 - image_set(image, 52, 41, color_rgb(255, 0, 0));
 + image_set(image, 52, 41, color_rgb(255, 0, 255));
 
@@ -119,9 +122,11 @@ looks() {
 looks
 verify 0
 says 'step01_line  *4/4  *4/4  *0/0  *5/5  to do  *exact'
+grep -q '^2 2 1\.1 1 the axes exchanged$' tests/check/looks/step01_line/pixel.txt ||
+    wrong "not kept: figure 1"
 counters=tests/check/looks/step01_line/counters.list
 cp "$counters" kept
-grep -q '^pixel brrrrrr - 1\.1 no pixel$' kept || wrong "not kept: no pixel"
+grep -q '^pixel brrrrrr - 1\.1 0 no pixel$' kept || wrong "not kept: no pixel"
 sed -i.old 's/ no pixel/ nothing/' "$counters"
 verify 1 nothing
 says 'MISLEADS step01/nothing: FAIL '
@@ -155,7 +160,81 @@ verify 1 axes
 says 'MISLEADS step01/axes: FAIL 0/1'
 looks
 verify 0
+
+# ---- Figures ----
+
+# The first mistake of a figure gives its picture, of the part that it names.
+figures=step01_line/figures
+has_size() {
+    set -- "$1" "$2" "$(od -An -tu1 -j16 -N8 "$figures/$1" |
+        awk '{ print $3 * 256 + $4 " " $7 * 256 + $8 }')"
+    [ "$3" = "$2" ] || wrong "$1 has $3 pixels, not $2"
+}
+has_size wrong_01.png '404 200'
+has_size wrong_02.png '404 100'
+cp "$figures/wrong_02.png" "$figures/wrong_01.png"
+rm "$figures/wrong_02.png"
+verify 1
+says "STALE step01/axes: $figures/wrong_01.png: make mistakes STEP=01"
+says "STALE step01/purple: $figures/wrong_02.png: make mistakes STEP=01"
+echo old >"$figures/wrong_03.png"
+looks
+verify 0
+[ ! -f "$figures/wrong_03.png" ] || wrong "figure 3 is still there"
+cp step01_line/mistakes.txt mistakes.kept
+sed 's/^figure 2 .*/figure 2/' mistakes.kept >step01_line/mistakes.txt
+verify 1 purple
+says "STALE step01/purple: $figures/wrong_02.png"
+awk '/^figure 1$/ && seen++ { $2 = 2 } { print }' mistakes.kept |
+    sed '/^mistake purple/,$ s/^figure.*/figure 1/' >step01_line/mistakes.txt
+verify 1 blue
+says 'STALE step01/blue: not in '
+sed 's/^says no pixel/&\nfigure 3/' mistakes.kept >step01_line/mistakes.txt
+verify 1 nothing
+says 'ERROR step01/nothing: no figure 3: figure_make: all of it is black'
+tests/verify/mistakes.sh "$build" "make -s BUILD='$build'" 01 >said 2>&1 && wrong "a black figure"
+says 'mistakes: step01_line: no picture of nothing'
 rm -r tests/check/looks
+cp mistakes.kept step01_line/mistakes.txt
+
+# agree STATUS [MESSAGE]: whether table, list and pictures do.
+agree() {
+    awk -f tests/verify/figures.awk step01_line/README.md step01_line/mistakes.txt >said
+    status=$?
+    [ $status -eq "$1" ] || wrong "figures.awk: status $status, not $1"
+    [ -z "$2" ] || says "$2"
+}
+table() {
+    { printf '# Title\n\n## Common wrong pictures\n\n| figure | b | c |\n| ---: | --- | --- |\n' &&
+        cat && printf '\n| another | table |\n| --- | --- |\n| x | y |\n\n## More\n'; } \
+        >step01_line/README.md
+}
+table <<'END'
+| 1 | ![a b](figures/wrong_01.png) | c |
+| | | nothing to see |
+| 2 | ![b](figures/wrong_02.png) | c |
+END
+echo >"$figures/wrong_01.png" && echo >"$figures/wrong_02.png"
+agree 0
+sed -i.old 's/^| 2 /| 3 /' step01_line/README.md
+agree 1 'step01_line/README.md:9: figure 3 follows 1'
+sed 's/^| 2 /| x /' step01_line/README.md.old >step01_line/README.md
+agree 1 'step01_line/README.md:9: a row begins with neither a number nor an empty column'
+sed 's/^| 2 /| /' step01_line/README.md.old >step01_line/README.md
+agree 1 'step01_line/README.md:9: a picture without a number'
+sed 's/^| 2 .*/| 2 | | c |/' step01_line/README.md.old >step01_line/README.md
+agree 1 'step01_line/README.md:9: figure 2 is not '
+sed 's/wrong_02/wrong_01/' step01_line/README.md.old >step01_line/README.md
+agree 1 'step01_line/README.md:9: figure 2 is not '
+sed '/^| 2 /d' step01_line/README.md.old >step01_line/README.md
+agree 1 'step01_line/mistakes.txt:18: figure 2 is not in the table'
+says 'step01_line/figures/wrong_02.png: is in no row of the table'
+cp step01_line/README.md.old step01_line/README.md
+sed -i.old '/^figure 2/d' step01_line/mistakes.txt
+agree 1 'step01_line/README.md: no mistake draws figure 2'
+mv step01_line/mistakes.txt.old step01_line/mistakes.txt
+rm "$figures/wrong_02.png"
+agree 1 'step01_line/README.md:9: figures/wrong_02.png is missing'
 
 # ---- Findings ----
 
@@ -264,11 +343,36 @@ scene pixel
 - walk->u++;
 + walk->u--;
 END
+printf 'accept a\nsays b\nbuild CFLAGS=-O1\nfigure 1\n' >tests/accept/step01.txt
+: | mistakes
+verify 1
+says 'tests/accept/step01.txt:1: a: a correct program has no figure'
+rm tests/accept/step01.txt
 refused 1 'mistakes stand in ' <<'END'
 accept a
 says b
 build CC=clang
 END
+refused 5 'b: the picture of figure 1 is that of a mistake before it' <<'END'
+mistake a
+says b
+scene pixel
+figure 1
+mistake b
+says b
+scene pixel
+figure 1 20x10+45+35
+- walk->u++;
++ walk->u--;
+END
+for figure in 0 x 4x '4 20x10' '4 20x10+-1+2' '4 20x10+1+2 3'; do
+    refused 4 "a line that means nothing: figure $figure" <<END
+mistake a
+says b
+scene pixel
+figure $figure
+END
+done
 refused 2 'a line that means nothing: say b' <<'END'
 mistake a
 say b

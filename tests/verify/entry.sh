@@ -6,7 +6,7 @@ make=$2
 work=$3
 number=$4
 tab=$(printf '\t')
-IFS=$tab read -r _ lesson kind name scene compiler flags task says <<END
+IFS=$tab read -r _ lesson kind name scene compiler flags task says figure part <<END
 $(grep "^$number$tab" "$work/table")
 END
 place=$work/$number
@@ -36,6 +36,6 @@ check() {
 # tests/check/looks/STEP/counters.list. Nothing when there is no such file.
 list_counted() {
     [ ! -f "$1" ] || uniq "$1" | while read -r line; do # of two counters of a scene, one line
-        printf '%s %s %s\n' "$line" "$task" "$says"
+        printf '%s %s %s %s\n' "$line" "$task" "$figure" "$says"
     done
 }

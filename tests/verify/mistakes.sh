@@ -1,14 +1,16 @@
 #!/bin/sh
 # Draws what the mistakes of each stepNN_name/mistakes.txt draw, and keeps what they look like in
-# tests/check/looks, where the check finds it (tests/check/looks.h says how). To be called again
-# after a change of a lesson's main.c, scenes, references or mistakes.txt.
+# tests/check/looks, where the check finds it (tests/check/looks.h says how); and as figure 4 of the
+# lesson's wrong pictures, stepNN_name/figures/wrong_04.png, what the first mistake of that figure
+# draws (tests/check/wrong_figure.h). To be called again after a change of a lesson's main.c, scenes,
+# references or mistakes.txt.
 #
 #   tests/verify/mistakes.sh BUILD MAKE [STEP [MEASURE]]
 #
-# MAKE builds a program; STEP is 5, 05 or step05_zbuffer. Works in BUILD, where the check, looks_make,
-# the library and the models must be built. As many at a time as there are processors; WORKERS=1 in
-# the environment for one. With MEASURE (any word) it also says what each mistake would look like if
-# it were not known.
+# MAKE builds a program; STEP is 5, 05 or step05_zbuffer. Works in BUILD, where the check,
+# looks_make, figure_make, the library and the models must be built. As many at a time as there are
+# processors; WORKERS=1 in the environment for one. With MEASURE (any word) it also says what each
+# mistake would look like if it were not known.
 #
 # Exit status 0: done; 1: a list is wrong, or something cannot be written.
 cd "$(dirname "$0")/../.." || exit 1
@@ -23,7 +25,8 @@ trap 'exit 1' HUP INT TERM
 
 # keep LESSON: what its mistakes look like, scene by scene.
 keep() {
-    grep "	$1	" "$work/table" | cut -f 1,8,9 >"$work/list"
+    awk -F '\t' -v lesson="$1" -v OFS='\t' '$2 == lesson { print $1, $8, $10, $9 }' "$work/table" \
+        >"$work/list"
     rm -rf "tests/check/looks/$1"
     # shellcheck disable=SC2013 # one word a line
     for scene in $(awk -v lesson="$1" '$1 == lesson { print $2 }' tests/check/scenes.txt); do
@@ -47,11 +50,22 @@ keep_counted() {
     } >"tests/check/looks/$1/counters.list" || exit 1
 }
 
+# draw_figures LESSON: the pictures of its table of wrong pictures.
+draw_figures() {
+    rm -f "$1"/figures/wrong_[0-9][0-9].png
+    awk -F '\t' '$11 != "-" { printf "%s %s %s %s wrong_%02d.png\n", $1, $4, $5, $11, $10 }' \
+        "$work/table" | while read -r number name scene part figure; do
+        mkdir -p "$1/figures" &&
+            "$build/figure_make" "tests/reference/$1/$scene.png" "$work/$number/$scene.png" \
+                "$part" "$1/figures/$figure" || { echo "mistakes: $1: no picture of $name" >&2 && exit 1; }
+    done || exit 1
+}
+
 # add_starter LESSON: an entry of the table for what is there when nothing is drawn (looks.h).
 add_starter() {
     mkdir "$work/0" && awk -v mode=starter -f tests/starter/marks.awk "$1/main.c" >"$work/0/main.c" ||
         exit 1
-    printf '0\t%s\tmistake\tstarter\t-\t-\t-\t-\t(the starter)\n' "$1" >>"$work/table"
+    printf '0\t%s\tmistake\tstarter\t-\t-\t-\t-\t(the starter)\t0\t-\n' "$1" >>"$work/table"
 }
 
 found=
@@ -67,6 +81,7 @@ for lesson in step[0-9]*_*/mistakes.txt; do
     cut -f 1 "$work/table" |
         xargs -P "$workers" -n 1 tests/verify/draw.sh "$build" "$make" "$work" || exit 1
     keep "$lesson"
+    draw_figures "$lesson"
     find "$work" -mindepth 1 -delete
     echo "$lesson: $(cat "tests/check/looks/$lesson"/* 2>/dev/null | wc -c) bytes"
 done

@@ -14,6 +14,13 @@
 #
 # `scene` names the scene of tests/check/scenes.txt that must show it. The task that is at fault is
 # that of the marks around the changed text; a line `task 2a.3` names another one.
+#
+#   figure 4
+#
+# names the row of the table of wrong pictures in stepNN_name/README.md that it belongs to. The
+# first one with that figure gives its picture: of its scene, the part around all that is wrong, or
+# another part: `figure 4 60x40+10+20` is 60 pixels wide and 40 high, from (10,20) on.
+#
 # tests/accept/stepNN.txt has programs that are correct, `accept NAME`: all scenes must pass, so it
 # names none. Both may have
 #
@@ -23,7 +30,8 @@
 # and where one of them stands, nothing need be replaced.
 #
 # Prints, with tabs between: number, lesson, mistake or accept, name, scene, compiler, flags, task,
-# what it says; - where there is nothing. DIR/NUMBER/main.c is its source.
+# what it says, the figure (0 for none), and of who gives its picture the part (`auto`, where none
+# is named); - where there is nothing. DIR/NUMBER/main.c is its source.
 
 # Is the scene one of the lesson's?
 function is_scene(lesson, scene,    line, part) {
@@ -81,6 +89,18 @@ function check_entry() {
     if (changes == 0 && compiler == "-" && flags == "-") {
         wrong(begin, name ": changes nothing")
     }
+    if (kind == "accept" && figure > 0) {
+        wrong(begin, name ": a correct program has no figure")
+    }
+}
+
+# Only one mistake gives the picture of a figure.
+function check_figure() {
+    if (figure > 0 && !shown[lesson "/" figure]++) {
+        part = part == "-" ? "auto" : part
+    } else if (part != "-") {
+        wrong(begin, name ": the picture of figure " figure " is that of a mistake before it")
+    }
 }
 
 # The entry that began at `begin` is complete.
@@ -89,6 +109,7 @@ function finish(    text) {
         return
     }
     check_entry()
+    check_figure()
     text = changed_text(lesson "/main.c", name)
     if (task == "-" && kind == "mistake") {
         task = task_of(source_text(lesson "/main.c"))
@@ -96,8 +117,8 @@ function finish(    text) {
     if (index(name, only) > 0) {
         count++
         write_source(text)
-        printf "%d\t%s\t%s\t%s\t%s\t%s\t%s\t%s\t%s\n", \
-            count, lesson, kind, name, scene, compiler, flags, task, says
+        printf "%d\t%s\t%s\t%s\t%s\t%s\t%s\t%s\t%s\t%d\t%s\n", \
+            count, lesson, kind, name, scene, compiler, flags, task, says, figure, part
     }
     name = ""
 }
@@ -115,7 +136,8 @@ function begin_list() {
     kind = $1
     name = $2
     says = ""
-    scene = task = compiler = flags = "-"
+    scene = task = compiler = flags = part = "-"
+    figure = 0
     begin_changes()
     if ((kind == "mistake") != (path ~ /\/mistakes\.txt$/)) {
         wrong(FNR, "mistakes stand in stepNN_name/mistakes.txt, correct programs in tests/accept")
@@ -126,6 +148,11 @@ name == "" { wrong(FNR, "this is in no paragraph of a mistake: " $0); next }
 /^says ./ { says = substr($0, 6); next }
 /^scene ./ { scene = $2; next }
 /^task [1-9][0-9]*[a-z]?\.[1-9][0-9]*$/ { task = $2; next }
+/^figure [1-9][0-9]*( [0-9]+x[0-9]+\+[0-9]+\+[0-9]+)?$/ {
+    figure = $2
+    part = NF == 3 ? $3 : "-"
+    next
+}
 /^build CC=./ { compiler = substr($0, 10); next }
 /^build CFLAGS=./ { flags = substr($0, 14); next }
 { wrong(FNR, "a line that means nothing: " $0) }

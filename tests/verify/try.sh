@@ -41,7 +41,7 @@ judge_counted() {
     [ -d "${list%/*}" ] || return
     check --counted "$place/shown"
     list_counted "$place/shown" >"$place/now"
-    awk -v says="$task $says" 'substr($0, length($1 " " $2 " " $3) + 2) == says' "$list" \
+    awk -v says="$task $figure $says" 'substr($0, length($1 " " $2 " " $3) + 2) == says' "$list" \
         >"$place/kept" 2>/dev/null
     same=$(awk -v scene="$scene" '{ key = $1 " " $2 " " $3 }
         FNR == NR { if ($1 == scene) wanted = key; next }
@@ -62,7 +62,7 @@ judge_looks() {
     redo="make mistakes STEP=${lesson#step}"
     redo=${redo%%_*}
     row=none
-    [ ! -f "$list" ] || row=$(awk -v says="$task $says" '
+    [ ! -f "$list" ] || row=$(awk -v says="$task $figure $says" '
         substr($0, length($1 " " $2) + 2) == says { row = $1 > row ? $1 : row; found = 1 }
         END { print found ? row + 0 : "none" }' "$list")
     distance=$(awk 'END { print $7 }' "$place/shares" 2>/dev/null)
@@ -82,10 +82,23 @@ judge_looks() {
     esac
 }
 
+# The mistake whose picture stands in the lesson's table of wrong pictures still draws that one.
+judge_figure() {
+    kept=$lesson/figures/wrong_$(printf %02d "$figure").png
+    "$build/figure_make" "tests/reference/$lesson/$scene.png" \
+        "$place/differences/$lesson/yours/$scene.png" "$part" "$place/figure.png" \
+        2>"$place/errors" || finding ERROR "no figure $figure: $(cat "$place/errors")"
+    [ ! -f "$place/figure.png" ] || cmp -s "$place/figure.png" "$kept" ||
+        finding STALE "$kept: make mistakes STEP=$(expr "$lesson" : 'step\([0-9]*\)')"
+}
+
 judge() {
     case $kind:$status:$said in
     mistake:1:BUILD*) finding ERROR "$said" ;;
-    mistake:1:*) judge_looks ;;
+    mistake:1:*)
+        case $part in -) ;; *) judge_figure ;; esac
+        judge_looks
+        ;;
     undone:1:TODO\ * | undone:1:BUILD*) ;; # all that fails needs it, or nothing can be built
     starter:1:TODO\ 0/* | accept:0:* | solution:0:*' exact') ;; # as it should be
     mistake:0:*) finding PASSES "${said#PASS } ($says)$(describe_others)" ;;

@@ -2,8 +2,8 @@
 # Does the check fail every mistake, and pass every correct program? For every lesson: the solution
 # must pass exactly, the starter must be to do, a solution in which one task is as in the starter must
 # fail nothing that does not need it, each mistake of stepNN_name/mistakes.txt must fail in
-# the scene that it names and look like itself there (tests/check/looks.h), each program of
-# tests/accept/stepNN.txt must pass.
+# the scene that it names and look like itself there (tests/check/looks.h), and draw its lesson's
+# figure where it gives one; each program of tests/accept/stepNN.txt must pass.
 #
 #   tests/verify/verify.sh BUILD MAKE [STEP [PATTERN]]
 #
@@ -55,7 +55,7 @@ add_program() {
     mkdir "$work/$program_lesson.$name" &&
         awk "$@" -f tests/starter/marks.awk "$program_lesson/main.c" \
             >"$work/$program_lesson.$name/main.c" || exit 1
-    printf '%s\t%s\t%s\t%s\t-\t-\t-\t-\t-\n' "$program_lesson.$name" "$program_lesson" "$kind" \
+    printf '%s\t%s\t%s\t%s\t-\t-\t-\t-\t-\t0\t-\n' "$program_lesson.$name" "$program_lesson" "$kind" \
         "$name" >>"$work/table"
 }
 

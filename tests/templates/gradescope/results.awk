@@ -10,10 +10,12 @@ function line(text) { return text == "" ? "" : text "\\n" }
 is_item() {
     looks = text_of("looks_like")
     may_be = text_of("may_be")
+    see = figures_of() == "" ? "" : ": see " step "/README.md, figure " figures_of()
     tests = tests (tests == "" ? "" : ",") "\n    {\"name\": \"" step " " item_name() \
         "\", \"score\": " number_of("points") ", \"max_score\": " number_of("most") \
         ", \"output\": \"" text_of("state") "\\n" line(text_of("message")) \
-        line(looks == "" ? "" : "looks like " looks) line(may_be == "" ? "" : "may be " may_be) \
+        line(looks == "" ? "" : "looks like " looks see) \
+        line(may_be == "" ? "" : "may be " may_be see) \
         "\", \"tags\": [" tasks_of() \
         "], \"visibility\": \"" visibility "\"}"
 }

@@ -1,0 +1,257 @@
+#include "wrong_figure.h"
+
+#include "compare.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum {
+    LEAST_SIDE = 40,     /* pixels of a part that is found: with less nobody knows where it is */
+    LEAST_MARGIN = 6,    /* pixels around what is apart, */
+    MARGIN_SHARE = 4,    /* or this share of them: one in so many */
+    WHOLE_NUMERATOR = 2, /* a part that is longer than two thirds of the picture is not cut out */
+    WHOLE_DENOMINATOR = 3
+};
+
+/* ---- Which part ---- */
+
+bool figure_area_read(struct figure_area *area, const char *text, struct error *error) {
+    int end = 0;
+    *area = (struct figure_area){.width = 0};
+    if (strcmp(text, "auto") == 0) {
+        return true;
+    }
+    bool is_read = strspn(text, "0123456789x+") == strlen(text) &&
+                   sscanf(text, "%5zux%5zu+%5zu+%5zu%n", &area->width, &area->height, &area->x,
+                          &area->y, &end) == 4;
+    return (is_read && text[end] == '\0' && area->width > 0 && area->height > 0) ||
+           error_set(error, "not a part of a picture, as 60x40+10+20: %.100s", text);
+}
+
+/* How far apart two colours are. */
+static int distance(struct color a, struct color b) {
+    int red = abs(a.r - b.r), green = abs(a.g - b.g), blue = abs(a.b - b.b);
+    int most = red > green ? red : green;
+    return most > blue ? most : blue;
+}
+
+static bool is_apart(const struct image *reference, const struct image *wrong, size_t x, size_t y) {
+    return distance(image_get(reference, (int)x, (int)y), image_get(wrong, (int)x, (int)y)) >
+           COMPARE_LEVELS;
+}
+
+/* The smallest part with all pixels of `area` that are apart; of width 0 when none is. */
+static struct figure_area find_apart(const struct image *reference, const struct image *wrong,
+                                     struct figure_area area) {
+    size_t left = SIZE_MAX, bottom = SIZE_MAX, right = 0, top = 0;
+    for (size_t y = area.y; y < area.y + area.height; y++) {
+        for (size_t x = area.x; x < area.x + area.width; x++) {
+            if (is_apart(reference, wrong, x, y)) {
+                left = x < left ? x : left;
+                right = x + 1 > right ? x + 1 : right;
+                bottom = y < bottom ? y : bottom;
+                top = y + 1;
+            }
+        }
+    }
+    if (right == 0) {
+        return (struct figure_area){.width = 0};
+    }
+    return (struct figure_area){left, bottom, right - left, top - bottom};
+}
+
+static size_t larger(size_t a, size_t b) {
+    return a > b ? a : b;
+}
+
+/* Make *length at least `wanted`, around its middle, within 0..limit. */
+static void widen(size_t *begin, size_t *length, size_t wanted, size_t limit) {
+    size_t now = wanted < *length ? *length : wanted > limit ? limit : wanted;
+    size_t before = (now - *length) / 2;
+    *begin = *begin < before ? 0 : *begin - before;
+    *begin = *begin + now > limit ? limit - now : *begin;
+    *length = now;
+}
+
+/* Somewhat more than the part, and not too narrow; or all where that is nearly all. */
+static struct figure_area widen_area(struct figure_area part, const struct image *picture) {
+    size_t longer = larger(part.width, part.height);
+    size_t side = larger(longer + 2 * larger(longer / MARGIN_SHARE, LEAST_MARGIN), LEAST_SIDE);
+    if (side * WHOLE_DENOMINATOR > larger(picture->width, picture->height) * WHOLE_NUMERATOR) {
+        return (struct figure_area){0, 0, picture->width, picture->height};
+    }
+    widen(&part.x, &part.width, side, picture->width);
+    widen(&part.y, &part.height, side, picture->height);
+    return part;
+}
+
+static bool is_within(struct figure_area area, const struct image *picture) {
+    return area.x < picture->width && area.width <= picture->width - area.x &&
+           area.y < picture->height && area.height <= picture->height - area.y;
+}
+
+static bool is_black(const struct image *picture, struct figure_area area) {
+    const struct color black = {.a = 255};
+    for (size_t y = area.y; y < area.y + area.height; y++) {
+        for (size_t x = area.x; x < area.x + area.width; x++) {
+            if (distance(image_get(picture, (int)x, (int)y), black) > COMPARE_LEVELS) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+/* Find the part, or say why there is none to be shown. */
+static bool choose_area(struct figure_area *area, const struct image *reference,
+                        const struct image *wrong, struct error *error) {
+    if (reference->width != wrong->width || reference->height != wrong->height) {
+        return error_set(error, "%zux%zu pixels, and the reference has %zux%zu", wrong->width,
+                         wrong->height, reference->width, reference->height);
+    }
+    bool is_found = area->width == 0;
+    if (is_found) {
+        *area = (struct figure_area){0, 0, wrong->width, wrong->height};
+    } else if (!is_within(*area, wrong)) {
+        return error_set(error, "the part is not in a picture of %zux%zu pixels", wrong->width,
+                         wrong->height);
+    }
+    struct figure_area apart = find_apart(reference, wrong, *area);
+    if (apart.width == 0) {
+        return error_set(error, "nothing wrong can be seen");
+    }
+    if (is_found) {
+        *area = widen_area(apart, wrong);
+    }
+    return !is_black(wrong, *area) || error_set(error, "all of it is black");
+}
+
+/* ---- Smaller or larger ---- */
+
+/* How the pixels of a part become those of the figure. */
+struct scaling {
+    struct figure_area area;
+    size_t pixels;        /* so many become one along each axis, */
+    size_t times;         /* or one becomes so many: one of the two is 1 */
+    size_t width, height; /* what they become */
+};
+
+static struct scaling find_scaling(struct figure_area area) {
+    size_t longer = larger(area.width, area.height);
+    struct scaling s = {.area = area, .pixels = 1, .times = 1};
+    if (longer > WRONG_FIGURE_SIDE) {
+        s.pixels = (longer + WRONG_FIGURE_SIDE - 1) / WRONG_FIGURE_SIDE;
+    } else if (longer > 0 && longer <= WRONG_FIGURE_LARGE / 2) {
+        s.times = WRONG_FIGURE_LARGE / longer;
+    }
+    s.width = (area.width * s.times + s.pixels - 1) / s.pixels;
+    s.height = (area.height * s.times + s.pixels - 1) / s.pixels;
+    return s;
+}
+
+/* What is known of the pixels that become one. */
+struct block {
+    unsigned long long red, green, blue, count; /* sums of squares */
+    struct color first, farthest;               /* the latter from the other picture */
+    int contrast, distance;                     /* the largest, to `first` and to the other one */
+};
+
+static void add_pixel(struct block *block, struct color color, struct color other) {
+    int far = distance(color, other);
+    block->red += (unsigned)color.r * color.r;
+    block->green += (unsigned)color.g * color.g;
+    block->blue += (unsigned)color.b * color.b;
+    if (block->count++ == 0) {
+        *block = (struct block){block->red, block->green, block->blue, 1, color, color, 0, far};
+    }
+    int contrast = distance(color, block->first);
+    block->contrast = contrast > block->contrast ? contrast : block->contrast;
+    if (far > block->distance) {
+        block->distance = far;
+        block->farthest = color;
+    }
+}
+
+static struct block block_of(const struct image *picture, const struct image *other,
+                             const struct scaling *s, size_t x, size_t y) {
+    struct block block = {.count = 0};
+    for (size_t j = y * s->pixels; j < (y + 1) * s->pixels && j < s->area.height; j++) {
+        for (size_t i = x * s->pixels; i < (x + 1) * s->pixels && i < s->area.width; i++) {
+            int column = (int)(s->area.x + i), row = (int)(s->area.y + j);
+            add_pixel(&block, image_get(picture, column, row), image_get(other, column, row));
+        }
+    }
+    return block;
+}
+
+/* The root of the mean, in whole numbers; of several pixels rounded to few levels, for files that
+ * are half as large: it is at most 4 off, so that the colours agree (compare.h). */
+static uint8_t level_of(unsigned long long squares, unsigned long long count) {
+    enum { MOST = 255, LEVELS = 31 };
+    unsigned level = 0;
+    while (level < MOST && (level + 1ULL) * (level + 1) * count <= squares) {
+        level++;
+    }
+    return (uint8_t)(count == 1 ? level : (level * LEVELS + MOST / 2) / MOST * MOST / LEVELS);
+}
+
+/* The mean of the light: levels are about the roots of it. */
+static struct color mean_of(const struct block *block) {
+    return color_rgb(level_of(block->red, block->count), level_of(block->green, block->count),
+                     level_of(block->blue, block->count));
+}
+
+/* A pixel of one of the pictures in the figure. What only this one has is not lost where the other
+ * is plain. */
+static struct color find_color(const struct image *picture, const struct image *other,
+                               const struct scaling *s, size_t x, size_t y) {
+    struct block block = block_of(picture, other, s, x, y);
+    struct block there = block_of(other, picture, s, x, y);
+    struct color color = mean_of(&block);
+    bool is_lost = distance(color, mean_of(&there)) * 2 < block.distance;
+    bool is_plain = there.contrast * 2 < block.distance;
+    return is_lost && is_plain ? block.farthest : color;
+}
+
+/* One of the two pictures, with its left side at `left` in the figure. */
+static void add_panel(struct image *figure, size_t left, const struct image *picture,
+                      const struct image *other, const struct scaling *s) {
+    for (size_t y = 0; y < s->height; y++) {
+        for (size_t x = 0; x < s->width; x++) {
+            image_set(figure, (int)(left + x), (int)y,
+                      find_color(picture, other, s, x / s->times, y / s->times));
+        }
+    }
+}
+
+static bool is_grey(const struct image *picture) {
+    for (size_t y = 0; y < picture->height; y++) {
+        for (size_t x = 0; x < picture->width; x++) {
+            struct color color = image_get(picture, (int)x, (int)y);
+            if (color.r != color.g || color.g != color.b) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+bool wrong_figure(struct image *figure, const struct image *reference, const struct image *wrong,
+                  struct figure_area area, struct error *error) {
+    *figure = (struct image){.pixels = NULL};
+    if (!choose_area(&area, reference, wrong, error)) {
+        return false;
+    }
+    struct scaling scaling = find_scaling(area);
+    size_t right = scaling.width + WRONG_FIGURE_GAP;
+    bool grey = is_grey(reference) && is_grey(wrong);
+    enum image_format format = grey ? IMAGE_GREY : IMAGE_BGR;
+    if (!image_create(figure, right + scaling.width, scaling.height, format, error)) {
+        return false;
+    }
+    image_clear(figure, color_grey(255));
+    add_panel(figure, 0, reference, wrong, &scaling);
+    add_panel(figure, right, wrong, reference, &scaling);
+    return true;
+}
