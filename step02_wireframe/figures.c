@@ -14,49 +14,6 @@ enum { SMALL = 400, SMALLER = 160 }; /* pixels of a side of the pictures */
 static const struct color white = {255, 255, 255, 255};
 static const struct color grey = {130, 130, 130, 255};
 
-/* ---- Wrong pictures ---- */
-
-/* How a wrong program gets a pixel from a corner of a face. */
-typedef bool corner_function(const struct model *model, const struct corner *corner,
-                             struct pixel *pixel);
-
-/* x * width / 2 without adding 1 first: the model's middle comes to the corner of the image. */
-static bool corner_not_shifted(const struct model *model, const struct corner *corner,
-                               struct pixel *pixel) {
-    struct vec3 position = model->positions[corner->position];
-    return to_pixel(vec3_sub(position, (struct vec3){1, 1, 0}), SMALL, SMALL, pixel);
-}
-
-/* y counted from the top. */
-static bool corner_upside_down(const struct model *model, const struct corner *corner,
-                               struct pixel *pixel) {
-    if (!to_pixel(model->positions[corner->position], SMALL, SMALL, pixel)) {
-        return false;
-    }
-    pixel->y = SMALL - 1 - pixel->y;
-    return true;
-}
-
-static bool draw_wrong(const char *directory, const char *name, const struct model *model,
-                       corner_function *find, struct error *error) {
-    struct image image;
-    if (!image_create(&image, SMALL, SMALL, IMAGE_GREY, error)) {
-        return false;
-    }
-    for (size_t i = 0; i < model->face_count; i++) {
-        for (size_t j = 0; j < 3; j++) {
-            struct pixel a, b;
-            if (find(model, &model->faces[i].corner[j], &a) &&
-                find(model, &model->faces[i].corner[(j + 1) % 3], &b)) {
-                line(&image, a, b, white);
-            }
-        }
-    }
-    bool done = figure_save(&image, directory, name, error);
-    image_free(&image);
-    return done;
-}
-
 /* ---- The rounded cut ---- */
 
 /* One line that reaches out of the image on both sides. */
@@ -239,9 +196,7 @@ bool draw_figures(const char *directory, struct model *bust, struct error *error
     if (sides == NULL) {
         return error_out_of_memory(error);
     }
-    bool done = draw_wrong(directory, "not_shifted", bust, corner_not_shifted, error) &&
-                draw_wrong(directory, "upside_down", bust, corner_upside_down, error) &&
-                draw_rounded_line(directory, error) &&
+    bool done = draw_rounded_line(directory, error) &&
                 draw_small_scene(directory, "square", draw_square, 100, 100, error) &&
                 draw_small_scene(directory, "cut_lines", draw_cut, CUT_WIDTH, CUT_HEIGHT, error) &&
                 draw_small_scene(directory, "walked", draw_walked, 200, 4 * CUT_LINES, error) &&

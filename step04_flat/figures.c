@@ -229,8 +229,6 @@ bool draw_figures(const char *directory, struct model *bust, struct error *error
            draw_picture(bust, attempt_2_outward, front, directory, "outward", error) &&
            draw_picture(bust, attempt_3_absolute, front, directory, "absolute", error) &&
            draw_picture(bust, intensity_of_main, side, directory, "light_side", error) &&
-           draw_picture(bust, intensity_of_main, (struct vec3){0, 0, -3}, directory, "light_long",
-                        error) &&
            draw_cylinder(attempt_5_root_0, directory, "root_0_steps", error) &&
            draw_faults(bust, directory, error);
 }

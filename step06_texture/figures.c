@@ -193,28 +193,6 @@ static bool draw_levels(const char *directory, struct error *error) {
     return done;
 }
 
-/* ---- Mistakes ---- */
-
-static bool draw_mistakes(struct model *bust, const char *directory, struct error *error) {
-    enum { SIDE = 256 };
-    struct sheet sheet = {
-        .width = SIDE, .height = SIDE, .columns = MISTAKE_COUNT, .rows = 1, .gap = GAP};
-    const struct texture *texture = model_texture(bust, MODEL_DIFFUSE, error);
-    double *depth = malloc(SIDE * SIDE * sizeof *depth);
-    if (depth == NULL) {
-        return error_out_of_memory(error);
-    }
-    bool done = texture != NULL && sheet_create(&sheet, error);
-    for (size_t i = 0; done && i < MISTAKE_COUNT; i++) {
-        draw_mistake(&sheet.panel, depth, bust, texture, (enum texture_mistake)i);
-        sheet_add(&sheet);
-    }
-    done = done && figure_save(&sheet.image, directory, "mistakes", error);
-    sheet_free(&sheet);
-    free(depth);
-    return done;
-}
-
 /* ---- The textures themselves ---- */
 
 /* The finest level that is not wider than the image, into its lower left corner. */
@@ -317,9 +295,8 @@ bool draw_figures(const char *directory, struct model *bust, struct error *error
     struct texture checker = {0};
     bool done = make_checker(&checker, error) && draw_scene(directory, &checker, error) &&
                 draw_samplers(directory, error) && draw_affine(directory, &checker, error) &&
-                draw_levels(directory, error) && draw_mistakes(bust, directory, error) &&
-                draw_textures(bust, directory, error) && draw_uv_mesh(bust, directory, error) &&
-                draw_mips(directory, error);
+                draw_levels(directory, error) && draw_textures(bust, directory, error) &&
+                draw_uv_mesh(bust, directory, error) && draw_mips(directory, error);
     texture_free(&checker);
     return done;
 }

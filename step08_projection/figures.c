@@ -97,44 +97,6 @@ static bool draw_frames(struct drawing *drawing, const char *directory, const ch
     return done;
 }
 
-/* The wrong pictures of the table in the lesson, all from the camera `side`. */
-enum { WRONG_PICTURES = 5 };
-
-static struct mat4 wrong_clip(int picture) {
-    struct mat4 perspective = projection(camera_distance(&side)), frame = camera_frame(&side);
-    struct mat4 flip;
-    switch (picture) {
-    case 0: /* not divided by w */
-        return frame;
-    case 1: /* x = z cross up */
-        flip = mat4_scaling((struct vec3){-1, -1, 1});
-        return mat4_mul(perspective, mat4_mul(flip, frame));
-    case 2: /* rows and columns exchanged: the camera's axes stand in the columns */
-        return mat4_mul(perspective, mat4_transpose(frame));
-    case 3: /* the depth's sign */
-        flip = mat4_scaling((struct vec3){1, 1, -1});
-        return mat4_mul(flip, mat4_mul(perspective, frame));
-    default: /* the origin half-way between center and eye */
-        return mat4_mul(perspective, mat4_mul(frame, mat4_translation(vec3_scale(side.eye, -0.5))));
-    }
-}
-
-static bool draw_wrong(struct drawing *drawing, const char *directory, struct error *error) {
-    static const char *const names[WRONG_PICTURES] = {
-        "wrong_undivided", "wrong_x", "wrong_transposed", "wrong_depth", "wrong_origin"};
-    bool done = true;
-    for (int i = 0; done && i < WRONG_PICTURES; i++) {
-        struct image image;
-        if (!image_create(&image, SMALL_SIDE, SMALL_SIDE, IMAGE_BGR, error)) {
-            return false;
-        }
-        draw_with(drawing, &image, wrong_clip(i), draw_model);
-        done = figure_save(&image, directory, names[i], error);
-        image_free(&image);
-    }
-    return done;
-}
-
 /* Left the normals sent through the matrix of the points, right through its inverse transpose. */
 static bool draw_narrow_normals(struct drawing *drawing, const char *directory,
                                 struct error *error) {
@@ -443,7 +405,7 @@ static bool draw_all(struct drawing *drawing, const char *directory, struct erro
            draw_clipping(drawing, directory, error) &&
            draw_frames(drawing, directory, "unrotated", &off_center, attempt_5_unrotated, error) &&
            draw_frames(drawing, directory, "careless", &above, attempt_6_careless, error) &&
-           draw_normals(directory, error) && draw_wrong(drawing, directory, error);
+           draw_normals(directory, error);
 }
 
 bool draw_figures(const char *directory, struct model *bust, struct error *error) {

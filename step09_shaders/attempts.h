@@ -1,5 +1,5 @@
 /*
- * Other ways to draw and to shade, for the benchmark and for the lesson's wrong pictures.
+ * Other ways to draw and to shade, for the benchmark and for the lesson's figures.
  *
  * Include after the shaders of main.c.
  */
@@ -182,37 +182,5 @@ static const struct shader attempt_4_at_once = {.varying_count = 3,
                                                 .fragment = textured_fragment,
                                                 .discards = true,
                                                 .shade = attempt_4_shade};
-
-/* ---- Wrong pictures ---- */
-
-/* The texture's colour in the light on a normal. */
-static inline lanes_mask attempt_color(const struct uniforms *u, const lanes *varyings,
-                                       struct lanes3 normal, lanes_texel *color) {
-    struct lanes2 uv = {varyings[0], varyings[1]};
-    struct lanes3 rgb = texture_lanes(u->diffuse, uv, u->diffuse_level);
-    *color = shade(rgb, lambert_lanes(normal, u->to_light));
-    return lanes_all_set();
-}
-
-/* 5. The values of the normal map taken as coordinates 0..1: none points left, down or back. */
-static inline lanes_mask attempt_5_normals_not_shifted(const void *uniforms, const lanes *varyings,
-                                                       lanes_texel *color) {
-    const struct uniforms *u = uniforms;
-    struct lanes2 uv = {varyings[0], varyings[1]};
-    struct lanes3 n = texture_lanes(u->normal_map, uv, u->normal_level);
-    struct lanes3 normal = {n.x / 255, n.y / 255, n.z / 255};
-    return attempt_color(u, varyings, normal, color);
-}
-
-/* 6. Blue, green, red taken as x, y, z, in the order in which the file stores them: x and z change
- * places. */
-static inline lanes_mask
-attempt_6_normals_in_file_order(const void *uniforms, const lanes *varyings, lanes_texel *color) {
-    const struct uniforms *u = uniforms;
-    struct lanes2 uv = {varyings[0], varyings[1]};
-    struct lanes3 n = texture_lanes(u->normal_map, uv, u->normal_level);
-    struct lanes3 normal = {n.z / 127.5f - 1, n.y / 127.5f - 1, n.x / 127.5f - 1};
-    return attempt_color(u, varyings, normal, color);
-}
 
 #endif

@@ -113,25 +113,6 @@ static bool draw_smooth(struct model *model, const char *directory, struct error
     return figure_end(&f, directory, "smooth", done, error);
 }
 
-SHADER(not_shifted, .varying_count = 2, .vertex = uv_vertex,
-       .fragment = attempt_5_normals_not_shifted);
-SHADER(file_order, .varying_count = 2, .vertex = uv_vertex,
-       .fragment = attempt_6_normals_in_file_order);
-
-/* Right; values as 0..1; x and z exchanged. */
-static bool draw_wrong_normals(struct model *model, const char *directory, struct error *error) {
-    struct figure f = {0};
-    bool done = figure_begin(&f, model, 3, error);
-    if (done) {
-        struct draw_call right = figure_call(&f, 3, 0);
-        struct draw_call second = figure_call(&f, 3, 1), third = figure_call(&f, 3, 2);
-        done = figure_draw(&f, &right, &normal_mapped, error) &&
-               figure_draw(&f, &second, &not_shifted, error) &&
-               figure_draw(&f, &third, &file_order, error);
-    }
-    return figure_end(&f, directory, "wrong_normals", done, error);
-}
-
 /* ---- How often each pixel is shaded ---- */
 
 /* The corners of a face on the screen. */
@@ -237,6 +218,5 @@ static bool draw_overdraw(struct model *model, const char *directory, struct err
 
 bool draw_figures(const char *directory, struct model *bust, struct error *error) {
     return draw_textures(bust, directory, error) && draw_smooth(bust, directory, error) &&
-           draw_culled_by_light(bust, directory, error) &&
-           draw_wrong_normals(bust, directory, error) && draw_overdraw(bust, directory, error);
+           draw_culled_by_light(bust, directory, error) && draw_overdraw(bust, directory, error);
 }

@@ -1,5 +1,5 @@
 /*
- * Other ways to compute Phong's light, for the benchmark and for the lesson's wrong pictures.
+ * Other ways to compute Phong's light, for the benchmark and for the lesson's figures.
  *
  * Include after the technique and the shaders of main.c.
  */
@@ -81,62 +81,6 @@ static inline lanes_mask attempt_5_not_normalized(const void *uniforms, const la
     const struct uniforms *u = uniforms;
     struct surface surface = plain_surface(u, varyings);
     surface.normal = (struct lanes3){varyings[5], varyings[6], varyings[7]};
-    *color = illuminate(u, &surface);
-    return lanes_all_set();
-}
-
-/* ---- Wrong light ---- */
-
-/* 6. No clamping: where the mirrored light points away from the eye its scalar product is negative,
- * and an even power makes that positive. Surfaces turned away from the light shine, too. */
-static inline lanes_mask attempt_6_not_clamped(const void *uniforms, const lanes *varyings,
-                                               lanes_texel *color) {
-    const struct uniforms *u = uniforms;
-    struct surface surface = plain_surface(u, varyings);
-    struct lanes3 normal = mesh_normal(varyings), to_light = lanes3_all(u->to_light);
-    struct lanes3 to_eye = lanes3_normalized(surface.to_eye);
-    lanes mirrored = lanes3_dot(reflect(normal, to_light), to_eye);
-    lanes power = integer_power(mirrored, surface.power, surface.largest_power);
-    lanes shine = 255 * surface.specular * power;
-    lanes scattered =
-        (real)u->material.ambient + (real)u->material.diffuse * lanes3_dot(normal, to_light);
-    *color = lanes_rgb(surface.color.x * scattered + shine, surface.color.y * scattered + shine,
-                       surface.color.z * scattered + shine);
-    return lanes_all_set();
-}
-
-/* 7. The direction from the light instead of the one to it: the far side is lit. */
-static inline lanes_mask attempt_7_light_reversed(const void *uniforms, const lanes *varyings,
-                                                  lanes_texel *color) {
-    struct uniforms u = *(const struct uniforms *)uniforms;
-    u.to_light = vec3_scale(u.to_light, -1);
-    return plain_fragment(&u, varyings, color);
-}
-
-/* 8. r = l - 2 (n . l) n: points into the surface, so that no eye is near it. */
-static inline lanes_mask attempt_8_wrong_sign(const void *uniforms, const lanes *varyings,
-                                              lanes_texel *color) {
-    struct uniforms u = *(const struct uniforms *)uniforms;
-    struct lanes3 to_light = lanes3_all(u.to_light), normal = mesh_normal(varyings);
-    struct lanes3 to_eye = {varyings[0], varyings[1], varyings[2]}, r = reflect(normal, to_light);
-    lanes zero = lanes_all(0), diffuse = lanes_max(lanes3_dot(normal, to_light), zero);
-    lanes mirrored = lanes_max(-lanes3_dot(r, lanes3_normalized(to_eye)), zero);
-    lanes power = integer_power(mirrored, lanes_all((real)u.material.power), u.material.power);
-    lanes shine = lanes_select(diffuse > 0, 255 * (real)u.material.specular * power, zero);
-    lanes scattered = (real)u.material.ambient + (real)u.material.diffuse * diffuse;
-    *color = lanes_rgb((real)u.material.color.x * scattered + shine,
-                       (real)u.material.color.y * scattered + shine,
-                       (real)u.material.color.z * scattered + shine);
-    return lanes_all_set();
-}
-
-/* 9. Blue, green, red of the normal map taken as x, y, z, in the order of the file. */
-static inline lanes_mask attempt_9_file_order(const void *uniforms, const lanes *varyings,
-                                              lanes_texel *color) {
-    const struct uniforms *u = uniforms;
-    struct surface surface = plain_surface(u, varyings);
-    struct lanes3 n = mapped_normal(u, varyings);
-    surface.normal = (struct lanes3){n.z, n.y, n.x};
     *color = illuminate(u, &surface);
     return lanes_all_set();
 }

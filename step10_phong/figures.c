@@ -86,20 +86,6 @@ static bool draw_chalk(struct model *model, const char *directory, struct error 
     return draw_panels(model, &view, panels, directory, "chalk", error);
 }
 
-/* Right; r with the wrong sign; light reversed. Below: nothing clamped; the normal map, rightly and
- * in file order. */
-static bool draw_wrong(struct model *model, const char *directory, struct error *error) {
-    static const struct material shiny = {0.1, 1, 1, 10, {255, 128, 255}};
-    const struct view view = {3, 2, {0, 0, 0}, {-1, 0.6, -0.2}, 0.9};
-    const struct panel panels[] = {{PANEL_SHADER(plain_fragment), shiny},
-                                   {PANEL_SHADER(attempt_8_wrong_sign), shiny},
-                                   {PANEL_SHADER(attempt_7_light_reversed), shiny},
-                                   {PANEL_SHADER(attempt_6_not_clamped), shiny},
-                                   {PANEL_SHADER(mapped_fragment), shiny},
-                                   {PANEL_SHADER(attempt_9_file_order), shiny}};
-    return draw_panels(model, &view, panels, directory, "wrong_light", error);
-}
-
 static lanes_mask schlick_fragment(const void *uniforms, const lanes *varyings,
                                    lanes_texel *color) {
     const struct uniforms *u = uniforms;
@@ -202,8 +188,7 @@ static bool draw_animation(struct model *model, const char *directory, struct er
 bool draw_figures(const char *directory, struct model *bust, struct error *error) {
     return model_need_normals(bust, error) && draw_textures(bust, directory, error) &&
            draw_chalk(bust, directory, error) && draw_near(bust, directory, error) &&
-           draw_normals(bust, directory, error) && draw_wrong(bust, directory, error) &&
-           draw_schlick(bust, directory, error) && draw_animation(bust, directory, error) &&
-           draw_shadow_figure(bust, directory, error) && print_shadow_table(bust, error) &&
-           show_samples(bust, directory, error);
+           draw_normals(bust, directory, error) && draw_schlick(bust, directory, error) &&
+           draw_animation(bust, directory, error) && draw_shadow_figure(bust, directory, error) &&
+           print_shadow_table(bust, error) && show_samples(bust, directory, error);
 }
