@@ -1,3 +1,4 @@
+/* Draws the pictures of the tables of wrong pictures: see wrong_figure.h. */
 #include "wrong_figure.h"
 
 #include "compare.h"
