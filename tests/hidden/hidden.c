@@ -13,8 +13,8 @@
  *     step05_zbuffer  HIDDEN 11/12
  *       hidden: depth of a model in another size: wrong
  *
- * and at the end `HIDDEN 59/60`, the sum. A scene that does not depend on what is given is left
- * out: its picture is no secret.
+ * and at the end `HIDDEN 59/60`, the sum. A scene that does not depend on the model that is given
+ * is drawn in another size, unless all sizes have the same picture: it is no secret.
  *
  * Exit status: 0 all right, 1 something is wrong, 2 it cannot be tried.
  */
@@ -55,21 +55,24 @@ struct hidden_case {
     enum input_kind kind;
     unsigned first, last; /* the steps in which it is tried, inclusive */
     bool size, light, camera;
+    bool fixed; /* in scenes that do not depend on the model, and not in those that do */
 };
 
 static const struct hidden_case cases[] = {
-    {"lines", INPUT_LINES, 1, 1, false, false, false},
-    {"more lines", INPUT_LINES, 1, 1, false, false, false},
-    {"lines of two colours", INPUT_GRADIENT_LINES, 1, 1, false, false, false},
-    {"wireframe of a model", INPUT_MODEL, 2, 2, true, false, false},
-    {"triangles", INPUT_TRIANGLES, 3, 3, false, false, false},
-    {"more triangles", INPUT_TRIANGLES, 3, 3, false, false, false},
-    {"triangles of three colours", INPUT_GRADIENT_TRIANGLES, 3, 3, false, false, false},
-    {"a new model", INPUT_MODEL, 2, 10, false, false, false},
-    {"a model without normals", INPUT_MODEL_OFF, 2, 5, true, false, false},
-    {"a model in another size", INPUT_MODEL, 2, 10, true, false, false},
-    {"a model in another light", INPUT_MODEL, 4, 10, false, true, false},
-    {"a model from another camera", INPUT_MODEL, 8, 10, true, true, true},
+    {"lines", INPUT_LINES, 1, 1, false, false, false, false},
+    {"more lines", INPUT_LINES, 1, 1, false, false, false, false},
+    {"lines of two colours", INPUT_GRADIENT_LINES, 1, 1, false, false, false, false},
+    {"wireframe of a model", INPUT_MODEL, 2, 2, true, false, false, false},
+    {"triangles", INPUT_TRIANGLES, 3, 3, false, false, false, false},
+    {"more triangles", INPUT_TRIANGLES, 3, 3, false, false, false, false},
+    {"triangles of three colours", INPUT_GRADIENT_TRIANGLES, 3, 3, false, false, false, false},
+    {"a new model", INPUT_MODEL, 2, 10, false, false, false, false},
+    {"a model without normals", INPUT_MODEL_OFF, 2, 5, true, false, false, false},
+    {"a model in another size", INPUT_MODEL, 2, 10, true, false, false, false},
+    {"a model in another light", INPUT_MODEL, 4, 10, false, true, false, false},
+    {"a model from another camera", INPUT_MODEL, 8, 10, true, true, true, false},
+    {"another size", INPUT_MODEL, 2, 10, true, false, false, true},
+    {"one more size", INPUT_MODEL, 2, 10, true, false, false, true},
 };
 
 struct hidden {
@@ -240,13 +243,18 @@ static bool is_right(const struct image *solution, const struct image *yours,
            share_within(found.coverage.count, found.drawn, limits->coverage_limit + MORE_COVERAGE);
 }
 
-/* Compare the pictures PICTURE.tga of both; counts it, and says when it is wrong. */
-static void judge(struct hidden *hidden, const struct pair *pair, const char *picture,
-                  const struct checked_scene *scene, const char *says) {
+/* Compare the pictures PICTURE.tga of both; counts it, and says when it is wrong. What everybody
+ * has is not counted. */
+static void judge(struct hidden *hidden, const struct pair *pair, const char *step,
+                  const char *picture, const struct checked_scene *scene, const char *says) {
     struct image solution, yours;
     struct error ignored;
     if (drawn_read(&solution, pair->solution.pictures, picture, NULL, &ignored) != DRAWN_READ) {
         return; /* the scene does not take this input */
+    }
+    if (!is_secret(&solution, step, picture)) {
+        image_free(&solution);
+        return;
     }
     drawn_read(&yours, pair->yours.pictures, picture, &solution, &ignored);
     bool right = is_right(&solution, &yours, scene);
@@ -280,14 +288,31 @@ static const struct checked_scene *limits_for(const struct checked_step *step,
  * of what is seen. In 50 seeds, two programs of tests/accept were not right there: that with the
  * way to the eye of length 1 at the corners in 12 (up to 37.7 % wrong, 37.9 % apart), that which
  * takes 128 from the values of the normal map in 6 (2.2 %, 3.5 %). In the lesson's other scenes
- * they have 0.9 % and 1.2 % at most. */
+ * they have 0.9 % and 1.2 % at most. Of scenes that do not depend on the model, `square` and
+ * `cards` have corners that other sizes put between two pixels, where float and sixteenths of a
+ * pixel decide otherwise, and `rows` has few pixels: in 18 seeds, -Ofast was wrong in one. */
 static bool is_left_out(const char *step, const char *scene) {
-    return strncmp(step, "step10_", 7) == 0 && strcmp(scene, "near") == 0;
+    static const struct {
+        const char *step, *scene;
+    } list[] = {
+        {"step02_", "square"}, {"step05_", "rows"}, {"step05_", "cards"}, {"step10_", "near"}};
+    bool is_listed = false;
+    for (size_t i = 0; i < sizeof list / sizeof list[0]; i++) {
+        is_listed = is_listed || (strncmp(step, list[i].step, strlen(list[i].step)) == 0 &&
+                                  strcmp(scene, list[i].scene) == 0);
+    }
+    return is_listed;
 }
 
-/* Which scenes depend on what is given? Those that differ from their reference without options. */
-static bool find_secrets(const struct hidden *hidden, const struct checked_step *step,
-                         bool *secrets, struct error *error) {
+/* What a scene is good for. */
+enum use {
+    USE_NONE,  /* nothing */
+    USE_MODEL, /* it depends on the model: it differs from its reference without any options */
+    USE_FIXED  /* it does not */
+};
+
+static bool find_uses(const struct hidden *hidden, const struct checked_step *step, enum use *uses,
+                      struct error *error) {
     const struct told nothing = {.count = 0};
     char solutions[DRAWN_PATH_LIMIT];
     struct unseen_place place;
@@ -302,8 +327,9 @@ static bool find_secrets(const struct hidden *hidden, const struct checked_step 
         struct image image;
         struct error ignored;
         drawn_read(&image, place.pictures, step->scenes[i].name, NULL, &ignored);
-        secrets[i] = image.width > 0 && !is_left_out(step->name, step->scenes[i].name) &&
-                     is_secret(&image, step->name, step->scenes[i].name);
+        if (image.width > 0 && !is_left_out(step->name, step->scenes[i].name)) {
+            uses[i] = is_secret(&image, step->name, step->scenes[i].name) ? USE_MODEL : USE_FIXED;
+        }
         image_free(&image);
     }
     unseen_end(&place);
@@ -311,7 +337,7 @@ static bool find_secrets(const struct hidden *hidden, const struct checked_step 
 }
 
 static bool try_case(struct hidden *hidden, const struct checked_step *step, size_t number,
-                     const bool *secrets, struct error *error) {
+                     const enum use *uses, struct error *error) {
     const struct hidden_case *hidden_case = &cases[number];
     unsigned step_number = (unsigned)strtoul(step->name + 4, NULL, 10);
     uint64_t seed = hidden->seed * 1000 + number;
@@ -331,12 +357,14 @@ static bool try_case(struct hidden *hidden, const struct checked_step *step, siz
                 draw(&pair.yours, hidden->runner, hidden->programs, step->name, &told,
                      hidden_case->kind, seed, &yours, error);
     if (done && unseen_takes_text(step->name)) {
-        judge(hidden, &pair, "scene", limits_for(step, hidden_case->kind), hidden_case->says);
+        judge(hidden, &pair, step->name, "scene", limits_for(step, hidden_case->kind),
+              hidden_case->says);
     }
     for (size_t i = 0; i < step->scene_count && done && !unseen_takes_text(step->name); i++) {
-        if (secrets[i]) {
-            snprintf(says, sizeof says, "%s of %s", step->scenes[i].name, hidden_case->says);
-            judge(hidden, &pair, step->scenes[i].name, &step->scenes[i], says);
+        if (uses[i] == (hidden_case->fixed ? USE_FIXED : USE_MODEL)) {
+            snprintf(says, sizeof says, "%s %s %s", step->scenes[i].name,
+                     hidden_case->fixed ? "in" : "of", hidden_case->says);
+            judge(hidden, &pair, step->name, step->scenes[i].name, &step->scenes[i], says);
         }
     }
     pair_end(&pair);
@@ -347,17 +375,17 @@ static bool try_case(struct hidden *hidden, const struct checked_step *step, siz
 static bool try_step(struct hidden *hidden, const struct checked_step *step, struct error *error) {
     unsigned number = (unsigned)strtoul(step->name + 4, NULL, 10);
     bool text = unseen_takes_text(step->name);
-    bool *secrets = calloc(step->scene_count, sizeof *secrets);
+    enum use *uses = calloc(step->scene_count, sizeof *uses);
     size_t right = hidden->right, tried = hidden->tried;
-    if (secrets == NULL) {
+    if (uses == NULL) {
         return error_out_of_memory(error);
     }
-    bool done = build_yours(hidden, step->name, error) &&
-                (text || find_secrets(hidden, step, secrets, error));
+    bool done =
+        build_yours(hidden, step->name, error) && (text || find_uses(hidden, step, uses, error));
     for (size_t i = 0; i < sizeof cases / sizeof cases[0] && done; i++) {
         bool text_case = strcmp(input_name(cases[i].kind), "scene.txt") == 0;
         if (number >= cases[i].first && number <= cases[i].last && text == text_case) {
-            done = try_case(hidden, step, i, secrets, error);
+            done = try_case(hidden, step, i, uses, error);
         }
     }
     if (done && hidden->tried == tried) {
@@ -370,7 +398,7 @@ static bool try_step(struct hidden *hidden, const struct checked_step *step, str
                hidden->wrong.size > 0 ? (const char *)hidden->wrong.data : "");
         fflush(stdout);
     }
-    free(secrets);
+    free(uses);
     bytes_free(&hidden->wrong);
     return done;
 }

@@ -133,6 +133,7 @@ hidden 1 1 '' "$work"
 says 'HIDDEN 0/[1-9][0-9]*'
 says '  hidden: lines: wrong'
 says '  hidden: depth of a new model: wrong'
+says '  hidden: single in another size: wrong'
 ! grep -q "$work" "$work/said" || wrong "tells where the solution is"
 
 # As a solution it has nothing to hold others against, even with marks.
