@@ -179,7 +179,7 @@ static void cover_box(struct band *band, const struct piece *piece, struct span 
         uint32_t *numbers = scratch->number + place;
         for (int y = within.begin; y < within.end; y++) {
             doubles first = e1 + bias[1], second = e2 + bias[2];
-            longs outside = ((longs)e0 | (longs)first | (longs)second) >> 63; /* by their signs */
+            longs outside = ((longs)e0 | (longs)first | (longs)second) < 0; /* by their signs */
             covered += outside + 1;
             cover_pixels(depths, numbers, outside, depths_at(&slopes, e1, e2), number, reordered);
             e0 += up[0];
