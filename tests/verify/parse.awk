@@ -25,7 +25,7 @@
 # names none. Both may have
 #
 #   build CC=clang         another compiler
-#   build CFLAGS=-O3       other flags; without the line -O0
+#   build CFLAGS=-O3       other flags; without the line as entry.sh says
 #
 # and where one of them stands, nothing need be replaced.
 #
