@@ -14,6 +14,12 @@ place=$work/$number
 # longer than that saves.
 case $lesson in step06_* | step08_*) fast=-O1 ;; *) fast=-O0 ;; esac
 [ "$flags" != - ] || flags=$fast
+# Without optimizing, clang draws several pixels at once three times as fast as gcc.
+case $kind/$lesson in
+mistake/step09_* | mistake/step10_*)
+    [ "$compiler" != - ] || ! command -v clang >/dev/null || compiler=clang
+    ;;
+esac
 [ "$compiler" = - ] && cc= || cc="CC='$compiler'"
 export CHECK_EXACT=0
 # Correct programs have time: they may be built with sanitizers, on a busy machine.
