@@ -155,10 +155,10 @@ enum clearing {
  * enough. All zero is a valid, empty pipeline. */
 struct pipeline {
     size_t width, height;
-    bool skip; /* false: do all the work, shade at once; the image is the same */
-    enum clearing clearing;
-    bool keep_depth; /* keep what pipeline_finish() found in `depth` */
-    double *depth;   /* width * height; minus infinity where nothing is drawn; NULL if not kept */
+    bool skip;              /* false: do all the work, shade at once; the image is the same */
+    enum clearing clearing; /* at first CLEAR_NOTHING */
+    bool keep_depth;        /* keep what pipeline_finish() found in `depth` */
+    double *depth; /* width * height; minus infinity where nothing is drawn; NULL if not kept */
     uint64_t stats[PIPELINE_STATS];
 
     /* From here on private: see pipeline_kernels.h. */
@@ -216,8 +216,7 @@ bool pipeline_draw(struct pipeline *pipeline, const struct draw_call *call,
                    struct error *error);
 
 /* Draw all that was recorded into an image of the pipeline's size, format BGR or BGRA; what nothing
- * covers is as `clearing` says. False when memory runs out, with the
- * image as it was. */
+ * covers is as `clearing` says. False when memory runs out, with the image as it was. */
 bool pipeline_finish(struct pipeline *pipeline, struct image *image, struct error *error);
 
 #include "pipeline_kernels.h" /* private: what SHADER() compiles into its loop */

@@ -304,8 +304,7 @@ static void keep_depth(const struct band *band) {
     }
 }
 
-/* What of the last frame's `touched` and `scratch.touched` of this one are of the band: as many as
- * there are columns of chunks. */
+/* What `touched` was in a band when the last frame was done: a number for each column of chunks. */
 static uint32_t *last_touched(const struct pipeline *p, size_t band) {
     return (uint32_t *)p->last_touched.data + band * chunk_columns(p);
 }
