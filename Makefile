@@ -58,6 +58,8 @@ endef
 
 BUILD  = build
 CFLAGS = -O3
+# None of make's own rules: they are of no use here, and to look for them takes half of its time.
+MAKEFLAGS += -r
 # A lesson is a directory with a main.c.
 STEPS := $(sort $(patsubst %/main.c,%,$(wildcard step[0-9][0-9]_*/main.c)))
 
@@ -156,12 +158,16 @@ ifneq ($(strip $(foreach sign,' " \,$(findstring $(sign),$(abspath $(BUILD))))),
 $(error the path $(abspath $(BUILD)) holds a quote or a backslash: move the course, or set BUILD)
 endif
 # Threads, where the compiler wants to be told; and all that this processor can do. Neither changes
-# a byte of a picture. MARCH= makes programs that run on any processor of the kind.
+# a byte of a picture. MARCH= makes programs that run on any processor of the kind. (One by one only
+# where they are not known together.)
 PROBE    = $(shell mkdir -p $(BUILD) && probe=$(BUILD)/probe.$$$$ && \
                    echo 'int main(void) { return 0; }' >$$probe.c && \
                    $(CC) $(1) $$probe.c -o $$probe 2>/dev/null && echo $(1); rm -f $$probe $$probe.c)
-THREADED := $(call PROBE,-pthread)
-MARCH    := $(call PROBE,-march=native)
+BOTH     = $(call ONCE,BOTH,$(call PROBE,-pthread -march=native))
+THREADED = $(call ONCE,THREADED,$(or $(filter -pthread,$(BOTH)),$(call PROBE,-pthread)))
+MARCH    = $(call ONCE,MARCH,$(or $(filter -march=%,$(BOTH)),$(call PROBE,-march=native)))
+# What a variable is found to be when it is first asked for.
+ONCE     = $(eval $(1) := $(2))$(2)
 COMPILE  = $(CC) $(STRICT) $(WARNINGS) $(WERROR) $(CFLAGS) $(MARCH) $(THREADED) $(DEFINES) \
            -Icommon -MMD -MP
 # What the lessons stand on (library, models, check) computes exactly whatever CFLAGS say: -Ofast is

@@ -116,7 +116,7 @@ test: $(UNITS) $(CHECKERS) $(HELPERS) $(ALIKE) $(REPLAYS) $(BUILD)/check $(BUILD
 # ---- make stress, make bench: exact answers, and run time against error ----
 
 # Stress and benchmarks share out their cases with OpenMP, where the compiler has it.
-OPENMP := $(call PROBE,-fopenmp)
+OPENMP = $(call ONCE,OPENMP,$(call PROBE,-fopenmp))
 
 OBJECTS_OF = $(patsubst tests/%.c,$(BUILD)/tests/%.o,$(wildcard $(1:%=tests/%/*.c)))
 .PHONY: stress bench
@@ -201,6 +201,11 @@ $(BUILD)/with-mesa: force
 .PHONY: verify
 verify: $(BUILD)/check $(BUILD)/figure_make models
 	@tests/verify/verify.sh $(BUILD) '$(MAKE) -s' '$(STEP)' '$(NAME)'
+
+# What is found out about the compiler, for who calls make hundreds of times.
+.PHONY: found
+found:
+	@echo "THREADED='$(THREADED)' MARCH='$(MARCH)'"
 
 # What the mistakes look like, which the check knows them by, and the lessons' figures of them.
 .PHONY: mistakes
