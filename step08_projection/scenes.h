@@ -489,14 +489,15 @@ static void draw_small_view(struct drawing *drawing, struct image *image, int co
     count_work(drawing, &canvas, drawing->model);
 }
 
-/* In the corners an `up` along a view that is aslant, one that is 9 degrees off, and one that is
+/* In the corners an `up` against a view that is aslant (the axis nearest to perpendicular is not
+ * that of the large view, nor that of the eye's place), one that is 9 degrees off, and one that is
  * almost along the view, but just not so near that it does not count. */
 static bool draw_above(struct drawing *drawing, struct image *image, struct error *error) {
-    const struct vec3 aslant = {1.2, 1.8, 1.5}, upwards = {0, 2.5, 0};
+    const struct vec3 aslant = {1.5, 1.35, 1.9}, upwards = {0, 2.5, 0};
     bool done = draw_view(drawing, image, error);
-    draw_small_view(drawing, image, 0, 0, aslant, aslant);
-    draw_small_view(drawing, image, 1, 0, aslant, (struct vec3){0.5, 1, 1});
-    draw_small_view(drawing, image, 0, 1, upwards, (struct vec3){1e-8, 1, 0.5e-8});
+    draw_small_view(drawing, image, 0, 0, aslant, vec3_scale(aslant, -1));
+    draw_small_view(drawing, image, 1, 0, (struct vec3){1.2, 1.8, 1.5}, (struct vec3){0.5, 1, 1});
+    draw_small_view(drawing, image, 0, 1, upwards, (struct vec3){2e-10, 1, 1e-10});
     return done;
 }
 
@@ -563,7 +564,7 @@ struct quad {
     struct vec2 uv[4];
 };
 
-enum { QUAD_LIMIT = 3, QUAD_CORNERS = 4 * QUAD_LIMIT };
+enum { QUAD_LIMIT = 4, QUAD_CORNERS = 4 * QUAD_LIMIT };
 
 /* A model of quads, and where its positions are transformed to. */
 struct quad_model {
@@ -746,7 +747,8 @@ static bool draw_narrow(struct drawing *drawing, struct image *image, struct err
     return draw_flattened(drawing, image, error);
 }
 
-/* A floor and a wall that have no end behind the camera, and a leaf before its lens. */
+/* A floor and a wall that have no end behind the camera, a leaf before its lens, and a sail (with
+ * three corners) that four planes cut: six corners are left, and each shows. */
 static bool draw_endless(struct drawing *drawing, struct image *image, struct error *error) {
     const double far = 1e14, wide = 1e15, u = wide / 4, v = far / 8;
     const struct quad quads[] = {
@@ -759,6 +761,8 @@ static bool draw_endless(struct drawing *drawing, struct image *image, struct er
           {-0.001, 0.003, 1.997},
           {-0.002, 0.003, 1.997}},
          {{0, 0}, {1, 0}, {1, 1}, {0, 1}}},
+        {{{87, 38, -22}, {-4346, 112, 4278}, {-325, 61, -724}, {-325, 61, -724}},
+         {{0.5, 0.25}, {-22, -10}, {-1.5, 2}, {-1.5, 2}}},
     };
     return draw_standing(drawing, image, quads, sizeof quads / sizeof quads[0], error);
 }
