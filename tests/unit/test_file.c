@@ -193,6 +193,7 @@ static void test_bytes(void) {
         same = same && bytes.data[i] == i % 251;
     }
     CHECK(same);
+    CHECK(bytes_print(&bytes, "%s", "") && bytes.size == 1000); /* nothing is no failure */
     CHECK(bytes_reserve(&bytes, 5000) && bytes.size == 1000 && bytes.capacity >= 6000);
     CHECK(!bytes_reserve(&bytes, SIZE_MAX) && bytes.size == 1000 && bytes.data[7] == 7);
     CHECK(!bytes_reserve(&bytes, SIZE_MAX - 999));
@@ -200,6 +201,8 @@ static void test_bytes(void) {
     CHECK(bytes.data == NULL && bytes.size == 0 && bytes.capacity == 0);
     CHECK(bytes_reserve(&bytes, 1000) && bytes.capacity == 1000); /* no more than asked for */
     bytes_free(&bytes);
+    struct bytes full = {.size = SIZE_MAX - 3, .capacity = SIZE_MAX - 3};
+    CHECK(!bytes_print(&full, "%d", 12345) && full.size == SIZE_MAX - 3);
 }
 
 /* ---- Reading ---- */
@@ -308,6 +311,25 @@ static void test_write(void) {
     CHECK(file_write(path, "second", 6, &error) && file_is(path, "second"));
     CHECK(stat(path, &status) == 0 && (status.st_mode & 0777) == 0640);
     CHECK(place_count(&place) == 1);
+    place_remove(&place, "a");
+}
+
+/* A program may be run without standard input: the next file is number 0 then. */
+static bool write_without_input(const char *path) {
+    struct error error;
+    close(STDIN_FILENO);
+    return file_write(path, "second", 6, &error);
+}
+
+static void test_write_without_input(void) {
+    struct place place;
+    struct error error;
+    if (!place_create(&place)) {
+        return;
+    }
+    const char *path = name_file(&place, "a");
+    CHECK(file_write(path, "first", 5, &error));
+    CHECK(in_child(write_without_input, path) && file_is(path, "second"));
     place_remove(&place, "a");
 }
 
@@ -585,7 +607,7 @@ static void test_devices(void) {
 UNIT_MAIN(TEST(test_messages), TEST(test_printable_texts), TEST(test_lines_of_messages),
           TEST(test_names_of_input), TEST(test_long_messages), TEST(test_bytes), TEST(test_read),
           TEST(test_read_errors), TEST(test_standard_input), TEST(test_write),
-          TEST(test_write_errors), TEST(test_full_disk), TEST(test_write_protection),
-          TEST(test_write_from_elsewhere), TEST(test_symbolic_link), TEST(test_dangling_link),
-          TEST(test_limit_of_file_size), TEST(test_chain_of_links), TEST(test_many_links),
-          TEST(test_devices))
+          TEST(test_write_without_input), TEST(test_write_errors), TEST(test_full_disk),
+          TEST(test_write_protection), TEST(test_write_from_elsewhere), TEST(test_symbolic_link),
+          TEST(test_dangling_link), TEST(test_limit_of_file_size), TEST(test_chain_of_links),
+          TEST(test_many_links), TEST(test_devices))

@@ -457,6 +457,40 @@ static void test_calls_of_many_faces(void) {
     }
 }
 
+/* From pixel column `left` to before `right`, over all rows. */
+static void mesh_columns(struct mesh *mesh, int left, int right, double z) {
+    double x0 = 2.0 * left / SIZE - 1, x1 = 2.0 * right / SIZE - 1;
+    uint32_t v = mesh_vertex(mesh, x0, -1, z);
+    mesh_vertex(mesh, x1, -1, z);
+    mesh_vertex(mesh, x1, 1, z);
+    mesh_vertex(mesh, x0, 1, z);
+    mesh_face(mesh, v, v + 1, v + 2);
+    mesh_face(mesh, v, v + 2, v + 3);
+}
+
+/* A call that is near everywhere but in one column of pixels, wherever that is: there, and only
+ * there, the next call shows, which is behind nearly all. */
+static void test_seen_through_one_column(void) {
+    static struct mesh nearest, behind;
+    mesh_begin(&behind);
+    mesh_columns(&behind, 0, SIZE, 0);
+    for (int column = 0; column < SIZE; column++) {
+        struct frame frame;
+        mesh_begin(&nearest);
+        mesh_columns(&nearest, 0, column, 0.5);
+        mesh_columns(&nearest, column, column + 1, -0.5);
+        mesh_columns(&nearest, column + 1, SIZE, 0.5);
+        if (frame_begin(&frame, 0)) {
+            frame_draw(&frame, &nearest, mat4_identity(), whole_image);
+            frame_draw(&frame, &behind, mat4_identity(), whole_image);
+            frame_finish(&frame);
+            CHECK(frame_count(&frame, 7) + frame_count(&frame, 8) == SIZE);
+            CHECK(image_get(&frame.image, column, 0).r >= 7);
+        }
+        frame_end(&frame);
+    }
+}
+
 /* A call, then a nearer one in front of all of it. The nearer one is covered first, and no pixel of
  * the other is tested. Where pixels are shaded at once all are tested in both calls, and the nearer
  * one shades again: all of it or, where a shader decides which pixels it discards, once more what
@@ -507,6 +541,25 @@ static void test_faces_at_the_sides(void) {
     }
 }
 
+/* A face that passes a corner of the view, far off: no side has all of its corners beyond it, and
+ * clipping leaves nothing of it. It counts as outside all the same. */
+static void test_face_past_a_corner(void) {
+    static struct mesh mesh;
+    struct frame frame;
+    mesh_begin(&mesh);
+    mesh_vertex(&mesh, 0, 200, 0);
+    mesh_vertex(&mesh, 200, 200, 0);
+    mesh_vertex(&mesh, 200, 0, 0);
+    mesh_face(&mesh, 0, 1, 2);
+    if (frame_begin(&frame, 0)) {
+        frame_draw(&frame, &mesh, mat4_identity(), whole_image);
+        frame_finish(&frame);
+        CHECK(frame.pipeline.stats[STAT_FACES_OUTSIDE] == 1);
+        CHECK(frame.pipeline.stats[STAT_FACES_CLIPPED] == 0);
+    }
+    frame_end(&frame);
+}
+
 /* Objects are left out when all of their positions are beyond one side: not when most of them are,
  * and not because another object was. */
 static void test_object_partly_in_view(void) {
@@ -550,6 +603,48 @@ static void test_object_partly_in_view(void) {
         }
         frame_end(&frame);
     }
+}
+
+/* A model without positions has no box: it is beyond no side, and nothing of it is seen. */
+static void test_object_without_positions(void) {
+    static struct mesh mesh;
+    struct frame frame;
+    if (frame_begin(&frame, 0)) {
+        frame_draw(&frame, &mesh, mat4_identity(), whole_image);
+        frame_finish(&frame);
+        CHECK(frame_count(&frame, 0) == (size_t)SIZE * SIZE);
+        CHECK(frame.pipeline.stats[STAT_OBJECTS] == 1);
+        CHECK(frame.pipeline.stats[STAT_OBJECTS_OUTSIDE] == 0);
+    }
+    frame_end(&frame);
+}
+
+/* Of an object so large that the corners of its box are no numbers nothing is known: what of it is
+ * in view is drawn. */
+static void test_object_too_large_to_judge(void) {
+    static struct mesh mesh;
+    enum { BESIDE = 12 };
+    struct frame frame;
+    const struct mat4 to_clip = {
+        {{1e300, 1e300, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 0}, {-1e300, 1e300, 0, 1}}};
+    mesh_begin(&mesh);
+    for (int i = 0; i < BESIDE; i++) {
+        mesh_vertex(&mesh, -3e-300, -3e-300, 0); /* at x = -6, y = 0, w = 1 */
+    }
+    /* What is looked at first, every second position, is to the left of the view. */
+    mesh.positions[1] = (struct vec3){1e10, 1e10, 0};
+    mesh.positions[3] = (struct vec3){-1e10, -1e10, 0};
+    mesh.positions[5] = (struct vec3){-4e-301, -4e-301, -0.8}; /* at x = -0.8 */
+    mesh.positions[7] = (struct vec3){4e-301, 4e-301, -0.8};
+    mesh.positions[9] = (struct vec3){4e-301, 4e-301, 0.8};
+    mesh_face(&mesh, 5, 7, 9);
+    if (frame_begin(&frame, 0)) {
+        frame_draw(&frame, &mesh, to_clip, whole_image);
+        frame_finish(&frame);
+        CHECK(frame.pipeline.stats[STAT_OBJECTS_OUTSIDE] == 0);
+        CHECK(frame_count(&frame, 1) > 100);
+    }
+    frame_end(&frame);
 }
 
 /* All four channels, whatever the order in which the image keeps them. */
@@ -1247,10 +1342,12 @@ static void test_errors(void) {
 UNIT_MAIN(TEST(test_nearest_face_shows), TEST(test_threads_change_nothing),
           TEST(test_first_of_equal_depths_stays), TEST(test_cells_side_by_side),
           TEST(test_nothing_outside_the_viewport), TEST(test_image_is_cleared),
-          TEST(test_calls_that_overlap), TEST(test_calls_of_many_faces), TEST(test_counts),
-          TEST(test_faces_at_the_sides), TEST(test_object_partly_in_view), TEST(test_channels),
-          TEST(test_discarded_hides_nothing), TEST(test_cut_from_both_ends), TEST(test_nearest_w),
-          TEST(test_depth_overflows), TEST(test_depth_difference_overflows),
+          TEST(test_calls_that_overlap), TEST(test_calls_of_many_faces),
+          TEST(test_seen_through_one_column), TEST(test_counts), TEST(test_faces_at_the_sides),
+          TEST(test_face_past_a_corner), TEST(test_object_partly_in_view),
+          TEST(test_object_without_positions), TEST(test_object_too_large_to_judge),
+          TEST(test_channels), TEST(test_discarded_hides_nothing), TEST(test_cut_from_both_ends),
+          TEST(test_nearest_w), TEST(test_depth_overflows), TEST(test_depth_difference_overflows),
           TEST(test_clipped_in_every_block), TEST(test_scale_of_clip_space),
           TEST(test_each_call_has_its_perspective), TEST(test_corner_order),
           TEST(test_ground_without_gaps), TEST(test_interpolation), TEST(test_viewport),

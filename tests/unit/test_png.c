@@ -1127,6 +1127,24 @@ static void test_choice_of_filters(void) {
     image_free(&image);
 }
 
+/* Small and large steps to the right, and the same step upwards everywhere: Paeth's filter foresees
+ * the larger of two steps, which no other one does. */
+static void test_choice_of_paeth(void) {
+    static const uint8_t across[4] = {0, 3, 43, 46};
+    enum { WIDTH = 32, HEIGHT = 16 };
+    struct image image;
+    struct error error;
+    if (!CHECK(image_create(&image, WIDTH, HEIGHT, IMAGE_GREY, &error))) {
+        return;
+    }
+    for (int i = 0; i < WIDTH * HEIGHT; i++) {
+        int x = i % WIDTH, y = i / WIDTH;
+        image.pixels[i] = (uint8_t)(6 * (x / 4) + across[x % 4] + 10 * y);
+    }
+    CHECK((filters_of(&image) & 1u << 4) != 0);
+    image_free(&image);
+}
+
 /* ---- Animation ---- */
 
 static uint32_t get_32(const uint8_t *bytes) {
@@ -1280,4 +1298,5 @@ UNIT_MAIN(TEST(test_blocks), TEST(test_stored_after_others), TEST(test_far_match
           TEST(test_compress_far_copies), TEST(test_choice_of_blocks), TEST(test_color_types),
           TEST(test_filters), TEST(test_split_data), TEST(test_wrong_headers),
           TEST(test_wrong_chunks), TEST(test_pixel_outside_palette), TEST(test_round_trip),
-          TEST(test_choice_of_filters), TEST(test_animation), TEST(test_files))
+          TEST(test_choice_of_filters), TEST(test_choice_of_paeth), TEST(test_animation),
+          TEST(test_files))

@@ -497,6 +497,8 @@ static void test_chosen_polygons(void) {
         {"dent of almost 0", "0 1 2, 0 2 3", 4, {{0, 0, 0}, {1, 1e-121, 0}, {2, 0, 0}, {1, 3, 0}}},
         {"dent", "1 2 3, 1 3 0", 4, {{0, 0, 0}, {1, 1e-119, 0}, {2, 0, 0}, {1, 3, 0}}},
         {"on a line", "0 1 2, 0 2 3", 4, {{0, 0, 0}, {2, 2, 2}, {1, 1, 1}, {3, 3, 3}}},
+        /* Not flat, and seen from above it is convex; from the right it is not. */
+        {"facing up", "0 1 2, 0 2 3", 4, {{1, 3, 3}, {2, 1, 3}, {1, 3, 1}, {0, 2, 2}}},
         {"in one place",
          "0 1 2, 0 2 3, 0 3 4",
          5,

@@ -7,6 +7,7 @@
 #include <fcntl.h>
 #include <stdlib.h>
 #include <sys/stat.h>
+#include <time.h>
 #include <unistd.h>
 
 /* ---- A program to try ---- */
@@ -302,6 +303,38 @@ static void test_stats_and_repeat(void) {
     CHECK(strstr(output, "dot.dots: 3\n") != NULL); /* of one drawing, not of five */
 }
 
+/* Takes at least that long. */
+enum { SLOW_MS = 3 };
+
+static bool draw_slowly(struct drawing *drawing, struct image *image, struct error *error) {
+    const struct timespec pause = {.tv_nsec = SLOW_MS * 1000000};
+    (void)drawing, (void)image, (void)error;
+    nanosleep(&pause, NULL);
+    return true;
+}
+
+static const struct scene slow_scenes[] = {
+    {.name = "slow", .width = 1, .height = 1, .draw = draw_slowly},
+};
+
+static const struct program slow_program = {
+    .name = "probe", .summary = "slow", .scenes = slow_scenes, .scene_count = 1};
+
+/* The time of one drawing: not less than it certainly takes, nor more than the whole run. */
+static void test_repeat_time(void) {
+    struct timespec begin, end;
+    double time = -1;
+    clock_gettime(CLOCK_MONOTONIC, &begin);
+    CHECK(run(&slow_program, "-o out --repeat 5") == 0);
+    clock_gettime(CLOCK_MONOTONIC, &end);
+    double whole =
+        (double)(end.tv_sec - begin.tv_sec) * 1e3 + (double)(end.tv_nsec - begin.tv_nsec) * 1e-6;
+    const char *line = strstr(output, "slow: ");
+    CHECK(line != NULL && sscanf(line, "slow: %lf ms\n", &time) == 1);
+    CHECK(time >= SLOW_MS - 0.001 && time < whole); /* printed with three digits */
+    CHECK(remove(in_directory("out/slow.tga")) == 0);
+}
+
 static void test_camera(void) {
     CHECK(run(&dot_program, "-o out --only dot -s 16384x2") == 0); /* as large as they get */
     CHECK(run(&dot_program, "-o out --only dot --no-skip") == 0);
@@ -415,6 +448,37 @@ static void test_needs(void) {
     CHECK(run(&needs_program, "-o out --only plain missing.obj") == 0); /* no model, none read */
     CHECK(run(&needs_program, "-o out --only depth missing.obj") == 1);
     CHECK(remove(in_directory("bare.obj")) == 0 && remove(in_directory("mapped.obj")) == 0);
+}
+
+/* --stats says how much was read: the model and the textures that a chosen scene needs, and nothing
+ * at all where none needs a model. */
+static void test_stats_of_files(void) {
+    struct error error;
+    struct image white = {0};
+    struct bytes texture = {0};
+    static char expected[200];
+    make_directory();
+    CHECK(file_write(in_directory("mapped.obj"), mapped_obj, strlen(mapped_obj), &error));
+    if (CHECK(image_create(&white, 2, 2, IMAGE_BGR, &error))) {
+        image_clear(&white, color_grey(255));
+        CHECK(tga_encode(&white, true, &texture, &error));
+        CHECK(tga_write(&white, in_directory("mapped_diffuse.tga"), &error));
+        CHECK(tga_write(&white, in_directory("mapped_nm.tga"), &error));
+    }
+    CHECK(run(&needs_program, "-o out --only diffuse --stats mapped.obj") == 0);
+    snprintf(expected, sizeof expected,
+             "files.bytes_read: %zu\nfiles.textures_present: 2\nfiles.textures_read: 1\n",
+             strlen(mapped_obj) + texture.size);
+    CHECK(strstr(output, expected) != NULL);
+    CHECK(run(&needs_program, "-o out --only plain --stats mapped.obj") == 0);
+    CHECK(strstr(output, "files.") == NULL);
+    CHECK(run(&needs_program, "-o out --only diffuse mapped.obj") == 0);
+    CHECK(strstr(output, "files.") == NULL);
+    CHECK(remove(in_directory("mapped.obj")) == 0);
+    CHECK(remove(in_directory("mapped_diffuse.tga")) == 0);
+    CHECK(remove(in_directory("mapped_nm.tga")) == 0);
+    image_free(&white);
+    bytes_free(&texture);
 }
 
 /* A scene says only what differs from the program's defaults; an option wins over both. */
@@ -713,8 +777,8 @@ static void test_clean_up(void) {
 }
 
 UNIT_MAIN(TEST(test_usage), TEST(test_help), TEST(test_extra), TEST(test_formats),
-          TEST(test_frames), TEST(test_stats_and_repeat), TEST(test_camera), TEST(test_failures),
-          TEST(test_text_scene), TEST(test_needs), TEST(test_defaults), TEST(test_grey),
-          TEST(test_out_of_view), TEST(test_end_of_options), TEST(test_seldom_failures),
-          TEST(test_full_output), TEST(test_text_names), TEST(test_default_directory),
-          TEST(test_clean_up))
+          TEST(test_frames), TEST(test_stats_and_repeat), TEST(test_repeat_time), TEST(test_camera),
+          TEST(test_failures), TEST(test_text_scene), TEST(test_needs), TEST(test_stats_of_files),
+          TEST(test_defaults), TEST(test_grey), TEST(test_out_of_view), TEST(test_end_of_options),
+          TEST(test_seldom_failures), TEST(test_full_output), TEST(test_text_names),
+          TEST(test_default_directory), TEST(test_clean_up))
