@@ -31,6 +31,7 @@ static struct uniforms make_uniforms(const struct drawing *drawing, double pixel
 struct cell {
     const struct shader *shader;
     struct material material;
+    const struct model *model; /* NULL: the drawing's */
 };
 
 /* Draw rows of cells, the first one top left. */
@@ -43,6 +44,9 @@ static bool draw_cells(struct drawing *drawing, struct image *image, const struc
             grid_cell(image->width, image->height, columns, rows, i % columns, i / columns);
         struct draw_call call = pipeline_call(drawing, place, zoom, CULL_BACK);
         struct uniforms u = make_uniforms(drawing, zoom * place.width, cells[i].material);
+        if (cells[i].model != NULL) {
+            call.model = u.model = cells[i].model;
+        }
         if (cells[i].shader == &weight_mapped || cells[i].shader == &power_mapped) {
             u.normal_level += 1; /* three different levels: who exchanges them sees it */
             u.specular_level += 2;
@@ -74,7 +78,7 @@ static bool stretch_normals(struct model *stretched, const struct model *model,
 
 /* Ambient and diffuse light: nothing shines. */
 static bool draw_matt(struct drawing *drawing, struct image *image, struct error *error) {
-    struct cell cell = {&plain, plain_material};
+    struct cell cell = {&plain, plain_material, NULL};
     const struct model *own = drawing->model;
     struct model stretched;
     cell.material.specular = 0;
@@ -92,7 +96,7 @@ static bool draw_matt(struct drawing *drawing, struct image *image, struct error
 static bool draw_parts(struct drawing *drawing, struct image *image, struct error *error) {
     struct cell cells[4];
     for (int i = 0; i < 4; i++) {
-        cells[i] = (struct cell){&plain, plain_material};
+        cells[i] = (struct cell){&plain, plain_material, NULL};
     }
     cells[0].material.diffuse = cells[0].material.specular = 0;
     cells[1].material.ambient = cells[1].material.specular = 0;
@@ -105,7 +109,7 @@ static bool draw_shine(struct drawing *drawing, struct image *image, struct erro
     static const int powers[] = {0, 2, 40, 80};
     struct cell cells[4];
     for (int i = 0; i < 4; i++) {
-        cells[i] = (struct cell){&plain, plain_material};
+        cells[i] = (struct cell){&plain, plain_material, NULL};
         cells[i].material.power = powers[i];
     }
     return draw_cells(drawing, image, cells, 2, 2, 0.8, error);
@@ -113,10 +117,10 @@ static bool draw_shine(struct drawing *drawing, struct image *image, struct erro
 
 /* Phong alone, with the normal map, with the texture, and with both. */
 static bool draw_four(struct drawing *drawing, struct image *image, struct error *error) {
-    const struct cell cells[] = {{&plain, plain_material},
-                                 {&mapped, plain_material},
-                                 {&textured, textured_material},
-                                 {&full, textured_material}};
+    const struct cell cells[] = {{&plain, plain_material, NULL},
+                                 {&mapped, plain_material, NULL},
+                                 {&textured, textured_material, NULL},
+                                 {&full, textured_material, NULL}};
     return draw_cells(drawing, image, cells, 2, 2, 0.8,
                       error); /* of a quarter: 0.4 of the picture */
 }
@@ -127,12 +131,12 @@ static bool draw_powers(struct drawing *drawing, struct image *image, struct err
     static const int powers[] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 20, 40, 80};
     struct cell cells[16];
     for (int i = 0; i < 14; i++) {
-        cells[i] = (struct cell){&plain, plain_material};
+        cells[i] = (struct cell){&plain, plain_material, NULL};
         cells[i].material.power = powers[i];
     }
-    cells[14] = (struct cell){&weight_mapped, textured_material};
+    cells[14] = (struct cell){&weight_mapped, textured_material, NULL};
     cells[14].material.specular = 1.5; /* times what the map says */
-    cells[15] = (struct cell){&power_mapped, textured_material};
+    cells[15] = (struct cell){&power_mapped, textured_material, NULL};
     return draw_cells(drawing, image, cells, 4, 4, 0.8, error);
 }
 
@@ -148,17 +152,40 @@ static bool make_white(struct texture *texture, struct error *error) {
     return done;
 }
 
-/* A shoulder, so near that its faces are large. Right the largest power that a map can say. */
-static bool draw_shoulder(struct drawing *drawing, struct image *image, struct error *error) {
+/* A board of two faces that are far larger than their distance from the eye. Its normal points to
+ * where the light is mirrored into the eye. */
+static const struct model *near_board(void) {
+    static struct vec3 positions[] = {{0.2, -0.75, 0}, {4, -0.75, 0}, {4, 2.5, 0}, {0.2, 2.5, 0}};
+    static float normals[][3] = {{0.39f, 0.59f, 0.71f}}, uvs[][2] = {{0, 0}};
+    static struct face faces[] = {{{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}},
+                                  {{{0, 0, 0}, {2, 0, 0}, {3, 0, 0}}}};
+    static const struct model board = {
+        .positions = positions,
+        .position_count = 4,
+        .uvs = uvs,
+        .uv_count = 1,
+        .normals = normals,
+        .normal_count = 1,
+        .faces = faces,
+        .face_count = 2,
+    };
+    return &board;
+}
+
+/* A shoulder, so near that its faces are large; in the middle the largest power that a map can say.
+ * On the right a board that is nearer still. */
+static bool draw_near(struct drawing *drawing, struct image *image, struct error *error) {
     struct texture white;
     const struct texture *own = drawing->specular;
-    struct cell cells[] = {{&plain, plain_material}, {&power_mapped, textured_material}};
+    struct cell cells[] = {{&plain, plain_material, NULL},
+                           {&power_mapped, textured_material, NULL},
+                           {&plain, plain_material, near_board()}};
     cells[0].material.power = 80;
     if (!make_white(&white, error)) {
         return false;
     }
     drawing->specular = &white;
-    bool done = draw_cells(drawing, image, cells, 2, 1, 2.5, error);
+    bool done = draw_cells(drawing, image, cells, 3, 1, 2.5, error);
     drawing->specular = own;
     texture_free(&white);
     return done;
@@ -219,12 +246,12 @@ static const struct scene scenes[] = {
     {
         .name = "near",
         .needs = NEEDS_MODEL | NEEDS_NORMALS | NEEDS_DIFFUSE | NEEDS_NORMAL_MAP,
-        .width = 800,
+        .width = 1200,
         .height = 400,
         .eye = {0.5, -0.25, 0.35},
         .center = {0.42, -0.5, 0},
         .light = {1, 1, 1},
-        .draw = draw_shoulder,
+        .draw = draw_near,
     },
     {
         .name = "turn",
