@@ -132,24 +132,31 @@ static bool draw_part(struct drawing *drawing, const struct model *part, struct 
     bool made = wireframe_create(&wireframe, part, drawing->skip, error);
     if (made) {
         draw_sides(drawing, &wireframe, part->positions, view, image);
+        drawing_count(drawing, "lines_shared_skipped", 3 * part->face_count - wireframe.side_count);
     }
     free(wireframe.sides);
     return made;
 }
 
-/* Two faces, which share a side. */
+/* Two faces, which share a side. The first one stands there twice, front and back: its sides belong
+ * to two faces, or to three. The positions have numbers of one, three and four digits. */
 static bool draw_square(struct drawing *drawing, struct image *image, struct error *error) {
-    struct vec3 positions[] = {{-0.5, -0.5, 0}, {0.5, -0.5, 0}, {0.5, 0.5, 0}, {-0.5, 0.5, 0}};
-    static const uint32_t corners[2][3] = {{0, 1, 2}, {0, 2, 3}};
-    struct face faces[2] = {0};
-    for (int i = 0; i < 6; i++) {
+    enum { D = 1, B = 2, C = 501, A = 1501, POSITIONS, FACES = 3 };
+    struct vec3 positions[POSITIONS] = {
+        [A] = {-0.5, -0.5, 0}, [B] = {0.5, -0.5, 0}, [C] = {0.5, 0.5, 0}, [D] = {-0.5, 0.5, 0}};
+    static const uint32_t corners[FACES][3] = {{A, B, C}, {A, C, D}, {C, B, A}};
+    struct face faces[FACES] = {0};
+    for (int i = 0; i < FACES * 3; i++) {
         faces[i / 3].corner[i % 3].position = corners[i / 3][i % 3];
     }
     const struct model square = {
-        .positions = positions, .position_count = 4, .faces = faces, .face_count = 2};
-    /* Once as it is; once so large that its upper right corner is seen, and others are far away. */
+        .positions = positions, .position_count = POSITIONS, .faces = faces, .face_count = FACES};
+    /* Once as it is; once so large that its upper right corner is seen, and others are far away;
+     * once with its lower left corner some pixels, and a part of one, outside. */
     return draw_part(drawing, &square, (struct view){0, 0, 1}, image, error) &&
-           draw_part(drawing, &square, (struct view){0.5 - 2e-5, 0.5 - 2.4e-5, 3e4}, image, error);
+           draw_part(drawing, &square, (struct view){0.5 - 2e-5, 0.5 - 2.4e-5, 3e4}, image,
+                     error) &&
+           draw_part(drawing, &square, (struct view){1.2836, 1.4869, 0.61}, image, error);
 }
 
 /* A quarter of the faces: a mesh with a border. */
@@ -218,6 +225,18 @@ static const struct cut_line {
     {{-5, -1}, {RIGHT + 9, -1}, WHITE},
     {{-70, 50}, {60, TOP + 80}, WHITE},
     {{RIGHT + 2, -1}, {RIGHT + 2, -1}, WHITE},
+    /* out at the bottom; steep: in at the right, out on the left */
+    {{24, 5}, {54, -10}, RED},
+    {{RIGHT + 10, 14}, {RIGHT - 10, 64}, RED},
+    {{10, 10}, {-10, 60}, RED},
+    /* a single pixel inside, a point */
+    {{-2, 2}, {2, -2}, RED},
+    {{RIGHT, 50}, {RIGHT + 31, 60}, RED},
+    {{70, 30}, {70, 30}, RED},
+    /* in just beyond the half of an odd length; at a tie, of a line that falls and a steep one */
+    {{60, -1}, {63, 0}, RED},
+    {{10, TOP + 2}, {30, TOP - 3}, RED},
+    {{-2, 10}, {3, 30}, RED},
 };
 enum { CUT_LINES = sizeof cut_lines / sizeof cut_lines[0] };
 
