@@ -97,13 +97,25 @@ static const struct text_scene_shape three_triangles[] = {
 };
 enum { THREE_TRIANGLES = sizeof three_triangles / sizeof three_triangles[0] };
 
-/* The first and the last one reach far out of the image and cover its lowest and its highest rows:
- * their long sides meet them at an x that does not fit in an int. Of the others a corner is in the
- * image, and most rows are beside it. */
+/* The blue and the yellow one reach far out of the image and cover its lowest and its highest rows:
+ * their long sides meet them at an x that does not fit in an int. Of the next three a corner is in
+ * the image, and most rows are beside it. Then two that are very long and narrow, and three small
+ * ones: their sides go through pixel centres or 1/256 pixel past them. So does the level side of
+ * the cyan one. */
 static const struct text_scene_shape far_triangles[] = {
+    {{-900000, 900000, 900000}, {-900000, 899999.96, 900000.04}, {{WHITE}, {WHITE}, {WHITE}}},
     {{1000000, -1000000, 0}, {7.00390625, 7, -1000000}, {{BLUE}, {BLUE}, {BLUE}}},
     {{220, 300, 300}, {40, 40, 150}, {{GREEN}, {GREEN}, {GREEN}}},
     {{20, -60, -60}, {120, 40, 130}, {{RED}, {RED}, {RED}}},
+    {{-5, -3, 18}, {20, 36, 36}, {{CYAN}, {CYAN}, {CYAN}}},
+    {{118, 122, 114}, {-60000, 60000, 0}, {{MAGENTA}, {MAGENTA}, {MAGENTA}}},
+    {{59.61328125, 61.55078125, 57.26953125},
+     {99.609375, 101.56640625, 101.56640625},
+     {{WHITE}, {WHITE}, {WHITE}}},
+    {{71, 71, 75}, {104, 101, 101}, {{WHITE}, {WHITE}, {WHITE}}},
+    {{84.9921875, 85.0078125, 85},
+     {101.9921875, 101.9921875, 102.0078125},
+     {{WHITE}, {WHITE}, {WHITE}}},
     {{1000000, -1000000, 0}, {146.00390625, 146, 1000000}, {{YELLOW}, {YELLOW}, {YELLOW}}},
 };
 enum { FAR_TRIANGLES = sizeof far_triangles / sizeof far_triangles[0] };
@@ -116,7 +128,8 @@ static const struct text_scene_shape leaving_triangles[] = {
 };
 enum { LEAVING_TRIANGLES = sizeof leaving_triangles / sizeof leaving_triangles[0] };
 
-/* One triangle, given clockwise; a hexagon of six; a rectangle of two. */
+/* One triangle, given clockwise; a hexagon of six; a rectangle of two; one that leaves the image at
+ * the top. */
 static const struct text_scene_shape colored_triangles[] = {
     {{40, 210, 380}, {440, 760, 440}, {{RED}, {BLUE}, {GREEN}}},
     {{600, 770, 685}, {590, 590, 737}, {{WHITE}, {RED}, {YELLOW}}},
@@ -127,6 +140,7 @@ static const struct text_scene_shape colored_triangles[] = {
     {{600, 685, 770}, {590, 443, 590}, {{WHITE}, {MAGENTA}, {RED}}},
     {{40, 760, 760}, {40, 40, 380}, {{BLUE}, {GREEN}, {YELLOW}}},
     {{40, 760, 40}, {40, 380, 380}, {{BLUE}, {YELLOW}, {RED}}},
+    {{340, 440, 390}, {700, 700, 1000}, {{RED}, {GREEN}, {WHITE}}},
 };
 enum { COLORED_TRIANGLES = sizeof colored_triangles / sizeof colored_triangles[0] };
 
@@ -153,13 +167,17 @@ static bool draw_leaving(struct drawing *drawing, struct image *image, struct er
     return true;
 }
 
+/* The three triangles, and a row of dots: triangles smaller than a pixel. */
 static bool draw_signs(struct drawing *drawing, struct image *image, struct error *error) {
+    enum { DOTS = 20 };
     (void)error;
-    for (size_t i = 0; i < THREE_TRIANGLES; i++) {
+    for (size_t i = 0; i < THREE_TRIANGLES + DOTS; i++) {
+        double x = 6 + 4 * (double)(i - THREE_TRIANGLES);
+        const struct text_scene_shape dot = {{x - 0.3, x + 0.4, x}, {9.8, 9.8, 10.6}, {{WHITE}}};
+        const struct text_scene_shape *shape = i < THREE_TRIANGLES ? &three_triangles[i] : &dot;
         struct vec2 screen[3];
-        place_shape(&three_triangles[i], screen);
-        drawing_count(drawing, "pixels_written",
-                      box_triangle(image, screen, three_triangles[i].color[0]));
+        place_shape(shape, screen);
+        drawing_count(drawing, "pixels_written", box_triangle(image, screen, shape->color[0]));
     }
     return true;
 }
