@@ -73,10 +73,17 @@ static bool draw_octants(struct drawing *drawing, struct image *image, struct er
 
 /* ---- Lines that come half-way between two pixels ---- */
 
-/* Eight directions of eight lines, row by row from the bottom; all of them have ties. */
-enum { TIE_LINES = 64 };
+/* Eight directions of eight lines, row by row from the bottom; all of them have ties. Then two
+ * with slopes, 7 / 12 and 9 / 14, of which a double does not hit the multiples at a tie. */
+enum { SHORT_LINES = 64, TIE_LINES = SHORT_LINES + 2, TIES_WIDTH = 100, TIES_HEIGHT = 125 };
 
 static void tie_line(int index, struct pixel *a, struct pixel *b) {
+    static const struct pixel longer[][2] = {{{3, 104}, {15, 111}}, {{25, 104}, {53, 122}}};
+    if (index >= SHORT_LINES) {
+        *a = longer[index - SHORT_LINES][0];
+        *b = longer[index - SHORT_LINES][1];
+        return;
+    }
     static const int run[] = {10, 10, 10, 10, 10, 2, 4, 8}, rise[] = {1, 3, 5, 7, 9, 1, 3, 1};
     int direction = index % 8, kind = index / 8;
     bool steep = direction & 1;
@@ -109,16 +116,23 @@ static void diagonal_line(int direction, struct pixel *a, struct pixel *b) {
     *b = (struct pixel){left ? x : x + size, down ? y : y + size};
 }
 
-/* The same lines and diagonals, and a long line with three ties above them, as lists: in green, the
- * first pixel of each list in white. */
+/* Above them a long line with three ties; lines downwards and to the left; a point. */
+static const struct pixel more_lists[][2] = {
+    {{3, 96}, {93, 99}}, {{64, 122}, {64, 104}}, {{96, 110}, {74, 110}}, {{85, 118}, {85, 118}}};
+enum { MORE_LISTS = sizeof more_lists / sizeof more_lists[0] };
+
+/* The same lines, the diagonals and these as lists: in green, the first pixel of each in white. */
 static bool draw_list(struct drawing *drawing, struct image *image, struct error *error) {
     (void)drawing;
-    for (int i = 0; i <= TIE_LINES + DIAGONALS; i++) {
-        struct pixel a = {3, 96}, b = {93, 99};
+    for (int i = 0; i < TIE_LINES + DIAGONALS + MORE_LISTS; i++) {
+        struct pixel a, b;
         if (i < TIE_LINES) {
             tie_line(i, &a, &b);
         } else if (i < TIE_LINES + DIAGONALS) {
             diagonal_line(i - TIE_LINES, &a, &b);
+        } else {
+            a = more_lists[i - TIE_LINES - DIAGONALS][0];
+            b = more_lists[i - TIE_LINES - DIAGONALS][1];
         }
         size_t length = line_length(a, b);
         struct pixel *list = make_list(a, b, length, error);
@@ -159,7 +173,8 @@ static bool draw_far(struct drawing *drawing, struct image *image, struct error 
     return true;
 }
 
-/* A star: the four axes, the four diagonals, a line in each of the eight octants, and a point. */
+/* A star: the four axes, the four diagonals, a line in each of the eight octants, a point, and
+ * in two corners a line that is nearly diagonal. */
 static bool draw_gradient(struct drawing *drawing, struct image *image, struct error *error) {
     (void)drawing;
     const struct color red = color_rgb(255, 0, 0), yellow = color_rgb(255, 255, 0);
@@ -178,7 +193,8 @@ static bool draw_gradient(struct drawing *drawing, struct image *image, struct e
         {{47, 58}, {32, 95}, green, blue}, {{42, 53}, {5, 68}, green, blue},
         {{5, 32}, {42, 47}, green, blue},  {{32, 5}, {47, 42}, green, blue},
         {{68, 5}, {53, 42}, green, blue},  {{95, 32}, {58, 47}, green, blue},
-        {{50, 50}, {50, 50}, green, blue},
+        {{50, 50}, {50, 50}, green, blue}, {{70, 2}, {98, 20}, rose, leaf},
+        {{2, 80}, {30, 98}, red, blue},
     };
     for (size_t i = 0; i < sizeof lines / sizeof lines[0]; i++) {
         if (!line_gradient(image, lines[i].a, lines[i].b, lines[i].color_a, lines[i].color_b,
@@ -208,9 +224,12 @@ static bool draw_text(struct drawing *drawing, struct image *image, struct error
 /* ---- The program ---- */
 
 static const struct scene scenes[] = {
-    {.name = "pixel", .draw = draw_pixel},       {.name = "line", .draw = draw_line},
-    {.name = "octants", .draw = draw_octants},   {.name = "ties", .draw = draw_ties},
-    {.name = "far", .draw = draw_far},           {.name = "list", .draw = draw_list},
+    {.name = "pixel", .draw = draw_pixel},
+    {.name = "line", .draw = draw_line},
+    {.name = "octants", .draw = draw_octants},
+    {.name = "ties", .width = TIES_WIDTH, .height = TIES_HEIGHT, .draw = draw_ties},
+    {.name = "far", .draw = draw_far},
+    {.name = "list", .width = TIES_WIDTH, .height = TIES_HEIGHT, .draw = draw_list},
     {.name = "gradient", .draw = draw_gradient},
 };
 
