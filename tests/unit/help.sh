@@ -12,7 +12,7 @@ trap 'exit 1' HUP INT TERM
 
 make -s help | sed -n 's/^  make \([a-z][a-z-]*\)\( .*\)*$/\1/p' | sort -u >"$work/listed"
 sed -n 's/^\.PHONY: //p' Makefile tests/targets.mk tests/*/*.mk | tr ' ' '\n' | grep -v '[$%]' |
-    grep -vxE 'all|programs|models|common|tests|force|has-mesa' | sort -u >"$work/targets"
+    grep -vxE 'all|programs|models|common|tests|force|found|has-mesa' | sort -u >"$work/targets"
 comm -23 "$work/listed" "$work/targets" | sed 's/^/help: there is no target /' >"$work/wrong"
 comm -13 "$work/listed" "$work/targets" | sed 's/^/help: make help does not list /' >>"$work/wrong"
 [ ! -s "$work/wrong" ] || {
