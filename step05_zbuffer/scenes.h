@@ -3,10 +3,10 @@
  *
  * `rows` shows the idea in one dimension: three segments of a plane, seen from above, in one row of
  * pixels, and short ones that leave it at its sides. `zbuffer` is lesson 4 with a depth buffer,
- * `depth` shows its depths, `deep` the same ones 300 units farther away, and `knot` is a body that
- * winds around itself. In `side` the light comes from the side, and falls on faces that look away
- * from us too. The cards of `cards` lie almost, or exactly, in one plane, or far apart; `single`
- * shows the depths of one card, which are all the same.
+ * `depth` shows its depths, `deep` the same ones far away below and very near above, and `knot` is a
+ * body that winds around itself. In `side` the light comes from the side, and falls on faces that
+ * look away from us too. The cards of `cards` lie almost, or exactly, in one plane, or far apart;
+ * `single` shows the depths of two cards, which are all the same.
  */
 
 /* ---- Scene: rows ---- */
@@ -47,7 +47,7 @@ static bool draw_rows(struct drawing *drawing, struct image *image, struct error
     (void)error;
     static const struct segment segments[] = {
         {{20.5, 34}, {744.5, 400}, {.r = 255, .a = 255}},
-        {{120, 434}, {444, 400}, {.g = 255, .a = 255}},
+        {{120.7, 434}, {444.8, 400}, {.g = 255, .a = 255}},
         {{330, 463}, {594, 200}, {.b = 255, .a = 255}},
         {{-40, 150}, {8, 90}, {.b = 150, .g = 150, .r = 150, .a = 255}}, /* beyond the sides */
         {{770, 90}, {840, 150}, {.b = 150, .g = 150, .r = 150, .a = 255}},
@@ -64,7 +64,12 @@ static bool draw_rows(struct drawing *drawing, struct image *image, struct error
         draw_segment(&s, image, color_bottom, drawing->depth);
     }
     double levels = 255 / (ROWS_PLANE * up);
-    const double *behind = drawing->depth + (image->height > 1 ? image->width : 0); /* the row */
+    double *behind = drawing->depth + (image->height > 1 ? image->width : 0); /* the row */
+    /* Nothing of this segment lies in an image half as wide: `behind` stays as it is. */
+    const struct segment outside = {{770 * across, 90}, {840 * across, 150}, {.r = 255, .a = 255}};
+    struct image narrow = *image;
+    narrow.width = image->width / 2;
+    draw_segment(&outside, &narrow, 0, behind);
     for (int x = 0; x < (int)image->width; x++) {
         draw_column(image, x, color_bottom, strip, image_get(image, x, color_bottom));
         draw_column(image, x, (int)(ROWS_DEPTH_BOTTOM * up), strip,
@@ -120,14 +125,32 @@ static bool draw_depth(struct drawing *drawing, struct image *image, struct erro
     return done;
 }
 
-/* The same picture of depths, but all of them are 300 less. The first pixel is the nearest one. */
+/* The depths of some rows, `more` added to all of them, as a picture of its own. The depths of its
+ * first and its last pixel are given. */
+static void show_rows(const struct image *image, size_t begin, size_t end, double *depth,
+                      double first, double last, double more) {
+    size_t start = begin * image->width, count = (end - begin) * image->width;
+    if (count == 0) {
+        return;
+    }
+    depth[start] = first;
+    depth[start + count - 1] = last;
+    for (size_t i = start; i < start + count; i++) {
+        depth[i] += more;
+    }
+    struct image rows = {image->width, end - begin, image->format,
+                         image->pixels + start * image->format};
+    show_depths(&rows, depth + start);
+}
+
+/* The same depths: in the lower half all of them are negative, and the first pixel is the nearest
+ * one, the last one the farthest; in the upper half they are positive, and it is the other way
+ * round. */
 static bool draw_deep(struct drawing *drawing, struct image *image, struct error *error) {
     bool done = draw_zbuffer(drawing, image, error);
-    drawing->depth[0] = 0.7;
-    for (size_t i = 0; i < image->width * image->height; i++) {
-        drawing->depth[i] -= 300;
-    }
-    show_depths(image, drawing->depth);
+    size_t middle = image->height / 2;
+    show_rows(image, 0, middle, drawing->depth, 0.7, -0.7, -3000);
+    show_rows(image, middle, image->height, drawing->depth, -0.7, 0.7, 3000);
     return done;
 }
 
@@ -154,18 +177,20 @@ static void draw_card(const struct card *card, struct canvas *canvas) {
     triangle(canvas, (struct vertex[]){v[0], v[2], v[3]}, card->color);
 }
 
-/* Red; blue is a thousandth behind it, green exactly as near, yellow a thousandth nearer, orange a
- * hundred-thousandth. Apart from them purple far away, and cyan very near. */
+/* Grey behind all, and on all sides larger than the image. Red; blue is a thousandth behind it,
+ * green exactly as near, yellow a thousandth nearer, orange half a millionth. Apart from them
+ * purple far away, and cyan very near. */
 static bool draw_cards(struct drawing *drawing, struct image *image, struct error *error) {
     (void)error;
     static const struct card cards[] = {
+        {{-1.2, -1.2}, {1.2, 1.2}, -7000, {.r = 70, .g = 70, .b = 70, .a = 255}},
         {{-0.5, -0.4}, {0.3, 0.4}, 0, {.r = 220, .g = 60, .b = 50, .a = 255}},
         {{-0.8, 0}, {-0.1, 0.8}, -0.001, {.r = 60, .g = 90, .b = 220, .a = 255}},
         {{-0.8, -0.8}, {-0.1, -0.1}, 0, {.r = 60, .g = 170, .b = 70, .a = 255}},
         {{0, -0.7}, {0.8, 0.2}, 0.001, {.r = 230, .g = 190, .b = 40, .a = 255}},
-        {{-0.05, 0.23}, {0.25, 0.37}, 0.00001, {.r = 250, .g = 150, .b = 90, .a = 255}},
-        {{0.45, 0.4}, {0.95, 0.9}, -7, {.r = 130, .g = 60, .b = 140, .a = 255}},
-        {{0.6, 0.55}, {0.8, 0.75}, 7, {.r = 120, .g = 210, .b = 220, .a = 255}},
+        {{-0.05, 0.23}, {0.25, 0.37}, 0.0000005, {.r = 250, .g = 150, .b = 90, .a = 255}},
+        {{0.45, 0.4}, {0.95, 0.9}, -6000, {.r = 130, .g = 60, .b = 140, .a = 255}},
+        {{0.6, 0.55}, {0.8, 0.75}, 7000, {.r = 120, .g = 210, .b = 220, .a = 255}},
     };
     struct canvas canvas = {.image = image, .depth = drawing->depth};
     for (size_t i = 0; i < sizeof cards / sizeof cards[0]; i++) {
@@ -174,11 +199,17 @@ static bool draw_cards(struct drawing *drawing, struct image *image, struct erro
     return true;
 }
 
+/* Two cards as near as each other, which cover the first pixel and the last one. */
 static bool draw_single(struct drawing *drawing, struct image *image, struct error *error) {
     (void)error;
-    static const struct card card = {{-0.6, -0.4}, {0.5, 0.7}, 0, {.r = 255, .a = 255}};
+    static const struct card cards[] = {
+        {{-0.6, -0.4}, {1.2, 1.2}, 0, {.r = 255, .a = 255}},
+        {{-1.2, -1.2}, {-0.8, -0.7}, 0, {.r = 255, .a = 255}},
+    };
     struct canvas canvas = {.image = image, .depth = drawing->depth};
-    draw_card(&card, &canvas);
+    for (size_t i = 0; i < sizeof cards / sizeof cards[0]; i++) {
+        draw_card(&cards[i], &canvas);
+    }
     show_depths(image, drawing->depth);
     return true;
 }

@@ -9,7 +9,7 @@ static const char *left_out(const char *scene) {
     return strcmp(scene, "rows") == 0     ? "all of it: rows of pixels, no triangles"
            : strcmp(scene, "cards") == 0  ? "all of it: depths of one plane, no model"
            : strcmp(scene, "single") == 0 ? "all of it: pixels, no model"
-           : strcmp(scene, "deep") == 0   ? "all of it: the greys of depth, but for a pixel more"
+           : strcmp(scene, "deep") == 0   ? "all of it: the depths of each half, and four more"
                                           : NULL;
 }
 
