@@ -2,11 +2,11 @@
  * Step 4, the given part: its scenes and the program.
  *
  * `flat` draws a model from the front, in the order of the file; `side` does the same with a light
- * that comes from the left and from above, in an image that is not square, and has two faces more:
- * one reaches too far for the screen, and nothing of it is drawn; one leaves the image. Faces on
- * which no light falls are not drawn. With the light in the viewer's direction these are the faces
- * that show their backs; what lies behind something else is still painted over it: that is lesson
- * 5.
+ * that comes from the left and from above, in an image that is not square, and has more faces:
+ * three reach too far for the screen, and nothing of them is drawn; four leave the image, and many
+ * are smaller than a pixel. Faces on which no light falls are not drawn. With the light in the
+ * viewer's direction these are the faces that show their backs; what lies behind something else is
+ * still painted over it: that is lesson 5.
  */
 
 static bool draw_flat(struct drawing *drawing, struct image *image, struct error *error) {
@@ -34,21 +34,55 @@ static bool draw_flat(struct drawing *drawing, struct image *image, struct error
     return true;
 }
 
-static bool draw_side(struct drawing *drawing, struct image *image, struct error *error) {
-    struct vec3 positions[] = {{-0.95, 0.5, 0},   {-0.6, 0.9, 0}, {-1e9, 0.9, 0},
-                               {-0.95, -0.15, 0}, {-0.7, 0.2, 0}, {-1.3, 0.25, 0.3}};
-    struct face faces[2] = {0};
-    for (uint32_t i = 0; i < 6; i++) {
-        faces[i / 3].corner[i % 3] = (struct corner){i, MODEL_NONE, MODEL_NONE};
-    }
-    const struct model beyond = {
-        .positions = positions, .position_count = 6, .faces = faces, .face_count = 2};
+/* A face of its own. */
+static bool draw_face(struct drawing *drawing, struct image *image, struct vec3 corners[3],
+                      struct error *error) {
+    struct face face = {
+        {{0, MODEL_NONE, MODEL_NONE}, {1, MODEL_NONE, MODEL_NONE}, {2, MODEL_NONE, MODEL_NONE}}};
+    const struct model one = {
+        .positions = corners, .position_count = 3, .faces = &face, .face_count = 1};
     const struct model *model = drawing->model;
+    drawing->model = &one;
     bool done = draw_flat(drawing, image, error);
-    drawing->model = &beyond;
-    done = done && draw_flat(drawing, image, error);
     drawing->model = model;
     return done;
+}
+
+enum { TINY_SIDE = 36 }; /* of a square of pixels, each with a face of its own */
+
+/* Faces smaller than a pixel, around the centres of pixels: they are as bright as large ones. */
+static bool draw_tiny_faces(struct drawing *drawing, struct image *image, struct error *error) {
+    double width = 2 / (double)image->width, height = 2 / (double)image->height; /* of a pixel */
+    bool done = true;
+    for (int i = 0; done && i < TINY_SIDE * TINY_SIDE; i++) {
+        double x = floor(1.82 / width) + i % TINY_SIDE, y = floor(1.55 / height) + i / TINY_SIDE;
+        double left = (x + 0.4) * width - 1, low = (y + 0.4) * height - 1;
+        struct vec3 corners[3] = {
+            {left, low, 0}, {left + 0.3 * width, low, 0}, {left, low + 0.3 * height, 0}};
+        done = draw_face(drawing, image, corners, error);
+    }
+    return done;
+}
+
+/* The faces that are not the model's are drawn into all rows but the last one: nothing may be
+ * drawn behind the image. */
+static bool draw_side(struct drawing *drawing, struct image *image, struct error *error) {
+    struct vec3 corners[][3] = {
+        {{-0.95, 0.5, 0}, {-0.6, 0.9, 0}, {-1e9, 0.9, 0}},     /* too far: corner 2 */
+        {{1e9, 0.9, 0}, {0.6, 0.9, 0}, {0.95, 0.5, 0}},        /* corner 0 */
+        {{0.6, -0.3, 0}, {0.8, -1e9, 0}, {0.95, -0.35, 0}},    /* corner 1 */
+        {{-0.95, -0.3, 0}, {-0.7, 0.2, 0}, {-1.3, 0.45, 0.3}}, /* leave the image: left */
+        {{0.7, 0.1, 0}, {1.3, -0.4, 0.2}, {1.3, 0.7, 0}},      /* right */
+        {{-0.5, 0.97, 0}, {0.5, 0.97, 0}, {0, 1.4, -0.2}},     /* above */
+        {{-0.9, -0.96, 0}, {0, -1.5, 0.3}, {0.9, -0.96, 0}},   /* below */
+    };
+    struct image rows = *image;
+    rows.height--;
+    bool done = draw_flat(drawing, image, error);
+    for (size_t i = 0; rows.height > 0 && done && i < sizeof corners / sizeof corners[0]; i++) {
+        done = draw_face(drawing, &rows, corners[i], error);
+    }
+    return done && (rows.height == 0 || draw_tiny_faces(drawing, &rows, error));
 }
 
 static const struct scene scenes[] = {

@@ -4,7 +4,7 @@
 #include "../../step04_flat/main.c"
 
 static const char *left_out(const char *scene) {
-    return strcmp(scene, "side") == 0 ? "two faces, which are not the model's" : NULL;
+    return strcmp(scene, "side") == 0 ? "faces that are not the model's" : NULL;
 }
 
 static draw_function *rest(const char *scene) {
