@@ -268,7 +268,7 @@ static bool draw_uv_mesh(struct model *bust, const char *directory, struct error
 static bool draw_mips(const char *directory, struct error *error) {
     enum { LEVELS = 5 };
     struct texture letters_texture = {0};
-    bool done = make_letters(&letters_texture, 1, error);
+    bool done = make_letters(&letters_texture, letters_color, 1, error);
     struct sheet sheet = {.width = LETTERS_COLUMNS * LETTERS_TILE,
                           .height = LETTERS_ROWS * LETTERS_TILE,
                           .columns = LEVELS,

@@ -2,8 +2,9 @@
  * Step 6, the given part: its scenes and the program.
  *
  * `texture` draws a model with its diffuse texture, nearest texel, times the intensity of the face.
- * `letters` draws a board whose texture coordinates leave the picture. `room` lays that picture on
- * a floor and a wall in perspective, again and again, nearest texel too. `close` is a wall before
+ * `letters` draws a board whose texture coordinates leave the picture, with a border around it.
+ * `room` lays that picture, without the border, on a floor and a wall in perspective, again and
+ * again, nearest texel too. `close` is a wall before
  * the camera, bilinear. `softer` shows the mip levels of that picture, and what lies between them.
  * `mipmapped` is the room with a mip level for every pixel, and so is `checker`, a plane towards
  * the horizon.
@@ -55,7 +56,7 @@ static bool draw_texture(struct drawing *drawing, struct image *image, struct er
 /* ---- Scene: letters ---- */
 
 struct state {
-    struct texture letters, fading, checker;
+    struct texture letters, bordered, fading, checker;
 };
 
 /* A picture of 5 x 3 tiles with the letters A to O, so that nothing can be exchanged unseen. */
@@ -96,8 +97,21 @@ static struct color letters_color(int x, int y) {
     return is_light != letter_covers(letter, left, below) ? light : dark;
 }
 
+/* The same with a border one texel wide, which is not as what it surrounds: the dark joint at the
+ * left and at the lower side, the colour of the next tile at the others. */
+static struct color bordered_color(int x, int y) {
+    if (x == LETTERS_COLUMNS * LETTERS_TILE - 1) {
+        return letters_color(x - LETTERS_TILE, y);
+    }
+    if (y == LETTERS_ROWS * LETTERS_TILE - 1) {
+        return letters_color(x, y - LETTERS_TILE);
+    }
+    return letters_color(x == 1 ? LETTERS_JOINT : x, y == 1 ? LETTERS_JOINT : y);
+}
+
 /* The picture, darker from column to column: `rightmost` of its light is left in the last one. */
-static bool make_letters(struct texture *texture, double rightmost, struct error *error) {
+static bool make_letters(struct texture *texture, struct color (*color)(int x, int y),
+                         double rightmost, struct error *error) {
     struct image image;
     if (!image_create(&image, LETTERS_COLUMNS * LETTERS_TILE, LETTERS_ROWS * LETTERS_TILE,
                       IMAGE_BGR, error)) {
@@ -106,7 +120,7 @@ static bool make_letters(struct texture *texture, double rightmost, struct error
     for (int y = 0; y < (int)image.height; y++) {
         for (int x = 0; x < (int)image.width; x++) {
             double light = 1 - (1 - rightmost) * x / (double)(image.width - 1);
-            image_set(&image, x, y, shade(letters_color(x, y), light));
+            image_set(&image, x, y, shade(color(x, y), light));
         }
     }
     bool done = texture_create(texture, &image, error);
@@ -134,11 +148,11 @@ static bool draw_letters(struct drawing *drawing, struct image *image, struct er
     const struct vertex first[3] = {corners[0], corners[1], corners[2]};
     const struct vertex second[3] = {corners[0], corners[2], corners[3]};
     struct canvas canvas = {.image = image, .depth = drawing->depth, .skip = drawing->skip};
-    triangle(&canvas, first, &state->letters, 1);
-    triangle(&canvas, second, &state->letters, 1);
+    triangle(&canvas, first, &state->bordered, 1);
+    triangle(&canvas, second, &state->bordered, 1);
     /* What is no nearer than what is there stays hidden. */
-    triangle(&canvas, first, &state->letters, 0.5);
-    triangle(&canvas, second, &state->letters, 0.5);
+    triangle(&canvas, first, &state->bordered, 0.5);
+    triangle(&canvas, second, &state->bordered, 0.5);
     drawing_count(drawing, "pixels_tested", canvas.pixels_tested);
     drawing_count(drawing, "pixels_written", canvas.pixels_written);
     drawing_count(drawing, "texels_fetched", canvas.texels_fetched);
@@ -249,9 +263,11 @@ static struct vertex place_on_floor(double side, double distance, const struct i
     return vertex;
 }
 
+/* At the floor v is -3, and so negative on the whole wall. */
 static struct vertex place_on_wall(double distance, double height, const struct image *image) {
     struct vertex vertex = place_over_plane(ROOM_LEFT, height, distance, image);
     vertex.uv = room_uv(distance, height);
+    vertex.uv.y -= 3;
     return vertex;
 }
 
@@ -323,8 +339,10 @@ static void draw_softer_cell(struct image *image, struct rectangle cell,
         for (int x = 0; x < cell.width; x++) {
             struct vec2 uv = {(x + 0.5) / cell.width, (y + 0.5) / cell.height};
             struct vec4 c = sample_trilinear(texture, uv, coarsest - 1 + uv.x);
+            double alpha = c.w / 255; /* 1: the picture is opaque */
             image_set(image, cell.x + x, cell.y + y,
-                      color_rgb(level_from(c.x), level_from(c.y), level_from(c.z)));
+                      color_rgb(level_from(c.x * alpha), level_from(c.y * alpha),
+                                level_from(c.z * alpha)));
         }
     }
 }
@@ -347,14 +365,16 @@ static bool draw_softer(struct drawing *drawing, struct image *image, struct err
 static bool prepare(struct drawing *drawing, size_t width, size_t height, struct error *error) {
     (void)width, (void)height;
     struct state *state = drawing->state;
-    return drawing->model != NULL ||
-           (make_letters(&state->letters, 1, error) && make_letters(&state->fading, 0.3, error) &&
-            make_checker(&state->checker, error));
+    return drawing->model != NULL || (make_letters(&state->letters, letters_color, 1, error) &&
+                                      make_letters(&state->bordered, bordered_color, 1, error) &&
+                                      make_letters(&state->fading, letters_color, 0.3, error) &&
+                                      make_checker(&state->checker, error));
 }
 
 static void finish(struct drawing *drawing) {
     struct state *state = drawing->state;
     texture_free(&state->letters);
+    texture_free(&state->bordered);
     texture_free(&state->fading);
     texture_free(&state->checker);
 }

@@ -61,7 +61,7 @@ static bool build_letters(struct drawing *drawing, struct image *image, struct p
     struct corner_data corners[4];
     struct batch settings = parallel_batch(
         LOOK_NEAREST, (struct rectangle){0, 0, (int)image->width, (int)image->height});
-    settings.values.diffuse_map = &state->letters;
+    settings.values.diffuse_map = &state->bordered;
     struct batch *batch = picture_add_batch(picture, &settings, error);
     place_board(image, board);
     for (int i = 0; i < 4; i++) {
@@ -142,7 +142,7 @@ static bool build_room(struct drawing *drawing, struct image *image, struct pict
     place_floor(image, ground);
     place_wall(image, wall);
     for (int i = 0; i < 4; i++) {
-        double side = 2 * ground[i].uv.x, height = 1.2 * wall[i].uv.y;
+        double side = 2 * ground[i].uv.x, height = 1.2 * (wall[i].uv.y + 3);
         on_ground[i] =
             perspective_corner(&ground[i], (struct vec3){side, 1 / ground[i].recip_w, 0});
         on_wall[i] =
