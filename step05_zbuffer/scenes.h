@@ -3,7 +3,7 @@
  *
  * `rows` shows the idea in one dimension: three segments of a plane, seen from above, in one row of
  * pixels, and short ones that leave it at its sides. `zbuffer` is lesson 4 with a depth buffer,
- * `depth` shows its depths, `deep` the same ones far away below and very near above, and `knot` is a
+ * `depth` shows its depths, `deep` the same ones far away below and very near above; `knot` is a
  * body that winds around itself. In `side` the light comes from the side, and falls on faces that
  * look away from us too. The cards of `cards` lie almost, or exactly, in one plane, or far apart;
  * `single` shows the depths of two cards, which are all the same.

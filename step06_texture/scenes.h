@@ -4,10 +4,9 @@
  * `texture` draws a model with its diffuse texture, nearest texel, times the intensity of the face.
  * `letters` draws a board whose texture coordinates leave the picture, with a border around it.
  * `room` lays that picture, without the border, on a floor and a wall in perspective, again and
- * again, nearest texel too. `close` is a wall before
- * the camera, bilinear. `softer` shows the mip levels of that picture, and what lies between them.
- * `mipmapped` is the room with a mip level for every pixel, and so is `checker`, a plane towards
- * the horizon.
+ * again, nearest texel too. `close` is a wall before the camera, bilinear. `softer` shows the mip
+ * levels of that picture, and what lies between them. `mipmapped` is the room with a mip level for
+ * every pixel, and so is `checker`, a plane towards the horizon.
  */
 
 /* ---- Scene: texture ---- */

@@ -104,7 +104,7 @@ static void tell(struct told *told, const char *format, ...) {
     told->list[++told->count] = NULL;
 }
 
-/* Three numbers from -reach to reach, in hundredths, the last one `away` from 0: gives them, too. */
+/* Three numbers from -reach to reach, in hundredths, the last one `away` from 0. Returns them. */
 static struct vec3 tell_vector(struct told *told, struct random *random, const char *option,
                                int reach, int away) {
     double x = random_between(random, -reach, reach) / 100.0;
@@ -292,10 +292,10 @@ static const struct checked_scene *limits_for(const struct checked_step *step,
 
 /* Scenes that are left to the references, since correct programs differ in them. In `near` the
  * faces made here are larger than the picture, and how directions are carried over a face is most
- * of what is seen. In 50 seeds, a program of tests/accept was not right there in 6: that which takes
- * 128 from the values of the normal map (up to 2.2 % wrong, 3.5 % apart). In the lesson's other
- * scenes it has 0.9 % and 1.2 % at most. Of scenes that do not depend on the model, `square` and
- * `cards` have corners that other sizes put between two pixels, where float and sixteenths of a
+ * of what is seen. In 50 seeds, a program of tests/accept was not right there in 6: that which
+ * takes 128 from the values of the normal map (up to 2.2 % wrong, 3.5 % apart). In the lesson's
+ * other scenes it has 0.9 % and 1.2 % at most. Of scenes that do not depend on the model, `square`
+ * and `cards` have corners that other sizes put between two pixels, where float and sixteenths of a
  * pixel decide otherwise, and `rows` has few pixels: in 18 seeds, -Ofast was wrong in one. */
 static bool is_left_out(const char *step, const char *scene) {
     static const struct {
