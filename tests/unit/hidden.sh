@@ -153,14 +153,23 @@ hidden 1 2 5 "$work"
 says '  hidden: zbuffer of a model in another size: wrong'
 ! grep -q 'zbuffer of a model in another light' "$work/said" || wrong "what is right is called wrong"
 
-# A correct program of lesson 10, with a seed whose faces are so large that its scene `near` differs.
+# Two programs of lesson 10 that differ where faces are large: a correct one a little, a wrong one by
+# much.
 cp -R "$top/step10_phong" . && cp -R "$top/tests/reference/step10_phong" tests/reference || exit 1
 grep 'step10_' "$top/tests/check/scenes.txt" >>tests/check/scenes.txt
-mkdir other && (cd "$top" && awk -v directory="$work/course/other" -v only=eye_normalized \
-    -f tests/replace.awk -f tests/verify/parse.awk tests/accept/step10.txt) >"$work/said" &&
-    cp other/1/main.c step10_phong || wrong "there is no such program"
+# take LIST NAME: the program with that in its name becomes the one of lesson 10.
+take() {
+    rm -rf other
+    mkdir other && (cd "$top" && awk -v directory="$work/course/other" -v only="$2" \
+        -f tests/replace.awk -f tests/verify/parse.awk "$1") >"$work/said" &&
+        cp other/1/main.c step10_phong || wrong "there is no program $2"
+}
+take tests/accept/step10.txt normals_by_128
 hidden 0 60 10 "$top"
 says 'HIDDEN \([1-9][0-9]*\)/\1'
+take step10_phong/mistakes.txt eye_normalized_at_the_corners_too
+hidden 1 60 10 "$top"
+says '  hidden: near of a new model: wrong'
 
 # ---- What else is at work ----
 
