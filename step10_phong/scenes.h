@@ -174,7 +174,7 @@ static const struct model *near_board(void) {
 
 /* A shoulder, so near that its faces are large; in the middle the largest power that a map can say.
  * On the right a board that is nearer still. */
-static bool draw_near(struct drawing *drawing, struct image *image, struct error *error) {
+static bool draw_large_faces(struct drawing *drawing, struct image *image, struct error *error) {
     struct texture white;
     const struct texture *own = drawing->specular;
     struct cell cells[] = {{&plain, plain_material, NULL},
@@ -251,7 +251,7 @@ static const struct scene scenes[] = {
         .eye = {0.5, -0.25, 0.35},
         .center = {0.42, -0.5, 0},
         .light = {1, 1, 1},
-        .draw = draw_near,
+        .draw = draw_large_faces,
     },
     {
         .name = "turn",
