@@ -172,7 +172,7 @@ static bool draw_signs(struct drawing *drawing, struct image *image, struct erro
     enum { DOTS = 20 };
     (void)error;
     for (size_t i = 0; i < THREE_TRIANGLES + DOTS; i++) {
-        double x = 6 + 4 * (double)(i - THREE_TRIANGLES);
+        double x = 6 + 4 * ((double)i - THREE_TRIANGLES);
         const struct text_scene_shape dot = {{x - 0.3, x + 0.4, x}, {9.8, 9.8, 10.6}, {{WHITE}}};
         const struct text_scene_shape *shape = i < THREE_TRIANGLES ? &three_triangles[i] : &dot;
         struct vec2 screen[3];
