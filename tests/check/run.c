@@ -366,6 +366,18 @@ static void execute(const struct run_command *command) {
     child_fail("start", arguments[0]);
 }
 
+enum { DIRECTORY_FLAGS = O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC };
+
+/* Make it the current directory. A link is not followed: a program may have put it there. */
+static bool enter(const char *directory) {
+    int file = open(directory, DIRECTORY_FLAGS);
+    bool entered = file >= 0 && fchdir(file) == 0;
+    if (file >= 0) {
+        close(file);
+    }
+    return entered;
+}
+
 static void child(const struct run_command *command, int messages, size_t threads) {
     if (command->contained) {
         setsid(); /* a group of its own, and no terminal to write a score to */
@@ -385,7 +397,7 @@ static void child(const struct run_command *command, int messages, size_t thread
     if (command->locale != NULL) {
         setenv("LC_ALL", command->locale, 1);
     }
-    if (command->directory != NULL && chdir(command->directory) != 0) {
+    if (command->directory != NULL && !enter(command->directory)) {
         child_fail("enter", command->directory);
     }
     if (command->contained) {
@@ -588,8 +600,6 @@ bool run(const struct run_command *command, struct run_result *result, struct er
 }
 
 /* ---- Directories ---- */
-
-enum { DIRECTORY_FLAGS = O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC };
 
 const char *run_temporary(void) {
     const char *directory = getenv("TMPDIR");

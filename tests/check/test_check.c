@@ -421,7 +421,7 @@ static void test_crowd(void) {
 }
 
 static void test_summary_and_status(void) {
-    CHECK(contains(&fixture.output, "\n5 passed, 39 failed\n"));
+    CHECK(contains(&fixture.output, "\n5 passed, 40 failed\n"));
     CHECK(fixture.status == 2); /* a reference is missing */
     size_t lines = 0;
     const char *text = (const char *)fixture.output.data;
@@ -429,10 +429,10 @@ static void test_summary_and_status(void) {
         lines += text[0] != ' ';
         text += strcspn(text, "\n") + 1;
     }
-    CHECK(lines == 44);
+    CHECK(lines == 45);
     char score[24];
     snprintf(score, sizeof score, "%.*s", (int)strcspn(text, "\n"), text);
-    CHECK_TEXT(score, "SCORE 27/95");
+    CHECK_TEXT(score, "SCORE 27/97");
 }
 
 /* Each failed scene has its picture, with the reference on its left, and yours in the middle. */
@@ -512,6 +512,17 @@ static void test_temporary_directories_are_removed(void) {
 }
 
 /* ---- Tests of checks of their own ---- */
+
+/* A link that a program has put in place of its directory is not entered. */
+static void test_link_is_not_entered(void) {
+    struct bytes output;
+    CHECK(run_check("45", &output) == 1);
+    CHECK(contains(&output, "cannot enter "));
+    bytes_free(&output);
+    output = read_text(inside("witness").text);
+    CHECK(!contains(&output, "one scene in /usr\n"));
+    bytes_free(&output);
+}
 
 static void test_status_of_passed_and_failed(void) {
     struct bytes output;
@@ -1030,6 +1041,7 @@ static const struct unit_test tests[] = {
     TEST(test_difference_images),
     TEST(test_nothing_survives),
     TEST(test_temporary_directories_are_removed),
+    TEST(test_link_is_not_entered),
     TEST(test_status_of_passed_and_failed),
     TEST(test_one_scene),
     TEST(test_programs_have_no_terminal),

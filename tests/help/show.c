@@ -114,8 +114,11 @@ static bool parse_option(const char *name, const char *value, struct options *op
 }
 
 static bool parse_options(int argc, char **argv, struct options *options) {
+    bool ended = false; /* by "--" */
     for (int i = 1; i < argc; i++) {
-        if (argv[i][0] != '-') {
+        if (!ended && strcmp(argv[i], "--") == 0) {
+            ended = true;
+        } else if (ended || argv[i][0] != '-') {
             if (options->path_count == 2) {
                 return false;
             }

@@ -86,6 +86,8 @@ show 0 --columns 40 --lines 8 --which reference,yours white.tga grey.tga # one b
 [ "$(grep -cx -e yours -e reference shown)" -eq 2 ] || wrong "names: $(cat shown)"
 show 0 --columns 94 --lines 13 none.tga grey.tga --which reference
 size 20 10
+show 0 --columns 94 --lines 13 --which reference -- none.tga grey.tga # options end at --
+size 20 10
 
 
 # A level less counts where the scene must be exact.
