@@ -128,6 +128,15 @@ static const struct text_scene_shape leaving_triangles[] = {
 };
 enum { LEAVING_TRIANGLES = sizeof leaving_triangles / sizeof leaving_triangles[0] };
 
+/* Triangles that leave the image: at the left and at the top, at the right, at the bottom. Their
+ * sides are far from all pixel centres where they meet the border. */
+static const struct text_scene_shape cut_triangles[] = {
+    {{-30.4, 20.3, 40.2}, {165.3, 250.4, 185.1}, {{CYAN}, {CYAN}, {CYAN}}},
+    {{172.3, 240.4, 230.2}, {90.4, 130.3, 20.6}, {{YELLOW}, {YELLOW}, {YELLOW}}},
+    {{88.3, 141.6, 110.4}, {7.4, 5.2, -30.7}, {{MAGENTA}, {MAGENTA}, {MAGENTA}}},
+};
+enum { CUT_TRIANGLES = sizeof cut_triangles / sizeof cut_triangles[0] };
+
 /* One triangle, given clockwise; a hexagon of six; a rectangle of two; one that leaves the image at
  * the top. */
 static const struct text_scene_shape colored_triangles[] = {
@@ -167,17 +176,29 @@ static bool draw_leaving(struct drawing *drawing, struct image *image, struct er
     return true;
 }
 
-/* The three triangles, and a row of dots: triangles smaller than a pixel. */
+/* A triangle by three signs. */
+static void draw_by_signs(struct drawing *drawing, struct image *image,
+                          const struct text_scene_shape *shape) {
+    struct vec2 screen[3];
+    place_shape(shape, screen);
+    drawing_count(drawing, "pixels_written", box_triangle(image, screen, shape->color[0]));
+}
+
+/* The three triangles, three that leave the image, and a row of dots: triangles smaller than a
+ * pixel. */
 static bool draw_signs(struct drawing *drawing, struct image *image, struct error *error) {
     enum { DOTS = 20 };
     (void)error;
-    for (size_t i = 0; i < THREE_TRIANGLES + DOTS; i++) {
-        double x = 6 + 4 * ((double)i - THREE_TRIANGLES);
+    for (size_t i = 0; i < THREE_TRIANGLES; i++) {
+        draw_by_signs(drawing, image, &three_triangles[i]);
+    }
+    for (size_t i = 0; i < CUT_TRIANGLES; i++) {
+        draw_by_signs(drawing, image, &cut_triangles[i]);
+    }
+    for (int i = 0; i < DOTS; i++) {
+        double x = 6 + 4 * i;
         const struct text_scene_shape dot = {{x - 0.3, x + 0.4, x}, {9.8, 9.8, 10.6}, {{WHITE}}};
-        const struct text_scene_shape *shape = i < THREE_TRIANGLES ? &three_triangles[i] : &dot;
-        struct vec2 screen[3];
-        place_shape(shape, screen);
-        drawing_count(drawing, "pixels_written", box_triangle(image, screen, shape->color[0]));
+        draw_by_signs(drawing, image, &dot);
     }
     return true;
 }
