@@ -179,7 +179,8 @@ static void draw_card(const struct card *card, struct canvas *canvas) {
 
 /* Grey behind all, and on all sides larger than the image. Red; blue is a thousandth behind it,
  * green exactly as near, yellow a thousandth nearer, orange half a millionth. Apart from them
- * purple far away, and cyan very near. */
+ * purple far away, and cyan very near; and white, with black in the same place and as near, which
+ * stays hidden: their depth is not one of those that a float can hold. */
 static bool draw_cards(struct drawing *drawing, struct image *image, struct error *error) {
     (void)error;
     static const struct card cards[] = {
@@ -191,6 +192,8 @@ static bool draw_cards(struct drawing *drawing, struct image *image, struct erro
         {{-0.05, 0.23}, {0.25, 0.37}, 0.0000005, {.r = 250, .g = 150, .b = 90, .a = 255}},
         {{0.45, 0.4}, {0.95, 0.9}, -6000, {.r = 130, .g = 60, .b = 140, .a = 255}},
         {{0.6, 0.55}, {0.8, 0.75}, 7000, {.r = 120, .g = 210, .b = 220, .a = 255}},
+        {{-0.9, 0.85}, {0.2, 0.95}, 0.7, {.r = 235, .g = 235, .b = 235, .a = 255}},
+        {{-0.9, 0.85}, {0.2, 0.95}, 0.7, {.r = 20, .g = 20, .b = 20, .a = 255}},
     };
     struct canvas canvas = {.image = image, .depth = drawing->depth};
     for (size_t i = 0; i < sizeof cards / sizeof cards[0]; i++) {
