@@ -2,7 +2,8 @@
  * Step 6, the given part: its scenes and the program.
  *
  * `texture` draws a model with its diffuse texture, nearest texel, times the intensity of the face.
- * `letters` draws a board whose texture coordinates leave the picture, with a border around it.
+ * `letters` draws a board whose texture coordinates leave the picture, with a border around it, and
+ * a piece of cloth on which the middle of each pixel lies on the border between two texels.
  * `room` lays that picture, without the border, on a floor and a wall in perspective, again and
  * again, nearest texel too. `close` is a wall before the camera, bilinear. `softer` shows the mip
  * levels of that picture, and what lies between them. `mipmapped` is the room with a mip level for
@@ -55,7 +56,7 @@ static bool draw_texture(struct drawing *drawing, struct image *image, struct er
 /* ---- Scene: letters ---- */
 
 struct state {
-    struct texture letters, bordered, fading, checker;
+    struct texture letters, bordered, fading, cloth, checker;
 };
 
 /* A picture of 5 x 3 tiles with the letters A to O, so that nothing can be exchanged unseen. */
@@ -127,6 +128,48 @@ static bool make_letters(struct texture *texture, struct color (*color)(int x, i
     return done;
 }
 
+enum {
+    CLOTH_SIDE = 64,  /* texels, and pixels */
+    CLOTH_MARGIN = 16 /* pixels to the border of the image */
+};
+
+/* Threads one texel wide, in three colours. */
+static struct color cloth_color(int x, int y) {
+    const struct color threads[3] = {color_rgb(245, 235, 215), color_rgb(150, 45, 30),
+                                     color_rgb(60, 110, 130)};
+    return threads[(x + y) % 3];
+}
+
+/* A picture of so many texels a side. */
+static bool make_square(struct texture *texture, int side, struct color (*color)(int x, int y),
+                        struct error *error) {
+    struct image image;
+    if (!image_create(&image, (size_t)side, (size_t)side, IMAGE_BGR, error)) {
+        return false;
+    }
+    for (int y = 0; y < side; y++) {
+        for (int x = 0; x < side; x++) {
+            image_set(&image, x, y, color(x, y));
+        }
+    }
+    bool done = texture_create(texture, &image, error);
+    image_free(&image);
+    return done;
+}
+
+/* Texels as large as pixels, at the lower right of the image. The corners lie on pixel centres, so
+ * all pixel centres lie on corners of texels. With a side of a power of 2 nothing is rounded. */
+static void place_cloth(const struct image *image, struct vertex corners[4]) {
+    for (int i = 0; i < 4; i++) {
+        struct vec2 uv = {i == 1 || i == 2, i >= 2};
+        struct vec2 screen = {(double)image->width - CLOTH_MARGIN - CLOTH_SIDE + CLOTH_SIDE * uv.x +
+                                  0.5,
+                              CLOTH_MARGIN + CLOTH_SIDE * uv.y + 0.5};
+        corners[i] = (struct vertex){.uv = uv};
+        screen_snap(screen, &corners[i].position); /* always within the limit */
+    }
+}
+
 /* The corners of a board that faces us, a little askew, and larger than its picture. */
 static void place_board(const struct image *image, struct vertex corners[4]) {
     static const struct vec2 places[4] = {{0.10, 0.04}, {0.98, 0.17}, {0.90, 0.96}, {0.02, 0.83}};
@@ -139,19 +182,23 @@ static void place_board(const struct image *image, struct vertex corners[4]) {
     }
 }
 
+static void draw_board(struct canvas *canvas, const struct vertex corners[4],
+                       const struct texture *texture, double intensity) {
+    triangle(canvas, (struct vertex[]){corners[0], corners[1], corners[2]}, texture, intensity);
+    triangle(canvas, (struct vertex[]){corners[0], corners[2], corners[3]}, texture, intensity);
+}
+
 static bool draw_letters(struct drawing *drawing, struct image *image, struct error *error) {
     (void)error;
     const struct state *state = drawing->state;
-    struct vertex corners[4];
-    place_board(image, corners);
-    const struct vertex first[3] = {corners[0], corners[1], corners[2]};
-    const struct vertex second[3] = {corners[0], corners[2], corners[3]};
+    struct vertex board[4], cloth[4];
+    place_board(image, board);
+    place_cloth(image, cloth);
     struct canvas canvas = {.image = image, .depth = drawing->depth, .skip = drawing->skip};
-    triangle(&canvas, first, &state->bordered, 1);
-    triangle(&canvas, second, &state->bordered, 1);
+    draw_board(&canvas, board, &state->bordered, 1);
     /* What is no nearer than what is there stays hidden. */
-    triangle(&canvas, first, &state->bordered, 0.5);
-    triangle(&canvas, second, &state->bordered, 0.5);
+    draw_board(&canvas, board, &state->bordered, 0.5);
+    draw_board(&canvas, cloth, &state->cloth, 1);
     drawing_count(drawing, "pixels_tested", canvas.pixels_tested);
     drawing_count(drawing, "pixels_written", canvas.pixels_written);
     drawing_count(drawing, "texels_fetched", canvas.texels_fetched);
@@ -164,22 +211,14 @@ enum { CHECKER_SIZE = 256 }; /* texels a side: a picture of two by two tiles */
 
 /* The edges of the picture run through the middle of tiles, so both sides of the seam between two
  * repeated pictures have the same colour, on every mip level. */
+static struct color checker_color(int x, int y) {
+    int column = (x + CHECKER_SIZE / 4) / (CHECKER_SIZE / 2); /* 0, 1 or 2 */
+    int row = (y + CHECKER_SIZE / 4) / (CHECKER_SIZE / 2);
+    return (column + row) % 2 == 0 ? color_rgb(245, 235, 215) : color_rgb(150, 45, 30);
+}
+
 static bool make_checker(struct texture *texture, struct error *error) {
-    const struct color light = color_rgb(245, 235, 215), dark = color_rgb(150, 45, 30);
-    struct image image;
-    if (!image_create(&image, CHECKER_SIZE, CHECKER_SIZE, IMAGE_BGR, error)) {
-        return false;
-    }
-    for (int y = 0; y < CHECKER_SIZE; y++) {
-        for (int x = 0; x < CHECKER_SIZE; x++) {
-            int column = (x + CHECKER_SIZE / 4) / (CHECKER_SIZE / 2); /* 0, 1 or 2 */
-            int row = (y + CHECKER_SIZE / 4) / (CHECKER_SIZE / 2);
-            image_set(&image, x, y, (column + row) % 2 == 0 ? light : dark);
-        }
-    }
-    bool done = texture_create(texture, &image, error);
-    image_free(&image);
-    return done;
+    return make_square(texture, CHECKER_SIZE, checker_color, error);
 }
 
 /* The camera stands at the origin and looks along -z. The plane lies PLANE_BELOW under it, rolled
@@ -367,6 +406,7 @@ static bool prepare(struct drawing *drawing, size_t width, size_t height, struct
     return drawing->model != NULL || (make_letters(&state->letters, letters_color, 1, error) &&
                                       make_letters(&state->bordered, bordered_color, 1, error) &&
                                       make_letters(&state->fading, letters_color, 0.3, error) &&
+                                      make_square(&state->cloth, CLOTH_SIDE, cloth_color, error) &&
                                       make_checker(&state->checker, error));
 }
 
@@ -375,6 +415,7 @@ static void finish(struct drawing *drawing) {
     texture_free(&state->letters);
     texture_free(&state->bordered);
     texture_free(&state->fading);
+    texture_free(&state->cloth);
     texture_free(&state->checker);
 }
 

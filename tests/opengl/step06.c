@@ -53,17 +53,16 @@ static bool add_quad(struct batch *batch, size_t first_face, const struct corner
 
 /* ---- Scene letters ---- */
 
-static bool build_letters(struct drawing *drawing, struct image *image, struct picture *picture,
-                          struct error *error) {
-    const struct state *state = drawing->state;
+/* A board that faces us, of four corners that have been placed. */
+static bool add_board(struct picture *picture, const struct image *image,
+                      const struct vertex board[4], const struct texture *texture,
+                      size_t first_face, struct error *error) {
     double width = (double)image->width * SUBPIXELS, height = (double)image->height * SUBPIXELS;
-    struct vertex board[4];
     struct corner_data corners[4];
     struct batch settings = parallel_batch(
         LOOK_NEAREST, (struct rectangle){0, 0, (int)image->width, (int)image->height});
-    settings.values.diffuse_map = &state->bordered;
+    settings.values.diffuse_map = texture;
     struct batch *batch = picture_add_batch(picture, &settings, error);
-    place_board(image, board);
     for (int i = 0; i < 4; i++) {
         struct fixed2 screen = board[i].position;
         corners[i] = (struct corner_data){
@@ -72,7 +71,17 @@ static bool build_letters(struct drawing *drawing, struct image *image, struct p
             .varyings = {board[i].uv.x, board[i].uv.y, 1},
         };
     }
-    return batch != NULL && add_quad(batch, 0, corners, error);
+    return batch != NULL && add_quad(batch, first_face, corners, error);
+}
+
+static bool build_letters(struct drawing *drawing, struct image *image, struct picture *picture,
+                          struct error *error) {
+    const struct state *state = drawing->state;
+    struct vertex board[4], cloth[4];
+    place_board(image, board);
+    place_cloth(image, cloth);
+    return add_board(picture, image, board, &state->bordered, 0, error) &&
+           add_board(picture, image, cloth, &state->cloth, 2, error);
 }
 
 /* ---- Scenes in perspective ---- */
