@@ -78,14 +78,21 @@ static struct rectangle corner_of(struct rectangle cell) {
     return (struct rectangle){cell.x + margin, cell.y + cell.height - margin - size, size, size};
 }
 
-/* Two faces in this corner, whose corners are given in NDC. */
+/* Its upper right corner. */
+static struct rectangle right_corner_of(struct rectangle cell) {
+    const int size = cell.width / 10, margin = cell.width / 20;
+    return (struct rectangle){cell.x + cell.width - margin - size,
+                              cell.y + cell.height - margin - size, size, size};
+}
+
+/* Two faces in such a corner, in the parallel view: their corners are given in NDC. */
 static struct draw_call flat_call(struct pair *pair, const struct vec3 positions[6],
-                                  struct rectangle cell) {
+                                  struct rectangle corner) {
     pair_create(pair, positions);
     return (struct draw_call){
         .model = &pair->model,
         .to_clip = mat4_identity(),
-        .viewport = corner_of(cell),
+        .viewport = corner,
         .cull = CULL_NONE,
     };
 }
@@ -94,14 +101,22 @@ static struct draw_call flat_call(struct pair *pair, const struct vec3 positions
 static struct draw_call square_call(struct pair *square, struct rectangle cell) {
     static const struct vec3 positions[6] = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0},
                                              {-1, -1, 0}, {1, 1, 0},  {-1, 1, 0}};
-    return flat_call(square, positions, cell);
+    return flat_call(square, positions, corner_of(cell));
 }
 
 /* Two triangles of which a corner is too far for the screen: nothing of them is drawn. */
 static struct draw_call too_far_call(struct pair *too_far, struct rectangle cell) {
     static const struct vec3 positions[6] = {{1, -1, 0},  {-1, 1, 0}, {-1, -1e9, 0},
                                              {1e9, 1, 0}, {-1, 1, 0}, {1, -1, 0}};
-    return flat_call(too_far, positions, cell);
+    return flat_call(too_far, positions, corner_of(cell));
+}
+
+/* In the parallel view two triangles that lean, one to the left and one to the right: they cross
+ * near the middle. There w is 1 everywhere, and says nothing of the depth. */
+static struct draw_call leaning_call(struct pair *leaning, struct rectangle cell) {
+    static const struct vec3 positions[6] = {{-0.9, -0.9, 0.5}, {0.8, 0, -0.4},  {-0.9, 0.9, 0.5},
+                                             {0.9, -0.9, 0.4},  {0.9, 0.9, 0.4}, {-0.8, 0, -0.4}};
+    return flat_call(leaning, positions, right_corner_of(cell));
 }
 
 /* A triangle that faces us and is larger than the corner, and one that lies: it comes from far
@@ -168,9 +183,10 @@ static bool draw_simple_cells(const struct drawing *drawing, struct image *image
     return true;
 }
 
-/* Above: the corners, and beside the head two triangles that cross; the normals, and two triangles
- * that reach too far. Below: the corners from so near that perspective is strong, and a shoulder is
- * behind the eye; the inside of the back of the head, and two triangles that reach to the eye. */
+/* Above: the corners, and beside the head two triangles that cross, at the left in perspective and
+ * at the right in the parallel view; the normals, and two triangles that reach too far. Below: the
+ * corners from so near that perspective is strong, and a shoulder is behind the eye; the inside of
+ * the back of the head, and two triangles that reach to the eye. */
 static bool draw_loops(struct drawing *drawing, struct image *image, struct error *error) {
     const struct vec3 over_the_shoulder = {0.5, -0.2, 0.5};
     const struct simple_cell cells[4] = {{&simple_corners, CULL_BACK, 0.8, {0, 0, 0}},
@@ -178,13 +194,15 @@ static bool draw_loops(struct drawing *drawing, struct image *image, struct erro
                                          {&simple_corners, CULL_BACK, 1.2, over_the_shoulder},
                                          {&simple_normals, CULL_FRONT, 1.15, {0, 0, 0}}};
     const struct canvas canvas = {image, drawing->depth};
-    struct pair crossing, too_far, near;
+    struct pair crossing, leaning, too_far, near;
     (void)error;
     struct draw_call call =
         crossing_call(&crossing, grid_cell(image->width, image->height, 2, 2, 0, 0));
     simple_draw(&canvas, &call, &simple_corners, &crossing.uniforms);
     /* What is no nearer than what is there stays hidden. */
     simple_draw(&canvas, &call, &simple_normals, &crossing.uniforms);
+    call = leaning_call(&leaning, grid_cell(image->width, image->height, 2, 2, 0, 0));
+    simple_draw(&canvas, &call, &simple_corners, &leaning.uniforms);
     call = too_far_call(&too_far, grid_cell(image->width, image->height, 2, 2, 1, 0));
     simple_draw(&canvas, &call, &simple_corners, &too_far.uniforms);
     call = near_call(&near, grid_cell(image->width, image->height, 2, 2, 1, 1));
