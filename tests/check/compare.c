@@ -1,5 +1,6 @@
 #include "compare.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -139,6 +140,16 @@ static void mark_block(uint8_t *marks, const struct patch *reference, const stru
     }
 }
 
+/* By how many levels the pixels of the block that agree are lighter, in all. */
+static int64_t count_lighter(const uint8_t *wanted, const uint8_t *got, const uint8_t *marks,
+                             size_t count) {
+    int32_t lighter = 0;
+    for (size_t i = 0; i < count; i++) {
+        lighter += (marks[i] & MARK_APART) != 0 ? 0 : got[i + 1] - wanted[i + 1];
+    }
+    return lighter;
+}
+
 /* How many pixels are not background in at least one of the two. */
 static size_t count_drawn(const struct channels *a, const struct channels *b, size_t count) {
     uint16_t drawn = 0;
@@ -189,8 +200,12 @@ static void add_marked(struct tally *tally, const struct marked_block *block, un
 static void add_block(struct comparison *result, const struct patch *wanted,
                       const struct patch *got, size_t x, size_t y, size_t count) {
     struct marked_block block = {.x = x, .y = y, .count = count};
+    const struct channels *right = &wanted->row[1], *yours = &got->row[1];
     mark_block(block.marks, wanted, got, count);
-    result->drawn += count_drawn(&wanted->row[1], &got->row[1], count);
+    result->drawn += count_drawn(right, yours, count);
+    result->lighter[0] += count_lighter(right->red, yours->red, block.marks, count);
+    result->lighter[1] += count_lighter(right->green, yours->green, block.marks, count);
+    result->lighter[2] += count_lighter(right->blue, yours->blue, block.marks, count);
     add_marked(&result->differing, &block, MARK_NEAR, MARK_NEAR);
     add_marked(&result->apart, &block, MARK_APART, MARK_APART);
     add_marked(&result->near, &block, MARK_NEAR | MARK_APART, MARK_NEAR);
@@ -235,6 +250,20 @@ struct comparison compare_images(const struct image *reference, const struct ima
         result.wrong = result.differing; /* also where the reference is nearly background */
     }
     return result;
+}
+
+double compare_lighter(const struct comparison *comparison) {
+    const uint64_t agreeing = comparison->drawn - comparison->apart.count;
+    int64_t most = 0;
+    for (size_t i = 0; i < 3; i++) {
+        int64_t levels = comparison->lighter[i];
+        most = llabs(levels) > llabs(most) ? levels : most;
+    }
+    return most == 0 ? 0 : (double)most / (double)agreeing;
+}
+
+bool is_as_light(const struct comparison *comparison) {
+    return fabs(compare_lighter(comparison)) <= COMPARE_LIGHTER / 1000.0;
 }
 
 bool share_within(uint64_t count, uint64_t drawn, unsigned limit) {

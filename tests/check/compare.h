@@ -13,8 +13,13 @@
  * next to it; a wrong triangle has not. What is apart is counted too, and has a limit of its own,
  * because otherwise a picture that is shifted by one pixel would be right. And so is what is drawn
  * in one picture only: holes between triangles are thin, and few beside the moved edges inside of a
- * model. Last, pixels that are near but not equal: other arithmetic gives a few of them, but where
+ * model. And pixels that are near but not equal: other arithmetic gives a few of them, but where
  * values are cut off and not rounded half of them and more are one too small.
+ *
+ * Last, a whole picture may be a few levels too light or too dark, and every colour in it agree. So
+ * the pixels that agree must be as light on average, in each channel. The limit lies between what
+ * cuts values off and does not round them (less than 1 level too dark; 0.84 was measured), and 2
+ * levels more everywhere.
  *
  * Pictures are compared as red, green and blue: a grey picture equals the same grey in colours, and
  * alpha is not looked at.
@@ -28,7 +33,10 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-enum { COMPARE_LEVELS = 4 }; /* channels of colours that agree differ by this at most */
+enum {
+    COMPARE_LEVELS = 4,    /* channels of colours that agree differ by this at most */
+    COMPARE_LIGHTER = 1250 /* and by this on average: thousandths of a level */
+};
 
 /* Some pixels of a picture: how many, and the first of them, by rows from the bottom. */
 struct tally {
@@ -43,11 +51,20 @@ struct comparison {
     struct tally near;      /* those that agree, and are not equal */
     struct tally wrong;     /* those that have no match next to them either */
     struct tally coverage;  /* those that are apart, and background in one of the two pictures */
+    int64_t lighter[3];     /* by so many levels are those that agree lighter in yours, in all: red,
+                             * green, blue; less than 0: darker */
 };
 
 /* Compare two pictures of the same size (the caller checks that). When yours is all background and
  * the reference is not, every drawn pixel is wrong. */
 struct comparison compare_images(const struct image *reference, const struct image *yours);
+
+/* By how many levels are the drawn pixels that agree lighter in yours, on average? That of the
+ * channel which differs most. Less than 0: darker. */
+double compare_lighter(const struct comparison *comparison);
+
+/* Is that within COMPARE_LIGHTER (inclusive)? */
+bool is_as_light(const struct comparison *comparison);
 
 /* Is the share of the drawn pixels within the limit (thousandths of a percent, inclusive)? */
 bool share_within(uint64_t count, uint64_t drawn, unsigned limit);

@@ -17,6 +17,7 @@
 #include "verdict.h"
 
 #include <errno.h>
+#include <math.h>
 #include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -92,6 +93,12 @@ static const struct tally *judge_shares(struct item_result *item,
                    show_count(differing).text, show_count(drawn).text);
         return verdict.tally;
     }
+    if (!verdict.passes && verdict.what == NULL) {
+        const double lighter = compare_lighter(shares);
+        result_say(&item->message, "too %s by %.1f levels on average (limit %g)",
+                   lighter > 0 ? "light" : "dark", fabs(lighter), COMPARE_LIGHTER / 1000.0);
+        return verdict.tally;
+    }
     if (!verdict.passes) {
         result_say(&item->message, "%s of drawn pixels %s (limit %g %%)",
                    share_show(verdict.tally->count, drawn, verdict.limit).text, verdict.what,
@@ -116,11 +123,11 @@ static void write_shares(const char *path, const char *step, const struct item_r
         if (likeness->row > 0) {
             snprintf(distance, sizeof distance, "%zu", likeness->distance);
         }
-        fprintf(file, "%s %s %.4f %.4f %.4f %.4f %s\n", step, item->scene,
+        fprintf(file, "%s %s %.4f %.4f %.4f %.4f %.4f %s\n", step, item->scene,
                 100 * (double)shares->wrong.count / drawn,
                 100 * (double)shares->apart.count / drawn,
                 100 * (double)shares->coverage.count / drawn,
-                100 * (double)shares->near.count / drawn, distance);
+                100 * (double)shares->near.count / drawn, compare_lighter(shares), distance);
     }
     if (path[0] != '\0' && (file == NULL || fclose(file) != 0)) {
         fprintf(stderr, "check: %s: %s\n", path, strerror(errno));

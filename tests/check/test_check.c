@@ -355,6 +355,10 @@ static void test_verdicts(void) {
          "yours 119,111,119, right 120,112,120; depth2 FAIL 0/1: 100.0 % of drawn pixels a little "
          "too light or dark (limit 99.5 %), first at (88,21): yours 119,111,119, right "
          "120,112,120"},
+        {"step45_lighter",
+         "FAIL 0/2 SCORE 0/2; depth FAIL 0/1: too light by 3.0 levels on average (limit 1.25), "
+         "first at (88,21): yours 123,115,123, right 120,112,120; depth2 FAIL 0/1: too dark by 3.0 "
+         "levels on average (limit 1.25), first at (88,21): yours 117,109,117, right 120,112,120"},
         {"step44_moved", "FAIL 1/2 SCORE 1/2; depth PASS 1/1; depth drawn again (turned) FAIL 0/1: "
                          "a new scene is not drawn, or in another size"},
     };
@@ -421,7 +425,7 @@ static void test_crowd(void) {
 }
 
 static void test_summary_and_status(void) {
-    CHECK(contains(&fixture.output, "\n5 passed, 40 failed\n"));
+    CHECK(contains(&fixture.output, "\n5 passed, 41 failed\n"));
     CHECK(fixture.status == 2); /* a reference is missing */
     size_t lines = 0;
     const char *text = (const char *)fixture.output.data;
@@ -429,10 +433,10 @@ static void test_summary_and_status(void) {
         lines += text[0] != ' ';
         text += strcspn(text, "\n") + 1;
     }
-    CHECK(lines == 45);
+    CHECK(lines == 46);
     char score[24];
     snprintf(score, sizeof score, "%.*s", (int)strcspn(text, "\n"), text);
-    CHECK_TEXT(score, "SCORE 27/97");
+    CHECK_TEXT(score, "SCORE 27/99");
 }
 
 /* Each failed scene has its picture, with the reference on its left, and yours in the middle. */
@@ -516,7 +520,7 @@ static void test_temporary_directories_are_removed(void) {
 /* A link that a program has put in place of its directory is not entered. */
 static void test_link_is_not_entered(void) {
     struct bytes output;
-    CHECK(run_check("45", &output) == 1);
+    CHECK(run_check("46", &output) == 1);
     CHECK(contains(&output, "cannot enter "));
     bytes_free(&output);
     output = read_text(inside("witness").text);

@@ -4,7 +4,9 @@
 #include "legend.h"
 #include "unit.h"
 
+#include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 static uint32_t next_random(uint32_t *state) {
     *state = *state * 1664525u + 1013904223u;
@@ -66,7 +68,12 @@ static struct comparison oracle(const struct image *a, const struct image *b) {
                 }
                 if (!oracle_agree(p, q)) {
                     oracle_count(&result.apart, x, y);
-                } else if (p.r != q.r || p.g != q.g || p.b != q.b) {
+                } else {
+                    result.lighter[0] += q.r - p.r;
+                    result.lighter[1] += q.g - p.g;
+                    result.lighter[2] += q.b - p.b;
+                }
+                if (oracle_agree(p, q) && (p.r != q.r || p.g != q.g || p.b != q.b)) {
                     oracle_count(&result.near, x, y);
                 }
                 if (!oracle_found_near(b, x, y, p) || !oracle_found_near(a, x, y, q)) {
@@ -88,7 +95,8 @@ static bool same_tally(struct tally a, struct tally b) {
 static bool same(struct comparison a, struct comparison b) {
     return a.drawn == b.drawn && same_tally(a.differing, b.differing) &&
            same_tally(a.apart, b.apart) && same_tally(a.near, b.near) &&
-           same_tally(a.wrong, b.wrong) && same_tally(a.coverage, b.coverage);
+           same_tally(a.wrong, b.wrong) && same_tally(a.coverage, b.coverage) &&
+           memcmp(a.lighter, b.lighter, sizeof a.lighter) == 0;
 }
 
 /* Few levels, so that colours agree often; much background. */
@@ -153,6 +161,37 @@ static void test_levels_and_neighbours(void) {
         c = compare_images(&b, &a); /* both sides count the same */
         CHECK(c.differing.count == cases[i].differing && c.apart.count == cases[i].apart &&
               c.wrong.count == cases[i].wrong);
+    }
+    image_free(&a);
+    image_free(&b);
+}
+
+/* A channel that is too light on average, of the pixels that agree, however few. */
+static void test_lightness(void) {
+    static const struct {
+        int r, g, b, count; /* so much is added to so many of 100 drawn pixels */
+        double lighter;
+        bool is_as_light;
+    } cases[] = {
+        {0, 0, 0, 100, 0, true},   {3, 3, 3, 100, 3, false},       {-3, -3, -3, 100, -3, false},
+        {1, 1, 1, 100, 1, true},   {2, 2, 2, 100, 2, false},       {-1, -1, -1, 100, -1, true},
+        {4, 4, 4, 31, 1.24, true}, {4, 4, 4, 32, 1.28, false},     {-4, -4, -4, 31, -1.24, true},
+        {5, 5, 5, 50, 0, true},    {0, 2, 0, 100, 2, false},       {0, 1, -4, 40, -1.6, false},
+        {4, 4, 9, 100, 0, true},   {-4, -4, -4, 32, -1.28, false},
+    };
+    struct image a = make(20, 10, IMAGE_BGR), b = make(20, 10, IMAGE_BGR);
+    for (int i = 0; i < 100; i++) {
+        image_set(&a, i % 20, i / 20, color_rgb(100, 110, 120));
+    }
+    for (size_t k = 0; k < sizeof cases / sizeof cases[0]; k++) {
+        struct color other = color_rgb((uint8_t)(100 + cases[k].r), (uint8_t)(110 + cases[k].g),
+                                       (uint8_t)(120 + cases[k].b));
+        for (int i = 0; i < 100; i++) {
+            image_set(&b, i % 20, i / 20, i < cases[k].count ? other : color_rgb(100, 110, 120));
+        }
+        struct comparison c = compare_images(&a, &b);
+        CHECK(fabs(compare_lighter(&c) - cases[k].lighter) < 1e-12);
+        CHECK(is_as_light(&c) == cases[k].is_as_light);
     }
     image_free(&a);
     image_free(&b);
@@ -368,7 +407,7 @@ static void test_legend(void) {
     image_free(&picture);
 }
 
-UNIT_MAIN(TEST(test_rule_against_oracle), TEST(test_levels_and_neighbours),
+UNIT_MAIN(TEST(test_rule_against_oracle), TEST(test_levels_and_neighbours), TEST(test_lightness),
           TEST(test_blank_picture_is_all_wrong), TEST(test_formats_with_equal_look),
           TEST(test_limit_and_its_text), TEST(test_shift), TEST(test_difference_picture),
           TEST(test_difference_of_what_counts), TEST(test_legend))

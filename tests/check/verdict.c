@@ -12,6 +12,9 @@ struct verdict verdict_find(const struct comparison *shares, const struct checke
         return (struct verdict){passes, COMPARE_DIFFERING, &shares->differing, 0, NULL};
     }
     for (size_t i = 0; i < sizeof limits / sizeof limits[0]; i++) {
+        if (limits[i].tally == &shares->near && !is_as_light(shares)) {
+            return (struct verdict){false, COMPARE_DIFFERING, &shares->near, 0, NULL};
+        }
         if (!share_within(limits[i].tally->count, shares->drawn, limits[i].limit)) {
             return limits[i];
         }

@@ -12,7 +12,8 @@ struct verdict {
     enum compare_pixels pixels; /* that count as wrong */
     const struct tally *tally;  /* of those; where it passes, of all that differ */
     unsigned limit;             /* that is broken, as in the table of scenes; 0 for an exact one */
-    const char *what;           /* "wrong", ...: what broke it; NULL for an exact scene */
+    const char *what;           /* "wrong", ...: what broke it; NULL for an exact scene, and for
+                                 * one that is too light or too dark as a whole */
 };
 
 /* Judge by the scene's limits. The first one that is broken counts. `shares` must outlive it. */

@@ -6,7 +6,7 @@
 #
 # Prints a finding, or nothing. Adds `LESSON KIND right TOLD` or `... wrong TOLD` to WORK/results
 # (TOLD: yes for a mistake that the check names), and to WORK/shares, for each picture, `KIND NAME
-# LESSON SCENE WRONG APART COVERAGE NEAR LOOK` as `check --shares` writes them.
+# LESSON SCENE WRONG APART COVERAGE NEAR LIGHTER LOOK` as `check --shares` writes them.
 . tests/verify/entry.sh
 
 # finding WORDS: prints them with the name; the result is wrong.
@@ -65,7 +65,7 @@ judge_looks() {
     [ ! -f "$list" ] || row=$(awk -v says="$task $figure $says" '
         substr($0, length($1 " " $2) + 2) == says { row = $1 > row ? $1 : row; found = 1 }
         END { print found ? row + 0 : "none" }' "$list")
-    distance=$(awk 'END { print $7 }' "$place/shares" 2>/dev/null)
+    distance=$(awk 'END { print $8 }' "$place/shares" 2>/dev/null)
     told=no
     case $row:$said in
     none:*) if [ -f "$list" ]; then finding STALE "not in $list: $redo"; else judge_counted; fi ;;
