@@ -1103,7 +1103,7 @@ bool zlib_decompress(const void *data, size_t size, void *out, size_t out_size,
         return error_out_of_memory(error);
     }
     d->next = bytes;
-    d->end = bytes + size;
+    d->end = size > 0 ? bytes + size : bytes; /* without a byte, `data` may be NULL */
     d->out = out;
     d->out_limit = out_size;
     bool done = read_stream(d);

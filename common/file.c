@@ -296,16 +296,30 @@ static void set_permissions(int file, long mode) {
 #endif
 }
 
-/* Write a new file beside `path` and rename it. `mode` holds the permissions of the file that is
+/* Let what would end the program wait. Returns what was blocked before. */
+static sigset_t block_ends(void) {
+    sigset_t ends, before;
+    sigemptyset(&ends);
+    sigaddset(&ends, SIGINT);
+    sigaddset(&ends, SIGTERM);
+    sigaddset(&ends, SIGHUP);
+    sigprocmask(SIG_BLOCK, &ends, &before);
+    return before;
+}
+
+/* Write a new file beside `path` and rename it; nobody who stops the program leaves a part of it
+ * behind. `mode` holds the permissions of the file that is
  * replaced, or -1. */
 static bool write_and_rename(const char *path, long mode, const void *data, size_t size,
                              struct error *error) {
+    sigset_t before = block_ends();
     size_t name_size = strlen(path) + 64;
     char *name = malloc(name_size);
-    if (name == NULL) {
-        return error_out_of_memory(error);
-    }
     bool done = false;
+    if (name == NULL) {
+        error_out_of_memory(error);
+        goto end;
+    }
     int file = create_temporary(path, name, name_size);
     if (file < 0) {
         error_from_system(error);
@@ -322,6 +336,7 @@ static bool write_and_rename(const char *path, long mode, const void *data, size
     done = true;
 end:
     free(name);
+    sigprocmask(SIG_SETMASK, &before, NULL);
     return done;
 }
 
@@ -401,6 +416,12 @@ bool file_exists(const char *path) {
     return stat(path, &status) == 0;
 }
 
+bool file_is_same(const char *a, const char *b) {
+    struct stat of_a, of_b;
+    return stat(a, &of_a) == 0 && stat(b, &of_b) == 0 && of_a.st_dev == of_b.st_dev &&
+           of_a.st_ino == of_b.st_ino;
+}
+
 uint64_t file_size(const char *path) {
     struct stat status;
     return stat(path, &status) == 0 && status.st_size > 0 ? (uint64_t)status.st_size : 0;
@@ -411,9 +432,10 @@ static bool is_directory(const char *path) {
     return stat(path, &status) == 0 && S_ISDIR(status.st_mode);
 }
 
-/* What is wrong with what is there, and is no directory: a link may lead to nothing. */
+/* What is wrong with what is there, and is no directory: a link may lead to nothing, or to itself. */
 static int reason_of_existing(const char *path) {
-    return file_exists(path) ? ENOTDIR : ENOENT;
+    struct stat status;
+    return stat(path, &status) == 0 ? ENOTDIR : errno;
 }
 
 bool directory_create(const char *path, struct error *error) {
@@ -428,8 +450,9 @@ bool directory_create(const char *path, struct error *error) {
         partial[i] = '\0';
         int reason = mkdir(partial, 0777) == 0 ? 0 : errno;
         if (reason != 0 && !is_directory(partial)) {
-            error_set(error, "%s: cannot make the directory: %s", partial,
+            error_set(error, "cannot make the directory: %s",
                       strerror(reason == EEXIST ? reason_of_existing(partial) : reason));
+            error_name_file(error, partial);
             free(partial);
             return false;
         }

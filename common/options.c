@@ -208,6 +208,9 @@ static const struct option *find_option(const struct program *program, const cha
 static bool parse_input(struct options *options, const struct program *program, const char *input,
                         struct error *error) {
     bool takes_input = program->draw_text != NULL || program_takes_model(program);
+    if (input[0] == '\0') {
+        return error_set(error, "an empty name of a file; try --help");
+    }
     if (!takes_input || options->input != NULL) {
         return error_set(error, "one argument too many: '%s'; try --help", input);
     }

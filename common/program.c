@@ -78,22 +78,52 @@ static bool same_point(struct vec3 a, struct vec3 b) {
 }
 
 /* A camera at the point that it looks at looks nowhere; the square of their distance must not be so
- * small that bits of it are lost. */
+ * small that bits of it are lost, nor too large for the float of a fragment. */
 static bool check_camera(const struct scene *scene, struct error *error) {
     double distance = vec3_length(vec3_sub(scene->eye, scene->center));
-    return distance >= 1e-140 ||
-           error_set(error, "scene %s: the eye and the center are %s", scene->name,
-                     same_point(scene->eye, scene->center) ? "the same point"
-                                                           : "too near to each other");
+    const char *fault = same_point(scene->eye, scene->center) ? "the same point"
+                        : distance > 1                        ? "too far from each other"
+                                                              : "too near to each other";
+    return (distance >= 1e-140 && distance <= 1e18) ||
+           error_set(error, "scene %s: the eye and the center are %s", scene->name, fault);
+}
+
+/* How many frames stand side by side on a sheet, and how many rows of them there are. */
+static void sheet_layout(size_t frame_count, size_t *columns, size_t *rows) {
+    *columns = 1;
+    while (*columns * *columns < frame_count) {
+        (*columns)++;
+    }
+    *rows = (frame_count + *columns - 1) / *columns;
+}
+
+/* Each frame of a file that moves has the size of the scene; those of a sheet share it out. */
+static void frames_layout(const struct options *options, const struct scene *scene, size_t *columns,
+                          size_t *rows) {
+    *columns = *rows = 1;
+    if (options->format->write_frames == NULL) {
+        sheet_layout(scene->frames, columns, rows);
+    }
+}
+
+static bool check_size(const struct options *options, const struct scene *scene,
+                       struct error *error) {
+    size_t columns, rows;
+    frames_layout(options, scene, &columns, &rows);
+    return (scene->width >= columns && scene->height >= rows) ||
+           error_set(error, "scene %s: %zu frames need at least %zux%zu pixels", scene->name,
+                     scene->frames, columns, rows);
 }
 
 /* Do the options of the command line go together with the scenes? */
 static bool check_options(const struct command *command, struct error *error) {
     const struct program *program = command->run.program;
     bool moved = command->options.eye.given || command->options.center.given;
-    for (size_t i = 0; moved && i < program->scene_count; i++) {
+    for (size_t i = 0; i < program->scene_count; i++) {
         const struct scene scene = chosen_scene(command, &program->scenes[i]);
-        if (is_chosen(command, &program->scenes[i]) && !check_camera(&scene, error)) {
+        if (is_chosen(command, &program->scenes[i]) &&
+            !((!moved || check_camera(&scene, error)) &&
+              check_size(&command->options, &scene, error))) {
             return false;
         }
     }
@@ -108,29 +138,13 @@ struct frames {
     size_t count, width, height; /* how many, and the pixels of each */
 };
 
-/* How many frames stand side by side on a sheet, and how many rows of them there are. */
-static void sheet_layout(size_t frame_count, size_t *columns, size_t *rows) {
-    *columns = 1;
-    while (*columns * *columns < frame_count) {
-        (*columns)++;
-    }
-    *rows = (frame_count + *columns - 1) / *columns;
-}
-
-/* Each frame of a file that moves has the size of the scene; those of a sheet share it out. */
 static bool frames_create(struct frames *frames, const struct options *options,
                           const struct scene *scene, struct error *error) {
-    size_t columns = 1, rows = 1;
+    size_t columns, rows;
     *frames = (struct frames){.count = scene->frames};
-    if (options->format->write_frames == NULL) {
-        sheet_layout(frames->count, &columns, &rows);
-    }
+    frames_layout(options, scene, &columns, &rows);
     frames->width = scene->width / columns;
     frames->height = scene->height / rows;
-    if (frames->width == 0 || frames->height == 0) {
-        return error_set(error, "scene %s: %zu frames need at least %zux%zu pixels", scene->name,
-                         frames->count, columns, rows);
-    }
     frames->frame = calloc(frames->count, sizeof *frames->frame);
     if (frames->frame == NULL) {
         return error_out_of_memory(error);
@@ -209,6 +223,11 @@ static bool save(const struct command *command, const struct scene *scene,
         error_out_of_memory(error);
         goto end;
     }
+    if (command->run.text != NULL && file_is_same(options->input, path)) {
+        error_set(error, "the picture would replace its scene; -o puts it elsewhere");
+        error_name_file(error, path);
+        goto end;
+    }
     done = directory_create(directory, error) &&
            write_frames(path, options->format, scene, frames, error);
     if (done && !options->stats && options->repeat == 0) {
@@ -231,8 +250,10 @@ static void suggest_fit(struct command *command, const struct model *model) {
     }
     command->suggested = true;
     if (box_reaches_out(model_box(model))) {
-        fprintf(stderr, "%s: %s reaches out of -1..1; --fit brings it into view\n",
-                command->run.program->name, options->input);
+        struct error advice;
+        error_set(&advice, "reaches out of -1..1; --fit brings it into view");
+        error_name_file(&advice, options->input);
+        fprintf(stderr, "%s: %s\n", command->run.program->name, advice.message);
     }
 }
 

@@ -9,6 +9,7 @@
 #if defined(_POSIX_THREADS) && _POSIX_THREADS > 0 && !defined(__wasi__)
 
 #include <pthread.h>
+#include <signal.h>
 #include <stdatomic.h>
 #include <stdbool.h>
 
@@ -116,11 +117,15 @@ struct workers *workers_create(size_t thread_count) {
     pthread_mutex_init(&workers->mutex, NULL);
     pthread_cond_init(&workers->loop_begins, NULL);
     pthread_cond_init(&workers->last_leaves, NULL);
+    sigset_t all, before; /* signals are for the thread that drew before there were others */
+    sigfillset(&all);
+    pthread_sigmask(SIG_SETMASK, &all, &before);
     while (workers->thread_count + 1 < wanted &&
            pthread_create(&workers->threads[workers->thread_count], NULL, thread_main, workers) ==
                0) {
         workers->thread_count++;
     }
+    pthread_sigmask(SIG_SETMASK, &before, NULL);
     return workers;
 }
 

@@ -591,9 +591,11 @@ static void quad_model_make(struct quad_model *made, const struct quad *quads, s
         made->faces[i] =
             (struct face){{{first, first, 0}, {second, second, 0}, {second + 1, second + 1, 0}}};
     }
-    made->normals[0][0] = (float)light.x;
-    made->normals[0][1] = (float)light.y;
-    made->normals[0][2] = (float)light.z;
+    int exponent; /* any length fits into floats then, and no bit is lost */
+    frexp(fmax(fabs(light.x), fmax(fabs(light.y), fabs(light.z))), &exponent);
+    made->normals[0][0] = (float)ldexp(light.x, -exponent);
+    made->normals[0][1] = (float)ldexp(light.y, -exponent);
+    made->normals[0][2] = (float)ldexp(light.z, -exponent);
     made->model.positions = made->positions;
     made->model.uvs = made->uvs;
     made->model.normals = made->normals;

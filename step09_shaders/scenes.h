@@ -72,15 +72,21 @@ static void pair_create(struct pair *pair, const struct vec3 positions[6]) {
     };
 }
 
+/* The side of a square in a corner of a cell, which lies half as far from the cell's edges. */
+static int corner_size(struct rectangle cell) {
+    const int size = cell.width / 10, most = cell.height / 2;
+    return size < most ? size : most;
+}
+
 /* The upper left corner of a cell. */
 static struct rectangle corner_of(struct rectangle cell) {
-    const int size = cell.width / 10, margin = cell.width / 20;
+    const int size = corner_size(cell), margin = size / 2;
     return (struct rectangle){cell.x + margin, cell.y + cell.height - margin - size, size, size};
 }
 
 /* Its upper right corner. */
 static struct rectangle right_corner_of(struct rectangle cell) {
-    const int size = cell.width / 10, margin = cell.width / 20;
+    const int size = corner_size(cell), margin = size / 2;
     return (struct rectangle){cell.x + cell.width - margin - size,
                               cell.y + cell.height - margin - size, size, size};
 }

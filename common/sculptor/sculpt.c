@@ -95,7 +95,7 @@ static bool write_solids(const char *directory, struct error *error) {
 }
 
 int main(int argc, char **argv) {
-    if (argc != 2) {
+    if (argc != 2 || argv[1][0] == '\0') {
         fprintf(stderr, "usage: sculpt DIR\n");
         return 2;
     }

@@ -655,33 +655,85 @@ bool run_directory_create(struct run_directory *directory, struct error *error) 
     return open_directory(directory, error);
 }
 
-static void remove_tree(int parent, const char *name);
-
-/* Remove everything in an open directory, and close it. */
-static void remove_contents(int file) {
-    DIR *directory = fdopendir(file);
-    if (directory == NULL) {
-        close(file);
-        return;
-    }
-    fchmod(file, 0700);
-    struct dirent *entry;
-    while ((entry = readdir(directory)) != NULL) {
-        if (strcmp(entry->d_name, ".") != 0 && strcmp(entry->d_name, "..") != 0 &&
-            unlinkat(file, entry->d_name, 0) != 0) {
-            remove_tree(file, entry->d_name);
-        }
-    }
-    closedir(directory);
+/* Links are removed, not followed. */
+static bool remove_entry(int parent, const char *name) {
+    return unlinkat(parent, name, 0) == 0 || unlinkat(parent, name, AT_REMOVEDIR) == 0;
 }
 
-/* Remove everything in the directory `name` of `parent`, then the directory. Links are removed, not
- * followed. */
-static void remove_tree(int parent, const char *name) {
+static bool is_dots(const char *name) {
+    return strcmp(name, ".") == 0 || strcmp(name, "..") == 0;
+}
+
+static int open_inside(int parent, const char *name) {
     int file = openat(parent, name, DIRECTORY_FLAGS);
     if (file < 0 && errno == EACCES && fchmodat(parent, name, 0700, 0) == 0) {
         file = openat(parent, name, DIRECTORY_FLAGS);
     }
+    return file;
+}
+
+/* Remove what is in the directory `name` of `top`, and lift directories that are not empty into
+ * `top`, under new names. Returns how many entries are no longer there. */
+static size_t lift_contents(int top, const char *name, unsigned long *number) {
+    size_t gone = 0;
+    int file = open_inside(top, name);
+    DIR *directory = file < 0 ? NULL : fdopendir(file);
+    if (directory == NULL) {
+        return 0;
+    }
+    fchmod(file, 0700);
+    struct dirent *entry;
+    while ((entry = readdir(directory)) != NULL) {
+        if (is_dots(entry->d_name)) {
+            continue;
+        }
+        if (!remove_entry(file, entry->d_name)) {
+            char lifted[40];
+            snprintf(lifted, sizeof lifted, "lifted.%lu", (*number)++);
+            fchmodat(file, entry->d_name, 0700, 0); /* its ".." changes */
+            gone += renameat(file, entry->d_name, top, lifted) == 0;
+        } else {
+            gone++;
+        }
+    }
+    closedir(directory);
+    return gone;
+}
+
+/* Remove what can be removed at once. Returns whether anything was. */
+static bool remove_uppermost(int top, unsigned long *number) {
+    size_t gone = 0;
+    int file = openat(top, ".", DIRECTORY_FLAGS);
+    DIR *directory = file < 0 ? NULL : fdopendir(file);
+    if (directory == NULL) {
+        return false;
+    }
+    struct dirent *entry;
+    while ((entry = readdir(directory)) != NULL) {
+        if (!is_dots(entry->d_name) && !remove_entry(top, entry->d_name)) {
+            gone += lift_contents(top, entry->d_name, number);
+            gone += remove_entry(top, entry->d_name);
+        } else {
+            gone += !is_dots(entry->d_name);
+        }
+    }
+    closedir(directory);
+    return gone > 0;
+}
+
+/* Remove everything in an open directory, and close it. A program may have nested directories
+ * deeper than files can be open: so whatever the depth, two are. */
+static void remove_contents(int file) {
+    unsigned long number = 0;
+    fchmod(file, 0700);
+    while (remove_uppermost(file, &number)) {
+    }
+    close(file);
+}
+
+/* Remove everything in the directory `name` of `parent`, then the directory. */
+static void remove_tree(int parent, const char *name) {
+    int file = open_inside(parent, name);
     if (file >= 0) {
         remove_contents(file);
     }

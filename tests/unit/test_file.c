@@ -15,6 +15,7 @@
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
+#include <time.h>
 #include <unistd.h>
 
 /* A directory of its own for a test. */
@@ -480,8 +481,42 @@ static void test_dangling_link(void) {
              name_file(&place, "a"));
     CHECK(!directory_create(place.path, &error));
     CHECK_TEXT(error.message, wanted);
+    CHECK(unlink(link) == 0 && symlink("link", link) == 0);
+    snprintf(wanted, sizeof wanted,
+             "%s: cannot make the directory: Too many levels of symbolic links", link);
+    CHECK(!directory_create(link, &error));
+    CHECK_TEXT(error.message, wanted);
     CHECK(unlink(link) == 0);
     place_remove(&place, "a");
+}
+
+static bool write_much(const char *path) {
+    static const char much[1 << 22];
+    struct error error;
+    return file_write(path, much, sizeof much, &error);
+}
+
+/* Whenever it is told to end, a program leaves the whole file or none. */
+static void test_ended_while_writing(void) {
+    struct place place;
+    if (!place_create(&place)) {
+        return;
+    }
+    for (int i = 0; i < 60; i++) {
+        const struct timespec pause = {.tv_nsec = i * 50000};
+        int status;
+        fflush(NULL);
+        pid_t child = fork();
+        if (child == 0) {
+            _exit(write_much(name_file(&place, "a")) ? 0 : 1);
+        }
+        nanosleep(&pause, NULL);
+        CHECK(child > 0 && kill(child, SIGTERM) == 0 && waitpid(child, &status, 0) == child);
+        CHECK(place_count(&place) <= 1);
+        CHECK(!file_exists(name_file(&place, "a")) || file_size(place.path) == 1 << 22);
+        unlink(place.path);
+    }
+    place_remove(&place, NULL);
 }
 
 /* Files may have 1000 bytes. */
@@ -609,5 +644,5 @@ UNIT_MAIN(TEST(test_messages), TEST(test_printable_texts), TEST(test_lines_of_me
           TEST(test_read_errors), TEST(test_standard_input), TEST(test_write),
           TEST(test_write_without_input), TEST(test_write_errors), TEST(test_full_disk),
           TEST(test_write_protection), TEST(test_write_from_elsewhere), TEST(test_symbolic_link),
-          TEST(test_dangling_link), TEST(test_limit_of_file_size), TEST(test_chain_of_links),
-          TEST(test_many_links), TEST(test_devices))
+          TEST(test_dangling_link), TEST(test_limit_of_file_size), TEST(test_ended_while_writing),
+          TEST(test_chain_of_links), TEST(test_many_links), TEST(test_devices))

@@ -208,6 +208,10 @@ static void test_usage(void) {
          "probe: scene dot: the eye and the center are too near to each other\n"},
         {"--eye 2,2,3 --center 2,2e0,3",
          "probe: scene dot: the eye and the center are the same point\n"},
+        {"--eye 2e18,0,0",
+         "probe: scene dot: the eye and the center are too far from each other\n"},
+        {"--eye 1e308,0,0 --center -1e308,0,0",
+         "probe: scene dot: the eye and the center are too far from each other\n"},
     };
     for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
         draw_calls = 0;
@@ -287,10 +291,11 @@ static void test_frames(void) {
         CHECK(image.width == 5 && image.height == 4); /* in an animation each frame has the size */
         image_free(&image);
     }
-    CHECK(run(&dot_program, "-o out --only film -s 1x9") == 1);
+    CHECK(run(&dot_program, "-o out --only film -s 1x9") == 2);
     CHECK_TEXT(output, "probe: scene film: 3 frames need at least 2x2 pixels\n");
-    CHECK(run(&dot_program, "-o out --only film -s 9x1") == 1);
+    CHECK(run(&dot_program, "-o out --only film -s 9x1") == 2);
     CHECK_TEXT(output, "probe: scene film: 3 frames need at least 2x2 pixels\n");
+    CHECK(run(&dot_program, "-o out --only film -s 1x1 --format png") == 0); /* no sheet */
 }
 
 static void test_stats_and_repeat(void) {
@@ -556,7 +561,7 @@ static const struct scene blank_scenes[] = {
 
 static const char far_obj[] = "v 1000 1000 0\nv 1004 1000 0\nv 1000 1002 0\nv 9e9 0 0\nf 1 2 3\n";
 static const char out_message[] =
-    "probe: far.obj reaches out of -1..1; --fit brings it into view\n";
+    "probe: far.obj: reaches out of -1..1; --fit brings it into view\n";
 
 /* What is said of a model; nothing where something is seen, or where nothing was asked. */
 static void test_out_of_view(void) {
@@ -738,6 +743,12 @@ static void test_text_names(void) {
     CHECK_TEXT(output, "out/stdin.tga\n");
     CHECK(remove(in_directory("out/stdin.tga")) == 0);
     CHECK(file_write(in_directory(".txt"), text, strlen(text), &error));
+    CHECK(file_write(in_directory("own.tga"), text, strlen(text), &error));
+    CHECK(run(&text_program, "-o . own.tga") == 1);
+    CHECK_TEXT(output, "probe: ./own.tga: the picture would replace its scene; -o puts it "
+                       "elsewhere\n");
+    CHECK(file_size(in_directory("own.tga")) == strlen(text) &&
+          remove(in_directory("own.tga")) == 0);
     CHECK(run(&text_program, "-o out .txt") == 0);
     CHECK_TEXT(output, "out/.txt.tga\n");
     CHECK(remove(in_directory("out/.txt.tga")) == 0 && remove(in_directory(".txt")) == 0);
