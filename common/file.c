@@ -432,7 +432,8 @@ static bool is_directory(const char *path) {
     return stat(path, &status) == 0 && S_ISDIR(status.st_mode);
 }
 
-/* What is wrong with what is there, and is no directory: a link may lead to nothing, or to itself. */
+/* What is wrong with what is there, and is no directory: a link may lead to nothing, or to
+ * itself. */
 static int reason_of_existing(const char *path) {
     struct stat status;
     return stat(path, &status) == 0 ? ENOTDIR : errno;
