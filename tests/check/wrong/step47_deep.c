@@ -1,4 +1,4 @@
-/* It nests directories deeper than files can be open, in its own and below the one that it leaves. */
+/* It nests directories deeper than files can be open. */
 #include "picture.h"
 
 #include <sys/stat.h>
