@@ -43,6 +43,12 @@ kill -TERM -- -$first
 sleep 0.1
 kill -TERM -- -$first 2>/dev/null # and once more, while they tidy up
 wait $first
+# make does not wait for them: each tidies up when what it waits for has ended.
+for ((i = 0; i < 600; i++)); do
+    kill -0 -- -$first 2>/dev/null || break
+    sleep 0.1
+done
+! kill -0 -- -$first 2>/dev/null || wrong "the stopped grading goes on"
 early=$(find "$work/out/submissions" -name state | wc -l)
 echo "stopped after $early"
 [ "$early" -lt "$count" ] || wrong "it was over before it could be stopped"

@@ -469,6 +469,8 @@ static void test_dangling_link(void) {
     CHECK(file_write(link, "new", 3, &error));
     CHECK(is_link(link) && place_count(&place) == 2);
     CHECK(file_is(name_file(&place, "a"), "new"));
+    CHECK(file_is_same(link, place.path) && !file_is_same(link, "/dev/null"));
+    CHECK(!file_is_same(link, place.directory));
     CHECK(unlink(link) == 0 && symlink("b/c", link) == 0);
     snprintf(wanted, sizeof wanted, "%s: No such file or directory", link);
     CHECK(!file_write(link, "new", 3, &error) && place_count(&place) == 2);
