@@ -296,30 +296,16 @@ static void set_permissions(int file, long mode) {
 #endif
 }
 
-/* Let what would end the program wait. Returns what was blocked before. */
-static sigset_t block_ends(void) {
-    sigset_t ends, before;
-    sigemptyset(&ends);
-    sigaddset(&ends, SIGINT);
-    sigaddset(&ends, SIGTERM);
-    sigaddset(&ends, SIGHUP);
-    sigprocmask(SIG_BLOCK, &ends, &before);
-    return before;
-}
-
-/* Write a new file beside `path` and rename it; nobody who stops the program leaves a part of it
- * behind. `mode` holds the permissions of the file that is
+/* Write a new file beside `path` and rename it. `mode` holds the permissions of the file that is
  * replaced, or -1. */
 static bool write_and_rename(const char *path, long mode, const void *data, size_t size,
                              struct error *error) {
-    sigset_t before = block_ends();
     size_t name_size = strlen(path) + 64;
     char *name = malloc(name_size);
-    bool done = false;
     if (name == NULL) {
-        error_out_of_memory(error);
-        goto end;
+        return error_out_of_memory(error);
     }
+    bool done = false;
     int file = create_temporary(path, name, name_size);
     if (file < 0) {
         error_from_system(error);
@@ -336,8 +322,25 @@ static bool write_and_rename(const char *path, long mode, const void *data, size
     done = true;
 end:
     free(name);
+    return done;
+}
+
+/* As write_and_rename(). What would end the program waits, so that no part of a file is left. */
+static bool write_and_rename_or_nothing(const char *path, long mode, const void *data, size_t size,
+                                        struct error *error) {
+#ifdef SIGTERM
+    sigset_t ends, before;
+    sigemptyset(&ends);
+    sigaddset(&ends, SIGINT);
+    sigaddset(&ends, SIGTERM);
+    sigaddset(&ends, SIGHUP);
+    sigprocmask(SIG_BLOCK, &ends, &before);
+    bool done = write_and_rename(path, mode, data, size, error);
     sigprocmask(SIG_SETMASK, &before, NULL);
     return done;
+#else
+    return write_and_rename(path, mode, data, size, error);
+#endif
 }
 
 /* Follow `*path`, an allocated string, to what is no symbolic link: a file, or nothing yet. */
@@ -376,7 +379,7 @@ static bool write_regular(const char *path, long mode, const void *data, size_t 
         return error_out_of_memory(error);
     }
     bool done = (mode < 0 || check_writable(target, error)) && follow_links(&target, error) &&
-                write_and_rename(target, mode, data, size, error);
+                write_and_rename_or_nothing(target, mode, data, size, error);
     free(target);
     return done;
 }
