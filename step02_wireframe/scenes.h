@@ -17,7 +17,20 @@ struct wireframe {
     size_t side_count;
 };
 
-/* With --no-skip, a side that two faces share stands in the list twice. */
+static bool is_greater(struct side a, struct side b) {
+    return a.low > b.low || (a.low == b.low && a.high > b.high);
+}
+
+static struct side greatest_side(const struct side *sides, size_t side_count) {
+    struct side greatest = {0, 0};
+    for (size_t i = 0; i < side_count; i++) {
+        greatest = is_greater(sides[i], greatest) ? sides[i] : greatest;
+    }
+    return greatest;
+}
+
+/* With --no-skip, a side that two faces share stands in the list twice. Behind the list stands its
+ * greatest side once more: whoever reads on beyond the end takes that for an equal one. */
 static bool wireframe_create(struct wireframe *wireframe, const struct model *model, bool skip,
                              struct error *error) {
     size_t side_count = 3 * model->face_count;
@@ -26,6 +39,7 @@ static bool wireframe_create(struct wireframe *wireframe, const struct model *mo
         return error_set(error, "out of memory for %zu sides", side_count);
     }
     list_sides(model, wireframe->sides);
+    wireframe->sides[side_count] = greatest_side(wireframe->sides, side_count);
     wireframe->side_count = skip ? keep_one_of_each(wireframe->sides, side_count) : side_count;
     return true;
 }

@@ -26,10 +26,10 @@ struct cell {
     enum cull cull;
 };
 
-/* Draw `side` rows of `side` cells, the first one top left. */
-static bool draw_cells(struct drawing *drawing, struct image *image, const struct cell *cells,
-                       int side, double zoom, struct error *error) {
-    struct pipeline *pipeline = pipeline_begin(drawing);
+/* Record `side` rows of `side` cells, the first one top left. */
+static bool record_cells(struct drawing *drawing, struct pipeline *pipeline,
+                         const struct image *image, const struct cell *cells, int side, double zoom,
+                         struct error *error) {
     bool done = true;
     for (int i = 0; done && i < side * side; i++) {
         struct rectangle place =
@@ -38,6 +38,13 @@ static bool draw_cells(struct drawing *drawing, struct image *image, const struc
         struct uniforms u = make_uniforms(drawing, zoom * place.width);
         done = pipeline_draw(pipeline, &call, cells[i].shader, &u, sizeof u, error);
     }
+    return done;
+}
+
+static bool draw_cells(struct drawing *drawing, struct image *image, const struct cell *cells,
+                       int side, double zoom, struct error *error) {
+    struct pipeline *pipeline = pipeline_begin(drawing);
+    bool done = record_cells(drawing, pipeline, image, cells, side, zoom, error);
     return pipeline_end(drawing, done, image, error);
 }
 
@@ -108,6 +115,15 @@ static struct draw_call square_call(struct pair *square, struct rectangle cell) 
     static const struct vec3 positions[6] = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0},
                                              {-1, -1, 0}, {1, 1, 0},  {-1, 1, 0}};
     return flat_call(square, positions, corner_of(cell));
+}
+
+/* Nearer than that square, and to its right: half of it is covered. The intensity is not 0, but so
+ * small that it is seen as black. */
+static struct draw_call dim_call(struct pair *dim, struct rectangle cell) {
+    struct draw_call call = square_call(dim, cell);
+    call.to_clip = mat4_translation((struct vec3){1, 0, 0.5});
+    dim->uniforms.to_light = (struct vec3){0, 0, 0.003};
+    return call;
 }
 
 /* Two triangles of which a corner is too far for the screen: nothing of them is drawn. */
@@ -227,7 +243,7 @@ static bool draw_looks(struct drawing *drawing, struct image *image, struct erro
 }
 
 /* The first one has a square in full light beside it. The last one is seen from where no light
- * falls: what is left is the inside of the lit half. */
+ * falls: what is left is the inside of the lit half; beside it, a square that gets next to none. */
 static bool draw_more_looks(struct drawing *drawing, struct image *image, struct error *error) {
     const struct vec3 from_the_dark_side = {-2.5, 0.5, 1.8};
     const struct simple_cell cells[4] = {{&simple_toon, CULL_BACK, 0.8, {0, 0, 0}},
@@ -240,6 +256,11 @@ static bool draw_more_looks(struct drawing *drawing, struct image *image, struct
     struct draw_call call =
         square_call(&square, grid_cell(image->width, image->height, 2, 2, 0, 0));
     simple_draw(&canvas, &call, &simple_toon, &square.uniforms);
+    struct pair dim;
+    const struct rectangle last = grid_cell(image->width, image->height, 2, 2, 1, 1);
+    struct draw_call lit_call = square_call(&square, last), over_call = dim_call(&dim, last);
+    simple_draw(&canvas, &lit_call, &simple_toon, &square.uniforms);
+    simple_draw(&canvas, &over_call, &simple_lit_only, &dim.uniforms);
     return draw_simple_cells(drawing, image, cells);
 }
 
@@ -282,13 +303,23 @@ static bool draw_normal_map(struct drawing *drawing, struct image *image, struct
 }
 
 /* Above: without the faces turned away from the camera; without those turned towards it. Below:
- * with all faces (the same picture as the first, with more work); culled by the light. */
+ * with all faces (the same picture as the first, with more work); culled by the light, beside a
+ * square that gets next to none. */
 static bool draw_culling(struct drawing *drawing, struct image *image, struct error *error) {
     static const struct cell cells[] = {{&two_sided, CULL_BACK},
                                         {&two_sided, CULL_FRONT},
                                         {&two_sided, CULL_NONE},
                                         {&culled_by_light, CULL_NONE}};
-    return draw_cells(drawing, image, cells, 2, 0.85, error);
+    struct pipeline *pipeline = pipeline_begin(drawing);
+    const struct rectangle last = grid_cell(image->width, image->height, 2, 2, 1, 1);
+    struct pair square, dim;
+    struct draw_call lit_call = square_call(&square, last), over_call = dim_call(&dim, last);
+    bool done = record_cells(drawing, pipeline, image, cells, 2, 0.85, error) &&
+                pipeline_draw(pipeline, &lit_call, &two_sided, &square.uniforms,
+                              sizeof(struct uniforms), error) &&
+                pipeline_draw(pipeline, &over_call, &culled_by_light, &dim.uniforms,
+                              sizeof(struct uniforms), error);
+    return pipeline_end(drawing, done, image, error);
 }
 
 /* ---- The program ---- */
