@@ -121,9 +121,10 @@ static bool check_options(const struct command *command, struct error *error) {
     bool moved = command->options.eye.given || command->options.center.given;
     for (size_t i = 0; i < program->scene_count; i++) {
         const struct scene scene = chosen_scene(command, &program->scenes[i]);
-        if (is_chosen(command, &program->scenes[i]) &&
-            !((!moved || check_camera(&scene, error)) &&
-              check_size(&command->options, &scene, error))) {
+        bool right = !is_chosen(command, &program->scenes[i]) ||
+                     (check_size(&command->options, &scene, error) &&
+                      (!moved || check_camera(&scene, error)));
+        if (!right) {
             return false;
         }
     }

@@ -117,9 +117,14 @@ struct workers *workers_create(size_t thread_count) {
     pthread_mutex_init(&workers->mutex, NULL);
     pthread_cond_init(&workers->loop_begins, NULL);
     pthread_cond_init(&workers->last_leaves, NULL);
-    sigset_t all, before; /* signals are for the thread that drew before there were others */
-    sigfillset(&all);
-    pthread_sigmask(SIG_SETMASK, &all, &before);
+    /* What ends the program is for the first thread, which may have to wait (file.c). Faults stay
+     * with the thread whose they are: a sanitizer tells where. */
+    sigset_t ends, before;
+    sigemptyset(&ends);
+    sigaddset(&ends, SIGINT);
+    sigaddset(&ends, SIGTERM);
+    sigaddset(&ends, SIGHUP);
+    pthread_sigmask(SIG_BLOCK, &ends, &before);
     while (workers->thread_count + 1 < wanted &&
            pthread_create(&workers->threads[workers->thread_count], NULL, thread_main, workers) ==
                0) {
