@@ -54,6 +54,14 @@ static inline void picture_header(unsigned char header[18], int width, int heigh
     header[16] = 24;
 }
 
+/* Make every value that is drawn lighter by so many levels. */
+static inline void picture_add(struct picture *p, int levels) {
+    unsigned char *values = p->bgr[0][0];
+    for (size_t i = 0; i < sizeof p->bgr; i++) {
+        values[i] = (unsigned char)(values[i] > 0 ? values[i] + levels : 0);
+    }
+}
+
 /* Save the lower `height` rows as DIRECTORY/SCENE.tga. */
 static inline void picture_save(const struct picture *p, int height, const char *directory,
                                 const char *scene) {

@@ -8,10 +8,7 @@ int main(int argc, char **argv) {
         return 2;
     }
     picture_draw(&p, 0, 1);
-    unsigned char *values = p.bgr[0][0];
-    for (size_t i = 0; i < sizeof p.bgr; i++) {
-        values[i] = (unsigned char)(values[i] > 0 ? values[i] - 1 : 0);
-    }
+    picture_add(&p, -1);
     picture_save(&p, PICTURE_SIZE, directory, "depth");
     picture_save(&p, PICTURE_SIZE, directory, "depth2");
 }
