@@ -3,6 +3,8 @@
 #include "unit.h"
 #include "workers.h"
 
+#include <pthread.h>
+#include <signal.h>
 #include <stdatomic.h>
 #include <stdlib.h>
 #include <time.h>
@@ -128,5 +130,36 @@ static void test_alone(void) {
     unsetenv("THREADS");
 }
 
+struct masks {
+    pthread_t first;
+    atomic_int others, waiting, deaf; /* threads; where SIGTERM is blocked; where SIGSEGV is */
+};
+
+static void look_at_mask(void *context, size_t index, size_t worker) {
+    (void)index, (void)worker;
+    const struct timespec pause = {.tv_nsec = 100000}; /* so that all threads get some */
+    struct masks *masks = context;
+    sigset_t blocked;
+    pthread_sigmask(SIG_BLOCK, NULL, &blocked);
+    if (!pthread_equal(pthread_self(), masks->first)) {
+        masks->others++;
+        masks->waiting += sigismember(&blocked, SIGTERM);
+        masks->deaf += sigismember(&blocked, SIGSEGV);
+    }
+    nanosleep(&pause, NULL);
+}
+
+/* What ends the program is for the first thread alone; a fault is for the thread that makes it. */
+static void test_signals(void) {
+    struct masks masks = {.first = pthread_self()};
+    struct workers *workers = workers_create(4);
+    sigset_t blocked;
+    workers_run(workers, 100, look_at_mask, &masks);
+    workers_free(workers);
+    CHECK(masks.others > 0 && masks.waiting == masks.others && masks.deaf == 0);
+    pthread_sigmask(SIG_BLOCK, NULL, &blocked);
+    CHECK(!sigismember(&blocked, SIGTERM));
+}
+
 UNIT_MAIN(TEST(test_each_part_once), TEST(test_many_loops), TEST(test_two_at_once),
-          TEST(test_slow_thread), TEST(test_alone))
+          TEST(test_slow_thread), TEST(test_alone), TEST(test_signals))
