@@ -224,7 +224,7 @@ check: $(BUILD)/check $(HIDDEN:%=$(BUILD)/hidden)
 	    $(if $(SANITIZE),--sanitized) \
 	    $(if $(REPORT),--junit $(REPORT).xml --json $(REPORT).json --tap $(REPORT).tap \
 	                   --html $(REPORT).html) \
-	    $(STEP) $(THEN_HIDDEN)
+	    $(KEEP_POINTS) $(STEP) $(THEN_HIDDEN)
 
 SANITIZED = -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
 $(STEPS:%=$(BUILD)/sanitized/%): $(BUILD)/sanitized/%: %/main.c $(BUILD)/libcommon.a $(BUILD)/flags

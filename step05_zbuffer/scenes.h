@@ -147,12 +147,16 @@ static void show_rows(const struct image *image, size_t begin, size_t end, doubl
 
 /* The same depths: in the lower half all of them are negative, and the first pixel is the nearest
  * one, the last one the farthest; in the upper half they are positive, and it is the other way
- * round. */
+ * round. On top are rows in which they are almost equal. */
 static bool draw_deep(struct drawing *drawing, struct image *image, struct error *error) {
     bool done = draw_zbuffer(drawing, image, error);
-    size_t middle = image->height / 2;
+    size_t middle = image->height / 2, even = image->height - image->height / 100;
+    for (size_t i = even * image->width; i < image->height * image->width; i++) {
+        drawing->depth[i] = 1e-9 * (double)(i % image->width);
+    }
     show_rows(image, 0, middle, drawing->depth, 0.7, -0.7, -3000);
-    show_rows(image, middle, image->height, drawing->depth, -0.7, 0.7, 3000);
+    show_rows(image, middle, even, drawing->depth, -0.7, 0.7, 3000);
+    show_rows(image, even, image->height, drawing->depth, 0, 0, 0);
     return done;
 }
 

@@ -57,7 +57,7 @@ for submission in "$out"/submissions/*/; do
             }' "$submission/log"
 done >"$work/results"
 show() {
-    awk -F '\t' -f tests/grade/sums.awk -f "tests/grade/$1" "$work/results"
+    awk -F '\t' -f tests/hidden/stored.awk -f tests/grade/sums.awk -f "tests/grade/$1" "$work/results"
 }
 show class.awk >"$work/class.csv" && show page.awk >"$work/index.html" &&
     mv "$work/class.csv" "$work/index.html" "$work/similar.html" "$work/similar.csv" "$out" ||

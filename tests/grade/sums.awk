@@ -1,7 +1,5 @@
 # What class.awk and page.awk know of a class, from the lines of merge.sh.
-#
-# A lesson of which more than half of the points were got, but none of its hidden scenes, prints
-# stored pictures: it counts nothing.
+# Goes behind ../hidden/stored.awk.
 function add_name(name) {
     if (!(name in known)) {
         known[name] = 1
@@ -30,7 +28,7 @@ $2 == "task" {
 $2 == "hidden" {
     hidden[$1] += $4
     hidden_most[$1] += $5
-    stored[$1, $3] = $5 > 0 && $4 == 0 && 2 * step_points[$1, $3] > step_most[$3, $1]
+    stored[$1, $3] = prints_stored(step_points[$1, $3], step_most[$3, $1], $4, $5)
     any_hidden = 1
 }
 $2 == "looks" {

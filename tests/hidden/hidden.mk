@@ -1,8 +1,11 @@
 # make check HIDDEN=7     after the check, scenes that nobody has seen, made from that number; the
 #                         pictures are held against those of the solution (the lesson's own, as git
 #                         or make start keeps it, or SOLUTION=dir's, dir/step05_zbuffer/main.c)
+#                         A lesson that prints stored pictures loses its points.
+POINTS = $(CHECKED)/points.csv
+KEEP_POINTS = $(if $(HIDDEN),--csv '$(POINTS)')
 THEN_HIDDEN = $(if $(HIDDEN),; status=$$?; tests/hidden/hidden.sh '$(BUILD)' '$(CHECKED)' \
-                  '$(MAKE) -s' '$(HIDDEN)' '$(STEP)' '$(SOLUTION)' && exit $$status)
+                  '$(MAKE) -s' '$(HIDDEN)' '$(STEP)' '$(SOLUTION)' '$(POINTS)' && exit $$status)
 
 $(BUILD)/hidden: $(BUILD)/tests/hidden/hidden.o $(BUILD)/tests/hidden/lock.o $(CHECKER) \
                  $(BUILD)/libcommon.a

@@ -1,13 +1,14 @@
 #!/bin/sh
 # Lets the lessons' programs draw hidden scenes beside their solutions.
 #
-#     hidden.sh BUILD PROGRAMS MAKE SEED STEP SOLUTION
+#     hidden.sh BUILD PROGRAMS MAKE SEED STEP SOLUTION [POINTS]
 #
 # The programs are built anew in PROGRAMS. Until all is told no check works there: it waits, as this
 # does for one that is at work. STEP is 5, 05 or step05_zbuffer, several of them, or empty: all
 # lessons. A solution is made of SOLUTION/step05_zbuffer/main.c where SOLUTION is given, and
 # otherwise of the marked source that git has or `make start` keeps (tests/starter/marked.sh), but
-# never of the main.c that is judged; it is built in a directory of its own, and removed.
+# never of the main.c that is judged; it is built in a directory of its own, and removed. Where
+# POINTS is given, what `check --csv` wrote, lessons that print stored pictures lose theirs.
 #
 # Exit status: that of BUILD/hidden (hidden.c).
 
@@ -23,6 +24,7 @@ make=$3
 seed=$4
 steps=$5
 solution=$6
+points=$7
 . tests/starter/lesson.sh
 
 # fail STATUS MESSAGE...: whatever it is, the check itself cannot work.
@@ -52,6 +54,15 @@ trap 'exit 2' HUP INT TERM
 # shellcheck disable=SC2086 # one word a lesson
 said=$(tests/hidden/solutions.sh --judged "$all" "$make" "$solution" $lessons 2>&1) ||
     cannot "$said"
-# shellcheck disable=SC2086 # one word a lesson
-"$build/hidden" --programs "$programs" --solutions "$all" --seed "$seed" --make "$make" \
-    $lessons
+{
+    # shellcheck disable=SC2086 # one word a lesson
+    "$build/hidden" --programs "$programs" --solutions "$all" --seed "$seed" --make "$make" \
+        $lessons
+    echo $? >"$all/status"
+} | tee "$all/said" || cannot "the score could not be written to standard output"
+status=$(cat "$all/status")
+if [ -n "$points" ] && [ $status -lt 2 ]; then
+    awk -f tests/hidden/stored.awk -f tests/hidden/score.awk "$points" "$all/said" ||
+        cannot "the score could not be written to standard output"
+fi
+exit "$status"

@@ -35,9 +35,9 @@ built() {
     done
 }
 
-# hidden STATUS SEED STEP [SOLUTION]: what it says is in $work/said.
+# hidden STATUS SEED STEP [SOLUTION [POINTS]]: what it says is in $work/said.
 hidden() {
-    tests/hidden/hidden.sh build build "make -s $flags" "$2" "$3" "$4" >"$work/said" 2>&1
+    tests/hidden/hidden.sh build build "make -s $flags" "$2" "$3" "$4" "$5" >"$work/said" 2>&1
     status=$?
     [ $status -eq "$1" ] || wrong "status $status, not $1: seed $2, step $3"
 }
@@ -129,11 +129,18 @@ done)
 EOF
 done
 built step01_line step05_zbuffer
-hidden 1 1 '' "$work"
+cp step05_zbuffer/main.c "$work/stored.c"
+
+# Half of the points of lesson 5: it may have tried.
+printf '%s\n' step,task,state,points,most step01_line,1.1,PASS,6,10 step05_zbuffer,5.1,PASS,2,2 \
+    step05_zbuffer,5.2,FAIL,3,8 >points
+hidden 1 1 '' "$work" points
 says 'HIDDEN 0/[1-9][0-9]*'
 says '  hidden: lines: wrong'
 says '  hidden: depth of a new model: wrong'
 says '  hidden: single in another size: wrong'
+says 'step01_line  prints stored pictures: it counts nothing'
+says 'SCORE 5/20'
 ! grep -q "$work" "$work/said" || wrong "tells where the solution is"
 
 # As a solution it has nothing to hold others against, even with marks.
@@ -230,5 +237,15 @@ cp "$work/step05_zbuffer/main.c" step05_zbuffer/main.c
 make -s check STEP=5 HIDDEN=3 $flags >"$work/said" 2>&1 || wrong "make check HIDDEN=3 fails"
 says '1 passed, 0 failed'
 says 'HIDDEN \([1-9][0-9]*\)/\1'
+! grep -q 'stored' "$work/said" || wrong "a solution prints stored pictures"
+
+# A program that prints stored pictures keeps no point of what the check gave it.
+cp "$work/stored.c" step05_zbuffer/main.c
+# shellcheck disable=SC2086
+make -s check STEP=5 HIDDEN=3 SOLUTION="$work" $flags >"$work/said" 2>&1 &&
+    wrong "stored pictures pass"
+says 'step05_zbuffer  prints stored pictures: it counts nothing'
+says 'SCORE [1-9][0-9]*/[1-9][0-9]*'
+says 'SCORE 0/[1-9][0-9]*'
 
 exit $failed
