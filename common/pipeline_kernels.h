@@ -361,35 +361,34 @@ KERNEL uint32_t fetch_visible(const struct shading *s, const struct shader *shad
 
 /* The planes of LANES neighbours of a row, which may belong to several pieces. */
 struct lanes_planes {
-    lanes right, up; /* from the planes' x0, y0 */
+    lanes right; /* from the planes' x0 */
     lanes least;
     lanes corner[VARYING_LIMIT];
-    lanes origin[VARYING_LIMIT + 1], dx[VARYING_LIMIT + 1], dy[VARYING_LIMIT + 1];
+    lanes row[VARYING_LIMIT + 1], dx[VARYING_LIMIT + 1]; /* at x0 of this row, and to the right */
 };
 
 /* Where the mask is set, the planes become those of a piece at pixels x, x + 1, ... of row y. */
 KERNEL void take_planes(struct lanes_planes *to, lanes_mask mask, const struct shader *shader,
                         const struct planes *from, int x, int y) {
+    real up = (real)y - from->y0;
     to->right = lanes_select(mask, lanes_from(x) - from->x0, to->right);
-    to->up = lanes_put(mask, (real)y - from->y0, to->up);
     to->least = lanes_put(mask, from->least, to->least);
     for (size_t i = 0; i <= shader->varying_count; i++) {
         const struct varying_plane *plane = &from->plane[i];
         if (i < shader->varying_count) {
             to->corner[i] = lanes_put(mask, plane->corner, to->corner[i]);
         }
-        to->origin[i] = lanes_put(mask, plane->origin, to->origin[i]);
+        to->row[i] = lanes_put(mask, plane->origin + up * plane->dy, to->row[i]);
         to->dx[i] = lanes_put(mask, plane->dx, to->dx[i]);
-        to->dy[i] = lanes_put(mask, plane->dy, to->dy[i]);
     }
 }
 
 /* Planes that are 0 everywhere. */
 KERNEL void clear_planes(struct lanes_planes *planes, const struct shader *shader) {
-    planes->right = planes->up = lanes_all(0);
+    planes->right = lanes_all(0);
     planes->least = lanes_all(1);
     for (size_t i = 0; i <= shader->varying_count; i++) {
-        planes->origin[i] = planes->dx[i] = planes->dy[i] = lanes_all(0);
+        planes->row[i] = planes->dx[i] = lanes_all(0);
         if (i < shader->varying_count) {
             planes->corner[i] = lanes_all(0);
         }
@@ -397,7 +396,7 @@ KERNEL void clear_planes(struct lanes_planes *planes, const struct shader *shade
 }
 
 LANES_INLINE lanes plane_at_pixels(const struct lanes_planes *planes, size_t i) {
-    return planes->right * planes->dx[i] + (planes->origin[i] + planes->up * planes->dy[i]);
+    return planes->right * planes->dx[i] + planes->row[i];
 }
 
 KERNEL void planes_at_pixels(const struct lanes_planes *planes, const struct shader *shader,
