@@ -160,6 +160,8 @@ static bool draw_far(struct drawing *drawing, struct image *image, struct error 
         {{-299983, 1000000}, {300071, -1000000}, {0, 255, 255, 255}}, /* steep */
         {{70, 99}, {-777777, -1000000}, {0, 255, 0, 255}},
         {{-1000000, 999989}, {1000000, -999853}, {255, 128, 0, 255}}, /* nearly diagonal */
+        {{-1000000, -377011}, {999999, 377087}, {128, 255, 0, 255}},  /* a little above a tie */
+        {{-1000000, -622949}, {999999, 622952}, {255, 0, 128, 255}},  /* a little below one */
         {{1000000, 96}, {-1000000, 96}, {0, 128, 255, 255}},
         {{3, 1000000}, {3, -1000000}, {255, 0, 255, 255}},
         {{-1000000, 50}, {-1, 50}, {255, 255, 255, 255}}, /* none of these three comes in */
@@ -174,7 +176,8 @@ static bool draw_far(struct drawing *drawing, struct image *image, struct error 
 }
 
 /* A star: the four axes, the four diagonals, a line in each of the eight octants, a point, and
- * in two corners a line that is nearly diagonal. */
+ * in two corners a line that is nearly diagonal. Two more lines begin where the one before begins,
+ * and end where the one before ends. */
 static bool draw_gradient(struct drawing *drawing, struct image *image, struct error *error) {
     (void)drawing;
     const struct color red = color_rgb(255, 0, 0), yellow = color_rgb(255, 255, 0);
@@ -194,6 +197,7 @@ static bool draw_gradient(struct drawing *drawing, struct image *image, struct e
         {{5, 32}, {42, 47}, green, blue},  {{32, 5}, {47, 42}, green, blue},
         {{68, 5}, {53, 42}, green, blue},  {{95, 32}, {58, 47}, green, blue},
         {{50, 50}, {50, 50}, green, blue}, {{70, 2}, {98, 20}, rose, leaf},
+        {{70, 2}, {84, 2}, rose, leaf},    {{98, 2}, {84, 2}, rose, leaf},
         {{2, 80}, {30, 98}, red, blue},
     };
     for (size_t i = 0; i < sizeof lines / sizeof lines[0]; i++) {
