@@ -69,8 +69,8 @@ static const struct vec3 far_positions[] = {
 };
 enum { FAR_POSITIONS = sizeof far_positions / sizeof far_positions[0] };
 
-/* A box at the top left for each of these that has a pixel: green; red, for one that has none but
- * whose pixel was changed. */
+/* A box at the top left for each of these that has a pixel: green, or a little bluer where the
+ * pixel's x or y is odd; red, for one that has none but whose pixel was changed. */
 static void draw_far_positions(struct image *image) {
     for (int i = 0; i < FAR_POSITIONS; i++) {
         struct pixel pixel = {-7, -7};
@@ -78,10 +78,11 @@ static void draw_far_positions(struct image *image) {
         if (!found && pixel.x == -7 && pixel.y == -7) {
             continue;
         }
+        uint8_t blue = (uint8_t)((pixel.x & 1) * 128 + (pixel.y & 1) * 64);
         for (int k = 0; k < FAR_BOX * FAR_BOX; k++) {
             image_set(image, FAR_BOX / 2 + FAR_STEP * i + k % FAR_BOX,
                       (int)image->height - 2 * FAR_BOX + k / FAR_BOX,
-                      found ? color_rgb(0, 255, 0) : color_rgb(255, 0, 0));
+                      found ? color_rgb(0, 255, blue) : color_rgb(255, 0, 0));
         }
     }
 }
@@ -152,25 +153,44 @@ static bool draw_part(struct drawing *drawing, const struct model *part, struct 
     return made;
 }
 
-/* Two faces, which share a side. The first one stands there twice, front and back: its sides belong
- * to two faces, or to three. The positions have numbers of one, three and four digits. */
-static bool draw_square(struct drawing *drawing, struct image *image, struct error *error) {
-    enum { D = 1, B = 2, C = 501, A = 1501, POSITIONS, FACES = 3 };
-    struct vec3 positions[POSITIONS] = {
-        [A] = {-0.5, -0.5, 0}, [B] = {0.5, -0.5, 0}, [C] = {0.5, 0.5, 0}, [D] = {-0.5, 0.5, 0}};
-    static const uint32_t corners[FACES][3] = {{A, B, C}, {A, C, D}, {C, B, A}};
-    struct face faces[FACES] = {0};
-    for (int i = 0; i < FACES * 3; i++) {
-        faces[i / 3].corner[i % 3].position = corners[i / 3][i % 3];
+/* Two faces, which share a side, of a model with many positions: the greatest number is
+ * `greatest`. The first face stands there again and again, front and back, so its sides belong to
+ * many faces; the other one comes last. */
+static bool draw_two_faces(struct drawing *drawing, uint32_t greatest, size_t face_count,
+                           struct view view, struct image *image, struct error *error) {
+    enum { D = 1, B = 2, C = 501 };
+    const uint32_t kinds[3][3] = {{greatest, B, C}, {C, B, greatest}, {greatest, C, D}};
+    struct vec3 *positions = calloc(greatest + 1, sizeof *positions);
+    struct face *faces = calloc(face_count, sizeof *faces);
+    bool done = (positions != NULL && faces != NULL) || error_out_of_memory(error);
+    if (done) {
+        positions[greatest] = (struct vec3){-0.5, -0.5, 0};
+        positions[B] = (struct vec3){0.5, -0.5, 0};
+        positions[C] = (struct vec3){0.5, 0.5, 0};
+        positions[D] = (struct vec3){-0.5, 0.5, 0};
+        for (size_t i = 0; i < 3 * face_count; i++) {
+            const uint32_t *corners = kinds[i / 3 == face_count - 1 ? 2 : i / 3 % 2];
+            faces[i / 3].corner[i % 3].position = corners[i % 3];
+        }
+        const struct model model = {.positions = positions,
+                                    .position_count = greatest + 1,
+                                    .faces = faces,
+                                    .face_count = face_count};
+        done = draw_part(drawing, &model, view, image, error);
     }
-    const struct model square = {
-        .positions = positions, .position_count = POSITIONS, .faces = faces, .face_count = FACES};
-    /* Once as it is; once so large that its upper right corner is seen, and others are far away;
-     * once with its lower left corner some pixels, and a part of one, outside. */
-    return draw_part(drawing, &square, (struct view){0, 0, 1}, image, error) &&
-           draw_part(drawing, &square, (struct view){0.5 - 2e-5, 0.5 - 2.4e-5, 3e4}, image,
-                     error) &&
-           draw_part(drawing, &square, (struct view){1.2836, 1.4869, 0.61}, image, error);
+    free(positions);
+    free(faces);
+    return done;
+}
+
+/* Once as it is; once so large that its upper right corner is seen, and others are far away; once
+ * with its lower left corner some pixels, and a part of one, outside. Numbers of positions with up
+ * to five digits, and more than 16 bits; and of sides, too. */
+static bool draw_square(struct drawing *drawing, struct image *image, struct error *error) {
+    struct view whole = {0, 0, 1}, large = {0.5 - 2e-5, 0.5 - 2.4e-5, 3e4};
+    return draw_two_faces(drawing, 1501, 3, whole, image, error) &&
+           draw_two_faces(drawing, 10501, 3, large, image, error) &&
+           draw_two_faces(drawing, 66037, 22000, (struct view){1.2836, 1.4869, 0.61}, image, error);
 }
 
 /* A quarter of the faces: a mesh with a border. */
@@ -218,9 +238,9 @@ static const struct cut_line {
     {{40, TOP + 90}, {RIGHT + 10, -301}, WHITE},
     {{-1000000, -612345}, {999999, 612421}, WHITE},
     {{-499979, 1000000}, {500121, -999901}, WHITE},
-    /* one end inside */
-    {{80, 50}, {RIGHT + 100, 77}, RED},
-    {{80, 50}, {-111, 20}, RED},
+    /* one end inside, the other beside the image, or far away */
+    {{80, 50}, {RIGHT + 1, 77}, RED},
+    {{80, 50}, {-1, 20}, RED},
     {{80, 50}, {101, TOP + 200}, RED},
     {{80, 50}, {48, -150}, RED},
     /* a tie in the first pixel inside */
