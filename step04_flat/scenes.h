@@ -3,8 +3,8 @@
  *
  * `flat` draws a model from the front, in the order of the file; `side` does the same with a light
  * that comes from the left and from above, in an image that is not square, and has more faces:
- * three reach too far for the screen, and nothing of them is drawn; four leave the image, and many
- * are smaller than a pixel. Faces on which no light falls are not drawn. With the light in the
+ * three reach too far for the screen, and nothing of them is drawn; four leave the image, one looks
+ * away and is lit from behind, and many are smaller than a pixel. Faces on which no light falls are not drawn. With the light in the
  * viewer's direction these are the faces that show their backs; what lies behind something else is
  * still painted over it: that is lesson 5.
  */
@@ -48,6 +48,17 @@ static bool draw_face(struct drawing *drawing, struct image *image, struct vec3 
     return done;
 }
 
+/* It looks away from us, and light that comes from behind falls on it. */
+static bool draw_face_lit_from_behind(struct drawing *drawing, struct image *image,
+                                      struct error *error) {
+    struct vec3 corners[3] = {{-0.95, 0.95, 0}, {-0.75, 0.95, 0.1}, {-0.95, 0.75, 0}};
+    const struct vec3 light = drawing->light;
+    drawing->light = (struct vec3){0.2, 0.1, 1};
+    bool done = draw_face(drawing, image, corners, error);
+    drawing->light = light;
+    return done;
+}
+
 enum { TINY_SIDE = 36 }; /* of a square of pixels, each with a face of its own */
 
 /* Faces smaller than a pixel, around the centres of pixels: they are as bright as large ones. */
@@ -82,7 +93,8 @@ static bool draw_side(struct drawing *drawing, struct image *image, struct error
     for (size_t i = 0; rows.height > 0 && done && i < sizeof corners / sizeof corners[0]; i++) {
         done = draw_face(drawing, &rows, corners[i], error);
     }
-    return done && (rows.height == 0 || draw_tiny_faces(drawing, &rows, error));
+    return done && (rows.height == 0 || (draw_face_lit_from_behind(drawing, &rows, error) &&
+                                         draw_tiny_faces(drawing, &rows, error)));
 }
 
 static const struct scene scenes[] = {
