@@ -146,7 +146,7 @@ static void show_rows(const struct image *image, size_t begin, size_t end, doubl
 }
 
 /* The same depths: in the lower half all of them are negative, and the first pixel is the nearest
- * one, the last one the farthest; in the upper half they are positive, and it is the other way
+ * one, the last one the farthest; in the upper half they are very large, and it is the other way
  * round. On top are rows in which they are almost equal. */
 static bool draw_deep(struct drawing *drawing, struct image *image, struct error *error) {
     bool done = draw_zbuffer(drawing, image, error);
@@ -155,7 +155,7 @@ static bool draw_deep(struct drawing *drawing, struct image *image, struct error
         drawing->depth[i] = 1e-9 * (double)(i % image->width);
     }
     show_rows(image, 0, middle, drawing->depth, 0.7, -0.7, -3000);
-    show_rows(image, middle, even, drawing->depth, -0.7, 0.7, 3000);
+    show_rows(image, middle, even, drawing->depth, -0.7, 0.7, 3e9);
     show_rows(image, even, image->height, drawing->depth, 0, 0, 0);
     return done;
 }
@@ -255,8 +255,8 @@ static const struct scene scenes[] = {
     {
         .name = "side",
         .needs = NEEDS_MODEL | NEEDS_DEPTH,
-        .width = 720,
-        .height = 800,
+        .width = 800,
+        .height = 600, /* less than the width: who takes it for that mixes rows of depths */
         .light = {1, 0, -1},
         .draw = draw_zbuffer,
     },

@@ -387,6 +387,22 @@ static bool find_counter(const char *text, const struct item_result *item, uint6
     return found;
 }
 
+/* What is wrong with a count, if anything is. A number that wraps round was below 0. */
+static void say_count(struct item_result *item) {
+    const struct count_text counted = show_count(item->counted), most = show_count(item->most);
+    if (item->counted > INT64_MAX) {
+        result_say(&item->message, "-%s, but a count is never below 0",
+                   show_count(0 - item->counted).text);
+    } else if (item->most == item->least && item->counted != item->most) {
+        result_say(&item->message, "%s, but %s are right", counted.text, most.text);
+    } else if (item->counted > item->most) {
+        result_say(&item->message, "%s, but %s are enough", counted.text, most.text);
+    } else if (item->counted < item->least) {
+        result_say(&item->message, "%s, but it must count %s or more", counted.text,
+                   show_count(item->least).text);
+    }
+}
+
 /* Judge a counter by what the program has printed. */
 static void judge_counter(const struct judging *judging, struct item_result *item,
                           const char *output, const struct run_result *end) {
@@ -395,14 +411,9 @@ static void judge_counter(const struct judging *judging, struct item_result *ite
         blame(judging, item, end);
     } else if (!found) {
         result_say(&item->message, "--stats does not print it");
-    } else if (item->counted > item->most) {
-        result_say(&item->message, "%s, but %s are enough", show_count(item->counted).text,
-                   show_count(item->most).text);
-    } else if (item->counted < item->least) {
-        result_say(&item->message, "%s, but it must count %s or more",
-                   show_count(item->counted).text, show_count(item->least).text);
     } else {
-        item->state = RESULT_PASS;
+        say_count(item);
+        item->state = item->message.text[0] == '\0' ? RESULT_PASS : item->state;
     }
 }
 

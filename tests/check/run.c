@@ -121,8 +121,9 @@ struct run_text run_stopped_by(const struct run_result *result, const struct run
         snprintf(text.text, sizeof text.text, "stopped at more than %zu MB of memory",
                  limits->group_bytes / MEGABYTE);
     } else if (result->end == RUN_DISK_FULL) {
-        snprintf(text.text, sizeof text.text, "stopped at more than %zu MB of files, or %d of them",
-                 limits->disk_bytes / MEGABYTE, FILE_COUNT);
+        snprintf(text.text, sizeof text.text,
+                 "stopped at more than %zu MB of files, %d of them, or %d levels deep",
+                 limits->disk_bytes / MEGABYTE, FILE_COUNT, FILE_DEPTH);
     } else if (result->end == RUN_KILLED && result->number == SIGXFSZ) {
         snprintf(text.text, sizeof text.text, "SIGXFSZ, file larger than %zu MB",
                  limits->file_bytes / MEGABYTE);
@@ -672,6 +673,18 @@ static int open_inside(int parent, const char *name) {
     return file;
 }
 
+/* Move an entry of a directory into `top`, under the next name that is free there. */
+static bool lift_entry(int directory, const char *name, int top, unsigned long *number) {
+    char lifted[40];
+    bool done;
+    fchmodat(directory, name, 0700, 0); /* its ".." changes */
+    do {
+        snprintf(lifted, sizeof lifted, "lifted.%lu", (*number)++);
+        done = renameat(directory, name, top, lifted) == 0;
+    } while (!done && (errno == EEXIST || errno == ENOTEMPTY || errno == ENOTDIR));
+    return done;
+}
+
 /* Remove what is in the directory `name` of `top`, and lift directories that are not empty into
  * `top`, under new names. Returns how many entries are no longer there. */
 static size_t lift_contents(int top, const char *name, unsigned long *number) {
@@ -687,14 +700,7 @@ static size_t lift_contents(int top, const char *name, unsigned long *number) {
         if (is_dots(entry->d_name)) {
             continue;
         }
-        if (!remove_entry(file, entry->d_name)) {
-            char lifted[40];
-            snprintf(lifted, sizeof lifted, "lifted.%lu", (*number)++);
-            fchmodat(file, entry->d_name, 0700, 0); /* its ".." changes */
-            gone += renameat(file, entry->d_name, top, lifted) == 0;
-        } else {
-            gone++;
-        }
+        gone += remove_entry(file, entry->d_name) || lift_entry(file, entry->d_name, top, number);
     }
     closedir(directory);
     return gone;

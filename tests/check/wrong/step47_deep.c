@@ -1,4 +1,5 @@
-/* It nests directories deeper than files can be open. */
+/* It nests directories deeper than files can be open, under a name to which the check would move
+ * them, and waits until it is stopped for that. */
 #include "picture.h"
 
 #include <sys/stat.h>
@@ -14,6 +15,6 @@ int main(int argc, char **argv) {
             return 3;
         }
     }
-    picture(directory, "depth", 0, 1);
+    sleep(60);
     return 0;
 }
