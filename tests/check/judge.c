@@ -545,6 +545,16 @@ static void find_all_to_do(const struct judging *judging) {
     }
 }
 
+/* Which tasks are to do only because others are. */
+static void find_waiting_tasks(const struct judging *judging) {
+    struct step_result *result = judging->result;
+    const char *source = (const char *)judging->source.data;
+    for (size_t i = 0; i < result->task_count; i++) {
+        struct task_result *task = &result->tasks[i];
+        task->waits = task->state == RESULT_TODO && !todo_has_task(source, task->name.text);
+    }
+}
+
 /* What is known of the program, for an item of which it is asked what it looks like. */
 static struct suspicion suspicion_of(const struct judging *judging,
                                      const struct item_result *item) {
@@ -765,6 +775,7 @@ void judge_step(const struct options *options, const struct checked_step *step,
         set_error(result, &error);
     }
     step_result_finish(result);
+    find_waiting_tasks(&judging);
     for (size_t i = 0; judging.references != NULL && i < step->scene_count; i++) {
         image_free(&judging.references[i]);
     }

@@ -70,7 +70,9 @@ static void report_part(const struct step_result *step, char part) {
     for (size_t i = 0; i < step->task_count; i++) {
         const struct task_result *task = &step->tasks[i];
         if (part_of(task) == part) {
-            const char *state = task->state == RESULT_PASS ? "" : result_state_name(task->state);
+            const char *state = task->state == RESULT_PASS ? ""
+                                : task->waits              ? "waits"
+                                                           : result_state_name(task->state);
             printf("%s %s%s%s%s %u/%u", comma, task->name.text, task->perhaps ? " perhaps" : "",
                    state[0] != '\0' ? " " : "", state, task->points, task->most);
             comma = ",";

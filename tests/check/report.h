@@ -24,6 +24,8 @@
  * where it is not known which of several is to blame, a task that the scene needs is not right
  * either, or the scene looks like a mistake of a task that it neither shows nor needs (result.h).
  *
+ * A task that is written `waits` where all that shows it needs another one that is to do.
+ *
  * The fraction in a step's line counts its pictures and counters; all others are points.
  */
 #ifndef TESTS_CHECK_REPORT_H

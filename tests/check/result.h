@@ -91,6 +91,7 @@ struct task_result {
     struct task_name name;
     enum result_state state; /* the worst of those of the items that may be its fault */
     bool perhaps;            /* FAIL, and of the first such item it is not sure */
+    bool waits;              /* TODO, but written: what shows it needs a task that is to do */
     unsigned points, most;
 };
 

@@ -327,7 +327,7 @@ static void test_verdicts(void) {
          "first at (60,31): yours 160,100,60, right 120,140,120; depth3 TODO 0/4: task 34b.30 is "
          "to do; depth4 TODO 0/1: part 34b is to do; depth3 drawn again (turned) TODO 0/1: task "
          "34b.30 is to do; "
-         "tasks: 34.1 1/1, 34.2 FAIL 0/4; part b 0/4: 34b.3 TODO 0/2, 34b.30 TODO 0/2"},
+         "tasks: 34.1 1/1, 34.2 FAIL 0/4; part b 0/4: 34b.3 waits 0/2, 34b.30 TODO 0/2"},
         {"step35_work",
          "FAIL 4/12 SCORE 4/12; depth PASS 1/1; depth2 PASS 1/1; depth3 FAIL 0/1: 2,612 of 20,266 "
          "drawn pixels differ (must be exact), first at (60,31): yours 160,100,60, right "
