@@ -56,8 +56,12 @@ static uint64_t box_triangle(struct image *image, const struct vec2 corner[3], s
         pixels_between(fmin(a.y, fmin(b.y, c.y)), fmax(a.y, fmax(b.y, c.y)), image->height);
     uint64_t written = 0;
     /* BEGIN SOLUTION 3a.3 three signs */
+    double twice_area = side_of(a, b, c);
+    if (twice_area == 0) {
+        return 0; /* a line or a point */
+    }
     /* Clockwise, the inside is on the right of every side. */
-    double sign = side_of(a, b, c) > 0 ? 1 : -1;
+    double sign = twice_area > 0 ? 1 : -1;
     for (int y = rows.begin; y < rows.end; y++) {
         for (int x = columns.begin; x < columns.end; x++) {
             struct vec2 center = {x + 0.5, y + 0.5};

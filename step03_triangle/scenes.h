@@ -137,6 +137,13 @@ static const struct text_scene_shape cut_triangles[] = {
 };
 enum { CUT_TRIANGLES = sizeof cut_triangles / sizeof cut_triangles[0] };
 
+/* Two with an area of 0, a line and a point, through pixel centres: of them nothing is drawn. */
+static const struct text_scene_shape flat_triangles[] = {
+    {{10, 70, 130}, {30, 30, 30}, {{YELLOW}, {YELLOW}, {YELLOW}}},
+    {{60, 60, 60}, {20, 20, 20}, {{YELLOW}, {YELLOW}, {YELLOW}}},
+};
+enum { FLAT_TRIANGLES = sizeof flat_triangles / sizeof flat_triangles[0] };
+
 /* One triangle, given clockwise; a hexagon of six; a rectangle of two; one that leaves the image at
  * the top. */
 static const struct text_scene_shape colored_triangles[] = {
@@ -184,8 +191,8 @@ static void draw_by_signs(struct drawing *drawing, struct image *image,
     drawing_count(drawing, "pixels_written", box_triangle(image, screen, shape->color[0]));
 }
 
-/* The three triangles, three that leave the image, and a row of dots: triangles smaller than a
- * pixel. */
+/* The three triangles, three that leave the image, two of which nothing is drawn, and a row of
+ * dots: triangles smaller than a pixel. */
 static bool draw_signs(struct drawing *drawing, struct image *image, struct error *error) {
     enum { DOTS = 20 };
     (void)error;
@@ -194,6 +201,9 @@ static bool draw_signs(struct drawing *drawing, struct image *image, struct erro
     }
     for (size_t i = 0; i < CUT_TRIANGLES; i++) {
         draw_by_signs(drawing, image, &cut_triangles[i]);
+    }
+    for (size_t i = 0; i < FLAT_TRIANGLES; i++) {
+        draw_by_signs(drawing, image, &flat_triangles[i]);
     }
     for (int i = 0; i < DOTS; i++) {
         double x = 6 + 4 * i;
