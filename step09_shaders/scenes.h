@@ -118,14 +118,14 @@ static struct draw_call square_call(struct pair *square, struct rectangle cell) 
 }
 
 /* Nearer than that square, and to its right: half of it is covered. The intensity is not 0, but so
- * small that it is seen as black. */
+ * small that it is rounded to black. */
 static struct draw_call dim_call(struct pair *dim, struct rectangle cell) {
     struct draw_call call = square_call(dim, cell);
     call.to_clip = mat4_translation((struct vec3){1, 0, 0.5});
     for (int i = 0; i < 16; i++) { /* the same places, with a w of 0.5: nearer by that, too */
         call.to_clip.m[i / 4][i % 4] *= 0.5;
     }
-    dim->uniforms.to_light = (struct vec3){0, 0, 0.003};
+    dim->uniforms.to_light = (struct vec3){0, 0, 0.001};
     return call;
 }
 
@@ -166,21 +166,25 @@ static struct draw_call near_call(struct pair *near, struct rectangle cell) {
 
 /* ---- Scenes of simple_draw() ---- */
 
-/* Each corner of a face in a colour of its own: what is in between shows the weights. */
+/* Each corner of a face in a colour of its own: what is in between shows the weights. The colour is
+ * in the first three varyings and in the last three of as many as there may be. The last ones are
+ * read: they are black where only some varyings are interpolated. */
 static void corner_vertex(const void *uniforms, size_t face, size_t corner, double *varyings) {
     (void)uniforms, (void)face;
-    for (size_t i = 0; i < 3; i++) {
-        varyings[i] = i == corner ? 255 : 0;
+    for (size_t i = 0; i < VARYING_LIMIT; i++) {
+        varyings[i] = 0;
     }
+    varyings[corner] = varyings[VARYING_LIMIT - 3 + corner] = 255;
 }
 
 static bool corner_pixel(const void *uniforms, const double *varyings, struct vec3 *rgb) {
+    const double *last = varyings + VARYING_LIMIT - 3;
     (void)uniforms;
-    *rgb = (struct vec3){varyings[0], varyings[1], varyings[2]};
+    *rgb = (struct vec3){last[0], last[1], last[2]};
     return true;
 }
 
-static const struct simple_shader simple_corners = {3, corner_vertex, corner_pixel};
+static const struct simple_shader simple_corners = {VARYING_LIMIT, corner_vertex, corner_pixel};
 
 /* One cell of such a picture. */
 struct simple_cell {
@@ -245,8 +249,21 @@ static bool draw_looks(struct drawing *drawing, struct image *image, struct erro
     return draw_simple_cells(drawing, image, cells);
 }
 
-/* The first one has a square in full light beside it. The last one is seen from where no light
- * falls: what is left is the inside of the lit half; beside it, a square that gets next to none. */
+/* One triangle at both sides of a cell, in two lights: what a shader found for a face must not be
+ * kept for the next drawing. */
+static void draw_in_two_lights(const struct canvas *canvas, struct rectangle cell) {
+    struct pair triangle;
+    struct draw_call call = square_call(&triangle, cell);
+    triangle.model.face_count = 1;
+    simple_draw(canvas, &call, &simple_flat, &triangle.uniforms);
+    call.viewport = right_corner_of(cell);
+    triangle.uniforms.to_light = (struct vec3){0, 0, 0.4};
+    simple_draw(canvas, &call, &simple_flat, &triangle.uniforms);
+}
+
+/* The first one has a square in full light beside it, the third one a triangle in two lights. The
+ * last one is seen from where no light falls: what is left is the inside of the lit half; beside
+ * it, a square that gets next to none. */
 static bool draw_more_looks(struct drawing *drawing, struct image *image, struct error *error) {
     const struct vec3 from_the_dark_side = {-2.5, 0.5, 1.8};
     const struct simple_cell cells[4] = {{&simple_toon, CULL_BACK, 0.8, {0, 0, 0}},
@@ -259,6 +276,7 @@ static bool draw_more_looks(struct drawing *drawing, struct image *image, struct
     struct draw_call call =
         square_call(&square, grid_cell(image->width, image->height, 2, 2, 0, 0));
     simple_draw(&canvas, &call, &simple_toon, &square.uniforms);
+    draw_in_two_lights(&canvas, grid_cell(image->width, image->height, 2, 2, 0, 1));
     struct pair dim;
     const struct rectangle last = grid_cell(image->width, image->height, 2, 2, 1, 1);
     struct draw_call lit_call = square_call(&square, last), over_call = dim_call(&dim, last);
