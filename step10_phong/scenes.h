@@ -31,7 +31,8 @@ static struct uniforms make_uniforms(const struct drawing *drawing, double pixel
 struct cell {
     const struct shader *shader;
     struct material material;
-    const struct model *model; /* NULL: the drawing's */
+    const struct model *model;      /* NULL: the drawing's */
+    const struct texture *specular; /* NULL: the drawing's */
 };
 
 /* Draw rows of cells, the first one top left. */
@@ -50,6 +51,10 @@ static bool draw_cells(struct drawing *drawing, struct image *image, const struc
         if (cells[i].shader == &weight_mapped || cells[i].shader == &power_mapped) {
             u.normal_level += 1; /* three different levels: who exchanges them sees it */
             u.specular_level += 2;
+        }
+        if (cells[i].specular != NULL) {
+            u.specular = cells[i].specular;
+            u.specular_level = 0;
         }
         done = pipeline_draw(pipeline, &call, cells[i].shader, &u, sizeof u, error);
     }
@@ -78,7 +83,7 @@ static bool stretch_normals(struct model *stretched, const struct model *model,
 
 /* Ambient and diffuse light: nothing shines. */
 static bool draw_matt(struct drawing *drawing, struct image *image, struct error *error) {
-    struct cell cell = {&plain, plain_material, NULL};
+    struct cell cell = {&plain, plain_material, NULL, NULL};
     const struct model *own = drawing->model;
     struct model stretched;
     cell.material.specular = 0;
@@ -96,7 +101,7 @@ static bool draw_matt(struct drawing *drawing, struct image *image, struct error
 static bool draw_parts(struct drawing *drawing, struct image *image, struct error *error) {
     struct cell cells[4];
     for (int i = 0; i < 4; i++) {
-        cells[i] = (struct cell){&plain, plain_material, NULL};
+        cells[i] = (struct cell){&plain, plain_material, NULL, NULL};
     }
     cells[0].material.diffuse = cells[0].material.specular = 0;
     cells[1].material.ambient = cells[1].material.specular = 0;
@@ -109,7 +114,7 @@ static bool draw_shine(struct drawing *drawing, struct image *image, struct erro
     static const int powers[] = {0, 2, 40, 80};
     struct cell cells[4];
     for (int i = 0; i < 4; i++) {
-        cells[i] = (struct cell){&plain, plain_material, NULL};
+        cells[i] = (struct cell){&plain, plain_material, NULL, NULL};
         cells[i].material.power = powers[i];
     }
     return draw_cells(drawing, image, cells, 2, 2, 0.8, error);
@@ -117,10 +122,10 @@ static bool draw_shine(struct drawing *drawing, struct image *image, struct erro
 
 /* Phong alone, with the normal map, with the texture, and with both. */
 static bool draw_four(struct drawing *drawing, struct image *image, struct error *error) {
-    const struct cell cells[] = {{&plain, plain_material, NULL},
-                                 {&mapped, plain_material, NULL},
-                                 {&textured, textured_material, NULL},
-                                 {&full, textured_material, NULL}};
+    const struct cell cells[] = {{&plain, plain_material, NULL, NULL},
+                                 {&mapped, plain_material, NULL, NULL},
+                                 {&textured, textured_material, NULL, NULL},
+                                 {&full, textured_material, NULL, NULL}};
     return draw_cells(drawing, image, cells, 2, 2, 0.8,
                       error); /* of a quarter: 0.4 of the picture */
 }
@@ -131,22 +136,22 @@ static bool draw_powers(struct drawing *drawing, struct image *image, struct err
     static const int powers[] = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 20, 40, 80};
     struct cell cells[16];
     for (int i = 0; i < 14; i++) {
-        cells[i] = (struct cell){&plain, plain_material, NULL};
+        cells[i] = (struct cell){&plain, plain_material, NULL, NULL};
         cells[i].material.power = powers[i];
     }
-    cells[14] = (struct cell){&weight_mapped, textured_material, NULL};
+    cells[14] = (struct cell){&weight_mapped, textured_material, NULL, NULL};
     cells[14].material.specular = 1.5; /* times what the map says */
-    cells[15] = (struct cell){&power_mapped, textured_material, NULL};
+    cells[15] = (struct cell){&power_mapped, textured_material, NULL, NULL};
     return draw_cells(drawing, image, cells, 4, 4, 0.8, error);
 }
 
-/* A map of one texel, which says 255. */
-static bool make_white(struct texture *texture, struct error *error) {
+/* A map of one texel. */
+static bool make_map(struct texture *texture, uint8_t value, struct error *error) {
     struct image image;
     if (!image_create(&image, 1, 1, IMAGE_GREY, error)) {
         return false;
     }
-    image_set(&image, 0, 0, color_grey(255));
+    image_set(&image, 0, 0, color_grey(value));
     bool done = texture_create(texture, &image, error);
     image_free(&image);
     return done;
@@ -172,33 +177,37 @@ static const struct model *near_board(void) {
     return &board;
 }
 
-/* A shoulder, so near that its faces are large; in the middle the largest power that a map can say.
- * On the right a board that is nearer still. */
+/* A shoulder, so near that its faces are large: with a large power, with the largest power that a
+ * map can say, and with the least value that says 2. On the right a board that is nearer still. */
 static bool draw_large_faces(struct drawing *drawing, struct image *image, struct error *error) {
-    struct texture white;
-    const struct texture *own = drawing->specular;
-    struct cell cells[] = {{&plain, plain_material, NULL},
-                           {&power_mapped, textured_material, NULL},
-                           {&plain, plain_material, near_board()}};
-    cells[0].material.power = 80;
-    if (!make_white(&white, error)) {
+    struct texture map_of_255, map_of_8;
+    struct cell cells[] = {{&plain, plain_material, NULL, NULL},
+                           {&power_mapped, textured_material, NULL, &map_of_255},
+                           {&power_mapped, textured_material, NULL, &map_of_8},
+                           {&plain, plain_material, near_board(), NULL}};
+    cells[0].material.power = 200;
+    if (!make_map(&map_of_255, 255, error)) {
         return false;
     }
-    drawing->specular = &white;
-    bool done = draw_cells(drawing, image, cells, 3, 1, 2.5, error);
-    drawing->specular = own;
-    texture_free(&white);
+    bool done = make_map(&map_of_8, 8, error);
+    if (done) {
+        done = draw_cells(drawing, image, cells, 4, 1, 2.5, error);
+        texture_free(&map_of_8);
+    }
+    texture_free(&map_of_255);
     return done;
 }
 
 enum { TURN_FRAMES = 100 };
 
-/* The light goes once around the head. */
+/* The light goes once around the head. For each frame it is asked for another place first: it must
+ * not count how often it is asked. */
 static bool draw_turn(struct drawing *drawing, struct image *image, struct error *error) {
     struct pipeline *pipeline = pipeline_begin(drawing);
     struct rectangle whole = grid_cell(image->width, image->height, 1, 1, 0, 0);
     struct draw_call call = pipeline_call(drawing, whole, 0.85, CULL_BACK);
     struct uniforms u = make_uniforms(drawing, 0.85 * whole.width, textured_material);
+    (void)turning_light(0.5);
     u.to_light = turning_light((double)drawing->frame / TURN_FRAMES);
     bool done = pipeline_draw(pipeline, &call, &weight_mapped, &u, sizeof u, error);
     return pipeline_end(drawing, done, image, error);
@@ -246,7 +255,7 @@ static const struct scene scenes[] = {
     {
         .name = "near",
         .needs = NEEDS_MODEL | NEEDS_NORMALS | NEEDS_DIFFUSE | NEEDS_NORMAL_MAP,
-        .width = 1200,
+        .width = 1600,
         .height = 400,
         .eye = {0.5, -0.25, 0.35},
         .center = {0.42, -0.5, 0},
