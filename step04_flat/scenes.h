@@ -4,9 +4,9 @@
  * `flat` draws a model from the front, in the order of the file; `side` does the same with a light
  * that comes from the left and from above, in an image that is not square, and has more faces:
  * three reach too far for the screen, and nothing of them is drawn; four leave the image, one looks
- * away and is lit from behind, and many are smaller than a pixel. Faces on which no light falls are not drawn. With the light in the
- * viewer's direction these are the faces that show their backs; what lies behind something else is
- * still painted over it: that is lesson 5.
+ * away and is lit from behind, and many are smaller than a pixel. Faces on which no light falls are
+ * not drawn. With the light in the viewer's direction these are the faces that show their backs;
+ * what lies behind something else is still painted over it: that is lesson 5.
  */
 
 static bool draw_flat(struct drawing *drawing, struct image *image, struct error *error) {
