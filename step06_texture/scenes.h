@@ -2,12 +2,13 @@
  * Step 6, the given part: its scenes and the program.
  *
  * `texture` draws a model with its diffuse texture, nearest texel, times the intensity of the face.
- * `letters` draws a board whose texture coordinates leave the picture, with a border around it, and
- * a piece of cloth on which the middle of each pixel lies on the border between two texels.
- * `room` lays that picture, without the border, on a floor and a wall in perspective, again and
- * again, nearest texel too. `close` is a wall before the camera, bilinear. `softer` shows the mip
- * levels of that picture, and what lies between them. `mipmapped` is the room with a mip level for
- * every pixel, and so is `checker`, a plane towards the horizon.
+ * `letters` draws a board whose texture coordinates leave the picture, with a border around it, two
+ * small boards far beyond that picture, and a piece of cloth on which the middle of each pixel lies
+ * on the border between two texels. `room` lays that picture, without the border, on a floor and a
+ * wall in perspective, again and again, nearest texel too; the wall at the back has a smaller
+ * picture. Its chart shows what whole numbers are repeated as. `close` is a wall before the camera,
+ * bilinear. `softer` shows the mip levels of that picture, and what lies between them. `mipmapped`
+ * is the room with a mip level for every pixel, and so is `checker`, a plane towards the horizon.
  */
 
 /* ---- Scene: texture ---- */
@@ -56,7 +57,7 @@ static bool draw_texture(struct drawing *drawing, struct image *image, struct er
 /* ---- Scene: letters ---- */
 
 struct state {
-    struct texture letters, bordered, fading, cloth, checker;
+    struct texture letters, bordered, fading, cloth, mosaic, checker;
 };
 
 /* A picture of 5 x 3 tiles with the letters A to O, so that nothing can be exchanged unseen. */
@@ -109,18 +110,20 @@ static struct color bordered_color(int x, int y) {
     return letters_color(x == 1 ? LETTERS_JOINT : x, y == 1 ? LETTERS_JOINT : y);
 }
 
-/* The picture, darker from column to column: `rightmost` of its light is left in the last one. */
+/* The picture, more transparent from column to column: the last one has the opacity `rightmost`. */
 static bool make_letters(struct texture *texture, struct color (*color)(int x, int y),
                          double rightmost, struct error *error) {
     struct image image;
     if (!image_create(&image, LETTERS_COLUMNS * LETTERS_TILE, LETTERS_ROWS * LETTERS_TILE,
-                      IMAGE_BGR, error)) {
+                      IMAGE_BGRA, error)) {
         return false;
     }
     for (int y = 0; y < (int)image.height; y++) {
         for (int x = 0; x < (int)image.width; x++) {
-            double light = 1 - (1 - rightmost) * x / (double)(image.width - 1);
-            image_set(&image, x, y, shade(color(x, y), light));
+            double opacity = 1 - (1 - rightmost) * x / (double)(image.width - 1);
+            struct color texel = color(x, y);
+            texel.a = level_from(255 * opacity);
+            image_set(&image, x, y, texel);
         }
     }
     bool done = texture_create(texture, &image, error);
@@ -129,8 +132,9 @@ static bool make_letters(struct texture *texture, struct color (*color)(int x, i
 }
 
 enum {
-    CLOTH_SIDE = 64,  /* texels, and pixels */
-    CLOTH_MARGIN = 16 /* pixels to the border of the image */
+    CLOTH_SIDE = 64,   /* texels, and pixels */
+    CLOTH_MARGIN = 16, /* pixels to the border of the image */
+    MOSAIC_SIDE = 3    /* texels: the threads go on where the picture begins again */
 };
 
 /* Threads one texel wide, in three colours. */
@@ -182,6 +186,23 @@ static void place_board(const struct image *image, struct vertex corners[4]) {
     }
 }
 
+enum { FAR_BOARDS = 2 };
+
+/* The corners of a small board at the upper left, beside another one. One shows the last column of
+ * its picture, the other one the last row: they lie too many pictures to the right of it, or above
+ * it, for an int to count the texels. */
+static void place_far_board(const struct image *image, int number, struct vertex corners[4]) {
+    const double left = 0.02 + 0.09 * number, beyond = 1e12;
+    for (int i = 0; i < 4; i++) {
+        struct vec2 uv = {i == 1 || i == 2, i >= 2};
+        struct vec2 screen = {(left + 0.08 * uv.x) * (double)image->width,
+                              (0.88 + 0.1 * uv.y) * (double)image->height};
+        corners[i] = (struct vertex){.uv = number == 0 ? (struct vec2){beyond, uv.y}
+                                                       : (struct vec2){uv.x, beyond}};
+        screen_snap(screen, &corners[i].position); /* always within the limit */
+    }
+}
+
 static void draw_board(struct canvas *canvas, const struct vertex corners[4],
                        const struct texture *texture, double intensity) {
     triangle(canvas, (struct vertex[]){corners[0], corners[1], corners[2]}, texture, intensity);
@@ -191,7 +212,7 @@ static void draw_board(struct canvas *canvas, const struct vertex corners[4],
 static bool draw_letters(struct drawing *drawing, struct image *image, struct error *error) {
     (void)error;
     const struct state *state = drawing->state;
-    struct vertex board[4], cloth[4];
+    struct vertex board[4], cloth[4], far[4];
     place_board(image, board);
     place_cloth(image, cloth);
     struct canvas canvas = {.image = image, .depth = drawing->depth, .skip = drawing->skip};
@@ -199,6 +220,10 @@ static bool draw_letters(struct drawing *drawing, struct image *image, struct er
     /* What is no nearer than what is there stays hidden. */
     draw_board(&canvas, board, &state->bordered, 0.5);
     draw_board(&canvas, cloth, &state->cloth, 1);
+    for (int i = 0; i < FAR_BOARDS; i++) {
+        place_far_board(image, i, far);
+        draw_board(&canvas, far, &state->bordered, 1);
+    }
     drawing_count(drawing, "pixels_tested", canvas.pixels_tested);
     drawing_count(drawing, "pixels_written", canvas.pixels_written);
     drawing_count(drawing, "texels_fetched", canvas.texels_fetched);
@@ -323,6 +348,19 @@ static void place_wall(const struct image *image, struct vertex corners[4]) {
     corners[3] = place_on_wall(ROOM_NEAR, ROOM_HIGH, image);
 }
 
+/* Its picture has fewer texels than that of the letters, and so fewer levels. */
+static void place_back(const struct image *image, struct vertex corners[4]) {
+    static const struct vec2 places[4] = {/* side, height */
+                                          {ROOM_LEFT, 0},
+                                          {ROOM_RIGHT, 0},
+                                          {ROOM_RIGHT, ROOM_HIGH},
+                                          {ROOM_LEFT, ROOM_HIGH}};
+    for (int i = 0; i < 4; i++) {
+        corners[i] = place_over_plane(places[i].x, places[i].y, ROOM_FAR, image);
+        corners[i].uv = vec2_scale(places[i], 1 / 0.9);
+    }
+}
+
 /* A piece of wall right before the camera: a texel is larger than a pixel everywhere. */
 static void place_close(const struct image *image, struct vertex corners[4]) {
     static const struct vec3 places[4] = {/* side, distance, height */
@@ -348,15 +386,37 @@ static bool draw_close(struct drawing *drawing, struct image *image, struct erro
 static void draw_room_by(struct drawing *drawing, struct image *image, enum sampler sampler) {
     const struct state *state = drawing->state;
     struct vertex corners[4];
+    /* First the picture with few levels: those with more must not be read as if they had as few. */
+    place_back(image, corners);
+    draw_plane(drawing, image, corners, &state->mosaic, sampler);
     place_floor(image, corners);
     draw_plane(drawing, image, corners, &state->letters, sampler);
     place_wall(image, corners);
     draw_plane(drawing, image, corners, &state->letters, sampler);
 }
 
+/* In the upper right corner: u goes from -2 to 2 to the right, v upwards, in steps of a quarter. At
+ * whole numbers, negative ones too, the picture begins again with its first texels. */
+static void draw_chart(struct image *image, const struct texture *texture) {
+    const int side = (int)image->width / 80, cells = 17;
+    const int left = (int)image->width - side * cells, below = (int)image->height - side * cells;
+    for (int row = 0; row < cells; row++) {
+        for (int column = 0; column < cells; column++) {
+            struct vec2 uv = {column / 4.0 - 2, row / 4.0 - 2};
+            struct color color = sample_nearest(texture, repeat(uv));
+            for (int i = 0; i < side * side; i++) {
+                image_set(image, left + column * side + i % side, below + row * side + i / side,
+                          color);
+            }
+        }
+    }
+}
+
 static bool draw_room(struct drawing *drawing, struct image *image, struct error *error) {
     (void)error;
+    const struct state *state = drawing->state;
     draw_room_by(drawing, image, SAMPLE_NEAREST);
+    draw_chart(image, &state->letters);
     return true;
 }
 
@@ -377,7 +437,7 @@ static void draw_softer_cell(struct image *image, struct rectangle cell,
         for (int x = 0; x < cell.width; x++) {
             struct vec2 uv = {(x + 0.5) / cell.width, (y + 0.5) / cell.height};
             struct vec4 c = sample_trilinear(texture, uv, coarsest - 1 + uv.x);
-            double alpha = c.w / 255; /* 1: the picture is opaque */
+            double alpha = c.w / 255; /* over black: the more transparent, the darker */
             image_set(image, cell.x + x, cell.y + y,
                       color_rgb(level_from(c.x * alpha), level_from(c.y * alpha),
                                 level_from(c.z * alpha)));
@@ -385,8 +445,8 @@ static void draw_softer_cell(struct image *image, struct rectangle cell,
     }
 }
 
-/* Levels -1 to 8, from the top left. There are levels 0 to 7 of the letters; by their fading even
- * the last two are not alike. */
+/* Levels -1 to 8, from the top left. There are levels 0 to 7 of the letters; they fade to the right
+ * by their alpha alone, so that even the last two are not alike. */
 static bool draw_softer(struct drawing *drawing, struct image *image, struct error *error) {
     (void)error;
     const struct state *state = drawing->state;
@@ -403,11 +463,13 @@ static bool draw_softer(struct drawing *drawing, struct image *image, struct err
 static bool prepare(struct drawing *drawing, size_t width, size_t height, struct error *error) {
     (void)width, (void)height;
     struct state *state = drawing->state;
-    return drawing->model != NULL || (make_letters(&state->letters, letters_color, 1, error) &&
-                                      make_letters(&state->bordered, bordered_color, 1, error) &&
-                                      make_letters(&state->fading, letters_color, 0.3, error) &&
-                                      make_square(&state->cloth, CLOTH_SIDE, cloth_color, error) &&
-                                      make_checker(&state->checker, error));
+    return drawing->model != NULL ||
+           (make_letters(&state->letters, letters_color, 1, error) &&
+            make_letters(&state->bordered, bordered_color, 1, error) &&
+            make_letters(&state->fading, letters_color, 0.3, error) &&
+            make_square(&state->cloth, CLOTH_SIDE, cloth_color, error) &&
+            make_square(&state->mosaic, MOSAIC_SIDE, cloth_color, error) &&
+            make_checker(&state->checker, error));
 }
 
 static void finish(struct drawing *drawing) {
@@ -416,6 +478,7 @@ static void finish(struct drawing *drawing) {
     texture_free(&state->bordered);
     texture_free(&state->fading);
     texture_free(&state->cloth);
+    texture_free(&state->mosaic);
     texture_free(&state->checker);
 }
 
