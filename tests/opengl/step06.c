@@ -77,11 +77,15 @@ static bool add_board(struct picture *picture, const struct image *image,
 static bool build_letters(struct drawing *drawing, struct image *image, struct picture *picture,
                           struct error *error) {
     const struct state *state = drawing->state;
-    struct vertex board[4], cloth[4];
+    struct vertex board[4], cloth[4], far[2][4];
     place_board(image, board);
     place_cloth(image, cloth);
+    place_far_board(image, 0, far[0]);
+    place_far_board(image, 1, far[1]);
     return add_board(picture, image, board, &state->bordered, 0, error) &&
-           add_board(picture, image, cloth, &state->cloth, 2, error);
+           add_board(picture, image, cloth, &state->cloth, 2, error) &&
+           add_board(picture, image, far[0], &state->bordered, 4, error) &&
+           add_board(picture, image, far[1], &state->bordered, 6, error);
 }
 
 /* ---- Scenes in perspective ---- */
@@ -144,10 +148,20 @@ static bool build_close(struct drawing *drawing, struct image *image, struct pic
 static bool build_room(struct drawing *drawing, struct image *image, struct picture *picture,
                        struct error *error) {
     const struct state *state = drawing->state;
-    struct vertex ground[4], wall[4];
-    struct corner_data on_ground[4], on_wall[4];
-    struct batch settings = perspective_batch(&state->letters, image);
+    struct vertex back[4], ground[4], wall[4];
+    struct corner_data on_back[4], on_ground[4], on_wall[4];
+    struct batch settings = perspective_batch(&state->mosaic, image);
     struct batch *batch = picture_add_batch(picture, &settings, error);
+    place_back(image, back);
+    for (int i = 0; i < 4; i++) {
+        on_back[i] = perspective_corner(
+            &back[i], (struct vec3){0.9 * back[i].uv.x, 1 / back[i].recip_w, 0.9 * back[i].uv.y});
+    }
+    if (batch == NULL || !add_quad(batch, 0, on_back, error)) {
+        return false;
+    }
+    settings = perspective_batch(&state->letters, image);
+    batch = picture_add_batch(picture, &settings, error);
     place_floor(image, ground);
     place_wall(image, wall);
     for (int i = 0; i < 4; i++) {
@@ -157,8 +171,8 @@ static bool build_room(struct drawing *drawing, struct image *image, struct pict
         on_wall[i] =
             perspective_corner(&wall[i], (struct vec3){ROOM_LEFT, 1 / wall[i].recip_w, height});
     }
-    return batch != NULL && add_quad(batch, 0, on_ground, error) &&
-           add_quad(batch, 2, on_wall, error);
+    return batch != NULL && add_quad(batch, 2, on_ground, error) &&
+           add_quad(batch, 4, on_wall, error);
 }
 
 static bool build(const char *scene, struct drawing *drawing, struct image *image,
