@@ -175,10 +175,8 @@ static struct light_parts corner_light(struct vec3 position, struct vec3 normal,
     }
     parts.diffuse = material->diffuse * integer_power(facing, material->diffuse_power);
     struct vec3 mirrored = vec3_sub(vec3_scale(normal, 2 * facing), to_light);
-    double shining = vec3_dot(mirrored, to_camera);
-    if (shining > 0) {
-        parts.specular = material->specular * integer_power(shining, material->specular_power);
-    }
+    double shining = fmax(vec3_dot(mirrored, to_camera), 0);
+    parts.specular = material->specular * integer_power(shining, material->specular_power);
     /* STARTER
     // to do 7b.2: find l, v, n . l, r and r . v, then both parts
     (void)position, (void)normal, (void)light, (void)camera, (void)material, (void)integer_power;

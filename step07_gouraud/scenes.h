@@ -3,8 +3,8 @@
  *
  * `gouraud` has one intensity at each corner, `colors` a colour. `lit` adds up three kinds of light
  * at each corner, with a light and a camera at points: the ambient, the diffuse and the specular
- * part, and their sum, are four pictures in one. In `behind` the light stands behind the model, and
- * the surface is another.
+ * part, and their sum, are four pictures in one. In `behind` the light stands behind the model, the
+ * camera beside it, and the surface is another.
  */
 
 #include <stdlib.h>
@@ -156,13 +156,15 @@ static void draw_lit_as(struct drawing *drawing, struct image *image,
     draw_faces(drawing, &canvas, &lighting);
 }
 
-/* In the lower left corner the powers 0 to 7 of 0.8. */
+/* In the lower left corner the powers 0 to 31 of 0.9, row by row from below. */
 static void draw_powers(struct image *image) {
+    enum { COLUMNS = 8, ROWS = 4 };
     int side = (int)image->width / 40;
-    for (int power = 0; power < 8; power++) {
-        struct color grey = color_grey(level_from(255 * integer_power(0.8, power)));
-        for (int y = 0; y < side && y < (int)image->height; y++) {
-            image_fill_row(image, y, power * side, (power + 1) * side, grey);
+    for (int y = 0; y < ROWS * side && y < (int)image->height; y++) {
+        for (int column = 0; column < COLUMNS; column++) {
+            double product = integer_power(0.9, y / side * COLUMNS + column);
+            image_fill_row(image, y, column * side, (column + 1) * side,
+                           color_grey(level_from(255 * product)));
         }
     }
 }
@@ -239,7 +241,7 @@ static const struct scene scenes[] = {
         .width = 800,
         .height = 720,
         .light = {-2, 2, -3},
-        .eye = {0, 0, 3},
+        .eye = {1.2, 0.6, 2.5},
         .draw = draw_behind,
     },
 };
