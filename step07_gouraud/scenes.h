@@ -241,7 +241,7 @@ static const struct scene scenes[] = {
         .width = 800,
         .height = 720,
         .light = {-2, 2, -3},
-        .eye = {1.2, 0.6, 2.5},
+        .eye = {1.2, -0.6, 2.5},
         .draw = draw_behind,
     },
 };
