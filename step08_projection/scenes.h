@@ -490,14 +490,16 @@ static void draw_small_view(struct drawing *drawing, struct image *image, int co
 }
 
 /* In the corners an `up` against a view that is aslant (the axis nearest to perpendicular is not
- * that of the large view, nor that of the eye's place), one that is 9 degrees off, and one that is
- * almost along the view, but just not so near that it does not count. */
+ * that of the large view, nor that of the eye's place), one that is 9 degrees off, one that is
+ * almost along the view, but just not so near that it does not count, and, from the same eye, one
+ * that is far from it. */
 static bool draw_above(struct drawing *drawing, struct image *image, struct error *error) {
     const struct vec3 aslant = {1.5, 1.35, 1.9}, upwards = {0, 2.5, 0};
     bool done = draw_view(drawing, image, error);
     draw_small_view(drawing, image, 0, 0, aslant, vec3_scale(aslant, -1));
     draw_small_view(drawing, image, 1, 0, (struct vec3){1.2, 1.8, 1.5}, (struct vec3){0.5, 1, 1});
     draw_small_view(drawing, image, 0, 1, upwards, (struct vec3){2e-10, 1, 1e-10});
+    draw_small_view(drawing, image, 1, 1, upwards, (struct vec3){0, 0, -1});
     return done;
 }
 
@@ -705,6 +707,11 @@ static const struct quad wall = {
     {{-0.9, -0.45, 1.1}, {0.9, -0.45, -2}, {0.9, 0.45, -2}, {-0.9, 0.45, 1.1}},
     {{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
 
+/* It nearly faces the viewer: there is little to correct, but enough to be seen. */
+static const struct quad poster = {
+    {{0, 0.45, 0}, {0.98, 0.45, -0.09}, {0.98, 0.98, -0.09}, {0, 0.98, 0}},
+    {{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
+
 /* Quads that stand in the world as they are. */
 static bool draw_standing(struct drawing *drawing, struct image *image, const struct quad *quads,
                           size_t count, struct error *error) {
@@ -714,7 +721,8 @@ static bool draw_standing(struct drawing *drawing, struct image *image, const st
 }
 
 static bool draw_wall(struct drawing *drawing, struct image *image, struct error *error) {
-    return draw_standing(drawing, image, &wall, 1, error);
+    const struct quad quads[] = {wall, poster};
+    return draw_standing(drawing, image, quads, sizeof quads / sizeof quads[0], error);
 }
 
 /* The model made narrow, then turned: its matrix comes before those of the camera. */
@@ -723,17 +731,28 @@ static struct mat4 narrow_to_world(void) {
                     mat4_scaling((struct vec3){0.5, 1, 1}));
 }
 
-/* A leaf, flattened by a map that has no inverse: its light is that on the leaf as it was. */
-static const struct quad leaf = {
-    {{-0.9, -0.9, 0.3}, {-0.6, -0.9, 0}, {-0.6, -0.6, -0.3}, {-0.9, -0.6, 0}},
-    {{0, 0}, {0.375, 0}, {0.375, 0.375}, {0, 0.375}}};
+/* Leaves that are scaled. The first one is flattened by a map that has no inverse: its light is
+ * that on the leaf as it was. The map of the other one has the determinant 1, as if it were a
+ * rotation. */
+static const struct leaf {
+    struct vec3 scale;
+    struct quad quad;
+} leaves[] = {
+    {{1, 1, 0},
+     {{{-0.9, -0.9, 0.3}, {-0.6, -0.9, 0}, {-0.6, -0.6, -0.3}, {-0.9, -0.6, 0}},
+      {{0, 0}, {0.375, 0}, {0.375, 0.375}, {0, 0.375}}}},
+    {{0.25, 1, 4},
+     {{{-3.6, 0.6, 0}, {-2.4, 0.6, 0}, {-2.4, 0.9, 0}, {-3.6, 0.9, 0}},
+      {{0, 0}, {0.375, 0}, {0.375, 0.375}, {0, 0.375}}}},
+};
 
-static bool draw_flattened(struct drawing *drawing, struct image *image, struct error *error) {
-    const struct mat4 to_world = mat4_scaling((struct vec3){1, 1, 0});
+static bool draw_leaf(struct drawing *drawing, struct image *image, const struct leaf *leaf,
+                      struct error *error) {
+    const struct mat4 to_world = mat4_scaling(leaf->scale);
     struct canvas canvas = make_canvas(drawing, image, whole_image(image));
     struct mat4 to_clip = mat4_mul(perspective_camera(drawing), to_world);
     canvas.normals_to_world = normals_to_world(to_world);
-    return draw_quads(drawing, &canvas, &leaf, 1, &to_clip, error);
+    return draw_quads(drawing, &canvas, &leaf->quad, 1, &to_clip, error);
 }
 
 static void draw_narrow_head(struct drawing *drawing, struct image *image) {
@@ -746,7 +765,22 @@ static void draw_narrow_head(struct drawing *drawing, struct image *image) {
 
 static bool draw_narrow(struct drawing *drawing, struct image *image, struct error *error) {
     draw_narrow_head(drawing, image);
-    return draw_flattened(drawing, image, error);
+    return draw_leaf(drawing, image, &leaves[0], error) &&
+           draw_leaf(drawing, image, &leaves[1], error);
+}
+
+/* A sail that all five planes cut, in a small view of its own: it hides all behind it. Of its three
+ * corners eight are left, and the last ones show. */
+static bool draw_eight_corners(struct drawing *drawing, struct image *image, struct error *error) {
+    const int width = (int)image->width, height = (int)image->height;
+    const struct rectangle area = {width * 44 / 100, height * 47 / 100, width / 9, height / 9};
+    const struct quad sail = {
+        {{830, -840, -30}, {-2.3, 19, 13}, {-6, 1.6, -1.1}, {-6, 1.6, -1.1}},
+        {{2630, -2640}, {-24, 43}, {-14, 10}, {-14, 10}},
+    };
+    struct canvas canvas = make_canvas(drawing, image, area);
+    struct mat4 to_clip = perspective_camera(drawing);
+    return draw_quads(drawing, &canvas, &sail, 1, &to_clip, error);
 }
 
 /* A floor and a wall that have no end behind the camera, a leaf before its lens, and a sail (with
@@ -766,7 +800,8 @@ static bool draw_endless(struct drawing *drawing, struct image *image, struct er
         {{{87, 38, -22}, {-4346, 112, 4278}, {-325, 61, -724}, {-325, 61, -724}},
          {{0.5, 0.25}, {-22, -10}, {-1.5, 2}, {-1.5, 2}}},
     };
-    return draw_standing(drawing, image, quads, sizeof quads / sizeof quads[0], error);
+    return draw_standing(drawing, image, quads, sizeof quads / sizeof quads[0], error) &&
+           draw_eight_corners(drawing, image, error);
 }
 
 /* ---- The program ---- */
