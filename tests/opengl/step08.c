@@ -26,7 +26,7 @@ static const char *skipped(const char *scene) {
 static const char *left_out(const char *scene) {
     return strcmp(scene, "transforms") == 0
                ? "the lines: between whole pixels, where OpenGL has another rule"
-           : strcmp(scene, "narrow") == 0     ? "the leaf, which is not the model's"
+           : strcmp(scene, "narrow") == 0     ? "the leaves, which are not the model's"
            : strcmp(scene, "above") == 0      ? "the small views in the corners"
            : strcmp(scene, "projection") == 0 ? "the small view in a corner"
                                               : NULL;
