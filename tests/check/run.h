@@ -72,7 +72,7 @@ struct run_limits run_program_limits(double seconds);
 
 /* What made it end as it did, where that is a limit: "stopped after 10 s"; else "". */
 struct run_text {
-    char text[80];
+    char text[112];
 };
 struct run_text run_stopped_by(const struct run_result *result, const struct run_limits *limits);
 
