@@ -63,7 +63,7 @@ enum { FAR_BOX = 8, FAR_STEP = 12 }; /* pixels of a side, and to the next box */
  * others beyond. */
 enum { FAR_WIDTH = 256, FAR_HEIGHT = 128 };
 static const struct vec3 far_positions[] = {
-    {4e6, 0, 0},        {0, -5e6, 0},     {-4e6, 5e6, 0}, {4194303, 0, 0},
+    {4e6, 0, 0},        {0, -5e6, 0},     {-4e6, 5e6, 0}, {4194303.004, 0, 0},
     {0, 8388607, 0},    {0, -8388609, 0}, {6e6, 0, 0},    {0, -1e7, 0},
     {-4194303, 1e7, 0}, {-1e30, 0, 0},    {0, 1e30, 0},   {1e30, -1e30, 0},
 };

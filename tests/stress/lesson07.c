@@ -75,7 +75,7 @@ static double parts_error(const void *tried) {
     long double diffuse = 0, specular = 0;
     if (facing > 0) {
         diffuse = m->diffuse * exact_power(facing, m->diffuse_power);
-        specular = shining > 0 ? m->specular * exact_power(shining, m->specular_power) : 0;
+        specular = m->specular * exact_power(fmaxl(shining, 0), m->specular_power);
     }
     long double first = fabsl(diffuse - (long double)got.diffuse) / (1 + m->diffuse_power);
     long double second = fabsl(specular - (long double)got.specular) / (1 + m->specular_power);
