@@ -185,12 +185,12 @@ static bool draw_two_faces(struct drawing *drawing, uint32_t greatest, size_t fa
 
 /* Once as it is; once so large that its upper right corner is seen, and others are far away; once
  * with its lower left corner some pixels, and a part of one, outside. Numbers of positions with up
- * to five digits, and more than 16 bits; and of sides, too. */
+ * to five digits, and more than 16 bits; and more sides than the bust has. */
 static bool draw_square(struct drawing *drawing, struct image *image, struct error *error) {
     struct view whole = {0, 0, 1}, large = {0.5 - 2e-5, 0.5 - 2.4e-5, 3e4};
     return draw_two_faces(drawing, 1501, 3, whole, image, error) &&
            draw_two_faces(drawing, 10501, 3, large, image, error) &&
-           draw_two_faces(drawing, 66037, 22000, (struct view){1.2836, 1.4869, 0.61}, image, error);
+           draw_two_faces(drawing, 66037, 6000, (struct view){1.2836, 1.4869, 0.61}, image, error);
 }
 
 /* A quarter of the faces: a mesh with a border. */
