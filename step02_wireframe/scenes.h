@@ -162,22 +162,24 @@ static bool draw_two_faces(struct drawing *drawing, uint32_t greatest, size_t fa
     const uint32_t kinds[3][3] = {{greatest, B, C}, {C, B, greatest}, {greatest, C, D}};
     struct vec3 *positions = calloc(greatest + 1, sizeof *positions);
     struct face *faces = calloc(face_count, sizeof *faces);
-    bool done = (positions != NULL && faces != NULL) || error_out_of_memory(error);
-    if (done) {
-        positions[greatest] = (struct vec3){-0.5, -0.5, 0};
-        positions[B] = (struct vec3){0.5, -0.5, 0};
-        positions[C] = (struct vec3){0.5, 0.5, 0};
-        positions[D] = (struct vec3){-0.5, 0.5, 0};
-        for (size_t i = 0; i < 3 * face_count; i++) {
-            const uint32_t *corners = kinds[i / 3 == face_count - 1 ? 2 : i / 3 % 2];
-            faces[i / 3].corner[i % 3].position = corners[i % 3];
-        }
-        const struct model model = {.positions = positions,
-                                    .position_count = greatest + 1,
-                                    .faces = faces,
-                                    .face_count = face_count};
-        done = draw_part(drawing, &model, view, image, error);
+    if (positions == NULL || faces == NULL) {
+        free(positions);
+        free(faces);
+        return error_out_of_memory(error);
     }
+    positions[greatest] = (struct vec3){-0.5, -0.5, 0};
+    positions[B] = (struct vec3){0.5, -0.5, 0};
+    positions[C] = (struct vec3){0.5, 0.5, 0};
+    positions[D] = (struct vec3){-0.5, 0.5, 0};
+    for (size_t i = 0; i < 3 * face_count; i++) {
+        const uint32_t *corners = kinds[i / 3 == face_count - 1 ? 2 : i / 3 % 2];
+        faces[i / 3].corner[i % 3].position = corners[i % 3];
+    }
+    const struct model model = {.positions = positions,
+                                .position_count = greatest + 1,
+                                .faces = faces,
+                                .face_count = face_count};
+    bool done = draw_part(drawing, &model, view, image, error);
     free(positions);
     free(faces);
     return done;
