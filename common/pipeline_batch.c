@@ -5,44 +5,68 @@
 
 #include "pipeline_parts.h"
 
+/* A whole number for each of as many faces as fit into a register of the processor. */
+#if LANES > 4
+enum { FACES = LANES };
+#else
+enum { FACES = 4 };
+#endif
+typedef int32_t many __attribute__((vector_size(FACES * sizeof(int32_t))));
+typedef uint32_t umany __attribute__((vector_size(FACES * sizeof(uint32_t))));
+_Static_assert(BATCH_SIZE % FACES == 0, "the last faces of a batch are classified together");
+
 /* A corner of several triangles, on the screen. */
 struct corners {
-    ints x, y;
+    many x, y;
 };
 
-LANES_INLINE ints ints_min(ints a, ints b) {
-    return ints_select(a < b, a, b);
+LANES_INLINE many many_all(int32_t value) {
+    return value + (many){0};
 }
 
-LANES_INLINE ints ints_max(ints a, ints b) {
-    return ints_select(a > b, a, b);
+/* Where the mask is set a, elsewhere b; with `+`, as in lanes_select(). */
+LANES_INLINE many many_select(many mask, many a, many b) {
+    return (mask & a) + (~mask & b);
 }
 
-LANES_INLINE longs longs_product(ints a, ints b) {
-    return __builtin_convertvector(a, longs) * __builtin_convertvector(b, longs);
+LANES_INLINE many many_min(many a, many b) {
+    return many_select(a < b, a, b);
+}
+
+LANES_INLINE many many_max(many a, many b) {
+    return many_select(a > b, a, b);
+}
+
+LANES_INLINE bool many_are_zero(many a) {
+    uint64_t words[FACES / 2], any = 0;
+    memcpy(words, &a, sizeof words);
+    for (int i = 0; i < FACES / 2; i++) {
+        any |= words[i];
+    }
+    return any == 0;
 }
 
 /* The pixel centres in the boxes of triangles, inclusive: none where the last lies before the
  * first. As columns_of() and rows_of(). */
 struct boxes {
-    ints left, right, bottom, top;
+    many left, right, bottom, top;
 };
 
 LANES_INLINE struct boxes find_boxes(const struct corners *c) {
     return (struct boxes){
-        .left = (ints_min(ints_min(c[0].x, c[1].x), c[2].x) + (SUBPIXELS / 2 - 1)) >> 8,
-        .right = (ints_max(ints_max(c[0].x, c[1].x), c[2].x) - SUBPIXELS / 2) >> 8,
-        .bottom = (ints_min(ints_min(c[0].y, c[1].y), c[2].y) + (SUBPIXELS / 2 - 1)) >> 8,
-        .top = (ints_max(ints_max(c[0].y, c[1].y), c[2].y) - SUBPIXELS / 2) >> 8,
+        .left = (many_min(many_min(c[0].x, c[1].x), c[2].x) + (SUBPIXELS / 2 - 1)) >> 8,
+        .right = (many_max(many_max(c[0].x, c[1].x), c[2].x) - SUBPIXELS / 2) >> 8,
+        .bottom = (many_min(many_min(c[0].y, c[1].y), c[2].y) + (SUBPIXELS / 2 - 1)) >> 8,
+        .top = (many_max(many_max(c[0].y, c[1].y), c[2].y) - SUBPIXELS / 2) >> 8,
     };
 }
 
 LANES_INLINE struct boxes cut_boxes(const struct boxes *b, const struct rectangle *viewport) {
     return (struct boxes){
-        .left = ints_max(b->left, ints_all(viewport->x)),
-        .right = ints_min(b->right, ints_all(viewport->x + viewport->width - 1)),
-        .bottom = ints_max(b->bottom, ints_all(viewport->y)),
-        .top = ints_min(b->top, ints_all(viewport->y + viewport->height - 1)),
+        .left = many_max(b->left, many_all(viewport->x)),
+        .right = many_min(b->right, many_all(viewport->x + viewport->width - 1)),
+        .bottom = many_max(b->bottom, many_all(viewport->y)),
+        .top = many_min(b->top, many_all(viewport->y + viewport->height - 1)),
     };
 }
 
@@ -52,84 +76,96 @@ LANES_INLINE struct boxes cut_boxes(const struct boxes *b, const struct rectangl
  * steps to the next ones. The highest bit is set where it is negative. Unsigned, since those of
  * large triangles overflow: they are not looked at. */
 struct tiny_edges {
-    uints value, right, up;
+    umany value, right, up;
 };
 
 /* `sign` is -1 for the triangles whose corners are clockwise, otherwise 1. */
-LANES_INLINE struct tiny_edges tiny_edges(struct corners a, struct corners b, ints sign,
+LANES_INLINE struct tiny_edges tiny_edges(struct corners a, struct corners b, many sign,
                                           const struct boxes *box) {
-    ints x_distance = (b.x - a.x) * sign, y_distance = (b.y - a.y) * sign;
-    ints x = box->left * SUBPIXELS + SUBPIXELS / 2, y = box->bottom * SUBPIXELS + SUBPIXELS / 2;
-    ints top_left = (y_distance < 0) | ((y_distance == 0) & (x_distance < 0));
+    many x_distance = (b.x - a.x) * sign, y_distance = (b.y - a.y) * sign;
+    many x = box->left * SUBPIXELS + SUBPIXELS / 2, y = box->bottom * SUBPIXELS + SUBPIXELS / 2;
+    many top_left = (y_distance < 0) | ((y_distance == 0) & (x_distance < 0));
     return (struct tiny_edges){
-        .value = (uints)x_distance * (uints)(y - a.y) - (uints)y_distance * (uints)(x - a.x) -
-                 (uints)(top_left + 1),
-        .right = -(uints)y_distance * SUBPIXELS,
-        .up = (uints)x_distance * SUBPIXELS,
+        .value = (umany)x_distance * (umany)(y - a.y) - (umany)y_distance * (umany)(x - a.x) -
+                 (umany)(top_left + 1),
+        .right = -(umany)y_distance * SUBPIXELS,
+        .up = (umany)x_distance * SUBPIXELS,
     };
 }
 
 /* Which triangles have a box of at most two columns and two rows, and miss all its centres? Of the
  * very small ones that is half. (Of a narrower box, centres beside it are looked at as well: missed
  * in any case.) */
-LANES_INLINE ints miss_centers(const struct corners *c, ints clockwise, const struct boxes *box) {
-    ints wide = box->right - box->left, high = box->top - box->bottom;
-    uints missed = (uints)((wide <= 1) & (high <= 1));
+LANES_INLINE many miss_centers(const struct corners *c, many clockwise, const struct boxes *box) {
+    many wide = box->right - box->left, high = box->top - box->bottom;
+    umany missed = (umany)((wide <= 1) & (high <= 1));
     struct tiny_edges edge[3];
     for (int i = 0; i < 3; i++) {
         edge[i] = tiny_edges(c[i], c[(i + 1) % 3], clockwise | 1, box);
     }
     for (int center = 0; center < 4; center++) {
-        uints outside = {0};
+        umany outside = {0};
         for (int i = 0; i < 3; i++) {
-            outside |= edge[i].value + (center & 1 ? edge[i].right : (uints){0}) +
-                       (center & 2 ? edge[i].up : (uints){0});
+            outside |= edge[i].value + (center & 1 ? edge[i].right : (umany){0}) +
+                       (center & 2 ? edge[i].up : (umany){0});
         }
-        missed &= (uints)((ints)outside < 0);
+        missed &= (umany)((many)outside < 0);
     }
-    return (ints)missed;
+    return (many)missed;
 }
 
 /* ---- Classes ---- */
 
-/* Twice the signed areas, in 1/256 pixel squared; positive when counterclockwise. */
-LANES_INLINE longs signed_areas(const struct corners *c) {
-    return longs_product(c[1].x - c[0].x, c[2].y - c[0].y) -
-           longs_product(c[1].y - c[0].y, c[2].x - c[0].x);
+/* Below 0 where the corners are clockwise, 0 where there is no area, otherwise above 0. Where no
+ * side is longer than 2^15 (128 pixels), the area is below 2^31: that is asked for all at once,
+ * since 64-bit products take several times as long. */
+LANES_INLINE many find_windings(const struct corners *c) {
+    many x1 = c[1].x - c[0].x, y1 = c[1].y - c[0].y;
+    many x2 = c[2].x - c[0].x, y2 = c[2].y - c[0].y;
+    many bits = (x1 ^ (x1 < 0)) | (y1 ^ (y1 < 0)) | (x2 ^ (x2 < 0)) | (y2 ^ (y2 < 0));
+    if (many_are_zero(bits >> 15)) {
+        return x1 * y2 - y1 * x2;
+    }
+    many windings = {0};
+    for (int i = 0; i < FACES; i++) {
+        int64_t area = (int64_t)x1[i] * y2[i] - (int64_t)y1[i] * x2[i];
+        windings[i] = (area > 0) - (area < 0);
+    }
+    return windings;
 }
 
 /* The triangles with a winding that is culled. */
-LANES_INLINE ints find_culled(ints clockwise, enum cull cull) {
-    return cull == CULL_BACK ? clockwise : cull == CULL_FRONT ? ~clockwise : (ints){0};
+LANES_INLINE many find_culled(many clockwise, enum cull cull) {
+    return cull == CULL_BACK ? clockwise : cull == CULL_FRONT ? ~clockwise : (many){0};
 }
 
-LANES_INLINE ints find_lowest(const struct corners *c) {
-    ints lowest = {0}, x = c[0].x, y = c[0].y;
+LANES_INLINE many find_lowest(const struct corners *c) {
+    many lowest = {0}, x = c[0].x, y = c[0].y;
     for (int i = 1; i < 3; i++) {
-        ints lower = (c[i].y < y) | ((c[i].y == y) & (c[i].x < x));
-        lowest = ints_select(lower, ints_all(i), lowest);
-        x = ints_select(lower, c[i].x, x);
-        y = ints_select(lower, c[i].y, y);
+        many lower = (c[i].y < y) | ((c[i].y == y) & (c[i].x < x));
+        lowest = many_select(lower, many_all(i), lowest);
+        x = many_select(lower, c[i].x, x);
+        y = many_select(lower, c[i].y, y);
     }
     return lowest;
 }
 
-LANES_INLINE ints find_kinds(ints all, ints any, ints turned_away, ints without_pixel) {
-    ints kind = ints_all(TRIANGLE_WHOLE);
-    kind = ints_select(without_pixel, ints_all(TRIANGLE_WITHOUT_PIXEL), kind);
-    kind = ints_select(turned_away, ints_all(TRIANGLE_TURNED_AWAY), kind);
-    kind = ints_select((any & (BEYOND_NEAR | BEYOND_GUARD_BAND)) != 0, ints_all(TRIANGLE_CLIPPED),
+LANES_INLINE many find_kinds(many all, many any, many turned_away, many without_pixel) {
+    many kind = many_all(TRIANGLE_WHOLE);
+    kind = many_select(without_pixel, many_all(TRIANGLE_WITHOUT_PIXEL), kind);
+    kind = many_select(turned_away, many_all(TRIANGLE_TURNED_AWAY), kind);
+    kind = many_select((any & (BEYOND_NEAR | BEYOND_GUARD_BAND)) != 0, many_all(TRIANGLE_CLIPPED),
                        kind);
-    return ints_select((all & BEYOND_ONE_SIDE) != 0, ints_all(TRIANGLE_OUTSIDE), kind);
+    return many_select((all & BEYOND_ONE_SIDE) != 0, many_all(TRIANGLE_OUTSIDE), kind);
 }
 
-LANES_INLINE ints ints_load(const int32_t *from) {
-    ints values;
+LANES_INLINE many many_load(const int32_t *from) {
+    many values;
     memcpy(&values, from, sizeof values);
     return values;
 }
 
-LANES_INLINE void ints_store(int32_t *to, ints values) {
+LANES_INLINE void many_store(int32_t *to, many values) {
     memcpy(to, &values, sizeof values);
 }
 
@@ -138,33 +174,31 @@ LANES_INLINE void classify(struct batch *batch, size_t at, const struct draw_cal
                            bool skip) {
     struct corners c[3];
     for (int i = 0; i < 3; i++) {
-        c[i] = (struct corners){ints_load(&batch->x[i][at]), ints_load(&batch->y[i][at])};
+        c[i] = (struct corners){many_load(&batch->x[i][at]), many_load(&batch->y[i][at])};
     }
-    longs area = signed_areas(c);
-    ints clockwise = __builtin_convertvector(area < 0, ints);
-    ints no_area = __builtin_convertvector(area == 0, ints);
-    ints culled = find_culled(clockwise, call->cull), turned_away = {0}, missed = {0};
+    many winding = find_windings(c), clockwise = winding < 0, no_area = winding == 0;
+    many culled = find_culled(clockwise, call->cull), turned_away = {0}, missed = {0};
     struct boxes whole = find_boxes(c), box = cut_boxes(&whole, &call->viewport);
     if (skip) {
         turned_away = culled & ~no_area;
         missed = miss_centers(c, clockwise, &whole);
     }
     missed |= no_area | (box.left > box.right) | (box.bottom > box.top);
-    ints first = find_lowest(c), second = first + 1 - clockwise;
-    ints_store(&batch->kind[at],
-               find_kinds(ints_load(&batch->beyond_all[at]), ints_load(&batch->beyond_any[at]),
+    many first = find_lowest(c), second = first + 1 - clockwise;
+    many_store(&batch->kind[at],
+               find_kinds(many_load(&batch->beyond_all[at]), many_load(&batch->beyond_any[at]),
                           turned_away, missed));
-    ints_store(&batch->culled[at], culled);
-    ints_store(&batch->first[at], first);
-    ints_store(&batch->second[at], ints_select(second > 2, second - 3, second));
-    ints_store(&batch->left[at], box.left);
-    ints_store(&batch->right[at], box.right);
-    ints_store(&batch->bottom[at], box.bottom);
-    ints_store(&batch->top[at], box.top);
+    many_store(&batch->culled[at], culled);
+    many_store(&batch->first[at], first);
+    many_store(&batch->second[at], many_select(second > 2, second - 3, second));
+    many_store(&batch->left[at], box.left);
+    many_store(&batch->right[at], box.right);
+    many_store(&batch->bottom[at], box.bottom);
+    many_store(&batch->top[at], box.top);
 }
 
 void batch_classify(struct batch *batch, const struct draw_call *call, bool skip) {
-    for (size_t at = 0; at < batch->count; at += TOGETHER) {
+    for (size_t at = 0; at < batch->count; at += FACES) {
         classify(batch, at, call, skip);
     }
 }

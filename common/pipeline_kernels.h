@@ -367,11 +367,11 @@ struct lanes_planes {
     lanes row[VARYING_LIMIT + 1], dx[VARYING_LIMIT + 1]; /* at x0 of this row, and to the right */
 };
 
-/* Where the mask is set, the planes become those of a piece at pixels x, x + 1, ... of row y. */
+/* Where the mask is set, the planes become those of a piece at pixels x of row y. */
 KERNEL void take_planes(struct lanes_planes *to, lanes_mask mask, const struct shader *shader,
-                        const struct planes *from, int x, int y) {
-    real up = (real)y - from->y0;
-    to->right = lanes_select(mask, lanes_from(x) - from->x0, to->right);
+                        const struct planes *from, lanes x, real y) {
+    real up = y - from->y0;
+    to->right = lanes_select(mask, x - from->x0, to->right);
     to->least = lanes_put(mask, from->least, to->least);
     for (size_t i = 0; i <= shader->varying_count; i++) {
         const struct varying_plane *plane = &from->plane[i];
@@ -419,7 +419,7 @@ KERNEL void interpolate_varyings(const struct shader *shader, const struct plane
     }
     struct lanes_planes same;
     clear_planes(&same, shader);
-    take_planes(&same, lanes_all_set(), shader, planes, x, y);
+    take_planes(&same, lanes_all_set(), shader, planes, lanes_from(x), (real)y);
     planes_at_pixels(&same, shader, varyings);
 }
 
@@ -434,14 +434,17 @@ static inline void write_texel(struct image *image, uint8_t *pixel, uint32_t tex
     }
 }
 
-/* Write the lanes that are `drawn`. */
+/* Write the lanes that are `drawn`. What is in the image is read only where some stays: it may be
+ * far from the cache. */
 KERNEL void write_lanes(struct image *image, int x, int y, lanes_texel color, lanes_int drawn) {
     uint8_t *pixels = image->pixels + ((size_t)y * image->width + (size_t)x) * image->format;
     if (IS_LITTLE_ENDIAN && image->format == IMAGE_BGRA && (size_t)x + LANES <= image->width) {
-        lanes_texel old;
-        memcpy(&old, pixels, sizeof old);
-        old = lanes_texel_select(drawn, color, old);
-        memcpy(pixels, &old, sizeof old);
+        if (lanes_bits(~drawn) != 0) {
+            lanes_texel old;
+            memcpy(&old, pixels, sizeof old);
+            color = lanes_texel_select(drawn, color, old);
+        }
+        memcpy(pixels, &color, sizeof color);
         return;
     }
     uint32_t texels[LANES];
@@ -477,18 +480,19 @@ KERNEL bool gather_varyings(const struct shading *s, const struct shader *shader
                             const uint32_t number[LANES + 1], int x, int y, lanes *varyings) {
     const uint32_t *fetched = s->scratch->fetched;
     struct lanes_planes planes;
+    lanes columns = lanes_from(x);
     bool found = has_number(s, number[0]);
     clear_planes(&planes, shader);
     if (found) {
         take_planes(&planes, lanes_all_set(), shader,
-                    planes_at(s->scratch, shader, fetched[number[0]]), x, y);
+                    planes_at(s->scratch, shader, fetched[number[0]]), columns, (real)y);
     }
     uint32_t runs = find_runs(number);
     for (runs &= runs - 1; runs != 0; runs &= runs - 1) {
         int first = __builtin_ctz(runs);
         if (has_number(s, number[first])) {
             take_planes(&planes, lanes_not_before(first), shader,
-                        planes_at(s->scratch, shader, fetched[number[first]]), x, y);
+                        planes_at(s->scratch, shader, fetched[number[first]]), columns, (real)y);
             found = true;
         }
     }
@@ -516,7 +520,7 @@ KERNEL bool gather_pixels(const struct shading *s, const struct shader *shader,
     pixels->number = number;
     pixels->drawn =
         (lanes_int)((numbers > (uint32_t)s->numbers.begin) & (numbers <= (uint32_t)s->numbers.end));
-    if (s->pipeline->reordered && lanes_sum(pixels->drawn & 1) == 0) {
+    if (s->pipeline->reordered && lanes_bits(pixels->drawn) == 0) {
         return false; /* found sooner than run by run */
     }
     if (shader->flat) {

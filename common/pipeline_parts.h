@@ -18,18 +18,8 @@
 enum { TOGETHER = LANES > 4 ? LANES / 2 : 4 };
 #endif
 typedef int32_t ints __attribute__((vector_size(TOGETHER * sizeof(int32_t))));
-typedef uint32_t uints __attribute__((vector_size(TOGETHER * sizeof(uint32_t))));
 typedef int64_t longs __attribute__((vector_size(TOGETHER * sizeof(int64_t))));
 typedef double doubles __attribute__((vector_size(TOGETHER * sizeof(double))));
-
-/* Where the mask is set a, elsewhere b; with `+`, as in lanes_select(). */
-LANES_INLINE ints ints_select(ints mask, ints a, ints b) {
-    return (mask & a) + (~mask & b);
-}
-
-LANES_INLINE ints ints_all(int32_t value) {
-    return value + (ints){0};
-}
 
 /* ---- What the parts share ---- */
 

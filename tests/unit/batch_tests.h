@@ -340,6 +340,54 @@ static void test_beyond(void) {
     }
 }
 
+/* A side along one axis, at the ends of what areas in 32 bits allow. */
+static int32_t any_side(struct random *random, int32_t longest) {
+    int32_t side =
+        random_bits(random) % 2 ? longest : (int32_t)random_between(random, longest / 2, longest);
+    return random_bits(random) % 2 ? -side : side;
+}
+
+/* Areas are found in 32 bits where all sides of several triangles allow that: here all do, or one
+ * side of each does not. */
+static void test_sides(void) {
+    enum { LONGEST = (1 << 15) - 1 };
+    struct draw_call call = {.viewport = {0, 0, 16, 16}};
+    struct random random = {204};
+    struct tally tally = {0};
+    for (int round = 0; round < 900 && !tally.wrong; round++) {
+        struct triangle triangles[BATCH_SIZE] = {0};
+        for (int i = 0; i < BATCH_SIZE; i++) {
+            int32_t side[4]; /* x and y from corner 0 to 1, and to 2 */
+            for (int k = 0; k < 4; k++) {
+                side[k] = any_side(&random, round % 5 == k ? 2 * LONGEST + 1 : LONGEST);
+            }
+            triangles[i].corner[1] = (struct fixed2){side[0], side[1]};
+            triangles[i].corner[2] = (struct fixed2){side[2], side[3]};
+        }
+        call.cull = (enum cull)(round % 3);
+        check_batch(triangles, BATCH_SIZE, &call, true, &tally);
+    }
+    CHECK(tally.kinds[TRIANGLE_TURNED_AWAY] > 10000 && tally.kinds[TRIANGLE_WHOLE] > 5000);
+}
+
+/* Long ones whose area is as small as can be: doubled, it is 1 or -1. */
+static void test_slivers(void) {
+    struct draw_call call = {.viewport = {0, 0, 16, 16}, .cull = CULL_BACK};
+    struct random random = {205};
+    struct tally tally = {0};
+    for (int round = 0; round < 30; round++) {
+        struct triangle triangles[BATCH_SIZE] = {0};
+        for (int i = 0; i < BATCH_SIZE; i++) {
+            int32_t y = (int32_t)random_between(&random, 1, FARTHEST / 2 - 1), x = y + 1;
+            int first = i % 2 + 1;
+            triangles[i].corner[first] = (struct fixed2){x, y};
+            triangles[i].corner[3 - first] = (struct fixed2){2 * x - 1, 2 * y - 1};
+        }
+        check_batch(triangles, BATCH_SIZE, &call, true, &tally);
+    }
+    CHECK(tally.kinds[TRIANGLE_TURNED_AWAY] == 30 * BATCH_SIZE / 2);
+}
+
 /* Every triangle between points of a grid of half pixels, its first corner moved a little: edges
  * through centres and along rows and columns, in every order of the corners. */
 static void test_half_pixels(void) {
@@ -499,7 +547,7 @@ static void test_meshes(void) {
     CHECK(left_out > all / 4);
 }
 
-UNIT_MAIN(TEST(test_small), TEST(test_large), TEST(test_beyond), TEST(test_half_pixels),
-          TEST(test_meshes))
+UNIT_MAIN(TEST(test_small), TEST(test_large), TEST(test_beyond), TEST(test_sides),
+          TEST(test_slivers), TEST(test_half_pixels), TEST(test_meshes))
 
 #endif
