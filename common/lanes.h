@@ -134,15 +134,6 @@ LANES_INLINE lanes lanes_from(int first) {
     return from + (real)first;
 }
 
-/* The lower and the upper 32 bits of each of LANES words. */
-LANES_INLINE void lanes_split(const uint64_t words[LANES], lanes_texel *lower, lanes_texel *upper) {
-    typedef uint64_t lanes_words __attribute__((vector_size(LANES * sizeof(uint64_t))));
-    lanes_words both;
-    memcpy(&both, words, sizeof both);
-    *lower = __builtin_convertvector(both, lanes_texel);
-    *upper = __builtin_convertvector(both >> 32, lanes_texel);
-}
-
 #else
 
 typedef real lanes;
@@ -197,11 +188,6 @@ LANES_INLINE lanes_int lanes_int_from(int first) {
 
 LANES_INLINE lanes lanes_from(int first) {
     return (lanes)first;
-}
-
-LANES_INLINE void lanes_split(const uint64_t words[1], lanes_texel *lower, lanes_texel *upper) {
-    *lower = (lanes_texel)words[0];
-    *upper = (lanes_texel)(words[0] >> 32);
 }
 
 #endif

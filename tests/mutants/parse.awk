@@ -20,6 +20,7 @@
 #   check NN               the pictures of a lesson must all be exact
 #   equivalent: REASON     none can: nothing that is promised changes
 #   awaits: WHAT           none does yet
+#   on MACRO TEST          one of these, where the compiler defines that for this machine
 #
 # `file` and a test hold for all mutants that follow, or within a mutant's paragraph for it alone.
 #
@@ -27,6 +28,7 @@
 # the mutation.
 
 function is_test(test) {
+    sub(/^on [A-Za-z0-9_]+ /, "", test)
     return test ~ /^(sanitized )?test_[a-z0-9_]+$/ || test ~ /^[a-z_]+\.sh$/ ||
            test ~ /^check [0-9][0-9]$/ || test ~ /^stress [0-9.]+ ./ ||
            test ~ /^equivalent: ./ || test ~ /^awaits: ./
@@ -70,7 +72,7 @@ function begin_list() {
     }
     next
 }
-/^(test_|sanitized |check |stress |equivalent: |awaits: |[a-z_]+\.sh$)/ {
+/^(on |test_|sanitized |check |stress |equivalent: |awaits: |[a-z_]+\.sh$)/ {
     test = $0
     if (name == "") {
         list_test = test

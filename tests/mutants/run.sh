@@ -8,7 +8,8 @@
 # are made in BUILD and removed at the end. Two mutants at a time; WORKERS=1 in the environment for
 # one.
 #
-# Exit status 0: every mutant was killed or is equivalent; 1: some survive, or a list is wrong.
+# Exit status 0: every mutant was killed, is equivalent or for another machine; 1: some survive, or
+# a list is wrong.
 cd "$(dirname "$0")/../.." || exit 1
 mkdir -p "${1:-build}" && work=$(cd "${1:-build}" && mktemp -d "$PWD/mutants.XXXXXX") || exit 1
 trap 'rm -rf "$work"' EXIT
@@ -119,6 +120,10 @@ try() {
         echo "awaits     $3 (${5#awaits: })"
         return
         ;;
+    elsewhere:*)
+        echo "elsewhere  $3 (${5#elsewhere: } is not defined here)"
+        return
+        ;;
     esac
     touch "$1/stamp"
     cp "$work/list/$2" "$1/$4"
@@ -150,6 +155,18 @@ mkdir "$work/list" "$work/tree0" || exit 1
 # shellcheck disable=SC2086 # a pattern
 awk -v directory="$work/list" -v only="$only" -f tests/replace.awk -f tests/mutants/parse.awk \
     tests/mutants/$list.txt >"$work/list/table" || exit 1
+# What is for other machines is not tried here.
+"${CC:-cc}" -march=native -dM -E -x c /dev/null >"$work/macros" 2>/dev/null
+tab=$(printf '\t')
+# shellcheck disable=SC2013 # macros are words
+for macro in $(sed -n "s/.*${tab}on \([^ ]*\) .*/\1/p" "$work/list/table" | sort -u); do
+    if grep -q "^#define $macro " "$work/macros"; then
+        sed "s/${tab}on $macro /$tab/" "$work/list/table" >"$work/list/new"
+    else
+        sed "s/${tab}on $macro .*/${tab}elsewhere: $macro/" "$work/list/table" >"$work/list/new"
+    fi
+    mv "$work/list/new" "$work/list/table"
+done
 if [ ! -s "$work/list/table" ]; then
     echo "mutants: no mutant has such a name" >&2
     exit 1
@@ -158,7 +175,8 @@ fi
 # ---- The unchanged course: every test that is named must pass ----
 
 cp -pR Makefile common tests step* "$work/tree0" && mkdir "$work/tree0/sanitized" || exit 1
-tests=$(cut -f 4 "$work/list/table" | grep -v -e '^equivalent:' -e '^awaits:' | sort -u)
+tests=$(cut -f 4 "$work/list/table" | grep -v -e '^equivalent:' -e '^awaits:' -e '^elsewhere:' |
+    sort -u)
 jobs=$workers
 if ! make_test "$work/tree0" models >"$work/tree0/log" 2>&1; then
     cat "$work/tree0/log"
@@ -199,5 +217,6 @@ count() {
     grep -c "^$1 " "$work/results"
 }
 echo "$(count '[a-zA-Z]*') mutants: $(count killed) killed, $(count equivalent) equivalent," \
-    "$(count SURVIVED) survive, $(count awaits) await a test, $(count ERROR) errors"
+    "$(count elsewhere) for other machines, $(count SURVIVED) survive," \
+    "$(count awaits) await a test, $(count ERROR) errors"
 ! grep -q -e '^SURVIVED ' -e '^awaits ' -e '^ERROR ' "$work/results"

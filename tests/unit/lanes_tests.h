@@ -185,12 +185,15 @@ static void test_sequences(void) {
     lanes_int ints = lanes_int_from(-7);
     struct numbers reals = numbers_of(lanes_from(100000));
     uint64_t words[LANES];
-    lanes_texel lower, upper;
+    lanes_texel lower, upper, plain_lower, plain_upper;
     for (int i = 0; i < LANES; i++) {
-        words[i] =
+        words[lanes_pair_place(i)] =
             (UINT64_C(0x89ABCDEF) + (unsigned)i) << 32 | (UINT64_C(0xFEDCBA98) - (unsigned)i);
     }
     lanes_split(words, &lower, &upper);
+    lanes_split_plainly(words, &plain_lower, &plain_upper);
+    CHECK(memcmp(&lower, &plain_lower, sizeof lower) == 0);
+    CHECK(memcmp(&upper, &plain_upper, sizeof upper) == 0);
     uint64_t sum = 0;
     for (int i = 0; i < LANES; i++) {
         CHECK(int_at(ints, i) == -7 + i && same(reals.at[i], (real)(100000 + i)));
