@@ -13,6 +13,12 @@ struct cover {
     uint32_t weight[3]; /* how much of each is covered */
 };
 
+/* What lies between a row and the next: it is read with the last texel, and counts for nothing. */
+static void clear_gap(const struct texture_level *level, size_t row) {
+    memset(level->texels + row * level->pitch + level->width, 0,
+           (level->pitch - level->width) * sizeof *level->texels);
+}
+
 static size_t half_size(size_t size) {
     return size > 1 ? size / 2 : 1;
 }
@@ -36,7 +42,7 @@ static uint32_t mean_texel(const struct texture_level *from, const struct cover 
                            const struct cover *up) {
     uint64_t sum[4] = {0, 0, 0, 0}, total = 0;
     for (size_t y = 0; y < up->count; y++) {
-        const uint32_t *row = from->texels + (up->first + y) * from->width + across->first;
+        const uint32_t *row = from->texels + (up->first + y) * from->pitch + across->first;
         for (size_t x = 0; x < across->count; x++) {
             uint64_t weight = (uint64_t)up->weight[y] * across->weight[x];
             uint32_t texel = row[x];
@@ -68,11 +74,12 @@ static uint32_t mean_of_four(uint32_t a, uint32_t b, uint32_t c, uint32_t d) {
 /* A level of even width and height, as nearly all are: without weights and divisions. */
 static void shrink_even_level(const struct texture_level *from, struct texture_level *to) {
     for (size_t y = 0; y < to->height; y++) {
-        const uint32_t *lower = from->texels + 2 * y * from->width, *upper = lower + from->width;
-        uint32_t *row = to->texels + y * to->width;
+        const uint32_t *lower = from->texels + 2 * y * from->pitch, *upper = lower + from->pitch;
+        uint32_t *row = to->texels + y * to->pitch;
         for (size_t x = 0; x < to->width; x++) {
             row[x] = mean_of_four(lower[2 * x], lower[2 * x + 1], upper[2 * x], upper[2 * x + 1]);
         }
+        clear_gap(to, y);
     }
 }
 
@@ -85,31 +92,40 @@ static void shrink_level(const struct texture_level *from, struct texture_level 
         struct cover up = cover_of(y, from->height);
         for (size_t x = 0; x < to->width; x++) {
             struct cover across = cover_of(x, from->width);
-            to->texels[y * to->width + x] = mean_texel(from, &across, &up);
+            to->texels[y * to->pitch + x] = mean_texel(from, &across, &up);
         }
+        clear_gap(to, y);
     }
 }
 
 /* A loop for each format, so that the compiler knows how many bytes a pixel has. */
-static void unpack_image(const struct image *image, uint32_t *restrict texels) {
-    size_t count = image->width * image->height;
-    const uint8_t *p = image->pixels;
-    switch (image->format) {
+static void unpack_row(const uint8_t *p, enum image_format format, size_t width,
+                       uint32_t *restrict texels) {
+    switch (format) {
     case IMAGE_GREY:
-        for (size_t i = 0; i < count; i++) {
+        for (size_t i = 0; i < width; i++) {
             texels[i] = p[i] * UINT32_C(0x010101) | UINT32_C(0xFF000000);
         }
         break;
     case IMAGE_BGR:
-        for (size_t i = 0; i < count; i++, p += 3) {
+        for (size_t i = 0; i < width; i++, p += 3) {
             texels[i] = p[0] | (uint32_t)p[1] << 8 | (uint32_t)p[2] << 16 | UINT32_C(0xFF000000);
         }
         break;
     case IMAGE_BGRA:
-        for (size_t i = 0; i < count; i++, p += 4) {
+        for (size_t i = 0; i < width; i++, p += 4) {
             texels[i] = p[0] | (uint32_t)p[1] << 8 | (uint32_t)p[2] << 16 | (uint32_t)p[3] << 24;
         }
         break;
+    }
+}
+
+static void unpack_image(const struct image *image, const struct texture_level *to) {
+    const uint8_t *row = image->pixels;
+    for (size_t y = 0; y < to->height; y++) {
+        unpack_row(row, image->format, to->width, to->texels + y * to->pitch);
+        clear_gap(to, y);
+        row += image->width * image->format;
     }
 }
 
@@ -117,8 +133,10 @@ static void unpack_image(const struct image *image, uint32_t *restrict texels) {
 static uint64_t lay_out(struct texture *texture, size_t width, size_t height) {
     uint64_t count = 0;
     for (;;) {
-        texture->level[texture->level_count++] = (struct texture_level){width, height, NULL};
-        count += (uint64_t)width * height;
+        size_t pitch = texture_pitch(width);
+        texture->level[texture->level_count++] =
+            (struct texture_level){.width = width, .height = height, .pitch = pitch};
+        count += (uint64_t)pitch * height;
         if (width == 1 && height == 1) {
             return count;
         }
@@ -134,9 +152,9 @@ bool texture_create(struct texture *texture, const struct image *image, struct e
         return error_set(error, "a texture of %zux%zu pixels", image->width, image->height);
     }
     uint64_t count = lay_out(texture, image->width, image->height);
-    /* A row and a texel more, so that the right and upper neighbours of every texel can be read:
-     * at the edges they count for nothing. */
-    uint64_t room = count + image->width + 1;
+    /* A row more, so that the right and upper neighbours of every texel can be read, several at a
+     * time: at the edges they count for nothing. */
+    uint64_t room = count + texture->level[0].pitch;
     if (room <= SIZE_MAX / sizeof *texture->texels) {
         texture->texels = malloc((size_t)room * sizeof *texture->texels);
     }
@@ -148,9 +166,9 @@ bool texture_create(struct texture *texture, const struct image *image, struct e
     uint32_t *next = texture->texels;
     for (size_t i = 0; i < texture->level_count; i++) {
         texture->level[i].texels = next;
-        next += texture->level[i].width * texture->level[i].height;
+        next += texture->level[i].pitch * texture->level[i].height;
     }
-    unpack_image(image, texture->level[0].texels);
+    unpack_image(image, &texture->level[0]);
     for (size_t i = 1; i < texture->level_count; i++) {
         shrink_level(&texture->level[i - 1], &texture->level[i]);
     }

@@ -22,16 +22,29 @@ enum { TEXTURE_LEVEL_LIMIT = 17 }; /* 65535 = 2^16 - 1 halves 15 times down to 1
 /* One size of the picture. A texel is blue | green << 8 | red << 16 | alpha << 24. */
 struct texture_level {
     size_t width, height; /* 1..IMAGE_SIZE_LIMIT */
-    uint32_t *texels;     /* height * width, bottom row first */
+    size_t pitch;         /* texels from a row to the next one above it; see texture_pitch() */
+    uint32_t *texels;     /* bottom row first; see texture_texel() */
 };
+
+/* Texel (x,y), counted from the lower left; x is below `width`, y below `height`. */
+static inline uint32_t texture_texel(const struct texture_level *level, size_t x, size_t y) {
+    return level->texels[y * level->pitch + x];
+}
 
 /* All zero is a valid, empty texture (not to be sampled). */
 struct texture {
     size_t level_count;                              /* at least 1 once created */
     struct texture_level level[TEXTURE_LEVEL_LIMIT]; /* 0 is the image, each next half of it */
-    /* Of all levels, owned by the texture; after the last level a row and a texel more. */
+    /* Of all levels, owned by the texture; after the last level a row more. */
     uint32_t *texels;
 };
+
+/* How far rows of that many texels lie apart: 16 texels (the 64 bytes of a cache line), an odd
+ * number of times. With a power of two, as widths mostly are, texels above each other would compete
+ * for the same few lines of the cache, and push each other out. */
+static inline size_t texture_pitch(size_t width) {
+    return 16 * ((width + 15) / 16 | 1);
+}
 
 /* Make a texture of an image: 32-bit texels and its mip levels down to 1x1. Each level has half the
  * width and height of the one below, rounded down but at least 1; each texel is the mean of the
@@ -92,8 +105,8 @@ static inline struct vec4 texture_bilinear(const struct texture *texture, struct
     double u = texture_clamp(uv.x * (last_x + 1) - 0.5, last_x);
     double v = texture_clamp(uv.y * (last_y + 1) - 0.5, last_y);
     uint32_t x = (uint32_t)u, y = (uint32_t)v;
-    size_t right = x + 1 < l->width, up = y + 1 < l->height ? l->width : 0;
-    const uint32_t *corner = l->texels + y * l->width + x;
+    size_t right = x + 1 < l->width, up = y + 1 < l->height ? l->pitch : 0;
+    const uint32_t *corner = l->texels + y * l->pitch + x;
     double across = u - x, along = v - y;
     struct vec4 lower = texture_mix_texels(corner[0], corner[right], across);
     struct vec4 upper = texture_mix_texels(corner[up], corner[up + right], across);

@@ -37,7 +37,7 @@ LANES_INLINE void texture_find(const struct texture_level *level, struct lanes2 
                                struct texel_place *place) {
     struct lanes_place x = lanes_find_texel(uv.x, level->width);
     struct lanes_place y = lanes_find_texel(uv.y, level->height);
-    place->index = (lanes_texel)y.texel * (uint32_t)level->width + (lanes_texel)x.texel;
+    place->index = (lanes_texel)y.texel * (uint32_t)level->pitch + (lanes_texel)x.texel;
     place->width = level->width;
     place->height = level->height;
     place->weight[3] = x.fraction * y.fraction;
@@ -51,7 +51,7 @@ LANES_INLINE void texture_find(const struct texture_level *level, struct lanes2 
  * nothing happens.) */
 LANES_INLINE void texture_expect(const struct texture_level *level, uint32_t index) {
     enum { ROWS_AHEAD = 10 };
-    uintptr_t row = level->width * sizeof *level->texels;
+    uintptr_t row = level->pitch * sizeof *level->texels;
     uintptr_t ahead = (uintptr_t)(level->texels + index) + ROWS_AHEAD * row;
     __builtin_prefetch((const void *)ahead);
     __builtin_prefetch((const void *)(ahead + row));
@@ -69,7 +69,7 @@ LANES_INLINE struct texels texture_fetch(const struct texture *texture, struct l
     }
     struct texels texels;
     lanes_fetch_pairs(l->texels, place->index, &texels.texel[0], &texels.texel[1]);
-    lanes_fetch_pairs(l->texels + l->width, place->index, &texels.texel[2], &texels.texel[3]);
+    lanes_fetch_pairs(l->texels + l->pitch, place->index, &texels.texel[2], &texels.texel[3]);
     texture_expect(l, lanes_texel_at(place->index, 0));
     texture_expect(l, lanes_texel_at(place->index, LANES / 2));
     texture_expect(l, lanes_texel_at(place->index, LANES - 1));

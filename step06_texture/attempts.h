@@ -22,7 +22,7 @@ static inline struct color attempt_sample_rounded(const struct texture *texture,
     double right = (double)(level->width - 1), top = (double)(level->height - 1);
     size_t x = (size_t)texture_clamp(floor(uv.x * (double)level->width + 0.5), right);
     size_t y = (size_t)texture_clamp(floor(uv.y * (double)level->height + 0.5), top);
-    return color_from_texel(level->texels[y * level->width + x]);
+    return color_from_texel(texture_texel(level, x, y));
 }
 
 static inline struct color attempt_round_channels(struct vec4 c) {

@@ -169,7 +169,7 @@ static bool paint_levels(struct texture *texture, struct error *error) {
     }
     for (size_t i = 0; i < texture->level_count; i++) {
         const struct texture_level *level = &texture->level[i];
-        for (size_t j = 0; j < level->width * level->height; j++) {
+        for (size_t j = 0; j < level->pitch * level->height; j++) {
             level->texels[j] = colors[i % (sizeof colors / sizeof colors[0])] | 0xFF000000;
         }
     }
@@ -202,9 +202,10 @@ static void show_texture(struct image *image, const struct texture *texture) {
         number++;
     }
     const struct texture_level *level = &texture->level[number];
-    for (size_t i = 0; i < level->width * level->height; i++) {
-        image_set(image, (int)(i % level->width), (int)(i / level->width),
-                  color_from_texel(level->texels[i]));
+    for (size_t y = 0; y < level->height; y++) {
+        for (size_t x = 0; x < level->width; x++) {
+            image_set(image, (int)x, (int)y, color_from_texel(texture_texel(level, x, y)));
+        }
     }
 }
 
@@ -279,8 +280,8 @@ static bool draw_mips(const char *directory, struct error *error) {
         const struct texture_level *level = &letters_texture.level[i];
         for (int y = 0; y < (int)sheet.height; y++) {
             for (int x = 0; x < (int)sheet.width; x++) {
-                size_t at = (size_t)(y >> i) * level->width + (size_t)(x >> i);
-                image_set(&sheet.panel, x, y, color_from_texel(level->texels[at]));
+                uint32_t texel = texture_texel(level, (size_t)(x >> i), (size_t)(y >> i));
+                image_set(&sheet.panel, x, y, color_from_texel(texel));
             }
         }
         sheet_add(&sheet);

@@ -85,7 +85,7 @@ static bool draw_texture(const struct texture *texture, const char *directory, c
     struct image image = {0};
     bool done = image_create(&image, level->width, level->height, IMAGE_BGR, error);
     for (size_t i = 0; done && i < level->width * level->height; i++) {
-        uint32_t texel = level->texels[i];
+        uint32_t texel = texture_texel(level, i % level->width, i / level->width);
         image_set(&image, (int)(i % level->width), (int)(i / level->width),
                   color_rgb((uint8_t)(texel >> 16), (uint8_t)(texel >> 8), (uint8_t)texel));
     }

@@ -143,7 +143,7 @@ static bool draw_textures(struct model *model, const char *directory, struct err
         const struct texture *texture = model_texture(model, kinds[k], error);
         done = texture != NULL;
         for (int i = 0; done && i < 256 * 256; i++) {
-            uint32_t texel = texture->level[2].texels[i];
+            uint32_t texel = texture_texel(&texture->level[2], (size_t)i % 256, (size_t)i / 256);
             image_set(&image, 256 * k + i % 256, i / 256,
                       color_rgb((uint8_t)(texel >> 16), (uint8_t)(texel >> 8), (uint8_t)texel));
         }

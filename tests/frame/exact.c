@@ -145,7 +145,7 @@ static long double clamped(long double value, long double most) {
 }
 
 static struct real3 texel(const struct texture_level *level, size_t x, size_t y) {
-    uint32_t t = level->texels[y * level->width + x];
+    uint32_t t = texture_texel(level, x, y);
     return (struct real3){t >> 16 & 255, t >> 8 & 255, t & 255};
 }
 

@@ -172,6 +172,7 @@ static void load_texture(struct llvmpipe *l, GLuint program, enum model_texture_
     glBindTexture(GL_TEXTURE_2D, l->textures[kind]);
     if (from.texture != NULL) {
         const struct texture_level *level = &from.texture->level[from.level];
+        glPixelStorei(GL_UNPACK_ROW_LENGTH, (GLint)level->pitch);
         glTexImage2D(GL_TEXTURE_2D, 0, kind == MODEL_SPECULAR ? GL_R8 : GL_RGBA8,
                      (GLsizei)level->width, (GLsizei)level->height, 0, GL_BGRA,
                      GL_UNSIGNED_INT_8_8_8_8_REV, level->texels);

@@ -130,6 +130,7 @@ static bool load_texture(struct mesa *mesa, const struct texture *texture) {
     mesa->sources[mesa->texture_count++] = texture;
     for (size_t i = 0; i < texture->level_count; i++) {
         const struct texture_level *level = &texture->level[i];
+        glPixelStorei(GL_UNPACK_ROW_LENGTH, (GLint)level->pitch);
         glTexImage2D(GL_TEXTURE_2D, (GLint)i, GL_RGBA8UI, (GLsizei)level->width,
                      (GLsizei)level->height, 0, GL_BGRA_INTEGER, GL_UNSIGNED_INT_8_8_8_8_REV,
                      level->texels);

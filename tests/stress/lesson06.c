@@ -167,7 +167,7 @@ static void make_mip(struct random *random, uint64_t index, void *made) {
 static bool mip_is_right(const void *tried) {
     const struct mip_case *c = tried;
     struct texture texture = {.level_count = c->level_count,
-                              .level = {{c->width, c->height, NULL}}};
+                              .level = {{.width = c->width, .height = c->height}}};
     double got = mip_level(c->right, c->up, &texture);
     long double w = c->width, h = c->height, last = (long double)c->level_count - 1;
     long double across = hypotl(c->right.x * w, c->right.y * h);

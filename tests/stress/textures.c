@@ -118,7 +118,7 @@ struct sample exact_bilinear(const struct texture_level *level, double u, double
     for (size_t y = 0; y < level->height; y++) {
         for (size_t x = 0; x < level->width; x++) {
             long double weight = tent(u, x, level->width) * tent(v, y, level->height);
-            uint32_t texel = level->texels[y * level->width + x];
+            uint32_t texel = texture_texel(level, x, y);
             for (int i = 0; i < 4; i++) {
                 sum.channel[i] += weight * (texel >> shift[i] & 0xFF);
             }

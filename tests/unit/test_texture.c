@@ -34,7 +34,48 @@ static bool random_texture(struct texture *texture, size_t width, size_t height,
 }
 
 static unsigned channel_of(const struct texture_level *level, size_t x, size_t y, int channel) {
-    return level->texels[y * level->width + x] >> 8 * channel & 0xFF;
+    return texture_texel(level, x, y) >> 8 * channel & 0xFF;
+}
+
+/* Rows lie an odd number of cache lines apart, as near as they can. */
+static void test_pitch(void) {
+    for (size_t width = 1; width <= IMAGE_SIZE_LIMIT; width++) {
+        size_t pitch = texture_pitch(width);
+        CHECK(pitch >= width && pitch % 32 == 16 && (width <= 16 || pitch - width < 32));
+    }
+}
+
+/* Leave something in what will be given out next. (Volatile: otherwise nothing need be done.) */
+static void dirty_memory(size_t size) {
+    volatile unsigned char *memory = malloc(size);
+    for (size_t i = 0; memory != NULL && i < size; i++) {
+        memory[i] = 0xAA;
+    }
+    free((void *)memory);
+}
+
+/* What lies between the rows is read with those before it, and is 0. */
+static void check_gaps(size_t width, size_t height, size_t rows_of_smaller_levels) {
+    struct texture texture;
+    dirty_memory(sizeof(uint32_t) * 16 * (height + rows_of_smaller_levels + 1));
+    if (!CHECK(random_texture(&texture, width, height, IMAGE_BGRA))) {
+        return;
+    }
+    for (size_t k = 0; k < texture.level_count; k++) {
+        const struct texture_level *level = &texture.level[k];
+        CHECK(level->pitch == texture_pitch(level->width));
+        for (size_t x = level->width; x < level->pitch; x++) {
+            for (size_t y = 0; y < level->height; y++) {
+                CHECK(texture_texel(level, x, y) == 0);
+            }
+        }
+    }
+    texture_free(&texture);
+}
+
+static void test_gaps(void) {
+    check_gaps(5, 3, 1 + 1);
+    check_gaps(6, 4, 2 + 1);
 }
 
 static void test_texels(void) {
@@ -51,12 +92,12 @@ static void test_texels(void) {
         }
         CHECK(texture_create(&texture, &image, &error));
         CHECK(texture.level[0].width == 5 && texture.level[0].height == 3);
-        for (int y = 0; y < 3; y++) {
-            for (int x = 0; x < 5; x++) {
-                struct color c = image_get(&image, x, y);
-                uint32_t texel = texture.level[0].texels[y * 5 + x];
-                CHECK(texel == ((uint32_t)c.b | (uint32_t)c.g << 8 | (uint32_t)c.r << 16 |
-                                (uint32_t)c.a << 24));
+        for (size_t y = 0; y < 3; y++) {
+            for (size_t x = 0; x < 5; x++) {
+                struct color c = image_get(&image, (int)x, (int)y);
+                CHECK(texture_texel(&texture.level[0], x, y) ==
+                      ((uint32_t)c.b | (uint32_t)c.g << 8 | (uint32_t)c.r << 16 |
+                       (uint32_t)c.a << 24));
             }
         }
         texture_free(&texture);
@@ -170,7 +211,8 @@ static void test_level_rounding(void) {
     bool all_white = true;
     for (size_t k = 0; k < t.level_count; k++) {
         for (size_t i = 0; i < t.level[k].width * t.level[k].height; i++) {
-            all_white = all_white && t.level[k].texels[i] == UINT32_MAX;
+            size_t x = i % t.level[k].width, y = i / t.level[k].width;
+            all_white = all_white && texture_texel(&t.level[k], x, y) == UINT32_MAX;
         }
     }
     CHECK(all_white);
@@ -304,6 +346,6 @@ static void test_sizes(void) {
     }
 }
 
-UNIT_MAIN(TEST(test_texels), TEST(test_level_sizes), TEST(test_levels), TEST(test_level_rounding),
-          TEST(test_samples), TEST(test_clamp), TEST(test_texel_centres),
-          TEST(test_hostile_coordinates), TEST(test_sizes))
+UNIT_MAIN(TEST(test_pitch), TEST(test_gaps), TEST(test_texels), TEST(test_level_sizes),
+          TEST(test_levels), TEST(test_level_rounding), TEST(test_samples), TEST(test_clamp),
+          TEST(test_texel_centres), TEST(test_hostile_coordinates), TEST(test_sizes))

@@ -10,8 +10,8 @@ static void draw(struct image *image, const struct level_triangle *triangles, si
     double depth[TIES_SIDE * TIES_SIDE];
     struct canvas canvas = {.image = image, .depth = depth, .skip = true};
     uint32_t white = UINT32_MAX;
-    const struct texture texture = {.level = {{.width = 1, .height = 1, .texels = &white}},
-                                    .level_count = 1};
+    const struct texture texture = {
+        .level = {{.width = 1, .height = 1, .pitch = 1, .texels = &white}}, .level_count = 1};
     image_clear(image, color_grey(0));
     depth_clear(depth, TIES_SIDE * TIES_SIDE);
     for (size_t i = 0; i < count; i++) {
