@@ -56,6 +56,7 @@ lines 2 "checked without a main.c"
 echo 'wrong' >step05_zbuffer/main.c
 lines 3 "a save is not seen"
 [ "$(grep -c ' show ' said)" -eq 2 ] || wrong "shown though it does not build"
+: >files # before find looks
 find . -type f | sort >files
 kill $watching
 wait $watching
