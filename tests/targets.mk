@@ -99,19 +99,11 @@ $(REPLAYS): $(BUILD)/tests/%: $(BUILD)/tested/tests/fuzz/%.o $(BUILD)/tested/tes
                               $(TESTED_COMMON)
 	$(TESTED) $^ -lm -o $@
 
-# Every test runs, also after one that failed.
 .PHONY: test
 test: $(UNITS) $(CHECKERS) $(HELPERS) $(ALIKE) $(REPLAYS) $(BUILD)/check $(BUILD)/looks_make \
       $(BUILD)/figure_make $(BUILD)/references $(BUILD)/show $(BUILD)/compare_page \
       $(BUILD)/hidden $(BUILD)/similar $(BUILD)/limited $(BUILD)/step01_line models
-	@passed=0; failed=0; names=; \
-	for test in $(UNITS) $(CHECKERS) $(HELPERS) $(ALIKE) $(SCRIPTS); do \
-	    echo "== $$test"; \
-	    if CHECK_PROGRAMS=$(BUILD) $$test; then passed=$$((passed + 1)); \
-	    else failed=$$((failed + 1)); names="$$names $$test"; fi; \
-	done; \
-	[ -z "$$names" ] || printf 'FAILED %s\n' $$names; \
-	echo "$$passed passed, $$failed failed"; [ $$failed -eq 0 ]
+	@CHECK_PROGRAMS=$(BUILD) tests/run_tests.sh $(SCRIPTS) $(UNITS) $(CHECKERS) $(HELPERS) $(ALIKE)
 
 # ---- make stress, make bench: exact answers, and run time against error ----
 
