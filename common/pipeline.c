@@ -71,13 +71,19 @@ void pipeline_free(struct pipeline *pipeline) {
     *pipeline = (struct pipeline){0};
 }
 
+/* Of the processor's cache. What is read at once does not reach into two lines. */
+enum { CACHE_LINE = 64 };
+
 /* Memory for one band, whose bin has at most that many pieces. */
 static bool scratch_reserve(struct scratch *scratch, const struct pipeline *p, size_t bin_size,
                             struct error *error) {
     size_t columns = chunk_columns(p), pixels = columns * CHUNK * BAND_HEIGHT;
     if (scratch->depth == NULL) {
-        scratch->depth = malloc(pixels * sizeof *scratch->depth);
-        scratch->number = calloc(pixels + 1, sizeof *scratch->number);
+        /* Behind the last number one more is read: see find_runs(). */
+        size_t depth_size = pixels * sizeof *scratch->depth;
+        size_t number_size = (pixels + CHUNK) * sizeof *scratch->number;
+        scratch->depth = aligned_alloc(CACHE_LINE, depth_size);
+        scratch->number = aligned_alloc(CACHE_LINE, number_size);
         scratch->touched = calloc(columns, sizeof *scratch->touched);
         scratch->farthest = malloc(columns * sizeof *scratch->farthest);
         if (scratch->depth == NULL || scratch->number == NULL || scratch->touched == NULL ||
@@ -86,6 +92,7 @@ static bool scratch_reserve(struct scratch *scratch, const struct pipeline *p, s
             return error_out_of_memory(error);
         }
         depth_clear(scratch->depth, pixels);
+        memset(scratch->number, 0, number_size);
     }
     uint32_t *fetched = array_reserve(scratch->fetched, &scratch->fetched_capacity, bin_size + 1,
                                       sizeof *scratch->fetched);

@@ -9,9 +9,13 @@
 /* Nearer than this part of the camera's distance nothing is drawn: 1/w would grow without bound. */
 static const double near_w = 1.0 / 128;
 
-/* Faces are cut where they leave NDC -64..64: far outside the image, so that few are, but within
- * SCREEN_LIMIT for the largest image. */
-static const double guard_band = 64;
+/* Faces are cut where they leave the guard band, NDC -64..64: far outside of the viewport, so that
+ * few are. For large viewports it is narrower, 2^16 pixels to each side of the middle: so no side
+ * is longer than 2^25 steps, and every edge function is a whole number that a double holds. */
+static double guard_band_of(const struct rectangle *viewport) {
+    int side = viewport->width > viewport->height ? viewport->width : viewport->height;
+    return fmin(64, 0x1p17 / side);
+}
 
 /* A depth beyond this is no place to draw at: sums and differences of such might overflow. */
 static const double depth_limit = 1e280;
@@ -51,6 +55,7 @@ struct assembly {
     struct pipeline *pipeline;
     const struct draw *draw;
     struct vertices vertices;
+    double guard_band;
     atomic_uint beyond; /* the sides that any of the vertices is beyond */
 };
 
@@ -82,12 +87,16 @@ LANES_INLINE doubles doubles_where(longs mask, doubles value) {
 }
 
 /* Written so that what is not a number is beyond everything. */
-LANES_INLINE longs find_beyond(const struct clip_positions *p) {
-    doubles guard = guard_band * p->w;
-    longs in_guard_band = (doubles_abs(p->x) <= guard) & (doubles_abs(p->y) <= guard);
+LANES_INLINE longs find_beyond_sides(const struct clip_positions *p) {
     return (~(p->x >= -p->w) & BEYOND_LEFT) | (~(p->x <= p->w) & BEYOND_RIGHT) |
            (~(p->y >= -p->w) & BEYOND_BOTTOM) | (~(p->y <= p->w) & BEYOND_TOP) |
-           (~(p->w >= near_w) & BEYOND_NEAR) | (~in_guard_band & BEYOND_GUARD_BAND);
+           (~(p->w >= near_w) & BEYOND_NEAR);
+}
+
+LANES_INLINE longs find_beyond(const struct clip_positions *p, double guard_band) {
+    doubles guard = guard_band * p->w;
+    longs in_guard_band = (doubles_abs(p->x) <= guard) & (doubles_abs(p->y) <= guard);
+    return find_beyond_sides(p) | (~in_guard_band & BEYOND_GUARD_BAND);
 }
 
 /* screen_snap() of what is within SCREEN_LIMIT. */
@@ -123,7 +132,7 @@ LANES_INLINE struct clip_positions clip_positions_all(struct vec4 p) {
 
 static unsigned find_beyond_one(struct vec4 p) {
     struct clip_positions clip = clip_positions_all(p);
-    return (unsigned)find_beyond(&clip)[0];
+    return (unsigned)find_beyond_sides(&clip)[0];
 }
 
 /* Positions of the model from number `at` on; behind the last one that again. As mat4_point(). */
@@ -172,7 +181,7 @@ static void transform_block(void *context, size_t index, size_t worker) {
     longs any = {0};
     for (size_t i = range.begin; i < range.end; i += TOGETHER) {
         struct clip_positions clip = transform(call, i);
-        longs beyond = find_beyond(&clip);
+        longs beyond = find_beyond(&clip, assembly->guard_band);
         longs may_be_placed = (beyond & (BEYOND_NEAR | BEYOND_GUARD_BAND)) == 0;
         struct screen_positions positions = project(&clip, may_be_placed, &call->viewport);
         beyond |= may_be_placed & ~positions.placed & BEYOND_ALL;
@@ -255,7 +264,7 @@ static bool is_outside(struct pipeline *p, const struct draw_call *call) {
 /* ---- Clipping ---- */
 
 /* Signed distances to the planes, positive inside. */
-static double plane_distance(struct vec4 p, int plane) {
+static double plane_distance(struct vec4 p, int plane, double guard_band) {
     switch (plane) {
     case 0:
         return p.w - near_w;
@@ -290,13 +299,13 @@ static struct clip_corner cut_edge(const struct clip_corner *inside,
 
 /* The part of a polygon on the inner side of a plane (Sutherland and Hodgman, "Reentrant Polygon
  * Clipping", 1974). */
-static struct polygon clip_at_plane(const struct polygon *polygon, int plane) {
+static struct polygon clip_at_plane(const struct polygon *polygon, int plane, double guard_band) {
     struct polygon result = {.count = 0};
     for (size_t i = 0; i < polygon->count; i++) {
         const struct clip_corner *a = &polygon->corner[i];
         const struct clip_corner *b = &polygon->corner[(i + 1) % polygon->count];
-        double a_distance = plane_distance(a->clip, plane);
-        double b_distance = plane_distance(b->clip, plane);
+        double a_distance = plane_distance(a->clip, plane, guard_band);
+        double b_distance = plane_distance(b->clip, plane, guard_band);
         bool a_inside = a_distance >= 0, b_inside = b_distance >= 0;
         if (a_inside) {
             result.corner[result.count++] = *a;
@@ -394,7 +403,8 @@ static bool is_before(struct vec4 a, struct vec4 b) {
 
 /* The part of a face that can be drawn. Cut from its first corner on, in a fixed order of
  * positions; the weights are of the face's corners as the model lists them. */
-static struct polygon clip_face(const struct draw_call *call, size_t face) {
+static struct polygon clip_face(const struct assembly *a, size_t face) {
+    const struct draw_call *call = &a->draw->call;
     static const struct vec3 weight[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     struct vec4 clip[3];
     size_t first = 0;
@@ -408,7 +418,7 @@ static struct polygon clip_face(const struct draw_call *call, size_t face) {
         polygon.corner[i] = (struct clip_corner){clip[from], weight[from]};
     }
     for (int plane = 0; plane < CLIP_PLANES && polygon.count > 0; plane++) {
-        polygon = clip_at_plane(&polygon, plane);
+        polygon = clip_at_plane(&polygon, plane, a->guard_band);
     }
     return polygon;
 }
@@ -442,7 +452,7 @@ static void add_part(const struct assembly *a, struct output *to, size_t face,
 }
 
 static void add_clipped_face(const struct assembly *a, struct output *to, size_t face) {
-    struct polygon polygon = clip_face(&a->draw->call, face);
+    struct polygon polygon = clip_face(a, face);
     if (polygon.count < 3) {
         to->block->stats[STAT_FACES_OUTSIDE]++;
         return;
@@ -535,7 +545,7 @@ static void count_pieces(const struct assembly *a, struct range faces, struct bl
         bool outside = (beyond.all & BEYOND_ONE_SIDE) != 0;
         bool cut = (beyond.any & (BEYOND_NEAR | BEYOND_GUARD_BAND)) != 0;
         if (!outside && cut) {
-            size_t corners = clip_face(&a->draw->call, face).count;
+            size_t corners = clip_face(a, face).count;
             block->clipped_count += corners > 2 ? corners - 2 : 0;
         }
         block->piece_count += !outside && !cut;
@@ -620,6 +630,7 @@ static bool assemble(struct pipeline *p, struct draw *draw, struct error *error)
         .pipeline = p,
         .draw = draw,
         .vertices = {.screen = p->screens.data, .depth = p->depths.data, .beyond = p->beyonds.data},
+        .guard_band = guard_band_of(&draw->call.viewport),
     };
     if (!draw->shader->flat) {
         assembly.vertices.recip_w = (double *)p->recip_w.data + draw->first_recip_w;

@@ -5,10 +5,6 @@
 
 /* ---- Cover: which piece is nearest at each pixel ---- */
 
-/* Boxes of at most this many pixels a side are covered without spans, with 32-bit edge functions: a
- * side times a distance in it is below 2^30, and such a function is the difference of two. */
-enum { SMALL_BOX = 80 };
-
 /* In boxes higher than this many pixels it pays to ask in which rows a strip lies outside. */
 enum { HIGH_BOX = 16 };
 
@@ -19,8 +15,8 @@ struct band {
     struct span rows;
     bool reordered;      /* the nearest draw calls are covered first */
     struct span columns; /* those of its draw calls so far */
-    uint64_t behind, covered;
-    longs covered_in_boxes; /* in addition; to be added up */
+    uint64_t behind;
+    longs covered; /* depth tests, to be added up */
 };
 
 /* Mark that something may be drawn in these rows of the columns from x on. */
@@ -74,52 +70,16 @@ LANES_INLINE doubles depths_at(const struct depth_slopes *s, doubles e1, doubles
     return s->origin + e1 * s->k1 + e2 * s->k2;
 }
 
-/* edge_at() of several pixels of a row; `row` is the edge function at its pixel 0. */
-LANES_INLINE doubles edges_in_row(const struct edge *e, int64_t row, int x) {
-    double first = (double)(row + e->dx * (x / CHUNK * CHUNK));
-    return first + (double)e->dx * doubles_from(x % CHUNK);
-}
-
-/* The span of each row, found exactly. */
-static void cover_by_spans(struct band *band, const struct draw *draw, const struct piece *piece,
-                           uint32_t number) {
-    const struct rectangle *viewport = &draw->call.viewport;
-    const struct fixed2 *c = piece->corner;
-    const struct scratch *scratch = band->scratch;
-    bool reordered = band->reordered;
-    struct edges edges;
-    if (!edges_setup(&edges, c[0], c[1], c[2], band->pipeline->width, band->pipeline->height)) {
-        return;
-    }
-    struct depth_slopes slopes = find_depth_slopes(piece, edges.area);
-    const struct edge *e1 = &edges.edge[1], *e2 = &edges.edge[2];
-    struct span rows = span_overlap(rows_in(rows_of(c), viewport), band->rows);
-    for (int y = rows.begin; y < rows.end; y++) {
-        struct span span = span_overlap(edges_span(&edges, y),
-                                        (struct span){viewport->x, viewport->x + viewport->width});
-        int64_t row1 = e1->origin + e1->dy * y, row2 = e2->origin + e2->dy * y;
-        band->covered += span.end > span.begin ? (uint64_t)(span.end - span.begin) : 0;
-        for (int x = span.begin / TOGETHER * TOGETHER; x < span.end; x += TOGETHER) {
-            size_t place = place_in_band(y - band->rows.begin, x);
-            longs at = longs_from(x);
-            doubles z = depths_at(&slopes, edges_in_row(e1, row1, x), edges_in_row(e2, row2, x));
-            touch(band, x, (struct span){y, y + 1});
-            cover_pixels(scratch->depth + place, scratch->number + place,
-                         (at < span.begin) | (at >= span.end), z, number, reordered);
-        }
-    }
-}
-
-/* An edge function at the centres of the pixels of a small box: its value at pixel (0,0) of the
- * box, less what is not inside, and its steps. */
-struct small_edge {
-    int32_t origin, dx, dy, bias;
+/* An edge function at the centres of the pixels of a box: its value at pixel (0,0) of the box, its
+ * steps, and what makes it negative where 0 is not inside. */
+struct box_edge {
+    int64_t origin, dx, dy, bias;
 };
 
-static struct small_edge small_edge(struct fixed2 a, struct fixed2 b) {
-    int32_t x_distance = b.x - a.x, y_distance = b.y - a.y;
+static struct box_edge box_edge(struct fixed2 a, struct fixed2 b) {
+    int64_t x_distance = b.x - a.x, y_distance = b.y - a.y;
     bool top_left = y_distance < 0 || (y_distance == 0 && x_distance < 0);
-    return (struct small_edge){
+    return (struct box_edge){
         .origin = y_distance * a.x - x_distance * a.y,
         .dx = -y_distance * SUBPIXELS,
         .dy = x_distance * SUBPIXELS,
@@ -127,14 +87,25 @@ static struct small_edge small_edge(struct fixed2 a, struct fixed2 b) {
     };
 }
 
+/* Those of TOGETHER pixels from x on that lie outside of the columns. */
+LANES_INLINE longs columns_beyond(int x, struct span columns) {
+    longs at = longs_from(x);
+    return (at < columns.begin) | (at >= columns.end);
+}
+
+/* Where the mask is set the other number. */
+LANES_INLINE doubles doubles_where_not(longs mask, doubles values, double other) {
+    return (doubles)((~mask & (longs)values) + (mask & (longs)(other + (doubles){0})));
+}
+
 /* The rows of a strip of pixels in which some may be inside all edges: there the greatest value of
  * each edge function in the strip, now that of row rows.begin, is not negative. A row more does no
  * harm. */
-LANES_INLINE struct span rows_of_strip(const struct small_edge e[3], struct span rows) {
+LANES_INLINE struct span rows_of_strip(const struct box_edge e[3], struct span rows) {
     double begin = 0, end = rows.end - rows.begin;
     for (int i = 0; i < 3; i++) {
-        int32_t most = e[i].origin + e[i].bias + (e[i].dx > 0 ? e[i].dx * (TOGETHER - 1) : 0);
-        double zero = -(double)most / e[i].dy;
+        int64_t most = e[i].origin + e[i].bias + (e[i].dx > 0 ? e[i].dx * (TOGETHER - 1) : 0);
+        double zero = -(double)most / (double)e[i].dy;
         double first = e[i].dy > 0 ? zero : 0, last = e[i].dy < 0 ? zero + 1 : end;
         begin = first > begin ? first : begin;
         end = last < end ? last : end;
@@ -145,10 +116,11 @@ LANES_INLINE struct span rows_of_strip(const struct small_edge e[3], struct span
     return (struct span){rows.begin + (int)begin, rows.begin + (int)ceil(end)};
 }
 
-/* All pixels of a small box, several tested at once: strip by strip, each from its lowest row on.
- * (Row by row, a processor would often be wrong about where the row ends.) */
+/* All pixels of a box, several tested at once: strip by strip, each from its lowest row on.
+ * (Row by row, a processor would often be wrong about where the row ends.) `cut`: the piece reaches
+ * beyond the columns. */
 static void cover_box(struct band *band, const struct piece *piece, struct span columns,
-                      struct span rows, uint32_t number) {
+                      struct span rows, bool cut, uint32_t number) {
     const struct scratch *scratch = band->scratch;
     int left = columns.begin / TOGETHER * TOGETHER;
     bool reordered = band->reordered, high = rows.end - rows.begin > HIGH_BOX;
@@ -157,11 +129,10 @@ static void cover_box(struct band *band, const struct piece *piece, struct span 
         c[i].x = piece->corner[i].x - left * SUBPIXELS - SUBPIXELS / 2;
         c[i].y = piece->corner[i].y - rows.begin * SUBPIXELS - SUBPIXELS / 2;
     }
-    struct small_edge e[3] = {small_edge(c[1], c[2]), small_edge(c[2], c[0]),
-                              small_edge(c[0], c[1])};
+    struct box_edge e[3] = {box_edge(c[1], c[2]), box_edge(c[2], c[0]), box_edge(c[0], c[1])};
     struct depth_slopes slopes = find_depth_slopes(piece, e[0].origin + e[1].origin + e[2].origin);
     /* In double, as the depths are, and as exact as whole numbers. */
-    longs covered = band->covered_in_boxes;
+    longs covered = band->covered;
     doubles right[3], up[3], bias[3];
     for (int i = 0; i < 3; i++) {
         right[i] = (double)e[i].dx * doubles_from(0);
@@ -172,6 +143,9 @@ static void cover_box(struct band *band, const struct piece *piece, struct span 
         struct span within = high ? rows_of_strip(e, rows) : rows;
         int above = within.begin - rows.begin;
         doubles e0 = (double)(e[0].origin + e[0].dy * above + e[0].bias) + right[0];
+        if (cut) {
+            e0 = doubles_where_not(columns_beyond(x, columns), e0, -INFINITY);
+        }
         doubles e1 = (double)(e[1].origin + e[1].dy * above) + right[1];
         doubles e2 = (double)(e[2].origin + e[2].dy * above) + right[2];
         size_t place = place_in_band(within.begin - band->rows.begin, x);
@@ -193,7 +167,7 @@ static void cover_box(struct band *band, const struct piece *piece, struct span 
             e[i].origin += e[i].dx * TOGETHER;
         }
     }
-    band->covered_in_boxes = covered;
+    band->covered = covered;
 }
 
 /* ---- What is behind ---- */
@@ -239,17 +213,13 @@ static bool is_behind(const struct band *band, double nearest, struct span colum
 static void cover_piece(struct band *band, const struct draw *draw, const struct piece *piece,
                         uint32_t number) {
     const struct rectangle *v = &draw->call.viewport;
-    struct span columns = columns_of(piece->corner), rows = rows_of(piece->corner);
-    struct span seen = columns_in(columns, v);
-    if (band->reordered && is_behind(band, nearest_of_piece(piece), seen)) {
+    struct span whole = columns_of(piece->corner), columns = columns_in(whole, v);
+    bool cut = columns.begin > whole.begin || columns.end < whole.end;
+    struct span rows = span_overlap(rows_in(rows_of(piece->corner), v), band->rows);
+    if (band->reordered && is_behind(band, nearest_of_piece(piece), columns)) {
         band->behind++;
-        return;
-    }
-    if (columns.end - columns.begin <= SMALL_BOX && rows.end - rows.begin <= SMALL_BOX &&
-        columns.begin >= v->x && columns.end <= v->x + v->width) {
-        cover_box(band, piece, columns, span_overlap(rows_in(rows, v), band->rows), number);
     } else {
-        cover_by_spans(band, draw, piece, number);
+        cover_box(band, piece, columns, rows, cut, number);
     }
 }
 
@@ -433,9 +403,8 @@ void pipeline_draw_band(void *context, size_t index, size_t worker) {
     }
     work->behind = band.behind;
     for (int i = 0; i < TOGETHER; i++) {
-        band.covered += (uint64_t)band.covered_in_boxes[i];
+        work->covered += (uint64_t)band.covered[i];
     }
-    work->covered += band.covered;
     if (p->depth != NULL) {
         keep_depth(&band);
     }

@@ -14,7 +14,7 @@ enum { BAND_HEIGHT = 32 };
 _Static_assert(BAND_HEIGHT <= 32, "`touched` has a bit for each row");
 
 /* A row is divided into chunks of this many pixels, for however many LANES: what is touched, and
- * what is farthest, is known by the chunk, and edge functions are found from its first pixel on. */
+ * what is farthest, is known by the chunk. */
 enum { CHUNK = 16 };
 
 /* What `skip` switches on and off, so that each can be measured alone. */
@@ -596,11 +596,9 @@ static inline double depth_at(const struct depth_slopes *s, double e1, double e2
     return s->origin + e1 * s->k1 + e2 * s->k2;
 }
 
-/* An edge function at pixel (x,y). Beyond 2^53 it is rounded: so it is found from the chunk's first
- * pixel on, for however many pixels at a time. */
+/* An edge function at pixel (x,y), exact: see guard_band_of(). */
 static inline double edge_at(const struct edge *e, int x, int y) {
-    return (double)(e->origin + e->dx * (x / CHUNK * CHUNK) + e->dy * y) +
-           (double)e->dx * (x % CHUNK);
+    return (double)(e->origin + e->dx * x + e->dy * y);
 }
 
 /* Draw the pixels of a chunk that a piece covers and where it is nearest so far. With an image,

@@ -121,18 +121,10 @@ static inline size_t band_count(const struct pipeline *pipeline) {
     return (pipeline->height + BAND_HEIGHT - 1) / BAND_HEIGHT;
 }
 
-/* At least the depth of the piece at every pixel, whatever roundings: as far as edge functions are
- * exact in double, these amount to a few ulp of its corners' depths. */
+/* At least the depth of the piece at every pixel, whatever roundings: these amount to a few ulp of
+ * its corners' depths. */
 static inline double nearest_of_piece(const struct piece *piece) {
-    enum { EXACT = 1 << 25 }; /* sides so long have edge functions within 2^53 */
-    const struct fixed2 *c = piece->corner;
     const double *z = piece->depth;
-    for (int i = 0; i < 3; i++) {
-        struct fixed2 a = c[i], b = c[(i + 1) % 3];
-        if (abs(b.x - a.x) > EXACT || abs(b.y - a.y) > EXACT) {
-            return INFINITY;
-        }
-    }
     double most = z[0] > z[1] ? z[0] : z[1];
     return (most > z[2] ? most : z[2]) + 1e-14 * (fabs(z[0]) + fabs(z[1]) + fabs(z[2]));
 }

@@ -44,7 +44,7 @@ for source in tests/unit/test_*.c step*/main.c; do
     name=$(basename "$source" .c)
     case $source in step*) name=$(dirname "$source") ;; esac
     # Tests that define __wrap_X() are linked so that calls of X() come there.
-    wrap=$(sed -n 's/.*__wrap_\([a-z]*\).*{$/-Wl,--wrap=\1/p' "$source")
+    wrap=$(sed -n 's/.*__wrap_\([a-z_]*\)(.*{$/-Wl,--wrap=\1/p' "$source")
     compile "$source" "$work/tests/$name.o"
     oracle=
     case $name in test_*) oracle=$work/tests/oracle.o ;; esac

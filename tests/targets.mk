@@ -79,7 +79,7 @@ $(BUILD)/tested/tests/help/page_files.o: $(BUILD)/tests/help/page_files.c $(BUIL
 	$(TESTED) -Itests/help -c $< -o $@
 
 # A test that defines __wrap_malloc() or the like gets the calls of malloc() (--wrap of GNU ld).
-WRAPPED = $$(sed -n 's/.*__wrap_\([a-z]*\).*{$$/-Wl,--wrap=\1/p' tests/unit/$*.c)
+WRAPPED = $$(sed -n 's/.*__wrap_\([a-z_]*\)(.*{$$/-Wl,--wrap=\1/p' tests/unit/$*.c)
 
 $(UNITS): $(BUILD)/tests/%: $(BUILD)/tested/tests/unit/%.o $(ORACLE) $(TESTED_COMMON)
 	$(TESTED) $(WRAPPED) $^ -lm -o $@

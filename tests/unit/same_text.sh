@@ -1,7 +1,7 @@
 #!/bin/sh
 # Where a lesson writes a technique out in full and common has the same text, the two must not drift
 # apart. Compares functions without white space, comments, marks for the starter, `static`, `inline`,
-# and the function's own name.
+# the function's own name, and the guard band, which the house has as an argument.
 #
 # Exit status 0: all are the same; 1: one differs or is missing.
 
@@ -15,7 +15,8 @@ function_text() {
         inside { line = $0; sub(/\/\*.*\*\//, "", line); text = text " " line }
         inside && /;$/ && text !~ /{/ { inside = 0 }   # only a declaration
         inside && /^}/ { print text; exit }' |
-        sed -e "s/\\<$2\\>/FUNCTION/" -e 's/static//g' -e 's/inline//g' |
+        sed -e "s/\\<$2\\>/FUNCTION/" -e 's/static//g' -e 's/inline//g' \
+            -e 's/, double guard_band//' -e 's/, guard_band)/)/g' |
         tr -d ' \t'
 }
 

@@ -1,5 +1,6 @@
 /* The positions of a model, transformed several at once by the pipeline, against the same one by
- * one: mat4_point(), find_beyond() of lesson 8, and screen_snap(). */
+ * one: mat4_point(), find_beyond() of lesson 8 with the guard band of the viewport, and
+ * screen_snap(). */
 #include "pipeline_again.h"
 
 #include "oracle.h"
@@ -18,9 +19,10 @@ struct expected {
     unsigned beyond;
 };
 
-/* Section 8e of lesson 8. */
-static unsigned beyond_of(struct vec4 p) {
-    double guard = 64 * p.w;
+/* Section 8e of lesson 8; of viewports larger than 2048 pixels, 2^16 pixels from the middle. */
+static unsigned beyond_of(struct vec4 p, const struct rectangle *v) {
+    int side = v->width > v->height ? v->width : v->height;
+    double guard = (side <= 2048 ? 64 : 2 * 65536.0 / side) * p.w;
     unsigned beyond = 0;
     beyond |= p.x >= -p.w ? 0 : BEYOND_LEFT;
     beyond |= p.x <= p.w ? 0 : BEYOND_RIGHT;
@@ -34,7 +36,7 @@ static unsigned beyond_of(struct vec4 p) {
 static struct expected expect(const struct draw_call *call, struct vec3 position) {
     const struct rectangle *v = &call->viewport;
     struct vec4 clip = mat4_point(&call->to_clip, position);
-    struct expected e = {.beyond = beyond_of(clip)};
+    struct expected e = {.beyond = beyond_of(clip, v)};
     double recip_w = 1 / clip.w, depth = clip.z * recip_w;
     struct vec2 screen = {v->x + (clip.x * recip_w + 1) * (v->width / 2.0),
                           v->y + (clip.y * recip_w + 1) * (v->height / 2.0)};
@@ -84,7 +86,8 @@ static size_t count_wrong(size_t count, const struct draw_call *call, bool flat)
     static uint8_t beyond[ROUNDED];
     const struct draw draw = {.call = *call};
     struct assembly assembly = {.draw = &draw,
-                                .vertices = {screen, depth, flat ? NULL : recip_w, beyond}};
+                                .vertices = {screen, depth, flat ? NULL : recip_w, beyond},
+                                .guard_band = guard_band_of(&call->viewport)};
     unsigned any = 0;
     size_t wrong = 0;
     memset(recip_w, 0, sizeof recip_w);
@@ -105,12 +108,13 @@ static size_t count_wrong(size_t count, const struct draw_call *call, bool flat)
 static void test_positions(void) {
     static struct vec3 positions[COUNT];
     static const size_t counts[] = {COUNT, BLOCK_SIZE, 1, TOGETHER - 1, TOGETHER, TOGETHER + 1};
+    static const struct rectangle viewports[] = {
+        {3, 4, 640, 480}, {1, 0, 2048, 2047}, {0, 2, 480, 3001}, {0, 0, 16384, 16384}};
     struct model model = {.positions = positions};
     size_t placed = 0;
     for (int run = 0; run < RUNS; run++) {
-        struct draw_call call = {.model = &model,
-                                 .to_clip = random_matrix(run),
-                                 .viewport = {run % 7, run % 5, 640 + run, 480}};
+        struct draw_call call = {
+            .model = &model, .to_clip = random_matrix(run), .viewport = viewports[run % 4]};
         for (size_t i = 0; i < COUNT; i++) {
             positions[i] = (struct vec3){hostile(), hostile(), hostile()};
             placed += expect(&call, positions[i]).recip_w != 0;
@@ -124,6 +128,20 @@ static void test_positions(void) {
     CHECK(placed > (size_t)RUNS * COUNT / 4 && placed < (size_t)RUNS * COUNT);
 }
 
+/* 2^16 pixels to each side, but for roundings: no side between two positions is longer than 2^25
+ * steps, and edge functions are exact in double. */
+static void test_guard_band(void) {
+    bool right = true;
+    for (int side = 1; side <= DRAW_LIMIT; side++) {
+        double wide = guard_band_of(&(struct rectangle){0, 0, side, 1});
+        double high = guard_band_of(&(struct rectangle){5, 7, side / 2, side});
+        double expected = side < 2048 ? 64 : 65536 / (side / 2.0);
+        right = right && fabs(wide - expected) < 1e-12 && high == wide;
+    }
+    CHECK(right);
+    CHECK(guard_band_of(&(struct rectangle){0, 0, 0, 0}) == 64);
+}
+
 /* Halves of 1/256 pixel, below 0 and above, are rounded up. */
 static void test_snapped(void) {
     for (int i = -2000; i <= 2000; i++) {
@@ -134,4 +152,4 @@ static void test_snapped(void) {
     }
 }
 
-UNIT_MAIN(TEST(test_positions), TEST(test_snapped))
+UNIT_MAIN(TEST(test_positions), TEST(test_guard_band), TEST(test_snapped))
