@@ -134,8 +134,15 @@ static uint64_t lay_out(struct texture *texture, size_t width, size_t height) {
     uint64_t count = 0;
     for (;;) {
         size_t pitch = texture_pitch(width);
-        texture->level[texture->level_count++] =
-            (struct texture_level){.width = width, .height = height, .pitch = pitch};
+        texture->level[texture->level_count++] = (struct texture_level){
+            .width = width,
+            .height = height,
+            .pitch = pitch,
+            .columns = (float)width,
+            .rows = (float)height,
+            .last_column = (float)(width - 1),
+            .last_row = (float)(height - 1),
+        };
         count += (uint64_t)pitch * height;
         if (width == 1 && height == 1) {
             return count;
@@ -150,6 +157,10 @@ bool texture_create(struct texture *texture, const struct image *image, struct e
     if (image->width < 1 || image->height < 1 || image->width > IMAGE_SIZE_LIMIT ||
         image->height > IMAGE_SIZE_LIMIT) {
         return error_set(error, "a texture of %zux%zu pixels", image->width, image->height);
+    }
+    if ((uint64_t)texture_pitch(image->width) * image->height > TEXTURE_TEXEL_LIMIT) {
+        return error_set(error, "a texture of %zux%zu pixels, more than %d texels", image->width,
+                         image->height, TEXTURE_TEXEL_LIMIT);
     }
     uint64_t count = lay_out(texture, image->width, image->height);
     /* A row more, so that the right and upper neighbours of every texel can be read, several at a

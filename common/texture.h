@@ -17,13 +17,18 @@
 #include <stddef.h>
 #include <stdint.h>
 
-enum { TEXTURE_LEVEL_LIMIT = 17 }; /* 65535 = 2^16 - 1 halves 15 times down to 1 */
+enum {
+    TEXTURE_LEVEL_LIMIT = 17,     /* 65535 = 2^16 - 1 halves 15 times down to 1 */
+    TEXTURE_TEXEL_LIMIT = 1 << 30 /* of a level: where one is, in bytes, then takes 32 bits */
+};
 
 /* One size of the picture. A texel is blue | green << 8 | red << 16 | alpha << 24. */
 struct texture_level {
     size_t width, height; /* 1..IMAGE_SIZE_LIMIT */
     size_t pitch;         /* texels from a row to the next one above it; see texture_pitch() */
     uint32_t *texels;     /* bottom row first; see texture_texel() */
+    /* Width and height again, and less 1, as numbers to sample with. */
+    float columns, rows, last_column, last_row;
 };
 
 /* Texel (x,y), counted from the lower left; x is below `width`, y below `height`. */
@@ -50,7 +55,8 @@ static inline size_t texture_pitch(size_t width) {
  * width and height of the one below, rounded down but at least 1; each texel is the mean of the
  * area of the level below that it covers (texels that are covered in part count in part), rounded
  * to the nearest level. Grey becomes three equal channels, a missing alpha 255. The caller frees
- * both. */
+ * both. False when memory runs out, or of an image without pixels, and of one that has more than
+ * TEXTURE_TEXEL_LIMIT in rows that lie texture_pitch() apart. */
 bool texture_create(struct texture *texture, const struct image *image, struct error *error);
 
 /* Free the texels and leave an empty texture. */

@@ -12,9 +12,8 @@ struct lanes_place {
     lanes fraction;
 };
 
-LANES_INLINE struct lanes_place lanes_find_texel(lanes coordinate, size_t size) {
-    real last = (real)(uint32_t)(size - 1);
-    lanes place = coordinate * (last + 1) - 0.5f;
+LANES_INLINE struct lanes_place lanes_find_texel(lanes coordinate, real size, real last) {
+    lanes place = coordinate * size - 0.5f;
     place = lanes_min(lanes_max(place, lanes_all(0)), lanes_all(last));
     lanes_int texel = lanes_to_int(place);
     return (struct lanes_place){texel, place - lanes_from_int(texel)};
@@ -35,8 +34,8 @@ struct texels {
 
 LANES_INLINE void texture_find(const struct texture_level *level, struct lanes2 uv,
                                struct texel_place *place) {
-    struct lanes_place x = lanes_find_texel(uv.x, level->width);
-    struct lanes_place y = lanes_find_texel(uv.y, level->height);
+    struct lanes_place x = lanes_find_texel(uv.x, level->columns, level->last_column);
+    struct lanes_place y = lanes_find_texel(uv.y, level->rows, level->last_row);
     place->index = (lanes_texel)y.texel * (uint32_t)level->pitch + (lanes_texel)x.texel;
     place->width = level->width;
     place->height = level->height;

@@ -250,19 +250,19 @@ static void test_fetched(void) {
     free(texels);
 }
 
-/* The largest textures have more texels than an int32_t can count: here only those around the
- * first that it cannot are in memory. */
+/* The last texels of the largest textures, whose bytes an int32_t cannot count: here only those are
+ * in memory. */
 static void test_far_texels(void) {
     enum { COUNT = 2 * LANES + 1 };
     uint32_t texels[COUNT], index[LANES];
-    const uint32_t middle = UINT32_C(1) << 31;
-    uintptr_t begin = (uintptr_t)texels - (uintptr_t)(middle - LANES) * sizeof *texels;
+    const uint32_t first_index = TEXTURE_TEXEL_LIMIT - 2 * LANES;
+    uintptr_t begin = (uintptr_t)texels - (uintptr_t)first_index * sizeof *texels;
     lanes_texel indices, first, second;
     for (uint32_t i = 0; i < COUNT; i++) {
         texels[i] = i + 5;
     }
     for (uint32_t i = 0; i < LANES; i++) {
-        index[i] = middle - LANES + 2 * i;
+        index[i] = first_index + 2 * i;
     }
     memcpy(&indices, index, sizeof indices);
     lanes_fetch_pairs((const uint32_t *)begin, indices, &first, &second);

@@ -330,18 +330,32 @@ static void test_hostile_coordinates(void) {
     }
 }
 
-/* No image makes these; the sizes come from whoever fills the struct. */
+/* No image makes the first of these; the sizes come from whoever fills the struct. Of the others no
+ * pixel must be read. */
 static void test_sizes(void) {
-    static const size_t rows[][2] = {
-        {0, 0}, {1, 0}, {0, 1}, {IMAGE_SIZE_LIMIT + 1, 1}, {1, IMAGE_SIZE_LIMIT + 1}};
+    static const struct {
+        size_t width, height;
+        const char *why;
+    } rows[] = {
+        {0, 0, ""},
+        {1, 0, ""},
+        {0, 1, ""},
+        {IMAGE_SIZE_LIMIT + 1, 1, ""},
+        {1, IMAGE_SIZE_LIMIT + 1, ""},
+        {65535, 65535, ", more than 1073741824 texels"},
+        {32767, 32768, ", more than 1073741824 texels"}, /* with what lies between the rows */
+        {16384, 65535, ", more than 1073741824 texels"},
+        {65535, 16384, ", more than 1073741824 texels"},
+    };
     for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
         uint8_t pixel = 0;
-        struct image image = {rows[i][0], rows[i][1], IMAGE_GREY, &pixel};
+        struct image image = {rows[i].width, rows[i].height, IMAGE_GREY, &pixel};
         struct texture texture;
         struct error error;
         char expected[80];
         CHECK(!texture_create(&texture, &image, &error) && texture.level_count == 0);
-        snprintf(expected, sizeof expected, "a texture of %zux%zu pixels", rows[i][0], rows[i][1]);
+        snprintf(expected, sizeof expected, "a texture of %zux%zu pixels%s", rows[i].width,
+                 rows[i].height, rows[i].why);
         CHECK_TEXT(error.message, expected);
     }
 }
