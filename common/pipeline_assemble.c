@@ -334,19 +334,18 @@ static inline struct face_beyond find_face_beyond(const struct assembly *a,
     return (struct face_beyond){b[0] & b[1] & b[2], b[0] | b[1] | b[2]};
 }
 
-/* Where all positions are beyond nothing, `inside`, that is not asked. */
+/* Where all positions are beyond nothing, `inside`, that is not asked, and was 0 before. */
 static inline void batch_put(struct batch *batch, const struct assembly *a,
                              const struct corner corner[3], bool inside) {
-    const struct face_beyond none = {0, 0};
     size_t at = batch->count++;
     for (int i = 0; i < 3; i++) {
-        struct fixed2 screen = a->vertices.screen[corner[i].position];
-        batch->x[i][at] = screen.x;
-        batch->y[i][at] = screen.y;
+        batch->screen[i][at] = a->vertices.screen[corner[i].position];
     }
-    struct face_beyond beyond = inside ? none : find_face_beyond(a, corner);
-    batch->beyond_all[at] = (int32_t)beyond.all;
-    batch->beyond_any[at] = (int32_t)beyond.any;
+    if (!inside) {
+        struct face_beyond beyond = find_face_beyond(a, corner);
+        batch->beyond_all[at] = (int32_t)beyond.all;
+        batch->beyond_any[at] = (int32_t)beyond.any;
+    }
 }
 
 /* Where a block's pieces go. */
@@ -368,7 +367,7 @@ static void add_piece(struct output *to, const struct batch *batch, size_t at, s
     struct piece *piece = &to->pieces[block->piece_count++];
     int order[3] = {batch->first[at], batch->second[at], 3 - batch->first[at] - batch->second[at]};
     for (int i = 0; i < 3; i++) {
-        piece->corner[i] = (struct fixed2){batch->x[order[i]][at], batch->y[order[i]][at]};
+        piece->corner[i] = batch->screen[order[i]][at];
         piece->depth[i] = depth[order[i]];
         piece->face_corner[i] = (uint8_t)order[i];
     }
@@ -435,8 +434,7 @@ static void add_part(const struct assembly *a, struct output *to, size_t face,
         if (!position.placed[0]) {
             return;
         }
-        batch.x[i][0] = position.x[0];
-        batch.y[i][0] = position.y[0];
+        batch.screen[i][0] = (struct fixed2){position.x[0], position.y[0]};
         depth[i] = position.depth[0];
         clipped.recip_w[i] = position.recip_w[0];
         clipped.weight[i] = corner[i]->weight;

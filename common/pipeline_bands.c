@@ -70,20 +70,40 @@ LANES_INLINE doubles depths_at(const struct depth_slopes *s, doubles e1, doubles
     return s->origin + e1 * s->k1 + e2 * s->k2;
 }
 
-/* An edge function at the centres of the pixels of a box: its value at pixel (0,0) of the box, its
- * steps, and what makes it negative where 0 is not inside. */
-struct box_edge {
-    int64_t origin, dx, dy, bias;
+/* A number for each corner or edge of a triangle, and a fourth that is of no use. */
+typedef double three __attribute__((vector_size(4 * sizeof(double))));
+typedef int32_t three_ints __attribute__((vector_size(4 * sizeof(int32_t))));
+typedef int64_t three_longs __attribute__((vector_size(4 * sizeof(int64_t))));
+
+LANES_INLINE three three_select(three_longs mask, three a, three b) {
+    return (three)((mask & (three_longs)a) + (~mask & (three_longs)b));
+}
+
+LANES_INLINE three to_three(three_ints whole) {
+    return __builtin_convertvector(whole, three);
+}
+
+/* The edge functions at the centres of the pixels of a box: their values at its pixel (0,0), their
+ * steps, and what makes them negative where 0 is not inside. All are whole numbers that a double
+ * holds: see guard_band_of(). */
+struct box_edges {
+    three origin, dx, dy, bias;
 };
 
-static struct box_edge box_edge(struct fixed2 a, struct fixed2 b) {
-    int64_t x_distance = b.x - a.x, y_distance = b.y - a.y;
-    bool top_left = y_distance < 0 || (y_distance == 0 && x_distance < 0);
-    return (struct box_edge){
-        .origin = y_distance * a.x - x_distance * a.y,
-        .dx = -y_distance * SUBPIXELS,
+/* Edge i lies opposite corner i; pixel (0,0) of the box is (left,bottom) of the image. */
+static struct box_edges find_box_edges(const struct fixed2 c[3], int left, int bottom) {
+    three_ints ax = {c[1].x, c[2].x, c[0].x}, ay = {c[1].y, c[2].y, c[0].y};
+    three_ints bx = {c[2].x, c[0].x, c[1].x}, by = {c[2].y, c[0].y, c[1].y};
+    three x_distance = to_three(bx - ax), y_distance = to_three(by - ay);
+    three a_right = to_three(ax - (left * SUBPIXELS + SUBPIXELS / 2));
+    three a_up = to_three(ay - (bottom * SUBPIXELS + SUBPIXELS / 2));
+    three_longs top_left = (y_distance < 0) | ((y_distance == 0) & (x_distance < 0));
+    three zero = {0};
+    return (struct box_edges){
+        .origin = y_distance * a_right - x_distance * a_up,
+        .dx = y_distance * -SUBPIXELS,
         .dy = x_distance * SUBPIXELS,
-        .bias = top_left ? 0 : -1,
+        .bias = three_select(top_left, zero, zero - 1),
     };
 }
 
@@ -101,15 +121,14 @@ LANES_INLINE doubles doubles_where_not(longs mask, doubles values, double other)
 /* The rows of a strip of pixels in which some may be inside all edges: there the greatest value of
  * each edge function in the strip, now that of row rows.begin, is not negative. A row more does no
  * harm. */
-LANES_INLINE struct span rows_of_strip(const struct box_edge e[3], struct span rows) {
-    double begin = 0, end = rows.end - rows.begin;
-    for (int i = 0; i < 3; i++) {
-        int64_t most = e[i].origin + e[i].bias + (e[i].dx > 0 ? e[i].dx * (TOGETHER - 1) : 0);
-        double zero = -(double)most / (double)e[i].dy;
-        double first = e[i].dy > 0 ? zero : 0, last = e[i].dy < 0 ? zero + 1 : end;
-        begin = first > begin ? first : begin;
-        end = last < end ? last : end;
-    }
+LANES_INLINE struct span rows_of_strip(const struct box_edges *e, struct span rows) {
+    three none = {0}, all = none + (rows.end - rows.begin);
+    three most = e->origin + e->bias + three_select(e->dx > 0, e->dx * (TOGETHER - 1), none);
+    three row_of_zero = -most / e->dy;
+    three first = three_select(e->dy > 0, row_of_zero, none);
+    three last = three_select(e->dy < 0, row_of_zero + 1, all);
+    double begin = most_of_three((double[]){first[0], first[1], first[2]});
+    double end = least_of_three((double[]){last[0], last[1], last[2]});
     if (!(begin < end)) {
         return (struct span){rows.begin, rows.begin};
     }
@@ -124,36 +143,33 @@ static void cover_box(struct band *band, const struct piece *piece, struct span 
     const struct scratch *scratch = band->scratch;
     int left = columns.begin / TOGETHER * TOGETHER;
     bool reordered = band->reordered, high = rows.end - rows.begin > HIGH_BOX;
-    struct fixed2 c[3];
-    for (int i = 0; i < 3; i++) { /* from the centre of the box's first pixel */
-        c[i].x = piece->corner[i].x - left * SUBPIXELS - SUBPIXELS / 2;
-        c[i].y = piece->corner[i].y - rows.begin * SUBPIXELS - SUBPIXELS / 2;
-    }
-    struct box_edge e[3] = {box_edge(c[1], c[2]), box_edge(c[2], c[0]), box_edge(c[0], c[1])};
-    struct depth_slopes slopes = find_depth_slopes(piece, e[0].origin + e[1].origin + e[2].origin);
-    /* In double, as the depths are, and as exact as whole numbers. */
+    struct box_edges e = find_box_edges(piece->corner, left, rows.begin);
+    struct depth_slopes slopes = find_depth_slopes(piece, e.origin[0] + e.origin[1] + e.origin[2]);
     longs covered = band->covered;
     doubles right[3], up[3], bias[3];
     for (int i = 0; i < 3; i++) {
-        right[i] = (double)e[i].dx * doubles_from(0);
-        up[i] = (double)e[i].dy + (doubles){0};
-        bias[i] = (double)e[i].bias + (doubles){0};
+        right[i] = e.dx[i] * doubles_from(0);
+        up[i] = e.dy[i] + (doubles){0};
+        bias[i] = e.bias[i] + (doubles){0};
     }
     for (int x = left; x < columns.end; x += TOGETHER) {
-        struct span within = high ? rows_of_strip(e, rows) : rows;
-        int above = within.begin - rows.begin;
-        doubles e0 = (double)(e[0].origin + e[0].dy * above + e[0].bias) + right[0];
+        struct span within = rows;
+        three first = e.origin;
+        if (high) {
+            within = rows_of_strip(&e, rows);
+            first += e.dy * (within.begin - rows.begin);
+        }
+        doubles e0 = first[0] + e.bias[0] + right[0];
+        doubles e1 = first[1] + right[1], e2 = first[2] + right[2];
         if (cut) {
             e0 = doubles_where_not(columns_beyond(x, columns), e0, -INFINITY);
         }
-        doubles e1 = (double)(e[1].origin + e[1].dy * above) + right[1];
-        doubles e2 = (double)(e[2].origin + e[2].dy * above) + right[2];
         size_t place = place_in_band(within.begin - band->rows.begin, x);
         double *depths = scratch->depth + place;
         uint32_t *numbers = scratch->number + place;
         for (int y = within.begin; y < within.end; y++) {
-            doubles first = e1 + bias[1], second = e2 + bias[2];
-            longs outside = ((longs)e0 | (longs)first | (longs)second) < 0; /* by their signs */
+            doubles biased1 = e1 + bias[1], biased2 = e2 + bias[2];
+            longs outside = ((longs)e0 | (longs)biased1 | (longs)biased2) < 0; /* by their signs */
             covered += outside + 1;
             cover_pixels(depths, numbers, outside, depths_at(&slopes, e1, e2), number, reordered);
             e0 += up[0];
@@ -163,9 +179,7 @@ static void cover_box(struct band *band, const struct piece *piece, struct span 
             numbers += CHUNK;
         }
         touch(band, x, within);
-        for (int i = 0; i < 3; i++) {
-            e[i].origin += e[i].dx * TOGETHER;
-        }
+        e.origin += e.dx * TOGETHER;
     }
     band->covered = covered;
 }

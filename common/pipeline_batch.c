@@ -169,12 +169,36 @@ LANES_INLINE void many_store(int32_t *to, many values) {
     memcpy(to, &values, sizeof values);
 }
 
+/* Corners whose x and y lie side by side in memory. */
+LANES_INLINE struct corners corners_load(const struct fixed2 *from) {
+#if defined(LANES_SHUFFLE) && LANES <= 16
+    many a = many_load(&from[0].x), b = many_load(&from[FACES / 2].x);
+#if LANES == 16
+    return (struct corners){
+        LANES_SHUFFLE(a, b, 0, 2, 4, 6, 8, 10, 12, 14, 16, 18, 20, 22, 24, 26, 28, 30),
+        LANES_SHUFFLE(a, b, 1, 3, 5, 7, 9, 11, 13, 15, 17, 19, 21, 23, 25, 27, 29, 31)};
+#elif LANES == 8
+    return (struct corners){LANES_SHUFFLE(a, b, 0, 2, 4, 6, 8, 10, 12, 14),
+                            LANES_SHUFFLE(a, b, 1, 3, 5, 7, 9, 11, 13, 15)};
+#else
+    return (struct corners){LANES_SHUFFLE(a, b, 0, 2, 4, 6), LANES_SHUFFLE(a, b, 1, 3, 5, 7)};
+#endif
+#else
+    struct corners corners;
+    for (int i = 0; i < FACES; i++) {
+        corners.x[i] = from[i].x;
+        corners.y[i] = from[i].y;
+    }
+    return corners;
+#endif
+}
+
 /* Classify the triangles from `at` on. */
 LANES_INLINE void classify(struct batch *batch, size_t at, const struct draw_call *call,
                            bool skip) {
     struct corners c[3];
     for (int i = 0; i < 3; i++) {
-        c[i] = (struct corners){many_load(&batch->x[i][at]), many_load(&batch->y[i][at])};
+        c[i] = corners_load(&batch->screen[i][at]);
     }
     many winding = find_windings(c), clockwise = winding < 0, no_area = winding == 0;
     many culled = find_culled(clockwise, call->cull), turned_away = {0}, missed = {0};

@@ -584,8 +584,8 @@ struct depth_slopes {
     double origin, k1, k2; /* z0, (z1 - z0) / area, (z2 - z0) / area */
 };
 
-static inline struct depth_slopes find_depth_slopes(const struct piece *piece, int64_t area) {
-    double scale = 1 / (double)area;
+static inline struct depth_slopes find_depth_slopes(const struct piece *piece, double area) {
+    double scale = 1 / area;
     const double *z = piece->depth;
     return (struct depth_slopes){z[0], (z[1] - z[0]) * scale, (z[2] - z[0]) * scale};
 }
@@ -658,7 +658,7 @@ KERNEL void shade_piece_at_once(const struct shading *s, const struct shader *sh
     struct planes planes;
     fetch_planes(s, shader, piece, &planes);
     s->work->fetched++;
-    struct depth_slopes slopes = find_depth_slopes(piece, edges.area);
+    struct depth_slopes slopes = find_depth_slopes(piece, (double)edges.area);
     struct span rows = span_overlap((struct span){edges.y_begin, edges.y_end}, s->draw->rows);
     rows = span_overlap(rows, s->rows);
     for (int y = rows.begin; y < rows.end; y++) {

@@ -15,7 +15,7 @@
 
 /* As many as 64-bit numbers fit into a register of the processor. */
 #ifndef TOGETHER
-enum { TOGETHER = LANES > 4 ? LANES / 2 : 4 };
+enum { TOGETHER = LANES > 4 ? LANES / 2 : 2 };
 #endif
 typedef int32_t ints __attribute__((vector_size(TOGETHER * sizeof(int32_t))));
 typedef int64_t longs __attribute__((vector_size(TOGETHER * sizeof(int64_t))));
@@ -78,7 +78,7 @@ struct batch {
     size_t count; /* behind them may be anything that fits the screen */
     /* Their corners on the screen, in 1/256 pixel (anything, where a corner has no place there),
      * and the sides that all of the corners, and any of them, are beyond. */
-    int32_t x[3][BATCH_SIZE], y[3][BATCH_SIZE];
+    struct fixed2 screen[3][BATCH_SIZE];
     int32_t beyond_all[BATCH_SIZE], beyond_any[BATCH_SIZE];
     /* Found by batch_classify(); all but the first only of what is whole: */
     int32_t kind[BATCH_SIZE]; /* of enum triangle_kind */

@@ -515,7 +515,7 @@ static bool shrink_soup_case(const void *failing, unsigned attempt, void *smalle
 static void print_soup_case(const void *failing) {
     const struct soup_case *c = failing;
     struct soup soup;
-    soup_make(&soup, c->seed, (enum soup_kind)c->kind, c->faces);
+    soup_make(&soup, c->seed, (enum soup_kind)c->kind, c->faces, (long double)INFINITY);
     soup_print(&soup);
 }
 
@@ -545,7 +545,7 @@ static void scenery_free(struct scenery *scenery) {
 static bool scenery_create(struct scenery *s, const struct soup_case *c) {
     struct error error;
     *s = (struct scenery){.depth = NULL};
-    soup_make(&s->soup, c->seed, (enum soup_kind)c->kind, c->faces);
+    soup_make(&s->soup, c->seed, (enum soup_kind)c->kind, c->faces, (long double)INFINITY);
     s->state.positions = s->positions;
     s->model = s->soup.model;
     s->model.faces = s->faces;

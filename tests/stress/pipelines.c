@@ -45,7 +45,7 @@ static bool shrink_soup(const void *failing, unsigned attempt, void *smaller) {
 static void print_soup(const void *failing) {
     const struct soup_case *c = failing;
     struct soup soup;
-    soup_make(&soup, c->seed, (enum soup_kind)c->kind, c->faces);
+    soup_make(&soup, c->seed, (enum soup_kind)c->kind, c->faces, SOUP_REACH);
     soup_print(&soup);
 }
 
@@ -259,7 +259,7 @@ static bool judge_faces(const void *tried, struct tally *tally) {
     const struct soup_case *c = tried;
     struct soup soup;
     struct drawing drawing;
-    soup_make(&soup, c->seed, (enum soup_kind)c->kind, c->faces);
+    soup_make(&soup, c->seed, (enum soup_kind)c->kind, c->faces, SOUP_REACH);
     bool right = drawing_create(&drawing, soup.width, soup.height, c->seed) &&
                  draw_faces(&drawing, &soup, c->seed);
     for (int y = 0; right && y < (int)soup.height; y++) {
@@ -291,7 +291,7 @@ static bool judge_values(const void *tried, struct tally *tally) {
     const struct soup_case *c = tried;
     struct soup soup;
     struct drawing drawing;
-    soup_make(&soup, c->seed, (enum soup_kind)c->kind, c->faces);
+    soup_make(&soup, c->seed, (enum soup_kind)c->kind, c->faces, SOUP_REACH);
     bool right = drawing_create(&drawing, soup.width, soup.height, c->seed) &&
                  draw_faces(&drawing, &soup, c->seed) && draw_values(&drawing, &soup, c->seed);
     for (int y = 0; right && y < (int)soup.height; y++) {

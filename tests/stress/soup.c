@@ -7,7 +7,7 @@
 #include <math.h>
 #include <stdio.h>
 
-static const long double near_w = 1.0L / 128, guard_band = 64;
+static const long double near_w = 1.0L / 128;
 
 /* ---- The camera and the viewport ---- */
 
@@ -58,9 +58,10 @@ static void choose_camera(struct soup *soup, struct random *random) {
 /* ---- Corners ---- */
 
 /* Where corners of the largest images lie: inside, beside the sides, far out, farther still. */
-static double far_place(struct random *random) {
-    static const double least[] = {-1, 0.97, -1.1, 63, -63.9, 9000, -10000};
-    static const double most[] = {1, 1.1, -0.97, 63.9, -63, 10000, -9000};
+static double far_place(const struct soup *soup, struct random *random) {
+    double guard = (double)soup->guard_band, inner = 0.98 * guard, outer = 0.998 * guard;
+    const double least[] = {-1, 0.97, -1.1, inner, -outer, 9000, -10000};
+    const double most[] = {1, 1.1, -0.97, outer, -inner, 10000, -9000};
     uint64_t choice = random_bits(random) % 12;
     choice = choice < 7 ? choice : 0;
     return random_real(random, least[choice], most[choice]);
@@ -70,8 +71,8 @@ static double far_place(struct random *random) {
 static struct vec2 ndc_place(const struct soup *soup, struct random *random) {
     double reach = random_bits(random) % 8 == 0 && soup->kind == SOUP_STEEP ? 60 : 2;
     double x = random_real(random, -reach, reach), y = random_real(random, -reach, reach);
-    x = soup->kind == SOUP_WIDE ? far_place(random) : x;
-    y = soup->kind == SOUP_HIGH ? far_place(random) : y;
+    x = soup->kind == SOUP_WIDE ? far_place(soup, random) : x;
+    y = soup->kind == SOUP_HIGH ? far_place(soup, random) : y;
     return (struct vec2){x, y};
 }
 
@@ -120,7 +121,7 @@ enum { HALF_PLANES = 8 };
 /* A place in the face's plane is given by weights of its corners. What is seen of the face is where
  * eight linear functions of the weights are not negative: the weights themselves, what w is above
  * the near plane, and the distances to the four sides of the guard band. */
-static void find_half_planes(const struct homogeneous corner[3],
+static void find_half_planes(const struct homogeneous corner[3], long double guard_band,
                              long double function[HALF_PLANES][3]) {
     for (int i = 0; i < 3; i++) {
         const long double *c = corner[i].at;
@@ -183,10 +184,10 @@ struct found_corner {
 };
 
 /* All places where two of the lines cross and nothing is outside. False where that is not sure. */
-static bool find_polygon(const struct homogeneous corner[3],
+static bool find_polygon(const struct homogeneous corner[3], long double guard_band,
                          struct found_corner found[SOUP_POLYGON_LIMIT], size_t *count) {
     long double function[HALF_PLANES][3];
-    find_half_planes(corner, function);
+    find_half_planes(corner, guard_band, function);
     *count = 0;
     for (int i = 0; i < HALF_PLANES; i++) {
         for (int k = i + 1; k < HALF_PLANES; k++) {
@@ -271,7 +272,7 @@ static bool see_face(const struct soup *soup, size_t face, struct soup_polygon *
     for (size_t i = 0; i < 3; i++) {
         corner[i] = to_clip(soup, model_position(&soup->model, face, i));
     }
-    if (!find_polygon(corner, found, &polygon->count)) {
+    if (!find_polygon(corner, soup->guard_band, found, &polygon->count)) {
         return false;
     }
     put_in_order(found, polygon->count);
@@ -313,7 +314,13 @@ static void make_face(struct soup *soup, struct random *random, size_t face) {
     } while (!see_face(soup, face, &soup->polygons[face]));
 }
 
-void soup_make(struct soup *soup, uint64_t seed, enum soup_kind kind, size_t faces) {
+static long double guard_band_of(const struct rectangle *viewport, long double reach) {
+    long double larger = viewport->width > viewport->height ? viewport->width : viewport->height;
+    return fminl(64, reach / (larger / 2));
+}
+
+void soup_make(struct soup *soup, uint64_t seed, enum soup_kind kind, size_t faces,
+               long double reach) {
     struct random random = {seed};
     assert(faces <= SOUP_FACES);
     *soup = (struct soup){.kind = kind};
@@ -322,6 +329,7 @@ void soup_make(struct soup *soup, uint64_t seed, enum soup_kind kind, size_t fac
                                  .faces = soup->faces,
                                  .face_count = faces};
     choose_viewport(soup, &random);
+    soup->guard_band = guard_band_of(&soup->viewport, reach);
     if (kind == SOUP_CAMERA) {
         choose_camera(soup, &random);
     } else {

@@ -4,10 +4,10 @@
  * The answer is worked out in another way than the pipeline works: the camera from its geometry;
  * the part of a face that is seen as the place where eight half-planes meet, in weights of its
  * corners; coverage by 128-bit integers; depth and attributes by fractions or long double. What it
- * shares with the pipeline are three numbers: positions are rounded to 1/256 pixel, faces end at w
- * = 1/128, and their edges end where they leave NDC -64..64.
+ * shares with the pipeline are four numbers: positions are rounded to 1/256 pixel, faces end at w
+ * = 1/128, and their edges end where they leave NDC -64..64 or are 2^16 pixels from the middle.
  *
- *     soup_make(&soup, seed, SOUP_CAMERA, SOUP_FACES);
+ *     soup_make(&soup, seed, SOUP_CAMERA, SOUP_FACES, SOUP_REACH);
  *     ... draw soup.model with soup.to_clip into soup.viewport ...
  *     struct soup_hit hit = soup_look(&soup, face, x, y);
  */
@@ -25,15 +25,17 @@ enum soup_kind {
     SOUP_WHOLE,  /* no face is cut, and all numbers are so short that depths are exact fractions */
     SOUP_STEEP,  /* no face is cut; w from 1/64 to 1024 in one face */
     SOUP_CAMERA, /* around a camera anywhere: many faces are cut at the near plane or far outside */
-    SOUP_WIDE, /* an image of 16384 x 12 pixels; corners inside, just outside, at NDC 63.9, 10000 */
-    SOUP_HIGH, /* the same of 12 x 16384 */
+    SOUP_WIDE,   /* an image of 16384 x 12 pixels; corners inside, just outside, at the guard band,
+                * at NDC 10000 */
+    SOUP_HIGH,   /* the same of 12 x 16384 */
     SOUP_KINDS
 };
 
 enum {
     SOUP_FACES = 6,
     SOUP_CORNERS = 3 * SOUP_FACES,
-    SOUP_POLYGON_LIMIT = 8 /* a triangle cut at five planes */
+    SOUP_POLYGON_LIMIT = 8, /* a triangle cut at five planes */
+    SOUP_REACH = 65536      /* pixels: the pipeline's guard band goes no farther */
 };
 
 /* A corner of the part of a face that is seen. */
@@ -62,14 +64,17 @@ struct soup {
     /* Private. */
     enum soup_kind kind;
     long double exact_to_clip[4][4];
+    long double guard_band; /* in NDC */
     struct vec3 positions[SOUP_CORNERS];
     struct face faces[SOUP_FACES];
     struct soup_polygon polygons[SOUP_FACES];
 };
 
 /* Make the same soup from the same seed; with fewer faces, the first ones of it. No corner is
- * so near to the border between two steps of 1/256 pixel that it could be rounded either way. */
-void soup_make(struct soup *soup, uint64_t seed, enum soup_kind kind, size_t faces);
+ * so near to the border between two steps of 1/256 pixel that it could be rounded either way. Faces
+ * are cut at NDC -64..64, or `reach` pixels from the middle (SOUP_REACH, or INFINITY). */
+void soup_make(struct soup *soup, uint64_t seed, enum soup_kind kind, size_t faces,
+               long double reach);
 
 /* The least and the greatest right answer. They are the same for a whole triangle. Where a face was
  * cut, the polygon that is left may be drawn as any triangles between its corners, and these give

@@ -1,4 +1,4 @@
-/* The same triangles, twice as many at once: as on a processor with registers of 64 bytes. */
+/* The same triangles, sixteen at once: as on a processor with registers of 64 bytes. */
 #undef REAL
 #define REAL float
 #undef LANES
