@@ -170,7 +170,7 @@ static void cover_box(struct band *band, const struct piece *piece, struct span 
         for (int y = within.begin; y < within.end; y++) {
             doubles biased1 = e1 + bias[1], biased2 = e2 + bias[2];
             longs outside = ((longs)e0 | (longs)biased1 | (longs)biased2) < 0; /* by their signs */
-            covered += outside + 1;
+            covered += outside;
             cover_pixels(depths, numbers, outside, depths_at(&slopes, e1, e2), number, reordered);
             e0 += up[0];
             e1 += up[1];
@@ -178,6 +178,7 @@ static void cover_box(struct band *band, const struct piece *piece, struct span 
             depths += CHUNK;
             numbers += CHUNK;
         }
+        covered += within.end - within.begin; /* and -1 for each outside */
         touch(band, x, within);
         e.origin += e.dx * TOGETHER;
     }
