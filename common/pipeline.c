@@ -28,25 +28,33 @@ bool pipeline_create(struct pipeline *pipeline, size_t width, size_t height, str
     return true;
 }
 
-static void scratch_free(struct scratch *scratch) {
-    free(scratch->depth);
-    free(scratch->number);
-    free(scratch->touched);
-    free(scratch->farthest);
-    free(scratch->fetched);
-    free(scratch->planes);
-    *scratch = (struct scratch){0};
+static void visibility_free(struct visibility *visibility) {
+    free(visibility->depth);
+    free(visibility->number);
+    free(visibility->touched);
+    free(visibility->farthest);
+    *visibility = (struct visibility){0};
+}
+
+static void free_all_visibility(struct pipeline *p) {
+    struct visibility *visibility = p->visibility.data;
+    for (size_t i = 0; i < p->visibility_count; i++) {
+        visibility_free(&visibility[i]);
+    }
+    p->visibility_count = 0;
 }
 
 static void free_all_scratch(struct pipeline *p) {
     struct scratch *scratch = p->scratch.data;
     for (size_t i = 0; i < p->scratch_count; i++) {
-        scratch_free(&scratch[i]);
+        free(scratch[i].fetched);
+        free(scratch[i].planes);
     }
     p->scratch_count = 0;
 }
 
 void pipeline_free(struct pipeline *pipeline) {
+    free_all_visibility(pipeline);
     free_all_scratch(pipeline);
     workers_free(pipeline->workers);
     free(pipeline->depth);
@@ -62,6 +70,7 @@ void pipeline_free(struct pipeline *pipeline) {
     free(pipeline->piece_bands.data);
     free(pipeline->clipped.data);
     free(pipeline->visible.data);
+    free(pipeline->visibility.data);
     free(pipeline->band_work.data);
     free(pipeline->band_counts.data);
     free(pipeline->bins.data);
@@ -74,30 +83,40 @@ void pipeline_free(struct pipeline *pipeline) {
 /* Of the processor's cache. What is read at once does not reach into two lines. */
 enum { CACHE_LINE = 64 };
 
-/* Memory for one band, whose bin has at most that many pieces. */
-static bool scratch_reserve(struct scratch *scratch, const struct pipeline *p, size_t bin_size,
-                            struct error *error) {
+/* Room for a band, in which nothing is visible yet; left as it was when memory runs out. */
+static bool visibility_create(struct visibility *visibility, const struct pipeline *p,
+                              struct error *error) {
     size_t columns = chunk_columns(p), pixels = columns * CHUNK * BAND_HEIGHT;
-    if (scratch->depth == NULL) {
-        /* Behind the last number one more is read: see find_runs(). */
-        size_t depth_size = pixels * sizeof *scratch->depth;
-        size_t number_size = (pixels + CHUNK) * sizeof *scratch->number;
-        scratch->depth = aligned_alloc(CACHE_LINE, depth_size);
-        scratch->number = aligned_alloc(CACHE_LINE, number_size);
-        scratch->touched = calloc(columns, sizeof *scratch->touched);
-        scratch->farthest = malloc(columns * sizeof *scratch->farthest);
-        if (scratch->depth == NULL || scratch->number == NULL || scratch->touched == NULL ||
-            scratch->farthest == NULL) {
-            scratch_free(scratch);
-            return error_out_of_memory(error);
-        }
-        depth_clear(scratch->depth, pixels);
-        memset(scratch->number, 0, number_size);
+    /* Behind the last number one more is read: see find_runs(). */
+    size_t depth_size = pixels * sizeof *visibility->depth;
+    size_t number_size = (pixels + CHUNK) * sizeof *visibility->number;
+    struct visibility made = {
+        .depth = aligned_alloc(CACHE_LINE, depth_size),
+        .number = aligned_alloc(CACHE_LINE, number_size),
+        .touched = calloc(columns, sizeof *made.touched),
+        .farthest = malloc(columns * BAND_TILES * sizeof *made.farthest),
+        .columns = {(int)p->width, 0},
+    };
+    if (made.depth == NULL || made.number == NULL || made.touched == NULL ||
+        made.farthest == NULL) {
+        visibility_free(&made);
+        return error_out_of_memory(error);
     }
-    uint32_t *fetched = array_reserve(scratch->fetched, &scratch->fetched_capacity, bin_size + 1,
+    depth_clear(made.depth, pixels);
+    memset(made.number, 0, number_size);
+    depth_clear(made.farthest, columns * BAND_TILES);
+    *visibility = made;
+    return true;
+}
+
+/* Memory for the numbers of one band, 1 to that. */
+static bool scratch_reserve(struct scratch *scratch, const struct pipeline *p, size_t number,
+                            struct error *error) {
+    uint32_t *fetched = array_reserve(scratch->fetched, &scratch->fetched_capacity, number + 1,
                                       sizeof *scratch->fetched);
     scratch->fetched = fetched != NULL ? fetched : scratch->fetched;
-    size_t visible = bin_size < pixels ? bin_size : pixels;
+    size_t pixels = chunk_columns(p) * CHUNK * BAND_HEIGHT;
+    size_t visible = number < pixels ? number : pixels;
     struct planes *planes = array_reserve(scratch->planes, &scratch->plane_capacity, visible + 1,
                                           sizeof *scratch->planes);
     scratch->planes = planes != NULL ? planes : scratch->planes;
@@ -133,10 +152,10 @@ void pipeline_run(struct pipeline *p, size_t count, worker_function *work, void 
 /* ---- Draw calls ---- */
 
 const char *const pipeline_stat_name[PIPELINE_STATS] = {
-    "objects",       "objects_outside",   "vertices_transformed", "faces",
-    "faces_outside", "faces_turned_away", "faces_without_pixel",  "faces_clipped",
-    "faces_hidden",  "faces_behind",      "attribute_sets",       "pixels_covered",
-    "pixels_shaded",
+    "objects",        "objects_outside", "objects_hidden",    "vertices_transformed",
+    "faces",          "faces_outside",   "faces_turned_away", "faces_without_pixel",
+    "faces_clipped",  "faces_hidden",    "faces_behind",      "attribute_sets",
+    "pixels_covered", "pixels_shaded",
 };
 
 struct draw_call camera_call(const struct model *model, struct vec3 eye, struct vec3 center,
@@ -166,19 +185,9 @@ size_t wrapped_level(const struct texture *texture, double pixels) {
 
 void pipeline_clear(struct pipeline *pipeline) {
     pipeline->draw_count = pipeline->uniforms_end = 0;
-    pipeline->piece_end = pipeline->clipped_end = pipeline->recip_w_end = 0;
     pipeline->boxed = NULL;
     pipeline->discards = false;
     memset(pipeline->stats, 0, sizeof pipeline->stats);
-}
-
-/* The blocks of all draw calls so far. */
-static size_t block_count(const struct pipeline *p) {
-    if (p->draw_count == 0) {
-        return 0;
-    }
-    const struct draw *last = (const struct draw *)p->draws.data + p->draw_count - 1;
-    return last->first_block + last->block_count;
 }
 
 /* Uniforms lie at multiples of this: each in a line of the cache of its own, and, since malloc()
@@ -196,136 +205,52 @@ bool pipeline_draw(struct pipeline *p, const struct draw_call *call, const struc
         !buffer_reserve(&p->uniforms, p->uniforms_end + size, 1, error)) {
         return false;
     }
-    struct draw *draw = (struct draw *)p->draws.data + p->draw_count;
-    *draw = (struct draw){
-        .call = *call,
-        .shader = shader,
-        .uniforms = p->uniforms_end,
-        .first_block = block_count(p),
-    };
-    if (!pipeline_assemble(p, draw, error)) {
-        return false;
+    p->stats[STAT_OBJECTS]++;
+    p->stats[STAT_FACES] += call->model->face_count;
+    if (takes_shortcut(p, SHORTCUT_OUTSIDE) && pipeline_is_outside(p, call)) {
+        p->stats[STAT_OBJECTS_OUTSIDE]++;
+        p->stats[STAT_FACES_OUTSIDE] += call->model->face_count;
+        return true;
     }
+    struct draw *draws = p->draws.data;
+    draws[p->draw_count++] =
+        (struct draw){.call = *call, .shader = shader, .uniforms = p->uniforms_end};
     if (size > 0) {
         memcpy((char *)p->uniforms.data + p->uniforms_end, uniforms, size);
     }
     p->uniforms_end += (size + UNIFORMS_ALIGNMENT - 1) / UNIFORMS_ALIGNMENT * UNIFORMS_ALIGNMENT;
-    p->draw_count++;
     p->discards |= shader->discards;
     return true;
 }
 
-/* ---- The order of draw calls ---- */
-
-static uint64_t span_product(struct span columns, struct span rows) {
-    return (uint64_t)(columns.end - columns.begin) * (uint64_t)(rows.end - rows.begin);
-}
-
-/* Do the boxes of the draw calls on the screen overlap, for all that their areas tell? Pictures
- * side by side do not. */
-static bool draws_overlap(const struct pipeline *p) {
-    struct span columns = {INT_MAX, 0}, rows = columns;
-    uint64_t sum = 0;
-    for (size_t i = 0; i < p->draw_count; i++) {
-        const struct draw *draw = (const struct draw *)p->draws.data + i;
-        if (draw->columns.begin < draw->columns.end) {
-            columns = span_around(columns, draw->columns);
-            rows = span_around(rows, draw->rows);
-            sum += span_product(draw->columns, draw->rows);
-        }
-    }
-    return sum > 0 && sum > span_product(columns, rows);
-}
-
-/* A shader that discards needs the order of drawing. */
-static bool reorders_draws(const struct pipeline *p) {
-    return takes_shortcut(p, SHORTCUT_VISIBLE) && takes_shortcut(p, SHORTCUT_BEHIND) &&
-           !p->discards && draws_overlap(p);
-}
-
-/* ---- Sorting pieces into bands ---- */
-
-/* Write the pieces of a draw call's blocks into the bands' lists; `band_counts` are the places of
- * the next ones. */
-static void bin_block(const struct pipeline *p, size_t index) {
-    struct block *block = (struct block *)p->blocks.data + index;
-    const struct piece *pieces = (const struct piece *)p->pieces.data + block->first_piece;
-    const struct band_span *bands =
-        (const struct band_span *)p->piece_bands.data + block->first_piece;
-    uint32_t *next = (uint32_t *)p->band_counts.data + index * band_count(p);
-    uint32_t *binned = p->binned.data;
-    for (size_t i = 0; i < block->piece_count; i++) {
-        for (int band = bands[i].first; band <= bands[i].last; band++) {
-            binned[next[band]++] = (uint32_t)(block->first_piece + i);
-        }
-        if (p->reordered) {
-            double nearest = nearest_of_piece(&pieces[i]);
-            block->nearest = nearest > block->nearest ? nearest : block->nearest;
-        }
-    }
-}
-
-static void bin_one_block(void *context, size_t index, size_t worker) {
-    (void)worker;
-    const struct frame *frame = context;
-    bin_block(frame->pipeline, index);
-}
-
-/* Find where the list of each band begins, and in it the pieces of each block: counts become
- * places. Returns the size of the largest list. */
-static bool lay_out_bins(struct frame *frame, size_t *largest, struct error *error) {
-    struct pipeline *p = frame->pipeline;
-    size_t bands = band_count(p), place = 0;
-    *largest = 0;
-    if (!buffer_reserve(&p->bins, bands, sizeof(struct bin), error)) {
-        return false;
-    }
-    uint32_t *counts = p->band_counts.data;
-    struct bin *bins = p->bins.data;
-    for (size_t band = 0; band < bands; band++) {
-        bins[band].first = place;
-        for (size_t block = 0; block < frame->block_count; block++) {
-            uint32_t *count = &counts[block * bands + band];
-            place += *count;
-            *count = (uint32_t)(place - *count);
-        }
-        bins[band].count = place - bins[band].first;
-        *largest = bins[band].count > *largest ? bins[band].count : *largest;
-    }
-    if (place > INT_MAX) {
-        return error_set(error, "more than %d triangles in one frame", INT_MAX);
-    }
-    return buffer_reserve(&p->binned, place, sizeof(uint32_t), error);
-}
-
-/* The nearest first; of equally near ones the first drawn. */
-static int compare_draws(const void *left, const void *right) {
-    const struct draw_order *a = left, *b = right;
-    if (a->nearest != b->nearest) {
-        return a->nearest > b->nearest ? -1 : 1;
-    }
-    return (a->draw > b->draw) - (a->draw < b->draw);
-}
-
-static void order_draws(struct pipeline *p) {
-    struct draw *draws = p->draws.data;
-    const struct block *blocks = p->blocks.data;
-    struct draw_order *order = p->order.data;
-    for (size_t i = 0; i < p->draw_count; i++) {
-        draws[i].nearest = -INFINITY;
-        for (size_t k = 0; k < draws[i].block_count; k++) {
-            draws[i].nearest = fmax(draws[i].nearest, blocks[draws[i].first_block + k].nearest);
-        }
-        order[i] = (struct draw_order){draws[i].nearest, i};
-    }
-    if (p->reordered) {
-        qsort(order, p->draw_count, sizeof *order, compare_draws);
-    }
-}
-
 /* ---- The frame ---- */
 
-static bool reserve_scratch(struct pipeline *p, size_t largest_bin, struct error *error) {
+/* One for each thread, or, where it is kept from round to round, for each band. */
+static bool reserve_visibility(struct pipeline *p, size_t count, struct error *error) {
+    if (!buffer_reserve(&p->visibility, count, sizeof(struct visibility), error)) {
+        return false;
+    }
+    struct visibility *visibility = p->visibility.data;
+    bool reserved = true;
+    while (reserved && p->visibility_count < count) {
+        reserved = visibility_create(&visibility[p->visibility_count], p, error);
+        p->visibility_count += reserved;
+    }
+    return reserved;
+}
+
+/* The most numbers that a band has. */
+static size_t most_numbers(const struct pipeline *p, size_t rounds) {
+    size_t bands = band_count(p), most = 0;
+    const struct bin *last = (const struct bin *)p->bins.data + (rounds - 1) * bands;
+    for (size_t band = 0; band < bands; band++) {
+        size_t numbers = last[band].number + last[band].count;
+        most = numbers > most ? numbers : most;
+    }
+    return most;
+}
+
+static bool reserve_scratch(struct pipeline *p, size_t rounds, struct error *error) {
     size_t count = workers_count(p->workers);
     if (!buffer_reserve(&p->scratch, count, sizeof(struct scratch), error)) {
         return false;
@@ -334,9 +259,10 @@ static bool reserve_scratch(struct pipeline *p, size_t largest_bin, struct error
     for (; p->scratch_count < count; p->scratch_count++) {
         scratch[p->scratch_count] = (struct scratch){0};
     }
+    size_t numbers = most_numbers(p, rounds);
     bool reserved = true;
     for (size_t i = 0; i < count && reserved; i++) {
-        reserved = scratch_reserve(&scratch[i], p, largest_bin, error);
+        reserved = scratch_reserve(&scratch[i], p, numbers, error);
     }
     return reserved;
 }
@@ -377,35 +303,67 @@ static void count_hidden(struct pipeline *p) {
     }
 }
 
-bool pipeline_finish(struct pipeline *p, struct image *image, struct error *error) {
-    assert(image->width == p->width && image->height == p->height && image->format != IMAGE_GREY);
-    struct frame frame = {p, image, block_count(p), false};
-    size_t bands = band_count(p), largest_bin;
-    p->reordered = reorders_draws(p);
+/* Room for what does not depend on the model. */
+static bool begin_frame(struct frame *frame, struct error *error) {
+    struct pipeline *p = frame->pipeline;
+    size_t bands = band_count(p);
+    p->piece_end = p->clipped_end = p->recip_w_end = p->block_end = p->binned_end = 0;
     if (bands > 1) {
         start_workers(p);
     }
-    if (!lay_out_bins(&frame, &largest_bin, error) || !reserve_depth(p, error) ||
-        !reserve_touched(&frame, error) ||
-        !buffer_reserve(&p->order, p->draw_count, sizeof(struct draw_order), error) ||
-        !buffer_reserve(&p->visible, p->piece_end, sizeof(atomic_uchar), error) ||
-        !buffer_reserve(&p->band_work, bands, sizeof(struct pixel_work), error) ||
-        !reserve_scratch(p, largest_bin, error)) {
+    if (!reserve_depth(p, error) || !reserve_touched(frame, error) || !pipeline_order(p, error) ||
+        !buffer_reserve(&p->band_work, bands, sizeof(struct pixel_work), error)) {
         return false;
     }
-    atomic_uchar *visible = p->visible.data;
-    memset(visible, 0, p->piece_end * sizeof *visible);
-    pipeline_run(p, frame.block_count, bin_one_block, &frame);
-    order_draws(p);
-    pipeline_run(p, bands, pipeline_draw_band, &frame);
-    p->last_image = p->clearing == CLEAR_LAST_FRAME ? *image : (struct image){0};
+    memset(p->band_work.data, 0, bands * sizeof(struct pixel_work));
+    return true;
+}
+
+/* All but the shading. With one round only, pixels are not covered yet: that is done for a band
+ * when it is shaded, while it is in the cache. */
+static bool draw_rounds(struct frame *frame, struct error *error) {
+    struct pipeline *p = frame->pipeline;
+    do {
+        size_t first_block = p->block_end;
+        pipeline_next_round(frame);
+        frame->kept |= frame->draws.end < p->draw_count;
+        size_t count = frame->kept ? band_count(p) : workers_count(p->workers);
+        if (!reserve_visibility(p, count, error) || !pipeline_assemble_round(frame, error) ||
+            !pipeline_sort_round(frame, first_block, error)) {
+            return false;
+        }
+        if (frame->kept) {
+            pipeline_run(p, band_count(p), pipeline_cover_band, frame);
+        }
+    } while (frame->draws.end < p->draw_count);
+    return true;
+}
+
+/* What was done and skipped in the bands. */
+static void add_up_bands(struct pipeline *p) {
     const struct pixel_work *work = p->band_work.data;
-    for (size_t i = 0; i < bands; i++) {
+    for (size_t i = 0; i < band_count(p); i++) {
         p->stats[STAT_ATTRIBUTE_SETS] += work[i].fetched;
         p->stats[STAT_FACES_BEHIND] += work[i].behind;
         p->stats[STAT_PIXELS_COVERED] += work[i].covered;
         p->stats[STAT_PIXELS_SHADED] += work[i].shaded;
     }
     count_hidden(p);
+}
+
+bool pipeline_finish(struct pipeline *p, struct image *image, struct error *error) {
+    assert(image->width == p->width && image->height == p->height && image->format != IMAGE_GREY);
+    struct frame frame = {.pipeline = p, .image = image};
+    if (!begin_frame(&frame, error) || !draw_rounds(&frame, error) ||
+        !buffer_reserve(&p->visible, p->piece_end, sizeof(atomic_uchar), error) ||
+        !reserve_scratch(p, frame.round + 1, error)) {
+        free_all_visibility(p); /* of some bands, perhaps, there is something in it */
+        return false;
+    }
+    atomic_uchar *visible = p->visible.data;
+    memset(visible, 0, p->piece_end * sizeof *visible);
+    pipeline_run(p, band_count(p), pipeline_draw_band, &frame);
+    p->last_image = p->clearing == CLEAR_LAST_FRAME ? *image : (struct image){0};
+    add_up_bands(p);
     return true;
 }

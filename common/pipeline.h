@@ -9,21 +9,27 @@
  *
  * Draw calls are recorded, and the frame is drawn when it is finished:
  *
- *   1. pipeline_draw(): positions only. Every position is transformed once; every face is clipped,
- *      culled and, where it may cover a pixel, kept as one or more `pieces`.
- *   2. pipeline_finish() sorts the pieces into bands of rows. The depth and the piece numbers of a
- *      band stay in the processor's cache while the band is worked on:
+ *   1. assemble: positions only. Every position is transformed once; every face is clipped, culled
+ *      and, where it may cover a pixel, kept as one or more `pieces`.
+ *   2. sort: the pieces go into bands of rows. The depth and the piece numbers of a band stay in
+ *      the processor's cache while the band is worked on:
  *   3. cover: each pixel keeps the depth and the number of the piece that is nearest there;
  *   4. shade: the varyings of a piece that is visible somewhere are fetched once, and each visible
  *      pixel is shaded exactly once, several neighbours at a time (see lanes.h).
  *
+ * Where many objects overlap, 1 to 3 are done in rounds: first the nearest few objects, then twice
+ * as many, and so on. What a round covers hides objects of the next ones, which are not assembled
+ * then, and faces of others, which are not sorted.
+ *
  * Skipped, in this order, and counted (enum pipeline_stat): draw calls whose model lies beyond one
- * side of the view, as the box around it shows, before a position is transformed; faces off screen;
- * faces turned away; faces that reach no pixel centre; draw calls, then pieces, behind the farthest
- * depth that 16 columns of a band already show, for which the nearest draw calls are covered first;
- * attributes and shading of what is hidden after all, which costs one comparison a pixel. (Burns
- * and Hunt, "The Visibility Buffer", JCGT 2(2), 2013.) The pixels of a shader that may discard are
- * decided within step 3, in the order of drawing; with `skip` off everything is shaded there.
+ * side of the view, as the box around it shows, before a position is transformed; draw calls whose
+ * box is behind what earlier rounds show in every tile of 16x8 pixels, likewise; faces off screen;
+ * faces turned away; faces that reach no pixel centre; draw calls, and pieces, behind what a tile
+ * already shows, for which the nearest draw calls are covered first; attributes and shading of what
+ * is hidden after all, which costs one comparison a pixel. (Burns and Hunt, "The Visibility
+ * Buffer", JCGT 2(2), 2013; the farthest depth of a tile: Greene, Kass and Miller, "Hierarchical
+ * Z-Buffer Visibility", SIGGRAPH 1993.) The pixels of a shader that may discard are decided within
+ * step 3, in the order of drawing; with `skip` off everything is shaded there.
  *
  * Guarantees: every pixel of a mesh is drawn once, also across clipped faces; the image does not
  * depend on the number of threads, on `skip`, or on which corner of a face comes first. Of two
@@ -114,11 +120,13 @@ struct shader {
 
 /* ---- The pipeline ---- */
 
-/* What was done and what was skipped since pipeline_clear(). What is skipped with its object or as
- * a part of it is counted like what is skipped alone: FACES_OUTSIDE, FACES_HIDDEN. */
+/* What was done and what was skipped since pipeline_clear(), once the frame is finished. What is
+ * skipped with its object or as a part of it is counted like what is skipped alone: FACES_OUTSIDE,
+ * FACES_HIDDEN (of a hidden object all faces, also those that are outside or turned away). */
 enum pipeline_stat {
     STAT_OBJECTS,              /* draw calls */
     STAT_OBJECTS_OUTSIDE,      /* skipped: all of the model is beyond one side of the view */
+    STAT_OBJECTS_HIDDEN,       /* skipped: all of the model is behind nearer ones */
     STAT_VERTICES_TRANSFORMED, /* positions; skipped: those of objects outside */
     STAT_FACES,                /* asked for */
     STAT_FACES_OUTSIDE,        /* skipped: beyond one side of the viewport, or behind the eye */
@@ -126,9 +134,9 @@ enum pipeline_stat {
     STAT_FACES_WITHOUT_PIXEL,  /* skipped: too small, between pixel centres */
     STAT_FACES_CLIPPED,        /* cut at the near plane or the guard band */
     STAT_FACES_HIDDEN,         /* drawn, but behind others: no attribute fetched */
-    STAT_FACES_BEHIND,         /* of these, so far behind that no pixel was tested; in each band */
-    STAT_ATTRIBUTE_SETS,       /* fetched: once for each visible face in each band of rows */
-    STAT_PIXELS_COVERED,       /* depth tests */
+    STAT_FACES_BEHIND, /* of these, so far behind that no pixel was tested: once, or in each band */
+    STAT_ATTRIBUTE_SETS, /* fetched: once for each visible face in each band of rows */
+    STAT_PIXELS_COVERED, /* depth tests */
     STAT_PIXELS_SHADED,
     PIPELINE_STATS
 };
@@ -180,7 +188,8 @@ struct pipeline {
     struct buffer screens, depths, beyonds;
     struct buffer recip_w; /* of double: 1/w of the positions, of each draw call that is not flat */
     size_t recip_w_end;
-    struct buffer blocks;      /* of struct block */
+    struct buffer blocks; /* of struct block */
+    size_t block_end;
     struct buffer piece_bands; /* of struct band_span, for each piece */
     struct buffer pieces;      /* of struct piece; each block has a part of it */
     size_t piece_end;
@@ -188,10 +197,13 @@ struct pipeline {
     size_t clipped_end;
     struct buffer visible;     /* of atomic_uchar, for each piece: a pixel of it is visible */
     struct buffer band_counts; /* of uint32_t: pieces of a block in a band, then places */
-    struct buffer bins;        /* of struct bin, one a band */
-    struct buffer binned;      /* of uint32_t: indices of pieces, sorted by band */
-    struct buffer band_work;   /* of struct pixel_work, one a band */
-    struct buffer scratch;     /* of struct scratch, one a thread */
+    struct buffer bins;        /* of struct bin, one a band in each round */
+    struct buffer binned;      /* of uint32_t: indices of pieces, sorted by round and band */
+    size_t binned_end;
+    struct buffer band_work;  /* of struct pixel_work, one a band */
+    struct buffer visibility; /* of struct visibility, one a thread or one a band */
+    size_t visibility_count;
+    struct buffer scratch; /* of struct scratch, one a thread */
     size_t scratch_count;
     struct buffer last_touched; /* of uint32_t, by band and column of chunks: see struct scratch */
     struct image last_image;    /* whose they are: none unless CLEAR_LAST_FRAME */

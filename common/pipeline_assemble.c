@@ -4,10 +4,6 @@
 #include "pipeline_parts.h"
 
 #include <assert.h>
-#include <float.h>
-
-/* Nearer than this part of the camera's distance nothing is drawn: 1/w would grow without bound. */
-static const double near_w = 1.0 / 128;
 
 /* Faces are cut where they leave the guard band, NDC -64..64: far outside of the viewport, so that
  * few are. For large viewports it is narrower, 2^16 pixels to each side of the middle: so no side
@@ -16,9 +12,6 @@ static double guard_band_of(const struct rectangle *viewport) {
     int side = viewport->width > viewport->height ? viewport->width : viewport->height;
     return fmin(64, 0x1p17 / side);
 }
-
-/* A depth beyond this is no place to draw at: sums and differences of such might overflow. */
-static const double depth_limit = 1e280;
 
 enum { CLIP_PLANES = 5 };
 
@@ -90,7 +83,7 @@ LANES_INLINE doubles doubles_where(longs mask, doubles value) {
 LANES_INLINE longs find_beyond_sides(const struct clip_positions *p) {
     return (~(p->x >= -p->w) & BEYOND_LEFT) | (~(p->x <= p->w) & BEYOND_RIGHT) |
            (~(p->y >= -p->w) & BEYOND_BOTTOM) | (~(p->y <= p->w) & BEYOND_TOP) |
-           (~(p->w >= near_w) & BEYOND_NEAR);
+           (~(p->w >= NEAR_W) & BEYOND_NEAR);
 }
 
 LANES_INLINE longs find_beyond(const struct clip_positions *p, double guard_band) {
@@ -113,7 +106,7 @@ LANES_INLINE struct screen_positions project(const struct clip_positions *clip, 
     doubles recip_w = 1 / clip->w, depth = clip->z * recip_w;
     doubles x = viewport->x + (clip->x * recip_w + 1) * (viewport->width / 2.0);
     doubles y = viewport->y + (clip->y * recip_w + 1) * (viewport->height / 2.0);
-    longs placed = wanted & (doubles_abs(depth) <= depth_limit) & (doubles_abs(x) <= SCREEN_LIMIT) &
+    longs placed = wanted & (doubles_abs(depth) <= DEPTH_LIMIT) & (doubles_abs(x) <= SCREEN_LIMIT) &
                    (doubles_abs(y) <= SCREEN_LIMIT);
     return (struct screen_positions){
         .x = snap(doubles_where(placed, x)),
@@ -130,7 +123,7 @@ LANES_INLINE struct clip_positions clip_positions_all(struct vec4 p) {
                                    doubles_all(p.w)};
 }
 
-static unsigned find_beyond_one(struct vec4 p) {
+unsigned pipeline_beyond_sides(struct vec4 p) {
     struct clip_positions clip = clip_positions_all(p);
     return (unsigned)find_beyond_sides(&clip)[0];
 }
@@ -193,81 +186,13 @@ static void transform_block(void *context, size_t index, size_t worker) {
     }
 }
 
-/* ---- Objects outside the view ---- */
-
-/* Are a few of the positions beyond one side, as all of an object outside must be? Most objects in
- * view are found to be so by the first of them. */
-static bool may_be_outside(const struct draw_call *call) {
-    const struct model *model = call->model;
-    unsigned beyond = BEYOND_ONE_SIDE;
-    for (size_t i = 0; i < model->position_count && beyond != 0;
-         i += model->position_count / 8 + 1) {
-        beyond &= find_beyond_one(mat4_point(&call->to_clip, model->positions[i]));
-    }
-    return beyond != 0;
-}
-
-static struct box3 box_of_positions(const struct model *model) {
-    struct vec3 a = model->positions[0], b = a;
-    for (size_t i = 1; i < model->position_count; i++) {
-        struct vec3 p = model->positions[i];
-        a = (struct vec3){p.x < a.x ? p.x : a.x, p.y < a.y ? p.y : a.y, p.z < a.z ? p.z : a.z};
-        b = (struct vec3){p.x > b.x ? p.x : b.x, p.y > b.y ? p.y : b.y, p.z > b.z ? p.z : b.z};
-    }
-    return (struct box3){a, b};
-}
-
-/* Kept for the next draw call: many draw one model again and again, and it stays as it is until the
- * frame is finished. */
-static struct box3 find_box(struct pipeline *p, const struct model *model) {
-    if (p->boxed != model) {
-        p->box = box_of_positions(model);
-        p->boxed = model;
-    }
-    return p->box;
-}
-
-/* The sum of the absolute terms of a row of the matrix, for any point of the box. */
-static double sum_of_terms(const double row[4], struct box3 box) {
-    return fabs(row[0]) * fmax(fabs(box.least.x), fabs(box.greatest.x)) +
-           fabs(row[1]) * fmax(fabs(box.least.y), fabs(box.greatest.y)) +
-           fabs(row[2]) * fmax(fabs(box.least.z), fabs(box.greatest.z)) + fabs(row[3]);
-}
-
-/* Is the box beyond one side, so far that no rounding could bring a position in it back? Exactly, a
- * side's x + w (or the like) is least and greatest at corners of the box. Computed, x and w differ
- * from that by a few ulp of the sum of their terms; w is taken to be larger by more. */
-static bool box_is_outside(const struct mat4 *to_clip, struct box3 box) {
-    double terms = 0;
-    for (int row = 0; row < 4; row++) {
-        terms += row == 2 ? 0 : sum_of_terms(to_clip->m[row], box);
-    }
-    double roundings = 1e-14 * terms + DBL_MIN;
-    unsigned beyond = isfinite(roundings) ? BEYOND_ONE_SIDE : 0;
-    for (int i = 0; i < 8; i++) {
-        struct vec3 corner = {i & 1 ? box.greatest.x : box.least.x,
-                              i & 2 ? box.greatest.y : box.least.y,
-                              i & 4 ? box.greatest.z : box.least.z};
-        struct vec4 clip = mat4_point(to_clip, corner);
-        clip.w += roundings;
-        beyond &= find_beyond_one(clip);
-    }
-    return beyond != 0;
-}
-
-/* Would every face be found to be outside? */
-static bool is_outside(struct pipeline *p, const struct draw_call *call) {
-    return call->model->position_count > 0 && may_be_outside(call) &&
-           box_is_outside(&call->to_clip, find_box(p, call->model));
-}
-
 /* ---- Clipping ---- */
 
 /* Signed distances to the planes, positive inside. */
 static double plane_distance(struct vec4 p, int plane, double guard_band) {
     switch (plane) {
     case 0:
-        return p.w - near_w;
+        return p.w - NEAR_W;
     case 1:
         return guard_band * p.w + p.x;
     case 2:
@@ -355,14 +280,24 @@ struct output {
     struct band_span *piece_bands;
     struct clipped_corners *clipped;
     uint32_t *band_counts;
+    const struct pipeline *hiding; /* rounds before this one hide what lies behind; or NULL */
+    uint32_t draw;                 /* which draw call the pieces are of */
 };
 
 /* Add a triangle of a batch that is whole. Corner 0 becomes the lowest, so that a face whose
  * corners are listed from another one on is computed in the same way, to the last bit; and the rest
- * follows counterclockwise. */
+ * follows counterclockwise. Not added, but counted, where it is hidden already. */
 static void add_piece(struct output *to, const struct batch *batch, size_t at, size_t face,
                       uint32_t clipped, const double depth[3]) {
     struct block *block = to->block;
+    struct span columns = {batch->left[at], batch->right[at] + 1};
+    struct span rows = {batch->bottom[at], batch->top[at] + 1};
+    if (to->hiding != NULL &&
+        pipeline_is_hidden(to->hiding, nearest_of_depths(depth), columns, rows)) {
+        block->stats[STAT_FACES_HIDDEN]++;
+        block->stats[STAT_FACES_BEHIND]++;
+        return;
+    }
     struct band_span *bands = &to->piece_bands[block->piece_count];
     struct piece *piece = &to->pieces[block->piece_count++];
     int order[3] = {batch->first[at], batch->second[at], 3 - batch->first[at] - batch->second[at]};
@@ -374,8 +309,7 @@ static void add_piece(struct output *to, const struct batch *batch, size_t at, s
     piece->face = (uint32_t)face;
     piece->clipped = clipped;
     piece->dropped = batch->culled[at] != 0;
-    struct span columns = {batch->left[at], batch->right[at] + 1};
-    struct span rows = {batch->bottom[at], batch->top[at] + 1};
+    piece->draw = to->draw;
     block->columns = span_around(block->columns, columns);
     block->rows = span_around(block->rows, rows);
     bands->first = (uint16_t)(rows.begin / BAND_HEIGHT);
@@ -519,6 +453,8 @@ static void assemble_block(void *context, size_t index, size_t worker) {
         .piece_bands = (struct band_span *)p->piece_bands.data + block->first_piece,
         .clipped = (struct clipped_corners *)p->clipped.data + block->first_clipped,
         .band_counts = (uint32_t *)p->band_counts.data + (a->draw->first_block + index) * bands,
+        .hiding = a->draw->round > 0 ? p : NULL,
+        .draw = (uint32_t)(a->draw - (const struct draw *)p->draws.data),
     };
     memset(to.band_counts, 0, bands * sizeof *to.band_counts);
     struct range range = block_range(index, a->draw->call.model->face_count);
@@ -561,8 +497,7 @@ static bool lay_out_blocks(struct pipeline *p, const struct assembly *a, struct 
     for (size_t i = 0; i < draw->block_count; i++) {
         struct block *block = &blocks[draw->first_block + i];
         struct range faces = block_range(i, face_count);
-        *block =
-            (struct block){.columns = {INT_MAX, 0}, .rows = {INT_MAX, 0}, .nearest = -INFINITY};
+        *block = (struct block){.columns = {INT_MAX, 0}, .rows = {INT_MAX, 0}};
         if (clips) {
             count_pieces(a, faces, block);
         } else {
@@ -609,7 +544,7 @@ static bool reserve_recip_w(struct pipeline *p, struct draw *draw, struct error 
     return buffer_reserve(&p->recip_w, p->recip_w_end, sizeof(double), error);
 }
 
-static bool assemble(struct pipeline *p, struct draw *draw, struct error *error) {
+bool pipeline_assemble(struct pipeline *p, struct draw *draw, struct error *error) {
     const struct model *model = draw->call.model;
     size_t vertex_blocks = (model->position_count + BLOCK_SIZE - 1) / BLOCK_SIZE;
     draw->block_count = (model->face_count + BLOCK_SIZE - 1) / BLOCK_SIZE;
@@ -639,16 +574,6 @@ static bool assemble(struct pipeline *p, struct draw *draw, struct error *error)
     }
     pipeline_run(p, draw->block_count, assemble_block, &assembly);
     add_up_blocks(p, draw);
+    p->block_end = blocks;
     return true;
-}
-
-bool pipeline_assemble(struct pipeline *p, struct draw *draw, struct error *error) {
-    p->stats[STAT_OBJECTS]++;
-    p->stats[STAT_FACES] += draw->call.model->face_count;
-    if (takes_shortcut(p, SHORTCUT_OUTSIDE) && is_outside(p, &draw->call)) {
-        p->stats[STAT_OBJECTS_OUTSIDE]++;
-        p->stats[STAT_FACES_OUTSIDE] += draw->call.model->face_count;
-        return true;
-    }
-    return assemble(p, draw, error);
 }

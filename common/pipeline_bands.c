@@ -11,10 +11,10 @@ enum { HIGH_BOX = 16 };
 /* A band that is being covered. */
 struct band {
     const struct pipeline *pipeline;
-    struct scratch *scratch;
+    size_t index;
+    struct visibility *visibility;
     struct span rows;
-    bool reordered;      /* the nearest draw calls are covered first */
-    struct span columns; /* those of its draw calls so far */
+    bool reordered; /* the nearest draw calls are covered first */
     uint64_t behind;
     longs covered; /* depth tests, to be added up */
 };
@@ -23,7 +23,7 @@ struct band {
 static void touch(const struct band *band, int x, struct span rows) {
     int begin = rows.begin - band->rows.begin, end = rows.end - band->rows.begin;
     uint64_t before_end = (UINT64_C(1) << end) - 1;
-    band->scratch->touched[x / CHUNK] |= (uint32_t)(before_end >> begin << begin);
+    band->visibility->touched[x / CHUNK] |= (uint32_t)(before_end >> begin << begin);
 }
 
 LANES_INLINE longs longs_from(int first) {
@@ -42,12 +42,47 @@ LANES_INLINE doubles doubles_from(int first) {
     return from + first;
 }
 
+LANES_INLINE bool longs_any(longs mask) {
+#if LANES > 1
+    return lanes_bits((lanes_int)mask) != 0;
+#else
+    return (mask[0] | mask[1]) != 0;
+#endif
+}
+
+/* The draw call of a piece of the band. */
+static uint32_t draw_of_number(const struct band *band, uint32_t number) {
+    const struct pipeline *p = band->pipeline;
+    const struct bin *bins = p->bins.data;
+    size_t bands = band_count(p), bin = band->index;
+    while (number > bins[bin].number + bins[bin].count) {
+        bin += bands;
+    }
+    const uint32_t *binned = (const uint32_t *)p->binned.data + bins[bin].first;
+    return ((const struct piece *)p->pieces.data)[binned[number - bins[bin].number - 1]].draw;
+}
+
+/* Where depths are equal: which of the old numbers are of a draw call that was drawn later than
+ * that? Rare, so one by one. */
+static void find_later(const struct band *band, const longs *equal, const ints *numbers,
+                       uint32_t draw, longs *later) {
+    for (int i = 0; i < TOGETHER; i++) {
+        bool is_later = (*equal)[i] != 0 && draw_of_number(band, (uint32_t)(*numbers)[i]) > draw;
+        (*later)[i] = -(int64_t)is_later;
+    }
+}
+
+/* What is drawn at pixels that a piece covers. */
+struct shown {
+    uint32_t number, draw;
+};
+
 /* Depths and numbers of neighbours become those of the piece where it covers (`outside`: no bit, or
- * all) and is nearer; with `reordered`, of equal depths that of the lowest number stays, otherwise
- * the first one. Without branches: each line is one or two instructions for all pixels. A depth of
- * all bits is no number, and not nearer than anything. */
-LANES_INLINE void cover_pixels(double *depths, uint32_t *numbers, longs outside, doubles z,
-                               uint32_t number, bool reordered) {
+ * all) and is nearer; of equal depths that of the first drawn stays: the one that is there, except
+ * with `reordered`, when the draw calls are asked. Without branches: each line is one or two
+ * instructions for all pixels. A depth of all bits is no number, and not nearer than anything. */
+LANES_INLINE void cover_pixels(const struct band *band, double *depths, uint32_t *numbers,
+                               longs outside, doubles z, struct shown piece, bool reordered) {
     doubles old_z;
     ints old_number;
     memcpy(&old_z, depths, sizeof old_z);
@@ -55,12 +90,16 @@ LANES_INLINE void cover_pixels(double *depths, uint32_t *numbers, longs outside,
     z = (doubles)((longs)z | outside);
     longs nearer = z > old_z;
     if (reordered) {
-        ints is_later = old_number > (int32_t)number;
-        nearer |= (z == old_z) & __builtin_convertvector(is_later, longs);
+        longs equal = z == old_z;
+        if (longs_any(equal)) {
+            longs later;
+            find_later(band, &equal, &old_number, piece.draw, &later);
+            nearer |= later;
+        }
     }
     z = (doubles)((nearer & (longs)z) + (~nearer & (longs)old_z)); /* `+`: see lanes_select() */
     ints is_new = __builtin_convertvector(nearer, ints);
-    old_number = (is_new & (int32_t)number) | (~is_new & old_number);
+    old_number = (is_new & (int32_t)piece.number) | (~is_new & old_number);
     memcpy(depths, &z, sizeof z);
     memcpy(numbers, &old_number, sizeof old_number);
 }
@@ -137,12 +176,13 @@ LANES_INLINE struct span rows_of_strip(const struct box_edges *e, struct span ro
 
 /* All pixels of a box, several tested at once: strip by strip, each from its lowest row on.
  * (Row by row, a processor would often be wrong about where the row ends.) `cut`: the piece reaches
- * beyond the columns. */
-static void cover_box(struct band *band, const struct piece *piece, struct span columns,
-                      struct span rows, bool cut, uint32_t number) {
-    const struct scratch *scratch = band->scratch;
+ * beyond the columns; `reordered`, a constant where it is called: see cover_pixels(). */
+LANES_INLINE void cover_box(struct band *band, const struct piece *piece, struct span columns,
+                            struct span rows, bool cut, uint32_t number, bool reordered) {
+    const struct visibility *visibility = band->visibility;
+    struct shown shown = {number, piece->draw};
     int left = columns.begin / TOGETHER * TOGETHER;
-    bool reordered = band->reordered, high = rows.end - rows.begin > HIGH_BOX;
+    bool high = rows.end - rows.begin > HIGH_BOX;
     struct box_edges e = find_box_edges(piece->corner, left, rows.begin);
     struct depth_slopes slopes = find_depth_slopes(piece, e.origin[0] + e.origin[1] + e.origin[2]);
     longs covered = band->covered;
@@ -165,13 +205,14 @@ static void cover_box(struct band *band, const struct piece *piece, struct span 
             e0 = doubles_where_not(columns_beyond(x, columns), e0, -INFINITY);
         }
         size_t place = place_in_band(within.begin - band->rows.begin, x);
-        double *depths = scratch->depth + place;
-        uint32_t *numbers = scratch->number + place;
+        double *depths = visibility->depth + place;
+        uint32_t *numbers = visibility->number + place;
         for (int y = within.begin; y < within.end; y++) {
             doubles biased1 = e1 + bias[1], biased2 = e2 + bias[2];
             longs outside = ((longs)e0 | (longs)biased1 | (longs)biased2) < 0; /* by their signs */
             covered += outside;
-            cover_pixels(depths, numbers, outside, depths_at(&slopes, e1, e2), number, reordered);
+            cover_pixels(band, depths, numbers, outside, depths_at(&slopes, e1, e2), shown,
+                         reordered);
             e0 += up[0];
             e1 += up[1];
             e2 += up[2];
@@ -187,18 +228,25 @@ static void cover_box(struct band *band, const struct piece *piece, struct span 
 
 /* ---- What is behind ---- */
 
-/* Find the farthest depth of a column of chunks. */
-static double find_farthest(const struct band *band, size_t chunk) {
+/* The rows of the band, counted from its lowest one, in which something is. */
+static struct span rows_in_band(const struct band *band, struct span rows) {
+    rows = span_overlap(rows, band->rows);
+    return (struct span){rows.begin - band->rows.begin, rows.end - band->rows.begin};
+}
+
+/* Find the farthest depth of a tile in a column of chunks. */
+static double find_farthest(const struct band *band, int chunk, int tile) {
     double least[CHUNK];
-    int rows = band->rows.end - band->rows.begin;
-    const double *depth = band->scratch->depth + chunk * CHUNK * BAND_HEIGHT;
-    if (band->scratch->touched[chunk] != (uint32_t)((UINT64_C(1) << rows) - 1)) {
+    int begin = tile * TILE_HEIGHT, rows = band->rows.end - band->rows.begin - begin;
+    uint32_t all = (UINT32_C(1) << (rows < TILE_HEIGHT ? rows : TILE_HEIGHT)) - 1;
+    if ((band->visibility->touched[chunk] >> begin & all) != all) {
         return -INFINITY;
     }
+    const double *depth = band->visibility->depth + place_in_band(begin, chunk * CHUNK);
     for (int i = 0; i < CHUNK; i++) {
         least[i] = INFINITY;
     }
-    for (int row = 0; row < rows; row++) {
+    for (int row = 0; row < rows && row < TILE_HEIGHT; row++) {
         for (int i = 0; i < CHUNK; i++) {
             least[i] = depth[i] < least[i] ? depth[i] : least[i];
         }
@@ -210,31 +258,28 @@ static double find_farthest(const struct band *band, size_t chunk) {
     return least[0];
 }
 
+/* After a draw call, where it may have covered something. */
 static void update_farthest(const struct band *band, const struct draw *draw) {
+    struct span rows = rows_in_band(band, draw->rows);
     for (int x = draw->columns.begin / CHUNK; x * CHUNK < draw->columns.end; x++) {
-        band->scratch->farthest[x] = find_farthest(band, (size_t)x);
+        double *farthest = band->visibility->farthest + x * BAND_TILES;
+        for (int tile = rows.begin / TILE_HEIGHT; tile * TILE_HEIGHT < rows.end; tile++) {
+            farthest[tile] = find_farthest(band, x, tile);
+        }
     }
 }
 
-/* Is all that is no nearer than that behind what these columns of the band already show? */
-static bool is_behind(const struct band *band, double nearest, struct span columns) {
-    bool behind = true;
-    for (int x = columns.begin / CHUNK; behind && x * CHUNK < columns.end; x++) {
-        behind = nearest < band->scratch->farthest[x];
-    }
-    return behind;
-}
-
-static void cover_piece(struct band *band, const struct draw *draw, const struct piece *piece,
-                        uint32_t number) {
+LANES_INLINE void cover_piece(struct band *band, const struct draw *draw, const struct piece *piece,
+                              uint32_t number, bool reordered) {
     const struct rectangle *v = &draw->call.viewport;
     struct span whole = columns_of(piece->corner), columns = columns_in(whole, v);
     bool cut = columns.begin > whole.begin || columns.end < whole.end;
     struct span rows = span_overlap(rows_in(rows_of(piece->corner), v), band->rows);
-    if (band->reordered && is_behind(band, nearest_of_piece(piece), columns)) {
+    if (reordered && is_behind(band->visibility, nearest_of_depths(piece->depth), columns,
+                               rows_in_band(band, rows))) {
         band->behind++;
     } else {
-        cover_box(band, piece, columns, rows, cut, number);
+        cover_box(band, piece, columns, rows, cut, number, reordered);
     }
 }
 
@@ -242,16 +287,17 @@ static void cover_piece(struct band *band, const struct draw *draw, const struct
 
 /* The columns of chunks that may be touched. */
 static struct span chunks_of_band(const struct band *band) {
-    return (struct span){band->columns.begin / CHUNK, (band->columns.end + CHUNK - 1) / CHUNK};
+    struct span columns = band->visibility->columns;
+    return (struct span){columns.begin / CHUNK, (columns.end + CHUNK - 1) / CHUNK};
 }
 
 /* Mark the pieces of which a pixel is visible. */
-static void mark_visible(const struct band *band) {
-    const struct scratch *scratch = band->scratch;
+static void mark_visible(const struct band *band, const struct scratch *scratch) {
+    const struct visibility *visibility = band->visibility;
     struct span chunks = chunks_of_band(band);
     for (int i = chunks.begin; i < chunks.end; i++) {
-        const uint32_t *number = scratch->number + place_in_band(0, i * CHUNK);
-        for (uint32_t rows = scratch->touched[i]; rows != 0; rows >>= 1) {
+        const uint32_t *number = visibility->number + place_in_band(0, i * CHUNK);
+        for (uint32_t rows = visibility->touched[i]; rows != 0; rows >>= 1) {
             for (int k = 0; (rows & 1) != 0 && k < CHUNK; k++) {
                 scratch->fetched[number[k]] = 1;
             }
@@ -262,21 +308,25 @@ static void mark_visible(const struct band *band) {
 
 /* Make the band what it was: nothing is drawn. Only what was touched has changed. */
 static void clear_band(const struct band *band) {
-    const struct scratch *scratch = band->scratch;
+    struct visibility *visibility = band->visibility;
     struct span chunks = chunks_of_band(band);
     for (int i = chunks.begin; i < chunks.end; i++) {
         size_t place = place_in_band(0, i * CHUNK);
-        for (uint32_t rows = scratch->touched[i]; rows != 0; rows >>= 1) {
+        for (uint32_t rows = visibility->touched[i]; rows != 0; rows >>= 1) {
             if ((rows & 1) != 0) {
                 for (int k = 0; k < CHUNK; k++) {
-                    scratch->depth[place + (size_t)k] = -INFINITY;
+                    visibility->depth[place + (size_t)k] = -INFINITY;
                 }
-                memset(scratch->number + place, 0, CHUNK * sizeof *scratch->number);
+                memset(visibility->number + place, 0, CHUNK * sizeof *visibility->number);
             }
             place += CHUNK;
         }
-        scratch->touched[i] = 0;
+        visibility->touched[i] = 0;
+        for (int tile = 0; tile < BAND_TILES; tile++) {
+            visibility->farthest[i * BAND_TILES + tile] = -INFINITY;
+        }
     }
+    visibility->columns = (struct span){(int)band->pipeline->width, 0};
 }
 
 static void keep_depth(const struct band *band) {
@@ -284,7 +334,7 @@ static void keep_depth(const struct band *band) {
     for (int y = band->rows.begin; y < band->rows.end; y++) {
         for (size_t x = 0; x < p->width; x++) {
             p->depth[(size_t)y * p->width + x] =
-                band->scratch->depth[place_in_band(y - band->rows.begin, (int)x)];
+                band->visibility->depth[place_in_band(y - band->rows.begin, (int)x)];
         }
     }
 }
@@ -330,102 +380,157 @@ static void call_shader(const struct shading *shading) {
     }
 }
 
-static void cover_draw(struct band *band, struct shading *shading) {
+/* Constant where it is called: see cover_pixels(). */
+LANES_INLINE void cover_pieces(struct band *band, const struct shading *shading, bool reordered) {
     const struct piece *pieces = band->pipeline->pieces.data;
-    if (shading->at_once || shading->shader->discards) {
-        struct shading decide = *shading;
-        decide.image = shading->at_once ? shading->image : NULL;
-        decide.at_once = true;
-        call_shader(&decide);
-        return;
-    }
     enum { PIECES_AHEAD = 8 }; /* so that the memory is asked for a piece before it is covered */
     for (int i = shading->numbers.begin; i < shading->numbers.end; i++) {
         if (i + PIECES_AHEAD < shading->numbers.end) {
             __builtin_prefetch(&pieces[shading->bin[i + PIECES_AHEAD]]);
         }
-        cover_piece(band, shading->draw, &pieces[shading->bin[i]], (uint32_t)i + 1);
+        cover_piece(band, shading->draw, &pieces[shading->bin[i]], (uint32_t)i + 1, reordered);
     }
 }
 
-/* The draw call's pieces in the band's list. */
-static struct span numbers_of_draw(const struct pipeline *p, const struct draw *draw, size_t band) {
-    const uint32_t *ends = p->band_counts.data;
-    size_t first = ((const struct bin *)p->bins.data)[band].first, bands = band_count(p);
-    size_t begin = draw->first_block, end = begin + draw->block_count; /* blocks */
-    return (struct span){begin > 0 ? (int)(ends[(begin - 1) * bands + band] - first) : 0,
-                         end > 0 ? (int)(ends[(end - 1) * bands + band] - first) : 0};
+static void cover_draw(struct band *band, const struct shading *shading) {
+    if (shading->at_once || shading->shader->discards) {
+        struct shading decide = *shading;
+        decide.image = shading->at_once ? shading->image : NULL;
+        decide.at_once = true;
+        call_shader(&decide);
+    } else if (band->reordered) {
+        cover_pieces(band, shading, true);
+    } else {
+        cover_pieces(band, shading, false);
+    }
 }
 
-/* Cover (first) or shade the pieces of all draw calls in the band. */
-static void draw_pieces(struct band *band, struct shading *shading, size_t index, bool cover) {
+/* The numbers of a draw call's pieces in the band. */
+static struct span numbers_of_draw(const struct band *band, const struct draw *draw) {
     const struct pipeline *p = band->pipeline;
-    const struct draw_order *order = p->order.data;
-    for (size_t i = 0; i < p->draw_count; i++) {
-        const struct draw *draw = (const struct draw *)p->draws.data + order[i].draw;
-        shading->draw = draw;
-        shading->shader = draw->shader;
-        shading->uniforms = (const char *)p->uniforms.data + draw->uniforms;
-        shading->numbers = numbers_of_draw(p, draw, index);
-        if (shading->numbers.begin == shading->numbers.end) {
+    size_t bands = band_count(p), begin = draw->first_block, end = begin + draw->block_count;
+    const struct bin *bin = (const struct bin *)p->bins.data + draw->round * bands + band->index;
+    const uint32_t *ends = (const uint32_t *)p->band_counts.data + band->index; /* of blocks */
+    if (begin == end) {
+        return (struct span){0, 0};
+    }
+    size_t before = begin > 0 ? ends[(begin - 1) * bands] : 0, number = bin->number;
+    before = before > bin->first ? before - bin->first : 0;
+    return (struct span){(int)(number + before),
+                         (int)(number + ends[(end - 1) * bands] - bin->first)};
+}
+
+/* Go on to a draw call. False where it has no piece in the band. */
+static bool next_draw(const struct band *band, struct shading *shading, size_t place) {
+    const struct pipeline *p = band->pipeline;
+    size_t index = ((const struct draw_order *)p->order.data)[place].draw, bands = band_count(p);
+    const struct draw *draw = (const struct draw *)p->draws.data + index;
+    const struct bin *bin = (const struct bin *)p->bins.data + draw->round * bands + band->index;
+    shading->draw = draw;
+    shading->shader = draw->shader;
+    shading->uniforms = (const char *)p->uniforms.data + draw->uniforms;
+    shading->bin = (const uint32_t *)p->binned.data + (bin->first - bin->number);
+    shading->numbers = numbers_of_draw(band, draw);
+    return shading->numbers.begin < shading->numbers.end;
+}
+
+static bool draw_is_behind(const struct band *band, const struct draw *draw) {
+    return band->reordered && is_behind(band->visibility, draw->nearest, draw->columns,
+                                        rows_in_band(band, draw->rows));
+}
+
+/* Cover the pieces of the round's draw calls in the band. */
+static void cover_draws(struct band *band, struct shading *shading, struct range draws) {
+    struct span *columns = &band->visibility->columns;
+    for (size_t i = draws.begin; i < draws.end; i++) {
+        if (!next_draw(band, shading, i)) {
             continue;
         }
-        bool behind = band->reordered && is_behind(band, draw->nearest, draw->columns);
-        band->columns = span_around(band->columns, draw->columns);
-        if (cover && behind) {
+        *columns = span_around(*columns, shading->draw->columns);
+        if (draw_is_behind(band, shading->draw)) {
             band->behind += (uint64_t)(shading->numbers.end - shading->numbers.begin);
-        } else if (cover) {
-            cover_draw(band, shading);
-            if (band->reordered) {
-                update_farthest(band, draw);
-            }
-        } else if (!behind) {
+            continue;
+        }
+        cover_draw(band, shading);
+        if (band->reordered) {
+            update_farthest(band, shading->draw);
+        }
+    }
+}
+
+/* Shade what is visible of all draw calls in the band. */
+static void shade_draws(const struct band *band, struct shading *shading) {
+    for (size_t i = 0; i < band->pipeline->draw_count; i++) {
+        if (next_draw(band, shading, i) && !draw_is_behind(band, shading->draw)) {
             call_shader(shading);
         }
     }
 }
 
+static struct band begin_band(const struct frame *frame, size_t index, size_t worker) {
+    struct pipeline *p = frame->pipeline;
+    int bottom = (int)index * BAND_HEIGHT, height = (int)p->height;
+    return (struct band){
+        .pipeline = p,
+        .index = index,
+        .visibility = (struct visibility *)p->visibility.data + (frame->kept ? index : worker),
+        .rows = {bottom, height - bottom < BAND_HEIGHT ? height : bottom + BAND_HEIGHT},
+        .reordered = p->reordered,
+    };
+}
+
+static struct shading begin_shading(const struct frame *frame, const struct band *band) {
+    struct pipeline *p = frame->pipeline;
+    return (struct shading){
+        .pipeline = p,
+        .visibility = band->visibility,
+        .rows = band->rows,
+        .image = frame->image,
+        .at_once = !takes_shortcut(p, SHORTCUT_VISIBLE),
+        .work = (struct pixel_work *)p->band_work.data + band->index,
+    };
+}
+
+static void count_covered(const struct band *band, struct pixel_work *work) {
+    work->behind += band->behind;
+    for (int i = 0; i < TOGETHER; i++) {
+        work->covered += (uint64_t)band->covered[i];
+    }
+}
+
+void pipeline_cover_band(void *context, size_t index, size_t worker) {
+    const struct frame *frame = context;
+    struct band band = begin_band(frame, index, worker);
+    struct shading shading = begin_shading(frame, &band);
+    cover_draws(&band, &shading, frame->draws);
+    count_covered(&band, shading.work);
+}
+
 void pipeline_draw_band(void *context, size_t index, size_t worker) {
     const struct frame *frame = context;
     struct pipeline *p = frame->pipeline;
-    const struct bin *bin = (const struct bin *)p->bins.data + index;
-    struct pixel_work *work = (struct pixel_work *)p->band_work.data + index;
+    const struct bin *bin =
+        (const struct bin *)p->bins.data + frame->round * band_count(p) + index; /* the last one */
     struct scratch *scratch = (struct scratch *)p->scratch.data + worker;
-    int bottom = (int)index * BAND_HEIGHT, height = (int)p->height;
-    struct span rows = {bottom, height - bottom < BAND_HEIGHT ? height : bottom + BAND_HEIGHT};
-    struct band band = {.pipeline = p,
-                        .scratch = scratch,
-                        .rows = rows,
-                        .reordered = p->reordered,
-                        .columns = {(int)p->width, 0}};
-    struct shading shading = {
-        .pipeline = p,
-        .scratch = scratch,
-        .bin = (const uint32_t *)p->binned.data + bin->first,
-        .rows = rows,
-        .image = frame->image,
-        .at_once = !takes_shortcut(p, SHORTCUT_VISIBLE),
-        .work = work,
-    };
-    *work = (struct pixel_work){0};
-    memset(scratch->fetched, 0, (bin->count + 1) * sizeof *scratch->fetched);
-    depth_clear(scratch->farthest, chunk_columns(p));
-    clear_image(frame, rows, index);
-    draw_pieces(&band, &shading, index, true);
-    if (!shading.at_once) {
-        mark_visible(&band);
-        draw_pieces(&band, &shading, index, false);
+    struct band band = begin_band(frame, index, worker);
+    struct shading shading = begin_shading(frame, &band);
+    shading.scratch = scratch;
+    memset(scratch->fetched, 0, (bin->number + bin->count + 1) * sizeof *scratch->fetched);
+    clear_image(frame, band.rows, index);
+    if (!frame->kept) {
+        cover_draws(&band, &shading, frame->draws);
+        count_covered(&band, shading.work);
     }
-    work->behind = band.behind;
-    for (int i = 0; i < TOGETHER; i++) {
-        work->covered += (uint64_t)band.covered[i];
+    if (!shading.at_once) {
+        mark_visible(&band, scratch);
+        shade_draws(&band, &shading);
     }
     if (p->depth != NULL) {
         keep_depth(&band);
     }
     if (p->clearing == CLEAR_LAST_FRAME) {
-        memcpy(last_touched(p, index), scratch->touched,
-               chunk_columns(p) * sizeof *scratch->touched);
+        memcpy(last_touched(p, index), band.visibility->touched,
+               chunk_columns(p) * sizeof *band.visibility->touched);
     }
     clear_band(&band);
 }

@@ -13,9 +13,10 @@
 enum { BAND_HEIGHT = 32 };
 _Static_assert(BAND_HEIGHT <= 32, "`touched` has a bit for each row");
 
-/* A row is divided into chunks of this many pixels, for however many LANES: what is touched, and
- * what is farthest, is known by the chunk. */
-enum { CHUNK = 16 };
+/* A row is divided into chunks of this many pixels, for however many LANES: what is touched is
+ * known by the chunk; and what is farthest, by the tile of some chunks one above the other. */
+enum { CHUNK = 16, TILE_HEIGHT = 8, BAND_TILES = BAND_HEIGHT / TILE_HEIGHT };
+_Static_assert(BAND_HEIGHT % TILE_HEIGHT == 0, "no tile lies in two bands");
 
 /* What `skip` switches on and off, so that each can be measured alone. */
 enum shortcut {
@@ -44,6 +45,7 @@ struct piece {
     uint32_t clipped;       /* which entry of `clipped` it has; NOT_CLIPPED for a whole face */
     uint8_t face_corner[3]; /* which corner of the face each corner is */
     bool dropped;           /* covers pixels but must not be drawn (culled, with skip off) */
+    uint32_t draw;          /* of which draw call */
 };
 
 /* Corners of a clipped piece as weights of its face's corners, and their 1/w. */
@@ -56,18 +58,20 @@ struct clipped_corners {
 struct draw {
     struct draw_call call;
     const struct shader *shader;
-    size_t uniforms; /* where they are in the pipeline's `uniforms` */
-    size_t first_block, block_count;
+    size_t uniforms;                 /* where they are in the pipeline's `uniforms` */
+    size_t round;                    /* in which it is covered */
+    size_t first_block, block_count; /* none while it is not assembled, or hidden as a whole */
     size_t first_recip_w; /* of its positions, in `recip_w`; without use where the shader is flat */
-    struct span columns, rows; /* that its pieces may cover */
+    struct span columns, rows; /* that it may cover: first its box, then its pieces */
     double nearest;            /* at least the depth of every pixel, where draws are reordered */
 };
 
-/* The pieces of a band, in the order in which they were drawn: `binned[first]` to
- * `binned[first + count - 1]`. A pixel's number is 0 where nothing is drawn, otherwise 1 + the
- * place of its piece in this list. */
+/* The pieces of a band that come in one round: `binned[first]` to `binned[first + count - 1]`. In a
+ * band pieces are numbered from 1 on, round after round, those of one round from `number + 1` on. A
+ * pixel has the number of its piece, or 0 where nothing is drawn. */
 struct bin {
     size_t first, count;
+    uint32_t number;
 };
 
 /* The work of a band. */
@@ -78,12 +82,18 @@ struct pixel_work {
     uint64_t shaded;  /* pixels */
 };
 
+/* What is visible of a band, so far. A thread's, for one band after the other; or, where a frame
+ * takes several rounds, a band's. */
+struct visibility {
+    double *depth;       /* of each pixel, at place_in_band(); minus infinity: nothing is drawn */
+    uint32_t *number;    /* the same, of its piece */
+    uint32_t *touched;   /* of each column of chunks, bit i: something may be drawn in row i */
+    double *farthest;    /* of each tile, those of a column together: at most every pixel's depth */
+    struct span columns; /* those of its draw calls so far */
+};
+
 /* The memory of a thread, for one band after the other. */
 struct scratch {
-    double *depth;     /* of each pixel, at place_in_band() */
-    uint32_t *number;  /* the same */
-    uint32_t *touched; /* of each column of chunks, bit i: something may be drawn in row i */
-    double *farthest;  /* in each column of chunks: at most the depth of every pixel */
     /* By a piece's number: 0 while nothing of it is visible, otherwise 1; and once its draw call is
      * shaded, what was fetched for it: the colour of a flat piece, or where its planes are. */
     uint32_t *fetched;
@@ -97,9 +107,10 @@ struct shading {
     const struct draw *draw;
     const struct shader *shader;
     const void *uniforms;
+    struct visibility *visibility;
     struct scratch *scratch;
-    const uint32_t *bin; /* piece indices, those of the whole band */
-    struct span numbers; /* those of the draw call */
+    const uint32_t *bin; /* piece indices: number n of the band's round is bin[n - 1] */
+    struct span numbers; /* those of the draw call: begin + 1 to end */
     struct span rows;    /* of the band */
     struct image *image; /* NULL: only decide what covers, for shaders that discard */
     bool at_once;        /* cover and shade piece by piece; otherwise shade what is visible */
@@ -544,8 +555,8 @@ KERNEL void shade_pixels(const struct shading *s, const struct shader *shader,
  * shaded: a processor foresees badly how many pieces there are, and would begin anew with texels
  * that are on their way. Returns how many pixels there were in each column. */
 KERNEL lanes_int shade_columns(const struct shading *s, const struct shader *shader, int x) {
-    const uint32_t *number = s->scratch->number + place_in_band(0, x);
-    uint32_t touched = s->scratch->touched[x / CHUNK];
+    const uint32_t *number = s->visibility->number + place_in_band(0, x);
+    uint32_t touched = s->visibility->touched[x / CHUNK];
     struct pixels pixels[BAND_HEIGHT];
     int count = 0;
     lanes_int shaded = {0};
@@ -608,7 +619,7 @@ KERNEL void shade_chunk_at_once(const struct shading *s, const struct shader *sh
                                 int x, int y, const struct edges *edges,
                                 const struct depth_slopes *slopes) {
     size_t first = place_in_band(y - s->rows.begin, x);
-    double *depths = s->scratch->depth + first;
+    double *depths = s->visibility->depth + first;
     for (int lane = 0; lane < CHUNK; lane += LANES) {
         double depth[LANES];
         uint32_t drawn[LANES];
@@ -630,11 +641,11 @@ KERNEL void shade_chunk_at_once(const struct shading *s, const struct shader *sh
         for (int i = 0; i < LANES; i++) {
             drawn[i] = drawn[i] && lanes_is_set(kept, i);
             depths[lane + i] = drawn[i] ? depth[i] : depths[lane + i];
-            uint32_t *old_number = &s->scratch->number[first + (size_t)(lane + i)];
+            uint32_t *old_number = &s->visibility->number[first + (size_t)(lane + i)];
             *old_number = drawn[i] ? number : *old_number;
         }
         s->work->shaded += count;
-        s->scratch->touched[x / CHUNK] |= UINT32_C(1) << (y - s->rows.begin);
+        s->visibility->touched[x / CHUNK] |= UINT32_C(1) << (y - s->rows.begin);
         if (s->image != NULL) {
             lanes_int mask;
             for (int i = 0; i < LANES; i++) {

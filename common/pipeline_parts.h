@@ -1,7 +1,4 @@
-/*
- * Private to the pipeline: what pipeline.c, pipeline_assemble.c, pipeline_batch.c and
- * pipeline_bands.c know of each other.
- */
+/* Private to the pipeline: what pipeline.c and the files pipeline_*.c know of each other. */
 #ifndef COMMON_PIPELINE_PARTS_H
 #define COMMON_PIPELINE_PARTS_H
 
@@ -39,7 +36,6 @@ struct block {
     size_t first_piece, piece_count;
     size_t first_clipped, clipped_count;
     struct span columns, rows; /* that the pieces may cover */
-    double nearest;            /* at least the depth of every pixel, where draws are reordered */
     uint64_t stats[PIPELINE_STATS];
 };
 
@@ -93,25 +89,71 @@ struct batch {
  * their box are not looked for. */
 void batch_classify(struct batch *batch, const struct draw_call *call, bool skip);
 
-/* Transform, clip and cull the model of a recorded draw call: fills its blocks. */
-bool pipeline_assemble(struct pipeline *pipeline, struct draw *draw, struct error *error);
+/* ---- Objects as a whole: pipeline_objects.c ---- */
+
+/* Nearer than this part of the camera's distance nothing is drawn: 1/w would grow without bound. */
+#define NEAR_W (1.0 / 128)
+
+/* A depth beyond this is no place to draw at: sums and differences of such might overflow. */
+#define DEPTH_LIMIT 1e280
+
+/* The sides of the view that a position in clip space is beyond, of BEYOND_ONE_SIDE. */
+unsigned pipeline_beyond_sides(struct vec4 clip);
+
+/* Would every face of the model be found to be outside? Often that is seen at once. */
+bool pipeline_is_outside(struct pipeline *pipeline, const struct draw_call *call);
+
+/* Find where a draw call may cover pixels (`columns` and `rows`, in the viewport) and what no depth
+ * of it is above (`nearest`; infinite where it reaches the near plane), before it is assembled. */
+void pipeline_place(struct pipeline *pipeline, struct draw *draw);
+
+/* ---- A frame and its rounds: pipeline_rounds.c ---- */
 
 /* What the threads that draw a frame share. */
 struct frame {
     struct pipeline *pipeline;
     struct image *image;
-    size_t block_count;
-    bool knows_last; /* the image is that of the last frame, of which is known what it touched */
+    size_t round;       /* this one */
+    struct range draws; /* that come in it, of the pipeline's `order` */
+    bool kept;          /* what is visible is kept from round to round, for each band */
+    bool knows_last;    /* the image is that of the last frame, of which is known what it touched */
 };
-
-/* Draw band `index` of a frame (context: struct frame): see worker_function. */
-void pipeline_draw_band(void *context, size_t index, size_t worker);
 
 /* A draw call's place in the order of covering. */
 struct draw_order {
     double nearest;
     size_t draw;
 };
+
+/* Find the order in which draw calls are covered. */
+bool pipeline_order(struct pipeline *pipeline, struct error *error);
+
+/* Go on to the next round; from all zero, to the first. */
+void pipeline_next_round(struct frame *frame);
+
+/* Is all that is no nearer than that, in some columns and rows, behind what the rounds before this
+ * one have covered? Only where that is kept. */
+bool pipeline_is_hidden(const struct pipeline *pipeline, double nearest, struct span columns,
+                        struct span rows);
+
+/* Assemble the draw calls of a round that are not hidden. */
+bool pipeline_assemble_round(const struct frame *frame, struct error *error);
+
+/* Sort the round's pieces, in the blocks from `first_block` on, into bands. */
+bool pipeline_sort_round(const struct frame *frame, size_t first_block, struct error *error);
+
+/* ---- Faces: pipeline_assemble.c; pixels: pipeline_bands.c ---- */
+
+/* Transform, clip and cull the model of a draw call: fills its blocks, which begin where the last
+ * ones ended. */
+bool pipeline_assemble(struct pipeline *pipeline, struct draw *draw, struct error *error);
+
+/* Cover the round's pieces in band `index` of a frame (context: struct frame, which is kept): see
+ * worker_function. */
+void pipeline_cover_band(void *context, size_t index, size_t worker);
+
+/* Draw band `index` of a frame: shade what is visible, and cover first, if it was not kept. */
+void pipeline_draw_band(void *context, size_t index, size_t worker);
 
 static inline struct span span_around(struct span a, struct span b) {
     return (struct span){a.begin < b.begin ? a.begin : b.begin, a.end > b.end ? a.end : b.end};
@@ -121,10 +163,9 @@ static inline size_t band_count(const struct pipeline *pipeline) {
     return (pipeline->height + BAND_HEIGHT - 1) / BAND_HEIGHT;
 }
 
-/* At least the depth of the piece at every pixel, whatever roundings: these amount to a few ulp of
- * its corners' depths. */
-static inline double nearest_of_piece(const struct piece *piece) {
-    const double *z = piece->depth;
+/* At least the depth at every pixel of a piece with those depths at its corners, whatever
+ * roundings: these amount to a few ulp of them. */
+static inline double nearest_of_depths(const double z[3]) {
     double most = z[0] > z[1] ? z[0] : z[1];
     return (most > z[2] ? most : z[2]) + 1e-14 * (fabs(z[0]) + fabs(z[1]) + fabs(z[2]));
 }
@@ -147,6 +188,20 @@ static inline struct span columns_in(struct span columns, const struct rectangle
 
 static inline struct span rows_in(struct span rows, const struct rectangle *viewport) {
     return span_overlap(rows, (struct span){viewport->y, viewport->y + viewport->height});
+}
+
+/* Is all that is no nearer than that behind what a band shows in every tile that some columns, and
+ * rows of the band, reach? */
+static inline bool is_behind(const struct visibility *band, double nearest, struct span columns,
+                             struct span rows) {
+    bool behind = true;
+    for (int x = columns.begin / CHUNK; behind && x * CHUNK < columns.end; x++) {
+        const double *farthest = band->farthest + x * BAND_TILES;
+        for (int tile = rows.begin / TILE_HEIGHT; behind && tile * TILE_HEIGHT < rows.end; tile++) {
+            behind = nearest < farthest[tile];
+        }
+    }
+    return behind;
 }
 
 #endif

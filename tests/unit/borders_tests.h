@@ -42,6 +42,7 @@ struct scene {
     struct part part[CALL_LIMIT];
     size_t count;
     size_t width, height;
+    size_t faces_a_call; /* a part is drawn in calls of so many faces; 0: in one */
 };
 
 static void add_face(struct part *part, const struct placed *placed) {
@@ -193,17 +194,38 @@ static void scribble(struct image *image) {
     memset(image->pixels, UNTOUCHED, image->width * image->height * image->format);
 }
 
+/* Some faces of a part, as a model of their own that must stay until the frame is finished. (The
+ * corners of face n are the positions from 3 n on.) */
+static bool draw_faces(struct pipeline *pipeline, const struct part *part, size_t first,
+                       size_t count, struct model *model, atomic_size_t *vertex_calls) {
+    struct error error;
+    struct number_uniforms uniforms = {part->first_number + (uint32_t)first, vertex_calls};
+    struct draw_call call = part->call;
+    *model = part->model;
+    model->positions += 3 * first;
+    model->position_count = 3 * count;
+    model->face_count = count;
+    call.model = model;
+    return pipeline_draw(pipeline, &call, part->shader, &uniforms, sizeof uniforms, &error);
+}
+
 static bool draw_on_top(struct pipeline *pipeline, const struct scene *scene, struct image *image,
                         size_t *vertex_calls) {
+    static struct model models[CALL_LIMIT * FACE_LIMIT];
     struct error error;
     atomic_size_t calls = 0;
+    size_t model = 0;
     bool done = true;
     pipeline_clear(pipeline);
     for (size_t i = 0; i < scene->count; i++) {
-        const struct part *part = &scene->part[i];
-        struct number_uniforms uniforms = {part->first_number, &calls};
-        done = done && pipeline_draw(pipeline, &part->call, part->shader, &uniforms,
-                                     sizeof uniforms, &error);
+        size_t faces = scene->part[i].model.face_count, first = 0;
+        do {
+            size_t left = faces - first, limit = scene->faces_a_call;
+            size_t count = limit > 0 && limit < left ? limit : left;
+            done = done &&
+                   draw_faces(pipeline, &scene->part[i], first, count, &models[model++], &calls);
+            first += count;
+        } while (first < faces);
     }
     done = done && pipeline_finish(pipeline, image, &error);
     *vertex_calls = calls;
@@ -544,6 +566,59 @@ static void test_walls(void) {
     image_free(&image);
 }
 
+/* Up to 300 draw calls of one to three faces each, before and behind a few that cover most of the
+ * image; many at equal depths. They come in rounds, not in their order, and some are hidden by the
+ * rounds before as a whole, others in part. */
+static void test_many_calls(void) {
+    static struct scene scene;
+    struct random random = {76};
+    struct pipeline pipeline;
+    struct image image = {0};
+    struct error error;
+    uint64_t hidden = 0, all = 0;
+    scene.count = 1, scene.width = 90, scene.height = 70;
+    CHECK(pipeline_create(&pipeline, 90, 70, &error));
+    CHECK(image_create(&image, 90, 70, IMAGE_BGR, &error));
+    for (int frame = 0; frame < 120; frame++) {
+        struct part *part = &scene.part[0];
+        part_begin(part, frame % 3 == 0 ? any_viewport(&random, &scene)
+                                        : (struct rectangle){0, 0, 90, 70});
+        part->shader = frame % 2 == 0 ? &number_shader : &flat_shader;
+        part->first_number = 1;
+        part->call.cull = (enum cull)(frame / 2 % 3);
+        scene.faces_a_call = (size_t)(1 + frame % 3);
+        size_t faces = (size_t)random_between(&random, 10, 300);
+        while (part->model.face_count < faces) {
+            struct placed placed;
+            any_face(&random, &scene, &placed);
+            add_face(part, &placed);
+            if (random_bits(&random) % 64 == 0) {
+                add_level_face(part, 256 * (int32_t)random_between(&random, 0, 90),
+                               256 * (int32_t)random_between(&random, 0, 40), 60 * 256,
+                               random_between(&random, 0, 48));
+            }
+        }
+        pipeline.skip = frame % 8 != 7;
+        pipeline.keep_depth = frame % 4 == 0;
+        pipeline_use_threads(&pipeline, (size_t)(1 + frame / 10 % 4));
+        struct work work;
+        struct answer *answers = answer(&scene, &work);
+        size_t calls;
+        if (CHECK(answers != NULL) && draw_scene(&pipeline, &scene, &image, &calls)) {
+            CHECK(frame_is_right(&pipeline, &image, answers));
+            CHECK(!pipeline.skip || calls == calls_needed(&scene, answers));
+            CHECK(part->call.cull != CULL_NONE ||
+                  counts_are_right(&pipeline, &scene, answers, &work));
+        }
+        hidden += pipeline.stats[STAT_OBJECTS_HIDDEN];
+        all += pipeline.stats[STAT_OBJECTS];
+        free(answers);
+    }
+    CHECK(hidden > 400 && hidden < all);
+    pipeline_free(&pipeline);
+    image_free(&image);
+}
+
 /* One near face, before thousands of others in the same call that lie behind a wall. */
 static void test_near_face_of_many(void) {
     static struct scene scene;
@@ -725,7 +800,7 @@ static void test_no_face_at_all(void) {
 }
 
 UNIT_MAIN(TEST(test_images_of_all_sizes), TEST(test_many_faces), TEST(test_walls),
-          TEST(test_near_face_of_many), TEST(test_large_faces), TEST(test_huge_faces),
-          TEST(test_every_face_shows), TEST(test_no_face_at_all))
+          TEST(test_many_calls), TEST(test_near_face_of_many), TEST(test_large_faces),
+          TEST(test_huge_faces), TEST(test_every_face_shows), TEST(test_no_face_at_all))
 
 #endif

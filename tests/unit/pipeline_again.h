@@ -5,25 +5,36 @@
 #ifndef TESTS_PIPELINE_AGAIN_H
 #define TESTS_PIPELINE_AGAIN_H
 
-#define batch_classify       again_batch_classify
-#define buffer_reserve       again_buffer_reserve
-#define camera_call          again_camera_call
-#define pipeline_assemble    again_pipeline_assemble
-#define pipeline_clear       again_pipeline_clear
-#define pipeline_create      again_pipeline_create
-#define pipeline_draw        again_pipeline_draw
-#define pipeline_draw_band   again_pipeline_draw_band
-#define pipeline_finish      again_pipeline_finish
-#define pipeline_free        again_pipeline_free
-#define pipeline_run         again_pipeline_run
-#define pipeline_stat_name   again_pipeline_stat_name
-#define pipeline_use_threads again_pipeline_use_threads
-#define wrapped_level        again_wrapped_level
+#define batch_classify          again_batch_classify
+#define buffer_reserve          again_buffer_reserve
+#define camera_call             again_camera_call
+#define pipeline_assemble       again_pipeline_assemble
+#define pipeline_assemble_round again_pipeline_assemble_round
+#define pipeline_beyond_sides   again_pipeline_beyond_sides
+#define pipeline_clear          again_pipeline_clear
+#define pipeline_cover_band     again_pipeline_cover_band
+#define pipeline_create         again_pipeline_create
+#define pipeline_draw           again_pipeline_draw
+#define pipeline_draw_band      again_pipeline_draw_band
+#define pipeline_finish         again_pipeline_finish
+#define pipeline_free           again_pipeline_free
+#define pipeline_is_hidden      again_pipeline_is_hidden
+#define pipeline_is_outside     again_pipeline_is_outside
+#define pipeline_next_round     again_pipeline_next_round
+#define pipeline_order          again_pipeline_order
+#define pipeline_place          again_pipeline_place
+#define pipeline_run            again_pipeline_run
+#define pipeline_sort_round     again_pipeline_sort_round
+#define pipeline_stat_name      again_pipeline_stat_name
+#define pipeline_use_threads    again_pipeline_use_threads
+#define wrapped_level           again_wrapped_level
 
 #include "../../common/pipeline.c"
 
 #include "../../common/pipeline_assemble.c"
 #include "../../common/pipeline_bands.c"
 #include "../../common/pipeline_batch.c"
+#include "../../common/pipeline_objects.c"
+#include "../../common/pipeline_rounds.c"
 
 #endif

@@ -1,0 +1,181 @@
+/* In which order draw calls are covered, in which rounds, and their pieces sorted into bands. See
+ * pipeline.h.
+ *
+ * Where objects overlap the nearest ones are covered first: whatever lies behind them is dropped by
+ * the tile. Where there are many, they come in rounds. The first has the nearest few; each one after
+ * it has as many as all before it, less those that are hidden as a whole, which are never
+ * assembled. */
+#include "pipeline.h"
+
+#include "pipeline_parts.h"
+
+/* The draw calls of the first round. */
+enum { FIRST_ROUND = 8 };
+
+/* ---- The order of draw calls ---- */
+
+static uint64_t span_product(struct span columns, struct span rows) {
+    return (uint64_t)(columns.end - columns.begin) * (uint64_t)(rows.end - rows.begin);
+}
+
+/* Do the boxes of the draw calls on the screen overlap, for all that their areas tell? Pictures
+ * side by side do not. */
+static bool draws_overlap(const struct pipeline *p) {
+    struct span columns = {INT_MAX, 0}, rows = columns;
+    uint64_t sum = 0;
+    for (size_t i = 0; i < p->draw_count; i++) {
+        const struct draw *draw = (const struct draw *)p->draws.data + i;
+        if (draw->columns.begin < draw->columns.end && draw->rows.begin < draw->rows.end) {
+            columns = span_around(columns, draw->columns);
+            rows = span_around(rows, draw->rows);
+            sum += span_product(draw->columns, draw->rows);
+        }
+    }
+    return sum > 0 && sum > span_product(columns, rows);
+}
+
+/* A shader that discards needs the order of drawing. */
+static bool reorders_draws(struct pipeline *p) {
+    if (!takes_shortcut(p, SHORTCUT_VISIBLE) || !takes_shortcut(p, SHORTCUT_BEHIND) ||
+        p->discards || p->draw_count < 2) {
+        return false;
+    }
+    for (size_t i = 0; i < p->draw_count; i++) {
+        pipeline_place(p, (struct draw *)p->draws.data + i);
+    }
+    return draws_overlap(p);
+}
+
+/* The nearest first; of equally near ones the first drawn. */
+static int compare_draws(const void *left, const void *right) {
+    const struct draw_order *a = left, *b = right;
+    if (a->nearest != b->nearest) {
+        return a->nearest > b->nearest ? -1 : 1;
+    }
+    return (a->draw > b->draw) - (a->draw < b->draw);
+}
+
+bool pipeline_order(struct pipeline *p, struct error *error) {
+    const struct draw *draws = p->draws.data;
+    if (!buffer_reserve(&p->order, p->draw_count, sizeof(struct draw_order), error)) {
+        return false;
+    }
+    struct draw_order *order = p->order.data;
+    p->reordered = reorders_draws(p);
+    for (size_t i = 0; i < p->draw_count; i++) {
+        order[i] = (struct draw_order){draws[i].nearest, i};
+    }
+    if (p->reordered) {
+        qsort(order, p->draw_count, sizeof *order, compare_draws);
+    }
+    return true;
+}
+
+void pipeline_next_round(struct frame *frame) {
+    const struct pipeline *p = frame->pipeline;
+    struct range *draws = &frame->draws;
+    frame->round = draws->end == 0 ? 0 : frame->round + 1;
+    draws->begin = draws->end;
+    draws->end = draws->begin == 0 ? FIRST_ROUND : 2 * draws->begin;
+    if (!p->reordered || p->draw_count < 2 * FIRST_ROUND || draws->end > p->draw_count) {
+        draws->end = p->draw_count;
+    }
+}
+
+/* ---- What is hidden ---- */
+
+bool pipeline_is_hidden(const struct pipeline *p, double nearest, struct span columns,
+                        struct span rows) {
+    const struct visibility *bands = p->visibility.data;
+    bool hidden = true;
+    for (int y = rows.begin; hidden && y < rows.end; y = (y / BAND_HEIGHT + 1) * BAND_HEIGHT) {
+        int bottom = y / BAND_HEIGHT * BAND_HEIGHT;
+        struct span band = span_overlap(rows, (struct span){bottom, bottom + BAND_HEIGHT});
+        hidden = is_behind(&bands[y / BAND_HEIGHT], nearest, columns,
+                           (struct span){band.begin - bottom, band.end - bottom});
+    }
+    return hidden;
+}
+
+bool pipeline_assemble_round(const struct frame *frame, struct error *error) {
+    struct pipeline *p = frame->pipeline;
+    const struct draw_order *order = p->order.data;
+    for (size_t i = frame->draws.begin; i < frame->draws.end; i++) {
+        struct draw *draw = (struct draw *)p->draws.data + order[i].draw;
+        draw->round = frame->round;
+        draw->first_block = p->block_end;
+        if (frame->round > 0 && pipeline_is_hidden(p, draw->nearest, draw->columns, draw->rows)) {
+            p->stats[STAT_OBJECTS_HIDDEN]++;
+            p->stats[STAT_FACES_HIDDEN] += draw->call.model->face_count;
+            p->stats[STAT_FACES_BEHIND] += draw->call.model->face_count;
+        } else if (!pipeline_assemble(p, draw, error)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/* ---- Sorting pieces into bands ---- */
+
+/* What the threads that sort share. */
+struct sorting {
+    const struct pipeline *pipeline;
+    size_t first_block;
+};
+
+/* Write the pieces of a block into the bands' lists; `band_counts` are the places of the next
+ * ones. */
+static void sort_block(void *context, size_t index, size_t worker) {
+    (void)worker;
+    const struct sorting *sorting = context;
+    const struct pipeline *p = sorting->pipeline;
+    size_t number = sorting->first_block + index;
+    const struct block *block = (const struct block *)p->blocks.data + number;
+    const struct band_span *bands =
+        (const struct band_span *)p->piece_bands.data + block->first_piece;
+    uint32_t *next = (uint32_t *)p->band_counts.data + number * band_count(p);
+    uint32_t *binned = p->binned.data;
+    for (size_t i = 0; i < block->piece_count; i++) {
+        for (int band = bands[i].first; band <= bands[i].last; band++) {
+            binned[next[band]++] = (uint32_t)(block->first_piece + i);
+        }
+    }
+}
+
+/* Find where the list of each band begins, and in it the pieces of each block: counts become
+ * places. */
+static bool lay_out_bins(struct pipeline *p, size_t round, size_t first_block,
+                         struct error *error) {
+    size_t bands = band_count(p), place = p->binned_end;
+    if (!buffer_reserve(&p->bins, (round + 1) * bands, sizeof(struct bin), error)) {
+        return false;
+    }
+    uint32_t *counts = p->band_counts.data;
+    struct bin *bins = (struct bin *)p->bins.data + round * bands;
+    for (size_t band = 0; band < bands; band++) {
+        const struct bin *before = round > 0 ? &bins[band] - bands : NULL;
+        bins[band].first = place;
+        bins[band].number = before != NULL ? before->number + (uint32_t)before->count : 0;
+        for (size_t block = first_block; block < p->block_end; block++) {
+            uint32_t *count = &counts[block * bands + band];
+            place += *count;
+            *count = (uint32_t)(place - *count);
+        }
+        bins[band].count = place - bins[band].first;
+    }
+    if (place > INT_MAX) {
+        return error_set(error, "more than %d triangles in one frame", INT_MAX);
+    }
+    p->binned_end = place;
+    return buffer_reserve(&p->binned, place, sizeof(uint32_t), error);
+}
+
+bool pipeline_sort_round(const struct frame *frame, size_t first_block, struct error *error) {
+    struct pipeline *p = frame->pipeline;
+    struct sorting sorting = {p, first_block};
+    if (!lay_out_bins(p, frame->round, first_block, error)) {
+        return false;
+    }
+    pipeline_run(p, p->block_end - first_block, sort_block, &sorting);
+    return true;
+}
