@@ -1,7 +1,8 @@
 /*
- * What x86 has an instruction for that gcc 12 and clang 14 do not find by themselves: here, and
- * nowhere else, the compiler is told which one is meant ("Intel 64 and IA-32 Architectures Software
- * Developer's Manual", volume 2). The plain C beside it says what it does. Private to lanes.h.
+ * What x86 has an instruction for that gcc 12 and clang 14 do not find by themselves: here, and in
+ * pixel_mask.h, and nowhere else, the compiler is told which one is meant ("Intel 64 and IA-32
+ * Architectures Software Developer's Manual", volume 2). The plain C beside it says what it does.
+ * Private to lanes.h.
  *
  *     lanes_max(), lanes_min()    maxps, minps: gcc compares and chooses, which takes two
  *                                 instructions and a register for masks; a seventh of the time of a

@@ -2,6 +2,7 @@
 #include "pipeline.h"
 
 #include "pipeline_parts.h"
+#include "pixel_mask.h"
 
 /* ---- Cover: which piece is nearest at each pixel ---- */
 
@@ -16,7 +17,7 @@ struct band {
     struct span rows;
     bool reordered; /* the nearest draw calls are covered first */
     uint64_t behind;
-    longs covered; /* depth tests, to be added up */
+    pixel_counts covered; /* depth tests */
 };
 
 /* Mark that something may be drawn in these rows of the columns from x on. */
@@ -42,14 +43,6 @@ LANES_INLINE doubles doubles_from(int first) {
     return from + first;
 }
 
-LANES_INLINE bool longs_any(longs mask) {
-#if LANES > 1
-    return lanes_bits((lanes_int)mask) != 0;
-#else
-    return (mask[0] | mask[1]) != 0;
-#endif
-}
-
 /* The draw call of a piece of the band. */
 static uint32_t draw_of_number(const struct band *band, uint32_t number) {
     const struct pipeline *p = band->pipeline;
@@ -64,12 +57,15 @@ static uint32_t draw_of_number(const struct band *band, uint32_t number) {
 
 /* Where depths are equal: which of the old numbers are of a draw call that was drawn later than
  * that? Rare, so one by one. */
-static void find_later(const struct band *band, const longs *equal, const ints *numbers,
-                       uint32_t draw, longs *later) {
+static pixel_mask find_later(const struct band *band, pixel_mask equal, const uint32_t *numbers,
+                             uint32_t draw) {
+    pixel_mask later = {0};
     for (int i = 0; i < TOGETHER; i++) {
-        bool is_later = (*equal)[i] != 0 && draw_of_number(band, (uint32_t)(*numbers)[i]) > draw;
-        (*later)[i] = -(int64_t)is_later;
+        if (mask_is_set(equal, i) && draw_of_number(band, numbers[i]) > draw) {
+            later = mask_set(later, i);
+        }
     }
+    return later;
 }
 
 /* What is drawn at pixels that a piece covers. */
@@ -77,29 +73,24 @@ struct shown {
     uint32_t number, draw;
 };
 
-/* Depths and numbers of neighbours become those of the piece where it covers (`outside`: no bit, or
- * all) and is nearer; of equal depths that of the first drawn stays: the one that is there, except
- * with `reordered`, when the draw calls are asked. Without branches: each line is one or two
- * instructions for all pixels. A depth of all bits is no number, and not nearer than anything. */
+/* Depths and numbers of neighbours become those of the piece where it is `inside` and nearer; of
+ * equal depths that of the first drawn stays: the one that is there, except with `reordered`, when
+ * the draw calls are asked. Without branches: each line is one instruction or two for all pixels. */
 LANES_INLINE void cover_pixels(const struct band *band, double *depths, uint32_t *numbers,
-                               longs outside, doubles z, struct shown piece, bool reordered) {
+                               pixel_mask inside, doubles z, struct shown piece, bool reordered) {
     doubles old_z;
     ints old_number;
     memcpy(&old_z, depths, sizeof old_z);
     memcpy(&old_number, numbers, sizeof old_number);
-    z = (doubles)((longs)z | outside);
-    longs nearer = z > old_z;
+    pixel_mask nearer = mask_and_above(inside, z, old_z);
     if (reordered) {
-        longs equal = z == old_z;
-        if (longs_any(equal)) {
-            longs later;
-            find_later(band, &equal, &old_number, piece.draw, &later);
-            nearer |= later;
+        pixel_mask equal = mask_and_equal(inside, z, old_z);
+        if (mask_any(equal)) {
+            nearer |= find_later(band, equal, numbers, piece.draw);
         }
     }
-    z = (doubles)((nearer & (longs)z) + (~nearer & (longs)old_z)); /* `+`: see lanes_select() */
-    ints is_new = __builtin_convertvector(nearer, ints);
-    old_number = (is_new & (int32_t)piece.number) | (~is_new & old_number);
+    z = doubles_select(nearer, z, old_z);
+    old_number = ints_select(nearer, (int32_t)piece.number, old_number);
     memcpy(depths, &z, sizeof z);
     memcpy(numbers, &old_number, sizeof old_number);
 }
@@ -123,10 +114,10 @@ LANES_INLINE three to_three(three_ints whole) {
 }
 
 /* The edge functions at the centres of the pixels of a box: their values at its pixel (0,0), their
- * steps, and what makes them negative where 0 is not inside. All are whole numbers that a double
+ * steps, and the least that is inside: 0, or 1 where 0 is not. All are whole numbers that a double
  * holds: see guard_band_of(). */
 struct box_edges {
-    three origin, dx, dy, bias;
+    three origin, dx, dy, least;
 };
 
 /* Edge i lies opposite corner i; pixel (0,0) of the box is (left,bottom) of the image. */
@@ -142,7 +133,7 @@ static struct box_edges find_box_edges(const struct fixed2 c[3], int left, int b
         .origin = y_distance * a_right - x_distance * a_up,
         .dx = y_distance * -SUBPIXELS,
         .dy = x_distance * SUBPIXELS,
-        .bias = three_select(top_left, zero, zero - 1),
+        .least = three_select(top_left, zero, zero + 1),
     };
 }
 
@@ -158,11 +149,11 @@ LANES_INLINE doubles doubles_where_not(longs mask, doubles values, double other)
 }
 
 /* The rows of a strip of pixels in which some may be inside all edges: there the greatest value of
- * each edge function in the strip, now that of row rows.begin, is not negative. A row more does no
- * harm. */
+ * each edge function in the strip, now that of row rows.begin, is as much as is inside. A row more
+ * does no harm. */
 LANES_INLINE struct span rows_of_strip(const struct box_edges *e, struct span rows) {
     three none = {0}, all = none + (rows.end - rows.begin);
-    three most = e->origin + e->bias + three_select(e->dx > 0, e->dx * (TOGETHER - 1), none);
+    three most = e->origin - e->least + three_select(e->dx > 0, e->dx * (TOGETHER - 1), none);
     three row_of_zero = -most / e->dy;
     three first = three_select(e->dy > 0, row_of_zero, none);
     three last = three_select(e->dy < 0, row_of_zero + 1, all);
@@ -185,12 +176,12 @@ LANES_INLINE void cover_box(struct band *band, const struct piece *piece, struct
     bool high = rows.end - rows.begin > HIGH_BOX;
     struct box_edges e = find_box_edges(piece->corner, left, rows.begin);
     struct depth_slopes slopes = find_depth_slopes(piece, e.origin[0] + e.origin[1] + e.origin[2]);
-    longs covered = band->covered;
-    doubles right[3], up[3], bias[3];
+    pixel_counts covered = band->covered;
+    doubles right[3], up[3], least[3];
     for (int i = 0; i < 3; i++) {
         right[i] = e.dx[i] * doubles_from(0);
         up[i] = e.dy[i] + (doubles){0};
-        bias[i] = e.bias[i] + (doubles){0};
+        least[i] = e.least[i] + (doubles){0};
     }
     for (int x = left; x < columns.end; x += TOGETHER) {
         struct span within = rows;
@@ -199,8 +190,7 @@ LANES_INLINE void cover_box(struct band *band, const struct piece *piece, struct
             within = rows_of_strip(&e, rows);
             first += e.dy * (within.begin - rows.begin);
         }
-        doubles e0 = first[0] + e.bias[0] + right[0];
-        doubles e1 = first[1] + right[1], e2 = first[2] + right[2];
+        doubles e0 = first[0] + right[0], e1 = first[1] + right[1], e2 = first[2] + right[2];
         if (cut) {
             e0 = doubles_where_not(columns_beyond(x, columns), e0, -INFINITY);
         }
@@ -208,10 +198,11 @@ LANES_INLINE void cover_box(struct band *band, const struct piece *piece, struct
         double *depths = visibility->depth + place;
         uint32_t *numbers = visibility->number + place;
         for (int y = within.begin; y < within.end; y++) {
-            doubles biased1 = e1 + bias[1], biased2 = e2 + bias[2];
-            longs outside = ((longs)e0 | (longs)biased1 | (longs)biased2) < 0; /* by their signs */
-            covered += outside;
-            cover_pixels(band, depths, numbers, outside, depths_at(&slopes, e1, e2), shown,
+            pixel_mask inside = mask_not_below(e0, least[0]);
+            inside = mask_and_not_below(inside, e1, least[1]);
+            inside = mask_and_not_below(inside, e2, least[2]);
+            covered = counts_add(covered, inside);
+            cover_pixels(band, depths, numbers, inside, depths_at(&slopes, e1, e2), shown,
                          reordered);
             e0 += up[0];
             e1 += up[1];
@@ -219,7 +210,6 @@ LANES_INLINE void cover_box(struct band *band, const struct piece *piece, struct
             depths += CHUNK;
             numbers += CHUNK;
         }
-        covered += within.end - within.begin; /* and -1 for each outside */
         touch(band, x, within);
         e.origin += e.dx * TOGETHER;
     }
@@ -493,9 +483,7 @@ static struct shading begin_shading(const struct frame *frame, const struct band
 
 static void count_covered(const struct band *band, struct pixel_work *work) {
     work->behind += band->behind;
-    for (int i = 0; i < TOGETHER; i++) {
-        work->covered += (uint64_t)band->covered[i];
-    }
+    work->covered += counts_sum(band->covered);
 }
 
 void pipeline_cover_band(void *context, size_t index, size_t worker) {

@@ -3,8 +3,8 @@
  *
  * Where objects overlap the nearest ones are covered first: whatever lies behind them is dropped by
  * the tile. Where there are many, they come in rounds. The first has the nearest few; each one after
- * it has as many as all before it, less those that are hidden as a whole, which are never
- * assembled. */
+ * it has as many as all before it, less those that are hidden as a whole, which are never assembled.
+ */
 #include "pipeline.h"
 
 #include "pipeline_parts.h"
