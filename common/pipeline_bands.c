@@ -75,7 +75,7 @@ struct shown {
 
 /* Depths and numbers of neighbours become those of the piece where it is `inside` and nearer; of
  * equal depths that of the first drawn stays: the one that is there, except with `reordered`, when
- * the draw calls are asked. Without branches: each line is one instruction or two for all pixels. */
+ * the draw calls are asked. Without branches: each line is an instruction or two for all pixels. */
 LANES_INLINE void cover_pixels(const struct band *band, double *depths, uint32_t *numbers,
                                pixel_mask inside, doubles z, struct shown piece, bool reordered) {
     doubles old_z;

@@ -1,9 +1,11 @@
-/* In which order draw calls are covered, in which rounds, and their pieces sorted into bands. See
+/*
+ * In which order draw calls are covered, in which rounds, and their pieces sorted into bands. See
  * pipeline.h.
  *
  * Where objects overlap the nearest ones are covered first: whatever lies behind them is dropped by
- * the tile. Where there are many, they come in rounds. The first has the nearest few; each one after
- * it has as many as all before it, less those that are hidden as a whole, which are never assembled.
+ * the tile. Where there are many, they come in rounds. The first has the nearest few; each one
+ * after it has as many as all before it, less those that are hidden as a whole: these are never
+ * assembled.
  */
 #include "pipeline.h"
 
