@@ -26,7 +26,7 @@ static inline bool is_background(struct rgb c) {
 
 /* ---- The rule, for a block of a row at a time ---- */
 
-enum { BLOCK = 256 }; /* pixels; fewer than 2^16, since those of a block are counted in 16 bits */
+enum { BLOCK = 256 }; /* pixels; no more, since the levels of a block are added up in 16 bits */
 
 /* A block's pixels and those beside it by channel: pixel i of the block is number i + 1. */
 struct channels {
@@ -143,11 +143,13 @@ static void mark_block(uint8_t *marks, const struct patch *reference, const stru
 /* By how many levels the pixels of the block that agree are lighter, in all. */
 static int64_t count_lighter(const uint8_t *wanted, const uint8_t *got, const uint8_t *marks,
                              size_t count) {
-    int32_t lighter = 0;
+    uint16_t sum_wanted = 0, sum_got = 0;
     for (size_t i = 0; i < count; i++) {
-        lighter += (marks[i] & MARK_APART) != 0 ? 0 : got[i + 1] - wanted[i + 1];
+        uint8_t agrees = (marks[i] & MARK_APART) != 0 ? 0 : 255;
+        sum_wanted = (uint16_t)(sum_wanted + (wanted[i + 1] & agrees));
+        sum_got = (uint16_t)(sum_got + (got[i + 1] & agrees));
     }
-    return lighter;
+    return (int64_t)sum_got - sum_wanted;
 }
 
 /* How many pixels are not background in at least one of the two. */
@@ -183,15 +185,16 @@ struct marked_block {
 /* Add the pixels whose marks, of those in `mask`, are `wanted`. */
 static void add_marked(struct tally *tally, const struct marked_block *block, unsigned mask,
                        unsigned wanted) {
-    uint8_t is_one[BLOCK];
     uint16_t count = 0;
     for (size_t i = 0; i < block->count; i++) {
-        is_one[i] = (block->marks[i] & mask) == wanted;
-        count = (uint16_t)(count + is_one[i]);
+        count = (uint16_t)(count + ((block->marks[i] & mask) == wanted));
     }
     if (count > 0 && (tally->count == 0 || block->y < tally->y)) {
-        const uint8_t *first = memchr(is_one, 1, block->count);
-        tally->x = block->x + (size_t)(first - is_one);
+        size_t first = 0;
+        while ((block->marks[first] & mask) != wanted) {
+            first++;
+        }
+        tally->x = block->x + first;
         tally->y = block->y;
     }
     tally->count += count;
