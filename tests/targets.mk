@@ -123,9 +123,11 @@ $(BUILD)/benchmark: $(call OBJECTS_OF,bench oracle) $(BUILD)/tests/bench/list.o 
                     $(BUILD)/tests/help/escape.o $(BUILD)/libcommon.a
 	$(LINK) $(OPENMP) $^ -lm -o $@
 
-bench: $(BUILD)/benchmark models
+# With lesson 9 also what it is worth to skip, where most of a scene is hidden or off screen.
+bench: $(BUILD)/benchmark $(BUILD)/bench-frame models
 	@mkdir -p $(BUILD)/bench
 	$(BUILD)/benchmark -o $(BUILD) $(STEP)
+	$(if $(filter-out 9 09,$(STEP)),,$(BUILD)/bench-frame --skipping --frames 7)
 
 # Instructions, which no other process disturbs.
 .PHONY: counts
@@ -170,7 +172,7 @@ has-mesa:
 	@$(FIND_MESA) || { echo 'compare-opengl: $(MESA_IS_MISSING)'; exit 2; }
 
 # Without Mesa the program has one side only. Whether it is there is asked when it matters.
-ifneq ($(filter bench-frame $(BUILD)/bench-frame,$(MAKECMDGOALS)),)
+ifneq ($(filter bench bench-frame $(BUILD)/bench-frame,$(MAKECMDGOALS)),)
 HAS_MESA := $(shell $(FIND_MESA) && echo yes)
 endif
 FRAME_OBJECTS = $(filter-out %llvmpipe.o,$(call OBJECTS_OF,frame oracle)) \
