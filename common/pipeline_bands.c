@@ -259,6 +259,33 @@ static void update_farthest(const struct band *band, const struct draw *draw) {
     }
 }
 
+/* Is all that is no nearer than that behind what a band shows in every tile that some columns, and
+ * rows of the band, reach? */
+static bool is_behind(const struct visibility *band, double nearest, struct span columns,
+                      struct span rows) {
+    bool behind = true;
+    for (int x = columns.begin / CHUNK; behind && x * CHUNK < columns.end; x++) {
+        const double *farthest = band->farthest + x * BAND_TILES;
+        for (int tile = rows.begin / TILE_HEIGHT; behind && tile * TILE_HEIGHT < rows.end; tile++) {
+            behind = nearest < farthest[tile];
+        }
+    }
+    return behind;
+}
+
+bool pipeline_is_hidden(const struct pipeline *p, double nearest, struct span columns,
+                        struct span rows) {
+    const struct visibility *bands = p->visibility.data;
+    bool hidden = true;
+    for (int y = rows.begin; hidden && y < rows.end; y = (y / BAND_HEIGHT + 1) * BAND_HEIGHT) {
+        int bottom = y / BAND_HEIGHT * BAND_HEIGHT;
+        struct span band = span_overlap(rows, (struct span){bottom, bottom + BAND_HEIGHT});
+        hidden = is_behind(&bands[y / BAND_HEIGHT], nearest, columns,
+                           (struct span){band.begin - bottom, band.end - bottom});
+    }
+    return hidden;
+}
+
 LANES_INLINE void cover_piece(struct band *band, const struct draw *draw, const struct piece *piece,
                               uint32_t number, bool reordered) {
     const struct rectangle *v = &draw->call.viewport;

@@ -131,11 +131,6 @@ bool pipeline_order(struct pipeline *pipeline, struct error *error);
 /* Go on to the next round; from all zero, to the first. */
 void pipeline_next_round(struct frame *frame);
 
-/* Is all that is no nearer than that, in some columns and rows, behind what the rounds before this
- * one have covered? Only where that is kept. */
-bool pipeline_is_hidden(const struct pipeline *pipeline, double nearest, struct span columns,
-                        struct span rows);
-
 /* Assemble the draw calls of a round that are not hidden. */
 bool pipeline_assemble_round(const struct frame *frame, struct error *error);
 
@@ -147,6 +142,11 @@ bool pipeline_sort_round(const struct frame *frame, size_t first_block, struct e
 /* Transform, clip and cull the model of a draw call: fills its blocks, which begin where the last
  * ones ended. */
 bool pipeline_assemble(struct pipeline *pipeline, struct draw *draw, struct error *error);
+
+/* Is all that is no nearer than that, in some columns and rows, behind what the rounds before this
+ * one have covered? Only where that is kept. */
+bool pipeline_is_hidden(const struct pipeline *pipeline, double nearest, struct span columns,
+                        struct span rows);
 
 /* Cover the round's pieces in band `index` of a frame (context: struct frame, which is kept): see
  * worker_function. */
@@ -188,20 +188,6 @@ static inline struct span columns_in(struct span columns, const struct rectangle
 
 static inline struct span rows_in(struct span rows, const struct rectangle *viewport) {
     return span_overlap(rows, (struct span){viewport->y, viewport->y + viewport->height});
-}
-
-/* Is all that is no nearer than that behind what a band shows in every tile that some columns, and
- * rows of the band, reach? */
-static inline bool is_behind(const struct visibility *band, double nearest, struct span columns,
-                             struct span rows) {
-    bool behind = true;
-    for (int x = columns.begin / CHUNK; behind && x * CHUNK < columns.end; x++) {
-        const double *farthest = band->farthest + x * BAND_TILES;
-        for (int tile = rows.begin / TILE_HEIGHT; behind && tile * TILE_HEIGHT < rows.end; tile++) {
-            behind = nearest < farthest[tile];
-        }
-    }
-    return behind;
 }
 
 #endif

@@ -84,20 +84,7 @@ void pipeline_next_round(struct frame *frame) {
     }
 }
 
-/* ---- What is hidden ---- */
-
-bool pipeline_is_hidden(const struct pipeline *p, double nearest, struct span columns,
-                        struct span rows) {
-    const struct visibility *bands = p->visibility.data;
-    bool hidden = true;
-    for (int y = rows.begin; hidden && y < rows.end; y = (y / BAND_HEIGHT + 1) * BAND_HEIGHT) {
-        int bottom = y / BAND_HEIGHT * BAND_HEIGHT;
-        struct span band = span_overlap(rows, (struct span){bottom, bottom + BAND_HEIGHT});
-        hidden = is_behind(&bands[y / BAND_HEIGHT], nearest, columns,
-                           (struct span){band.begin - bottom, band.end - bottom});
-    }
-    return hidden;
-}
+/* ---- One round ---- */
 
 bool pipeline_assemble_round(const struct frame *frame, struct error *error) {
     struct pipeline *p = frame->pipeline;
