@@ -61,6 +61,7 @@ void pipeline_free(struct pipeline *pipeline) {
     free(pipeline->draws.data);
     free(pipeline->order.data);
     free(pipeline->uniforms.data);
+    free(pipeline->assemblies.data);
     free(pipeline->screens.data);
     free(pipeline->depths.data);
     free(pipeline->beyonds.data);

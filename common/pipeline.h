@@ -183,8 +183,9 @@ struct pipeline {
     struct buffer order;    /* of struct draw_order: as draw calls are covered */
     struct buffer uniforms; /* of the draw calls, one behind the other: bytes */
     size_t uniforms_end;
-    /* The transformed positions of one draw call: on the screen, their depths, and the sides of the
-     * view that they are beyond. */
+    struct buffer assemblies; /* of struct assembly: the draw calls of a round */
+    /* The transformed positions of a round: on the screen, their depths, and the sides of the view
+     * that they are beyond. */
     struct buffer screens, depths, beyonds;
     struct buffer recip_w; /* of double: 1/w of the positions, of each draw call that is not flat */
     size_t recip_w_end;

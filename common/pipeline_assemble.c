@@ -43,10 +43,12 @@ struct polygon {
     size_t count;
 };
 
-/* What the threads that assemble a draw call share. */
+/* A draw call that is assembled, and what the threads that do it share. */
 struct assembly {
     struct pipeline *pipeline;
-    const struct draw *draw;
+    struct draw *draw;
+    size_t first_position;     /* in the pipeline's arrays */
+    size_t first_vertex_block; /* of all of the round */
     struct vertices vertices;
     double guard_band;
     atomic_uint beyond; /* the sides that any of the vertices is beyond */
@@ -535,45 +537,135 @@ static void add_up_blocks(struct pipeline *p, struct draw *draw) {
     }
 }
 
-/* Room for the 1/w of the positions behind those of the draw calls before. */
-static bool reserve_recip_w(struct pipeline *p, struct draw *draw, struct error *error) {
-    size_t positions = draw->call.model->position_count;
-    size_t count = draw->shader->flat ? 0 : (positions + TOGETHER - 1) / TOGETHER * TOGETHER;
-    draw->first_recip_w = p->recip_w_end;
-    p->recip_w_end += count;
-    return buffer_reserve(&p->recip_w, p->recip_w_end, sizeof(double), error);
+/* ---- A round ---- */
+
+/* The draw calls of a round that are not hidden. */
+struct round {
+    struct assembly *assembly;
+    size_t count;
+    size_t first_block; /* of those with faces */
+    size_t vertex_blocks, positions;
+};
+
+/* Rounded up, so that TOGETHER of them can be written at once. */
+static size_t room_for_positions(const struct draw *draw) {
+    return (draw->call.model->position_count + TOGETHER - 1) / TOGETHER * TOGETHER;
 }
 
-bool pipeline_assemble(struct pipeline *p, struct draw *draw, struct error *error) {
+/* Add a draw call to the round, and its share to all that must be allocated. */
+static void add_draw(struct round *round, struct pipeline *p, struct draw *draw) {
     const struct model *model = draw->call.model;
-    size_t vertex_blocks = (model->position_count + BLOCK_SIZE - 1) / BLOCK_SIZE;
-    draw->block_count = (model->face_count + BLOCK_SIZE - 1) / BLOCK_SIZE;
-    size_t blocks = draw->first_block + draw->block_count;
-    p->stats[STAT_VERTICES_TRANSFORMED] += model->position_count;
-    size_t vertices = (model->position_count + TOGETHER - 1) / TOGETHER * TOGETHER;
-    if (!buffer_reserve(&p->screens, vertices, sizeof(struct fixed2), error) ||
-        !buffer_reserve(&p->depths, vertices, sizeof(double), error) ||
-        !buffer_reserve(&p->beyonds, vertices, sizeof(uint8_t), error) ||
-        !buffer_reserve(&p->blocks, blocks, sizeof(struct block), error) ||
-        !buffer_reserve(&p->band_counts, blocks * band_count(p), sizeof(uint32_t), error) ||
-        !reserve_recip_w(p, draw, error)) {
-        return false;
-    }
-    struct assembly assembly = {
+    struct assembly *assembly = &round->assembly[round->count++];
+    *assembly = (struct assembly){
         .pipeline = p,
         .draw = draw,
-        .vertices = {.screen = p->screens.data, .depth = p->depths.data, .beyond = p->beyonds.data},
+        .first_position = round->positions,
+        .first_vertex_block = round->vertex_blocks,
         .guard_band = guard_band_of(&draw->call.viewport),
     };
-    if (!draw->shader->flat) {
-        assembly.vertices.recip_w = (double *)p->recip_w.data + draw->first_recip_w;
-    }
-    pipeline_run(p, vertex_blocks, transform_block, &assembly);
-    if (!lay_out_blocks(p, &assembly, error)) {
+    draw->first_block = p->block_end;
+    draw->block_count = (model->face_count + BLOCK_SIZE - 1) / BLOCK_SIZE;
+    draw->first_recip_w = p->recip_w_end;
+    round->positions += room_for_positions(draw);
+    round->vertex_blocks += (model->position_count + BLOCK_SIZE - 1) / BLOCK_SIZE;
+    p->block_end += draw->block_count;
+    p->recip_w_end += draw->shader->flat ? 0 : room_for_positions(draw);
+    p->stats[STAT_VERTICES_TRANSFORMED] += model->position_count;
+}
+
+/* Find the draw calls that are not hidden, and count those that are. */
+static bool list_draws(const struct frame *frame, struct round *round, struct error *error) {
+    struct pipeline *p = frame->pipeline;
+    const struct draw_order *order = p->order.data;
+    size_t most = frame->draws.end - frame->draws.begin;
+    if (!buffer_reserve(&p->assemblies, most, sizeof(struct assembly), error)) {
         return false;
     }
-    pipeline_run(p, draw->block_count, assemble_block, &assembly);
-    add_up_blocks(p, draw);
-    p->block_end = blocks;
+    *round = (struct round){.assembly = p->assemblies.data, .first_block = p->block_end};
+    for (size_t i = frame->draws.begin; i < frame->draws.end; i++) {
+        struct draw *draw = (struct draw *)p->draws.data + order[i].draw;
+        draw->round = frame->round;
+        if (frame->round > 0 && pipeline_is_hidden(p, draw->nearest, draw->columns, draw->rows)) {
+            p->stats[STAT_OBJECTS_HIDDEN]++;
+            p->stats[STAT_FACES_HIDDEN] += draw->call.model->face_count;
+            p->stats[STAT_FACES_BEHIND] += draw->call.model->face_count;
+        } else {
+            add_draw(round, p, draw);
+        }
+    }
+    return true;
+}
+
+/* Room for all positions and blocks of the round. */
+static bool reserve_round(struct pipeline *p, struct round *round, struct error *error) {
+    if (!buffer_reserve(&p->screens, round->positions, sizeof(struct fixed2), error) ||
+        !buffer_reserve(&p->depths, round->positions, sizeof(double), error) ||
+        !buffer_reserve(&p->beyonds, round->positions, sizeof(uint8_t), error) ||
+        !buffer_reserve(&p->recip_w, p->recip_w_end, sizeof(double), error) ||
+        !buffer_reserve(&p->blocks, p->block_end, sizeof(struct block), error) ||
+        !buffer_reserve(&p->band_counts, p->block_end * band_count(p), sizeof(uint32_t), error)) {
+        return false;
+    }
+    for (size_t i = 0; i < round->count; i++) {
+        struct assembly *a = &round->assembly[i];
+        a->vertices = (struct vertices){
+            .screen = (struct fixed2 *)p->screens.data + a->first_position,
+            .depth = (double *)p->depths.data + a->first_position,
+            .beyond = (uint8_t *)p->beyonds.data + a->first_position,
+        };
+        if (!a->draw->shader->flat) {
+            a->vertices.recip_w = (double *)p->recip_w.data + a->draw->first_recip_w;
+        }
+    }
+    return true;
+}
+
+/* The round's first block of a draw call: of positions, or of faces. */
+static size_t first_of(const struct round *round, const struct assembly *a, bool faces) {
+    return faces ? a->draw->first_block - round->first_block : a->first_vertex_block;
+}
+
+/* Whose block it is: of the last draw call that begins with it, or before. (One that has no block
+ * begins with the next one's.) */
+static struct assembly *find_assembly(const struct round *round, size_t block, bool faces) {
+    size_t first = 0, end = round->count;
+    while (end - first > 1) {
+        size_t middle = first + (end - first) / 2;
+        bool is_after = first_of(round, &round->assembly[middle], faces) > block;
+        first = is_after ? first : middle;
+        end = is_after ? middle : end;
+    }
+    return &round->assembly[first];
+}
+
+/* Blocks of all draw calls are shared out together: who waited for the other threads after each
+ * small object would do so most of the time. */
+
+static void transform_any_block(void *context, size_t index, size_t worker) {
+    struct assembly *a = find_assembly(context, index, false);
+    transform_block(a, index - first_of(context, a, false), worker);
+}
+
+static void assemble_any_block(void *context, size_t index, size_t worker) {
+    struct assembly *a = find_assembly(context, index, true);
+    assemble_block(a, index - first_of(context, a, true), worker);
+}
+
+bool pipeline_assemble_round(const struct frame *frame, struct error *error) {
+    struct pipeline *p = frame->pipeline;
+    struct round round;
+    if (!list_draws(frame, &round, error) || !reserve_round(p, &round, error)) {
+        return false;
+    }
+    pipeline_run(p, round.vertex_blocks, transform_any_block, &round);
+    for (size_t i = 0; i < round.count; i++) {
+        if (!lay_out_blocks(p, &round.assembly[i], error)) {
+            return false;
+        }
+    }
+    pipeline_run(p, p->block_end - round.first_block, assemble_any_block, &round);
+    for (size_t i = 0; i < round.count; i++) {
+        add_up_blocks(p, round.assembly[i].draw);
+    }
     return true;
 }

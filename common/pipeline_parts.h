@@ -131,17 +131,14 @@ bool pipeline_order(struct pipeline *pipeline, struct error *error);
 /* Go on to the next round; from all zero, to the first. */
 void pipeline_next_round(struct frame *frame);
 
-/* Assemble the draw calls of a round that are not hidden. */
-bool pipeline_assemble_round(const struct frame *frame, struct error *error);
-
 /* Sort the round's pieces, in the blocks from `first_block` on, into bands. */
 bool pipeline_sort_round(const struct frame *frame, size_t first_block, struct error *error);
 
 /* ---- Faces: pipeline_assemble.c; pixels: pipeline_bands.c ---- */
 
-/* Transform, clip and cull the model of a draw call: fills its blocks, which begin where the last
- * ones ended. */
-bool pipeline_assemble(struct pipeline *pipeline, struct draw *draw, struct error *error);
+/* Transform, clip and cull the models of the round's draw calls, except of those that are hidden as
+ * a whole: fills their blocks, which begin where the last ones ended. */
+bool pipeline_assemble_round(const struct frame *frame, struct error *error);
 
 /* Is all that is no nearer than that, in some columns and rows, behind what the rounds before this
  * one have covered? Only where that is kept. */

@@ -84,26 +84,6 @@ void pipeline_next_round(struct frame *frame) {
     }
 }
 
-/* ---- One round ---- */
-
-bool pipeline_assemble_round(const struct frame *frame, struct error *error) {
-    struct pipeline *p = frame->pipeline;
-    const struct draw_order *order = p->order.data;
-    for (size_t i = frame->draws.begin; i < frame->draws.end; i++) {
-        struct draw *draw = (struct draw *)p->draws.data + order[i].draw;
-        draw->round = frame->round;
-        draw->first_block = p->block_end;
-        if (frame->round > 0 && pipeline_is_hidden(p, draw->nearest, draw->columns, draw->rows)) {
-            p->stats[STAT_OBJECTS_HIDDEN]++;
-            p->stats[STAT_FACES_HIDDEN] += draw->call.model->face_count;
-            p->stats[STAT_FACES_BEHIND] += draw->call.model->face_count;
-        } else if (!pipeline_assemble(p, draw, error)) {
-            return false;
-        }
-    }
-    return true;
-}
-
 /* ---- Sorting pieces into bands ---- */
 
 /* What the threads that sort share. */

@@ -8,7 +8,6 @@
 #define batch_classify          again_batch_classify
 #define buffer_reserve          again_buffer_reserve
 #define camera_call             again_camera_call
-#define pipeline_assemble       again_pipeline_assemble
 #define pipeline_assemble_round again_pipeline_assemble_round
 #define pipeline_beyond_sides   again_pipeline_beyond_sides
 #define pipeline_clear          again_pipeline_clear

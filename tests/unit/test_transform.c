@@ -84,7 +84,7 @@ static size_t count_wrong(size_t count, const struct draw_call *call, bool flat)
     static struct fixed2 screen[ROUNDED];
     static double depth[ROUNDED], recip_w[ROUNDED];
     static uint8_t beyond[ROUNDED];
-    const struct draw draw = {.call = *call};
+    struct draw draw = {.call = *call};
     struct assembly assembly = {.draw = &draw,
                                 .vertices = {screen, depth, flat ? NULL : recip_w, beyond},
                                 .guard_band = guard_band_of(&call->viewport)};
