@@ -17,9 +17,10 @@
  *   4. shade: the varyings of a piece that is visible somewhere are fetched once, and each visible
  *      pixel is shaded exactly once, several neighbours at a time (see lanes.h).
  *
- * Where many objects overlap, 1 to 3 are done in rounds: first the nearest few objects, then twice
- * as many, and so on. What a round covers hides objects of the next ones, which are not assembled
- * then, and faces of others, which are not sorted.
+ * Where many objects overlap, 1 to 3 are done in rounds: first the nearest few objects, then in
+ * each round as many as in all before. What a round covers hides objects of the next ones, which
+ * are not assembled then, and faces of others, which are not sorted. (Depths and numbers of all
+ * bands are kept then: 12 bytes a pixel.)
  *
  * Skipped, in this order, and counted (enum pipeline_stat): draw calls whose model lies beyond one
  * side of the view, as the box around it shows, before a position is transformed; draw calls whose
@@ -206,7 +207,7 @@ struct pipeline {
     size_t visibility_count;
     struct buffer scratch; /* of struct scratch, one a thread */
     size_t scratch_count;
-    struct buffer last_touched; /* of uint32_t, by band and column of chunks: see struct scratch */
+    struct buffer last_touched; /* `touched` of all bands: see struct visibility */
     struct image last_image;    /* whose they are: none unless CLEAR_LAST_FRAME */
 };
 

@@ -85,7 +85,7 @@ LANES_INLINE doubles doubles_where(longs mask, doubles value) {
 LANES_INLINE longs find_beyond_sides(const struct clip_positions *p) {
     return (~(p->x >= -p->w) & BEYOND_LEFT) | (~(p->x <= p->w) & BEYOND_RIGHT) |
            (~(p->y >= -p->w) & BEYOND_BOTTOM) | (~(p->y <= p->w) & BEYOND_TOP) |
-           (~(p->w >= NEAR_W) & BEYOND_NEAR);
+           (~(p->w >= near_w) & BEYOND_NEAR);
 }
 
 LANES_INLINE longs find_beyond(const struct clip_positions *p, double guard_band) {
@@ -108,7 +108,7 @@ LANES_INLINE struct screen_positions project(const struct clip_positions *clip, 
     doubles recip_w = 1 / clip->w, depth = clip->z * recip_w;
     doubles x = viewport->x + (clip->x * recip_w + 1) * (viewport->width / 2.0);
     doubles y = viewport->y + (clip->y * recip_w + 1) * (viewport->height / 2.0);
-    longs placed = wanted & (doubles_abs(depth) <= DEPTH_LIMIT) & (doubles_abs(x) <= SCREEN_LIMIT) &
+    longs placed = wanted & (doubles_abs(depth) <= depth_limit) & (doubles_abs(x) <= SCREEN_LIMIT) &
                    (doubles_abs(y) <= SCREEN_LIMIT);
     return (struct screen_positions){
         .x = snap(doubles_where(placed, x)),
@@ -194,7 +194,7 @@ static void transform_block(void *context, size_t index, size_t worker) {
 static double plane_distance(struct vec4 p, int plane, double guard_band) {
     switch (plane) {
     case 0:
-        return p.w - NEAR_W;
+        return p.w - near_w;
     case 1:
         return guard_band * p.w + p.x;
     case 2:

@@ -224,9 +224,10 @@ static struct span rows_in_band(const struct band *band, struct span rows) {
     return (struct span){rows.begin - band->rows.begin, rows.end - band->rows.begin};
 }
 
-/* Find the farthest depth of a tile in a column of chunks. */
+/* Find the farthest depth of a tile in a column of chunks; beyond the image nothing is drawn. */
 static double find_farthest(const struct band *band, int chunk, int tile) {
     double least[CHUNK];
+    int columns = (int)band->pipeline->width - chunk * CHUNK;
     int begin = tile * TILE_HEIGHT, rows = band->rows.end - band->rows.begin - begin;
     uint32_t all = (UINT32_C(1) << (rows < TILE_HEIGHT ? rows : TILE_HEIGHT)) - 1;
     if ((band->visibility->touched[chunk] >> begin & all) != all) {
@@ -242,7 +243,7 @@ static double find_farthest(const struct band *band, int chunk, int tile) {
         }
         depth += CHUNK;
     }
-    for (int i = 1; i < CHUNK; i++) {
+    for (int i = 1; i < CHUNK && i < columns; i++) {
         least[0] = least[i] < least[0] ? least[i] : least[0];
     }
     return least[0];
@@ -276,7 +277,7 @@ static bool is_behind(const struct visibility *band, double nearest, struct span
 bool pipeline_is_hidden(const struct pipeline *p, double nearest, struct span columns,
                         struct span rows) {
     const struct visibility *bands = p->visibility.data;
-    bool hidden = true;
+    bool hidden = columns.begin < columns.end && rows.begin < rows.end;
     for (int y = rows.begin; hidden && y < rows.end; y = (y / BAND_HEIGHT + 1) * BAND_HEIGHT) {
         int bottom = y / BAND_HEIGHT * BAND_HEIGHT;
         struct span band = span_overlap(rows, (struct span){bottom, bottom + BAND_HEIGHT});
@@ -508,7 +509,7 @@ static struct shading begin_shading(const struct frame *frame, const struct band
     };
 }
 
-static void count_covered(const struct band *band, struct pixel_work *work) {
+static void add_covered(const struct band *band, struct pixel_work *work) {
     work->behind += band->behind;
     work->covered += counts_sum(band->covered);
 }
@@ -518,7 +519,7 @@ void pipeline_cover_band(void *context, size_t index, size_t worker) {
     struct band band = begin_band(frame, index, worker);
     struct shading shading = begin_shading(frame, &band);
     cover_draws(&band, &shading, frame->draws);
-    count_covered(&band, shading.work);
+    add_covered(&band, shading.work);
 }
 
 void pipeline_draw_band(void *context, size_t index, size_t worker) {
@@ -534,7 +535,7 @@ void pipeline_draw_band(void *context, size_t index, size_t worker) {
     clear_image(frame, band.rows, index);
     if (!frame->kept) {
         cover_draws(&band, &shading, frame->draws);
-        count_covered(&band, shading.work);
+        add_covered(&band, shading.work);
     }
     if (!shading.at_once) {
         mark_visible(&band, scratch);

@@ -121,7 +121,7 @@ void pipeline_place(struct pipeline *p, struct draw *draw) {
     for (int i = 0; i < 8; i++) {
         struct vec4 clip = mat4_point(&call->to_clip, box_corner(box, i));
         const double coordinate[3] = {clip.x, clip.y, clip.z};
-        if (!(clip.w - off[3] >= NEAR_W)) {
+        if (!(clip.w - off[3] >= near_w)) {
             return;
         }
         for (int k = 0; k < 3; k++) {

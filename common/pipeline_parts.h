@@ -92,10 +92,10 @@ void batch_classify(struct batch *batch, const struct draw_call *call, bool skip
 /* ---- Objects as a whole: pipeline_objects.c ---- */
 
 /* Nearer than this part of the camera's distance nothing is drawn: 1/w would grow without bound. */
-#define NEAR_W (1.0 / 128)
+static const double near_w = 1.0 / 128;
 
 /* A depth beyond this is no place to draw at: sums and differences of such might overflow. */
-#define DEPTH_LIMIT 1e280
+static const double depth_limit = 1e280;
 
 /* The sides of the view that a position in clip space is beyond, of BEYOND_ONE_SIDE. */
 unsigned pipeline_beyond_sides(struct vec4 clip);
@@ -125,8 +125,13 @@ struct draw_order {
     size_t draw;
 };
 
-/* Find the order in which draw calls are covered. */
+/* Find the order in which draw calls are covered: that of drawing, or, where there are many and
+ * their boxes overlap, the nearest first. */
 bool pipeline_order(struct pipeline *pipeline, struct error *error);
+
+/* Where they come in the order of drawing, all in one round, and are assembled: if what they cover
+ * overlaps, the nearest first. (It is less than what their boxes do.) */
+void pipeline_reorder(struct pipeline *pipeline);
 
 /* Go on to the next round; from all zero, to the first. */
 void pipeline_next_round(struct frame *frame);

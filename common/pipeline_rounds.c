@@ -37,15 +37,9 @@ static bool draws_overlap(const struct pipeline *p) {
 }
 
 /* A shader that discards needs the order of drawing. */
-static bool reorders_draws(struct pipeline *p) {
-    if (!takes_shortcut(p, SHORTCUT_VISIBLE) || !takes_shortcut(p, SHORTCUT_BEHIND) ||
-        p->discards || p->draw_count < 2) {
-        return false;
-    }
-    for (size_t i = 0; i < p->draw_count; i++) {
-        pipeline_place(p, (struct draw *)p->draws.data + i);
-    }
-    return draws_overlap(p);
+static bool may_reorder(const struct pipeline *p) {
+    return takes_shortcut(p, SHORTCUT_VISIBLE) && takes_shortcut(p, SHORTCUT_BEHIND) &&
+           !p->discards && p->draw_count > 1;
 }
 
 /* The nearest first; of equally near ones the first drawn. */
@@ -57,20 +51,48 @@ static int compare_draws(const void *left, const void *right) {
     return (a->draw > b->draw) - (a->draw < b->draw);
 }
 
-bool pipeline_order(struct pipeline *p, struct error *error) {
+static void sort_draws(struct pipeline *p) {
     const struct draw *draws = p->draws.data;
+    struct draw_order *order = p->order.data;
+    for (size_t i = 0; i < p->draw_count; i++) {
+        order[i] = (struct draw_order){draws[i].nearest, i};
+    }
+    qsort(order, p->draw_count, sizeof *order, compare_draws);
+    p->reordered = true;
+}
+
+bool pipeline_order(struct pipeline *p, struct error *error) {
+    struct draw *draws = p->draws.data;
     if (!buffer_reserve(&p->order, p->draw_count, sizeof(struct draw_order), error)) {
         return false;
     }
     struct draw_order *order = p->order.data;
-    p->reordered = reorders_draws(p);
+    bool is_many = may_reorder(p) && p->draw_count >= 2 * FIRST_ROUND;
+    p->reordered = false;
     for (size_t i = 0; i < p->draw_count; i++) {
-        order[i] = (struct draw_order){draws[i].nearest, i};
+        order[i].draw = i;
+        if (is_many) {
+            pipeline_place(p, &draws[i]);
+        }
     }
-    if (p->reordered) {
-        qsort(order, p->draw_count, sizeof *order, compare_draws);
+    if (is_many && draws_overlap(p)) {
+        sort_draws(p);
     }
     return true;
+}
+
+void pipeline_reorder(struct pipeline *p) {
+    struct draw *draws = p->draws.data;
+    if (!may_reorder(p) || !draws_overlap(p)) {
+        return;
+    }
+    for (size_t i = 0; i < p->draw_count; i++) {
+        const struct span columns = draws[i].columns, rows = draws[i].rows;
+        pipeline_place(p, &draws[i]);
+        draws[i].columns = columns;
+        draws[i].rows = rows;
+    }
+    sort_draws(p);
 }
 
 void pipeline_next_round(struct frame *frame) {
@@ -79,7 +101,7 @@ void pipeline_next_round(struct frame *frame) {
     frame->round = draws->end == 0 ? 0 : frame->round + 1;
     draws->begin = draws->end;
     draws->end = draws->begin == 0 ? FIRST_ROUND : 2 * draws->begin;
-    if (!p->reordered || p->draw_count < 2 * FIRST_ROUND || draws->end > p->draw_count) {
+    if (!p->reordered || draws->end > p->draw_count) {
         draws->end = p->draw_count;
     }
 }

@@ -599,6 +599,7 @@ static void test_many_calls(void) {
             }
         }
         pipeline.skip = frame % 8 != 7;
+        pipeline.clearing = frame % 5 == 0 ? CLEAR_ALL : CLEAR_NOTHING;
         pipeline.keep_depth = frame % 4 == 0;
         pipeline_use_threads(&pipeline, (size_t)(1 + frame / 10 % 4));
         struct work work;
@@ -614,7 +615,81 @@ static void test_many_calls(void) {
         all += pipeline.stats[STAT_OBJECTS];
         free(answers);
     }
-    CHECK(hidden > 400 && hidden < all);
+    CHECK(hidden > 650 && hidden < all);
+    pipeline_free(&pipeline);
+    image_free(&image);
+}
+
+/* A face with one corner far away to the side of `at` that the wall lies on, and with a side there
+ * that goes through all of the image; along x, or along y. */
+static struct placed far_face(int32_t at, int side, bool along_x, int64_t depth) {
+    enum { FAR = 200000 };
+    struct fixed2 c[3] = {{at, -FAR}, {at, FAR}, {at + 2 * side * FAR, 0}};
+    struct placed placed = {{{0}}, {depth, depth, depth}};
+    for (int i = 0; i < 3; i++) {
+        placed.corner[i] = along_x ? c[i] : (struct fixed2){c[i].y, c[i].x};
+    }
+    return placed;
+}
+
+/* A face behind the wall that ends `past` its side: a pixel or two of it are seen, or none. */
+static void add_past(struct part *part, struct random *random, int32_t end, int side, bool along_x,
+                     int size) {
+    int32_t from = (int32_t)random_between(random, 0, size) * 256;
+    int32_t length = (int32_t)random_between(random, 300, 9000);
+    struct fixed2 c[3] = {{end, from},
+                          {end, from + (int32_t)random_between(random, 300, 3000)},
+                          {end + side * length, from + 300}};
+    struct placed placed;
+    bool level = random_bits(random) % 2 == 0;
+    for (int i = 0; i < 3; i++) {
+        placed.corner[i] = along_x ? c[i] : (struct fixed2){c[i].y, c[i].x};
+        placed.depth[i] = level && i > 0 ? placed.depth[0] : random_between(random, -60, -1);
+    }
+    add_face(part, &placed);
+}
+
+/* A wall up to a side of tiles, or nearly, and behind it faces in a draw call each, many of which
+ * reach past it by a pixel: whoever takes a box to be a pixel smaller than it is, or asks one tile
+ * too few, does not draw them. */
+static void test_past_the_wall(void) {
+    static struct scene scene;
+    struct random random = {78};
+    struct pipeline pipeline;
+    struct image image = {0};
+    struct error error;
+    uint64_t hidden = 0, all = 0;
+    scene.count = 1, scene.width = 150, scene.height = 100, scene.faces_a_call = 1;
+    CHECK(pipeline_create(&pipeline, 150, 100, &error));
+    CHECK(image_create(&image, 150, 100, IMAGE_BGR, &error));
+    for (int frame = 0; frame < 160; frame++) {
+        static const int32_t past[] = {-300, 100, 140, 300, 400};
+        struct part *part = &scene.part[0];
+        bool along_x = frame % 2 == 0;
+        int side = frame / 2 % 2 == 0 ? 1 : -1;
+        int32_t at = 256 * (int32_t)(along_x ? 16 * random_between(&random, 1, 8)
+                                             : 8 * random_between(&random, 1, 11));
+        at += frame % 3 == 0 ? 256 * (int32_t)random_between(&random, -1, 1) : 0;
+        part_begin(part, frame / 4 % 2 == 0 ? (struct rectangle){0, 0, 150, 100}
+                                            : (struct rectangle){43, 19, 105, 77});
+        part->first_number = 1;
+        part->shader = frame / 8 % 2 == 0 ? &number_shader : &flat_shader;
+        /* Half of a box of 12 pixels, so that some of the others are touched. */
+        for (int i = 0; i < 4; i++) {
+            int32_t along = 256 * (int32_t)random_between(&random, 0, along_x ? 100 : 150);
+            add_level_face(part, along_x ? at : along, along_x ? along : at, 1500, 30);
+        }
+        struct placed wall = far_face(at, side, along_x, 0);
+        add_face(part, &wall);
+        for (int i = 0; i < 24; i++) {
+            add_past(part, &random, at - side * past[random_bits(&random) % 5], side, along_x,
+                     along_x ? 100 : 150);
+        }
+        check_scene(&pipeline, &scene, &image);
+        hidden += pipeline.stats[STAT_OBJECTS_HIDDEN];
+        all += pipeline.stats[STAT_OBJECTS];
+    }
+    CHECK(hidden > 200 && 2 * hidden < all);
     pipeline_free(&pipeline);
     image_free(&image);
 }
@@ -800,7 +875,8 @@ static void test_no_face_at_all(void) {
 }
 
 UNIT_MAIN(TEST(test_images_of_all_sizes), TEST(test_many_faces), TEST(test_walls),
-          TEST(test_many_calls), TEST(test_near_face_of_many), TEST(test_large_faces),
-          TEST(test_huge_faces), TEST(test_every_face_shows), TEST(test_no_face_at_all))
+          TEST(test_many_calls), TEST(test_past_the_wall), TEST(test_near_face_of_many),
+          TEST(test_large_faces), TEST(test_huge_faces), TEST(test_every_face_shows),
+          TEST(test_no_face_at_all))
 
 #endif

@@ -21,6 +21,7 @@
 #define pipeline_is_outside     again_pipeline_is_outside
 #define pipeline_next_round     again_pipeline_next_round
 #define pipeline_order          again_pipeline_order
+#define pipeline_reorder        again_pipeline_reorder
 #define pipeline_place          again_pipeline_place
 #define pipeline_run            again_pipeline_run
 #define pipeline_sort_round     again_pipeline_sort_round

@@ -678,12 +678,45 @@ static bool draw_after_a_failure(const struct inputs *inputs, struct error *erro
     return first && second && finished;
 }
 
+/* A frame of several rounds that fails when some of them are covered; and after it an empty one,
+ * where nothing of the first may be left. */
+static bool draw_nothing_after_a_failure(const struct inputs *inputs, struct error *error) {
+    static const struct shader shader = {
+        .varying_count = 1, .vertex = no_vertex, .fragment = white};
+    struct pipeline pipeline;
+    struct image image = {0};
+    const struct rectangle viewport = {0, 0, IMAGE_SIDE, IMAGE_SIDE};
+    bool done = pipeline_create(&pipeline, IMAGE_SIDE, IMAGE_SIDE, error) &&
+                image_create(&image, IMAGE_SIDE, IMAGE_SIDE, IMAGE_BGR, error);
+    bool drawn = done;
+    pipeline.keep_depth = true;
+    for (int i = 0; i < 20 && drawn; i++) { /* from ever nearer: all but the last are hidden */
+        struct vec3 eye = {1, 2, 30 - i};
+        struct draw_call call = camera_call(&inputs->cube, eye, (struct vec3){0, 0, 0},
+                                            (struct vec3){0, 1, 0}, 1 + i, viewport, CULL_NONE);
+        drawn = pipeline_draw(&pipeline, &call, &shader, &i, sizeof i, error);
+    }
+    bool finished = drawn && pipeline_finish(&pipeline, &image, error);
+    if (done && !finished) { /* only one allocation fails */
+        struct error other;
+        pipeline_clear(&pipeline);
+        CHECK(pipeline_finish(&pipeline, &image, &other));
+        for (size_t i = 0; i < (size_t)IMAGE_SIDE * IMAGE_SIDE; i++) {
+            CHECK(pipeline.depth[i] == (double)-INFINITY);
+        }
+    }
+    pipeline_free(&pipeline);
+    image_free(&image);
+    return finished;
+}
+
 static void test_pipeline(void) {
     static const struct task tasks[] = {
         {"pipeline_draw of many faces", draw_many},
         {"pipeline_draw", draw_skipping},
         {"pipeline_draw without skipping", draw_everything},
-        {"pipeline_draw of a model after one that failed", draw_after_a_failure}};
+        {"pipeline_draw of a model after one that failed", draw_after_a_failure},
+        {"a frame after one that failed", draw_nothing_after_a_failure}};
     setenv("THREADS", "1", 1); /* a thread that is there takes memory, but at no certain time */
     RUN_TASKS(tasks);
     unsetenv("THREADS");

@@ -605,9 +605,10 @@ static void test_object_partly_in_view(void) {
     }
 }
 
-/* A model without positions has no box: it is beyond no side, and nothing of it is seen. */
+/* A model without positions has no box: it is beyond no side, and nothing of it is seen; nor does
+ * it disturb others, which are held against each other by their boxes. */
 static void test_object_without_positions(void) {
-    static struct mesh mesh;
+    static struct mesh mesh, seen;
     struct frame frame;
     if (frame_begin(&frame, 0)) {
         frame_draw(&frame, &mesh, mat4_identity(), whole_image);
@@ -615,6 +616,17 @@ static void test_object_without_positions(void) {
         CHECK(frame_count(&frame, 0) == (size_t)SIZE * SIZE);
         CHECK(frame.pipeline.stats[STAT_OBJECTS] == 1);
         CHECK(frame.pipeline.stats[STAT_OBJECTS_OUTSIDE] == 0);
+    }
+    frame_end(&frame);
+    mesh_begin(&seen);
+    mesh_face(&seen, mesh_vertex(&seen, -3, -1, 0), mesh_vertex(&seen, 3, -1, 0),
+              mesh_vertex(&seen, 0, 5, 0));
+    if (frame_begin(&frame, 0)) {
+        for (int i = 0; i < 20; i++) {
+            frame_draw(&frame, i % 2 == 0 ? &mesh : &seen, mat4_identity(), whole_image);
+        }
+        frame_finish(&frame);
+        CHECK(frame_count(&frame, 1) == (size_t)SIZE * SIZE);
     }
     frame_end(&frame);
 }
@@ -1328,6 +1340,35 @@ static void test_far_apart(void) {
     CHECK(stats[STAT_FACES] == 4 && stats[STAT_FACES_CLIPPED] > 0);
 }
 
+/* Drawing allocates nothing once all is large enough: the same frame again takes no more room. */
+static void test_frames_keep_their_memory(void) {
+    static struct mesh mesh;
+    struct random random = {17};
+    struct frame frame;
+    make_soup(&mesh, &random);
+    if (frame_begin(&frame, 0)) {
+        const struct pipeline *p = &frame.pipeline;
+        const struct buffer *buffers[] = {
+            &p->draws,       &p->order,   &p->uniforms,    &p->recip_w, &p->blocks,    &p->pieces,
+            &p->clipped,     &p->bins,    &p->band_counts, &p->binned,  &p->scratch,   &p->visible,
+            &p->piece_bands, &p->screens, &p->depths,      &p->beyonds, &p->visibility};
+        enum { BUFFERS = sizeof buffers / sizeof buffers[0] };
+        size_t capacity[BUFFERS] = {0};
+        for (int i = 0; i < 20; i++) {
+            frame_next(&frame);
+            for (int call = 0; call < 20; call++) {
+                frame_draw(&frame, &mesh, mat4_identity(), whole_image);
+            }
+            frame_finish(&frame);
+            for (size_t k = 0; k < BUFFERS; k++) {
+                CHECK(i == 0 || capacity[k] == buffers[k]->capacity);
+                capacity[k] = buffers[k]->capacity;
+            }
+        }
+    }
+    frame_end(&frame);
+}
+
 static void test_errors(void) {
     struct error error;
     struct pipeline pipeline;
@@ -1353,4 +1394,4 @@ UNIT_MAIN(TEST(test_nearest_face_shows), TEST(test_threads_change_nothing),
           TEST(test_ground_without_gaps), TEST(test_interpolation), TEST(test_viewport),
           TEST(test_grid_cell), TEST(test_not_finite), TEST(test_beside_viewport),
           TEST(test_equal_corners), TEST(test_no_area_is_no_side), TEST(test_wrapped_level),
-          TEST(test_far_apart), TEST(test_errors))
+          TEST(test_far_apart), TEST(test_frames_keep_their_memory), TEST(test_errors))

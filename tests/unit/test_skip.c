@@ -195,6 +195,20 @@ static void check_frugal(const struct scene *scene, const struct drawn *drawn) {
               scene->name);
 }
 
+/* With only some of the shortcuts the image is the same, too: none relies on another one. */
+static void check_shortcuts(struct pipeline *pipeline, const struct scene *scene,
+                            unsigned shortcuts, enum cull cull, const struct shader *shader,
+                            struct drawn *all) {
+    static uint8_t pixels[WIDTH * HEIGHT * 3];
+    memcpy(pixels, all->image.pixels, sizeof pixels);
+    struct drawn some = *all;
+    pipeline->skip = true;
+    pipeline->shortcuts = shortcuts;
+    draw_objects(pipeline, scene, 0, scene->count, cull, shader, &some);
+    CHECK_ROW(memcmp(pixels, some.image.pixels, sizeof pixels) == 0, scene->name);
+    pipeline->shortcuts = SHORTCUTS;
+}
+
 /* Draws the scene with skip on and off and whatever culled: with all shaders, or with another one
  * each time. `stats` are those of what was drawn last, with skip on: culled what is turned away,
  * and no shader that discards. */
@@ -220,6 +234,8 @@ static void check_scene(const struct scene *scene, bool all_shaders,
         CHECK_ROW(memcmp(skip.image.pixels, all.image.pixels, WIDTH * HEIGHT * 3) == 0,
                   scene->name);
         check_counters(scene, skip.stats, all.stats);
+        check_shortcuts(&pipeline, scene, (unsigned)(i + SHORTCUT_BEHIND) % SHORTCUTS, cull, shader,
+                        &all);
         if (!shader->discards) {
             check_frugal(scene, &skip);
             CHECK_ROW(skip.stats[STAT_ATTRIBUTE_SETS] <= all.stats[STAT_ATTRIBUTE_SETS],
@@ -319,15 +335,16 @@ static void test_two_models(void) {
 }
 
 /* Faces that are clipped at the near plane, and whose positions are the first of thousands: who
- * transforms the last of these has seen none that is clipped. */
+ * transforms the last of these has seen none that is clipped. Of several positions at once it is
+ * not the first one that is beyond the plane. */
 static void test_clipped_by_the_first_positions(void) {
     enum { POSITIONS = 5000, FACES = 1000 };
-    static struct vec3 positions[POSITIONS] = {{-1, -1, 0}, {1, -1, 0}, {0, 3, 10}};
+    static struct vec3 positions[POSITIONS] = {
+        [0] = {-1, -1, 0}, [1] = {1, -1, 0}, [3] = {0, 3, 10}};
+    static const uint32_t corners[3] = {1, 0, 3};
     static struct face faces[FACES];
-    for (size_t i = 0; i < FACES; i++) {
-        for (uint32_t k = 0; k < 3; k++) {
-            faces[i].corner[k] = (struct corner){(4 - k) % 3, MODEL_NONE, MODEL_NONE};
-        }
+    for (size_t i = 0; i < 3 * FACES; i++) {
+        faces[i / 3].corner[i % 3] = (struct corner){corners[i % 3], MODEL_NONE, MODEL_NONE};
     }
     struct model model = {
         .positions = positions, .position_count = POSITIONS, .faces = faces, .face_count = FACES};
@@ -424,6 +441,233 @@ static void test_within_roundings_of_a_side(void) {
     pipeline_free(&pipeline);
 }
 
+/* ---- Rounds ---- */
+
+/* Where the round ends in which the object at that place in the order comes: the first has eight
+ * objects, each one after it as many as all before; there are none where two would not be full. */
+static size_t end_of_round(size_t place, size_t count) {
+    size_t end = 8;
+    while (end <= place) {
+        end *= 2;
+    }
+    return count < 16 || end > count ? count : end;
+}
+
+/* The wall as a square of 4x4 pixels, one of 24x18 that lie side by side. */
+static struct mat4 small_square(size_t cell, double depth) {
+    double x = (double)(cell % 24) * 4 + 2, y = (double)(cell / 24) * 4 + 2;
+    return mat4_mul(mat4_translation((struct vec3){2 * x / WIDTH - 1, 2 * y / HEIGHT - 1, depth}),
+                    mat4_scaling((struct vec3){2.0 / WIDTH, 2.0 / HEIGHT, 1}));
+}
+
+/* Squares one behind the other, all small but one, which covers the image. Those before it are seen
+ * as a whole, of those behind it nothing: in its round they are transformed, later not even that.
+ * So the counters tell which objects came in which round. */
+static void check_rounds(size_t count, size_t wall_place) {
+    uint64_t stats[PIPELINE_STATS] = {0};
+    scene = (struct scene){.name = "squares, one of them large", .count = count};
+    for (size_t i = 0; i < count; i++) {
+        double depth = 0.5 - (double)i / 256;
+        scene.objects[i * 7 % count] =
+            (struct object){&wall, i == wall_place ? mat4_translation((struct vec3){0, 0, depth})
+                                                   : small_square(i * 37 % (24 * 18), depth)};
+    }
+    check_scene(&scene, false, stats);
+    size_t hidden = count - end_of_round(wall_place, count), behind = count - 1 - wall_place;
+    CHECK(stats[STAT_OBJECTS_HIDDEN] == hidden);
+    CHECK(stats[STAT_VERTICES_TRANSFORMED] == 4 * (count - hidden));
+    CHECK(stats[STAT_FACES_HIDDEN] == 2 * behind && stats[STAT_FACES_BEHIND] == 2 * behind);
+    CHECK(stats[STAT_ATTRIBUTE_SETS] == 2 * BANDS + 2 * wall_place);
+    CHECK(stats[STAT_PIXELS_COVERED] == WIDTH * HEIGHT + 16 * wall_place);
+}
+
+static void test_rounds(void) {
+    static const size_t counts[] = {2, 8, 9, 15, 16, 17, 31, 32, 33, 66, 80};
+    static const size_t places[] = {0, 1, 6, 7, 8, 14, 15, 16, 30, 31, 32, 63, 64, 65, 79};
+    for (size_t i = 0; i < sizeof counts / sizeof counts[0]; i++) {
+        for (size_t k = 0; k < sizeof places / sizeof places[0]; k++) {
+            if (places[k] < counts[i]) {
+                check_rounds(counts[i], places[k]);
+            }
+        }
+    }
+}
+
+/* Of an object that comes after a wall's round one face is hidden and the other one is not: the
+ * hidden one is counted once, not in each of its bands. */
+static void test_face_hidden_by_an_earlier_round(void) {
+    static struct vec3 positions[] = {{-0.9, -0.9, 0}, {-0.2, -0.9, 0}, {-0.9, 0.9, 0},
+                                      {0.2, -0.9, 0},  {0.9, -0.9, 0},  {0.9, 0.9, 0}};
+    static struct face faces[2];
+    for (uint32_t i = 0; i < 6; i++) {
+        faces[i / 3].corner[i % 3] = (struct corner){i, MODEL_NONE, MODEL_NONE};
+    }
+    struct model both = {
+        .positions = positions, .position_count = 6, .faces = faces, .face_count = 2};
+    uint64_t stats[PIPELINE_STATS] = {0};
+    scene = (struct scene){.name = "half behind a wall"};
+    struct mat4 left_half = mat4_scaling((struct vec3){0.25, 0.5, 1});
+    add_object(&scene, &wall, left_half, (struct vec3){-2, 0, 0.5}, 1);
+    for (size_t i = 0; i < 16; i++) {
+        scene.objects[scene.count++] = (struct object){&wall, small_square(24 * i + 13, 0.25)};
+    }
+    add_object(&scene, &both, mat4_identity(), origin, 1);
+    check_scene(&scene, true, stats);
+    CHECK(stats[STAT_OBJECTS_HIDDEN] == 0);
+    CHECK(stats[STAT_FACES_HIDDEN] == 1 && stats[STAT_FACES_BEHIND] == 1);
+}
+
+/* Draws the scene with skip on and off; the image must be the same. Returns what was counted with
+ * skip on. */
+static const uint64_t *compare(struct pipeline *pipeline, struct drawn drawn[2]) {
+    for (int skip = 0; skip < 2; skip++) {
+        pipeline->skip = skip;
+        draw_objects(pipeline, &scene, 0, scene.count, CULL_NONE, &smooth, &drawn[skip]);
+    }
+    CHECK_ROW(memcmp(drawn[0].image.pixels, drawn[1].image.pixels, WIDTH * HEIGHT * 3) == 0,
+              scene.name);
+    return drawn[1].stats;
+}
+
+static bool begin_compare(struct pipeline *pipeline, struct drawn drawn[2]) {
+    struct error error;
+    return CHECK(pipeline_create(pipeline, WIDTH, HEIGHT, &error)) &&
+           CHECK(image_create(&drawn[0].image, WIDTH, HEIGHT, IMAGE_BGR, &error)) &&
+           CHECK(image_create(&drawn[1].image, WIDTH, HEIGHT, IMAGE_BGR, &error));
+}
+
+static void end_compare(struct pipeline *pipeline, struct drawn drawn[2]) {
+    image_free(&drawn[0].image);
+    image_free(&drawn[1].image);
+    pipeline_free(pipeline);
+}
+
+static struct vec3 any_place(struct random *random, double side) {
+    return (struct vec3){random_real(random, -side, side), random_real(random, -side, side),
+                         random_real(random, -side, side)};
+}
+
+/* Walls and tetrahedra of any size, turned in any way, all around the camera: boxes that reach the
+ * near plane or the guard band, or lie askew, say no more than is true of the model. */
+static void test_askew(void) {
+    static struct vec3 positions[] = {{-1, -1, -1}, {1.5, -0.7, -1}, {0, 1, -0.5}, {0.3, 0.2, 2}};
+    static struct face faces[4];
+    static const uint32_t corners[4][3] = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
+    for (size_t i = 0; i < 12; i++) {
+        faces[i / 3].corner[i % 3] = (struct corner){corners[i / 3][i % 3], MODEL_NONE, MODEL_NONE};
+    }
+    struct model tetrahedron = {
+        .positions = positions, .position_count = 4, .faces = faces, .face_count = 4};
+    struct random random = {6};
+    struct pipeline pipeline;
+    struct drawn drawn[2] = {{{0}, {0}}, {{0}, {0}}};
+    uint64_t hidden = 0, clipped = 0;
+    if (!begin_compare(&pipeline, drawn)) {
+        return;
+    }
+    for (int frame = 0; frame < 250; frame++) {
+        struct mat4 camera = camera_at(any_place(&random, 3), any_place(&random, 1));
+        scene = (struct scene){.name = "askew"};
+        for (int i = 0; i < 80; i++) {
+            double size = random_real(&random, 0.05, 1.2) * random_real(&random, 0.1, 1);
+            add_object(&scene, i % 3 > 0 ? &tetrahedron : &wall, camera, any_place(&random, 3),
+                       size);
+            struct mat4 *to_clip = &scene.objects[i].to_clip;
+            *to_clip = mat4_mul(*to_clip,
+                                mat4_rotation(any_place(&random, 1), random_real(&random, 0, 1)));
+        }
+        const uint64_t *stats = compare(&pipeline, drawn);
+        hidden += stats[STAT_OBJECTS_HIDDEN];
+        clipped += stats[STAT_FACES_CLIPPED];
+    }
+    CHECK(hidden > 600 && clipped > 600);
+    end_compare(&pipeline, drawn);
+}
+
+/* A row of a matrix with `value` at the center, and near it something like that: though its terms
+ * are large there. */
+static void make_row(double row[4], struct vec3 step, struct vec3 center, double value) {
+    row[0] = step.x, row[1] = step.y, row[2] = step.z;
+    row[3] = value - vec3_dot(step, center);
+}
+
+/* Triangles far from the origin of their space, in the plane of a wall: their computed depths are
+ * those of the wall up to large roundings. What of them is before the wall is seen, whatever their
+ * box says. */
+static void test_within_roundings_of_a_wall(void) {
+    enum { TRIANGLES = 6 };
+    static struct vec3 positions[TRIANGLES][3];
+    struct face face = {
+        {{0, MODEL_NONE, MODEL_NONE}, {1, MODEL_NONE, MODEL_NONE}, {2, MODEL_NONE, MODEL_NONE}}};
+    struct random random = {7};
+    struct pipeline pipeline;
+    struct drawn drawn[2] = {{{0}, {0}}, {{0}, {0}}};
+    if (!begin_compare(&pipeline, drawn)) {
+        return;
+    }
+    for (int frame = 0; frame < 500; frame++) {
+        struct model models[TRIANGLES];
+        double depth = random_real(&random, -1, 1);
+        scene = (struct scene){.name = "within roundings of a wall"};
+        add_object(&scene, &wall, mat4_identity(), (struct vec3){0, 0, depth}, 1);
+        for (int i = 0; i < TRIANGLES; i++) {
+            struct vec3 center = any_place(&random, 1e6);
+            struct mat4 m;
+            make_row(m.m[0], (struct vec3){1, 0, 0}, center, 0);
+            make_row(m.m[1], (struct vec3){0, 1, 0}, center, 0);
+            make_row(m.m[3], any_place(&random, 0.3), center, 1);
+            for (int k = 0; k < 4; k++) {
+                m.m[2][k] = depth * m.m[3][k];
+            }
+            positions[i][0] = vec3_add(center, (struct vec3){-0.5, -0.5, 0});
+            positions[i][1] = vec3_add(center, (struct vec3){0.5, -0.5, 0});
+            positions[i][2] = vec3_add(center, (struct vec3){0, 0.5, 0});
+            models[i] = (struct model){
+                .positions = positions[i], .position_count = 3, .faces = &face, .face_count = 1};
+            scene.objects[scene.count++] = (struct object){&models[i], m};
+        }
+        compare(&pipeline, drawn);
+    }
+    end_compare(&pipeline, drawn);
+}
+
+/* A steep face whose upper edge, along the centres of pixels, is a little behind a wall; up to
+ * roundings, which may bring pixels of the edge before it. Those are seen. The wall comes first,
+ * since a face of its model is near. */
+static void test_roundings_within_a_face(void) {
+    struct vec3 flagged[] = {{-1, -1, 0}, {1, -1, 0},    {1, 1, 0},    {-1, 1, 0},
+                             {0.8, 0, 1}, {0.9, 0.1, 1}, {0.8, 0.1, 1}};
+    static const uint32_t corners[3][3] = {{0, 1, 2}, {0, 2, 3}, {4, 5, 6}};
+    struct face faces[3];
+    for (size_t i = 0; i < 9; i++) {
+        faces[i / 3].corner[i % 3] = (struct corner){corners[i / 3][i % 3], MODEL_NONE, MODEL_NONE};
+    }
+    double top = 2 * 60.5 / HEIGHT - 1;
+    struct vec3 steep[] = {{-0.1, -0.9, -1000}, {0.7, top, 0}, {-0.7, top, 0}};
+    struct model models[] = {
+        {.positions = flagged, .position_count = 7, .faces = faces, .face_count = 3},
+        {.positions = steep, .position_count = 3, .faces = faces, .face_count = 1}};
+    struct random random = {8};
+    struct pipeline pipeline;
+    struct drawn drawn[2] = {{{0}, {0}}, {{0}, {0}}};
+    if (!begin_compare(&pipeline, drawn)) {
+        return;
+    }
+    for (int frame = 0; frame < 200; frame++) {
+        double depth = random_real(&random, 0.1, 0.9);
+        steep[1].z = steep[2].z = depth;
+        double wall_depth = depth + random_real(&random, 0, 2e-13);
+        for (int i = 0; i < 4; i++) {
+            flagged[i].z = wall_depth;
+        }
+        scene = (struct scene){.name = "roundings within a face"};
+        add_object(&scene, &models[0], mat4_identity(), origin, 1);
+        add_object(&scene, &models[1], mat4_identity(), origin, 1);
+        compare(&pipeline, drawn);
+    }
+    end_compare(&pipeline, drawn);
+}
+
 static void test_models_are_there(void) {
     struct error error;
     CHECK(model_read(&bust, COURSE_MODELS "bust.obj", &error));
@@ -440,4 +684,7 @@ static void test_free(void) {
 UNIT_MAIN(TEST(test_models_are_there), TEST(test_single), TEST(test_nested_spheres),
           TEST(test_behind_a_wall), TEST(test_crowd), TEST(test_two_models),
           TEST(test_clipped_by_the_first_positions), TEST(test_equal_depths),
-          TEST(test_before_and_behind), TEST(test_within_roundings_of_a_side), TEST(test_free))
+          TEST(test_before_and_behind), TEST(test_within_roundings_of_a_side), TEST(test_rounds),
+          TEST(test_face_hidden_by_an_earlier_round), TEST(test_askew),
+          TEST(test_within_roundings_of_a_wall), TEST(test_roundings_within_a_face),
+          TEST(test_free))
