@@ -612,7 +612,7 @@ static void test_within_roundings_of_a_wall(void) {
         add_object(&scene, &wall, mat4_identity(), (struct vec3){0, 0, depth}, 1);
         for (int i = 0; i < TRIANGLES; i++) {
             struct vec3 center = any_place(&random, 1e6);
-            struct mat4 m;
+            struct mat4 m = {{{0}}};
             make_row(m.m[0], (struct vec3){1, 0, 0}, center, 0);
             make_row(m.m[1], (struct vec3){0, 1, 0}, center, 0);
             make_row(m.m[3], any_place(&random, 0.3), center, 1);
