@@ -423,11 +423,17 @@ static void cover_draw(struct band *band, const struct shading *shading) {
     }
 }
 
+/* The band's pieces of a round. */
+static const struct bin *bin_of(const struct band *band, size_t round) {
+    const struct pipeline *p = band->pipeline;
+    return (const struct bin *)p->bins.data + round * band_count(p) + band->index;
+}
+
 /* The numbers of a draw call's pieces in the band. */
 static struct span numbers_of_draw(const struct band *band, const struct draw *draw) {
     const struct pipeline *p = band->pipeline;
+    const struct bin *bin = bin_of(band, draw->round);
     size_t bands = band_count(p), begin = draw->first_block, end = begin + draw->block_count;
-    const struct bin *bin = (const struct bin *)p->bins.data + draw->round * bands + band->index;
     const uint32_t *ends = (const uint32_t *)p->band_counts.data + band->index; /* of blocks */
     if (begin == end) {
         return (struct span){0, 0};
@@ -441,9 +447,9 @@ static struct span numbers_of_draw(const struct band *band, const struct draw *d
 /* Go on to a draw call. False where it has no piece in the band. */
 static bool next_draw(const struct band *band, struct shading *shading, size_t place) {
     const struct pipeline *p = band->pipeline;
-    size_t index = ((const struct draw_order *)p->order.data)[place].draw, bands = band_count(p);
+    size_t index = ((const struct draw_order *)p->order.data)[place].draw;
     const struct draw *draw = (const struct draw *)p->draws.data + index;
-    const struct bin *bin = (const struct bin *)p->bins.data + draw->round * bands + band->index;
+    const struct bin *bin = bin_of(band, draw->round);
     shading->draw = draw;
     shading->shader = draw->shader;
     shading->uniforms = (const char *)p->uniforms.data + draw->uniforms;
@@ -525,11 +531,10 @@ void pipeline_cover_band(void *context, size_t index, size_t worker) {
 void pipeline_draw_band(void *context, size_t index, size_t worker) {
     const struct frame *frame = context;
     struct pipeline *p = frame->pipeline;
-    const struct bin *bin =
-        (const struct bin *)p->bins.data + frame->round * band_count(p) + index; /* the last one */
     struct scratch *scratch = (struct scratch *)p->scratch.data + worker;
     struct band band = begin_band(frame, index, worker);
     struct shading shading = begin_shading(frame, &band);
+    const struct bin *bin = bin_of(&band, frame->round); /* the last one */
     shading.scratch = scratch;
     memset(scratch->fetched, 0, (bin->number + bin->count + 1) * sizeof *scratch->fetched);
     clear_image(frame, band.rows, index);

@@ -376,17 +376,21 @@ static void test_equal_depths(void) {
     CHECK(stats[STAT_ATTRIBUTE_SETS] > 2 * BANDS && stats[STAT_ATTRIBUTE_SETS] <= 3 * BANDS);
 }
 
+/* A model of two faces with corners of their own. */
+static struct model two_triangles(struct vec3 positions[6]) {
+    static struct face faces[] = {
+        {{{0, MODEL_NONE, MODEL_NONE}, {1, MODEL_NONE, MODEL_NONE}, {2, MODEL_NONE, MODEL_NONE}}},
+        {{{3, MODEL_NONE, MODEL_NONE}, {4, MODEL_NONE, MODEL_NONE}, {5, MODEL_NONE, MODEL_NONE}}}};
+    return (struct model){
+        .positions = positions, .position_count = 6, .faces = faces, .face_count = 2};
+}
+
 /* A wall, and a model of which one face is before and the next one behind it: as a whole it is not
  * behind. */
 static void test_before_and_behind(void) {
     static struct vec3 positions[] = {{-0.8, -0.8, 0.5},  {0.2, -0.8, 0.5},  {-0.8, 0.2, 0.5},
                                       {-0.2, -0.8, -0.5}, {0.8, -0.8, -0.5}, {0.8, 0.8, -0.5}};
-    static struct face faces[2];
-    for (uint32_t i = 0; i < 6; i++) {
-        faces[i / 3].corner[i % 3] = (struct corner){i, MODEL_NONE, MODEL_NONE};
-    }
-    struct model both = {
-        .positions = positions, .position_count = 6, .faces = faces, .face_count = 2};
+    struct model both = two_triangles(positions);
     uint64_t stats[PIPELINE_STATS] = {0};
     scene = (struct scene){.name = "before and behind a wall"};
     add_object(&scene, &wall, mat4_identity(), origin, 1);
@@ -498,12 +502,7 @@ static void test_rounds(void) {
 static void test_face_hidden_by_an_earlier_round(void) {
     static struct vec3 positions[] = {{-0.9, -0.9, 0}, {-0.2, -0.9, 0}, {-0.9, 0.9, 0},
                                       {0.2, -0.9, 0},  {0.9, -0.9, 0},  {0.9, 0.9, 0}};
-    static struct face faces[2];
-    for (uint32_t i = 0; i < 6; i++) {
-        faces[i / 3].corner[i % 3] = (struct corner){i, MODEL_NONE, MODEL_NONE};
-    }
-    struct model both = {
-        .positions = positions, .position_count = 6, .faces = faces, .face_count = 2};
+    struct model both = two_triangles(positions);
     uint64_t stats[PIPELINE_STATS] = {0};
     scene = (struct scene){.name = "half behind a wall"};
     struct mat4 left_half = mat4_scaling((struct vec3){0.25, 0.5, 1});
