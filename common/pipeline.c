@@ -59,6 +59,7 @@ void pipeline_free(struct pipeline *pipeline) {
     workers_free(pipeline->workers);
     free(pipeline->depth);
     free(pipeline->draws.data);
+    free(pipeline->boxes.data);
     free(pipeline->order.data);
     free(pipeline->uniforms.data);
     free(pipeline->assemblies.data);

@@ -24,10 +24,11 @@
  *
  * Skipped, in this order, and counted (enum pipeline_stat): draw calls whose model lies beyond one
  * side of the view, as the box around it shows, before a position is transformed; draw calls whose
- * box is behind what earlier rounds show in every tile of 16x8 pixels, likewise; faces off screen;
- * faces turned away; faces that reach no pixel centre; draw calls, and pieces, behind what a tile
- * already shows, for which the nearest draw calls are covered first; attributes and shading of what
- * is hidden after all, which costs one comparison a pixel. (Burns and Hunt, "The Visibility
+ * box is behind what earlier rounds show in every tile of 16x8 pixels, likewise; of a model that is
+ * drawn several times in turn, batches of faces whose box is off screen, or behind; faces off
+ * screen; faces turned away; faces that reach no pixel centre; draw calls, and pieces, behind what
+ * a tile already shows, for which the nearest draw calls are covered first; attributes and shading
+ * of what is hidden after all, which costs one comparison a pixel. (Burns and Hunt, "The Visibility
  * Buffer", JCGT 2(2), 2013; the farthest depth of a tile: Greene, Kass and Miller, "Hierarchical
  * Z-Buffer Visibility", SIGGRAPH 1993.) The pixels of a shader that may discard are decided within
  * step 3, in the order of drawing; with `skip` off everything is shaded there.
@@ -123,7 +124,7 @@ struct shader {
 
 /* What was done and what was skipped since pipeline_clear(), once the frame is finished. What is
  * skipped with its object or as a part of it is counted like what is skipped alone: FACES_OUTSIDE,
- * FACES_HIDDEN (of a hidden object all faces, also those that are outside or turned away). */
+ * FACES_HIDDEN (of a hidden object or batch all faces, also what is outside or turned away). */
 enum pipeline_stat {
     STAT_OBJECTS,              /* draw calls */
     STAT_OBJECTS_OUTSIDE,      /* skipped: all of the model is beyond one side of the view */
@@ -181,6 +182,7 @@ struct pipeline {
     bool reordered;            /* the nearest draw calls are covered first */
     const struct model *boxed; /* of which `box` is the box in this frame; or NULL */
     struct box3 box;
+    struct buffer boxes;    /* of struct boxes: around batches of faces of models drawn again */
     struct buffer order;    /* of struct draw_order: as draw calls are covered */
     struct buffer uniforms; /* of the draw calls, one behind the other: bytes */
     size_t uniforms_end;

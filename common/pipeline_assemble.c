@@ -17,6 +17,8 @@ enum { CLIP_PLANES = 5 };
 
 /* Positions and faces are shared out among threads in blocks of this many. */
 enum { BLOCK_SIZE = 1024 };
+_Static_assert(BLOCK_SIZE / BATCH_SIZE <= 32, "pipeline_leave_out() has a bit for each batch");
+_Static_assert(BLOCK_SIZE / BATCH_SIZE % TOGETHER == 0, "no struct boxes is of two blocks");
 
 /* A convex polygon gains at most one corner at each plane. Where coordinates differ by many
  * orders of magnitude, rounding can make the polygon not convex, and n corners become up to n +
@@ -67,14 +69,6 @@ struct screen_positions {
     doubles depth, recip_w;
     longs placed; /* which have one */
 };
-
-LANES_INLINE doubles doubles_all(double value) {
-    return value + (doubles){0};
-}
-
-LANES_INLINE doubles doubles_abs(doubles value) {
-    return (doubles)((longs)value & INT64_MAX);
-}
 
 /* Where the mask is set, the value, otherwise 0. */
 LANES_INLINE doubles doubles_where(longs mask, doubles value) {
@@ -459,18 +453,21 @@ static void assemble_block(void *context, size_t index, size_t worker) {
         .draw = (uint32_t)(a->draw - (const struct draw *)p->draws.data),
     };
     memset(to.band_counts, 0, bands * sizeof *to.band_counts);
-    struct range range = block_range(index, a->draw->call.model->face_count);
+    struct range block_faces = block_range(index, a->draw->call.model->face_count);
+    uint32_t left_out = pipeline_leave_out(p, a->draw, block_faces, block->stats);
     struct batch batch = {.count = 0};
-    for (size_t first = range.begin; first < range.end; first += BATCH_SIZE) {
-        struct range faces = {first,
-                              range.end - first < BATCH_SIZE ? range.end : first + BATCH_SIZE};
+    for (size_t i = 0; i * BATCH_SIZE < block_faces.end - block_faces.begin; i++) {
+        struct range faces = batch_range(block_faces, i);
+        if ((left_out >> i & 1) != 0) {
+            continue;
+        }
         if (a->beyond == 0) {
             fill_batch(&batch, a, faces, true);
         } else {
             fill_batch(&batch, a, faces, false);
         }
         batch_classify(&batch, &a->draw->call, p->skip);
-        add_batch(a, &to, &batch, first);
+        add_batch(a, &to, &batch, faces.begin);
     }
 }
 

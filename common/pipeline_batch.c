@@ -48,12 +48,12 @@ LANES_INLINE bool many_are_zero(many a) {
 
 /* The pixel centres in the boxes of triangles, inclusive: none where the last lies before the
  * first. As columns_of() and rows_of(). */
-struct boxes {
+struct pixel_boxes {
     many left, right, bottom, top;
 };
 
-LANES_INLINE struct boxes find_boxes(const struct corners *c) {
-    return (struct boxes){
+LANES_INLINE struct pixel_boxes find_boxes(const struct corners *c) {
+    return (struct pixel_boxes){
         .left = (many_min(many_min(c[0].x, c[1].x), c[2].x) + (SUBPIXELS / 2 - 1)) >> 8,
         .right = (many_max(many_max(c[0].x, c[1].x), c[2].x) - SUBPIXELS / 2) >> 8,
         .bottom = (many_min(many_min(c[0].y, c[1].y), c[2].y) + (SUBPIXELS / 2 - 1)) >> 8,
@@ -61,8 +61,9 @@ LANES_INLINE struct boxes find_boxes(const struct corners *c) {
     };
 }
 
-LANES_INLINE struct boxes cut_boxes(const struct boxes *b, const struct rectangle *viewport) {
-    return (struct boxes){
+LANES_INLINE struct pixel_boxes cut_boxes(const struct pixel_boxes *b,
+                                          const struct rectangle *viewport) {
+    return (struct pixel_boxes){
         .left = many_max(b->left, many_all(viewport->x)),
         .right = many_min(b->right, many_all(viewport->x + viewport->width - 1)),
         .bottom = many_max(b->bottom, many_all(viewport->y)),
@@ -81,7 +82,7 @@ struct tiny_edges {
 
 /* `sign` is -1 for the triangles whose corners are clockwise, otherwise 1. */
 LANES_INLINE struct tiny_edges tiny_edges(struct corners a, struct corners b, many sign,
-                                          const struct boxes *box) {
+                                          const struct pixel_boxes *box) {
     many x_distance = (b.x - a.x) * sign, y_distance = (b.y - a.y) * sign;
     many x = box->left * SUBPIXELS + SUBPIXELS / 2, y = box->bottom * SUBPIXELS + SUBPIXELS / 2;
     many top_left = (y_distance < 0) | ((y_distance == 0) & (x_distance < 0));
@@ -96,7 +97,8 @@ LANES_INLINE struct tiny_edges tiny_edges(struct corners a, struct corners b, ma
 /* Which triangles have a box of at most two columns and two rows, and miss all its centres? Of the
  * very small ones that is half. (Of a narrower box, centres beside it are looked at as well: missed
  * in any case.) */
-LANES_INLINE many miss_centers(const struct corners *c, many clockwise, const struct boxes *box) {
+LANES_INLINE many miss_centers(const struct corners *c, many clockwise,
+                               const struct pixel_boxes *box) {
     many wide = box->right - box->left, high = box->top - box->bottom;
     umany missed = (umany)((wide <= 1) & (high <= 1));
     struct tiny_edges edge[3];
@@ -202,7 +204,7 @@ LANES_INLINE void classify(struct batch *batch, size_t at, const struct draw_cal
     }
     many winding = find_windings(c), clockwise = winding < 0, no_area = winding == 0;
     many culled = find_culled(clockwise, call->cull), turned_away = {0}, missed = {0};
-    struct boxes whole = find_boxes(c), box = cut_boxes(&whole, &call->viewport);
+    struct pixel_boxes whole = find_boxes(c), box = cut_boxes(&whole, &call->viewport);
     if (skip) {
         turned_away = culled & ~no_area;
         missed = miss_centers(c, clockwise, &whole);

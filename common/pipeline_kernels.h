@@ -64,6 +64,8 @@ struct draw {
     size_t first_recip_w; /* of its positions, in `recip_w`; without use where the shader is flat */
     struct span columns, rows; /* that it may cover: first its box, then its pieces */
     double nearest;            /* at least the depth of every pixel, where draws are reordered */
+    bool has_boxes;            /* around batches of its faces: see pipeline_box_batches() */
+    size_t first_boxes;        /* in the pipeline's `boxes` */
 };
 
 /* The pieces of a band that come in one round: `binned[first]` to `binned[first + count - 1]`. In a

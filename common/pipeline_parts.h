@@ -18,6 +18,14 @@ typedef int32_t ints __attribute__((vector_size(TOGETHER * sizeof(int32_t))));
 typedef int64_t longs __attribute__((vector_size(TOGETHER * sizeof(int64_t))));
 typedef double doubles __attribute__((vector_size(TOGETHER * sizeof(double))));
 
+LANES_INLINE doubles doubles_all(double value) {
+    return value + (doubles){0};
+}
+
+LANES_INLINE doubles doubles_abs(doubles value) {
+    return (doubles)((longs)value & INT64_MAX);
+}
+
 /* ---- What the parts share ---- */
 
 /* Elements of an array: begin inclusive, end exclusive. */
@@ -89,7 +97,7 @@ struct batch {
  * their box are not looked for. */
 void batch_classify(struct batch *batch, const struct draw_call *call, bool skip);
 
-/* ---- Objects as a whole: pipeline_objects.c ---- */
+/* ---- Boxes around objects and batches: pipeline_objects.c ---- */
 
 /* Nearer than this part of the camera's distance nothing is drawn: 1/w would grow without bound. */
 static const double near_w = 1.0 / 128;
@@ -106,6 +114,27 @@ bool pipeline_is_outside(struct pipeline *pipeline, const struct draw_call *call
 /* Find where a draw call may cover pixels (`columns` and `rows`, in the viewport) and what no depth
  * of it is above (`nearest`; infinite where it reaches the near plane), before it is assembled. */
 void pipeline_place(struct pipeline *pipeline, struct draw *draw);
+
+/* Boxes in a model's own space, around as many batches of its faces as are looked at together:
+ * their two sides across each axis, least and greatest. */
+struct boxes {
+    double side[2][3][TOGETHER];
+};
+
+/* Find the boxes around all batches of the models that are drawn several times in turn. What is
+ * drawn once is assembled as soon as its boxes are found. */
+bool pipeline_box_batches(struct pipeline *pipeline, struct error *error);
+
+/* Find which batches of a block of faces can be left out, bit i for batch i, and count what is in
+ * them: those whose box is outside the viewport, or hidden by the rounds before this one. */
+uint32_t pipeline_leave_out(const struct pipeline *pipeline, const struct draw *draw,
+                            struct range faces, uint64_t stats[PIPELINE_STATS]);
+
+/* The faces of one batch of a block. */
+static inline struct range batch_range(struct range faces, size_t batch) {
+    size_t begin = faces.begin + batch * BATCH_SIZE;
+    return (struct range){begin, faces.end - begin < BATCH_SIZE ? faces.end : begin + BATCH_SIZE};
+}
 
 /* ---- A frame and its rounds: pipeline_rounds.c ---- */
 

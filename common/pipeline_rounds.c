@@ -77,6 +77,7 @@ bool pipeline_order(struct pipeline *p, struct error *error) {
     }
     if (is_many && draws_overlap(p)) {
         sort_draws(p);
+        return pipeline_box_batches(p, error);
     }
     return true;
 }

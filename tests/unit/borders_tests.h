@@ -662,16 +662,17 @@ static void test_past_the_wall(void) {
     scene.count = 1, scene.width = 150, scene.height = 100, scene.faces_a_call = 1;
     CHECK(pipeline_create(&pipeline, 150, 100, &error));
     CHECK(image_create(&image, 150, 100, IMAGE_BGR, &error));
-    for (int frame = 0; frame < 160; frame++) {
+    for (int frame = 0; frame < 240; frame++) {
         static const int32_t past[] = {-300, 100, 140, 300, 400};
+        static const struct rectangle viewports[] = {
+            {0, 0, 150, 100}, {43, 19, 105, 77}, {5, 4, 143, 93}};
         struct part *part = &scene.part[0];
         bool along_x = frame % 2 == 0;
         int side = frame / 2 % 2 == 0 ? 1 : -1;
         int32_t at = 256 * (int32_t)(along_x ? 16 * random_between(&random, 1, 8)
                                              : 8 * random_between(&random, 1, 11));
         at += frame % 3 == 0 ? 256 * (int32_t)random_between(&random, -1, 1) : 0;
-        part_begin(part, frame / 4 % 2 == 0 ? (struct rectangle){0, 0, 150, 100}
-                                            : (struct rectangle){43, 19, 105, 77});
+        part_begin(part, viewports[frame / 4 % 3]);
         part->first_number = 1;
         part->shader = frame / 8 % 2 == 0 ? &number_shader : &flat_shader;
         /* Half of a box of 12 pixels, so that some of the others are touched. */

@@ -11,6 +11,7 @@
 #define pipeline_assemble_round again_pipeline_assemble_round
 #define pipeline_beyond_sides   again_pipeline_beyond_sides
 #define pipeline_clear          again_pipeline_clear
+#define pipeline_box_batches    again_pipeline_box_batches
 #define pipeline_cover_band     again_pipeline_cover_band
 #define pipeline_create         again_pipeline_create
 #define pipeline_draw           again_pipeline_draw
@@ -19,6 +20,7 @@
 #define pipeline_free           again_pipeline_free
 #define pipeline_is_hidden      again_pipeline_is_hidden
 #define pipeline_is_outside     again_pipeline_is_outside
+#define pipeline_leave_out      again_pipeline_leave_out
 #define pipeline_next_round     again_pipeline_next_round
 #define pipeline_order          again_pipeline_order
 #define pipeline_reorder        again_pipeline_reorder
