@@ -15,7 +15,8 @@ struct band {
     size_t index;
     struct visibility *visibility;
     struct span rows;
-    bool reordered; /* the nearest draw calls are covered first */
+    bool reordered;                            /* the nearest draw calls are covered first: */
+    struct span changed_columns, changed_rows; /* where pieces of the draw call were covered */
     uint64_t behind;
     pixel_counts covered; /* depth tests */
 };
@@ -249,10 +250,10 @@ static double find_farthest(const struct band *band, int chunk, int tile) {
     return least[0];
 }
 
-/* After a draw call, where it may have covered something. */
-static void update_farthest(const struct band *band, const struct draw *draw) {
-    struct span rows = rows_in_band(band, draw->rows);
-    for (int x = draw->columns.begin / CHUNK; x * CHUNK < draw->columns.end; x++) {
+/* After a draw call, where it has changed something. */
+static void update_farthest(const struct band *band) {
+    struct span columns = band->changed_columns, rows = rows_in_band(band, band->changed_rows);
+    for (int x = columns.begin / CHUNK; x * CHUNK < columns.end; x++) {
         double *farthest = band->visibility->farthest + x * BAND_TILES;
         for (int tile = rows.begin / TILE_HEIGHT; tile * TILE_HEIGHT < rows.end; tile++) {
             farthest[tile] = find_farthest(band, x, tile);
@@ -297,6 +298,10 @@ LANES_INLINE void cover_piece(struct band *band, const struct draw *draw, const 
                                rows_in_band(band, rows))) {
         band->behind++;
     } else {
+        if (reordered) {
+            band->changed_columns = span_around(band->changed_columns, columns);
+            band->changed_rows = span_around(band->changed_rows, rows);
+        }
         cover_box(band, piece, columns, rows, cut, number, reordered);
     }
 }
@@ -475,9 +480,10 @@ static void cover_draws(struct band *band, struct shading *shading, struct range
             band->behind += (uint64_t)(shading->numbers.end - shading->numbers.begin);
             continue;
         }
+        band->changed_columns = band->changed_rows = (struct span){INT_MAX, 0};
         cover_draw(band, shading);
         if (band->reordered) {
-            update_farthest(band, shading->draw);
+            update_farthest(band);
         }
     }
 }

@@ -11,8 +11,8 @@
 
 #include "pipeline_parts.h"
 
-/* The draw calls of the first round. */
-enum { FIRST_ROUND = 8 };
+/* The draw calls of the first round; and how many there must be for more than one. */
+enum { FIRST_ROUND = 4, MANY = 16 };
 
 /* ---- The order of draw calls ---- */
 
@@ -67,7 +67,7 @@ bool pipeline_order(struct pipeline *p, struct error *error) {
         return false;
     }
     struct draw_order *order = p->order.data;
-    bool is_many = may_reorder(p) && p->draw_count >= 2 * FIRST_ROUND;
+    bool is_many = may_reorder(p) && p->draw_count >= MANY;
     p->reordered = false;
     for (size_t i = 0; i < p->draw_count; i++) {
         order[i].draw = i;

@@ -447,10 +447,10 @@ static void test_within_roundings_of_a_side(void) {
 
 /* ---- Rounds ---- */
 
-/* Where the round ends in which the object at that place in the order comes: the first has eight
- * objects, each one after it as many as all before; there are none where two would not be full. */
+/* Where the round ends in which the object at that place in the order comes: the first has four
+ * objects, each one after it as many as all before; of fewer than 16 there is one round. */
 static size_t end_of_round(size_t place, size_t count) {
-    size_t end = 8;
+    size_t end = 4;
     while (end <= place) {
         end *= 2;
     }
@@ -487,7 +487,7 @@ static void check_rounds(size_t count, size_t wall_place) {
 
 static void test_rounds(void) {
     static const size_t counts[] = {2, 8, 9, 15, 16, 17, 31, 32, 33, 66, 80};
-    static const size_t places[] = {0, 1, 6, 7, 8, 14, 15, 16, 30, 31, 32, 63, 64, 65, 79};
+    static const size_t places[] = {0, 1, 2, 3, 4, 6, 7, 8, 14, 15, 16, 30, 31, 32, 63, 64, 65, 79};
     for (size_t i = 0; i < sizeof counts / sizeof counts[0]; i++) {
         for (size_t k = 0; k < sizeof places / sizeof places[0]; k++) {
             if (places[k] < counts[i]) {
@@ -705,6 +705,35 @@ static struct vec3 at_pixel(double x, double y) {
     return (struct vec3){2 * x / WIDTH - 1, 2 * y / HEIGHT - 1, 0};
 }
 
+/* A wall of a square for each tile of 16x8 pixels. What comes after its round is hidden, whichever
+ * of the squares it is behind. */
+static void test_hidden_by_many_faces(void) {
+    enum { COLUMNS = WIDTH / 16, ROWS = HEIGHT / 8, SQUARES = 20 };
+    struct soup soup;
+    uint64_t stats[PIPELINE_STATS] = {0};
+    if (!soup_create(&soup, 2 * COLUMNS * ROWS)) {
+        return;
+    }
+    for (size_t i = 0; i < COLUMNS * ROWS; i++) {
+        double x = (double)(i % COLUMNS * 16), y = (double)(i / COLUMNS * 8);
+        struct vec3 corners[] = {at_pixel(x, y), at_pixel(x + 16, y), at_pixel(x + 16, y + 8),
+                                 at_pixel(x, y + 8)};
+        for (size_t k = 0; k < 6; k++) {
+            soup.positions[6 * i + k] = corners[k < 3 ? k : (k - 1) % 4];
+        }
+    }
+    scene = (struct scene){.name = "squares behind a wall of squares"};
+    for (size_t i = 0; i < SQUARES; i++) {
+        scene.objects[scene.count++] =
+            (struct object){&wall, small_square(i * 37 % (24 * 18), -0.5)};
+    }
+    scene.objects[scene.count++] = (struct object){&soup.model, mat4_identity()};
+    check_scene(&scene, false, stats);
+    CHECK(stats[STAT_OBJECTS_HIDDEN] == scene.count - end_of_round(0, scene.count));
+    CHECK(stats[STAT_PIXELS_SHADED] == WIDTH * HEIGHT);
+    soup_free(&soup);
+}
+
 /* Every other face is turned away. The faces of the first batches lie in the left half of the
  * image; of the others every fifth batch lies outside, and the rest in the right half. */
 enum side { LEFT, RIGHT, OUTSIDE };
@@ -841,4 +870,5 @@ UNIT_MAIN(TEST(test_models_are_there), TEST(test_single), TEST(test_nested_spher
           TEST(test_before_and_behind), TEST(test_within_roundings_of_a_side), TEST(test_rounds),
           TEST(test_face_hidden_by_an_earlier_round), TEST(test_askew),
           TEST(test_within_roundings_of_a_wall), TEST(test_roundings_within_a_face),
-          TEST(test_batches), TEST(test_scattered_batches), TEST(test_free))
+          TEST(test_hidden_by_many_faces), TEST(test_batches), TEST(test_scattered_batches),
+          TEST(test_free))
