@@ -96,6 +96,11 @@ struct shader {
      * No lane of the mask that it returns is drawn where it is unset, which only a shader that
      * `discards` may do; others return lanes_all_set(). */
     lanes_mask (*fragment)(const void *uniforms, const lanes *varyings, lanes_texel *color);
+    /* Or NULL: change the varyings before the fragment's turn, and add some behind the last one, up
+     * to VARYING_LIMIT. It is called for many pixels before the first of them gets its colour. So a
+     * processor can look ahead of what takes long, as it is to know where texels are: see
+     * texture_locate(). */
+    void (*prepare)(const void *uniforms, lanes *varyings);
     bool flat; /* the varyings of corner 0 for the whole face: nothing is interpolated */
     bool discards;
     /* The loops over pixels, compiled by SHADER() for this shader alone. NULL: loops that call the

@@ -296,6 +296,13 @@ static inline const struct piece *see_piece(const struct shading *s, uint32_t nu
     return (const struct piece *)s->pipeline->pieces.data + index;
 }
 
+/* What a fragment finds in its varyings. */
+KERNEL void prepare(const struct shading *s, const struct shader *shader, lanes *varyings) {
+    if (shader->prepare != NULL) {
+        shader->prepare(s->uniforms, varyings);
+    }
+}
+
 /* LANES flat pieces whose colour is asked for. */
 struct flat_pieces {
     int count;
@@ -308,6 +315,7 @@ KERNEL void find_flat_colors(const struct shading *s, const struct shader *shade
     lanes varyings[VARYING_LIMIT];
     lanes_texel colors;
     memcpy(varyings, pieces->varyings, sizeof varyings);
+    prepare(s, shader, varyings);
     shader->fragment(s->uniforms, varyings, &colors);
     for (int i = 0; i < pieces->count; i++) {
         s->scratch->fetched[pieces->number[i]] = lanes_texel_at(colors, i);
@@ -553,9 +561,9 @@ KERNEL void shade_pixels(const struct shading *s, const struct shader *shader,
     write_lanes(s->image, pixels->x, pixels->y, color, pixels->drawn);
 }
 
-/* The pixels of the draw call in LANES columns of the band. All are gathered before the first is
- * shaded: a processor foresees badly how many pieces there are, and would begin anew with texels
- * that are on their way. Returns how many pixels there were in each column. */
+/* The pixels of the draw call in LANES columns of the band. All are gathered, and prepared, before
+ * the first is shaded: a processor foresees badly how many pieces there are, and would begin anew
+ * with texels that are on their way. Returns how many pixels there were in each column. */
 KERNEL lanes_int shade_columns(const struct shading *s, const struct shader *shader, int x) {
     const uint32_t *number = s->visibility->number + place_in_band(0, x);
     uint32_t touched = s->visibility->touched[x / CHUNK];
@@ -569,6 +577,9 @@ KERNEL lanes_int shade_columns(const struct shading *s, const struct shader *sha
         }
         number += CHUNK;
         touched >>= 1;
+    }
+    for (int i = 0; i < count && !shader->flat; i++) {
+        prepare(s, shader, pixels[i].varyings);
     }
     for (int i = 0; i < count; i++) {
         shade_pixels(s, shader, &pixels[i]);
@@ -639,6 +650,7 @@ KERNEL void shade_chunk_at_once(const struct shading *s, const struct shader *sh
         lanes varyings[VARYING_LIMIT];
         lanes_texel color;
         interpolate_varyings(shader, planes, x + lane, y, varyings);
+        prepare(s, shader, varyings);
         lanes_mask kept = shader->fragment(s->uniforms, varyings, &color);
         for (int i = 0; i < LANES; i++) {
             drawn[i] = drawn[i] && lanes_is_set(kept, i);

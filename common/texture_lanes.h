@@ -32,17 +32,27 @@ struct texels {
     lanes weight[4];
 };
 
+LANES_INLINE void texel_place_set(struct texel_place *place, const struct texture_level *level,
+                                  lanes_texel index, lanes across, lanes along) {
+    place->index = index;
+    place->width = level->width;
+    place->height = level->height;
+    place->weight[3] = across * along;
+    place->weight[2] = along - place->weight[3];
+    place->weight[1] = across - place->weight[3];
+    place->weight[0] = 1 - across - place->weight[2];
+}
+
+LANES_INLINE lanes_texel texel_index(const struct texture_level *level, struct lanes_place x,
+                                     struct lanes_place y) {
+    return (lanes_texel)y.texel * (uint32_t)level->pitch + (lanes_texel)x.texel;
+}
+
 LANES_INLINE void texture_find(const struct texture_level *level, struct lanes2 uv,
                                struct texel_place *place) {
     struct lanes_place x = lanes_find_texel(uv.x, level->columns, level->last_column);
     struct lanes_place y = lanes_find_texel(uv.y, level->rows, level->last_row);
-    place->index = (lanes_texel)y.texel * (uint32_t)level->pitch + (lanes_texel)x.texel;
-    place->width = level->width;
-    place->height = level->height;
-    place->weight[3] = x.fraction * y.fraction;
-    place->weight[2] = y.fraction - place->weight[3];
-    place->weight[1] = x.fraction - place->weight[3];
-    place->weight[0] = 1 - x.fraction - place->weight[2];
+    texel_place_set(place, level, texel_index(level, x, y), x.fraction, y.fraction);
 }
 
 /* Ask the memory for the texel some rows above this one, and for the next above that: the pixels
@@ -56,13 +66,19 @@ LANES_INLINE void texture_expect(const struct texture_level *level, uint32_t ind
     __builtin_prefetch((const void *)(ahead + row));
 }
 
+/* That level, clamped to the last one. */
+LANES_INLINE const struct texture_level *texture_level_of(const struct texture *texture,
+                                                          size_t level) {
+    size_t last_level = texture->level_count - 1;
+    return &texture->level[level < last_level ? level : last_level];
+}
+
 /* Fetch from one level (clamped to the last one). `place` is all zero, or where the last fetch at
  * the same uv was: textures of one size have the same places. Memory is slow: fetch from several
  * textures first, and mix then, so that the processor waits for all of them at once. */
 LANES_INLINE struct texels texture_fetch(const struct texture *texture, struct lanes2 uv,
                                          size_t level, struct texel_place *place) {
-    size_t last_level = texture->level_count - 1;
-    const struct texture_level *l = &texture->level[level < last_level ? level : last_level];
+    const struct texture_level *l = texture_level_of(texture, level);
     if (place->width != l->width || place->height != l->height) {
         texture_find(l, uv, place);
     }
@@ -99,6 +115,32 @@ LANES_INLINE struct lanes3 texture_lanes(const struct texture *texture, struct l
                                          size_t level) {
     struct texel_place place = {0};
     struct texels texels = texture_fetch(texture, uv, level, &place);
+    return texels_mix(&texels);
+}
+
+/* ---- Ahead of time: for shader->prepare ---- */
+
+/* Texture coordinates u and v become how far they lie from a texel centre to the next ones, and
+ * `index` tells which texel that is in the level. */
+LANES_INLINE void texture_locate(const struct texture *texture, size_t level, lanes *u, lanes *v,
+                                 lanes *index) {
+    const struct texture_level *l = texture_level_of(texture, level);
+    struct lanes_place x = lanes_find_texel(*u, l->columns, l->last_column);
+    struct lanes_place y = lanes_find_texel(*v, l->rows, l->last_row);
+    lanes_texel texel = texel_index(l, x, y);
+    *u = x.fraction;
+    *v = y.fraction;
+    memcpy(index, &texel, sizeof texel);
+}
+
+/* The bilinear sample there, of the same texture and level. */
+LANES_INLINE struct lanes3 texture_located(const struct texture *texture, size_t level, lanes u,
+                                           lanes v, lanes index) {
+    struct texel_place place;
+    lanes_texel texel;
+    memcpy(&texel, &index, sizeof texel);
+    texel_place_set(&place, texture_level_of(texture, level), texel, u, v);
+    struct texels texels = texture_fetch(texture, (struct lanes2){u, v}, level, &place);
     return texels_mix(&texels);
 }
 

@@ -691,6 +691,52 @@ static void test_channels(void) {
     }
 }
 
+/* What is prepared is so once, whichever way the pixels are shaded. */
+static void add_five(const void *uniforms, lanes *varyings) {
+    (void)uniforms;
+    varyings[1] = 2 * varyings[0];
+    varyings[0] += 5;
+}
+
+static lanes_mask prepared_fragment(const void *uniforms, const lanes *varyings,
+                                    lanes_texel *color) {
+    (void)uniforms;
+    *color = lanes_rgb(varyings[0], varyings[1], lanes_all(7));
+    return lanes_all_set();
+}
+
+SHADER(prepared, .varying_count = 1, .vertex = number_vertex, .prepare = add_five,
+       .fragment = prepared_fragment);
+SHADER(prepared_flat, .varying_count = 1, .flat = true, .vertex = number_vertex,
+       .prepare = add_five, .fragment = prepared_fragment);
+SHADER(prepared_discarding, .varying_count = 1, .vertex = number_vertex, .prepare = add_five,
+       .fragment = prepared_fragment, .discards = true);
+
+static void test_prepared(void) {
+    static struct mesh mesh;
+    static const struct shader *const shaders[] = {&prepared, &prepared_flat, &prepared_discarding};
+    make_cover(&mesh, 1);
+    for (int i = 0; i < 6; i++) {
+        struct frame frame;
+        struct error error;
+        size_t wrong = 0;
+        atomic_size_t calls = 0;
+        const struct uniforms uniforms = {.model = &mesh.model, .vertex_calls = &calls};
+        const struct draw_call call = {
+            .model = &mesh.model, .to_clip = place_is_xyw, .viewport = whole_image};
+        if (frame_begin(&frame, i % 2)) {
+            CHECK(draw_frame(&frame.pipeline, &call, shaders[i / 2], &uniforms, sizeof uniforms,
+                             &frame.image, &error));
+            for (int pixel = 0; pixel < SIZE * SIZE; pixel++) {
+                struct color c = image_get(&frame.image, pixel % SIZE, pixel / SIZE);
+                wrong += c.r != 6 || c.g != 2 || c.b != 7;
+            }
+            CHECK(wrong == 0);
+        }
+        frame_end(&frame);
+    }
+}
+
 /* ---- Pixels that the shader discards ---- */
 
 /* The first face has holes everywhere. */
@@ -1387,11 +1433,12 @@ UNIT_MAIN(TEST(test_nearest_face_shows), TEST(test_threads_change_nothing),
           TEST(test_seen_through_one_column), TEST(test_counts), TEST(test_faces_at_the_sides),
           TEST(test_face_past_a_corner), TEST(test_object_partly_in_view),
           TEST(test_object_without_positions), TEST(test_object_too_large_to_judge),
-          TEST(test_channels), TEST(test_discarded_hides_nothing), TEST(test_cut_from_both_ends),
-          TEST(test_nearest_w), TEST(test_depth_overflows), TEST(test_depth_difference_overflows),
-          TEST(test_clipped_in_every_block), TEST(test_scale_of_clip_space),
-          TEST(test_each_call_has_its_perspective), TEST(test_corner_order),
-          TEST(test_ground_without_gaps), TEST(test_interpolation), TEST(test_viewport),
-          TEST(test_grid_cell), TEST(test_not_finite), TEST(test_beside_viewport),
-          TEST(test_equal_corners), TEST(test_no_area_is_no_side), TEST(test_wrapped_level),
-          TEST(test_far_apart), TEST(test_frames_keep_their_memory), TEST(test_errors))
+          TEST(test_channels), TEST(test_prepared), TEST(test_discarded_hides_nothing),
+          TEST(test_cut_from_both_ends), TEST(test_nearest_w), TEST(test_depth_overflows),
+          TEST(test_depth_difference_overflows), TEST(test_clipped_in_every_block),
+          TEST(test_scale_of_clip_space), TEST(test_each_call_has_its_perspective),
+          TEST(test_corner_order), TEST(test_ground_without_gaps), TEST(test_interpolation),
+          TEST(test_viewport), TEST(test_grid_cell), TEST(test_not_finite),
+          TEST(test_beside_viewport), TEST(test_equal_corners), TEST(test_no_area_is_no_side),
+          TEST(test_wrapped_level), TEST(test_far_apart), TEST(test_frames_keep_their_memory),
+          TEST(test_errors))
