@@ -189,6 +189,11 @@ LANES_INLINE void lanes_take_apart(lanes_texel from, uint32_t lane[LANES]) {
 #endif
 }
 
+/* A texel and the one behind it. */
+LANES_INLINE uint64_t lanes_pair(const uint32_t *texel) {
+    return texel[0] | (uint64_t)texel[1] << 32;
+}
+
 /* texels[index[i]] and the texel behind it, for each lane i; an index is below 2^30. */
 LANES_INLINE void lanes_fetch_pairs(const uint32_t *texels, lanes_texel index, lanes_texel *first,
                                     lanes_texel *second) {
@@ -207,8 +212,36 @@ LANES_INLINE void lanes_fetch_pairs(const uint32_t *texels, lanes_texel index, l
     uint64_t pair[LANES];
     lanes_take_apart(index * (uint32_t)sizeof *texels, place); /* in bytes: no one need be scaled */
     for (int i = 0; i < LANES; i++) {
-        const uint32_t *at = (const void *)((const char *)texels + place[i]);
-        pair[lanes_pair_place(i)] = at[0] | (uint64_t)at[1] << 32;
+        pair[lanes_pair_place(i)] = lanes_pair((const void *)((const char *)texels + place[i]));
+    }
+    lanes_split(pair, first, second);
+#endif
+}
+
+/* Keep where texels are in place of a varying: as many bytes behind the first texel. */
+LANES_INLINE void lanes_keep_index(lanes *kept, lanes_texel index) {
+    index *= (uint32_t)sizeof(uint32_t);
+    memcpy(kept, &index, sizeof index);
+}
+
+LANES_INLINE const uint32_t *lanes_kept_texel(const uint32_t *texels, const lanes *kept, int i) {
+    uint32_t place;
+    memcpy(&place, (const char *)kept + (size_t)i * sizeof place, sizeof place);
+    return (const void *)((const char *)texels + place);
+}
+
+/* lanes_fetch_pairs() where indices were kept long ago: each is a number of its own in memory then,
+ * and no register need be taken apart. */
+LANES_INLINE void lanes_fetch_kept_pairs(const uint32_t *texels, const lanes *kept,
+                                         lanes_texel *first, lanes_texel *second) {
+#ifdef LANES_GATHERED
+    lanes_texel place;
+    memcpy(&place, kept, sizeof place);
+    lanes_fetch_pairs(texels, place / (uint32_t)sizeof *texels, first, second);
+#else
+    uint64_t pair[LANES];
+    for (int i = 0; i < LANES; i++) {
+        pair[lanes_pair_place(i)] = lanes_pair(lanes_kept_texel(texels, kept, i));
     }
     lanes_split(pair, first, second);
 #endif

@@ -32,15 +32,12 @@ struct texels {
     lanes weight[4];
 };
 
-LANES_INLINE void texel_place_set(struct texel_place *place, const struct texture_level *level,
-                                  lanes_texel index, lanes across, lanes along) {
-    place->index = index;
-    place->width = level->width;
-    place->height = level->height;
-    place->weight[3] = across * along;
-    place->weight[2] = along - place->weight[3];
-    place->weight[1] = across - place->weight[3];
-    place->weight[0] = 1 - across - place->weight[2];
+/* Of a place that lies so far from the lower left texel to the right and up. */
+LANES_INLINE void texel_weights(lanes across, lanes along, lanes weight[4]) {
+    weight[3] = across * along;
+    weight[2] = along - weight[3];
+    weight[1] = across - weight[3];
+    weight[0] = 1 - across - weight[2];
 }
 
 LANES_INLINE lanes_texel texel_index(const struct texture_level *level, struct lanes_place x,
@@ -52,16 +49,19 @@ LANES_INLINE void texture_find(const struct texture_level *level, struct lanes2 
                                struct texel_place *place) {
     struct lanes_place x = lanes_find_texel(uv.x, level->columns, level->last_column);
     struct lanes_place y = lanes_find_texel(uv.y, level->rows, level->last_row);
-    texel_place_set(place, level, texel_index(level, x, y), x.fraction, y.fraction);
+    place->width = level->width;
+    place->height = level->height;
+    place->index = texel_index(level, x, y);
+    texel_weights(x.fraction, y.fraction, place->weight);
 }
 
 /* Ask the memory for the texel some rows above this one, and for the next above that: the pixels
  * above will need them, or what lies beside them, and find it in the cache. (Beyond the texture
  * nothing happens.) */
-LANES_INLINE void texture_expect(const struct texture_level *level, uint32_t index) {
+LANES_INLINE void texture_expect(const struct texture_level *level, const uint32_t *texel) {
     enum { ROWS_AHEAD = 10 };
     uintptr_t row = level->pitch * sizeof *level->texels;
-    uintptr_t ahead = (uintptr_t)(level->texels + index) + ROWS_AHEAD * row;
+    uintptr_t ahead = (uintptr_t)texel + ROWS_AHEAD * row;
     __builtin_prefetch((const void *)ahead);
     __builtin_prefetch((const void *)(ahead + row));
 }
@@ -85,9 +85,9 @@ LANES_INLINE struct texels texture_fetch(const struct texture *texture, struct l
     struct texels texels;
     lanes_fetch_pairs(l->texels, place->index, &texels.texel[0], &texels.texel[1]);
     lanes_fetch_pairs(l->texels + l->pitch, place->index, &texels.texel[2], &texels.texel[3]);
-    texture_expect(l, lanes_texel_at(place->index, 0));
-    texture_expect(l, lanes_texel_at(place->index, LANES / 2));
-    texture_expect(l, lanes_texel_at(place->index, LANES - 1));
+    texture_expect(l, l->texels + lanes_texel_at(place->index, 0));
+    texture_expect(l, l->texels + lanes_texel_at(place->index, LANES / 2));
+    texture_expect(l, l->texels + lanes_texel_at(place->index, LANES - 1));
     memcpy(texels.weight, place->weight, sizeof texels.weight);
     return texels;
 }
@@ -120,27 +120,29 @@ LANES_INLINE struct lanes3 texture_lanes(const struct texture *texture, struct l
 
 /* ---- Ahead of time: for shader->prepare ---- */
 
-/* Texture coordinates u and v become how far they lie from a texel centre to the next ones, and
- * `index` tells which texel that is in the level. */
+/* The bilinear sample in two halves. First, texture coordinates u and v become how far the place
+ * lies from the lower left texel to the right and up, 0 to 1; `index` says which texel that is. */
 LANES_INLINE void texture_locate(const struct texture *texture, size_t level, lanes *u, lanes *v,
                                  lanes *index) {
     const struct texture_level *l = texture_level_of(texture, level);
     struct lanes_place x = lanes_find_texel(*u, l->columns, l->last_column);
     struct lanes_place y = lanes_find_texel(*v, l->rows, l->last_row);
-    lanes_texel texel = texel_index(l, x, y);
     *u = x.fraction;
     *v = y.fraction;
-    memcpy(index, &texel, sizeof texel);
+    lanes_keep_index(index, texel_index(l, x, y));
 }
 
-/* The bilinear sample there, of the same texture and level. */
+/* Then, what texture_lanes() finds there, of the same texture and level. */
 LANES_INLINE struct lanes3 texture_located(const struct texture *texture, size_t level, lanes u,
-                                           lanes v, lanes index) {
-    struct texel_place place;
-    lanes_texel texel;
-    memcpy(&texel, &index, sizeof texel);
-    texel_place_set(&place, texture_level_of(texture, level), texel, u, v);
-    struct texels texels = texture_fetch(texture, (struct lanes2){u, v}, level, &place);
+                                           lanes v, const lanes *index) {
+    const struct texture_level *l = texture_level_of(texture, level);
+    struct texels texels;
+    lanes_fetch_kept_pairs(l->texels, index, &texels.texel[0], &texels.texel[1]);
+    lanes_fetch_kept_pairs(l->texels + l->pitch, index, &texels.texel[2], &texels.texel[3]);
+    texture_expect(l, lanes_kept_texel(l->texels, index, 0));
+    texture_expect(l, lanes_kept_texel(l->texels, index, LANES / 2));
+    texture_expect(l, lanes_kept_texel(l->texels, index, LANES - 1));
+    texel_weights(u, v, texels.weight);
     return texels_mix(&texels);
 }
 

@@ -48,7 +48,7 @@ static lanes_mask gouraud_fragment(const void *uniforms, const lanes *varyings,
     const struct frame_texture *diffuse =
         &((const struct frame_scene *)uniforms)->textures[MODEL_DIFFUSE];
     struct lanes3 rgb =
-        texture_located(diffuse->texture, diffuse->level, varyings[1], varyings[2], varyings[3]);
+        texture_located(diffuse->texture, diffuse->level, varyings[1], varyings[2], &varyings[3]);
     *color = lanes_rgb(rgb.x * varyings[0], rgb.y * varyings[0], rgb.z * varyings[0]);
     return lanes_all_set();
 }

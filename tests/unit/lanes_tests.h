@@ -379,7 +379,7 @@ static bool sample_is_right(const struct texture *texture, size_t level, struct 
     struct lanes3 twice = texels_mix(&again);
     lanes x = uv.x, y = uv.y, index = lanes_all(0);
     texture_locate(texture, level, &x, &y, &index);
-    struct lanes3 located = texture_located(texture, level, x, y, index);
+    struct lanes3 located = texture_located(texture, level, x, y, &index);
     size_t last = texture->level_count - 1;
     const struct texture_level *l = &texture->level[level < last ? level : last];
     double tolerance = sample_tolerance(l->width, l->height);
