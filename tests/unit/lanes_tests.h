@@ -265,10 +265,18 @@ static void test_far_texels(void) {
         index[i] = first_index + 2 * i;
     }
     memcpy(&indices, index, sizeof indices);
-    lanes_fetch_pairs((const uint32_t *)begin, indices, &first, &second);
-    for (uint32_t i = 0; i < LANES; i++) {
-        CHECK(lanes_texel_at(first, (int)i) == 2 * i + 5);
-        CHECK(lanes_texel_at(second, (int)i) == 2 * i + 6);
+    for (int is_kept = 0; is_kept < 2; is_kept++) {
+        lanes kept;
+        lanes_keep_index(&kept, indices);
+        if (is_kept) {
+            lanes_fetch_kept_pairs((const uint32_t *)begin, &kept, &first, &second);
+        } else {
+            lanes_fetch_pairs((const uint32_t *)begin, indices, &first, &second);
+        }
+        for (uint32_t i = 0; i < LANES; i++) {
+            CHECK(lanes_texel_at(first, (int)i) == 2 * i + 5);
+            CHECK(lanes_texel_at(second, (int)i) == 2 * i + 6);
+        }
     }
 }
 
