@@ -297,7 +297,8 @@ static inline const struct piece *see_piece(const struct shading *s, uint32_t nu
 }
 
 /* What a fragment finds in its varyings. */
-KERNEL void prepare(const struct shading *s, const struct shader *shader, lanes *varyings) {
+KERNEL void prepare_varyings(const struct shading *s, const struct shader *shader,
+                             lanes *varyings) {
     if (shader->prepare != NULL) {
         shader->prepare(s->uniforms, varyings);
     }
@@ -315,7 +316,7 @@ KERNEL void find_flat_colors(const struct shading *s, const struct shader *shade
     lanes varyings[VARYING_LIMIT];
     lanes_texel colors;
     memcpy(varyings, pieces->varyings, sizeof varyings);
-    prepare(s, shader, varyings);
+    prepare_varyings(s, shader, varyings);
     shader->fragment(s->uniforms, varyings, &colors);
     for (int i = 0; i < pieces->count; i++) {
         s->scratch->fetched[pieces->number[i]] = lanes_texel_at(colors, i);
@@ -579,7 +580,7 @@ KERNEL lanes_int shade_columns(const struct shading *s, const struct shader *sha
         touched >>= 1;
     }
     for (int i = 0; i < count && !shader->flat; i++) {
-        prepare(s, shader, pixels[i].varyings);
+        prepare_varyings(s, shader, pixels[i].varyings);
     }
     for (int i = 0; i < count; i++) {
         shade_pixels(s, shader, &pixels[i]);
@@ -650,7 +651,7 @@ KERNEL void shade_chunk_at_once(const struct shading *s, const struct shader *sh
         lanes varyings[VARYING_LIMIT];
         lanes_texel color;
         interpolate_varyings(shader, planes, x + lane, y, varyings);
-        prepare(s, shader, varyings);
+        prepare_varyings(s, shader, varyings);
         lanes_mask kept = shader->fragment(s->uniforms, varyings, &color);
         for (int i = 0; i < LANES; i++) {
             drawn[i] = drawn[i] && lanes_is_set(kept, i);

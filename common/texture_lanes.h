@@ -33,15 +33,15 @@ struct texels {
 };
 
 /* Of a place that lies so far from the lower left texel to the right and up. */
-LANES_INLINE void texel_weights(lanes across, lanes along, lanes weight[4]) {
+LANES_INLINE void lanes_texel_weights(lanes across, lanes along, lanes weight[4]) {
     weight[3] = across * along;
     weight[2] = along - weight[3];
     weight[1] = across - weight[3];
     weight[0] = 1 - across - weight[2];
 }
 
-LANES_INLINE lanes_texel texel_index(const struct texture_level *level, struct lanes_place x,
-                                     struct lanes_place y) {
+LANES_INLINE lanes_texel lanes_texel_index(const struct texture_level *level, struct lanes_place x,
+                                           struct lanes_place y) {
     return (lanes_texel)y.texel * (uint32_t)level->pitch + (lanes_texel)x.texel;
 }
 
@@ -51,8 +51,8 @@ LANES_INLINE void texture_find(const struct texture_level *level, struct lanes2 
     struct lanes_place y = lanes_find_texel(uv.y, level->rows, level->last_row);
     place->width = level->width;
     place->height = level->height;
-    place->index = texel_index(level, x, y);
-    texel_weights(x.fraction, y.fraction, place->weight);
+    place->index = lanes_texel_index(level, x, y);
+    lanes_texel_weights(x.fraction, y.fraction, place->weight);
 }
 
 /* Ask the memory for the texel some rows above this one, and for the next above that: the pixels
@@ -129,7 +129,7 @@ LANES_INLINE void texture_locate(const struct texture *texture, size_t level, la
     struct lanes_place y = lanes_find_texel(*v, l->rows, l->last_row);
     *u = x.fraction;
     *v = y.fraction;
-    lanes_keep_index(index, texel_index(l, x, y));
+    lanes_keep_index(index, lanes_texel_index(l, x, y));
 }
 
 /* Then, what texture_lanes() finds there, of the same texture and level. */
@@ -142,7 +142,7 @@ LANES_INLINE struct lanes3 texture_located(const struct texture *texture, size_t
     texture_expect(l, lanes_kept_texel(l->texels, index, 0));
     texture_expect(l, lanes_kept_texel(l->texels, index, LANES / 2));
     texture_expect(l, lanes_kept_texel(l->texels, index, LANES - 1));
-    texel_weights(u, v, texels.weight);
+    lanes_texel_weights(u, v, texels.weight);
     return texels_mix(&texels);
 }
 
