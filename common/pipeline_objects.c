@@ -213,7 +213,7 @@ void pipeline_place(struct pipeline *p, struct draw *draw) {
 
 /* ---- Batches of faces ---- */
 
-/* A model that is drawn fewer times in turn is assembled sooner than its boxes are found. */
+/* Of a model that is drawn fewer times in turn no boxes are found: it would not pay. */
 enum { SHARED_BY = 4 };
 
 static size_t count_batches(size_t faces) {

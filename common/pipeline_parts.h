@@ -121,8 +121,8 @@ struct boxes {
     double side[2][3][TOGETHER];
 };
 
-/* Find the boxes around all batches of the models that are drawn several times in turn. What is
- * drawn once is assembled as soon as its boxes are found. */
+/* Find the boxes around all batches of the models that are drawn several times in turn. (For one
+ * that is drawn once that would take longer than it could save.) */
 bool pipeline_box_batches(struct pipeline *pipeline, struct error *error);
 
 /* Find which batches of a block of faces can be left out, bit i for batch i, and count what is in
