@@ -218,6 +218,14 @@ LANES_INLINE void lanes_fetch_pairs(const uint32_t *texels, lanes_texel index, l
 #endif
 }
 
+/* What is in memory is read again after this. gcc would keep all indices in registers for the next
+ * row of texels, has too few of them, and puts most on the stack; clang does well without. */
+#ifdef __clang__
+#define LANES_READ_AGAIN() (void)0
+#else
+#define LANES_READ_AGAIN() __asm__ volatile("" ::: "memory")
+#endif
+
 /* Keep where texels are in place of a varying: as many bytes behind the first texel. */
 LANES_INLINE void lanes_keep_index(lanes *kept, lanes_texel index) {
     index *= (uint32_t)sizeof(uint32_t);

@@ -48,6 +48,7 @@ static void free_all_scratch(struct pipeline *p) {
     struct scratch *scratch = p->scratch.data;
     for (size_t i = 0; i < p->scratch_count; i++) {
         free(scratch[i].fetched);
+        free(scratch[i].visible);
         free(scratch[i].planes);
     }
     p->scratch_count = 0;
@@ -114,15 +115,18 @@ static bool visibility_create(struct visibility *visibility, const struct pipeli
 /* Memory for the numbers of one band, 1 to that. */
 static bool scratch_reserve(struct scratch *scratch, const struct pipeline *p, size_t number,
                             struct error *error) {
-    uint32_t *fetched = array_reserve(scratch->fetched, &scratch->fetched_capacity, number + 1,
-                                      sizeof *scratch->fetched);
+    uint32_t *fetched =
+        array_reserve(scratch->fetched, &scratch->fetched_capacity, number + 1, sizeof *fetched);
     scratch->fetched = fetched != NULL ? fetched : scratch->fetched;
+    uint32_t *visible =
+        array_reserve(scratch->visible, &scratch->visible_capacity, number + 1, sizeof *visible);
+    scratch->visible = visible != NULL ? visible : scratch->visible;
     size_t pixels = chunk_columns(p) * CHUNK * BAND_HEIGHT;
-    size_t visible = number < pixels ? number : pixels;
-    struct planes *planes = array_reserve(scratch->planes, &scratch->plane_capacity, visible + 1,
-                                          sizeof *scratch->planes);
+    size_t most = (number < pixels ? number : pixels) + TOGETHER; /* which are written at once */
+    struct planes *planes =
+        array_reserve(scratch->planes, &scratch->plane_capacity, most, sizeof *planes);
     scratch->planes = planes != NULL ? planes : scratch->planes;
-    return (fetched != NULL && planes != NULL) || error_out_of_memory(error);
+    return (fetched != NULL && visible != NULL && planes != NULL) || error_out_of_memory(error);
 }
 
 /* ---- Threads ---- */

@@ -114,6 +114,16 @@ LANES_INLINE three to_three(three_ints whole) {
     return __builtin_convertvector(whole, three);
 }
 
+LANES_INLINE double least_of_three(three a) {
+    double least = a[0] < a[1] ? a[0] : a[1];
+    return least < a[2] ? least : a[2];
+}
+
+LANES_INLINE double most_of_three(three a) {
+    double most = a[0] > a[1] ? a[0] : a[1];
+    return most > a[2] ? most : a[2];
+}
+
 /* The edge functions at the centres of the pixels of a box: their values at its pixel (0,0), their
  * steps, and the least that is inside: 0, or 1 where 0 is not. All are whole numbers that a double
  * holds: see guard_band_of(). */
@@ -158,8 +168,7 @@ LANES_INLINE struct span rows_of_strip(const struct box_edges *e, struct span ro
     three row_of_zero = -most / e->dy;
     three first = three_select(e->dy > 0, row_of_zero, none);
     three last = three_select(e->dy < 0, row_of_zero + 1, all);
-    double begin = most_of_three((double[]){first[0], first[1], first[2]});
-    double end = least_of_three((double[]){last[0], last[1], last[2]});
+    double begin = most_of_three(first), end = least_of_three(last);
     if (!(begin < end)) {
         return (struct span){rows.begin, rows.begin};
     }
@@ -314,6 +323,23 @@ static struct span chunks_of_band(const struct band *band) {
     return (struct span){columns.begin / CHUNK, (columns.end + CHUNK - 1) / CHUNK};
 }
 
+/* Mark the pieces of LANES neighbours. In large triangles these are three runs of equal numbers, or
+ * fewer: one of each is enough, and a run twice does no harm. */
+static void mark_neighbours(const uint32_t number[LANES + 1], uint32_t *visible) {
+    const int last = LANES - 1;
+    uint32_t second = find_runs(number) & ~UINT32_C(1); /* and the later ones */
+    uint32_t third = second & (second - 1), fourth = third & (third - 1);
+    if (fourth == 0) {
+        visible[number[0]] = 1;
+        visible[number[last]] = 1;
+        visible[number[__builtin_ctz(second | UINT32_C(1) << last)]] = 1;
+        return;
+    }
+    for (int i = 0; i < LANES; i++) {
+        visible[number[i]] = 1;
+    }
+}
+
 /* Mark the pieces of which a pixel is visible. */
 static void mark_visible(const struct band *band, const struct scratch *scratch) {
     const struct visibility *visibility = band->visibility;
@@ -321,8 +347,8 @@ static void mark_visible(const struct band *band, const struct scratch *scratch)
     for (int i = chunks.begin; i < chunks.end; i++) {
         const uint32_t *number = visibility->number + place_in_band(0, i * CHUNK);
         for (uint32_t rows = visibility->touched[i]; rows != 0; rows >>= 1) {
-            for (int k = 0; (rows & 1) != 0 && k < CHUNK; k++) {
-                scratch->fetched[number[k]] = 1;
+            for (int k = 0; (rows & 1) != 0 && k < CHUNK; k += LANES) {
+                mark_neighbours(number + k, scratch->fetched);
             }
             number += CHUNK;
         }

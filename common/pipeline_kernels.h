@@ -9,6 +9,16 @@
 #error "include pipeline.h instead"
 #endif
 
+/* The kernels below call a shader that is a constant where they are used. Only when they are
+ * inlined there can the compiler inline the shader into them in turn. */
+#if defined(__GNUC__)
+#define KERNEL static inline __attribute__((always_inline))
+#else
+#define KERNEL static inline
+#endif
+
+#include "pipeline_planes.h"
+
 /* Rows are drawn in bands of this many, whose depths stay in the cache. */
 enum { BAND_HEIGHT = 32 };
 _Static_assert(BAND_HEIGHT <= 32, "`touched` has a bit for each row");
@@ -99,8 +109,11 @@ struct scratch {
     /* By a piece's number: 0 while nothing of it is visible, otherwise 1; and once its draw call is
      * shaded, what was fetched for it: the colour of a flat piece, or where its planes are. */
     uint32_t *fetched;
-    struct planes *planes; /* of the visible pieces of a draw call: see planes_at() */
-    size_t fetched_capacity, plane_capacity; /* elements */
+    /* Of the visible pieces of a draw call: their numbers, and their planes, which lie as
+     * planes_number() says. */
+    uint32_t *visible;
+    struct planes *planes;
+    size_t fetched_capacity, visible_capacity, plane_capacity; /* elements */
 };
 
 /* One draw call in one band: what a shade_function works on. */
@@ -119,14 +132,6 @@ struct shading {
     struct pixel_work *work;
 };
 
-/* The kernels below call a shader that is a constant where they are used. Only when they are
- * inlined there can the compiler inline the shader into them in turn. */
-#if defined(__GNUC__)
-#define KERNEL static inline __attribute__((always_inline))
-#else
-#define KERNEL static inline
-#endif
-
 static inline size_t chunk_columns(const struct pipeline *pipeline) {
     return (pipeline->width + CHUNK - 1) / CHUNK;
 }
@@ -141,20 +146,7 @@ static inline bool takes_shortcut(const struct pipeline *pipeline, enum shortcut
     return pipeline->skip && (pipeline->shortcuts & (unsigned)shortcut) != 0;
 }
 
-/* ---- Planes: what is interpolated over a piece ---- */
-
-/* A plane on the screen: its value at some pixel, then its steps to the right and up. */
-typedef double screen_plane __attribute__((vector_size(4 * sizeof(double))));
-
-/* The weight of a corner times the area: the exact edge function of the opposite side, from a to b,
- * at the centres of pixels. Its first value is at pixel (x0,y0). */
-KERNEL screen_plane edge_plane(struct fixed2 a, struct fixed2 b, int x0, int y0) {
-    int64_t x_distance = (int64_t)b.x - a.x, y_distance = (int64_t)b.y - a.y;
-    int64_t x = (int64_t)x0 * SUBPIXELS + SUBPIXELS / 2,
-            y = (int64_t)y0 * SUBPIXELS + SUBPIXELS / 2;
-    return (screen_plane){(double)(x_distance * (y - a.y) - y_distance * (x - a.x)),
-                          (double)(-y_distance * SUBPIXELS), (double)(x_distance * SUBPIXELS)};
-}
+/* ---- Fetching: once for each visible piece of a draw call ---- */
 
 /* 1/w at the corners of a piece. */
 static inline void find_recip_w(const struct pipeline *p, const struct draw *draw,
@@ -195,98 +187,41 @@ KERNEL void fetch_varyings(const struct shading *s, const struct shader *shader,
     }
 }
 
-/* A plane on the screen over a piece, relative to pixel (x0,y0), and with it what a varying is at
- * corner 0. */
-struct varying_plane {
-    real origin, dx, dy, corner;
-};
-
-KERNEL struct varying_plane varying_plane(screen_plane plane, double corner) {
-    typedef real rounded __attribute__((vector_size(4 * sizeof(real))));
-    struct varying_plane result;
-    rounded values = __builtin_convertvector(plane, rounded);
-    memcpy(&result, &values, sizeof result);
-    result.corner = (real)corner;
-    return result;
+/* The corners of a piece become number i of those. */
+KERNEL void put_corners(const struct shading *s, const struct shader *shader,
+                        const struct piece *piece, struct corners_together *to, size_t i) {
+    size_t n = shader->varying_count;
+    double varyings[3 * VARYING_LIMIT], recip_w[3];
+    fetch_varyings(s, shader, piece, varyings);
+    find_recip_w(s->pipeline, s->draw, piece, recip_w);
+    for (size_t c = 0; c < 3; c++) {
+        to->x[c][i] = piece->corner[c].x;
+        to->y[c][i] = piece->corner[c].y;
+        to->recip_w[c][i] = recip_w[c];
+        for (size_t k = 0; k < n; k++) {
+            to->varyings[c][k][i] = varyings[c * n + k];
+        }
+    }
 }
 
-/* What is kept of a visible piece, so that its varyings can be found at any pixel. Plane i of the
- * first varying_count is the numerator of varying i, the last one the denominator of all. */
-struct planes {
-    real x0, y0;
-    real least; /* that the denominator is at a corner: rounding may make it less, even 0 */
-    struct varying_plane plane[VARYING_LIMIT + 1];
-};
-
-/* Planes are kept without those that the shader does not have: half of the time of small pieces is
- * waiting for memory. */
-static inline struct planes *planes_at(const struct scratch *scratch, const struct shader *shader,
-                                       uint32_t place) {
-    size_t size =
-        offsetof(struct planes, plane) + (shader->varying_count + 1) * sizeof(struct varying_plane);
-    return (struct planes *)((char *)scratch->planes + place * size);
-}
-
-/* The largest power of two that is not above a positive number. A product with it is exact. */
-static inline double power_of_two(double number) {
-    uint64_t bits;
-    memcpy(&bits, &number, sizeof bits);
-    bits &= UINT64_C(0x7FF) << 52;
-    memcpy(&number, &bits, sizeof bits);
-    return number > 0x1p-1022 ? number : 0x1p-1022;
-}
-
-static inline double least_of_three(const double of[3]) {
-    double least = of[0] < of[1] ? of[0] : of[1];
-    return least < of[2] ? least : of[2];
-}
-
-static inline double most_of_three(const double of[3]) {
-    double most = of[0] > of[1] ? of[0] : of[1];
-    return most > of[2] ? most : of[2];
-}
-
-/* Perspective: a varying is v0 + (e1 (v1 - v0) / w1 + e2 (v2 - v0) / w2) / (e0 / w0 + e1 / w1 +
- * e2 / w2), where e are the edge functions. Both are planes on the screen. (Blinn, "Hyperbolic
- * Interpolation", IEEE CG&A 12(4), 1992.) */
+/* The planes of one piece. */
 KERNEL void fetch_planes(const struct shading *s, const struct shader *shader,
                          const struct piece *piece, struct planes *planes) {
-    size_t n = shader->varying_count;
-    double v[3 * VARYING_LIMIT], recip_w[3];
-    planes->x0 = planes->y0 = planes->least = 0;
+    struct corners_together corners = {0};
+    struct planes found[TOGETHER];
     if (shader->flat) {
-        shader->vertex(s->uniforms, piece->face, 0, v);
-        for (size_t i = 0; i < n; i++) {
-            planes->plane[i].corner = (real)v[i];
+        double varyings[VARYING_LIMIT];
+        planes->x0 = planes->y0 = planes->least = 0;
+        shader->vertex(s->uniforms, piece->face, 0, varyings);
+        for (size_t k = 0; k < shader->varying_count; k++) {
+            planes->plane[k].corner = (real)varyings[k];
         }
         return;
     }
-    fetch_varyings(s, shader, piece, v);
-    find_recip_w(s->pipeline, s->draw, piece, recip_w);
-    const struct fixed2 *c = piece->corner;
-    int x0 = c[0].x >> 8, y0 = c[0].y >> 8;
-    screen_plane edge[3];
-    for (int i = 0; i < 3; i++) {
-        edge[i] = edge_plane(c[(i + 1) % 3], c[(i + 2) % 3], x0, y0);
-    }
-    double scale = 1 / (edge[0][0] + edge[1][0] + edge[2][0]);
-    /* 1/w itself may be too small for a float: so as a part of the largest. */
-    double unit = 1 / power_of_two(most_of_three(recip_w));
-    for (int i = 0; i < 3; i++) {
-        edge[i] *= recip_w[i] * scale * unit;
-    }
-    double least = least_of_three(recip_w) * unit;
-    planes->x0 = (real)x0;
-    planes->y0 = (real)y0;
-    planes->least = (real)(least > 1e-30 ? least : 1e-30);
-    for (size_t i = 0; i < n; i++) {
-        double to_1 = v[n + i] - v[i], to_2 = v[2 * n + i] - v[i];
-        planes->plane[i] = varying_plane(edge[1] * to_1 + edge[2] * to_2, v[i]);
-    }
-    planes->plane[n] = varying_plane(edge[0] + edge[1] + edge[2], 0);
+    put_corners(s, shader, piece, &corners, 0);
+    find_planes(&corners, shader, found);
+    *planes = found[0];
 }
-
-/* ---- Fetching: once for each visible piece of a draw call ---- */
 
 /* The piece of a number, seen: some pixel of it is visible. Several threads may see it. */
 static inline const struct piece *see_piece(const struct shading *s, uint32_t number) {
@@ -324,56 +259,73 @@ KERNEL void find_flat_colors(const struct shading *s, const struct shader *shade
     pieces->count = 0;
 }
 
+/* List the numbers of the visible pieces of the draw call; returns how many they are. Without a
+ * branch: no processor could foresee it. */
+KERNEL uint32_t list_visible(const struct shading *s) {
+    uint32_t *visible = s->scratch->visible, count = 0;
+    for (uint32_t number = (uint32_t)s->numbers.begin + 1; number <= (uint32_t)s->numbers.end;
+         number++) {
+        visible[count] = number;
+        count += s->scratch->fetched[number];
+    }
+    return count;
+}
+
 /* Ask the memory for a piece that will be fetched soon, and for the face of a sooner one. */
-KERNEL void expect_pieces(const struct shading *s, uint32_t number) {
+KERNEL void expect_pieces(const struct shading *s, const uint32_t *visible, uint32_t count) {
     enum { PIECES_AHEAD = 16, FACES_AHEAD = 8 };
     const struct piece *pieces = s->pipeline->pieces.data;
-    const uint32_t *fetched = s->scratch->fetched;
-    uint32_t end = (uint32_t)s->numbers.end, piece = number + PIECES_AHEAD;
-    uint32_t face = number + FACES_AHEAD;
-    if (piece <= end && fetched[piece] != 0) {
-        __builtin_prefetch(&pieces[s->bin[piece - 1]]);
+    if (count > PIECES_AHEAD) {
+        __builtin_prefetch(&pieces[s->bin[visible[PIECES_AHEAD] - 1]]);
     }
-    if (face <= end && fetched[face] != 0) {
-        const struct corner *corner =
-            s->draw->call.model->faces[pieces[s->bin[face - 1]].face].corner;
+    if (count > FACES_AHEAD) {
+        uint32_t face = pieces[s->bin[visible[FACES_AHEAD] - 1]].face;
+        const struct corner *corner = s->draw->call.model->faces[face].corner;
         __builtin_prefetch(&corner[0]);
         __builtin_prefetch(&corner[2].normal);
+    }
+}
+
+/* Fetch the planes of the visible pieces. */
+KERNEL void fetch_all_planes(const struct shading *s, const struct shader *shader, uint32_t count) {
+    const uint32_t *visible = s->scratch->visible;
+    struct corners_together corners = {0};
+    for (uint32_t i = 0; i < count; i++) {
+        expect_pieces(s, visible + i, count - i);
+        s->scratch->fetched[visible[i]] = i;
+        put_corners(s, shader, see_piece(s, visible[i]), &corners, i % TOGETHER);
+        if (i % TOGETHER == TOGETHER - 1 || i == count - 1) {
+            find_planes(&corners, shader,
+                        planes_number(s->scratch->planes, shader, i / TOGETHER * TOGETHER));
+        }
+    }
+}
+
+/* And the colours, of a flat shader. */
+KERNEL void fetch_all_colors(const struct shading *s, const struct shader *shader, uint32_t count) {
+    const uint32_t *visible = s->scratch->visible;
+    struct flat_pieces flat = {0};
+    for (uint32_t i = 0; i < count; i++) {
+        double varyings[VARYING_LIMIT];
+        shader->vertex(s->uniforms, see_piece(s, visible[i])->face, 0, varyings);
+        for (size_t k = 0; k < shader->varying_count; k++) {
+            flat.varyings[k][flat.count] = (real)varyings[k];
+        }
+        flat.number[flat.count++] = visible[i];
+        if (flat.count == LANES || i == count - 1) {
+            find_flat_colors(s, shader, &flat);
+        }
     }
 }
 
 /* Fetch what the visible pieces of the draw call need, in the order of the model, whose faces lie
  * close together in memory there. Returns how many these are. */
 KERNEL uint32_t fetch_visible(const struct shading *s, const struct shader *shader) {
-    uint32_t *fetched = s->scratch->fetched, count = 0;
-    struct flat_pieces flat = {0};
-    for (uint32_t number = (uint32_t)s->numbers.begin + 1; number <= (uint32_t)s->numbers.end;
-         number++) {
-        if (!shader->flat) {
-            expect_pieces(s, number);
-        }
-        if (fetched[number] == 0) {
-            continue;
-        }
-        const struct piece *piece = see_piece(s, number);
-        if (shader->flat) {
-            double given[VARYING_LIMIT];
-            shader->vertex(s->uniforms, piece->face, 0, given);
-            for (size_t i = 0; i < shader->varying_count; i++) {
-                flat.varyings[i][flat.count] = (real)given[i];
-            }
-            flat.number[flat.count++] = number;
-            if (flat.count == LANES) {
-                find_flat_colors(s, shader, &flat);
-            }
-        } else {
-            fetched[number] = count;
-            fetch_planes(s, shader, piece, planes_at(s->scratch, shader, count));
-        }
-        count++;
-    }
-    if (flat.count > 0) {
-        find_flat_colors(s, shader, &flat);
+    uint32_t count = list_visible(s);
+    if (shader->flat) {
+        fetch_all_colors(s, shader, count);
+    } else {
+        fetch_all_planes(s, shader, count);
     }
     s->work->fetched += count;
     return count;
@@ -507,14 +459,16 @@ KERNEL bool gather_varyings(const struct shading *s, const struct shader *shader
     clear_planes(&planes, shader);
     if (found) {
         take_planes(&planes, lanes_all_set(), shader,
-                    planes_at(s->scratch, shader, fetched[number[0]]), columns, (real)y);
+                    planes_number(s->scratch->planes, shader, fetched[number[0]]), columns,
+                    (real)y);
     }
     uint32_t runs = find_runs(number);
     for (runs &= runs - 1; runs != 0; runs &= runs - 1) {
         int first = __builtin_ctz(runs);
         if (has_number(s, number[first])) {
             take_planes(&planes, lanes_not_before(first), shader,
-                        planes_at(s->scratch, shader, fetched[number[first]]), columns, (real)y);
+                        planes_number(s->scratch->planes, shader, fetched[number[first]]), columns,
+                        (real)y);
             found = true;
         }
     }

@@ -40,16 +40,6 @@ static struct vec3 box_corner(struct box3 box, int i) {
                          i & 4 ? box.greatest.z : box.least.z};
 }
 
-LANES_INLINE doubles doubles_least(doubles a, doubles b) {
-    longs less = a < b;
-    return (doubles)((less & (longs)a) | (~less & (longs)b));
-}
-
-LANES_INLINE doubles doubles_most(doubles a, doubles b) {
-    longs more = a > b;
-    return (doubles)((more & (longs)a) | (~more & (longs)b));
-}
-
 /* The sides of struct boxes, to compute with. */
 struct sides {
     doubles at[2][3];

@@ -8,24 +8,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* ---- Several whole numbers at once, for what must be exact ---- */
-
-/* As many as 64-bit numbers fit into a register of the processor. */
-#ifndef TOGETHER
-enum { TOGETHER = LANES > 4 ? LANES / 2 : 2 };
-#endif
-typedef int32_t ints __attribute__((vector_size(TOGETHER * sizeof(int32_t))));
-typedef int64_t longs __attribute__((vector_size(TOGETHER * sizeof(int64_t))));
-typedef double doubles __attribute__((vector_size(TOGETHER * sizeof(double))));
-
-LANES_INLINE doubles doubles_all(double value) {
-    return value + (doubles){0};
-}
-
-LANES_INLINE doubles doubles_abs(doubles value) {
-    return (doubles)((longs)value & INT64_MAX);
-}
-
 /* ---- What the parts share ---- */
 
 /* Elements of an array: begin inclusive, end exclusive. */

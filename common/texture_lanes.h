@@ -138,6 +138,7 @@ LANES_INLINE struct lanes3 texture_located(const struct texture *texture, size_t
     const struct texture_level *l = texture_level_of(texture, level);
     struct texels texels;
     lanes_fetch_kept_pairs(l->texels, index, &texels.texel[0], &texels.texel[1]);
+    LANES_READ_AGAIN();
     lanes_fetch_kept_pairs(l->texels + l->pitch, index, &texels.texel[2], &texels.texel[3]);
     texture_expect(l, lanes_kept_texel(l->texels, index, 0));
     texture_expect(l, lanes_kept_texel(l->texels, index, LANES / 2));

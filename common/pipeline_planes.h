@@ -1,0 +1,212 @@
+/*
+ * Private to the pipeline: numbers of several things at once, and planes, from which varyings are
+ * found at any pixel. pipeline_kernels.h includes it, since each shader gets its own.
+ */
+#ifndef COMMON_PIPELINE_PLANES_H
+#define COMMON_PIPELINE_PLANES_H
+
+#ifndef COMMON_PIPELINE_H
+#error "include pipeline.h instead"
+#endif
+
+/* ---- Numbers of several things at once, for what must be exact ---- */
+
+/* As many as 64-bit numbers fit into a register of the processor. */
+#ifndef TOGETHER
+enum { TOGETHER = LANES > 4 ? LANES / 2 : 2 };
+#endif
+typedef int32_t ints __attribute__((vector_size(TOGETHER * sizeof(int32_t))));
+typedef int64_t longs __attribute__((vector_size(TOGETHER * sizeof(int64_t))));
+typedef double doubles __attribute__((vector_size(TOGETHER * sizeof(double))));
+
+LANES_INLINE doubles doubles_all(double value) {
+    return value + (doubles){0};
+}
+
+LANES_INLINE doubles doubles_abs(doubles value) {
+    return (doubles)((longs)value & INT64_MAX);
+}
+
+LANES_INLINE doubles doubles_least(doubles a, doubles b) {
+    longs less = a < b;
+    return (doubles)((less & (longs)a) + (~less & (longs)b));
+}
+
+LANES_INLINE doubles doubles_most(doubles a, doubles b) {
+    longs more = a > b;
+    return (doubles)((more & (longs)a) + (~more & (longs)b));
+}
+
+/* ---- What is kept of a visible piece ---- */
+
+/* A plane on the screen over a piece, relative to pixel (x0,y0), and with it what a varying is at
+ * corner 0. */
+struct varying_plane {
+    real origin, dx, dy, corner;
+};
+
+/* From these the varyings are found at any pixel. Plane i of the first varying_count is the
+ * numerator of varying i, the last one the denominator of all. */
+struct planes {
+    real x0, y0;
+    real least; /* that the denominator is at a corner: rounding may make it less, even 0 */
+    struct varying_plane plane[VARYING_LIMIT + 1];
+};
+
+/* Number i of planes that lie one behind the other, without those that the shader does not have:
+ * half of the time of small pieces is waiting for memory. */
+static inline struct planes *planes_number(struct planes *planes, const struct shader *shader,
+                                           size_t i) {
+    size_t size =
+        offsetof(struct planes, plane) + (shader->varying_count + 1) * sizeof(struct varying_plane);
+    return (struct planes *)((char *)planes + i * size);
+}
+
+/* ---- Finding them, for TOGETHER pieces at once ---- */
+
+/* Their corners: what is at corner c of piece i is at [c][i]. */
+struct corners_together {
+    int32_t x[3][TOGETHER], y[3][TOGETHER]; /* in 1/256 pixel */
+    double recip_w[3][TOGETHER];
+    double varyings[3][VARYING_LIMIT][TOGETHER];
+};
+
+/* A plane on the screen for each of them: its value at some pixel, and its steps to the right and
+ * up. */
+struct planes_together {
+    doubles origin, dx, dy;
+};
+
+LANES_INLINE struct planes_together planes_scale(struct planes_together a, doubles factor) {
+    return (struct planes_together){a.origin * factor, a.dx * factor, a.dy * factor};
+}
+
+LANES_INLINE struct planes_together planes_add(struct planes_together a, struct planes_together b) {
+    return (struct planes_together){a.origin + b.origin, a.dx + b.dx, a.dy + b.dy};
+}
+
+/* The edge function from a to b, corners relative to the centre of the pixel where its first value
+ * is: there it is their cross product. All are whole numbers that a double holds: see
+ * guard_band_of(). */
+LANES_INLINE struct planes_together edge_planes(doubles ax, doubles ay, doubles bx, doubles by) {
+    return (struct planes_together){ax * by - ay * bx, (ay - by) * SUBPIXELS,
+                                    (bx - ax) * SUBPIXELS};
+}
+
+/* The weights of the corners times the area: edge function i is that of the side opposite corner i.
+ * Relative to the pixel that corner 0 is in, (x0,y0). */
+LANES_INLINE void find_edge_planes(const struct corners_together *of, ints *x0, ints *y0,
+                                   struct planes_together edge[3]) {
+    doubles x[3], y[3];
+    ints at_x, at_y;
+    memcpy(x0, of->x[0], sizeof *x0);
+    memcpy(y0, of->y[0], sizeof *y0);
+    *x0 >>= 8;
+    *y0 >>= 8;
+    for (int c = 0; c < 3; c++) {
+        memcpy(&at_x, of->x[c], sizeof at_x);
+        memcpy(&at_y, of->y[c], sizeof at_y);
+        x[c] = __builtin_convertvector(at_x - (*x0 * SUBPIXELS + SUBPIXELS / 2), doubles);
+        y[c] = __builtin_convertvector(at_y - (*y0 * SUBPIXELS + SUBPIXELS / 2), doubles);
+    }
+    for (int c = 0; c < 3; c++) {
+        int a = (c + 1) % 3, b = (c + 2) % 3;
+        edge[c] = edge_planes(x[a], y[a], x[b], y[b]);
+    }
+}
+
+/* The powers of two that bring positive numbers to 1 or more, below 2. A product with one is
+ * exact. */
+LANES_INLINE doubles units_of(doubles numbers) {
+    longs exponent = (longs)doubles_most(numbers, doubles_all(0x1p-1022)) & INT64_C(0x7FF) << 52;
+    return (doubles)((INT64_C(2046) << 52) - exponent);
+}
+
+/* A plane of each piece, number k of those that are kept of it. */
+typedef real reals __attribute__((vector_size(TOGETHER * sizeof(real))));
+
+struct kept_planes {
+    reals origin, dx, dy, corner;
+};
+
+LANES_INLINE void write_planes_plainly(const struct kept_planes *from, const struct shader *shader,
+                                       struct planes *to, size_t k) {
+    for (size_t i = 0; i < TOGETHER; i++) {
+        planes_number(to, shader, i)->plane[k] =
+            (struct varying_plane){from->origin[i], from->dx[i], from->dy[i], from->corner[i]};
+    }
+}
+
+/* The same in few instructions. */
+LANES_INLINE void write_planes(const struct kept_planes *from, const struct shader *shader,
+                               struct planes *to, size_t k) {
+#if LANES == 16 && defined(LANES_SHUFFLE)
+#define PAIRS(a, b, n) LANES_SHUFFLE(a, b, n, n + 8, n + 1, n + 9, n + 4, n + 12, n + 5, n + 13)
+#define FOURS(a, b, n) LANES_SHUFFLE(a, b, n, n + 1, n + 8, n + 9, n + 4, n + 5, n + 12, n + 13)
+#elif LANES == 8 && defined(LANES_SHUFFLE)
+#define PAIRS(a, b, n) LANES_SHUFFLE(a, b, n, n + 4, n + 1, n + 5)
+#define FOURS(a, b, n) LANES_SHUFFLE(a, b, n, n + 1, n + 4, n + 5)
+#endif
+#ifdef PAIRS
+    reals a = PAIRS(from->origin, from->dx, 0), b = PAIRS(from->origin, from->dx, 2);
+    reals c = PAIRS(from->dy, from->corner, 0), d = PAIRS(from->dy, from->corner, 2);
+    const reals of_piece[4] = {FOURS(a, c, 0), FOURS(a, c, 2), FOURS(b, d, 0), FOURS(b, d, 2)};
+    for (size_t i = 0; i < TOGETHER; i++) {
+        const real *plane = (const real *)&of_piece[i % 4] + i / 4 * 4;
+        memcpy(&planes_number(to, shader, i)->plane[k], plane, sizeof(struct varying_plane));
+    }
+#else
+    write_planes_plainly(from, shader, to, k);
+#endif
+}
+
+LANES_INLINE void keep_planes(struct planes_together planes, doubles corner,
+                              const struct shader *shader, struct planes *to, size_t k) {
+    const struct kept_planes kept = {
+        __builtin_convertvector(planes.origin, reals), __builtin_convertvector(planes.dx, reals),
+        __builtin_convertvector(planes.dy, reals), __builtin_convertvector(corner, reals)};
+    write_planes(&kept, shader, to, k);
+}
+
+LANES_INLINE doubles doubles_load(const double from[TOGETHER]) {
+    doubles values;
+    memcpy(&values, from, sizeof values);
+    return values;
+}
+
+/* Perspective: a varying is v0 + (e1 (v1 - v0) / w1 + e2 (v2 - v0) / w2) / (e0 / w0 + e1 / w1 +
+ * e2 / w2), where e are the edge functions. Both are planes on the screen. (Blinn, "Hyperbolic
+ * Interpolation", IEEE CG&A 12(4), 1992.) Of pieces that are not given, anything is written. */
+KERNEL void find_planes(const struct corners_together *of, const struct shader *shader,
+                        struct planes *to) {
+    size_t n = shader->varying_count;
+    ints x0, y0;
+    struct planes_together edge[3];
+    doubles recip_w[3];
+    find_edge_planes(of, &x0, &y0, edge);
+    for (int c = 0; c < 3; c++) {
+        recip_w[c] = doubles_load(of->recip_w[c]);
+    }
+    doubles scale = 1 / (edge[0].origin + edge[1].origin + edge[2].origin);
+    /* 1/w itself may be too small for a float: so as a part of the largest. */
+    doubles unit = units_of(doubles_most(doubles_most(recip_w[0], recip_w[1]), recip_w[2]));
+    doubles least = doubles_least(doubles_least(recip_w[0], recip_w[1]), recip_w[2]) * unit;
+    for (int c = 0; c < 3; c++) {
+        edge[c] = planes_scale(edge[c], recip_w[c] * scale * unit);
+    }
+    for (size_t i = 0; i < TOGETHER; i++) {
+        struct planes *planes = planes_number(to, shader, i);
+        planes->x0 = (real)x0[i];
+        planes->y0 = (real)y0[i];
+        planes->least = (real)(least[i] > 1e-30 ? least[i] : 1e-30);
+    }
+    for (size_t k = 0; k < n; k++) {
+        doubles v0 = doubles_load(of->varyings[0][k]);
+        struct planes_together to_1 = planes_scale(edge[1], doubles_load(of->varyings[1][k]) - v0);
+        struct planes_together to_2 = planes_scale(edge[2], doubles_load(of->varyings[2][k]) - v0);
+        keep_planes(planes_add(to_1, to_2), v0, shader, to, k);
+    }
+    keep_planes(planes_add(planes_add(edge[0], edge[1]), edge[2]), doubles_all(0), shader, to, n);
+}
+
+#endif
