@@ -259,6 +259,7 @@ static inline struct face_beyond find_face_beyond(const struct assembly *a,
 static inline void batch_put(struct batch *batch, const struct assembly *a,
                              const struct corner corner[3], bool inside) {
     size_t at = batch->count++;
+    __builtin_prefetch(&a->vertices.depth[corner[0].position]); /* for add_batch(), soon */
     for (int i = 0; i < 3; i++) {
         batch->screen[i][at] = a->vertices.screen[corner[i].position];
     }

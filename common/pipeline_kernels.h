@@ -211,7 +211,7 @@ KERNEL void fetch_planes(const struct shading *s, const struct shader *shader,
     struct planes found[TOGETHER];
     if (shader->flat) {
         double varyings[VARYING_LIMIT];
-        planes->x0 = planes->y0 = planes->least = 0;
+        planes->x0 = planes->y0 = 0;
         shader->vertex(s->uniforms, piece->face, 0, varyings);
         for (size_t k = 0; k < shader->varying_count; k++) {
             planes->plane[k].corner = (real)varyings[k];
@@ -335,10 +335,9 @@ KERNEL uint32_t fetch_visible(const struct shading *s, const struct shader *shad
 
 /* The planes of LANES neighbours of a row, which may belong to several pieces. */
 struct lanes_planes {
-    lanes right; /* from the planes' x0 */
-    lanes least;
-    lanes corner[VARYING_LIMIT];
+    lanes right;                                         /* from the planes' x0 */
     lanes row[VARYING_LIMIT + 1], dx[VARYING_LIMIT + 1]; /* at x0 of this row, and to the right */
+    lanes corner[VARYING_LIMIT + 1];
 };
 
 /* Where the mask is set, the planes become those of a piece at pixels x of row y. */
@@ -346,12 +345,9 @@ KERNEL void take_planes(struct lanes_planes *to, lanes_mask mask, const struct s
                         const struct planes *from, lanes x, real y) {
     real up = y - from->y0;
     to->right = lanes_select(mask, x - from->x0, to->right);
-    to->least = lanes_put(mask, from->least, to->least);
     for (size_t i = 0; i <= shader->varying_count; i++) {
         const struct varying_plane *plane = &from->plane[i];
-        if (i < shader->varying_count) {
-            to->corner[i] = lanes_put(mask, plane->corner, to->corner[i]);
-        }
+        to->corner[i] = lanes_put(mask, plane->corner, to->corner[i]);
         to->row[i] = lanes_put(mask, plane->origin + up * plane->dy, to->row[i]);
         to->dx[i] = lanes_put(mask, plane->dx, to->dx[i]);
     }
@@ -360,12 +356,9 @@ KERNEL void take_planes(struct lanes_planes *to, lanes_mask mask, const struct s
 /* Planes that are 0 everywhere. */
 KERNEL void clear_planes(struct lanes_planes *planes, const struct shader *shader) {
     planes->right = lanes_all(0);
-    planes->least = lanes_all(1);
     for (size_t i = 0; i <= shader->varying_count; i++) {
         planes->row[i] = planes->dx[i] = lanes_all(0);
-        if (i < shader->varying_count) {
-            planes->corner[i] = lanes_all(0);
-        }
+        planes->corner[i] = lanes_all(i < shader->varying_count ? 0 : 1);
     }
 }
 
@@ -376,7 +369,7 @@ LANES_INLINE lanes plane_at_pixels(const struct lanes_planes *planes, size_t i) 
 KERNEL void planes_at_pixels(const struct lanes_planes *planes, const struct shader *shader,
                              lanes *varyings) {
     size_t n = shader->varying_count;
-    lanes w = 1 / lanes_max(plane_at_pixels(planes, n), planes->least);
+    lanes w = 1 / lanes_max(plane_at_pixels(planes, n), planes->corner[n]);
     for (size_t i = 0; i < n; i++) {
         varyings[i] = planes->corner[i] + plane_at_pixels(planes, i) * w;
     }

@@ -39,17 +39,17 @@ LANES_INLINE doubles doubles_most(doubles a, doubles b) {
 
 /* ---- What is kept of a visible piece ---- */
 
-/* A plane on the screen over a piece, relative to pixel (x0,y0), and with it what a varying is at
- * corner 0. */
+/* A plane on the screen over a piece, relative to pixel (x0,y0), and with it a number of the
+ * piece's corners. */
 struct varying_plane {
     real origin, dx, dy, corner;
 };
 
 /* From these the varyings are found at any pixel. Plane i of the first varying_count is the
- * numerator of varying i, the last one the denominator of all. */
+ * numerator of varying i, with what that is at corner 0. The last one is the denominator of all,
+ * with the least that it is at any corner: rounding may make it less, even 0. */
 struct planes {
     real x0, y0;
-    real least; /* that the denominator is at a corner: rounding may make it less, even 0 */
     struct varying_plane plane[VARYING_LIMIT + 1];
 };
 
@@ -191,6 +191,7 @@ KERNEL void find_planes(const struct corners_together *of, const struct shader *
     /* 1/w itself may be too small for a float: so as a part of the largest. */
     doubles unit = units_of(doubles_most(doubles_most(recip_w[0], recip_w[1]), recip_w[2]));
     doubles least = doubles_least(doubles_least(recip_w[0], recip_w[1]), recip_w[2]) * unit;
+    least = doubles_most(least, doubles_all(1e-30)); /* above 0 in a float, too */
     for (int c = 0; c < 3; c++) {
         edge[c] = planes_scale(edge[c], recip_w[c] * scale * unit);
     }
@@ -198,7 +199,6 @@ KERNEL void find_planes(const struct corners_together *of, const struct shader *
         struct planes *planes = planes_number(to, shader, i);
         planes->x0 = (real)x0[i];
         planes->y0 = (real)y0[i];
-        planes->least = (real)(least[i] > 1e-30 ? least[i] : 1e-30);
     }
     for (size_t k = 0; k < n; k++) {
         doubles v0 = doubles_load(of->varyings[0][k]);
@@ -206,7 +206,7 @@ KERNEL void find_planes(const struct corners_together *of, const struct shader *
         struct planes_together to_2 = planes_scale(edge[2], doubles_load(of->varyings[2][k]) - v0);
         keep_planes(planes_add(to_1, to_2), v0, shader, to, k);
     }
-    keep_planes(planes_add(planes_add(edge[0], edge[1]), edge[2]), doubles_all(0), shader, to, n);
+    keep_planes(planes_add(planes_add(edge[0], edge[1]), edge[2]), least, shader, to, n);
 }
 
 #endif

@@ -1,6 +1,7 @@
 /*
- * pipeline_planes.h against plain answers, one piece at a time: edge functions in whole numbers, and
- * what the planes are at the corners. Included by programs that have chosen REAL and LANES, or not.
+ * pipeline_planes.h against plain answers, one piece at a time: edge functions in whole numbers,
+ * and what the planes are at the corners. Included by programs that have chosen REAL and LANES, or
+ * not.
  */
 #ifndef TESTS_PLANES_TESTS_H
 #define TESTS_PLANES_TESTS_H
@@ -119,7 +120,7 @@ static void check_piece(const struct corners_together *of, const struct planes *
     const double *w[3] = {of->recip_w[0], of->recip_w[1], of->recip_w[2]};
     double most = fmax(fmax(w[0][i], w[1][i]), w[2][i]);
     double unit = exp2(-floor(log2(most))), least = fmin(fmin(w[0][i], w[1][i]), w[2][i]) * unit;
-    CHECK((double)planes->least == (double)(real)(least > 1e-30 ? least : 1e-30));
+    CHECK(planes->plane[n].corner == (real)(least > 1e-30 ? least : 1e-30));
     for (int c = 0; c < 3; c++) {
         double below = at_corner(&planes->plane[n], planes, of, i, c);
         CHECK(fabs(below - w[c][i] * unit) <= rounding_of(&planes->plane[n]) + 1e-6);
