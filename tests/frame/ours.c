@@ -10,8 +10,8 @@ static double light_on(const struct frame_scene *scene, const float normal[3]) {
     return light > 0 ? light : 0;
 }
 
-static struct texels fetch(const struct frame_scene *scene, enum model_texture_kind kind,
-                           struct lanes2 uv, struct texel_place *place) {
+LANES_INLINE struct texels fetch(const struct frame_scene *scene, enum model_texture_kind kind,
+                                 struct lanes2 uv, struct texel_place *place) {
     return texture_fetch(scene->textures[kind].texture, uv, scene->textures[kind].level, place);
 }
 
