@@ -393,6 +393,14 @@ static uint32_t *last_touched(const struct pipeline *p, size_t band) {
     return (uint32_t *)p->last_touched.data + band * chunk_columns(p);
 }
 
+/* Ask the memory for the pixels of a row some columns further on. (No processor foresees what is
+ * read in columns of a large image.) They may lie behind the last ones: then nothing happens. */
+static void expect_pixels(const uint8_t *pixels) {
+    enum { COLUMNS_AHEAD = 4 };
+    uintptr_t ahead = (uintptr_t)pixels + COLUMNS_AHEAD * CHUNK * IMAGE_BGRA;
+    __builtin_prefetch((const void *)ahead, 1);
+}
+
 /* Clear what the last frame has touched in some rows of the image. */
 static void clear_touched(const struct image *image, struct span rows, const uint32_t *touched) {
     for (size_t x = 0; x < image->width; x += CHUNK) {
@@ -400,6 +408,7 @@ static void clear_touched(const struct image *image, struct span rows, const uin
         size_t size = (image->width - x < CHUNK ? image->width - x : CHUNK) * image->format;
         for (uint32_t left = touched[x / CHUNK]; left != 0; left >>= 1) {
             if ((left & 1) != 0 && size == CHUNK * IMAGE_BGRA) {
+                expect_pixels(pixels);
                 memset(pixels, 0, CHUNK * IMAGE_BGRA); /* one instruction or two */
             } else if ((left & 1) != 0) {
                 memset(pixels, 0, size);
