@@ -137,20 +137,29 @@ LANES_INLINE void write_planes_plainly(const struct kept_planes *from, const str
     }
 }
 
-/* The same in few instructions. */
+/* The same in few instructions: pairs of two planes' numbers, and fours of those. */
+#if LANES == 16 && defined(LANES_SHUFFLE)
+#define PLANES_LOW_PAIRS  0, 8, 1, 9, 4, 12, 5, 13
+#define PLANES_HIGH_PAIRS 2, 10, 3, 11, 6, 14, 7, 15
+#define PLANES_LOW_FOURS  0, 1, 8, 9, 4, 5, 12, 13
+#define PLANES_HIGH_FOURS 2, 3, 10, 11, 6, 7, 14, 15
+#elif LANES == 8 && defined(LANES_SHUFFLE)
+#define PLANES_LOW_PAIRS  0, 4, 1, 5
+#define PLANES_HIGH_PAIRS 2, 6, 3, 7
+#define PLANES_LOW_FOURS  0, 1, 4, 5
+#define PLANES_HIGH_FOURS 2, 3, 6, 7
+#endif
+
 LANES_INLINE void write_planes(const struct kept_planes *from, const struct shader *shader,
                                struct planes *to, size_t k) {
-#if LANES == 16 && defined(LANES_SHUFFLE)
-#define PAIRS(a, b, n) LANES_SHUFFLE(a, b, n, n + 8, n + 1, n + 9, n + 4, n + 12, n + 5, n + 13)
-#define FOURS(a, b, n) LANES_SHUFFLE(a, b, n, n + 1, n + 8, n + 9, n + 4, n + 5, n + 12, n + 13)
-#elif LANES == 8 && defined(LANES_SHUFFLE)
-#define PAIRS(a, b, n) LANES_SHUFFLE(a, b, n, n + 4, n + 1, n + 5)
-#define FOURS(a, b, n) LANES_SHUFFLE(a, b, n, n + 1, n + 4, n + 5)
-#endif
-#ifdef PAIRS
-    reals a = PAIRS(from->origin, from->dx, 0), b = PAIRS(from->origin, from->dx, 2);
-    reals c = PAIRS(from->dy, from->corner, 0), d = PAIRS(from->dy, from->corner, 2);
-    const reals of_piece[4] = {FOURS(a, c, 0), FOURS(a, c, 2), FOURS(b, d, 0), FOURS(b, d, 2)};
+#ifdef PLANES_LOW_PAIRS
+    reals a = LANES_SHUFFLE(from->origin, from->dx, PLANES_LOW_PAIRS);
+    reals b = LANES_SHUFFLE(from->origin, from->dx, PLANES_HIGH_PAIRS);
+    reals c = LANES_SHUFFLE(from->dy, from->corner, PLANES_LOW_PAIRS);
+    reals d = LANES_SHUFFLE(from->dy, from->corner, PLANES_HIGH_PAIRS);
+    const reals of_piece[4] = {
+        LANES_SHUFFLE(a, c, PLANES_LOW_FOURS), LANES_SHUFFLE(a, c, PLANES_HIGH_FOURS),
+        LANES_SHUFFLE(b, d, PLANES_LOW_FOURS), LANES_SHUFFLE(b, d, PLANES_HIGH_FOURS)};
     for (size_t i = 0; i < TOGETHER; i++) {
         const real *plane = (const real *)&of_piece[i % 4] + i / 4 * 4;
         memcpy(&planes_number(to, shader, i)->plane[k], plane, sizeof(struct varying_plane));
