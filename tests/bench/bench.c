@@ -87,6 +87,23 @@ static bool save_json(const struct bytes *json, const char *directory, struct er
     return file_write(path, json->data, json->size, error);
 }
 
+/* Beside a wrong picture each time would look right. */
+static bool check_errors(const struct bench_lesson *lesson, const struct bench_results *results,
+                         struct error *error) {
+    for (size_t p = 0; p < lesson->panel_count; p++) {
+        const struct bench_panel *panel = &lesson->panels[p];
+        for (size_t i = 0; panel->house_within > 0 && i < panel->version_count; i++) {
+            double found = results->of[p][i].error;
+            if (panel->versions[i].is_house && !(found <= panel->house_within)) {
+                return error_set(error, "%s: \"%s\" has an error of %g, and may have %g",
+                                 lesson->title, panel->versions[i].name, found,
+                                 panel->house_within);
+            }
+        }
+    }
+    return true;
+}
+
 static bool measure_lessons(const struct options *options, struct error *error) {
     struct bytes json = {0};
     int done = 0;
@@ -102,6 +119,7 @@ static bool measure_lessons(const struct options *options, struct error *error) 
                save_chart(lesson, &results, options->directory, error);
         if (well) {
             report_print(lesson, &results);
+            well = check_errors(lesson, &results, error);
         }
     }
     if (well && done == 0) {

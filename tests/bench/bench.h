@@ -70,6 +70,9 @@ struct bench_panel {
      * Asked for after `error`. */
     double (*size)(const void *state, int choice);
     const char *size_label;
+    /* The most that the error of a house version is if it is right, and what it is measured
+     * against, too: beyond it the benchmark fails. 0: nobody asks. */
+    double house_within;
 };
 
 enum { BENCH_VERSION_LIMIT = 32, BENCH_PANEL_LIMIT = 8, BENCH_SERIES_LIMIT = 6 };
