@@ -20,7 +20,7 @@ static int any_int(int least, int most) {
     return (int)floor(random_real(&random_state, least, most + 1.0));
 }
 
-/* Edge i at the centre of a pixel, in 1/256 pixel squared. No side is longer than 2^25. */
+/* Edge i at the centre of a pixel, in 1/256 pixel squared. */
 static int64_t plain_edge(const struct corners_together *of, size_t piece, int i, int x, int y) {
     int a = (i + 1) % 3, b = (i + 2) % 3;
     int64_t ax = of->x[a][piece], ay = of->y[a][piece];
@@ -78,7 +78,7 @@ static void test_units(void) {
 }
 
 static void test_written(void) {
-    char fast[TOGETHER * sizeof(struct planes)], plain[sizeof fast];
+    struct planes fast[TOGETHER], plain[TOGETHER];
     for (size_t k = 0; k <= shader.varying_count; k++) {
         struct kept_planes from;
         for (int i = 0; i < TOGETHER; i++) {
@@ -89,14 +89,13 @@ static void test_written(void) {
         }
         memset(fast, 7, sizeof fast);
         memset(plain, 7, sizeof plain);
-        write_planes(&from, &shader, (struct planes *)(void *)fast, k);
-        write_planes_plainly(&from, &shader, (struct planes *)(void *)plain, k);
+        write_planes(&from, &shader, fast, k);
+        write_planes_plainly(&from, &shader, plain, k);
         CHECK(memcmp(fast, plain, sizeof fast) == 0);
         for (size_t i = 0; i < TOGETHER; i++) {
-            const struct varying_plane *plane =
-                &planes_number((struct planes *)(void *)plain, &shader, i)->plane[k];
-            CHECK(plane->origin == from.origin[i] && plane->dx == from.dx[i]);
-            CHECK(plane->dy == from.dy[i] && plane->corner == from.corner[i]);
+            const struct varying_plane *found = &planes_number(plain, &shader, i)->plane[k];
+            CHECK(found->origin == from.origin[i] && found->dx == from.dx[i]);
+            CHECK(found->dy == from.dy[i] && found->corner == from.corner[i]);
         }
     }
 }
@@ -109,10 +108,13 @@ static double at_corner(const struct varying_plane *plane, const struct planes *
     return plane->origin + plane->dx * right + plane->dy * up;
 }
 
-/* Planes are rounded to float, and in slivers far steeper than what they are at corners. */
+/* Some roundings of a number that is about 1. */
+static const double few_roundings = sizeof(real) == sizeof(float) ? 1e-6 : 1e-14;
+
+/* Planes are rounded, and in slivers far steeper than what they are at corners. */
 static double rounding_of(const struct varying_plane *plane) {
     double steepest = fabs(plane->dx) > fabs(plane->dy) ? fabs(plane->dx) : fabs(plane->dy);
-    return 1e-6 * (fabs(plane->origin) + 2 * 300 / 256.0 * steepest);
+    return few_roundings * (fabs(plane->origin) + 2 * 300 / 256.0 * steepest);
 }
 
 static void check_piece(const struct corners_together *of, const struct planes *planes, size_t i) {
@@ -123,12 +125,13 @@ static void check_piece(const struct corners_together *of, const struct planes *
     CHECK(planes->plane[n].corner == (real)(least > 1e-30 ? least : 1e-30));
     for (int c = 0; c < 3; c++) {
         double below = at_corner(&planes->plane[n], planes, of, i, c);
-        CHECK(fabs(below - w[c][i] * unit) <= rounding_of(&planes->plane[n]) + 1e-6);
+        CHECK(fabs(below - w[c][i] * unit) <= rounding_of(&planes->plane[n]) + few_roundings);
         for (size_t k = 0; k < n; k++) {
             double change = of->varyings[c][k][i] - of->varyings[0][k][i];
             double above = at_corner(&planes->plane[k], planes, of, i, c);
             CHECK(planes->plane[k].corner == (real)of->varyings[0][k][i]);
-            CHECK(fabs(above - change * w[c][i] * unit) <= rounding_of(&planes->plane[k]) + 1e-6);
+            CHECK(fabs(above - change * w[c][i] * unit) <=
+                  rounding_of(&planes->plane[k]) + few_roundings);
         }
     }
 }
