@@ -107,6 +107,23 @@ test: $(UNITS) $(CHECKERS) $(HELPERS) $(ALIKE) $(REPLAYS) $(BUILD)/check $(BUILD
 
 # ---- make stress, make bench: exact answers, and run time against error ----
 
+# Benchmarks have Mesa's renderer beside ours where it is installed. Whether it is there is asked
+# when it matters.
+FIND_MESA = printf '%s\n' '\#include <EGL/egl.h>' '\#include <GL/glcorearb.h>' | \
+            $(CC) -E - >/dev/null 2>&1
+ifneq ($(filter bench bench-frame $(BUILD)/bench%,$(MAKECMDGOALS)),)
+HAS_MESA := $(shell $(FIND_MESA) && echo yes)
+endif
+PEER_OBJECTS = $(addprefix $(BUILD)/tests/,frame/child.o frame/pairs.o frame/scene.o \
+                   frame/vertices.o $(if $(HAS_MESA), \
+                   frame/llvmpipe.o opengl/context.o opengl/picture.o,frame/without_llvmpipe.o))
+
+SAY_WITHOUT_MESA = $(if $(HAS_MESA),,echo 'without llvmpipe: $(MESA_IS_MISSING)')
+
+# Changes only when Mesa comes or goes.
+$(BUILD)/with-mesa: force
+	@[ "$$(cat $@ 2>/dev/null)" = 'with: $(HAS_MESA)' ] || echo 'with: $(HAS_MESA)' >$@
+
 # Stress and benchmarks share out their cases with OpenMP, where the compiler has it.
 OPENMP = $(call ONCE,OPENMP,$(call PROBE,-fopenmp))
 
@@ -120,12 +137,14 @@ stress: $(BUILD)/stress
 	$(BUILD)/stress $(PROPERTY)
 
 $(BUILD)/benchmark: $(call OBJECTS_OF,bench oracle) $(BUILD)/tests/bench/list.o \
-                    $(BUILD)/tests/help/escape.o $(BUILD)/libcommon.a
-	$(LINK) $(OPENMP) $^ -lm -o $@
+                    $(BUILD)/tests/help/escape.o $(PEER_OBJECTS) $(BUILD)/libcommon.a \
+                    $(BUILD)/with-mesa
+	$(LINK) $(OPENMP) $(filter-out %-mesa,$^) $(if $(HAS_MESA),-lEGL -lGL) -lm -o $@
 
 # With lesson 9 also what it is worth to skip, where most of a scene is hidden or off screen.
 bench: $(BUILD)/benchmark $(BUILD)/bench-frame models
 	@mkdir -p $(BUILD)/bench
+	@$(if $(filter-out 9 09,$(STEP)),,$(SAY_WITHOUT_MESA))
 	$(BUILD)/benchmark -o $(BUILD) $(STEP)
 	$(if $(filter-out 9 09,$(STEP)),,$(BUILD)/bench-frame --skipping --frames 7)
 
@@ -153,8 +172,6 @@ $(BUILD)/bench-files: $(call OBJECTS_OF,files) $(BUILD)/tests/bench/measure.o \
 # ---- make compare-opengl, make bench-frame: beside Mesa's renderer ----
 
 .PHONY: compare-opengl has-mesa bench-frame
-FIND_MESA = printf '%s\n' '\#include <EGL/egl.h>' '\#include <GL/glcorearb.h>' | \
-            $(CC) -E - >/dev/null 2>&1
 MESA_IS_MISSING = Mesa is missing; on Debian: apt-get install libegl-dev libgl-dev libegl1 \
                   libgl1-mesa-dri
 
@@ -171,24 +188,14 @@ $(OPENGL_OBJECTS): | has-mesa
 has-mesa:
 	@$(FIND_MESA) || { echo 'compare-opengl: $(MESA_IS_MISSING)'; exit 2; }
 
-# Without Mesa the program has one side only. Whether it is there is asked when it matters.
-ifneq ($(filter bench bench-frame $(BUILD)/bench-frame,$(MAKECMDGOALS)),)
-HAS_MESA := $(shell $(FIND_MESA) && echo yes)
-endif
-FRAME_OBJECTS = $(filter-out %llvmpipe.o,$(call OBJECTS_OF,frame oracle)) \
-                $(addprefix $(BUILD)/tests/,$(if $(HAS_MESA), \
-                    frame/llvmpipe.o opengl/context.o opengl/picture.o,frame/without_llvmpipe.o))
 
 bench-frame: $(BUILD)/bench-frame models
-	@$(if $(HAS_MESA),,echo 'without llvmpipe: $(MESA_IS_MISSING)')
+	@$(SAY_WITHOUT_MESA)
 	@$(BUILD)/bench-frame $(OPTIONS)
 
-$(BUILD)/bench-frame: $(FRAME_OBJECTS) $(BUILD)/libcommon.a $(BUILD)/with-mesa
+$(BUILD)/bench-frame: $(sort $(filter-out %llvmpipe.o,$(call OBJECTS_OF,frame oracle)) \
+                        $(PEER_OBJECTS)) $(BUILD)/libcommon.a $(BUILD)/with-mesa
 	$(LINK) $(filter-out %-mesa,$^) $(if $(HAS_MESA),-lEGL -lGL) -lm -o $@
-
-# Changes only when Mesa comes or goes.
-$(BUILD)/with-mesa: force
-	@[ "$$(cat $@ 2>/dev/null)" = 'with: $(HAS_MESA)' ] || echo 'with: $(HAS_MESA)' >$@
 
 # ---- make verify: what the check makes of wrong programs, and of correct ones ----
 

@@ -26,6 +26,7 @@
 #include "file.h"
 #include "model.h"
 
+#include <float.h>
 #include <stdbool.h>
 #include <stddef.h>
 
@@ -70,10 +71,17 @@ struct bench_panel {
      * Asked for after `error`. */
     double (*size)(const void *state, int choice);
     const char *size_label;
+    /* For a peer, which not every machine has: how many of the versions, from the first, can run
+     * here (NULL: all); and what it does where `run` is NULL, since another process does the work
+     * and holds the watch: seconds. */
+    size_t (*versions_here)(const void *state);
+    double (*run_elsewhere)(void *state, int choice);
     /* The most that the error of a house version is if it is right, and what it is measured
-     * against, too: beyond it the benchmark fails. 0: nobody asks. */
+     * against, too: beyond it the benchmark fails. BENCH_EXACT allows none; 0: nobody asks. */
     double house_within;
 };
+
+#define BENCH_EXACT DBL_TRUE_MIN
 
 enum { BENCH_VERSION_LIMIT = 32, BENCH_PANEL_LIMIT = 8, BENCH_SERIES_LIMIT = 6 };
 

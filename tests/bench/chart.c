@@ -206,9 +206,9 @@ struct plot {
     size_t front_count;
 };
 
-static void plot_axes(struct plot *plot, const struct bench_result *results, size_t count) {
+static void plot_axes(struct plot *plot, const struct bench_result *results) {
     double least = INFINITY, most = 0, fastest = INFINITY, slowest = 0;
-    for (size_t i = 0; i < count; i++) {
+    for (size_t i = 0; i < plot->count; i++) {
         double error = results[i].error;
         plot->has_exact = plot->has_exact || error == 0;
         plot->has_none = plot->has_none || !isfinite(error);
@@ -241,7 +241,7 @@ static void plot_axes(struct plot *plot, const struct bench_result *results, siz
 
 /* The series of a panel in the order in which they first appear. */
 static void plot_series(struct plot *plot, const struct bench_panel *panel) {
-    for (size_t i = 0; i < panel->version_count; i++) {
+    for (size_t i = 0; i < plot->count; i++) {
         const char *name = report_series(panel, i);
         int k = 0;
         while (k < plot->series_count && plot->series[k] != name) {
@@ -272,7 +272,6 @@ static double mark_radius(const struct plot *plot, const struct bench_result *re
 
 static void plot_marks(struct plot *plot, const struct bench_panel *panel,
                        const struct bench_result *results) {
-    plot->count = panel->version_count;
     for (size_t i = 0; panel->size != NULL && i < plot->count; i++) {
         plot->most_size = fmax(plot->most_size, results[i].size);
     }
@@ -716,15 +715,16 @@ static void draw_captions(struct output *output, const struct bench_panel *panel
 }
 
 static void draw_panel(struct output *output, const struct bench_panel *panel,
-                       const struct bench_result *results, double top) {
+                       const struct bench_result *results, size_t count, double top) {
     struct plot plot = {
+        .count = count,
         .across = report_across(panel),
         .zero = panel->across != NULL ? "0" : "exact",
         .top = top + PLOT_TOP,
         .bottom = top + PLOT_BOTTOM,
     };
     plot_series(&plot, panel);
-    plot_axes(&plot, results, panel->version_count);
+    plot_axes(&plot, results);
     plot_marks(&plot, panel, results);
     plot_front(&plot);
     place_labels(&plot);
@@ -763,7 +763,7 @@ bool chart_draw(const struct bench_lesson *lesson, const struct bench_results *r
     snprintf(text, sizeof text, "%s: run time against error", lesson->title);
     put_text(&output, "head", 20, 28, text);
     for (size_t i = 0; i < lesson->panel_count; i++) {
-        draw_panel(&output, &lesson->panels[i], results->of[i],
+        draw_panel(&output, &lesson->panels[i], results->of[i], results->count[i],
                    HEAD_HEIGHT + (double)i * PANEL_HEIGHT + 8);
     }
     put_text(&output, "foot", 20, height - 30,

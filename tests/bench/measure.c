@@ -16,20 +16,28 @@ enum { ROUNDS_LEAST = 5, ROUNDS_WANTED = 31, ROUNDS_MOST = 501, CALLS_MOST = 100
 static const double sample_seconds_most = 0.002;
 
 /* Seconds of one call. */
-static double time_calls(const struct bench_version *version, void *state, size_t calls) {
+static double time_calls(const struct bench_panel *panel, size_t i, void *state, size_t calls) {
+    const struct bench_version *version = &panel->versions[i];
+    double elsewhere = 0;
     struct stopwatch start = stopwatch_start();
-    for (size_t i = 0; i < calls; i++) {
-        version->run(state, version->choice);
+    for (size_t k = 0; k < calls; k++) {
+        if (version->run != NULL) {
+            version->run(state, version->choice);
+        } else {
+            elsewhere += panel->run_elsewhere(state, version->choice);
+        }
     }
-    return stopwatch_seconds(start) / (double)calls;
+    double here = stopwatch_seconds(start);
+    return (version->run != NULL ? here : elsewhere) / (double)calls;
 }
 
 /* Run a version until it has had its share of the warm-up, and find from that how many runs make a
  * sample of `sample_seconds`. */
-static size_t warm_up(const struct bench_version *version, void *state, double sample_seconds) {
-    double best = time_calls(version, state, 1), start = now();
+static size_t warm_up(const struct bench_panel *panel, size_t i, void *state,
+                      double sample_seconds) {
+    double best = time_calls(panel, i, state, 1), start = now();
     while (now() - start < sample_seconds) {
-        double again = time_calls(version, state, 1);
+        double again = time_calls(panel, i, state, 1);
         best = again < best ? again : best;
     }
     double calls = best > 0 ? floor(sample_seconds / best + 0.5) : CALLS_MOST;
@@ -70,7 +78,7 @@ static void mark_front(struct bench_result *results, size_t count) {
 
 static double sample(const struct bench_panel *panel, size_t i, void *state,
                      const struct bench_result *results) {
-    return time_calls(&panel->versions[i], state, results[i].calls);
+    return time_calls(panel, i, state, results[i].calls);
 }
 
 /* The last sample of a version, whose outcome is judged before the next one overwrites it: what was
@@ -84,16 +92,16 @@ static double sample_and_judge(const struct bench_panel *panel, size_t i, void *
     return seconds;
 }
 
-static void measure_panel(const struct bench_panel *panel, void *state, double seconds,
-                          struct bench_result *results) {
+static void measure_panel(const struct bench_panel *panel, size_t count, void *state,
+                          double seconds, struct bench_result *results) {
     double samples[BENCH_VERSION_LIMIT][ROUNDS_MOST + 1];
-    size_t count = panel->version_count, rounds = 0;
+    size_t rounds = 0;
     assert(count <= BENCH_VERSION_LIMIT);
     double start = now();
     double sample_seconds =
         fmin(seconds / (double)(count * (ROUNDS_WANTED + 2)), sample_seconds_most);
     for (size_t i = 0; i < count; i++) {
-        results[i].calls = warm_up(&panel->versions[i], state, sample_seconds);
+        results[i].calls = warm_up(panel, i, state, sample_seconds);
     }
     while (rounds < ROUNDS_LEAST || (rounds < ROUNDS_MOST && now() - start < seconds)) {
         for (size_t k = 0; k < count; k++) {
@@ -128,7 +136,10 @@ bool bench_measure(const struct bench_lesson *lesson, double seconds, struct ben
     bool ready = lesson->setup(&state, error);
     for (size_t i = 0; ready && i < lesson->panel_count; i++) {
         const struct bench_panel *panel = &lesson->panels[i];
-        measure_panel(panel, state, seconds * panel_share(panel) / shares, results->of[i]);
+        results->count[i] =
+            panel->versions_here != NULL ? panel->versions_here(state) : panel->version_count;
+        measure_panel(panel, results->count[i], state, seconds * panel_share(panel) / shares,
+                      results->of[i]);
     }
     lesson->teardown(state);
     return ready;

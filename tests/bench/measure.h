@@ -18,6 +18,7 @@ struct bench_result {
 
 /* All of one lesson. */
 struct bench_results {
+    size_t count[BENCH_PANEL_LIMIT]; /* the versions of each panel that can run here */
     struct bench_result of[BENCH_PANEL_LIMIT][BENCH_VERSION_LIMIT];
 };
 

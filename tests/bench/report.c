@@ -49,7 +49,7 @@ void report_print(const struct bench_lesson *lesson, const struct bench_results 
     printf("\n%s (%s)\n", lesson->title, lesson->step);
     for (size_t i = 0; i < lesson->panel_count; i++) {
         print_head(&lesson->panels[i], results->of[i][0].rounds);
-        for (size_t j = 0; j < lesson->panels[i].version_count; j++) {
+        for (size_t j = 0; j < results->count[i]; j++) {
             print_version(&lesson->panels[i], j, &results->of[i][j]);
         }
     }
@@ -130,7 +130,7 @@ static bool append_version(struct bytes *json, const struct bench_panel *panel, 
 }
 
 static bool append_panel(struct bytes *json, const struct bench_panel *panel,
-                         const struct bench_result *results, struct error *error) {
+                         const struct bench_result *results, size_t count, struct error *error) {
     bool done =
         report_append(json, error, "      {") &&
         append_string(json, error, "title", panel->title) && append_comma(json, error) &&
@@ -140,9 +140,9 @@ static bool append_panel(struct bytes *json, const struct bench_panel *panel,
         append_text(json, error, "error_against", panel->against) && append_comma(json, error) &&
         append_text(json, error, "size_unit", panel->size_label) &&
         report_append(json, error, ", \"versions\": [\n");
-    for (size_t i = 0; done && i < panel->version_count; i++) {
+    for (size_t i = 0; done && i < count; i++) {
         done = append_version(json, panel, i, &results[i], error) &&
-               report_append(json, error, i + 1 < panel->version_count ? ",\n" : "\n");
+               report_append(json, error, i + 1 < count ? ",\n" : "\n");
     }
     return done && report_append(json, error, "      ]}");
 }
@@ -164,7 +164,7 @@ bool report_lesson(struct bytes *json, const struct bench_lesson *lesson,
                 append_string(json, error, "title", lesson->title) &&
                 report_append(json, error, ", \"panels\": [\n");
     for (size_t i = 0; done && i < lesson->panel_count; i++) {
-        done = append_panel(json, &lesson->panels[i], results->of[i], error) &&
+        done = append_panel(json, &lesson->panels[i], results->of[i], results->count[i], error) &&
                report_append(json, error, i + 1 < lesson->panel_count ? ",\n" : "\n");
     }
     return done && report_append(json, error, "    ]}");

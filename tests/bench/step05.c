@@ -509,7 +509,7 @@ static const struct bench_version far_versions[] = ALL_KINDS(PILE_1000000);
         .title = (heading), .error_label = "pixels showing the wrong triangle, per 1000",          \
         .time_label = "ms per frame", .against = "exact fractions", .versions = (of),              \
         .version_count = sizeof(of) / sizeof(of)[0], .size = bytes_kept,                           \
-        .size_label = "bytes a pixel",                                                             \
+        .size_label = "bytes a pixel", .house_within = BENCH_EXACT,                                \
     }
 
 static const struct bench_panel depth_panels[] = {
@@ -518,6 +518,7 @@ static const struct bench_panel depth_panels[] = {
         .error_label = "pixels showing the wrong triangle, per 1000",
         .time_label = "ms per frame",
         .against = "exact fractions",
+        .house_within = BENCH_EXACT,
         .versions = knot_versions,
         .version_count = sizeof knot_versions / sizeof knot_versions[0],
     },

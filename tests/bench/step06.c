@@ -598,7 +598,7 @@ static const struct bench_panel bench_panels[] = {
      .version_count = sizeof perspective_versions / sizeof perspective_versions[0],
      .budget = 2,
      .series = perspective_series,
-     .house_within = 1e-9},
+     .house_within = BENCH_EXACT},
 };
 
 const struct bench_lesson bench_step06 = {

@@ -12,6 +12,7 @@ int step09_main(int argc, char **argv);
 
 #include "../../step09_shaders/attempts.h"
 
+#include "../frame/child.h"
 #include "array.h"
 #include "bench.h"
 #include "model_file.h"
@@ -19,6 +20,7 @@ int step09_main(int argc, char **argv);
 #include "oracle.h"
 #include "step09_ways.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -43,6 +45,9 @@ struct target {
 /* With one thread, with two, and with half of the width and height. */
 enum { ONE_THREAD, TWO_THREADS, HALF_OF_IT, TARGETS };
 
+/* Mesa's renderer: what it draws, and with how many threads. */
+enum peer { PEER_FAR_FIRST, PEER_NEAR_FIRST, PEER_TWO_THREADS, PEERS };
+
 enum way {
     SINGLE_CALL,
     SINGLE_RUN,
@@ -65,6 +70,8 @@ struct work {
     bool drawn;           /* by the last version, without running out of memory */
     struct target targets[TARGETS];
     struct image enlarged; /* from half of the width and height */
+    struct child peers[PEERS];
+    bool has_peers;
     /* What simple_draw() and its attempts draw on, and with. */
     struct image simple_image;
     double *depth;
@@ -166,7 +173,9 @@ static void enlarge(const struct image *small, struct image *large) {
 enum order { FAR_FIRST, NEAR_FIRST };
 enum kind { CALLED, AT_ONCE, VISIBLE, KINDS };
 
+/* The numbers of the pipeline's versions, and behind them those of llvmpipe's. */
 #define ROW(kind, order, target) ((int)(kind) + (int)KINDS * ((int)(order) + 2 * (int)(target)))
+#define PEER(peer)               (ROW(0, 0, TARGETS) + (int)(peer))
 
 static bool draw_kind(enum kind kind, struct target *target, const struct draw_call *call,
                       const struct uniforms *u) {
@@ -209,9 +218,37 @@ static double error_row(void *state, int choice) {
     return work->drawn ? compare(image, &work->far_first.exact[TEXTURED]).mean : (double)INFINITY;
 }
 
+static double run_peer(void *state, int choice) {
+    struct work *work = state;
+    struct error error;
+    double seconds;
+    work->drawn = child_draw(&work->peers[choice - PEER(0)], &seconds, &error);
+    return seconds;
+}
+
+static double error_peer(void *state, int choice) {
+    const struct work *work = state;
+    const struct child *child = &work->peers[choice - PEER(0)];
+    struct error error;
+    if (!work->drawn || !child_read(child, &error)) {
+        return (double)INFINITY;
+    }
+    const struct image image = {SIDE, SIDE, IMAGE_BGRA, child->pixels};
+    return compare(&image, &work->far_first.exact[TEXTURED]).mean;
+}
+
+static double size_peer(const struct work *work, enum peer peer) {
+    struct error error;
+    uint64_t passed;
+    return child_count(&work->peers[peer], &passed, &error) ? (double)passed / 1000 : 0;
+}
+
 /* Pixels shaded. */
 static double size_row(const void *state, int choice) {
     const struct work *work = state;
+    if (choice >= PEER(0)) {
+        return size_peer(work, (enum peer)(choice - PEER(0)));
+    }
     const struct pipeline *pipeline = &work->targets[choice / KINDS / 2].pipeline;
     return (double)pipeline->stats[STAT_PIXELS_SHADED] / 1000;
 }
@@ -488,6 +525,7 @@ static bool prepare_subject(struct subject *subject, struct error *error) {
     if (drawing.diffuse == NULL || !model_need_normals(&subject->model, error)) {
         return false;
     }
+    frame_unit_normals(&subject->model);
     subject->uniforms = make_uniforms(&drawing, SIDE);
     subject->call = pipeline_call(&drawing, grid_cell(SIDE, SIDE, 1, 1, 0, 0), 0.85, CULL_BACK);
     return find_visible(subject, error) && draw_exactly(subject, error);
@@ -525,6 +563,36 @@ static bool make_memory(struct work *work, struct error *error) {
     return image_create(&work->simple_image, SIDE, SIDE, IMAGE_BGRA, error);
 }
 
+static bool start_peer(struct child *peer, const struct subject *row, int threads,
+                       struct error *error) {
+    const struct frame_model model = {.model = row->model};
+    const struct frame_scene scene = {
+        .look = FRAME_GOURAUD,
+        .width = SIDE,
+        .height = SIDE,
+        .head = &model,
+        .textures[MODEL_DIFFUSE] = {row->uniforms.diffuse, row->uniforms.diffuse_level},
+        .call = row->call,
+        .to_light = row->uniforms.to_light,
+    };
+    return child_start(peer, threads, FILTER_BILINEAR, (size_t)SIDE * SIDE, error) &&
+           child_load(peer, &scene, error);
+}
+
+/* When the rows of busts are there. Without Mesa, or where it cannot draw, the others are measured
+ * alone. */
+static void start_peers(struct work *work) {
+    struct error error;
+    work->has_peers = llvmpipe != NULL;
+    for (int i = 0; work->has_peers && i < PEERS; i++) {
+        const struct subject *row = i == PEER_NEAR_FIRST ? &work->near_first : &work->far_first;
+        work->has_peers = start_peer(&work->peers[i], row, i == PEER_TWO_THREADS ? 2 : 0, &error);
+        if (!work->has_peers) {
+            printf("llvmpipe is left out: %s\n", error.message);
+        }
+    }
+}
+
 static bool make_all_planes(struct work *work, struct error *error) {
     for (int i = 0; i < LOOKS * WAYS; i++) {
         enum look look = (enum look)(i / WAYS);
@@ -544,10 +612,15 @@ static bool setup(void **state, struct error *error) {
     if (work == NULL) {
         return error_out_of_memory(error);
     }
-    return make_targets(work, error) && bench_read_model(&work->bust.model, "bust.obj", error) &&
-           prepare_subject(&work->bust, error) && make_all_planes(work, error) &&
-           make_row(&work->far_first, FAR_FIRST, error) &&
-           make_row(&work->near_first, NEAR_FIRST, error) && make_memory(work, error);
+    bool done = make_targets(work, error) &&
+                bench_read_model(&work->bust.model, "bust.obj", error) &&
+                prepare_subject(&work->bust, error) && make_all_planes(work, error) &&
+                make_row(&work->far_first, FAR_FIRST, error) &&
+                make_row(&work->near_first, NEAR_FIRST, error) && make_memory(work, error);
+    if (done) {
+        start_peers(work);
+    }
+    return done;
 }
 
 static void subject_free(struct subject *subject) {
@@ -574,6 +647,9 @@ static void teardown(void *state) {
             image_free(&work->targets[i].image);
             pipeline_free(&work->targets[i].pipeline);
         }
+        for (int i = 0; i < PEERS; i++) {
+            child_end(&work->peers[i]);
+        }
         image_free(&work->enlarged);
         image_free(&work->simple_image);
         free(work->depth);
@@ -590,6 +666,9 @@ static void teardown(void *state) {
         .name = (label), .choice = (number), .is_house = (house), .run = run_##of,                 \
         .error = error_##of                                                                        \
     }
+
+#define PEER_VERSION(label, peer)                                                                  \
+    { .name = (label), .choice = PEER(peer), .error = error_peer }
 
 static const char *pixels_series(int choice) {
     int way = choice % WAYS;
@@ -636,7 +715,15 @@ static const struct bench_version row_versions[] = {
     VERSION("at once, 2 threads", row, ROW(AT_ONCE, FAR_FIRST, TWO_THREADS), false),
     VERSION("visible, 2 threads", row, ROW(VISIBLE, FAR_FIRST, TWO_THREADS), true),
     VERSION("400x400, enlarged", row, ROW(VISIBLE, FAR_FIRST, HALF_OF_IT), false),
+    PEER_VERSION("llvmpipe, farthest first", PEER_FAR_FIRST),
+    PEER_VERSION("llvmpipe, nearest first", PEER_NEAR_FIRST),
+    PEER_VERSION("llvmpipe, 2 threads", PEER_TWO_THREADS),
 };
+
+static size_t row_versions_here(const void *state) {
+    const struct work *work = state;
+    return sizeof row_versions / sizeof row_versions[0] - (work->has_peers ? 0 : PEERS);
+}
 
 static const struct bench_version stage_versions[] = {
     VERSION("stage 0: simple_draw()", stage, SIMPLE, false),
@@ -690,6 +777,8 @@ static const struct bench_panel bench_panels[] = {
      .version_count = sizeof row_versions / sizeof row_versions[0],
      .size = size_row,
      .size_label = "thousand pixels shaded",
+     .versions_here = row_versions_here,
+     .run_elsewhere = run_peer,
      .house_within = HOUSE_WITHIN},
 };
 

@@ -1,9 +1,10 @@
 /* llvmpipe in a process of its own: see child.h. */
-#define _DEFAULT_SOURCE /* MAP_ANONYMOUS */
+#define _DEFAULT_SOURCE /* MAP_ANONYMOUS, SIGPIPE */
 #include "child.h"
 
 #include "../timing.h"
 
+#include <signal.h>
 #include <stdio.h>
 #include <string.h>
 #include <sys/mman.h>
@@ -12,7 +13,7 @@
 
 /* A child is told when to end: a later child has copies of an earlier one's pipes, so that these do
  * not close while it lives. */
-enum order { ORDER_LOAD, ORDER_DRAW, ORDER_READ, ORDER_END };
+enum order { ORDER_LOAD, ORDER_DRAW, ORDER_COUNT, ORDER_READ, ORDER_END };
 
 struct request {
     enum order order;
@@ -22,6 +23,7 @@ struct request {
 struct reply {
     bool done;
     double seconds;
+    uint64_t passed; /* pixels */
     struct error error;
 };
 
@@ -69,6 +71,9 @@ static void obey(struct llvmpipe *l, const struct request *request, uint8_t *pix
         llvmpipe->draw(l);
         reply->seconds = stopwatch_seconds(start);
         break;
+    case ORDER_COUNT:
+        reply->passed = llvmpipe->count(l);
+        break;
     case ORDER_READ:
         reply->done = llvmpipe->read(l, pixels, &reply->error);
         break;
@@ -98,7 +103,7 @@ static void serve(int threads, enum llvmpipe_filter filter, uint8_t *pixels, int
 
 /* ---- The parent ---- */
 
-static bool receive(struct child *child, struct reply *reply, struct error *error) {
+static bool receive(const struct child *child, struct reply *reply, struct error *error) {
     if (!read_all(child->from, reply, sizeof *reply)) {
         return error_set(error, "llvmpipe has ended unexpectedly");
     }
@@ -106,7 +111,7 @@ static bool receive(struct child *child, struct reply *reply, struct error *erro
     return reply->done;
 }
 
-static bool ask(struct child *child, const struct request *request, struct reply *reply,
+static bool ask(const struct child *child, const struct request *request, struct reply *reply,
                 struct error *error) {
     if (!write_all(child->to, request, sizeof *request)) {
         return error_set(error, "llvmpipe has ended unexpectedly");
@@ -136,7 +141,8 @@ static bool begin(struct child *child, int threads, enum llvmpipe_filter filter,
     }
     child->to = to[1];
     child->from = from[0];
-    fflush(NULL); /* what is not written yet would be written twice */
+    signal(SIGPIPE, SIG_IGN); /* a child that has ended is an error, not our end */
+    fflush(NULL);             /* what is not written yet would be written twice */
     child->process = fork();
     if (child->process == 0) {
         live(child, threads, filter, to[0], from[1]);
@@ -184,13 +190,13 @@ void child_end(struct child *child) {
     *child = (struct child){0};
 }
 
-bool child_load(struct child *child, const struct frame_scene *scene, struct error *error) {
+bool child_load(const struct child *child, const struct frame_scene *scene, struct error *error) {
     struct request request = {.order = ORDER_LOAD, .scene = *scene};
     struct reply reply;
     return ask(child, &request, &reply, error);
 }
 
-bool child_draw(struct child *child, double *seconds, struct error *error) {
+bool child_draw(const struct child *child, double *seconds, struct error *error) {
     struct request request = {.order = ORDER_DRAW};
     struct reply reply = {.seconds = 0};
     bool done = ask(child, &request, &reply, error);
@@ -198,7 +204,15 @@ bool child_draw(struct child *child, double *seconds, struct error *error) {
     return done;
 }
 
-bool child_read(struct child *child, struct error *error) {
+bool child_count(const struct child *child, uint64_t *passed, struct error *error) {
+    struct request request = {.order = ORDER_COUNT};
+    struct reply reply = {.passed = 0};
+    bool done = ask(child, &request, &reply, error);
+    *passed = reply.passed;
+    return done;
+}
+
+bool child_read(const struct child *child, struct error *error) {
     struct request request = {.order = ORDER_READ};
     struct reply reply;
     return ask(child, &request, &reply, error);

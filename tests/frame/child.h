@@ -28,13 +28,16 @@ bool child_start(struct child *child, int threads, enum llvmpipe_filter filter, 
                  struct error *error);
 void child_end(struct child *child);
 
-bool child_load(struct child *child, const struct frame_scene *scene, struct error *error);
+bool child_load(const struct child *child, const struct frame_scene *scene, struct error *error);
 
 /* Draw two frames; the second, for which caches are as warm as in an animation, took so many
  * seconds. */
-bool child_draw(struct child *child, double *seconds, struct error *error);
+bool child_draw(const struct child *child, double *seconds, struct error *error);
+
+/* Draw a frame; how many times a pixel passed the depth test. */
+bool child_count(const struct child *child, uint64_t *passed, struct error *error);
 
 /* Give the frame that was drawn last: BGRA in `pixels`. */
-bool child_read(struct child *child, struct error *error);
+bool child_read(const struct child *child, struct error *error);
 
 #endif

@@ -32,7 +32,6 @@
 
 #include "../timing.h"
 
-#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -343,7 +342,6 @@ int main(int argc, char **argv) {
         fputs(options_help, stdout);
         return 0;
     }
-    signal(SIGPIPE, SIG_IGN); /* a child that has ended is an error, not our end */
     if (!run(&options, &error)) {
         fprintf(stderr, "bench-frame: %s\n", error.message);
         return 1;

@@ -19,12 +19,16 @@ static void to_unit(float normal[3]) {
     normal[2] = (float)unit.z;
 }
 
-/* What is made ready once. */
-static bool make_ready(struct frame_model *head, struct error *error) {
-    struct model *model = &head->model;
+void frame_unit_normals(struct model *model) {
     for (size_t i = 0; i < model->normal_count; i++) {
         to_unit(model->normals[i]);
     }
+}
+
+/* What is made ready once. */
+static bool make_ready(struct frame_model *head, struct error *error) {
+    const struct model *model = &head->model;
+    frame_unit_normals(&head->model);
     head->face_normals = malloc((model->face_count + 1) * sizeof *head->face_normals);
     if (head->face_normals == NULL) {
         return error_out_of_memory(error);
