@@ -374,6 +374,12 @@ static double cost_of_marks(const struct plot *plot, const struct mark *mark) {
     return cost + cost_of_series(plot, mark->label);
 }
 
+/* So that two labels do not read as one. */
+static struct label_box with_gap(struct label_box box) {
+    enum { GAP = 4 };
+    return (struct label_box){box.left - GAP, box.top, box.right + GAP, box.bottom};
+}
+
 /* The same for the labels that are placed already, order[0..placed-1], and their leaders. */
 static double cost_of_labels(const struct plot *plot, const struct mark *mark, const size_t *order,
                              size_t placed) {
@@ -382,7 +388,7 @@ static double cost_of_labels(const struct plot *plot, const struct mark *mark, c
     for (size_t k = 0; k < placed; k++) {
         const struct mark *other = &plot->marks[order[k]];
         const struct point other_dot = {other->x, other->y};
-        cost += boxes_overlap(mark->label, other->label) ? 500 : 0;
+        cost += boxes_overlap(with_gap(mark->label), other->label) ? 500 : 0;
         if (other->has_leader) {
             cost += segment_meets(other_dot, other->leader, mark->label) ? 100 : 0;
         }
