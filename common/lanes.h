@@ -69,13 +69,6 @@ LANES_INLINE lanes lanes_select(lanes_mask mask, lanes a, lanes b) {
     return (lanes)((mask & (lanes_mask)a) + (~mask & (lanes_mask)b));
 }
 
-/* Where the mask is set one number for all, elsewhere b; by its bits, for the same reason. */
-LANES_INLINE lanes lanes_put(lanes_mask mask, real number, lanes b) {
-    __typeof__(_Generic(number, float : (int32_t)0, default : (int64_t)0)) bits;
-    memcpy(&bits, &number, sizeof bits);
-    return (lanes)((mask & bits) + (~mask & (lanes_mask)b));
-}
-
 LANES_INLINE lanes_texel lanes_texel_select(lanes_int mask, lanes_texel a, lanes_texel b) {
     return ((lanes_texel)mask & a) + (~(lanes_texel)mask & b);
 }
@@ -149,10 +142,6 @@ LANES_INLINE lanes lanes_select(lanes_mask mask, lanes a, lanes b) {
     return mask ? a : b;
 }
 
-LANES_INLINE lanes lanes_put(lanes_mask mask, real number, lanes b) {
-    return mask ? number : b;
-}
-
 LANES_INLINE lanes_texel lanes_texel_select(lanes_int mask, lanes_texel a, lanes_texel b) {
     return mask ? a : b;
 }
@@ -192,7 +181,7 @@ LANES_INLINE lanes lanes_from(int first) {
 
 #endif
 
-/* lanes_max(), lanes_min(), lanes_bits(), lanes_fetch(), lanes_fetch_pairs(), lanes_keep_index(),
+/* lanes_max(), lanes_min(), lanes_join(), lanes_bits(), lanes_fetch(), lanes_fetch_pairs(), lanes_keep_index(),
  * lanes_fetch_kept_pairs() */
 #include "lanes_native.h"
 

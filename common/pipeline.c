@@ -83,9 +83,6 @@ void pipeline_free(struct pipeline *pipeline) {
     *pipeline = (struct pipeline){0};
 }
 
-/* Of the processor's cache. What is read at once does not reach into two lines. */
-enum { CACHE_LINE = 64 };
-
 /* Room for a band, in which nothing is visible yet; left as it was when memory runs out. */
 static bool visibility_create(struct visibility *visibility, const struct pipeline *p,
                               struct error *error) {

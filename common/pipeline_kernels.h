@@ -214,7 +214,7 @@ KERNEL void fetch_planes(const struct shading *s, const struct shader *shader,
         planes->x0 = planes->y0 = 0;
         shader->vertex(s->uniforms, piece->face, 0, varyings);
         for (size_t k = 0; k < shader->varying_count; k++) {
-            planes->plane[k].corner = (real)varyings[k];
+            planes->four[k / FOUR].corner[k % FOUR] = (real)varyings[k];
         }
         return;
     }
@@ -333,45 +333,53 @@ KERNEL uint32_t fetch_visible(const struct shading *s, const struct shader *shad
 
 /* ---- The varyings of several pixels at once ---- */
 
-/* The planes of LANES neighbours of a row, which may belong to several pieces. */
+/* Planes at LANES neighbours of a row, which may belong to several pieces, and what each has of its
+ * piece's corners. */
 struct lanes_planes {
-    lanes right;                                         /* from the planes' x0 */
-    lanes row[VARYING_LIMIT + 1], dx[VARYING_LIMIT + 1]; /* at x0 of this row, and to the right */
-    lanes corner[VARYING_LIMIT + 1];
+    lanes at[VARYING_LIMIT + 1], corner[VARYING_LIMIT + 1];
 };
 
-/* Where the mask is set, the planes become those of a piece at pixels x of row y. */
-KERNEL void take_planes(struct lanes_planes *to, lanes_mask mask, const struct shader *shader,
+/* What the planes of a piece are at x0 of row y, written for all lanes to read. */
+KERNEL void find_row(const struct shader *shader, const struct planes *planes, real y, real *row) {
+    real up = y - planes->y0;
+    for (size_t i = 0; i < FOURS_OF(shader->varying_count); i++) {
+        four_reals origin, dy;
+        memcpy(&origin, planes->four[i].origin, sizeof origin);
+        memcpy(&dy, planes->four[i].dy, sizeof dy);
+        four_reals at_x0 = origin + up * dy;
+        memcpy(row + i * FOUR, &at_x0, sizeof at_x0);
+    }
+    LANES_READ_AGAIN();
+}
+
+/* From lane `first` on, the planes become those of a piece at pixels x of row y. */
+KERNEL void take_planes(struct lanes_planes *to, int first, const struct shader *shader,
                         const struct planes *from, lanes x, real y) {
-    real up = y - from->y0;
-    to->right = lanes_select(mask, x - from->x0, to->right);
+    real row[FOURS_OF(VARYING_LIMIT) * FOUR];
+    lanes right = x - from->x0;
+    find_row(shader, from, y, row);
     for (size_t i = 0; i <= shader->varying_count; i++) {
-        const struct varying_plane *plane = &from->plane[i];
-        to->corner[i] = lanes_put(mask, plane->corner, to->corner[i]);
-        to->row[i] = lanes_put(mask, plane->origin + up * plane->dy, to->row[i]);
-        to->dx[i] = lanes_put(mask, plane->dx, to->dx[i]);
+        const struct four_planes *planes = &from->four[i / FOUR];
+        lanes at = right * planes->dx[i % FOUR] + row[i];
+        to->at[i] = lanes_join(to->at[i], first, at);
+        to->corner[i] = lanes_join(to->corner[i], first, lanes_all(planes->corner[i % FOUR]));
     }
 }
 
 /* Planes that are 0 everywhere. */
 KERNEL void clear_planes(struct lanes_planes *planes, const struct shader *shader) {
-    planes->right = lanes_all(0);
     for (size_t i = 0; i <= shader->varying_count; i++) {
-        planes->row[i] = planes->dx[i] = lanes_all(0);
+        planes->at[i] = lanes_all(0);
         planes->corner[i] = lanes_all(i < shader->varying_count ? 0 : 1);
     }
 }
 
-LANES_INLINE lanes plane_at_pixels(const struct lanes_planes *planes, size_t i) {
-    return planes->right * planes->dx[i] + planes->row[i];
-}
-
-KERNEL void planes_at_pixels(const struct lanes_planes *planes, const struct shader *shader,
-                             lanes *varyings) {
+KERNEL void divide_planes(const struct lanes_planes *planes, const struct shader *shader,
+                          lanes *varyings) {
     size_t n = shader->varying_count;
-    lanes w = 1 / lanes_max(plane_at_pixels(planes, n), planes->corner[n]);
+    lanes w = 1 / lanes_max(planes->at[n], planes->corner[n]);
     for (size_t i = 0; i < n; i++) {
-        varyings[i] = planes->corner[i] + plane_at_pixels(planes, i) * w;
+        varyings[i] = planes->corner[i] + planes->at[i] * w;
     }
 }
 
@@ -380,14 +388,14 @@ KERNEL void interpolate_varyings(const struct shader *shader, const struct plane
                                  int y, lanes *varyings) {
     if (shader->flat) {
         for (size_t i = 0; i < shader->varying_count; i++) {
-            varyings[i] = lanes_all(planes->plane[i].corner);
+            varyings[i] = lanes_all(varying_plane(planes, i).corner);
         }
         return;
     }
     struct lanes_planes same;
     clear_planes(&same, shader);
-    take_planes(&same, lanes_all_set(), shader, planes, lanes_from(x), (real)y);
-    planes_at_pixels(&same, shader, varyings);
+    take_planes(&same, 0, shader, planes, lanes_from(x), (real)y);
+    divide_planes(&same, shader, varyings);
 }
 
 /* ---- Writing pixels ---- */
@@ -451,7 +459,7 @@ KERNEL bool gather_varyings(const struct shading *s, const struct shader *shader
     bool found = has_number(s, number[0]);
     clear_planes(&planes, shader);
     if (found) {
-        take_planes(&planes, lanes_all_set(), shader,
+        take_planes(&planes, 0, shader,
                     planes_number(s->scratch->planes, shader, fetched[number[0]]), columns,
                     (real)y);
     }
@@ -459,14 +467,14 @@ KERNEL bool gather_varyings(const struct shading *s, const struct shader *shader
     for (runs &= runs - 1; runs != 0; runs &= runs - 1) {
         int first = __builtin_ctz(runs);
         if (has_number(s, number[first])) {
-            take_planes(&planes, lanes_not_before(first), shader,
+            take_planes(&planes, first, shader,
                         planes_number(s->scratch->planes, shader, fetched[number[first]]), columns,
                         (real)y);
             found = true;
         }
     }
     if (found) {
-        planes_at_pixels(&planes, shader, varyings);
+        divide_planes(&planes, shader, varyings);
     }
     return found;
 }

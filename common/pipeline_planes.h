@@ -45,20 +45,37 @@ struct varying_plane {
     real origin, dx, dy, corner;
 };
 
+/* Four of them, the numbers of one kind together: so their rows are found at once. */
+enum { FOUR = 4 };
+typedef real four_reals __attribute__((vector_size(FOUR * sizeof(real))));
+struct four_planes {
+    real origin[FOUR], dx[FOUR], dy[FOUR], corner[FOUR];
+};
+
+/* So many fours hold a shader's planes. */
+#define FOURS_OF(varying_count) (((varying_count) + FOUR) / FOUR)
+
 /* From these the varyings are found at any pixel. Plane i of the first varying_count is the
- * numerator of varying i, with what that is at corner 0. The last one is the denominator of all,
- * with the least that it is at any corner: rounding may make it less, even 0. */
+ * numerator of varying i, with what that is at corner 0. The next one is the denominator of all,
+ * with the least that it is at any corner: rounding may make it less, even 0. Of those behind it
+ * only the shader's last four has any; they are of no use. */
 struct planes {
     real x0, y0;
-    struct varying_plane plane[VARYING_LIMIT + 1];
+    struct four_planes four[FOURS_OF(VARYING_LIMIT)];
 };
+
+static inline struct varying_plane varying_plane(const struct planes *planes, size_t i) {
+    const struct four_planes *four = &planes->four[i / FOUR];
+    size_t k = i % FOUR;
+    return (struct varying_plane){four->origin[k], four->dx[k], four->dy[k], four->corner[k]};
+}
 
 /* Number i of planes that lie one behind the other, without those that the shader does not have:
  * half of the time of small pieces is waiting for memory. */
 static inline struct planes *planes_number(struct planes *planes, const struct shader *shader,
                                            size_t i) {
-    size_t size =
-        offsetof(struct planes, plane) + (shader->varying_count + 1) * sizeof(struct varying_plane);
+    size_t size = offsetof(struct planes, four) +
+                  FOURS_OF(shader->varying_count) * sizeof(struct four_planes);
     return (struct planes *)((char *)planes + i * size);
 }
 
@@ -122,18 +139,20 @@ LANES_INLINE doubles units_of(doubles numbers) {
     return (doubles)((INT64_C(2046) << 52) - exponent);
 }
 
-/* A plane of each piece, number k of those that are kept of it. */
+/* A number of each piece. */
 typedef real reals __attribute__((vector_size(TOGETHER * sizeof(real))));
 
-struct kept_planes {
-    reals origin, dx, dy, corner;
+/* Four planes of each piece. */
+struct planes_of_pieces {
+    reals origin[FOUR], dx[FOUR], dy[FOUR], corner[FOUR];
 };
 
-LANES_INLINE void write_planes_plainly(const struct kept_planes *from, const struct shader *shader,
-                                       struct planes *to, size_t k) {
+/* The numbers of one kind, to where they are in each piece's planes. */
+LANES_INLINE void write_fours_plainly(const reals from[FOUR], const struct shader *shader,
+                                      struct planes *to, size_t offset) {
     for (size_t i = 0; i < TOGETHER; i++) {
-        planes_number(to, shader, i)->plane[k] =
-            (struct varying_plane){from->origin[i], from->dx[i], from->dy[i], from->corner[i]};
+        const real of_piece[FOUR] = {from[0][i], from[1][i], from[2][i], from[3][i]};
+        memcpy((char *)planes_number(to, shader, i) + offset, of_piece, sizeof of_piece);
     }
 }
 
@@ -150,31 +169,43 @@ LANES_INLINE void write_planes_plainly(const struct kept_planes *from, const str
 #define PLANES_HIGH_FOURS 2, 3, 6, 7
 #endif
 
-LANES_INLINE void write_planes(const struct kept_planes *from, const struct shader *shader,
-                               struct planes *to, size_t k) {
+LANES_INLINE void write_fours(const reals from[FOUR], const struct shader *shader,
+                              struct planes *to, size_t offset) {
 #ifdef PLANES_LOW_PAIRS
-    reals a = LANES_SHUFFLE(from->origin, from->dx, PLANES_LOW_PAIRS);
-    reals b = LANES_SHUFFLE(from->origin, from->dx, PLANES_HIGH_PAIRS);
-    reals c = LANES_SHUFFLE(from->dy, from->corner, PLANES_LOW_PAIRS);
-    reals d = LANES_SHUFFLE(from->dy, from->corner, PLANES_HIGH_PAIRS);
+    reals a = LANES_SHUFFLE(from[0], from[1], PLANES_LOW_PAIRS);
+    reals b = LANES_SHUFFLE(from[0], from[1], PLANES_HIGH_PAIRS);
+    reals c = LANES_SHUFFLE(from[2], from[3], PLANES_LOW_PAIRS);
+    reals d = LANES_SHUFFLE(from[2], from[3], PLANES_HIGH_PAIRS);
     const reals of_piece[4] = {
         LANES_SHUFFLE(a, c, PLANES_LOW_FOURS), LANES_SHUFFLE(a, c, PLANES_HIGH_FOURS),
         LANES_SHUFFLE(b, d, PLANES_LOW_FOURS), LANES_SHUFFLE(b, d, PLANES_HIGH_FOURS)};
     for (size_t i = 0; i < TOGETHER; i++) {
-        const real *plane = (const real *)&of_piece[i % 4] + i / 4 * 4;
-        memcpy(&planes_number(to, shader, i)->plane[k], plane, sizeof(struct varying_plane));
+        const real *four = (const real *)&of_piece[i % 4] + i / 4 * FOUR;
+        memcpy((char *)planes_number(to, shader, i) + offset, four, FOUR * sizeof *four);
     }
 #else
-    write_planes_plainly(from, shader, to, k);
+    write_fours_plainly(from, shader, to, offset);
 #endif
 }
 
-LANES_INLINE void keep_planes(struct planes_together planes, doubles corner,
-                              const struct shader *shader, struct planes *to, size_t k) {
-    const struct kept_planes kept = {
-        __builtin_convertvector(planes.origin, reals), __builtin_convertvector(planes.dx, reals),
-        __builtin_convertvector(planes.dy, reals), __builtin_convertvector(corner, reals)};
-    write_planes(&kept, shader, to, k);
+/* They become four number i of those that are kept. */
+LANES_INLINE void write_planes(const struct planes_of_pieces *from, const struct shader *shader,
+                               struct planes *to, size_t i) {
+    size_t offset = offsetof(struct planes, four) + i * sizeof(struct four_planes);
+    write_fours(from->origin, shader, to, offset + offsetof(struct four_planes, origin));
+    write_fours(from->dx, shader, to, offset + offsetof(struct four_planes, dx));
+    write_fours(from->dy, shader, to, offset + offsetof(struct four_planes, dy));
+    write_fours(from->corner, shader, to, offset + offsetof(struct four_planes, corner));
+}
+
+/* Plane k of each piece. */
+LANES_INLINE void put_plane(struct planes_of_pieces *fours, size_t k, struct planes_together plane,
+                            doubles corner) {
+    struct planes_of_pieces *to = &fours[k / FOUR];
+    to->origin[k % FOUR] = __builtin_convertvector(plane.origin, reals);
+    to->dx[k % FOUR] = __builtin_convertvector(plane.dx, reals);
+    to->dy[k % FOUR] = __builtin_convertvector(plane.dy, reals);
+    to->corner[k % FOUR] = __builtin_convertvector(corner, reals);
 }
 
 LANES_INLINE doubles doubles_load(const double from[TOGETHER]) {
@@ -209,13 +240,17 @@ KERNEL void find_planes(const struct corners_together *of, const struct shader *
         planes->x0 = (real)x0[i];
         planes->y0 = (real)y0[i];
     }
+    struct planes_of_pieces fours[FOURS_OF(VARYING_LIMIT)] = {0};
     for (size_t k = 0; k < n; k++) {
         doubles v0 = doubles_load(of->varyings[0][k]);
         struct planes_together to_1 = planes_scale(edge[1], doubles_load(of->varyings[1][k]) - v0);
         struct planes_together to_2 = planes_scale(edge[2], doubles_load(of->varyings[2][k]) - v0);
-        keep_planes(planes_add(to_1, to_2), v0, shader, to, k);
+        put_plane(fours, k, planes_add(to_1, to_2), v0);
     }
-    keep_planes(planes_add(planes_add(edge[0], edge[1]), edge[2]), least, shader, to, n);
+    put_plane(fours, n, planes_add(planes_add(edge[0], edge[1]), edge[2]), least);
+    for (size_t i = 0; i < FOURS_OF(n); i++) {
+        write_planes(&fours[i], shader, to, i);
+    }
 }
 
 #endif

@@ -46,7 +46,7 @@ static void *make_planes(const struct visible *v, enum look look, enum planes_ki
         struct planes *at = &planes[i + 1];
         fetch_planes(&shading, shader_of_look[look], &piece, at);
         for (size_t k = 0; kind == EVERY_SECOND && k <= shader_of_look[look]->varying_count; k++) {
-            at->plane[k].dx *= 2;
+            at->four[k / FOUR].dx[k % FOUR] *= 2;
         }
         at->x0 = kind == EVERY_SECOND ? at->x0 / 2 : at->x0;
     }
@@ -70,23 +70,23 @@ LANES_INLINE void interpolate_every(int step, const struct shader *shader,
                                     lanes *varyings) {
     size_t n = shader->varying_count;
     const int parts = CHUNK / step;
-    const struct varying_plane *bottom = &planes->plane[n];
+    const struct varying_plane bottom = varying_plane(planes, n);
     real up = (real)y - planes->y0, right[CHUNK / 8 + 1], w[CHUNK / 8 + 1];
     lanes share[CHUNK / 8] = {0}; /* of the way from one of these pixels to the next */
     for (int i = 0; i <= parts; i++) {
         int lane = first + i * step < last ? first + i * step : last;
         right[i] = (real)(x + lane) - planes->x0;
-        w[i] = 1 / (right[i] * bottom->dx + (bottom->origin + bottom->dy * up));
+        w[i] = 1 / (right[i] * bottom.dx + (bottom.origin + bottom.dy * up));
     }
     for (int i = 0; i < parts; i++) {
         real length = right[i + 1] - right[i];
         share[i] = ((lanes_from(x) - planes->x0) - right[i]) * (1 / (length > 0 ? length : 1));
     }
     for (size_t k = 0; k < n; k++) {
-        const struct varying_plane *top = &planes->plane[k];
-        real begin_of_row = top->origin + top->dy * up, at[CHUNK / 8 + 1] = {0};
+        const struct varying_plane top = varying_plane(planes, k);
+        real begin_of_row = top.origin + top.dy * up, at[CHUNK / 8 + 1] = {0};
         for (int i = 0; i <= parts; i++) {
-            at[i] = top->corner + (right[i] * top->dx + begin_of_row) * w[i];
+            at[i] = top.corner + (right[i] * top.dx + begin_of_row) * w[i];
         }
         varyings[k] = at[0] + share[0] * (at[1] - at[0]);
         for (int i = 1; i < parts; i++) {
@@ -101,8 +101,8 @@ LANES_INLINE void interpolate_affine(const struct shader *shader, const struct p
     lanes right = lanes_from(x) - planes->x0;
     real up = (real)y - planes->y0;
     for (size_t k = 0; k < shader->varying_count; k++) {
-        const struct varying_plane *top = &planes->plane[k];
-        varyings[k] = right * top->dx + (top->corner + top->origin + top->dy * up);
+        const struct varying_plane top = varying_plane(planes, k);
+        varyings[k] = right * top.dx + (top.corner + top.origin + top.dy * up);
     }
 }
 

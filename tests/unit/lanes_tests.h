@@ -117,26 +117,27 @@ static void test_two_numbers(void) {
 }
 
 /* Chosen are bits: also those of -0 and of what is not a number. */
-static void test_put(void) {
+static void test_select_and_join(void) {
     static const real special[] = {0, -0.0f, (real)NAN, (real)INFINITY, -1, 1e-38f, 3.5f};
     enum { SPECIAL = sizeof special / sizeof special[0] };
     struct random random = {97};
     bool right = true;
     for (int round = 0; round < ROUNDS; round++) {
         struct numbers a, b, order = {{0}};
-        real number = special[round % SPECIAL];
+        int first = round % LANES;
         for (int i = 0; i < LANES; i++) {
             a.at[i] = special[random_bits(&random) % SPECIAL];
             b.at[i] = special[random_bits(&random) % SPECIAL];
             order.at[i] = (real)(random_bits(&random) % 3) - 1;
         }
         lanes_mask mask = lanes_of(order) < 0;
-        struct numbers put = numbers_of(lanes_put(mask, number, lanes_of(b)));
+        struct numbers joined = numbers_of(lanes_join(lanes_of(a), first, lanes_of(b)));
         struct numbers chosen = numbers_of(lanes_select(mask, lanes_of(a), lanes_of(b)));
         for (int i = 0; i < LANES; i++) {
-            bool set = order.at[i] < 0;
-            right = right && memcmp(&put.at[i], set ? &number : &b.at[i], sizeof(real)) == 0 &&
-                    memcmp(&chosen.at[i], set ? &a.at[i] : &b.at[i], sizeof(real)) == 0;
+            real *expected = order.at[i] < 0 ? &a.at[i] : &b.at[i];
+            right = right && memcmp(&chosen.at[i], expected, sizeof(real)) == 0;
+            expected = i < first ? &a.at[i] : &b.at[i];
+            right = right && memcmp(&joined.at[i], expected, sizeof(real)) == 0;
         }
     }
     CHECK(right);
@@ -499,9 +500,10 @@ static void test_nowhere(void) {
     image_free(&image);
 }
 
-UNIT_MAIN(TEST(test_one_number), TEST(test_two_numbers), TEST(test_max_and_min), TEST(test_put),
-          TEST(test_not_a_number), TEST(test_sequences), TEST(test_bits), TEST(test_fetched),
-          TEST(test_far_texels), TEST(test_colors), TEST(test_vectors), TEST(test_textures),
-          TEST(test_corner_texels), TEST(test_places_of_two_sizes), TEST(test_nowhere))
+UNIT_MAIN(TEST(test_one_number), TEST(test_two_numbers), TEST(test_max_and_min),
+          TEST(test_select_and_join), TEST(test_not_a_number), TEST(test_sequences),
+          TEST(test_bits), TEST(test_fetched), TEST(test_far_texels), TEST(test_colors),
+          TEST(test_vectors), TEST(test_textures), TEST(test_corner_texels),
+          TEST(test_places_of_two_sizes), TEST(test_nowhere))
 
 #endif

@@ -77,44 +77,61 @@ static void test_units(void) {
     CHECK(units_of(doubles_all(0x1p-1074))[0] == 0x1p1022);
 }
 
-static void test_written(void) {
-    struct planes fast[TOGETHER], plain[TOGETHER];
-    for (size_t k = 0; k <= shader.varying_count; k++) {
-        struct kept_planes from;
+static void any_numbers(reals numbers[FOUR]) {
+    for (int k = 0; k < FOUR; k++) {
         for (int i = 0; i < TOGETHER; i++) {
-            from.origin[i] = (real)random_real(&random_state, -1, 1);
-            from.dx[i] = (real)random_real(&random_state, -1, 1);
-            from.dy[i] = (real)random_real(&random_state, -1, 1);
-            from.corner[i] = (real)random_real(&random_state, -1, 1);
+            numbers[k][i] = (real)random_real(&random_state, -1, 1);
         }
-        memset(fast, 7, sizeof fast);
-        memset(plain, 7, sizeof plain);
-        write_planes(&from, &shader, fast, k);
-        write_planes_plainly(&from, &shader, plain, k);
-        CHECK(memcmp(fast, plain, sizeof fast) == 0);
+    }
+}
+
+/* However they are written: the same bytes, and no others. */
+static void test_fours(void) {
+    struct planes fast[TOGETHER], plain[TOGETHER];
+    reals numbers[FOUR];
+    any_numbers(numbers);
+    memset(fast, 7, sizeof fast);
+    memset(plain, 7, sizeof plain);
+    write_fours(numbers, &shader, fast, offsetof(struct planes, four));
+    write_fours_plainly(numbers, &shader, plain, offsetof(struct planes, four));
+    CHECK(memcmp(fast, plain, sizeof fast) == 0);
+}
+
+static void test_written(void) {
+    struct planes planes[TOGETHER];
+    struct planes_of_pieces from[FOURS_OF(VARYING_LIMIT)];
+    for (size_t i = 0; i < FOURS_OF(shader.varying_count); i++) {
+        any_numbers(from[i].origin);
+        any_numbers(from[i].dx);
+        any_numbers(from[i].dy);
+        any_numbers(from[i].corner);
+        write_planes(&from[i], &shader, planes, i);
+    }
+    for (size_t k = 0; k <= shader.varying_count; k++) {
+        const struct planes_of_pieces *written = &from[k / 4];
         for (size_t i = 0; i < TOGETHER; i++) {
-            const struct varying_plane *found = &planes_number(plain, &shader, i)->plane[k];
-            CHECK(found->origin == from.origin[i] && found->dx == from.dx[i]);
-            CHECK(found->dy == from.dy[i] && found->corner == from.corner[i]);
+            struct varying_plane found = varying_plane(planes_number(planes, &shader, i), k);
+            CHECK(found.origin == written->origin[k % 4][i] && found.dx == written->dx[k % 4][i]);
+            CHECK(found.dy == written->dy[k % 4][i] && found.corner == written->corner[k % 4][i]);
         }
     }
 }
 
 /* A plane at a corner of its piece. */
-static double at_corner(const struct varying_plane *plane, const struct planes *planes,
+static double at_corner(struct varying_plane plane, const struct planes *planes,
                         const struct corners_together *of, size_t piece, int c) {
     double right = (of->x[c][piece] - 128) / 256.0 - planes->x0;
     double up = (of->y[c][piece] - 128) / 256.0 - planes->y0;
-    return plane->origin + plane->dx * right + plane->dy * up;
+    return plane.origin + plane.dx * right + plane.dy * up;
 }
 
 /* Some roundings of a number that is about 1. */
 static const double few_roundings = sizeof(real) == sizeof(float) ? 1e-6 : 1e-14;
 
 /* Planes are rounded, and in slivers far steeper than what they are at corners. */
-static double rounding_of(const struct varying_plane *plane) {
-    double steepest = fabs(plane->dx) > fabs(plane->dy) ? fabs(plane->dx) : fabs(plane->dy);
-    return few_roundings * (fabs(plane->origin) + 2 * 300 / 256.0 * steepest);
+static double rounding_of(struct varying_plane plane) {
+    double steepest = fabs(plane.dx) > fabs(plane.dy) ? fabs(plane.dx) : fabs(plane.dy);
+    return few_roundings * (fabs(plane.origin) + 2 * 300 / 256.0 * steepest);
 }
 
 static void check_piece(const struct corners_together *of, const struct planes *planes, size_t i) {
@@ -122,16 +139,17 @@ static void check_piece(const struct corners_together *of, const struct planes *
     const double *w[3] = {of->recip_w[0], of->recip_w[1], of->recip_w[2]};
     double most = fmax(fmax(w[0][i], w[1][i]), w[2][i]);
     double unit = exp2(-floor(log2(most))), least = fmin(fmin(w[0][i], w[1][i]), w[2][i]) * unit;
-    CHECK(planes->plane[n].corner == (real)(least > 1e-30 ? least : 1e-30));
+    struct varying_plane bottom = varying_plane(planes, n);
+    CHECK(bottom.corner == (real)(least > 1e-30 ? least : 1e-30));
     for (int c = 0; c < 3; c++) {
-        double below = at_corner(&planes->plane[n], planes, of, i, c);
-        CHECK(fabs(below - w[c][i] * unit) <= rounding_of(&planes->plane[n]) + few_roundings);
+        double below = at_corner(bottom, planes, of, i, c);
+        CHECK(fabs(below - w[c][i] * unit) <= rounding_of(bottom) + few_roundings);
         for (size_t k = 0; k < n; k++) {
             double change = of->varyings[c][k][i] - of->varyings[0][k][i];
-            double above = at_corner(&planes->plane[k], planes, of, i, c);
-            CHECK(planes->plane[k].corner == (real)of->varyings[0][k][i]);
-            CHECK(fabs(above - change * w[c][i] * unit) <=
-                  rounding_of(&planes->plane[k]) + few_roundings);
+            struct varying_plane top = varying_plane(planes, k);
+            double above = at_corner(top, planes, of, i, c);
+            CHECK(top.corner == (real)of->varyings[0][k][i]);
+            CHECK(fabs(above - change * w[c][i] * unit) <= rounding_of(top) + few_roundings);
         }
     }
 }
@@ -153,6 +171,7 @@ static void test_planes(void) {
     }
 }
 
-UNIT_MAIN(TEST(test_edges), TEST(test_units), TEST(test_written), TEST(test_planes))
+UNIT_MAIN(TEST(test_edges), TEST(test_units), TEST(test_fours), TEST(test_written),
+          TEST(test_planes))
 
 #endif

@@ -71,13 +71,22 @@ static void test_create(void) {
     CHECK(image_create(&image, 65535, 1, IMAGE_GREY, &error) && image.width == 65535);
     image_free(&image);
     CHECK(image.pixels == NULL && image.width == 0);
-    CHECK(image_create(&image, 3, 2, IMAGE_BGRA, &error));
+}
+
+/* Also where something else was in memory before. */
+static void test_created_is_black(void) {
     bool black = true;
-    for (size_t i = 0; i < 24; i++) {
-        black = black && image.pixels[i] == 0;
+    for (size_t width = 1; width <= 100; width++) {
+        struct image image;
+        struct error error;
+        CHECK(image_create(&image, width, 2, IMAGE_BGRA, &error));
+        for (size_t i = 0; i < 8 * width; i++) {
+            black = black && image.pixels[i] == 0;
+            image.pixels[i] = 255;
+        }
+        image_free(&image);
     }
     CHECK(black);
-    image_free(&image);
 }
 
 static void test_get_and_set(void) {
@@ -716,7 +725,8 @@ static void test_files(void) {
     rmdir(directory);
 }
 
-UNIT_MAIN(TEST(test_create), TEST(test_get_and_set), TEST(test_flips), TEST(test_scale),
-          TEST(test_scale_limits), TEST(test_every_kind_of_tga), TEST(test_long_packets),
-          TEST(test_cut_off_tga), TEST(test_corrupt_tga), TEST(test_lying_tga),
-          TEST(test_tga_round_trip), TEST(test_tga_runs), TEST(test_tga_packs), TEST(test_files))
+UNIT_MAIN(TEST(test_create), TEST(test_created_is_black), TEST(test_get_and_set), TEST(test_flips),
+          TEST(test_scale), TEST(test_scale_limits), TEST(test_every_kind_of_tga),
+          TEST(test_long_packets), TEST(test_cut_off_tga), TEST(test_corrupt_tga),
+          TEST(test_lying_tga), TEST(test_tga_round_trip), TEST(test_tga_runs),
+          TEST(test_tga_packs), TEST(test_files))
