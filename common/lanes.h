@@ -181,8 +181,8 @@ LANES_INLINE lanes lanes_from(int first) {
 
 #endif
 
-/* lanes_max(), lanes_min(), lanes_join(), lanes_bits(), lanes_fetch(), lanes_fetch_pairs(), lanes_keep_index(),
- * lanes_fetch_kept_pairs() */
+/* lanes_max(), lanes_min(), lanes_join(), lanes_bits(), lanes_fetch(), lanes_fetch_pairs(),
+ * lanes_keep_index(), lanes_fetch_kept_pairs() */
 #include "lanes_native.h"
 
 /* Each lane of the mask counted. */

@@ -7,8 +7,8 @@
  *     lanes_max(), lanes_min()    maxps, minps: gcc compares and chooses, which takes two
  *                                 instructions and a register for masks; a seventh of the time of a
  *                                 textured pixel
- *     lanes_join()                a mask of bits: gcc makes one from lanes, and three instructions of
- *                                 each sum of which some lanes are kept; a twentieth of a Phong pixel
+ *     lanes_join()                a mask of bits: gcc makes one of lanes, and three instructions of
+ *                                 a sum of which some lanes are kept; a twentieth of a Phong pixel
  *     lanes_bits()                vpmovd2m, movmskps: a twentieth of the time of a textured pixel
  *     lanes_split()               vshufps: gcc takes eight instructions more; a twentieth of a
  *                                 textured pixel's time
