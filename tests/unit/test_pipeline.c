@@ -691,6 +691,54 @@ static void test_channels(void) {
     }
 }
 
+/* Varying k is k + 1 times varying 0, and k more: at corners and so everywhere. */
+struct many {
+    struct uniforms of;
+    size_t count; /* of varyings */
+};
+
+static void many_vertex(const void *uniforms, size_t face, size_t corner, double *varyings) {
+    const struct many *many = uniforms;
+    struct vec3 p = model_position(many->of.model, face, corner);
+    for (size_t k = 0; k < many->count; k++) {
+        varyings[k] = ((double)k + 1) * (p.x + 2 * p.y) + (double)k;
+    }
+}
+
+static lanes_mask many_fragment(const void *uniforms, const lanes *varyings, lanes_texel *color) {
+    const struct many *many = uniforms;
+    lanes off = lanes_all(0);
+    for (size_t k = 0; k < many->count; k++) {
+        lanes difference = varyings[k] - (((real)k + 1) * varyings[0] + (real)k);
+        off = lanes_max(off, lanes_max(difference, -difference));
+    }
+    lanes level = lanes_select(off < 0.01f, lanes_all(200), lanes_all(100));
+    *color = lanes_rgb(level, level, level);
+    return lanes_all_set();
+}
+
+static void test_each_number_of_varyings(void) {
+    static struct mesh mesh;
+    struct random random = {41};
+    make_soup(&mesh, &random);
+    for (size_t n = 1; n <= VARYING_LIMIT; n++) {
+        struct frame frame;
+        struct error error;
+        const struct shader shader = {
+            .varying_count = n, .vertex = many_vertex, .fragment = many_fragment};
+        const struct many many = {{.model = &mesh.model}, n};
+        const struct draw_call call = {
+            .model = &mesh.model, .to_clip = place_is_xyw, .viewport = whole_image};
+        if (frame_begin(&frame, 0)) {
+            CHECK(draw_frame(&frame.pipeline, &call, &shader, &many, sizeof many, &frame.image,
+                             &error));
+            CHECK(frame_count(&frame, 200) > 100);
+            CHECK(frame_count(&frame, 200) + frame_count(&frame, 0) == SIZE * SIZE);
+        }
+        frame_end(&frame);
+    }
+}
+
 /* What is prepared is so once, whichever way the pixels are shaded. */
 static void add_five(const void *uniforms, lanes *varyings) {
     (void)uniforms;
@@ -1433,12 +1481,12 @@ UNIT_MAIN(TEST(test_nearest_face_shows), TEST(test_threads_change_nothing),
           TEST(test_seen_through_one_column), TEST(test_counts), TEST(test_faces_at_the_sides),
           TEST(test_face_past_a_corner), TEST(test_object_partly_in_view),
           TEST(test_object_without_positions), TEST(test_object_too_large_to_judge),
-          TEST(test_channels), TEST(test_prepared), TEST(test_discarded_hides_nothing),
-          TEST(test_cut_from_both_ends), TEST(test_nearest_w), TEST(test_depth_overflows),
-          TEST(test_depth_difference_overflows), TEST(test_clipped_in_every_block),
-          TEST(test_scale_of_clip_space), TEST(test_each_call_has_its_perspective),
-          TEST(test_corner_order), TEST(test_ground_without_gaps), TEST(test_interpolation),
-          TEST(test_viewport), TEST(test_grid_cell), TEST(test_not_finite),
-          TEST(test_beside_viewport), TEST(test_equal_corners), TEST(test_no_area_is_no_side),
-          TEST(test_wrapped_level), TEST(test_far_apart), TEST(test_frames_keep_their_memory),
-          TEST(test_errors))
+          TEST(test_channels), TEST(test_each_number_of_varyings), TEST(test_prepared),
+          TEST(test_discarded_hides_nothing), TEST(test_cut_from_both_ends), TEST(test_nearest_w),
+          TEST(test_depth_overflows), TEST(test_depth_difference_overflows),
+          TEST(test_clipped_in_every_block), TEST(test_scale_of_clip_space),
+          TEST(test_each_call_has_its_perspective), TEST(test_corner_order),
+          TEST(test_ground_without_gaps), TEST(test_interpolation), TEST(test_viewport),
+          TEST(test_grid_cell), TEST(test_not_finite), TEST(test_beside_viewport),
+          TEST(test_equal_corners), TEST(test_no_area_is_no_side), TEST(test_wrapped_level),
+          TEST(test_far_apart), TEST(test_frames_keep_their_memory), TEST(test_errors))
