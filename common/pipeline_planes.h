@@ -57,8 +57,8 @@ struct four_planes {
 
 /* From these the varyings are found at any pixel. Plane i of the first varying_count is the
  * numerator of varying i, with what that is at corner 0. The next one is the denominator of all,
- * with the least that it is at any corner: rounding may make it less, even 0. Of those behind it
- * only the shader's last four has any; they are of no use. */
+ * with the least that it is at any corner: rounding may make it less, even 0. It is there again
+ * where a four would have none. */
 struct planes {
     real x0, y0;
     struct four_planes four[FOURS_OF(VARYING_LIMIT)];
@@ -240,14 +240,16 @@ KERNEL void find_planes(const struct corners_together *of, const struct shader *
         planes->x0 = (real)x0[i];
         planes->y0 = (real)y0[i];
     }
-    struct planes_of_pieces fours[FOURS_OF(VARYING_LIMIT)] = {0};
+    struct planes_of_pieces fours[FOURS_OF(VARYING_LIMIT)];
     for (size_t k = 0; k < n; k++) {
         doubles v0 = doubles_load(of->varyings[0][k]);
         struct planes_together to_1 = planes_scale(edge[1], doubles_load(of->varyings[1][k]) - v0);
         struct planes_together to_2 = planes_scale(edge[2], doubles_load(of->varyings[2][k]) - v0);
         put_plane(fours, k, planes_add(to_1, to_2), v0);
     }
-    put_plane(fours, n, planes_add(planes_add(edge[0], edge[1]), edge[2]), least);
+    for (size_t k = n; k < FOURS_OF(n) * FOUR; k++) {
+        put_plane(fours, k, planes_add(planes_add(edge[0], edge[1]), edge[2]), least);
+    }
     for (size_t i = 0; i < FOURS_OF(n); i++) {
         write_planes(&fours[i], shader, to, i);
     }

@@ -14,8 +14,18 @@
 
 /* ---- Images ---- */
 
-/* As image_create(); but where the caller sets all pixels, none is cleared before. (Aligned, large
- * images are drawn by up to a twenty-fifth faster.) */
+/* What the pipeline draws on has 16 pixels of a row in one line of the cache: so large images are
+ * drawn up to a twenty-fifth faster. */
+static void *allocate_lines(size_t height, size_t row, bool cleared) {
+    size_t lines = height <= (SIZE_MAX - CACHE_LINE) / row ? height * row / CACHE_LINE + 1 : 0;
+    void *pixels = lines > 0 ? aligned_alloc(CACHE_LINE, lines * CACHE_LINE) : NULL;
+    if (pixels != NULL && cleared) {
+        memset(pixels, 0, height * row);
+    }
+    return pixels;
+}
+
+/* As image_create(); but where the caller sets all pixels, none is cleared before. */
 static bool create(struct image *image, size_t width, size_t height, enum image_format format,
                    bool cleared, struct error *error) {
     assert(format == IMAGE_GREY || format == IMAGE_BGR || format == IMAGE_BGRA);
@@ -25,13 +35,12 @@ static bool create(struct image *image, size_t width, size_t height, enum image_
                          height, IMAGE_SIZE_LIMIT);
     }
     size_t row = width * (size_t)format;
-    size_t lines = height <= (SIZE_MAX - CACHE_LINE) / row ? height * row / CACHE_LINE + 1 : 0;
-    uint8_t *pixels = lines > 0 ? aligned_alloc(CACHE_LINE, lines * CACHE_LINE) : NULL;
+    uint8_t *pixels = format == IMAGE_BGRA      ? allocate_lines(height, row, cleared)
+                      : cleared                 ? calloc(height, row)
+                      : height > SIZE_MAX / row ? NULL
+                                                : malloc(height * row);
     if (pixels == NULL) {
         return error_set(error, "out of memory for an image of %zux%zu pixels", width, height);
-    }
-    if (cleared) {
-        memset(pixels, 0, height * row);
     }
     image->width = width;
     image->height = height;
