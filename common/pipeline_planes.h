@@ -64,6 +64,7 @@ struct planes {
     struct four_planes four[FOURS_OF(VARYING_LIMIT)];
 };
 
+/* Plane i. */
 static inline struct varying_plane varying_plane(const struct planes *planes, size_t i) {
     const struct four_planes *four = &planes->four[i / FOUR];
     size_t k = i % FOUR;

@@ -73,7 +73,7 @@ struct bench_panel {
     const char *size_label;
     /* For a peer, which not every machine has: how many of the versions, from the first, can run
      * here (NULL: all); and what it does where `run` is NULL, since another process does the work
-     * and holds the watch: seconds. */
+     * and holds the watch: seconds, or infinity where it failed. */
     size_t (*versions_here)(const void *state);
     double (*run_elsewhere)(void *state, int choice);
     /* The most that the error of a house version is if it is right, and what it is measured

@@ -121,6 +121,17 @@ static void measure_panel(const struct bench_panel *panel, size_t count, void *s
     mark_front(results, count);
 }
 
+/* What has failed elsewhere has no time to show. */
+static bool check_times(const struct bench_panel *panel, const struct bench_result *results,
+                        size_t count, struct error *error) {
+    for (size_t i = 0; i < count; i++) {
+        if (!isfinite(results[i].upper)) {
+            return error_set(error, "%s: \"%s\" has failed", panel->title, panel->versions[i].name);
+        }
+    }
+    return true;
+}
+
 static double panel_share(const struct bench_panel *panel) {
     return panel->budget > 0 ? panel->budget : 1;
 }
@@ -140,6 +151,7 @@ bool bench_measure(const struct bench_lesson *lesson, double seconds, struct ben
             panel->versions_here != NULL ? panel->versions_here(state) : panel->version_count;
         measure_panel(panel, results->count[i], state, seconds * panel_share(panel) / shares,
                       results->of[i]);
+        ready = check_times(panel, results->of[i], results->count[i], error);
     }
     lesson->teardown(state);
     return ready;

@@ -223,7 +223,7 @@ static double run_peer(void *state, int choice) {
     struct error error;
     double seconds;
     work->drawn = child_draw(&work->peers[choice - PEER(0)], &seconds, &error);
-    return seconds;
+    return work->drawn ? seconds : (double)INFINITY;
 }
 
 static double error_peer(void *state, int choice) {

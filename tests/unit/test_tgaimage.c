@@ -73,6 +73,17 @@ static void test_create(void) {
     CHECK(image.pixels == NULL && image.width == 0);
 }
 
+/* What the pipeline draws on has no chunk of 16 pixels in two lines of the cache. */
+static void test_aligned(void) {
+    struct image image;
+    struct error error;
+    for (size_t side = 1; side < 2000; side = 3 * side + 1) {
+        CHECK(image_create(&image, side, side, IMAGE_BGRA, &error));
+        CHECK((uintptr_t)image.pixels % 64 == 0);
+        image_free(&image);
+    }
+}
+
 /* Also where something else was in memory before. */
 static void test_created_is_black(void) {
     bool black = true;
@@ -725,8 +736,8 @@ static void test_files(void) {
     rmdir(directory);
 }
 
-UNIT_MAIN(TEST(test_create), TEST(test_created_is_black), TEST(test_get_and_set), TEST(test_flips),
-          TEST(test_scale), TEST(test_scale_limits), TEST(test_every_kind_of_tga),
-          TEST(test_long_packets), TEST(test_cut_off_tga), TEST(test_corrupt_tga),
-          TEST(test_lying_tga), TEST(test_tga_round_trip), TEST(test_tga_runs),
-          TEST(test_tga_packs), TEST(test_files))
+UNIT_MAIN(TEST(test_create), TEST(test_aligned), TEST(test_created_is_black),
+          TEST(test_get_and_set), TEST(test_flips), TEST(test_scale), TEST(test_scale_limits),
+          TEST(test_every_kind_of_tga), TEST(test_long_packets), TEST(test_cut_off_tga),
+          TEST(test_corrupt_tga), TEST(test_lying_tga), TEST(test_tga_round_trip),
+          TEST(test_tga_runs), TEST(test_tga_packs), TEST(test_files))
