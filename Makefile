@@ -104,10 +104,11 @@ $(BUILD)/mine/%.o: %/mine.c %/main.c $(BUILD)/sums/% $(BUILD)/flags
 	$(COMPILE) -c $< $(OBJECT)
 
 # Changes only when what a lesson's program is built from does, whatever its date: a main.c that was
-# unpacked or copied may be older than the program of the one before it.
+# unpacked or copied may be older than the program of the one before it. (And nothing else tells
+# `make check`, which removes the compiler's list of headers, whether it may judge what is there.)
 $(STEPS:%=$(BUILD)/sums/%): $(BUILD)/sums/%: force
 	@mkdir -p $(@D)
-	@sums=$$(cksum $*/main.c $*/mine.c $*/*.h 2>/dev/null); \
+	@sums=$$(cksum $*/main.c $*/mine.c $*/*.h common/*.h 2>/dev/null); \
 	 [ "$$(cat $@ 2>/dev/null)" = "$$sums" ] || echo "$$sums" >$@
 
 # Changes only when LINE does.
@@ -227,7 +228,8 @@ check: $(BUILD)/check $(HIDDEN:%=$(BUILD)/hidden)
 	    $(KEEP_POINTS) $(STEP) $(THEN_HIDDEN)
 
 SANITIZED = -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
-$(STEPS:%=$(BUILD)/sanitized/%): $(BUILD)/sanitized/%: %/main.c $(BUILD)/libcommon.a $(BUILD)/flags
+$(STEPS:%=$(BUILD)/sanitized/%): $(BUILD)/sanitized/%: %/main.c $(BUILD)/sums/% \
+                                                       $(BUILD)/libcommon.a $(BUILD)/flags
 	@mkdir -p $(@D)
 	$(COMPILE) $(SANITIZED) -MF $@.d -MT $@ -c $< -o $@.o
 	$(LINK) $(SANITIZED) $@.o $(BUILD)/libcommon.a -lm $(PLACED)

@@ -140,14 +140,36 @@ static bool lacked_room(const struct options *options, const char *output, struc
            !error_set(error, "%s", drawn_message(line_start(output, words)).text);
 }
 
-/* The date of a main.c says nothing of its age (tar and cp -p keep dates), and it may be gone: only
- * a program that was removed is surely built from what is there now. What the compiler writes on
- * the way goes too: where it cannot, it could not be written either, and that is no fault of
+/* Do both files hold the same bytes? Not where one cannot be read. */
+static bool hold_the_same(const char *path, const char *other) {
+    struct bytes a = {0}, b = {0};
+    struct error error;
+    bool same = file_read(path, &a, &error) && file_read(other, &b, &error) && a.size == b.size &&
+                memcmp(a.data, b.data, a.size) == 0;
+    bytes_free(&a);
+    bytes_free(&b);
+    return same;
+}
+
+/* Keep a copy of a program. Where that fails it is built again by the next check. */
+static void keep_copy(const char *program, const char *directory, const char *copy) {
+    struct bytes bytes = {0};
+    struct error error;
+    if (file_read(program, &bytes, &error) && directory_create(directory, &error)) {
+        file_write(copy, bytes.data, bytes.size, &error);
+    }
+    bytes_free(&bytes);
+}
+
+/* Remove what is there of a step's program. The program itself may stay when it is what the last
+ * check has built. Any other may be anything, whatever its date (tar and cp -p keep dates): only
+ * one that was removed is surely built from what is there now. What the compiler writes on the way
+ * goes in any case: where it cannot, it could not be written either, and that is no fault of
  * main.c. */
-static bool remove_old_program(const char *program, struct error *error) {
-    static const char *const endings[] = {"", ".o", ".d"};
+static bool remove_old(const char *program, bool stays, struct error *error) {
+    static const char *const endings[] = {".o", ".d", ""};
     char path[DRAWN_PATH_LIMIT + 2];
-    for (size_t i = 0; i < sizeof endings / sizeof endings[0]; i++) {
+    for (size_t i = 0; i < sizeof endings / sizeof endings[0] - stays; i++) {
         snprintf(path, sizeof path, "%s%s", program, endings[i]);
         if (unlink(path) != 0 && errno != ENOENT) {
             return error_set(error, "cannot remove %.900s: %s", path, strerror(errno));
@@ -187,27 +209,44 @@ static void find_warnings(struct build_result *result) {
     }
 }
 
-bool build_step(const struct options *options, const char *step, struct build_result *result,
-                struct error *error) {
-    char target[DRAWN_PATH_LIMIT];
-    snprintf(target, sizeof target, "%s/%s", options->programs, step);
+/* Let make build the step, and say why it could not. */
+static bool make_step(const struct options *options, const char *step, const char *program,
+                      struct build_result *result, struct error *error) {
     const struct run_limits limits = {.seconds = options->build_seconds,
                                       .file_bytes = run_program_limits(0).file_bytes,
                                       .memory_bytes = (size_t)COMPILER_GIGABYTES << 30};
     struct run_result end = {.end = RUN_EXITED};
-    *result = (struct build_result){.reason = {""}};
-    bool done =
-        remove_old_program(target, error) && call_make(options, target, &limits, &end, error);
+    bool done = call_make(options, program, &limits, &end, error);
     if (done && !make_succeeded(&end)) {
         done = !lacked_room(options, (const char *)end.messages.data, error);
         if (!lacks_source(options, step, (const char *)end.messages.data, &result->reason)) {
             result->reason = make_failure(&end, limits.seconds);
         }
-    } else if (done && access(target, X_OK) != 0) {
+    } else if (done && access(program, X_OK) != 0) {
         snprintf(result->reason.text, sizeof result->reason.text, "make has built no %.150s",
-                 target);
+                 program);
     }
     result->messages = end.messages;
     find_warnings(result);
     return done;
+}
+
+/* What was built with a warning is built again by the next check, which shows it again. */
+bool build_step(const struct options *options, const char *step, struct build_result *result,
+                struct error *error) {
+    char program[DRAWN_PATH_LIMIT], directory[DRAWN_PATH_LIMIT], copy[DRAWN_PATH_LIMIT];
+    snprintf(program, sizeof program, "%s/%s", options->programs, step);
+    snprintf(directory, sizeof directory, "%s/checked", options->programs);
+    snprintf(copy, sizeof copy, "%s/checked/%s", options->programs, step);
+    *result = (struct build_result){.reason = {""}};
+    if (!remove_old(program, hold_the_same(program, copy), error) ||
+        !make_step(options, step, program, result, error)) {
+        return false;
+    }
+    if (result->reason.text[0] != '\0' || result->warning.text[0] != '\0') {
+        unlink(copy);
+    } else if (!hold_the_same(program, copy)) {
+        keep_copy(program, directory, copy);
+    }
+    return true;
 }

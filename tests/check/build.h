@@ -23,8 +23,10 @@ struct build_result {
     struct bytes messages; /* all that make and the compiler said */
 };
 
-/* Remove the step's old program and build it. The caller frees result->messages, also on an error.
- * False, with a message, when the check itself cannot do that. */
+/* Build the step's program. Only when the program that is there is, byte for byte, what the last
+ * check has built, make decides whether it must be built again: every other one is removed first.
+ * The caller frees result->messages, also on an error. False, with a message, when the check itself
+ * cannot do that. */
 bool build_step(const struct options *options, const char *step, struct build_result *result,
                 struct error *error);
 

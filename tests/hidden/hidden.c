@@ -5,7 +5,7 @@
  *     hidden --programs DIR --solutions DIR --seed NUMBER [--make COMMAND] STEP...
  *     hidden --locked DIR COMMAND...
  *
- * With --make each program is built anew, as the check does it. The second form does nothing but
+ * With --make each program is built first, as the check does it. The second form does nothing but
  * call the command while no check can work in DIR: a shell cannot take that lock itself. STEP is a
  * name like step05_zbuffer; its solution is SOLUTIONS/step05_zbuffer/step05_zbuffer. Of a scene
  * that is wrong only the class is told:
