@@ -157,8 +157,9 @@ void pipeline_run(struct pipeline *p, size_t count, worker_function *work, void 
 const char *const pipeline_stat_name[PIPELINE_STATS] = {
     "objects",        "objects_outside", "objects_hidden",    "vertices_transformed",
     "faces",          "faces_outside",   "faces_turned_away", "faces_without_pixel",
-    "faces_clipped",  "faces_hidden",    "faces_behind",      "attribute_sets",
-    "pixels_covered", "pixels_shaded",
+    "faces_clipped",  "faces_hidden",    "faces_behind",      "batches_outside",
+    "batches_hidden", "attribute_sets",  "pixels_covered",    "pixels_passed",
+    "pixels_shaded",
 };
 
 struct draw_call camera_call(const struct model *model, struct vec3 eye, struct vec3 center,
@@ -351,7 +352,8 @@ static void add_up_bands(struct pipeline *p) {
     for (size_t i = 0; i < band_count(p); i++) {
         p->stats[STAT_ATTRIBUTE_SETS] += work[i].fetched;
         p->stats[STAT_FACES_BEHIND] += work[i].behind;
-        p->stats[STAT_PIXELS_COVERED] += work[i].covered;
+        p->stats[STAT_PIXELS_COVERED] += p->counts_tests ? work[i].covered : 0;
+        p->stats[STAT_PIXELS_PASSED] += p->counts_tests ? work[i].passed : 0;
         p->stats[STAT_PIXELS_SHADED] += work[i].shaded;
     }
     count_hidden(p);

@@ -18,7 +18,7 @@ struct band {
     bool reordered;                            /* the nearest draw calls are covered first: */
     struct span changed_columns, changed_rows; /* where pieces of the draw call were covered */
     uint64_t behind;
-    pixel_counts covered; /* depth tests */
+    pixel_counts covered, passed; /* depth tests */
 };
 
 /* Mark that something may be drawn in these rows of the columns from x on. */
@@ -76,9 +76,11 @@ struct shown {
 
 /* Depths and numbers of neighbours become those of the piece where it is `inside` and nearer; of
  * equal depths that of the first drawn stays: the one that is there, except with `reordered`, when
- * the draw calls are asked. Without branches: each line is an instruction or two for all pixels. */
-LANES_INLINE void cover_pixels(const struct band *band, double *depths, uint32_t *numbers,
-                               pixel_mask inside, doubles z, struct shown piece, bool reordered) {
+ * the draw calls are asked. Without branches: each line is an instruction or two for all pixels.
+ * Returns where the piece is shown now. */
+LANES_INLINE pixel_mask cover_pixels(const struct band *band, double *depths, uint32_t *numbers,
+                                     pixel_mask inside, doubles z, struct shown piece,
+                                     bool reordered) {
     doubles old_z;
     ints old_number;
     memcpy(&old_z, depths, sizeof old_z);
@@ -94,6 +96,7 @@ LANES_INLINE void cover_pixels(const struct band *band, double *depths, uint32_t
     old_number = ints_select(nearer, (int32_t)piece.number, old_number);
     memcpy(depths, &z, sizeof z);
     memcpy(numbers, &old_number, sizeof old_number);
+    return nearer;
 }
 
 /* depth_at() for several pixels. */
@@ -175,18 +178,24 @@ LANES_INLINE struct span rows_of_strip(const struct box_edges *e, struct span ro
     return (struct span){rows.begin + (int)begin, rows.begin + (int)ceil(end)};
 }
 
+/* What is done besides; constant where a function is called with it. */
+struct cover_how {
+    bool reordered; /* see cover_pixels() */
+    bool counts;    /* depth tests */
+};
+
 /* All pixels of a box, several tested at once: strip by strip, each from its lowest row on.
  * (Row by row, a processor would often be wrong about where the row ends.) `cut`: the piece reaches
- * beyond the columns; `reordered`, a constant where it is called: see cover_pixels(). */
+ * beyond the columns. */
 LANES_INLINE void cover_box(struct band *band, const struct piece *piece, struct span columns,
-                            struct span rows, bool cut, uint32_t number, bool reordered) {
+                            struct span rows, bool cut, uint32_t number, struct cover_how how) {
     const struct visibility *visibility = band->visibility;
     struct shown shown = {number, piece->draw};
     int left = columns.begin / TOGETHER * TOGETHER;
     bool high = rows.end - rows.begin > HIGH_BOX;
     struct box_edges e = find_box_edges(piece->corner, left, rows.begin);
     struct depth_slopes slopes = find_depth_slopes(piece, e.origin[0] + e.origin[1] + e.origin[2]);
-    pixel_counts covered = band->covered;
+    pixel_counts covered = band->covered, passed = band->passed;
     doubles right[3], up[3], least[3];
     for (int i = 0; i < 3; i++) {
         right[i] = e.dx[i] * doubles_from(0);
@@ -211,9 +220,13 @@ LANES_INLINE void cover_box(struct band *band, const struct piece *piece, struct
             pixel_mask inside = mask_not_below(e0, least[0]);
             inside = mask_and_not_below(inside, e1, least[1]);
             inside = mask_and_not_below(inside, e2, least[2]);
-            covered = counts_add(covered, inside);
-            cover_pixels(band, depths, numbers, inside, depths_at(&slopes, e1, e2), shown,
-                         reordered);
+            doubles z = depths_at(&slopes, e1, e2);
+            pixel_mask nearer =
+                cover_pixels(band, depths, numbers, inside, z, shown, how.reordered);
+            if (how.counts) {
+                covered = counts_add(covered, inside);
+                passed = counts_add(passed, nearer);
+            }
             e0 += up[0];
             e1 += up[1];
             e2 += up[2];
@@ -224,6 +237,7 @@ LANES_INLINE void cover_box(struct band *band, const struct piece *piece, struct
         e.origin += e.dx * TOGETHER;
     }
     band->covered = covered;
+    band->passed = passed;
 }
 
 /* ---- What is behind ---- */
@@ -298,20 +312,20 @@ bool pipeline_is_hidden(const struct pipeline *p, double nearest, struct span co
 }
 
 LANES_INLINE void cover_piece(struct band *band, const struct draw *draw, const struct piece *piece,
-                              uint32_t number, bool reordered) {
+                              uint32_t number, struct cover_how how) {
     const struct rectangle *v = &draw->call.viewport;
     struct span whole = columns_of(piece->corner), columns = columns_in(whole, v);
     bool cut = columns.begin > whole.begin || columns.end < whole.end;
     struct span rows = span_overlap(rows_in(rows_of(piece->corner), v), band->rows);
-    if (reordered && is_behind(band->visibility, nearest_of_depths(piece->depth), columns,
-                               rows_in_band(band, rows))) {
+    if (how.reordered && is_behind(band->visibility, nearest_of_depths(piece->depth), columns,
+                                   rows_in_band(band, rows))) {
         band->behind++;
     } else {
-        if (reordered) {
+        if (how.reordered) {
             band->changed_columns = span_around(band->changed_columns, columns);
             band->changed_rows = span_around(band->changed_rows, rows);
         }
-        cover_box(band, piece, columns, rows, cut, number, reordered);
+        cover_box(band, piece, columns, rows, cut, number, how);
     }
 }
 
@@ -438,15 +452,23 @@ static void call_shader(const struct shading *shading) {
     }
 }
 
-/* Constant where it is called: see cover_pixels(). */
-LANES_INLINE void cover_pieces(struct band *band, const struct shading *shading, bool reordered) {
+LANES_INLINE void cover_pieces(struct band *band, const struct shading *shading,
+                               struct cover_how how) {
     const struct piece *pieces = band->pipeline->pieces.data;
     enum { PIECES_AHEAD = 8 }; /* so that the memory is asked for a piece before it is covered */
     for (int i = shading->numbers.begin; i < shading->numbers.end; i++) {
         if (i + PIECES_AHEAD < shading->numbers.end) {
             __builtin_prefetch(&pieces[shading->bin[i + PIECES_AHEAD]]);
         }
-        cover_piece(band, shading->draw, &pieces[shading->bin[i]], (uint32_t)i + 1, reordered);
+        cover_piece(band, shading->draw, &pieces[shading->bin[i]], (uint32_t)i + 1, how);
+    }
+}
+
+LANES_INLINE void cover_draw_pieces(struct band *band, const struct shading *shading, bool counts) {
+    if (band->reordered) {
+        cover_pieces(band, shading, (struct cover_how){true, counts});
+    } else {
+        cover_pieces(band, shading, (struct cover_how){false, counts});
     }
 }
 
@@ -456,10 +478,10 @@ static void cover_draw(struct band *band, const struct shading *shading) {
         decide.image = shading->at_once ? shading->image : NULL;
         decide.at_once = true;
         call_shader(&decide);
-    } else if (band->reordered) {
-        cover_pieces(band, shading, true);
+    } else if (band->pipeline->counts_tests) {
+        cover_draw_pieces(band, shading, true);
     } else {
-        cover_pieces(band, shading, false);
+        cover_draw_pieces(band, shading, false);
     }
 }
 
@@ -559,6 +581,7 @@ static struct shading begin_shading(const struct frame *frame, const struct band
 static void add_covered(const struct band *band, struct pixel_work *work) {
     work->behind += band->behind;
     work->covered += counts_sum(band->covered);
+    work->passed += counts_sum(band->passed);
 }
 
 void pipeline_cover_band(void *context, size_t index, size_t worker) {

@@ -91,6 +91,7 @@ struct pixel_work {
     uint64_t fetched; /* attribute sets */
     uint64_t behind;  /* pieces that were not covered */
     uint64_t covered; /* depth tests */
+    uint64_t passed;  /* of these */
     uint64_t shaded;  /* pixels */
 };
 
@@ -614,6 +615,7 @@ KERNEL void shade_chunk_at_once(const struct shading *s, const struct shader *sh
             uint32_t *old_number = &s->visibility->number[first + (size_t)(lane + i)];
             *old_number = drawn[i] ? number : *old_number;
         }
+        s->work->passed += count;
         s->work->shaded += count;
         s->visibility->touched[x / CHUNK] |= UINT32_C(1) << (y - s->rows.begin);
         if (s->image != NULL) {

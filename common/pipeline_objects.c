@@ -279,6 +279,8 @@ static bool leave_out_batch(const struct pipeline *p, const struct place *place,
     stats[STAT_FACES_OUTSIDE] += outside ? faces : 0;
     stats[STAT_FACES_HIDDEN] += hidden ? faces : 0;
     stats[STAT_FACES_BEHIND] += hidden ? faces : 0;
+    stats[STAT_BATCHES_OUTSIDE] += outside;
+    stats[STAT_BATCHES_HIDDEN] += hidden;
     return outside || hidden;
 }
 

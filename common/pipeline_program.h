@@ -30,6 +30,7 @@ static inline void pipeline_end_drawing(struct drawing *drawing) {
 static inline struct pipeline *pipeline_begin(struct drawing *drawing) {
     struct pipeline *pipeline = drawing->state;
     pipeline->skip = drawing->skip;
+    pipeline->counts_tests = drawing->stats;
     pipeline_clear(pipeline);
     return pipeline;
 }

@@ -465,6 +465,7 @@ int program_main(const struct program *program, int argc, char **argv) {
     if (options_parse(&command.options, program, argc, argv, &error) &&
         check_options(&command, &error)) {
         command.run.no_skip = command.options.no_skip;
+        command.run.stats = command.options.stats;
         command.run.fit = command.options.fit;
         status = run_command(&command, &error) ? STATUS_DONE : STATUS_FAILED;
     }

@@ -46,6 +46,7 @@ struct drawing {
     struct vec3 eye, center, up;   /* the camera: options, the scene's or the program's */
     struct vec3 light;             /* as given: not normalised */
     bool skip;                     /* false with --no-skip: do all the work; same image */
+    bool stats;                    /* with --stats: count what takes time to count, too */
     size_t frame;                  /* of an animation, from 0 */
     void *state;                   /* program.state_size bytes, zero at first */
     struct counter counters[COUNTER_LIMIT];

@@ -186,7 +186,8 @@ bool stage_begin(struct stage *stage, struct run *run, const struct scene *scene
                     .center = scene->center,
                     .up = scene->up,
                     .light = scene->light,
-                    .skip = !run->no_skip},
+                    .skip = !run->no_skip,
+                    .stats = run->stats},
         .pixel_count = width * height,
     };
     if (!load_needs(run, scene, &stage->drawing, error) || !allocate(stage, width, height, error)) {

@@ -18,7 +18,7 @@ struct run {
     const struct program *program;
     const char *input;             /* a model in place of the course's own; NULL: none */
     const struct text_scene *text; /* NULL but for a text scene */
-    bool no_skip;
+    bool no_skip, stats;
     bool fit;       /* move and scale models into view */
     unsigned needs; /* of all scenes that will be drawn, so that a model is read once; 0: unknown */
 

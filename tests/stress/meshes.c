@@ -458,9 +458,10 @@ static bool show_faces(const struct plane *plane, bool reverse,
     struct draw_call call = {
         .model = &model, .to_clip = plane->to_clip, .viewport = {0, 0, COUNT_SIZE, COUNT_SIZE}};
     memset(call.to_clip.m[2], 0, sizeof call.to_clip.m[2]);
-    bool done =
-        pipeline_create(&pipeline, COUNT_SIZE, COUNT_SIZE, &error) &&
-        draw_frame(&pipeline, &call, &count_shader, &uniforms, sizeof uniforms, &image, &error);
+    bool done = pipeline_create(&pipeline, COUNT_SIZE, COUNT_SIZE, &error);
+    pipeline.counts_tests = true;
+    done = done &&
+           draw_frame(&pipeline, &call, &count_shader, &uniforms, sizeof uniforms, &image, &error);
     memcpy(stats, pipeline.stats, sizeof pipeline.stats);
     pipeline_free(&pipeline);
     for (size_t i = 0; i < COUNT_SIZE * COUNT_SIZE; i++) {

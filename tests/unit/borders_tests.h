@@ -209,6 +209,7 @@ static bool draw_faces(struct pipeline *pipeline, const struct part *part, size_
     return pipeline_draw(pipeline, &call, part->shader, &uniforms, sizeof uniforms, &error);
 }
 
+/* Depth tests are counted in every other frame. */
 static bool draw_on_top(struct pipeline *pipeline, const struct scene *scene, struct image *image,
                         size_t *vertex_calls) {
     static struct model models[CALL_LIMIT * FACE_LIMIT];
@@ -217,6 +218,7 @@ static bool draw_on_top(struct pipeline *pipeline, const struct scene *scene, st
     size_t model = 0;
     bool done = true;
     pipeline_clear(pipeline);
+    pipeline->counts_tests = !pipeline->counts_tests;
     for (size_t i = 0; i < scene->count; i++) {
         size_t faces = scene->part[i].model.face_count, first = 0;
         do {
@@ -321,18 +323,29 @@ static uint64_t count_drawn(const struct scene *scene, const struct answer *answ
     return drawn;
 }
 
-/* What was counted while a frame was drawn, of faces none of which is culled. Every pixel that a
- * face covers is tested, except of faces that are dropped behind others. Each pixel is shaded once;
- * with skip off, and to find what a shader discards, wherever a face is nearest so far. */
+/* Every pixel that a face covers is tested, except of faces that are dropped behind others; and it
+ * passes wherever the face is nearest so far, unless the order is another one. */
+static bool tests_are_right(const struct pipeline *pipeline, uint64_t drawn,
+                            const struct work *work) {
+    uint64_t covered = pipeline->stats[STAT_PIXELS_COVERED];
+    uint64_t passed = pipeline->stats[STAT_PIXELS_PASSED];
+    if (!pipeline->counts_tests) {
+        return covered == 0 && passed == 0;
+    }
+    bool some_behind = pipeline->stats[STAT_FACES_BEHIND] > 0;
+    return covered >= drawn && covered <= work->covered &&
+           (some_behind || covered == work->covered) && passed >= drawn && passed <= covered &&
+           (pipeline->reordered || passed == work->nearest);
+}
+
+/* What was counted while a frame was drawn, of faces none of which is culled. Each pixel is shaded
+ * once; with skip off, and to find what a shader discards, wherever a face is nearest so far. */
 static bool counts_are_right(const struct pipeline *pipeline, const struct scene *scene,
                              const struct answer *answers, const struct work *work) {
     uint64_t drawn = count_drawn(scene, answers), least = pipeline->skip ? drawn : work->nearest;
     uint64_t most = has_discarding_part(scene) ? drawn + work->nearest : least;
     uint64_t shaded = pipeline->stats[STAT_PIXELS_SHADED];
-    uint64_t covered = pipeline->stats[STAT_PIXELS_COVERED];
-    bool some_behind = pipeline->stats[STAT_FACES_BEHIND] > 0;
-    return covered >= drawn && covered <= work->covered &&
-           (some_behind || covered == work->covered) && shaded >= least &&
+    return tests_are_right(pipeline, drawn, work) && shaded >= least &&
            shaded <= (pipeline->skip ? most : least);
 }
 

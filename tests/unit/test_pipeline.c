@@ -263,6 +263,7 @@ static bool frame_begin(struct frame *frame, int way) {
                 CHECK(pipeline_create(&frame->pipeline, SIZE, SIZE, &error));
     frame->pipeline.skip = way != 1;
     frame->pipeline.keep_depth = true;
+    frame->pipeline.counts_tests = true;
     return done;
 }
 
@@ -492,9 +493,9 @@ static void test_seen_through_one_column(void) {
 }
 
 /* A call, then a nearer one in front of all of it. The nearer one is covered first, and no pixel of
- * the other is tested. Where pixels are shaded at once all are tested in both calls, and the nearer
- * one shades again: all of it or, where a shader decides which pixels it discards, once more what
- * is then visible. A new frame counts from 0. */
+ * the other is tested. Where pixels are shaded at once all are tested in both calls, all pass, and
+ * the nearer one shades again: all of it or, where a shader decides which pixels it discards, once
+ * more what is then visible. A new frame counts from 0. */
 static void test_counts(void) {
     static struct mesh behind, nearer;
     static const uint64_t covered[WAYS] = {1, 2, 2}, shaded[WAYS] = {1, 2, 3};
@@ -508,6 +509,7 @@ static void test_counts(void) {
             frame_draw(&frame, &nearer, place_is_xyw, whole_image);
             frame_finish(&frame);
             CHECK(stats[STAT_PIXELS_COVERED] == covered[way] * SIZE * SIZE);
+            CHECK(stats[STAT_PIXELS_PASSED] == covered[way] * SIZE * SIZE);
             CHECK(stats[STAT_PIXELS_SHADED] == shaded[way] * SIZE * SIZE);
             pipeline_clear(&frame.pipeline);
             for (int i = 0; i < PIPELINE_STATS; i++) {
@@ -877,6 +879,7 @@ static void see(const struct mesh *mesh, struct mat4 to_clip, struct seen *seen,
         return;
     }
     pipeline_use_threads(&pipeline, 1); /* too many small frames to start threads for each */
+    pipeline.counts_tests = true;
     for (size_t i = 0; i < 4; i++) {
         see_varying(&pipeline, &call, i, values[i]);
     }
