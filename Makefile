@@ -96,8 +96,7 @@ endif
 # A lesson's program is its main.c and what all lessons share.
 $(STEPS:%=$(BUILD)/%): $(BUILD)/%: %/main.c $(BUILD)/sums/% $(BUILD)/libcommon.a $(MINE) \
                                    $(BUILD)/line $(BUILD)/flags
-	$(COMPILE) $(DRAW_WITH) -MF $@.d -MT $@ -c $< -o $@.o
-	$(LINK) $@.o $(MINE) $(BUILD)/libcommon.a -lm $(PLACED)
+	$(call PROGRAM,$(DRAW_WITH),$(MINE))
 
 $(BUILD)/mine/%.o: %/mine.c %/main.c $(BUILD)/sums/% $(BUILD)/flags
 	@mkdir -p $(@D)
@@ -105,7 +104,7 @@ $(BUILD)/mine/%.o: %/mine.c %/main.c $(BUILD)/sums/% $(BUILD)/flags
 
 # Changes only when what a lesson's program is built from does, whatever its date: a main.c that was
 # unpacked or copied may be older than the program of the one before it. (And nothing else tells
-# `make check`, which removes the compiler's list of headers, whether it may judge what is there.)
+# `make check`, which removes what the compiler leaves, whether it may judge what is there.)
 $(STEPS:%=$(BUILD)/sums/%): $(BUILD)/sums/%: force
 	@mkdir -p $(@D)
 	@sums=$$(cksum $*/main.c $*/mine.c $*/*.h common/*.h 2>/dev/null); \
@@ -179,6 +178,16 @@ EXACT    = $(subst -fsingle-precision-constant,,$(subst -Ofast,-O3,$(COMPILE))) 
            $(STRICT)
 INEXACT  = -Ofast -ffast-math -funsafe-math-optimizations
 LINK     = $(CC) $(filter-out $(INEXACT),$(CFLAGS)) $(MARCH) $(THREADED)
+# A lesson's program, with these flags and objects. Where the compiler has nothing to say a copy is
+# kept, so that the check need not build the program again to show its warnings.
+define PROGRAM
+@mkdir -p $(@D)/built && rm -f $(@D)/built/$(@F)
+$(COMPILE) $(COLORED) $(1) -MF $@.d -MT $@ -c $< -o $@.o 2>$@.said || { cat $@.said >&2; exit 1; }
+@cat $@.said >&2
+$(LINK) $(1) $@.o $(2) $(BUILD)/libcommon.a -lm $(PLACED)
+@[ -s $@.said ] || cp $@ $(@D)/built
+endef
+COLORED  = $(call ONCE,COLORED,$(shell [ ! -t 2 ] || echo -fdiagnostics-color))
 # Written under another name first: while a program is written no other make of the same directory
 # could run it, nor link an object.
 PLACED   = -o $@.$$$$ && mv -f $@.$$$$ $@
@@ -230,9 +239,7 @@ check: $(BUILD)/check $(HIDDEN:%=$(BUILD)/hidden)
 SANITIZED = -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
 $(STEPS:%=$(BUILD)/sanitized/%): $(BUILD)/sanitized/%: %/main.c $(BUILD)/sums/% \
                                                        $(BUILD)/libcommon.a $(BUILD)/flags
-	@mkdir -p $(@D)
-	$(COMPILE) $(SANITIZED) -MF $@.d -MT $@ -c $< -o $@.o
-	$(LINK) $(SANITIZED) $@.o $(BUILD)/libcommon.a -lm $(PLACED)
+	$(call PROGRAM,$(SANITIZED))
 
 -include $(wildcard tests/hidden/hidden.mk)
 

@@ -151,23 +151,12 @@ static bool hold_the_same(const char *path, const char *other) {
     return same;
 }
 
-/* Keep a copy of a program. Where that fails it is built again by the next check. */
-static void keep_copy(const char *program, const char *directory, const char *copy) {
-    struct bytes bytes = {0};
-    struct error error;
-    if (file_read(program, &bytes, &error) && directory_create(directory, &error)) {
-        file_write(copy, bytes.data, bytes.size, &error);
-    }
-    bytes_free(&bytes);
-}
-
-/* Remove what is there of a step's program. The program itself may stay when it is what the last
- * check has built. Any other may be anything, whatever its date (tar and cp -p keep dates): only
- * one that was removed is surely built from what is there now. What the compiler writes on the way
- * goes in any case: where it cannot, it could not be written either, and that is no fault of
- * main.c. */
+/* Remove what is there of a step's program. The program itself may stay when it is what make has
+ * built. Any other may be anything, whatever its date (tar and cp -p keep dates): only one that was
+ * removed is surely built from what is there now. What the compiler writes on the way goes in any
+ * case: where it cannot, it could not be written either, and that is no fault of main.c. */
 static bool remove_old(const char *program, bool stays, struct error *error) {
-    static const char *const endings[] = {".o", ".d", ""};
+    static const char *const endings[] = {".o", ".d", ".said", ""};
     char path[DRAWN_PATH_LIMIT + 2];
     for (size_t i = 0; i < sizeof endings / sizeof endings[0] - stays; i++) {
         snprintf(path, sizeof path, "%s%s", program, endings[i]);
@@ -209,14 +198,18 @@ static void find_warnings(struct build_result *result) {
     }
 }
 
-/* Let make build the step, and say why it could not. */
-static bool make_step(const struct options *options, const char *step, const char *program,
-                      struct build_result *result, struct error *error) {
+bool build_step(const struct options *options, const char *step, struct build_result *result,
+                struct error *error) {
+    char program[DRAWN_PATH_LIMIT], copy[DRAWN_PATH_LIMIT];
+    snprintf(program, sizeof program, "%s/%s", options->programs, step);
+    snprintf(copy, sizeof copy, "%s/built/%s", options->programs, step);
     const struct run_limits limits = {.seconds = options->build_seconds,
                                       .file_bytes = run_program_limits(0).file_bytes,
                                       .memory_bytes = (size_t)COMPILER_GIGABYTES << 30};
     struct run_result end = {.end = RUN_EXITED};
-    bool done = call_make(options, program, &limits, &end, error);
+    *result = (struct build_result){.reason = {""}};
+    bool done = remove_old(program, hold_the_same(program, copy), error) &&
+                call_make(options, program, &limits, &end, error);
     if (done && !make_succeeded(&end)) {
         done = !lacked_room(options, (const char *)end.messages.data, error);
         if (!lacks_source(options, step, (const char *)end.messages.data, &result->reason)) {
@@ -229,24 +222,4 @@ static bool make_step(const struct options *options, const char *step, const cha
     result->messages = end.messages;
     find_warnings(result);
     return done;
-}
-
-/* What was built with a warning is built again by the next check, which shows it again. */
-bool build_step(const struct options *options, const char *step, struct build_result *result,
-                struct error *error) {
-    char program[DRAWN_PATH_LIMIT], directory[DRAWN_PATH_LIMIT], copy[DRAWN_PATH_LIMIT];
-    snprintf(program, sizeof program, "%s/%s", options->programs, step);
-    snprintf(directory, sizeof directory, "%s/checked", options->programs);
-    snprintf(copy, sizeof copy, "%s/checked/%s", options->programs, step);
-    *result = (struct build_result){.reason = {""}};
-    if (!remove_old(program, hold_the_same(program, copy), error) ||
-        !make_step(options, step, program, result, error)) {
-        return false;
-    }
-    if (result->reason.text[0] != '\0' || result->warning.text[0] != '\0') {
-        unlink(copy);
-    } else if (!hold_the_same(program, copy)) {
-        keep_copy(program, directory, copy);
-    }
-    return true;
 }

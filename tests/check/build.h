@@ -23,8 +23,9 @@ struct build_result {
     struct bytes messages; /* all that make and the compiler said */
 };
 
-/* Build the step's program. Only when the program that is there is, byte for byte, what the last
- * check has built, make decides whether it must be built again: every other one is removed first.
+/* Build the step's program. Only when the program that is there is, byte for byte, what make has
+ * built without a warning (its copy in DIR/built), make decides whether it must be built again:
+ * every other one is removed first.
  * The caller frees result->messages, also on an error. False, with a message, when the check itself
  * cannot do that. */
 bool build_step(const struct options *options, const char *step, struct build_result *result,

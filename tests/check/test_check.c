@@ -709,6 +709,7 @@ static void test_own_failures_are_not_scored(void) {
         {"", "12", "output", "step12_absent  ERROR 0/1 SCORE 0/1: cannot remove "},
         {"", "01", "output", "step01_exact  ERROR 0/2 SCORE 0/2: cannot remove "},
         {"", "09", "output", "step09_status  ERROR 0/1 SCORE 0/1: cannot remove "},
+        {"", "05", "output", "step05_blank  ERROR 0/1 SCORE 0/1: cannot remove "},
     };
     char make[2 * PATH_LIMIT];
     struct path build = inside("build"), references = inside("reference");
@@ -716,6 +717,7 @@ static void test_own_failures_are_not_scored(void) {
     mkdir(inside("build/step12_absent").text, 0777);
     mkdir(inside("build/step01_exact.o").text, 0777);
     mkdir(inside("build/step09_status.d").text, 0777);
+    mkdir(inside("build/step05_blank.said").text, 0777);
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         const char *arguments[] = {
             "--root",        "tests/check/wrong", "--scenes",    "scenes.txt", "--references",
@@ -730,6 +732,7 @@ static void test_own_failures_are_not_scored(void) {
     rmdir(inside("build/step12_absent").text);
     rmdir(inside("build/step01_exact.o").text);
     rmdir(inside("build/step09_status.d").text);
+    rmdir(inside("build/step05_blank.said").text);
 }
 
 static void test_wrong_build_timeout(void) {
