@@ -102,7 +102,7 @@ $(REPLAYS): $(BUILD)/tests/%: $(BUILD)/tested/tests/fuzz/%.o $(BUILD)/tested/tes
 .PHONY: test
 test: $(UNITS) $(CHECKERS) $(HELPERS) $(ALIKE) $(REPLAYS) $(BUILD)/check $(BUILD)/looks_make \
       $(BUILD)/figure_make $(BUILD)/references $(BUILD)/show $(BUILD)/compare_page \
-      $(BUILD)/hidden $(BUILD)/similar $(BUILD)/limited $(BUILD)/step01_line models
+      $(BUILD)/hidden $(BUILD)/similar $(BUILD)/limited programs models
 	@CHECK_PROGRAMS=$(BUILD) tests/run_tests.sh $(SCRIPTS) $(UNITS) $(CHECKERS) $(HELPERS) $(ALIKE)
 
 # ---- make stress, make bench: exact answers, and run time against error ----
