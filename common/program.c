@@ -4,6 +4,7 @@
 
 #include "fit.h"
 #include "image_file.h"
+#include "large_pages.h"
 #include "options.h"
 #include "stage.h"
 
@@ -462,6 +463,7 @@ int program_main(const struct program *program, int argc, char **argv) {
     struct command command = {.run = {.program = program}};
     struct error error = {0};
     int status = STATUS_USAGE;
+    use_large_pages();
     if (options_parse(&command.options, program, argc, argv, &error) &&
         check_options(&command, &error)) {
         command.run.no_skip = command.options.no_skip;

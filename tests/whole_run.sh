@@ -1,6 +1,7 @@
 #!/bin/bash
-# How long does a whole run of step10_phong take, how does its time divide, and how many times is it
-# that of `cat` of the same input files and a copy of its output? Called by `make bench-run`.
+# How long does a whole run of step10_phong take, how does its time divide, how often does it wait
+# for a page of memory, and how many times is it that of `cat` of the same input files and a copy of
+# its output? Called by `make bench-run`.
 #
 #   tests/whole_run.sh BUILD      BUILD: the build directory
 #
@@ -45,7 +46,7 @@ report() {
         2>/dev/null
 }
 
-echo 'scene         ms   load   draw   save   kernel   cat and cp   ratio'
+echo 'scene         ms   load   draw   save   kernel   faults   cat and cp   ratio'
 for scene in four turn; do
     inputs=("$build"/models/bust.obj "$build"/models/bust_{diffuse,nm}.tga)
     [ $scene = four ] || inputs+=("$build/models/bust_spec.tga")
@@ -57,15 +58,18 @@ for scene in four turn; do
     done
     perf record -q -F 10000 -g -o "$build/perf.data" bash -c "$(declare -f draw)
         build='$build' scene=$scene runs=40; draw" >"$build/log" 2>&1 || { cat "$build/log"; exit 1; }
+    faults=$(perf stat -x , -r $rounds -e page-faults -o /dev/stdout \
+        "$build/step10_phong" --only "$scene" -o "$build/out" |
+        awk -F , '/page-faults/ { print $1 }')
     { report --children; echo alone; report --no-children; } |
-        awk -v scene=$scene -v ms="$(median "$build/draw.times")" \
+        awk -v scene=$scene -v ms="$(median "$build/draw.times")" -v faults="$faults" \
             -v bytes="$(median "$build/move.times")" '
             /^alone/ { alone = 1 }
             !alone { share[$NF] = $1 * ms / 100 }
             alone && / \[k\] / { kernel += $1 * ms / 100 }
             END {
-                printf "%-8s %7.1f %6.1f %6.1f %6.1f %8.1f %12.1f %7.1f\n", scene, ms,
+                printf "%-8s %7.1f %6.1f %6.1f %6.1f %8.1f %8d %12.1f %7.1f\n", scene, ms,
                     share["stage_begin"], share["stage_draw"], share["tga_write"],
-                    kernel, bytes, ms / bytes
+                    kernel, faults, bytes, ms / bytes
             }'
 done
