@@ -1,6 +1,8 @@
 /* Growing arrays: see array.h. */
 #include "array.h"
 
+#include "large_pages.h"
+
 #include <stdint.h>
 #include <stdlib.h>
 
@@ -16,6 +18,7 @@ void *array_grow(void *array, size_t *capacity, size_t count, size_t element_siz
     void *moved = realloc(array, wanted * element_size);
     if (moved != NULL) {
         *capacity = wanted;
+        ask_for_large_pages(moved, wanted * element_size);
     }
     return moved;
 }

@@ -1,13 +1,20 @@
 /*
- * How a program gets its memory from the system.
+ * How a program gets its memory from the system, which hands out pages of 4096 bytes one by one,
+ * and sets them to zero, unless it is asked for larger ones. A program that runs for a few
+ * hundredths of a second spends more than half of its time on that. Large pages also make it faster
+ * to read memory here and there: a processor remembers where some thousand pages are.
  */
 #ifndef COMMON_LARGE_PAGES_H
 #define COMMON_LARGE_PAGES_H
 
-/* Let malloc() take memory in large pages, and keep it for what is allocated next, where the C
- * library and the system can do that (glibc on Linux; elsewhere nothing happens). Called once, when
- * a program begins: one that runs for a few hundredths of a second otherwise spends more than half
- * of its time in the system, which hands out every 4096 bytes one by one, and sets them to zero. */
-void use_large_pages(void);
+#include <stddef.h>
+
+/* Let a block that was just allocated be in large pages, as far as it fills some, where the system
+ * has them (Linux; elsewhere nothing happens). */
+void ask_for_large_pages(void *block, size_t size);
+
+/* Called once, when a program begins: malloc() keeps what is freed for what is allocated next, in
+ * large pages, where the C library can do that (glibc; elsewhere nothing happens). */
+void keep_freed_memory(void);
 
 #endif

@@ -463,7 +463,7 @@ int program_main(const struct program *program, int argc, char **argv) {
     struct command command = {.run = {.program = program}};
     struct error error = {0};
     int status = STATUS_USAGE;
-    use_large_pages();
+    keep_freed_memory();
     if (options_parse(&command.options, program, argc, argv, &error) &&
         check_options(&command, &error)) {
         command.run.no_skip = command.options.no_skip;

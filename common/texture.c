@@ -1,6 +1,8 @@
 /* Textures and their mip levels; see texture.h. */
 #include "texture.h"
 
+#include "large_pages.h"
+
 #include <assert.h>
 #include <stdlib.h>
 #include <string.h>
@@ -173,6 +175,7 @@ bool texture_create(struct texture *texture, const struct image *image, struct e
         *texture = (struct texture){0};
         return error_out_of_memory(error);
     }
+    ask_for_large_pages(texture->texels, (size_t)room * sizeof *texture->texels);
     memset(texture->texels + count, 0, (size_t)(room - count) * sizeof *texture->texels);
     uint32_t *next = texture->texels;
     for (size_t i = 0; i < texture->level_count; i++) {

@@ -6,6 +6,7 @@
 #include "tgaimage.h"
 
 #include "array.h"
+#include "large_pages.h"
 
 #include <assert.h>
 #include <stdio.h>
@@ -20,6 +21,7 @@ static void *allocate_lines(size_t height, size_t row, bool cleared) {
     size_t lines = height <= (SIZE_MAX - CACHE_LINE) / row ? height * row / CACHE_LINE + 1 : 0;
     void *pixels = lines > 0 ? aligned_alloc(CACHE_LINE, lines * CACHE_LINE) : NULL;
     if (pixels != NULL && cleared) {
+        ask_for_large_pages(pixels, lines * CACHE_LINE);
         memset(pixels, 0, height * row);
     }
     return pixels;

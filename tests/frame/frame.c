@@ -16,7 +16,8 @@
  * the same, with the power 10 written out as products on both sides. llvmpipe's depth is a 32-bit
  * float and its specular map has one byte a texel; other formats were no faster. One thing is not
  * equal: nobody else writes to this course's image, which may clear only what its last frame has
- * drawn (CLEAR_LAST_FRAME), and glClear() has no such thing. With --clear-all it clears all.
+ * drawn (CLEAR_LAST_FRAME), and glClear() has no such thing. With --clear-all it clears all. (And
+ * this course asks for large pages of memory, which Mesa does not: see large_pages.h.)
  *
  * Then both pictures are compared with the exact one (exact.h). Times are only shown: nothing fails
  * because of them.

@@ -1,6 +1,7 @@
 /* What is drawn: see scene.h. */
 #include "scene.h"
 
+#include "array.h"
 #include "model_file.h"
 #include "normals.h"
 #include "pairs.h"
@@ -102,10 +103,16 @@ static void cut_face(struct middles middles[ATTRIBUTES], const struct face *face
     four[3] = (struct face){{middle[0], middle[1], middle[2]}};
 }
 
+/* As the arrays of a model that was read. */
+static void *allocate_array(size_t count, size_t element_size) {
+    size_t capacity = 0;
+    return array_reserve(NULL, &capacity, count + 1, element_size);
+}
+
 /* An array of `old_count` elements of 2 or 3 floats, longer by the middles of its edges. */
 static float *add_middles(const float *old, const struct middles *middles, size_t floats) {
     size_t count = middles->old_count + middles->edges.count;
-    float *longer = malloc((count + 1) * floats * sizeof *longer);
+    float *longer = allocate_array(count, floats * sizeof *longer);
     if (longer == NULL) {
         return NULL;
     }
@@ -128,7 +135,7 @@ static float *add_middles(const float *old, const struct middles *middles, size_
 
 static struct vec3 *add_middle_positions(const struct vec3 *old, const struct middles *middles) {
     size_t count = middles->old_count + middles->edges.count;
-    struct vec3 *longer = malloc((count + 1) * sizeof *longer);
+    struct vec3 *longer = allocate_array(count, sizeof *longer);
     if (longer == NULL) {
         return NULL;
     }
@@ -177,7 +184,7 @@ static bool add_all_middles(struct model *fine, const struct model *coarse,
 static bool subdivide(struct model *fine, const struct model *coarse, struct error *error) {
     struct middles middles[ATTRIBUTES] = {{.old_count = 0}};
     fine->face_count = 4 * coarse->face_count;
-    fine->faces = malloc((fine->face_count + 1) * sizeof *fine->faces);
+    fine->faces = allocate_array(fine->face_count, sizeof *fine->faces);
     if (fine->faces == NULL) {
         error_out_of_memory(error);
         return false;

@@ -32,7 +32,8 @@ sculpt_with() {
     shift
     mkdir "$work/$name" || return 1
     "$@" -std=c17 -ffp-contract=off -I"$top/common" "$top"/common/sculptor/*.c \
-        "$top/common/array.c" "$top/common/file.c" "$top/common/geometry.c" "$top/common/tgaimage.c" \
+        "$top/common/array.c" "$top/common/file.c" "$top/common/geometry.c" \
+        "$top/common/large_pages.c" "$top/common/tgaimage.c" \
         -lm -o "$work/sculpt" && "$work/sculpt" "$work/$name"
 }
 

@@ -35,14 +35,14 @@ static long faults_of_block(void) {
 }
 
 static void test_freed_memory_stays(void) {
-    use_large_pages();
-    use_large_pages(); /* as often as a program is begun */
+    keep_freed_memory();
+    keep_freed_memory(); /* as often as a program is begun */
     faults_of_block();
     CHECK(faults_of_block() < BLOCK / PAGE / 10);
 }
 #else
 static void test_freed_memory_stays(void) {
-    use_large_pages();
+    keep_freed_memory();
     CHECK(true);
 }
 #endif
