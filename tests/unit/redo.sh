@@ -10,7 +10,7 @@ top=$(cd "$(dirname "$0")/../.." && pwd) || exit 1
 work=$(mktemp -d) || exit 1
 trap 'rm -rf "$work"' EXIT
 trap 'exit 1' HUP INT TERM
-unset MAKEFLAGS MFLAGS MAKELEVEL STEP BUILD CFLAGS MARCH # of the make that runs this test
+unset MAKEFLAGS MFLAGS MAKELEVEL STEP BUILD CFLAGS MARCH WERROR # of the make that runs this test
 failed=0
 
 cp -R "$top/Makefile" "$top/common" "$top/$one" "$work" && cd "$work" || exit 1
