@@ -142,11 +142,11 @@ enum pipeline_stat {
     STAT_FACES_CLIPPED,        /* cut at the near plane or the guard band */
     STAT_FACES_HIDDEN,         /* drawn, but behind others: no attribute fetched */
     STAT_FACES_BEHIND, /* of these, so far behind that no pixel was tested: once, or in each band */
-    STAT_BATCHES_OUTSIDE, /* skipped: faces of a model drawn several times, BATCH_SIZE together */
-    STAT_BATCHES_HIDDEN,
-    STAT_ATTRIBUTE_SETS, /* fetched: once for each visible face in each band of rows */
-    STAT_PIXELS_COVERED, /* depth tests; counted only with `counts_tests` */
-    STAT_PIXELS_PASSED,  /* of these, nearer than what was there; likewise */
+    STAT_BATCHES_OUTSIDE, /* skipped: 64 faces of a model drawn several times, off screen */
+    STAT_BATCHES_HIDDEN,  /* skipped: the same behind nearer models */
+    STAT_ATTRIBUTE_SETS,  /* fetched: once for each visible face in each band of rows */
+    STAT_PIXELS_COVERED,  /* depth tests; counted only with `counts_tests` */
+    STAT_PIXELS_PASSED,   /* of these, nearer than what was there; likewise */
     STAT_PIXELS_SHADED,
     PIPELINE_STATS
 };

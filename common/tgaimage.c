@@ -17,14 +17,9 @@
 
 /* What the pipeline draws on has 16 pixels of a row in one line of the cache: so large images are
  * drawn up to a twenty-fifth faster. */
-static void *allocate_lines(size_t height, size_t row, bool cleared) {
+static void *allocate_lines(size_t height, size_t row) {
     size_t lines = height <= (SIZE_MAX - CACHE_LINE) / row ? height * row / CACHE_LINE + 1 : 0;
-    void *pixels = lines > 0 ? aligned_alloc(CACHE_LINE, lines * CACHE_LINE) : NULL;
-    if (pixels != NULL && cleared) {
-        ask_for_large_pages(pixels, lines * CACHE_LINE);
-        memset(pixels, 0, height * row);
-    }
-    return pixels;
+    return lines > 0 ? aligned_alloc(CACHE_LINE, lines * CACHE_LINE) : NULL;
 }
 
 /* As image_create(); but where the caller sets all pixels, none is cleared before. */
@@ -37,12 +32,16 @@ static bool create(struct image *image, size_t width, size_t height, enum image_
                          height, IMAGE_SIZE_LIMIT);
     }
     size_t row = width * (size_t)format;
-    uint8_t *pixels = format == IMAGE_BGRA      ? allocate_lines(height, row, cleared)
+    uint8_t *pixels = format == IMAGE_BGRA      ? allocate_lines(height, row)
                       : cleared                 ? calloc(height, row)
                       : height > SIZE_MAX / row ? NULL
                                                 : malloc(height * row);
     if (pixels == NULL) {
         return error_set(error, "out of memory for an image of %zux%zu pixels", width, height);
+    }
+    ask_for_large_pages(pixels, height * row);
+    if (format == IMAGE_BGRA && cleared) {
+        memset(pixels, 0, height * row);
     }
     image->width = width;
     image->height = height;

@@ -151,14 +151,23 @@ static bool hold_the_same(const char *path, const char *other) {
     return same;
 }
 
-/* Remove what is there of a step's program. The program itself may stay when it is what make has
- * built. Any other may be anything, whatever its date (tar and cp -p keep dates): only one that was
- * removed is surely built from what is there now. What the compiler writes on the way goes in any
- * case: where it cannot, it could not be written either, and that is no fault of main.c. */
+/* May make decide whether the step's program must be built again? Only when it is what make has
+ * built, with the list of the files that it was built from, which can be written again. Any other
+ * may be anything, whatever its date: tar and cp -p keep dates. */
+static bool may_stay(const char *program, const char *copy) {
+    char list[DRAWN_PATH_LIMIT + 2];
+    snprintf(list, sizeof list, "%s.d", program);
+    return access(list, W_OK) == 0 && hold_the_same(program, copy);
+}
+
+/* Remove what is there of a step's program: only one that was removed is surely built from what is
+ * there now. What the compiler writes on the way goes in any case: where it cannot, it could not be
+ * written either, and that is no fault of main.c. */
 static bool remove_old(const char *program, bool stays, struct error *error) {
-    static const char *const endings[] = {".o", ".d", ".said", ""};
-    char path[DRAWN_PATH_LIMIT + 2];
-    for (size_t i = 0; i < sizeof endings / sizeof endings[0] - stays; i++) {
+    static const char *const endings[] = {".o", ".said", ".d", ""};
+    const size_t count = stays ? 2 : sizeof endings / sizeof endings[0];
+    char path[DRAWN_PATH_LIMIT + 5];
+    for (size_t i = 0; i < count; i++) {
         snprintf(path, sizeof path, "%s%s", program, endings[i]);
         if (unlink(path) != 0 && errno != ENOENT) {
             return error_set(error, "cannot remove %.900s: %s", path, strerror(errno));
@@ -208,7 +217,7 @@ bool build_step(const struct options *options, const char *step, struct build_re
                                       .memory_bytes = (size_t)COMPILER_GIGABYTES << 30};
     struct run_result end = {.end = RUN_EXITED};
     *result = (struct build_result){.reason = {""}};
-    bool done = remove_old(program, hold_the_same(program, copy), error) &&
+    bool done = remove_old(program, may_stay(program, copy), error) &&
                 call_make(options, program, &limits, &end, error);
     if (done && !make_succeeded(&end)) {
         done = !lacked_room(options, (const char *)end.messages.data, error);

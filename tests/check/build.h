@@ -25,9 +25,8 @@ struct build_result {
 
 /* Build the step's program. Only when the program that is there is, byte for byte, what make has
  * built without a warning (its copy in DIR/built), make decides whether it must be built again:
- * every other one is removed first.
- * The caller frees result->messages, also on an error. False, with a message, when the check itself
- * cannot do that. */
+ * every other one is removed first. The caller frees result->messages, also on an error. False,
+ * with a message, when the check itself cannot do that. */
 bool build_step(const struct options *options, const char *step, struct build_result *result,
                 struct error *error);
 

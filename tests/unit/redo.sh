@@ -139,6 +139,10 @@ after
 changed='a copy that is gone'
 rm build/built/$one
 redone "$(program $one)" check
+after
+changed='a list of headers that is gone'
+rm build/$one.d
+redone "$(program $one)" check
 after tests/check/run.c '/* The end. */'
 redone "check tests/check/run.d tests/check/run.o" check STEP=02
 
@@ -149,6 +153,16 @@ redone "sums/$two $(program $two)" check
 after common/scene.h 'extern const int used_in_scenes;'
 touch -t 199901010000 common/scene.h
 redone "sums/$one sums/$two $(program $one) $(program $two)" check
+mkdir $two/parts && echo 'const int used_in_part = 1;' >$two/parts/part.c
+mkdir given && echo 'const int used_in_given = 1;' >given/given.c
+printf '#include "parts/part.c"\n#include "../given/given.c"\n' >>$two/main.c
+make_all || failed=1
+after $two/parts/part.c 'const int used_in_part_too = 1;'
+touch -t 199901010000 $two/parts/part.c
+redone "sums/$two $(program $two)" check
+after given/given.c 'const int used_in_given_too = 1;'
+redone "$(program $two)" check
+cp "$top/$one/main.c" $two
 make_all || failed=1
 
 # Every check shows the warnings, whoever has built the program; make after it has nothing to do.
