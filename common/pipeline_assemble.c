@@ -91,9 +91,10 @@ LANES_INLINE longs find_beyond(const struct clip_positions *p, double guard_band
 /* screen_snap() of what is within SCREEN_LIMIT. */
 LANES_INLINE ints snap(doubles screen) {
     doubles place = screen * SUBPIXELS + 0.5;
-    ints whole = __builtin_convertvector(place, ints); /* towards 0, which may be upwards */
-    longs is_above = __builtin_convertvector(whole, doubles) > place;
-    return whole + __builtin_convertvector(is_above, ints);
+    /* Towards 0, which may be upwards: */
+    doubles whole = doubles_from_ints(__builtin_convertvector(place, ints));
+    whole -= doubles_where(whole > place, doubles_all(1));
+    return __builtin_convertvector(whole, ints);
 }
 
 /* Where those are that are `wanted`. */
@@ -124,18 +125,54 @@ unsigned pipeline_beyond_sides(struct vec4 p) {
     return (unsigned)find_beyond_sides(&clip)[0];
 }
 
+/* TOGETHER positions, x with x. Where a register can be taken apart, in a few instructions instead
+ * of three for each position. */
+LANES_INLINE void load_positions(const struct vec3 *from, doubles *x, doubles *y, doubles *z) {
+#if defined(LANES_SHUFFLE) && TOGETHER >= 4
+    const double *numbers = &from->x;
+    doubles a, b, c;
+    memcpy(&a, numbers, sizeof a);
+    memcpy(&b, numbers + TOGETHER, sizeof b);
+    memcpy(&c, numbers + 2 * TOGETHER, sizeof c);
+#endif
+#if defined(LANES_SHUFFLE) && TOGETHER == 8
+    doubles first_x = LANES_SHUFFLE(a, b, 0, 3, 6, 9, 12, 15, 0, 0);
+    doubles first_y = LANES_SHUFFLE(a, b, 1, 4, 7, 10, 13, 0, 0, 0);
+    doubles first_z = LANES_SHUFFLE(a, b, 2, 5, 8, 11, 14, 0, 0, 0);
+    *x = LANES_SHUFFLE(first_x, c, 0, 1, 2, 3, 4, 5, 10, 13);
+    *y = LANES_SHUFFLE(first_y, c, 0, 1, 2, 3, 4, 8, 11, 14);
+    *z = LANES_SHUFFLE(first_z, c, 0, 1, 2, 3, 4, 9, 12, 15);
+#elif defined(LANES_SHUFFLE) && TOGETHER == 4
+    doubles xy_xy = LANES_SHUFFLE(a, b, 0, 1, 6, 7); /* of positions 0 and 2 */
+    doubles zx_zx = LANES_SHUFFLE(a, c, 2, 3, 4, 5); /* 0 1, 2 3 */
+    doubles yz_yz = LANES_SHUFFLE(b, c, 0, 1, 6, 7); /* 1, 3 */
+    *x = LANES_SHUFFLE(xy_xy, zx_zx, 0, 5, 2, 7);
+    *y = LANES_SHUFFLE(xy_xy, yz_yz, 1, 4, 3, 6);
+    *z = LANES_SHUFFLE(zx_zx, yz_yz, 0, 5, 2, 7);
+#else
+    for (size_t i = 0; i < TOGETHER; i++) {
+        (*x)[i] = from[i].x;
+        (*y)[i] = from[i].y;
+        (*z)[i] = from[i].z;
+    }
+#endif
+}
+
 /* Positions of the model from number `at` on; behind the last one that again. As mat4_point(). */
 LANES_INLINE struct clip_positions transform(const struct draw_call *call, size_t at) {
     const struct model *model = call->model;
     const double(*m)[4] = call->to_clip.m;
-    size_t last = model->position_count - 1;
+    const struct vec3 *positions = model->positions + at;
+    struct vec3 last_ones[TOGETHER];
     doubles x = {0}, y = {0}, z = {0};
-    for (size_t i = 0; i < TOGETHER; i++) {
-        struct vec3 p = model->positions[at + i < last ? at + i : last];
-        x[i] = p.x;
-        y[i] = p.y;
-        z[i] = p.z;
+    if (model->position_count - at < TOGETHER) {
+        size_t last = model->position_count - 1;
+        for (size_t i = 0; i < TOGETHER; i++) {
+            last_ones[i] = model->positions[at + i < last ? at + i : last];
+        }
+        positions = last_ones;
     }
+    load_positions(positions, &x, &y, &z);
     return (struct clip_positions){
         .x = m[0][0] * x + m[0][1] * y + m[0][2] * z + m[0][3],
         .y = m[1][0] * x + m[1][1] * y + m[1][2] * z + m[1][3],
@@ -144,16 +181,34 @@ LANES_INLINE struct clip_positions transform(const struct draw_call *call, size_
     };
 }
 
+/* x beside y. */
+LANES_INLINE void store_screens(struct fixed2 *to, ints x, ints y) {
+#if defined(LANES_SHUFFLE) && TOGETHER == 8
+    ints low = LANES_SHUFFLE(x, y, 0, 8, 1, 9, 2, 10, 3, 11);
+    ints high = LANES_SHUFFLE(x, y, 4, 12, 5, 13, 6, 14, 7, 15);
+#elif defined(LANES_SHUFFLE) && TOGETHER == 4
+    ints low = LANES_SHUFFLE(x, y, 0, 4, 1, 5), high = LANES_SHUFFLE(x, y, 2, 6, 3, 7);
+#endif
+#if defined(LANES_SHUFFLE) && TOGETHER >= 4
+    memcpy(to, &low, sizeof low);
+    memcpy(to + TOGETHER / 2, &high, sizeof high);
+#else
+    for (size_t i = 0; i < TOGETHER; i++) {
+        to[i] = (struct fixed2){x[i], y[i]};
+    }
+#endif
+}
+
 static void keep(const struct vertices *vertices, size_t at, const struct screen_positions *p,
                  longs beyond) {
+    typedef uint8_t bytes __attribute__((vector_size(TOGETHER)));
+    bytes narrow = __builtin_convertvector(beyond, bytes);
     memcpy(vertices->depth + at, &p->depth, sizeof p->depth);
     if (vertices->recip_w != NULL) {
         memcpy(vertices->recip_w + at, &p->recip_w, sizeof p->recip_w);
     }
-    for (size_t i = 0; i < TOGETHER; i++) {
-        vertices->screen[at + i] = (struct fixed2){p->x[i], p->y[i]};
-        vertices->beyond[at + i] = (uint8_t)beyond[i];
-    }
+    store_screens(vertices->screen + at, p->x, p->y);
+    memcpy(vertices->beyond + at, &narrow, sizeof narrow);
 }
 
 /* The elements of a block. */
@@ -165,16 +220,18 @@ static struct range block_range(size_t index, size_t count) {
 static void transform_block(void *context, size_t index, size_t worker) {
     (void)worker;
     struct assembly *assembly = context;
-    const struct draw_call *call = &assembly->draw->call;
-    struct range range = block_range(index, call->model->position_count);
+    /* Copies: the compiler need not fear that what is written changes them. */
+    const struct draw_call call = assembly->draw->call;
+    const struct vertices vertices = assembly->vertices;
+    struct range range = block_range(index, call.model->position_count);
     longs any = {0};
     for (size_t i = range.begin; i < range.end; i += TOGETHER) {
-        struct clip_positions clip = transform(call, i);
+        struct clip_positions clip = transform(&call, i);
         longs beyond = find_beyond(&clip, assembly->guard_band);
         longs may_be_placed = (beyond & (BEYOND_NEAR | BEYOND_GUARD_BAND)) == 0;
-        struct screen_positions positions = project(&clip, may_be_placed, &call->viewport);
+        struct screen_positions positions = project(&clip, may_be_placed, &call.viewport);
         beyond |= may_be_placed & ~positions.placed & BEYOND_ALL;
-        keep(&assembly->vertices, i, &positions, beyond);
+        keep(&vertices, i, &positions, beyond);
         any |= beyond;
     }
     for (int i = 0; i < TOGETHER; i++) {

@@ -7,7 +7,7 @@
 /* ---- Cover: which piece is nearest at each pixel ---- */
 
 /* In boxes higher than this many pixels it pays to ask in which rows a strip lies outside. */
-enum { HIGH_BOX = 16 };
+enum { HIGH_BOX = 8 };
 
 /* A band that is being covered. */
 struct band {
@@ -114,17 +114,7 @@ LANES_INLINE three three_select(three_longs mask, three a, three b) {
 }
 
 LANES_INLINE three to_three(three_ints whole) {
-    return __builtin_convertvector(whole, three);
-}
-
-LANES_INLINE double least_of_three(three a) {
-    double least = a[0] < a[1] ? a[0] : a[1];
-    return least < a[2] ? least : a[2];
-}
-
-LANES_INLINE double most_of_three(three a) {
-    double most = a[0] > a[1] ? a[0] : a[1];
-    return most > a[2] ? most : a[2];
+    return lanes_four_to_doubles(whole);
 }
 
 /* The edge functions at the centres of the pixels of a box: their values at its pixel (0,0), their
@@ -158,24 +148,37 @@ LANES_INLINE longs columns_beyond(int x, struct span columns) {
 }
 
 /* Where the mask is set the other number. */
-LANES_INLINE doubles doubles_where_not(longs mask, doubles values, double other) {
-    return (doubles)((~mask & (longs)values) + (mask & (longs)(other + (doubles){0})));
+LANES_INLINE doubles doubles_where_not(longs mask, doubles values, doubles other) {
+    return (doubles)((~mask & (longs)values) + (mask & (longs)other));
 }
 
-/* The rows of a strip of pixels in which some may be inside all edges: there the greatest value of
- * each edge function in the strip, now that of row rows.begin, is as much as is inside. A row more
- * does no harm. */
-LANES_INLINE struct span rows_of_strip(const struct box_edges *e, struct span rows) {
-    three none = {0}, all = none + (rows.end - rows.begin);
-    three most = e->origin - e->least + three_select(e->dx > 0, e->dx * (TOGETHER - 1), none);
-    three row_of_zero = -most / e->dy;
-    three first = three_select(e->dy > 0, row_of_zero, none);
-    three last = three_select(e->dy < 0, row_of_zero + 1, all);
-    double begin = most_of_three(first), end = least_of_three(last);
-    if (!(begin < end)) {
-        return (struct span){rows.begin, rows.begin};
+/* Of TOGETHER strips of pixels beside each other, TOGETHER columns each: the rows in which some may
+ * be inside all edges, from the lowest row of the box on. */
+struct strip_rows {
+    int32_t begin[TOGETHER], end[TOGETHER];
+};
+
+/* In a strip, the greatest value of each edge function is as much as is inside. The row where that
+ * becomes 0 is a fraction of whole numbers, the lower of them up to 2^33: it is a whole number, or
+ * farther from one than `little`; and what is found for it, nearer to it than that. */
+LANES_INLINE struct strip_rows rows_of_strips(const struct box_edges *e, int row_count) {
+    const double little = 0x1p-40;
+    const doubles all = doubles_all(row_count), x = doubles_from(0) * TOGETHER;
+    doubles begin = {0}, end = all;
+    three per_value = -1 / e->dy;
+    for (int i = 0; i < 3; i++) {
+        double to_greatest = e->dx[i] > 0 ? e->dx[i] * (TOGETHER - 1) : 0;
+        doubles greatest = e->origin[i] - e->least[i] + to_greatest + e->dx[i] * x;
+        doubles row = greatest * per_value[i], dy = doubles_all(e->dy[i]);
+        begin = doubles_most(begin, doubles_where_not(dy <= 0, row, doubles_all(0)));
+        end = doubles_least(end, doubles_where_not(dy >= 0, row + (1 + little), all));
     }
-    return (struct span){rows.begin + (int)begin, rows.begin + (int)ceil(end)};
+    struct strip_rows rows;
+    ints first = __builtin_convertvector(doubles_least(begin + (1 - little), all), ints);
+    ints behind = __builtin_convertvector(end, ints);
+    memcpy(rows.begin, &first, sizeof first);
+    memcpy(rows.end, &behind, sizeof behind);
+    return rows;
 }
 
 /* What is done besides; constant where a function is called with it. */
@@ -184,60 +187,92 @@ struct cover_how {
     bool counts;    /* depth tests */
 };
 
+/* The box of a piece that is being covered. */
+struct box {
+    struct span columns, rows;
+    bool cut; /* the piece reaches beyond the columns */
+    struct shown shown;
+    struct box_edges edges; /* at the next strip */
+    struct depth_slopes slopes;
+    doubles right[3], up[3], least[3];
+};
+
+/* Some rows of a strip, the TOGETHER columns from x on. */
+LANES_INLINE void cover_strip(struct band *band, const struct box *box, int x, struct span rows,
+                              struct cover_how how) {
+    const struct visibility *visibility = band->visibility;
+    three first = box->edges.origin + box->edges.dy * (rows.begin - box->rows.begin);
+    doubles e0 = first[0] + box->right[0], e1 = first[1] + box->right[1];
+    doubles e2 = first[2] + box->right[2];
+    if (box->cut) {
+        e0 = doubles_where_not(columns_beyond(x, box->columns), e0, doubles_all(-INFINITY));
+    }
+    size_t place = place_in_band(rows.begin - band->rows.begin, x);
+    double *depths = visibility->depth + place;
+    uint32_t *numbers = visibility->number + place;
+    for (int y = rows.begin; y < rows.end; y++) {
+        pixel_mask inside = mask_not_below(e0, box->least[0]);
+        inside = mask_and_not_below(inside, e1, box->least[1]);
+        inside = mask_and_not_below(inside, e2, box->least[2]);
+        doubles z = depths_at(&box->slopes, e1, e2);
+        pixel_mask nearer =
+            cover_pixels(band, depths, numbers, inside, z, box->shown, how.reordered);
+        if (how.counts) {
+            band->covered = counts_add(band->covered, inside);
+            band->passed = counts_add(band->passed, nearer);
+        }
+        e0 += box->up[0];
+        e1 += box->up[1];
+        e2 += box->up[2];
+        depths += CHUNK;
+        numbers += CHUNK;
+    }
+    touch(band, x, rows);
+}
+
+/* Its strips, one beside the other. Of high ones, only the rows where something may be inside. */
+LANES_INLINE void cover_strips(struct band *band, struct box *box, int left, struct cover_how how) {
+    int row_count = box->rows.end - box->rows.begin, bottom = box->rows.begin, x = left;
+    if (row_count <= HIGH_BOX) {
+        for (; x < box->columns.end; x += TOGETHER) {
+            cover_strip(band, box, x, box->rows, how);
+            box->edges.origin += box->edges.dx * TOGETHER;
+        }
+        return;
+    }
+    while (x < box->columns.end) {
+        struct strip_rows strips = rows_of_strips(&box->edges, row_count);
+        for (int i = 0; i < TOGETHER && x < box->columns.end; i++, x += TOGETHER) {
+            struct span rows = {bottom + strips.begin[i], bottom + strips.end[i]};
+            if (rows.begin < rows.end) {
+                cover_strip(band, box, x, rows, how);
+            }
+            box->edges.origin += box->edges.dx * TOGETHER;
+        }
+    }
+}
+
 /* All pixels of a box, several tested at once: strip by strip, each from its lowest row on.
  * (Row by row, a processor would often be wrong about where the row ends.) `cut`: the piece reaches
  * beyond the columns. */
 LANES_INLINE void cover_box(struct band *band, const struct piece *piece, struct span columns,
                             struct span rows, bool cut, uint32_t number, struct cover_how how) {
-    const struct visibility *visibility = band->visibility;
-    struct shown shown = {number, piece->draw};
     int left = columns.begin / TOGETHER * TOGETHER;
-    bool high = rows.end - rows.begin > HIGH_BOX;
     struct box_edges e = find_box_edges(piece->corner, left, rows.begin);
-    struct depth_slopes slopes = find_depth_slopes(piece, e.origin[0] + e.origin[1] + e.origin[2]);
-    pixel_counts covered = band->covered, passed = band->passed;
-    doubles right[3], up[3], least[3];
+    struct box box = {
+        .columns = columns,
+        .rows = rows,
+        .cut = cut,
+        .shown = {number, piece->draw},
+        .edges = e,
+        .slopes = find_depth_slopes(piece, e.origin[0] + e.origin[1] + e.origin[2]),
+    };
     for (int i = 0; i < 3; i++) {
-        right[i] = e.dx[i] * doubles_from(0);
-        up[i] = e.dy[i] + (doubles){0};
-        least[i] = e.least[i] + (doubles){0};
+        box.right[i] = e.dx[i] * doubles_from(0);
+        box.up[i] = doubles_all(e.dy[i]);
+        box.least[i] = doubles_all(e.least[i]);
     }
-    for (int x = left; x < columns.end; x += TOGETHER) {
-        struct span within = rows;
-        three first = e.origin;
-        if (high) {
-            within = rows_of_strip(&e, rows);
-            first += e.dy * (within.begin - rows.begin);
-        }
-        doubles e0 = first[0] + right[0], e1 = first[1] + right[1], e2 = first[2] + right[2];
-        if (cut) {
-            e0 = doubles_where_not(columns_beyond(x, columns), e0, -INFINITY);
-        }
-        size_t place = place_in_band(within.begin - band->rows.begin, x);
-        double *depths = visibility->depth + place;
-        uint32_t *numbers = visibility->number + place;
-        for (int y = within.begin; y < within.end; y++) {
-            pixel_mask inside = mask_not_below(e0, least[0]);
-            inside = mask_and_not_below(inside, e1, least[1]);
-            inside = mask_and_not_below(inside, e2, least[2]);
-            doubles z = depths_at(&slopes, e1, e2);
-            pixel_mask nearer =
-                cover_pixels(band, depths, numbers, inside, z, shown, how.reordered);
-            if (how.counts) {
-                covered = counts_add(covered, inside);
-                passed = counts_add(passed, nearer);
-            }
-            e0 += up[0];
-            e1 += up[1];
-            e2 += up[2];
-            depths += CHUNK;
-            numbers += CHUNK;
-        }
-        touch(band, x, within);
-        e.origin += e.dx * TOGETHER;
-    }
-    band->covered = covered;
-    band->passed = passed;
+    cover_strips(band, &box, left, how);
 }
 
 /* ---- What is behind ---- */

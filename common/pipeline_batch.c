@@ -1,6 +1,6 @@
 /* What becomes of faces, decided for several at once: most of a fine model's faces are turned away
  * or lie between pixel centres, in no order that a processor could foresee. So there is no branch
- * here, and what is found of a face is of use only if the face turns out to need it. */
+ * for a single face, and what is found of it is of use only if it turns out to be needed. */
 #include "pipeline.h"
 
 #include "pipeline_parts.h"
@@ -152,9 +152,9 @@ LANES_INLINE many find_lowest(const struct corners *c) {
     return lowest;
 }
 
-LANES_INLINE many find_kinds(many all, many any, many turned_away, many without_pixel) {
+/* Before it is known which of the whole ones miss the centres. */
+LANES_INLINE many find_kinds(many all, many any, many turned_away) {
     many kind = many_all(TRIANGLE_WHOLE);
-    kind = many_select(without_pixel, many_all(TRIANGLE_WITHOUT_PIXEL), kind);
     kind = many_select(turned_away, many_all(TRIANGLE_TURNED_AWAY), kind);
     kind = many_select((any & (BEYOND_NEAR | BEYOND_GUARD_BAND)) != 0, many_all(TRIANGLE_CLIPPED),
                        kind);
@@ -203,17 +203,21 @@ LANES_INLINE void classify(struct batch *batch, size_t at, const struct draw_cal
         c[i] = corners_load(&batch->screen[i][at]);
     }
     many winding = find_windings(c), clockwise = winding < 0, no_area = winding == 0;
-    many culled = find_culled(clockwise, call->cull), turned_away = {0}, missed = {0};
-    struct pixel_boxes whole = find_boxes(c), box = cut_boxes(&whole, &call->viewport);
-    if (skip) {
-        turned_away = culled & ~no_area;
-        missed = miss_centers(c, clockwise, &whole);
+    many culled = find_culled(clockwise, call->cull), none = {0};
+    many kind = find_kinds(many_load(&batch->beyond_all[at]), many_load(&batch->beyond_any[at]),
+                           skip ? culled & ~no_area : none);
+    many_store(&batch->kind[at], kind);
+    if (many_are_zero(kind >= TRIANGLE_CLIPPED)) {
+        return; /* often: neighbours in a model face the same way */
     }
-    missed |= no_area | (box.left > box.right) | (box.bottom > box.top);
+    struct pixel_boxes whole = find_boxes(c), box = cut_boxes(&whole, &call->viewport);
+    many missed = no_area | (box.left > box.right) | (box.bottom > box.top);
+    if (skip) {
+        missed |= miss_centers(c, clockwise, &whole);
+    }
+    missed &= kind == TRIANGLE_WHOLE;
+    many_store(&batch->kind[at], many_select(missed, many_all(TRIANGLE_WITHOUT_PIXEL), kind));
     many first = find_lowest(c), second = first + 1 - clockwise;
-    many_store(&batch->kind[at],
-               find_kinds(many_load(&batch->beyond_all[at]), many_load(&batch->beyond_any[at]),
-                          turned_away, missed));
     many_store(&batch->culled[at], culled);
     many_store(&batch->first[at], first);
     many_store(&batch->second[at], many_select(second > 2, second - 3, second));

@@ -12,15 +12,27 @@
 /* ---- Numbers of several things at once, for what must be exact ---- */
 
 /* As many as 64-bit numbers fit into a register of the processor. */
-#ifndef TOGETHER
-enum { TOGETHER = LANES > 4 ? LANES / 2 : 2 };
+#if LANES > 4
+#define TOGETHER (LANES / 2)
+#else
+#define TOGETHER 2
 #endif
 typedef int32_t ints __attribute__((vector_size(TOGETHER * sizeof(int32_t))));
 typedef int64_t longs __attribute__((vector_size(TOGETHER * sizeof(int64_t))));
 typedef double doubles __attribute__((vector_size(TOGETHER * sizeof(double))));
 
 LANES_INLINE doubles doubles_all(double value) {
-    return value + (doubles){0};
+    return value - (doubles){0};
+}
+
+LANES_INLINE doubles doubles_from_ints(ints whole) {
+#if TOGETHER == 8
+    return lanes_eight_to_doubles(whole);
+#elif TOGETHER == 4
+    return lanes_four_to_doubles(whole);
+#else
+    return __builtin_convertvector(whole, doubles);
+#endif
 }
 
 LANES_INLINE doubles doubles_abs(doubles value) {
@@ -124,8 +136,8 @@ LANES_INLINE void find_edge_planes(const struct corners_together *of, ints *x0, 
     for (int c = 0; c < 3; c++) {
         memcpy(&at_x, of->x[c], sizeof at_x);
         memcpy(&at_y, of->y[c], sizeof at_y);
-        x[c] = __builtin_convertvector(at_x - (*x0 * SUBPIXELS + SUBPIXELS / 2), doubles);
-        y[c] = __builtin_convertvector(at_y - (*y0 * SUBPIXELS + SUBPIXELS / 2), doubles);
+        x[c] = doubles_from_ints(at_x - (*x0 * SUBPIXELS + SUBPIXELS / 2));
+        y[c] = doubles_from_ints(at_y - (*y0 * SUBPIXELS + SUBPIXELS / 2));
     }
     for (int c = 0; c < 3; c++) {
         int a = (c + 1) % 3, b = (c + 2) % 3;

@@ -69,10 +69,11 @@ $(BUILD)/tested/flags: force
 	@mkdir -p $(@D) $(BUILD)/tests
 	@[ "$$(cat $@ 2>/dev/null)" = '$(TESTED)' ] || echo '$(TESTED)' >$@
 
-# Those of lanes_native.h with the instructions of this processor, which it chooses.
+# Those of lanes_native.h and pixel_mask.h with the instructions of this processor, which they choose.
+NATIVE_TESTS = $(BUILD)/tested/tests/unit/test_lanes% $(BUILD)/tested/tests/unit/test_pixel_mask%
 $(BUILD)/tested/%.o: %.c $(BUILD)/tested/flags
 	@mkdir -p $(@D)
-	$(TESTED) $(if $(findstring /test_lanes,$@),$(MARCH)) -c $< -o $@
+	$(TESTED) $(if $(filter $(NATIVE_TESTS),$@),$(MARCH)) -c $< -o $@
 
 $(BUILD)/tested/tests/help/page_files.o: $(BUILD)/tests/help/page_files.c $(BUILD)/tested/flags
 	@mkdir -p $(@D)

@@ -500,10 +500,28 @@ static void test_nowhere(void) {
     image_free(&image);
 }
 
+/* Whole numbers up to the largest become the same doubles. */
+static void test_to_doubles(void) {
+    for (int run = 0; run < 1000; run++) {
+        lanes_four_ints four = {0};
+        lanes_eight_ints eight = {0};
+        for (int i = 0; i < 8; i++) {
+            uint32_t any = UINT32_C(2654435761) * (uint32_t)(run * 8 + i);
+            four[i % 4] = eight[i] = run == 0 ? INT32_MIN : (int32_t)any;
+        }
+        lanes_four_doubles four_doubles = lanes_four_to_doubles(four);
+        lanes_eight_doubles eight_doubles = lanes_eight_to_doubles(eight);
+        for (int i = 0; i < 8; i++) {
+            CHECK(four_doubles[i % 4] == four[i % 4]);
+            CHECK(eight_doubles[i] == eight[i]);
+        }
+    }
+}
+
 UNIT_MAIN(TEST(test_one_number), TEST(test_two_numbers), TEST(test_max_and_min),
           TEST(test_select_and_join), TEST(test_not_a_number), TEST(test_sequences),
           TEST(test_bits), TEST(test_fetched), TEST(test_far_texels), TEST(test_colors),
           TEST(test_vectors), TEST(test_textures), TEST(test_corner_texels),
-          TEST(test_places_of_two_sizes), TEST(test_nowhere))
+          TEST(test_places_of_two_sizes), TEST(test_nowhere), TEST(test_to_doubles))
 
 #endif
