@@ -164,18 +164,19 @@ struct strip_rows {
 LANES_INLINE struct strip_rows rows_of_strips(const struct box_edges *e, int row_count) {
     const double little = 0x1p-40;
     const doubles all = doubles_all(row_count), x = doubles_from(0) * TOGETHER;
-    doubles begin = {0}, end = all;
+    const doubles none = doubles_all(0);
+    doubles begin = none, end = all;
     three per_value = -1 / e->dy;
     for (int i = 0; i < 3; i++) {
         double to_greatest = e->dx[i] > 0 ? e->dx[i] * (TOGETHER - 1) : 0;
         doubles greatest = e->origin[i] - e->least[i] + to_greatest + e->dx[i] * x;
         doubles row = greatest * per_value[i], dy = doubles_all(e->dy[i]);
-        begin = doubles_most(begin, doubles_where_not(dy <= 0, row, doubles_all(0)));
+        begin = doubles_most(begin, doubles_where_not(dy <= 0, row, none));
         end = doubles_least(end, doubles_where_not(dy >= 0, row + (1 + little), all));
     }
     struct strip_rows rows;
     ints first = __builtin_convertvector(doubles_least(begin + (1 - little), all), ints);
-    ints behind = __builtin_convertvector(end, ints);
+    ints behind = __builtin_convertvector(doubles_most(end, none), ints);
     memcpy(rows.begin, &first, sizeof first);
     memcpy(rows.end, &behind, sizeof behind);
     return rows;
