@@ -435,6 +435,11 @@ static const struct program needs_program = {
     .scene_count = sizeof needs_scenes / sizeof needs_scenes[0],
 };
 
+static void finish_unprepared(struct drawing *drawing) {
+    (void)drawing;
+    finish_calls++;
+}
+
 /* What a scene needs is there when it is drawn; what no chosen scene needs is not read. */
 static void test_needs(void) {
     struct error error;
@@ -452,6 +457,10 @@ static void test_needs(void) {
     CHECK(strstr(output, "probe: mapped_nm.tga: ") == output);
     CHECK(run(&needs_program, "-o out --only plain missing.obj") == 0); /* no model, none read */
     CHECK(run(&needs_program, "-o out --only depth missing.obj") == 1);
+    struct program finishing = needs_program; /* what was never prepared needs no finish */
+    finishing.finish = finish_unprepared;
+    finish_calls = 0;
+    CHECK(run(&finishing, "-o out --only depth missing.obj") == 1 && finish_calls == 0);
     CHECK(remove(in_directory("bare.obj")) == 0 && remove(in_directory("mapped.obj")) == 0);
 }
 
