@@ -286,7 +286,7 @@ LANES_INLINE lanes_four_doubles lanes_four_to_doubles(lanes_four_ints whole) {
 
 LANES_INLINE lanes_eight_doubles lanes_eight_to_doubles(lanes_eight_ints whole) {
 #if defined(__AVX512F__) && !defined(__clang__)
-    return __builtin_ia32_cvtdq2pd512_mask(whole, (lanes_eight_doubles){0}, -1);
+    return __builtin_ia32_cvtdq2pd512_mask(whole, (lanes_eight_doubles){0}, 255);
 #else
     return __builtin_convertvector(whole, lanes_eight_doubles);
 #endif
