@@ -338,6 +338,17 @@ struct output {
     uint32_t draw;                 /* which draw call the pieces are of */
 };
 
+/* Ask for the places of pieces further on, to write there. Other processors have read what stood
+ * there in the last frame: to take it back from them only when it is needed would take as long as
+ * all the rest. (Behind the last piece nothing happens.) */
+static inline void expect_piece(const struct piece *piece, const struct band_span *bands) {
+    enum { PIECES_AHEAD = 16, BANDS_AHEAD = 64 };
+    uintptr_t ahead = (uintptr_t)piece + PIECES_AHEAD * sizeof *piece;
+    uintptr_t bands_ahead = (uintptr_t)bands + BANDS_AHEAD * sizeof *bands;
+    __builtin_prefetch((const void *)ahead, 1);
+    __builtin_prefetch((const void *)bands_ahead, 1);
+}
+
 /* Add a triangle of a batch that is whole. Corner 0 becomes the lowest, so that a face whose
  * corners are listed from another one on is computed in the same way, to the last bit; and the rest
  * follows counterclockwise. Not added, but counted, where it is hidden already. */
@@ -354,6 +365,7 @@ static void add_piece(struct output *to, const struct batch *batch, size_t at, s
     }
     struct band_span *bands = &to->piece_bands[block->piece_count];
     struct piece *piece = &to->pieces[block->piece_count++];
+    expect_piece(piece, bands);
     int order[3] = {batch->first[at], batch->second[at], 3 - batch->first[at] - batch->second[at]};
     for (int i = 0; i < 3; i++) {
         piece->corner[i] = batch->screen[order[i]][at];

@@ -20,6 +20,13 @@ enum { THREAD_LIMIT = 256 };
  * busy processes of others run for milliseconds.) */
 enum { PATIENCE = 50000 };
 
+/* A worker's share of a loop: parts that lie beside each other, done in turn, by whoever comes. */
+struct share {
+    atomic_size_t next; /* the first part that nobody has taken */
+    size_t end;
+    char apart[112]; /* from the next one: no cache line is of two */
+};
+
 struct workers {
     pthread_mutex_t mutex;
     pthread_cond_t loop_begins, last_leaves;
@@ -31,20 +38,29 @@ struct workers {
     /* The loop that is being done. The first three change only while nobody is at work. */
     worker_function *work;
     void *context;
-    size_t count;
-    atomic_size_t next; /* the first part that nobody has taken */
-    atomic_ulong loop;  /* its number, which tells a thread whether it knows it already */
-    bool open;          /* threads may still join */
+    struct share share[THREAD_LIMIT]; /* of each worker */
+    atomic_ulong loop; /* its number, which tells a thread whether it knows it already */
+    bool open;         /* threads may still join */
     atomic_size_t threads_at_work; /* without the one that calls */
 };
 
-static void do_parts(struct workers *workers, size_t worker) {
+static void do_share(struct workers *workers, struct share *share, size_t worker) {
     for (;;) {
-        size_t index = atomic_fetch_add(&workers->next, 1);
-        if (index >= workers->count) {
+        size_t index = atomic_fetch_add(&share->next, 1);
+        if (index >= share->end) {
             return;
         }
         workers->work(workers->context, index, worker);
+    }
+}
+
+/* First its own share, then what the others have not begun. So in every loop, and in every frame, a
+ * worker does much the same parts: what it reads is often in its own cache, and to fetch a line
+ * from that of another processor can take longer than from memory. */
+static void do_parts(struct workers *workers, size_t worker) {
+    size_t count = workers->thread_count + 1;
+    for (size_t i = 0; i < count; i++) {
+        do_share(workers, &workers->share[(worker + i) % count], worker);
     }
 }
 
@@ -160,8 +176,11 @@ static void run_shared(struct workers *workers, size_t count, worker_function *w
     pthread_mutex_lock(&workers->mutex);
     workers->work = work;
     workers->context = context;
-    workers->count = count;
-    atomic_store(&workers->next, 0);
+    size_t shares = workers->thread_count + 1;
+    for (size_t i = 0; i < shares; i++) {
+        atomic_store(&workers->share[i].next, count * i / shares);
+        workers->share[i].end = count * (i + 1) / shares;
+    }
     workers->loop++;
     workers->open = true;
     pthread_cond_broadcast(&workers->loop_begins);

@@ -5,6 +5,9 @@
  * more than 50 microseconds, and a loop never waits for a thread that the machine has not woken
  * yet: who calls does all that is left. What a loop computes must not depend on which thread does
  * which part.
+ *
+ * Each worker begins with a share of its own, parts beside each other, the same ones in each loop
+ * of as many parts: what it has written or read in one is often still in its cache in the next.
  */
 #ifndef COMMON_WORKERS_H
 #define COMMON_WORKERS_H

@@ -112,6 +112,37 @@ static void test_slow_thread(void) {
     workers_free(workers);
 }
 
+/* Two workers, each first at its own half; then who has time does what is left of the other's. */
+enum { SHARED_PARTS = 10 };
+
+struct shares {
+    atomic_int arrived, done, done_by_first;
+    atomic_size_t begun_with[2]; /* the part that each worker took first, plus 1 */
+};
+
+static void note_share(void *context, size_t index, size_t worker) {
+    struct shares *shares = context;
+    if (shares->begun_with[worker] == 0) {
+        const struct timespec pause = {.tv_nsec = 1000000};
+        shares->begun_with[worker] = index + 1;
+        meet(&shares->arrived, index, worker);
+        for (int i = 0; worker == 1 && i < 5000 && shares->done < SHARED_PARTS - 1; i++) {
+            nanosleep(&pause, NULL);
+        }
+    }
+    shares->done++;
+    shares->done_by_first += worker == 0;
+}
+
+static void test_shares(void) {
+    struct shares shares = {0};
+    struct workers *workers = workers_create(2);
+    workers_run(workers, SHARED_PARTS, note_share, &shares);
+    CHECK(shares.begun_with[0] == 1 && shares.begun_with[1] == SHARED_PARTS / 2 + 1);
+    CHECK(shares.done == SHARED_PARTS && shares.done_by_first == SHARED_PARTS - 1);
+    workers_free(workers);
+}
+
 static void test_alone(void) {
     CHECK(workers_create(1) == NULL); /* one thread is who calls */
     CHECK(each_once(NULL, 10));
@@ -162,4 +193,4 @@ static void test_signals(void) {
 }
 
 UNIT_MAIN(TEST(test_each_part_once), TEST(test_many_loops), TEST(test_two_at_once),
-          TEST(test_slow_thread), TEST(test_alone), TEST(test_signals))
+          TEST(test_slow_thread), TEST(test_shares), TEST(test_alone), TEST(test_signals))
