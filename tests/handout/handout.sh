@@ -23,7 +23,7 @@ begin_out "$(mktemp -d)"
 
 # put_changed SCRIPT FILE: put it as awk changes it.
 put_changed() {
-    mkdir -p "$new/$(dirname "$2")" &&
+    make_room "$2" &&
         awk -v first="$first" -v last="$last" "$1" "$2" >"$new/$2" &&
         { [ ! -x "$2" ] || chmod +x "$new/$2"; } || fail 1 "cannot write $new/$2"
 }
@@ -44,10 +44,13 @@ put_lesson() {
         awk "$with_note" "$work/README.md" >"$new/$1/README.md" || fail 1 "cannot write $new/$1"
     put_text starter "$1"
     cp "$new/$1/main.c" "$new/tests/handout/$1.c" || fail 1 "cannot write $new/tests/handout"
+    files=
     for file in "$1"/scenes.h "$1"/extra_*.h "$1"/mine.c "$1"/attempts.h "$1"/hints.txt \
-        "$1"/figures/* "$1"/[A-Z]*.md tests/reference/"$1"/*; do
-        [ ! -f "$file" ] || [ "$file" = "$1/README.md" ] || put "$file"
+        "$1"/[A-Z]*.md "$1"/figures/* tests/reference/"$1"/*; do
+        [ ! -f "$file" ] || [ "$file" = "$1/README.md" ] || files="$files $file"
     done
+    # shellcheck disable=SC2086 # one word a file
+    put_all $files
 }
 for lesson in $lessons; do
     put_lesson "$lesson"
@@ -56,21 +59,22 @@ done
 # ---- What they stand on ----
 
 # Of files: the pipeline is explained, and given, in lesson 9.
-later_files() {
-    [ "$last" -ge 9 ] || echo 'pipeline.[ch] pipeline_*.[ch] lanes.h texture_lanes.h workers.[ch]'
-}
-
 is_later() {
-    for pattern in $(later_files); do
-        # shellcheck disable=SC2254 # it is a pattern
-        case ${1##*/} in $pattern) return 0 ;; esac
-    done
-    return 1
+    [ "$last" -lt 9 ] || return 1
+    case ${1##*/} in
+    pipeline.[ch] | pipeline_*.[ch] | lanes.h | texture_lanes.h | workers.[ch]) ;;
+    *) return 1 ;;
+    esac
 }
 
 # A section ends where the next begins, or with the #endif of its header.
 # shellcheck disable=SC2016
 without_later_sections='
+    FNR == 1 {
+        if (file != "") close(file)
+        file = new "/" FILENAME
+        later = 0
+    }
     /^\/\* ---- / {
         later = 0
         line = $0
@@ -80,7 +84,7 @@ without_later_sections='
         }
     }
     /^#endif$/ { later = 0 }
-    !later { print }'
+    !later { print >file }'
 
 # Of lessons that are not handed out nobody needs to know what mistakes look like.
 is_handed_out() {
@@ -93,15 +97,15 @@ is_handed_out() {
     esac
 }
 
-set -f # patterns are for is_later
 files=$(find common tests/check tests/help -type f |
     grep -v '/test_\|/wrong/\|/references.c$\|/\(looks\|figure\)_make.c$\|/wrong_figure.[ch]$' |
     sort)
-set +f
+changed=
+unchanged=
 for file in $files; do
     is_handed_out "$file" || continue
     case $file in
-    common/*) put_changed "$without_later_sections" "$file" ;;
+    common/*) make_room "$file" && changed="$changed $file" ;;
     tests/check/scenes.txt)
         # shellcheck disable=SC2016
         put_changed '
@@ -112,9 +116,14 @@ for file in $files; do
             }
             { print }' "$file"
         ;;
-    *) put "$file" ;;
+    *) unchanged="$unchanged $file" ;;
     esac
 done
+# shellcheck disable=SC2086 # one word a file
+put_all $unchanged
+# shellcheck disable=SC2086
+awk -v last="$last" -v new="$new" "$without_later_sections" $changed ||
+    fail 1 "cannot write $new/common"
 put LICENSE
 put step10_phong/figures/turn.png # where all this leads to: README.md begins with it
 put tests/starter/lesson.sh
@@ -168,9 +177,14 @@ sed -e "/^Go to/s|step01_line|$first_lesson|g" \
 finish_texts
 
 # Pictures that only answers show stay here, too.
-for figure in "$new"/step*/figures/*; do
-    cat "$new"/*.md "$new"/*/*.md | grep -qF "${figure##*/}" || rm -f "$figure"
-done
+cat "$new"/*.md "$new"/*/*.md | grep -oE '[[:alnum:]_.-]+\.(png|svg)' | sort -u >"$work/shown"
+printf '%s\n' "$new"/step*/figures/* |
+    awk -F / -v shown="$work/shown" '
+        BEGIN { while ((getline name <shown) > 0) is_shown[name] = 1 }
+        !($NF in is_shown) { print }' |
+    while IFS= read -r figure; do
+        rm -f "$figure"
+    done
 
 # ---- Nothing of a solution goes out ----
 

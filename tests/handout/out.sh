@@ -42,10 +42,31 @@ find_lessons() {
     [ -n "$lessons" ] || fail 2 "there is no lesson in LESSONS=$wanted"
 }
 
+# make_room FILE: for that file of the directory. (Without a process of its own, where there is.)
+make_room() {
+    case $1 in
+    */*) [ -d "$new/${1%/*}" ] || mkdir -p "$new/${1%/*}" ;;
+    esac
+}
+
 # put FILE [PLACE]: at the same place in the directory, or at PLACE.
 put() {
-    mkdir -p "$new/$(dirname "${2:-$1}")" && cp "$1" "$new/${2:-$1}" ||
-        fail 1 "cannot write $new/${2:-$1}"
+    make_room "${2:-$1}" && cp "$1" "$new/${2:-$1}" || fail 1 "cannot write $new/${2:-$1}"
+}
+
+# put_all FILE...: at the same places, those that follow each other in one directory at once. They
+# have no blanks in their names.
+put_all() {
+    place= beside=
+    for file in "$@" /; do
+        if [ "${file%/*}" != "$place" ]; then
+            # shellcheck disable=SC2086 # one word a file
+            [ -z "$beside" ] || { make_room "$place/." && cp $beside "$new/$place"; } ||
+                fail 1 "cannot write $new/$place"
+            place=${file%/*} beside=
+        fi
+        beside="$beside $file"
+    done
 }
 
 # put_text MODE LESSON: main.c as starter or solution; where it is one of these already, it is taken
