@@ -103,7 +103,7 @@ struct shader {
     void (*prepare)(const void *uniforms, lanes *varyings);
     bool flat; /* the varyings of corner 0 for the whole face: nothing is interpolated */
     bool discards;
-    /* The loops over pixels, compiled by SHADER() for this shader alone. NULL: loops that call the
+    /* Loops over pixels that SHADER() compiles for this shader alone. NULL: all loops call the
      * functions. */
     shade_function *shade;
 };
@@ -121,7 +121,7 @@ struct shader {
 #define SHADER(name, ...)                                                                          \
     static FLATTEN void name##_shade(const struct shading *shading) {                              \
         const struct shader constant = {__VA_ARGS__};                                              \
-        shade_pieces(shading, &constant);                                                          \
+        shade_by_own_loops(shading, &constant);                                                    \
     }                                                                                              \
     static const struct shader name = {__VA_ARGS__, .shade = name##_shade}
 

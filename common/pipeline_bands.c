@@ -481,7 +481,7 @@ static void clear_image(const struct frame *frame, struct span rows, size_t band
 }
 
 static void call_shader(const struct shading *shading) {
-    if (shading->shader->shade != NULL) {
+    if (has_own_loops(shading, shading->shader)) {
         shading->shader->shade(shading);
     } else {
         shade_pieces(shading, shading->shader);

@@ -669,7 +669,23 @@ KERNEL void shade_at_once(const struct shading *s, const struct shader *shader) 
     }
 }
 
-/* All loops over pixels for one shader. */
+/* Is a shader called by loops of its own? Where pieces are shaded at once, only one that discards
+ * is. Others do so only where nothing is to be skipped: loops of their own take 0.93 of the time
+ * there, but as long to compile as all the rest of the shader. */
+static inline bool has_own_loops(const struct shading *s, const struct shader *shader) {
+    return shader->shade != NULL && (!s->at_once || shader->discards);
+}
+
+/* What SHADER() compiles for a shader. */
+KERNEL void shade_by_own_loops(const struct shading *s, const struct shader *shader) {
+    if (shader->discards && s->at_once) {
+        shade_at_once(s, shader);
+    } else {
+        shade_visible(s, shader);
+    }
+}
+
+/* All loops over pixels for any shader. */
 KERNEL void shade_pieces(const struct shading *s, const struct shader *shader) {
     if (s->at_once) {
         shade_at_once(s, shader);
