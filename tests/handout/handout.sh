@@ -70,11 +70,13 @@ is_later() {
 # A section ends where the next begins, or with the #endif of its header.
 # shellcheck disable=SC2016
 without_later_sections='
+    function finish() { if (file != "" && close(file) != 0) failed = 1 }
     FNR == 1 {
-        if (file != "") close(file)
-        file = new "/" FILENAME
+        finish()
+        file = ENVIRON["new"] "/" FILENAME # not by -v, which reads backslashes
         later = 0
     }
+    END { finish(); exit failed }
     /^\/\* ---- / {
         later = 0
         line = $0
@@ -105,7 +107,10 @@ unchanged=
 for file in $files; do
     is_handed_out "$file" || continue
     case $file in
-    common/*) make_room "$file" && changed="$changed $file" ;;
+    common/*)
+        make_room "$file" || fail 1 "cannot write $new/$file"
+        changed="$changed $file"
+        ;;
     tests/check/scenes.txt)
         # shellcheck disable=SC2016
         put_changed '
@@ -122,7 +127,7 @@ done
 # shellcheck disable=SC2086 # one word a file
 put_all $unchanged
 # shellcheck disable=SC2086
-awk -v last="$last" -v new="$new" "$without_later_sections" $changed ||
+new=$new awk -v last="$last" "$without_later_sections" $changed ||
     fail 1 "cannot write $new/common"
 put LICENSE
 put step10_phong/figures/turn.png # where all this leads to: README.md begins with it
