@@ -1,6 +1,7 @@
 #!/bin/sh
 # A disk that is full is no fault of a main.c: is that told as the check's own error, and only that?
-# A small file system in memory is TMPDIR; where none may be mounted, nothing is tried.
+# And is nothing handed out then, instead of a part of it? A small file system in memory is TMPDIR,
+# or where it is handed out to; where none may be mounted, nothing is tried.
 #
 # Exit status 0: all of that is so; 1: something is not.
 
@@ -52,4 +53,21 @@ judges 100m 1 'step01_line  BUILD' "$fails"
 judges 64k 2 "$full" "$fails"
 judges 64k 1 'step01_line  BUILD' '{ echo "main.c:9: error: no" >&2; exit 1; }'
 judges 50m 1 'step01_line  FAIL' "cp '$work/fill' '$program'" # which has room without that
+
+# hands_out SIZE PLACE: nothing where there is only so much room, which ends in that directory: so much
+# is for pictures, and then for some of the headers, which another program writes.
+hands_out() {
+    mkdir -p "$work/disk" && mount -t tmpfs -o "size=$1" none "$work/disk" || exit 1
+    if (cd "$top" && tests/handout/handout.sh "$work/disk/out" 1) >"$work/said" 2>&1 ||
+        ! grep -q "^make handout: cannot write .*/$2\$" "$work/said" ||
+        [ -n "$(ls "$work/disk")" ]; then
+        echo "no_room: with $1, make handout ended so, and left '$(ls "$work/disk")':"
+        cat "$work/said"
+        failed=1
+    fi
+    umount "$work/disk"
+}
+
+hands_out 300k tests/reference/step01_line
+hands_out 1200k common
 exit $failed
