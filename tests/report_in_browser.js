@@ -32,7 +32,7 @@ const profile = fs.mkdtempSync(path.join(os.tmpdir(), 'report.'));
 const child = spawn(browser, ['--headless', '--no-sandbox', '--disable-gpu', '--disable-dev-shm-usage',
                               '--no-first-run', '--hide-scrollbars', '--remote-debugging-pipe',
                               '--user-data-dir=' + profile],
-                    {stdio: ['ignore', 'ignore', 'pipe', 'pipe', 'pipe']});
+                    {stdio: ['ignore', 'ignore', 'pipe', 'pipe', 'pipe'], detached: true});
 const waiting = new Map(), heard = [];
 let number = 0, session, rest = '', said = '';
 
@@ -523,13 +523,25 @@ async function run() {
     await phone('dark');
 }
 
-/* Whatever happens, the browser ends. */
-const end = status => {
-    child.once('exit', () => {
-        fs.rmSync(profile, {recursive: true, force: true, maxRetries: 5, retryDelay: 200});
-        process.exit(status);
-    });
-    child.kill('SIGKILL');
+/*
+ * Whatever happens, the browser ends, with its other processes, which are of its group. For a moment
+ * one of them may still write into the profile: while there is something left, again.
+ */
+const end = async status => {
+    if (child.exitCode === null && child.signalCode === null) {
+        const gone = new Promise(resolve => child.once('exit', resolve));
+        process.kill(-child.pid, 'SIGKILL');
+        await gone;
+    }
+    for (let tries = 0; fs.existsSync(profile) && tries < 50; tries++) {
+        try {
+            fs.rmSync(profile, {recursive: true, force: true});
+        } catch {
+            await new Promise(resolve => setTimeout(resolve, 100));
+        }
+    }
+    if (fs.existsSync(profile)) console.error('report_in_browser: left behind: ' + profile);
+    process.exit(status);
 };
 const tooLong = setTimeout(() => {
     console.error('report_in_browser: the browser does not answer in ' + where + '\n' +
