@@ -1,4 +1,4 @@
-#!/bin/sh
+#!/bin/bash
 # Which lines and branches of common/ do the tests reach? Prints a table, one line a file, and every
 # branch that no test takes. Called by `make coverage`, after the models are made.
 #
@@ -6,7 +6,9 @@
 #
 # Needs gcc and gcov (GCOV=gcov-12 where it has another name). The branches of assert() are left
 # out: the one that fails is the caller's bug, which no test may reach.
+# shellcheck disable=SC2317 # each() calls the functions
 cd "$(dirname "$0")/.." || exit 1
+. tests/each.sh
 mkdir -p "${1:-build}" || exit 1
 build=$(cd "${1:-build}" && pwd)
 work=$build/coverage
@@ -31,27 +33,35 @@ mkdir -p "$work/common" "$work/tests" "$work/out" || exit 1
 flags="-std=c17 -O0 -g -ffp-contract=off --coverage -Dalways_inline=unused -Icommon -Itests/unit
     -Itests/oracle"
 
-compile() { # SOURCE OBJECT
-    # shellcheck disable=SC2086
-    "$gcc" $flags "-DCOURSE_BUILD=\"$work\"" -c "$1" -o "$2" || exit 1
+# object SOURCE: where it is compiled into. A lesson's has the lesson's name.
+object() {
+    case $1 in
+    common/*) echo "$work/${1%.c}.o" ;;
+    step*) echo "$work/tests/${1%/*}.o" ;;
+    *) echo "$work/tests/$(basename "$1" .c).o" ;;
+    esac
 }
 
-for source in common/*.c; do
-    compile "$source" "$work/common/$(basename "$source" .c).o"
-done
-compile tests/oracle/oracle.c "$work/tests/oracle.o"
-for source in tests/unit/test_*.c step*/main.c; do
-    name=$(basename "$source" .c)
-    case $source in step*) name=$(dirname "$source") ;; esac
-    # Tests that define __wrap_X() are linked so that calls of X() come there.
-    wrap=$(sed -n 's/.*__wrap_\([a-z_]*\)(.*{$/-Wl,--wrap=\1/p' "$source")
-    compile "$source" "$work/tests/$name.o"
-    oracle=
-    case $name in test_*) oracle=$work/tests/oracle.o ;; esac
+compile() { # SOURCE
     # shellcheck disable=SC2086
-    "$gcc" --coverage $wrap "$work/tests/$name.o" $oracle "$work"/common/*.o -lm \
-        -o "$work/tests/$name" || exit 1
-done
+    "$gcc" $flags "-DCOURSE_BUILD=\"$work\"" -c "$1" -o "$(object "$1")"
+}
+
+link() { # SOURCE
+    program=$(object "$1")
+    oracle=
+    case $1 in tests/*) oracle=$(object tests/oracle/oracle.c) ;; esac
+    # Tests that define __wrap_X() are linked so that calls of X() come there.
+    wrap=$(sed -n 's/.*__wrap_\([a-z_]*\)(.*{$/-Wl,--wrap=\1/p' "$1")
+    # shellcheck disable=SC2086
+    "$gcc" --coverage $wrap "$program" $oracle "$work"/common/*.o -lm -o "${program%.o}"
+}
+
+export gcc flags work
+export -f object compile link
+programs=$(echo tests/unit/test_*.c step*/main.c)
+# shellcheck disable=SC2086 # one word a source
+each compile common/*.c tests/oracle/oracle.c $programs && each link $programs || exit 1
 
 # ---- Run ----
 
@@ -73,14 +83,20 @@ run() {
 
 run 1 step04_flat # the models are not made yet
 ln -s "$build/models" "$work/models" || exit 1
-for test in "$work"/tests/test_*; do
-    case $test in *.*) continue ;; esac
-    "$test" >"$work/log" 2>&1 || {
+
+run_test() { # SOURCE
+    test=$(object "$1")
+    test=${test%.o}
+    "$test" >"$test.log" 2>&1 || {
         echo "coverage: $(basename "$test") failed" >&2
-        cat "$work/log" >&2
-        failed=1
+        cat "$test.log" >&2
+        false
     }
-done
+}
+
+# (What several processes count in the same file is added up.)
+export -f run_test
+each run_test tests/unit/test_*.c || failed=1
 
 printf 'size 40 30\nline 1 2 30 20 255 0 0\n' >"$work/lines.txt"
 printf 'triangle 1 2 30 20 5.5 25 255 0 0\n' >"$work/triangles.txt"
@@ -114,9 +130,14 @@ fi
 
 # One object after the other, so that what several of them include is added up here: for each line
 # how often it ran, for each branch how often it was taken.
-for object in "$work"/common/*.o "$work"/tests/*.o; do
-    "$gcov" --branch-counts --branch-probabilities --stdout "$object" 2>/dev/null
-done | awk '
+count() { # OBJECT
+    "$gcov" --branch-counts --branch-probabilities --stdout "$1" >"$1.counts" 2>/dev/null
+}
+
+export gcov
+export -f count
+each count "$work"/common/*.o "$work"/tests/*.o
+cat "$work"/*/*.counts | awk '
     /^ +-: +0:Source:/ {
         file = $0
         sub(/.*Source:/, "", file)

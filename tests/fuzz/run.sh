@@ -1,5 +1,6 @@
-#!/bin/sh
-# Build the fuzz targets beside this script and run each for some time. Called by `make fuzz`.
+#!/bin/bash
+# Build the fuzz targets beside this script and run each for some time, as many at a time as there
+# are processors. Called by `make fuzz`.
 #
 #   tests/fuzz/run.sh BUILD SECONDS [NAME...]      NAME: png of fuzz_png.c, ...; none means all
 #
@@ -7,7 +8,9 @@
 # tests/fuzz/corpus/NAME.tar. FUZZ_MERGE=1 puts back into the latter the fewest of all these files
 # that reach as much of the code.
 # Exit status: 0 all is well, 1 a target found something, 2 clang or its runtime is missing.
+# shellcheck disable=SC2317 # each() calls the functions
 cd "$(dirname "$0")/../.." || exit 1
+. tests/each.sh
 build=${1:-build}
 seconds=${2:-60}
 if [ $# -ge 2 ]; then shift 2; else shift $#; fi
@@ -29,43 +32,51 @@ if ! "$clang" -fsanitize=fuzzer,$sanitize "$work/probe.c" -o "$work/probe" 2>"$w
     exit 2
 fi
 
-for source in common/*.c; do
-    [ "$source" = common/program.c ] && continue # command lines are not hostile files
+compile() { # SOURCE
     # shellcheck disable=SC2086
-    "$clang" $flags -fsanitize=fuzzer-no-link,$sanitize -c "$source" \
-        -o "$work/objects/$(basename "$source" .c).o" || exit 1
-done
+    "$clang" $flags -fsanitize=fuzzer-no-link,$sanitize -c "$1" \
+        -o "$work/objects/$(basename "$1" .c).o"
+}
 
-# shellcheck disable=SC2046 # one word a target
-[ $# -gt 0 ] || set -- $(tests/fuzz/corpus.sh names)
-failed=0
-for name in "$@"; do
-    grown=$work/corpus/$name
-    kept=$work/kept/$name
-    mkdir -p "$grown" && tests/fuzz/corpus.sh unpack "$name" "$kept" || exit 1
+# The target of a name: built, and merged or run.
+fuzz() {
+    grown=$work/corpus/$1
+    kept=$work/kept/$1
+    log=$work/$1.log
+    mkdir -p "$grown" && tests/fuzz/corpus.sh unpack "$1" "$kept" || return 1
     # shellcheck disable=SC2086
-    "$clang" $flags -fsanitize=fuzzer,$sanitize "tests/fuzz/fuzz_$name.c" "$work"/objects/*.o -lm \
-        -o "$work/fuzz_$name" || exit 1
+    "$clang" $flags -fsanitize=fuzzer,$sanitize "tests/fuzz/fuzz_$1.c" "$work"/objects/*.o -lm \
+        -o "$work/fuzz_$1" || return 1
     if [ "${FUZZ_MERGE:-0}" = 1 ]; then
-        rm -rf "$work/merged"
-        mkdir "$work/merged" || exit 1
-        "$work/fuzz_$name" -merge=1 -use_counters=0 -max_len=2048 "$work/merged" "$kept" "$grown" \
-            >"$work/log" 2>&1 || exit 1
-        tests/fuzz/corpus.sh pack "$name" "$work/merged" || exit 1
-        echo "$name: $(find "$work/merged" -type f | wc -l) files kept"
-        continue
+        rm -rf "$work/merged/$1"
+        mkdir -p "$work/merged/$1" || return 1
+        "$work/fuzz_$1" -merge=1 -use_counters=0 -max_len=2048 "$work/merged/$1" "$kept" "$grown" \
+            >"$log" 2>&1 || return 1
+        tests/fuzz/corpus.sh pack "$1" "$work/merged/$1" || return 1
+        echo "$1: $(find "$work/merged/$1" -type f | wc -l) files kept"
+        return
     fi
     words=
-    [ -f "tests/fuzz/$name.dict" ] && words=-dict=tests/fuzz/$name.dict
+    [ -f "tests/fuzz/$1.dict" ] && words=-dict=tests/fuzz/$1.dict
     # shellcheck disable=SC2086
-    if "$work/fuzz_$name" -max_total_time="$seconds" -max_len=4096 -timeout=20 -rss_limit_mb=2048 \
-        -malloc_limit_mb=512 -print_final_stats=1 -artifact_prefix="$work/found/$name-" $words \
-        "$grown" "$kept" >"$work/log" 2>&1; then
-        sed -n "s/^Done \(.*\)/$name: \1, nothing found/p" "$work/log"
+    if "$work/fuzz_$1" -max_total_time="$seconds" -max_len=4096 -timeout=20 -rss_limit_mb=2048 \
+        -malloc_limit_mb=512 -print_final_stats=1 -artifact_prefix="$work/found/$1-" $words \
+        "$grown" "$kept" >"$log" 2>&1; then
+        sed -n "s/^Done \(.*\)/$1: \1, nothing found/p" "$log"
     else
-        tail -n 40 "$work/log"
-        echo "$name: FAILED; the file is in $work/found; try it again with $work/fuzz_$name FILE"
-        failed=1
+        tail -n 40 "$log"
+        echo "$1: FAILED; the file is in $work/found; try it again with $work/fuzz_$1 FILE"
+        return 1
     fi
+}
+
+export clang flags sanitize work seconds
+export -f compile fuzz
+sources=
+for source in common/*.c; do
+    [ "$source" = common/program.c ] || sources="$sources $source" # command lines are not hostile files
 done
-exit $failed
+# shellcheck disable=SC2046 # one word a target
+[ $# -gt 0 ] || set -- $(tests/fuzz/corpus.sh names)
+# shellcheck disable=SC2086 # one word a source
+each compile $sources && each fuzz "$@" || exit 1
