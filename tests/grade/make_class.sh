@@ -1,7 +1,7 @@
 #!/bin/bash
-# Makes up a class to grade: make_class.sh INTO COUNT
+# Makes up a class to grade: make_class.sh INTO COUNT LAST
 #
-# INTO/class gets COUNT submissions of lessons 1 to 3 (at least 36): solutions, starters, mistakes,
+# INTO/class gets COUNT submissions (at least 36) of lessons 1 to LAST (2 or more): solutions, starters, mistakes,
 # correct programs written otherwise, three copies of one of those, and hostile ones, some packed.
 # INTO/expected says what each should get, a line each: its name as in class.csv, GRADED or ERROR,
 # then a sign and points: `= 66` or `< 66`. CONTAINED=1: programs can be kept from killing others.
@@ -9,12 +9,13 @@ cd "$(dirname "$0")/../.." || exit 1
 . tests/grade/encode.sh
 into=$1
 count=$2
+last=$3
 class=$into/class
-lessons="step01_line step02_wireframe step03_triangle"
+lessons=$(ls -d step0[1-"$last"]_*)
 mkdir -p "$class" "$into/kinds" || exit 1
 exec 3>"$into/expected"
 
-# kind NAME MODE: the three lessons as marks.awk makes them, to take copies of.
+# kind NAME MODE: the lessons as marks.awk makes them, to take copies of.
 kind() {
     for lesson in $lessons; do
         mkdir -p "$into/kinds/$1/$lesson"
@@ -27,12 +28,16 @@ kind starter
 mkdir "$into/list"
 # shellcheck disable=SC2086
 awk -v directory="$into/list" -f tests/replace.awk -f tests/verify/parse.awk \
-    step01*/mistakes.txt step02*/mistakes.txt step03*/mistakes.txt tests/accept/step0[123].txt |
+    step0[1-"$last"]*/mistakes.txt tests/accept/step0[1-"$last"].txt |
     awk -F '\t' '$6 == "-" && $7 == "-"' >"$into/table" || exit 1
-most=$(awk '$1 ~ /^step0[123]_/ { most += $4 } $1 == "work" && $2 ~ /^step0[123]_/ { most += $5 }
-    $1 == "same" && $2 ~ /^step0[123]_/ { most += $5 } END { print most }' tests/check/scenes.txt)
-first=$(awk '$1 ~ /^step01_/ { most += $4 } ($1 == "work" || $1 == "same") && $2 ~ /^step01_/ {
-    most += $5 } END { print most }' tests/check/scenes.txt)
+# points LESSONS: what these are worth; a pattern of their numbers.
+points() {
+    awk -v wanted="^step$1_" '$1 ~ wanted { points += $4 }
+        ($1 == "work" || $1 == "same") && $2 ~ wanted { points += $5 }
+        END { print points }' tests/check/scenes.txt
+}
+most=$(points "0[1-$last]")
+first=$(points 01)
 
 made=0
 # expect NAME STATE SIGN POINTS
