@@ -603,7 +603,7 @@ static bool is_packed_plainly(const struct image *image, const uint8_t *body, si
     for (size_t y = 0; y < image->height; y++) {
         pack_plainly(image->pixels + y * image->width * step, image->width, step, &plain);
     }
-    bool same = plain.size == size && memcmp(plain.data, body, size) == 0;
+    bool same = size > 0 && plain.size == size && memcmp(plain.data, body, size) == 0;
     bytes_free(&plain);
     return same;
 }
