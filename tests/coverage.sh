@@ -128,7 +128,7 @@ fi
 
 # ---- Report ----
 
-# One object after the other, so that what several of them include is added up here: for each line
+# Each object by itself, so that what several of them include is added up here: for each line
 # how often it ran, for each branch how often it was taken.
 count() { # OBJECT
     "$gcov" --branch-counts --branch-probabilities --stdout "$1" >"$1.counts" 2>/dev/null
@@ -136,7 +136,7 @@ count() { # OBJECT
 
 export gcov
 export -f count
-each count "$work"/common/*.o "$work"/tests/*.o
+each count "$work"/common/*.o "$work"/tests/*.o || failed=1
 cat "$work"/*/*.counts | awk '
     /^ +-: +0:Source:/ {
         file = $0

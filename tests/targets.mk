@@ -51,7 +51,7 @@ $(BUILD)/similar: $(BUILD)/tests/similar/similar.o $(SIMILAR) $(CHECKER) $(BUILD
 
 # The tests' own build of everything: sanitized, and without threads.
 # What is always inlined elsewhere are functions here: with the sanitizers' code in each copy, gcc
-# would need four times as long.
+# would need more than twice as long.
 # (Vectors wider than the processor's are passed otherwise than by gcc 4.5, which it would tell.)
 TESTED   = $(CC) $(STRICT) $(WARNINGS) $(WERROR) $(SANITIZED) -Dalways_inline=unused \
            -Dflatten=unused $(DEFINES) -Icommon -Itests/unit -Itests/oracle -MMD -MP

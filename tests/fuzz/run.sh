@@ -74,7 +74,8 @@ export clang flags sanitize work seconds
 export -f compile fuzz
 sources=
 for source in common/*.c; do
-    [ "$source" = common/program.c ] || sources="$sources $source" # command lines are not hostile files
+    # Command lines are not hostile files.
+    [ "$source" = common/program.c ] || sources="$sources $source"
 done
 # shellcheck disable=SC2046 # one word a target
 [ $# -gt 0 ] || set -- $(tests/fuzz/corpus.sh names)

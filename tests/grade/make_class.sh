@@ -1,8 +1,9 @@
 #!/bin/bash
 # Makes up a class to grade: make_class.sh INTO COUNT LAST
 #
-# INTO/class gets COUNT submissions (at least 36) of lessons 1 to LAST (2 or more): solutions, starters, mistakes,
-# correct programs written otherwise, three copies of one of those, and hostile ones, some packed.
+# INTO/class gets COUNT submissions (at least 36) of lessons 1 to LAST (2 to 9): solutions,
+# starters, mistakes, correct programs written otherwise, three copies of one of those, and hostile
+# ones, some packed.
 # INTO/expected says what each should get, a line each: its name as in class.csv, GRADED or ERROR,
 # then a sign and points: `= 66` or `< 66`. CONTAINED=1: programs can be kept from killing others.
 cd "$(dirname "$0")/../.." || exit 1

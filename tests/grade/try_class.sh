@@ -1,9 +1,10 @@
 #!/bin/bash
 # Is a class graded rightly, whatever some of it do? try_class.sh WORK [COUNT [LAST]]
 #
-# Makes up a class of COUNT (60), in lessons 1 to LAST (3), in WORK, which is not there yet, kills the grading in the middle,
-# lets it go on, and compares the points with those expected. Nothing may have been written, nothing
-# may be left running or lying about. CONTAIN_BY in the environment: bwrap, unshare.
+# Makes up a class of COUNT (60), in lessons 1 to LAST (3), in WORK, which is not there yet, kills
+# the grading in the middle, lets it go on, and compares the points with those expected. Nothing may
+# have been written, nothing may be left running or lying about. CONTAIN_BY in the environment:
+# bwrap, unshare.
 #
 # Exit status 0: all of that is so; 1: something is not.
 cd "$(dirname "$0")/../.." || exit 1
