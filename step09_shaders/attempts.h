@@ -160,27 +160,10 @@ static inline struct shader attempt_3_called(const struct shader *shader) {
     return called;
 }
 
-/* 4. Shaded at once: every pixel that is nearest so far, though it may be hidden later. The loops
- * find the image in the uniforms, and write there what they should only decide. */
-struct attempt_4_uniforms {
-    struct uniforms u; /* first, so that the shader finds what it knows */
-    struct image *image;
-};
-
-static inline void attempt_4_shade(const struct shading *shading) {
-    if (shading->at_once) {
-        const struct attempt_4_uniforms *uniforms = shading->uniforms;
-        struct shading with_image = *shading;
-        with_image.image = uniforms->image;
-        gouraud_textured.shade(&with_image);
-    }
-}
-
-/* (It says that it discards pixels, which are decided at once; but it never does.) */
-static const struct shader attempt_4_at_once = {.varying_count = 3,
-                                                .vertex = gouraud_textured_vertex,
-                                                .fragment = textured_fragment,
-                                                .discards = true,
-                                                .shade = attempt_4_shade};
+/* 4. Shaded at once: every pixel that is nearest so far, though it may be hidden later. That is what
+ * the pipeline does without SHORTCUT_VISIBLE. (It says that it discards pixels, for then SHADER()
+ * has loops for it that shade at once; but it never does.) */
+SHADER(attempt_4_at_once, .varying_count = 3, .vertex = gouraud_textured_vertex,
+       .fragment = textured_fragment, .discards = true);
 
 #endif

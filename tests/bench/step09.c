@@ -181,12 +181,10 @@ static bool draw_kind(enum kind kind, struct target *target, const struct draw_c
                       const struct uniforms *u) {
     struct error error;
     struct shader called = attempt_3_called(&gouraud_textured);
-    struct attempt_4_uniforms with_image = {*u, &target->image};
+    const struct shader *shaders[KINDS] = {&called, &attempt_4_at_once, &gouraud_textured};
     struct pipeline *p = &target->pipeline;
-    bool done = kind == AT_ONCE  ? pipeline_draw(p, call, &attempt_4_at_once, &with_image,
-                                                 sizeof with_image, &error)
-                : kind == CALLED ? pipeline_draw(p, call, &called, u, sizeof *u, &error)
-                                 : pipeline_draw(p, call, &gouraud_textured, u, sizeof *u, &error);
+    p->shortcuts = kind == AT_ONCE ? SHORTCUTS & ~(unsigned)SHORTCUT_VISIBLE : SHORTCUTS;
+    bool done = pipeline_draw(p, call, shaders[kind], u, sizeof *u, &error);
     return done && pipeline_finish(p, &target->image, &error);
 }
 
