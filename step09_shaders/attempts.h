@@ -160,8 +160,8 @@ static inline struct shader attempt_3_called(const struct shader *shader) {
     return called;
 }
 
-/* 4. Shaded at once: every pixel that is nearest so far, though it may be hidden later. That is what
- * the pipeline does without SHORTCUT_VISIBLE. (It says that it discards pixels, for then SHADER()
+/* 4. Shaded at once: every pixel that is nearest so far, though it may be hidden later. The
+ * pipeline does so without SHORTCUT_VISIBLE. (It says that it discards pixels, for then SHADER()
  * has loops for it that shade at once; but it never does.) */
 SHADER(attempt_4_at_once, .varying_count = 3, .vertex = gouraud_textured_vertex,
        .fragment = textured_fragment, .discards = true);
