@@ -391,12 +391,13 @@ static bool find_visible(struct subject *subject, struct error *error) {
         .diffuse_level = subject->uniforms.diffuse_level,
         .to_light = subject->uniforms.to_light,
         .faces = malloc(subject->model.face_count * sizeof *v->faces),
-        .number = calloc(pixels, sizeof *v->number),
+        .number = calloc(pixels + 1, sizeof *v->number),
+        .same = malloc((subject->model.face_count + 1) * sizeof *v->same),
         .runs = malloc(pixels * sizeof *v->runs),
         .places = malloc(pixels * sizeof *v->places),
     };
-    if (depths == NULL || v->faces == NULL || v->number == NULL || v->runs == NULL ||
-        v->places == NULL) {
+    if (depths == NULL || v->faces == NULL || v->number == NULL || v->same == NULL ||
+        v->runs == NULL || v->places == NULL) {
         free(depths);
         return error_out_of_memory(error);
     }
@@ -408,6 +409,9 @@ static bool find_visible(struct subject *subject, struct error *error) {
         }
     }
     free(depths);
+    for (uint32_t i = 0; i <= v->face_count; i++) {
+        v->same[i] = i;
+    }
     for (int y = 0; y < SIDE; y++) {
         find_row_runs(v, y);
         find_places(v, y);
@@ -624,6 +628,7 @@ static bool setup(void **state, struct error *error) {
 static void subject_free(struct subject *subject) {
     free(subject->visible.faces);
     free(subject->visible.number);
+    free(subject->visible.same);
     free(subject->visible.runs);
     free(subject->visible.places);
     image_free(&subject->visible.image);

@@ -19,6 +19,12 @@ static struct uniforms uniforms_of(const struct visible *v) {
 
 static const struct shader *const shader_of_look[LOOKS] = {&gouraud_textured, &gouraud};
 
+/* The planes of a face: those of all lie as planes_number() says. */
+static struct planes *planes_of_face(const struct planes *planes, const struct shader *shader,
+                                     uint32_t number) {
+    return planes_number((struct planes *)planes, shader, number);
+}
+
 /* 1/w of all positions, as the pipeline keeps them; 1 where there is no perspective. */
 static double *find_all_recip_w(const struct visible *v, enum planes_kind kind) {
     double *recip_w = malloc(v->model->position_count * sizeof *recip_w);
@@ -30,6 +36,7 @@ static double *find_all_recip_w(const struct visible *v, enum planes_kind kind) 
 }
 
 static void *make_planes(const struct visible *v, enum look look, enum planes_kind kind) {
+    const struct shader *shader = shader_of_look[look];
     struct uniforms u = uniforms_of(v);
     struct draw draw = {.call = {.model = v->model, .to_clip = v->to_clip}};
     struct pipeline pipeline = {.recip_w.data = find_all_recip_w(v, kind)};
@@ -43,9 +50,9 @@ static void *make_planes(const struct visible *v, enum look look, enum planes_ki
                               .face = face->face,
                               .clipped = NOT_CLIPPED,
                               .face_corner = {0, 1, 2}};
-        struct planes *at = &planes[i + 1];
-        fetch_planes(&shading, shader_of_look[look], &piece, at);
-        for (size_t k = 0; kind == EVERY_SECOND && k <= shader_of_look[look]->varying_count; k++) {
+        struct planes *at = planes_of_face(planes, shader, (uint32_t)i + 1);
+        fetch_planes(&shading, shader, &piece, at);
+        for (size_t k = 0; kind == EVERY_SECOND && k <= shader->varying_count; k++) {
             at->four[k / FOUR].dx[k % FOUR] *= 2;
         }
         at->x0 = kind == EVERY_SECOND ? at->x0 / 2 : at->x0;
@@ -109,9 +116,7 @@ LANES_INLINE void interpolate_affine(const struct shader *shader, const struct p
 LANES_INLINE void interpolate_by(enum division division, const struct shader *shader,
                                  const struct planes *planes, int x, int y, struct span run,
                                  lanes *varyings) {
-    if (division == EACH_PIXEL) {
-        interpolate_varyings(shader, planes, x, y, varyings);
-    } else if (division == NEVER) {
+    if (division == NEVER) {
         interpolate_affine(shader, planes, x, y, varyings);
     } else {
         interpolate_every((int)division, shader, planes, x, y, run.begin, run.end - 1, varyings);
@@ -120,30 +125,35 @@ LANES_INLINE void interpolate_by(enum division division, const struct shader *sh
 
 /* ---- Chunks: all faces of LANES neighbours blended ---- */
 
-LANES_INLINE bool gather(enum division division, const struct shader *shader,
-                         const struct planes *planes, const uint32_t number[LANES], int x, int y,
-                         lanes *varyings) {
-    bool first = true;
-    for (int begin = 0, end; begin < LANES; begin = end) {
-        for (end = begin + 1; end < LANES && number[end] == number[begin]; end++) {
-        }
-        if (number[begin] == 0) {
-            continue;
-        }
-        const struct planes *face = &planes[number[begin]];
-        if (first) {
-            interpolate_by(division, shader, face, x, y, (struct span){begin, end}, varyings);
-            first = false;
-            continue;
-        }
+/* With a division for each pixel, as the pipeline does it; otherwise run by run. */
+LANES_INLINE bool gather(enum division division, const struct shading *s,
+                         const struct shader *shader, const uint32_t number[LANES + 1], int x,
+                         int y, lanes *varyings) {
+    if (division == EACH_PIXEL) {
+        return gather_varyings(s, shader, number, x, y, varyings);
+    }
+    bool found = false;
+    for (uint32_t runs = find_runs(number); runs != 0; runs &= runs - 1) {
+        uint32_t rest = runs & (runs - 1);
+        struct span run = {__builtin_ctz(runs), rest != 0 ? __builtin_ctz(rest) : LANES};
+        const struct planes *face = planes_of_face(s->scratch->planes, shader, number[run.begin]);
         lanes of_run[VARYING_LIMIT];
-        interpolate_by(division, shader, face, x, y, (struct span){begin, end}, of_run);
-        lanes_mask later = lanes_from(0) >= (real)begin;
-        for (size_t k = 0; k < shader->varying_count; k++) {
+        if (number[run.begin] == 0) {
+            continue;
+        }
+        interpolate_by(division, shader, face, x, y, run, found ? of_run : varyings);
+        lanes_mask later = lanes_from(0) >= (real)run.begin;
+        for (size_t k = 0; found && k < shader->varying_count; k++) {
             varyings[k] = lanes_select(later, of_run[k], varyings[k]);
         }
+        found = true;
     }
-    return !first;
+    return found;
+}
+
+/* All faces are of one draw call, whose number n has planes number n. */
+static struct shading shading_of(const struct visible *v, struct scratch *scratch) {
+    return (struct shading){.scratch = scratch, .numbers = {0, (int)v->face_count}};
 }
 
 typedef lanes_mask fragment_function(const void *uniforms, const lanes *varyings,
@@ -154,13 +164,15 @@ LANES_INLINE void shade_chunks(enum division division, const struct shader *shad
                                const struct planes *planes) {
     struct uniforms u = uniforms_of(v);
     struct image image = v->image;
+    struct scratch scratch = {.fetched = v->same, .planes = (struct planes *)planes};
+    const struct shading s = shading_of(v, &scratch);
     for (size_t i = 0; i < v->place_count; i++) {
         struct place place = v->places[i];
         for (int lane = 0; lane < CHUNK; lane += LANES) {
             const uint32_t *number = v->number + place.y * SIDE + place.x + lane;
             lanes varyings[VARYING_LIMIT];
             lanes_texel color, numbers;
-            if (gather(division, shader, planes, number, place.x + lane, place.y, varyings)) {
+            if (gather(division, &s, shader, number, place.x + lane, place.y, varyings)) {
                 memcpy(&numbers, number, sizeof numbers);
                 fragment(&u, varyings, &color);
                 write_lanes(&image, place.x + lane, place.y, color, (lanes_int)(numbers != 0));
@@ -175,10 +187,11 @@ LANES_INLINE void shade_run(const struct shader *shader, const struct uniforms *
                             const struct visible *v, const struct planes *planes,
                             const struct run *run) {
     struct image image = v->image;
+    const struct planes *face = planes_of_face(planes, shader, run->number);
     for (int x = run->span.begin; x < run->span.end; x += LANES) {
         lanes varyings[VARYING_LIMIT];
         lanes_texel color;
-        interpolate_varyings(shader, &planes[run->number], x, run->y, varyings);
+        interpolate_varyings(shader, face, x, run->y, varyings);
         shader->fragment(u, varyings, &color);
         write_lanes(&image, x, run->y, color,
                     (lanes_int)(lanes_int_from(0) < (int32_t)(run->span.end - x)));
@@ -200,16 +213,16 @@ static void shade_runs(shade_run_function *shade_this, const struct visible *v,
 
 /* Pixels are shaded as those of a picture of half the width. */
 LANES_INLINE void shade_pair(const struct shader *shader, const struct uniforms *u,
-                             const struct visible *v, const struct planes *planes, int x, int y) {
+                             const struct visible *v, const struct shading *s, int x, int y) {
     struct image image = v->image;
     const uint32_t *pair = v->number + y * SIDE + x;
-    uint32_t number[LANES], colors[LANES], twice[2 * LANES];
+    uint32_t number[LANES + 1] = {0}, colors[LANES], twice[2 * LANES];
     lanes varyings[VARYING_LIMIT] = {lanes_all(0)};
     lanes_texel color;
     for (int i = 0; i < LANES; i++) {
         number[i] = pair[2 * i] != 0 ? pair[2 * i] : pair[2 * i + 1];
     }
-    if (!gather(EACH_PIXEL, shader, planes, number, x / 2, y, varyings)) {
+    if (!gather(EACH_PIXEL, s, shader, number, x / 2, y, varyings)) {
         return;
     }
     shader->fragment(u, varyings, &color);
@@ -229,6 +242,8 @@ LANES_INLINE void shade_pair(const struct shader *shader, const struct uniforms 
 LANES_INLINE void shade_half(const struct shader *shader, const struct visible *v,
                              const struct planes *planes) {
     struct uniforms u = uniforms_of(v);
+    struct scratch scratch = {.fetched = v->same, .planes = (struct planes *)planes};
+    const struct shading s = shading_of(v, &scratch);
     for (size_t i = 0; i < v->place_count; i++) {
         struct place place = v->places[i];
         int left = place.x / (2 * CHUNK) * (2 * CHUNK);
@@ -237,7 +252,7 @@ LANES_INLINE void shade_half(const struct shader *shader, const struct visible *
             continue;
         }
         for (int x = left; x < left + 2 * CHUNK; x += 2 * LANES) {
-            shade_pair(shader, &u, v, planes, x, place.y);
+            shade_pair(shader, &u, v, &s, x, place.y);
         }
     }
 }

@@ -43,7 +43,8 @@ struct visible {
     struct vec3 to_light;
     struct seen *faces;
     size_t face_count;
-    uint32_t *number; /* SIDE * SIDE: the face that is nearest, from 1; 0 for none */
+    uint32_t *number; /* SIDE * SIDE, and one: the face that is nearest, from 1; 0 for none */
+    uint32_t *same;   /* of each number that number */
     struct run *runs;
     size_t run_count;
     struct place *places;
