@@ -92,7 +92,7 @@ static inline struct work attempt_2_every_side_cut(struct image *image, const st
     return attempt_faces(image, model, true);
 }
 
-/* Every side of the list (made as prepare() in main.c makes it), tested pixel by pixel. */
+/* Every side of the list (made as prepare() in scenes.h makes it), tested pixel by pixel. */
 static inline struct work attempt_3_each_once_tested(struct image *image, const struct model *model,
                                                      const struct side *sides, size_t side_count) {
     struct work work = {0};

@@ -199,7 +199,6 @@ bool draw_figures(const char *directory, struct model *bust, struct error *error
     bool done = draw_rounded_line(directory, error) &&
                 draw_small_scene(directory, "square", draw_square, 100, 100, error) &&
                 draw_small_scene(directory, "cut_lines", draw_cut, CUT_WIDTH, CUT_HEIGHT, error) &&
-                draw_small_scene(directory, "walked", draw_walked, 200, 4 * CUT_LINES, error) &&
                 draw_one_direction(directory, bust, error) &&
                 print_versions("step02_wireframe: the bust", bust, sides, side_count, error);
     done = done && print_open_mesh(bust, error);

@@ -98,10 +98,10 @@ static const struct text_scene_shape three_triangles[] = {
 enum { THREE_TRIANGLES = sizeof three_triangles / sizeof three_triangles[0] };
 
 /* The blue and the yellow one reach far out of the image and cover its lowest and its highest rows:
- * their long sides meet them at an x that does not fit in an int. Of the next three a corner is in
- * the image, and most rows are beside it. Then two that are very long and narrow, and three small
- * ones: their sides go through pixel centres or 1/256 pixel past them. So does the level side of
- * the cyan one. */
+ * their long sides meet them at an x that does not fit in an int. Of the green, the red and the
+ * cyan one a corner is in the image, and most rows are beside it. The first white one and the
+ * magenta one are very long and narrow, and the other white ones small: their sides go through
+ * pixel centres or 1/256 pixel past them. So does the level side of the cyan one. */
 static const struct text_scene_shape far_triangles[] = {
     {{-900000, 900000, 900000}, {-900000, 899999.96, 900000.04}, {{WHITE}, {WHITE}, {WHITE}}},
     {{1000000, -1000000, 0}, {7.00390625, 7, -1000000}, {{BLUE}, {BLUE}, {BLUE}}},

@@ -14,11 +14,11 @@ lesson-figures: $(CHOSEN_FIGURES:%=lesson-figures-%)
 
 $(FIGURES:%=figures-%): figures-%: $(BUILD)/figures/% $(BUILD)/models/bust.obj
 	@mkdir -p $(BUILD)/out/$*/figures
-	$(BUILD)/figures/$* $(BUILD)/out/$*/figures
+	$(BUILD)/figures/$* $(BUILD)/out/$*/figures >$(BUILD)/figures/$*.txt && cat $(BUILD)/figures/$*.txt
 
 $(FIGURES:%=lesson-figures-%): lesson-figures-%: $(BUILD)/figures/% $(BUILD)/models/bust.obj
 	@mkdir -p $*/figures
-	$(BUILD)/figures/$* $*/figures
+	$(BUILD)/figures/$* $*/figures >$(BUILD)/figures/$*.txt && cat $(BUILD)/figures/$*.txt
 
 $(BUILD)/figures/%: %/figures.c $(BUILD)/tests/figures.o $(BUILD)/libcommon.a $(BUILD)/flags
 	@mkdir -p $(@D)
