@@ -1,8 +1,9 @@
 #!/bin/sh
-# Are the tables in the lessons what the lessons' programs print? In stepNN_name/README.md a line
+# Are the numbers in the lessons those that are printed? In stepNN_name/README.md a line
 # `<!-- printed -->` stands before each table that `make figures` prints: either as it is printed,
 # indented, or as a table in which each row begins with words of a printed line, and all its numbers
-# stand in such lines.
+# stand in such lines. And "counts 40 million instructions for `zbuffer`: 5 for loading, ..." is what
+# tests/counts.txt says.
 #
 #   tests/printed.sh BUILD        after `make figures` or `make lesson-figures` with that BUILD
 #
@@ -70,5 +71,44 @@ for printed in "$build"/figures/step*.txt; do
     checked=$((checked + rows))
 done
 echo "$checked rows are compared with what is printed"
-[ "$checked" -gt 0 ] && exit "$status"
-exit 1
+[ "$checked" -gt 0 ] || status=1
+
+# Instructions: each number rounded as it is written.
+for readme in step*/README.md; do
+    tr '\n' ' ' <"$readme" | awk -v lesson="${readme%/README.md}" '
+        function compare(written, counted) {
+            digits = index(written, ".") > 0 ? length(written) - index(written, ".") : 0
+            if (written != sprintf("%." digits "f", counted)) {
+                print lesson "/README.md: " written " million instructions are " counted
+                failed = 1
+            }
+        }
+        # compare_part SENTENCE WORDS COUNTED: the number before these words, where they are.
+        function compare_part(sentence, words, counted) {
+            if (match(sentence, "[0-9.]+ " words)) {
+                compare(substr(sentence, RSTART, RLENGTH - length(words) - 1), counted)
+            }
+        }
+        NR == FNR {
+            if ($1 == lesson) {
+                all[$2] = $3; load[$2] = $4; draw[$2] = $5; save[$2] = $6
+            }
+            next
+        }
+        {
+            text = $0
+            while (match(text, /counts [0-9.]+ million instructions for `[a-z_]+`/)) {
+                split(substr(text, RSTART, RLENGTH), words, /[ `]+/)
+                text = substr(text, RSTART + RLENGTH)
+                sentence = text
+                sub(/\. .*/, "", sentence)
+                scene = words[6]
+                compare(words[2], all[scene])
+                compare_part(sentence, "for loading", load[scene])
+                compare_part(sentence, "for drawing", draw[scene])
+                compare_part(sentence, "for saving", save[scene])
+            }
+        }
+        END { exit failed }' tests/counts.txt - || status=1
+done
+exit "$status"
