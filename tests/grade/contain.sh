@@ -10,7 +10,7 @@
 # CONTAIN_BY says by what: `bwrap` does all of this; `unshare` hides the course's secrets and lets
 # nothing be written, but other files can be read; `nothing` just runs the command.
 # CONTAIN_COURSE and CONTAIN_BUILD are absolute: the course and its build directory; CONTAIN_SECRET
-# are directories, with blanks between, that unshare is to hide besides.
+# are directories, each on a line of its own, that unshare is to hide besides.
 #
 # Started by root, the command runs as nobody, whose processes can be counted; started by anyone
 # else, as the root of a namespace that is nobody outside.
@@ -75,6 +75,7 @@ inside='
     writes=$1 course=$2 secret=$3
     shift 3
     while read -r _ at _; do
+        case $at in *\\*) at=$(printf %b "$at") ;; esac # a blank is \040 there
         mount -n -o remount,bind,ro "$at" 2>/dev/null
     done </proc/self/mounts
     mount -n --bind "$writes" "$writes" && mount -n -o remount,bind,rw "$writes" &&
@@ -84,9 +85,9 @@ inside='
             exit 126
     done
     mount -n --move "$writes/.dev" /dev && rmdir "$writes/.dev" || exit 126
-    for hidden in "$course/tests" "$course/.git" $secret; do
+    printf "%s\n" "$course/tests" "$course/.git" "$secret" | while IFS= read -r hidden; do
         [ ! -d "$hidden" ] || mount -n -t tmpfs -o ro none "$hidden" || exit 126
-    done
+    done || exit 126
     for hidden in "$course"/step*/main.c "$course"/step*/main.c.marked; do
         [ ! -f "$hidden" ] || mount -n --bind /dev/null "$hidden" || exit 126
     done

@@ -1,5 +1,6 @@
 # make grade SUBMISSIONS=dir    a class: each directory, .zip or .tar.gz in dir is a submission
-#     OUT=dir                   where the results go (build/grades); none is made twice
+#     OUT=dir                   where the results go (build/grades); none is made twice, unless
+#                               the submission, LESSONS or SEED have changed
 #     JOBS=2                    at a time
 #     LESSONS=1-5               which count
 #     SEED=7                    draw the hidden scenes of this number, too
@@ -31,7 +32,7 @@ $(BUILD)/limited: $(BUILD)/tests/grade/limited.o $(CHECKER) $(BUILD)/libcommon.a
 	$(LINK) $^ -lm $(PLACED)
 
 # A lesson of a submission: compiled and linked where it can do no harm.
-CONTAINED = CONTAIN_WRITES=$(abspath $(@D)) tests/grade/contain.sh
+CONTAINED = CONTAIN_WRITES='$(abspath $(@D))' tests/grade/contain.sh
 $(BUILD)/grade.%: force
 	@[ -f $(@D)/sources/$(@F)/main.c ] || { echo 'error: no $(@F)/main.c was handed in' >&2; exit 1; }
 	$(CONTAINED) $(filter-out -MMD -MP,$(COMPILE)) -I$(@F) -c $(@D)/sources/$(@F)/main.c -o $@.o

@@ -6,9 +6,10 @@
 # everything else is the course's own. Its programs are built and run by contain.sh.
 #
 # OUT/submissions/NAME becomes: state (GRADED, or ERROR and a reason), seconds, report.html, .xml,
-# .json, .tap and .csv, log (what the check said), hidden (with SEED), sources. It comes as a whole
-# or not at all, and what is there is not done again: so a class that was stopped goes on where it
-# was. NAME is that of the submission, with %20 for a blank.
+# .json, .tap and .csv, log (what the check said), hidden (with SEED), sources, and of: sums of the
+# submission, LESSONS and SEED. It comes as a whole or not at all, and what is there is not done
+# again while it is of the same: so a class that was stopped goes on where it was. NAME is that of the
+# submission, with %20 for a blank.
 #
 # Exit status: 0 that is there, whatever is in it; 1 it is not.
 [ $# -ge 4 ] && [ -n "$3" ] || {
@@ -32,7 +33,19 @@ short=${build#"$PWD/"}
 
 name=$(encode "${submission##*/}")
 result=$out/submissions/$name
-[ ! -d "$result" ] || exit 0
+
+# What the result depends on: of a directory what unpack.sh may take, with its places.
+sums() {
+    echo "LESSONS=$wanted SEED=$seed"
+    if [ -d "$submission" ]; then
+        (cd "$submission" && find . -maxdepth 5 -type f \( -name main.c -o -name '*.h' \) \
+            -size -2049 -exec cksum {} +) 2>/dev/null | LC_ALL=C sort
+    else
+        cksum <"$submission"
+    fi
+}
+of=$(sums | cksum)
+[ ! -d "$result" ] || [ "$(cat "$result/of" 2>/dev/null)" != "$of" ] || exit 0
 begun=$(date +%s)
 place=
 work=
@@ -49,7 +62,8 @@ mkdir "$work/result" || exit 1
 finish() {
     printf '%s\n' "$*" >"$work/result/state"
     echo "$(($(date +%s) - begun))" >"$work/result/seconds"
-    chmod -R u+rw,go+rX "$work/result" && mv "$work/result" "$result" || exit 1
+    echo "$of" >"$work/result/of"
+    chmod -R u+rw,go+rX "$work/result" && rm -rf "$result" && mv "$work/result" "$result" || exit 1
     rm -f "$out/.begun/$name"
     points=$(awk -F, 'NR > 1 { got += $4; most += $5 } END { if (most) print got "/" most }' \
         "$result/report.csv" 2>/dev/null)
@@ -77,7 +91,8 @@ reason=$(tests/grade/unpack.sh "$build/limited" "$submission" "$work/sources" $l
 mv "$work/sources" "$work/result" && cp -R "$work/result/sources" "$place/sources" &&
     mkdir "$place/tmp" && chmod 711 "$place" "$place/tmp" || exit 1
 
-export CONTAIN_COURSE="$PWD" CONTAIN_BUILD="$build" CONTAIN_SECRET="$out $build/solutions"
+export CONTAIN_COURSE="$PWD" CONTAIN_BUILD="$build"
+CONTAIN_SECRET=$(printf '%s\n' "$out" "$build/solutions") && export CONTAIN_SECRET
 # What make was told, but not where it gets its jobs from.
 flags=$(printf '%s' "$MAKEFLAGS" | sed 's/--jobserver[^ ]*//g; s/ -j[0-9]* / /g')
 export CHECK_EXACT=0 CHECK_TIMEOUT="${CHECK_TIMEOUT:-10}"

@@ -173,7 +173,9 @@ expect hostile-broken.zip "ERROR = 0"
 mkdir "$into/bomb" && head -c 150000000 /dev/zero >"$into/bomb/zeros" &&
     tar czf "$class/hostile-bomb.tar.gz" -C "$into" bomb && rm -r "$into/bomb"
 expect hostile-bomb.tar.gz "ERROR = 0"
-made=$((made + 3))
+echo "no archive" >"$class/hostile.rar"
+expect hostile.rar "ERROR = 0"
+made=$((made + 4))
 
 # ---- Everybody else ----
 
@@ -195,12 +197,24 @@ for copy in one two three; do
     expect "copy $copy" "GRADED = $most"
     made=$((made + 1))
 done
+# All that was handed out, with an older work beside it, and what macOS packs besides.
+handout=$into/kinds/handout
+mkdir -p "$handout/a/tests/reference" && cp -R "$into"/kinds/solution/* "$handout/a" || exit 1
+for lesson in $lessons; do
+    mkdir -p "$handout/a/tests/reference/$lesson" || exit 1
+    for other in old __MACOSX; do
+        mkdir -p "$handout/$other/$lesson" && echo 'no C' >"$handout/$other/$lesson/main.c" || exit 1
+    done
+done
 # Some are packed, with and without a directory of their own.
 for ((i = 0; made < count; i++)); do
     name="student $i"
-    case $((i % 4)) in
+    case $((i % 6)) in
+    0) cp -R "$handout" "$class/$name" ;;
     1) name+=.tar.gz && tar czf "$class/$name" -C "$into/kinds" solution ;;
     2) (cd "$into/kinds/solution" && zip -qr "$class/$name.zip" .) && name+=.zip ;;
+    3) (cd "$handout" && zip -qr "$class/$name.ZIP" .) && name+=.ZIP ;;
+    4) name+=.tar && tar cf "$class/$name" -C "$handout" . ;;
     *) cp -R "$into/kinds/solution" "$class/$name" ;;
     esac
     expect "$name" "GRADED = $most"

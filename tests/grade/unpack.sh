@@ -1,10 +1,11 @@
 #!/bin/sh
 # Takes the lessons' sources out of a submission: unpack.sh LIMITED SUBMISSION INTO LESSON...
 #
-# SUBMISSION is a directory, a .zip or a .tar.gz (.tgz); LIMITED the program of limited.c. Of each
+# SUBMISSION is a directory, a .zip or a .tar, packed or not; LIMITED the program of limited.c. Of each
 # LESSON INTO/LESSON gets main.c and the student's own headers: regular files of a megabyte at most,
-# with plain names, from the first directory of that name at the top or up to three below. Nothing
-# else is looked at: neither links, nor what the course brings itself. INTO must not be there yet.
+# with plain names, from the directory of that name that has a main.c, at the top or up to three below;
+# of several from the one nearest to the top, then the first by name. Nothing else is looked at:
+# neither links, nor what the course brings itself. INTO must not be there yet.
 #
 # Exit status: 0 done; 1 there is none, or it cannot be unpacked: a line says why.
 limited=$1
@@ -28,19 +29,28 @@ unpack() {
 }
 
 case $submission in /*) ;; *) submission=$PWD/$submission ;; esac
-case $submission in
-*.zip) unpack unzip -qq -o "$submission" ;;
-*.tar.gz | *.tgz) unpack tar xzf "$submission" --no-same-owner --no-same-permissions ;;
-*)
-    [ -d "$submission" ] && [ ! -h "$submission" ] ||
-        fail "neither a directory nor a .zip or .tar.gz"
+[ ! -h "$submission" ] || fail "a link"
+if [ -d "$submission" ]; then
     from=$submission
-    ;;
-esac
+else
+    case $submission in
+    *.[Zz][Ii][Pp]) unpack unzip -qq -o "$submission" ;;
+    *.[Tt][Aa][Rr] | *.[Tt][Aa][Rr].* | *.[Tt][GgXxBb][Zz]*)
+        unpack tar xf "$submission" --no-same-owner --no-same-permissions
+        ;;
+    *) fail "neither a directory nor a .zip, .tar or .tar.gz" ;;
+    esac
+fi
+# find_directory LESSON: where its main.c is. (macOS packs files of its own, with such names, too.)
+find_directory() {
+    (cd "$from" && find . -maxdepth 5 -name __MACOSX -prune -o -type f -path "*/$1/main.c" -print) \
+        2>/dev/null | sed -n 's|^\(\./.*\)/main\.c$|\1|p' |
+        awk -F / '{ print NF "\t" $0 }' | LC_ALL=C sort -k 1,1n -k 2 | sed 's/^[0-9]*.//; 1q'
+}
 mkdir "$into" || fail "no room to unpack it"
 found=
 for lesson in "$@"; do
-    directory=$(cd "$from" && find . -maxdepth 4 -type d -name "$lesson" 2>/dev/null | sed 1q)
+    directory=$(find_directory "$lesson")
     [ -n "$directory" ] && [ -d "$from/$directory" ] || continue
     mkdir "$into/$lesson" || fail "no room to unpack it"
     for file in "$from/$directory"/*.h "$from/$directory/main.c"; do
