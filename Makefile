@@ -280,6 +280,12 @@ help:
 clean:
 	rm -rf $(BUILD)
 
+# A lesson's program whose main.c is gone would be up to date.
+GONE = $(filter-out $(STEPS:%=$(BUILD)/%),$(wildcard $(filter $(BUILD)/step%,$(MAKECMDGOALS))))
+.PHONY: $(GONE)
+$(GONE):
+	$(error there is no $(@F)/main.c)
+
 .PHONY: common tests
 .DEFAULT common tests:
 	$(error there is no target '$@'; `make help` prints them (one lesson: `make check STEP=05`))

@@ -120,7 +120,7 @@ static bool lacks_source(const struct options *options, const char *step, const 
     char path[DRAWN_PATH_LIMIT];
     snprintf(path, sizeof path, "%s%s%s/main.c", here ? "" : options->sources, here ? "" : "/",
              step);
-    if ((strstr(output, "*** there is no target") == NULL &&
+    if ((strstr(output, "*** there is no ") == NULL &&
          strstr(output, "*** No rule to make target") == NULL) ||
         access(path, F_OK) == 0 || errno != ENOENT) {
         return false;

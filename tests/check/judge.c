@@ -25,7 +25,7 @@
 #include <unistd.h>
 
 enum {
-    TIMEOUT_LIMIT = 3, /* times that a step's program is waited for in vain */
+    TIMEOUT_LIMIT = 3, /* times that a step's program is waited for in vain; then only shortly */
     FILE_EXTRA = 8192  /* bytes on the disk of a picture's file, besides its pixels */
 };
 
@@ -347,11 +347,18 @@ static bool judge_alone(const struct judging *judging, size_t i, struct error *e
     return done;
 }
 
+/* For who has waited in vain often enough: a tenth of the time, but a second. */
+static struct run_limits hurried_limits(double seconds) {
+    double tenth = seconds / 10 > 1 ? seconds / 10 : 1;
+    return run_program_limits(tenth < seconds ? tenth : seconds);
+}
+
 static bool judge_pictures(const struct judging *judging, const struct run_result *end,
                            struct error *error) {
     const struct checked_step *step = judging->step;
     struct item_result *items = judging->result->items;
-    int stopped = end->end == RUN_OUT_OF_TIME; /* so many times; nobody waits for each scene */
+    struct judging alone = *judging;
+    int stopped = end->end == RUN_OUT_OF_TIME; /* so many times; nobody waits long for each scene */
     bool done = true;
     for (size_t i = 0; i < step->scene_count && done; i++) {
         if (judging->references[i].pixels == NULL) {
@@ -360,8 +367,11 @@ static bool judge_pictures(const struct judging *judging, const struct run_resul
             result_say(&items[i].message, "no reference: %s",
                        drawn_message(judging->errors[i].message).text);
         } else if (judge_scene(judging, i) == DRAWN_MISSING && !ended_well(end)) {
-            if (step->scene_count > 1 && stopped < TIMEOUT_LIMIT) {
-                done = judge_alone(judging, i, error);
+            if (step->scene_count > 1) {
+                if (stopped >= TIMEOUT_LIMIT) {
+                    alone.limits = hurried_limits(judging->limits.seconds);
+                }
+                done = judge_alone(&alone, i, error);
                 stopped += items[i].state == RESULT_TIME;
             } else {
                 blame(judging, &items[i], end);

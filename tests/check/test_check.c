@@ -353,6 +353,10 @@ static void test_verdicts(void) {
         {"step38_files",
          "FAIL 0/1 SCORE 0/1; depth FAIL 0/1: stopped at more than 256 MB of files, 4096 of them, "
          "or 64 levels deep"},
+        {"step48_endless",
+         "TIME 1/5 SCORE 2/6; depth TIME 0/1: stopped after 1 s; depth2 TIME 0/1: stopped after 1 "
+         "s; depth3 TIME 0/1: stopped after 1 s; depth4 TIME 0/1: stopped after 1 s; depth5 PASS "
+         "2/2; tasks: 48.1 TIME 0/4, 48.2 2/2"},
         {"step47_deep",
          "FAIL 0/1 SCORE 0/1; depth FAIL 0/1: stopped at more than 256 MB of files, 4096 of them, "
          "or 64 levels deep"},
@@ -434,7 +438,7 @@ static void test_crowd(void) {
 }
 
 static void test_summary_and_status(void) {
-    CHECK(contains(&fixture.output, "\n5 passed, 42 failed\n"));
+    CHECK(contains(&fixture.output, "\n5 passed, 43 failed\n"));
     CHECK(fixture.status == 2); /* a reference is missing */
     size_t lines = 0;
     const char *text = (const char *)fixture.output.data;
@@ -442,10 +446,10 @@ static void test_summary_and_status(void) {
         lines += text[0] != ' ';
         text += strcspn(text, "\n") + 1;
     }
-    CHECK(lines == 47);
+    CHECK(lines == 48);
     char score[24];
     snprintf(score, sizeof score, "%.*s", (int)strcspn(text, "\n"), text);
-    CHECK_TEXT(score, "SCORE 27/103");
+    CHECK_TEXT(score, "SCORE 29/109");
 }
 
 /* Each failed scene has its picture, with the reference on its left, and yours in the middle. */

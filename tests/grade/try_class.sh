@@ -13,8 +13,6 @@ count=${2:-60}
 last=${3:-3}
 mkdir "$work" && work=$(cd "$work" && pwd) || exit 1
 failed=0
-# Some never end. The others take a tenth of a second.
-export CHECK_TIMEOUT=5
 
 wrong() {
     echo "class: $*"

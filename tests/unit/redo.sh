@@ -203,4 +203,13 @@ make -s CFLAGS=-O1 MARCH= LINE=mine build/$two >log 2>&1 || { tail -n 20 log; ex
 after $one/main.c 'const int used_by_mine = 1;'
 touch -t 199901010000 $one/main.c
 redone "sums/$one mine/$one.d mine/$one.o $(program $two)" LINE=mine build/$two
+
+# What was built from a main.c that is gone does not count.
+mv $one/main.c gone.c
+if make CFLAGS=-O1 MARCH= check STEP=01 >log 2>&1 ||
+    ! grep -q "^$one  BUILD 0/.*: there is no $one/main.c\$" log; then
+    echo "redo: without $one/main.c the check says"
+    cat log
+    failed=1
+fi
 exit $failed
