@@ -53,11 +53,14 @@ For the course as a whole:
 
 CC=clang, CFLAGS=-O0, MARCH=, WERROR=-Werror, BUILD=some/directory, LANES=1 (one pixel at a time, for
 a debugger), REAL=double (twice the precision) and LINE=mine (lessons 2 to 8 draw with what you wrote
-in lessons 1 and 3) may be added to any of these.
+in lessons 1 and 3; not with check) may be added to any of these.
 endef
 
 BUILD  = build
 CFLAGS = -O3
+ifneq ($(words $(BUILD)),1)
+$(error BUILD=$(BUILD) is not one word of make: choose a name without blanks)
+endif
 # None of make's own rules: they are of no use here, and to look for them takes half of its time.
 MAKEFLAGS += -r
 # A lesson is a directory with a main.c.
@@ -84,6 +87,9 @@ $(BUILD)/drawn/%: $(BUILD)/%
 # LINE=mine: lessons 2 and 3 draw with the line() of lesson 1's main.c, lessons 4 to 8 with the
 # triangles of lesson 3's, whoever wrote them. (The house versions get their names.)
 ifeq ($(LINE),mine)
+ifneq ($(filter check,$(MAKECMDGOALS)),)
+$(error make check judges each lesson by itself: leave LINE=mine out)
+endif
 ifeq ($(wildcard step01_line/mine.c)$(wildcard step03_triangle/mine.c),)
 $(error LINE=mine draws with what you wrote in lessons 1 and 3, which are not here)
 endif

@@ -106,6 +106,11 @@ static struct message_line make_failure(const struct run_result *result, double 
         snprintf(reason.text, sizeof reason.text, "stopped after %g s", seconds);
         return reason;
     }
+    if (strstr((const char *)result->messages.data, "undefined reference to `main'") != NULL) {
+        snprintf(reason.text, sizeof reason.text,
+                 "there is no main(): it is in scenes.h, which main.c includes at its end");
+        return reason;
+    }
     reason = first_error((const char *)result->messages.data);
     if (reason.text[0] == '\0') {
         snprintf(reason.text, sizeof reason.text, "make failed and does not say why");

@@ -34,11 +34,22 @@ static enum input_kind kind_for(const char *step, const char *scene) {
     return lines ? INPUT_LINES : INPUT_TRIANGLES;
 }
 
+/* How the program ended, when not well: "SIGSEGV". */
+static struct run_text describe_end(const struct run_result *end, const struct run_limits *limits) {
+    struct run_text text = run_stopped_by(end, limits);
+    if (text.text[0] == '\0' && end->end == RUN_KILLED) {
+        snprintf(text.text, sizeof text.text, "%s", run_signal_name(end->number).text);
+    } else if (text.text[0] == '\0' && end->number != 0) {
+        snprintf(text.text, sizeof text.text, "exit status %d", end->number);
+    }
+    return text;
+}
+
 /* Draw one of the two pictures. False when the check cannot; where the program did not draw it,
- * the image is empty. */
+ * the image is empty, and `ended` says how, when not well. */
 static bool draw(struct image *image, const char *programs, const char *step, const char *scene,
                  enum input_kind kind, const struct variant *variant, const char *size,
-                 const struct run_limits *limits, struct error *error) {
+                 const struct run_limits *limits, struct run_text *ended, struct error *error) {
     const bool text = unseen_takes_text(step);
     const char *const options[] = {"-s", size, "--only", scene, NULL};
     const char *const nothing[] = {NULL};
@@ -52,7 +63,10 @@ static bool draw(struct image *image, const char *programs, const char *step, co
     }
     bool done = unseen_draw(&place, program, text ? nothing : options, kind, SEED, variant, limits,
                             &end, error);
-    if (done && end.end == RUN_EXITED && end.number == 0) {
+    struct run_text description = done ? describe_end(&end, limits) : (struct run_text){""};
+    if (done && description.text[0] != '\0') {
+        *ended = description;
+    } else if (done) {
         drawn_read(image, place.pictures, text ? "scene" : scene, NULL, &reason);
     }
     bytes_free(&end.messages);
@@ -112,13 +126,16 @@ bool relation_try(const char *programs, const char *step, const char *scene, enu
     enum input_kind kind = kind_for(step, scene);
     const size_t size = INPUT_SIZE, second_size = relation == RELATION_HALVED ? 2 * size : size;
     struct image first = {.pixels = NULL}, second = {.pixels = NULL};
+    struct run_text ended = {""};
     *result = (struct relation_result){.drawn = false};
     bool done = draw(&first, programs, step, scene, kind, &(struct variant){.turned = 0}, "256x256",
-                     limits, error) &&
+                     limits, &ended, error) &&
                 draw(&second, programs, step, scene, kind, &table[relation].variant,
-                     table[relation].size, limits, error);
-    if (done && (first.width != size || first.height != size || second.width != second_size ||
-                 second.height != second_size)) {
+                     table[relation].size, limits, &ended, error);
+    if (done && ended.text[0] != '\0') {
+        snprintf(result->text, sizeof result->text, "a new scene is not drawn: %s", ended.text);
+    } else if (done && (first.width != size || first.height != size ||
+                        second.width != second_size || second.height != second_size)) {
         snprintf(result->text, sizeof result->text, "a new scene is not drawn, or in another size");
     } else if (done) {
         done = compare(result, relation, &first, &second, error);

@@ -353,6 +353,8 @@ static void test_verdicts(void) {
         {"step38_files",
          "FAIL 0/1 SCORE 0/1; depth FAIL 0/1: stopped at more than 256 MB of files, 4096 of them, "
          "or 64 levels deep"},
+        {"step49_empty", "BUILD 0/1 SCORE 0/1: there is no main(): it is in scenes.h, which main.c "
+                         "includes at its end"},
         {"step48_endless",
          "TIME 1/5 SCORE 2/6; depth TIME 0/1: stopped after 1 s; depth2 TIME 0/1: stopped after 1 "
          "s; depth3 TIME 0/1: stopped after 1 s; depth4 TIME 0/1: stopped after 1 s; depth5 PASS "
@@ -374,6 +376,8 @@ static void test_verdicts(void) {
          "levels on average (limit 1.25), first at (88,21): yours 117,109,117, right 120,112,120"},
         {"step44_moved", "FAIL 1/2 SCORE 1/2; depth PASS 1/1; depth drawn again (turned) FAIL 0/1: "
                          "a new scene is not drawn, or in another size"},
+        {"step50_new", "FAIL 1/2 SCORE 1/2; depth PASS 1/1; depth drawn again (turned) FAIL 0/1: "
+                       "a new scene is not drawn: SIGABRT"},
     };
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         CHECK_TEXT(line_of(&fixture.output, cases[i].step).text, cases[i].line);
@@ -438,7 +442,7 @@ static void test_crowd(void) {
 }
 
 static void test_summary_and_status(void) {
-    CHECK(contains(&fixture.output, "\n5 passed, 43 failed\n"));
+    CHECK(contains(&fixture.output, "\n5 passed, 45 failed\n"));
     CHECK(fixture.status == 2); /* a reference is missing */
     size_t lines = 0;
     const char *text = (const char *)fixture.output.data;
@@ -446,10 +450,10 @@ static void test_summary_and_status(void) {
         lines += text[0] != ' ';
         text += strcspn(text, "\n") + 1;
     }
-    CHECK(lines == 48);
+    CHECK(lines == 50);
     char score[24];
     snprintf(score, sizeof score, "%.*s", (int)strcspn(text, "\n"), text);
-    CHECK_TEXT(score, "SCORE 29/109");
+    CHECK_TEXT(score, "SCORE 30/112");
 }
 
 /* Each failed scene has its picture, with the reference on its left, and yours in the middle. */
