@@ -59,11 +59,6 @@ static inline struct vec3 vec3_sub(struct vec3 a, struct vec3 b) {
     return (struct vec3){a.x - b.x, a.y - b.y, a.z - b.z};
 }
 
-/* All points between two corners. */
-struct box3 {
-    struct vec3 least, greatest;
-};
-
 static inline struct vec3 vec3_scale(struct vec3 a, double factor) {
     return (struct vec3){a.x * factor, a.y * factor, a.z * factor};
 }
@@ -107,6 +102,11 @@ static inline struct vec3 vec3_half_difference(struct vec3 a, struct vec3 b) {
 /* The world axis most nearly perpendicular to a direction: the one along which it is shortest. Of
  * equal ones y comes before x, and x before z. */
 struct vec3 vec3_perpendicular_axis(struct vec3 direction);
+
+/* All points between two corners. */
+struct box3 {
+    struct vec3 least, greatest;
+};
 
 /* A value inside a triangle from those at its corners. */
 static inline double interpolate(struct vec3 weight, double a, double b, double c) {

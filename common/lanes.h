@@ -183,7 +183,7 @@ LANES_INLINE lanes lanes_from(int first) {
 
 /* lanes_max(), lanes_min(), lanes_join(), lanes_bits(), lanes_fetch(), lanes_fetch_pairs(),
  * lanes_keep_index(), lanes_fetch_kept_pairs() */
-#include "lanes_native.h"
+#include "pipeline/lanes_native.h"
 
 /* Each lane of the mask counted. */
 LANES_INLINE uint64_t lanes_sum(lanes_int counts) {

@@ -11,7 +11,6 @@
 #ifndef COMMON_MODEL_H
 #define COMMON_MODEL_H
 
-#include "file.h"
 #include "geometry.h"
 #include "texture.h"
 

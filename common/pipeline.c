@@ -1,8 +1,8 @@
 /* The pipeline: recording draw calls, and what a frame takes besides the pixels. See pipeline.h. */
 #include "pipeline.h"
 
-#include "array.h"
-#include "pipeline_parts.h"
+#include "base/array.h"
+#include "pipeline/parts.h"
 
 #include <assert.h>
 #include <stdlib.h>
@@ -173,18 +173,6 @@ struct draw_call camera_call(const struct model *model, struct vec3 eye, struct 
         .viewport = viewport,
         .cull = cull,
     };
-}
-
-size_t wrapped_level(const struct texture *texture, double pixels) {
-    size_t level = 0;
-    if (texture != NULL) {
-        double texels = (double)texture->level[0].width / 2;
-        while (texels > 1.5 * pixels && level + 1 < texture->level_count) {
-            texels /= 2;
-            level++;
-        }
-    }
-    return level;
 }
 
 void pipeline_clear(struct pipeline *pipeline) {

@@ -41,13 +41,13 @@
 #ifndef COMMON_PIPELINE_H
 #define COMMON_PIPELINE_H
 
+#include "base/workers.h"
 #include "geometry.h"
 #include "lanes.h"
 #include "model.h"
+#include "pipeline/texture_lanes.h"
 #include "raster.h"
-#include "texture_lanes.h"
 #include "tgaimage.h"
-#include "workers.h"
 
 #include <stdatomic.h>
 #include <stdbool.h>
@@ -71,10 +71,6 @@ struct draw_call {
 struct draw_call camera_call(const struct model *model, struct vec3 eye, struct vec3 center,
                              struct vec3 up, double zoom, struct rectangle viewport,
                              enum cull cull);
-
-/* The mip level of a texture that is wrapped once around the model at which a texel is about as
- * large as a pixel: half of the texture's width is seen over `pixels` pixels. NULL has level 0. */
-size_t wrapped_level(const struct texture *texture, double pixels);
 
 /* ---- Shaders: what differs between one look and another ---- */
 
@@ -244,6 +240,6 @@ bool pipeline_draw(struct pipeline *pipeline, const struct draw_call *call,
  * covers is as `clearing` says. False when memory runs out, with the image as it was. */
 bool pipeline_finish(struct pipeline *pipeline, struct image *image, struct error *error);
 
-#include "pipeline_kernels.h" /* private: what SHADER() compiles into its loop */
+#include "pipeline/kernels.h" /* private: what SHADER() compiles into its loop */
 
 #endif

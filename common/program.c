@@ -2,11 +2,12 @@
 #define _POSIX_C_SOURCE 200809L /* clock_gettime */
 #include "program.h"
 
-#include "fit.h"
-#include "image_file.h"
-#include "large_pages.h"
-#include "options.h"
-#include "stage.h"
+#include "base/file.h"
+#include "base/large_pages.h"
+#include "files/fit.h"
+#include "files/image_file.h"
+#include "run/options.h"
+#include "run/stage.h"
 
 #include <errno.h>
 #include <limits.h>

@@ -26,7 +26,7 @@
 #ifndef COMMON_PROGRAM_H
 #define COMMON_PROGRAM_H
 
-#include "scene.h"
+#include "run/scene.h"
 
 /* Run the program: read the options, draw the scenes, save the images. Returns the exit status:
  * 0 done, 1 an input or an output failed, 2 wrong usage. */

@@ -1,7 +1,7 @@
 /* Textures and their mip levels; see texture.h. */
 #include "texture.h"
 
-#include "large_pages.h"
+#include "base/large_pages.h"
 
 #include <assert.h>
 #include <stdlib.h>
@@ -192,4 +192,16 @@ bool texture_create(struct texture *texture, const struct image *image, struct e
 void texture_free(struct texture *texture) {
     free(texture->texels);
     *texture = (struct texture){0};
+}
+
+size_t texture_wrapped_level(const struct texture *texture, double pixels) {
+    size_t level = 0;
+    if (texture != NULL) {
+        double texels = (double)texture->level[0].width / 2;
+        while (texels > 1.5 * pixels && level + 1 < texture->level_count) {
+            texels /= 2;
+            level++;
+        }
+    }
+    return level;
 }

@@ -10,7 +10,7 @@
 #ifndef COMMON_TEXTURE_H
 #define COMMON_TEXTURE_H
 
-#include "file.h"
+#include "base/error.h"
 #include "geometry.h"
 #include "tgaimage.h"
 
@@ -89,6 +89,10 @@ static inline struct vec4 texture_mix(struct vec4 from, struct vec4 to, double f
     return (struct vec4){from.x + (to.x - from.x) * fraction, from.y + (to.y - from.y) * fraction,
                          from.z + (to.z - from.z) * fraction, from.w + (to.w - from.w) * fraction};
 }
+
+/* The mip level of a texture that is wrapped once around the model at which a texel is about as
+ * large as a pixel: half of the texture's width is seen over `pixels` pixels. NULL has level 0. */
+size_t texture_wrapped_level(const struct texture *texture, double pixels);
 
 /* ---- The bilinear sample (taught in step06_texture) ---- */
 

@@ -5,8 +5,9 @@
  */
 #include "tgaimage.h"
 
-#include "array.h"
-#include "large_pages.h"
+#include "base/array.h"
+#include "base/file.h"
+#include "base/large_pages.h"
 
 #include <assert.h>
 #include <stdio.h>

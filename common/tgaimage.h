@@ -8,7 +8,8 @@
 #ifndef COMMON_TGAIMAGE_H
 #define COMMON_TGAIMAGE_H
 
-#include "file.h"
+#include "base/bytes.h"
+#include "base/error.h"
 
 #include <stdbool.h>
 #include <stddef.h>

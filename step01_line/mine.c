@@ -4,7 +4,7 @@ int step01_main(int argc, char **argv);
 #include "main.c"
 #undef main
 
-#include "mine.h"
+#include "run/mine.h"
 
 uint64_t my_line(struct image *image, struct pixel a, struct pixel b, struct color color) {
     line(image, a, b, color);

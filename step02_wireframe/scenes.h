@@ -7,7 +7,7 @@
  * `walked` how many pixels line() walked over for each of these and two long ones.
  */
 #ifdef LINE_IS_MINE /* make LINE=mine: the line() of lesson 1 draws */
-#include "mine.h"
+#include "run/mine.h"
 #define line my_line
 #endif
 

@@ -4,7 +4,7 @@ int step03_main(int argc, char **argv);
 #include "main.c"
 #undef main
 
-#include "mine.h"
+#include "run/mine.h"
 
 bool my_triangle_setup(struct edges *edges, struct fixed2 a, struct fixed2 b, struct fixed2 c,
                        size_t width, size_t height) {

@@ -9,7 +9,7 @@
  * colours of the corners. A text scene draws the triangles that it lists.
  */
 #ifdef LINE_IS_MINE /* make LINE=mine: the line() of lesson 1 draws */
-#include "mine.h"
+#include "run/mine.h"
 #define draw_line my_line
 #endif
 #include <stdlib.h>

@@ -1,11 +1,11 @@
 /* The pictures of step 5's README that are not references, and the numbers of its tables. */
-#include "../tests/figures.h"
+#include "../tests/lessons/figures.h"
 #define main step_main
 #include "main.c"
 #undef main
 
 #include "attempts.h"
-#include "model_file.h"
+#include "files/model_file.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -5,7 +5,6 @@
  * all faces around a corner share, and interpolated in between, the same mesh looks round (Gouraud,
  * "Continuous shading of curved surfaces", 1971).
  */
-#include "normals.h"
 #include "program.h"
 
 #include <math.h>

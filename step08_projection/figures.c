@@ -1,11 +1,12 @@
 /* The pictures of step 8's README that are not references, and the errors of the attempts. */
-#include "../tests/figures.h"
+#include "../tests/lessons/figures.h"
 #define main step_main
 #include "main.c"
 #undef main
 
 #include "attempts.h"
-#include "model_file.h"
+#include "files/model_file.h"
+#include "files/normals.h"
 
 #include <stdio.h>
 #include <string.h>

@@ -10,7 +10,6 @@
  *
  * What lies behind the camera has no place on the screen: it is cut off before the division.
  */
-#include "normals.h"
 #include "program.h"
 #include "texture.h"
 

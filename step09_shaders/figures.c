@@ -1,11 +1,11 @@
 /* The pictures of step 9's README that are not references. */
-#include "../tests/figures.h"
+#include "../tests/lessons/figures.h"
 #define main step_main
 #include "main.c"
 #undef main
 
 #include "attempts.h"
-#include "model_file.h"
+#include "files/model_file.h"
 
 #include <stdlib.h>
 

@@ -14,8 +14,8 @@ static struct uniforms make_uniforms(const struct drawing *drawing, double pixel
         .model = drawing->model,
         .diffuse = drawing->diffuse,
         .normal_map = drawing->normal_map,
-        .diffuse_level = wrapped_level(drawing->diffuse, pixels),
-        .normal_level = wrapped_level(drawing->normal_map, pixels),
+        .diffuse_level = texture_wrapped_level(drawing->diffuse, pixels),
+        .normal_level = texture_wrapped_level(drawing->normal_map, pixels),
         .to_light = vec3_normalized(drawing->light),
     };
 }

@@ -1,14 +1,14 @@
 /* The pictures of step 10's README that are not references, one of them moving. */
 #define _POSIX_C_SOURCE 200809L /* clock_gettime */
-#include "../tests/figures.h"
+#include "../tests/lessons/figures.h"
 #define main step_main
 #include "main.c"
 #undef main
 
 #include "attempts.h"
-#include "model_file.h"
-#include "normals.h"
-#include "png.h"
+#include "files/model_file.h"
+#include "files/normals.h"
+#include "files/png.h"
 
 #include <stdlib.h>
 

@@ -1,5 +1,5 @@
 /* The figures and tables of BEYOND.md; a part of figures.c. */
-#include "../tests/timing.h"
+#include "../tests/bench/timing.h"
 
 #include <stdio.h>
 

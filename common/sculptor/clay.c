@@ -1,5 +1,5 @@
 /* Noise and curves for the sculptor: see clay.h. */
-#include "clay.h"
+#include "sculptor/clay.h"
 
 static uint32_t scramble(uint32_t x) {
     x ^= x >> 16;

@@ -12,7 +12,7 @@
 #ifndef MODELS_CLAY_H
 #define MODELS_CLAY_H
 
-#include "../geometry.h"
+#include "geometry.h"
 
 #include <math.h>
 #include <stdint.h>

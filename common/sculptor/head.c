@@ -11,7 +11,7 @@
  * five eyes wide, with one eye's width between the eyes; the ears reach from brow to the nose's
  * base.
  */
-#include "head.h"
+#include "sculptor/head.h"
 
 /* ---- Lines that both the shape and the colours follow ---- */
 

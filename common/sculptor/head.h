@@ -6,7 +6,7 @@
 #ifndef MODELS_HEAD_H
 #define MODELS_HEAD_H
 
-#include "clay.h"
+#include "sculptor/clay.h"
 
 /* Where the bust is cut off. */
 #define BASE_Y (-0.95)

@@ -1,5 +1,8 @@
 /* Meshes put together and written: see mesh.h. */
-#include "mesh.h"
+#include "sculptor/mesh.h"
+
+#include "base/bytes.h"
+#include "base/file.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -2,10 +2,10 @@
 #ifndef MODELS_MESH_H
 #define MODELS_MESH_H
 
-#include "../file.h"
-#include "clay.h"
-#include "simplify.h"
-#include "surface.h"
+#include "base/error.h"
+#include "sculptor/clay.h"
+#include "sculptor/simplify.h"
+#include "sculptor/surface.h"
 
 #include <stdbool.h>
 #include <stddef.h>

@@ -12,11 +12,11 @@
  *   solids.c    the plain solids
  *   clay.h      round solids, bumps and noise for all of these
  */
-#include "mesh.h"
-#include "simplify.h"
-#include "skin.h"
-#include "solids.h"
-#include "surface.h"
+#include "sculptor/mesh.h"
+#include "sculptor/simplify.h"
+#include "sculptor/skin.h"
+#include "sculptor/solids.h"
+#include "sculptor/surface.h"
 
 #include <stdio.h>
 #include <stdlib.h>

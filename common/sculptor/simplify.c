@@ -11,7 +11,7 @@
  * A vertex only ever moves onto another grid point, so every corner keeps its exact texture
  * coordinate. Ties are broken by vertex numbers: the result never hangs on chance.
  */
-#include "simplify.h"
+#include "sculptor/simplify.h"
 
 #include <assert.h>
 #include <stdlib.h>

@@ -6,7 +6,7 @@
 #ifndef MODELS_SIMPLIFY_H
 #define MODELS_SIMPLIFY_H
 
-#include "surface.h"
+#include "sculptor/surface.h"
 
 #include <stddef.h>
 

@@ -6,9 +6,9 @@
  * units of the model (pores, creases, hair); the slope of the relief bends the surface's normal
  * (James Blinn, "Simulation of wrinkled surfaces", SIGGRAPH 1978). Then colour and shine.
  */
-#include "skin.h"
+#include "sculptor/skin.h"
 
-#include "head.h"
+#include "sculptor/head.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -2,9 +2,9 @@
 #ifndef MODELS_SKIN_H
 #define MODELS_SKIN_H
 
-#include "../file.h"
-#include "../tgaimage.h"
-#include "surface.h"
+#include "base/error.h"
+#include "sculptor/surface.h"
+#include "tgaimage.h"
 
 #include <stdbool.h>
 

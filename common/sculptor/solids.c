@@ -1,5 +1,5 @@
 /* Sphere, torus and knot: see solids.h. */
-#include "solids.h"
+#include "sculptor/solids.h"
 
 /* A quadrilateral as two triangles. */
 static void add_quad(struct mesh *mesh, struct mesh_corner a, struct mesh_corner b,

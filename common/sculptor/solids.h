@@ -2,7 +2,7 @@
 #ifndef MODELS_SOLIDS_H
 #define MODELS_SOLIDS_H
 
-#include "mesh.h"
+#include "sculptor/mesh.h"
 
 /* A sphere of radius 0.9: `rings` bands of `segments` each, triangles at the poles. */
 bool solid_sphere(struct mesh *mesh, int segments, int rings);

@@ -7,9 +7,9 @@
  * seen from inside as squarely as possible and the rays never cross. The number of the ray is the
  * texture coordinate. Rays stand closest where the face is.
  */
-#include "surface.h"
+#include "sculptor/surface.h"
 
-#include "head.h"
+#include "sculptor/head.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -2,7 +2,7 @@
 #ifndef MODELS_SURFACE_H
 #define MODELS_SURFACE_H
 
-#include "clay.h"
+#include "sculptor/clay.h"
 
 #include <stdbool.h>
 

@@ -10,9 +10,10 @@
  */
 #include "bench.h"
 
+#include "base/file.h"
 #include "chart.h"
+#include "files/model_file.h"
 #include "measure.h"
-#include "model_file.h"
 #include "report.h"
 
 #include <errno.h>

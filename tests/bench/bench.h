@@ -23,7 +23,7 @@
 #ifndef TESTS_BENCH_H
 #define TESTS_BENCH_H
 
-#include "file.h"
+#include "base/error.h"
 #include "model.h"
 
 #include <float.h>

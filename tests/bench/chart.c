@@ -1,7 +1,7 @@
 /* SVG charts: see chart.h. Coordinates here are SVG's: y goes down. */
 #include "chart.h"
 
-#include "../help/escape.h"
+#include "check/page/escape.h"
 #include "report.h"
 
 #include <assert.h>

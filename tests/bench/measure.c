@@ -2,7 +2,7 @@
 #define _POSIX_C_SOURCE 200809L
 #include "measure.h"
 
-#include "../timing.h"
+#include "timing.h"
 
 #include <assert.h>
 #include <math.h>

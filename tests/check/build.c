@@ -2,6 +2,7 @@
 
 #include "build.h"
 
+#include "base/file.h"
 #include "run.h"
 
 #include <ctype.h>

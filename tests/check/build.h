@@ -5,8 +5,9 @@
 #ifndef TESTS_CHECK_BUILD_H
 #define TESTS_CHECK_BUILD_H
 
+#include "base/bytes.h"
+#include "base/error.h"
 #include "drawn.h"
-#include "file.h"
 #include "options.h"
 
 #include <stdbool.h>

@@ -20,6 +20,7 @@
  */
 #define _POSIX_C_SOURCE 200809L
 
+#include "base/file.h"
 #include "build.h"
 #include "drawn.h"
 #include "export.h"

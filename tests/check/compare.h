@@ -27,7 +27,7 @@
 #ifndef TESTS_CHECK_COMPARE_H
 #define TESTS_CHECK_COMPARE_H
 
-#include "file.h"
+#include "base/error.h"
 #include "tgaimage.h"
 
 #include <stdbool.h>

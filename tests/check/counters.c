@@ -1,7 +1,9 @@
 #include "counters.h"
 
-#include "array.h"
-#include "file.h"
+#include "base/array.h"
+#include "base/bytes.h"
+#include "base/error.h"
+#include "base/file.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,6 +1,7 @@
 #define _POSIX_C_SOURCE 200809L
 
 #include "drawn.h"
+#include "base/file.h"
 
 #include <ctype.h>
 #include <errno.h>

@@ -6,7 +6,7 @@
 #ifndef TESTS_CHECK_DRAWN_H
 #define TESTS_CHECK_DRAWN_H
 
-#include "file.h"
+#include "base/error.h"
 #include "run.h"
 #include "tgaimage.h"
 

@@ -1,7 +1,7 @@
 /* A check's result in the formats that other programs read: see export.h. */
 #include "export.h"
 
-#include "../help/escape.h"
+#include "check/page/escape.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,6 +1,6 @@
 /* A check's result as a page for people: see export.h. */
-#include "../help/page.h"
-#include "../help/pictures.h"
+#include "check/page/page.h"
+#include "check/page/pictures.h"
 #include "export.h"
 #include "looks.h"
 

@@ -8,8 +8,8 @@
  *
  * Exit status: 0 done, 1 something cannot be read, shown or written, 2 wrong usage.
  */
-#include "image_file.h"
-#include "png.h"
+#include "files/image_file.h"
+#include "files/png.h"
 #include "wrong_figure.h"
 
 #include <stdio.h>

@@ -1,6 +1,7 @@
 /* Lines, triangles and models from a seed: see inputs.h. */
 #include "inputs.h"
 
+#include "base/file.h"
 #include "geometry.h"
 #include "tgaimage.h"
 

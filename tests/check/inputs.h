@@ -8,7 +8,7 @@
 #ifndef TESTS_CHECK_INPUTS_H
 #define TESTS_CHECK_INPUTS_H
 
-#include "file.h"
+#include "base/error.h"
 
 #include <stdbool.h>
 #include <stddef.h>

@@ -2,7 +2,7 @@
 #ifndef TESTS_CHECK_LEGEND_H
 #define TESTS_CHECK_LEGEND_H
 
-#include "file.h"
+#include "base/error.h"
 #include "tgaimage.h"
 
 #include <stdbool.h>

@@ -1,8 +1,8 @@
 #include "looks.h"
 
-#include "array.h"
-#include "image_file.h"
-#include "text.h"
+#include "base/array.h"
+#include "base/text.h"
+#include "files/image_file.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -37,8 +37,8 @@
 #ifndef TESTS_CHECK_LOOKS_H
 #define TESTS_CHECK_LOOKS_H
 
+#include "base/error.h"
 #include "compare.h"
-#include "file.h"
 #include "result.h"
 #include "tgaimage.h"
 

@@ -14,12 +14,13 @@
  */
 #define _POSIX_C_SOURCE 200809L
 
-#include "array.h"
+#include "base/array.h"
+#include "base/file.h"
 #include "compare.h"
 #include "drawn.h"
-#include "image_file.h"
+#include "files/image_file.h"
+#include "files/png.h"
 #include "looks.h"
-#include "png.h"
 
 #include <stdio.h>
 #include <stdlib.h>

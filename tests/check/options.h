@@ -5,7 +5,7 @@
 #ifndef TESTS_CHECK_OPTIONS_H
 #define TESTS_CHECK_OPTIONS_H
 
-#include "file.h"
+#include "base/error.h"
 
 #include <stdbool.h>
 

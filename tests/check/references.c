@@ -13,10 +13,11 @@
  */
 #define _POSIX_C_SOURCE 200809L
 
+#include "base/file.h"
 #include "compare.h"
 #include "drawn.h"
-#include "image_file.h"
-#include "png.h"
+#include "files/image_file.h"
+#include "files/png.h"
 #include "run.h"
 #include "scenes.h"
 

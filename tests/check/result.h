@@ -8,9 +8,10 @@
 #ifndef TESTS_CHECK_RESULT_H
 #define TESTS_CHECK_RESULT_H
 
+#include "base/bytes.h"
+#include "base/error.h"
 #include "compare.h"
 #include "drawn.h"
-#include "file.h"
 #include "scenes.h"
 #include "tgaimage.h"
 

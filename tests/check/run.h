@@ -12,7 +12,7 @@
  *
  * The network and the files of others are not limited here: for programs of strangers CHECK_RUNNER
  * in the environment names a command, which is called as `RUNNER PROGRAM ARGUMENT...` in the
- * program's place, and shuts it in (tests/grade/contain.sh does). It must end as a shell would:
+ * program's place, and shuts it in (tests/teacher/grade/contain.sh does). It must end as a shell would:
  * with the program's status, or 128 and the number of the signal that ended it.
  *
  * While a contained program runs, the caller must have no other child process.
@@ -20,7 +20,8 @@
 #ifndef TESTS_CHECK_RUN_H
 #define TESTS_CHECK_RUN_H
 
-#include "file.h"
+#include "base/bytes.h"
+#include "base/error.h"
 
 #include <stdbool.h>
 #include <stddef.h>

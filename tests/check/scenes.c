@@ -1,7 +1,7 @@
 #include "scenes.h"
 
-#include "array.h"
-#include "text.h"
+#include "base/array.h"
+#include "base/text.h"
 
 #include <ctype.h>
 #include <stdlib.h>

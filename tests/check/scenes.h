@@ -18,7 +18,7 @@
 #ifndef TESTS_CHECK_SCENES_H
 #define TESTS_CHECK_SCENES_H
 
-#include "file.h"
+#include "base/error.h"
 #include "relation.h"
 
 #include <stdbool.h>

@@ -8,14 +8,16 @@
  */
 #define _XOPEN_SOURCE 700 /* POSIX.1-2008 with terminals */
 
-#include "wrong/picture.h"
+#include "check/wrong/picture.h"
 
+#include "base/bytes.h"
+#include "base/error.h"
+#include "base/file.h"
 #include "compare.h"
 #include "fault.h"
-#include "file.h"
-#include "image_file.h"
-#include "png.h"
-#include "unit.h"
+#include "files/image_file.h"
+#include "files/png.h"
+#include "unit/unit.h"
 
 #include <dirent.h>
 #include <errno.h>

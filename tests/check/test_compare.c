@@ -2,7 +2,7 @@
 #include "compare.h"
 
 #include "legend.h"
-#include "unit.h"
+#include "unit/unit.h"
 
 #include <math.h>
 #include <stdlib.h>

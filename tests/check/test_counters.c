@@ -4,8 +4,9 @@
  */
 #define _POSIX_C_SOURCE 200809L
 
+#include "base/file.h"
 #include "counters.h"
-#include "unit.h"
+#include "unit/unit.h"
 
 #include <stdio.h>
 #include <stdlib.h>

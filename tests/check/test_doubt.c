@@ -1,6 +1,6 @@
 /* Tests of what speaks against a mistake that a picture looks like. */
 #include "doubt.h"
-#include "unit.h"
+#include "unit/unit.h"
 
 #include <string.h>
 

@@ -3,7 +3,7 @@
  * message, diagnosis and what a compiler said come from a submission.
  */
 #include "export.h"
-#include "unit.h"
+#include "unit/unit.h"
 
 #include <stdlib.h>
 #include <string.h>

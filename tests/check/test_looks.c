@@ -4,10 +4,11 @@
  */
 #define _POSIX_C_SOURCE 200809L
 
-#include "image_file.h"
+#include "base/file.h"
+#include "files/image_file.h"
+#include "files/png.h"
 #include "looks.h"
-#include "png.h"
-#include "unit.h"
+#include "unit/unit.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,6 +1,6 @@
 /* Tests of which tasks are to blame for what is wrong: the contract of struct task_result. */
 #include "result.h"
-#include "unit.h"
+#include "unit/unit.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -1,5 +1,5 @@
 /* Tests of the small pictures of mistakes: which part they show, how large, and what stays seen. */
-#include "unit.h"
+#include "unit/unit.h"
 #include "wrong_figure.h"
 
 #include <string.h>

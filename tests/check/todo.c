@@ -1,6 +1,7 @@
 #define _POSIX_C_SOURCE 200809L
 
 #include "todo.h"
+#include "base/file.h"
 
 #include <ctype.h>
 #include <string.h>

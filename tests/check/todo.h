@@ -1,13 +1,13 @@
 /*
  * Which tasks of a main.c are as the starter has them: its comment `// to do 5.2` is still there.
  *
- * A main.c with the marks of tests/starter/marks.awk has its starter's lines between them, inside
+ * A main.c with the marks of tests/student/marks.awk has its starter's lines between them, inside
  * of a comment. Those are not looked at.
  */
 #ifndef TESTS_CHECK_TODO_H
 #define TESTS_CHECK_TODO_H
 
-#include "file.h"
+#include "base/bytes.h"
 
 #include <stdbool.h>
 

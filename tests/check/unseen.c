@@ -1,6 +1,7 @@
 /* A program given something new to draw: see unseen.h. */
 #define _POSIX_C_SOURCE 200809L
 #include "unseen.h"
+#include "base/file.h"
 
 #include <errno.h>
 #include <stdio.h>

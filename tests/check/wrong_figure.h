@@ -5,7 +5,7 @@
 #ifndef TESTS_CHECK_WRONG_FIGURE_H
 #define TESTS_CHECK_WRONG_FIGURE_H
 
-#include "file.h"
+#include "base/error.h"
 #include "tgaimage.h"
 
 #include <stdbool.h>

@@ -1,6 +1,6 @@
 /* Vectors, matrices, cameras, lines and triangles against independent answers. */
 #include "geometry.h"
-#include "oracle.h"
+#include "oracle/oracle.h"
 #include "raster.h"
 #include "unit.h"
 

@@ -7,9 +7,10 @@
  */
 #define _XOPEN_SOURCE 700 /* POSIX.1-2008 with mkdtemp() */
 
-#include "image_file.h"
+#include "files/image_file.h"
 #include "tgaimage.h"
 
+#include "base/file.h"
 #include "unit.h"
 
 #include <math.h>

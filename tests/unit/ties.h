@@ -5,7 +5,7 @@
 #ifndef TESTS_TIES_H
 #define TESTS_TIES_H
 
-#include "oracle.h"
+#include "oracle/oracle.h"
 #include "tgaimage.h"
 #include "unit.h"
 

@@ -1,5 +1,5 @@
 /* Each scene has a fault that a sanitizer finds; lines are named in test_check.c. */
-#include "../picture.h"
+#include "check/wrong/picture.h"
 
 static int sum(const int *numbers, int count) {
     int all = 0;

@@ -1,0 +1,32 @@
+/* Growing blocks of bytes, and strings made as printf makes them. */
+#ifndef COMMON_BASE_BYTES_H
+#define COMMON_BASE_BYTES_H
+
+#include "base/error.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+
+/* A growing block of bytes. All zero is a valid, empty block; `data` belongs to the block. */
+struct bytes {
+    unsigned char *data;
+    size_t size;     /* bytes in use */
+    size_t capacity; /* bytes allocated */
+};
+
+/* Add `size` bytes at the end; false when memory runs out (the block is then unchanged). */
+bool bytes_append(struct bytes *bytes, const void *data, size_t size);
+
+/* Append what printf would print; false when memory runs out (the block is then unchanged). */
+bool bytes_print(struct bytes *bytes, const char *format, ...) PRINTF_LIKE(2, 3);
+
+/* Make room for `size` more bytes without changing the contents; false when memory runs out. */
+bool bytes_reserve(struct bytes *bytes, size_t size);
+
+/* Free the block and leave it empty. */
+void bytes_free(struct bytes *bytes);
+
+/* What printf would print, in memory that the caller frees; NULL when memory runs out. */
+char *string_format(const char *format, ...) PRINTF_LIKE(1, 2);
+
+#endif

@@ -1,0 +1,363 @@
+/* Whole files in and out; see file.h. Of POSIX, only what WebAssembly (WASI) has as well, but for
+ * fchmod() and signals: no getpid(), no realpath(), and no access(), which allows everything. */
+#define _POSIX_C_SOURCE 200809L
+
+#include "base/file.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#ifndef __wasi__
+#include <signal.h>
+#endif
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+enum {
+    FILE_SIZE_LIMIT = 1 << 30, /* bytes of the largest file that is read: 1 GiB */
+    TEMPORARY_NAME_TRIES = 1000,
+    LINK_SIZE = 4096, /* bytes of the longest path in a symbolic link */
+    LINK_LIMIT = 40   /* links that lead from one to the next: as many as Linux follows */
+};
+
+static bool is_standard_input(const char *path) {
+    return strcmp(path, "-") == 0;
+}
+
+bool error_name_input(struct error *error, const char *path) {
+    return error_name_file(error, is_standard_input(path) ? "standard input" : path);
+}
+
+/* What the system says, from errno. */
+static bool error_from_system(struct error *error) {
+    return error_set(error, "%s", strerror(errno));
+}
+
+/* ---- Reading ---- */
+
+/* As read(), but tried again when a signal interrupts it. */
+static ssize_t read_some(int file, void *data, size_t size) {
+    ssize_t got;
+    do {
+        got = read(file, data, size);
+    } while (got < 0 && errno == EINTR);
+    return got;
+}
+
+/* Read up to the end of an open file, whose size is not known or may have changed. */
+static bool read_to_end(int file, struct bytes *bytes, struct error *error) {
+    for (;;) {
+        /* The block may be just as large as the file: then a small buffer looks for the end. */
+        unsigned char more[16384];
+        bool full = bytes->size == bytes->capacity;
+        size_t room = full ? sizeof more : bytes->capacity - bytes->size;
+        ssize_t got = read_some(file, full ? more : bytes->data + bytes->size, room);
+        if (got < 0) {
+            return error_from_system(error);
+        }
+        if (got == 0) {
+            return true;
+        }
+        if ((size_t)got > FILE_SIZE_LIMIT - bytes->size) {
+            return error_set(error, "is larger than 1 GiB");
+        }
+        if (!full) {
+            bytes->size += (size_t)got;
+        } else if (!bytes_append(bytes, more, (size_t)got)) {
+            return error_out_of_memory(error);
+        }
+    }
+}
+
+static bool read_open_file(int file, struct bytes *bytes, struct error *error) {
+    struct stat status;
+    if (fstat(file, &status) != 0) {
+        return error_from_system(error);
+    }
+    if (S_ISDIR(status.st_mode)) {
+        return error_set(error, "is a directory");
+    }
+    if (S_ISREG(status.st_mode) && status.st_size > 0) {
+        if (status.st_size > FILE_SIZE_LIMIT) {
+            return error_set(error, "is larger than 1 GiB");
+        }
+        if (!bytes_reserve(bytes, (size_t)status.st_size)) {
+            return error_out_of_memory(error);
+        }
+    }
+    return read_to_end(file, bytes, error);
+}
+
+bool file_read(const char *path, struct bytes *bytes, struct error *error) {
+    *bytes = (struct bytes){0};
+    bool standard_input = is_standard_input(path);
+    int file = standard_input ? STDIN_FILENO : open(path, O_RDONLY | O_CLOEXEC);
+    bool done = file >= 0 ? read_open_file(file, bytes, error) : error_from_system(error);
+    if (file >= 0 && !standard_input) {
+        close(file);
+    }
+    if (!done) {
+        bytes_free(bytes);
+        error_name_input(error, path);
+    }
+    return done;
+}
+
+/* ---- Writing ---- */
+
+/* Write everything; false with the reason in errno. */
+static bool write_all(int file, const void *data, size_t size) {
+    const unsigned char *next = data;
+    while (size > 0) {
+        ssize_t put = write(file, next, size);
+        if (put < 0 && errno == EINTR) {
+            continue;
+        }
+        if (put <= 0) {
+            errno = put == 0 ? ENOSPC : errno;
+            return false;
+        }
+        next += put;
+        size -= (size_t)put;
+    }
+    return true;
+}
+
+/* As write_all(). The signal of a file that grows too large would end the program in the middle. */
+static bool write_all_or_fail(int file, const void *data, size_t size) {
+#ifdef SIGXFSZ
+    struct sigaction ignored = {.sa_handler = SIG_IGN}, before;
+    bool changed = sigaction(SIGXFSZ, &ignored, &before) == 0;
+    bool written = write_all(file, data, size);
+    int reason = errno;
+    if (changed) {
+        sigaction(SIGXFSZ, &before, NULL);
+    }
+    errno = reason;
+    return written;
+#else
+    return write_all(file, data, size);
+#endif
+}
+
+/* Write and close; false with the reason in errno. Some file systems tell of a full disk only when
+ * the file is closed. */
+static bool write_and_close(int file, const void *data, size_t size) {
+    bool written = write_all_or_fail(file, data, size);
+    int reason = errno;
+    bool closed = close(file) == 0;
+    if (!written) {
+        errno = reason;
+    }
+    return written && closed;
+}
+
+/* A device or a pipe: there is nothing to rename over. */
+static bool write_directly(const char *path, const void *data, size_t size, struct error *error) {
+    int file = open(path, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+    if (file < 0 || !write_and_close(file, data, size)) {
+        return error_from_system(error);
+    }
+    return true;
+}
+
+/* How much of `path` names the directory: up to the last slash, or nothing. */
+static int directory_length(const char *path) {
+    const char *slash = strrchr(path, '/');
+    return slash == NULL ? 0 : (int)(slash - path + 1);
+}
+
+/* Create a new file in the directory of `path`. Its name goes to `name`, an allocated string of at
+ * least `name_size` bytes. O_EXCL sees that no two programs get the same name. Returns the open
+ * file, or -1 with the reason in errno. */
+static int create_temporary(const char *path, char *name, size_t name_size) {
+    for (int i = 0; i < TEMPORARY_NAME_TRIES; i++) {
+        snprintf(name, name_size, "%.*s.part-%d", directory_length(path), path, i);
+        int file = open(name, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+        if (file >= 0 || errno != EEXIST) {
+            return file;
+        }
+    }
+    return -1;
+}
+
+static void set_permissions(int file, long mode) {
+#ifdef __wasi__ /* has no permissions: what replaces a file gets those of any new file */
+    (void)file;
+    (void)mode;
+#else
+    (void)fchmod(file, (mode_t)mode); /* not every file system has permissions to keep */
+#endif
+}
+
+/* Write a new file beside `path` and rename it. `mode` holds the permissions of the file that is
+ * replaced, or -1. */
+static bool write_and_rename(const char *path, long mode, const void *data, size_t size,
+                             struct error *error) {
+    size_t name_size = strlen(path) + 64;
+    char *name = malloc(name_size);
+    if (name == NULL) {
+        return error_out_of_memory(error);
+    }
+    bool done = false;
+    int file = create_temporary(path, name, name_size);
+    if (file < 0) {
+        error_from_system(error);
+        goto end;
+    }
+    if (mode >= 0) {
+        set_permissions(file, mode);
+    }
+    if (!write_and_close(file, data, size) || rename(name, path) != 0) {
+        error_from_system(error);
+        unlink(name);
+        goto end;
+    }
+    done = true;
+end:
+    free(name);
+    return done;
+}
+
+/* As write_and_rename(). What would end the program waits, so that no part of a file is left. */
+static bool write_and_rename_or_nothing(const char *path, long mode, const void *data, size_t size,
+                                        struct error *error) {
+#ifdef SIGTERM
+    sigset_t ends, before;
+    sigemptyset(&ends);
+    sigaddset(&ends, SIGINT);
+    sigaddset(&ends, SIGTERM);
+    sigaddset(&ends, SIGHUP);
+    sigprocmask(SIG_BLOCK, &ends, &before);
+    bool done = write_and_rename(path, mode, data, size, error);
+    sigprocmask(SIG_SETMASK, &before, NULL);
+    return done;
+#else
+    return write_and_rename(path, mode, data, size, error);
+#endif
+}
+
+/* Follow `*path`, an allocated string, to what is no symbolic link: a file, or nothing yet. */
+static bool follow_links(char **path, struct error *error) {
+    for (int i = 0; i <= LINK_LIMIT; i++) {
+        char target[LINK_SIZE];
+        ssize_t length = readlink(*path, target, sizeof target);
+        if (length < 0) {
+            bool no_link = errno == EINVAL || errno == ENOENT;
+            return no_link || error_from_system(error);
+        }
+        int kept = target[0] == '/' ? 0 : directory_length(*path);
+        char *next = string_format("%.*s%.*s", kept, *path, (int)length, target);
+        if (next == NULL) {
+            return error_out_of_memory(error);
+        }
+        free(*path);
+        *path = next;
+    }
+    errno = ELOOP;
+    return error_from_system(error);
+}
+
+/* Renaming would get round a write protection. Opening for writing changes nothing. */
+static bool check_writable(const char *path, struct error *error) {
+    int file = open(path, O_WRONLY | O_CLOEXEC);
+    return (file >= 0 && close(file) == 0) || error_from_system(error);
+}
+
+/* Write a regular file, which has the permissions `mode`, or -1 when there is none yet. A symbolic
+ * link to it stays. */
+static bool write_regular(const char *path, long mode, const void *data, size_t size,
+                          struct error *error) {
+    char *target = string_format("%s", path);
+    if (target == NULL) {
+        return error_out_of_memory(error);
+    }
+    bool done = (mode < 0 || check_writable(target, error)) && follow_links(&target, error) &&
+                write_and_rename_or_nothing(target, mode, data, size, error);
+    free(target);
+    return done;
+}
+
+/* As file_write(), but messages do not name the file. */
+static bool write_whole(const char *path, const void *data, size_t size, struct error *error) {
+    struct stat status;
+    bool device_name = strncmp(path, "/dev/", 5) == 0; /* /dev/stdout may be a regular file */
+    if (stat(path, &status) != 0) {
+        bool missing = errno == ENOENT && path[0] != '\0';
+        return missing ? write_regular(path, -1, data, size, error) : error_from_system(error);
+    }
+    if (S_ISDIR(status.st_mode)) {
+        return error_set(error, "is a directory");
+    }
+    if (!S_ISREG(status.st_mode) || device_name) {
+        return write_directly(path, data, size, error);
+    }
+    return write_regular(path, (long)(status.st_mode & 07777), data, size, error);
+}
+
+bool file_write(const char *path, const void *data, size_t size, struct error *error) {
+    return write_whole(path, data, size, error) || error_name_file(error, path);
+}
+
+bool file_write_encoded(const char *path, bool encoded, struct bytes *bytes, struct error *error) {
+    bool done =
+        encoded ? file_write(path, bytes->data, bytes->size, error) : error_name_file(error, path);
+    bytes_free(bytes);
+    return done;
+}
+
+/* ---- Directories ---- */
+
+bool file_exists(const char *path) {
+    struct stat status;
+    return stat(path, &status) == 0;
+}
+
+bool file_is_same(const char *a, const char *b) {
+    struct stat of_a, of_b;
+    return stat(a, &of_a) == 0 && stat(b, &of_b) == 0 && of_a.st_dev == of_b.st_dev &&
+           of_a.st_ino == of_b.st_ino;
+}
+
+uint64_t file_size(const char *path) {
+    struct stat status;
+    return stat(path, &status) == 0 && status.st_size > 0 ? (uint64_t)status.st_size : 0;
+}
+
+static bool is_directory(const char *path) {
+    struct stat status;
+    return stat(path, &status) == 0 && S_ISDIR(status.st_mode);
+}
+
+/* What is wrong with what is there, and is no directory: a link may lead to nothing, or to
+ * itself. */
+static int reason_of_existing(const char *path) {
+    struct stat status;
+    return stat(path, &status) == 0 ? ENOTDIR : errno;
+}
+
+bool directory_create(const char *path, struct error *error) {
+    char *partial = string_format("%s", path);
+    if (partial == NULL) {
+        return error_out_of_memory(error);
+    }
+    for (size_t i = 1; i <= strlen(path); i++) {
+        if (path[i] != '/' && path[i] != '\0') {
+            continue;
+        }
+        partial[i] = '\0';
+        int reason = mkdir(partial, 0777) == 0 ? 0 : errno;
+        if (reason != 0 && !is_directory(partial)) {
+            error_set(error, "cannot make the directory: %s",
+                      strerror(reason == EEXIST ? reason_of_existing(partial) : reason));
+            error_name_file(error, partial);
+            free(partial);
+            return false;
+        }
+        partial[i] = path[i];
+    }
+    free(partial);
+    return true;
+}

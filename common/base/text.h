@@ -1,0 +1,67 @@
+/*
+ * Text files taken apart: lines, words and exact numbers, whatever the locale.
+ *
+ * Used by the readers of OBJ, OFF and text scenes. A line ends with LF, CRLF or CR.
+ * A backslash directly before the line's end joins it with the next line (where the caller asks for
+ * that); it also ends a word, and in a comment it means nothing. Nothing is copied: words point
+ * into the text that the caller keeps. The work is linear in the size of the text.
+ */
+#ifndef COMMON_TEXT_H
+#define COMMON_TEXT_H
+
+#include "base/file.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+/* A place in a text. */
+struct text {
+    const char *next;  /* the first character that is not yet read */
+    const char *end;   /* one past the last character */
+    size_t line;       /* number of the current line, from 1; 0 before the first */
+    bool continuation; /* a backslash before a line's end joins lines */
+};
+
+/* A run of characters without blanks; length 0 where the line has ended. */
+struct word {
+    const char *start;
+    size_t length;
+};
+
+/* Start before the first line. A UTF-8 byte-order mark is skipped. A NUL byte anywhere means that
+ * this is not a text file: an error (with its line). */
+bool text_begin(struct text *text, const void *data, size_t size, bool continuation,
+                struct error *error);
+
+/* The same without a look for NUL bytes: for who needs but the first words of a large file. */
+void text_peek(struct text *text, const void *data, size_t size);
+
+/* Go to the next line, over what is left of this one; false at the end of the text. */
+bool text_next_line(struct text *text);
+
+/* The next word of the current line; length 0 at its end. A '#' at a word's start begins a comment
+ * that reaches to the end of the line. Where lines are joined, `line` counts on. */
+struct word text_next_word(struct text *text);
+
+/* Is the word exactly this string? */
+bool word_is(struct word word, const char *string);
+
+/* The whole word as a decimal number ([+-] digits [. digits] [e [+-] digits], with ".5" and "5."),
+ * rounded once to the nearest double (ties to even). Too large gives infinity, too small zero or a
+ * subnormal; the sign of zero is kept. False for anything else ("nan" and "inf" too). */
+bool word_to_double(struct word word, double *value);
+
+/* The whole word as a decimal integer; false for anything else or outside 64 bits. */
+bool word_to_integer(struct word word, int64_t *value);
+
+/* A word ready to be shown with "%s" in a message: a long one is cut and ends with "...". */
+struct shown_word {
+    char text[40];
+};
+struct shown_word word_show(struct word word);
+
+/* Set a message as error_set() does, and the line that it is about. Always returns false. */
+bool text_error(struct error *error, size_t line, const char *format, ...) PRINTF_LIKE(3, 4);
+
+#endif

@@ -1,0 +1,57 @@
+/* Where a model lies, and moving it into view: see fit.h. */
+#include "files/fit.h"
+
+/* At 1 the outermost lines would lie on the edge of the image. */
+static const double reach_in_parallel_view = 0.95;
+
+/* A ball of radius r around the point that the camera looks at, at distance d, appears as large as
+ * r / sqrt(1 - (r / d)^2): 0.97 for 7/8 at the distance 2. */
+static const double reach_all_around = 0.875;
+
+struct box3 model_box(const struct model *model) {
+    struct vec3 first = model_position(model, 0, 0);
+    struct box3 box = {first, first};
+    for (size_t i = 0; i < model->face_count; i++) {
+        for (size_t j = 0; j < 3; j++) {
+            struct vec3 p = model_position(model, i, j), a = box.least, b = box.greatest;
+            box.least = (struct vec3){fmin(a.x, p.x), fmin(a.y, p.y), fmin(a.z, p.z)};
+            box.greatest = (struct vec3){fmax(b.x, p.x), fmax(b.y, p.y), fmax(b.z, p.z)};
+        }
+    }
+    return box;
+}
+
+bool box_reaches_out(struct box3 box) {
+    struct vec3 a = box.least, b = box.greatest;
+    return a.x < -1 || a.y < -1 || a.z < -1 || b.x > 1 || b.y > 1 || b.z > 1;
+}
+
+static double longest_side(struct box3 box) {
+    struct vec3 sides = vec3_sub(box.greatest, box.least);
+    return fmax(sides.x, fmax(sides.y, sides.z));
+}
+
+static double distance_from_origin(const struct model *model) {
+    double farthest = 0;
+    for (size_t i = 0; i < model->face_count; i++) {
+        for (size_t j = 0; j < 3; j++) {
+            farthest = fmax(farthest, vec3_length(model_position(model, i, j)));
+        }
+    }
+    return farthest;
+}
+
+void model_fit(struct model *model, bool all_around) {
+    struct box3 box = model_box(model);
+    struct vec3 middle = vec3_scale(vec3_add(box.least, box.greatest), 0.5);
+    double side = longest_side(box), half = side > 0 ? side / 2 : 1;
+    for (size_t i = 0; i < model->position_count; i++) {
+        struct vec3 p = vec3_sub(model->positions[i], middle);
+        model->positions[i] = (struct vec3){p.x / half, p.y / half, p.z / half};
+    }
+    double reach = all_around ? distance_from_origin(model) : 1;
+    double scale = (all_around ? reach_all_around : reach_in_parallel_view) / fmax(reach, 1);
+    for (size_t i = 0; i < model->position_count; i++) {
+        model->positions[i] = vec3_scale(model->positions[i], scale);
+    }
+}

@@ -1,0 +1,71 @@
+/* Image files of every format; see image_file.h. */
+#include "files/image_file.h"
+
+#include "base/file.h"
+#include "files/png.h"
+#include "files/ppm.h"
+
+#include <assert.h>
+#include <stdio.h>
+#include <string.h>
+
+/* ---- Reading ---- */
+
+bool image_decode(struct image *image, const void *data, size_t size, struct error *error) {
+    if (png_has_signature(data, size)) {
+        return png_decode(image, data, size, error);
+    }
+    if (tga_is_possible(data, size)) {
+        return tga_decode(image, data, size, error);
+    }
+    *image = (struct image){0};
+    return error_set(error, "neither a PNG nor a TGA of a type that is supported");
+}
+
+bool image_read(struct image *image, const char *path, struct error *error) {
+    struct bytes file;
+    *image = (struct image){0};
+    if (!file_read(path, &file, error)) {
+        return false;
+    }
+    bool done = image_decode(image, file.data, file.size, error) || error_name_file(error, path);
+    bytes_free(&file);
+    return done;
+}
+
+/* ---- Writing ---- */
+
+const struct image_file_format image_file_formats[] = {
+    {.name = "tga", .write = tga_write},
+    {.name = "png", .write = png_write, .write_frames = apng_write},
+    {.name = "ppm", .grey_extension = "pgm", .write = ppm_write},
+};
+const size_t image_file_format_count = sizeof image_file_formats / sizeof image_file_formats[0];
+
+const struct image_file_format *image_file_format_find(const char *name) {
+    for (size_t i = 0; i < image_file_format_count; i++) {
+        if (strcmp(image_file_formats[i].name, name) == 0) {
+            return &image_file_formats[i];
+        }
+    }
+    return NULL;
+}
+
+const char *image_file_extension(const struct image_file_format *format,
+                                 const struct image *image) {
+    bool grey = image->format == IMAGE_GREY && format->grey_extension != NULL;
+    return grey ? format->grey_extension : format->name;
+}
+
+struct image_file_names image_file_names(void) {
+    struct image_file_names names = {""};
+    size_t length = 0;
+    for (size_t i = 0; i < image_file_format_count; i++) {
+        bool last = i + 1 == image_file_format_count;
+        const char *before = i == 0 ? "" : last ? " or " : ", ";
+        length += (size_t)snprintf(names.text + length, sizeof names.text - length, "%s%s", before,
+                                   image_file_formats[i].name);
+        assert(length < sizeof names.text);
+    }
+    return names;
+}

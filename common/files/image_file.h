@@ -1,0 +1,55 @@
+/*
+ * Image files of every format: read by what they are, written by the format's name.
+ *
+ * A new output format is one row of the table in image_file.c, and its writer.
+ */
+#ifndef COMMON_IMAGE_FILE_H
+#define COMMON_IMAGE_FILE_H
+
+#include "base/error.h"
+#include "tgaimage.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+
+/* ---- Reading ---- */
+
+/* Read a PNG or a TGA: a PNG begins with its signature, a TGA has none; the file's name does not
+ * count. What is read of each stands in png.h and tgaimage.h. `image` is overwritten, not freed;
+ * empty on an error. */
+bool image_read(struct image *image, const char *path, struct error *error);
+
+/* The same from memory; the message names no file. */
+bool image_decode(struct image *image, const void *data, size_t size, struct error *error);
+
+/* ---- Writing ---- */
+
+/* The writers leave no half-written file, and their messages name the file. */
+struct image_file_format {
+    const char *name;           /* "tga": of the format, and the extension of its files */
+    const char *grey_extension; /* of files of grey images, where it is another; else NULL */
+    bool (*write)(const struct image *image, const char *path, struct error *error);
+    /* Write an animation: `count` images of one size and format, each shown for `delay_ms`
+     * milliseconds (1..65535). NULL in a format that cannot move. */
+    bool (*write_frames)(const struct image *frames, size_t count, unsigned delay_ms,
+                         const char *path, struct error *error);
+};
+
+/* All formats; the first is the default. */
+extern const struct image_file_format image_file_formats[];
+extern const size_t image_file_format_count;
+
+/* The format of that name, or NULL. */
+const struct image_file_format *image_file_format_find(const char *name);
+
+/* The extension of the image's file, without the dot. */
+const char *image_file_extension(const struct image_file_format *format, const struct image *image);
+
+/* The names of all formats for help and messages, "tga, png or ppm", as in
+ * `printf("%s\n", image_file_names().text)`. */
+struct image_file_names {
+    char text[64];
+};
+struct image_file_names image_file_names(void);
+
+#endif

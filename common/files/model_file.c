@@ -1,0 +1,157 @@
+/* Model files: see model_file.h. */
+#include "files/model_file.h"
+
+#include "base/text.h"
+#include "files/image_file.h"
+#include "files/obj.h"
+#include "files/off.h"
+
+#include <limits.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* ---- Reading ---- */
+
+static bool is_named_off(const char *path) {
+    const char *dot = strrchr(path, '.');
+    return dot != NULL && (strcmp(dot, ".off") == 0 || strcmp(dot, ".OFF") == 0);
+}
+
+/* An OFF file without its first word looks like an OBJ file of which nothing is known. */
+static bool error_no_faces(const char *path, const void *data, size_t size, struct error *error) {
+    struct text text;
+    struct error ignored;
+    double number;
+    bool begun = text_begin(&text, data, size, false, &ignored);
+    while (begun && text_next_line(&text)) {
+        struct word word = text_next_word(&text);
+        if (word_to_double(word, &number)) {
+            return error_set(error, "begins with a number: an OFF file begins with the word OFF");
+        }
+        begun = word.length == 0;
+    }
+    if (is_named_off(path) && !off_recognize(data, size)) {
+        return error_set(error, "does not begin with the word OFF");
+    }
+    return error_set(error, "holds no faces");
+}
+
+/* The path, which is not read, may tell what the file should be. */
+static bool decode(struct model *model, const char *path, const void *data, size_t size,
+                   unsigned parts, struct error *error) {
+    *model = (struct model){0};
+    bool done = off_recognize(data, size) ? off_decode(model, data, size, error)
+                                          : obj_decode(model, data, size, parts, error);
+    if (done && model->face_count == 0) {
+        done = error_no_faces(path, data, size, error);
+    }
+    if (!done) {
+        model_free(model);
+    }
+    return done;
+}
+
+bool model_decode(struct model *model, const void *data, size_t size, struct error *error) {
+    return decode(model, "", data, size, MODEL_ALL_PARTS, error);
+}
+
+static bool keep_path(struct model *model, const char *path, struct error *error) {
+    size_t size = strlen(path) + 1;
+    model->path = malloc(size);
+    if (model->path == NULL) {
+        model_free(model);
+        return error_out_of_memory(error);
+    }
+    memcpy(model->path, path, size);
+    return true;
+}
+
+bool model_read_parts(struct model *model, const char *path, unsigned parts, struct error *error) {
+    struct bytes bytes;
+    *model = (struct model){0};
+    if (!file_read(path, &bytes, error)) {
+        return false;
+    }
+    bool done = decode(model, path, bytes.data, bytes.size, parts, error);
+    model->bytes_read = bytes.size;
+    bytes_free(&bytes);
+    return (done && keep_path(model, path, error)) || error_name_input(error, path);
+}
+
+bool model_read(struct model *model, const char *path, struct error *error) {
+    return model_read_parts(model, path, MODEL_ALL_PARTS, error);
+}
+
+/* ---- Textures ---- */
+
+/* "DIRECTORY/NAME" and what follows it for a model at "DIRECTORY/NAME.obj"; the caller frees it. */
+static char *texture_path(const char *model_path, const char *suffix, const char *extension) {
+    const char *slash = strrchr(model_path, '/');
+    const char *name = slash == NULL ? model_path : slash + 1;
+    const char *dot = strrchr(name, '.');
+    size_t length = dot == NULL || dot == name ? strlen(model_path) : (size_t)(dot - model_path);
+    return length > INT_MAX
+               ? NULL
+               : string_format("%.*s%s.%s", (int)length, model_path, suffix, extension);
+}
+
+static bool read_texture(struct texture *texture, const char *path, struct error *error) {
+    struct image image;
+    if (!image_read(&image, path, error)) {
+        return false;
+    }
+    bool done = texture_create(texture, &image, error) || error_name_file(error, path);
+    image_free(&image);
+    return done;
+}
+
+/* The path of the texture, as .tga or else as .png; the caller frees it. NULL, with a message,
+ * where there is none. */
+static char *find_texture(const struct model *model, enum model_texture_kind kind,
+                          struct error *error) {
+    static const char *const suffix[] = {"_diffuse", "_nm", "_spec"};
+    char *tga_path = texture_path(model->path, suffix[kind], "tga");
+    char *png_path = texture_path(model->path, suffix[kind], "png");
+    char *found = NULL;
+    if (tga_path == NULL || png_path == NULL) {
+        error_out_of_memory(error);
+    } else if (file_exists(tga_path) || file_exists(png_path)) {
+        char **path = file_exists(tga_path) ? &tga_path : &png_path;
+        found = *path;
+        *path = NULL;
+    } else {
+        error_set(error, "no such file, nor the same as .png");
+        error_name_file(error, tga_path);
+    }
+    free(tga_path);
+    free(png_path);
+    return found;
+}
+
+size_t model_textures_present(const struct model *model) {
+    size_t present = 0;
+    for (int kind = 0; model->path != NULL && kind < MODEL_TEXTURE_KINDS; kind++) {
+        struct error ignored;
+        char *path = find_texture(model, (enum model_texture_kind)kind, &ignored);
+        present += path != NULL;
+        free(path);
+    }
+    return present;
+}
+
+const struct texture *model_texture(struct model *model, enum model_texture_kind kind,
+                                    struct error *error) {
+    struct texture *texture = &model->textures[kind];
+    if (texture->level_count > 0) {
+        return texture;
+    }
+    if (model->path == NULL) {
+        error_set(error, "a model that was not read from a file has no textures");
+        return NULL;
+    }
+    char *path = find_texture(model, kind, error);
+    bool done = path != NULL && read_texture(texture, path, error);
+    model->bytes_read += done ? file_size(path) : 0;
+    free(path);
+    return done ? texture : NULL;
+}

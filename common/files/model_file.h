@@ -1,0 +1,44 @@
+/*
+ * Models read from OBJ and OFF files, and the textures that lie beside them.
+ *
+ * OBJ: v (x y z, x y z w: w is not used, x y z r g b), vt (u, u v, u v w: w is not used), vn and f;
+ * all other keywords are passed over. A face may name what comes further down; a negative index
+ * counts back from the face. OFF, COFF, NOFF, STOFF and their mixtures, as text; lines may end
+ * between any two numbers, but a face ends with its line, so that two need two lines (off.h). Its
+ * colour is in levels 0..255 where its 3 or 4 numbers are whole, otherwise 0..1; one number alone,
+ * an index into a table of colours, is not used. Colours are cut to 0..1; where some positions or
+ * faces have colours, the others are white. A concave face has at most 8,192 corners.
+ */
+#ifndef COMMON_MODEL_FILE_H
+#define COMMON_MODEL_FILE_H
+
+#include "base/error.h"
+#include "model.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+
+/* Read an OBJ or OFF file, told apart by the contents ("OFF", "COFF", ... as the first word means
+ * OFF). On an error `model` is empty and the message names the file and the line. */
+bool model_read(struct model *model, const char *path, struct error *error);
+
+/* What a file may hold beside positions and faces. */
+enum model_part { MODEL_UVS = 1, MODEL_NORMALS = 2, MODEL_ALL_PARTS = MODEL_UVS | MODEL_NORMALS };
+
+/* The same, but of an OBJ file only the parts that are asked for, joined with |: the lines of the
+ * others are counted and not read, and no corner has them. */
+bool model_read_parts(struct model *model, const char *path, unsigned parts, struct error *error);
+
+/* model_read() from memory (for tests and fuzzing); the message does not name the file, and the
+ * line is in `error` alone. */
+bool model_decode(struct model *model, const void *data, size_t size, struct error *error);
+
+/* How many of the textures lie beside the model. */
+size_t model_textures_present(const struct model *model);
+
+/* A texture of the model, read at the first call. NULL, with a message that names the file that was
+ * looked for, when there is none or it cannot be read. The model keeps the texture. */
+const struct texture *model_texture(struct model *model, enum model_texture_kind kind,
+                                    struct error *error);
+
+#endif

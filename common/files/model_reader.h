@@ -1,0 +1,108 @@
+/*
+ * What the readers of OBJ and OFF share: numbers, growing arrays, polygons that become faces.
+ * Private to obj.c, off.c and model_reader.c; everybody else uses model.h.
+ *
+ * All functions that can fail return false with a message, and the line where there is one. An
+ * element takes some bytes of the file, so the file's size bounds the memory.
+ */
+#ifndef COMMON_MODEL_READER_H
+#define COMMON_MODEL_READER_H
+
+#include "base/error.h"
+#include "base/text.h"
+#include "files/model_file.h"
+#include "files/polygon.h"
+#include "model.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+/* How much of a list of colours is filled: behind the positions or faces at times. */
+struct reader_colors {
+    size_t count, capacity;
+};
+
+/* A model being read. All zero but for `model` and `error` at first. */
+struct model_reader {
+    struct text text;
+    size_t line; /* where the current statement began, for messages */
+    struct model *model;
+    struct error *error;
+    unsigned parts;                /* of enum model_part: what is wanted of an OBJ file */
+    size_t uv_count, normal_count; /* in the file so far, wanted or not */
+
+    struct corner *polygon; /* the corners of the current face */
+    size_t polygon_size;
+
+    /* Private to model_reader.c. */
+    struct vec3 *places; /* of the polygon's corners */
+    struct polygon_cutter cutter;
+    struct reader_colors colors, face_colors;
+    size_t position_capacity, uv_capacity, normal_capacity, face_capacity;
+    size_t polygon_capacity, place_capacity;
+};
+
+/* The most numbers that a line of any format has: x y z, normal, colour with alpha, uv. */
+enum { READER_NUMBER_LIMIT = 12 };
+
+struct reader_numbers {
+    double value[READER_NUMBER_LIMIT]; /* the first of them, within the range of a float */
+    size_t count;                      /* of all, which may be more */
+    bool whole;                        /* all are written as whole numbers */
+};
+
+/* The corner without what is not wanted. */
+static inline struct corner reader_wanted(const struct model_reader *reader, struct corner corner) {
+    if ((reader->parts & MODEL_UVS) == 0) {
+        corner.uv = MODEL_NONE;
+    }
+    if ((reader->parts & MODEL_NORMALS) == 0) {
+        corner.normal = MODEL_NONE;
+    }
+    return corner;
+}
+
+/* Go to the next line that is not empty; its first word. False at the end of the text. */
+bool reader_next_line(struct model_reader *reader, struct word *word);
+
+/* The next word, of this line or of those that follow. False at the end of the text. */
+bool reader_next_word(struct model_reader *reader, struct word *word);
+
+/* The word as a number within the range of a float. */
+bool reader_parse_number(struct model_reader *reader, struct word word, double *number);
+
+/* The numbers up to the end of the line. */
+bool reader_read_numbers(struct model_reader *reader, struct reader_numbers *numbers);
+
+/* A decimal integer; one outside 64 bits becomes the nearest that fits, which no file can hold. */
+bool reader_parse_index(struct word word, int64_t *index);
+
+/* Add to the model. All but positions is rounded to float. */
+bool reader_add_position(struct model_reader *reader, const double position[3]);
+bool reader_add_uv(struct model_reader *reader, double u, double v);
+bool reader_add_normal(struct model_reader *reader, const double normal[3]);
+
+/* Give the last position a colour, of any values; earlier ones that have none are white. */
+bool reader_color_position(struct model_reader *reader, const double color[3]);
+
+/* Add a corner to the polygon. */
+bool reader_add_corner(struct model_reader *reader, struct corner corner);
+
+/* Make faces of the polygon (at least 3 corners). Its positions must be known. */
+bool reader_add_faces(struct model_reader *reader);
+
+/* Room for one face more behind the model's, which does not count it yet; NULL without memory. */
+struct face *reader_next_face(struct model_reader *reader);
+
+/* The same for all faces from `first` on. */
+bool reader_color_faces(struct model_reader *reader, size_t first, const double color[3]);
+
+/* At the end: cut all colours to 0..1, and where some positions or faces have them, make the others
+ * white. */
+bool reader_finish_colors(struct model_reader *reader);
+
+/* Free what does not belong to the model. */
+void model_reader_free(struct model_reader *reader);
+
+#endif

@@ -1,0 +1,27 @@
+/* Normals computed from the faces of a model, for files that bring none; colours from normals. */
+#ifndef COMMON_NORMALS_H
+#define COMMON_NORMALS_H
+
+#include "base/error.h"
+#include "geometry.h"
+#include "model.h"
+
+#include <stdbool.h>
+
+/* The angle between two vectors in radians, 0..pi, to 1e-15 of pi; 0 where one has no length. The
+ * same bits on every machine, unlike acos() of the C library. (From the lengths of the difference
+ * and the sum of the unit vectors, which is accurate for all angles: Kahan, "Computing
+ * Cross-Products and Rotations in 2- and 3-Dimensional Euclidean Spaces", section 13.) */
+double model_angle(struct vec3 a, struct vec3 b);
+
+/* Give a normal to every corner that has none: the mean of the normals of the faces around its
+ * position, weighted by the angle of each face there (Thuermer and Wuethrich, "Computing vertex
+ * normals from polygonal facets", 1998), of length 1. Where all of them cancel, (0,0,1). */
+bool model_need_normals(struct model *model, struct error *error);
+
+/* Give a model that has colours neither of faces nor of positions the colour (normal + 1) / 2 at
+ * each position. Where corners of several normals meet, the first face decides; a position without
+ * a face becomes grey. Corners without a normal get one first. */
+bool model_need_colors(struct model *model, struct error *error);
+
+#endif

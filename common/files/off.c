@@ -1,0 +1,331 @@
+/*
+ * OFF files; see off.h. A line may end between any two words of them. It counts in three places:
+ * the colour of a face ends with its line; where a line has one number more than a vertex with a
+ * colour, that is alpha; the number of edges may be missing where those before it end their line.
+ */
+#include "files/off.h"
+
+#include "files/model_reader.h"
+
+#include <assert.h>
+#include <string.h>
+
+/* ---- The first lines ---- */
+
+/* The first word: [ST][C][N][4][n]OFF says what a vertex has beside x y z. */
+struct off_kind {
+    bool uv, color, normal;
+    bool four, dimension; /* 4OFF and nOFF: positions of more than three coordinates */
+    bool only_drawn;      /* faces with fewer than 3 corners tell that the file is read amiss */
+    struct word rest;     /* what follows OFF in the same word: some writers leave out the blank */
+};
+
+/* Whether the number of edges is there, where the line ends before it. */
+enum edges_guess { EDGES_AS_IT_LOOKS, EDGES_OTHERWISE };
+
+static bool over_prefix(const char **p, const char *end, const char *prefix) {
+    size_t length = strlen(prefix);
+    if ((size_t)(end - *p) < length || memcmp(*p, prefix, length) != 0) {
+        return false;
+    }
+    *p += length;
+    return true;
+}
+
+static bool parse_keyword(struct word word, struct off_kind *kind) {
+    *kind = (struct off_kind){0};
+    if (word.length == 0) {
+        return false;
+    }
+    const char *p = word.start, *end = word.start + word.length;
+    kind->uv = over_prefix(&p, end, "ST");
+    kind->color = over_prefix(&p, end, "C");
+    kind->normal = over_prefix(&p, end, "N");
+    kind->four = over_prefix(&p, end, "4");
+    kind->dimension = over_prefix(&p, end, "n");
+    if (!over_prefix(&p, end, "OFF")) {
+        return false;
+    }
+    kind->rest = (struct word){p, (size_t)(end - p)};
+    return p == end || (*p >= '0' && *p <= '9');
+}
+
+bool off_recognize(const void *data, size_t size) {
+    struct error ignored;
+    struct off_kind kind;
+    struct word word = {0};
+    struct model_reader reader = {.error = &ignored};
+    text_peek(&reader.text, data, size); /* the first word of a file that may be large */
+    return reader_next_line(&reader, &word) && parse_keyword(word, &kind);
+}
+
+static bool read_count(struct model_reader *reader, struct word word, const char *what,
+                       size_t *count) {
+    int64_t value;
+    if (!word_to_integer(word, &value) || value < 0 || (uint64_t)value >= MODEL_NONE) {
+        return text_error(reader->error, reader->line, "'%s' is not a number of %s",
+                          word_show(word).text, what);
+    }
+    *count = (size_t)value;
+    return true;
+}
+
+/* Is there just one word more on this line? */
+static bool one_word_is_left(struct text text) {
+    struct word first = text_next_word(&text), second = text_next_word(&text);
+    return first.length > 0 && second.length == 0;
+}
+
+/* Does the next line that is not empty have one word? */
+static bool one_word_follows(struct text text) {
+    while (text_next_line(&text)) {
+        struct text line = text;
+        if (text_next_word(&text).length > 0) {
+            return one_word_is_left(line);
+        }
+    }
+    return false;
+}
+
+/* Read over the number of edges, which nobody needs. Behind numbers that end their line it looks
+ * like one where it has a line of its own. */
+static bool skip_edges(struct model_reader *reader, enum edges_guess guess, bool *in_doubt) {
+    struct word word = text_next_word(&reader->text);
+    int64_t ignored;
+    *in_doubt = word.length == 0;
+    if (*in_doubt && one_word_follows(reader->text) == (guess == EDGES_OTHERWISE)) {
+        return true;
+    }
+    if (word.length == 0 && !reader_next_word(reader, &word)) {
+        return true;
+    }
+    return reader_parse_index(word, &ignored) ||
+           text_error(reader->error, reader->line, "'%s' is not a number of edges",
+                      word_show(word).text);
+}
+
+struct off_counts {
+    size_t vertices, faces;
+    bool in_doubt; /* whether the number of edges follows */
+};
+
+/* The numbers of vertices, faces and edges, from `word` on. A vertex takes at least 6 bytes
+ * ("0 0 0" and a blank), a face at least 2. */
+static bool read_counts(struct model_reader *reader, struct word word, enum edges_guess guess,
+                        struct off_counts *counts) {
+    if (word.length == 0 && !reader_next_line(reader, &word)) {
+        return text_error(reader->error, reader->line,
+                          "the numbers of vertices and faces are missing");
+    }
+    if (!read_count(reader, word, "vertices", &counts->vertices)) {
+        return false;
+    }
+    if (!reader_next_word(reader, &word)) {
+        return text_error(reader->error, reader->line, "the number of faces is missing");
+    }
+    if (!read_count(reader, word, "faces", &counts->faces) ||
+        !skip_edges(reader, guess, &counts->in_doubt)) {
+        return false;
+    }
+    uint64_t left = (uint64_t)(reader->text.end - reader->text.next) + 1;
+    return (counts->vertices <= left / 6 && counts->faces <= left / 2) ||
+           text_error(reader->error, reader->line,
+                      "%zu vertices and %zu faces are more than the file can hold",
+                      counts->vertices, counts->faces);
+}
+
+/* "OFF" and the numbers. */
+static bool read_header(struct model_reader *reader, enum edges_guess guess, struct off_kind *kind,
+                        struct off_counts *counts) {
+    struct word word;
+    bool is_off = reader_next_line(reader, &word) && parse_keyword(word, kind);
+    assert(is_off); /* or off_recognize() was not asked */
+    (void)is_off;
+    if (kind->four || kind->dimension) {
+        return text_error(reader->error, reader->line,
+                          "%s: only positions of three coordinates can be read",
+                          word_show(word).text);
+    }
+    word = kind->rest.length > 0 ? kind->rest : text_next_word(&reader->text);
+    if (word_is(word, "BINARY")) {
+        return text_error(reader->error, reader->line, "binary OFF files cannot be read");
+    }
+    return read_counts(reader, word, guess, counts);
+}
+
+/* ---- Vertices ---- */
+
+/* The next number of vertex `number` of `total`. */
+static bool read_number(struct model_reader *reader, size_t number, size_t total, double *value) {
+    struct word word;
+    if (!reader_next_word(reader, &word)) {
+        return text_error(reader->error, reader->line, "the file ends after %zu of %zu vertices",
+                          number, total);
+    }
+    return reader_parse_number(reader, word, value);
+}
+
+static bool read_vertex(struct model_reader *reader, const struct off_kind *kind, size_t number,
+                        size_t total) {
+    double value[READER_NUMBER_LIMIT];
+    size_t color_at = kind->normal ? 6 : 3;
+    size_t least = color_at + (kind->color ? 3 : 0) + (kind->uv ? 2 : 0), count = 0;
+    while (count < least || (count == least && kind->color && one_word_is_left(reader->text))) {
+        if (!read_number(reader, number, total, &value[count++])) {
+            return false;
+        }
+    }
+    return reader_add_position(reader, value) &&
+           (!kind->color || reader_color_position(reader, value + color_at)) &&
+           (!kind->normal || reader_add_normal(reader, value + 3)) &&
+           (!kind->uv || reader_add_uv(reader, value[count - 2], value[count - 1]));
+}
+
+/* Colours are 0..1, but many writers use levels 0..255: one value above 1 tells. */
+static void scale_colors(struct model *model) {
+    float scale = 1;
+    for (size_t i = 0; i < model->position_count; i++) {
+        for (int channel = 0; channel < 3; channel++) {
+            scale = model->colors[i][channel] > 1 ? 255 : scale;
+        }
+    }
+    for (size_t i = 0; i < model->position_count; i++) {
+        for (int channel = 0; channel < 3; channel++) {
+            model->colors[i][channel] /= scale;
+        }
+    }
+}
+
+static bool read_vertices(struct model_reader *reader, const struct off_kind *kind, size_t total) {
+    for (size_t i = 0; i < total; i++) {
+        if (!read_vertex(reader, kind, i, total)) {
+            return false;
+        }
+    }
+    if (reader->model->colors != NULL) {
+        scale_colors(reader->model);
+    }
+    return true;
+}
+
+/* ---- Faces ---- */
+
+static bool read_corner(struct model_reader *reader, const struct off_kind *kind,
+                        struct word word) {
+    size_t vertices = reader->model->position_count;
+    int64_t index;
+    if (!reader_parse_index(word, &index)) {
+        return text_error(reader->error, reader->line, "'%s' is not the number of a vertex",
+                          word_show(word).text);
+    }
+    if (index < 0 || (uint64_t)index >= vertices) {
+        return text_error(reader->error, reader->line, "face names vertex %s of %zu (from 0)",
+                          word_show(word).text, vertices);
+    }
+    uint32_t all = (uint32_t)index; /* one number for position, texture coordinate and normal */
+    return reader_add_corner(
+        reader, (struct corner){all, kind->uv ? all : MODEL_NONE, kind->normal ? all : MODEL_NONE});
+}
+
+static bool read_polygon(struct model_reader *reader, const struct off_kind *kind, size_t size) {
+    reader->polygon_size = 0;
+    for (size_t i = 0; i < size; i++) {
+        struct word word;
+        if (!reader_next_word(reader, &word)) {
+            return text_error(reader->error, reader->line, "face has %zu corners, not %zu", i,
+                              size);
+        }
+        if (!read_corner(reader, kind, word)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/* What follows the corners: nothing, an index into a table of colours (not used), or a colour,
+ * perhaps with alpha: levels 0..255 where all are whole numbers, otherwise 0..1. */
+static bool read_face_color(struct model_reader *reader, double color[3], bool *colored) {
+    struct reader_numbers numbers;
+    if (!reader_read_numbers(reader, &numbers)) {
+        return false;
+    }
+    if (numbers.count == 2 || numbers.count > 4) {
+        return text_error(reader->error, reader->line,
+                          "the colour of a face has 3 or 4 numbers, not %zu", numbers.count);
+    }
+    *colored = numbers.count >= 3;
+    for (int channel = 0; *colored && channel < 3; channel++) {
+        color[channel] = numbers.value[channel] / (numbers.whole ? 255 : 1);
+    }
+    return true;
+}
+
+/* "n i1 ... in", then perhaps a colour. */
+static bool read_face(struct model_reader *reader, const struct off_kind *kind, size_t number,
+                      size_t total) {
+    struct word word;
+    size_t size = 0, first = reader->model->face_count;
+    double color[3];
+    bool colored = false;
+    if (!reader_next_word(reader, &word)) {
+        return text_error(reader->error, reader->line, "the file ends after %zu of %zu faces",
+                          number, total);
+    }
+    if (!read_count(reader, word, "corners", &size) || !read_polygon(reader, kind, size) ||
+        !read_face_color(reader, color, &colored)) {
+        return false;
+    }
+    if (size < 3) { /* points and lines are not drawn */
+        return !kind->only_drawn ||
+               text_error(reader->error, reader->line, "face has %zu corners", size);
+    }
+    return reader_add_faces(reader) && (!colored || reader_color_faces(reader, first, color));
+}
+
+/* What is left over tells that something was read amiss, or else is lost. */
+static bool read_end(struct model_reader *reader, size_t faces) {
+    struct word word;
+    return !reader_next_word(reader, &word) ||
+           text_error(reader->error, reader->line, "the file goes on after %zu faces%s", faces,
+                      reader->model->face_count == 0 ? ", none with 3 corners" : "");
+}
+
+/* ---- All of it ---- */
+
+static bool read_all(struct model_reader *reader, enum edges_guess guess, bool *in_doubt) {
+    struct off_kind kind;
+    struct off_counts counts = {0};
+    bool done = read_header(reader, guess, &kind, &counts);
+    *in_doubt = counts.in_doubt;
+    kind.only_drawn = guess == EDGES_OTHERWISE;
+    if (!done || !read_vertices(reader, &kind, counts.vertices)) {
+        return false;
+    }
+    for (size_t i = 0; i < counts.faces; i++) {
+        if (!read_face(reader, &kind, i, counts.faces)) {
+            return false;
+        }
+    }
+    return read_end(reader, counts.faces) && reader_finish_colors(reader);
+}
+
+static bool decode(struct model *model, const void *data, size_t size, enum edges_guess guess,
+                   bool *in_doubt, struct error *error) {
+    struct model_reader reader = {.model = model, .error = error};
+    bool done =
+        text_begin(&reader.text, data, size, false, error) && read_all(&reader, guess, in_doubt);
+    model_reader_free(&reader);
+    return done;
+}
+
+/* Where what looks right does not fit, the other guess may; not with points and lines, which it
+ * finds in many a file that is wrong elsewhere. */
+bool off_decode(struct model *model, const void *data, size_t size, struct error *error) {
+    struct error ignored;
+    bool in_doubt = false;
+    if (decode(model, data, size, EDGES_AS_IT_LOOKS, &in_doubt, error)) {
+        return true;
+    }
+    model_free(model);
+    return in_doubt && decode(model, data, size, EDGES_OTHERWISE, &in_doubt, &ignored);
+}

@@ -1,0 +1,907 @@
+/*
+ * PNG in and out, APNG out; see png.h. The compression stands in deflate.c.
+ *
+ * A PNG file is a signature and chunks: length, type, data, checksum. The pixels, top row first,
+ * each row after a byte that names its filter, are compressed into the IDAT chunks.
+ */
+#include "files/png.h"
+
+#include "base/file.h"
+#include "files/deflate.h"
+
+#include <assert.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const uint8_t png_signature[8] = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'};
+
+enum {
+    CHUNK_OVERHEAD = 12,      /* bytes of a chunk beside its data */
+    CHUNK_LIMIT = 0x7fffffff, /* bytes of data of a chunk */
+    HEADER_SIZE = 13,         /* of IHDR */
+    PIXEL_LIMIT = 4,          /* bytes of a pixel */
+    PIXELS_OF_ANY = 1 << 24,  /* pixels that any file may have, however small it is */
+    PALETTE_LIMIT = 256
+};
+
+/* Row filters, as in the file; the last is not in it: the best for each row. */
+enum {
+    FILTER_NONE,
+    FILTER_SUB,
+    FILTER_UP,
+    FILTER_AVERAGE,
+    FILTER_PAETH,
+    FILTER_COUNT,
+    FILTER_ADAPTIVE = FILTER_COUNT
+};
+
+/* As in IHDR. */
+enum color_type {
+    COLOR_GREY = 0,
+    COLOR_RGB = 2,
+    COLOR_PALETTE = 3,
+    COLOR_GREY_ALPHA = 4,
+    COLOR_RGBA = 6
+};
+
+/* ---- Checksum ---- */
+
+/* The checksum's register after one byte: linear, so that eight numbers make the table. */
+#define CRC(n)                                                                                     \
+    (((n)&1 ? 0x77073096u : 0) ^ ((n)&2 ? 0xee0e612cu : 0) ^ ((n)&4 ? 0x076dc419u : 0) ^           \
+     ((n)&8 ? 0x0edb8832u : 0) ^ ((n)&16 ? 0x1db71064u : 0) ^ ((n)&32 ? 0x3b6e20c8u : 0) ^         \
+     ((n)&64 ? 0x76dc4190u : 0) ^ ((n)&128 ? 0xedb88320u : 0))
+#define CRC_4(n)  CRC(n), CRC((n) + 1), CRC((n) + 2), CRC((n) + 3)
+#define CRC_16(n) CRC_4(n), CRC_4((n) + 4), CRC_4((n) + 8), CRC_4((n) + 12)
+#define CRC_64(n) CRC_16(n), CRC_16((n) + 16), CRC_16((n) + 32), CRC_16((n) + 48)
+
+static const uint32_t crc_table[256] = {CRC_64(0), CRC_64(64), CRC_64(128), CRC_64(192)};
+
+/* The specification's CRC-32 (its annex D), one byte at a time. */
+static uint32_t crc32(const uint8_t *data, size_t size) {
+    uint32_t crc = 0xffffffffu;
+    for (size_t i = 0; i < size; i++) {
+        crc = crc_table[(crc ^ data[i]) & 255] ^ crc >> 8;
+    }
+    return crc ^ 0xffffffffu;
+}
+
+/* ---- Numbers, highest byte first ---- */
+
+static uint32_t get_u32(const uint8_t *bytes) {
+    return (uint32_t)bytes[0] << 24 | (uint32_t)bytes[1] << 16 | (uint32_t)bytes[2] << 8 | bytes[3];
+}
+
+static void put_u32(uint8_t *bytes, size_t value) {
+    bytes[0] = (uint8_t)(value >> 24 & 255);
+    bytes[1] = (uint8_t)(value >> 16 & 255);
+    bytes[2] = (uint8_t)(value >> 8 & 255);
+    bytes[3] = (uint8_t)(value & 255);
+}
+
+static void put_u16(uint8_t *bytes, unsigned value) {
+    bytes[0] = (uint8_t)(value >> 8 & 255);
+    bytes[1] = (uint8_t)(value & 255);
+}
+
+/* ---- Pixels ---- */
+
+/* Red, green, blue of a file become blue, green, red of memory, and the other way round; alpha
+ * stays. `step`, the bytes of a pixel, is a constant where this is called. */
+static inline void swap_colors(uint8_t *restrict to, const uint8_t *restrict from, size_t count,
+                               const size_t step) {
+    for (size_t i = 0; i < count * step; i += step) {
+        to[i] = from[i + 2];
+        to[i + 1] = from[i + 1];
+        to[i + 2] = from[i];
+        if (step == 4) {
+            to[i + 3] = from[i + 3];
+        }
+    }
+}
+
+/* ---- Row filters ----
+ *
+ * A byte is predicted from those at its left (a), above (b) and above left (c), one pixel away; the
+ * file holds the difference. Rows to be written have PIXEL_LIMIT zero bytes before them, so that a
+ * and c always exist. */
+
+/* a, b or c, whichever is nearest to a + b - c; in this order when equally near. Of a and b the
+ * higher is nearest where c is low, the lower where c is high, and c between: without branches,
+ * since no processor could foretell them (Fabian Giesen's form, from stb_image). */
+static inline uint8_t paeth(uint8_t a, uint8_t b, uint8_t c) {
+    int low = a < b ? a : b, high = a < b ? b : a;
+    int place = 3 * c - a - b;
+    int low_or_c = place >= high ? low : c;
+    return (uint8_t)(place <= low ? high : low_or_c);
+}
+
+static void filter_row(unsigned filter, const uint8_t *row, const uint8_t *above, size_t size,
+                       size_t step, uint8_t *restrict out) {
+    const uint8_t *left = row - step, *corner = above - step;
+    switch (filter) {
+    case FILTER_NONE:
+        memcpy(out, row, size);
+        break;
+    case FILTER_SUB:
+        for (size_t i = 0; i < size; i++) {
+            out[i] = (uint8_t)(row[i] - left[i]);
+        }
+        break;
+    case FILTER_UP:
+        for (size_t i = 0; i < size; i++) {
+            out[i] = (uint8_t)(row[i] - above[i]);
+        }
+        break;
+    case FILTER_AVERAGE:
+        for (size_t i = 0; i < size; i++) {
+            out[i] = (uint8_t)(row[i] - (left[i] + above[i]) / 2);
+        }
+        break;
+    default:
+        for (size_t i = 0; i < size; i++) {
+            out[i] = (uint8_t)(row[i] - paeth(left[i], above[i], corner[i]));
+        }
+        break;
+    }
+}
+
+/* Undo the filter of a byte, whose left and corner neighbours then become those of the next one. */
+static inline void unfilter_byte(const unsigned filter, uint8_t *byte, uint8_t above, uint8_t *left,
+                                 uint8_t *corner) {
+    unsigned predicted = filter == FILTER_SUB       ? *left
+                         : filter == FILTER_AVERAGE ? (*left + above) / 2u
+                                                    : paeth(*left, above, *corner);
+    *byte = (uint8_t)(*byte + predicted);
+    *left = *byte;
+    *corner = above;
+}
+
+/* A row of pixels of `step` bytes, which is a constant where this is called, as is `filter`. What
+ * each pixel leaves to the next stays in registers; a loop over its bytes would not keep it so. */
+static inline void unfilter_pixels(const unsigned filter, uint8_t *restrict row,
+                                   const uint8_t *restrict above, size_t size, const size_t step) {
+    uint8_t left[PIXEL_LIMIT] = {0}, corner[PIXEL_LIMIT] = {0};
+    for (size_t i = 0; i < size; i += step) {
+        unfilter_byte(filter, &row[i], above[i], &left[0], &corner[0]);
+        if (step > 1) {
+            unfilter_byte(filter, &row[i + 1], above[i + 1], &left[1], &corner[1]);
+        }
+        if (step > 2) {
+            unfilter_byte(filter, &row[i + 2], above[i + 2], &left[2], &corner[2]);
+        }
+        if (step > 3) {
+            unfilter_byte(filter, &row[i + 3], above[i + 3], &left[3], &corner[3]);
+        }
+    }
+}
+
+/* In place; false for a filter that does not exist. */
+static inline bool unfilter_row_of(unsigned filter, uint8_t *restrict row,
+                                   const uint8_t *restrict above, size_t size, const size_t step) {
+    switch (filter) {
+    case FILTER_NONE:
+        return true;
+    case FILTER_SUB:
+        unfilter_pixels(FILTER_SUB, row, above, size, step);
+        return true;
+    case FILTER_UP:
+        for (size_t i = 0; i < size; i++) {
+            row[i] = (uint8_t)(row[i] + above[i]);
+        }
+        return true;
+    case FILTER_AVERAGE:
+        unfilter_pixels(FILTER_AVERAGE, row, above, size, step);
+        return true;
+    case FILTER_PAETH:
+        unfilter_pixels(FILTER_PAETH, row, above, size, step);
+        return true;
+    default:
+        return false;
+    }
+}
+
+static bool unfilter_row(unsigned filter, uint8_t *row, const uint8_t *above, size_t size,
+                         size_t step) {
+    switch (step) {
+    case 1:
+        return unfilter_row_of(filter, row, above, size, 1);
+    case 2:
+        return unfilter_row_of(filter, row, above, size, 2);
+    case 3:
+        return unfilter_row_of(filter, row, above, size, 3);
+    default:
+        return unfilter_row_of(filter, row, above, size, 4);
+    }
+}
+
+/* ---- Reading: chunks ---- */
+
+struct chunk {
+    const uint8_t *type; /* four letters */
+    const uint8_t *data;
+    size_t size;
+};
+
+/* What the chunks before the pixels say, and the compressed pixels. */
+struct png {
+    size_t width, height;
+    unsigned depth; /* bits of a sample or a palette index */
+    unsigned color_type;
+    uint8_t palette[PALETTE_LIMIT][4]; /* blue, green, red, alpha */
+    size_t palette_size;
+    bool has_alpha_chunk; /* a tRNS chunk */
+    uint16_t clear[3];    /* the tRNS colour of a file without palette: red, green, blue */
+    struct bytes compressed;
+    bool seen_data, data_ended, ended;
+};
+
+static bool is_type(const struct chunk *chunk, const char *type) {
+    return memcmp(chunk->type, type, 4) == 0;
+}
+
+/* Split off the next chunk; `position` moves behind it. */
+static bool next_chunk(const uint8_t *data, size_t size, size_t *position, struct chunk *chunk,
+                       struct error *error) {
+    size_t left = size - *position;
+    if (left < CHUNK_OVERHEAD) {
+        error_set(error, "a PNG cut off before its end");
+        return false;
+    }
+    const uint8_t *start = data + *position;
+    uint32_t length = get_u32(start);
+    *chunk = (struct chunk){.type = start + 4, .data = start + 8, .size = length};
+    for (size_t i = 0; i < 4; i++) {
+        unsigned letter = chunk->type[i] | 32u;
+        if (letter < 'a' || letter > 'z') {
+            return error_set(error, "a PNG chunk without a name at byte %zu", *position);
+        }
+    }
+    if (length > CHUNK_LIMIT || length > left - CHUNK_OVERHEAD) {
+        return error_set(error, "a PNG cut off: chunk %.4s claims %lu bytes, but %zu are left",
+                         (const char *)chunk->type, (unsigned long)length, left - CHUNK_OVERHEAD);
+    }
+    if (crc32(chunk->type, 4 + chunk->size) != get_u32(chunk->data + chunk->size)) {
+        return error_set(error, "a PNG with a wrong checksum in chunk %.4s",
+                         (const char *)chunk->type);
+    }
+    *position += CHUNK_OVERHEAD + chunk->size;
+    return true;
+}
+
+static size_t channel_count(unsigned color_type) {
+    switch (color_type) {
+    case COLOR_GREY_ALPHA:
+        return 2;
+    case COLOR_RGB:
+        return 3;
+    case COLOR_RGBA:
+        return 4;
+    default:
+        return 1;
+    }
+}
+
+static bool check_depth(const struct png *png, struct error *error) {
+    bool small = png->depth == 1 || png->depth == 2 || png->depth == 4;
+    bool packed = png->color_type == COLOR_GREY || png->color_type == COLOR_PALETTE;
+    if (png->color_type > COLOR_RGBA || png->color_type == 1 || png->color_type == 5) {
+        return error_set(error, "a PNG of an unknown colour type, %u", png->color_type);
+    }
+    if (png->depth == 16 && png->color_type != COLOR_PALETTE) {
+        return error_set(error, "a PNG with 16 bits a channel is not supported");
+    }
+    if (png->depth != 8 && !(small && packed)) {
+        return error_set(error, "a PNG of colour type %u cannot have %u bits", png->color_type,
+                         png->depth);
+    }
+    return true;
+}
+
+static bool read_header(struct png *png, const struct chunk *chunk, struct error *error) {
+    if (!is_type(chunk, "IHDR") || chunk->size != HEADER_SIZE) {
+        return error_set(error, "a PNG that does not begin with a header");
+    }
+    uint32_t width = get_u32(chunk->data), height = get_u32(chunk->data + 4);
+    if (width == 0 || height == 0 || width > IMAGE_SIZE_LIMIT || height > IMAGE_SIZE_LIMIT) {
+        return error_set(error, "a PNG of %lux%lu pixels: a side has 1 to %d", (unsigned long)width,
+                         (unsigned long)height, IMAGE_SIZE_LIMIT);
+    }
+    png->width = width;
+    png->height = height;
+    png->depth = chunk->data[8];
+    png->color_type = chunk->data[9];
+    if (chunk->data[10] != 0 || chunk->data[11] != 0) {
+        return error_set(error, "a PNG with an unknown compression or filter method");
+    }
+    if (chunk->data[12] == 1) {
+        return error_set(error, "an interlaced PNG is not supported");
+    }
+    if (chunk->data[12] != 0) {
+        return error_set(error, "a PNG with an unknown interlace method");
+    }
+    return check_depth(png, error);
+}
+
+static bool read_palette(struct png *png, const struct chunk *chunk, struct error *error) {
+    bool grey = png->color_type == COLOR_GREY || png->color_type == COLOR_GREY_ALPHA;
+    size_t limit = png->color_type == COLOR_PALETTE ? (size_t)1 << png->depth : PALETTE_LIMIT;
+    if (grey || png->palette_size > 0 || png->has_alpha_chunk || png->seen_data) {
+        return error_set(error, "a PNG with a palette in the wrong place");
+    }
+    if (chunk->size == 0 || chunk->size % 3 != 0 || chunk->size / 3 > limit) {
+        return error_set(error, "a PNG with a palette of %zu bytes", chunk->size);
+    }
+    png->palette_size = chunk->size / 3;
+    for (size_t i = 0; i < png->palette_size; i++) {
+        const uint8_t *rgb = chunk->data + 3 * i;
+        const uint8_t bgra[4] = {rgb[2], rgb[1], rgb[0], 255};
+        memcpy(png->palette[i], bgra, sizeof bgra);
+    }
+    return true;
+}
+
+/* tRNS: the alpha of palette entries, or the one colour that is transparent. */
+static bool read_transparency(struct png *png, const struct chunk *chunk, struct error *error) {
+    bool palette = png->color_type == COLOR_PALETTE;
+    bool own_alpha = png->color_type == COLOR_GREY_ALPHA || png->color_type == COLOR_RGBA;
+    if (own_alpha || png->has_alpha_chunk || png->seen_data ||
+        (palette && png->palette_size == 0)) {
+        return error_set(error, "a PNG with a tRNS chunk in the wrong place");
+    }
+    size_t samples = channel_count(png->color_type);
+    bool right_size =
+        palette ? chunk->size >= 1 && chunk->size <= png->palette_size : chunk->size == 2 * samples;
+    if (!right_size) {
+        return error_set(error, "a PNG with a tRNS chunk of %zu bytes", chunk->size);
+    }
+    png->has_alpha_chunk = true;
+    for (size_t i = 0; palette && i < chunk->size; i++) {
+        png->palette[i][3] = chunk->data[i];
+    }
+    for (size_t i = 0; !palette && i < samples; i++) { /* of 16 bits, the lowest `depth` count */
+        unsigned sample = (unsigned)chunk->data[2 * i] << 8 | chunk->data[2 * i + 1];
+        png->clear[i] = (uint16_t)(sample & ((1u << png->depth) - 1));
+    }
+    return true;
+}
+
+static bool read_data(struct png *png, const struct chunk *chunk, struct error *error) {
+    if (png->data_ended) {
+        return error_set(error, "a PNG with other chunks between its pixel data");
+    }
+    if (png->color_type == COLOR_PALETTE && png->palette_size == 0) {
+        return error_set(error, "a PNG without its palette");
+    }
+    png->seen_data = true;
+    return bytes_append(&png->compressed, chunk->data, chunk->size) || error_out_of_memory(error);
+}
+
+/* Any chunk after the header. */
+static bool read_chunk(struct png *png, const struct chunk *chunk, struct error *error) {
+    if (is_type(chunk, "IDAT")) {
+        return read_data(png, chunk, error);
+    }
+    png->data_ended = png->seen_data;
+    if (is_type(chunk, "IHDR")) {
+        return error_set(error, "a PNG with a second header");
+    }
+    if (is_type(chunk, "PLTE")) {
+        return read_palette(png, chunk, error);
+    }
+    if (is_type(chunk, "tRNS")) {
+        return read_transparency(png, chunk, error);
+    }
+    if (is_type(chunk, "IEND")) {
+        png->ended = true;
+        return (chunk->size == 0 && png->seen_data) || error_set(error, "a PNG without pixel data");
+    }
+    bool critical = (chunk->type[0] & 32) == 0; /* a capital first letter: must be understood */
+    return !critical ||
+           error_set(error, "a PNG with an unknown chunk, %.4s", (const char *)chunk->type);
+}
+
+bool png_has_signature(const void *data, size_t size) {
+    return size >= sizeof png_signature && memcmp(data, png_signature, sizeof png_signature) == 0;
+}
+
+static bool read_chunks(struct png *png, const uint8_t *data, size_t size, struct error *error) {
+    size_t position = sizeof png_signature;
+    struct chunk chunk;
+    if (!png_has_signature(data, size)) {
+        return error_set(error, "not a PNG");
+    }
+    if (!next_chunk(data, size, &position, &chunk, error) || !read_header(png, &chunk, error)) {
+        return false;
+    }
+    while (!png->ended) {
+        if (!next_chunk(data, size, &position, &chunk, error) || !read_chunk(png, &chunk, error)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/* ---- Reading: pixels ---- */
+
+static enum image_format png_format(const struct png *png) {
+    if (png->has_alpha_chunk || png->color_type == COLOR_GREY_ALPHA ||
+        png->color_type == COLOR_RGBA) {
+        return IMAGE_BGRA;
+    }
+    return png->color_type == COLOR_GREY ? IMAGE_GREY : IMAGE_BGR;
+}
+
+/* Sample x of a row whose samples have `depth` bits, the first in the highest bits. */
+static unsigned packed_sample(const uint8_t *row, size_t x, unsigned depth) {
+    size_t bit = x * depth;
+    return ((unsigned)row[bit / 8] >> (8 - depth - bit % 8)) & ((1u << depth) - 1);
+}
+
+/* One pixel as blue, green, red, alpha; false for an index past the palette. */
+static bool read_pixel(const struct png *png, const uint8_t *row, size_t x, uint8_t bgra[4]) {
+    const uint8_t *samples = row + x * channel_count(png->color_type);
+    unsigned value;
+    bool clear;
+    switch (png->color_type) {
+    case COLOR_GREY:
+        value = packed_sample(row, x, png->depth);
+        clear = png->has_alpha_chunk && value == png->clear[0];
+        value = value * 255 / ((1u << png->depth) - 1);
+        memset(bgra, (int)value, 3);
+        bgra[3] = clear ? 0 : 255;
+        return true;
+    case COLOR_GREY_ALPHA:
+        memset(bgra, samples[0], 3);
+        bgra[3] = samples[1];
+        return true;
+    case COLOR_PALETTE:
+        value = packed_sample(row, x, png->depth);
+        if (value >= png->palette_size) {
+            return false;
+        }
+        memcpy(bgra, png->palette[value], 4);
+        return true;
+    default:
+        clear = png->has_alpha_chunk && samples[0] == png->clear[0] &&
+                samples[1] == png->clear[1] && samples[2] == png->clear[2];
+        bgra[0] = samples[2];
+        bgra[1] = samples[1];
+        bgra[2] = samples[0];
+        bgra[3] = png->color_type == COLOR_RGBA ? samples[3] : clear ? 0 : 255;
+        return true;
+    }
+}
+
+/* A row of pixels as they are in most files: eight bits a channel, and no colour that stands for
+ * transparent. False, and nothing done, for any other. */
+static bool copy_plain_pixels(const struct png *png, const uint8_t *row, uint8_t *pixels) {
+    if (png->has_alpha_chunk || png->depth != 8) {
+        return false;
+    }
+    switch (png->color_type) {
+    case COLOR_GREY:
+        memcpy(pixels, row, png->width);
+        return true;
+    case COLOR_RGB:
+        swap_colors(pixels, row, png->width, 3);
+        return true;
+    case COLOR_RGBA:
+        swap_colors(pixels, row, png->width, 4);
+        return true;
+    default:
+        return false;
+    }
+}
+
+/* Undo the filters of `raw` (each row: filter, `size` bytes), row by row; fill the image. Before
+ * the first row there are `size` zero bytes, a row above it. */
+static bool unpack_rows(const struct png *png, uint8_t *raw, size_t size, struct image *image,
+                        struct error *error) {
+    const uint8_t *above = raw - size;
+    size_t bits = channel_count(png->color_type) * png->depth;
+    size_t step = bits < 8 ? 1 : bits / 8;
+    size_t pixel_size = (size_t)image->format;
+    for (size_t y = png->height; y-- > 0;) {
+        uint8_t *row = raw + 1;
+        if (!unfilter_row(raw[0], row, above, size, step)) {
+            return error_set(error, "a PNG with an unknown row filter, %u", raw[0]);
+        }
+        uint8_t *pixel = image->pixels + y * image->width * pixel_size;
+        bool copied = copy_plain_pixels(png, row, pixel);
+        for (size_t x = 0; !copied && x < png->width; x++, pixel += pixel_size) {
+            uint8_t bgra[4];
+            if (!read_pixel(png, row, x, bgra)) {
+                return error_set(error, "a PNG with a pixel outside its palette of %zu colours",
+                                 png->palette_size);
+            }
+            memcpy(pixel, bgra, pixel_size);
+        }
+        raw += 1 + size;
+        above = row;
+    }
+    return true;
+}
+
+static bool decode_pixels(const struct png *png, struct image *image, struct error *error) {
+    size_t row_size = (png->width * channel_count(png->color_type) * png->depth + 7) / 8;
+    uint64_t raw_size = (uint64_t)png->height * (1 + row_size);
+    assert(raw_size > 0); /* read_header() lets no empty image pass */
+    if (raw_size / DEFLATE_RATIO_LIMIT > png->compressed.size || raw_size > SIZE_MAX / 2) {
+        return error_set(error, "a PNG cut off: %zu bytes cannot hold %zux%zu pixels",
+                         png->compressed.size, png->width, png->height);
+    }
+    /* Pixels of less than a byte become whole ones, or four of them. */
+    uint64_t pixels = (uint64_t)png->width * png->height;
+    if (pixels > PIXELS_OF_ANY && pixels / DEFLATE_RATIO_LIMIT > png->compressed.size) {
+        return error_set(error, "a PNG of %zux%zu pixels in no more than %zu bytes is not read",
+                         png->width, png->height, png->compressed.size);
+    }
+    uint8_t *memory = malloc(row_size + (size_t)raw_size);
+    if (memory == NULL) {
+        return error_out_of_memory(error);
+    }
+    uint8_t *raw = memory + row_size;
+    memset(memory, 0, row_size);
+    bool done =
+        zlib_decompress(png->compressed.data, png->compressed.size, raw, (size_t)raw_size, error) &&
+        image_create(image, png->width, png->height, png_format(png), error) &&
+        unpack_rows(png, raw, row_size, image, error);
+    if (!done) {
+        image_free(image);
+    }
+    free(memory);
+    return done;
+}
+
+bool png_decode(struct image *image, const void *data, size_t size, struct error *error) {
+    struct png png = {0};
+    *image = (struct image){0};
+    bool done = read_chunks(&png, data, size, error) && decode_pixels(&png, image, error);
+    bytes_free(&png.compressed);
+    return done;
+}
+
+/* ---- Writing ---- */
+
+/* A part of an image; y counts rows from the bottom. */
+struct rectangle {
+    size_t x, y, width, height;
+};
+
+/* Append a chunk: `head` (`head_size` bytes) and `data` are its contents, one after the other. */
+static bool append_chunk(struct bytes *out, const char *type, const void *head, size_t head_size,
+                         const void *data, size_t data_size) {
+    size_t size = head_size + data_size;
+    if (!bytes_reserve(out, CHUNK_OVERHEAD + size)) {
+        return false;
+    }
+    uint8_t number[4];
+    size_t start = out->size + 4;
+    put_u32(number, size);
+    bytes_append(out, number, 4);
+    bytes_append(out, type, 4);
+    bytes_append(out, head, head_size);
+    bytes_append(out, data, data_size);
+    put_u32(number, crc32(out->data + start, 4 + size));
+    bytes_append(out, number, 4);
+    return true;
+}
+
+static bool append_header(struct bytes *out, const struct image *image) {
+    static const uint8_t types[] = {
+        [IMAGE_GREY] = COLOR_GREY, [IMAGE_BGR] = COLOR_RGB, [IMAGE_BGRA] = COLOR_RGBA};
+    uint8_t header[HEADER_SIZE] = {0};
+    put_u32(header, image->width);
+    put_u32(header + 4, image->height);
+    header[8] = 8;
+    header[9] = types[image->format];
+    return append_chunk(out, "IHDR", header, sizeof header, NULL, 0);
+}
+
+/* Row y of the rectangle as it stands in the file, not yet filtered. */
+static void load_row(const struct image *image, const struct rectangle *rect, size_t y,
+                     uint8_t *row) {
+    size_t step = (size_t)image->format;
+    const uint8_t *pixel = image->pixels + ((rect->y + y) * image->width + rect->x) * step;
+    switch (step) {
+    case 1:
+        memcpy(row, pixel, rect->width);
+        break;
+    case 3:
+        swap_colors(row, pixel, rect->width, 3);
+        break;
+    default:
+        swap_colors(row, pixel, rect->width, 4);
+        break;
+    }
+}
+
+/* How far the bytes of a row are from zero, counted as differences -128..127. */
+static uint32_t distance_from_zero(const uint8_t *bytes, size_t size) {
+    uint32_t sum = 0; /* at most 4 * IMAGE_SIZE_LIMIT * 128 */
+    for (size_t i = 0; i < size; i++) {
+        sum += bytes[i] < 128 ? bytes[i] : 256u - bytes[i];
+    }
+    return sum;
+}
+
+/* Filter every row of the rectangle, top row first, into `out`: the filter's number and the bytes.
+ * With FILTER_ADAPTIVE each row gets the filter whose differences are smallest in sum, as the
+ * specification advises (section 12.7). `rows` has room for two rows and their margins, all zero,
+ * `trial` for one row. */
+static void filter_rows(const struct image *image, const struct rectangle *rect, unsigned choice,
+                        uint8_t *rows, uint8_t *trial, uint8_t *out) {
+    size_t step = (size_t)image->format;
+    size_t size = rect->width * step;
+    uint8_t *row = rows + PIXEL_LIMIT, *above = rows + 2 * PIXEL_LIMIT + size;
+    unsigned first = choice == FILTER_ADAPTIVE ? FILTER_NONE : choice;
+    unsigned last = choice == FILTER_ADAPTIVE ? FILTER_COUNT - 1 : choice;
+    for (size_t y = rect->height; y-- > 0; out += 1 + size) {
+        load_row(image, rect, y, row);
+        filter_row(first, row, above, size, step, out + 1);
+        out[0] = (uint8_t)first;
+        uint32_t best = first == last ? 0 : distance_from_zero(out + 1, size);
+        for (unsigned filter = first + 1; filter <= last && best > 0; filter++) {
+            filter_row(filter, row, above, size, step, trial);
+            uint32_t sum = distance_from_zero(trial, size);
+            if (sum < best) {
+                best = sum;
+                out[0] = (uint8_t)filter;
+                memcpy(out + 1, trial, size);
+            }
+        }
+        uint8_t *kept = above;
+        above = row;
+        row = kept;
+    }
+}
+
+/* What a row's changes of colour are like. */
+struct changes {
+    uint64_t all, hard;
+};
+
+/* The colours of a row that are not those at their left, and how many of these are hard edges: the
+ * first of a new colour after a run of another one, or after one pixel between two of the same, and
+ * clearly different. `step`, the bytes of a pixel, is a constant where this is called. */
+static inline struct changes count_changes_of(const uint8_t *row, size_t width, const size_t step) {
+    struct changes changes = {0, 0};
+    for (size_t x = 2; x < width; x++) {
+        const uint8_t *pixel = row + x * step, *left = pixel - step, *left_2 = left - step;
+        int difference = 0, before = 0, around = 0; /* to the left, of the left ones, to left_2 */
+        for (size_t i = 0; i < step; i++) {
+            int d = abs(pixel[i] - left[i]);
+            difference = d > difference ? d : difference;
+            before |= left[i] ^ left_2[i];
+            around |= pixel[i] ^ left_2[i];
+        }
+        changes.all += difference != 0;
+        changes.hard += (difference > 8) & ((before == 0) | (around == 0));
+    }
+    return changes;
+}
+
+static struct changes count_changes(const uint8_t *row, size_t width, size_t step) {
+    switch (step) {
+    case 1:
+        return count_changes_of(row, width, 1);
+    case 3:
+        return count_changes_of(row, width, 3);
+    default:
+        return count_changes_of(row, width, 4);
+    }
+}
+
+/* Does the image consist of areas of one colour with hard edges (flat shading, lines, text)? The
+ * bytes as they are then compress better, and faster, than any differences. Of the changes along
+ * the rows of such images more than half are hard edges; of smoothly shaded ones, less than a
+ * tenth. */
+static bool has_flat_areas(const struct image *image, const struct rectangle *rect) {
+    size_t step = (size_t)image->format;
+    uint64_t all = 0, hard = 0;
+    for (size_t y = 0; y < rect->height; y++) {
+        const uint8_t *row = image->pixels + ((rect->y + y) * image->width + rect->x) * step;
+        struct changes changes = count_changes(row, rect->width, step);
+        all += changes.all;
+        hard += changes.hard;
+    }
+    return hard > all / 2;
+}
+
+/* The filtered and compressed pixels of a rectangle, at the end of `out`. */
+static bool compress_pixels(const struct image *image, const struct rectangle *rect,
+                            struct bytes *out, struct error *error) {
+    unsigned filter = has_flat_areas(image, rect) ? FILTER_NONE : FILTER_ADAPTIVE;
+    size_t size = rect->width * (size_t)image->format;
+    uint8_t *rows = calloc(3, PIXEL_LIMIT + size);
+    uint8_t *raw = calloc(rect->height, 1 + size);
+    bool done = false;
+    if (rows == NULL || raw == NULL) {
+        error_out_of_memory(error);
+        goto end;
+    }
+    filter_rows(image, rect, filter, rows, rows + 2 * (PIXEL_LIMIT + size), raw);
+    done = zlib_compress(raw, rect->height * (1 + size), out, error);
+end:
+    free(rows);
+    free(raw);
+    return done;
+}
+
+static struct rectangle whole(const struct image *image) {
+    return (struct rectangle){0, 0, image->width, image->height};
+}
+
+static bool append_signature(struct bytes *out) {
+    return bytes_append(out, png_signature, sizeof png_signature);
+}
+
+/* The compressed pixels, in as many chunks as they take. */
+static bool append_pixels(struct bytes *out, const struct bytes *compressed) {
+    for (size_t done = 0; done < compressed->size;) {
+        size_t left = compressed->size - done;
+        size_t part = left < CHUNK_LIMIT ? left : CHUNK_LIMIT;
+        if (!append_chunk(out, "IDAT", NULL, 0, compressed->data + done, part)) {
+            return false;
+        }
+        done += part;
+    }
+    return true;
+}
+
+static bool append_end(struct bytes *out) {
+    return append_chunk(out, "IEND", NULL, 0, NULL, 0);
+}
+
+/* The whole file. */
+static bool append_png(struct bytes *out, const struct image *image, const struct bytes *pixels) {
+    return append_signature(out) && append_header(out, image) && append_pixels(out, pixels) &&
+           append_end(out);
+}
+
+bool png_encode(const struct image *image, struct bytes *out, struct error *error) {
+    if (image->pixels == NULL) {
+        return error_set(error, "an empty image cannot be written");
+    }
+    struct bytes pixels = {0};
+    struct rectangle rect = whole(image);
+    size_t start = out->size;
+    bool done = compress_pixels(image, &rect, &pixels, error) &&
+                (append_png(out, image, &pixels) || error_out_of_memory(error));
+    bytes_free(&pixels);
+    out->size = done ? out->size : start;
+    return done;
+}
+
+bool png_write(const struct image *image, const char *path, struct error *error) {
+    struct bytes out = {0};
+    bool encoded = png_encode(image, &out, error);
+    return file_write_encoded(path, encoded, &out, error);
+}
+
+/* ---- Animation ----
+ *
+ * APNG (third edition, section 11.3.4): acTL tells the number of frames; fcTL comes before each
+ * frame's pixels, which stand in IDAT for the first and in fdAT for the others. fcTL and fdAT count
+ * a sequence number on. */
+
+enum { FRAME_CONTROL_SIZE = 26 };
+
+/* The smallest rectangle outside of which two images of one size are equal; a single pixel when
+ * they are equal everywhere, since a frame cannot be empty. */
+static struct rectangle changed_rect(const struct image *before, const struct image *after) {
+    size_t step = (size_t)after->format;
+    size_t left = after->width, bottom = after->height;
+    size_t right = 0, top = 0; /* past it */
+    for (size_t y = 0; y < after->height; y++) {
+        const uint8_t *a = before->pixels + y * after->width * step;
+        const uint8_t *b = after->pixels + y * after->width * step;
+        if (memcmp(a, b, after->width * step) == 0) {
+            continue;
+        }
+        bottom = y < bottom ? y : bottom;
+        top = y + 1;
+        size_t first = 0, end = after->width;
+        while (memcmp(a + first * step, b + first * step, step) == 0) {
+            first++;
+        }
+        while (memcmp(a + (end - 1) * step, b + (end - 1) * step, step) == 0) {
+            end--;
+        }
+        left = first < left ? first : left;
+        right = end > right ? end : right;
+    }
+    return top == 0 ? (struct rectangle){0, 0, 1, 1}
+                    : (struct rectangle){left, bottom, right - left, top - bottom};
+}
+
+static bool append_frame_control(struct bytes *out, uint32_t sequence, const struct rectangle *rect,
+                                 size_t image_height, unsigned delay_ms) {
+    uint8_t control[FRAME_CONTROL_SIZE] = {0}; /* the rectangle replaces what was there and stays */
+    put_u32(control, sequence);
+    put_u32(control + 4, rect->width);
+    put_u32(control + 8, rect->height);
+    put_u32(control + 12, rect->x);
+    put_u32(control + 16, image_height - rect->y - rect->height);
+    put_u16(control + 20, delay_ms);
+    put_u16(control + 22, 1000);
+    return append_chunk(out, "fcTL", control, sizeof control, NULL, 0);
+}
+
+/* The compressed pixels of a frame: in IDAT for the first, whose fcTL has number 0, else in one
+ * fdAT with the next number. */
+static bool append_frame_pixels(struct bytes *out, uint32_t sequence, const struct bytes *pixels,
+                                struct error *error) {
+    uint8_t number[4];
+    if (sequence == 0) {
+        return append_pixels(out, pixels) || error_out_of_memory(error);
+    }
+    if (pixels->size > CHUNK_LIMIT - sizeof number) {
+        return error_set(error, "a frame of %zu bytes does not fit into a chunk", pixels->size);
+    }
+    put_u32(number, sequence + 1);
+    return append_chunk(out, "fdAT", number, sizeof number, pixels->data, pixels->size) ||
+           error_out_of_memory(error);
+}
+
+/* Frame `index` as fcTL and pixels. The chunks before it took the sequence numbers 0, 1, 3, 5... */
+static bool append_frame(const struct image *frames, size_t index, unsigned delay_ms,
+                         struct bytes *out, struct error *error) {
+    const struct image *frame = &frames[index];
+    struct rectangle rect = index == 0 ? whole(frame) : changed_rect(&frames[index - 1], frame);
+    uint32_t sequence = index == 0 ? 0 : (uint32_t)(2 * index - 1);
+    struct bytes pixels = {0};
+    bool done = compress_pixels(frame, &rect, &pixels, error) &&
+                (append_frame_control(out, sequence, &rect, frame->height, delay_ms) ||
+                 error_out_of_memory(error)) &&
+                append_frame_pixels(out, sequence, &pixels, error);
+    bytes_free(&pixels);
+    return done;
+}
+
+static bool check_frames(const struct image *frames, size_t count, unsigned delay_ms,
+                         struct error *error) {
+    enum { FRAME_LIMIT = 1 << 30 }; /* sequence numbers stay below 2^31 */
+    if (count < 1 || count > FRAME_LIMIT || delay_ms < 1 || delay_ms > 65535) {
+        return error_set(error, "an animation cannot have %zu frames of %u ms", count, delay_ms);
+    }
+    for (size_t i = 0; i < count; i++) {
+        if (frames[i].pixels == NULL || frames[i].width != frames[0].width ||
+            frames[i].height != frames[0].height || frames[i].format != frames[0].format) {
+            return error_set(error, "frame %zu of an animation is not like the first", i);
+        }
+    }
+    return true;
+}
+
+/* What stands before the first frame. */
+static bool append_animation_head(struct bytes *out, const struct image *frame, size_t count) {
+    uint8_t control[8] = {0}; /* number of frames; 0 plays: forever */
+    put_u32(control, count);
+    return append_signature(out) && append_header(out, frame) &&
+           append_chunk(out, "acTL", control, sizeof control, NULL, 0);
+}
+
+bool apng_encode(const struct image *frames, size_t count, unsigned delay_ms, struct bytes *out,
+                 struct error *error) {
+    if (!check_frames(frames, count, delay_ms, error)) {
+        return false;
+    }
+    size_t start = out->size;
+    bool done = append_animation_head(out, &frames[0], count) || error_out_of_memory(error);
+    for (size_t i = 0; done && i < count; i++) {
+        done = append_frame(frames, i, delay_ms, out, error);
+    }
+    done = done && (append_end(out) || error_out_of_memory(error));
+    out->size = done ? out->size : start;
+    return done;
+}
+
+bool apng_write(const struct image *frames, size_t count, unsigned delay_ms, const char *path,
+                struct error *error) {
+    struct bytes out = {0};
+    bool encoded = apng_encode(frames, count, delay_ms, &out, error);
+    return file_write_encoded(path, encoded, &out, error);
+}

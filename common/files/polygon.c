@@ -1,0 +1,474 @@
+/* Polygons cut into triangles by their ears; see polygon.h. */
+#include "files/polygon.h"
+
+#include "base/array.h"
+#include "base/exact.h"
+#include "geometry.h"
+
+#include <assert.h>
+#include <math.h>
+#include <stdbool.h>
+#include <stdlib.h>
+
+#define NOTHING UINT32_MAX /* the end of a list */
+
+/* A corner on the plane. Others are given by number. */
+struct polygon_node {
+    double x, y;                       /* two of the corner's coordinates, not rounded */
+    double turn;                       /* orientation here: positive where the polygon is convex */
+    uint32_t previous, next;           /* around the polygon */
+    uint32_t cell_previous, cell_next; /* in the list of the same cell, or NOTHING */
+    bool in_cell;                      /* not convex: stands in the list of its cell */
+    bool waits;                        /* stands in the queue */
+    bool gone;                         /* was cut off */
+};
+
+/* ---- Which way points turn ---- */
+
+/* Six products, each of them the sum of two doubles. */
+enum { TERMS = 12 };
+
+/* The sign of a sum, exactly: the numbers are added to an expansion, a list of doubles whose sum is
+ * exact (Shewchuk, "Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric
+ * Predicates", 1997, section 2.4). Its last component that is not 0 has the sign of the sum. */
+static double exact_sign_of_sum(const double terms[TERMS]) {
+    double expansion[TERMS];
+    for (int count = 0; count < TERMS; count++) {
+        double sum = terms[count];
+        for (int i = 0; i < count; i++) {
+            struct exact added = exact_sum(sum, expansion[i]);
+            sum = added.rounded;
+            expansion[i] = added.rest;
+        }
+        expansion[count] = sum;
+    }
+    int last = TERMS - 1;
+    while (last > 0 && expansion[last] == 0) {
+        last--;
+    }
+    return expansion[last];
+}
+
+/* The same as orientation(), without differences, which would be rounded. */
+static double exact_orientation(const struct polygon_node *a, const struct polygon_node *b,
+                                const struct polygon_node *c) {
+    const struct exact products[TERMS / 2] = {
+        exact_product(a->x, b->y),  exact_product(-a->y, b->x), exact_product(b->x, c->y),
+        exact_product(-b->y, c->x), exact_product(c->x, a->y),  exact_product(-c->y, a->x),
+    };
+    double terms[TERMS];
+    for (int i = 0; i < TERMS / 2; i++) {
+        terms[2 * i] = products[i].rounded;
+        terms[2 * i + 1] = products[i].rest;
+    }
+    return exact_sign_of_sum(terms);
+}
+
+/* Positive when a, b, c turn left, negative when they turn right, 0 when they lie on a line. Only
+ * the sign counts. */
+static double orientation(const struct polygon_node *a, const struct polygon_node *b,
+                          const struct polygon_node *c) {
+    double left = (b->x - a->x) * (c->y - a->y);
+    double right = (b->y - a->y) * (c->x - a->x);
+    /* (3 + 16e)e with e = 2^-53, and some more. */
+    double bound = 4e-16 * (fabs(left) + fabs(right));
+    return fabs(left - right) > bound ? left - right : exact_orientation(a, b, c);
+}
+
+static bool same_place(const struct polygon_node *a, const struct polygon_node *b) {
+    return a->x == b->x && a->y == b->y;
+}
+
+/* Twice the polygon's area vector, relative to its first corner so that a place far from the origin
+ * costs no accuracy (Newell's formula: Sutherland, Sproull and Schumacker, "A Characterization of
+ * Ten Hidden-Surface Algorithms", 1974, attributed to M. Newell). */
+static struct vec3 polygon_normal(const struct vec3 *corners, size_t size) {
+    struct vec3 normal = {0, 0, 0};
+    struct vec3 previous = {0, 0, 0};
+    for (size_t i = 1; i < size; i++) {
+        struct vec3 current = vec3_sub(corners[i], corners[0]);
+        normal = vec3_add(normal, vec3_cross(previous, current));
+        previous = current;
+    }
+    return normal;
+}
+
+/* The coordinate plane that a polygon is most nearly parallel to: it is seen from the side from
+ * which it goes round counterclockwise. Dropping one coordinate keeps the other two exact, unlike a
+ * rotation. */
+struct plane {
+    int across, up; /* 0, 1, 2 for x, y, z */
+};
+
+static struct plane plane_facing(struct vec3 normal) {
+    double x = fabs(normal.x), y = fabs(normal.y), z = fabs(normal.z);
+    int drop = x > y && x > z ? 0 : (y > z ? 1 : 2);
+    double facing = drop == 0 ? normal.x : (drop == 1 ? normal.y : normal.z);
+    int first = (drop + 1) % 3, second = (drop + 2) % 3;
+    return facing > 0 ? (struct plane){first, second} : (struct plane){second, first};
+}
+
+/* A coordinate of the corner by its number. Very small ones become 0: then no product of two can be
+ * so small that bits of it are lost. */
+static double coordinate(struct vec3 corner, int axis) {
+    double value = axis == 0 ? corner.x : (axis == 1 ? corner.y : corner.z);
+    return fabs(value) < 1e-120 ? 0 : value;
+}
+
+static struct polygon_node node_on_plane(struct vec3 corner, struct plane plane) {
+    return (struct polygon_node){.x = coordinate(corner, plane.across),
+                                 .y = coordinate(corner, plane.up)};
+}
+
+/* Convex: it never turns right. One that turns straight back does not either; but there a triangle
+ * of its fan, around `first`, is turned over. (A star that goes round several times may pass; but
+ * no way of cutting one is right.) */
+static bool is_convex(const struct vec3 *corners, size_t size, struct plane plane) {
+    const struct polygon_node first = node_on_plane(corners[0], plane);
+    struct polygon_node a = first, b = node_on_plane(corners[1], plane);
+    for (size_t i = 2; i < size + 2; i++) {
+        struct polygon_node c = node_on_plane(corners[i < size ? i : i - size], plane);
+        if (orientation(&a, &b, &c) < 0 || orientation(&first, &b, &c) < 0) {
+            return false;
+        }
+        a = b;
+        b = c;
+    }
+    return true;
+}
+
+/* Is it right to cut the polygon as a fan? Where it has no area nothing will be seen of it. */
+static bool fan_is_right(const struct vec3 *corners, size_t size, struct vec3 normal) {
+    bool flat = normal.x == 0 && normal.y == 0 && normal.z == 0;
+    return flat || is_convex(corners, size, plane_facing(normal));
+}
+
+/* ---- Cutting off ears ----
+ *
+ * An ear is a convex corner whose triangle with its two neighbours holds no other corner; it can be
+ * cut off, which leaves a polygon with one corner less (Meisters, "Polygons have ears", 1975). Only
+ * corners that are not convex need to be tested, and cutting an ear off changes only what is known
+ * of its two neighbours (O'Rourke, "Computational Geometry in C", second edition, section 1.6). So
+ * each cut makes at most two new tests, each of which looks into the cells of the grid around the
+ * ear. */
+
+static void queue_add(struct polygon_cutter *cutter, uint32_t index) {
+    if (!cutter->nodes[index].waits) {
+        cutter->nodes[index].waits = true;
+        cutter->queue[(cutter->queue_first + cutter->queue_count) % cutter->queue_size] = index;
+        cutter->queue_count++;
+    }
+}
+
+static uint32_t queue_take(struct polygon_cutter *cutter) {
+    uint32_t index = cutter->queue[cutter->queue_first];
+    cutter->queue_first = (cutter->queue_first + 1) % cutter->queue_size;
+    cutter->queue_count--;
+    cutter->nodes[index].waits = false;
+    return index;
+}
+
+/* The column or row of the grid. It never falls as the coordinate grows, so the cells of two ends
+ * hold between them whatever lies between the ends. */
+static size_t grid_place(const struct polygon_cutter *cutter, double coordinate, double first,
+                         double scale) {
+    size_t place = (size_t)((coordinate - first) * scale);
+    return place < cutter->grid_size ? place : cutter->grid_size - 1;
+}
+
+static uint32_t *cell_of(struct polygon_cutter *cutter, const struct polygon_node *node) {
+    size_t column = grid_place(cutter, node->x, cutter->left, cutter->x_scale);
+    size_t row = grid_place(cutter, node->y, cutter->bottom, cutter->y_scale);
+    return &cutter->cells[row * cutter->grid_size + column];
+}
+
+static void cell_add(struct polygon_cutter *cutter, uint32_t index) {
+    struct polygon_node *node = &cutter->nodes[index];
+    uint32_t *cell = cell_of(cutter, node);
+    node->in_cell = true;
+    node->cell_previous = NOTHING;
+    node->cell_next = *cell;
+    if (*cell != NOTHING) {
+        cutter->nodes[*cell].cell_previous = index;
+    }
+    *cell = index;
+}
+
+static void cell_remove(struct polygon_cutter *cutter, uint32_t index) {
+    struct polygon_node *node = &cutter->nodes[index];
+    node->in_cell = false;
+    if (node->cell_previous != NOTHING) {
+        cutter->nodes[node->cell_previous].cell_next = node->cell_next;
+    } else {
+        *cell_of(cutter, node) = node->cell_next;
+    }
+    if (node->cell_next != NOTHING) {
+        cutter->nodes[node->cell_next].cell_previous = node->cell_previous;
+    }
+}
+
+/* Find out how the polygon turns at a corner, after its neighbours changed. */
+static void update_turn(struct polygon_cutter *cutter, uint32_t index) {
+    struct polygon_node *node = &cutter->nodes[index];
+    node->turn = orientation(&cutter->nodes[node->previous], node, &cutter->nodes[node->next]);
+    bool reflex = node->turn <= 0;
+    if (reflex && !node->in_cell) {
+        cell_add(cutter, index);
+    } else if (!reflex && node->in_cell) {
+        cell_remove(cutter, index);
+    }
+}
+
+/* Does the polygon, where it comes back to the place of the corner `tip`, pass inside the corner's
+ * angle? (A hole can touch the outline there.) */
+static bool passes_inside(const struct polygon_cutter *cutter, const struct polygon_node *tip,
+                          const struct polygon_node *other) {
+    const struct polygon_node *previous = &cutter->nodes[tip->previous],
+                              *next = &cutter->nodes[tip->next];
+    const struct polygon_node *ends[2] = {&cutter->nodes[other->previous],
+                                          &cutter->nodes[other->next]};
+    for (int i = 0; i < 2; i++) {
+        if (orientation(previous, tip, ends[i]) > 0 && orientation(tip, next, ends[i]) > 0) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/* Does the corner `other` keep the ear at `tip` from being cut off? */
+static bool blocks_ear(const struct polygon_cutter *cutter, const struct polygon_node *tip,
+                       const struct polygon_node *other) {
+    const struct polygon_node *previous = &cutter->nodes[tip->previous],
+                              *next = &cutter->nodes[tip->next];
+    if (same_place(other, previous) || same_place(other, next)) {
+        return false;
+    }
+    if (same_place(other, tip)) {
+        return passes_inside(cutter, tip, other);
+    }
+    return orientation(previous, tip, other) >= 0 && orientation(tip, next, other) >= 0 &&
+           orientation(next, previous, other) >= 0;
+}
+
+/* Does a corner of the list that starts at `first` keep the ear from being cut off? */
+static bool cell_blocks_ear(const struct polygon_cutter *cutter, uint32_t first,
+                            const struct polygon_node *tip) {
+    for (uint32_t i = first; i != NOTHING; i = cutter->nodes[i].cell_next) {
+        if (blocks_ear(cutter, tip, &cutter->nodes[i])) {
+            return true;
+        }
+    }
+    return false;
+}
+
+static double least_of(double a, double b, double c) {
+    double least = a < b ? a : b;
+    return least < c ? least : c;
+}
+
+static double greatest_of(double a, double b, double c) {
+    double greatest = a > b ? a : b;
+    return greatest > c ? greatest : c;
+}
+
+/* A spike, where the polygon turns straight back, or a doubled point: it can always be cut off. */
+static bool is_spike(const struct polygon_cutter *cutter, uint32_t index) {
+    const struct polygon_node *tip = &cutter->nodes[index];
+    const struct polygon_node *a = &cutter->nodes[tip->previous], *b = &cutter->nodes[tip->next];
+    return tip->turn == 0 &&
+           (a->x - tip->x) * (b->x - tip->x) + (a->y - tip->y) * (b->y - tip->y) >= 0;
+}
+
+static bool is_ear(const struct polygon_cutter *cutter, uint32_t index) {
+    const struct polygon_node *tip = &cutter->nodes[index];
+    const struct polygon_node *a = &cutter->nodes[tip->previous], *b = &cutter->nodes[tip->next];
+    if (tip->turn <= 0) { /* a point of a straight side stays */
+        return is_spike(cutter, index);
+    }
+    double left = least_of(a->x, tip->x, b->x), right = greatest_of(a->x, tip->x, b->x);
+    double bottom = least_of(a->y, tip->y, b->y), top = greatest_of(a->y, tip->y, b->y);
+    size_t first_column = grid_place(cutter, left, cutter->left, cutter->x_scale);
+    size_t last_column = grid_place(cutter, right, cutter->left, cutter->x_scale);
+    size_t first_row = grid_place(cutter, bottom, cutter->bottom, cutter->y_scale);
+    size_t last_row = grid_place(cutter, top, cutter->bottom, cutter->y_scale);
+    for (size_t row = first_row; row <= last_row; row++) {
+        for (size_t column = first_column; column <= last_column; column++) {
+            if (cell_blocks_ear(cutter, cutter->cells[row * cutter->grid_size + column], tip)) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+/* When no ear is left the polygon crosses itself: a corner that turns left, or else any corner,
+ * found from `start` on, goes next, so that every polygon of n corners becomes n - 2 triangles. */
+static uint32_t any_node(const struct polygon_cutter *cutter, uint32_t start) {
+    uint32_t index = start;
+    do {
+        if (cutter->nodes[index].turn >= 0) {
+            return index;
+        }
+        index = cutter->nodes[index].next;
+    } while (index != start);
+    return start;
+}
+
+/* Room for the corners of a polygon that is cut by its ears. */
+static bool reserve_nodes(struct polygon_cutter *cutter, size_t size) {
+    void *nodes = array_reserve(cutter->nodes, &cutter->node_capacity, size, sizeof *cutter->nodes);
+    cutter->nodes = nodes == NULL ? cutter->nodes : nodes;
+    void *cells = array_reserve(cutter->cells, &cutter->cell_capacity, size, sizeof *cutter->cells);
+    cutter->cells = cells == NULL ? cutter->cells : cells;
+    void *queue =
+        array_reserve(cutter->queue, &cutter->queue_capacity, size, sizeof *cutter->queue);
+    cutter->queue = queue == NULL ? cutter->queue : queue;
+    return nodes != NULL && cells != NULL && queue != NULL;
+}
+
+/* About as many cells as corners, over the rectangle around the polygon. */
+static void grid_begin(struct polygon_cutter *cutter, size_t size) {
+    double right = cutter->nodes[0].x, top = cutter->nodes[0].y;
+    cutter->left = right;
+    cutter->bottom = top;
+    for (size_t i = 1; i < size; i++) {
+        const struct polygon_node *node = &cutter->nodes[i];
+        cutter->left = node->x < cutter->left ? node->x : cutter->left;
+        right = node->x > right ? node->x : right;
+        cutter->bottom = node->y < cutter->bottom ? node->y : cutter->bottom;
+        top = node->y > top ? node->y : top;
+    }
+    cutter->grid_size = (size_t)sqrt((double)size);
+    double width = right - cutter->left, height = top - cutter->bottom;
+    /* Both are positive: a polygon without area on the plane is cut as a fan. */
+    cutter->x_scale = (double)cutter->grid_size / width;
+    cutter->y_scale = (double)cutter->grid_size / height;
+    for (size_t i = 0; i < cutter->grid_size * cutter->grid_size; i++) {
+        cutter->cells[i] = NOTHING;
+    }
+}
+
+/* Link the corners to a ring and list those where the polygon is not convex. */
+static void link_nodes(struct polygon_cutter *cutter, uint32_t size) {
+    for (uint32_t i = 0; i < size; i++) {
+        struct polygon_node *node = &cutter->nodes[i];
+        node->previous = i == 0 ? size - 1 : i - 1;
+        node->next = i + 1 == size ? 0 : i + 1;
+    }
+    for (uint32_t i = 0; i < size; i++) {
+        update_turn(cutter, i);
+    }
+}
+
+/* Put all corners into the queue. */
+static void queue_begin(struct polygon_cutter *cutter, uint32_t size) {
+    cutter->queue_first = cutter->queue_count = 0;
+    cutter->queue_size = size;
+    for (uint32_t i = 0; i < size; i++) {
+        if (is_spike(cutter, i)) { /* first: without them, less can be mistaken for an ear */
+            queue_add(cutter, i);
+        }
+    }
+    for (uint32_t i = 1; i <= size; i++) {
+        queue_add(cutter, i % size);
+    }
+}
+
+/* Add a triangle of three of the polygon's corners; there is room. */
+static void add_triangle(struct polygon_cutter *cutter, uint32_t a, uint32_t b, uint32_t c) {
+    uint32_t *triangle = cutter->triangles[cutter->triangle_count++];
+    triangle[0] = a;
+    triangle[1] = b;
+    triangle[2] = c;
+}
+
+/* Cut the corner off with a triangle: its neighbours become neighbours. */
+static void cut_off(struct polygon_cutter *cutter, uint32_t index) {
+    struct polygon_node *tip = &cutter->nodes[index];
+    add_triangle(cutter, tip->previous, index, tip->next);
+    if (tip->in_cell) {
+        cell_remove(cutter, index);
+    }
+    tip->gone = true;
+    cutter->nodes[tip->previous].next = tip->next;
+    cutter->nodes[tip->next].previous = tip->previous;
+    update_turn(cutter, tip->previous);
+    update_turn(cutter, tip->next);
+    queue_add(cutter, tip->previous);
+    queue_add(cutter, tip->next);
+}
+
+/* Cut the ear off, and at once whatever that turns into spikes, up to `cuts` triangles in all.
+ * Returns a corner that is still there. */
+static uint32_t cut_ear(struct polygon_cutter *cutter, uint32_t index, size_t cuts) {
+    uint32_t place;
+    do {
+        place = cutter->nodes[index].next;
+        cut_off(cutter, index);
+        index = is_spike(cutter, place) ? place : cutter->nodes[place].previous;
+    } while (cutter->triangle_count < cuts && is_spike(cutter, index));
+    return place;
+}
+
+static void cut_ears(struct polygon_cutter *cutter, size_t size) {
+    const size_t cuts = size - 3; /* a last triangle is left */
+    uint32_t place = 0;           /* some corner that is still there */
+    grid_begin(cutter, size);
+    link_nodes(cutter, (uint32_t)size);
+    queue_begin(cutter, (uint32_t)size);
+    while (cutter->triangle_count < cuts) {
+        bool waiting = cutter->queue_count > 0;
+        uint32_t index = waiting ? queue_take(cutter) : any_node(cutter, place);
+        if (!waiting || (!cutter->nodes[index].gone && is_ear(cutter, index))) {
+            place = cut_ear(cutter, index, cuts);
+        }
+    }
+    add_triangle(cutter, cutter->nodes[place].previous, place, cutter->nodes[place].next);
+}
+
+/* ---- Polygons ---- */
+
+static bool reserve_triangles(struct polygon_cutter *cutter, size_t count) {
+    void *grown = array_reserve(cutter->triangles, &cutter->triangle_capacity, count,
+                                sizeof *cutter->triangles);
+    cutter->triangles = grown == NULL ? cutter->triangles : grown;
+    return grown != NULL;
+}
+
+static void cut_as_fan(struct polygon_cutter *cutter, size_t size) {
+    for (uint32_t i = 2; i < size; i++) {
+        add_triangle(cutter, 0, i - 1, i);
+    }
+}
+
+enum polygon_result polygon_cut(struct polygon_cutter *cutter, const struct vec3 *corners,
+                                size_t size) {
+    assert(size >= 3 && size < UINT32_MAX);
+    struct vec3 normal = size > 3 ? polygon_normal(corners, size) : (struct vec3){0, 0, 0};
+    bool fan = fan_is_right(corners, size, normal);
+    cutter->triangle_count = 0;
+    if (!fan && size > POLYGON_CONCAVE_LIMIT) {
+        return POLYGON_TOO_LARGE;
+    }
+    if (!reserve_triangles(cutter, size - 2) || (!fan && !reserve_nodes(cutter, size))) {
+        return POLYGON_OUT_OF_MEMORY;
+    }
+    if (fan) {
+        cut_as_fan(cutter, size);
+        return POLYGON_CUT;
+    }
+    struct plane plane = plane_facing(normal);
+    for (size_t i = 0; i < size; i++) {
+        cutter->nodes[i] = node_on_plane(corners[i], plane);
+    }
+    cut_ears(cutter, size);
+    return POLYGON_CUT;
+}
+
+void polygon_cutter_free(struct polygon_cutter *cutter) {
+    free(cutter->triangles);
+    free(cutter->nodes);
+    free(cutter->cells);
+    free(cutter->queue);
+    *cutter = (struct polygon_cutter){0};
+}

@@ -1,0 +1,288 @@
+/* The options of the command line: see options.h. */
+#include "run/options.h"
+
+#include "base/text.h"
+
+#include <stdio.h>
+#include <string.h>
+
+enum { REPEAT_LIMIT = 1000000, HELP_COLUMN = 16 };
+
+/* Reads the value (NULL for an option without one) into the option's field. */
+typedef bool parse_function(const struct program *program, const char *value, void *field);
+
+/* ---- What stands behind an option ---- */
+
+static bool parse_switch(const struct program *program, const char *value, void *field) {
+    (void)program, (void)value;
+    *(bool *)field = true;
+    return true;
+}
+
+static bool parse_directory(const struct program *program, const char *value, void *field) {
+    (void)program;
+    *(const char **)field = value;
+    return value[0] != '\0';
+}
+
+static bool parse_format(const struct program *program, const char *value, void *field) {
+    const struct image_file_format *format = image_file_format_find(value);
+    (void)program;
+    *(const struct image_file_format **)field = format;
+    return format != NULL;
+}
+
+static bool parse_scene(const struct program *program, const char *value, void *field) {
+    for (size_t i = 0; i < program->scene_count; i++) {
+        if (strcmp(program->scenes[i].name, value) == 0) {
+            *(const struct scene **)field = &program->scenes[i];
+            return true;
+        }
+    }
+    return false;
+}
+
+static bool parse_count(const char *text, size_t length, int64_t limit, size_t *count) {
+    int64_t value;
+    if (!word_to_integer((struct word){text, length}, &value) || value < 1 || value > limit) {
+        return false;
+    }
+    *count = (size_t)value;
+    return true;
+}
+
+static bool parse_repeat(const struct program *program, const char *value, void *field) {
+    (void)program;
+    return parse_count(value, strlen(value), REPEAT_LIMIT, field);
+}
+
+static bool parse_size(const struct program *program, const char *value, void *field) {
+    struct size_option *size = field;
+    size_t before = strcspn(value, "x");
+    (void)program;
+    return value[before] == 'x' && parse_count(value, before, DRAW_LIMIT, &size->width) &&
+           parse_count(value + before + 1, strlen(value + before + 1), DRAW_LIMIT, &size->height);
+}
+
+/* Three finite numbers with commas between them. */
+static bool parse_vec3(const struct program *program, const char *value, void *field) {
+    double number[3];
+    (void)program;
+    for (int i = 0; i < 3; i++) {
+        size_t length = strcspn(value, ",");
+        if (!word_to_double((struct word){value, length}, &number[i]) || !isfinite(number[i]) ||
+            (value[length] == ',') != (i < 2)) {
+            return false;
+        }
+        value += length + (i < 2);
+    }
+    *(struct vec3_option *)field = (struct vec3_option){true, {number[0], number[1], number[2]}};
+    return true;
+}
+
+/* Light without a direction makes every picture black. */
+static bool parse_light(const struct program *program, const char *value, void *field) {
+    struct vec3_option *light = field;
+    return parse_vec3(program, value, field) &&
+           (light->value.x != 0 || light->value.y != 0 || light->value.z != 0);
+}
+
+/* ---- What a message and the help say of the values ---- */
+
+struct details {
+    char text[256];
+};
+
+typedef struct details details_function(const struct program *program);
+
+static struct details describe_size(const struct program *program) {
+    struct details details;
+    (void)program;
+    snprintf(details.text, sizeof details.text, ": each 1 to %d", DRAW_LIMIT);
+    return details;
+}
+
+static struct details describe_repeat(const struct program *program) {
+    struct details details;
+    (void)program;
+    snprintf(details.text, sizeof details.text, ": 1 to %d", REPEAT_LIMIT);
+    return details;
+}
+
+static struct details describe_format(const struct program *program) {
+    struct details details;
+    (void)program;
+    snprintf(details.text, sizeof details.text, ": %s", image_file_names().text);
+    return details;
+}
+
+/* The names of the scenes, cut where there are very many. */
+static struct details describe_scenes(const struct program *program) {
+    struct details details = {{0}};
+    size_t length = 0;
+    for (size_t i = 0; i < program->scene_count && length < sizeof details.text; i++) {
+        length += (size_t)snprintf(details.text + length, sizeof details.text - length, "%s %s",
+                                   i == 0 ? ":" : ",", program->scenes[i].name);
+    }
+    return details;
+}
+
+static struct details describe_nothing(const struct program *program) {
+    (void)program;
+    return (struct details){{0}};
+}
+
+/* ---- The table ---- */
+
+enum condition { ALWAYS, WITH_MODEL, WITH_CAMERA, WITH_LIGHT };
+
+#define FIELD(name) offsetof(struct options, name)
+
+static const struct option {
+    const char *name;
+    const char *value; /* as --help shows it; empty for an option without one */
+    const char *wants; /* for messages */
+    const char *help;
+    details_function *describe; /* the values; comes after both texts */
+    size_t field;               /* offset in struct options */
+    parse_function *parse;
+    enum condition condition;
+} options_known[] = {
+    {"-o", "DIR", "a directory", "where the images go", describe_nothing, FIELD(directory),
+     parse_directory, ALWAYS},
+    {"-s", "WxH", "WxH", "image size", describe_size, FIELD(size), parse_size, ALWAYS},
+    {"--only", "SCENE", "a scene", "draw just this scene", describe_scenes, FIELD(only),
+     parse_scene, ALWAYS},
+    {"--format", "F", "a format", "of the images", describe_format, FIELD(format), parse_format,
+     ALWAYS},
+    {"--fit", "", "", "move and scale the model into view", describe_nothing, FIELD(fit),
+     parse_switch, WITH_MODEL},
+    {"--eye", "X,Y,Z", "three numbers X,Y,Z", "where the camera stands", describe_nothing,
+     FIELD(eye), parse_vec3, WITH_CAMERA},
+    {"--center", "X,Y,Z", "three numbers X,Y,Z", "the point that it looks at", describe_nothing,
+     FIELD(center), parse_vec3, WITH_CAMERA},
+    {"--up", "X,Y,Z", "three numbers X,Y,Z", "the direction that appears upwards", describe_nothing,
+     FIELD(up), parse_vec3, WITH_CAMERA},
+    {"--light", "X,Y,Z", "three numbers X,Y,Z that are not all 0",
+     "where the light goes, comes from or stands: see the lesson", describe_nothing, FIELD(light),
+     parse_light, WITH_LIGHT},
+    {"--repeat", "N", "a number", "draw N times; print the median milliseconds of one frame",
+     describe_repeat, FIELD(repeat), parse_repeat, ALWAYS},
+    {"--stats", "", "", "print what was done and what was skipped", describe_nothing, FIELD(stats),
+     parse_switch, ALWAYS},
+    {"--no-skip", "", "", "do everything; the image must not change", describe_nothing,
+     FIELD(no_skip), parse_switch, ALWAYS},
+    {"--help", "", "", "this text; so does -h", describe_nothing, FIELD(help), parse_switch,
+     ALWAYS},
+};
+
+enum { OPTIONS_KNOWN = sizeof options_known / sizeof options_known[0] };
+
+bool program_takes_model(const struct program *program) {
+    unsigned needs = 0;
+    for (size_t i = 0; i < program->scene_count; i++) {
+        needs |= program->scenes[i].needs;
+    }
+    return program->draw_text == NULL && (needs & ~(unsigned)NEEDS_DEPTH) != 0;
+}
+
+static bool takes_option(const struct program *program, const struct option *option) {
+    return option->condition == ALWAYS ||
+           (option->condition == WITH_MODEL && program_takes_model(program)) ||
+           (option->condition == WITH_CAMERA && program->takes_camera) ||
+           (option->condition == WITH_LIGHT && program->takes_light);
+}
+
+static const struct option *find_option(const struct program *program, const char *name) {
+    name = strcmp(name, "-h") == 0 ? "--help" : name;
+    for (size_t i = 0; i < OPTIONS_KNOWN; i++) {
+        if (strcmp(options_known[i].name, name) == 0 && takes_option(program, &options_known[i])) {
+            return &options_known[i];
+        }
+    }
+    return NULL;
+}
+
+/* ---- The command line ---- */
+
+static bool parse_input(struct options *options, const struct program *program, const char *input,
+                        struct error *error) {
+    bool takes_input = program->draw_text != NULL || program_takes_model(program);
+    if (input[0] == '\0') {
+        return error_set(error, "an empty name of a file; try --help");
+    }
+    if (!takes_input || options->input != NULL) {
+        return error_set(error, "one argument too many: '%s'; try --help", input);
+    }
+    options->input = input;
+    return true;
+}
+
+/* An option and its value, which is NULL at the end of the command line. Sets `count` to how many
+ * arguments these are. */
+static bool parse_option(struct options *options, const struct program *program, const char *name,
+                         const char *value, int *count, struct error *error) {
+    const struct option *option = find_option(program, name);
+    if (option == NULL) {
+        return error_set(error, "unknown option '%s'; try --help", name);
+    }
+    bool takes_value = option->value[0] != '\0';
+    *count = takes_value ? 2 : 1;
+    if (takes_value && value == NULL) {
+        return error_set(error, "%s wants %s%s", name, option->wants,
+                         option->describe(program).text);
+    }
+    return option->parse(program, value, (char *)options + option->field) ||
+           error_set(error, "%s wants %s%s, not '%s'", name, option->wants,
+                     option->describe(program).text, value);
+}
+
+bool options_parse(struct options *options, const struct program *program, int argc, char **argv,
+                   struct error *error) {
+    *options = (struct options){.format = &image_file_formats[0]};
+    int count = 1;
+    bool ended = false; /* by "--": what follows is no option, whatever it begins with */
+    for (int i = 1; i < argc; i += count) {
+        bool is_input = ended || argv[i][0] != '-' || strcmp(argv[i], "-") == 0;
+        const char *value = i + 1 < argc ? argv[i + 1] : NULL;
+        count = 1;
+        if (!ended && strcmp(argv[i], "--") == 0) {
+            ended = true;
+            continue;
+        }
+        if (is_input ? !parse_input(options, program, argv[i], error)
+                     : !parse_option(options, program, argv[i], value, &count, error)) {
+            return false;
+        }
+    }
+    if (options->only != NULL && program->draw_text != NULL && options->input != NULL) {
+        return error_set(error, "--only and a text scene do not go together");
+    }
+    return true;
+}
+
+/* ---- Help ---- */
+
+void options_print_help(const struct program *program, const char *directory,
+                        const char *default_model) {
+    bool takes_model = program_takes_model(program);
+    const char *input = program->draw_text != NULL ? " [scene.txt]"
+                        : takes_model              ? " [model.obj | model.off]"
+                                                   : "";
+    printf("%s: %s\n\n", program->name, program->summary);
+    printf("usage: %s [options]%s\n\n", program->name, input);
+    for (size_t i = 0; i < OPTIONS_KNOWN; i++) {
+        const struct option *option = &options_known[i];
+        if (takes_option(program, option)) {
+            int width = HELP_COLUMN - (int)strlen(option->name);
+            printf("  %s %-*s%s%s\n", option->name, width, option->value, option->help,
+                   option->describe(program).text);
+        }
+    }
+    printf("\nWithout -o the images go to %s/%s\n", directory, program->name);
+    if (program->draw_text != NULL) {
+        printf("A text scene draws what its lines say; '-' reads standard input.\n");
+    } else if (takes_model) {
+        printf("Without a model: %s\n", default_model);
+    }
+}

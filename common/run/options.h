@@ -1,0 +1,45 @@
+/*
+ * The options of the command line; private to program.c.
+ *
+ * They stand in one table in options.c: a name, what it wants, a line of help, a function that
+ * reads it. To add an option: a row there and a field here.
+ */
+#ifndef COMMON_OPTIONS_H
+#define COMMON_OPTIONS_H
+
+#include "files/image_file.h"
+#include "run/scene.h"
+
+struct vec3_option {
+    bool given;
+    struct vec3 value;
+};
+
+struct size_option {
+    size_t width, height; /* 0 where none was given */
+};
+
+struct options {
+    const char *input;        /* model or text scene; NULL where none was named */
+    const char *directory;    /* NULL for the default */
+    const struct scene *only; /* NULL for all scenes */
+    struct size_option size;
+    const struct image_file_format *format;
+    struct vec3_option eye, center, up, light;
+    size_t repeat; /* 0 without --repeat */
+    bool fit, stats, no_skip, help;
+};
+
+/* Does the program draw a model, which the command line may then name? */
+bool program_takes_model(const struct program *program);
+
+/* Read the command line; "--" ends the options. False, with a message, where it is wrong. */
+bool options_parse(struct options *options, const struct program *program, int argc, char **argv,
+                   struct error *error);
+
+/* Print what --help says. Without -o images go to a directory of the program's name in
+ * `directory`. */
+void options_print_help(const struct program *program, const char *directory,
+                        const char *default_model);
+
+#endif

@@ -1,0 +1,94 @@
+/*
+ * What a program is made of: its scenes, what each of them needs, and what its draw function gets.
+ * program.h runs it; read that first.
+ */
+#ifndef COMMON_SCENE_H
+#define COMMON_SCENE_H
+
+#include "base/error.h"
+#include "geometry.h"
+#include "model.h"
+#include "raster.h"
+#include "run/text_scene.h"
+#include "tgaimage.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+/* What a scene is drawn from. It is loaded before the drawing, so that --repeat measures drawing
+ * alone; what no chosen scene needs is not read. All but the depth needs the model too. */
+enum need {
+    NEEDS_MODEL = 1,
+    NEEDS_NORMALS = 2, /* at every corner: computed where the file has none */
+    NEEDS_COLORS = 4,  /* at every position: made from the normals where the file has none */
+    NEEDS_DIFFUSE = 8, /* textures beside the model */
+    NEEDS_NORMAL_MAP = 16,
+    NEEDS_SPECULAR = 32,
+    NEEDS_DEPTH = 64 /* a depth buffer */
+};
+
+enum { COUNTER_LIMIT = 32 }; /* different names that one scene counts */
+
+struct counter {
+    const char *name;
+    uint64_t value;
+};
+
+/* What a draw function works with. It reads all of it and may change `depth` and `state`. */
+struct drawing {
+    const struct model *model;     /* NULL where the scene needs none, as all that follows */
+    const struct texture *diffuse; /* one white texel for a model without coordinates */
+    const struct texture *normal_map;
+    const struct texture *specular;
+    double *depth;                 /* one a pixel, row by row from the bottom: -INFINITY */
+    const struct text_scene *text; /* the text scene of the command line, otherwise NULL */
+    struct vec3 eye, center, up;   /* the camera: options, the scene's or the program's */
+    struct vec3 light;             /* as given: not normalised */
+    bool skip;                     /* false with --no-skip: do all the work; same image */
+    bool stats;                    /* with --stats: count what takes time to count, too */
+    size_t frame;                  /* of an animation, from 0 */
+    void *state;                   /* program.state_size bytes, zero at first */
+    struct counter counters[COUNTER_LIMIT];
+    size_t counter_count;
+};
+
+/* Add to the drawing's counter of that name (a string constant), for --stats. */
+void drawing_count(struct drawing *drawing, const char *name, uint64_t amount);
+
+/* Where a field is zero, the program's default stands. */
+struct scene {
+    const char *name;     /* of the scene and of its image file */
+    unsigned needs;       /* of enum need, joined with | */
+    const char *model;    /* a file of the course's; "bust.obj" by default */
+    size_t width, height; /* of the image, unless -s says otherwise; a sheet's frames share it */
+    enum image_format format;    /* IMAGE_BGR by default */
+    size_t frames;               /* of an animation, drawn as a sheet or, in PNG, moving */
+    bool extra;                  /* no part of the lesson: drawn when --only names it */
+    struct vec3 eye, center, up; /* the camera, in steps that have one */
+    struct vec3 light;           /* in steps that have one */
+    /* Draw into the image, which is black and of the right size and format. */
+    bool (*draw)(struct drawing *drawing, struct image *image, struct error *error);
+};
+
+struct program {
+    const char *name;      /* "step04_flat": of the program and of its output directory */
+    const char *summary;   /* one line for --help */
+    bool takes_light;      /* --light */
+    bool takes_camera;     /* --eye --center --up */
+    struct scene defaults; /* what the scenes leave at zero */
+    const struct scene *scenes;
+    size_t scene_count;
+    /* Only in a step whose argument is a text scene and no model: draws the shapes that are in
+     * drawing->text. The default size counts where the text has no `size`. */
+    bool (*draw_text)(struct drawing *drawing, struct image *image, struct error *error);
+    enum text_scene_kind text_kind;
+    /* Memory of a scene that outlives one drawing of it: made before the drawing, so that it is not
+     * measured. `prepare` is called once for each scene when all it needs is loaded, `finish`
+     * always after a call of `prepare`, even a failed one. Both may be NULL. */
+    size_t state_size;
+    bool (*prepare)(struct drawing *drawing, size_t width, size_t height, struct error *error);
+    void (*finish)(struct drawing *drawing);
+};
+
+#endif

@@ -1,0 +1,224 @@
+/* A scene on its stage: see stage.h. */
+#include "run/stage.h"
+
+#include "base/file.h"
+#include "files/fit.h"
+#include "files/model_file.h"
+#include "files/normals.h"
+
+#include <assert.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* The Makefile tells where it builds, so that a step runs from any working directory. */
+#ifndef COURSE_BUILD
+#define COURSE_BUILD "build"
+#endif
+#define MODELS_DIRECTORY COURSE_BUILD "/models"
+#define DEFAULT_MODEL    "bust.obj"
+
+const char *const default_model_path = MODELS_DIRECTORY "/" DEFAULT_MODEL;
+
+/* ---- Counting ---- */
+
+void drawing_count(struct drawing *drawing, const char *name, uint64_t amount) {
+    size_t i = 0;
+    while (i < drawing->counter_count && strcmp(drawing->counters[i].name, name) != 0) {
+        i++;
+    }
+    if (i == drawing->counter_count) {
+        assert(i < COUNTER_LIMIT);
+        drawing->counters[i] = (struct counter){.name = name};
+        drawing->counter_count++;
+    }
+    drawing->counters[i].value += amount;
+}
+
+/* ---- Scenes: what they leave at zero is the program's ---- */
+
+static bool is_zero(struct vec3 v) {
+    return v.x == 0 && v.y == 0 && v.z == 0;
+}
+
+static struct vec3 vec3_or(struct vec3 value, struct vec3 otherwise) {
+    return is_zero(value) ? otherwise : value;
+}
+
+struct scene scene_complete(const struct program *program, const struct scene *given) {
+    const struct scene *defaults = &program->defaults;
+    struct scene scene = *given;
+    scene.model = given->model != NULL ? given->model : DEFAULT_MODEL;
+    scene.width = given->width > 0 ? given->width : defaults->width;
+    scene.height = given->height > 0 ? given->height : defaults->height;
+    scene.format = given->format != 0 ? given->format : IMAGE_BGR;
+    scene.frames = given->frames > 0 ? given->frames : 1;
+    scene.eye = vec3_or(given->eye, defaults->eye);
+    scene.center = vec3_or(given->center, defaults->center);
+    scene.up = vec3_or(given->up, defaults->up);
+    scene.light = vec3_or(given->light, defaults->light);
+    return scene;
+}
+
+/* ---- Loading ---- */
+
+struct loaded run_loaded(const struct run *run) {
+    struct loaded loaded = run->unloaded;
+    loaded.bytes += run->model.bytes_read;
+    loaded.textures_present += model_textures_present(&run->model);
+    for (int kind = 0; kind < MODEL_TEXTURE_KINDS; kind++) {
+        loaded.textures_read += run->model.textures[kind].level_count > 0;
+    }
+    return loaded;
+}
+
+static void unload_model(struct run *run) {
+    run->unloaded = run_loaded(run);
+    model_free(&run->model);
+    run->model_file = NULL;
+}
+
+/* What of a model's file such scenes look at. */
+static unsigned needed_parts(unsigned needs) {
+    unsigned normals = NEEDS_NORMALS | NEEDS_COLORS;
+    unsigned textures = NEEDS_DIFFUSE | NEEDS_NORMAL_MAP | NEEDS_SPECULAR;
+    return ((needs & normals) != 0 ? MODEL_NORMALS : 0) | ((needs & textures) != 0 ? MODEL_UVS : 0);
+}
+
+/* The model of the command line or else the scene's, unless it is loaded already. */
+static bool load_model(struct run *run, const struct scene *scene, struct error *error) {
+    const char *file = run->input != NULL ? run->input : scene->model;
+    unsigned parts = needed_parts(run->needs | scene->needs);
+    if (run->model_file != NULL && strcmp(run->model_file, file) == 0 &&
+        (parts & ~run->model_parts) == 0) {
+        return true;
+    }
+    unload_model(run);
+    run->model_parts = parts;
+    bool done;
+    if (run->input != NULL) {
+        done = model_read_parts(&run->model, file, parts, error);
+    } else {
+        char *path = string_format("%s/%s", MODELS_DIRECTORY, file);
+        if (path == NULL) {
+            return error_out_of_memory(error);
+        }
+        done = file_exists(path) ? model_read_parts(&run->model, path, parts, error)
+                                 : error_set(error, "%s: no such file; `make` sculpts it", path);
+        free(path);
+    }
+    if (done && run->fit) {
+        model_fit(&run->model, run->program->takes_camera);
+    }
+    run->model_file = done ? file : NULL;
+    return done;
+}
+
+static bool make_white(struct texture *white, struct error *error) {
+    uint8_t pixel[] = {255};
+    const struct image image = {.width = 1, .height = 1, .format = IMAGE_GREY, .pixels = pixel};
+    return white->level_count > 0 || texture_create(white, &image, error);
+}
+
+/* A texture that the scene needs. A model whose corners have no place in a picture is white. */
+static bool load_texture(struct run *run, bool needed, enum model_texture_kind kind,
+                         const struct texture **texture, struct error *error) {
+    if (!needed) {
+        return true;
+    }
+    if (kind == MODEL_DIFFUSE && run->model.uv_count == 0) {
+        *texture = &run->white;
+        return make_white(&run->white, error);
+    }
+    *texture = model_texture(&run->model, kind, error);
+    return *texture != NULL;
+}
+
+bool scene_needs_model(const struct scene *scene) {
+    return (scene->needs & ~(unsigned)NEEDS_DEPTH) != 0;
+}
+
+/* All that the scene needs, except for its depth buffer. */
+static bool load_needs(struct run *run, const struct scene *scene, struct drawing *drawing,
+                       struct error *error) {
+    unsigned needs = scene->needs;
+    if (!scene_needs_model(scene)) {
+        return true;
+    }
+    if (!load_model(run, scene, error)) {
+        return false;
+    }
+    drawing->model = &run->model;
+    return ((needs & NEEDS_NORMALS) == 0 || model_need_normals(&run->model, error)) &&
+           ((needs & NEEDS_COLORS) == 0 || model_need_colors(&run->model, error)) &&
+           load_texture(run, needs & NEEDS_DIFFUSE, MODEL_DIFFUSE, &drawing->diffuse, error) &&
+           load_texture(run, needs & NEEDS_NORMAL_MAP, MODEL_NORMAL_MAP, &drawing->normal_map,
+                        error) &&
+           load_texture(run, needs & NEEDS_SPECULAR, MODEL_SPECULAR, &drawing->specular, error);
+}
+
+/* ---- The stage ---- */
+
+/* Memory for the depth buffer, where the scene needs one, and for the program's state. */
+static bool allocate(struct stage *stage, size_t width, size_t height, struct error *error) {
+    struct drawing *drawing = &stage->drawing;
+    if (stage->program->state_size > 0) {
+        drawing->state = calloc(1, stage->program->state_size);
+        if (drawing->state == NULL) {
+            return error_out_of_memory(error);
+        }
+    }
+    if ((stage->scene.needs & NEEDS_DEPTH) != 0) {
+        drawing->depth = malloc(width * height * sizeof *drawing->depth);
+        if (drawing->depth == NULL) {
+            return error_set(error, "out of memory for a depth buffer of %zux%zu pixels", width,
+                             height);
+        }
+    }
+    return true;
+}
+
+bool stage_begin(struct stage *stage, struct run *run, const struct scene *scene, size_t width,
+                 size_t height, struct error *error) {
+    *stage = (struct stage){
+        .program = run->program,
+        .scene = *scene,
+        .drawing = {.text = run->text,
+                    .eye = scene->eye,
+                    .center = scene->center,
+                    .up = scene->up,
+                    .light = scene->light,
+                    .skip = !run->no_skip,
+                    .stats = run->stats},
+        .pixel_count = width * height,
+    };
+    if (!load_needs(run, scene, &stage->drawing, error) || !allocate(stage, width, height, error)) {
+        return false;
+    }
+    stage->prepared = true;
+    return run->program->prepare == NULL ||
+           run->program->prepare(&stage->drawing, width, height, error);
+}
+
+bool stage_draw(struct stage *stage, struct image *image, size_t frame, struct error *error) {
+    struct drawing *drawing = &stage->drawing;
+    if (drawing->depth != NULL) {
+        depth_clear(drawing->depth, stage->pixel_count);
+    }
+    drawing->frame = frame;
+    return stage->scene.draw(drawing, image, error);
+}
+
+void stage_end(struct stage *stage) {
+    if (stage->prepared && stage->program->finish != NULL) {
+        stage->program->finish(&stage->drawing);
+    }
+    free(stage->drawing.depth);
+    free(stage->drawing.state);
+    *stage = (struct stage){0};
+}
+
+void run_free(struct run *run) {
+    model_free(&run->model);
+    texture_free(&run->white);
+    *run = (struct run){0};
+}

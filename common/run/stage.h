@@ -1,0 +1,65 @@
+/*
+ * A scene on its stage: all that it needs is loaded, and it can be drawn again and again.
+ *
+ * Private to program.c and to the tests that draw scenes without a command line.
+ */
+#ifndef COMMON_STAGE_H
+#define COMMON_STAGE_H
+
+#include "run/scene.h"
+
+/* What was read, for --stats. */
+struct loaded {
+    uint64_t bytes, textures_read, textures_present;
+};
+
+/* What the scenes of one run share. Set the first part, leave the second zero. */
+struct run {
+    const struct program *program;
+    const char *input;             /* a model in place of the course's own; NULL: none */
+    const struct text_scene *text; /* NULL but for a text scene */
+    bool no_skip, stats;
+    bool fit;       /* move and scale models into view */
+    unsigned needs; /* of all scenes that will be drawn, so that a model is read once; 0: unknown */
+
+    struct model model;     /* loaded when the first scene needs it */
+    const char *model_file; /* which file it is; NULL while none is loaded */
+    unsigned model_parts;   /* what of it is loaded, of enum model_part */
+    struct loaded unloaded; /* of models that made room for others */
+    struct texture white;   /* for a model without texture coordinates; empty until needed */
+};
+
+/* What was read up to now. */
+struct loaded run_loaded(const struct run *run);
+
+/* Free what was loaded. */
+void run_free(struct run *run);
+
+/* The course's own model for scenes that name none. */
+extern const char *const default_model_path;
+
+/* The scene with the program's defaults filled in. */
+struct scene scene_complete(const struct program *program, const struct scene *scene);
+
+/* Is the scene drawn from a model? */
+bool scene_needs_model(const struct scene *scene);
+
+struct stage {
+    const struct program *program;
+    struct scene scene;     /* complete */
+    struct drawing drawing; /* what the scene's draw function gets */
+    size_t pixel_count;     /* of a frame */
+    bool prepared;          /* the program's prepare() was called */
+};
+
+/* Load what the scene (a complete one) needs for frames of width x height pixels. stage_end() must
+ * be called, also after an error. */
+bool stage_begin(struct stage *stage, struct run *run, const struct scene *scene, size_t width,
+                 size_t height, struct error *error);
+
+/* Draw a frame over what is in the image: with a cleared depth buffer, counting on. */
+bool stage_draw(struct stage *stage, struct image *image, size_t frame, struct error *error);
+
+void stage_end(struct stage *stage);
+
+#endif

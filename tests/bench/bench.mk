@@ -1,0 +1,100 @@
+##
+## What the course measures:
+##   make bench                  run time against error, a chart for each lesson (STEP=05 for one)
+##   make charts                 put these charts into the lessons
+##   make bench-frame            the time of a frame beside Mesa's llvmpipe (OPTIONS=--help)
+##   make bench-files            how fast files are read and written, beside libpng and plain bytes
+##   make bench-run              where the time of a whole run goes, beside cat and cp of its files
+##   make counts                 the instructions of each scene, beside those committed (STEP=05)
+.PHONY: bench charts bench-frame bench-files bench-run counts
+
+# Stress and benchmarks share out their cases with OpenMP, where the compiler has it.
+OPENMP := $(shell $(CC) -fopenmp -E -x c /dev/null >/dev/null 2>&1 && echo -fopenmp)
+$(BUILD)/tests/lessons/%.o $(BUILD)/tests/upkeep/stress/%.o: INCLUDES = -Itests $(OPENMP)
+
+OBJECTS_OF = $(patsubst %.c,$(BUILD)/%.o,$(wildcard $(1:%=tests/%/*.c)))
+
+# ---- make bench, make charts ----
+
+# Benchmarks have Mesa's renderer beside ours where it is installed. Whether it is there is asked
+# when it matters.
+MESA_IS_MISSING = Mesa is missing; on Debian: apt-get install libegl-dev libgl-dev libegl1 \
+                  libgl1-mesa-dri
+FIND_MESA = printf '%s\n' '\#include <EGL/egl.h>' '\#include <GL/glcorearb.h>' | \
+            $(CC) -E - >/dev/null 2>&1
+ifneq ($(filter bench bench-frame $(BUILD)/bench%,$(MAKECMDGOALS)),)
+HAS_MESA := $(shell $(FIND_MESA) && echo yes)
+endif
+SAY_WITHOUT_MESA = $(if $(HAS_MESA),,echo 'without llvmpipe: $(MESA_IS_MISSING)')
+MESA_OBJECTS = $(if $(HAS_MESA),$(addprefix $(BUILD)/tests/,bench/frame/llvmpipe.o \
+                   upkeep/opengl/context.o upkeep/opengl/picture.o), \
+                   $(BUILD)/tests/bench/frame/without_llvmpipe.o)
+PEER_OBJECTS = $(addprefix $(BUILD)/tests/bench/frame/,child.o pairs.o scene.o vertices.o) \
+               $(MESA_OBJECTS)
+
+# Changes only when Mesa comes or goes.
+$(BUILD)/with-mesa: force
+	@mkdir -p $(@D)
+	@echo 'with: $(HAS_MESA)' | cmp -s - $@ || echo 'with: $(HAS_MESA)' >$@
+
+# The lessons that are measured: list.c names what each bench.c defines.
+MEASURED = $(patsubst tests/lessons/%/bench.c,%,$(sort $(wildcard tests/lessons/*/bench.c)))
+$(BUILD)/tests/bench/list.c: $(MEASURED:%=tests/lessons/%/bench.c)
+	@mkdir -p $(@D)
+	@{ echo '#include "bench/bench.h"'; \
+	   for step in $(MEASURED); do echo "extern const struct bench_lesson bench_$${step%%_*};"; done; \
+	   echo 'const struct bench_lesson *const bench_lessons[] = {'; \
+	   for step in $(MEASURED); do echo "    &bench_$${step%%_*},"; done; echo '    NULL};'; } >$@
+
+$(BUILD)/tests/bench/list.o: $(BUILD)/tests/bench/list.c $(BUILD)/flags
+	$(Q)$(COMPILE) -Itests -c $< -o $@
+
+$(BUILD)/benchmark: $(call OBJECTS_OF,bench oracle) $(BUILD)/tests/bench/list.o \
+                    $(patsubst %.c,$(BUILD)/%.o,$(wildcard tests/lessons/*/bench*.c)) \
+                    $(BUILD)/tests/check/page/escape.o $(PEER_OBJECTS) $(BUILD)/libcommon.a \
+                    $(BUILD)/with-mesa
+	$(Q)$(LINK) $(OPENMP) $(filter-out %-mesa,$^) $(if $(HAS_MESA),-lEGL -lGL) -lm -o $@
+
+# With lesson 9 also what it is worth to skip, where most of a scene is hidden or off screen.
+bench: $(BUILD)/benchmark $(BUILD)/bench-frame models
+	@mkdir -p $(BUILD)/bench
+	@$(if $(filter-out 9 09,$(STEP)),,$(SAY_WITHOUT_MESA))
+	$(Q)$(BUILD)/benchmark -o $(BUILD) $(STEP)
+	$(Q)$(if $(filter-out 9 09,$(STEP)),,$(BUILD)/bench-frame --skipping --frames 7)
+
+# The charts of the last `make bench` become those of the lessons.
+charts:
+	@for step in $(STEPS); do \
+	    if [ -f $(BUILD)/bench/$$step.svg ]; then \
+	        mkdir -p $$step/figures && cp $(BUILD)/bench/$$step.svg $$step/figures/bench.svg; \
+	    elif [ -f tests/lessons/$$step/bench.c ]; then \
+	        echo "$$step: no chart yet; make bench draws it"; \
+	    fi; done
+
+# ---- Frames, files, whole runs ----
+
+bench-frame: $(BUILD)/bench-frame models
+	@$(SAY_WITHOUT_MESA)
+	$(Q)$(BUILD)/bench-frame $(OPTIONS)
+
+$(BUILD)/bench-frame: $(sort $(filter-out %llvmpipe.o,$(call OBJECTS_OF,bench/frame oracle)) \
+                        $(PEER_OBJECTS)) $(BUILD)/libcommon.a $(BUILD)/with-mesa
+	$(Q)$(LINK) $(filter-out %-mesa,$^) $(if $(HAS_MESA),-lEGL -lGL) -lm -o $@
+
+# Beside libpng where it is installed.
+LIBPNG = $(shell echo '\#include <libpng16/png.h>' | $(CC) -E - >/dev/null 2>&1 && echo -lpng16)
+bench-files: $(BUILD)/bench-files all
+	$(Q)$(BUILD)/bench-files
+
+$(BUILD)/bench-files: $(call OBJECTS_OF,bench/files) $(BUILD)/tests/bench/measure.o \
+                      $(BUILD)/tests/bench/report.o $(BUILD)/tests/check/compare.o \
+                      $(BUILD)/libcommon.a
+	$(Q)$(LINK) $^ $(LIBPNG) -lm -o $@
+
+# A whole run, beside the same bytes only read and copied.
+bench-run:
+	@tests/bench/whole_run.sh $(BUILD)
+
+# Instructions, which no other process disturbs.
+counts:
+	@tests/bench/counts.sh $(BUILD) '$(STEP)'

@@ -1,0 +1,280 @@
+/* The exact picture: see exact.h. */
+#include "exact.h"
+
+#include "oracle/oracle.h"
+#include "oracle/reals.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+/* ---- What is seen ---- */
+
+static bool place(struct exact *exact, size_t position, struct error *error) {
+    const struct draw_call *call = &exact->scene->call;
+    const struct rectangle *r = &call->viewport;
+    struct vec4 clip = mat4_point(&call->to_clip, call->model->positions[position]);
+    double recip_w = 1 / clip.w;
+    struct vec2 screen = {r->x + (clip.x * recip_w + 1) * (r->width / 2.0),
+                          r->y + (clip.y * recip_w + 1) * (r->height / 2.0)};
+    exact->recip_w[position] = recip_w;
+    if (!(clip.w > 0.01 && fabs(clip.x) <= 32 * clip.w && fabs(clip.y) <= 32 * clip.w)) {
+        return error_set(error, "the model reaches the eye; its corners should lie in -1..1");
+    }
+    return screen_snap(screen, &exact->screen[position]);
+}
+
+/* The weights of a triangle's corners in space at the centre of a pixel. */
+struct weights {
+    long double corner[3];
+};
+
+/* The area of a, b and the centre of the pixel, in 1/256 pixel squared; twice of it. */
+static int64_t area_at(struct fixed2 a, struct fixed2 b, int x, int y) {
+    int64_t to_x = (int64_t)x * SUBPIXELS + SUBPIXELS / 2,
+            to_y = (int64_t)y * SUBPIXELS + SUBPIXELS / 2;
+    return ((int64_t)b.x - a.x) * (to_y - a.y) - ((int64_t)b.y - a.y) * (to_x - a.x);
+}
+
+/* 1/w at the pixel; linear on the screen. */
+static long double exact_depth(const struct fixed2 screen[3], const double recip_w[3], int x,
+                               int y) {
+    long double sum = 0, area = 0;
+    for (int i = 0; i < 3; i++) {
+        long double part = (long double)area_at(screen[(i + 1) % 3], screen[(i + 2) % 3], x, y);
+        sum += part * recip_w[i];
+        area += part;
+    }
+    return sum / area;
+}
+
+static struct weights weights_at(const struct fixed2 screen[3], const double recip_w[3], int x,
+                                 int y) {
+    struct weights weights;
+    long double sum = 0;
+    for (int i = 0; i < 3; i++) {
+        weights.corner[i] =
+            (long double)area_at(screen[(i + 1) % 3], screen[(i + 2) % 3], x, y) * recip_w[i];
+        sum += weights.corner[i];
+    }
+    for (int i = 0; i < 3; i++) {
+        weights.corner[i] /= sum;
+    }
+    return weights;
+}
+
+static void find_corners(const struct exact *exact, size_t face, struct fixed2 screen[3],
+                         double recip_w[3]) {
+    const struct corner *corner = exact->scene->call.model->faces[face].corner;
+    for (int i = 0; i < 3; i++) {
+        screen[i] = exact->screen[corner[i].position];
+        recip_w[i] = exact->recip_w[corner[i].position];
+    }
+}
+
+static struct span overlap_of(int32_t a, int32_t b, int32_t c, int begin, int end) {
+    return span_overlap(centers_between(least_of(a, b, c), most_of(a, b, c), (size_t)end),
+                        (struct span){begin, end});
+}
+
+static void cover_face(struct exact *exact, size_t face) {
+    const struct rectangle *r = &exact->scene->call.viewport;
+    struct fixed2 p[3];
+    double recip_w[3];
+    find_corners(exact, face, p, recip_w);
+    if (oracle_turn(p[0], p[1], p[2]) <= 0) {
+        return; /* turned away */
+    }
+    struct span columns = overlap_of(p[0].x, p[1].x, p[2].x, r->x, r->x + r->width);
+    struct span rows = overlap_of(p[0].y, p[1].y, p[2].y, r->y, r->y + r->height);
+    for (int y = rows.begin; y < rows.end; y++) {
+        for (int x = columns.begin; x < columns.end; x++) {
+            size_t pixel = (size_t)y * exact->scene->width + (size_t)x;
+            if (!oracle_covers(p[0], p[1], p[2], x, y)) {
+                continue;
+            }
+            double depth = (double)exact_depth(p, recip_w, x, y);
+            if (depth > exact->depths[pixel]) {
+                exact->visible += exact->faces[pixel] == 0;
+                exact->depths[pixel] = depth;
+                exact->faces[pixel] = (uint32_t)face + 1;
+            }
+        }
+    }
+}
+
+bool exact_begin(struct exact *exact, const struct frame_scene *scene, struct error *error) {
+    const struct model *model = scene->call.model;
+    size_t pixels = scene->width * scene->height;
+    *exact = (struct exact){
+        .scene = scene,
+        .screen = malloc((model->position_count + 1) * sizeof *exact->screen),
+        .recip_w = malloc((model->position_count + 1) * sizeof *exact->recip_w),
+        .faces = calloc(pixels, sizeof *exact->faces),
+        .depths = calloc(pixels, sizeof *exact->depths),
+    };
+    bool done = true;
+    if (exact->screen == NULL || exact->recip_w == NULL || exact->faces == NULL ||
+        exact->depths == NULL) {
+        return error_out_of_memory(error);
+    }
+    for (size_t i = 0; done && i < model->position_count; i++) {
+        done = place(exact, i, error);
+    }
+    for (size_t i = 0; done && i < model->face_count; i++) {
+        cover_face(exact, i);
+    }
+    return done;
+}
+
+void exact_end(struct exact *exact) {
+    free(exact->screen);
+    free(exact->recip_w);
+    free(exact->faces);
+    free(exact->depths);
+    *exact = (struct exact){0};
+}
+
+/* ---- Light ---- */
+
+static long double mix(long double from, long double to, long double t) {
+    return from + (to - from) * t;
+}
+
+static long double clamped(long double value, long double most) {
+    return value < 0 ? 0 : value > most ? most : value;
+}
+
+static struct real3 texel(const struct texture_level *level, size_t x, size_t y) {
+    uint32_t t = texture_texel(level, x, y);
+    return (struct real3){t >> 16 & 255, t >> 8 & 255, t & 255};
+}
+
+static struct real3 mix3(struct real3 from, struct real3 to, long double t) {
+    return (struct real3){mix(from.x, to.x, t), mix(from.y, to.y, t), mix(from.z, to.z, t)};
+}
+
+/* Red, green, blue, linear between the four nearest texel centres. */
+static struct real3 sample(const struct frame_scene *scene, enum model_texture_kind kind,
+                           const long double uv[2]) {
+    const struct frame_texture *from = &scene->textures[kind];
+    const struct texture_level *level = &from->texture->level[from->level];
+    size_t last_x = level->width - 1, last_y = level->height - 1;
+    long double u = clamped(uv[0] * (long double)level->width - 0.5L, (long double)last_x);
+    long double v = clamped(uv[1] * (long double)level->height - 0.5L, (long double)last_y);
+    size_t x = (size_t)u, y = (size_t)v, right = x < last_x ? x + 1 : x,
+           up = y < last_y ? y + 1 : y;
+    u -= (long double)x;
+    v -= (long double)y;
+    return mix3(mix3(texel(level, x, y), texel(level, right, y), u),
+                mix3(texel(level, x, up), texel(level, right, up), u), v);
+}
+
+static long double light_on(const struct frame_scene *scene, const float normal[3]) {
+    struct real3 n = {normal[0], normal[1], normal[2]};
+    long double light = real3_dot(n, real3_from(scene->to_light));
+    return light > 0 ? light : 0;
+}
+
+static void find_uv(const struct model *model, size_t face, const struct weights *weights,
+                    long double uv[2]) {
+    uv[0] = uv[1] = 0;
+    for (size_t i = 0; i < 3; i++) {
+        struct vec2 corner = model_uv(model, face, i);
+        uv[0] += weights->corner[i] * corner.x;
+        uv[1] += weights->corner[i] * corner.y;
+    }
+}
+
+static struct real3 gouraud(const struct frame_scene *scene, size_t face,
+                            const struct weights *weights) {
+    const struct model *model = scene->call.model;
+    long double uv[2], light = 0;
+    find_uv(model, face, weights, uv);
+    for (int i = 0; i < 3; i++) {
+        light += weights->corner[i] *
+                 light_on(scene, model->normals[model->faces[face].corner[i].normal]);
+    }
+    return real3_scale(sample(scene, MODEL_DIFFUSE, uv), light);
+}
+
+static struct real3 phong(const struct frame_scene *scene, size_t face,
+                          const struct weights *weights) {
+    const struct model *model = scene->call.model;
+    const struct real3 to_light = real3_from(scene->to_light), ones = {1, 1, 1};
+    struct real3 position = {0, 0, 0};
+    long double uv[2];
+    find_uv(model, face, weights, uv);
+    for (size_t i = 0; i < 3; i++) {
+        position =
+            real3_add(position, real3_from(model_position(model, face, i)), weights->corner[i]);
+    }
+    struct real3 map = real3_scale(sample(scene, MODEL_NORMAL_MAP, uv), 1 / 127.5L);
+    struct real3 normal = real3_unit(real3_sub(map, ones));
+    struct real3 to_eye = real3_unit(real3_sub(real3_from(scene->eye), position));
+    long double light = real3_dot(normal, to_light);
+    long double near = 2 * light * real3_dot(normal, to_eye) - real3_dot(to_light, to_eye);
+    long double shine = light > 0 && near > 0 ? powl(near, 10) : 0;
+    struct real3 rgb = sample(scene, MODEL_DIFFUSE, uv);
+    long double weight = sample(scene, MODEL_SPECULAR, uv).x;
+    rgb = real3_scale(rgb, (long double)AMBIENT + (light > 0 ? light : 0));
+    return real3_add(rgb, ones, shine * weight);
+}
+
+/* Red, green, blue in levels, not rounded. */
+static struct real3 exact_color(const struct exact *exact, size_t face, int x, int y) {
+    struct fixed2 screen[3];
+    double recip_w[3];
+    find_corners(exact, face, screen, recip_w);
+    struct weights weights = weights_at(screen, recip_w, x, y);
+    switch (exact->scene->look) {
+    case FRAME_FLAT: {
+        long double level = 255 * light_on(exact->scene, exact->scene->head->face_normals[face]);
+        return (struct real3){level, level, level};
+    }
+    case FRAME_GOURAUD:
+        return gouraud(exact->scene, face, &weights);
+    default:
+        return phong(exact->scene, face, &weights);
+    }
+}
+
+/* ---- Comparing ---- */
+
+static void compare_pixel(struct real3 exact, const uint8_t *bgra, struct deviation *d) {
+    const long double values[3] = {clamped(exact.z, 255), clamped(exact.y, 255),
+                                   clamped(exact.x, 255)};
+    bool rounded = false;
+    d->compared++;
+    for (int i = 0; i < 3; i++) {
+        double distance = (double)fabsl(bgra[i] - values[i]) - 0.5;
+        rounded = rounded || distance > 0;
+        d->beyond = distance > d->beyond ? distance : d->beyond;
+        d->mean += fabs(bgra[i] - (double)floorl(values[i] + 0.5L));
+    }
+    d->rounded += rounded;
+}
+
+void exact_compare(const struct exact *exact, const uint8_t *const *pictures, size_t count,
+                   struct deviation *deviations) {
+    size_t width = exact->scene->width, pixels = width * exact->scene->height;
+    for (size_t k = 0; k < count; k++) {
+        deviations[k] = (struct deviation){0};
+    }
+    for (size_t i = 0; i < pixels; i++) {
+        struct real3 color = {0, 0, 0};
+        if (exact->faces[i] > 0) {
+            color = exact_color(exact, exact->faces[i] - 1, (int)(i % width), (int)(i / width));
+        }
+        for (size_t k = 0; k < count; k++) {
+            const uint8_t *pixel = pictures[k] + 4 * i;
+            bool drawn = pixel[3] != 0, visible = exact->faces[i] > 0;
+            deviations[k].outline += drawn != visible;
+            if (drawn && visible) {
+                compare_pixel(color, pixel, &deviations[k]);
+            }
+        }
+    }
+    for (size_t k = 0; k < count; k++) {
+        deviations[k].mean /= 3 * (double)(deviations[k].compared + (deviations[k].compared == 0));
+    }
+}

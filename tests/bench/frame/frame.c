@@ -1,0 +1,352 @@
+/*
+ * The time of a frame: this course's pipeline and Mesa's llvmpipe on the same scenes.
+ *
+ *     bench-frame [options] [model]     --help prints the options
+ *
+ * Draws a head in three looks (scene.h), at three sizes, with three numbers of triangles, each side
+ * with one thread and with two. A frame is: clear colour and depth, draw, all of it in memory;
+ * nothing is read back or saved in that time. The sides take turns, so that what disturbs the
+ * machine disturbs all alike. A side draws two frames when it is its turn, and the second one is
+ * timed: in between the others have used the caches. What counts is the smaller of the time on the
+ * wall and that of all its threads together, so that other programs disturb little.
+ *
+ * Fair: the same mesh with shared vertices, matrix, viewport and culling, 32 bits a pixel with blue
+ * first, bilinear samples of the same mip level. What does not change from frame to frame is made
+ * ready by both before the clock runs (normals of length 1, buffers, textures). The formulas are
+ * the same, with the power 10 written out as products on both sides. llvmpipe's depth is a 32-bit
+ * float and its specular map has one byte a texel; other formats were no faster. One thing is not
+ * equal: nobody else writes to this course's image, which may clear only what its last frame has
+ * drawn (CLEAR_LAST_FRAME), and glClear() has no such thing. With --clear-all it clears all. (And
+ * this course asks for large pages of memory, which Mesa does not: see large_pages.h.)
+ *
+ * Then both pictures are compared with the exact one (exact.h). Times are only shown: nothing fails
+ * because of them.
+ */
+#define _DEFAULT_SOURCE /* clock_gettime, getloadavg */
+#include "child.h"
+#include "exact.h"
+#include "files/png.h"
+#include "options.h"
+#include "ours.h"
+#include "skipping.h"
+#include "table.h"
+
+#include "base/file.h"
+#include "bench/timing.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { SUBDIVISIONS_LIMIT = 6 };
+
+struct bench {
+    struct options options;
+    struct frame_model given;             /* as read, with the textures */
+    struct frame_model finer[LIST_LIMIT]; /* cut, empty where it need not be */
+    struct ours ours[2];                  /* one thread, two */
+    struct child mesa[2];
+    void *fill[2]; /* as large as colour and depth of the largest picture */
+    double seconds[SIDES][FRAMES_LIMIT], fill_seconds[FRAMES_LIMIT];
+    struct table table;
+};
+
+/* ---- Those who draw ---- */
+
+static bool load_side(struct bench *b, enum side side, const struct frame_scene *scene,
+                      struct error *error) {
+    if (side >= MESA_1) {
+        return child_load(&b->mesa[side - MESA_1], scene, error);
+    }
+    return ours_load(&b->ours[side - OURS_1], scene, side - OURS_1 + 1, b->options.clearing, error);
+}
+
+/* Two frames, of which the second is timed. */
+static bool draw_side(struct bench *b, enum side side, double *seconds, struct error *error) {
+    if (side >= MESA_1) {
+        return child_draw(&b->mesa[side - MESA_1], seconds, error);
+    }
+    bool done = ours_draw(&b->ours[side - OURS_1], error);
+    struct stopwatch start = stopwatch_start();
+    done = done && ours_draw(&b->ours[side - OURS_1], error);
+    *seconds = stopwatch_seconds(start);
+    return done;
+}
+
+/* The picture that was drawn last, and NULL where that fails. */
+static const uint8_t *read_side(struct bench *b, enum side side, struct error *error) {
+    if (side <= OURS_2) {
+        return b->ours[side - OURS_1].image.pixels;
+    }
+    struct child *child = &b->mesa[side - MESA_1];
+    return child_read(child, error) ? child->pixels : NULL;
+}
+
+/* What it takes to set colour and depth of a picture at all, 4 bytes each. */
+static double fill_memory(struct bench *b, const struct frame_scene *scene) {
+    struct stopwatch start = stopwatch_start();
+    for (int turn = 0; turn < 2; turn++) {
+        start = stopwatch_start();
+        for (int i = 0; i < 2; i++) {
+            memset(b->fill[i], turn, scene->width * scene->height * 4);
+            /* The compiler must not leave out what nobody reads. */
+            ((volatile char *)b->fill[i])[scene->width] = 1;
+        }
+    }
+    return stopwatch_seconds(start);
+}
+
+/* ---- A cell of the table ---- */
+
+static struct summary summarize(const struct bench *b, double *seconds) {
+    size_t count = b->options.frames;
+    sort_doubles(seconds, count);
+    return (struct summary){
+        .typical = 1e3 * quantile(seconds, count, b->options.least ? 0 : 0.5),
+        .range = 1e3 * (quantile(seconds, count, 0.75) - quantile(seconds, count, 0.25)),
+    };
+}
+
+static size_t side_count(const struct bench *b) {
+    return b->table.has_mesa ? SIDES : MESA_1;
+}
+
+/* Rounds in which each side has its turn, each round beginning with another one. */
+static bool time_cell(struct bench *b, const struct frame_scene *scene, struct cell *cell,
+                      struct error *error) {
+    size_t sides = side_count(b);
+    for (size_t i = 0; i < b->options.frames; i++) {
+        for (size_t k = 0; k < sides; k++) {
+            enum side side = (enum side)((i + k) % sides);
+            if (!draw_side(b, side, &b->seconds[side][i], error)) {
+                return false;
+            }
+        }
+        b->fill_seconds[i] = fill_memory(b, scene);
+    }
+    for (size_t side = 0; side < sides; side++) {
+        cell->sides[side] = summarize(b, b->seconds[side]);
+    }
+    cell->fill = summarize(b, b->fill_seconds);
+    return true;
+}
+
+static bool save_picture(const struct bench *b, const struct cell *cell, const char *side,
+                         const uint8_t *pixels, struct error *error) {
+    const struct image image = {cell->width, cell->height, IMAGE_BGRA, (uint8_t *)pixels};
+    char *path =
+        string_format("%s/%s_%zux%zu_%zu_%s.png", b->options.directory, frame_look_name[cell->look],
+                      cell->width, cell->height, cell->faces, side);
+    bool done = path != NULL ? png_write(&image, path, error) : error_out_of_memory(error);
+    free(path);
+    return done;
+}
+
+static bool save_pictures(const struct bench *b, const struct cell *cell,
+                          const uint8_t *const *pictures, struct error *error) {
+    return b->options.directory == NULL ||
+           (directory_create(b->options.directory, error) &&
+            save_picture(b, cell, "ours", pictures[OURS_1], error) &&
+            (!b->table.has_mesa || save_picture(b, cell, "llvmpipe", pictures[MESA_1], error)));
+}
+
+static bool judge_cell(struct bench *b, const struct frame_scene *scene, struct cell *cell,
+                       struct error *error) {
+    const uint8_t *pictures[SIDES];
+    size_t bytes = scene->width * scene->height * IMAGE_BGRA;
+    struct exact exact = {0};
+    for (size_t side = 0; side < side_count(b); side++) {
+        pictures[side] = read_side(b, (enum side)side, error);
+        if (pictures[side] == NULL) {
+            return false;
+        }
+    }
+    bool done = save_pictures(b, cell, pictures, error) && exact_begin(&exact, scene, error);
+    if (done) {
+        exact_compare(&exact, pictures, side_count(b), cell->deviations);
+        cell->visible = exact.visible;
+        cell->same[0] = memcmp(pictures[OURS_1], pictures[OURS_2], bytes) == 0;
+        cell->same[1] =
+            !b->table.has_mesa || memcmp(pictures[MESA_1], pictures[MESA_2], bytes) == 0;
+    }
+    exact_end(&exact);
+    return done;
+}
+
+static bool measure_cell(struct bench *b, const struct frame_scene *scene, struct cell *cell,
+                         struct error *error) {
+    bool done = true;
+    *cell = (struct cell){.look = scene->look,
+                          .width = scene->width,
+                          .height = scene->height,
+                          .faces = scene->call.model->face_count};
+    for (size_t side = 0; done && side < side_count(b); side++) {
+        done = load_side(b, (enum side)side, scene, error);
+    }
+    return done && time_cell(b, scene, cell, error) && judge_cell(b, scene, cell, error);
+}
+
+/* ---- All cells ---- */
+
+/* The model of the i-th number of triangles. */
+static const struct frame_model *head_of(const struct bench *b, size_t i) {
+    return b->finer[i].model.face_count > 0 ? &b->finer[i] : &b->given;
+}
+
+static bool measure_look(struct bench *b, enum frame_look look, struct error *error) {
+    const struct options *o = &b->options;
+    for (size_t k = 0; k < o->size_count * o->triangle_count; k++) {
+        struct size size = o->sizes[k / o->triangle_count];
+        struct frame_scene scene = frame_scene(look, size.width, size.height,
+                                               head_of(b, k % o->triangle_count), &b->given.model);
+        struct cell *cell = &b->table.cells[b->table.count];
+        if (!measure_cell(b, &scene, cell, error)) {
+            return false;
+        }
+        table_print_times(&b->table, cell);
+        b->table.count++;
+    }
+    return true;
+}
+
+static bool measure_all(struct bench *b, struct error *error) {
+    const struct options *o = &b->options;
+    table_print_time_head(o);
+    for (size_t i = 0; i < o->look_count; i++) {
+        if (!frame_look_is_possible(o->looks[i], &b->given.model)) {
+            printf("%-7s left out: the model lacks a texture\n", frame_look_name[o->looks[i]]);
+        } else if (!measure_look(b, o->looks[i], error)) {
+            return false;
+        }
+    }
+    table_print_errors(&b->table);
+    table_print_goals(&b->table);
+    return true;
+}
+
+/* ---- Setting up ---- */
+
+/* How often each face is cut into four, to come nearest to that many. */
+static int subdivisions_for(size_t faces, size_t wanted) {
+    int times = 0;
+    for (double count = (double)faces; times < SUBDIVISIONS_LIMIT && (double)wanted > 2 * count;
+         count *= 4) {
+        times++;
+    }
+    return times;
+}
+
+static bool read_heads(struct bench *b, struct error *error) {
+    if (!frame_model_read(&b->given, b->options.model, error)) {
+        return false;
+    }
+    for (size_t i = 0; i < b->options.triangle_count; i++) {
+        int times = subdivisions_for(b->given.model.face_count, b->options.triangles[i]);
+        if (times > 0 && !frame_model_subdivide(&b->finer[i], &b->given, times, error)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+static size_t most_pixels(const struct options *o) {
+    size_t most = 0;
+    for (size_t i = 0; i < o->size_count; i++) {
+        size_t pixels = o->sizes[i].width * o->sizes[i].height;
+        most = pixels > most ? pixels : most;
+    }
+    return most;
+}
+
+/* Before any thread is started here, and after all models were read. */
+static void start_mesa(struct bench *b) {
+    static const int threads[2] = {0, 2}; /* 0: none but the one that calls */
+    struct error error;
+    b->table.has_mesa = llvmpipe != NULL;
+    for (int i = 0; b->table.has_mesa && i < 2; i++) {
+        b->table.has_mesa = child_start(&b->mesa[i], threads[i], b->options.filter,
+                                        most_pixels(&b->options), &error);
+        if (!b->table.has_mesa) {
+            printf("llvmpipe is left out: %s\n", error.message);
+        }
+    }
+    if (b->table.has_mesa) {
+        printf("%s\n", b->mesa[0].name);
+    }
+}
+
+static bool allocate(struct bench *b, struct error *error) {
+    const struct options *o = &b->options;
+    b->table.cells =
+        calloc(o->look_count * o->size_count * o->triangle_count, sizeof *b->table.cells);
+    for (int i = 0; i < 2; i++) {
+        b->fill[i] = malloc(4 * most_pixels(o) + 1);
+    }
+    return (b->table.cells != NULL && b->fill[0] != NULL && b->fill[1] != NULL) ||
+           error_out_of_memory(error);
+}
+
+/* What else the machine does. */
+static void print_load(void) {
+    double load;
+    if (getloadavg(&load, 1) == 1) {
+        printf("Load of the machine before this: %.1f%s\n", load,
+               load > 0.5 ? "; while it is busy, two threads show no gain" : "");
+    }
+}
+
+static bool set_up(struct bench *b, struct error *error) {
+    if (!read_heads(b, error) || !allocate(b, error)) {
+        return false;
+    }
+    printf("%s, seen from (1,1,3), in the middle square of the image\n", b->options.model);
+    print_load();
+    start_mesa(b);
+    return true;
+}
+
+static void tear_down(struct bench *b) {
+    for (int i = 0; i < 2; i++) {
+        child_end(&b->mesa[i]);
+        ours_free(&b->ours[i]);
+        free(b->fill[i]);
+    }
+    for (size_t i = 0; i < LIST_LIMIT; i++) {
+        frame_model_free(&b->finer[i]);
+    }
+    frame_model_free(&b->given);
+    free(b->table.cells);
+    free(b);
+}
+
+static bool run(const struct options *options, struct error *error) {
+    if (options->skipping) {
+        return skipping_measure(options->model, options->frames, error);
+    }
+    struct bench *bench = calloc(1, sizeof *bench);
+    if (bench == NULL) {
+        return error_out_of_memory(error);
+    }
+    bench->options = *options;
+    bool done = set_up(bench, error) && measure_all(bench, error);
+    tear_down(bench);
+    return done;
+}
+
+int main(int argc, char **argv) {
+    struct options options;
+    struct error error;
+    if (!options_read(&options, argc, argv, &error)) {
+        fprintf(stderr, "bench-frame: %s; --help prints the options\n", error.message);
+        return 2;
+    }
+    if (options.help) {
+        fputs(options_help, stdout);
+        return 0;
+    }
+    if (!run(&options, &error)) {
+        fprintf(stderr, "bench-frame: %s\n", error.message);
+        return 1;
+    }
+    return 0;
+}

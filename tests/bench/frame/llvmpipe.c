@@ -1,0 +1,290 @@
+/* llvmpipe's side: see llvmpipe.h. */
+#define _POSIX_C_SOURCE 200809L /* setenv */
+#include "llvmpipe.h"
+
+#include "upkeep/opengl/context.h"
+#include "upkeep/opengl/picture.h"
+#include "vertices.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+
+/* ---- Shaders: the formulas of scene.h, each in the form that llvmpipe draws fastest ---- */
+
+#define TEXT_OF_VALUE(value) #value
+#define TEXT_OF(macro)       TEXT_OF_VALUE(macro)
+
+static const char *const head = "#version 450 core\n"
+                                "#define AMBIENT " TEXT_OF(AMBIENT) "\n";
+
+static const char *const vertex_shaders[FRAME_LOOKS] = {
+    [FRAME_FLAT] = "layout(location = 0) in vec3 position;\n"
+                   "layout(location = 1) in vec3 normal;\n"
+                   "uniform mat4 to_clip;\n"
+                   "uniform vec3 to_light;\n"
+                   "flat out float light;\n"
+                   "void main() {\n"
+                   "    gl_Position = to_clip * vec4(position, 1);\n"
+                   "    light = max(dot(normal, to_light), 0.0);\n"
+                   "}\n",
+    [FRAME_GOURAUD] = "layout(location = 0) in vec3 position;\n"
+                      "layout(location = 1) in vec3 normal;\n"
+                      "layout(location = 2) in vec2 uv_in;\n"
+                      "uniform mat4 to_clip;\n"
+                      "uniform vec3 to_light;\n"
+                      "out float light;\n"
+                      "out vec2 uv;\n"
+                      "void main() {\n"
+                      "    gl_Position = to_clip * vec4(position, 1);\n"
+                      "    light = max(dot(normal, to_light), 0.0);\n"
+                      "    uv = uv_in;\n"
+                      "}\n",
+    [FRAME_PHONG] = "layout(location = 0) in vec3 position_in;\n"
+                    "layout(location = 2) in vec2 uv_in;\n"
+                    "uniform mat4 to_clip;\n"
+                    "out vec3 position;\n"
+                    "out vec2 uv;\n"
+                    "void main() {\n"
+                    "    gl_Position = to_clip * vec4(position_in, 1);\n"
+                    "    position = position_in;\n"
+                    "    uv = uv_in;\n"
+                    "}\n",
+};
+
+static const char *const fragment_shaders[FRAME_LOOKS] = {
+    [FRAME_FLAT] = "flat in float light;\n"
+                   "out vec4 color;\n"
+                   "void main() {\n"
+                   "    color = vec4(vec3(light), 1);\n"
+                   "}\n",
+    [FRAME_GOURAUD] = "in float light;\n"
+                      "in vec2 uv;\n"
+                      "uniform sampler2D diffuse_map;\n"
+                      "out vec4 color;\n"
+                      "void main() {\n"
+                      "    color = vec4(texture(diffuse_map, uv).rgb * light, 1);\n"
+                      "}\n",
+    [FRAME_PHONG] =
+        "in vec3 position;\n"
+        "in vec2 uv;\n"
+        "uniform sampler2D diffuse_map, normal_map, specular_map;\n"
+        "uniform vec3 to_light, eye;\n"
+        "out vec4 color;\n"
+        "void main() {\n"
+        "    vec3 normal = normalize(texture(normal_map, uv).rgb * 2.0 - 1.0);\n"
+        "    float light = max(dot(normal, to_light), 0.0);\n"
+        "    vec3 mirrored = 2.0 * light * normal - to_light;\n"
+        "    float near = max(dot(mirrored, normalize(eye - position)), 0.0);\n"
+        "    float square = near * near, fourth = square * square;\n"
+        "    float shine = light > 0.0 ? fourth * fourth * square : 0.0;\n"
+        "    shine *= texture(specular_map, uv).r;\n"
+        "    color = vec4(texture(diffuse_map, uv).rgb * (AMBIENT + light) + shine, 1);\n"
+        "}\n",
+};
+
+static const char *const sampler_names[MODEL_TEXTURE_KINDS] = {
+    [MODEL_DIFFUSE] = "diffuse_map",
+    [MODEL_NORMAL_MAP] = "normal_map",
+    [MODEL_SPECULAR] = "specular_map",
+};
+
+/* ---- The renderer ---- */
+
+struct llvmpipe {
+    struct gl_context context;
+    GLuint programs[FRAME_LOOKS];
+    GLenum filter;
+    /* The scene that is loaded. */
+    GLuint color, depth, frame; /* texture, renderbuffer, framebuffer */
+    GLuint textures[MODEL_TEXTURE_KINDS];
+    GLuint vertex_array, buffers[2]; /* vertices, indices */
+    GLsizei index_count, width, height;
+};
+
+static void close_llvmpipe(struct llvmpipe *l) {
+    gl_context_close(&l->context); /* and all that it holds */
+    free(l);
+}
+
+static struct llvmpipe *open_llvmpipe(int threads, enum llvmpipe_filter filter,
+                                      struct error *error) {
+    char number[16];
+    struct llvmpipe *l = calloc(1, sizeof *l);
+    snprintf(number, sizeof number, "%d", threads);
+    setenv("LP_NUM_THREADS", number, 1);
+    if (l == NULL) {
+        error_out_of_memory(error);
+        return NULL;
+    }
+    l->filter = filter == FILTER_NEAREST ? GL_NEAREST : GL_LINEAR;
+    bool done = gl_context_open(&l->context, error);
+    for (int look = 0; done && look < FRAME_LOOKS; look++) {
+        const char *vertex[2] = {head, vertex_shaders[look]};
+        const char *fragment[2] = {head, fragment_shaders[look]};
+        l->programs[look] = gl_make_program(vertex, fragment, 2, error);
+        done = l->programs[look] != 0;
+    }
+    if (!done) {
+        close_llvmpipe(l);
+        return NULL;
+    }
+    return l;
+}
+
+static const char *name_llvmpipe(const struct llvmpipe *l) {
+    return l->context.name;
+}
+
+/* ---- Loading ---- */
+
+static void unload(struct llvmpipe *l) {
+    glDeleteFramebuffers(1, &l->frame);
+    glDeleteTextures(1, &l->color);
+    glDeleteRenderbuffers(1, &l->depth);
+    glDeleteTextures(MODEL_TEXTURE_KINDS, l->textures);
+    glDeleteVertexArrays(1, &l->vertex_array);
+    glDeleteBuffers(2, l->buffers);
+}
+
+/* Colour as the course has it, blue first; depth in as many bits as a float. */
+static bool make_frame(struct llvmpipe *l, const struct frame_scene *scene, struct error *error) {
+    l->width = (GLsizei)scene->width;
+    l->height = (GLsizei)scene->height;
+    glGenTextures(1, &l->color);
+    glBindTexture(GL_TEXTURE_2D, l->color);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, l->width, l->height, 0, GL_BGRA,
+                 GL_UNSIGNED_INT_8_8_8_8_REV, NULL);
+    glGenRenderbuffers(1, &l->depth);
+    glBindRenderbuffer(GL_RENDERBUFFER, l->depth);
+    glRenderbufferStorage(GL_RENDERBUFFER, GL_DEPTH_COMPONENT32F, l->width, l->height);
+    glGenFramebuffers(1, &l->frame);
+    glBindFramebuffer(GL_FRAMEBUFFER, l->frame);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, l->color, 0);
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, l->depth);
+    return glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE ||
+           error_set(error, "Mesa cannot draw off the screen in this format");
+}
+
+static void load_texture(struct llvmpipe *l, GLuint program, enum model_texture_kind kind,
+                         struct frame_texture from) {
+    glActiveTexture(GL_TEXTURE0 + (GLenum)kind);
+    glGenTextures(1, &l->textures[kind]);
+    glBindTexture(GL_TEXTURE_2D, l->textures[kind]);
+    if (from.texture != NULL) {
+        const struct texture_level *level = &from.texture->level[from.level];
+        glPixelStorei(GL_UNPACK_ROW_LENGTH, (GLint)level->pitch);
+        glTexImage2D(GL_TEXTURE_2D, 0, kind == MODEL_SPECULAR ? GL_R8 : GL_RGBA8,
+                     (GLsizei)level->width, (GLsizei)level->height, 0, GL_BGRA,
+                     GL_UNSIGNED_INT_8_8_8_8_REV, level->texels);
+    }
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, (GLint)l->filter);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, (GLint)l->filter);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    glUniform1i(glGetUniformLocation(program, sampler_names[kind]), (GLint)kind);
+}
+
+static void describe_attribute(GLuint index, GLint floats, size_t offset) {
+    glVertexAttribFormat(index, floats, GL_FLOAT, GL_FALSE, (GLuint)offset);
+    glVertexAttribBinding(index, 0);
+    glEnableVertexAttribArray(index);
+}
+
+static bool load_mesh(struct llvmpipe *l, const struct frame_scene *scene, struct error *error) {
+    struct vertices v = {0};
+    bool done = scene->look == FRAME_FLAT ? vertices_flat(&v, scene->head, error)
+                                          : vertices_smooth(&v, scene->head, error);
+    glGenVertexArrays(1, &l->vertex_array);
+    glBindVertexArray(l->vertex_array);
+    glGenBuffers(2, l->buffers);
+    if (done) {
+        glBindBuffer(GL_ARRAY_BUFFER, l->buffers[0]);
+        glBufferData(GL_ARRAY_BUFFER, (GLsizeiptr)(v.vertex_count * sizeof *v.vertices), v.vertices,
+                     GL_STATIC_DRAW);
+        glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, l->buffers[1]);
+        glBufferData(GL_ELEMENT_ARRAY_BUFFER, (GLsizeiptr)(v.index_count * sizeof *v.indices),
+                     v.indices, GL_STATIC_DRAW);
+        l->index_count = (GLsizei)v.index_count;
+    }
+    glBindVertexBuffer(0, l->buffers[0], 0, sizeof(struct vertex));
+    describe_attribute(0, 3, offsetof(struct vertex, position));
+    if (scene->look != FRAME_PHONG) {
+        describe_attribute(1, 3, offsetof(struct vertex, normal));
+    }
+    if (scene->look != FRAME_FLAT) {
+        describe_attribute(2, 2, offsetof(struct vertex, uv));
+    }
+    vertices_free(&v);
+    return done;
+}
+
+/* All that stays the same from frame to frame. */
+static void set_state(const struct llvmpipe *l, const struct frame_scene *scene) {
+    const struct rectangle *r = &scene->call.viewport;
+    const struct mat4 to_clip = perspective_clip(scene->call.to_clip);
+    GLuint program = l->programs[scene->look];
+    gl_use_conventions();
+    gl_set_matrix(program, "to_clip", &to_clip);
+    gl_set_vec3(program, "to_light", scene->to_light);
+    gl_set_vec3(program, "eye", scene->eye);
+    glViewport(r->x, r->y, r->width, r->height);
+    glEnable(GL_DEPTH_TEST);
+    glEnable(GL_CULL_FACE);
+    glDisable(GL_DITHER);
+    glClearColor(0, 0, 0, 0);
+    glClearDepth(0);
+}
+
+static bool load(struct llvmpipe *l, const struct frame_scene *scene, struct error *error) {
+    GLuint program = l->programs[scene->look];
+    unload(l);
+    glUseProgram(program);
+    if (!make_frame(l, scene, error) || !load_mesh(l, scene, error)) {
+        return false;
+    }
+    for (int kind = 0; kind < MODEL_TEXTURE_KINDS; kind++) {
+        load_texture(l, program, (enum model_texture_kind)kind, scene->textures[kind]);
+    }
+    set_state(l, scene);
+    GLenum problem = glGetError();
+    return problem == GL_NO_ERROR || error_set(error, "OpenGL reports error 0x%x", problem);
+}
+
+/* ---- Frames ---- */
+
+static void draw(struct llvmpipe *l) {
+    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+    glDrawElements(GL_TRIANGLES, l->index_count, GL_UNSIGNED_INT, NULL);
+    glFinish();
+}
+
+static uint64_t count_pixels(struct llvmpipe *l) {
+    GLuint query;
+    GLuint64 passed = 0;
+    glGenQueries(1, &query);
+    glBeginQuery(GL_SAMPLES_PASSED, query);
+    draw(l);
+    glEndQuery(GL_SAMPLES_PASSED);
+    glGetQueryObjectui64v(query, GL_QUERY_RESULT, &passed);
+    glDeleteQueries(1, &query);
+    return passed;
+}
+
+static bool read_pixels(struct llvmpipe *l, uint8_t *pixels, struct error *error) {
+    glReadPixels(0, 0, l->width, l->height, GL_BGRA, GL_UNSIGNED_BYTE, pixels);
+    GLenum problem = glGetError();
+    return problem == GL_NO_ERROR || error_set(error, "OpenGL reports error 0x%x", problem);
+}
+
+static const struct llvmpipe_functions functions = {
+    .open = open_llvmpipe,
+    .close = close_llvmpipe,
+    .name = name_llvmpipe,
+    .load = load,
+    .draw = draw,
+    .count = count_pixels,
+    .read = read_pixels,
+};
+
+const struct llvmpipe_functions *const llvmpipe = &functions;

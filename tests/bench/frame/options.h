@@ -1,0 +1,38 @@
+/* The command line of bench-frame. */
+#ifndef FRAME_OPTIONS_H
+#define FRAME_OPTIONS_H
+
+#include "base/error.h"
+#include "llvmpipe.h"
+#include "scene.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+
+enum { LIST_LIMIT = 8, FRAMES_LIMIT = 1000 };
+
+struct size {
+    size_t width, height;
+};
+
+struct options {
+    const char *model;
+    const char *directory; /* where the pictures go; NULL: nowhere */
+    enum frame_look looks[LIST_LIMIT];
+    struct size sizes[LIST_LIMIT];
+    size_t triangles[LIST_LIMIT]; /* about so many */
+    size_t look_count, size_count, triangle_count;
+    size_t frames; /* timed of each, 1..FRAMES_LIMIT */
+    enum llvmpipe_filter filter;
+    bool skipping;          /* measure only what shortcuts are worth */
+    bool least;             /* show the least time, not the median */
+    enum clearing clearing; /* how the course's side clears the image */
+    bool help;
+};
+
+extern const char options_help[];
+
+/* Read the command line. False, with a message, where it is wrong. */
+bool options_read(struct options *options, int argc, char **argv, struct error *error);
+
+#endif

@@ -1,0 +1,269 @@
+/* What is drawn: see scene.h. */
+#include "scene.h"
+
+#include "base/array.h"
+#include "files/model_file.h"
+#include "files/normals.h"
+#include "pairs.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+const char *const frame_look_name[FRAME_LOOKS] = {"flat", "gouraud", "phong"};
+
+/* ---- Models ---- */
+
+static void to_unit(float normal[3]) {
+    struct vec3 unit = vec3_normalized((struct vec3){normal[0], normal[1], normal[2]});
+    normal[0] = (float)unit.x;
+    normal[1] = (float)unit.y;
+    normal[2] = (float)unit.z;
+}
+
+void frame_unit_normals(struct model *model) {
+    for (size_t i = 0; i < model->normal_count; i++) {
+        to_unit(model->normals[i]);
+    }
+}
+
+/* What is made ready once. */
+static bool make_ready(struct frame_model *head, struct error *error) {
+    const struct model *model = &head->model;
+    frame_unit_normals(&head->model);
+    head->face_normals = malloc((model->face_count + 1) * sizeof *head->face_normals);
+    if (head->face_normals == NULL) {
+        return error_out_of_memory(error);
+    }
+    for (size_t i = 0; i < model->face_count; i++) {
+        struct vec3 normal = vec3_normalized(model_face_normal(model, i));
+        head->face_normals[i][0] = (float)normal.x;
+        head->face_normals[i][1] = (float)normal.y;
+        head->face_normals[i][2] = (float)normal.z;
+    }
+    return true;
+}
+
+bool frame_model_read(struct frame_model *head, const char *path, struct error *error) {
+    *head = (struct frame_model){0};
+    if (!model_read(&head->model, path, error) || !model_need_normals(&head->model, error)) {
+        return false;
+    }
+    for (int kind = 0; kind < MODEL_TEXTURE_KINDS; kind++) {
+        struct error missing;
+        (void)model_texture(&head->model, (enum model_texture_kind)kind, &missing);
+    }
+    return make_ready(head, error);
+}
+
+void frame_model_free(struct frame_model *head) {
+    model_free(&head->model);
+    free(head->face_normals);
+    head->face_normals = NULL;
+}
+
+/* ---- Subdivision ---- */
+
+/* The edges of one attribute: the middle of each is a new element behind those that there are. */
+struct middles {
+    struct pairs edges;
+    size_t old_count;
+};
+
+static uint32_t middle_of(struct middles *middles, uint32_t a, uint32_t b) {
+    if (a == MODEL_NONE || b == MODEL_NONE) {
+        return MODEL_NONE;
+    }
+    uint32_t number =
+        a < b ? pairs_number(&middles->edges, a, b) : pairs_number(&middles->edges, b, a);
+    return (uint32_t)middles->old_count + number;
+}
+
+enum { ATTRIBUTES = 3 }; /* position, texture coordinate, normal */
+
+static struct corner middle_corner(struct middles middles[ATTRIBUTES], struct corner a,
+                                   struct corner b) {
+    return (struct corner){
+        .position = middle_of(&middles[0], a.position, b.position),
+        .uv = middle_of(&middles[1], a.uv, b.uv),
+        .normal = middle_of(&middles[2], a.normal, b.normal),
+    };
+}
+
+/* Three at the corners and one in the middle. */
+static void cut_face(struct middles middles[ATTRIBUTES], const struct face *face,
+                     struct face four[4]) {
+    const struct corner *c = face->corner;
+    struct corner middle[3];
+    for (int i = 0; i < 3; i++) {
+        middle[i] = middle_corner(middles, c[i], c[(i + 1) % 3]);
+    }
+    for (int i = 0; i < 3; i++) {
+        four[i] = (struct face){{c[i], middle[i], middle[(i + 2) % 3]}};
+    }
+    four[3] = (struct face){{middle[0], middle[1], middle[2]}};
+}
+
+/* As the arrays of a model that was read. */
+static void *allocate_array(size_t count, size_t element_size) {
+    size_t capacity = 0;
+    return array_reserve(NULL, &capacity, count + 1, element_size);
+}
+
+/* An array of `old_count` elements of 2 or 3 floats, longer by the middles of its edges. */
+static float *add_middles(const float *old, const struct middles *middles, size_t floats) {
+    size_t count = middles->old_count + middles->edges.count;
+    float *longer = allocate_array(count, floats * sizeof *longer);
+    if (longer == NULL) {
+        return NULL;
+    }
+    if (middles->old_count > 0) {
+        memcpy(longer, old, middles->old_count * floats * sizeof *longer);
+    }
+    for (size_t i = 0; i < middles->edges.capacity; i++) {
+        if (middles->edges.numbers[i] == 0) {
+            continue;
+        }
+        const float *a = longer + (middles->edges.keys[i] >> 32) * floats;
+        const float *b = longer + (middles->edges.keys[i] & UINT32_MAX) * floats;
+        float *to = longer + (middles->old_count + middles->edges.numbers[i] - 1) * floats;
+        for (size_t k = 0; k < floats; k++) {
+            to[k] = (a[k] + b[k]) / 2;
+        }
+    }
+    return longer;
+}
+
+static struct vec3 *add_middle_positions(const struct vec3 *old, const struct middles *middles) {
+    size_t count = middles->old_count + middles->edges.count;
+    struct vec3 *longer = allocate_array(count, sizeof *longer);
+    if (longer == NULL) {
+        return NULL;
+    }
+    if (middles->old_count > 0) {
+        memcpy(longer, old, middles->old_count * sizeof *longer);
+    }
+    for (size_t i = 0; i < middles->edges.capacity; i++) {
+        if (middles->edges.numbers[i] != 0) {
+            struct vec3 a = longer[middles->edges.keys[i] >> 32];
+            struct vec3 b = longer[middles->edges.keys[i] & UINT32_MAX];
+            longer[middles->old_count + middles->edges.numbers[i] - 1] =
+                vec3_scale(vec3_add(a, b), 0.5);
+        }
+    }
+    return longer;
+}
+
+static bool begin_middles(struct middles middles[ATTRIBUTES], const struct model *model,
+                          struct error *error) {
+    const size_t counts[ATTRIBUTES] = {model->position_count, model->uv_count, model->normal_count};
+    bool done = true;
+    for (int i = 0; i < ATTRIBUTES; i++) {
+        middles[i].old_count = counts[i];
+        done = done && pairs_create(&middles[i].edges, 3 * model->face_count, error);
+    }
+    return done;
+}
+
+/* The arrays of the finer model, once all of its faces are known. */
+static bool add_all_middles(struct model *fine, const struct model *coarse,
+                            const struct middles middles[ATTRIBUTES], struct error *error) {
+    fine->position_count = coarse->position_count + middles[0].edges.count;
+    fine->uv_count = coarse->uv_count + middles[1].edges.count;
+    fine->normal_count = coarse->normal_count + middles[2].edges.count;
+    fine->positions = add_middle_positions(coarse->positions, &middles[0]);
+    fine->uvs = (float(*)[2])add_middles((const float *)coarse->uvs, &middles[1], 2);
+    fine->normals = (float(*)[3])add_middles((const float *)coarse->normals, &middles[2], 3);
+    if (fine->positions == NULL || fine->uvs == NULL || fine->normals == NULL) {
+        error_out_of_memory(error);
+        return false;
+    }
+    return true;
+}
+
+/* `fine`, empty, becomes `coarse` with four times the faces, without textures. */
+static bool subdivide(struct model *fine, const struct model *coarse, struct error *error) {
+    struct middles middles[ATTRIBUTES] = {{.old_count = 0}};
+    fine->face_count = 4 * coarse->face_count;
+    fine->faces = allocate_array(fine->face_count, sizeof *fine->faces);
+    if (fine->faces == NULL) {
+        error_out_of_memory(error);
+        return false;
+    }
+    bool done = begin_middles(middles, coarse, error);
+    for (size_t i = 0; done && i < coarse->face_count; i++) {
+        cut_face(middles, &coarse->faces[i], &fine->faces[4 * i]);
+    }
+    done = done && add_all_middles(fine, coarse, middles, error);
+    for (int i = 0; i < ATTRIBUTES; i++) {
+        pairs_free(&middles[i].edges);
+    }
+    return done;
+}
+
+bool frame_model_subdivide(struct frame_model *fine, const struct frame_model *coarse, int times,
+                           struct error *error) {
+    *fine = (struct frame_model){0};
+    for (int i = 0; i < times; i++) {
+        struct model finer = {0};
+        bool done = subdivide(&finer, i == 0 ? &coarse->model : &fine->model, error);
+        model_free(&fine->model);
+        fine->model = finer;
+        if (!done) {
+            return false;
+        }
+    }
+    return make_ready(fine, error);
+}
+
+/* ---- Scenes ---- */
+
+static const struct vec3 eye = {1, 1, 3}, center = {0, 0, 0}, up = {0, 1, 0}, light = {1, 1, 1};
+
+/* As step 10 shows the head that fills its picture. */
+static const double zoom = 0.85;
+
+static struct rectangle square_in_the_middle(size_t width, size_t height) {
+    int w = (int)width, h = (int)height, side = w < h ? w : h;
+    return (struct rectangle){(w - side) / 2, (h - side) / 2, side, side};
+}
+
+static struct frame_texture texture_of(const struct model *model, enum model_texture_kind kind,
+                                       double pixels) {
+    const struct texture *texture = &model->textures[kind];
+    if (texture->level_count == 0) {
+        return (struct frame_texture){NULL, 0};
+    }
+    return (struct frame_texture){texture, texture_wrapped_level(texture, pixels)};
+}
+
+struct frame_scene frame_scene(enum frame_look look, size_t width, size_t height,
+                               const struct frame_model *head, const struct model *textured) {
+    struct rectangle viewport = square_in_the_middle(width, height);
+    struct frame_scene scene = {
+        .look = look,
+        .width = width,
+        .height = height,
+        .head = head,
+        .call = camera_call(&head->model, eye, center, up, zoom, viewport, CULL_BACK),
+        .eye = eye,
+        .to_light = vec3_normalized(light),
+    };
+    for (int kind = 0; kind < MODEL_TEXTURE_KINDS; kind++) {
+        scene.textures[kind] =
+            texture_of(textured, (enum model_texture_kind)kind, zoom * viewport.width);
+    }
+    return scene;
+}
+
+bool frame_look_is_possible(enum frame_look look, const struct model *textured) {
+    bool has_diffuse = textured->textures[MODEL_DIFFUSE].level_count > 0;
+    switch (look) {
+    case FRAME_FLAT:
+        return true;
+    case FRAME_GOURAUD:
+        return has_diffuse;
+    default:
+        return has_diffuse && textured->textures[MODEL_NORMAL_MAP].level_count > 0 &&
+               textured->textures[MODEL_SPECULAR].level_count > 0;
+    }
+}

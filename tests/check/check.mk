@@ -1,0 +1,52 @@
+##   make check                  compare the pictures with tests/reference
+##   make check STEP=05          the same for one lesson (REPORT=file writes file.html, and .xml,
+##                               .json and .tap for other programs)
+##   make check STEP=05 SANITIZE=1   the same, and in which line a program goes wrong
+
+# The parts of the check; the files with a main() are not among them.
+CHECKER = $(patsubst %.c,$(BUILD)/%.o,$(filter-out %/check.c %/references.c %/looks_make.c \
+              %/figure_make.c tests/check/test_%.c,$(wildcard tests/check/*.c tests/check/page/*.c))) \
+          $(BUILD)/tests/check/page/page_files.o
+
+# The check builds the lessons itself: one that does not build is a finding, not the end.
+# SANITIZE=1: their main.c with the sanitizers, which tell in which line a program goes wrong. They
+# are slow; memory that is not freed at the end is no fault here, and a failed assert() is.
+CHECKED   = $(BUILD)$(if $(SANITIZE),/sanitized)
+SANITIZED = -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
+ifneq ($(HIDDEN),)
+ifeq ($(wildcard tests/teacher/hidden),)
+$(error HIDDEN=$(HIDDEN): hidden scenes are drawn where the solutions are)
+endif
+endif
+.PHONY: check
+check: $(BUILD)/check $(HIDDEN:%=$(BUILD)/hidden)
+	@$(if $(SANITIZE),ASAN_OPTIONS=detect_leaks=0:handle_abort=1 UBSAN_OPTIONS=print_stacktrace=1 \
+	                CHECK_TIMEOUT=$${CHECK_TIMEOUT:-60}) \
+	$(BUILD)/check --programs $(CHECKED) --differences $(CHECKED)/differences --make '$(MAKE) -s' \
+	    $(if $(SANITIZE),--sanitized) \
+	    $(if $(REPORT),--junit $(REPORT).xml --json $(REPORT).json --tap $(REPORT).tap \
+	                   --html $(REPORT).html) \
+	    $(KEEP_POINTS) $(STEP) $(THEN_HIDDEN)
+
+$(STEPS:%=$(BUILD)/sanitized/%): $(BUILD)/sanitized/%: %/main.c $(BUILD)/%.text \
+                                                       $(BUILD)/libcommon.a $(BUILD)/flags
+	@mkdir -p $(@D)
+	$(call BUILD_LESSON,$(SANITIZED))
+
+$(BUILD)/check: $(BUILD)/tests/check/check.o $(CHECKER) $(BUILD)/libcommon.a
+	$(Q)$(LINK) $^ -lm -o $@.$$$$ && mv -f $@.$$$$ $@
+
+$(BUILD)/tests/%.o: INCLUDES = -Itests
+
+# Style and script of the pages, as strings of C.
+$(BUILD)/tests/check/page/page_files.c: tests/check/page/page.css tests/check/page/page.js
+	@mkdir -p $(@D)
+	@{ echo '#include "check/page/page.h"'; \
+	   for file in css js; do \
+	       echo "const char *const page_$$file[] = {"; \
+	       sed 's/[\\"]/\\&/g; s/.*/    "&\\n",/' tests/check/page/page.$$file; \
+	       echo '    NULL};'; \
+	   done; } >$@
+
+$(BUILD)/tests/check/page/page_files.o: $(BUILD)/tests/check/page/page_files.c $(BUILD)/flags
+	$(Q)$(COMPILE) $(INCLUDES) -c $< -o $@

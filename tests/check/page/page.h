@@ -1,0 +1,53 @@
+/*
+ * A page of HTML that shows scenes: of each, yours, the reference and their difference.
+ *
+ *     struct bytes page = {.data = NULL};
+ *     page_begin(&page, "step05_zbuffer");
+ *     page_scene(&page, "depth", "0.7 % differ", &pictures, &error);
+ *     page_end(&page);
+ *
+ * The page is one file that works offline: pictures are in it as PNG. It follows the light or dark
+ * look of the system, shows pixels without smoothing and their values under the pointer, and all of
+ * it works by keyboard. Without scripts the pictures stand side by side.
+ */
+#ifndef TESTS_HELP_PAGE_H
+#define TESTS_HELP_PAGE_H
+
+#include "base/bytes.h"
+#include "base/error.h"
+#include "pictures.h"
+
+#include <stdbool.h>
+
+/* Its style and its script: page.css and page.js, line by line; then NULL. Written by make. */
+extern const char *const page_css[], *const page_js[];
+
+/* What is shown of a scene. */
+struct page_scene {
+    const char *name, *note; /* the note may be "" */
+    int level;               /* of its heading: 2, or 3 below a heading of level 2 */
+    const struct pictures *pictures;
+    const char *looks;           /* what it looks like, or NULL */
+    const struct image *mistake; /* with that: the small picture of it, or an empty one */
+    const struct image *small;   /* and yours, as small */
+};
+
+/* Each appends to the page and returns false when memory runs out. Texts are escaped. */
+
+/* Everything up to the first scene. */
+bool page_begin(struct bytes *page, const char *title);
+
+/* A scene, with those of its pictures that are there. An error may come from encoding a picture,
+ * too. */
+bool page_scene(struct bytes *page, const struct page_scene *scene, struct error *error);
+
+/* Text as HTML shows it, lines and all; what a terminal would obey is made '?'. For what else a
+ * caller writes. */
+bool page_text(struct bytes *page, const char *text);
+
+/* HTML that is written as it is. */
+bool page_html(struct bytes *page, const char *html);
+
+bool page_end(struct bytes *page);
+
+#endif

@@ -1,0 +1,113 @@
+/* The pictures of a scene: see pictures.h. */
+#include "pictures.h"
+
+#include "base/file.h"
+#include "check/compare.h"
+#include "check/verdict.h"
+#include "files/image_file.h"
+
+const char *const picture_names[PICTURE_COUNT] = {"yours", "reference", "difference"};
+
+static bool read_if_there(struct image *image, const char *path, struct error *error) {
+    return !file_exists(path) || image_read(image, path, error);
+}
+
+const struct checked_scene *pictures_rule(struct scene_table *table, const char *step,
+                                          const char *scene) {
+    struct error ignored;
+    bool found = scene_table_read(table, "tests/check/scenes.txt", &ignored);
+    return found ? scene_table_find(table, step, scene) : NULL;
+}
+
+/* Which pixels count as wrong? Pictures of different sizes have no shares. */
+static enum compare_pixels find_wrong(const struct image *reference, const struct image *yours,
+                                      const struct checked_scene *rule) {
+    struct comparison shares = {.drawn = 0};
+    if (rule == NULL) {
+        return COMPARE_UNMATCHED;
+    }
+    if (reference->width == yours->width && reference->height == yours->height) {
+        shares = compare_images(reference, yours);
+    }
+    return verdict_find(&shares, rule).pixels;
+}
+
+bool pictures_read(struct pictures *pictures, const char *yours, const char *reference,
+                   const struct checked_scene *rule, struct error *error) {
+    struct image *image = pictures->image;
+    *pictures = (struct pictures){.image = {{.pixels = NULL}}};
+    bool done = read_if_there(&image[PICTURE_YOURS], yours, error) &&
+                read_if_there(&image[PICTURE_REFERENCE], reference, error);
+    if (done && image[PICTURE_YOURS].width > 0 && image[PICTURE_REFERENCE].width > 0) {
+        enum compare_pixels wrong =
+            find_wrong(&image[PICTURE_REFERENCE], &image[PICTURE_YOURS], rule);
+        done = compare_difference(&image[PICTURE_DIFFERENCE], &image[PICTURE_REFERENCE],
+                                  &image[PICTURE_YOURS], wrong, error);
+    }
+    if (!done) {
+        pictures_free(pictures);
+    }
+    return done;
+}
+
+void pictures_free(struct pictures *pictures) {
+    for (int i = 0; i < PICTURE_COUNT; i++) {
+        image_free(&pictures->image[i]);
+    }
+}
+
+bool picture_enlarge(struct image *enlarged, const struct image *image, size_t times,
+                     struct error *error) {
+    if (!image_create(enlarged, image->width * times, image->height * times, image->format,
+                      error)) {
+        return false;
+    }
+    for (size_t y = 0; y < enlarged->height; y++) {
+        for (size_t x = 0; x < enlarged->width; x++) {
+            image_set(enlarged, (int)x, (int)y,
+                      image_get(image, (int)(x / times), (int)(y / times)));
+        }
+    }
+    return true;
+}
+
+/* How far a colour is from black: its largest channel. */
+static int distance_from_background(struct color c) {
+    int most = c.r > c.g ? c.r : c.g;
+    return most > c.b ? most : c.b;
+}
+
+/* Of the pixels from (x,y) up to, without, (right,top). */
+static struct color most_different(const struct image *image, size_t x, size_t y, size_t right,
+                                   size_t top) {
+    struct color most = image_get(image, (int)x, (int)y);
+    for (size_t j = y; j < top; j++) {
+        for (size_t i = x; i < right; i++) {
+            struct color color = image_get(image, (int)i, (int)j);
+            if (distance_from_background(color) > distance_from_background(most)) {
+                most = color;
+            }
+        }
+    }
+    return most;
+}
+
+bool picture_shrink(struct image *shrunk, const struct image *image, size_t width, size_t height,
+                    struct error *error) {
+    if (!image_create(shrunk, width, height, IMAGE_BGR, error)) {
+        return false;
+    }
+    for (size_t y = 0; y < height; y++) {
+        for (size_t x = 0; x < width; x++) {
+            struct color color =
+                most_different(image, x * image->width / width, y * image->height / height,
+                               (x + 1) * image->width / width, (y + 1) * image->height / height);
+            image_set(shrunk, (int)x, (int)y, color);
+        }
+    }
+    return true;
+}
+
+size_t picture_times(size_t size, size_t room) {
+    return size > 0 && size < room ? room / size : 1;
+}

@@ -1,0 +1,49 @@
+/* The pictures of a scene that a student looks at: yours, the reference, and their difference. */
+#ifndef TESTS_HELP_PICTURES_H
+#define TESTS_HELP_PICTURES_H
+
+#include "base/error.h"
+#include "check/scenes.h"
+#include "tgaimage.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+
+enum { PICTURE_YOURS, PICTURE_REFERENCE, PICTURE_DIFFERENCE, PICTURE_COUNT };
+
+/* "yours", "reference", "difference". */
+extern const char *const picture_names[PICTURE_COUNT];
+
+/* All zero is valid and empty: no picture at all. */
+struct pictures {
+    struct image image[PICTURE_COUNT]; /* an empty image: this picture is not there */
+};
+
+/* How the check compares that scene; NULL where the table of scenes is not here or lacks it. The
+ * caller frees the table. */
+const struct checked_scene *pictures_rule(struct scene_table *table, const char *step,
+                                          const char *scene);
+
+/* Read both files and compare them by the scene's rule; NULL: what has no match is wrong. A file
+ * that does not exist is left out, and so is then the difference; one that cannot be read is an
+ * error that names it. The caller frees the pictures. */
+bool pictures_read(struct pictures *pictures, const char *yours, const char *reference,
+                   const struct checked_scene *rule, struct error *error);
+
+/* Free the images and leave them empty. */
+void pictures_free(struct pictures *pictures);
+
+/* `enlarged` becomes the image with each pixel as a square of `times` by `times`. */
+bool picture_enlarge(struct image *enlarged, const struct image *image, size_t times,
+                     struct error *error);
+
+/* `shrunk` becomes the image in that size, which is not larger: of the pixels that become one it
+ * keeps the one that differs most from the background, so that no line and no mark is lost. */
+bool picture_shrink(struct image *shrunk, const struct image *image, size_t width, size_t height,
+                    struct error *error);
+
+/* How many times an image of that size must be enlarged, by whole numbers, to fill `room`, and at
+ * least 1. */
+size_t picture_times(size_t size, size_t room);
+
+#endif

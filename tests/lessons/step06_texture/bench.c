@@ -1,0 +1,611 @@
+/*
+ * Step 6: samplers, and texture coordinates in perspective.
+ *
+ * Samplers are held against the mean of many samples a pixel of what the texture is a picture of: a
+ * hill of colours, given by a formula, or the tiles of scene checker, hit by rays. No triangle and
+ * no texture takes part in it. Ways to find the coordinates are held against the same texels, found
+ * in long double: there a sampler's own error does not count.
+ */
+#include "texture.h"
+
+/* A compiler inlines a small function where few call it. Here many versions do, and none of them
+ * shall have less of it than main.c has alone. */
+#if defined(__GNUC__)
+#define INLINED static inline __attribute__((always_inline))
+#else
+#define INLINED static inline
+#endif
+struct neighbours;
+struct quotients;
+INLINED struct color sample_nearest(const struct texture *texture, struct vec2 uv);
+INLINED struct vec4 mix_in_row(const struct texture_level *level, size_t row, struct neighbours x);
+INLINED struct vec4 sample_bilinear(const struct texture *texture, struct vec2 uv, size_t number);
+INLINED struct vec4 sample_trilinear(const struct texture *texture, struct vec2 uv, double level);
+INLINED double mip_level(struct vec2 right, struct vec2 up, const struct texture *texture);
+INLINED struct vec2 plane_uv(const struct quotients *plane, int x, int y, double *w);
+
+#define main step06_main
+int step06_main(int argc, char **argv);
+#include "../../../step06_texture/main.c"
+#undef main
+
+#include "../../../step06_texture/attempts.h"
+
+#include "bench/bench.h"
+#include "oracle/oracle.h"
+
+#include <stdlib.h>
+
+enum { HILL_SIDE = 512, HILL_TEXELS = 16, HILL_SAMPLES = 16 }; /* 16 * 16 samples a pixel */
+enum { FAR_SIDE = 400, FAR_RAYS = 32, TILES_SIDE = 800 };
+
+/* A picture to draw, and its exact colours. */
+struct target {
+    struct image image;
+    struct vertex corners[4];
+    struct texture texture;
+    struct vec3 *exact; /* red, green, blue of each pixel; red is negative where there is none */
+    double pixels;      /* that are drawn */
+};
+
+struct work {
+    struct target hill, far, tiles;
+};
+
+/* ---- Samplers ---- */
+
+/* The colour of a pixel that shows the place uv of the picture, at distance w. */
+typedef struct color sampler(const struct quotients *plane, const struct texture *texture,
+                             struct vec2 uv, double w);
+
+INLINED struct color sample_by_rounding(const struct quotients *plane,
+                                        const struct texture *texture, struct vec2 uv, double w) {
+    (void)plane, (void)w;
+    return attempt_sample_rounded(texture, repeat(uv));
+}
+
+INLINED struct color sample_by_floor(const struct quotients *plane, const struct texture *texture,
+                                     struct vec2 uv, double w) {
+    (void)plane, (void)w;
+    return sample_nearest(texture, repeat(uv));
+}
+
+INLINED struct color sample_half_off(const struct quotients *plane, const struct texture *texture,
+                                     struct vec2 uv, double w) {
+    (void)plane, (void)w;
+    return attempt_sample_unshifted(texture, repeat(uv));
+}
+
+INLINED struct color sample_four_texels(const struct quotients *plane,
+                                        const struct texture *texture, struct vec2 uv, double w) {
+    (void)plane, (void)w;
+    return attempt_sample_bilinear(texture, repeat(uv));
+}
+
+/* What a pixel covers of the picture is about an ellipse. */
+struct footprint {
+    struct vec2 direction;  /* of the longer axis, of length 1 */
+    double longer, shorter; /* axes, in texels */
+};
+
+/* The steps to the right (a,c) and up (b,d) take the round pixel to the ellipse: the squares of its
+ * axes are the eigenvalues of that matrix times its transpose. */
+static inline struct footprint footprint_of(struct vec2 right, struct vec2 up, double width,
+                                            double height) {
+    double a = right.x * width, b = up.x * width, c = right.y * height, d = up.y * height;
+    double xx = a * a + b * b, yy = c * c + d * d, xy = a * c + b * d;
+    double half = (xx - yy) / 2, root = sqrt(half * half + xy * xy);
+    double longer = sqrt((xx + yy) / 2 + root);
+    struct vec2 along = half > 0 ? (struct vec2){half + root, xy} : (struct vec2){xy, root - half};
+    double length = sqrt(along.x * along.x + along.y * along.y);
+    return (struct footprint){vec2_scale(along, length > 0 ? 1 / length : 0), longer,
+                              fabs(a * d - b * c) / longer};
+}
+
+/* Up to `most` trilinear samples in a row along the longer axis, on the level that the shorter one
+ * asks for (McCormack, Perry, Farkas and Jouppi, "Feline: Fast Elliptical Lines for Anisotropic
+ * Texture Mapping", 1999). */
+INLINED struct color sample_in_a_row(const struct quotients *plane, const struct texture *texture,
+                                     struct vec2 uv, double w, int most) {
+    double width = (double)texture->level[0].width, height = (double)texture->level[0].height;
+    struct footprint foot =
+        footprint_of(uv_step(plane->right, uv, w), uv_step(plane->up, uv, w), width, height);
+    double ratio = foot.longer / (foot.shorter > 1 ? foot.shorter : 1);
+    int count = ratio <= 1 ? 1 : ratio < most ? (int)ceil(ratio) : most;
+    double piece = foot.longer / count; /* one sample's part of the longer axis */
+    struct vec2 step = {foot.direction.x * piece / width, foot.direction.y * piece / height};
+    double level = mip_level(step, (struct vec2){foot.shorter / width, 0}, texture);
+    struct vec4 sum = {0, 0, 0, 0};
+    for (int i = 0; i < count; i++) {
+        struct vec2 at = vec2_add(uv, vec2_scale(step, i + 0.5 * (1 - count)));
+        struct vec4 c = level == 0 ? sample_bilinear(texture, repeat(at), 0)
+                                   : sample_trilinear(texture, repeat(at), level);
+        sum = (struct vec4){sum.x + c.x, sum.y + c.y, sum.z + c.z, 0};
+    }
+    double share = 1.0 / count;
+    return color_rgb(level_from(sum.x * share), level_from(sum.y * share),
+                     level_from(sum.z * share));
+}
+
+/* The mean of side * side nearest texels, at places spread over the pixel. */
+INLINED struct color sample_many(const struct quotients *plane, const struct texture *texture,
+                                 struct vec2 uv, double w, int side) {
+    int red = 0, green = 0, blue = 0;
+    for (int i = 0; i < side * side; i++) {
+        double x = (i % side + 0.5) / side - 0.5, y = (i / side + 0.5) / side - 0.5;
+        struct vec3 gain = vec3_add(vec3_scale(plane->right, x), vec3_scale(plane->up, y));
+        double scale = 1 / (1 + gain.z * w); /* all times w: u/w and v/w become u and v */
+        struct vec2 at = {(uv.x + gain.x * w) * scale, (uv.y + gain.y * w) * scale};
+        struct color c = sample_nearest(texture, repeat(at));
+        red += c.r;
+        green += c.g;
+        blue += c.b;
+    }
+    double share = 1.0 / (side * side);
+    return color_rgb(level_from(red * share), level_from(green * share), level_from(blue * share));
+}
+
+#define SAMPLER(name, sample, number)                                                              \
+    INLINED struct color name(const struct quotients *plane, const struct texture *texture,        \
+                              struct vec2 uv, double w) {                                          \
+        return sample(plane, texture, uv, w, number);                                              \
+    }
+SAMPLER(sample_row_of_2, sample_in_a_row, 2)
+SAMPLER(sample_row_of_4, sample_in_a_row, 4)
+SAMPLER(sample_row_of_8, sample_in_a_row, 8)
+SAMPLER(sample_4, sample_many, 2)
+SAMPLER(sample_16, sample_many, 4)
+SAMPLER(sample_64, sample_many, 8)
+
+/* ---- Triangles ---- */
+
+typedef void draw_function(struct image *image, const struct vertex v[3],
+                           const struct texture *texture);
+
+/* perspective_triangle() of main.c with any sampler: a constant where this is used. */
+INLINED void draw_sampled(struct image *image, const struct vertex v[3],
+                          const struct texture *texture, sampler *sample) {
+    struct quotients plane;
+    if (!plane_begin(&plane, image, v)) {
+        return;
+    }
+    for (int y = plane.edges.y_begin; y < plane.edges.y_end; y++) {
+        struct span span = edges_span(&plane.edges, y);
+        for (int x = span.begin; x < span.end; x++) {
+            double w;
+            struct vec2 uv = plane_uv(&plane, x, y, &w);
+            image_set(image, x, y, sample(&plane, texture, uv, w));
+        }
+    }
+}
+
+/* The other versions of perspective show the nearest texel: a cheap sampler hides no time. */
+static inline void set_nearest(struct image *image, int x, int y, const struct texture *texture,
+                               struct vec2 uv) {
+    image_set(image, x, y, sample_nearest(texture, repeat(uv)));
+}
+
+static inline struct vec2 divided(struct vec3 over_w) {
+    return vec2_scale((struct vec2){over_w.x, over_w.y}, 1 / over_w.z);
+}
+
+/* u/w, v/w and 1/w so many pixels after the first of a row. */
+static inline struct vec3 stepped(struct vec3 first, const struct quotients *plane, int pixels) {
+    return vec3_add(first, vec3_scale(plane->right, pixels));
+}
+
+static struct vec3 first_of_row(const struct quotients *plane, int x, int y) {
+    const struct vec3 *c = plane->corner;
+    return vec3_interpolate(edges_weights(&plane->edges, x, y), c[0], c[1], c[2]);
+}
+
+/* A row with a division at every pixel, and u/w, v/w and 1/w stepped from its first pixel. */
+static void draw_row(struct image *image, const struct quotients *plane, struct span span, int y,
+                     const struct texture *texture) {
+    const struct vec3 first = first_of_row(plane, span.begin, y);
+    for (int x = span.begin; x < span.end; x++) {
+        set_nearest(image, x, y, texture, divided(stepped(first, plane, x - span.begin)));
+    }
+}
+
+/* A row with a division at every `step`-th pixel, and u and v linear between. */
+INLINED void draw_row_every(struct image *image, const struct quotients *plane, struct span span,
+                            int y, const struct texture *texture, int step) {
+    const struct vec3 first = first_of_row(plane, span.begin, y);
+    struct vec2 begin = divided(first);
+    for (int x = span.begin; x < span.end; x += step) {
+        /* The last piece ends at the last pixel: beyond the edge 1/w may reach 0. */
+        int left = span.end - 1 - x, length = left < step ? left : step;
+        struct vec2 end = divided(stepped(first, plane, x + length - span.begin));
+        double share = length == step ? 1.0 / step : length > 0 ? 1.0 / length : 0;
+        struct vec2 gain = vec2_scale((struct vec2){end.x - begin.x, end.y - begin.y}, share);
+        for (int i = 0; i < (left < step ? left + 1 : step); i++) {
+            set_nearest(image, x + i, y, texture, vec2_add(begin, vec2_scale(gain, i)));
+        }
+        begin = end;
+    }
+}
+
+/* `step` 1 is a division at every pixel. */
+INLINED void draw_every(struct image *image, const struct vertex v[3],
+                        const struct texture *texture, int step) {
+    struct quotients plane;
+    if (!plane_begin(&plane, image, v)) {
+        return;
+    }
+    for (int y = plane.edges.y_begin; y < plane.edges.y_end; y++) {
+        struct span span = edges_span(&plane.edges, y);
+        if (span.begin < span.end && step == 1) {
+            draw_row(image, &plane, span, y, texture);
+        } else if (span.begin < span.end) {
+            draw_row_every(image, &plane, span, y, texture, step);
+        }
+    }
+}
+
+/* No perspective: as if all corners were equally far, and then w is 1 everywhere. */
+static void draw_affine(struct image *image, const struct vertex v[3],
+                        const struct texture *texture) {
+    struct vertex same[3] = {v[0], v[1], v[2]};
+    same[0].recip_w = same[1].recip_w = same[2].recip_w = 1;
+    struct quotients plane;
+    if (!plane_begin(&plane, image, same)) {
+        return;
+    }
+    for (int y = plane.edges.y_begin; y < plane.edges.y_end; y++) {
+        struct span span = edges_span(&plane.edges, y);
+        const struct vec3 first = first_of_row(&plane, span.begin, y);
+        for (int x = span.begin; x < span.end; x++) {
+            struct vec3 uv = stepped(first, &plane, x - span.begin);
+            set_nearest(image, x, y, texture, (struct vec2){uv.x, uv.y});
+        }
+    }
+}
+
+static void draw_house(struct image *image, const struct vertex v[3],
+                       const struct texture *texture) {
+    struct canvas canvas = {.image = image, .sampler = SAMPLE_TRILINEAR, .skip = true};
+    perspective_triangle(&canvas, v, texture);
+}
+
+#define DRAW(name, draw, constant)                                                                 \
+    static void name(struct image *image, const struct vertex v[3],                                \
+                     const struct texture *texture) {                                              \
+        draw(image, v, texture, constant);                                                         \
+    }
+DRAW(draw_rounding, draw_sampled, sample_by_rounding)
+DRAW(draw_nearest, draw_sampled, sample_by_floor)
+DRAW(draw_half_off, draw_sampled, sample_half_off)
+DRAW(draw_bilinear, draw_sampled, sample_four_texels)
+DRAW(draw_row_of_2, draw_sampled, sample_row_of_2)
+DRAW(draw_row_of_4, draw_sampled, sample_row_of_4)
+DRAW(draw_row_of_8, draw_sampled, sample_row_of_8)
+DRAW(draw_4, draw_sampled, sample_4)
+DRAW(draw_16, draw_sampled, sample_16)
+DRAW(draw_64, draw_sampled, sample_64)
+DRAW(draw_every_1, draw_every, 1)
+DRAW(draw_every_2, draw_every, 2)
+DRAW(draw_every_4, draw_every, 4)
+DRAW(draw_every_8, draw_every, 8)
+DRAW(draw_every_16, draw_every, 16)
+DRAW(draw_every_32, draw_every, 32)
+DRAW(draw_every_64, draw_every, 64)
+
+enum {
+    ROUNDING,
+    NEAREST,
+    HALF_OFF,
+    BILINEAR,
+    HOUSE,
+    ROW_OF_2,
+    ROW_OF_4,
+    ROW_OF_8,
+    SAMPLES_4,
+    SAMPLES_16,
+    SAMPLES_64,
+    EVERY_1,
+    EVERY_2,
+    EVERY_4,
+    EVERY_8,
+    EVERY_16,
+    EVERY_32,
+    EVERY_64,
+    AFFINE,
+};
+
+static draw_function *const draws[] = {
+    [ROUNDING] = draw_rounding, [NEAREST] = draw_nearest,   [HALF_OFF] = draw_half_off,
+    [BILINEAR] = draw_bilinear, [HOUSE] = draw_house,       [ROW_OF_2] = draw_row_of_2,
+    [ROW_OF_4] = draw_row_of_4, [ROW_OF_8] = draw_row_of_8, [SAMPLES_4] = draw_4,
+    [SAMPLES_16] = draw_16,     [SAMPLES_64] = draw_64,     [EVERY_1] = draw_every_1,
+    [EVERY_2] = draw_every_2,   [EVERY_4] = draw_every_4,   [EVERY_8] = draw_every_8,
+    [EVERY_16] = draw_every_16, [EVERY_32] = draw_every_32, [EVERY_64] = draw_every_64,
+    [AFFINE] = draw_affine,
+};
+
+static void draw_target(struct target *target, int choice) {
+    const struct vertex *c = target->corners;
+    const struct vertex first[3] = {c[0], c[1], c[2]}, second[3] = {c[0], c[2], c[3]};
+    draws[choice](&target->image, first, &target->texture);
+    draws[choice](&target->image, second, &target->texture);
+}
+
+/* Root of the mean squared error of the three channels of what was drawn last. */
+static double target_error(const struct target *target) {
+    double sum = 0, pixels = 0;
+    for (size_t i = 0; i < target->image.width * target->image.height; i++) {
+        const uint8_t *p = target->image.pixels + 3 * i;
+        if (target->exact[i].x >= 0) {
+            struct vec3 error = vec3_sub((struct vec3){p[2], p[1], p[0]}, target->exact[i]);
+            sum += vec3_dot(error, error) / 3;
+            pixels++;
+        }
+    }
+    return sqrt(sum / pixels);
+}
+
+/* ---- The hill: smooth, so that its texels are much larger than what is to be seen ---- */
+
+static struct vec3 hill_color(double u, double v) {
+    double hill = 16 * u * (1 - u) * v * (1 - v);
+    return (struct vec3){255 * hill, 255 * u, 255 * v * v};
+}
+
+/* The mean colour of one cell, when the hill is cut into side x side cells: 256 samples. */
+static struct vec3 hill_mean(size_t column, size_t row, size_t side) {
+    struct vec3 sum = {0, 0, 0};
+    for (int i = 0; i < HILL_SAMPLES * HILL_SAMPLES; i++) {
+        int across = i % HILL_SAMPLES, up = i / HILL_SAMPLES;
+        double u = (double)column + (across + 0.5) / HILL_SAMPLES;
+        double v = (double)row + (up + 0.5) / HILL_SAMPLES;
+        sum = vec3_add(sum, hill_color(u / (double)side, v / (double)side));
+    }
+    return vec3_scale(sum, 1.0 / (HILL_SAMPLES * HILL_SAMPLES));
+}
+
+static bool make_hill_texture(struct texture *texture, struct error *error) {
+    struct image image;
+    if (!image_create(&image, HILL_TEXELS, HILL_TEXELS, IMAGE_BGR, error)) {
+        return false;
+    }
+    for (size_t y = 0; y < HILL_TEXELS; y++) {
+        for (size_t x = 0; x < HILL_TEXELS; x++) {
+            struct vec3 c = hill_mean(x, y, HILL_TEXELS);
+            image_set(&image, (int)x, (int)y,
+                      color_rgb(level_from(c.x), level_from(c.y), level_from(c.z)));
+        }
+    }
+    bool done = texture_create(texture, &image, error);
+    image_free(&image);
+    return done;
+}
+
+/* ---- Setting up ---- */
+
+static bool target_create(struct target *target, size_t side, struct error *error) {
+    target->exact = malloc(side * side * sizeof *target->exact);
+    if (target->exact == NULL) {
+        return error_out_of_memory(error);
+    }
+    return image_create(&target->image, side, side, IMAGE_BGR, error);
+}
+
+static void target_free(struct target *target) {
+    image_free(&target->image);
+    texture_free(&target->texture);
+    free(target->exact);
+}
+
+static bool make_hill(struct target *hill, struct error *error) {
+    if (!target_create(hill, HILL_SIDE, error) || !make_hill_texture(&hill->texture, error)) {
+        return false;
+    }
+    const int32_t end = HILL_SIDE * SUBPIXELS;
+    hill->corners[0] = (struct vertex){.position = {0, 0}, .uv = {0, 0}, .recip_w = 1};
+    hill->corners[1] = (struct vertex){.position = {end, 0}, .uv = {1, 0}, .recip_w = 1};
+    hill->corners[2] = (struct vertex){.position = {end, end}, .uv = {1, 1}, .recip_w = 1};
+    hill->corners[3] = (struct vertex){.position = {0, end}, .uv = {0, 1}, .recip_w = 1};
+    for (size_t i = 0; i < (size_t)HILL_SIDE * HILL_SIDE; i++) {
+        hill->exact[i] = hill_mean(i % HILL_SIDE, i / HILL_SIDE, HILL_SIDE);
+    }
+    hill->pixels = (double)HILL_SIDE * HILL_SIDE;
+    return true;
+}
+
+/* ---- The tiles of scene checker, by rays, and by their texels in long double ---- */
+
+static void count_pixels_of(struct target *target) {
+    draw_target(target, HOUSE);
+    for (size_t i = 0; i < target->image.width * target->image.height; i++) {
+        target->pixels += target->image.pixels[3 * i] != 0; /* no colour of a tile has blue 0 */
+    }
+}
+
+static bool make_far(struct target *far, struct error *error) {
+    if (!target_create(far, FAR_SIDE, error) || !make_checker(&far->texture, error)) {
+        return false;
+    }
+    place_plane(&far->image, far->corners);
+#ifdef _OPENMP
+#pragma omp parallel for schedule(dynamic)
+#endif
+    for (int y = 0; y < FAR_SIDE; y++) {
+        for (int x = 0; x < FAR_SIDE; x++) {
+            struct vec3 *exact = &far->exact[y * FAR_SIDE + x];
+            if (!exact_checker((size_t)x, (size_t)y, FAR_SIDE, FAR_SIDE, FAR_RAYS, exact)) {
+                *exact = (struct vec3){-1, -1, -1};
+            }
+        }
+    }
+    count_pixels_of(far);
+    return true;
+}
+
+static size_t exact_texel(const struct vertex v[3], const double value[3], int x, int y) {
+    const struct fixed2 corner[3] = {v[0].position, v[1].position, v[2].position};
+    const double recip_w[3] = {v[0].recip_w, v[1].recip_w, v[2].recip_w};
+    long double place = oracle_interpolate(corner, recip_w, value, x, y);
+    return (size_t)((place - floorl(place)) * CHECKER_SIZE) % CHECKER_SIZE;
+}
+
+/* The nearest texel of each pixel that the triangle covers. */
+static void find_exact_texels(struct target *target, struct vertex a, struct vertex b,
+                              struct vertex c) {
+    const struct vertex v[3] = {a, b, c};
+    const double u_of[3] = {a.uv.x, b.uv.x, c.uv.x}, v_of[3] = {a.uv.y, b.uv.y, c.uv.y};
+    const uint32_t *texels = target->texture.level[0].texels;
+    size_t pitch = target->texture.level[0].pitch;
+    for (int y = 0; y < TILES_SIDE; y++) {
+        for (int x = 0; x < TILES_SIDE; x++) {
+            if (oracle_covers(a.position, b.position, c.position, x, y)) {
+                size_t column = exact_texel(v, u_of, x, y), row = exact_texel(v, v_of, x, y);
+                struct color color = color_from_texel(texels[row * pitch + column]);
+                target->exact[y * TILES_SIDE + x] = (struct vec3){color.r, color.g, color.b};
+            }
+        }
+    }
+}
+
+static bool make_tiles(struct target *tiles, struct error *error) {
+    if (!target_create(tiles, TILES_SIDE, error) || !make_checker(&tiles->texture, error)) {
+        return false;
+    }
+    place_plane(&tiles->image, tiles->corners);
+    for (size_t i = 0; i < (size_t)TILES_SIDE * TILES_SIDE; i++) {
+        tiles->exact[i] = (struct vec3){-1, -1, -1};
+    }
+    const struct vertex *c = tiles->corners;
+    find_exact_texels(tiles, c[0], c[1], c[2]);
+    find_exact_texels(tiles, c[0], c[2], c[3]);
+    count_pixels_of(tiles);
+    return true;
+}
+
+static bool setup(void **state, struct error *error) {
+    struct work *work = calloc(1, sizeof *work);
+    *state = work;
+    if (work == NULL) {
+        return error_out_of_memory(error);
+    }
+    return make_hill(&work->hill, error) && make_far(&work->far, error) &&
+           make_tiles(&work->tiles, error);
+}
+
+static void teardown(void *state) {
+    struct work *work = state;
+    if (work != NULL) {
+        target_free(&work->hill);
+        target_free(&work->far);
+        target_free(&work->tiles);
+    }
+    free(work);
+}
+
+/* ---- The panels ---- */
+
+#define PANEL_FUNCTIONS(of)                                                                        \
+    static void run_##of(void *state, int choice) {                                                \
+        draw_target(&((struct work *)state)->of, choice);                                          \
+    }                                                                                              \
+    static double error_##of(void *state, int choice) {                                            \
+        (void)choice;                                                                              \
+        return target_error(&((struct work *)state)->of);                                          \
+    }                                                                                              \
+    static double units_##of(const void *state) {                                                  \
+        return ((const struct work *)state)->of.pixels;                                            \
+    }
+PANEL_FUNCTIONS(hill)
+PANEL_FUNCTIONS(far)
+PANEL_FUNCTIONS(tiles)
+
+static const struct bench_version near_versions[] = {
+    {"nearest, rounding", ROUNDING, false, run_hill, error_hill},
+    {"nearest, floor", NEAREST, false, run_hill, error_hill},
+    {"bilinear, half texel off", HALF_OFF, false, run_hill, error_hill},
+    {"bilinear", BILINEAR, false, run_hill, error_hill},
+    {"mip levels (main.c)", HOUSE, true, run_hill, error_hill},
+};
+
+static const struct bench_version far_versions[] = {
+    {"nearest", NEAREST, false, run_far, error_far},
+    {"4 samples", SAMPLES_4, false, run_far, error_far},
+    {"16", SAMPLES_16, false, run_far, error_far},
+    {"64", SAMPLES_64, false, run_far, error_far},
+    {"bilinear", BILINEAR, false, run_far, error_far},
+    {"mip levels (main.c)", HOUSE, true, run_far, error_far},
+    {"2 times", ROW_OF_2, false, run_far, error_far},
+    {"4 times", ROW_OF_4, false, run_far, error_far},
+    {"8 times", ROW_OF_8, false, run_far, error_far},
+};
+
+static const char *far_series(int choice) {
+    static const char samples[] = "samples a pixel", rows[] = "anisotropic";
+    switch (choice) {
+    case NEAREST:
+    case SAMPLES_4:
+    case SAMPLES_16:
+    case SAMPLES_64:
+        return samples;
+    case HOUSE:
+    case ROW_OF_2:
+    case ROW_OF_4:
+    case ROW_OF_8:
+        return rows;
+    default:
+        return NULL;
+    }
+}
+
+static const struct bench_version perspective_versions[] = {
+    {"every pixel, from weights", NEAREST, true, run_tiles, error_tiles},
+    {"every pixel", EVERY_1, false, run_tiles, error_tiles},
+    {"every 2", EVERY_2, false, run_tiles, error_tiles},
+    {"4", EVERY_4, false, run_tiles, error_tiles},
+    {"8", EVERY_8, false, run_tiles, error_tiles},
+    {"16", EVERY_16, false, run_tiles, error_tiles},
+    {"32", EVERY_32, false, run_tiles, error_tiles},
+    {"64", EVERY_64, false, run_tiles, error_tiles},
+    {"affine", AFFINE, false, run_tiles, error_tiles},
+};
+
+static const char *perspective_series(int choice) {
+    return choice == NEAREST ? NULL : "stepped along a row";
+}
+
+static const struct bench_panel bench_panels[] = {
+    {.title = "Near: 16x16 texels, enlarged to 512x512 pixels",
+     .error_label = "levels, root mean square",
+     .time_label = "ns per pixel",
+     .against = "256 samples a pixel",
+     .units = units_hill,
+     .versions = near_versions,
+     .version_count = sizeof near_versions / sizeof near_versions[0]},
+    {.title = "Far: tiles towards the horizon, 400x400 pixels",
+     .error_label = "levels, root mean square",
+     .time_label = "ns per pixel",
+     .against = "1024 rays a pixel",
+     .units = units_far,
+     .versions = far_versions,
+     .version_count = sizeof far_versions / sizeof far_versions[0],
+     .budget = 3,
+     .series = far_series},
+    {.title = "Perspective: divided how often? The tiles, nearest texel, 800x800",
+     .error_label = "levels, root mean square",
+     .time_label = "ns per pixel",
+     .against = "the same texels, found in long double",
+     .units = units_tiles,
+     .versions = perspective_versions,
+     .version_count = sizeof perspective_versions / sizeof perspective_versions[0],
+     .budget = 2,
+     .series = perspective_series,
+     .house_within = BENCH_EXACT},
+};
+
+const struct bench_lesson bench_step06 = {
+    .step = "step06_texture",
+    .title = "Step 6: textures",
+    .setup = setup,
+    .teardown = teardown,
+    .panels = bench_panels,
+    .panel_count = sizeof bench_panels / sizeof bench_panels[0],
+};

@@ -1,0 +1,410 @@
+/*
+ * Step 7: flat, Gouraud, or a normal per pixel, on spheres of few and of many triangles.
+ *
+ * The exact answer is the true sphere in long double: its normal is the point itself. One panel has
+ * diffuse light, n . l. The other has a highlight, (r . v)^8 as in scene lit, which changes faster.
+ */
+#include "geometry.h"
+
+/* A compiler inlines a small function where few call it. Here many versions do, and none of them
+ * shall have less of it than main.c has alone. */
+#if defined(__GNUC__)
+#define INLINED static inline __attribute__((always_inline))
+#else
+#define INLINED static inline
+#endif
+INLINED double corner_intensity(struct vec3 normal, struct vec3 to_light);
+INLINED double integer_power(double base, int power);
+
+#define main step07_main
+int step07_main(int argc, char **argv);
+#include "../../../step07_gouraud/main.c"
+#undef main
+
+#include "../../../step07_gouraud/attempts.h"
+
+#include "bench/bench.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+enum { SIDE = 512, MESH_COUNT = 5, SHINE_POWER = 8 };
+enum { DIFFUSE, HIGHLIGHT, LIGHT_COUNT };
+enum { FLAT, GOURAUD, LATE, NO_ROOT, NEWTON, EXACT_ROOT, WAY_COUNT };
+
+/* The side of a sphere that faces the viewer, as triangles that share their corners. */
+struct mesh {
+    size_t corner_count, face_count;
+    struct vec3 *normals;      /* of the corners: on a sphere they are the places themselves */
+    struct vertex *vertices;   /* the corners on the screen; each run fills in intensities */
+    struct vec3 *face_normals; /* of length 1 */
+    uint32_t (*faces)[3];      /* corners */
+};
+
+struct work {
+    struct image image;
+    double *depth;
+    struct vec3 light; /* of length 1, towards the light */
+    struct mesh meshes[MESH_COUNT];
+    long double *exact[LIGHT_COUNT]; /* level of each pixel of the sphere; negative off it */
+    double pixels;                   /* of the sphere */
+};
+
+/* ---- Light ---- */
+
+/* The highlight for a viewer far away at +z: main.c's specular part without its weight. */
+INLINED double shine(struct vec3 normal, struct vec3 to_light) {
+    double facing = vec3_dot(normal, to_light);
+    double shining = 2 * facing * normal.z - to_light.z;
+    return facing > 0 && shining > 0 ? integer_power(shining, SHINE_POWER) : 0;
+}
+
+INLINED double light_on(struct vec3 normal, struct vec3 to_light, int kind) {
+    return kind == DIFFUSE ? corner_intensity(normal, to_light) : shine(normal, to_light);
+}
+
+/* ---- The versions ---- */
+
+/* The intensity at a pixel; `way` and `kind` are constants where this is used. */
+INLINED double intensity_at(struct vec3 weight, const struct vertex v[3], const struct vec3 n[3],
+                            struct vec3 light, int way, int kind) {
+    if (way == FLAT) {
+        return v[0].intensity;
+    }
+    if (way == LATE) {
+        return interpolate(weight, v[0].intensity, v[1].intensity, v[2].intensity);
+    }
+    struct vec3 normal = vec3_interpolate(weight, n[0], n[1], n[2]);
+    normal = way == NEWTON       ? vec3_renormalized(normal)
+             : way == EXACT_ROOT ? vec3_normalized(normal)
+                                 : normal;
+    return light_on(normal, light, kind);
+}
+
+/* triangle() of main.c, line by line, but for the intensity. */
+INLINED void shaded_triangle(struct canvas *canvas, const struct edges *edges,
+                             const struct vertex v[3], const struct vec3 n[3], struct vec3 light,
+                             int way, int kind) {
+    for (int y = edges->y_begin; y < edges->y_end; y++) {
+        struct span span = edges_span(edges, y);
+        for (int x = span.begin; x < span.end; x++) {
+            struct vec3 weight = edges_weights(edges, x, y);
+            bool seen = depth_test(canvas, v, weight, x, y);
+            if (!seen && canvas->skip) {
+                continue;
+            }
+            double intensity = intensity_at(weight, v, n, light, way, kind);
+            struct color color = color_grey(level_from(intensity * 255));
+            canvas->pixels_shaded++;
+            if (seen) {
+                image_set(canvas->image, x, y, color);
+            }
+        }
+    }
+}
+
+/* What has to be known before a pixel: the intensity of every corner, or of every face. */
+INLINED void light_corners(struct mesh *mesh, struct vec3 light, int way, int kind) {
+    for (size_t i = 0; i < mesh->corner_count && (way == GOURAUD || way == LATE); i++) {
+        struct vec3 normal = mesh->normals[i];
+        mesh->vertices[i].intensity =
+            way == LATE ? vec3_dot(normal, light) : light_on(normal, light, kind);
+    }
+}
+
+INLINED void shaded_mesh(struct canvas *canvas, struct mesh *mesh, struct vec3 light, int way,
+                         int kind) {
+    light_corners(mesh, light, way, kind);
+    for (size_t i = 0; i < mesh->face_count; i++) {
+        struct vertex v[3];
+        struct vec3 n[3];
+        struct edges edges;
+        for (int k = 0; k < 3; k++) {
+            v[k] = mesh->vertices[mesh->faces[i][k]];
+            n[k] = mesh->normals[mesh->faces[i][k]];
+        }
+        if (!edges_setup(&edges, v[0].position, v[1].position, v[2].position, SIDE, SIDE)) {
+            continue;
+        }
+        if (way == GOURAUD) {
+            triangle(canvas, &edges, v);
+            continue;
+        }
+        if (way == FLAT) {
+            v[0].intensity = light_on(mesh->face_normals[i], light, kind);
+        }
+        shaded_triangle(canvas, &edges, v, n, light, way, kind);
+    }
+}
+
+typedef void mesh_function(struct canvas *canvas, struct mesh *mesh, struct vec3 light);
+
+#define WAY(name, way, kind)                                                                       \
+    static void name(struct canvas *canvas, struct mesh *mesh, struct vec3 light) {                \
+        shaded_mesh(canvas, mesh, light, way, kind);                                               \
+    }
+WAY(flat_diffuse, FLAT, DIFFUSE)
+WAY(gouraud_diffuse, GOURAUD, DIFFUSE)
+WAY(late_diffuse, LATE, DIFFUSE)
+WAY(no_root_diffuse, NO_ROOT, DIFFUSE)
+WAY(newton_diffuse, NEWTON, DIFFUSE)
+WAY(exact_root_diffuse, EXACT_ROOT, DIFFUSE)
+WAY(flat_highlight, FLAT, HIGHLIGHT)
+WAY(gouraud_highlight, GOURAUD, HIGHLIGHT)
+WAY(no_root_highlight, NO_ROOT, HIGHLIGHT)
+WAY(newton_highlight, NEWTON, HIGHLIGHT)
+WAY(exact_root_highlight, EXACT_ROOT, HIGHLIGHT)
+
+/* A highlight cannot be clamped late: an even power of a negative number is positive. */
+static mesh_function *const ways[LIGHT_COUNT][WAY_COUNT] = {
+    {flat_diffuse, gouraud_diffuse, late_diffuse, no_root_diffuse, newton_diffuse,
+     exact_root_diffuse},
+    {flat_highlight, gouraud_highlight, NULL, no_root_highlight, newton_highlight,
+     exact_root_highlight},
+};
+
+/* A choice is a mesh, a kind of light and a way. */
+#define CHOICE(mesh, kind, way) ((way) + WAY_COUNT * ((kind) + LIGHT_COUNT * (mesh)))
+
+static int way_of(int choice) {
+    return choice % WAY_COUNT;
+}
+
+static int light_of(int choice) {
+    return choice / WAY_COUNT % LIGHT_COUNT;
+}
+
+static void run(void *state, int choice) {
+    struct work *work = state;
+    struct canvas canvas = {
+        .image = &work->image, .width = SIDE, .height = SIDE, .depth = work->depth, .skip = true};
+    depth_clear(work->depth, (size_t)SIDE * SIDE);
+    ways[light_of(choice)][way_of(choice)](&canvas, &work->meshes[choice / WAY_COUNT / LIGHT_COUNT],
+                                           work->light);
+}
+
+/* Root of the mean squared error over the pixels that the sphere and its triangles share. */
+static double error_of(void *state, int choice) {
+    const struct work *work = state;
+    const long double *exact = work->exact[light_of(choice)];
+    long double sum = 0, pixels = 0;
+    for (size_t i = 0; i < (size_t)SIDE * SIDE; i++) {
+        if (exact[i] >= 0 && work->depth[i] > -INFINITY) {
+            long double error = work->image.pixels[i] - exact[i];
+            sum += error * error;
+            pixels++;
+        }
+    }
+    return (double)sqrtl(sum / pixels);
+}
+
+/* Pixels of the sphere. */
+static double units(const void *state) {
+    return ((const struct work *)state)->pixels;
+}
+
+/* ---- Spheres ---- */
+
+/* A canvas, first, so that attempt_sphere() can hand it on, and where its faces are collected. */
+struct collector {
+    struct canvas canvas;
+    struct attempt_face *faces;
+    size_t count;
+};
+
+static void collect_face(struct canvas *canvas, struct attempt_face *face, struct vec3 light) {
+    struct collector *collector = (struct collector *)canvas;
+    (void)light;
+    collector->faces[collector->count++] = *face;
+}
+
+static int compare_places(const void *a, const void *b) {
+    return memcmp(a, b, sizeof(struct vec3));
+}
+
+/* Keep each place once. */
+static size_t keep_once(struct vec3 *places, size_t count) {
+    size_t kept = 0;
+    qsort(places, count, sizeof *places, compare_places);
+    for (size_t i = 0; i < count; i++) {
+        if (kept == 0 || compare_places(&places[kept - 1], &places[i]) != 0) {
+            places[kept++] = places[i];
+        }
+    }
+    return kept;
+}
+
+static bool mesh_allocate(struct mesh *mesh, size_t face_count, struct error *error) {
+    mesh->face_count = face_count;
+    mesh->normals = calloc(3 * face_count, sizeof *mesh->normals);
+    mesh->vertices = calloc(3 * face_count, sizeof *mesh->vertices);
+    mesh->face_normals = calloc(face_count, sizeof *mesh->face_normals);
+    mesh->faces = calloc(face_count, sizeof *mesh->faces);
+    return (mesh->normals != NULL && mesh->vertices != NULL && mesh->face_normals != NULL &&
+            mesh->faces != NULL) ||
+           error_out_of_memory(error);
+}
+
+/* Corners of neighbours are the same numbers, to the last bit (and -0 nowhere): they become one. */
+static bool make_mesh(struct mesh *mesh, const struct attempt_face *faces, size_t count,
+                      struct error *error) {
+    if (!mesh_allocate(mesh, count, error)) {
+        return false;
+    }
+    for (size_t i = 0; i < 3 * count; i++) {
+        mesh->normals[i] = faces[i / 3].normals[i % 3];
+    }
+    mesh->corner_count = keep_once(mesh->normals, 3 * count);
+    for (size_t i = 0; i < 3 * count; i++) {
+        const struct attempt_face *face = &faces[i / 3];
+        const struct vec3 *found = bsearch(&face->normals[i % 3], mesh->normals, mesh->corner_count,
+                                           sizeof *mesh->normals, compare_places);
+        size_t corner = (size_t)(found - mesh->normals);
+        mesh->faces[i / 3][i % 3] = (uint32_t)corner;
+        mesh->vertices[corner] = face->vertices[i % 3];
+        mesh->face_normals[i / 3] = face->face_normal;
+    }
+    return true;
+}
+
+/* Of 128, 512, 2,048, 8,192 and 32,768 triangles; those that face the viewer are kept. */
+static bool make_meshes(struct work *work, struct error *error) {
+    struct canvas canvas = {.width = SIDE, .height = SIDE, .depth = work->depth};
+    size_t most = 8 << 2 * (MESH_COUNT + 1);
+    struct attempt_face *faces = malloc(most * sizeof *faces);
+    if (faces == NULL) {
+        return error_out_of_memory(error);
+    }
+    bool done = true;
+    for (int i = 0; done && i < MESH_COUNT; i++) {
+        struct collector collector = {canvas, faces, 0};
+        attempt_sphere(&collector.canvas, i + 2, work->light, collect_face);
+        done = make_mesh(&work->meshes[i], faces, collector.count, error);
+    }
+    free(faces);
+    return done;
+}
+
+/* ---- Setting up ---- */
+
+/* The levels of the true sphere at the centre of a pixel; negative off the sphere. */
+static void sphere_levels(int x, int y, struct vec3 light, long double levels[LIGHT_COUNT]) {
+    long double nx = (2 * (x + 0.5L) / SIDE - 1) / SPHERE_RADIUS;
+    long double ny = (2 * (y + 0.5L) / SIDE - 1) / SPHERE_RADIUS;
+    long double square = 1 - nx * nx - ny * ny;
+    if (square < 0) {
+        levels[DIFFUSE] = levels[HIGHLIGHT] = -1;
+        return;
+    }
+    long double nz = sqrtl(square), cosine = nx * light.x + ny * light.y + nz * light.z;
+    long double mirrored = 2 * cosine * nz - light.z;
+    levels[DIFFUSE] = cosine > 0 ? 255 * cosine : 0;
+    levels[HIGHLIGHT] = cosine > 0 && mirrored > 0 ? 255 * powl(mirrored, SHINE_POWER) : 0;
+}
+
+static bool allocate(struct work *work, struct error *error) {
+    const size_t pixels = (size_t)SIDE * SIDE;
+    work->depth = malloc(pixels * sizeof *work->depth);
+    work->exact[DIFFUSE] = malloc(pixels * sizeof(long double));
+    work->exact[HIGHLIGHT] = malloc(pixels * sizeof(long double));
+    if (work->depth == NULL || work->exact[DIFFUSE] == NULL || work->exact[HIGHLIGHT] == NULL) {
+        return error_out_of_memory(error);
+    }
+    return image_create(&work->image, SIDE, SIDE, IMAGE_GREY, error);
+}
+
+static bool setup(void **state, struct error *error) {
+    struct work *work = calloc(1, sizeof *work);
+    *state = work;
+    if (work == NULL) {
+        return error_out_of_memory(error);
+    }
+    work->light = vec3_normalized((struct vec3){1, 2, 2});
+    if (!allocate(work, error)) {
+        return false;
+    }
+    for (int i = 0; i < SIDE * SIDE; i++) {
+        long double levels[LIGHT_COUNT];
+        sphere_levels(i % SIDE, i / SIDE, work->light, levels);
+        work->exact[DIFFUSE][i] = levels[DIFFUSE];
+        work->exact[HIGHLIGHT][i] = levels[HIGHLIGHT];
+        work->pixels += levels[DIFFUSE] >= 0;
+    }
+    return make_meshes(work, error);
+}
+
+static void mesh_free(struct mesh *mesh) {
+    free(mesh->normals);
+    free(mesh->vertices);
+    free(mesh->face_normals);
+    free(mesh->faces);
+}
+
+static void teardown(void *state) {
+    struct work *work = state;
+    if (work != NULL) {
+        for (int i = 0; i < MESH_COUNT; i++) {
+            mesh_free(&work->meshes[i]);
+        }
+        image_free(&work->image);
+        free(work->depth);
+        free(work->exact[DIFFUSE]);
+        free(work->exact[HIGHLIGHT]);
+    }
+    free(work);
+}
+
+/* ---- The panels ---- */
+
+#define VERSION(label, mesh, kind, way)                                                            \
+    { (label), CHOICE(mesh, kind, way), (way) == GOURAUD, run, error_of }
+#define MESHES(kind, way)                                                                          \
+    VERSION("128", 0, kind, way), VERSION("512", 1, kind, way), VERSION("2,048", 2, kind, way),    \
+        VERSION("8,192", 3, kind, way), VERSION("32,768", 4, kind, way)
+
+static const struct bench_version diffuse_versions[] = {
+    MESHES(DIFFUSE, FLAT),   MESHES(DIFFUSE, GOURAUD),    MESHES(DIFFUSE, NO_ROOT),
+    MESHES(DIFFUSE, NEWTON), MESHES(DIFFUSE, EXACT_ROOT), MESHES(DIFFUSE, LATE),
+};
+
+static const struct bench_version highlight_versions[] = {
+    MESHES(HIGHLIGHT, FLAT),   MESHES(HIGHLIGHT, GOURAUD),    MESHES(HIGHLIGHT, NO_ROOT),
+    MESHES(HIGHLIGHT, NEWTON), MESHES(HIGHLIGHT, EXACT_ROOT),
+};
+
+static const char *series(int choice) {
+    static const char *const names[WAY_COUNT] = {
+        [FLAT] = "flat",          [GOURAUD] = "Gouraud",
+        [LATE] = "clamped late",  [NO_ROOT] = "normal, no root",
+        [NEWTON] = "Newton step", [EXACT_ROOT] = "exact root",
+    };
+    return names[way_of(choice)];
+}
+
+static const struct bench_panel bench_panels[] = {
+    {.title = "Diffuse light on spheres of 128 to 32,768 triangles, 512x512",
+     .error_label = "levels, root mean square",
+     .time_label = "ns per pixel",
+     .against = "the true sphere, long double",
+     .units = units,
+     .versions = diffuse_versions,
+     .version_count = sizeof diffuse_versions / sizeof diffuse_versions[0],
+     .series = series},
+    {.title = "A highlight on the same spheres",
+     .error_label = "levels, root mean square",
+     .time_label = "ns per pixel",
+     .against = "the true sphere, long double",
+     .units = units,
+     .versions = highlight_versions,
+     .version_count = sizeof highlight_versions / sizeof highlight_versions[0],
+     .series = series},
+};
+
+const struct bench_lesson bench_step07 = {
+    .step = "step07_gouraud",
+    .title = "Step 7: light on a round body",
+    .setup = setup,
+    .teardown = teardown,
+    .panels = bench_panels,
+    .panel_count = sizeof bench_panels / sizeof bench_panels[0],
+};

@@ -1,0 +1,225 @@
+/* Lesson 8's clipping against its definition in long double. The pipeline has the same text (see
+ * same_text.sh), but for find_beyond(), which it asks of several positions at once: see
+ * test_transform.c. */
+#define main step08_main
+int step08_main(int argc, char **argv);
+#include "../../../step08_projection/main.c"
+#undef main
+
+#include "oracle/oracle.h"
+#include "unit/unit.h"
+
+static struct random random_state = {81};
+
+static double random_unit(void) { /* -1..1 */
+    return random_real(&random_state, -1, 1);
+}
+
+/* Of any size between 2^-reach and 2^reach. */
+static double random_sized(int reach) {
+    return ldexp(random_unit(), (int)random_between(&random_state, -reach, reach));
+}
+
+static struct clip_corner random_corner(int reach, struct vec3 weight) {
+    return (struct clip_corner){
+        {random_sized(reach), random_sized(reach), random_sized(reach), random_sized(reach)},
+        weight};
+}
+
+static struct polygon random_triangle(int reach) {
+    return (struct polygon){{random_corner(reach, (struct vec3){1, 0, 0}),
+                             random_corner(reach, (struct vec3){0, 1, 0}),
+                             random_corner(reach, (struct vec3){0, 0, 1})},
+                            3};
+}
+
+/* ---- The planes and the sides ---- */
+
+/* w >= 1/128, and x and y within -64 w..64 w. */
+static void test_planes(void) {
+    for (int i = 0; i < 100; i++) {
+        double w = ldexp(1, i % 10), x = random_unit(), y = random_unit();
+        CHECK(plane_distance((struct vec4){x, y, 0, 1.0 / 128}, 0) == 0);
+        CHECK(plane_distance((struct vec4){x, y, 0, w}, 0) > 0);
+        CHECK(plane_distance((struct vec4){-64 * w, y, 0, w}, 1) == 0);
+        CHECK(plane_distance((struct vec4){64 * w, y, 0, w}, 2) == 0);
+        CHECK(plane_distance((struct vec4){x, -64 * w, 0, w}, 3) == 0);
+        CHECK(plane_distance((struct vec4){x, 64 * w, 0, w}, 4) == 0);
+        for (int plane = 1; plane < 5; plane++) {
+            CHECK(plane_distance((struct vec4){x, y, 0, w}, plane) > 0);
+        }
+    }
+}
+
+/* On each border a position is still inside; one step farther it is beyond that side alone. */
+static void test_sides(void) {
+    const double near = 1.0 / 128, past = 1 + 1e-15, farther = 64 * past;
+    const unsigned guard = BEYOND_GUARD_BAND;
+    const struct {
+        struct vec4 p;
+        unsigned beyond;
+    } rows[] = {
+        {{-1, 1, 0, 1}, 0},
+        {{1, -1, 0, 1}, 0},
+        {{-past, 0, 0, 1}, BEYOND_LEFT},
+        {{past, 0, 0, 1}, BEYOND_RIGHT},
+        {{0, -past, 0, 1}, BEYOND_BOTTOM},
+        {{0, past, 0, 1}, BEYOND_TOP},
+        {{3, 0, 0, 3}, 0},
+        {{0.99 * 7, -0.99 * 7, 0, 7}, 0},
+        {{0, 0, 0, near}, 0},
+        {{0, 0, 0, near / past}, BEYOND_NEAR},
+        {{64, 0, 0, 1}, BEYOND_RIGHT},
+        {{-64, -64, 0, 1}, BEYOND_LEFT | BEYOND_BOTTOM},
+        {{farther, 0, 0, 1}, BEYOND_RIGHT | guard},
+        {{-farther, 0, 0, 1}, BEYOND_LEFT | guard},
+        {{0, farther, 0, 1}, BEYOND_TOP | guard},
+        {{0, -farther, 0, 1}, BEYOND_BOTTOM | guard},
+        {{NAN, 0, 0, 1}, BEYOND_LEFT | BEYOND_RIGHT | guard},
+        {{0, NAN, 0, 1}, BEYOND_BOTTOM | BEYOND_TOP | guard},
+        {{0, 0, 0, NAN}, 63},
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        CHECK(find_beyond(rows[i].p) == rows[i].beyond);
+    }
+}
+
+/* What has no place on the screen, or no depth, is not placed: too far beside it, or z/w too large
+ * for a number although z is one. */
+static void test_place(void) {
+    const struct mat4 to_screen = viewport(300, 200);
+    struct vertex v = {.recip_w = 0};
+    CHECK(place((struct vec4){1, -2, 3, 4}, &to_screen, &v));
+    CHECK(v.recip_w == 0.25 && v.depth == 0.75);
+    CHECK(v.position.x == (int32_t)(187.5 * 256) && v.position.y == 50 * 256);
+    CHECK(!place((struct vec4){0, 0, 1e308, 1.0 / 128}, &to_screen, &v));
+    CHECK(!place((struct vec4){0, 0, -1e308, 1.0 / 128}, &to_screen, &v));
+    CHECK(!place((struct vec4){1e30, 0, 0, 1}, &to_screen, &v));
+    CHECK(!place((struct vec4){0, NAN, 0, 1}, &to_screen, &v));
+}
+
+/* ---- The cut of one edge ---- */
+
+static long double exact_mix(double from, double to, long double t) {
+    return (long double)from + t * ((long double)to - (long double)from);
+}
+
+/* Not farther from the exact number than a few roundings of what is added up. */
+static bool is_mixed(double got, double from, double to, long double t) {
+    long double added =
+        fabsl((long double)from) + fabsl(exact_mix(from, to, t) - (long double)from);
+    return fabsl((long double)got - exact_mix(from, to, t)) <= 6 * 0x1p-53L * added;
+}
+
+/* Accurate where the corner outside is 2^40 times as far as the one inside. */
+static void test_cut_is_accurate(void) {
+    for (int i = 0; i < 5000; i++) {
+        int reach = i % 41;
+        struct clip_corner p = random_corner(1, (struct vec3){1, 0, 0});
+        struct clip_corner q = random_corner(reach, (struct vec3){0, 1, 0});
+        double inside = fabs(random_sized(2)), outside = -fabs(random_sized(reach)) - 1e-9;
+        struct clip_corner cut = cut_edge(&p, &q, inside, outside);
+        long double t = (long double)inside / ((long double)inside - (long double)outside);
+        CHECK(is_mixed(cut.clip.x, p.clip.x, q.clip.x, t));
+        CHECK(is_mixed(cut.clip.y, p.clip.y, q.clip.y, t));
+        CHECK(is_mixed(cut.clip.z, p.clip.z, q.clip.z, t));
+        CHECK(is_mixed(cut.clip.w, p.clip.w, q.clip.w, t));
+        CHECK(is_mixed(cut.weight.x, 1, 0, t) && is_mixed(cut.weight.y, 0, 1, t));
+        CHECK(cut.weight.z == 0);
+    }
+}
+
+static bool same_clip(struct vec4 a, struct vec4 b) {
+    return a.x == b.x && a.y == b.y && a.z == b.z && a.w == b.w;
+}
+
+static bool has_corner(const struct polygon *polygon, struct vec4 clip) {
+    for (size_t i = 0; i < polygon->count; i++) {
+        if (same_clip(polygon->corner[i].clip, clip)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/* Both faces of an edge, which go along it in opposite directions, cut it at the same point, to the
+ * last bit; of the corners those inside stay. */
+static void test_cut_from_both_ends(void) {
+    int cuts = 0;
+    for (int i = 0; i < 5000; i++) {
+        int plane = i % CLIP_PLANES;
+        struct polygon forwards = random_triangle(4), backwards = random_triangle(4);
+        struct vec4 a = forwards.corner[0].clip, b = forwards.corner[1].clip;
+        backwards.corner[0].clip = b;
+        backwards.corner[1].clip = a;
+        struct polygon one = clip_at_plane(&forwards, plane);
+        struct polygon other = clip_at_plane(&backwards, plane);
+        bool a_inside = plane_distance(a, plane) >= 0, b_inside = plane_distance(b, plane) >= 0;
+        CHECK(has_corner(&one, a) == a_inside && has_corner(&other, b) == b_inside);
+        if (a_inside != b_inside) { /* the cut comes after a or before b, and the other way round */
+            size_t at = a_inside ? 1 : 0, other_at = a_inside ? 0 : 1;
+            CHECK(same_clip(one.corner[at].clip, other.corner[other_at].clip));
+            cuts++;
+        }
+    }
+    CHECK(cuts > 1000);
+}
+
+/* ---- Whole triangles ---- */
+
+static long double weighted(const struct polygon *triangle, struct vec3 weight, int component) {
+    long double sum = 0;
+    for (int i = 0; i < 3; i++) {
+        struct vec4 p = triangle->corner[i].clip;
+        const double components[4] = {p.x, p.y, p.z, p.w};
+        const double weights[3] = {weight.x, weight.y, weight.z};
+        sum += (long double)weights[i] * (long double)components[component];
+    }
+    return sum;
+}
+
+/* What is left lies inside all planes, and each of its corners is where its weights say. */
+static void test_clipped_triangles(void) {
+    int clipped = 0;
+    for (int i = 0; i < 3000; i++) {
+        struct polygon triangle = random_triangle(6), rest = triangle;
+        for (int plane = 0; plane < CLIP_PLANES; plane++) {
+            rest = clip_at_plane(&rest, plane);
+        }
+        clipped += rest.count > 2 && !same_clip(rest.corner[0].clip, triangle.corner[0].clip);
+        for (size_t k = 0; k < rest.count; k++) {
+            struct vec4 p = rest.corner[k].clip;
+            struct vec3 weight = rest.corner[k].weight;
+            const double components[4] = {p.x, p.y, p.z, p.w};
+            for (int plane = 0; plane < CLIP_PLANES; plane++) {
+                CHECK(plane_distance(p, plane) > -1e-11);
+            }
+            CHECK(fabs(weight.x + weight.y + weight.z - 1) < 1e-13);
+            for (int c = 0; c < 4; c++) {
+                long double expected = weighted(&triangle, weight, c);
+                CHECK(fabsl((long double)components[c] - expected) < 1e-11L);
+            }
+        }
+    }
+    CHECK(clipped > 300);
+}
+
+/* A corner on the plane is inside: nothing is cut. */
+static void test_corner_on_plane(void) {
+    for (int plane = 0; plane < CLIP_PLANES; plane++) {
+        static const struct vec4 on_plane[CLIP_PLANES] = {
+            {0, 0, 0, 1.0 / 128}, {-64, 0, 0, 1}, {64, 0, 0, 1}, {0, -64, 0, 1}, {0, 64, 0, 1}};
+        struct polygon triangle = {{{on_plane[plane], {1, 0, 0}},
+                                    {{0.5, 0.25, 0, 1}, {0, 1, 0}},
+                                    {{0.25, 0.5, 0, 1}, {0, 0, 1}}},
+                                   3};
+        struct polygon same = clip_at_plane(&triangle, plane);
+        CHECK(same.count == 3);
+        for (size_t i = 0; i < 3; i++) {
+            CHECK(same_clip(same.corner[i].clip, triangle.corner[i].clip));
+        }
+    }
+}
+
+UNIT_MAIN(TEST(test_planes), TEST(test_sides), TEST(test_place), TEST(test_cut_is_accurate),
+          TEST(test_cut_from_both_ends), TEST(test_clipped_triangles), TEST(test_corner_on_plane))

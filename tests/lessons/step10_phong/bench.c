@@ -1,0 +1,746 @@
+/*
+ * Step 10: ways to compute the power, and details from a normal map or from a finer mesh.
+ *
+ * All are computed for sixteen pixels at once, as the lesson does. The exact answer is Phong's
+ * formula in long double: on the bust for what the pipeline interpolated at the pixel, on the
+ * sphere for the point of the true surface that a ray through the pixel hits.
+ */
+#define main step10_main
+int step10_main(int argc, char **argv);
+#include "../../../step10_phong/main.c"
+#undef main
+
+#include "../../../step10_phong/attempts.h"
+
+#include "bench/bench.h"
+#include "files/normals.h"
+
+#include <stdlib.h>
+#include <string.h>
+enum { SIDE = 600, SHARP_POWER = 80, MESHES = 4, COARSEST_ROWS = 16, MAP_HEIGHT = 512 };
+
+static const struct vec3 light = {1, 1, 1};
+
+enum { TABLES = 3, TERMS_LEAST = 2, TERMS_MOST = 5 };
+
+/* Coefficients of polynomials without a constant: for log2(1 + x) and 2^x - 1. */
+struct exp_log {
+    float log2[TERMS_MOST], exp2[TERMS_MOST];
+};
+
+/* What the ways to compute the power need. */
+struct lit {
+    struct uniforms u;
+    struct power_table tables[TABLES];
+    struct exp_log coefficients[TERMS_MOST - TERMS_LEAST + 1];
+};
+
+enum { VARYINGS = 8 };
+
+/* What the pipeline interpolated at LANES pixels. */
+struct interpolated {
+    real varyings[VARYINGS][LANES];
+};
+
+/* So many pixels of highlights, and their exact colours. */
+struct lit_lanes {
+    struct interpolated at;
+    struct color exact[LANES];
+};
+
+struct work {
+    struct model bust;
+    struct lit lit;
+    struct lit_lanes *lit_lanes;
+    uint32_t *colors;            /* what a version finds for them */
+    size_t lit_count;            /* pixels; the last lanes may have some that do not count */
+    struct model meshes[MESHES]; /* of the sphere, each of four times the triangles */
+    struct texture ripples;      /* normal map of the sphere */
+    struct uniforms sphere;      /* but for the model */
+    struct pipeline pipeline;
+    struct image image;
+};
+
+/* Draw a model with one thread. False when memory runs out. */
+static bool draw(struct work *work, const struct model *model, struct vec3 eye,
+                 const struct shader *shader, const void *uniforms, size_t size) {
+    struct error error;
+    struct draw_call call = camera_call(model, eye, (struct vec3){0, 0, 0}, (struct vec3){0, 1, 0},
+                                        0.8, (struct rectangle){0, 0, SIDE, SIDE}, CULL_BACK);
+    pipeline_clear(&work->pipeline);
+    memset(work->image.pixels, 0, (size_t)SIDE * SIDE * IMAGE_BGR);
+    pipeline_use_threads(&work->pipeline, 1);
+    return pipeline_draw(&work->pipeline, &call, shader, uniforms, size, &error) &&
+           pipeline_finish(&work->pipeline, &work->image, &error);
+}
+
+/* ---- Phong's formula in long double ---- */
+
+struct real3 {
+    long double x, y, z;
+};
+
+static struct real3 real_from(struct vec3 a) {
+    return (struct real3){a.x, a.y, a.z};
+}
+
+static long double real_dot(struct real3 a, struct real3 b) {
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+
+/* a + factor * b */
+static struct real3 real_add(struct real3 a, long double factor, struct real3 b) {
+    return (struct real3){a.x + factor * b.x, a.y + factor * b.y, a.z + factor * b.z};
+}
+
+static struct real3 real_normalized(struct real3 a) {
+    const struct real3 zero = {0, 0, 0};
+    return real_add(zero, 1 / sqrtl(real_dot(a, a)), a);
+}
+
+/* The levels of the specular part; 0 where the surface is turned away from the light. */
+static long double exact_shine(const struct material *material, struct real3 normal,
+                               struct real3 towards_eye) {
+    struct real3 to_light = real_normalized(real_from(light));
+    struct real3 to_eye = real_normalized(towards_eye);
+    long double diffuse = real_dot(normal, to_light), power = 1;
+    /* (2 (n . l) n - l) . v */
+    long double mirrored = 2 * diffuse * real_dot(normal, to_eye) - real_dot(to_light, to_eye);
+    for (int i = 0; i < material->power; i++) {
+        power *= mirrored > 0 ? mirrored : 0;
+    }
+    return diffuse > 0 ? 255 * (long double)material->specular * power : 0;
+}
+
+/* To the nearest level. */
+static uint8_t exact_level(long double value) {
+    return value >= 255 ? 255 : (uint8_t)(value + 0.5L);
+}
+
+static struct color exact_color(const struct material *material, struct real3 normal,
+                                struct real3 towards_eye) {
+    long double shine = exact_shine(material, normal, towards_eye);
+    long double diffuse = real_dot(normal, real_normalized(real_from(light)));
+    long double scattered = material->ambient + material->diffuse * (diffuse > 0 ? diffuse : 0);
+    const struct vec3 *c = &material->color;
+    return color_rgb(exact_level(c->x * scattered + shine), exact_level(c->y * scattered + shine),
+                     exact_level(c->z * scattered + shine));
+}
+
+static double squared_error(struct color a, struct color b) {
+    return ((a.r - b.r) * (a.r - b.r) + (a.g - b.g) * (a.g - b.g) + (a.b - b.b) * (a.b - b.b)) /
+           3.0;
+}
+
+/* ---- The power, in the highlights of the bust ---- */
+
+enum power_way {
+    POW,
+    REPEATED,
+    SQUARED,
+    TABLE_64,
+    TABLE_257,
+    TABLE_1024,
+    SCHLICK,
+    TERMS_2,
+    TERMS_3,
+    TERMS_4,
+    TERMS_5,
+    HALF_VECTOR,
+    HALF_VECTOR_4,
+    ONE_NEWTON_STEP,
+    SHORT_NORMAL,
+    POWERS
+};
+
+/* x (c0 + c1 x + ...), with `terms` constant where this is inlined. */
+static inline lanes polynomial(const float *c, int terms, lanes x) {
+    lanes sum = lanes_all((real)c[terms - 1]);
+    for (int i = terms - 2; i >= 0; i--) {
+        sum = sum * x + (real)c[i];
+    }
+    return sum * x;
+}
+
+/* `number` times 2 to the power of `exponent`, by the bits of a float. */
+static inline lanes scaled(lanes number, lanes_int exponent) {
+    lanes_int bits;
+    memcpy(&bits, &number, sizeof bits);
+    bits += exponent * (1 << 23);
+    memcpy(&number, &bits, sizeof bits);
+    return number;
+}
+
+/* base^power as 2^(power log2(base)), with polynomials for the parts of the two functions that the
+ * exponent of a float does not hold. */
+static inline lanes terms_power(const struct exp_log *coefficients, int terms, lanes base,
+                                int power) {
+    if (!LANES_IS_FLOAT) {
+        return attempt_1_pow(base, power);
+    }
+    const int32_t two_thirds = 0x3F2AAAAB;
+    lanes_int bits;
+    memcpy(&bits, &base, sizeof bits);
+    lanes_int exponent = (bits - two_thirds) >> 23; /* base / 2^exponent is in 2/3..4/3 */
+    base = scaled(base, -exponent);
+    lanes log = lanes_from_int(exponent) + polynomial(coefficients->log2, terms, base - 1);
+    lanes product = lanes_max((real)power * log, lanes_all(-126));
+    lanes_int whole = lanes_to_int(product - 0.5f); /* to the nearest, as no product is above 0 */
+    lanes part = product - lanes_from_int(whole);
+    return scaled(1 + polynomial(coefficients->exp2, terms, part), whole);
+}
+
+/* base^power in one of the ways. */
+static inline lanes power_by(enum power_way way, const struct lit *lit, lanes base) {
+    int power = lit->u.material.power;
+    switch (way) {
+    case POW:
+        return attempt_1_pow(base, power);
+    case REPEATED:
+        return attempt_2_repeated(base, power);
+    case TABLE_64:
+        return attempt_3_table(&lit->tables[0], base);
+    case TABLE_257:
+        return attempt_3_table(&lit->tables[1], base);
+    case TABLE_1024:
+        return attempt_3_table(&lit->tables[2], base);
+    case SCHLICK:
+        return attempt_4_schlick(base, power);
+    case TERMS_2:
+    case TERMS_3:
+    case TERMS_4:
+    case TERMS_5:
+        return terms_power(&lit->coefficients[way - TERMS_2], 2 + (int)(way - TERMS_2), base,
+                           power);
+    case HALF_VECTOR_4:
+        return integer_power(base, lanes_all((real)(4 * power)), 4 * power);
+    default:
+        return integer_power(base, lanes_all((real)power), power);
+    }
+}
+
+/* Of about the length that it should have: one step of Newton's method from 1 (lesson 4). */
+static inline struct lanes3 renormalized(struct lanes3 normal) {
+    return lanes3_scale(normal, 1.5f - 0.5f * lanes3_dot(normal, normal));
+}
+
+static inline struct lanes3 normal_by(enum power_way way, const lanes *varyings) {
+    struct lanes3 normal = {varyings[5], varyings[6], varyings[7]};
+    switch (way) {
+    case SHORT_NORMAL:
+        return normal;
+    case ONE_NEWTON_STEP:
+        return renormalized(normal);
+    default:
+        return mesh_normal(varyings);
+    }
+}
+
+/* How near the eye is to the mirrored light: r . v, or n . h with h half-way between l and v
+ * (Blinn, "Models of Light Reflection for Computer Synthesized Pictures", 1977). */
+static inline lanes nearness_by(enum power_way way, struct lanes3 normal, struct lanes3 to_light,
+                                struct lanes3 to_eye) {
+    struct lanes3 sum = {to_light.x + to_eye.x, to_light.y + to_eye.y, to_light.z + to_eye.z};
+    lanes near = way == HALF_VECTOR || way == HALF_VECTOR_4
+                     ? lanes3_dot(normal, lanes3_normalized(sum))
+                     : lanes3_dot(reflect(normal, to_light), to_eye);
+    return lanes_max(near, lanes_all(0));
+}
+
+/* plain_fragment() with another way to find the specular part. */
+static inline lanes_texel light_by(enum power_way way, const struct lit *lit,
+                                   const lanes *varyings) {
+    const struct material *material = &lit->u.material;
+    struct lanes3 normal = normal_by(way, varyings), to_light = lanes3_all(lit->u.to_light);
+    struct lanes3 to_eye = {varyings[0], varyings[1], varyings[2]};
+    lanes zero = lanes_all(0), diffuse = lanes3_dot(normal, to_light);
+    lanes near = nearness_by(way, normal, to_light, lanes3_normalized(to_eye));
+    lanes specular = lanes_select(diffuse > 0, power_by(way, lit, near), zero);
+    lanes scattered = (real)material->ambient + (real)material->diffuse * lanes_max(diffuse, zero);
+    lanes shine = 255 * (real)material->specular * specular;
+    struct lanes3 rgb = lanes3_all(material->color);
+    return lanes_rgb(rgb.x * scattered + shine, rgb.y * scattered + shine,
+                     rgb.z * scattered + shine);
+}
+
+/* The loop over pixels in each of the ways. */
+#define LIGHT_ALL(name, way)                                                                       \
+    static FLATTEN void name(struct work *work) {                                                  \
+        for (size_t i = 0; i * LANES < work->lit_count; i++) {                                     \
+            lanes varyings[VARYINGS];                                                              \
+            memcpy(varyings, work->lit_lanes[i].at.varyings, sizeof varyings);                     \
+            lanes_texel color = light_by(way, &work->lit, varyings);                               \
+            memcpy(work->colors + i * LANES, &color, sizeof color);                                \
+        }                                                                                          \
+    }
+
+LIGHT_ALL(light_by_pow, POW)
+LIGHT_ALL(light_by_repeated, REPEATED)
+LIGHT_ALL(light_by_squared, SQUARED)
+LIGHT_ALL(light_by_table_64, TABLE_64)
+LIGHT_ALL(light_by_table_257, TABLE_257)
+LIGHT_ALL(light_by_table_1024, TABLE_1024)
+LIGHT_ALL(light_by_schlick, SCHLICK)
+LIGHT_ALL(light_by_2_terms, TERMS_2)
+LIGHT_ALL(light_by_3_terms, TERMS_3)
+LIGHT_ALL(light_by_4_terms, TERMS_4)
+LIGHT_ALL(light_by_5_terms, TERMS_5)
+LIGHT_ALL(light_by_half_vector, HALF_VECTOR)
+LIGHT_ALL(light_by_half_vector_4, HALF_VECTOR_4)
+LIGHT_ALL(light_by_one_newton_step, ONE_NEWTON_STEP)
+LIGHT_ALL(light_by_short_normal, SHORT_NORMAL)
+
+static void (*const lights[POWERS])(struct work *) = {
+    [POW] = light_by_pow,
+    [REPEATED] = light_by_repeated,
+    [SQUARED] = light_by_squared,
+    [TABLE_64] = light_by_table_64,
+    [TABLE_257] = light_by_table_257,
+    [TABLE_1024] = light_by_table_1024,
+    [SCHLICK] = light_by_schlick,
+    [TERMS_2] = light_by_2_terms,
+    [TERMS_3] = light_by_3_terms,
+    [TERMS_4] = light_by_4_terms,
+    [TERMS_5] = light_by_5_terms,
+    [HALF_VECTOR] = light_by_half_vector,
+    [HALF_VECTOR_4] = light_by_half_vector_4,
+    [ONE_NEWTON_STEP] = light_by_one_newton_step,
+    [SHORT_NORMAL] = light_by_short_normal,
+};
+
+static void run_power(void *state, int choice) {
+    lights[choice](state);
+}
+
+static double units_power(const void *state) {
+    return (double)((const struct work *)state)->lit_count;
+}
+
+static double error_power(void *state, int choice) {
+    struct work *work = state;
+    double sum = 0;
+    (void)choice;
+    for (size_t i = 0; i < work->lit_count; i++) {
+        sum += squared_error(color_from_texel(work->colors[i]),
+                             work->lit_lanes[i / LANES].exact[i % LANES]);
+    }
+    return sqrt(sum / (double)work->lit_count);
+}
+
+static double error_worst(void *state, int choice) {
+    struct work *work = state;
+    int worst = 0;
+    (void)choice;
+    for (size_t i = 0; i < work->lit_count; i++) {
+        struct color a = color_from_texel(work->colors[i]),
+                     b = work->lit_lanes[i / LANES].exact[i % LANES];
+        worst = most_of(worst, abs(a.r - b.r), most_of(abs(a.g - b.g), abs(a.b - b.b), 0));
+    }
+    return worst;
+}
+
+/* ---- Which pixels these are ---- */
+
+static const struct vec3 bust_eye = {1, 0.5, 3};
+
+/* A shader that keeps what it gets. The colour of a pixel says where: 1 + LANES * the call + lane.
+ * So the calls may shade pixels that are not drawn. */
+struct kept {
+    struct interpolated *calls;
+    size_t count, capacity;
+};
+
+struct keeping {
+    const struct uniforms *u;
+    struct kept *kept;
+};
+
+static void keeping_vertex(const void *uniforms, size_t face, size_t corner, double *varyings) {
+    vertex_with_normal(((const struct keeping *)uniforms)->u, face, corner, varyings);
+}
+
+static lanes_mask keeping_fragment(const void *uniforms, const lanes *varyings,
+                                   lanes_texel *color) {
+    struct kept *kept = ((const struct keeping *)uniforms)->kept;
+    *color = (lanes_texel)lanes_int_from((int)(1 + LANES * kept->count));
+    if (kept->count < kept->capacity) {
+        memcpy(kept->calls[kept->count++].varyings, varyings, VARYINGS * sizeof *varyings);
+    }
+    return lanes_all_set();
+}
+
+SHADER(keeping_shader, .varying_count = VARYINGS, .vertex = keeping_vertex,
+       .fragment = keeping_fragment);
+
+/* Where the light adds at least a level. */
+static void keep_if_lit(struct work *work, const struct interpolated *call, size_t lane) {
+    real v[VARYINGS];
+    for (int k = 0; k < VARYINGS; k++) {
+        v[k] = call->varyings[k][lane];
+    }
+    const struct material *material = &work->lit.u.material;
+    struct real3 normal = real_normalized((struct real3){v[5], v[6], v[7]});
+    struct real3 to_eye = {v[0], v[1], v[2]};
+    if (exact_shine(material, normal, to_eye) < 1) {
+        return;
+    }
+    struct lit_lanes *lit = &work->lit_lanes[work->lit_count / LANES];
+    lane = work->lit_count++ % LANES;
+    for (int k = 0; k < VARYINGS; k++) {
+        lit->at.varyings[k][lane] = v[k];
+    }
+    lit->exact[lane] = exact_color(material, normal, to_eye);
+}
+
+static void keep_lit_pixels(struct work *work, const struct kept *kept) {
+    for (int i = 0; i < SIDE * SIDE; i++) {
+        struct color c = image_get(&work->image, i % SIDE, i / SIDE);
+        size_t place = (size_t)c.b | (size_t)c.g << 8 | (size_t)c.r << 16;
+        if (place > 0) {
+            keep_if_lit(work, &kept->calls[(place - 1) / LANES], (place - 1) % LANES);
+        }
+    }
+}
+
+static bool find_highlights(struct work *work, struct error *error) {
+    struct kept kept = {.capacity = (size_t)SIDE * (SIDE + CHUNK) / LANES}; /* of a whole picture */
+    struct keeping keeping = {&work->lit.u, &kept};
+    size_t most = (size_t)SIDE * SIDE / LANES + 1;
+    kept.calls = malloc(kept.capacity * sizeof *kept.calls);
+    work->lit_lanes = calloc(most, sizeof *work->lit_lanes);
+    work->colors = malloc(most * LANES * sizeof *work->colors);
+    bool done = kept.calls != NULL && work->lit_lanes != NULL && work->colors != NULL &&
+                draw(work, &work->bust, bust_eye, &keeping_shader, &keeping, sizeof keeping);
+    if (done) {
+        keep_lit_pixels(work, &kept);
+    }
+    free(kept.calls);
+    return done || error_out_of_memory(error);
+}
+
+/* Solve a x = b by elimination; a is far from singular. */
+static void solve(int size, long double a[][TERMS_MOST], long double *b) {
+    for (int column = 0; column < size; column++) {
+        for (int row = 0; row < size; row++) {
+            long double factor = row == column ? 0 : a[row][column] / a[column][column];
+            for (int k = column; k < size; k++) {
+                a[row][k] -= factor * a[column][k];
+            }
+            b[row] -= factor * b[column];
+        }
+    }
+    for (int row = 0; row < size; row++) {
+        b[row] /= a[row][row];
+    }
+}
+
+/* The x (c0 + c1 x + ...) that has the values of a function in the zeros of a Chebyshev polynomial,
+ * spread over -reach..reach: nearly the best there is. */
+static void fit(float *c, int terms, long double reach, long double (*function)(long double)) {
+    const long double pi = 3.14159265358979323846L;
+    long double a[TERMS_MOST][TERMS_MOST], b[TERMS_MOST];
+    for (int row = 0; row < terms; row++) {
+        long double x = reach * cosl(pi * (row + 0.5L) / terms), power = 1;
+        x = fabsl(x) < reach / 1024 ? reach / 1024 : x; /* not 0 / 0 */
+        for (int k = 0; k < terms; k++) {
+            a[row][k] = power;
+            power *= x;
+        }
+        b[row] = function(x) / x;
+    }
+    solve(terms, a, b);
+    for (int k = 0; k < terms; k++) {
+        c[k] = (float)b[k];
+    }
+}
+
+static long double log2_beside_1(long double x) {
+    return log2l(1 + x);
+}
+
+static long double exp2_less_1(long double x) {
+    return exp2l(x) - 1;
+}
+
+/* ---- Details: a sphere with ripples, which are in its normals only ---- */
+
+/* The normal of the surface in direction d from the center: leaning away from where it rises. */
+static struct real3 rippled_normal(struct real3 d) {
+    const long double often = 40, slope = 0.35L;
+    const struct real3 rise = {cosl(often * d.x), cosl(often * d.y), cosl(often * d.z)};
+    struct real3 along = real_add(rise, -real_dot(rise, d), d);
+    return real_normalized(real_add(d, -slope, along));
+}
+
+/* The direction of texture coordinate (u, v): v = 0 is the south pole, v = 1 the north pole. */
+static struct real3 direction_at(long double u, long double v) {
+    const long double pi = 3.14159265358979323846L;
+    long double around = 2 * pi * u, up = pi * v;
+    return (struct real3){sinl(up) * sinl(around), -cosl(up), sinl(up) * cosl(around)};
+}
+
+static bool make_ripples(struct texture *texture, struct error *error) {
+    struct image image;
+    if (!image_create(&image, 2 * MAP_HEIGHT, MAP_HEIGHT, IMAGE_BGR, error)) {
+        return false;
+    }
+    for (int y = 0; y < MAP_HEIGHT; y++) {
+        for (int x = 0; x < 2 * MAP_HEIGHT; x++) {
+            struct real3 n = rippled_normal(
+                direction_at((x + 0.5L) / (2 * MAP_HEIGHT), (y + 0.5L) / MAP_HEIGHT));
+            image_set(&image, x, y,
+                      color_rgb(level_from((double)(n.x + 1) * 127.5),
+                                level_from((double)(n.y + 1) * 127.5),
+                                level_from((double)(n.z + 1) * 127.5)));
+        }
+    }
+    bool done = texture_create(texture, &image, error);
+    image_free(&image);
+    return done;
+}
+
+static void set_corner(struct model *model, size_t i, long double u, long double v) {
+    struct real3 d = direction_at(u, v), n = rippled_normal(d);
+    const long double normal[3] = {n.x, n.y, n.z};
+    model->positions[i] = (struct vec3){(double)d.x, (double)d.y, (double)d.z};
+    for (int k = 0; k < 3; k++) {
+        model->normals[i][k] = (float)normal[k];
+    }
+    model->uvs[i][0] = (float)u;
+    model->uvs[i][1] = (float)v;
+}
+
+static void add_face(struct model *model, size_t a, size_t b, size_t c) {
+    struct corner corner[3] = {
+        {.position = (uint32_t)a}, {.position = (uint32_t)b}, {.position = (uint32_t)c}};
+    for (int i = 0; i < 3; i++) {
+        corner[i].uv = corner[i].normal = corner[i].position;
+        model->faces[model->face_count].corner[i] = corner[i];
+    }
+    model->face_count++;
+}
+
+/* A sphere of radius 1: `rows` rows of twice as many squares, cut in two; triangles at the
+ * poles. */
+static bool make_sphere(struct model *model, size_t rows, struct error *error) {
+    size_t columns = 2 * rows, corners = (rows + 1) * (columns + 1);
+    *model =
+        (struct model){.position_count = corners, .uv_count = corners, .normal_count = corners};
+    model->positions = calloc(corners, sizeof *model->positions);
+    model->uvs = calloc(corners, sizeof *model->uvs);
+    model->normals = calloc(corners, sizeof *model->normals);
+    model->faces = calloc(2 * rows * columns, sizeof *model->faces);
+    if (model->positions == NULL || model->uvs == NULL || model->normals == NULL ||
+        model->faces == NULL) {
+        return error_out_of_memory(error);
+    }
+    for (size_t row = 0; row <= rows; row++) {
+        for (size_t column = 0; column <= columns; column++) {
+            set_corner(model, row * (columns + 1) + column,
+                       (long double)column / (long double)columns,
+                       (long double)row / (long double)rows);
+        }
+    }
+    for (size_t row = 0; row < rows; row++) {
+        for (size_t column = 0; column < columns; column++) {
+            size_t a = row * (columns + 1) + column, b = a + columns + 1;
+            if (row > 0) {
+                add_face(model, a, a + 1, b + 1);
+            }
+            if (row + 1 < rows) {
+                add_face(model, a, b + 1, b);
+            }
+        }
+    }
+    return true;
+}
+
+/* The versions: a mesh, and where its normals come from. */
+#define WITH_MAP MESHES
+
+static const struct vec3 sphere_eye = {0, 0, 3};
+
+static void run_detail(void *state, int choice) {
+    struct work *work = state;
+    struct uniforms u = work->sphere;
+    u.model = &work->meshes[choice % MESHES];
+    draw(work, u.model, sphere_eye, choice < WITH_MAP ? &plain : &mapped, &u, sizeof u);
+}
+
+/* Where the ray through the centre of a pixel meets the sphere. The camera of draw() shows what
+ * lies in the plane z = 0 at 0.8 of its size; -1..1 fill the picture. */
+static bool hit_sphere(int x, int y, struct real3 *hit) {
+    const struct real3 eye = real_from(sphere_eye);
+    struct real3 through = {((x + 0.5L) * 2 / SIDE - 1) / 0.8L, ((y + 0.5L) * 2 / SIDE - 1) / 0.8L,
+                            0};
+    struct real3 ray = real_normalized(real_add(through, -1, eye));
+    long double nearest = -real_dot(eye, ray);
+    long double square = 1 - (real_dot(eye, eye) - nearest * nearest);
+    *hit = real_add(eye, nearest - sqrtl(square > 0 ? square : 0), ray);
+    return square >= 0;
+}
+
+/* Over the pixels that the mesh covers; it lies within the sphere. */
+static double error_detail(void *state, int choice) {
+    struct work *work = state;
+    double sum = 0, pixels = 0;
+    (void)choice;
+    for (int i = 0; i < SIDE * SIDE; i++) {
+        struct real3 hit;
+        struct color color = image_get(&work->image, i % SIDE, i / SIDE);
+        if (color.r > 0 && hit_sphere(i % SIDE, i / SIDE, &hit)) { /* ambient light is everywhere */
+            sum += squared_error(color, exact_color(&work->sphere.material, rippled_normal(hit),
+                                                    real_add(real_from(sphere_eye), -1, hit)));
+            pixels++;
+        }
+    }
+    return sqrt(sum / pixels);
+}
+
+/* ---- Setting up ---- */
+
+static bool make_lit(struct work *work, struct error *error) {
+    work->lit.u = (struct uniforms){.model = &work->bust,
+                                    .eye = bust_eye,
+                                    .to_light = vec3_normalized(light),
+                                    .material = plain_material};
+    work->lit.u.material.power = SHARP_POWER;
+    work->lit.tables[0] = attempt_3_make_table(64, SHARP_POWER);
+    work->lit.tables[1] = attempt_3_make_table(257, SHARP_POWER);
+    work->lit.tables[2] = attempt_3_make_table(1024, SHARP_POWER);
+    for (int terms = TERMS_LEAST; terms <= TERMS_MOST; terms++) {
+        struct exp_log *coefficients = &work->lit.coefficients[terms - TERMS_LEAST];
+        fit(coefficients->log2, terms, 1 / 3.0L, log2_beside_1);
+        fit(coefficients->exp2, terms, 0.5L, exp2_less_1);
+    }
+    return bench_read_model(&work->bust, "bust.obj", error) &&
+           model_need_normals(&work->bust, error) && find_highlights(work, error);
+}
+
+static bool make_details(struct work *work, struct error *error) {
+    bool done = make_ripples(&work->ripples, error);
+    for (int i = 0; done && i < MESHES; i++) {
+        done = make_sphere(&work->meshes[i], (size_t)COARSEST_ROWS << i, error);
+    }
+    if (done) {
+        work->sphere =
+            (struct uniforms){.eye = sphere_eye,
+                              .to_light = vec3_normalized(light),
+                              .material = plain_material,
+                              .normal_map = &work->ripples,
+                              .normal_level = texture_wrapped_level(&work->ripples, 0.8 * SIDE)};
+    }
+    return done;
+}
+
+static bool setup(void **state, struct error *error) {
+    struct work *work = calloc(1, sizeof *work);
+    *state = work;
+    if (work == NULL) {
+        return error_out_of_memory(error);
+    }
+    return image_create(&work->image, SIDE, SIDE, IMAGE_BGR, error) &&
+           pipeline_create(&work->pipeline, SIDE, SIDE, error) && make_lit(work, error) &&
+           make_details(work, error);
+}
+
+static void teardown(void *state) {
+    struct work *work = state;
+    if (work != NULL) {
+        model_free(&work->bust);
+        free(work->lit_lanes);
+        free(work->colors);
+        for (int i = 0; i < MESHES; i++) {
+            model_free(&work->meshes[i]);
+        }
+        texture_free(&work->ripples);
+        image_free(&work->image);
+        pipeline_free(&work->pipeline);
+    }
+    free(work);
+}
+
+/* ---- The panels ---- */
+
+#define POWER(label, way, house, judge)                                                            \
+    { .name = (label), .choice = (way), .is_house = (house), .run = run_power, .error = (judge) }
+/* The same versions, judged in two ways. */
+#define POWER_VERSIONS(judge)                                                                      \
+    {                                                                                              \
+        POWER("pow()", POW, false, judge), POWER("80 multiplications", REPEATED, false, judge),    \
+            POWER("integer power, squaring", SQUARED, true, judge),                                \
+            POWER("64", TABLE_64, false, judge), POWER("257", TABLE_257, false, judge),            \
+            POWER("1,024", TABLE_1024, false, judge),                                              \
+            POWER("Schlick's form", SCHLICK, false, judge), POWER("2", TERMS_2, false, judge),     \
+            POWER("3", TERMS_3, false, judge), POWER("4", TERMS_4, false, judge),                  \
+            POWER("5", TERMS_5, false, judge), POWER("80", HALF_VECTOR, false, judge),             \
+            POWER("320", HALF_VECTOR_4, false, judge),                                             \
+            POWER("normal: one Newton step", ONE_NEWTON_STEP, false, judge),                       \
+            POWER("normal not renormalised", SHORT_NORMAL, false, judge),                          \
+    }
+#define DETAIL(label, number, house)                                                               \
+    {                                                                                              \
+        .name = (label), .choice = (number), .is_house = (house), .run = run_detail,               \
+        .error = error_detail                                                                      \
+    }
+
+static const char *power_series(int choice) {
+    return choice >= TABLE_64 && choice <= TABLE_1024         ? "table of"
+           : choice >= TERMS_2 && choice <= TERMS_5           ? "log2 and exp2, terms"
+           : choice == HALF_VECTOR || choice == HALF_VECTOR_4 ? "half vector, power"
+                                                              : NULL;
+}
+
+static const struct bench_version power_versions[] = POWER_VERSIONS(error_power);
+static const struct bench_version worst_versions[] = POWER_VERSIONS(error_worst);
+
+static const char *detail_series(int choice) {
+    return choice < WITH_MAP ? "normals of the mesh, triangles" : "normal map, triangles";
+}
+
+static const struct bench_version detail_versions[] = {
+    DETAIL("960", 0, false),
+    DETAIL("3,968", 1, false),
+    DETAIL("16,128", 2, false),
+    DETAIL("65,024", 3, false),
+    DETAIL("960", WITH_MAP + 0, true),
+    DETAIL("3,968", WITH_MAP + 1, true),
+    DETAIL("16,128", WITH_MAP + 2, true),
+};
+
+static const struct bench_panel bench_panels[] = {
+    {.title = "Pixels of the bust's highlights, power 80",
+     .error_label = "levels, root mean square",
+     .time_label = "ns per pixel",
+     .against = "Phong's formula, long double",
+     .units = units_power,
+     .versions = power_versions,
+     .version_count = sizeof power_versions / sizeof power_versions[0],
+     .series = power_series,
+     .house_within = 0.05},
+    {.title = "The same, by the worst pixel",
+     .error_label = "levels, the largest",
+     .time_label = "ns per pixel",
+     .against = "Phong's formula, long double",
+     .units = units_power,
+     .versions = worst_versions,
+     .version_count = sizeof worst_versions / sizeof worst_versions[0],
+     .series = power_series,
+     .house_within = 1},
+    {.title = "A rippled sphere: a finer mesh or a normal map",
+     .error_label = "levels, root mean square",
+     .time_label = "ms per frame",
+     .against = "the true surface, long double",
+     .versions = detail_versions,
+     .version_count = sizeof detail_versions / sizeof detail_versions[0],
+     .series = detail_series},
+};
+
+const struct bench_lesson bench_step10 = {
+    .step = "step10_phong",
+    .title = "Step 10: Phong's light",
+    .setup = setup,
+    .teardown = teardown,
+    .panels = bench_panels,
+    .panel_count = sizeof bench_panels / sizeof bench_panels[0],
+};

@@ -1,0 +1,303 @@
+/*
+ * Shows the pictures of a scene in the terminal: yours, the reference, and their difference.
+ *
+ *     show [options] YOURS REFERENCE         two image files; one that does not exist is left out
+ *
+ * The pictures stand side by side where the terminal is wide enough for 30 characters each, and
+ * otherwise one below the other. A large one is shrunk to fit, and keeps what is drawn, even a
+ * single pixel; a small one is enlarged by a whole number, so that its pixels are squares.
+ *
+ * Exit status: 0 shown, 1 a file cannot be read or nothing is there, 2 wrong usage.
+ */
+#include "check/page/pictures.h"
+#include "terminal.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum {
+    STATUS_FAILED = 1,
+    STATUS_USAGE = 2,
+    LEAST_COLUMNS = 30, /* characters of a picture beside others */
+    GAP = 2,            /* characters between two pictures */
+    KEPT_LINES = 3,     /* of the terminal: names, the command, the prompt */
+    SIZE_LIMIT = 2000,  /* characters of a line, lines of a terminal */
+    CELL_WIDTH = 8,     /* pixels of a character where pictures have pixels of their own */
+    CELL_HEIGHT = 16
+};
+
+struct options {
+    size_t columns, lines; /* of the terminal */
+    enum terminal_kind kind;
+    bool kind_given;
+    const char *which;        /* names with commas between them, or NULL */
+    const char *step, *scene; /* that the pictures are of, or "" */
+    const char *path[2];
+    size_t path_count;
+};
+
+static const char help[] =
+    "Usage: show [options] YOURS REFERENCE\n"
+    "Show two pictures and their difference in the terminal.\n"
+    "\n"
+    "  --columns N    characters of a line (80)\n"
+    "  --lines N      lines of the terminal (24)\n"
+    "  --as KIND      blocks, sixel or kitty; otherwise what the terminal can\n"
+    "  --which NAMES  which of yours,reference,difference (all where they have room side by side,\n"
+    "                 otherwise yours)\n"
+    "  --step NAME    with --scene NAME, in the course's directory: what counts as wrong in the\n"
+    "                 difference is what the check counts\n"
+    "  -h, --help\n";
+
+/* ---- Options ---- */
+
+static bool parse_size(const char *text, size_t *size) {
+    char *end;
+    unsigned long value = strtoul(text, &end, 10);
+    *size = (size_t)value;
+    return text[0] >= '1' && text[0] <= '9' && *end == '\0' && value <= SIZE_LIMIT;
+}
+
+static bool parse_kind(const char *text, struct options *options) {
+    static const char *const names[] = {"blocks", "sixel", "kitty"};
+    for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
+        if (strcmp(text, names[i]) == 0) {
+            options->kind = (enum terminal_kind)i;
+            options->kind_given = true;
+            return true;
+        }
+    }
+    return false;
+}
+
+/* Is the name one of the list, which has commas between its names? */
+static bool is_listed(const char *list, const char *name) {
+    size_t length = strlen(name);
+    for (const char *at = list; at != NULL; at = strchr(at, ',')) {
+        at += *at == ',';
+        if (strncmp(at, name, length) == 0 && (at[length] == ',' || at[length] == '\0')) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/* Are all names of the list known ones? */
+static bool parse_which(const char *list, struct options *options) {
+    size_t commas = 0, known = 0;
+    for (const char *at = list; *at != '\0'; at++) {
+        commas += *at == ',';
+    }
+    for (int i = 0; i < PICTURE_COUNT; i++) {
+        known += is_listed(list, picture_names[i]);
+    }
+    options->which = list;
+    return known == commas + 1;
+}
+
+static bool parse_option(const char *name, const char *value, struct options *options) {
+    if (strcmp(name, "--columns") == 0) {
+        return parse_size(value, &options->columns);
+    }
+    if (strcmp(name, "--lines") == 0) {
+        return parse_size(value, &options->lines);
+    }
+    if (strcmp(name, "--as") == 0) {
+        return parse_kind(value, options);
+    }
+    if (strcmp(name, "--step") == 0 || strcmp(name, "--scene") == 0) {
+        *(name[3] == 't' ? &options->step : &options->scene) = value;
+        return true;
+    }
+    return strcmp(name, "--which") == 0 && parse_which(value, options);
+}
+
+static bool parse_options(int argc, char **argv, struct options *options) {
+    bool ended = false; /* by "--" */
+    for (int i = 1; i < argc; i++) {
+        if (!ended && strcmp(argv[i], "--") == 0) {
+            ended = true;
+        } else if (ended || argv[i][0] != '-') {
+            if (options->path_count == 2) {
+                return false;
+            }
+            options->path[options->path_count++] = argv[i];
+        } else if (i + 1 == argc || !parse_option(argv[i], argv[i + 1], options)) {
+            fprintf(stderr, "show: wrong: %s %s\n", argv[i], i + 1 < argc ? argv[i + 1] : "");
+            return false;
+        } else {
+            i++;
+        }
+    }
+    return options->path_count == 2;
+}
+
+/* ---- The size of a picture ---- */
+
+struct room {
+    size_t width, height; /* pixels */
+};
+
+/* Pixels of a character: half blocks are two, one above the other. */
+static struct room cell_of(enum terminal_kind kind) {
+    return kind == TERMINAL_BLOCKS ? (struct room){1, 2} : (struct room){CELL_WIDTH, CELL_HEIGHT};
+}
+
+static struct room room_for(const struct options *options, size_t beside) {
+    struct room cell = cell_of(options->kind);
+    size_t columns = options->columns > GAP * (beside - 1) ? options->columns - GAP * (beside - 1)
+                                                           : options->columns;
+    size_t lines = options->lines > KEPT_LINES ? options->lines - KEPT_LINES : 1;
+    size_t width = columns / beside > 0 ? columns / beside : 1;
+    return (struct room){width * cell.width, lines * cell.height};
+}
+
+static size_t smaller(size_t a, size_t b) {
+    return a < b ? a : b;
+}
+
+/* `fitted` becomes the image in the size in which it fills the room. */
+static bool fit(struct image *fitted, const struct image *image, struct room room,
+                struct error *error) {
+    size_t times =
+        smaller(picture_times(image->width, room.width), picture_times(image->height, room.height));
+    if (image->width <= room.width && image->height <= room.height) {
+        return picture_enlarge(fitted, image, times, error);
+    }
+    size_t width = room.width, height = image->height * room.width / image->width;
+    if (height > room.height) {
+        width = image->width * room.height / image->height;
+        height = room.height;
+    }
+    return picture_shrink(fitted, image, width > 0 ? width : 1, height > 0 ? height : 1, error);
+}
+
+/* ---- Pictures side by side ---- */
+
+/* Lay the panel on the sheet, from column x on, at its upper edge. */
+static void put_panel(struct image *sheet, const struct image *panel, size_t left) {
+    for (size_t y = 0; y < panel->height; y++) {
+        size_t to = sheet->height - panel->height + y;
+        for (size_t x = 0; x < panel->width; x++) {
+            image_set(sheet, (int)(left + x), (int)to, image_get(panel, (int)x, (int)y));
+        }
+    }
+}
+
+static size_t larger(size_t a, size_t b) {
+    return a > b ? a : b;
+}
+
+/* Append the panels' names, each above its panel, then the panels. */
+static bool show_sheet(struct bytes *out, const struct image *panels, const char *const *names,
+                       size_t count, enum terminal_kind kind, struct error *error) {
+    struct room cell = cell_of(kind);
+    struct image sheet;
+    size_t width = 0, height = 0, column = 0;
+    bool done = true;
+    for (size_t i = 0; i < count; i++) {
+        size_t columns = (panels[i].width + cell.width - 1) / cell.width + GAP;
+        int field = i + 1 < count ? (int)columns : 0;
+        char name[SIZE_LIMIT + 32];
+        int length = snprintf(name, sizeof name, "%-*s", field, names[i]);
+        done = done && bytes_append(out, name, (size_t)length);
+        width += i + 1 < count ? columns * cell.width : panels[i].width;
+        height = larger(height, panels[i].height);
+    }
+    if (!done || !bytes_append(out, "\n", 1)) {
+        return error_out_of_memory(error);
+    }
+    if (!image_create(&sheet, width, height, IMAGE_BGR, error)) {
+        return false;
+    }
+    for (size_t i = 0; i < count; i++) {
+        put_panel(&sheet, &panels[i], column * cell.width);
+        column += (panels[i].width + cell.width - 1) / cell.width + GAP;
+    }
+    done = terminal_show(out, &sheet, kind, (width + cell.width - 1) / cell.width, error);
+    image_free(&sheet);
+    return done;
+}
+
+/* Fit the images, and show `beside` of them side by side. */
+static bool show_all(struct bytes *out, const struct image *const *images, const char *const *names,
+                     size_t count, const struct options *options, struct error *error) {
+    struct image panels[PICTURE_COUNT] = {{.pixels = NULL}};
+    bool all_beside = options->columns >= count * LEAST_COLUMNS + (count - 1) * GAP;
+    size_t beside = all_beside ? count : 1;
+    bool done = true;
+    for (size_t i = 0; i < count && done; i++) {
+        done = fit(&panels[i], images[i], room_for(options, beside), error);
+    }
+    for (size_t i = 0; i < count && done; i += beside) {
+        done = show_sheet(out, panels + i, names + i, beside, options->kind, error);
+    }
+    for (size_t i = 0; i < PICTURE_COUNT; i++) {
+        image_free(&panels[i]);
+    }
+    return done;
+}
+
+/* ---- Which pictures ---- */
+
+/* Without a choice: all, where there is room for them side by side. */
+static bool is_chosen(const struct options *options, int picture) {
+    if (options->which != NULL) {
+        return is_listed(options->which, picture_names[picture]);
+    }
+    return picture == PICTURE_YOURS ||
+           options->columns >= PICTURE_COUNT * LEAST_COLUMNS + (PICTURE_COUNT - 1) * GAP;
+}
+
+static bool show(struct bytes *out, const struct options *options, struct error *error) {
+    struct pictures pictures;
+    const struct image *images[PICTURE_COUNT];
+    const char *names[PICTURE_COUNT];
+    size_t count = 0;
+    struct scene_table table;
+    const struct checked_scene *rule = pictures_rule(&table, options->step, options->scene);
+    bool done = pictures_read(&pictures, options->path[0], options->path[1], rule, error);
+    scene_table_free(&table);
+    if (!done) {
+        return false;
+    }
+    for (int i = 0; i < PICTURE_COUNT; i++) {
+        if (is_chosen(options, i) && pictures.image[i].width > 0) {
+            images[count] = &pictures.image[i];
+            names[count++] = picture_names[i];
+        }
+    }
+    done = count > 0 ? show_all(out, images, names, count, options, error)
+                     : error_set(error, "no such picture: %.400s, %.400s", options->path[0],
+                                 options->path[1]);
+    pictures_free(&pictures);
+    return done;
+}
+
+int main(int argc, char **argv) {
+    struct options options = {.columns = 80, .lines = 24, .step = "", .scene = ""};
+    struct bytes out = {.data = NULL};
+    struct error error;
+    if (argc == 2 && (strcmp(argv[1], "-h") == 0 || strcmp(argv[1], "--help") == 0)) {
+        fputs(help, stdout);
+        return EXIT_SUCCESS;
+    }
+    if (!parse_options(argc, argv, &options)) {
+        fputs("show: two image files are wanted; show --help says more\n", stderr);
+        return STATUS_USAGE;
+    }
+    if (!options.kind_given) {
+        options.kind = terminal_find_kind();
+    }
+    bool done = show(&out, &options, &error);
+    if (done && (fwrite(out.data, 1, out.size, stdout) != out.size || fflush(stdout) != 0)) {
+        done = error_set(&error, "cannot write to standard output");
+    }
+    bytes_free(&out);
+    if (!done) {
+        fprintf(stderr, "show: %s\n", error.message);
+        return STATUS_FAILED;
+    }
+    return EXIT_SUCCESS;
+}

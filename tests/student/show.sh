@@ -1,0 +1,38 @@
+#!/bin/sh
+# Shows a lesson's pictures, each with its reference.
+#
+#     show.sh BUILD STEP SCENE WHICH KIND
+#
+# STEP is 5, 05 or step05_zbuffer. SCENE is a scene, or empty: all of them. WHICH and KIND are what
+# the options --which and --as of BUILD/show get; empty: it chooses.
+#
+# Exit status: 0 done; 1 it cannot be done; 2 wrong usage.
+
+cd "$(dirname "$0")/../.." || exit 1
+target=show
+build=$1
+wanted=$2
+scene=$3
+which=$4
+kind=$5
+. tests/student/lesson.sh
+. tests/student/drawn.sh
+
+# The size of the terminal: what it says itself, else what the shell knows.
+find_size() {
+    size=$(stty size 2>/dev/null </dev/tty)
+    case $size in *[1-9]' '*[1-9]* | *[1-9]' '*0) ;; *) size="${LINES:-24} ${COLUMNS:-80}" ;; esac
+    lines=${size% *}
+    columns=${size#* }
+}
+
+find_lesson
+find_size
+draw
+find_drawn
+for name in $drawn; do
+    echo "$lesson $name"
+    "$build/show" --columns "$columns" --lines "$lines" --step "$lesson" --scene "$name" \
+        ${which:+--which "$which"} ${kind:+--as "$kind"} "$build/out/$lesson/$name.tga" \
+        "tests/reference/$lesson/$name.png" || exit
+done

@@ -1,0 +1,51 @@
+##   make start STEP=05          turn main.c into the starter: what you write is left out
+##   make solution STEP=05       bring the lesson's own solution back
+##   make hint STEP=05           a hint for what is to do, and more each time (TASK=5.2)
+##   make show STEP=05           the pictures in the terminal, beside the references (SCENE=depth,
+##                               WHICH=yours,reference,difference, KIND=blocks, sixel or kitty)
+##   make open STEP=05           the same in the browser, in one page
+##   make watch STEP=05          check and show again at every save, until Ctrl-C
+##   make LINE=mine              lessons 2 to 8 draw with what you wrote in lessons 1 and 3
+.PHONY: start solution hint show open watch
+start solution:
+	@tests/student/start.sh $@ '$(STEP)'
+
+hint:
+	@tests/student/hint.sh '$(BUILD)' '$(STEP)' '$(TASK)' '$(AGAIN)'
+
+# They draw themselves: what hangs or crashes is shown as far as it comes. Of the lesson that STEP
+# names; without one the scripts say what is wrong.
+SHOWN = $(if $(STEP),$(CHOSEN:%=$(BUILD)/%) $(BUILD)/models/bust.obj)
+
+open: $(BUILD)/compare_page $(SHOWN)
+	@tests/student/open.sh '$(BUILD)' '$(STEP)' '$(SCENE)'
+
+show: $(BUILD)/show $(SHOWN)
+	@tests/student/show.sh '$(BUILD)' '$(STEP)' '$(SCENE)' '$(WHICH)' '$(KIND)'
+
+watch:
+	@tests/student/watch.sh '$(BUILD)' '$(MAKE) -s' '$(STEP)' '$(SCENE)'
+
+$(BUILD)/show $(BUILD)/compare_page: $(BUILD)/%: $(BUILD)/tests/student/%.o \
+                                     $(BUILD)/tests/student/terminal.o $(CHECKER) \
+                                     $(BUILD)/libcommon.a
+	$(Q)$(LINK) $^ -lm -o $@
+
+# ---- LINE=mine ----
+
+# Lessons 2 and 3 draw with the line() of lesson 1's main.c, lessons 4 to 8 with the triangles of
+# lesson 3's, whoever wrote them. (The house versions get their names.)
+ifeq ($(LINE),mine)
+ifneq ($(filter check,$(MAKECMDGOALS)),)
+$(error make check judges each lesson by itself: leave LINE=mine out)
+endif
+ifeq ($(wildcard step01_line/mine.c)$(wildcard step03_triangle/mine.c),)
+$(error LINE=mine draws with what you wrote in lessons 1 and 3, which are not here)
+endif
+LESSON_OBJECTS = $(patsubst %/mine.c,$(BUILD)/%/mine.o,$(wildcard step*/mine.c))
+$(STEPS:%=$(BUILD)/%): $(LESSON_OBJECTS)
+$(BUILD)/step02% $(BUILD)/step03%: LESSON_FLAGS = -DLINE_IS_MINE -Wno-unused-function
+$(foreach n,4 5 6 7 8,$(BUILD)/step0$(n)%): LESSON_FLAGS = -Dedges_setup=my_triangle_setup \
+                                                           -Dedges_span=my_triangle_span
+$(BUILD)/%/mine.o: $(BUILD)/%.text
+endif

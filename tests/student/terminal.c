@@ -1,0 +1,286 @@
+/*
+ * Pictures as bytes that a terminal shows: see terminal.h.
+ *
+ * Sources: Digital Equipment Corporation, "VT330/VT340 Programmer Reference Manual", volume 2,
+ * chapter 14 (sixel); K. Goyal, "Terminal graphics protocol", sw.kovidgoyal.net/kitty (kitty);
+ * ECMA-48 and ISO 8613-6 (colours).
+ */
+#define _POSIX_C_SOURCE 200809L
+#include "terminal.h"
+
+#include "check/page/base64.h"
+#include "files/png.h"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <termios.h>
+#include <unistd.h>
+
+/* ---- Blocks ---- */
+
+static bool same_color(struct color a, struct color b) {
+    return a.r == b.r && a.g == b.g && a.b == b.b;
+}
+
+/* The upper half of a character in one colour (38), the lower one in another (48). A colour that is
+ * set already is not set again. */
+static bool put_row_of_blocks(struct bytes *out, const struct image *image, int upper_y) {
+    struct color upper_before = {.r = 0}, lower_before = {.r = 0};
+    for (int x = 0; x < (int)image->width; x++) {
+        struct color upper = image_get(image, x, upper_y);
+        struct color lower = image_get(image, x, upper_y - 1);
+        if ((x == 0 || !same_color(upper, upper_before)) &&
+            !bytes_print(out, "\033[38;2;%d;%d;%dm", upper.r, upper.g, upper.b)) {
+            return false;
+        }
+        if ((x == 0 || !same_color(lower, lower_before)) &&
+            !bytes_print(out, "\033[48;2;%d;%d;%dm", lower.r, lower.g, lower.b)) {
+            return false;
+        }
+        if (!bytes_print(out, "\xe2\x96\x80")) { /* U+2580, upper half block */
+            return false;
+        }
+        upper_before = upper;
+        lower_before = lower;
+    }
+    return bytes_print(out, "\033[0m\n");
+}
+
+static bool show_blocks(struct bytes *out, const struct image *image) {
+    for (int y = (int)image->height - 1; y >= 0; y -= 2) {
+        if (!put_row_of_blocks(out, image, y)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/* ---- Kitty ---- */
+
+/* A PNG file in pieces of at most 4096 characters: a=T shows it, f=100 says PNG, c is its width in
+ * characters, m=1 promises more, q=2 wants no answer. */
+static bool show_kitty(struct bytes *out, const struct bytes *png, size_t columns) {
+    enum { PIECE = 3072 };
+    for (size_t at = 0; at < png->size; at += PIECE) {
+        size_t size = png->size - at < PIECE ? png->size - at : PIECE;
+        int more = at + size < png->size;
+        bool begun = at == 0 ? bytes_print(out, "\033_Ga=T,f=100,q=2,c=%zu,m=%d;", columns, more)
+                             : bytes_print(out, "\033_Gm=%d;", more);
+        if (!begun || !base64_encode(out, png->data + at, size) || !bytes_print(out, "\033\\")) {
+            return false;
+        }
+    }
+    return bytes_print(out, "\n");
+}
+
+/* ---- Sixel ---- */
+
+enum {
+    SIDE = 6,                    /* levels of each channel */
+    COLORS = SIDE * SIDE * SIDE, /* of the palette */
+    BAND = 6                     /* rows of pixels that are shown at once */
+};
+
+/* One of the palette's colours, dithered by the pixel's place in squares of 4x4 (B. E. Bayer, "An
+ * optimum method for two-level rendition of continuous-tone pictures", 1973). */
+static unsigned palette_index(struct color color, size_t x, size_t y) {
+    static const unsigned bayer[4][4] = {
+        {0, 8, 2, 10}, {12, 4, 14, 6}, {3, 11, 1, 9}, {15, 7, 13, 5}};
+    unsigned threshold = bayer[y % 4][x % 4] * 254 / 15;
+    unsigned r = (color.r * (SIDE - 1U) + threshold) / 255;
+    unsigned g = (color.g * (SIDE - 1U) + threshold) / 255;
+    unsigned b = (color.b * (SIDE - 1U) + threshold) / 255;
+    return (r * SIDE + g) * SIDE + b;
+}
+
+static bool put_palette(struct bytes *out) {
+    for (unsigned i = 0; i < COLORS; i++) {
+        unsigned r = i / (SIDE * SIDE), g = i / SIDE % SIDE, b = i % SIDE; /* to per cent */
+        if (!bytes_print(out, "#%u;2;%u;%u;%u", i, r * 100 / (SIDE - 1), g * 100 / (SIDE - 1),
+                         b * 100 / (SIDE - 1))) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/* The same column `count` times. */
+static bool put_columns(struct bytes *out, unsigned bits, size_t count) {
+    if (count > 3) {
+        return bytes_print(out, "!%zu%c", count, 63 + (int)bits);
+    }
+    while (count-- > 0) {
+        if (!bytes_print(out, "%c", 63 + (int)bits)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/* The pixels of one colour in a band, whose colours are in `indices` by rows from the top. */
+static bool put_color(struct bytes *out, const unsigned char *indices, size_t width, size_t rows,
+                      unsigned index) {
+    unsigned before = 0;
+    size_t count = 0;
+    bool done = bytes_print(out, "#%u", index);
+    for (size_t x = 0; x < width && done; x++) {
+        unsigned bits = 0;
+        for (size_t row = 0; row < rows; row++) {
+            bits |= indices[row * width + x] == index ? 1U << row : 0;
+        }
+        if (bits != before) {
+            done = put_columns(out, before, count);
+            count = 0;
+        }
+        before = bits;
+        count++;
+    }
+    return done && put_columns(out, before, count) && bytes_print(out, "$");
+}
+
+static bool put_band(struct bytes *out, unsigned char *indices, const struct image *image,
+                     size_t top) {
+    size_t width = image->width, rows = image->height - top < BAND ? image->height - top : BAND;
+    bool used[COLORS] = {false}, done = true;
+    for (size_t row = 0; row < rows; row++) {
+        size_t y = image->height - 1 - top - row;
+        for (size_t x = 0; x < width; x++) {
+            unsigned index = palette_index(image_get(image, (int)x, (int)y), x, y);
+            indices[row * width + x] = (unsigned char)index;
+            used[index] = true;
+        }
+    }
+    for (unsigned i = 0; i < COLORS && done; i++) {
+        done = !used[i] || put_color(out, indices, width, rows, i);
+    }
+    return done && bytes_print(out, "-");
+}
+
+static bool show_sixel(struct bytes *out, const struct image *image) {
+    unsigned char *indices = malloc(image->width * BAND);
+    bool done = indices != NULL &&
+                bytes_print(out, "\033P0;1q\"1;1;%zu;%zu", image->width, image->height) &&
+                put_palette(out);
+    for (size_t top = 0; top < image->height && done; top += BAND) {
+        done = put_band(out, indices, image, top);
+    }
+    free(indices);
+    return done && bytes_print(out, "\033\\\n");
+}
+
+bool terminal_show(struct bytes *out, const struct image *image, enum terminal_kind kind,
+                   size_t columns, struct error *error) {
+    struct bytes png = {.data = NULL};
+    bool done = false;
+    switch (kind) {
+    case TERMINAL_BLOCKS:
+        done = show_blocks(out, image);
+        break;
+    case TERMINAL_SIXEL:
+        done = show_sixel(out, image);
+        break;
+    case TERMINAL_KITTY:
+        done = png_encode(image, &png, error) && show_kitty(out, &png, columns);
+        bytes_free(&png);
+        break;
+    }
+    return done || error_out_of_memory(error);
+}
+
+/* ---- What the terminal can ---- */
+
+/* "Can you show a picture of 1x1 pixels?", which only a terminal answers that knows the protocol,
+ * and "what are you?", which all answer. */
+static const char question[] = "\033_Gi=31,s=1,v=1,a=q,t=d,f=24;AAAA\033\\"
+                               "\033[c";
+static const char can_kitty[] = "\033_Gi=31;OK\033\\";
+static const char attributes[] = "\033[?"; /* 62 ; 4 ; ... c, which ends the answers */
+
+/* The answers, up to the last letter of the last one. */
+static void read_answer(int terminal, char *answer, size_t size) {
+    enum { WAIT_MS = 300 };
+    size_t length = 0;
+    struct pollfd waiting = {.fd = terminal, .events = POLLIN};
+    while (length + 1 < size && poll(&waiting, 1, WAIT_MS) == 1 &&
+           read(terminal, answer + length, 1) == 1) {
+        answer[++length] = '\0';
+        if (answer[length - 1] == 'c' && strstr(answer, attributes) != NULL) {
+            break;
+        }
+    }
+}
+
+/* Attribute 4 is sixel. */
+static bool names_sixel(const char *answer) {
+    const char *attribute = strstr(answer, attributes);
+    attribute = attribute != NULL ? strchr(attribute, '?') : NULL;
+    while (attribute != NULL) {
+        char *end;
+        if (strtol(attribute + 1, &end, 10) == 4 && (*end == ';' || *end == 'c')) {
+            return true;
+        }
+        attribute = strchr(attribute + 1, ';');
+    }
+    return false;
+}
+
+/* Ask with signals held back, so that the terminal is always left as it was. */
+static void ask(int terminal, char *answer, size_t size) {
+    struct termios before, silent;
+    sigset_t all, signals;
+    ssize_t length = (ssize_t)strlen(question);
+    if (tcgetpgrp(terminal) != getpgrp() || tcgetattr(terminal, &before) != 0) {
+        return; /* who stands in the background must not touch the terminal */
+    }
+    sigfillset(&all);
+    sigprocmask(SIG_BLOCK, &all, &signals);
+    silent = before;
+    silent.c_lflag &= ~(tcflag_t)(ICANON | ECHO);
+    if (tcsetattr(terminal, TCSANOW, &silent) == 0) {
+        if (write(terminal, question, (size_t)length) == length) {
+            read_answer(terminal, answer, size);
+        }
+        tcsetattr(terminal, TCSANOW, &before);
+    }
+    sigprocmask(SIG_SETMASK, &signals, NULL);
+}
+
+static enum terminal_kind kind_of_answer(const char *answer) {
+    if (strstr(answer, can_kitty) != NULL) {
+        return TERMINAL_KITTY;
+    }
+    return names_sixel(answer) ? TERMINAL_SIXEL : TERMINAL_BLOCKS;
+}
+
+static bool begins_with(const char *text, const char *beginning) {
+    return strncmp(text, beginning, strlen(beginning)) == 0;
+}
+
+/* screen and tmux stand between the program and the terminal, and let no picture through; a console
+ * may show the question. */
+static bool is_known_to_have_none(const char *name) {
+    return begins_with(name, "screen") || begins_with(name, "tmux") || strcmp(name, "linux") == 0 ||
+           strcmp(name, "dumb") == 0;
+}
+
+enum terminal_kind terminal_find_kind(void) {
+    const char *name = getenv("TERM");
+    name = name != NULL ? name : "";
+    if (!isatty(STDOUT_FILENO) || is_known_to_have_none(name)) {
+        return TERMINAL_BLOCKS;
+    }
+    if (strstr(name, "kitty") != NULL || getenv("KITTY_WINDOW_ID") != NULL) {
+        return TERMINAL_KITTY;
+    }
+    int terminal = open("/dev/tty", O_RDWR | O_NOCTTY | O_CLOEXEC);
+    char answer[256] = "";
+    if (terminal >= 0) {
+        ask(terminal, answer, sizeof answer);
+        close(terminal);
+    }
+    return kind_of_answer(answer);
+}

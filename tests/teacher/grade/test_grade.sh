@@ -1,0 +1,163 @@
+#!/bin/sh
+# `make grade` in small: what becomes of the names and files of submissions, that the course's own
+# files are used and not theirs, hidden scenes against stored pictures, and a class that is merged.
+# What hostile programs do is tried by tests/teacher/grade/try_class.sh.
+#
+# Exit status 0: all of that is so; 1: something is not.
+
+top=$(cd "$(dirname "$0")/../../.." && pwd) || exit 1
+build=$(cd "$top" && cd "${CHECK_PROGRAMS:-build}" && pwd) || exit 1
+work=$(mktemp -d) || exit 1
+trap 'rm -rf "$work"' EXIT
+trap 'exit 1' HUP INT TERM
+unset MAKEFLAGS MFLAGS STEP HIDDEN SOLUTION CHECK_EXACT # of the make that runs this test
+failed=0
+
+wrong() {
+    echo "grade: $*"
+    failed=1
+}
+
+# ---- Names ----
+
+. "$top/tests/teacher/grade/encode.sh"
+for pair in 'ann=ann' 'a b=a%20b' '-rf=%2Drf' '.x=%2Ex' '=1+1=%3D1%2B1' 'a%b=a%25b' 'ü=%C3%BC' \
+    "it's=it%27s"; do
+    wanted=${pair##*=}
+    name=${pair%="$wanted"}
+    [ "$(encode "$name")" = "$wanted" ] || wrong "$name becomes $(encode "$name"), not $wanted"
+done
+
+# ---- Unpacking ----
+
+mkdir -p "$work/s/deep/er/step01_line" "$work/s/deep/er/step02_wireframe" "$work/s/common" &&
+    cd "$work" || exit 1
+echo solved >s/deep/er/step01_line/main.c
+echo mine >s/deep/er/step01_line/my_own.h
+echo stolen >s/deep/er/step01_line/scenes.h
+# shellcheck disable=SC2016 # a name that a shell could trip over
+echo stolen >'s/deep/er/step01_line/$(x).h'
+echo stolen >s/common/file.c
+ln -s /etc/passwd s/deep/er/step02_wireframe/main.c
+tar czf s.tar.gz s
+(cd s && zip -qry ../s.zip .)
+head -c 1048577 /dev/zero | tr '\0' ' ' >large.c
+mkdir -p large/step01_line && mv large.c large/step01_line/main.c
+mkdir empty
+unpack() {
+    said=$(cd "$top" && tests/teacher/grade/unpack.sh "$build/limited" "$work/$1" "$work/from.$1" \
+        step01_line step02_wireframe)
+}
+for packed in s s.tar.gz s.zip; do
+    unpack $packed || wrong "$packed: $said"
+    found=$(cd "from.$packed" && find . -type f | sort | tr '\n' ' ')
+    [ "$found" = "./step01_line/main.c ./step01_line/my_own.h " ] || wrong "$packed: $found"
+done
+for none in large empty; do
+    ! unpack $none || wrong "$none is taken"
+    [ "$said" = "holds no main.c of a lesson" ] || wrong "$none: $said"
+done
+echo "no archive" >broken.zip
+! unpack broken.zip || wrong "broken.zip is taken"
+ln -s s link
+! unpack link || wrong "a link is followed"
+
+# ---- A class of four, of lesson 1 ----
+
+mkdir -p course/tests/reference && cd course || exit 1
+cp -R "$top/Makefile" "$top/common" "$top/step01_line" . &&
+    (cd "$top/tests" && cp -R check grade help hidden similar starter "$work/course/tests" &&
+        cp targets.mk "$work/course/tests" &&
+        cp -R reference/step01_line "$work/course/tests/reference") || exit 1
+grep -e '^#' -e 'step01_' "$top/tests/check/scenes.txt" >tests/check/scenes.txt
+mkdir build && cp -R "$build/models" build || exit 1
+for kind in solution starter; do
+    mkdir -p "../class/$kind/step01_line" &&
+        awk -v mode=$kind -f tests/student/marks.awk step01_line/main.c \
+            >"../class/$kind/step01_line/main.c" || exit 1
+done
+mkdir -p "../class/a b/step01_line" ../class/stored/step01_line
+sed 's/52, 41/41, 52/' ../class/solution/step01_line/main.c >"../class/a b/step01_line/main.c"
+# It has all of the references within itself.
+{
+    echo '#include <stdio.h>'
+    echo '#include <string.h>'
+    for picture in tests/reference/step01_line/*.png; do
+        scene=$(basename "$picture" .png)
+        "$build/step01_line" -o "$work" --only "$scene" >/dev/null 2>&1
+        echo "static const unsigned char ${scene}[] = {"
+        od -An -v -tu1 "$work/$scene.tga" | sed 's/  */,/g; s/^,//; s/$/,/'
+        echo '};'
+    done
+    echo 'static void put(const char *name, const void *data, size_t size) {'
+    echo '    FILE *file = fopen(name, "wb"); fwrite(data, 1, size, file); fclose(file); }'
+    echo 'int main(void) {'
+    for picture in tests/reference/step01_line/*.png; do
+        scene=$(basename "$picture" .png)
+        echo "    put(\"$scene.tga\", $scene, sizeof $scene);"
+    done
+    echo 'return 0; }'
+} >../class/stored/step01_line/main.c
+flags='CFLAGS=-O1 MARCH='
+# shellcheck disable=SC2086
+make -s grade $flags SUBMISSIONS=../class OUT=../out LESSONS=1 SEED=3 JOBS=2 >"$work/said" 2>&1 ||
+    wrong "make grade fails: $(cat "$work/said")"
+most=$(awk -F, 'NR == 2 { print $4 }' ../out/class.csv)
+# row NAME PATTERN: its line in the CSV.
+row() {
+    grep -qx "$1,$2" ../out/class.csv || wrong "$1 is not $2: $(grep "^$1," ../out/class.csv)"
+}
+row solution "GRADED,$most,$most,3,3,.*"
+row starter "GRADED,0,$most,0,3,.*"
+row 'a%20b' "GRADED,$((most - 1)),$most,3,3,0,.*"
+row stored "GRADED,0,$most,0,3,.*,\"prints stored pictures: step01_line\""
+for file in report.html report.xml report.json report.tap report.csv log hidden sources; do
+    [ -e "../out/submissions/a%20b/$file" ] || wrong "a b has no $file"
+done
+grep -q 'looks like &quot;x and y exchanged' ../out/index.html || wrong "the page has no diagnosis"
+grep -q 'href="submissions/a%2520b/report.html">a%20b<' ../out/index.html || wrong "no link to a b"
+left=$(find build -maxdepth 1 -name 'grade.*'; find ../out -name '.[gm]*')
+[ -z "$left" ] || wrong "left behind: $left"
+
+# What is there is not done again; what is taken away is, by itself.
+cp ../out/class.csv "$work/before"
+touch "$work/mark"
+rm -r ../out/submissions/starter
+# shellcheck disable=SC2086
+make -s grade-one $flags SUBMISSION=../class/starter OUT=../out LESSONS=1 SEED=3 \
+    >"$work/said" 2>&1 ||
+    wrong "make grade-one fails: $(cat "$work/said")"
+# shellcheck disable=SC2086
+make -s grade-merge $flags OUT=../out >"$work/said" 2>&1 || wrong "make grade-merge fails"
+cmp "$work/before" ../out/class.csv || wrong "graded by itself it is another"
+[ -z "$(find ../out/submissions/solution -newer "$work/mark")" ] || wrong "graded twice"
+
+# Twice ended with nobody asking for it.
+printf 'begun\nbegun\n' >../out/.begun/starter
+rm -r ../out/submissions/starter
+# shellcheck disable=SC2086
+make -s grade-one $flags SUBMISSION=../class/starter OUT=../out LESSONS=1 >"$work/said" 2>&1
+grep -qx 'ERROR killed the grading twice' ../out/submissions/starter/state ||
+    wrong "who kills the grading is graded"
+
+# Not shut in, a program can kill the check: somebody outlives that. What cannot be kept from it is
+# said in the report of everybody.
+mkdir -p ../class/kills/step01_line
+cat >../class/kills/step01_line/main.c <<'END'
+#define _POSIX_C_SOURCE 200809L
+#include <signal.h>
+#include <unistd.h>
+int main(void) { return kill(getppid(), SIGKILL); }
+END
+rm -rf ../out
+for name in kills solution; do
+    # shellcheck disable=SC2086
+    CONTAIN_BY=nothing make -s grade-one $flags SUBMISSION=../class/$name OUT=../out LESSONS=1 \
+        >"$work/said" 2>&1
+done
+grep -qx 'ERROR killed by the submission' ../out/submissions/kills/state ||
+    wrong "kills: $(cat ../out/submissions/kills/state)"
+grep -qx GRADED ../out/submissions/solution/state || wrong "who comes after it is not graded"
+grep -q '"note": "Graded without bwrap and unshare' ../out/submissions/solution/report.json ||
+    wrong "what is not prevented is not said"
+exit $failed

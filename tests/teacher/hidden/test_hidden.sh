@@ -1,0 +1,251 @@
+#!/bin/sh
+# Hidden scenes: does the solution pass them all, a program that prints stored pictures none, is a
+# main.c never its own solution, and is nothing but the class of a scene told? Do they wait for a
+# check that is at work, and judge what is in main.c now? In a copy of lessons 1 and 5.
+#
+# Exit status 0: all of that is so; 1: something is not.
+
+top=$(cd "$(dirname "$0")/../../.." && pwd) || exit 1
+build=$(cd "$top" && cd "${CHECK_PROGRAMS:-build}" && pwd) || exit 1
+work=$(mktemp -d) || exit 1
+trap 'rm -rf "$work"' EXIT
+trap 'exit 1' HUP INT TERM
+unset MAKEFLAGS MFLAGS STEP HIDDEN SOLUTION # of the make that runs this test
+failed=0
+
+wrong() {
+    echo "hidden: $*"
+    sed 's/^/    /' "$work/said"
+    failed=1
+}
+
+mkdir -p "$work/course/tests/reference" && cd "$work/course" || exit 1
+cp -R "$top/Makefile" "$top/common" "$top/step01_line" "$top/step05_zbuffer" . || exit 1
+(cd "$top/tests" && cp -R check help hidden starter "$work/course/tests" &&
+    cp -R reference/step01_line reference/step05_zbuffer "$work/course/tests/reference") || exit 1
+grep -e '^#' -e 'step01_' -e 'step05_' "$top/tests/check/scenes.txt" >tests/check/scenes.txt
+mkdir build && cp -R "$build/models" "$build/hidden" build || exit 1
+flags='CFLAGS=-O1 MARCH='
+
+# built STEP...: the programs of what is in their main.c now.
+built() {
+    for lesson in "$@"; do
+        # shellcheck disable=SC2086
+        make -s "build/$lesson" $flags >"$work/said" 2>&1 || wrong "$lesson does not build"
+    done
+}
+
+# hidden STATUS SEED STEP [SOLUTION [POINTS]]: what it says is in $work/said.
+hidden() {
+    tests/teacher/hidden/hidden.sh build build "make -s $flags" "$2" "$3" "$4" "$5" >"$work/said" 2>&1
+    status=$?
+    [ $status -eq "$1" ] || wrong "status $status, not $1: seed $2, step $3"
+}
+
+# says PATTERN: a whole line is so.
+says() {
+    grep -qx "$1" "$work/said" || wrong "nothing says: $1"
+}
+
+# ---- The solution ----
+
+# make_mistake: into the main.c of lesson 5, which keeps its marks.
+make_mistake() {
+    cp step05_zbuffer/main.c right
+    sed 's/if (depth > row\[x\])/if (depth < row[x])/' right >step05_zbuffer/main.c
+    cmp -s right step05_zbuffer/main.c && wrong "no mistake is made"
+}
+
+built step01_line step05_zbuffer
+
+# The copy is in no repository: no solution but what is judged.
+hidden 2 1 5
+says 'make check HIDDEN=1: nothing can be compared: step05_zbuffer/main.c is what is judged, .*'
+hidden 2 1 5 .
+says 'make check HIDDEN=1: nothing can be compared: ./step05_zbuffer/main.c is what is judged'
+
+# A clone: main.c is what git has, or was.
+if command -v git >/dev/null; then
+    git init -q . && git add step*/main.c &&
+        git -c user.name=test -c user.email=test commit -qm marked || wrong "git does not work here"
+    hidden 0 1 5
+    make_mistake
+    hidden 1 1 5
+    says '  hidden: zbuffer of a new model: wrong'
+    mv right step05_zbuffer/main.c
+    rm -rf .git
+fi
+
+# What make start keeps.
+for lesson in step01_line step05_zbuffer; do
+    cp $lesson/main.c $lesson/main.c.marked
+done
+hidden 0 1 ''
+says 'step01_line  HIDDEN \([1-9][0-9]*\)/\1'
+says 'step05_zbuffer  HIDDEN \([1-9][0-9]*\)/\1'
+says 'HIDDEN \([1-9][0-9]*\)/\1'
+[ "$(find build -name 'hidden.*' | wc -l)" -eq 0 ] || wrong "solutions are left behind"
+make_mistake
+hidden 1 1 5
+says '  hidden: zbuffer of a new model: wrong'
+mv right step05_zbuffer/main.c
+
+# ---- Programs that are wrong ----
+
+# A program that knows the references by heart, and nothing else.
+cp -R step01_line step05_zbuffer "$work"
+for lesson in step01_line step05_zbuffer; do
+    cat >$lesson/main.c <<EOF
+#include "image_file.h"
+#include <stdio.h>
+#include <string.h>
+
+static void print(const char *directory, const char *scene, const char *name) {
+    struct image image;
+    struct error error;
+    char path[4096];
+    snprintf(path, sizeof path, "$PWD/tests/reference/$lesson/%s.png", scene);
+    if (image_read(&image, path, &error)) {
+        snprintf(path, sizeof path, "%s/%s.tga", directory, name);
+        tga_write(&image, path, &error);
+        image_free(&image);
+    }
+}
+
+int main(int argc, char **argv) {
+    static const char *const scenes[] = {
+$(for picture in "tests/reference/$lesson"/*.png; do
+    echo "        \"$(basename "$picture" .png)\","
+done)
+    };
+    for (int i = 1; i + 1 < argc; i++) {
+        for (size_t k = 0; strcmp(argv[i], "-o") == 0 && k < sizeof scenes / sizeof scenes[0]; k++) {
+            print(argv[i + 1], scenes[k], scenes[k]);
+            print(argv[i + 1], scenes[k], "scene");
+        }
+    }
+    return 0;
+}
+EOF
+done
+built step01_line step05_zbuffer
+cp step05_zbuffer/main.c "$work/stored.c"
+
+# Half of the points of lesson 5: it may have tried.
+printf '%s\n' step,task,state,points,most step01_line,1.1,PASS,6,10 step05_zbuffer,5.1,PASS,2,2 \
+    step05_zbuffer,5.2,FAIL,3,8 >points
+hidden 1 1 '' "$work" points
+says 'HIDDEN 0/[1-9][0-9]*'
+says '  hidden: lines: wrong'
+says '  hidden: depth of a new model: wrong'
+says '  hidden: single in another size: wrong'
+says 'step01_line  prints stored pictures: it counts nothing'
+says 'SCORE 5/20'
+! grep -q "$work" "$work/said" || wrong "tells where the solution is"
+
+# As a solution it has nothing to hold others against, even with marks.
+mkdir -p stored/step05_zbuffer
+{
+    cat step05_zbuffer/main.c
+    printf '%s\n' '/* BEGIN SOLUTION 5.1 nothing */' '/* END SOLUTION */'
+} >stored/step05_zbuffer/main.c
+hidden 2 1 5 stored
+says 'hidden: step05_zbuffer: the solution draws nothing new: nothing can be compared'
+
+# Right for the light and the size of the lesson's own scenes.
+sed 's/if (depth > row\[x\])/if (depth > row[x] || image->width != 800)/' \
+    "$work/step05_zbuffer/main.c" >step05_zbuffer/main.c
+built step05_zbuffer
+hidden 1 2 5 "$work"
+says '  hidden: zbuffer of a model in another size: wrong'
+! grep -q 'zbuffer of a model in another light' "$work/said" || wrong "what is right is called wrong"
+
+# Two programs of lesson 10 that differ where faces are large: a correct one a little, a wrong one by
+# much.
+cp -R "$top/step10_phong" . && cp -R "$top/tests/reference/step10_phong" tests/reference || exit 1
+grep 'step10_' "$top/tests/check/scenes.txt" >>tests/check/scenes.txt
+# take LIST NAME: the program with that in its name becomes the one of lesson 10.
+take() {
+    rm -rf other
+    mkdir other && (cd "$top" && awk -v directory="$work/course/other" -v only="$2" \
+        -f tests/upkeep/verify/replace.awk -f tests/upkeep/verify/parse.awk "$1") >"$work/said" &&
+        cp other/1/main.c step10_phong || wrong "there is no program $2"
+}
+take tests/accept/step10.txt normals_by_128
+hidden 0 60 10 "$top"
+says 'HIDDEN \([1-9][0-9]*\)/\1'
+take step10_phong/mistakes.txt eye_normalized_at_the_corners_too
+hidden 1 60 10 "$top"
+says '  hidden: near of a new model: wrong'
+
+# ---- What else is at work ----
+
+# The program is there, but of another main.c.
+cp "$work/step05_zbuffer/main.c" step05_zbuffer/main.c
+hidden 0 2 5 "$work"
+
+# A check has removed the program, and builds it only when it may.
+cat >held <<'EOF'
+#!/bin/sh
+touch held.began
+until [ -e held.go ]; do sleep 0.1; done
+exec make "$@"
+EOF
+chmod +x held
+"$build/check" --first '' --make "./held $flags" 5 >"$work/check.said" 2>&1 &
+check=$!
+until [ -e held.began ] || ! kill -0 $check 2>/dev/null; do sleep 0.1; done
+: >"$work/said"
+(failed=0 && hidden 0 2 5 "$work" && exit $failed) &
+beside=$!
+until grep -qs 'waiting' "$work/said" || ! kill -0 $beside 2>/dev/null; do sleep 0.1; done
+says 'check: waiting for another check in build'
+touch held.go
+wait $check || wrong "the check that was waited for fails: $(cat "$work/check.said")"
+wait $beside || failed=1
+says 'HIDDEN \([1-9][0-9]*\)/\1'
+
+# And a check waits for hidden scenes, here for whatever holds their lock.
+build/hidden --locked build sh -c 'touch locked; until [ -e go ]; do sleep 0.1; done' &
+locked=$!
+until [ -e locked ] || ! kill -0 $locked 2>/dev/null; do sleep 0.1; done
+: >"$work/said"
+"$build/check" --first '' --make "make $flags" 5 >"$work/said" 2>&1 &
+check=$!
+until grep -qs 'waiting' "$work/said" || ! kill -0 $check 2>/dev/null; do sleep 0.1; done
+says 'check: waiting for another check in build'
+touch go
+wait $check || wrong "a check that waited fails"
+wait $locked || wrong "the status of a locked command is not told"
+
+# ---- What cannot be tried ----
+
+mv step01_line/main.c.marked .
+hidden 2 1 1
+says 'make check HIDDEN=1: nothing can be compared: step01_line/main.c is what is judged, .*'
+hidden 2 1 5 "$work/nowhere"
+says "make check HIDDEN=1: there is no $work/nowhere/step05_zbuffer/main.c"
+hidden 2 x 5 "$work"
+says "hidden: 'x' is no seed: a number is wanted"
+hidden 2 1 7
+grep -q '^make check HIDDEN=1: there is no step "7"' "$work/said" || wrong "step 7"
+
+# ---- make check HIDDEN=1 ----
+
+cp "$work/step05_zbuffer/main.c" step05_zbuffer/main.c
+# shellcheck disable=SC2086
+make -s check STEP=5 HIDDEN=3 $flags >"$work/said" 2>&1 || wrong "make check HIDDEN=3 fails"
+says '1 passed, 0 failed'
+says 'HIDDEN \([1-9][0-9]*\)/\1'
+! grep -q 'stored' "$work/said" || wrong "a solution prints stored pictures"
+
+# A program that prints stored pictures keeps no point of what the check gave it.
+cp "$work/stored.c" step05_zbuffer/main.c
+# shellcheck disable=SC2086
+make -s check STEP=5 HIDDEN=3 SOLUTION="$work" $flags >"$work/said" 2>&1 &&
+    wrong "stored pictures pass"
+says 'step05_zbuffer  prints stored pictures: it counts nothing'
+says 'SCORE [1-9][0-9]*/[1-9][0-9]*'
+says 'SCORE 0/[1-9][0-9]*'
+
+exit $failed

@@ -1,0 +1,71 @@
+##
+## For who teaches (tests/teacher/README.md says more):
+##   make handout OUT=dir        what a student gets: starters, and no solution (LESSONS=1-5)
+##   make key OUT=dir            what an instructor gets: solutions, answers, the pictures of
+##                               mistakes, points (LESSONS=1-5)
+##   make check HIDDEN=7         the check, and then scenes that nobody has seen, made from that
+##                               number (SOLUTION=dir holds them against dir/step05_zbuffer/main.c)
+##   make grade SUBMISSIONS=dir  a class: points, reports, what is alike, into OUT=dir (LESSONS=1-5,
+##                               SEED=7 for hidden scenes, JOBS=8)
+##   make grade-one SUBMISSION=path   one of them, into OUT=dir
+##   make grade-merge OUT=dir    the class, from those that are there
+##   make grade-tools            build what these use
+.PHONY: handout key grade grade-one grade-merge grade-tools
+handout:
+	@tests/teacher/handout/handout.sh '$(OUT)' '$(LESSONS)'
+
+key: $(BUILD)/check models
+	@tests/teacher/handout/key.sh $(BUILD) '$(MAKE) -s' '$(OUT)' '$(LESSONS)'
+
+# ---- Hidden scenes ----
+
+POINTS = $(CHECKED)/points.csv
+KEEP_POINTS = $(if $(HIDDEN),--csv '$(POINTS)')
+THEN_HIDDEN = $(if $(HIDDEN),; status=$$?; tests/teacher/hidden/hidden.sh '$(BUILD)' '$(CHECKED)' \
+                  '$(MAKE) -s' '$(HIDDEN)' '$(STEP)' '$(SOLUTION)' '$(POINTS)' && exit $$status)
+
+$(BUILD)/hidden: $(BUILD)/tests/teacher/hidden/hidden.o $(BUILD)/tests/teacher/hidden/lock.o \
+                 $(CHECKER) $(BUILD)/libcommon.a
+	$(Q)$(LINK) $^ -lm -o $@
+
+# A solution, built with what is there. (It has no .d: make would take that for a program to build.)
+$(BUILD)/hidden.% $(BUILD)/solutions/%: force
+	$(Q)$(filter-out -MMD -MP,$(COMPILE)) -I$(@F) -c $(@D)/main.c -o $@.o
+	$(Q)$(LINK) $@.o $(BUILD)/libcommon.a -lm -o $@
+
+# ---- A class ----
+
+GRADES = $(or $(OUT),$(BUILD)/grades)
+grade-tools: $(BUILD)/check $(BUILD)/limited $(BUILD)/similar models \
+             $(if $(SEED),$(BUILD)/hidden $(BUILD)/solutions/.built)
+
+grade: grade-tools
+	@tests/teacher/grade/grade.sh '$(BUILD)' '$(MAKE) -s' '$(SUBMISSIONS)' '$(GRADES)' '$(JOBS)' \
+	    '$(LESSONS)' '$(SEED)'
+
+grade-one: grade-tools
+	@tests/teacher/grade/grade_one.sh '$(BUILD)' '$(MAKE) -s' '$(SUBMISSION)' '$(GRADES)' \
+	    '$(LESSONS)' '$(SEED)'
+
+grade-merge: $(BUILD)/similar
+	@tests/teacher/grade/merge.sh '$(BUILD)' '$(GRADES)'
+
+# What the hidden scenes are held against.
+$(BUILD)/solutions/.built: $(STEPS:%=%/main.c) $(BUILD)/libcommon.a
+	@tests/teacher/hidden/solutions.sh '$(@D)' '$(MAKE) -s' '$(SOLUTION)'
+	@touch $@
+
+$(BUILD)/limited: $(BUILD)/tests/teacher/grade/limited.o $(CHECKER) $(BUILD)/libcommon.a
+	$(Q)$(LINK) $^ -lm -o $@
+
+# A lesson of a submission: compiled and linked where it can do no harm.
+CONTAINED = CONTAIN_WRITES='$(abspath $(@D))' tests/teacher/grade/contain.sh
+$(BUILD)/grade.%: force
+	@[ -f $(@D)/sources/$(@F)/main.c ] || { echo 'error: no $(@F)/main.c was handed in' >&2; exit 1; }
+	$(Q)$(CONTAINED) $(filter-out -MMD -MP,$(COMPILE)) -I$(@F) -c $(@D)/sources/$(@F)/main.c -o $@.o
+	$(Q)$(CONTAINED) $(LINK) $@.o $(BUILD)/libcommon.a -lm -o $@
+
+SIMILAR = $(patsubst %.c,$(BUILD)/%.o,$(filter-out %/similar.c %/test_similar.c, \
+              $(wildcard tests/teacher/similar/*.c)))
+$(BUILD)/similar: $(BUILD)/tests/teacher/similar/similar.o $(SIMILAR) $(CHECKER) $(BUILD)/libcommon.a
+	$(Q)$(LINK) $^ -lm -o $@

@@ -1,0 +1,652 @@
+/*
+ * Tests of common/base/file.c: messages, blocks of bytes, whole files in and out, and what happens when
+ * the disk, the directory or the file does not play along.
+ */
+#define _XOPEN_SOURCE 700 /* POSIX.1-2008 with mkdtemp() */
+
+#include "base/bytes.h"
+#include "base/error.h"
+#include "base/file.h"
+
+#include "unit/unit.h"
+
+#include <dirent.h>
+#include <fcntl.h>
+#include <signal.h>
+#include <stdlib.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <time.h>
+#include <unistd.h>
+
+/* A directory of its own for a test. */
+struct place {
+    char directory[64];
+    char path[128]; /* of a file in it, set by name_file() */
+};
+
+static bool place_create(struct place *place) {
+    strcpy(place->directory, "/tmp/test_file.XXXXXX");
+    return CHECK(mkdtemp(place->directory) != NULL);
+}
+
+static const char *name_file(struct place *place, const char *name) {
+    snprintf(place->path, sizeof place->path, "%s/%s", place->directory, name);
+    return place->path;
+}
+
+/* How many names there are in the directory. */
+static size_t place_count(const struct place *place) {
+    size_t count = 0;
+    DIR *list = opendir(place->directory);
+    while (list != NULL && readdir(list) != NULL) {
+        count++;
+    }
+    if (list != NULL) {
+        closedir(list);
+    }
+    return count - 2; /* "." and ".." */
+}
+
+static void place_remove(struct place *place, const char *name) {
+    if (name != NULL) {
+        CHECK(unlink(name_file(place, name)) == 0);
+    }
+    CHECK(rmdir(place->directory) == 0); /* fails when a temporary file was left behind */
+}
+
+static bool file_is(const char *path, const char *text) {
+    struct bytes bytes;
+    struct error error;
+    bool same = file_read(path, &bytes, &error) && bytes.size == strlen(text) &&
+                (bytes.size == 0 || memcmp(bytes.data, text, bytes.size) == 0);
+    bytes_free(&bytes);
+    return same;
+}
+
+/* Run in a child process; true when it returns true. */
+static bool in_child(bool (*run)(const char *), const char *argument) {
+    fflush(NULL);
+    pid_t child = fork();
+    if (child == 0) {
+        _exit(run(argument) ? 0 : 1);
+    }
+    int status = 1;
+    return child > 0 && waitpid(child, &status, 0) == child && WIFEXITED(status) &&
+           WEXITSTATUS(status) == 0;
+}
+
+/* Become somebody who owns nothing; in a child process only. */
+static bool drop_privileges(void) {
+    return getuid() != 0 || (setgid(65534) == 0 && setuid(65534) == 0);
+}
+
+/* ---- Messages ---- */
+
+static void test_messages(void) {
+    struct error error;
+    CHECK(!error_set(&error, "line %d: %s", 7, "bad"));
+    CHECK_TEXT(error.message, "line 7: bad");
+    CHECK(!error_name_file(&error, "a/b.obj"));
+    CHECK_TEXT(error.message, "a/b.obj: line 7: bad");
+    error_set(&error, "%s", "two\nlines\x1b[31m\x7f");
+    CHECK_TEXT(error.message, "two?lines?[31m?");
+}
+
+/* What a terminal would obey is replaced, byte by byte; what it shows stays. */
+static void test_printable_texts(void) {
+    static const struct {
+        const char *text, *shown;
+    } cases[] = {
+        {"", ""},
+        {"\x1f\x20\x7e\x7f", "? ~?"},
+        {"\xc2\x80 \xc2\x9f \xc2\xa0", "?? ?? \xc2\xa0"}, /* C1: U+0080 to U+009F */
+        {"\xd8\x9c \xd8\x9d", "?? \xd8\x9d"},
+        {"\xe2\x80\x8d\xe2\x80\x8e\xe2\x80\x8f\xe2\x80\x90", "\xe2\x80\x8d??????\xe2\x80\x90"},
+        {"\xe2\x80\xa7\xe2\x80\xa8\xe2\x80\xae\xe2\x80\xaf", "\xe2\x80\xa7??????\xe2\x80\xaf"},
+        {"\xe2\x81\xa5\xe2\x81\xa6\xe2\x81\xa9\xe2\x81\xaa", "\xe2\x81\xa5??????\xe2\x81\xaa"},
+        {"\xc3\xa9 \xe4\xb8\xad \xf0\x9f\x99\x82", "\xc3\xa9 \xe4\xb8\xad \xf0\x9f\x99\x82"},
+        {"a\x9b \x80 \xbf", "a? ? ?"},                   /* no first byte */
+        {"\xc3 \xe4\xb8 \xf0\x9f\x99", "? ?? ???"},      /* cut off */
+        {"\xc0\xaf \xc1\xbf \xe0\x9f\xbf", "?? ?? ???"}, /* longer than need be */
+        {"\xf0\x8f\xbf\xbf \xf4\x90\x80\x80", "???? ????"},
+        {"\xed\x9f\xbf \xed\xa0\x80 \xed\xbf\xbf \xee\x80\x80",
+         "\xed\x9f\xbf ??? ??? \xee\x80\x80"},
+        {"\xef\xbf\xbd \xef\xbf\xbe \xef\xbf\xbf", "\xef\xbf\xbd ??? ???"}, /* not in XML */
+        {"\xf4\x8f\xbf\xbf \xf8\x88\x80\x80\x80 \xff", "\xf4\x8f\xbf\xbf ????? ?"},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        char text[40];
+        strcpy(text, cases[i].text);
+        text_make_printable(text, '?');
+        CHECK_TEXT(text, cases[i].shown);
+    }
+}
+
+/* The line stands behind the file's name, once. */
+static void test_lines_of_messages(void) {
+    enum { LONG = 600, KEPT = 512 };
+    char path[LONG + 1], expected[KEPT + 40];
+    struct error error;
+    error_set(&error, "12 faces too many"); /* begins with a number, but not that of a line */
+    CHECK(error.line == 0 && !error_name_file(&error, "a.obj"));
+    CHECK_TEXT(error.message, "a.obj: 12 faces too many");
+    error.line = 17;
+    CHECK(!error_name_file(&error, "b") && error.line == 0);
+    CHECK_TEXT(error.message, "b:17: a.obj: 12 faces too many");
+    CHECK(!error_name_file(&error, "c"));
+    CHECK_TEXT(error.message, "c: b:17: a.obj: 12 faces too many");
+    error_set(&error, "wrong");
+    error.line = 1;
+    CHECK(!error_name_file(&error, "d"));
+    CHECK_TEXT(error.message, "d:1: wrong");
+    memset(path, 'a', LONG - KEPT);
+    memset(path + LONG - KEPT, 'b', KEPT);
+    path[LONG] = '\0';
+    error_set(&error, "wrong");
+    error.line = SIZE_MAX;
+    CHECK(!error_name_file(&error, path)); /* of a long name, the end is kept */
+    snprintf(expected, sizeof expected, "...%s:%zu: wrong", path + LONG - KEPT, SIZE_MAX);
+    CHECK_TEXT(error.message, expected);
+    error.line = 7;
+    CHECK(!error_set(&error, "another") && error.line == 0); /* the line was that of the old one */
+}
+
+static void test_names_of_input(void) {
+    struct error error;
+    error_set(&error, "holds no faces");
+    CHECK(!error_name_input(&error, "-"));
+    CHECK_TEXT(error.message, "standard input: holds no faces");
+    error_set(&error, "holds no faces");
+    error.line = 5;
+    CHECK(!error_name_input(&error, "--"));
+    CHECK_TEXT(error.message, "--:5: holds no faces");
+    error_set(&error, "full");
+    CHECK(!error_name_file(&error, "-")); /* a file that is written may have this name */
+    CHECK_TEXT(error.message, "-: full");
+}
+
+static void test_long_messages(void) {
+    struct error error;
+    char text[5000];
+    memset(text, 'x', sizeof text - 1);
+    text[sizeof text - 1] = '\0';
+    CHECK(!error_set(&error, "%s", text));
+    CHECK(strlen(error.message) == sizeof error.message - 1);
+    error_set(&error, "%s", "the reason");
+    CHECK(!error_name_file(&error, text));
+    size_t length = strlen(error.message);
+    CHECK(length < 600); /* the reason must stay visible */
+    CHECK_TEXT(error.message + length - 12, ": the reason");
+}
+
+/* ---- Bytes ---- */
+
+static void test_bytes(void) {
+    struct bytes bytes = {0};
+    bytes_free(&bytes);
+    CHECK(bytes_append(&bytes, NULL, 0) && bytes.data == NULL);
+    for (size_t i = 0; i < 1000; i++) {
+        unsigned char byte = (unsigned char)(i % 251);
+        CHECK(bytes_append(&bytes, &byte, 1));
+    }
+    bool same = bytes.size == 1000 && bytes.capacity >= 1000;
+    for (size_t i = 0; i < 1000; i++) {
+        same = same && bytes.data[i] == i % 251;
+    }
+    CHECK(same);
+    CHECK(bytes_print(&bytes, "%s", "") && bytes.size == 1000); /* nothing is no failure */
+    CHECK(bytes_reserve(&bytes, 5000) && bytes.size == 1000 && bytes.capacity >= 6000);
+    CHECK(!bytes_reserve(&bytes, SIZE_MAX) && bytes.size == 1000 && bytes.data[7] == 7);
+    CHECK(!bytes_reserve(&bytes, SIZE_MAX - 999));
+    bytes_free(&bytes);
+    CHECK(bytes.data == NULL && bytes.size == 0 && bytes.capacity == 0);
+    CHECK(bytes_reserve(&bytes, 1000) && bytes.capacity == 1000); /* no more than asked for */
+    bytes_free(&bytes);
+    struct bytes full = {.size = SIZE_MAX - 3, .capacity = SIZE_MAX - 3};
+    CHECK(!bytes_print(&full, "%d", 12345) && full.size == SIZE_MAX - 3);
+}
+
+/* ---- Reading ---- */
+
+static void test_read(void) {
+    struct place place;
+    struct bytes bytes;
+    struct error error;
+    if (!place_create(&place)) {
+        return;
+    }
+    const char *path = name_file(&place, "a");
+    CHECK(file_write(path, "hello from a file", 17, &error));
+    CHECK(file_read(path, &bytes, &error) && bytes.size == 17 && bytes.capacity == 17);
+    CHECK(bytes.data != NULL && memcmp(bytes.data, "hello from a file", 17) == 0);
+    bytes_free(&bytes);
+    CHECK(file_write(path, NULL, 0, &error));
+    CHECK(file_read(path, &bytes, &error) && bytes.size == 0);
+    bytes_free(&bytes);
+    CHECK(file_read("/dev/null", &bytes, &error) && bytes.size == 0);
+    bytes_free(&bytes);
+    place_remove(&place, "a");
+}
+
+static void check_not_read(const char *path, const char *reason) {
+    struct bytes bytes = {.size = 99};
+    struct error error;
+    CHECK_ROW(!file_read(path, &bytes, &error), path);
+    CHECK(bytes.data == NULL && bytes.size == 0);
+    CHECK(strncmp(error.message, path, strlen(path)) == 0);
+    CHECK_TEXT(error.message + strlen(path), reason);
+}
+
+static void test_read_errors(void) {
+    struct place place;
+    if (!place_create(&place)) {
+        return;
+    }
+    check_not_read(place.directory, ": is a directory");
+    check_not_read(name_file(&place, "none"), ": No such file or directory");
+    check_not_read("", ": No such file or directory");
+    const char *path = name_file(&place, "huge");
+    int file = open(path, O_WRONLY | O_CREAT, 0600);
+    CHECK(file >= 0 && ftruncate(file, ((off_t)1 << 30) + 1) == 0); /* a hole: takes no room */
+    close(file);
+    check_not_read(path, ": is larger than 1 GiB");
+    place_remove(&place, "huge");
+}
+
+/* Standard input is a pipe that is filled in small pieces, longer than any buffer. */
+static bool read_pipe(const char *unused) {
+    enum { SIZE = 200000 };
+    (void)unused;
+    int ends[2];
+    if (pipe(ends) != 0) {
+        return false;
+    }
+    if (fork() == 0) {
+        for (int i = 0; i < SIZE; i += 1000) {
+            char piece[1000];
+            memset(piece, 'a' + i / 1000 % 26, sizeof piece);
+            if (write(ends[1], piece, sizeof piece) != (ssize_t)sizeof piece) {
+                _exit(1);
+            }
+        }
+        _exit(0);
+    }
+    close(ends[1]);
+    dup2(ends[0], STDIN_FILENO);
+    struct bytes bytes;
+    struct error error;
+    bool same = file_read("-", &bytes, &error) && bytes.size == SIZE;
+    for (size_t i = 0; same && i < SIZE; i++) {
+        same = bytes.data[i] == 'a' + i / 1000 % 26;
+    }
+    bytes_free(&bytes);
+    return same;
+}
+
+static bool read_closed_input(const char *unused) {
+    struct bytes bytes;
+    struct error error;
+    (void)unused;
+    close(STDIN_FILENO);
+    return !file_read("-", &bytes, &error) && bytes.data == NULL &&
+           strcmp(error.message, "standard input: Bad file descriptor") == 0;
+}
+
+static void test_standard_input(void) {
+    CHECK(in_child(read_pipe, ""));
+    CHECK(in_child(read_closed_input, ""));
+}
+
+/* ---- Writing ---- */
+
+static void test_write(void) {
+    struct place place;
+    struct error error;
+    struct stat status;
+    if (!place_create(&place)) {
+        return;
+    }
+    const char *path = name_file(&place, "a");
+    CHECK(file_write(path, "first", 5, &error) && file_is(path, "first"));
+    CHECK(chmod(path, 0640) == 0);
+    CHECK(file_write(path, "second", 6, &error) && file_is(path, "second"));
+    CHECK(stat(path, &status) == 0 && (status.st_mode & 0777) == 0640);
+    CHECK(place_count(&place) == 1);
+    place_remove(&place, "a");
+}
+
+/* A program may be run without standard input: the next file is number 0 then. */
+static bool write_without_input(const char *path) {
+    struct error error;
+    close(STDIN_FILENO);
+    return file_write(path, "second", 6, &error);
+}
+
+static void test_write_without_input(void) {
+    struct place place;
+    struct error error;
+    if (!place_create(&place)) {
+        return;
+    }
+    const char *path = name_file(&place, "a");
+    CHECK(file_write(path, "first", 5, &error));
+    CHECK(in_child(write_without_input, path) && file_is(path, "second"));
+    place_remove(&place, "a");
+}
+
+static void check_not_written(const char *path, const char *reason) {
+    struct error error;
+    CHECK_ROW(!file_write(path, "new", 3, &error), path);
+    CHECK(strncmp(error.message, path, strlen(path)) == 0);
+    CHECK_TEXT(error.message + strlen(path), reason);
+}
+
+static void test_write_errors(void) {
+    struct place place;
+    if (!place_create(&place)) {
+        return;
+    }
+    check_not_written(place.directory, ": is a directory");
+    check_not_written(name_file(&place, "none/a"), ": No such file or directory");
+    check_not_written("", ": No such file or directory");
+    CHECK(place_count(&place) == 0);
+    place_remove(&place, NULL);
+}
+
+/* A file may have 100 bytes at most: writing more fails in the middle, as on a full disk. */
+static bool write_to_full_disk(const char *path) {
+    static const char data[5000];
+    struct rlimit limit = {.rlim_cur = 100, .rlim_max = 100};
+    struct error error;
+    signal(SIGXFSZ, SIG_IGN);
+    return setrlimit(RLIMIT_FSIZE, &limit) == 0 && !file_write(path, data, sizeof data, &error) &&
+           strncmp(error.message, path, strlen(path)) == 0 &&
+           strcmp(error.message + strlen(path), ": File too large") == 0;
+}
+
+static void test_full_disk(void) {
+    struct place place;
+    struct error error;
+    if (!place_create(&place)) {
+        return;
+    }
+    const char *path = name_file(&place, "a");
+    CHECK(in_child(write_to_full_disk, path));
+    CHECK(place_count(&place) == 0);
+    CHECK(file_write(path, "old", 3, &error));
+    CHECK(in_child(write_to_full_disk, path));
+    CHECK(file_is(path, "old") && place_count(&place) == 1);
+    place_remove(&place, "a");
+}
+
+/* As somebody who may not write there: the superuser may always. */
+static bool write_without_permission(const char *path) {
+    struct error error;
+    if (!drop_privileges()) {
+        return false;
+    }
+    return !file_write(path, "new", 3, &error) && strncmp(error.message, path, strlen(path)) == 0 &&
+           strcmp(error.message + strlen(path), ": Permission denied") == 0;
+}
+
+static bool make_directory_without_permission(const char *path) {
+    struct error error;
+    return drop_privileges() && !directory_create(path, &error) &&
+           strncmp(error.message, path, strlen(path)) == 0 &&
+           strcmp(error.message + strlen(path), ": cannot make the directory: Permission denied") ==
+               0;
+}
+
+static void test_write_protection(void) {
+    struct place place;
+    struct error error;
+    if (!place_create(&place)) {
+        return;
+    }
+    const char *path = name_file(&place, "a");
+    CHECK(file_write(path, "old", 3, &error));
+    CHECK(chmod(path, 0444) == 0 && chmod(place.directory, 0777) == 0);
+    CHECK(in_child(write_without_permission, path)); /* a protected file */
+    CHECK(unlink(path) == 0 && chmod(place.directory, 0555) == 0);
+    CHECK(in_child(write_without_permission, path)); /* a protected directory */
+    CHECK(in_child(make_directory_without_permission, path));
+    CHECK(chmod(place.directory, 0777) == 0 && place_count(&place) == 0);
+    place_remove(&place, NULL);
+}
+
+/* Where nobody may write, whoever it is. */
+static bool write_from_elsewhere(const char *path) {
+    struct error error;
+    return chdir("/proc") == 0 && file_write(path, "new", 3, &error);
+}
+
+/* The new file is made beside the old one: the directory of the caller does not matter. */
+static void test_write_from_elsewhere(void) {
+    struct place place;
+    if (!place_create(&place) || access("/proc", F_OK) != 0) {
+        CHECK(true); /* not on Linux */
+        return;
+    }
+    CHECK(in_child(write_from_elsewhere, name_file(&place, "a")));
+    CHECK(file_is(name_file(&place, "a"), "new") && place_count(&place) == 1);
+    place_remove(&place, "a");
+}
+
+static bool is_link(const char *path) {
+    struct stat status;
+    return lstat(path, &status) == 0 && S_ISLNK(status.st_mode);
+}
+
+static void test_symbolic_link(void) {
+    struct place place;
+    struct error error;
+    char link[128];
+    if (!place_create(&place)) {
+        return;
+    }
+    strcpy(link, name_file(&place, "link"));
+    const char *path = name_file(&place, "a");
+    CHECK(file_write(path, "old", 3, &error));
+    CHECK(symlink("a", link) == 0);
+    CHECK(file_write(link, "new", 3, &error));
+    CHECK(is_link(link));
+    CHECK(file_is(path, "new") && place_count(&place) == 2);
+    CHECK(unlink(link) == 0);
+    place_remove(&place, "a");
+}
+
+/* A link to a file that is not there yet stays too, and leads to the new file; one that leads into
+ * a directory that is not there is an error. */
+static void test_dangling_link(void) {
+    struct place place;
+    struct error error;
+    char link[128], wanted[300];
+    if (!place_create(&place)) {
+        return;
+    }
+    strcpy(link, name_file(&place, "link"));
+    CHECK(symlink("a", link) == 0);
+    CHECK(file_write(link, "new", 3, &error));
+    CHECK(is_link(link) && place_count(&place) == 2);
+    CHECK(file_is(name_file(&place, "a"), "new"));
+    CHECK(file_is_same(link, place.path) && !file_is_same(link, "/dev/null"));
+    CHECK(!file_is_same(link, place.directory));
+    CHECK(unlink(link) == 0 && symlink("b/c", link) == 0);
+    snprintf(wanted, sizeof wanted, "%s: No such file or directory", link);
+    CHECK(!file_write(link, "new", 3, &error) && place_count(&place) == 2);
+    CHECK_TEXT(error.message, wanted);
+    snprintf(wanted, sizeof wanted, "%s: cannot make the directory: No such file or directory",
+             link);
+    CHECK(!directory_create(link, &error));
+    CHECK_TEXT(error.message, wanted);
+    snprintf(wanted, sizeof wanted, "%s: cannot make the directory: Not a directory",
+             name_file(&place, "a"));
+    CHECK(!directory_create(place.path, &error));
+    CHECK_TEXT(error.message, wanted);
+    CHECK(unlink(link) == 0 && symlink("link", link) == 0);
+    snprintf(wanted, sizeof wanted,
+             "%s: cannot make the directory: Too many levels of symbolic links", link);
+    CHECK(!directory_create(link, &error));
+    CHECK_TEXT(error.message, wanted);
+    CHECK(unlink(link) == 0);
+    place_remove(&place, "a");
+}
+
+static bool write_much(const char *path) {
+    static const char much[1 << 22];
+    struct error error;
+    return file_write(path, much, sizeof much, &error);
+}
+
+/* Whenever it is told to end, a program leaves the whole file or none. */
+static void test_ended_while_writing(void) {
+    struct place place;
+    if (!place_create(&place)) {
+        return;
+    }
+    for (int i = 0; i < 60; i++) {
+        const struct timespec pause = {.tv_nsec = i * 50000};
+        int status;
+        fflush(NULL);
+        pid_t child = fork();
+        if (child == 0) {
+            _exit(write_much(name_file(&place, "a")) ? 0 : 1);
+        }
+        nanosleep(&pause, NULL);
+        CHECK(child > 0 && kill(child, SIGTERM) == 0 && waitpid(child, &status, 0) == child);
+        CHECK(place_count(&place) <= 1);
+        CHECK(!file_exists(name_file(&place, "a")) || file_size(place.path) == 1 << 22);
+        unlink(place.path);
+    }
+    place_remove(&place, NULL);
+}
+
+/* Files may have 1000 bytes. */
+static bool write_past_limit(const char *path) {
+    const struct rlimit limit = {1000, 1000};
+    struct sigaction action;
+    struct error error;
+    char many[5000] = "", wanted[300];
+    snprintf(wanted, sizeof wanted, "%s: File too large", path);
+    return setrlimit(RLIMIT_FSIZE, &limit) == 0 && !file_write(path, many, sizeof many, &error) &&
+           strcmp(error.message, wanted) == 0 && sigaction(SIGXFSZ, NULL, &action) == 0 &&
+           action.sa_handler == SIG_DFL;
+}
+
+/* A file that grows too large is an error, and no signal: the old one and nothing else is left. */
+static void test_limit_of_file_size(void) {
+    struct place place;
+    struct error error;
+    if (place_create(&place)) {
+        CHECK(file_write(name_file(&place, "a"), "old", 3, &error));
+        CHECK(in_child(write_past_limit, place.path));
+        CHECK(file_is(place.path, "old") && place_count(&place) == 1);
+        place_remove(&place, "a");
+    }
+}
+
+/* first -> DIRECTORY/sub/second -> ../third -> sub/a; the working directory is elsewhere. */
+static void test_chain_of_links(void) {
+    static const char *const names[] = {"first", "sub/second", "third"};
+    struct place place;
+    struct error error;
+    struct stat status;
+    if (!place_create(&place)) {
+        return;
+    }
+    CHECK(mkdir(name_file(&place, "sub"), 0777) == 0);
+    CHECK(file_write(name_file(&place, "sub/a"), "old", 3, &error));
+    CHECK(chmod(place.path, 0640) == 0);
+    CHECK(symlink("sub/a", name_file(&place, "third")) == 0);
+    char second[128];
+    strcpy(second, name_file(&place, "sub/second"));
+    CHECK(symlink("../third", second) == 0);
+    CHECK(symlink(second, name_file(&place, "first")) == 0);
+    CHECK(file_write(place.path, "new", 3, &error));
+    CHECK(file_is(name_file(&place, "sub/a"), "new"));
+    CHECK(stat(place.path, &status) == 0 && (status.st_mode & 0777) == 0640);
+    CHECK(unlink(place.path) == 0);
+    for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
+        CHECK_ROW(is_link(name_file(&place, names[i])), names[i]);
+        CHECK(unlink(place.path) == 0);
+    }
+    CHECK(rmdir(name_file(&place, "sub")) == 0);
+    place_remove(&place, NULL);
+}
+
+/* file_write() follows as many links as the system: 40 under Linux. */
+static void test_many_links(void) {
+    enum { LINKS = 45 };
+    struct place place;
+    struct error error;
+    struct stat status;
+    char target[16] = "a", name[16];
+    if (!place_create(&place)) {
+        return;
+    }
+    CHECK(file_write(name_file(&place, target), "old", 3, &error));
+    for (int i = 0; i < LINKS; i++) {
+        snprintf(name, sizeof name, "link%d", i);
+        CHECK(symlink(target, name_file(&place, name)) == 0);
+        bool followed = stat(place.path, &status) == 0;
+        CHECK_ROW(file_write(place.path, name, strlen(name), &error) == followed, name);
+        CHECK_ROW(is_link(place.path), name);
+        CHECK_ROW(file_is(name_file(&place, "a"), name) == followed, name);
+        strcpy(target, name);
+    }
+    for (int i = 0; i < LINKS; i++) {
+        snprintf(name, sizeof name, "link%d", i);
+        CHECK(unlink(name_file(&place, name)) == 0);
+    }
+    place_remove(&place, "a");
+}
+
+/* A device or a pipe is written to, and stays what it is. The devices of the system are only
+ * touched without the right to replace them: a wrong program under test must not do harm. */
+static bool write_to_null(const char *path) {
+    struct error error;
+    return drop_privileges() && file_write(path, "gone", 4, &error);
+}
+
+static bool write_to_full(const char *path) {
+    struct error error;
+    return drop_privileges() && !file_write(path, "gone", 4, &error) &&
+           strcmp(error.message, "/dev/full: No space left on device") == 0;
+}
+
+static bool write_to_pipe(const char *path) {
+    struct error error;
+    return file_write(path, "through", 7, &error);
+}
+
+static void test_devices(void) {
+    struct place place;
+    struct stat status;
+    char got[16] = "";
+    CHECK(in_child(write_to_null, "/dev/null"));
+    if (stat("/dev/full", &status) == 0) { /* not every system has it */
+        CHECK(in_child(write_to_full, "/dev/full"));
+    }
+    if (!place_create(&place)) {
+        return;
+    }
+    const char *path = name_file(&place, "pipe");
+    CHECK(mkfifo(path, 0600) == 0);
+    int reader = open(path, O_RDONLY | O_NONBLOCK);
+    CHECK(in_child(write_to_pipe, path));
+    CHECK(read(reader, got, sizeof got - 1) == 7);
+    CHECK_TEXT(got, "through");
+    close(reader);
+    CHECK(stat(path, &status) == 0 && S_ISFIFO(status.st_mode) && place_count(&place) == 1);
+    place_remove(&place, "pipe");
+}
+
+UNIT_MAIN(TEST(test_messages), TEST(test_printable_texts), TEST(test_lines_of_messages),
+          TEST(test_names_of_input), TEST(test_long_messages), TEST(test_bytes), TEST(test_read),
+          TEST(test_read_errors), TEST(test_standard_input), TEST(test_write),
+          TEST(test_write_without_input), TEST(test_write_errors), TEST(test_full_disk),
+          TEST(test_write_protection), TEST(test_write_from_elsewhere), TEST(test_symbolic_link),
+          TEST(test_dangling_link), TEST(test_limit_of_file_size), TEST(test_ended_while_writing),
+          TEST(test_chain_of_links), TEST(test_many_links), TEST(test_devices))

@@ -1,0 +1,853 @@
+/*
+ * When memory runs out: every allocation of every reader, writer, of the pipeline and of a whole
+ * program fails in turn, the first, the second and so on, one in each run. Each time the function
+ * must return an error with a message, leave its results empty or as they were, and lose no memory.
+ *
+ * This program is linked with -Wl,--wrap=malloc and the like, so that the calls of the course's
+ * code come to the functions __wrap_... below (GNU ld manual, option --wrap).
+ */
+#define _XOPEN_SOURCE 700 /* POSIX.1-2008 with mkdtemp() */
+
+#include "base/array.h"
+#include "base/bytes.h"
+#include "base/error.h"
+#include "base/file.h"
+#include "files/image_file.h"
+#include "files/model_file.h"
+#include "files/normals.h"
+#include "files/png.h"
+#include "files/ppm.h"
+#include "model.h"
+#include "oracle/shown.h"
+#include "pipeline.h"
+#include "program.h"
+#include "run/text_scene.h"
+#include "texture.h"
+#include "tgaimage.h"
+#include "unit/unit.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <stdlib.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+/* ---- Allocations that fail ---- */
+
+void *__real_malloc(size_t size);
+void *__real_calloc(size_t count, size_t size);
+void *__real_realloc(void *block, size_t size);
+void *__real_aligned_alloc(size_t alignment, size_t size);
+void __real_free(void *block);
+void *__wrap_malloc(size_t size);
+void *__wrap_calloc(size_t count, size_t size);
+void *__wrap_realloc(void *block, size_t size);
+void *__wrap_aligned_alloc(size_t alignment, size_t size);
+void __wrap_free(void *block);
+
+enum { NEVER = -1 };
+
+static struct {
+    bool on;
+    long calls;   /* allocations asked for */
+    long failing; /* the call that fails, from 0, or NEVER */
+    bool failed;
+    long live; /* blocks that are not yet freed */
+} memory = {.failing = NEVER};
+
+/* Does this allocation fail? */
+static bool fails(void) {
+    if (!memory.on || memory.calls++ != memory.failing) {
+        return false;
+    }
+    memory.failed = true;
+    errno = ENOMEM;
+    return true;
+}
+
+static void *counted(void *block) {
+    memory.live += memory.on && block != NULL;
+    return block;
+}
+
+void *__wrap_malloc(size_t size) {
+    return fails() ? NULL : counted(__real_malloc(size));
+}
+
+void *__wrap_calloc(size_t count, size_t size) {
+    return fails() ? NULL : counted(__real_calloc(count, size));
+}
+
+void *__wrap_realloc(void *block, size_t size) {
+    if (fails()) {
+        return NULL;
+    }
+    return block == NULL ? counted(__real_realloc(NULL, size)) : __real_realloc(block, size);
+}
+
+void *__wrap_aligned_alloc(size_t alignment, size_t size) {
+    return fails() ? NULL : counted(__real_aligned_alloc(alignment, size));
+}
+
+void __wrap_free(void *block) {
+    memory.live -= memory.on && block != NULL;
+    __real_free(block);
+}
+
+/* ---- What is tried ---- */
+
+enum { PATH_SIZE = 128 };
+
+/* Made once, with memory to spare. */
+struct inputs {
+    struct image grey, color, clear; /* 8, 24 and 32 bits */
+    struct bytes tga, png;
+    struct model cube; /* without normals */
+    char directory[64];
+    char scene[PATH_SIZE], obj[PATH_SIZE], off[PATH_SIZE], diffuse[PATH_SIZE], map[PATH_SIZE];
+    char out[PATH_SIZE], old[PATH_SIZE]; /* a file to make, one to replace */
+    char link[PATH_SIZE];                /* a symbolic link to the old one */
+};
+
+/* A whole task: makes, uses and frees everything. True when all of it was done. */
+struct task {
+    const char *name;
+    bool (*run)(const struct inputs *inputs, struct error *error);
+};
+
+static bool is_message(const char *message) {
+    return message[0] != '\0' && strchr(message, '\n') == NULL;
+}
+
+/* So many of its first allocations a task can do without. */
+static long spared = 0;
+
+/* Fail each allocation of a task in turn. Returns how many there are. */
+static long fail_each(const struct task *task, const struct inputs *inputs) {
+    for (long n = 0;; n++) {
+        struct error error = {0};
+        memory.calls = memory.live = 0;
+        memory.failing = n;
+        memory.failed = false;
+        memory.on = true;
+        bool done = task->run(inputs, &error);
+        memory.on = false;
+        CHECK_ROW(memory.live == 0, task->name);
+        if (!memory.failed) {
+            CHECK_ROW(done, task->name);
+            return n;
+        }
+        if (!CHECK_ROW(done == (n < spared), task->name) ||
+            !CHECK_ROW(done || is_message(error.message), task->name)) {
+            fprintf(stderr, "    at allocation %ld\n", n);
+        }
+    }
+}
+
+static void fail_all(const struct task *tasks, size_t count, const struct inputs *inputs) {
+    long total = 0;
+    for (size_t i = 0; i < count; i++) {
+        long failures = fail_each(&tasks[i], inputs);
+        CHECK_ROW(failures > 0, tasks[i].name); /* or the wrapping does not work */
+        total += failures;
+    }
+    printf("     %ld allocations failed in %zu tasks\n", total, count);
+}
+
+/* ---- The inputs ---- */
+
+static bool file_from_text(const char *path, const char *text) {
+    struct error error;
+    return file_write(path, text, strlen(text), &error);
+}
+
+static bool make_image(struct image *image, size_t width, size_t height, enum image_format format) {
+    struct error error;
+    if (!image_create(image, width, height, format, &error)) {
+        return false;
+    }
+    for (size_t i = 0; i < width * height * (size_t)format; i++) {
+        image->pixels[i] = (uint8_t)(i * i * 7 + i / 5);
+    }
+    return true;
+}
+
+static const char cube_obj[] = "v -1 -1 -1\nv 1 -1 -1\nv 1 1 -1\nv -1 1 -1\n"
+                               "v -1 -1 1\nv 1 -1 1\nv 1 1 1\nv -1 1 1\n"
+                               "f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 3 4 8 7\nf 2 3 7 6\nf 1 5 8 4\n";
+
+static bool make_inputs(struct inputs *inputs) {
+    struct error error;
+    *inputs = (struct inputs){0};
+    strcpy(inputs->directory, "/tmp/test_memory.XXXXXX");
+    if (mkdtemp(inputs->directory) == NULL) {
+        return false;
+    }
+    const struct {
+        char *path;
+        const char *name;
+    } names[] = {{inputs->scene, "scene.txt"}, {inputs->obj, "cube.obj"},
+                 {inputs->off, "cube.off"},    {inputs->diffuse, "cube_diffuse.tga"},
+                 {inputs->map, "cube_nm.png"}, {inputs->out, "new"},
+                 {inputs->old, "old"},         {inputs->link, "link"}};
+    for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
+        snprintf(names[i].path, PATH_SIZE, "%s/%s", inputs->directory, names[i].name);
+    }
+    return make_image(&inputs->grey, 31, 9, IMAGE_GREY) &&
+           make_image(&inputs->color, 20, 10, IMAGE_BGR) &&
+           make_image(&inputs->clear, 9, 20, IMAGE_BGRA) &&
+           tga_encode(&inputs->color, true, &inputs->tga, &error) &&
+           png_encode(&inputs->clear, &inputs->png, &error) &&
+           model_decode(&inputs->cube, cube_obj, strlen(cube_obj), &error) &&
+           file_from_text(inputs->scene, "size 5 5\nline 0 0 4 4 1 2 3\n") &&
+           file_from_text(inputs->obj, cube_obj) &&
+           file_from_text(inputs->off, "OFF 3 1\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n") &&
+           file_from_text(inputs->old, "old") && symlink("old", inputs->link) == 0 &&
+           tga_write(&inputs->color, inputs->diffuse, &error) &&
+           png_write(&inputs->grey, inputs->map, &error);
+}
+
+/* Free the inputs. False when files were left behind that nobody asked for. */
+static bool free_inputs(struct inputs *inputs) {
+    const char *const paths[] = {inputs->scene,   inputs->obj, inputs->off, inputs->old,
+                                 inputs->diffuse, inputs->map, inputs->out, inputs->link};
+    image_free(&inputs->grey);
+    image_free(&inputs->color);
+    image_free(&inputs->clear);
+    bytes_free(&inputs->tga);
+    bytes_free(&inputs->png);
+    model_free(&inputs->cube);
+    for (size_t i = 0; i < sizeof paths / sizeof paths[0]; i++) {
+        unlink(paths[i]); /* not all tests make all of them */
+    }
+    return rmdir(inputs->directory) == 0;
+}
+
+/* Run a table of tasks. */
+static void run_tasks(const struct task *tasks, size_t count) {
+    struct inputs inputs;
+    if (CHECK(make_inputs(&inputs))) {
+        fail_all(tasks, count, &inputs);
+    }
+    CHECK(free_inputs(&inputs));
+}
+
+#define RUN_TASKS(tasks) run_tasks((tasks), sizeof(tasks) / sizeof(tasks)[0])
+
+/* ---- Files ---- */
+
+static bool read_file(const struct inputs *inputs, struct error *error) {
+    struct bytes bytes;
+    bool done = file_read(inputs->scene, &bytes, error);
+    CHECK(done || bytes.data == NULL);
+    bytes_free(&bytes);
+    return done;
+}
+
+static bool read_pipe(const struct inputs *inputs, struct error *error) {
+    struct bytes bytes;
+    int ends[2] = {-1, -1}, kept = dup(STDIN_FILENO);
+    (void)inputs;
+    CHECK(kept >= 0 && pipe(ends) == 0 && write(ends[1], "some text", 9) == 9);
+    close(ends[1]);
+    CHECK(dup2(ends[0], STDIN_FILENO) == STDIN_FILENO);
+    close(ends[0]);
+    bool done = file_read("-", &bytes, error);
+    CHECK(dup2(kept, STDIN_FILENO) == STDIN_FILENO);
+    close(kept);
+    CHECK(done ? bytes.size == 9 : bytes.data == NULL);
+    bytes_free(&bytes);
+    return done;
+}
+
+static bool make_file(const struct inputs *inputs, struct error *error) {
+    bool done = file_write(inputs->out, "text", 4, error);
+    CHECK((unlink(inputs->out) == 0) == done); /* there is no file unless it is complete */
+    return done;
+}
+
+static bool replace_file(const struct inputs *inputs, struct error *error) {
+    bool done = file_write(inputs->link, "new", 3, error);
+    char text[4] = {0};
+    int file = open(inputs->old, O_RDONLY);
+    CHECK(read(file, text, 3) == 3);
+    close(file);
+    CHECK_TEXT(text, done ? "new" : "old");
+    if (done) { /* for the next time */
+        file = open(inputs->old, O_WRONLY);
+        CHECK(write(file, "old", 3) == 3);
+        close(file);
+    }
+    return done;
+}
+
+static bool append_bytes(const struct inputs *inputs, struct error *error) {
+    struct bytes bytes = {0};
+    bool done = true;
+    (void)inputs;
+    for (size_t i = 0; i < 100 && done; i++) {
+        size_t before = bytes.size;
+        done = bytes_append(&bytes, "0123456789", 10);
+        CHECK(done || bytes.size == before);
+    }
+    CHECK(bytes.size == 0 || memcmp(bytes.data, "0123456789", 10) == 0);
+    bytes_free(&bytes);
+    return done || error_set(error, "no bytes");
+}
+
+static void test_files(void) {
+    static const struct task tasks[] = {
+        {"file_read", read_file},       {"file_read of a pipe", read_pipe},
+        {"file_write", make_file},      {"file_write over an old file", replace_file},
+        {"bytes_append", append_bytes},
+    };
+    RUN_TASKS(tasks);
+}
+
+/* ---- Images ---- */
+
+static bool copy_and_scale(const struct inputs *inputs, struct error *error) {
+    struct image copy;
+    bool done = image_copy(&copy, &inputs->color, error);
+    CHECK(done || copy.pixels == NULL);
+    if (done) {
+        size_t width = copy.width;
+        done = image_scale(&copy, 7, 12, error);
+        CHECK(done || (copy.width == width && copy.pixels != NULL)); /* unchanged */
+    }
+    image_free(&copy);
+    return done;
+}
+
+static bool decode_tga(const struct inputs *inputs, struct error *error) {
+    struct image image;
+    bool done = tga_decode(&image, inputs->tga.data, inputs->tga.size, error);
+    CHECK(done || image.pixels == NULL);
+    image_free(&image);
+    return done;
+}
+
+static bool decode_tga_map(const struct inputs *inputs, struct error *error) {
+    static const uint8_t file[] = {
+        0, 1, 1, 0, 0, 2, 0, 16, 0, 0, 0, 0, 2,
+        0, 2, 0, 8, 0, 1, 2, 3,  4, 0, 1, 1, 0}; /* 2x2, two colours of 16 bits */
+    struct image image;
+    (void)inputs;
+    bool done = tga_decode(&image, file, sizeof file, error);
+    CHECK(done || image.pixels == NULL);
+    image_free(&image);
+    return done;
+}
+
+static bool decode_png(const struct inputs *inputs, struct error *error) {
+    struct image image;
+    bool done = png_decode(&image, inputs->png.data, inputs->png.size, error);
+    CHECK(done || image.pixels == NULL);
+    image_free(&image);
+    return done;
+}
+
+/* Encoders append: what was there stays, also after an error. */
+static bool kept_start(const struct bytes *out) {
+    return out->size >= 3 && memcmp(out->data, "abc", 3) == 0;
+}
+
+static bool encode_all(const struct inputs *inputs, struct error *error) {
+    const struct image *const images[] = {&inputs->grey, &inputs->color, &inputs->clear};
+    struct bytes out = {0};
+    bool done = bytes_append(&out, "abc", 3) || error_set(error, "no bytes");
+    for (size_t i = 0; i < 3 && done; i++) {
+        for (int way = 0; way < 5 && done; way++) {
+            size_t before = out.size;
+            done = way < 2    ? tga_encode(images[i], way == 1, &out, error)
+                   : way == 4 ? png_encode(images[i], &out, error)
+                              : ppm_encode(images[i], way == 3, &out, error);
+            CHECK(done ? out.size > before : out.size == before);
+            CHECK(kept_start(&out));
+        }
+    }
+    bytes_free(&out);
+    return done;
+}
+
+static bool encode_film(const struct inputs *inputs, struct error *error) {
+    struct image frames[3] = {inputs->color, {0}, inputs->color};
+    struct bytes out = {0};
+    bool done = image_copy(&frames[1], &inputs->color, error);
+    if (done) {
+        image_set(&frames[1], 3, 4, color_rgb(1, 2, 3));
+        done = apng_encode(frames, 3, 40, &out, error);
+        CHECK(done || out.size == 0);
+    }
+    image_free(&frames[1]);
+    bytes_free(&out);
+    return done;
+}
+
+static bool write_images(const struct inputs *inputs, struct error *error) {
+    bool done = tga_write(&inputs->color, inputs->out, error) &&
+                png_write(&inputs->grey, inputs->out, error) &&
+                ppm_write(&inputs->clear, inputs->out, error) &&
+                apng_write(&inputs->color, 1, 40, inputs->out, error);
+    unlink(inputs->out);
+    return done;
+}
+
+static bool read_images(const struct inputs *inputs, struct error *error) {
+    struct image tga = {0}, png = {0};
+    bool done = image_read(&tga, inputs->diffuse, error) && image_read(&png, inputs->map, error);
+    image_free(&tga);
+    image_free(&png);
+    return done;
+}
+
+/* More than one block, so that memory can run out between two. Words that nearly repeat make the
+ * compressor look ahead. */
+static bool encode_large(const struct inputs *inputs, struct error *error) {
+    struct image image = {0};
+    struct bytes out = {0};
+    uint32_t state = 3;
+    bool done = image_create(&image, 300, 300, IMAGE_GREY, error);
+    (void)inputs;
+    for (size_t i = 0; done && i < 300 * (size_t)300; i++) {
+        state = state * 1664525u + 1013904223u;
+        size_t back = 1 + (state >> 8) % 900;
+        image.pixels[i] = i > 1000 && state >> 29 != 0 ? image.pixels[i - back / 300 * 300 - 7]
+                                                       : (uint8_t)(state >> 12);
+    }
+    done = done && png_encode(&image, &out, error);
+    CHECK(done || out.size == 0);
+    image_free(&image);
+    bytes_free(&out);
+    return done;
+}
+
+static bool make_texture(const struct inputs *inputs, struct error *error) {
+    struct texture texture;
+    bool done = texture_create(&texture, &inputs->clear, error);
+    CHECK(done || texture.level_count == 0);
+    texture_free(&texture);
+    return done;
+}
+
+static void test_images(void) {
+    static const struct task tasks[] = {
+        {"image_copy, image_scale", copy_and_scale},
+        {"tga_decode", decode_tga},
+        {"tga_decode with colour map", decode_tga_map},
+        {"png_decode", decode_png},
+        {"tga_encode, ppm_encode, png_encode", encode_all},
+        {"apng_encode", encode_film},
+        {"png_encode of a large image", encode_large},
+        {"tga_write, png_write, ppm_write, apng_write", write_images},
+        {"image_read", read_images},
+        {"texture_create", make_texture},
+    };
+    RUN_TASKS(tasks);
+}
+
+/* ---- Scenes and models ---- */
+
+/* A text of `count` copies of a line, to make arrays grow. Not counted as part of a task. */
+static bool repeat_line(struct bytes *text, const char *line, size_t count) {
+    bool on = memory.on, done = true;
+    memory.on = false;
+    for (size_t i = 0; i < count; i++) {
+        done = done && bytes_append(text, line, strlen(line));
+    }
+    memory.on = on;
+    return CHECK(done);
+}
+
+static void free_text(struct bytes *text) {
+    bool on = memory.on;
+    memory.on = false;
+    bytes_free(text);
+    memory.on = on;
+}
+
+static bool decode_scene(const struct inputs *inputs, struct error *error) {
+    struct text_scene scene;
+    struct bytes text = {0};
+    (void)inputs;
+    repeat_line(&text, "triangle 0 0 9 9 0.5 9 1 2 3\n", 100);
+    bool done = text_scene_decode(&scene, text.data, text.size, TEXT_SCENE_TRIANGLES, error);
+    CHECK(done ? scene.shape_count == 100 : scene.shapes == NULL);
+    text_scene_free(&scene);
+    free_text(&text);
+    return done;
+}
+
+static bool read_scene(const struct inputs *inputs, struct error *error) {
+    struct text_scene scene;
+    bool done = text_scene_read(&scene, inputs->scene, TEXT_SCENE_LINES, error);
+    text_scene_free(&scene);
+    return done;
+}
+
+static bool decode_model(const struct bytes *text, struct error *error) {
+    struct model model;
+    bool done = model_decode(&model, text->data, text->size, error);
+    CHECK(done || (model.positions == NULL && model.faces == NULL && model.face_count == 0));
+    model_free(&model);
+    return done;
+}
+
+/* Every array grows more than once: positions with colours from the second on, faces, polygons. */
+static bool decode_obj(const struct inputs *inputs, struct error *error) {
+    struct bytes text = {0};
+    (void)inputs;
+    repeat_line(&text, "v 0 0 0\nvt 0 0\nvn 0 0 1\n", 1);
+    repeat_line(&text, "v 0 0 0 1 1 1\nvt 0 0\nvn 0 0 1\nf 1/1/1 2/2/1 -1//-1\n", 100);
+    repeat_line(&text, "v 4 0 0\nv 4 4 0\nv 1 1 0\nv 0 4 0\nv 0 0 0\n", 20);
+    repeat_line(&text, "f -5 -4 -3 -2\n", 1); /* with a corner that turns inwards */
+    repeat_line(&text, "f", 1);
+    repeat_line(&text, " -5 -4 -3 -2", 70);
+    bool done = decode_model(&text, error);
+    free_text(&text);
+    return done;
+}
+
+/* Colours only at the first position: the others are added when all positions are known. */
+static bool decode_first_color(const struct inputs *inputs, struct error *error) {
+    struct bytes text = {0};
+    (void)inputs;
+    repeat_line(&text, "v 0 0 0 1 1 1\n", 1);
+    repeat_line(&text, "v 1 2 3\n", 100);
+    repeat_line(&text, "f 1 2 3\n", 1);
+    bool done = decode_model(&text, error);
+    free_text(&text);
+    return done;
+}
+
+static bool decode_off(const struct inputs *inputs, struct error *error) {
+    struct bytes text = {0};
+    (void)inputs;
+    repeat_line(&text, "STCNOFF 100 110\n", 1);
+    repeat_line(&text, "0 0 0  0 0 1  1 1 1  0 0\n", 100);
+    repeat_line(&text, "4 0 1 2 3\n", 70);
+    repeat_line(&text, "4 0 1 2 3 255 0 0\n", 20);
+    repeat_line(&text, "4 0 1 2 3\n", 20); /* white when all faces are known */
+    bool done = decode_model(&text, error);
+    free_text(&text);
+    return done;
+}
+
+static bool read_model(const struct inputs *inputs, struct error *error) {
+    struct model model;
+    bool done = model_read(&model, inputs->obj, error);
+    CHECK(done || model.face_count == 0);
+    model_free(&model);
+    return done;
+}
+
+static bool give_normals_and_colors(const struct inputs *inputs, struct error *error) {
+    struct model model;
+    bool done = model_read(&model, inputs->off, error);
+    if (done) {
+        done = model_need_normals(&model, error) && model_need_colors(&model, error);
+        CHECK(model.face_count == 1); /* still a valid model */
+    }
+    model_free(&model);
+    return done;
+}
+
+static bool colors_without_normals(const struct inputs *inputs, struct error *error) {
+    struct model model;
+    bool done = model_read(&model, inputs->off, error) && model_need_colors(&model, error);
+    model_free(&model);
+    return done;
+}
+
+/* The diffuse texture is a TGA, the normal map a PNG. */
+static bool read_textures(const struct inputs *inputs, struct error *error) {
+    struct model model;
+    bool done = model_read(&model, inputs->obj, error) &&
+                model_texture(&model, MODEL_DIFFUSE, error) != NULL &&
+                model_texture(&model, MODEL_NORMAL_MAP, error) != NULL;
+    model_free(&model);
+    return done;
+}
+
+static void test_scenes_and_models(void) {
+    static const struct task tasks[] = {
+        {"text_scene_decode", decode_scene},
+        {"text_scene_read", read_scene},
+        {"model_decode of OBJ", decode_obj},
+        {"model_decode with one colour", decode_first_color},
+        {"model_decode of OFF", decode_off},
+        {"model_read", read_model},
+        {"model_need_normals", give_normals_and_colors},
+        {"model_need_colors", colors_without_normals},
+        {"model_texture", read_textures},
+    };
+    RUN_TASKS(tasks);
+}
+
+/* ---- The pipeline ---- */
+
+static void no_vertex(const void *uniforms, size_t face, size_t corner, double *varyings) {
+    (void)uniforms, (void)face;
+    varyings[0] = (double)corner;
+}
+
+static lanes_mask white(const void *uniforms, const lanes *varyings, lanes_texel *color) {
+    (void)uniforms, (void)varyings;
+    *color = lanes_rgb(lanes_all(255), lanes_all(255), lanes_all(255));
+    return lanes_all_set();
+}
+
+enum { IMAGE_SIDE = 40 }; /* several bands of rows */
+
+/* Draw the cube whole, then from near by: there it is clipped. An image that cannot be finished
+ * stays as it was. */
+static bool draw_cube(const struct inputs *inputs, bool skip, struct error *error) {
+    static const struct shader shader = {
+        .varying_count = 1, .vertex = no_vertex, .fragment = white};
+    struct pipeline pipeline;
+    struct image image = {0};
+    const struct vec3 center = {0, 0, 0}, up = {0, 1, 0};
+    const struct rectangle viewport = {0, 0, IMAGE_SIDE, IMAGE_SIDE};
+    bool done = pipeline_create(&pipeline, IMAGE_SIDE, IMAGE_SIDE, error) &&
+                image_create(&image, IMAGE_SIDE, IMAGE_SIDE, IMAGE_BGR, error);
+    pipeline.skip = skip;
+    pipeline.keep_depth = true;
+    for (int i = 0; i < 2 && done; i++) {
+        struct vec3 eye = i == 0 ? (struct vec3){1, 2, 8} : (struct vec3){0.1, 0.2, 0.9};
+        struct draw_call call =
+            camera_call(&inputs->cube, eye, center, up, 0.5, viewport, CULL_NONE);
+        done = pipeline_draw(&pipeline, &call, &shader, &i, sizeof i, error);
+    }
+    if (done) {
+        done = pipeline_finish(&pipeline, &image, error);
+        CHECK(!done || pipeline.stats[STAT_FACES_CLIPPED] > 0);
+        CHECK(image_get(&image, IMAGE_SIDE / 2, IMAGE_SIDE / 2).r == (done ? 255 : 0));
+    }
+    pipeline_free(&pipeline);
+    image_free(&image);
+    return done;
+}
+
+static bool draw_skipping(const struct inputs *inputs, struct error *error) {
+    return draw_cube(inputs, true, error);
+}
+
+static bool draw_everything(const struct inputs *inputs, struct error *error) {
+    return draw_cube(inputs, false, error);
+}
+
+/* One face that is cut into several pieces, and more whole ones than there is room left for. */
+static bool draw_many(const struct inputs *inputs, struct error *error) {
+    static const struct shader shader = {
+        .varying_count = 1, .vertex = no_vertex, .fragment = white};
+    struct bytes text = {0};
+    struct model model = {0};
+    struct pipeline pipeline = {0};
+    struct image image = {0};
+    (void)inputs;
+    repeat_line(&text, "v -90 -90 0\nv 90 -90 0\nv 0 90 0\nv 0 0.5 0\nv 0 0 0\nv 0.5 0 0\n", 1);
+    repeat_line(&text, "f 1 2 3\n", 1);
+    repeat_line(&text, "f 4 5 6\n", 20);
+    bool done = model_decode(&model, text.data, text.size, error) &&
+                pipeline_create(&pipeline, 16, 16, error) &&
+                image_create(&image, 16, 16, IMAGE_BGR, error);
+    struct draw_call call = {
+        .model = &model, .to_clip = mat4_identity(), .viewport = {0, 0, 16, 16}};
+    done = done && draw_frame(&pipeline, &call, &shader, NULL, 0, &image, error);
+    CHECK(!done || (pipeline.stats[STAT_FACES_CLIPPED] == 1 && image_get(&image, 8, 8).r == 255));
+    pipeline_free(&pipeline);
+    image_free(&image);
+    model_free(&model);
+    free_text(&text);
+    return done;
+}
+
+/* A draw call that failed is left out, and the frame can be finished without it. */
+static bool draw_after_a_failure(const struct inputs *inputs, struct error *error) {
+    static const struct shader shader = {
+        .varying_count = 1, .vertex = no_vertex, .fragment = white};
+    struct pipeline pipeline;
+    struct image image = {0};
+    const struct rectangle viewport = {0, 0, IMAGE_SIDE, IMAGE_SIDE};
+    struct draw_call call =
+        camera_call(&inputs->cube, (struct vec3){0.1, 0.2, 0.9}, (struct vec3){0, 0, 0},
+                    (struct vec3){0, 1, 0}, 0.5, viewport, CULL_NONE);
+    bool done = pipeline_create(&pipeline, IMAGE_SIDE, IMAGE_SIDE, error) &&
+                image_create(&image, IMAGE_SIDE, IMAGE_SIDE, IMAGE_BGR, error);
+    bool first = done && pipeline_draw(&pipeline, &call, &shader, NULL, 0, error);
+    bool second = done && pipeline_draw(&pipeline, &call, &shader, NULL, 0, error);
+    bool finished = done && pipeline_finish(&pipeline, &image, error);
+    CHECK(!finished ||
+          image_get(&image, IMAGE_SIDE / 2, IMAGE_SIDE / 2).r == (first || second ? 255 : 0));
+    pipeline_free(&pipeline);
+    image_free(&image);
+    return first && second && finished;
+}
+
+/* A frame of several rounds that fails when some of them are covered; and after it an empty one,
+ * where nothing of the first may be left. */
+static bool draw_nothing_after_a_failure(const struct inputs *inputs, struct error *error) {
+    static const struct shader shader = {
+        .varying_count = 1, .vertex = no_vertex, .fragment = white};
+    struct pipeline pipeline;
+    struct image image = {0};
+    const struct rectangle viewport = {0, 0, IMAGE_SIDE, IMAGE_SIDE};
+    bool done = pipeline_create(&pipeline, IMAGE_SIDE, IMAGE_SIDE, error) &&
+                image_create(&image, IMAGE_SIDE, IMAGE_SIDE, IMAGE_BGR, error);
+    bool drawn = done;
+    pipeline.keep_depth = true;
+    for (int i = 0; i < 20 && drawn; i++) { /* from ever nearer: all but the last are hidden */
+        struct vec3 eye = {1, 2, 30 - i};
+        struct draw_call call = camera_call(&inputs->cube, eye, (struct vec3){0, 0, 0},
+                                            (struct vec3){0, 1, 0}, 1 + i, viewport, CULL_NONE);
+        drawn = pipeline_draw(&pipeline, &call, &shader, &i, sizeof i, error);
+    }
+    bool finished = drawn && pipeline_finish(&pipeline, &image, error);
+    if (done && !finished) { /* only one allocation fails */
+        struct error other;
+        pipeline_clear(&pipeline);
+        CHECK(pipeline_finish(&pipeline, &image, &other));
+        for (size_t i = 0; i < (size_t)IMAGE_SIDE * IMAGE_SIDE; i++) {
+            CHECK(pipeline.depth[i] == (double)-INFINITY);
+        }
+    }
+    pipeline_free(&pipeline);
+    image_free(&image);
+    return finished;
+}
+
+static void test_pipeline(void) {
+    static const struct task tasks[] = {
+        {"pipeline_draw of many faces", draw_many},
+        {"pipeline_draw", draw_skipping},
+        {"pipeline_draw without skipping", draw_everything},
+        {"pipeline_draw of a model after one that failed", draw_after_a_failure},
+        {"a frame after one that failed", draw_nothing_after_a_failure}};
+    setenv("THREADS", "1", 1); /* a thread that is there takes memory, but at no certain time */
+    RUN_TASKS(tasks);
+    unsetenv("THREADS");
+}
+
+/* ---- A whole program ---- */
+
+static bool draw_dot(struct drawing *drawing, struct image *image, struct error *error) {
+    (void)error;
+    image_set(image, 1, (int)drawing->frame, color_rgb(1, 2, 3));
+    if (drawing->depth != NULL) {
+        drawing->depth[0] = 0; /* or nothing was drawn */
+    }
+    drawing_count(drawing, "dots", 1);
+    return true;
+}
+
+static const struct scene scenes[] = {
+    {.name = "dot",
+     .width = 4,
+     .height = 3,
+     .needs = NEEDS_NORMALS | NEEDS_COLORS | NEEDS_DEPTH,
+     .draw = draw_dot},
+    {.name = "film", .width = 5, .height = 4, .frames = 3, .draw = draw_dot},
+};
+
+static const struct program model_program = {
+    .name = "probe", .summary = "draws dots", .scenes = scenes, .scene_count = 2, .state_size = 8};
+
+static const struct program text_program = {.name = "probe",
+                                            .summary = "draws text",
+                                            .draw_text = draw_dot,
+                                            .defaults = {.width = 5, .height = 5},
+                                            .scenes = scenes,
+                                            .scene_count = 2};
+
+/* Run with standard output thrown away and standard error kept. Status 1 is an error of which the
+ * message was printed; images that were saved before it are complete, and nothing else is there. */
+static bool run_program(const struct program *program, const struct inputs *inputs, int argc,
+                        char **argv, struct error *error) {
+    char log[PATH_SIZE], images[PATH_SIZE], path[PATH_SIZE + 16];
+    static const char *const names[] = {"dot.tga", "film.tga",  "dot.png",  "film.png",
+                                        "dot.ppm", "scene.ppm", "scene.tga"};
+    snprintf(log, sizeof log, "%.60s/log", inputs->directory);
+    snprintf(images, sizeof images, "%.60s/images", inputs->directory);
+    fflush(stdout);
+    int kept_out = dup(1), kept_error = dup(2);
+    int nowhere = open("/dev/null", O_WRONLY), file = open(log, O_CREAT | O_TRUNC | O_RDWR, 0600);
+    dup2(nowhere, 1);
+    dup2(file, 2);
+    int status = program_main(program, argc, argv);
+    fflush(stdout);
+    dup2(kept_out, 1);
+    dup2(kept_error, 2);
+    ssize_t size = pread(file, error->message, sizeof error->message - 1, 0);
+    close(nowhere);
+    close(file);
+    close(kept_out);
+    close(kept_error);
+    unlink(log);
+    if (CHECK(size >= 0)) {
+        error->message[strcspn(error->message, "\n")] = '\0';
+        CHECK(size == 0 || (size_t)size == strlen(error->message) + 1); /* one line */
+    }
+    size_t saved = 0;
+    for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
+        snprintf(path, sizeof path, "%s/%s", images, names[i]);
+        saved += unlink(path) == 0;
+    }
+    rmdir(images);
+    struct stat left;
+    CHECK(stat(images, &left) != 0); /* nothing else was in it */
+    CHECK(status == 0 || status == 1);
+    CHECK((status == 0) == (size == 0));
+    CHECK(status != 0 || saved > 0);
+    return status == 0;
+}
+
+static bool run_with_model(const struct inputs *inputs, const char *option, const char *value,
+                           struct error *error) {
+    char images[PATH_SIZE];
+    snprintf(images, sizeof images, "%.60s/images", inputs->directory);
+    char *argv[] = {(char *)"probe", (char *)"-o",        images, (char *)option, (char *)value,
+                    (char *)"--fit", (char *)inputs->obj, NULL};
+    return run_program(&model_program, inputs, 7, argv, error);
+}
+
+static bool run_tga(const struct inputs *inputs, struct error *error) {
+    return run_with_model(inputs, "--format", "tga", error);
+}
+
+static bool run_png(const struct inputs *inputs, struct error *error) {
+    return run_with_model(inputs, "--format", "png", error);
+}
+
+static bool run_repeated(const struct inputs *inputs, struct error *error) {
+    return run_with_model(inputs, "--repeat", "3", error);
+}
+
+static bool run_text(const struct inputs *inputs, struct error *error) {
+    char images[PATH_SIZE];
+    snprintf(images, sizeof images, "%.60s/images", inputs->directory);
+    char *argv[] = {(char *)"probe", (char *)"-o",          images, (char *)"--format",
+                    (char *)"ppm",   (char *)inputs->scene, NULL};
+    return run_program(&text_program, inputs, 6, argv, error);
+}
+
+static void test_programs(void) {
+    static const struct task tasks[] = {{"a program", run_tga},
+                                        {"a program that writes PNG", run_png},
+                                        {"a program with --repeat", run_repeated},
+                                        {"a program with a text scene", run_text}};
+#ifdef __GLIBC__
+    spared = 1; /* that of keep_freed_memory() */
+#endif
+    RUN_TASKS(tasks);
+    spared = 0;
+}
+
+/* More elements than a size can count the bytes of; the array stays as it was. */
+static void test_too_many_elements(void) {
+    size_t capacity = 0;
+    CHECK(array_reserve(NULL, &capacity, SIZE_MAX / 16 + 2, 16) == NULL && capacity == 0);
+    CHECK(array_reserve(NULL, &capacity, SIZE_MAX / 8 + 2, 8) == NULL && capacity == 0);
+}
+
+UNIT_MAIN(TEST(test_too_many_elements), TEST(test_files), TEST(test_images),
+          TEST(test_scenes_and_models), TEST(test_pipeline), TEST(test_programs))

@@ -1,0 +1,388 @@
+/*
+ * When the system says no: every system call of common/base/file.c fails in turn, the first, the second
+ * and so on, one in each run. Each time there must be a message that names the file, the old file
+ * must still be whole, and no temporary file may be left behind. Interrupted and partial reads and
+ * writes, which are no errors, must not be noticed.
+ *
+ * This program is linked with -Wl,--wrap=open and the like, so that the calls of the course's code
+ * come to the functions __wrap_... below (GNU ld manual, option --wrap).
+ */
+#define _XOPEN_SOURCE 700 /* POSIX.1-2008 with mkdtemp() */
+
+#include "base/bytes.h"
+#include "base/error.h"
+#include "base/file.h"
+#include "unit/unit.h"
+
+#include <dirent.h>
+#include <errno.h>
+#include <fcntl.h>
+#include <stdarg.h>
+#include <stdlib.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+/* ---- System calls that fail ---- */
+
+int __real_open(const char *path, int flags, ...);
+int __real_close(int file);
+int __real_fstat(int file, struct stat *status);
+int __real_stat(const char *path, struct stat *status);
+ssize_t __real_readlink(const char *path, char *target, size_t size);
+int __real_rename(const char *from, const char *to);
+ssize_t __real_read(int file, void *data, size_t size);
+ssize_t __real_write(int file, const void *data, size_t size);
+int __wrap_open(const char *path, int flags, ...);
+int __wrap_close(int file);
+int __wrap_fstat(int file, struct stat *status);
+int __wrap_stat(const char *path, struct stat *status);
+ssize_t __wrap_readlink(const char *path, char *target, size_t size);
+int __wrap_rename(const char *from, const char *to);
+ssize_t __wrap_read(int file, void *data, size_t size);
+ssize_t __wrap_write(int file, const void *data, size_t size);
+
+enum { NEVER = -1 };
+
+static struct {
+    bool on;
+    long calls;        /* made since it was switched on */
+    long failing;      /* the call that fails, from 0, or NEVER */
+    int reason;        /* its errno */
+    bool failed;       /* it came to that */
+    bool interrupt;    /* every second read and write is interrupted, and the others are short */
+    bool full;         /* write() takes no byte and gives no error */
+    bool grows;        /* a file claims to have 1 GiB, and has one byte more */
+    size_t grown;      /* of them, read so far; there is nothing in them */
+    long taken;        /* so many names of temporary files exist already */
+    size_t interrupts; /* so far */
+} system_calls;
+
+static bool fails(void) {
+    if (!system_calls.on || system_calls.calls++ != system_calls.failing) {
+        return false;
+    }
+    system_calls.failed = true;
+    errno = system_calls.reason;
+    return true;
+}
+
+static bool interrupted(void) {
+    if (!system_calls.on || !system_calls.interrupt || system_calls.interrupts++ % 2 != 0) {
+        return false;
+    }
+    errno = EINTR;
+    return true;
+}
+
+/* How much of `size` bytes is read or written at once. */
+static size_t part_of(size_t size) {
+    return system_calls.on && system_calls.interrupt && size > 3 ? 3 : size;
+}
+
+int __wrap_open(const char *path, int flags, ...) {
+    va_list arguments;
+    va_start(arguments, flags);
+    unsigned mode = (flags & O_CREAT) != 0 ? va_arg(arguments, unsigned) : 0;
+    va_end(arguments);
+    if (system_calls.on && (flags & O_EXCL) != 0 && system_calls.taken-- > 0) {
+        errno = EEXIST;
+        return -1;
+    }
+    return fails() ? -1 : __real_open(path, flags, mode);
+}
+
+int __wrap_close(int file) {
+    int result = __real_close(file); /* a close that fails closes all the same */
+    return fails() ? -1 : result;
+}
+
+int __wrap_fstat(int file, struct stat *status) {
+    if (fails() || __real_fstat(file, status) != 0) {
+        return -1;
+    }
+    status->st_size = system_calls.on && system_calls.grows ? 1 << 30 : status->st_size;
+    return 0;
+}
+
+int __wrap_stat(const char *path, struct stat *status) {
+    return fails() ? -1 : __real_stat(path, status);
+}
+
+ssize_t __wrap_readlink(const char *path, char *target, size_t size) {
+    return fails() ? -1 : __real_readlink(path, target, size);
+}
+
+int __wrap_rename(const char *from, const char *to) {
+    return fails() ? -1 : __real_rename(from, to);
+}
+
+ssize_t __wrap_read(int file, void *data, size_t size) {
+    if (fails() || interrupted()) {
+        return -1;
+    }
+    if (!system_calls.on || !system_calls.grows) {
+        return __real_read(file, data, part_of(size));
+    }
+    size_t left = ((size_t)1 << 30) + 1 - system_calls.grown, got = size < left ? size : left;
+    system_calls.grown += got;
+    return (ssize_t)got;
+}
+
+ssize_t __wrap_write(int file, const void *data, size_t size) {
+    if (fails() || interrupted()) {
+        return -1;
+    }
+    return system_calls.on && system_calls.full ? 0 : __real_write(file, data, part_of(size));
+}
+
+/* ---- A directory with an old file in it ---- */
+
+static const char old_text[] = "the old text of the file";
+static const char new_text[] = "and another one";
+
+struct place {
+    char directory[40];
+    char old[64], fresh[64]; /* a file that is there, and one that is not */
+};
+
+static bool place_create(struct place *place) {
+    struct error error;
+    strcpy(place->directory, "/tmp/test_system.XXXXXX");
+    if (!CHECK(mkdtemp(place->directory) != NULL)) {
+        return false;
+    }
+    snprintf(place->old, sizeof place->old, "%s/old", place->directory);
+    snprintf(place->fresh, sizeof place->fresh, "%s/fresh", place->directory);
+    return CHECK(file_write(place->old, old_text, strlen(old_text), &error));
+}
+
+static void place_remove(const struct place *place) {
+    CHECK(unlink(place->old) == 0);
+    CHECK(rmdir(place->directory) == 0);
+}
+
+static size_t count_files(const struct place *place) {
+    size_t files = 0;
+    DIR *list = opendir(place->directory);
+    while (list != NULL && readdir(list) != NULL) {
+        files++;
+    }
+    if (list != NULL) {
+        closedir(list);
+    }
+    return files - 2; /* "." and ".." */
+}
+
+static bool file_is(const char *path, const char *text) {
+    struct bytes bytes;
+    struct error error;
+    bool same = file_read(path, &bytes, &error) && bytes.size == strlen(text) &&
+                memcmp(bytes.data, text, bytes.size) == 0;
+    bytes_free(&bytes);
+    return same;
+}
+
+/* ---- Tests ---- */
+
+enum task { READ_OLD, WRITE_FRESH, WRITE_OLD, WRITE_DEVICE, TASKS };
+
+static const char *task_path(enum task task, const struct place *place) {
+    return task == WRITE_DEVICE ? "/dev/null" : task == WRITE_FRESH ? place->fresh : place->old;
+}
+
+static bool run_task(enum task task, const struct place *place, struct error *error) {
+    const char *path = task_path(task, place);
+    if (task != READ_OLD) {
+        return file_write(path, new_text, strlen(new_text), error);
+    }
+    struct bytes bytes;
+    bool done = file_read(path, &bytes, error);
+    CHECK(done ? bytes.size == strlen(old_text) : bytes.data == NULL);
+    CHECK(!done || memcmp(bytes.data, old_text, bytes.size) == 0);
+    bytes_free(&bytes);
+    return done;
+}
+
+/* Is the directory as it should be? Brings it back to its first state. */
+static void check_place(enum task task, const struct place *place, bool done) {
+    struct error error;
+    CHECK(file_is(place->old, done && task == WRITE_OLD ? new_text : old_text));
+    CHECK(file_write(place->old, old_text, strlen(old_text), &error));
+    if (done && task == WRITE_FRESH) {
+        CHECK(file_is(place->fresh, new_text) && unlink(place->fresh) == 0);
+    }
+    CHECK(count_files(place) == 1); /* nothing half-written */
+}
+
+/* Does the message say where and why? */
+static bool tells(const struct error *error, const char *path, int reason) {
+    size_t length = strlen(path);
+    return strncmp(error->message, path, length) == 0 && error->message[length] == ':' &&
+           strstr(error->message, strerror(reason)) != NULL;
+}
+
+/* The number that the next file to be opened gets: it grows when one stays open. */
+static int next_file(void) {
+    int file = open("/dev/null", O_RDONLY);
+    close(file);
+    return file;
+}
+
+static void test_each_call_fails(void) {
+    struct place place;
+    if (!place_create(&place)) {
+        return;
+    }
+    int next = next_file();
+    for (enum task task = READ_OLD; task < TASKS; task++) {
+        for (long n = 0;; n++) {
+            struct error error = {0};
+            system_calls.calls = 0;
+            system_calls.failing = n;
+            system_calls.failed = false;
+            system_calls.reason = EIO;
+            system_calls.on = true;
+            bool done = run_task(task, &place, &error);
+            system_calls.on = false;
+            CHECK(next_file() == next);
+            check_place(task, &place, done);
+            if (!system_calls.failed) {
+                CHECK(done && n >= 3);
+                break;
+            }
+            /* What was read before a close that fails has been read. */
+            CHECK(done ? task == READ_OLD : tells(&error, task_path(task, &place), EIO));
+        }
+    }
+    place_remove(&place);
+}
+
+/* No name for a temporary file is free; a file that nobody may see. */
+static void test_other_reasons(void) {
+    static const int reasons[] = {EACCES, EROFS, ENOSPC, EMFILE};
+    struct place place;
+    if (!place_create(&place)) {
+        return;
+    }
+    for (size_t i = 0; i < sizeof reasons / sizeof reasons[0]; i++) {
+        struct error error = {0};
+        system_calls.calls = 0;
+        system_calls.failing = 1; /* stat(), then open() */
+        system_calls.reason = reasons[i];
+        system_calls.on = true;
+        bool done = run_task(WRITE_FRESH, &place, &error);
+        system_calls.on = false;
+        CHECK(!done && tells(&error, place.fresh, reasons[i]));
+        check_place(WRITE_FRESH, &place, false);
+    }
+    place_remove(&place);
+}
+
+static void test_interrupted(void) {
+    struct place place;
+    if (!place_create(&place)) {
+        return;
+    }
+    for (enum task task = READ_OLD; task < TASKS; task++) {
+        struct error error = {0};
+        system_calls.failing = NEVER;
+        system_calls.interrupts = 0;
+        system_calls.interrupt = true;
+        system_calls.on = true;
+        bool done = run_task(task, &place, &error);
+        system_calls.on = system_calls.interrupt = false;
+        CHECK(done && system_calls.interrupts > 4);
+        check_place(task, &place, done);
+    }
+    place_remove(&place);
+}
+
+/* A disk that takes nothing is full. */
+static void test_full(void) {
+    struct place place;
+    if (!place_create(&place)) {
+        return;
+    }
+    for (enum task task = WRITE_FRESH; task < TASKS; task++) {
+        struct error error = {0};
+        system_calls.failing = NEVER;
+        system_calls.full = system_calls.on = true;
+        bool done = run_task(task, &place, &error);
+        system_calls.full = system_calls.on = false;
+        CHECK(!done && tells(&error, task_path(task, &place), ENOSPC));
+        check_place(task, &place, done);
+    }
+    place_remove(&place);
+}
+
+/* Names of temporary files that are taken are passed over; when all are, that is an error. */
+static void test_taken_names(void) {
+    struct place place;
+    if (!place_create(&place)) {
+        return;
+    }
+    for (long taken = 3; taken < 1000000000; taken = taken == 3 ? 999999999 : 1000000000) {
+        struct error error = {0};
+        system_calls.failing = NEVER;
+        system_calls.taken = taken;
+        system_calls.on = true;
+        bool done = run_task(WRITE_FRESH, &place, &error);
+        system_calls.on = false;
+        CHECK(done == (taken == 3));
+        CHECK(done || tells(&error, place.fresh, EEXIST));
+        check_place(WRITE_FRESH, &place, done);
+    }
+    system_calls.taken = 0;
+    place_remove(&place);
+}
+
+/* A name without a directory, and one below /dev that stands for a regular file: that is written
+ * as it is, not replaced, since whoever opened it looks there. */
+static void test_seldom_names(void) {
+    struct place place;
+    struct error error;
+    char name[32];
+    int here = open(".", O_RDONLY);
+    if (!CHECK(here >= 0) || !place_create(&place)) {
+        return;
+    }
+    CHECK(chdir(place.directory) == 0);
+    CHECK(file_write("fresh", new_text, strlen(new_text), &error));
+    CHECK(fchdir(here) == 0);
+    close(here);
+    check_place(WRITE_FRESH, &place, true);
+    int file = open(place.old, O_RDWR);
+    struct stat before, after;
+    snprintf(name, sizeof name, "/dev/fd/%d", file);
+    if (access(name, W_OK) == 0) { /* not every system has them */
+        CHECK(fstat(file, &before) == 0);
+        CHECK(file_write(name, new_text, strlen(new_text), &error));
+        CHECK(fstat(file, &after) == 0 && after.st_ino == before.st_ino);
+        CHECK(after.st_size == (off_t)strlen(new_text));
+        check_place(WRITE_OLD, &place, true);
+    }
+    close(file);
+    place_remove(&place);
+}
+
+/* A file that grows past the limit while it is read. */
+static void test_growing_file(void) {
+    struct place place;
+    struct bytes bytes;
+    struct error error = {0};
+    if (!place_create(&place)) {
+        return;
+    }
+    system_calls.failing = NEVER;
+    system_calls.grown = 0;
+    system_calls.on = system_calls.grows = true;
+    bool done = file_read(place.old, &bytes, &error);
+    system_calls.on = system_calls.grows = false;
+    CHECK(!done && bytes.data == NULL && strstr(error.message, ": is larger than 1 GiB") != NULL);
+    CHECK(system_calls.grown == ((size_t)1 << 30) + 1);
+    place_remove(&place);
+}
+
+UNIT_MAIN(TEST(test_taken_names), TEST(test_seldom_names), TEST(test_each_call_fails),
+          TEST(test_other_reasons), TEST(test_interrupted), TEST(test_full),
+          TEST(test_growing_file))

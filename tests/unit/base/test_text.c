@@ -1,0 +1,445 @@
+/* Lines and words of text.h, and its numbers against the C library's strtof() and strtod(), which
+ * glibc documents as correctly rounded. */
+#include "base/text.h"
+#include "unit/unit.h"
+
+#include <errno.h>
+#include <float.h>
+#include <locale.h>
+#include <math.h>
+#include <stdlib.h>
+
+/* ---- Lines and words ---- */
+
+/* Every line's words joined by '|', every line begun with its number: "1:a|b 2:c". */
+static void take_apart(const char *data, size_t size, bool continuation, char *out, size_t room) {
+    struct text text;
+    struct error error;
+    size_t used = 0;
+    out[0] = '\0';
+    if (!text_begin(&text, data, size, continuation, &error)) {
+        snprintf(out, room, "error %zu: %.200s", error.line, error.message);
+        return;
+    }
+    while (text_next_line(&text)) {
+        used += (size_t)snprintf(out + used, room - used, "%s%zu:", used > 0 ? " " : "", text.line);
+        for (bool first = true;; first = false) {
+            struct word word = text_next_word(&text);
+            if (word.length == 0) {
+                break;
+            }
+            used += (size_t)snprintf(out + used, room - used, "%s%.*s", first ? "" : "|",
+                                     (int)word.length, word.start);
+        }
+    }
+}
+
+static void test_lines(void) {
+    static const struct {
+        const char *name, *text;
+        size_t size; /* 0: the string's length */
+        bool continuation;
+        const char *expected;
+    } rows[] = {
+        {"empty", "", 0, true, ""},
+        {"one word, no final newline", "abc", 0, true, "1:abc"},
+        {"words", "  a\tb  c \n", 0, true, "1:a|b|c"},
+        {"vertical tab and form feed are blanks", "a\vb\fc", 0, true, "1:a|b|c"},
+        {"empty lines count", "\n\na\n\n", 0, true, "1: 2: 3:a 4:"},
+        {"CRLF", "a\r\nb\r\n", 0, true, "1:a 2:b"},
+        {"CR only", "a\rb\r\rc", 0, true, "1:a 2:b 3: 4:c"},
+        {"mixed line ends", "a\n\rb\r\n\nc", 0, true, "1:a 2: 3:b 4: 5:c"},
+        {"comment", "a # b c\nd #\n#e\nf#g", 0, true, "1:a 2:d 3: 4:f#g"},
+        {"byte-order mark", "\xEF\xBB\xBFv 1\n", 0, true, "1:v|1"},
+        {"byte-order mark alone", "\xEF\xBB\xBF", 0, true, ""},
+        {"continued", "a b\\\nc\nd", 0, true, "1:a|b|c 3:d"},
+        {"continued with CRLF and CR", "a\\\r\nb\\\rc\r\nd", 0, true, "1:a|b|c 4:d"},
+        {"continued twice over an empty line", "a \\\n \\\n b\nc", 0, true, "1:a|b 4:c"},
+        {"continued at the end", "a\\", 0, true, "1:a"},
+        {"backslash inside", "a\\b \\ c", 0, true, "1:a\\b|\\|c"},
+        {"not continued", "a\\\nb", 0, false, "1:a\\ 2:b"},
+        {"comment is not continued", "# c:\\\na", 0, true, "1: 2:a"},
+        {"zero byte", "a\nb\r\nc\rd\0e\n", 10, true,
+         "error 4: not a text file: it holds a zero byte"},
+        {"bytes above 127", "\xC3\xA9 \xFF\n", 0, true, "1:\xC3\xA9|\xFF"},
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        char got[256];
+        size_t size = rows[i].size > 0 ? rows[i].size : strlen(rows[i].text);
+        take_apart(rows[i].text, size, rows[i].continuation, got, sizeof got);
+        if (!CHECK_TEXT(got, rows[i].expected)) {
+            fprintf(stderr, "    in row: %s\n", rows[i].name);
+        }
+    }
+}
+
+/* Going to the next line passes over words that were not asked for, and over joined lines. */
+static void test_skipped_lines(void) {
+    static const char data[] = "g a b \\\n c # d\nf 1 2 # \\\nv\n";
+    struct text text;
+    struct error error;
+    CHECK(text_begin(&text, data, sizeof data - 1, true, &error));
+    CHECK(text_next_line(&text) && text.line == 1);
+    CHECK(text_next_line(&text) && text.line == 3);
+    CHECK(word_is(text_next_word(&text), "f"));
+    CHECK(text_next_line(&text) && text.line == 4);
+    CHECK(word_is(text_next_word(&text), "v"));
+    CHECK(!text_next_line(&text));
+    CHECK(!text_next_line(&text));
+    CHECK(text_begin(&text, NULL, 0, true, &error) && !text_next_line(&text));
+    CHECK(text_next_word(&text).length == 0);
+}
+
+/* One line of 8 MB, as blanks, as one word, as a comment: linear time, or this test never ends. */
+static void test_long_line(void) {
+    const size_t size = 8 << 20;
+    char *data = malloc(size);
+    CHECK(data != NULL);
+    if (data == NULL) {
+        return;
+    }
+    for (const char *fill = "a #\\"; *fill != '\0'; fill++) {
+        memset(data, *fill, size);
+        struct text text;
+        struct error error;
+        size_t words = 0;
+        CHECK(text_begin(&text, data, size, true, &error) && text_next_line(&text));
+        while (text_next_word(&text).length > 0) {
+            words++;
+        }
+        CHECK(words == (*fill == 'a' || *fill == '\\' ? 1U : 0U));
+        CHECK(!text_next_line(&text));
+    }
+    free(data);
+}
+
+static struct word word_of(const char *string) {
+    return (struct word){string, strlen(string)};
+}
+
+static void test_words(void) {
+    CHECK(word_is(word_of("vt"), "vt"));
+    CHECK(!word_is(word_of("v"), "vt"));
+    CHECK(!word_is(word_of("vt"), "v"));
+    CHECK(word_is(word_of(""), ""));
+    CHECK_TEXT(word_show(word_of("short")).text, "short");
+    CHECK_TEXT(word_show(word_of("exactly thirty-nine characters long ....")).text,
+               "exactly thirty-nine characters long ...");
+    CHECK_TEXT(word_show(word_of("0123456789012345678901234567890123456789")).text,
+               "012345678901234567890123456789012345...");
+    CHECK_TEXT(word_show(word_of("01234567890123456789012345678901234\xE2\x82\xAC 56789")).text,
+               "01234567890123456789012345678901234...");
+    struct error error;
+    CHECK(!text_error(&error, 17, "face names vertex %d", 99));
+    CHECK_ERROR(error, "17: face names vertex 99");
+}
+
+static void test_integers(void) {
+    static const struct {
+        const char *text;
+        bool valid;
+        int64_t value;
+    } rows[] = {
+        {"0", true, 0},
+        {"-0", true, 0},
+        {"+7", true, 7},
+        {"007", true, 7},
+        {"-12", true, -12},
+        {"4294967297", true, INT64_C(4294967297)},
+        {"9223372036854775807", true, INT64_MAX},
+        {"-9223372036854775808", true, INT64_MIN},
+        {"9223372036854775808", false, 0},
+        {"-9223372036854775809", false, 0},
+        {"99999999999999999999", false, 0},
+        {"", false, 0},
+        {"-", false, 0},
+        {"+-1", false, 0},
+        {"1.0", false, 0},
+        {"1e3", false, 0},
+        {"0x10", false, 0},
+        {"1 ", false, 0},
+        {"\xD9\xA1", false, 0}, /* an Arabic digit */
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        int64_t value = 0;
+        bool valid = word_to_integer(word_of(rows[i].text), &value);
+        CHECK_ROW(valid == rows[i].valid && (!valid || value == rows[i].value), rows[i].text);
+    }
+}
+
+/* ---- Numbers ---- */
+
+static bool same_double(double a, double b) {
+    return memcmp(&a, &b, sizeof a) == 0;
+}
+
+static void check_number(const char *string) {
+    double d = 0;
+    CHECK_ROW(word_to_double(word_of(string), &d) && same_double(d, strtod(string, NULL)), string);
+}
+
+static void test_chosen_numbers(void) {
+    static const char *const strings[] = {
+        "0",
+        "-0",
+        "+0",
+        "0.0",
+        "-0.0e10",
+        "0e999999999999999999999",
+        ".5",
+        "5.",
+        "-.5e1",
+        "5.e1",
+        "1e-30",
+        "1E+30",
+        "1e0",
+        "1e-0",
+        "00012.500",
+        "0.1",
+        "0.3",
+        "16777215",
+        "16777216",
+        "16777217", /* the middle between two floats: to even, down */
+        "16777219", /* ... up */
+        "16777217.00000000000000000000000000000000000001",
+        "16777216.99999999999999999999999999999",
+        "9007199254740993",
+        "9007199254740992.99999999999999999999999",
+        "9007199254740993.00000000000000000000000000000001",
+        "1.00000005960464477539062500",
+        "1.00000005960464477539062499999999999",
+        "1.0000000596046447753906250000000000000000001",
+        "3.4028234663852886e38",
+        "3.4028235677973366e38",
+        "3.40282356779733661e38",
+        "3.402823567797336616375393954581425684479e38",
+        "3.4028235677973362e38",
+        "1e39",
+        "-1e39",
+        "1e400",
+        "1e-400",
+        "1e99999999999999999999",
+        "1e-99999999999999999999",
+        "1.7976931348623157e308",
+        "1.7976931348623158e308",
+        "1.7976931348623159e308",
+        "1.797693134862315807e308",
+        "1.797693134862315808e308",
+        "1.4012984643248170e-45",
+        "7.0064923216240853e-46",
+        "7.0064923216240854e-46",
+        "7.00649232162408535461864791644958e-46",
+        "7.00649232162408535461864791644959e-46",
+        "1.1754943508222875e-38",
+        "1.1754942807573643e-38",
+        "1.17549431578987e-38",
+        "4.9406564584124654e-324",
+        "2.4703282292062327e-324",
+        "2.4703282292062328e-324",
+        "2.2250738585072011e-308",
+        "2.2250738585072014e-308",
+        "8.589973e9",
+        "123456789012345678901234567890",
+        "0.000000000000000000000000000000000001",
+        "9999999999999999999",
+        "10000000000000000000",
+        "18446744073709551616",
+        "1e22",
+        "1e23",
+        "8.5e22",
+        "-1.5e-22",
+        "6.02214076e23"};
+    for (size_t i = 0; i < sizeof strings / sizeof strings[0]; i++) {
+        check_number(strings[i]);
+    }
+}
+
+/* Many digits before and behind the point that the exponent takes back. */
+static void test_long_numbers(void) {
+    enum { ZEROS = 100000 };
+    char *string = malloc(ZEROS + 100);
+    double d;
+    CHECK(string != NULL);
+    if (string == NULL) {
+        return;
+    }
+    memset(string, '0', ZEROS);
+    string[0] = '1';
+    strcpy(string + ZEROS, "e-99999");
+    CHECK(word_to_double(word_of(string), &d) && d == 1);
+    string[0] = '0';
+    string[1] = '.';
+    strcpy(string + ZEROS, "25e99998");
+    CHECK(word_to_double(word_of(string), &d) && d == 0.25);
+    /* The middle between 1 and the next double, with one digit far behind that decides. */
+    static const char middle[] = "1.00000000000000011102230246251565404236316680908203125";
+    memset(string, '0', ZEROS);
+    memcpy(string, middle, sizeof middle - 1);
+    strcpy(string + ZEROS, "000");
+    CHECK(word_to_double(word_of(string), &d) && d == 1);
+    strcpy(string + ZEROS, "001");
+    CHECK(word_to_double(word_of(string), &d) && d == nextafter(1, 2));
+    free(string);
+    /* (2^53 + 3) 2^-200, the middle between two doubles: to even, up. */
+    check_number(
+        "5.605193857299270150599501691502176668340263901543335264103923751909304261078426"
+        "84285620296406351868330844693771408508708997686653674463741481304168701171875e-45");
+}
+
+static void test_refused_numbers(void) {
+    static const char *const strings[] = {
+        "",    ".",   "-",   "+",    "e5",   ".e5", "1e",  "1e+",   "1e-",     "1.2.3",
+        "1,5", "nan", "NaN", "inf",  "-inf", "INF", "1f",  "0x1p3", "1e5.5",   "--1",
+        "+-1", "1-",  "1d5", "1e5e", "1 ",   " 1",  "1_0", "1e--",  "infinity"};
+    for (size_t i = 0; i < sizeof strings / sizeof strings[0]; i++) {
+        double d;
+        CHECK_ROW(!word_to_double(word_of(strings[i]), &d), strings[i]);
+    }
+}
+
+static uint64_t random_bits(void) { /* xorshift64: Marsaglia, "Xorshift RNGs", 2003 */
+    static uint64_t state = UINT64_C(88172645463325252);
+    state ^= state << 13;
+    state ^= state >> 7;
+    state ^= state << 17;
+    return state;
+}
+
+static unsigned random_below(unsigned limit) {
+    return (unsigned)(random_bits() % limit);
+}
+
+static float random_float(uint32_t mask) {
+    float value;
+    do {
+        uint32_t bits = (uint32_t)random_bits() & mask;
+        memcpy(&value, &bits, sizeof value);
+    } while (!isfinite(value));
+    return value;
+}
+
+static double random_double(uint64_t mask) {
+    double value;
+    do {
+        uint64_t bits = random_bits() & mask;
+        memcpy(&value, &bits, sizeof value);
+    } while (!isfinite(value));
+    return value;
+}
+
+static void random_digits(char *string, unsigned digits) {
+    unsigned point = random_below(digits + 1);
+    for (unsigned i = 0; i < digits; i++) {
+        if (i == point) {
+            *string++ = '.';
+        }
+        *string++ = (char)('0' + (random_below(3) == 0 ? 0 : random_below(10)));
+    }
+    sprintf(string, "e%d", (int)random_below(700) - 350);
+}
+
+/* The middle between a float and its neighbour, in full or cut to some digits. */
+static void middle_of_floats(char *string, size_t room) {
+    float below = random_float(UINT32_MAX);
+    float above = nextafterf(below, 0);
+    int digits = random_below(2) == 0 ? 200 : (int)random_below(25) + 5;
+    snprintf(string, room, "%.*g", digits, ((double)below + (double)above) / 2);
+}
+
+/* The middle between two doubles of ordinary size, in full: 54 bits, so up to 54 digits more. */
+static void middle_of_doubles(char *string, size_t room) {
+    uint64_t whole = (UINT64_C(1) << 52 | random_bits() >> 12);
+    unsigned point = random_below(10);
+    /* whole + 1/2, divided by 2^point, written exactly: digits by repeated doubling of the rest. */
+    uint64_t rest = ((whole << 1 | 1) & ((UINT64_C(1) << (point + 1)) - 1));
+    size_t used = (size_t)snprintf(string, room, "%" PRIu64 ".", (whole << 1 | 1) >> (point + 1));
+    for (unsigned i = 0; i <= point; i++) {
+        rest *= 10;
+        string[used++] = (char)('0' + (rest >> (point + 1)));
+        rest &= (UINT64_C(1) << (point + 1)) - 1;
+    }
+    unsigned tail = random_below(3); /* exact, or just above by a far digit */
+    for (unsigned i = 0; tail > 0 && i < 30; i++) {
+        string[used++] = '0';
+    }
+    string[used] = '\0';
+    if (tail == 2) {
+        strcat(string, "1");
+    }
+}
+
+/* 15 to 25 digits, perhaps with a point among them. */
+static void ordinary_digits(char *string, size_t room) {
+    int digits = (int)random_below(11) + 15, point = (int)random_below(28);
+    size_t used = 0;
+    for (int i = 0; i < digits; i++) {
+        used += (size_t)snprintf(string + used, room - used, "%s%u", i == point ? "." : "",
+                                 random_below(10));
+    }
+}
+
+static void test_random_numbers(void) {
+    for (int i = 0; i < 150000; i++) {
+        char string[2048];
+        switch (i % 9) {
+        case 0: /* more digits than fast_double() takes, some more than fit 64 bits */
+            ordinary_digits(string, sizeof string);
+            break;
+        case 1:
+            snprintf(string, sizeof string, "%.17g", random_double(UINT64_MAX));
+            break;
+        case 2:
+            snprintf(string, sizeof string, "%.9g", (double)random_float(UINT32_MAX));
+            break;
+        case 3:
+            middle_of_floats(string, sizeof string);
+            break;
+        case 4:
+            middle_of_doubles(string, sizeof string);
+            break;
+        case 5: /* subnormals */
+            snprintf(string, sizeof string, "%.*g", (int)random_below(40) + 1,
+                     random_double(UINT64_C(0x801FFFFFFFFFFFFF)));
+            break;
+        case 6:
+            snprintf(string, sizeof string, "%.*g", (int)random_below(120) + 1,
+                     (double)random_float(UINT32_C(0x80FFFFFF)));
+            break;
+        case 7:
+            random_digits(string, random_below(40) + 1);
+            break;
+        default:
+            random_digits(string, random_below(i % 64 == 7 ? 1500 : 24) + 1);
+            break;
+        }
+        check_number(string);
+    }
+}
+
+/* A locale with a decimal comma changes nothing. */
+static void test_locale(void) {
+    static const char *const names[] = {"de_DE.UTF-8", "fr_FR.UTF-8", "de_DE", "ru_RU.UTF-8"};
+    for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
+        if (setlocale(LC_ALL, names[i]) != NULL) {
+            break;
+        }
+    }
+    double d;
+    CHECK(word_to_double(word_of("1.25"), &d) && d == 1.25);
+    CHECK(!word_to_double(word_of("1,25"), &d));
+    setlocale(LC_ALL, "C");
+}
+
+/* A word that nobody writes but a hostile file may hold. */
+static void test_strange_word(void) {
+    static const char continuation[] = /* 50 later bytes of UTF-8 characters without a first one */
+        "\x80\x80\x80\x80\x80\x80\x80\x80\x80\x80\x80\x80\x80\x80\x80\x80\x80\x80\x80\x80"
+        "\x80\x80\x80\x80\x80\x80\x80\x80\x80\x80\x80\x80\x80\x80\x80\x80\x80\x80\x80\x80"
+        "\x80\x80\x80\x80\x80\x80\x80\x80\x80\x80";
+    CHECK_TEXT(word_show(word_of(continuation)).text, "...");
+}
+
+UNIT_MAIN(TEST(test_lines), TEST(test_skipped_lines), TEST(test_long_line), TEST(test_words),
+          TEST(test_integers), TEST(test_chosen_numbers), TEST(test_long_numbers),
+          TEST(test_refused_numbers), TEST(test_random_numbers), TEST(test_locale),
+          TEST(test_strange_word))

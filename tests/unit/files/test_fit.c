@@ -1,0 +1,119 @@
+/* Models moved and scaled into view. */
+#include "files/fit.h"
+
+#include "oracle/oracle.h"
+#include "unit/unit.h"
+
+enum { CORNERS = 12 };
+
+struct cloud {
+    struct model model;
+    struct vec3 positions[CORNERS + 1];
+    struct face faces[CORNERS / 3];
+};
+
+/* Corners in a box of that size around `middle`, and a position that no face names. */
+static void make_cloud(struct cloud *cloud, struct vec3 middle, struct vec3 size,
+                       struct random *random) {
+    cloud->model = (struct model){.positions = cloud->positions,
+                                  .position_count = CORNERS + 1,
+                                  .faces = cloud->faces,
+                                  .face_count = CORNERS / 3};
+    for (uint32_t i = 0; i < CORNERS; i++) {
+        cloud->positions[i] = (struct vec3){middle.x + size.x * random_real(random, -1, 1),
+                                            middle.y + size.y * random_real(random, -1, 1),
+                                            middle.z + size.z * random_real(random, -1, 1)};
+        cloud->faces[i / 3].corner[i % 3] = (struct corner){i, MODEL_NONE, MODEL_NONE};
+    }
+    cloud->positions[CORNERS] = (struct vec3){1e30, -1e30, 5};
+}
+
+/* Each side of the box is that of another corner, and no corner is left out. */
+static void test_box(void) {
+    struct random random = {70};
+    for (uint32_t i = 0; i < CORNERS * 6; i++) {
+        struct cloud cloud;
+        make_cloud(&cloud, (struct vec3){0, 0, 0}, (struct vec3){0.5, 0.5, 0.5}, &random);
+        struct box3 kept = model_box(&cloud.model);
+        double far = i % 2 == 0 ? -1 : 1;
+        struct vec3 *corner = &cloud.positions[i / 6];
+        double *const coordinate[3] = {&corner->x, &corner->y, &corner->z};
+        *coordinate[i / 2 % 3] = far;
+        struct box3 box = model_box(&cloud.model);
+        const double sides[6] = {box.least.x,    box.greatest.x, box.least.y,
+                                 box.greatest.y, box.least.z,    box.greatest.z};
+        CHECK(sides[i % 6] == far);
+        CHECK(!box_reaches_out(kept) && !box_reaches_out(box));
+    }
+}
+
+static double longest_side(struct box3 box) {
+    struct vec3 size = vec3_sub(box.greatest, box.least);
+    return fmax(size.x, fmax(size.y, size.z));
+}
+
+static double farthest(const struct cloud *cloud) {
+    double result = 0;
+    for (int i = 0; i < CORNERS; i++) {
+        result = fmax(result, vec3_length(cloud->positions[i]));
+    }
+    return result;
+}
+
+/* The distance of two corners, as a part of that of two others, is kept. */
+static double proportion(const struct cloud *cloud) {
+    const struct vec3 *p = cloud->positions;
+    return vec3_length(vec3_sub(p[0], p[1])) / vec3_length(vec3_sub(p[2], p[3]));
+}
+
+static void test_fit(void) {
+    static const struct vec3 sizes[] = {{1, 1, 1},    {100, 1, 2},        {1, 50, 2},
+                                        {0.1, 2, 30}, {1e-6, 1e-6, 1e-6}, {1e20, 1e20, 1e20}};
+    static const struct vec3 middles[] = {{0, 0, 0}, {5, -7, 9}, {0, 1e3, 0}};
+    struct random random = {71};
+    for (size_t i = 0; i < 6 * 3 * 2; i++) {
+        struct cloud cloud;
+        bool all_around = i % 2 == 1;
+        make_cloud(&cloud, middles[i / 2 % 3], sizes[i / 6], &random);
+        double kept = proportion(&cloud);
+        model_fit(&cloud.model, all_around);
+        struct box3 box = model_box(&cloud.model);
+        CHECK(!box_reaches_out(box));
+        CHECK(fabs(proportion(&cloud) / kept - 1) < 1e-6);
+        CHECK(vec3_length(vec3_add(box.least, box.greatest)) < 1e-6);
+        CHECK(all_around ? fabs(farthest(&cloud) - 0.875) < 1e-12
+                         : fabs(longest_side(box) - 1.9) < 1e-12);
+    }
+}
+
+/* Of size 0, or so small and large that a square would under- or overflow. */
+static void test_odd_sizes(void) {
+    static const double sizes[] = {0, 5e-324, 1e-200, 3e38};
+    struct random random = {72};
+    for (size_t i = 0; i < 8; i++) {
+        struct cloud cloud;
+        double size = sizes[i / 2];
+        make_cloud(&cloud, (struct vec3){0, 0, 0}, (struct vec3){size, size, size}, &random);
+        cloud.positions[0] = (struct vec3){-size, -size, -size};
+        cloud.positions[1] = (struct vec3){size, size, size};
+        model_fit(&cloud.model, i % 2 == 1);
+        struct box3 box = model_box(&cloud.model);
+        double reach = i % 2 == 1 ? 0.875 / sqrt(3) : 0.95;
+        CHECK(fabs(longest_side(box) - (size > 0 ? 2 * reach : 0)) < 1e-12);
+    }
+}
+
+static void test_reaching_out(void) {
+    struct box3 box = {{-1, -1, -1}, {1, 1, 1}};
+    double *const sides[6] = {&box.least.x,    &box.least.y,    &box.least.z,
+                              &box.greatest.x, &box.greatest.y, &box.greatest.z};
+    CHECK(!box_reaches_out(box));
+    for (int i = 0; i < 6; i++) {
+        double kept = *sides[i];
+        *sides[i] *= 1.001;
+        CHECK(box_reaches_out(box));
+        *sides[i] = kept;
+    }
+}
+
+UNIT_MAIN(TEST(test_box), TEST(test_fit), TEST(test_odd_sizes), TEST(test_reaching_out))

@@ -1,0 +1,202 @@
+/* Tests of common/files/image_file.c: which decoder reads a file, and the table of formats. */
+#define _XOPEN_SOURCE 700 /* POSIX.1-2008 with mkdtemp() */
+
+#include "files/image_file.h"
+
+#include "base/file.h"
+#include "files/png.h"
+#include "unit/unit.h"
+
+#include <stdlib.h>
+#include <unistd.h>
+
+static struct image make_image(enum image_format format, uint8_t first) {
+    struct image image;
+    struct error error;
+    CHECK(image_create(&image, 3, 2, format, &error));
+    for (size_t i = 0; i < 6 * (size_t)format; i++) {
+        image.pixels[i] = (uint8_t)(first + 9 * i);
+    }
+    return image;
+}
+
+static bool same_image(const struct image *a, const struct image *b) {
+    return a->width == b->width && a->height == b->height && a->format == b->format &&
+           memcmp(a->pixels, b->pixels, a->width * a->height * (size_t)a->format) == 0;
+}
+
+/* A name in a new directory, which leave_directory() removes. */
+struct place {
+    char directory[32], path[64];
+};
+
+static struct place enter_directory(const char *name) {
+    struct place place = {.directory = "/tmp/test_image_file.XXXXXX"};
+    CHECK(mkdtemp(place.directory) != NULL);
+    snprintf(place.path, sizeof place.path, "%s/%s", place.directory, name);
+    return place;
+}
+
+static void leave_directory(const struct place *place) {
+    unlink(place->path);
+    CHECK(rmdir(place->directory) == 0); /* the writers have left nothing else */
+}
+
+/* ---- Reading ---- */
+
+/* The name tells nothing: each kind of file is read under the name of the other. */
+static void test_signature_decides(void) {
+    static const struct {
+        const char *name;
+        bool (*write)(const struct image *image, const char *path, struct error *error);
+    } rows[] = {{"a.png", tga_write}, {"a.tga", png_write}, {"a", png_write}};
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        struct place place = enter_directory(rows[i].name);
+        struct image image = make_image(IMAGE_BGRA, 5), again;
+        struct error error;
+        CHECK_ROW(rows[i].write(&image, place.path, &error), rows[i].name);
+        if (CHECK_ROW(image_read(&again, place.path, &error), rows[i].name)) {
+            CHECK_ROW(same_image(&image, &again), rows[i].name);
+        }
+        image_free(&again);
+        image_free(&image);
+        leave_directory(&place);
+    }
+}
+
+#define NEITHER "neither a PNG nor a TGA of a type that is supported"
+
+/* What is neither, and what is one of the two with a fault of its own. */
+static void test_wrong_files(void) {
+    static const struct {
+        const char *name, *bytes;
+        size_t size;
+        const char *message;
+    } rows[] = {
+        {"nothing", "", 0, NEITHER},
+        {"text", "The quick brown fox jumps over", 30, NEITHER},
+        {"too short for a TGA", "\0\0\2\0\0\0\0\0\0\0\0\0\1\0\1\0\30", 17, NEITHER},
+        {"JPEG", "\xff\xd8\xff\xe0\0\20JFIF\0\1\1\0\0\1\0\1\0\0", 20, NEITHER},
+        {"PNG after a change of line ends", "\x89PNG\n\x1a\n\0\0\0\rIHDR\0\0\0\1", 20, NEITHER},
+        {"TGA of type 0", "\0\0\0\0\0\0\0\0\0\0\0\0\1\0\1\0\10\0\7", 19, NEITHER},
+        {"TGA of type 4", "\0\0\4\0\0\0\0\0\0\0\0\0\1\0\1\0\10\0\7", 19, NEITHER},
+        {"colour map of type 2", "\0\2\3\0\0\0\0\0\0\0\0\0\1\0\1\0\10\0\7", 19, NEITHER},
+        {"PNG cut off", "\x89PNG\r\n\x1a\n", 8, "a PNG cut off before its end"},
+        {"TGA cut off", "\0\0\3\0\0\0\0\0\0\0\0\0\2\0\1\0\10\0\7", 19,
+         "a TGA cut off: 2x1 pixels take at least 2 bytes, but 1 are left"},
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        struct place place = enter_directory("picture.tga");
+        struct image image = {.width = 7};
+        struct error error = {0};
+        char expected[200];
+        CHECK_ROW(!image_decode(&image, rows[i].bytes, rows[i].size, &error), rows[i].name);
+        CHECK_ROW(image.pixels == NULL && image.width == 0, rows[i].name);
+        CHECK_TEXT(error.message, rows[i].message);
+        CHECK(file_write(place.path, rows[i].bytes, rows[i].size, &error));
+        image.width = 7;
+        CHECK_ROW(!image_read(&image, place.path, &error), rows[i].name);
+        CHECK_ROW(image.pixels == NULL && image.width == 0, rows[i].name);
+        snprintf(expected, sizeof expected, "%s: %s", place.path, rows[i].message);
+        CHECK_TEXT(error.message, expected);
+        leave_directory(&place);
+    }
+}
+
+static void test_missing_file(void) {
+    struct image image = {.width = 7};
+    struct error error = {0};
+    CHECK(!image_read(&image, "/tmp/no/such/picture.png", &error));
+    CHECK(image.pixels == NULL && image.width == 0);
+    CHECK(strncmp(error.message, "/tmp/no/such/picture.png: ", 26) == 0);
+}
+
+/* ---- Formats ---- */
+
+static void test_find(void) {
+    for (size_t i = 0; i < image_file_format_count; i++) {
+        CHECK(image_file_format_find(image_file_formats[i].name) == &image_file_formats[i]);
+    }
+    CHECK(image_file_format_count > 0);
+    CHECK_TEXT(image_file_formats[0].name, "tga"); /* the default */
+    CHECK(image_file_format_find("png") != NULL && image_file_format_find("ppm") != NULL);
+    CHECK(image_file_format_find("pn") == NULL && image_file_format_find("pngs") == NULL);
+    CHECK(image_file_format_find("PNG") == NULL && image_file_format_find("") == NULL);
+}
+
+static void test_names(void) {
+    CHECK_TEXT(image_file_names().text, "tga, png or ppm");
+}
+
+static void test_extensions(void) {
+    static const struct {
+        const char *format;
+        enum image_format kind;
+        const char *extension;
+    } rows[] = {
+        {"tga", IMAGE_GREY, "tga"}, {"tga", IMAGE_BGR, "tga"},  {"png", IMAGE_GREY, "png"},
+        {"ppm", IMAGE_GREY, "pgm"}, {"ppm", IMAGE_BGRA, "ppm"}, {"ppm", IMAGE_BGR, "ppm"},
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        struct image image = {.format = rows[i].kind};
+        CHECK_TEXT(image_file_extension(image_file_format_find(rows[i].format), &image),
+                   rows[i].extension);
+    }
+}
+
+/* How a file of each format begins: a PNG by its signature, a TGA by its type. */
+static void test_writers(void) {
+    static const struct {
+        const char *format, *bytes;
+        size_t at, size;
+        bool moves;
+    } rows[] = {
+        {"tga", "TRUEVISION-XFILE.", 44, 17, false},
+        {"png", "\x89PNG\r\n\x1a\n", 0, 8, true},
+        {"ppm", "P6\n3 2\n255\n", 0, 11, false},
+    };
+    CHECK(sizeof rows / sizeof rows[0] == image_file_format_count);
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        const struct image_file_format *format = image_file_format_find(rows[i].format);
+        struct place place = enter_directory("picture");
+        struct image image = make_image(IMAGE_BGR, 1);
+        struct bytes file = {0};
+        struct error error;
+        CHECK_ROW(format->write(&image, place.path, &error), rows[i].format);
+        CHECK_ROW(file_read(place.path, &file, &error) && file.size >= rows[i].at + rows[i].size &&
+                      memcmp(file.data + rows[i].at, rows[i].bytes, rows[i].size) == 0,
+                  rows[i].format);
+        CHECK_ROW((format->write_frames != NULL) == rows[i].moves, rows[i].format);
+        bytes_free(&file);
+        image_free(&image);
+        leave_directory(&place);
+    }
+}
+
+/* A format that moves holds every frame; read as a picture, it gives the first. */
+static void test_frames(void) {
+    for (size_t i = 0; i < image_file_format_count; i++) {
+        const struct image_file_format *format = &image_file_formats[i];
+        if (format->write_frames == NULL) {
+            continue;
+        }
+        struct place place = enter_directory("film");
+        struct image frames[2] = {make_image(IMAGE_BGR, 1), make_image(IMAGE_BGR, 2)}, again;
+        struct bytes one = {0}, two = {0};
+        struct error error;
+        CHECK(format->write(&frames[0], place.path, &error) && file_read(place.path, &one, &error));
+        CHECK(format->write_frames(frames, 2, 40, place.path, &error));
+        CHECK(file_read(place.path, &two, &error) && two.size > one.size);
+        CHECK(image_read(&again, place.path, &error) && same_image(&again, &frames[0]));
+        image_free(&again);
+        image_free(&frames[0]);
+        image_free(&frames[1]);
+        bytes_free(&one);
+        bytes_free(&two);
+        leave_directory(&place);
+    }
+}
+
+UNIT_MAIN(TEST(test_signature_decides), TEST(test_wrong_files), TEST(test_missing_file),
+          TEST(test_find), TEST(test_names), TEST(test_extensions), TEST(test_writers),
+          TEST(test_frames))

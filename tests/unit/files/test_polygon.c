@@ -1,0 +1,667 @@
+/* Polygons cut into triangles, against exact areas and sides. */
+#include "files/polygon.h"
+
+#include "oracle/oracle.h"
+#include "unit/unit.h"
+
+#include <assert.h>
+#include <stdlib.h>
+#include <time.h>
+
+static struct random random_state = {1};
+
+static int random_int(int least, int most) { /* both inclusive */
+    return (int)random_between(&random_state, least, most);
+}
+
+/* ---- Polygons ---- */
+
+enum { CORNER_LIMIT = 64 };
+
+/* Whole-number corners, so that areas and sides are exact. */
+struct polygon {
+    size_t size;
+    int64_t x[CORNER_LIMIT], y[CORNER_LIMIT];
+};
+
+static void polygon_add(struct polygon *p, int64_t x, int64_t y) {
+    p->x[p->size] = x;
+    p->y[p->size++] = y;
+}
+
+/* Twice the area of three corners; positive when counterclockwise. */
+static int128 area_of(const struct polygon *p, size_t a, size_t b, size_t c) {
+    int128 left = (int128)(p->x[b] - p->x[a]) * (p->y[c] - p->y[a]);
+    return left - (int128)(p->y[b] - p->y[a]) * (p->x[c] - p->x[a]);
+}
+
+static int128 polygon_area(const struct polygon *p) {
+    int128 area = 0;
+    for (size_t i = 0; i < p->size; i++) {
+        size_t next = (i + 1) % p->size;
+        area += (int128)p->x[i] * p->y[next] - (int128)p->y[i] * p->x[next];
+    }
+    return area;
+}
+
+/* A row of points across, then one back above it: never crosses itself. */
+static void make_monotone(struct polygon *p) {
+    int count = random_int(2, 25);
+    *p = (struct polygon){0};
+    for (int i = 0; i < count; i++) {
+        polygon_add(p, i * 10 + random_int(0, 9), random_int(-50, -1));
+    }
+    for (int i = count; i-- > 0;) {
+        polygon_add(p, i * 10 + random_int(0, 9), random_int(1, 50));
+    }
+}
+
+/* A frame with holes of three or four corners, each reached from the lower side by a cut that is
+ * walked up to its lowest corner and down again. */
+static void make_holes(struct polygon *p) {
+    int holes = random_int(1, 6);
+    *p = (struct polygon){0};
+    polygon_add(p, 0, 0);
+    for (int i = 0; i < holes; i++) {
+        int left = 20 * i + random_int(1, 9), right = left + random_int(1, 9);
+        int bottom = random_int(1, 50), top = bottom + random_int(1, 49);
+        int base = random_int(20 * i + 1, 20 * i + 19), lean = random_int(0, top - bottom);
+        bool square = random_int(0, 1) == 1;
+        polygon_add(p, base, 0);
+        polygon_add(p, left, bottom);
+        polygon_add(p, left, top);
+        if (square) {
+            polygon_add(p, right, top);
+        }
+        polygon_add(p, right, bottom + (square ? 0 : lean));
+        polygon_add(p, left, bottom);
+        polygon_add(p, base, 0);
+    }
+    polygon_add(p, 20 * holes, 0);
+    polygon_add(p, 20 * holes, 100);
+    polygon_add(p, 0, 100);
+}
+
+/* A square whose outline comes back to its first corner and goes round a hole there. */
+static void make_touching(struct polygon *p) {
+    int x1, y1, x2, y2;
+    do {
+        x1 = random_int(1, 30);
+        y1 = random_int(1, 30);
+        x2 = random_int(1, 30);
+        y2 = random_int(1, 30);
+    } while (x1 * y2 - y1 * x2 >= 0);
+    *p = (struct polygon){0};
+    polygon_add(p, 0, 0);
+    for (int i = random_int(0, 3); i > 0; i--) {
+        polygon_add(p, 32 - 8 * i, random_int(-9, -1));
+    }
+    polygon_add(p, 31, 0);
+    polygon_add(p, 31, 31);
+    polygon_add(p, 0, 31);
+    polygon_add(p, 0, 0);
+    polygon_add(p, x1, y1);
+    polygon_add(p, x2, y2);
+}
+
+/* A square whose hole is reached from the lower side and touches the outline's last corner, often
+ * along a side of the outline, even the whole of it. */
+static void make_touched(struct polygon *p) {
+    int x1, y1, x2, y2, along = random_int(0, 7);
+    do {
+        x1 = along == 1 ? 0 : random_int(1, 30);
+        y1 = along == 1 ? 0 : random_int(1, 30);
+        x2 = along == 0 ? 31 : random_int(1, 30);
+        y2 = along == 0 ? 31 : random_int(y1, 31);
+    } while (x1 * (y2 - 31) - (y1 - 31) * x2 <= 0); /* the hole must go round clockwise */
+    *p = (struct polygon){0};
+    polygon_add(p, 0, 0);
+    polygon_add(p, 15, 0);
+    polygon_add(p, x1, y1);
+    polygon_add(p, 0, 31);
+    polygon_add(p, x2, y2);
+    polygon_add(p, x1, y1);
+    polygon_add(p, 15, 0);
+    polygon_add(p, 31, 0);
+    polygon_add(p, 31, 31);
+    polygon_add(p, 0, 31);
+}
+
+/* A rectangle with notches from above, of which many reach the lower side and touch it. */
+static void make_notched(struct polygon *p) {
+    int notches = random_int(1, 6), height = random_int(2, 40);
+    *p = (struct polygon){0};
+    polygon_add(p, 0, 0);
+    polygon_add(p, 20 * notches, 0);
+    polygon_add(p, 20 * notches, height);
+    for (int i = notches; i-- > 0;) {
+        int left = 20 * i + random_int(1, 9), right = left + random_int(1, 9);
+        polygon_add(p, right, height);
+        polygon_add(p, 20 * i + random_int(1, 19), random_int(0, 2) > 0 ? 0 : height / 2);
+        polygon_add(p, left, height);
+    }
+    polygon_add(p, 0, height);
+}
+
+/* ---- Any polygon that touches itself: triangles glued together along some of their sides ---- */
+
+enum { GRID = 5, GRID_TRIANGLES = 2 * GRID * GRID };
+
+/* Whole-number points in rows and columns; each square is cut one way or the other. */
+struct tiling {
+    int64_t x[(GRID + 1) * (GRID + 1)], y[(GRID + 1) * (GRID + 1)];
+    int corner[GRID_TRIANGLES][3]; /* counterclockwise */
+};
+
+static void make_tiling(struct tiling *t) {
+    int shift = random_int(0, 3); /* 0: many corners on one line */
+    for (int i = 0; i < (GRID + 1) * (GRID + 1); i++) {
+        t->x[i] = 20 * (i % (GRID + 1)) + random_int(-shift, shift);
+        t->y[i] = 20 * (i / (GRID + 1)) + random_int(-shift, shift);
+    }
+    for (int i = 0; i < GRID * GRID; i++) {
+        int a = i / GRID * (GRID + 1) + i % GRID, b = a + 1, c = a + GRID + 2, d = a + GRID + 1;
+        const int cuts[2][2][3] = {{{a, b, c}, {a, c, d}}, {{a, b, d}, {b, c, d}}};
+        memcpy(t->corner[2 * i], cuts[random_int(0, 1)], sizeof cuts[0]);
+    }
+}
+
+/* The triangle, not yet used, on the other side of the side from p to q; -1 where there is none. */
+static int find_beyond_side(const struct tiling *t, const bool *used, int p, int q, int *third) {
+    for (int i = 0; i < GRID_TRIANGLES; i++) {
+        for (int k = 0; k < 3 && !used[i]; k++) {
+            if (t->corner[i][k] == q && t->corner[i][(k + 1) % 3] == p) {
+                *third = t->corner[i][(k + 2) % 3];
+                return i;
+            }
+        }
+    }
+    return -1;
+}
+
+/* Begin with a triangle and glue others to sides of the polygon, anywhere: it comes back to corners
+ * and along sides that it has already, has holes and slits, and never crosses itself. */
+static void make_glued(struct polygon *p) {
+    static struct tiling t;
+    bool used[GRID_TRIANGLES] = {false};
+    int point[CORNER_LIMIT];
+    int first = random_int(0, GRID_TRIANGLES - 1), wanted = random_int(4, 45);
+    make_tiling(&t);
+    memcpy(point, t.corner[first], sizeof t.corner[first]);
+    used[first] = true;
+    int size = 3;
+    for (int tries = 0; size < wanted && tries < 400; tries++) {
+        int side = random_int(0, size - 1), third;
+        int found = find_beyond_side(&t, used, point[side], point[(side + 1) % size], &third);
+        if (found >= 0) {
+            memmove(point + side + 2, point + side + 1, (size_t)(size - side - 1) * sizeof *point);
+            point[side + 1] = third;
+            used[found] = true;
+            size++;
+        }
+    }
+    *p = (struct polygon){0};
+    for (int i = 0; i < size; i++) {
+        polygon_add(p, (int)t.x[point[i]], (int)t.y[point[i]]);
+    }
+}
+
+static int sign_of(int128 value) {
+    return (value > 0) - (value < 0);
+}
+
+static bool between(int64_t a, int64_t b, int64_t value) {
+    return (a <= value && value <= b) || (b <= value && value <= a);
+}
+
+/* Do the sides from a and from b (not neighbours) share a point? */
+static bool sides_meet(const struct polygon *p, size_t a, size_t b) {
+    size_t a2 = (a + 1) % p->size, b2 = (b + 1) % p->size;
+    int s1 = sign_of(area_of(p, a, a2, b)), s2 = sign_of(area_of(p, a, a2, b2));
+    int s3 = sign_of(area_of(p, b, b2, a)), s4 = sign_of(area_of(p, b, b2, a2));
+    if (s1 == 0 && s2 == 0) {
+        return between(p->x[a], p->x[a2], p->x[b]) || between(p->x[a], p->x[a2], p->x[b2]) ||
+               between(p->x[b], p->x[b2], p->x[a]);
+    }
+    return s1 * s2 <= 0 && s3 * s4 <= 0;
+}
+
+static void swap_corners(struct polygon *p, size_t a, size_t b) {
+    int64_t x = p->x[a], y = p->y[a];
+    p->x[a] = p->x[b];
+    p->y[a] = p->y[b];
+    p->x[b] = x;
+    p->y[b] = y;
+}
+
+/* Two sides that meet, or false. */
+static bool find_meeting(const struct polygon *p, size_t *a, size_t *b) {
+    for (*a = 0; *a < p->size; ++*a) {
+        for (*b = *a + 2; *b < p->size; ++*b) {
+            if (!(*a == 0 && *b == p->size - 1) && sides_meet(p, *a, *b)) {
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
+/* Random points; where two sides cross, the way between them is turned round until none do. False
+ * when that does not come to an end, or two corners meet. */
+static bool make_uncrossed(struct polygon *p) {
+    size_t size = (size_t)random_int(4, 16), a, b;
+    int range = random_int(4, 40);
+    *p = (struct polygon){0};
+    for (size_t i = 0; i < size; i++) {
+        polygon_add(p, random_int(0, range), random_int(0, range));
+    }
+    for (int tries = 0; tries < 300; tries++) {
+        if (!find_meeting(p, &a, &b)) {
+            for (size_t i = 0; i < size; i++) { /* no spikes: neighbours may overlap too */
+                size_t next = (i + 1) % size, last = (i + 2) % size;
+                if (area_of(p, i, next, last) == 0 &&
+                    (p->x[i] - p->x[next]) * (p->x[last] - p->x[next]) +
+                            (p->y[i] - p->y[next]) * (p->y[last] - p->y[next]) >=
+                        0) {
+                    return false;
+                }
+            }
+            if (polygon_area(p) < 0) {
+                for (size_t i = 0; i < size / 2; i++) {
+                    swap_corners(p, i, size - 1 - i);
+                }
+            }
+            return true;
+        }
+        for (size_t i = a + 1, j = b; i < j; i++, j--) {
+            swap_corners(p, i, j);
+        }
+    }
+    return false;
+}
+
+/* The smallest turn from the way (dx, dy) that whole numbers can make: dx * *y - dy * *x is 1, or
+ * where the two share a factor 0. dx and dy are positive (Euclid's algorithm, extended). */
+static void smallest_turn(int64_t dx, int64_t dy, int64_t *x, int64_t *y) {
+    assert(dx > 0 && dy > 0);
+    int64_t a = dx, b = dy, a_times = 1, b_times = 0; /* of dx, up to a multiple of dy */
+    while (b != 0) {
+        int64_t quotient = a / b, rest = a % b, rest_times = a_times - quotient * b_times;
+        a = b, b = rest;
+        a_times = b_times, b_times = rest_times;
+    }
+    *y = a == 1 ? a_times : 0;
+    *x = a == 1 ? (int64_t)(((int128)dx * a_times - 1) / dy) : 0;
+}
+
+enum { LARGEST_BITS = 52 };
+
+/* Four corners of large numbers, of which the differences are rounded. The second one lies on the
+ * line of its neighbours or beside it, as near to it as can be. */
+static void make_hardly_bent(struct polygon *p) {
+    const int64_t reach = INT64_C(1) << LARGEST_BITS;
+    int64_t x = -reach + random_int(0, 1000), y = -reach + random_int(0, 1000), turn_x, turn_y;
+    int64_t dx = random_between(&random_state, 1, reach / random_int(2, 1000));
+    int64_t dy = random_between(&random_state, 1, reach / random_int(2, 1000));
+    int side = random_int(-1, 1);
+    smallest_turn(dx, dy, &turn_x, &turn_y);
+    *p = (struct polygon){0};
+    polygon_add(p, x, y);
+    polygon_add(p, x + 2 * dx + side * turn_x, y + 2 * dy + side * turn_y);
+    polygon_add(p, x + 4 * dx, y + 4 * dy);
+    polygon_add(p, x, y + 4 * dy);
+}
+
+/* ---- Cutting them ---- */
+
+/* A polygon laid into space: `corner` says which of its corners each place is. */
+struct laid {
+    size_t size;
+    struct vec3 places[CORNER_LIMIT];
+    size_t corner[CORNER_LIMIT];
+};
+
+/* By one of six permutations of the axes, on a slanted plane, with any corner first, and scaled by
+ * a power of two. */
+static struct laid lay(const struct polygon *p, bool backwards) {
+    static const int orders[6][3] = {{0, 1, 2}, {1, 2, 0}, {2, 0, 1},
+                                     {0, 2, 1}, {2, 1, 0}, {1, 0, 2}};
+    struct laid laid = {.size = p->size};
+    const int *order = orders[random_int(0, 5)];
+    bool large = p->y[p->size - 1] >> (LARGEST_BITS - 10) != 0; /* a sum would be rounded */
+    int a = large ? 0 : random_int(-1, 1), b = large ? 0 : random_int(-1, 1);
+    int exponent = random_int(0, 1) == 1 ? random_int(-390, 340) : 0;
+    size_t first = (size_t)random_int(0, (int)p->size - 1);
+    for (size_t i = 0; i < p->size; i++) {
+        size_t k = (first + (backwards ? p->size - i : i)) % p->size;
+        const int64_t whole[3] = {p->x[k], p->y[k], a * p->x[k] + b * p->y[k]};
+        double place[3];
+        for (int axis = 0; axis < 3; axis++) {
+            place[axis] = ldexp((double)whole[order[axis]], exponent);
+        }
+        laid.places[i] = (struct vec3){place[0], place[1], place[2]};
+        laid.corner[i] = k;
+    }
+    return laid;
+}
+
+static enum polygon_result cut(struct polygon_cutter *cutter, const struct laid *laid) {
+    return polygon_cut(cutter, laid->places, laid->size);
+}
+
+/* The triangles cover the polygon exactly once: they are joined along the polygon's own sides and
+ * cuts that two of them share (so their signed areas always add up to the polygon's), and none is
+ * turned over (so they cannot overlap). Without `flat_ones`, none has area 0. */
+static bool covers_exactly(const struct polygon *p, const struct laid *laid,
+                           const struct polygon_cutter *cutter, bool backwards, bool flat_ones) {
+    static int sides[CORNER_LIMIT][CORNER_LIMIT];
+    int128 total = 0;
+    memset(sides, 0, sizeof sides);
+    for (size_t i = 0; i < cutter->triangle_count; i++) {
+        size_t corner[3];
+        for (int j = 0; j < 3; j++) {
+            corner[j] = laid->corner[cutter->triangles[i][backwards ? 2 - j : j]];
+        }
+        int128 area = area_of(p, corner[0], corner[1], corner[2]);
+        if (area < 0 || (area == 0 && !flat_ones)) {
+            return false;
+        }
+        total += area;
+        for (int j = 0; j < 3; j++) {
+            sides[corner[j]][corner[(j + 1) % 3]]++;
+            sides[corner[(j + 1) % 3]][corner[j]]--;
+        }
+    }
+    for (size_t i = 0; i < p->size; i++) {
+        sides[i][(i + 1) % p->size]--;
+        sides[(i + 1) % p->size][i]++;
+    }
+    for (size_t i = 0; i < p->size; i++) {
+        for (size_t j = 0; j < p->size; j++) {
+            if (sides[i][j] != 0) {
+                return false;
+            }
+        }
+    }
+    return total == polygon_area(p);
+}
+
+static void check_polygon(struct polygon_cutter *cutter, const struct polygon *p, bool flat_ones,
+                          const char *kind) {
+    bool backwards = random_int(0, 1) == 1;
+    struct laid laid = lay(p, backwards);
+    if (!CHECK_ROW(cut(cutter, &laid) == POLYGON_CUT, kind)) {
+        return;
+    }
+    CHECK_ROW(cutter->triangle_count == p->size - 2, kind);
+    if (!CHECK_ROW(covers_exactly(p, &laid, cutter, backwards, flat_ones), kind)) {
+        for (size_t i = 0; i < laid.size; i++) {
+            struct vec3 place = laid.places[i];
+            fprintf(stderr, "    %.17g %.17g %.17g\n", place.x, place.y, place.z);
+        }
+    }
+}
+
+/* Then its fan may have triangles without area, where three corners lie on a line. */
+static bool is_convex(const struct polygon *p) {
+    for (size_t i = 0; i < p->size; i++) {
+        if (area_of(p, i, (i + 1) % p->size, (i + 2) % p->size) < 0) {
+            return false;
+        }
+    }
+    return true;
+}
+
+static void test_polygons(void) {
+    struct polygon_cutter cutter = {0};
+    struct polygon p;
+    int uncrossed = 0;
+    for (int i = 0; i < 1000; i++) {
+        make_monotone(&p);
+        check_polygon(&cutter, &p, is_convex(&p), "monotone");
+        make_holes(&p);
+        check_polygon(&cutter, &p, true, "holes");
+        make_touching(&p);
+        check_polygon(&cutter, &p, true, "touching");
+        make_touched(&p);
+        check_polygon(&cutter, &p, true, "touched");
+        make_hardly_bent(&p);
+        check_polygon(&cutter, &p, is_convex(&p), "hardly bent");
+        make_notched(&p);
+        check_polygon(&cutter, &p, true, "notched");
+        make_glued(&p);
+        check_polygon(&cutter, &p, true, "glued");
+        if (make_uncrossed(&p)) {
+            check_polygon(&cutter, &p, is_convex(&p), "uncrossed");
+            uncrossed++;
+        }
+    }
+    CHECK(uncrossed > 300);
+    polygon_cutter_free(&cutter);
+}
+
+/* Polygons that cross themselves, turn back or stand still: no special answer is asked for, but
+ * n - 2 triangles of three different corners are, soon. */
+static void test_wild_polygons(void) {
+    struct polygon_cutter cutter = {0};
+    for (int i = 0; i < 2000; i++) {
+        struct polygon p = {0};
+        int size = random_int(4, CORNER_LIMIT), range = random_int(0, 6);
+        for (int k = 0; k < size; k++) {
+            polygon_add(&p, random_int(0, range), random_int(0, range));
+        }
+        struct laid laid = lay(&p, false);
+        for (size_t k = 0; i % 2 == 1 && k < laid.size; k++) { /* down to what counts as 0 */
+            laid.places[k].x = ldexp(laid.places[k].x, random_int(0, 1) * random_int(-1100, 10));
+            laid.places[k].z = ldexp(laid.places[k].z, random_int(0, 1) * random_int(-1100, 10));
+        }
+        CHECK(cut(&cutter, &laid) == POLYGON_CUT && cutter.triangle_count == p.size - 2);
+        for (size_t k = 0; k < cutter.triangle_count; k++) {
+            const uint32_t *c = cutter.triangles[k];
+            CHECK(c[0] != c[1] && c[1] != c[2] && c[0] != c[2]);
+            CHECK(c[0] < p.size && c[1] < p.size && c[2] < p.size);
+        }
+    }
+    polygon_cutter_free(&cutter);
+}
+
+/* ---- Chosen ones ---- */
+
+/* The triangles as text: "0 1 2, 0 2 3". */
+static void describe(const struct polygon_cutter *cutter, char *out, size_t room) {
+    size_t used = 0;
+    out[0] = '\0';
+    for (size_t i = 0; i < cutter->triangle_count; i++) {
+        const uint32_t *c = cutter->triangles[i];
+        used += (size_t)snprintf(out + used, room - used, "%s%" PRIu32 " %" PRIu32 " %" PRIu32,
+                                 i > 0 ? ", " : "", c[0], c[1], c[2]);
+    }
+}
+
+static void test_chosen_polygons(void) {
+    static const struct {
+        const char *name, *triangles;
+        size_t size;
+        struct vec3 corners[5];
+    } rows[] = {
+        {"triangle", "0 1 2", 3, {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}},
+        {"no triangle", "0 1 2", 3, {{1, 1, 1}, {1, 1, 1}, {1, 1, 1}}},
+        {"square", "0 1 2, 0 2 3", 4, {{0, 0, 5}, {1, 0, 5}, {1, 1, 5}, {0, 1, 5}}},
+        {"seen from behind", "0 1 2, 0 2 3", 4, {{0, 1, 5}, {1, 1, 5}, {1, 0, 5}, {0, 0, 5}}},
+        {"arrow", "0 1 2, 0 2 3", 4, {{0, 0, 0}, {4, 0, 0}, {1, 1, 0}, {0, 4, 0}}},
+        {"arrow from its inner corner",
+         "0 1 2, 0 2 3",
+         4,
+         {{1, 1, 0}, {0, 4, 0}, {0, 0, 0}, {4, 0, 0}}},
+        {"arrow from its tip", "1 2 3, 1 3 0", 4, {{4, 0, 0}, {1, 1, 0}, {0, 4, 0}, {0, 0, 0}}},
+        {"dent of almost 0", "0 1 2, 0 2 3", 4, {{0, 0, 0}, {1, 1e-121, 0}, {2, 0, 0}, {1, 3, 0}}},
+        {"dent", "1 2 3, 1 3 0", 4, {{0, 0, 0}, {1, 1e-119, 0}, {2, 0, 0}, {1, 3, 0}}},
+        {"on a line", "0 1 2, 0 2 3", 4, {{0, 0, 0}, {2, 2, 2}, {1, 1, 1}, {3, 3, 3}}},
+        /* Not flat, and seen from above it is convex; from the right it is not. */
+        {"facing up", "0 1 2, 0 2 3", 4, {{1, 3, 3}, {2, 1, 3}, {1, 3, 1}, {0, 2, 2}}},
+        {"in one place",
+         "0 1 2, 0 2 3, 0 3 4",
+         5,
+         {{1, 1, 1}, {1, 1, 1}, {1, 1, 1}, {1, 1, 1}, {1, 1, 1}}},
+    };
+    struct polygon_cutter cutter = {0};
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        char triangles[100];
+        CHECK_ROW(polygon_cut(&cutter, rows[i].corners, rows[i].size) == POLYGON_CUT, rows[i].name);
+        describe(&cutter, triangles, sizeof triangles);
+        if (!CHECK_TEXT(triangles, rows[i].triangles)) {
+            fprintf(stderr, "    in row: %s\n", rows[i].name);
+        }
+    }
+    polygon_cutter_free(&cutter);
+    CHECK(cutter.triangles == NULL && cutter.triangle_count == 0 && cutter.nodes == NULL);
+}
+
+/* A corner that turns right by 2^-390, less than doubles can tell without exact arithmetic: cut as
+ * if it were straight, there would be a triangle of corners 0, 1 and 2, turned over. */
+static void test_hardly_concave(void) {
+    static const struct vec3 places[4] = {{0x1p-390, 0, 0}, {1, 1, 0}, {2, 2, 0}, {0, 3, 0}};
+    struct polygon_cutter cutter = {0};
+    for (size_t first = 0; first < 4; first++) {
+        struct vec3 turned[4];
+        for (size_t i = 0; i < 4; i++) {
+            turned[i] = places[(first + i) % 4];
+        }
+        CHECK(polygon_cut(&cutter, turned, 4) == POLYGON_CUT);
+        for (size_t i = 0; i < cutter.triangle_count; i++) { /* both have corners 1 and 3 */
+            bool has_1 = false, has_3 = false;
+            for (int j = 0; j < 3; j++) {
+                size_t corner = (first + cutter.triangles[i][j]) % 4;
+                has_1 = has_1 || corner == 1;
+                has_3 = has_3 || corner == 3;
+            }
+            CHECK(cutter.triangle_count == 2 && has_1 && has_3);
+        }
+    }
+    polygon_cutter_free(&cutter);
+}
+
+/* Twice the exact area of a triangle whose coordinates are whole numbers of up to 2^61. */
+static int128 exact_area(struct vec3 a, struct vec3 b, struct vec3 c) {
+    int128 ax = (int128)a.x, ay = (int128)a.y;
+    return ((int128)b.x - ax) * ((int128)c.y - ay) - ((int128)b.y - ay) * ((int128)c.x - ax);
+}
+
+/* Four corners of which three lie so nearly on a line that the differences of their coordinates,
+ * rounded, show another turn than the exact ones: near the origin, at b, and at about a multiple of
+ * b. No triangle may be turned over. */
+static void test_nearly_straight(void) {
+    struct polygon_cutter cutter = {0};
+    int concave = 0;
+    for (int i = 0; i < 20000; i++) {
+        double places[4][2] = {{0}};
+        struct vec3 turned[4];
+        double x = (double)random_between(&random_state, INT64_C(1) << 52, INT64_C(1) << 53);
+        double y = (double)random_between(&random_state, 1, INT64_C(1) << 53);
+        int large = random_int(1, 6), times = random_int(2, 4);
+        for (int axis = 0; axis < 2; axis++) {
+            double b = (axis == 0 ? x : y) * ldexp(1, large);
+            places[0][axis] = random_int(-400, 400);
+            places[1][axis] = b;
+            places[2][axis] = b * times; /* rounded to 53 bits */
+        }
+        places[3][0] = -y * ldexp(1, large - 1); /* to the left of the line */
+        places[3][1] = x * ldexp(1, large);
+        for (int k = 0; k < 4; k++) {
+            const double *place = places[(i + k) % 4];
+            turned[k] = (struct vec3){place[0], place[1], 0};
+        }
+        concave += exact_area(turned[(4 - i % 4) % 4], turned[(5 - i % 4) % 4],
+                              turned[(6 - i % 4) % 4]) < 0;
+        CHECK(polygon_cut(&cutter, turned, 4) == POLYGON_CUT);
+        for (size_t k = 0; k < cutter.triangle_count; k++) {
+            const uint32_t *c = cutter.triangles[k];
+            CHECK(exact_area(turned[c[0]], turned[c[1]], turned[c[2]]) >= 0);
+        }
+    }
+    CHECK(concave > 5000);
+    polygon_cutter_free(&cutter);
+}
+
+/* ---- Large ones ---- */
+
+static double twice_the_area(struct vec3 a, struct vec3 b, struct vec3 c) {
+    return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
+
+/* A sawtooth of many corners: quick, and whole. The exact area is known. */
+static void test_sawtooth(void) {
+    enum { TEETH = 2500, SIZE = 2 * TEETH + 3 };
+    static struct vec3 places[SIZE];
+    struct polygon_cutter cutter = {0};
+    double area = 0;
+    for (int i = 0; i < SIZE; i++) { /* back over the teeth, then below them */
+        bool tooth = i <= 2 * TEETH;
+        places[i] = tooth ? (struct vec3){2 * TEETH - i, i % 2, 7}
+                          : (struct vec3){i == SIZE - 1 ? 2 * TEETH : 0, -1, 7};
+    }
+    if (CHECK(polygon_cut(&cutter, places, SIZE) == POLYGON_CUT)) {
+        CHECK(cutter.triangle_count == SIZE - 2);
+        for (size_t i = 0; i < cutter.triangle_count; i++) {
+            const uint32_t *c = cutter.triangles[i];
+            double twice = twice_the_area(places[c[0]], places[c[1]], places[c[2]]);
+            CHECK(twice >= 0);
+            area += twice;
+        }
+        CHECK(area == 2.0 * (2 * TEETH + TEETH));
+    }
+    polygon_cutter_free(&cutter);
+}
+
+/* What takes longest, up to the limit: a bowl with a corner far above it. Each ear reaches up
+ * there, and the corners that may lie in its way are all at the bottom. */
+static void test_longest(void) {
+    const size_t size = POLYGON_CONCAVE_LIMIT;
+    struct vec3 *places = calloc(size, sizeof *places);
+    struct polygon_cutter cutter = {0};
+    CHECK(places != NULL);
+    if (places == NULL) {
+        return;
+    }
+    for (size_t i = 0; i + 1 < size; i++) {
+        double x = (double)i / (double)(size - 2);
+        places[i] = (struct vec3){x, x * (1 - x), 0};
+    }
+    places[size - 1] = (struct vec3){0.5, 10, 0};
+    clock_t start = clock();
+    CHECK(polygon_cut(&cutter, places, size) == POLYGON_CUT && cutter.triangle_count == size - 2);
+    CHECK(clock() - start < 3 * CLOCKS_PER_SEC); /* and is far below it */
+    polygon_cutter_free(&cutter);
+    free(places);
+}
+
+/* The limit holds for polygons that are not convex, and a cutter goes on after it. */
+static void test_limit(void) {
+    static const struct vec3 arrow[4] = {{0, 0, 0}, {4, 0, 0}, {1, 1, 0}, {0, 4, 0}};
+    static const struct vec3 square[4] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+    const size_t size = POLYGON_CONCAVE_LIMIT;
+    struct vec3 *places = malloc((size + 1) * sizeof *places);
+    struct polygon_cutter cutter = {0};
+    CHECK(places != NULL);
+    if (places == NULL) {
+        return;
+    }
+    for (size_t i = 0; i <= size; i++) { /* all corners but four in one place */
+        places[i] = arrow[i < 4 ? i : 3];
+    }
+    CHECK(polygon_cut(&cutter, places, size + 1) == POLYGON_TOO_LARGE);
+    CHECK(cutter.triangle_count == 0);
+    CHECK(polygon_cut(&cutter, places, size) == POLYGON_CUT);
+    CHECK(cutter.triangle_count == size - 2);
+    for (size_t i = 0; i <= size; i++) {
+        places[i] = square[i < 4 ? i : 3];
+    }
+    CHECK(polygon_cut(&cutter, places, size + 1) == POLYGON_CUT);
+    CHECK(cutter.triangle_count == size - 1 && cutter.triangles[size - 2][2] == size);
+    polygon_cutter_free(&cutter);
+    free(places);
+}
+
+UNIT_MAIN(TEST(test_polygons), TEST(test_wild_polygons), TEST(test_chosen_polygons),
+          TEST(test_hardly_concave), TEST(test_nearly_straight), TEST(test_sawtooth),
+          TEST(test_longest), TEST(test_limit))

@@ -1,0 +1,889 @@
+/*
+ * What the pipeline skips: with `skip` on and off it draws the same bytes, in scenes where most of
+ * the work is for nothing, and the counters say what was not done.
+ */
+#include "files/model_file.h"
+#include "oracle/oracle.h"
+#include "pipeline.h"
+#include "unit/unit.h"
+
+#include <stdlib.h>
+
+#define COURSE_MODELS COURSE_BUILD "/models/"
+
+enum { WIDTH = 96, HEIGHT = 72, OBJECT_LIMIT = 400, BANDS = (HEIGHT + 31) / 32 };
+
+static const struct vec3 up = {0, 1, 0};
+
+/* ---- Shaders: a colour that tells the object, the face and the place in it ---- */
+
+struct uniforms {
+    const struct model *model;
+    double tint; /* the object's, 0.25..1 */
+};
+
+static void place_vertex(const void *uniforms, size_t face, size_t corner, double *varyings) {
+    const struct uniforms *u = uniforms;
+    struct vec3 p = model_position(u->model, face, corner);
+    double scale = 255 * u->tint / (1 + vec3_length(p));
+    varyings[0] = scale * fabs(p.x) + 1;
+    varyings[1] = scale * fabs(p.y) + 1;
+    varyings[2] = (double)(face % 200) * u->tint + 1;
+}
+
+static lanes_mask place_fragment(const void *uniforms, const lanes *varyings, lanes_texel *color) {
+    (void)uniforms;
+    *color = lanes_rgb(varyings[0], varyings[1], varyings[2]);
+    return lanes_all_set();
+}
+
+/* With holes. */
+static lanes_mask hole_fragment(const void *uniforms, const lanes *varyings, lanes_texel *color) {
+    place_fragment(uniforms, varyings, color);
+    return varyings[0] > 20;
+}
+
+SHADER(smooth, .varying_count = 3, .vertex = place_vertex, .fragment = place_fragment);
+SHADER(flat, .varying_count = 3, .vertex = place_vertex, .fragment = place_fragment, .flat = true);
+SHADER(holes, .varying_count = 3, .vertex = place_vertex, .fragment = hole_fragment,
+       .discards = true);
+
+static const struct shader *const shaders[] = {&flat, &holes, &smooth};
+
+/* ---- Scenes ---- */
+
+struct object {
+    const struct model *model;
+    struct mat4 to_clip;
+};
+
+struct scene {
+    const char *name;
+    struct object objects[OBJECT_LIMIT];
+    size_t count;
+};
+
+static void add_object(struct scene *scene, const struct model *model, struct mat4 camera,
+                       struct vec3 place, double size) {
+    struct mat4 to_world =
+        mat4_mul(mat4_translation(place), mat4_scaling((struct vec3){size, size, size}));
+    scene->objects[scene->count++] = (struct object){model, mat4_mul(camera, to_world)};
+}
+
+static struct mat4 camera_at(struct vec3 eye, struct vec3 center) {
+    struct rectangle all = {0, 0, WIDTH, HEIGHT};
+    return camera_call(NULL, eye, center, up, 0.9, all, CULL_NONE).to_clip;
+}
+
+static const struct vec3 origin = {0, 0, 0};
+
+static void make_single(struct scene *scene, const struct model *model) {
+    *scene = (struct scene){.name = "one model"};
+    add_object(scene, model, camera_at((struct vec3){1, 1, 3}, origin), origin, 1);
+}
+
+/* 64 spheres, one in the other; each drawn twice, so that depths are equal. */
+static void make_nested(struct scene *scene, const struct model *sphere, bool outer_first) {
+    *scene = (struct scene){.name = outer_first ? "spheres, outer first" : "spheres, inner first"};
+    struct mat4 camera = camera_at((struct vec3){0.5, 1, 3}, origin);
+    for (int i = 0; i < 128; i++) {
+        int size = outer_first ? 64 - i / 2 : i / 2 + 1;
+        add_object(scene, sphere, camera, origin, size / 64.0);
+    }
+}
+
+/* A square from -2 to 2, two faces. */
+static void make_wall(struct model *wall) {
+    static struct vec3 corners[] = {{-2, -2, 0}, {2, -2, 0}, {2, 2, 0}, {-2, 2, 0}};
+    static struct face faces[] = {
+        {{{0, MODEL_NONE, MODEL_NONE}, {1, MODEL_NONE, MODEL_NONE}, {2, MODEL_NONE, MODEL_NONE}}},
+        {{{0, MODEL_NONE, MODEL_NONE}, {2, MODEL_NONE, MODEL_NONE}, {3, MODEL_NONE, MODEL_NONE}}}};
+    *wall =
+        (struct model){.positions = corners, .position_count = 4, .faces = faces, .face_count = 2};
+}
+
+static void make_behind(struct scene *scene, const struct model *model, const struct model *wall) {
+    *scene = (struct scene){.name = "a model behind a wall"};
+    struct mat4 camera = camera_at((struct vec3){0, 0, 3}, origin);
+    add_object(scene, wall, camera, (struct vec3){0, 0, 1}, 1);
+    add_object(scene, model, camera, origin, 1);
+}
+
+/* 20 rows of 20, each of them with a wall, and with the camera among them: some in view, most
+ * behind the eye, beyond a side, or hidden by others; some on the edges of the view. */
+static void make_crowd(struct scene *scene, const struct model *model, const struct model *wall,
+                       struct vec3 direction) {
+    *scene = (struct scene){.name = "a crowd"};
+    struct vec3 eye = {0.4, 0.3, 0.4};
+    struct mat4 camera = camera_at(eye, vec3_add(eye, direction));
+    for (int i = 0; i < 400; i++) {
+        struct vec3 place = {0.9 * (i % 20 - 10), 0, 0.9 * (i / 20 - 10)};
+        add_object(scene, i % 20 == 13 ? wall : model, camera, place, 0.5);
+    }
+}
+
+/* ---- Drawing ---- */
+
+struct drawn {
+    struct image image;
+    uint64_t stats[PIPELINE_STATS];
+};
+
+/* Objects `begin` to `end`, exclusive. */
+static void draw_objects(struct pipeline *pipeline, const struct scene *scene, size_t begin,
+                         size_t end, enum cull cull, const struct shader *shader,
+                         struct drawn *drawn) {
+    struct error error;
+    pipeline_clear(pipeline);
+    pipeline->counts_tests = true;
+    image_clear(&drawn->image, color_grey(0));
+    for (size_t i = begin; i < end; i++) {
+        const struct object *object = &scene->objects[i];
+        struct uniforms u = {object->model, 0.25 + 0.75 * (double)(i % 16) / 15};
+        struct draw_call call = {object->model, object->to_clip, {0, 0, WIDTH, HEIGHT}, cull};
+        CHECK(pipeline_draw(pipeline, &call, shader, &u, sizeof u, &error));
+    }
+    CHECK(pipeline_finish(pipeline, &drawn->image, &error));
+    memcpy(drawn->stats, pipeline->stats, sizeof drawn->stats);
+}
+
+/* ---- Checks ---- */
+
+static size_t count_drawn_pixels(const struct image *image) {
+    size_t count = 0;
+    for (size_t i = 0; i < WIDTH * HEIGHT; i++) {
+        const uint8_t *pixel = image->pixels + 3 * i;
+        count += pixel[0] != 0 || pixel[1] != 0 || pixel[2] != 0;
+    }
+    return count;
+}
+
+static size_t count_vertices(const struct scene *scene) {
+    size_t count = 0;
+    for (size_t i = 0; i < scene->count; i++) {
+        count += scene->objects[i].model->position_count;
+    }
+    return count;
+}
+
+/* Both ways count the same scene. Of what is hidden with its object or batch, which reach neither
+ * the near plane nor the guard band, some faces may be outside. */
+static void check_counters(const struct scene *scene, const uint64_t *skip, const uint64_t *all) {
+    static const enum pipeline_stat same[] = {STAT_OBJECTS, STAT_FACES, STAT_FACES_CLIPPED};
+    for (size_t i = 0; i < sizeof same / sizeof same[0]; i++) {
+        CHECK_ROW(skip[same[i]] == all[same[i]], pipeline_stat_name[same[i]]);
+    }
+    uint64_t outside = skip[STAT_FACES_OUTSIDE], hidden = skip[STAT_FACES_HIDDEN];
+    CHECK_ROW(outside <= all[STAT_FACES_OUTSIDE] && outside + hidden >= all[STAT_FACES_OUTSIDE],
+              scene->name);
+    CHECK_ROW(all[STAT_OBJECTS] == scene->count, scene->name);
+    CHECK_ROW(all[STAT_OBJECTS_OUTSIDE] == 0 && all[STAT_OBJECTS_HIDDEN] == 0 &&
+                  all[STAT_FACES_TURNED_AWAY] == 0,
+              scene->name);
+    CHECK_ROW(all[STAT_VERTICES_TRANSFORMED] == count_vertices(scene), scene->name);
+    CHECK_ROW(skip[STAT_VERTICES_TRANSFORMED] <= all[STAT_VERTICES_TRANSFORMED], scene->name);
+    CHECK_ROW(all[STAT_BATCHES_OUTSIDE] == 0 && all[STAT_BATCHES_HIDDEN] == 0, scene->name);
+    CHECK_ROW(skip[STAT_PIXELS_COVERED] <= all[STAT_PIXELS_COVERED], scene->name);
+    CHECK_ROW(skip[STAT_PIXELS_PASSED] <= skip[STAT_PIXELS_COVERED], scene->name);
+    CHECK_ROW(all[STAT_PIXELS_PASSED] == all[STAT_PIXELS_SHADED], scene->name);
+}
+
+/* A visible pixel is shaded once, and a visible face fetched at most once in each band. */
+static void check_frugal(const struct scene *scene, const struct drawn *drawn) {
+    const uint64_t *stats = drawn->stats;
+    CHECK_ROW(stats[STAT_PIXELS_SHADED] == count_drawn_pixels(&drawn->image), scene->name);
+    CHECK_ROW(stats[STAT_PIXELS_PASSED] >= stats[STAT_PIXELS_SHADED], scene->name);
+    CHECK_ROW(stats[STAT_ATTRIBUTE_SETS] <= stats[STAT_PIXELS_SHADED], scene->name);
+    uint64_t seen = stats[STAT_FACES] - stats[STAT_FACES_OUTSIDE] - stats[STAT_FACES_TURNED_AWAY];
+    CHECK_ROW(stats[STAT_FACES_CLIPPED] > 0 || stats[STAT_ATTRIBUTE_SETS] <= seen * BANDS,
+              scene->name);
+}
+
+/* With only some of the shortcuts the image is the same, too: none relies on another one. */
+static void check_shortcuts(struct pipeline *pipeline, const struct scene *scene,
+                            unsigned shortcuts, enum cull cull, const struct shader *shader,
+                            struct drawn *all) {
+    static uint8_t pixels[WIDTH * HEIGHT * 3];
+    memcpy(pixels, all->image.pixels, sizeof pixels);
+    struct drawn some = *all;
+    pipeline->skip = true;
+    pipeline->shortcuts = shortcuts;
+    draw_objects(pipeline, scene, 0, scene->count, cull, shader, &some);
+    CHECK_ROW(memcmp(pixels, some.image.pixels, sizeof pixels) == 0, scene->name);
+    pipeline->shortcuts = SHORTCUTS;
+}
+
+/* Draws the scene with skip on and off and whatever culled: with all shaders, or with another one
+ * each time. `stats` are those of what was drawn last, with skip on: culled what is turned away,
+ * and no shader that discards. */
+static void check_scene(const struct scene *scene, bool all_shaders,
+                        uint64_t stats[PIPELINE_STATS]) {
+    struct error error;
+    struct pipeline pipeline = {0};
+    struct drawn skip = {0}, all = {0};
+    CHECK(pipeline_create(&pipeline, WIDTH, HEIGHT, &error));
+    CHECK(image_create(&skip.image, WIDTH, HEIGHT, IMAGE_BGR, &error));
+    CHECK(image_create(&all.image, WIDTH, HEIGHT, IMAGE_BGR, &error));
+    static const enum cull culls[] = {CULL_NONE, CULL_FRONT, CULL_BACK};
+    for (size_t i = 0; i < 9; i++) {
+        enum cull cull = culls[i / 3];
+        const struct shader *shader = shaders[i % 3];
+        if (!all_shaders && i / 3 != i % 3) {
+            continue;
+        }
+        pipeline.skip = true;
+        draw_objects(&pipeline, scene, 0, scene->count, cull, shader, &skip);
+        pipeline.skip = false;
+        draw_objects(&pipeline, scene, 0, scene->count, cull, shader, &all);
+        CHECK_ROW(memcmp(skip.image.pixels, all.image.pixels, WIDTH * HEIGHT * 3) == 0,
+                  scene->name);
+        check_counters(scene, skip.stats, all.stats);
+        CHECK_ROW(skip.stats[STAT_OBJECTS_HIDDEN] > 0 ||
+                      skip.stats[STAT_FACES_OUTSIDE] == all.stats[STAT_FACES_OUTSIDE],
+                  scene->name);
+        check_shortcuts(&pipeline, scene, (unsigned)(i + SHORTCUT_BEHIND) % SHORTCUTS, cull, shader,
+                        &all);
+        if (!shader->discards) {
+            check_frugal(scene, &skip);
+            CHECK_ROW(skip.stats[STAT_ATTRIBUTE_SETS] <= all.stats[STAT_ATTRIBUTE_SETS],
+                      scene->name);
+        }
+    }
+    memcpy(stats, skip.stats, sizeof skip.stats);
+    image_free(&skip.image);
+    image_free(&all.image);
+    pipeline_free(&pipeline);
+}
+
+/* ---- Tests ---- */
+
+static struct model bust, sphere, wall;
+static struct scene scene;
+
+static void test_single(void) {
+    uint64_t stats[PIPELINE_STATS] = {0};
+    make_single(&scene, &bust);
+    check_scene(&scene, true, stats);
+    CHECK(stats[STAT_FACES_TURNED_AWAY] > bust.face_count / 3 && stats[STAT_FACES_HIDDEN] > 0);
+    CHECK(stats[STAT_OBJECTS_OUTSIDE] == 0);
+}
+
+static void test_nested_spheres(void) {
+    for (int outer_first = 0; outer_first < 2; outer_first++) {
+        uint64_t stats[PIPELINE_STATS] = {0};
+        make_nested(&scene, &sphere, outer_first);
+        check_scene(&scene, false, stats);
+        CHECK(stats[STAT_ATTRIBUTE_SETS] <= sphere.face_count * BANDS);
+        CHECK(stats[STAT_OBJECTS_HIDDEN] > 30);
+        CHECK(stats[STAT_VERTICES_TRANSFORMED] ==
+              (128 - stats[STAT_OBJECTS_HIDDEN]) * sphere.position_count);
+        CHECK(2 * stats[STAT_FACES_BEHIND] > stats[STAT_FACES_HIDDEN]);
+    }
+}
+
+static void test_behind_a_wall(void) {
+    uint64_t stats[PIPELINE_STATS] = {0};
+    make_behind(&scene, &bust, &wall);
+    check_scene(&scene, true, stats);
+    CHECK(stats[STAT_FACES_HIDDEN] + stats[STAT_FACES_TURNED_AWAY] +
+              stats[STAT_FACES_WITHOUT_PIXEL] ==
+          bust.face_count);
+    CHECK(stats[STAT_ATTRIBUTE_SETS] == 2 * BANDS);
+    CHECK(stats[STAT_PIXELS_SHADED] == WIDTH * HEIGHT);
+}
+
+/* Objects of which, drawn alone with skip off, each face is found to be outside. */
+static size_t count_outside(void) {
+    struct error error;
+    struct pipeline pipeline = {0};
+    struct drawn drawn = {0};
+    size_t outside = 0;
+    CHECK(pipeline_create(&pipeline, WIDTH, HEIGHT, &error));
+    CHECK(image_create(&drawn.image, WIDTH, HEIGHT, IMAGE_BGR, &error));
+    pipeline.skip = false;
+    for (size_t i = 0; i < scene.count; i++) {
+        draw_objects(&pipeline, &scene, i, i + 1, CULL_NONE, &flat, &drawn);
+        outside += drawn.stats[STAT_FACES_OUTSIDE] == drawn.stats[STAT_FACES];
+    }
+    image_free(&drawn.image);
+    pipeline_free(&pipeline);
+    return outside;
+}
+
+static void test_crowd(void) {
+    static const struct vec3 directions[] = {{0, -0.2, -2}, {0.5, -0.1, 2}};
+    for (size_t i = 0; i < sizeof directions / sizeof directions[0]; i++) {
+        uint64_t stats[PIPELINE_STATS] = {0};
+        make_crowd(&scene, &bust, &wall, directions[i]);
+        check_scene(&scene, false, stats);
+        size_t outside = count_outside();
+        CHECK(stats[STAT_OBJECTS_OUTSIDE] > 200 && stats[STAT_OBJECTS_OUTSIDE] <= outside);
+        CHECK(stats[STAT_OBJECTS_OUTSIDE] + 10 >= outside);
+        CHECK(stats[STAT_OBJECTS_HIDDEN] > 5);
+    }
+}
+
+/* After a model that is outside, one whose positions are nearly all at the same place, but of which
+ * one face reaches into the view: each has a box of its own. */
+static void test_two_models(void) {
+    static struct vec3 positions[16] = {[1] = {10, 3, 0}, [2] = {10, -3, 0}};
+    static struct face face = {
+        {{0, MODEL_NONE, MODEL_NONE}, {2, MODEL_NONE, MODEL_NONE}, {1, MODEL_NONE, MODEL_NONE}}};
+    struct model spike = {
+        .positions = positions, .position_count = 16, .faces = &face, .face_count = 1};
+    struct mat4 camera = camera_at((struct vec3){0, 0, 3}, origin);
+    struct vec3 place = {-5, 0, 0};
+    uint64_t stats[PIPELINE_STATS] = {0};
+    scene = (struct scene){.name = "two models"};
+    add_object(&scene, &bust, camera, place, 1);
+    add_object(&scene, &spike, camera, place, 1);
+    check_scene(&scene, true, stats);
+    CHECK(stats[STAT_OBJECTS_OUTSIDE] == 1 && stats[STAT_PIXELS_SHADED] > 100);
+}
+
+/* Faces that are clipped at the near plane, and whose positions are the first of thousands: who
+ * transforms the last of these has seen none that is clipped. Of several positions at once it is
+ * not the first one that is beyond the plane. */
+static void test_clipped_by_the_first_positions(void) {
+    enum { POSITIONS = 5000, FACES = 1000 };
+    static struct vec3 positions[POSITIONS] = {
+        [0] = {-1, -1, 0}, [1] = {1, -1, 0}, [3] = {0, 3, 10}};
+    static const uint32_t corners[3] = {1, 0, 3};
+    static struct face faces[FACES];
+    for (size_t i = 0; i < 3 * FACES; i++) {
+        faces[i / 3].corner[i % 3] = (struct corner){corners[i % 3], MODEL_NONE, MODEL_NONE};
+    }
+    struct model model = {
+        .positions = positions, .position_count = POSITIONS, .faces = faces, .face_count = FACES};
+    uint64_t stats[PIPELINE_STATS] = {0};
+    scene = (struct scene){.name = "clipped by the first positions"};
+    add_object(&scene, &model, camera_at((struct vec3){0, 0.5, 3}, origin), origin, 1);
+    check_scene(&scene, true, stats);
+    CHECK(stats[STAT_FACES_CLIPPED] == FACES && stats[STAT_PIXELS_SHADED] > 100);
+}
+
+/* A wall, and after it a model that lies in the same plane, except for one face that goes through
+ * the wall: it is nearest, but where depths are equal the wall was first. */
+static void test_equal_depths(void) {
+    static struct vec3 positions[] = {{-1, -1, 0}, {1, -1, 0},    {1, 1, 0},    {-1, 1, 0},
+                                      {0, -1, -1}, {0.9, 0, 0.5}, {0, 0.9, 0.5}};
+    static struct face faces[3];
+    static const uint32_t corners[3][3] = {{0, 1, 2}, {0, 2, 3}, {4, 5, 6}};
+    for (size_t i = 0; i < 9; i++) {
+        faces[i / 3].corner[i % 3] = (struct corner){corners[i / 3][i % 3], MODEL_NONE, MODEL_NONE};
+    }
+    struct model through = {
+        .positions = positions, .position_count = 7, .faces = faces, .face_count = 3};
+    uint64_t stats[PIPELINE_STATS] = {0};
+    scene = (struct scene){.name = "a wall and what goes through it"};
+    add_object(&scene, &wall, mat4_identity(), origin, 1);
+    add_object(&scene, &through, mat4_identity(), origin, 1);
+    check_scene(&scene, true, stats);
+    CHECK(stats[STAT_PIXELS_SHADED] == WIDTH * HEIGHT);
+    CHECK(stats[STAT_ATTRIBUTE_SETS] > 2 * BANDS && stats[STAT_ATTRIBUTE_SETS] <= 3 * BANDS);
+}
+
+/* A model of two faces with corners of their own. */
+static struct model two_triangles(struct vec3 positions[6]) {
+    static struct face faces[] = {
+        {{{0, MODEL_NONE, MODEL_NONE}, {1, MODEL_NONE, MODEL_NONE}, {2, MODEL_NONE, MODEL_NONE}}},
+        {{{3, MODEL_NONE, MODEL_NONE}, {4, MODEL_NONE, MODEL_NONE}, {5, MODEL_NONE, MODEL_NONE}}}};
+    return (struct model){
+        .positions = positions, .position_count = 6, .faces = faces, .face_count = 2};
+}
+
+/* A wall, and a model of which one face is before and the next one behind it: as a whole it is not
+ * behind. */
+static void test_before_and_behind(void) {
+    static struct vec3 positions[] = {{-0.8, -0.8, 0.5},  {0.2, -0.8, 0.5},  {-0.8, 0.2, 0.5},
+                                      {-0.2, -0.8, -0.5}, {0.8, -0.8, -0.5}, {0.8, 0.8, -0.5}};
+    struct model both = two_triangles(positions);
+    uint64_t stats[PIPELINE_STATS] = {0};
+    scene = (struct scene){.name = "before and behind a wall"};
+    add_object(&scene, &wall, mat4_identity(), origin, 1);
+    add_object(&scene, &both, mat4_identity(), origin, 1);
+    check_scene(&scene, true, stats);
+    CHECK(stats[STAT_FACES_HIDDEN] == 1 && stats[STAT_PIXELS_SHADED] == WIDTH * HEIGHT);
+}
+
+/* Points within roundings of one side of the view: a face is skipped with its object only if it
+ * would be skipped alone. */
+static void test_within_roundings_of_a_side(void) {
+    enum { FACES = 10 };
+    struct error error;
+    struct pipeline pipeline = {0};
+    struct random random = {5};
+    struct vec3 positions[3 * FACES];
+    struct face faces[FACES];
+    struct model model = {
+        .positions = positions, .position_count = 3 * FACES, .faces = faces, .face_count = FACES};
+    for (uint32_t i = 0; i < 3 * FACES; i++) {
+        faces[i / 3].corner[i % 3] = (struct corner){i, MODEL_NONE, MODEL_NONE};
+    }
+    struct uniforms u = {&model, 1};
+    size_t outside[2] = {0, 0}, whole = 0;
+    struct image image;
+    CHECK(pipeline_create(&pipeline, WIDTH, HEIGHT, &error));
+    CHECK(image_create(&image, WIDTH, HEIGHT, IMAGE_BGR, &error));
+    for (int i = 0; i < 8000; i++) {
+        struct mat4 m = {{{0}}};
+        double sign = i % 2 == 0 ? 1 : -1, spread = i / 4 % 2 == 0 ? 1 : 4e-15;
+        for (int k = 0; k < 4; k++) { /* x or y is w, up to roundings and the sign */
+            m.m[3][k] = random_real(&random, 0.1, 1);
+            m.m[i / 2 % 2][k] = sign * m.m[3][k] * (1 + 1e-16 * random_real(&random, -4, 4));
+        }
+        for (int k = 0; k < 3 * FACES; k++) {
+            positions[k] = (struct vec3){random_real(&random, 1, 1 + spread),
+                                         random_real(&random, 1, 1 + spread),
+                                         random_real(&random, 1, 1 + spread)};
+        }
+        struct draw_call call = {&model, m, {0, 0, WIDTH, HEIGHT}, CULL_NONE};
+        for (int skip = 0; skip < 2; skip++) {
+            pipeline.skip = skip;
+            pipeline_clear(&pipeline);
+            CHECK(pipeline_draw(&pipeline, &call, &flat, &u, sizeof u, &error));
+            CHECK(pipeline_finish(&pipeline, &image, &error));
+            outside[skip] += pipeline.stats[STAT_FACES_OUTSIDE];
+        }
+        whole += pipeline.stats[STAT_FACES_OUTSIDE] == FACES;
+    }
+    CHECK(whole > 200 && outside[1] == outside[0]);
+    image_free(&image);
+    pipeline_free(&pipeline);
+}
+
+/* ---- Rounds ---- */
+
+/* Where the round ends in which the object at that place in the order comes: the first has four
+ * objects, each one after it as many as all before; of fewer than 16 there is one round. */
+static size_t end_of_round(size_t place, size_t count) {
+    size_t end = 4;
+    while (end <= place) {
+        end *= 2;
+    }
+    return count < 16 || end > count ? count : end;
+}
+
+/* The wall as a square of 4x4 pixels, one of 24x18 that lie side by side. */
+static struct mat4 small_square(size_t cell, double depth) {
+    double x = (double)(cell % 24) * 4 + 2, y = (double)(cell / 24) * 4 + 2;
+    return mat4_mul(mat4_translation((struct vec3){2 * x / WIDTH - 1, 2 * y / HEIGHT - 1, depth}),
+                    mat4_scaling((struct vec3){2.0 / WIDTH, 2.0 / HEIGHT, 1}));
+}
+
+/* Squares one behind the other, all small but one, which covers the image. Those before it are seen
+ * as a whole, of those behind it nothing: in its round they are transformed, later not even that.
+ * So the counters tell which objects came in which round. */
+static void check_rounds(size_t count, size_t wall_place) {
+    uint64_t stats[PIPELINE_STATS] = {0};
+    scene = (struct scene){.name = "squares, one of them large", .count = count};
+    for (size_t i = 0; i < count; i++) {
+        double depth = 0.5 - (double)i / 256;
+        scene.objects[i * 7 % count] =
+            (struct object){&wall, i == wall_place ? mat4_translation((struct vec3){0, 0, depth})
+                                                   : small_square(i * 37 % (24 * 18), depth)};
+    }
+    check_scene(&scene, false, stats);
+    size_t hidden = count - end_of_round(wall_place, count), behind = count - 1 - wall_place;
+    CHECK(stats[STAT_OBJECTS_HIDDEN] == hidden);
+    CHECK(stats[STAT_VERTICES_TRANSFORMED] == 4 * (count - hidden));
+    CHECK(stats[STAT_FACES_HIDDEN] == 2 * behind && stats[STAT_FACES_BEHIND] == 2 * behind);
+    CHECK(stats[STAT_ATTRIBUTE_SETS] == 2 * BANDS + 2 * wall_place);
+    CHECK(stats[STAT_PIXELS_COVERED] == WIDTH * HEIGHT + 16 * wall_place);
+}
+
+static void test_rounds(void) {
+    static const size_t counts[] = {2, 8, 9, 15, 16, 17, 31, 32, 33, 66, 80};
+    static const size_t places[] = {0, 1, 2, 3, 4, 6, 7, 8, 14, 15, 16, 30, 31, 32, 63, 64, 65, 79};
+    for (size_t i = 0; i < sizeof counts / sizeof counts[0]; i++) {
+        for (size_t k = 0; k < sizeof places / sizeof places[0]; k++) {
+            if (places[k] < counts[i]) {
+                check_rounds(counts[i], places[k]);
+            }
+        }
+    }
+}
+
+/* Of an object that comes after a wall's round one face is hidden and the other one is not: the
+ * hidden one is counted once, not in each of its bands. */
+static void test_face_hidden_by_an_earlier_round(void) {
+    static struct vec3 positions[] = {{-0.9, -0.9, 0}, {-0.2, -0.9, 0}, {-0.9, 0.9, 0},
+                                      {0.2, -0.9, 0},  {0.9, -0.9, 0},  {0.9, 0.9, 0}};
+    struct model both = two_triangles(positions);
+    uint64_t stats[PIPELINE_STATS] = {0};
+    scene = (struct scene){.name = "half behind a wall"};
+    struct mat4 left_half = mat4_scaling((struct vec3){0.25, 0.5, 1});
+    add_object(&scene, &wall, left_half, (struct vec3){-2, 0, 0.5}, 1);
+    for (size_t i = 0; i < 16; i++) {
+        scene.objects[scene.count++] = (struct object){&wall, small_square(24 * i + 13, 0.25)};
+    }
+    add_object(&scene, &both, mat4_identity(), origin, 1);
+    check_scene(&scene, true, stats);
+    CHECK(stats[STAT_OBJECTS_HIDDEN] == 0);
+    CHECK(stats[STAT_FACES_HIDDEN] == 1 && stats[STAT_FACES_BEHIND] == 1);
+}
+
+/* Draws the scene with skip on and off; the image must be the same. Returns what was counted with
+ * skip on. */
+static const uint64_t *compare(struct pipeline *pipeline, struct drawn drawn[2]) {
+    for (int skip = 0; skip < 2; skip++) {
+        pipeline->skip = skip;
+        draw_objects(pipeline, &scene, 0, scene.count, CULL_NONE, &smooth, &drawn[skip]);
+    }
+    CHECK_ROW(memcmp(drawn[0].image.pixels, drawn[1].image.pixels, WIDTH * HEIGHT * 3) == 0,
+              scene.name);
+    return drawn[1].stats;
+}
+
+static bool begin_compare(struct pipeline *pipeline, struct drawn drawn[2]) {
+    struct error error;
+    return CHECK(pipeline_create(pipeline, WIDTH, HEIGHT, &error)) &&
+           CHECK(image_create(&drawn[0].image, WIDTH, HEIGHT, IMAGE_BGR, &error)) &&
+           CHECK(image_create(&drawn[1].image, WIDTH, HEIGHT, IMAGE_BGR, &error));
+}
+
+static void end_compare(struct pipeline *pipeline, struct drawn drawn[2]) {
+    image_free(&drawn[0].image);
+    image_free(&drawn[1].image);
+    pipeline_free(pipeline);
+}
+
+static struct vec3 any_place(struct random *random, double side) {
+    return (struct vec3){random_real(random, -side, side), random_real(random, -side, side),
+                         random_real(random, -side, side)};
+}
+
+/* Walls and tetrahedra of any size, turned in any way, all around the camera: boxes that reach the
+ * near plane or the guard band, or lie askew, say no more than is true of the model. */
+static void test_askew(void) {
+    static struct vec3 positions[] = {{-1, -1, -1}, {1.5, -0.7, -1}, {0, 1, -0.5}, {0.3, 0.2, 2}};
+    static struct face faces[4];
+    static const uint32_t corners[4][3] = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
+    for (size_t i = 0; i < 12; i++) {
+        faces[i / 3].corner[i % 3] = (struct corner){corners[i / 3][i % 3], MODEL_NONE, MODEL_NONE};
+    }
+    struct model tetrahedron = {
+        .positions = positions, .position_count = 4, .faces = faces, .face_count = 4};
+    struct random random = {6};
+    struct pipeline pipeline;
+    struct drawn drawn[2] = {{{0}, {0}}, {{0}, {0}}};
+    uint64_t hidden = 0, clipped = 0;
+    if (!begin_compare(&pipeline, drawn)) {
+        return;
+    }
+    for (int frame = 0; frame < 250; frame++) {
+        struct mat4 camera = camera_at(any_place(&random, 3), any_place(&random, 1));
+        scene = (struct scene){.name = "askew"};
+        for (int i = 0; i < 80; i++) {
+            double size = random_real(&random, 0.05, 1.2) * random_real(&random, 0.1, 1);
+            add_object(&scene, i % 3 > 0 ? &tetrahedron : &wall, camera, any_place(&random, 3),
+                       size);
+            struct mat4 *to_clip = &scene.objects[i].to_clip;
+            *to_clip = mat4_mul(*to_clip,
+                                mat4_rotation(any_place(&random, 1), random_real(&random, 0, 1)));
+        }
+        const uint64_t *stats = compare(&pipeline, drawn);
+        hidden += stats[STAT_OBJECTS_HIDDEN];
+        clipped += stats[STAT_FACES_CLIPPED];
+    }
+    CHECK(hidden > 600 && clipped > 600);
+    end_compare(&pipeline, drawn);
+}
+
+/* A row of a matrix with `value` at the center, and near it something like that: though its terms
+ * are large there. */
+static void make_row(double row[4], struct vec3 step, struct vec3 center, double value) {
+    row[0] = step.x, row[1] = step.y, row[2] = step.z;
+    row[3] = value - vec3_dot(step, center);
+}
+
+/* Triangles far from the origin of their space, in the plane of a wall: their computed depths are
+ * those of the wall up to large roundings. What of them is before the wall is seen, whatever their
+ * box says. */
+static void test_within_roundings_of_a_wall(void) {
+    enum { TRIANGLES = 6 };
+    static struct vec3 positions[TRIANGLES][3];
+    struct face face = {
+        {{0, MODEL_NONE, MODEL_NONE}, {1, MODEL_NONE, MODEL_NONE}, {2, MODEL_NONE, MODEL_NONE}}};
+    struct random random = {7};
+    struct pipeline pipeline;
+    struct drawn drawn[2] = {{{0}, {0}}, {{0}, {0}}};
+    if (!begin_compare(&pipeline, drawn)) {
+        return;
+    }
+    for (int frame = 0; frame < 500; frame++) {
+        struct model models[TRIANGLES];
+        double depth = random_real(&random, -1, 1);
+        scene = (struct scene){.name = "within roundings of a wall"};
+        add_object(&scene, &wall, mat4_identity(), (struct vec3){0, 0, depth}, 1);
+        for (int i = 0; i < TRIANGLES; i++) {
+            struct vec3 center = any_place(&random, 1e6);
+            struct mat4 m = {{{0}}};
+            make_row(m.m[0], (struct vec3){1, 0, 0}, center, 0);
+            make_row(m.m[1], (struct vec3){0, 1, 0}, center, 0);
+            make_row(m.m[3], any_place(&random, 0.3), center, 1);
+            for (int k = 0; k < 4; k++) {
+                m.m[2][k] = depth * m.m[3][k];
+            }
+            positions[i][0] = vec3_add(center, (struct vec3){-0.5, -0.5, 0});
+            positions[i][1] = vec3_add(center, (struct vec3){0.5, -0.5, 0});
+            positions[i][2] = vec3_add(center, (struct vec3){0, 0.5, 0});
+            models[i] = (struct model){
+                .positions = positions[i], .position_count = 3, .faces = &face, .face_count = 1};
+            scene.objects[scene.count++] = (struct object){&models[i], m};
+        }
+        compare(&pipeline, drawn);
+    }
+    end_compare(&pipeline, drawn);
+}
+
+/* A steep face whose upper edge, along the centres of pixels, is a little behind a wall; up to
+ * roundings, which may bring pixels of the edge before it. Those are seen. The wall comes first,
+ * since a face of its model is near. */
+static void test_roundings_within_a_face(void) {
+    struct vec3 flagged[] = {{-1, -1, 0}, {1, -1, 0},    {1, 1, 0},    {-1, 1, 0},
+                             {0.8, 0, 1}, {0.9, 0.1, 1}, {0.8, 0.1, 1}};
+    static const uint32_t corners[3][3] = {{0, 1, 2}, {0, 2, 3}, {4, 5, 6}};
+    struct face faces[3];
+    for (size_t i = 0; i < 9; i++) {
+        faces[i / 3].corner[i % 3] = (struct corner){corners[i / 3][i % 3], MODEL_NONE, MODEL_NONE};
+    }
+    double top = 2 * 60.5 / HEIGHT - 1;
+    struct vec3 steep[] = {{-0.1, -0.9, -1000}, {0.7, top, 0}, {-0.7, top, 0}};
+    struct model models[] = {
+        {.positions = flagged, .position_count = 7, .faces = faces, .face_count = 3},
+        {.positions = steep, .position_count = 3, .faces = faces, .face_count = 1}};
+    struct random random = {8};
+    struct pipeline pipeline;
+    struct drawn drawn[2] = {{{0}, {0}}, {{0}, {0}}};
+    if (!begin_compare(&pipeline, drawn)) {
+        return;
+    }
+    for (int frame = 0; frame < 200; frame++) {
+        double depth = random_real(&random, 0.1, 0.9);
+        steep[1].z = steep[2].z = depth;
+        double wall_depth = depth + random_real(&random, 0, 2e-13);
+        for (int i = 0; i < 4; i++) {
+            flagged[i].z = wall_depth;
+        }
+        scene = (struct scene){.name = "roundings within a face"};
+        add_object(&scene, &models[0], mat4_identity(), origin, 1);
+        add_object(&scene, &models[1], mat4_identity(), origin, 1);
+        compare(&pipeline, drawn);
+    }
+    end_compare(&pipeline, drawn);
+}
+
+/* ---- Batches of faces ---- */
+
+enum { BATCH = 64 };
+
+/* Faces with corners of their own: number f has positions 3 f to 3 f + 2. */
+struct soup {
+    struct model model;
+    struct vec3 *positions;
+    struct face *faces;
+};
+
+static void soup_free(struct soup *soup) {
+    free(soup->positions);
+    free(soup->faces);
+    *soup = (struct soup){0};
+}
+
+static bool soup_create(struct soup *soup, size_t face_count) {
+    soup->positions = calloc(3 * face_count, sizeof *soup->positions);
+    soup->faces = calloc(face_count, sizeof *soup->faces);
+    if (!CHECK(soup->positions != NULL && soup->faces != NULL)) {
+        soup_free(soup);
+        return false;
+    }
+    for (uint32_t i = 0; i < 3 * face_count; i++) {
+        soup->faces[i / 3].corner[i % 3] = (struct corner){i, MODEL_NONE, MODEL_NONE};
+    }
+    soup->model = (struct model){.positions = soup->positions,
+                                 .position_count = 3 * face_count,
+                                 .faces = soup->faces,
+                                 .face_count = face_count};
+    return true;
+}
+
+/* A place on the screen, in pixels, as a position that no matrix moves. */
+static struct vec3 at_pixel(double x, double y) {
+    return (struct vec3){2 * x / WIDTH - 1, 2 * y / HEIGHT - 1, 0};
+}
+
+/* A wall of a square for each tile of 16x8 pixels. What comes after its round is hidden, whichever
+ * of the squares it is behind. */
+static void test_hidden_by_many_faces(void) {
+    enum { COLUMNS = WIDTH / 16, ROWS = HEIGHT / 8, SQUARES = 20 };
+    struct soup soup;
+    uint64_t stats[PIPELINE_STATS] = {0};
+    if (!soup_create(&soup, 2 * COLUMNS * ROWS)) {
+        return;
+    }
+    for (size_t i = 0; i < COLUMNS * ROWS; i++) {
+        double x = (double)(i % COLUMNS * 16), y = (double)(i / COLUMNS * 8);
+        struct vec3 corners[] = {at_pixel(x, y), at_pixel(x + 16, y), at_pixel(x + 16, y + 8),
+                                 at_pixel(x, y + 8)};
+        for (size_t k = 0; k < 6; k++) {
+            soup.positions[6 * i + k] = corners[k < 3 ? k : (k - 1) % 4];
+        }
+    }
+    scene = (struct scene){.name = "squares behind a wall of squares"};
+    for (size_t i = 0; i < SQUARES; i++) {
+        scene.objects[scene.count++] =
+            (struct object){&wall, small_square(i * 37 % (24 * 18), -0.5)};
+    }
+    scene.objects[scene.count++] = (struct object){&soup.model, mat4_identity()};
+    check_scene(&scene, false, stats);
+    CHECK(stats[STAT_OBJECTS_HIDDEN] == scene.count - end_of_round(0, scene.count));
+    CHECK(stats[STAT_PIXELS_SHADED] == WIDTH * HEIGHT);
+    soup_free(&soup);
+}
+
+/* Every other face is turned away. The faces of the first batches lie in the left half of the
+ * image; of the others every fifth batch lies outside, and the rest in the right half. */
+enum side { LEFT, RIGHT, OUTSIDE };
+
+static enum side side_of_batch(size_t batch, size_t left_batches) {
+    return batch < left_batches ? LEFT : batch % 5 == 4 ? OUTSIDE : RIGHT;
+}
+
+static void make_halves(struct soup *soup, size_t left_batches) {
+    static const int begin[] = {[LEFT] = 4, [RIGHT] = 53, [OUTSIDE] = WIDTH + 4};
+    for (size_t f = 0; f < soup->model.face_count; f++) {
+        size_t batch = f / BATCH;
+        double x = begin[side_of_batch(batch, left_batches)] + (double)(batch * 5 % 36);
+        double y = 4 + (double)(f % BATCH);
+        soup->positions[3 * f] = at_pixel(x, y);
+        soup->positions[3 * f + 1 + f % 2] = at_pixel(x + 3, y);
+        soup->positions[3 * f + 2 - f % 2] = at_pixel(x, y + 3);
+    }
+}
+
+static size_t batches_of(size_t faces) {
+    return (faces + BATCH - 1) / BATCH;
+}
+
+/* Walls before the left half of the image, which fill the first round, and behind them a model that
+ * is drawn some times, at most so often in turn. Of faces that are left out with their batch nobody
+ * asks which way they are turned: so the counters tell that they were. */
+static void check_left_out(struct soup *soup, size_t left_batches, size_t times, size_t in_turn) {
+    struct mat4 left_half = mat4_scaling((struct vec3){0.25, 0.5, 1});
+    uint64_t stats[PIPELINE_STATS] = {0};
+    scene = (struct scene){.name = "some batches behind a wall"};
+    make_halves(soup, left_batches);
+    for (size_t i = 0; i < 16 + times; i++) {
+        if (i < 16 || i % in_turn == 0) {
+            add_object(&scene, &wall, left_half, (struct vec3){-2, 0, 0.25 + (double)i / 64}, 1);
+        }
+        if (i >= 16) {
+            scene.objects[scene.count++] = (struct object){&soup->model, mat4_identity()};
+        }
+    }
+    check_scene(&scene, false, stats);
+    size_t faces = soup->model.face_count, count[] = {0, 0, 0}, turned[] = {0, 0, 0};
+    for (size_t f = 0; f < faces; f++) {
+        count[side_of_batch(f / BATCH, left_batches)]++;
+        turned[side_of_batch(f / BATCH, left_batches)] += f % 2;
+    }
+    bool has_boxes = in_turn >= 4 && times >= 4 && faces > BATCH, is_hidden = count[LEFT] == faces;
+    bool in_batches = has_boxes && !is_hidden;
+    CHECK(stats[STAT_BATCHES_OUTSIDE] == (in_batches ? times * batches_of(count[OUTSIDE]) : 0));
+    CHECK(stats[STAT_BATCHES_HIDDEN] == (in_batches ? times * batches_of(count[LEFT]) : 0));
+    CHECK(stats[STAT_OBJECTS_HIDDEN] == (is_hidden ? times : 0));
+    CHECK(stats[STAT_FACES_OUTSIDE] == times * count[OUTSIDE]);
+    CHECK(stats[STAT_FACES_TURNED_AWAY] ==
+          times * (turned[RIGHT] + (has_boxes || is_hidden ? 0 : turned[LEFT])));
+    CHECK(stats[STAT_FACES_HIDDEN] >= times * (has_boxes ? count[LEFT] : count[LEFT] / 2));
+}
+
+static void test_batches(void) {
+    static const size_t faces[] = {63, 64, 65, 128, 512, 513, 1024, 1025, 2500};
+    static const size_t left[] = {0, 1, 2, 7, 8, 9, 15, 16, 17, 39};
+    for (size_t i = 0; i < sizeof faces / sizeof faces[0]; i++) {
+        struct soup soup;
+        for (size_t k = 0; k < sizeof left / sizeof left[0] && soup_create(&soup, faces[i]); k++) {
+            check_left_out(&soup, left[k], 3 + k % 3, 7);
+            check_left_out(&soup, left[k], 4 + k % 3, 3);
+            soup_free(&soup);
+        }
+    }
+}
+
+/* The faces of a batch lie close together; of some batches all but one are very small, and in one
+ * place: so the box hangs on one face. */
+static void scatter_batches(struct soup *soup, struct random *random) {
+    struct vec3 center = origin;
+    size_t large = 0;
+    for (size_t i = 0; i < soup->model.position_count; i++) {
+        size_t face = i / 3 % BATCH;
+        if (i % (3 * BATCH) == 0) {
+            static const size_t which[] = {0, 1, BATCH - 2, BATCH - 1, BATCH, BATCH};
+            large = which[random_bits(random) % 6];
+            center = any_place(random, 0.8);
+        }
+        double size = face == large ? 0.5 : large == BATCH ? 0.15 : 0.001;
+        soup->positions[i] = vec3_add(center, any_place(random, size));
+    }
+}
+
+/* Models of batches that lie anywhere, and walls, seen from anywhere; some several times in turn.
+ * No face is lost, in whatever block and batch it is, and with however many threads. */
+static void test_scattered_batches(void) {
+    static const size_t faces[] = {70, 700, 1500};
+    static struct soup soups[3];
+    struct random random = {9};
+    struct pipeline pipeline;
+    struct drawn drawn[2] = {{{0}, {0}}, {{0}, {0}}};
+    uint64_t hidden = 0, all = 0;
+    if (!begin_compare(&pipeline, drawn)) {
+        return;
+    }
+    for (size_t i = 0; i < 3 && soup_create(&soups[i], faces[i]); i++) {
+        scatter_batches(&soups[i], &random);
+    }
+    for (int frame = 0; frame < 40; frame++) {
+        struct mat4 camera = camera_at(any_place(&random, 3), any_place(&random, 1));
+        const struct model *model = &wall;
+        scene = (struct scene){.name = "scattered batches"};
+        for (int i = 0; i < 60; i++) {
+            uint64_t other = random_bits(&random) % 24;
+            model = other < 3 ? &soups[other].model : other < 6 ? &wall : model;
+            add_object(&scene, model, camera, any_place(&random, 3), 0.7);
+        }
+        pipeline_use_threads(&pipeline, (size_t)(1 + frame % 4));
+        const uint64_t *stats = compare(&pipeline, drawn);
+        check_counters(&scene, stats, drawn[0].stats);
+        hidden += stats[STAT_FACES_BEHIND];
+        all += stats[STAT_FACES];
+    }
+    CHECK(8 * hidden > all);
+    for (int i = 0; i < 3; i++) {
+        soup_free(&soups[i]);
+    }
+    end_compare(&pipeline, drawn);
+}
+
+static void test_models_are_there(void) {
+    struct error error;
+    CHECK(model_read(&bust, COURSE_MODELS "bust.obj", &error));
+    CHECK(model_read(&sphere, COURSE_MODELS "sphere.obj", &error));
+    make_wall(&wall);
+}
+
+static void test_free(void) {
+    model_free(&bust);
+    model_free(&sphere);
+    CHECK(bust.face_count == 0 && sphere.face_count == 0);
+}
+
+UNIT_MAIN(TEST(test_models_are_there), TEST(test_single), TEST(test_nested_spheres),
+          TEST(test_behind_a_wall), TEST(test_crowd), TEST(test_two_models),
+          TEST(test_clipped_by_the_first_positions), TEST(test_equal_depths),
+          TEST(test_before_and_behind), TEST(test_within_roundings_of_a_side), TEST(test_rounds),
+          TEST(test_face_hidden_by_an_earlier_round), TEST(test_askew),
+          TEST(test_within_roundings_of_a_wall), TEST(test_roundings_within_a_face),
+          TEST(test_hidden_by_many_faces), TEST(test_batches), TEST(test_scattered_batches),
+          TEST(test_free))

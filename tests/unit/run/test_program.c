@@ -1,0 +1,805 @@
+/* The frame that all programs share: options, scenes, files, errors, exit statuses. */
+#define _POSIX_C_SOURCE 200809L
+#include "base/file.h"
+#include "files/image_file.h"
+#include "program.h"
+#include "unit/unit.h"
+
+#include <fcntl.h>
+#include <stdlib.h>
+#include <sys/stat.h>
+#include <time.h>
+#include <unistd.h>
+
+/* ---- A program to try ---- */
+
+struct probe_state {
+    int prepared;
+};
+
+static int prepare_calls, finish_calls, draw_calls;
+static struct drawing last_drawing;
+
+static bool prepare(struct drawing *drawing, size_t width, size_t height, struct error *error) {
+    struct probe_state *state = drawing->state;
+    (void)error;
+    prepare_calls++;
+    state->prepared = width > 0 && height > 0;
+    return true;
+}
+
+static void finish(struct drawing *drawing) {
+    (void)drawing;
+    finish_calls++;
+}
+
+static bool draw_dot(struct drawing *drawing, struct image *image, struct error *error) {
+    (void)error;
+    const struct probe_state *state = drawing->state;
+    CHECK(state->prepared == 1);
+    CHECK(image_get(image, 1, 1).r == 0); /* cleared, also before it is drawn again */
+    image_set(image, 1, 1, color_rgb(1, 2, (uint8_t)(3 + drawing->frame)));
+    drawing_count(drawing, "dots", 1);
+    drawing_count(drawing, "dots", 2);
+    drawing_count(drawing, "other", 7);
+    draw_calls++;
+    last_drawing = *drawing;
+    return true;
+}
+
+static bool draw_failing(struct drawing *drawing, struct image *image, struct error *error) {
+    (void)drawing, (void)image;
+    return error_set(error, "cannot draw this");
+}
+
+static bool draw_text_scene(struct drawing *drawing, struct image *image, struct error *error) {
+    (void)error;
+    CHECK(drawing->text != NULL && drawing->text->shape_count == 1);
+    image_set(image, (int)drawing->text->shapes[0].x[0], 0, drawing->text->shapes[0].color[0]);
+    return true;
+}
+
+static const struct scene scenes[] = {
+    {.name = "dot",
+     .width = 4,
+     .height = 3,
+     .draw = draw_dot,
+     .eye = {0, 0, 3},
+     .up = {0, 1, 0},
+     .light = {0, 0, 1}},
+    {.name = "film", .width = 5, .height = 4, .frames = 3, .draw = draw_dot, .eye = {0, 0, 3}},
+    {.name = "more", .width = 4, .height = 3, .extra = true, .draw = draw_dot, .eye = {0, 0, 3}},
+};
+
+static const struct program dot_program = {
+    .name = "probe",
+    .summary = "a program to try",
+    .takes_camera = true,
+    .takes_light = true,
+    .scenes = scenes,
+    .scene_count = 3,
+    .state_size = sizeof(struct probe_state),
+    .prepare = prepare,
+    .finish = finish,
+};
+
+static const struct scene failing_scenes[] = {
+    {.name = "bad", .width = 4, .height = 3, .draw = draw_failing},
+};
+
+static const struct program failing_program = {
+    .name = "probe", .summary = "fails", .scenes = failing_scenes, .scene_count = 1};
+
+static const struct program text_program = {
+    .name = "probe",
+    .summary = "text",
+    .text_kind = TEXT_SCENE_LINES,
+    .draw_text = draw_text_scene,
+    .defaults = {.width = 5, .height = 5},
+    .scenes = failing_scenes,
+    .scene_count = 1,
+};
+
+static const struct scene model_scenes[] = {
+    {.name = "model", .width = 4, .height = 3, .draw = draw_failing, .needs = NEEDS_MODEL},
+};
+
+static const struct program model_program = {
+    .name = "probe", .summary = "model", .scenes = model_scenes, .scene_count = 1};
+
+/* ---- Running it ---- */
+
+enum { ARGUMENT_LIMIT = 16, OUTPUT_LIMIT = 8192 };
+
+static char directory[] = "/tmp/test_program.XXXXXX";
+static char output[OUTPUT_LIMIT]; /* standard output and error of the last run */
+
+static void make_directory(void) {
+    static bool made;
+    if (!made && mkdtemp(directory) == NULL) {
+        perror("mkdtemp");
+        exit(1);
+    }
+    made = true;
+}
+
+/* Run with arguments separated by blanks, in the directory; fills `output`. */
+static int run(const struct program *program, const char *arguments) {
+    make_directory();
+    static char copy[OUTPUT_LIMIT];
+    char *argv[ARGUMENT_LIMIT] = {(char *)"probe"};
+    int argc = 1;
+    snprintf(copy, sizeof copy, "%s", arguments);
+    for (char *word = strtok(copy, " "); word != NULL; word = strtok(NULL, " ")) {
+        argv[argc++] = word;
+    }
+    fflush(stdout);
+    fflush(stderr);
+    int kept_out = dup(1), kept_error = dup(2), kept_directory = open(".", O_RDONLY);
+    CHECK(chdir(directory) == 0);
+    int file = open("output", O_CREAT | O_TRUNC | O_RDWR, 0600);
+    dup2(file, 1);
+    dup2(file, 2);
+    int status = program_main(program, argc, argv);
+    fflush(stdout);
+    fflush(stderr);
+    dup2(kept_out, 1);
+    dup2(kept_error, 2);
+    ssize_t size = pread(file, output, sizeof output - 1, 0);
+    output[size > 0 ? size : 0] = '\0';
+    close(file);
+    close(kept_out);
+    close(kept_error);
+    CHECK(fchdir(kept_directory) == 0);
+    close(kept_directory);
+    return status;
+}
+
+static const char *in_directory(const char *name) {
+    static char path[256];
+    make_directory();
+    snprintf(path, sizeof path, "%s/%s", directory, name);
+    return path;
+}
+
+static bool exists(const char *name) {
+    struct stat status;
+    return stat(in_directory(name), &status) == 0;
+}
+
+/* ---- Tests ---- */
+
+static void test_usage(void) {
+    static const struct {
+        const char *arguments, *message;
+    } rows[] = {
+        {"--what", "probe: unknown option '--what'; try --help\n"},
+        {"-s", "probe: -s wants WxH: each 1 to 16384\n"},
+        {"-s 10", "probe: -s wants WxH: each 1 to 16384, not '10'\n"},
+        {"-s 10 7", "probe: -s wants WxH: each 1 to 16384, not '10'\n"},
+        {"-s 0x10", "probe: -s wants WxH: each 1 to 16384, not '0x10'\n"},
+        {"-s 10x16385", "probe: -s wants WxH: each 1 to 16384, not '10x16385'\n"},
+        {"-s 10x10x", "probe: -s wants WxH: each 1 to 16384, not '10x10x'\n"},
+        {"-s x10", "probe: -s wants WxH: each 1 to 16384, not 'x10'\n"},
+        {"-s 10x0", "probe: -s wants WxH: each 1 to 16384, not '10x0'\n"},
+        {"-s 16385x10", "probe: -s wants WxH: each 1 to 16384, not '16385x10'\n"},
+        {"-s -5x10", "probe: -s wants WxH: each 1 to 16384, not '-5x10'\n"},
+        {"--only what", "probe: --only wants a scene: dot, film, more, not 'what'\n"},
+        {"--format gif", "probe: --format wants a format: tga, png or ppm, not 'gif'\n"},
+        {"--eye 1,2", "probe: --eye wants three numbers X,Y,Z, not '1,2'\n"},
+        {"--eye 1,2,3,4", "probe: --eye wants three numbers X,Y,Z, not '1,2,3,4'\n"},
+        {"--light 1,nan,3",
+         "probe: --light wants three numbers X,Y,Z that are not all 0, not '1,nan,3'\n"},
+        {"--light 0,-0,1e-999",
+         "probe: --light wants three numbers X,Y,Z that are not all 0, not '0,-0,1e-999'\n"},
+        {"--fit", "probe: unknown option '--fit'; try --help\n"}, /* no scene has a model */
+        {"--up 1,1e999,3", "probe: --up wants three numbers X,Y,Z, not '1,1e999,3'\n"},
+        {"--repeat 0", "probe: --repeat wants a number: 1 to 1000000, not '0'\n"},
+        {"--repeat 1000001", "probe: --repeat wants a number: 1 to 1000000, not '1000001'\n"},
+        {"--repeat x", "probe: --repeat wants a number: 1 to 1000000, not 'x'\n"},
+        {"one.obj", "probe: one argument too many: 'one.obj'; try --help\n"},
+        {"--eye 1,2,3 --center 1,2,3 --only dot",
+         "probe: scene dot: the eye and the center are the same point\n"},
+        {"--center 0,0,3 --only dot",
+         "probe: scene dot: the eye and the center are the same point\n"},
+        {"--eye 0,0,0", "probe: scene dot: the eye and the center are the same point\n"},
+        {"--eye 1e-200,0,0",
+         "probe: scene dot: the eye and the center are too near to each other\n"},
+        {"--eye 1e-150,0,0",
+         "probe: scene dot: the eye and the center are too near to each other\n"},
+        {"--eye 2,2,3 --center 2,2e0,3",
+         "probe: scene dot: the eye and the center are the same point\n"},
+        {"--eye 2e18,0,0",
+         "probe: scene dot: the eye and the center are too far from each other\n"},
+        {"--eye 1e308,0,0 --center -1e308,0,0",
+         "probe: scene dot: the eye and the center are too far from each other\n"},
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        draw_calls = 0;
+        CHECK_ROW(run(&dot_program, rows[i].arguments) == 2, rows[i].arguments);
+        CHECK_TEXT(output, rows[i].message);
+        CHECK(draw_calls == 0);
+    }
+    CHECK(run(&failing_program, "--eye 1,2,3") == 2); /* a program without a camera */
+    CHECK_TEXT(output, "probe: unknown option '--eye'; try --help\n");
+    CHECK(run(&model_program, "a.obj b.obj") == 2);
+    CHECK(run(&text_program, "--only bad scene.txt") == 2);
+}
+
+static void test_help(void) {
+    CHECK(run(&dot_program, "--help") == 0);
+    CHECK(strstr(output, "probe: a program to try") != NULL);
+    CHECK(strstr(output, "dot, film, more") != NULL);
+    CHECK(strstr(output, "--eye") != NULL);
+    CHECK(run(&failing_program, "-h") == 0);
+    CHECK(strstr(output, "--eye") == NULL);
+}
+
+/* A scene that is no part of the lesson is drawn when it is named. */
+static void test_extra(void) {
+    CHECK(run(&dot_program, "-o out/deep") == 0);
+    CHECK(exists("out/deep/dot.tga") && exists("out/deep/film.tga"));
+    CHECK(!exists("out/deep/more.tga"));
+    CHECK(run(&dot_program, "-o out/deep --only more") == 0);
+    CHECK(exists("out/deep/more.tga"));
+}
+
+static void test_formats(void) {
+    struct error error;
+    struct image image = {0};
+    CHECK(run(&dot_program, "-o out/deep --only dot") == 0);
+    CHECK_TEXT(output, "out/deep/dot.tga\n");
+    if (CHECK(image_read(&image, in_directory("out/deep/dot.tga"), &error))) {
+        CHECK(image.width == 4 && image.height == 3);
+        CHECK(image_get(&image, 1, 1).r == 1 && image_get(&image, 1, 1).b == 3);
+        image_free(&image);
+    }
+    CHECK(run(&dot_program, "-o out --only dot --format png -s 7x9") == 0);
+    if (CHECK(image_read(&image, in_directory("out/dot.png"), &error))) {
+        CHECK(image.width == 7 && image.height == 9);
+        CHECK(image_get(&image, 1, 1).r == 1 && image_get(&image, 1, 1).b == 3);
+        image_free(&image);
+    }
+    CHECK(run(&dot_program, "-o out --only dot --format ppm") == 0);
+    CHECK(exists("out/dot.ppm"));
+    CHECK(!exists("out/dot.tga")); /* only what was asked for */
+}
+
+static void test_frames(void) {
+    struct error error;
+    struct image image = {0};
+    CHECK(run(&dot_program, "-o out --only film") == 0);
+    if (CHECK(image_read(&image, in_directory("out/film.tga"), &error))) {
+        /* Three frames of 2x2 on a sheet of two columns, the first one top left. */
+        CHECK(image.width == 5 && image.height == 4);
+        CHECK(image_get(&image, 1, 3).b == 3);
+        CHECK(image_get(&image, 3, 3).b == 4);
+        CHECK(image_get(&image, 1, 1).b == 5);
+        CHECK(image_get(&image, 3, 1).b == 0);
+        image_free(&image);
+    }
+    CHECK(run(&dot_program, "-o out --only film --format png") == 0);
+    struct bytes file = {0};
+    if (CHECK(file_read(in_directory("out/film.png"), &file, &error))) {
+        size_t frames = 0;
+        for (size_t i = 0; i + 4 <= file.size; i++) {
+            frames += memcmp(file.data + i, "fcTL", 4) == 0;
+        }
+        CHECK(frames == 3);
+        bytes_free(&file);
+    }
+    if (CHECK(image_read(&image, in_directory("out/film.png"), &error))) {
+        CHECK(image.width == 5 && image.height == 4); /* in an animation each frame has the size */
+        image_free(&image);
+    }
+    CHECK(run(&dot_program, "-o out --only film -s 1x9") == 2);
+    CHECK_TEXT(output, "probe: scene film: 3 frames need at least 2x2 pixels\n");
+    CHECK(run(&dot_program, "-o out --only film -s 9x1") == 2);
+    CHECK_TEXT(output, "probe: scene film: 3 frames need at least 2x2 pixels\n");
+    CHECK(run(&dot_program, "-o out --only film -s 1x1 --format png") == 0); /* no sheet */
+}
+
+static void test_stats_and_repeat(void) {
+    CHECK(run(&dot_program, "-o out --only dot --stats") == 0);
+    CHECK_TEXT(output, "dot.dots: 3\ndot.other: 7\n");
+    prepare_calls = finish_calls = draw_calls = 0;
+    CHECK(run(&dot_program, "-o out --only dot --stats --repeat 5") == 0);
+    CHECK(draw_calls == 5 && prepare_calls == 1 && finish_calls == 1);
+    CHECK(strstr(output, "dot: ") == output && strstr(output, " ms\n") != NULL);
+    CHECK(strstr(output, "dot.dots: 3\n") != NULL); /* of one drawing, not of five */
+}
+
+/* Takes at least that long. */
+enum { SLOW_MS = 3 };
+
+static bool draw_slowly(struct drawing *drawing, struct image *image, struct error *error) {
+    const struct timespec pause = {.tv_nsec = SLOW_MS * 1000000};
+    (void)drawing, (void)image, (void)error;
+    nanosleep(&pause, NULL);
+    return true;
+}
+
+static const struct scene slow_scenes[] = {
+    {.name = "slow", .width = 1, .height = 1, .draw = draw_slowly},
+};
+
+static const struct program slow_program = {
+    .name = "probe", .summary = "slow", .scenes = slow_scenes, .scene_count = 1};
+
+/* The time of one drawing: not less than it certainly takes, nor more than the whole run. */
+static void test_repeat_time(void) {
+    struct timespec begin, end;
+    double time = -1;
+    clock_gettime(CLOCK_MONOTONIC, &begin);
+    CHECK(run(&slow_program, "-o out --repeat 5") == 0);
+    clock_gettime(CLOCK_MONOTONIC, &end);
+    double whole =
+        (double)(end.tv_sec - begin.tv_sec) * 1e3 + (double)(end.tv_nsec - begin.tv_nsec) * 1e-6;
+    const char *line = strstr(output, "slow: ");
+    CHECK(line != NULL && sscanf(line, "slow: %lf ms\n", &time) == 1);
+    CHECK(time >= SLOW_MS - 0.001 && time < whole); /* printed with three digits */
+    CHECK(remove(in_directory("out/slow.tga")) == 0);
+}
+
+static void test_camera(void) {
+    CHECK(run(&dot_program, "-o out --only dot -s 16384x2") == 0); /* as large as they get */
+    CHECK(run(&dot_program, "-o out --only dot --no-skip") == 0);
+    CHECK(last_drawing.eye.z == 3 && last_drawing.up.y == 1 && !last_drawing.skip);
+    CHECK(run(&dot_program, "-o out --only dot --eye 1,-2.5,3e1 --light 0,1,0") == 0);
+    CHECK(last_drawing.eye.x == 1 && last_drawing.eye.y == -2.5 && last_drawing.eye.z == 30);
+    CHECK(last_drawing.light.y == 1 && last_drawing.light.z == 0 && last_drawing.skip);
+}
+
+static void test_failures(void) {
+    CHECK(run(&failing_program, "-o nothing") == 1);
+    CHECK_TEXT(output, "probe: cannot draw this\n");
+    CHECK(!exists("nothing"));
+    CHECK(run(&dot_program, "-o output/dir") == 1); /* `output` is a file */
+    CHECK(strstr(output, "probe: output") == output);
+    CHECK(run(&model_program, "missing.obj") == 1);
+    CHECK(strstr(output, "probe: missing.obj: ") == output);
+    CHECK(strchr(output, '\n') == output + strlen(output) - 1); /* one line */
+    CHECK(run(&text_program, "missing.txt") == 1);
+    CHECK(strstr(output, "probe: missing.txt: ") == output);
+}
+
+static void test_text_scene(void) {
+    struct error error;
+    struct image image = {0};
+    make_directory();
+    static const char with_size[] = "size 9 8\nline 3 0 4 0 10 20 30\n";
+    static const char without[] = "line 2 0 4 0 10 20 30\n";
+    CHECK(file_write(in_directory("a.b.txt"), with_size, strlen(with_size), &error));
+    CHECK(file_write(in_directory("plain"), without, strlen(without), &error));
+    CHECK(run(&text_program, "-o out a.b.txt") == 0);
+    CHECK_TEXT(output, "out/a.b.tga\n");
+    if (CHECK(image_read(&image, in_directory("out/a.b.tga"), &error))) {
+        CHECK(image.width == 9 && image.height == 8 && image_get(&image, 3, 0).g == 20);
+        image_free(&image);
+    }
+    CHECK(run(&text_program, "-o out plain") == 0);
+    if (CHECK(image_read(&image, in_directory("out/plain.tga"), &error))) {
+        CHECK(image.width == 5 && image.height == 5);
+        image_free(&image);
+    }
+    CHECK(run(&text_program, "-o out -s 6x7 a.b.txt") == 0); /* the option wins */
+    if (CHECK(image_read(&image, in_directory("out/a.b.tga"), &error))) {
+        CHECK(image.width == 6 && image.height == 7);
+        image_free(&image);
+    }
+}
+
+/* ---- What scenes need ---- */
+
+static const char *const triangle_obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+static const char *const mapped_obj =
+    "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nf 1/1 2/2 3/3\n";
+
+static bool draw_needs(struct drawing *drawing, struct image *image, struct error *error) {
+    (void)error;
+    if (!CHECK(drawing->model != NULL)) {
+        return false;
+    }
+    CHECK(drawing->model->face_count == 1);
+    for (size_t i = 0; drawing->depth != NULL && i < image->width * image->height; i++) {
+        CHECK(drawing->depth[i] == -INFINITY); /* also after it was drawn before */
+        drawing->depth[i] = 5;
+    }
+    CHECK(drawing->diffuse == NULL || drawing->diffuse->level[0].texels[0] == UINT32_MAX);
+    CHECK(drawing->model->normal_count == (image->width == 2 ? 3 : 0)); /* "normals" alone */
+    draw_calls++;
+    last_drawing = *drawing;
+    return true;
+}
+
+static bool draw_plain(struct drawing *drawing, struct image *image, struct error *error) {
+    (void)image, (void)error;
+    CHECK(drawing->model == NULL && drawing->diffuse == NULL && drawing->depth == NULL);
+    last_drawing = *drawing;
+    return true;
+}
+
+static const struct scene needs_scenes[] = {
+    {.name = "plain", .light = {0, 0, 7}, .draw = draw_plain},
+    {.name = "depth", .needs = NEEDS_MODEL | NEEDS_DEPTH, .draw = draw_needs},
+    {.name = "diffuse", .needs = NEEDS_DIFFUSE, .draw = draw_needs},
+    {.name = "normals", .needs = NEEDS_NORMALS, .width = 2, .draw = draw_needs},
+    {.name = "map", .needs = NEEDS_NORMAL_MAP, .draw = draw_needs},
+};
+
+static const struct program needs_program = {
+    .name = "probe",
+    .summary = "needs",
+    .takes_light = true,
+    .defaults = {.width = 4, .height = 3, .light = {0, 1, 0}},
+    .scenes = needs_scenes,
+    .scene_count = sizeof needs_scenes / sizeof needs_scenes[0],
+};
+
+static void finish_unprepared(struct drawing *drawing) {
+    (void)drawing;
+    finish_calls++;
+}
+
+/* What a scene needs is there when it is drawn; what no chosen scene needs is not read. */
+static void test_needs(void) {
+    struct error error;
+    make_directory();
+    CHECK(file_write(in_directory("bare.obj"), triangle_obj, strlen(triangle_obj), &error));
+    CHECK(file_write(in_directory("mapped.obj"), mapped_obj, strlen(mapped_obj), &error));
+    draw_calls = 0;
+    CHECK(run(&needs_program, "-o out --only depth --repeat 3 bare.obj") == 0);
+    CHECK(draw_calls == 3 && last_drawing.diffuse == NULL && last_drawing.normal_map == NULL);
+    CHECK(run(&needs_program, "-o out --only normals bare.obj") == 0);
+    CHECK(run(&needs_program, "-o out --only diffuse bare.obj") == 0); /* no places in a picture */
+    CHECK(run(&needs_program, "-o out --only diffuse mapped.obj") == 1);
+    CHECK(strstr(output, "probe: mapped_diffuse.tga: ") == output);
+    CHECK(run(&needs_program, "-o out --only map mapped.obj") == 1);
+    CHECK(strstr(output, "probe: mapped_nm.tga: ") == output);
+    CHECK(run(&needs_program, "-o out --only plain missing.obj") == 0); /* no model, none read */
+    CHECK(run(&needs_program, "-o out --only depth missing.obj") == 1);
+    struct program finishing = needs_program; /* what was never prepared needs no finish */
+    finishing.finish = finish_unprepared;
+    finish_calls = 0;
+    CHECK(run(&finishing, "-o out --only depth missing.obj") == 1 && finish_calls == 0);
+    CHECK(remove(in_directory("bare.obj")) == 0 && remove(in_directory("mapped.obj")) == 0);
+}
+
+/* --stats says how much was read: the model and the textures that a chosen scene needs, and nothing
+ * at all where none needs a model. */
+static void test_stats_of_files(void) {
+    struct error error;
+    struct image white = {0};
+    struct bytes texture = {0};
+    static char expected[200];
+    make_directory();
+    CHECK(file_write(in_directory("mapped.obj"), mapped_obj, strlen(mapped_obj), &error));
+    if (CHECK(image_create(&white, 2, 2, IMAGE_BGR, &error))) {
+        image_clear(&white, color_grey(255));
+        CHECK(tga_encode(&white, true, &texture, &error));
+        CHECK(tga_write(&white, in_directory("mapped_diffuse.tga"), &error));
+        CHECK(tga_write(&white, in_directory("mapped_nm.tga"), &error));
+    }
+    CHECK(run(&needs_program, "-o out --only diffuse --stats mapped.obj") == 0);
+    snprintf(expected, sizeof expected,
+             "files.bytes_read: %zu\nfiles.textures_present: 2\nfiles.textures_read: 1\n",
+             strlen(mapped_obj) + texture.size);
+    CHECK(strstr(output, expected) != NULL);
+    CHECK(run(&needs_program, "-o out --only plain --stats mapped.obj") == 0);
+    CHECK(strstr(output, "files.") == NULL);
+    CHECK(run(&needs_program, "-o out --only diffuse mapped.obj") == 0);
+    CHECK(strstr(output, "files.") == NULL);
+    CHECK(remove(in_directory("mapped.obj")) == 0);
+    CHECK(remove(in_directory("mapped_diffuse.tga")) == 0);
+    CHECK(remove(in_directory("mapped_nm.tga")) == 0);
+    image_free(&white);
+    bytes_free(&texture);
+}
+
+/* A scene says only what differs from the program's defaults; an option wins over both. */
+static void test_defaults(void) {
+    struct error error;
+    struct image image = {0};
+    CHECK(run(&needs_program, "-o out --only plain") == 0);
+    CHECK(last_drawing.light.z == 7 && last_drawing.light.y == 0);
+    if (CHECK(image_read(&image, in_directory("out/plain.tga"), &error))) {
+        CHECK(image.width == 4 && image.height == 3);
+        image_free(&image);
+    }
+    CHECK(run(&needs_program, "-o out --only plain --light 1,0,0") == 0);
+    CHECK(last_drawing.light.x == 1 && last_drawing.light.z == 0);
+    CHECK_TEXT(output, "out/plain.tga\n"); /* black, but no model belongs into it */
+    CHECK(file_write(in_directory("bare.obj"), triangle_obj, strlen(triangle_obj), &error));
+    CHECK(run(&needs_program, "-o out --only normals bare.obj") == 0);
+    CHECK(last_drawing.light.y == 1);
+    if (CHECK(image_read(&image, in_directory("out/normals.tga"), &error))) {
+        CHECK(image.width == 2 && image.height == 3);
+        image_free(&image);
+    }
+    static const char *const names[] = {"bare.obj", "out/depth.tga", "out/diffuse.tga",
+                                        "out/normals.tga"};
+    for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
+        CHECK_ROW(remove(in_directory(names[i])) == 0, names[i]);
+    }
+}
+
+/* ---- Models out of view ---- */
+
+static double farthest_corner; /* from the origin, of the last face drawn */
+
+/* Sets a pixel, or a depth, for each corner in view. */
+static bool draw_corners(struct drawing *drawing, struct image *image, struct error *error) {
+    (void)error;
+    farthest_corner = 0;
+    for (size_t i = 0; i < 3; i++) {
+        farthest_corner = fmax(farthest_corner, vec3_length(model_position(drawing->model, 0, i)));
+        struct vec2 p = parallel_view(model_position(drawing->model, 0, i), 8, 8);
+        if (p.x >= 0 && p.x < 8 && p.y >= 0 && p.y < 8 && drawing->depth == NULL) {
+            image_set(image, (int)p.x, (int)p.y, color_grey(9));
+        } else if (p.x >= 0 && p.x < 8 && p.y >= 0 && p.y < 8) {
+            drawing->depth[(size_t)p.y * 8 + (size_t)p.x] = 0;
+        }
+    }
+    if (drawing->depth != NULL) {
+        image_clear(image, color_grey(50)); /* a background */
+    }
+    return true;
+}
+
+static bool draw_nothing(struct drawing *drawing, struct image *image, struct error *error) {
+    (void)drawing, (void)image, (void)error;
+    return true;
+}
+
+static const struct scene view_scenes[] = {
+    {.name = "view", .needs = NEEDS_MODEL, .draw = draw_corners},
+    {.name = "deep", .needs = NEEDS_MODEL | NEEDS_DEPTH, .draw = draw_corners},
+};
+
+static const struct program view_program = {
+    .name = "probe",
+    .summary = "view",
+    .takes_light = true,
+    .defaults = {.width = 8, .height = 8, .eye = {0, 0, 3}, .light = {0, 1, 0}},
+    .scenes = view_scenes,
+    .scene_count = 2,
+};
+
+static const struct scene blank_scenes[] = {
+    {.name = "blank", .needs = NEEDS_MODEL, .draw = draw_nothing},
+};
+
+static const char far_obj[] = "v 1000 1000 0\nv 1004 1000 0\nv 1000 1002 0\nv 9e9 0 0\nf 1 2 3\n";
+static const char out_message[] =
+    "probe: far.obj: reaches out of -1..1; --fit brings it into view\n";
+
+/* What is said of a model; nothing where something is seen, or where nothing was asked. */
+static void test_out_of_view(void) {
+    struct program camera_program = view_program;
+    struct error error;
+    char expected[400];
+    camera_program.takes_camera = true;
+    make_directory();
+    CHECK(file_write(in_directory("far.obj"), far_obj, strlen(far_obj), &error));
+    CHECK(file_write(in_directory("near.obj"), triangle_obj, strlen(triangle_obj), &error));
+    CHECK(run(&view_program, "-o out near.obj") == 0);
+    CHECK_TEXT(output, "out/view.tga\nout/deep.tga\n");
+    CHECK(run(&view_program, "-o out --fit far.obj") == 0);
+    CHECK_TEXT(output, "out/view.tga\nout/deep.tga\n");
+    CHECK(farthest_corner > 0.95); /* of a side from -0.95 to 0.95 */
+    CHECK(run(&camera_program, "-o out --fit far.obj") == 0);
+    CHECK_TEXT(output, "out/view.tga\nout/deep.tga\n");
+    CHECK(fabs(farthest_corner - 0.875) < 1e-12);
+    CHECK(run(&view_program, "-o out far.obj") == 0);
+    CHECK(strncmp(output, out_message, strlen(out_message)) == 0);
+    snprintf(expected, sizeof expected,
+             "%sprobe: scene view: nothing was drawn; what may help: --fit --light\n"
+             "probe: scene deep: nothing was drawn; what may help: --fit --light\n"
+             "out/view.tga\nout/deep.tga\n",
+             out_message);
+    CHECK_TEXT(output, expected);
+    CHECK(run(&camera_program, "-o out --only view --eye 0,0,2 far.obj") == 0); /* placed by hand */
+    CHECK_TEXT(output, "probe: scene view: nothing was drawn; what may help: --fit --center "
+                       "--light\nout/view.tga\n");
+    /* Without an option it is the lesson that is not written yet. */
+    camera_program.scenes = blank_scenes;
+    camera_program.scene_count = 1;
+    CHECK(run(&camera_program, "-o out") == 0);
+    CHECK_TEXT(output, "out/blank.tga\n");
+    CHECK(run(&camera_program, "-o out --light 1,0,0 --fit") == 0);
+    CHECK_TEXT(output, "probe: scene blank: nothing was drawn; what may help: --center --light\n"
+                       "out/blank.tga\n");
+    CHECK(remove(in_directory("out/blank.tga")) == 0);
+    CHECK(remove(in_directory("far.obj")) == 0 && remove(in_directory("near.obj")) == 0);
+    CHECK(remove(in_directory("out/view.tga")) == 0 && remove(in_directory("out/deep.tga")) == 0);
+}
+
+/* ---- Seldom ways ---- */
+
+static bool prepare_nothing(struct drawing *drawing, size_t width, size_t height,
+                            struct error *error) {
+    (void)drawing, (void)width, (void)height;
+    prepare_calls++;
+    return error_set(error, "cannot prepare this");
+}
+
+static bool draw_grey(struct drawing *drawing, struct image *image, struct error *error) {
+    (void)drawing, (void)error;
+    draw_calls++;
+    return image_set(image, 0, 0, color_grey(77));
+}
+
+static const struct scene grey_scenes[] = {
+    {.name = "grey", .width = 4, .height = 3, .format = IMAGE_GREY, .draw = draw_grey},
+    {.name = "far", .width = 4, .height = 3, .draw = draw_grey, .eye = {0, 0, 9}},
+};
+
+static const struct program grey_program = {.name = "probe",
+                                            .summary = "grey",
+                                            .takes_camera = true,
+                                            .scenes = grey_scenes,
+                                            .scene_count = 2};
+
+static const struct program unprepared_program = {.name = "probe",
+                                                  .summary = "grey",
+                                                  .scenes = grey_scenes,
+                                                  .scene_count = 2,
+                                                  .prepare = prepare_nothing,
+                                                  .finish = finish};
+
+static void test_grey(void) {
+    struct error error;
+    struct bytes file;
+    /* no camera: eye and center are equal */
+    CHECK(run(&grey_program, "-o out --only grey --format ppm") == 0);
+    CHECK_TEXT(output, "out/grey.pgm\n");
+    if (CHECK(file_read(in_directory("out/grey.pgm"), &file, &error))) {
+        CHECK(file.size > 2 && memcmp(file.data, "P5", 2) == 0);
+        bytes_free(&file);
+    }
+    CHECK(remove(in_directory("out/grey.pgm")) == 0);
+    /* the median of an even number */
+    CHECK(run(&grey_program, "-o out --only grey --repeat 4 --eye 0,0,1") == 0);
+    CHECK(strstr(output, "grey: ") == output);
+    CHECK(run(&grey_program, "-o out --only grey --center 0,0,9") == 0); /* the eye of the other */
+    CHECK(remove(in_directory("out/grey.tga")) == 0);
+}
+
+/* After "--" nothing is an option. */
+static void test_end_of_options(void) {
+    static const struct {
+        const char *arguments;
+        int status;
+        const char *output;
+    } rows[] = {
+        {"-- -x.obj", 1, "probe: -x.obj: No such file or directory\n"},
+        {"--fit -- --stats", 1, "probe: --stats: No such file or directory\n"},
+        {"-- --", 1, "probe: --: No such file or directory\n"},
+        {"-- -a -b", 2, "probe: one argument too many: '-b'; try --help\n"},
+        {"-s -- -b", 2, "probe: -s wants WxH: each 1 to 16384, not '--'\n"},
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        CHECK_ROW(run(&model_program, rows[i].arguments) == rows[i].status, rows[i].arguments);
+        CHECK_TEXT(output, rows[i].output);
+    }
+    CHECK(run(&dot_program, "-o out --only dot --") == 0);
+    CHECK(remove(in_directory("out/dot.tga")) == 0);
+}
+
+static void test_seldom_failures(void) {
+    prepare_calls = finish_calls = draw_calls = 0;
+    CHECK(run(&unprepared_program, "-o nothing") == 1);
+    CHECK_TEXT(output, "probe: cannot prepare this\n");
+    CHECK(prepare_calls == 1 && finish_calls == 1 && draw_calls == 0);
+    CHECK(run(&failing_program, "-o nothing --repeat 2") == 1);
+    CHECK_TEXT(output, "probe: cannot draw this\n");
+    CHECK(run(&text_program, "-o nothing --only bad") == 1); /* without a text: its own scenes */
+    CHECK_TEXT(output, "probe: cannot draw this\n");
+    CHECK(!exists("nothing"));
+    CHECK(run(&dot_program, "-o /proc/nothing/here") == 1);
+    CHECK(strstr(output, "probe: /proc/nothing: cannot make the directory: ") == output);
+}
+
+/* Standard output is full: the image is there, but nobody was told. The second time it was full
+ * before, and what was lost then is still an error. */
+static void test_full_output(void) {
+    int full = open("/dev/full", O_WRONLY);
+    if (full < 0) { /* not every system has one */
+        printf("skipped: there is no /dev/full\n");
+        CHECK(true);
+        return;
+    }
+    char *argv[] = {(char *)"probe", (char *)"-o", (char *)in_directory("out"), (char *)"--stats"};
+    fflush(stdout);
+    fflush(stderr);
+    int kept_out = dup(1), kept_error = dup(2), errors[2];
+    CHECK(pipe(errors) == 0);
+    dup2(full, 1);
+    dup2(errors[1], 2);
+    int status = program_main(&dot_program, 4, argv);
+    clearerr(stdout);
+    printf("lost");
+    fflush(stdout);
+    int nowhere = open("/dev/null", O_WRONLY);
+    dup2(nowhere, 1);
+    CHECK(program_main(&dot_program, 4, argv) == 1);
+    clearerr(stdout);
+    close(nowhere);
+    dup2(kept_out, 1);
+    dup2(kept_error, 2);
+    close(errors[1]);
+    ssize_t size = read(errors[0], output, sizeof output - 1);
+    output[size > 0 ? size : 0] = '\0';
+    CHECK(status == 1);
+    CHECK(strstr(output, "probe: cannot write to standard output: ") == output);
+    close(errors[0]);
+    close(kept_out);
+    close(kept_error);
+    close(full);
+}
+
+/* "-" is standard input, its image is called stdin; a hidden file has no extension to drop. */
+static void test_text_names(void) {
+    static const char text[] = "line 2 0 4 0 10 20 30\n";
+    struct error error;
+    int ends[2], kept = dup(0);
+    CHECK(pipe(ends) == 0 && write(ends[1], text, strlen(text)) == (ssize_t)strlen(text));
+    close(ends[1]);
+    dup2(ends[0], 0);
+    close(ends[0]);
+    CHECK(run(&text_program, "-o out -") == 0);
+    dup2(kept, 0);
+    close(kept);
+    CHECK_TEXT(output, "out/stdin.tga\n");
+    CHECK(remove(in_directory("out/stdin.tga")) == 0);
+    CHECK(file_write(in_directory(".txt"), text, strlen(text), &error));
+    CHECK(file_write(in_directory("own.tga"), text, strlen(text), &error));
+    CHECK(run(&text_program, "-o . own.tga") == 1);
+    CHECK_TEXT(output, "probe: ./own.tga: the picture would replace its scene; -o puts it "
+                       "elsewhere\n");
+    CHECK(file_size(in_directory("own.tga")) == strlen(text) &&
+          remove(in_directory("own.tga")) == 0);
+    CHECK(run(&text_program, "-o out .txt") == 0);
+    CHECK_TEXT(output, "out/.txt.tga\n");
+    CHECK(remove(in_directory("out/.txt.tga")) == 0 && remove(in_directory(".txt")) == 0);
+}
+
+/* Without -o the images go below the build directory. */
+static void test_default_directory(void) {
+    struct stat status;
+    CHECK(run(&dot_program, "--only dot") == 0);
+    CHECK_TEXT(output, COURSE_BUILD "/out/probe/dot.tga\n");
+    CHECK(stat(COURSE_BUILD "/out/probe/dot.tga", &status) == 0);
+    CHECK(remove(COURSE_BUILD "/out/probe/dot.tga") == 0);
+    CHECK(rmdir(COURSE_BUILD "/out/probe") == 0);
+}
+
+/* Last: remove what the others left. */
+static void test_clean_up(void) {
+    static const char *const names[] = {"out/deep/dot.tga",
+                                        "out/deep/film.tga",
+                                        "out/deep/more.tga",
+                                        "out/dot.png",
+                                        "out/dot.ppm",
+                                        "out/dot.tga",
+                                        "out/film.tga",
+                                        "out/film.png",
+                                        "out/a.b.tga",
+                                        "out/plain.tga",
+                                        "a.b.txt",
+                                        "plain",
+                                        "output",
+                                        "out/deep",
+                                        "out",
+                                        ""};
+    for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
+        CHECK_ROW(remove(in_directory(names[i])) == 0, names[i]); /* fails on what is left over */
+    }
+}
+
+UNIT_MAIN(TEST(test_usage), TEST(test_help), TEST(test_extra), TEST(test_formats),
+          TEST(test_frames), TEST(test_stats_and_repeat), TEST(test_repeat_time), TEST(test_camera),
+          TEST(test_failures), TEST(test_text_scene), TEST(test_needs), TEST(test_stats_of_files),
+          TEST(test_defaults), TEST(test_grey), TEST(test_out_of_view), TEST(test_end_of_options),
+          TEST(test_seldom_failures), TEST(test_full_output), TEST(test_text_names),
+          TEST(test_default_directory), TEST(test_clean_up))

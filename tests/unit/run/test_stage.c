@@ -1,0 +1,55 @@
+/* Of a model only what a scene needs is read, and once for all scenes of a run: stage.h. */
+#include "run/stage.h"
+
+#include "base/file.h"
+#include "files/model_file.h"
+#include "unit/unit.h"
+
+static bool draw_nothing(struct drawing *drawing, struct image *image, struct error *error) {
+    (void)drawing, (void)image, (void)error;
+    return true;
+}
+
+static const struct program program = {.name = "test",
+                                       .defaults = {.width = 8, .height = 8, .draw = draw_nothing}};
+
+/* Puts a scene of these needs on the stage and takes it off; what is loaded is in the run. */
+static void stage_once(struct run *run, unsigned needs) {
+    const struct scene given = {.name = "scene", .needs = needs, .draw = draw_nothing};
+    const struct scene scene = scene_complete(&program, &given);
+    struct stage stage;
+    struct error error;
+    CHECK(stage_begin(&stage, run, &scene, 8, 8, &error));
+    stage_end(&stage);
+}
+
+static void test_only_what_is_needed(void) {
+    uint64_t model_size = file_size(default_model_path);
+    CHECK(model_size > 0);
+    struct run run = {.program = &program};
+    stage_once(&run, NEEDS_MODEL);
+    CHECK(run.model.uv_count == 0 && run.model.normal_count == 0 && run.model.face_count > 0);
+    CHECK(run_loaded(&run).bytes == model_size && run_loaded(&run).textures_read == 0);
+    CHECK(run_loaded(&run).textures_present == 3);
+    stage_once(&run, NEEDS_MODEL | NEEDS_NORMALS); /* more than was asked for: read again */
+    CHECK(run.model.uv_count == 0 && run.model.normal_count > 0);
+    CHECK(run_loaded(&run).bytes == 2 * model_size);
+    stage_once(&run, NEEDS_MODEL); /* less: it is there */
+    CHECK(run.model.normal_count > 0 && run_loaded(&run).bytes == 2 * model_size);
+    run_free(&run);
+}
+
+static void test_all_scenes_at_once(void) {
+    uint64_t model_size = file_size(default_model_path);
+    struct run run = {.program = &program, .needs = NEEDS_MODEL | NEEDS_COLORS | NEEDS_SPECULAR};
+    stage_once(&run, NEEDS_MODEL);
+    CHECK(run.model.uv_count > 0 && run.model.normal_count > 0);
+    stage_once(&run, NEEDS_MODEL | NEEDS_SPECULAR);
+    stage_once(&run, NEEDS_MODEL | NEEDS_COLORS);
+    struct loaded loaded = run_loaded(&run);
+    CHECK(loaded.textures_read == 1);
+    CHECK(loaded.bytes == model_size + file_size(COURSE_BUILD "/models/bust_spec.tga"));
+    run_free(&run);
+}
+
+UNIT_MAIN(TEST(test_only_what_is_needed), TEST(test_all_scenes_at_once))

@@ -1,0 +1,181 @@
+/*
+ * Text scenes of any bytes, read as lines and as triangles. What can be read keeps the limits of
+ * text_scene.h, can be drawn without a pixel outside the image, and printed as text and read again
+ * is the same scene. Every word that is a number is the number that the C library reads.
+ */
+#include "base/text.h"
+#include "fuzz.h"
+#include "raster.h"
+#include "run/text_scene.h"
+
+#include <math.h>
+
+enum { SIDE = 48 };          /* pixels of the image that scenes are drawn into */
+enum { SCENE_GROWTH = 24 };  /* bytes of a shape (60) for 19 of text, in an array that doubles */
+enum { NUMBER_LENGTH = 99 }; /* longer words are not compared */
+
+/* ---- Numbers ---- */
+
+static void require_number(struct word word) {
+    char copy[NUMBER_LENGTH + 1];
+    double as_double;
+    if (word.length > NUMBER_LENGTH || !word_to_double(word, &as_double)) {
+        return;
+    }
+    memcpy(copy, word.start, word.length);
+    copy[word.length] = '\0';
+    char *end;
+    double expected = strtod(copy, &end);
+    REQUIRE(*end == '\0');
+    REQUIRE(memcmp(&expected, &as_double, sizeof expected) == 0);
+}
+
+/* A word is a run of characters inside the file, and lines are counted from 1. */
+static void require_words(const uint8_t *data, size_t size) {
+    struct error error = no_error();
+    struct text text;
+    size_t line = 0;
+    if (!text_begin(&text, data, size, (size & 1) != 0, &error)) {
+        require_message(&error);
+        return;
+    }
+    while (text_next_line(&text)) {
+        REQUIRE(text.line > line);
+        line = text.line;
+        for (;;) {
+            struct word word = text_next_word(&text);
+            if (word.length == 0) {
+                break;
+            }
+            const char *begin = (const char *)data, *end = begin + size;
+            REQUIRE(word.start >= begin && word.start + word.length <= end);
+            REQUIRE(strlen(word_show(word).text) <= word.length);
+            require_number(word);
+        }
+    }
+}
+
+/* ---- Scenes ---- */
+
+static void require_limits(const struct text_scene *scene, size_t corners) {
+    const double limit = TEXT_SCENE_COORDINATE_LIMIT;
+    REQUIRE(scene->width <= TEXT_SCENE_SIZE_LIMIT && scene->height <= TEXT_SCENE_SIZE_LIMIT);
+    REQUIRE((scene->width == 0) == (scene->height == 0));
+    for (size_t i = 0; i < scene->shape_count; i++) {
+        const struct text_scene_shape *shape = &scene->shapes[i];
+        for (size_t j = 0; j < corners; j++) {
+            REQUIRE(shape->x[j] >= -limit && shape->x[j] <= limit);
+            REQUIRE(shape->y[j] >= -limit && shape->y[j] <= limit);
+            REQUIRE(corners == 3 ||
+                    (floor(shape->x[j]) == shape->x[j] && floor(shape->y[j]) == shape->y[j]));
+            REQUIRE(shape->color[j].a == 255);
+        }
+    }
+}
+
+static void draw_line(const struct text_scene_shape *shape) {
+    struct line_walk walk;
+    struct pixel a = {(int)shape->x[0], (int)shape->y[0]};
+    struct pixel b = {(int)shape->x[1], (int)shape->y[1]};
+    size_t pixels = 0;
+    for (bool more = line_begin(&walk, a, b, SIDE, SIDE); more; more = line_next(&walk)) {
+        REQUIRE(walk.x >= 0 && walk.x < SIDE && walk.y >= 0 && walk.y < SIDE);
+        pixels++;
+    }
+    REQUIRE(pixels <= SIDE); /* one in each column, or in each row */
+}
+
+static void draw_triangle(const struct text_scene_shape *shape) {
+    struct fixed2 corner[3];
+    struct edges edges;
+    for (int i = 0; i < 3; i++) {
+        REQUIRE(screen_snap((struct vec2){shape->x[i], shape->y[i]}, &corner[i]));
+    }
+    if (!edges_setup(&edges, corner[0], corner[1], corner[2], SIDE, SIDE)) {
+        return;
+    }
+    REQUIRE(edges.y_begin >= 0 && edges.y_end <= SIDE);
+    for (int y = edges.y_begin; y < edges.y_end; y++) {
+        struct span span = edges_span(&edges, y);
+        REQUIRE(span.begin >= span.end || (span.begin >= 0 && span.end <= SIDE));
+        for (int x = span.begin; x < span.end; x++) {
+            struct vec3 weight = edges_weights(&edges, x, y);
+            REQUIRE(weight.x >= 0 && weight.y >= 0 && weight.z >= 0);
+            REQUIRE(fabs(weight.x + weight.y + weight.z - 1) < 1e-9);
+        }
+    }
+}
+
+/* The scene as text, with as many digits as a double needs. */
+static void print_scene(const struct text_scene *scene, size_t corners, struct bytes *text) {
+    char line[512];
+    if (scene->width > 0) {
+        int length = snprintf(line, sizeof line, "size %zu %zu\n", scene->width, scene->height);
+        REQUIRE(bytes_append(text, line, (size_t)length));
+    }
+    for (size_t i = 0; i < scene->shape_count; i++) {
+        const struct text_scene_shape *shape = &scene->shapes[i];
+        REQUIRE(bytes_append(text, corners == 2 ? "line" : "triangle", corners == 2 ? 4 : 8));
+        for (size_t j = 0; j < corners; j++) {
+            int length = snprintf(line, sizeof line, " %.17g %.17g", shape->x[j], shape->y[j]);
+            REQUIRE(bytes_append(text, line, (size_t)length));
+        }
+        for (size_t j = 0; j < corners; j++) {
+            int length = snprintf(line, sizeof line, " %d %d %d", shape->color[j].r,
+                                  shape->color[j].g, shape->color[j].b);
+            REQUIRE(bytes_append(text, line, (size_t)length));
+        }
+        REQUIRE(bytes_append(text, "\n", 1));
+    }
+}
+
+static void require_round_trip(const struct text_scene *scene, enum text_scene_kind kind,
+                               size_t corners) {
+    struct error error = no_error();
+    struct bytes text = {0};
+    struct text_scene again;
+    print_scene(scene, corners, &text);
+    REQUIRE(text_scene_decode(&again, text.data, text.size, kind, &error));
+    REQUIRE(again.width == scene->width && again.height == scene->height);
+    REQUIRE(again.shape_count == scene->shape_count);
+    for (size_t i = 0; i < scene->shape_count; i++) {
+        const struct text_scene_shape *a = &scene->shapes[i], *b = &again.shapes[i];
+        for (size_t j = 0; j < corners; j++) {
+            REQUIRE(a->x[j] == b->x[j] && a->y[j] == b->y[j]);
+            REQUIRE(memcmp(&a->color[j], &b->color[j], sizeof a->color[j]) == 0);
+        }
+    }
+    text_scene_free(&again);
+    bytes_free(&text);
+}
+
+static void require_scene(const uint8_t *data, size_t size, enum text_scene_kind kind) {
+    size_t corners = kind == TEXT_SCENE_LINES ? 2 : 3;
+    struct error error = no_error();
+    struct text_scene scene;
+    memory_begin();
+    bool done = text_scene_decode(&scene, data, size, kind, &error);
+    require_memory(size, SCENE_GROWTH);
+    if (!done) {
+        REQUIRE(scene.shapes == NULL && scene.shape_count == 0);
+        require_message(&error);
+        return;
+    }
+    require_limits(&scene, corners);
+    for (size_t i = 0; i < scene.shape_count; i++) {
+        if (kind == TEXT_SCENE_LINES) {
+            draw_line(&scene.shapes[i]);
+        } else {
+            draw_triangle(&scene.shapes[i]);
+        }
+    }
+    require_round_trip(&scene, kind, corners);
+    text_scene_free(&scene);
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
+    require_words(data, size);
+    require_scene(data, size, TEXT_SCENE_LINES);
+    require_scene(data, size, TEXT_SCENE_TRIANGLES);
+    return 0;
+}

@@ -1,0 +1,481 @@
+/* Cameras, viewports, matrices and vectors under hostile numbers. */
+#include "lessons.h"
+#include "oracle/shown.h"
+#include "pipeline.h"
+#include "stress.h"
+
+#include <stdio.h>
+#include <string.h>
+
+/* A number of any size and sign, zero and powers of two among them. */
+static double any_number(struct random *random, int exponent) {
+    switch (random_bits(random) % 8) {
+    case 0:
+        return 0;
+    case 1:
+        return ldexp(random_bits(random) % 2 ? 1 : -1,
+                     (int)random_between(random, -exponent, exponent));
+    case 2:
+        return random_real(random, -1, 1);
+    default:
+        return ldexp(random_real(random, -1, 1), (int)random_between(random, -exponent, exponent));
+    }
+}
+
+static struct vec3 any_vector(struct random *random, int exponent) {
+    if (random_bits(random) % 4 == 0) {
+        exponent = 2;
+    }
+    struct vec3 v;
+    v.x = any_number(random, exponent);
+    v.y = any_number(random, exponent);
+    v.z = any_number(random, exponent);
+    return v;
+}
+
+/* ---- Cameras ---- */
+
+struct camera_case {
+    struct vec3 eye, center, up;
+    double zoom;
+    struct vec3 corner[4]; /* of a tetrahedron to look at */
+};
+
+static void make_camera(struct random *random, uint64_t index, void *made) {
+    struct camera_case *c = made;
+    static const int exponents[] = {2, 20, 100, 1000};
+    int exponent = exponents[index % 4];
+    c->eye = any_vector(random, exponent);
+    c->center = any_vector(random, exponent);
+    c->up = any_vector(random, exponent);
+    switch (index / 4 % 8) {
+    case 0: /* up along the view direction, or nearly so */
+        c->up = vec3_sub(c->eye, c->center);
+        c->up.x += ldexp(1, -(int)random_between(random, 10, 70));
+        break;
+    case 1:
+        c->up = vec3_scale(vec3_sub(c->center, c->eye), random_real(random, 0, 3));
+        break;
+    case 2:
+        c->center = c->eye;
+        break;
+    case 3: /* very near to each other */
+        c->center = c->eye;
+        c->center.z += ldexp(1, -(int)random_between(random, 20, 60));
+        break;
+    default:
+        break;
+    }
+    c->zoom = random_bits(random) % 4 ? random_real(random, 0.1, 2) : any_number(random, 60);
+    double places[12];
+    for (int i = 0; i < 12; i++) {
+        /* Around the center, at the eye, or anywhere. */
+        double near_to[3] = {c->center.x, c->center.y, c->center.z};
+        double at = index % 3 == 0 ? near_to[i % 3] : index % 3 == 1 ? 0 : any_number(random, 120);
+        double place = at + random_real(random, -2, 2);
+        place = place > 3e38 ? 3e38 : place < -3e38 ? -3e38 : place; /* as in files */
+        places[i] = place;
+    }
+    for (int i = 0; i < 4; i++) {
+        c->corner[i] = (struct vec3){places[3 * i], places[3 * i + 1], places[3 * i + 2]};
+    }
+}
+
+/* How far the rows of the rotation are from unit length and right angles, in ulp of 1. */
+static double orthonormality_error(const void *tried) {
+    const struct camera_case *c = tried;
+    struct mat4 view = mat4_lookat(c->eye, c->center, c->up);
+    long double worst = 0;
+    for (int i = 0; i < 3; i++) {
+        for (int k = i; k < 3; k++) {
+            long double dot = 0;
+            for (int j = 0; j < 3; j++) {
+                dot += (long double)view.m[i][j] * (long double)view.m[k][j];
+            }
+            long double error = fabsl(dot - (i == k ? 1 : 0));
+            worst = error > worst || isnan(error) ? error : worst;
+        }
+    }
+    return (double)worst * 0x1p52;
+}
+
+/* Does the cross product of the first two rows point along the third, and not against it? */
+static bool is_right_handed(const struct mat4 *view) {
+    const double(*m)[4] = view->m;
+    double determinant = m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) +
+                         m[0][1] * (m[1][2] * m[2][0] - m[1][0] * m[2][2]) +
+                         m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0]);
+    return determinant > 0;
+}
+
+/* The axes against those of the oracle, in ulp of 1. Those to the right and upwards are the less
+ * certain the smaller the angle between up and the view direction. */
+static double axes_error(const void *tried) {
+    const struct camera_case *c = tried;
+    struct mat4 view = mat4_lookat(c->eye, c->center, c->up);
+    struct oracle_frame frame = oracle_frame(c->eye, c->center, c->up);
+    bool z_is_certain =
+        c->eye.x != c->center.x || c->eye.y != c->center.y || c->eye.z != c->center.z;
+    long double worst = 0;
+    for (int row = z_is_certain && frame.sine > 0 ? 0 : z_is_certain ? 2 : 3; row < 3; row++) {
+        long double certainty = row < 2 ? frame.sine : 1;
+        for (int i = 0; i < 3; i++) {
+            long double error = fabsl((long double)view.m[row][i] - frame.axis[row][i]) * certainty;
+            worst = error > worst || isnan(error) ? error : worst;
+        }
+    }
+    return (double)worst * 0x1p52;
+}
+
+/* The center becomes the origin, as nearly as its products with the axes can be added. */
+static bool center_is_the_origin(const struct mat4 *view, struct vec3 center) {
+    for (int row = 0; row < 3; row++) {
+        const double *m = view->m[row];
+        long double x = (long double)m[0] * (long double)center.x;
+        long double y = (long double)m[1] * (long double)center.y;
+        long double z = (long double)m[2] * (long double)center.z;
+        long double allowed = 0x1p-51L * (fabsl(x) + fabsl(y) + fabsl(z)) + 0x1p-1073L;
+        if (!(fabsl(x + y + z + (long double)m[3]) <= allowed)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+enum { SIZE = 6 };
+
+static void corner_vertex(const void *uniforms, size_t face, size_t corner, double *varyings) {
+    const struct model *model = *(const struct model *const *)uniforms;
+    /* In floats there must be room for differences, and for slopes across a sliver. */
+    const double room = sizeof(real) == sizeof(float) ? 0x1p-120 : 1;
+    struct vec3 p = vec3_scale(model_position(model, face, corner), room);
+    varyings[0] = p.x;
+    varyings[1] = p.y;
+    varyings[2] = p.z;
+}
+
+enum { FINITE = 1, NOT_FINITE = 2 }; /* levels */
+
+static lanes_mask finite_fragment(const void *uniforms, const lanes *varyings, lanes_texel *color) {
+    (void)uniforms;
+    lanes sum = 0 * varyings[0] + 0 * varyings[1] + 0 * varyings[2]; /* 0 of what is finite */
+    lanes level = lanes_select(sum == 0, lanes_all(FINITE), lanes_all(NOT_FINITE));
+    *color = lanes_rgb(level, level, level);
+    return lanes_all_set();
+}
+
+SHADER(finite_shader, .varying_count = 3, .vertex = corner_vertex, .fragment = finite_fragment);
+
+static bool camera_draws_finite_pixels(const void *tried) {
+    struct camera_case c = *(const struct camera_case *)tried;
+    static const uint32_t corners[4][3] = {{0, 1, 2}, {0, 3, 1}, {1, 3, 2}, {2, 3, 0}};
+    struct face faces[4];
+    for (int i = 0; i < 4; i++) {
+        for (int k = 0; k < 3; k++) {
+            faces[i].corner[k] = (struct corner){corners[i][k], MODEL_NONE, MODEL_NONE};
+        }
+    }
+    struct model model = {
+        .positions = c.corner, .position_count = 4, .faces = faces, .face_count = 4};
+    struct error error;
+    struct pipeline pipeline;
+    uint8_t pixels[SIZE * SIZE * 3] = {0};
+    struct image image = {SIZE, SIZE, IMAGE_BGR, pixels};
+    const struct model *uniforms = &model;
+    struct draw_call call = camera_call(&model, c.eye, c.center, c.up, c.zoom,
+                                        (struct rectangle){0, 0, SIZE, SIZE}, CULL_NONE);
+    if (!pipeline_create(&pipeline, SIZE, SIZE, &error)) {
+        return false;
+    }
+    pipeline.keep_depth = true;
+    bool done =
+        draw_frame(&pipeline, &call, &finite_shader, &uniforms, sizeof(void *), &image, &error);
+    bool all_finite = true;
+    for (int i = 0; done && i < SIZE * SIZE; i++) {
+        all_finite = all_finite && pixels[3 * i] != NOT_FINITE &&
+                     (isfinite(pipeline.depth[i]) || pipeline.depth[i] == -INFINITY);
+    }
+    pipeline_free(&pipeline);
+    return done && all_finite;
+}
+
+static bool camera_is_sound(const void *tried) {
+    const struct camera_case *c = tried;
+    struct mat4 view = mat4_lookat(c->eye, c->center, c->up);
+    return is_right_handed(&view) && center_is_the_origin(&view, c->center) &&
+           camera_draws_finite_pixels(tried);
+}
+
+static void print_camera(const void *failing) {
+    const struct camera_case *c = failing;
+    printf("    --eye %.17g,%.17g,%.17g --center %.17g,%.17g,%.17g --up %.17g,%.17g,%.17g\n",
+           c->eye.x, c->eye.y, c->eye.z, c->center.x, c->center.y, c->center.z, c->up.x, c->up.y,
+           c->up.z);
+    printf("    # zoom %.17g, not orthonormal by %.3g ulp, axes off by %.3g ulp\n", c->zoom,
+           orthonormality_error(c), axes_error(c));
+    for (int i = 0; i < 4; i++) {
+        printf("    v %.17g %.17g %.17g\n", c->corner[i].x, c->corner[i].y, c->corner[i].z);
+    }
+}
+
+/* ---- Viewports (lesson 8) ---- */
+
+struct viewport_case {
+    int width, height;
+    struct vec3 ndc;
+};
+
+/* Often at the edges of the image, and as far out as the guard band. */
+static void make_viewport(struct random *random, uint64_t index, void *made) {
+    struct viewport_case *c = made;
+    double reach = index % 2 == 0 ? 1 : 64;
+    c->width = (int)random_between(random, 1, DRAW_LIMIT);
+    c->height = (int)random_between(random, 1, DRAW_LIMIT);
+    c->ndc.x =
+        index % 4 == 0 ? (double)random_between(random, -1, 1) : random_real(random, -reach, reach);
+    c->ndc.y =
+        index % 4 == 0 ? (double)random_between(random, -1, 1) : random_real(random, -reach, reach);
+    c->ndc.z = random_real(random, -1, 1);
+}
+
+/* In 1/256 pixel; z and w must not change at all. */
+static double viewport_error(const void *tried) {
+    const struct viewport_case *c = tried;
+    struct mat4 viewport = lesson08_viewport((size_t)c->width, (size_t)c->height);
+    struct vec4 screen = mat4_point(&viewport, c->ndc);
+    long double x = ((long double)c->ndc.x + 1) * c->width / 2;
+    long double y = ((long double)c->ndc.y + 1) * c->height / 2;
+    double error =
+        (double)fmaxl(fabsl((long double)screen.x - x), fabsl((long double)screen.y - y));
+    return screen.z == c->ndc.z && screen.w == 1 ? error * SUBPIXELS : (double)INFINITY;
+}
+
+static void print_viewport(const void *failing) {
+    const struct viewport_case *c = failing;
+    printf("    %dx%d pixels, ndc %.17g %.17g %.17g\n", c->width, c->height, c->ndc.x, c->ndc.y,
+           c->ndc.z);
+}
+
+/* ---- Matrices ---- */
+
+struct matrix_case {
+    struct mat4 a;
+};
+
+/* Well conditioned, badly scaled, and nearly singular ones. */
+static void make_matrix(struct random *random, uint64_t index, void *made) {
+    struct mat4 *a = &((struct matrix_case *)made)->a;
+    for (int i = 0; i < 16; i++) {
+        a->m[i / 4][i % 4] = random_real(random, -1, 1);
+    }
+    int kind = (int)(index % 4);
+    for (int row = 0; row < 4; row++) {
+        int row_exponent = kind == 1 || kind == 3 ? (int)random_between(random, -30, 30) : 0;
+        for (int column = 0; column < 4; column++) {
+            a->m[row][column] = ldexp(a->m[row][column], row_exponent);
+        }
+    }
+    if (kind >= 2) { /* the last row nearly a sum of others */
+        double share = ldexp(1, -(int)random_between(random, 1, 46));
+        for (int column = 0; column < 4; column++) {
+            a->m[3][column] = a->m[0][column] + a->m[1][column] + a->m[3][column] * share;
+        }
+    }
+}
+
+static long double row_norm(const struct mat4 *a) {
+    long double norm = 0;
+    for (int row = 0; row < 4; row++) {
+        long double sum = 0;
+        for (int column = 0; column < 4; column++) {
+            sum += fabsl((long double)a->m[row][column]);
+        }
+        norm = sum > norm ? sum : norm;
+    }
+    return norm;
+}
+
+/* The residual, in units of what the condition number allows: eps * condition. */
+static double inverse_error(const void *tried) {
+    const struct mat4 *a = &((const struct matrix_case *)tried)->a;
+    struct mat4 inverse;
+    if (!mat4_inverse(*a, &inverse)) {
+        return 0;
+    }
+    long double condition = row_norm(a) * row_norm(&inverse);
+    return (double)(oracle_inverse_residual(a, &inverse) / (condition * 0x1p-53L));
+}
+
+static void print_matrix(const void *failing) {
+    const struct mat4 *a = &((const struct matrix_case *)failing)->a;
+    for (int row = 0; row < 4; row++) {
+        printf("    {%.17g, %.17g, %.17g, %.17g},\n", a->m[row][0], a->m[row][1], a->m[row][2],
+               a->m[row][3]);
+    }
+}
+
+/* Matrices of small whole numbers, whose determinant is known exactly: singular or not. */
+static void make_whole_matrix(struct random *random, uint64_t index, void *made) {
+    struct mat4 *a = &((struct matrix_case *)made)->a;
+    for (int i = 0; i < 16; i++) {
+        a->m[i / 4][i % 4] = (double)random_between(random, -9, 9);
+    }
+    int row = (int)random_between(random, 0, 3);
+    for (int column = 0; index % 2 == 0 && column < 4; column++) { /* often singular */
+        double p = a->m[(row + 1) % 4][column], q = a->m[(row + 2) % 4][column];
+        a->m[row][column] = index % 4 == 0 ? p : 2 * p - 3 * q;
+    }
+}
+
+static void whole_numbers(const struct mat4 *a, int64_t whole[4][4]) {
+    for (int i = 0; i < 16; i++) {
+        whole[i / 4][i % 4] = (int64_t)a->m[i / 4][i % 4];
+    }
+}
+
+/* The largest error of an entry against the exact fraction, in units of eps * condition * the
+ * largest entry. */
+static double whole_inverse_error(const void *tried) {
+    const struct mat4 *a = &((const struct matrix_case *)tried)->a;
+    int64_t whole[4][4];
+    struct mat4 inverse;
+    whole_numbers(a, whole);
+    int128 determinant = oracle_determinant((const int64_t(*)[4])whole);
+    if (determinant == 0 || !mat4_inverse(*a, &inverse)) {
+        return 0;
+    }
+    long double worst = 0, largest = 0;
+    for (int i = 0; i < 16; i++) {
+        int128 numerator = oracle_inverse_numerator((const int64_t(*)[4])whole, i / 4, i % 4);
+        long double exact = (long double)numerator / (long double)determinant;
+        worst = fmaxl(worst, fabsl((long double)inverse.m[i / 4][i % 4] - exact));
+        largest = fmaxl(largest, fabsl(exact));
+    }
+    return (double)(worst / (0x1p-53L * row_norm(a) * row_norm(&inverse) * largest));
+}
+
+static bool singular_is_reported(const void *tried) {
+    const struct mat4 *a = &((const struct matrix_case *)tried)->a;
+    int64_t whole[4][4];
+    whole_numbers(a, whole);
+    struct mat4 inverse;
+    return mat4_inverse(*a, &inverse) == (oracle_determinant((const int64_t(*)[4])whole) != 0);
+}
+
+/* ---- Vectors and angles ---- */
+
+struct vector_case {
+    struct vec3 v;
+    double turns;
+};
+
+static void make_vector(struct random *random, uint64_t index, void *made) {
+    struct vector_case *c = made;
+    c->v = any_vector(random, index % 2 ? 1020 : 40);
+    c->turns = index % 3 ? random_real(random, -2, 2) : ldexp(random_real(random, -1, 1), 40);
+}
+
+/* How far the length of the normalised vector is from 1 (from 0 for the zero vector), in ulp. */
+static double length_error(const void *tried) {
+    struct vec3 v = ((const struct vector_case *)tried)->v, n = vec3_normalized(v);
+    bool zero = v.x == 0 && v.y == 0 && v.z == 0;
+    long double squared = (long double)n.x * (long double)n.x +
+                          (long double)n.y * (long double)n.y + (long double)n.z * (long double)n.z;
+    return (double)fabsl(sqrtl(squared) - (zero ? 0 : 1)) * 0x1p52;
+}
+
+static bool keeps_signs(const void *tried) {
+    struct vec3 v = ((const struct vector_case *)tried)->v, n = vec3_normalized(v);
+    return n.x * v.x >= 0 && n.y * v.y >= 0 && n.z * v.z >= 0;
+}
+
+static double direction_error(const void *tried) {
+    double turns = ((const struct vector_case *)tried)->turns;
+    struct vec2 d = turn_direction(turns);
+    long double part = (long double)turns - floorl((long double)turns);
+    long double angle = 2 * acosl(-1) * part;
+    return (double)fmaxl(fabsl((long double)d.x - cosl(angle)),
+                         fabsl((long double)d.y - sinl(angle))) *
+           0x1p52;
+}
+
+static void print_vector(const void *failing) {
+    const struct vector_case *c = failing;
+    printf("    vector %.17g %.17g %.17g, turns %.17g\n", c->v.x, c->v.y, c->v.z, c->turns);
+}
+
+const struct property camera_properties[] = {
+    {.name = "camera: orthonormal, finite pixels",
+     .against = AGAINST_BOUNDS,
+     .cases = 1000000,
+     .case_size = sizeof(struct camera_case),
+     .make = make_camera,
+     .holds = camera_is_sound,
+     .print = print_camera,
+     .error_unit = "ulp of 1",
+     .error = orthonormality_error,
+     .limit = 4},
+    {.name = "camera: axes",
+     .against = AGAINST_LONG_DOUBLE,
+     .cases = 300000,
+     .case_size = sizeof(struct camera_case),
+     .make = make_camera,
+     .print = print_camera,
+     .error_unit = "ulp of 1",
+     .error = axes_error,
+     .limit = 4},
+    {.name = "viewport: NDC to pixels",
+     .against = AGAINST_LONG_DOUBLE,
+     .cases = 300000,
+     .case_size = sizeof(struct viewport_case),
+     .make = make_viewport,
+     .print = print_viewport,
+     .error_unit = "1/256 pixel",
+     .error = viewport_error,
+     .limit = 1e-6},
+    {.name = "matrix: inverse, any numbers",
+     .against = AGAINST_LONG_DOUBLE,
+     .cases = 1000000,
+     .case_size = sizeof(struct matrix_case),
+     .make = make_matrix,
+     .print = print_matrix,
+     .error_unit = "eps * condition",
+     .error = inverse_error,
+     .limit = 16},
+    {.name = "matrix: inverse, whole numbers",
+     .against = AGAINST_FRACTIONS,
+     .cases = 300000,
+     .case_size = sizeof(struct matrix_case),
+     .make = make_whole_matrix,
+     .print = print_matrix,
+     .error_unit = "eps * condition * entry",
+     .error = whole_inverse_error,
+     .limit = 4},
+    {.name = "matrix: singular is reported",
+     .against = AGAINST_INTEGERS,
+     .cases = 500000,
+     .case_size = sizeof(struct matrix_case),
+     .make = make_whole_matrix,
+     .holds = singular_is_reported,
+     .print = print_matrix},
+    {.name = "vector: normalized",
+     .against = AGAINST_BOUNDS,
+     .cases = 1000000,
+     .case_size = sizeof(struct vector_case),
+     .make = make_vector,
+     .holds = keeps_signs,
+     .print = print_vector,
+     .error_unit = "ulp of 1",
+     .error = length_error,
+     .limit = 2},
+    {.name = "vector: direction of a turn",
+     .against = AGAINST_LONG_DOUBLE,
+     .cases = 500000,
+     .case_size = sizeof(struct vector_case),
+     .make = make_vector,
+     .print = print_vector,
+     .error_unit = "ulp of 1",
+     .error = direction_error,
+     .limit = 2},
+    {.name = NULL},
+};

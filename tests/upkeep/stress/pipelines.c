@@ -1,0 +1,344 @@
+/* The pipeline, by pipeline_draw() alone: what shows at each pixel, its depth, its attributes. */
+#include "oracle/shown.h"
+#include "pipeline.h"
+#include "soup.h"
+#include "stress.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+struct soup_case {
+    uint64_t seed;
+    uint64_t kind; /* enum soup_kind */
+    uint64_t faces;
+};
+
+static void make_case(struct random *random, enum soup_kind kind, void *made) {
+    *(struct soup_case *)made = (struct soup_case){random_bits(random), kind, SOUP_FACES};
+}
+
+static void make_whole(struct random *random, uint64_t index, void *made) {
+    (void)index;
+    make_case(random, SOUP_WHOLE, made);
+}
+
+static void make_seen_by_camera(struct random *random, uint64_t index, void *made) {
+    (void)index;
+    make_case(random, SOUP_CAMERA, made);
+}
+
+static void make_steep(struct random *random, uint64_t index, void *made) {
+    make_case(random, index % 2 ? SOUP_STEEP : SOUP_CAMERA, made);
+}
+
+static void make_largest(struct random *random, uint64_t index, void *made) {
+    make_case(random, index % 2 ? SOUP_WIDE : SOUP_HIGH, made);
+}
+
+static bool shrink_soup(const void *failing, unsigned attempt, void *smaller) {
+    const struct soup_case *c = failing;
+    ((struct soup_case *)smaller)->faces--;
+    return attempt == 0 && c->faces > 1;
+}
+
+static void print_soup(const void *failing) {
+    const struct soup_case *c = failing;
+    struct soup soup;
+    soup_make(&soup, c->seed, (enum soup_kind)c->kind, c->faces, SOUP_REACH);
+    soup_print(&soup);
+}
+
+/* ---- Drawing a soup ---- */
+
+/* What a drawing shows in the four bytes of a pixel: the number of the face, or that part of the
+ * bits of its interpolated value. */
+enum { SHOW_FACE = -1 };
+
+struct soup_uniforms {
+    const struct soup *soup;
+    size_t first_face; /* of the draw call */
+    int shown;         /* SHOW_FACE, or a part from 0 */
+};
+
+static void soup_vertex(const void *uniforms, size_t face, size_t corner, double *varyings) {
+    const struct soup_uniforms *u = uniforms;
+    varyings[0] = (double)(u->first_face + face + 1);
+    varyings[1] = u->soup->value[3 * (u->first_face + face) + corner];
+}
+
+/* Transparent on purpose: the pipeline must not make it opaque. */
+enum { ALPHA = 7 };
+
+static lanes_mask soup_fragment(const void *uniforms, const lanes *varyings, lanes_texel *color) {
+    const struct soup_uniforms *u = uniforms;
+    if (u->shown == SHOW_FACE) {
+        *color = lanes_rgb(varyings[0], varyings[0], varyings[0]);
+        *color = (*color & 0xFFFFFF) | (uint32_t)ALPHA << 24;
+    } else {
+        *color = show_part(varyings[1], (size_t)u->shown);
+    }
+    return lanes_all_set();
+}
+
+SHADER(soup_shader, .varying_count = 2, .vertex = soup_vertex, .fragment = soup_fragment);
+SHADER(discarding_shader, .varying_count = 2, .vertex = soup_vertex, .fragment = soup_fragment,
+       .discards = true);
+
+/* The ways to draw, which all must give the same image. */
+enum way { SHADE_VISIBLE, SHADE_ALL, SHADE_DISCARDING, WAYS };
+
+enum { UNTOUCHED = 0xA5 }; /* all bytes of the image before it is drawn on */
+
+/* A soup's faces in two draw calls, the first of which has `split` faces. */
+static bool draw_calls(struct pipeline *pipeline, const struct soup *soup, size_t split,
+                       enum way way, int shown, struct image *image) {
+    struct error error;
+    struct model models[2] = {soup->model, soup->model};
+    models[0].face_count = split;
+    models[1].faces += split;
+    models[1].face_count -= split;
+    memset(image->pixels, UNTOUCHED, image->width * image->height * image->format);
+    pipeline_clear(pipeline);
+    pipeline->skip = way != SHADE_ALL;
+    for (size_t i = 0; i < 2; i++) {
+        struct soup_uniforms uniforms = {soup, i * split, shown};
+        struct draw_call call = {
+            .model = &models[i], .to_clip = soup->to_clip, .viewport = soup->viewport};
+        const struct shader *shader = way == SHADE_DISCARDING ? &discarding_shader : &soup_shader;
+        if (!pipeline_draw(pipeline, &call, shader, &uniforms, sizeof uniforms, &error)) {
+            return false;
+        }
+    }
+    return pipeline_finish(pipeline, image, &error);
+}
+
+struct drawing {
+    struct pipeline pipeline;
+    struct image faces, bits[REAL_PARTS];
+};
+
+static void drawing_free(struct drawing *drawing) {
+    pipeline_free(&drawing->pipeline);
+    image_free(&drawing->faces);
+    for (size_t i = 0; i < REAL_PARTS; i++) {
+        image_free(&drawing->bits[i]);
+    }
+}
+
+/* Now and then with several threads. */
+static bool drawing_create(struct drawing *drawing, size_t width, size_t height, uint64_t seed) {
+    struct error error;
+    *drawing = (struct drawing){0};
+    bool done = pipeline_create(&drawing->pipeline, width, height, &error) &&
+                image_create(&drawing->faces, width, height, IMAGE_BGRA, &error);
+    for (size_t i = 0; i < REAL_PARTS; i++) {
+        done = done && image_create(&drawing->bits[i], width, height, IMAGE_BGRA, &error);
+    }
+    drawing->pipeline.keep_depth = true;
+    pipeline_use_threads(&drawing->pipeline, seed / 32 % 64 == 0 ? 2 + seed / 2048 % 7 : 1);
+    return done;
+}
+
+/* The faces in one of the ways, chosen by the seed; false where another way gives other bytes. */
+static bool draw_faces(struct drawing *drawing, const struct soup *soup, uint64_t seed) {
+    size_t split = seed % (soup->model.face_count + 1);
+    size_t size = soup->width * soup->height * IMAGE_BGRA;
+    bool same = true;
+    for (unsigned i = 0; i < WAYS && same; i++) {
+        enum way way = (enum way)((seed / 8 + i) % WAYS);
+        struct image *image = i == 0 ? &drawing->bits[0] : &drawing->faces;
+        same = draw_calls(&drawing->pipeline, soup, split, way, SHOW_FACE, image) &&
+               (i == 0 || memcmp(image->pixels, drawing->bits[0].pixels, size) == 0);
+    }
+    return same;
+}
+
+static bool draw_values(struct drawing *drawing, const struct soup *soup, uint64_t seed) {
+    enum way way = (enum way)(seed / 8 % WAYS);
+    size_t split = seed % (soup->model.face_count + 1);
+    bool done = true;
+    for (int i = 0; i < REAL_PARTS; i++) {
+        done = done && draw_calls(&drawing->pipeline, soup, split, way, i, &drawing->bits[i]);
+    }
+    return done;
+}
+
+/* ---- Judging what was drawn ---- */
+
+/* The face that shows at a pixel, from 0; -1 where nothing was drawn, -2 for what cannot be. */
+static int face_at(const struct soup *soup, const struct drawing *drawing, size_t pixel) {
+    const uint8_t *p = drawing->faces.pixels + 4 * pixel;
+    if (texel_at(&drawing->faces, pixel) == UNTOUCHED * 0x01010101u) {
+        return drawing->pipeline.depth[pixel] == (double)-INFINITY ? -1 : -2;
+    }
+    bool possible = p[0] == p[1] && p[1] == p[2] && p[3] == ALPHA && p[0] >= 1 &&
+                    p[0] <= soup->model.face_count;
+    return possible ? p[0] - 1 : -2;
+}
+
+/* How far a value lies outside a range; infinitely far where it is no number. */
+static double distance_outside(double value, struct range range) {
+    long double v = (long double)value;
+    return isnan(value) ? (double)INFINITY
+                        : (double)(v < range.least  ? range.least - v
+                                   : v > range.most ? v - range.most
+                                                    : 0);
+}
+
+struct seen_pixel {
+    struct soup_hit hit[SOUP_FACES];
+    long double nearest; /* the depth that some face surely reaches */
+};
+
+static struct seen_pixel look(const struct soup *soup, int x, int y) {
+    struct seen_pixel seen = {.nearest = (long double)-INFINITY};
+    for (size_t i = 0; i < soup->model.face_count; i++) {
+        seen.hit[i] = soup_look(soup, i, x, y);
+        if (seen.hit[i].covered) {
+            seen.nearest = fmaxl(seen.nearest, seen.hit[i].depth.least);
+        }
+    }
+    return seen;
+}
+
+/* Could the face be the nearest one, for all that doubles can tell? */
+static bool may_show(const struct soup *soup, const struct seen_pixel *seen, size_t face) {
+    return seen->hit[face].covered &&
+           seen->hit[face].depth.most + (long double)soup_depth_tolerance(soup, face) >=
+               seen->nearest;
+}
+
+static unsigned count_candidates(const struct soup *soup, const struct seen_pixel *seen) {
+    unsigned candidates = 0;
+    for (size_t i = 0; i < soup->model.face_count; i++) {
+        candidates += may_show(soup, seen, i);
+    }
+    return candidates;
+}
+
+static bool in_viewport(const struct soup *soup, int x, int y) {
+    const struct rectangle *v = &soup->viewport;
+    return x >= v->x && x < v->x + v->width && y >= v->y && y < v->y + v->height;
+}
+
+/* Is the right face there, at the right depth? The error is that of the depth, in ulp of the
+ * largest depth at a corner. */
+static bool judge_face(const struct soup *soup, const struct drawing *drawing, int x, int y,
+                       struct tally *tally) {
+    size_t pixel = (size_t)y * soup->width + (size_t)x;
+    int face = face_at(soup, drawing, pixel);
+    struct seen_pixel seen = {.nearest = (long double)-INFINITY};
+    if (in_viewport(soup, x, y)) {
+        seen = look(soup, x, y);
+    }
+    unsigned candidates = count_candidates(soup, &seen);
+    if (face < 0) {
+        tally->asked++;
+        return face == -1 && candidates == 0;
+    }
+    tally->asked += candidates <= 1;
+    tally->left_out += candidates > 1;
+    double error = distance_outside(drawing->pipeline.depth[pixel], seen.hit[face].depth);
+    tally->error = fmax(tally->error, error / soup->polygons[face].scale * 0x1p52);
+    return may_show(soup, &seen, (size_t)face) && error <= soup_depth_tolerance(soup, (size_t)face);
+}
+
+/* In the largest images not all pixels are judged: some, and those that are the first or last of
+ * their face along the longer side. */
+static bool is_chosen(const struct soup *soup, const struct image *faces, int x, int y) {
+    bool wide = soup->kind == SOUP_WIDE;
+    int place = wide ? x : y, size = wide ? (int)soup->width : (int)soup->height;
+    size_t pixel = (size_t)y * soup->width + (size_t)x, step = wide ? 1 : soup->width;
+    return soup->kind < SOUP_WIDE || (x + y) % 41 == 0 || place == 0 || place == size - 1 ||
+           texel_at(faces, pixel - step) != texel_at(faces, pixel) ||
+           texel_at(faces, pixel + step) != texel_at(faces, pixel);
+}
+
+static bool judge_faces(const void *tried, struct tally *tally) {
+    const struct soup_case *c = tried;
+    struct soup soup;
+    struct drawing drawing;
+    soup_make(&soup, c->seed, (enum soup_kind)c->kind, c->faces, SOUP_REACH);
+    bool right = drawing_create(&drawing, soup.width, soup.height, c->seed) &&
+                 draw_faces(&drawing, &soup, c->seed);
+    for (int y = 0; right && y < (int)soup.height; y++) {
+        for (int x = 0; right && x < (int)soup.width; x++) {
+            right =
+                !is_chosen(&soup, &drawing.faces, x, y) || judge_face(&soup, &drawing, x, y, tally);
+        }
+    }
+    drawing_free(&drawing);
+    return right;
+}
+
+/* The value at a pixel, of the face that shows there. In 1/256 texel of 1024. */
+static bool judge_value(const struct soup *soup, const struct drawing *drawing, int x, int y,
+                        struct tally *tally) {
+    size_t pixel = (size_t)y * soup->width + (size_t)x;
+    int face = face_at(soup, drawing, pixel);
+    if (face < 0) {
+        return face == -1;
+    }
+    struct soup_hit hit = soup_look(soup, (size_t)face, x, y);
+    double error = distance_outside(shown_real(drawing->bits, pixel), hit.value);
+    tally->asked++;
+    tally->error = fmax(tally->error, error * 1024 * 256);
+    return hit.covered && error <= soup_value_tolerance(soup, &hit);
+}
+
+static bool judge_values(const void *tried, struct tally *tally) {
+    const struct soup_case *c = tried;
+    struct soup soup;
+    struct drawing drawing;
+    soup_make(&soup, c->seed, (enum soup_kind)c->kind, c->faces, SOUP_REACH);
+    bool right = drawing_create(&drawing, soup.width, soup.height, c->seed) &&
+                 draw_faces(&drawing, &soup, c->seed) && draw_values(&drawing, &soup, c->seed);
+    for (int y = 0; right && y < (int)soup.height; y++) {
+        for (int x = 0; right && x < (int)soup.width; x++) {
+            right = judge_value(&soup, &drawing, x, y, tally);
+        }
+    }
+    drawing_free(&drawing);
+    return right;
+}
+
+const struct property pipeline_properties[] = {
+    {.name = "pipeline: the nearest by z/w",
+     .against = AGAINST_FRACTIONS,
+     .cases = 15000,
+     .case_size = sizeof(struct soup_case),
+     .make = make_whole,
+     .judge = judge_faces,
+     .shrink = shrink_soup,
+     .print = print_soup,
+     .error_unit = "ulp of depth"},
+    {.name = "pipeline: cut near and far",
+     .against = AGAINST_LONG_DOUBLE,
+     .cases = 15000,
+     .case_size = sizeof(struct soup_case),
+     .make = make_seen_by_camera,
+     .judge = judge_faces,
+     .shrink = shrink_soup,
+     .print = print_soup,
+     .error_unit = "ulp of depth"},
+    {.name = "pipeline: attributes in perspective",
+     .against = AGAINST_LONG_DOUBLE,
+     .cases = 15000,
+     .case_size = sizeof(struct soup_case),
+     .make = make_steep,
+     .judge = judge_values,
+     .shrink = shrink_soup,
+     .print = print_soup,
+     .error_unit = "1/256 texel of 1024"},
+    {.name = "pipeline: 16384 pixels wide or high",
+     .against = AGAINST_LONG_DOUBLE,
+     .cases = 300,
+     .case_size = sizeof(struct soup_case),
+     .make = make_largest,
+     .judge = judge_faces,
+     .shrink = shrink_soup,
+     .print = print_soup,
+     .error_unit = "ulp of depth"},
+    {.name = NULL},
+};

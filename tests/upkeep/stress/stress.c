@@ -1,0 +1,191 @@
+/*
+ * Runs all properties: stress [NAME ...]
+ *
+ * Environment: STRESS=10 tries ten times the cases (also fractions: 0.1), SEED=7 another sequence
+ * of them. Prints a line a property: what it is held against, cases tried and failed. For each
+ * failing property follows the smallest failing case that could be found. Exit status 0: all hold;
+ * 1: some do not; 2: wrong usage.
+ */
+#include "stress.h"
+
+#include "base/text.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { SHRINK_LIMIT = 10000 }; /* ideas tried in all: shrinking ends */
+
+static const char *const against_name[AGAINST_KINDS] = {
+    [AGAINST_NOT_SAID] = "(not said)",
+    [AGAINST_INTEGERS] = "exact integers",
+    [AGAINST_FRACTIONS] = "exact fractions",
+    [AGAINST_LONG_DOUBLE] = "long double",
+    [AGAINST_ITSELF] = "itself",
+    [AGAINST_BOUNDS] = "bounds",
+};
+
+struct outcome {
+    uint64_t failed, first_failure;
+    struct tally tally; /* of all cases */
+};
+
+/* A seed of its own for every case. */
+static struct random case_random(uint64_t seed, const char *name, uint64_t index) {
+    struct random random = {seed};
+    for (const char *c = name; *c != '\0'; c++) {
+        random.state = (random.state ^ (unsigned char)*c) * 0x100000001b3u;
+    }
+    random.state ^= index * 0xd1342543de82ef95u;
+    random_bits(&random);
+    return random;
+}
+
+static void make_case(const struct property *property, uint64_t seed, uint64_t index, void *made) {
+    struct random random = case_random(seed, property->name, index);
+    memset(made, 0, property->case_size);
+    property->make(&random, index, made);
+}
+
+static bool try_case(const struct property *property, const void *tried, struct tally *tally) {
+    bool right = true;
+    if (property->error != NULL) {
+        tally->error = property->error(tried);
+        right = property->limit == 0 || tally->error <= property->limit;
+    }
+    right = right && (property->holds == NULL || property->holds(tried));
+    return right && (property->judge == NULL || property->judge(tried, tally));
+}
+
+static bool still_fails(const struct property *property, const void *tried) {
+    struct tally tally = {0};
+    return !try_case(property, tried, &tally);
+}
+
+static struct outcome try_cases(const struct property *property, uint64_t seed, uint64_t cases) {
+    uint64_t failed = 0, first_failure = UINT64_MAX, asked = 0, left_out = 0;
+    double worst = 0;
+#ifdef _OPENMP
+#pragma omp parallel for schedule(dynamic, 16) reduction(+ : failed, asked, left_out)              \
+    reduction(min : first_failure) reduction(max : worst)
+#endif
+    for (uint64_t i = 0; i < cases; i++) {
+        union {
+            unsigned char bytes[CASE_SIZE_LIMIT];
+            max_align_t aligned;
+        } tried;
+        make_case(property, seed, i, &tried);
+        struct tally tally = {0};
+        if (!try_case(property, &tried, &tally)) {
+            failed++;
+            first_failure = i < first_failure ? i : first_failure;
+        }
+        worst = fmax(worst, tally.error);
+        asked += tally.asked;
+        left_out += tally.left_out;
+    }
+    return (struct outcome){failed, first_failure, {worst, asked, left_out}};
+}
+
+/* Follow the first idea that still fails, again and again. */
+static void shrink_and_print(const struct property *property, uint64_t seed, uint64_t index) {
+    union {
+        unsigned char bytes[CASE_SIZE_LIMIT];
+        max_align_t aligned;
+    } failing, smaller;
+    make_case(property, seed, index, &failing);
+    unsigned tried = 0, attempt = 0;
+    while (property->shrink != NULL && tried++ < SHRINK_LIMIT) {
+        memcpy(&smaller, &failing, property->case_size);
+        if (!property->shrink(&failing, attempt, &smaller)) {
+            break;
+        }
+        attempt++;
+        if (memcmp(&smaller, &failing, property->case_size) != 0 &&
+            still_fails(property, &smaller)) {
+            memcpy(&failing, &smaller, property->case_size);
+            attempt = 0;
+        }
+    }
+    printf("  case %llu, made as small as it could be:\n", (unsigned long long)index);
+    property->print(&failing);
+}
+
+static bool run_property(const struct property *property, double factor, uint64_t seed) {
+    uint64_t cases = (uint64_t)fmax(1, (double)property->cases * factor);
+    struct outcome outcome = try_cases(property, seed, cases);
+    printf("%-35s %-15s  cases %7llu, failed %llu", property->name, against_name[property->against],
+           (unsigned long long)cases, (unsigned long long)outcome.failed);
+    if (property->error_unit != NULL) {
+        printf(", largest error %.3g %s", outcome.tally.error, property->error_unit);
+    }
+    if (outcome.tally.asked > 0) {
+        printf(", %llu pixels, %llu more left out as ties", (unsigned long long)outcome.tally.asked,
+               (unsigned long long)outcome.tally.left_out);
+    }
+    printf("\n");
+    if (outcome.failed > 0) {
+        shrink_and_print(property, seed, outcome.first_failure);
+    }
+    fflush(stdout);
+    return outcome.failed == 0;
+}
+
+static bool is_asked_for(const char *name, int argc, char **argv) {
+    for (int i = 1; i < argc; i++) {
+        if (strstr(name, argv[i]) != NULL) {
+            return true;
+        }
+    }
+    return argc < 2;
+}
+
+static bool read_environment(double *factor, uint64_t *seed) {
+    const char *factor_text = getenv("STRESS"), *seed_text = getenv("SEED");
+    int64_t given_seed = 1;
+    *factor = 1;
+    if (factor_text != NULL && *factor_text != '\0' &&
+        (!word_to_double((struct word){factor_text, strlen(factor_text)}, factor) ||
+         !(*factor > 0 && *factor <= 1e6))) {
+        fprintf(stderr, "stress: STRESS wants a number from 0 to 1000000, not '%s'\n", factor_text);
+        return false;
+    }
+    if (seed_text != NULL && *seed_text != '\0' &&
+        !word_to_integer((struct word){seed_text, strlen(seed_text)}, &given_seed)) {
+        fprintf(stderr, "stress: SEED wants a whole number, not '%s'\n", seed_text);
+        return false;
+    }
+    *seed = (uint64_t)given_seed;
+    return true;
+}
+
+int main(int argc, char **argv) {
+    static const struct property *const tables[] = {
+        line_properties,     triangle_properties, mesh_properties,     pipeline_properties,
+        camera_properties,   texture_properties,  lesson02_properties, lesson04_properties,
+        lesson05_properties, lesson06_properties, lesson07_properties, lesson08_properties,
+        lesson09_properties, lesson10_properties,
+    };
+    double factor;
+    uint64_t seed;
+    if (!read_environment(&factor, &seed)) {
+        return 2;
+    }
+    size_t held = 0, broken = 0;
+    for (size_t i = 0; i < sizeof tables / sizeof tables[0]; i++) {
+        for (const struct property *p = tables[i]; p->name != NULL; p++) {
+            if (is_asked_for(p->name, argc, argv)) {
+                bool holds = run_property(p, factor, seed);
+                held += holds;
+                broken += !holds;
+            }
+        }
+    }
+    if (held + broken == 0) {
+        fprintf(stderr, "stress: no property has such a name\n");
+        return 2;
+    }
+    printf("%zu properties hold, %zu do not (SEED=%llu)\n", held, broken, (unsigned long long)seed);
+    return broken > 0;
+}

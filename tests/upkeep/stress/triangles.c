@@ -1,0 +1,344 @@
+/* Triangles: coverage against 128-bit integers, the depths of two against fractions. */
+#include "lessons.h"
+#include "oracle/shown.h"
+#include "pipeline.h"
+#include "stress.h"
+
+#include <stdio.h>
+
+enum { WIDTH = SCREEN_WIDTH, HEIGHT = SCREEN_HEIGHT };
+
+static const int32_t limit = SCREEN_LIMIT * SUBPIXELS;
+
+/* ---- Cases ---- */
+
+struct triangle_case {
+    struct fixed2 corner[3];
+};
+
+static int32_t coordinate(struct random *random, int64_t reach, int32_t grid) {
+    int64_t least = -reach, most = (int64_t)WIDTH * SUBPIXELS + reach;
+    int64_t value = random_between(random, least / grid, most / grid) * grid;
+    return (int32_t)(value > limit ? limit : value < -limit ? -limit : value);
+}
+
+static struct fixed2 place(struct random *random, int64_t reach, int32_t grid) {
+    return (struct fixed2){coordinate(random, reach, grid), coordinate(random, reach, grid)};
+}
+
+/* A point on the segment from a to b, moved by at most `off` steps. */
+static struct fixed2 beside_segment(struct random *random, struct fixed2 a, struct fixed2 b,
+                                    int off) {
+    int64_t t = random_between(random, 0, 64);
+    int64_t x = a.x + ((int64_t)b.x - a.x) * t / 64 + random_between(random, -off, off);
+    int64_t y = a.y + ((int64_t)b.y - a.y) * t / 64 + random_between(random, -off, off);
+    return (struct fixed2){(int32_t)(x > limit    ? limit
+                                     : x < -limit ? -limit
+                                                  : x),
+                           (int32_t)(y > limit    ? limit
+                                     : y < -limit ? -limit
+                                                  : y)};
+}
+
+void random_triangle(struct random *random, uint64_t index, struct fixed2 c[3]) {
+    static const int64_t reaches[] = {0, 512, 20000, 5000000};
+    int64_t reach = reaches[index / 8 % 4];
+    switch (index % 8) {
+    case 0: /* anywhere */
+        for (int i = 0; i < 3; i++) {
+            c[i] = place(random, reach, 1);
+        }
+        break;
+    case 1: /* corners on pixel centres and corners: centres lie on many edges */
+        for (int i = 0; i < 3; i++) {
+            c[i] = place(random, reach / 4, 128);
+        }
+        break;
+    case 2: /* slivers */
+        c[0] = place(random, reach, 1);
+        c[1] = place(random, reach, 1);
+        c[2] = beside_segment(random, c[0], c[1], 2);
+        break;
+    case 3: /* slivers between pixel centres */
+        c[0] = place(random, reach / 4, 128);
+        c[1] = place(random, reach / 4, 128);
+        c[2] = beside_segment(random, c[0], c[1], 1);
+        break;
+    case 4: /* smaller than a pixel */
+        c[0] = place(random, 0, 1);
+        for (int i = 1; i < 3; i++) {
+            c[i] = (struct fixed2){c[0].x + (int32_t)random_between(random, -200, 200),
+                                   c[0].y + (int32_t)random_between(random, -200, 200)};
+        }
+        break;
+    case 5: /* horizontal and vertical edges */
+        for (int i = 0; i < 3; i++) {
+            c[i] = place(random, reach, random_bits(random) % 2 ? 128 : 1);
+        }
+        c[1].y = c[0].y;
+        if (random_bits(random) % 2) {
+            c[2].x = c[0].x;
+        }
+        break;
+    case 6: /* as far out as is allowed */
+        for (int i = 0; i < 3; i++) {
+            c[i] = place(random, limit, 1);
+            if (random_bits(random) % 3 == 0) {
+                c[i].x = random_bits(random) % 2 ? limit : -limit;
+            }
+            if (random_bits(random) % 3 == 0) {
+                c[i].y = random_bits(random) % 2 ? limit : -limit;
+            }
+        }
+        break;
+    default: /* points and lines */
+        c[0] = place(random, reach, 128);
+        c[1] = random_bits(random) % 2 ? c[0] : place(random, reach, 128);
+        c[2] = random_bits(random) % 2 ? c[1] : beside_segment(random, c[0], c[1], 0);
+    }
+}
+
+static void make_triangle(struct random *random, uint64_t index, void *made) {
+    random_triangle(random, index, ((struct triangle_case *)made)->corner);
+}
+
+static bool shrink_triangle(const void *failing, unsigned attempt, void *smaller) {
+    struct fixed2 *c = ((struct triangle_case *)smaller)->corner;
+    (void)failing;
+    if (attempt >= 6 * 26) {
+        return false;
+    }
+    int32_t *number = attempt % 2 ? &c[attempt / 2 % 3].y : &c[attempt / 2 % 3].x;
+    unsigned bit = 25 - attempt / 6; /* take away large parts first */
+    int32_t part = (int32_t)1 << bit;
+    *number -= *number >= part ? part : *number <= -part ? -part : 0;
+    return true;
+}
+
+/* As a text scene of step 3, whose whole coordinates are pixel centres. */
+static void print_triangle(const void *failing) {
+    const struct fixed2 *c = ((const struct triangle_case *)failing)->corner;
+    printf("    size %d %d\n    triangle", WIDTH, HEIGHT);
+    for (int i = 0; i < 3; i++) {
+        printf(" %.8f %.8f", c[i].x / 256.0 - 0.5, c[i].y / 256.0 - 0.5);
+    }
+    printf(" 255 255 255\n");
+}
+
+/* ---- Coverage ---- */
+
+static bool triangle_is_exact(const void *tried) {
+    const struct fixed2 *c = ((const struct triangle_case *)tried)->corner;
+    struct edges edges;
+    bool any = edges_setup(&edges, c[0], c[1], c[2], WIDTH, HEIGHT);
+    for (int y = 0; y < HEIGHT; y++) {
+        struct span span = {0, 0};
+        if (any && y >= edges.y_begin && y < edges.y_end) {
+            span = edges_span(&edges, y);
+        }
+        if (span.begin < 0 || span.end > WIDTH) {
+            return false;
+        }
+        for (int x = 0; x < WIDTH; x++) {
+            if ((x >= span.begin && x < span.end) != oracle_covers(c[0], c[1], c[2], x, y)) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+typedef void draw_triangle(struct image *image, const struct fixed2 corner[3], struct color color);
+
+static bool draws_exactly(const struct fixed2 c[3], draw_triangle *draw) {
+    uint8_t pixels[HEIGHT * WIDTH * 3] = {0};
+    struct image image = {WIDTH, HEIGHT, IMAGE_BGR, pixels};
+    draw(&image, c, color_grey(255));
+    for (int i = 0; i < WIDTH * HEIGHT; i++) {
+        if ((pixels[3 * i] != 0) != oracle_covers(c[0], c[1], c[2], i % WIDTH, i / WIDTH)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+static bool lesson03_is_exact(const void *tried) {
+    return draws_exactly(((const struct triangle_case *)tried)->corner, lesson03_triangle);
+}
+
+static bool lesson04_is_exact(const void *tried) {
+    return draws_exactly(((const struct triangle_case *)tried)->corner, lesson04_triangle);
+}
+
+/* The weights at every covered pixel: none negative, sum 1. */
+static double weight_error(const void *tried) {
+    const struct fixed2 *c = ((const struct triangle_case *)tried)->corner;
+    struct edges edges;
+    double worst = 0;
+    if (!edges_setup(&edges, c[0], c[1], c[2], WIDTH, HEIGHT)) {
+        return 0;
+    }
+    for (int y = edges.y_begin; y < edges.y_end; y++) {
+        struct span span = edges_span(&edges, y);
+        for (int x = span.begin; x < span.end; x++) {
+            struct vec3 w = edges_weights(&edges, x, y);
+            worst = fmax(worst, fabs(w.x + w.y + w.z - 1));
+            worst = fmax(worst, fmax(-w.x, fmax(-w.y, -w.z)));
+        }
+    }
+    return worst * 0x1p52;
+}
+
+/* ---- Depth ---- */
+
+struct depth_case {
+    struct fixed2 corner[2][3];
+    int64_t depth[2][3];
+    int x, y;
+};
+
+/* Powers of 2: corners at whole 1/256 pixel are floats without an error. */
+enum { DEPTH_WIDTH = 16, DEPTH_HEIGHT = 8 };
+
+/* Two triangles that cover a common pixel, in depths that are close or equal there. */
+static void make_depths(struct random *random, uint64_t index, void *made) {
+    struct depth_case *c = made;
+    c->x = (int)random_between(random, 0, WIDTH - 1);
+    c->y = (int)random_between(random, 0, DEPTH_HEIGHT - 1);
+    for (int k = 0; k < 2; k++) {
+        do {
+            for (int i = 0; i < 3; i++) {
+                c->corner[k][i] = place(random, index % 2 ? 512 : 60000, 1);
+            }
+        } while (!oracle_covers(c->corner[k][0], c->corner[k][1], c->corner[k][2], c->x, c->y));
+        int64_t base = index % 3 ? 1000 : 0, spread = index % 5 ? 1000000 : 3;
+        for (int i = 0; i < 3; i++) {
+            c->depth[k][i] = base + random_between(random, -spread, spread);
+        }
+    }
+}
+
+static void number_vertex(const void *uniforms, size_t face, size_t corner, double *varyings) {
+    (void)uniforms;
+    (void)corner;
+    varyings[0] = (double)face + 1;
+}
+
+static lanes_mask number_fragment(const void *uniforms, const lanes *varyings, lanes_texel *color) {
+    (void)uniforms;
+    *color = lanes_rgb(varyings[0], varyings[0], varyings[0]);
+    return lanes_all_set();
+}
+
+SHADER(number_shader, .varying_count = 1, .vertex = number_vertex, .fragment = number_fragment);
+
+/* Which triangle shows at the pixel, 1 or 2, when both are drawn; 0 for none. */
+static int face_shown(const struct depth_case *c, bool skip) {
+    struct vec3 positions[6];
+    struct face faces[2];
+    for (uint32_t i = 0; i < 6; i++) {
+        positions[i] = (struct vec3){c->corner[i / 3][i % 3].x / (DEPTH_WIDTH * 128.0) - 1,
+                                     c->corner[i / 3][i % 3].y / (DEPTH_HEIGHT * 128.0) - 1,
+                                     (double)c->depth[i / 3][i % 3]};
+        faces[i / 3].corner[i % 3] = (struct corner){i, MODEL_NONE, MODEL_NONE};
+    }
+    struct model model = {
+        .positions = positions, .position_count = 6, .faces = faces, .face_count = 2};
+    struct draw_call call = {
+        .model = &model, .to_clip = mat4_identity(), .viewport = {0, 0, DEPTH_WIDTH, DEPTH_HEIGHT}};
+    uint8_t pixels[DEPTH_HEIGHT * DEPTH_WIDTH * 3] = {0};
+    struct image image = {DEPTH_WIDTH, DEPTH_HEIGHT, IMAGE_BGR, pixels};
+    struct pipeline pipeline;
+    struct error error;
+    if (!pipeline_create(&pipeline, DEPTH_WIDTH, DEPTH_HEIGHT, &error)) {
+        return 0;
+    }
+    pipeline.skip = skip;
+    bool done = draw_frame(&pipeline, &call, &number_shader, NULL, 0, &image, &error);
+    pipeline_free(&pipeline);
+    return done ? image_get(&image, c->x, c->y).r : 0;
+}
+
+/* How far apart the depths are, as a share of the largest one at a corner. */
+static long double depth_difference(const struct depth_case *c) {
+    static const int64_t parallel[3] = {1, 1, 1};
+    long double depth[2], largest = 1;
+    for (int k = 0; k < 2; k++) {
+        depth[k] = oracle_perspective_depth(c->corner[k], c->depth[k], parallel, c->x, c->y);
+        for (int i = 0; i < 3; i++) {
+            largest = fmaxl(largest, fabsl((long double)c->depth[k][i]));
+        }
+    }
+    return fabsl(depth[0] - depth[1]) / largest;
+}
+
+/* The nearer triangle must show. Where the exact depths differ by less than the numbers' precision,
+ * a tie may go either way. */
+static bool nearer_one_shows(const void *tried, struct tally *tally) {
+    const struct depth_case *c = tried;
+    int exact =
+        oracle_compare_depth(c->corner[0], c->depth[0], c->corner[1], c->depth[1], c->x, c->y);
+    int shown = face_shown(c, c->depth[0][0] % 2 == 0);
+    bool tie = depth_difference(c) <= 0x1p-49L;
+    tally->asked = !tie;
+    tally->left_out = tie;
+    return tie ? shown != 0 : shown == (exact > 0 ? 1 : 2);
+}
+
+static void print_depths(const void *failing) {
+    const struct depth_case *c = failing;
+    for (int k = 0; k < 2; k++) {
+        printf("    corners (1/256 pixel) and depths:");
+        for (int i = 0; i < 3; i++) {
+            printf(" (%d %d %lld)", (int)c->corner[k][i].x, (int)c->corner[k][i].y,
+                   (long long)c->depth[k][i]);
+        }
+        printf("\n");
+    }
+    printf("    at pixel %d %d\n", c->x, c->y);
+}
+
+const struct property triangle_properties[] = {
+    {.name = "triangle: exact coverage",
+     .against = AGAINST_INTEGERS,
+     .cases = 2000000,
+     .case_size = sizeof(struct triangle_case),
+     .make = make_triangle,
+     .holds = triangle_is_exact,
+     .shrink = shrink_triangle,
+     .print = print_triangle},
+    {.name = "triangle: lesson 3, exact coverage",
+     .against = AGAINST_INTEGERS,
+     .cases = 200000,
+     .case_size = sizeof(struct triangle_case),
+     .make = make_triangle,
+     .holds = lesson03_is_exact,
+     .shrink = shrink_triangle,
+     .print = print_triangle},
+    {.name = "triangle: lesson 4, exact coverage",
+     .against = AGAINST_INTEGERS,
+     .cases = 200000,
+     .case_size = sizeof(struct triangle_case),
+     .make = make_triangle,
+     .holds = lesson04_is_exact,
+     .shrink = shrink_triangle,
+     .print = print_triangle},
+    {.name = "triangle: weights",
+     .against = AGAINST_BOUNDS,
+     .cases = 500000,
+     .case_size = sizeof(struct triangle_case),
+     .make = make_triangle,
+     .shrink = shrink_triangle,
+     .print = print_triangle,
+     .error_unit = "ulp of 1",
+     .error = weight_error,
+     .limit = 4},
+    {.name = "depth: the nearer one shows",
+     .against = AGAINST_FRACTIONS,
+     .cases = 300000,
+     .case_size = sizeof(struct depth_case),
+     .make = make_depths,
+     .judge = nearer_one_shows,
+     .print = print_depths},
+    {.name = NULL},
+};

@@ -1,0 +1,47 @@
+#!/bin/sh
+# Where a lesson writes a technique out in full and common has the same text, the two must not drift
+# apart. Compares functions without white space, comments, marks for the starter, `static`, `inline`,
+# the function's own name, and the guard band, which the house has as an argument.
+#
+# Exit status 0: all are the same; 1: one differs or is missing.
+
+cd "$(dirname "$0")/../../.." || exit 1
+failed=0
+
+# function FILE NAME: its definition, from its name to the brace that ends it, on one line.
+function_text() {
+    awk -v mode=solution -f tests/student/marks.awk "$1" | awk -v name="$2" '
+        !inside && $0 ~ "^[a-z].*[ *]" name "\\(" { inside = 1; text = "" }
+        inside { line = $0; sub(/\/\*.*\*\//, "", line); text = text " " line }
+        inside && /;$/ && text !~ /{/ { inside = 0 }   # only a declaration
+        inside && /^}/ { print text; exit }' |
+        sed -e "s/\\<$2\\>/FUNCTION/" -e 's/static//g' -e 's/inline//g' \
+            -e 's/, double guard_band//' -e 's/, guard_band)/)/g' |
+        tr -d ' \t'
+}
+
+# same LESSON HOUSE NAME [HOUSE_NAME]
+same() {
+    lesson_text=$(function_text "$1" "$3")
+    house_text=$(function_text "$2" "${4:-$3}")
+    if [ -z "$lesson_text" ] || [ "$lesson_text" != "$house_text" ]; then
+        echo "same_text: $3() in $1 and ${4:-$3}() in $2 are not the same text"
+        failed=1
+    fi
+}
+
+lesson=step03_triangle/main.c
+same $lesson common/raster.c make_edge
+same $lesson common/raster.c triangle_setup edges_setup
+same $lesson common/raster.c triangle_span edges_span
+same $lesson common/raster.h triangle_weights edges_weights
+
+lesson=step08_projection/main.c
+same $lesson common/geometry.c projection mat4_projection
+same $lesson common/geometry.c lookat mat4_lookat
+same $lesson common/geometry.h correct_weights perspective_weights
+for name in plane_distance mix cut_edge clip_at_plane; do
+    same $lesson common/pipeline/assemble.c $name
+done
+
+exit $failed

@@ -1,0 +1,171 @@
+##
+## What holds the course to its word (.github/CONTRIBUTING.md says more):
+##   make test                   unit tests under sanitizers, and the tests of the check
+##   make stress                 hostile numbers, independent answers (STRESS=10, SEED=7, PROPERTY=line)
+##   make verify                 the check fails every mistake and passes every correct program that
+##                               is listed (STEP=05, NAME=depth)
+##   make portability            the same bytes from other compilers (CONFIGURATIONS=arm64)
+##   make compare-opengl         the same pictures drawn by OpenGL (needs Mesa)
+##   make fuzz                   hostile files (needs clang; FUZZ_SECONDS=60 for each, TARGET=png)
+##   make mutants                small changes of the code that some test must notice (NAME=geometry)
+##   make coverage               which lines and branches of common the tests reach
+##   make figures                draw the lessons' other pictures into build/out/*/figures (STEP=05)
+##   make lesson-figures         the same into the lessons, after a change to them (STEP=05)
+##   make references             draw the reference images again, never part of a check (STEP=05)
+##   make mistakes               keep what the listed mistakes look like, by which the check knows
+##                               them, and draw the lessons' wrong pictures (STEP=05)
+.PHONY: test stress verify portability compare-opengl fuzz mutants coverage figures lesson-figures \
+        references mistakes
+
+# ---- make test ----
+
+# The tests' own build of everything: sanitized, and without threads.
+# What is always inlined elsewhere are functions here: with the sanitizers' code in each copy, gcc
+# would need more than twice as long.
+TESTED   = $(CC) $(STRICT) $(WARNINGS) $(WERROR) $(SANITIZED) -Dalways_inline=unused \
+           -Dflatten=unused $(DEFINES) -Icommon -Itests -MMD -MP
+
+# Found by their names: test_*.c are programs, test_*.sh scripts.
+UNITS   = $(patsubst %.c,$(BUILD)/%,$(shell find tests -name 'test_*.c'))
+REPLAYS = $(patsubst %.c,$(BUILD)/%,$(wildcard tests/upkeep/fuzz/fuzz_*.c))
+SCRIPTS = $(shell find tests -name 'test_*.sh') tests/upkeep/fuzz/replay.sh
+
+# What they test.
+TESTED_OBJECTS = $(COMMON) $(CHECKER) $(SIMILAR) $(BUILD)/tests/student/terminal.o \
+                 $(BUILD)/tests/oracle/oracle.o
+$(BUILD)/tested/all.a: $(TESTED_OBJECTS:$(BUILD)/%=$(BUILD)/tested/%)
+	@rm -f $@
+	$(Q)$(AR) rcs $@ $^
+
+$(BUILD)/tested/flags: force
+	@mkdir -p $(@D)
+	@echo '$(TESTED)' | cmp -s - $@ || echo '$(TESTED)' >$@
+
+# Those of lanes_native.h and pixel_mask.h with the instructions of this processor, which they choose.
+NATIVE_TESTS = %/test_lanes %/test_pixel_mask
+$(BUILD)/tested/%.o: %.c $(BUILD)/tested/flags
+	@mkdir -p $(@D)
+	$(SAY) TEST $<
+	$(Q)$(TESTED) $(if $(findstring /test_lanes,$@)$(findstring /test_pixel_mask,$@),$(MARCH)) -c $< -o $@
+
+$(BUILD)/tested/tests/check/page/page_files.o: $(BUILD)/tests/check/page/page_files.c $(BUILD)/tested/flags
+	@mkdir -p $(@D)
+	$(Q)$(TESTED) -c $< -o $@
+
+# A test that defines __wrap_malloc() or the like gets the calls of malloc() (--wrap of GNU ld).
+WRAPPED = $$(sed -n 's/.*__wrap_\([a-z_]*\)(.*{$$/-Wl,--wrap=\1/p' tests/$*.c)
+$(UNITS): $(BUILD)/tests/%: $(BUILD)/tested/tests/%.o $(BUILD)/tested/all.a
+	@mkdir -p $(@D)
+	$(Q)$(TESTED) $(WRAPPED) $^ -lm -o $@
+
+$(REPLAYS): $(BUILD)/tests/%: $(BUILD)/tested/tests/%.o $(BUILD)/tested/tests/upkeep/fuzz/replay.o \
+                              $(BUILD)/tested/all.a
+	@mkdir -p $(@D)
+	$(Q)$(TESTED) $^ -lm -o $@
+
+test: $(UNITS) $(REPLAYS) $(BUILD)/check $(BUILD)/looks_make $(BUILD)/figure_make \
+      $(BUILD)/references $(BUILD)/show $(BUILD)/compare_page $(BUILD)/hidden $(BUILD)/similar \
+      $(BUILD)/limited programs models
+	@CHECK_PROGRAMS=$(BUILD) tests/upkeep/run_tests.sh $(SCRIPTS) $(UNITS)
+
+# ---- make stress, make compare-opengl ----
+
+$(BUILD)/stress: $(call OBJECTS_OF,upkeep/stress oracle) \
+                 $(patsubst %.c,$(BUILD)/%.o,$(wildcard tests/lessons/*/stress.c)) $(BUILD)/libcommon.a
+	$(Q)$(LINK) $(OPENMP) $^ -lm -o $@
+
+stress: $(BUILD)/stress
+	$(Q)$(BUILD)/stress $(PROPERTY)
+
+# list.c names what each opengl.c defines.
+COMPARED = $(patsubst tests/lessons/%/opengl.c,%,$(sort $(wildcard tests/lessons/*/opengl.c)))
+$(BUILD)/tests/upkeep/opengl/list.c: $(COMPARED:%=tests/lessons/%/opengl.c)
+	@mkdir -p $(@D)
+	@{ echo '#include "upkeep/opengl/lesson.h"'; \
+	   for step in $(COMPARED); do echo "struct lesson lesson_$${step%%_*}(void);"; done; \
+	   echo 'lesson_function *const lesson_functions[] = {'; \
+	   for step in $(COMPARED); do echo "    lesson_$${step%%_*},"; done; echo '    NULL};'; } >$@
+
+$(BUILD)/tests/upkeep/opengl/list.o: $(BUILD)/tests/upkeep/opengl/list.c $(BUILD)/flags
+	$(Q)$(COMPILE) -Itests -c $< -o $@
+
+OPENGL_OBJECTS = $(call OBJECTS_OF,upkeep/opengl) $(BUILD)/tests/upkeep/opengl/list.o \
+                 $(COMPARED:%=$(BUILD)/tests/lessons/%/opengl.o)
+compare-opengl: $(BUILD)/compare-opengl models
+	$(Q)$(BUILD)/compare-opengl
+
+$(BUILD)/compare-opengl: $(OPENGL_OBJECTS) $(BUILD)/libcommon.a
+	$(Q)$(LINK) $^ -lEGL -lGL -lm -o $@
+
+# Says what is missing before the compiler does.
+.PHONY: has-mesa
+$(OPENGL_OBJECTS): | has-mesa
+has-mesa:
+	@$(FIND_MESA) || { echo 'compare-opengl: $(MESA_IS_MISSING)'; exit 2; }
+
+# ---- make verify, make mistakes: what the check makes of wrong programs, and of correct ones ----
+
+verify: $(BUILD)/check $(BUILD)/figure_make models
+	@tests/upkeep/verify/verify.sh $(BUILD) '$(MAKE) -s' '$(STEP)' '$(NAME)'
+
+# The compiler's flags, for scripts that call make hundreds of times.
+.PHONY: found
+found:
+	@echo "THREADED='$(THREADED)' MARCH='$(MARCH)'"
+
+mistakes: $(BUILD)/check $(BUILD)/looks_make $(BUILD)/figure_make models
+	@tests/upkeep/verify/mistakes.sh $(BUILD) '$(MAKE) -s' '$(STEP)' '$(MEASURE)'
+
+$(BUILD)/looks_make $(BUILD)/figure_make: $(BUILD)/%: $(BUILD)/tests/check/%.o $(CHECKER) \
+                                           $(BUILD)/libcommon.a
+	$(Q)$(LINK) $^ -lm -o $@
+
+# One of these programs, built with what is there: the library has the flags of the course.
+$(BUILD)/verify.%: force
+	$(Q)$(COMPILE) -I$(@F) -c $(@D)/main.c -o $@.o
+	$(Q)$(LINK) $@.o $(BUILD)/libcommon.a -lm -o $@
+# What such a program depends on is no program.
+$(BUILD)/verify.%.d: ;
+
+# ---- make mutants, portability, fuzz, coverage ----
+
+mutants:
+	@tests/upkeep/mutants/run.sh $(BUILD) '$(or $(NAME),*)' '$(ONLY)'
+
+portability:
+	@tests/upkeep/portability/portability.sh -b $(BUILD)/portability $(CONFIGURATIONS)
+
+FUZZ_SECONDS = 60
+fuzz:
+	@tests/upkeep/fuzz/run.sh $(BUILD) $(FUZZ_SECONDS) $(TARGET)
+
+coverage: models
+	@tests/upkeep/coverage.sh $(BUILD)
+
+# ---- Pictures: make figures, make references ----
+
+# Drawn from main.c as it is, which may be a starter: so into the build directory. Those of the
+# lessons change only by `make lesson-figures`, for a change of a lesson.
+FIGURES = $(patsubst %/figures.c,%,$(wildcard $(CHOSEN:%=%/figures.c)))
+.PHONY: $(FIGURES:%=figures-%) $(FIGURES:%=lesson-figures-%)
+figures: $(FIGURES:%=figures-%)
+lesson-figures: $(FIGURES:%=lesson-figures-%)
+
+$(FIGURES:%=figures-%): figures-%: $(BUILD)/figures/% $(BUILD)/models/bust.obj
+	@mkdir -p $(BUILD)/out/$*/figures
+	$(Q)$(BUILD)/figures/$* $(BUILD)/out/$*/figures >$(BUILD)/figures/$*.txt && cat $(BUILD)/figures/$*.txt
+
+$(FIGURES:%=lesson-figures-%): lesson-figures-%: $(BUILD)/figures/% $(BUILD)/models/bust.obj
+	@mkdir -p $*/figures
+	$(Q)$(BUILD)/figures/$* $*/figures >$(BUILD)/figures/$*.txt && cat $(BUILD)/figures/$*.txt
+
+$(BUILD)/figures/%: %/figures.c $(BUILD)/tests/lessons/figures.o $(BUILD)/libcommon.a $(BUILD)/flags
+	@mkdir -p $(@D)
+	$(SAY) CC $<
+	$(Q)$(COMPILE) -Itests -MF $@.d $< $(BUILD)/tests/lessons/figures.o $(BUILD)/libcommon.a -lm -o $@
+
+references: $(BUILD)/references programs models
+	$(Q)$(BUILD)/references --programs $(BUILD) $(STEP)
+
+$(BUILD)/references: $(BUILD)/tests/check/references.o $(CHECKER) $(BUILD)/libcommon.a
+	$(Q)$(LINK) $^ -lm -o $@

@@ -1,0 +1,385 @@
+#!/bin/sh
+# Does `make verify` find what it is for? In a copy of lesson 1: a mistake that passes, a correct
+# program that fails, a wrong solution and a finished starter are findings; lists that are wrong are
+# refused with file and line.
+#
+# Exit status 0: all of that is so; 1: something is not.
+top=$(cd "$(dirname "$0")/../../.." && pwd) || exit 1
+build=$(cd "$top" && cd "${CHECK_PROGRAMS:-build}" && pwd) || exit 1
+work=$(mktemp -d) || exit 1
+trap 'rm -rf "$work"' EXIT
+trap 'exit 1' HUP INT TERM
+unset MAKEFLAGS MFLAGS STEP NAME # of the make that runs this test
+failed=0
+
+wrong() {
+    echo "verify: $*"
+    sed 's/^/    /' "$work/said"
+    failed=1
+}
+
+mkdir -p "$work/tests/reference" "$work/tests/check" && cd "$work" || exit 1
+cp -R "$top/Makefile" "$top/common" "$top/step01_line" . || exit 1
+(cd "$top/tests" && cp -R verify starter replace.awk targets.mk "$work/tests") || exit 1
+cp -R "$top/tests/reference/step01_line" tests/reference || exit 1
+grep -e '^#' -e '^step01' "$top/tests/check/scenes.txt" >tests/check/scenes.txt
+mkdir tests/accept
+
+# verify STATUS [NAME]: what it says is in `said`.
+verify() {
+    tests/upkeep/verify/verify.sh "$build" "make -s BUILD='$build'" 01 "$2" >said 2>&1
+    status=$?
+    [ $status -eq "$1" ] || wrong "status $status, not $1"
+}
+
+# says TEXT: a line begins with it.
+says() {
+    grep -q "^$1" said || wrong "nothing says: $1"
+}
+
+mistakes() {
+    cat >step01_line/mistakes.txt
+}
+
+programs() {
+    cat >tests/accept/step01.txt
+}
+
+# ---- All is well ----
+
+mistakes <<'END'
+# A comment.
+
+mistake axes
+says the axes exchanged
+scene pixel
+- image_set(image, 52, 41,
++ image_set(image, 41, 52,
+
+mistake no_end
+says for ever
+scene line
+- walk->u++;
++ walk->u += 0;
+END
+programs <<'END'
+accept two_changes
+says another bound, and a pixel found by a sum
+build CFLAGS=-O0
+- walk.u <= walk.u_last; walk_next(&walk)) {
+-         struct pixel p
++ walk.u < walk.u_last + 1; walk_next(&walk)) {
++         struct pixel p
+- image_set(image, 52, 41,
++ image_set(image, 51 + 1, 41,
+END
+CHECK_TIMEOUT=1 verify 0
+says 'step01_line  *2/2  *0/2  *1/1  *5/5  to do  *exact'
+verify 0 axes
+says 'step01_line  *1/1  *0/1  *0/0  *0/0  -  *-'
+printf 'accept elsewhere\nsays no compiler\nbuild CC=no_such_compiler\n' >tests/accept/step01.txt
+verify 0 elsewhere
+says 'SKIPPED step01/elsewhere: there is no no_such_compiler'
+verify 1 nothing_like_it
+says 'verify: no name has'
+
+# ---- What mistakes look like ----
+
+# `mistakes` keeps it, and then they are named; one that draws nothing, by that it draws all else.
+cat >step01_line/mistakes.txt <<'END'
+mistake axes
+says the axes exchanged
+scene pixel
+figure 1
+- image_set(image, 52, 41,
++ image_set(image, 41, 52,
+
+mistake blue
+says blue for red
+scene pixel
+figure 1
+- image_set(image, 52, 41, color_rgb(255, 0, 0));
++ image_set(image, 52, 41, color_rgb(0, 0, 255));
+
+mistake purple
+says too much blue
+scene pixel
+figure 2 20x10+45+35
+- image_set(image, 52, 41, color_rgb(255, 0, 0));
++ image_set(image, 52, 41, color_rgb(255, 0, 255));
+
+mistake nothing
+says no pixel
+scene pixel
+- image_set(image, 52, 41, color_rgb(255, 0, 0));
++ (void)image;
+END
+mkdir -p tests/check/looks
+looks() {
+    tests/upkeep/verify/mistakes.sh "$build" "make -s BUILD='$build'" 01 >said 2>&1 ||
+        wrong "mistakes.sh failed"
+}
+looks
+verify 0
+says 'step01_line  *4/4  *4/4  *0/0  *5/5  to do  *exact'
+grep -q '^2 2 1\.1 1 the axes exchanged$' tests/check/looks/step01_line/pixel.txt ||
+    wrong "not kept: figure 1"
+counters=tests/check/looks/step01_line/counters.list
+cp "$counters" kept
+grep -q '^pixel brrrrrr - 1\.1 0 no pixel$' kept || wrong "not kept: no pixel"
+sed -i.old 's/ no pixel/ nothing/' "$counters"
+verify 1 nothing
+says 'MISLEADS step01/nothing: FAIL '
+says 'STALE step01/nothing: not so in '
+sed 's/brrr/bbrr/' kept >"$counters"
+verify 1 nothing
+says 'STALE step01/nothing: not so in '
+sed 's/ 1\.1 / 1.2 /' kept >"$counters"
+verify 1 nothing
+says 'MISLEADS step01/nothing: not to task 1\.1: '
+rm "$counters"
+verify 1 nothing
+says 'STALE step01/nothing: not so in '
+cat kept kept kept kept kept >"$counters" # five that are the same are told by none
+verify 1 nothing
+says 'step01_line  *0/1  *0/1'
+mv kept "$counters"
+sed -i.old 's/color_rgb(255, 0, 255)/color_rgb(255, 255, 0)/' step01_line/mistakes.txt
+verify 1
+says 'STALE step01/purple: '
+says 'step01_line  *3/4  *3/4  *0/0'
+sed -i.old 's/too much blue/too much green/' step01_line/mistakes.txt
+verify 1 purple
+says 'STALE step01/purple: not in '
+sed -i.old 's/ blue for red/ no longer so/' tests/check/looks/step01_line/pixel.txt
+verify 1 blue
+says 'STALE step01/blue: not in '
+sed -i.old 's/ the axes exchanged/ blue for red/; s/ no longer so/ the axes exchanged/' \
+    tests/check/looks/step01_line/pixel.txt
+verify 1 axes
+says 'MISLEADS step01/axes: FAIL 0/1'
+looks
+verify 0
+
+# ---- Figures ----
+
+# The first mistake of a figure gives its picture, of the part that it names.
+figures=step01_line/figures
+has_size() {
+    set -- "$1" "$2" "$(od -An -tu1 -j16 -N8 "$figures/$1" |
+        awk '{ print $3 * 256 + $4 " " $7 * 256 + $8 }')"
+    [ "$3" = "$2" ] || wrong "$1 has $3 pixels, not $2"
+}
+has_size wrong_01.png '404 200'
+has_size wrong_02.png '404 100'
+cp "$figures/wrong_02.png" "$figures/wrong_01.png"
+rm "$figures/wrong_02.png"
+verify 1
+says "STALE step01/axes: $figures/wrong_01.png: make mistakes STEP=01"
+says "STALE step01/purple: $figures/wrong_02.png: make mistakes STEP=01"
+echo old >"$figures/wrong_03.png"
+looks
+verify 0
+[ ! -f "$figures/wrong_03.png" ] || wrong "figure 3 is still there"
+cp step01_line/mistakes.txt mistakes.kept
+sed 's/^figure 2 .*/figure 2/' mistakes.kept >step01_line/mistakes.txt
+verify 1 purple
+says "STALE step01/purple: $figures/wrong_02.png"
+awk '/^figure 1$/ && seen++ { $2 = 2 } { print }' mistakes.kept |
+    sed '/^mistake purple/,$ s/^figure.*/figure 1/' >step01_line/mistakes.txt
+verify 1 blue
+says 'STALE step01/blue: not in '
+sed 's/^says no pixel/&\nfigure 3/' mistakes.kept >step01_line/mistakes.txt
+verify 1 nothing
+says 'ERROR step01/nothing: no figure 3: figure_make: all of it is black'
+tests/upkeep/verify/mistakes.sh "$build" "make -s BUILD='$build'" 01 >said 2>&1 && wrong "a black figure"
+says 'mistakes: step01_line: no picture of nothing'
+rm -r tests/check/looks
+cp mistakes.kept step01_line/mistakes.txt
+
+# agree STATUS [MESSAGE]: whether table, list and pictures do.
+agree() {
+    awk -f tests/upkeep/verify/figures.awk step01_line/README.md step01_line/mistakes.txt >said
+    status=$?
+    [ $status -eq "$1" ] || wrong "figures.awk: status $status, not $1"
+    [ -z "$2" ] || says "$2"
+}
+table() {
+    { printf '# Title\n\n## Common wrong pictures\n\n| figure | b | c |\n| ---: | --- | --- |\n' &&
+        cat && printf '\n| another | table |\n| --- | --- |\n| x | y |\n\n## More\n'; } \
+        >step01_line/README.md
+}
+table <<'END'
+| 1 | ![a b](figures/wrong_01.png) | c |
+| | | nothing to see |
+| 2 | ![b](figures/wrong_02.png) | c |
+END
+echo >"$figures/wrong_01.png" && echo >"$figures/wrong_02.png"
+agree 0
+sed -i.old 's/^| 2 /| 3 /' step01_line/README.md
+agree 1 'step01_line/README.md:9: figure 3 follows 1'
+sed 's/^| 2 /| x /' step01_line/README.md.old >step01_line/README.md
+agree 1 'step01_line/README.md:9: a row begins with neither a number nor an empty column'
+sed 's/^| 2 /| /' step01_line/README.md.old >step01_line/README.md
+agree 1 'step01_line/README.md:9: a picture without a number'
+sed 's/^| 2 .*/| 2 | | c |/' step01_line/README.md.old >step01_line/README.md
+agree 1 'step01_line/README.md:9: figure 2 is not '
+sed 's/wrong_02/wrong_01/' step01_line/README.md.old >step01_line/README.md
+agree 1 'step01_line/README.md:9: figure 2 is not '
+sed '/^| 2 /d' step01_line/README.md.old >step01_line/README.md
+agree 1 'step01_line/mistakes.txt:18: figure 2 is not in the table'
+says 'step01_line/figures/wrong_02.png: is in no row of the table'
+cp step01_line/README.md.old step01_line/README.md
+sed -i.old '/^figure 2/d' step01_line/mistakes.txt
+agree 1 'step01_line/README.md: no mistake draws figure 2'
+mv step01_line/mistakes.txt.old step01_line/mistakes.txt
+rm "$figures/wrong_02.png"
+agree 1 'step01_line/README.md:9: figures/wrong_02.png is missing'
+
+# ---- Findings ----
+
+mistakes <<'END'
+mistake elsewhere
+says shown by another scene
+scene pixel
+- .error = -(u_end - u_start),
++ .error = 0,
+
+mistake no_program
+says it does not build
+scene pixel
+- walk->u++;
++ walk->u++
+END
+programs <<'END'
+accept axes
+says not correct
+- image_set(image, 52, 41,
++ image_set(image, 41, 52,
+END
+verify 1
+says 'PASSES step01/elsewhere: 1/1 .* exact (shown by another scene); all scenes: FAIL 1/.*; line F'
+says 'ERROR step01/no_program: BUILD '
+says 'FAILS step01/axes: FAIL [0-9]*/.*; pixel FAIL 0/1: 2 of 2 drawn pixels differ'
+says 'step01_line  *0/2  *0/2  *0/1  *5/5  to do  *exact'
+
+rm step01_line/mistakes.txt tests/accept/step01.txt
+sed -i.old 's/image_set(image, 52, 41,/image_set(image, 52, 42,/' step01_line/main.c
+verify 1
+says 'WRONG step01_line/solution: FAIL [0-9]*/.*; pixel FAIL 0/1: 2 of 2 drawn pixels differ (must be exact), shi'
+says 'step01_line  *0/0  *0/0  *0/0  *2/5  to do  *wrong'
+mv step01_line/main.c.old step01_line/main.c
+sed -i.old 's/ 1\.3,1\.4 / 1.4     /; s/1\.5+1\.3,1\.4/1.5+1.4    /' tests/check/scenes.txt
+verify 1
+says 'WRONG step01_line without 1.3: CRASH [0-9]*/.*; list CRASH 0/'
+says 'step01_line  *0/0  *0/0  *0/0  *4/5  to do  *exact'
+sed 's/ 1\.3,1\.4 / 1.4+1.3 /' tests/check/scenes.txt.old >tests/check/scenes.txt
+verify 0
+mv tests/check/scenes.txt.old tests/check/scenes.txt
+cp step01_line/main.c main.c
+awk -v mode=solution -v name=step01_line/main.c -f tests/student/marks.awk main.c \
+    >step01_line/main.c
+verify 1
+says 'WRONG step01_line/starter: PASS .* exact'
+cp main.c step01_line/main.c
+
+# ---- Lists that are wrong ----
+
+# refused LINE MESSAGE: the list on standard input is, for that.
+refused() {
+    mistakes
+    verify 1
+    says "step01_line/mistakes.txt:$1: $2"
+}
+
+refused 4 'a: the text does not occur in step01_line/main.c' <<'END'
+mistake a
+says b
+scene pixel
+- no such text
++ text
+END
+refused 4 'a: the text occurs more than once' <<'END'
+mistake a
+says b
+scene pixel
+- walk
++ walks
+END
+refused 4 'a: changes nothing' <<'END'
+mistake a
+says b
+scene pixel
+- walk->u++;
++ walk->u++;
+END
+refused 1 'a: changes nothing' <<'END'
+mistake a
+says b
+scene pixel
+END
+refused 1 'a: no line `says' <<'END'
+mistake a
+scene pixel
+- walk->u++;
++ walk->u--;
+END
+refused 1 'a: no scene of step01_line: pixels' <<'END'
+mistake a
+says b
+scene pixels
+- walk->u++;
++ walk->u--;
+END
+refused 6 'a second a' <<'END'
+mistake a
+says b
+scene pixel
+- walk->u++;
++ walk->u--;
+mistake a
+says b
+scene pixel
+- walk->u++;
++ walk->u--;
+END
+printf 'accept a\nsays b\nbuild CFLAGS=-O1\nfigure 1\n' >tests/accept/step01.txt
+: | mistakes
+verify 1
+says 'tests/accept/step01.txt:1: a: a correct program has no figure'
+rm tests/accept/step01.txt
+refused 1 'mistakes stand in ' <<'END'
+accept a
+says b
+build CC=clang
+END
+refused 5 'b: the picture of figure 1 is that of a mistake before it' <<'END'
+mistake a
+says b
+scene pixel
+figure 1
+mistake b
+says b
+scene pixel
+figure 1 20x10+45+35
+- walk->u++;
++ walk->u--;
+END
+for figure in 0 x 4x '4 20x10' '4 20x10+-1+2' '4 20x10+1+2 3'; do
+    refused 4 "a line that means nothing: figure $figure" <<END
+mistake a
+says b
+scene pixel
+figure $figure
+END
+done
+refused 2 'a line that means nothing: say b' <<'END'
+mistake a
+say b
+END
+refused 1 'this is in no paragraph' <<'END'
+says b
+END
+
+[ $failed -eq 0 ] && echo "verify: finds what it is for"
+exit $failed

@@ -1,0 +1,128 @@
+#!/bin/sh
+# Does the check fail every mistake, and pass every correct program? For every lesson: the solution
+# must pass exactly, the starter must be to do, a solution in which one task is as in the starter must
+# fail nothing that does not need it, each mistake of stepNN_name/mistakes.txt must fail in
+# the scene that it names and look like itself there (tests/check/looks.h), and draw its lesson's
+# figure where it gives one; each program of tests/accept/stepNN.txt must pass.
+#
+#   tests/upkeep/verify/verify.sh BUILD MAKE [STEP [PATTERN]]
+#
+# MAKE builds a program; STEP is 5, 05 or step05_zbuffer; PATTERN: only mistakes and programs with
+# it in their names. Works in BUILD, where the check, the library and the models must be built. As
+# many at a time as there are processors; WORKERS=1 in the environment for one.
+#
+# Prints each finding as it comes, with what the check said, then two tables: how near to the limits
+# correct programs and mistakes come (limits.awk), and how many of each lesson were judged rightly.
+# Exit status 0: no finding; 1: some, or a list is wrong.
+cd "$(dirname "$0")/../../.." || exit 1
+build=$1
+make=$2
+wanted=${3:-}
+only=${4:-}
+workers=${WORKERS:-$(getconf _NPROCESSORS_ONLN 2>/dev/null || echo 2)}
+work=$(mktemp -d "$build/verify.XXXXXX") || exit 1
+trap 'rm -rf "$work"' EXIT
+trap 'exit 1' HUP INT TERM
+
+fail() {
+    echo "verify: $*" >&2
+    exit 1
+}
+
+# Sets lessons to those that are wanted, and lists to theirs.
+find_lessons() {
+    lessons=
+    lists=
+    for lesson in step[0-9]*_*/main.c; do
+        lesson=${lesson%/main.c}
+        number=${lesson#step}
+        number=${number%%_*}
+        case $wanted in '' | "$lesson" | "$number" | "${number#0}") ;; *) continue ;; esac
+        lessons="$lessons $lesson"
+        for list in "$lesson/mistakes.txt" "tests/accept/step$number.txt"; do
+            [ ! -s "$list" ] || lists="$lists $list"
+        done
+    done
+    [ -n "$lessons" ] || fail "there is no step '$wanted'"
+}
+
+# add_program LESSON KIND NAME MARKS...: adds what marks.awk makes of the lesson, with these options.
+add_program() {
+    program_lesson=$1
+    kind=$2
+    name=$3
+    shift 3
+    mkdir "$work/$program_lesson.$name" &&
+        awk "$@" -f tests/student/marks.awk "$program_lesson/main.c" \
+            >"$work/$program_lesson.$name/main.c" || exit 1
+    printf '%s\t%s\t%s\t%s\t-\t-\t-\t-\t-\t0\t-\n' "$program_lesson.$name" "$program_lesson" "$kind" \
+        "$name" >>"$work/table"
+}
+
+# The entries of the lists, then what is made of each lesson's solution, in $work/table.
+make_table() {
+    : >"$work/table"
+    # shellcheck disable=SC2086 # one word a list
+    [ -z "$lists" ] || awk -v directory="$work" -v only="$only" -f tests/upkeep/verify/replace.awk \
+        -f tests/upkeep/verify/parse.awk $lists >"$work/table" || exit 1
+    if [ -n "$only" ]; then
+        [ -s "$work/table" ] || fail "no name has '$only' in it"
+        return
+    fi
+    for lesson in $lessons; do
+        add_program "$lesson" starter starter -v mode=starter
+        add_program "$lesson" solution solution -v mode=solution
+        for task in $(awk -v mode=tasks -f tests/student/marks.awk "$lesson/main.c" | cut -f 1); do
+            add_program "$lesson" undone "$task" -v mode=solution -v "undone=$task"
+        done
+    done
+}
+
+# count LESSON KIND RESULT: how many of those have that result.
+count() {
+    awk -v lesson="$1" -v kind="$2" -v result="$3" \
+        '$1 == lesson && $2 == kind && (result == "" || $3 == result) { n++ } END { print n + 0 }' \
+        "$work/results"
+}
+
+# share LESSON KIND: right ones / all of them.
+share() {
+    echo "$(count "$1" "$2" right)/$(count "$1" "$2" '')"
+}
+
+# named LESSON: of the mistakes that are found, those that the check names.
+named() {
+    awk -v lesson="$1" '$1 == lesson && $2 == "mistake" { n++; named += $4 == "yes" }
+        END { print named + 0 "/" n + 0 }' "$work/results"
+}
+
+# one LESSON KIND WORDS: the words, when it is right.
+one() {
+    case $(share "$1" "$2") in 1/1) echo "$3" ;; 0/0) echo - ;; *) echo wrong ;; esac
+}
+
+print_table() {
+    format='%-20s %14s %8s %20s %12s  %-8s %s\n'
+    # shellcheck disable=SC2059 # the same for all rows
+    {
+        printf "$format" lesson 'mistakes found' named 'alternatives passed' 'tasks undone' starter \
+            solution
+        for lesson in $lessons; do
+            printf "$format" "$lesson" "$(share "$lesson" mistake)" "$(named "$lesson")" \
+                "$(share "$lesson" accept)" "$(share "$lesson" undone)" \
+                "$(one "$lesson" starter "to do")" "$(one "$lesson" solution exact)"
+        done
+    }
+}
+
+find_lessons
+make_table
+: >"$work/results"
+cut -f 1 "$work/table" |
+    xargs -P "$workers" -n 1 tests/upkeep/verify/try.sh "$build" "$make" "$work" || fail "stopped"
+lighter=$(sed -n 's/.*COMPARE_LIGHTER = \([0-9]*\) .*/\1/p' tests/check/compare.h)
+[ ! -f "$work/shares" ] || awk -v lighter="$lighter" -f tests/upkeep/verify/limits.awk \
+    tests/check/scenes.txt "$work/shares"
+echo
+print_table
+! grep -q ' wrong ' "$work/results"
