@@ -13,8 +13,8 @@
 BUILD  = build
 CFLAGS = -O3
 
-# A lesson is a directory with a main.c. STEP=05 chooses one.
-STEPS  := $(sort $(patsubst %/main.c,%,$(wildcard step[0-9][0-9]_*/main.c)))
+# A lesson is a directory with a README.md. STEP=05 chooses one.
+STEPS  := $(sort $(patsubst %/README.md,%,$(wildcard step[0-9][0-9]_*/README.md)))
 CHOSEN := $(if $(STEP),$(filter $(STEP) step$(STEP)_% step0$(STEP)_%,$(STEPS)),$(STEPS))
 
 # What else the course has, in the order of `make help`.

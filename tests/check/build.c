@@ -126,8 +126,8 @@ static bool lacks_source(const struct options *options, const char *step, const 
     char path[DRAWN_PATH_LIMIT];
     snprintf(path, sizeof path, "%s%s%s/main.c", here ? "" : options->sources, here ? "" : "/",
              step);
-    if ((strstr(output, "*** there is no ") == NULL &&
-         strstr(output, "*** No rule to make target") == NULL) ||
+    if ((strstr(output, "*** No rule to make target") == NULL &&
+         strstr(output, "main.c: No such file") == NULL) ||
         access(path, F_OK) == 0 || errno != ENOENT) {
         return false;
     }
@@ -146,37 +146,19 @@ static bool lacked_room(const struct options *options, const char *output, struc
            !error_set(error, "%s", drawn_message(line_start(output, words)).text);
 }
 
-/* Do both files hold the same bytes? Not where one cannot be read. */
-static bool hold_the_same(const char *path, const char *other) {
-    struct bytes a = {0}, b = {0};
-    struct error error;
-    bool same = file_read(path, &a, &error) && file_read(other, &b, &error) && a.size == b.size &&
-                memcmp(a.data, b.data, a.size) == 0;
-    bytes_free(&a);
-    bytes_free(&b);
-    return same;
-}
-
-/* May make decide whether the step's program must be built again? Only when it is what make has
- * built, with the list of the files that it was built from, which can be written again. Any other
- * may be anything, whatever its date: tar and cp -p keep dates. */
-static bool may_stay(const char *program, const char *copy) {
-    char list[DRAWN_PATH_LIMIT + 2];
-    snprintf(list, sizeof list, "%s.d", program);
-    return access(list, W_OK) == 0 && hold_the_same(program, copy);
-}
-
-/* Remove what is there of a step's program: only one that was removed is surely built from what is
- * there now. What the compiler writes on the way goes in any case: where it cannot, it could not be
- * written either, and that is no fault of main.c. */
-static bool remove_old(const char *program, bool stays, struct error *error) {
-    static const char *const endings[] = {".o", ".said", ".d", ""};
-    const size_t count = stays ? 2 : sizeof endings / sizeof endings[0];
-    char path[DRAWN_PATH_LIMIT + 5];
-    for (size_t i = 0; i < count; i++) {
-        snprintf(path, sizeof path, "%s%s", program, endings[i]);
-        if (unlink(path) != 0 && errno != ENOENT) {
-            return error_set(error, "cannot remove %.900s: %s", path, strerror(errno));
+/* Remove what there is of a step's program where make must build it again: when the compiler had
+ * something to say about it, which is then said again. What the compiler writes on the way goes in
+ * any case: where it cannot be removed it could not be written either, and that is no fault of
+ * main.c. */
+static bool remove_old(const char *program, struct error *error) {
+    char said[DRAWN_PATH_LIMIT + 5], object[DRAWN_PATH_LIMIT + 5];
+    snprintf(said, sizeof said, "%s.said", program);
+    snprintf(object, sizeof object, "%s.o", program);
+    const bool again = file_size(said) > 0 || !file_exists(said);
+    const char *const paths[] = {object, again ? said : object, again ? program : object};
+    for (size_t i = 0; i < sizeof paths / sizeof paths[0]; i++) {
+        if (unlink(paths[i]) != 0 && errno != ENOENT) {
+            return error_set(error, "cannot remove %.900s: %s", paths[i], strerror(errno));
         }
     }
     return true;
@@ -215,16 +197,14 @@ static void find_warnings(struct build_result *result) {
 
 bool build_step(const struct options *options, const char *step, struct build_result *result,
                 struct error *error) {
-    char program[DRAWN_PATH_LIMIT], copy[DRAWN_PATH_LIMIT];
+    char program[DRAWN_PATH_LIMIT];
     snprintf(program, sizeof program, "%s/%s", options->programs, step);
-    snprintf(copy, sizeof copy, "%s/built/%s", options->programs, step);
     const struct run_limits limits = {.seconds = options->build_seconds,
                                       .file_bytes = run_program_limits(0).file_bytes,
                                       .memory_bytes = (size_t)COMPILER_GIGABYTES << 30};
     struct run_result end = {.end = RUN_EXITED};
     *result = (struct build_result){.reason = {""}};
-    bool done = remove_old(program, may_stay(program, copy), error) &&
-                call_make(options, program, &limits, &end, error);
+    bool done = remove_old(program, error) && call_make(options, program, &limits, &end, error);
     if (done && !make_succeeded(&end)) {
         done = !lacked_room(options, (const char *)end.messages.data, error);
         if (!lacks_source(options, step, (const char *)end.messages.data, &result->reason)) {

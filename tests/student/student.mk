@@ -42,10 +42,13 @@ endif
 ifeq ($(wildcard step01_line/mine.c)$(wildcard step03_triangle/mine.c),)
 $(error LINE=mine draws with what you wrote in lessons 1 and 3, which are not here)
 endif
-LESSON_OBJECTS = $(patsubst %/mine.c,$(BUILD)/%/mine.o,$(wildcard step*/mine.c))
+LESSON_OBJECTS = $(patsubst %/mine.c,$(BUILD)/mine/%.o,$(wildcard step*/mine.c))
 $(STEPS:%=$(BUILD)/%): $(LESSON_OBJECTS)
 $(BUILD)/step02% $(BUILD)/step03%: LESSON_FLAGS = -DLINE_IS_MINE -Wno-unused-function
 $(foreach n,4 5 6 7 8,$(BUILD)/step0$(n)%): LESSON_FLAGS = -Dedges_setup=my_triangle_setup \
                                                            -Dedges_span=my_triangle_span
-$(BUILD)/%/mine.o: $(BUILD)/%.text
+$(BUILD)/mine/%.o: %/mine.c %/main.c $(BUILD)/%.text $(BUILD)/flags
+	@mkdir -p $(@D)
+	$(SAY) CC $<
+	$(Q)$(COMPILE) -c $< -o $@
 endif
