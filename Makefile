@@ -96,7 +96,7 @@ SCULPTOR = $(patsubst %.c,$(BUILD)/%.o,$(wildcard common/sculptor/*.c))
 
 $(BUILD)/libcommon.a: $(COMMON)
 	@rm -f $@
-	$(Q)$(AR) rcs $@ $^
+	$(Q)$(AR) qcs $@ $^
 
 $(BUILD)/sculptor: $(SCULPTOR) $(BUILD)/libcommon.a
 	$(Q)$(LINK) $^ -lm -o $@

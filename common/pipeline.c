@@ -9,12 +9,6 @@
 
 /* ---- Memory ---- */
 
-bool buffer_reserve(struct buffer *buffer, size_t count, size_t element_size, struct error *error) {
-    void *data = array_reserve(buffer->data, &buffer->capacity, count, element_size);
-    buffer->data = data != NULL ? data : buffer->data;
-    return data != NULL || error_out_of_memory(error);
-}
-
 bool pipeline_create(struct pipeline *pipeline, size_t width, size_t height, struct error *error) {
     *pipeline = (struct pipeline){0};
     if (width < 1 || height < 1 || width > DRAW_LIMIT || height > DRAW_LIMIT) {
@@ -136,20 +130,6 @@ void pipeline_use_threads(struct pipeline *pipeline, size_t thread_count) {
         pipeline->alone = false;
         pipeline->thread_count = thread_count;
     }
-}
-
-static void start_workers(struct pipeline *p) {
-    if (p->workers == NULL && !p->alone) {
-        p->workers = workers_create(p->thread_count);
-        p->alone = p->workers == NULL;
-    }
-}
-
-void pipeline_run(struct pipeline *p, size_t count, worker_function *work, void *context) {
-    if (count > 1) {
-        start_workers(p);
-    }
-    workers_run(p->workers, count, work, context);
 }
 
 /* ---- Draw calls ---- */
@@ -301,7 +281,7 @@ static bool begin_frame(struct frame *frame, struct error *error) {
     size_t bands = band_count(p);
     p->piece_end = p->clipped_end = p->recip_w_end = p->block_end = p->binned_end = 0;
     if (bands > 1) {
-        start_workers(p);
+        pipeline_start_workers(p);
     }
     if (!reserve_depth(p, error) || !reserve_touched(frame, error) || !pipeline_order(p, error) ||
         !buffer_reserve(&p->band_work, bands, sizeof(struct pixel_work), error)) {

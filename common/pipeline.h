@@ -78,7 +78,7 @@ enum { VARYING_LIMIT = 16 };
 
 struct shading;
 
-/* The loops over pixels for one shader: see pipeline_kernels.h. */
+/* The loops over pixels for one shader: see pipeline/kernels.h. */
 typedef void shade_function(const struct shading *shading);
 
 /* `uniforms` points to what is the same for all pixels: matrices, the light, the model and its
@@ -176,7 +176,7 @@ struct pipeline {
     double *depth; /* width * height; minus infinity where nothing is drawn; NULL if not kept */
     uint64_t stats[PIPELINE_STATS];
 
-    /* From here on private: see pipeline_kernels.h. */
+    /* From here on private: see pipeline/kernels.h. */
     unsigned shortcuts;      /* of enum shortcut: those taken while `skip` is on; at first all */
     size_t thread_count;     /* for workers_create() */
     struct workers *workers; /* NULL until they are needed, and where there are none */

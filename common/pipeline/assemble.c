@@ -13,6 +13,9 @@ static double guard_band_of(const struct rectangle *viewport) {
     return fmin(64, 0x1p17 / side);
 }
 
+/* A depth beyond this is no place to draw at: sums and differences of such might overflow. */
+static const double depth_limit = 1e280;
+
 enum { CLIP_PLANES = 5 };
 
 /* Positions and faces are shared out among threads in blocks of this many. */
@@ -58,11 +61,6 @@ struct assembly {
 
 /* ---- Positions ---- */
 
-/* Several at once, as many as the processor takes in one instruction or two. */
-struct clip_positions {
-    doubles x, y, z, w;
-};
-
 /* Where they are on the screen; 0 where they have no place there. */
 struct screen_positions {
     ints x, y; /* in 1/256 pixel */
@@ -73,13 +71,6 @@ struct screen_positions {
 /* Where the mask is set, the value, otherwise 0. */
 LANES_INLINE doubles doubles_where(longs mask, doubles value) {
     return (doubles)(mask & (longs)value);
-}
-
-/* Written so that what is not a number is beyond everything. */
-LANES_INLINE longs find_beyond_sides(const struct clip_positions *p) {
-    return (~(p->x >= -p->w) & BEYOND_LEFT) | (~(p->x <= p->w) & BEYOND_RIGHT) |
-           (~(p->y >= -p->w) & BEYOND_BOTTOM) | (~(p->y <= p->w) & BEYOND_TOP) |
-           (~(p->w >= near_w) & BEYOND_NEAR);
 }
 
 LANES_INLINE longs find_beyond(const struct clip_positions *p, double guard_band) {
@@ -112,17 +103,6 @@ LANES_INLINE struct screen_positions project(const struct clip_positions *clip, 
         .recip_w = doubles_where(placed, recip_w),
         .placed = placed,
     };
-}
-
-/* One position, several times. */
-LANES_INLINE struct clip_positions clip_positions_all(struct vec4 p) {
-    return (struct clip_positions){doubles_all(p.x), doubles_all(p.y), doubles_all(p.z),
-                                   doubles_all(p.w)};
-}
-
-unsigned pipeline_beyond_sides(struct vec4 p) {
-    struct clip_positions clip = clip_positions_all(p);
-    return (unsigned)find_beyond_sides(&clip)[0];
 }
 
 /* TOGETHER positions, x with x. Where a register can be taken apart, in a few instructions instead
@@ -465,7 +445,7 @@ static void add_clipped_face(const struct assembly *a, struct output *to, size_t
 
 /* ---- Batches and blocks of faces ---- */
 
-/* Those that may be drawn, in their order; without a branch, see pipeline_batch.c. */
+/* Those that may be drawn, in their order; without a branch, see batch.c. */
 static size_t list_drawn(const struct batch *batch, uint32_t list[BATCH_SIZE]) {
     size_t count = 0;
     for (uint32_t at = 0; at < batch->count; at++) {

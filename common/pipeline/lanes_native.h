@@ -1,12 +1,9 @@
 /*
- * What x86 has an instruction for that gcc 12 and clang 14 do not find by themselves: here, and in
- * pixel_mask.h, and nowhere else, the compiler is told which one is meant ("Intel 64 and IA-32
- * Architectures Software Developer's Manual", volume 2). The plain C beside it says what it does.
- * Private to lanes.h.
+ * What x86 has an instruction for that gcc 12 and clang 14 do not find by themselves: here, in
+ * pixel_mask.h and for lanes_max() and lanes_min(), and nowhere else, the compiler is told which one
+ * is meant ("Intel 64 and IA-32 Architectures Software Developer's Manual", volume 2). The plain C
+ * next to it says what it does. Private to the pipeline and to texture_lanes.h.
  *
- *     lanes_max(), lanes_min()    maxps, minps: gcc compares and chooses, which takes two
- *                                 instructions and a register for masks; a seventh of the time of a
- *                                 textured pixel
  *     lanes_join()                a mask of bits: gcc makes one of lanes, and three instructions of
  *                                 a sum of which some lanes are kept; a twentieth of a Phong pixel
  *     lanes_bits()                vpmovd2m, movmskps: a twentieth of the time of a textured pixel
@@ -23,41 +20,7 @@
 #ifndef COMMON_LANES_NATIVE_H
 #define COMMON_LANES_NATIVE_H
 
-#ifndef COMMON_LANES_H
-#error "include lanes.h instead"
-#endif
-
-#define LANES_PASTE(a, b)   a##b
-#define LANES_OF_TYPE(type) LANES_PASTE(LANES_OF_, type)
-#define LANES_OF_float      LANES /* of other types there are none: 0 */
-
-#if LANES_OF_TYPE(REAL) == 16 && defined(__AVX512F__) && defined(__clang__)
-#define LANES_NATIVE(which, a, b) __builtin_ia32_##which##ps512(a, b, 4)
-#elif LANES_OF_TYPE(REAL) == 16 && defined(__AVX512F__)
-#define LANES_NATIVE(which, a, b) __builtin_ia32_##which##ps512_mask(a, b, b, -1, 4)
-#elif LANES_OF_TYPE(REAL) == 8 && defined(__AVX__)
-#define LANES_NATIVE(which, a, b) __builtin_ia32_##which##ps256(a, b)
-#elif LANES_OF_TYPE(REAL) == 4 && defined(__SSE__)
-#define LANES_NATIVE(which, a, b) __builtin_ia32_##which##ps(a, b)
-#endif
-
-/* `a > b ? a : b`, in every bit, also where one is not a number or both are zero. */
-LANES_INLINE lanes lanes_max(lanes a, lanes b) {
-#ifdef LANES_NATIVE
-    return LANES_NATIVE(max, a, b);
-#else
-    return lanes_select(a > b, a, b);
-#endif
-}
-
-/* `a < b ? a : b`, likewise. */
-LANES_INLINE lanes lanes_min(lanes a, lanes b) {
-#ifdef LANES_NATIVE
-    return LANES_NATIVE(min, a, b);
-#else
-    return lanes_select(a < b, a, b);
-#endif
-}
+#include "lanes.h"
 
 /* Lanes 0 to `first` - 1 of a, the others of b. */
 LANES_INLINE lanes lanes_join(lanes a, int first, lanes b) {

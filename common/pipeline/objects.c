@@ -71,6 +71,11 @@ LANES_INLINE doubles roundings(const double row[4], const struct sides *sides) {
 
 /* ---- Objects outside the view ---- */
 
+static unsigned beyond_sides(struct vec4 position) {
+    struct clip_positions clip = clip_positions_all(position);
+    return (unsigned)find_beyond_sides(&clip)[0];
+}
+
 /* Are a few of the positions beyond one side, as all of an object outside must be? Most objects in
  * view are found to be so by the first of them. */
 static bool may_be_outside(const struct draw_call *call) {
@@ -78,7 +83,7 @@ static bool may_be_outside(const struct draw_call *call) {
     unsigned beyond = BEYOND_ONE_SIDE;
     for (size_t i = 0; i < model->position_count && beyond != 0;
          i += model->position_count / 8 + 1) {
-        beyond &= pipeline_beyond_sides(mat4_point(&call->to_clip, model->positions[i]));
+        beyond &= beyond_sides(mat4_point(&call->to_clip, model->positions[i]));
     }
     return beyond != 0;
 }
@@ -95,7 +100,7 @@ static bool box_is_outside(const struct mat4 *to_clip, struct box3 box) {
     for (int i = 0; i < 8; i++) {
         struct vec4 clip = mat4_point(to_clip, box_corner(box, i));
         clip.w += more;
-        beyond &= pipeline_beyond_sides(clip);
+        beyond &= beyond_sides(clip);
     }
     return beyond != 0;
 }

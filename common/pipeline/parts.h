@@ -1,7 +1,23 @@
-/* Private to the pipeline: what pipeline.c and the files pipeline_*.c know of each other. */
+/*
+ * Private to the pipeline: what pipeline.c and the files pipeline_*.c know of each other.
+ *
+ * Each file calls only files below it, and includes only headers below it:
+ *
+ *     pipeline.c                                 records draw calls, draws the frame
+ *     rounds.c    assemble.c   order, rounds and bands; from models to pieces
+ *     objects.c   batch.c      boxes around objects; what becomes of a face
+ *     bands.c                           covers and shades pixels
+ *     parts.h     pixel_mask.h          what these files share; comparisons of pixels
+ *     pipeline.h                                 with its second half, the loops over pixels:
+ *                                                kernels.h, planes.h
+ *     texture_lanes.h
+ *     lanes_native.h
+ *     lanes.h
+ */
 #ifndef COMMON_PIPELINE_PARTS_H
 #define COMMON_PIPELINE_PARTS_H
 
+#include "base/array.h"
 #include "pipeline.h"
 
 #include <limits.h>
@@ -30,11 +46,35 @@ struct block {
 };
 
 /* Room for that many elements. False, with the buffer as it was, when memory runs out. */
-bool buffer_reserve(struct buffer *buffer, size_t count, size_t element_size, struct error *error);
+static inline bool buffer_reserve(struct buffer *buffer, size_t count, size_t element_size,
+                                  struct error *error) {
+    void *data = array_reserve(buffer->data, &buffer->capacity, count, element_size);
+    buffer->data = data != NULL ? data : buffer->data;
+    return data != NULL || error_out_of_memory(error);
+}
+
+/* Start the threads, unless that was done before. */
+static inline void pipeline_start_workers(struct pipeline *p) {
+    if (p->workers == NULL && !p->alone) {
+        p->workers = workers_create(p->thread_count);
+        p->alone = p->workers == NULL;
+    }
+}
 
 /* Share out a loop among the threads, which are started when there is more than one part for the
  * first time. */
-void pipeline_run(struct pipeline *pipeline, size_t count, worker_function *work, void *context);
+static inline void pipeline_run(struct pipeline *p, size_t count, worker_function *work,
+                                void *context) {
+    if (count > 1) {
+        pipeline_start_workers(p);
+    }
+    workers_run(p->workers, count, work, context);
+}
+
+/* ---- Positions ---- */
+
+/* Nearer than this part of the camera's distance nothing is drawn: 1/w would grow without bound. */
+static const double near_w = 1.0 / 128;
 
 /* Sides of the view that a position is beyond. */
 enum {
@@ -47,6 +87,27 @@ enum {
     BEYOND_GUARD_BAND = 32,
     BEYOND_ALL = 63
 };
+
+/* Several in clip space, as many as the processor takes in one instruction or two. */
+struct clip_positions {
+    doubles x, y, z, w;
+};
+
+/* One position, several times. */
+LANES_INLINE struct clip_positions clip_positions_all(struct vec4 p) {
+    return (struct clip_positions){doubles_all(p.x), doubles_all(p.y), doubles_all(p.z),
+                                   doubles_all(p.w)};
+}
+
+/* The sides that each is beyond, of BEYOND_ONE_SIDE. Written so that what is not a number is beyond
+ * everything. */
+LANES_INLINE longs find_beyond_sides(const struct clip_positions *p) {
+    return (~(p->x >= -p->w) & BEYOND_LEFT) | (~(p->x <= p->w) & BEYOND_RIGHT) |
+           (~(p->y >= -p->w) & BEYOND_BOTTOM) | (~(p->y <= p->w) & BEYOND_TOP) |
+           (~(p->w >= near_w) & BEYOND_NEAR);
+}
+
+/* ---- Triangles: batch.c ---- */
 
 /* What becomes of a face, or of a part of a clipped one. */
 enum triangle_kind {
@@ -79,16 +140,7 @@ struct batch {
  * their box are not looked for. */
 void batch_classify(struct batch *batch, const struct draw_call *call, bool skip);
 
-/* ---- Boxes around objects and batches: pipeline_objects.c ---- */
-
-/* Nearer than this part of the camera's distance nothing is drawn: 1/w would grow without bound. */
-static const double near_w = 1.0 / 128;
-
-/* A depth beyond this is no place to draw at: sums and differences of such might overflow. */
-static const double depth_limit = 1e280;
-
-/* The sides of the view that a position in clip space is beyond, of BEYOND_ONE_SIDE. */
-unsigned pipeline_beyond_sides(struct vec4 clip);
+/* ---- Boxes around objects and batches: objects.c ---- */
 
 /* Would every face of the model be found to be outside? Often that is seen at once. */
 bool pipeline_is_outside(struct pipeline *pipeline, const struct draw_call *call);
@@ -118,7 +170,7 @@ static inline struct range batch_range(struct range faces, size_t batch) {
     return (struct range){begin, faces.end - begin < BATCH_SIZE ? faces.end : begin + BATCH_SIZE};
 }
 
-/* ---- A frame and its rounds: pipeline_rounds.c ---- */
+/* ---- A frame and its rounds: rounds.c ---- */
 
 /* What the threads that draw a frame share. */
 struct frame {
@@ -150,7 +202,7 @@ void pipeline_next_round(struct frame *frame);
 /* Sort the round's pieces, in the blocks from `first_block` on, into bands. */
 bool pipeline_sort_round(const struct frame *frame, size_t first_block, struct error *error);
 
-/* ---- Faces: pipeline_assemble.c; pixels: pipeline_bands.c ---- */
+/* ---- Faces: assemble.c; pixels: bands.c ---- */
 
 /* Transform, clip and cull the models of the round's draw calls, except of those that are hidden as
  * a whole: fills their blocks, which begin where the last ones ended. */

@@ -1,5 +1,5 @@
 /*
- * For which of several pixels a comparison of doubles holds. Private to pipeline_bands.c, where a
+ * For which of several pixels a comparison of doubles holds. Private to bands.c, where a
  * row of pixels is covered by such masks.
  *
  * With AVX-512 a processor keeps masks in registers of their own, one bit a pixel. gcc 12 makes
@@ -13,7 +13,7 @@
 #ifndef COMMON_PIXEL_MASK_H
 #define COMMON_PIXEL_MASK_H
 
-#include "pipeline/parts.h"
+#include "pipeline.h"
 
 #if LANES == 16 && defined(__AVX512DQ__) && defined(__AVX512VL__)
 #define PIXEL_MASK_NATIVE

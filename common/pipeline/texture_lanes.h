@@ -2,7 +2,7 @@
 #ifndef COMMON_TEXTURE_LANES_H
 #define COMMON_TEXTURE_LANES_H
 
-#include "lanes.h"
+#include "pipeline/lanes_native.h"
 #include "texture.h"
 
 /* A place between texel centres along one axis: the lower one of its two neighbours, and how far it

@@ -1,22 +1,14 @@
 /* Textures against the definitions of texture.h, computed in long double another way: the mean of a
  * texel's area by overlaps of intervals, samples as weighted sums over clamped texels. */
 #include "texture.h"
+
+#include "oracle/oracle.h"
 #include "unit.h"
 
 #include <math.h>
 #include <stdlib.h>
 
-static uint64_t random_bits(void) { /* xorshift64: Marsaglia, "Xorshift RNGs", 2003 */
-    static uint64_t state = UINT64_C(88172645463325252);
-    state ^= state << 13;
-    state ^= state >> 7;
-    state ^= state << 17;
-    return state;
-}
-
-static double random_between(double least, double greatest) {
-    return least + (greatest - least) * (double)(random_bits() >> 11) * 0x1p-53;
-}
+static struct random random_state = {88};
 
 static bool random_texture(struct texture *texture, size_t width, size_t height,
                            enum image_format format) {
@@ -26,7 +18,7 @@ static bool random_texture(struct texture *texture, size_t width, size_t height,
         return false;
     }
     for (size_t i = 0; i < width * height * (size_t)format; i++) {
-        image.pixels[i] = (uint8_t)random_bits();
+        image.pixels[i] = (uint8_t)random_bits(&random_state);
     }
     bool done = texture_create(texture, &image, &error);
     image_free(&image);
@@ -88,7 +80,7 @@ static void test_texels(void) {
             return;
         }
         for (size_t i = 0; i < 15 * (size_t)formats[f]; i++) {
-            image.pixels[i] = (uint8_t)random_bits();
+            image.pixels[i] = (uint8_t)random_bits(&random_state);
         }
         CHECK(texture_create(&texture, &image, &error));
         CHECK(texture.level[0].width == 5 && texture.level[0].height == 3);
@@ -170,8 +162,8 @@ static void check_levels(const struct texture *texture) {
 static void test_levels(void) {
     for (size_t i = 0; i < 60; i++) {
         struct texture t;
-        size_t width = i < 16 ? i % 4 + 1 : random_bits() % 24 + 1;
-        size_t height = i < 16 ? i / 4 + 1 : random_bits() % 24 + 1;
+        size_t width = i < 16 ? i % 4 + 1 : random_bits(&random_state) % 24 + 1;
+        size_t height = i < 16 ? i / 4 + 1 : random_bits(&random_state) % 24 + 1;
         if (CHECK(random_texture(&t, width, height, i % 2 == 0 ? IMAGE_BGRA : IMAGE_GREY))) {
             check_levels(&t);
             texture_free(&t);
@@ -258,14 +250,16 @@ static void check_sample(const struct texture *t, struct vec2 uv, size_t level) 
 static void test_samples(void) {
     for (size_t i = 0; i < 40; i++) {
         struct texture t;
-        size_t width = random_bits() % 20 + 1, height = random_bits() % 20 + 1;
+        size_t width = random_bits(&random_state) % 20 + 1,
+               height = random_bits(&random_state) % 20 + 1;
         if (!CHECK(random_texture(&t, width, height, IMAGE_BGRA))) {
             continue;
         }
         for (int k = 0; k < 200; k++) {
             double reach = k % 4 == 0 ? 2 : 0;
-            struct vec2 uv = {random_between(-reach, 1 + reach), random_between(-reach, 1 + reach)};
-            check_sample(&t, uv, random_bits() % t.level_count);
+            struct vec2 uv = {random_real(&random_state, -reach, 1 + reach),
+                              random_real(&random_state, -reach, 1 + reach)};
+            check_sample(&t, uv, random_bits(&random_state) % t.level_count);
         }
         texture_free(&t);
     }

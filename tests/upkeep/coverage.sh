@@ -54,14 +54,15 @@ link() { # SOURCE
     # Tests that define __wrap_X() are linked so that calls of X() come there.
     wrap=$(sed -n 's/.*__wrap_\([a-z_]*\)(.*{$/-Wl,--wrap=\1/p' "$1")
     # shellcheck disable=SC2086
-    "$gcc" --coverage $wrap "$program" $oracle "$work"/common/*.o -lm -o "${program%.o}"
+    "$gcc" --coverage $wrap "$program" $oracle "$work/common.a" -lm -o "${program%.o}"
 }
 
 export gcc flags work
 export -f object compile link
 programs=$(echo tests/unit/test_*.c step*/main.c)
 # shellcheck disable=SC2086 # one word a source
-each compile common/*.c tests/oracle/oracle.c $programs && each link $programs || exit 1
+each compile common/*.c tests/oracle/oracle.c $programs && ar rcs "$work/common.a" "$work"/common/*.o &&
+    each link $programs || exit 1
 
 # ---- Run ----
 

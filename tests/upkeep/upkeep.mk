@@ -35,18 +35,18 @@ TESTED_OBJECTS = $(COMMON) $(CHECKER) $(SIMILAR) $(BUILD)/tests/student/terminal
                  $(BUILD)/tests/oracle/oracle.o
 $(BUILD)/tested/all.a: $(TESTED_OBJECTS:$(BUILD)/%=$(BUILD)/tested/%)
 	@rm -f $@
-	$(Q)$(AR) rcs $@ $^
+	$(Q)$(AR) qcs $@ $^
 
 $(BUILD)/tested/flags: force
 	@mkdir -p $(@D)
 	@echo '$(TESTED)' | cmp -s - $@ || echo '$(TESTED)' >$@
 
 # Those of lanes_native.h and pixel_mask.h with the instructions of this processor, which they choose.
-NATIVE_TESTS = %/test_lanes %/test_pixel_mask
+NATIVE = $(if $(filter test_lanes.o test_pixel_mask.o,$(@F)),$(MARCH))
 $(BUILD)/tested/%.o: %.c $(BUILD)/tested/flags
 	@mkdir -p $(@D)
 	$(SAY) TEST $<
-	$(Q)$(TESTED) $(if $(findstring /test_lanes,$@)$(findstring /test_pixel_mask,$@),$(MARCH)) -c $< -o $@
+	$(Q)$(TESTED) $(NATIVE) -c $< -o $@
 
 $(BUILD)/tested/tests/check/page/page_files.o: $(BUILD)/tests/check/page/page_files.c $(BUILD)/tested/flags
 	@mkdir -p $(@D)
@@ -58,15 +58,39 @@ $(UNITS): $(BUILD)/tests/%: $(BUILD)/tested/tests/%.o $(BUILD)/tested/all.a
 	@mkdir -p $(@D)
 	$(Q)$(TESTED) $(WRAPPED) $^ -lm -o $@
 
+# Some tests of the pipeline are built in several kinds besides, with the pipeline under them: so many
+# LANES, and REAL where it is not float. (test_lanes-8-double has LANES=8 and REAL=double.)
+KINDS_OF_BATCH = test_batch-4 test_batch-8 test_batch-16
+KINDS = $(KINDS_OF_BATCH) $(KINDS_OF_BATCH:test_batch%=test_pixel_mask%) \
+        $(KINDS_OF_BATCH:test_batch%=test_strips%) $(KINDS_OF_BATCH:test_batch%=test_transform%) \
+        test_borders-1 test_borders-16 test_borders-8-double \
+        test_planes-8 test_planes-16 test_planes-16-double \
+        test_lanes-1 test_lanes-2 test_lanes-4 test_lanes-8 test_lanes-16 test_lanes-8-double
+PIPELINE = $(patsubst %.c,%.o,common/pipeline.c $(wildcard common/pipeline/*.c))
+define KIND
+$(BUILD)/tested/$(1)/%.o: %.c $(BUILD)/tested/flags
+	@mkdir -p $$(@D)
+	$$(Q)$$(TESTED) -ULANES -DLANES=$(firstword $(subst -, ,$(1))) \
+	    -UREAL -DREAL=$(or $(word 2,$(subst -, ,$(1))),float) $$(NATIVE) -c $$< -o $$@
+$(BUILD)/tested/$(1)/pipeline.a: $(PIPELINE:%=$(BUILD)/tested/$(1)/%)
+	@rm -f $$@
+	$$(Q)$$(AR) qcs $$@ $$^
+$(BUILD)/tests/%-$(1): $(BUILD)/tested/$(1)/tests/unit/pipeline/%.o \
+                       $(BUILD)/tested/$(1)/pipeline.a $(BUILD)/tested/all.a
+	@mkdir -p $$(@D)
+	$$(Q)$$(TESTED) $$^ -lm -o $$@
+endef
+$(foreach kind,1 2 4 8 16 8-double 16-double,$(eval $(call KIND,$(kind))))
+
 $(REPLAYS): $(BUILD)/tests/%: $(BUILD)/tested/tests/%.o $(BUILD)/tested/tests/upkeep/fuzz/replay.o \
                               $(BUILD)/tested/all.a
 	@mkdir -p $(@D)
 	$(Q)$(TESTED) $^ -lm -o $@
 
-test: $(UNITS) $(REPLAYS) $(BUILD)/check $(BUILD)/looks_make $(BUILD)/figure_make \
+test: $(UNITS) $(KINDS:%=$(BUILD)/tests/%) $(REPLAYS) $(BUILD)/check $(BUILD)/looks_make $(BUILD)/figure_make \
       $(BUILD)/references $(BUILD)/show $(BUILD)/compare_page $(BUILD)/hidden $(BUILD)/similar \
       $(BUILD)/limited programs models
-	@CHECK_PROGRAMS=$(BUILD) tests/upkeep/run_tests.sh $(SCRIPTS) $(UNITS)
+	@CHECK_PROGRAMS=$(BUILD) tests/upkeep/run_tests.sh $(SCRIPTS) $(UNITS) $(KINDS:%=$(BUILD)/tests/%)
 
 # ---- make stress, make compare-opengl ----
 

@@ -18,13 +18,11 @@
 #include "files/png.h"
 #include "files/ppm.h"
 #include "model.h"
-#include "oracle/shown.h"
-#include "pipeline.h"
 #include "program.h"
 #include "run/text_scene.h"
 #include "texture.h"
 #include "tgaimage.h"
-#include "unit/unit.h"
+#include "unit/frames.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -102,7 +100,9 @@ enum { PATH_SIZE = 128 };
 struct inputs {
     struct image grey, color, clear; /* 8, 24 and 32 bits */
     struct bytes tga, png;
-    struct model cube; /* without normals */
+    struct bytes long_scene, long_obj, one_color,
+        long_off;            /* texts so long that arrays grow twice */
+    struct model cube, many; /* without normals; see make_models() */
     char directory[64];
     char scene[PATH_SIZE], obj[PATH_SIZE], off[PATH_SIZE], diffuse[PATH_SIZE], map[PATH_SIZE];
     char out[PATH_SIZE], old[PATH_SIZE]; /* a file to make, one to replace */
@@ -176,6 +176,49 @@ static const char cube_obj[] = "v -1 -1 -1\nv 1 -1 -1\nv 1 1 -1\nv -1 1 -1\n"
                                "v -1 -1 1\nv 1 -1 1\nv 1 1 1\nv -1 1 1\n"
                                "f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 3 4 8 7\nf 2 3 7 6\nf 1 5 8 4\n";
 
+/* Append `count` copies of a line. */
+static bool repeat_line(struct bytes *text, const char *line, size_t count) {
+    bool done = true;
+    for (size_t i = 0; i < count; i++) {
+        done = done && bytes_append(text, line, strlen(line));
+    }
+    return done;
+}
+
+static bool make_texts(struct inputs *inputs) {
+    struct bytes *obj = &inputs->long_obj, *first = &inputs->one_color, *off = &inputs->long_off;
+    return repeat_line(&inputs->long_scene, "triangle 0 0 9 9 0.5 9 1 2 3\n", 100) &&
+           /* Positions with colours from the second on, faces, polygons, of which one has a corner
+            * that turns inwards. */
+           repeat_line(obj, "v 0 0 0\nvt 0 0\nvn 0 0 1\n", 1) &&
+           repeat_line(obj, "v 0 0 0 1 1 1\nvt 0 0\nvn 0 0 1\nf 1/1/1 2/2/1 -1//-1\n", 100) &&
+           repeat_line(obj, "v 4 0 0\nv 4 4 0\nv 1 1 0\nv 0 4 0\nv 0 0 0\n", 20) &&
+           repeat_line(obj, "f -5 -4 -3 -2\n", 1) && repeat_line(obj, "f", 1) &&
+           repeat_line(obj, " -5 -4 -3 -2", 70) &&
+           /* Colours only at the first position: the others are added when all are known. */
+           repeat_line(first, "v 0 0 0 1 1 1\n", 1) && repeat_line(first, "v 1 2 3\n", 100) &&
+           repeat_line(first, "f 1 2 3\n", 1) &&
+           /* Faces without a colour before and after those with one. */
+           repeat_line(off, "STCNOFF 100 110\n", 1) &&
+           repeat_line(off, "0 0 0  0 0 1  1 1 1  0 0\n", 100) &&
+           repeat_line(off, "4 0 1 2 3\n", 70) && repeat_line(off, "4 0 1 2 3 255 0 0\n", 20) &&
+           repeat_line(off, "4 0 1 2 3\n", 20);
+}
+
+/* A cube; and one face that is cut into several pieces, with more whole ones than there is room
+ * left for. */
+static bool make_models(struct inputs *inputs) {
+    struct bytes text = {0};
+    struct error error;
+    bool made = model_decode(&inputs->cube, cube_obj, strlen(cube_obj), &error) &&
+                repeat_line(&text, "v -90 -90 0\nv 90 -90 0\nv 0 90 0\nv 0 0.5 0\nv 0 0 0\n", 1) &&
+                repeat_line(&text, "v 0.5 0 0\nf 1 2 3\n", 1) &&
+                repeat_line(&text, "f 4 5 6\n", 20) &&
+                model_decode(&inputs->many, text.data, text.size, &error);
+    bytes_free(&text);
+    return made;
+}
+
 static bool make_inputs(struct inputs *inputs) {
     struct error error;
     *inputs = (struct inputs){0};
@@ -197,9 +240,8 @@ static bool make_inputs(struct inputs *inputs) {
            make_image(&inputs->color, 20, 10, IMAGE_BGR) &&
            make_image(&inputs->clear, 9, 20, IMAGE_BGRA) &&
            tga_encode(&inputs->color, true, &inputs->tga, &error) &&
-           png_encode(&inputs->clear, &inputs->png, &error) &&
-           model_decode(&inputs->cube, cube_obj, strlen(cube_obj), &error) &&
-           file_from_text(inputs->scene, "size 5 5\nline 0 0 4 4 1 2 3\n") &&
+           png_encode(&inputs->clear, &inputs->png, &error) && make_texts(inputs) &&
+           make_models(inputs) && file_from_text(inputs->scene, "size 5 5\nline 0 0 4 4 1 2 3\n") &&
            file_from_text(inputs->obj, cube_obj) &&
            file_from_text(inputs->off, "OFF 3 1\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n") &&
            file_from_text(inputs->old, "old") && symlink("old", inputs->link) == 0 &&
@@ -216,7 +258,12 @@ static bool free_inputs(struct inputs *inputs) {
     image_free(&inputs->clear);
     bytes_free(&inputs->tga);
     bytes_free(&inputs->png);
+    bytes_free(&inputs->long_scene);
+    bytes_free(&inputs->long_obj);
+    bytes_free(&inputs->one_color);
+    bytes_free(&inputs->long_off);
     model_free(&inputs->cube);
+    model_free(&inputs->many);
     for (size_t i = 0; i < sizeof paths / sizeof paths[0]; i++) {
         unlink(paths[i]); /* not all tests make all of them */
     }
@@ -448,33 +495,12 @@ static void test_images(void) {
 
 /* ---- Scenes and models ---- */
 
-/* A text of `count` copies of a line, to make arrays grow. Not counted as part of a task. */
-static bool repeat_line(struct bytes *text, const char *line, size_t count) {
-    bool on = memory.on, done = true;
-    memory.on = false;
-    for (size_t i = 0; i < count; i++) {
-        done = done && bytes_append(text, line, strlen(line));
-    }
-    memory.on = on;
-    return CHECK(done);
-}
-
-static void free_text(struct bytes *text) {
-    bool on = memory.on;
-    memory.on = false;
-    bytes_free(text);
-    memory.on = on;
-}
-
 static bool decode_scene(const struct inputs *inputs, struct error *error) {
     struct text_scene scene;
-    struct bytes text = {0};
-    (void)inputs;
-    repeat_line(&text, "triangle 0 0 9 9 0.5 9 1 2 3\n", 100);
-    bool done = text_scene_decode(&scene, text.data, text.size, TEXT_SCENE_TRIANGLES, error);
+    const struct bytes *text = &inputs->long_scene;
+    bool done = text_scene_decode(&scene, text->data, text->size, TEXT_SCENE_TRIANGLES, error);
     CHECK(done ? scene.shape_count == 100 : scene.shapes == NULL);
     text_scene_free(&scene);
-    free_text(&text);
     return done;
 }
 
@@ -493,44 +519,16 @@ static bool decode_model(const struct bytes *text, struct error *error) {
     return done;
 }
 
-/* Every array grows more than once: positions with colours from the second on, faces, polygons. */
 static bool decode_obj(const struct inputs *inputs, struct error *error) {
-    struct bytes text = {0};
-    (void)inputs;
-    repeat_line(&text, "v 0 0 0\nvt 0 0\nvn 0 0 1\n", 1);
-    repeat_line(&text, "v 0 0 0 1 1 1\nvt 0 0\nvn 0 0 1\nf 1/1/1 2/2/1 -1//-1\n", 100);
-    repeat_line(&text, "v 4 0 0\nv 4 4 0\nv 1 1 0\nv 0 4 0\nv 0 0 0\n", 20);
-    repeat_line(&text, "f -5 -4 -3 -2\n", 1); /* with a corner that turns inwards */
-    repeat_line(&text, "f", 1);
-    repeat_line(&text, " -5 -4 -3 -2", 70);
-    bool done = decode_model(&text, error);
-    free_text(&text);
-    return done;
+    return decode_model(&inputs->long_obj, error);
 }
 
-/* Colours only at the first position: the others are added when all positions are known. */
 static bool decode_first_color(const struct inputs *inputs, struct error *error) {
-    struct bytes text = {0};
-    (void)inputs;
-    repeat_line(&text, "v 0 0 0 1 1 1\n", 1);
-    repeat_line(&text, "v 1 2 3\n", 100);
-    repeat_line(&text, "f 1 2 3\n", 1);
-    bool done = decode_model(&text, error);
-    free_text(&text);
-    return done;
+    return decode_model(&inputs->one_color, error);
 }
 
 static bool decode_off(const struct inputs *inputs, struct error *error) {
-    struct bytes text = {0};
-    (void)inputs;
-    repeat_line(&text, "STCNOFF 100 110\n", 1);
-    repeat_line(&text, "0 0 0  0 0 1  1 1 1  0 0\n", 100);
-    repeat_line(&text, "4 0 1 2 3\n", 70);
-    repeat_line(&text, "4 0 1 2 3 255 0 0\n", 20);
-    repeat_line(&text, "4 0 1 2 3\n", 20); /* white when all faces are known */
-    bool done = decode_model(&text, error);
-    free_text(&text);
-    return done;
+    return decode_model(&inputs->long_off, error);
 }
 
 static bool read_model(const struct inputs *inputs, struct error *error) {
@@ -599,32 +597,42 @@ static lanes_mask white(const void *uniforms, const lanes *varyings, lanes_texel
 
 enum { IMAGE_SIDE = 40 }; /* several bands of rows */
 
-/* Draw the cube whole, then from near by: there it is clipped. An image that cannot be finished
- * stays as it was. */
-static bool draw_cube(const struct inputs *inputs, bool skip, struct error *error) {
+static bool start(struct target *target, struct error *error) {
+    *target = (struct target){.image = {0}};
+    return pipeline_create(&target->pipeline, IMAGE_SIDE, IMAGE_SIDE, error) &&
+           image_create(&target->image, IMAGE_SIDE, IMAGE_SIDE, IMAGE_BGR, error);
+}
+
+/* Record a model, seen from `eye`. */
+static bool record(struct target *target, const struct model *model, struct vec3 eye, double zoom,
+                   struct error *error) {
     static const struct shader shader = {
         .varying_count = 1, .vertex = no_vertex, .fragment = white};
-    struct pipeline pipeline;
-    struct image image = {0};
-    const struct vec3 center = {0, 0, 0}, up = {0, 1, 0};
-    const struct rectangle viewport = {0, 0, IMAGE_SIDE, IMAGE_SIDE};
-    bool done = pipeline_create(&pipeline, IMAGE_SIDE, IMAGE_SIDE, error) &&
-                image_create(&image, IMAGE_SIDE, IMAGE_SIDE, IMAGE_BGR, error);
-    pipeline.skip = skip;
-    pipeline.keep_depth = true;
-    for (int i = 0; i < 2 && done; i++) {
-        struct vec3 eye = i == 0 ? (struct vec3){1, 2, 8} : (struct vec3){0.1, 0.2, 0.9};
-        struct draw_call call =
-            camera_call(&inputs->cube, eye, center, up, 0.5, viewport, CULL_NONE);
-        done = pipeline_draw(&pipeline, &call, &shader, &i, sizeof i, error);
-    }
-    if (done) {
-        done = pipeline_finish(&pipeline, &image, error);
-        CHECK(!done || pipeline.stats[STAT_FACES_CLIPPED] > 0);
-        CHECK(image_get(&image, IMAGE_SIDE / 2, IMAGE_SIDE / 2).r == (done ? 255 : 0));
-    }
-    pipeline_free(&pipeline);
-    image_free(&image);
+    struct draw_call call =
+        camera_call(model, eye, (struct vec3){0, 0, 0}, (struct vec3){0, 1, 0}, zoom,
+                    (struct rectangle){0, 0, IMAGE_SIDE, IMAGE_SIDE}, CULL_NONE);
+    return pipeline_draw(&target->pipeline, &call, &shader, &zoom, sizeof zoom, error);
+}
+
+/* An image that cannot be finished stays as it was: black. */
+static bool finish(struct target *target, struct error *error) {
+    bool done = pipeline_finish(&target->pipeline, &target->image, error);
+    CHECK(image_get(&target->image, IMAGE_SIDE / 2, IMAGE_SIDE / 2).r == (done ? 255 : 0));
+    return done;
+}
+
+static const struct vec3 far_eye = {1, 2, 8}, near_eye = {0.1, 0.2, 0.9};
+
+/* Draw the cube whole, then from near by: there it is clipped. */
+static bool draw_cube(const struct inputs *inputs, bool skip, struct error *error) {
+    struct target target;
+    bool done = start(&target, error);
+    target.pipeline.skip = skip;
+    target.pipeline.keep_depth = true;
+    done = done && record(&target, &inputs->cube, far_eye, 0.5, error) &&
+           record(&target, &inputs->cube, near_eye, 0.5, error) && finish(&target, error);
+    CHECK(!done || target.pipeline.stats[STAT_FACES_CLIPPED] > 0);
+    target_free(&target);
     return done;
 }
 
@@ -636,83 +644,46 @@ static bool draw_everything(const struct inputs *inputs, struct error *error) {
     return draw_cube(inputs, false, error);
 }
 
-/* One face that is cut into several pieces, and more whole ones than there is room left for. */
 static bool draw_many(const struct inputs *inputs, struct error *error) {
-    static const struct shader shader = {
-        .varying_count = 1, .vertex = no_vertex, .fragment = white};
-    struct bytes text = {0};
-    struct model model = {0};
-    struct pipeline pipeline = {0};
-    struct image image = {0};
-    (void)inputs;
-    repeat_line(&text, "v -90 -90 0\nv 90 -90 0\nv 0 90 0\nv 0 0.5 0\nv 0 0 0\nv 0.5 0 0\n", 1);
-    repeat_line(&text, "f 1 2 3\n", 1);
-    repeat_line(&text, "f 4 5 6\n", 20);
-    bool done = model_decode(&model, text.data, text.size, error) &&
-                pipeline_create(&pipeline, 16, 16, error) &&
-                image_create(&image, 16, 16, IMAGE_BGR, error);
-    struct draw_call call = {
-        .model = &model, .to_clip = mat4_identity(), .viewport = {0, 0, 16, 16}};
-    done = done && draw_frame(&pipeline, &call, &shader, NULL, 0, &image, error);
-    CHECK(!done || (pipeline.stats[STAT_FACES_CLIPPED] == 1 && image_get(&image, 8, 8).r == 255));
-    pipeline_free(&pipeline);
-    image_free(&image);
-    model_free(&model);
-    free_text(&text);
+    struct target target;
+    bool done = start(&target, error) &&
+                record(&target, &inputs->many, (struct vec3){0, 0, 1}, 1, error) &&
+                finish(&target, error);
+    CHECK(!done || target.pipeline.stats[STAT_FACES_CLIPPED] == 1);
+    target_free(&target);
     return done;
 }
 
 /* A draw call that failed is left out, and the frame can be finished without it. */
 static bool draw_after_a_failure(const struct inputs *inputs, struct error *error) {
-    static const struct shader shader = {
-        .varying_count = 1, .vertex = no_vertex, .fragment = white};
-    struct pipeline pipeline;
-    struct image image = {0};
-    const struct rectangle viewport = {0, 0, IMAGE_SIDE, IMAGE_SIDE};
-    struct draw_call call =
-        camera_call(&inputs->cube, (struct vec3){0.1, 0.2, 0.9}, (struct vec3){0, 0, 0},
-                    (struct vec3){0, 1, 0}, 0.5, viewport, CULL_NONE);
-    bool done = pipeline_create(&pipeline, IMAGE_SIDE, IMAGE_SIDE, error) &&
-                image_create(&image, IMAGE_SIDE, IMAGE_SIDE, IMAGE_BGR, error);
-    bool first = done && pipeline_draw(&pipeline, &call, &shader, NULL, 0, error);
-    bool second = done && pipeline_draw(&pipeline, &call, &shader, NULL, 0, error);
-    bool finished = done && pipeline_finish(&pipeline, &image, error);
-    CHECK(!finished ||
-          image_get(&image, IMAGE_SIDE / 2, IMAGE_SIDE / 2).r == (first || second ? 255 : 0));
-    pipeline_free(&pipeline);
-    image_free(&image);
+    struct target target;
+    bool done = start(&target, error);
+    bool first = done && record(&target, &inputs->cube, near_eye, 0.5, error);
+    bool second = done && record(&target, &inputs->cube, near_eye, 0.5, error);
+    bool finished = done && (first || second) && finish(&target, error);
+    target_free(&target);
     return first && second && finished;
 }
 
 /* A frame of several rounds that fails when some of them are covered; and after it an empty one,
  * where nothing of the first may be left. */
 static bool draw_nothing_after_a_failure(const struct inputs *inputs, struct error *error) {
-    static const struct shader shader = {
-        .varying_count = 1, .vertex = no_vertex, .fragment = white};
-    struct pipeline pipeline;
-    struct image image = {0};
-    const struct rectangle viewport = {0, 0, IMAGE_SIDE, IMAGE_SIDE};
-    bool done = pipeline_create(&pipeline, IMAGE_SIDE, IMAGE_SIDE, error) &&
-                image_create(&image, IMAGE_SIDE, IMAGE_SIDE, IMAGE_BGR, error);
-    bool drawn = done;
-    pipeline.keep_depth = true;
+    struct target target;
+    bool done = start(&target, error), drawn = done;
+    target.pipeline.keep_depth = true;
     for (int i = 0; i < 20 && drawn; i++) { /* from ever nearer: all but the last are hidden */
-        struct vec3 eye = {1, 2, 30 - i};
-        struct draw_call call = camera_call(&inputs->cube, eye, (struct vec3){0, 0, 0},
-                                            (struct vec3){0, 1, 0}, 1 + i, viewport, CULL_NONE);
-        drawn = pipeline_draw(&pipeline, &call, &shader, &i, sizeof i, error);
+        drawn = record(&target, &inputs->cube, (struct vec3){1, 2, 30 - i}, 1 + i, error);
     }
-    bool finished = drawn && pipeline_finish(&pipeline, &image, error);
+    bool finished = drawn && finish(&target, error);
     if (done && !finished) { /* only one allocation fails */
         struct error other;
-        pipeline_clear(&pipeline);
-        CHECK(pipeline_finish(&pipeline, &image, &other));
+        pipeline_clear(&target.pipeline);
+        CHECK(pipeline_finish(&target.pipeline, &target.image, &other));
         for (size_t i = 0; i < (size_t)IMAGE_SIDE * IMAGE_SIDE; i++) {
-            CHECK(pipeline.depth[i] == (double)-INFINITY);
+            CHECK(target.pipeline.depth[i] == (double)-INFINITY);
         }
     }
-    pipeline_free(&pipeline);
-    image_free(&image);
+    target_free(&target);
     return finished;
 }
 

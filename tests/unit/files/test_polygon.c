@@ -82,28 +82,6 @@ static void make_holes(struct polygon *p) {
     polygon_add(p, 0, 100);
 }
 
-/* A square whose outline comes back to its first corner and goes round a hole there. */
-static void make_touching(struct polygon *p) {
-    int x1, y1, x2, y2;
-    do {
-        x1 = random_int(1, 30);
-        y1 = random_int(1, 30);
-        x2 = random_int(1, 30);
-        y2 = random_int(1, 30);
-    } while (x1 * y2 - y1 * x2 >= 0);
-    *p = (struct polygon){0};
-    polygon_add(p, 0, 0);
-    for (int i = random_int(0, 3); i > 0; i--) {
-        polygon_add(p, 32 - 8 * i, random_int(-9, -1));
-    }
-    polygon_add(p, 31, 0);
-    polygon_add(p, 31, 31);
-    polygon_add(p, 0, 31);
-    polygon_add(p, 0, 0);
-    polygon_add(p, x1, y1);
-    polygon_add(p, x2, y2);
-}
-
 /* A square whose hole is reached from the lower side and touches the outline's last corner, often
  * along a side of the outline, even the whole of it. */
 static void make_touched(struct polygon *p) {
@@ -125,22 +103,6 @@ static void make_touched(struct polygon *p) {
     polygon_add(p, 31, 0);
     polygon_add(p, 31, 31);
     polygon_add(p, 0, 31);
-}
-
-/* A rectangle with notches from above, of which many reach the lower side and touch it. */
-static void make_notched(struct polygon *p) {
-    int notches = random_int(1, 6), height = random_int(2, 40);
-    *p = (struct polygon){0};
-    polygon_add(p, 0, 0);
-    polygon_add(p, 20 * notches, 0);
-    polygon_add(p, 20 * notches, height);
-    for (int i = notches; i-- > 0;) {
-        int left = 20 * i + random_int(1, 9), right = left + random_int(1, 9);
-        polygon_add(p, right, height);
-        polygon_add(p, 20 * i + random_int(1, 19), random_int(0, 2) > 0 ? 0 : height / 2);
-        polygon_add(p, left, height);
-    }
-    polygon_add(p, 0, height);
 }
 
 /* ---- Any polygon that touches itself: triangles glued together along some of their sides ---- */
@@ -421,14 +383,10 @@ static void test_polygons(void) {
         check_polygon(&cutter, &p, is_convex(&p), "monotone");
         make_holes(&p);
         check_polygon(&cutter, &p, true, "holes");
-        make_touching(&p);
-        check_polygon(&cutter, &p, true, "touching");
         make_touched(&p);
         check_polygon(&cutter, &p, true, "touched");
         make_hardly_bent(&p);
         check_polygon(&cutter, &p, is_convex(&p), "hardly bent");
-        make_notched(&p);
-        check_polygon(&cutter, &p, true, "notched");
         make_glued(&p);
         check_polygon(&cutter, &p, true, "glued");
         if (make_uncrossed(&p)) {

@@ -1,2 +1,799 @@
-/* The borders of bands, chunks, blocks and viewports, as the tests are built. */
-#include "borders_tests.h"
+/*
+ * The pipeline at its seams, against exact answers at every pixel: bands of rows, chunks of a row,
+ * blocks of faces, sides of viewports, draw calls and frames that follow each other; images of any
+ * width, in both formats, with one thread to eight.
+ */
+#include "oracle/oracle.h"
+#include "unit/frames.h"
+
+#include <stdatomic.h>
+#include <stdlib.h>
+
+enum { FACE_LIMIT = 10000, CALL_LIMIT = 3 };
+
+/* ---- Scenes ---- */
+
+/* A face as it lies on the screen, in 1/256 pixel and in depth. */
+struct placed {
+    struct fixed2 corner[3];
+    int64_t depth[3];
+};
+
+enum { DEPTH_STEPS = 64 }; /* of a depth, in 1 */
+
+/* What one draw call draws: faces with corners of their own. */
+struct part {
+    struct placed placed[FACE_LIMIT];
+    struct vec3 positions[3 * FACE_LIMIT];
+    struct face faces[FACE_LIMIT];
+    struct model model;
+    struct draw_call call;
+    const struct shader *shader;
+    uint32_t first_number; /* of the face that is listed first */
+};
+
+struct scene {
+    struct part part[CALL_LIMIT];
+    size_t count;
+    size_t width, height;
+    size_t faces_a_call; /* a part is drawn in calls of so many faces; 0: in one */
+};
+
+static void add_face(struct part *part, const struct placed *placed) {
+    uint32_t n = (uint32_t)part->model.face_count++;
+    const struct rectangle *v = &part->call.viewport;
+    part->placed[n] = *placed;
+    for (uint32_t i = 0; i < 3; i++) {
+        struct fixed2 c = placed->corner[i];
+        part->positions[3 * n + i] = (struct vec3){(c.x / 256.0 - v->x) * 2 / v->width - 1,
+                                                   (c.y / 256.0 - v->y) * 2 / v->height - 1,
+                                                   (double)placed->depth[i] / DEPTH_STEPS};
+    }
+    set_corners(&part->faces[n], 3 * n, 3 * n + 1, 3 * n + 2);
+    part->model.position_count += 3;
+}
+
+static void part_begin(struct part *part, struct rectangle viewport) {
+    part->model = (struct model){.positions = part->positions, .faces = part->faces};
+    part->call =
+        (struct draw_call){.model = &part->model, .to_clip = mat4_identity(), .viewport = viewport};
+}
+
+/* ---- Shaders: a face shows its number ---- */
+
+enum { ALPHA = 200 };
+
+struct number_uniforms {
+    uint32_t first_number;
+    atomic_size_t *vertex_calls;
+};
+
+static void number_vertex(const void *uniforms, size_t face, size_t corner, double *varyings) {
+    const struct number_uniforms *u = uniforms;
+    size_t number = u->first_number + face;
+    (void)corner;
+    varyings[0] = (double)(number % 256);
+    varyings[1] = (double)(number / 256);
+    atomic_fetch_add(u->vertex_calls, 1);
+}
+
+/* Of a flat face corner 0 counts, and only that. */
+static void flat_vertex(const void *uniforms, size_t face, size_t corner, double *varyings) {
+    number_vertex(uniforms, face, corner, varyings);
+    varyings[0] += 7 * (double)corner;
+}
+
+static lanes_mask number_fragment(const void *uniforms, const lanes *varyings, lanes_texel *color) {
+    (void)uniforms;
+    *color = lanes_rgb(lanes_all(1), varyings[1], varyings[0]);
+    *color = (*color & 0xFFFFFF) | (uint32_t)ALPHA << 24;
+    return lanes_all_set();
+}
+
+SHADER(number_shader, .varying_count = 2, .vertex = number_vertex, .fragment = number_fragment);
+SHADER(flat_shader, .varying_count = 2, .flat = true, .vertex = flat_vertex,
+       .fragment = number_fragment);
+SHADER(discarding_shader, .varying_count = 2, .vertex = number_vertex, .fragment = number_fragment,
+       .discards = true);
+SHADER(flat_discarding_shader, .varying_count = 2, .flat = true, .vertex = flat_vertex,
+       .fragment = number_fragment, .discards = true);
+
+/* Without loops of its own. */
+static const struct shader called_shader = {
+    .varying_count = 2, .vertex = number_vertex, .fragment = number_fragment};
+
+static const struct shader *const shaders[] = {&number_shader, &flat_shader, &discarding_shader,
+                                               &flat_discarding_shader, &called_shader};
+enum { SHADERS = sizeof shaders / sizeof shaders[0] };
+
+/* ---- The exact answer ---- */
+
+struct answer {
+    uint32_t number; /* of the face that shows, from 1 on; 0 where nothing is drawn */
+    const struct placed *placed;
+};
+
+static bool is_left_out(const struct placed *p, enum cull cull) {
+    const struct fixed2 *c = p->corner;
+    int64_t area = (int64_t)(c[1].x - c[0].x) * (c[2].y - c[0].y) -
+                   (int64_t)(c[1].y - c[0].y) * (c[2].x - c[0].x);
+    return (cull == CULL_BACK && area < 0) || (cull == CULL_FRONT && area > 0);
+}
+
+static int first_pixel(int32_t a, int32_t b, int32_t c) {
+    int32_t least = a < b ? a : b;
+    least = c < least ? c : least;
+    return (int)floor(least / 256.0);
+}
+
+static int last_pixel(int32_t a, int32_t b, int32_t c) {
+    int32_t most = a > b ? a : b;
+    most = c > most ? c : most;
+    return (int)floor(most / 256.0);
+}
+
+static int limit(int value, int least, int most) {
+    return value < least ? least : value > most ? most : value;
+}
+
+/* How much work it is to draw every face, one after the other. */
+struct work {
+    uint64_t covered; /* pixels */
+    uint64_t nearest; /* pixels where the face is nearest so far */
+};
+
+/* One face over what was drawn before it: of equal depths the first stays. */
+static void answer_face(const struct placed *placed, const struct rectangle *v, uint32_t number,
+                        size_t width, struct answer *answers, struct work *work) {
+    const struct fixed2 *c = placed->corner;
+    int left = limit(first_pixel(c[0].x, c[1].x, c[2].x), v->x, v->x + v->width);
+    int right = limit(last_pixel(c[0].x, c[1].x, c[2].x) + 1, v->x, v->x + v->width);
+    int bottom = limit(first_pixel(c[0].y, c[1].y, c[2].y), v->y, v->y + v->height);
+    int top = limit(last_pixel(c[0].y, c[1].y, c[2].y) + 1, v->y, v->y + v->height);
+    for (int y = bottom; y < top; y++) {
+        for (int x = left; x < right; x++) {
+            struct answer *a = &answers[(size_t)y * width + (size_t)x];
+            bool covered = oracle_covers(c[0], c[1], c[2], x, y);
+            work->covered += covered;
+            if (covered &&
+                (a->number == 0 || oracle_compare_depth(c, placed->depth, a->placed->corner,
+                                                        a->placed->depth, x, y) > 0)) {
+                *a = (struct answer){number, placed};
+                work->nearest++;
+            }
+        }
+    }
+}
+
+static struct answer *answer(const struct scene *scene, struct work *work) {
+    struct answer *answers = calloc(scene->width * scene->height, sizeof *answers);
+    *work = (struct work){0, 0};
+    for (size_t i = 0; answers != NULL && i < scene->count; i++) {
+        const struct part *part = &scene->part[i];
+        for (size_t k = 0; k < part->model.face_count; k++) {
+            if (!is_left_out(&part->placed[k], part->call.cull)) {
+                answer_face(&part->placed[k], &part->call.viewport,
+                            part->first_number + (uint32_t)k, scene->width, answers, work);
+            }
+        }
+    }
+    return answers;
+}
+
+/* ---- Drawing and judging ---- */
+
+enum { UNTOUCHED = 0x77 };
+
+static void scribble(struct image *image) {
+    memset(image->pixels, UNTOUCHED, image->width * image->height * image->format);
+}
+
+/* Some faces of a part, as a model of their own that must stay until the frame is finished. (The
+ * corners of face n are the positions from 3 n on.) */
+static bool draw_faces(struct pipeline *pipeline, const struct part *part, size_t first,
+                       size_t count, struct model *model, atomic_size_t *vertex_calls) {
+    struct error error;
+    struct number_uniforms uniforms = {part->first_number + (uint32_t)first, vertex_calls};
+    struct draw_call call = part->call;
+    *model = part->model;
+    model->positions += 3 * first;
+    model->position_count = 3 * count;
+    model->face_count = count;
+    call.model = model;
+    return pipeline_draw(pipeline, &call, part->shader, &uniforms, sizeof uniforms, &error);
+}
+
+/* Depth tests are counted in every other frame. */
+static bool draw_on_top(struct pipeline *pipeline, const struct scene *scene, struct image *image,
+                        size_t *vertex_calls) {
+    static struct model models[CALL_LIMIT * FACE_LIMIT];
+    struct error error;
+    atomic_size_t calls = 0;
+    size_t model = 0;
+    bool done = true;
+    pipeline_clear(pipeline);
+    pipeline->counts_tests = !pipeline->counts_tests;
+    for (size_t i = 0; i < scene->count; i++) {
+        size_t faces = scene->part[i].model.face_count, first = 0;
+        do {
+            size_t left = faces - first, limit = scene->faces_a_call;
+            size_t count = limit > 0 && limit < left ? limit : left;
+            done = done &&
+                   draw_faces(pipeline, &scene->part[i], first, count, &models[model++], &calls);
+            first += count;
+        } while (first < faces);
+    }
+    done = done && pipeline_finish(pipeline, image, &error);
+    *vertex_calls = calls;
+    return CHECK(done);
+}
+
+/* Frugal: in each band a face that shows there is asked once for its corners, or for one of them
+ * where it is flat; others never. */
+static size_t calls_needed(const struct scene *scene, const struct answer *answers) {
+    size_t calls = 0;
+    for (size_t y = 0; y < scene->height; y += BAND_HEIGHT) {
+        static bool seen[CALL_LIMIT * FACE_LIMIT + 1];
+        memset(seen, 0, sizeof seen);
+        seen[0] = true; /* nothing */
+        for (size_t i = y * scene->width;
+             i < (y + BAND_HEIGHT) * scene->width && i < scene->height * scene->width; i++) {
+            uint32_t number = answers[i].number;
+            const struct part *part = scene->part;
+            while (!seen[number] && number >= part->first_number + part->model.face_count) {
+                part++;
+            }
+            calls += seen[number] ? 0 : part->shader->flat ? 1 : 3;
+            seen[number] = true;
+        }
+    }
+    return calls;
+}
+
+static bool has_discarding_part(const struct scene *scene) {
+    bool has = false;
+    for (size_t i = 0; i < scene->count; i++) {
+        has = has || scene->part[i].shader->discards;
+    }
+    return has;
+}
+
+static bool pixel_is_right(const struct image *image, size_t pixel, uint32_t number,
+                           enum clearing clearing) {
+    const uint8_t *p = image->pixels + pixel * image->format;
+    if (number == 0) {
+        uint8_t left = clearing == CLEAR_NOTHING ? UNTOUCHED : 0;
+        return p[0] == left && p[1] == left && p[2] == left && p[image->format - 1] == left;
+    }
+    return p[0] == number % 256 && p[1] == number / 256 && p[2] == 1 &&
+           (image->format == IMAGE_BGR || p[3] == ALPHA);
+}
+
+/* The depth of a face that is level must be just that; of others a few roundings are lost. */
+static bool depth_is_right(const struct pipeline *pipeline, size_t pixel, const struct answer *a) {
+    static const int64_t parallel[3] = {1, 1, 1};
+    double depth = pipeline->depth[pixel];
+    if (a->number == 0) {
+        return depth == (double)-INFINITY;
+    }
+    const int64_t *z = a->placed->depth;
+    long double exact =
+        oracle_perspective_depth(a->placed->corner, z, parallel, (int)(pixel % pipeline->width),
+                                 (int)(pixel / pipeline->width)) /
+        DEPTH_STEPS;
+    bool level = z[0] == z[1] && z[1] == z[2];
+    return fabsl((long double)depth - exact) <= (level ? 0 : 0x1p-49L);
+}
+
+static bool frame_is_right(const struct pipeline *pipeline, const struct image *image,
+                           const struct answer *answers) {
+    for (size_t i = 0; i < image->width * image->height; i++) {
+        if (!pixel_is_right(image, i, answers[i].number, pipeline->clearing) ||
+            (pipeline->keep_depth && !depth_is_right(pipeline, i, &answers[i]))) {
+            const uint8_t *p = image->pixels + i * image->format;
+            fprintf(stderr, "    %zux%zu: pixel %zu %zu should show %u, shows %d\n", image->width,
+                    image->height, i % image->width, i / image->width, (unsigned)answers[i].number,
+                    p[0] + 256 * p[1]);
+            return false;
+        }
+    }
+    return true;
+}
+
+/* ---- Random scenes of any size ---- */
+
+static uint64_t count_drawn(const struct scene *scene, const struct answer *answers) {
+    uint64_t drawn = 0;
+    for (size_t i = 0; i < scene->width * scene->height; i++) {
+        drawn += answers[i].number != 0;
+    }
+    return drawn;
+}
+
+/* Every pixel that a face covers is tested, except of faces that are dropped behind others; and it
+ * passes wherever the face is nearest so far, unless the order is another one. */
+static bool tests_are_right(const struct pipeline *pipeline, uint64_t drawn,
+                            const struct work *work) {
+    uint64_t covered = pipeline->stats[STAT_PIXELS_COVERED];
+    uint64_t passed = pipeline->stats[STAT_PIXELS_PASSED];
+    if (!pipeline->counts_tests) {
+        return covered == 0 && passed == 0;
+    }
+    bool some_behind = pipeline->stats[STAT_FACES_BEHIND] > 0;
+    return covered >= drawn && covered <= work->covered &&
+           (some_behind || covered == work->covered) && passed >= drawn && passed <= covered &&
+           (pipeline->reordered || passed == work->nearest);
+}
+
+/* What was counted while a frame was drawn, of faces none of which is culled. Each pixel is shaded
+ * once; with skip off, and to find what a shader discards, wherever a face is nearest so far. */
+static bool counts_are_right(const struct pipeline *pipeline, const struct scene *scene,
+                             const struct answer *answers, const struct work *work) {
+    uint64_t drawn = count_drawn(scene, answers), least = pipeline->skip ? drawn : work->nearest;
+    uint64_t most = has_discarding_part(scene) ? drawn + work->nearest : least;
+    uint64_t shaded = pipeline->stats[STAT_PIXELS_SHADED];
+    return tests_are_right(pipeline, drawn, work) && shaded >= least &&
+           shaded <= (pipeline->skip ? most : least);
+}
+
+/* What is neither seen nor shaded is counted by the reason for it. */
+static bool faces_are_counted(const struct pipeline *pipeline, const struct scene *scene,
+                              const struct answer *answers) {
+    static bool shown[CALL_LIMIT * FACE_LIMIT + 1];
+    const uint64_t *stats = pipeline->stats;
+    uint64_t count = 0;
+    memset(shown, 0, sizeof shown);
+    for (size_t i = 0; i < scene->width * scene->height; i++) {
+        count += answers[i].number != 0 && !shown[answers[i].number];
+        shown[answers[i].number] = true;
+    }
+    return count == stats[STAT_FACES] - stats[STAT_FACES_OUTSIDE] - stats[STAT_FACES_TURNED_AWAY] -
+                        stats[STAT_FACES_WITHOUT_PIXEL] - stats[STAT_FACES_HIDDEN];
+}
+
+static bool has_culling_part(const struct scene *scene) {
+    bool has = false;
+    for (size_t i = 0; i < scene->count; i++) {
+        has = has || scene->part[i].call.cull != CULL_NONE;
+    }
+    return has;
+}
+
+/* Draw the scene over what is in the image, and judge it. */
+static void check_frame(struct target *target, const struct scene *scene,
+                        const struct answer *answers, const struct work *work) {
+    struct pipeline *pipeline = &target->pipeline;
+    bool discards = has_discarding_part(scene);
+    size_t calls;
+    if (draw_on_top(pipeline, scene, &target->image, &calls)) {
+        CHECK(frame_is_right(pipeline, &target->image, answers));
+        CHECK(!pipeline->skip || discards || calls == calls_needed(scene, answers));
+        CHECK(!pipeline->skip || discards || faces_are_counted(pipeline, scene, answers));
+        CHECK(has_culling_part(scene) || counts_are_right(pipeline, scene, answers, work));
+        CHECK((pipeline->depth != NULL) == pipeline->keep_depth);
+    }
+}
+
+/* The same on an image that is not empty. */
+static void check_scene(struct target *target, const struct scene *scene) {
+    struct work work;
+    struct answer *answers = answer(scene, &work);
+    if (CHECK(answers != NULL)) {
+        scribble(&target->image);
+        check_frame(target, scene, answers, &work);
+    }
+    free(answers);
+}
+
+/* Now and then at a multiple of 8 pixels, where bands and chunks begin, or half a pixel from it. */
+static int32_t any_place(struct random *random, int size) {
+    if (random_bits(random) % 4 == 0) {
+        return (int32_t)random_between(random, -1, size / 8 + 1) * 8 * 256 +
+               (int32_t)random_between(random, 0, 2) * 128;
+    }
+    return (int32_t)random_between(random, -20 * 256, (size + 20) * 256);
+}
+
+static void any_face(struct random *random, const struct scene *scene, struct placed *placed) {
+    bool small = random_bits(random) % 2 == 0, level = random_bits(random) % 2 == 0;
+    struct fixed2 near = {any_place(random, (int)scene->width),
+                          any_place(random, (int)scene->height)};
+    bool flat_top = random_bits(random) % 4 == 0; /* or bottom, on pixel centres */
+    near.y = flat_top ? near.y / 256 * 256 + 128 : near.y;
+    for (int i = 0; i < 3; i++) {
+        placed->corner[i] =
+            small ? (struct fixed2){near.x + (int32_t)random_between(random, -1500, 1500),
+                                    near.y + (int32_t)random_between(random, -1500, 1500)}
+                  : (struct fixed2){any_place(random, (int)scene->width),
+                                    any_place(random, (int)scene->height)};
+        placed->corner[i].y = flat_top && i < 2 ? near.y : placed->corner[i].y;
+        placed->depth[i] = random_between(random, -3, 3) * (level ? 16 : 1);
+        if (level) {
+            placed->depth[i] = i > 0 ? placed->depth[0] : placed->depth[i];
+        } else {
+            placed->depth[i] += random_between(random, -40, 40);
+        }
+    }
+}
+
+/* So wide or high, at least, that no face has to be clipped: that would move its edges a little. */
+enum { LEAST_SIDE = 6 };
+
+static struct span any_side(struct random *random, int size) {
+    int least = size < LEAST_SIDE ? size : LEAST_SIDE;
+    int begin = (int)random_between(random, 0, size - least);
+    return (struct span){begin, begin + (int)random_between(random, least, size - begin)};
+}
+
+/* Part of the image, with its sides in the middle of bands and chunks; seldom all of it. */
+static struct rectangle any_viewport(struct random *random, const struct scene *scene) {
+    int width = (int)scene->width, height = (int)scene->height;
+    if (random_bits(random) % 4 == 0) {
+        return (struct rectangle){0, 0, width, height};
+    }
+    struct span x = any_side(random, width), y = any_side(random, height);
+    return (struct rectangle){x.begin, y.begin, x.end - x.begin, y.end - y.begin};
+}
+
+static void make_scene(struct random *random, struct scene *scene, size_t faces, bool culls) {
+    uint32_t number = 1;
+    scene->count = 1 + random_bits(random) % CALL_LIMIT;
+    for (size_t i = 0; i < scene->count; i++) {
+        struct part *part = &scene->part[i];
+        part_begin(part, any_viewport(random, scene));
+        part->call.cull = (enum cull)(culls ? random_bits(random) % 3 : CULL_NONE);
+        part->shader = shaders[random_bits(random) % SHADERS];
+        part->first_number = number;
+        for (size_t k = 0; k < faces; k++) {
+            struct placed placed;
+            any_face(random, scene, &placed);
+            add_face(part, &placed);
+        }
+        number += (uint32_t)faces;
+    }
+}
+
+/* Several frames of one pipeline, on two images: what one has left behind must not show in the
+ * next. Before each of them the image is scribbled on, where somebody else may write to it. */
+static void check_size(struct random *random, size_t width, size_t height) {
+    static struct scene scene;
+    struct target target;
+    struct image images[2] = {{0}}, *last = NULL;
+    struct error error;
+    enum image_format format = random_bits(random) % 2 ? IMAGE_BGR : IMAGE_BGRA;
+    CHECK(target_create(&target, width, height, format));
+    images[0] = target.image;
+    CHECK(image_create(&images[1], width, height, random_bits(random) % 2 ? IMAGE_BGR : IMAGE_BGRA,
+                       &error));
+    scene.width = width;
+    scene.height = height;
+    for (int frame = 0; frame < 6; frame++) {
+        struct pipeline *pipeline = &target.pipeline;
+        struct image *image = &images[random_bits(random) % 4 == 0];
+        pipeline->clearing =
+            random_bits(random) % 2 ? CLEAR_LAST_FRAME : (enum clearing)(random_bits(random) % 3);
+        if (pipeline->clearing != CLEAR_LAST_FRAME || image != last) {
+            scribble(image);
+        }
+        last = pipeline->clearing == CLEAR_LAST_FRAME ? image : NULL;
+        make_scene(random, &scene, 1 + random_bits(random) % 12, frame % 2 == 0);
+        pipeline->skip = random_bits(random) % 3 != 0;
+        pipeline->keep_depth = random_bits(random) % 2 == 0;
+        pipeline_use_threads(pipeline, 1 + random_bits(random) % 8 * (frame == 2));
+        struct work work;
+        struct answer *answers = answer(&scene, &work);
+        target.image = *image;
+        if (CHECK(answers != NULL)) {
+            check_frame(&target, &scene, answers, &work);
+        }
+        free(answers);
+    }
+    pipeline_free(&target.pipeline);
+    image_free(&images[0]);
+    image_free(&images[1]);
+}
+
+static void test_images_of_all_sizes(void) {
+    static const size_t sides[] = {1, 2, 7, 8, 9, 15, 16, 17, 31, 32, 33, 47, 64, 65, 129};
+    enum { SIDES = sizeof sides / sizeof sides[0] };
+    struct random random = {71};
+    for (size_t i = 0; i < SIDES; i++) {
+        for (size_t k = 0; k < SIDES; k++) {
+            check_size(&random, sides[i], sides[k]);
+        }
+    }
+}
+
+/* ---- More faces than a block has ---- */
+
+/* Small faces all over the image, many at equal depths; in two calls with other shaders. */
+static void make_crowd(struct random *random, struct scene *scene) {
+    *scene = (struct scene){.count = 2, .width = 100, .height = 90};
+    for (size_t i = 0; i < 2; i++) {
+        struct part *part = &scene->part[i];
+        part_begin(part, (struct rectangle){3, 2, 91, 85});
+        part->first_number = i == 0 ? 1 : 9001;
+        part->shader = i == 0 ? &number_shader : &flat_shader;
+        for (size_t k = 0; k < (i == 0 ? 9000 : 5000); k++) {
+            struct placed placed;
+            any_face(random, scene, &placed);
+            add_face(part, &placed);
+        }
+    }
+}
+
+static void test_many_faces(void) {
+    static struct scene scene;
+    struct random random = {72};
+    struct target target;
+    make_crowd(&random, &scene);
+    struct work work;
+    struct answer *answers = answer(&scene, &work);
+    CHECK(target_create(&target, scene.width, scene.height, IMAGE_BGR));
+    CHECK(answers != NULL);
+    for (size_t threads = 1; answers != NULL && threads <= 8; threads++) {
+        for (size_t i = 0; i < 3; i++) {
+            target.pipeline.skip = i < 2;
+            scene.part[1].shader = i == 0 ? &flat_shader : &discarding_shader;
+            pipeline_use_threads(&target.pipeline, threads);
+            scribble(&target.image);
+            check_frame(&target, &scene, answers, &work);
+        }
+    }
+    free(answers);
+    target_free(&target);
+}
+
+/* A level face around a place, of any size. */
+static void add_level_face(struct part *part, int32_t x, int32_t y, int32_t size, int64_t depth) {
+    add_face(part, &(struct placed){{{x - size, y - size}, {x + size, y - size}, {x, y + size}},
+                                    {depth, depth, depth}});
+}
+
+/* A wall that covers parts of some chunks and all of others, drawn first since a face of its call
+ * is near: faces behind it, before it, through it and beside it. */
+static void test_walls(void) {
+    static struct scene scene;
+    struct random random = {75};
+    struct target target;
+    uint64_t behind = 0;
+    scene.count = 2, scene.width = 70, scene.height = 40;
+    CHECK(target_create(&target, 70, 40, IMAGE_BGR));
+    for (int round = 0; round < 400; round++) {
+        struct part *wall = &scene.part[round % 2], *faces = &scene.part[1 - round % 2];
+        part_begin(wall, (struct rectangle){0, 0, 70, 40});
+        part_begin(faces, wall->call.viewport);
+        wall->shader = &flat_shader;
+        faces->shader = &number_shader;
+        add_level_face(wall, 256 * (round % 70), 256 * 20, 300, DEPTH_STEPS);
+        int32_t side = (int32_t)random_between(&random, 0, 80) * 256;
+        int64_t right = round / 2 % 2 ? 0 : -30, left = -30 - right;
+        add_face(wall, &(struct placed){{{side, -4000}, {side, 14000}, {side + 30000, 5000}},
+                                        {right, right, right}});
+        add_face(wall, &(struct placed){{{side, -4000}, {side - 30000, 5000}, {side, 14000}},
+                                        {left, left, left}});
+        add_level_face(faces, side + 128, 256 * (round % 40) + 128, 200, -15); /* one pixel */
+        for (int i = 0; i < 8; i++) {
+            struct placed placed;
+            any_face(&random, &scene, &placed);
+            add_face(faces, &placed);
+        }
+        scene.part[0].first_number = 1;
+        scene.part[1].first_number = 1 + (uint32_t)scene.part[0].model.face_count;
+        check_scene(&target, &scene);
+        behind += target.pipeline.stats[STAT_FACES_BEHIND];
+    }
+    CHECK(behind > 100);
+    target_free(&target);
+}
+
+/* Up to 300 draw calls of one to three faces each, before and behind a few that cover most of the
+ * image; many at equal depths. They come in rounds, not in their order, and some are hidden by the
+ * rounds before as a whole, others in part. */
+static void test_many_calls(void) {
+    static struct scene scene;
+    struct random random = {76};
+    struct target target;
+    uint64_t hidden = 0, all = 0;
+    scene.count = 1, scene.width = 90, scene.height = 70;
+    CHECK(target_create(&target, 90, 70, IMAGE_BGR));
+    for (int frame = 0; frame < 120; frame++) {
+        struct part *part = &scene.part[0];
+        part_begin(part, frame % 3 == 0 ? any_viewport(&random, &scene)
+                                        : (struct rectangle){0, 0, 90, 70});
+        part->shader = frame % 2 == 0 ? &number_shader : &flat_shader;
+        part->first_number = 1;
+        part->call.cull = (enum cull)(frame / 2 % 3);
+        scene.faces_a_call = (size_t)(1 + frame % 3);
+        size_t faces = (size_t)random_between(&random, 10, 300);
+        while (part->model.face_count < faces) {
+            struct placed placed;
+            any_face(&random, &scene, &placed);
+            add_face(part, &placed);
+            if (random_bits(&random) % 64 == 0) {
+                add_level_face(part, 256 * (int32_t)random_between(&random, 0, 90),
+                               256 * (int32_t)random_between(&random, 0, 40), 60 * 256,
+                               random_between(&random, 0, 48));
+            }
+        }
+        target.pipeline.skip = frame % 8 != 7;
+        target.pipeline.clearing = frame % 5 == 0 ? CLEAR_ALL : CLEAR_NOTHING;
+        target.pipeline.keep_depth = frame % 4 == 0;
+        pipeline_use_threads(&target.pipeline, (size_t)(1 + frame / 10 % 4));
+        check_scene(&target, &scene);
+        hidden += target.pipeline.stats[STAT_OBJECTS_HIDDEN];
+        all += target.pipeline.stats[STAT_OBJECTS];
+    }
+    CHECK(hidden > 650 && hidden < all);
+    target_free(&target);
+}
+
+/* A face with one corner far away to the side of `at` that the wall lies on, and with a side there
+ * that goes through all of the image; along x, or along y. */
+static struct placed far_face(int32_t at, int side, bool along_x, int64_t depth) {
+    enum { FAR = 200000 };
+    struct fixed2 c[3] = {{at, -FAR}, {at, FAR}, {at + 2 * side * FAR, 0}};
+    struct placed placed = {{{0}}, {depth, depth, depth}};
+    for (int i = 0; i < 3; i++) {
+        placed.corner[i] = along_x ? c[i] : (struct fixed2){c[i].y, c[i].x};
+    }
+    return placed;
+}
+
+/* A face behind the wall that ends `past` its side: a pixel or two of it are seen, or none. */
+static void add_past(struct part *part, struct random *random, int32_t end, int side, bool along_x,
+                     int size) {
+    int32_t from = (int32_t)random_between(random, 0, size) * 256;
+    int32_t length = (int32_t)random_between(random, 300, 9000);
+    struct fixed2 c[3] = {{end, from},
+                          {end, from + (int32_t)random_between(random, 300, 3000)},
+                          {end + side * length, from + 300}};
+    struct placed placed;
+    bool level = random_bits(random) % 2 == 0;
+    for (int i = 0; i < 3; i++) {
+        placed.corner[i] = along_x ? c[i] : (struct fixed2){c[i].y, c[i].x};
+        placed.depth[i] = level && i > 0 ? placed.depth[0] : random_between(random, -60, -1);
+    }
+    add_face(part, &placed);
+}
+
+/* A wall up to a side of tiles, or nearly, and behind it faces in a draw call each, many of which
+ * reach past it by a pixel: whoever takes a box to be a pixel smaller than it is, or asks one tile
+ * too few, does not draw them. */
+static void test_past_the_wall(void) {
+    static struct scene scene;
+    struct random random = {78};
+    struct target target;
+    uint64_t hidden = 0, all = 0;
+    scene.count = 1, scene.width = 150, scene.height = 100, scene.faces_a_call = 1;
+    CHECK(target_create(&target, 150, 100, IMAGE_BGR));
+    for (int frame = 0; frame < 240; frame++) {
+        static const int32_t past[] = {-300, 100, 140, 300, 400};
+        static const struct rectangle viewports[] = {
+            {0, 0, 150, 100}, {43, 19, 105, 77}, {5, 4, 143, 93}};
+        struct part *part = &scene.part[0];
+        bool along_x = frame % 2 == 0;
+        int side = frame / 2 % 2 == 0 ? 1 : -1;
+        int32_t at = 256 * (int32_t)(along_x ? 16 * random_between(&random, 1, 8)
+                                             : 8 * random_between(&random, 1, 11));
+        at += frame % 3 == 0 ? 256 * (int32_t)random_between(&random, -1, 1) : 0;
+        part_begin(part, viewports[frame / 4 % 3]);
+        part->first_number = 1;
+        part->shader = frame / 8 % 2 == 0 ? &number_shader : &flat_shader;
+        /* Half of a box of 12 pixels, so that some of the others are touched. */
+        for (int i = 0; i < 4; i++) {
+            int32_t along = 256 * (int32_t)random_between(&random, 0, along_x ? 100 : 150);
+            add_level_face(part, along_x ? at : along, along_x ? along : at, 1500, 30);
+        }
+        struct placed wall = far_face(at, side, along_x, 0);
+        add_face(part, &wall);
+        for (int i = 0; i < 24; i++) {
+            add_past(part, &random, at - side * past[random_bits(&random) % 5], side, along_x,
+                     along_x ? 100 : 150);
+        }
+        check_scene(&target, &scene);
+        hidden += target.pipeline.stats[STAT_OBJECTS_HIDDEN];
+        all += target.pipeline.stats[STAT_OBJECTS];
+    }
+    CHECK(hidden > 200 && 2 * hidden < all);
+    target_free(&target);
+}
+
+/* A face for each pixel: none of a block, and none of its corners, may be lost. The image is filled
+ * row by row or column by column, so that each block of faces lies somewhere else. */
+static void test_every_face_shows(void) {
+    static struct scene scene;
+    struct target target;
+    CHECK(target_create(&target, 100, 95, IMAGE_BGR));
+    for (int i = 0; i < 4; i++) {
+        bool by_columns = i % 2;
+        target.pipeline.skip = i < 2;
+        scene.count = 1, scene.width = 100, scene.height = 95;
+        struct part *part = &scene.part[0];
+        part_begin(part, (struct rectangle){0, 0, 100, 95});
+        part->first_number = 1;
+        part->shader = by_columns ? &number_shader : &flat_shader;
+        for (int k = 0; k < 9500; k++) {
+            int32_t x = 256 * (by_columns ? k / 95 : k % 100),
+                    y = 256 * (by_columns ? k % 95 : k / 100);
+            add_face(part,
+                     &(struct placed){{{x + 20, y + 20}, {x + 230, y + 40}, {x + 90, y + 250}},
+                                      {k % 8, k % 8, k % 8}});
+        }
+        check_scene(&target, &scene);
+        CHECK(!target.pipeline.skip || target.pipeline.stats[STAT_FACES_HIDDEN] == 0);
+    }
+    target_free(&target);
+}
+
+/* As far from the middle as corners of faces lie that are not clipped in a large viewport. */
+static int32_t far_place(struct random *random, int size) {
+    int32_t away = (int32_t)random_between(random, 55000, 65000) * 256;
+    return size * 128 + (random_bits(random) % 2 ? away : -away);
+}
+
+/* Along the longer side of the image two corners lie far away, to one side of it or to both. */
+static void make_huge_faces(struct random *random, struct scene *scene) {
+    struct part *part = &scene->part[0];
+    int width = (int)scene->width - 9, height = (int)scene->height - 9;
+    part_begin(part, (struct rectangle){4, 4, width, height});
+    part->first_number = 1;
+    part->shader = shaders[random_bits(random) % SHADERS];
+    for (int i = 0; i < 6; i++) {
+        struct placed placed;
+        any_face(random, scene, &placed);
+        for (int k = 1; k < 3; k++) {
+            struct fixed2 *corner = &placed.corner[k];
+            corner->x = width > height ? far_place(random, width) : any_place(random, width);
+            corner->y = width > height ? any_place(random, height) : far_place(random, height);
+        }
+        add_face(part, &placed);
+    }
+}
+
+static void test_huge_faces(void) {
+    static struct scene scene;
+    struct random random = {77};
+    for (int round = 0; round < 12; round++) {
+        struct target target;
+        bool wide = round % 2;
+        size_t longer = 4110 + (size_t)(random_bits(&random) % 20);
+        size_t shorter = 16 + (size_t)(random_bits(&random) % 30);
+        scene.count = 1;
+        scene.width = wide ? longer : shorter;
+        scene.height = wide ? shorter : longer;
+        make_huge_faces(&random, &scene);
+        CHECK(target_create(&target, scene.width, scene.height, IMAGE_BGR));
+        target.pipeline.keep_depth = true;
+        check_scene(&target, &scene);
+        target_free(&target);
+    }
+}
+
+/* Draw calls without a face, with an empty viewport; a frame without a call. */
+static void test_no_face_at_all(void) {
+    static struct scene scene;
+    struct random random = {73};
+    struct target target;
+    scene.width = 40, scene.height = 50;
+    make_scene(&random, &scene, 5, true);
+    scene.count = 3;
+    part_begin(&scene.part[0], (struct rectangle){0, 0, 40, 50}); /* without faces */
+    part_begin(&scene.part[2], (struct rectangle){7, 7, 0, 0});
+    scene.part[0].shader = scene.part[2].shader = &flat_shader;
+    part_begin(&scene.part[1], (struct rectangle){0, 0, 40, 50});
+    scene.part[1].shader = &number_shader;
+    scene.part[1].first_number = 1;
+    struct placed placed;
+    any_face(&random, &scene, &placed);
+    add_face(&scene.part[1], &placed);
+    CHECK(target_create(&target, 40, 50, IMAGE_BGR));
+    check_scene(&target, &scene);
+    scene.count = 0; /* and a frame without a call */
+    check_scene(&target, &scene);
+    target_free(&target);
+}
+
+UNIT_MAIN(TEST(test_images_of_all_sizes), TEST(test_many_faces), TEST(test_walls),
+          TEST(test_many_calls), TEST(test_past_the_wall), TEST(test_huge_faces),
+          TEST(test_every_face_shows), TEST(test_no_face_at_all))

@@ -1,9 +1,7 @@
 /* The same scene at the origin and far from it: the model and the camera are moved together. */
 #include "files/model_file.h"
 #include "oracle/oracle.h"
-#include "oracle/shown.h"
-#include "pipeline.h"
-#include "unit/unit.h"
+#include "unit/frames.h"
 
 #include <stdlib.h>
 
@@ -55,38 +53,36 @@ SHADER(light_shader, .varying_count = 2, .flat = true, .vertex = light_vertex,
        .fragment = light_fragment);
 
 /* The camera stands at `eye` when the model is at the origin, and looks at its middle. */
-static void draw(struct image *image, const struct model *model, struct vec3 eye, int64_t offset) {
+static void draw(struct target *target, const struct model *model, struct vec3 eye,
+                 int64_t offset) {
     const struct vec3 center = {(double)offset, (double)offset, (double)offset};
     struct draw_call call =
         camera_call(model, vec3_add(eye, center), center, (struct vec3){0, 1, 0}, 0.7,
                     (struct rectangle){0, 0, SIDE, SIDE}, CULL_NONE);
-    struct pipeline pipeline;
     struct error error;
-    CHECK(image_create(image, SIDE, SIDE, IMAGE_BGR, &error));
-    if (CHECK(pipeline_create(&pipeline, SIDE, SIDE, &error))) {
-        CHECK(draw_frame(&pipeline, &call, &light_shader, &model, sizeof(void *), image, &error));
-        pipeline_free(&pipeline);
-    }
+    CHECK(target_create(target, SIDE, SIDE, IMAGE_BGR));
+    CHECK(draw_frame(&target->pipeline, &call, &light_shader, &model, sizeof(void *),
+                     &target->image, &error));
 }
 
 /* How many pixels differ when all is moved. */
 static size_t count_changed(int steps, const char *digits, struct vec3 eye, int64_t offset) {
     struct model here, there;
-    struct image image = {0}, moved = {0};
+    struct target place, moved;
     size_t changed = 0, drawn = 0;
     if (make_model(&here, steps, digits, 0) && make_model(&there, steps, digits, offset)) {
-        draw(&image, &here, eye, 0);
+        draw(&place, &here, eye, 0);
         draw(&moved, &there, eye, offset);
         for (size_t i = 0; i < SIDE * SIDE; i++) {
-            changed += memcmp(image.pixels + 3 * i, moved.pixels + 3 * i, 3) != 0;
-            drawn += image.pixels[3 * i] != 0;
+            changed += memcmp(place.image.pixels + 3 * i, moved.image.pixels + 3 * i, 3) != 0;
+            drawn += place.image.pixels[3 * i] != 0;
         }
         CHECK(drawn > SIDE * SIDE / 4);
+        target_free(&place);
+        target_free(&moved);
     }
     model_free(&here);
     model_free(&there);
-    image_free(&image);
-    image_free(&moved);
     return changed;
 }
 

@@ -1,6 +1,472 @@
-/* Pixel arithmetic in float, sixteen pixels at once. */
-#undef REAL
-#define REAL float
-#undef LANES
-#define LANES 16
-#include "lanes_tests.h"
+/* lanes.h against plain C, number by number; texture_lanes.h against texture_bilinear(). */
+#include "oracle/oracle.h"
+#include "pipeline/texture_lanes.h"
+#include "unit/unit.h"
+
+#include <stdlib.h>
+
+enum { ROUNDS = 3000 };
+
+/* What rounding a number near 1 costs at most. */
+static const double ulp = sizeof(real) == sizeof(float) ? 0x1p-24 : 0x1p-53;
+
+/* Its numbers, one after the other. */
+struct numbers {
+    real at[LANES];
+};
+
+static struct numbers numbers_of(lanes a) {
+    struct numbers numbers;
+    memcpy(numbers.at, &a, sizeof numbers.at);
+    return numbers;
+}
+
+static lanes lanes_of(struct numbers numbers) {
+    lanes a;
+    memcpy(&a, numbers.at, sizeof a);
+    return a;
+}
+
+static int32_t int_at(lanes_int a, int i) {
+    int32_t numbers[LANES];
+    memcpy(numbers, &a, sizeof numbers);
+    return numbers[i];
+}
+
+/* Any number; often a whole one, a half, one that is negative or just below another. */
+static real any_number(struct random *random) {
+    static const real special[] = {0, 1, -1, 0.5f, -0.5f, 254.5f, 255, 256, -3, 127.5f};
+    uint64_t kind = random_bits(random) % 4;
+    real number = (real)random_real(random, -300, 300);
+    if (kind == 0) {
+        number = special[random_bits(random) % (sizeof special / sizeof special[0])];
+    } else if (kind == 1) {
+        number = (real)floor((double)number);
+        number *= random_bits(random) % 2 ? 1 : 1 - (real)ulp * 2;
+    }
+    return number;
+}
+
+static struct numbers any_numbers(struct random *random) {
+    struct numbers numbers;
+    for (int i = 0; i < LANES; i++) {
+        numbers.at[i] = any_number(random);
+    }
+    return numbers;
+}
+
+static bool same(real a, real b) {
+    return memcmp(&a, &b, sizeof a) == 0 || (a == 0 && b == 0);
+}
+
+static real square_root(real a) {
+    return sizeof(real) == sizeof(float) ? (real)sqrtf((float)a) : (real)sqrt((double)a);
+}
+
+/* ---- Numbers ---- */
+
+static void test_one_number(void) {
+    struct random random = {91};
+    bool right = true;
+    for (int round = 0; round < ROUNDS; round++) {
+        struct numbers a = any_numbers(&random);
+        lanes given = lanes_of(a);
+        real number = any_number(&random);
+        struct numbers all = numbers_of(lanes_all(number));
+        struct numbers root = numbers_of(lanes_sqrt(given * given));
+        struct numbers floors = numbers_of(lanes_floor(given));
+        struct numbers back = numbers_of(lanes_from_int(lanes_to_int(given)));
+        lanes_int whole = lanes_to_int(given), level = lanes_level(given);
+        for (int i = 0; i < LANES; i++) {
+            real x = a.at[i], bounded = x > 0 ? (x < 255 ? x : 255) : 0;
+            right = right && same(all.at[i], number) && same(root.at[i], square_root(x * x)) &&
+                    same(floors.at[i], (real)floor((double)x)) && int_at(whole, i) == (int32_t)x &&
+                    same(back.at[i], (real)(int32_t)x) &&
+                    int_at(level, i) == (int32_t)(bounded + 0.5f);
+        }
+    }
+    CHECK(right);
+}
+
+static bool same_bits(real a, real b) {
+    return memcmp(&a, &b, sizeof a) == 0;
+}
+
+/* Any number, or one that is compared in another way: zeros of both signs, what is no number. */
+static real any_special(struct random *random) {
+    static const real special[] = {0,      -0.0f,          (real)NAN, (real)-NAN,
+                                   1e-38f, (real)INFINITY, -1,        3.5f};
+    uint64_t which = random_bits(random) % 16;
+    return which < 8 ? special[which] : any_number(random);
+}
+
+/* To the last bit: an instruction gives the second of two zeros, and where one is no number. */
+static void test_two_numbers(void) {
+    struct random random = {92};
+    bool right = true;
+    for (int round = 0; round < ROUNDS; round++) {
+        struct numbers a, b;
+        int first = round % LANES;
+        for (int i = 0; i < LANES; i++) {
+            a.at[i] = any_special(&random);
+            b.at[i] = random_bits(&random) % 4 == 0 ? a.at[i] : any_special(&random);
+        }
+        lanes_mask less = lanes_of(a) < lanes_of(b);
+        struct numbers most = numbers_of(lanes_max(lanes_of(a), lanes_of(b)));
+        struct numbers least = numbers_of(lanes_min(lanes_of(a), lanes_of(b)));
+        struct numbers other = numbers_of(lanes_select(less, lanes_of(b), lanes_of(a)));
+        struct numbers joined = numbers_of(lanes_join(lanes_of(a), first, lanes_of(b)));
+        for (int i = 0; i < LANES; i++) {
+            real x = a.at[i], y = b.at[i];
+            right = right && same_bits(most.at[i], x > y ? x : y) &&
+                    same_bits(least.at[i], x < y ? x : y) &&
+                    same_bits(other.at[i], x < y ? y : x) &&
+                    same_bits(joined.at[i], i < first ? x : y) &&
+                    lanes_is_set(less, i) == (x < y) && lanes_is_set(lanes_all_set(), i) &&
+                    lanes_is_set(less & lanes_all_set(), i) == (x < y);
+        }
+    }
+    CHECK(right);
+}
+
+/* What is not a number is no level and no place. */
+static void test_not_a_number(void) {
+    struct numbers a = {{(real)NAN}};
+    lanes_int level = lanes_level(lanes_all((real)NAN));
+    for (int i = 0; i < LANES; i++) {
+        CHECK(int_at(level, i) == 0);
+    }
+    for (int i = 1; i < LANES; i++) {
+        a.at[i] = (real)(i % 2 ? INFINITY : -INFINITY);
+    }
+    level = lanes_level(lanes_of(a));
+    for (int i = 1; i < LANES; i++) {
+        CHECK(int_at(level, i) == (i % 2 ? 255 : 0));
+    }
+}
+
+static void test_sequences(void) {
+    lanes_int ints = lanes_int_from(-7);
+    struct numbers reals = numbers_of(lanes_from(100000));
+    uint64_t words[LANES];
+    lanes_texel lower, upper, plain_lower, plain_upper;
+    for (int i = 0; i < LANES; i++) {
+        words[lanes_pair_place(i)] =
+            (UINT64_C(0x89ABCDEF) + (unsigned)i) << 32 | (UINT64_C(0xFEDCBA98) - (unsigned)i);
+    }
+    lanes_split(words, &lower, &upper);
+    lanes_split_plainly(words, &plain_lower, &plain_upper);
+    CHECK(memcmp(&lower, &plain_lower, sizeof lower) == 0);
+    CHECK(memcmp(&upper, &plain_upper, sizeof upper) == 0);
+    uint64_t sum = 0;
+    for (int i = 0; i < LANES; i++) {
+        CHECK(int_at(ints, i) == -7 + i && same(reals.at[i], (real)(100000 + i)));
+        CHECK(lanes_texel_at(lower, i) == UINT32_C(0xFEDCBA98) - (unsigned)i);
+        CHECK(lanes_texel_at(upper, i) == UINT32_C(0x89ABCDEF) + (unsigned)i);
+        sum += (uint64_t)i + 3;
+    }
+    CHECK(lanes_sum(lanes_int_from(3)) == sum);
+}
+
+/* One bit for each lane whose mask is set. */
+static void test_bits(void) {
+    struct random random = {97};
+    bool right = true;
+    for (int round = 0; round < ROUNDS; round++) {
+        uint32_t bits = (uint32_t)random_bits(&random) & (uint32_t)((UINT64_C(1) << LANES) - 1);
+        uint32_t number[LANES];
+        lanes_texel numbers;
+        for (int i = 0; i < LANES; i++) {
+            number[i] = bits >> i & 1;
+        }
+        memcpy(&numbers, number, sizeof numbers);
+        right = right && lanes_bits((lanes_int)(numbers != 0)) == bits;
+    }
+    CHECK(right);
+}
+
+/* Texels at random places; those of the first rounds are neighbours of each other, those of the
+ * next ones all the same. */
+static void test_fetched(void) {
+    enum { COUNT = 1000 };
+    struct random random = {97};
+    uint32_t *texels = malloc((COUNT + 1) * sizeof *texels);
+    for (uint32_t i = 0; texels != NULL && i <= COUNT; i++) {
+        texels[i] = i * UINT32_C(2654435761);
+    }
+    for (uint32_t round = 0; texels != NULL && round < ROUNDS; round++) {
+        uint32_t index[LANES];
+        lanes_texel indices, first, second;
+        for (uint32_t i = 0; i < LANES; i++) {
+            index[i] = round < 100   ? round + i
+                       : round < 200 ? round
+                                     : (uint32_t)(random_bits(&random) % COUNT);
+        }
+        memcpy(&indices, index, sizeof indices);
+        lanes_texel alone = lanes_fetch(texels, index);
+        lanes_fetch_pairs(texels, indices, &first, &second);
+        for (int i = 0; i < LANES; i++) {
+            CHECK(lanes_texel_at(alone, i) == texels[index[i]]);
+            CHECK(lanes_texel_at(first, i) == texels[index[i]]);
+            CHECK(lanes_texel_at(second, i) == texels[index[i] + 1]);
+        }
+    }
+    free(texels);
+}
+
+/* The last texels of the largest textures, whose bytes an int32_t cannot count: here only those are
+ * in memory. */
+static void test_far_texels(void) {
+    enum { COUNT = 2 * LANES + 1 };
+    uint32_t texels[COUNT], index[LANES];
+    const uint32_t first_index = TEXTURE_TEXEL_LIMIT - 2 * LANES;
+    uintptr_t begin = (uintptr_t)texels - (uintptr_t)first_index * sizeof *texels;
+    lanes_texel indices, first, second;
+    for (uint32_t i = 0; i < COUNT; i++) {
+        texels[i] = i + 5;
+    }
+    for (uint32_t i = 0; i < LANES; i++) {
+        index[i] = first_index + 2 * i;
+    }
+    memcpy(&indices, index, sizeof indices);
+    for (int is_kept = 0; is_kept < 2; is_kept++) {
+        lanes kept;
+        lanes_keep_index(&kept, indices);
+        if (is_kept) {
+            lanes_fetch_kept_pairs((const uint32_t *)begin, &kept, &first, &second);
+        } else {
+            lanes_fetch_pairs((const uint32_t *)begin, indices, &first, &second);
+        }
+        for (uint32_t i = 0; i < LANES; i++) {
+            CHECK(lanes_texel_at(first, (int)i) == 2 * i + 5);
+            CHECK(lanes_texel_at(second, (int)i) == 2 * i + 6);
+        }
+    }
+}
+
+/* ---- Colours ---- */
+
+static void test_colors(void) {
+    struct random random = {93};
+    bool right = true;
+    for (int round = 0; round < ROUNDS; round++) {
+        struct numbers r = any_numbers(&random), g = any_numbers(&random), b = any_numbers(&random);
+        lanes_texel color = lanes_rgb(lanes_of(r), lanes_of(g), lanes_of(b));
+        int32_t set[LANES];
+        lanes_int mask;
+        for (int i = 0; i < LANES; i++) {
+            set[i] = -(int32_t)(random_bits(&random) % 2);
+        }
+        memcpy(&mask, set, sizeof mask);
+        lanes_texel chosen = lanes_texel_select(mask, color, lanes_black());
+        for (int i = 0; i < LANES; i++) {
+            uint32_t texel = (uint32_t)int_at(lanes_level(lanes_of(b)), i) |
+                             (uint32_t)int_at(lanes_level(lanes_of(g)), i) << 8 |
+                             (uint32_t)int_at(lanes_level(lanes_of(r)), i) << 16 |
+                             UINT32_C(0xFF000000);
+            right = right && lanes_texel_at(color, i) == texel &&
+                    lanes_texel_at(chosen, i) == (set[i] ? texel : UINT32_C(0xFF000000));
+        }
+    }
+    CHECK(right);
+}
+
+/* ---- Vectors ---- */
+
+static void test_vectors(void) {
+    struct random random = {94};
+    bool right = true;
+    for (int round = 0; round < ROUNDS; round++) {
+        struct numbers n[7];
+        for (int i = 0; i < 7; i++) {
+            n[i] = any_numbers(&random);
+        }
+        for (int k = 0; round % 64 == 0 && k < 3; k++) {
+            n[k].at[0] = 0;
+        }
+        struct lanes3 a = {lanes_of(n[0]), lanes_of(n[1]), lanes_of(n[2])};
+        struct lanes3 b = {lanes_of(n[3]), lanes_of(n[4]), lanes_of(n[5])};
+        struct lanes3 difference = lanes3_sub(a, b), scaled = lanes3_scale(a, lanes_of(n[6]));
+        struct lanes3 unit = lanes3_normalized(a), all = lanes3_all((struct vec3){1, -2, 3.5});
+        for (int i = 0; i < LANES; i++) {
+            real x = n[0].at[i], y = n[1].at[i], z = n[2].at[i], factor = n[6].at[i];
+            real dot = x * n[3].at[i] + y * n[4].at[i] + z * n[5].at[i];
+            double length =
+                sqrt((double)x * (double)x + (double)y * (double)y + (double)z * (double)z);
+            double over = length > 0 ? 1 / length : 0;
+            right = right && same(numbers_of(difference.x).at[i], x - n[3].at[i]) &&
+                    same(numbers_of(difference.y).at[i], y - n[4].at[i]) &&
+                    same(numbers_of(difference.z).at[i], z - n[5].at[i]) &&
+                    same(numbers_of(scaled.x).at[i], x * factor) &&
+                    same(numbers_of(scaled.y).at[i], y * factor) &&
+                    same(numbers_of(scaled.z).at[i], z * factor) &&
+                    same(numbers_of(lanes3_dot(a, b)).at[i], dot) &&
+                    fabs((double)numbers_of(unit.x).at[i] - (double)x * over) <= 8 * ulp &&
+                    fabs((double)numbers_of(unit.y).at[i] - (double)y * over) <= 8 * ulp &&
+                    fabs((double)numbers_of(unit.z).at[i] - (double)z * over) <= 8 * ulp &&
+                    same(numbers_of(all.x).at[i], 1) && same(numbers_of(all.y).at[i], -2) &&
+                    same(numbers_of(all.z).at[i], 3.5f);
+        }
+    }
+    CHECK(right);
+}
+
+/* ---- Textures ---- */
+
+static void fill(struct image *image, struct random *random) {
+    for (size_t i = 0; i < image->width * image->height * image->format; i++) {
+        image->pixels[i] = (uint8_t)random_bits(random);
+    }
+}
+
+/* Corners, edges, texel centres and borders, outside, far outside, nowhere. */
+static real any_coordinate(struct random *random, size_t size) {
+    static const double special[] = {0, 1, -1, 2, 1e9, -1e9, 1e30, -1e30, 1e-30, 0.5};
+    switch (random_bits(random) % 4) {
+    case 0:
+        return (real)special[random_bits(random) % (sizeof special / sizeof special[0])];
+    case 1:
+        return (real)((double)random_between(random, 0, 2 * (int64_t)size) / (2 * (double)size));
+    case 2:
+        return (real)random_real(random, -0.1, 1.1);
+    default:
+        return (real)random_real(random, 0, 1);
+    }
+}
+
+/* A coordinate is multiplied by the size and a half is taken away: 2 roundings of a place in the
+ * texture; levels change by up to 255 from texel to texel, along both axes; and a few roundings of
+ * levels. */
+static double sample_tolerance(size_t width, size_t height) {
+    return 255 * ulp * (3 * (double)(width + height) + 16);
+}
+
+static bool sample_is_right(const struct texture *texture, size_t level, struct numbers u,
+                            struct numbers v) {
+    struct lanes2 uv = {lanes_of(u), lanes_of(v)};
+    struct lanes3 got = texture_lanes(texture, uv, level);
+    struct texel_place place = {0};
+    struct texels texels = texture_fetch(texture, uv, level, &place);
+    struct texels again = texture_fetch(texture, uv, level, &place);
+    struct lanes3 twice = texels_mix(&again);
+    lanes x = uv.x, y = uv.y, index = lanes_all(0);
+    texture_locate(texture, level, &x, &y, &index);
+    struct lanes3 located = texture_located(texture, level, x, y, &index);
+    size_t last = texture->level_count - 1;
+    const struct texture_level *l = &texture->level[level < last ? level : last];
+    double tolerance = sample_tolerance(l->width, l->height);
+    bool right = memcmp(&texels, &again, sizeof texels) == 0;
+    right = right && memcmp(&located, &got, sizeof located) == 0;
+    for (int i = 0; i < LANES; i++) {
+        struct vec4 exact =
+            texture_bilinear(texture, (struct vec2){(double)u.at[i], (double)v.at[i]}, level);
+        right = right && fabs((double)numbers_of(got.x).at[i] - exact.x) <= tolerance &&
+                fabs((double)numbers_of(got.y).at[i] - exact.y) <= tolerance &&
+                fabs((double)numbers_of(got.z).at[i] - exact.z) <= tolerance &&
+                same(numbers_of(twice.x).at[i], numbers_of(got.x).at[i]);
+    }
+    return right;
+}
+
+/* A texture with corners of these colours, or random ones: NULL. */
+static bool make_texture(struct texture *texture, size_t width, size_t height,
+                         struct random *random, const struct color corners[4]) {
+    struct error error;
+    struct image image;
+    if (!CHECK(image_create(&image, width, height, IMAGE_BGR, &error))) {
+        return false;
+    }
+    fill(&image, random);
+    for (int i = 0; corners != NULL && i < 4; i++) {
+        image_set(&image, i % 2 * ((int)width - 1), i / 2 * ((int)height - 1), corners[i]);
+    }
+    bool made = CHECK(texture_create(texture, &image, &error));
+    image_free(&image);
+    return made;
+}
+
+static void check_texture(size_t width, size_t height, struct random *random) {
+    struct texture texture = {0};
+    bool right = make_texture(&texture, width, height, random, NULL);
+    for (int round = 0; right && round < 200; round++) {
+        struct numbers u, v;
+        for (int i = 0; i < LANES; i++) {
+            u.at[i] = any_coordinate(random, width);
+            v.at[i] = any_coordinate(random, height);
+        }
+        size_t level = random_bits(random) % (texture.level_count + 1); /* one too many */
+        right = sample_is_right(&texture, level, u, v);
+    }
+    CHECK(right);
+    texture_free(&texture);
+}
+
+static void test_textures(void) {
+    static const size_t sizes[][2] = {{1, 1}, {2, 1}, {1, 2}, {2, 2},   {3, 5},
+                                      {8, 8}, {1, 9}, {9, 1}, {64, 32}, {300, 7}};
+    struct random random = {95};
+    for (size_t i = 0; i < sizeof sizes / sizeof sizes[0]; i++) {
+        check_texture(sizes[i][0], sizes[i][1], &random);
+    }
+}
+
+/* Beyond the corners there is only the corner's own texel, whatever is beyond it in memory; nowhere
+ * is at the lower left one. */
+static void test_corner_texels(void) {
+    static const struct color colors[4] = {
+        {255, 1, 2, 255}, {3, 255, 4, 255}, {5, 6, 255, 255}, {250, 251, 252, 255}};
+    static const real out[] = {0, 0.01f, 1e6f, (real)NAN};
+    struct random random = {98};
+    struct texture texture = {0};
+    CHECK(make_texture(&texture, 5, 4, &random, colors));
+    for (int i = 0; i < 4; i++) {
+        for (int k = 0; k < (i == 0 ? 4 : 3); k++) {
+            struct lanes2 uv = {lanes_all(i % 2 ? 1 + out[k] : -out[k]),
+                                lanes_all(i / 2 ? 1 + out[k] : -out[k])};
+            struct lanes3 got = texture_lanes(&texture, uv, 0);
+            CHECK(same(numbers_of(got.x).at[LANES - 1], colors[i].r) &&
+                  same(numbers_of(got.y).at[LANES - 1], colors[i].g) &&
+                  same(numbers_of(got.z).at[LANES - 1], colors[i].b));
+        }
+    }
+    texture_free(&texture);
+}
+
+/* A place is found anew where the texture has another size. */
+static void test_places_of_two_sizes(void) {
+    static const size_t sizes[][2] = {{4, 8}, {8, 8}, {8, 4}, {8, 8}, {8, 8}};
+    struct random random = {96};
+    struct lanes2 uv = {lanes_from(0) * 0.05f, 1 - lanes_from(0) * 0.03f};
+    struct texel_place place = {0};
+    for (size_t i = 0; i < sizeof sizes / sizeof sizes[0]; i++) {
+        struct texture texture = {0};
+        CHECK(make_texture(&texture, sizes[i][0], sizes[i][1], &random, NULL));
+        struct texels texels = texture_fetch(&texture, uv, 0, &place);
+        struct lanes3 got = texels_mix(&texels), alone = texture_lanes(&texture, uv, 0);
+        CHECK(memcmp(&got, &alone, sizeof got) == 0);
+        texture_free(&texture);
+    }
+}
+
+/* Whole numbers up to the largest become the same doubles. */
+static void test_to_doubles(void) {
+    for (int run = 0; run < 1000; run++) {
+        lanes_four_ints four = {0};
+        lanes_eight_ints eight = {0};
+        for (int i = 0; i < 8; i++) {
+            uint32_t any = UINT32_C(2654435761) * (uint32_t)(run * 8 + i);
+            four[i % 4] = eight[i] = run == 0 ? INT32_MIN : (int32_t)any;
+        }
+        lanes_four_doubles four_doubles = lanes_four_to_doubles(four);
+        lanes_eight_doubles eight_doubles = lanes_eight_to_doubles(eight);
+        for (int i = 0; i < 8; i++) {
+            CHECK(four_doubles[i % 4] == four[i % 4]);
+            CHECK(eight_doubles[i] == eight[i]);
+        }
+    }
+}
+
+UNIT_MAIN(TEST(test_one_number), TEST(test_two_numbers), TEST(test_not_a_number),
+          TEST(test_sequences), TEST(test_bits), TEST(test_fetched), TEST(test_far_texels),
+          TEST(test_colors), TEST(test_vectors), TEST(test_textures), TEST(test_corner_texels),
+          TEST(test_places_of_two_sizes), TEST(test_to_doubles))

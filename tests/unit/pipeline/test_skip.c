@@ -4,8 +4,7 @@
  */
 #include "files/model_file.h"
 #include "oracle/oracle.h"
-#include "pipeline.h"
-#include "unit/unit.h"
+#include "unit/frames.h"
 
 #include <stdlib.h>
 
@@ -93,13 +92,12 @@ static void make_nested(struct scene *scene, const struct model *sphere, bool ou
 }
 
 /* A square from -2 to 2, two faces. */
+static const uint32_t square_corners[][3] = {{0, 1, 2}, {0, 2, 3}};
+
 static void make_wall(struct model *wall) {
     static struct vec3 corners[] = {{-2, -2, 0}, {2, -2, 0}, {2, 2, 0}, {-2, 2, 0}};
-    static struct face faces[] = {
-        {{{0, MODEL_NONE, MODEL_NONE}, {1, MODEL_NONE, MODEL_NONE}, {2, MODEL_NONE, MODEL_NONE}}},
-        {{{0, MODEL_NONE, MODEL_NONE}, {2, MODEL_NONE, MODEL_NONE}, {3, MODEL_NONE, MODEL_NONE}}}};
-    *wall =
-        (struct model){.positions = corners, .position_count = 4, .faces = faces, .face_count = 2};
+    static struct face faces[2];
+    *wall = plain_model(corners, 4, faces, 2, square_corners);
 }
 
 static void make_behind(struct scene *scene, const struct model *model, const struct model *wall) {
@@ -129,6 +127,26 @@ struct drawn {
     uint64_t stats[PIPELINE_STATS];
 };
 
+/* What is drawn with skip on and off. */
+struct trial {
+    struct pipeline pipeline;
+    struct drawn skip, all;
+};
+
+static bool trial_begin(struct trial *trial) {
+    struct error error;
+    *trial = (struct trial){.skip = {{0}, {0}}};
+    return CHECK(image_create(&trial->skip.image, WIDTH, HEIGHT, IMAGE_BGR, &error)) &&
+           CHECK(image_create(&trial->all.image, WIDTH, HEIGHT, IMAGE_BGR, &error)) &&
+           CHECK(pipeline_create(&trial->pipeline, WIDTH, HEIGHT, &error));
+}
+
+static void trial_end(struct trial *trial) {
+    image_free(&trial->skip.image);
+    image_free(&trial->all.image);
+    pipeline_free(&trial->pipeline);
+}
+
 /* Objects `begin` to `end`, exclusive. */
 static void draw_objects(struct pipeline *pipeline, const struct scene *scene, size_t begin,
                          size_t end, enum cull cull, const struct shader *shader,
@@ -145,6 +163,19 @@ static void draw_objects(struct pipeline *pipeline, const struct scene *scene, s
     }
     CHECK(pipeline_finish(pipeline, &drawn->image, &error));
     memcpy(drawn->stats, pipeline->stats, sizeof drawn->stats);
+}
+
+/* Draws the scene with skip on and off; the image must be the same. Returns what was counted with
+ * skip on. */
+static const uint64_t *compare(struct trial *trial, const struct scene *scene, enum cull cull,
+                               const struct shader *shader) {
+    trial->pipeline.skip = true;
+    draw_objects(&trial->pipeline, scene, 0, scene->count, cull, shader, &trial->skip);
+    trial->pipeline.skip = false;
+    draw_objects(&trial->pipeline, scene, 0, scene->count, cull, shader, &trial->all);
+    CHECK_ROW(memcmp(trial->skip.image.pixels, trial->all.image.pixels, WIDTH * HEIGHT * 3) == 0,
+              scene->name);
+    return trial->skip.stats;
 }
 
 /* ---- Checks ---- */
@@ -200,17 +231,15 @@ static void check_frugal(const struct scene *scene, const struct drawn *drawn) {
 }
 
 /* With only some of the shortcuts the image is the same, too: none relies on another one. */
-static void check_shortcuts(struct pipeline *pipeline, const struct scene *scene,
-                            unsigned shortcuts, enum cull cull, const struct shader *shader,
-                            struct drawn *all) {
-    static uint8_t pixels[WIDTH * HEIGHT * 3];
-    memcpy(pixels, all->image.pixels, sizeof pixels);
-    struct drawn some = *all;
-    pipeline->skip = true;
-    pipeline->shortcuts = shortcuts;
-    draw_objects(pipeline, scene, 0, scene->count, cull, shader, &some);
-    CHECK_ROW(memcmp(pixels, some.image.pixels, sizeof pixels) == 0, scene->name);
-    pipeline->shortcuts = SHORTCUTS;
+static void check_shortcuts(struct trial *trial, const struct scene *scene, unsigned shortcuts,
+                            enum cull cull, const struct shader *shader) {
+    struct drawn some = trial->skip;
+    trial->pipeline.skip = true;
+    trial->pipeline.shortcuts = shortcuts;
+    draw_objects(&trial->pipeline, scene, 0, scene->count, cull, shader, &some);
+    CHECK_ROW(memcmp(trial->all.image.pixels, some.image.pixels, WIDTH * HEIGHT * 3) == 0,
+              scene->name);
+    trial->pipeline.shortcuts = SHORTCUTS;
 }
 
 /* Draws the scene with skip on and off and whatever culled: with all shaders, or with another one
@@ -218,12 +247,8 @@ static void check_shortcuts(struct pipeline *pipeline, const struct scene *scene
  * and no shader that discards. */
 static void check_scene(const struct scene *scene, bool all_shaders,
                         uint64_t stats[PIPELINE_STATS]) {
-    struct error error;
-    struct pipeline pipeline = {0};
-    struct drawn skip = {0}, all = {0};
-    CHECK(pipeline_create(&pipeline, WIDTH, HEIGHT, &error));
-    CHECK(image_create(&skip.image, WIDTH, HEIGHT, IMAGE_BGR, &error));
-    CHECK(image_create(&all.image, WIDTH, HEIGHT, IMAGE_BGR, &error));
+    struct trial trial;
+    CHECK(trial_begin(&trial));
     static const enum cull culls[] = {CULL_NONE, CULL_FRONT, CULL_BACK};
     for (size_t i = 0; i < 9; i++) {
         enum cull cull = culls[i / 3];
@@ -231,28 +256,19 @@ static void check_scene(const struct scene *scene, bool all_shaders,
         if (!all_shaders && i / 3 != i % 3) {
             continue;
         }
-        pipeline.skip = true;
-        draw_objects(&pipeline, scene, 0, scene->count, cull, shader, &skip);
-        pipeline.skip = false;
-        draw_objects(&pipeline, scene, 0, scene->count, cull, shader, &all);
-        CHECK_ROW(memcmp(skip.image.pixels, all.image.pixels, WIDTH * HEIGHT * 3) == 0,
+        const uint64_t *skip = compare(&trial, scene, cull, shader), *all = trial.all.stats;
+        check_counters(scene, skip, all);
+        CHECK_ROW(skip[STAT_OBJECTS_HIDDEN] > 0 ||
+                      skip[STAT_FACES_OUTSIDE] == all[STAT_FACES_OUTSIDE],
                   scene->name);
-        check_counters(scene, skip.stats, all.stats);
-        CHECK_ROW(skip.stats[STAT_OBJECTS_HIDDEN] > 0 ||
-                      skip.stats[STAT_FACES_OUTSIDE] == all.stats[STAT_FACES_OUTSIDE],
-                  scene->name);
-        check_shortcuts(&pipeline, scene, (unsigned)(i + SHORTCUT_BEHIND) % SHORTCUTS, cull, shader,
-                        &all);
+        memcpy(stats, skip, sizeof trial.skip.stats);
         if (!shader->discards) {
-            check_frugal(scene, &skip);
-            CHECK_ROW(skip.stats[STAT_ATTRIBUTE_SETS] <= all.stats[STAT_ATTRIBUTE_SETS],
-                      scene->name);
+            check_frugal(scene, &trial.skip);
+            CHECK_ROW(skip[STAT_ATTRIBUTE_SETS] <= all[STAT_ATTRIBUTE_SETS], scene->name);
         }
+        check_shortcuts(&trial, scene, (unsigned)(i + SHORTCUT_BEHIND) % SHORTCUTS, cull, shader);
     }
-    memcpy(stats, skip.stats, sizeof skip.stats);
-    image_free(&skip.image);
-    image_free(&all.image);
-    pipeline_free(&pipeline);
+    trial_end(&trial);
 }
 
 /* ---- Tests ---- */
@@ -294,19 +310,15 @@ static void test_behind_a_wall(void) {
 
 /* Objects of which, drawn alone with skip off, each face is found to be outside. */
 static size_t count_outside(void) {
-    struct error error;
-    struct pipeline pipeline = {0};
-    struct drawn drawn = {0};
+    struct trial trial;
     size_t outside = 0;
-    CHECK(pipeline_create(&pipeline, WIDTH, HEIGHT, &error));
-    CHECK(image_create(&drawn.image, WIDTH, HEIGHT, IMAGE_BGR, &error));
-    pipeline.skip = false;
+    CHECK(trial_begin(&trial));
+    trial.pipeline.skip = false;
     for (size_t i = 0; i < scene.count; i++) {
-        draw_objects(&pipeline, &scene, i, i + 1, CULL_NONE, &flat, &drawn);
-        outside += drawn.stats[STAT_FACES_OUTSIDE] == drawn.stats[STAT_FACES];
+        draw_objects(&trial.pipeline, &scene, i, i + 1, CULL_NONE, &flat, &trial.all);
+        outside += trial.all.stats[STAT_FACES_OUTSIDE] == trial.all.stats[STAT_FACES];
     }
-    image_free(&drawn.image);
-    pipeline_free(&pipeline);
+    trial_end(&trial);
     return outside;
 }
 
@@ -327,10 +339,9 @@ static void test_crowd(void) {
  * one face reaches into the view: each has a box of its own. */
 static void test_two_models(void) {
     static struct vec3 positions[16] = {[1] = {10, 3, 0}, [2] = {10, -3, 0}};
-    static struct face face = {
-        {{0, MODEL_NONE, MODEL_NONE}, {2, MODEL_NONE, MODEL_NONE}, {1, MODEL_NONE, MODEL_NONE}}};
-    struct model spike = {
-        .positions = positions, .position_count = 16, .faces = &face, .face_count = 1};
+    static const uint32_t corners[][3] = {{0, 2, 1}};
+    struct face face;
+    struct model spike = plain_model(positions, 16, &face, 1, corners);
     struct mat4 camera = camera_at((struct vec3){0, 0, 3}, origin);
     struct vec3 place = {-5, 0, 0};
     uint64_t stats[PIPELINE_STATS] = {0};
@@ -348,13 +359,11 @@ static void test_clipped_by_the_first_positions(void) {
     enum { POSITIONS = 5000, FACES = 1000 };
     static struct vec3 positions[POSITIONS] = {
         [0] = {-1, -1, 0}, [1] = {1, -1, 0}, [3] = {0, 3, 10}};
-    static const uint32_t corners[3] = {1, 0, 3};
     static struct face faces[FACES];
-    for (size_t i = 0; i < 3 * FACES; i++) {
-        faces[i / 3].corner[i % 3] = (struct corner){corners[i % 3], MODEL_NONE, MODEL_NONE};
+    struct model model = plain_model(positions, POSITIONS, faces, FACES, NULL);
+    for (size_t i = 0; i < FACES; i++) {
+        set_corners(&faces[i], 1, 0, 3);
     }
-    struct model model = {
-        .positions = positions, .position_count = POSITIONS, .faces = faces, .face_count = FACES};
     uint64_t stats[PIPELINE_STATS] = {0};
     scene = (struct scene){.name = "clipped by the first positions"};
     add_object(&scene, &model, camera_at((struct vec3){0, 0.5, 3}, origin), origin, 1);
@@ -369,11 +378,7 @@ static void test_equal_depths(void) {
                                       {0, -1, -1}, {0.9, 0, 0.5}, {0, 0.9, 0.5}};
     static struct face faces[3];
     static const uint32_t corners[3][3] = {{0, 1, 2}, {0, 2, 3}, {4, 5, 6}};
-    for (size_t i = 0; i < 9; i++) {
-        faces[i / 3].corner[i % 3] = (struct corner){corners[i / 3][i % 3], MODEL_NONE, MODEL_NONE};
-    }
-    struct model through = {
-        .positions = positions, .position_count = 7, .faces = faces, .face_count = 3};
+    struct model through = plain_model(positions, 7, faces, 3, corners);
     uint64_t stats[PIPELINE_STATS] = {0};
     scene = (struct scene){.name = "a wall and what goes through it"};
     add_object(&scene, &wall, mat4_identity(), origin, 1);
@@ -383,21 +388,13 @@ static void test_equal_depths(void) {
     CHECK(stats[STAT_ATTRIBUTE_SETS] > 2 * BANDS && stats[STAT_ATTRIBUTE_SETS] <= 3 * BANDS);
 }
 
-/* A model of two faces with corners of their own. */
-static struct model two_triangles(struct vec3 positions[6]) {
-    static struct face faces[] = {
-        {{{0, MODEL_NONE, MODEL_NONE}, {1, MODEL_NONE, MODEL_NONE}, {2, MODEL_NONE, MODEL_NONE}}},
-        {{{3, MODEL_NONE, MODEL_NONE}, {4, MODEL_NONE, MODEL_NONE}, {5, MODEL_NONE, MODEL_NONE}}}};
-    return (struct model){
-        .positions = positions, .position_count = 6, .faces = faces, .face_count = 2};
-}
-
 /* A wall, and a model of which one face is before and the next one behind it: as a whole it is not
  * behind. */
 static void test_before_and_behind(void) {
     static struct vec3 positions[] = {{-0.8, -0.8, 0.5},  {0.2, -0.8, 0.5},  {-0.8, 0.2, 0.5},
                                       {-0.2, -0.8, -0.5}, {0.8, -0.8, -0.5}, {0.8, 0.8, -0.5}};
-    struct model both = two_triangles(positions);
+    struct face faces[2];
+    struct model both = plain_model(positions, 6, faces, 2, NULL);
     uint64_t stats[PIPELINE_STATS] = {0};
     scene = (struct scene){.name = "before and behind a wall"};
     add_object(&scene, &wall, mat4_identity(), origin, 1);
@@ -411,20 +408,14 @@ static void test_before_and_behind(void) {
 static void test_within_roundings_of_a_side(void) {
     enum { FACES = 10 };
     struct error error;
-    struct pipeline pipeline = {0};
+    struct target target;
     struct random random = {5};
     struct vec3 positions[3 * FACES];
     struct face faces[FACES];
-    struct model model = {
-        .positions = positions, .position_count = 3 * FACES, .faces = faces, .face_count = FACES};
-    for (uint32_t i = 0; i < 3 * FACES; i++) {
-        faces[i / 3].corner[i % 3] = (struct corner){i, MODEL_NONE, MODEL_NONE};
-    }
+    struct model model = plain_model(positions, 3 * FACES, faces, FACES, NULL);
     struct uniforms u = {&model, 1};
     size_t outside[2] = {0, 0}, whole = 0;
-    struct image image;
-    CHECK(pipeline_create(&pipeline, WIDTH, HEIGHT, &error));
-    CHECK(image_create(&image, WIDTH, HEIGHT, IMAGE_BGR, &error));
+    CHECK(target_create(&target, WIDTH, HEIGHT, IMAGE_BGR));
     for (int i = 0; i < 8000; i++) {
         struct mat4 m = {{{0}}};
         double sign = i % 2 == 0 ? 1 : -1, spread = i / 4 % 2 == 0 ? 1 : 4e-15;
@@ -439,17 +430,14 @@ static void test_within_roundings_of_a_side(void) {
         }
         struct draw_call call = {&model, m, {0, 0, WIDTH, HEIGHT}, CULL_NONE};
         for (int skip = 0; skip < 2; skip++) {
-            pipeline.skip = skip;
-            pipeline_clear(&pipeline);
-            CHECK(pipeline_draw(&pipeline, &call, &flat, &u, sizeof u, &error));
-            CHECK(pipeline_finish(&pipeline, &image, &error));
-            outside[skip] += pipeline.stats[STAT_FACES_OUTSIDE];
+            target.pipeline.skip = skip;
+            CHECK(draw_frame(&target.pipeline, &call, &flat, &u, sizeof u, &target.image, &error));
+            outside[skip] += target.pipeline.stats[STAT_FACES_OUTSIDE];
         }
-        whole += pipeline.stats[STAT_FACES_OUTSIDE] == FACES;
+        whole += target.pipeline.stats[STAT_FACES_OUTSIDE] == FACES;
     }
     CHECK(whole > 200 && outside[1] == outside[0]);
-    image_free(&image);
-    pipeline_free(&pipeline);
+    target_free(&target);
 }
 
 /* ---- Rounds ---- */
@@ -509,7 +497,8 @@ static void test_rounds(void) {
 static void test_face_hidden_by_an_earlier_round(void) {
     static struct vec3 positions[] = {{-0.9, -0.9, 0}, {-0.2, -0.9, 0}, {-0.9, 0.9, 0},
                                       {0.2, -0.9, 0},  {0.9, -0.9, 0},  {0.9, 0.9, 0}};
-    struct model both = two_triangles(positions);
+    struct face faces[2];
+    struct model both = plain_model(positions, 6, faces, 2, NULL);
     uint64_t stats[PIPELINE_STATS] = {0};
     scene = (struct scene){.name = "half behind a wall"};
     struct mat4 left_half = mat4_scaling((struct vec3){0.25, 0.5, 1});
@@ -523,31 +512,6 @@ static void test_face_hidden_by_an_earlier_round(void) {
     CHECK(stats[STAT_FACES_HIDDEN] == 1 && stats[STAT_FACES_BEHIND] == 1);
 }
 
-/* Draws the scene with skip on and off; the image must be the same. Returns what was counted with
- * skip on. */
-static const uint64_t *compare(struct pipeline *pipeline, struct drawn drawn[2]) {
-    for (int skip = 0; skip < 2; skip++) {
-        pipeline->skip = skip;
-        draw_objects(pipeline, &scene, 0, scene.count, CULL_NONE, &smooth, &drawn[skip]);
-    }
-    CHECK_ROW(memcmp(drawn[0].image.pixels, drawn[1].image.pixels, WIDTH * HEIGHT * 3) == 0,
-              scene.name);
-    return drawn[1].stats;
-}
-
-static bool begin_compare(struct pipeline *pipeline, struct drawn drawn[2]) {
-    struct error error;
-    return CHECK(pipeline_create(pipeline, WIDTH, HEIGHT, &error)) &&
-           CHECK(image_create(&drawn[0].image, WIDTH, HEIGHT, IMAGE_BGR, &error)) &&
-           CHECK(image_create(&drawn[1].image, WIDTH, HEIGHT, IMAGE_BGR, &error));
-}
-
-static void end_compare(struct pipeline *pipeline, struct drawn drawn[2]) {
-    image_free(&drawn[0].image);
-    image_free(&drawn[1].image);
-    pipeline_free(pipeline);
-}
-
 static struct vec3 any_place(struct random *random, double side) {
     return (struct vec3){random_real(random, -side, side), random_real(random, -side, side),
                          random_real(random, -side, side)};
@@ -559,18 +523,11 @@ static void test_askew(void) {
     static struct vec3 positions[] = {{-1, -1, -1}, {1.5, -0.7, -1}, {0, 1, -0.5}, {0.3, 0.2, 2}};
     static struct face faces[4];
     static const uint32_t corners[4][3] = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
-    for (size_t i = 0; i < 12; i++) {
-        faces[i / 3].corner[i % 3] = (struct corner){corners[i / 3][i % 3], MODEL_NONE, MODEL_NONE};
-    }
-    struct model tetrahedron = {
-        .positions = positions, .position_count = 4, .faces = faces, .face_count = 4};
+    struct model tetrahedron = plain_model(positions, 4, faces, 4, corners);
     struct random random = {6};
-    struct pipeline pipeline;
-    struct drawn drawn[2] = {{{0}, {0}}, {{0}, {0}}};
+    struct trial trial;
     uint64_t hidden = 0, clipped = 0;
-    if (!begin_compare(&pipeline, drawn)) {
-        return;
-    }
+    CHECK(trial_begin(&trial));
     for (int frame = 0; frame < 250; frame++) {
         struct mat4 camera = camera_at(any_place(&random, 3), any_place(&random, 1));
         scene = (struct scene){.name = "askew"};
@@ -582,12 +539,12 @@ static void test_askew(void) {
             *to_clip = mat4_mul(*to_clip,
                                 mat4_rotation(any_place(&random, 1), random_real(&random, 0, 1)));
         }
-        const uint64_t *stats = compare(&pipeline, drawn);
+        const uint64_t *stats = compare(&trial, &scene, CULL_NONE, &smooth);
         hidden += stats[STAT_OBJECTS_HIDDEN];
         clipped += stats[STAT_FACES_CLIPPED];
     }
     CHECK(hidden > 600 && clipped > 600);
-    end_compare(&pipeline, drawn);
+    trial_end(&trial);
 }
 
 /* A row of a matrix with `value` at the center, and near it something like that: though its terms
@@ -603,14 +560,10 @@ static void make_row(double row[4], struct vec3 step, struct vec3 center, double
 static void test_within_roundings_of_a_wall(void) {
     enum { TRIANGLES = 6 };
     static struct vec3 positions[TRIANGLES][3];
-    struct face face = {
-        {{0, MODEL_NONE, MODEL_NONE}, {1, MODEL_NONE, MODEL_NONE}, {2, MODEL_NONE, MODEL_NONE}}};
+    struct face face;
     struct random random = {7};
-    struct pipeline pipeline;
-    struct drawn drawn[2] = {{{0}, {0}}, {{0}, {0}}};
-    if (!begin_compare(&pipeline, drawn)) {
-        return;
-    }
+    struct trial trial;
+    CHECK(trial_begin(&trial));
     for (int frame = 0; frame < 500; frame++) {
         struct model models[TRIANGLES];
         double depth = random_real(&random, -1, 1);
@@ -628,13 +581,12 @@ static void test_within_roundings_of_a_wall(void) {
             positions[i][0] = vec3_add(center, (struct vec3){-0.5, -0.5, 0});
             positions[i][1] = vec3_add(center, (struct vec3){0.5, -0.5, 0});
             positions[i][2] = vec3_add(center, (struct vec3){0, 0.5, 0});
-            models[i] = (struct model){
-                .positions = positions[i], .position_count = 3, .faces = &face, .face_count = 1};
+            models[i] = plain_model(positions[i], 3, &face, 1, NULL);
             scene.objects[scene.count++] = (struct object){&models[i], m};
         }
-        compare(&pipeline, drawn);
+        compare(&trial, &scene, CULL_NONE, &smooth);
     }
-    end_compare(&pipeline, drawn);
+    trial_end(&trial);
 }
 
 /* A steep face whose upper edge, along the centres of pixels, is a little behind a wall; up to
@@ -645,20 +597,13 @@ static void test_roundings_within_a_face(void) {
                              {0.8, 0, 1}, {0.9, 0.1, 1}, {0.8, 0.1, 1}};
     static const uint32_t corners[3][3] = {{0, 1, 2}, {0, 2, 3}, {4, 5, 6}};
     struct face faces[3];
-    for (size_t i = 0; i < 9; i++) {
-        faces[i / 3].corner[i % 3] = (struct corner){corners[i / 3][i % 3], MODEL_NONE, MODEL_NONE};
-    }
     double top = 2 * 60.5 / HEIGHT - 1;
     struct vec3 steep[] = {{-0.1, -0.9, -1000}, {0.7, top, 0}, {-0.7, top, 0}};
-    struct model models[] = {
-        {.positions = flagged, .position_count = 7, .faces = faces, .face_count = 3},
-        {.positions = steep, .position_count = 3, .faces = faces, .face_count = 1}};
+    struct model models[] = {plain_model(flagged, 7, faces, 3, corners),
+                             plain_model(steep, 3, faces, 1, corners)};
     struct random random = {8};
-    struct pipeline pipeline;
-    struct drawn drawn[2] = {{{0}, {0}}, {{0}, {0}}};
-    if (!begin_compare(&pipeline, drawn)) {
-        return;
-    }
+    struct trial trial;
+    CHECK(trial_begin(&trial));
     for (int frame = 0; frame < 200; frame++) {
         double depth = random_real(&random, 0.1, 0.9);
         steep[1].z = steep[2].z = depth;
@@ -669,9 +614,9 @@ static void test_roundings_within_a_face(void) {
         scene = (struct scene){.name = "roundings within a face"};
         add_object(&scene, &models[0], mat4_identity(), origin, 1);
         add_object(&scene, &models[1], mat4_identity(), origin, 1);
-        compare(&pipeline, drawn);
+        compare(&trial, &scene, CULL_NONE, &smooth);
     }
-    end_compare(&pipeline, drawn);
+    trial_end(&trial);
 }
 
 /* ---- Batches of faces ---- */
@@ -679,32 +624,15 @@ static void test_roundings_within_a_face(void) {
 enum { BATCH = 64 };
 
 /* Faces with corners of their own: number f has positions 3 f to 3 f + 2. */
-struct soup {
-    struct model model;
-    struct vec3 *positions;
-    struct face *faces;
-};
-
-static void soup_free(struct soup *soup) {
-    free(soup->positions);
-    free(soup->faces);
-    *soup = (struct soup){0};
-}
-
-static bool soup_create(struct soup *soup, size_t face_count) {
-    soup->positions = calloc(3 * face_count, sizeof *soup->positions);
-    soup->faces = calloc(face_count, sizeof *soup->faces);
-    if (!CHECK(soup->positions != NULL && soup->faces != NULL)) {
-        soup_free(soup);
+static bool soup_create(struct model *soup, size_t face_count) {
+    struct vec3 *positions = calloc(3 * face_count, sizeof *positions);
+    struct face *faces = calloc(face_count, sizeof *faces);
+    if (!CHECK(positions != NULL && faces != NULL)) {
+        free(positions);
+        free(faces);
         return false;
     }
-    for (uint32_t i = 0; i < 3 * face_count; i++) {
-        soup->faces[i / 3].corner[i % 3] = (struct corner){i, MODEL_NONE, MODEL_NONE};
-    }
-    soup->model = (struct model){.positions = soup->positions,
-                                 .position_count = 3 * face_count,
-                                 .faces = soup->faces,
-                                 .face_count = face_count};
+    *soup = plain_model(positions, 3 * face_count, faces, face_count, NULL);
     return true;
 }
 
@@ -717,7 +645,7 @@ static struct vec3 at_pixel(double x, double y) {
  * of the squares it is behind. */
 static void test_hidden_by_many_faces(void) {
     enum { COLUMNS = WIDTH / 16, ROWS = HEIGHT / 8, SQUARES = 20 };
-    struct soup soup;
+    struct model soup;
     uint64_t stats[PIPELINE_STATS] = {0};
     if (!soup_create(&soup, 2 * COLUMNS * ROWS)) {
         return;
@@ -735,11 +663,11 @@ static void test_hidden_by_many_faces(void) {
         scene.objects[scene.count++] =
             (struct object){&wall, small_square(i * 37 % (24 * 18), -0.5)};
     }
-    scene.objects[scene.count++] = (struct object){&soup.model, mat4_identity()};
+    scene.objects[scene.count++] = (struct object){&soup, mat4_identity()};
     check_scene(&scene, false, stats);
     CHECK(stats[STAT_OBJECTS_HIDDEN] == scene.count - end_of_round(0, scene.count));
     CHECK(stats[STAT_PIXELS_SHADED] == WIDTH * HEIGHT);
-    soup_free(&soup);
+    model_free(&soup);
 }
 
 /* Every other face is turned away. The faces of the first batches lie in the left half of the
@@ -750,9 +678,9 @@ static enum side side_of_batch(size_t batch, size_t left_batches) {
     return batch < left_batches ? LEFT : batch % 5 == 4 ? OUTSIDE : RIGHT;
 }
 
-static void make_halves(struct soup *soup, size_t left_batches) {
+static void make_halves(struct model *soup, size_t left_batches) {
     static const int begin[] = {[LEFT] = 4, [RIGHT] = 53, [OUTSIDE] = WIDTH + 4};
-    for (size_t f = 0; f < soup->model.face_count; f++) {
+    for (size_t f = 0; f < soup->face_count; f++) {
         size_t batch = f / BATCH;
         double x = begin[side_of_batch(batch, left_batches)] + (double)(batch * 5 % 36);
         double y = 4 + (double)(f % BATCH);
@@ -769,7 +697,7 @@ static size_t batches_of(size_t faces) {
 /* Walls before the left half of the image, which fill the first round, and behind them a model that
  * is drawn some times, at most so often in turn. Of faces that are left out with their batch nobody
  * asks which way they are turned: so the counters tell that they were. */
-static void check_left_out(struct soup *soup, size_t left_batches, size_t times, size_t in_turn) {
+static void check_left_out(struct model *soup, size_t left_batches, size_t times, size_t in_turn) {
     struct mat4 left_half = mat4_scaling((struct vec3){0.25, 0.5, 1});
     uint64_t stats[PIPELINE_STATS] = {0};
     scene = (struct scene){.name = "some batches behind a wall"};
@@ -779,11 +707,11 @@ static void check_left_out(struct soup *soup, size_t left_batches, size_t times,
             add_object(&scene, &wall, left_half, (struct vec3){-2, 0, 0.25 + (double)i / 64}, 1);
         }
         if (i >= 16) {
-            scene.objects[scene.count++] = (struct object){&soup->model, mat4_identity()};
+            scene.objects[scene.count++] = (struct object){soup, mat4_identity()};
         }
     }
     check_scene(&scene, false, stats);
-    size_t faces = soup->model.face_count, count[] = {0, 0, 0}, turned[] = {0, 0, 0};
+    size_t faces = soup->face_count, count[] = {0, 0, 0}, turned[] = {0, 0, 0};
     for (size_t f = 0; f < faces; f++) {
         count[side_of_batch(f / BATCH, left_batches)]++;
         turned[side_of_batch(f / BATCH, left_batches)] += f % 2;
@@ -803,21 +731,21 @@ static void test_batches(void) {
     static const size_t faces[] = {63, 64, 65, 128, 512, 513, 1024, 1025, 2500};
     static const size_t left[] = {0, 1, 2, 7, 8, 9, 15, 16, 17, 39};
     for (size_t i = 0; i < sizeof faces / sizeof faces[0]; i++) {
-        struct soup soup;
+        struct model soup;
         for (size_t k = 0; k < sizeof left / sizeof left[0] && soup_create(&soup, faces[i]); k++) {
             check_left_out(&soup, left[k], 3 + k % 3, 7);
             check_left_out(&soup, left[k], 4 + k % 3, 3);
-            soup_free(&soup);
+            model_free(&soup);
         }
     }
 }
 
 /* The faces of a batch lie close together; of some batches all but one are very small, and in one
  * place: so the box hangs on one face. */
-static void scatter_batches(struct soup *soup, struct random *random) {
+static void scatter_batches(struct model *soup, struct random *random) {
     struct vec3 center = origin;
     size_t large = 0;
-    for (size_t i = 0; i < soup->model.position_count; i++) {
+    for (size_t i = 0; i < soup->position_count; i++) {
         size_t face = i / 3 % BATCH;
         if (i % (3 * BATCH) == 0) {
             static const size_t which[] = {0, 1, BATCH - 2, BATCH - 1, BATCH, BATCH};
@@ -833,14 +761,11 @@ static void scatter_batches(struct soup *soup, struct random *random) {
  * No face is lost, in whatever block and batch it is, and with however many threads. */
 static void test_scattered_batches(void) {
     static const size_t faces[] = {70, 700, 1500};
-    static struct soup soups[3];
+    static struct model soups[3];
     struct random random = {9};
-    struct pipeline pipeline;
-    struct drawn drawn[2] = {{{0}, {0}}, {{0}, {0}}};
+    struct trial trial;
     uint64_t hidden = 0, all = 0;
-    if (!begin_compare(&pipeline, drawn)) {
-        return;
-    }
+    CHECK(trial_begin(&trial));
     for (size_t i = 0; i < 3 && soup_create(&soups[i], faces[i]); i++) {
         scatter_batches(&soups[i], &random);
     }
@@ -850,20 +775,20 @@ static void test_scattered_batches(void) {
         scene = (struct scene){.name = "scattered batches"};
         for (int i = 0; i < 60; i++) {
             uint64_t other = random_bits(&random) % 24;
-            model = other < 3 ? &soups[other].model : other < 6 ? &wall : model;
+            model = other < 3 ? &soups[other] : other < 6 ? &wall : model;
             add_object(&scene, model, camera, any_place(&random, 3), 0.7);
         }
-        pipeline_use_threads(&pipeline, (size_t)(1 + frame % 4));
-        const uint64_t *stats = compare(&pipeline, drawn);
-        check_counters(&scene, stats, drawn[0].stats);
+        pipeline_use_threads(&trial.pipeline, (size_t)(1 + frame % 4));
+        const uint64_t *stats = compare(&trial, &scene, CULL_NONE, &smooth);
+        check_counters(&scene, stats, trial.all.stats);
         hidden += stats[STAT_FACES_BEHIND];
         all += stats[STAT_FACES];
     }
     CHECK(8 * hidden > all);
     for (int i = 0; i < 3; i++) {
-        soup_free(&soups[i]);
+        model_free(&soups[i]);
     }
-    end_compare(&pipeline, drawn);
+    trial_end(&trial);
 }
 
 static void test_models_are_there(void) {

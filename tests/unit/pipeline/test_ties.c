@@ -1,7 +1,5 @@
 /* The pipeline: equal depths, within a draw call and between two, visible only and all at once. */
-#include "pipeline.h"
-
-#include "oracle/shown.h"
+#include "unit/frames.h"
 #include "unit/ties.h"
 
 enum { TRIANGLE_LIMIT = 2 };
@@ -34,10 +32,7 @@ struct level_model {
 static void draw_levels_at(struct pipeline *pipeline, struct level_model *m,
                            const struct shader *shader, const struct level_triangle *triangles,
                            size_t count) {
-    m->model = (struct model){.positions = m->positions,
-                              .position_count = 3 * count,
-                              .faces = m->faces,
-                              .face_count = count};
+    m->model = plain_model(m->positions, 3 * count, m->faces, count, NULL);
     struct draw_call call = {.model = &m->model,
                              .to_clip = mat4_identity(),
                              .viewport = {0, 0, TIES_SIDE, TIES_SIDE},
@@ -49,7 +44,6 @@ static void draw_levels_at(struct pipeline *pipeline, struct level_model *m,
         struct fixed2 p = t->corner[i % 3];
         m->positions[i] = (struct vec3){2 * (p.x / (128.0 * TIES_SIDE) - 1),
                                         2 * (p.y / (128.0 * TIES_SIDE) - 1), 2 * t->depth};
-        m->faces[i / 3].corner[i % 3] = (struct corner){i, MODEL_NONE, MODEL_NONE};
     }
     CHECK(pipeline_draw(pipeline, &call, shader, &triangles, sizeof(void *), &error));
 }
@@ -75,6 +69,9 @@ static void draw(struct image *image, const struct level_triangle *triangles, si
 
 static const struct shader *const both_visible[2] = {&level_shader, &level_shader};
 
+static const struct shader *const discarding_first[2] = {&discarding_shader, &level_shader};
+static const struct shader *const discarding_last[2] = {&level_shader, &discarding_shader};
+
 static void draw_visible(struct image *image, const struct level_triangle *triangles,
                          size_t count) {
     draw(image, triangles, count, true, false, both_visible);
@@ -93,14 +90,12 @@ static void draw_two_calls(struct image *image, const struct level_triangle *tri
 /* The depths of a shader that may discard are found elsewhere than those of one that may not. */
 static void draw_discarding_first(struct image *image, const struct level_triangle *triangles,
                                   size_t count) {
-    static const struct shader *const shaders[2] = {&discarding_shader, &level_shader};
-    draw(image, triangles, count, true, true, shaders);
+    draw(image, triangles, count, true, true, discarding_first);
 }
 
 static void draw_discarding_last(struct image *image, const struct level_triangle *triangles,
                                  size_t count) {
-    static const struct shader *const shaders[2] = {&level_shader, &discarding_shader};
-    draw(image, triangles, count, true, true, shaders);
+    draw(image, triangles, count, true, true, discarding_last);
 }
 
 /* Depths whose differences overflow: what is not finite must not get into the depth buffer. */
@@ -108,31 +103,26 @@ static void test_huge_depths(void) {
     static const struct level_triangle triangle = {
         .corner = {{-999, -999}, {19999, 0}, {0, 19999}}};
     struct vec3 positions[3] = {{-1, -1, -1.7}, {3, -1, 1.7}, {-1, 3, 1.7}};
-    struct face face = {
-        {{0, MODEL_NONE, MODEL_NONE}, {1, MODEL_NONE, MODEL_NONE}, {2, MODEL_NONE, MODEL_NONE}}};
-    struct model model = {
-        .positions = positions, .position_count = 3, .faces = &face, .face_count = 1};
+    struct face face;
+    struct model model = plain_model(positions, 3, &face, 1, NULL);
     for (int exponent = 0; exponent < 1024; exponent++) {
         struct draw_call call = {.model = &model,
                                  .to_clip = mat4_scaling((struct vec3){1, 1, ldexp(1, exponent)}),
                                  .viewport = {0, 0, TIES_SIDE, TIES_SIDE}};
         const struct level_triangle *uniforms = &triangle;
-        struct pipeline pipeline;
-        struct image image;
+        struct target target;
         struct error error;
         size_t drawn = 0, wrong = 0;
-        CHECK(image_create(&image, TIES_SIDE, TIES_SIDE, IMAGE_BGR, &error));
-        CHECK(pipeline_create(&pipeline, TIES_SIDE, TIES_SIDE, &error));
-        pipeline.keep_depth = true;
-        CHECK(
-            draw_frame(&pipeline, &call, &level_shader, &uniforms, sizeof(void *), &image, &error));
+        CHECK(target_create(&target, TIES_SIDE, TIES_SIDE, IMAGE_BGR));
+        target.pipeline.keep_depth = true;
+        CHECK(draw_frame(&target.pipeline, &call, &level_shader, &uniforms, sizeof(void *),
+                         &target.image, &error));
         for (size_t i = 0; i < (size_t)TIES_SIDE * TIES_SIDE; i++) {
-            drawn += pipeline.depth[i] > -INFINITY;
-            wrong += !isfinite(pipeline.depth[i]) && pipeline.depth[i] != -INFINITY;
+            drawn += target.pipeline.depth[i] > -INFINITY;
+            wrong += !isfinite(target.pipeline.depth[i]) && target.pipeline.depth[i] != -INFINITY;
         }
         CHECK(wrong == 0 && drawn == (exponent < 930 ? (size_t)TIES_SIDE * TIES_SIDE : 0));
-        pipeline_free(&pipeline);
-        image_free(&image);
+        target_free(&target);
     }
 }
 

@@ -167,6 +167,24 @@ static bool exists(const char *name) {
     return stat(in_directory(name), &status) == 0;
 }
 
+static void put_file(const char *name, const char *text) {
+    struct error error;
+    make_directory();
+    CHECK(file_write(in_directory(name), text, strlen(text), &error));
+}
+
+static struct image picture; /* the last one that was read */
+
+static bool read_image(const char *name) {
+    struct error error;
+    image_free(&picture);
+    return CHECK(image_read(&picture, in_directory(name), &error));
+}
+
+/* Run, and compare the status and all that was printed. */
+#define CHECK_RUN(program, arguments, status, printed)                                             \
+    (CHECK(run((program), (arguments)) == (status)), CHECK_TEXT(output, printed))
+
 /* ---- Tests ---- */
 
 static void test_usage(void) {
@@ -220,8 +238,8 @@ static void test_usage(void) {
         CHECK_TEXT(output, rows[i].message);
         CHECK(draw_calls == 0);
     }
-    CHECK(run(&failing_program, "--eye 1,2,3") == 2); /* a program without a camera */
-    CHECK_TEXT(output, "probe: unknown option '--eye'; try --help\n");
+    CHECK_RUN(&failing_program, "--eye 1,2,3", 2,
+              "probe: unknown option '--eye'; try --help\n"); /* a program without a camera */
     CHECK(run(&model_program, "a.obj b.obj") == 2);
     CHECK(run(&text_program, "--only bad scene.txt") == 2);
 }
@@ -245,20 +263,15 @@ static void test_extra(void) {
 }
 
 static void test_formats(void) {
-    struct error error;
-    struct image image = {0};
-    CHECK(run(&dot_program, "-o out/deep --only dot") == 0);
-    CHECK_TEXT(output, "out/deep/dot.tga\n");
-    if (CHECK(image_read(&image, in_directory("out/deep/dot.tga"), &error))) {
-        CHECK(image.width == 4 && image.height == 3);
-        CHECK(image_get(&image, 1, 1).r == 1 && image_get(&image, 1, 1).b == 3);
-        image_free(&image);
+    CHECK_RUN(&dot_program, "-o out/deep --only dot", 0, "out/deep/dot.tga\n");
+    if (read_image("out/deep/dot.tga")) {
+        CHECK(picture.width == 4 && picture.height == 3);
+        CHECK(image_get(&picture, 1, 1).r == 1 && image_get(&picture, 1, 1).b == 3);
     }
     CHECK(run(&dot_program, "-o out --only dot --format png -s 7x9") == 0);
-    if (CHECK(image_read(&image, in_directory("out/dot.png"), &error))) {
-        CHECK(image.width == 7 && image.height == 9);
-        CHECK(image_get(&image, 1, 1).r == 1 && image_get(&image, 1, 1).b == 3);
-        image_free(&image);
+    if (read_image("out/dot.png")) {
+        CHECK(picture.width == 7 && picture.height == 9);
+        CHECK(image_get(&picture, 1, 1).r == 1 && image_get(&picture, 1, 1).b == 3);
     }
     CHECK(run(&dot_program, "-o out --only dot --format ppm") == 0);
     CHECK(exists("out/dot.ppm"));
@@ -267,16 +280,14 @@ static void test_formats(void) {
 
 static void test_frames(void) {
     struct error error;
-    struct image image = {0};
     CHECK(run(&dot_program, "-o out --only film") == 0);
-    if (CHECK(image_read(&image, in_directory("out/film.tga"), &error))) {
+    if (read_image("out/film.tga")) {
         /* Three frames of 2x2 on a sheet of two columns, the first one top left. */
-        CHECK(image.width == 5 && image.height == 4);
-        CHECK(image_get(&image, 1, 3).b == 3);
-        CHECK(image_get(&image, 3, 3).b == 4);
-        CHECK(image_get(&image, 1, 1).b == 5);
-        CHECK(image_get(&image, 3, 1).b == 0);
-        image_free(&image);
+        CHECK(picture.width == 5 && picture.height == 4);
+        CHECK(image_get(&picture, 1, 3).b == 3);
+        CHECK(image_get(&picture, 3, 3).b == 4);
+        CHECK(image_get(&picture, 1, 1).b == 5);
+        CHECK(image_get(&picture, 3, 1).b == 0);
     }
     CHECK(run(&dot_program, "-o out --only film --format png") == 0);
     struct bytes file = {0};
@@ -288,20 +299,19 @@ static void test_frames(void) {
         CHECK(frames == 3);
         bytes_free(&file);
     }
-    if (CHECK(image_read(&image, in_directory("out/film.png"), &error))) {
-        CHECK(image.width == 5 && image.height == 4); /* in an animation each frame has the size */
-        image_free(&image);
+    if (read_image("out/film.png")) {
+        CHECK(picture.width == 5 &&
+              picture.height == 4); /* in an animation each frame has the size */
     }
-    CHECK(run(&dot_program, "-o out --only film -s 1x9") == 2);
-    CHECK_TEXT(output, "probe: scene film: 3 frames need at least 2x2 pixels\n");
-    CHECK(run(&dot_program, "-o out --only film -s 9x1") == 2);
-    CHECK_TEXT(output, "probe: scene film: 3 frames need at least 2x2 pixels\n");
+    CHECK_RUN(&dot_program, "-o out --only film -s 1x9", 2,
+              "probe: scene film: 3 frames need at least 2x2 pixels\n");
+    CHECK_RUN(&dot_program, "-o out --only film -s 9x1", 2,
+              "probe: scene film: 3 frames need at least 2x2 pixels\n");
     CHECK(run(&dot_program, "-o out --only film -s 1x1 --format png") == 0); /* no sheet */
 }
 
 static void test_stats_and_repeat(void) {
-    CHECK(run(&dot_program, "-o out --only dot --stats") == 0);
-    CHECK_TEXT(output, "dot.dots: 3\ndot.other: 7\n");
+    CHECK_RUN(&dot_program, "-o out --only dot --stats", 0, "dot.dots: 3\ndot.other: 7\n");
     prepare_calls = finish_calls = draw_calls = 0;
     CHECK(run(&dot_program, "-o out --only dot --stats --repeat 5") == 0);
     CHECK(draw_calls == 5 && prepare_calls == 1 && finish_calls == 1);
@@ -338,7 +348,6 @@ static void test_repeat_time(void) {
     const char *line = strstr(output, "slow: ");
     CHECK(line != NULL && sscanf(line, "slow: %lf ms\n", &time) == 1);
     CHECK(time >= SLOW_MS - 0.001 && time < whole); /* printed with three digits */
-    CHECK(remove(in_directory("out/slow.tga")) == 0);
 }
 
 static void test_camera(void) {
@@ -351,8 +360,7 @@ static void test_camera(void) {
 }
 
 static void test_failures(void) {
-    CHECK(run(&failing_program, "-o nothing") == 1);
-    CHECK_TEXT(output, "probe: cannot draw this\n");
+    CHECK_RUN(&failing_program, "-o nothing", 1, "probe: cannot draw this\n");
     CHECK(!exists("nothing"));
     CHECK(run(&dot_program, "-o output/dir") == 1); /* `output` is a file */
     CHECK(strstr(output, "probe: output") == output);
@@ -364,28 +372,22 @@ static void test_failures(void) {
 }
 
 static void test_text_scene(void) {
-    struct error error;
-    struct image image = {0};
     make_directory();
     static const char with_size[] = "size 9 8\nline 3 0 4 0 10 20 30\n";
     static const char without[] = "line 2 0 4 0 10 20 30\n";
-    CHECK(file_write(in_directory("a.b.txt"), with_size, strlen(with_size), &error));
-    CHECK(file_write(in_directory("plain"), without, strlen(without), &error));
-    CHECK(run(&text_program, "-o out a.b.txt") == 0);
-    CHECK_TEXT(output, "out/a.b.tga\n");
-    if (CHECK(image_read(&image, in_directory("out/a.b.tga"), &error))) {
-        CHECK(image.width == 9 && image.height == 8 && image_get(&image, 3, 0).g == 20);
-        image_free(&image);
+    put_file("a.b.txt", with_size);
+    put_file("plain", without);
+    CHECK_RUN(&text_program, "-o out a.b.txt", 0, "out/a.b.tga\n");
+    if (read_image("out/a.b.tga")) {
+        CHECK(picture.width == 9 && picture.height == 8 && image_get(&picture, 3, 0).g == 20);
     }
     CHECK(run(&text_program, "-o out plain") == 0);
-    if (CHECK(image_read(&image, in_directory("out/plain.tga"), &error))) {
-        CHECK(image.width == 5 && image.height == 5);
-        image_free(&image);
+    if (read_image("out/plain.tga")) {
+        CHECK(picture.width == 5 && picture.height == 5);
     }
     CHECK(run(&text_program, "-o out -s 6x7 a.b.txt") == 0); /* the option wins */
-    if (CHECK(image_read(&image, in_directory("out/a.b.tga"), &error))) {
-        CHECK(image.width == 6 && image.height == 7);
-        image_free(&image);
+    if (read_image("out/a.b.tga")) {
+        CHECK(picture.width == 6 && picture.height == 7);
     }
 }
 
@@ -443,10 +445,8 @@ static void finish_unprepared(struct drawing *drawing) {
 
 /* What a scene needs is there when it is drawn; what no chosen scene needs is not read. */
 static void test_needs(void) {
-    struct error error;
-    make_directory();
-    CHECK(file_write(in_directory("bare.obj"), triangle_obj, strlen(triangle_obj), &error));
-    CHECK(file_write(in_directory("mapped.obj"), mapped_obj, strlen(mapped_obj), &error));
+    put_file("bare.obj", triangle_obj);
+    put_file("mapped.obj", mapped_obj);
     draw_calls = 0;
     CHECK(run(&needs_program, "-o out --only depth --repeat 3 bare.obj") == 0);
     CHECK(draw_calls == 3 && last_drawing.diffuse == NULL && last_drawing.normal_map == NULL);
@@ -462,7 +462,6 @@ static void test_needs(void) {
     finishing.finish = finish_unprepared;
     finish_calls = 0;
     CHECK(run(&finishing, "-o out --only depth missing.obj") == 1 && finish_calls == 0);
-    CHECK(remove(in_directory("bare.obj")) == 0 && remove(in_directory("mapped.obj")) == 0);
 }
 
 /* --stats says how much was read: the model and the textures that a chosen scene needs, and nothing
@@ -472,8 +471,7 @@ static void test_stats_of_files(void) {
     struct image white = {0};
     struct bytes texture = {0};
     static char expected[200];
-    make_directory();
-    CHECK(file_write(in_directory("mapped.obj"), mapped_obj, strlen(mapped_obj), &error));
+    put_file("mapped.obj", mapped_obj);
     if (CHECK(image_create(&white, 2, 2, IMAGE_BGR, &error))) {
         image_clear(&white, color_grey(255));
         CHECK(tga_encode(&white, true, &texture, &error));
@@ -489,37 +487,25 @@ static void test_stats_of_files(void) {
     CHECK(strstr(output, "files.") == NULL);
     CHECK(run(&needs_program, "-o out --only diffuse mapped.obj") == 0);
     CHECK(strstr(output, "files.") == NULL);
-    CHECK(remove(in_directory("mapped.obj")) == 0);
-    CHECK(remove(in_directory("mapped_diffuse.tga")) == 0);
-    CHECK(remove(in_directory("mapped_nm.tga")) == 0);
     image_free(&white);
     bytes_free(&texture);
 }
 
 /* A scene says only what differs from the program's defaults; an option wins over both. */
 static void test_defaults(void) {
-    struct error error;
-    struct image image = {0};
     CHECK(run(&needs_program, "-o out --only plain") == 0);
     CHECK(last_drawing.light.z == 7 && last_drawing.light.y == 0);
-    if (CHECK(image_read(&image, in_directory("out/plain.tga"), &error))) {
-        CHECK(image.width == 4 && image.height == 3);
-        image_free(&image);
+    if (read_image("out/plain.tga")) {
+        CHECK(picture.width == 4 && picture.height == 3);
     }
     CHECK(run(&needs_program, "-o out --only plain --light 1,0,0") == 0);
     CHECK(last_drawing.light.x == 1 && last_drawing.light.z == 0);
     CHECK_TEXT(output, "out/plain.tga\n"); /* black, but no model belongs into it */
-    CHECK(file_write(in_directory("bare.obj"), triangle_obj, strlen(triangle_obj), &error));
+    put_file("bare.obj", triangle_obj);
     CHECK(run(&needs_program, "-o out --only normals bare.obj") == 0);
     CHECK(last_drawing.light.y == 1);
-    if (CHECK(image_read(&image, in_directory("out/normals.tga"), &error))) {
-        CHECK(image.width == 2 && image.height == 3);
-        image_free(&image);
-    }
-    static const char *const names[] = {"bare.obj", "out/depth.tga", "out/diffuse.tga",
-                                        "out/normals.tga"};
-    for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
-        CHECK_ROW(remove(in_directory(names[i])) == 0, names[i]);
+    if (read_image("out/normals.tga")) {
+        CHECK(picture.width == 2 && picture.height == 3);
     }
 }
 
@@ -576,19 +562,14 @@ static const char out_message[] =
 /* What is said of a model; nothing where something is seen, or where nothing was asked. */
 static void test_out_of_view(void) {
     struct program camera_program = view_program;
-    struct error error;
     char expected[400];
     camera_program.takes_camera = true;
-    make_directory();
-    CHECK(file_write(in_directory("far.obj"), far_obj, strlen(far_obj), &error));
-    CHECK(file_write(in_directory("near.obj"), triangle_obj, strlen(triangle_obj), &error));
-    CHECK(run(&view_program, "-o out near.obj") == 0);
-    CHECK_TEXT(output, "out/view.tga\nout/deep.tga\n");
-    CHECK(run(&view_program, "-o out --fit far.obj") == 0);
-    CHECK_TEXT(output, "out/view.tga\nout/deep.tga\n");
+    put_file("far.obj", far_obj);
+    put_file("near.obj", triangle_obj);
+    CHECK_RUN(&view_program, "-o out near.obj", 0, "out/view.tga\nout/deep.tga\n");
+    CHECK_RUN(&view_program, "-o out --fit far.obj", 0, "out/view.tga\nout/deep.tga\n");
     CHECK(farthest_corner > 0.95); /* of a side from -0.95 to 0.95 */
-    CHECK(run(&camera_program, "-o out --fit far.obj") == 0);
-    CHECK_TEXT(output, "out/view.tga\nout/deep.tga\n");
+    CHECK_RUN(&camera_program, "-o out --fit far.obj", 0, "out/view.tga\nout/deep.tga\n");
     CHECK(fabs(farthest_corner - 0.875) < 1e-12);
     CHECK(run(&view_program, "-o out far.obj") == 0);
     CHECK(strncmp(output, out_message, strlen(out_message)) == 0);
@@ -598,20 +579,16 @@ static void test_out_of_view(void) {
              "out/view.tga\nout/deep.tga\n",
              out_message);
     CHECK_TEXT(output, expected);
-    CHECK(run(&camera_program, "-o out --only view --eye 0,0,2 far.obj") == 0); /* placed by hand */
-    CHECK_TEXT(output, "probe: scene view: nothing was drawn; what may help: --fit --center "
-                       "--light\nout/view.tga\n");
+    CHECK_RUN(&camera_program, "-o out --only view --eye 0,0,2 far.obj", 0,
+              "probe: scene view: nothing was drawn; what may help: --fit --center "
+              "--light\nout/view.tga\n"); /* placed by hand */
     /* Without an option it is the lesson that is not written yet. */
     camera_program.scenes = blank_scenes;
     camera_program.scene_count = 1;
-    CHECK(run(&camera_program, "-o out") == 0);
-    CHECK_TEXT(output, "out/blank.tga\n");
-    CHECK(run(&camera_program, "-o out --light 1,0,0 --fit") == 0);
-    CHECK_TEXT(output, "probe: scene blank: nothing was drawn; what may help: --center --light\n"
-                       "out/blank.tga\n");
-    CHECK(remove(in_directory("out/blank.tga")) == 0);
-    CHECK(remove(in_directory("far.obj")) == 0 && remove(in_directory("near.obj")) == 0);
-    CHECK(remove(in_directory("out/view.tga")) == 0 && remove(in_directory("out/deep.tga")) == 0);
+    CHECK_RUN(&camera_program, "-o out", 0, "out/blank.tga\n");
+    CHECK_RUN(&camera_program, "-o out --light 1,0,0 --fit", 0,
+              "probe: scene blank: nothing was drawn; what may help: --center --light\n"
+              "out/blank.tga\n");
 }
 
 /* ---- Seldom ways ---- */
@@ -651,18 +628,15 @@ static void test_grey(void) {
     struct error error;
     struct bytes file;
     /* no camera: eye and center are equal */
-    CHECK(run(&grey_program, "-o out --only grey --format ppm") == 0);
-    CHECK_TEXT(output, "out/grey.pgm\n");
+    CHECK_RUN(&grey_program, "-o out --only grey --format ppm", 0, "out/grey.pgm\n");
     if (CHECK(file_read(in_directory("out/grey.pgm"), &file, &error))) {
         CHECK(file.size > 2 && memcmp(file.data, "P5", 2) == 0);
         bytes_free(&file);
     }
-    CHECK(remove(in_directory("out/grey.pgm")) == 0);
     /* the median of an even number */
     CHECK(run(&grey_program, "-o out --only grey --repeat 4 --eye 0,0,1") == 0);
     CHECK(strstr(output, "grey: ") == output);
     CHECK(run(&grey_program, "-o out --only grey --center 0,0,9") == 0); /* the eye of the other */
-    CHECK(remove(in_directory("out/grey.tga")) == 0);
 }
 
 /* After "--" nothing is an option. */
@@ -683,18 +657,15 @@ static void test_end_of_options(void) {
         CHECK_TEXT(output, rows[i].output);
     }
     CHECK(run(&dot_program, "-o out --only dot --") == 0);
-    CHECK(remove(in_directory("out/dot.tga")) == 0);
 }
 
 static void test_seldom_failures(void) {
     prepare_calls = finish_calls = draw_calls = 0;
-    CHECK(run(&unprepared_program, "-o nothing") == 1);
-    CHECK_TEXT(output, "probe: cannot prepare this\n");
+    CHECK_RUN(&unprepared_program, "-o nothing", 1, "probe: cannot prepare this\n");
     CHECK(prepare_calls == 1 && finish_calls == 1 && draw_calls == 0);
-    CHECK(run(&failing_program, "-o nothing --repeat 2") == 1);
-    CHECK_TEXT(output, "probe: cannot draw this\n");
-    CHECK(run(&text_program, "-o nothing --only bad") == 1); /* without a text: its own scenes */
-    CHECK_TEXT(output, "probe: cannot draw this\n");
+    CHECK_RUN(&failing_program, "-o nothing --repeat 2", 1, "probe: cannot draw this\n");
+    CHECK_RUN(&text_program, "-o nothing --only bad", 1,
+              "probe: cannot draw this\n"); /* without a text: its own scenes */
     CHECK(!exists("nothing"));
     CHECK(run(&dot_program, "-o /proc/nothing/here") == 1);
     CHECK(strstr(output, "probe: /proc/nothing: cannot make the directory: ") == output);
@@ -741,7 +712,6 @@ static void test_full_output(void) {
 /* "-" is standard input, its image is called stdin; a hidden file has no extension to drop. */
 static void test_text_names(void) {
     static const char text[] = "line 2 0 4 0 10 20 30\n";
-    struct error error;
     int ends[2], kept = dup(0);
     CHECK(pipe(ends) == 0 && write(ends[1], text, strlen(text)) == (ssize_t)strlen(text));
     close(ends[1]);
@@ -751,24 +721,20 @@ static void test_text_names(void) {
     dup2(kept, 0);
     close(kept);
     CHECK_TEXT(output, "out/stdin.tga\n");
-    CHECK(remove(in_directory("out/stdin.tga")) == 0);
-    CHECK(file_write(in_directory(".txt"), text, strlen(text), &error));
-    CHECK(file_write(in_directory("own.tga"), text, strlen(text), &error));
-    CHECK(run(&text_program, "-o . own.tga") == 1);
-    CHECK_TEXT(output, "probe: ./own.tga: the picture would replace its scene; -o puts it "
-                       "elsewhere\n");
+    put_file(".txt", text);
+    put_file("own.tga", text);
+    CHECK_RUN(&text_program, "-o . own.tga", 1,
+              "probe: ./own.tga: the picture would replace its scene; -o puts it "
+              "elsewhere\n");
     CHECK(file_size(in_directory("own.tga")) == strlen(text) &&
           remove(in_directory("own.tga")) == 0);
-    CHECK(run(&text_program, "-o out .txt") == 0);
-    CHECK_TEXT(output, "out/.txt.tga\n");
-    CHECK(remove(in_directory("out/.txt.tga")) == 0 && remove(in_directory(".txt")) == 0);
+    CHECK_RUN(&text_program, "-o out .txt", 0, "out/.txt.tga\n");
 }
 
 /* Without -o the images go below the build directory. */
 static void test_default_directory(void) {
     struct stat status;
-    CHECK(run(&dot_program, "--only dot") == 0);
-    CHECK_TEXT(output, COURSE_BUILD "/out/probe/dot.tga\n");
+    CHECK_RUN(&dot_program, "--only dot", 0, COURSE_BUILD "/out/probe/dot.tga\n");
     CHECK(stat(COURSE_BUILD "/out/probe/dot.tga", &status) == 0);
     CHECK(remove(COURSE_BUILD "/out/probe/dot.tga") == 0);
     CHECK(rmdir(COURSE_BUILD "/out/probe") == 0);
@@ -776,21 +742,40 @@ static void test_default_directory(void) {
 
 /* Last: remove what the others left. */
 static void test_clean_up(void) {
+    image_free(&picture);
     static const char *const names[] = {"out/deep/dot.tga",
                                         "out/deep/film.tga",
                                         "out/deep/more.tga",
+                                        "out/deep",
+                                        "out/.txt.tga",
+                                        "out/a.b.tga",
+                                        "out/blank.tga",
+                                        "out/deep.tga",
+                                        "out/depth.tga",
+                                        "out/diffuse.tga",
                                         "out/dot.png",
                                         "out/dot.ppm",
                                         "out/dot.tga",
-                                        "out/film.tga",
                                         "out/film.png",
-                                        "out/a.b.tga",
+                                        "out/film.tga",
+                                        "out/grey.pgm",
+                                        "out/grey.tga",
+                                        "out/normals.tga",
                                         "out/plain.tga",
-                                        "a.b.txt",
-                                        "plain",
-                                        "output",
-                                        "out/deep",
+                                        "out/slow.tga",
+                                        "out/stdin.tga",
+                                        "out/view.tga",
                                         "out",
+                                        ".txt",
+                                        "a.b.txt",
+                                        "bare.obj",
+                                        "far.obj",
+                                        "mapped.obj",
+                                        "mapped_diffuse.tga",
+                                        "mapped_nm.tga",
+                                        "near.obj",
+                                        "output",
+                                        "plain",
                                         ""};
     for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
         CHECK_ROW(remove(in_directory(names[i])) == 0, names[i]); /* fails on what is left over */

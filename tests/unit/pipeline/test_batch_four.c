@@ -1,8 +1,0 @@
-/* The same triangles, four at once: as on a processor with registers of 16 bytes. */
-#undef REAL
-#define REAL float
-#undef LANES
-#define LANES 4
-#include "pipeline_again.h"
-
-#include "batch_tests.h"

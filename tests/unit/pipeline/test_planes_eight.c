@@ -1,8 +1,0 @@
-/* The same pieces for 8 lanes: as on a processor with registers of 32 bytes. */
-#undef REAL
-#define REAL float
-#undef LANES
-#define LANES 8
-#include "pipeline_again.h"
-
-#include "planes_tests.h"

@@ -1,8 +1,0 @@
-/* The same pieces for 16 lanes: as on a processor with registers of 64 bytes. */
-#undef REAL
-#define REAL float
-#undef LANES
-#define LANES 16
-#include "pipeline_again.h"
-
-#include "planes_tests.h"
