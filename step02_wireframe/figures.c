@@ -1,5 +1,5 @@
 /* The pictures of step 2's README that are not references, and its tables. */
-#include "../tests/lessons/figures.h"
+#include "../tests/bench/figures.h"
 #define main step_main
 #include "main.c"
 #undef main

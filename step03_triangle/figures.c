@@ -1,5 +1,5 @@
 /* The pictures of step 3's README that are not references, and the numbers of its tables. */
-#include "../tests/lessons/figures.h"
+#include "../tests/bench/figures.h"
 #define main step_main
 #include "main.c"
 #undef main

@@ -1,5 +1,5 @@
 /* The pictures of step 7's README that are not references, and its errors and normals. */
-#include "../tests/lessons/figures.h"
+#include "../tests/bench/figures.h"
 #define main step_main
 #include "main.c"
 #undef main

@@ -1,5 +1,5 @@
 /* The pictures of step 9's README that are not references. */
-#include "../tests/lessons/figures.h"
+#include "../tests/bench/figures.h"
 #define main step_main
 #include "main.c"
 #undef main

@@ -1,6 +1,6 @@
 /* The pictures of step 10's README that are not references, one of them moving. */
 #define _POSIX_C_SOURCE 200809L /* clock_gettime */
-#include "../tests/lessons/figures.h"
+#include "../tests/bench/figures.h"
 #define main step_main
 #include "main.c"
 #undef main

@@ -1,15 +1,14 @@
 /*
- * Private to the pipeline: what pipeline.c and the files pipeline_*.c know of each other.
+ * Private to the pipeline: what pipeline.c and the files of this room know of each other.
  *
  * Each file calls only files below it, and includes only headers below it:
  *
- *     pipeline.c                                 records draw calls, draws the frame
- *     rounds.c    assemble.c   order, rounds and bands; from models to pieces
- *     objects.c   batch.c      boxes around objects; what becomes of a face
- *     bands.c                           covers and shades pixels
- *     parts.h     pixel_mask.h          what these files share; comparisons of pixels
- *     pipeline.h                                 with its second half, the loops over pixels:
- *                                                kernels.h, planes.h
+ *     pipeline.c                records draw calls, draws the frame
+ *     rounds.c, assemble.c      order, rounds and bands; from models to pieces
+ *     objects.c, batch.c        boxes around objects; what becomes of a face
+ *     bands.c                   covers and shades pixels
+ *     parts.h, pixel_mask.h     what these files share; comparisons of pixels
+ *     pipeline.h                with its second half, the loops over pixels: kernels.h, planes.h
  *     texture_lanes.h
  *     lanes_native.h
  *     lanes.h

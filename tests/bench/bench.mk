@@ -5,8 +5,9 @@
 ##   make bench-frame            the time of a frame beside Mesa's llvmpipe (OPTIONS=--help)
 ##   make bench-files            how fast files are read and written, beside libpng and plain bytes
 ##   make bench-run              where the time of a whole run goes, beside cat and cp of its files
+##   make compare-opengl         the same pictures drawn by OpenGL (needs Mesa)
 ##   make counts                 the instructions of each scene, beside those committed (STEP=05)
-.PHONY: bench charts bench-frame bench-files bench-run counts
+.PHONY: bench charts compare-opengl bench-frame bench-files bench-run counts
 
 # Stress and benchmarks share out their cases with OpenMP, where the compiler has it.
 OPENMP := $(shell $(CC) -fopenmp -E -x c /dev/null >/dev/null 2>&1 && echo -fopenmp)
@@ -27,7 +28,7 @@ HAS_MESA := $(shell $(FIND_MESA) && echo yes)
 endif
 SAY_WITHOUT_MESA = $(if $(HAS_MESA),,echo 'without llvmpipe: $(MESA_IS_MISSING)')
 MESA_OBJECTS = $(if $(HAS_MESA),$(addprefix $(BUILD)/tests/,bench/frame/llvmpipe.o \
-                   upkeep/opengl/context.o upkeep/opengl/picture.o), \
+                   bench/opengl/context.o bench/opengl/picture.o), \
                    $(BUILD)/tests/bench/frame/without_llvmpipe.o)
 PEER_OBJECTS = $(addprefix $(BUILD)/tests/bench/frame/,child.o pairs.o scene.o vertices.o) \
                $(MESA_OBJECTS)
@@ -49,7 +50,7 @@ $(BUILD)/tests/bench/list.c: $(MEASURED:%=tests/lessons/%/bench.c)
 $(BUILD)/tests/bench/list.o: $(BUILD)/tests/bench/list.c $(BUILD)/flags
 	$(Q)$(COMPILE) -Itests -c $< -o $@
 
-$(BUILD)/benchmark: $(call OBJECTS_OF,bench oracle) $(BUILD)/tests/bench/list.o \
+$(BUILD)/benchmark: $(filter-out %/figures.o,$(call OBJECTS_OF,bench oracle)) $(BUILD)/tests/bench/list.o \
                     $(patsubst %.c,$(BUILD)/%.o,$(wildcard tests/lessons/*/bench*.c)) \
                     $(BUILD)/tests/check/page/escape.o $(PEER_OBJECTS) $(BUILD)/libcommon.a \
                     $(BUILD)/with-mesa
@@ -98,3 +99,31 @@ bench-run:
 # Instructions, which no other process disturbs.
 counts:
 	@tests/bench/counts.sh $(BUILD) '$(STEP)'
+
+# ---- make compare-opengl ----
+
+# list.c names what each opengl.c defines.
+COMPARED = $(patsubst tests/lessons/%/opengl.c,%,$(sort $(wildcard tests/lessons/*/opengl.c)))
+$(BUILD)/tests/bench/opengl/list.c: $(COMPARED:%=tests/lessons/%/opengl.c)
+	@mkdir -p $(@D)
+	@{ echo '#include "bench/opengl/lesson.h"'; \
+	   for step in $(COMPARED); do echo "struct lesson lesson_$${step%%_*}(void);"; done; \
+	   echo 'lesson_function *const lesson_functions[] = {'; \
+	   for step in $(COMPARED); do echo "    lesson_$${step%%_*},"; done; echo '    NULL};'; } >$@
+
+$(BUILD)/tests/bench/opengl/list.o: $(BUILD)/tests/bench/opengl/list.c $(BUILD)/flags
+	$(Q)$(COMPILE) -Itests -c $< -o $@
+
+OPENGL_OBJECTS = $(call OBJECTS_OF,bench/opengl) $(BUILD)/tests/bench/opengl/list.o \
+                 $(COMPARED:%=$(BUILD)/tests/lessons/%/opengl.o)
+compare-opengl: $(BUILD)/compare-opengl models
+	$(Q)$(BUILD)/compare-opengl
+
+$(BUILD)/compare-opengl: $(OPENGL_OBJECTS) $(BUILD)/libcommon.a
+	$(Q)$(LINK) $^ -lEGL -lGL -lm -o $@
+
+# Says what is missing before the compiler does.
+.PHONY: has-mesa
+$(OPENGL_OBJECTS): | has-mesa
+has-mesa:
+	@$(FIND_MESA) || { echo 'compare-opengl: $(MESA_IS_MISSING)'; exit 2; }

@@ -33,7 +33,7 @@ renamed() {
 
 cp -R "$top/Makefile" "$top/common" "$top/tests" "$top/$old" "$work" && cd "$work" || exit 1
 rm -rf tests/reference
-find tests \( -path 'tests/bench/*' -o -path 'tests/upkeep/opengl/*' \) -name 'step[0-9][0-9]*.c' \
+find tests \( -path 'tests/bench/*' -o -path 'tests/bench/opengl/*' \) -name 'step[0-9][0-9]*.c' \
     ! -name "${old%%_*}*.c" -exec rm {} +
 mkdir tests/reference && cp -R "$top/tests/reference/$old" tests/reference || exit 1
 grep "^$old " "$top/tests/check/scenes.txt" >scenes.txt || exit 1

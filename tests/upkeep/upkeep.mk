@@ -5,7 +5,6 @@
 ##   make verify                 the check fails every mistake and passes every correct program that
 ##                               is listed (STEP=05, NAME=depth)
 ##   make portability            the same bytes from other compilers (CONFIGURATIONS=arm64)
-##   make compare-opengl         the same pictures drawn by OpenGL (needs Mesa)
 ##   make fuzz                   hostile files (needs clang; FUZZ_SECONDS=60 for each, TARGET=png)
 ##   make mutants                small changes of the code that some test must notice (NAME=geometry)
 ##   make coverage               which lines and branches of common the tests reach
@@ -14,7 +13,7 @@
 ##   make references             draw the reference images again, never part of a check (STEP=05)
 ##   make mistakes               keep what the listed mistakes look like, by which the check knows
 ##                               them, and draw the lessons' wrong pictures (STEP=05)
-.PHONY: test stress verify portability compare-opengl fuzz mutants coverage figures lesson-figures \
+.PHONY: test stress verify portability fuzz mutants coverage figures lesson-figures \
         references mistakes
 
 # ---- make test ----
@@ -92,7 +91,7 @@ test: $(UNITS) $(KINDS:%=$(BUILD)/tests/%) $(REPLAYS) $(BUILD)/check $(BUILD)/lo
       $(BUILD)/limited programs models
 	@CHECK_PROGRAMS=$(BUILD) tests/upkeep/run_tests.sh $(SCRIPTS) $(UNITS) $(KINDS:%=$(BUILD)/tests/%)
 
-# ---- make stress, make compare-opengl ----
+# ---- make stress ----
 
 $(BUILD)/stress: $(call OBJECTS_OF,upkeep/stress oracle) \
                  $(patsubst %.c,$(BUILD)/%.o,$(wildcard tests/lessons/*/stress.c)) $(BUILD)/libcommon.a
@@ -100,32 +99,6 @@ $(BUILD)/stress: $(call OBJECTS_OF,upkeep/stress oracle) \
 
 stress: $(BUILD)/stress
 	$(Q)$(BUILD)/stress $(PROPERTY)
-
-# list.c names what each opengl.c defines.
-COMPARED = $(patsubst tests/lessons/%/opengl.c,%,$(sort $(wildcard tests/lessons/*/opengl.c)))
-$(BUILD)/tests/upkeep/opengl/list.c: $(COMPARED:%=tests/lessons/%/opengl.c)
-	@mkdir -p $(@D)
-	@{ echo '#include "upkeep/opengl/lesson.h"'; \
-	   for step in $(COMPARED); do echo "struct lesson lesson_$${step%%_*}(void);"; done; \
-	   echo 'lesson_function *const lesson_functions[] = {'; \
-	   for step in $(COMPARED); do echo "    lesson_$${step%%_*},"; done; echo '    NULL};'; } >$@
-
-$(BUILD)/tests/upkeep/opengl/list.o: $(BUILD)/tests/upkeep/opengl/list.c $(BUILD)/flags
-	$(Q)$(COMPILE) -Itests -c $< -o $@
-
-OPENGL_OBJECTS = $(call OBJECTS_OF,upkeep/opengl) $(BUILD)/tests/upkeep/opengl/list.o \
-                 $(COMPARED:%=$(BUILD)/tests/lessons/%/opengl.o)
-compare-opengl: $(BUILD)/compare-opengl models
-	$(Q)$(BUILD)/compare-opengl
-
-$(BUILD)/compare-opengl: $(OPENGL_OBJECTS) $(BUILD)/libcommon.a
-	$(Q)$(LINK) $^ -lEGL -lGL -lm -o $@
-
-# Says what is missing before the compiler does.
-.PHONY: has-mesa
-$(OPENGL_OBJECTS): | has-mesa
-has-mesa:
-	@$(FIND_MESA) || { echo 'compare-opengl: $(MESA_IS_MISSING)'; exit 2; }
 
 # ---- make verify, make mistakes: what the check makes of wrong programs, and of correct ones ----
 
@@ -183,10 +156,10 @@ $(FIGURES:%=lesson-figures-%): lesson-figures-%: $(BUILD)/figures/% $(BUILD)/mod
 	@mkdir -p $*/figures
 	$(Q)$(BUILD)/figures/$* $*/figures >$(BUILD)/figures/$*.txt && cat $(BUILD)/figures/$*.txt
 
-$(BUILD)/figures/%: %/figures.c $(BUILD)/tests/lessons/figures.o $(BUILD)/libcommon.a $(BUILD)/flags
+$(BUILD)/figures/%: %/figures.c $(BUILD)/tests/bench/figures.o $(BUILD)/libcommon.a $(BUILD)/flags
 	@mkdir -p $(@D)
 	$(SAY) CC $<
-	$(Q)$(COMPILE) -Itests -MF $@.d $< $(BUILD)/tests/lessons/figures.o $(BUILD)/libcommon.a -lm -o $@
+	$(Q)$(COMPILE) -Itests -MF $@.d $< $(BUILD)/tests/bench/figures.o $(BUILD)/libcommon.a -lm -o $@
 
 references: $(BUILD)/references programs models
 	$(Q)$(BUILD)/references --programs $(BUILD) $(STEP)

@@ -2,8 +2,8 @@
 #define _POSIX_C_SOURCE 200809L /* setenv */
 #include "llvmpipe.h"
 
-#include "upkeep/opengl/context.h"
-#include "upkeep/opengl/picture.h"
+#include "bench/opengl/context.h"
+#include "bench/opengl/picture.h"
 #include "vertices.h"
 
 #include <stdio.h>

@@ -1,5 +1,5 @@
 /* The triangles of step 4: see lesson.h. */
-#include "upkeep/opengl/include_lesson.h"
+#include "bench/opengl/include_lesson.h"
 
 #include "../../../step04_flat/main.c"
 

@@ -1,5 +1,5 @@
 /* The triangles of step 5: see lesson.h. */
-#include "upkeep/opengl/include_lesson.h"
+#include "bench/opengl/include_lesson.h"
 
 #include "../../../step05_zbuffer/main.c"
 

@@ -1,5 +1,5 @@
 /* The triangles of step 6: see lesson.h. */
-#include "upkeep/opengl/include_lesson.h"
+#include "bench/opengl/include_lesson.h"
 
 #include "../../../step06_texture/main.c"
 

@@ -1,5 +1,5 @@
 /* The triangles of step 7: see lesson.h. */
-#include "upkeep/opengl/include_lesson.h"
+#include "bench/opengl/include_lesson.h"
 
 #include "../../../step07_gouraud/main.c"
 

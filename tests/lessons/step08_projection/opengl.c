@@ -1,5 +1,5 @@
 /* The triangles of step 8: see lesson.h. */
-#include "upkeep/opengl/include_lesson.h"
+#include "bench/opengl/include_lesson.h"
 
 #include "../../../step08_projection/main.c"
 

@@ -1,6 +1,6 @@
 /* The triangles of step 10: see lesson.h and recorder.h. */
-#include "upkeep/opengl/include_lesson.h"
-#include "upkeep/opengl/recorder.h"
+#include "bench/opengl/include_lesson.h"
+#include "bench/opengl/recorder.h"
 
 #include "../../../step10_phong/main.c"
 
