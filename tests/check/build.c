@@ -7,6 +7,7 @@
 
 #include <ctype.h>
 #include <errno.h>
+#include <fcntl.h>
 #include <stdio.h>
 #include <string.h>
 #include <unistd.h>
@@ -17,6 +18,25 @@ enum {
     COMPILER_ROOM = 64000000, /* bytes on the disk that it may need besides */
     NOT_FOUND_STATUS = 127    /* of a shell that does not find the command */
 };
+
+bool build_lock(const struct options *options, struct error *error) {
+    struct flock whole = {.l_type = F_WRLCK, .l_whence = SEEK_SET};
+    char path[DRAWN_PATH_LIMIT];
+    if (!directory_create(options->programs, error)) {
+        return false;
+    }
+    snprintf(path, sizeof path, "%s/check.lock", options->programs);
+    int file = open(path, O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+    if (file < 0) {
+        return error_set(error, "%.900s: %s", path, strerror(errno));
+    }
+    bool busy = fcntl(file, F_SETLK, &whole) != 0 && (errno == EAGAIN || errno == EACCES);
+    if (busy) {
+        fprintf(stderr, "check: waiting for another check in %s\n", options->programs);
+        fcntl(file, F_SETLKW, &whole); /* or until a signal comes */
+    }
+    return true; /* also where the file system knows no locks */
+}
 
 /* Does the part stand in the line, which may have others after it? */
 static bool line_contains(const char *line, const char *part) {

@@ -32,34 +32,11 @@
 #include "scenes.h"
 
 #include <errno.h>
-#include <fcntl.h>
 #include <stdio.h>
 #include <string.h>
 #include <unistd.h>
 
 enum { EXIT_ALL_PASSED = 0, EXIT_FAILED = 1, EXIT_CANNOT_WORK = 2 };
-
-/* Two checks in one directory would remove each other's programs: the second waits. The lock is the
- * system's, and goes when this process does, however it ends. False, with a message, when the
- * directory cannot be written. */
-static bool lock_programs(const struct options *options, struct error *error) {
-    struct flock whole = {.l_type = F_WRLCK, .l_whence = SEEK_SET};
-    char path[DRAWN_PATH_LIMIT];
-    if (!directory_create(options->programs, error)) {
-        return false;
-    }
-    snprintf(path, sizeof path, "%s/check.lock", options->programs);
-    int file = open(path, O_RDWR | O_CREAT | O_CLOEXEC, 0666);
-    if (file < 0) {
-        return error_set(error, "%.900s: %s", path, strerror(errno));
-    }
-    bool busy = fcntl(file, F_SETLK, &whole) != 0 && (errno == EAGAIN || errno == EACCES);
-    if (busy) {
-        fprintf(stderr, "check: waiting for another check in %s\n", options->programs);
-        fcntl(file, F_SETLKW, &whole); /* or until a signal comes */
-    }
-    return true; /* also where the file system knows no locks */
-}
 
 static int usage_error(const char *message) {
     fprintf(stderr, "check: %s\nTry 'check --help'.\n", message);
@@ -82,7 +59,7 @@ static bool select_steps(struct scene_table *table, char **steps, struct error *
 
 static bool check_steps(const struct options *options, const struct scene_table *table,
                         struct check_result *result, struct error *error) {
-    if (!lock_programs(options, error) || !build_given(options, error) ||
+    if (!build_lock(options, error) || !build_given(options, error) ||
         !check_result_create(result, table->step_count, error)) {
         return false;
     }

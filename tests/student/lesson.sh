@@ -1,5 +1,5 @@
-# For scripts that work on one lesson, which read this with `.` after `target` and `wanted` are set:
-# what make was told to make, and the value of STEP. Sets `lesson`, by find_lesson.
+# For scripts that work on lessons, which read this with `.` after `target` and `wanted` are set:
+# what make was told to make, and the value of STEP or LESSONS. find_lesson sets `lesson`.
 
 # fail STATUS MESSAGE...
 fail() {
@@ -14,6 +14,23 @@ list_lessons() {
     for lesson in step[0-9]*_*/; do
         [ "$(ls "$lesson")" = figures ] || echo "${lesson%/}"
     done
+}
+
+# Sets lessons to those of wanted, 5 or 1-5, all when it is empty, and first and last to its numbers.
+select_lessons() {
+    wanted=${wanted:-1-99}
+    case $wanted in
+    *[!0-9-]* | -* | *- | *-*-*) fail 2 "LESSONS=$wanted is neither a number nor like 1-5" ;;
+    esac
+    first=${wanted%-*}
+    last=${wanted#*-}
+    lessons=
+    for lesson in $(list_lessons); do
+        number=${lesson#step}
+        number=${number%%_*}
+        [ "$number" -lt "$first" ] || [ "$number" -gt "$last" ] || lessons="$lessons $lesson"
+    done
+    [ -n "$lessons" ] || fail 2 "there is no lesson in LESSONS=$wanted"
 }
 
 # step05_zbuffer from 5, 05, step05_zbuffer or step05_zbuffer/.

@@ -24,8 +24,7 @@ KEEP_POINTS = $(if $(HIDDEN),--csv '$(POINTS)')
 THEN_HIDDEN = $(if $(HIDDEN),; status=$$?; tests/teacher/hidden/hidden.sh '$(BUILD)' '$(CHECKED)' \
                   '$(MAKE) -s' '$(HIDDEN)' '$(STEP)' '$(SOLUTION)' '$(POINTS)' && exit $$status)
 
-$(BUILD)/hidden: $(BUILD)/tests/teacher/hidden/hidden.o $(BUILD)/tests/teacher/hidden/lock.o \
-                 $(CHECKER) $(BUILD)/libcommon.a
+$(BUILD)/hidden: $(BUILD)/tests/teacher/hidden/hidden.o $(CHECKER) $(BUILD)/libcommon.a
 	$(Q)$(LINK) $^ -lm -o $@
 
 # A solution, built with what is there. (It has no .d: make would take that for a program to build.)
@@ -36,7 +35,7 @@ $(BUILD)/hidden.% $(BUILD)/solutions/%: force
 # ---- A class ----
 
 GRADES = $(or $(OUT),$(BUILD)/grades)
-grade-tools: $(BUILD)/check $(BUILD)/limited $(BUILD)/similar models \
+grade-tools: $(BUILD)/check $(BUILD)/limited models \
              $(if $(SEED),$(BUILD)/hidden $(BUILD)/solutions/.built)
 
 grade: grade-tools
@@ -47,7 +46,7 @@ grade-one: grade-tools
 	@tests/teacher/grade/grade_one.sh '$(BUILD)' '$(MAKE) -s' '$(SUBMISSION)' '$(GRADES)' \
 	    '$(LESSONS)' '$(SEED)'
 
-grade-merge: $(BUILD)/similar
+grade-merge: $(BUILD)/limited
 	@tests/teacher/grade/merge.sh '$(BUILD)' '$(GRADES)'
 
 # What the hidden scenes are held against.
@@ -64,8 +63,3 @@ $(BUILD)/grade.%: force
 	@[ -f $(@D)/sources/$(@F)/main.c ] || { echo 'error: no $(@F)/main.c was handed in' >&2; exit 1; }
 	$(Q)$(CONTAINED) $(filter-out -MMD -MP,$(COMPILE)) -I$(@F) -c $(@D)/sources/$(@F)/main.c -o $@.o
 	$(Q)$(CONTAINED) $(LINK) $@.o $(BUILD)/libcommon.a -lm -o $@
-
-SIMILAR = $(patsubst %.c,$(BUILD)/%.o,$(filter-out %/similar.c %/test_similar.c, \
-              $(wildcard tests/teacher/similar/*.c)))
-$(BUILD)/similar: $(BUILD)/tests/teacher/similar/similar.o $(SIMILAR) $(CHECKER) $(BUILD)/libcommon.a
-	$(Q)$(LINK) $^ -lm -o $@

@@ -30,7 +30,7 @@ REPLAYS = $(patsubst %.c,$(BUILD)/%,$(wildcard tests/upkeep/fuzz/fuzz_*.c))
 SCRIPTS = $(shell find tests -name 'test_*.sh') tests/upkeep/fuzz/replay.sh
 
 # What they test.
-TESTED_OBJECTS = $(COMMON) $(CHECKER) $(SIMILAR) $(BUILD)/tests/student/terminal.o \
+TESTED_OBJECTS = $(COMMON) $(CHECKER) $(BUILD)/tests/student/terminal.o \
                  $(BUILD)/tests/oracle/oracle.o
 $(BUILD)/tested/all.a: $(TESTED_OBJECTS:$(BUILD)/%=$(BUILD)/tested/%)
 	@rm -f $@
@@ -87,7 +87,7 @@ $(REPLAYS): $(BUILD)/tests/%: $(BUILD)/tested/tests/%.o $(BUILD)/tested/tests/up
 	$(Q)$(TESTED) $^ -lm -o $@
 
 test: $(UNITS) $(KINDS:%=$(BUILD)/tests/%) $(REPLAYS) $(BUILD)/check $(BUILD)/looks_make $(BUILD)/figure_make \
-      $(BUILD)/references $(BUILD)/show $(BUILD)/compare_page $(BUILD)/hidden $(BUILD)/similar \
+      $(BUILD)/references $(BUILD)/show $(BUILD)/compare_page $(BUILD)/hidden \
       $(BUILD)/limited programs models
 	@CHECK_PROGRAMS=$(BUILD) tests/upkeep/run_tests.sh $(SCRIPTS) $(UNITS) $(KINDS:%=$(BUILD)/tests/%)
 

@@ -12,21 +12,16 @@ make=$2
 submissions=$3
 out=$4
 jobs=${5:-$(getconf _NPROCESSORS_ONLN 2>/dev/null || echo 1)}
-lessons=$6
+wanted=$6
 seed=$7
+target=grade
+. tests/student/lesson.sh
 
-fail() {
-    echo "make grade: $*" >&2
-    exit 2
-}
-
-[ -d "$submissions" ] || fail "say whose: make grade SUBMISSIONS=some/directory [OUT=dir]"
-case $jobs in '' | *[!0-9]* | 0) fail "JOBS=$jobs is no number of submissions at a time" ;; esac
-case $lessons in
-*[!0-9-]* | -* | *- | *-*-*) fail "LESSONS=$lessons is neither a number nor like 1-5" ;;
-esac
-case $seed in *[!0-9]*) fail "SEED=$seed is no number" ;; esac
-mkdir -p "$out" || fail "cannot write into $out"
+[ -d "$submissions" ] || fail 2 "say whose: make grade SUBMISSIONS=some/directory [OUT=dir]"
+case $jobs in '' | *[!0-9]* | 0) fail 2 "JOBS=$jobs is no number of submissions at a time" ;; esac
+(select_lessons) || exit 2
+case $seed in *[!0-9]*) fail 2 "SEED=$seed is no number" ;; esac
+mkdir -p "$out" || fail 2 "cannot write into $out"
 list=()
 declare -A is_listed
 . tests/teacher/grade/encode.sh
@@ -35,7 +30,7 @@ for submission in "$submissions"/*; do
     list+=("$submission")
     is_listed[$(encode "${submission##*/}")]=yes
 done
-[ ${#list[@]} -gt 0 ] || fail "there is no directory, .zip or .tar.gz in $submissions"
+[ ${#list[@]} -gt 0 ] || fail 2 "there is no directory, .zip or .tar.gz in $submissions"
 . tests/teacher/grade/contained.sh
 
 # Sets have_result and others: of the listed submissions how many have a result; the names of results
@@ -76,7 +71,7 @@ show_progress() {
 # shellcheck disable=SC2016 # for that shell
 printf '%s\0' "${list[@]}" |
     xargs -0 -n 1 -P "$jobs" sh -c 'tests/teacher/grade/grade_one.sh "$1" "$2" "$5" "$3" "$4" "$0" || :' \
-        "$seed" "$build" "$make" "$out" "$lessons" | show_progress
+        "$seed" "$build" "$make" "$out" "$wanted" | show_progress
 tests/teacher/grade/merge.sh "$build" "$out" || exit 1
 find_results
 [ ${#others[@]} -eq 0 ] || {

@@ -11,7 +11,7 @@
 # again while it is of the same: so a class that was stopped goes on where it was. NAME is that of the
 # submission, with %20 for a blank.
 #
-# Exit status: 0 that is there, whatever is in it; 1 it is not.
+# Exit status: 0 that is there, whatever is in it; 1 it is not; 2 wrong usage.
 [ $# -ge 4 ] && [ -n "$3" ] || {
     echo "say which: make grade-one SUBMISSION=path OUT=dir [LESSONS=1-5] [SEED=7]" >&2
     exit 1
@@ -20,7 +20,7 @@ build=$1
 make=$2
 submission=${3%/}
 out=$4
-wanted=${5:-1-99}
+wanted=$5
 seed=$6
 case $submission in /*) ;; *) submission=$PWD/$submission ;; esac
 case $out in /*) ;; *) out=$PWD/$out ;; esac
@@ -30,6 +30,9 @@ case $build in /*) ;; *) build=$PWD/$build ;; esac
 short=${build#"$PWD/"}
 . tests/teacher/grade/contained.sh
 . tests/teacher/grade/encode.sh
+target=grade-one
+. tests/student/lesson.sh
+select_lessons
 
 name=$(encode "${submission##*/}")
 result=$out/submissions/$name
@@ -75,16 +78,6 @@ finish() {
 echo begun >>"$out/.begun/$name"
 [ "$(wc -l <"$out/.begun/$name")" -le 2 ] || finish "ERROR killed the grading twice"
 
-lessons=
-for lesson in step[0-9]*_*/; do
-    number=$(expr "$lesson" : 'step0*\([0-9]*\)_')
-    [ "$number" -ge "${wanted%-*}" ] && [ "$number" -le "${wanted#*-}" ] &&
-        lessons="$lessons ${lesson%/}"
-done
-[ -n "$lessons" ] || {
-    echo "make grade-one: there is no lesson in LESSONS=$wanted" >&2
-    exit 1
-}
 # shellcheck disable=SC2086 # one word a lesson
 reason=$(tests/teacher/grade/unpack.sh "$build/limited" "$submission" "$work/sources" $lessons) ||
     finish "ERROR $reason"
@@ -123,8 +116,11 @@ fi
 [ $status -lt 2 ] || finish "ERROR the check cannot work: see log"
 if [ -n "$seed" ]; then
     # shellcheck disable=SC2086
-    limited "$work/result/hidden" "$build/hidden" --programs "$place_short" \
-        --solutions "$short/solutions" --seed "$seed" $lessons
+    limited "$work/result/hidden" "$build/hidden" "$place_short" "$short/solutions" "$seed" '' \
+        $lessons
     [ $? -lt 2 ] || finish "ERROR the hidden scenes cannot be tried: see hidden"
+    stored=$(awk -f tests/teacher/hidden/score.awk "$work/result/report.csv" "$work/result/hidden") ||
+        exit 1
+    [ -z "$stored" ] || echo "$stored" >>"$work/result/hidden"
 fi
 finish GRADED

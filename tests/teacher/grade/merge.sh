@@ -1,9 +1,9 @@
 #!/bin/sh
 # Makes of the results in OUT/submissions the class's: merge.sh BUILD OUT
 #
-# OUT/class.csv has a row a submission, OUT/index.html the same with how each task went and the
-# most frequent diagnoses, OUT/similar.html and .csv what is alike (tests/teacher/similar). All are written
-# anew from what is there.
+# OUT/class.csv has a row a submission, OUT/index.html the same with how each task went, the most
+# frequent diagnoses and the pairs that are alike, OUT/similar.csv all of these pairs. All are
+# written again from what is there.
 #
 # Exit status: 0 done; 1 there is nothing, or it cannot be written.
 cd "$(dirname "$0")/../../.." || exit 1
@@ -17,26 +17,8 @@ work=$(mktemp -d "$out/.merging.XXXXXX") || exit 1
 trap 'trap "" HUP INT TERM; rm -rf "$work"' EXIT # see grade_one.sh
 trap 'exit 1' HUP INT TERM
 
-# What is alike, but for what everybody was given.
-mkdir "$work/given" && cp -R common "$work/given" || exit 1
-target=grade
-. tests/student/lesson.sh
-. tests/student/marked.sh
-for lesson in step[0-9]*_*; do
-    main=$lesson/main.c
-    find_marked
-    mkdir "$work/given/$lesson" && cp "$lesson"/*.h "$work/given/$lesson" &&
-        text starter "$work/marked" "$main" >"$work/given/$main" || exit 1
-done
-set --
-for submission in "$out"/submissions/*/; do
-    for source in "$submission"/sources/*/main.c; do
-        [ -f "$source" ] && set -- "$@" "$(basename "$submission")=$submission/sources" && break
-    done
-done
-"$build/similar" --starters "$work/given" --html "$work/similar.html" --csv "$work/similar.csv" \
-    "$@" >"$work/said" || exit 1
-sed 1q "$work/said"
+mkdir "$work/compared" && tests/teacher/grade/alike.sh "$build/limited" "$out" "$work/compared" || exit 1
+cat "$work/compared/not_compared"
 
 # Lines `NAME KIND ...` of all results, in the order of the names; sums.awk says what follows.
 for submission in "$out"/submissions/*/; do
@@ -47,8 +29,8 @@ for submission in "$out"/submissions/*/; do
     [ ! -f "$submission/report.csv" ] ||
         sed "1d; s|,|	|g; s|^|$name	task	|" "$submission/report.csv"
     [ ! -f "$submission/hidden" ] ||
-        sed -n "s|^\(step[^ ]*\)  HIDDEN \([0-9]*\)/\([0-9]*\)|$name	hidden	\1	\2	\3|p" \
-            "$submission/hidden"
+        sed -n "s|^\(step[^ ]*\)  HIDDEN \([0-9]*\)/\([0-9]*\)|$name	hidden	\1	\2	\3|p
+            s|^\(step[^ ]*\)  prints stored pictures.*|$name	stored	\1|p" "$submission/hidden"
     [ ! -f "$submission/log" ] ||
         awk -v name="$name" '/^step[0-9]+_/ { step = $1 }
             sub(/^    looks like /, "") {
@@ -56,10 +38,13 @@ for submission in "$out"/submissions/*/; do
                 if (/^"/ && !seen[step, $0]++) printf "%s\tlooks\t%s\t%s\n", name, step, $0
             }' "$submission/log"
 done >"$work/results"
+sed 's/^/-	alike	/' "$work/compared/alike" >>"$work/results"
+sed 's/^/-	not_compared	/' "$work/compared/not_compared" >>"$work/results"
 show() {
-    awk -F '\t' -f tests/teacher/hidden/stored.awk -f tests/teacher/grade/sums.awk -f "tests/teacher/grade/$1" "$work/results"
+    awk -F '\t' -f tests/teacher/grade/sums.awk -f "tests/teacher/grade/$1" "$work/results"
 }
 show class.awk >"$work/class.csv" && show page.awk >"$work/index.html" &&
-    mv "$work/class.csv" "$work/index.html" "$work/similar.html" "$work/similar.csv" "$out" ||
-    exit 1
+    awk -F '\t' 'BEGIN { print "percent,lesson,submission,submission" }
+        { print $1 "," $2 "," $3 "," $4 }' "$work/compared/alike" >"$work/similar.csv" &&
+    mv "$work/class.csv" "$work/index.html" "$work/similar.csv" "$out" || exit 1
 echo "$out/index.html and $out/class.csv: $(grep -c '	state	' "$work/results") submissions"

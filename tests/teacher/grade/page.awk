@@ -100,6 +100,28 @@ function print_looks(    i, k, best, part, who, many, shown) {
     print "</table></div>"
 }
 
+# Those first that agree in most lessons.
+function print_pairs(    i, best, who, shown) {
+    print "<h2>Submissions that are alike</h2>"
+    for (i = 1; i <= not_compared_count; i++) print "<p>" html(not_compared[i]) "</p>"
+    if (pair_count == 0) return
+    print "<p>These submissions are the same in the lessons named, but for names, numbers, comments"
+    print "and white space: so many per cent of what the shorter one has written beside the starter."
+    print "Look at both before you judge. In a short task, two right programs are often alike."
+    print "<a href=\"similar.csv\">similar.csv</a> has all pairs (" pair_count "). The lines that"
+    print "agree: <code>sim_c -r 16 -d submissions/ONE/sources/LESSON/main.c"
+    print "submissions/OTHER/sources/LESSON/main.c</code></p>\n<div class=\"wide\"><table>"
+    for (shown = 0; shown < pair_count && shown < 50; shown++) {
+        best = 0
+        for (i = 1; i <= pair_count; i++) if (alike[pairs[i]] > alike[pairs[best]]) best = i
+        split(pairs[best], who, "\t")
+        print "<tr><td>" link_to(who[1]) "</td><td>" link_to(who[2]) "</td><td>" \
+            alike_in[pairs[best]] "</td></tr>"
+        alike[pairs[best]] = 0
+    }
+    print "</table></div>"
+}
+
 function print_names(    n, name) {
     print "<h2>Submissions</h2>\n<div class=\"wide\"><table><tr><th>submission</th><th>points</th>"
     print (any_hidden ? "<th>hidden scenes</th>" : "") "<th>state</th></tr>"
@@ -117,11 +139,11 @@ END {
     sort_tasks()
     print_head()
     print "<p>" name_count " submissions. <a href=\"class.csv\">class.csv</a> has their points, a"
-    print "column a task; <a href=\"similar.html\">similar.html</a> lists those that are alike,"
-    print "for a person to look at.</p>"
+    print "column a task.</p>"
     print_points()
     print_tasks()
     print_looks()
+    print_pairs()
     print_names()
     print "</body></html>"
 }

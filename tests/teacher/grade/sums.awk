@@ -1,5 +1,4 @@
 # What class.awk and page.awk know of a class, from the lines of merge.sh.
-# Goes behind ../hidden/stored.awk.
 function add_name(name) {
     if (!(name in known)) {
         known[name] = 1
@@ -22,20 +21,25 @@ $2 == "task" {
     task_state[$1, $4] = $5
     points[$1, $4] = $6
     most[$4] = $7
-    step_points[$1, $3] += $6
-    step_most[$3, $1] += $7
 }
 $2 == "hidden" {
     hidden[$1] += $4
     hidden_most[$1] += $5
-    stored[$1, $3] = prints_stored(step_points[$1, $3], step_most[$3, $1], $4, $5)
     any_hidden = 1
 }
+$2 == "stored" { stored[$1, $3] = 1 }
 $2 == "looks" {
     looks = $3 "\t" $4
     if (!looks_count[looks]++) looks_list[++looks_total] = looks
     looks_who[looks] = looks_who[looks] (looks_who[looks] == "" ? "" : " ") $1
 }
+$2 == "alike" {
+    pair = $5 "\t" $6
+    if (!(pair in alike)) pairs[++pair_count] = pair
+    alike[pair] += $3
+    alike_in[pair] = alike_in[pair] (alike_in[pair] == "" ? "" : ", ") $4 " " $3 " %"
+}
+$2 == "not_compared" { not_compared[++not_compared_count] = $3 }
 
 # Tasks of different submissions come in different orders: sort them by lesson, part and number.
 function sort_tasks(    i, k, task) {

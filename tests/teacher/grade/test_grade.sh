@@ -66,7 +66,7 @@ ln -s s link
 
 mkdir -p course/tests/reference && cd course || exit 1
 cp -R "$top/Makefile" "$top/common" "$top/step01_line" . &&
-    (cd "$top/tests" && cp -R check grade help hidden similar starter "$work/course/tests" &&
+    (cd "$top/tests" && cp -R check grade help hidden starter "$work/course/tests" &&
         cp targets.mk "$work/course/tests" &&
         cp -R reference/step01_line "$work/course/tests/reference") || exit 1
 grep -e '^#' -e 'step01_' "$top/tests/check/scenes.txt" >tests/check/scenes.txt
@@ -118,6 +118,50 @@ grep -q 'looks like &quot;x and y exchanged' ../out/index.html || wrong "the pag
 grep -q 'href="submissions/a%2520b/report.html">a%20b<' ../out/index.html || wrong "no link to a b"
 left=$(find build -maxdepth 1 -name 'grade.*'; find ../out -name '.[gm]*')
 [ -z "$left" ] || wrong "left behind: $left"
+
+# ---- What is alike ----
+
+# Without sim_c the page says what to install.
+mkdir "$work/bin" && ln -s /usr/bin/* /bin/* "$work/bin" 2>/dev/null
+rm -f "$work/bin/sim_c"
+PATH=$work/bin tests/teacher/grade/merge.sh build ../out >"$work/said" || wrong "grade fails without sim_c"
+grep -q 'apt-get install similarity-tester' ../out/index.html || wrong "does not say what to install"
+
+# A copy has other names and comments, its functions in another order, lines of its own, and a
+# header; other programs and two starters are none. Nobody can stop the comparison.
+mkdir ../alike && cp -R ../out/submissions ../alike || exit 1
+# sources NAME: main.c is standard input.
+sources() {
+    mkdir -p "../alike/submissions/$1/sources/step01_line" &&
+        cat >"../alike/submissions/$1/sources/step01_line/main.c" || exit 1
+}
+copy=../alike/submissions/copy/sources/step01_line
+awk '{ text = text $0 "\n" }
+    /;$/ && /^ / && ++lines % 5 == 0 { text = text "    counted++;\n" }
+    /^}/ { part[++count] = text; text = "" }
+    END { for (i = count; i > 0; i--) printf "%s", part[i] }' ../class/solution/step01_line/main.c |
+    sed 's|/\*.*\*/|// mine|; s/line/row/g; s/walk/way/g; s/image/picture/g' |
+    sources copy
+sed -n '1,50p' $copy/main.c >$copy/mine.h && sed -n '51,$p' $copy/main.c | sources copy
+sources starter_again <../class/starter/step01_line/main.c
+yes '0,' | tr -d '\n' | head -c 30000 | sources zeros
+yes 'x' | head -c 40000 | tr '\n' '(' | sources long
+tests/teacher/grade/merge.sh build ../alike >"$work/said" || wrong "merge: $(cat "$work/said")"
+if command -v sim_c >/dev/null; then
+    listed=$(sed -E 's/^([89][0-9]|100),//' ../alike/similar.csv | LC_ALL=C sort | tr '\n' ' ')
+    [ "$listed" = "percent,lesson,submission,submission step01_line,a%20b,copy \
+step01_line,a%20b,solution step01_line,copy,solution " ] || wrong "alike: $(cat ../alike/similar.csv)"
+    grep -q '>copy</a></td><td>.*>solution</a></td><td>step01_line [0-9]* %' ../alike/index.html ||
+        wrong "the page does not list the copy"
+    for reason in 'zeros, step01_line keeps sim_c from its work' \
+        'long, step01_line is longer than 32768 bytes'; do
+        grep -q "Not compared: $reason" ../alike/index.html || wrong "the page lacks: $reason"
+    done
+else
+    echo "grade: without sim_c, copies are not looked for"
+fi
+
+# ---- Again ----
 
 # What is there is not done again; what is taken away is, by itself.
 cp ../out/class.csv "$work/before"

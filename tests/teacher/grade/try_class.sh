@@ -69,6 +69,16 @@ awk -F, 'NR == FNR { split($0, part, " "); state[part[1]] = part[2]; sign[part[1
     END { for (name in state) if (!(name in seen)) { print name ": has no row"; bad = 1 }
         exit bad }' FS=' ' "$work/expected" FS=, "$work/out/class.csv" || failed=1
 
+# The copies are found.
+if command -v sim_c >/dev/null; then
+    for pair in one,copy%20three one,copy%20two three,copy%20two; do
+        grep -qE "^(9[5-9]|100),step01_line,copy%20$pair\$" "$work/out/similar.csv" ||
+            wrong "copy%20$pair are not listed as alike"
+    done
+else
+    echo "class: without sim_c, copies are not looked for"
+fi
+
 # What it must not have done.
 # shellcheck disable=SC2086
 [ "$before" = "$(cksum $precious)" ] || wrong "the course was changed"

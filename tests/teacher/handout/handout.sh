@@ -4,10 +4,10 @@
 #     handout.sh OUT [LESSONS]        LESSONS is 5 or 1-5; all of them without it
 #
 # OUT is a directory that is not there yet, or empty. It gets the lessons with main.c as the
-# starter, the texts without answers, common, the check with its references, hints, and the Makefile
-# without the targets for the course as a whole. What common has of a technique (sections whose
-# heading says `taught in step03_triangle`) comes with the first hand-out that reaches beyond that
-# lesson. Twice the same command writes the same bytes.
+# starter, the texts without answers, the check with its references, hints, and what of common these
+# need. What common has of a technique (sections whose heading says `taught in step03_triangle`)
+# comes with the first hand-out that reaches beyond that lesson. Twice the same command writes the
+# same bytes.
 #
 # Exit status: 0 done; 1 it cannot be done, or a mark of a solution would have gone out, and OUT is
 # as it was; 2 wrong usage.
@@ -39,18 +39,15 @@ with_note='
     }'
 
 put_lesson() {
-    mkdir -p "$new/$1" "$new/tests/handout"
+    mkdir -p "$new/$1" "$new/tests/student/starters"
     awk -v mode=without -f tests/teacher/handout/answers.awk "$1/README.md" >"$work/README.md" &&
         awk "$with_note" "$work/README.md" >"$new/$1/README.md" || fail 1 "cannot write $new/$1"
     put_text starter "$1"
-    cp "$new/$1/main.c" "$new/tests/handout/$1.c" || fail 1 "cannot write $new/tests/handout"
-    files=
+    cp "$new/$1/main.c" "$new/tests/student/starters/$1.c" || fail 1 "cannot write $new/tests"
     for file in "$1"/scenes.h "$1"/extra_*.h "$1"/mine.c "$1"/attempts.h "$1"/hints.txt \
         "$1"/[A-Z]*.md "$1"/figures/* tests/reference/"$1"/*; do
-        [ ! -f "$file" ] || [ "$file" = "$1/README.md" ] || files="$files $file"
+        [ ! -f "$file" ] || [ "$file" = "$1/README.md" ] || put "$file"
     done
-    # shellcheck disable=SC2086 # one word a file
-    put_all $files
 }
 for lesson in $lessons; do
     put_lesson "$lesson"
@@ -58,25 +55,9 @@ done
 
 # ---- What they stand on ----
 
-# Of files: the pipeline is explained, and given, in lesson 9.
-is_later() {
-    [ "$last" -lt 9 ] || return 1
-    case ${1##*/} in
-    pipeline.[ch] | pipeline_*.[ch] | lanes.h | texture_lanes.h | workers.[ch]) ;;
-    *) return 1 ;;
-    esac
-}
-
 # A section ends where the next begins, or with the #endif of its header.
 # shellcheck disable=SC2016
 without_later_sections='
-    function finish() { if (file != "" && close(file) != 0) failed = 1 }
-    FNR == 1 {
-        finish()
-        file = ENVIRON["new"] "/" FILENAME # not by -v, which reads backslashes
-        later = 0
-    }
-    END { finish(); exit failed }
     /^\/\* ---- / {
         later = 0
         line = $0
@@ -86,104 +67,76 @@ without_later_sections='
         }
     }
     /^#endif$/ { later = 0 }
-    !later { print >file }'
+    !later { print }'
 
-# Of lessons that are not handed out nobody needs to know what mistakes look like.
-is_handed_out() {
-    case $1 in
-    tests/check/looks/step*)
-        lesson=${1#tests/check/looks/}
-        [ -d "$new/${lesson%%/*}" ]
-        ;;
-    common/*) ! is_later "$1" ;;
-    esac
-}
-
-files=$(find common tests/check tests/student -type f |
-    grep -v '/test_\|/wrong/\|/references.c$\|/\(looks\|figure\)_make.c$\|/wrong_figure.[ch]$' |
-    sort)
-changed=
-unchanged=
-for file in $files; do
-    is_handed_out "$file" || continue
+# Programs of which a student needs the sources, besides the lessons.
+programs="tests/check/check.c tests/student/show.c tests/student/compare_page.c common/sculptor/sculpt.c"
+# shellcheck disable=SC2046,SC2086 # one word a file
+awk -f tests/teacher/handout/needs.awk \
+    $(find common tests/check tests/student -name '*.[ch]' ! -name 'test_*' | sort) = \
+    $programs "$new"/step*/*.[ch] >"$work/needed" || fail 1 "cannot find out what the lessons need"
+while IFS= read -r file; do
     case $file in
-    common/*)
-        make_room "$file" || fail 1 "cannot write $new/$file"
-        changed="$changed $file"
-        ;;
-    tests/check/scenes.txt)
-        # shellcheck disable=SC2016
-        put_changed '
-            { name = $1 ~ /^step/ ? $1 : $2 } # `work` and `relations` stand before it
-            match(name, /^step[0-9]+_/) {
-                step = substr(name, 5, RLENGTH - 5) + 0
-                if (step < first || step > last) next
-            }
-            { print }' "$file"
-        ;;
-    *) unchanged="$unchanged $file" ;;
+    common/*) put_changed "$without_later_sections" "$file" ;;
+    *) put "$file" ;;
     esac
-done
-# shellcheck disable=SC2086 # one word a file
-put_all $unchanged
-# shellcheck disable=SC2086
-new=$new awk -v last="$last" "$without_later_sections" $changed ||
-    fail 1 "cannot write $new/common"
+done <"$work/needed"
+
+# What is no source: scripts, pages, and what the mistakes of these lessons look like.
+{
+    find tests/check tests/student -type f ! -name '*.[ch]' ! -path '*/wrong/*' ! -path '*/looks/*' \
+        ! -name 'test_*' ! -name 'try_*' ! -name 'mark*' ! -name start.sh
+    for lesson in $lessons; do
+        [ ! -d "tests/check/looks/$lesson" ] || find "tests/check/looks/$lesson" -type f
+    done
+} >"$work/others"
+put_all <"$work/others"
+# shellcheck disable=SC2016
+put_changed '
+    { name = $1 ~ /^step/ ? $1 : $2 } # `work` and `relations` stand before it
+    match(name, /^step[0-9]+_/) {
+        step = substr(name, 5, RLENGTH - 5) + 0
+        if (step < first || step > last) next
+    }
+    { print }' tests/check/scenes.txt
 put LICENSE
+put Makefile
 put step10_phong/figures/turn.png # where all this leads to: README.md begins with it
 put tests/student/lesson.sh
 
-# The Makefile, whose help names only what is there.
-# shellcheck disable=SC2016
-put_changed '
-    /^For the course as a whole:/ { whole = 1 }
-    whole && /^  make help/ { whole = 0 }
-    whole || /^  make solution/ { next }
-    { print }' Makefile
-cat >"$new/tests/handout/handout.mk" <<'END'
-# make start STEP=05      step05_zbuffer/main.c becomes the starter again; what it held is kept
-.PHONY: start solution
-start:
-	@tests/teacher/handout/start.sh '$(STEP)'
-solution:
-	@echo 'make solution: solutions are not handed out; your instructor has them' >&2; exit 1
-END
-cp tests/teacher/handout/start.sh "$new/tests/handout/start.sh" || fail 1 "cannot write $new"
+# `make start` has the starters themselves; there is no `make solution`.
+put tests/teacher/handout/start.sh tests/student/start.sh
+put_changed '!/make solution/ { print }' tests/student/student.mk
 
 # ---- README.md: of a course that ends here ----
 
 first_lesson=${lessons# }
 first_lesson=${first_lesson%% *}
-# shellcheck disable=SC2016
-sed -e "/^Go to/s|step01_line|$first_lesson|g" \
-    -e "s/STEP=01/STEP=$(echo "$first_lesson" | cut -c 5-6)/" \
-    -e "s/10 passed, 0 failed/$(echo "$lessons" | wc -w | tr -d ' ') passed, 0 failed/" \
-    -e 's/no sandbox: where you do not trust what you grade, `make grade` shuts it in\./no sandbox./' \
-    -e 's/as \.ci\/run: a picture/a picture/' README.md |
-    awk -v first="$first" -v last="$last" '
-        /^## / { left_out = /^## (If you teach|Accurate, fast|Layout|For contributors)/ }
-        /^A position travels/ && (first > 8 || last < 8) { elsewhere = 1 } # what lesson 8 shows
-        /^Hidden scenes/ { elsewhere = 1 }
-        elsewhere || /^    make (solution|check HIDDEN)/ { if (/^$/) elsewhere = 0; next }
-        match($0, /^    (THREADS=1 )?build\/step[0-9]+/) { # a program that is not there
-            step = substr($0, RLENGTH - 1, 2) + 0
-            if (step < first || step > last) next
+sed -e "/^Then read/s|.*|Then read [lesson $first]($first_lesson/README.md).|" \
+    -e "s/STEP=01/STEP=$(echo "$first_lesson" | cut -c 5-6)/; s/turns lesson 1 into/turns lesson $first into/" \
+    README.md |
+    new=$new awk -v first="$first" -v last="$last" '
+        function is_there(step) { return step + 0 >= first && step + 0 <= last }
+        /^## More/ { exit }
+        /^A position travels/ && !is_there(8) { elsewhere = 1 } # what lesson 8 shows
+        elsewhere || /^    make solution/ { if (/^$/) elsewhere = 0; next }
+        # A program, or a header of the table, that is not there.
+        match($0, /^    (THREADS=1 )?build\/step[0-9]+/) && !is_there(substr($0, RLENGTH - 1, 2)) { next }
+        match($0, /\]\(common\/[a-z]*\.h\)/) {
+            if ((getline line <(ENVIRON["new"] "/" substr($0, RSTART + 2, RLENGTH - 3))) <= 0) next
         }
+        # A row of the map has several lines.
         /^<tr>/ { row = ""; in_row = 1 }
         in_row {
             row = row $0 "\n"
             if (/<\/tr>/) {
                 in_row = 0
                 match(row, /href="step[0-9]+_/)
-                step = substr(row, RSTART + 10, RLENGTH - 11) + 0
-                if (step >= first && step <= last) printf "%s", row
+                if (is_there(substr(row, RSTART + 10, RLENGTH - 11))) printf "%s", row
             }
             next
         }
-        /^\| \[[0-9]+: / { keep = substr($0, 4) + 0 >= first && substr($0, 4) + 0 <= last }
-        /^\| \|/ || /^\|  \|/ { if (!keep) next }
-        /^\| \[[0-9]+: / && !keep { next }
-        !left_out { print }' >"$new/README.md" || fail 1 "cannot write $new/README.md"
+        { print }' >"$new/README.md" || fail 1 "cannot write $new/README.md"
 
 finish_texts
 

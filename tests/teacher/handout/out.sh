@@ -12,34 +12,12 @@ begin_out() {
     trap 'exit 1' HUP INT TERM
     [ -n "$work" ] || fail 1 "cannot write temporary files"
     [ -n "$out" ] || fail 2 "say where to: make $target OUT=some/directory [LESSONS=1-5]"
-    find_lessons
+    select_lessons
     if [ -e "$out" ] && { [ ! -d "$out" ] || [ -n "$(ls -A "$out")" ]; }; then
         fail 1 "$out is there already, and not an empty directory"
     fi
     mkdir -p "$(dirname "$out")" && new=$(mktemp -d "$out.XXXXXX") ||
         fail 1 "cannot write beside $out"
-}
-
-# 5 of step05_zbuffer
-lesson_number() {
-    number=${1#step}
-    expr "${number%%_*}" + 0
-}
-
-find_lessons() {
-    wanted=${wanted:-1-99}
-    case $wanted in
-    *[!0-9-]* | -* | *- | *-*-*) fail 2 "LESSONS=$wanted is neither a number nor like 1-5" ;;
-    esac
-    first=$(expr "${wanted%-*}" + 0)
-    last=$(expr "${wanted#*-}" + 0)
-    lessons=
-    for lesson in step[0-9]*_*/; do
-        lesson=${lesson%/}
-        number=$(lesson_number "$lesson")
-        [ "$number" -lt "$first" ] || [ "$number" -gt "$last" ] || lessons="$lessons $lesson"
-    done
-    [ -n "$lessons" ] || fail 2 "there is no lesson in LESSONS=$wanted"
 }
 
 # make_room FILE: for that file of the directory. (Without a process of its own, where there is.)
@@ -54,18 +32,10 @@ put() {
     make_room "${2:-$1}" && cp "$1" "$new/${2:-$1}" || fail 1 "cannot write $new/${2:-$1}"
 }
 
-# put_all FILE...: at the same places, those that follow each other in one directory at once. They
-# have no blanks in their names.
+# put_all: the files that standard input names, one a line.
 put_all() {
-    place= beside=
-    for file in "$@" /; do
-        if [ "${file%/*}" != "$place" ]; then
-            # shellcheck disable=SC2086 # one word a file
-            [ -z "$beside" ] || { make_room "$place/." && cp $beside "$new/$place"; } ||
-                fail 1 "cannot write $new/$place"
-            place=${file%/*} beside=
-        fi
-        beside="$beside $file"
+    while IFS= read -r file; do
+        put "$file"
     done
 }
 

@@ -1,16 +1,21 @@
 #!/bin/sh
-# Brings a lesson's starter back: start.sh STEP, where STEP is 5, 05 or step05_zbuffer. What main.c
-# held is kept beside it as main.c.1, main.c.2, ...
+# In a hand-out, where it is tests/student/start.sh: brings a lesson's starter back.
+#
+#     start.sh start|solution STEP          STEP is 5, 05 or step05_zbuffer
+#
+# What main.c held is kept beside it as main.c.1, main.c.2, ...
 #
 # Exit status: 0 done; 1 it cannot be done, and main.c is as it was; 2 wrong usage.
 
-cd "$(dirname "$0")/../../.." || exit 1
-target=start
-wanted=$1
+cd "$(dirname "$0")/../.." || exit 1
+target=$1
+wanted=$2
 . tests/student/lesson.sh
+[ "$target" = start ] || fail 1 "solutions are not handed out; your instructor has them"
 find_lesson
 main=$lesson/main.c
-if cmp -s "tests/teacher/handout/$lesson.c" "$main"; then
+starter=tests/student/starters/$lesson.c
+if cmp -s "$starter" "$main"; then
     echo "$main is the starter."
     exit 0
 fi
@@ -22,5 +27,5 @@ if [ -e "$main" ]; then
     mv "$main" "$main.$number" || fail 1 "cannot keep $main"
     echo "What $main held is kept in $main.$number."
 fi
-cp "tests/teacher/handout/$lesson.c" "$main" || fail 1 "cannot write $main"
+cp "$starter" "$main" || fail 1 "cannot write $main"
 echo "$main is the starter again."

@@ -33,25 +33,24 @@ hand_out "$work/c" 44 && fail "LESSONS=44 is taken"
 
 # What must not be there, and what must.
 cd "$work/a" || exit 1
-for file in step03_triangle step06_texture tests/targets.mk tests/unit tests/accept \
+for file in step03_triangle step06_texture tests/upkeep tests/unit tests/lessons tests/accept \
     step04_flat/mistakes.txt common/pipeline.h; do
     [ ! -e "$file" ] || fail "$file is handed out"
 done
-grep -rl 'BEGIN SOLUTION\|<details>\|texture_bilinear(' ./*.md step* common tests/teacher/handout \
+grep -rlE 'BEGIN SOLUTION|<details>|texture_bilinear\(' ./*.md step* common tests/student/starters \
     >"$work/log" &&
     fail "a solution or an answer is handed out in $(cat "$work/log")"
 grep -q 'bool edges_setup' common/raster.h || fail "the triangle of lesson 3 is missing in lesson 4"
 grep -q 'to do 4\.1' step04_flat/main.c || fail "the starter of lesson 4 is not one"
 make -s help | grep -q 'make check' || fail "make help does not help"
-make -s help | grep -q 'handout\|mutants' && fail "make help names targets of the instructor"
+make -s help | grep -qE 'handout|mutants' && fail "make help names targets of the instructor"
 
 echo '// mine' >>step04_flat/main.c
 make -s start STEP=04 >"$work/log" 2>&1 || fail "make start: $(cat "$work/log")"
-cmp -s step04_flat/main.c tests/teacher/handout/step04_flat.c || fail "make start brings no starter back"
+cmp -s step04_flat/main.c tests/student/starters/step04_flat.c || fail "make start brings no starter back"
 grep -q '// mine' step04_flat/main.c.1 || fail "make start does not keep what main.c held"
 
-cp "$top/tests/upkeep/texts/test_links.sh" "$work/links.sh"
-mkdir -p tests/unit && cp "$work/links.sh" tests/unit/
+mkdir -p tests/upkeep/texts && cp "$top/tests/upkeep/texts/test_links.sh" tests/upkeep/texts
 tests/upkeep/texts/test_links.sh >"$work/log" 2>&1 || fail "$(cat "$work/log")"
 
 # The first lesson stands on nothing that it teaches.
@@ -59,6 +58,16 @@ cd "$top" || exit 1
 hand_out "$work/one" 1 && cd "$work/one" || fail "LESSONS=1 fails: $(cat "$work/log")"
 grep -q 'line_begin' common/*.h common/*.c && fail "the line of lesson 1 is handed out with it"
 make -s CFLAGS=-O0 WERROR=-Werror programs >"$work/log" 2>&1 || fail "make: $(cat "$work/log")"
+
+# headers_build FILE...: each by itself, but those that say to include another one, which must be there.
+headers_build() {
+    for header in "$@"; do
+        other=$(sed -n 's/.*#error "include \(.*\) instead".*/\1/p' "$header")
+        [ -f "common/$other" ] || alone="$alone $header"
+    done
+    # shellcheck disable=SC2086 # one word a file
+    "${CC:-cc}" -std=c17 -fsyntax-only -Wall -Werror -Icommon -Itests -x c $alone
+}
 
 # What a lesson asks for can be written with the headers that come with it, and what its text tells
 # to do is there.
@@ -71,8 +80,10 @@ for lesson in step*; do
     "${CC:-cc}" -std=c17 -Wall -Werror -DCOURSE_BUILD='"build"' -I"$out/common" -fsyntax-only \
         "$out/$lesson/main.c" >"$work/log" 2>&1 ||
         fail "$lesson needs what is not handed out with it: $(head -n 3 "$work/log")"
+    (cd "$out" && headers_build common/*.h common/*/*.h tests/*/*.h tests/*/*/*.h) \
+        >"$work/log" 2>&1 || fail "headers of $lesson: $(head -n 3 "$work/log")"
     grep -n 'make solution' "$out/README.md" "$out/$lesson"/*.md && fail "there are no solutions"
-    grep -q "(${lesson}/README.md) and read" "$out/README.md" || fail "where does $lesson begin?"
+    grep -q "Then read .*(${lesson}/README.md)" "$out/README.md" || fail "where does $lesson begin?"
 done
 
 # All lessons. A C compiler brings binutils; the others are in every system.
@@ -89,7 +100,7 @@ little() {
     (cd "$work/all" && env -i PATH="$work/bin" make -s CFLAGS=-O1 WERROR=-Werror "$1") \
         >"$work/log" 2>&1
 }
-little all && ! grep 'warning\|not found' "$work/log" ||
+little all && ! grep -E 'warning|not found' "$work/log" ||
     fail "make, with gcc and make alone: $(tail -n 5 "$work/log")"
 little check && fail "a starter passes"
 [ "$(grep -c '^step[0-9]*_[a-z]* *TODO 0/.* SCORE 0/' "$work/log")" -eq 10 ] ||

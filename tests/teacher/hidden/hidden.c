@@ -2,13 +2,12 @@
  * Hidden scenes: lets a step's program and a solution draw what nobody has seen, from a seed, and
  * compares the pictures with the limits of the scenes' table.
  *
- *     hidden --programs DIR --solutions DIR --seed NUMBER [--make COMMAND] STEP...
- *     hidden --locked DIR COMMAND...
+ *     hidden PROGRAMS SOLUTIONS SEED MAKE STEP...
  *
- * With --make each program is built first, as the check does it. The second form does nothing but
- * call the command while no check can work in DIR: a shell cannot take that lock itself. STEP is a
- * name like step05_zbuffer; its solution is SOLUTIONS/step05_zbuffer/step05_zbuffer. Of a scene
- * that is wrong only the class is told:
+ * PROGRAMS and SOLUTIONS are directories. Where the command MAKE is not empty, each program is built
+ * first, as the check does it, and until the end no check works in PROGRAMS. STEP is a name like
+ * step05_zbuffer; its solution is SOLUTIONS/step05_zbuffer/step05_zbuffer. Of a scene that is wrong
+ * only the class is told:
  *
  *     step05_zbuffer  HIDDEN 11/12
  *       hidden: depth of a model in another size: wrong
@@ -19,8 +18,6 @@
  * Exit status: 0 all right, 1 something is wrong, 2 it cannot be tried.
  */
 #define _POSIX_C_SOURCE 200809L
-
-#include "lock.h"
 
 #include "check/build.h"
 #include "check/compare.h"
@@ -144,22 +141,34 @@ static void tell_all(struct told *told, const struct hidden_case *hidden_case, u
 
 /* ---- Building ---- */
 
+/* What the check would be told to build the programs. */
+static bool check_options(const struct hidden *hidden, struct options *options,
+                          struct error *error) {
+    char name[] = "hidden", programs[] = "--programs", make[] = "--make";
+    char *told[] = {name, programs, hidden->programs, make, hidden->make, NULL};
+    int end;
+    return options_read(options, (int)(sizeof told / sizeof told[0]) - 1, told, &end, error);
+}
+
 /* What is judged is what stands in main.c now, whatever was built of it before. One that does not
  * build is gone, and draws nothing. */
 static bool build_yours(const struct hidden *hidden, const char *step, struct error *error) {
-    char name[] = "hidden", programs[] = "--programs", make[] = "--make";
-    char *told[] = {name, programs, hidden->programs, make, hidden->make, NULL};
     struct options options;
     struct build_result result = {.reason = {""}};
-    int end;
     if (hidden->make[0] == '\0') {
         return true;
     }
     bool done =
-        options_read(&options, (int)(sizeof told / sizeof told[0]) - 1, told, &end, error) &&
-        build_step(&options, step, &result, error);
+        check_options(hidden, &options, error) && build_step(&options, step, &result, error);
     bytes_free(&result.messages);
     return done && (run_caught_signal() == 0 || error_set(error, "interrupted"));
+}
+
+/* Nobody else builds or removes the programs until this process ends. */
+static bool lock_yours(const struct hidden *hidden, struct error *error) {
+    struct options options;
+    return hidden->make[0] == '\0' ||
+           (check_options(hidden, &options, error) && build_lock(&options, error));
 }
 
 /* ---- Drawing ---- */
@@ -427,46 +436,10 @@ static bool try_all(struct hidden *hidden, char **steps, int step_count, struct 
 
 /* ---- What is wanted ---- */
 
-/* Returns the number of the first step among the arguments, or 0 when something is missing. */
-static int read_options(struct hidden *hidden, char **seed, int argc, char **argv) {
-    const struct {
-        const char *name;
-        char **value;
-    } known[] = {
-        {"--programs", &hidden->programs},
-        {"--solutions", &hidden->solutions},
-        {"--seed", seed},
-        {"--make", &hidden->make},
-    };
-    int i = 1;
-    for (; i + 1 < argc && argv[i][0] == '-'; i += 2) {
-        size_t k = 0, count = sizeof known / sizeof known[0];
-        while (k < count && strcmp(argv[i], known[k].name) != 0) {
-            k++;
-        }
-        if (k == count) {
-            return 0;
-        }
-        *known[k].value = argv[i + 1];
-    }
-    bool whole = hidden->programs != NULL && hidden->solutions != NULL && *seed != NULL;
-    return whole && i < argc ? i : 0;
-}
-
-static int call_locked(const char *programs, char **command) {
-    struct error error;
-    if (lock_programs(programs, &error)) {
-        execvp(command[0], command);
-        error_set(&error, "cannot run %.900s: %s", command[0], strerror(errno));
-    }
-    fprintf(stderr, "hidden: %s\n", error.message);
-    return STATUS_CANNOT_WORK;
-}
-
 static int try_and_tell(struct hidden *hidden, char **steps, int step_count) {
     struct error error;
     run_catch_signals();
-    bool done = try_all(hidden, steps, step_count, &error);
+    bool done = lock_yours(hidden, &error) && try_all(hidden, steps, step_count, &error);
     scene_table_free(&hidden->table);
     if (run_caught_signal() != 0) {
         run_die_of_signal();
@@ -479,26 +452,21 @@ static int try_and_tell(struct hidden *hidden, char **steps, int step_count) {
 }
 
 int main(int argc, char **argv) {
-    enum { LOCKED_COMMAND = 3 };
-    char nothing[] = "", *seed = NULL, *end;
-    struct hidden hidden = {.make = nothing};
-    if (argc > LOCKED_COMMAND && strcmp(argv[1], "--locked") == 0) {
-        return call_locked(argv[2], argv + LOCKED_COMMAND);
-    }
-    int first_step = read_options(&hidden, &seed, argc, argv);
-    if (first_step == 0) {
-        fputs(
-            "usage: hidden --programs DIR --solutions DIR --seed NUMBER [--make COMMAND] STEP...\n"
-            "       hidden --locked DIR COMMAND...\n",
-            stderr);
+    enum { PROGRAMS = 1, SOLUTIONS, SEED, MAKE, FIRST_STEP };
+    if (argc <= FIRST_STEP) {
+        fputs("usage: hidden PROGRAMS SOLUTIONS SEED MAKE STEP...\n", stderr);
         return STATUS_CANNOT_WORK;
     }
-    const char *runner = getenv("CHECK_RUNNER");
-    snprintf(hidden.runner, sizeof hidden.runner, "%s", runner != NULL ? runner : "");
-    hidden.seed = strtoull(seed, &end, 10);
+    const char *seed = argv[SEED], *runner = getenv("CHECK_RUNNER");
+    char *end;
+    struct hidden hidden = {.programs = argv[PROGRAMS],
+                            .solutions = argv[SOLUTIONS],
+                            .make = argv[MAKE],
+                            .seed = strtoull(seed, &end, 10)};
     if (seed[0] < '0' || seed[0] > '9' || *end != '\0') {
         fprintf(stderr, "hidden: '%s' is no seed: a number is wanted\n", seed);
         return STATUS_CANNOT_WORK;
     }
-    return try_and_tell(&hidden, argv + first_step, argc - first_step);
+    snprintf(hidden.runner, sizeof hidden.runner, "%s", runner != NULL ? runner : "");
+    return try_and_tell(&hidden, argv + FIRST_STEP, argc - FIRST_STEP);
 }

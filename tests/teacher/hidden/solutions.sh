@@ -16,42 +16,38 @@ out=$1
 make=$2
 solution=$3
 shift 3
-[ $# -gt 0 ] || set -- step[0-9]*_*
+. tests/student/lesson.sh
 . tests/student/marked.sh
+# shellcheck disable=SC2046 # one word a lesson
+[ $# -gt 0 ] || set -- $(list_lessons)
 
-# fail STATUS MESSAGE...
+# fail STATUS MESSAGE...: whatever it is, there is no solution.
 fail() {
     shift
     printf '%s\n' "$*" >&2
     exit 2
 }
 
-# Is the main.c of SOLUTION that which is judged?
-is_judged() {
-    [ -n "$judged" ] && [ "$(cd "$solution/$lesson" && pwd -P)" = "$(cd "$lesson" && pwd -P)" ]
-}
-
-# The solution's source becomes $place/main.c.
-find_solution() {
-    main=$lesson/main.c
-    work=$place
-    source=$solution/$lesson/main.c
-    name=$source # in messages
-    if [ -z "$solution" ]; then
-        if [ -n "$judged" ]; then find_marked_elsewhere; else find_marked; fi
-        source=$place/marked
-        name=$main
-    elif [ ! -f "$source" ]; then
-        fail 2 "there is no $source"
-    elif is_judged; then
-        fail 2 "nothing can be compared: $source is what is judged"
-    fi
-    text solution "$source" "$name" >"$place/main.c" || fail 2 "no solution of $lesson"
+# The main.c of SOLUTION becomes $work/marked.
+take_solution() {
+    main=$solution/$lesson/main.c # also in messages
+    [ -f "$main" ] || fail 2 "there is no $main"
+    [ -z "$judged" ] || [ "$(cd "$solution/$lesson" && pwd -P)" != "$(cd "$lesson" && pwd -P)" ] ||
+        fail 2 "nothing can be compared: $main is what is judged"
+    cp "$main" "$work/marked" || fail 2 "cannot copy $main"
 }
 
 for lesson in "$@"; do
-    place=$out/$lesson
-    mkdir -p "$place" || fail 2 "cannot write into $out"
-    find_solution
-    said=$($make "$place/$lesson" 2>&1) || fail 2 "the solution of $lesson does not build: $said"
+    work=$out/$lesson
+    main=$lesson/main.c
+    mkdir -p "$work" || fail 2 "cannot write into $out"
+    if [ -n "$solution" ]; then
+        take_solution
+    elif [ -n "$judged" ]; then
+        find_marked_elsewhere
+    else
+        find_marked
+    fi
+    text solution "$work/marked" "$main" >"$work/main.c" || fail 2 "no solution of $lesson"
+    said=$($make "$work/$lesson" 2>&1) || fail 2 "the solution of $lesson does not build: $said"
 done

@@ -205,18 +205,21 @@ wait $check || wrong "the check that was waited for fails: $(cat "$work/check.sa
 wait $beside || failed=1
 says 'HIDDEN \([1-9][0-9]*\)/\1'
 
-# And a check waits for hidden scenes, here for whatever holds their lock.
-build/hidden --locked build sh -c 'touch locked; until [ -e go ]; do sleep 0.1; done' &
-locked=$!
-until [ -e locked ] || ! kill -0 $locked 2>/dev/null; do sleep 0.1; done
+# And a check waits for hidden scenes.
+rm held.began held.go
 : >"$work/said"
+tests/teacher/hidden/solutions.sh build/hidden.held "make -s $flags" "$work" step05_zbuffer >"$work/said" ||
+    wrong "no solution"
+build/hidden build build/hidden.held 2 "./held $flags" step05_zbuffer >"$work/hidden.said" 2>&1 &
+beside=$!
+until [ -e held.began ] || ! kill -0 $beside 2>/dev/null; do sleep 0.1; done
 "$build/check" --first '' --make "make $flags" 5 >"$work/said" 2>&1 &
 check=$!
 until grep -qs 'waiting' "$work/said" || ! kill -0 $check 2>/dev/null; do sleep 0.1; done
 says 'check: waiting for another check in build'
-touch go
+touch held.go
 wait $check || wrong "a check that waited fails"
-wait $locked || wrong "the status of a locked command is not told"
+wait $beside || wrong "the hidden scenes that it waited for fail: $(cat "$work/hidden.said")"
 
 # ---- What cannot be tried ----
 
