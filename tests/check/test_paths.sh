@@ -30,6 +30,7 @@ done
 for name in 'a b' 'a$b' 'é'; do
     mkdir "$work/$name" "$work/$name/step01_line" "$work/$name/common" || exit 1
     cp "$top/Makefile" "$work/$name" && cp "$work/main.c" "$work/$name/step01_line" || exit 1
+    : >"$work/$name/step01_line/README.md"
     echo 'extern int nothing;' >"$work/$name/common/nothing.c"
     make -s -C "$work/$name" build/step01_line >"$work/log" 2>&1 || cat "$work/log"
     if [ "$("$work/$name/build/step01_line")" != "$work/$name/build" ]; then
@@ -40,7 +41,7 @@ done
 # A lesson that draws a model, which is a triangle here.
 name='100%s % n'
 mkdir -p "$work/$name/step01_line" "$work/$name/build/models" && cd "$work/$name" || exit 1
-cp -R "$top/Makefile" "$top/common" . && rm -r common/sculptor || exit 1
+cp -R "$top/Makefile" "$top/common" . && rm -r common/sculptor && : >step01_line/README.md || exit 1
 printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >build/models/bust.obj
 cat >step01_line/main.c <<'EOF'
 #include "program.h"
