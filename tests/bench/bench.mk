@@ -79,7 +79,8 @@ bench-frame: $(BUILD)/bench-frame models
 	$(Q)$(BUILD)/bench-frame $(OPTIONS)
 
 $(BUILD)/bench-frame: $(sort $(filter-out %llvmpipe.o,$(call OBJECTS_OF,bench/frame oracle)) \
-                        $(PEER_OBJECTS)) $(BUILD)/libcommon.a $(BUILD)/with-mesa
+                        $(PEER_OBJECTS)) $(BUILD)/tests/check/arguments.o $(BUILD)/libcommon.a \
+                      $(BUILD)/with-mesa
 	$(Q)$(LINK) $(filter-out %-mesa,$^) $(if $(HAS_MESA),-lEGL -lGL) -lm -o $@
 
 # Beside libpng where it is installed.

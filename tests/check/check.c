@@ -20,6 +20,7 @@
  */
 #define _POSIX_C_SOURCE 200809L
 
+#include "arguments.h"
 #include "base/file.h"
 #include "build.h"
 #include "drawn.h"
@@ -121,15 +122,14 @@ int main(int argc, char **argv) {
     struct options options;
     struct scene_table table;
     struct error error;
-    int first_step = argc;
     if (!run_open_standard_files()) {
         return EXIT_CANNOT_WORK;
     }
-    if (argc == 2 && (strcmp(argv[1], "-h") == 0 || strcmp(argv[1], "--help") == 0)) {
-        fputs(options_help, stdout);
+    if (arguments_want_help(argc, argv)) {
+        options_help();
         return EXIT_ALL_PASSED;
     }
-    if (!options_read(&options, argc, argv, &first_step, &error)) {
+    if (options_read(&options, argc, argv, &error) < 0) {
         return usage_error(error.message);
     }
     if (chdir(options.root) != 0) {
@@ -144,8 +144,8 @@ int main(int argc, char **argv) {
     if (options.exact) {
         scene_table_make_exact(&table);
     }
-    bool selected = select_steps(&table, argv + first_step, &error) &&
-                    scene_table_keep(&table, options.only, &error);
+    bool selected =
+        select_steps(&table, argv + 1, &error) && scene_table_keep(&table, options.only, &error);
     int status = selected ? check(&options, &table) : usage_error(error.message);
     scene_table_free(&table);
     if (run_caught_signal() != 0) {

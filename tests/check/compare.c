@@ -24,230 +24,88 @@ static inline bool is_background(struct rgb c) {
     return c.r == 0 && c.g == 0 && c.b == 0;
 }
 
-/* ---- The rule, for a block of a row at a time ---- */
-
-enum { BLOCK = 256 }; /* pixels; no more, since the levels of a block are added up in 16 bits */
-
-/* A block's pixels and those beside it by channel: pixel i of the block is number i + 1. */
-struct channels {
-    uint8_t blue[BLOCK + 2], green[BLOCK + 2], red[BLOCK + 2];
-};
-
-/* A block, and the rows below and above it. */
-struct patch {
-    struct channels row[3];
-};
-
-/* Pixels of `step` bytes, a constant where this is called, become channels from number `at` on. */
-static inline void split_pixels(struct channels *channels, size_t at, const uint8_t *pixels,
-                                size_t count, const size_t step) {
-    const size_t green = step > 1 ? 1 : 0, red = step > 1 ? 2 : 0;
-    for (size_t i = 0; i < count; i++) {
-        channels->blue[at + i] = pixels[i * step];
-        channels->green[at + i] = pixels[i * step + green];
-        channels->red[at + i] = pixels[i * step + red];
-    }
+static inline bool is_close(uint8_t a, uint8_t b) {
+    return (a > b ? a - b : b - a) <= COMPARE_LEVELS;
 }
 
-static void load_pixels(struct channels *channels, size_t at, const struct image *image, size_t x,
-                        size_t y, size_t count) {
-    const uint8_t *pixels = image->pixels + (y * image->width + x) * (size_t)image->format;
-    switch (image->format) {
-    case IMAGE_GREY:
-        split_pixels(channels, at, pixels, count, 1);
-        break;
-    case IMAGE_BGR:
-        split_pixels(channels, at, pixels, count, 3);
-        break;
-    case IMAGE_BGRA:
-        split_pixels(channels, at, pixels, count, 4);
-        break;
-    }
+static inline bool agree(struct rgb a, struct rgb b) {
+    return is_close(a.r, b.r) && is_close(a.g, b.g) && is_close(a.b, b.b);
 }
 
-/* Outside of the image its nearest pixel is repeated. That is among the neighbours anyway. */
-static void load_row(struct channels *row, const struct image *image, size_t x, size_t y,
-                     size_t count) {
-    const size_t left = x > 0 ? x - 1 : 0;
-    const size_t right = x + count < image->width ? x + count : x + count - 1;
-    load_pixels(row, 0, image, left, y, 1);
-    load_pixels(row, 1, image, x, y, count);
-    load_pixels(row, count + 1, image, right, y, 1);
-}
+/* ---- The rule ---- */
 
-static void load_patch(struct patch *patch, const struct image *image, size_t x, size_t y,
-                       size_t count) {
-    load_row(&patch->row[0], image, x, y > 0 ? y - 1 : 0, count);
-    load_row(&patch->row[1], image, x, y, count);
-    load_row(&patch->row[2], image, x, y + 1 < image->height ? y + 1 : y, count);
-}
-
-/* What was that of the row below becomes that of row y. */
-static void move_patch_up(struct patch *patch, const struct image *image, size_t x, size_t y,
-                          size_t count) {
-    memmove(&patch->row[0], &patch->row[1], 2 * sizeof patch->row[0]);
-    load_row(&patch->row[2], image, x, y + 1 < image->height ? y + 1 : y, count);
-}
-
-static inline uint8_t difference(uint8_t a, uint8_t b) {
-    return (uint8_t)(a > b ? a - b : b - a);
-}
-
-static inline uint8_t larger(uint8_t a, uint8_t b) {
-    return a > b ? a : b;
-}
-
-/* How far each pixel of `colors` is from the nearest of the 3x3 around it in `patch`: two colours
- * are as far apart as their channel that differs most. */
-static void find_nearest(uint8_t *restrict nearest, const struct channels *restrict colors,
-                         const struct patch *restrict patch, size_t count) {
-    memset(nearest, 255, count);
-    for (size_t k = 0; k < 9; k++) {
-        const struct channels *row = &patch->row[k / 3];
-        const size_t shift = k % 3;
-        for (size_t i = 0; i < count; i++) {
-            uint8_t blue = difference(colors->blue[i + 1], row->blue[i + shift]);
-            uint8_t green = difference(colors->green[i + 1], row->green[i + shift]);
-            uint8_t red = difference(colors->red[i + 1], row->red[i + shift]);
-            uint8_t far = larger(larger(blue, green), red);
-            nearest[i] = far < nearest[i] ? far : nearest[i];
+/* Does a pixel of the 3x3 around (x,y) agree with the colour? */
+static bool is_around(const struct image *image, size_t x, size_t y, struct rgb color) {
+    for (size_t j = y > 0 ? y - 1 : 0; j <= y + 1 && j < image->height; j++) {
+        for (size_t i = x > 0 ? x - 1 : 0; i <= x + 1 && i < image->width; i++) {
+            if (agree(pixel_at(image, i, j), color)) {
+                return true;
+            }
         }
     }
+    return false;
 }
 
-/* Is pixel i of the block not background? */
-static inline bool is_drawn(const struct channels *row, size_t i) {
-    return (row->blue[i + 1] | row->green[i + 1] | row->red[i + 1]) != 0;
+/* The marks of a pixel; all but MARK_EQUAL have MARK_NEAR. */
+static unsigned mark_pixel(const struct image *reference, const struct image *yours, size_t x,
+                           size_t y) {
+    struct rgb wanted = pixel_at(reference, x, y), got = pixel_at(yours, x, y);
+    if (wanted.r == got.r && wanted.g == got.g && wanted.b == got.b) {
+        return MARK_EQUAL;
+    }
+    if (agree(wanted, got)) {
+        return MARK_NEAR;
+    }
+    bool is_matched = is_around(yours, x, y, wanted) && is_around(reference, x, y, got);
+    return MARK_NEAR | MARK_APART | (is_matched ? 0 : MARK_WRONG) |
+           (is_background(wanted) != is_background(got) ? MARK_COVERAGE : 0);
 }
 
-/* The marks of a block; all but MARK_EQUAL have MARK_NEAR. */
-static void mark_block(uint8_t *marks, const struct patch *reference, const struct patch *yours,
-                       size_t count) {
-    const struct channels *wanted = &reference->row[1], *got = &yours->row[1];
-    uint8_t to_wanted[BLOCK], to_got[BLOCK];
-    find_nearest(to_wanted, wanted, yours, count);
-    find_nearest(to_got, got, reference, count);
-    for (size_t i = 0; i < count; i++) {
-        uint8_t blue = difference(wanted->blue[i + 1], got->blue[i + 1]);
-        uint8_t green = difference(wanted->green[i + 1], got->green[i + 1]);
-        uint8_t red = difference(wanted->red[i + 1], got->red[i + 1]);
-        uint8_t far = larger(larger(blue, green), red);
-        unsigned apart = far > COMPARE_LEVELS ? MARK_APART : 0;
-        unsigned coverage = is_drawn(wanted, i) != is_drawn(got, i) && apart ? MARK_COVERAGE : 0;
-        uint8_t farthest = larger(to_wanted[i], to_got[i]); /* missing, or too much */
-        unsigned wrong = farthest > COMPARE_LEVELS ? MARK_WRONG : 0;
-        marks[i] = (uint8_t)(far == 0 ? MARK_EQUAL : MARK_NEAR | apart | coverage | wrong);
+static void add(struct tally *tally, bool counts, size_t x, size_t y) {
+    if (counts && tally->count++ == 0) {
+        tally->x = x;
+        tally->y = y;
     }
 }
 
-/* By how many levels the pixels of the block that agree are lighter, in all. */
-static int64_t count_lighter(const uint8_t *wanted, const uint8_t *got, const uint8_t *marks,
-                             size_t count) {
-    uint16_t sum_wanted = 0, sum_got = 0;
-    for (size_t i = 0; i < count; i++) {
-        uint8_t agrees = (marks[i] & MARK_APART) != 0 ? 0 : 255;
-        sum_wanted = (uint16_t)(sum_wanted + (wanted[i + 1] & agrees));
-        sum_got = (uint16_t)(sum_got + (got[i + 1] & agrees));
+static void add_pixel(struct comparison *result, const struct image *reference,
+                      const struct image *yours, size_t x, size_t y) {
+    struct rgb wanted = pixel_at(reference, x, y), got = pixel_at(yours, x, y);
+    unsigned marks = mark_pixel(reference, yours, x, y);
+    result->drawn += !is_background(wanted) || !is_background(got);
+    add(&result->differing, marks != MARK_EQUAL, x, y);
+    add(&result->apart, (marks & MARK_APART) != 0, x, y);
+    add(&result->near, marks == MARK_NEAR, x, y);
+    add(&result->coverage, (marks & MARK_COVERAGE) != 0, x, y);
+    add(&result->wrong, (marks & MARK_WRONG) != 0, x, y);
+    if ((marks & MARK_APART) == 0) {
+        result->lighter[0] += got.r - wanted.r;
+        result->lighter[1] += got.g - wanted.g;
+        result->lighter[2] += got.b - wanted.b;
     }
-    return (int64_t)sum_got - sum_wanted;
 }
 
-/* How many pixels are not background in at least one of the two. */
-static size_t count_drawn(const struct channels *a, const struct channels *b, size_t count) {
-    uint16_t drawn = 0;
-    for (size_t i = 0; i < count; i++) {
-        drawn = (uint16_t)(drawn + ((int)is_drawn(a, i) | (int)is_drawn(b, i)));
+static bool is_same_row(const struct image *a, const struct image *b, size_t y) {
+    size_t size = a->width * (size_t)a->format;
+    return a->format == b->format && memcmp(a->pixels + y * size, b->pixels + y * size, size) == 0;
+}
+
+static size_t count_drawn(const struct image *image, size_t y) {
+    size_t drawn = 0;
+    for (size_t x = 0; x < image->width; x++) {
+        drawn += !is_background(pixel_at(image, x, y));
     }
     return drawn;
 }
 
-/* Is the block the same bytes in both? */
-static bool is_same_block(const struct image *a, const struct image *b, size_t x, size_t y,
-                          size_t count) {
-    size_t start = (y * a->width + x) * (size_t)a->format;
-    return a->format == b->format &&
-           memcmp(a->pixels + start, b->pixels + start, count * (size_t)a->format) == 0;
-}
-
-static void add_same_block(struct comparison *result, const struct image *image, size_t x, size_t y,
-                           size_t count) {
-    struct channels row;
-    load_pixels(&row, 1, image, x, y, count);
-    result->drawn += count_drawn(&row, &row, count);
-}
-
-/* A block of a row, from (x,y) on. */
-struct marked_block {
-    size_t x, y, count;
-    uint8_t marks[BLOCK];
-};
-
-/* Add the pixels whose marks, of those in `mask`, are `wanted`. */
-static void add_marked(struct tally *tally, const struct marked_block *block, unsigned mask,
-                       unsigned wanted) {
-    uint16_t count = 0;
-    for (size_t i = 0; i < block->count; i++) {
-        count = (uint16_t)(count + ((block->marks[i] & mask) == wanted));
-    }
-    if (count > 0 && (tally->count == 0 || block->y < tally->y)) {
-        size_t first = 0;
-        while ((block->marks[first] & mask) != wanted) {
-            first++;
-        }
-        tally->x = block->x + first;
-        tally->y = block->y;
-    }
-    tally->count += count;
-}
-
-static void add_block(struct comparison *result, const struct patch *wanted,
-                      const struct patch *got, size_t x, size_t y, size_t count) {
-    struct marked_block block = {.x = x, .y = y, .count = count};
-    const struct channels *right = &wanted->row[1], *yours = &got->row[1];
-    mark_block(block.marks, wanted, got, count);
-    result->drawn += count_drawn(right, yours, count);
-    result->lighter[0] += count_lighter(right->red, yours->red, block.marks, count);
-    result->lighter[1] += count_lighter(right->green, yours->green, block.marks, count);
-    result->lighter[2] += count_lighter(right->blue, yours->blue, block.marks, count);
-    add_marked(&result->differing, &block, MARK_NEAR, MARK_NEAR);
-    add_marked(&result->apart, &block, MARK_APART, MARK_APART);
-    add_marked(&result->near, &block, MARK_NEAR | MARK_APART, MARK_NEAR);
-    add_marked(&result->coverage, &block, MARK_COVERAGE, MARK_COVERAGE);
-    add_marked(&result->wrong, &block, MARK_WRONG, MARK_WRONG);
-}
-
-static size_t block_size(const struct image *image, size_t x) {
-    return image->width - x < BLOCK ? image->width - x : BLOCK;
-}
-
-/* The blocks that begin in column x, upwards: each row is loaded once. */
-static void add_blocks(struct comparison *result, const struct image *reference,
-                       const struct image *yours, size_t x) {
-    const size_t count = block_size(reference, x);
-    struct patch wanted, got;
-    bool is_loaded = false; /* for the row below */
-    for (size_t y = 0; y < reference->height; y++) {
-        if (is_same_block(reference, yours, x, y, count)) {
-            add_same_block(result, reference, x, y, count);
-            is_loaded = false;
-            continue;
-        }
-        if (is_loaded) {
-            move_patch_up(&wanted, reference, x, y, count);
-            move_patch_up(&got, yours, x, y, count);
-        } else {
-            load_patch(&wanted, reference, x, y, count);
-            load_patch(&got, yours, x, y, count);
-        }
-        is_loaded = true;
-        add_block(result, &wanted, &got, x, y, count);
-    }
-}
-
 struct comparison compare_images(const struct image *reference, const struct image *yours) {
     struct comparison result = {.drawn = 0};
-    for (size_t x = 0; x < reference->width; x += BLOCK) {
-        add_blocks(&result, reference, yours, x);
+    for (size_t y = 0; y < reference->height; y++) {
+        bool is_same = is_same_row(reference, yours, y); /* as most are */
+        result.drawn += is_same ? count_drawn(reference, y) : 0;
+        for (size_t x = 0; x < reference->width && !is_same; x++) {
+            add_pixel(&result, reference, yours, x, y);
+        }
     }
     if (image_is_blank(yours)) {
         result.wrong = result.differing; /* also where the reference is nearly background */
@@ -292,11 +150,6 @@ struct share_text share_show(uint64_t count, uint64_t drawn, unsigned limit) {
 
 /* ---- Moved pictures ---- */
 
-static bool is_apart(struct rgb a, struct rgb b) {
-    return difference(a.r, b.r) > COMPARE_LEVELS || difference(a.g, b.g) > COMPARE_LEVELS ||
-           difference(a.b, b.b) > COMPARE_LEVELS;
-}
-
 /* How many pixels are apart when yours is moved back by (right, up)? What is moved out of the
  * picture, and what has come in, does not count. No more than `most` are counted. */
 static uint64_t count_apart(const struct image *reference, const struct image *yours, int right,
@@ -305,8 +158,8 @@ static uint64_t count_apart(const struct image *reference, const struct image *y
     int width = (int)reference->width, height = (int)reference->height;
     for (int y = up < 0 ? -up : 0; y < height && y + up < height && count < most; y++) {
         for (int x = right < 0 ? -right : 0; x < width && x + right < width; x++) {
-            count += is_apart(pixel_at(reference, (size_t)x, (size_t)y),
-                              pixel_at(yours, (size_t)(x + right), (size_t)(y + up)));
+            count += !agree(pixel_at(reference, (size_t)x, (size_t)y),
+                            pixel_at(yours, (size_t)(x + right), (size_t)(y + up)));
         }
     }
     return count;
@@ -372,21 +225,6 @@ static struct rgb mark_color(unsigned marks, enum compare_pixels wrong, struct r
     return (struct rgb){reference.r / 4, reference.g / 4, reference.b / 4};
 }
 
-/* A block of the difference. */
-static void put_block(struct image *difference, const struct image *reference,
-                      const struct image *yours, enum compare_pixels wrong, size_t x, size_t y) {
-    const size_t count = block_size(reference, x);
-    struct patch wanted, got;
-    uint8_t marks[BLOCK];
-    load_patch(&wanted, reference, x, y, count);
-    load_patch(&got, yours, x, y, count);
-    mark_block(marks, &wanted, &got, count);
-    for (size_t i = 0; i < count; i++) {
-        put(difference, x + i, y,
-            mark_color(marks[i], wrong, pixel_at(reference, x + i, y), pixel_at(yours, x + i, y)));
-    }
-}
-
 /* Lay the part of `panel` that has room there on the picture, from column x on. */
 static void put_panel(struct image *picture, const struct image *panel, size_t x) {
     for (size_t y = 0; y < picture->height && y < panel->height; y++) {
@@ -417,8 +255,10 @@ bool compare_difference(struct image *difference, const struct image *reference,
         return false;
     }
     for (size_t y = 0; y < height; y++) {
-        for (size_t x = 0; x < width; x += BLOCK) {
-            put_block(difference, reference, &cut, wrong, x, y);
+        for (size_t x = 0; x < width; x++) {
+            put(difference, x, y,
+                mark_color(mark_pixel(reference, &cut, x, y), wrong, pixel_at(reference, x, y),
+                           pixel_at(&cut, x, y)));
         }
     }
     image_free(&cut);

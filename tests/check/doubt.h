@@ -2,12 +2,12 @@
  * What else is known of a program, and speaks against a mistake that one of its pictures, or its
  * work, looks like.
  *
- *     LOOKS_IMPOSSIBLE  a scene is exact that the mistake would make wrong;
- *     LOOKS_DOUBTFUL    another scene fails that shows and needs nothing but what this one does (so
- *                       no other task can have made it wrong), and it is not so that the mistake
- *                       makes it, or the mistake would leave it right. Two mistakes in one task do
- *                       that, and a third one that is not known;
- *     LOOKS_UNLIKELY    another picture shows the mistake's task right, or it is to do.
+ *     MISTAKE_IMPOSSIBLE  a scene is exact that the mistake would make wrong;
+ *     MISTAKE_DOUBTFUL    another scene fails that shows and needs nothing but what this one does
+ *                         (so no other task can have made it wrong), and it is not so that the
+ *                         mistake makes it, or the mistake would leave it right. Two mistakes in one
+ *                         task do that, and a third one that is not known;
+ *     MISTAKE_UNLIKELY    another picture shows the mistake's task right, or it is to do.
  */
 #ifndef TESTS_CHECK_DOUBT_H
 #define TESTS_CHECK_DOUBT_H
@@ -17,7 +17,7 @@
 
 #include <stddef.h>
 
-/* An item of a step that is judged, but for what it looks like. */
+/* An item of a step that is judged, except for what it looks like. */
 struct suspicion {
     const struct step_result *result; /* its pictures come first, as many as there are scenes */
     const struct looks *looks;        /* what is known of each scene */
@@ -26,7 +26,7 @@ struct suspicion {
     const struct item_result *item;
 };
 
-/* A looks_doubt_function; `suspicion` is one. */
-enum looks_doubt doubt_find(const void *suspicion, const struct look *mistake);
+/* A mistake_doubt_function; `suspicion` is one. */
+enum mistake_doubt doubt_find(const void *suspicion, const struct mistake *mistake);
 
 #endif

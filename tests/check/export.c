@@ -3,6 +3,7 @@
 
 #include "check/page/escape.h"
 
+#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -15,14 +16,15 @@ struct writer {
     bool failed;
 };
 
-static void put(struct writer *writer, const char *text) {
-    writer->failed = writer->failed || !bytes_append(writer->report, text, strlen(text));
-}
+static void put(struct writer *writer, const char *format, ...) PRINTF_LIKE(2, 3);
 
-static void put_number(struct writer *writer, uint64_t number) {
-    char digits[24];
-    snprintf(digits, sizeof digits, "%llu", (unsigned long long)number);
-    put(writer, digits);
+static void put(struct writer *writer, const char *format, ...) {
+    char text[512]; /* names and numbers have room; texts from a submission go another way */
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(text, sizeof text, format, arguments);
+    va_end(arguments);
+    writer->failed = writer->failed || !bytes_append(writer->report, text, strlen(text));
 }
 
 static bool finish(const struct writer *writer, struct error *error) {
@@ -42,6 +44,11 @@ static void put_escaped(struct writer *writer, const char *text,
         escape(writer, *at);
     }
     free(printable);
+}
+
+/* "depth", or "depth pixels" for a counter: names of the table of scenes, which are plain. */
+static void put_name(struct writer *writer, const struct item_result *item) {
+    put(writer, "%s%s%s", item->scene, item->counter[0] != '\0' ? " " : "", item->counter);
 }
 
 /* ---- Words ---- */
@@ -67,6 +74,10 @@ static struct outcome count_outcome(const struct step_result *step) {
     return outcome;
 }
 
+static bool has_note(const struct check_result *result) {
+    return result->note != NULL && result->note[0] != '\0';
+}
+
 /* What is wrong with an item: its own message, else the step's. */
 static const char *message_of(const struct step_result *step, const struct item_result *item) {
     return item->message.text[0] != '\0' || item->state == RESULT_PASS ? item->message.text
@@ -75,56 +86,50 @@ static const char *message_of(const struct step_result *step, const struct item_
 
 /* ---- JUnit XML ---- */
 
-static void put_xml(struct writer *writer, const char *text) {
+/* What is between the two: free text. */
+static void put_xml(struct writer *writer, const char *before, const char *text,
+                    const char *after) {
+    put(writer, "%s", before);
     writer->failed = writer->failed || !escape_markup(writer->report, text);
-}
-
-static void put_attribute(struct writer *writer, const char *name, uint64_t number) {
-    put(writer, " ");
-    put(writer, name);
-    put(writer, "=\"");
-    put_number(writer, number);
-    put(writer, "\"");
-}
-
-static void put_outcome(struct writer *writer, size_t tests, struct outcome outcome) {
-    put_attribute(writer, "tests", tests);
-    put_attribute(writer, "failures", outcome.failures);
-    put_attribute(writer, "errors", outcome.errors);
+    put(writer, "%s", after);
 }
 
 static void junit_item(struct writer *writer, const struct step_result *step,
                        const struct item_result *item) {
     const char *message = message_of(step, item);
-    put(writer, "    <testcase classname=\"");
-    put_xml(writer, step->name);
-    put(writer, "\" name=\"");
-    put_xml(writer, item->scene);
-    if (item->counter[0] != '\0') {
-        put(writer, " ");
-        put_xml(writer, item->counter);
-    }
+    put(writer, "    <testcase classname=\"%s\" name=\"", step->name);
+    put_name(writer, item);
     put(writer, "\">\n");
     if (item->state == RESULT_TODO) {
-        put(writer, "      <skipped>");
-        put_xml(writer, message);
-        put(writer, "</skipped>\n");
+        put_xml(writer, "      <skipped>", message, "</skipped>\n");
     } else if (item->state != RESULT_PASS) {
-        put(writer, item->state == RESULT_FAIL ? "      <failure type=\"" : "      <error type=\"");
-        put(writer, result_state_name(item->state));
-        put(writer, "\" message=\"");
-        put_xml(writer, message);
-        put(writer, "\"/>\n");
+        put(writer, "      <%s type=\"%s\"", item->state == RESULT_FAIL ? "failure" : "error",
+            result_state_name(item->state));
+        put_xml(writer, " message=\"", message, "\"/>\n");
     }
-    put(writer, "      <system-out>points ");
-    put_number(writer, item->points);
-    put(writer, "/");
-    put_number(writer, item->credit->points);
+    put(writer, "      <system-out>points %u/%u", item->points, item->credit->points);
     if (item->state == RESULT_PASS && message[0] != '\0') {
-        put(writer, "; ");
-        put_xml(writer, message);
+        put_xml(writer, "; ", message, "");
     }
     put(writer, "</system-out>\n    </testcase>\n");
+}
+
+static void junit_step(struct writer *writer, const struct check_result *result,
+                       const struct step_result *step) {
+    struct outcome outcome = count_outcome(step);
+    put(writer,
+        "  <testsuite name=\"%s\" tests=\"%zu\" failures=\"%zu\" errors=\"%zu\" skipped=\"%zu\">\n",
+        step->name, step->item_count, outcome.failures, outcome.errors, outcome.skipped);
+    for (size_t k = 0; k < step->item_count; k++) {
+        junit_item(writer, step, &step->items[k]);
+    }
+    if (has_note(result)) {
+        put_xml(writer, "    <system-out>", result->note, "</system-out>\n");
+    }
+    if (step->messages.size > 1) {
+        put_xml(writer, "    <system-err>", (const char *)step->messages.data, "</system-err>\n");
+    }
+    put(writer, "  </testsuite>\n");
 }
 
 bool export_junit(struct bytes *report, const struct check_result *result, const char *references,
@@ -139,32 +144,11 @@ bool export_junit(struct bytes *report, const struct check_result *result, const
         all.errors += outcome.errors;
         tests += result->steps[i].item_count;
     }
-    put(&writer, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"check\"");
-    put_outcome(&writer, tests, all);
-    put(&writer, ">\n");
+    put(&writer, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n");
+    put(&writer, "<testsuites name=\"check\" tests=\"%zu\" failures=\"%zu\" errors=\"%zu\">\n",
+        tests, all.failures, all.errors);
     for (size_t i = 0; i < result->step_count; i++) {
-        const struct step_result *step = &result->steps[i];
-        put(&writer, "  <testsuite name=\"");
-        put_xml(&writer, step->name);
-        put(&writer, "\"");
-        struct outcome outcome = count_outcome(step);
-        put_outcome(&writer, step->item_count, outcome);
-        put_attribute(&writer, "skipped", outcome.skipped);
-        put(&writer, ">\n");
-        for (size_t k = 0; k < step->item_count; k++) {
-            junit_item(&writer, step, &step->items[k]);
-        }
-        if (result->note != NULL && result->note[0] != '\0') {
-            put(&writer, "    <system-out>");
-            put_xml(&writer, result->note);
-            put(&writer, "</system-out>\n");
-        }
-        if (step->messages.size > 1) {
-            put(&writer, "    <system-err>");
-            put_xml(&writer, (const char *)step->messages.data);
-            put(&writer, "</system-err>\n");
-        }
-        put(&writer, "  </testsuite>\n");
+        junit_step(&writer, result, &result->steps[i]);
     }
     put(&writer, "</testsuites>\n");
     return finish(&writer, error);
@@ -174,7 +158,7 @@ bool export_junit(struct bytes *report, const struct check_result *result, const
 
 static void escape_json(struct writer *writer, char byte) {
     if (byte == '"' || byte == '\\') {
-        put(writer, "\\");
+        put_byte(writer, '\\');
     }
     if (byte == '\n') {
         put(writer, "\\n");
@@ -183,42 +167,34 @@ static void escape_json(struct writer *writer, char byte) {
     }
 }
 
-static void put_json(struct writer *writer, const char *text) {
-    put(writer, "\"");
+/* A member of free text; `before` is its name and what separates it from the one before. */
+static void json_text(struct writer *writer, const char *before, const char *text) {
+    put(writer, "%s: \"", before);
     put_escaped(writer, text, escape_json);
     put(writer, "\"");
 }
 
-/* Each of a member begins with what stands between it and the one before. */
-static void json_text(struct writer *writer, const char *name, const char *text) {
-    put(writer, name);
-    put(writer, ": ");
-    put_json(writer, text);
+/* The same, where there is something to say. */
+static void json_message(struct writer *writer, const char *before, const char *text) {
+    if (text[0] != '\0') {
+        json_text(writer, before, text);
+    }
 }
 
-static void json_number(struct writer *writer, const char *name, uint64_t number) {
-    put(writer, name);
-    put(writer, ": ");
-    put_number(writer, number);
-}
-
-static void json_percent(struct writer *writer, const char *name, uint64_t count, uint64_t drawn) {
-    char number[48];
-    snprintf(number, sizeof number, "%s: %.4f", name,
-             drawn > 0 ? 100.0 * (double)count / (double)drawn : 0.0);
-    put(writer, number);
+static double percent(uint64_t count, uint64_t drawn) {
+    return drawn > 0 ? 100.0 * (double)count / (double)drawn : 0.0;
 }
 
 static void json_picture(struct writer *writer, const struct item_result *item) {
     const struct comparison *shares = &item->shares;
-    put(writer, item->exact ? ", \"exact\": true" : ", \"exact\": false");
+    put(writer, ", \"exact\": %s", item->exact ? "true" : "false");
     if (!item->compared || item->exact) {
         return;
     }
-    json_number(writer, ", \"pixels_drawn\"", shares->drawn);
-    json_percent(writer, ", \"wrong_percent\"", shares->wrong.count, shares->drawn);
-    json_percent(writer, ", \"apart_percent\"", shares->apart.count, shares->drawn);
-    json_percent(writer, ", \"coverage_percent\"", shares->coverage.count, shares->drawn);
+    put(writer, ", \"pixels_drawn\": %llu", (unsigned long long)shares->drawn);
+    put(writer, ", \"wrong_percent\": %.4f", percent(shares->wrong.count, shares->drawn));
+    put(writer, ", \"apart_percent\": %.4f", percent(shares->apart.count, shares->drawn));
+    put(writer, ", \"coverage_percent\": %.4f", percent(shares->coverage.count, shares->drawn));
     if (item->yours.text[0] != '\0') {
         json_text(writer, ", \"yours\"", item->yours.text);
         json_text(writer, ", \"reference\"", item->reference.text);
@@ -226,67 +202,43 @@ static void json_picture(struct writer *writer, const struct item_result *item) 
     }
 }
 
-/* The figures of the lesson's wrong pictures that show what it looks like. */
-static void json_figures(struct writer *writer, const struct item_result *item) {
-    for (size_t i = 0; i < item->looks_figure_count; i++) {
-        put(writer, i > 0 ? ", " : ", \"figures\": [");
-        put_number(writer, item->looks_figures[i]);
-    }
-    put(writer, item->looks_figure_count > 0 ? "]" : "");
-}
-
 static void json_item(struct writer *writer, const struct item_result *item) {
-    json_text(writer, "        {\"scene\"", item->scene);
-    json_text(writer, ", \"state\"", result_state_name(item->state));
-    json_number(writer, ", \"points\"", item->points);
-    json_number(writer, ", \"most\"", item->credit->points);
-    put(writer, ", \"tasks\": [");
+    put(writer, "        {\"scene\": \"%s\", \"state\": \"%s\", \"points\": %u, \"most\": %u",
+        item->scene, result_state_name(item->state), item->points, item->credit->points);
     for (size_t i = 0; i < item->credit->task_count; i++) {
-        put(writer, i > 0 ? ", " : "");
-        put_json(writer, item->credit->tasks[i].text);
+        put(writer, "%s\"%s\"", i > 0 ? ", " : ", \"tasks\": [", item->credit->tasks[i].text);
     }
     put(writer, "]");
     if (item->counter[0] != '\0') {
-        json_text(writer, ", \"counter\"", item->counter);
-        json_number(writer, ", \"counted\"", item->counted);
-        json_number(writer, ", \"enough\"", item->most);
+        put(writer, ", \"counter\": \"%s\", \"counted\": %llu, \"enough\": %llu", item->counter,
+            (unsigned long long)item->counted, (unsigned long long)item->most);
     } else {
         json_picture(writer, item);
     }
-    if (item->message.text[0] != '\0') {
-        json_text(writer, ", \"message\"", item->message.text);
+    json_message(writer, ", \"message\"", item->message.text);
+    json_message(writer, item->only_may_be ? ", \"may_be\"" : ", \"looks_like\"", item->looks.text);
+    for (size_t i = 0; i < item->looks_figure_count; i++) {
+        put(writer, "%s%u%s", i > 0 ? ", " : ", \"figures\": [", item->looks_figures[i],
+            i + 1 < item->looks_figure_count ? "" : "]");
     }
-    if (item->looks.text[0] != '\0') {
-        json_text(writer, item->only_may_be ? ", \"may_be\"" : ", \"looks_like\"",
-                  item->looks.text);
-        json_figures(writer, item);
-    }
-    put(writer, "}");
-}
-
-static void json_task(struct writer *writer, const struct task_result *task) {
-    json_text(writer, "        {\"task\"", task->name.text);
-    json_text(writer, ", \"state\"", result_state_name(task->state));
-    json_number(writer, ", \"points\"", task->points);
-    json_number(writer, ", \"most\"", task->most);
     put(writer, "}");
 }
 
 static void json_step(struct writer *writer, const struct step_result *step) {
-    json_text(writer, "    {\n      \"step\"", step->name);
-    json_text(writer, ",\n      \"state\"", result_state_name(step->state));
-    json_number(writer, ",\n      \"points\"", step->points);
-    json_number(writer, ",\n      \"most\"", step->most);
-    if (step->reason.text[0] != '\0') {
-        json_text(writer, ",\n      \"reason\"", step->reason.text);
-    }
+    put(writer, "    {\n      \"step\": \"%s\",\n      \"state\": \"%s\"", step->name,
+        result_state_name(step->state));
+    put(writer, ",\n      \"points\": %u,\n      \"most\": %u", step->points, step->most);
+    json_message(writer, ",\n      \"reason\"", step->reason.text);
     if (step->messages.size > 1) {
         json_text(writer, ",\n      \"messages\"", (const char *)step->messages.data);
     }
     put(writer, ",\n      \"tasks\": [\n");
     for (size_t i = 0; i < step->task_count; i++) {
-        json_task(writer, &step->tasks[i]);
-        put(writer, i + 1 < step->task_count ? ",\n" : "\n");
+        const struct task_result *task = &step->tasks[i];
+        put(writer,
+            "        {\"task\": \"%s\", \"state\": \"%s\", \"points\": %u, \"most\": %u}%s\n",
+            task->name.text, result_state_name(task->state), task->points, task->most,
+            i + 1 < step->task_count ? "," : "");
     }
     put(writer, "      ],\n      \"items\": [\n");
     for (size_t i = 0; i < step->item_count; i++) {
@@ -300,13 +252,9 @@ bool export_json(struct bytes *report, const struct check_result *result, const 
                  struct error *error) {
     struct writer writer = {.report = report};
     (void)references;
-    json_number(&writer, "{\n  \"points\"", result->points);
-    json_number(&writer, ",\n  \"most\"", result->most);
-    json_number(&writer, ",\n  \"passed\"", result->passed);
-    json_number(&writer, ",\n  \"failed\"", result->failed);
-    if (result->note != NULL && result->note[0] != '\0') {
-        json_text(&writer, ",\n  \"note\"", result->note);
-    }
+    put(&writer, "{\n  \"points\": %u,\n  \"most\": %u,\n", result->points, result->most);
+    put(&writer, "  \"passed\": %zu,\n  \"failed\": %zu", result->passed, result->failed);
+    json_message(&writer, ",\n  \"note\"", has_note(result) ? result->note : "");
     put(&writer, ",\n  \"steps\": [\n");
     for (size_t i = 0; i < result->step_count; i++) {
         json_step(&writer, &result->steps[i]);
@@ -320,40 +268,21 @@ bool export_json(struct bytes *report, const struct check_result *result, const 
 
 /* '#' begins a directive. */
 static void escape_tap(struct writer *writer, char byte) {
-    if (byte == '#' || byte == '\n') {
-        put(writer, " ");
-    } else {
-        put_byte(writer, byte);
-    }
+    put_byte(writer, (char)(byte == '#' || byte == '\n' ? ' ' : byte));
 }
 
 static void tap_item(struct writer *writer, size_t number, const struct step_result *step,
                      const struct item_result *item) {
     const char *message = message_of(step, item);
-    put(writer, item->state == RESULT_PASS ? "ok " : "not ok ");
-    put_number(writer, number);
-    put(writer, " - ");
-    put_escaped(writer, step->name, escape_tap);
-    put(writer, " ");
-    put_escaped(writer, item->scene, escape_tap);
-    if (item->counter[0] != '\0') {
-        put(writer, " ");
-        put_escaped(writer, item->counter, escape_tap);
-    }
+    put(writer, "%s %zu - %s ", item->state == RESULT_PASS ? "ok" : "not ok", number, step->name);
+    put_name(writer, item);
     if (item->state == RESULT_TODO) {
         put(writer, " # TODO ");
         put_escaped(writer, message, escape_tap);
     }
-    put(writer, "\n# ");
-    put(writer, result_state_name(item->state));
-    put(writer, " ");
-    put_number(writer, item->points);
-    put(writer, "/");
-    put_number(writer, item->credit->points);
-    if (message[0] != '\0') {
-        put(writer, ": ");
-        put_escaped(writer, message, escape_tap);
-    }
+    put(writer, "\n# %s %u/%u%s", result_state_name(item->state), item->points,
+        item->credit->points, message[0] != '\0' ? ": " : "");
+    put_escaped(writer, message, escape_tap);
     put(writer, "\n");
 }
 
@@ -365,10 +294,8 @@ bool export_tap(struct bytes *report, const struct check_result *result, const c
     for (size_t i = 0; i < result->step_count; i++) {
         number += result->steps[i].item_count;
     }
-    put(&writer, "TAP version 13\n1..");
-    put_number(&writer, number);
-    put(&writer, "\n");
-    if (result->note != NULL && result->note[0] != '\0') {
+    put(&writer, "TAP version 13\n1..%zu\n", number);
+    if (has_note(result)) {
         put(&writer, "# ");
         put_escaped(&writer, result->note, escape_tap);
         put(&writer, "\n");
@@ -378,6 +305,24 @@ bool export_tap(struct bytes *report, const struct check_result *result, const c
         const struct step_result *step = &result->steps[i];
         for (size_t k = 0; k < step->item_count; k++) {
             tap_item(&writer, ++number, step, &step->items[k]);
+        }
+    }
+    return finish(&writer, error);
+}
+
+/* ---- CSV ---- */
+
+bool export_csv(struct bytes *report, const struct check_result *result, const char *references,
+                struct error *error) {
+    struct writer writer = {.report = report};
+    (void)references;
+    put(&writer, "step,task,state,points,most\n");
+    for (size_t i = 0; i < result->step_count; i++) {
+        const struct step_result *step = &result->steps[i];
+        for (size_t k = 0; k < step->task_count; k++) {
+            const struct task_result *task = &step->tasks[k];
+            put(&writer, "%s,%s,%s,%u,%u\n", step->name, task->name.text,
+                result_state_name(task->state), task->points, task->most);
         }
     }
     return finish(&writer, error);

@@ -35,11 +35,11 @@ struct judging {
     const struct options *options;
     const struct checked_step *step;
     struct step_result *result;
-    struct image *references;    /* one a scene, empty where there is none */
-    struct error *errors;        /* then why */
-    struct looks *looks;         /* the known mistakes of each scene */
-    struct counted_list counted; /* and those that no picture tells */
-    struct bytes source;         /* main.c, a NUL at its end */
+    struct image *references;     /* one a scene, empty where there is none */
+    struct error *errors;         /* then why */
+    struct mistake_list mistakes; /* that are known, */
+    struct looks *looks;          /* and what they look like in each scene */
+    struct bytes source;          /* main.c, a NUL at its end */
     struct run_limits limits;
     struct run_directory directory; /* where the program draws */
 };
@@ -154,10 +154,10 @@ static void judge_picture(const struct judging *judging, size_t i, const struct 
     if (item->state == RESULT_FAIL) {
         const uint64_t apart = item->shares.apart.count;
         if (is_near) {
-            likeness = looks_find(&judging->looks[i], reference, yours, 0, 0);
+            likeness = looks_find(&judging->looks[i], reference, yours, 0);
         }
         if (likeness.row == 0) {
-            likeness = looks_find(&judging->looks[i], reference, yours, apart, 0);
+            likeness = looks_find(&judging->looks[i], reference, yours, apart);
         }
         looks_compare(&judging->looks[i], yours);
         item->looks_path =
@@ -276,10 +276,12 @@ static void describe_end(struct result_text *text, const struct run_result *end,
 
 /* Read the references and what is known of mistakes. A bad reference stays empty. */
 static void read_references(struct judging *judging) {
-    counted_read(&judging->counted, judging->options->looks, judging->step->name);
+    char list[DRAWN_PATH_LIMIT];
+    snprintf(list, sizeof list, "%s/%s/signs.txt", judging->options->looks, judging->step->name);
+    mistakes_read(&judging->mistakes, list);
     for (size_t i = 0; i < judging->step->scene_count; i++) {
-        looks_read(&judging->looks[i], judging->options->looks, judging->step->name,
-                   judging->step->scenes[i].name);
+        looks_read(&judging->looks[i], &judging->mistakes, judging->options->looks,
+                   judging->step->name, judging->step->scenes[i].name);
         struct result_path path = reference_path(judging, judging->step->scenes[i].name);
         struct image *reference = &judging->references[i];
         if (image_read(reference, path.text, &judging->errors[i]) && image_is_blank(reference)) {
@@ -446,7 +448,7 @@ static bool run_counting(const struct judging *judging, const char *scene, struc
     if (done && !file_read(path, output, &ignored)) {
         bytes_free(output); /* it has made something else of the file */
     }
-    run_directory_remove(&directory);
+    run_directory_remove(directory.path);
     return done && (bytes_append(output, "", 1) || error_out_of_memory(error));
 }
 
@@ -583,7 +585,8 @@ static void tell_likenesses(const struct judging *judging) {
         const struct looks *looks = &judging->looks[i];
         const struct suspicion suspicion = suspicion_of(judging, item);
         item->only_may_be = item->looks_row > 0 && item->looks_row == looks->starter;
-        looks_tell(item, looks, item->looks_row, doubt_find, &suspicion);
+        const struct mistake_set set = looks_mistakes(looks, item->looks_row);
+        mistakes_tell(item, &set, doubt_find, &suspicion);
     }
 }
 
@@ -602,11 +605,11 @@ static bool is_not_there(const struct judging *judging, size_t i) {
            (item->state == RESULT_CRASH && item->divided);
 }
 
-/* For who keeps what is known of mistakes. */
-static void write_counted(const char *path, const struct counted *counted) {
+/* For whoever keeps the signs of mistakes. */
+static void write_sign(const char *path, const struct counted *counted) {
     FILE *file = path[0] == '\0' ? NULL : fopen(path, "a");
     if (file != NULL) {
-        fprintf(file, "%s %s %s\n", counted->scene, counted->pictures.text, counted->counters.text);
+        fprintf(file, "%s\n", counted->text);
     }
     if (path[0] != '\0' && (file == NULL || fclose(file) != 0)) {
         fprintf(stderr, "check: %s: %s\n", path, strerror(errno));
@@ -616,17 +619,13 @@ static void write_counted(const char *path, const struct counted *counted) {
 /* Say of these items, which show `yours` together, which mistakes do so too. */
 static void tell_counted(const struct judging *judging, const size_t *items,
                          const struct counted *yours, size_t count) {
-    struct look found[LOOKS_NAME_LIMIT];
-    if (counted_tells(yours, count)) {
-        struct looks looks = {.list = found,
-                              .count = counted_find(&judging->counted, yours, count, found)};
-        for (size_t i = 0; i < count; i++) {
-            write_counted(judging->options->counted, &yours[i]);
-            struct item_result *item = &judging->result->items[items[i]];
-            const struct suspicion suspicion = suspicion_of(judging, item);
-            item->only_may_be = item->blank && item->counter[0] == '\0';
-            looks_tell(item, &looks, 1, doubt_find, &suspicion);
-        }
+    const struct mistake_set set = counted_find(&judging->mistakes, yours, count);
+    for (size_t i = 0; i < count && counted_tells(yours, count); i++) {
+        struct item_result *item = &judging->result->items[items[i]];
+        const struct suspicion suspicion = suspicion_of(judging, item);
+        item->only_may_be |= item->blank && item->counter[0] == '\0';
+        mistakes_tell(item, &set, doubt_find, &suspicion);
+        write_sign(judging->options->counted, &yours[i]);
     }
 }
 
@@ -716,7 +715,7 @@ static bool draw_and_judge(struct judging *judging, struct error *error) {
         done = done && count_and_tell(judging, &end, error);
     }
     result->messages = end.messages;
-    run_directory_remove(&judging->directory);
+    run_directory_remove(judging->directory.path);
     return done && had_room(judging, error);
 }
 
@@ -793,7 +792,7 @@ void judge_step(const struct options *options, const struct checked_step *step,
     for (size_t i = 0; judging.looks != NULL && i < step->scene_count; i++) {
         looks_free(&judging.looks[i]);
     }
-    counted_free(&judging.counted);
+    mistakes_free(&judging.mistakes);
     free(judging.looks);
     free(judging.references);
     free(judging.errors);

@@ -1,7 +1,5 @@
 #include "looks.h"
 
-#include "base/array.h"
-#include "base/text.h"
 #include "files/image_file.h"
 
 #include <stdio.h>
@@ -29,61 +27,46 @@ void looks_set_place(struct image *pixels, size_t i, struct place place) {
               color_rgb((uint8_t)(bits >> 16), (uint8_t)(bits >> 8), (uint8_t)bits));
 }
 
-/* "2 4711 5.2 4 depth cleared to 0": a line of the list. */
-static bool read_look(struct looks *looks, const char *line, size_t length) {
-    struct look look = {.row = 0};
-    char text[LOOKS_WORDS_LIMIT + 64];
+/* What the sign tells of a picture of that scene: "zbuffer:2:5234". */
+static bool read_sign(const char *sign, const char *scene, struct look *look) {
+    size_t length = strlen(scene);
     unsigned long long row, apart;
-    int words = 0;
-    snprintf(text, sizeof text, "%.*s", (int)length, line);
-    if (sscanf(text, "%llu %llu %11s %4u %n", &row, &apart, look.task.text, &look.figure, &words) <
-            4 ||
-        words == 0 || text[words] == '\0' ||
-        (row > 0 && (row < LOOKS_FIRST_ROW || row >= looks->pixels.height))) {
+    if (strncmp(sign, scene, length) != 0 || sign[length] != ':' ||
+        sscanf(sign + length + 1, "%llu:%llu", &row, &apart) != 2) {
         return false;
     }
-    if (strcmp(look.task.text, "-") == 0) {
-        look.task.text[0] = '\0';
-    }
-    look.row = (size_t)row;
-    look.apart = apart;
-    snprintf(look.words, sizeof look.words, "%.*s", LOOKS_WORDS_LIMIT - 1, text + words);
-    if (strcmp(look.words, LOOKS_STARTER) == 0) {
-        looks->starter = look.row;
-        return true;
-    }
-    struct look *list =
-        array_reserve(looks->list, &looks->capacity, looks->count + 1, sizeof *list);
-    if (list == NULL) {
-        return false;
-    }
-    looks->list = list;
-    list[looks->count++] = look;
+    *look = (struct look){(size_t)row, apart};
     return true;
 }
 
-static bool read_list(struct looks *looks, const char *path) {
-    struct bytes file = {.data = NULL};
-    struct error ignored;
-    bool done = file_read(path, &file, &ignored) && bytes_append(&file, "", 1);
-    for (const char *line = (const char *)file.data; done && *line != '\0';) {
-        size_t length = strcspn(line, "\n");
-        done = line[0] == '#' || read_look(looks, line, length);
-        line += length + (line[length] == '\n');
+/* Find what each mistake makes of the scene. False when a row is not there, or memory runs out. */
+static bool find_looks(struct looks *looks, const char *scene) {
+    bool done = true;
+    looks->list = calloc(looks->mistakes->count + 1, sizeof *looks->list);
+    for (size_t i = 0; looks->list != NULL && i < looks->mistakes->count; i++) {
+        const struct mistake *mistake = &looks->mistakes->list[i];
+        struct look *look = &looks->list[i];
+        for (const char *sign = mistake->signs; sign != NULL; sign = mistake_next_sign(sign)) {
+            read_sign(sign, scene, look);
+        }
+        done &=
+            look->row == 0 || (look->row >= LOOKS_FIRST_ROW && look->row < looks->pixels.height);
+        if (strcmp(mistake->words, MISTAKE_STARTER) == 0) {
+            looks->starter = look->row;
+            *look = (struct look){.row = 0};
+        }
     }
-    bytes_free(&file);
-    return done;
+    return looks->list != NULL && done;
 }
 
-void looks_read(struct looks *looks, const char *directory, const char *step, const char *scene) {
+void looks_read(struct looks *looks, const struct mistake_list *mistakes, const char *directory,
+                const char *step, const char *scene) {
     char path[DRAWN_PATH_LIMIT];
     struct error ignored;
-    *looks = (struct looks){.count = 0};
+    *looks = (struct looks){.mistakes = mistakes};
     snprintf(path, sizeof path, "%s/%s/%s.png", directory, step, scene);
-    bool done =
-        image_read(&looks->pixels, path, &ignored) && looks->pixels.height > LOOKS_FIRST_ROW;
-    snprintf(path, sizeof path, "%s/%s/%s.txt", directory, step, scene);
-    if (!done || !read_list(looks, path)) {
+    if (mistakes->count == 0 || !image_read(&looks->pixels, path, &ignored) ||
+        looks->pixels.height <= LOOKS_FIRST_ROW || !find_looks(looks, scene)) {
         looks_free(looks);
     }
 }
@@ -92,7 +75,7 @@ void looks_free(struct looks *looks) {
     image_free(&looks->pixels);
     free(looks->list);
     free(looks->explains);
-    *looks = (struct looks){.count = 0};
+    *looks = (struct looks){.list = NULL};
 }
 
 /* ---- Comparing ---- */
@@ -154,7 +137,7 @@ static bool is_up_to_date(const struct looks *looks, const struct image *referen
 }
 
 static uint64_t apart_of(const struct looks *looks, size_t row) {
-    for (size_t i = 0; i < looks->count; i++) {
+    for (size_t i = 0; i < looks->mistakes->count; i++) {
         if (looks->list[i].row == row) {
             return looks->list[i].apart;
         }
@@ -164,7 +147,7 @@ static uint64_t apart_of(const struct looks *looks, size_t row) {
 
 static size_t count_names(const struct looks *looks, size_t row) {
     size_t names = 0;
-    for (size_t i = 0; i < looks->count; i++) {
+    for (size_t i = 0; i < looks->mistakes->count; i++) {
         names += looks->list[i].row == row;
     }
     return names;
@@ -177,17 +160,17 @@ static bool is_as_far(uint64_t apart, uint64_t of_mistake) {
 }
 
 struct likeness looks_find(const struct looks *looks, const struct image *reference,
-                           const struct image *yours, uint64_t apart, size_t left_out) {
+                           const struct image *yours, uint64_t apart) {
     const struct likeness none = {.row = 0};
     const int levels = apart > 0 ? COMPARE_LEVELS : 0;
     struct likeness best = none;
     size_t second = SIZE_MAX;
-    if (looks->count == 0 || !is_up_to_date(looks, reference)) {
+    if (looks->list == NULL || !is_up_to_date(looks, reference)) {
         return none;
     }
     for (size_t row = LOOKS_FIRST_ROW; row < looks->pixels.height; row++) {
         bool named = count_names(looks, row) > 0; /* what is not may still be the nearest */
-        if (row == left_out || (named && (apart_of(looks, row) == 0) != (apart == 0))) {
+        if (named && (apart_of(looks, row) == 0) != (apart == 0)) {
             continue;
         }
         size_t distance = find_distance(looks, row, yours, levels);
@@ -211,7 +194,7 @@ struct likeness looks_find(const struct looks *looks, const struct image *refere
 }
 
 void looks_compare(struct looks *looks, const struct image *yours) {
-    if (looks->count == 0) {
+    if (looks->list == NULL) {
         return;
     }
     size_t wrong = find_distance(looks, 1, yours, COMPARE_LEVELS);
@@ -223,40 +206,14 @@ void looks_compare(struct looks *looks, const struct image *yours) {
     }
 }
 
-/* Note the task at fault, "" for none's, once. */
-static void add_task(struct item_result *item, const char *task) {
-    if (task[0] != '\0' && !task_is_among(item->looks_tasks, item->looks_task_count, task)) {
-        snprintf(item->looks_tasks[item->looks_task_count++].text, TASK_NAME_LIMIT, "%s", task);
-    }
-}
-
-/* Note the figure that shows it, 0 for none, once. */
-static void add_figure(struct item_result *item, unsigned figure) {
-    bool is_new = figure > 0;
-    for (size_t i = 0; i < item->looks_figure_count; i++) {
-        is_new &= item->looks_figures[i] != figure;
-    }
-    if (is_new) {
-        item->looks_figures[item->looks_figure_count++] = figure;
-    }
-}
-
-void looks_tell(struct item_result *item, const struct looks *looks, size_t row,
-                looks_doubt_function *doubt, const void *context) {
-    bool told = false;
-    for (int most = LOOKS_LIKELY; most <= LOOKS_DOUBTFUL && !told; most++) {
-        for (size_t i = 0; i < looks->count && row > 0; i++) {
-            const struct look *look = &looks->list[i];
-            int doubts = doubt != NULL ? (int)doubt(context, look) : LOOKS_LIKELY;
-            if (look->row == row && doubts <= most) {
-                result_say(&item->looks, "%s\"%s\"", told ? " or " : "", look->words);
-                add_task(item, look->task.text);
-                add_figure(item, look->figure);
-                item->only_may_be |= doubts == LOOKS_DOUBTFUL;
-                told = true;
-            }
+struct mistake_set looks_mistakes(const struct looks *looks, size_t row) {
+    struct mistake_set set = {.count = 0};
+    for (size_t i = 0; row > 0 && i < looks->mistakes->count; i++) {
+        if (looks->list[i].row == row) {
+            mistake_set_add(&set, &looks->mistakes->list[i]);
         }
     }
+    return set;
 }
 
 /* ---- Small pictures ---- */

@@ -4,23 +4,17 @@
  * Of each mistake of stepNN_name/mistakes.txt the colours at some hundred pixels of each scene are
  * kept: pixels at which the mistakes differ from the reference and from each other, and some
  * others. They are made by `make mistakes STEP=NN` after a change of main.c, scenes or mistakes.txt
- * (`make verify` finds those that are out of date), in three files for each scene:
+ * (`make verify` finds those that are out of date), in two files for each scene:
  *
  *     tests/check/looks/stepNN_name/scene.png    a column for each pixel; row 0, at the bottom,
  *                                                holds where it is (x in 12 bits, then y, from
  *                                                blue's lowest on), row 1 the reference, then one
  *                                                row for each picture that mistakes draw
- *     tests/check/looks/stepNN_name/scene.txt    a line for each mistake: its row, how many pixels
- *                                                of it are apart (compare.h), the task that is at
- *                                                fault or -, the figure of the lesson's wrong
- *                                                pictures or 0, what it is. Row 0: nothing can be
- *                                                told from its picture. And a line for what is
- *                                                there when nothing is drawn, LOOKS_STARTER
  *     tests/check/looks/stepNN_name/scene.small.png
  *                                                the picture of each row, for people: small, side
  *                                                by side in the order of the rows
  *
- * Mistakes that no picture tells stand in counters.list beside these files (counters.h).
+ * Which row is whose stands in signs.txt beside them (mistakes.h).
  *
  * A wrong diagnosis is worse than none. So a picture looks like a mistake only when
  *
@@ -39,6 +33,7 @@
 
 #include "base/error.h"
 #include "compare.h"
+#include "mistakes.h"
 #include "result.h"
 #include "tgaimage.h"
 
@@ -46,32 +41,26 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* What the starter of the lesson draws is no mistake's for sure: much draws nothing. */
-#define LOOKS_STARTER "(the starter)"
-
 enum {
     LOOKS_FIRST_ROW = 2,
-    LOOKS_WORDS_LIMIT = 160,
     LOOKS_SMALL_SIDE = 64, /* pixels along the longer side of a small picture */
     LOOKS_AS_IT_IS = 100,  /* pixels up to which a picture is not made smaller */
     LOOKS_SMALL_LEVELS = 16
 };
 
+/* What a mistake makes of the scene. All zero: it leaves it right, or draws nothing. */
 struct look {
-    size_t row;            /* of the pixels; 0: nothing can be told */
-    uint64_t apart;        /* in the whole picture */
-    struct task_name task; /* that is at fault; "" when it is none's */
-    unsigned figure;       /* of the lesson's wrong pictures, from 1; 0: none shows it */
-    char words[LOOKS_WORDS_LIMIT];
+    size_t row;     /* of the pixels; 0: nothing can be told */
+    uint64_t apart; /* in the whole picture */
 };
 
 /* What is known of a scene. All zero: nothing. */
 struct looks {
     struct image pixels;
-    struct look *list;
-    size_t count, capacity;
-    size_t starter; /* the row of what it draws; 0: nothing, or what is not known */
-    bool *explains; /* of each row, whether it explains your picture; NULL: not known */
+    const struct mistake_list *mistakes;
+    struct look *list; /* one for each mistake; NULL: not known */
+    size_t starter;    /* the row of what it draws; 0: nothing, or what is not known */
+    bool *explains;    /* of each row, whether it explains your picture; NULL: not known */
 };
 
 /* The mistake that a picture looks like. */
@@ -80,34 +69,24 @@ struct likeness {
     size_t distance; /* pixels that it has not the colour of */
 };
 
-/* Read those of a scene: DIRECTORY/STEP/SCENE.png and .txt. What cannot be read is not known. */
-void looks_read(struct looks *looks, const char *directory, const char *step, const char *scene);
+/* Read those of a scene, DIRECTORY/STEP/SCENE.png. What cannot be read is not known. The list of
+ * mistakes must outlive it. */
+void looks_read(struct looks *looks, const struct mistake_list *mistakes, const char *directory,
+                const char *step, const char *scene);
 void looks_free(struct looks *looks);
 
 /* Which mistake does a wrong picture look like? `apart` is what the comparison has counted; 0: the
- * picture is wrong because much of it is near, but not equal. The row `left_out` is not looked at
- * (0: all are). Of another reference than it was made with, none. */
+ * picture is wrong because much of it is near, but not equal. None where the reference is another
+ * one than the looks were made with. */
 struct likeness looks_find(const struct looks *looks, const struct image *reference,
-                           const struct image *yours, uint64_t apart, size_t left_out);
+                           const struct image *yours, uint64_t apart);
 
 /* Find which rows explain a wrong picture: of eight of the pixels that are wrong in it, at most one
  * has not the colours of the row. When memory runs out, nothing is known of that. */
 void looks_compare(struct looks *looks, const struct image *yours);
 
-/* What else is known of a program, and speaks against a mistake. */
-enum looks_doubt {
-    LOOKS_LIKELY,
-    LOOKS_UNLIKELY,  /* its task is right elsewhere */
-    LOOKS_DOUBTFUL,  /* another scene is wrong in another way */
-    LOOKS_IMPOSSIBLE /* never to be told */
-};
-typedef enum looks_doubt looks_doubt_function(const void *context, const struct look *look);
-
-/* Say of an item that its picture looks like "A" or "B", of the mistakes of that row those with the
- * least doubt, which tasks are at fault in these, and which figures show them; where they are
- * doubtful, that it only may be one of them. Without `doubt` (NULL) all are likely. */
-void looks_tell(struct item_result *item, const struct looks *looks, size_t row,
-                looks_doubt_function *doubt, const void *context);
+/* The mistakes of that row: at most LOOKS_NAME_LIMIT, which looks_find() sees to. */
+struct mistake_set looks_mistakes(const struct looks *looks, size_t row);
 
 /* Where the small pictures of a scene are: DIRECTORY/STEP/SCENE.small.png. */
 struct result_path looks_small_path(const char *directory, const char *step, const char *scene);

@@ -1,14 +1,12 @@
 /*
  * Keeps what the known mistakes look like (looks.h says how): what `make mistakes` calls.
  *
- *     looks_make [-m] STEP SCENE REFERENCE.png LIST DIRECTORY LOOKS
+ *     looks_make STEP SCENE REFERENCE.png LIST DIRECTORY LOOKS
  *
- * LIST has a line for each mistake: its number, its task or -, its figure or 0, what it is, with
- * tabs between; and one for the starter (LOOKS_STARTER).
- * DIRECTORY/NUMBER/SCENE.png is what it draws, when it draws something wrong there. Writes
- * LOOKS/STEP/SCENE.png, .txt and .small.png, or removes them where no mistake can be told. With -m
- * it also prints, for each mistake of its own picture, what it would look like if it were not
- * known: a wrong diagnosis.
+ * LIST is a list of mistakes (mistakes.h) with a number instead of signs; DIRECTORY/NUMBER/SCENE.png
+ * is what the mistake draws, when it draws something wrong there. Writes LOOKS/STEP/SCENE.png and
+ * .small.png, or removes them where no mistake can be told, and prints NUMBER and sign of each
+ * mistake that shows in the scene.
  *
  * Exit status: 0 done, 1 something cannot be read or written, 2 wrong usage.
  */
@@ -35,29 +33,18 @@ enum {
     LARGEST_SIDE = 4096  /* of a picture: a place is kept in 12 bits for x and 12 for y */
 };
 
-struct mistake {
-    char task[TASK_NAME_LIMIT], words[LOOKS_WORDS_LIMIT];
-    unsigned figure; /* 0: none */
-    size_t row;      /* 0: nothing can be told */
-    uint64_t apart;  /* from the reference */
-    struct image image;
-};
-
 struct making {
     const char *step, *scene;
     struct image reference;
-    struct mistake *mistakes;
-    size_t count, capacity;
-    size_t *rows; /* the number of the first mistake with that picture, by row */
+    struct mistake_list mistakes;
+    struct look *looks;  /* what each makes of the scene, */
+    struct image *drawn; /* and its picture; empty where it draws nothing wrong */
+    size_t *rows;        /* the number of the first mistake with that picture, by row */
     size_t row_count;
     struct place *places;
     size_t place_count, place_capacity;
     unsigned char *is_kept; /* by pixel of the picture */
 };
-
-static bool is_starter(const struct mistake *mistake) {
-    return strcmp(mistake->words, LOOKS_STARTER) == 0;
-}
 
 static bool are_apart(const struct image *a, const struct image *b, size_t x, size_t y,
                       int levels) {
@@ -67,73 +54,69 @@ static bool are_apart(const struct image *a, const struct image *b, size_t x, si
 
 /* ---- Reading ---- */
 
-static bool add_mistake(struct making *making, const char *directory, const char *line,
-                        struct error *error) {
-    char place[DRAWN_PATH_LIMIT], task[TASK_NAME_LIMIT], words[LOOKS_WORDS_LIMIT];
-    unsigned long number;
-    unsigned figure;
-    struct error ignored;
-    if (sscanf(line, "%lu\t%11s\t%4u\t%159[^\n]", &number, task, &figure, words) != 4) {
-        return error_set(error, "not the line of a mistake: %.200s", line);
+/* Read the list, and what each of it has drawn in the size of the reference. */
+static bool read_mistakes(struct making *making, const char *list, const char *directory,
+                          struct error *error) {
+    const struct image *reference = &making->reference;
+    if (!mistakes_read(&making->mistakes, list)) {
+        return error_set(error, "%s: no list of mistakes", list);
     }
-    struct mistake *mistakes =
-        array_reserve(making->mistakes, &making->capacity, making->count + 1, sizeof *mistakes);
-    if (mistakes == NULL) {
+    size_t count = making->mistakes.count;
+    making->looks = calloc(count + 1, sizeof *making->looks);
+    making->drawn = calloc(count + 1, sizeof *making->drawn);
+    making->rows = calloc(count + 1, sizeof *making->rows);
+    if (making->looks == NULL || making->drawn == NULL || making->rows == NULL) {
         return error_out_of_memory(error);
     }
-    making->mistakes = mistakes;
-    struct mistake *mistake = &mistakes[making->count++];
-    *mistake = (struct mistake){.figure = figure};
-    memcpy(mistake->task, task, sizeof task);
-    memcpy(mistake->words, words, sizeof words);
-    snprintf(place, sizeof place, "%s/%lu/%s.png", directory, number, making->scene);
-    bool is_drawn = image_read(&mistake->image, place, &ignored);
-    if (is_drawn && (mistake->image.width != making->reference.width ||
-                     mistake->image.height != making->reference.height)) {
-        image_free(&mistake->image);
+    for (size_t i = 0; i < count; i++) {
+        char path[DRAWN_PATH_LIMIT];
+        struct image *image = &making->drawn[i];
+        struct error ignored;
+        snprintf(path, sizeof path, "%s/%s/%s.png", directory, making->mistakes.list[i].signs,
+                 making->scene);
+        if (image_read(image, path, &ignored) &&
+            (image->width != reference->width || image->height != reference->height)) {
+            image_free(image);
+        }
     }
     return true;
 }
 
-static bool read_mistakes(struct making *making, const char *list, const char *directory,
-                          struct error *error) {
-    FILE *file = fopen(list, "r");
-    char line[1024];
-    bool done = file != NULL || error_set(error, "%s: cannot be read", list);
-    while (done && fgets(line, sizeof line, file) != NULL) {
-        done = add_mistake(making, directory, line, error);
-    }
-    if (file != NULL) {
-        fclose(file);
-    }
-    return done;
-}
-
 /* Are they the same picture to looks_find()? It tells those that are near the reference (none of
  * their pixels is apart) only when they are equal. */
-static bool are_same(const struct mistake *a, const struct mistake *b) {
-    struct comparison found = compare_images(&a->image, &b->image);
-    return a->apart > 0 && b->apart > 0 ? found.apart.count == 0 : found.differing.count == 0;
+static bool are_same(const struct making *making, size_t i, size_t k) {
+    const struct image *a = &making->drawn[i], *b = &making->drawn[k];
+    const bool is_near = making->looks[i].apart == 0 || making->looks[k].apart == 0;
+    const int levels = is_near ? 0 : COMPARE_LEVELS;
+    for (size_t y = 0; y < a->height; y++) {
+        for (size_t x = 0; x < a->width; x++) {
+            if (are_apart(a, b, x, y, levels)) {
+                return false;
+            }
+        }
+    }
+    return true;
 }
 
 /* Give each picture a row, the same picture the same one. */
 static void find_rows(struct making *making) {
-    for (size_t i = 0; i < making->count; i++) {
-        struct mistake *mistake = &making->mistakes[i];
-        if (mistake->image.pixels == NULL || image_is_blank(&mistake->image)) {
+    for (size_t i = 0; i < making->mistakes.count; i++) {
+        const struct image *drawn = &making->drawn[i];
+        struct look *look = &making->looks[i];
+        if (drawn->pixels == NULL || image_is_blank(drawn)) {
             continue;
         }
-        struct comparison found = compare_images(&making->reference, &mistake->image);
+        struct comparison found = compare_images(&making->reference, drawn);
         bool is_shown = found.apart.count > 0 || found.near.count * LEAST_NEAR >= found.drawn;
-        mistake->apart = found.apart.count;
-        for (size_t k = 0; k < making->row_count && is_shown && mistake->row == 0; k++) {
-            if (are_same(&making->mistakes[making->rows[k]], mistake)) {
-                mistake->row = LOOKS_FIRST_ROW + k;
+        look->apart = found.apart.count;
+        for (size_t k = 0; k < making->row_count && is_shown && look->row == 0; k++) {
+            if (are_same(making, making->rows[k], i)) {
+                look->row = LOOKS_FIRST_ROW + k;
             }
         }
-        if (is_shown && mistake->row == 0) {
+        if (is_shown && look->row == 0) {
             making->rows[making->row_count] = i;
-            mistake->row = LOOKS_FIRST_ROW + making->row_count++;
+            look->row = LOOKS_FIRST_ROW + making->row_count++;
         }
     }
 }
@@ -187,7 +170,7 @@ static size_t count_kept(const struct making *making, const struct image *a,
 }
 
 static const struct image *picture_of(const struct making *making, size_t row) {
-    return &making->mistakes[making->rows[row]].image;
+    return &making->drawn[making->rows[row]];
 }
 
 static bool choose_places(struct making *making) {
@@ -254,89 +237,53 @@ static bool make_small(const struct making *making, struct image *sheet, struct 
     return done;
 }
 
-static bool write_list(const struct making *making, const char *path, struct error *error) {
-    char line[LOOKS_WORDS_LIMIT + 64];
-    struct bytes text = {.data = NULL};
-    snprintf(line, sizeof line, "# Made by `make mistakes`: see tests/check/looks.h.\n");
-    bool done = bytes_append(&text, line, strlen(line));
-    for (size_t i = 0; i < making->count && done; i++) {
-        const struct mistake *mistake = &making->mistakes[i];
-        snprintf(line, sizeof line, "%zu %llu %s %u %s\n", mistake->row,
-                 (unsigned long long)mistake->apart, mistake->task, mistake->figure,
-                 mistake->words);
-        done = bytes_append(&text, line, strlen(line));
-    }
-    return file_write_encoded(path, done, &text, error);
-}
-
-struct paths {
-    char directory[DRAWN_PATH_LIMIT];
-    char pixels[DRAWN_PATH_LIMIT + 80], list[DRAWN_PATH_LIMIT + 80];
-    struct result_path small;
-};
-
-static struct paths find_paths(const struct making *making, const char *looks) {
-    struct paths paths;
-    snprintf(paths.directory, sizeof paths.directory, "%s/%s", looks, making->step);
-    snprintf(paths.pixels, sizeof paths.pixels, "%s/%s.png", paths.directory, making->scene);
-    snprintf(paths.list, sizeof paths.list, "%s/%s.txt", paths.directory, making->scene);
-    paths.small = looks_small_path(looks, making->step, making->scene);
-    return paths;
-}
-
-/* What cannot be told by looks_find() itself has no row in the list. */
-static void forget_untold(struct making *making, const char *directory) {
-    struct looks looks;
-    looks_read(&looks, directory, making->step, making->scene);
-    for (size_t i = 0; i < making->count; i++) {
-        struct mistake *mistake = &making->mistakes[i];
-        if (mistake->row > 0 && !is_starter(mistake) &&
-            looks_find(&looks, &making->reference, &mistake->image, mistake->apart, 0).row !=
-                mistake->row) {
-            mistake->row = 0;
-        }
-    }
-    looks_free(&looks);
-}
-
-static bool write_looks(struct making *making, const char *directory, struct error *error) {
-    struct paths paths = find_paths(making, directory);
-    struct image pixels = {.pixels = NULL}, small = {.pixels = NULL};
+static bool write_pictures(const struct making *making, const struct image *pixels,
+                           const char *directory, struct error *error) {
+    char path[DRAWN_PATH_LIMIT + 80];
+    struct result_path small_path = looks_small_path(directory, making->step, making->scene);
+    struct image small = {.pixels = NULL};
+    snprintf(path, sizeof path, "%s/%s", directory, making->step);
+    bool done = directory_create(path, error);
+    snprintf(path, sizeof path, "%s/%s/%s.png", directory, making->step, making->scene);
     if (making->row_count == 0) {
-        unlink(paths.pixels);
-        unlink(paths.list);
-        unlink(paths.small.text);
-        return true;
+        unlink(path);
+        unlink(small_path.text);
+        return done;
     }
-    bool done = directory_create(paths.directory, error) && make_pixels(making, &pixels, error) &&
-                png_write(&pixels, paths.pixels, error) && write_list(making, paths.list, error) &&
-                make_small(making, &small, error) && png_write(&small, paths.small.text, error);
-    image_free(&pixels);
+    done = done && png_write(pixels, path, error) && make_small(making, &small, error) &&
+           png_write(&small, small_path.text, error);
     image_free(&small);
-    if (done) {
-        forget_untold(making, directory);
-        done = write_list(making, paths.list, error);
-    }
     return done;
 }
 
-/* ---- Wrong diagnoses ---- */
+/* ---- What is told by it ---- */
 
-/* Say what each mistake would look like if it were not known. */
-static void measure(const struct making *making, const char *directory) {
-    struct looks looks;
-    looks_read(&looks, directory, making->step, making->scene);
-    for (size_t i = 0; i < making->row_count; i++) {
-        const struct mistake *mistake = &making->mistakes[making->rows[i]];
-        struct likeness other = looks_find(&looks, &making->reference, &mistake->image,
-                                           mistake->apart, LOOKS_FIRST_ROW + i);
-        struct item_result item = {.scene = making->scene};
-        looks_tell(&item, &looks, other.row, NULL, NULL);
-        printf("%s %s: %s: %s%s%s\n", making->step, making->scene, mistake->words,
-               mistake->row > 0 ? "itself" : "not told",
-               other.row == 0 ? "" : "; held out: ", item.looks.text);
+static void print_sign(const struct making *making, size_t mistake, size_t row, uint64_t apart) {
+    if (row > 0 || apart > 0) {
+        printf("%s %s:%zu:%llu\n", making->mistakes.list[mistake].signs, making->scene, row,
+               (unsigned long long)apart);
     }
-    looks_free(&looks);
+}
+
+/* The starter is no mistake: its picture has a row, but no name. */
+static void print_starter(struct making *making) {
+    for (size_t i = 0; i < making->mistakes.count; i++) {
+        if (strcmp(making->mistakes.list[i].words, MISTAKE_STARTER) == 0) {
+            print_sign(making, i, making->looks[i].row, making->looks[i].apart);
+            making->looks[i] = (struct look){.row = 0};
+        }
+    }
+}
+
+/* What cannot be told by looks_find() itself has row 0. */
+static void print_signs(const struct making *making, const struct looks *looks) {
+    for (size_t i = 0; i < making->mistakes.count; i++) {
+        const struct look *look = &making->looks[i];
+        bool is_told =
+            look->row > 0 &&
+            looks_find(looks, &making->reference, &making->drawn[i], look->apart).row == look->row;
+        print_sign(making, i, is_told ? look->row : 0, look->apart);
+    }
 }
 
 static bool make(struct making *making, char **arguments, struct error *error) {
@@ -349,37 +296,47 @@ static bool make(struct making *making, char **arguments, struct error *error) {
         return error_set(error, "%s: larger than %d pixels", arguments[2], LARGEST_SIDE);
     }
     making->is_kept = calloc(width, height);
-    making->rows = calloc(making->count + 1, sizeof *making->rows);
-    if (making->is_kept == NULL || making->rows == NULL) {
+    if (making->is_kept == NULL) {
         return error_out_of_memory(error);
     }
     find_rows(making);
-    return choose_places(making) ? write_looks(making, arguments[5], error)
-                                 : error_out_of_memory(error);
+    struct looks looks = {.mistakes = &making->mistakes, .list = making->looks};
+    bool done = choose_places(making) || error_out_of_memory(error);
+    done = done && make_pixels(making, &looks.pixels, error) &&
+           write_pictures(making, &looks.pixels, arguments[5], error);
+    if (done) {
+        print_starter(making);
+        print_signs(making, &looks);
+    }
+    image_free(&looks.pixels);
+    return done;
+}
+
+static void making_free(struct making *making) {
+    for (size_t i = 0; making->drawn != NULL && i < making->mistakes.count; i++) {
+        image_free(&making->drawn[i]);
+    }
+    image_free(&making->reference);
+    mistakes_free(&making->mistakes);
+    free(making->looks);
+    free(making->drawn);
+    free(making->rows);
+    free(making->places);
+    free(making->is_kept);
 }
 
 int main(int argc, char **argv) {
-    bool is_measured = argc > 1 && strcmp(argv[1], "-m") == 0;
-    char **arguments = argv + (is_measured ? 2 : 1);
-    if (argc != (is_measured ? 8 : 7)) {
-        fprintf(stderr, "Usage: looks_make [-m] STEP SCENE REFERENCE.png LIST DIRECTORY LOOKS\n");
+    if (argc != 7) {
+        fprintf(stderr, "Usage: looks_make STEP SCENE REFERENCE.png LIST DIRECTORY LOOKS\n");
         return 2;
     }
+    char **arguments = argv + 1;
     struct making making = {.step = arguments[0], .scene = arguments[1]};
     struct error error;
     bool done = make(&making, arguments, &error);
     if (!done) {
         fprintf(stderr, "looks_make: %s\n", error.message);
-    } else if (is_measured) {
-        measure(&making, arguments[5]);
     }
-    for (size_t i = 0; i < making.count; i++) {
-        image_free(&making.mistakes[i].image);
-    }
-    image_free(&making.reference);
-    free(making.mistakes);
-    free(making.rows);
-    free(making.places);
-    free(making.is_kept);
+    making_free(&making);
     return done ? 0 : 1;
 }

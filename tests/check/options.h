@@ -24,10 +24,14 @@ struct options {
     bool sanitized;                              /* the programs say in which line they crash */
 };
 
-extern const char options_help[];
+/* The defaults, and what the environment says. False, with a message, where that is wrong. */
+bool options_begin(struct options *options, struct error *error);
 
-/* Read the options in front of the steps; `first_step` becomes the first argument that is none. */
-bool options_read(struct options *options, int argc, char **argv, int *first_step,
-                  struct error *error);
+/* Begin, then read the command line: argv[1] and on become the steps. Returns how many there are;
+ * -1, with a message, where something is wrong. */
+int options_read(struct options *options, int argc, char **argv, struct error *error);
+
+/* What --help says. */
+void options_help(void);
 
 #endif

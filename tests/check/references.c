@@ -13,6 +13,7 @@
  */
 #define _POSIX_C_SOURCE 200809L
 
+#include "arguments.h"
 #include "base/file.h"
 #include "compare.h"
 #include "drawn.h"
@@ -99,7 +100,7 @@ static bool redraw_step(const struct options *options, const struct checked_step
     bool done = run_directory_create(&directory, error);
     if (done) {
         done = draw_step(options, directory.path, step, images, error);
-        run_directory_remove(&directory);
+        run_directory_remove(directory.path);
     }
     for (size_t i = 0; i < step->scene_count && done; i++) {
         done = save_picture(options, step->name, step->scenes[i].name, &images[i], error);
@@ -111,24 +112,6 @@ static bool redraw_step(const struct options *options, const struct checked_step
     return done;
 }
 
-/* Read the options in front of the steps; false for a wrong one. */
-static bool read_options(struct options *options, int argc, char **argv, int *first_step) {
-    int i = 1;
-    for (; i < argc && argv[i][0] == '-'; i += 2) {
-        const char **value = strcmp(argv[i], "--root") == 0         ? &options->root
-                             : strcmp(argv[i], "--scenes") == 0     ? &options->scenes
-                             : strcmp(argv[i], "--references") == 0 ? &options->references
-                             : strcmp(argv[i], "--programs") == 0   ? &options->programs
-                                                                    : NULL;
-        if (value == NULL || i + 1 == argc) {
-            return false;
-        }
-        *value = argv[i + 1];
-    }
-    *first_step = i;
-    return true;
-}
-
 int main(int argc, char **argv) {
     struct options options = {.root = ".",
                               .scenes = "tests/check/scenes.txt",
@@ -136,11 +119,17 @@ int main(int argc, char **argv) {
                               .programs = "build"};
     struct scene_table table;
     struct error error;
-    int first_step = argc;
+    const struct argument known[] = {
+        {"--root", "DIR", "", argument_text, &options.root},
+        {"--scenes", "FILE", "", argument_text, &options.scenes},
+        {"--references", "DIR", "", argument_text, &options.references},
+        {"--programs", "DIR", "", argument_text, &options.programs},
+    };
     if (!run_open_standard_files()) {
         return 2;
     }
-    if (!read_options(&options, argc, argv, &first_step)) {
+    int step_count = arguments_read(known, sizeof known / sizeof known[0], argc, argv, &error);
+    if (step_count < 0) {
         fprintf(stderr, "Usage: references [--root DIR] [--scenes FILE] [--references DIR] "
                         "[--programs DIR] [STEP ...]\n");
         return 2;
@@ -154,7 +143,7 @@ int main(int argc, char **argv) {
         return 2;
     }
     bool any = false;
-    for (int i = first_step; i < argc; i++) {
+    for (int i = 1; i <= step_count; i++) {
         any |= argv[i][0] != '\0';
         if (!scene_table_select(&table, argv[i], &error)) {
             fprintf(stderr, "references: %s\n", error.message);

@@ -1,10 +1,14 @@
-#define _POSIX_C_SOURCE 200809L
+#define _XOPEN_SOURCE 700 /* POSIX.1-2008 with nftw() */
 
 #include "run.h"
 
+#include "base/array.h"
+
+#include <ctype.h>
 #include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>
+#include <ftw.h>
 #include <poll.h>
 #include <signal.h>
 #include <stdint.h>
@@ -17,10 +21,6 @@
 #include <sys/wait.h>
 #include <time.h>
 #include <unistd.h>
-
-#ifdef __linux__
-#include <sys/prctl.h>
-#endif
 
 enum {
     MESSAGE_LIMIT = 256 * 1024, /* bytes of standard error that are kept */
@@ -143,117 +143,101 @@ static void pause_ms(long ms) {
     nanosleep(&(struct timespec){.tv_nsec = ms * 1000000}, NULL);
 }
 
-/* ---- The processes that descend from this one (Linux) ---- */
+/* ---- What a program uses (Linux) ---- */
 
-struct process {
-    pid_t id, parent;
-    size_t pages; /* in memory */
-    bool descends;
-};
-
-/* What the descendants use together. */
+/* What all its processes use together. */
 struct group {
     size_t processes, bytes;
 };
 
-struct process_list {
-    struct process *processes;
-    size_t count;
+struct process {
+    pid_t id, parent, group;
+    size_t pages; /* in memory */
+    bool counts;
 };
 
-#ifdef __linux__
+struct process_list {
+    struct process *processes;
+    size_t count, capacity;
+};
 
-/* From /proc/ID/stat, "ID (name) state parent ...", of which the 24th is the pages in memory; the
- * name may hold anything. */
+/* From /proc/ID/stat, "ID (name) state parent group ...", of which the 24th is the pages in memory;
+ * the name may hold anything. */
 static bool read_process(const char *id, struct process *process) {
     char path[64], text[512];
+    long parent, group, pages;
     snprintf(path, sizeof path, "/proc/%.20s/stat", id);
-    int file = open(path, O_RDONLY | O_CLOEXEC);
-    if (file < 0) {
+    FILE *file = fopen(path, "r");
+    if (file == NULL) {
         return false;
     }
-    ssize_t length = read(file, text, sizeof text - 1);
-    close(file);
-    if (length <= 0) {
-        return false;
-    }
-    text[length] = '\0';
+    text[fread(text, 1, sizeof text - 1, file)] = '\0';
+    fclose(file);
     const char *after_name = strrchr(text, ')');
-    char state;
-    long parent, pages;
     if (after_name == NULL ||
         sscanf(after_name + 1,
-               " %c %ld %*s %*s %*s %*s %*s %*s %*s %*s %*s %*s %*s %*s %*s %*s %*s %*s %*s %*s "
+               " %*c %ld %ld %*s %*s %*s %*s %*s %*s %*s %*s %*s %*s %*s %*s %*s %*s %*s %*s %*s "
                "%*s %ld",
-               &state, &parent, &pages) != 3) {
+               &parent, &group, &pages) != 3) {
         return false;
     }
-    process->parent = (pid_t)parent;
-    process->pages = pages > 0 ? (size_t)pages : 0;
+    *process = (struct process){.id = (pid_t)strtol(id, NULL, 10),
+                                .parent = (pid_t)parent,
+                                .group = (pid_t)group,
+                                .pages = pages > 0 ? (size_t)pages : 0};
     return true;
 }
 
-static void list_all(struct process_list *list) {
+/* List all processes; none where there is no /proc. */
+static struct process_list list_processes(void) {
+    struct process_list list = {.count = 0};
     DIR *directory = opendir("/proc");
-    if (directory == NULL) {
-        return;
-    }
-    size_t capacity = 0;
     struct dirent *entry;
-    while ((entry = readdir(directory)) != NULL) {
-        struct process process = {.id = (pid_t)strtol(entry->d_name, NULL, 10)};
-        if (process.id <= 0 || !read_process(entry->d_name, &process)) {
+    while (directory != NULL && (entry = readdir(directory)) != NULL) {
+        struct process process, *larger;
+        if (!isdigit((unsigned char)entry->d_name[0]) || !read_process(entry->d_name, &process)) {
             continue;
         }
-        if (list->count == capacity) {
-            capacity = capacity == 0 ? 256 : 2 * capacity;
-            struct process *larger = realloc(list->processes, capacity * sizeof *larger);
-            if (larger == NULL) {
-                break;
-            }
-            list->processes = larger;
+        larger = array_reserve(list.processes, &list.capacity, list.count + 1, sizeof *larger);
+        if (larger == NULL) {
+            break;
         }
-        list->processes[list->count++] = process;
+        list.processes = larger;
+        larger[list.count++] = process;
     }
-    closedir(directory);
+    if (directory != NULL) {
+        closedir(directory);
+    }
+    return list;
 }
 
-static bool is_descendant(const struct process_list *list, pid_t id) {
-    for (size_t i = 0; i < list->count; i++) {
-        if (list->processes[i].id == id) {
-            return list->processes[i].descends;
-        }
+/* Is it one of the program's: in its group, or started by one that counts? */
+static bool belongs(const struct process_list *list, const struct process *process, pid_t leader) {
+    bool found = process->group == leader;
+    for (size_t i = 0; i < list->count && !found; i++) {
+        found = list->processes[i].counts && list->processes[i].id == process->parent;
     }
-    return false;
+    return found;
 }
 
-/* Mark all descendants of this process and return what they use; with a signal, send it. */
-static struct group find_descendants(int signal_to_send) {
-    struct process_list list = {.processes = NULL};
-    list_all(&list);
+/* Add up what the program's processes use, of which `leader` is the first. */
+static struct group measure_group(pid_t leader) {
+    struct process_list list = list_processes();
     struct group found = {0};
     size_t before, page = (size_t)sysconf(_SC_PAGESIZE);
-    do { /* a parent may stand behind its child in the list */
+    do { /* a parent may come after its child in the list */
         before = found.processes;
         for (size_t i = 0; i < list.count; i++) {
-            struct process *p = &list.processes[i];
-            if (!p->descends && (p->parent == getpid() || is_descendant(&list, p->parent))) {
-                p->descends = true;
+            struct process *process = &list.processes[i];
+            if (!process->counts && belongs(&list, process, leader)) {
+                process->counts = true;
                 found.processes++;
-                found.bytes += p->pages * page;
-                if (signal_to_send != 0) {
-                    kill(p->id, signal_to_send);
-                }
+                found.bytes += process->pages * page;
             }
         }
     } while (found.processes != before);
     free(list.processes);
     return found;
-}
-
-/* With this, a process whose parent has died becomes our child, wherever it has hidden. */
-static void adopt_orphans(bool adopt) {
-    prctl(PR_SET_CHILD_SUBREAPER, adopt ? 1UL : 0UL, 0UL, 0UL, 0UL);
 }
 
 /* Threads on the whole machine, which are at least those of this user; 0 when unknown. */
@@ -267,35 +251,6 @@ static size_t count_threads(void) {
         fclose(file);
     }
     return threads;
-}
-
-#else
-
-static struct group find_descendants(int signal_to_send) {
-    (void)signal_to_send;
-    return (struct group){0};
-}
-
-static void adopt_orphans(bool adopt) {
-    (void)adopt;
-}
-
-static size_t count_threads(void) {
-    return 0;
-}
-
-#endif
-
-/* Kill and reap what is left. */
-static void clean_up_processes(void) {
-    double end = now() + seconds_to_clean_up;
-    pid_t reaped;
-    while ((reaped = waitpid(-1, NULL, WNOHANG)) >= 0 && now() < end) {
-        if (reaped == 0) {
-            find_descendants(SIGKILL);
-            pause_ms(1);
-        }
-    }
 }
 
 /* ---- The child's side ---- */
@@ -367,24 +322,8 @@ static void execute(const struct run_command *command) {
     child_fail("start", arguments[0]);
 }
 
-enum { DIRECTORY_FLAGS = O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC };
-
-/* Make it the current directory. A link is not followed: a program may have put it there. */
-static bool enter(const char *directory) {
-    int file = open(directory, DIRECTORY_FLAGS);
-    bool entered = file >= 0 && fchdir(file) == 0;
-    if (file >= 0) {
-        close(file);
-    }
-    return entered;
-}
-
 static void child(const struct run_command *command, int messages, size_t threads) {
-    if (command->contained) {
-        setsid(); /* a group of its own, and no terminal to write a score to */
-    } else {
-        setpgid(0, 0);
-    }
+    setsid(); /* a group of its own, and no terminal to write a score to */
     signal(SIGPIPE, SIG_DFL);
     int input = open("/dev/null", O_RDONLY);
     int output = command->output == NULL ? open("/dev/null", O_WRONLY)
@@ -398,15 +337,13 @@ static void child(const struct run_command *command, int messages, size_t thread
     if (command->locale != NULL) {
         setenv("LC_ALL", command->locale, 1);
     }
-    if (command->directory != NULL && !enter(command->directory)) {
+    if (command->directory != NULL && chdir(command->directory) != 0) {
         child_fail("enter", command->directory);
     }
     if (command->contained) {
-        for (int file = STDERR_FILENO + 1; file < 256; file++) {
+        for (int file = STDERR_FILENO + 1; file < OPEN_FILES; file++) {
             close(file); /* such as the pipe through which make hands out its jobs */
         }
-        unsetenv("MAKEFLAGS");
-        unsetenv("MFLAGS");
         limit_work(&command->limits, threads);
     }
     limit_sizes(&command->limits);
@@ -446,6 +383,13 @@ static void wait_a_tick(int *pipe_end, struct bytes *messages) {
     }
 }
 
+/* Read until nobody is left who could say more: what a container holds ends after the container. */
+static void wait_for_silence(int *pipe_end, struct bytes *messages) {
+    for (double end = now() + seconds_to_clean_up; *pipe_end >= 0 && now() < end;) {
+        wait_a_tick(pipe_end, messages);
+    }
+}
+
 /* What a directory holds; more than is allowed of depth or count is `full`. */
 struct disk_use {
     size_t bytes, files;
@@ -476,9 +420,9 @@ static void measure_directory(struct disk_use *use, int parent, const char *name
 }
 
 /* Does it use more than it may? RUN_EXITED: it does not. */
-static enum run_end judge_use(const struct run_command *command) {
+static enum run_end judge_use(const struct run_command *command, pid_t id) {
     const struct run_limits *limits = &command->limits;
-    struct group group = find_descendants(0);
+    struct group group = measure_group(id);
     struct disk_use disk = {.bytes = 0};
     if (limits->disk_bytes > 0) {
         measure_directory(&disk, AT_FDCWD, command->directory, 0);
@@ -503,7 +447,7 @@ static enum run_end watch(const struct run_command *command, pid_t id, int *pipe
             return RUN_OUT_OF_TIME;
         }
         if (command->contained && time > next_count) {
-            enum run_end end = judge_use(command);
+            enum run_end end = judge_use(command, id);
             next_count = now() + COUNT_MS / 1000.0;
             if (end != RUN_EXITED) {
                 return end;
@@ -567,7 +511,6 @@ bool run(const struct run_command *command, struct run_result *result, struct er
     fcntl(ends[1], F_SETFD, FD_CLOEXEC);
     fcntl(ends[0], F_SETFL, O_NONBLOCK);
     size_t threads = count_threads();
-    adopt_orphans(command->contained);
     fflush(NULL);
     pid_t id = fork();
     if (id == 0) {
@@ -576,17 +519,9 @@ bool run(const struct run_command *command, struct run_result *result, struct er
     close(ends[1]);
     bool done = id > 0;
     if (done) {
-        if (!command->contained) {
-            setpgid(id, id); /* the child does it too: whoever comes first */
-        }
         result->end = watch(command, id, &ends[0], &result->messages);
         int status = end_group(id, result->end);
-        if (command->contained) {
-            clean_up_processes();
-        }
-        while (ends[0] >= 0 && result->messages.size < MESSAGE_LIMIT &&
-               read_messages(ends[0], &result->messages)) {
-        }
+        wait_for_silence(&ends[0], &result->messages);
         blank_nuls(&result->messages);
         judge_status(result, status, command->contained);
         done = bytes_append(&result->messages, "", 1) || error_set(error, "out of memory");
@@ -596,7 +531,6 @@ bool run(const struct run_command *command, struct run_result *result, struct er
     if (ends[0] >= 0) {
         close(ends[0]);
     }
-    adopt_orphans(false);
     return done;
 }
 
@@ -621,168 +555,24 @@ bool run_has_room(const char *directory, size_t bytes, struct error *error) {
            error_set(error, "%.900s: %s (for another file)", directory, strerror(ENOSPC));
 }
 
-/* One that cannot be opened is not left there. */
-static bool open_directory(struct run_directory *directory, struct error *error) {
-    directory->file = open(directory->path, DIRECTORY_FLAGS);
-    if (directory->file < 0) {
-        error_set(error, "%.900s: %s", directory->path, strerror(errno));
-        rmdir(directory->path);
-    }
-    return directory->file >= 0;
-}
-
-bool run_directory_make(struct run_directory *directory, const char *path, struct error *error) {
-    directory->file = -1;
-    if ((size_t)snprintf(directory->path, sizeof directory->path, "%s", path) >=
-        sizeof directory->path) {
-        return error_set(error, "%.900s: name too long", path);
-    }
-    if (mkdir(path, 0777) != 0) {
-        return error_set(error, "%.900s: cannot make the directory: %s", path, strerror(errno));
-    }
-    return open_directory(directory, error);
-}
-
 bool run_directory_create(struct run_directory *directory, struct error *error) {
     const char *parent = run_temporary();
-    directory->file = -1;
     if ((size_t)snprintf(directory->path, sizeof directory->path, "%s/check.XXXXXX", parent) >=
         sizeof directory->path) {
         return error_set(error, "%.900s: name too long", parent);
     }
-    if (mkdtemp(directory->path) == NULL) {
-        return error_set(error, "cannot make a directory in %s: %s", parent, strerror(errno));
-    }
-    return open_directory(directory, error);
+    return mkdtemp(directory->path) != NULL ||
+           error_set(error, "cannot make a directory in %s: %s", parent, strerror(errno));
 }
 
-/* Links are removed, not followed. */
-static bool remove_entry(int parent, const char *name) {
-    return unlinkat(parent, name, 0) == 0 || unlinkat(parent, name, AT_REMOVEDIR) == 0;
+static int remove_entry(const char *path, const struct stat *status, int type, struct FTW *ftw) {
+    (void)status, (void)type, (void)ftw;
+    return remove(path);
 }
 
-static bool is_dots(const char *name) {
-    return strcmp(name, ".") == 0 || strcmp(name, "..") == 0;
-}
-
-static int open_inside(int parent, const char *name) {
-    int file = openat(parent, name, DIRECTORY_FLAGS);
-    if (file < 0 && errno == EACCES && fchmodat(parent, name, 0700, 0) == 0) {
-        file = openat(parent, name, DIRECTORY_FLAGS);
-    }
-    return file;
-}
-
-/* Move an entry of a directory into `top`, under the next name that is free there. */
-static bool lift_entry(int directory, const char *name, int top, unsigned long *number) {
-    char lifted[40];
-    bool done;
-    fchmodat(directory, name, 0700, 0); /* its ".." changes */
-    do {
-        snprintf(lifted, sizeof lifted, "lifted.%lu", (*number)++);
-        done = renameat(directory, name, top, lifted) == 0;
-    } while (!done && (errno == EEXIST || errno == ENOTEMPTY || errno == ENOTDIR));
-    return done;
-}
-
-/* Remove what is in the directory `name` of `top`, and lift directories that are not empty into
- * `top`, under new names. Returns how many entries are no longer there. */
-static size_t lift_contents(int top, const char *name, unsigned long *number) {
-    size_t gone = 0;
-    int file = open_inside(top, name);
-    DIR *directory = file < 0 ? NULL : fdopendir(file);
-    if (directory == NULL) {
-        return 0;
-    }
-    fchmod(file, 0700);
-    struct dirent *entry;
-    while ((entry = readdir(directory)) != NULL) {
-        if (is_dots(entry->d_name)) {
-            continue;
-        }
-        gone += remove_entry(file, entry->d_name) || lift_entry(file, entry->d_name, top, number);
-    }
-    closedir(directory);
-    return gone;
-}
-
-/* Remove what can be removed at once. Returns whether anything was. */
-static bool remove_uppermost(int top, unsigned long *number) {
-    size_t gone = 0;
-    int file = openat(top, ".", DIRECTORY_FLAGS);
-    DIR *directory = file < 0 ? NULL : fdopendir(file);
-    if (directory == NULL) {
-        return false;
-    }
-    struct dirent *entry;
-    while ((entry = readdir(directory)) != NULL) {
-        if (!is_dots(entry->d_name) && !remove_entry(top, entry->d_name)) {
-            gone += lift_contents(top, entry->d_name, number);
-            gone += remove_entry(top, entry->d_name);
-        } else {
-            gone += !is_dots(entry->d_name);
-        }
-    }
-    closedir(directory);
-    return gone > 0;
-}
-
-/* Remove everything in an open directory, and close it. A program may have nested directories
- * deeper than files can be open: so whatever the depth, two are. */
-static void remove_contents(int file) {
-    unsigned long number = 0;
-    fchmod(file, 0700);
-    while (remove_uppermost(file, &number)) {
-    }
-    close(file);
-}
-
-/* Remove everything in the directory `name` of `parent`, then the directory. */
-static void remove_tree(int parent, const char *name) {
-    int file = open_inside(parent, name);
-    if (file >= 0) {
-        remove_contents(file);
-    }
-    unlinkat(parent, name, AT_REMOVEDIR);
-}
-
-/* The name that an open directory has now. Only Linux tells it, where there is a /proc. */
-static bool name_of(int file, char *path, size_t size) {
-    char link[40];
-    struct stat open_one, named;
-    snprintf(link, sizeof link, "/proc/self/fd/%d", file);
-    ssize_t length = readlink(link, path, size - 1);
-    if (length < 0) {
-        return false;
-    }
-    path[length] = '\0';
-    return fstat(file, &open_one) == 0 && lstat(path, &named) == 0 &&
-           open_one.st_dev == named.st_dev && open_one.st_ino == named.st_ino;
-}
-
-/* A program may have given its directory another name, anywhere on the disk: what is in it goes in
- * any case. Where the new name cannot be found, an empty directory stays. */
-static void remove_moved(int moved) {
-    char path[4096];
-    bool removed = false;
-    fchmod(moved, 0700);
-    for (int i = 0; i < 3 && !removed; i++) {
-        int file = openat(moved, ".", DIRECTORY_FLAGS);
-        if (file >= 0) {
-            remove_contents(file);
-        }
-        removed = !name_of(moved, path, sizeof path) || rmdir(path) == 0;
-    }
-}
-
-void run_directory_remove(const struct run_directory *directory) {
-    /* More than once, because entries may be passed over while others are removed. A program may
-     * have put something else in the directory's place, such as a link. */
-    for (int i = 0; i < 3 && unlink(directory->path) != 0 && errno != ENOENT; i++) {
-        remove_tree(AT_FDCWD, directory->path);
-    }
-    if (directory->file >= 0) {
-        remove_moved(directory->file);
-        close(directory->file);
+void run_directory_remove(const char *path) {
+    enum { OPEN_DIRECTORIES = 16, TRIES = 3 }; /* a process that was killed may still be writing */
+    for (int i = 0; i < TRIES && access(path, F_OK) == 0; i++) {
+        nftw(path, remove_entry, OPEN_DIRECTORIES, FTW_DEPTH | FTW_PHYS);
     }
 }

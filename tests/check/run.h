@@ -1,21 +1,19 @@
 /*
- * Running a program that nobody trusts: in an empty directory, in its own session (a process group
- * without a terminal), under limits, and with nothing left of it afterwards.
+ * Runs a program that may go wrong in any way: in an empty directory, in its own session (a process
+ * group without a terminal), under limits, and with nothing left of its group afterwards.
  *
  * What is limited: elapsed time, CPU time (the same on each core), the size of a file and of all
  * files in its directory, open files, memory, the number of processes, core files (none). When the
  * time is over, the whole group gets SIGTERM and half a second later SIGKILL; after any end,
- * whoever is left in the group gets SIGKILL. On Linux, processes that left the group are found
- * through /proc and killed too, and the number of processes is counted there, since RLIMIT_NPROC
- * counts all processes of a user and does not bind root. On other systems RLIMIT_NPROC alone stands
- * against a program that forks without end.
+ * whoever is left in the group gets SIGKILL. On Linux the processes and their memory are counted
+ * through /proc, since RLIMIT_NPROC counts all processes of a user and does not bind root. On other
+ * systems RLIMIT_NPROC alone stops a program that forks without end.
  *
- * The network and the files of others are not limited here: for programs of strangers CHECK_RUNNER
- * in the environment names a command, which is called as `RUNNER PROGRAM ARGUMENT...` in the
- * program's place, and shuts it in (tests/teacher/grade/contain.sh does). It must end as a shell would:
- * with the program's status, or 128 and the number of the signal that ended it.
- *
- * While a contained program runs, the caller must have no other child process.
+ * This isn't a sandbox: a program that wants to can leave its group, use the network, read and write
+ * any file of the user. For programs of strangers CHECK_RUNNER in the environment names a command
+ * that shuts them in (tests/teacher/grade/contain.sh does); it is called as `RUNNER PROGRAM ARGUMENT...`
+ * instead of the program. It must end as a shell would: with the program's status, or 128 and the
+ * number of the signal that ended it.
  */
 #ifndef TESTS_CHECK_RUN_H
 #define TESTS_CHECK_RUN_H
@@ -42,7 +40,7 @@ struct run_command {
     const char *directory;        /* to run in; NULL: where the caller is */
     const char *output;           /* a file for its standard output; NULL: it is thrown away */
     const char *locale;           /* LC_ALL of the command; NULL: unchanged */
-    bool contained;               /* a program that nobody trusts; otherwise the limits alone */
+    bool contained;               /* under all limits; otherwise seconds and sizes alone */
     struct run_limits limits;
 };
 
@@ -104,19 +102,13 @@ const char *run_temporary(void);
  * system says that there is not. (Of a user's own quota it says nothing.) */
 bool run_has_room(const char *directory, size_t bytes, struct error *error);
 
-/* An empty directory for a program, which stays open: it may be given another name. */
+/* Make an empty directory for a program in run_temporary(); its name is absolute. */
 struct run_directory {
     char path[RUN_PATH_LIMIT];
-    int file; /* -1 where there is none */
 };
-
-/* Make one in run_temporary(); its name is absolute. */
 bool run_directory_create(struct run_directory *directory, struct error *error);
 
-/* Make one of this name. */
-bool run_directory_make(struct run_directory *directory, const char *path, struct error *error);
-
-/* Remove a directory with all that a program left in it, and what it put in its place; close it. */
-void run_directory_remove(const struct run_directory *directory);
+/* Remove a directory with all that a program left in it. Links are removed, not followed. */
+void run_directory_remove(const char *path);
 
 #endif

@@ -15,11 +15,13 @@
 #include <string.h>
 #include <unistd.h>
 
-enum { SIZE = 64, PLACES = 128, ROWS = 3 }; /* three pictures, in rows 2, 3 and 4 */
+enum { SIZE = 64, PLACES = 128, ROWS = 3, MOST = 8 }; /* three pictures, in rows 2, 3 and 4 */
 
 /* What was kept of a reference of one grey, and of three wrong pictures. */
 struct fixture {
     struct image reference, yours;
+    struct mistake named[MOST];
+    struct mistake_list mistakes;
     struct looks looks;
 };
 
@@ -49,14 +51,14 @@ static void set_up(struct fixture *f) {
             image_set(&f->looks.pixels, (int)i, (int)row, color_of(row, i));
         }
     }
-    f->looks.list = calloc(8, sizeof *f->looks.list);
+    f->mistakes = (struct mistake_list){.list = f->named, .count = 4};
+    f->looks.mistakes = &f->mistakes;
+    f->looks.list = calloc(MOST, sizeof *f->looks.list);
     for (size_t i = 0; i < 4; i++) {
-        struct look *look = &f->looks.list[f->looks.count++];
-        look->row = rows[i];
-        look->apart = 1000;
-        strcpy(look->task.text, i == 0 ? "" : "5.2");
-        strcpy(look->words, words[i]);
+        f->looks.list[i] = (struct look){.row = rows[i], .apart = 1000};
+        f->named[i] = (struct mistake){.task = {"5.2"}, .words = words[i]};
     }
+    f->named[0].task.text[0] = '\0';
 }
 
 static void tear_down(struct fixture *f) {
@@ -75,8 +77,8 @@ static void draw(struct fixture *f, size_t row, size_t other) {
     }
 }
 
-static size_t find(const struct fixture *f, uint64_t apart, size_t left_out) {
-    return looks_find(&f->looks, &f->reference, &f->yours, apart, left_out).row;
+static size_t find(const struct fixture *f, uint64_t apart) {
+    return looks_find(&f->looks, &f->reference, &f->yours, apart).row;
 }
 
 static void test_places(void) {
@@ -97,20 +99,19 @@ static void test_what_is_told(void) {
         const char *what;
         size_t row, other;
         uint64_t apart;
-        size_t left_out, wanted;
+        size_t wanted;
     } cases[] = {
-        {"itself", 2, 0, 1000, 0, 2},          {"its neighbour", 3, 0, 1000, 0, 3},
-        {"the last", 4, 0, 1000, 0, 4},        {"nearly", 4, 2, 1000, 0, 4},
-        {"not near enough", 4, 3, 1000, 0, 0}, {"a quarter more is apart", 4, 1, 1250, 0, 4},
-        {"more than that", 4, 1, 1251, 0, 0},  {"a quarter less", 4, 1, 750, 0, 4},
-        {"less than that", 4, 1, 749, 0, 0},   {"the reference", 1, 0, 1000, 0, 0},
-        {"unknown", 4, 0, 1000, 4, 0},
+        {"itself", 2, 0, 1000, 2},          {"its neighbour", 3, 0, 1000, 3},
+        {"the last", 4, 0, 1000, 4},        {"nearly", 4, 2, 1000, 4},
+        {"not near enough", 4, 3, 1000, 0}, {"a quarter more is apart", 4, 1, 1250, 4},
+        {"more than that", 4, 1, 1251, 0},  {"a quarter less", 4, 1, 750, 4},
+        {"less than that", 4, 1, 749, 0},   {"the reference", 1, 0, 1000, 0},
     };
     struct fixture f;
     set_up(&f);
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         draw(&f, cases[i].row, cases[i].other);
-        CHECK_ROW(find(&f, cases[i].apart, cases[i].left_out) == cases[i].wanted, cases[i].what);
+        CHECK_ROW(find(&f, cases[i].apart) == cases[i].wanted, cases[i].what);
     }
     tear_down(&f);
 }
@@ -124,17 +125,17 @@ static void test_doubt(void) {
         struct place place = place_of((size_t)i);
         image_set(&f.yours, (int)place.x, (int)place.y, color_of(3, (size_t)i));
     }
-    CHECK(find(&f, 1000, 0) == 2);
+    CHECK(find(&f, 1000) == 2);
     for (size_t i = 2; i < 40; i++) { /* now the two differ in two only */
         image_set(&f.looks.pixels, (int)i, 3, color_of(2, i));
     }
-    CHECK(find(&f, 1000, 0) == 3);
+    CHECK(find(&f, 1000) == 3);
     f.looks.list[1].row = 0; /* one of which nothing is told is still nearer */
-    CHECK(find(&f, 1000, 0) == 0);
+    CHECK(find(&f, 1000) == 0);
     f.looks.list[1].row = 3;
     struct place place = place_of(1);
     image_set(&f.yours, (int)place.x, (int)place.y, color_of(2, 1));
-    CHECK(find(&f, 1000, 0) == 0);
+    CHECK(find(&f, 1000) == 0);
     tear_down(&f);
 }
 
@@ -146,18 +147,17 @@ static void test_near(void) {
         image_set(&f.looks.pixels, (int)i, 2, color_grey(i < 64 ? 49 : 50));
     }
     f.looks.list[0].apart = 0;
-    CHECK(find(&f, 0, 0) == 0); /* black */
+    CHECK(find(&f, 0) == 0); /* black */
     image_clear(&f.yours, color_grey(49));
-    CHECK(find(&f, 0, 0) == 0); /* too dark elsewhere, too */
+    CHECK(find(&f, 0) == 0); /* too dark elsewhere, too */
     for (size_t i = 0; i < PLACES; i++) {
         struct place place = place_of(i);
         image_set(&f.yours, (int)place.x, (int)place.y, color_grey(i < 64 ? 49 : 50));
     }
-    CHECK(find(&f, 0, 0) == 2);
-    CHECK(find(&f, 0, 2) == 0);    /* no other one is near */
-    CHECK(find(&f, 1000, 0) == 0); /* something is apart that is not seen here */
+    CHECK(find(&f, 0) == 2);
+    CHECK(find(&f, 1000) == 0); /* something is apart that is not seen here */
     f.looks.list[0].apart = 1000;
-    CHECK(find(&f, 0, 0) == 0);
+    CHECK(find(&f, 0) == 0);
     tear_down(&f);
 }
 
@@ -174,8 +174,8 @@ static void test_small_pictures(void) {
         struct place place = place_of(i);
         image_set(&f.yours, (int)place.x, (int)place.y, color_of(4, i));
     }
-    CHECK(find(&f, 1000, 0) == 4);
-    CHECK(find(&f, 1001, 0) == 0);
+    CHECK(find(&f, 1000) == 4);
+    CHECK(find(&f, 1001) == 0);
     tear_down(&f);
 }
 
@@ -189,13 +189,19 @@ static void test_black(void) {
         image_set(&f.looks.pixels, (int)i, 4, color_grey(i < 2 ? 200 : 0));
         image_set(&f.yours, (int)place.x, (int)place.y, color_grey(0));
     }
-    CHECK(find(&f, 1000, 0) == 0);
+    CHECK(find(&f, 1000) == 0);
     image_clear(&f.yours, color_grey(0));
     for (int i = 0; i < PLACES; i++) { /* a mistake that draws all nearly black */
         image_set(&f.looks.pixels, i, 4, color_grey(1));
     }
-    CHECK(find(&f, 1000, 0) == 0);
+    CHECK(find(&f, 1000) == 0);
     tear_down(&f);
+}
+
+/* Another mistake draws the last picture. */
+static void add(struct fixture *f) {
+    f->named[f->mistakes.count] = f->named[3];
+    f->looks.list[f->mistakes.count++] = f->looks.list[3];
 }
 
 /* At most four mistakes may draw the same. */
@@ -203,86 +209,17 @@ static void test_names(void) {
     struct fixture f;
     set_up(&f);
     draw(&f, 4, 0);
-    f.looks.list[f.looks.count++] = f.looks.list[3];
-    f.looks.list[f.looks.count++] = f.looks.list[3];
-    CHECK(find(&f, 1000, 0) == 4);
-    f.looks.list[f.looks.count++] = f.looks.list[3];
-    CHECK(find(&f, 1000, 0) == 0);
-    for (size_t i = 0; i < f.looks.count; i++) {
+    add(&f);
+    add(&f);
+    CHECK(find(&f, 1000) == 4);
+    CHECK(looks_mistakes(&f.looks, 4).count == 4 && looks_mistakes(&f.looks, 0).count == 0);
+    CHECK(looks_mistakes(&f.looks, 3).list[0] == &f.named[1]);
+    add(&f);
+    CHECK(find(&f, 1000) == 0);
+    for (size_t i = 0; i < f.mistakes.count; i++) {
         f.looks.list[i].row = 0;
     }
-    CHECK(find(&f, 1000, 0) == 0);
-    tear_down(&f);
-}
-
-/* The context is the name of a task that is right, or the words of a mistake that cannot be; behind
- * a question mark those of one that is doubtful. */
-static enum looks_doubt doubt_that(const void *context, const struct look *look) {
-    const char *text = context;
-    return text[0] == '?' && strcmp(text + 1, look->words) == 0 ? LOOKS_DOUBTFUL
-           : strcmp(context, look->words) == 0                  ? LOOKS_IMPOSSIBLE
-           : strcmp(context, look->task.text) == 0              ? LOOKS_UNLIKELY
-                                                                : LOOKS_LIKELY;
-}
-
-/* What is told of a row with that doubt: `tasks` are those at fault. */
-static void check_told(const struct fixture *f, size_t row, const char *right, const char *words,
-                       const char *tasks) {
-    struct item_result item = {.scene = "scene"};
-    char told[LOOKS_NAME_LIMIT * TASK_NAME_LIMIT] = "";
-    looks_tell(&item, &f->looks, row, right != NULL ? doubt_that : NULL, right);
-    for (size_t i = 0; i < item.looks_task_count; i++) {
-        strcat(strcat(told, i > 0 ? " " : ""), item.looks_tasks[i].text);
-    }
-    CHECK_TEXT(item.looks.text, words);
-    CHECK_TEXT(told, tasks);
-    CHECK_TEXT(result_likeness(&item),
-               right != NULL && right[0] == '?' && row == 3 ? "may be" : "looks like");
-}
-
-static void test_told(void) {
-    struct fixture f;
-    set_up(&f);
-    check_told(&f, 0, NULL, "", "");
-    check_told(&f, 2, NULL, "\"the first\"", "");
-    check_told(&f, 3, NULL, "\"the second\"", "5.2");
-    check_told(&f, 4, NULL, "\"the third\" or \"as the third\"", "5.2");
-    strcpy(f.looks.list[3].task.text, "5.3");
-    check_told(&f, 4, NULL, "\"the third\" or \"as the third\"", "5.2 5.3");
-    check_told(&f, 4, "5.2", "\"as the third\"", "5.3");
-    check_told(&f, 4, "5.3", "\"the third\"", "5.2");
-    check_told(&f, 3, "5.2", "\"the second\"", "5.2"); /* there is no other */
-    check_told(&f, 4, "the third", "\"as the third\"", "5.3");
-    check_told(&f, 3, "the second", "", "");
-    check_told(&f, 3, "?the second", "\"the second\"", "5.2");
-    check_told(&f, 4, "?the third", "\"as the third\"", "5.3"); /* which is not doubtful */
-    f.looks.list[3].row = 0;
-    check_told(&f, 0, NULL, "", "");
-    tear_down(&f);
-}
-
-/* The figures of all mistakes that are told, each once; 0 stands for none. */
-static void test_figures(void) {
-    static const struct {
-        unsigned figures[2];
-        const char *right;
-        size_t count;
-        unsigned first;
-    } cases[] = {
-        {{4, 7}, NULL, 2, 4},        {{4, 4}, NULL, 1, 4}, {{0, 7}, NULL, 1, 7},
-        {{0, 0}, NULL, 0, 0},        {{4, 0}, NULL, 1, 4}, {{4, 7}, "the third", 1, 7},
-        {{4, 0}, "the third", 0, 0},
-    };
-    struct fixture f;
-    set_up(&f);
-    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
-        struct item_result item = {.scene = "scene"};
-        f.looks.list[2].figure = cases[i].figures[0];
-        f.looks.list[3].figure = cases[i].figures[1];
-        looks_tell(&item, &f.looks, 4, cases[i].right != NULL ? doubt_that : NULL, cases[i].right);
-        CHECK(item.looks_figure_count == cases[i].count);
-        CHECK(item.looks_figures[0] == cases[i].first);
-    }
+    CHECK(find(&f, 1000) == 0);
     tear_down(&f);
 }
 
@@ -308,7 +245,8 @@ static void test_explained(void) {
         free(f.looks.explains);
     }
     f.looks.explains = NULL;
-    f.looks.count = 0; /* nothing is known */
+    free(f.looks.list); /* nothing is known */
+    f.looks.list = NULL;
     looks_compare(&f.looks, &f.yours);
     CHECK(f.looks.explains == NULL);
     tear_down(&f);
@@ -320,57 +258,56 @@ static void test_out_of_date(void) {
     set_up(&f);
     draw(&f, 4, 0);
     image_set(&f.reference, 3, 0, color_grey(70));
-    CHECK(find(&f, 1000, 0) == 0);
+    CHECK(find(&f, 1000) == 0);
     image_set(&f.reference, 3, 0, color_grey(50));
-    CHECK(find(&f, 1000, 0) == 4);
+    CHECK(find(&f, 1000) == 4);
     looks_set_place(&f.looks.pixels, 100, (struct place){SIZE, 0}); /* where nothing is */
     image_set(&f.looks.pixels, 100, 1, color_grey(0));
-    CHECK(find(&f, 1000, 0) == 0);
+    CHECK(find(&f, 1000) == 0);
     tear_down(&f);
 }
 
-static void test_files(void) {
+/* What each of four mistakes makes of the scene `b`, as its signs say. */
+static void test_signs(void) {
     static const struct {
-        const char *list;
-        size_t count, starter;
+        const char *signs[4];
+        size_t rows[4];
+        bool known;
     } cases[] = {
-        {"# words\n2 1000 - 0 the first\n0 0 5.2 0 nothing\n4 99 10b.12 14 a \"b\"\n", 3, 0},
-        {"2 1000 - 0 the first\n3 1000 - 0 (the starter)\n", 1, 3},
-        {"2 1000 - 0 the first\n0 0 - 0 (the starter)\n", 1, 0},
-        {"2 1000 - 0 the first\n5 1000 - 0 (the starter)\n", 0, 0},
-        {"", 0, 0},
-        {"5 1000 - 0 no such row\n", 0, 0},
-        {"1 1000 - 0 the reference\n", 0, 0},
-        {"2 1000\n", 0, 0},
-        {"2 1000 -\n", 0, 0},
-        {"2 1000 - 4\n", 0, 0},
-        {"2 1000 - the first\n", 0, 0},
-        {"-3 1000 - 0 a\n", 0, 0},
-        {"x 1000 - 0 a\n", 0, 0},
+        {{"b:2:1000", "-", "bb:2:1000;b:3:99", "ab:3:7;b:rb-:a=5"}, {2, 0, 3, 0}, true},
+        {{"b:0:7", "b:4:0", "b:2", "b:x:1"}, {0, 4, 0, 0}, true},
+        {{"b:5:1000", "-", "-", "-"}, {0}, false}, /* no such row */
+        {{"b:1:1000", "-", "-", "-"}, {0}, false}, /* the reference's */
     };
     char directory[] = "/tmp/test_looks.XXXXXX", path[64], command[80];
     struct fixture f;
-    struct looks looks;
     struct error error;
+    struct looks looks;
     CHECK(mkdtemp(directory) != NULL);
     set_up(&f);
     snprintf(path, sizeof path, "%s/a", directory);
     CHECK(directory_create(path, &error));
+    snprintf(path, sizeof path, "%s/a/b.png", directory);
+    CHECK(png_write(&f.looks.pixels, path, &error));
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
-        snprintf(path, sizeof path, "%s/a/b.png", directory);
-        CHECK(png_write(&f.looks.pixels, path, &error));
-        snprintf(path, sizeof path, "%s/a/b.txt", directory);
-        CHECK(file_write(path, cases[i].list, strlen(cases[i].list), &error));
-        looks_read(&looks, directory, "a", "b");
-        CHECK_ROW(looks.count == cases[i].count && looks.starter == cases[i].starter,
-                  cases[i].list);
-        CHECK(i > 0 || (strcmp(looks.list[0].task.text, "") == 0 &&
-                        strcmp(looks.list[2].task.text, "10b.12") == 0 &&
-                        looks.list[0].figure == 0 && looks.list[2].figure == 14));
+        for (size_t k = 0; k < 4; k++) {
+            f.named[k].signs = cases[i].signs[k];
+        }
+        looks_read(&looks, &f.mistakes, directory, "a", "b");
+        CHECK((looks.list != NULL) == cases[i].known);
+        for (size_t k = 0; k < 4 && looks.list != NULL; k++) {
+            CHECK_ROW(looks.list[k].row == cases[i].rows[k], cases[i].signs[k]);
+        }
+        CHECK(i > 0 || (looks.list[0].apart == 1000 && looks.list[2].apart == 99));
+        CHECK(i != 1 || looks.list[0].apart == 7);
         looks_free(&looks);
     }
-    looks_read(&looks, directory, "a", "c");
-    CHECK(looks.count == 0 && looks.pixels.pixels == NULL);
+    f.named[0] = (struct mistake){.signs = "b:3:1000", .words = MISTAKE_STARTER};
+    looks_read(&looks, &f.mistakes, directory, "a", "b");
+    CHECK(looks.starter == 3 && looks.list[0].row == 0); /* no mistake, but known */
+    looks_free(&looks);
+    looks_read(&looks, &f.mistakes, directory, "a", "c");
+    CHECK(looks.list == NULL && looks.pixels.pixels == NULL);
     snprintf(command, sizeof command, "rm -rf '%s'", directory);
     CHECK(system(command) == 0);
     tear_down(&f);
@@ -416,5 +353,4 @@ static void test_shrinking(void) {
 
 UNIT_MAIN(TEST(test_places), TEST(test_what_is_told), TEST(test_doubt), TEST(test_near),
           TEST(test_small_pictures), TEST(test_black), TEST(test_shrinking), TEST(test_names),
-          TEST(test_told), TEST(test_figures), TEST(test_explained), TEST(test_out_of_date),
-          TEST(test_files))
+          TEST(test_explained), TEST(test_out_of_date), TEST(test_signs))

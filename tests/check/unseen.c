@@ -9,14 +9,12 @@
 #include <unistd.h>
 
 bool unseen_begin(struct unseen_place *place, struct error *error) {
-    place->drawn.file = -1;
     if (!run_directory_create(&place->whole, error)) {
         return false;
     }
     snprintf(place->input, sizeof place->input, "%s/input", place->whole.path);
     snprintf(place->pictures, sizeof place->pictures, "%s/pictures", place->whole.path);
-    if (!directory_create(place->input, error) ||
-        !run_directory_make(&place->drawn, place->pictures, error)) {
+    if (!directory_create(place->input, error) || !directory_create(place->pictures, error)) {
         unseen_end(place);
         return false;
     }
@@ -24,10 +22,7 @@ bool unseen_begin(struct unseen_place *place, struct error *error) {
 }
 
 void unseen_end(const struct unseen_place *place) {
-    if (place->drawn.file >= 0) {
-        run_directory_remove(&place->drawn);
-    }
-    run_directory_remove(&place->whole);
+    run_directory_remove(place->whole.path);
 }
 
 bool unseen_program(char path[DRAWN_PATH_LIMIT], const char *programs, const char *step,
@@ -53,8 +48,8 @@ bool unseen_draw(struct unseen_place *place, const char *program, const char *co
     }
     snprintf(path, sizeof path, "%s/%s", place->input, input_name(kind));
     arguments[count] = path;
-    run_directory_remove(&place->drawn);
-    if (!run_directory_make(&place->drawn, place->pictures, error) ||
+    run_directory_remove(place->pictures);
+    if (!directory_create(place->pictures, error) ||
         !input_write(path, kind, seed, variant, error)) {
         return false;
     }

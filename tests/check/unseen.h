@@ -14,7 +14,7 @@
 /* A directory of its own with two empty ones: where the input lies, and where the program runs and
  * leaves its pictures. */
 struct unseen_place {
-    struct run_directory whole, drawn;
+    struct run_directory whole;
     char input[DRAWN_PATH_LIMIT], pictures[DRAWN_PATH_LIMIT];
 };
 

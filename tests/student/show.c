@@ -9,6 +9,7 @@
  *
  * Exit status: 0 shown, 1 a file cannot be read or nothing is there, 2 wrong usage.
  */
+#include "check/arguments.h"
 #include "check/page/pictures.h"
 #include "terminal.h"
 
@@ -33,33 +34,18 @@ struct options {
     bool kind_given;
     const char *which;        /* names with commas between them, or NULL */
     const char *step, *scene; /* that the pictures are of, or "" */
-    const char *path[2];
-    size_t path_count;
+    char **path;              /* two */
 };
-
-static const char help[] =
-    "Usage: show [options] YOURS REFERENCE\n"
-    "Show two pictures and their difference in the terminal.\n"
-    "\n"
-    "  --columns N    characters of a line (80)\n"
-    "  --lines N      lines of the terminal (24)\n"
-    "  --as KIND      blocks, sixel or kitty; otherwise what the terminal can\n"
-    "  --which NAMES  which of yours,reference,difference (all where they have room side by side,\n"
-    "                 otherwise yours)\n"
-    "  --step NAME    with --scene NAME, in the course's directory: what counts as wrong in the\n"
-    "                 difference is what the check counts\n"
-    "  -h, --help\n";
 
 /* ---- Options ---- */
 
-static bool parse_size(const char *text, size_t *size) {
-    char *end;
-    unsigned long value = strtoul(text, &end, 10);
-    *size = (size_t)value;
-    return text[0] >= '1' && text[0] <= '9' && *end == '\0' && value <= SIZE_LIMIT;
+/* Characters of a line, or lines. */
+static bool read_size(const char *text, void *size) {
+    return argument_number(text, size) && *(size_t *)size <= SIZE_LIMIT;
 }
 
-static bool parse_kind(const char *text, struct options *options) {
+static bool read_kind(const char *text, void *target) {
+    struct options *options = target;
     static const char *const names[] = {"blocks", "sixel", "kitty"};
     for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
         if (strcmp(text, names[i]) == 0) {
@@ -84,7 +70,7 @@ static bool is_listed(const char *list, const char *name) {
 }
 
 /* Are all names of the list known ones? */
-static bool parse_which(const char *list, struct options *options) {
+static bool read_which(const char *list, void *target) {
     size_t commas = 0, known = 0;
     for (const char *at = list; *at != '\0'; at++) {
         commas += *at == ',';
@@ -92,45 +78,13 @@ static bool parse_which(const char *list, struct options *options) {
     for (int i = 0; i < PICTURE_COUNT; i++) {
         known += is_listed(list, picture_names[i]);
     }
-    options->which = list;
-    return known == commas + 1;
+    return known == commas + 1 && argument_text(list, target);
 }
 
-static bool parse_option(const char *name, const char *value, struct options *options) {
-    if (strcmp(name, "--columns") == 0) {
-        return parse_size(value, &options->columns);
-    }
-    if (strcmp(name, "--lines") == 0) {
-        return parse_size(value, &options->lines);
-    }
-    if (strcmp(name, "--as") == 0) {
-        return parse_kind(value, options);
-    }
-    if (strcmp(name, "--step") == 0 || strcmp(name, "--scene") == 0) {
-        *(name[3] == 't' ? &options->step : &options->scene) = value;
-        return true;
-    }
-    return strcmp(name, "--which") == 0 && parse_which(value, options);
-}
-
-static bool parse_options(int argc, char **argv, struct options *options) {
-    bool ended = false; /* by "--" */
-    for (int i = 1; i < argc; i++) {
-        if (!ended && strcmp(argv[i], "--") == 0) {
-            ended = true;
-        } else if (ended || argv[i][0] != '-') {
-            if (options->path_count == 2) {
-                return false;
-            }
-            options->path[options->path_count++] = argv[i];
-        } else if (i + 1 == argc || !parse_option(argv[i], argv[i + 1], options)) {
-            fprintf(stderr, "show: wrong: %s %s\n", argv[i], i + 1 < argc ? argv[i + 1] : "");
-            return false;
-        } else {
-            i++;
-        }
-    }
-    return options->path_count == 2;
+static void print_help(const struct argument *known, size_t known_count) {
+    puts("Usage: show [options] YOURS REFERENCE\n"
+         "Show two pictures and their difference in the terminal.\n");
+    arguments_print_help(known, known_count);
 }
 
 /* ---- The size of a picture ---- */
@@ -276,15 +230,34 @@ static bool show(struct bytes *out, const struct options *options, struct error 
 }
 
 int main(int argc, char **argv) {
-    struct options options = {.columns = 80, .lines = 24, .step = "", .scene = ""};
+    struct options options = {
+        .columns = 80, .lines = 24, .step = "", .scene = "", .path = argv + 1};
     struct bytes out = {.data = NULL};
     struct error error;
-    if (argc == 2 && (strcmp(argv[1], "-h") == 0 || strcmp(argv[1], "--help") == 0)) {
-        fputs(help, stdout);
+    const struct argument known[] = {
+        {"--columns", "N", "characters of a line (80)", read_size, &options.columns},
+        {"--lines", "N", "lines of the terminal (24)", read_size, &options.lines},
+        {"--as", "KIND", "blocks, sixel or kitty; otherwise what the terminal can", read_kind,
+         &options},
+        {"--which", "NAMES",
+         "which of yours,reference,difference (all where they have room side by side,\n"
+         "otherwise yours)",
+         read_which, &options.which},
+        {"--step", "NAME",
+         "with --scene NAME, in the course's directory: what counts as wrong in the\n"
+         "difference is what the check counts",
+         argument_text, &options.step},
+        {"--scene", "NAME", "see --step", argument_text, &options.scene},
+    };
+    const size_t known_count = sizeof known / sizeof known[0];
+    if (arguments_want_help(argc, argv)) {
+        print_help(known, known_count);
         return EXIT_SUCCESS;
     }
-    if (!parse_options(argc, argv, &options)) {
-        fputs("show: two image files are wanted; show --help says more\n", stderr);
+    int paths = arguments_read(known, known_count, argc, argv, &error);
+    if (paths != 2) {
+        fprintf(stderr, "show: %s; show --help says more\n",
+                paths < 0 ? error.message : "two image files are wanted");
         return STATUS_USAGE;
     }
     if (!options.kind_given) {

@@ -180,6 +180,6 @@ says 'make show: there is no scene "lines" in step01_line. There are: '
 make_show 1 STEP=77
 says 'make show: there is no step "77"'
 make_show 1 STEP=01 WHICH=mine
-says 'show: wrong: --which mine'
+says 'show: --which mine: not understood'
 
 exit $failed

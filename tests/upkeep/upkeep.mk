@@ -111,7 +111,7 @@ found:
 	@echo "THREADED='$(THREADED)' MARCH='$(MARCH)'"
 
 mistakes: $(BUILD)/check $(BUILD)/looks_make $(BUILD)/figure_make models
-	@tests/upkeep/verify/mistakes.sh $(BUILD) '$(MAKE) -s' '$(STEP)' '$(MEASURE)'
+	@tests/upkeep/verify/mistakes.sh $(BUILD) '$(MAKE) -s' '$(STEP)'
 
 $(BUILD)/looks_make $(BUILD)/figure_make: $(BUILD)/%: $(BUILD)/tests/check/%.o $(CHECKER) \
                                            $(BUILD)/libcommon.a

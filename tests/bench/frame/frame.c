@@ -341,7 +341,6 @@ int main(int argc, char **argv) {
         return 2;
     }
     if (options.help) {
-        fputs(options_help, stdout);
         return 0;
     }
     if (!run(&options, &error)) {

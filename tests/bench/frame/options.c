@@ -1,32 +1,14 @@
 /* The command line: see options.h. */
 #include "options.h"
 
-#include <stdlib.h>
+#include "check/arguments.h"
+
+#include <stdio.h>
 #include <string.h>
 
 #ifndef COURSE_BUILD
 #define COURSE_BUILD "build"
 #endif
-
-const char options_help[] =
-    "usage: bench-frame [options] [model]\n"
-    "\n"
-    "The time of a frame: this course's pipeline and, where Mesa is installed, llvmpipe.\n"
-    "\n"
-    "  --look NAME        only this look: flat, gouraud or phong (may be repeated)\n"
-    "  --size WxH         only images of this size (may be repeated)\n"
-    "  --triangles N      each face cut into four until there are about N (may be repeated)\n"
-    "  --frames N         frames that are timed of each (default 15)\n"
-    "  --quick            3 frames, at the first size, of the model as it is\n"
-    "  --skipping         only what each shortcut is worth, where much is hidden or off screen\n"
-    "  --least            show the least time instead of the median: for a busy machine\n"
-    "  --clear-all        clear all of the image, not only what the last frame has drawn, as\n"
-    "                     llvmpipe does\n"
-    "  --nearest          llvmpipe takes the nearest texel, this course still four\n"
-    "  -o DIR             save the pictures of both there, as PNG\n"
-    "  -h, --help         this text\n"
-    "\n"
-    "The model is an OBJ file, by default the bust; a look whose textures it lacks is left out.\n";
 
 static const struct options defaults = {
     .model = COURSE_BUILD "/models/bust.obj",
@@ -40,26 +22,22 @@ static const struct options defaults = {
     .clearing = CLEAR_LAST_FRAME,
 };
 
-/* A whole number of at most `digits` characters. */
-static bool read_number(const char *text, size_t digits, size_t most, size_t *number) {
-    *number = 0;
-    for (size_t i = 0; i < digits; i++) {
-        if (text[i] < '0' || text[i] > '9' || *number > most) {
-            return false;
-        }
-        *number = 10 * *number + (size_t)(text[i] - '0');
-    }
-    return digits > 0 && *number >= 1 && *number <= most;
+/* A whole number in the first characters of the text. */
+static bool read_number(const char *text, size_t length, size_t most, size_t *number) {
+    char digits[16];
+    bool fits = length < sizeof digits;
+    snprintf(digits, sizeof digits, "%.*s", fits ? (int)length : 0, text);
+    return argument_number(digits, number) && *number <= most;
 }
 
-static bool read_whole(const char *text, size_t most, size_t *number) {
-    return read_number(text, strlen(text), most, number);
+static bool read_frames(const char *value, void *target) {
+    return read_number(value, strlen(value), FRAMES_LIMIT, target);
 }
 
 static bool read_size(const char *text, struct size *size) {
     size_t digits = strcspn(text, "x");
     return text[digits] == 'x' && read_number(text, digits, DRAW_LIMIT, &size->width) &&
-           read_whole(text + digits + 1, DRAW_LIMIT, &size->height);
+           read_number(text + digits + 1, strlen(text + digits + 1), DRAW_LIMIT, &size->height);
 }
 
 static bool read_look(const char *text, enum frame_look *look) {
@@ -72,76 +50,98 @@ static bool read_look(const char *text, enum frame_look *look) {
     return false;
 }
 
-/* How many were named of each list; what is named replaces the defaults. */
-struct named {
+/* What is named replaces the defaults: how many were named of each list. */
+struct adding {
+    struct options *options;
     size_t looks, sizes, triangles;
 };
 
-enum value { NOT_UNDERSTOOD, UNDERSTOOD, TAKES_NO_VALUE };
-
-/* An option with a value. */
-static enum value read_value(struct options *o, struct named *named, const char *name,
-                             const char *value) {
-    bool understood = false;
-    if (strcmp(name, "--look") == 0) {
-        understood = named->looks < LIST_LIMIT && read_look(value, &o->looks[named->looks]);
-        o->look_count = ++named->looks;
-    } else if (strcmp(name, "--size") == 0) {
-        understood = named->sizes < LIST_LIMIT && read_size(value, &o->sizes[named->sizes]);
-        o->size_count = ++named->sizes;
-    } else if (strcmp(name, "--triangles") == 0) {
-        understood = named->triangles < LIST_LIMIT &&
-                     read_whole(value, 100000000, &o->triangles[named->triangles]);
-        o->triangle_count = ++named->triangles;
-    } else if (strcmp(name, "--frames") == 0) {
-        understood = read_whole(value, FRAMES_LIMIT, &o->frames);
-    } else if (strcmp(name, "-o") == 0) {
-        o->directory = value;
-        understood = *value != '\0';
-    } else {
-        return TAKES_NO_VALUE;
-    }
-    return understood ? UNDERSTOOD : NOT_UNDERSTOOD;
+static bool add_look(const char *value, void *target) {
+    struct adding *adding = target;
+    bool added =
+        adding->looks < LIST_LIMIT && read_look(value, &adding->options->looks[adding->looks]);
+    adding->options->look_count = ++adding->looks;
+    return added;
 }
 
-/* An option without a value, or the model. */
-static bool read_flag(struct options *o, const char *name) {
-    if (strcmp(name, "--quick") == 0) {
-        o->frames = 3;
-        o->size_count = o->triangle_count = 1;
-    } else if (strcmp(name, "--least") == 0) {
-        o->least = true;
-    } else if (strcmp(name, "--clear-all") == 0) {
-        o->clearing = CLEAR_ALL;
-    } else if (strcmp(name, "--skipping") == 0) {
-        o->skipping = true;
-    } else if (strcmp(name, "--nearest") == 0) {
-        o->filter = FILTER_NEAREST;
-    } else if (strcmp(name, "-h") == 0 || strcmp(name, "--help") == 0) {
-        o->help = true;
-    } else {
-        o->model = name;
-        return name[0] != '-';
-    }
+static bool add_size(const char *value, void *target) {
+    struct adding *adding = target;
+    bool added =
+        adding->sizes < LIST_LIMIT && read_size(value, &adding->options->sizes[adding->sizes]);
+    adding->options->size_count = ++adding->sizes;
+    return added;
+}
+
+static bool add_triangles(const char *value, void *target) {
+    struct adding *adding = target;
+    bool added = adding->triangles < LIST_LIMIT &&
+                 read_number(value, strlen(value), TRIANGLES_LIMIT,
+                             &adding->options->triangles[adding->triangles]);
+    adding->options->triangle_count = ++adding->triangles;
+    return added;
+}
+
+static bool be_quick(const char *value, void *target) {
+    struct options *options = target;
+    (void)value;
+    options->frames = 3;
+    options->size_count = options->triangle_count = 1;
     return true;
+}
+
+static bool clear_all(const char *value, void *target) {
+    (void)value;
+    *(enum clearing *)target = CLEAR_ALL;
+    return true;
+}
+
+static bool take_nearest(const char *value, void *target) {
+    (void)value;
+    *(enum llvmpipe_filter *)target = FILTER_NEAREST;
+    return true;
+}
+
+static bool read_directory(const char *value, void *target) {
+    return value[0] != '\0' && argument_text(value, target);
 }
 
 bool options_read(struct options *o, int argc, char **argv, struct error *error) {
-    struct named named = {0, 0, 0};
+    struct adding adding = {.options = o};
+    const struct argument known[] = {
+        {"--look", "NAME", "only this look: flat, gouraud or phong (may be repeated)", add_look,
+         &adding},
+        {"--size", "WxH", "only images of this size (may be repeated)", add_size, &adding},
+        {"--triangles", "N", "each face cut into four until there are about N (may be repeated)",
+         add_triangles, &adding},
+        {"--frames", "N", "frames that are timed of each (default 15)", read_frames, &o->frames},
+        {"--quick", "", "3 frames, at the first size, of the model as it is", be_quick, o},
+        {"--skipping", "", "only what each shortcut is worth, where much is hidden or off screen",
+         argument_flag, &o->skipping},
+        {"--least", "", "show the least time instead of the median: for a busy machine",
+         argument_flag, &o->least},
+        {"--clear-all", "",
+         "clear all of the image, not only what the last frame has drawn, as\nllvmpipe does",
+         clear_all, &o->clearing},
+        {"--nearest", "", "llvmpipe takes the nearest texel, this course still four", take_nearest,
+         &o->filter},
+        {"-o", "DIR", "save the pictures of both there, as PNG", read_directory, &o->directory},
+    };
+    const size_t known_count = sizeof known / sizeof known[0];
     *o = defaults;
-    for (int i = 1; i < argc; i++) {
-        const char *value = i + 1 < argc ? argv[i + 1] : "";
-        switch (read_value(o, &named, argv[i], value)) {
-        case UNDERSTOOD:
-            i++;
-            break;
-        case NOT_UNDERSTOOD:
-            return error_set(error, "%s %s: not understood", argv[i], value);
-        case TAKES_NO_VALUE:
-            if (!read_flag(o, argv[i])) {
-                return error_set(error, "there is no option %s", argv[i]);
-            }
-        }
+    o->help = arguments_want_help(argc, argv);
+    if (o->help) {
+        puts("usage: bench-frame [options] [model]\n\n"
+             "The time of a frame: this course's pipeline and, where Mesa is installed, "
+             "llvmpipe.\n");
+        arguments_print_help(known, known_count);
+        puts("\nThe model is an OBJ file, by default the bust; a look whose textures it lacks is "
+             "left out.");
+        return true;
     }
-    return true;
+    int models = arguments_read(known, known_count, argc, argv, error);
+    if (models > 1) {
+        return error_set(error, "more than one model");
+    }
+    o->model = models == 1 ? argv[1] : o->model;
+    return models >= 0;
 }

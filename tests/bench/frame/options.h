@@ -9,7 +9,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-enum { LIST_LIMIT = 8, FRAMES_LIMIT = 1000 };
+enum { LIST_LIMIT = 8, FRAMES_LIMIT = 1000, TRIANGLES_LIMIT = 100000000 };
 
 struct size {
     size_t width, height;
@@ -27,12 +27,11 @@ struct options {
     bool skipping;          /* measure only what shortcuts are worth */
     bool least;             /* show the least time, not the median */
     enum clearing clearing; /* how the course's side clears the image */
-    bool help;
+    bool help;              /* nothing but that */
 };
 
-extern const char options_help[];
-
-/* Read the command line. False, with a message, where it is wrong. */
+/* Read the command line; print the help where that is wanted. False, with a message, where it is
+ * wrong. */
 bool options_read(struct options *options, int argc, char **argv, struct error *error);
 
 #endif

@@ -144,10 +144,12 @@ static void tell_all(struct told *told, const struct hidden_case *hidden_case, u
 /* What the check would be told to build the programs. */
 static bool check_options(const struct hidden *hidden, struct options *options,
                           struct error *error) {
-    char name[] = "hidden", programs[] = "--programs", make[] = "--make";
-    char *told[] = {name, programs, hidden->programs, make, hidden->make, NULL};
-    int end;
-    return options_read(options, (int)(sizeof told / sizeof told[0]) - 1, told, &end, error);
+    if (!options_begin(options, error)) {
+        return false;
+    }
+    options->programs = hidden->programs;
+    options->make = hidden->make;
+    return true;
 }
 
 /* What is judged is what stands in main.c now, whatever was built of it before. One that does not

@@ -1,6 +1,6 @@
 # shellcheck shell=sh disable=SC2034 # who reads this uses what it sets
 # What try.sh and draw.sh share: sets what the line of WORK/table tells of a program, and gives them
-# check() and list_counted(). They are called with BUILD MAKE WORK NUMBER.
+# check(). They are called with BUILD MAKE WORK NUMBER.
 build=$1
 make=$2
 work=$3
@@ -46,12 +46,4 @@ check() {
         /^  / { printf "; %s", substr($0, 3); next }
         { sub(/^[^ ]+  /, ""); printf "%s", $0 }')
     [ -n "$said" ] || said=$(cat "$place/errors")
-}
-
-# list_counted FILE: what `check --counted FILE` has written of the mistake, as lines of
-# tests/check/looks/STEP/counters.list. Nothing when there is no such file.
-list_counted() {
-    [ ! -f "$1" ] || uniq "$1" | while read -r line; do # of two counters of a scene, one line
-        printf '%s %s %s %s\n' "$line" "$task" "$figure" "$says"
-    done
 }

@@ -5,49 +5,40 @@
 # draws (tests/check/wrong_figure.h). To be called again after a change of a lesson's main.c, scenes,
 # references or mistakes.txt.
 #
-#   tests/upkeep/verify/mistakes.sh BUILD MAKE [STEP [MEASURE]]
+#   tests/upkeep/verify/mistakes.sh BUILD MAKE [STEP]
 #
 # MAKE builds a program; STEP is 5, 05 or step05_zbuffer. Works in BUILD, where the check,
 # looks_make, figure_make, the library and the models must be built. As many at a time as there are
-# processors; WORKERS=1 in the environment for one. With MEASURE (any word) it also says what each
-# mistake would look like if it were not known.
+# processors; WORKERS=1 in the environment for one.
 #
 # Exit status 0: done; 1: a list is wrong, or something cannot be written.
 cd "$(dirname "$0")/../../.." || exit 1
 build=$1
 make=$2
 wanted=${3:-}
-measure=${4:+-m}
 workers=${WORKERS:-$(getconf _NPROCESSORS_ONLN 2>/dev/null || echo 2)}
 work=$(mktemp -d "$build/verify.XXXXXX") || exit 1
 trap 'rm -rf "$work"' EXIT
 trap 'exit 1' HUP INT TERM
 
-# keep LESSON: what its mistakes look like, scene by scene.
+# keep LESSON: what its mistakes look like, and by which signs they are known.
 keep() {
-    awk -F '\t' -v lesson="$1" -v OFS='\t' '$2 == lesson { print $1, $8, $10, $9 }' "$work/table" \
-        >"$work/list"
-    rm -rf "tests/check/looks/$1"
+    looks=tests/check/looks/$1
+    rm -rf "$looks"
+    awk -F '\t' -v lesson="$1" '$2 == lesson { print $8, $10, $1, $9 }' "$work/table" >"$work/list"
     # shellcheck disable=SC2013 # one word a line
     for scene in $(awk -v lesson="$1" '$1 == lesson { print $2 }' tests/check/scenes.txt); do
-        # shellcheck disable=SC2086 # no word where nothing is wanted
-        "$build/looks_make" $measure "$1" "$scene" "tests/reference/$1/$scene.png" "$work/list" \
+        "$build/looks_make" "$1" "$scene" "tests/reference/$1/$scene.png" "$work/list" \
             "$work" tests/check/looks || exit 1
-    done
-    grep -v '^0	' "$work/list" | cut -f 1 | while read -r number; do
-        cat "$work/$number/counted" || exit 1
-    done >"$work/counted" || exit 1
-    [ ! -s "$work/counted" ] || keep_counted "$1"
-}
-
-# keep_counted LESSON: what tells its mistakes where no picture does.
-keep_counted() {
-    mkdir -p "tests/check/looks/$1" || exit 1
+    done >"$work/signs" || exit 1
+    cat "$work"/[1-9]*/counted >>"$work/signs"
     # shellcheck disable=SC2016 # nothing to expand
     {
-        echo '# Made by `make mistakes`: see tests/check/counters.h.'
-        cat "$work/counted"
-    } >"tests/check/looks/$1/counters.list" || exit 1
+        echo '# Made by `make mistakes`: see tests/check/mistakes.h.'
+        awk 'FNR == NR { signs[$1] = signs[$1] (signs[$1] ? ";" : "") $2; next }
+            { words = substr($0, length($1 " " $2 " " $3) + 2)
+              print $1, $2, ($3 in signs ? signs[$3] : "-"), words }' "$work/signs" "$work/list"
+    } >"$looks/signs.txt" || exit 1
 }
 
 # draw_figures LESSON: the pictures of its table of wrong pictures.

@@ -34,41 +34,41 @@ judge_task() {
     esac
 }
 
+# signs_of LIST: the signs of this mistake, a line each; fails when the list does not have it.
+signs_of() {
+    awk -v before="$task $figure " -v says="$says" '
+        index($0, before) == 1 && substr($0, length(before $3) + 2) == says { signs = $3; found = 1 }
+        END { gsub(/;/, "\n", signs); print signs; exit !found }' "$1" 2>/dev/null
+}
+
 # A mistake that no picture tells is told by what it counts, and by which pictures of the whole
 # lesson are right (tests/check/counters.h), when not more than four are the same.
 judge_counted() {
-    list=tests/check/looks/$lesson/counters.list
-    [ -d "${list%/*}" ] || return
     check --counted "$place/shown"
-    list_counted "$place/shown" >"$place/now"
-    awk -v says="$task $figure $says" 'substr($0, length($1 " " $2 " " $3) + 2) == says' "$list" \
-        >"$place/kept" 2>/dev/null
-    same=$(awk -v scene="$scene" '{ key = $1 " " $2 " " $3 }
-        FNR == NR { if ($1 == scene) wanted = key; next }
-        key == wanted { n++ }
-        END { print n + 0 }' "$place/now" "$list" 2>/dev/null)
+    sort -u "$place/shown" 2>/dev/null >"$place/now"
+    grep "^[^:]*:[^0-9]" "$place/signs" | grep . | sort >"$place/kept"
+    cmp -s "$place/now" "$place/kept" || finding STALE "not so in $list: $redo"
+    wanted=$(grep "^$scene:" "$place/now")
+    same=$(grep -cF -e "${wanted:-none}" "$list")
     case $same:$said in
     *'looks like'*"\"$says\""* | *'may be'*"\"$says\""*) judge_task ;;
     *'looks like'* | *'may be'*) finding MISLEADS "$said ($says)" ;;
     [1-4]:*) finding STALE "looks like nothing: $redo" ;;
     esac
-    cmp -s "$place/now" "$place/kept" || finding STALE "not so in $list: $redo"
 }
 
 # A mistake that is found must look like itself, when it can be told from others, and lead to a hint
 # for its task. Sets told to yes, or no when it cannot be told.
 judge_looks() {
-    list=tests/check/looks/$lesson/$scene.txt
+    list=tests/check/looks/$lesson/signs.txt
     redo="make mistakes STEP=${lesson#step}"
     redo=${redo%%_*}
-    row=none
-    [ ! -f "$list" ] || row=$(awk -v says="$task $figure $says" '
-        substr($0, length($1 " " $2) + 2) == says { row = $1 > row ? $1 : row; found = 1 }
-        END { print found ? row + 0 : "none" }' "$list")
-    distance=$(awk 'END { print $8 }' "$place/shares" 2>/dev/null)
     told=no
-    case $row:$said in
-    none:*) if [ -f "$list" ]; then finding STALE "not in $list: $redo"; else judge_counted; fi ;;
+    [ -f "$list" ] || return
+    signs_of "$list" >"$place/signs" || { finding STALE "not in $list: $redo" && return; }
+    row=$(sed -n "s/^$scene:\([0-9][0-9]*\):.*/\1/p" "$place/signs")
+    distance=$(awk 'END { print $8 }' "$place/shares" 2>/dev/null)
+    case ${row:-0}:$said in
     0:* | *"; $scene PASS"*) judge_counted ;; # a picture that is right, or within the limits
     *'looks like'*"\"$says\""* | *'may be'*"\"$says\""*)
         judge_task
@@ -78,7 +78,7 @@ judge_looks() {
     *) finding STALE "looks like nothing: $redo" ;;
     esac
     case $result:$told in
-    right:no) [ ! -d "${list%/*}" ] || finding UNNAMED "$said ($says)" ;;
+    right:no) finding UNNAMED "$said ($says)" ;;
     esac
 }
 

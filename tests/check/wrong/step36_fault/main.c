@@ -1,4 +1,4 @@
-/* Each scene has a fault that a sanitizer finds; lines are named in test_check.c. */
+/* Each scene has a fault that a sanitizer finds; lines are named in expected.txt. */
 #include "check/wrong/picture.h"
 
 static int sum(const int *numbers, int count) {

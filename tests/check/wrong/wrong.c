@@ -1,0 +1,439 @@
+/*
+ * The small programs that fail, each in its own way, as one source: which of them it is, its name
+ * says. What a compiler or a sanitizer finds fault with has a file of its own beside this one.
+ */
+#include "picture.h"
+
+#include <assert.h>
+#include <dirent.h>
+#include <signal.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+/* What the program is told: `-o DIRECTORY`, then perhaps --stats, `--only SCENE` or what is new. */
+struct task {
+    const char *directory;
+    const char *only; /* NULL: all */
+    bool stats, is_more;
+};
+
+/* The right picture of that scene, unless another one is wanted. */
+static void right(const struct task *task, const char *scene) {
+    if (task->only == NULL || strcmp(task->only, scene) == 0) {
+        picture(task->directory, scene, 0, 1);
+    }
+}
+
+/* The picture without a depth test. */
+static void without_depth(const struct task *task, const char *scene) {
+    picture(task->directory, scene, 0, 0);
+}
+
+static void black(const struct task *task, const char *scene) {
+    static const struct picture nothing;
+    picture_save(&nothing, PICTURE_SIZE, task->directory, scene);
+}
+
+static int exact(const struct task *task) {
+    if (task->only != NULL) {
+        witness("one scene of %ld\n", 2);
+    }
+    right(task, "depth");
+    right(task, "depth2");
+    return 0;
+}
+
+/* Another fill rule: every edge is one pixel further to the right. */
+static int shifted(const struct task *task) {
+    picture(task->directory, "depth", 1, 1);
+    return 0;
+}
+
+static int no_depth(const struct task *task) {
+    without_depth(task, "depth");
+    return 0;
+}
+
+static int blank(const struct task *task) {
+    black(task, "depth");
+    return 0;
+}
+
+/* One picture is too low, the other claims to be huge. */
+static int size(const struct task *task) {
+    static struct picture p;
+    char path[1000];
+    unsigned char header[18];
+    picture_draw(&p, 0, 1);
+    picture_save(&p, 150, task->directory, "depth");
+    picture_header(header, 65535, 65535);
+    snprintf(path, sizeof path, "%s/huge.tga", task->directory);
+    FILE *file = fopen(path, "wb");
+    fwrite(header, 1, sizeof header, file);
+    return fclose(file);
+}
+
+/* The second scene is not drawn. */
+static int missing(const struct task *task) {
+    right(task, "depth");
+    return 0;
+}
+
+/* What should be pictures are a text, a picture cut short, a link, a pipe, a directory. */
+static int unreadable(const struct task *task) {
+    unsigned char header[18];
+    if (chdir(task->directory) != 0) {
+        return 9;
+    }
+    FILE *file = fopen("text.tga", "w");
+    fprintf(file, "This is no picture, however long it may be.\n");
+    fclose(file);
+    picture_header(header, PICTURE_SIZE, PICTURE_SIZE);
+    file = fopen("short.tga", "wb");
+    fwrite(header, 1, sizeof header, file);
+    fclose(file);
+    return symlink("/dev/zero", "link.tga") + mkfifo("pipe.tga", 0666) + mkdir("directory.tga", 0);
+}
+
+/* The picture is right, but the program says that it failed. */
+static int status(const struct task *task) {
+    right(task, "depth");
+    fprintf(stderr, "\n-----\nstep09_status: bust.obj:17: face names\tvertex 99 of 12\nmore\n");
+    return 1;
+}
+
+/* A null pointer is written to after the first scene. */
+static int crash(const struct task *task) {
+    right(task, "depth");
+    volatile char *volatile nowhere = NULL;
+    *nowhere = 1;
+    return 0;
+}
+
+static int abort_itself(const struct task *task) {
+    assert(task->directory[0] == 0);
+    return 0;
+}
+
+static volatile sig_atomic_t asked;
+
+static void end(int number) {
+    asked = number;
+}
+
+/* The second scene takes for ever; asked to end, the program does so in its own way. */
+static int sleep_long(const struct task *task) {
+    signal(SIGTERM, end);
+    right(task, "depth");
+    witness("%ld\n", (long)getpid());
+    while (!asked) {
+        sleep(1); /* a signal cuts it short */
+    }
+    witness("ended by %ld\n", asked);
+    return 0;
+}
+
+/* It stops itself, SIGTERM is ignored, and a child's child writes the picture when the time is
+ * over. */
+static int stubborn(const struct task *task) {
+    signal(SIGTERM, SIG_IGN);
+    if (fork() == 0) {
+        if (fork() == 0) {
+            witness("%ld\n", (long)getpid());
+            sleep(3);
+            witness("alive %ld\n", (long)getpid());
+            right(task, "depth");
+        }
+        pause();
+    }
+    witness("%ld\n", (long)getpid());
+    raise(SIGSTOP);
+    return 0;
+}
+
+/* It ends whoever has started it, with the signal that the environment names. */
+static int killer(const struct task *task) {
+    (void)task;
+    kill(getppid(), atoi(getenv("KILLS_WITH")));
+    sleep(1);
+    return 0;
+}
+
+/* Too many processes; only 100, and they end by themselves. */
+static int crowd(const struct task *task) {
+    (void)task;
+    for (int i = 0; i < 100; i++) {
+        pid_t child = fork();
+        if (child == 0) {
+            sleep(8);
+            _exit(0);
+        }
+        if (child > 0) { /* told by who made it: it may be ended before it says a word */
+            witness("%ld\n", (long)child);
+        }
+    }
+    sleep(8);
+    return 0;
+}
+
+/* The picture's file grows without end; 200 MB, should nobody stop it. */
+static int large(const struct task *task) {
+    static char block[1000000];
+    char path[1000];
+    snprintf(path, sizeof path, "%s/depth.tga", task->directory);
+    FILE *file = fopen(path, "wb");
+    for (int i = 0; i < 200; i++) {
+        fwrite(block, 1, sizeof block, file);
+    }
+    fclose(file);
+    witness("alive %ld\n", 0);
+    return 0;
+}
+
+/* It says what it finds around itself, and fails, so that the check shows it. */
+static int limits(const struct task *task) {
+    struct rlimit cpu, size, core;
+    char here[1000];
+    int files = 0, open_files = 0;
+    DIR *around = opendir(".");
+    while (readdir(around) != NULL) {
+        files++;
+    }
+    closedir(around);
+    for (int i = 3; i < 256; i++) {
+        open_files += dup2(i, 255) == 255;
+    }
+    getrlimit(RLIMIT_CPU, &cpu);
+    getrlimit(RLIMIT_FSIZE, &size);
+    getrlimit(RLIMIT_CORE, &core);
+    fprintf(stderr, "here %d files %d open %d session %d cpu %d size %ld core %ld input %d\n",
+            strcmp(getcwd(here, sizeof here), task->directory) == 0, files - 2, open_files,
+            getsid(0) == getpid(), cpu.rlim_cur < 10000, (long)size.rlim_cur, (long)core.rlim_cur,
+            getchar());
+    return 3;
+}
+
+/* The picture is right; 2 MB of messages come with it, and a closed error output. */
+static int noisy(const struct task *task) {
+    for (int i = 0; i < 20000; i++) {
+        fprintf(stderr, "%0100d\n", i);
+        printf("%0100d\n", i);
+    }
+    fclose(stderr);
+    close(2);
+    right(task, "depth");
+    return 0;
+}
+
+/* The picture is right, but one scene has no reference. */
+static int no_reference(const struct task *task) {
+    right(task, "depth");
+    right(task, "nowhere");
+    return 0;
+}
+
+/* The signal of a program that has used up its processor time. */
+static int cpu_time(const struct task *task) {
+    (void)task;
+    return raise(SIGXCPU);
+}
+
+/* A message that would paint over the score: control characters of one byte and of two, and marks
+ * that turn the direction of writing. */
+static int control(const struct task *task) {
+    (void)task;
+    fputs("\x1b[1A\xc2\x9b"
+          "1A\xe2\x80\xae"
+          "drow\x9bs\xc3\xa9\n",
+          stderr);
+    return 1;
+}
+
+/* The first scene ends the program; the second is right where it is drawn alone. */
+static int first(const struct task *task) {
+    if (task->only == NULL || strcmp(task->only, "depth") == 0) {
+        abort();
+    }
+    right(task, "depth2");
+    return 0;
+}
+
+/* All pictures but the first are wrong; step34_todo/main.c says what is to do. */
+static int to_do(const struct task *task) {
+    right(task, "depth");
+    without_depth(task, "depth2");
+    without_depth(task, "depth3");
+    without_depth(task, "depth4");
+    return 0;
+}
+
+/* Right pictures, too much work for the second. */
+static int work(const struct task *task) {
+    right(task, "depth");
+    right(task, "depth2");
+    without_depth(task, "depth3");
+    if (task->stats) {
+        printf("depth.pixels: 9\ndepth2.pixels: 5\ndepth2.pixels: 2001\ndepth.pixels_more: 11\n"
+               "depth2.hidden: 18446744073709550616\n");
+    }
+    return 0;
+}
+
+/* Pictures of tasks together and alone: right are the second and the third. */
+static int shared(const struct task *task) {
+    without_depth(task, "depth");
+    right(task, "depth2");
+    right(task, "depth3");
+    without_depth(task, "depth4");
+    without_depth(task, "depth5");
+    return 0;
+}
+
+/* Directories in directories, more than anybody needs. */
+static int files(const struct task *task) {
+    if (chdir(task->directory) != 0) {
+        return 2;
+    }
+    for (int i = 0; i < 80; i++) {
+        if (mkdir("deeper", 0777) != 0 || chdir("deeper") != 0) {
+            return 2;
+        }
+    }
+    sleep(8);
+    return 0;
+}
+
+/* Every value is one too dark, where the table says for how many pixels that is too much. */
+static int near(const struct task *task) {
+    static struct picture p;
+    picture_draw(&p, 0, 1);
+    picture_add(&p, -1);
+    picture_save(&p, PICTURE_SIZE, task->directory, "depth");
+    picture_save(&p, PICTURE_SIZE, task->directory, "depth2");
+    return 0;
+}
+
+/* Right pictures, too little work in both. */
+static int counted(const struct task *task) {
+    right(task, "depth");
+    right(task, "depth2");
+    if (task->stats) {
+        printf("depth.pixels: 5\ndepth.rows: 7\ndepth2.pixels: 5\ndepth2.rows: 8\n");
+    }
+    return 0;
+}
+
+/* One picture is right, two are black. */
+static int two_black(const struct task *task) {
+    right(task, "depth");
+    black(task, "depth2");
+    black(task, "depth3");
+    if (task->stats) {
+        printf("depth.pixels: 5\ndepth2.pixels: 5\ndepth3.pixels: 0\n");
+    }
+    return 0;
+}
+
+/* It draws one picture, and then ends as a division by 0 does. */
+static int divided(const struct task *task) {
+    right(task, "depth");
+    return raise(SIGFPE);
+}
+
+/* It draws its own scene, and nothing that is new. */
+static int old(const struct task *task) {
+    if (!task->is_more) {
+        right(task, "depth");
+    }
+    return 0;
+}
+
+/* Every value that is drawn is three too light, or three too dark: all colours agree. */
+static int lighter(const struct task *task) {
+    static struct picture p;
+    picture_draw(&p, 0, 1);
+    picture_add(&p, 3);
+    picture_save(&p, PICTURE_SIZE, task->directory, "depth");
+    picture_add(&p, -6);
+    picture_save(&p, PICTURE_SIZE, task->directory, "depth2");
+    return 0;
+}
+
+/* All but the last scene take for ever, and so does the program when it draws all of them. */
+static int endless(const struct task *task) {
+    while (task->only == NULL || strcmp(task->only, "depth5") != 0) {
+        sleep(1);
+    }
+    right(task, "depth5");
+    return 0;
+}
+
+/* Of a scene that is new the program dies. */
+static int new_scene(const struct task *task) {
+    if (task->is_more) {
+        abort();
+    }
+    right(task, "depth");
+    return 0;
+}
+
+static const struct {
+    const char *name;
+    int (*run)(const struct task *task);
+} programs[] = {
+    {"step01_exact", exact},
+    {"step02_shifted", shifted},
+    {"step03_nodepth", no_depth},
+    {"step04_strict", shifted},
+    {"step05_blank", blank},
+    {"step06_size", size},
+    {"step07_missing", missing},
+    {"step08_unreadable", unreadable},
+    {"step09_status", status},
+    {"step13_crash", crash},
+    {"step14_abort", abort_itself},
+    {"step15_sleep", sleep_long},
+    {"step16_stubborn", stubborn},
+    {"step17_killer", killer},
+    {"step18_crowd", crowd},
+    {"step19_large", large},
+    {"step20_limits", limits},
+    {"step22_noisy", noisy},
+    {"step23_noreference", no_reference},
+    {"step24_blankreference", blank},
+    {"step25_cputime", cpu_time},
+    {"step26_control", control},
+    {"step31_apart", shifted},
+    {"step32_coverage", shifted},
+    {"step33_first", first},
+    {"step34_todo", to_do},
+    {"step35_work", work},
+    {"step37_shared", shared},
+    {"step38_files", files},
+    {"step40_near", near},
+    {"step41_counted", counted},
+    {"step42_black", two_black},
+    {"step43_divided", divided},
+    {"step44_old", old},
+    {"step45_lighter", lighter},
+    {"step48_endless", endless},
+    {"step50_new", new_scene},
+};
+
+int main(int argc, char **argv) {
+    const char *name = strrchr(argv[0], '/');
+    struct task task = {.is_more = argc > 3};
+    for (int i = 1; i < argc; i++) {
+        const char *value = i + 1 < argc ? argv[i + 1] : NULL;
+        task.directory = strcmp(argv[i], "-o") == 0 ? value : task.directory;
+        task.only = strcmp(argv[i], "--only") == 0 ? value : task.only;
+        task.stats |= strcmp(argv[i], "--stats") == 0;
+    }
+    for (size_t i = 0; i < sizeof programs / sizeof programs[0] && task.directory != NULL; i++) {
+        if (name != NULL && strcmp(programs[i].name, name + 1) == 0) {
+            return programs[i].run(&task);
+        }
+    }
+    return 2;
+}
