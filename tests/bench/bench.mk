@@ -94,7 +94,7 @@ $(BUILD)/bench-files: $(call OBJECTS_OF,bench/files) $(BUILD)/tests/bench/measur
 	$(Q)$(LINK) $^ $(LIBPNG) -lm -o $@
 
 # A whole run, beside the same bytes only read and copied.
-bench-run:
+bench-run: all
 	@tests/bench/whole_run.sh $(BUILD)
 
 # Instructions, which no other process disturbs.

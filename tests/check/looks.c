@@ -64,7 +64,7 @@ void looks_read(struct looks *looks, const struct mistake_list *mistakes, const 
     char path[DRAWN_PATH_LIMIT];
     struct error ignored;
     *looks = (struct looks){.mistakes = mistakes};
-    snprintf(path, sizeof path, "%s/%s/%s.png", directory, step, scene);
+    snprintf(path, sizeof path, "%s/%s/looks/%s.png", directory, step, scene);
     if (mistakes->count == 0 || !image_read(&looks->pixels, path, &ignored) ||
         looks->pixels.height <= LOOKS_FIRST_ROW || !find_looks(looks, scene)) {
         looks_free(looks);
@@ -220,7 +220,7 @@ struct mistake_set looks_mistakes(const struct looks *looks, size_t row) {
 
 struct result_path looks_small_path(const char *directory, const char *step, const char *scene) {
     struct result_path path;
-    snprintf(path.text, sizeof path.text, "%s/%s/%s.small.png", directory, step, scene);
+    snprintf(path.text, sizeof path.text, "%s/%s/looks/%s.small.png", directory, step, scene);
     return path;
 }
 

@@ -6,11 +6,11 @@
  * others. They are made by `make mistakes STEP=NN` after a change of main.c, scenes or mistakes.txt
  * (`make verify` finds those that are out of date), in two files for each scene:
  *
- *     tests/check/looks/stepNN_name/scene.png    a column for each pixel; row 0, at the bottom,
+ *     tests/lessons/stepNN_name/looks/scene.png    a column for each pixel; row 0, at the bottom,
  *                                                holds where it is (x in 12 bits, then y, from
  *                                                blue's lowest on), row 1 the reference, then one
  *                                                row for each picture that mistakes draw
- *     tests/check/looks/stepNN_name/scene.small.png
+ *     tests/lessons/stepNN_name/looks/scene.small.png
  *                                                the picture of each row, for people: small, side
  *                                                by side in the order of the rows
  *

@@ -242,9 +242,9 @@ static bool write_pictures(const struct making *making, const struct image *pixe
     char path[DRAWN_PATH_LIMIT + 80];
     struct result_path small_path = looks_small_path(directory, making->step, making->scene);
     struct image small = {.pixels = NULL};
-    snprintf(path, sizeof path, "%s/%s", directory, making->step);
+    snprintf(path, sizeof path, "%s/%s/looks", directory, making->step);
     bool done = directory_create(path, error);
-    snprintf(path, sizeof path, "%s/%s/%s.png", directory, making->step, making->scene);
+    snprintf(path, sizeof path, "%s/%s/looks/%s.png", directory, making->step, making->scene);
     if (making->row_count == 0) {
         unlink(path);
         unlink(small_path.text);

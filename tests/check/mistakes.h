@@ -2,7 +2,7 @@
  * The known mistakes of a lesson, and the signs by which the check knows them.
  *
  * `make mistakes STEP=NN` draws each mistake of stepNN_name/mistakes.txt and writes
- * tests/check/looks/stepNN_name/signs.txt, a line for each, with blanks between
+ * tests/lessons/stepNN_name/looks/signs.txt, a line for each, with blanks between
  *
  *     the task that is at fault, or -;
  *     the figure of the lesson's wrong pictures that shows it, or 0;

@@ -810,6 +810,7 @@ static void test_known_counters(void) {
         struct error error;
         struct path path = inside("looks/");
         strcat(path.text, cases[i].step);
+        strcat(path.text, "/looks");
         CHECK(directory_create(path.text, &error));
         strcat(path.text, "/signs.txt");
         CHECK(file_write(path.text, cases[i].list, strlen(cases[i].list), &error));

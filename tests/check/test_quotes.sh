@@ -3,14 +3,7 @@
 # and stands word for word (but for white space at the beginning of lines) in one file of the
 # lesson's directory, or in one header of common. A line `...` stands for lines left out. main.c is
 # quoted without its marks, as solution or as starter.
-#
-# Exit status 0: all quotes are right; 1: one is not, named as README.md:LINE.
-
-cd "$(dirname "$0")/../.." || exit 1
-work=$(mktemp -d) || exit 1
-trap 'rm -rf "$work"' EXIT
-trap 'exit 1' HUP INT TERM
-failed=0
+. "$(dirname "$0")/../unit/script.sh"
 
 # find_quotes README FILE...: each quote of the README in one of the files.
 find_quotes() {

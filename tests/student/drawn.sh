@@ -37,7 +37,7 @@ limited() {
 # Are the lesson's pictures those of its program, all of them?
 is_drawn() {
     [ -f "$out/.drawn" ] &&
-        [ -z "$(find "$build/drawn/$lesson" "$build/models/bust.obj" -newer "$out/.drawn")" ]
+        [ -z "$(find "$build/$lesson" "$build/models/bust.obj" -newer "$out/.drawn")" ]
 }
 
 # Pictures of an earlier program go away: what one leaves behind that ends early is its own.

@@ -1,7 +1,12 @@
 /*
  * Shows the pictures of a scene in the terminal: yours, the reference, and their difference.
  *
- *     show [options] YOURS REFERENCE         two image files; one that does not exist is left out
+ *     show COLUMNS LINES STEP SCENE WHICH KIND YOURS REFERENCE
+ *
+ * COLUMNS and LINES are the terminal's. STEP and SCENE say what counts as wrong in the difference:
+ * what the check counts. WHICH is a list like yours,difference; where it is empty, all are shown that
+ * have room side by side, otherwise yours. KIND is blocks, sixel or kitty; where it is empty, what the
+ * terminal can. The last two are image files; one that does not exist is left out.
  *
  * The pictures stand side by side where the terminal is wide enough for 30 characters each, and
  * otherwise one below the other. A large one is shrunk to fit, and keeps what is drawn, even a
@@ -9,7 +14,6 @@
  *
  * Exit status: 0 shown, 1 a file cannot be read or nothing is there, 2 wrong usage.
  */
-#include "check/arguments.h"
 #include "check/page/pictures.h"
 #include "terminal.h"
 
@@ -20,6 +24,7 @@
 enum {
     STATUS_FAILED = 1,
     STATUS_USAGE = 2,
+    ARGUMENTS = 9,      /* with the program's name */
     LEAST_COLUMNS = 30, /* characters of a picture beside others */
     GAP = 2,            /* characters between two pictures */
     KEPT_LINES = 3,     /* of the terminal: names, the command, the prompt */
@@ -30,27 +35,30 @@ enum {
 
 struct options {
     size_t columns, lines; /* of the terminal */
+    const char *step, *scene;
+    const char *which; /* names with commas between them, or "" */
     enum terminal_kind kind;
-    bool kind_given;
-    const char *which;        /* names with commas between them, or NULL */
-    const char *step, *scene; /* that the pictures are of, or "" */
-    char **path;              /* two */
+    const char *yours, *reference;
 };
 
-/* ---- Options ---- */
+/* ---- Arguments ---- */
 
-/* Characters of a line, or lines. */
-static bool read_size(const char *text, void *size) {
-    return argument_number(text, size) && *(size_t *)size <= SIZE_LIMIT;
+static bool parse_size(const char *text, size_t *size) {
+    char *end;
+    unsigned long value = strtoul(text, &end, 10);
+    *size = (size_t)value;
+    return text[0] >= '1' && text[0] <= '9' && *end == '\0' && value <= SIZE_LIMIT;
 }
 
-static bool read_kind(const char *text, void *target) {
-    struct options *options = target;
+static bool parse_kind(const char *text, enum terminal_kind *kind) {
     static const char *const names[] = {"blocks", "sixel", "kitty"};
+    if (text[0] == '\0') {
+        *kind = terminal_find_kind();
+        return true;
+    }
     for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
         if (strcmp(text, names[i]) == 0) {
-            options->kind = (enum terminal_kind)i;
-            options->kind_given = true;
+            *kind = (enum terminal_kind)i;
             return true;
         }
     }
@@ -70,7 +78,7 @@ static bool is_listed(const char *list, const char *name) {
 }
 
 /* Are all names of the list known ones? */
-static bool read_which(const char *list, void *target) {
+static bool are_pictures(const char *list) {
     size_t commas = 0, known = 0;
     for (const char *at = list; *at != '\0'; at++) {
         commas += *at == ',';
@@ -78,13 +86,27 @@ static bool read_which(const char *list, void *target) {
     for (int i = 0; i < PICTURE_COUNT; i++) {
         known += is_listed(list, picture_names[i]);
     }
-    return known == commas + 1 && argument_text(list, target);
+    return known == commas + 1;
 }
 
-static void print_help(const struct argument *known, size_t known_count) {
-    puts("Usage: show [options] YOURS REFERENCE\n"
-         "Show two pictures and their difference in the terminal.\n");
-    arguments_print_help(known, known_count);
+static bool parse_arguments(int argc, char **argv, struct options *options, struct error *error) {
+    if (argc != ARGUMENTS) {
+        return error_set(error, "wants COLUMNS LINES STEP SCENE WHICH KIND YOURS REFERENCE");
+    }
+    *options = (struct options){.step = argv[3],
+                                .scene = argv[4],
+                                .which = argv[5],
+                                .yours = argv[7],
+                                .reference = argv[8]};
+    if (!parse_size(argv[1], &options->columns) || !parse_size(argv[2], &options->lines)) {
+        return error_set(error, "no terminal has %.40s columns and %.40s lines", argv[1], argv[2]);
+    }
+    if (options->which[0] != '\0' && !are_pictures(options->which)) {
+        return error_set(error, "WHICH=%.40s is none of yours,reference,difference",
+                         options->which);
+    }
+    return parse_kind(argv[6], &options->kind) ||
+           error_set(error, "KIND=%.40s is none of blocks, sixel, kitty", argv[6]);
 }
 
 /* ---- The size of a picture ---- */
@@ -197,7 +219,7 @@ static bool show_all(struct bytes *out, const struct image *const *images, const
 
 /* Without a choice: all, where there is room for them side by side. */
 static bool is_chosen(const struct options *options, int picture) {
-    if (options->which != NULL) {
+    if (options->which[0] != '\0') {
         return is_listed(options->which, picture_names[picture]);
     }
     return picture == PICTURE_YOURS ||
@@ -211,7 +233,7 @@ static bool show(struct bytes *out, const struct options *options, struct error 
     size_t count = 0;
     struct scene_table table;
     const struct checked_scene *rule = pictures_rule(&table, options->step, options->scene);
-    bool done = pictures_read(&pictures, options->path[0], options->path[1], rule, error);
+    bool done = pictures_read(&pictures, options->yours, options->reference, rule, error);
     scene_table_free(&table);
     if (!done) {
         return false;
@@ -223,45 +245,19 @@ static bool show(struct bytes *out, const struct options *options, struct error 
         }
     }
     done = count > 0 ? show_all(out, images, names, count, options, error)
-                     : error_set(error, "no such picture: %.400s, %.400s", options->path[0],
-                                 options->path[1]);
+                     : error_set(error, "no such picture: %.400s, %.400s", options->yours,
+                                 options->reference);
     pictures_free(&pictures);
     return done;
 }
 
 int main(int argc, char **argv) {
-    struct options options = {
-        .columns = 80, .lines = 24, .step = "", .scene = "", .path = argv + 1};
+    struct options options = {.step = "", .scene = "", .which = ""};
     struct bytes out = {.data = NULL};
     struct error error;
-    const struct argument known[] = {
-        {"--columns", "N", "characters of a line (80)", read_size, &options.columns},
-        {"--lines", "N", "lines of the terminal (24)", read_size, &options.lines},
-        {"--as", "KIND", "blocks, sixel or kitty; otherwise what the terminal can", read_kind,
-         &options},
-        {"--which", "NAMES",
-         "which of yours,reference,difference (all where they have room side by side,\n"
-         "otherwise yours)",
-         read_which, &options.which},
-        {"--step", "NAME",
-         "with --scene NAME, in the course's directory: what counts as wrong in the\n"
-         "difference is what the check counts",
-         argument_text, &options.step},
-        {"--scene", "NAME", "see --step", argument_text, &options.scene},
-    };
-    const size_t known_count = sizeof known / sizeof known[0];
-    if (arguments_want_help(argc, argv)) {
-        print_help(known, known_count);
-        return EXIT_SUCCESS;
-    }
-    int paths = arguments_read(known, known_count, argc, argv, &error);
-    if (paths != 2) {
-        fprintf(stderr, "show: %s; show --help says more\n",
-                paths < 0 ? error.message : "two image files are wanted");
+    if (!parse_arguments(argc, argv, &options, &error)) {
+        fprintf(stderr, "show: %s\n", error.message);
         return STATUS_USAGE;
-    }
-    if (!options.kind_given) {
-        options.kind = terminal_find_kind();
     }
     bool done = show(&out, &options, &error);
     if (done && (fwrite(out.data, 1, out.size, stdout) != out.size || fflush(stdout) != 0)) {

@@ -3,8 +3,8 @@
 #
 #     show.sh BUILD STEP SCENE WHICH KIND
 #
-# STEP is 5, 05 or step05_zbuffer. SCENE is a scene, or empty: all of them. WHICH and KIND are what
-# the options --which and --as of BUILD/show get; empty: it chooses.
+# STEP is 5, 05 or step05_zbuffer. SCENE is a scene, or empty: all of them. WHICH and KIND are for
+# BUILD/show.
 #
 # Exit status: 0 done; 1 it cannot be done; 2 wrong usage.
 
@@ -32,7 +32,6 @@ draw
 find_drawn
 for name in $drawn; do
     echo "$lesson $name"
-    "$build/show" --columns "$columns" --lines "$lines" --step "$lesson" --scene "$name" \
-        ${which:+--which "$which"} ${kind:+--as "$kind"} "$build/out/$lesson/$name.tga" \
-        "tests/reference/$lesson/$name.png" || exit
+    "$build/show" "$columns" "$lines" "$lesson" "$name" "$which" "$kind" \
+        "$build/out/$lesson/$name.tga" "tests/reference/$lesson/$name.png" || exit
 done

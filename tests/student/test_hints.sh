@@ -1,19 +1,6 @@
 #!/bin/sh
 # Has every task of every lesson its three hints, and does `make hint` tell them one after another?
-#
-# Exit status 0: all of that is so; 1: something is not.
-
-top=$(cd "$(dirname "$0")/../.." && pwd) || exit 1
-work=$(mktemp -d) || exit 1
-trap 'rm -rf "$work"' EXIT
-trap 'exit 1' HUP INT TERM
-unset MAKEFLAGS MFLAGS STEP TASK AGAIN # of the make that runs this test
-failed=0
-
-wrong() {
-    echo "hints: $*"
-    failed=1
-}
+. "$(dirname "$0")/../unit/script.sh"
 
 # tasks_of LESSON: of its main.c (with marks) and of its hints, in $work/tasks and $work/hinted.
 tasks_of() {
@@ -24,21 +11,16 @@ tasks_of() {
 
 # ---- The lessons ----
 
-cd "$top" || exit 1
 for lesson in step*; do
-    if ! tasks_of "$lesson"; then
-        wrong "$lesson/hints.txt cannot be read"
-    elif ! diff "$work/tasks" "$work/hinted" >"$work/diff"; then
-        wrong "$lesson: < tasks without hints, > hints without a task:"
-        grep '^[<>]' "$work/diff"
-    fi
+    tasks_of "$lesson" || wrong "$lesson/hints.txt cannot be read"
+    diff "$work/tasks" "$work/hinted" || wrong "$lesson: < has no hints, > is no task"
 done
 
 # ---- make hint ----
 
 mkdir -p "$work/course/tests" "$work/course/step05_zbuffer" "$work/course/step10_phong" &&
     cd "$work/course" && cp "$top/Makefile" . &&
-    cp -R "$top/tests/starter" "$top/tests/help" tests || exit 1
+    cp -R "$top/tests/student" tests || exit 1
 cat >step05_zbuffer/main.c <<'EOF'
 int given; /* to do 5.1: this is no starter's line */
     return 0; // to do 5.2: one thing; to do 5.10: another thing
@@ -62,67 +44,59 @@ hint Second of ten.
 hint	Third of ten.
 EOF
 
-# says STATUS TEXT MAKE_ARGUMENT...: `make hint` ends so, and its output holds the text.
-says() {
+# hint STATUS TEXT ARGUMENT...: `make hint` with these ends so, and says this.
+hint() {
     status=$1
     text=$2
     shift 2
-    make -s hint "$@" >log 2>&1
-    got=$?
-    [ "$status" -eq $((got != 0)) ] || wrong "status $got: make hint $*: $(cat log)"
-    grep -qF -e "$text" log || wrong "make hint $*: no \"$text\" in: $(cat log)"
+    said_by "$status" make -s hint "$@"
+    says "$text"
 }
 
-# silent TEXT: the last output does not hold it.
-silent() {
-    ! grep -qF -e "$1" log || wrong "\"$1\" in: $(cat log)"
-}
-
-says 1 'step05_zbuffer/hints.txt:15: neither' STEP=05
+hint 1 'step05_zbuffer/hints.txt:15: neither' STEP=05
 tr '\t' ' ' <step05_zbuffer/hints.txt >spaces && mv spaces step05_zbuffer/hints.txt
-says 0 '1. First of two,' STEP=05
-grep -qx '       which goes on.' log || wrong "a hint's second line: $(cat log)"
+hint 0 '1. First of two,' STEP=05
+says '       which goes on.'
 silent 'Second'
 silent '5.1 '
-says 0 'Also to do: 5.10 (make hint STEP=05 TASK=5.10)' STEP=5 TASK=5.2
-says 0 '3. Third of two.' STEP=05
+hint 0 'Also to do: 5.10 (make hint STEP=05 TASK=5.10)' STEP=5 TASK=5.2
+hint 0 '3. Third of two.' STEP=05
 silent '2. Second'
-says 0 '2. Second of two.' STEP=05
-says 0 '1. First of ten.' STEP=05 TASK=5.10
-says 0 '1. First of one.' STEP=step05_zbuffer TASK=5.1
+hint 0 '2. Second of two.' STEP=05
+hint 0 '1. First of ten.' STEP=05 TASK=5.10
+hint 0 '1. First of one.' STEP=step05_zbuffer TASK=5.1
 silent 'First of ten'
-says 0 '2. Second of ten.' STEP=05 TASK=5.10
-says 0 '1. First of ten.' STEP=05 TASK=5.10 AGAIN=1
+hint 0 '2. Second of ten.' STEP=05 TASK=5.10
+hint 0 '1. First of ten.' STEP=05 TASK=5.10 AGAIN=1
 silent 'Third'
 sed -i.old 's/to do 5.2: one thing; //' step05_zbuffer/main.c
-says 0 'Third of ten.' STEP=05
+hint 0 'Third of ten.' STEP=05
 sed -i.old 's/to do 5.10//' step05_zbuffer/main.c
-says 0 'Nothing is left to do' STEP=05
-says 0 'There are: 5.1 5.2 5.10' STEP=05
-says 1 'there is no task "5.20" in this lesson' STEP=05 TASK=5.20
-says 1 'there is no task "5." in this lesson' STEP=05 TASK=5.
-says 1 'step10_phong has no hints.txt' STEP=10
-says 1 'there is no step "7"' STEP=7
-says 1 'say which step' STEP=
+hint 0 'Nothing is left to do' STEP=05
+hint 0 'There are: 5.1 5.2 5.10' STEP=05
+hint 1 'there is no task "5.20" in this lesson' STEP=05 TASK=5.20
+hint 1 'there is no task "5." in this lesson' STEP=05 TASK=5.
+hint 1 'step10_phong has no hints.txt' STEP=10
+hint 1 'there is no step "7"' STEP=7
+hint 1 'say which step' STEP=
 make -s clean
-says 1 'no hint for task 5.1 was shown yet' STEP=05 TASK=5.1 AGAIN=1
-says 0 '1. First of one.' STEP=05 TASK=5.1
+hint 1 'no hint for task 5.1 was shown yet' STEP=05 TASK=5.1 AGAIN=1
+hint 0 '1. First of one.' STEP=05 TASK=5.1
 silent 'Second'
 rm step05_zbuffer/main.c
-says 1 'there is no step05_zbuffer/main.c' STEP=05
+hint 1 'there is no step05_zbuffer/main.c' STEP=05
 
 # ---- Hints that are wrong ----
 
-# refused LINE WORDS TEXT_LINE...
+# refused LINE WORDS TEXT_LINE...: these lines are wrong at that one, and nothing is printed.
 refused() {
-    line=$1
+    where=hints.txt:$1
     words=$2
     shift 2
     printf '%s\n' "$@" >hints.txt
-    if printed=$(awk -f tests/student/hints.awk hints.txt 2>log) || [ -n "$printed" ]; then
-        wrong "no error: $words"
-    fi
-    grep -q "^hints.txt:$line: .*$words" log || wrong "not \"$line: $words\" but $(cat log)"
+    said_by 1 awk -f tests/student/hints.awk hints.txt
+    [ "$(grep -c "^$where: .*$words" "$said") $(wc -l <"$said")" = '1 1' ] ||
+        wrong "not $where: $words"
 }
 
 refused 1 'task 5.1 has 2 hints, not 3' 'task 5.1' 'hint a' 'hint b'

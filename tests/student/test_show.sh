@@ -1,20 +1,7 @@
 #!/bin/sh
 # Does `make show` show the pictures that are asked for, in a size that fits?
-#
-# Exit status 0: all of that is so; 1: something is not.
-
-top=$(cd "$(dirname "$0")/../.." && pwd) || exit 1
-build=$(cd "$top" && cd "${CHECK_PROGRAMS:-build}" && pwd) || exit 1
-work=$(mktemp -d) || exit 1
-trap 'rm -rf "$work"' EXIT
-trap 'exit 1' HUP INT TERM
-failed=0
+. "$(dirname "$0")/../unit/script.sh"
 cd "$work" || exit 1
-
-wrong() {
-    echo "show: $*"
-    failed=1
-}
 
 # tga FILE WIDTH HEIGHT BYTE: a grey picture; sizes below 256, bytes in octal.
 tga() {
@@ -30,37 +17,30 @@ tga() {
     } >"$1"
 }
 
-# show STATUS ARGUMENT...: what it prints is in `shown`.
+# show STATUS COLUMNS LINES WHICH YOURS REFERENCE: of no scene, or the one of `scene`.
+scene='step01_line none'
 show() {
-    status=$1
-    shift
-    "$build/show" --as blocks "$@" >shown 2>&1
-    got=$?
-    [ $got -eq "$status" ] || wrong "status $got, not $status: show $*: $(cat shown)"
+    # shellcheck disable=SC2086 # two words
+    said_by "$1" "$build/show" "$2" "$3" $scene "$4" blocks "$5" "$6"
 }
 
 # size WIDTH HEIGHT: so many half blocks in the second line, so many lines after the first.
 size() {
-    width=$(sed -n 2p shown | awk '{ print gsub(/\342\226\200/, "") }')
-    height=$(($(wc -l <shown) - 1))
+    width=$(sed -n 2p "$said" | awk '{ print gsub(/\342\226\200/, "") }')
+    height=$(($(wc -l <"$said") - 1))
     [ "$width $height" = "$1 $2" ] || wrong "$width x $height characters, not $1 x $2"
-}
-
-# says TEXT
-says() {
-    grep -qF -e "$1" shown || wrong "no \"$1\" in: $(cat shown)"
 }
 
 tga white.tga 10 10 377
 tga grey.tga 10 10 100
 tga wide.tga 200 4 377
 
-show 0 --columns 40 --lines 23 white.tga none.tga # 4 times as large: 5 would be too high
+show 0 40 23 '' white.tga none.tga # 4 times as large: 5 would be too high
 size 40 20
 says '38;2;255;255;255m'
-show 0 --columns 29 --lines 100 white.tga none.tga # twice as large, as whole numbers go
+show 0 29 100 '' white.tga none.tga # twice as large, as whole numbers go
 size 20 10
-show 0 --columns 50 --lines 23 wide.tga none.tga # a quarter
+show 0 50 23 '' wide.tga none.tga # a quarter
 size 50 1
 # One red pixel on black: as red when the picture is shrunk.
 {
@@ -69,53 +49,50 @@ size 50 1
     printf '\0\0\377'
     head -c 14997 /dev/zero
 } >point.tga
-show 0 --columns 40 --lines 23 point.tga none.tga
+show 0 40 23 '' point.tga none.tga
 size 40 20
 says ';2;255;0;0m'
-show 0 --columns 10 --lines 1 white.tga none.tga # one line at least
+show 0 10 1 '' white.tga none.tga # one line at least
 size 2 1
-show 0 --columns 94 --lines 13 white.tga grey.tga # side by side: 20 + 2 + 20 + 2 + 20
+show 0 94 13 '' white.tga grey.tga # side by side: 20 + 2 + 20 + 2 + 20
 size 64 10
-[ "$(head -n 1 shown)" = "yours                 reference             difference" ] ||
-    wrong "names: $(head -n 1 shown)"
+[ "$(head -n 1 "$said")" = "yours                 reference             difference" ] ||
+    wrong "not side by side"
 says '38;2;64;64;64m'  # the reference
 says '38;2;255;0;0m'   # the difference: another colour
-show 0 --columns 93 --lines 13 white.tga grey.tga # no room for three: yours alone
+show 0 93 13 '' white.tga grey.tga # no room for three: yours alone
 size 20 10
-show 0 --columns 40 --lines 8 --which reference,yours white.tga grey.tga # one below the other
-[ "$(grep -cx -e yours -e reference shown)" -eq 2 ] || wrong "names: $(cat shown)"
-show 0 --columns 94 --lines 13 none.tga grey.tga --which reference
+show 0 40 8 reference,yours white.tga grey.tga # one below the other
+[ "$(grep -cx -e yours -e reference "$said")" -eq 2 ] || wrong "not one below the other"
+show 0 94 13 reference none.tga grey.tga
 size 20 10
-show 0 --columns 94 --lines 13 --which reference -- none.tga grey.tga # options end at --
-size 20 10
-
 
 # A level less counts where the scene must be exact.
 tga near.tga 10 10 376
-show 0 --which difference white.tga near.tga
+show 0 80 24 difference white.tga near.tga
 says '38;2;0;96;0m'
 cd "$top" || exit 1
-"$build/show" --as blocks --which difference --step step01_line --scene line "$work/white.tga" \
-    "$work/near.tga" >"$work/shown"
+scene='step01_line line'
+show 0 80 24 difference "$work/white.tga" "$work/near.tga"
 cd "$work" || exit 1
 says '38;2;255;0;0m'
 
-show 1 none.tga none.png
+show 1 80 24 '' none.tga none.png
 says 'show: no such picture: none.tga, none.png'
 echo no picture >bad.tga
-show 1 bad.tga white.tga
+show 1 80 24 '' bad.tga white.tga
 says 'bad.tga: '
-for options in '--columns 0' '--columns x' '--columns 2001' '--lines' '--as paper' '--which' \
-    '--which mine' '--which yours,mine' '--unknown 1' 'third.tga'; do
-    # shellcheck disable=SC2086
-    show 2 white.tga grey.tga $options
+for size in '0 24' '80 x' '2001 24' '80'; do
+    # shellcheck disable=SC2086 # two words
+    show 2 $size '' white.tga grey.tga
 done
+show 2 80 24 yours,mine white.tga grey.tga
 
 # ---- A program that hangs or crashes ----
 
 # In place of a lesson's program: a scene a line of `draws`, as a command that draws it or does not.
-mkdir -p course/tests/check course/step05_zbuffer course/build/drawn course/build/models || exit 1
-cp -R "$top/tests/starter" "$top/tests/help" course/tests || exit 1
+mkdir -p course/tests/check course/step05_zbuffer course/build/models || exit 1
+cp -R "$top/tests/student" course/tests || exit 1
 cp "$build/show" course/build && cp grey.tga course && cd course || exit 1
 printf 'step05_zbuffer %s\n' first bad last >tests/check/scenes.txt
 cat >build/step05_zbuffer <<'EOF'
@@ -133,15 +110,13 @@ chmod +x build/step05_zbuffer
 # draws BAD STATUS SCENE...: BAD is what the program does for `bad`.
 draws() {
     echo "$1" >bad
-    cp build/step05_zbuffer build/drawn
+    touch build/step05_zbuffer
     touch build/models/bust.obj
     sleep 1 # a file system may count seconds
-    CHECK_TIMEOUT=1 tests/student/show.sh build 5 "$3" yours blocks >shown 2>&1
-    got=$?
-    [ $got -eq "$2" ] || wrong "status $got, not $2, where a program does '$1': $(cat shown)"
+    said_by "$2" env CHECK_TIMEOUT=1 tests/student/show.sh build 5 "$3" yours blocks
     shift 3
-    [ "$(grep -o '^step05_zbuffer [a-z]*$' shown | cut -d ' ' -f 2 | xargs)" = "$*" ] ||
-        wrong "not $*: $(cat shown)"
+    [ "$(grep -o '^step05_zbuffer [a-z]*$' "$said" | cut -d ' ' -f 2 | xargs)" = "$*" ] ||
+        wrong "not $*"
 }
 
 draws : 0 '' first bad last
@@ -160,26 +135,25 @@ cd "$work" || exit 1
 
 # ---- make show ----
 
-# The build directory as it is, but a terminal of 80 x 24 or none.
-make_show() {
+make_show() { # STATUS ARGUMENT...
     status=$1
     shift
-    (cd "$top" && make -s show BUILD="$build" KIND=blocks "$@") >shown 2>&1
-    got=$?
-    [ "$status" -eq $((got != 0)) ] || wrong "status $got: make show $*: $(cat shown)"
+    said_by "$status" make -s show BUILD="$build" KIND=blocks "$@"
 }
 
-unset MAKEFLAGS MFLAGS STEP SCENE WHICH KIND # of the make that runs this test
+cd "$top" || exit 1
 make_show 0 STEP=01 SCENE=line WHICH=yours
 says 'step01_line line'
-[ "$(grep -c '^step01_line' shown)" -eq 1 ] || wrong "more than the scene that was asked for"
+[ "$(grep -c '^step01_line' "$said")" -eq 1 ] || wrong "more than the scene that was asked for"
 make_show 0 STEP=1 WHICH=yours
-[ "$(grep -c '^step01_line' shown)" -gt 1 ] || wrong "not all scenes: $(cat shown)"
+[ "$(grep -c '^step01_line' "$said")" -gt 1 ] || wrong "not all scenes"
 make_show 1 STEP=01 SCENE=lines
 says 'make show: there is no scene "lines" in step01_line. There are: '
 make_show 1 STEP=77
 says 'make show: there is no step "77"'
 make_show 1 STEP=01 WHICH=mine
-says 'show: --which mine: not understood'
+says 'show: WHICH=mine is none of yours,reference,difference'
+make_show 1 STEP=01 WHICH=yours KIND=paper
+says 'show: KIND=paper is none of blocks, sixel, kitty'
 
 exit $failed

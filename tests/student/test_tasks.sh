@@ -2,45 +2,30 @@
 # Does tests/check/scenes.txt tell the tasks of the lessons? Every task of a main.c must be shown by
 # a scene, and every task that a scene shows or needs must be one of that main.c. A main.c without
 # marks (a starter, a solution) is left alone.
-#
-# Exit status 0: all of that is so; 1: something is not.
-cd "$(dirname "$0")/../.." || exit 1
+. "$(dirname "$0")/../unit/script.sh"
 table=tests/check/scenes.txt
-failed=0
 
-# tasks_of LESSON: as main.c marks them. shown_by LESSON: as its scenes show them. needed_by LESSON:
-# what these need besides. One a line.
-tasks_of() {
-    awk -v mode=tasks -f tests/student/marks.awk "$1/main.c" | cut -f 1 | sort
-}
-shown_by() {
-    awk -v lesson="$1" '$1 == lesson { sub("[+].*", "", $3); gsub(",", "\n", $3); print $3 }' $table |
-        sort -u
-}
-needed_by() {
-    awk -v lesson="$1" '$1 == lesson && sub(".*[+]", "", $3) { gsub(",", "\n", $3); print $3 }' \
-        $table | sort -u
+# column PART LESSON: tasks that its scenes show (1) or need besides (2), one a line: 5.1,5.2+5.3
+column() {
+    awk -v part="$1" -v lesson="$2" '$1 == lesson { split($3, parts, "+"); print parts[part] }' \
+        $table | tr ',' '\n' | grep . | sort -u
 }
 
-# each_in LINES OTHER_LINES WORDS: of those that the others lack, the words are true.
-each_in() {
-    for task in $1; do
-        case "
-$2
-" in *"
-$task
-"*) ;; *) failed=1 && echo "tasks: $task $3" ;; esac
+# none_only_in OPTION FILE FILE WORDS: of the lines that comm prints then, the words are true.
+none_only_in() {
+    for task in $(comm "$1" "$2" "$3"); do
+        wrong "$task $4"
     done
 }
 
 for lesson in $(awk '/^step/ { print $1 }' $table | uniq); do
-    tasks=$(tasks_of "$lesson")
-    shown=$(shown_by "$lesson")
-    [ -n "$tasks" ] || continue
-    each_in "$tasks" "$shown" "of $lesson/main.c is shown by no scene of $table"
-    each_in "$shown" "$tasks" "is shown by $lesson in $table, but $lesson/main.c has no such task"
-    each_in "$(needed_by "$lesson")" "$(echo "$tasks" && echo "$tasks" | sed 's/[.].*//')" \
-        "is needed by $lesson in $table, but $lesson/main.c has no such task"
+    awk -v mode=tasks -f tests/student/marks.awk "$lesson/main.c" | cut -f 1 | sort >"$work/tasks"
+    [ -s "$work/tasks" ] || continue
+    { cat "$work/tasks" && sed 's/[.].*//' "$work/tasks"; } | sort -u >"$work/parts"
+    column 1 "$lesson" >"$work/shown"
+    column 2 "$lesson" >"$work/needed"
+    none_only_in -23 "$work/tasks" "$work/shown" "of $lesson/main.c is shown by no scene of $table"
+    none_only_in -13 "$work/tasks" "$work/shown" "is shown in $table, but is no task of $lesson/main.c"
+    none_only_in -13 "$work/parts" "$work/needed" "is needed in $table, but is none of $lesson/main.c"
 done
-[ $failed -eq 0 ] && echo "tasks: every task is shown by a scene"
 exit $failed

@@ -2,26 +2,13 @@
 # Is a lesson entered in few places only? Makes a small course of two lessons: one of ours, and a
 # copy of it under a new name, entered where README.md, "A new lesson", says and nowhere else. The
 # copy must be built, drawn, checked and measured; parts that a lesson need not have may be missing.
-#
-# Exit status 0: all of that is so; 1: something is not.
-
+. "$(dirname "$0")/../unit/script.sh"
 old=step05_zbuffer
 new=step11_copy
-top=$(cd "$(dirname "$0")/../.." && pwd) || exit 1
-work=$(mktemp -d) || exit 1
-trap 'rm -rf "$work"' EXIT
-trap 'exit 1' HUP INT TERM
-unset MAKEFLAGS MFLAGS MAKELEVEL STEP # of the make that runs this test
-failed=0
-
-fail() {
-    echo "new_lesson: $*"
-    failed=1
-}
 
 # course TARGET...: make in the small course; what it says goes to the log.
 course() {
-    make -s WERROR=-Werror CFLAGS=-O1 "$@" >log 2>&1 || { tail -n 20 log; fail "make $* failed"; }
+    said_by 0 make -s WERROR=-Werror CFLAGS=-O1 "$@"
 }
 
 # renamed FILE: its text with the new lesson's name and number.
@@ -51,22 +38,23 @@ renamed "tests/bench/${old%%_*}.c" >"tests/bench/${new%%_*}.c"
 # ---- It is drawn, checked, measured, and its other pictures are drawn ----
 
 course
-diff -r -x .drawn build/out/$old build/out/$new || fail "the copy does not draw the same pictures"
-build/$new --help | grep -q $new || fail "build/$new does not say its own name"
+diff -r -x .drawn build/out/$old build/out/$new || wrong "the copy does not draw the same pictures"
+build/$new --help | grep -q $new || wrong "build/$new does not say its own name"
 
 course check
-grep "^$new  PASS .* exact\$" log || fail "the check does not pass the copy"
-[ "$(tail -n 1 log)" = "2 passed, 0 failed" ] || fail "the check ends with: $(tail -n 1 log)"
+grep -q "^$new  PASS .* exact\$" "$said" || wrong "the check does not pass the copy"
+[ "$(tail -n 1 "$said")" = "2 passed, 0 failed" ] || wrong "not all pass"
 
 export BENCH_SECONDS=0.05
 course bench STEP=11
 course charts
-cmp "build/bench/$new.svg" "$new/figures/bench.svg" || fail "the copy has no chart"
-grep -q "\"$new\"" build/bench.json || fail "bench.json does not name the copy"
+cmp "build/bench/$new.svg" "$new/figures/bench.svg" || wrong "the copy has no chart"
+grep -q "\"$new\"" build/bench.json || wrong "bench.json does not name the copy"
 
 course lesson-figures
 # (Drawings, which are written by hand, have no program; `make mistakes` draws the wrong pictures.)
-diff -r -x '*.svg' -x 'wrong_[0-9][0-9].png' $old/figures $new/figures || fail "the copy has not the same figures"
+diff -r -x '*.svg' -x 'wrong_[0-9][0-9].png' $old/figures $new/figures ||
+    wrong "the copy has not the same figures"
 
 # ---- A lesson needs no figures and no benchmark ----
 
@@ -74,7 +62,7 @@ rm -rf $new/figures.c $new/figures "tests/bench/${new%%_*}.c" "build/bench/$new.
 course lesson-figures
 course bench STEP=05
 course charts
-if grep $new log build/bench.json || [ -e $new/figures ]; then
-    fail "a lesson without figures and benchmark is not left alone"
+if grep $new "$said" build/bench.json || [ -e $new/figures ]; then
+    wrong "a lesson without figures and benchmark is not left alone"
 fi
 exit $failed

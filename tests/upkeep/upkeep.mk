@@ -66,7 +66,7 @@ KINDS = $(KINDS_OF_BATCH) $(KINDS_OF_BATCH:test_batch%=test_pixel_mask%) \
         test_planes-8 test_planes-16 test_planes-16-double \
         test_lanes-1 test_lanes-2 test_lanes-4 test_lanes-8 test_lanes-16 test_lanes-8-double
 PIPELINE = $(patsubst %.c,%.o,common/pipeline.c $(wildcard common/pipeline/*.c))
-define KIND
+define TEST_OF_KIND
 $(BUILD)/tested/$(1)/%.o: %.c $(BUILD)/tested/flags
 	@mkdir -p $$(@D)
 	$$(Q)$$(TESTED) -ULANES -DLANES=$(firstword $(subst -, ,$(1))) \
@@ -79,7 +79,7 @@ $(BUILD)/tests/%-$(1): $(BUILD)/tested/$(1)/tests/unit/pipeline/%.o \
 	@mkdir -p $$(@D)
 	$$(Q)$$(TESTED) $$^ -lm -o $$@
 endef
-$(foreach kind,1 2 4 8 16 8-double 16-double,$(eval $(call KIND,$(kind))))
+$(foreach kind,1 2 4 8 16 8-double 16-double,$(eval $(call TEST_OF_KIND,$(kind))))
 
 $(REPLAYS): $(BUILD)/tests/%: $(BUILD)/tested/tests/%.o $(BUILD)/tested/tests/upkeep/fuzz/replay.o \
                               $(BUILD)/tested/all.a
@@ -134,10 +134,13 @@ portability:
 
 FUZZ_SECONDS = 60
 fuzz:
-	@tests/upkeep/fuzz/run.sh $(BUILD) $(FUZZ_SECONDS) $(TARGET)
+	@tests/upkeep/fuzz/run.sh $(BUILD) '$(MAKE) -s' $(FUZZ_SECONDS) $(TARGET)
 
-coverage: models
-	@tests/upkeep/coverage.sh $(BUILD)
+$(BUILD)/fuzz_%: $(BUILD)/tested/tests/upkeep/fuzz/fuzz_%.o $(BUILD)/tested/all.a
+	$(Q)$(TESTED) -fsanitize=fuzzer $^ -lm -o $@
+
+coverage:
+	@tests/upkeep/coverage.sh $(BUILD) '$(MAKE) -s'
 
 # ---- Pictures: make figures, make references ----
 

@@ -29,7 +29,7 @@ kind starter
 mkdir "$into/list"
 # shellcheck disable=SC2086
 awk -v directory="$into/list" -f tests/upkeep/verify/replace.awk -f tests/upkeep/verify/parse.awk \
-    step0[1-"$last"]*/mistakes.txt tests/accept/step0[1-"$last"].txt |
+    step0[1-"$last"]*/mistakes.txt tests/lessons/step0[1-"$last"]*/alternatives.txt |
     awk -F '\t' '$6 == "-" && $7 == "-"' >"$into/table" || exit 1
 # points LESSONS: what these are worth; a pattern of their numbers.
 points() {

@@ -84,10 +84,10 @@ done <"$work/needed"
 
 # What is no source: scripts, pages, and what the mistakes of these lessons look like.
 {
-    find tests/check tests/student -type f ! -name '*.[ch]' ! -path '*/wrong/*' ! -path '*/looks/*' \
+    find tests/check tests/student -type f ! -name '*.[ch]' ! -path '*/wrong/*' \
         ! -name 'test_*' ! -name 'try_*' ! -name 'mark*' ! -name start.sh
     for lesson in $lessons; do
-        [ ! -d "tests/check/looks/$lesson" ] || find "tests/check/looks/$lesson" -type f
+        [ ! -d "tests/lessons/$lesson/looks" ] || find "tests/lessons/$lesson/looks" -type f
     done
 } >"$work/others"
 put_all <"$work/others"

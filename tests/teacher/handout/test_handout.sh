@@ -33,7 +33,7 @@ hand_out "$work/c" 44 && fail "LESSONS=44 is taken"
 
 # What must not be there, and what must.
 cd "$work/a" || exit 1
-for file in step03_triangle step06_texture tests/upkeep tests/unit tests/lessons tests/accept \
+for file in step03_triangle step06_texture tests/upkeep tests/unit tests/lessons/step03_triangle \
     step04_flat/mistakes.txt common/pipeline.h; do
     [ ! -e "$file" ] || fail "$file is handed out"
 done
@@ -50,7 +50,8 @@ make -s start STEP=04 >"$work/log" 2>&1 || fail "make start: $(cat "$work/log")"
 cmp -s step04_flat/main.c tests/student/starters/step04_flat.c || fail "make start brings no starter back"
 grep -q '// mine' step04_flat/main.c.1 || fail "make start does not keep what main.c held"
 
-mkdir -p tests/upkeep/texts && cp "$top/tests/upkeep/texts/test_links.sh" tests/upkeep/texts
+mkdir -p tests/unit tests/upkeep/texts && cp "$top/tests/upkeep/texts/test_links.sh" tests/upkeep/texts &&
+    cp "$top/tests/unit/script.sh" tests/unit
 tests/upkeep/texts/test_links.sh >"$work/log" 2>&1 || fail "$(cat "$work/log")"
 
 # The first lesson stands on nothing that it teaches.

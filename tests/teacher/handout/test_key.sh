@@ -23,7 +23,7 @@ cp -R "$top/Makefile" "$top/README.md" "$top/LICENSE" "$top/common" . &&
     cp -R "$top/step01_line" "$top/step04_flat" . || exit 1
 mkdir -p step10_phong/figures && cp "$top/step10_phong/figures/turn.png" step10_phong/figures
 (cd "$top/tests" && tests=$work/course/tests &&
-    cp -R check handout help starter verify replace.awk targets.mk "$tests" &&
+    cp -R check student teacher upkeep "$tests" &&
     cp -R reference/step01_line reference/step04_flat "$tests/reference") || exit 1
 grep -e '^#' -e 'step01_' -e 'step04_' "$top/tests/check/scenes.txt" >tests/check/scenes.txt
 cat >step01_line/mistakes.txt <<'END'
@@ -109,7 +109,7 @@ points=$(awk '$1 == "step01_line" { sum += $4 } $2 == "step01_line" { sum += $5 
 grep -qF "| all | | | **$points** | |" README.md || wrong "not $points points in all"
 awk -F '|' '$3 ~ /[0-9]\.[0-9]/ { sum += $5 } END { print sum }' README.md >"$work/said"
 [ "$(cat "$work/said")" -eq "$points" ] || wrong "the points of the tasks are not $points"
-mkdir -p tests/unit && cp "$top/tests/upkeep/texts/test_links.sh" tests/unit
+mkdir -p tests/unit && cp "$top/tests/upkeep/texts/test_links.sh" "$top/tests/unit/script.sh" tests/unit
 tests/upkeep/texts/test_links.sh >"$work/said" 2>&1 || wrong "links"
 rm -rf tests
 

@@ -301,7 +301,7 @@ static const struct checked_scene *limits_for(const struct checked_step *step,
     return NULL;
 }
 
-/* Scenes that are left to the references, since correct programs of tests/accept differ in them.
+/* Scenes that are left to the references, since correct programs of alternatives.txt differ in them.
  * `square` and `cards` have corners that other sizes put between two pixels, where float and
  * sixteenths of a pixel decide otherwise, and `rows` has few pixels: in 18 seeds, -Ofast was wrong
  * in one. */

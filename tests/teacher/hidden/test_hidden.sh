@@ -171,7 +171,7 @@ take() {
         -f tests/upkeep/verify/replace.awk -f tests/upkeep/verify/parse.awk "$1") >"$work/said" &&
         cp other/1/main.c step10_phong || wrong "there is no program $2"
 }
-take tests/accept/step10.txt normals_by_128
+take tests/lessons/step10_phong/alternatives.txt normals_by_128
 hidden 0 60 10 "$top"
 says 'HIDDEN \([1-9][0-9]*\)/\1'
 take step10_phong/mistakes.txt eye_normalized_at_the_corners_too

@@ -3,18 +3,7 @@
 # shortcuts is the one that is compared with the references. The counters tell of the same scene:
 # what was asked for is equal, no more is left out, and no less is done; and depth tests, which are
 # counted for --stats alone, are counted.
-#
-# CHECK_PROGRAMS=build tests/unit/run/test_no_skip.sh
-cd "$(dirname "$0")/../../.." || exit 1
-build=${CHECK_PROGRAMS:?where the programs are}
-work=$(mktemp -d) || exit 1
-trap 'rm -rf "$work"' EXIT
-status=0
-
-wrong() {
-    echo "no_skip: $*" >&2
-    status=1
-}
+. "$(dirname "$0")/../../unit/script.sh"
 
 # What is counted, by the end of its name. A shader that discards is asked a second time by the
 # shortcuts: so what `culling` shades tells nothing.
@@ -61,4 +50,4 @@ for lesson in step[0-9]*_*; do
     esac
     rm -r "$work/skip" "$work/no-skip"
 done
-exit $status
+exit $failed

@@ -2,15 +2,9 @@
 # Do the texts lead somewhere? Every relative link and picture of every .md file names a file that
 # is there, and a heading that is there (`#map-of-the-course`); every picture in a lesson's figures/
 # is shown by some text.
-#
-# Exit status 0: all do; 1: one does not, named as FILE:LINE.
+. "$(dirname "$0")/../../unit/script.sh"
 
-cd "$(dirname "$0")/../../.." || exit 1
-work=$(mktemp -d) || exit 1
-trap 'rm -rf "$work"' EXIT
-trap 'exit 1' HUP INT TERM
-
-# texts DIRECTORY: the .md files of the course.
+# texts: the .md files of the course.
 texts() {
     find . -name build -prune -o -name .git -prune -o -name '*.md' -print | sed 's|^\./||' | sort
 }
@@ -77,18 +71,12 @@ unused_figures() {
 
 # Does it find what is wrong? One of each.
 printf '# A title: 2 & 3\n[a](#a-title-2--3) [b](#none)\n![c](missing.png)\n`[d](no)`\n' >"$work/x.md"
-found=$(wrong_links "$work/x.md")
 expected="$work/x.md:2: $work/x.md has no heading #none
 $work/x.md:3: there is no missing.png"
-[ "$found" = "$expected" ] || {
-    printf 'links.sh does not find what is wrong:\n%s\n' "$found"
-    exit 1
-}
+[ "$(wrong_links "$work/x.md")" = "$expected" ] || wrong "does not find what is wrong"
 
 # shellcheck disable=SC2046
-wrong=$(wrong_links $(texts) && unused_figures)
-[ -z "$wrong" ] || {
-    printf '%s\n' "$wrong"
-    exit 1
-}
-echo "links: all lead somewhere"
+{ wrong_links $(texts) && unused_figures; } >"$work/found"
+said=$work/found
+[ ! -s "$said" ] || wrong "some lead nowhere"
+exit $failed

@@ -2,11 +2,7 @@
 # Where a lesson writes a technique out in full and common has the same text, the two must not drift
 # apart. Compares functions without white space, comments, marks for the starter, `static`, `inline`,
 # the function's own name, and the guard band, which the house has as an argument.
-#
-# Exit status 0: all are the same; 1: one differs or is missing.
-
-cd "$(dirname "$0")/../../.." || exit 1
-failed=0
+. "$(dirname "$0")/../../unit/script.sh"
 
 # function FILE NAME: its definition, from its name to the brace that ends it, on one line.
 function_text() {
@@ -25,8 +21,7 @@ same() {
     lesson_text=$(function_text "$1" "$3")
     house_text=$(function_text "$2" "${4:-$3}")
     if [ -z "$lesson_text" ] || [ "$lesson_text" != "$house_text" ]; then
-        echo "same_text: $3() in $1 and ${4:-$3}() in $2 are not the same text"
-        failed=1
+        wrong "$3() in $1 and ${4:-$3}() in $2 are not the same text"
     fi
 }
 

@@ -1,6 +1,6 @@
 #!/bin/sh
 # Draws what the mistakes of each stepNN_name/mistakes.txt draw, and keeps what they look like in
-# tests/check/looks, where the check finds it (tests/check/looks.h says how); and as figure 4 of the
+# tests/lessons/STEP/looks, where the check finds it (tests/check/looks.h says how); and as figure 4 of the
 # lesson's wrong pictures, stepNN_name/figures/wrong_04.png, what the first mistake of that figure
 # draws (tests/check/wrong_figure.h). To be called again after a change of a lesson's main.c, scenes,
 # references or mistakes.txt.
@@ -23,13 +23,13 @@ trap 'exit 1' HUP INT TERM
 
 # keep LESSON: what its mistakes look like, and by which signs they are known.
 keep() {
-    looks=tests/check/looks/$1
+    looks=tests/lessons/$1/looks
     rm -rf "$looks"
     awk -F '\t' -v lesson="$1" '$2 == lesson { print $8, $10, $1, $9 }' "$work/table" >"$work/list"
     # shellcheck disable=SC2013 # one word a line
     for scene in $(awk -v lesson="$1" '$1 == lesson { print $2 }' tests/check/scenes.txt); do
         "$build/looks_make" "$1" "$scene" "tests/reference/$1/$scene.png" "$work/list" \
-            "$work" tests/check/looks || exit 1
+            "$work" tests/lessons || exit 1
     done >"$work/signs" || exit 1
     cat "$work"/[1-9]*/counted >>"$work/signs"
     # shellcheck disable=SC2016 # nothing to expand
@@ -74,6 +74,6 @@ for lesson in step[0-9]*_*/mistakes.txt; do
     keep "$lesson"
     draw_figures "$lesson"
     find "$work" -mindepth 1 -delete
-    echo "$lesson: $(cat "tests/check/looks/$lesson"/* 2>/dev/null | wc -c) bytes"
+    echo "$lesson: $(cat "tests/lessons/$lesson/looks"/* 2>/dev/null | wc -c) bytes"
 done
 [ -n "$found" ] || { echo "mistakes: there is no step '$wanted'" >&2 && exit 1; }

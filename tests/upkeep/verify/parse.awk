@@ -21,7 +21,7 @@
 # first one with that figure gives its picture: of its scene, the part around all that is wrong, or
 # another part: `figure 4 60x40+10+20` is 60 pixels wide and 40 high, from (10,20) on.
 #
-# tests/accept/stepNN.txt has programs that are correct, `accept NAME`: all scenes must pass, so it
+# tests/lessons/stepNN_name/alternatives.txt has programs that are correct, `accept NAME`: all scenes must pass, so it
 # names none. Both may have
 #
 #   build CC=clang         another compiler
@@ -44,14 +44,12 @@ function is_scene(lesson, scene,    line, part) {
     return (lesson "/" scene) in scenes
 }
 
-# step05_zbuffer, of step05_zbuffer/mistakes.txt or tests/accept/step05.txt; empty: there is none.
+# step05_zbuffer, of step05_zbuffer/mistakes.txt or tests/lessons/step05_zbuffer/alternatives.txt.
 function find_lesson(    lesson) {
     lesson = path
-    if (sub(/\/mistakes\.txt$/, "", lesson)) {
-        return lesson
-    }
-    ("echo " list "_*/main.c") | getline lesson
-    return sub(/\/main\.c$/, "", lesson) && lesson !~ /\*/ ? lesson : ""
+    sub(/\/[a-z]*\.txt$/, "", lesson)
+    sub(/.*\//, "", lesson)
+    return lesson
 }
 
 # The task of the marks around the first changed text that has some, or -.
@@ -125,8 +123,8 @@ function finish(    text) {
 
 function begin_list() {
     lesson = find_lesson()
-    if (lesson == "") {
-        wrong(1, "there is no lesson " list)
+    if (source_text(lesson "/main.c") == "") {
+        wrong(1, "there is no lesson for " path)
     }
     name = ""
 }
@@ -140,7 +138,7 @@ function begin_list() {
     figure = 0
     begin_changes()
     if ((kind == "mistake") != (path ~ /\/mistakes\.txt$/)) {
-        wrong(FNR, "mistakes stand in stepNN_name/mistakes.txt, correct programs in tests/accept")
+        wrong(FNR, "mistakes stand in stepNN_name/mistakes.txt, correct programs in alternatives.txt")
     }
     next
 }

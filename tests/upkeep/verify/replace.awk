@@ -1,4 +1,4 @@
-# What the lists of changes share (tests/upkeep/mutants/*.txt, stepNN/mistakes.txt, tests/accept/*.txt):
+# What the lists of changes share (stepNN_name/mistakes.txt, tests/lessons/stepNN_name/alternatives.txt):
 # they have paragraphs, with empty lines between them, comments after # at the start of a line, and
 # texts that take the place of others:
 #

@@ -20,10 +20,10 @@ wrong() {
 
 mkdir -p "$work/tests/reference" "$work/tests/check" && cd "$work" || exit 1
 cp -R "$top/Makefile" "$top/common" "$top/step01_line" . || exit 1
-(cd "$top/tests" && cp -R verify starter replace.awk targets.mk "$work/tests") || exit 1
+(cd "$top/tests" && cp -R upkeep student "$work/tests" && cp check/check.mk "$work/tests/check") || exit 1
 cp -R "$top/tests/reference/step01_line" tests/reference || exit 1
 grep -e '^#' -e '^step01' "$top/tests/check/scenes.txt" >tests/check/scenes.txt
-mkdir tests/accept
+mkdir -p tests/lessons/step01_line
 
 # verify STATUS [NAME]: what it says is in `said`.
 verify() {
@@ -42,7 +42,7 @@ mistakes() {
 }
 
 programs() {
-    cat >tests/accept/step01.txt
+    cat >tests/lessons/step01_line/alternatives.txt
 }
 
 # ---- All is well ----
@@ -77,7 +77,7 @@ CHECK_TIMEOUT=1 verify 0
 says 'step01_line  *2/2  *0/2  *1/1  *5/5  to do  *exact'
 verify 0 axes
 says 'step01_line  *1/1  *0/1  *0/0  *0/0  -  *-'
-printf 'accept elsewhere\nsays no compiler\nbuild CC=no_such_compiler\n' >tests/accept/step01.txt
+printf 'accept elsewhere\nsays no compiler\nbuild CC=no_such_compiler\n' >tests/lessons/step01_line/alternatives.txt
 verify 0 elsewhere
 says 'SKIPPED step01/elsewhere: there is no no_such_compiler'
 verify 1 nothing_like_it
@@ -114,7 +114,6 @@ scene pixel
 - image_set(image, 52, 41, color_rgb(255, 0, 0));
 + (void)image;
 END
-mkdir -p tests/check/looks
 looks() {
     tests/upkeep/verify/mistakes.sh "$build" "make -s BUILD='$build'" 01 >said 2>&1 ||
         wrong "mistakes.sh failed"
@@ -122,7 +121,7 @@ looks() {
 looks
 verify 0
 says 'step01_line  *4/4  *4/4  *0/0  *5/5  to do  *exact'
-signs=tests/check/looks/step01_line/signs.txt
+signs=tests/lessons/step01_line/looks/signs.txt
 grep -q '^1\.1 1 pixel:2:2 the axes exchanged$' "$signs" || wrong "not kept: figure 1"
 grep -q '^1\.1 0 pixel:brrrrrr:- no pixel$' "$signs" || wrong "not kept: no pixel"
 cp "$signs" kept
@@ -190,7 +189,7 @@ verify 1 nothing
 says 'ERROR step01/nothing: no figure 3: figure_make: all of it is black'
 tests/upkeep/verify/mistakes.sh "$build" "make -s BUILD='$build'" 01 >said 2>&1 && wrong "a black figure"
 says 'mistakes: step01_line: no picture of nothing'
-rm -r tests/check/looks
+rm -r tests/lessons/step01_line/looks
 cp mistakes.kept step01_line/mistakes.txt
 
 # agree STATUS [MESSAGE]: whether table, list and pictures do.
@@ -259,7 +258,7 @@ says 'ERROR step01/no_program: BUILD '
 says 'FAILS step01/axes: FAIL [0-9]*/.*; pixel FAIL 0/1: 2 of 2 drawn pixels differ'
 says 'step01_line  *0/2  *0/2  *0/1  *5/5  to do  *exact'
 
-rm step01_line/mistakes.txt tests/accept/step01.txt
+rm step01_line/mistakes.txt tests/lessons/step01_line/alternatives.txt
 sed -i.old 's/image_set(image, 52, 41,/image_set(image, 52, 42,/' step01_line/main.c
 verify 1
 says 'WRONG step01_line/solution: FAIL [0-9]*/.*; pixel FAIL 0/1: 2 of 2 drawn pixels differ (must be exact), shi'
@@ -339,11 +338,11 @@ scene pixel
 - walk->u++;
 + walk->u--;
 END
-printf 'accept a\nsays b\nbuild CFLAGS=-O1\nfigure 1\n' >tests/accept/step01.txt
+printf 'accept a\nsays b\nbuild CFLAGS=-O1\nfigure 1\n' >tests/lessons/step01_line/alternatives.txt
 : | mistakes
 verify 1
-says 'tests/accept/step01.txt:1: a: a correct program has no figure'
-rm tests/accept/step01.txt
+says 'tests/lessons/step01_line/alternatives.txt:1: a: a correct program has no figure'
+rm tests/lessons/step01_line/alternatives.txt
 refused 1 'mistakes stand in ' <<'END'
 accept a
 says b

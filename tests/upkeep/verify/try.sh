@@ -60,7 +60,7 @@ judge_counted() {
 # A mistake that is found must look like itself, when it can be told from others, and lead to a hint
 # for its task. Sets told to yes, or no when it cannot be told.
 judge_looks() {
-    list=tests/check/looks/$lesson/signs.txt
+    list=tests/lessons/$lesson/looks/signs.txt
     redo="make mistakes STEP=${lesson#step}"
     redo=${redo%%_*}
     told=no

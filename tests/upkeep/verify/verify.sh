@@ -3,7 +3,7 @@
 # must pass exactly, the starter must be to do, a solution in which one task is as in the starter must
 # fail nothing that does not need it, each mistake of stepNN_name/mistakes.txt must fail in
 # the scene that it names and look like itself there (tests/check/looks.h), and draw its lesson's
-# figure where it gives one; each program of tests/accept/stepNN.txt must pass.
+# figure where it gives one; each program of tests/lessons/stepNN_name/alternatives.txt must pass.
 #
 #   tests/upkeep/verify/verify.sh BUILD MAKE [STEP [PATTERN]]
 #
@@ -39,7 +39,7 @@ find_lessons() {
         number=${number%%_*}
         case $wanted in '' | "$lesson" | "$number" | "${number#0}") ;; *) continue ;; esac
         lessons="$lessons $lesson"
-        for list in "$lesson/mistakes.txt" "tests/accept/step$number.txt"; do
+        for list in "$lesson/mistakes.txt" "tests/lessons/$lesson/alternatives.txt"; do
             [ ! -s "$list" ] || lists="$lists $list"
         done
     done

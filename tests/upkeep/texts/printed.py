@@ -1,0 +1,73 @@
+#!/usr/bin/env python3
+"""Are the numbers in the lessons those that are printed?
+
+In a lesson's texts a line `<!-- printed -->` stands before each table that `make figures` prints:
+either as it is printed, indented, or as a table in which each row begins with words of a printed
+line, and all its numbers stand in such lines, but for those of columns headed "ms". And "counts 40
+million instructions for `zbuffer`: 5 for loading, ..." is what tests/bench/counts.txt says.
+
+    printed.py BUILD        after `make figures` or `make lesson-figures` with that BUILD
+
+Exit status 1 and a line for each row that is not printed; also where no table is marked at all.
+"""
+import pathlib
+import re
+import sys
+
+build = pathlib.Path(sys.argv[1]).resolve()
+top = pathlib.Path(__file__).parents[3]
+wrong = []
+checked = 0
+
+
+def numbers_of(text):
+    return set(re.findall(r"\d+(?:\.\d+)?(?:e[-+]?\d+)?", text.replace(",", "")))
+
+
+def rows_of(table):
+    """Each row as its words at the left and its numbers: without the head and the line below it."""
+    cells = [[cell.strip() for cell in line.split("|")[1:-1]] for line in table]
+    head = cells[0] if cells else []
+    for line, row in zip(table[2:], cells[2:]):
+        numbers = [cell for name, cell in zip(head[1:], row[1:])
+                   if name != "ms" and re.fullmatch(r"[-+0-9.,e ]+", cell)]
+        yield line, row[0].split(" (")[0], numbers_of(" ".join(numbers))
+
+
+def judge_text(path, printed):
+    global checked
+    for block in path.read_text().split("<!-- printed -->\n")[1:]:
+        end = re.search(r"^(?! {4}|\||$)", block, re.MULTILINE)
+        table = [line for line in block[:end.start() if end else None].split("\n") if line]
+        if table and table[0].startswith("    "):
+            checked += len(table)
+            wrong.extend(f"{path}: not printed: {line}" for line in table if line[4:] not in printed)
+            continue
+        for line, label, wanted in rows_of(table):
+            checked += 1
+            found = numbers_of("\n".join(text for text in printed if " " + label in " " + text))
+            wrong.extend(f"{path}: {number} is not printed: {line}" for number in wanted - found)
+
+
+def judge_counts(readme, counts):
+    """Instructions: each number rounded as it is written."""
+    text = " ".join(readme.read_text().split())
+    for match in re.finditer(r"counts ([\d.]+) million instructions for `(\w+)`(.*?)(?:\. |$)", text):
+        row = dict(zip(("all", "loading", "drawing", "saving"), counts[readme.parent.name, match[2]]))
+        written = [(match[1], "all")] + re.findall(r"([\d.]+) for (loading|drawing|saving)", match[3])
+        for number, what in written:
+            digits = len(number.partition(".")[2])
+            if number != f"{float(row[what]):.{digits}f}":
+                wrong.append(f"{readme}: {number} million instructions are {row[what]}")
+
+
+for output in sorted((build / "figures").glob("step*.txt")):
+    for text in sorted((top / output.stem).glob("*.md")):
+        judge_text(text, output.read_text().split("\n"))
+rows = [line.split() for line in (top / "tests/bench/counts.txt").read_text().split("\n")]
+for readme in sorted(top.glob("step*/README.md")):
+    judge_counts(readme, {(row[0], row[1]): row[2:] for row in rows if len(row) > 2})
+for line in wrong:
+    print(line)
+print(checked, "rows are compared with what is printed")
+sys.exit(bool(wrong) or checked == 0)
