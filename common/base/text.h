@@ -14,6 +14,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
+#include <string.h>
 
 /* A place in a text. */
 struct text {
@@ -44,8 +45,14 @@ bool text_next_line(struct text *text);
  * that reaches to the end of the line. Where lines are joined, `line` counts on. */
 struct word text_next_word(struct text *text);
 
+/* The same, read as a number as by word_to_double(); NaN where it is none. */
+struct word text_next_number(struct text *text, double *number);
+
 /* Is the word exactly this string? */
-bool word_is(struct word word, const char *string);
+static inline bool word_is(struct word word, const char *string) {
+    size_t length = strlen(string);
+    return word.length == length && (length == 0 || memcmp(word.start, string, length) == 0);
+}
 
 /* The whole word as a decimal number ([+-] digits [. digits] [e [+-] digits], with ".5" and "5."),
  * rounded once to the nearest double (ties to even). Too large gives infinity, too small zero or a
@@ -54,6 +61,54 @@ bool word_to_double(struct word word, double *value);
 
 /* The whole word as a decimal integer; false for anything else or outside 64 bits. */
 bool word_to_integer(struct word word, int64_t *value);
+
+/* ---- For who reads words by the character ---- */
+
+/* The parts for characters that are rare of the two functions below. */
+bool text_find_rare_word(struct text *text);
+bool text_is_rare_word_end(const struct text *text, const char *p);
+
+/* Go to where the next word begins; false at the end of the line. */
+static inline bool text_find_word(struct text *text) {
+    while (text->next < text->end && *text->next == ' ') {
+        text->next++;
+    }
+    if (text->next < text->end && *text->next >= '-' && *text->next <= '9') {
+        return true; /* what most words begin with is no blank, comment or line's end */
+    }
+    return text_find_rare_word(text);
+}
+
+/* Does a word that goes on to p end there? */
+static inline bool text_is_word_end(const struct text *text, const char *p) {
+    return p == text->end || *p == ' ' || *p == '\n' || text_is_rare_word_end(text, p);
+}
+
+/* Four bytes as a number, the first one lowest. Compilers know this form as one instruction. */
+static inline uint32_t load_u32(const char *p) {
+    const unsigned char *bytes = (const unsigned char *)p;
+    return bytes[0] | (uint32_t)bytes[1] << 8 | (uint32_t)bytes[2] << 16 | (uint32_t)bytes[3] << 24;
+}
+
+/* Over digits, which are put behind those in `value` (and overflow where they are too many). Four
+ * at once, since most numbers of most files have so many behind the point. */
+static inline const char *text_read_digits(const char *p, const char *end, uint64_t *value) {
+    uint64_t sum = *value;
+    if (end - p >= 4) {
+        uint32_t four = load_u32(p) ^ 0x30303030; /* a byte up to 9 was a digit */
+        if (((four | (four + 0x76767676)) & 0x80808080) == 0) {
+            four = 10 * four + (four >> 8); /* two digits in byte 0, two in byte 2 */
+            four = (four & 0xff00ff) * (100 << 16 | 1);
+            sum = 10000 * sum + (four >> 16);
+            p += 4;
+        }
+    }
+    for (unsigned digit; p < end && (digit = (unsigned char)*p - (unsigned)'0') <= 9; p++) {
+        sum = 10 * sum + digit;
+    }
+    *value = sum;
+    return p;
+}
 
 /* A word ready to be shown with "%s" in a message: a long one is cut and ends with "...". */
 struct shown_word {

@@ -39,33 +39,34 @@ bool reader_parse_index(struct word word, int64_t *index) {
     return word.length > sign;
 }
 
-bool reader_parse_number(struct model_reader *reader, struct word word, double *number) {
-    if (!word_to_double(word, number)) {
-        return text_error(reader->error, reader->line, "'%s' is not a number",
-                          word_show(word).text);
+static bool check_number(struct model_reader *reader, struct word word, double number) {
+    if (fabs(number) <= FLT_MAX) {
+        return true;
     }
-    return fabs(*number) <= FLT_MAX ||
-           text_error(reader->error, reader->line, "%s is too large", word_show(word).text);
+    return isnan(number)
+               ? text_error(reader->error, reader->line, "'%s' is not a number",
+                            word_show(word).text)
+               : text_error(reader->error, reader->line, "%s is too large", word_show(word).text);
+}
+
+bool reader_parse_number(struct model_reader *reader, struct word word, double *number) {
+    *number = word_to_double(word, number) ? *number : NAN;
+    return check_number(reader, word, *number);
 }
 
 bool reader_read_numbers(struct model_reader *reader, struct reader_numbers *numbers) {
-    numbers->count = 0;
-    numbers->whole = true;
-    for (;;) {
-        struct word word = text_next_word(&reader->text);
-        int64_t ignored;
+    for (numbers->count = 0;; numbers->count++) {
         double number;
+        struct word word = text_next_number(&reader->text, &number);
         if (word.length == 0) {
             return true;
         }
-        if (!reader_parse_number(reader, word, &number)) {
+        if (!check_number(reader, word, number)) {
             return false;
         }
         if (numbers->count < READER_NUMBER_LIMIT) {
             numbers->value[numbers->count] = number;
         }
-        numbers->count++;
-        numbers->whole = numbers->whole && reader_parse_index(word, &ignored);
     }
 }
 
@@ -183,15 +184,11 @@ bool reader_finish_colors(struct model_reader *reader) {
 
 /* ---- Faces ---- */
 
-bool reader_add_corner(struct model_reader *reader, struct corner corner) {
+bool reader_grow_polygon(struct model_reader *reader) {
     void *grown = reserve(reader, reader->polygon, &reader->polygon_capacity,
                           reader->polygon_size + 1, sizeof *reader->polygon);
-    if (grown == NULL) {
-        return false;
-    }
-    reader->polygon = grown;
-    reader->polygon[reader->polygon_size++] = corner;
-    return true;
+    reader->polygon = grown != NULL ? grown : reader->polygon;
+    return grown != NULL;
 }
 
 /* Put the positions of the polygon's corners together. */
@@ -231,12 +228,22 @@ static bool reserve_faces(struct model_reader *reader, size_t count) {
     return grown != NULL;
 }
 
-struct face *reader_next_face(struct model_reader *reader) {
-    return reserve_faces(reader, 1) ? &reader->model->faces[reader->model->face_count] : NULL;
+/* Most faces are triangles already. */
+static bool add_triangle(struct model_reader *reader) {
+    struct model *model = reader->model;
+    if (!reserve_faces(reader, 1)) {
+        return false;
+    }
+    const struct corner *corner = reader->polygon;
+    model->faces[model->face_count++] = (struct face){{corner[0], corner[1], corner[2]}};
+    return true;
 }
 
 bool reader_add_faces(struct model_reader *reader) {
     struct model *model = reader->model;
+    if (reader->polygon_size == 3) {
+        return add_triangle(reader);
+    }
     if (!gather_places(reader) || !cut_polygon(reader)) {
         return false;
     }

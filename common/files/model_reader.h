@@ -29,8 +29,6 @@ struct model_reader {
     size_t line; /* where the current statement began, for messages */
     struct model *model;
     struct error *error;
-    unsigned parts;                /* of enum model_part: what is wanted of an OBJ file */
-    size_t uv_count, normal_count; /* in the file so far, wanted or not */
 
     struct corner *polygon; /* the corners of the current face */
     size_t polygon_size;
@@ -49,19 +47,7 @@ enum { READER_NUMBER_LIMIT = 12 };
 struct reader_numbers {
     double value[READER_NUMBER_LIMIT]; /* the first of them, within the range of a float */
     size_t count;                      /* of all, which may be more */
-    bool whole;                        /* all are written as whole numbers */
 };
-
-/* The corner without what is not wanted. */
-static inline struct corner reader_wanted(const struct model_reader *reader, struct corner corner) {
-    if ((reader->parts & MODEL_UVS) == 0) {
-        corner.uv = MODEL_NONE;
-    }
-    if ((reader->parts & MODEL_NORMALS) == 0) {
-        corner.normal = MODEL_NONE;
-    }
-    return corner;
-}
 
 /* Go to the next line that is not empty; its first word. False at the end of the text. */
 bool reader_next_line(struct model_reader *reader, struct word *word);
@@ -86,14 +72,20 @@ bool reader_add_normal(struct model_reader *reader, const double normal[3]);
 /* Give the last position a colour, of any values; earlier ones that have none are white. */
 bool reader_color_position(struct model_reader *reader, const double color[3]);
 
+/* Make room for one corner more. */
+bool reader_grow_polygon(struct model_reader *reader);
+
 /* Add a corner to the polygon. */
-bool reader_add_corner(struct model_reader *reader, struct corner corner);
+static inline bool reader_add_corner(struct model_reader *reader, struct corner corner) {
+    if (reader->polygon_size == reader->polygon_capacity && !reader_grow_polygon(reader)) {
+        return false;
+    }
+    reader->polygon[reader->polygon_size++] = corner;
+    return true;
+}
 
 /* Make faces of the polygon (at least 3 corners). Its positions must be known. */
 bool reader_add_faces(struct model_reader *reader);
-
-/* Room for one face more behind the model's, which does not count it yet; NULL without memory. */
-struct face *reader_next_face(struct model_reader *reader);
 
 /* The same for all faces from `first` on. */
 bool reader_color_faces(struct model_reader *reader, size_t first, const double color[3]);

@@ -1,158 +1,177 @@
-/* OBJ files; see obj.h. */
+/*
+ * OBJ files; see obj.h.
+ *
+ * The file is read once, line by line. Only when a face names what comes further down, the rest of
+ * the file is read ahead for everything but faces, and from that face on for faces alone.
+ */
 #include "files/obj.h"
 
 #include "files/model_reader.h"
-#include "files/obj_quick.h"
+
+#include <string.h>
+
+/* Positions, texture coordinates, normals: what a corner "v/vt/vn" names, in this order. */
+enum attribute { POSITION, UV, NORMAL, ATTRIBUTES };
+
+static const char *const attribute_name[] = {"vertex", "texture coordinate", "normal"};
+
+struct obj {
+    struct model_reader reader;
+    unsigned parts;            /* of enum model_part: what is wanted */
+    size_t so_far[ATTRIBUTES]; /* above the current line: what a negative index counts back from */
+    size_t total[ATTRIBUTES];  /* as far as the file is read */
+    bool reading_ahead;        /* faces are passed over */
+    bool is_read_ahead;        /* all but faces is read */
+};
 
 /* ---- Positions, texture coordinates and normals ---- */
 
-static bool read_position(struct model_reader *reader) {
-    struct reader_numbers numbers;
-    if (!reader_read_numbers(reader, &numbers)) {
-        return false;
-    }
-    const double *value = numbers.value;
-    size_t count = numbers.count;
+static bool read_position(struct model_reader *reader, const struct reader_numbers *numbers) {
+    size_t count = numbers->count;
     if (count != 3 && count != 4 && count != 6) { /* x y z, x y z w, x y z r g b */
         return text_error(reader->error, reader->line, "'v' takes 3, 4 or 6 numbers, not %zu",
                           count);
     }
-    return reader_add_position(reader, value) &&
-           (count < 6 || reader_color_position(reader, value + 3));
+    return reader_add_position(reader, numbers->value) &&
+           (count < 6 || reader_color_position(reader, numbers->value + 3));
 }
 
-static bool read_uv(struct model_reader *reader) {
-    struct reader_numbers numbers;
-    if (!reader_read_numbers(reader, &numbers)) {
-        return false;
-    }
-    if (numbers.count < 1 || numbers.count > 3) { /* u, u v, u v w */
+static bool read_uv(struct model_reader *reader, const struct reader_numbers *numbers) {
+    if (numbers->count < 1 || numbers->count > 3) { /* u, u v, u v w */
         return text_error(reader->error, reader->line, "'vt' takes 1 to 3 numbers, not %zu",
-                          numbers.count);
+                          numbers->count);
     }
-    return reader_add_uv(reader, numbers.value[0], numbers.count > 1 ? numbers.value[1] : 0);
+    return reader_add_uv(reader, numbers->value[0], numbers->count > 1 ? numbers->value[1] : 0);
 }
 
-static bool read_normal(struct model_reader *reader) {
-    struct reader_numbers numbers;
-    if (!reader_read_numbers(reader, &numbers)) {
-        return false;
-    }
-    if (numbers.count != 3) {
+static bool read_normal(struct model_reader *reader, const struct reader_numbers *numbers) {
+    if (numbers->count != 3) {
         return text_error(reader->error, reader->line, "'vn' takes 3 numbers, not %zu",
-                          numbers.count);
+                          numbers->count);
     }
-    return reader_add_normal(reader, numbers.value);
+    return reader_add_normal(reader, numbers->value);
 }
 
-/* A line of an attribute that some corner may name. */
-static bool read_if_wanted(struct model_reader *reader, enum model_part part, size_t *count,
-                           bool read(struct model_reader *)) {
-    *count += 1;
-    return (reader->parts & part) == 0 || read(reader);
+static bool is_wanted(const struct obj *obj, enum attribute attribute) {
+    static const unsigned part[] = {0, MODEL_UVS, MODEL_NORMALS};
+    return attribute == POSITION || (obj->parts & part[attribute]) != 0;
 }
 
-/* Everything but the faces. */
-static bool read_attributes(struct model_reader *reader) {
-    struct word keyword;
-    while (reader_next_line(reader, &keyword)) {
-        bool done = true;
-        if (word_is(keyword, "v")) {
-            done = read_position(reader);
-        } else if (word_is(keyword, "vt")) {
-            done = read_if_wanted(reader, MODEL_UVS, &reader->uv_count, read_uv);
-        } else if (word_is(keyword, "vn")) {
-            done = read_if_wanted(reader, MODEL_NORMALS, &reader->normal_count, read_normal);
-        }
-        if (!done) {
-            return false;
-        }
+/* A line of an attribute: counted, and read if it is of use and not read yet. */
+static bool read_attribute(struct obj *obj, enum attribute attribute) {
+    static bool (*const read[])(struct model_reader *, const struct reader_numbers *) = {
+        read_position, read_uv, read_normal};
+    struct reader_numbers numbers;
+    obj->so_far[attribute]++;
+    if (obj->is_read_ahead) {
+        return true;
     }
-    return reader_finish_colors(reader);
+    obj->total[attribute]++;
+    return !is_wanted(obj, attribute) ||
+           (reader_read_numbers(&obj->reader, &numbers) && read[attribute](&obj->reader, &numbers));
 }
 
 /* ---- Faces ---- */
 
-/* What an index of a face counts. */
-struct list {
-    const char *name;
-    size_t so_far; /* elements above the face: what a negative index counts back from */
-    size_t total;  /* elements in the file: a positive index may name one further down */
-};
+static bool read_lines(struct obj *obj);
 
-struct lists {
-    struct list list[3]; /* positions, texture coordinates, normals */
-};
+/* Read what comes further down, but for faces, and come back. */
+static bool read_ahead(struct obj *obj) {
+    struct obj here = *obj;
+    obj->reading_ahead = true;
+    if (!read_lines(obj)) {
+        return false;
+    }
+    obj->reading_ahead = false;
+    obj->is_read_ahead = true;
+    obj->reader.text = here.reader.text;
+    obj->reader.line = here.reader.line;
+    memcpy(obj->so_far, here.so_far, sizeof obj->so_far);
+    return true;
+}
 
 /* The index from 0 of what the field names. */
-static bool resolve(struct model_reader *reader, struct word field, const struct list *list,
-                    int64_t index, uint32_t *resolved) {
-    if (index > 0 && (uint64_t)index <= list->total) {
-        *resolved = (uint32_t)(index - 1);
+static bool resolve(struct obj *obj, enum attribute attribute, int64_t index, struct word field,
+                    uint32_t *resolved) {
+    const size_t so_far = obj->so_far[attribute], *total = &obj->total[attribute];
+    if (index > 0 && (uint64_t)index > *total && !obj->is_read_ahead && !read_ahead(obj)) {
+        return false;
+    }
+    if (index > 0 ? (uint64_t)index <= *total : index < 0 && index >= -(int64_t)so_far) {
+        *resolved = (uint32_t)(index > 0 ? index - 1 : (int64_t)so_far + index);
         return true;
     }
-    if (index < 0 && index >= -(int64_t)list->so_far) {
-        *resolved = (uint32_t)((int64_t)list->so_far + index);
-        return true;
-    }
+    const char *name = attribute_name[attribute];
     if (index == 0) {
-        return text_error(reader->error, reader->line, "face names %s 0: the first is 1",
-                          list->name);
+        return text_error(obj->reader.error, obj->reader.line, "face names %s 0: the first is 1",
+                          name);
     }
-    return text_error(reader->error, reader->line, "face names %s %s of %zu", list->name,
-                      word_show(field).text, index > 0 ? list->total : list->so_far);
+    return text_error(obj->reader.error, obj->reader.line, "face names %s %s of %zu", name,
+                      word_show(field).text, index > 0 ? *total : so_far);
 }
 
-/* Take the next field off a corner "v/vt/vn", up to its slash or the end of the word. */
-static struct word next_field(struct word *rest) {
-    struct word field = {rest->start, 0};
-    while (field.length < rest->length && field.start[field.length] != '/') {
-        field.length++;
+/* Over an index, [+-] digits; NULL where there is none. */
+static inline const char *read_index(const char *p, const char *end, int64_t *index) {
+    enum { DIGIT_LIMIT = 18 }; /* so many always fit */
+    const char *start = p;
+    bool negative = p < end && *p == '-';
+    p += negative || (p < end && *p == '+');
+    const char *digits = p;
+    uint64_t value = 0;
+    p = text_read_digits(p, end, &value);
+    if (p - digits > DIGIT_LIMIT) {
+        int64_t nearest;
+        reader_parse_index((struct word){start, (size_t)(p - start)}, &nearest);
+        *index = nearest;
+    } else {
+        *index = negative ? -(int64_t)value : (int64_t)value;
     }
-    rest->start += field.length;
-    rest->length -= field.length;
-    return field;
+    return p > digits ? p : NULL;
 }
 
-/* "v", "v/vt", "v//vn" or "v/vt/vn". */
-static bool read_corner(struct model_reader *reader, struct word word, const struct lists *lists) {
-    uint32_t resolved[3] = {MODEL_NONE, MODEL_NONE, MODEL_NONE};
-    struct word rest = word;
-    bool well_formed = true;
-    for (int i = 0; i < 3 && well_formed; i++) {
-        struct word field = next_field(&rest);
-        bool left_out = i == 1 && field.length == 0 && rest.length > 0;
+static bool error_malformed(struct model_reader *reader) {
+    struct word word = text_next_word(&reader->text);
+    return text_error(reader->error, reader->line,
+                      "face corner '%s' is none of v, v/vt, v//vn, v/vt/vn", word_show(word).text);
+}
+
+/* "v", "v/vt", "v//vn" or "v/vt/vn", from the beginning of the word to its end. */
+static bool read_corner(struct obj *obj) {
+    struct model_reader *reader = &obj->reader;
+    struct text *text = &reader->text;
+    uint32_t resolved[ATTRIBUTES] = {MODEL_NONE, MODEL_NONE, MODEL_NONE};
+    const char *p = text->next;
+    for (int attribute = POSITION; attribute < ATTRIBUTES; attribute++) {
+        const char *field = p;
         int64_t index;
-        if (!left_out) {
-            well_formed = reader_parse_index(field, &index);
-            if (well_formed && !resolve(reader, field, &lists->list[i], index, &resolved[i])) {
-                return false;
-            }
-        }
-        if (rest.length == 0) {
+        bool left_out = attribute == UV && p < text->end && *p == '/';
+        p = left_out ? p : read_index(p, text->end, &index);
+        bool goes_on = p != NULL && p < text->end && *p == '/';
+        if (p == NULL || (!goes_on && !text_is_word_end(text, p))) {
             break;
         }
-        well_formed = well_formed && i < 2; /* a third slash */
-        rest.start++;
-        rest.length--;
+        struct word word = {field, (size_t)(p - field)};
+        if (!left_out &&
+            !resolve(obj, (enum attribute)attribute, index, word, &resolved[attribute])) {
+            return false;
+        }
+        if (!goes_on) {
+            text->next = p;
+            return reader_add_corner(
+                reader,
+                (struct corner){resolved[POSITION], is_wanted(obj, UV) ? resolved[UV] : MODEL_NONE,
+                                is_wanted(obj, NORMAL) ? resolved[NORMAL] : MODEL_NONE});
+        }
+        p++;
     }
-    if (!well_formed) {
-        return text_error(reader->error, reader->line,
-                          "face corner '%s' is none of v, v/vt, v//vn, v/vt/vn",
-                          word_show(word).text);
-    }
-    const struct corner corner = {resolved[0], resolved[1], resolved[2]};
-    return reader_add_corner(reader, reader_wanted(reader, corner));
+    return error_malformed(reader);
 }
 
-static bool read_face(struct model_reader *reader, const struct lists *lists) {
+static bool read_face(struct obj *obj) {
+    struct model_reader *reader = &obj->reader;
     reader->polygon_size = 0;
-    for (;;) {
-        struct word word = text_next_word(&reader->text);
-        if (word.length == 0) {
-            break;
-        }
-        if (!read_corner(reader, word, lists)) {
+    while (text_find_word(&reader->text)) {
+        if (!read_corner(obj)) {
             return false;
         }
     }
@@ -163,53 +182,31 @@ static bool read_face(struct model_reader *reader, const struct lists *lists) {
     return reader_add_faces(reader);
 }
 
-static bool read_faces(struct model_reader *reader) {
-    struct lists lists = {{{"vertex", 0, reader->model->position_count},
-                           {"texture coordinate", 0, reader->uv_count},
-                           {"normal", 0, reader->normal_count}}};
+/* ---- All of it ---- */
+
+/* Lines with other keywords are passed over. */
+static bool read_lines(struct obj *obj) {
     struct word keyword;
-    while (reader_next_line(reader, &keyword)) {
-        if (word_is(keyword, "f")) {
-            if (!read_face(reader, &lists)) {
-                return false;
-            }
-        } else if (word_is(keyword, "v")) {
-            lists.list[0].so_far++;
+    bool done = true;
+    while (done && reader_next_line(&obj->reader, &keyword)) {
+        if (word_is(keyword, "v")) {
+            done = read_attribute(obj, POSITION);
         } else if (word_is(keyword, "vt")) {
-            lists.list[1].so_far++;
+            done = read_attribute(obj, UV);
         } else if (word_is(keyword, "vn")) {
-            lists.list[2].so_far++;
+            done = read_attribute(obj, NORMAL);
+        } else if (word_is(keyword, "f")) {
+            done = obj->reading_ahead || read_face(obj);
         }
     }
-    return true;
-}
-
-/* Read twice: a face may name a vertex further down, and cutting it needs the position. */
-static bool read_twice(struct model_reader *reader) {
-    struct text start = reader->text;
-    if (!read_attributes(reader)) {
-        return false;
-    }
-    reader->text = start;
-    return read_faces(reader);
-}
-
-bool obj_decode_carefully(struct model *model, const void *data, size_t size, unsigned parts,
-                          struct error *error) {
-    struct model_reader reader = {.model = model, .error = error, .parts = parts};
-    bool done = text_begin(&reader.text, data, size, true, error) && read_twice(&reader);
-    model_reader_free(&reader);
     return done;
 }
 
 bool obj_decode(struct model *model, const void *data, size_t size, unsigned parts,
                 struct error *error) {
-    struct model_reader reader = {.model = model, .error = error, .parts = parts};
-    enum obj_quick_result result = obj_quick_read(&reader, data, size);
-    model_reader_free(&reader);
-    if (result != OBJ_QUICK_DECLINED) {
-        return result == OBJ_QUICK_DONE;
-    }
-    model_free(model);
-    return obj_decode_carefully(model, data, size, parts, error);
+    struct obj obj = {.reader = {.model = model, .error = error}, .parts = parts};
+    bool done = text_begin(&obj.reader.text, data, size, true, error) && read_lines(&obj) &&
+                reader_finish_colors(&obj.reader);
+    model_reader_free(&obj.reader);
+    return done;
 }

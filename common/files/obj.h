@@ -14,9 +14,4 @@
 bool obj_decode(struct model *model, const void *data, size_t size, unsigned parts,
                 struct error *error);
 
-/* The same in the way that knows all of the format. obj_decode() takes a quicker one for files that
- * are as usual; the tests hold both to the same model. */
-bool obj_decode_carefully(struct model *model, const void *data, size_t size, unsigned parts,
-                          struct error *error);
-
 #endif

@@ -242,10 +242,21 @@ static bool read_polygon(struct model_reader *reader, const struct off_kind *kin
     return true;
 }
 
+/* Are all words to the end of the line whole numbers? */
+static bool are_whole(struct text text) {
+    struct word word;
+    int64_t ignored;
+    do {
+        word = text_next_word(&text);
+    } while (reader_parse_index(word, &ignored));
+    return word.length == 0;
+}
+
 /* What follows the corners: nothing, an index into a table of colours (not used), or a colour,
  * perhaps with alpha: levels 0..255 where all are whole numbers, otherwise 0..1. */
 static bool read_face_color(struct model_reader *reader, double color[3], bool *colored) {
     struct reader_numbers numbers;
+    double scale = are_whole(reader->text) ? 255 : 1;
     if (!reader_read_numbers(reader, &numbers)) {
         return false;
     }
@@ -255,7 +266,7 @@ static bool read_face_color(struct model_reader *reader, double color[3], bool *
     }
     *colored = numbers.count >= 3;
     for (int channel = 0; *colored && channel < 3; channel++) {
-        color[channel] = numbers.value[channel] / (numbers.whole ? 255 : 1);
+        color[channel] = numbers.value[channel] / scale;
     }
     return true;
 }

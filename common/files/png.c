@@ -463,13 +463,13 @@ static bool read_pixel(const struct png *png, const uint8_t *row, size_t x, uint
         }
         memcpy(bgra, png->palette[value], 4);
         return true;
-    default:
+    default: /* RGB: copy_plain_pixels() knows RGBA */
         clear = png->has_alpha_chunk && samples[0] == png->clear[0] &&
                 samples[1] == png->clear[1] && samples[2] == png->clear[2];
         bgra[0] = samples[2];
         bgra[1] = samples[1];
         bgra[2] = samples[0];
-        bgra[3] = png->color_type == COLOR_RGBA ? samples[3] : clear ? 0 : 255;
+        bgra[3] = clear ? 0 : 255;
         return true;
     }
 }
@@ -565,8 +565,9 @@ bool png_decode(struct image *image, const void *data, size_t size, struct error
 
 /* ---- Writing ---- */
 
-/* A part of an image; y counts rows from the bottom. */
-struct rectangle {
+/* A rectangle of an image; y counts rows from the bottom. */
+struct part {
+    const struct image *image;
     size_t x, y, width, height;
 };
 
@@ -600,20 +601,23 @@ static bool append_header(struct bytes *out, const struct image *image) {
     return append_chunk(out, "IHDR", header, sizeof header, NULL, 0);
 }
 
-/* Row y of the rectangle as it stands in the file, not yet filtered. */
-static void load_row(const struct image *image, const struct rectangle *rect, size_t y,
-                     uint8_t *row) {
-    size_t step = (size_t)image->format;
-    const uint8_t *pixel = image->pixels + ((rect->y + y) * image->width + rect->x) * step;
-    switch (step) {
-    case 1:
-        memcpy(row, pixel, rect->width);
+static const uint8_t *part_row(const struct part *part, size_t y) {
+    const struct image *image = part->image;
+    return image->pixels + ((part->y + y) * image->width + part->x) * (size_t)image->format;
+}
+
+/* Row y of the part as it stands in the file, not yet filtered. */
+static void load_row(const struct part *part, size_t y, uint8_t *row) {
+    const uint8_t *pixel = part_row(part, y);
+    switch (part->image->format) {
+    case IMAGE_GREY:
+        memcpy(row, pixel, part->width);
         break;
-    case 3:
-        swap_colors(row, pixel, rect->width, 3);
+    case IMAGE_BGR:
+        swap_colors(row, pixel, part->width, 3);
         break;
     default:
-        swap_colors(row, pixel, rect->width, 4);
+        swap_colors(row, pixel, part->width, 4);
         break;
     }
 }
@@ -627,19 +631,19 @@ static uint32_t distance_from_zero(const uint8_t *bytes, size_t size) {
     return sum;
 }
 
-/* Filter every row of the rectangle, top row first, into `out`: the filter's number and the bytes.
+/* Filter every row of the part, top row first, into `out`: the filter's number and the bytes.
  * With FILTER_ADAPTIVE each row gets the filter whose differences are smallest in sum, as the
  * specification advises (section 12.7). `rows` has room for two rows and their margins, all zero,
  * `trial` for one row. */
-static void filter_rows(const struct image *image, const struct rectangle *rect, unsigned choice,
-                        uint8_t *rows, uint8_t *trial, uint8_t *out) {
-    size_t step = (size_t)image->format;
-    size_t size = rect->width * step;
+static void filter_rows(const struct part *part, unsigned choice, uint8_t *rows, uint8_t *trial,
+                        uint8_t *out) {
+    size_t step = (size_t)part->image->format;
+    size_t size = part->width * step;
     uint8_t *row = rows + PIXEL_LIMIT, *above = rows + 2 * PIXEL_LIMIT + size;
     unsigned first = choice == FILTER_ADAPTIVE ? FILTER_NONE : choice;
     unsigned last = choice == FILTER_ADAPTIVE ? FILTER_COUNT - 1 : choice;
-    for (size_t y = rect->height; y-- > 0; out += 1 + size) {
-        load_row(image, rect, y, row);
+    for (size_t y = part->height; y-- > 0; out += 1 + size) {
+        load_row(part, y, row);
         filter_row(first, row, above, size, step, out + 1);
         out[0] = (uint8_t)first;
         uint32_t best = first == last ? 0 : distance_from_zero(out + 1, size);
@@ -698,40 +702,38 @@ static struct changes count_changes(const uint8_t *row, size_t width, size_t ste
  * bytes as they are then compress better, and faster, than any differences. Of the changes along
  * the rows of such images more than half are hard edges; of smoothly shaded ones, less than a
  * tenth. */
-static bool has_flat_areas(const struct image *image, const struct rectangle *rect) {
-    size_t step = (size_t)image->format;
+static bool has_flat_areas(const struct part *part) {
+    size_t step = (size_t)part->image->format;
     uint64_t all = 0, hard = 0;
-    for (size_t y = 0; y < rect->height; y++) {
-        const uint8_t *row = image->pixels + ((rect->y + y) * image->width + rect->x) * step;
-        struct changes changes = count_changes(row, rect->width, step);
+    for (size_t y = 0; y < part->height; y++) {
+        struct changes changes = count_changes(part_row(part, y), part->width, step);
         all += changes.all;
         hard += changes.hard;
     }
     return hard > all / 2;
 }
 
-/* The filtered and compressed pixels of a rectangle, at the end of `out`. */
-static bool compress_pixels(const struct image *image, const struct rectangle *rect,
-                            struct bytes *out, struct error *error) {
-    unsigned filter = has_flat_areas(image, rect) ? FILTER_NONE : FILTER_ADAPTIVE;
-    size_t size = rect->width * (size_t)image->format;
+/* The filtered and compressed pixels of a part, at the end of `out`. */
+static bool compress_pixels(const struct part *part, struct bytes *out, struct error *error) {
+    unsigned filter = has_flat_areas(part) ? FILTER_NONE : FILTER_ADAPTIVE;
+    size_t size = part->width * (size_t)part->image->format;
     uint8_t *rows = calloc(3, PIXEL_LIMIT + size);
-    uint8_t *raw = calloc(rect->height, 1 + size);
+    uint8_t *raw = calloc(part->height, 1 + size);
     bool done = false;
     if (rows == NULL || raw == NULL) {
         error_out_of_memory(error);
         goto end;
     }
-    filter_rows(image, rect, filter, rows, rows + 2 * (PIXEL_LIMIT + size), raw);
-    done = zlib_compress(raw, rect->height * (1 + size), out, error);
+    filter_rows(part, filter, rows, rows + 2 * (PIXEL_LIMIT + size), raw);
+    done = zlib_compress(raw, part->height * (1 + size), out, error);
 end:
     free(rows);
     free(raw);
     return done;
 }
 
-static struct rectangle whole(const struct image *image) {
-    return (struct rectangle){0, 0, image->width, image->height};
+static struct part whole(const struct image *image) {
+    return (struct part){image, 0, 0, image->width, image->height};
 }
 
 static bool append_signature(struct bytes *out) {
@@ -766,9 +768,9 @@ bool png_encode(const struct image *image, struct bytes *out, struct error *erro
         return error_set(error, "an empty image cannot be written");
     }
     struct bytes pixels = {0};
-    struct rectangle rect = whole(image);
+    struct part part = whole(image);
     size_t start = out->size;
-    bool done = compress_pixels(image, &rect, &pixels, error) &&
+    bool done = compress_pixels(&part, &pixels, error) &&
                 (append_png(out, image, &pixels) || error_out_of_memory(error));
     bytes_free(&pixels);
     out->size = done ? out->size : start;
@@ -791,7 +793,7 @@ enum { FRAME_CONTROL_SIZE = 26 };
 
 /* The smallest rectangle outside of which two images of one size are equal; a single pixel when
  * they are equal everywhere, since a frame cannot be empty. */
-static struct rectangle changed_rect(const struct image *before, const struct image *after) {
+static struct part changed_part(const struct image *before, const struct image *after) {
     size_t step = (size_t)after->format;
     size_t left = after->width, bottom = after->height;
     size_t right = 0, top = 0; /* past it */
@@ -813,18 +815,18 @@ static struct rectangle changed_rect(const struct image *before, const struct im
         left = first < left ? first : left;
         right = end > right ? end : right;
     }
-    return top == 0 ? (struct rectangle){0, 0, 1, 1}
-                    : (struct rectangle){left, bottom, right - left, top - bottom};
+    return top == 0 ? (struct part){after, 0, 0, 1, 1}
+                    : (struct part){after, left, bottom, right - left, top - bottom};
 }
 
-static bool append_frame_control(struct bytes *out, uint32_t sequence, const struct rectangle *rect,
-                                 size_t image_height, unsigned delay_ms) {
+static bool append_frame_control(struct bytes *out, uint32_t sequence, const struct part *part,
+                                 unsigned delay_ms) {
     uint8_t control[FRAME_CONTROL_SIZE] = {0}; /* the rectangle replaces what was there and stays */
     put_u32(control, sequence);
-    put_u32(control + 4, rect->width);
-    put_u32(control + 8, rect->height);
-    put_u32(control + 12, rect->x);
-    put_u32(control + 16, image_height - rect->y - rect->height);
+    put_u32(control + 4, part->width);
+    put_u32(control + 8, part->height);
+    put_u32(control + 12, part->x);
+    put_u32(control + 16, part->image->height - part->y - part->height);
     put_u16(control + 20, delay_ms);
     put_u16(control + 22, 1000);
     return append_chunk(out, "fcTL", control, sizeof control, NULL, 0);
@@ -850,13 +852,13 @@ static bool append_frame_pixels(struct bytes *out, uint32_t sequence, const stru
 static bool append_frame(const struct image *frames, size_t index, unsigned delay_ms,
                          struct bytes *out, struct error *error) {
     const struct image *frame = &frames[index];
-    struct rectangle rect = index == 0 ? whole(frame) : changed_rect(&frames[index - 1], frame);
+    struct part part = index == 0 ? whole(frame) : changed_part(&frames[index - 1], frame);
     uint32_t sequence = index == 0 ? 0 : (uint32_t)(2 * index - 1);
     struct bytes pixels = {0};
-    bool done = compress_pixels(frame, &rect, &pixels, error) &&
-                (append_frame_control(out, sequence, &rect, frame->height, delay_ms) ||
-                 error_out_of_memory(error)) &&
-                append_frame_pixels(out, sequence, &pixels, error);
+    bool done =
+        compress_pixels(&part, &pixels, error) &&
+        (append_frame_control(out, sequence, &part, delay_ms) || error_out_of_memory(error)) &&
+        append_frame_pixels(out, sequence, &pixels, error);
     bytes_free(&pixels);
     return done;
 }

@@ -277,7 +277,8 @@ static void describe_end(struct result_text *text, const struct run_result *end,
 /* Read the references and what is known of mistakes. A bad reference stays empty. */
 static void read_references(struct judging *judging) {
     char list[DRAWN_PATH_LIMIT];
-    snprintf(list, sizeof list, "%s/%s/looks/signs.txt", judging->options->looks, judging->step->name);
+    snprintf(list, sizeof list, "%s/%s/looks/signs.txt", judging->options->looks,
+             judging->step->name);
     mistakes_read(&judging->mistakes, list);
     for (size_t i = 0; i < judging->step->scene_count; i++) {
         looks_read(&judging->looks[i], &judging->mistakes, judging->options->looks,

@@ -88,8 +88,6 @@ static void test_messages(void) {
     struct error error;
     CHECK(!error_set(&error, "line %d: %s", 7, "bad"));
     CHECK_TEXT(error.message, "line 7: bad");
-    CHECK(!error_name_file(&error, "a/b.obj"));
-    CHECK_TEXT(error.message, "a/b.obj: line 7: bad");
     error_set(&error, "%s", "two\nlines\x1b[31m\x7f");
     CHECK_TEXT(error.message, "two?lines?[31m?");
 }
@@ -124,61 +122,47 @@ static void test_printable_texts(void) {
     }
 }
 
-/* The line stands behind the file's name, once. */
-static void test_lines_of_messages(void) {
-    enum { LONG = 600, KEPT = 512 };
-    char path[LONG + 1], expected[KEPT + 40];
-    struct error error;
-    error_set(&error, "12 faces too many"); /* begins with a number, but not that of a line */
-    CHECK(error.line == 0 && !error_name_file(&error, "a.obj"));
-    CHECK_TEXT(error.message, "a.obj: 12 faces too many");
-    error.line = 17;
-    CHECK(!error_name_file(&error, "b") && error.line == 0);
-    CHECK_TEXT(error.message, "b:17: a.obj: 12 faces too many");
-    CHECK(!error_name_file(&error, "c"));
-    CHECK_TEXT(error.message, "c: b:17: a.obj: 12 faces too many");
-    error_set(&error, "wrong");
-    error.line = 1;
-    CHECK(!error_name_file(&error, "d"));
-    CHECK_TEXT(error.message, "d:1: wrong");
-    memset(path, 'a', LONG - KEPT);
-    memset(path + LONG - KEPT, 'b', KEPT);
-    path[LONG] = '\0';
-    error_set(&error, "wrong");
-    error.line = SIZE_MAX;
-    CHECK(!error_name_file(&error, path)); /* of a long name, the end is kept */
-    snprintf(expected, sizeof expected, "...%s:%zu: wrong", path + LONG - KEPT, SIZE_MAX);
-    CHECK_TEXT(error.message, expected);
-    error.line = 7;
-    CHECK(!error_set(&error, "another") && error.line == 0); /* the line was that of the old one */
+static void test_names_of_files(void) {
+    static const struct {
+        bool (*name)(struct error *error, const char *path);
+        const char *path;
+        size_t line;
+        const char *message;
+    } rows[] = {
+        {error_name_file, "a/b.obj", 0, "a/b.obj: 12 faces"}, /* no line, for all its number */
+        {error_name_file, "a", 17, "a:17: 12 faces"},
+        {error_name_file, "-", 0, "-: 12 faces"}, /* a file that is written may have this name */
+        {error_name_input, "-", 0, "standard input: 12 faces"},
+        {error_name_input, "--", 5, "--:5: 12 faces"},
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        struct error error;
+        error_set(&error, "12 faces");
+        error.line = rows[i].line;
+        CHECK(!rows[i].name(&error, rows[i].path) && error.line == 0);
+        CHECK_TEXT(error.message, rows[i].message);
+    }
 }
 
-static void test_names_of_input(void) {
-    struct error error;
-    error_set(&error, "holds no faces");
-    CHECK(!error_name_input(&error, "-"));
-    CHECK_TEXT(error.message, "standard input: holds no faces");
-    error_set(&error, "holds no faces");
-    error.line = 5;
-    CHECK(!error_name_input(&error, "--"));
-    CHECK_TEXT(error.message, "--:5: holds no faces");
-    error_set(&error, "full");
-    CHECK(!error_name_file(&error, "-")); /* a file that is written may have this name */
-    CHECK_TEXT(error.message, "-: full");
-}
-
+/* Of a long message the beginning is kept, of a long name the end. */
 static void test_long_messages(void) {
+    enum { LONG = 5000, KEPT = 512 };
     struct error error;
-    char text[5000];
-    memset(text, 'x', sizeof text - 1);
-    text[sizeof text - 1] = '\0';
+    char text[LONG + 1], expected[KEPT + 40];
+    memset(text, 'x', LONG - KEPT);
+    memset(text + LONG - KEPT, 'y', KEPT);
+    text[LONG] = '\0';
     CHECK(!error_set(&error, "%s", text));
     CHECK(strlen(error.message) == sizeof error.message - 1);
-    error_set(&error, "%s", "the reason");
+    error.line = 7;
+    CHECK(!error_set(&error, "wrong") && error.line == 0); /* the line was that of the old one */
+    error.line = SIZE_MAX;
     CHECK(!error_name_file(&error, text));
-    size_t length = strlen(error.message);
-    CHECK(length < 600); /* the reason must stay visible */
-    CHECK_TEXT(error.message + length - 12, ": the reason");
+    snprintf(expected, sizeof expected, "...%s:%zu: wrong", text + LONG - KEPT, SIZE_MAX);
+    CHECK_TEXT(error.message, expected);
+    error_set(&error, "wrong");
+    CHECK(!error_name_file(&error, text + LONG - KEPT));
+    CHECK(error.message[0] == 'y' && strlen(error.message) == KEPT + 7); /* just not too long */
 }
 
 /* ---- Bytes ---- */
@@ -355,32 +339,6 @@ static void test_write_errors(void) {
     place_remove(&place, NULL);
 }
 
-/* A file may have 100 bytes at most: writing more fails in the middle, as on a full disk. */
-static bool write_to_full_disk(const char *path) {
-    static const char data[5000];
-    struct rlimit limit = {.rlim_cur = 100, .rlim_max = 100};
-    struct error error;
-    signal(SIGXFSZ, SIG_IGN);
-    return setrlimit(RLIMIT_FSIZE, &limit) == 0 && !file_write(path, data, sizeof data, &error) &&
-           strncmp(error.message, path, strlen(path)) == 0 &&
-           strcmp(error.message + strlen(path), ": File too large") == 0;
-}
-
-static void test_full_disk(void) {
-    struct place place;
-    struct error error;
-    if (!place_create(&place)) {
-        return;
-    }
-    const char *path = name_file(&place, "a");
-    CHECK(in_child(write_to_full_disk, path));
-    CHECK(place_count(&place) == 0);
-    CHECK(file_write(path, "old", 3, &error));
-    CHECK(in_child(write_to_full_disk, path));
-    CHECK(file_is(path, "old") && place_count(&place) == 1);
-    place_remove(&place, "a");
-}
-
 /* As somebody who may not write there: the superuser may always. */
 static bool write_without_permission(const char *path) {
     struct error error;
@@ -437,24 +395,6 @@ static void test_write_from_elsewhere(void) {
 static bool is_link(const char *path) {
     struct stat status;
     return lstat(path, &status) == 0 && S_ISLNK(status.st_mode);
-}
-
-static void test_symbolic_link(void) {
-    struct place place;
-    struct error error;
-    char link[128];
-    if (!place_create(&place)) {
-        return;
-    }
-    strcpy(link, name_file(&place, "link"));
-    const char *path = name_file(&place, "a");
-    CHECK(file_write(path, "old", 3, &error));
-    CHECK(symlink("a", link) == 0);
-    CHECK(file_write(link, "new", 3, &error));
-    CHECK(is_link(link));
-    CHECK(file_is(path, "new") && place_count(&place) == 2);
-    CHECK(unlink(link) == 0);
-    place_remove(&place, "a");
 }
 
 /* A link to a file that is not there yet stays too, and leads to the new file; one that leads into
@@ -535,12 +475,15 @@ static bool write_past_limit(const char *path) {
            action.sa_handler == SIG_DFL;
 }
 
-/* A file that grows too large is an error, and no signal: the old one and nothing else is left. */
+/* A file that grows too large, as on a full disk, is an error, and no signal: the old one, if there is
+ * any, and nothing else is left. */
 static void test_limit_of_file_size(void) {
     struct place place;
     struct error error;
     if (place_create(&place)) {
-        CHECK(file_write(name_file(&place, "a"), "old", 3, &error));
+        CHECK(in_child(write_past_limit, name_file(&place, "a")));
+        CHECK(place_count(&place) == 0);
+        CHECK(file_write(place.path, "old", 3, &error));
         CHECK(in_child(write_past_limit, place.path));
         CHECK(file_is(place.path, "old") && place_count(&place) == 1);
         place_remove(&place, "a");
@@ -643,10 +586,9 @@ static void test_devices(void) {
     place_remove(&place, "pipe");
 }
 
-UNIT_MAIN(TEST(test_messages), TEST(test_printable_texts), TEST(test_lines_of_messages),
-          TEST(test_names_of_input), TEST(test_long_messages), TEST(test_bytes), TEST(test_read),
-          TEST(test_read_errors), TEST(test_standard_input), TEST(test_write),
-          TEST(test_write_without_input), TEST(test_write_errors), TEST(test_full_disk),
-          TEST(test_write_protection), TEST(test_write_from_elsewhere), TEST(test_symbolic_link),
+UNIT_MAIN(TEST(test_messages), TEST(test_printable_texts), TEST(test_names_of_files),
+          TEST(test_long_messages), TEST(test_bytes), TEST(test_read), TEST(test_read_errors),
+          TEST(test_standard_input), TEST(test_write), TEST(test_write_without_input),
+          TEST(test_write_errors), TEST(test_write_protection), TEST(test_write_from_elsewhere),
           TEST(test_dangling_link), TEST(test_limit_of_file_size), TEST(test_ended_while_writing),
           TEST(test_chain_of_links), TEST(test_many_links), TEST(test_devices))

@@ -123,6 +123,8 @@ static void test_words(void) {
     CHECK(!word_is(word_of("vt"), "v"));
     CHECK(word_is(word_of(""), ""));
     CHECK_TEXT(word_show(word_of("short")).text, "short");
+    CHECK_TEXT(word_show(word_of("012345678901234567890123456789012345678")).text,
+               "012345678901234567890123456789012345678");
     CHECK_TEXT(word_show(word_of("exactly thirty-nine characters long ....")).text,
                "exactly thirty-nine characters long ...");
     CHECK_TEXT(word_show(word_of("0123456789012345678901234567890123456789")).text,
@@ -173,84 +175,80 @@ static bool same_double(double a, double b) {
     return memcmp(&a, &b, sizeof a) == 0;
 }
 
+/* As a word, and as the end of a text of just its size. */
 static void check_number(const char *string) {
-    double d = 0;
-    CHECK_ROW(word_to_double(word_of(string), &d) && same_double(d, strtod(string, NULL)), string);
+    double expected = strtod(string, NULL), as_word = 0, in_text = 0;
+    size_t length = strlen(string);
+    char *copy = malloc(length);
+    if (!CHECK(copy != NULL)) {
+        return;
+    }
+    memcpy(copy, string, length);
+    struct text text = {.next = copy, .end = copy + length, .line = 1};
+    CHECK_ROW(word_to_double((struct word){copy, length}, &as_word) &&
+                  same_double(as_word, expected),
+              string);
+    struct word word = text_next_number(&text, &in_text);
+    CHECK_ROW(word.start == copy && word.length == length && text.next == text.end, string);
+    CHECK_ROW(same_double(in_text, expected), string);
+    free(copy);
 }
 
+/* Numbers in a line, and what is none. */
+static void test_numbers_of_a_line(void) {
+    static const struct {
+        const char *text;
+        double number[4];
+    } rows[] = {
+        {"1 -2.5e1\t3\n4", {1, -25, 3, 0}},
+        {"1\\\n2 # 3\n4", {1, 2, 0, 0}},
+        {"1\\2 3,4 5", {NAN, NAN, 5, 0}},
+        {" x 7e 8#", {NAN, NAN, NAN, 0}},
+        {"\v.5\f5.\r6", {0.5, 5, 0, 0}},
+        {"# 1", {0, 0, 0, 0}},
+        {"", {0, 0, 0, 0}},
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        struct text text;
+        struct error error;
+        CHECK(text_begin(&text, rows[i].text, strlen(rows[i].text), true, &error));
+        text_next_line(&text);
+        for (int k = 0; k < 4; k++) {
+            double number = 0, expected = rows[i].number[k];
+            bool is_word = text_next_number(&text, &number).length > 0;
+            CHECK_ROW(is_word == (expected != 0), rows[i].text);
+            CHECK_ROW(!is_word || number == expected || (isnan(number) && isnan(expected)),
+                      rows[i].text);
+        }
+    }
+}
+
+/* Among them the middles between two floats, between two doubles, and what is next to them. */
 static void test_chosen_numbers(void) {
-    static const char *const strings[] = {
-        "0",
-        "-0",
-        "+0",
-        "0.0",
-        "-0.0e10",
-        "0e999999999999999999999",
-        ".5",
-        "5.",
-        "-.5e1",
-        "5.e1",
-        "1e-30",
-        "1E+30",
-        "1e0",
-        "1e-0",
-        "00012.500",
-        "0.1",
-        "0.3",
-        "16777215",
-        "16777216",
-        "16777217", /* the middle between two floats: to even, down */
-        "16777219", /* ... up */
-        "16777217.00000000000000000000000000000000000001",
-        "16777216.99999999999999999999999999999",
-        "9007199254740993",
-        "9007199254740992.99999999999999999999999",
-        "9007199254740993.00000000000000000000000000000001",
-        "1.00000005960464477539062500",
-        "1.00000005960464477539062499999999999",
-        "1.0000000596046447753906250000000000000000001",
-        "3.4028234663852886e38",
-        "3.4028235677973366e38",
-        "3.40282356779733661e38",
-        "3.402823567797336616375393954581425684479e38",
-        "3.4028235677973362e38",
-        "1e39",
-        "-1e39",
-        "1e400",
-        "1e-400",
-        "1e99999999999999999999",
-        "1e-99999999999999999999",
-        "1.7976931348623157e308",
-        "1.7976931348623158e308",
-        "1.7976931348623159e308",
-        "1.797693134862315807e308",
-        "1.797693134862315808e308",
-        "1.4012984643248170e-45",
-        "7.0064923216240853e-46",
-        "7.0064923216240854e-46",
-        "7.00649232162408535461864791644958e-46",
-        "7.00649232162408535461864791644959e-46",
-        "1.1754943508222875e-38",
-        "1.1754942807573643e-38",
-        "1.17549431578987e-38",
-        "4.9406564584124654e-324",
-        "2.4703282292062327e-324",
-        "2.4703282292062328e-324",
-        "2.2250738585072011e-308",
-        "2.2250738585072014e-308",
-        "8.589973e9",
-        "123456789012345678901234567890",
-        "0.000000000000000000000000000000000001",
-        "9999999999999999999",
-        "10000000000000000000",
-        "18446744073709551616",
-        "1e22",
-        "1e23",
-        "8.5e22",
-        "-1.5e-22",
-        "6.02214076e23"};
-    for (size_t i = 0; i < sizeof strings / sizeof strings[0]; i++) {
-        check_number(strings[i]);
+    char numbers[] =
+        "0 -0 +0 0.0 -0.0e10 0e999999999999999999999 .5 5. -.5e1 5.e1 1e-30 1E+30 1e0 "
+        "1e-0 00012.500 0.1 0.3 16777215 16777216 16777217 16777219 "
+        "16777217.00000000000000000000000000000000000001 "
+        "16777216.99999999999999999999999999999 9007199254740993 "
+        "9007199254740992.99999999999999999999999 "
+        "9007199254740993.00000000000000000000000000000001 1.00000005960464477539062500 "
+        "1.00000005960464477539062499999999999 "
+        "1.0000000596046447753906250000000000000000001 3.4028234663852886e38 "
+        "3.4028235677973366e38 3.40282356779733661e38 "
+        "3.402823567797336616375393954581425684479e38 3.4028235677973362e38 1e39 -1e39 "
+        "1e400 1e-400 1e99999999999999999999 1e-99999999999999999999 "
+        "1.7976931348623157e308 1.7976931348623158e308 1.7976931348623159e308 "
+        "1.797693134862315807e308 1.797693134862315808e308 1.4012984643248170e-45 "
+        "7.0064923216240853e-46 7.0064923216240854e-46 "
+        "7.00649232162408535461864791644958e-46 7.00649232162408535461864791644959e-46 "
+        "1.1754943508222875e-38 1.1754942807573643e-38 1.17549431578987e-38 "
+        "4.9406564584124654e-324 2.4703282292062327e-324 2.4703282292062328e-324 "
+        "2.2250738585072011e-308 2.2250738585072014e-308 8.589973e9 "
+        "123456789012345678901234567890 0.000000000000000000000000000000000001 "
+        "9999999999999999999 10000000000000000000 18446744073709551616 1e22 1e23 8.5e22 "
+        "-1.5e-22 6.02214076e23 ";
+    for (const char *number = strtok(numbers, " "); number != NULL; number = strtok(NULL, " ")) {
+        check_number(number);
     }
 }
 
@@ -277,6 +275,8 @@ static void test_long_numbers(void) {
     memcpy(string, middle, sizeof middle - 1);
     strcpy(string + ZEROS, "000");
     CHECK(word_to_double(word_of(string), &d) && d == 1);
+    strcpy(string + ZEROS, "100");
+    CHECK(word_to_double(word_of(string), &d) && d == nextafter(1, 2));
     strcpy(string + ZEROS, "001");
     CHECK(word_to_double(word_of(string), &d) && d == nextafter(1, 2));
     free(string);
@@ -440,6 +440,6 @@ static void test_strange_word(void) {
 }
 
 UNIT_MAIN(TEST(test_lines), TEST(test_skipped_lines), TEST(test_long_line), TEST(test_words),
-          TEST(test_integers), TEST(test_chosen_numbers), TEST(test_long_numbers),
-          TEST(test_refused_numbers), TEST(test_random_numbers), TEST(test_locale),
-          TEST(test_strange_word))
+          TEST(test_integers), TEST(test_numbers_of_a_line), TEST(test_chosen_numbers),
+          TEST(test_long_numbers), TEST(test_refused_numbers), TEST(test_random_numbers),
+          TEST(test_locale), TEST(test_strange_word))

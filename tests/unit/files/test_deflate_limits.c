@@ -1,7 +1,7 @@
 /*
- * Deflate, where test_png.c does not go: codes of a single symbol or of none, streams cut off at
- * every byte, and data of more than one block. The streams of the first test are put together here
- * bit by bit, from RFC 1951.
+ * Deflate. Streams are put together here bit by bit from RFC 1951, with codes and checksums that
+ * share nothing with the code under test, and decoded from blocks of exactly their size, so that the
+ * address sanitizer sees a read past the end.
  */
 #include "files/deflate.h"
 #include "unit/unit.h"
@@ -9,135 +9,442 @@
 #include <stdlib.h>
 #include <time.h>
 
-/* ---- Streams by hand ---- */
-
-enum { STREAM_LIMIT = 256 };
-
-struct stream {
-    uint8_t bytes[STREAM_LIMIT];
-    size_t bits;
-};
-
-/* A string of 0 and 1; blanks only please the eye. */
-static void put_string(struct stream *stream, const char *digits) {
-    for (; *digits != '\0'; digits++) {
-        if (*digits != ' ') {
-            stream->bytes[stream->bits / 8] |= (uint8_t)((*digits == '1') << stream->bits % 8);
-            stream->bits++;
-        }
-    }
+static uint32_t next_random(uint32_t *state) {
+    *state = *state * 1664525u + 1013904223u;
+    return *state >> 8;
 }
 
-/* A zlib header, one block with codes of its own, and the checksum of `plain`. The literal "a" has
- * code 0, the end of the block 10, the length 3 code 11; `distances` tells the distance codes. */
-static size_t make_stream(struct stream *stream, const char *distance_count, const char *distances,
-                          const char *symbols, const char *plain) {
+static void put(struct bytes *out, unsigned value) {
+    uint8_t byte = (uint8_t)(value & 255);
+    CHECK(bytes_append(out, &byte, 1));
+}
+
+static uint32_t slow_adler(const uint8_t *data, size_t size) {
     uint32_t a = 1, b = 0;
-    *stream = (struct stream){{0x78, 0x01}, 16};
-    put_string(stream, "1 01 10000"); /* the last block, codes of its own, 258 literal codes */
-    put_string(stream, distance_count);
-    put_string(stream, "0111"); /* 18 lengths of the code for lengths: 18 -> 0, 1 -> 10, 2 -> 11 */
-    put_string(stream, "000 000 100 000 000 000 000 000 000 000 000 000 000 000 000 010 000 010");
-    put_string(stream, "0 0110101 10 0 1111111 0 1001000 11 11"); /* 97, 1, 138 + 20, 2, 2 */
-    put_string(stream, distances);
-    put_string(stream, symbols);
-    for (; *plain != '\0'; plain++) {
-        a = (a + (unsigned char)*plain) % 65521;
+    for (size_t i = 0; i < size; i++) {
+        a = (a + data[i]) % 65521;
         b = (b + a) % 65521;
     }
-    size_t size = (stream->bits + 7) / 8;
-    const uint8_t check[4] = {(uint8_t)(b >> 8), (uint8_t)(b & 255), (uint8_t)(a >> 8),
-                              (uint8_t)(a & 255)};
-    memcpy(stream->bytes + size, check, sizeof check);
-    return size + sizeof check;
+    return b * 65536 + a;
 }
 
-static void test_single_codes(void) {
+/* ---- Streams by hand ---- */
+
+struct bits {
+    struct bytes bytes;
+    unsigned count; /* bits in the last byte, 0 when it is full */
+};
+
+/* A number: its lowest bit first. */
+static void put_bits(struct bits *bits, unsigned value, unsigned count) {
+    for (unsigned i = 0; i < count; i++) {
+        if (bits->count == 0) {
+            put(&bits->bytes, 0);
+        }
+        unsigned bit = value >> i & 1;
+        bits->bytes.data[bits->bytes.size - 1] |= (unsigned char)(bit << bits->count);
+        bits->count = (bits->count + 1) % 8;
+    }
+}
+
+/* A Huffman code: its highest bit first. */
+static void put_code(struct bits *bits, unsigned code, unsigned count) {
+    while (count-- > 0) {
+        put_bits(bits, code >> count, 1);
+    }
+}
+
+/* The same from a string such as "1 0110 ", where blanks only please the eye. */
+static void put_string(struct bits *bits, const char *digits) {
+    for (; *digits != '\0'; digits++) {
+        if (*digits != ' ') {
+            put_bits(bits, *digits == '1', 1);
+        }
+    }
+}
+
+/* A symbol of the fixed code. */
+static void put_fixed(struct bits *bits, unsigned symbol) {
+    if (symbol < 144) {
+        put_code(bits, 48 + symbol, 8);
+    } else if (symbol < 256) {
+        put_code(bits, 400 + symbol - 144, 9);
+    } else if (symbol < 280) {
+        put_code(bits, symbol - 256, 7);
+    } else {
+        put_code(bits, 192 + symbol - 280, 8);
+    }
+}
+
+/* The beginning of a block with codes of its own, and the lengths 0 to 15 with the codes 0000 to
+ * 1111. */
+static void put_own_header(struct bits *bits, unsigned literals, unsigned distances) {
+    put_string(bits, "1 01");
+    put_bits(bits, literals - 257, 5);
+    put_bits(bits, distances - 1, 5);
+    put_bits(bits, 19 - 4, 4);
+    put_string(bits, "000 000 000 001 001 001 001 001 001 001 001 001 001 001 001 001 001 001 001");
+}
+
+/* The beginning of a stored block; `count` bytes must follow. */
+static void put_stored_header(struct bits *bits, bool last, unsigned count) {
+    put_bits(bits, last, 3);
+    bits->count = 0; /* the rest of the byte is skipped */
+    put_bits(bits, count, 16);
+    put_bits(bits, ~count & 0xffff, 16);
+}
+
+/* A zlib stream around the blocks, which are freed, with the checksum of `plain`. */
+static struct bytes wrap_blocks(struct bits *bits, const void *plain, size_t size) {
+    struct bytes stream = {0};
+    uint32_t check = slow_adler(plain, size);
+    put(&stream, 0x78);
+    put(&stream, 0x01);
+    CHECK(bytes_append(&stream, bits->bytes.data, bits->bytes.size));
+    for (unsigned shift = 32; shift > 0; shift -= 8) {
+        put(&stream, check >> (shift - 8) & 255);
+    }
+    bytes_free(&bits->bytes);
+    *bits = (struct bits){0};
+    return stream;
+}
+
+/* Does the stream give just these bytes? Otherwise there is a message. */
+static bool gives(const uint8_t *data, size_t size, const void *plain, size_t plain_size,
+                  struct error *error) {
+    uint8_t *copy = malloc(size + (size == 0)), *out = malloc(plain_size + (plain_size == 0));
+    bool same = false;
+    CHECK(copy != NULL && out != NULL);
+    if (copy != NULL && out != NULL) {
+        memcpy(copy, data, size);
+        error->message[0] = '\0';
+        bool done = zlib_decompress(copy, size, out, plain_size, error);
+        CHECK(done || error->message[0] != '\0');
+        same = done && (plain_size == 0 || memcmp(out, plain, plain_size) == 0);
+    }
+    free(copy);
+    free(out);
+    return same;
+}
+
+/* The blocks give `plain`. */
+static void check_blocks(struct bits *bits, const void *plain, size_t size) {
+    struct error error;
+    struct bytes stream = wrap_blocks(bits, plain, size);
+    CHECK(gives(stream.data, stream.size, plain, size, &error));
+    bytes_free(&stream);
+}
+
+/* The blocks are refused, whatever follows them, with this message. */
+static void check_refused(struct bits *bits, size_t size, const char *message, const char *row) {
+    struct error error;
+    uint8_t *plain = calloc(size, 1);
+    put_bits(bits, 0, 32);
+    struct bytes stream = wrap_blocks(bits, plain, 0);
+    if (CHECK(plain != NULL)) {
+        CHECK_ROW(!gives(stream.data, stream.size, plain, size, &error), row);
+        CHECK_ROW(strstr(error.message, message) != NULL, error.message);
+    }
+    free(plain);
+    bytes_free(&stream);
+}
+
+/* A block with codes of its own: 258 literal codes, of which "a" has the code 0, the end of the
+ * block 10 and the length 3 code 11. The distances and their number come between and behind. */
+#define OWN "01 10000"
+#define LENGTHS                                                                                    \
+    "0111 000 000 100 000 000 000 000 000 000 000 000 000 000 000 000 010 000 010 "                \
+    "0 0110101 10 0 1111111 0 1001000 " /* 97 zeros, 1, 138 + 20 zeros */
+#define CODES LENGTHS "11 11 "
+
+static void test_right_blocks(void) {
     static const struct {
-        const char *name, *distance_count, *distances, *symbols, *plain, *message;
+        const char *bits, *plain;
     } rows[] = {
-        {"a single distance of one bit", "00000", "10", "0 11 0 10", "aaaa", NULL},
-        {"the other bit", "00000", "10", "0 11 1 10 0000000000000000", "aaaa", "means nothing"},
-        {"a single distance of two bits", "00000", "11", "0 11 0 10", "aaaa", "wrong code"},
-        {"no distance, none used", "11010", "0 1000000", "0 0 0 10", "aaa", NULL},
-        {"no distance, one used", "11010", "0 1000000", "0 11 0 10 0000000000000000", "aaaa",
-         "means nothing"},
+        {"1 00 00000 0100000000000000 1011111111111111 10000110 01000110", "ab"},
+        {"0 00 00000 1000000000000000 0111111111111111 10000110"
+         "0 00 00000 0000000000000000 1111111111111111"
+         "1 00 00000 1000000000000000 0111111111111111 01000110",
+         "ab"},
+        {"1 10 10010001 110011010 0000000", "a\x9a"},
+        {"1 10 10010001 10010010 0000011 00001 0001001 1 00100 1 0000000", "abababababababababa"},
+        {"1 " OWN "00000" CODES "10 0 11 0 10", "aaaa"},      /* a single distance, of one bit */
+        {"1 " OWN "11010" CODES "0 1000000 0 0 0 10", "aaa"}, /* no distance */
+        {"0 10 10010001 0000000 0 10 10010001 0000000 0 " OWN "00000" CODES "10 0 10"
+         "1 10 10010001 0000000",
+         "aaaa"}, /* other codes, and back */
     };
     for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
-        struct stream stream;
-        struct error error = {0};
-        char out[8] = {0};
-        size_t plain = strlen(rows[i].plain);
-        size_t size = make_stream(&stream, rows[i].distance_count, rows[i].distances,
-                                  rows[i].symbols, rows[i].plain);
-        bool done = zlib_decompress(stream.bytes, size, out, plain, &error);
-        CHECK_ROW(done == (rows[i].message == NULL), rows[i].name);
-        CHECK_ROW(!done || memcmp(out, rows[i].plain, plain) == 0, rows[i].name);
-        if (!done && rows[i].message != NULL) {
-            CHECK_ROW(strstr(error.message, rows[i].message) != NULL, rows[i].name);
+        struct bits bits = {0};
+        struct error error;
+        const char *plain = rows[i].plain;
+        size_t size = strlen(plain);
+        put_string(&bits, rows[i].bits);
+        struct bytes stream = wrap_blocks(&bits, plain, size);
+        CHECK_ROW(gives(stream.data, stream.size, plain, size, &error), rows[i].bits);
+        CHECK_ROW(!gives(stream.data, stream.size, plain, size + 1, &error), rows[i].bits);
+        CHECK_ROW(!gives(stream.data, stream.size, plain, size - 1, &error), rows[i].bits);
+        for (size_t cut = 0; cut < stream.size; cut++) {
+            CHECK_ROW(!gives(stream.data, cut, plain, size, &error), rows[i].bits);
+            CHECK_ROW(strstr(error.message, "cut off") != NULL, error.message);
         }
+        for (size_t at = stream.size - 4; at < stream.size; at++) {
+            stream.data[at] ^= 1;
+            CHECK_ROW(!gives(stream.data, stream.size, plain, size, &error), rows[i].bits);
+            stream.data[at] ^= 1;
+        }
+        bytes_free(&stream);
     }
 }
 
-/* A code with one more of the longest codes, of 15 bits, than there is room for. */
-static void test_one_code_too_many(void) {
-    struct stream stream = {{0x78, 0x01}, 16};
-    struct error error;
-    char out[8];
-    put_string(&stream, "1 01 00000 00000 1111"); /* 257 literal codes, 1 distance, 19 lengths */
-    put_string(&stream, "000 000 000"); /* 16, 17, 18 have none; 0 to 15 themselves, in 4 bits */
-    for (int i = 0; i < 16; i++) {
-        put_string(&stream, "001");
-    }
-    for (int i = 0; i < 258; i++) { /* 1, 2, ... 14, 15, 15 are complete; the end has 15 too */
-        int length = i < 15 ? i + 1 : i == 15 || i == 256 ? 15 : i == 257 ? 1 : 0;
-        for (int bit = 3; bit >= 0; bit--) {
-            put_string(&stream, (length >> bit & 1) != 0 ? "1" : "0");
+/* Data that no compressor makes, shortly before the end and far from it. */
+static void test_wrong_blocks(void) {
+    static const struct {
+        const char *name, *message, *bits;
+    } rows[] = {
+        {"block of kind 3", "unknown kind", "1 11"},
+        {"stored length and complement differ", "stored length",
+         "1 00 00000 1000000000000000 1111111111111111"},
+        {"length 286", "length that does not exist", "1 10 01010000 11000110 00000"},
+        {"length 287", "length that does not exist", "1 10 01010000 11000111 00000"},
+        {"distance 30", "distance that does not exist", "1 10 01010000 0000001 11110"},
+        {"distance 31", "distance that does not exist", "1 10 01010000 0000001 11111"},
+        {"distance before the start", "from before", "1 10 01010000 0000001 00001"},
+        {"match at once", "from before", "1 10 0000001 00000"},
+        {"too long", "larger", "1 10 01010000 0001000 0 00000 0001000 0 00000 0000000"},
+        {"287 literal codes", "too many codes", "1 01 01111 00000 0000"},
+        {"31 distance codes", "too many codes", "1 01 00000 01111 0000"},
+        {"three codes of one bit", "wrong code", "1 01 00000 00000 0000 100 100 100 000"},
+        {"incomplete code for lengths", "wrong code", "1 01 00000 00000 0000 010 010 010 000"},
+        {"repeat before the first", "before the first",
+         "1 01 00000 00000 0000 100 100 000 000 0 00"},
+        /* 18 = 138 zeros has code 1, 0 has code 0: 138 + 138 > 258 */
+        {"too many lengths", "too many code lengths",
+         "1 01 00000 00000 0000 000 000 100 100 1 1111111 1 1111111"},
+        {"a length too many", "too many code lengths",
+         "1 01 00000 00000 0000 000 000 100 100 1 1111111 1 0111011"},
+        /* all 258 lengths are zero */
+        {"no end of block", "wrong code",
+         "1 01 00000 00000 0000 000 000 100 100 1 1111111 1 1011011"},
+        {"a code too many", "wrong code", "1 " OWN "00000" LENGTHS "10 11 10"},
+        {"distances leave room", "wrong code", "1 " OWN "10000" CODES "11 11"},
+        {"a single distance of two bits", "wrong code", "1 " OWN "00000" CODES "11"},
+        {"the code that a single distance leaves", "means nothing",
+         "1 " OWN "00000" CODES "10 0 11 1"},
+        {"a distance where there is none", "means nothing",
+         "1 " OWN "11010" CODES "0 1000000 0 11"},
+    };
+    for (size_t i = 0; i < 2 * sizeof rows / sizeof rows[0]; i++) {
+        bool far = i % 2 == 1, too_long = strcmp(rows[i / 2].message, "larger") == 0;
+        struct bits bits = {0};
+        put_string(&bits, rows[i / 2].bits);
+        for (int k = 0; far && k < 20; k++) {
+            put_bits(&bits, 0, 8);
         }
+        check_refused(&bits, far && !too_long ? 500 : 16, rows[i / 2].message, rows[i / 2].name);
     }
-    CHECK(!zlib_decompress(stream.bytes, stream.bits / 8 + 8, out, sizeof out, &error));
-    CHECK(strstr(error.message, "wrong code") != NULL);
 }
 
 /* The stream ends inside the header of a block, which does not begin on a whole byte there:
  * fixed codes with nothing but their end take 10 bits, a literal from 144 on takes 9. */
 static void test_cut_headers(void) {
-    static const struct {
-        const char *name, *bits;
-    } rows[] = {
-        {"nothing", ""},
-        {"after the kind", "0 10 0000000 0 01 000"},
-        {"between last and kind", "0 10 110010000 0000000 0 10 0000000 0 10 0000000 1"},
-        {"inside the number of codes", "0 10 0000000 0 10 0000000 0 01 0"},
+    static const char *const rows[] = {
+        "",
+        "0 10 0000000 0 01 000",
+        "0 10 110010000 0000000 0 10 0000000 0 10 0000000 1",
+        "0 10 0000000 0 10 0000000 0 01 0",
     };
     for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
-        struct stream stream = {{0x78, 0x01}, 16};
-        struct error error = {0};
-        char out[4];
-        put_string(&stream, rows[i].bits);
-        CHECK_ROW(stream.bits % 8 == 0, rows[i].name); /* no bit more than written here */
-        CHECK_ROW(!zlib_decompress(stream.bytes, stream.bits / 8, out, sizeof out, &error),
-                  rows[i].name);
+        struct bits bits = {0};
+        struct error error;
+        put_string(&bits, rows[i]);
+        CHECK_ROW(bits.count == 0, rows[i]); /* no bit more than written here */
+        struct bytes stream = wrap_blocks(&bits, "", 0);
+        CHECK_ROW(!gives(stream.data, stream.size - 4, "\x90...", 4, &error), rows[i]);
         CHECK_ROW(strstr(error.message, "cut off") != NULL, error.message);
+        bytes_free(&stream);
     }
 }
 
-/* Fixed codes before a block with codes of its own, and after it: "a" in each. */
-static void test_changing_codes(void) {
-    struct stream stream = {{0x78, 0x01}, 16};
-    struct error error;
-    char out[4] = "";
-    put_string(&stream, "0 10 10010001 0000000");
-    put_string(&stream, "0 10 10010001 0000000");
-    put_string(&stream, "0 01 10000 00000 0111"); /* as in make_stream() */
-    put_string(&stream, "000 000 100 000 000 000 000 000 000 000 000 000 000 000 000 010 000 010");
-    put_string(&stream, "0 0110101 10 0 1111111 0 1001000 11 11 10 0 10");
-    put_string(&stream, "1 10 10010001 0000000");
-    size_t size = (stream.bits + 7) / 8;
-    const uint8_t check[4] = {3, 0xce, 1, 0x85}; /* of "aaaa": 1 + 4 * 97 */
-    memcpy(stream.bytes + size, check, sizeof check);
-    CHECK(zlib_decompress(stream.bytes, size + sizeof check, out, sizeof out, &error));
-    CHECK(memcmp(out, "aaaa", sizeof out) == 0);
+/* A stored block begins with the byte after those of which bits have been taken, however many the
+ * block before it has taken ahead, and after it nothing of them may be left. */
+static void test_stored_after_others(void) {
+    enum { STORED = 40, LAST = 300, MOST = 2 * 64 + STORED + LAST };
+    uint8_t text[MOST];
+    for (size_t i = 0; i < MOST; i++) {
+        text[i] = (uint8_t)(i % 7 == 0 ? 0xe5 : 'a' + i % 23); /* 9 and 8 bits */
+    }
+    for (size_t count = 0; count < 2 * 64; count += 2) { /* another bit and another byte */
+        struct bits bits = {0};
+        put_string(&bits, "0 10");
+        for (size_t i = 0; i < count; i++) {
+            put_fixed(&bits, text[i]);
+        }
+        put_fixed(&bits, 256);
+        put_stored_header(&bits, false, STORED);
+        CHECK(bytes_append(&bits.bytes, text + count, STORED));
+        put_string(&bits, "1 10");
+        for (size_t i = count + STORED; i < count + STORED + LAST; i++) {
+            put_fixed(&bits, text[i]);
+        }
+        put_fixed(&bits, 256);
+        check_blocks(&bits, text, count + STORED + LAST);
+    }
+}
+
+/* How a distance is written: a symbol and bits. */
+struct place {
+    unsigned symbol, extra, extra_bits;
+};
+
+static struct place place_of_distance(size_t distance) {
+    unsigned first = 1;
+    for (unsigned symbol = 0;; symbol++) {
+        unsigned bits = symbol < 4 ? 0 : symbol / 2 - 1;
+        if (distance < first + (1u << bits)) {
+            return (struct place){symbol, (unsigned)distance - first, bits};
+        }
+        first += 1u << bits;
+    }
+}
+
+static void put_distance(struct bits *bits, size_t distance) {
+    struct place place = place_of_distance(distance);
+    put_code(bits, place.symbol, 5);
+    put_bits(bits, place.extra, place.extra_bits);
+}
+
+/* The longest match, from the longest distance, from one that is longer than what is there, and from
+ * those that do not exist and would be the longest. */
+static void test_far_distances(void) {
+    enum { FAR = 32768, MATCH = 258, BEFORE = 50000 };
+    static uint8_t plain[BEFORE + MATCH];
+    uint32_t state = 1;
+    for (size_t i = 0; i < BEFORE; i++) {
+        plain[i] = i < FAR ? (uint8_t)next_random(&state) : plain[i - FAR];
+    }
+    for (unsigned row = 0; row < 4; row++) {
+        struct bits bits = {0};
+        unsigned before = row == 0 ? FAR : row == 1 ? FAR - 1 : BEFORE;
+        put_stored_header(&bits, false, before);
+        CHECK(bytes_append(&bits.bytes, plain, before));
+        put_string(&bits, "1 10");
+        put_fixed(&bits, 285);
+        if (row < 2) {
+            put_distance(&bits, FAR);
+        } else {
+            put_code(&bits, 28 + row, 5);
+        }
+        put_fixed(&bits, 256);
+        if (row == 0) {
+            check_blocks(&bits, plain, FAR + MATCH);
+        } else {
+            put_bits(&bits, 0, 32); /* nor is the end near */
+            put_bits(&bits, 0, 32);
+            check_refused(&bits, before + 1000, row == 1 ? "from before" : "does not exist", "far");
+        }
+    }
+}
+
+/* The longest match, copied in blocks, some bytes before the end of what comes out: nothing may be
+ * written after it, and nothing read after the end of a stream that is cut off. */
+static void test_matches_near_end(void) {
+    enum { BEGINNING = 300, MATCH = 258, REST = 40 };
+    for (size_t rest = 0; rest < REST; rest++) {
+        for (size_t distance = 1; distance < 40; distance++) {
+            uint8_t plain[BEGINNING + MATCH + REST] = {0};
+            size_t size = BEGINNING + MATCH + rest;
+            struct bits bits = {0};
+            struct error error;
+            put_string(&bits, "1 10");
+            for (size_t i = 0; i < size; i++) {
+                bool copied = i >= BEGINNING && i < BEGINNING + MATCH;
+                plain[i] = copied ? plain[i - distance] : (uint8_t)(i % 140);
+                if (!copied) {
+                    put_fixed(&bits, plain[i]);
+                } else if (i == BEGINNING) {
+                    put_fixed(&bits, 285);
+                    put_distance(&bits, distance);
+                }
+            }
+            put_fixed(&bits, 256);
+            struct bytes stream = wrap_blocks(&bits, plain, size);
+            CHECK(gives(stream.data, stream.size, plain, size, &error));
+            for (size_t cut = stream.size - 320; distance == 1 && cut < stream.size; cut++) {
+                CHECK(!gives(stream.data, cut, plain, size, &error));
+            }
+            bytes_free(&stream);
+        }
+    }
+}
+
+/* Distance codes of 1 to 15 bits: one of 15 bits more is one too many. */
+static void test_long_codes(void) {
+    for (unsigned more = 0; more < 2; more++) {
+        struct bits bits = {0};
+        put_own_header(&bits, 257, 16 + more);
+        for (int i = 0; i < 257; i++) {
+            put_code(&bits, i == 0 || i == 256, 4);
+        }
+        for (unsigned i = 1; i < 17 + more; i++) {
+            put_code(&bits, i < 15 ? i : 15, 4);
+        }
+        put_string(&bits, "0 1");
+        if (more == 0) {
+            check_blocks(&bits, "", 1);
+        } else {
+            check_refused(&bits, 1, "wrong code", "a code of 15 bits too many");
+        }
+    }
+}
+
+/* A copy whose distance has a code of any length, in the middle of enough other bytes. */
+static void test_long_distance_codes(void) {
+    enum { BEGINNING = 300, MATCH = 258, SIZE = 2 * BEGINNING + MATCH, DISTANCES = 16 };
+    static const unsigned distances[DISTANCES] = {1,  2,  3,  4,  5,  7,  9,   13,
+                                                  17, 25, 33, 49, 65, 97, 129, 193};
+    for (unsigned symbol = 0; symbol < DISTANCES; symbol++) {
+        uint8_t plain[SIZE] = {0};
+        uint32_t state = 3;
+        struct bits bits = {0};
+        put_own_header(&bits, 286, DISTANCES);
+        for (int i = 0; i < 286; i++) { /* 00, 01, 10, 11 */
+            put_code(&bits, i == 0 || i == 1 || i == 256 || i == 285 ? 2 : 0, 4);
+        }
+        for (unsigned i = 0; i < DISTANCES; i++) { /* 0, 10, 110 and so on */
+            put_code(&bits, i < 15 ? i + 1 : 15, 4);
+        }
+        for (unsigned i = 0; i < SIZE; i++) {
+            bool copied = i >= BEGINNING && i < BEGINNING + MATCH;
+            plain[i] = copied ? plain[i - distances[symbol]] : next_random(&state) & 1;
+            if (!copied) {
+                put_code(&bits, plain[i], 2);
+            } else if (i == BEGINNING) {
+                put_string(&bits, "11");
+                put_bits(&bits, (1u << symbol) - 1, symbol < 15 ? symbol + 1 : 15);
+                put_bits(&bits, 0, symbol < 4 ? 0 : symbol / 2 - 1);
+            }
+        }
+        put_string(&bits, "10");
+        check_blocks(&bits, plain, SIZE);
+    }
+}
+
+static void test_zlib_header(void) {
+    static const struct {
+        const char *name;
+        uint8_t method, flags;
+        bool right;
+    } rows[] = {
+        {"window of 32768", 0x78, 0x01, true},   {"window of 256", 0x08, 0x1d, true},
+        {"wrong check", 0x78, 0x02, false},      {"another method", 0x79, 0x1a, false},
+        {"window too large", 0x88, 0x1c, false}, {"dictionary", 0x78, 0x20, false},
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        struct error error;
+        uint8_t stream[] = {rows[i].method, rows[i].flags, 0x4b, 0x04, 0, 0, 0x62, 0, 0x62};
+        CHECK_ROW(gives(stream, sizeof stream, "a", 1, &error) == rows[i].right, rows[i].name);
+    }
 }
 
 /* A megabyte of empty blocks with fixed codes, of 10 bits each, takes no longer than other data. */
@@ -164,84 +471,154 @@ static void test_empty_blocks(void) {
 
 /* ---- Streams that the compressor makes ---- */
 
-static uint32_t next_random(uint32_t *state) {
-    *state = *state * 1664525u + 1013904223u;
-    return *state >> 8;
-}
+/* One byte; noise; bits; the words of a small language; far repetitions with changes; each value half
+ * as frequent as the one before. */
+enum data_kind { SAME, NOISE, BITS, WORDS, FAR, STEEP, DATA_KINDS };
 
-enum data_kind { NOISE, WORDS, FAR, SAME, DATA_KINDS };
-
-/* Noise; the words of a small language; far repetitions with changes; one byte. */
-static void fill_data(uint8_t *data, size_t size, enum data_kind kind, uint32_t *state) {
-    size_t i = 0;
-    while (i < size) {
-        size_t left = size - i, length = 1 + next_random(state) % 40;
+static void fill_data(uint8_t *data, size_t size, enum data_kind kind) {
+    static const char *const words[] = {"the ", "pixel ", "of ", "row ", "is ", "a ", "light "};
+    uint32_t state = 9;
+    for (size_t i = 0; i < size;) {
+        uint32_t number = next_random(&state);
+        size_t left = size - i, length = 1 + number % 40;
         length = length < left ? length : left;
-        if (kind == FAR && i > 2000 && next_random(state) % 4 != 0) {
-            memmove(data + i, data + i - 1 - next_random(state) % (i < 32768 ? i - 1000 : 31000),
-                    length);
+        if (kind == FAR && i > 2000 && number % 4 != 0) {
+            size_t distance = 1 + next_random(&state) % (i < 32768 ? i - 1000 : 31000);
+            memmove(data + i, data + i - distance, length);
             i += length;
         } else if (kind == WORDS) {
-            uint32_t word = next_random(state) % 50;
-            for (size_t k = 0; k < length && k < 3 + word % 9; k++) {
-                data[i++] = (uint8_t)('a' + (word * (k + 3)) % 26);
+            for (const char *word = words[number % 7]; *word != '\0' && i < size; word++) {
+                data[i++] = (uint8_t)*word;
             }
+        } else if (kind == STEEP) {
+            for (data[i] = 0; (number & 1) != 0 && data[i] < 24; data[i]++) {
+                number >>= 1;
+            }
+            i++;
         } else {
-            data[i++] = kind == SAME ? 7 : (uint8_t)next_random(state);
+            data[i++] = (uint8_t)(kind == SAME ? 0 : kind == BITS ? number & 1 : number);
         }
     }
 }
 
-/* Every stream gives back its data; cut off at any byte it gives an error. */
-static void test_cut_off(void) {
-    enum { SIZE = 3000 };
-    static uint8_t data[SIZE], out[SIZE];
-    uint32_t state = 20;
-    for (int i = 0; i < 24; i++) {
-        size_t size = 1 + next_random(&state) % (i < 12 ? 60 : SIZE - 1), accepted = 0;
-        struct bytes stream = {0};
+/* Every stream gives back its data, behind what was there before; a short one that is cut off at any
+ * byte gives an error. Sizes of more tokens than one block has, and of more than one window. */
+static void test_compress(void) {
+    static const size_t sizes[] = {0,   1,   2,   3,    4,     5,      100,
+                                   257, 258, 259, 2900, 32768, 140000, 300000};
+    enum { LIMIT = 300000 };
+    static uint8_t plain[LIMIT];
+    for (int kind = 0; kind < DATA_KINDS; kind++) {
+        for (size_t i = 0; i < sizeof sizes / sizeof sizes[0]; i++) {
+            size_t size = sizes[i], accepted = 0;
+            struct bytes packed = {0};
+            struct error error;
+            put(&packed, 88);
+            fill_data(plain, size, (enum data_kind)kind);
+            CHECK(zlib_compress(plain, size, &packed, &error));
+            CHECK(packed.data[0] == 88 && packed.data[1] == 0x78);
+            CHECK(packed.size - 1 <= size + 30 + 160 * ((size + 16383) / 16384)); /* noise */
+            CHECK(gives(packed.data + 1, packed.size - 1, plain, size, &error));
+            for (size_t cut = 0; size < 3000 && cut < packed.size - 1; cut++) {
+                accepted += gives(packed.data + 1, cut, plain, size, &error);
+                accepted += strstr(error.message, "cut off") == NULL;
+            }
+            CHECK(accepted == 0);
+            bytes_free(&packed);
+        }
+    }
+}
+
+/* The checksum is that of the definition where its sums are as large as they get. */
+static void test_checksum(void) {
+    enum { SIZE = 30000 };
+    static uint8_t white[SIZE];
+    struct bytes packed = {0};
+    struct error error;
+    memset(white, 255, SIZE);
+    CHECK(zlib_compress(white, SIZE, &packed, &error));
+    uint32_t check = 0;
+    for (size_t i = packed.size - 4; i < packed.size; i++) {
+        check = check << 8 | packed.data[i];
+    }
+    CHECK(check == slow_adler(white, SIZE));
+    bytes_free(&packed);
+}
+
+/* Copies from just about the longest distance that the format has. */
+static void test_compress_far_copies(void) {
+    enum { COPY = 100, SIZE = 32768 + 10 + COPY };
+    static uint8_t plain[SIZE];
+    for (size_t distance = 32768 - 3; distance <= 32768 + 3; distance++) {
+        struct bytes packed = {0};
         struct error error;
-        fill_data(data, size, (enum data_kind)(i % DATA_KINDS), &state);
-        if (!CHECK(zlib_compress(data, size, &stream, &error))) {
+        uint32_t state = 7;
+        for (size_t i = 0; i < SIZE; i++) {
+            plain[i] = i < distance ? (uint8_t)next_random(&state) : plain[i - distance];
+        }
+        CHECK(zlib_compress(plain, distance + COPY, &packed, &error));
+        CHECK(gives(packed.data, packed.size, plain, distance + COPY, &error));
+        bytes_free(&packed);
+    }
+}
+
+/* How small the result is. */
+static void test_compressed_sizes(void) {
+    static const struct {
+        const char *name;
+        enum data_kind kind;
+        size_t size;
+        size_t most; /* bytes of the stream */
+    } rows[] = {
+        {"a few bytes", SAME, 10, 30},
+        {"noise", NOISE, 50000, 50000 + 600},
+        {"text", WORDS, 50000, 16000},
+        {"one byte", SAME, 100000, 150},
+        {"one bit a byte", BITS, 80000, 80000 / 8 + 1500},
+        /* the entropy of 1/2, 1/4, 1/8... is 2 bits */
+        {"steep", STEEP, 80000, 80000 / 4 + 1000},
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        struct bytes packed = {0};
+        struct error error;
+        uint8_t *data = malloc(rows[i].size);
+        if (!CHECK(data != NULL)) {
             return;
         }
-        CHECK(zlib_decompress(stream.data, stream.size, out, size, &error));
-        CHECK(memcmp(out, data, size) == 0);
-        for (size_t cut = 0; cut < stream.size; cut++) {
-            uint8_t *part = malloc(cut + (cut == 0)); /* so that reading past its end is seen */
-            if (part == NULL) {
-                break;
-            }
-            memcpy(part, stream.data, cut);
-            error.message[0] = '\0';
-            accepted += zlib_decompress(part, cut, out, size, &error);
-            accepted += strstr(error.message, "cut off") == NULL;
-            free(part);
+        fill_data(data, rows[i].size, rows[i].kind);
+        CHECK(zlib_compress(data, rows[i].size, &packed, &error));
+        CHECK_ROW(packed.size <= rows[i].most, rows[i].name);
+        free(data);
+        bytes_free(&packed);
+    }
+}
+
+/* Noise, and among it bytes that are as frequent as Fibonacci's numbers (the end of the block is the
+ * first 1): the best codes would have 17 bits. */
+static void test_limit_of_codes(void) {
+    enum { SIZE = 16000 };
+    static uint8_t data[SIZE];
+    uint32_t state = 22;
+    size_t place = 0;
+    for (size_t i = 0; i < SIZE; i++) {
+        data[i] = (uint8_t)(100 + next_random(&state) % 64);
+    }
+    for (unsigned byte = 0, count = 1, before = 1; byte < 13; byte++) {
+        for (unsigned i = 0; i < count; i++, place += 37) {
+            data[place % SIZE] = (uint8_t)byte;
         }
-        CHECK(accepted == 0);
-        bytes_free(&stream);
+        count += before;
+        before = count - before;
     }
+    struct bytes stream = {0};
+    struct error error;
+    CHECK(zlib_compress(data, SIZE, &stream, &error));
+    CHECK(gives(stream.data, stream.size, data, SIZE, &error));
+    bytes_free(&stream);
 }
 
-/* More tokens than one block has, and more than one window. */
-static void test_large(void) {
-    enum { SIZE = 300000 };
-    uint8_t *data = malloc(SIZE), *out = malloc(SIZE);
-    uint32_t state = 21;
-    for (int kind = NOISE; kind < DATA_KINDS && CHECK(data != NULL && out != NULL); kind++) {
-        struct bytes stream = {0};
-        struct error error;
-        fill_data(data, SIZE, (enum data_kind)kind, &state);
-        memset(out, 1, SIZE);
-        CHECK(zlib_compress(data, SIZE, &stream, &error));
-        CHECK(stream.size < SIZE + SIZE / 1000 + 100); /* never much larger, not even noise */
-        CHECK(zlib_decompress(stream.data, stream.size, out, SIZE, &error));
-        CHECK(memcmp(out, data, SIZE) == 0);
-        bytes_free(&stream);
-    }
-    free(data);
-    free(out);
-}
-
-UNIT_MAIN(TEST(test_single_codes), TEST(test_one_code_too_many), TEST(test_cut_headers),
-          TEST(test_changing_codes), TEST(test_empty_blocks), TEST(test_cut_off), TEST(test_large))
+UNIT_MAIN(TEST(test_right_blocks), TEST(test_wrong_blocks), TEST(test_cut_headers),
+          TEST(test_stored_after_others), TEST(test_far_distances), TEST(test_matches_near_end),
+          TEST(test_long_codes), TEST(test_long_distance_codes), TEST(test_zlib_header),
+          TEST(test_empty_blocks), TEST(test_compress), TEST(test_checksum),
+          TEST(test_compress_far_copies), TEST(test_compressed_sizes), TEST(test_limit_of_codes))

@@ -144,6 +144,21 @@ static void test_extensions(void) {
     }
 }
 
+/* What cannot be written leaves no file and a message with the name. */
+static void check_not_written(const struct image_file_format *format, const struct image *image,
+                              const char *path, const char *reason) {
+    struct error error = {0};
+    char expected[200];
+    snprintf(expected, sizeof expected, "%s: %s", path, reason);
+    CHECK_ROW(!format->write(image, path, &error), format->name);
+    CHECK_TEXT(error.message, expected);
+    if (format->write_frames != NULL && image->pixels != NULL) {
+        CHECK_ROW(!format->write_frames(image, 1, 10, path, &error), format->name);
+        CHECK_TEXT(error.message, expected);
+    }
+    CHECK(!file_exists(path));
+}
+
 /* How a file of each format begins: a PNG by its signature, a TGA by its type. */
 static void test_writers(void) {
     static const struct {
@@ -159,9 +174,13 @@ static void test_writers(void) {
     for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
         const struct image_file_format *format = image_file_format_find(rows[i].format);
         struct place place = enter_directory("picture");
-        struct image image = make_image(IMAGE_BGR, 1);
+        struct image image = make_image(IMAGE_BGR, 1), empty = {0};
         struct bytes file = {0};
         struct error error;
+        char nowhere[80];
+        snprintf(nowhere, sizeof nowhere, "%s/none/picture", place.directory);
+        check_not_written(format, &empty, place.path, "an empty image cannot be written");
+        check_not_written(format, &image, nowhere, "No such file or directory");
         CHECK_ROW(format->write(&image, place.path, &error), rows[i].format);
         CHECK_ROW(file_read(place.path, &file, &error) && file.size >= rows[i].at + rows[i].size &&
                       memcmp(file.data + rows[i].at, rows[i].bytes, rows[i].size) == 0,
