@@ -700,6 +700,16 @@ static void test_nearest_w(void) {
             target_free(&target);
         }
     }
+    double nearest = 0; /* 1/w; of a face that goes through the near plane, next to the eye */
+    mesh_begin(&mesh);
+    mesh_face(&mesh, mesh_vertex(&mesh, -1, 0.5, 1), mesh_vertex(&mesh, 1, 0.5, 1),
+              mesh_vertex(&mesh, 0, -0.498, -1));
+    draw_alone(&mesh, place_is_xyw, &number_shader, 0);
+    for (int i = 0; i < SIZE * SIZE; i++) {
+        nearest = fmax(nearest, target.pipeline.depth[i]);
+    }
+    CHECK(nearest > 90 && nearest <= 128 + 1e-9);
+    target_free(&target);
 }
 
 /* A face whose depth z/w is larger than all numbers, at a corner or where it is cut, is left out
