@@ -12,15 +12,16 @@
  *         {.name = "flat", .needs = NEEDS_MODEL, .draw = draw_flat},
  *     };
  *
+ *     static const struct program step04_flat = {
+ *         .name = "step04_flat",
+ *         .summary = "one grey level a face",
+ *         .defaults = {.width = 800, .height = 800, .light = {0, 0, -1}},
+ *         .scenes = scenes,
+ *         .scene_count = sizeof scenes / sizeof scenes[0],
+ *     };
+ *
  *     int main(int argc, char **argv) {
- *         static const struct program program = {
- *             .name = "step04_flat",
- *             .summary = "one grey level a face",
- *             .defaults = {.width = 800, .height = 800, .light = {0, 0, -1}},
- *             .scenes = scenes,
- *             .scene_count = sizeof scenes / sizeof scenes[0],
- *         };
- *         return program_main(&program, argc, argv);
+ *         return program_main(&step04_flat, argc, argv);
  *     }
  */
 #ifndef COMMON_PROGRAM_H

@@ -1,8 +1,8 @@
 /* The pictures of step 1's README that are not references, and its table of errors. */
 #include "../tests/bench/figures.h"
-#define main step_main
-#include "main.c"
-#undef main
+
+#define LESSON "../step01_line/main.c"
+#include "../tests/lesson.h"
 
 #include "attempts.h"
 

@@ -149,3 +149,7 @@ static struct color color_along(struct pixel a, struct pixel b, struct color col
 }
 
 #include "scenes.h"
+
+int main(int argc, char **argv) {
+    return program_main(&step01_line, argc, argv);
+}

@@ -237,15 +237,12 @@ static const struct scene scenes[] = {
     {.name = "gradient", .draw = draw_gradient},
 };
 
-int main(int argc, char **argv) {
-    static const struct program program = {
-        .name = "step01_line",
-        .summary = "a pixel, lines, and lines whose colour changes",
-        .defaults = {.width = 100, .height = 100},
-        .draw_text = draw_text,
-        .text_kind = TEXT_SCENE_LINES,
-        .scenes = scenes,
-        .scene_count = sizeof scenes / sizeof scenes[0],
-    };
-    return program_main(&program, argc, argv);
-}
+static const struct program step01_line = {
+    .name = "step01_line",
+    .summary = "a pixel, lines, and lines whose colour changes",
+    .defaults = {.width = 100, .height = 100},
+    .draw_text = draw_text,
+    .text_kind = TEXT_SCENE_LINES,
+    .scenes = scenes,
+    .scene_count = sizeof scenes / sizeof scenes[0],
+};

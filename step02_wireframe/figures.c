@@ -1,8 +1,8 @@
 /* The pictures of step 2's README that are not references, and its tables. */
 #include "../tests/bench/figures.h"
-#define main step_main
-#include "main.c"
-#undef main
+
+#define LESSON "../step02_wireframe/main.c"
+#include "../tests/lesson.h"
 
 #include "attempts.h"
 

@@ -200,3 +200,7 @@ static uint64_t line(struct image *image, struct pixel a, struct pixel b, struct
 }
 
 #include "scenes.h"
+
+int main(int argc, char **argv) {
+    return program_main(&step02_wireframe, argc, argv);
+}

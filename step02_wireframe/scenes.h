@@ -337,16 +337,13 @@ static const struct scene scenes[] = {
     {.name = "walked", .width = 320, .height = 4 * (CUT_LINES + 2), .draw = draw_walked},
 };
 
-int main(int argc, char **argv) {
-    static const struct program program = {
-        .name = "step02_wireframe",
-        .summary = "the sides of a model's faces",
-        .defaults = {.width = 800, .height = 800},
-        .scenes = scenes,
-        .scene_count = sizeof scenes / sizeof scenes[0],
-        .state_size = sizeof(struct wireframe),
-        .prepare = prepare,
-        .finish = finish,
-    };
-    return program_main(&program, argc, argv);
-}
+static const struct program step02_wireframe = {
+    .name = "step02_wireframe",
+    .summary = "the sides of a model's faces",
+    .defaults = {.width = 800, .height = 800},
+    .scenes = scenes,
+    .scene_count = sizeof scenes / sizeof scenes[0],
+    .state_size = sizeof(struct wireframe),
+    .prepare = prepare,
+    .finish = finish,
+};

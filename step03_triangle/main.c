@@ -244,3 +244,7 @@ static uint64_t gradient_triangle(struct image *image, const struct fixed2 corne
 }
 
 #include "scenes.h"
+
+int main(int argc, char **argv) {
+    return program_main(&step03_triangle, argc, argv);
+}

@@ -508,15 +508,12 @@ static const struct scene scenes[] = {
     {.name = "gradient", .width = 800, .height = 800, .draw = draw_gradient},
 };
 
-int main(int argc, char **argv) {
-    static const struct program program = {
-        .name = "step03_triangle",
-        .summary = "filled triangles: exact edge functions, the top-left rule, spans",
-        .text_kind = TEXT_SCENE_TRIANGLES,
-        .draw_text = draw_text,
-        .defaults = {.width = 200, .height = 200},
-        .scenes = scenes,
-        .scene_count = sizeof scenes / sizeof scenes[0],
-    };
-    return program_main(&program, argc, argv);
-}
+static const struct program step03_triangle = {
+    .name = "step03_triangle",
+    .summary = "filled triangles: exact edge functions, the top-left rule, spans",
+    .text_kind = TEXT_SCENE_TRIANGLES,
+    .draw_text = draw_text,
+    .defaults = {.width = 200, .height = 200},
+    .scenes = scenes,
+    .scene_count = sizeof scenes / sizeof scenes[0],
+};

@@ -1,8 +1,8 @@
 /* The pictures of step 4's README that are not references, and the numbers of its tables. */
 #include "../tests/bench/figures.h"
-#define main step_main
-#include "main.c"
-#undef main
+
+#define LESSON "../step04_flat/main.c"
+#include "../tests/lesson.h"
 
 #include "attempts.h"
 

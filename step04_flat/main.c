@@ -69,3 +69,7 @@ static double face_intensity(const struct model *model, size_t face, struct vec3
 }
 
 #include "scenes.h"
+
+int main(int argc, char **argv) {
+    return program_main(&step04_flat, argc, argv);
+}

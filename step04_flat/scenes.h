@@ -107,14 +107,11 @@ static const struct scene scenes[] = {
      .draw = draw_side},
 };
 
-int main(int argc, char **argv) {
-    static const struct program program = {
-        .name = "step04_flat",
-        .summary = "one grey for each face, from its normal and the light",
-        .takes_light = true,
-        .defaults = {.width = 800, .height = 800, .light = {0, 0, -1}},
-        .scenes = scenes,
-        .scene_count = sizeof scenes / sizeof scenes[0],
-    };
-    return program_main(&program, argc, argv);
-}
+static const struct program step04_flat = {
+    .name = "step04_flat",
+    .summary = "one grey for each face, from its normal and the light",
+    .takes_light = true,
+    .defaults = {.width = 800, .height = 800, .light = {0, 0, -1}},
+    .scenes = scenes,
+    .scene_count = sizeof scenes / sizeof scenes[0],
+};

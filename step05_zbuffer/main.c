@@ -115,3 +115,7 @@ static void show_depths(struct image *image, const double *depth) {
 }
 
 #include "scenes.h"
+
+int main(int argc, char **argv) {
+    return program_main(&step05_zbuffer, argc, argv);
+}

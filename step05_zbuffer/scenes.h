@@ -271,14 +271,11 @@ static const struct scene scenes[] = {
     },
 };
 
-int main(int argc, char **argv) {
-    static const struct program program = {
-        .name = "step05_zbuffer",
-        .summary = "a depth for every pixel: the nearest triangle is seen",
-        .takes_light = true,
-        .defaults = {.width = 800, .height = 800, .light = {0, 0, -1}},
-        .scenes = scenes,
-        .scene_count = sizeof scenes / sizeof scenes[0],
-    };
-    return program_main(&program, argc, argv);
-}
+static const struct program step05_zbuffer = {
+    .name = "step05_zbuffer",
+    .summary = "a depth for every pixel: the nearest triangle is seen",
+    .takes_light = true,
+    .defaults = {.width = 800, .height = 800, .light = {0, 0, -1}},
+    .scenes = scenes,
+    .scene_count = sizeof scenes / sizeof scenes[0],
+};

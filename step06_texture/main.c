@@ -306,3 +306,7 @@ static void perspective_triangle(struct canvas *canvas, const struct vertex v[3]
 }
 
 #include "scenes.h"
+
+int main(int argc, char **argv) {
+    return program_main(&step06_texture, argc, argv);
+}

@@ -502,17 +502,14 @@ static const struct scene scenes[] = {
     {.name = "checker", .draw = draw_checker},
 };
 
-int main(int argc, char **argv) {
-    static const struct program program = {
-        .name = "step06_texture",
-        .summary = "pictures on triangles: nearest, bilinear and mip-mapped",
-        .takes_light = true,
-        .defaults = {.width = 800, .height = 800, .light = {0, 0, -1}},
-        .scenes = scenes,
-        .scene_count = sizeof scenes / sizeof scenes[0],
-        .state_size = sizeof(struct state),
-        .prepare = prepare,
-        .finish = finish,
-    };
-    return program_main(&program, argc, argv);
-}
+static const struct program step06_texture = {
+    .name = "step06_texture",
+    .summary = "pictures on triangles: nearest, bilinear and mip-mapped",
+    .takes_light = true,
+    .defaults = {.width = 800, .height = 800, .light = {0, 0, -1}},
+    .scenes = scenes,
+    .scene_count = sizeof scenes / sizeof scenes[0],
+    .state_size = sizeof(struct state),
+    .prepare = prepare,
+    .finish = finish,
+};

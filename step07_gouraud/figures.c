@@ -1,8 +1,8 @@
 /* The pictures of step 7's README that are not references, and its errors and normals. */
 #include "../tests/bench/figures.h"
-#define main step_main
-#include "main.c"
-#undef main
+
+#define LESSON "../step07_gouraud/main.c"
+#include "../tests/lesson.h"
 
 #include "attempts.h"
 #include "files/model_file.h"

@@ -245,3 +245,7 @@ static void lit_triangle(struct canvas *canvas, const struct edges *edges,
 }
 
 #include "scenes.h"
+
+int main(int argc, char **argv) {
+    return program_main(&step07_gouraud, argc, argv);
+}

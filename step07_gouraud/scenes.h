@@ -246,17 +246,14 @@ static const struct scene scenes[] = {
     },
 };
 
-int main(int argc, char **argv) {
-    static const struct program program = {
-        .name = "step07_gouraud",
-        .summary = "light at the corners, smooth between them",
-        .takes_light = true,
-        .defaults = {.width = 800, .height = 800, .light = {0, 0, 1}},
-        .scenes = scenes,
-        .scene_count = sizeof scenes / sizeof scenes[0],
-        .state_size = sizeof(struct state),
-        .prepare = prepare,
-        .finish = finish,
-    };
-    return program_main(&program, argc, argv);
-}
+static const struct program step07_gouraud = {
+    .name = "step07_gouraud",
+    .summary = "light at the corners, smooth between them",
+    .takes_light = true,
+    .defaults = {.width = 800, .height = 800, .light = {0, 0, 1}},
+    .scenes = scenes,
+    .scene_count = sizeof scenes / sizeof scenes[0],
+    .state_size = sizeof(struct state),
+    .prepare = prepare,
+    .finish = finish,
+};

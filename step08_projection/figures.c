@@ -1,8 +1,8 @@
 /* The pictures of step 8's README that are not references, and the errors of the attempts. */
 #include "../tests/bench/figures.h"
-#define main step_main
-#include "main.c"
-#undef main
+
+#define LESSON "../step08_projection/main.c"
+#include "../tests/lesson.h"
 
 #include "attempts.h"
 #include "files/model_file.h"

@@ -360,3 +360,7 @@ static unsigned find_beyond(struct vec4 p) {
 }
 
 #include "scenes.h"
+
+int main(int argc, char **argv) {
+    return program_main(&step08_projection, argc, argv);
+}

@@ -873,19 +873,16 @@ static const struct scene scenes[] = {
     {.name = "endless", .needs = NEEDS_DEPTH, .draw = draw_endless},
 };
 
-int main(int argc, char **argv) {
-    static const struct program program = {
-        .name = "step08_projection",
-        .summary = "matrices, perspective, and a camera anywhere",
-        .takes_light = true,
-        .takes_camera = true,
-        .defaults =
-            {.width = 800, .height = 800, .eye = {0, 0, 2}, .up = {0, 1, 0}, .light = {1, 1, 2}},
-        .scenes = scenes,
-        .scene_count = sizeof scenes / sizeof scenes[0],
-        .state_size = sizeof(struct state),
-        .prepare = prepare,
-        .finish = finish,
-    };
-    return program_main(&program, argc, argv);
-}
+static const struct program step08_projection = {
+    .name = "step08_projection",
+    .summary = "matrices, perspective, and a camera anywhere",
+    .takes_light = true,
+    .takes_camera = true,
+    .defaults =
+        {.width = 800, .height = 800, .eye = {0, 0, 2}, .up = {0, 1, 0}, .light = {1, 1, 2}},
+    .scenes = scenes,
+    .scene_count = sizeof scenes / sizeof scenes[0],
+    .state_size = sizeof(struct state),
+    .prepare = prepare,
+    .finish = finish,
+};

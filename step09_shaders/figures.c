@@ -1,8 +1,8 @@
 /* The pictures of step 9's README that are not references. */
 #include "../tests/bench/figures.h"
-#define main step_main
-#include "main.c"
-#undef main
+
+#define LESSON "../step09_shaders/main.c"
+#include "../tests/lesson.h"
 
 #include "attempts.h"
 #include "files/model_file.h"

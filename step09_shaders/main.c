@@ -404,3 +404,7 @@ SHADER(culled_by_light, .varying_count = 1, .flat = true, .vertex = flat_vertex,
        .fragment = lit_only_fragment, .discards = true);
 
 #include "scenes.h"
+
+int main(int argc, char **argv) {
+    return program_main(&step09_shaders, argc, argv);
+}

@@ -1,9 +1,9 @@
 /* The pictures of step 10's README that are not references, one of them moving. */
 #define _POSIX_C_SOURCE 200809L /* clock_gettime */
 #include "../tests/bench/figures.h"
-#define main step_main
-#include "main.c"
-#undef main
+
+#define LESSON "../step10_phong/main.c"
+#include "../tests/lesson.h"
 
 #include "attempts.h"
 #include "files/model_file.h"

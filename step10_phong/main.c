@@ -293,3 +293,7 @@ static struct vec3 turning_light(double turns) {
 }
 
 #include "scenes.h"
+
+int main(int argc, char **argv) {
+    return program_main(&step10_phong, argc, argv);
+}

@@ -3,16 +3,14 @@
  *
  * Each lesson is one file, tests/bench/stepNN.c, that includes the lesson's own code
  *
- *     #define main step01_main
- *     int step01_main(int argc, char **argv);
- *     #include "../../step01_line/main.c"
- *     #undef main
+ *     #define LESSON "../step01_line/main.c"
+ *     #include "lesson.h"
  *     #include "../../step01_line/attempts.h"
  *
  * and defines `const struct bench_lesson bench_stepNN`. A lesson has a few panels; a panel is one
  * piece of work that several versions do, each in its own way, and becomes one chart. Of every
  * version the frame (measure.c) measures two things: how long `run` takes, and what `error` returns
- * about that which the last timed run has left in the state. The error is computed, against an
+ * about what the last timed run has left in the state. The error is computed, against an
  * answer found in another way (tests/oracle, or long double), and never written down in advance.
  * Times are only shown; nothing fails because of them.
  *
@@ -32,29 +30,41 @@
 
 /* One way to do the work of a panel. */
 struct bench_version {
-    const char *name; /* at most 26 characters, so that labels find room in the chart */
-    int choice;       /* handed to `run` and `error`, which so can serve several versions */
-    bool is_house;    /* the lesson's good version, the one in main.c: its name is set in bold */
-    /* Do the whole work of the panel once (best 0.1 to 30 ms), memory ready, without printing. It
-     * is called many times over; each call must do the same, so what it uses up it first makes
-     * anew. */
-    void (*run)(void *state, int choice);
-    /* The error of this version in the panel's error unit: 0 only when it is exact, infinite or not
-     * a number when it has no meaning. Called once, right after the last timed `run` of this
-     * version: judge what that left in the state. (It may do more work of its own.) */
-    double (*error)(void *state, int choice);
+    const char *name;  /* at most 26 characters, so that labels find room in the chart */
+    int choice;        /* which version it is: added to the panel's `base` */
+    bool is_house;     /* the lesson's good version, the one in main.c: its name is set in bold */
+    bool is_elsewhere; /* it has run_elsewhere() in place of run() */
+    void (*run)(void *state, int choice); /* in place of the panel's, where that is not NULL */
 };
+
+#define VERSION(label, number)                                                                     \
+    { .name = (label), .choice = (number) }
+#define HOUSE_VERSION(label, number)                                                               \
+    { .name = (label), .choice = (number), .is_house = true }
+#define PEER_VERSION(label, number)                                                                \
+    { .name = (label), .choice = (number), .is_elsewhere = true }
 
 struct bench_panel {
     const char *title;       /* the work: "24,640 lines from the middle of 41x41 pixels" */
     const char *error_label; /* unit and meaning, below the axis: "pixels wrong of 1000" */
     const char *time_label;  /* "ns per pixel", "ms per frame" */
     const char *against;     /* what the error was measured against: "exact integers" */
-    /* Units of work that one run does: seconds of a run / units * 1e9 is shown in nanoseconds.
-     * NULL: milliseconds of one run are shown. The same number for all versions. */
-    double (*units)(const void *state);
     const struct bench_version *versions;
     size_t version_count; /* 2..BENCH_VERSION_LIMIT */
+    /* Added to the choice of each version before the functions below get it. So several panels can
+     * share versions and functions, with other data or another error. */
+    int base;
+    /* Do the whole work of the panel once (best 0.1 to 30 ms), memory ready, without printing. It
+     * is called many times over; each call must do the same, so what it uses up it first makes
+     * again. */
+    void (*run)(void *state, int choice);
+    /* The error of a version in the panel's error unit: 0 only when it is exact, infinite or not
+     * a number when it has no meaning. Called once, right after the last timed `run` of this
+     * version: judge what that left in the state. (It may do more work of its own.) */
+    double (*error)(void *state, int choice);
+    /* Units of work that one run does: seconds of a run / units * 1e9 is shown in nanoseconds.
+     * NULL: milliseconds of one run are shown. The same number for all versions; gets `base`. */
+    double (*units)(const void *state, int base);
     double budget; /* share of the lesson's time, relative to its other panels; 0 counts as 1 */
 
     /* ---- What follows may be left out ---- */
@@ -72,8 +82,8 @@ struct bench_panel {
     double (*size)(const void *state, int choice);
     const char *size_label;
     /* For a peer, which not every machine has: how many of the versions, from the first, can run
-     * here (NULL: all); and what it does where `run` is NULL, since another process does the work
-     * and holds the watch: seconds, or infinity where it failed. */
+     * here (NULL: all); and its run, where another process does the work and holds the watch:
+     * seconds, or infinity where it failed. */
     size_t (*versions_here)(const void *state);
     double (*run_elsewhere)(void *state, int choice);
     /* The most that the error of a house version is if it is right, and what it is measured
@@ -83,14 +93,18 @@ struct bench_panel {
 
 #define BENCH_EXACT DBL_TRUE_MIN
 
+/* Set versions and version_count of a panel. */
+#define BENCH_VERSIONS(list) .versions = (list), .version_count = sizeof(list) / sizeof(list)[0]
+
 enum { BENCH_VERSION_LIMIT = 32, BENCH_PANEL_LIMIT = 8, BENCH_SERIES_LIMIT = 6 };
 
 struct bench_lesson {
     const char *step;  /* "step01_line": name of the directory, and of the chart's file */
     const char *title; /* heading of the chart: "Step 1: a line" */
+    size_t state_size; /* of what all functions get as `state`; it is zero before `setup` */
     /* Allocate and fill what the versions need; false, with a message, when it fails. `teardown`
-     * is called after every call of `setup`, and frees `state` (which may be NULL). */
-    bool (*setup)(void **state, struct error *error);
+     * is called after every call of `setup`, and frees what it has made. */
+    bool (*setup)(void *state, struct error *error);
     void (*teardown)(void *state);
     const struct bench_panel *panels;
     size_t panel_count; /* 1..BENCH_PANEL_LIMIT */

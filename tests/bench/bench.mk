@@ -107,10 +107,10 @@ counts:
 COMPARED = $(patsubst tests/lessons/%/opengl.c,%,$(sort $(wildcard tests/lessons/*/opengl.c)))
 $(BUILD)/tests/bench/opengl/list.c: $(COMPARED:%=tests/lessons/%/opengl.c)
 	@mkdir -p $(@D)
-	@{ echo '#include "bench/opengl/lesson.h"'; \
-	   for step in $(COMPARED); do echo "struct lesson lesson_$${step%%_*}(void);"; done; \
-	   echo 'lesson_function *const lesson_functions[] = {'; \
-	   for step in $(COMPARED); do echo "    lesson_$${step%%_*},"; done; echo '    NULL};'; } >$@
+	@{ echo '#include "bench/opengl/compared.h"'; \
+	   for step in $(COMPARED); do echo "extern const struct lesson lesson_$${step%%_*};"; done; \
+	   echo 'const struct lesson *const lessons[] = {'; \
+	   for step in $(COMPARED); do echo "    &lesson_$${step%%_*},"; done; echo '    NULL};'; } >$@
 
 $(BUILD)/tests/bench/opengl/list.o: $(BUILD)/tests/bench/opengl/list.c $(BUILD)/flags
 	$(Q)$(COMPILE) -Itests -c $< -o $@

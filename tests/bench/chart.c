@@ -34,32 +34,22 @@ static const double letter_width = 7.0;
 
 /* ---- Output ---- */
 
-/* An SVG text that grows; after the first failure nothing more is added. */
-struct output {
-    struct bytes *svg;
-    struct error *error;
-    bool done;
-};
-
-#define PUT(output, ...)                                                                           \
-    ((output)->done = (output)->done && report_append((output)->svg, (output)->error, __VA_ARGS__))
-
 static void put_escaped(struct output *output, const char *text) {
     output->done =
-        output->done && (escape_markup(output->svg, text) || error_out_of_memory(output->error));
+        output->done && (escape_markup(output->text, text) || error_out_of_memory(output->error));
 }
 
 static void put_text(struct output *output, const char *class, double x, double y,
                      const char *text) {
-    PUT(output, "<text class=\"%s\" x=\"%.1f\" y=\"%.1f\">", class, x, y);
+    report_put(output, "<text class=\"%s\" x=\"%.1f\" y=\"%.1f\">", class, x, y);
     put_escaped(output, text);
-    PUT(output, "</text>\n");
+    report_put(output, "</text>\n");
 }
 
 static void put_line(struct output *output, const char *class, double x0, double y0, double x1,
                      double y1) {
-    PUT(output, "<line class=\"%s\" x1=\"%.1f\" y1=\"%.1f\" x2=\"%.1f\" y2=\"%.1f\"/>\n", class, x0,
-        y0, x1, y1);
+    report_put(output, "<line class=\"%s\" x1=\"%.1f\" y1=\"%.1f\" x2=\"%.1f\" y2=\"%.1f\"/>\n",
+               class, x0, y0, x1, y1);
 }
 
 /* ---- Axes ---- */
@@ -184,8 +174,14 @@ struct mark {
     double x, y, y_upper, y_lower; /* the dot, and the ends of its bar */
     struct label_box label;
     const char *anchor; /* the class that ties the text to the box's side: "", "middle", "end" */
-    bool has_leader;
+    bool has_label, has_leader;
     struct point leader; /* where the leader line meets the label */
+};
+
+/* A line that a label should not cover, and how bad it is if it does. */
+struct chart_line {
+    struct point from, to;
+    double cost;
 };
 
 struct plot {
@@ -204,6 +200,8 @@ struct plot {
     size_t count;
     size_t front[BENCH_VERSION_LIMIT]; /* the useful marks, from the most accurate to the fastest */
     size_t front_count;
+    struct chart_line lines[3 * BENCH_VERSION_LIMIT];
+    size_t line_count;
 };
 
 static void plot_axes(struct plot *plot, const struct bench_result *results) {
@@ -288,6 +286,7 @@ static void plot_marks(struct plot *plot, const struct bench_panel *panel,
             .result = r,
             .series = series_place(plot, report_series(panel, i)),
             .radius = mark_radius(plot, r),
+            .anchor = "",
             .x = x,
             .y = axis_px(&plot->time, r->median),
             .y_upper = axis_px(&plot->time, r->upper),
@@ -312,14 +311,6 @@ static void plot_front(struct plot *plot) {
 
 /* ---- Labels ---- */
 
-static double cross(struct point a, struct point b, struct point c) {
-    return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
-}
-
-static bool segments_cross(struct point a, struct point b, struct point c, struct point d) {
-    return cross(a, b, c) * cross(a, b, d) < 0 && cross(c, d, a) * cross(c, d, b) < 0;
-}
-
 static struct label_box dot_box(const struct mark *mark) {
     double r = mark->radius + 2;
     return (struct label_box){mark->x - r, mark->y - r, mark->x + r, mark->y + r};
@@ -340,38 +331,24 @@ static const struct mark *next_of_series(const struct plot *plot, size_t i) {
     return NULL;
 }
 
-/* How bad it is that a label would be crossed by the lines of series. */
-static double cost_of_series(const struct plot *plot, struct label_box label) {
-    double cost = 0;
-    for (size_t i = 0; i < plot->count; i++) {
-        const struct mark *a = &plot->marks[i], *b = next_of_series(plot, i);
-        bool crossed = b != NULL &&
-                       segment_meets((struct point){a->x, a->y}, (struct point){b->x, b->y}, label);
-        cost += crossed ? 12 : 0;
-    }
-    return cost;
+static void add_line(struct plot *plot, struct point from, struct point to, double cost) {
+    plot->lines[plot->line_count++] = (struct chart_line){from, to, cost};
 }
 
-/* How bad a place for a label is that would cover marks, or whose leader would cross them. */
-static double cost_of_marks(const struct plot *plot, const struct mark *mark) {
-    const struct point dot = {mark->x, mark->y};
-    double cost = 0;
+/* The lines of the series, and the stair of the useful versions. */
+static void plot_lines(struct plot *plot) {
     for (size_t i = 0; i < plot->count; i++) {
-        const struct mark *other = &plot->marks[i];
-        cost += boxes_overlap(mark->label, dot_box(other)) ? 200 : 0;
-        cost += boxes_overlap(mark->label, bar_box(other)) ? 60 : 0;
-        bool crossed =
-            other != mark && mark->has_leader && segment_meets(dot, mark->leader, dot_box(other));
-        cost += crossed ? 6 : 0;
+        const struct mark *a = &plot->marks[i], *b = next_of_series(plot, i);
+        if (b != NULL) {
+            add_line(plot, (struct point){a->x, a->y}, (struct point){b->x, b->y}, 12);
+        }
     }
     for (size_t k = 0; k + 1 < plot->front_count; k++) {
         const struct mark *a = &plot->marks[plot->front[k]], *b = &plot->marks[plot->front[k + 1]];
         const struct point corner = {b->x, a->y};
-        bool crossed = segment_meets((struct point){a->x, a->y}, corner, mark->label) ||
-                       segment_meets(corner, (struct point){b->x, b->y}, mark->label);
-        cost += crossed ? 40 : 0;
+        add_line(plot, (struct point){a->x, a->y}, corner, 40);
+        add_line(plot, corner, (struct point){b->x, b->y}, 40);
     }
-    return cost + cost_of_series(plot, mark->label);
 }
 
 /* So that two labels do not read as one. */
@@ -380,37 +357,41 @@ static struct label_box with_gap(struct label_box box) {
     return (struct label_box){box.left - GAP, box.top, box.right + GAP, box.bottom};
 }
 
-/* The same for the labels that are placed already, order[0..placed-1], and their leaders. */
-static double cost_of_labels(const struct plot *plot, const struct mark *mark, const size_t *order,
-                             size_t placed) {
-    const struct point dot = {mark->x, mark->y};
-    double cost = 0;
-    for (size_t k = 0; k < placed; k++) {
-        const struct mark *other = &plot->marks[order[k]];
-        const struct point other_dot = {other->x, other->y};
+/* How bad it is that a label or its leader would cover another mark, or that one's label or leader
+ * this label. */
+static double cost_beside(const struct mark *mark, const struct mark *other) {
+    const struct point dot = {mark->x, mark->y}, other_dot = {other->x, other->y};
+    double cost = boxes_overlap(mark->label, dot_box(other)) ? 200 : 0;
+    cost += boxes_overlap(mark->label, bar_box(other)) ? 60 : 0;
+    if (other == mark) {
+        return cost;
+    }
+    if (mark->has_leader) {
+        cost += segment_meets(dot, mark->leader, dot_box(other)) ? 6 : 0;
+    }
+    if (other->has_label) {
         cost += boxes_overlap(with_gap(mark->label), other->label) ? 500 : 0;
-        if (other->has_leader) {
-            cost += segment_meets(other_dot, other->leader, mark->label) ? 100 : 0;
-        }
-        if (mark->has_leader) {
-            cost += segment_meets(dot, mark->leader, other->label) ? 100 : 0;
-        }
-        if (mark->has_leader && other->has_leader) {
-            cost += segments_cross(dot, mark->leader, other_dot, other->leader) ? 40 : 0;
-        }
+        cost += mark->has_leader && segment_meets(dot, mark->leader, other->label) ? 100 : 0;
+        cost += other->has_leader && segment_meets(other_dot, other->leader, mark->label) ? 100 : 0;
     }
     return cost;
 }
 
-static double place_cost(const struct plot *plot, const struct mark *mark, const size_t *order,
-                         size_t placed) {
+static double place_cost(const struct plot *plot, const struct mark *mark) {
     const struct label_box box = mark->label;
     bool outside = box.left < PLOT_LEFT + 2 || box.right > PLOT_RIGHT - 2 ||
                    box.top < plot->top + 1 || box.bottom > plot->bottom - 1;
     double along = (box.left + box.right) / 2 < mark->x ? box.right - mark->x : box.left - mark->x;
     double far = fabs(along) + 1.2 * fabs((box.top + box.bottom) / 2 - mark->y);
-    return (outside ? 1000 : 0) + far / 8 + cost_of_marks(plot, mark) +
-           cost_of_labels(plot, mark, order, placed);
+    double cost = (outside ? 1000 : 0) + far / 8;
+    for (size_t i = 0; i < plot->line_count; i++) {
+        const struct chart_line *line = &plot->lines[i];
+        cost += segment_meets(line->from, line->to, box) ? line->cost : 0;
+    }
+    for (size_t i = 0; i < plot->count; i++) {
+        cost += cost_beside(mark, &plot->marks[i]);
+    }
+    return cost;
 }
 
 enum side { TO_THE_RIGHT, TO_THE_LEFT, ABOVE_OR_BELOW };
@@ -438,7 +419,7 @@ static void put_label(struct mark *mark, enum side side, double across, double d
     }
 }
 
-static void place_label(struct plot *plot, struct mark *mark, const size_t *order, size_t placed) {
+static void place_label(const struct plot *plot, struct mark *mark) {
     const double distances[] = {mark->radius + 5, mark->radius + 19, 44, 70, 100};
     double best_cost = INFINITY;
     struct mark best = *mark;
@@ -450,7 +431,7 @@ static void place_label(struct plot *plot, struct mark *mark, const size_t *orde
                     continue;
                 }
                 put_label(mark, side, distances[i], down);
-                double cost = place_cost(plot, mark, order, placed);
+                double cost = place_cost(plot, mark);
                 if (cost < best_cost) {
                     best_cost = cost;
                     best = *mark;
@@ -459,94 +440,69 @@ static void place_label(struct plot *plot, struct mark *mark, const size_t *orde
         }
     }
     *mark = best;
+    mark->has_label = true;
 }
 
-/* How many labels and dots a mark has near it: where it is crowded, labels are placed first. */
-static int neighbours(const struct plot *plot, size_t i) {
-    int count = 0;
-    for (size_t j = 0; j < plot->count; j++) {
-        count += fabs(plot->marks[j].x - plot->marks[i].x) < 160 &&
-                 fabs(plot->marks[j].y - plot->marks[i].y) < 2 * LABEL_HEIGHT;
-    }
-    return count;
-}
-
+/* Three times: after the first, each knows where all others are. */
 static void place_labels(struct plot *plot) {
-    size_t order[BENCH_VERSION_LIMIT] = {0};
-    for (size_t i = 0; i < plot->count; i++) { /* sorted by insertion: 16 at most */
-        size_t k = i;
-        for (; k > 0 && neighbours(plot, order[k - 1]) < neighbours(plot, i); k--) {
-            order[k] = order[k - 1];
-        }
-        order[k] = i;
-    }
-    for (size_t k = 0; k < plot->count; k++) {
-        place_label(plot, &plot->marks[order[k]], order, k);
-    }
-    /* Twice more, each knowing where all others are. */
-    for (size_t k = 0; k < 2 * plot->count; k++) {
-        size_t i = order[k % plot->count], others[BENCH_VERSION_LIMIT], count = 0;
-        for (size_t j = 0; j < plot->count; j++) {
-            if (j != i) {
-                others[count++] = j;
-            }
-        }
-        place_label(plot, &plot->marks[i], others, count);
+    for (size_t i = 0; i < 3 * plot->count; i++) {
+        place_label(plot, &plot->marks[i % plot->count]);
     }
 }
 
 /* ---- Drawing ---- */
 
 static void draw_style(struct output *output) {
-    PUT(output, "<style>\n"
-                "text { font-family: sans-serif; font-size: 12px; fill: #1f2328; }\n"
-                ".head { font-size: 17px; font-weight: bold; }\n"
-                ".title { font-size: 13px; font-weight: bold; }\n"
-                ".tick, .foot { fill: #59636e; font-size: 11px; }\n"
-                ".label { fill: #59636e; }\n"
-                ".house { font-weight: bold; }\n"
-                ".middle { text-anchor: middle; }\n"
-                ".end { text-anchor: end; }\n"
-                ".paper { fill: #ffffff; }\n"
-                ".plot { fill: #f6f8fa; stroke: #d1d9e0; }\n"
-                ".grid { stroke: #d8dee4; stroke-width: 1; }\n"
-                ".bar, .leader, .break { stroke: #818b98; stroke-width: 1; }\n"
-                ".gap { stroke: #ffffff; stroke-width: 5; }\n");
+    report_put(output, "<style>\n"
+                       "text { font-family: sans-serif; font-size: 12px; fill: #1f2328; }\n"
+                       ".head { font-size: 17px; font-weight: bold; }\n"
+                       ".title { font-size: 13px; font-weight: bold; }\n"
+                       ".tick, .foot { fill: #59636e; font-size: 11px; }\n"
+                       ".label { fill: #59636e; }\n"
+                       ".house { font-weight: bold; }\n"
+                       ".middle { text-anchor: middle; }\n"
+                       ".end { text-anchor: end; }\n"
+                       ".paper { fill: #ffffff; }\n"
+                       ".plot { fill: #f6f8fa; stroke: #d1d9e0; }\n"
+                       ".grid { stroke: #d8dee4; stroke-width: 1; }\n"
+                       ".bar, .leader, .break { stroke: #818b98; stroke-width: 1; }\n"
+                       ".gap { stroke: #ffffff; stroke-width: 5; }\n");
     /* A series colours what belongs to it with `color`. */
-    PUT(output, ".plain { color: #818b98; }\n"
-                ".best { color: #0a5cc2; }\n"
-                ".s0 { color: #0a5cc2; }\n"
-                ".s1 { color: #b35900; }\n"
-                ".s2 { color: #1a7f37; }\n"
-                ".s3 { color: #8250df; }\n"
-                ".s4 { color: #bf3989; }\n"
-                ".s5 { color: #57606a; }\n"
-                ".dot { fill: #ffffff; stroke: currentColor; stroke-width: 1.5; }\n"
-                ".filled { fill: currentColor; stroke: currentColor; stroke-width: 1.5; }\n"
-                ".series { fill: none; stroke: currentColor; stroke-width: 1; opacity: 0.6; }\n"
-                ".front { fill: none; stroke: #59636e; stroke-width: 1.5; "
-                "stroke-dasharray: 5 4; }\n"
-                ".name { fill: currentColor; }\n");
-    PUT(output, "@media (prefers-color-scheme: dark) {\n"
-                "text { fill: #e6edf3; }\n"
-                ".tick, .foot, .label { fill: #a0aab5; }\n"
-                ".paper { fill: #0d1117; }\n"
-                ".plot { fill: #151b23; stroke: #3d444d; }\n"
-                ".grid { stroke: #2b323b; }\n"
-                ".bar, .leader, .break { stroke: #8b949e; }\n"
-                ".gap { stroke: #0d1117; }\n"
-                ".plain { color: #8b949e; }\n"
-                ".best, .s0 { color: #79b8ff; }\n"
-                ".s1 { color: #f0a050; }\n"
-                ".s2 { color: #56d364; }\n"
-                ".s3 { color: #d2a8ff; }\n"
-                ".s4 { color: #ff9bce; }\n"
-                ".s5 { color: #b1bac4; }\n"
-                ".dot { fill: #151b23; }\n"
-                ".front { stroke: #a0aab5; }\n"
-                ".filled, .name { fill: currentColor; }\n"
-                "}\n"
-                "</style>\n");
+    report_put(output,
+               ".plain { color: #818b98; }\n"
+               ".best { color: #0a5cc2; }\n"
+               ".s0 { color: #0a5cc2; }\n"
+               ".s1 { color: #b35900; }\n"
+               ".s2 { color: #1a7f37; }\n"
+               ".s3 { color: #8250df; }\n"
+               ".s4 { color: #bf3989; }\n"
+               ".s5 { color: #57606a; }\n"
+               ".dot { fill: #ffffff; stroke: currentColor; stroke-width: 1.5; }\n"
+               ".filled { fill: currentColor; stroke: currentColor; stroke-width: 1.5; }\n"
+               ".series { fill: none; stroke: currentColor; stroke-width: 1; opacity: 0.6; }\n"
+               ".front { fill: none; stroke: #59636e; stroke-width: 1.5; "
+               "stroke-dasharray: 5 4; }\n"
+               ".name { fill: currentColor; }\n");
+    report_put(output, "@media (prefers-color-scheme: dark) {\n"
+                       "text { fill: #e6edf3; }\n"
+                       ".tick, .foot, .label { fill: #a0aab5; }\n"
+                       ".paper { fill: #0d1117; }\n"
+                       ".plot { fill: #151b23; stroke: #3d444d; }\n"
+                       ".grid { stroke: #2b323b; }\n"
+                       ".bar, .leader, .break { stroke: #8b949e; }\n"
+                       ".gap { stroke: #0d1117; }\n"
+                       ".plain { color: #8b949e; }\n"
+                       ".best, .s0 { color: #79b8ff; }\n"
+                       ".s1 { color: #f0a050; }\n"
+                       ".s2 { color: #56d364; }\n"
+                       ".s3 { color: #d2a8ff; }\n"
+                       ".s4 { color: #ff9bce; }\n"
+                       ".s5 { color: #b1bac4; }\n"
+                       ".dot { fill: #151b23; }\n"
+                       ".front { stroke: #a0aab5; }\n"
+                       ".filled, .name { fill: currentColor; }\n"
+                       "}\n"
+                       "</style>\n");
 }
 
 /* Two strokes across the axis where it breaks off: what lies beyond is not on the scale. */
@@ -607,15 +563,15 @@ static void draw_front(struct output *output, const struct plot *plot) {
     if (plot->front_count < 2) {
         return;
     }
-    PUT(output, "<polyline class=\"front\" points=\"");
+    report_put(output, "<polyline class=\"front\" points=\"");
     for (size_t k = 0; k < plot->front_count; k++) {
         const struct mark *mark = &plot->marks[plot->front[k]];
         if (k > 0) {
-            PUT(output, "%.1f,%.1f ", mark->x, plot->marks[plot->front[k - 1]].y);
+            report_put(output, "%.1f,%.1f ", mark->x, plot->marks[plot->front[k - 1]].y);
         }
-        PUT(output, "%.1f,%.1f ", mark->x, mark->y);
+        report_put(output, "%.1f,%.1f ", mark->x, mark->y);
     }
-    PUT(output, "\"/>\n");
+    report_put(output, "\"/>\n");
 }
 
 static void draw_series(struct output *output, const struct plot *plot) {
@@ -642,8 +598,8 @@ static void draw_legend(struct output *output, const struct plot *plot) {
     }
     for (int k = 0; k < plot->series_count; k++) {
         char class[32];
-        PUT(output, "<circle class=\"filled s%d\" cx=\"%.1f\" cy=\"%.1f\" r=\"4\"/>\n", k,
-            left + 20, y - 4);
+        report_put(output, "<circle class=\"filled s%d\" cx=\"%.1f\" cy=\"%.1f\" r=\"4\"/>\n", k,
+                   left + 20, y - 4);
         snprintf(class, sizeof class, "name s%d", k);
         put_text(output, class, left + 28, y, plot->series[k]);
         left += legend_width(plot->series[k]);
@@ -672,14 +628,15 @@ static void draw_dot(struct output *output, const struct plot *plot, const struc
     char error[32], median[32];
     bench_show_number(mark->result->error, error);
     bench_show_number(mark->result->median, median);
-    PUT(output, "<circle class=\"%s %s\" cx=\"%.1f\" cy=\"%.1f\" r=\"%.1f\"><title>",
-        mark->result->front ? "filled" : "dot", mark_color(mark), mark->x, mark->y, mark->radius);
+    report_put(output, "<circle class=\"%s %s\" cx=\"%.1f\" cy=\"%.1f\" r=\"%.1f\"><title>",
+               mark->result->front ? "filled" : "dot", mark_color(mark), mark->x, mark->y,
+               mark->radius);
     if (mark->series >= 0) {
         put_escaped(output, plot->series[mark->series]);
-        PUT(output, ", ");
+        report_put(output, ", ");
     }
     put_escaped(output, mark->version->name);
-    PUT(output, ": %s %s, time %s</title></circle>\n", plot->across, error, median);
+    report_put(output, ": %s %s, time %s</title></circle>\n", plot->across, error, median);
 }
 
 static void draw_label(struct output *output, const struct mark *mark) {
@@ -733,9 +690,10 @@ static void draw_panel(struct output *output, const struct bench_panel *panel,
     plot_axes(&plot, results);
     plot_marks(&plot, panel, results);
     plot_front(&plot);
+    plot_lines(&plot);
     place_labels(&plot);
-    PUT(output, "<rect class=\"plot\" x=\"%d\" y=\"%.1f\" width=\"%d\" height=\"%.1f\"/>\n",
-        PLOT_LEFT, plot.top, PLOT_RIGHT - PLOT_LEFT, plot.bottom - plot.top);
+    report_put(output, "<rect class=\"plot\" x=\"%d\" y=\"%.1f\" width=\"%d\" height=\"%.1f\"/>\n",
+               PLOT_LEFT, plot.top, PLOT_RIGHT - PLOT_LEFT, plot.bottom - plot.top);
     draw_captions(output, panel, &plot, top);
     draw_legend(output, &plot);
     draw_time_axis(output, &plot);
@@ -755,17 +713,18 @@ static void draw_panel(struct output *output, const struct bench_panel *panel,
 
 bool chart_draw(const struct bench_lesson *lesson, const struct bench_results *results,
                 struct bytes *svg, struct error *error) {
-    struct output output = {.svg = svg, .error = error, .done = true};
+    struct output output = {svg, error, true};
     int height = HEAD_HEIGHT + (int)lesson->panel_count * PANEL_HEIGHT + FOOT_HEIGHT;
     char processor[128], text[512];
-    PUT(&output,
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %d %d\" width=\"%d\" "
-        "height=\"%d\" role=\"img\">\n<title>",
-        CHART_WIDTH, height, CHART_WIDTH, height);
+    report_put(&output,
+               "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 %d %d\" width=\"%d\" "
+               "height=\"%d\" role=\"img\">\n<title>",
+               CHART_WIDTH, height, CHART_WIDTH, height);
     put_escaped(&output, lesson->title);
-    PUT(&output, ": run time against error</title>\n");
+    report_put(&output, ": run time against error</title>\n");
     draw_style(&output);
-    PUT(&output, "<rect class=\"paper\" width=\"%d\" height=\"%d\"/>\n", CHART_WIDTH, height);
+    report_put(&output, "<rect class=\"paper\" width=\"%d\" height=\"%d\"/>\n", CHART_WIDTH,
+               height);
     snprintf(text, sizeof text, "%s: run time against error", lesson->title);
     put_text(&output, "head", 20, 28, text);
     for (size_t i = 0; i < lesson->panel_count; i++) {
@@ -780,6 +739,6 @@ bool chart_draw(const struct bench_lesson *lesson, const struct bench_results *r
     snprintf(text, sizeof text, "%s%s%s", report_compiler(), processor[0] != '\0' ? ", " : "",
              processor);
     put_text(&output, "foot", 20, height - 13, text);
-    PUT(&output, "</svg>\n");
+    report_put(&output, "</svg>\n");
     return output.done;
 }

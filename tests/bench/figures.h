@@ -3,9 +3,9 @@
  * references, and prints the numbers of its tables, as a program `figures OUTDIR`:
  *
  *     #include "figures.h"
- *     #define main step_main
- *     #include "main.c"
- *     #undef main
+ *
+ *     #define LESSON "../step05_zbuffer/main.c"
+ *     #include "lesson.h"
  *
  *     bool draw_figures(const char *directory, struct model *bust, struct error *error) {
  *         ...
@@ -27,9 +27,6 @@
 /* Written by the lesson: save its figures as DIRECTORY/NAME.png. `bust` is the course's model; it
  * may be changed, and is freed afterwards. */
 bool draw_figures(const char *directory, struct model *bust, struct error *error);
-
-/* The lesson's own main() under its other name; nobody calls it. */
-int step_main(int argc, char **argv);
 
 /* ---- Saving ---- */
 

@@ -15,20 +15,26 @@ enum { ROUNDS_LEAST = 5, ROUNDS_WANTED = 31, ROUNDS_MOST = 501, CALLS_MOST = 100
  * a few long ones. */
 static const double sample_seconds_most = 0.002;
 
+int bench_choice(const struct bench_panel *panel, size_t i) {
+    return panel->base + panel->versions[i].choice;
+}
+
 /* Seconds of one call. */
 static double time_calls(const struct bench_panel *panel, size_t i, void *state, size_t calls) {
     const struct bench_version *version = &panel->versions[i];
+    bool is_elsewhere = version->is_elsewhere;
+    int choice = bench_choice(panel, i);
     double elsewhere = 0;
     struct stopwatch start = stopwatch_start();
     for (size_t k = 0; k < calls; k++) {
-        if (version->run != NULL) {
-            version->run(state, version->choice);
+        if (is_elsewhere) {
+            elsewhere += panel->run_elsewhere(state, choice);
         } else {
-            elsewhere += panel->run_elsewhere(state, version->choice);
+            (version->run != NULL ? version->run : panel->run)(state, choice);
         }
     }
     double here = stopwatch_seconds(start);
-    return (version->run != NULL ? here : elsewhere) / (double)calls;
+    return (is_elsewhere ? elsewhere : here) / (double)calls;
 }
 
 /* Run a version until it has had its share of the warm-up, and find from that how many runs make a
@@ -85,10 +91,10 @@ static double sample(const struct bench_panel *panel, size_t i, void *state,
  * timed is what was judged. */
 static double sample_and_judge(const struct bench_panel *panel, size_t i, void *state,
                                struct bench_result *results) {
-    const struct bench_version *version = &panel->versions[i];
+    int choice = bench_choice(panel, i);
     double seconds = sample(panel, i, state, results);
-    results[i].error = version->error(state, version->choice);
-    results[i].size = panel->size != NULL ? panel->size(state, version->choice) : 0;
+    results[i].error = panel->error(state, choice);
+    results[i].size = panel->size != NULL ? panel->size(state, choice) : 0;
     return seconds;
 }
 
@@ -112,7 +118,7 @@ static void measure_panel(const struct bench_panel *panel, size_t count, void *s
         }
         rounds++;
     }
-    double scale = panel->units != NULL ? 1e9 / panel->units(state) : 1e3;
+    double scale = panel->units != NULL ? 1e9 / panel->units(state, panel->base) : 1e3;
     for (size_t i = 0; i < count; i++) {
         samples[i][rounds] = sample_and_judge(panel, i, state, results);
         results[i].rounds = rounds + 1;
@@ -138,13 +144,16 @@ static double panel_share(const struct bench_panel *panel) {
 
 bool bench_measure(const struct bench_lesson *lesson, double seconds, struct bench_results *results,
                    struct error *error) {
-    void *state = NULL;
+    void *state = calloc(1, lesson->state_size);
     double shares = 0;
     assert(lesson->panel_count <= BENCH_PANEL_LIMIT);
     for (size_t i = 0; i < lesson->panel_count; i++) {
         shares += panel_share(&lesson->panels[i]);
     }
-    bool ready = lesson->setup(&state, error);
+    if (state == NULL) {
+        return error_out_of_memory(error);
+    }
+    bool ready = lesson->setup(state, error);
     for (size_t i = 0; ready && i < lesson->panel_count; i++) {
         const struct bench_panel *panel = &lesson->panels[i];
         results->count[i] =
@@ -154,6 +163,7 @@ bool bench_measure(const struct bench_lesson *lesson, double seconds, struct ben
         ready = check_times(panel, results->of[i], results->count[i], error);
     }
     lesson->teardown(state);
+    free(state);
     return ready;
 }
 

@@ -13,7 +13,7 @@ const char *report_across(const struct bench_panel *panel) {
 }
 
 const char *report_series(const struct bench_panel *panel, size_t i) {
-    return panel->series != NULL ? panel->series(panel->versions[i].choice) : NULL;
+    return panel->series != NULL ? panel->series(bench_choice(panel, i)) : NULL;
 }
 
 /* ---- The table ---- */
@@ -57,121 +57,120 @@ void report_print(const struct bench_lesson *lesson, const struct bench_results 
     fflush(stdout);
 }
 
-/* ---- JSON ---- */
+/* ---- Text that grows ---- */
 
-bool report_append(struct bytes *text, struct error *error, const char *format, ...) {
+static bool append(struct bytes *text, struct error *error, const char *format, va_list arguments) {
     char piece[1024];
-    va_list arguments;
-    va_start(arguments, format);
     int length = vsnprintf(piece, sizeof piece, format, arguments);
-    va_end(arguments);
     if (length < 0 || length >= (int)sizeof piece) {
         return error_set(error, "a line of the report is too long");
     }
-    if (!bytes_append(text, piece, (size_t)length)) {
-        return error_set(error, "out of memory for the report");
-    }
-    return true;
+    return bytes_append(text, piece, (size_t)length) || error_out_of_memory(error);
 }
 
-/* "name": "value", with what JSON wants escaped. */
-static bool append_string(struct bytes *json, struct error *error, const char *name,
-                          const char *value) {
-    bool done = report_append(json, error, "\"%s\": \"", name);
-    for (; done && *value != '\0'; value++) {
+bool report_append(struct bytes *text, struct error *error, const char *format, ...) {
+    va_list arguments;
+    va_start(arguments, format);
+    bool done = append(text, error, format, arguments);
+    va_end(arguments);
+    return done;
+}
+
+void report_put(struct output *output, const char *format, ...) {
+    va_list arguments;
+    va_start(arguments, format);
+    output->done = output->done && append(output->text, output->error, format, arguments);
+    va_end(arguments);
+}
+
+/* ---- JSON ---- */
+
+/* "name": "value", with what JSON wants escaped; null where there is no value. */
+static void put_string(struct output *json, const char *name, const char *value) {
+    if (value == NULL) {
+        report_put(json, "\"%s\": null, ", name);
+        return;
+    }
+    report_put(json, "\"%s\": \"", name);
+    for (; *value != '\0'; value++) {
         unsigned char c = (unsigned char)*value;
-        if (c == '"' || c == '\\') {
-            done = report_append(json, error, "\\%c", c);
-        } else if (c < 32) {
-            done = report_append(json, error, "\\u%04x", (unsigned)c);
+        if (c < 32) {
+            report_put(json, "\\u%04x", (unsigned)c);
         } else {
-            done = report_append(json, error, "%c", c);
+            report_put(json, c == '"' || c == '\\' ? "\\%c" : "%c", c);
         }
     }
-    return done && report_append(json, error, "\"");
+    report_put(json, "\", ");
 }
 
 /* "name": value; JSON has no infinity, so null stands for what is not finite. */
-static bool append_number(struct bytes *json, struct error *error, const char *name, double value) {
-    if (!isfinite(value)) {
-        return report_append(json, error, "\"%s\": null", name);
+static void put_number(struct output *json, const char *name, double value) {
+    if (isfinite(value)) {
+        report_put(json, "\"%s\": %.9g, ", name, value);
+    } else {
+        report_put(json, "\"%s\": null, ", name);
     }
-    return report_append(json, error, "\"%s\": %.9g", name, value);
 }
 
-static bool append_comma(struct bytes *json, struct error *error) {
-    return report_append(json, error, ", ");
+static void put_version(struct output *json, const struct bench_panel *panel, size_t i,
+                        const struct bench_result *result) {
+    report_put(json, "%s        {", i > 0 ? ",\n" : "");
+    put_string(json, "series", report_series(panel, i));
+    put_string(json, "name", panel->versions[i].name);
+    put_number(json, "error", result->error);
+    put_number(json, "median", result->median);
+    put_number(json, "lower_quartile", result->lower);
+    put_number(json, "upper_quartile", result->upper);
+    put_number(json, "size", panel->size != NULL ? result->size : INFINITY);
+    report_put(json, "\"rounds\": %zu, \"runs_per_round\": %zu, \"useful\": %s}", result->rounds,
+               result->calls, result->front ? "true" : "false");
 }
 
-/* The same where there is no value: null. */
-static bool append_text(struct bytes *json, struct error *error, const char *name,
-                        const char *value) {
-    return value != NULL ? append_string(json, error, name, value)
-                         : report_append(json, error, "\"%s\": null", name);
-}
-
-static bool append_version(struct bytes *json, const struct bench_panel *panel, size_t i,
-                           const struct bench_result *result, struct error *error) {
-    return report_append(json, error, "        {") &&
-           append_text(json, error, "series", report_series(panel, i)) &&
-           append_comma(json, error) &&
-           append_string(json, error, "name", panel->versions[i].name) &&
-           append_comma(json, error) && append_number(json, error, "error", result->error) &&
-           append_comma(json, error) && append_number(json, error, "median", result->median) &&
-           append_comma(json, error) &&
-           append_number(json, error, "lower_quartile", result->lower) &&
-           append_comma(json, error) &&
-           append_number(json, error, "upper_quartile", result->upper) &&
-           append_comma(json, error) &&
-           append_number(json, error, "size", panel->size != NULL ? result->size : INFINITY) &&
-           report_append(json, error, ", \"rounds\": %zu, \"runs_per_round\": %zu, ",
-                         result->rounds, result->calls) &&
-           report_append(json, error, "\"useful\": %s}", result->front ? "true" : "false");
-}
-
-static bool append_panel(struct bytes *json, const struct bench_panel *panel,
-                         const struct bench_result *results, size_t count, struct error *error) {
-    bool done =
-        report_append(json, error, "      {") &&
-        append_string(json, error, "title", panel->title) && append_comma(json, error) &&
-        append_string(json, error, "time_unit", panel->time_label) && append_comma(json, error) &&
-        append_string(json, error, "error_is", report_across(panel)) && append_comma(json, error) &&
-        append_string(json, error, "error_unit", panel->error_label) && append_comma(json, error) &&
-        append_text(json, error, "error_against", panel->against) && append_comma(json, error) &&
-        append_text(json, error, "size_unit", panel->size_label) &&
-        report_append(json, error, ", \"versions\": [\n");
-    for (size_t i = 0; done && i < count; i++) {
-        done = append_version(json, panel, i, &results[i], error) &&
-               report_append(json, error, i + 1 < count ? ",\n" : "\n");
+static void put_panel(struct output *json, const struct bench_panel *panel,
+                      const struct bench_result *results, size_t count) {
+    report_put(json, "      {");
+    put_string(json, "title", panel->title);
+    put_string(json, "time_unit", panel->time_label);
+    put_string(json, "error_is", report_across(panel));
+    put_string(json, "error_unit", panel->error_label);
+    put_string(json, "error_against", panel->against);
+    put_string(json, "size_unit", panel->size_label);
+    report_put(json, "\"versions\": [\n");
+    for (size_t i = 0; i < count; i++) {
+        put_version(json, panel, i, &results[i]);
     }
-    return done && report_append(json, error, "      ]}");
+    report_put(json, "\n      ]}");
 }
 
-bool report_begin(struct bytes *json, double seconds, struct error *error) {
+bool report_begin(struct bytes *text, double seconds, struct error *error) {
+    struct output json = {text, error, true};
     char processor[128];
     report_processor(processor);
-    return report_append(json, error, "{\n  ") &&
-           append_string(json, error, "compiler", report_compiler()) && append_comma(json, error) &&
-           append_string(json, error, "processor", processor) && append_comma(json, error) &&
-           append_number(json, error, "seconds_a_lesson", seconds) &&
-           report_append(json, error, ",\n  \"lessons\": [");
+    report_put(&json, "{\n  ");
+    put_string(&json, "compiler", report_compiler());
+    put_string(&json, "processor", processor);
+    put_number(&json, "seconds_a_lesson", seconds);
+    report_put(&json, "\n  \"lessons\": [");
+    return json.done;
 }
 
-bool report_lesson(struct bytes *json, const struct bench_lesson *lesson,
+bool report_lesson(struct bytes *text, const struct bench_lesson *lesson,
                    const struct bench_results *results, bool first, struct error *error) {
-    bool done = report_append(json, error, "%s\n    {", first ? "" : ",") &&
-                append_string(json, error, "step", lesson->step) && append_comma(json, error) &&
-                append_string(json, error, "title", lesson->title) &&
-                report_append(json, error, ", \"panels\": [\n");
-    for (size_t i = 0; done && i < lesson->panel_count; i++) {
-        done = append_panel(json, &lesson->panels[i], results->of[i], results->count[i], error) &&
-               report_append(json, error, i + 1 < lesson->panel_count ? ",\n" : "\n");
+    struct output json = {text, error, true};
+    report_put(&json, "%s\n    {", first ? "" : ",");
+    put_string(&json, "step", lesson->step);
+    put_string(&json, "title", lesson->title);
+    report_put(&json, "\"panels\": [\n");
+    for (size_t i = 0; i < lesson->panel_count; i++) {
+        put_panel(&json, &lesson->panels[i], results->of[i], results->count[i]);
+        report_put(&json, i + 1 < lesson->panel_count ? ",\n" : "\n");
     }
-    return done && report_append(json, error, "    ]}");
+    report_put(&json, "    ]}");
+    return json.done;
 }
 
-bool report_end(struct bytes *json, struct error *error) {
-    return report_append(json, error, "\n  ]\n}\n");
+bool report_end(struct bytes *text, struct error *error) {
+    return report_append(text, error, "\n  ]\n}\n");
 }
 
 /* ---- The machine ---- */

@@ -19,6 +19,16 @@ bool report_end(struct bytes *json, struct error *error);
 bool report_append(struct bytes *text, struct error *error, const char *format, ...)
     PRINTF_LIKE(3, 4);
 
+/* A text to which much is appended: after the first failure, which leaves its message, nothing more
+ * is. */
+struct output {
+    struct bytes *text;
+    struct error *error;
+    bool done;
+};
+
+void report_put(struct output *output, const char *format, ...) PRINTF_LIKE(2, 3);
+
 /* What a panel's `error` counts: "error", or "work" and the like. */
 const char *report_across(const struct bench_panel *panel);
 

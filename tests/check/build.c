@@ -129,7 +129,7 @@ static struct message_line make_failure(const struct run_result *result, double 
     }
     if (strstr((const char *)result->messages.data, "undefined reference to `main'") != NULL) {
         snprintf(reason.text, sizeof reason.text,
-                 "there is no main(): it is in scenes.h, which main.c includes at its end");
+                 "there is no main(): main.c ends with it, after it includes scenes.h");
         return reason;
     }
     reason = first_error((const char *)result->messages.data);

@@ -30,9 +30,9 @@ REPLAYS = $(patsubst %.c,$(BUILD)/%,$(wildcard tests/upkeep/fuzz/fuzz_*.c))
 SCRIPTS = $(shell find tests -name 'test_*.sh') tests/upkeep/fuzz/replay.sh
 
 # What they test.
-TESTED_OBJECTS = $(COMMON) $(CHECKER) $(BUILD)/tests/student/terminal.o \
-                 $(BUILD)/tests/oracle/oracle.o
-$(BUILD)/tested/all.a: $(TESTED_OBJECTS:$(BUILD)/%=$(BUILD)/tested/%)
+$(BUILD)/tested/all.a: $(COMMON:$(BUILD)/%=$(BUILD)/tested/%) $(BUILD)/tested/tests/oracle/oracle.o
+$(BUILD)/tested/check.a: $(CHECKER:$(BUILD)/%=$(BUILD)/tested/%) $(BUILD)/tested/tests/student/terminal.o
+$(BUILD)/tested/all.a $(BUILD)/tested/check.a:
 	@rm -f $@
 	$(Q)$(AR) qcs $@ $^
 
@@ -55,7 +55,8 @@ $(BUILD)/tested/tests/check/page/page_files.o: $(BUILD)/tests/check/page/page_fi
 WRAPPED = $$(sed -n 's/.*__wrap_\([a-z_]*\)(.*{$$/-Wl,--wrap=\1/p' tests/$*.c)
 $(UNITS): $(BUILD)/tests/%: $(BUILD)/tested/tests/%.o $(BUILD)/tested/all.a
 	@mkdir -p $(@D)
-	$(Q)$(TESTED) $(WRAPPED) $^ -lm -o $@
+	$(Q)$(TESTED) $(WRAPPED) $< $(filter %/check.a,$^) $(filter %/all.a,$^) -lm -o $@
+$(filter $(BUILD)/tests/check/% $(BUILD)/tests/student/%,$(UNITS)): $(BUILD)/tested/check.a
 
 # Some tests of the pipeline are built in several kinds besides, with the pipeline under them: so many
 # LANES, and REAL where it is not float. (test_lanes-8-double has LANES=8 and REAL=double.)

@@ -33,6 +33,7 @@ enum { OBJ_BYTES = 15000000 }; /* of the model's file, at least */
 
 /* The files: one of the model, one of each texture, two of each picture. */
 enum { OBJ, TEXTURE, TGA = TEXTURE + TEXTURES, PNG = TGA + PICTURES, FILES = PNG + PICTURES };
+enum { BY_LIBPNG = FILES }; /* added to the file where libpng does the work */
 
 struct files {
     struct {
@@ -87,9 +88,9 @@ static void read_images(void *state, int first) {
     decode_all(state, first, image_decode);
 }
 
-static void read_by_libpng(void *state, int first) {
+static void read_by_libpng(void *state, int choice) {
     if (libpng_version != NULL) {
-        decode_all(state, first, libpng_decode);
+        decode_all(state, choice - BY_LIBPNG, libpng_decode);
     }
 }
 
@@ -117,15 +118,15 @@ static void write_png(void *state, int first) {
     encode_all(state, first, png_encode);
 }
 
-static void write_by_libpng(void *state, int first) {
+static void write_by_libpng(void *state, int choice) {
     if (libpng_version != NULL) {
-        encode_all(state, first, libpng_encode);
+        encode_all(state, choice - BY_LIBPNG, libpng_encode);
     }
 }
 
-static void write_quickly_by_libpng(void *state, int first) {
+static void write_quickly_by_libpng(void *state, int choice) {
     if (libpng_version != NULL) {
-        encode_all(state, first, libpng_encode_quickly);
+        encode_all(state, choice - BY_LIBPNG, libpng_encode_quickly);
     }
 }
 
@@ -176,19 +177,16 @@ static void compare_noise(void *state, int file) {
     files->size = 0;
 }
 
-static double size_of_files(void *state, int unused) {
+/* Not a number where libpng is wanted and missing. */
+static double size_of_files(void *state, int choice) {
     const struct files *files = state;
-    (void)unused;
-    return (double)files->size;
-}
-
-static double size_by_libpng(void *state, int first) {
-    return libpng_version != NULL ? size_of_files(state, first) : NAN;
+    return choice >= BY_LIBPNG && libpng_version == NULL ? NAN : (double)files->size;
 }
 
 /* The bytes of text or of pixels. */
-static double work_of(const void *state, int first) {
+static double work_of(const void *state, int choice) {
     const struct files *files = state;
+    const int first = choice % FILES;
     double sum = first == OBJ ? (double)files->file[OBJ].bytes.size : 0;
     for (int i = first; i < first + file_count(first); i++) {
         const struct image *image = &files->images[i];
@@ -199,12 +197,11 @@ static double work_of(const void *state, int first) {
 
 /* ---- What is measured ---- */
 
-#define GROUP(title_, rows)                                                                        \
-    { .title = (title_), .versions = (rows), .version_count = LENGTH(rows), .size = work_of }
-#define ROW(name, file, run)                                                                       \
-    { (name), (file), false, (run), size_of_files }
-#define LIBPNG(name, file, run)                                                                    \
-    { (name), (file), false, (run), size_by_libpng }
+#define GROUP(heading, rows)                                                                       \
+    { .title = (heading), BENCH_VERSIONS(rows), .error = size_of_files, .size = work_of }
+#define ROW(label, file, how)                                                                      \
+    { .name = (label), .choice = (file), .run = (how) }
+#define LIBPNG(label, file, how) ROW(label, (file) + BY_LIBPNG, how)
 
 static const struct bench_version model_rows[] = {
     ROW("read", OBJ, read_model),
@@ -339,12 +336,9 @@ static void save(struct files *files) {
     free(directory);
 }
 
-static bool setup(void **state, struct error *error) {
-    struct files *files = calloc(1, sizeof *files);
-    if (files == NULL) {
-        return error_out_of_memory(error);
-    }
-    *state = files;
+static bool setup(void *state, struct error *error) {
+    struct files *files = state;
+    (void)error;
     make_model(files);
     load_images(files);
     make_noise(files);
@@ -354,28 +348,26 @@ static bool setup(void **state, struct error *error) {
 
 static void teardown(void *state) {
     struct files *files = state;
-    for (int i = 0; files != NULL && i < FILES; i++) {
+    for (int i = 0; i < FILES; i++) {
         bytes_free(&files->file[i].bytes);
         image_free(&files->images[i]);
         free(files->file[i].path);
     }
-    if (files != NULL) {
-        image_free(&files->noise);
-    }
-    free(files);
+    image_free(&files->noise);
 }
 
 /* ---- The program ---- */
 
 static const struct bench_lesson lesson = {.step = "files",
                                            .title = "Files",
+                                           .state_size = sizeof(struct files),
                                            .setup = setup,
                                            .teardown = teardown,
                                            .panels = groups,
                                            .panel_count = LENGTH(groups)};
 
 static void print_row(const struct bench_version *row, const struct bench_result *result) {
-    const int files = file_count(row->choice);
+    const int files = file_count(row->choice % FILES);
     printf("  %-24s", row->name);
     if (isnan(result->error)) {
         printf(" not installed; on Debian: apt-get install libpng-dev\n");

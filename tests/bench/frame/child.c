@@ -84,10 +84,10 @@ static void obey(struct llvmpipe *l, const struct request *request, uint8_t *pix
 
 /* Do what is asked until nobody asks any more. The first reply says who draws, or why nobody
  * does. */
-static void serve(int threads, enum llvmpipe_filter filter, uint8_t *pixels, int from, int to) {
+static void serve(int threads, uint8_t *pixels, int from, int to) {
     struct request request;
     struct reply reply = {.done = false};
-    struct llvmpipe *l = llvmpipe->open(threads, filter, &reply.error);
+    struct llvmpipe *l = llvmpipe->open(threads, &reply.error);
     if (l != NULL) {
         reply.done = true;
         snprintf(reply.error.message, sizeof reply.error.message, "%s", llvmpipe->name(l));
@@ -120,16 +120,14 @@ static bool ask(const struct child *child, const struct request *request, struct
 }
 
 /* In the child: leave without what the parent has registered to be done at its end. */
-static void live(const struct child *child, int threads, enum llvmpipe_filter filter, int from,
-                 int to) {
+static void live(const struct child *child, int threads, int from, int to) {
     close(child->to);
     close(child->from);
-    serve(threads, filter, child->pixels, from, to);
+    serve(threads, child->pixels, from, to);
     _exit(0);
 }
 
-static bool begin(struct child *child, int threads, enum llvmpipe_filter filter,
-                  struct error *error) {
+static bool begin(struct child *child, int threads, struct error *error) {
     int to[2], from[2];
     if (pipe(to) != 0) {
         return error_set(error, "cannot make a pipe");
@@ -145,7 +143,7 @@ static bool begin(struct child *child, int threads, enum llvmpipe_filter filter,
     fflush(NULL);             /* what is not written yet would be written twice */
     child->process = fork();
     if (child->process == 0) {
-        live(child, threads, filter, to[0], from[1]);
+        live(child, threads, to[0], from[1]);
     }
     close(to[0]);
     close(from[1]);
@@ -158,8 +156,7 @@ static bool begin(struct child *child, int threads, enum llvmpipe_filter filter,
     return true;
 }
 
-bool child_start(struct child *child, int threads, enum llvmpipe_filter filter, size_t pixels_most,
-                 struct error *error) {
+bool child_start(struct child *child, int threads, size_t pixels_most, struct error *error) {
     struct reply reply;
     *child = (struct child){.pixels_size = 4 * pixels_most};
     void *pixels =
@@ -168,7 +165,7 @@ bool child_start(struct child *child, int threads, enum llvmpipe_filter filter, 
         return error_out_of_memory(error);
     }
     child->pixels = pixels;
-    if (!begin(child, threads, filter, error) || !receive(child, &reply, error)) {
+    if (!begin(child, threads, error) || !receive(child, &reply, error)) {
         child_end(child);
         return false;
     }

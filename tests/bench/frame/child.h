@@ -24,8 +24,7 @@ struct child {
 };
 
 /* Start a child that draws with that many threads, images of at most `pixels_most` pixels. */
-bool child_start(struct child *child, int threads, enum llvmpipe_filter filter, size_t pixels_most,
-                 struct error *error);
+bool child_start(struct child *child, int threads, size_t pixels_most, struct error *error);
 void child_end(struct child *child);
 
 bool child_load(const struct child *child, const struct frame_scene *scene, struct error *error);

@@ -46,8 +46,7 @@ struct bench {
     struct frame_model finer[LIST_LIMIT]; /* cut, empty where it need not be */
     struct ours ours[2];                  /* one thread, two */
     struct child mesa[2];
-    void *fill[2]; /* as large as colour and depth of the largest picture */
-    double seconds[SIDES][FRAMES_LIMIT], fill_seconds[FRAMES_LIMIT];
+    double seconds[SIDES][FRAMES_LIMIT];
     struct table table;
 };
 
@@ -82,20 +81,6 @@ static const uint8_t *read_side(struct bench *b, enum side side, struct error *e
     return child_read(child, error) ? child->pixels : NULL;
 }
 
-/* What it takes to set colour and depth of a picture at all, 4 bytes each. */
-static double fill_memory(struct bench *b, const struct frame_scene *scene) {
-    struct stopwatch start = stopwatch_start();
-    for (int turn = 0; turn < 2; turn++) {
-        start = stopwatch_start();
-        for (int i = 0; i < 2; i++) {
-            memset(b->fill[i], turn, scene->width * scene->height * 4);
-            /* The compiler must not leave out what nobody reads. */
-            ((volatile char *)b->fill[i])[scene->width] = 1;
-        }
-    }
-    return stopwatch_seconds(start);
-}
-
 /* ---- A cell of the table ---- */
 
 static struct summary summarize(const struct bench *b, double *seconds) {
@@ -112,8 +97,7 @@ static size_t side_count(const struct bench *b) {
 }
 
 /* Rounds in which each side has its turn, each round beginning with another one. */
-static bool time_cell(struct bench *b, const struct frame_scene *scene, struct cell *cell,
-                      struct error *error) {
+static bool time_cell(struct bench *b, struct cell *cell, struct error *error) {
     size_t sides = side_count(b);
     for (size_t i = 0; i < b->options.frames; i++) {
         for (size_t k = 0; k < sides; k++) {
@@ -122,12 +106,10 @@ static bool time_cell(struct bench *b, const struct frame_scene *scene, struct c
                 return false;
             }
         }
-        b->fill_seconds[i] = fill_memory(b, scene);
     }
     for (size_t side = 0; side < sides; side++) {
         cell->sides[side] = summarize(b, b->seconds[side]);
     }
-    cell->fill = summarize(b, b->fill_seconds);
     return true;
 }
 
@@ -183,7 +165,7 @@ static bool measure_cell(struct bench *b, const struct frame_scene *scene, struc
     for (size_t side = 0; done && side < side_count(b); side++) {
         done = load_side(b, (enum side)side, scene, error);
     }
-    return done && time_cell(b, scene, cell, error) && judge_cell(b, scene, cell, error);
+    return done && time_cell(b, cell, error) && judge_cell(b, scene, cell, error);
 }
 
 /* ---- All cells ---- */
@@ -220,7 +202,7 @@ static bool measure_all(struct bench *b, struct error *error) {
         }
     }
     table_print_errors(&b->table);
-    table_print_goals(&b->table);
+    table_print_least(&b->table);
     return true;
 }
 
@@ -264,8 +246,7 @@ static void start_mesa(struct bench *b) {
     struct error error;
     b->table.has_mesa = llvmpipe != NULL;
     for (int i = 0; b->table.has_mesa && i < 2; i++) {
-        b->table.has_mesa = child_start(&b->mesa[i], threads[i], b->options.filter,
-                                        most_pixels(&b->options), &error);
+        b->table.has_mesa = child_start(&b->mesa[i], threads[i], most_pixels(&b->options), &error);
         if (!b->table.has_mesa) {
             printf("llvmpipe is left out: %s\n", error.message);
         }
@@ -279,11 +260,7 @@ static bool allocate(struct bench *b, struct error *error) {
     const struct options *o = &b->options;
     b->table.cells =
         calloc(o->look_count * o->size_count * o->triangle_count, sizeof *b->table.cells);
-    for (int i = 0; i < 2; i++) {
-        b->fill[i] = malloc(4 * most_pixels(o) + 1);
-    }
-    return (b->table.cells != NULL && b->fill[0] != NULL && b->fill[1] != NULL) ||
-           error_out_of_memory(error);
+    return b->table.cells != NULL || error_out_of_memory(error);
 }
 
 /* What else the machine does. */
@@ -309,7 +286,6 @@ static void tear_down(struct bench *b) {
     for (int i = 0; i < 2; i++) {
         child_end(&b->mesa[i]);
         ours_free(&b->ours[i]);
-        free(b->fill[i]);
     }
     for (size_t i = 0; i < LIST_LIMIT; i++) {
         frame_model_free(&b->finer[i]);

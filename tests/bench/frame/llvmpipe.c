@@ -93,7 +93,6 @@ static const char *const sampler_names[MODEL_TEXTURE_KINDS] = {
 struct llvmpipe {
     struct gl_context context;
     GLuint programs[FRAME_LOOKS];
-    GLenum filter;
     /* The scene that is loaded. */
     GLuint color, depth, frame; /* texture, renderbuffer, framebuffer */
     GLuint textures[MODEL_TEXTURE_KINDS];
@@ -106,8 +105,7 @@ static void close_llvmpipe(struct llvmpipe *l) {
     free(l);
 }
 
-static struct llvmpipe *open_llvmpipe(int threads, enum llvmpipe_filter filter,
-                                      struct error *error) {
+static struct llvmpipe *open_llvmpipe(int threads, struct error *error) {
     char number[16];
     struct llvmpipe *l = calloc(1, sizeof *l);
     snprintf(number, sizeof number, "%d", threads);
@@ -116,7 +114,6 @@ static struct llvmpipe *open_llvmpipe(int threads, enum llvmpipe_filter filter,
         error_out_of_memory(error);
         return NULL;
     }
-    l->filter = filter == FILTER_NEAREST ? GL_NEAREST : GL_LINEAR;
     bool done = gl_context_open(&l->context, error);
     for (int look = 0; done && look < FRAME_LOOKS; look++) {
         const char *vertex[2] = {head, vertex_shaders[look]};
@@ -178,8 +175,8 @@ static void load_texture(struct llvmpipe *l, GLuint program, enum model_texture_
                      GL_UNSIGNED_INT_8_8_8_8_REV, level->texels);
     }
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, (GLint)l->filter);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, (GLint)l->filter);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
     glUniform1i(glGetUniformLocation(program, sampler_names[kind]), (GLint)kind);

@@ -10,14 +10,12 @@
 
 #include <stdint.h>
 
-enum llvmpipe_filter { FILTER_BILINEAR, FILTER_NEAREST };
-
 struct llvmpipe;
 
 struct llvmpipe_functions {
     /* Threads: 0 draws in the thread that calls; only the first call of a process decides. NULL,
      * with a message, where it cannot draw. */
-    struct llvmpipe *(*open)(int threads, enum llvmpipe_filter filter, struct error *error);
+    struct llvmpipe *(*open)(int threads, struct error *error);
     void (*close)(struct llvmpipe *llvmpipe);
     const char *(*name)(const struct llvmpipe *llvmpipe); /* "llvmpipe (...), version" */
     /* Make ready to draw a scene: mesh, textures and buffers are handed over here. */

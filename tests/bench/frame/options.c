@@ -95,12 +95,6 @@ static bool clear_all(const char *value, void *target) {
     return true;
 }
 
-static bool take_nearest(const char *value, void *target) {
-    (void)value;
-    *(enum llvmpipe_filter *)target = FILTER_NEAREST;
-    return true;
-}
-
 static bool read_directory(const char *value, void *target) {
     return value[0] != '\0' && argument_text(value, target);
 }
@@ -122,8 +116,6 @@ bool options_read(struct options *o, int argc, char **argv, struct error *error)
         {"--clear-all", "",
          "clear all of the image, not only what the last frame has drawn, as\nllvmpipe does",
          clear_all, &o->clearing},
-        {"--nearest", "", "llvmpipe takes the nearest texel, this course still four", take_nearest,
-         &o->filter},
         {"-o", "DIR", "save the pictures of both there, as PNG", read_directory, &o->directory},
     };
     const size_t known_count = sizeof known / sizeof known[0];

@@ -22,8 +22,7 @@ struct options {
     struct size sizes[LIST_LIMIT];
     size_t triangles[LIST_LIMIT]; /* about so many */
     size_t look_count, size_count, triangle_count;
-    size_t frames; /* timed of each, 1..FRAMES_LIMIT */
-    enum llvmpipe_filter filter;
+    size_t frames;          /* timed of each, 1..FRAMES_LIMIT */
     bool skipping;          /* measure only what shortcuts are worth */
     bool least;             /* show the least time, not the median */
     enum clearing clearing; /* how the course's side clears the image */

@@ -1,4 +1,4 @@
-/* The tables that bench-frame prints: times, errors, and the goals that are met. */
+/* The tables that bench-frame prints: times and errors. */
 #ifndef FRAME_TABLE_H
 #define FRAME_TABLE_H
 
@@ -19,7 +19,6 @@ struct cell {
     size_t width, height, faces;
     size_t visible; /* pixels that show a face */
     struct summary sides[SIDES];
-    struct summary fill; /* setting as many bytes as colour and depth have */
     struct deviation deviations[SIDES];
     bool same[2]; /* one thread and two draw the same bytes: ours, llvmpipe */
 };
@@ -34,7 +33,7 @@ void table_print_time_head(const struct options *options);
 void table_print_times(const struct table *table, const struct cell *cell);
 void table_print_errors(const struct table *table);
 
-/* How many cells meet what the pipeline is meant to reach. */
-void table_print_goals(const struct table *table);
+/* How many times as fast as llvmpipe where it is the least. */
+void table_print_least(const struct table *table);
 
 #endif

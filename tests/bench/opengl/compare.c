@@ -24,8 +24,8 @@
  * edge of the light), the shader says so (see looks.c), and the pixel may fall on either side.
  */
 #define _POSIX_C_SOURCE 200809L /* clock_gettime */
+#include "compared.h"
 #include "files/png.h"
-#include "lesson.h"
 #include "mesa.h"
 #include "reference.h"
 #include "run/stage.h"
@@ -354,12 +354,6 @@ static void add_findings(struct findings *total, const struct findings *f) {
                                     : total->largest_difference;
 }
 
-int lesson_capture(const struct program *program, int argc, char **argv) {
-    (void)argc;
-    *(const struct program **)(void *)argv = program;
-    return 0;
-}
-
 static bool compare_lesson(const struct lesson *lesson, struct mesa *mesa,
                            const struct options *options, struct findings *total, bool *good,
                            struct error *error) {
@@ -402,10 +396,9 @@ static int compare_all(struct mesa *mesa, const struct options *options) {
     bool good = true;
     struct error error = {0};
     printf("%s\n", mesa_name(mesa));
-    for (size_t i = 0; lesson_functions[i] != NULL; i++) {
-        struct lesson lesson = lesson_functions[i]();
-        if (!compare_lesson(&lesson, mesa, options, &total, &good, &error)) {
-            fprintf(stderr, "compare-opengl: %s: %s\n", lesson.program->name, error.message);
+    for (size_t i = 0; lessons[i] != NULL; i++) {
+        if (!compare_lesson(lessons[i], mesa, options, &total, &good, &error)) {
+            fprintf(stderr, "compare-opengl: %s: %s\n", lessons[i]->program->name, error.message);
             return STATUS_DIFFERENT;
         }
     }

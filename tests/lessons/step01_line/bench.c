@@ -6,10 +6,8 @@
  * lists of their pixels, as line_list() makes them, and all versions write them with put(). The
  * error counts wrong pixels, against exact integers.
  */
-#define main step01_main
-int step01_main(int argc, char **argv);
-#include "../../../step01_line/main.c"
-#undef main
+#define LESSON "../step01_line/main.c"
+#include "lesson.h"
 
 #include "../../../step01_line/attempts.h"
 
@@ -23,7 +21,8 @@ enum {
     SHORT_LENGTH = 500,
     LONG_COUNT = 4, /* lists of a million pixels */
     LONG_LENGTH = 1000000,
-    HOUSE_LINE = LINE_ATTEMPT_COUNT /* choices below it are attempts */
+    HOUSE_LINE = LINE_ATTEMPT_COUNT, /* choices below it are attempts */
+    LONG_LISTS = 128                 /* added to the choices of the versions that make lists */
 };
 
 /* Lines of one length, as lists one after the other. */
@@ -55,7 +54,8 @@ static void images_run(void *state, int choice) {
     }
 }
 
-static double images_units(const void *state) {
+static double images_units(const void *state, int base) {
+    (void)base;
     return (double)((const struct lines *)state)->pixel_count;
 }
 
@@ -147,26 +147,6 @@ static inline void list_float_product(struct flat flat, struct pixel *list) {
     }
 }
 
-static inline void list_double_product(struct flat flat, struct pixel *list) {
-    double slope = (double)flat.rise / (double)flat.run;
-    for (int64_t i = 0; i <= flat.run; i++) {
-        put(list, &flat, i, (int)((double)(int)i * slope + (0.5 - 0x1p-54)));
-    }
-}
-
-/* The whole part apart from the rest, as in attempt 7. */
-static inline void list_float_parts(struct flat flat, struct pixel *list) {
-    float slope = (float)flat.rise / (float)flat.run, beyond = 0;
-    for (int64_t i = 0, j = 0; i <= flat.run; i++) {
-        put(list, &flat, i, j);
-        beyond += slope;
-        if (beyond > 0.5F) {
-            j++;
-            beyond -= 1;
-        }
-    }
-}
-
 /* As line_list(), in 32 bits: the coordinates are small enough. */
 static inline void list_bresenham(struct flat flat, struct pixel *list) {
     int run = (int)flat.run, rise = (int)flat.rise, error = -run;
@@ -205,9 +185,7 @@ static inline void list_runs(struct flat flat, struct pixel *list) {
 enum list_version {
     FLOAT_SUM,
     FLOAT_PRODUCT,
-    FLOAT_PARTS,
     DOUBLE_SUM,
-    DOUBLE_PRODUCT,
     BRESENHAM_32,
     BY_RUNS,
     HOUSE_LIST,
@@ -222,14 +200,8 @@ static void list_draw(struct pixel a, struct pixel b, struct pixel *list, int ch
     case FLOAT_PRODUCT:
         list_float_product(flat_line(a, b), list);
         break;
-    case FLOAT_PARTS:
-        list_float_parts(flat_line(a, b), list);
-        break;
     case DOUBLE_SUM:
         list_double_sum(flat_line(a, b), list);
-        break;
-    case DOUBLE_PRODUCT:
-        list_double_product(flat_line(a, b), list);
         break;
     case BRESENHAM_32:
         list_bresenham(flat_line(a, b), list);
@@ -245,18 +217,30 @@ static void list_draw(struct pixel a, struct pixel b, struct pixel *list, int ch
     }
 }
 
-static void lists_run(struct lists *lists, int choice) {
+static struct lists *chosen_lists(struct lines *lines, int choice) {
+    return choice < LONG_LISTS ? &lines->short_lists : &lines->long_lists;
+}
+
+static void lists_run(void *state, int choice) {
+    struct lists *lists = chosen_lists(state, choice);
     for (size_t i = 0; i < lists->count; i++) {
-        list_draw(lists->ends[i][0], lists->ends[i][1], lists->drawn + i * lists->length, choice);
+        list_draw(lists->ends[i][0], lists->ends[i][1], lists->drawn + i * lists->length,
+                  choice % LONG_LISTS);
     }
 }
 
-static double lists_error(const struct lists *lists) {
+static double lists_error(void *state, int choice) {
+    const struct lists *lists = chosen_lists(state, choice);
     size_t wrong = 0, pixel_count = lists->count * lists->length;
     for (size_t i = 0; i < pixel_count; i++) {
         wrong += lists->drawn[i].x != lists->exact[i].x || lists->drawn[i].y != lists->exact[i].y;
     }
     return 1000 * (double)wrong / (double)pixel_count;
+}
+
+static double lists_units(const void *state, int base) {
+    (void)state;
+    return base == LONG_LISTS ? (double)LONG_COUNT * LONG_LENGTH : SHORT_COUNT * SHORT_LENGTH;
 }
 
 /* Where the exact pixel is, the ideal line tells to within one; the oracle tells which it is. */
@@ -297,43 +281,11 @@ static void lists_free(struct lists *lists) {
     free(lists->exact);
 }
 
-static void short_run(void *state, int choice) {
-    lists_run(&((struct lines *)state)->short_lists, choice);
-}
-
-static double short_error(void *state, int choice) {
-    (void)choice;
-    return lists_error(&((struct lines *)state)->short_lists);
-}
-
-static double short_units(const void *state) {
-    (void)state;
-    return SHORT_COUNT * SHORT_LENGTH;
-}
-
-static void long_run(void *state, int choice) {
-    lists_run(&((struct lines *)state)->long_lists, choice);
-}
-
-static double long_error(void *state, int choice) {
-    (void)choice;
-    return lists_error(&((struct lines *)state)->long_lists);
-}
-
-static double long_units(const void *state) {
-    (void)state;
-    return (double)LONG_COUNT * LONG_LENGTH;
-}
-
 /* ---- The lesson ---- */
 
-static bool lines_setup(void **state, struct error *error) {
-    struct lines *lines = calloc(1, sizeof *lines);
+static bool lines_setup(void *state, struct error *error) {
+    struct lines *lines = state;
     struct random random = {1};
-    *state = lines;
-    if (lines == NULL) {
-        return error_set(error, "out of memory for lines");
-    }
     return images_setup(lines, &random, error) &&
            lists_setup(&lines->short_lists, SHORT_COUNT, SHORT_LENGTH, &random, error) &&
            lists_setup(&lines->long_lists, LONG_COUNT, LONG_LENGTH, &random, error);
@@ -341,57 +293,27 @@ static bool lines_setup(void **state, struct error *error) {
 
 static void lines_teardown(void *state) {
     struct lines *lines = state;
-    for (int i = 0; lines != NULL && i < 2 * PAIR_COUNT; i++) {
+    for (int i = 0; i < 2 * PAIR_COUNT; i++) {
         image_free(&lines->images[i]);
     }
-    if (lines != NULL) {
-        lists_free(&lines->short_lists);
-        lists_free(&lines->long_lists);
-    }
-    free(lines);
+    lists_free(&lines->short_lists);
+    lists_free(&lines->long_lists);
 }
 
 static const struct bench_version image_versions[] = {
-    {"1: t += 0.01", 0, false, images_run, images_error},
-    {"2: t += 0.1", 1, false, images_run, images_error},
-    {"3: step per column", 2, false, images_run, images_error},
-    {"4: axes swapped", 3, false, images_run, images_error},
-    {"5: division outside", 4, false, images_run, images_error},
-    {"6: y accumulated", 5, false, images_run, images_error},
-    {"7: two parts", 6, false, images_run, images_error},
-    {"by cases", 7, false, images_run, images_error},
-    {"Bresenham by runs", 8, false, images_run, images_error},
-    {"Bresenham: line()", HOUSE_LINE, true, images_run, images_error},
+    VERSION("1: t += 0.01", 0),        VERSION("2: t += 0.1", 1),
+    VERSION("3: step per column", 2),  VERSION("4: axes swapped", 3),
+    VERSION("5: division outside", 4), VERSION("6: y accumulated", 5),
+    VERSION("7: two parts", 6),        VERSION("by cases", 7),
+    VERSION("Bresenham by runs", 8),   HOUSE_VERSION("Bresenham: line()", HOUSE_LINE),
 };
 
-static const struct bench_version short_versions[] = {
-    {"fixed, 8 bits", FIXED + 8, false, short_run, short_error},
-    {"fixed, 16 bits", FIXED + 16, false, short_run, short_error},
-    {"fixed, 32 bits", FIXED + 32, false, short_run, short_error},
-    {"fixed, 43 bits", FIXED + 43, false, short_run, short_error},
-    {"float, sum", FLOAT_SUM, false, short_run, short_error},
-    {"float, product", FLOAT_PRODUCT, false, short_run, short_error},
-    {"float, two parts", FLOAT_PARTS, false, short_run, short_error},
-    {"double, sum", DOUBLE_SUM, false, short_run, short_error},
-    {"double, product", DOUBLE_PRODUCT, false, short_run, short_error},
-    {"Bresenham, 32 bits", BRESENHAM_32, false, short_run, short_error},
-    {"Bresenham by runs", BY_RUNS, false, short_run, short_error},
-    {"Bresenham: line_list()", HOUSE_LIST, true, short_run, short_error},
-};
-
-static const struct bench_version long_versions[] = {
-    {"fixed, 8 bits", FIXED + 8, false, long_run, long_error},
-    {"fixed, 16 bits", FIXED + 16, false, long_run, long_error},
-    {"fixed, 32 bits", FIXED + 32, false, long_run, long_error},
-    {"fixed, 43 bits", FIXED + 43, false, long_run, long_error},
-    {"float, sum", FLOAT_SUM, false, long_run, long_error},
-    {"float, product", FLOAT_PRODUCT, false, long_run, long_error},
-    {"float, two parts", FLOAT_PARTS, false, long_run, long_error},
-    {"double, sum", DOUBLE_SUM, false, long_run, long_error},
-    {"double, product", DOUBLE_PRODUCT, false, long_run, long_error},
-    {"Bresenham, 32 bits", BRESENHAM_32, false, long_run, long_error},
-    {"Bresenham by runs", BY_RUNS, false, long_run, long_error},
-    {"Bresenham: line_list()", HOUSE_LIST, true, long_run, long_error},
+static const struct bench_version list_versions[] = {
+    VERSION("fixed, 8 bits", FIXED + 8),   VERSION("fixed, 16 bits", FIXED + 16),
+    VERSION("fixed, 32 bits", FIXED + 32), VERSION("fixed, 43 bits", FIXED + 43),
+    VERSION("float, sum", FLOAT_SUM),      VERSION("float, product", FLOAT_PRODUCT),
+    VERSION("double, sum", DOUBLE_SUM),    VERSION("Bresenham, 32 bits", BRESENHAM_32),
+    VERSION("Bresenham by runs", BY_RUNS), HOUSE_VERSION("Bresenham: line_list()", HOUSE_LIST),
 };
 
 static const struct bench_panel lines_panels[] = {
@@ -401,9 +323,10 @@ static const struct bench_panel lines_panels[] = {
         .time_label = "ns per pixel",
         .against = "exact integers",
         .house_within = BENCH_EXACT,
+        .run = images_run,
+        .error = images_error,
         .units = images_units,
-        .versions = image_versions,
-        .version_count = sizeof image_versions / sizeof image_versions[0],
+        BENCH_VERSIONS(image_versions),
     },
     {
         .title = "Lists of 500 pixels, in numbers of all kinds",
@@ -411,9 +334,10 @@ static const struct bench_panel lines_panels[] = {
         .time_label = "ns per pixel",
         .against = "exact integers",
         .house_within = BENCH_EXACT,
-        .units = short_units,
-        .versions = short_versions,
-        .version_count = sizeof short_versions / sizeof short_versions[0],
+        .run = lists_run,
+        .error = lists_error,
+        .units = lists_units,
+        BENCH_VERSIONS(list_versions),
     },
     {
         .title = "Lists of a million pixels",
@@ -421,15 +345,18 @@ static const struct bench_panel lines_panels[] = {
         .time_label = "ns per pixel",
         .against = "exact integers",
         .house_within = BENCH_EXACT,
-        .units = long_units,
-        .versions = long_versions,
-        .version_count = sizeof long_versions / sizeof long_versions[0],
+        .base = LONG_LISTS,
+        .run = lists_run,
+        .error = lists_error,
+        .units = lists_units,
+        BENCH_VERSIONS(list_versions),
     },
 };
 
 const struct bench_lesson bench_step01 = {
     .step = "step01_line",
     .title = "Step 1: a line",
+    .state_size = sizeof(struct lines),
     .setup = lines_setup,
     .teardown = lines_teardown,
     .panels = lines_panels,

@@ -1,8 +1,6 @@
 /* The line() of step 1. */
-#define main step01_main
-int step01_main(int argc, char **argv);
-#include "../../../step01_line/main.c"
-#undef main
+#define LESSON "../step01_line/main.c"
+#include "lesson.h"
 
 #include "upkeep/stress/lessons.h"
 

@@ -1,9 +1,7 @@
 /* Lesson 1's list of a line's pixels against the walk of common, which is held against exact
  * answers elsewhere: the same pixels, in the same order. */
-#define main step01_main
-int step01_main(int argc, char **argv);
-#include "../../../step01_line/main.c"
-#undef main
+#define LESSON "../step01_line/main.c"
+#include "lesson.h"
 
 #include "oracle/oracle.h"
 #include "raster.h"

@@ -6,10 +6,8 @@
  * them set pixels with image_set(). The error counts wrong and missing pixels of the picture that
  * was timed, against the exact pixels of each line.
  */
-#define main step02_main
-int step02_main(int argc, char **argv);
-#include "../../../step02_wireframe/main.c"
-#undef main
+#define LESSON "../step02_wireframe/main.c"
+#include "lesson.h"
 
 #include "../../../step02_wireframe/attempts.h"
 
@@ -224,7 +222,6 @@ enum cut_version {
     COHEN_INT,
     COHEN_FLOAT,
     COHEN_DOUBLE,
-    LIANG_INT,
     LIANG_FLOAT,
     LIANG_DOUBLE,
     EXACT_CUT,
@@ -319,29 +316,6 @@ DEFINE_COHEN_SUTHERLAND(double, double, part_double, quotient_double)
 DEFINE_LIANG_BARSKY(float, part_float)
 DEFINE_LIANG_BARSKY(double, part_double)
 
-/* The same with shares as fractions of whole numbers; only the two points are rounded. */
-static inline bool liang_int(struct pixel a, struct pixel b, struct part_int *cut) {
-    int64_t x = a.x, y = a.y, dx = b.x - x, dy = b.y - y;
-    const int64_t step[4] = {-dx, dx, -dy, dy}, room[4] = {x, SIDE - 1 - x, y, SIDE - 1 - y};
-    int64_t enter = 0, enter_of = 1, leave = 1, leave_of = 1;
-    for (int i = 0; i < 4; i++) {
-        if (step[i] == 0 && room[i] < 0) {
-            return false;
-        }
-        if (step[i] < 0 && -room[i] * enter_of > enter * -step[i]) {
-            enter = -room[i];
-            enter_of = -step[i];
-        } else if (step[i] > 0 && room[i] * leave_of < leave * step[i]) {
-            leave = room[i];
-            leave_of = step[i];
-        }
-    }
-    *cut = (struct part_int){
-        x + nearest_quotient(enter * dx, enter_of), y + nearest_quotient(enter * dy, enter_of),
-        x + nearest_quotient(leave * dx, leave_of), y + nearest_quotient(leave * dy, leave_of)};
-    return enter * leave_of <= leave * enter_of;
-}
-
 /* ---- Cut lines, drawn ---- */
 
 /* The loop of main.c's line(): all lines that begin and end at pixels are drawn with it. */
@@ -423,10 +397,10 @@ static inline void cut_double(struct image *image, struct pixel a, struct pixel 
     }
 }
 
-static inline void cut_int(struct image *image, struct pixel a, struct pixel b, int choice,
+static inline void cut_int(struct image *image, struct pixel a, struct pixel b,
                            struct color color) {
     struct part_int part;
-    if (choice == COHEN_INT ? cohen_int(a, b, &part) : liang_int(a, b, &part)) {
+    if (cohen_int(a, b, &part)) {
         draw_rounded(image, part, color);
     }
 }
@@ -437,36 +411,47 @@ static inline void cut_exactly(struct image *image, struct pixel a, struct pixel
     draw_steps(image, &course, steps_inside(&course, SIDE, SIDE), color);
 }
 
-/* Every version has a grey level of its own in each panel, to tell what it drew from what others
- * left. */
-static uint8_t lines_level(size_t panel, int choice) {
-    return (uint8_t)(1 + choice + 2 * KEPT * (int)panel);
+/* Choices of the other panels: so many for each length of the lines. Every one has a grey level of
+ * its own, to tell what it drew from what others left. */
+enum { CUTS = 2 * KEPT };
+
+static uint8_t cut_level(int choice) {
+    return (uint8_t)(1 + choice);
 }
 
-static void lines_run(struct frame *frame, size_t panel, int choice) {
-    struct color color = color_grey(lines_level(panel, choice));
+static void cut_run(void *state, int choice) {
+    struct frame *frame = state;
+    struct color color = color_grey(cut_level(choice));
+    const int version = choice % CUTS;
     for (size_t i = 0; i < LINE_COUNT; i++) {
-        struct pixel a = frame->ends[panel][i][0], b = frame->ends[panel][i][1];
-        switch (choice % KEPT) {
+        struct pixel a = frame->ends[choice / CUTS][i][0], b = frame->ends[choice / CUTS][i][1];
+        switch (version % KEPT) {
         case COHEN_FLOAT:
         case LIANG_FLOAT:
-            cut_float(&frame->timed, a, b, choice, color);
+            cut_float(&frame->timed, a, b, version, color);
             break;
         case COHEN_DOUBLE:
         case LIANG_DOUBLE:
-            cut_double(&frame->timed, a, b, choice, color);
+            cut_double(&frame->timed, a, b, version, color);
             break;
         case EXACT_CUT:
             cut_exactly(&frame->timed, a, b, color);
             break;
         default:
-            cut_int(&frame->timed, a, b, choice, color);
+            cut_int(&frame->timed, a, b, color);
         }
     }
 }
 
-static double lines_error(const struct frame *frame, size_t panel, int choice) {
-    return picture_error(&frame->exact_lines[panel], &frame->timed, lines_level(panel, choice));
+static double cut_error(void *state, int choice) {
+    const struct frame *frame = state;
+    return picture_error(&frame->exact_lines[choice / CUTS], &frame->timed, cut_level(choice));
+}
+
+static double cut_units(const void *state, int base) {
+    (void)state;
+    (void)base;
+    return LINE_COUNT;
 }
 
 /* Lines through points of the image in all directions; the point lies anywhere in the middle part
@@ -490,43 +475,10 @@ static bool lines_setup(struct frame *frame, size_t panel, struct error *error) 
     return true;
 }
 
-static void run_shortest(void *state, int choice) {
-    lines_run(state, 0, choice);
-}
-
-static void run_long(void *state, int choice) {
-    lines_run(state, 1, choice);
-}
-
-static void run_longest(void *state, int choice) {
-    lines_run(state, 2, choice);
-}
-
-static double error_shortest(void *state, int choice) {
-    return lines_error(state, 0, choice);
-}
-
-static double error_long(void *state, int choice) {
-    return lines_error(state, 1, choice);
-}
-
-static double error_longest(void *state, int choice) {
-    return lines_error(state, 2, choice);
-}
-
-static double lines_units(const void *state) {
-    (void)state;
-    return LINE_COUNT;
-}
-
 /* ---- The lesson ---- */
 
-static bool frame_setup(void **state, struct error *error) {
-    struct frame *frame = calloc(1, sizeof *frame);
-    *state = frame;
-    if (frame == NULL) {
-        return error_set(error, "out of memory for a frame");
-    }
+static bool frame_setup(void *state, struct error *error) {
+    struct frame *frame = state;
     frame->drawing =
         (struct drawing){.model = &frame->model, .skip = true, .state = &frame->wireframe};
     if (!frame_read_model(&frame->model, error) ||
@@ -541,48 +493,46 @@ static bool frame_setup(void **state, struct error *error) {
 
 static void frame_teardown(void *state) {
     struct frame *frame = state;
-    if (frame != NULL) {
-        frame->drawing.state = &frame->wireframe;
-        finish(&frame->drawing);
-        model_free(&frame->model);
-        image_free(&frame->timed);
-        image_free(&frame->exact.image);
-        for (size_t i = 0; i < LENGTH_COUNT; i++) {
-            image_free(&frame->exact_lines[i].image);
-        }
+    frame->drawing.state = &frame->wireframe;
+    finish(&frame->drawing);
+    model_free(&frame->model);
+    image_free(&frame->timed);
+    image_free(&frame->exact.image);
+    for (size_t i = 0; i < LENGTH_COUNT; i++) {
+        image_free(&frame->exact_lines[i].image);
     }
-    free(frame);
 }
 
 static const struct bench_version frame_versions[] = {
-    {"every side, pixels tested", EVERY_TESTED, false, frame_run, frame_error},
-    {"every side, cut", EVERY_CUT, false, frame_run, frame_error},
-    {"each once, pixels tested", ONCE_TESTED, false, frame_run, frame_error},
-    {"one direction only", ONE_DIRECTION, false, frame_run, frame_error},
-    {"each once, ends rounded", ENDS_ROUNDED, false, frame_run, frame_error},
-    {"list made every time", LIST_ANEW, false, frame_run, frame_error},
-    {"each once, cut (main.c)", HOUSE, true, frame_run, frame_error},
+    VERSION("every side, pixels tested", EVERY_TESTED),
+    VERSION("every side, cut", EVERY_CUT),
+    VERSION("each once, pixels tested", ONCE_TESTED),
+    VERSION("one direction only", ONE_DIRECTION),
+    VERSION("each once, ends rounded", ENDS_ROUNDED),
+    VERSION("list made every time", LIST_ANEW),
+    HOUSE_VERSION("each once, cut (main.c)", HOUSE),
 };
 
-#define CUT_VERSIONS(run, error)                                                                   \
-    {"Cohen-S. int, rounded", COHEN_INT, false, run, error},                                       \
-        {"Cohen-S. float, rounded", COHEN_FLOAT, false, run, error},                               \
-        {"Cohen-S. double, rounded", COHEN_DOUBLE, false, run, error},                             \
-        {"Liang-B. int, rounded", LIANG_INT, false, run, error},                                   \
-        {"Liang-B. float, rounded", LIANG_FLOAT, false, run, error},                               \
-        {"Liang-B. double, rounded", LIANG_DOUBLE, false, run, error},                             \
-        {"Cohen-S. float, kept", KEPT + COHEN_FLOAT, false, run, error},                           \
-        {"Cohen-S. double, kept", KEPT + COHEN_DOUBLE, false, run, error},                         \
-        {"Liang-B. float, kept", KEPT + LIANG_FLOAT, false, run, error},                           \
-        {"Liang-B. double, kept", KEPT + LIANG_DOUBLE, false, run, error},                         \
-        {"exact steps (main.c)", EXACT_CUT, true, run, error},
+static const struct bench_version cut_versions[] = {
+    VERSION("Cohen-S. int, rounded", COHEN_INT),
+    VERSION("Cohen-S. float, rounded", COHEN_FLOAT),
+    VERSION("Cohen-S. double, rounded", COHEN_DOUBLE),
+    VERSION("Liang-B. float, rounded", LIANG_FLOAT),
+    VERSION("Liang-B. double, rounded", LIANG_DOUBLE),
+    VERSION("Cohen-S. float, kept", KEPT + COHEN_FLOAT),
+    VERSION("Cohen-S. double, kept", KEPT + COHEN_DOUBLE),
+    VERSION("Liang-B. float, kept", KEPT + LIANG_FLOAT),
+    VERSION("Liang-B. double, kept", KEPT + LIANG_DOUBLE),
+    HOUSE_VERSION("exact steps (main.c)", EXACT_CUT),
+};
 
-static const struct bench_version shortest_versions[] = {
-    CUT_VERSIONS(run_shortest, error_shortest)};
-static const struct bench_version long_versions[] = {CUT_VERSIONS(run_long, error_long)};
-static const struct bench_version longest_versions[] = {CUT_VERSIONS(run_longest, error_longest)};
-
-enum { CUT_VERSION_COUNT = sizeof long_versions / sizeof long_versions[0] };
+#define CUT_PANEL(heading, length)                                                                 \
+    {                                                                                              \
+        .title = (heading), .error_label = "wrong and missing pixels per 1000",                    \
+        .time_label = "ns per line", .against = "exact integers", .house_within = BENCH_EXACT,     \
+        .base = (length)*CUTS, .run = cut_run, .error = cut_error, .units = cut_units,             \
+        BENCH_VERSIONS(cut_versions), .budget = 0.7                                                \
+    }
 
 static const struct bench_panel frame_panels[] = {
     {
@@ -591,49 +541,22 @@ static const struct bench_panel frame_panels[] = {
         .time_label = "ms per frame",
         .against = "exact integers",
         .house_within = BENCH_EXACT,
-        .versions = frame_versions,
-        .version_count = sizeof frame_versions / sizeof frame_versions[0],
+        BENCH_VERSIONS(frame_versions),
+        .run = frame_run,
+        .error = frame_error,
         .size = frame_walked,
         .size_label = "pixels walked for each that is seen",
     },
-    {
-        .title = "200 lines as long as the image is wide, cut at its borders: ends rounded or kept",
-        .error_label = "wrong and missing pixels per 1000",
-        .time_label = "ns per line",
-        .against = "exact integers",
-        .house_within = BENCH_EXACT,
-        .units = lines_units,
-        .versions = shortest_versions,
-        .version_count = CUT_VERSION_COUNT,
-        .budget = 0.7,
-    },
-    {
-        .title = "The same, 32 times as long",
-        .error_label = "wrong and missing pixels per 1000",
-        .time_label = "ns per line",
-        .against = "exact integers",
-        .house_within = BENCH_EXACT,
-        .units = lines_units,
-        .versions = long_versions,
-        .version_count = CUT_VERSION_COUNT,
-        .budget = 0.7,
-    },
-    {
-        .title = "The same, 1,024 times as long",
-        .error_label = "wrong and missing pixels per 1000",
-        .time_label = "ns per line",
-        .against = "exact integers",
-        .house_within = BENCH_EXACT,
-        .units = lines_units,
-        .versions = longest_versions,
-        .version_count = CUT_VERSION_COUNT,
-        .budget = 0.7,
-    },
+    CUT_PANEL("200 lines as long as the image is wide, cut at its borders: ends rounded or kept",
+              0),
+    CUT_PANEL("The same, 32 times as long", 1),
+    CUT_PANEL("The same, 1,024 times as long", 2),
 };
 
 const struct bench_lesson bench_step02 = {
     .step = "step02_wireframe",
     .title = "Step 2: a wireframe",
+    .state_size = sizeof(struct frame),
     .setup = frame_setup,
     .teardown = frame_teardown,
     .panels = frame_panels,

@@ -1,8 +1,6 @@
 /* Step 2: its line() is lent to lines.c; here its sides and its way to the image. */
-#define main step02_main
-int step02_main(int argc, char **argv);
-#include "../../../step02_wireframe/main.c"
-#undef main
+#define LESSON "../step02_wireframe/main.c"
+#include "lesson.h"
 
 #include "upkeep/stress/lessons.h"
 #include "upkeep/stress/stress.h"
@@ -169,20 +167,15 @@ static void print_place(const void *failing) {
     printf("    v %.17g %.17g 0, %dx%d pixels\n", c->x, c->y, c->width, c->height);
 }
 
+static const struct case_kind sides_cases = {sizeof(struct sides_case), make_sides, print_sides,
+                                             NULL};
+static const struct case_kind place_cases = {sizeof(struct place_case), make_place, print_place,
+                                             NULL};
+
 const struct property lesson02_properties[] = {
-    {.name = "lesson02: each side once",
-     .against = AGAINST_INTEGERS,
-     .cases = 100000,
-     .case_size = sizeof(struct sides_case),
-     .make = make_sides,
-     .holds = sides_are_right,
-     .print = print_sides},
-    {.name = "lesson02: from model to image",
-     .against = AGAINST_LONG_DOUBLE,
-     .cases = 500000,
-     .case_size = sizeof(struct place_case),
-     .make = make_place,
-     .holds = place_is_right,
-     .print = print_place},
+    PROPERTY("lesson02: each side once", AGAINST_INTEGERS, 100000, sides_cases,
+             .holds = sides_are_right),
+    PROPERTY("lesson02: from model to image", AGAINST_LONG_DOUBLE, 500000, place_cases,
+             .holds = place_is_right),
     {.name = NULL},
 };

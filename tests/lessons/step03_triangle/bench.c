@@ -7,10 +7,8 @@
  * version too: so the picture of the last run tells which triangle it shows at each pixel. The
  * error counts pixels that show another one than 128-bit integers say.
  */
-#define main step03_main
-int step03_main(int argc, char **argv);
-#include "../../../step03_triangle/main.c"
-#undef main
+#define LESSON "../step03_triangle/main.c"
+#include "lesson.h"
 
 #include "../../../step03_triangle/attempts.h"
 
@@ -271,166 +269,102 @@ static void fill(const struct filled *t, int choice, struct target *target, stru
     }
 }
 
-/* ---- Corners snapped to fractions of a pixel, in numbers of all kinds ---- */
+/* ---- Corners snapped to other fractions of a pixel ---- */
 
-/* A triangle whose corners are snapped to `unit` steps a pixel, counted from the pixel (x,y): small
- * numbers need few digits. */
+/* A triangle whose corners are snapped to a whole number of steps in a pixel, counted from the
+ * pixel (x,y): small numbers need few digits. */
 struct placed {
     int x, y;
-    double unit;
-    double corner_x[3], corner_y[3]; /* whole numbers, unless nothing is snapped */
-    struct span rows;                /* counted from y: the centres between the corners */
+    int64_t unit;         /* steps in a pixel */
+    int64_t corner[3][2]; /* x, y */
+    struct span rows;     /* counted from y: the centres between the corners */
 };
 
-static inline double fast_floor(double value) {
+static inline int64_t fast_floor(double value) {
     int64_t whole = (int64_t)value;
-    return (double)(whole - (value < (double)whole));
+    return whole - (value < (double)whole);
 }
 
-/* `bits` after the point; -1: not snapped. */
 static inline struct placed place(const struct vec2 corner[3], int bits) {
-    struct placed p = {
-        (int)corner[0].x, (int)corner[0].y, bits < 0 ? 1 : (double)(1 << bits), {0}, {0}, {0, 0}};
-    double low = INFINITY, high = -INFINITY;
+    struct placed p = {.x = (int)corner[0].x, .y = (int)corner[0].y, .unit = INT64_C(1) << bits};
+    int64_t low = INT64_MAX, high = INT64_MIN;
     for (int i = 0; i < 3; i++) {
-        double x = (corner[i].x - p.x) * p.unit, y = (corner[i].y - p.y) * p.unit;
-        p.corner_x[i] = bits < 0 ? x : fast_floor(x + 0.5);
-        p.corner_y[i] = bits < 0 ? y : fast_floor(y + 0.5);
-        low = p.corner_y[i] < low ? p.corner_y[i] : low;
-        high = p.corner_y[i] > high ? p.corner_y[i] : high;
+        p.corner[i][0] = fast_floor((corner[i].x - p.x) * (double)p.unit + 0.5);
+        p.corner[i][1] = fast_floor((corner[i].y - p.y) * (double)p.unit + 0.5);
+        low = p.corner[i][1] < low ? p.corner[i][1] : low;
+        high = p.corner[i][1] > high ? p.corner[i][1] : high;
     }
-    int begin = (int)-fast_floor(0.5 - low / p.unit),
-        end = (int)fast_floor(high / p.unit - 0.5) + 1;
+    int begin = (int)((2 * low + p.unit - 1) >> (bits + 1));
+    int end = (int)((2 * high - p.unit) >> (bits + 1)) + 1;
     p.rows = span_overlap((struct span){begin, end}, (struct span){-p.y, SIDE - p.y});
     return p;
 }
 
-/* Where value + dx * x becomes positive (`closed`: not negative), dx being positive: the first such
- * x. And where it ends for a negative dx: one after the last such x. */
-#define DEFINE_ENDS_WHOLE(name, number)                                                            \
-    static inline number quotient_##name(number a, number b) {                                     \
-        number quotient = a / b;                                                                   \
-        return quotient - (a % b < 0);                                                             \
-    }                                                                                              \
-    static inline int64_t first_##name(number value, number dx, bool closed) {                     \
-        return (int64_t)quotient_##name((number)(-(int64_t)value - closed), dx) + 1;               \
-    }                                                                                              \
-    static inline int64_t end_##name(number value, number dx, bool closed) {                       \
-        return (int64_t)quotient_##name((number)((int64_t)value - !closed),                        \
-                                        (number)(-(int64_t)dx)) +                                  \
-               1;                                                                                  \
-    }                                                                                              \
-    static inline number product_##name(number a, number b) {                                      \
-        return (number)((uint64_t)a * (uint64_t)b);                                                \
+/* An edge function of lesson 3: value + dx * column + dy * row is positive inside, and 0 on the
+ * edge, which is `closed` where it belongs to the triangle. Lengths are counted in half steps, so
+ * that the centre of a pixel is a whole number even where a step is a pixel. */
+struct side {
+    int64_t value, dx, dy;
+    bool closed;
+};
+
+static inline struct side side_between(const struct placed *p, const int64_t from[2],
+                                       const int64_t to[2], int turn) {
+    int64_t right = 2 * turn * (to[0] - from[0]), up = 2 * turn * (to[1] - from[1]);
+    return (struct side){
+        .value = right * (p->unit - 2 * from[1]) - up * (p->unit - 2 * from[0]),
+        .dx = -up * 2 * p->unit,
+        .dy = right * 2 * p->unit,
+        .closed = up < 0 || (up == 0 && right < 0),
+    };
+}
+
+/* What one side leaves of a span. */
+static inline void narrow(struct span *span, const struct side *side, int row) {
+    int64_t here = side->value + side->dy * row;
+    if (side->dx > 0) {
+        int64_t first = floor_divide(-here - side->closed, side->dx) + 1;
+        span->begin = first > span->begin ? (int)first : span->begin;
+    } else if (side->dx < 0) {
+        int64_t end = floor_divide(here - !side->closed, -side->dx) + 1;
+        span->end = end < span->end ? (int)end : span->end;
+    } else if (!(here > 0 || (here == 0 && side->closed))) {
+        span->end = span->begin;
     }
+}
 
-DEFINE_ENDS_WHOLE(int32, int32_t)
-DEFINE_ENDS_WHOLE(int64, int64_t)
-
-/* Comparisons are added, not branched on: which way they go nobody can guess. */
-#define DEFINE_ENDS_REAL(name, number)                                                             \
-    static inline number limited_##name(number value) {                                            \
-        const number limit = 1 << 20; /* far outside of every image, and an int */                 \
-        number least = value > -limit ? value : -limit;                                            \
-        return least < limit ? least : limit;                                                      \
-    }                                                                                              \
-    static inline int64_t first_##name(number value, number dx, bool closed) {                     \
-        number quotient = limited_##name(-value / dx);                                             \
-        int whole = (int)quotient;                                                                 \
-        return whole + ((number)whole < quotient) + (((number)whole == quotient) & !closed);       \
-    }                                                                                              \
-    static inline int64_t end_##name(number value, number dx, bool closed) {                       \
-        number quotient = limited_##name(value / -dx);                                             \
-        int whole = (int)quotient;                                                                 \
-        return whole + 1 - ((number)whole > quotient) - (((number)whole == quotient) & !closed);   \
-    }                                                                                              \
-    static inline number product_##name(number a, number b) {                                      \
-        return a * b;                                                                              \
-    }
-
-DEFINE_ENDS_REAL(float, float)
-DEFINE_ENDS_REAL(double, double)
-
-/* The edge functions of lesson 3 in numbers of one kind. Lengths are counted in half units, so that
- * the centre of a pixel is a whole number even where a unit is a pixel. */
-#define DEFINE_FILL(name, number)                                                                  \
-    static inline void fill_##name(struct image *image, struct placed p, struct color color) {     \
-        number x[3], y[3], value[3], dx[3], dy[3];                                                 \
-        bool closed[3];                                                                            \
-        for (int i = 0; i < 3; i++) {                                                              \
-            x[i] = (number)(2 * p.corner_x[i]);                                                    \
-            y[i] = (number)(2 * p.corner_y[i]);                                                    \
-        }                                                                                          \
-        number area =                                                                              \
-            product_##name(x[1] - x[0], y[2] - y[0]) - product_##name(y[1] - y[0], x[2] - x[0]);   \
-        number pixel = (number)(2 * p.unit), center = (number)p.unit;                              \
-        for (int i = 0; i < 3; i++) {                                                              \
-            int from = (i + 1) % 3, to = (i + 2) % 3;                                              \
-            number right = area > 0 ? x[to] - x[from] : x[from] - x[to];                           \
-            number up = area > 0 ? y[to] - y[from] : y[from] - y[to];                              \
-            value[i] =                                                                             \
-                product_##name(right, center - y[from]) - product_##name(up, center - x[from]);    \
-            dx[i] = product_##name(-up, pixel);                                                    \
-            dy[i] = product_##name(right, pixel);                                                  \
-            closed[i] = up < 0 || (up == 0 && right < 0);                                          \
-        }                                                                                          \
-        for (int row = p.rows.begin; row < p.rows.end && area != 0; row++) {                       \
-            int64_t begin = -p.x, end = SIDE - p.x;                                                \
-            for (int i = 0; i < 3; i++) {                                                          \
-                number here = value[i] + product_##name(dy[i], (number)row);                       \
-                if (dx[i] > 0) {                                                                   \
-                    int64_t first = first_##name(here, dx[i], closed[i]);                          \
-                    begin = first > begin ? first : begin;                                         \
-                } else if (dx[i] < 0) {                                                            \
-                    int64_t last = end_##name(here, dx[i], closed[i]);                             \
-                    end = last < end ? last : end;                                                 \
-                } else if (!(here > 0 || (here == 0 && closed[i]))) {                              \
-                    end = begin;                                                                   \
-                }                                                                                  \
-            }                                                                                      \
-            if (begin < end) {                                                                     \
-                image_fill_row(image, p.y + row, p.x + (int)begin, p.x + (int)end, color);         \
-            }                                                                                      \
-        }                                                                                          \
-    }
-
-DEFINE_FILL(int32, int32_t)
-DEFINE_FILL(int64, int64_t)
-DEFINE_FILL(float, float)
-DEFINE_FILL(double, double)
-
-/* A choice of this panel: a kind of number, and how many bits after the point. */
-enum { INT32, INT64, FLOAT, DOUBLE, HOUSE_SNAPPED, KIND = 32 };
-
-enum { NOT_SNAPPED = KIND - 1 };
-
-static void fill_bits(struct image *image, const struct filled *t, int choice, struct color color) {
-    int bits = choice % KIND == NOT_SNAPPED ? -1 : choice % KIND;
-    struct fixed2 corner[3];
-    switch (choice / KIND) {
-    case INT32:
-        fill_int32(image, place(t->corner, bits), color);
-        break;
-    case INT64:
-        fill_int64(image, place(t->corner, bits), color);
-        break;
-    case FLOAT:
-        fill_float(image, place(t->corner, bits), color);
-        break;
-    case DOUBLE:
-        fill_double(image, place(t->corner, bits), color);
-        break;
-    default:
-        if (screen_snap(t->corner[0], &corner[0]) && screen_snap(t->corner[1], &corner[1]) &&
-            screen_snap(t->corner[2], &corner[2])) {
-            triangle(image, corner, color);
+static void fill_placed(struct image *image, struct placed p, struct color color) {
+    const int64_t *a = p.corner[0], *b = p.corner[1], *c = p.corner[2];
+    int64_t area = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
+    int turn = area > 0 ? 1 : -1;
+    const struct side sides[3] = {side_between(&p, b, c, turn), side_between(&p, c, a, turn),
+                                  side_between(&p, a, b, turn)};
+    for (int row = p.rows.begin; row < p.rows.end && area != 0; row++) {
+        struct span span = {-p.x, SIDE - p.x};
+        for (int i = 0; i < 3; i++) {
+            narrow(&span, &sides[i], row);
+        }
+        if (span.begin < span.end) {
+            image_fill_row(image, p.y + row, p.x + span.begin, p.x + span.end, color);
         }
     }
 }
 
-static const char *kind_of_bits(int choice) {
-    static const char *const kinds[] = {"int32", "int64", "float", "double", NULL};
-    return kinds[choice / KIND];
+/* A choice of this panel: how many bits after the point. */
+enum { HOUSE_SNAPPED = 32 };
+
+static void fill_bits(struct image *image, const struct filled *t, int choice, struct color color) {
+    struct fixed2 corner[3];
+    if (choice != HOUSE_SNAPPED) {
+        fill_placed(image, place(t->corner, choice), color);
+    } else if (screen_snap(t->corner[0], &corner[0]) && screen_snap(t->corner[1], &corner[1]) &&
+               screen_snap(t->corner[2], &corner[2])) {
+        triangle(image, corner, color);
+    }
+}
+
+static const char *series_of_bits(int choice) {
+    return choice != HOUSE_SNAPPED ? "bits after the point" : NULL;
 }
 
 /* ---- Running and judging ---- */
@@ -450,29 +384,35 @@ static double count_wrong(const struct fill_bench *bench, const struct mesh *mes
     return (double)wrong / (double)mesh->pixel_count;
 }
 
-static int attempt_tag(size_t which, int choice) {
-    return 1 + (int)which * 16 + choice;
+/* Choices of the attempts: so many for each mesh. They are at most 32, and those of bits() above
+ * them. */
+enum { ATTEMPTS = 16 };
+
+static int attempt_tag(int choice) {
+    return 1 + choice;
 }
 
-/* Above those of the attempts. */
 static int bits_tag(int choice) {
-    return 64 + choice / KIND * KIND + choice % KIND;
+    return 64 + choice;
 }
 
-static void run_attempt(struct fill_bench *bench, size_t which, int choice) {
-    const struct mesh *mesh = &bench->meshes[which];
+static void run_attempt(void *state, int choice) {
+    struct fill_bench *bench = state;
+    const struct mesh *mesh = &bench->meshes[choice / ATTEMPTS];
     struct target target = {.image = &bench->image};
     for (size_t i = 0; i < mesh->count; i++) {
-        fill(&mesh->triangles[i], choice, &target, triangle_color(i, attempt_tag(which, choice)));
+        fill(&mesh->triangles[i], choice % ATTEMPTS, &target,
+             triangle_color(i, attempt_tag(choice)));
     }
 }
 
-static void run_small(void *state, int choice) {
-    run_attempt(state, SMALL, choice);
+static double error_attempt(void *state, int choice) {
+    const struct fill_bench *bench = state;
+    return 1e3 * count_wrong(bench, &bench->meshes[choice / ATTEMPTS], attempt_tag(choice));
 }
 
-static void run_large(void *state, int choice) {
-    run_attempt(state, LARGE, choice);
+static double units_attempt(const void *state, int base) {
+    return (double)((const struct fill_bench *)state)->meshes[base / ATTEMPTS].pixel_count;
 }
 
 static void run_bits(void *state, int choice) {
@@ -483,29 +423,20 @@ static void run_bits(void *state, int choice) {
     }
 }
 
-static double error_small(void *state, int choice) {
-    const struct fill_bench *bench = state;
-    return 1e3 * count_wrong(bench, &bench->meshes[SMALL], attempt_tag(SMALL, choice));
-}
-
-static double error_large(void *state, int choice) {
-    const struct fill_bench *bench = state;
-    return 1e3 * count_wrong(bench, &bench->meshes[LARGE], attempt_tag(LARGE, choice));
-}
-
 static double error_bits(void *state, int choice) {
     const struct fill_bench *bench = state;
     return 1e6 * count_wrong(bench, &bench->meshes[UNSNAPPED], bits_tag(choice));
 }
 
+static double units_bits(const void *state, int base) {
+    (void)base;
+    return (double)((const struct fill_bench *)state)->meshes[UNSNAPPED].count;
+}
+
 /* ---- The lesson ---- */
 
-static bool fill_setup(void **state, struct error *error) {
-    struct fill_bench *bench = calloc(1, sizeof *bench);
-    *state = bench;
-    if (bench == NULL) {
-        return error_set(error, "out of memory for triangles");
-    }
+static bool fill_setup(void *state, struct error *error) {
+    struct fill_bench *bench = state;
     return image_create(&bench->image, SIDE, SIDE, IMAGE_BGR, error) &&
            make_bust(&bench->meshes[SMALL], true, &bench->image, error) &&
            make_fan(&bench->meshes[LARGE], error) &&
@@ -514,67 +445,34 @@ static bool fill_setup(void **state, struct error *error) {
 
 static void fill_teardown(void *state) {
     struct fill_bench *bench = state;
-    for (size_t i = 0; bench != NULL && i < MESH_COUNT; i++) {
+    for (size_t i = 0; i < MESH_COUNT; i++) {
         free(bench->meshes[i].triangles);
         free(bench->meshes[i].shown);
     }
-    if (bench != NULL) {
-        image_free(&bench->image);
-    }
-    free(bench);
+    image_free(&bench->image);
 }
 
-static double small_units(const void *state) {
-    return (double)((const struct fill_bench *)state)->meshes[SMALL].pixel_count;
-}
-
-static double large_units(const void *state) {
-    return (double)((const struct fill_bench *)state)->meshes[LARGE].pixel_count;
-}
-
-static double bits_units(const void *state) {
-    return (double)((const struct fill_bench *)state)->meshes[UNSNAPPED].count;
-}
-
-static const struct bench_version small_versions[] = {
-    {"1: sweep, whole numbers", 1, false, run_small, error_small},
-    {"2: sweep in float", 2, false, run_small, error_small},
-    {"3: box in float", 3, false, run_small, error_small},
-    {"4: box in double", 4, false, run_small, error_small},
-    {"5: box, open", 5, false, run_small, error_small},
-    {"6: box, epsilon", 6, false, run_small, error_small},
-    {"7: edges summed in float", 7, false, run_small, error_small},
-    {"8: blocks, exact", 8, false, run_small, error_small},
-    {"spans by remainders", CARRIED, false, run_small, error_small},
-    {"spans, exact (main.c)", HOUSE, true, run_small, error_small},
+static const struct bench_version attempt_versions[] = {
+    VERSION("1: sweep, whole numbers", 1),
+    VERSION("2: sweep in float", 2),
+    VERSION("3: box in float", 3),
+    VERSION("4: box in double", 4),
+    VERSION("5: box, open", 5),
+    VERSION("6: box, epsilon", 6),
+    VERSION("7: edges summed in float", 7),
+    VERSION("8: blocks, exact", 8),
+    VERSION("spans by remainders", CARRIED),
+    HOUSE_VERSION("spans, exact (main.c)", HOUSE),
 };
-
-static const struct bench_version large_versions[] = {
-    {"1: sweep, whole numbers", 1, false, run_large, error_large},
-    {"2: sweep in float", 2, false, run_large, error_large},
-    {"3: box in float", 3, false, run_large, error_large},
-    {"4: box in double", 4, false, run_large, error_large},
-    {"5: box, open", 5, false, run_large, error_large},
-    {"6: box, epsilon", 6, false, run_large, error_large},
-    {"7: edges summed in float", 7, false, run_large, error_large},
-    {"8: blocks, exact", 8, false, run_large, error_large},
-    {"spans by remainders", CARRIED, false, run_large, error_large},
-    {"spans, exact (main.c)", HOUSE, true, run_large, error_large},
-};
-
-#define BITS_0_TO_16(kind)                                                                         \
-    {"0", (kind)*KIND, false, run_bits, error_bits},                                               \
-        {"2", (kind)*KIND + 2, false, run_bits, error_bits},                                       \
-        {"4", (kind)*KIND + 4, false, run_bits, error_bits},                                       \
-        {"8", (kind)*KIND + 8, false, run_bits, error_bits},                                       \
-        {"12", (kind)*KIND + 12, false, run_bits, error_bits},                                     \
-        {"16", (kind)*KIND + 16, false, run_bits, error_bits},
 
 static const struct bench_version bits_versions[] = {
-    BITS_0_TO_16(INT32) BITS_0_TO_16(INT64)
-        BITS_0_TO_16(FLOAT){"all", FLOAT *KIND + NOT_SNAPPED, false, run_bits, error_bits},
-    BITS_0_TO_16(DOUBLE){"all", DOUBLE *KIND + NOT_SNAPPED, false, run_bits, error_bits},
-    {"8 (main.c)", HOUSE_SNAPPED *KIND + 8, true, run_bits, error_bits},
+    VERSION("0", 0),
+    VERSION("2", 2),
+    VERSION("4", 4),
+    VERSION("8", 8),
+    VERSION("12", 12),
+    VERSION("16", 16),
+    HOUSE_VERSION("8 (main.c)", HOUSE_SNAPPED),
 };
 
 static const struct bench_panel fill_panels[] = {
@@ -584,9 +482,11 @@ static const struct bench_panel fill_panels[] = {
         .time_label = "ns per pixel",
         .against = "128-bit integers",
         .house_within = BENCH_EXACT,
-        .units = small_units,
-        .versions = small_versions,
-        .version_count = sizeof small_versions / sizeof small_versions[0],
+        .base = SMALL * ATTEMPTS,
+        .run = run_attempt,
+        .error = error_attempt,
+        .units = units_attempt,
+        BENCH_VERSIONS(attempt_versions),
     },
     {
         .title = "Large triangles: a fan of 24 that reaches far beyond the image",
@@ -594,26 +494,30 @@ static const struct bench_panel fill_panels[] = {
         .time_label = "ns per pixel",
         .against = "128-bit integers",
         .house_within = BENCH_EXACT,
-        .units = large_units,
-        .versions = large_versions,
-        .version_count = sizeof large_versions / sizeof large_versions[0],
+        .base = LARGE * ATTEMPTS,
+        .run = run_attempt,
+        .error = error_attempt,
+        .units = units_attempt,
+        BENCH_VERSIONS(attempt_versions),
         .budget = 2,
     },
     {
-        .title = "Corners snapped to 0 to 16 bits after the point, or not at all: the bust again",
+        .title = "Corners snapped to 0 to 16 bits after the point: the bust again",
         .error_label = "pixels that show the wrong triangle, per million",
         .time_label = "ns per triangle",
         .against = "128-bit integers and corners that are not snapped",
-        .units = bits_units,
-        .versions = bits_versions,
-        .version_count = sizeof bits_versions / sizeof bits_versions[0],
-        .series = kind_of_bits,
+        .run = run_bits,
+        .error = error_bits,
+        .units = units_bits,
+        BENCH_VERSIONS(bits_versions),
+        .series = series_of_bits,
     },
 };
 
 const struct bench_lesson bench_step03 = {
     .step = "step03_triangle",
     .title = "Step 3: a triangle",
+    .state_size = sizeof(struct fill_bench),
     .setup = fill_setup,
     .teardown = fill_teardown,
     .panels = fill_panels,

@@ -1,8 +1,6 @@
 /* The triangles of step 3. */
-#define main step03_main
-int step03_main(int argc, char **argv);
-#include "../../../step03_triangle/main.c"
-#undef main
+#define LESSON "../step03_triangle/main.c"
+#include "lesson.h"
 
 #include "upkeep/stress/lessons.h"
 

@@ -7,14 +7,13 @@
  * float. Every run lights all faces from four directions, and its levels, kept in double, are what
  * is judged before they are rounded to whole ones.
  */
-#define main step04_main
-int step04_main(int argc, char **argv);
-#include "../../../step04_flat/main.c"
-#undef main
+#define LESSON "../step04_flat/main.c"
+#include "lesson.h"
 
 #include "../../../step04_flat/attempts.h"
 
 #include "bench/bench.h"
+#include "oracle/reals.h"
 
 #include <stdlib.h>
 
@@ -156,7 +155,8 @@ enum root_version {
     FLOAT_TABLE_STEP,
     STORED_8,
     STORED_10,
-    STORED_16
+    STORED_16,
+    ROOTS_WORST = 32 /* added to them where the worst face is judged, and not the mean */
 };
 
 static inline float newton_step(float root, float square) {
@@ -307,11 +307,12 @@ static void shade_roots(const struct faces *faces, struct vec3 light, double *le
 static void run_root(void *state, int choice) {
     struct faces *faces = state;
     for (size_t i = 0; i < LIGHT_COUNT; i++) {
-        shade_roots(faces, faces->light[i], faces->levels + i * faces->count, choice);
+        shade_roots(faces, faces->light[i], faces->levels + i * faces->count, choice % ROOTS_WORST);
     }
 }
 
 static const char *series_of_root(int choice) {
+    choice %= ROOTS_WORST;
     if (choice == NORMALIZED) {
         return NULL;
     }
@@ -327,6 +328,7 @@ static const char *series_of_root(int choice) {
 /* Of a normal, as it is read. */
 static double root_bytes(const void *state, int choice) {
     (void)state;
+    choice %= ROOTS_WORST;
     if (choice >= STORED_8) {
         return choice == STORED_8 ? 3 : choice == STORED_10 ? 4 : 6;
     }
@@ -337,25 +339,15 @@ static double root_bytes(const void *state, int choice) {
 
 /* ---- The errors ---- */
 
-struct long_vec3 {
-    long double x, y, z;
-};
-
-static struct long_vec3 long_difference(struct vec3 a, struct vec3 b) {
-    return (struct long_vec3){(long double)a.x - b.x, (long double)a.y - b.y,
-                              (long double)a.z - b.z};
-}
-
 /* How directly light falls on a face: minus the cosine of the angle between the light's direction
  * and the outward normal. 0 for a face without area. */
 static long double exact_intensity(const struct model *model, size_t face, struct vec3 light) {
-    struct vec3 origin = model_position(model, face, 0);
-    struct long_vec3 a = long_difference(model_position(model, face, 1), origin);
-    struct long_vec3 b = long_difference(model_position(model, face, 2), origin);
-    long double x = a.y * b.z - a.z * b.y, y = a.z * b.x - a.x * b.z, z = a.x * b.y - a.y * b.x;
-    long double lx = light.x, ly = light.y, lz = light.z;
-    long double length = sqrtl(x * x + y * y + z * z) * sqrtl(lx * lx + ly * ly + lz * lz);
-    return length > 0 ? -(x * lx + y * ly + z * lz) / length : 0;
+    struct real3 origin = real3_from(model_position(model, face, 0));
+    struct real3 a = real3_sub(real3_from(model_position(model, face, 1)), origin);
+    struct real3 b = real3_sub(real3_from(model_position(model, face, 2)), origin);
+    struct real3 normal = real3_cross(a, b), to = real3_from(light);
+    long double length = real3_length(normal) * real3_length(to);
+    return length > 0 ? -real3_dot(normal, to) / length : 0;
 }
 
 /* A level as the picture can show it; what is not a number is shown as 0. */
@@ -389,10 +381,10 @@ static double error_worst(void *state, int choice) {
     return faces_errors(faces, &faces->models[0]).worst;
 }
 
-static double error_mean(void *state, int choice) {
+static double error_of_root(void *state, int choice) {
     const struct faces *faces = state;
-    (void)choice;
-    return faces_errors(faces, &faces->models[0]).mean;
+    struct errors errors = faces_errors(faces, &faces->models[0]);
+    return choice >= ROOTS_WORST ? errors.worst : errors.mean;
 }
 
 static double error_of_size(void *state, int choice) {
@@ -460,14 +452,10 @@ static void prepare_normals(struct faces *faces) {
     }
 }
 
-static bool faces_setup(void **state, struct error *error) {
+static bool faces_setup(void *state, struct error *error) {
     static const struct vec3 directions[LIGHT_COUNT] = {
         {0, 0, -1}, {-1, -1, -1}, {3, -1, -2}, {-0.1, 1, -0.3}};
-    struct faces *faces = calloc(1, sizeof *faces);
-    *state = faces;
-    if (faces == NULL) {
-        return error_set(error, "out of memory for faces");
-    }
+    struct faces *faces = state;
     for (int i = 0; i < LIGHT_COUNT; i++) {
         faces->light[i] = vec3_normalized(directions[i]);
     }
@@ -481,9 +469,6 @@ static bool faces_setup(void **state, struct error *error) {
 
 static void faces_teardown(void *state) {
     struct faces *faces = state;
-    if (faces == NULL) {
-        return;
-    }
     for (size_t k = 0; k < SIZE_COUNT; k++) {
         model_free(&faces->models[k]);
     }
@@ -499,54 +484,39 @@ static void faces_teardown(void *state) {
     free(faces->doubles.z);
     free(faces->stored.word);
     free(faces->levels);
-    free(faces);
 }
 
-static double faces_units(const void *state) {
+static double faces_units(const void *state, int base) {
+    (void)base;
     return (double)(LIGHT_COUNT * ((const struct faces *)state)->count);
 }
 
 static const struct bench_version attempt_versions[] = {
-    {"1: not normalised", 1, false, run_attempt, error_worst},
-    {"2: pointing outwards", 2, false, run_attempt, error_worst},
-    {"3: sign thrown away", 3, false, run_attempt, error_worst},
-    {"4: float", 4, false, run_attempt, error_worst},
-    {"5: guessed root", 5, false, run_attempt, error_worst},
-    {"6: one Newton step", 6, false, run_attempt, error_worst},
-    {"7: two Newton steps", 7, false, run_attempt, error_worst},
-    {"double (main.c)", HOUSE, true, run_attempt, error_worst},
+    VERSION("1: not normalised", 1),   VERSION("2: pointing outwards", 2),
+    VERSION("3: sign thrown away", 3), VERSION("4: float", 4),
+    VERSION("5: guessed root", 5),     VERSION("6: one Newton step", 6),
+    VERSION("7: two Newton steps", 7), HOUSE_VERSION("double (main.c)", HOUSE),
 };
 
-#define ROOT_VERSIONS(error)                                                                       \
-    {"guess", FLOAT_NEWTON, false, run_root, error},                                               \
-        {"1 step", FLOAT_NEWTON + 1, false, run_root, error},                                      \
-        {"2 steps", FLOAT_NEWTON + 2, false, run_root, error},                                     \
-        {"3 steps", FLOAT_NEWTON + 3, false, run_root, error},                                     \
-        {"root", FLOAT_ROOT, false, run_root, error},                                              \
-        {"guess", DOUBLE_NEWTON, false, run_root, error},                                          \
-        {"1 step", DOUBLE_NEWTON + 1, false, run_root, error},                                     \
-        {"2 steps", DOUBLE_NEWTON + 2, false, run_root, error},                                    \
-        {"3 steps", DOUBLE_NEWTON + 3, false, run_root, error},                                    \
-        {"root", DOUBLE_ROOT, false, run_root, error},                                             \
-        {"alone", FLOAT_TABLE, false, run_root, error},                                            \
-        {"1 step", FLOAT_TABLE_STEP, false, run_root, error},                                      \
-        {"8 bits", STORED_8, false, run_root, error},                                              \
-        {"10 bits", STORED_10, false, run_root, error},                                            \
-        {"16 bits", STORED_16, false, run_root, error},                                            \
-        {"vec3_normalized()", NORMALIZED, true, run_root, error},
+static const struct bench_version root_versions[] = {
+    VERSION("guess", FLOAT_NEWTON),        VERSION("1 step", FLOAT_NEWTON + 1),
+    VERSION("2 steps", FLOAT_NEWTON + 2),  VERSION("3 steps", FLOAT_NEWTON + 3),
+    VERSION("root", FLOAT_ROOT),           VERSION("guess", DOUBLE_NEWTON),
+    VERSION("1 step", DOUBLE_NEWTON + 1),  VERSION("2 steps", DOUBLE_NEWTON + 2),
+    VERSION("3 steps", DOUBLE_NEWTON + 3), VERSION("root", DOUBLE_ROOT),
+    VERSION("alone", FLOAT_TABLE),         VERSION("1 step", FLOAT_TABLE_STEP),
+    VERSION("8 bits", STORED_8),           VERSION("10 bits", STORED_10),
+    VERSION("16 bits", STORED_16),         HOUSE_VERSION("vec3_normalized()", NORMALIZED),
+};
 
-static const struct bench_version mean_versions[] = {ROOT_VERSIONS(error_mean)};
-static const struct bench_version worst_versions[] = {ROOT_VERSIONS(error_worst)};
+#define SIZES(OF, version)                                                                         \
+    OF("1", (version)*SIZE_COUNT), OF("1e-8", (version)*SIZE_COUNT + 1),                           \
+        OF("1e-9", (version)*SIZE_COUNT + 2), OF("1e-10", (version)*SIZE_COUNT + 3),               \
+        OF("1e-12", (version)*SIZE_COUNT + 4)
 
-#define SIZE_VERSIONS(version, is_house)                                                           \
-    {"1", (version)*SIZE_COUNT, is_house, run_size, error_of_size},                                \
-        {"1e-8", (version)*SIZE_COUNT + 1, is_house, run_size, error_of_size},                     \
-        {"1e-9", (version)*SIZE_COUNT + 2, is_house, run_size, error_of_size},                     \
-        {"1e-10", (version)*SIZE_COUNT + 3, is_house, run_size, error_of_size},                    \
-        {"1e-12", (version)*SIZE_COUNT + 4, is_house, run_size, error_of_size},
-
-static const struct bench_version size_versions[] = {SIZE_VERSIONS(4, false) SIZE_VERSIONS(
-    7, false) SIZE_VERSIONS(SCALED_FIRST, false) SIZE_VERSIONS(HOUSE, true)};
+static const struct bench_version size_versions[] = {SIZES(VERSION, 4), SIZES(VERSION, 7),
+                                                     SIZES(VERSION, SCALED_FIRST),
+                                                     SIZES(HOUSE_VERSION, HOUSE)};
 
 static const struct bench_panel faces_panels[] = {
     {
@@ -555,9 +525,10 @@ static const struct bench_panel faces_panels[] = {
         .time_label = "ns per face",
         .against = "long double",
         .house_within = 1e-12,
+        .run = run_attempt,
+        .error = error_worst,
         .units = faces_units,
-        .versions = attempt_versions,
-        .version_count = sizeof attempt_versions / sizeof attempt_versions[0],
+        BENCH_VERSIONS(attempt_versions),
     },
     {
         .title = "The root alone, of the same faces' normals",
@@ -565,9 +536,10 @@ static const struct bench_panel faces_panels[] = {
         .time_label = "ns per face",
         .against = "long double",
         .house_within = 1e-12,
+        .run = run_root,
+        .error = error_of_root,
         .units = faces_units,
-        .versions = mean_versions,
-        .version_count = sizeof mean_versions / sizeof mean_versions[0],
+        BENCH_VERSIONS(root_versions),
         .series = series_of_root,
         .size = root_bytes,
         .size_label = "bytes of a normal",
@@ -578,9 +550,11 @@ static const struct bench_panel faces_panels[] = {
         .time_label = "ns per face",
         .against = "long double",
         .house_within = 1e-12,
+        .base = ROOTS_WORST,
+        .run = run_root,
+        .error = error_of_root,
         .units = faces_units,
-        .versions = worst_versions,
-        .version_count = sizeof worst_versions / sizeof worst_versions[0],
+        BENCH_VERSIONS(root_versions),
         .series = series_of_root,
         .size = root_bytes,
         .size_label = "bytes of a normal",
@@ -591,9 +565,10 @@ static const struct bench_panel faces_panels[] = {
         .time_label = "ns per face",
         .against = "long double",
         .house_within = 1e-12,
+        .run = run_size,
+        .error = error_of_size,
         .units = faces_units,
-        .versions = size_versions,
-        .version_count = sizeof size_versions / sizeof size_versions[0],
+        BENCH_VERSIONS(size_versions),
         .series = series_of_size,
     },
 };
@@ -601,6 +576,7 @@ static const struct bench_panel faces_panels[] = {
 const struct bench_lesson bench_step04 = {
     .step = "step04_flat",
     .title = "Step 4: flat shading",
+    .state_size = sizeof(struct faces),
     .setup = faces_setup,
     .teardown = faces_teardown,
     .panels = faces_panels,

@@ -1,7 +1,8 @@
-/* The triangles of step 4: see lesson.h. */
-#include "bench/opengl/include_lesson.h"
+/* The triangles of step 4: see compared.h. */
+#include "bench/opengl/compared.h"
 
-#include "../../../step04_flat/main.c"
+#define LESSON "../step04_flat/main.c"
+#include "lesson.h"
 
 static const char *left_out(const char *scene) {
     return strcmp(scene, "side") == 0 ? "faces that are not the model's" : NULL;
@@ -43,9 +44,9 @@ static bool build(const char *scene, struct drawing *drawing, struct image *imag
     return batch != NULL;
 }
 
-lesson_function lesson_step04;
-struct lesson lesson_step04(void) {
-    const struct program *program = NULL;
-    lesson_main(0, (char **)&program);
-    return (struct lesson){program, 0, NULL, left_out, rest, build, NULL};
-}
+const struct lesson lesson_step04 = {
+    .program = &step04_flat,
+    .left_out = left_out,
+    .rest = rest,
+    .build = build,
+};

@@ -1,8 +1,6 @@
 /* Step 4: its triangle() is lent to triangles.c; here its light and its way to the screen. */
-#define main step04_main
-int step04_main(int argc, char **argv);
-#include "../../../step04_flat/main.c"
-#undef main
+#define LESSON "../step04_flat/main.c"
+#include "lesson.h"
 
 #include "upkeep/stress/lessons.h"
 #include "upkeep/stress/stress.h"
@@ -108,22 +106,12 @@ static void print_face(const void *failing) {
            c->width, c->height);
 }
 
+static const struct case_kind face_cases = {sizeof(struct face_case), make_face, print_face, NULL};
+
 const struct property lesson04_properties[] = {
-    {.name = "lesson04: light on a face",
-     .against = AGAINST_LONG_DOUBLE,
-     .cases = 500000,
-     .case_size = sizeof(struct face_case),
-     .make = make_face,
-     .error = intensity_error,
-     .limit = 16,
-     .error_unit = "eps * sides / height",
-     .print = print_face},
-    {.name = "lesson04: from model to screen",
-     .against = AGAINST_LONG_DOUBLE,
-     .cases = 300000,
-     .case_size = sizeof(struct face_case),
-     .make = make_face,
-     .holds = face_is_placed,
-     .print = print_face},
+    PROPERTY("lesson04: light on a face", AGAINST_LONG_DOUBLE, 500000, face_cases,
+             .error = intensity_error, .limit = 16, .error_unit = "eps * sides / height"),
+    PROPERTY("lesson04: from model to screen", AGAINST_LONG_DOUBLE, 300000, face_cases,
+             .holds = face_is_placed),
     {.name = NULL},
 };

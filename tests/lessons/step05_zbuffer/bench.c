@@ -10,10 +10,8 @@
  * is kept at a pixel there is near / distance, or something made of it, because that is straight on
  * the screen (lesson 8).
  */
-#define main step05_main
-int step05_main(int argc, char **argv);
-#include "../../../step05_zbuffer/main.c"
-#undef main
+#define LESSON "../step05_zbuffer/main.c"
+#include "lesson.h"
 
 #include "../../../step05_zbuffer/attempts.h"
 
@@ -438,12 +436,8 @@ static double bytes_kept(const void *state, int choice) {
 
 /* ---- The lesson ---- */
 
-static bool depth_setup(void **state, struct error *error) {
-    struct depth_bench *bench = calloc(1, sizeof *bench);
-    *state = bench;
-    if (bench == NULL) {
-        return error_set(error, "out of memory for depths");
-    }
+static bool depth_setup(void *state, struct error *error) {
+    struct depth_bench *bench = state;
     struct pile *piles = bench->piles;
     if (!image_create(&bench->image, SIDE, SIDE, IMAGE_BGR, error) ||
         !make_knot(&piles[PILE_KNOT], &bench->image, error) ||
@@ -465,51 +459,37 @@ static bool depth_setup(void **state, struct error *error) {
 
 static void depth_teardown(void *state) {
     struct depth_bench *bench = state;
-    if (bench != NULL) {
-        for (int i = 0; i < PILE_COUNT; i++) {
-            pile_free(&bench->piles[i]);
-        }
-        image_free(&bench->image);
-        free(bench->sorted);
-        free(bench->buffer);
+    for (int i = 0; i < PILE_COUNT; i++) {
+        pile_free(&bench->piles[i]);
     }
-    free(bench);
+    image_free(&bench->image);
+    free(bench->sorted);
+    free(bench->buffer);
 }
 
 static const struct bench_version knot_versions[] = {
-    {"1: order of the file", FILE_ORDER, false, run_knot, error_knot},
-    {"2: painter's order", PAINTER, false, run_knot, error_knot},
-    {"3: mean depth of a face", MEAN_DEPTH, false, run_knot, error_knot},
-    {"4: cleared to 0", CLEARED_TO_0, false, run_knot, error_knot},
-    {"5: farthest", FARTHEST, false, run_knot, error_knot},
-    {"main.c, nearest face first", NEAREST_FIRST, false, run_knot, error_knot},
-    {"main.c", HOUSE, true, run_knot, error_knot},
+    VERSION("1: order of the file", FILE_ORDER),
+    VERSION("2: painter's order", PAINTER),
+    VERSION("3: mean depth of a face", MEAN_DEPTH),
+    VERSION("4: cleared to 0", CLEARED_TO_0),
+    VERSION("5: farthest", FARTHEST),
+    VERSION("main.c, nearest face first", NEAREST_FIRST),
+    HOUSE_VERSION("main.c", HOUSE),
 };
 
-#define SHEETS(label, pile, kind, house)                                                           \
-    {                                                                                              \
-        .name = (label), .choice = (pile)*KINDS + (kind), .is_house = (house), .run = run_sheets,  \
-        .error = error_sheets                                                                      \
-    }
-#define ALL_KINDS(pile)                                                                            \
-    {                                                                                              \
-        SHEETS("16 bits fixed", pile, FIXED_16, false),                                            \
-            SHEETS("24 bits fixed", pile, FIXED_24, false),                                        \
-            SHEETS("32 bits fixed", pile, FIXED_32, false), SHEETS("float", pile, FLOAT, false),   \
-            SHEETS("float, reversed", pile, REVERSED, false),                                      \
-            SHEETS("double (main.c)", pile, DOUBLE, true),                                         \
-    }
+static const struct bench_version sheets_versions[] = {
+    VERSION("16 bits fixed", FIXED_16),   VERSION("24 bits fixed", FIXED_24),
+    VERSION("32 bits fixed", FIXED_32),   VERSION("float", FLOAT),
+    VERSION("float, reversed", REVERSED), HOUSE_VERSION("double (main.c)", DOUBLE),
+};
 
-static const struct bench_version near_versions[] = ALL_KINDS(PILE_100);
-static const struct bench_version middle_versions[] = ALL_KINDS(PILE_10000);
-static const struct bench_version far_versions[] = ALL_KINDS(PILE_1000000);
-
-#define SHEETS_PANEL(heading, of)                                                                  \
+#define SHEETS_PANEL(heading, pile)                                                                \
     {                                                                                              \
         .title = (heading), .error_label = "pixels showing the wrong triangle, per 1000",          \
-        .time_label = "ms per frame", .against = "exact fractions", .versions = (of),              \
-        .version_count = sizeof(of) / sizeof(of)[0], .size = bytes_kept,                           \
-        .size_label = "bytes a pixel", .house_within = BENCH_EXACT,                                \
+        .time_label = "ms per frame", .against = "exact fractions",                                \
+        BENCH_VERSIONS(sheets_versions), .base = (pile)*KINDS, .run = run_sheets,                  \
+        .error = error_sheets, .size = bytes_kept, .size_label = "bytes a pixel",                  \
+        .house_within = BENCH_EXACT,                                                               \
     }
 
 static const struct bench_panel depth_panels[] = {
@@ -519,17 +499,19 @@ static const struct bench_panel depth_panels[] = {
         .time_label = "ms per frame",
         .against = "exact fractions",
         .house_within = BENCH_EXACT,
-        .versions = knot_versions,
-        .version_count = sizeof knot_versions / sizeof knot_versions[0],
+        .run = run_knot,
+        .error = error_knot,
+        BENCH_VERSIONS(knot_versions),
     },
-    SHEETS_PANEL("Sheets through each other, far : near = 100", near_versions),
-    SHEETS_PANEL("The same sheets, far : near = 10,000", middle_versions),
-    SHEETS_PANEL("The same sheets, far : near = 1,000,000", far_versions),
+    SHEETS_PANEL("Sheets through each other, far : near = 100", PILE_100),
+    SHEETS_PANEL("The same sheets, far : near = 10,000", PILE_10000),
+    SHEETS_PANEL("The same sheets, far : near = 1,000,000", PILE_1000000),
 };
 
 const struct bench_lesson bench_step05 = {
     .step = "step05_zbuffer",
     .title = "Step 5: a depth buffer",
+    .state_size = sizeof(struct depth_bench),
     .setup = depth_setup,
     .teardown = depth_teardown,
     .panels = depth_panels,

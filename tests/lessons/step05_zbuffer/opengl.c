@@ -1,7 +1,8 @@
-/* The triangles of step 5: see lesson.h. */
-#include "bench/opengl/include_lesson.h"
+/* The triangles of step 5: see compared.h. */
+#include "bench/opengl/compared.h"
 
-#include "../../../step05_zbuffer/main.c"
+#define LESSON "../step05_zbuffer/main.c"
+#include "lesson.h"
 
 #include <string.h>
 
@@ -49,9 +50,9 @@ static bool covered(const struct drawing *drawing, const struct image *image, si
     return drawing->depth[pixel] > -INFINITY;
 }
 
-lesson_function lesson_step05;
-struct lesson lesson_step05(void) {
-    const struct program *program = NULL;
-    lesson_main(0, (char **)&program);
-    return (struct lesson){program, 0, NULL, left_out, NULL, build, covered};
-}
+const struct lesson lesson_step05 = {
+    .program = &step05_zbuffer,
+    .left_out = left_out,
+    .build = build,
+    .covered = covered,
+};

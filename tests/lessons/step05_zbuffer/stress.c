@@ -1,8 +1,6 @@
 /* Step 5: segments in one row, triangles with depths, depths as levels. */
-#define main step05_main
-int step05_main(int argc, char **argv);
-#include "../../../step05_zbuffer/main.c"
-#undef main
+#define LESSON "../step05_zbuffer/main.c"
+#include "lesson.h"
 
 #include "upkeep/stress/lessons.h"
 #include "upkeep/stress/stress.h"
@@ -234,27 +232,18 @@ static void print_depths(const void *failing) {
     }
 }
 
+static const struct case_kind row_cases = {sizeof(struct row_case), make_row, print_row, NULL};
+static const struct case_kind layers_cases = {sizeof(struct layers), make_layers_case,
+                                              print_layers_case, NULL};
+static const struct case_kind depths_cases = {sizeof(struct depths_case), make_depths, print_depths,
+                                              NULL};
+
 const struct property lesson05_properties[] = {
-    {.name = "lesson05: one row of depths",
-     .against = AGAINST_FRACTIONS,
-     .cases = 300000,
-     .case_size = sizeof(struct row_case),
-     .make = make_row,
-     .holds = row_is_right,
-     .print = print_row},
-    {.name = "lesson05: nearest triangle, depths",
-     .against = AGAINST_LONG_DOUBLE,
-     .cases = 100000,
-     .case_size = sizeof(struct layers),
-     .make = make_layers_case,
-     .holds = nearest_triangle_shows,
-     .print = print_layers_case},
-    {.name = "lesson05: depths as levels",
-     .against = AGAINST_LONG_DOUBLE,
-     .cases = 200000,
-     .case_size = sizeof(struct depths_case),
-     .make = make_depths,
-     .holds = depth_levels_are_right,
-     .print = print_depths},
+    PROPERTY("lesson05: one row of depths", AGAINST_FRACTIONS, 300000, row_cases,
+             .holds = row_is_right),
+    PROPERTY("lesson05: nearest triangle, depths", AGAINST_LONG_DOUBLE, 100000, layers_cases,
+             .holds = nearest_triangle_shows),
+    PROPERTY("lesson05: depths as levels", AGAINST_LONG_DOUBLE, 200000, depths_cases,
+             .holds = depth_levels_are_right),
     {.name = NULL},
 };

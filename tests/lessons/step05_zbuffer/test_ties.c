@@ -1,8 +1,6 @@
 /* Lesson 5: equal depths. */
-#define main step05_main
-int step05_main(int argc, char **argv);
-#include "../../../step05_zbuffer/main.c"
-#undef main
+#define LESSON "../step05_zbuffer/main.c"
+#include "lesson.h"
 
 #include "unit/ties.h"
 

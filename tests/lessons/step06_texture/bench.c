@@ -24,10 +24,8 @@ INLINED struct vec4 sample_trilinear(const struct texture *texture, struct vec2 
 INLINED double mip_level(struct vec2 right, struct vec2 up, const struct texture *texture);
 INLINED struct vec2 plane_uv(const struct quotients *plane, int x, int y, double *w);
 
-#define main step06_main
-int step06_main(int argc, char **argv);
-#include "../../../step06_texture/main.c"
-#undef main
+#define LESSON "../step06_texture/main.c"
+#include "lesson.h"
 
 #include "../../../step06_texture/attempts.h"
 
@@ -48,8 +46,10 @@ struct target {
     double pixels;      /* that are drawn */
 };
 
+enum { HILL, FAR, TILES, TARGETS };
+
 struct work {
-    struct target hill, far, tiles;
+    struct target targets[TARGETS];
 };
 
 /* ---- Samplers ---- */
@@ -311,6 +311,7 @@ enum {
     EVERY_32,
     EVERY_64,
     AFFINE,
+    WAYS = 32 /* choices for each target */
 };
 
 static draw_function *const draws[] = {
@@ -481,66 +482,50 @@ static bool make_tiles(struct target *tiles, struct error *error) {
     return true;
 }
 
-static bool setup(void **state, struct error *error) {
-    struct work *work = calloc(1, sizeof *work);
-    *state = work;
-    if (work == NULL) {
-        return error_out_of_memory(error);
-    }
-    return make_hill(&work->hill, error) && make_far(&work->far, error) &&
-           make_tiles(&work->tiles, error);
+static bool setup(void *state, struct error *error) {
+    struct target *targets = ((struct work *)state)->targets;
+    return make_hill(&targets[HILL], error) && make_far(&targets[FAR], error) &&
+           make_tiles(&targets[TILES], error);
 }
 
 static void teardown(void *state) {
     struct work *work = state;
-    if (work != NULL) {
-        target_free(&work->hill);
-        target_free(&work->far);
-        target_free(&work->tiles);
+    for (int i = 0; i < TARGETS; i++) {
+        target_free(&work->targets[i]);
     }
-    free(work);
 }
 
 /* ---- The panels ---- */
 
-#define PANEL_FUNCTIONS(of)                                                                        \
-    static void run_##of(void *state, int choice) {                                                \
-        draw_target(&((struct work *)state)->of, choice);                                          \
-    }                                                                                              \
-    static double error_##of(void *state, int choice) {                                            \
-        (void)choice;                                                                              \
-        return target_error(&((struct work *)state)->of);                                          \
-    }                                                                                              \
-    static double units_##of(const void *state) {                                                  \
-        return ((const struct work *)state)->of.pixels;                                            \
-    }
-PANEL_FUNCTIONS(hill)
-PANEL_FUNCTIONS(far)
-PANEL_FUNCTIONS(tiles)
+static void run(void *state, int choice) {
+    draw_target(&((struct work *)state)->targets[choice / WAYS], choice % WAYS);
+}
+
+static double error_of(void *state, int choice) {
+    return target_error(&((const struct work *)state)->targets[choice / WAYS]);
+}
+
+static double units(const void *state, int base) {
+    return ((const struct work *)state)->targets[base / WAYS].pixels;
+}
 
 static const struct bench_version near_versions[] = {
-    {"nearest, rounding", ROUNDING, false, run_hill, error_hill},
-    {"nearest, floor", NEAREST, false, run_hill, error_hill},
-    {"bilinear, half texel off", HALF_OFF, false, run_hill, error_hill},
-    {"bilinear", BILINEAR, false, run_hill, error_hill},
-    {"mip levels (main.c)", HOUSE, true, run_hill, error_hill},
+    VERSION("nearest, rounding", ROUNDING),        VERSION("nearest, floor", NEAREST),
+    VERSION("bilinear, half texel off", HALF_OFF), VERSION("bilinear", BILINEAR),
+    HOUSE_VERSION("mip levels (main.c)", HOUSE),
 };
 
 static const struct bench_version far_versions[] = {
-    {"nearest", NEAREST, false, run_far, error_far},
-    {"4 samples", SAMPLES_4, false, run_far, error_far},
-    {"16", SAMPLES_16, false, run_far, error_far},
-    {"64", SAMPLES_64, false, run_far, error_far},
-    {"bilinear", BILINEAR, false, run_far, error_far},
-    {"mip levels (main.c)", HOUSE, true, run_far, error_far},
-    {"2 times", ROW_OF_2, false, run_far, error_far},
-    {"4 times", ROW_OF_4, false, run_far, error_far},
-    {"8 times", ROW_OF_8, false, run_far, error_far},
+    VERSION("nearest", NEAREST),   VERSION("4 samples", SAMPLES_4),
+    VERSION("16", SAMPLES_16),     VERSION("64", SAMPLES_64),
+    VERSION("bilinear", BILINEAR), HOUSE_VERSION("mip levels (main.c)", HOUSE),
+    VERSION("2 times", ROW_OF_2),  VERSION("4 times", ROW_OF_4),
+    VERSION("8 times", ROW_OF_8),
 };
 
 static const char *far_series(int choice) {
     static const char samples[] = "samples a pixel", rows[] = "anisotropic";
-    switch (choice) {
+    switch (choice % WAYS) {
     case NEAREST:
     case SAMPLES_4:
     case SAMPLES_16:
@@ -557,19 +542,19 @@ static const char *far_series(int choice) {
 }
 
 static const struct bench_version perspective_versions[] = {
-    {"every pixel, from weights", NEAREST, true, run_tiles, error_tiles},
-    {"every pixel", EVERY_1, false, run_tiles, error_tiles},
-    {"every 2", EVERY_2, false, run_tiles, error_tiles},
-    {"4", EVERY_4, false, run_tiles, error_tiles},
-    {"8", EVERY_8, false, run_tiles, error_tiles},
-    {"16", EVERY_16, false, run_tiles, error_tiles},
-    {"32", EVERY_32, false, run_tiles, error_tiles},
-    {"64", EVERY_64, false, run_tiles, error_tiles},
-    {"affine", AFFINE, false, run_tiles, error_tiles},
+    HOUSE_VERSION("every pixel, from weights", NEAREST),
+    VERSION("every pixel", EVERY_1),
+    VERSION("every 2", EVERY_2),
+    VERSION("4", EVERY_4),
+    VERSION("8", EVERY_8),
+    VERSION("16", EVERY_16),
+    VERSION("32", EVERY_32),
+    VERSION("64", EVERY_64),
+    VERSION("affine", AFFINE),
 };
 
 static const char *perspective_series(int choice) {
-    return choice == NEAREST ? NULL : "stepped along a row";
+    return choice % WAYS == NEAREST ? NULL : "stepped along a row";
 }
 
 static const struct bench_panel bench_panels[] = {
@@ -577,25 +562,31 @@ static const struct bench_panel bench_panels[] = {
      .error_label = "levels, root mean square",
      .time_label = "ns per pixel",
      .against = "256 samples a pixel",
-     .units = units_hill,
-     .versions = near_versions,
-     .version_count = sizeof near_versions / sizeof near_versions[0]},
+     .base = HILL * WAYS,
+     .run = run,
+     .error = error_of,
+     .units = units,
+     BENCH_VERSIONS(near_versions)},
     {.title = "Far: tiles towards the horizon, 400x400 pixels",
      .error_label = "levels, root mean square",
      .time_label = "ns per pixel",
      .against = "1024 rays a pixel",
-     .units = units_far,
-     .versions = far_versions,
-     .version_count = sizeof far_versions / sizeof far_versions[0],
+     .base = FAR * WAYS,
+     .run = run,
+     .error = error_of,
+     .units = units,
+     BENCH_VERSIONS(far_versions),
      .budget = 3,
      .series = far_series},
     {.title = "Perspective: divided how often? The tiles, nearest texel, 800x800",
      .error_label = "levels, root mean square",
      .time_label = "ns per pixel",
      .against = "the same texels, found in long double",
-     .units = units_tiles,
-     .versions = perspective_versions,
-     .version_count = sizeof perspective_versions / sizeof perspective_versions[0],
+     .base = TILES * WAYS,
+     .run = run,
+     .error = error_of,
+     .units = units,
+     BENCH_VERSIONS(perspective_versions),
      .budget = 2,
      .series = perspective_series,
      .house_within = BENCH_EXACT},
@@ -604,6 +595,7 @@ static const struct bench_panel bench_panels[] = {
 const struct bench_lesson bench_step06 = {
     .step = "step06_texture",
     .title = "Step 6: textures",
+    .state_size = sizeof(struct work),
     .setup = setup,
     .teardown = teardown,
     .panels = bench_panels,

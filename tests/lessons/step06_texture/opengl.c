@@ -1,7 +1,8 @@
-/* The triangles of step 6: see lesson.h. */
-#include "bench/opengl/include_lesson.h"
+/* The triangles of step 6: see compared.h. */
+#include "bench/opengl/compared.h"
 
-#include "../../../step06_texture/main.c"
+#define LESSON "../step06_texture/main.c"
+#include "lesson.h"
 
 #include <string.h>
 
@@ -190,9 +191,8 @@ static bool build(const char *scene, struct drawing *drawing, struct image *imag
                                          : build_room(drawing, image, picture, error);
 }
 
-lesson_function lesson_step06;
-struct lesson lesson_step06(void) {
-    const struct program *program = NULL;
-    lesson_main(0, (char **)&program);
-    return (struct lesson){program, 0, NULL, left_out, NULL, build, NULL};
-}
+const struct lesson lesson_step06 = {
+    .program = &step06_texture,
+    .left_out = left_out,
+    .build = build,
+};

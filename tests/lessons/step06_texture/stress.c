@@ -1,8 +1,6 @@
 /* Step 6: its samplers are lent to textures.c; here triangles, mip levels and perspective. */
-#define main step06_main
-int step06_main(int argc, char **argv);
-#include "../../../step06_texture/main.c"
-#undef main
+#define LESSON "../step06_texture/main.c"
+#include "lesson.h"
 
 #include "upkeep/stress/lessons.h"
 #include "upkeep/stress/stress.h"
@@ -327,27 +325,17 @@ static void print_perspective(const void *failing) {
     }
 }
 
+static const struct case_kind textured_cases = {sizeof(struct texture_case), make_textured,
+                                                print_textured, NULL};
+static const struct case_kind mip_cases = {sizeof(struct mip_case), make_mip, print_mip, NULL};
+static const struct case_kind perspective_cases = {sizeof(struct perspective_case),
+                                                   make_perspective, print_perspective, NULL};
+
 const struct property lesson06_properties[] = {
-    {.name = "lesson06: texture, nearest triangle",
-     .against = AGAINST_LONG_DOUBLE,
-     .cases = 100000,
-     .case_size = sizeof(struct texture_case),
-     .make = make_textured,
-     .holds = textured_is_right,
-     .print = print_textured},
-    {.name = "lesson06: mip level",
-     .against = AGAINST_LONG_DOUBLE,
-     .cases = 300000,
-     .case_size = sizeof(struct mip_case),
-     .make = make_mip,
-     .holds = mip_is_right,
-     .print = print_mip},
-    {.name = "lesson06: perspective",
-     .against = AGAINST_LONG_DOUBLE,
-     .cases = 100000,
-     .case_size = sizeof(struct perspective_case),
-     .make = make_perspective,
-     .holds = perspective_is_right,
-     .print = print_perspective},
+    PROPERTY("lesson06: texture, nearest triangle", AGAINST_LONG_DOUBLE, 100000, textured_cases,
+             .holds = textured_is_right),
+    PROPERTY("lesson06: mip level", AGAINST_LONG_DOUBLE, 300000, mip_cases, .holds = mip_is_right),
+    PROPERTY("lesson06: perspective", AGAINST_LONG_DOUBLE, 100000, perspective_cases,
+             .holds = perspective_is_right),
     {.name = NULL},
 };

@@ -1,8 +1,6 @@
 /* Lesson 6: equal depths. */
-#define main step06_main
-int step06_main(int argc, char **argv);
-#include "../../../step06_texture/main.c"
-#undef main
+#define LESSON "../step06_texture/main.c"
+#include "lesson.h"
 
 #include "unit/ties.h"
 

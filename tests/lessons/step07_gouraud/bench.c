@@ -16,10 +16,8 @@
 INLINED double corner_intensity(struct vec3 normal, struct vec3 to_light);
 INLINED double integer_power(double base, int power);
 
-#define main step07_main
-int step07_main(int argc, char **argv);
-#include "../../../step07_gouraud/main.c"
-#undef main
+#define LESSON "../step07_gouraud/main.c"
+#include "lesson.h"
 
 #include "../../../step07_gouraud/attempts.h"
 
@@ -199,7 +197,8 @@ static double error_of(void *state, int choice) {
 }
 
 /* Pixels of the sphere. */
-static double units(const void *state) {
+static double units(const void *state, int base) {
+    (void)base;
     return ((const struct work *)state)->pixels;
 }
 
@@ -313,12 +312,8 @@ static bool allocate(struct work *work, struct error *error) {
     return image_create(&work->image, SIDE, SIDE, IMAGE_GREY, error);
 }
 
-static bool setup(void **state, struct error *error) {
-    struct work *work = calloc(1, sizeof *work);
-    *state = work;
-    if (work == NULL) {
-        return error_out_of_memory(error);
-    }
+static bool setup(void *state, struct error *error) {
+    struct work *work = state;
     work->light = vec3_normalized((struct vec3){1, 2, 2});
     if (!allocate(work, error)) {
         return false;
@@ -342,25 +337,22 @@ static void mesh_free(struct mesh *mesh) {
 
 static void teardown(void *state) {
     struct work *work = state;
-    if (work != NULL) {
-        for (int i = 0; i < MESH_COUNT; i++) {
-            mesh_free(&work->meshes[i]);
-        }
-        image_free(&work->image);
-        free(work->depth);
-        free(work->exact[DIFFUSE]);
-        free(work->exact[HIGHLIGHT]);
+    for (int i = 0; i < MESH_COUNT; i++) {
+        mesh_free(&work->meshes[i]);
     }
-    free(work);
+    image_free(&work->image);
+    free(work->depth);
+    free(work->exact[DIFFUSE]);
+    free(work->exact[HIGHLIGHT]);
 }
 
 /* ---- The panels ---- */
 
-#define VERSION(label, mesh, kind, way)                                                            \
-    { (label), CHOICE(mesh, kind, way), (way) == GOURAUD, run, error_of }
+#define ON(label, mesh, kind, way)                                                                 \
+    { .name = (label), .choice = CHOICE(mesh, kind, way), .is_house = (way) == GOURAUD }
 #define MESHES(kind, way)                                                                          \
-    VERSION("128", 0, kind, way), VERSION("512", 1, kind, way), VERSION("2,048", 2, kind, way),    \
-        VERSION("8,192", 3, kind, way), VERSION("32,768", 4, kind, way)
+    ON("128", 0, kind, way), ON("512", 1, kind, way), ON("2,048", 2, kind, way),                   \
+        ON("8,192", 3, kind, way), ON("32,768", 4, kind, way)
 
 static const struct bench_version diffuse_versions[] = {
     MESHES(DIFFUSE, FLAT),   MESHES(DIFFUSE, GOURAUD),    MESHES(DIFFUSE, NO_ROOT),
@@ -386,23 +378,26 @@ static const struct bench_panel bench_panels[] = {
      .error_label = "levels, root mean square",
      .time_label = "ns per pixel",
      .against = "the true sphere, long double",
+     .run = run,
+     .error = error_of,
      .units = units,
-     .versions = diffuse_versions,
-     .version_count = sizeof diffuse_versions / sizeof diffuse_versions[0],
+     BENCH_VERSIONS(diffuse_versions),
      .series = series},
     {.title = "A highlight on the same spheres",
      .error_label = "levels, root mean square",
      .time_label = "ns per pixel",
      .against = "the true sphere, long double",
+     .run = run,
+     .error = error_of,
      .units = units,
-     .versions = highlight_versions,
-     .version_count = sizeof highlight_versions / sizeof highlight_versions[0],
+     BENCH_VERSIONS(highlight_versions),
      .series = series},
 };
 
 const struct bench_lesson bench_step07 = {
     .step = "step07_gouraud",
     .title = "Step 7: light on a round body",
+    .state_size = sizeof(struct work),
     .setup = setup,
     .teardown = teardown,
     .panels = bench_panels,

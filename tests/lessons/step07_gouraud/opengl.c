@@ -1,7 +1,8 @@
-/* The triangles of step 7: see lesson.h. */
-#include "bench/opengl/include_lesson.h"
+/* The triangles of step 7: see compared.h. */
+#include "bench/opengl/compared.h"
 
-#include "../../../step07_gouraud/main.c"
+#define LESSON "../step07_gouraud/main.c"
+#include "lesson.h"
 
 #include <string.h>
 
@@ -113,9 +114,9 @@ static bool build(const char *scene, struct drawing *drawing, struct image *imag
                : build_whole(LOOK_WHITE, &lighting, drawing, image, picture, error);
 }
 
-lesson_function lesson_step07;
-struct lesson lesson_step07(void) {
-    const struct program *program = NULL;
-    lesson_main(0, (char **)&program);
-    return (struct lesson){program, 0, NULL, left_out, rest, build, NULL};
-}
+const struct lesson lesson_step07 = {
+    .program = &step07_gouraud,
+    .left_out = left_out,
+    .rest = rest,
+    .build = build,
+};

@@ -1,8 +1,6 @@
 /* Step 7: light at the corners, and what is interpolated between them. */
-#define main step07_main
-int step07_main(int argc, char **argv);
-#include "../../../step07_gouraud/main.c"
-#undef main
+#define LESSON "../step07_gouraud/main.c"
+#include "lesson.h"
 
 #include "upkeep/stress/lessons.h"
 #include "upkeep/stress/stress.h"
@@ -261,52 +259,23 @@ static void print_smooth(const void *failing) {
     }
 }
 
+static const struct case_kind corner_cases = {sizeof(struct corner_case), make_corner, print_corner,
+                                              NULL};
+static const struct case_kind smooth_cases = {sizeof(struct smooth_case), make_smooth, print_smooth,
+                                              NULL};
+
 const struct property lesson07_properties[] = {
-    {.name = "lesson07: intensity at a corner",
-     .against = AGAINST_LONG_DOUBLE,
-     .cases = 300000,
-     .case_size = sizeof(struct corner_case),
-     .make = make_corner,
-     .error = intensity_error,
-     .limit = 4,
-     .error_unit = "ulp of 1",
-     .print = print_corner},
-    {.name = "lesson07: light at a corner",
-     .against = AGAINST_LONG_DOUBLE,
-     .cases = 300000,
-     .case_size = sizeof(struct corner_case),
-     .make = make_corner,
-     .error = parts_error,
-     .limit = 8,
-     .error_unit = "ulp of 1 a factor",
-     .print = print_corner},
-    {.name = "lesson07: three kinds of light",
-     .against = AGAINST_LONG_DOUBLE,
-     .cases = 200000,
-     .case_size = sizeof(struct corner_case),
-     .make = make_corner,
-     .holds = panels_are_right,
-     .print = print_corner},
-    {.name = "lesson07: smooth intensity",
-     .against = AGAINST_LONG_DOUBLE,
-     .cases = 50000,
-     .case_size = sizeof(struct smooth_case),
-     .make = make_smooth,
-     .holds = grey_is_right,
-     .print = print_smooth},
-    {.name = "lesson07: smooth colours",
-     .against = AGAINST_LONG_DOUBLE,
-     .cases = 50000,
-     .case_size = sizeof(struct smooth_case),
-     .make = make_smooth,
-     .holds = color_is_smooth,
-     .print = print_smooth},
-    {.name = "lesson07: smooth light",
-     .against = AGAINST_LONG_DOUBLE,
-     .cases = 30000,
-     .case_size = sizeof(struct smooth_case),
-     .make = make_smooth,
-     .holds = lit_is_right,
-     .print = print_smooth},
+    PROPERTY("lesson07: intensity at a corner", AGAINST_LONG_DOUBLE, 300000, corner_cases,
+             .error = intensity_error, .limit = 4, .error_unit = "ulp of 1"),
+    PROPERTY("lesson07: light at a corner", AGAINST_LONG_DOUBLE, 300000, corner_cases,
+             .error = parts_error, .limit = 8, .error_unit = "ulp of 1 a factor"),
+    PROPERTY("lesson07: three kinds of light", AGAINST_LONG_DOUBLE, 200000, corner_cases,
+             .holds = panels_are_right),
+    PROPERTY("lesson07: smooth intensity", AGAINST_LONG_DOUBLE, 50000, smooth_cases,
+             .holds = grey_is_right),
+    PROPERTY("lesson07: smooth colours", AGAINST_LONG_DOUBLE, 50000, smooth_cases,
+             .holds = color_is_smooth),
+    PROPERTY("lesson07: smooth light", AGAINST_LONG_DOUBLE, 30000, smooth_cases,
+             .holds = lit_is_right),
     {.name = NULL},
 };

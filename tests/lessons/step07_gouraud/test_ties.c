@@ -1,8 +1,6 @@
 /* Lesson 7: equal depths. */
-#define main step07_main
-int step07_main(int argc, char **argv);
-#include "../../../step07_gouraud/main.c"
-#undef main
+#define LESSON "../step07_gouraud/main.c"
+#include "lesson.h"
 
 #include "unit/ties.h"
 

@@ -5,10 +5,8 @@
  * for the inverses, and for the clipped picture a ray through every pixel, which needs no clipping
  * and no snapping.
  */
-#define main step08_main
-int step08_main(int argc, char **argv);
-#include "../../../step08_projection/main.c"
-#undef main
+#define LESSON "../step08_projection/main.c"
+#include "lesson.h"
 
 #include "../../../step08_projection/attempts.h"
 
@@ -16,6 +14,7 @@ int step08_main(int argc, char **argv);
 #include "files/model_file.h"
 #include "files/normals.h"
 #include "oracle/oracle.h"
+#include "oracle/reals.h"
 
 /* Pixels of a side: of most pictures, and of the small one in which the faces count for more. */
 enum { SIDE = 800, SMALL_SIDE = 200, CAMERAS = 2 };
@@ -98,10 +97,6 @@ struct work {
     struct found *found; /* in scene closeup */
 };
 
-static long double larger(long double a, long double b) {
-    return a > b ? a : b;
-}
-
 /* ---- Corners to the screen ---- */
 
 enum number { IN_FLOAT, IN_DOUBLE, IN_FIXED };
@@ -168,41 +163,21 @@ static void run_chain(void *state, int choice) {
     }
 }
 
-static double units_chain(const void *state) {
+static double units_chain(const void *state, int base) {
+    (void)base;
     const struct work *work = state;
     return (double)(work->views[0][0].count + work->views[0][1].count);
 }
 
-struct real3 {
-    long double x, y, z;
-};
-
-static struct real3 real_difference(struct vec3 a, struct vec3 b) {
-    return (struct real3){(long double)a.x - b.x, (long double)a.y - b.y, (long double)a.z - b.z};
-}
-
-static long double real_dot(struct real3 a, struct real3 b) {
-    return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-
-static struct real3 real_cross(struct real3 a, struct real3 b) {
-    return (struct real3){a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-
-static struct real3 real_normalized(struct real3 a) {
-    long double length = sqrtl(real_dot(a, a));
-    return (struct real3){a.x / length, a.y / length, a.z / length};
-}
-
 /* Where a corner is seen, by similar triangles in the camera's own axes, without a matrix. */
 static void find_screen(const struct camera *camera, struct vec3 corner, long double screen[2]) {
-    struct real3 back = real_difference(camera->eye, camera->center);
-    struct real3 up = {camera->up.x, camera->up.y, camera->up.z}, z = real_normalized(back);
-    struct real3 x = real_normalized(real_cross(up, z)), y = real_cross(z, x);
-    struct real3 p = real_difference(corner, camera->center);
-    long double w = 1 - real_dot(p, z) / sqrtl(real_dot(back, back));
-    screen[0] = (real_dot(p, x) / w + 1) * SIDE / 2;
-    screen[1] = (real_dot(p, y) / w + 1) * SIDE / 2;
+    struct real3 center = real3_from(camera->center);
+    struct real3 back = real3_sub(real3_from(camera->eye), center), z = real3_unit(back);
+    struct real3 x = real3_unit(real3_cross(real3_from(camera->up), z)), y = real3_cross(z, x);
+    struct real3 p = real3_sub(real3_from(corner), center);
+    long double w = 1 - real3_dot(p, z) / real3_length(back);
+    screen[0] = (real3_dot(p, x) / w + 1) * SIDE / 2;
+    screen[1] = (real3_dot(p, y) / w + 1) * SIDE / 2;
 }
 
 static double error_chain(void *state, int choice) {
@@ -213,8 +188,8 @@ static double error_chain(void *state, int choice) {
         for (size_t i = 0; i < view->count; i++) {
             long double exact[2];
             find_screen(&view->camera, view->corners[i], exact);
-            worst = larger(worst, fabsl(view->screen[i].x - exact[0]));
-            worst = larger(worst, fabsl(view->screen[i].y - exact[1]));
+            worst = fmaxl(worst, fabsl(view->screen[i].x - exact[0]));
+            worst = fmaxl(worst, fabsl(view->screen[i].y - exact[1]));
         }
     }
     return (double)worst * SUBPIXELS;
@@ -383,8 +358,9 @@ static void run_inverse(void *state, int choice) {
     }
 }
 
-static double units_inverse(const void *state) {
+static double units_inverse(const void *state, int base) {
     (void)state;
+    (void)base;
     return MATRICES;
 }
 
@@ -399,8 +375,8 @@ static long double inverse_error(const struct whole *a, const struct mat4 *inver
     for (int i = 0; i < 16; i++) {
         long double exact = exact_inverse(a, i / 4, i % 4);
         long double difference = fabsl(inverse->m[i / 4][i % 4] - exact);
-        largest = larger(largest, fabsl(exact));
-        worst = larger(worst, difference);
+        largest = fmaxl(largest, fabsl(exact));
+        worst = fmaxl(worst, difference);
         if (!isfinite(inverse->m[i / 4][i % 4])) {
             return (long double)INFINITY;
         }
@@ -416,7 +392,7 @@ static double error_inverse(void *state, int choice) {
             return (double)INFINITY;
         }
         worst =
-            larger(worst, inverse_error(&work->whole[choice % CONDITIONS][i], &work->inverses[i]));
+            fmaxl(worst, inverse_error(&work->whole[choice % CONDITIONS][i], &work->inverses[i]));
     }
     return (double)worst;
 }
@@ -435,7 +411,7 @@ static long double condition_of(const struct whole *a) {
         for (int column = 0; column < 4; column++) {
             sum += fabsl(exact_inverse(a, row, column)) * scale[column];
         }
-        largest = larger(largest, sum);
+        largest = fmaxl(largest, sum);
     }
     return largest;
 }
@@ -925,12 +901,8 @@ static bool make_state(struct work *work, struct error *error) {
            image_create(&work->small, SMALL_SIDE, SMALL_SIDE, IMAGE_BGR, error);
 }
 
-static bool setup(void **state, struct error *error) {
-    struct work *work = calloc(1, sizeof *work);
-    *state = work;
-    if (work == NULL) {
-        return error_out_of_memory(error);
-    }
+static bool setup(void *state, struct error *error) {
+    struct work *work = state;
     if (!make_state(work, error) || !make_views(work, error) || !make_wall_tiles(work, error)) {
         return false;
     }
@@ -941,26 +913,17 @@ static bool setup(void **state, struct error *error) {
 
 static void teardown(void *state) {
     struct work *work = state;
-    if (work != NULL) {
-        free(work->state.positions);
-        free(work->depth);
-        model_free(&work->model);
-        image_free(&work->image);
-        image_free(&work->small);
-        texture_free(&work->tiles);
-        free_views(work);
-        free(work->found);
-    }
-    free(work);
+    free(work->state.positions);
+    free(work->depth);
+    model_free(&work->model);
+    image_free(&work->image);
+    image_free(&work->small);
+    texture_free(&work->tiles);
+    free_views(work);
+    free(work->found);
 }
 
 /* ---- The panels ---- */
-
-#define VERSION(label, of, number, house)                                                          \
-    {                                                                                              \
-        .name = (label), .choice = (number), .is_house = (house), .run = run_##of,                 \
-        .error = error_##of                                                                        \
-    }
 
 static const char *chain_series(int choice) {
     static const char *const names[] = {
@@ -969,15 +932,15 @@ static const char *chain_series(int choice) {
 }
 
 static const struct bench_version chain_versions[] = {
-    VERSION("0", chain, CHAIN(IN_FIXED, 0), false),
-    VERSION("1,000", chain, CHAIN(IN_FIXED, 1), false),
-    VERSION("0", chain, CHAIN(IN_FLOAT, 0), false),
-    VERSION("1,000", chain, CHAIN(IN_FLOAT, 1), false),
-    VERSION("10^6", chain, CHAIN(IN_FLOAT, 2), false),
-    VERSION("10^6 in the matrix", chain, CHAIN(IN_FLOAT, IN_MATRIX), false),
-    VERSION("0", chain, CHAIN(IN_DOUBLE, 0), true),
-    VERSION("1,000", chain, CHAIN(IN_DOUBLE, 1), true),
-    VERSION("10^6", chain, CHAIN(IN_DOUBLE, 2), true),
+    VERSION("0", CHAIN(IN_FIXED, 0)),
+    VERSION("1,000", CHAIN(IN_FIXED, 1)),
+    VERSION("0", CHAIN(IN_FLOAT, 0)),
+    VERSION("1,000", CHAIN(IN_FLOAT, 1)),
+    VERSION("10^6", CHAIN(IN_FLOAT, 2)),
+    VERSION("10^6 in the matrix", CHAIN(IN_FLOAT, IN_MATRIX)),
+    HOUSE_VERSION("0", CHAIN(IN_DOUBLE, 0)),
+    HOUSE_VERSION("1,000", CHAIN(IN_DOUBLE, 1)),
+    HOUSE_VERSION("10^6", CHAIN(IN_DOUBLE, 2)),
 };
 
 static const char *inverse_series(int choice) {
@@ -992,29 +955,29 @@ static const char *inverse_series(int choice) {
 }
 
 static const struct bench_version inverse_versions[] = {
-    VERSION("2^4", inverse, INVERT(COFACTORS_FLOAT, 0), false),
-    VERSION("2^12", inverse, INVERT(COFACTORS_FLOAT, 1), false),
-    VERSION("2^24", inverse, INVERT(COFACTORS_FLOAT, 2), false),
-    VERSION("2^4", inverse, INVERT(COFACTORS, 0), false),
-    VERSION("2^12", inverse, INVERT(COFACTORS, 1), false),
-    VERSION("2^24", inverse, INVERT(COFACTORS, 2), false),
-    VERSION("2^36", inverse, INVERT(COFACTORS, 3), false),
-    VERSION("2^48", inverse, INVERT(COFACTORS, 4), false),
-    VERSION("2^4", inverse, INVERT(AS_IS, 0), false),
-    VERSION("2^12", inverse, INVERT(AS_IS, 1), false),
-    VERSION("2^24", inverse, INVERT(AS_IS, 2), false),
-    VERSION("2^36", inverse, INVERT(AS_IS, 3), false),
-    VERSION("2^48", inverse, INVERT(AS_IS, 4), false),
-    VERSION("2^4", inverse, INVERT(PIVOTING, 0), false),
-    VERSION("2^12", inverse, INVERT(PIVOTING, 1), false),
-    VERSION("2^24", inverse, INVERT(PIVOTING, 2), false),
-    VERSION("2^36", inverse, INVERT(PIVOTING, 3), false),
-    VERSION("2^48", inverse, INVERT(PIVOTING, 4), false),
-    VERSION("2^4", inverse, INVERT(HOUSE_INVERSE, 0), true),
-    VERSION("2^12", inverse, INVERT(HOUSE_INVERSE, 1), true),
-    VERSION("2^24", inverse, INVERT(HOUSE_INVERSE, 2), true),
-    VERSION("2^36", inverse, INVERT(HOUSE_INVERSE, 3), true),
-    VERSION("2^48", inverse, INVERT(HOUSE_INVERSE, 4), true),
+    VERSION("2^4", INVERT(COFACTORS_FLOAT, 0)),
+    VERSION("2^12", INVERT(COFACTORS_FLOAT, 1)),
+    VERSION("2^24", INVERT(COFACTORS_FLOAT, 2)),
+    VERSION("2^4", INVERT(COFACTORS, 0)),
+    VERSION("2^12", INVERT(COFACTORS, 1)),
+    VERSION("2^24", INVERT(COFACTORS, 2)),
+    VERSION("2^36", INVERT(COFACTORS, 3)),
+    VERSION("2^48", INVERT(COFACTORS, 4)),
+    VERSION("2^4", INVERT(AS_IS, 0)),
+    VERSION("2^12", INVERT(AS_IS, 1)),
+    VERSION("2^24", INVERT(AS_IS, 2)),
+    VERSION("2^36", INVERT(AS_IS, 3)),
+    VERSION("2^48", INVERT(AS_IS, 4)),
+    VERSION("2^4", INVERT(PIVOTING, 0)),
+    VERSION("2^12", INVERT(PIVOTING, 1)),
+    VERSION("2^24", INVERT(PIVOTING, 2)),
+    VERSION("2^36", INVERT(PIVOTING, 3)),
+    VERSION("2^48", INVERT(PIVOTING, 4)),
+    HOUSE_VERSION("2^4", INVERT(HOUSE_INVERSE, 0)),
+    HOUSE_VERSION("2^12", INVERT(HOUSE_INVERSE, 1)),
+    HOUSE_VERSION("2^24", INVERT(HOUSE_INVERSE, 2)),
+    HOUSE_VERSION("2^36", INVERT(HOUSE_INVERSE, 3)),
+    HOUSE_VERSION("2^48", INVERT(HOUSE_INVERSE, 4)),
 };
 
 static const char *wall_series(int choice) {
@@ -1024,24 +987,24 @@ static const char *wall_series(int choice) {
 }
 
 static const struct bench_version wall_versions[] = {
-    VERSION("2", wall, AFFINE_2, false),
-    VERSION("32", wall, AFFINE_32, false),
-    VERSION("512", wall, AFFINE_512, false),
-    VERSION("8,192", wall, AFFINE_8192, false),
-    VERSION("64 pixels", wall, EVERY_64, false),
-    VERSION("16 pixels", wall, EVERY_16, false),
-    VERSION("pixel", wall, EVERY_1, false),
-    VERSION("screen's weights (affine)", wall, SCREEN_WEIGHTS, false),
-    VERSION("correct weights", wall, CORRECT_WEIGHTS, true),
+    VERSION("2", AFFINE_2),
+    VERSION("32", AFFINE_32),
+    VERSION("512", AFFINE_512),
+    VERSION("8,192", AFFINE_8192),
+    VERSION("64 pixels", EVERY_64),
+    VERSION("16 pixels", EVERY_16),
+    VERSION("pixel", EVERY_1),
+    VERSION("screen's weights (affine)", SCREEN_WEIGHTS),
+    HOUSE_VERSION("correct weights", CORRECT_WEIGHTS),
 };
 
 static const struct bench_version clip_versions[] = {
-    VERSION("not clipped", clip, UNCLIPPED, false),
-    VERSION("crossing faces left out", clip, LEFT_OUT, false),
-    VERSION("cut at the near plane", clip, NEAR_ONLY, false),
-    VERSION("also at 64: the lesson", clip, CLIPPED, true),
-    VERSION("also at the picture's sides", clip, AT_SIDES, false),
-    VERSION("the lesson, none skipped", clip, NOTHING_SKIPPED, false),
+    VERSION("not clipped", UNCLIPPED),
+    VERSION("crossing faces left out", LEFT_OUT),
+    VERSION("cut at the near plane", NEAR_ONLY),
+    HOUSE_VERSION("also at 64: the lesson", CLIPPED),
+    VERSION("also at the picture's sides", AT_SIDES),
+    VERSION("the lesson, none skipped", NOTHING_SKIPPED),
 };
 
 static const struct bench_panel bench_panels[] = {
@@ -1049,36 +1012,41 @@ static const struct bench_panel bench_panels[] = {
      .error_label = "1/256 pixel, the largest",
      .time_label = "ns per corner",
      .against = "long double",
+     .run = run_chain,
+     .error = error_chain,
      .units = units_chain,
-     .versions = chain_versions,
-     .version_count = sizeof chain_versions / sizeof chain_versions[0],
+     BENCH_VERSIONS(chain_versions),
      .series = chain_series},
     {.title = "Inverses of matrices of condition 2^4 to 2^48",
      .error_label = "largest error of an entry, as part of the largest entry",
      .time_label = "ns per inverse",
      .against = "exact fractions",
+     .run = run_inverse,
+     .error = error_inverse,
      .units = units_inverse,
-     .versions = inverse_versions,
-     .version_count = sizeof inverse_versions / sizeof inverse_versions[0],
+     BENCH_VERSIONS(inverse_versions),
      .series = inverse_series},
     {.title = "A wall with tiles that goes away from us",
      .error_label = "levels, root mean square",
      .time_label = "ms per frame",
      .against = "long double",
-     .versions = wall_versions,
-     .version_count = sizeof wall_versions / sizeof wall_versions[0],
+     .run = run_wall,
+     .error = error_wall,
+     BENCH_VERSIONS(wall_versions),
      .series = wall_series},
     {.title = "Close up: faces reach behind the camera, 200x200 pixels",
      .error_label = "pixels wrong of 40,000",
      .time_label = "ms per frame",
      .against = "rays, long double",
-     .versions = clip_versions,
-     .version_count = sizeof clip_versions / sizeof clip_versions[0]},
+     .run = run_clip,
+     .error = error_clip,
+     BENCH_VERSIONS(clip_versions)},
 };
 
 const struct bench_lesson bench_step08 = {
     .step = "step08_projection",
     .title = "Step 8: perspective",
+    .state_size = sizeof(struct work),
     .setup = setup,
     .teardown = teardown,
     .panels = bench_panels,

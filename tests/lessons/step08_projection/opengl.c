@@ -1,7 +1,8 @@
-/* The triangles of step 8: see lesson.h. */
-#include "bench/opengl/include_lesson.h"
+/* The triangles of step 8: see compared.h. */
+#include "bench/opengl/compared.h"
 
-#include "../../../step08_projection/main.c"
+#define LESSON "../step08_projection/main.c"
+#include "lesson.h"
 
 #include <string.h>
 
@@ -243,9 +244,11 @@ static bool covered(const struct drawing *drawing, const struct image *image, si
                                   : (bgr[0] | bgr[1] | bgr[2]) != 0;
 }
 
-lesson_function lesson_step08;
-struct lesson lesson_step08(void) {
-    const struct program *program = NULL;
-    lesson_main(0, (char **)&program);
-    return (struct lesson){program, 0, skipped, left_out, rest, build, covered};
-}
+const struct lesson lesson_step08 = {
+    .program = &step08_projection,
+    .skipped = skipped,
+    .left_out = left_out,
+    .rest = rest,
+    .build = build,
+    .covered = covered,
+};

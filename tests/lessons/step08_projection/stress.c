@@ -1,8 +1,6 @@
 /* Step 8: its viewport() is lent to cameras.c; here its maps, camera, clipping and perspective. */
-#define main step08_main
-int step08_main(int argc, char **argv);
-#include "../../../step08_projection/main.c"
-#undef main
+#define LESSON "../step08_projection/main.c"
+#include "lesson.h"
 
 #include "upkeep/stress/lessons.h"
 #include "upkeep/stress/soup.h"
@@ -39,47 +37,13 @@ static void make_view(struct random *random, uint64_t index, void *made) {
     }
 }
 
-static double ulps(double got, long double exact, long double scale) {
-    double error = (double)(fabsl(exact - (long double)got) / scale) * 0x1p52;
-    return isnan(error) ? (double)INFINITY : error;
-}
-
-/* How far the rows are from those of a rigid change of frame: of length 1, perpendicular, and the
- * third the cross product of the first two, not its opposite. */
-static double frame_error(const struct mat4 *view) {
-    struct real3 row[3];
-    for (int i = 0; i < 3; i++) {
-        row[i] = (struct real3){view->m[i][0], view->m[i][1], view->m[i][2]};
-    }
-    struct real3 z = real3_cross(row[0], row[1]);
-    double worst = fmax(ulps(view->m[2][0], z.x, 1),
-                        fmax(ulps(view->m[2][1], z.y, 1), ulps(view->m[2][2], z.z, 1)));
-    for (int i = 0; i < 3; i++) {
-        worst = fmax(worst, (double)fabsl(real3_dot(row[i], row[i]) - 1) * 0x1p52);
-    }
-    return fmax(worst, (double)fabsl(real3_dot(row[0], row[1])) * 0x1p52);
-}
-
-/* The axes, where they are certain, and where the center goes. In ulp. */
+/* The frame, and where the center goes. In ulp. */
 static double lookat_error(const void *tried) {
     const struct view_case *c = tried;
     struct mat4 view = lookat(c->eye, c->center, c->up);
-    struct oracle_frame frame = oracle_frame(c->eye, c->center, c->up);
-    double worst = frame_error(&view);
-    for (int row = 0; row < 3; row++) {
-        const double *m = view.m[row];
-        const long double *axis = frame.axis[row];
-        bool certain = axis[0] != 0 || axis[1] != 0 || axis[2] != 0;
-        for (int i = 0; i < 3 && certain; i++) {
-            worst = fmax(worst, ulps(m[i], axis[i], row < 2 ? 1 / frame.sine : 1));
-        }
-        long double x = (long double)m[0] * (long double)c->center.x;
-        long double y = (long double)m[1] * (long double)c->center.y;
-        long double z = (long double)m[2] * (long double)c->center.z;
-        worst = fmax(worst, ulps(m[3], -(x + y + z), 1e-300L + fabsl(x) + fabsl(y) + fabsl(z)));
-    }
     bool last = view.m[3][0] == 0 && view.m[3][1] == 0 && view.m[3][2] == 0 && view.m[3][3] == 1;
-    return last ? worst : (double)INFINITY;
+    double error = fmax(view_frame_error(&view), view_axes_error(&view, c->eye, c->center, c->up));
+    return last && view_moves_center(&view, c->center) ? error : (double)INFINITY;
 }
 
 /* x, y and z are kept, and w is the part of the distance that is left. Also a parallel view. */
@@ -96,9 +60,7 @@ static bool projection_is_right(const void *tried) {
 
 static void print_view(const void *failing) {
     const struct view_case *c = failing;
-    printf("    --eye %.17g,%.17g,%.17g --center %.17g,%.17g,%.17g --up %.17g,%.17g,%.17g\n",
-           c->eye.x, c->eye.y, c->eye.z, c->center.x, c->center.y, c->center.z, c->up.x, c->up.y,
-           c->up.z);
+    print_camera_options(c->eye, c->center, c->up);
     printf("    # point %.17g %.17g %.17g\n", c->point.x, c->point.y, c->point.z);
 }
 
@@ -259,7 +221,8 @@ static double weights_error(const void *tried) {
     }
     for (int i = 0; i < 3; i++) {
         long double exact = (long double)c->screen[i] * (long double)c->recip_w[i] / sum;
-        worst = fmax(worst, ulps(weight[i], exact, 1));
+        double error = (double)fabsl(exact - (long double)weight[i]) * 0x1p52;
+        worst = fmax(worst, isnan(error) ? (double)INFINITY : error);
     }
     return worst;
 }
@@ -492,10 +455,6 @@ static void print_around(const void *failing) {
 
 /* ---- Soups: random faces in perspective, drawn by the lesson ---- */
 
-struct soup_case {
-    uint64_t seed, kind, faces;
-};
-
 static void make_any_soup(struct random *random, uint64_t index, void *made) {
     uint64_t kind = index % 64 == 63 ? SOUP_WIDE + index / 64 % 2 : index % 3;
     *(struct soup_case *)made = (struct soup_case){random_bits(random), kind, SOUP_FACES};
@@ -504,12 +463,6 @@ static void make_any_soup(struct random *random, uint64_t index, void *made) {
 static void make_small_soup(struct random *random, uint64_t index, void *made) {
     *(struct soup_case *)made = (struct soup_case){
         random_bits(random), index % 2 ? SOUP_STEEP : SOUP_CAMERA, 1 + index / 2 % SOUP_FACES};
-}
-
-static bool shrink_soup_case(const void *failing, unsigned attempt, void *smaller) {
-    const struct soup_case *c = failing;
-    ((struct soup_case *)smaller)->faces--;
-    return attempt == 0 && c->faces > 1;
 }
 
 static void print_soup_case(const void *failing) {
@@ -599,64 +552,19 @@ static void draw_scenery(struct scenery *s, bool skip) {
     draw_model(&drawing, &canvas, &s->soup.to_clip);
 }
 
-/* Does the face show its front, corners counterclockwise on the screen? */
-static bool shows_front(const struct soup *soup, size_t face) {
-    const struct soup_polygon *polygon = &soup->polygons[face];
-    int turn = 0;
-    for (size_t i = 2; i < polygon->count && turn == 0; i++) {
-        turn = oracle_turn(polygon->corner[0].screen, polygon->corner[i - 1].screen,
-                           polygon->corner[i].screen);
-    }
-    return turn > 0;
-}
-
-static bool is_in_viewport(const struct soup *soup, int x, int y) {
-    const struct rectangle *v = &soup->viewport;
-    return x >= v->x && x < v->x + v->width && y >= v->y && y < v->y + v->height;
-}
-
-/* What should be seen at a pixel, face by face, and the depth that the nearest has at least. */
-struct expected {
-    struct soup_hit hit[SOUP_FACES];
-    long double nearest;
-};
-
-static struct expected expect(const struct soup *soup, int x, int y) {
-    struct expected expected = {.nearest = (long double)-INFINITY};
-    for (size_t i = 0; i < soup->model.face_count && is_in_viewport(soup, x, y); i++) {
-        if (shows_front(soup, i)) {
-            expected.hit[i] = soup_look(soup, i, x, y);
-        }
-        if (expected.hit[i].covered) {
-            expected.nearest = fmaxl(expected.nearest, expected.hit[i].depth.least);
-        }
-    }
-    return expected;
-}
-
-/* Could the face be the nearest one, for all that doubles can tell? */
-static bool may_be_nearest(const struct soup *soup, const struct expected *expected, size_t face) {
-    const struct soup_hit *hit = &expected->hit[face];
-    long double tolerance = soup_depth_tolerance(soup, face);
-    return hit->covered && hit->depth.most + tolerance >= expected->nearest;
-}
-
 static bool face_is_right(const struct scenery *s, int x, int y, struct tally *tally) {
     size_t pixel = (size_t)y * s->soup.width + (size_t)x;
     int face = s->image.pixels[3 * pixel] - 1;
-    struct expected expected = expect(&s->soup, x, y);
-    size_t candidates = 0;
-    for (size_t i = 0; i < s->soup.model.face_count; i++) {
-        candidates += may_be_nearest(&s->soup, &expected, i);
-    }
+    struct soup_seen seen = soup_see(&s->soup, x, y, true);
+    unsigned candidates = soup_candidates(&s->soup, &seen);
     tally->asked += candidates <= 1;
     tally->left_out += candidates > 1;
     if (face < 0 || face >= SOUP_FACES) {
         return face == -1 && candidates == 0 && s->depth[pixel] == -INFINITY;
     }
-    struct range depth = expected.hit[face].depth;
+    struct range depth = seen.hit[face].depth;
     long double tolerance = soup_depth_tolerance(&s->soup, (size_t)face);
-    return may_be_nearest(&s->soup, &expected, (size_t)face) &&
+    return soup_may_show(&s->soup, &seen, (size_t)face) &&
            (long double)s->depth[pixel] >= depth.least - tolerance &&
            (long double)s->depth[pixel] <= depth.most + tolerance;
 }
@@ -711,11 +619,11 @@ static long double level_of_value(long double value, enum look look) {
 }
 
 static bool value_is_right(const struct scenery *s, enum look look, int x, int y) {
-    struct expected expected = expect(&s->soup, x, y);
+    struct soup_seen seen = soup_see(&s->soup, x, y, true);
     bool right = false, any = false;
     for (size_t i = 0; i < s->soup.model.face_count; i++) {
-        if (may_be_nearest(&s->soup, &expected, i)) {
-            struct range value = expected.hit[i].value;
+        if (soup_may_show(&s->soup, &seen, i)) {
+            struct range value = seen.hit[i].value;
             long double level = image_get(&s->image, x, y).g;
             any = true; /* floats of the model move a level by less than 0.001 */
             right = right || (level >= level_of_value(value.least, look) - 0.501L &&
@@ -744,82 +652,41 @@ static bool values_are_right(const void *tried) {
     return right;
 }
 
+static const struct case_kind view_cases = {sizeof(struct view_case), make_view, print_view, NULL};
+static const struct case_kind map_cases = {sizeof(struct map_case), make_map, print_map, NULL};
+static const struct case_kind divided_cases = {sizeof(struct divided_case), make_divided,
+                                               print_divided, NULL};
+static const struct case_kind weights_cases = {sizeof(struct weights_case), make_weights,
+                                               print_weights, NULL};
+static const struct case_kind clip_cases = {sizeof(struct clip_case), make_clip, print_clip, NULL};
+static const struct case_kind side_cases = {sizeof(struct side_case), make_side, print_side, NULL};
+static const struct case_kind around_cases = {sizeof(struct around_case), make_around, print_around,
+                                              NULL};
+static const struct case_kind any_soup_cases = {sizeof(struct soup_case), make_any_soup,
+                                                print_soup_case, soup_case_shrink};
+static const struct case_kind small_soup_cases = {sizeof(struct soup_case), make_small_soup,
+                                                  print_soup_case, soup_case_shrink};
+
 const struct property lesson08_properties[] = {
-    {.name = "lesson08: camera",
-     .against = AGAINST_LONG_DOUBLE,
-     .cases = 300000,
-     .case_size = sizeof(struct view_case),
-     .make = make_view,
-     .error = lookat_error,
-     .limit = 8,
-     .error_unit = "ulp",
-     .print = print_view},
-    {.name = "lesson08: projection",
-     .against = AGAINST_LONG_DOUBLE,
-     .cases = 200000,
-     .case_size = sizeof(struct view_case),
-     .make = make_view,
-     .holds = projection_is_right,
-     .print = print_view},
-    {.name = "lesson08: maps of the plane",
-     .against = AGAINST_LONG_DOUBLE,
-     .cases = 100000,
-     .case_size = sizeof(struct map_case),
-     .make = make_map,
-     .holds = map_is_right,
-     .print = print_map},
-    {.name = "lesson08: division by w",
-     .against = AGAINST_LONG_DOUBLE,
-     .cases = 300000,
-     .case_size = sizeof(struct divided_case),
-     .make = make_divided,
-     .holds = division_is_right,
-     .print = print_divided},
-    {.name = "lesson08: weights in perspective",
-     .against = AGAINST_LONG_DOUBLE,
-     .cases = 300000,
-     .case_size = sizeof(struct weights_case),
-     .make = make_weights,
-     .error = weights_error,
-     .limit = 4,
-     .error_unit = "ulp of 1",
-     .print = print_weights},
-    {.name = "lesson08: clipped corners",
-     .against = AGAINST_LONG_DOUBLE,
-     .cases = 200000,
-     .case_size = sizeof(struct clip_case),
-     .make = make_clip,
-     .holds = clipping_is_right,
-     .print = print_clip},
-    {.name = "lesson08: beyond which sides",
-     .against = AGAINST_LONG_DOUBLE,
-     .cases = 300000,
-     .case_size = sizeof(struct side_case),
-     .make = make_side,
-     .holds = sides_are_right,
-     .print = print_side},
-    {.name = "lesson08: a face around the view",
-     .against = AGAINST_LONG_DOUBLE,
-     .cases = 30000,
-     .case_size = sizeof(struct around_case),
-     .make = make_around,
-     .holds = around_is_right,
-     .print = print_around},
-    {.name = "lesson08: the nearest by z/w",
-     .against = AGAINST_LONG_DOUBLE,
-     .cases = 10000,
-     .case_size = sizeof(struct soup_case),
-     .make = make_any_soup,
-     .judge = judge_nearest,
-     .shrink = shrink_soup_case,
-     .print = print_soup_case},
-    {.name = "lesson08: values in perspective",
-     .against = AGAINST_LONG_DOUBLE,
-     .cases = 10000,
-     .case_size = sizeof(struct soup_case),
-     .make = make_small_soup,
-     .holds = values_are_right,
-     .shrink = shrink_soup_case,
-     .print = print_soup_case},
+    PROPERTY("lesson08: camera", AGAINST_LONG_DOUBLE, 300000, view_cases, .error = lookat_error,
+             .limit = 8, .error_unit = "ulp"),
+    PROPERTY("lesson08: projection", AGAINST_LONG_DOUBLE, 200000, view_cases,
+             .holds = projection_is_right),
+    PROPERTY("lesson08: maps of the plane", AGAINST_LONG_DOUBLE, 100000, map_cases,
+             .holds = map_is_right),
+    PROPERTY("lesson08: division by w", AGAINST_LONG_DOUBLE, 300000, divided_cases,
+             .holds = division_is_right),
+    PROPERTY("lesson08: weights in perspective", AGAINST_LONG_DOUBLE, 300000, weights_cases,
+             .error = weights_error, .limit = 4, .error_unit = "ulp of 1"),
+    PROPERTY("lesson08: clipped corners", AGAINST_LONG_DOUBLE, 200000, clip_cases,
+             .holds = clipping_is_right),
+    PROPERTY("lesson08: beyond which sides", AGAINST_LONG_DOUBLE, 300000, side_cases,
+             .holds = sides_are_right),
+    PROPERTY("lesson08: a face around the view", AGAINST_LONG_DOUBLE, 30000, around_cases,
+             .holds = around_is_right),
+    PROPERTY("lesson08: the nearest by z/w", AGAINST_LONG_DOUBLE, 10000, any_soup_cases,
+             .judge = judge_nearest),
+    PROPERTY("lesson08: values in perspective", AGAINST_LONG_DOUBLE, 10000, small_soup_cases,
+             .holds = values_are_right),
     {.name = NULL},
 };

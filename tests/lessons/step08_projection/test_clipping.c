@@ -1,10 +1,8 @@
 /* Lesson 8's clipping against its definition in long double. The pipeline has the same text (see
  * same_text.sh), but for find_beyond(), which it asks of several positions at once: see
  * test_transform.c. */
-#define main step08_main
-int step08_main(int argc, char **argv);
-#include "../../../step08_projection/main.c"
-#undef main
+#define LESSON "../step08_projection/main.c"
+#include "lesson.h"
 
 #include "oracle/oracle.h"
 #include "unit/unit.h"

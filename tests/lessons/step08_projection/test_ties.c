@@ -1,8 +1,6 @@
 /* Lesson 8: equal depths. */
-#define main step08_main
-int step08_main(int argc, char **argv);
-#include "../../../step08_projection/main.c"
-#undef main
+#define LESSON "../step08_projection/main.c"
+#include "lesson.h"
 
 #include "unit/ties.h"
 

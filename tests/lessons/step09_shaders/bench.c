@@ -5,10 +5,8 @@
  * those of step09_loops.h. The last one is the pipeline as it is. All are judged by the same exact
  * picture: what is visible decided by whole numbers and double, its colours found in long double.
  */
-#define main step09_main
-int step09_main(int argc, char **argv);
-#include "../../../step09_shaders/main.c"
-#undef main
+#define LESSON "../step09_shaders/main.c"
+#include "lesson.h"
 
 #include "../../../step09_shaders/attempts.h"
 
@@ -104,8 +102,7 @@ static struct chosen choose(enum look look, enum way way) {
     return all[way];
 }
 
-#define PIXELS(look, way) ((int)(look)*WAYS + (int)(way))
-
+/* A choice is a way and, times WAYS, a look. */
 static void run_pixels(void *state, int choice) {
     struct work *work = state;
     work->drawn_look = (enum look)(choice / WAYS);
@@ -113,7 +110,8 @@ static void run_pixels(void *state, int choice) {
     chosen.shade(&work->bust.visible, work->planes[work->drawn_look][choice % WAYS]);
 }
 
-static double units_pixels(const void *state) {
+static double units_pixels(const void *state, int base) {
+    (void)base;
     return (double)((const struct work *)state)->bust.visible.pixels;
 }
 
@@ -209,8 +207,21 @@ static void run_row(void *state, int choice) {
     }
 }
 
+static double error_peer(const struct work *work, enum peer peer) {
+    const struct child *child = &work->peers[peer];
+    struct error error;
+    if (!work->drawn || !child_read(child, &error)) {
+        return (double)INFINITY;
+    }
+    const struct image image = {SIDE, SIDE, IMAGE_BGRA, child->pixels};
+    return compare(&image, &work->far_first.exact[TEXTURED]).mean;
+}
+
 static double error_row(void *state, int choice) {
     const struct work *work = state;
+    if (choice >= PEER(0)) {
+        return error_peer(work, (enum peer)(choice - PEER(0)));
+    }
     const struct image *image = &work->targets[choice / KINDS / 2].image;
     image = image->width < SIDE ? &work->enlarged : image;
     return work->drawn ? compare(image, &work->far_first.exact[TEXTURED]).mean : (double)INFINITY;
@@ -222,17 +233,6 @@ static double run_peer(void *state, int choice) {
     double seconds;
     work->drawn = child_draw(&work->peers[choice - PEER(0)], &seconds, &error);
     return work->drawn ? seconds : (double)INFINITY;
-}
-
-static double error_peer(void *state, int choice) {
-    const struct work *work = state;
-    const struct child *child = &work->peers[choice - PEER(0)];
-    struct error error;
-    if (!work->drawn || !child_read(child, &error)) {
-        return (double)INFINITY;
-    }
-    const struct image image = {SIDE, SIDE, IMAGE_BGRA, child->pixels};
-    return compare(&image, &work->far_first.exact[TEXTURED]).mean;
 }
 
 static double size_peer(const struct work *work, enum peer peer) {
@@ -577,7 +577,7 @@ static bool start_peer(struct child *peer, const struct subject *row, int thread
         .call = row->call,
         .to_light = row->uniforms.to_light,
     };
-    return child_start(peer, threads, FILTER_BILINEAR, (size_t)SIDE * SIDE, error) &&
+    return child_start(peer, threads, (size_t)SIDE * SIDE, error) &&
            child_load(peer, &scene, error);
 }
 
@@ -608,12 +608,8 @@ static bool make_all_planes(struct work *work, struct error *error) {
     return true;
 }
 
-static bool setup(void **state, struct error *error) {
-    struct work *work = calloc(1, sizeof *work);
-    *state = work;
-    if (work == NULL) {
-        return error_out_of_memory(error);
-    }
+static bool setup(void *state, struct error *error) {
+    struct work *work = state;
     bool done = make_targets(work, error) &&
                 bench_read_model(&work->bust.model, "bust.obj", error) &&
                 prepare_subject(&work->bust, error) && make_all_planes(work, error) &&
@@ -639,39 +635,27 @@ static void subject_free(struct subject *subject) {
 
 static void teardown(void *state) {
     struct work *work = state;
-    if (work != NULL) {
-        subject_free(&work->bust);
-        subject_free(&work->far_first);
-        subject_free(&work->near_first);
-        for (int i = 0; i < LOOKS * WAYS; i++) {
-            free(work->planes[i / WAYS][i % WAYS]);
-        }
-        for (int i = 0; i < TARGETS; i++) {
-            image_free(&work->targets[i].image);
-            pipeline_free(&work->targets[i].pipeline);
-        }
-        for (int i = 0; i < PEERS; i++) {
-            child_end(&work->peers[i]);
-        }
-        image_free(&work->enlarged);
-        image_free(&work->simple_image);
-        free(work->depth);
-        free(work->memory.nearest);
-        free(work->memory.positions);
+    subject_free(&work->bust);
+    subject_free(&work->far_first);
+    subject_free(&work->near_first);
+    for (int i = 0; i < LOOKS * WAYS; i++) {
+        free(work->planes[i / WAYS][i % WAYS]);
     }
-    free(work);
+    for (int i = 0; i < TARGETS; i++) {
+        image_free(&work->targets[i].image);
+        pipeline_free(&work->targets[i].pipeline);
+    }
+    for (int i = 0; i < PEERS; i++) {
+        child_end(&work->peers[i]);
+    }
+    image_free(&work->enlarged);
+    image_free(&work->simple_image);
+    free(work->depth);
+    free(work->memory.nearest);
+    free(work->memory.positions);
 }
 
 /* ---- The panels ---- */
-
-#define VERSION(label, of, number, house)                                                          \
-    {                                                                                              \
-        .name = (label), .choice = (number), .is_house = (house), .run = run_##of,                 \
-        .error = error_##of                                                                        \
-    }
-
-#define PEER_VERSION(label, peer)                                                                  \
-    { .name = (label), .choice = PEER(peer), .error = error_peer }
 
 static const char *pixels_series(int choice) {
     int way = choice % WAYS;
@@ -681,46 +665,32 @@ static const char *pixels_series(int choice) {
                                                                  : NULL;
 }
 
-static const struct bench_version textured_versions[] = {
-    VERSION("call for each", pixels, PIXELS(TEXTURED, SINGLE_CALL), false),
-    VERSION("call for each run", pixels, PIXELS(TEXTURED, SINGLE_RUN), false),
-    VERSION("no call", pixels, PIXELS(TEXTURED, SINGLE), false),
-    VERSION("call for all 16", pixels, PIXELS(TEXTURED, SIXTEEN_CALL), false),
-    VERSION("call for each run", pixels, PIXELS(TEXTURED, SIXTEEN_RUN), false),
-    VERSION("no call", pixels, PIXELS(TEXTURED, SIXTEEN), true),
-    VERSION("sixteen, in double", pixels, PIXELS(TEXTURED, IN_DOUBLE), false),
-    VERSION("8 pixels", pixels, PIXELS(TEXTURED, DIVISION_EVERY_8), false),
-    VERSION("16 pixels", pixels, PIXELS(TEXTURED, DIVISION_EVERY_16), false),
-    VERSION("no division: affine", pixels, PIXELS(TEXTURED, AFFINE), false),
-    VERSION("every second pixel", pixels, PIXELS(TEXTURED, HALF_RATE), false),
-};
-
-static const struct bench_version white_versions[] = {
-    VERSION("call for each", pixels, PIXELS(WHITE, SINGLE_CALL), false),
-    VERSION("call for each run", pixels, PIXELS(WHITE, SINGLE_RUN), false),
-    VERSION("no call", pixels, PIXELS(WHITE, SINGLE), false),
-    VERSION("call for all 16", pixels, PIXELS(WHITE, SIXTEEN_CALL), false),
-    VERSION("call for each run", pixels, PIXELS(WHITE, SIXTEEN_RUN), false),
-    VERSION("no call", pixels, PIXELS(WHITE, SIXTEEN), true),
-    VERSION("sixteen, in double", pixels, PIXELS(WHITE, IN_DOUBLE), false),
-    VERSION("8 pixels", pixels, PIXELS(WHITE, DIVISION_EVERY_8), false),
-    VERSION("16 pixels", pixels, PIXELS(WHITE, DIVISION_EVERY_16), false),
-    VERSION("no division: affine", pixels, PIXELS(WHITE, AFFINE), false),
-    VERSION("every second pixel", pixels, PIXELS(WHITE, HALF_RATE), false),
+static const struct bench_version pixels_versions[] = {
+    VERSION("call for each", SINGLE_CALL),
+    VERSION("call for each run", SINGLE_RUN),
+    VERSION("no call", SINGLE),
+    VERSION("call for all 16", SIXTEEN_CALL),
+    VERSION("call for each run", SIXTEEN_RUN),
+    HOUSE_VERSION("no call", SIXTEEN),
+    VERSION("sixteen, in double", IN_DOUBLE),
+    VERSION("8 pixels", DIVISION_EVERY_8),
+    VERSION("16 pixels", DIVISION_EVERY_16),
+    VERSION("no division: affine", AFFINE),
+    VERSION("every second pixel", HALF_RATE),
 };
 
 static const struct bench_version row_versions[] = {
-    VERSION("at once, farthest first", row, ROW(AT_ONCE, FAR_FIRST, ONE_THREAD), false),
-    VERSION("at once, nearest first", row, ROW(AT_ONCE, NEAR_FIRST, ONE_THREAD), false),
-    VERSION("visible, called", row, ROW(CALLED, FAR_FIRST, ONE_THREAD), false),
-    VERSION("visible, farthest first", row, ROW(VISIBLE, FAR_FIRST, ONE_THREAD), true),
-    VERSION("visible, nearest first", row, ROW(VISIBLE, NEAR_FIRST, ONE_THREAD), true),
-    VERSION("at once, 2 threads", row, ROW(AT_ONCE, FAR_FIRST, TWO_THREADS), false),
-    VERSION("visible, 2 threads", row, ROW(VISIBLE, FAR_FIRST, TWO_THREADS), true),
-    VERSION("400x400, enlarged", row, ROW(VISIBLE, FAR_FIRST, HALF_OF_IT), false),
-    PEER_VERSION("llvmpipe, farthest first", PEER_FAR_FIRST),
-    PEER_VERSION("llvmpipe, nearest first", PEER_NEAR_FIRST),
-    PEER_VERSION("llvmpipe, 2 threads", PEER_TWO_THREADS),
+    VERSION("at once, farthest first", ROW(AT_ONCE, FAR_FIRST, ONE_THREAD)),
+    VERSION("at once, nearest first", ROW(AT_ONCE, NEAR_FIRST, ONE_THREAD)),
+    VERSION("visible, called", ROW(CALLED, FAR_FIRST, ONE_THREAD)),
+    HOUSE_VERSION("visible, farthest first", ROW(VISIBLE, FAR_FIRST, ONE_THREAD)),
+    HOUSE_VERSION("visible, nearest first", ROW(VISIBLE, NEAR_FIRST, ONE_THREAD)),
+    VERSION("at once, 2 threads", ROW(AT_ONCE, FAR_FIRST, TWO_THREADS)),
+    HOUSE_VERSION("visible, 2 threads", ROW(VISIBLE, FAR_FIRST, TWO_THREADS)),
+    VERSION("400x400, enlarged", ROW(VISIBLE, FAR_FIRST, HALF_OF_IT)),
+    PEER_VERSION("llvmpipe, farthest first", PEER(PEER_FAR_FIRST)),
+    PEER_VERSION("llvmpipe, nearest first", PEER(PEER_NEAR_FIRST)),
+    PEER_VERSION("llvmpipe, 2 threads", PEER(PEER_TWO_THREADS)),
 };
 
 static size_t row_versions_here(const void *state) {
@@ -729,12 +699,12 @@ static size_t row_versions_here(const void *state) {
 }
 
 static const struct bench_version stage_versions[] = {
-    VERSION("stage 0: simple_draw()", stage, SIMPLE, false),
-    VERSION("stage 1: positions once", stage, POSITIONS_ONCE, false),
-    VERSION("stage 2: visible first", stage, VISIBLE_FIRST, false),
-    VERSION("stage 4: by 16, in bands", stage, STAGE(ROW(CALLED, FAR_FIRST, ONE_THREAD)), false),
-    VERSION("stage 5: no call", stage, STAGE(ROW(VISIBLE, FAR_FIRST, ONE_THREAD)), true),
-    VERSION("stage 6: 2 threads", stage, STAGE(ROW(VISIBLE, FAR_FIRST, TWO_THREADS)), true),
+    VERSION("stage 0: simple_draw()", SIMPLE),
+    VERSION("stage 1: positions once", POSITIONS_ONCE),
+    VERSION("stage 2: visible first", VISIBLE_FIRST),
+    VERSION("stage 4: by 16, in bands", STAGE(ROW(CALLED, FAR_FIRST, ONE_THREAD))),
+    HOUSE_VERSION("stage 5: no call", STAGE(ROW(VISIBLE, FAR_FIRST, ONE_THREAD))),
+    HOUSE_VERSION("stage 6: 2 threads", STAGE(ROW(VISIBLE, FAR_FIRST, TWO_THREADS))),
 };
 
 /* A level in a thousand that is not the nearest. */
@@ -745,8 +715,9 @@ static const struct bench_panel bench_panels[] = {
      .error_label = "values of 0..255, mean",
      .time_label = "ms per frame",
      .against = "long double",
-     .versions = stage_versions,
-     .version_count = sizeof stage_versions / sizeof stage_versions[0],
+     .run = run_stage,
+     .error = error_stage,
+     BENCH_VERSIONS(stage_versions),
      .size = size_stage,
      .size_label = "thousand pixels shaded",
      .house_within = HOUSE_WITHIN},
@@ -754,9 +725,11 @@ static const struct bench_panel bench_panels[] = {
      .error_label = "values of 0..255, mean",
      .time_label = "ns per pixel",
      .against = "long double",
+     .base = TEXTURED * WAYS,
+     .run = run_pixels,
+     .error = error_pixels,
      .units = units_pixels,
-     .versions = textured_versions,
-     .version_count = sizeof textured_versions / sizeof textured_versions[0],
+     BENCH_VERSIONS(pixels_versions),
      .series = pixels_series,
      .size = size_pixels,
      .size_label = "the largest difference",
@@ -765,9 +738,11 @@ static const struct bench_panel bench_panels[] = {
      .error_label = "values of 0..255, mean",
      .time_label = "ns per pixel",
      .against = "long double",
+     .base = WHITE * WAYS,
+     .run = run_pixels,
+     .error = error_pixels,
      .units = units_pixels,
-     .versions = white_versions,
-     .version_count = sizeof white_versions / sizeof white_versions[0],
+     BENCH_VERSIONS(pixels_versions),
      .series = pixels_series,
      .size = size_pixels,
      .size_label = "the largest difference",
@@ -776,8 +751,9 @@ static const struct bench_panel bench_panels[] = {
      .error_label = "values of 0..255, mean",
      .time_label = "ms per frame",
      .against = "long double",
-     .versions = row_versions,
-     .version_count = sizeof row_versions / sizeof row_versions[0],
+     .run = run_row,
+     .error = error_row,
+     BENCH_VERSIONS(row_versions),
      .size = size_row,
      .size_label = "thousand pixels shaded",
      .versions_here = row_versions_here,
@@ -788,6 +764,7 @@ static const struct bench_panel bench_panels[] = {
 const struct bench_lesson bench_step09 = {
     .step = "step09_shaders",
     .title = "Step 9: shaders",
+    .state_size = sizeof(struct work),
     .setup = setup,
     .teardown = teardown,
     .panels = bench_panels,

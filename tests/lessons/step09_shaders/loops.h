@@ -4,7 +4,8 @@
  *
  * All of them read the same list of what is visible, and have the planes of all faces ready.
  */
-#include "../../../step09_shaders/main.c"
+#define LESSON "../step09_shaders/main.c"
+#include "lesson.h"
 
 #include "ways.h"
 

@@ -1,8 +1,9 @@
-/* The triangles of step 9: see lesson.h and recorder.h. */
-#include "bench/opengl/include_lesson.h"
+/* The triangles of step 9: see compared.h and recorder.h. */
+#include "bench/opengl/compared.h"
 #include "bench/opengl/recorder.h"
 
-#include "../../../step09_shaders/main.c"
+#define LESSON "../step09_shaders/main.c"
+#include "lesson.h"
 
 #include <string.h>
 
@@ -44,14 +45,12 @@ static bool describe_shader(const struct shader *shader, const void *uniforms,
 
 static bool build(const char *scene, struct drawing *drawing, struct image *image,
                   struct picture *picture, struct error *error) {
-    const struct program *program = NULL;
-    lesson_main(0, (char **)&program);
-    return record_scene(program, scene, drawing, image, picture, error);
+    return record_scene(&step09_shaders, scene, drawing, image, picture, error);
 }
 
-lesson_function lesson_step09;
-struct lesson lesson_step09(void) {
-    const struct program *program = NULL;
-    lesson_main(0, (char **)&program);
-    return (struct lesson){program, sizeof(struct recorder), NULL, left_out, NULL, build, NULL};
-}
+const struct lesson lesson_step09 = {
+    .program = &step09_shaders,
+    .state_size = sizeof(struct recorder),
+    .left_out = left_out,
+    .build = build,
+};

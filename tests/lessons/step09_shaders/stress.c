@@ -1,8 +1,6 @@
 /* Step 9: what its shaders compute at a corner and at a pixel. */
-#define main step09_main
-int step09_main(int argc, char **argv);
-#include "../../../step09_shaders/main.c"
-#undef main
+#define LESSON "../step09_shaders/main.c"
+#include "lesson.h"
 
 #include "upkeep/stress/lessons.h"
 #include "upkeep/stress/stress.h"
@@ -236,36 +234,17 @@ static void print_shader_case(const void *failing) {
            c->normal_level, c->intensity);
 }
 
+static const struct case_kind shader_cases = {sizeof(struct shader_case), make_shader_case,
+                                              print_shader_case, NULL};
+
 const struct property lesson09_properties[] = {
-    {.name = "lesson09: light on a surface",
-     .against = AGAINST_LONG_DOUBLE,
-     .cases = 200000,
-     .case_size = sizeof(struct shader_case),
-     .make = make_shader_case,
-     .error = lambert_error,
-     .limit = 4,
-     .error_unit = "ulp of 1",
-     .print = print_shader_case},
-    {.name = "lesson09: at the corners",
-     .against = AGAINST_LONG_DOUBLE,
-     .cases = 200000,
-     .case_size = sizeof(struct shader_case),
-     .make = make_shader_case,
-     .holds = corners_are_right,
-     .print = print_shader_case},
-    {.name = "lesson09: corners on the screen",
-     .against = AGAINST_LONG_DOUBLE,
-     .cases = 100000,
-     .case_size = sizeof(struct shader_case),
-     .make = make_shader_case,
-     .holds = face_is_placed,
-     .print = print_shader_case},
-    {.name = "lesson09: at the pixels",
-     .against = AGAINST_LONG_DOUBLE,
-     .cases = 200000,
-     .case_size = sizeof(struct shader_case),
-     .make = make_shader_case,
-     .holds = pixels_are_right,
-     .print = print_shader_case},
+    PROPERTY("lesson09: light on a surface", AGAINST_LONG_DOUBLE, 200000, shader_cases,
+             .error = lambert_error, .limit = 4, .error_unit = "ulp of 1"),
+    PROPERTY("lesson09: at the corners", AGAINST_LONG_DOUBLE, 200000, shader_cases,
+             .holds = corners_are_right),
+    PROPERTY("lesson09: corners on the screen", AGAINST_LONG_DOUBLE, 100000, shader_cases,
+             .holds = face_is_placed),
+    PROPERTY("lesson09: at the pixels", AGAINST_LONG_DOUBLE, 200000, shader_cases,
+             .holds = pixels_are_right),
     {.name = NULL},
 };

@@ -5,15 +5,14 @@
  * formula in long double: on the bust for what the pipeline interpolated at the pixel, on the
  * sphere for the point of the true surface that a ray through the pixel hits.
  */
-#define main step10_main
-int step10_main(int argc, char **argv);
-#include "../../../step10_phong/main.c"
-#undef main
+#define LESSON "../step10_phong/main.c"
+#include "lesson.h"
 
 #include "../../../step10_phong/attempts.h"
 
 #include "bench/bench.h"
 #include "files/normals.h"
+#include "oracle/reals.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -76,36 +75,14 @@ static bool draw(struct work *work, const struct model *model, struct vec3 eye,
 
 /* ---- Phong's formula in long double ---- */
 
-struct real3 {
-    long double x, y, z;
-};
-
-static struct real3 real_from(struct vec3 a) {
-    return (struct real3){a.x, a.y, a.z};
-}
-
-static long double real_dot(struct real3 a, struct real3 b) {
-    return a.x * b.x + a.y * b.y + a.z * b.z;
-}
-
-/* a + factor * b */
-static struct real3 real_add(struct real3 a, long double factor, struct real3 b) {
-    return (struct real3){a.x + factor * b.x, a.y + factor * b.y, a.z + factor * b.z};
-}
-
-static struct real3 real_normalized(struct real3 a) {
-    const struct real3 zero = {0, 0, 0};
-    return real_add(zero, 1 / sqrtl(real_dot(a, a)), a);
-}
-
 /* The levels of the specular part; 0 where the surface is turned away from the light. */
 static long double exact_shine(const struct material *material, struct real3 normal,
                                struct real3 towards_eye) {
-    struct real3 to_light = real_normalized(real_from(light));
-    struct real3 to_eye = real_normalized(towards_eye);
-    long double diffuse = real_dot(normal, to_light), power = 1;
+    struct real3 to_light = real3_unit(real3_from(light));
+    struct real3 to_eye = real3_unit(towards_eye);
+    long double diffuse = real3_dot(normal, to_light), power = 1;
     /* (2 (n . l) n - l) . v */
-    long double mirrored = 2 * diffuse * real_dot(normal, to_eye) - real_dot(to_light, to_eye);
+    long double mirrored = 2 * diffuse * real3_dot(normal, to_eye) - real3_dot(to_light, to_eye);
     for (int i = 0; i < material->power; i++) {
         power *= mirrored > 0 ? mirrored : 0;
     }
@@ -120,7 +97,7 @@ static uint8_t exact_level(long double value) {
 static struct color exact_color(const struct material *material, struct real3 normal,
                                 struct real3 towards_eye) {
     long double shine = exact_shine(material, normal, towards_eye);
-    long double diffuse = real_dot(normal, real_normalized(real_from(light)));
+    long double diffuse = real3_dot(normal, real3_unit(real3_from(light)));
     long double scattered = material->ambient + material->diffuse * (diffuse > 0 ? diffuse : 0);
     const struct vec3 *c = &material->color;
     return color_rgb(exact_level(c->x * scattered + shine), exact_level(c->y * scattered + shine),
@@ -146,11 +123,8 @@ enum power_way {
     TERMS_3,
     TERMS_4,
     TERMS_5,
-    HALF_VECTOR,
-    HALF_VECTOR_4,
-    ONE_NEWTON_STEP,
     SHORT_NORMAL,
-    POWERS
+    POWERS /* also added to the choices where the worst pixel is judged */
 };
 
 /* x (c0 + c1 x + ...), with `terms` constant where this is inlined. */
@@ -212,39 +186,14 @@ static inline lanes power_by(enum power_way way, const struct lit *lit, lanes ba
     case TERMS_5:
         return terms_power(&lit->coefficients[way - TERMS_2], 2 + (int)(way - TERMS_2), base,
                            power);
-    case HALF_VECTOR_4:
-        return integer_power(base, lanes_all((real)(4 * power)), 4 * power);
     default:
         return integer_power(base, lanes_all((real)power), power);
     }
 }
 
-/* Of about the length that it should have: one step of Newton's method from 1 (lesson 4). */
-static inline struct lanes3 renormalized(struct lanes3 normal) {
-    return lanes3_scale(normal, 1.5f - 0.5f * lanes3_dot(normal, normal));
-}
-
 static inline struct lanes3 normal_by(enum power_way way, const lanes *varyings) {
-    struct lanes3 normal = {varyings[5], varyings[6], varyings[7]};
-    switch (way) {
-    case SHORT_NORMAL:
-        return normal;
-    case ONE_NEWTON_STEP:
-        return renormalized(normal);
-    default:
-        return mesh_normal(varyings);
-    }
-}
-
-/* How near the eye is to the mirrored light: r . v, or n . h with h half-way between l and v
- * (Blinn, "Models of Light Reflection for Computer Synthesized Pictures", 1977). */
-static inline lanes nearness_by(enum power_way way, struct lanes3 normal, struct lanes3 to_light,
-                                struct lanes3 to_eye) {
-    struct lanes3 sum = {to_light.x + to_eye.x, to_light.y + to_eye.y, to_light.z + to_eye.z};
-    lanes near = way == HALF_VECTOR || way == HALF_VECTOR_4
-                     ? lanes3_dot(normal, lanes3_normalized(sum))
-                     : lanes3_dot(reflect(normal, to_light), to_eye);
-    return lanes_max(near, lanes_all(0));
+    struct lanes3 as_it_is = {varyings[5], varyings[6], varyings[7]};
+    return way == SHORT_NORMAL ? as_it_is : mesh_normal(varyings);
 }
 
 /* plain_fragment() with another way to find the specular part. */
@@ -254,7 +203,7 @@ static inline lanes_texel light_by(enum power_way way, const struct lit *lit,
     struct lanes3 normal = normal_by(way, varyings), to_light = lanes3_all(lit->u.to_light);
     struct lanes3 to_eye = {varyings[0], varyings[1], varyings[2]};
     lanes zero = lanes_all(0), diffuse = lanes3_dot(normal, to_light);
-    lanes near = nearness_by(way, normal, to_light, lanes3_normalized(to_eye));
+    lanes near = lanes_max(lanes3_dot(reflect(normal, to_light), lanes3_normalized(to_eye)), zero);
     lanes specular = lanes_select(diffuse > 0, power_by(way, lit, near), zero);
     lanes scattered = (real)material->ambient + (real)material->diffuse * lanes_max(diffuse, zero);
     lanes shine = 255 * (real)material->specular * specular;
@@ -285,9 +234,6 @@ LIGHT_ALL(light_by_2_terms, TERMS_2)
 LIGHT_ALL(light_by_3_terms, TERMS_3)
 LIGHT_ALL(light_by_4_terms, TERMS_4)
 LIGHT_ALL(light_by_5_terms, TERMS_5)
-LIGHT_ALL(light_by_half_vector, HALF_VECTOR)
-LIGHT_ALL(light_by_half_vector_4, HALF_VECTOR_4)
-LIGHT_ALL(light_by_one_newton_step, ONE_NEWTON_STEP)
 LIGHT_ALL(light_by_short_normal, SHORT_NORMAL)
 
 static void (*const lights[POWERS])(struct work *) = {
@@ -302,41 +248,30 @@ static void (*const lights[POWERS])(struct work *) = {
     [TERMS_3] = light_by_3_terms,
     [TERMS_4] = light_by_4_terms,
     [TERMS_5] = light_by_5_terms,
-    [HALF_VECTOR] = light_by_half_vector,
-    [HALF_VECTOR_4] = light_by_half_vector_4,
-    [ONE_NEWTON_STEP] = light_by_one_newton_step,
     [SHORT_NORMAL] = light_by_short_normal,
 };
 
 static void run_power(void *state, int choice) {
-    lights[choice](state);
+    lights[choice % POWERS](state);
 }
 
-static double units_power(const void *state) {
+static double units_power(const void *state, int base) {
+    (void)base;
     return (double)((const struct work *)state)->lit_count;
 }
 
+/* Root of the mean squared error, and the largest error of a channel. */
 static double error_power(void *state, int choice) {
     struct work *work = state;
     double sum = 0;
-    (void)choice;
-    for (size_t i = 0; i < work->lit_count; i++) {
-        sum += squared_error(color_from_texel(work->colors[i]),
-                             work->lit_lanes[i / LANES].exact[i % LANES]);
-    }
-    return sqrt(sum / (double)work->lit_count);
-}
-
-static double error_worst(void *state, int choice) {
-    struct work *work = state;
     int worst = 0;
-    (void)choice;
     for (size_t i = 0; i < work->lit_count; i++) {
         struct color a = color_from_texel(work->colors[i]),
                      b = work->lit_lanes[i / LANES].exact[i % LANES];
+        sum += squared_error(a, b);
         worst = most_of(worst, abs(a.r - b.r), most_of(abs(a.g - b.g), abs(a.b - b.b), 0));
     }
-    return worst;
+    return choice >= POWERS ? worst : sqrt(sum / (double)work->lit_count);
 }
 
 /* ---- Which pixels these are ---- */
@@ -379,7 +314,7 @@ static void keep_if_lit(struct work *work, const struct interpolated *call, size
         v[k] = call->varyings[k][lane];
     }
     const struct material *material = &work->lit.u.material;
-    struct real3 normal = real_normalized((struct real3){v[5], v[6], v[7]});
+    struct real3 normal = real3_unit((struct real3){v[5], v[6], v[7]});
     struct real3 to_eye = {v[0], v[1], v[2]};
     if (exact_shine(material, normal, to_eye) < 1) {
         return;
@@ -468,8 +403,8 @@ static long double exp2_less_1(long double x) {
 static struct real3 rippled_normal(struct real3 d) {
     const long double often = 40, slope = 0.35L;
     const struct real3 rise = {cosl(often * d.x), cosl(often * d.y), cosl(often * d.z)};
-    struct real3 along = real_add(rise, -real_dot(rise, d), d);
-    return real_normalized(real_add(d, -slope, along));
+    struct real3 along = real3_add(rise, d, -real3_dot(rise, d));
+    return real3_unit(real3_add(d, along, -slope));
 }
 
 /* The direction of texture coordinate (u, v): v = 0 is the south pole, v = 1 the north pole. */
@@ -570,13 +505,13 @@ static void run_detail(void *state, int choice) {
 /* Where the ray through the centre of a pixel meets the sphere. The camera of draw() shows what
  * lies in the plane z = 0 at 0.8 of its size; -1..1 fill the picture. */
 static bool hit_sphere(int x, int y, struct real3 *hit) {
-    const struct real3 eye = real_from(sphere_eye);
+    const struct real3 eye = real3_from(sphere_eye);
     struct real3 through = {((x + 0.5L) * 2 / SIDE - 1) / 0.8L, ((y + 0.5L) * 2 / SIDE - 1) / 0.8L,
                             0};
-    struct real3 ray = real_normalized(real_add(through, -1, eye));
-    long double nearest = -real_dot(eye, ray);
-    long double square = 1 - (real_dot(eye, eye) - nearest * nearest);
-    *hit = real_add(eye, nearest - sqrtl(square > 0 ? square : 0), ray);
+    struct real3 ray = real3_unit(real3_sub(through, eye));
+    long double nearest = -real3_dot(eye, ray);
+    long double square = 1 - (real3_dot(eye, eye) - nearest * nearest);
+    *hit = real3_add(eye, ray, nearest - sqrtl(square > 0 ? square : 0));
     return square >= 0;
 }
 
@@ -590,7 +525,7 @@ static double error_detail(void *state, int choice) {
         struct color color = image_get(&work->image, i % SIDE, i / SIDE);
         if (color.r > 0 && hit_sphere(i % SIDE, i / SIDE, &hit)) { /* ambient light is everywhere */
             sum += squared_error(color, exact_color(&work->sphere.material, rippled_normal(hit),
-                                                    real_add(real_from(sphere_eye), -1, hit)));
+                                                    real3_sub(real3_from(sphere_eye), hit)));
             pixels++;
         }
     }
@@ -633,12 +568,8 @@ static bool make_details(struct work *work, struct error *error) {
     return done;
 }
 
-static bool setup(void **state, struct error *error) {
-    struct work *work = calloc(1, sizeof *work);
-    *state = work;
-    if (work == NULL) {
-        return error_out_of_memory(error);
-    }
+static bool setup(void *state, struct error *error) {
+    struct work *work = state;
     return image_create(&work->image, SIDE, SIDE, IMAGE_BGR, error) &&
            pipeline_create(&work->pipeline, SIDE, SIDE, error) && make_lit(work, error) &&
            make_details(work, error);
@@ -646,66 +577,53 @@ static bool setup(void **state, struct error *error) {
 
 static void teardown(void *state) {
     struct work *work = state;
-    if (work != NULL) {
-        model_free(&work->bust);
-        free(work->lit_lanes);
-        free(work->colors);
-        for (int i = 0; i < MESHES; i++) {
-            model_free(&work->meshes[i]);
-        }
-        texture_free(&work->ripples);
-        image_free(&work->image);
-        pipeline_free(&work->pipeline);
+    model_free(&work->bust);
+    free(work->lit_lanes);
+    free(work->colors);
+    for (int i = 0; i < MESHES; i++) {
+        model_free(&work->meshes[i]);
     }
-    free(work);
+    texture_free(&work->ripples);
+    image_free(&work->image);
+    pipeline_free(&work->pipeline);
 }
 
 /* ---- The panels ---- */
 
-#define POWER(label, way, house, judge)                                                            \
-    { .name = (label), .choice = (way), .is_house = (house), .run = run_power, .error = (judge) }
-/* The same versions, judged in two ways. */
-#define POWER_VERSIONS(judge)                                                                      \
-    {                                                                                              \
-        POWER("pow()", POW, false, judge), POWER("80 multiplications", REPEATED, false, judge),    \
-            POWER("integer power, squaring", SQUARED, true, judge),                                \
-            POWER("64", TABLE_64, false, judge), POWER("257", TABLE_257, false, judge),            \
-            POWER("1,024", TABLE_1024, false, judge),                                              \
-            POWER("Schlick's form", SCHLICK, false, judge), POWER("2", TERMS_2, false, judge),     \
-            POWER("3", TERMS_3, false, judge), POWER("4", TERMS_4, false, judge),                  \
-            POWER("5", TERMS_5, false, judge), POWER("80", HALF_VECTOR, false, judge),             \
-            POWER("320", HALF_VECTOR_4, false, judge),                                             \
-            POWER("normal: one Newton step", ONE_NEWTON_STEP, false, judge),                       \
-            POWER("normal not renormalised", SHORT_NORMAL, false, judge),                          \
-    }
-#define DETAIL(label, number, house)                                                               \
-    {                                                                                              \
-        .name = (label), .choice = (number), .is_house = (house), .run = run_detail,               \
-        .error = error_detail                                                                      \
-    }
-
 static const char *power_series(int choice) {
-    return choice >= TABLE_64 && choice <= TABLE_1024         ? "table of"
-           : choice >= TERMS_2 && choice <= TERMS_5           ? "log2 and exp2, terms"
-           : choice == HALF_VECTOR || choice == HALF_VECTOR_4 ? "half vector, power"
-                                                              : NULL;
+    choice %= POWERS;
+    return choice >= TABLE_64 && choice <= TABLE_1024 ? "table of"
+           : choice >= TERMS_2 && choice <= TERMS_5   ? "log2 and exp2, terms"
+                                                      : NULL;
 }
 
-static const struct bench_version power_versions[] = POWER_VERSIONS(error_power);
-static const struct bench_version worst_versions[] = POWER_VERSIONS(error_worst);
+static const struct bench_version power_versions[] = {
+    VERSION("pow()", POW),
+    VERSION("80 multiplications", REPEATED),
+    HOUSE_VERSION("integer power, squaring", SQUARED),
+    VERSION("64", TABLE_64),
+    VERSION("257", TABLE_257),
+    VERSION("1,024", TABLE_1024),
+    VERSION("Schlick's form", SCHLICK),
+    VERSION("2", TERMS_2),
+    VERSION("3", TERMS_3),
+    VERSION("4", TERMS_4),
+    VERSION("5", TERMS_5),
+    VERSION("normal not renormalised", SHORT_NORMAL),
+};
 
 static const char *detail_series(int choice) {
     return choice < WITH_MAP ? "normals of the mesh, triangles" : "normal map, triangles";
 }
 
 static const struct bench_version detail_versions[] = {
-    DETAIL("960", 0, false),
-    DETAIL("3,968", 1, false),
-    DETAIL("16,128", 2, false),
-    DETAIL("65,024", 3, false),
-    DETAIL("960", WITH_MAP + 0, true),
-    DETAIL("3,968", WITH_MAP + 1, true),
-    DETAIL("16,128", WITH_MAP + 2, true),
+    VERSION("960", 0),
+    VERSION("3,968", 1),
+    VERSION("16,128", 2),
+    VERSION("65,024", 3),
+    HOUSE_VERSION("960", WITH_MAP + 0),
+    HOUSE_VERSION("3,968", WITH_MAP + 1),
+    HOUSE_VERSION("16,128", WITH_MAP + 2),
 };
 
 static const struct bench_panel bench_panels[] = {
@@ -713,32 +631,37 @@ static const struct bench_panel bench_panels[] = {
      .error_label = "levels, root mean square",
      .time_label = "ns per pixel",
      .against = "Phong's formula, long double",
+     .run = run_power,
+     .error = error_power,
      .units = units_power,
-     .versions = power_versions,
-     .version_count = sizeof power_versions / sizeof power_versions[0],
+     BENCH_VERSIONS(power_versions),
      .series = power_series,
      .house_within = 0.05},
     {.title = "The same, by the worst pixel",
      .error_label = "levels, the largest",
      .time_label = "ns per pixel",
      .against = "Phong's formula, long double",
+     .base = POWERS,
+     .run = run_power,
+     .error = error_power,
      .units = units_power,
-     .versions = worst_versions,
-     .version_count = sizeof worst_versions / sizeof worst_versions[0],
+     BENCH_VERSIONS(power_versions),
      .series = power_series,
      .house_within = 1},
     {.title = "A rippled sphere: a finer mesh or a normal map",
      .error_label = "levels, root mean square",
      .time_label = "ms per frame",
      .against = "the true surface, long double",
-     .versions = detail_versions,
-     .version_count = sizeof detail_versions / sizeof detail_versions[0],
+     .run = run_detail,
+     .error = error_detail,
+     BENCH_VERSIONS(detail_versions),
      .series = detail_series},
 };
 
 const struct bench_lesson bench_step10 = {
     .step = "step10_phong",
     .title = "Step 10: Phong's light",
+    .state_size = sizeof(struct work),
     .setup = setup,
     .teardown = teardown,
     .panels = bench_panels,

@@ -1,8 +1,9 @@
-/* The triangles of step 10: see lesson.h and recorder.h. */
-#include "bench/opengl/include_lesson.h"
+/* The triangles of step 10: see compared.h and recorder.h. */
+#include "bench/opengl/compared.h"
 #include "bench/opengl/recorder.h"
 
-#include "../../../step10_phong/main.c"
+#define LESSON "../step10_phong/main.c"
+#include "lesson.h"
 
 static const char *left_out(const char *scene) {
     return strcmp(scene, "near") == 0 ? "some of its faces are cut at the near plane" : NULL;
@@ -46,14 +47,12 @@ static bool describe_shader(const struct shader *shader, const void *uniforms,
 
 static bool build(const char *scene, struct drawing *drawing, struct image *image,
                   struct picture *picture, struct error *error) {
-    const struct program *program = NULL;
-    lesson_main(0, (char **)&program);
-    return record_scene(program, scene, drawing, image, picture, error);
+    return record_scene(&step10_phong, scene, drawing, image, picture, error);
 }
 
-lesson_function lesson_step10;
-struct lesson lesson_step10(void) {
-    const struct program *program = NULL;
-    lesson_main(0, (char **)&program);
-    return (struct lesson){program, sizeof(struct recorder), NULL, left_out, NULL, build, NULL};
-}
+const struct lesson lesson_step10 = {
+    .program = &step10_phong,
+    .state_size = sizeof(struct recorder),
+    .left_out = left_out,
+    .build = build,
+};

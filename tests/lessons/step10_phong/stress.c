@@ -1,8 +1,6 @@
 /* Step 10: powers, mirrored light, the sum of the three parts, and its six fragment functions. */
-#define main step10_main
-int step10_main(int argc, char **argv);
-#include "../../../step10_phong/main.c"
-#undef main
+#define LESSON "../step10_phong/main.c"
+#include "lesson.h"
 
 #include "upkeep/stress/lessons.h"
 #include "upkeep/stress/stress.h"
@@ -293,54 +291,23 @@ static void print_phong(const void *failing) {
            c->uv.x, c->uv.y, c->turns);
 }
 
+static const struct case_kind power_cases = {sizeof(struct power_case), make_power, print_power,
+                                             NULL};
+static const struct case_kind phong_cases = {sizeof(struct phong_case), make_phong, print_phong,
+                                             NULL};
+
 const struct property lesson10_properties[] = {
-    {.name = "lesson10: whole powers",
-     .against = AGAINST_LONG_DOUBLE,
-     .cases = 300000,
-     .case_size = sizeof(struct power_case),
-     .make = make_power,
-     .error = power_error,
-     .limit = 1,
-     .error_unit = "ulp a factor",
-     .print = print_power},
-    {.name = "lesson10: the mirrored light",
-     .against = AGAINST_LONG_DOUBLE,
-     .cases = 100000,
-     .case_size = sizeof(struct phong_case),
-     .make = make_phong,
-     .error = mirror_error,
-     .limit = 4,
-     .error_unit = "ulp of 1",
-     .print = print_phong},
-    {.name = "lesson10: diffuse and specular",
-     .against = AGAINST_LONG_DOUBLE,
-     .cases = 200000,
-     .case_size = sizeof(struct phong_case),
-     .make = make_phong,
-     .error = light_error,
-     .limit = 8,
-     .error_unit = "ulp of 1 a factor",
-     .print = print_phong},
-    {.name = "lesson10: the turning light",
-     .against = AGAINST_LONG_DOUBLE,
-     .cases = 50000,
-     .case_size = sizeof(struct phong_case),
-     .make = make_phong,
-     .holds = turn_is_right,
-     .print = print_phong},
-    {.name = "lesson10: at the corners",
-     .against = AGAINST_LONG_DOUBLE,
-     .cases = 100000,
-     .case_size = sizeof(struct phong_case),
-     .make = make_phong,
-     .holds = corners_are_right,
-     .print = print_phong},
-    {.name = "lesson10: at the pixels",
-     .against = AGAINST_LONG_DOUBLE,
-     .cases = 200000,
-     .case_size = sizeof(struct phong_case),
-     .make = make_phong,
-     .holds = pixels_are_right,
-     .print = print_phong},
+    PROPERTY("lesson10: whole powers", AGAINST_LONG_DOUBLE, 300000, power_cases,
+             .error = power_error, .limit = 1, .error_unit = "ulp a factor"),
+    PROPERTY("lesson10: the mirrored light", AGAINST_LONG_DOUBLE, 100000, phong_cases,
+             .error = mirror_error, .limit = 4, .error_unit = "ulp of 1"),
+    PROPERTY("lesson10: diffuse and specular", AGAINST_LONG_DOUBLE, 200000, phong_cases,
+             .error = light_error, .limit = 8, .error_unit = "ulp of 1 a factor"),
+    PROPERTY("lesson10: the turning light", AGAINST_LONG_DOUBLE, 50000, phong_cases,
+             .holds = turn_is_right),
+    PROPERTY("lesson10: at the corners", AGAINST_LONG_DOUBLE, 100000, phong_cases,
+             .holds = corners_are_right),
+    PROPERTY("lesson10: at the pixels", AGAINST_LONG_DOUBLE, 200000, phong_cases,
+             .holds = pixels_are_right),
     {.name = NULL},
 };

@@ -29,7 +29,7 @@ make_reports() {
     becomes step04_flat ''
     becomes step05_zbuffer 's/depth > row\[x\]/depth > (row[x] > 0 ? row[x] : 0)/'
     becomes step07_gouraud ''
-    sed -i 's/^int main.*/&\n    if (argc > 2) abort();/' "$course/step07_gouraud/scenes.h"
+    sed -i 's/^int main.*/&\n    if (argc > 2) abort();/' "$course/step07_gouraud/main.c"
     ! CHECK_EXACT='' make -s -C "$course" check CFLAGS=-O1 REPORT=report >"$work/log" 2>&1 &&
         cp "$course"/report.* "$PAGES"
 }

@@ -81,25 +81,6 @@ static void make_camera(struct random *random, uint64_t index, void *made) {
     }
 }
 
-/* How far the rows of the rotation are from unit length and right angles, in ulp of 1. */
-static double orthonormality_error(const void *tried) {
-    const struct camera_case *c = tried;
-    struct mat4 view = mat4_lookat(c->eye, c->center, c->up);
-    long double worst = 0;
-    for (int i = 0; i < 3; i++) {
-        for (int k = i; k < 3; k++) {
-            long double dot = 0;
-            for (int j = 0; j < 3; j++) {
-                dot += (long double)view.m[i][j] * (long double)view.m[k][j];
-            }
-            long double error = fabsl(dot - (i == k ? 1 : 0));
-            worst = error > worst || isnan(error) ? error : worst;
-        }
-    }
-    return (double)worst * 0x1p52;
-}
-
-/* Does the cross product of the first two rows point along the third, and not against it? */
 static bool is_right_handed(const struct mat4 *view) {
     const double(*m)[4] = view->m;
     double determinant = m[0][0] * (m[1][1] * m[2][2] - m[1][2] * m[2][1]) +
@@ -108,27 +89,38 @@ static bool is_right_handed(const struct mat4 *view) {
     return determinant > 0;
 }
 
-/* The axes against those of the oracle, in ulp of 1. Those to the right and upwards are the less
- * certain the smaller the angle between up and the view direction. */
-static double axes_error(const void *tried) {
-    const struct camera_case *c = tried;
-    struct mat4 view = mat4_lookat(c->eye, c->center, c->up);
-    struct oracle_frame frame = oracle_frame(c->eye, c->center, c->up);
-    bool z_is_certain =
-        c->eye.x != c->center.x || c->eye.y != c->center.y || c->eye.z != c->center.z;
+double view_frame_error(const struct mat4 *view) {
+    long double worst = 0;
+    for (int i = 0; i < 3; i++) {
+        for (int k = i; k < 3; k++) {
+            long double dot = 0;
+            for (int j = 0; j < 3; j++) {
+                dot += (long double)view->m[i][j] * (long double)view->m[k][j];
+            }
+            long double error = fabsl(dot - (i == k ? 1 : 0));
+            worst = error > worst || isnan(error) ? error : worst;
+        }
+    }
+    return is_right_handed(view) ? (double)worst * 0x1p52 : (double)INFINITY;
+}
+
+double view_axes_error(const struct mat4 *view, struct vec3 eye, struct vec3 center,
+                       struct vec3 up) {
+    struct oracle_frame frame = oracle_frame(eye, center, up);
+    bool z_is_certain = eye.x != center.x || eye.y != center.y || eye.z != center.z;
     long double worst = 0;
     for (int row = z_is_certain && frame.sine > 0 ? 0 : z_is_certain ? 2 : 3; row < 3; row++) {
         long double certainty = row < 2 ? frame.sine : 1;
         for (int i = 0; i < 3; i++) {
-            long double error = fabsl((long double)view.m[row][i] - frame.axis[row][i]) * certainty;
+            long double error =
+                fabsl((long double)view->m[row][i] - frame.axis[row][i]) * certainty;
             worst = error > worst || isnan(error) ? error : worst;
         }
     }
     return (double)worst * 0x1p52;
 }
 
-/* The center becomes the origin, as nearly as its products with the axes can be added. */
-static bool center_is_the_origin(const struct mat4 *view, struct vec3 center) {
+bool view_moves_center(const struct mat4 *view, struct vec3 center) {
     for (int row = 0; row < 3; row++) {
         const double *m = view->m[row];
         long double x = (long double)m[0] * (long double)center.x;
@@ -140,6 +132,23 @@ static bool center_is_the_origin(const struct mat4 *view, struct vec3 center) {
         }
     }
     return true;
+}
+
+void print_camera_options(struct vec3 eye, struct vec3 center, struct vec3 up) {
+    printf("    --eye %.17g,%.17g,%.17g --center %.17g,%.17g,%.17g --up %.17g,%.17g,%.17g\n", eye.x,
+           eye.y, eye.z, center.x, center.y, center.z, up.x, up.y, up.z);
+}
+
+static double frame_error(const void *tried) {
+    const struct camera_case *c = tried;
+    struct mat4 view = mat4_lookat(c->eye, c->center, c->up);
+    return view_frame_error(&view);
+}
+
+static double axes_error(const void *tried) {
+    const struct camera_case *c = tried;
+    struct mat4 view = mat4_lookat(c->eye, c->center, c->up);
+    return view_axes_error(&view, c->eye, c->center, c->up);
 }
 
 enum { SIZE = 6 };
@@ -202,17 +211,14 @@ static bool camera_draws_finite_pixels(const void *tried) {
 static bool camera_is_sound(const void *tried) {
     const struct camera_case *c = tried;
     struct mat4 view = mat4_lookat(c->eye, c->center, c->up);
-    return is_right_handed(&view) && center_is_the_origin(&view, c->center) &&
-           camera_draws_finite_pixels(tried);
+    return view_moves_center(&view, c->center) && camera_draws_finite_pixels(tried);
 }
 
 static void print_camera(const void *failing) {
     const struct camera_case *c = failing;
-    printf("    --eye %.17g,%.17g,%.17g --center %.17g,%.17g,%.17g --up %.17g,%.17g,%.17g\n",
-           c->eye.x, c->eye.y, c->eye.z, c->center.x, c->center.y, c->center.z, c->up.x, c->up.y,
-           c->up.z);
+    print_camera_options(c->eye, c->center, c->up);
     printf("    # zoom %.17g, not orthonormal by %.3g ulp, axes off by %.3g ulp\n", c->zoom,
-           orthonormality_error(c), axes_error(c));
+           frame_error(c), axes_error(c));
     for (int i = 0; i < 4; i++) {
         printf("    v %.17g %.17g %.17g\n", c->corner[i].x, c->corner[i].y, c->corner[i].z);
     }
@@ -404,78 +410,33 @@ static void print_vector(const void *failing) {
     printf("    vector %.17g %.17g %.17g, turns %.17g\n", c->v.x, c->v.y, c->v.z, c->turns);
 }
 
+static const struct case_kind camera_cases = {sizeof(struct camera_case), make_camera, print_camera,
+                                              NULL};
+static const struct case_kind viewport_cases = {sizeof(struct viewport_case), make_viewport,
+                                                print_viewport, NULL};
+static const struct case_kind matrix_cases = {sizeof(struct matrix_case), make_matrix, print_matrix,
+                                              NULL};
+static const struct case_kind whole_matrix_cases = {sizeof(struct matrix_case), make_whole_matrix,
+                                                    print_matrix, NULL};
+static const struct case_kind vector_cases = {sizeof(struct vector_case), make_vector, print_vector,
+                                              NULL};
+
 const struct property camera_properties[] = {
-    {.name = "camera: orthonormal, finite pixels",
-     .against = AGAINST_BOUNDS,
-     .cases = 1000000,
-     .case_size = sizeof(struct camera_case),
-     .make = make_camera,
-     .holds = camera_is_sound,
-     .print = print_camera,
-     .error_unit = "ulp of 1",
-     .error = orthonormality_error,
-     .limit = 4},
-    {.name = "camera: axes",
-     .against = AGAINST_LONG_DOUBLE,
-     .cases = 300000,
-     .case_size = sizeof(struct camera_case),
-     .make = make_camera,
-     .print = print_camera,
-     .error_unit = "ulp of 1",
-     .error = axes_error,
-     .limit = 4},
-    {.name = "viewport: NDC to pixels",
-     .against = AGAINST_LONG_DOUBLE,
-     .cases = 300000,
-     .case_size = sizeof(struct viewport_case),
-     .make = make_viewport,
-     .print = print_viewport,
-     .error_unit = "1/256 pixel",
-     .error = viewport_error,
-     .limit = 1e-6},
-    {.name = "matrix: inverse, any numbers",
-     .against = AGAINST_LONG_DOUBLE,
-     .cases = 1000000,
-     .case_size = sizeof(struct matrix_case),
-     .make = make_matrix,
-     .print = print_matrix,
-     .error_unit = "eps * condition",
-     .error = inverse_error,
-     .limit = 16},
-    {.name = "matrix: inverse, whole numbers",
-     .against = AGAINST_FRACTIONS,
-     .cases = 300000,
-     .case_size = sizeof(struct matrix_case),
-     .make = make_whole_matrix,
-     .print = print_matrix,
-     .error_unit = "eps * condition * entry",
-     .error = whole_inverse_error,
-     .limit = 4},
-    {.name = "matrix: singular is reported",
-     .against = AGAINST_INTEGERS,
-     .cases = 500000,
-     .case_size = sizeof(struct matrix_case),
-     .make = make_whole_matrix,
-     .holds = singular_is_reported,
-     .print = print_matrix},
-    {.name = "vector: normalized",
-     .against = AGAINST_BOUNDS,
-     .cases = 1000000,
-     .case_size = sizeof(struct vector_case),
-     .make = make_vector,
-     .holds = keeps_signs,
-     .print = print_vector,
-     .error_unit = "ulp of 1",
-     .error = length_error,
-     .limit = 2},
-    {.name = "vector: direction of a turn",
-     .against = AGAINST_LONG_DOUBLE,
-     .cases = 500000,
-     .case_size = sizeof(struct vector_case),
-     .make = make_vector,
-     .print = print_vector,
-     .error_unit = "ulp of 1",
-     .error = direction_error,
-     .limit = 2},
+    PROPERTY("camera: orthonormal, finite pixels", AGAINST_BOUNDS, 1000000, camera_cases,
+             .error = frame_error, .limit = 4, .error_unit = "ulp of 1", .holds = camera_is_sound),
+    PROPERTY("camera: axes", AGAINST_LONG_DOUBLE, 300000, camera_cases, .error = axes_error,
+             .limit = 4, .error_unit = "ulp of 1"),
+    PROPERTY("viewport: NDC to pixels", AGAINST_LONG_DOUBLE, 300000, viewport_cases,
+             .error = viewport_error, .limit = 1e-6, .error_unit = "1/256 pixel"),
+    PROPERTY("matrix: inverse, any numbers", AGAINST_LONG_DOUBLE, 1000000, matrix_cases,
+             .error = inverse_error, .limit = 16, .error_unit = "eps * condition"),
+    PROPERTY("matrix: inverse, whole numbers", AGAINST_FRACTIONS, 300000, whole_matrix_cases,
+             .error = whole_inverse_error, .limit = 4, .error_unit = "eps * condition * entry"),
+    PROPERTY("matrix: singular is reported", AGAINST_INTEGERS, 500000, whole_matrix_cases,
+             .holds = singular_is_reported),
+    PROPERTY("vector: normalized", AGAINST_BOUNDS, 1000000, vector_cases, .error = length_error,
+             .limit = 2, .error_unit = "ulp of 1", .holds = keeps_signs),
+    PROPERTY("vector: direction of a turn", AGAINST_LONG_DOUBLE, 500000, vector_cases,
+             .error = direction_error, .limit = 2, .error_unit = "ulp of 1"),
     {.name = NULL},
 };

@@ -211,8 +211,9 @@ struct real3 mesh_get(const float from[3]) {
 }
 
 struct texture texture_from(uint32_t *texels, size_t width, size_t height) {
-    return (struct texture){
-        .level_count = 1, .level = {{width, height, width, texels}}, .texels = texels};
+    const struct texture_level level = {
+        .width = width, .height = height, .pitch = width, .texels = texels};
+    return (struct texture){.level_count = 1, .level = {level}, .texels = texels};
 }
 
 void make_picture(struct random *random, struct picture_data *picture) {

@@ -22,6 +22,22 @@ struct vec4 lesson06_bilinear(const struct texture *texture, struct vec2 uv, siz
 struct vec4 lesson06_trilinear(const struct texture *texture, struct vec2 uv, double level);
 struct mat4 lesson08_viewport(size_t width, size_t height);
 
+/* ---- The frame of a camera (cameras.c) ---- */
+
+/* How far the three rows are from unit length and right angles, in ulp of 1; infinite where the
+ * third points against the cross product of the others. */
+double view_frame_error(const struct mat4 *view);
+
+/* How far they are from the oracle's axes, in ulp of 1, where these are certain. The smaller the
+ * angle between up and the line of sight, the less is asked of the first two. */
+double view_axes_error(const struct mat4 *view, struct vec3 eye, struct vec3 center,
+                       struct vec3 up);
+
+/* Does the center become the origin, as nearly as its products with the axes can be added? */
+bool view_moves_center(const struct mat4 *view, struct vec3 center);
+
+void print_camera_options(struct vec3 eye, struct vec3 center, struct vec3 up);
+
 /* ---- Numbers ---- */
 
 /* Is a level 0..255 the one nearest to this value, or one of two that are equally near but for

@@ -198,38 +198,20 @@ static void print_cut(const void *failing) {
            c->line.a.y, c->line.b.x, c->line.b.y);
 }
 
+static const struct case_kind line_cases = {sizeof(struct line_case), make_line, print_line,
+                                            shrink_line};
+static const struct case_kind short_line_cases = {sizeof(struct line_case), make_short_line,
+                                                  print_line, shrink_line};
+static const struct case_kind cut_cases = {sizeof(struct cut_case), make_cut, print_cut,
+                                           shrink_cut};
+
 const struct property line_properties[] = {
-    {.name = "line: nearest pixels",
-     .against = AGAINST_INTEGERS,
-     .cases = 1000000,
-     .case_size = sizeof(struct line_case),
-     .make = make_line,
-     .holds = line_is_exact,
-     .shrink = shrink_line,
-     .print = print_line},
-    {.name = "line: same pixels reversed",
-     .against = AGAINST_ITSELF,
-     .cases = 1000000,
-     .case_size = sizeof(struct line_case),
-     .make = make_line,
-     .holds = line_is_the_same_reversed,
-     .shrink = shrink_line,
-     .print = print_line},
-    {.name = "line: lesson 1, nearest pixels",
-     .against = AGAINST_INTEGERS,
-     .cases = 300000,
-     .case_size = sizeof(struct line_case),
-     .make = make_short_line,
-     .holds = lesson_line_is_exact,
-     .shrink = shrink_line,
-     .print = print_line},
-    {.name = "line: lesson 2, cut to the image",
-     .against = AGAINST_INTEGERS,
-     .cases = 500000,
-     .case_size = sizeof(struct cut_case),
-     .make = make_cut,
-     .holds = cut_is_exact,
-     .shrink = shrink_cut,
-     .print = print_cut},
+    PROPERTY("line: nearest pixels", AGAINST_INTEGERS, 1000000, line_cases, .holds = line_is_exact),
+    PROPERTY("line: same pixels reversed", AGAINST_ITSELF, 1000000, line_cases,
+             .holds = line_is_the_same_reversed),
+    PROPERTY("line: lesson 1, nearest pixels", AGAINST_INTEGERS, 300000, short_line_cases,
+             .holds = lesson_line_is_exact),
+    PROPERTY("line: lesson 2, cut to the image", AGAINST_INTEGERS, 500000, cut_cases,
+             .holds = cut_is_exact),
     {.name = NULL},
 };

@@ -527,29 +527,19 @@ static void print_plane(const void *failing) {
     }
 }
 
+static const struct case_kind mesh_cases = {sizeof(struct mesh_case), make_mesh_case, print_mesh,
+                                            shrink_mesh};
+static const struct case_kind mesh_in_order_cases = {sizeof(struct mesh_case), make_mesh_case,
+                                                     print_soup, shrink_mesh};
+static const struct case_kind plane_cases = {sizeof(struct mesh_case), make_plane_case, print_plane,
+                                             NULL};
+
 const struct property mesh_properties[] = {
-    {.name = "mesh: each pixel once",
-     .against = AGAINST_INTEGERS,
-     .cases = 60000,
-     .case_size = sizeof(struct mesh_case),
-     .make = make_mesh_case,
-     .holds = each_pixel_once,
-     .shrink = shrink_mesh,
-     .print = print_mesh},
-    {.name = "mesh: same image in every order",
-     .against = AGAINST_ITSELF,
-     .cases = 20000,
-     .case_size = sizeof(struct mesh_case),
-     .make = make_mesh_case,
-     .holds = same_in_every_order,
-     .shrink = shrink_mesh,
-     .print = print_soup},
-    {.name = "mesh: clipped without gaps",
-     .against = AGAINST_LONG_DOUBLE,
-     .cases = 40000, /* of 32 triangles in the mean: more than a million */
-     .case_size = sizeof(struct mesh_case),
-     .make = make_plane_case,
-     .holds = clipped_without_gaps,
-     .print = print_plane},
+    PROPERTY("mesh: each pixel once", AGAINST_INTEGERS, 60000, mesh_cases,
+             .holds = each_pixel_once),
+    PROPERTY("mesh: same image in every order", AGAINST_ITSELF, 20000, mesh_in_order_cases,
+             .holds = same_in_every_order),
+    PROPERTY("mesh: clipped without gaps", AGAINST_LONG_DOUBLE, 40000, plane_cases,
+             .holds = clipped_without_gaps), /* of 32 triangles in the mean: more than a million */
     {.name = NULL},
 };

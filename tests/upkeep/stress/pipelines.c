@@ -8,12 +8,6 @@
 #include <stdio.h>
 #include <string.h>
 
-struct soup_case {
-    uint64_t seed;
-    uint64_t kind; /* enum soup_kind */
-    uint64_t faces;
-};
-
 static void make_case(struct random *random, enum soup_kind kind, void *made) {
     *(struct soup_case *)made = (struct soup_case){random_bits(random), kind, SOUP_FACES};
 }
@@ -34,12 +28,6 @@ static void make_steep(struct random *random, uint64_t index, void *made) {
 
 static void make_largest(struct random *random, uint64_t index, void *made) {
     make_case(random, index % 2 ? SOUP_WIDE : SOUP_HIGH, made);
-}
-
-static bool shrink_soup(const void *failing, unsigned attempt, void *smaller) {
-    const struct soup_case *c = failing;
-    ((struct soup_case *)smaller)->faces--;
-    return attempt == 0 && c->faces > 1;
 }
 
 static void print_soup(const void *failing) {
@@ -186,53 +174,14 @@ static double distance_outside(double value, struct range range) {
                                                     : 0);
 }
 
-struct seen_pixel {
-    struct soup_hit hit[SOUP_FACES];
-    long double nearest; /* the depth that some face surely reaches */
-};
-
-static struct seen_pixel look(const struct soup *soup, int x, int y) {
-    struct seen_pixel seen = {.nearest = (long double)-INFINITY};
-    for (size_t i = 0; i < soup->model.face_count; i++) {
-        seen.hit[i] = soup_look(soup, i, x, y);
-        if (seen.hit[i].covered) {
-            seen.nearest = fmaxl(seen.nearest, seen.hit[i].depth.least);
-        }
-    }
-    return seen;
-}
-
-/* Could the face be the nearest one, for all that doubles can tell? */
-static bool may_show(const struct soup *soup, const struct seen_pixel *seen, size_t face) {
-    return seen->hit[face].covered &&
-           seen->hit[face].depth.most + (long double)soup_depth_tolerance(soup, face) >=
-               seen->nearest;
-}
-
-static unsigned count_candidates(const struct soup *soup, const struct seen_pixel *seen) {
-    unsigned candidates = 0;
-    for (size_t i = 0; i < soup->model.face_count; i++) {
-        candidates += may_show(soup, seen, i);
-    }
-    return candidates;
-}
-
-static bool in_viewport(const struct soup *soup, int x, int y) {
-    const struct rectangle *v = &soup->viewport;
-    return x >= v->x && x < v->x + v->width && y >= v->y && y < v->y + v->height;
-}
-
 /* Is the right face there, at the right depth? The error is that of the depth, in ulp of the
  * largest depth at a corner. */
 static bool judge_face(const struct soup *soup, const struct drawing *drawing, int x, int y,
                        struct tally *tally) {
     size_t pixel = (size_t)y * soup->width + (size_t)x;
     int face = face_at(soup, drawing, pixel);
-    struct seen_pixel seen = {.nearest = (long double)-INFINITY};
-    if (in_viewport(soup, x, y)) {
-        seen = look(soup, x, y);
-    }
-    unsigned candidates = count_candidates(soup, &seen);
+    struct soup_seen seen = soup_see(soup, x, y, false);
+    unsigned candidates = soup_candidates(soup, &seen);
     if (face < 0) {
         tally->asked++;
         return face == -1 && candidates == 0;
@@ -241,7 +190,8 @@ static bool judge_face(const struct soup *soup, const struct drawing *drawing, i
     tally->left_out += candidates > 1;
     double error = distance_outside(drawing->pipeline.depth[pixel], seen.hit[face].depth);
     tally->error = fmax(tally->error, error / soup->polygons[face].scale * 0x1p52);
-    return may_show(soup, &seen, (size_t)face) && error <= soup_depth_tolerance(soup, (size_t)face);
+    return soup_may_show(soup, &seen, (size_t)face) &&
+           error <= soup_depth_tolerance(soup, (size_t)face);
 }
 
 /* In the largest images not all pixels are judged: some, and those that are the first or last of
@@ -303,42 +253,23 @@ static bool judge_values(const void *tried, struct tally *tally) {
     return right;
 }
 
+static const struct case_kind whole_cases = {sizeof(struct soup_case), make_whole, print_soup,
+                                             soup_case_shrink};
+static const struct case_kind seen_by_camera_cases = {sizeof(struct soup_case), make_seen_by_camera,
+                                                      print_soup, soup_case_shrink};
+static const struct case_kind steep_cases = {sizeof(struct soup_case), make_steep, print_soup,
+                                             soup_case_shrink};
+static const struct case_kind largest_cases = {sizeof(struct soup_case), make_largest, print_soup,
+                                               soup_case_shrink};
+
 const struct property pipeline_properties[] = {
-    {.name = "pipeline: the nearest by z/w",
-     .against = AGAINST_FRACTIONS,
-     .cases = 15000,
-     .case_size = sizeof(struct soup_case),
-     .make = make_whole,
-     .judge = judge_faces,
-     .shrink = shrink_soup,
-     .print = print_soup,
-     .error_unit = "ulp of depth"},
-    {.name = "pipeline: cut near and far",
-     .against = AGAINST_LONG_DOUBLE,
-     .cases = 15000,
-     .case_size = sizeof(struct soup_case),
-     .make = make_seen_by_camera,
-     .judge = judge_faces,
-     .shrink = shrink_soup,
-     .print = print_soup,
-     .error_unit = "ulp of depth"},
-    {.name = "pipeline: attributes in perspective",
-     .against = AGAINST_LONG_DOUBLE,
-     .cases = 15000,
-     .case_size = sizeof(struct soup_case),
-     .make = make_steep,
-     .judge = judge_values,
-     .shrink = shrink_soup,
-     .print = print_soup,
-     .error_unit = "1/256 texel of 1024"},
-    {.name = "pipeline: 16384 pixels wide or high",
-     .against = AGAINST_LONG_DOUBLE,
-     .cases = 300,
-     .case_size = sizeof(struct soup_case),
-     .make = make_largest,
-     .judge = judge_faces,
-     .shrink = shrink_soup,
-     .print = print_soup,
-     .error_unit = "ulp of depth"},
+    PROPERTY("pipeline: the nearest by z/w", AGAINST_FRACTIONS, 15000, whole_cases,
+             .error_unit = "ulp of depth", .judge = judge_faces),
+    PROPERTY("pipeline: cut near and far", AGAINST_LONG_DOUBLE, 15000, seen_by_camera_cases,
+             .error_unit = "ulp of depth", .judge = judge_faces),
+    PROPERTY("pipeline: attributes in perspective", AGAINST_LONG_DOUBLE, 15000, steep_cases,
+             .error_unit = "1/256 texel of 1024", .judge = judge_values),
+    PROPERTY("pipeline: 16384 pixels wide or high", AGAINST_LONG_DOUBLE, 300, largest_cases,
+             .error_unit = "ulp of depth", .judge = judge_faces),
     {.name = NULL},
 };

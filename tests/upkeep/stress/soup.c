@@ -289,17 +289,13 @@ static bool see_face(const struct soup *soup, size_t face, struct soup_polygon *
 
 /* ---- Soups ---- */
 
-static void set_position(struct soup *soup, size_t index, struct vec3 position) {
-    soup->positions[index] = position;
-}
-
 static void choose_corners(struct soup *soup, struct random *random, size_t face) {
     bool beside = soup->kind >= SOUP_WIDE && random_bits(random) % 2 == 0;
     double side = random_bits(random) % 2 ? 1 : -1;
     for (size_t i = 0; i < 3; i++) {
         struct vec3 position = choose_position(soup, random);
-        set_position(soup, 3 * face + i,
-                     beside ? moved_beside(soup, random, position, side) : position);
+        soup->positions[3 * face + i] =
+            beside ? moved_beside(soup, random, position, side) : position;
     }
 }
 
@@ -399,6 +395,47 @@ struct soup_hit soup_look(const struct soup *soup, size_t face, int x, int y) {
     return hit;
 }
 
+/* Are the corners counterclockwise on the screen? */
+static bool shows_front(const struct soup_polygon *polygon) {
+    int turn = 0;
+    for (size_t i = 2; i < polygon->count && turn == 0; i++) {
+        turn = oracle_turn(polygon->corner[0].screen, polygon->corner[i - 1].screen,
+                           polygon->corner[i].screen);
+    }
+    return turn > 0;
+}
+
+struct soup_seen soup_see(const struct soup *soup, int x, int y, bool fronts_only) {
+    struct soup_seen seen = {.nearest = (long double)-INFINITY};
+    const struct rectangle *v = &soup->viewport;
+    if (x < v->x || x >= v->x + v->width || y < v->y || y >= v->y + v->height) {
+        return seen;
+    }
+    for (size_t i = 0; i < soup->model.face_count; i++) {
+        if (!fronts_only || shows_front(&soup->polygons[i])) {
+            seen.hit[i] = soup_look(soup, i, x, y);
+        }
+        if (seen.hit[i].covered) {
+            seen.nearest = fmaxl(seen.nearest, seen.hit[i].depth.least);
+        }
+    }
+    return seen;
+}
+
+bool soup_may_show(const struct soup *soup, const struct soup_seen *seen, size_t face) {
+    const struct soup_hit *hit = &seen->hit[face];
+    long double tolerance = soup_depth_tolerance(soup, face);
+    return hit->covered && hit->depth.most + tolerance >= seen->nearest;
+}
+
+unsigned soup_candidates(const struct soup *soup, const struct soup_seen *seen) {
+    unsigned candidates = 0;
+    for (size_t i = 0; i < soup->model.face_count; i++) {
+        candidates += soup_may_show(soup, seen, i);
+    }
+    return candidates;
+}
+
 double soup_depth_tolerance(const struct soup *soup, size_t face) {
     return soup->polygons[face].scale * (soup->kind == SOUP_WHOLE ? 0x1p-48 : 0x1p-40);
 }
@@ -424,4 +461,10 @@ void soup_print(const struct soup *soup) {
     for (size_t i = 1; i <= soup->model.face_count; i++) {
         printf("    f %zu %zu %zu\n", 3 * i - 2, 3 * i - 1, 3 * i);
     }
+}
+
+bool soup_case_shrink(const void *failing, unsigned attempt, void *smaller) {
+    const struct soup_case *c = failing;
+    ((struct soup_case *)smaller)->faces--;
+    return attempt == 0 && c->faces > 1;
 }

@@ -91,6 +91,20 @@ struct soup_hit {
 
 struct soup_hit soup_look(const struct soup *soup, size_t face, int x, int y);
 
+/* What is seen of each face at a pixel. */
+struct soup_seen {
+    struct soup_hit hit[SOUP_FACES];
+    long double nearest; /* the depth that some face surely reaches; minus infinity for none */
+};
+
+/* Nothing is seen outside the viewport, nor of a face that shows its back where only fronts
+ * count. */
+struct soup_seen soup_see(const struct soup *soup, int x, int y, bool fronts_only);
+
+/* Could the face be the nearest one, for all that doubles can tell? How many faces could? */
+bool soup_may_show(const struct soup *soup, const struct soup_seen *seen, size_t face);
+unsigned soup_candidates(const struct soup *soup, const struct soup_seen *seen);
+
 /* By how much a depth of that face may be off and still be right: doubles lose this much, floats
  * thousands of times as much. And by how much a value, which is interpolated in `real`. */
 double soup_depth_tolerance(const struct soup *soup, size_t face);
@@ -98,5 +112,14 @@ double soup_value_tolerance(const struct soup *soup, const struct soup_hit *hit)
 
 /* In the form of an OBJ file, with the rest as comments. */
 void soup_print(const struct soup *soup);
+
+/* A soup as a case of a property. To make it smaller faces are left out. */
+struct soup_case {
+    uint64_t seed;
+    uint64_t kind; /* enum soup_kind */
+    uint64_t faces;
+};
+
+bool soup_case_shrink(const void *failing, unsigned attempt, void *smaller);
 
 #endif

@@ -44,8 +44,8 @@ static struct random case_random(uint64_t seed, const char *name, uint64_t index
 
 static void make_case(const struct property *property, uint64_t seed, uint64_t index, void *made) {
     struct random random = case_random(seed, property->name, index);
-    memset(made, 0, property->case_size);
-    property->make(&random, index, made);
+    memset(made, 0, property->kind->size);
+    property->kind->make(&random, index, made);
 }
 
 static bool try_case(const struct property *property, const void *tried, struct tally *tally) {
@@ -96,20 +96,20 @@ static void shrink_and_print(const struct property *property, uint64_t seed, uin
     } failing, smaller;
     make_case(property, seed, index, &failing);
     unsigned tried = 0, attempt = 0;
-    while (property->shrink != NULL && tried++ < SHRINK_LIMIT) {
-        memcpy(&smaller, &failing, property->case_size);
-        if (!property->shrink(&failing, attempt, &smaller)) {
+    while (property->kind->shrink != NULL && tried++ < SHRINK_LIMIT) {
+        memcpy(&smaller, &failing, property->kind->size);
+        if (!property->kind->shrink(&failing, attempt, &smaller)) {
             break;
         }
         attempt++;
-        if (memcmp(&smaller, &failing, property->case_size) != 0 &&
+        if (memcmp(&smaller, &failing, property->kind->size) != 0 &&
             still_fails(property, &smaller)) {
-            memcpy(&failing, &smaller, property->case_size);
+            memcpy(&failing, &smaller, property->kind->size);
             attempt = 0;
         }
     }
     printf("  case %llu, made as small as it could be:\n", (unsigned long long)index);
-    property->print(&failing);
+    property->kind->print(&failing);
 }
 
 static bool run_property(const struct property *property, double factor, uint64_t seed) {

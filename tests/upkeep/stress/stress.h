@@ -35,12 +35,21 @@ struct tally {
     uint64_t left_out; /* pixels that were not: two answers are too close to tell which is right */
 };
 
+/* Cases of one kind: plain data. */
+struct case_kind {
+    size_t size; /* bytes */
+    void (*make)(struct random *random, uint64_t index, void *made);
+    void (*print)(const void *failing);
+    /* Write the `attempt`-th idea (from 0) of a smaller case; false when there are no more ideas.
+     * NULL where cases are not made smaller. */
+    bool (*shrink)(const void *failing, unsigned attempt, void *smaller);
+};
+
 struct property {
     const char *name;
     enum against against;
-    uint64_t cases;   /* of a run of ordinary length */
-    size_t case_size; /* bytes; a case is plain data */
-    void (*make)(struct random *random, uint64_t index, void *made);
+    uint64_t cases; /* of a run of ordinary length */
+    const struct case_kind *kind;
     /* Does the property hold for this case? Any of the three that are given must say so: error() is
      * at most `limit` (unless that is 0), holds(), and judge(), which also counts. */
     double (*error)(const void *tried);
@@ -48,11 +57,11 @@ struct property {
     const char *error_unit; /* of error(), or of judge()'s; NULL where there is none */
     bool (*holds)(const void *tried);
     bool (*judge)(const void *tried, struct tally *tally);
-    /* Write the `attempt`-th idea (from 0) of a smaller case; false when there are no more ideas.
-     * NULL where cases are not made smaller. */
-    bool (*shrink)(const void *failing, unsigned attempt, void *smaller);
-    void (*print)(const void *failing);
 };
+
+/* A property, and by name what it has of error(), holds() and judge(). */
+#define PROPERTY(title, answer, count, of_kind, ...)                                               \
+    { .name = (title), .against = (answer), .cases = (count), .kind = &(of_kind), __VA_ARGS__ }
 
 /* ---- Triangles of any kind on a small screen ---- */
 

@@ -194,31 +194,15 @@ static void print_texture(const void *failing) {
     }
 }
 
+static const struct case_kind texture_cases = {sizeof(struct texture_case), make_texture,
+                                               print_texture, NULL};
+
 const struct property texture_properties[] = {
-    {.name = "texture: nearest texel",
-     .against = AGAINST_LONG_DOUBLE,
-     .cases = 300000,
-     .case_size = sizeof(struct texture_case),
-     .make = make_texture,
-     .holds = nearest_is_exact,
-     .print = print_texture},
-    {.name = "texture: bilinear",
-     .against = AGAINST_LONG_DOUBLE,
-     .cases = 300000,
-     .case_size = sizeof(struct texture_case),
-     .make = make_texture,
-     .print = print_texture,
-     .error_unit = "level of 255",
-     .error = bilinear_error,
-     .limit = 1e-10},
-    {.name = "texture: mip-mapped",
-     .against = AGAINST_LONG_DOUBLE,
-     .cases = 300000,
-     .case_size = sizeof(struct texture_case),
-     .make = make_texture,
-     .print = print_texture,
-     .error_unit = "level of 255",
-     .error = trilinear_error,
-     .limit = 1e-10},
+    PROPERTY("texture: nearest texel", AGAINST_LONG_DOUBLE, 300000, texture_cases,
+             .holds = nearest_is_exact),
+    PROPERTY("texture: bilinear", AGAINST_LONG_DOUBLE, 300000, texture_cases,
+             .error = bilinear_error, .limit = 1e-10, .error_unit = "level of 255"),
+    PROPERTY("texture: mip-mapped", AGAINST_LONG_DOUBLE, 300000, texture_cases,
+             .error = trilinear_error, .limit = 1e-10, .error_unit = "level of 255"),
     {.name = NULL},
 };

@@ -2,11 +2,10 @@
  * The lessons as the comparison sees them: their scenes, and the triangles of each.
  *
  * Each lesson's main.c is included whole by a file of its own here, so that the static functions of
- * one do not meet those of another. Its main() then hands its table of scenes to lesson_capture()
- * instead of running it.
+ * one do not meet those of another (see ../lesson.h).
  */
-#ifndef OPENGL_LESSON_H
-#define OPENGL_LESSON_H
+#ifndef OPENGL_COMPARED_H
+#define OPENGL_COMPARED_H
 
 #include "picture.h"
 #include "program.h"
@@ -32,14 +31,8 @@ struct lesson {
     bool (*covered)(const struct drawing *drawing, const struct image *image, size_t pixel);
 };
 
-/* Stands in for program_main(): `argv` is the address of a `const struct program *`, which is
- * set. */
-int lesson_capture(const struct program *program, int argc, char **argv);
-
-/* Describes a lesson; that of stepNN.c is called lesson_stepNN(). */
-typedef struct lesson lesson_function(void);
-
-/* All of them in order, then NULL. The Makefile writes this list from the names of the files. */
-extern lesson_function *const lesson_functions[];
+/* All of them in order, then NULL: stepNN.c defines lesson_stepNN. The Makefile writes this list
+ * from the names of the files. */
+extern const struct lesson *const lessons[];
 
 #endif
