@@ -429,7 +429,18 @@ static void test_lines_all_small(void) {
         for (int y = -4; y <= 4; y++) {
             check_line((struct pixel){4, 4}, (struct pixel){4 + x, 4 + y}, 9, 9);
             check_line((struct pixel){4 + x, 4 + y}, (struct pixel){4, 4}, 9, 9);
+            check_line((struct pixel){-1, -1}, (struct pixel){x, y}, 9, 9); /* cut at its begin */
+            check_line((struct pixel){9 + x, 9 + y}, (struct pixel){9, 9}, 9, 9);
         }
+    }
+}
+
+/* The farthest end points that are allowed. */
+static void test_longest_lines(void) {
+    for (int sign = -1; sign <= 1; sign += 2) {
+        struct pixel a = {-LINE_LIMIT, sign * LINE_LIMIT}, b = {LINE_LIMIT, -sign * LINE_LIMIT};
+        check_line(a, b, 9, 9);
+        check_line(b, a, 9, 9);
     }
 }
 
@@ -548,6 +559,15 @@ static void test_snap(void) {
     CHECK(f.x == 7 && f.y == 7);
 }
 
+/* A triangle without area is refused, because weights are divided by it; and one between centres. */
+static void test_no_area(void) {
+    struct edges edges;
+    struct fixed2 a = {0, 0}, b = {2560, 2560}, c = {1280, 1280}, left = {0, 2560}, low = {2560, 0};
+    CHECK(!edges_setup(&edges, a, left, (struct fixed2){100, 1280}, 20, 20));
+    CHECK(!edges_setup(&edges, a, low, (struct fixed2){1280, 100}, 20, 20));
+    CHECK(!edges_setup(&edges, a, b, c, 20, 20) && !edges_setup(&edges, c, b, a, 20, 20));
+}
+
 UNIT_MAIN(TEST(test_vectors), TEST(test_normalized), TEST(test_normalized_components),
           TEST(test_renormalized), TEST(test_depth), TEST(test_level_from),
           TEST(test_turn_direction), TEST(test_product_and_transpose), TEST(test_inverse),
@@ -555,6 +575,6 @@ UNIT_MAIN(TEST(test_vectors), TEST(test_normalized), TEST(test_normalized_compon
           TEST(test_rotation), TEST(test_lookat), TEST(test_lookat_special),
           TEST(test_lookat_ends_of_range), TEST(test_lookat_near_parallel),
           TEST(test_lookat_along_up), TEST(test_perpendicular_axis), TEST(test_inverse_overflow),
-          TEST(test_projection), TEST(test_lines_all_small), TEST(test_lines_random),
-          TEST(test_triangles_random), TEST(test_triangle_special), TEST(test_depth_clear),
-          TEST(test_snap))
+          TEST(test_projection), TEST(test_lines_all_small), TEST(test_longest_lines),
+          TEST(test_lines_random), TEST(test_triangles_random), TEST(test_triangle_special),
+          TEST(test_depth_clear), TEST(test_snap), TEST(test_no_area))

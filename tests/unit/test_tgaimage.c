@@ -64,6 +64,7 @@ static void test_create(void) {
     CHECK(!image_create(&image, 0, 1, IMAGE_BGR, &error) && image.pixels == NULL);
     CHECK(!image_create(&image, 1, 0, IMAGE_BGR, &error) && image.pixels == NULL);
     CHECK(!image_create(&image, 65536, 1, IMAGE_GREY, &error) && image.pixels == NULL);
+    CHECK(image.width == 0 && image.height == 0);
     CHECK(!image_create(&image, 1, SIZE_MAX, IMAGE_GREY, &error) && image.pixels == NULL);
     CHECK(image_create(&image, 65535, 1, IMAGE_GREY, &error) && image.width == 65535);
     image_free(&image);
@@ -132,10 +133,11 @@ static void test_get_and_set(void) {
         CHECK(before.pixels != image.pixels);
         image_clear(&image, (struct color){0});
         image_fill_row(&image, 1, 1, 3, color);
+        image_fill_row(&image, 0, 1, 2, color);
         image_fill_row(&image, 0, 2, 2, color);
         image_fill_row(&image, 0, 3, 1, color);
         for (int k = 0; k < 6; k++) {
-            bool filled = k == 4 || k == 5;
+            bool filled = k == 1 || k == 4 || k == 5;
             CHECK_ROW((memcmp(image.pixels + (size_t)k * step, rows[i].bytes, step) == 0) == filled,
                       rows[i].name);
         }
@@ -502,6 +504,8 @@ static void test_lying_tga(void) {
          "\0\0\2\0\0\0\0\0\0\0\0\0\1\0\1\0\10\0\11", 19},
         {"mapped without a map", "without a colour map", "\0\0\1\0\0\0\0\30\0\0\0\0\1\0\1\0\10\0\0",
          19},
+        {"mapped with an empty map", "without a colour map",
+         "\0\1\1\0\0\0\0\30\0\0\0\0\1\0\1\0\10\0\0", 19},
         {"map of 8 bits", "colour map of 8 bits", "\0\1\1\0\0\1\0\10\0\0\0\0\1\0\1\0\10\0\11\0",
          20},
         {"map cut off", "before its pixels", "\0\1\2\0\0\377\377\40\0\0\0\0\1\0\1\0\30\0\1\2\3",
@@ -516,12 +520,16 @@ static void test_lying_tga(void) {
         {"interleaved", "interleaved", "\0\0\3\0\0\0\0\0\0\0\0\0\1\0\1\0\10\100\11", 19},
         {"unknown map", "map type 2", "\0\2\3\0\0\0\0\0\0\0\0\0\1\0\1\0\10\0\11", 19},
         {"nothing", "too few for a header", "", 0},
+        {"a header without its last byte", "too few for a header",
+         "\0\0\3\0\0\0\0\0\0\0\0\0\1\0\1\0\10", 17},
+        {"a header alone", "cut off", "\0\0\3\0\0\0\0\0\0\0\0\0\1\0\1\0\10\0", 18},
     };
     for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
         struct image image;
         struct error error;
         CHECK_ROW(!decode_exact(&image, (const uint8_t *)rows[i].bytes, rows[i].size, &error),
                   rows[i].name);
+        CHECK_ROW(image.width == 0 && image.pixels == NULL, rows[i].name);
         CHECK_ROW(strstr(error.message, rows[i].message) != NULL, error.message);
     }
 }

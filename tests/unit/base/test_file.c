@@ -305,7 +305,8 @@ static void test_write(void) {
 static bool write_without_input(const char *path) {
     struct error error;
     close(STDIN_FILENO);
-    return file_write(path, "second", 6, &error);
+    return file_write(path, "second", 6, &error) &&
+           file_write("/dev/null", "new", 3, &error); /* a device is opened as it is */
 }
 
 static void test_write_without_input(void) {

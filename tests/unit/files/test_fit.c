@@ -76,7 +76,10 @@ static void test_fit(void) {
         bool all_around = i % 2 == 1;
         make_cloud(&cloud, middles[i / 2 % 3], sizes[i / 6], &random);
         double kept = proportion(&cloud);
+        struct vec3 way = vec3_sub(cloud.positions[0], cloud.positions[1]);
         model_fit(&cloud.model, all_around);
+        struct vec3 now = vec3_sub(cloud.positions[0], cloud.positions[1]);
+        CHECK(vec3_dot(vec3_normalized(way), vec3_normalized(now)) > 1 - 1e-6); /* not mirrored */
         struct box3 box = model_box(&cloud.model);
         CHECK(!box_reaches_out(box));
         CHECK(fabs(proportion(&cloud) / kept - 1) < 1e-6);

@@ -45,7 +45,8 @@ static void test_angles(void) {
         CHECK(fabsl((long double)model_angle(a, b) - expected) < 1e-15L * pi);
     }
     struct vec3 zero = {0, 0, 0}, across = {1, 0, 0}, back = {-3, 0, 0}, up = {0, 1e-300, 0};
-    CHECK(model_angle(zero, across) == 0 && model_angle(zero, zero) == 0);
+    CHECK(model_angle(zero, across) == 0 && model_angle(across, zero) == 0);
+    CHECK(model_angle(zero, zero) == 0);
     CHECK(model_angle(across, across) == 0);
     CHECK(fabsl(model_angle(across, back) - pi) < 1e-15L * pi);
     CHECK(fabsl(model_angle(across, up) - pi / 2) < 1e-15L * pi);
@@ -192,10 +193,21 @@ static void test_back_to_back(void) {
     }
 }
 
+/* A corner of a hundred-thousandth of a radian is no noise: it has the normal of its face. */
+static void test_narrow_corner(void) {
+    static const char text[] = "v 0 0 0\nv 0 1 0\nv 0 1 0.00001\nf 1 2 3\n";
+    struct model m;
+    struct error error;
+    if (CHECK(decode(&m, text, &error)) && CHECK(model_need_normals(&m, &error))) {
+        CHECK(same3(m.normals[0], 1, 0, 0));
+    }
+    model_free(&m);
+}
+
 /* ---- Colours ---- */
 
 static void test_colors_from_normals(void) {
-    static const char text[] = SQUARE "v 9 9 9\nvn 0 0 -5\nvn 3 0 4\nvn 0 0 0\n"
+    static const char text[] = SQUARE "v 9 9 9\nvn 0 0 -5\nvn 3 4 0\nvn 0 0 0\n"
                                       "f 1//1 2//2 3//3\nf 1//2 3//2 4\n";
     struct model m;
     struct error error;
@@ -203,7 +215,7 @@ static void test_colors_from_normals(void) {
         return;
     }
     CHECK(same3(m.colors[0], 0.5F, 0.5F, 0)); /* the first face decides */
-    CHECK(same3(m.colors[1], 0.8F, 0.5F, 0.9F));
+    CHECK(same3(m.colors[1], 0.8F, 0.9F, 0.5F));
     CHECK(same3(m.colors[2], 0.5F, 0.5F, 0.5F)); /* a normal without length */
     CHECK(same3(m.colors[3], 0.5F, 0.5F, 1));    /* computed */
     CHECK(same3(m.colors[4], 0.5F, 0.5F, 0.5F)); /* of no face */
@@ -229,4 +241,5 @@ static void test_given_colors(void) {
 }
 
 UNIT_MAIN(TEST(test_angles), TEST(test_normals), TEST(test_cube_corner), TEST(test_no_normal),
-          TEST(test_back_to_back), TEST(test_colors_from_normals), TEST(test_given_colors))
+          TEST(test_back_to_back), TEST(test_narrow_corner), TEST(test_colors_from_normals),
+          TEST(test_given_colors))

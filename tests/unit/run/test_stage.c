@@ -52,4 +52,37 @@ static void test_all_scenes_at_once(void) {
     run_free(&run);
 }
 
-UNIT_MAIN(TEST(test_only_what_is_needed), TEST(test_all_scenes_at_once))
+static bool same(struct vec3 v, struct vec3 expected) {
+    return v.x == expected.x && v.y == expected.y && v.z == expected.z;
+}
+
+/* What a scene leaves at zero is the program's; what it says itself is its own. */
+static void test_left_at_zero(void) {
+    static const struct scene defaults = {.width = 8,
+                                          .height = 9,
+                                          .eye = {1, 2, 3},
+                                          .center = {4, 5, 6},
+                                          .up = {7, 8, 9},
+                                          .light = {10, 11, 12}};
+    static const struct scene own = {.model = "own.obj",
+                                     .width = 1,
+                                     .height = 2,
+                                     .format = IMAGE_GREY,
+                                     .frames = 3,
+                                     .eye = {0, 0, -1},
+                                     .center = {0, -2, 0},
+                                     .up = {-3, 0, 0},
+                                     .light = {0, 0, -4}};
+    const struct program given = {.name = "test", .defaults = defaults};
+    const struct scene empty = {.name = "empty"};
+    struct scene s = scene_complete(&given, &empty);
+    CHECK(s.width == 8 && s.height == 9 && s.format == IMAGE_BGR && s.frames == 1);
+    CHECK(same(s.eye, defaults.eye) && same(s.center, defaults.center));
+    CHECK(same(s.up, defaults.up) && same(s.light, defaults.light) && s.model != NULL);
+    s = scene_complete(&given, &own);
+    CHECK(s.width == 1 && s.height == 2 && s.format == IMAGE_GREY && s.frames == 3);
+    CHECK(same(s.eye, own.eye) && same(s.center, own.center) && same(s.up, own.up));
+    CHECK(same(s.light, own.light) && s.model == own.model);
+}
+
+UNIT_MAIN(TEST(test_only_what_is_needed), TEST(test_all_scenes_at_once), TEST(test_left_at_zero))

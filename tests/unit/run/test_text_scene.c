@@ -180,7 +180,9 @@ static void test_files(void) {
     CHECK(!text_scene_read(&scene, "-", TEXT_SCENE_LINES, &error));
     CHECK_TEXT(error.message, "standard input:1: 'dot' is not known: 'size' or 'line' is allowed");
     CHECK(unlink(path) == 0);
+    scene = (struct text_scene){.width = 7, .height = 7, .shape_count = 7};
     CHECK(!text_scene_read(&scene, path, TEXT_SCENE_LINES, &error) && scene.shapes == NULL);
+    CHECK(scene.width == 0 && scene.height == 0 && scene.shape_count == 0);
     CHECK(strstr(error.message, "scene.txt: ") != NULL);
     CHECK(!text_scene_read(&scene, directory, TEXT_SCENE_LINES, &error));
     CHECK(strstr(error.message, "directory") != NULL);
