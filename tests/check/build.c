@@ -171,14 +171,14 @@ static bool lacked_room(const struct options *options, const char *output, struc
  * any case: where it cannot be removed it could not be written either, and that is no fault of
  * main.c. */
 static bool remove_old(const char *program, struct error *error) {
-    char said[DRAWN_PATH_LIMIT + 5], object[DRAWN_PATH_LIMIT + 5];
-    snprintf(said, sizeof said, "%s.said", program);
-    snprintf(object, sizeof object, "%s.o", program);
-    const bool again = file_size(said) > 0 || !file_exists(said);
-    const char *const paths[] = {object, again ? said : object, again ? program : object};
-    for (size_t i = 0; i < sizeof paths / sizeof paths[0]; i++) {
-        if (unlink(paths[i]) != 0 && errno != ENOENT) {
-            return error_set(error, "cannot remove %.900s: %s", paths[i], strerror(errno));
+    static const char *const endings[] = {".o", ".said", ".d", ""};
+    char path[DRAWN_PATH_LIMIT + 5];
+    snprintf(path, sizeof path, "%s.said", program);
+    const size_t count = file_exists(path) && file_size(path) == 0 ? 1 : 4;
+    for (size_t i = 0; i < count; i++) {
+        snprintf(path, sizeof path, "%s%s", program, endings[i]);
+        if (unlink(path) != 0 && errno != ENOENT) {
+            return error_set(error, "cannot remove %.900s: %s", path, strerror(errno));
         }
     }
     return true;

@@ -285,9 +285,9 @@ static void test_signs(void) {
     struct looks looks;
     CHECK(mkdtemp(directory) != NULL);
     set_up(&f);
-    snprintf(path, sizeof path, "%s/a", directory);
+    snprintf(path, sizeof path, "%s/a/looks", directory);
     CHECK(directory_create(path, &error));
-    snprintf(path, sizeof path, "%s/a/b.png", directory);
+    snprintf(path, sizeof path, "%s/a/looks/b.png", directory);
     CHECK(png_write(&f.looks.pixels, path, &error));
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         for (size_t k = 0; k < 4; k++) {

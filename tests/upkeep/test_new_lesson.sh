@@ -20,8 +20,7 @@ renamed() {
 
 cp -R "$top/Makefile" "$top/common" "$top/tests" "$top/$old" "$work" && cd "$work" || exit 1
 rm -rf tests/reference
-find tests \( -path 'tests/bench/*' -o -path 'tests/bench/opengl/*' \) -name 'step[0-9][0-9]*.c' \
-    ! -name "${old%%_*}*.c" -exec rm {} +
+find tests/lessons -mindepth 1 -maxdepth 1 ! -name $old -exec rm -r {} +
 mkdir tests/reference && cp -R "$top/tests/reference/$old" tests/reference || exit 1
 grep "^$old " "$top/tests/check/scenes.txt" >scenes.txt || exit 1
 
@@ -33,7 +32,7 @@ for file in "$old"/*; do
 done
 { cat scenes.txt; renamed scenes.txt; } >tests/check/scenes.txt
 cp -R tests/reference/$old tests/reference/$new
-renamed "tests/bench/${old%%_*}.c" >"tests/bench/${new%%_*}.c"
+mkdir tests/lessons/$new && renamed tests/lessons/$old/bench.c >tests/lessons/$new/bench.c
 
 # ---- It is drawn, checked, measured, and its other pictures are drawn ----
 
@@ -58,7 +57,7 @@ diff -r -x '*.svg' -x 'wrong_[0-9][0-9].png' $old/figures $new/figures ||
 
 # ---- A lesson needs no figures and no benchmark ----
 
-rm -rf $new/figures.c $new/figures "tests/bench/${new%%_*}.c" "build/bench/$new.svg"
+rm -rf $new/figures.c $new/figures tests/lessons/$new "build/bench/$new.svg"
 course lesson-figures
 course bench STEP=05
 course charts

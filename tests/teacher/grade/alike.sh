@@ -13,7 +13,7 @@ cd "$(dirname "$0")/../../.." || exit 1
 limited=$1
 out=$2
 work=$(cd "$3" && pwd) || exit 1
-least_share=75  # %: how these were chosen stands in tests/README.md
+least_share=75  # %: tests/teacher/README.md says how these were chosen
 least_tokens=250
 run=16          # tokens in a row that agree
 most=32768      # bytes of one lesson

@@ -5,7 +5,7 @@ find_container() {
     for by in bwrap unshare; do
         # shellcheck disable=SC2016 # for that shell
         said=$(cd "$1" && CONTAIN_BY=$by CONTAIN_COURSE=$PWD CONTAIN_BUILD=$PWD CONTAIN_SECRET='' \
-            "$2/tests/grade/contain.sh" sh -c 'echo works >"$PWD/x" && cat "$PWD/x"' 2>/dev/null)
+            "$2/tests/teacher/grade/contain.sh" sh -c 'echo works >"$PWD/x" && cat "$PWD/x"' 2>/dev/null)
         [ "$said" != works ] || return
     done
     by=nothing

@@ -95,7 +95,7 @@ limited() {
     output=$1
     shift
     "$build/limited" "${GRADE_SECONDS:-1200}" 0 "$PWD" "$output" env MAKEFLAGS="$flags" \
-        CHECK_RUNNER="$PWD/tests/grade/contain.sh" TMPDIR="$place/tmp" "$@"
+        CHECK_RUNNER="$PWD/tests/teacher/grade/contain.sh" TMPDIR="$place/tmp" "$@"
 }
 
 # shellcheck disable=SC2086

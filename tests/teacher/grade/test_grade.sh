@@ -66,8 +66,8 @@ ln -s s link
 
 mkdir -p course/tests/reference && cd course || exit 1
 cp -R "$top/Makefile" "$top/common" "$top/step01_line" . &&
-    (cd "$top/tests" && cp -R check grade help hidden starter "$work/course/tests" &&
-        cp targets.mk "$work/course/tests" &&
+    (cd "$top/tests" && cp -R check student teacher "$work/course/tests" &&
+        mkdir "$work/course/tests/lessons" && cp -R lessons/step01_line "$work/course/tests/lessons" &&
         cp -R reference/step01_line "$work/course/tests/reference") || exit 1
 grep -e '^#' -e 'step01_' "$top/tests/check/scenes.txt" >tests/check/scenes.txt
 mkdir build && cp -R "$build/models" build || exit 1
@@ -144,7 +144,6 @@ awk '{ text = text $0 "\n" }
     sources copy
 sed -n '1,50p' $copy/main.c >$copy/mine.h && sed -n '51,$p' $copy/main.c | sources copy
 sources starter_again <../class/starter/step01_line/main.c
-yes '0,' | tr -d '\n' | head -c 30000 | sources zeros
 yes 'x' | head -c 40000 | tr '\n' '(' | sources long
 tests/teacher/grade/merge.sh build ../alike >"$work/said" || wrong "merge: $(cat "$work/said")"
 if command -v sim_c >/dev/null; then
@@ -153,10 +152,8 @@ if command -v sim_c >/dev/null; then
 step01_line,a%20b,solution step01_line,copy,solution " ] || wrong "alike: $(cat ../alike/similar.csv)"
     grep -q '>copy</a></td><td>.*>solution</a></td><td>step01_line [0-9]* %' ../alike/index.html ||
         wrong "the page does not list the copy"
-    for reason in 'zeros, step01_line keeps sim_c from its work' \
-        'long, step01_line is longer than 32768 bytes'; do
-        grep -q "Not compared: $reason" ../alike/index.html || wrong "the page lacks: $reason"
-    done
+    grep -q 'Not compared: long, step01_line is longer than 32768 bytes' ../alike/index.html ||
+        wrong "the page does not say what was not compared"
 else
     echo "grade: without sim_c, copies are not looked for"
 fi

@@ -109,7 +109,8 @@ points=$(awk '$1 == "step01_line" { sum += $4 } $2 == "step01_line" { sum += $5 
 grep -qF "| all | | | **$points** | |" README.md || wrong "not $points points in all"
 awk -F '|' '$3 ~ /[0-9]\.[0-9]/ { sum += $5 } END { print sum }' README.md >"$work/said"
 [ "$(cat "$work/said")" -eq "$points" ] || wrong "the points of the tasks are not $points"
-mkdir -p tests/unit && cp "$top/tests/upkeep/texts/test_links.sh" "$top/tests/unit/script.sh" tests/unit
+mkdir -p tests/unit tests/reference tests/upkeep/texts && cp "$top/tests/unit/script.sh" tests/unit &&
+    cp "$top/tests/upkeep/texts/test_links.sh" tests/upkeep/texts
 tests/upkeep/texts/test_links.sh >"$work/said" 2>&1 || wrong "links"
 rm -rf tests
 

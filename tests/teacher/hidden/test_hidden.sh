@@ -21,7 +21,7 @@ wrong() {
 
 mkdir -p "$work/course/tests/reference" && cd "$work/course" || exit 1
 cp -R "$top/Makefile" "$top/common" "$top/step01_line" "$top/step05_zbuffer" . || exit 1
-(cd "$top/tests" && cp -R check help hidden starter "$work/course/tests" &&
+(cd "$top/tests" && cp -R check student teacher "$work/course/tests" &&
     cp -R reference/step01_line reference/step05_zbuffer "$work/course/tests/reference") || exit 1
 grep -e '^#' -e 'step01_' -e 'step05_' "$top/tests/check/scenes.txt" >tests/check/scenes.txt
 mkdir build && cp -R "$build/models" "$build/hidden" build || exit 1
@@ -96,7 +96,7 @@ mv right step05_zbuffer/main.c
 cp -R step01_line step05_zbuffer "$work"
 for lesson in step01_line step05_zbuffer; do
     cat >$lesson/main.c <<EOF
-#include "image_file.h"
+#include "files/image_file.h"
 #include <stdio.h>
 #include <string.h>
 

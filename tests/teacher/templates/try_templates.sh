@@ -8,7 +8,7 @@
 # Exit status 0: they work; 1: not; 2: a tool is missing.
 cd "$(dirname "$0")/../../.." || exit 1
 top=$PWD
-templates=$top/tests/templates
+templates=$top/tests/teacher/templates
 for tool in python3 npm git rsync; do
     command -v $tool >/dev/null || missing="$missing $tool"
 done
@@ -173,7 +173,7 @@ if sys.argv[3] == "broken":
 if sys.argv[3] == "nothing":
     assert result["output"] == "There is no step05_zbuffer/main.c in the submission.\n"
 END
-    cp "$AUTOGRADER/source/course/tests/handout/step05_zbuffer.c" \
+    cp "$AUTOGRADER/source/course/tests/student/starters/step05_zbuffer.c" \
         "$AUTOGRADER/source/course/step05_zbuffer/main.c" # each has a container of its own
 }
 for name in solution broken; do

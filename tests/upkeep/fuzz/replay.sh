@@ -11,11 +11,11 @@ failed=0
 for name in $(tests/upkeep/fuzz/corpus.sh names); do
     kept=$build/fuzz/replayed/$name
     tests/upkeep/fuzz/corpus.sh unpack "$name" "$kept" || exit 1
-    if "$build/tests/fuzz_$name" "$kept"/* >"$log" 2>&1; then
+    if "$build/tests/upkeep/fuzz/fuzz_$name" "$kept"/* >"$log" 2>&1; then
         echo "$name: $(find "$kept" -type f | wc -l) files, all is well"
     else
         tail -n 20 "$log"
-        echo "$name: FAILED at the last file named; try it with $build/tests/fuzz_$name FILE"
+        echo "$name: FAILED at the last file named; try it with $build/tests/upkeep/fuzz/fuzz_$name FILE"
         failed=1
     fi
 done

@@ -1,5 +1,5 @@
 /* Each scene has a fault that a sanitizer finds; lines are named in expected.txt. */
-#include "check/wrong/picture.h"
+#include "../picture.h"
 
 static int sum(const int *numbers, int count) {
     int all = 0;
