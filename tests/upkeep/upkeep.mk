@@ -6,14 +6,16 @@
 ##                               is listed (STEP=05, NAME=depth)
 ##   make portability            the same bytes from other compilers (CONFIGURATIONS=arm64)
 ##   make fuzz                   hostile files (needs clang; FUZZ_SECONDS=60 for each, TARGET=png)
-##   make mutants                small changes of the code that some test must notice (NAME=geometry)
+##   make mutants                small changes of the code that some test must notice (COUNT=300,
+##                               SEED=7, FILE=common/files/png.c)
+##   make everything             what .ci/run leaves out because it takes long, before a release
 ##   make coverage               which lines and branches of common the tests reach
 ##   make figures                draw the lessons' other pictures into build/out/*/figures (STEP=05)
 ##   make lesson-figures         the same into the lessons, after a change to them (STEP=05)
 ##   make references             draw the reference images again, never part of a check (STEP=05)
 ##   make mistakes               keep what the listed mistakes look like, by which the check knows
 ##                               them, and draw the lessons' wrong pictures (STEP=05)
-.PHONY: test stress verify portability fuzz mutants coverage figures lesson-figures \
+.PHONY: test stress verify portability fuzz mutants coverage everything figures lesson-figures \
         references mistakes
 
 # ---- make test ----
@@ -21,8 +23,8 @@
 # The tests' own build of everything: sanitized, and without threads.
 # What is always inlined elsewhere are functions here: with the sanitizers' code in each copy, gcc
 # would need more than twice as long.
-TESTED   = $(CC) $(STRICT) $(WARNINGS) $(WERROR) $(SANITIZED) -Dalways_inline=unused \
-           -Dflatten=unused $(DEFINES) -Icommon -Itests -MMD -MP
+TESTED_AS = -Dalways_inline=unused -Dflatten=unused -Icommon -Itests
+TESTED    = $(CC) $(STRICT) $(WARNINGS) $(WERROR) $(SANITIZED) $(DEFINES) $(TESTED_AS) -MMD -MP
 
 # Found by their names: test_*.c are programs, test_*.sh scripts.
 UNITS   = $(patsubst %.c,$(BUILD)/%,$(shell find tests -name 'test_*.c'))
@@ -95,6 +97,11 @@ test: $(UNITS) $(KINDS:%=$(BUILD)/tests/%) $(REPLAYS) $(BUILD)/check $(BUILD)/lo
       $(BUILD)/limited programs models
 	@CHECK_PROGRAMS=$(BUILD) tests/upkeep/run_tests.sh $(SCRIPTS) $(UNITS) $(KINDS:%=$(BUILD)/tests/%)
 
+# Programs besides the lessons, for a compiler to find fault with.
+.PHONY: tools
+tools: $(addprefix $(BUILD)/,check show compare_page hidden limited references looks_make figure_make \
+         stress benchmark bench-frame)
+
 # ---- make stress ----
 
 $(BUILD)/stress: $(call OBJECTS_OF,upkeep/stress oracle) \
@@ -130,8 +137,14 @@ $(BUILD)/verify.%.d: ;
 
 # ---- make mutants, portability, fuzz, coverage ----
 
-mutants:
-	@tests/upkeep/mutants/run.sh $(BUILD) '$(or $(NAME),*)' '$(ONLY)'
+# What is wrong with a change must show at once, and what is wrong with memory too when nothing does.
+MUTATED = $(CC) $(STRICT) $(MARCH) -Wno-psabi -Werror=incompatible-pointer-types \
+          -Werror=int-conversion $(TESTED_AS) -O1
+mutants: export MUTANTS_CC = $(MUTATED) -fsanitize=undefined -fsanitize-undefined-trap-on-error
+mutants: export MUTANTS_SANITIZED = $(MUTATED) $(filter -f%,$(SANITIZED))
+mutants: export MUTANTS_STRESS = $(wildcard tests/upkeep/stress/*.c tests/lessons/*/stress.c)
+mutants: $(BUILD)/check models
+	@tests/upkeep/mutants/mutants.sh $(BUILD) $(or $(COUNT),40) $(or $(SEED),1) $(FILE)
 
 portability:
 	@tests/upkeep/portability/portability.sh -b $(BUILD)/portability $(CONFIGURATIONS)
@@ -142,6 +155,9 @@ fuzz:
 
 $(BUILD)/fuzz_%: $(BUILD)/tested/tests/upkeep/fuzz/fuzz_%.o $(BUILD)/tested/all.a
 	$(Q)$(TESTED) -fsanitize=fuzzer $^ -lm -o $@
+
+everything:
+	@.ci/run test-clang portability-all grade-unshare bench-files coverage mutants-300
 
 coverage:
 	@tests/upkeep/coverage.sh $(BUILD) '$(MAKE) -s'

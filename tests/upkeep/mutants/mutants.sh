@@ -72,8 +72,8 @@ run() (
     case $2 in
     step*) # is built: for the check, make has nothing to do
         lesson=${2%/*}
-        mkdir -p checked/built && mv program "checked/$lesson" && touch "checked/$lesson.d" &&
-            cp "checked/$lesson" checked/built && cd "$root" &&
+        mkdir -p checked && mv program "checked/$lesson" && : >"checked/$lesson.said" &&
+            cd "$root" &&
             timeout 120 "$build/check" --programs "$1/checked" --differences "$1/differences" \
                 --make : --first '' "$lesson"
         ;;
@@ -210,6 +210,7 @@ stress=$(echo "$MUTANTS_STRESS" | tr ' ' '\n' | sed 's|/[^/]*$||' | sort -u)
 for part in common step* tests/unit tests/oracle $stress; do
     [ ! -d "$part" ] || { mkdir -p "$work/sources/$part" && cp -R "$part/." "$work/sources/$part"; }
 done
+[ ! -f tests/lesson.h ] || cp tests/lesson.h "$work/sources/tests"
 cd "$work/sources" || exit 2
 find . -type f ! -name '*.[ch]' -exec rm -f {} +
 find . -name 'test_*.c' -exec sed -i "s|\"/tmp/[a-z_]*\.XXXXXX|\"$scratch/f.XXXXXX|" {} +
