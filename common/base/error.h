@@ -1,4 +1,5 @@
-/* The error message that every function fills in which can fail for a reason that a user must know. */
+/* The error message that every function fills in which can fail for a reason that a user must
+ * know. */
 #ifndef COMMON_BASE_ERROR_H
 #define COMMON_BASE_ERROR_H
 

@@ -15,7 +15,8 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* error_name_file() for a file that was read: "-" is called standard input. Always returns false. */
+/* error_name_file() for a file that was read: "-" is called standard input. Always returns
+ * false. */
 bool error_name_input(struct error *error, const char *path);
 
 /* Read the whole file, or standard input for "-". The caller frees `bytes`. A directory, a missing

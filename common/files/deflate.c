@@ -2,8 +2,9 @@
  * Deflate in both directions; see deflate.h. RFC 1951 explains every term that is used here.
  *
  * Compression: (1) find earlier copies of the bytes to come (LZ77) through chains of positions with
- * equal hashes; (2) collect literals and matches into blocks; (3) write each block with Huffman codes
- * of its own. (Pictures need none of the other two kinds of block, which a decoder must know.)
+ * equal hashes; (2) collect literals and matches into blocks; (3) write each block with Huffman
+ * codes of its own. (Pictures need none of the other two kinds of block, which a decoder must
+ * know.)
  */
 #include "files/deflate.h"
 

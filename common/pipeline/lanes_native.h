@@ -1,8 +1,8 @@
 /*
  * What x86 has an instruction for that gcc 12 and clang 14 do not find by themselves: here, in
- * pixel_mask.h and for lanes_max() and lanes_min(), and nowhere else, the compiler is told which one
- * is meant ("Intel 64 and IA-32 Architectures Software Developer's Manual", volume 2). The plain C
- * next to it says what it does. Private to the pipeline and to texture_lanes.h.
+ * pixel_mask.h and for lanes_max() and lanes_min(), and nowhere else, the compiler is told which
+ * one is meant ("Intel 64 and IA-32 Architectures Software Developer's Manual", volume 2). The
+ * plain C next to it says what it does. Private to the pipeline and to texture_lanes.h.
  *
  *     lanes_join()                a mask of bits: gcc makes one of lanes, and three instructions of
  *                                 a sum of which some lanes are kept; a twentieth of a Phong pixel

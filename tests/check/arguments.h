@@ -1,7 +1,7 @@
 /*
  * The options on the command line of a program of the tests.
  *
- *     struct options { const char *directory; size_t frames; bool quick; } o = {"build", 15, false};
+ *     struct options { const char *directory; size_t frames; bool quick; } o = {"build", 15, 0};
  *     const struct argument known[] = {
  *         {"-o", "DIR", "where the pictures go", argument_text, &o.directory},
  *         {"--frames", "N", "frames that are timed", argument_number, &o.frames},

@@ -12,9 +12,9 @@
 
 #include <stdbool.h>
 
-/* Two checks in one directory would remove each other's programs: the second waits here, and says so.
- * The lock is the system's, and goes when this process does, however it ends. False, with a message,
- * when the directory cannot be written. */
+/* Two checks in one directory would remove each other's programs: the second waits here, and says
+ * so. The lock is the system's, and goes when this process does, however it ends. False, with a
+ * message, when the directory cannot be written. */
 bool build_lock(const struct options *options, struct error *error);
 
 /* Build what the steps stand on: the library, the models. False, with a message, when that

@@ -5,8 +5,8 @@
  *     MISTAKE_IMPOSSIBLE  a scene is exact that the mistake would make wrong;
  *     MISTAKE_DOUBTFUL    another scene fails that shows and needs nothing but what this one does
  *                         (so no other task can have made it wrong), and it is not so that the
- *                         mistake makes it, or the mistake would leave it right. Two mistakes in one
- *                         task do that, and a third one that is not known;
+ *                         mistake makes it, or the mistake would leave it right. Two mistakes in
+ *                         one task do that, and a third one that is not known;
  *     MISTAKE_UNLIKELY    another picture shows the mistake's task right, or it is to do.
  */
 #ifndef TESTS_CHECK_DOUBT_H

@@ -3,10 +3,10 @@
  *
  *     looks_make STEP SCENE REFERENCE.png LIST DIRECTORY LOOKS
  *
- * LIST is a list of mistakes (mistakes.h) with a number instead of signs; DIRECTORY/NUMBER/SCENE.png
- * is what the mistake draws, when it draws something wrong there. Writes LOOKS/STEP/SCENE.png and
- * .small.png, or removes them where no mistake can be told, and prints NUMBER and sign of each
- * mistake that shows in the scene.
+ * LIST is a list of mistakes (mistakes.h) with a number instead of signs;
+ * DIRECTORY/NUMBER/SCENE.png is what the mistake draws, when it draws something wrong there. Writes
+ * LOOKS/STEP/SCENE.png and .small.png, or removes them where no mistake can be told, and prints
+ * NUMBER and sign of each mistake that shows in the scene.
  *
  * Exit status: 0 done, 1 something cannot be read or written, 2 wrong usage.
  */

@@ -9,11 +9,11 @@
  * through /proc, since RLIMIT_NPROC counts all processes of a user and does not bind root. On other
  * systems RLIMIT_NPROC alone stops a program that forks without end.
  *
- * This isn't a sandbox: a program that wants to can leave its group, use the network, read and write
- * any file of the user. For programs of strangers CHECK_RUNNER in the environment names a command
- * that shuts them in (tests/teacher/grade/contain.sh does); it is called as `RUNNER PROGRAM ARGUMENT...`
- * instead of the program. It must end as a shell would: with the program's status, or 128 and the
- * number of the signal that ended it.
+ * This isn't a sandbox: a program that wants to can leave its group, use the network, read and
+ * write any file of the user. For programs of strangers CHECK_RUNNER in the environment names a
+ * command that shuts them in (tests/teacher/grade/contain.sh does); it is called as `RUNNER PROGRAM
+ * ARGUMENT...` instead of the program. It must end as a shell would: with the program's status, or
+ * 128 and the number of the signal that ended it.
  */
 #ifndef TESTS_CHECK_RUN_H
 #define TESTS_CHECK_RUN_H

@@ -4,9 +4,9 @@
  *     show COLUMNS LINES STEP SCENE WHICH KIND YOURS REFERENCE
  *
  * COLUMNS and LINES are the terminal's. STEP and SCENE say what counts as wrong in the difference:
- * what the check counts. WHICH is a list like yours,difference; where it is empty, all are shown that
- * have room side by side, otherwise yours. KIND is blocks, sixel or kitty; where it is empty, what the
- * terminal can. The last two are image files; one that does not exist is left out.
+ * what the check counts. WHICH is a list like yours,difference; where it is empty, all are shown
+ * that have room side by side, otherwise yours. KIND is blocks, sixel or kitty; where it is empty,
+ * what the terminal can. The last two are image files; one that does not exist is left out.
  *
  * The pictures stand side by side where the terminal is wide enough for 30 characters each, and
  * otherwise one below the other. A large one is shrunk to fit, and keeps what is drawn, even a

@@ -559,7 +559,8 @@ static void test_snap(void) {
     CHECK(f.x == 7 && f.y == 7);
 }
 
-/* A triangle without area is refused, because weights are divided by it; and one between centres. */
+/* A triangle without area is refused, because weights are divided by it; and one between
+ * centres. */
 static void test_no_area(void) {
     struct edges edges;
     struct fixed2 a = {0, 0}, b = {2560, 2560}, c = {1280, 1280}, left = {0, 2560}, low = {2560, 0};

@@ -4,10 +4,10 @@
  *
  *     hidden PROGRAMS SOLUTIONS SEED MAKE STEP...
  *
- * PROGRAMS and SOLUTIONS are directories. Where the command MAKE is not empty, each program is built
- * first, as the check does it, and until the end no check works in PROGRAMS. STEP is a name like
- * step05_zbuffer; its solution is SOLUTIONS/step05_zbuffer/step05_zbuffer. Of a scene that is wrong
- * only the class is told:
+ * PROGRAMS and SOLUTIONS are directories. Where the command MAKE is not empty, each program is
+ * built first, as the check does it, and until the end no check works in PROGRAMS. STEP is a name
+ * like step05_zbuffer; its solution is SOLUTIONS/step05_zbuffer/step05_zbuffer. Of a scene that is
+ * wrong only the class is told:
  *
  *     step05_zbuffer  HIDDEN 11/12
  *       hidden: depth of a model in another size: wrong
@@ -301,8 +301,8 @@ static const struct checked_scene *limits_for(const struct checked_step *step,
     return NULL;
 }
 
-/* Scenes that are left to the references, since correct programs of alternatives.txt differ in them.
- * `square` and `cards` have corners that other sizes put between two pixels, where float and
+/* Scenes that are left to the references, since correct programs of alternatives.txt differ in
+ * them. `square` and `cards` have corners that other sizes put between two pixels, where float and
  * sixteenths of a pixel decide otherwise, and `rows` has few pixels: in 18 seeds, -Ofast was wrong
  * in one. */
 static bool is_left_out(const char *step, const char *scene) {

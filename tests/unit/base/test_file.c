@@ -1,6 +1,6 @@
 /*
- * Tests of common/base/file.c: messages, blocks of bytes, whole files in and out, and what happens when
- * the disk, the directory or the file does not play along.
+ * Tests of common/base/file.c: messages, blocks of bytes, whole files in and out, and what happens
+ * when the disk, the directory or the file does not play along.
  */
 #define _XOPEN_SOURCE 700 /* POSIX.1-2008 with mkdtemp() */
 
@@ -476,8 +476,8 @@ static bool write_past_limit(const char *path) {
            action.sa_handler == SIG_DFL;
 }
 
-/* A file that grows too large, as on a full disk, is an error, and no signal: the old one, if there is
- * any, and nothing else is left. */
+/* A file that grows too large, as on a full disk, is an error, and no signal: the old one, if there
+ * is any, and nothing else is left. */
 static void test_limit_of_file_size(void) {
     struct place place;
     struct error error;

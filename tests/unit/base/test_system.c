@@ -1,8 +1,8 @@
 /*
- * When the system says no: every system call of common/base/file.c fails in turn, the first, the second
- * and so on, one in each run. Each time there must be a message that names the file, the old file
- * must still be whole, and no temporary file may be left behind. Interrupted and partial reads and
- * writes, which are no errors, must not be noticed.
+ * When the system says no: every system call of common/base/file.c fails in turn, the first, the
+ * second and so on, one in each run. Each time there must be a message that names the file, the old
+ * file must still be whole, and no temporary file may be left behind. Interrupted and partial reads
+ * and writes, which are no errors, must not be noticed.
  *
  * This program is linked with -Wl,--wrap=open and the like, so that the calls of the course's code
  * come to the functions __wrap_... below (GNU ld manual, option --wrap).

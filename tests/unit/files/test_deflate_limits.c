@@ -1,7 +1,7 @@
 /*
  * Deflate. Streams are put together here bit by bit from RFC 1951, with codes and checksums that
- * share nothing with the code under test, and decoded from blocks of exactly their size, so that the
- * address sanitizer sees a read past the end.
+ * share nothing with the code under test, and decoded from blocks of exactly their size, so that
+ * the address sanitizer sees a read past the end.
  */
 #include "files/deflate.h"
 #include "unit/unit.h"
@@ -314,8 +314,8 @@ static void put_distance(struct bits *bits, size_t distance) {
     put_bits(bits, place.extra, place.extra_bits);
 }
 
-/* The longest match, from the longest distance, from one that is longer than what is there, and from
- * those that do not exist and would be the longest. */
+/* The longest match, from the longest distance, from one that is longer than what is there, and
+ * from those that do not exist and would be the longest. */
 static void test_far_distances(void) {
     enum { FAR = 32768, MATCH = 258, BEFORE = 50000 };
     static uint8_t plain[BEFORE + MATCH];
@@ -471,8 +471,8 @@ static void test_empty_blocks(void) {
 
 /* ---- Streams that the compressor makes ---- */
 
-/* One byte; noise; bits; the words of a small language; far repetitions with changes; each value half
- * as frequent as the one before. */
+/* One byte; noise; bits; the words of a small language; far repetitions with changes; each value
+ * half as frequent as the one before. */
 enum data_kind { SAME, NOISE, BITS, WORDS, FAR, STEEP, DATA_KINDS };
 
 static void fill_data(uint8_t *data, size_t size, enum data_kind kind) {
@@ -501,8 +501,8 @@ static void fill_data(uint8_t *data, size_t size, enum data_kind kind) {
     }
 }
 
-/* Every stream gives back its data, behind what was there before; a short one that is cut off at any
- * byte gives an error. Sizes of more tokens than one block has, and of more than one window. */
+/* Every stream gives back its data, behind what was there before; a short one that is cut off at
+ * any byte gives an error. Sizes of more tokens than one block has, and of more than one window. */
 static void test_compress(void) {
     static const size_t sizes[] = {0,   1,   2,   3,    4,     5,      100,
                                    257, 258, 259, 2900, 32768, 140000, 300000};
@@ -593,8 +593,8 @@ static void test_compressed_sizes(void) {
     }
 }
 
-/* Noise, and among it bytes that are as frequent as Fibonacci's numbers (the end of the block is the
- * first 1): the best codes would have 17 bits. */
+/* Noise, and among it bytes that are as frequent as Fibonacci's numbers (the end of the block is
+ * the first 1): the best codes would have 17 bits. */
 static void test_limit_of_codes(void) {
     enum { SIZE = 16000 };
     static uint8_t data[SIZE];

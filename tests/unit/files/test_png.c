@@ -324,8 +324,8 @@ static void test_wrong_headers(void) {
 }
 
 /* A file of one pixel: chunks by letter and number of bytes, all 0. H header (13 are right), P
- * palette, T tRNS, D pixel, E end, o optional, X unknown, N without a name, Z of a length that lies.
- * `header` is what the header says behind the size. */
+ * palette, T tRNS, D pixel, E end, o optional, X unknown, N without a name, Z of a length that
+ * lies. `header` is what the header says behind the size. */
 static struct bytes make_file(const uint8_t header[5], const char *chunks, const uint8_t *pixel) {
     static const char letters[] = "HPTDEoXNZ";
     static const char *const types[] = {"IHDR", "PLTE", "tRNS", "IDAT", "IEND",

@@ -1,5 +1,5 @@
-/* The pipeline against independent answers: perspective, clipping, what is left out, and how. (Which
- * face shows at which pixel, and each pixel once: test_borders.c.) */
+/* The pipeline against independent answers: perspective, clipping, what is left out, and how.
+ * (Which face shows at which pixel, and each pixel once: test_borders.c.) */
 #include "oracle/oracle.h"
 #include "unit/frames.h"
 
