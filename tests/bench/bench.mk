@@ -28,7 +28,7 @@ HAS_MESA := $(shell $(FIND_MESA) && echo yes)
 endif
 SAY_WITHOUT_MESA = $(if $(HAS_MESA),,echo 'without llvmpipe: $(MESA_IS_MISSING)')
 MESA_OBJECTS = $(if $(HAS_MESA),$(addprefix $(BUILD)/tests/,bench/frame/llvmpipe.o \
-                   bench/opengl/context.o bench/opengl/picture.o), \
+                   bench/opengl/context.o), \
                    $(BUILD)/tests/bench/frame/without_llvmpipe.o)
 PEER_OBJECTS = $(addprefix $(BUILD)/tests/bench/frame/,child.o pairs.o scene.o vertices.o) \
                $(MESA_OBJECTS)
@@ -107,7 +107,7 @@ counts:
 COMPARED = $(patsubst tests/lessons/%/opengl.c,%,$(sort $(wildcard tests/lessons/*/opengl.c)))
 $(BUILD)/tests/bench/opengl/list.c: $(COMPARED:%=tests/lessons/%/opengl.c)
 	@mkdir -p $(@D)
-	@{ echo '#include "bench/opengl/compared.h"'; \
+	@{ echo '#include "bench/opengl/picture.h"'; \
 	   for step in $(COMPARED); do echo "extern const struct lesson lesson_$${step%%_*};"; done; \
 	   echo 'const struct lesson *const lessons[] = {'; \
 	   for step in $(COMPARED); do echo "    &lesson_$${step%%_*},"; done; echo '    NULL};'; } >$@

@@ -3,7 +3,6 @@
 #include "llvmpipe.h"
 
 #include "bench/opengl/context.h"
-#include "bench/opengl/picture.h"
 #include "vertices.h"
 
 #include <stdio.h>

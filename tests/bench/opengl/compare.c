@@ -1,450 +1,383 @@
 /*
- * Draws the scenes of steps 4 to 10 a second time, with OpenGL (Mesa, no window), from the same
- * meshes and matrices, and compares:
+ * Draws the scenes of lessons 4 to 10 a second time, with OpenGL (Mesa, no window), and compares:
  *
- *     compare-opengl [-o DIR] [--shift N] [model]
+ *     compare-opengl [DIR]
  *
- * -o writes both pictures of each scene as PNG; --shift moves Mesa's triangles by N/256 pixel, so
- * that one can see the comparison fail. Exit status 0: the same pixels are covered everywhere and
- * no level differs by more than LEVEL_BOUND; 1: something differs; 2: Mesa is missing.
+ * With DIR, Mesa's picture of each scene is written there as PNG. Exit status 0: the same pixels
+ * are covered everywhere and no value of a channel differs by more than 1; 1: something differs; 2:
+ * Mesa is missing.
  *
- * Each scene is drawn by Mesa twice. With the plain matrices Mesa places the corners itself, in
- * float: now and then one is snapped to the next 1/256 pixel, and a pixel or two change sides; more
- * than one in PLAIN_BOUND is an error. Told the positions that the course has snapped, Mesa must
- * cover the same pixels; all the rest is compared in this second picture.
+ * Mesa draws each scene twice. With the plain matrices it places the corners itself, in float: now
+ * and then it snaps one to the next 1/256 pixel, and a pixel or two change sides; more than one in
+ * PLAIN_BOUND is an error. Told the positions that the course has snapped, Mesa must cover the same
+ * pixels; everything else is compared in this second picture.
  *
  * Coverage is compared for every face, hidden ones too: at each pixel the number of faces that
- * cover it and the sum of their numbers must agree, and a pixel of the lesson's own picture must be
- * drawn exactly where Mesa draws one.
+ * cover it and the sum of their numbers must agree, a pixel of the lesson's own picture must be
+ * drawn exactly where Mesa draws one, and the nearest face must be the same.
  *
- * Levels are compared where both show the same face. Mesa computes with floats of 24 bits and the
- * course with doubles: a value close to a half may be rounded to the next level, which is the
- * LEVEL_BOUND of 1. Two cases are counted apart. Where two faces have the same depth as far as
- * float can tell, either may be seen. And where a formula jumps (nearest texel, toon step, the
- * edge of the light), the shader says so (see looks.c), and the pixel may fall on either side.
+ * Mesa computes with floats of 24 bits and the course with doubles: a value close to a half may be
+ * rounded to the next one. Where a formula jumps (nearest texel, toon step, the edge of the light),
+ * scene.glsl says so, and the pixel may be on either side; the table of scenes says how many may.
  */
 #define _POSIX_C_SOURCE 200809L /* clock_gettime */
-#include "compared.h"
-#include "files/png.h"
 #include "mesa.h"
-#include "reference.h"
-#include "run/stage.h"
 
 #include "bench/timing.h"
+#include "files/png.h"
+#include "run/stage.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#ifndef COURSE_BUILD
-#define COURSE_BUILD "build"
-#endif
-
 enum { STATUS_SAME = 0, STATUS_DIFFERENT = 1, STATUS_MISSING = 2 };
-enum { LEVEL_BOUND = 1 };
-/* With the plain matrices one pixel of so many may be covered differently. */
-enum { PLAIN_BOUND = 500 };
-enum { REPEATS = 15 };
+enum { PLAIN_BOUND = 500, REPEATS = 15 };
 
-/* Depths in float that are this near to each other, as a part of their size, count as equal. */
-static const double depth_tolerance = 2e-6;
-
-struct options {
-    const char *directory; /* NULL: write no pictures */
-    const char *model;
-    int shift; /* 1/256 pixel */
+/* Pixels that are counted, over all frames of a scene. */
+enum count {
+    COVERED,        /* show a face */
+    LAYERS,         /* of all faces, hidden ones too */
+    PLAIN_COVERAGE, /* covered differently when Mesa places the corners itself */
+    COVERAGE,       /* and when it is told the snapped positions */
+    OTHER_FACE,     /* another face is seen */
+    AT_JUMP,        /* a value differs by more than 1 at a jump */
+    BEYOND_BOUND,   /* and where there is no jump */
+    DIFFERENT,      /* a value differs by any amount, other than at a jump */
+    COUNTS
 };
 
-/* What was found in one scene, over all its frames. */
 struct findings {
-    size_t covered;         /* pixels that show a face */
-    size_t layers;          /* pixels of all faces, hidden ones too */
-    size_t plain_coverage;  /* pixels covered differently when Mesa places the corners itself */
-    size_t coverage;        /* and when it is told the snapped positions */
-    size_t equal_depth;     /* another face is seen, at the same depth in float */
-    size_t wrong_face;      /* another face is seen, at another depth */
-    size_t at_jump;         /* levels differ by more than LEVEL_BOUND at a jump */
-    size_t beyond_bound;    /* and where there is no jump */
-    size_t different;       /* levels differ by any amount, other than at a jump */
-    int largest_difference; /* of levels, other than at a jump */
+    size_t count[COUNTS];
+    int largest; /* difference of values, other than at a jump */
     double ours_ms, mesa_ms;
 };
 
-/* ---- A scene and what belongs to it while it is compared ---- */
-
-struct subject {
-    const struct lesson *lesson;
+struct comparison {
+    struct mesa mesa;
+    const char *directory; /* for pictures; or NULL */
+    struct error error;
+    struct findings total;
+    bool good;
+    /* Of the scene that is compared. */
+    const struct compared_scene *scene;
     struct stage stage;
-    struct image image; /* the lesson's own picture */
-    bool *covered;      /* one a pixel: does the lesson show a face there? */
+    struct image image;
     struct picture picture;
+    struct seen ours, mesas; /* what the lesson draws; what Mesa draws */
+    struct findings found;
+    size_t pixel_count;
 };
 
-/* The lesson's own picture, over a background that is all black or all white. */
-static bool draw_over(struct subject *s, uint8_t level, struct error *error) {
-    memset(s->image.pixels, level, s->image.width * s->image.height * s->image.format);
-    s->stage.drawing.counter_count = 0;
-    return stage_draw(&s->stage, &s->image, s->stage.drawing.frame, error);
+/* ---- The lesson's own picture ---- */
+
+/* Over a background that is all black or all white. */
+static bool draw_over(struct comparison *c, uint8_t value) {
+    memset(c->image.pixels, value, c->pixel_count * c->image.format);
+    c->stage.drawing.counter_count = 0;
+    return stage_draw(&c->stage, &c->image, c->stage.drawing.frame, &c->error);
 }
 
-/* Draw the lesson's own picture and find which pixels it has drawn. */
-static bool draw_ours(struct subject *s, struct error *error) {
-    size_t pixel_count = s->image.width * s->image.height, format = s->image.format;
-    struct image over_white = {0};
-    bool done = draw_over(s, 255, error) && image_copy(&over_white, &s->image, error) &&
-                draw_over(s, 0, error);
-    for (size_t i = 0; done && i < pixel_count; i++) {
-        bool same =
-            memcmp(over_white.pixels + i * format, s->image.pixels + i * format, format) == 0;
-        s->covered[i] =
-            s->lesson->covered != NULL ? s->lesson->covered(&s->stage.drawing, &s->image, i) : same;
+/* Which pixels it has drawn: those that are the same over black and over white. */
+static bool draw_lesson(struct comparison *c) {
+    const size_t format = c->image.format;
+    struct image white = {0};
+    bool done = draw_over(c, 255) && image_copy(&white, &c->image, &c->error) && draw_over(c, 0);
+    for (size_t i = 0; done && i < c->pixel_count; i++) {
+        const uint8_t *bgr = c->image.pixels + i * format;
+        bool drawn = c->scene->fills ? c->stage.drawing.depth[i] > -INFINITY
+                                     : memcmp(bgr, white.pixels + i * format, format) == 0;
+        c->ours.pixels[i] =
+            (struct rgba){bgr[format == IMAGE_GREY ? 0 : 2], bgr[format == IMAGE_GREY ? 0 : 1],
+                          bgr[0], drawn ? 255 : 0};
     }
-    image_free(&over_white);
+    image_free(&white);
     return done;
+}
+
+/* All faces by the course's edges. */
+static void cover(struct comparison *c, const struct gl_part *part, const struct gl_corner *v,
+                  const struct edges *edges) {
+    const struct rectangle *r = &part->viewport;
+    const struct span columns = {r->x, r->x + r->width};
+    const struct span rows = span_overlap((struct span){edges->y_begin, edges->y_end},
+                                          (struct span){r->y, r->y + r->height});
+    for (int y = rows.begin; y < rows.end; y++) {
+        struct span span = span_overlap(edges_span(edges, y), columns);
+        for (int x = span.begin; x < span.end; x++) {
+            size_t i = (size_t)y * c->picture.width + (size_t)x;
+            double depth =
+                interpolate_depth(edges_weights(edges, x, y), v[0].depth, v[1].depth, v[2].depth);
+            c->ours.layers[i][0] += 1;
+            c->ours.layers[i][1] += v->face;
+            if (part->no_depth_test || depth > c->ours.depths[i]) {
+                c->ours.faces[i] = v->face;
+                c->ours.depths[i] = depth;
+            }
+        }
+    }
+}
+
+static void cover_all(struct comparison *c) {
+    const struct picture *picture = &c->picture;
+    for (size_t i = 0; i < picture->part_count; i++) {
+        const struct gl_part *part = &picture->parts[i];
+        for (size_t k = part->first; k < part->first + part->count; k += 3) {
+            const struct gl_corner *v = &picture->corners[k];
+            struct edges edges;
+            if (edges_setup(&edges, v[0].screen, v[1].screen, v[2].screen, picture->width,
+                            picture->height) &&
+                part->cull != (edges.clockwise ? CULL_BACK : CULL_FRONT)) {
+                cover(c, part, v, &edges);
+            }
+        }
+    }
 }
 
 /* ---- Comparing ---- */
 
-/* Step 5 shows depth as grey: the farthest that is seen is 55, the nearest 255, nothing 0. The same
- * for what Mesa's depth buffer holds. */
-static void show_depths(const float *depths, size_t pixel_count, uint8_t *pixels) {
-    float far = 1, near = 0;
-    for (size_t i = 0; i < pixel_count; i++) {
-        if (depths[i] > 0) {
-            far = depths[i] < far ? depths[i] : far;
-            near = depths[i] > near ? depths[i] : near;
-        }
+/* Lesson 5 shows depth as grey: the farthest that is seen is 55, the nearest 255, nothing 0. The
+ * same for Mesa's depths. */
+static void show_depths(struct comparison *c) {
+    const double *depths = c->mesas.depths;
+    double far = 1, near = 0;
+    for (size_t i = 0; i < c->pixel_count; i++) {
+        far = depths[i] > 0 ? fmin(far, depths[i]) : far;
+        near = fmax(near, depths[i]);
     }
-    for (size_t i = 0; i < pixel_count; i++) {
-        double level = 55 + ((double)depths[i] - far) * 200 / (near > far ? near - far : 1);
-        memset(pixels + 4 * i, depths[i] > 0 ? level_from(level) : 0, 3);
+    for (size_t i = 0; i < c->pixel_count; i++) {
+        double value = 55 + (depths[i] - far) * 200 / (near > far ? near - far : 1);
+        memset(&c->mesas.pixels[i], depths[i] > 0 ? level_from(value) : 0, 3);
     }
 }
 
-static bool coverage_differs(const struct subject *s, const struct reference *ours,
-                             const struct mesa_result *mesa, size_t pixel) {
-    return s->covered[pixel] != (mesa->pixels[4 * pixel + 3] != 0) ||
-           s->covered[pixel] != (ours->faces[pixel] > 0) ||
-           ours->layers[pixel][0] != mesa->layers[pixel][0] ||
-           ours->layers[pixel][1] != mesa->layers[pixel][1];
-}
-
-static size_t count_coverage(const struct subject *s, const struct reference *ours,
-                             const struct mesa_result *mesa) {
+static size_t count_coverage(const struct comparison *c) {
+    const struct seen *ours = &c->ours, *mesas = &c->mesas;
     size_t different = 0;
-    for (size_t i = 0; i < s->picture.width * s->picture.height; i++) {
-        different += coverage_differs(s, ours, mesa, i);
+    for (size_t i = 0; i < c->pixel_count; i++) {
+        bool drawn = ours->pixels[i].a > 0;
+        different += drawn != (mesas->pixels[i].a > 0) || drawn != (ours->faces[i] > 0) ||
+                     ours->layers[i][0] != mesas->layers[i][0] ||
+                     ours->layers[i][1] != mesas->layers[i][1];
     }
     return different;
 }
 
-/* The largest difference of the three channels. Mesa's pixels are red, green, blue, alpha. */
-static int level_difference(const struct image *ours, const struct mesa_result *mesa,
-                            size_t pixel) {
-    int largest = 0;
-    for (size_t channel = 0; channel < 3; channel++) {
-        size_t in_ours = ours->format == IMAGE_GREY ? 0 : 2 - channel;
-        int difference = abs((int)ours->pixels[pixel * ours->format + in_ours] -
-                             (int)mesa->pixels[4 * pixel + channel]);
-        largest = difference > largest ? difference : largest;
-    }
-    return largest;
+static int value_difference(struct rgba p, struct rgba q) {
+    int red = abs(p.r - q.r), green = abs(p.g - q.g), blue = abs(p.b - q.b);
+    int larger = red > green ? red : green;
+    return larger > blue ? larger : blue;
 }
 
-/* Everything that is compared with the snapped positions. */
-static void compare(const struct subject *s, const struct reference *ours,
-                    const struct mesa_result *mesa, struct findings *f) {
-    f->coverage += count_coverage(s, ours, mesa);
-    for (size_t i = 0; i < s->picture.width * s->picture.height; i++) {
-        f->layers += (size_t)ours->layers[i][0];
-        if (!s->covered[i] || mesa->pixels[4 * i + 3] == 0) {
+static void compare_pixels(struct comparison *c) {
+    struct findings *f = &c->found;
+    for (size_t i = 0; i < c->pixel_count; i++) {
+        const struct rgba ours = c->ours.pixels[i], mesas = c->mesas.pixels[i];
+        int difference = value_difference(ours, mesas);
+        f->count[LAYERS] += (size_t)c->ours.layers[i][0];
+        if (ours.a == 0 || mesas.a == 0) {
             continue;
         }
-        f->covered++;
-        if (ours->faces[i] != mesa->faces[i]) {
-            double distance = fabs(ours->depths[i] - (double)mesa->depths[i]);
-            bool equal = distance <= depth_tolerance * ours->depths[i];
-            f->equal_depth += equal;
-            f->wrong_face += !equal;
-            continue;
+        f->count[COVERED]++;
+        if (c->ours.faces[i] != c->mesas.faces[i]) {
+            f->count[OTHER_FACE]++;
+        } else if (difference > 1 && mesas.a == 254) {
+            f->count[AT_JUMP]++;
+        } else {
+            f->count[BEYOND_BOUND] += difference > 1;
+            f->count[DIFFERENT] += difference > 0;
+            f->largest = difference > f->largest ? difference : f->largest;
         }
-        int difference = level_difference(&s->image, mesa, i);
-        bool at_jump = mesa->pixels[4 * i + 3] == 254;
-        if (difference > LEVEL_BOUND && at_jump) {
-            f->at_jump++;
-            continue;
-        }
-        f->beyond_bound += difference > LEVEL_BOUND;
-        f->different += difference > 0;
-        f->largest_difference =
-            difference > f->largest_difference ? difference : f->largest_difference;
     }
-}
-
-/* ---- Pictures for the eye ---- */
-
-static bool save_mesa(const struct subject *s, const struct mesa_result *mesa, const char *path,
-                      struct error *error) {
-    struct image image;
-    if (!image_create(&image, s->picture.width, s->picture.height, IMAGE_BGR, error)) {
-        return false;
-    }
-    for (size_t i = 0; i < image.width * image.height; i++) {
-        const uint8_t *rgb = mesa->pixels + 4 * i;
-        memcpy(image.pixels + 3 * i, (const uint8_t[3]){rgb[2], rgb[1], rgb[0]}, 3);
-    }
-    bool done = png_write(&image, path, error);
-    image_free(&image);
-    return done;
-}
-
-static bool save_both(const struct subject *s, const struct mesa_result *mesa,
-                      const char *directory, struct error *error) {
-    char ours_path[1024], mesa_path[1024];
-    const char *step = s->lesson->program->name, *scene = s->stage.scene.name;
-    snprintf(ours_path, sizeof ours_path, "%s/%s_%s_course.png", directory, step, scene);
-    snprintf(mesa_path, sizeof mesa_path, "%s/%s_%s_mesa.png", directory, step, scene);
-    return png_write(&s->image, ours_path, error) && save_mesa(s, mesa, mesa_path, error);
 }
 
 /* ---- One scene ---- */
 
-static double median_ms(double times[REPEATS]) {
-    sort_doubles(times, REPEATS);
-    return 1e3 * quantile(times, REPEATS, 0.5);
+/* Mesa's picture, for the eye. */
+static bool save(struct comparison *c) {
+    const int width = (int)c->image.width;
+    char path[1024];
+    for (int i = 0; i < (int)c->pixel_count; i++) {
+        const struct rgba p = c->mesas.pixels[i];
+        image_set(&c->image, i % width, i / width, color_rgb(p.r, p.g, p.b));
+    }
+    snprintf(path, sizeof path, "%s/%s_%s.png", c->directory, c->stage.program->name,
+             c->scene->name);
+    return png_write(&c->image, path, &c->error);
 }
 
-static bool time_ours(struct subject *s, double *ms, struct error *error) {
-    double times[REPEATS];
+/* The medians of several drawings, which take turns. Mesa draws with the plain matrices, as a
+ * program would. Reading the depths back and showing them is part of its time. */
+static bool measure(struct comparison *c) {
+    double ours[REPEATS], mesas[REPEATS];
     for (int i = 0; i < REPEATS; i++) {
         double begin = now();
-        if (!draw_over(s, 0, error)) {
+        if (!draw_over(c, 0)) {
             return false;
         }
-        times[i] = now() - begin;
+        double middle = now();
+        mesa_draw(&c->mesa, false);
+        if (c->scene->shows_depth) {
+            mesa_read_depths(&c->mesa, &c->mesas);
+            show_depths(c);
+        }
+        mesas[i] = now() - middle;
+        ours[i] = middle - begin;
     }
-    *ms = median_ms(times);
+    sort_doubles(ours, REPEATS);
+    sort_doubles(mesas, REPEATS);
+    c->found.ours_ms = 1e3 * quantile(ours, REPEATS, 0.5);
+    c->found.mesa_ms = 1e3 * quantile(mesas, REPEATS, 0.5);
     return true;
 }
 
-/* With the plain matrices, as a program that uses OpenGL would draw. The picture of the depths is
- * made of what is read back, which is part of its time. */
-static void time_mesa(const struct subject *s, struct mesa *mesa, struct mesa_result *result,
-                      double *ms) {
-    double times[REPEATS];
-    mesa_draw(mesa, &s->picture, POSITIONS_WHOLE); /* compiles the shaders for this state */
-    for (int i = 0; i < REPEATS; i++) {
-        double begin = now();
-        mesa_draw(mesa, &s->picture, POSITIONS_WHOLE);
-        if (s->picture.shows_depth) {
-            mesa_read_depths(mesa, &s->picture, result->depths);
-            show_depths(result->depths, s->picture.width * s->picture.height, result->pixels);
-        }
-        times[i] = now() - begin;
+/* Both pictures of the frame that is loaded. */
+static bool compare_loaded(struct comparison *c) {
+    cover_all(c);
+    if (!mesa_draw_all(&c->mesa, false, &c->mesas)) {
+        return false;
     }
-    *ms = median_ms(times);
+    c->found.count[PLAIN_COVERAGE] += count_coverage(c);
+    if (!mesa_draw_all(&c->mesa, true, &c->mesas)) {
+        return false;
+    }
+    if (c->scene->shows_depth) {
+        show_depths(c);
+    }
+    c->found.count[COVERAGE] += count_coverage(c);
+    compare_pixels(c);
+    return c->stage.drawing.frame > 0 || ((c->directory == NULL || save(c)) && measure(c));
 }
 
-/* Draw the picture that is loaded both ways and compare. */
-static bool compare_loaded(struct subject *s, struct mesa *mesa, const struct options *options,
-                           struct findings *f, struct error *error) {
-    size_t pixel_count = s->picture.width * s->picture.height;
-    struct reference ours = {0};
-    struct mesa_result plain = {0}, snapped = {0};
-    bool done = reference_draw(&ours, &s->picture, error) &&
-                mesa_draw_and_read(mesa, &s->picture, POSITIONS_WHOLE, &plain, error) &&
-                mesa_draw_and_read(mesa, &s->picture, POSITIONS_SNAPPED, &snapped, error);
-    if (!done) {
-        goto end;
-    }
-    if (s->picture.shows_depth) {
-        show_depths(snapped.depths, pixel_count, snapped.pixels);
-    }
-    f->plain_coverage += count_coverage(s, &ours, &plain);
-    compare(s, &ours, &snapped, f);
-    if (s->stage.drawing.frame == 0) {
-        done = options->directory == NULL || save_both(s, &snapped, options->directory, error);
-        time_mesa(s, mesa, &plain, &f->mesa_ms);
-        done = done && time_ours(s, &f->ours_ms, error);
-    }
-end:
-    reference_free(&ours);
-    mesa_result_free(&plain);
-    mesa_result_free(&snapped);
+static bool compare_frame(struct comparison *c) {
+    c->picture = (struct picture){
+        .width = c->image.width,
+        .height = c->image.height,
+        .drawing = &c->stage.drawing,
+        .image = &c->image,
+        .draw = c->stage.scene.draw,
+        .error = &c->error,
+    };
+    bool done = seen_create(&c->ours, c->pixel_count, &c->error) &&
+                seen_create(&c->mesas, c->pixel_count, &c->error) && draw_lesson(c) &&
+                c->scene->build(&c->picture) && mesa_load(&c->mesa, &c->picture) &&
+                compare_loaded(c);
+    picture_free(&c->picture);
+    seen_free(&c->ours);
+    seen_free(&c->mesas);
     return done;
 }
 
-static bool compare_frame(struct subject *s, struct mesa *mesa, const struct options *options,
-                          struct findings *f, struct error *error) {
-    s->picture = (struct picture){
-        .width = s->image.width, .height = s->image.height, .shift = options->shift};
-    bool done =
-        draw_ours(s, error) &&
-        s->lesson->build(s->stage.scene.name, &s->stage.drawing, &s->image, &s->picture, error) &&
-        mesa_load(mesa, &s->picture, error) && compare_loaded(s, mesa, options, f, error);
-    mesa_unload(mesa);
-    picture_free(&s->picture);
-    return done;
-}
-
-static bool compare_scene(const struct lesson *lesson, const struct scene *given, struct run *run,
-                          struct mesa *mesa, const struct options *options, struct findings *f,
-                          struct error *error) {
-    struct scene scene = scene_complete(lesson->program, given);
-    struct subject s = {.lesson = lesson};
-    if (lesson->left_out(scene.name) != NULL) {
-        /* cppcheck-suppress assignBoolToPointer */
-        scene.draw = lesson->rest(scene.name);
-    }
-    s.covered = calloc(scene.width * scene.height, sizeof *s.covered);
-    bool done = s.covered != NULL || error_out_of_memory(error);
-    done = done && image_create(&s.image, scene.width, scene.height, scene.format, error) &&
-           stage_begin(&s.stage, run, &scene, scene.width, scene.height, error);
+static bool draw_frames(struct comparison *c, struct run *run, const struct scene *given) {
+    struct scene scene = scene_complete(run->program, given);
+    scene.draw = c->scene->rest != NULL ? c->scene->rest : scene.draw;
+    c->pixel_count = scene.width * scene.height;
+    c->found = (struct findings){0};
+    bool done = image_create(&c->image, scene.width, scene.height, scene.format, &c->error) &&
+                stage_begin(&c->stage, run, &scene, scene.width, scene.height, &c->error);
     for (size_t i = 0; done && i < scene.frames; i++) {
-        s.stage.drawing.frame = i;
-        done = compare_frame(&s, mesa, options, f, error);
+        c->stage.drawing.frame = i;
+        done = compare_frame(c);
     }
-    stage_end(&s.stage);
-    image_free(&s.image);
-    free(s.covered);
+    stage_end(&c->stage);
+    image_free(&c->image);
     return done;
 }
 
 /* ---- All scenes ---- */
 
-static bool findings_are_good(const struct findings *f) {
-    return f->coverage == 0 && f->wrong_face == 0 && f->beyond_bound == 0 && f->covered > 0 &&
-           f->plain_coverage * PLAIN_BOUND <= f->covered;
-}
-
-static void print_findings(const char *step, const char *scene, const struct findings *f) {
-    printf("%s %s: coverage differs in %zu pixels, largest level difference %d (in %zu of %zu "
-           "pixels), ours %.2f ms, Mesa %.2f ms",
-           step, scene, f->coverage, f->largest_difference, f->different, f->covered, f->ours_ms,
-           f->mesa_ms);
-    printf("; with plain matrices coverage differs in %zu", f->plain_coverage);
-    if (f->equal_depth > 0) {
-        printf("; another face at equal depth in %zu", f->equal_depth);
-    }
-    if (f->at_jump > 0) {
-        printf("; other side of a jump in %zu", f->at_jump);
-    }
-    if (f->wrong_face > 0) {
-        printf("; WRONG FACE in %zu", f->wrong_face);
-    }
-    if (f->beyond_bound > 0) {
-        printf("; MORE THAN %d LEVEL in %zu", LEVEL_BOUND, f->beyond_bound);
-    }
-    printf("\n");
+static void print_findings(const char *lesson, const char *scene, const struct findings *f,
+                           bool good) {
+    const size_t *count = f->count;
+    printf("%s %s: coverage differs in %zu pixels, largest difference %d (in %zu of %zu pixels, "
+           "%zu with hidden faces), ours %.2f ms, Mesa %.2f ms; with plain matrices coverage "
+           "differs in %zu; other side of a jump in %zu; more than 1 in %zu, other face in %zu%s\n",
+           lesson, scene, count[COVERAGE], f->largest, count[DIFFERENT], count[COVERED],
+           count[LAYERS], f->ours_ms, f->mesa_ms, count[PLAIN_COVERAGE], count[AT_JUMP],
+           count[BEYOND_BOUND], count[OTHER_FACE], good ? "" : ": WRONG");
     fflush(stdout);
 }
 
-static void add_findings(struct findings *total, const struct findings *f) {
-    total->covered += f->covered;
-    total->layers += f->layers;
-    total->plain_coverage += f->plain_coverage;
-    total->coverage += f->coverage;
-    total->equal_depth += f->equal_depth;
-    total->wrong_face += f->wrong_face;
-    total->at_jump += f->at_jump;
-    total->beyond_bound += f->beyond_bound;
-    total->different += f->different;
-    total->largest_difference = f->largest_difference > total->largest_difference
-                                    ? f->largest_difference
-                                    : total->largest_difference;
+/* Are they as the table of scenes has it? */
+static bool findings_are_good(const struct comparison *c) {
+    const size_t *count = c->found.count, jumps = c->scene->jumps > 0 ? c->scene->jumps : 1;
+    return count[COVERAGE] == 0 && count[OTHER_FACE] == 0 && count[BEYOND_BOUND] == 0 &&
+           count[COVERED] > 0 && count[PLAIN_COVERAGE] * PLAIN_BOUND <= count[COVERED] &&
+           count[AT_JUMP] * 10000 <= count[COVERED] * jumps;
 }
 
-static bool compare_lesson(const struct lesson *lesson, struct mesa *mesa,
-                           const struct options *options, struct findings *total, bool *good,
-                           struct error *error) {
-    struct program program = *lesson->program;
-    struct run run = {.program = &program, .input = options->model};
+static void add_to_total(struct comparison *c) {
+    for (int i = 0; i < COUNTS; i++) {
+        c->total.count[i] += c->found.count[i];
+    }
+    c->total.ours_ms += c->found.ours_ms;
+    c->total.mesa_ms += c->found.mesa_ms;
+    c->total.largest = c->found.largest > c->total.largest ? c->found.largest : c->total.largest;
+}
+
+static bool compare_scene(struct comparison *c, const struct lesson *lesson, struct run *run,
+                          const struct scene *scene) {
+    const char *name = lesson->program->name;
+    c->scene = lesson->scenes;
+    while (c->scene->name != NULL && strcmp(c->scene->name, scene->name) != 0) {
+        c->scene++;
+    }
+    if (c->scene->left_out != NULL) {
+        printf("%s %s: %s: %s\n", name, scene->name,
+               c->scene->build != NULL ? "left out" : "not compared", c->scene->left_out);
+    }
+    if (c->scene->build == NULL) {
+        return c->scene->left_out != NULL ||
+               error_set(&c->error, "scene %s is missing in the table of opengl.c", scene->name);
+    }
+    if (!draw_frames(c, run, scene)) {
+        return false;
+    }
+    bool good = findings_are_good(c);
+    print_findings(name, scene->name, &c->found, good);
+    c->good = c->good && good;
+    add_to_total(c);
+    return true;
+}
+
+static bool compare_lesson(struct comparison *c, const struct lesson *lesson) {
+    struct run run = {.program = lesson->program};
     bool done = true;
-    program.state_size =
-        lesson->state_size > program.state_size ? lesson->state_size : program.state_size;
-    for (size_t i = 0; done && i < program.scene_count; i++) {
-        const struct scene *scene = &program.scenes[i];
-        const char *left_out = lesson->left_out(scene->name);
-        const char *skipped = lesson->skipped != NULL ? lesson->skipped(scene->name) : NULL;
-        struct findings found = {0};
-        if (scene->extra) {
-            continue;
-        }
-        if (skipped != NULL) {
-            printf("%s %s: not compared: %s\n", program.name, scene->name, skipped);
-            continue;
-        }
-        if (left_out != NULL) {
-            printf("%s %s: left out: %s\n", program.name, scene->name, left_out);
-        }
-        if (left_out != NULL && lesson->rest == NULL) {
-            continue;
-        }
-        done = compare_scene(lesson, scene, &run, mesa, options, &found, error);
-        if (done) {
-            print_findings(program.name, scene->name, &found);
-            *good = *good && findings_are_good(&found);
-            add_findings(total, &found);
-        }
+    for (size_t i = 0; done && i < lesson->program->scene_count; i++) {
+        const struct scene *scene = &lesson->program->scenes[i];
+        done = scene->extra || compare_scene(c, lesson, &run, scene);
     }
     run_free(&run);
     return done;
 }
 
-static int compare_all(struct mesa *mesa, const struct options *options) {
-    struct findings total = {0};
-    bool good = true;
-    struct error error = {0};
-    printf("%s\n", mesa_name(mesa));
+static int compare_all(struct comparison *c) {
+    printf("%s\n", c->mesa.context.name);
     for (size_t i = 0; lessons[i] != NULL; i++) {
-        if (!compare_lesson(lessons[i], mesa, options, &total, &good, &error)) {
-            fprintf(stderr, "compare-opengl: %s: %s\n", lessons[i]->program->name, error.message);
+        if (!compare_lesson(c, lessons[i])) {
+            fprintf(stderr, "compare-opengl: %s: %s\n", lessons[i]->program->name,
+                    c->error.message);
             return STATUS_DIFFERENT;
         }
     }
-    printf("total: coverage differs in %zu of %zu pixels (%zu with hidden faces), largest level "
-           "difference %d (in %zu pixels); with plain matrices coverage differs in %zu; another "
-           "face at equal depth in %zu; other side of a jump in %zu\n",
-           total.coverage, total.covered, total.layers, total.largest_difference, total.different,
-           total.plain_coverage, total.equal_depth, total.at_jump);
+    print_findings("all", "scenes", &c->total, c->good);
     printf("Times: medians of %d draws on this machine, both on the CPU. Mesa's are with the plain "
            "matrices;\nthe light at corners is computed beforehand for Mesa, and in our time.\n",
            REPEATS);
-    return good ? STATUS_SAME : STATUS_DIFFERENT;
-}
-
-static bool parse_options(int argc, char **argv, struct options *options) {
-    *options = (struct options){0};
-    for (int i = 1; i < argc; i++) {
-        if (strcmp(argv[i], "-o") == 0 && i + 1 < argc) {
-            options->directory = argv[++i];
-        } else if (strcmp(argv[i], "--shift") == 0 && i + 1 < argc) {
-            options->shift = (int)strtol(argv[++i], NULL, 10);
-        } else if (argv[i][0] != '-' && i + 1 == argc) {
-            options->model = argv[i];
-        } else {
-            return false;
-        }
-    }
-    return true;
+    return c->good ? STATUS_SAME : STATUS_DIFFERENT;
 }
 
 int main(int argc, char **argv) {
-    struct options options;
-    struct error error = {0};
-    if (!parse_options(argc, argv, &options)) {
-        fprintf(stderr, "usage: compare-opengl [-o DIR] [--shift N] [model]\n");
-        return STATUS_MISSING;
-    }
-    struct mesa *mesa = mesa_open(&error);
-    if (mesa == NULL) {
+    struct comparison c = {.good = true, .directory = argc > 1 ? argv[1] : NULL};
+    int status = STATUS_MISSING;
+    if (mesa_open(&c.mesa, &c.error)) {
+        status = compare_all(&c);
+    } else {
         fprintf(stderr,
                 "compare-opengl: %s\nInstall Mesa; on Debian: apt-get install libegl-dev libgl-dev "
                 "libegl-mesa0 libgl1-mesa-dri\n",
-                error.message);
-        return STATUS_MISSING;
+                c.error.message);
     }
-    int status = compare_all(mesa, &options);
-    mesa_close(mesa);
+    mesa_close(&c.mesa);
     return status;
 }

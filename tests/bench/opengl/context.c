@@ -9,14 +9,6 @@
 
 /* ---- The context ---- */
 
-static EGLDisplay open_display(void) {
-    PFNEGLGETPLATFORMDISPLAYEXTPROC get_display =
-        (PFNEGLGETPLATFORMDISPLAYEXTPROC)eglGetProcAddress("eglGetPlatformDisplayEXT");
-    return get_display == NULL
-               ? EGL_NO_DISPLAY
-               : get_display(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, NULL);
-}
-
 static void choose_llvmpipe(void) {
     setenv("LIBGL_ALWAYS_SOFTWARE", "1", 1);
     setenv("GALLIUM_DRIVER", "llvmpipe", 1);
@@ -26,25 +18,25 @@ static void choose_llvmpipe(void) {
 }
 
 bool gl_context_open(struct gl_context *c, struct error *error) {
-    static const EGLint attributes[] = {
-        EGL_CONTEXT_MAJOR_VERSION,
-        4,
-        EGL_CONTEXT_MINOR_VERSION,
-        5,
-        EGL_CONTEXT_OPENGL_PROFILE_MASK,
-        EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
-        EGL_NONE,
-    };
+    static const EGLint attributes[] = {EGL_CONTEXT_MAJOR_VERSION,
+                                        4,
+                                        EGL_CONTEXT_MINOR_VERSION,
+                                        5,
+                                        EGL_CONTEXT_OPENGL_PROFILE_MASK,
+                                        EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+                                        EGL_NONE};
     choose_llvmpipe();
-    *c = (struct gl_context){.display = open_display(), .context = EGL_NO_CONTEXT};
+    *c = (struct gl_context){
+        .display = eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, NULL),
+        .context = EGL_NO_CONTEXT,
+    };
     if (c->display == EGL_NO_DISPLAY || !eglInitialize(c->display, NULL, NULL)) {
         return error_set(error,
                          "EGL has no display without a window (Mesa's surfaceless platform)");
     }
-    if (!eglBindAPI(EGL_OPENGL_API)) {
-        return error_set(error, "EGL has no OpenGL");
+    if (eglBindAPI(EGL_OPENGL_API)) {
+        c->context = eglCreateContext(c->display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes);
     }
-    c->context = eglCreateContext(c->display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes);
     if (c->context == EGL_NO_CONTEXT ||
         !eglMakeCurrent(c->display, EGL_NO_SURFACE, EGL_NO_SURFACE, c->context)) {
         return error_set(error, "EGL cannot make a context of OpenGL 4.5");
@@ -67,6 +59,7 @@ void gl_context_close(struct gl_context *c) {
 
 /* ---- Shaders ---- */
 
+/* 0, with a message, for a shader that does not compile. */
 static GLuint compile(GLenum kind, const char *const *parts, size_t count, struct error *error) {
     GLuint shader = glCreateShader(kind);
     GLint compiled = GL_FALSE;
@@ -83,31 +76,24 @@ static GLuint compile(GLenum kind, const char *const *parts, size_t count, struc
     return shader;
 }
 
-static GLuint link_program(GLuint vertex, GLuint fragment, struct error *error) {
-    GLuint program = glCreateProgram();
-    GLint linked = GL_FALSE;
-    glAttachShader(program, vertex);
-    glAttachShader(program, fragment);
-    glLinkProgram(program);
-    glGetProgramiv(program, GL_LINK_STATUS, &linked);
-    if (linked == GL_FALSE) {
-        char log[512];
-        glGetProgramInfoLog(program, sizeof log, NULL, log);
-        error_set(error, "shaders cannot be linked: %s", log);
-        glDeleteProgram(program);
-        return 0;
-    }
-    return program;
-}
-
 GLuint gl_make_program(const char *const *vertex_parts, const char *const *fragment_parts,
                        size_t count, struct error *error) {
     GLuint vertex = compile(GL_VERTEX_SHADER, vertex_parts, count, error);
     GLuint fragment = vertex != 0 ? compile(GL_FRAGMENT_SHADER, fragment_parts, count, error) : 0;
-    GLuint program = fragment != 0 ? link_program(vertex, fragment, error) : 0;
+    GLuint program = glCreateProgram();
+    GLint linked = GL_FALSE;
+    if (fragment != 0) {
+        char log[512];
+        glAttachShader(program, vertex);
+        glAttachShader(program, fragment);
+        glLinkProgram(program);
+        glGetProgramiv(program, GL_LINK_STATUS, &linked);
+        glGetProgramInfoLog(program, sizeof log, NULL, log);
+        error_set(error, "shaders cannot be linked: %s", log);
+    }
     glDeleteShader(vertex);
     glDeleteShader(fragment);
-    return program;
+    return linked != GL_FALSE ? program : 0;
 }
 
 /* ---- Conventions ---- */
@@ -119,6 +105,13 @@ void gl_use_conventions(void) {
     glClipControl(GL_UPPER_LEFT, GL_ZERO_TO_ONE);
     glFrontFace(GL_CW);
     glDepthFunc(GL_GREATER);
+}
+
+struct mat4 perspective_clip(struct mat4 to_clip) {
+    for (int column = 0; column < 4; column++) {
+        to_clip.m[2][column] = column == 3 ? NEAR_W : 0;
+    }
+    return to_clip;
 }
 
 void gl_set_vec3(GLuint program, const char *name, struct vec3 v) {

@@ -36,6 +36,13 @@ GLuint gl_make_program(const char *const *vertex_parts, const char *const *fragm
  * top-left rule names; front faces and depth are those of the course. */
 void gl_use_conventions(void);
 
+/* In perspective the course's z/w grows with 1/w, so 1/w may stand for it: NEAR_W / w is 0..1 and
+ * keeps a float's precision at all distances. Here NEAR_W is where the course cuts. */
+#define NEAR_W (1.0 / 128)
+
+/* The course's matrix with that as its depth. */
+struct mat4 perspective_clip(struct mat4 to_clip);
+
 /* Set a uniform of the program in use. */
 void gl_set_vec3(GLuint program, const char *name, struct vec3 v);
 void gl_set_matrix(GLuint program, const char *name, const struct mat4 *matrix);

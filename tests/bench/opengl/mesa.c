@@ -1,133 +1,111 @@
-/* Mesa without a window: see mesa.h. */
+/* Mesa draws a picture: see mesa.h. */
 #include "mesa.h"
 
-#include "context.h"
-#include "looks.h"
+#include "base/file.h"
 
+#include <assert.h>
+#include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
-enum { TEXTURE_LIMIT = 4, UNIFORM_TEXTURES = 3 };
+/* ---- Begin and end ---- */
 
-struct mesa {
-    struct gl_context context;
-    GLuint programs[LOOK_COUNT], layer_program;
-    /* The picture that is loaded. */
-    GLuint vertex_array;
-    GLuint *buffers; /* two a batch: whole and snapped */
-    size_t buffer_count;
-    GLuint colors, faces, depths, layers; /* renderbuffers */
-    GLuint frame, layer_frame;            /* framebuffers */
-    GLuint textures[TEXTURE_LIMIT];
-    const struct texture *sources[TEXTURE_LIMIT];
-    size_t texture_count;
-};
-
-/* ---- Shaders ---- */
-
-/* 0, with a message, when the program cannot be made. */
-static GLuint make_program(enum look look, bool layers, struct error *error) {
-    const char *vertex_parts[LOOK_PARTS], *fragment_parts[LOOK_PARTS];
-    look_vertex_shader(look, vertex_parts);
-    if (layers) {
-        layer_fragment_shader(fragment_parts);
-    } else {
-        look_fragment_shader(look, fragment_parts);
-    }
-    return gl_make_program(vertex_parts, fragment_parts, LOOK_PARTS, error);
+bool seen_create(struct seen *seen, size_t pixel_count, struct error *error) {
+    *seen = (struct seen){
+        .pixels = calloc(pixel_count, sizeof *seen->pixels),
+        .faces = calloc(pixel_count, sizeof *seen->faces),
+        .layers = calloc(pixel_count, sizeof *seen->layers),
+        .depths = calloc(pixel_count, sizeof *seen->depths),
+    };
+    return (seen->pixels != NULL && seen->faces != NULL && seen->layers != NULL &&
+            seen->depths != NULL) ||
+           error_out_of_memory(error);
 }
 
-struct mesa *mesa_open(struct error *error) {
-    struct mesa *mesa = calloc(1, sizeof *mesa);
-    if (mesa == NULL) {
-        error_set(error, "out of memory");
-        return NULL;
-    }
-    if (!gl_context_open(&mesa->context, error)) {
-        goto fail;
-    }
-    for (int look = 0; look < LOOK_COUNT; look++) {
-        mesa->programs[look] = make_program((enum look)look, false, error);
-        if (mesa->programs[look] == 0) {
-            goto fail;
-        }
-    }
-    mesa->layer_program = make_program(LOOK_WHITE, true, error);
-    if (mesa->layer_program == 0) {
-        goto fail;
-    }
-    return mesa;
-fail:
-    mesa_close(mesa);
-    return NULL;
+void seen_free(struct seen *seen) {
+    free(seen->pixels);
+    free(seen->faces);
+    free(seen->layers);
+    free(seen->depths);
+    *seen = (struct seen){0};
 }
 
-void mesa_close(struct mesa *mesa) {
-    if (mesa == NULL) {
-        return;
+/* The colour, the face that is seen, the layers, and the depth of a pixel. */
+static bool make_targets(void) {
+    static const GLenum formats[] = {GL_RGBA8UI, GL_R32F, GL_RG32F, GL_DEPTH_COMPONENT32F};
+    static const GLenum places[] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1,
+                                    GL_COLOR_ATTACHMENT2, GL_DEPTH_ATTACHMENT};
+    GLuint frame, targets[4];
+    glGenFramebuffers(1, &frame);
+    glBindFramebuffer(GL_FRAMEBUFFER, frame);
+    glGenRenderbuffers(4, targets);
+    for (int i = 0; i < 4; i++) {
+        glBindRenderbuffer(GL_RENDERBUFFER, targets[i]);
+        glRenderbufferStorage(GL_RENDERBUFFER, formats[i], SIDE_LIMIT, SIDE_LIMIT);
+        glFramebufferRenderbuffer(GL_FRAMEBUFFER, places[i], GL_RENDERBUFFER, targets[i]);
     }
-    if (mesa->context.context != EGL_NO_CONTEXT) {
-        mesa_unload(mesa);
-        for (int look = 0; look < LOOK_COUNT; look++) {
-            glDeleteProgram(mesa->programs[look]);
-        }
-        glDeleteProgram(mesa->layer_program);
+    return glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
+}
+
+/* Where the vertex shader finds its inputs in a struct gl_corner. */
+static void describe_corners(void) {
+    const GLuint varyings = offsetof(struct gl_corner, varyings), half = 4 * sizeof(float);
+    GLuint array, buffer;
+    glGenVertexArrays(1, &array);
+    glBindVertexArray(array);
+    glGenBuffers(1, &buffer);
+    glBindBuffer(GL_ARRAY_BUFFER, buffer);
+    glBindVertexBuffer(0, buffer, 0, sizeof(struct gl_corner));
+    glVertexAttribFormat(1, 4, GL_FLOAT, GL_FALSE, varyings);
+    glVertexAttribFormat(2, 4, GL_FLOAT, GL_FALSE, varyings + half);
+    glVertexAttribFormat(3, 1, GL_FLOAT, GL_FALSE, offsetof(struct gl_corner, face));
+    for (GLuint i = 0; i < 4; i++) {
+        glVertexAttribBinding(i, 0);
+        glEnableVertexAttribArray(i);
     }
-    gl_context_close(&mesa->context);
-    free(mesa);
 }
 
-const char *mesa_name(const struct mesa *mesa) {
-    return mesa->context.name;
-}
-
-/* ---- A picture ---- */
-
-static GLuint make_renderbuffer(GLenum format, const struct picture *picture) {
-    GLuint buffer;
-    glGenRenderbuffers(1, &buffer);
-    glBindRenderbuffer(GL_RENDERBUFFER, buffer);
-    glRenderbufferStorage(GL_RENDERBUFFER, format, (GLsizei)picture->width,
-                          (GLsizei)picture->height);
-    return buffer;
-}
-
-static void attach(GLenum place, GLuint renderbuffer) {
-    glFramebufferRenderbuffer(GL_FRAMEBUFFER, place, GL_RENDERBUFFER, renderbuffer);
-}
-
-static bool make_targets(struct mesa *mesa, const struct picture *picture) {
-    mesa->colors = make_renderbuffer(GL_RGBA8UI, picture);
-    mesa->faces = make_renderbuffer(GL_R32F, picture);
-    mesa->depths = make_renderbuffer(GL_DEPTH_COMPONENT32F, picture);
-    mesa->layers = make_renderbuffer(GL_RG32F, picture);
-    glGenFramebuffers(1, &mesa->frame);
-    glBindFramebuffer(GL_FRAMEBUFFER, mesa->frame);
-    attach(GL_COLOR_ATTACHMENT0, mesa->colors);
-    attach(GL_COLOR_ATTACHMENT1, mesa->faces);
-    attach(GL_DEPTH_ATTACHMENT, mesa->depths);
-    bool complete = glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
-    glGenFramebuffers(1, &mesa->layer_frame);
-    glBindFramebuffer(GL_FRAMEBUFFER, mesa->layer_frame);
-    attach(GL_COLOR_ATTACHMENT0, mesa->layers);
-    return complete && glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
-}
-
-/* Upload a texture with its mip levels, unless it has been; NULL is nothing to do. */
-static bool load_texture(struct mesa *mesa, const struct texture *texture) {
-    for (size_t i = 0; i < mesa->texture_count; i++) {
-        if (mesa->sources[i] == texture) {
-            return true;
-        }
-    }
-    if (texture == NULL) {
-        return true;
-    }
-    if (mesa->texture_count == TEXTURE_LIMIT) {
+bool mesa_open(struct mesa *mesa, struct error *error) {
+    *mesa = (struct mesa){.picture = NULL};
+    if (!gl_context_open(&mesa->context, error) ||
+        !file_read("tests/bench/opengl/scene.glsl", &mesa->shaders, error)) {
         return false;
     }
-    glGenTextures(1, &mesa->textures[mesa->texture_count]);
-    glBindTexture(GL_TEXTURE_2D, mesa->textures[mesa->texture_count]);
-    mesa->sources[mesa->texture_count++] = texture;
+    describe_corners();
+    return bytes_append(&mesa->shaders, "", 1)
+               ? make_targets() ||
+                     error_set(error, "Mesa cannot draw off the screen in this format")
+               : error_out_of_memory(error);
+}
+
+/* With the context OpenGL frees all that it holds. */
+void mesa_close(struct mesa *mesa) {
+    gl_context_close(&mesa->context);
+    bytes_free(&mesa->shaders);
+}
+
+/* ---- Loading ---- */
+
+/* The program with that formula; 0, with a message, when it can't be made. */
+static GLuint program_with(struct mesa *mesa, const char *formula) {
+    const char *text = (const char *)mesa->shaders.data;
+    char head[300];
+    for (size_t i = 0; i < mesa->program_count; i++) {
+        if (strcmp(mesa->formulas[i], formula) == 0) {
+            return mesa->programs[i];
+        }
+    }
+    assert(mesa->program_count < PROGRAM_LIMIT);
+    snprintf(head, sizeof head, "#version 450 core\n#define FORMULA %s\n", formula);
+    mesa->formulas[mesa->program_count] = formula;
+    return mesa->programs[mesa->program_count++] =
+               gl_make_program((const char *[]){head, "#define VERTEX\n", text},
+                               (const char *[]){head, "", text}, 3, mesa->picture->error);
+}
+
+/* Upload a texture with its mip levels. */
+static void upload_texture(GLuint name, const struct texture *texture) {
+    glBindTexture(GL_TEXTURE_2D, name);
     for (size_t i = 0; i < texture->level_count; i++) {
         const struct texture_level *level = &texture->level[i];
         glPixelStorei(GL_UNPACK_ROW_LENGTH, (GLint)level->pitch);
@@ -138,238 +116,140 @@ static bool load_texture(struct mesa *mesa, const struct texture *texture) {
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, (GLint)texture->level_count - 1);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST_MIPMAP_NEAREST);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-    return true;
 }
 
-static bool load_textures(struct mesa *mesa, const struct picture *picture) {
-    for (size_t i = 0; i < picture->batch_count; i++) {
-        const struct look_values *values = &picture->batches[i].values;
-        if (!load_texture(mesa, values->diffuse_map) || !load_texture(mesa, values->normal_map) ||
-            !load_texture(mesa, values->specular_map)) {
+/* The name that OpenGL has for a texture, which is uploaded when it is new; 0 for NULL. */
+static GLuint texture_name(struct mesa *mesa, const struct texture *texture) {
+    for (size_t i = 0; i < mesa->texture_count; i++) {
+        if (mesa->textures[i] == texture) {
+            return mesa->names[i];
+        }
+    }
+    if (texture == NULL) {
+        return 0;
+    }
+    assert(mesa->texture_count < TEXTURE_LIMIT);
+    GLuint *name = &mesa->names[mesa->texture_count];
+    glGenTextures(1, name);
+    upload_texture(*name, texture);
+    mesa->textures[mesa->texture_count++] = texture;
+    return *name;
+}
+
+bool mesa_load(struct mesa *mesa, struct picture *picture) {
+    assert(picture->width <= SIDE_LIMIT && picture->height <= SIDE_LIMIT);
+    glDeleteTextures((GLsizei)mesa->texture_count, mesa->names);
+    mesa->texture_count = 0;
+    mesa->picture = picture;
+    glBufferData(GL_ARRAY_BUFFER, (GLsizeiptr)(picture->corner_count * sizeof *picture->corners),
+                 picture->corners, GL_STATIC_DRAW);
+    for (size_t i = 0; i < picture->part_count; i++) {
+        struct gl_part *part = &picture->parts[i];
+        part->program = program_with(mesa, part->formula);
+        if (part->program == 0) {
             return false;
+        }
+        for (int map = 0; map < MAPS; map++) {
+            texture_name(mesa, part->maps[map]);
         }
     }
     return true;
-}
-
-static void load_corners(GLuint buffer, const struct gl_corner *corners, size_t count) {
-    glBindBuffer(GL_ARRAY_BUFFER, buffer);
-    glBufferData(GL_ARRAY_BUFFER, (GLsizeiptr)(count * sizeof *corners), corners, GL_STATIC_DRAW);
-}
-
-bool mesa_load(struct mesa *mesa, const struct picture *picture, struct error *error) {
-    mesa_unload(mesa);
-    mesa->buffer_count = 2 * picture->batch_count;
-    mesa->buffers = calloc(mesa->buffer_count + 1, sizeof *mesa->buffers);
-    if (mesa->buffers == NULL) {
-        mesa->buffer_count = 0;
-        return error_set(error, "out of memory");
-    }
-    glGenVertexArrays(1, &mesa->vertex_array);
-    glGenBuffers((GLsizei)mesa->buffer_count, mesa->buffers);
-    for (size_t i = 0; i < picture->batch_count; i++) {
-        const struct batch *batch = &picture->batches[i];
-        load_corners(mesa->buffers[2 * i], batch->whole, batch->whole_count);
-        load_corners(mesa->buffers[2 * i + 1], batch->snapped, batch->snapped_count);
-    }
-    if (!make_targets(mesa, picture) || !load_textures(mesa, picture)) {
-        return error_set(error, "Mesa cannot draw off the screen in this format");
-    }
-    return true;
-}
-
-void mesa_unload(struct mesa *mesa) {
-    const GLuint renderbuffers[4] = {mesa->colors, mesa->faces, mesa->depths, mesa->layers};
-    const GLuint framebuffers[2] = {mesa->frame, mesa->layer_frame};
-    glDeleteRenderbuffers(4, renderbuffers);
-    glDeleteFramebuffers(2, framebuffers);
-    glDeleteTextures((GLsizei)mesa->texture_count, mesa->textures);
-    if (mesa->buffers != NULL) {
-        glDeleteBuffers((GLsizei)mesa->buffer_count, mesa->buffers);
-    }
-    glDeleteVertexArrays(1, &mesa->vertex_array);
-    free(mesa->buffers);
-    mesa->buffers = NULL;
-    mesa->buffer_count = mesa->texture_count = 0;
-    mesa->colors = mesa->faces = mesa->depths = mesa->layers = 0;
-    mesa->frame = mesa->layer_frame = mesa->vertex_array = 0;
 }
 
 /* ---- Drawing ---- */
 
-static void set_float(GLuint program, const char *name, double value) {
-    glUniform1f(glGetUniformLocation(program, name), (float)value);
-}
-
-static void set_int(GLuint program, const char *name, int value) {
-    glUniform1i(glGetUniformLocation(program, name), value);
-}
-
-/* Bind a texture to a unit and tell the shader. */
-static void set_texture(const struct mesa *mesa, GLuint program, const char *name, int unit,
-                        const struct texture *texture) {
-    set_int(program, name, unit);
-    for (size_t i = 0; i < mesa->texture_count; i++) {
-        if (mesa->sources[i] == texture) {
-            glActiveTexture(GL_TEXTURE0 + (GLenum)unit);
-            glBindTexture(GL_TEXTURE_2D, mesa->textures[i]);
-        }
+/* All that the shaders read. */
+static void set_uniforms(struct mesa *mesa, const struct gl_part *part,
+                         const struct mat4 *to_clip) {
+    glUseProgram(part->program);
+    for (int i = 0; i < MAPS; i++) {
+        glActiveTexture(GL_TEXTURE0 + (GLenum)i);
+        glBindTexture(GL_TEXTURE_2D, texture_name(mesa, part->maps[i]));
     }
+    gl_set_matrix(part->program, "to_clip", to_clip);
+    gl_set_vec3(part->program, "levels", part->levels);
+    gl_set_vec3(part->program, "weights", part->weights);
+    gl_set_vec3(part->program, "to_light", part->to_light);
+    gl_set_vec3(part->program, "color", part->color);
+    gl_set_vec3(part->program, "light_color", part->light_color);
+    glUniform1i(glGetUniformLocation(part->program, "power"), part->power);
 }
 
-static void set_values(const struct mesa *mesa, GLuint program, const struct look_values *v) {
-    set_texture(mesa, program, "diffuse_map", 0, v->diffuse_map);
-    set_texture(mesa, program, "normal_map", 1, v->normal_map);
-    set_texture(mesa, program, "specular_map", 2, v->specular_map);
-    set_int(program, "diffuse_level", (int)v->diffuse_level);
-    set_int(program, "normal_level", (int)v->normal_level);
-    set_int(program, "specular_level", (int)v->specular_level);
-    set_int(program, "power", v->power);
-    gl_set_vec3(program, "to_light", v->to_light);
-    gl_set_vec3(program, "color", v->color);
-    gl_set_vec3(program, "light_color", v->light_color);
-    set_float(program, "ambient", v->ambient);
-    set_float(program, "diffuse", v->diffuse);
-    set_float(program, "specular", v->specular);
+static void enable(GLenum what, bool on) {
+    (on ? glEnable : glDisable)(what);
 }
 
-static void set_view(GLuint program, const struct picture *picture, const struct batch *batch,
-                     enum positions positions) {
-    const struct rectangle *r = &batch->viewport;
+static void draw_part(struct mesa *mesa, const struct gl_part *part, bool snapped) {
+    const struct rectangle *r = &part->viewport;
     const struct mat4 identity = mat4_identity();
+    const GLint side = SNAPPED_VIEWPORT;
+    const GLint left = (GLint)mesa->picture->width / 2 - side / 2;
+    const GLint below = (GLint)mesa->picture->height / 2 - side / 2;
+    set_uniforms(mesa, part, snapped ? &identity : &part->to_clip);
     glScissor(r->x, r->y, r->width, r->height);
-    if (positions == POSITIONS_WHOLE) {
-        glViewport(r->x, r->y, r->width, r->height);
-        gl_set_matrix(program, "to_clip", &batch->to_clip);
+    if (snapped) {
+        glVertexAttribFormat(0, 4, GL_FLOAT, GL_FALSE, offsetof(struct gl_corner, snapped));
+        glViewport(left, below, side, side);
     } else {
-        glViewport((GLint)(picture->width / 2) - SNAPPED_VIEWPORT / 2,
-                   (GLint)(picture->height / 2) - SNAPPED_VIEWPORT / 2, SNAPPED_VIEWPORT,
-                   SNAPPED_VIEWPORT);
-        gl_set_matrix(program, "to_clip", &identity);
+        glVertexAttribFormat(0, 4, GL_FLOAT, GL_FALSE, offsetof(struct gl_corner, plain));
+        glViewport(r->x, r->y, r->width, r->height);
     }
+    enable(GL_CULL_FACE, part->cull != CULL_NONE);
+    glCullFace(part->cull == CULL_FRONT ? GL_FRONT : GL_BACK);
+    glDrawArrays(GL_TRIANGLES, (GLint)part->first, (GLsizei)part->count);
 }
 
-static void set_tests(const struct batch *batch, bool layers) {
-    (batch->depth_test && !layers ? glEnable : glDisable)(GL_DEPTH_TEST);
-    (layers ? glEnable : glDisable)(GL_BLEND);
-    (batch->cull != CULL_NONE ? glEnable : glDisable)(GL_CULL_FACE);
-    glCullFace(batch->cull == CULL_FRONT ? GL_FRONT : GL_BACK);
-}
-
-/* Where the vertex shader finds its inputs in a struct gl_corner. */
-static void describe_corners(GLuint buffer) {
-    const GLuint varyings = offsetof(struct gl_corner, varyings);
-    const GLuint half = VARYINGS / 2 * sizeof(float);
-    glVertexAttribFormat(0, 4, GL_FLOAT, GL_FALSE, offsetof(struct gl_corner, position));
-    glVertexAttribFormat(1, VARYINGS / 2, GL_FLOAT, GL_FALSE, varyings);
-    glVertexAttribFormat(2, VARYINGS / 2, GL_FLOAT, GL_FALSE, varyings + half);
-    glVertexAttribFormat(3, 1, GL_FLOAT, GL_FALSE, offsetof(struct gl_corner, face));
-    glBindVertexBuffer(0, buffer, 0, sizeof(struct gl_corner));
-    for (GLuint i = 0; i < 4; i++) {
-        glVertexAttribBinding(i, 0);
-        glEnableVertexAttribArray(i);
-    }
-}
-
-static void draw_batches(const struct mesa *mesa, const struct picture *picture,
-                         enum positions positions, bool layers) {
-    glEnable(GL_SCISSOR_TEST);
-    gl_use_conventions();
-    glBlendFunc(GL_ONE, GL_ONE);
-    glBindVertexArray(mesa->vertex_array);
-    for (size_t i = 0; i < picture->batch_count; i++) {
-        const struct batch *batch = &picture->batches[i];
-        bool whole = positions == POSITIONS_WHOLE;
-        size_t count = whole ? batch->whole_count : batch->snapped_count;
-        GLuint program = layers ? mesa->layer_program : mesa->programs[batch->look];
-        glUseProgram(program);
-        set_view(program, picture, batch, positions);
-        set_tests(batch, layers);
-        if (!layers) {
-            set_values(mesa, program, &batch->values);
-        }
-        describe_corners(mesa->buffers[2 * i + !whole]);
-        glDrawArrays(GL_TRIANGLES, 0, (GLsizei)count);
-    }
-}
-
-static void draw(struct mesa *mesa, const struct picture *picture, enum positions positions,
-                 bool faces) {
-    static const GLenum targets[2] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
+/* Clear and draw. `outputs` says where the three outputs of the fragment shader go. */
+static void draw(struct mesa *mesa, bool snapped, bool hidden, const GLenum outputs[3]) {
+    const struct picture *picture = mesa->picture;
     static const GLuint no_color[4] = {0, 0, 0, 0};
     static const GLfloat zero[4] = {0, 0, 0, 0};
-    glBindFramebuffer(GL_FRAMEBUFFER, mesa->frame);
-    glDrawBuffers(faces ? 2 : 1, targets);
-    glDisable(GL_SCISSOR_TEST);
+    glDrawBuffers(3, outputs);
+    glEnable(GL_SCISSOR_TEST);
+    glScissor(0, 0, (GLsizei)picture->width, (GLsizei)picture->height);
     glClearBufferuiv(GL_COLOR, 0, no_color);
-    if (faces) {
-        glClearBufferfv(GL_COLOR, 1, zero);
-    }
+    glClearBufferfv(GL_COLOR, 1, zero);
+    glClearBufferfv(GL_COLOR, 2, zero);
     glClearBufferfv(GL_DEPTH, 0, zero);
-    draw_batches(mesa, picture, positions, false);
+    gl_use_conventions();
+    glEnablei(GL_BLEND, 2); /* the layers are added up */
+    glBlendFunc(GL_ONE, GL_ONE);
+    for (size_t i = 0; i < picture->part_count; i++) {
+        enable(GL_DEPTH_TEST, !hidden && !picture->parts[i].no_depth_test);
+        draw_part(mesa, &picture->parts[i], snapped);
+    }
     glFinish();
 }
 
-void mesa_draw(struct mesa *mesa, const struct picture *picture, enum positions positions) {
-    draw(mesa, picture, positions, false);
-}
-
-static void draw_layers(struct mesa *mesa, const struct picture *picture,
-                        enum positions positions) {
-    static const GLfloat zero[4] = {0, 0, 0, 0};
-    glBindFramebuffer(GL_FRAMEBUFFER, mesa->layer_frame);
-    glDisable(GL_SCISSOR_TEST);
-    glClearBufferfv(GL_COLOR, 0, zero);
-    draw_batches(mesa, picture, positions, true);
-    glFinish();
+void mesa_draw(struct mesa *mesa, bool snapped) {
+    draw(mesa, snapped, false, (const GLenum[]){GL_COLOR_ATTACHMENT0, GL_NONE, GL_NONE});
 }
 
 /* ---- Reading back ---- */
 
-static void read_pixels(const struct picture *picture, GLenum format, GLenum type, void *to) {
-    glReadPixels(0, 0, (GLsizei)picture->width, (GLsizei)picture->height, format, type, to);
+static void read_target(const struct mesa *mesa, GLenum target, GLenum format, GLenum type,
+                        void *to) {
+    glReadBuffer(target);
+    glReadPixels(0, 0, (GLsizei)mesa->picture->width, (GLsizei)mesa->picture->height, format, type,
+                 to);
 }
 
-void mesa_read_depths(struct mesa *mesa, const struct picture *picture, float *depths) {
-    glBindFramebuffer(GL_FRAMEBUFFER, mesa->frame);
-    read_pixels(picture, GL_DEPTH_COMPONENT, GL_FLOAT, depths);
-}
-
-bool mesa_draw_and_read(struct mesa *mesa, const struct picture *picture, enum positions positions,
-                        struct mesa_result *result, struct error *error) {
-    size_t pixel_count = picture->width * picture->height;
-    *result = (struct mesa_result){
-        .pixels = malloc(pixel_count * 4),
-        .faces = malloc(pixel_count * sizeof *result->faces),
-        .depths = malloc(pixel_count * sizeof *result->depths),
-        .layers = malloc(pixel_count * sizeof *result->layers),
-    };
-    if (result->pixels == NULL || result->faces == NULL || result->depths == NULL ||
-        result->layers == NULL) {
-        mesa_result_free(result);
-        return error_set(error, "out of memory");
+void mesa_read_depths(const struct mesa *mesa, struct seen *seen) {
+    read_target(mesa, GL_COLOR_ATTACHMENT0, GL_DEPTH_COMPONENT, GL_FLOAT, seen->faces);
+    for (size_t i = 0; i < mesa->picture->width * mesa->picture->height; i++) {
+        seen->depths[i] = (double)seen->faces[i];
     }
-    draw(mesa, picture, positions, true);
-    glReadBuffer(GL_COLOR_ATTACHMENT0);
-    read_pixels(picture, GL_RGBA_INTEGER, GL_UNSIGNED_BYTE, result->pixels);
-    glReadBuffer(GL_COLOR_ATTACHMENT1);
-    read_pixels(picture, GL_RED, GL_FLOAT, result->faces);
-    mesa_read_depths(mesa, picture, result->depths);
-    draw_layers(mesa, picture, positions);
-    glReadBuffer(GL_COLOR_ATTACHMENT0);
-    read_pixels(picture, GL_RG, GL_FLOAT, result->layers);
+}
+
+bool mesa_draw_all(struct mesa *mesa, bool snapped, struct seen *seen) {
+    draw(mesa, snapped, false,
+         (const GLenum[]){GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1, GL_NONE});
+    mesa_read_depths(mesa, seen);
+    read_target(mesa, GL_COLOR_ATTACHMENT0, GL_RGBA_INTEGER, GL_UNSIGNED_BYTE, seen->pixels);
+    read_target(mesa, GL_COLOR_ATTACHMENT1, GL_RED, GL_FLOAT, seen->faces);
+    draw(mesa, snapped, true, (const GLenum[]){GL_NONE, GL_NONE, GL_COLOR_ATTACHMENT2});
+    read_target(mesa, GL_COLOR_ATTACHMENT2, GL_RG, GL_FLOAT, seen->layers);
     GLenum problem = glGetError();
-    if (problem != GL_NO_ERROR) {
-        mesa_result_free(result);
-        return error_set(error, "OpenGL reports error 0x%x", (unsigned)problem);
-    }
-    return true;
-}
-
-void mesa_result_free(struct mesa_result *result) {
-    free(result->pixels);
-    free(result->faces);
-    free(result->depths);
-    free(result->layers);
-    *result = (struct mesa_result){0};
+    return problem == GL_NO_ERROR ||
+           error_set(mesa->picture->error, "OpenGL reports error 0x%x", (unsigned)problem);
 }

@@ -1,125 +1,158 @@
-/* Lists of triangles for Mesa: see picture.h. */
+/* Scenes as triangles for OpenGL: see picture.h. */
 #include "picture.h"
 
+#include "base/array.h"
+#include "context.h"
+
 #include <stdlib.h>
+#include <string.h>
 
-static const double snapped_half_size = SNAPPED_VIEWPORT / 2.0;
+/* ---- Faces that are cut ---- */
 
-/* ---- Memory ---- */
+/* A corner before it is placed: x, y, z, w in clip space, the position in the model, varyings. All
+ * are linear along an edge. */
+enum { PLAIN = 4, VARYING = 7, NUMBERS = VARYING + VARYINGS };
 
-/* Room for three more of `count` elements; the array's new place, or NULL. */
-static void *grow(void *array, size_t count, size_t *capacity, size_t element_size,
-                  struct error *error) {
-    if (count + 3 <= *capacity) {
-        return array;
-    }
-    size_t larger = *capacity * 2 + 3072;
-    void *moved = larger <= SIZE_MAX / element_size ? realloc(array, larger * element_size) : NULL;
-    if (moved == NULL) {
-        error_set(error, "out of memory");
-        return NULL;
-    }
-    *capacity = larger;
-    return moved;
+/* Cut as the course does: what is nearer than NEAR_W, and what is outside NDC -64..64. Each of the
+ * five planes adds half as many corners at most, however the numbers are rounded. */
+enum { PLANES = 5, CORNERS = 19 };
+static const double guard_band = 64;
+
+/* Positive inside of a plane, and 0 on it. */
+static double plane_distance(const double *p, int plane) {
+    const double bound = guard_band * p[3];
+    const double distances[PLANES] = {p[3] - NEAR_W, bound + p[0], bound - p[0], bound + p[1],
+                                      bound - p[1]};
+    return distances[plane];
 }
 
-struct batch *picture_add_batch(struct picture *picture, const struct batch *settings,
-                                struct error *error) {
-    struct batch *batches =
-        realloc(picture->batches, (picture->batch_count + 1) * sizeof *picture->batches);
-    if (batches == NULL) {
-        error_set(error, "out of memory");
-        return NULL;
+/* Where an edge crosses the plane, from its inner corner: so both faces of the edge find the same
+ * point. */
+static void cross_plane(const double *inside, const double *outside, int plane, double *cut) {
+    double distance = plane_distance(inside, plane);
+    double part = distance / (distance - plane_distance(outside, plane));
+    for (int i = 0; i < NUMBERS; i++) {
+        cut[i] = inside[i] + part * (outside[i] - inside[i]);
     }
-    picture->batches = batches;
-    struct batch *batch = &batches[picture->batch_count++];
-    *batch = *settings;
-    double shift = (double)picture->shift / SUBPIXELS;
-    batch->snapped_center =
-        (struct vec2){(double)(picture->width / 2) - shift, (double)(picture->height / 2) - shift};
-    return batch;
+}
+
+/* Cut a polygon; returns how many corners are left. */
+static size_t cut_at_plane(double corners[CORNERS][NUMBERS], size_t count, int plane) {
+    double from[CORNERS][NUMBERS];
+    size_t kept = 0;
+    memcpy(from, corners, count * sizeof *from);
+    for (size_t i = 0; i < count; i++) {
+        const double *a = from[i], *b = from[(i + 1) % count];
+        bool a_inside = plane_distance(a, plane) >= 0, b_inside = plane_distance(b, plane) >= 0;
+        if (a_inside) {
+            memcpy(corners[kept++], a, sizeof *from);
+        }
+        if (a_inside != b_inside) {
+            cross_plane(a_inside ? a : b, a_inside ? b : a, plane, corners[kept++]);
+        }
+    }
+    return kept;
+}
+
+/* ---- Corners ---- */
+
+static void to_floats(float *floats, const double *numbers, int count) {
+    for (int i = 0; i < count; i++) {
+        floats[i] = (float)numbers[i];
+    }
+}
+
+/* Divide by w and snap. The snapped position lands there when OpenGL divides and goes back to
+ * pixels in float, which rounds far less than 1/512 pixel near the picture. */
+static bool make_corner(const struct picture *picture, const struct rectangle *viewport,
+                        const double *numbers, struct gl_corner *corner) {
+    const double recip_w = 1 / numbers[3], depth = numbers[2] * recip_w;
+    const double w = (double)(float)(1 / recip_w), half = SNAPPED_VIEWPORT / 2.0;
+    struct vec2 screen = {viewport->x + (numbers[0] * recip_w + 1) * (viewport->width / 2.0),
+                          viewport->y + (numbers[1] * recip_w + 1) * (viewport->height / 2.0)};
+    *corner = (struct gl_corner){
+        .plain = {0, 0, 0, 1}, .face = (float)picture->face_count, .depth = depth};
+    if (!screen_snap(screen, &corner->screen)) {
+        return error_set(picture->error, "a face is too far off the picture");
+    }
+    double x = (double)corner->screen.x / SUBPIXELS - (double)(picture->width / 2);
+    double y = (double)corner->screen.y / SUBPIXELS - (double)(picture->height / 2);
+    to_floats(corner->plain, numbers + PLAIN, 3);
+    to_floats(corner->snapped, (double[]){x / half * w, y / half * w, depth * w, w}, 4);
+    to_floats(corner->varyings, numbers + VARYING, VARYINGS);
+    return true;
+}
+
+/* What cutting leaves of a face, as a fan of triangles around its first corner. */
+static bool add_face(struct picture *picture, const struct gl_part *part,
+                     double numbers[CORNERS][NUMBERS]) {
+    struct gl_corner corners[CORNERS];
+    size_t count = 3;
+    for (int plane = 0; plane < (part->not_cut ? 0 : PLANES); plane++) {
+        count = cut_at_plane(numbers, count, plane);
+    }
+    for (size_t i = 0; i < count; i++) {
+        if (!make_corner(picture, &part->viewport, numbers[i], &corners[i])) {
+            return false;
+        }
+    }
+    struct gl_corner *grown = array_reserve(picture->corners, &picture->corner_capacity,
+                                            picture->corner_count + 3 * count, sizeof *grown);
+    if (grown == NULL) {
+        return error_out_of_memory(picture->error);
+    }
+    picture->corners = grown;
+    for (size_t i = 2; i < count; i++) {
+        grown[picture->corner_count++] = corners[0];
+        grown[picture->corner_count++] = corners[i - 1];
+        grown[picture->corner_count++] = corners[i];
+    }
+    return true;
+}
+
+bool picture_add(struct picture *picture, const struct gl_part *part, size_t face_count,
+                 corner_function *corner, const void *given) {
+    struct gl_part *grown = array_reserve(picture->parts, &picture->part_capacity,
+                                          picture->part_count + 1, sizeof *grown);
+    if (grown == NULL) {
+        return error_out_of_memory(picture->error);
+    }
+    picture->parts = grown;
+    struct gl_part *added = &grown[picture->part_count++];
+    *added = *part;
+    added->first = picture->corner_count;
+    for (size_t face = 0; face < face_count; face++) {
+        double numbers[CORNERS][NUMBERS] = {{0}};
+        bool drawn = true;
+        for (size_t i = 0; i < 3; i++) {
+            struct corner_data data = {0};
+            drawn = corner(given, face, i, &data) && drawn;
+            struct vec3 p = data.position;
+            struct vec4 clip = mat4_point(&part->to_clip, p);
+            memcpy(numbers[i], (double[]){clip.x, clip.y, clip.z, clip.w, p.x, p.y, p.z},
+                   VARYING * sizeof **numbers);
+            memcpy(numbers[i] + VARYING, data.varyings, sizeof data.varyings);
+        }
+        picture->face_count++;
+        if (drawn && !add_face(picture, added, numbers)) {
+            return false;
+        }
+    }
+    added->count = picture->corner_count - added->first;
+    return true;
 }
 
 void picture_free(struct picture *picture) {
-    for (size_t i = 0; i < picture->batch_count; i++) {
-        free(picture->batches[i].whole);
-        free(picture->batches[i].snapped);
-        free(picture->batches[i].placed);
-    }
-    free(picture->batches);
+    free(picture->parts);
+    free(picture->corners);
     *picture = (struct picture){0};
 }
 
-/* ---- Triangles ---- */
+/* ---- What several lessons need ---- */
 
-static struct gl_corner make_corner(const struct corner_data *data, struct vec4 position,
-                                    size_t face) {
-    struct gl_corner corner = {
-        .position = {(float)position.x, (float)position.y, (float)position.z, (float)position.w},
-        .face = (float)(face + 1),
-    };
-    for (int i = 0; i < VARYINGS; i++) {
-        corner.varyings[i] = (float)data->varyings[i];
-    }
-    return corner;
+struct rectangle whole_picture(const struct picture *picture) {
+    return (struct rectangle){0, 0, (int)picture->width, (int)picture->height};
 }
-
-bool batch_add_whole(struct batch *batch, size_t face, const struct corner_data corners[3],
-                     struct error *error) {
-    struct gl_corner *whole =
-        grow(batch->whole, batch->whole_count, &batch->whole_capacity, sizeof *batch->whole, error);
-    if (whole == NULL) {
-        return false;
-    }
-    batch->whole = whole;
-    for (int i = 0; i < 3; i++) {
-        struct vec3 p = corners[i].position;
-        whole[batch->whole_count++] =
-            make_corner(&corners[i], (struct vec4){p.x, p.y, p.z, 1}, face);
-    }
-    return true;
-}
-
-/* The position in clip space that lands on the placed corner. The division by w and the way back to
- * pixels are done by OpenGL in float; what that rounds is far below 1/512 pixel near the
- * picture. */
-static struct vec4 snapped_position(const struct placed *placed, struct vec2 center) {
-    double w = (double)(float)(1 / placed->recip_w);
-    double x = ((double)placed->screen.x / SUBPIXELS - center.x) / snapped_half_size;
-    double y = ((double)placed->screen.y / SUBPIXELS - center.y) / snapped_half_size;
-    return (struct vec4){x * w, y * w, placed->depth * w, w};
-}
-
-bool batch_add_snapped(struct batch *batch, size_t face, const struct corner_data corners[3],
-                       struct error *error) {
-    size_t capacity = batch->snapped_capacity;
-    struct gl_corner *snapped =
-        grow(batch->snapped, batch->snapped_count, &capacity, sizeof *batch->snapped, error);
-    if (snapped == NULL) {
-        return false;
-    }
-    batch->snapped = snapped;
-    struct placed *placed = grow(batch->placed, batch->snapped_count, &batch->snapped_capacity,
-                                 sizeof *batch->placed, error);
-    if (placed == NULL) {
-        return false;
-    }
-    batch->placed = placed;
-    for (int i = 0; i < 3; i++) {
-        struct vec4 position = snapped_position(&corners[i].placed, batch->snapped_center);
-        placed[batch->snapped_count] = corners[i].placed;
-        snapped[batch->snapped_count++] = make_corner(&corners[i], position, face);
-    }
-    return true;
-}
-
-bool batch_add_face(struct batch *batch, size_t face, const struct corner_data corners[3],
-                    struct error *error) {
-    return batch_add_whole(batch, face, corners, error) &&
-           batch_add_snapped(batch, face, corners, error);
-}
-
-/* ---- Depth and matrices ---- */
 
 struct mat4 parallel_clip(struct mat4 to_clip) {
     for (int column = 0; column < 4; column++) {
@@ -128,27 +161,18 @@ struct mat4 parallel_clip(struct mat4 to_clip) {
     return to_clip;
 }
 
-struct mat4 perspective_clip(struct mat4 to_clip) {
-    for (int column = 0; column < 4; column++) {
-        to_clip.m[2][column] = column == 3 ? NEAR_W : 0;
-    }
-    return to_clip;
+static bool lit_corner(const void *given, size_t face, size_t corner, struct corner_data *to) {
+    const struct drawing *drawing = given;
+    const struct model *model = drawing->model;
+    double intensity = model_face_intensity(model, face, vec3_normalized(drawing->light));
+    struct vec2 uv = model_uv(model, face, corner);
+    *to = (struct corner_data){model_position(model, face, corner), {intensity, uv.x, uv.y}};
+    return intensity > 0;
 }
 
-struct batch parallel_batch(enum look look, struct rectangle viewport) {
-    return (struct batch){
-        .look = look,
-        .depth_test = true,
-        .viewport = viewport,
-        .to_clip = parallel_clip(mat4_identity()),
-    };
-}
-
-bool place_in_viewport(struct vec4 clip, const struct rectangle *viewport, struct placed *placed) {
-    placed->recip_w = 1 / clip.w;
-    placed->depth = NEAR_W * placed->recip_w;
-    double half_width = viewport->width / 2.0, half_height = viewport->height / 2.0;
-    struct vec2 position = {viewport->x + (clip.x * placed->recip_w + 1) * half_width,
-                            viewport->y + (clip.y * placed->recip_w + 1) * half_height};
-    return screen_snap(position, &placed->screen);
+bool picture_add_lit_faces(struct picture *picture, struct gl_part part) {
+    const struct drawing *drawing = picture->drawing;
+    part.viewport = whole_picture(picture);
+    part.to_clip = parallel_clip(mat4_identity());
+    return picture_add(picture, &part, drawing->model->face_count, lit_corner, drawing);
 }

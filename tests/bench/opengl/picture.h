@@ -1,148 +1,117 @@
 /*
- * What one picture of the course is made of, as triangles that Mesa can draw.
+ * A scene of a lesson as triangles that OpenGL can draw, and the table of the lessons' scenes.
  *
- * A picture is a list of batches: triangles that share a shader, a viewport and a culling mode.
- * Each batch holds its triangles twice, since there are two ways to hand them to OpenGL:
+ * A picture is a list of parts, each with a formula for the colour, a matrix and a viewport. Every
+ * corner has two positions. With the plain one and the matrix OpenGL places the corner itself. The
+ * snapped one names the 1/256 pixel on which the course draws it, so that OpenGL only has to find
+ * the pixels and to interpolate.
  *
- *   WHOLE    the faces of the mesh and the matrix: OpenGL transforms, clips and snaps them itself;
- *   SNAPPED  the triangles that the course draws, each corner at the 1/256 pixel where the course
- *            has placed it: OpenGL has only to find the pixels and to interpolate.
- *
- * What a corner hands to the pixels (`varyings`) is computed by the lesson's own code in both
- * cases.
+ * The lessons give matrices and what a corner hands to the pixels. How a face is cut at the near
+ * plane, and its corners divided by w and snapped, is written here a second time, so that a mistake
+ * in a lesson shows.
  */
 #ifndef OPENGL_PICTURE_H
 #define OPENGL_PICTURE_H
 
-#include "base/error.h"
-#include "geometry.h"
 #include "pipeline.h"
 #include "program.h"
 #include "texture.h"
 
-#include <stdbool.h>
-#include <stddef.h>
-#include <stdint.h>
-
-/* The fragment shaders, each with the formula of a lesson. */
-enum look {
-    LOOK_WHITE,            /* steps 4, 5, 7, 9: intensity */
-    LOOK_LIT_ONLY,         /* step 9: intensity; not drawn where it is 0 */
-    LOOK_NEAREST,          /* step 6: u, v, intensity */
-    LOOK_CHECKER,          /* step 6: u, v */
-    LOOK_COLORS,           /* step 7: red, green, blue */
-    LOOK_LIT,              /* step 7: diffuse and specular part */
-    LOOK_BILINEAR,         /* steps 8 and 9: u, v, intensity */
-    LOOK_TOON,             /* step 9: intensity */
-    LOOK_NORMAL_MAP,       /* step 9: u, v */
-    LOOK_PHONG_PLAIN,      /* step 10: towards the eye, u, v, normal */
-    LOOK_PHONG_MAPPED,     /* step 10: towards the eye, u, v */
-    LOOK_PHONG_TEXTURED,   /* step 10: towards the eye, u, v, normal */
-    LOOK_PHONG_FULL,       /* step 10: towards the eye, u, v */
-    LOOK_PHONG_WEIGHT_MAP, /* step 10: towards the eye, u, v */
-    LOOK_PHONG_POWER_MAP,  /* step 10: towards the eye, u, v */
-    LOOK_COUNT
+enum {
+    VARYINGS = 8,
+    /* The viewport of snapped positions, in pixels a side: as large as Mesa allows, its centre in
+     * the middle of the picture. A power of two: a position in 1/256 pixel is exact as a float. */
+    SNAPPED_VIEWPORT = 16384
 };
 
-/* What the shader of a batch reads beside the varyings. */
-struct look_values {
-    const struct texture *diffuse_map, *normal_map, *specular_map; /* NULL where none is read */
-    size_t diffuse_level, normal_level, specular_level;            /* mip levels */
-    struct vec3 to_light;                                          /* of length 1 */
-    double ambient, diffuse, specular;                             /* weights */
-    int power;
-    struct vec3 color, light_color; /* levels 0..255 */
-};
-
-enum { VARYINGS = 8 };
-
-/* SNAPPED positions are given in a viewport of this many pixels a side, as large as Mesa allows,
- * with its centre at the middle of the picture. A power of two: a position in 1/256 pixel
- * becomes a float without rounding. Mesa cuts triangles at twice its size only. */
-enum { SNAPPED_VIEWPORT = 16384 };
-
-/* A corner as OpenGL gets it. */
 struct gl_corner {
-    float position[4]; /* WHOLE: x, y, z, 1 before the matrix; SNAPPED: clip space */
-    float varyings[VARYINGS];
-    float face; /* number of the face, from 1 */
+    float plain[4], snapped[4], varyings[VARYINGS];
+    float face;           /* its number in the picture, from 1 */
+    struct fixed2 screen; /* where the course draws it */
+    double depth;         /* 0..1, larger is nearer */
 };
 
-/* A corner on the screen, as the course has placed it. */
-struct placed {
-    struct fixed2 screen;
-    double depth;   /* as in OpenGL's depth buffer: 0..1, larger is nearer */
-    double recip_w; /* 1/w */
-};
+enum { MAPS = 3 }; /* diffuse, normal, specular */
 
-struct batch {
-    enum look look;
-    struct look_values values;
-    bool depth_test; /* otherwise what comes later is seen */
+/* Triangles that are drawn in the same way. */
+struct gl_part {
+    const char *formula;              /* of a pixel's colour, in GLSL: see scene.glsl */
+    const struct texture *maps[MAPS]; /* and what it reads */
+    struct vec3 levels;               /* mip levels of the maps */
+    struct vec3 weights;              /* of ambient, diffuse, specular light */
+    struct vec3 to_light, color, light_color;
+    int power;
+    bool no_depth_test; /* what is drawn later is seen */
+    bool not_cut;       /* the lesson doesn't cut faces */
     enum cull cull;
-    struct rectangle viewport;  /* NDC -1..1 goes here, and nothing is drawn outside */
-    struct vec2 snapped_center; /* pixels; set by picture_add_batch() */
-    struct mat4 to_clip;        /* for WHOLE: z/w is 0..1, larger is nearer */
-    struct gl_corner *whole;    /* three a triangle */
-    size_t whole_count, whole_capacity;
-    struct gl_corner *snapped; /* three a triangle */
-    struct placed *placed;     /* one for each of `snapped` */
-    size_t snapped_count, snapped_capacity;
+    struct rectangle viewport; /* nothing is drawn outside */
+    struct mat4 to_clip;       /* z/w is 0..1, larger is nearer */
+    size_t first, count;       /* of the picture's corners */
+    unsigned program;          /* set when it is loaded: see mesa.h */
 };
 
-/* All zero is a valid, empty picture. */
+typedef bool draw_function(struct drawing *drawing, struct image *image, struct error *error);
+
 struct picture {
     size_t width, height;
-    int shift;        /* moves the snapped positions, in 1/256 pixel: to see the comparison fail */
-    bool shows_depth; /* the picture is the depth buffer (step 5) and not the colours */
-    struct batch *batches;
-    size_t batch_count;
+    /* The lesson's scene, which was drawn once. */
+    struct drawing *drawing;
+    struct image *image;
+    draw_function *draw;
+    struct error *error;
+    /* From here on zero at first. */
+    struct gl_part *parts;
+    struct gl_corner *corners; /* three a triangle */
+    size_t part_count, part_capacity, corner_count, corner_capacity, face_count;
 };
 
-/* A corner of a face, before it is known how OpenGL gets it. */
+/* What a corner of a face is before it is placed. */
 struct corner_data {
-    struct vec3 position; /* before the batch's matrix */
-    struct placed placed;
+    struct vec3 position;
     double varyings[VARYINGS];
 };
 
-/* Start a batch: the settings are copied, the lists of triangles start empty. NULL when memory runs
- * out; otherwise valid until the next call. */
-struct batch *picture_add_batch(struct picture *picture, const struct batch *settings,
-                                struct error *error);
+/* Fill in corner 0..2 of a face, by what picture_add() was given. False: the face isn't drawn. */
+typedef bool corner_function(const void *given, size_t face, size_t corner, struct corner_data *to);
 
-/* Add a face to WHOLE or a triangle to SNAPPED. `face` counts from 0. */
-bool batch_add_whole(struct batch *batch, size_t face, const struct corner_data corners[3],
-                     struct error *error);
-bool batch_add_snapped(struct batch *batch, size_t face, const struct corner_data corners[3],
-                       struct error *error);
-
-/* Both. */
-bool batch_add_face(struct batch *batch, size_t face, const struct corner_data corners[3],
-                    struct error *error);
+/* Add a part with so many faces. False, with the picture's error set, when memory runs out or a
+ * face is too far off the picture. */
+bool picture_add(struct picture *picture, const struct gl_part *part, size_t face_count,
+                 corner_function *corner, const void *given);
 
 void picture_free(struct picture *picture);
 
-/* ---- Depth ---- */
+/* ---- What several lessons need ---- */
 
-/* In the parallel view depth is z, here -2..2: as (z + 2) / 4 it is 0..1. */
-static inline double parallel_depth(double z) {
-    return (z + 2) / 4;
-}
+struct rectangle whole_picture(const struct picture *picture);
 
-/* In perspective depth is z/w with w = 1 - z/d, so it is a growing function of 1/w: near_w / w is
- * 0..1 and keeps a float's precision at all distances. Here near_w is where the course clips. */
-#define NEAR_W (1.0 / 128)
-
-/* The course's matrix with the row that OpenGL's depth needs. */
+/* The matrix with the row that OpenGL's depth needs; z is -2..2 in the parallel view. */
 struct mat4 parallel_clip(struct mat4 to_clip);
-struct mat4 perspective_clip(struct mat4 to_clip);
 
-/* The parallel view of steps 4 to 7: x and y in -1..1 fill the viewport. */
-struct batch parallel_batch(enum look look, struct rectangle viewport);
+/* Lessons 4 to 6: add the faces of the drawing's model on which light falls, in the parallel view.
+ * Varyings: intensity, u, v. */
+bool picture_add_lit_faces(struct picture *picture, struct gl_part part);
 
-/* ---- Where a position of clip space lands, as the course computes it (perspective) ---- */
+/* ---- The table of scenes ---- */
 
-bool place_in_viewport(struct vec4 clip, const struct rectangle *viewport, struct placed *placed);
+struct compared_scene {
+    const char *name;
+    const char *left_out; /* what is not compared, and why */
+    draw_function *rest;  /* draws the scene without that; NULL: the scene's own function does */
+    bool (*build)(struct picture *picture); /* adds the parts; NULL: nothing is compared */
+    bool fills;       /* what no face covers is drawn too: the depth buffer says where faces are */
+    bool shows_depth; /* the picture shows the depth buffer (lesson 5) */
+    size_t jumps;     /* pixels of 10,000 that may be on the other side of a jump; 0: one */
+};
+
+struct lesson {
+    const struct program *program;
+    /* The last one has no name, and says why all others are left out, if there are any. */
+    const struct compared_scene *scenes;
+};
+
+/* All of them in order, then NULL: stepNN_name/opengl.c defines lesson_stepNN. The list is written
+ * by make, from the names of the files. */
+extern const struct lesson *const lessons[];
 
 #endif

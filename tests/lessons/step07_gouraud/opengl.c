@@ -1,13 +1,79 @@
-/* The triangles of step 7: see compared.h. */
-#include "bench/opengl/compared.h"
+/* Lesson 7 by OpenGL: see picture.h. */
+#include "bench/opengl/picture.h"
 
 #define LESSON "../step07_gouraud/main.c"
 #include "lesson.h"
 
-#include <string.h>
+/* A model and what falls on it. */
+struct lit_model {
+    const struct model *model;
+    struct lighting lighting;
+};
 
-static const char *left_out(const char *scene) {
-    return strcmp(scene, "lit") == 0 ? "the powers in the corner" : NULL;
+static bool color_corner(const void *given, size_t face, size_t corner, struct corner_data *to) {
+    const struct lit_model *lit = given;
+    struct vec3 c = model_color(lit->model, face, corner);
+    *to = (struct corner_data){model_position(lit->model, face, corner), {c.x, c.y, c.z}};
+    return true;
+}
+
+static bool lit_corner(const void *given, size_t face, size_t corner, struct corner_data *to) {
+    const struct lit_model *lit = given;
+    struct known_corner known = {0};
+    light_corner(lit->model, face, corner, &lit->lighting, &known);
+    double first = lit->lighting.at_points ? known.parts.diffuse : known.intensity;
+    *to = (struct corner_data){model_position(lit->model, face, corner),
+                               {first, known.parts.specular}};
+    return true;
+}
+
+static bool add_model(struct picture *picture, struct gl_part part, corner_function *corner,
+                      struct lighting lighting) {
+    const struct lit_model lit = {picture->drawing->model, lighting};
+    part.cull = CULL_BACK;
+    part.to_clip = parallel_clip(mat4_identity());
+    return picture_add(picture, &part, lit.model->face_count, corner, &lit);
+}
+
+static bool build_gouraud(struct picture *picture) {
+    const struct lighting lighting = {.light = vec3_normalized(picture->drawing->light)};
+    const struct gl_part part = {.formula = "vec3(255.0 * first.x)",
+                                 .viewport = whole_picture(picture)};
+    return add_model(picture, part, lit_corner, lighting);
+}
+
+static bool build_colors(struct picture *picture) {
+    const struct gl_part part = {.formula = "255.0 * first.rgb",
+                                 .viewport = whole_picture(picture)};
+    return add_model(picture, part, color_corner, (struct lighting){0});
+}
+
+static bool add_panels(struct picture *picture, const struct material *material) {
+    const struct drawing *drawing = picture->drawing;
+    const struct lighting lighting = {true, drawing->light, drawing->eye, material};
+    const int width = (int)picture->width / 2, height = (int)picture->height / 2;
+    bool done = true;
+    for (size_t i = 0; done && i < PANEL_COUNT; i++) {
+        const struct panel *panel = &panels[i];
+        const struct gl_part part = {
+            .formula =
+                "(weights.x + weights.y * first.x) * color + weights.z * first.y * light_color",
+            .color = material->surface_color,
+            .light_color = material->light_color,
+            .weights = {panel->ambient * material->ambient, panel->diffuse, panel->specular},
+            .viewport = {panel->column * width, panel->row * height, width, height},
+        };
+        done = add_model(picture, part, lit_corner, lighting);
+    }
+    return done;
+}
+
+static bool build_lit(struct picture *picture) {
+    return add_panels(picture, &clay);
+}
+
+static bool build_behind(struct picture *picture) {
+    return add_panels(picture, &satin);
 }
 
 static bool draw_clay(struct drawing *drawing, struct image *image, struct error *error) {
@@ -16,107 +82,12 @@ static bool draw_clay(struct drawing *drawing, struct image *image, struct error
     return true;
 }
 
-static draw_function *rest(const char *scene) {
-    (void)scene;
-    return draw_clay;
-}
-
-/* What is interpolated from a corner; without lighting its colour. */
-static void set_varyings(const struct model *model, size_t face, size_t corner,
-                         const struct lighting *lighting, double varyings[3]) {
-    if (lighting == NULL) {
-        struct vec3 color = model_color(model, face, corner);
-        varyings[0] = color.x;
-        varyings[1] = color.y;
-        varyings[2] = color.z;
-        return;
-    }
-    struct known_corner known = {0};
-    light_corner(model, face, corner, lighting, &known);
-    varyings[0] = lighting->at_points ? known.parts.diffuse : known.intensity;
-    varyings[1] = known.parts.specular;
-}
-
-/* All faces, drawn into the batch's viewport. */
-static bool add_faces(struct batch *batch, const struct model *model,
-                      const struct lighting *lighting, struct error *error) {
-    const struct rectangle *panel = &batch->viewport;
-    const struct canvas canvas = {.width = (size_t)panel->width, .height = (size_t)panel->height};
-    for (size_t face = 0; face < model->face_count; face++) {
-        struct vertex vertices[3];
-        struct corner_data corners[3];
-        if (!place_face(model, face, &canvas, vertices)) {
-            continue;
-        }
-        for (size_t i = 0; i < 3; i++) {
-            struct fixed2 screen = vertices[i].position;
-            corners[i] = (struct corner_data){
-                .position = model_position(model, face, i),
-                .placed = {{screen.x + panel->x * SUBPIXELS, screen.y + panel->y * SUBPIXELS},
-                           parallel_depth(vertices[i].depth),
-                           1},
-            };
-            set_varyings(model, face, i, lighting, corners[i].varyings);
-        }
-        if (!batch_add_face(batch, face, corners, error)) {
-            return false;
-        }
-    }
-    return true;
-}
-
-/* All faces over the whole image. */
-static bool build_whole(enum look look, const struct lighting *lighting,
-                        const struct drawing *drawing, const struct image *image,
-                        struct picture *picture, struct error *error) {
-    struct batch settings =
-        parallel_batch(look, (struct rectangle){0, 0, (int)image->width, (int)image->height});
-    settings.cull = CULL_BACK;
-    struct batch *batch = picture_add_batch(picture, &settings, error);
-    return batch != NULL && add_faces(batch, drawing->model, lighting, error);
-}
-
-static bool build_lit(struct drawing *drawing, const struct material *material, struct image *image,
-                      struct picture *picture, struct error *error) {
-    const struct lighting lighting = {
-        .at_points = true, .light = drawing->light, .camera = drawing->eye, .material = material};
-    int width = (int)image->width / 2, height = (int)image->height / 2;
-    for (size_t i = 0; i < PANEL_COUNT; i++) {
-        const struct panel *panel = &panels[i];
-        struct batch settings =
-            parallel_batch(LOOK_LIT, (struct rectangle){panel->column * width, panel->row * height,
-                                                        width, height});
-        settings.cull = CULL_BACK;
-        settings.values = (struct look_values){
-            .ambient = panel->ambient * material->ambient,
-            .diffuse = panel->diffuse,
-            .specular = panel->specular,
-            .color = material->surface_color,
-            .light_color = material->light_color,
-        };
-        struct batch *batch = picture_add_batch(picture, &settings, error);
-        if (batch == NULL || !add_faces(batch, drawing->model, &lighting, error)) {
-            return false;
-        }
-    }
-    return true;
-}
-
-static bool build(const char *scene, struct drawing *drawing, struct image *image,
-                  struct picture *picture, struct error *error) {
-    const struct lighting lighting = {.light = vec3_normalized(drawing->light)};
-    if (strcmp(scene, "lit") == 0 || strcmp(scene, "behind") == 0) {
-        const struct material *material = strcmp(scene, "lit") == 0 ? &clay : &satin;
-        return build_lit(drawing, material, image, picture, error);
-    }
-    return strcmp(scene, "colors") == 0
-               ? build_whole(LOOK_COLORS, NULL, drawing, image, picture, error)
-               : build_whole(LOOK_WHITE, &lighting, drawing, image, picture, error);
-}
-
-const struct lesson lesson_step07 = {
-    .program = &step07_gouraud,
-    .left_out = left_out,
-    .rest = rest,
-    .build = build,
+static const struct compared_scene table[] = {
+    {"gouraud", .build = build_gouraud},
+    {"colors", .build = build_colors},
+    {"lit", "the powers in the corner", draw_clay, .build = build_lit},
+    {"behind", .build = build_behind},
+    {.name = NULL},
 };
+
+const struct lesson lesson_step07 = {&step07_gouraud, table};

@@ -1,56 +1,36 @@
-/* The triangles of step 9: see compared.h and recorder.h. */
-#include "bench/opengl/compared.h"
+/* Lesson 9 by OpenGL: see picture.h and recorder.h. */
 #include "bench/opengl/recorder.h"
 
 #define LESSON "../step09_shaders/main.c"
 #include "lesson.h"
 
-#include <string.h>
+#define TEXEL "bilinear(diffuse_map, first.xy, levels.x)"
 
-static const char *left_out(const char *scene) {
-    static const char *const simple[] = {"loops", "looks", "more_looks"};
-    for (size_t i = 0; i < sizeof simple / sizeof simple[0]; i++) {
-        if (strcmp(scene, simple[i]) == 0) {
-            return "all of it: drawn without the pipeline; the other scenes have the same looks";
-        }
-    }
-    return NULL;
-}
+static const struct known_fragment known[] = {
+    {white_fragment, "vec3(255.0 * first.x)"},
+    {lit_only_fragment, "vec3(255.0 * first.x)"},
+    {textured_fragment, TEXEL " * first.z"},
+    {toon_fragment, "toon()"},
+    {normal_map_fragment, TEXEL " * max(dot(map_normal(first.xy), to_light), 0.0)"},
+    {NULL, NULL},
+};
 
-static bool describe_shader(const struct shader *shader, const void *uniforms,
-                            struct batch *batch) {
+static struct gl_part describe(const struct shader *shader, const void *uniforms) {
     const struct uniforms *u = uniforms;
-    batch->values = (struct look_values){
-        .diffuse_map = u->diffuse,
-        .normal_map = u->normal_map,
-        .diffuse_level = u->diffuse_level,
-        .normal_level = u->normal_level,
+    return (struct gl_part){
+        .formula = formula_of(shader, known),
+        .maps = {u->diffuse, u->normal_map},
+        .levels = {(double)u->diffuse_level, (double)u->normal_level, 0},
         .to_light = u->to_light,
     };
-    if (shader->fragment == white_fragment) {
-        batch->look = LOOK_WHITE;
-    } else if (shader->fragment == lit_only_fragment) {
-        batch->look = LOOK_LIT_ONLY;
-    } else if (shader->fragment == textured_fragment) {
-        batch->look = LOOK_BILINEAR;
-    } else if (shader->fragment == toon_fragment) {
-        batch->look = LOOK_TOON;
-    } else if (shader->fragment == normal_map_fragment) {
-        batch->look = LOOK_NORMAL_MAP;
-    } else {
-        return false;
-    }
-    return true;
 }
 
-static bool build(const char *scene, struct drawing *drawing, struct image *image,
-                  struct picture *picture, struct error *error) {
-    return record_scene(&step09_shaders, scene, drawing, image, picture, error);
-}
-
-const struct lesson lesson_step09 = {
-    .program = &step09_shaders,
-    .state_size = sizeof(struct recorder),
-    .left_out = left_out,
-    .build = build,
+static const struct compared_scene table[] = {
+    {"four", .build = record},
+    {"toon", .build = record},
+    {"normalmap", .build = record},
+    {"culling", .build = record},
+    {.left_out = "drawn without the pipeline; the other scenes have the same looks"},
 };
+
+const struct lesson lesson_step09 = {&step09_shaders, table};

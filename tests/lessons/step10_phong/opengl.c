@@ -1,58 +1,44 @@
-/* The triangles of step 10: see compared.h and recorder.h. */
-#include "bench/opengl/compared.h"
+/* Lesson 10 by OpenGL: see picture.h and recorder.h. */
 #include "bench/opengl/recorder.h"
 
 #define LESSON "../step10_phong/main.c"
 #include "lesson.h"
 
-static const char *left_out(const char *scene) {
-    return strcmp(scene, "near") == 0 ? "some of its faces are cut at the near plane" : NULL;
-}
+static const struct known_fragment known[] = {
+    {plain_fragment, "illuminate(color, mesh_normal(), weights.z, power)"},
+    {mapped_fragment, "illuminate(color, mapped_normal(), weights.z, power)"},
+    {textured_fragment, "illuminate(textured(), mesh_normal(), weights.z, power)"},
+    {full_fragment, "illuminate(textured(), mapped_normal(), weights.z, power)"},
+    {weight_map_fragment,
+     "illuminate(textured(), mapped_normal(), specular_value() / 255.0 * weights.z, power)"},
+    {power_map_fragment, "illuminate(textured(), mapped_normal(), weights.z, power_of_map())"},
+    {NULL, NULL},
+};
 
-static bool describe_shader(const struct shader *shader, const void *uniforms,
-                            struct batch *batch) {
+static struct gl_part describe(const struct shader *shader, const void *uniforms) {
     const struct uniforms *u = uniforms;
     const struct material *m = &u->material;
-    batch->values = (struct look_values){
-        .diffuse_map = u->diffuse,
-        .normal_map = u->normal_map,
-        .specular_map = u->specular,
-        .diffuse_level = u->diffuse_level,
-        .normal_level = u->normal_level,
-        .specular_level = u->specular_level,
+    return (struct gl_part){
+        .formula = formula_of(shader, known),
+        .maps = {u->diffuse, u->normal_map, u->specular},
+        .levels = {(double)u->diffuse_level, (double)u->normal_level, (double)u->specular_level},
+        .weights = {m->ambient, m->diffuse, m->specular},
         .to_light = u->to_light,
-        .ambient = m->ambient,
-        .diffuse = m->diffuse,
-        .specular = m->specular,
+        .color = m->color,
         .power = m->power,
-        .color = {m->color.x, m->color.y, m->color.z},
     };
-    if (shader->fragment == plain_fragment) {
-        batch->look = LOOK_PHONG_PLAIN;
-    } else if (shader->fragment == mapped_fragment) {
-        batch->look = LOOK_PHONG_MAPPED;
-    } else if (shader->fragment == textured_fragment) {
-        batch->look = LOOK_PHONG_TEXTURED;
-    } else if (shader->fragment == full_fragment) {
-        batch->look = LOOK_PHONG_FULL;
-    } else if (shader->fragment == weight_map_fragment) {
-        batch->look = LOOK_PHONG_WEIGHT_MAP;
-    } else if (shader->fragment == power_map_fragment) {
-        batch->look = LOOK_PHONG_POWER_MAP;
-    } else {
-        return false;
-    }
-    return true;
 }
 
-static bool build(const char *scene, struct drawing *drawing, struct image *image,
-                  struct picture *picture, struct error *error) {
-    return record_scene(&step10_phong, scene, drawing, image, picture, error);
-}
-
-const struct lesson lesson_step10 = {
-    .program = &step10_phong,
-    .state_size = sizeof(struct recorder),
-    .left_out = left_out,
-    .build = build,
+static const struct compared_scene table[] = {
+    {"matt", .build = record},
+    {"parts", .build = record},
+    {"shine", .build = record},
+    {"four", .build = record},
+    {"behind", .build = record},
+    {"powers", .build = record},
+    {"turn", .build = record},
+    {"near", .left_out = "two of its maps exist only while the lesson draws it"},
+    {.name = NULL},
 };
+
+const struct lesson lesson_step10 = {&step10_phong, table};
