@@ -1,6 +1,6 @@
 #!/bin/sh
-# Runs tests, as many at a time as there are processors (WORKERS=1 in the environment for one), and
-# says how many pass. What one says stays together. Every test runs, also after one that failed.
+# Runs tests, one more at a time than there are processors, because some wait (WORKERS=1 in the
+# environment for one), and says how many pass. What one says stays together. Every test runs, also after one that failed.
 #
 #   run_tests.sh TEST...
 #
@@ -11,7 +11,7 @@ trap 'exit 1' HUP INT TERM
 
 # shellcheck disable=SC2016 # for the shell of each test
 printf '%s\n' "$@" |
-    xargs -n 1 -P "${WORKERS:-$(getconf _NPROCESSORS_ONLN 2>/dev/null || echo 1)}" sh -c '
+    xargs -n 1 -P "${WORKERS:-$(($(getconf _NPROCESSORS_ONLN 2>/dev/null || echo 1) + 1))}" sh -c '
         log=$(mktemp "$1/log.XXXXXX") && echo "== $2" >"$log" || exit 1
         if "$2" >>"$log" 2>&1; then echo "$2" >>"$1/passed"; else echo "$2" >>"$1/failed"; fi
         cat "$log"' run_test "$results"
