@@ -116,10 +116,11 @@ stress: $(BUILD)/stress
 verify: $(BUILD)/check $(BUILD)/figure_make models
 	@tests/upkeep/verify/verify.sh $(BUILD) '$(MAKE) -s' '$(STEP)' '$(NAME)'
 
-# The compiler's flags, for scripts that call make hundreds of times.
-.PHONY: found
-found:
-	@echo "THREADED='$(THREADED)' MARCH='$(MARCH)'"
+# How a lesson's program is compiled and linked, and with what, for scripts that do it hundreds of
+# times.
+.PHONY: commands
+commands:
+	@: $(info $(filter-out -MMD -MP,$(COMPILE)))$(info $(LINK))$(info $(BUILD)/libcommon.a -lm)
 
 mistakes: $(BUILD)/check $(BUILD)/looks_make $(BUILD)/figure_make models
 	@tests/upkeep/verify/mistakes.sh $(BUILD) '$(MAKE) -s' '$(STEP)'
@@ -127,13 +128,6 @@ mistakes: $(BUILD)/check $(BUILD)/looks_make $(BUILD)/figure_make models
 $(BUILD)/looks_make $(BUILD)/figure_make: $(BUILD)/%: $(BUILD)/tests/check/%.o $(CHECKER) \
                                            $(BUILD)/libcommon.a
 	$(Q)$(LINK) $^ -lm -o $@
-
-# One of these programs, built with what is there: the library has the flags of the course.
-$(BUILD)/verify.%: force
-	$(Q)$(COMPILE) -I$(@F) -c $(@D)/main.c -o $@.o
-	$(Q)$(LINK) $@.o $(BUILD)/libcommon.a -lm -o $@
-# What such a program depends on is no program.
-$(BUILD)/verify.%.d: ;
 
 # ---- make mutants, portability, fuzz, coverage ----
 
