@@ -82,7 +82,7 @@ run() {
 # model in OFF.
 draw() {
     rm -rf "$work/models" "$work/out" && mkdir -p "$work"/{models,out/formats/textured}
-    run sculpt "$work/models" || return
+    run sculptor "$work/models" || return
     for step in step*_*; do
         mkdir "$work/out/$step"
         run "$step" -o "$work/out/$step" || return
@@ -122,7 +122,7 @@ judge_row() {
         return
     fi
     # shellcheck disable=SC2046 # one word a program
-    make_with $(printf "$work/%s " step*_*) "$work/sculpt" >&2 || { echo "FAIL  does not build (LOG)"; return; }
+    make_with $(printf "$work/%s " step*_*) "$work/sculptor" >&2 || { echo "FAIL  does not build (LOG)"; return; }
     case $name in *-threads) counts='1 2 3 4 5 6 7 8' ;; *) counts=${THREADS:-0} ;; esac
     for THREADS in $counts; do
         [ "$THREADS" = 0 ] && unset THREADS || export THREADS
