@@ -525,7 +525,7 @@ static void test_lying_tga(void) {
         {"a header alone", "cut off", "\0\0\3\0\0\0\0\0\0\0\0\0\1\0\1\0\10\0", 18},
     };
     for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
-        struct image image;
+        struct image image = {.width = 1};
         struct error error;
         CHECK_ROW(!decode_exact(&image, (const uint8_t *)rows[i].bytes, rows[i].size, &error),
                   rows[i].name);

@@ -1,6 +1,7 @@
 #!/bin/sh
 # Runs tests, one more at a time than there are processors, because some wait (WORKERS=1 in the
-# environment for one), and says how many pass. What one says stays together. Every test runs, also after one that failed.
+# environment for one), and says how many pass. What one says stays together. Every test runs, also
+# after one that failed.
 #
 #   run_tests.sh TEST...
 #

@@ -180,7 +180,8 @@ static void check_number(const char *string) {
     double expected = strtod(string, NULL), as_word = 0, in_text = 0;
     size_t length = strlen(string);
     char *copy = malloc(length);
-    if (!CHECK(copy != NULL)) {
+    CHECK(copy != NULL);
+    if (copy == NULL) {
         return;
     }
     memcpy(copy, string, length);
