@@ -75,7 +75,8 @@ $(BUILD)/flags: force
 # compiler warns of is kept, because the check repeats it.
 define BUILD_LESSON
 	$(SAY) CC $<
-	$(Q)$(COMPILE) $(1) -MF $@.d -MT $@ -c $< -o $@.o 2>$@.said || { cat $@.said >&2; exit 1; }
+	$(Q)$(COMPILE) $$([ ! -t 2 ] || echo -fdiagnostics-color=always) $(1) -MF $@.d -MT $@ -c $< -o $@.o \
+	    2>$@.said || { cat $@.said >&2; exit 1; }
 	@cat $@.said >&2
 	$(Q)$(LINK) $(1) $@.o $(2) $(BUILD)/libcommon.a -lm -o $@.$$$$ && mv -f $@.$$$$ $@
 endef
