@@ -93,7 +93,7 @@ static bool check_errors(const struct bench_lesson *lesson, const struct bench_r
                          struct error *error) {
     for (size_t p = 0; p < lesson->panel_count; p++) {
         const struct bench_panel *panel = &lesson->panels[p];
-        for (size_t i = 0; panel->house_within > 0 && i < results->count[p]; i++) {
+        for (size_t i = 0; panel->house_within > 0 && i < panel->version_count; i++) {
             double found = results->of[p][i].error;
             if (panel->versions[i].is_house && !(found <= panel->house_within)) {
                 return error_set(error, "%s: \"%s\" has an error of %g, and may have %g",

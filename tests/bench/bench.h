@@ -1,11 +1,11 @@
 /*
  * Run time against error: what a lesson tells the benchmark about its versions.
  *
- * Each lesson is one file, tests/bench/stepNN.c, that includes the lesson's own code
+ * Each lesson has a tests/lessons/stepNN_name/bench.c that includes the lesson's own code
  *
  *     #define LESSON "../step01_line/main.c"
  *     #include "lesson.h"
- *     #include "../../step01_line/attempts.h"
+ *     #include "../../../step01_line/attempts.h"
  *
  * and defines `const struct bench_lesson bench_stepNN`. A lesson has a few panels; a panel is one
  * piece of work that several versions do, each in its own way, and becomes one chart. Of every
@@ -30,10 +30,9 @@
 
 /* One way to do the work of a panel. */
 struct bench_version {
-    const char *name;  /* at most 26 characters, so that labels find room in the chart */
-    int choice;        /* which version it is: added to the panel's `base` */
-    bool is_house;     /* the lesson's good version, the one in main.c: its name is set in bold */
-    bool is_elsewhere; /* it has run_elsewhere() in place of run() */
+    const char *name; /* at most 26 characters, so that labels find room in the chart */
+    int choice;       /* which version it is: added to the panel's `base` */
+    bool is_house;    /* the lesson's good version, the one in main.c: its name is set in bold */
     void (*run)(void *state, int choice); /* in place of the panel's, where that is not NULL */
 };
 
@@ -41,8 +40,6 @@ struct bench_version {
     { .name = (label), .choice = (number) }
 #define HOUSE_VERSION(label, number)                                                               \
     { .name = (label), .choice = (number), .is_house = true }
-#define PEER_VERSION(label, number)                                                                \
-    { .name = (label), .choice = (number), .is_elsewhere = true }
 
 struct bench_panel {
     const char *title;       /* the work: "24,640 lines from the middle of 41x41 pixels" */
@@ -69,23 +66,13 @@ struct bench_panel {
 
     /* ---- What follows may be left out ---- */
 
-    /* What `error` counts where it is no error: "work". NULL: "error". Of work 0 is not "exact",
-     * and `against` may be NULL. */
-    const char *across;
     /* The series that a version belongs to, such as "float": its dots have one colour and are
      * joined by a line, in the order of the table; then a short name such as "8" is enough for a
      * version. The same pointer for all of a series, BENCH_SERIES_LIMIT series at most; NULL for a
      * version without. */
     const char *(*series)(int choice);
-    /* A third quantity, 0 or more, that the area of a dot shows, and its unit: "bytes a pixel".
-     * Asked for after `error`. */
+    /* A third number, for who prints it: asked for after `error`. */
     double (*size)(const void *state, int choice);
-    const char *size_label;
-    /* For a peer, which not every machine has: how many of the versions, from the first, can run
-     * here (NULL: all); and its run, where another process does the work and holds the watch:
-     * seconds, or infinity where it failed. */
-    size_t (*versions_here)(const void *state);
-    double (*run_elsewhere)(void *state, int choice);
     /* The most that the error of a house version is if it is right, and what it is measured
      * against, too: beyond it the benchmark fails. BENCH_EXACT allows none; 0: nobody asks. */
     double house_within;

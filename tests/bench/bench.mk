@@ -5,9 +5,8 @@
 ##   make bench-frame            the time of a frame beside Mesa's llvmpipe (OPTIONS=--help)
 ##   make bench-files            how fast files are read and written, beside libpng and plain bytes
 ##   make bench-run              where the time of a whole run goes, beside cat and cp of its files
-##   make compare-opengl         the same pictures drawn by OpenGL (needs Mesa)
 ##   make counts                 the instructions of each scene, beside those committed (STEP=05)
-.PHONY: bench charts compare-opengl bench-frame bench-files bench-run counts
+.PHONY: bench charts bench-frame bench-files bench-run counts
 
 # Stress and benchmarks share out their cases with OpenMP, where the compiler has it.
 OPENMP := $(shell $(CC) -fopenmp -E -x c /dev/null >/dev/null 2>&1 && echo -fopenmp)
@@ -16,27 +15,6 @@ $(BUILD)/tests/lessons/%.o $(BUILD)/tests/upkeep/stress/%.o: INCLUDES = -Itests 
 OBJECTS_OF = $(patsubst %.c,$(BUILD)/%.o,$(wildcard $(1:%=tests/%/*.c)))
 
 # ---- make bench, make charts ----
-
-# Benchmarks have Mesa's renderer beside ours where it is installed. Whether it is there is asked
-# when it matters.
-MESA_IS_MISSING = Mesa is missing; on Debian: apt-get install libegl-dev libgl-dev libegl1 \
-                  libgl1-mesa-dri
-FIND_MESA = printf '%s\n' '\#include <EGL/egl.h>' '\#include <GL/glcorearb.h>' | \
-            $(CC) -E - >/dev/null 2>&1
-ifneq ($(filter bench bench-frame $(BUILD)/bench%,$(MAKECMDGOALS)),)
-HAS_MESA := $(shell $(FIND_MESA) && echo yes)
-endif
-SAY_WITHOUT_MESA = $(if $(HAS_MESA),,echo 'without llvmpipe: $(MESA_IS_MISSING)')
-MESA_OBJECTS = $(if $(HAS_MESA),$(addprefix $(BUILD)/tests/,bench/frame/llvmpipe.o \
-                   bench/opengl/context.o), \
-                   $(BUILD)/tests/bench/frame/without_llvmpipe.o)
-PEER_OBJECTS = $(addprefix $(BUILD)/tests/bench/frame/,child.o pairs.o scene.o vertices.o) \
-               $(MESA_OBJECTS)
-
-# Changes only when Mesa comes or goes.
-$(BUILD)/with-mesa: force
-	@mkdir -p $(@D)
-	@echo 'with: $(HAS_MESA)' | cmp -s - $@ || echo 'with: $(HAS_MESA)' >$@
 
 # The lessons that are measured: list.c names what each bench.c defines.
 MEASURED = $(patsubst tests/lessons/%/bench.c,%,$(sort $(wildcard tests/lessons/*/bench.c)))
@@ -51,15 +29,13 @@ $(BUILD)/tests/bench/list.o: $(BUILD)/tests/bench/list.c $(BUILD)/flags
 	$(Q)$(COMPILE) -Itests -c $< -o $@
 
 $(BUILD)/benchmark: $(filter-out %/figures.o,$(call OBJECTS_OF,bench oracle)) $(BUILD)/tests/bench/list.o \
-                    $(patsubst %.c,$(BUILD)/%.o,$(wildcard tests/lessons/*/bench*.c)) \
-                    $(BUILD)/tests/check/page/escape.o $(PEER_OBJECTS) $(BUILD)/libcommon.a \
-                    $(BUILD)/with-mesa
-	$(Q)$(LINK) $(OPENMP) $(filter-out %-mesa,$^) $(if $(HAS_MESA),-lEGL -lGL) -lm -o $@
+                    $(patsubst %.c,$(BUILD)/%.o,$(wildcard tests/lessons/*/bench.c)) \
+                    $(BUILD)/tests/check/page/escape.o $(BUILD)/libcommon.a
+	$(Q)$(LINK) $(OPENMP) $^ -lm -o $@
 
 # With lesson 9 also what it is worth to skip, where most of a scene is hidden or off screen.
 bench: $(BUILD)/benchmark $(BUILD)/bench-frame models
 	@mkdir -p $(BUILD)/bench
-	@$(if $(filter-out 9 09,$(STEP)),,$(SAY_WITHOUT_MESA))
 	$(Q)$(BUILD)/benchmark -o $(BUILD) $(STEP)
 	$(Q)$(if $(filter-out 9 09,$(STEP)),,$(BUILD)/bench-frame --skipping --frames 7)
 
@@ -74,13 +50,26 @@ charts:
 
 # ---- Frames, files, whole runs ----
 
+# With Mesa's renderer beside ours where it is installed. Whether it is there is asked when it
+# matters.
+ifneq ($(filter bench bench-frame $(BUILD)/bench-frame,$(MAKECMDGOALS)),)
+HAS_MESA := $(shell printf '%s\n' '\#include <EGL/egl.h>' '\#include <GL/glcorearb.h>' | \
+                    $(CC) -E - >/dev/null 2>&1 && echo yes)
+endif
+NOT_LINKED = $(if $(HAS_MESA),%/without_llvmpipe.o,%/llvmpipe.o %/context.o)
+
+# Changes only when Mesa comes or goes.
+$(BUILD)/with-mesa: force
+	@mkdir -p $(@D)
+	@echo 'with: $(HAS_MESA)' | cmp -s - $@ || echo 'with: $(HAS_MESA)' >$@
+
 bench-frame: $(BUILD)/bench-frame models
-	@$(SAY_WITHOUT_MESA)
+	@$(if $(HAS_MESA),,echo 'without llvmpipe: Mesa is missing; on Debian: apt-get install \
+	    libegl-dev libgl-dev libegl1 libgl1-mesa-dri')
 	$(Q)$(BUILD)/bench-frame $(OPTIONS)
 
-$(BUILD)/bench-frame: $(sort $(filter-out %llvmpipe.o,$(call OBJECTS_OF,bench/frame oracle)) \
-                        $(PEER_OBJECTS)) $(BUILD)/tests/check/arguments.o $(BUILD)/libcommon.a \
-                      $(BUILD)/with-mesa
+$(BUILD)/bench-frame: $(filter-out $(NOT_LINKED),$(call OBJECTS_OF,bench/frame oracle)) \
+                      $(BUILD)/tests/check/arguments.o $(BUILD)/libcommon.a $(BUILD)/with-mesa
 	$(Q)$(LINK) $(filter-out %-mesa,$^) $(if $(HAS_MESA),-lEGL -lGL) -lm -o $@
 
 # Beside libpng where it is installed.
@@ -100,31 +89,3 @@ bench-run: all
 # Instructions, which no other process disturbs.
 counts:
 	@tests/bench/counts.sh $(BUILD) '$(STEP)'
-
-# ---- make compare-opengl ----
-
-# list.c names what each opengl.c defines.
-COMPARED = $(patsubst tests/lessons/%/opengl.c,%,$(sort $(wildcard tests/lessons/*/opengl.c)))
-$(BUILD)/tests/bench/opengl/list.c: $(COMPARED:%=tests/lessons/%/opengl.c)
-	@mkdir -p $(@D)
-	@{ echo '#include "bench/opengl/picture.h"'; \
-	   for step in $(COMPARED); do echo "extern const struct lesson lesson_$${step%%_*};"; done; \
-	   echo 'const struct lesson *const lessons[] = {'; \
-	   for step in $(COMPARED); do echo "    &lesson_$${step%%_*},"; done; echo '    NULL};'; } >$@
-
-$(BUILD)/tests/bench/opengl/list.o: $(BUILD)/tests/bench/opengl/list.c $(BUILD)/flags
-	$(Q)$(COMPILE) -Itests -c $< -o $@
-
-OPENGL_OBJECTS = $(call OBJECTS_OF,bench/opengl) $(BUILD)/tests/bench/opengl/list.o \
-                 $(COMPARED:%=$(BUILD)/tests/lessons/%/opengl.o)
-compare-opengl: $(BUILD)/compare-opengl models
-	$(Q)$(BUILD)/compare-opengl
-
-$(BUILD)/compare-opengl: $(OPENGL_OBJECTS) $(BUILD)/libcommon.a
-	$(Q)$(LINK) $^ -lEGL -lGL -lm -o $@
-
-# Says what is missing before the compiler does.
-.PHONY: has-mesa
-$(OPENGL_OBJECTS): | has-mesa
-has-mesa:
-	@$(FIND_MESA) || { echo 'compare-opengl: $(MESA_IS_MISSING)'; exit 2; }

@@ -22,12 +22,8 @@ enum {
     PLACE_WIDTH_SERIES = 110, /* the same where labels are short */
     TICK_LIMIT = 64,
     LABEL_HEIGHT = 15,
-    MARK_RADIUS = 5,      /* of a dot whose area says nothing */
-    MARK_RADIUS_LEAST = 3 /* of one whose area does */
+    MARK_RADIUS = 5
 };
-
-/* The radius of the dot that shows the largest third quantity of a panel. */
-static const double mark_radius_most = 12;
 
 /* A generous guess of how wide a letter of a label (12 pixels high) is, in any sans-serif font. */
 static const double letter_width = 7.0;
@@ -169,8 +165,7 @@ static bool segment_meets(struct point a, struct point b, struct label_box box) 
 struct mark {
     const struct bench_version *version;
     const struct bench_result *result;
-    int series; /* its place in plot.series; -1: none */
-    double radius;
+    int series;                    /* its place in plot.series; -1: none */
     double x, y, y_upper, y_lower; /* the dot, and the ends of its bar */
     struct label_box label;
     const char *anchor; /* the class that ties the text to the box's side: "", "middle", "end" */
@@ -188,12 +183,9 @@ struct plot {
     struct axis error, time;
     double exact_x, none_x; /* the places for an error of 0 and for one that is not finite */
     bool has_scale, has_exact, has_none;
-    const char *across; /* what is shown across: "error" */
-    const char *zero;   /* what is written at 0 */
-    bool exact_apart;   /* 0 is not on the scale, but in a place of its own at the left */
+    bool exact_apart; /* 0 is not on the scale, but in a place of its own at the left */
     double place_width;
     double top, bottom;
-    double most_size; /* of the third quantity; 0: the panel has none */
     const char *series[BENCH_SERIES_LIMIT];
     int series_count;
     struct mark marks[BENCH_VERSION_LIMIT];
@@ -261,18 +253,8 @@ static int series_place(const struct plot *plot, const char *name) {
     return -1;
 }
 
-/* The area of a dot is proportional to what it shows, but for the smallest. */
-static double mark_radius(const struct plot *plot, const struct bench_result *result) {
-    return plot->most_size > 0
-               ? fmax(mark_radius_most * sqrt(result->size / plot->most_size), MARK_RADIUS_LEAST)
-               : MARK_RADIUS;
-}
-
 static void plot_marks(struct plot *plot, const struct bench_panel *panel,
                        const struct bench_result *results) {
-    for (size_t i = 0; panel->size != NULL && i < plot->count; i++) {
-        plot->most_size = fmax(plot->most_size, results[i].size);
-    }
     for (size_t i = 0; i < plot->count; i++) {
         const struct bench_result *r = &results[i];
         double x = plot->exact_x;
@@ -285,7 +267,6 @@ static void plot_marks(struct plot *plot, const struct bench_panel *panel,
             .version = &panel->versions[i],
             .result = r,
             .series = series_place(plot, report_series(panel, i)),
-            .radius = mark_radius(plot, r),
             .anchor = "",
             .x = x,
             .y = axis_px(&plot->time, r->median),
@@ -312,7 +293,7 @@ static void plot_front(struct plot *plot) {
 /* ---- Labels ---- */
 
 static struct label_box dot_box(const struct mark *mark) {
-    double r = mark->radius + 2;
+    const double r = MARK_RADIUS + 2;
     return (struct label_box){mark->x - r, mark->y - r, mark->x + r, mark->y + r};
 }
 
@@ -410,7 +391,7 @@ static void put_label(struct mark *mark, enum side side, double across, double d
     }
     mark->label = (struct label_box){left, middle - LABEL_HEIGHT / 2.0, left + width,
                                      middle + LABEL_HEIGHT / 2.0};
-    double near = mark->radius + 15;
+    double near = MARK_RADIUS + 15;
     mark->has_leader =
         side == ABOVE_OR_BELOW ? fabs(down) > near : fabs(down) > 9 || across > near - 4;
     mark->leader = (struct point){fmin(fmax(mark->x, left), left + width), middle};
@@ -420,14 +401,14 @@ static void put_label(struct mark *mark, enum side side, double across, double d
 }
 
 static void place_label(const struct plot *plot, struct mark *mark) {
-    const double distances[] = {mark->radius + 5, mark->radius + 19, 44, 70, 100};
+    const double distances[] = {MARK_RADIUS + 5, MARK_RADIUS + 19, 44, 70, 100};
     double best_cost = INFINITY;
     struct mark best = *mark;
     for (enum side side = TO_THE_RIGHT; side <= ABOVE_OR_BELOW; side++) {
         for (size_t i = 0; i < sizeof distances / sizeof distances[0]; i++) {
             for (int step = -40; step <= 40; step++) {
                 double down = 5 * step;
-                if (side == ABOVE_OR_BELOW && (fabs(down) < mark->radius + 9 || i > 0)) {
+                if (side == ABOVE_OR_BELOW && (fabs(down) < MARK_RADIUS + 9 || i > 0)) {
                     continue;
                 }
                 put_label(mark, side, distances[i], down);
@@ -529,7 +510,7 @@ static void draw_error_axis(struct output *output, const struct plot *plot) {
         }
     }
     if (plot->has_exact) {
-        put_text(output, "middle", plot->exact_x, plot->bottom + 16, plot->zero);
+        put_text(output, "middle", plot->exact_x, plot->bottom + 16, "exact");
     }
     if (plot->exact_apart) {
         draw_break(output, plot, PLOT_LEFT + plot->place_width);
@@ -606,13 +587,16 @@ static void draw_legend(struct output *output, const struct plot *plot) {
     }
 }
 
-static void draw_bar(struct output *output, const struct mark *mark) {
-    if (mark->has_leader) {
-        put_line(output, "leader", mark->x, mark->y, mark->leader.x, mark->leader.y);
+/* From quartile to quartile, and the way to a label that is farther away. */
+static void draw_bars(struct output *output, const struct plot *plot) {
+    for (size_t i = 0; i < plot->count; i++) {
+        const struct mark *mark = &plot->marks[i];
+        if (mark->has_leader) {
+            put_line(output, "leader", mark->x, mark->y, mark->leader.x, mark->leader.y);
+        }
+        report_put(output, "<path class=\"bar\" d=\"M%.1f,%.1fh8m-4,0V%.1fm-4,0h8\"/>\n",
+                   mark->x - 4, mark->y_upper, mark->y_lower);
     }
-    put_line(output, "bar", mark->x, mark->y_upper, mark->x, mark->y_lower);
-    put_line(output, "bar", mark->x - 4, mark->y_upper, mark->x + 4, mark->y_upper);
-    put_line(output, "bar", mark->x - 4, mark->y_lower, mark->x + 4, mark->y_lower);
 }
 
 /* The class that gives a mark its colour. */
@@ -628,15 +612,15 @@ static void draw_dot(struct output *output, const struct plot *plot, const struc
     char error[32], median[32];
     bench_show_number(mark->result->error, error);
     bench_show_number(mark->result->median, median);
-    report_put(output, "<circle class=\"%s %s\" cx=\"%.1f\" cy=\"%.1f\" r=\"%.1f\"><title>",
+    report_put(output, "<circle class=\"%s %s\" cx=\"%.1f\" cy=\"%.1f\" r=\"%d\"><title>",
                mark->result->front ? "filled" : "dot", mark_color(mark), mark->x, mark->y,
-               mark->radius);
+               MARK_RADIUS);
     if (mark->series >= 0) {
         put_escaped(output, plot->series[mark->series]);
         report_put(output, ", ");
     }
     put_escaped(output, mark->version->name);
-    report_put(output, ": %s %s, time %s</title></circle>\n", plot->across, error, median);
+    report_put(output, ": error %s, time %s</title></circle>\n", error, median);
 }
 
 static void draw_label(struct output *output, const struct mark *mark) {
@@ -654,35 +638,26 @@ static void draw_label(struct output *output, const struct mark *mark) {
 static void draw_captions(struct output *output, const struct bench_panel *panel,
                           const struct plot *plot, double top) {
     const double middle = (PLOT_LEFT + PLOT_RIGHT) / 2.0;
-    char text[512], size[128] = "";
+    char text[512];
     put_text(output, "title", 20, top + 14, panel->title);
     snprintf(text, sizeof text, "%s%s", panel->time_label,
              plot->time.logarithmic ? ", logarithmic scale" : ", from 0");
     put_text(output, "label", 20, top + 33, text);
-    snprintf(text, sizeof text, "%s: %s%s%s", plot->across, panel->error_label,
-             panel->against != NULL ? ", against " : "",
-             panel->against != NULL ? panel->against : "");
+    snprintf(text, sizeof text, "error: %s, against %s", panel->error_label, panel->against);
     put_text(output, "label middle", middle, plot->bottom + 35, text);
-    if (plot->most_size > 0) {
-        char most[32];
-        bench_show_number(plot->most_size, most);
-        snprintf(size, sizeof size, "; area of a dot: %s, at most %s", panel->size_label, most);
-    }
-    snprintf(text, sizeof text, "%s%s%s%s",
+    snprintf(text, sizeof text, "%s%s%s",
              !plot->has_scale          ? ""
              : plot->error.logarithmic ? "logarithmic scale"
                                        : "linear scale from 0",
              plot->exact_apart ? "; 0 stands apart, left of the break" : "",
-             plot->has_none && plot->has_scale ? "; no answer: right of the break" : "", size);
+             plot->has_none && plot->has_scale ? "; no answer: right of the break" : "");
     put_text(output, "tick middle", middle, plot->bottom + 52, text);
 }
 
 static void draw_panel(struct output *output, const struct bench_panel *panel,
-                       const struct bench_result *results, size_t count, double top) {
+                       const struct bench_result *results, double top) {
     struct plot plot = {
-        .count = count,
-        .across = report_across(panel),
-        .zero = panel->across != NULL ? "0" : "exact",
+        .count = panel->version_count,
         .top = top + PLOT_TOP,
         .bottom = top + PLOT_BOTTOM,
     };
@@ -700,9 +675,7 @@ static void draw_panel(struct output *output, const struct bench_panel *panel,
     draw_error_axis(output, &plot);
     draw_front(output, &plot);
     draw_series(output, &plot);
-    for (size_t i = 0; i < plot.count; i++) {
-        draw_bar(output, &plot.marks[i]);
-    }
+    draw_bars(output, &plot);
     for (size_t i = 0; i < plot.count; i++) {
         draw_dot(output, &plot, &plot.marks[i]);
     }
@@ -728,7 +701,7 @@ bool chart_draw(const struct bench_lesson *lesson, const struct bench_results *r
     snprintf(text, sizeof text, "%s: run time against error", lesson->title);
     put_text(&output, "head", 20, 28, text);
     for (size_t i = 0; i < lesson->panel_count; i++) {
-        draw_panel(&output, &lesson->panels[i], results->of[i], results->count[i],
+        draw_panel(&output, &lesson->panels[i], results->of[i],
                    HEAD_HEIGHT + (double)i * PANEL_HEIGHT + 8);
     }
     put_text(&output, "foot", 20, height - 30,

@@ -22,19 +22,12 @@ int bench_choice(const struct bench_panel *panel, size_t i) {
 /* Seconds of one call. */
 static double time_calls(const struct bench_panel *panel, size_t i, void *state, size_t calls) {
     const struct bench_version *version = &panel->versions[i];
-    bool is_elsewhere = version->is_elsewhere;
-    int choice = bench_choice(panel, i);
-    double elsewhere = 0;
+    void (*run)(void *, int) = version->run != NULL ? version->run : panel->run;
     struct stopwatch start = stopwatch_start();
     for (size_t k = 0; k < calls; k++) {
-        if (is_elsewhere) {
-            elsewhere += panel->run_elsewhere(state, choice);
-        } else {
-            (version->run != NULL ? version->run : panel->run)(state, choice);
-        }
+        run(state, bench_choice(panel, i));
     }
-    double here = stopwatch_seconds(start);
-    return (is_elsewhere ? elsewhere : here) / (double)calls;
+    return stopwatch_seconds(start) / (double)calls;
 }
 
 /* Run a version until it has had its share of the warm-up, and find from that how many runs make a
@@ -82,24 +75,9 @@ static void mark_front(struct bench_result *results, size_t count) {
     }
 }
 
-static double sample(const struct bench_panel *panel, size_t i, void *state,
-                     const struct bench_result *results) {
-    return time_calls(panel, i, state, results[i].calls);
-}
-
-/* The last sample of a version, whose outcome is judged before the next one overwrites it: what was
- * timed is what was judged. */
-static double sample_and_judge(const struct bench_panel *panel, size_t i, void *state,
-                               struct bench_result *results) {
-    int choice = bench_choice(panel, i);
-    double seconds = sample(panel, i, state, results);
-    results[i].error = panel->error(state, choice);
-    results[i].size = panel->size != NULL ? panel->size(state, choice) : 0;
-    return seconds;
-}
-
-static void measure_panel(const struct bench_panel *panel, size_t count, void *state,
-                          double seconds, struct bench_result *results) {
+static void measure_panel(const struct bench_panel *panel, void *state, double seconds,
+                          struct bench_result *results) {
+    const size_t count = panel->version_count;
     double samples[BENCH_VERSION_LIMIT][ROUNDS_MOST + 1];
     size_t rounds = 0;
     assert(count <= BENCH_VERSION_LIMIT);
@@ -114,28 +92,20 @@ static void measure_panel(const struct bench_panel *panel, size_t count, void *s
             /* Each round begins with another version, and every other one goes backwards: nobody
              * always runs after the same neighbour. */
             size_t turn = (k + rounds / 2) % count, i = rounds % 2 ? count - 1 - turn : turn;
-            samples[i][rounds] = sample(panel, i, state, results);
+            samples[i][rounds] = time_calls(panel, i, state, results[i].calls);
         }
         rounds++;
     }
     double scale = panel->units != NULL ? 1e9 / panel->units(state, panel->base) : 1e3;
     for (size_t i = 0; i < count; i++) {
-        samples[i][rounds] = sample_and_judge(panel, i, state, results);
+        /* The last sample is judged before the next version overwrites it. */
+        samples[i][rounds] = time_calls(panel, i, state, results[i].calls);
+        results[i].error = panel->error(state, bench_choice(panel, i));
+        results[i].size = panel->size != NULL ? panel->size(state, bench_choice(panel, i)) : 0;
         results[i].rounds = rounds + 1;
         summarize(&results[i], samples[i], scale);
     }
     mark_front(results, count);
-}
-
-/* What has failed elsewhere has no time to show. */
-static bool check_times(const struct bench_panel *panel, const struct bench_result *results,
-                        size_t count, struct error *error) {
-    for (size_t i = 0; i < count; i++) {
-        if (!isfinite(results[i].upper)) {
-            return error_set(error, "%s: \"%s\" has failed", panel->title, panel->versions[i].name);
-        }
-    }
-    return true;
 }
 
 static double panel_share(const struct bench_panel *panel) {
@@ -156,11 +126,7 @@ bool bench_measure(const struct bench_lesson *lesson, double seconds, struct ben
     bool ready = lesson->setup(state, error);
     for (size_t i = 0; ready && i < lesson->panel_count; i++) {
         const struct bench_panel *panel = &lesson->panels[i];
-        results->count[i] =
-            panel->versions_here != NULL ? panel->versions_here(state) : panel->version_count;
-        measure_panel(panel, results->count[i], state, seconds * panel_share(panel) / shares,
-                      results->of[i]);
-        ready = check_times(panel, results->of[i], results->count[i], error);
+        measure_panel(panel, state, seconds * panel_share(panel) / shares, results->of[i]);
     }
     lesson->teardown(state);
     free(state);

@@ -9,7 +9,7 @@
 
 struct bench_result {
     double error;         /* in the panel's unit; 0 is exact */
-    double size;          /* the panel's third quantity; 0 where it has none */
+    double size;          /* the panel's third number; 0 where it has none */
     double median;        /* time in the panel's unit */
     double lower, upper;  /* quartiles */
     size_t rounds, calls; /* samples taken, and runs in each of them */
@@ -18,7 +18,6 @@ struct bench_result {
 
 /* All of one lesson. */
 struct bench_results {
-    size_t count[BENCH_PANEL_LIMIT]; /* the versions of each panel that can run here */
     struct bench_result of[BENCH_PANEL_LIMIT][BENCH_VERSION_LIMIT];
 };
 

@@ -6,31 +6,15 @@
 #include <stdio.h>
 #include <string.h>
 
-/* ---- What panels may leave out ---- */
-
-const char *report_across(const struct bench_panel *panel) {
-    return panel->across != NULL ? panel->across : "error";
-}
-
 const char *report_series(const struct bench_panel *panel, size_t i) {
     return panel->series != NULL ? panel->series(bench_choice(panel, i)) : NULL;
 }
 
 /* ---- The table ---- */
 
-static void print_head(const struct bench_panel *panel, size_t rounds) {
-    const char *against = panel->against;
-    printf("\n  %s\n  %s: %s%s%s; time: %s, median and quartiles of %zu rounds\n", panel->title,
-           report_across(panel), panel->error_label, against != NULL ? ", against " : "",
-           against != NULL ? against : "", panel->time_label, rounds);
-    printf("    %-32s %12s %12s %12s %12s", "version", report_across(panel), "time", "lower",
-           "upper");
-    printf("%s%s\n", panel->size != NULL ? "  " : "", panel->size != NULL ? panel->size_label : "");
-}
-
 static void print_version(const struct bench_panel *panel, size_t i,
                           const struct bench_result *result) {
-    char name[64], size[32];
+    char name[64];
     const char *series = report_series(panel, i);
     const double numbers[] = {result->error, result->median, result->lower, result->upper};
     snprintf(name, sizeof name, "%s%s%s", series != NULL ? series : "", series != NULL ? ", " : "",
@@ -41,17 +25,22 @@ static void print_version(const struct bench_panel *panel, size_t i,
         bench_show_number(numbers[k], text);
         printf(" %12s", text);
     }
-    bench_show_number(result->size, size);
-    printf("%s%s\n", panel->size != NULL ? "  " : "", panel->size != NULL ? size : "");
+    printf("\n");
+}
+
+static void print_panel(const struct bench_panel *panel, const struct bench_result *results) {
+    printf("\n  %s\n  error: %s, against %s; time: %s, median and quartiles of %zu rounds\n",
+           panel->title, panel->error_label, panel->against, panel->time_label, results[0].rounds);
+    printf("    %-32s %12s %12s %12s %12s\n", "version", "error", "time", "lower", "upper");
+    for (size_t i = 0; i < panel->version_count; i++) {
+        print_version(panel, i, &results[i]);
+    }
 }
 
 void report_print(const struct bench_lesson *lesson, const struct bench_results *results) {
     printf("\n%s (%s)\n", lesson->title, lesson->step);
     for (size_t i = 0; i < lesson->panel_count; i++) {
-        print_head(&lesson->panels[i], results->of[i][0].rounds);
-        for (size_t j = 0; j < results->count[i]; j++) {
-            print_version(&lesson->panels[i], j, &results->of[i][j]);
-        }
+        print_panel(&lesson->panels[i], results->of[i]);
     }
     printf("\n  * useful: no other version is as good in both, and better in one\n");
     fflush(stdout);
@@ -121,22 +110,19 @@ static void put_version(struct output *json, const struct bench_panel *panel, si
     put_number(json, "median", result->median);
     put_number(json, "lower_quartile", result->lower);
     put_number(json, "upper_quartile", result->upper);
-    put_number(json, "size", panel->size != NULL ? result->size : INFINITY);
     report_put(json, "\"rounds\": %zu, \"runs_per_round\": %zu, \"useful\": %s}", result->rounds,
                result->calls, result->front ? "true" : "false");
 }
 
 static void put_panel(struct output *json, const struct bench_panel *panel,
-                      const struct bench_result *results, size_t count) {
+                      const struct bench_result *results) {
     report_put(json, "      {");
     put_string(json, "title", panel->title);
     put_string(json, "time_unit", panel->time_label);
-    put_string(json, "error_is", report_across(panel));
     put_string(json, "error_unit", panel->error_label);
     put_string(json, "error_against", panel->against);
-    put_string(json, "size_unit", panel->size_label);
     report_put(json, "\"versions\": [\n");
-    for (size_t i = 0; i < count; i++) {
+    for (size_t i = 0; i < panel->version_count; i++) {
         put_version(json, panel, i, &results[i]);
     }
     report_put(json, "\n      ]}");
@@ -162,7 +148,7 @@ bool report_lesson(struct bytes *text, const struct bench_lesson *lesson,
     put_string(&json, "title", lesson->title);
     report_put(&json, "\"panels\": [\n");
     for (size_t i = 0; i < lesson->panel_count; i++) {
-        put_panel(&json, &lesson->panels[i], results->of[i], results->count[i]);
+        put_panel(&json, &lesson->panels[i], results->of[i]);
         report_put(&json, i + 1 < lesson->panel_count ? ",\n" : "\n");
     }
     report_put(&json, "    ]}");

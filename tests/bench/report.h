@@ -29,9 +29,6 @@ struct output {
 
 void report_put(struct output *output, const char *format, ...) PRINTF_LIKE(2, 3);
 
-/* What a panel's `error` counts: "error", or "work" and the like. */
-const char *report_across(const struct bench_panel *panel);
-
 /* The series of the i-th version; NULL where it has none. */
 const char *report_series(const struct bench_panel *panel, size_t i);
 

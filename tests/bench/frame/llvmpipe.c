@@ -2,7 +2,7 @@
 #define _POSIX_C_SOURCE 200809L /* setenv */
 #include "llvmpipe.h"
 
-#include "bench/opengl/context.h"
+#include "context.h"
 #include "vertices.h"
 
 #include <stdio.h>

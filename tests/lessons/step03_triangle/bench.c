@@ -1,7 +1,6 @@
 /*
  * Lesson 3's benchmark: ways to fill a triangle, on a mesh of small ones and on a fan of large
- * ones that reach far beyond the image, and what it costs to snap corners. Every other side of the
- * fan goes through many pixel centres; the values at the rest need more digits than a float has.
+ * ones that reach far beyond the image. Every other side of the fan goes through many pixel centres; the values at the rest need more digits than a float has.
  *
  * All versions write rows with image_fill_row(). Each triangle has a colour of its own, and each
  * version too: so the picture of the last run tells which triangle it shows at each pixel. The
@@ -27,7 +26,7 @@ enum {
 
 struct filled {
     struct fixed2 snapped[3];
-    struct vec2 corner[3]; /* pixels; where the mesh is not `snapped`, finer than 1/256 */
+    struct vec2 corner[3]; /* the same in pixels */
 };
 
 struct mesh {
@@ -37,42 +36,12 @@ struct mesh {
     size_t pixel_count; /* that show one */
 };
 
-enum { SMALL, LARGE, UNSNAPPED, MESH_COUNT };
+enum { SMALL, LARGE, MESH_COUNT };
 
 struct fill_bench {
     struct mesh meshes[MESH_COUNT];
     struct image image; /* IMAGE_BGR, as the scenes are */
 };
-
-/* A corner in units of 2^-46 pixel, which all corners here are whole numbers of. With images of 800
- * pixels and corners at most 2^13 away, products stay below 2^120. */
-struct exact2 {
-    int128 x, y;
-};
-
-enum { EXACT_BITS = 46 };
-
-static struct exact2 exact_corner(struct vec2 p) {
-    return (struct exact2){(int128)ldexp(p.x, EXACT_BITS), (int128)ldexp(p.y, EXACT_BITS)};
-}
-
-/* On which side of p-q a point is, once it is shifted by an infinitely small step to the right, and
- * a still smaller one down: 1 left, -1 right. */
-static int exact_side(struct exact2 p, struct exact2 q, struct exact2 point) {
-    int128 side = (q.x - p.x) * (point.y - p.y) - (q.y - p.y) * (point.x - p.x);
-    if (side == 0) {
-        side = q.y != p.y ? p.y - q.y : p.x - q.x;
-    }
-    return (side > 0) - (side < 0);
-}
-
-static bool exact_covers(const struct exact2 p[3], int x, int y) {
-    const int128 pixel = (int128)1 << EXACT_BITS;
-    struct exact2 center = {x * pixel + pixel / 2, y * pixel + pixel / 2};
-    int side = exact_side(p[0], p[1], center);
-    return side != 0 && exact_side(p[1], p[2], center) == side &&
-           exact_side(p[2], p[0], center) == side;
-}
 
 /* Pixels that a coordinate may be in, and one more on either side. */
 static struct span pixels_around(double a, double b, double c) {
@@ -88,13 +57,12 @@ static bool mesh_find_shown(struct mesh *mesh, struct error *error) {
     }
     for (size_t i = 0; i < mesh->count; i++) {
         const struct vec2 *p = mesh->triangles[i].corner;
-        const struct exact2 corner[3] = {exact_corner(p[0]), exact_corner(p[1]),
-                                         exact_corner(p[2])};
+        const struct fixed2 *c = mesh->triangles[i].snapped;
         struct span columns = pixels_around(p[0].x, p[1].x, p[2].x);
         struct span rows = pixels_around(p[0].y, p[1].y, p[2].y);
         for (int y = rows.begin; y < rows.end; y++) {
             for (int x = columns.begin; x < columns.end; x++) {
-                if (exact_covers(corner, x, y)) {
+                if (oracle_covers(c[0], c[1], c[2], x, y)) {
                     mesh->shown[y * SIDE + x] = (uint32_t)i + 1;
                 }
             }
@@ -111,7 +79,7 @@ static bool mesh_allocate(struct mesh *mesh, size_t limit, struct error *error) 
     return mesh->triangles != NULL || error_set(error, "out of memory for %zu triangles", limit);
 }
 
-static void mesh_add_snapped(struct mesh *mesh, const struct fixed2 corner[3]) {
+static void mesh_add(struct mesh *mesh, const struct fixed2 corner[3]) {
     struct filled *t = &mesh->triangles[mesh->count++];
     for (int i = 0; i < 3; i++) {
         t->snapped[i] = corner[i];
@@ -119,25 +87,16 @@ static void mesh_add_snapped(struct mesh *mesh, const struct fixed2 corner[3]) {
     }
 }
 
-/* The faces of the bust that are turned to us: snapped, or as near to where they are as a double
- * can say. */
-static bool make_bust(struct mesh *mesh, bool snapped, const struct image *image,
-                      struct error *error) {
+/* The faces of the bust that are turned to us. */
+static bool make_bust(struct mesh *mesh, const struct image *image, struct error *error) {
     struct model model;
     bool done =
         bench_read_model(&model, "bust.obj", error) && mesh_allocate(mesh, model.face_count, error);
     for (size_t face = 0; done && face < model.face_count; face++) {
         struct fixed2 corner[3];
         uint64_t turned_away = 0;
-        if (!place_face(&model, face, image, corner, &turned_away)) {
-            continue;
-        }
-        mesh_add_snapped(mesh, corner);
-        for (size_t i = 0; i < 3 && !snapped; i++) {
-            struct vec2 p = parallel_view(model_position(&model, face, i), SIDE, SIDE);
-            mesh->triangles[mesh->count - 1].corner[i] =
-                (struct vec2){ldexp(floor(ldexp(p.x, EXACT_BITS)), -EXACT_BITS),
-                              ldexp(floor(ldexp(p.y, EXACT_BITS)), -EXACT_BITS)};
+        if (place_face(&model, face, image, corner, &turned_away)) {
+            mesh_add(mesh, corner);
         }
     }
     model_free(&model);
@@ -172,7 +131,7 @@ static bool make_fan(struct mesh *mesh, struct error *error) {
     }
     for (int i = 1; i <= LARGE_COUNT; i++) {
         struct fixed2 next = i < LARGE_COUNT ? large_corner(i, &random) : first;
-        mesh_add_snapped(mesh, (const struct fixed2[3]){middle, last, next});
+        mesh_add(mesh, (const struct fixed2[3]){middle, last, next});
         last = next;
     }
     return mesh_find_shown(mesh, error);
@@ -269,104 +228,6 @@ static void fill(const struct filled *t, int choice, struct target *target, stru
     }
 }
 
-/* ---- Corners snapped to other fractions of a pixel ---- */
-
-/* A triangle whose corners are snapped to a whole number of steps in a pixel, counted from the
- * pixel (x,y): small numbers need few digits. */
-struct placed {
-    int x, y;
-    int64_t unit;         /* steps in a pixel */
-    int64_t corner[3][2]; /* x, y */
-    struct span rows;     /* counted from y: the centres between the corners */
-};
-
-static inline int64_t fast_floor(double value) {
-    int64_t whole = (int64_t)value;
-    return whole - (value < (double)whole);
-}
-
-static inline struct placed place(const struct vec2 corner[3], int bits) {
-    struct placed p = {.x = (int)corner[0].x, .y = (int)corner[0].y, .unit = INT64_C(1) << bits};
-    int64_t low = INT64_MAX, high = INT64_MIN;
-    for (int i = 0; i < 3; i++) {
-        p.corner[i][0] = fast_floor((corner[i].x - p.x) * (double)p.unit + 0.5);
-        p.corner[i][1] = fast_floor((corner[i].y - p.y) * (double)p.unit + 0.5);
-        low = p.corner[i][1] < low ? p.corner[i][1] : low;
-        high = p.corner[i][1] > high ? p.corner[i][1] : high;
-    }
-    int begin = (int)((2 * low + p.unit - 1) >> (bits + 1));
-    int end = (int)((2 * high - p.unit) >> (bits + 1)) + 1;
-    p.rows = span_overlap((struct span){begin, end}, (struct span){-p.y, SIDE - p.y});
-    return p;
-}
-
-/* An edge function of lesson 3: value + dx * column + dy * row is positive inside, and 0 on the
- * edge, which is `closed` where it belongs to the triangle. Lengths are counted in half steps, so
- * that the centre of a pixel is a whole number even where a step is a pixel. */
-struct side {
-    int64_t value, dx, dy;
-    bool closed;
-};
-
-static inline struct side side_between(const struct placed *p, const int64_t from[2],
-                                       const int64_t to[2], int turn) {
-    int64_t right = 2 * turn * (to[0] - from[0]), up = 2 * turn * (to[1] - from[1]);
-    return (struct side){
-        .value = right * (p->unit - 2 * from[1]) - up * (p->unit - 2 * from[0]),
-        .dx = -up * 2 * p->unit,
-        .dy = right * 2 * p->unit,
-        .closed = up < 0 || (up == 0 && right < 0),
-    };
-}
-
-/* What one side leaves of a span. */
-static inline void narrow(struct span *span, const struct side *side, int row) {
-    int64_t here = side->value + side->dy * row;
-    if (side->dx > 0) {
-        int64_t first = floor_divide(-here - side->closed, side->dx) + 1;
-        span->begin = first > span->begin ? (int)first : span->begin;
-    } else if (side->dx < 0) {
-        int64_t end = floor_divide(here - !side->closed, -side->dx) + 1;
-        span->end = end < span->end ? (int)end : span->end;
-    } else if (!(here > 0 || (here == 0 && side->closed))) {
-        span->end = span->begin;
-    }
-}
-
-static void fill_placed(struct image *image, struct placed p, struct color color) {
-    const int64_t *a = p.corner[0], *b = p.corner[1], *c = p.corner[2];
-    int64_t area = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
-    int turn = area > 0 ? 1 : -1;
-    const struct side sides[3] = {side_between(&p, b, c, turn), side_between(&p, c, a, turn),
-                                  side_between(&p, a, b, turn)};
-    for (int row = p.rows.begin; row < p.rows.end && area != 0; row++) {
-        struct span span = {-p.x, SIDE - p.x};
-        for (int i = 0; i < 3; i++) {
-            narrow(&span, &sides[i], row);
-        }
-        if (span.begin < span.end) {
-            image_fill_row(image, p.y + row, p.x + span.begin, p.x + span.end, color);
-        }
-    }
-}
-
-/* A choice of this panel: how many bits after the point. */
-enum { HOUSE_SNAPPED = 32 };
-
-static void fill_bits(struct image *image, const struct filled *t, int choice, struct color color) {
-    struct fixed2 corner[3];
-    if (choice != HOUSE_SNAPPED) {
-        fill_placed(image, place(t->corner, choice), color);
-    } else if (screen_snap(t->corner[0], &corner[0]) && screen_snap(t->corner[1], &corner[1]) &&
-               screen_snap(t->corner[2], &corner[2])) {
-        triangle(image, corner, color);
-    }
-}
-
-static const char *series_of_bits(int choice) {
-    return choice != HOUSE_SNAPPED ? "bits after the point" : NULL;
-}
-
 /* ---- Running and judging ---- */
 
 /* The number of a triangle in blue and green; red tells which version of which panel drew it. */
@@ -374,63 +235,32 @@ static struct color triangle_color(size_t i, int tag) {
     return (struct color){.b = (uint8_t)(i & 255), .g = (uint8_t)(i >> 8), .r = (uint8_t)tag};
 }
 
-static double count_wrong(const struct fill_bench *bench, const struct mesh *mesh, int tag) {
-    size_t wrong = 0;
-    for (size_t i = 0; i < (size_t)SIDE * SIDE; i++) {
-        const uint8_t *pixel = bench->image.pixels + 3 * i;
-        uint32_t shown = pixel[2] == tag ? (uint32_t)(pixel[0] + 256 * pixel[1]) + 1 : 0;
-        wrong += shown != mesh->shown[i];
-    }
-    return (double)wrong / (double)mesh->pixel_count;
-}
-
-/* Choices of the attempts: so many for each mesh. They are at most 32, and those of bits() above
- * them. */
+/* Choices: so many for each mesh. */
 enum { ATTEMPTS = 16 };
 
-static int attempt_tag(int choice) {
-    return 1 + choice;
-}
-
-static int bits_tag(int choice) {
-    return 64 + choice;
-}
-
-static void run_attempt(void *state, int choice) {
+static void run(void *state, int choice) {
     struct fill_bench *bench = state;
     const struct mesh *mesh = &bench->meshes[choice / ATTEMPTS];
     struct target target = {.image = &bench->image};
     for (size_t i = 0; i < mesh->count; i++) {
-        fill(&mesh->triangles[i], choice % ATTEMPTS, &target,
-             triangle_color(i, attempt_tag(choice)));
+        fill(&mesh->triangles[i], choice % ATTEMPTS, &target, triangle_color(i, choice + 1));
     }
 }
 
-static double error_attempt(void *state, int choice) {
+static double error_of(void *state, int choice) {
     const struct fill_bench *bench = state;
-    return 1e3 * count_wrong(bench, &bench->meshes[choice / ATTEMPTS], attempt_tag(choice));
+    const struct mesh *mesh = &bench->meshes[choice / ATTEMPTS];
+    size_t wrong = 0;
+    for (size_t i = 0; i < (size_t)SIDE * SIDE; i++) {
+        const uint8_t *pixel = bench->image.pixels + 3 * i;
+        uint32_t shown = pixel[2] == choice + 1 ? (uint32_t)(pixel[0] + 256 * pixel[1]) + 1 : 0;
+        wrong += shown != mesh->shown[i];
+    }
+    return 1e3 * (double)wrong / (double)mesh->pixel_count;
 }
 
-static double units_attempt(const void *state, int base) {
+static double units(const void *state, int base) {
     return (double)((const struct fill_bench *)state)->meshes[base / ATTEMPTS].pixel_count;
-}
-
-static void run_bits(void *state, int choice) {
-    struct fill_bench *bench = state;
-    const struct mesh *mesh = &bench->meshes[UNSNAPPED];
-    for (size_t i = 0; i < mesh->count; i++) {
-        fill_bits(&bench->image, &mesh->triangles[i], choice, triangle_color(i, bits_tag(choice)));
-    }
-}
-
-static double error_bits(void *state, int choice) {
-    const struct fill_bench *bench = state;
-    return 1e6 * count_wrong(bench, &bench->meshes[UNSNAPPED], bits_tag(choice));
-}
-
-static double units_bits(const void *state, int base) {
-    (void)base;
-    return (double)((const struct fill_bench *)state)->meshes[UNSNAPPED].count;
 }
 
 /* ---- The lesson ---- */
@@ -438,9 +268,8 @@ static double units_bits(const void *state, int base) {
 static bool fill_setup(void *state, struct error *error) {
     struct fill_bench *bench = state;
     return image_create(&bench->image, SIDE, SIDE, IMAGE_BGR, error) &&
-           make_bust(&bench->meshes[SMALL], true, &bench->image, error) &&
-           make_fan(&bench->meshes[LARGE], error) &&
-           make_bust(&bench->meshes[UNSNAPPED], false, &bench->image, error);
+           make_bust(&bench->meshes[SMALL], &bench->image, error) &&
+           make_fan(&bench->meshes[LARGE], error);
 }
 
 static void fill_teardown(void *state) {
@@ -465,16 +294,6 @@ static const struct bench_version attempt_versions[] = {
     HOUSE_VERSION("spans, exact (main.c)", HOUSE),
 };
 
-static const struct bench_version bits_versions[] = {
-    VERSION("0", 0),
-    VERSION("2", 2),
-    VERSION("4", 4),
-    VERSION("8", 8),
-    VERSION("12", 12),
-    VERSION("16", 16),
-    HOUSE_VERSION("8 (main.c)", HOUSE_SNAPPED),
-};
-
 static const struct bench_panel fill_panels[] = {
     {
         .title = "Small triangles: the faces of the bust, on 800x800 pixels",
@@ -483,9 +302,9 @@ static const struct bench_panel fill_panels[] = {
         .against = "128-bit integers",
         .house_within = BENCH_EXACT,
         .base = SMALL * ATTEMPTS,
-        .run = run_attempt,
-        .error = error_attempt,
-        .units = units_attempt,
+        .run = run,
+        .error = error_of,
+        .units = units,
         BENCH_VERSIONS(attempt_versions),
     },
     {
@@ -495,22 +314,11 @@ static const struct bench_panel fill_panels[] = {
         .against = "128-bit integers",
         .house_within = BENCH_EXACT,
         .base = LARGE * ATTEMPTS,
-        .run = run_attempt,
-        .error = error_attempt,
-        .units = units_attempt,
+        .run = run,
+        .error = error_of,
+        .units = units,
         BENCH_VERSIONS(attempt_versions),
         .budget = 2,
-    },
-    {
-        .title = "Corners snapped to 0 to 16 bits after the point: the bust again",
-        .error_label = "pixels that show the wrong triangle, per million",
-        .time_label = "ns per triangle",
-        .against = "128-bit integers and corners that are not snapped",
-        .run = run_bits,
-        .error = error_bits,
-        .units = units_bits,
-        BENCH_VERSIONS(bits_versions),
-        .series = series_of_bits,
     },
 };
 

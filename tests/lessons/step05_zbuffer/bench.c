@@ -181,9 +181,9 @@ static void pile_find_nearest(struct pile *pile) {
     }
 }
 
-/* ---- Several ways to decide: all but the first two by triangle() of main.c ---- */
+/* ---- Several ways to decide ---- */
 
-enum { FILE_ORDER, PAINTER, MEAN_DEPTH, CLEARED_TO_0, FARTHEST, NEAREST_FIRST, HOUSE };
+enum { FILE_ORDER, PAINTER, HOUSE };
 
 static void draw_house(struct canvas *canvas, const struct drawn *list, size_t count) {
     depth_clear(canvas->depth, (size_t)SIDE * SIDE);
@@ -192,61 +192,18 @@ static void draw_house(struct canvas *canvas, const struct drawn *list, size_t c
     }
 }
 
-static void draw_cleared_to_0(struct canvas *canvas, const struct drawn *list, size_t count) {
-    memset(canvas->depth, 0, (size_t)SIDE * SIDE * sizeof *canvas->depth);
-    for (size_t i = 0; i < count; i++) {
-        triangle(canvas, list[i].v, list[i].color);
-    }
-}
-
-/* Every triangle at its mean depth, or as far behind as it is in front. */
-static void draw_changed(struct canvas *canvas, const struct drawn *list, size_t count,
-                         int choice) {
-    depth_clear(canvas->depth, (size_t)SIDE * SIDE);
-    for (size_t i = 0; i < count; i++) {
-        struct drawn d = list[i];
-        double mean = attempt_mean_depth(&d);
-        for (int k = 0; k < 3; k++) {
-            d.v[k].depth = choice == MEAN_DEPTH ? mean : -d.v[k].depth;
-        }
-        triangle(canvas, d.v, d.color);
-    }
-}
-
-static int compare_nearest_first(const void *a, const void *b) {
-    return attempt_compare_depths(b, a);
-}
-
-static struct drawn *copy_list(struct depth_bench *bench, const struct pile *pile) {
-    return memcpy(bench->sorted, pile->list, pile->count * sizeof *pile->list);
-}
-
 static void run_knot(void *state, int choice) {
     struct depth_bench *bench = state;
     const struct pile *pile = &bench->piles[PILE_KNOT];
     struct canvas canvas = {.image = &bench->image, .depth = bench->buffer};
     memset(bench->image.pixels, 0, (size_t)SIDE * SIDE * 3);
-    switch (choice) {
-    case FILE_ORDER:
+    if (choice == FILE_ORDER) {
         attempt_1_file_order(&bench->image, pile->list, pile->count);
-        break;
-    case PAINTER:
-        attempt_2_painter(&bench->image, copy_list(bench, pile), pile->count);
-        break;
-    case NEAREST_FIRST: {
-        struct drawn *list = copy_list(bench, pile);
-        qsort(list, pile->count, sizeof *list, compare_nearest_first);
-        draw_house(&canvas, list, pile->count);
-        break;
-    }
-    case CLEARED_TO_0:
-        draw_cleared_to_0(&canvas, pile->list, pile->count);
-        break;
-    case HOUSE:
+    } else if (choice == PAINTER) {
+        memcpy(bench->sorted, pile->list, pile->count * sizeof *pile->list);
+        attempt_2_painter(&bench->image, bench->sorted, pile->count);
+    } else {
         draw_house(&canvas, pile->list, pile->count);
-        break;
-    default:
-        draw_changed(&canvas, pile->list, pile->count, choice);
     }
 }
 
@@ -429,11 +386,6 @@ static double error_sheets(void *state, int choice) {
     return pile_error(bench, &bench->piles[choice / KINDS]);
 }
 
-static double bytes_kept(const void *state, int choice) {
-    (void)state;
-    return (double)kinds[choice % KINDS].bytes;
-}
-
 /* ---- The lesson ---- */
 
 static bool depth_setup(void *state, struct error *error) {
@@ -470,10 +422,6 @@ static void depth_teardown(void *state) {
 static const struct bench_version knot_versions[] = {
     VERSION("1: order of the file", FILE_ORDER),
     VERSION("2: painter's order", PAINTER),
-    VERSION("3: mean depth of a face", MEAN_DEPTH),
-    VERSION("4: cleared to 0", CLEARED_TO_0),
-    VERSION("5: farthest", FARTHEST),
-    VERSION("main.c, nearest face first", NEAREST_FIRST),
     HOUSE_VERSION("main.c", HOUSE),
 };
 
@@ -488,8 +436,7 @@ static const struct bench_version sheets_versions[] = {
         .title = (heading), .error_label = "pixels showing the wrong triangle, per 1000",          \
         .time_label = "ms per frame", .against = "exact fractions",                                \
         BENCH_VERSIONS(sheets_versions), .base = (pile)*KINDS, .run = run_sheets,                  \
-        .error = error_sheets, .size = bytes_kept, .size_label = "bytes a pixel",                  \
-        .house_within = BENCH_EXACT,                                                               \
+        .error = error_sheets, .house_within = BENCH_EXACT,                                        \
     }
 
 static const struct bench_panel depth_panels[] = {

@@ -82,81 +82,6 @@ INLINED struct color sample_four_texels(const struct quotients *plane,
     return attempt_sample_bilinear(texture, repeat(uv));
 }
 
-/* What a pixel covers of the picture is about an ellipse. */
-struct footprint {
-    struct vec2 direction;  /* of the longer axis, of length 1 */
-    double longer, shorter; /* axes, in texels */
-};
-
-/* The steps to the right (a,c) and up (b,d) take the round pixel to the ellipse: the squares of its
- * axes are the eigenvalues of that matrix times its transpose. */
-static inline struct footprint footprint_of(struct vec2 right, struct vec2 up, double width,
-                                            double height) {
-    double a = right.x * width, b = up.x * width, c = right.y * height, d = up.y * height;
-    double xx = a * a + b * b, yy = c * c + d * d, xy = a * c + b * d;
-    double half = (xx - yy) / 2, root = sqrt(half * half + xy * xy);
-    double longer = sqrt((xx + yy) / 2 + root);
-    struct vec2 along = half > 0 ? (struct vec2){half + root, xy} : (struct vec2){xy, root - half};
-    double length = sqrt(along.x * along.x + along.y * along.y);
-    return (struct footprint){vec2_scale(along, length > 0 ? 1 / length : 0), longer,
-                              fabs(a * d - b * c) / longer};
-}
-
-/* Up to `most` trilinear samples in a row along the longer axis, on the level that the shorter one
- * asks for (McCormack, Perry, Farkas and Jouppi, "Feline: Fast Elliptical Lines for Anisotropic
- * Texture Mapping", 1999). */
-INLINED struct color sample_in_a_row(const struct quotients *plane, const struct texture *texture,
-                                     struct vec2 uv, double w, int most) {
-    double width = (double)texture->level[0].width, height = (double)texture->level[0].height;
-    struct footprint foot =
-        footprint_of(uv_step(plane->right, uv, w), uv_step(plane->up, uv, w), width, height);
-    double ratio = foot.longer / (foot.shorter > 1 ? foot.shorter : 1);
-    int count = ratio <= 1 ? 1 : ratio < most ? (int)ceil(ratio) : most;
-    double piece = foot.longer / count; /* one sample's part of the longer axis */
-    struct vec2 step = {foot.direction.x * piece / width, foot.direction.y * piece / height};
-    double level = mip_level(step, (struct vec2){foot.shorter / width, 0}, texture);
-    struct vec4 sum = {0, 0, 0, 0};
-    for (int i = 0; i < count; i++) {
-        struct vec2 at = vec2_add(uv, vec2_scale(step, i + 0.5 * (1 - count)));
-        struct vec4 c = level == 0 ? sample_bilinear(texture, repeat(at), 0)
-                                   : sample_trilinear(texture, repeat(at), level);
-        sum = (struct vec4){sum.x + c.x, sum.y + c.y, sum.z + c.z, 0};
-    }
-    double share = 1.0 / count;
-    return color_rgb(level_from(sum.x * share), level_from(sum.y * share),
-                     level_from(sum.z * share));
-}
-
-/* The mean of side * side nearest texels, at places spread over the pixel. */
-INLINED struct color sample_many(const struct quotients *plane, const struct texture *texture,
-                                 struct vec2 uv, double w, int side) {
-    int red = 0, green = 0, blue = 0;
-    for (int i = 0; i < side * side; i++) {
-        double x = (i % side + 0.5) / side - 0.5, y = (i / side + 0.5) / side - 0.5;
-        struct vec3 gain = vec3_add(vec3_scale(plane->right, x), vec3_scale(plane->up, y));
-        double scale = 1 / (1 + gain.z * w); /* all times w: u/w and v/w become u and v */
-        struct vec2 at = {(uv.x + gain.x * w) * scale, (uv.y + gain.y * w) * scale};
-        struct color c = sample_nearest(texture, repeat(at));
-        red += c.r;
-        green += c.g;
-        blue += c.b;
-    }
-    double share = 1.0 / (side * side);
-    return color_rgb(level_from(red * share), level_from(green * share), level_from(blue * share));
-}
-
-#define SAMPLER(name, sample, number)                                                              \
-    INLINED struct color name(const struct quotients *plane, const struct texture *texture,        \
-                              struct vec2 uv, double w) {                                          \
-        return sample(plane, texture, uv, w, number);                                              \
-    }
-SAMPLER(sample_row_of_2, sample_in_a_row, 2)
-SAMPLER(sample_row_of_4, sample_in_a_row, 4)
-SAMPLER(sample_row_of_8, sample_in_a_row, 8)
-SAMPLER(sample_4, sample_many, 2)
-SAMPLER(sample_16, sample_many, 4)
-SAMPLER(sample_64, sample_many, 8)
-
 /* ---- Triangles ---- */
 
 typedef void draw_function(struct image *image, const struct vertex v[3],
@@ -277,19 +202,9 @@ DRAW(draw_rounding, draw_sampled, sample_by_rounding)
 DRAW(draw_nearest, draw_sampled, sample_by_floor)
 DRAW(draw_half_off, draw_sampled, sample_half_off)
 DRAW(draw_bilinear, draw_sampled, sample_four_texels)
-DRAW(draw_row_of_2, draw_sampled, sample_row_of_2)
-DRAW(draw_row_of_4, draw_sampled, sample_row_of_4)
-DRAW(draw_row_of_8, draw_sampled, sample_row_of_8)
-DRAW(draw_4, draw_sampled, sample_4)
-DRAW(draw_16, draw_sampled, sample_16)
-DRAW(draw_64, draw_sampled, sample_64)
 DRAW(draw_every_1, draw_every, 1)
-DRAW(draw_every_2, draw_every, 2)
-DRAW(draw_every_4, draw_every, 4)
 DRAW(draw_every_8, draw_every, 8)
 DRAW(draw_every_16, draw_every, 16)
-DRAW(draw_every_32, draw_every, 32)
-DRAW(draw_every_64, draw_every, 64)
 
 enum {
     ROUNDING,
@@ -297,31 +212,17 @@ enum {
     HALF_OFF,
     BILINEAR,
     HOUSE,
-    ROW_OF_2,
-    ROW_OF_4,
-    ROW_OF_8,
-    SAMPLES_4,
-    SAMPLES_16,
-    SAMPLES_64,
     EVERY_1,
-    EVERY_2,
-    EVERY_4,
     EVERY_8,
     EVERY_16,
-    EVERY_32,
-    EVERY_64,
     AFFINE,
     WAYS = 32 /* choices for each target */
 };
 
 static draw_function *const draws[] = {
     [ROUNDING] = draw_rounding, [NEAREST] = draw_nearest,   [HALF_OFF] = draw_half_off,
-    [BILINEAR] = draw_bilinear, [HOUSE] = draw_house,       [ROW_OF_2] = draw_row_of_2,
-    [ROW_OF_4] = draw_row_of_4, [ROW_OF_8] = draw_row_of_8, [SAMPLES_4] = draw_4,
-    [SAMPLES_16] = draw_16,     [SAMPLES_64] = draw_64,     [EVERY_1] = draw_every_1,
-    [EVERY_2] = draw_every_2,   [EVERY_4] = draw_every_4,   [EVERY_8] = draw_every_8,
-    [EVERY_16] = draw_every_16, [EVERY_32] = draw_every_32, [EVERY_64] = draw_every_64,
-    [AFFINE] = draw_affine,
+    [BILINEAR] = draw_bilinear, [HOUSE] = draw_house,       [EVERY_1] = draw_every_1,
+    [EVERY_8] = draw_every_8,   [EVERY_16] = draw_every_16, [AFFINE] = draw_affine,
 };
 
 static void draw_target(struct target *target, int choice) {
@@ -516,40 +417,16 @@ static const struct bench_version near_versions[] = {
 };
 
 static const struct bench_version far_versions[] = {
-    VERSION("nearest", NEAREST),   VERSION("4 samples", SAMPLES_4),
-    VERSION("16", SAMPLES_16),     VERSION("64", SAMPLES_64),
-    VERSION("bilinear", BILINEAR), HOUSE_VERSION("mip levels (main.c)", HOUSE),
-    VERSION("2 times", ROW_OF_2),  VERSION("4 times", ROW_OF_4),
-    VERSION("8 times", ROW_OF_8),
+    VERSION("nearest", NEAREST),
+    VERSION("bilinear", BILINEAR),
+    HOUSE_VERSION("mip levels (main.c)", HOUSE),
 };
-
-static const char *far_series(int choice) {
-    static const char samples[] = "samples a pixel", rows[] = "anisotropic";
-    switch (choice % WAYS) {
-    case NEAREST:
-    case SAMPLES_4:
-    case SAMPLES_16:
-    case SAMPLES_64:
-        return samples;
-    case HOUSE:
-    case ROW_OF_2:
-    case ROW_OF_4:
-    case ROW_OF_8:
-        return rows;
-    default:
-        return NULL;
-    }
-}
 
 static const struct bench_version perspective_versions[] = {
     HOUSE_VERSION("every pixel, from weights", NEAREST),
     VERSION("every pixel", EVERY_1),
-    VERSION("every 2", EVERY_2),
-    VERSION("4", EVERY_4),
-    VERSION("8", EVERY_8),
+    VERSION("every 8", EVERY_8),
     VERSION("16", EVERY_16),
-    VERSION("32", EVERY_32),
-    VERSION("64", EVERY_64),
     VERSION("affine", AFFINE),
 };
 
@@ -576,8 +453,7 @@ static const struct bench_panel bench_panels[] = {
      .error = error_of,
      .units = units,
      BENCH_VERSIONS(far_versions),
-     .budget = 3,
-     .series = far_series},
+     .budget = 2},
     {.title = "Perspective: divided how often? The tiles, nearest texel, 800x800",
      .error_label = "levels, root mean square",
      .time_label = "ns per pixel",

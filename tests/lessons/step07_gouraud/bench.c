@@ -28,7 +28,7 @@ INLINED double integer_power(double base, int power);
 
 enum { SIDE = 512, MESH_COUNT = 5, SHINE_POWER = 8 };
 enum { DIFFUSE, HIGHLIGHT, LIGHT_COUNT };
-enum { FLAT, GOURAUD, LATE, NO_ROOT, NEWTON, EXACT_ROOT, WAY_COUNT };
+enum { FLAT, GOURAUD, PER_PIXEL, WAY_COUNT };
 
 /* The side of a sphere that faces the viewer, as triangles that share their corners. */
 struct mesh {
@@ -69,13 +69,7 @@ INLINED double intensity_at(struct vec3 weight, const struct vertex v[3], const 
     if (way == FLAT) {
         return v[0].intensity;
     }
-    if (way == LATE) {
-        return interpolate(weight, v[0].intensity, v[1].intensity, v[2].intensity);
-    }
-    struct vec3 normal = vec3_interpolate(weight, n[0], n[1], n[2]);
-    normal = way == NEWTON       ? vec3_renormalized(normal)
-             : way == EXACT_ROOT ? vec3_normalized(normal)
-                                 : normal;
+    struct vec3 normal = vec3_renormalized(vec3_interpolate(weight, n[0], n[1], n[2]));
     return light_on(normal, light, kind);
 }
 
@@ -103,10 +97,8 @@ INLINED void shaded_triangle(struct canvas *canvas, const struct edges *edges,
 
 /* What has to be known before a pixel: the intensity of every corner, or of every face. */
 INLINED void light_corners(struct mesh *mesh, struct vec3 light, int way, int kind) {
-    for (size_t i = 0; i < mesh->corner_count && (way == GOURAUD || way == LATE); i++) {
-        struct vec3 normal = mesh->normals[i];
-        mesh->vertices[i].intensity =
-            way == LATE ? vec3_dot(normal, light) : light_on(normal, light, kind);
+    for (size_t i = 0; i < mesh->corner_count && way == GOURAUD; i++) {
+        mesh->vertices[i].intensity = light_on(mesh->normals[i], light, kind);
     }
 }
 
@@ -143,22 +135,14 @@ typedef void mesh_function(struct canvas *canvas, struct mesh *mesh, struct vec3
     }
 WAY(flat_diffuse, FLAT, DIFFUSE)
 WAY(gouraud_diffuse, GOURAUD, DIFFUSE)
-WAY(late_diffuse, LATE, DIFFUSE)
-WAY(no_root_diffuse, NO_ROOT, DIFFUSE)
-WAY(newton_diffuse, NEWTON, DIFFUSE)
-WAY(exact_root_diffuse, EXACT_ROOT, DIFFUSE)
+WAY(per_pixel_diffuse, PER_PIXEL, DIFFUSE)
 WAY(flat_highlight, FLAT, HIGHLIGHT)
 WAY(gouraud_highlight, GOURAUD, HIGHLIGHT)
-WAY(no_root_highlight, NO_ROOT, HIGHLIGHT)
-WAY(newton_highlight, NEWTON, HIGHLIGHT)
-WAY(exact_root_highlight, EXACT_ROOT, HIGHLIGHT)
+WAY(per_pixel_highlight, PER_PIXEL, HIGHLIGHT)
 
-/* A highlight cannot be clamped late: an even power of a negative number is positive. */
 static mesh_function *const ways[LIGHT_COUNT][WAY_COUNT] = {
-    {flat_diffuse, gouraud_diffuse, late_diffuse, no_root_diffuse, newton_diffuse,
-     exact_root_diffuse},
-    {flat_highlight, gouraud_highlight, NULL, no_root_highlight, newton_highlight,
-     exact_root_highlight},
+    {flat_diffuse, gouraud_diffuse, per_pixel_diffuse},
+    {flat_highlight, gouraud_highlight, per_pixel_highlight},
 };
 
 /* A choice is a mesh, a kind of light and a way. */
@@ -355,21 +339,13 @@ static void teardown(void *state) {
         ON("8,192", 3, kind, way), ON("32,768", 4, kind, way)
 
 static const struct bench_version diffuse_versions[] = {
-    MESHES(DIFFUSE, FLAT),   MESHES(DIFFUSE, GOURAUD),    MESHES(DIFFUSE, NO_ROOT),
-    MESHES(DIFFUSE, NEWTON), MESHES(DIFFUSE, EXACT_ROOT), MESHES(DIFFUSE, LATE),
-};
+    MESHES(DIFFUSE, FLAT), MESHES(DIFFUSE, GOURAUD), MESHES(DIFFUSE, PER_PIXEL)};
 
 static const struct bench_version highlight_versions[] = {
-    MESHES(HIGHLIGHT, FLAT),   MESHES(HIGHLIGHT, GOURAUD),    MESHES(HIGHLIGHT, NO_ROOT),
-    MESHES(HIGHLIGHT, NEWTON), MESHES(HIGHLIGHT, EXACT_ROOT),
-};
+    MESHES(HIGHLIGHT, FLAT), MESHES(HIGHLIGHT, GOURAUD), MESHES(HIGHLIGHT, PER_PIXEL)};
 
 static const char *series(int choice) {
-    static const char *const names[WAY_COUNT] = {
-        [FLAT] = "flat",          [GOURAUD] = "Gouraud",
-        [LATE] = "clamped late",  [NO_ROOT] = "normal, no root",
-        [NEWTON] = "Newton step", [EXACT_ROOT] = "exact root",
-    };
+    static const char *const names[WAY_COUNT] = {"flat", "Gouraud", "normal per pixel"};
     return names[way_of(choice)];
 }
 

@@ -16,22 +16,17 @@
 
 #include <stdlib.h>
 #include <string.h>
+
 enum { SIDE = 600, SHARP_POWER = 80, MESHES = 4, COARSEST_ROWS = 16, MAP_HEIGHT = 512 };
 
 static const struct vec3 light = {1, 1, 1};
 
-enum { TABLES = 3, TERMS_LEAST = 2, TERMS_MOST = 5 };
-
-/* Coefficients of polynomials without a constant: for log2(1 + x) and 2^x - 1. */
-struct exp_log {
-    float log2[TERMS_MOST], exp2[TERMS_MOST];
-};
+enum { TABLES = 3 };
 
 /* What the ways to compute the power need. */
 struct lit {
     struct uniforms u;
     struct power_table tables[TABLES];
-    struct exp_log coefficients[TERMS_MOST - TERMS_LEAST + 1];
 };
 
 enum { VARYINGS = 8 };
@@ -119,50 +114,9 @@ enum power_way {
     TABLE_257,
     TABLE_1024,
     SCHLICK,
-    TERMS_2,
-    TERMS_3,
-    TERMS_4,
-    TERMS_5,
     SHORT_NORMAL,
-    POWERS /* also added to the choices where the worst pixel is judged */
+    POWERS
 };
-
-/* x (c0 + c1 x + ...), with `terms` constant where this is inlined. */
-static inline lanes polynomial(const float *c, int terms, lanes x) {
-    lanes sum = lanes_all((real)c[terms - 1]);
-    for (int i = terms - 2; i >= 0; i--) {
-        sum = sum * x + (real)c[i];
-    }
-    return sum * x;
-}
-
-/* `number` times 2 to the power of `exponent`, by the bits of a float. */
-static inline lanes scaled(lanes number, lanes_int exponent) {
-    lanes_int bits;
-    memcpy(&bits, &number, sizeof bits);
-    bits += exponent * (1 << 23);
-    memcpy(&number, &bits, sizeof bits);
-    return number;
-}
-
-/* base^power as 2^(power log2(base)), with polynomials for the parts of the two functions that the
- * exponent of a float does not hold. */
-static inline lanes terms_power(const struct exp_log *coefficients, int terms, lanes base,
-                                int power) {
-    if (!LANES_IS_FLOAT) {
-        return attempt_1_pow(base, power);
-    }
-    const int32_t two_thirds = 0x3F2AAAAB;
-    lanes_int bits;
-    memcpy(&bits, &base, sizeof bits);
-    lanes_int exponent = (bits - two_thirds) >> 23; /* base / 2^exponent is in 2/3..4/3 */
-    base = scaled(base, -exponent);
-    lanes log = lanes_from_int(exponent) + polynomial(coefficients->log2, terms, base - 1);
-    lanes product = lanes_max((real)power * log, lanes_all(-126));
-    lanes_int whole = lanes_to_int(product - 0.5f); /* to the nearest, as no product is above 0 */
-    lanes part = product - lanes_from_int(whole);
-    return scaled(1 + polynomial(coefficients->exp2, terms, part), whole);
-}
 
 /* base^power in one of the ways. */
 static inline lanes power_by(enum power_way way, const struct lit *lit, lanes base) {
@@ -180,12 +134,6 @@ static inline lanes power_by(enum power_way way, const struct lit *lit, lanes ba
         return attempt_3_table(&lit->tables[2], base);
     case SCHLICK:
         return attempt_4_schlick(base, power);
-    case TERMS_2:
-    case TERMS_3:
-    case TERMS_4:
-    case TERMS_5:
-        return terms_power(&lit->coefficients[way - TERMS_2], 2 + (int)(way - TERMS_2), base,
-                           power);
     default:
         return integer_power(base, lanes_all((real)power), power);
     }
@@ -230,10 +178,6 @@ LIGHT_ALL(light_by_table_64, TABLE_64)
 LIGHT_ALL(light_by_table_257, TABLE_257)
 LIGHT_ALL(light_by_table_1024, TABLE_1024)
 LIGHT_ALL(light_by_schlick, SCHLICK)
-LIGHT_ALL(light_by_2_terms, TERMS_2)
-LIGHT_ALL(light_by_3_terms, TERMS_3)
-LIGHT_ALL(light_by_4_terms, TERMS_4)
-LIGHT_ALL(light_by_5_terms, TERMS_5)
 LIGHT_ALL(light_by_short_normal, SHORT_NORMAL)
 
 static void (*const lights[POWERS])(struct work *) = {
@@ -244,15 +188,11 @@ static void (*const lights[POWERS])(struct work *) = {
     [TABLE_257] = light_by_table_257,
     [TABLE_1024] = light_by_table_1024,
     [SCHLICK] = light_by_schlick,
-    [TERMS_2] = light_by_2_terms,
-    [TERMS_3] = light_by_3_terms,
-    [TERMS_4] = light_by_4_terms,
-    [TERMS_5] = light_by_5_terms,
     [SHORT_NORMAL] = light_by_short_normal,
 };
 
 static void run_power(void *state, int choice) {
-    lights[choice % POWERS](state);
+    lights[choice](state);
 }
 
 static double units_power(const void *state, int base) {
@@ -260,18 +200,16 @@ static double units_power(const void *state, int base) {
     return (double)((const struct work *)state)->lit_count;
 }
 
-/* Root of the mean squared error, and the largest error of a channel. */
+/* Root of the mean squared error of a channel. */
 static double error_power(void *state, int choice) {
     struct work *work = state;
     double sum = 0;
-    int worst = 0;
+    (void)choice;
     for (size_t i = 0; i < work->lit_count; i++) {
-        struct color a = color_from_texel(work->colors[i]),
-                     b = work->lit_lanes[i / LANES].exact[i % LANES];
-        sum += squared_error(a, b);
-        worst = most_of(worst, abs(a.r - b.r), most_of(abs(a.g - b.g), abs(a.b - b.b), 0));
+        sum += squared_error(color_from_texel(work->colors[i]),
+                             work->lit_lanes[i / LANES].exact[i % LANES]);
     }
-    return choice >= POWERS ? worst : sqrt(sum / (double)work->lit_count);
+    return sqrt(sum / (double)work->lit_count);
 }
 
 /* ---- Which pixels these are ---- */
@@ -351,50 +289,6 @@ static bool find_highlights(struct work *work, struct error *error) {
     }
     free(kept.calls);
     return done || error_out_of_memory(error);
-}
-
-/* Solve a x = b by elimination; a is far from singular. */
-static void solve(int size, long double a[][TERMS_MOST], long double *b) {
-    for (int column = 0; column < size; column++) {
-        for (int row = 0; row < size; row++) {
-            long double factor = row == column ? 0 : a[row][column] / a[column][column];
-            for (int k = column; k < size; k++) {
-                a[row][k] -= factor * a[column][k];
-            }
-            b[row] -= factor * b[column];
-        }
-    }
-    for (int row = 0; row < size; row++) {
-        b[row] /= a[row][row];
-    }
-}
-
-/* The x (c0 + c1 x + ...) that has the values of a function in the zeros of a Chebyshev polynomial,
- * spread over -reach..reach: nearly the best there is. */
-static void fit(float *c, int terms, long double reach, long double (*function)(long double)) {
-    const long double pi = 3.14159265358979323846L;
-    long double a[TERMS_MOST][TERMS_MOST], b[TERMS_MOST];
-    for (int row = 0; row < terms; row++) {
-        long double x = reach * cosl(pi * (row + 0.5L) / terms), power = 1;
-        x = fabsl(x) < reach / 1024 ? reach / 1024 : x; /* not 0 / 0 */
-        for (int k = 0; k < terms; k++) {
-            a[row][k] = power;
-            power *= x;
-        }
-        b[row] = function(x) / x;
-    }
-    solve(terms, a, b);
-    for (int k = 0; k < terms; k++) {
-        c[k] = (float)b[k];
-    }
-}
-
-static long double log2_beside_1(long double x) {
-    return log2l(1 + x);
-}
-
-static long double exp2_less_1(long double x) {
-    return exp2l(x) - 1;
 }
 
 /* ---- Details: a sphere with ripples, which are in its normals only ---- */
@@ -543,11 +437,6 @@ static bool make_lit(struct work *work, struct error *error) {
     work->lit.tables[0] = attempt_3_make_table(64, SHARP_POWER);
     work->lit.tables[1] = attempt_3_make_table(257, SHARP_POWER);
     work->lit.tables[2] = attempt_3_make_table(1024, SHARP_POWER);
-    for (int terms = TERMS_LEAST; terms <= TERMS_MOST; terms++) {
-        struct exp_log *coefficients = &work->lit.coefficients[terms - TERMS_LEAST];
-        fit(coefficients->log2, terms, 1 / 3.0L, log2_beside_1);
-        fit(coefficients->exp2, terms, 0.5L, exp2_less_1);
-    }
     return bench_read_model(&work->bust, "bust.obj", error) &&
            model_need_normals(&work->bust, error) && find_highlights(work, error);
 }
@@ -591,10 +480,7 @@ static void teardown(void *state) {
 /* ---- The panels ---- */
 
 static const char *power_series(int choice) {
-    choice %= POWERS;
-    return choice >= TABLE_64 && choice <= TABLE_1024 ? "table of"
-           : choice >= TERMS_2 && choice <= TERMS_5   ? "log2 and exp2, terms"
-                                                      : NULL;
+    return choice >= TABLE_64 && choice <= TABLE_1024 ? "table of" : NULL;
 }
 
 static const struct bench_version power_versions[] = {
@@ -605,10 +491,6 @@ static const struct bench_version power_versions[] = {
     VERSION("257", TABLE_257),
     VERSION("1,024", TABLE_1024),
     VERSION("Schlick's form", SCHLICK),
-    VERSION("2", TERMS_2),
-    VERSION("3", TERMS_3),
-    VERSION("4", TERMS_4),
-    VERSION("5", TERMS_5),
     VERSION("normal not renormalised", SHORT_NORMAL),
 };
 
@@ -637,17 +519,6 @@ static const struct bench_panel bench_panels[] = {
      BENCH_VERSIONS(power_versions),
      .series = power_series,
      .house_within = 0.05},
-    {.title = "The same, by the worst pixel",
-     .error_label = "levels, the largest",
-     .time_label = "ns per pixel",
-     .against = "Phong's formula, long double",
-     .base = POWERS,
-     .run = run_power,
-     .error = error_power,
-     .units = units_power,
-     BENCH_VERSIONS(power_versions),
-     .series = power_series,
-     .house_within = 1},
     {.title = "A rippled sphere: a finer mesh or a normal map",
      .error_label = "levels, root mean square",
      .time_label = "ms per frame",
