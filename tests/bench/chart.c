@@ -498,10 +498,15 @@ static void draw_error_axis(struct output *output, const struct plot *plot) {
     double ticks[TICK_LIMIT];
     int count = plot->has_scale ? axis_ticks(&plot->error, ticks) : 0;
     double last = -1000;
+    report_put(output, "<path class=\"grid\" d=\"");
+    for (int i = 0; i < count; i++) {
+        report_put(output, "M%.1f,%.1fV%.1f", axis_px(&plot->error, ticks[i]), plot->top,
+                   plot->bottom);
+    }
+    report_put(output, "\"/>\n");
     for (int i = 0; i < count; i++) {
         char text[32];
         double x = axis_px(&plot->error, ticks[i]);
-        put_line(output, "grid", x, plot->top, x, plot->bottom);
         bool is_exact = ticks[i] == 0 && plot->has_exact; /* "exact" is written there */
         if (x - last > 40 && !is_exact) {                 /* room for its number */
             show_tick(ticks[i], text);
@@ -527,10 +532,14 @@ static void draw_time_axis(struct output *output, const struct plot *plot) {
     double ticks[TICK_LIMIT];
     int count = axis_ticks(&plot->time, ticks);
     double last = 1e6;
+    report_put(output, "<path class=\"grid\" d=\"");
+    for (int i = 0; i < count; i++) {
+        report_put(output, "M%d,%.1fH%d", PLOT_LEFT, axis_px(&plot->time, ticks[i]), PLOT_RIGHT);
+    }
+    report_put(output, "\"/>\n");
     for (int i = 0; i < count; i++) {
         char text[32];
         double y = axis_px(&plot->time, ticks[i]);
-        put_line(output, "grid", PLOT_LEFT, y, PLOT_RIGHT, y);
         if (last - y > 13) {
             show_tick(ticks[i], text);
             put_text(output, "tick end", PLOT_LEFT - 6, y + 4, text);
@@ -556,13 +565,14 @@ static void draw_front(struct output *output, const struct plot *plot) {
 }
 
 static void draw_series(struct output *output, const struct plot *plot) {
-    for (size_t i = 0; i < plot->count; i++) {
-        const struct mark *mark = &plot->marks[i], *next = next_of_series(plot, i);
-        char class[32];
-        if (next != NULL) {
-            snprintf(class, sizeof class, "series s%d", mark->series);
-            put_line(output, class, mark->x, mark->y, next->x, next->y);
+    for (int k = 0; k < plot->series_count; k++) {
+        report_put(output, "<polyline class=\"series s%d\" points=\"", k);
+        for (size_t i = 0; i < plot->count; i++) {
+            if (plot->marks[i].series == k) {
+                report_put(output, "%.1f,%.1f ", plot->marks[i].x, plot->marks[i].y);
+            }
         }
+        report_put(output, "\"/>\n");
     }
 }
 

@@ -13,7 +13,7 @@
 
 /* A child is told when to end: a later child has copies of an earlier one's pipes, so that these do
  * not close while it lives. */
-enum order { ORDER_LOAD, ORDER_DRAW, ORDER_COUNT, ORDER_READ, ORDER_END };
+enum order { ORDER_LOAD, ORDER_DRAW, ORDER_READ, ORDER_END };
 
 struct request {
     enum order order;
@@ -23,7 +23,6 @@ struct request {
 struct reply {
     bool done;
     double seconds;
-    uint64_t passed; /* pixels */
     struct error error;
 };
 
@@ -70,9 +69,6 @@ static void obey(struct llvmpipe *l, const struct request *request, uint8_t *pix
         start = stopwatch_start();
         llvmpipe->draw(l);
         reply->seconds = stopwatch_seconds(start);
-        break;
-    case ORDER_COUNT:
-        reply->passed = llvmpipe->count(l);
         break;
     case ORDER_READ:
         reply->done = llvmpipe->read(l, pixels, &reply->error);
@@ -198,14 +194,6 @@ bool child_draw(const struct child *child, double *seconds, struct error *error)
     struct reply reply = {.seconds = 0};
     bool done = ask(child, &request, &reply, error);
     *seconds = reply.seconds;
-    return done;
-}
-
-bool child_count(const struct child *child, uint64_t *passed, struct error *error) {
-    struct request request = {.order = ORDER_COUNT};
-    struct reply reply = {.passed = 0};
-    bool done = ask(child, &request, &reply, error);
-    *passed = reply.passed;
     return done;
 }
 

@@ -33,9 +33,6 @@ bool child_load(const struct child *child, const struct frame_scene *scene, stru
  * seconds. */
 bool child_draw(const struct child *child, double *seconds, struct error *error);
 
-/* Draw a frame; how many times a pixel passed the depth test. */
-bool child_count(const struct child *child, uint64_t *passed, struct error *error);
-
 /* Give the frame that was drawn last: BGRA in `pixels`. */
 bool child_read(const struct child *child, struct error *error);
 

@@ -25,13 +25,11 @@
 #define _DEFAULT_SOURCE /* clock_gettime, getloadavg */
 #include "child.h"
 #include "exact.h"
-#include "files/png.h"
 #include "options.h"
 #include "ours.h"
 #include "skipping.h"
 #include "table.h"
 
-#include "base/file.h"
 #include "bench/timing.h"
 
 #include <stdio.h>
@@ -87,7 +85,7 @@ static struct summary summarize(const struct bench *b, double *seconds) {
     size_t count = b->options.frames;
     sort_doubles(seconds, count);
     return (struct summary){
-        .typical = 1e3 * quantile(seconds, count, b->options.least ? 0 : 0.5),
+        .median = 1e3 * quantile(seconds, count, 0.5),
         .range = 1e3 * (quantile(seconds, count, 0.75) - quantile(seconds, count, 0.25)),
     };
 }
@@ -113,25 +111,6 @@ static bool time_cell(struct bench *b, struct cell *cell, struct error *error) {
     return true;
 }
 
-static bool save_picture(const struct bench *b, const struct cell *cell, const char *side,
-                         const uint8_t *pixels, struct error *error) {
-    const struct image image = {cell->width, cell->height, IMAGE_BGRA, (uint8_t *)pixels};
-    char *path =
-        string_format("%s/%s_%zux%zu_%zu_%s.png", b->options.directory, frame_look_name[cell->look],
-                      cell->width, cell->height, cell->faces, side);
-    bool done = path != NULL ? png_write(&image, path, error) : error_out_of_memory(error);
-    free(path);
-    return done;
-}
-
-static bool save_pictures(const struct bench *b, const struct cell *cell,
-                          const uint8_t *const *pictures, struct error *error) {
-    return b->options.directory == NULL ||
-           (directory_create(b->options.directory, error) &&
-            save_picture(b, cell, "ours", pictures[OURS_1], error) &&
-            (!b->table.has_mesa || save_picture(b, cell, "llvmpipe", pictures[MESA_1], error)));
-}
-
 static bool judge_cell(struct bench *b, const struct frame_scene *scene, struct cell *cell,
                        struct error *error) {
     const uint8_t *pictures[SIDES];
@@ -143,7 +122,7 @@ static bool judge_cell(struct bench *b, const struct frame_scene *scene, struct 
             return false;
         }
     }
-    bool done = save_pictures(b, cell, pictures, error) && exact_begin(&exact, scene, error);
+    bool done = exact_begin(&exact, scene, error);
     if (done) {
         exact_compare(&exact, pictures, side_count(b), cell->deviations);
         cell->visible = exact.visible;

@@ -255,18 +255,6 @@ static void draw(struct llvmpipe *l) {
     glFinish();
 }
 
-static uint64_t count_pixels(struct llvmpipe *l) {
-    GLuint query;
-    GLuint64 passed = 0;
-    glGenQueries(1, &query);
-    glBeginQuery(GL_SAMPLES_PASSED, query);
-    draw(l);
-    glEndQuery(GL_SAMPLES_PASSED);
-    glGetQueryObjectui64v(query, GL_QUERY_RESULT, &passed);
-    glDeleteQueries(1, &query);
-    return passed;
-}
-
 static bool read_pixels(struct llvmpipe *l, uint8_t *pixels, struct error *error) {
     glReadPixels(0, 0, l->width, l->height, GL_BGRA, GL_UNSIGNED_BYTE, pixels);
     GLenum problem = glGetError();
@@ -279,7 +267,6 @@ static const struct llvmpipe_functions functions = {
     .name = name_llvmpipe,
     .load = load,
     .draw = draw,
-    .count = count_pixels,
     .read = read_pixels,
 };
 

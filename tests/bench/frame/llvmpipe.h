@@ -22,8 +22,6 @@ struct llvmpipe_functions {
     bool (*load)(struct llvmpipe *llvmpipe, const struct frame_scene *scene, struct error *error);
     /* A frame: clear, draw, finish. */
     void (*draw)(struct llvmpipe *llvmpipe);
-    /* Draw a frame; how many times a pixel passed the depth test, and so was shaded. */
-    uint64_t (*count)(struct llvmpipe *llvmpipe);
     /* What was drawn: BGRA, row by row from the bottom, alpha 0 where nothing was. */
     bool (*read)(struct llvmpipe *llvmpipe, uint8_t *pixels, struct error *error);
 };

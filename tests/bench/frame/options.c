@@ -95,10 +95,6 @@ static bool clear_all(const char *value, void *target) {
     return true;
 }
 
-static bool read_directory(const char *value, void *target) {
-    return value[0] != '\0' && argument_text(value, target);
-}
-
 bool options_read(struct options *o, int argc, char **argv, struct error *error) {
     struct adding adding = {.options = o};
     const struct argument known[] = {
@@ -111,12 +107,9 @@ bool options_read(struct options *o, int argc, char **argv, struct error *error)
         {"--quick", "", "3 frames, at the first size, of the model as it is", be_quick, o},
         {"--skipping", "", "only what each shortcut is worth, where much is hidden or off screen",
          argument_flag, &o->skipping},
-        {"--least", "", "show the least time instead of the median: for a busy machine",
-         argument_flag, &o->least},
         {"--clear-all", "",
          "clear all of the image, not only what the last frame has drawn, as\nllvmpipe does",
          clear_all, &o->clearing},
-        {"-o", "DIR", "save the pictures of both there, as PNG", read_directory, &o->directory},
     };
     const size_t known_count = sizeof known / sizeof known[0];
     *o = defaults;

@@ -17,14 +17,12 @@ struct size {
 
 struct options {
     const char *model;
-    const char *directory; /* where the pictures go; NULL: nowhere */
     enum frame_look looks[LIST_LIMIT];
     struct size sizes[LIST_LIMIT];
     size_t triangles[LIST_LIMIT]; /* about so many */
     size_t look_count, size_count, triangle_count;
     size_t frames;          /* timed of each, 1..FRAMES_LIMIT */
     bool skipping;          /* measure only what shortcuts are worth */
-    bool least;             /* show the least time, not the median */
     enum clearing clearing; /* how the course's side clears the image */
     bool help;              /* nothing but that */
 };

@@ -13,6 +13,7 @@ const char *const frame_look_name[FRAME_LOOKS] = {"flat", "gouraud", "phong"};
 
 /* ---- Models ---- */
 
+/* llvmpipe's vertex shaders do not do it. */
 static void to_unit(float normal[3]) {
     struct vec3 unit = vec3_normalized((struct vec3){normal[0], normal[1], normal[2]});
     normal[0] = (float)unit.x;
@@ -20,16 +21,12 @@ static void to_unit(float normal[3]) {
     normal[2] = (float)unit.z;
 }
 
-void frame_unit_normals(struct model *model) {
-    for (size_t i = 0; i < model->normal_count; i++) {
-        to_unit(model->normals[i]);
-    }
-}
-
 /* What is made ready once. */
 static bool make_ready(struct frame_model *head, struct error *error) {
     const struct model *model = &head->model;
-    frame_unit_normals(&head->model);
+    for (size_t i = 0; i < model->normal_count; i++) {
+        to_unit(model->normals[i]);
+    }
     head->face_normals = malloc((model->face_count + 1) * sizeof *head->face_normals);
     if (head->face_normals == NULL) {
         return error_out_of_memory(error);

@@ -51,9 +51,6 @@ struct frame_scene {
 /* Read a model with the textures that it has; `head` is freed with frame_model_free(). */
 bool frame_model_read(struct frame_model *head, const char *path, struct error *error);
 
-/* Bring all normals to length 1, which llvmpipe's vertex shaders do not do. */
-void frame_unit_normals(struct model *model);
-
 /* Cut each face into four, 1 or more times: real shared vertices, and every attribute half-way
  * between those of an edge's ends. */
 bool frame_model_subdivide(struct frame_model *fine, const struct frame_model *coarse, int times,

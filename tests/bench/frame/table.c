@@ -13,11 +13,11 @@ static void print_scene(const struct cell *cell) {
 /* How many times as fast as llvmpipe; 0 without it. */
 static double ratio(const struct table *table, const struct cell *cell, enum side ours) {
     enum side mesa = ours == OURS_1 ? MESA_1 : MESA_2;
-    return table->has_mesa ? cell->sides[mesa].typical / cell->sides[ours].typical : 0;
+    return table->has_mesa ? cell->sides[mesa].median / cell->sides[ours].median : 0;
 }
 
 static double gain(const struct cell *cell, enum side one) {
-    return cell->sides[one].typical / cell->sides[one + 1].typical;
+    return cell->sides[one].median / cell->sides[one + 1].median;
 }
 
 /* ---- Times ---- */
@@ -25,9 +25,10 @@ static double gain(const struct cell *cell, enum side one) {
 void table_print_time_head(const struct options *options) {
     printf("\nBefore a frame this course clears %s; llvmpipe clears all.\n",
            options->clearing == CLEAR_ALL ? "all" : "what its last frame has drawn");
-    printf("\nMilliseconds a frame, the %s of %zu (and how far apart the quartiles are); how many\n"
+    printf("\nMilliseconds a frame, the median of %zu (and how far apart the quartiles are); how "
+           "many\n"
            "times as fast as llvmpipe; how many times as fast with two threads as with one\n\n",
-           options->least ? "least" : "median", options->frames);
+           options->frames);
     printf("%27s | %-40s | %-40s | %-12s |\n", "", "one thread", "two threads", "two to one");
     printf("%-7s %-9s %9s |", "look", "size", "triangles");
     for (int i = 0; i < 2; i++) {
@@ -39,7 +40,7 @@ void table_print_time_head(const struct options *options) {
 static void print_summary(struct summary summary) {
     char range[16];
     snprintf(range, sizeof range, "(%.2f)", summary.range);
-    printf(" %7.2f %8s ", summary.typical, range);
+    printf(" %7.2f %8s ", summary.median, range);
 }
 
 static void print_pair(const struct table *table, const struct cell *cell, enum side ours) {

@@ -9,8 +9,8 @@
 enum side { OURS_1, OURS_2, MESA_1, MESA_2, SIDES };
 
 struct summary {
-    double typical; /* milliseconds: the median, or the least */
-    double range;   /* from the first quartile to the third */
+    double median; /* milliseconds */
+    double range;  /* from the first quartile to the third */
 };
 
 /* What was measured of one scene. */
