@@ -1,8 +1,9 @@
 /*
  * Lesson 1's benchmark: the attempts at a line.
  *
- * Every line has a small image of its own, and every version a grey level of its own: what the last
- * run drew can be told from what others left. The error counts wrong pixels, against exact integers.
+ * Every line has a small image of its own, and every version a grey level of its own: what the
+ * last run drew can be told from what others left. The error counts wrong pixels, against exact
+ * integers.
  */
 #define LESSON "../step01_line/main.c"
 #include "lesson.h"

@@ -1,6 +1,7 @@
 /*
  * Lesson 3's benchmark: ways to fill a triangle, on a mesh of small ones and on a fan of large
- * ones that reach far beyond the image. Every other side of the fan goes through many pixel centres; the values at the rest need more digits than a float has.
+ * ones that reach far beyond the image. Every other side of the fan goes through many pixel
+ * centres; the values at the rest need more digits than a float has.
  *
  * All versions write rows with image_fill_row(). Each triangle has a colour of its own, and each
  * version too: so the picture of the last run tells which triangle it shows at each pixel. The
