@@ -52,37 +52,10 @@ struct work {
     struct target targets[TARGETS];
 };
 
-/* ---- Samplers ---- */
-
-/* The colour of a pixel that shows the place uv of the picture, at distance w. */
-typedef struct color sampler(const struct quotients *plane, const struct texture *texture,
-                             struct vec2 uv, double w);
-
-INLINED struct color sample_by_rounding(const struct quotients *plane,
-                                        const struct texture *texture, struct vec2 uv, double w) {
-    (void)plane, (void)w;
-    return attempt_sample_rounded(texture, repeat(uv));
-}
-
-INLINED struct color sample_by_floor(const struct quotients *plane, const struct texture *texture,
-                                     struct vec2 uv, double w) {
-    (void)plane, (void)w;
-    return sample_nearest(texture, repeat(uv));
-}
-
-INLINED struct color sample_half_off(const struct quotients *plane, const struct texture *texture,
-                                     struct vec2 uv, double w) {
-    (void)plane, (void)w;
-    return attempt_sample_unshifted(texture, repeat(uv));
-}
-
-INLINED struct color sample_four_texels(const struct quotients *plane,
-                                        const struct texture *texture, struct vec2 uv, double w) {
-    (void)plane, (void)w;
-    return attempt_sample_bilinear(texture, repeat(uv));
-}
-
 /* ---- Triangles ---- */
+
+/* The colour at a place in 0..1. */
+typedef struct color sampler(const struct texture *texture, struct vec2 uv);
 
 typedef void draw_function(struct image *image, const struct vertex v[3],
                            const struct texture *texture);
@@ -99,7 +72,7 @@ INLINED void draw_sampled(struct image *image, const struct vertex v[3],
         for (int x = span.begin; x < span.end; x++) {
             double w;
             struct vec2 uv = plane_uv(&plane, x, y, &w);
-            image_set(image, x, y, sample(&plane, texture, uv, w));
+            image_set(image, x, y, sample(texture, repeat(uv)));
         }
     }
 }
@@ -198,10 +171,10 @@ static void draw_house(struct image *image, const struct vertex v[3],
                      const struct texture *texture) {                                              \
         draw(image, v, texture, constant);                                                         \
     }
-DRAW(draw_rounding, draw_sampled, sample_by_rounding)
-DRAW(draw_nearest, draw_sampled, sample_by_floor)
-DRAW(draw_half_off, draw_sampled, sample_half_off)
-DRAW(draw_bilinear, draw_sampled, sample_four_texels)
+DRAW(draw_rounding, draw_sampled, attempt_sample_rounded)
+DRAW(draw_nearest, draw_sampled, sample_nearest)
+DRAW(draw_half_off, draw_sampled, attempt_sample_unshifted)
+DRAW(draw_bilinear, draw_sampled, attempt_sample_bilinear)
 DRAW(draw_every_1, draw_every, 1)
 DRAW(draw_every_8, draw_every, 8)
 DRAW(draw_every_16, draw_every, 16)
