@@ -124,7 +124,8 @@ static bool measure_lessons(const struct options *options, struct error *error) 
         }
     }
     if (well && done == 0) {
-        well = error_set(error, "no file of tests/bench measures a step of that name");
+        well =
+            error_set(error, "no tests/lessons/stepNN_name/bench.c measures a step of that name");
     }
     well = well && report_end(&json, error) && save_json(&json, options->directory, error);
     bytes_free(&json);

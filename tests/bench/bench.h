@@ -83,7 +83,7 @@ struct bench_panel {
 /* Set versions and version_count of a panel. */
 #define BENCH_VERSIONS(list) .versions = (list), .version_count = sizeof(list) / sizeof(list)[0]
 
-enum { BENCH_VERSION_LIMIT = 32, BENCH_PANEL_LIMIT = 8, BENCH_SERIES_LIMIT = 6 };
+enum { BENCH_VERSION_LIMIT = 32, BENCH_PANEL_LIMIT = 8, BENCH_SERIES_LIMIT = 4 };
 
 struct bench_lesson {
     const char *step;  /* "step01_line": name of the directory, and of the chart's file */

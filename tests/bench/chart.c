@@ -451,13 +451,10 @@ static void draw_style(struct output *output) {
     /* A series colours what belongs to it with `color`. */
     report_put(output,
                ".plain { color: #818b98; }\n"
-               ".best { color: #0a5cc2; }\n"
-               ".s0 { color: #0a5cc2; }\n"
+               ".best, .s0 { color: #0a5cc2; }\n"
                ".s1 { color: #b35900; }\n"
                ".s2 { color: #1a7f37; }\n"
                ".s3 { color: #8250df; }\n"
-               ".s4 { color: #bf3989; }\n"
-               ".s5 { color: #57606a; }\n"
                ".dot { fill: #ffffff; stroke: currentColor; stroke-width: 1.5; }\n"
                ".filled { fill: currentColor; stroke: currentColor; stroke-width: 1.5; }\n"
                ".series { fill: none; stroke: currentColor; stroke-width: 1; opacity: 0.6; }\n"
@@ -477,8 +474,6 @@ static void draw_style(struct output *output) {
                        ".s1 { color: #f0a050; }\n"
                        ".s2 { color: #56d364; }\n"
                        ".s3 { color: #d2a8ff; }\n"
-                       ".s4 { color: #ff9bce; }\n"
-                       ".s5 { color: #b1bac4; }\n"
                        ".dot { fill: #151b23; }\n"
                        ".front { stroke: #a0aab5; }\n"
                        ".filled, .name { fill: currentColor; }\n"
@@ -611,7 +606,7 @@ static void draw_bars(struct output *output, const struct plot *plot) {
 
 /* The class that gives a mark its colour. */
 static const char *mark_color(const struct mark *mark) {
-    static const char *const classes[BENCH_SERIES_LIMIT] = {"s0", "s1", "s2", "s3", "s4", "s5"};
+    static const char *const classes[BENCH_SERIES_LIMIT] = {"s0", "s1", "s2", "s3"};
     if (mark->series >= 0) {
         return classes[mark->series];
     }
