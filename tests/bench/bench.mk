@@ -56,7 +56,7 @@ ifneq ($(filter bench bench-frame $(BUILD)/bench-frame,$(MAKECMDGOALS)),)
 HAS_MESA := $(shell printf '%s\n' '\#include <EGL/egl.h>' '\#include <GL/glcorearb.h>' | \
                     $(CC) -E - >/dev/null 2>&1 && echo yes)
 endif
-NOT_LINKED = $(if $(HAS_MESA),%/without_llvmpipe.o,%/llvmpipe.o %/context.o)
+NOT_LINKED = $(if $(HAS_MESA),%/without_llvmpipe.o,%/llvmpipe.o)
 
 # Changes only when Mesa comes or goes.
 $(BUILD)/with-mesa: force
