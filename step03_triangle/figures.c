@@ -100,24 +100,6 @@ static void draw_spans(struct target *target, const struct vec2 corner[3], struc
     }
 }
 
-struct version {
-    const char *name;
-    attempt_function *draw;
-};
-
-static const struct version versions[] = {
-    {"1 sweep, whole numbers", attempt_1_sweep_whole},
-    {"2 sweep, float", attempt_2_sweep_float},
-    {"3 box, float, >= 0", attempt_3_box_float},
-    {"4 box, double, >= 0", attempt_4_box_double},
-    {"5 box, double, > 0", attempt_5_box_open},
-    {"6 box, double, >= -0.001", attempt_6_box_epsilon},
-    {"7 edges added up in float", attempt_7_edges_float},
-    {"8 blocks", attempt_8_blocks},
-    {"spans (main.c)", draw_spans},
-};
-enum { VERSION_COUNT = sizeof versions / sizeof versions[0] };
-
 /* Draw a mesh, each triangle in its own colour, and count. `draws` may be NULL. */
 static void draw_mesh(const struct mesh *mesh, attempt_function *draw, struct image *image,
                       uint8_t *draws) {
@@ -162,36 +144,6 @@ static void show_draws(struct image *image, const uint8_t *draws, const uint8_t 
     }
 }
 
-static void print_differences(const char *mesh, const char *version, const uint8_t *draws,
-                              const uint8_t *exact, size_t pixel_count) {
-    size_t covered = 0, too_often = 0, too_rarely = 0, holes = 0;
-    for (size_t i = 0; i < pixel_count; i++) {
-        covered += exact[i] > 0;
-        too_often += draws[i] > exact[i];
-        too_rarely += draws[i] < exact[i];
-        holes += draws[i] == 0 && exact[i] > 0;
-    }
-    printf("%-6s %-26s %7zu pixels: %6zu too often, %5zu too rarely, %4zu holes\n", mesh, version,
-           covered, too_often, too_rarely, holes);
-}
-
-static bool measure(const char *name, const struct mesh *mesh, struct image *image,
-                    struct error *error) {
-    size_t pixel_count = image->width * image->height;
-    uint8_t *draws = malloc(pixel_count), *exact = malloc(pixel_count);
-    bool done = draws != NULL && exact != NULL;
-    if (done) {
-        count_exactly(mesh, image, exact);
-    }
-    for (size_t i = 0; done && i < VERSION_COUNT; i++) {
-        draw_mesh(mesh, versions[i].draw, image, draws);
-        print_differences(name, versions[i].name, draws, exact, pixel_count);
-    }
-    free(draws);
-    free(exact);
-    return done || error_out_of_memory(error);
-}
-
 /* ---- The pictures ---- */
 
 /* Which of the three edge functions are positive (red, green, blue: edges 0, 1, 2); inside all
@@ -221,40 +173,6 @@ static bool draw_half_planes(const char *directory, struct error *error) {
     return done;
 }
 
-/* Eight triangles around a pixel centre. */
-static void make_small_fan(struct vec2 corners[8][3]) {
-    static const struct vec2 rim[8] = {{14.5, 8.5}, {14.5, 14.5}, {8.5, 14.5}, {2.5, 14.5},
-                                       {2.5, 8.5},  {2.5, 2.5},   {8.5, 2.5},  {14.5, 2.5}};
-    for (int i = 0; i < 8; i++) {
-        corners[i][0] = (struct vec2){8.5, 8.5};
-        corners[i][1] = rim[i];
-        corners[i][2] = rim[(i + 1) % 8];
-    }
-}
-
-/* The fan by three rules for pixel centres that lie on a side. */
-static bool draw_small_fan(const char *directory, struct error *error) {
-    static attempt_function *const rules[3] = {attempt_4_box_double, attempt_5_box_open,
-                                               draw_spans};
-    struct vec2 corners[8][3];
-    struct mesh fan = {.corners = corners, .count = 8};
-    struct sheet sheet = {.width = 17, .height = 17, .columns = 3, .rows = 1, .gap = 1};
-    uint8_t exact[17 * 17], draws[17 * 17];
-    bool done = sheet_create(&sheet, error);
-    make_small_fan(corners);
-    image_clear(&sheet.image, color_grey(0));
-    for (int k = 0; done && k < 3; k++) {
-        count_exactly(&fan, &sheet.panel, exact);
-        draw_mesh(&fan, rules[k], &sheet.panel, draws);
-        show_draws(&sheet.panel, draws, exact);
-        sheet_add(&sheet);
-    }
-    done = done && figure_save_detail(&sheet.image, detail_of_whole(&sheet.image, 12, GRID),
-                                      directory, "fan_rules", error);
-    sheet_free(&sheet);
-    return done;
-}
-
 /* The count of draws of one version, as a picture. */
 static bool draw_counts(const struct mesh *mesh, attempt_function *draw, struct image *image,
                         struct detail part, const char *directory, const char *name,
@@ -274,7 +192,7 @@ static bool draw_counts(const struct mesh *mesh, attempt_function *draw, struct 
                 : error_out_of_memory(error);
 }
 
-/* What rules and attempts make of the sheet, and what float sums make of the long sides of the fan:
+/* What two rules make of the sheet, and what float sums make of the long sides of the fan:
  * their edge values need more digits. */
 static bool draw_meshes(const char *directory, struct error *error) {
     struct mesh sheet = {0}, fan = {0};
@@ -284,7 +202,6 @@ static bool draw_meshes(const char *directory, struct error *error) {
         image_create(&image, 200, 200, IMAGE_BGR, error) &&
         mesh_from_scene(&sheet, place_in_sheet, SHEET_TRIANGLES, &image, error) &&
         mesh_from_scene(&fan, place_in_fan, FAN_BLADES, &image, error) &&
-        measure("sheet", &sheet, &image, error) && measure("fan", &fan, &image, error) &&
         draw_counts(&sheet, attempt_4_box_double, &image, part, directory, "sheet_closed", error) &&
         draw_counts(&sheet, attempt_5_box_open, &image, part, directory, "sheet_open", error) &&
         draw_counts(&sheet, draw_spans, &image, part, directory, "sheet_exact", error) &&
@@ -317,16 +234,14 @@ static bool draw_eye(const struct mesh *bust, attempt_function *draw, struct ima
     return figure_save_detail(image, eye, directory, name, error);
 }
 
-/* Part of the bust in colours: whole-number sweep, spans, and how often each pixel is drawn. */
+/* Part of the bust in colours: whole-number sweep, and spans. */
 static bool draw_bust_details(const struct model *bust, const char *directory,
                               struct error *error) {
-    const struct detail head = {100, 40, 600, 760, .zoom = 1};
     struct mesh mesh = {0};
     struct image image = {0};
     bool done =
         image_create(&image, 800, 800, IMAGE_BGR, error) &&
-        mesh_from_model(&mesh, bust, &image, error) && measure("bust", &mesh, &image, error) &&
-        draw_counts(&mesh, draw_spans, &image, head, directory, "bust_exact_draws", error) &&
+        mesh_from_model(&mesh, bust, &image, error) &&
         draw_eye(&mesh, attempt_1_sweep_whole, &image, directory, "bust_sweep_whole", error) &&
         draw_eye(&mesh, draw_spans, &image, directory, "bust_spans", error);
     mesh_free(&mesh);
@@ -334,83 +249,7 @@ static bool draw_bust_details(const struct model *bust, const char *directory,
     return done;
 }
 
-/* All faces in the order of the file, the backs in magenta. */
-static bool draw_backs_too(const struct model *bust, const char *directory, struct error *error) {
-    const struct detail head = {90, 100, 220, 300, .zoom = 2};
-    struct image image;
-    if (!image_create(&image, 400, 400, IMAGE_BGR, error)) {
-        return false;
-    }
-    for (size_t face = 0; face < bust->face_count; face++) {
-        struct vec2 screen[3];
-        face_on_screen(bust, face, &image, screen);
-        uint8_t shade = (uint8_t)(face_color(face).g / 2 + 60);
-        box_triangle(&image, screen,
-                     is_turned_away(screen) ? color_rgb(shade, 0, (uint8_t)(shade / 2))
-                                            : color_grey(shade));
-    }
-    bool done = figure_save_detail(&image, head, directory, "backs_too", error);
-    image_free(&image);
-    return done;
-}
-
-/* The outline and the same triangles filled, enlarged. */
-static bool draw_first_scenes(const char *directory, struct error *error) {
-    struct drawing drawing = {.skip = true};
-    struct sheet sheet = {.width = 200, .height = 200, .columns = 2, .rows = 1, .gap = 4};
-    bool done = sheet_create(&sheet, error) && draw_outline(&drawing, &sheet.panel, error);
-    if (done) {
-        sheet_add(&sheet);
-        done = draw_signs(&drawing, &sheet.panel, error);
-    }
-    if (done) {
-        sheet_add(&sheet);
-        done = figure_save_detail(&sheet.image, detail_of_whole(&sheet.image, 2, 0), directory,
-                                  "outline_and_signs", error);
-    }
-    sheet_free(&sheet);
-    return done;
-}
-
-/* What attempt 8 decides for each block: outside (dark red), inside (green), mixed (yellow where a
- * tested pixel is inside, brown where it is outside). */
-static bool draw_blocks(const char *directory, struct error *error) {
-    struct image image;
-    struct edges edges;
-    const struct fixed2 a = {4 * 256, 6 * 256}, b = {74 * 256, 20 * 256}, c = {30 * 256, 60 * 256};
-    if (!image_create(&image, 80, 64, IMAGE_BGR, error)) {
-        return false;
-    }
-    edges_setup(&edges, a, b, c, image.width, image.height);
-    size_t tested = 0, outside = 0;
-    for (int y = 0; y < (int)image.height; y++) {
-        for (int x = 0; x < (int)image.width; x++) {
-            enum block_kind kind =
-                attempt_block_kind(&edges, x - x % ATTEMPT_BLOCK, y - y % ATTEMPT_BLOCK);
-            bool inside = edges_cover(&edges, x, y);
-            bool line = x % ATTEMPT_BLOCK == 0 || y % ATTEMPT_BLOCK == 0;
-            struct color color = kind == BLOCK_OUTSIDE  ? color_rgb(110, 20, 20)
-                                 : kind == BLOCK_INSIDE ? color_rgb(40, 170, 60)
-                                 : inside               ? color_rgb(250, 220, 60)
-                                                        : color_rgb(120, 95, 30);
-            tested += kind == BLOCK_MIXED;
-            outside += kind == BLOCK_MIXED && !inside;
-            color = line ? color_rgb((uint8_t)(color.r * 3 / 4), (uint8_t)(color.g * 3 / 4),
-                                     (uint8_t)(color.b * 3 / 4))
-                         : color;
-            image_set(&image, x, y, color);
-        }
-    }
-    printf("blocks: %zu pixels tested one by one, %zu of them outside\n", tested, outside);
-    bool done =
-        figure_save_detail(&image, detail_of_whole(&image, 6, 0), directory, "blocks", error);
-    image_free(&image);
-    return done;
-}
-
 bool draw_figures(const char *directory, struct model *bust, struct error *error) {
-    return draw_first_scenes(directory, error) && draw_half_planes(directory, error) &&
-           draw_small_fan(directory, error) && draw_meshes(directory, error) &&
-           draw_bust_details(bust, directory, error) && draw_backs_too(bust, directory, error) &&
-           draw_blocks(directory, error);
+    return draw_half_planes(directory, error) && draw_meshes(directory, error) &&
+           draw_bust_details(bust, directory, error);
 }

@@ -1,4 +1,4 @@
-/* The pictures of step 6's README that are not references, and the errors of the attempts. */
+/* The pictures of step 6's README that are not references. */
 #include "../tests/bench/figures.h"
 
 #define LESSON "../step06_texture/main.c"
@@ -95,66 +95,29 @@ static bool draw_affine(const char *directory, const struct texture *checker, st
     return done;
 }
 
-/* ---- The whole scene by every version ---- */
+/* ---- The horizon of scene checker ---- */
 
-static const struct version {
-    const char *name;
-    draw_function *draw;
-} versions[] = {
-    {"nearest by rounding", attempt_1_rounded},
-    {"nearest", attempt_2_nearest},
-    {"bilinear without the half texel", attempt_3_unshifted},
-    {"bilinear", attempt_4_no_levels},
-    {"affine, bilinear", attempt_5_affine},
-    {"mip levels, exact every 16 pixels", attempt_6_every_16},
-    {"mip levels, exact every 8 pixels", attempt_7_every_8},
-    {"mip levels, exact at every pixel", draw_good},
-};
-
-enum { VERSION_COUNT = sizeof versions / sizeof versions[0], SCENE_SIDE = 800 };
-enum { VERSION_NEAREST = 1, VERSION_BILINEAR = 3, VERSION_GOOD = 7 };
-
-static bool draw_versions(struct image images[VERSION_COUNT], const struct texture *checker,
-                          struct error *error) {
-    for (size_t i = 0; i < VERSION_COUNT; i++) {
-        if (!image_create(&images[i], SCENE_SIDE, SCENE_SIDE, IMAGE_BGR, error)) {
-            return false;
-        }
-        struct vertex corners[4];
-        place_plane(&images[i], corners);
-        draw_quad(&images[i], corners, checker, versions[i].draw);
-        printf("%-36s error %6.2f\n", versions[i].name, checker_error(&images[i]));
-    }
-    return true;
-}
-
-/* A part of the whole scene by `count` versions. */
-static bool draw_parts(const char *directory, const char *name, const struct image *images,
-                       const size_t *which, size_t count, struct detail part, struct error *error) {
-    struct sheet sheet = {.width = (size_t)(part.width * part.zoom),
-                          .height = (size_t)(part.height * part.zoom),
-                          .columns = count,
+static bool draw_horizon(const char *directory, const struct texture *checker,
+                         struct error *error) {
+    static draw_function *const draws[] = {attempt_2_nearest, attempt_4_no_levels, draw_good};
+    const struct detail far = {200, 440, 162, 120, .zoom = 2};
+    struct sheet sheet = {.width = (size_t)(far.width * far.zoom),
+                          .height = (size_t)(far.height * far.zoom),
+                          .columns = 3,
                           .rows = 1,
                           .gap = GAP};
-    bool done = sheet_create(&sheet, error);
-    for (size_t i = 0; done && i < count; i++) {
-        sheet_add_detail(&sheet, &images[which[i]], part);
+    struct image image = {0};
+    bool done = sheet_create(&sheet, error) && image_create(&image, 800, 800, IMAGE_BGR, error);
+    for (size_t i = 0; done && i < 3; i++) {
+        struct vertex corners[4];
+        place_plane(&image, corners);
+        image_clear(&image, color_grey(0));
+        draw_quad(&image, corners, checker, draws[i]);
+        sheet_add_detail(&sheet, &image, far);
     }
-    done = done && figure_save(&sheet.image, directory, name, error);
+    done = done && figure_save(&sheet.image, directory, "horizon", error);
+    image_free(&image);
     sheet_free(&sheet);
-    return done;
-}
-
-/* Draw the scene by every version, print their errors, and show where they differ. */
-static bool draw_scene(const char *directory, const struct texture *checker, struct error *error) {
-    static const size_t horizon[] = {VERSION_NEAREST, VERSION_BILINEAR, VERSION_GOOD};
-    const struct detail far = {200, 440, 162, 120, .zoom = 2};
-    struct image images[VERSION_COUNT] = {{0}};
-    bool done = draw_versions(images, checker, error) &&
-                draw_parts(directory, "horizon", images, horizon, 3, far, error);
-    for (size_t i = 0; i < VERSION_COUNT; i++) {
-        image_free(&images[i]);
-    }
     return done;
 }
 
@@ -294,7 +257,7 @@ static bool draw_mips(const char *directory, struct error *error) {
 
 bool draw_figures(const char *directory, struct model *bust, struct error *error) {
     struct texture checker = {0};
-    bool done = make_checker(&checker, error) && draw_scene(directory, &checker, error) &&
+    bool done = make_checker(&checker, error) && draw_horizon(directory, &checker, error) &&
                 draw_samplers(directory, error) && draw_affine(directory, &checker, error) &&
                 draw_levels(directory, error) && draw_textures(bust, directory, error) &&
                 draw_uv_mesh(bust, directory, error) && draw_mips(directory, error);
