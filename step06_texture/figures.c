@@ -78,15 +78,15 @@ static bool draw_samplers(const char *directory, struct error *error) {
 static bool draw_affine(const char *directory, const struct texture *checker, struct error *error) {
     enum { SIDE = 320 };
     static draw_function *const draws[] = {attempt_5_affine, draw_good};
+    static const struct surface_corner board[4] = {{-1.7, 0, 1.25, {-1.7, 1.25}},
+                                                   {0.8, 0, 1.25, {0.8, 1.25}},
+                                                   {0.8, 0, 4.25, {0.8, 4.25}},
+                                                   {-1.7, 0, 4.25, {-1.7, 4.25}}};
     struct sheet sheet = {.width = SIDE, .height = SIDE, .columns = 2, .rows = 1, .gap = GAP};
     bool done = sheet_create(&sheet, error);
     for (size_t i = 0; done && i < 2; i++) {
-        const struct vertex corners[4] = {
-            place_on_plane(-1.7, 1.25, &sheet.panel),
-            place_on_plane(0.8, 1.25, &sheet.panel),
-            place_on_plane(0.8, 4.25, &sheet.panel),
-            place_on_plane(-1.7, 4.25, &sheet.panel),
-        };
+        struct vertex corners[4];
+        place_surface(&sheet.panel, board, corners);
         draw_quad(&sheet.panel, corners, checker, draws[i]);
         sheet_add(&sheet);
     }

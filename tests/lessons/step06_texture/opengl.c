@@ -59,11 +59,10 @@ static bool build_letters(struct picture *picture) {
            add_facing(picture, &state->bordered, &boards[3]);
 }
 
-/* A board in perspective. Its corners are given as (side, distance, height): the matrix does what
+/* A board in perspective. Its corners become (side, distance, height): the matrix does what
  * place_over_plane() does, with w the distance. */
 static bool add_standing(struct picture *picture, const struct texture *texture,
-                         void (*place)(const struct image *image, struct vertex corners[4]),
-                         const struct vec3 position[4]) {
+                         const struct surface_corner places[4]) {
     const struct gl_part part = {
         .formula = "trilinear()",
         .maps = {texture},
@@ -76,39 +75,28 @@ static bool add_standing(struct picture *picture, const struct texture *texture,
                      {0, 1, 0, 0}}},
     };
     struct board board;
-    place(picture->image, board.vertex);
-    memcpy(board.position, position, sizeof board.position);
+    place_surface(picture->image, places, board.vertex);
+    for (int i = 0; i < 4; i++) {
+        board.position[i] = (struct vec3){places[i].side, places[i].distance, places[i].height};
+    }
     return picture_add(picture, &part, 2, board_corner, &board);
 }
 
 static bool build_close(struct picture *picture) {
     const struct state *state = picture->drawing->state;
-    const struct vec3 wall[4] = {
-        {-0.75, 1, 0.35}, {1.05, 1.5, 0.05}, {1.05, 1.5, 1.25}, {-0.75, 1, 1.55}};
-    return add_standing(picture, &state->letters, place_close, wall);
+    return add_standing(picture, &state->letters, close_corners);
 }
 
 static bool build_room(struct picture *picture) {
     const struct state *state = picture->drawing->state;
-    const double left = ROOM_LEFT, right = ROOM_RIGHT, near = ROOM_NEAR, far = ROOM_FAR;
-    const double high = ROOM_HIGH;
-    const struct vec3 back[4] = {
-        {left, far, 0}, {right, far, 0}, {right, far, high}, {left, far, high}};
-    const struct vec3 ground[4] = {
-        {left, near, 0}, {right, near, 0}, {right, far, 0}, {left, far, 0}};
-    const struct vec3 wall[4] = {
-        {left, near, 0}, {left, far, 0}, {left, far, high}, {left, near, high}};
-    return add_standing(picture, &state->mosaic, place_back, back) &&
-           add_standing(picture, &state->letters, place_floor, ground) &&
-           add_standing(picture, &state->letters, place_wall, wall);
+    return add_standing(picture, &state->mosaic, back_corners) &&
+           add_standing(picture, &state->letters, floor_corners) &&
+           add_standing(picture, &state->letters, wall_corners);
 }
 
 static bool build_checker(struct picture *picture) {
     const struct state *state = picture->drawing->state;
-    const double side = PLANE_SIDE, near = PLANE_NEAR, far = PLANE_FAR;
-    const struct vec3 plane[4] = {
-        {-side, near, 0}, {side, near, 0}, {side, far, 0}, {-side, far, 0}};
-    return add_standing(picture, &state->checker, place_plane, plane);
+    return add_standing(picture, &state->checker, plane_corners);
 }
 
 static const struct compared_scene table[] = {
