@@ -47,9 +47,7 @@ static bool draw_not_normalized(const struct model *model, const char *directory
         draw_with(model, shown[i], &sheet.panel);
         sheet_add(&sheet);
     }
-    done = done && figure_save(&sheet.image, directory, "not_normalized", error);
-    sheet_free(&sheet);
-    return done;
+    return sheet_end(&sheet, done, directory, "not_normalized", error);
 }
 
 /* Paint magenta what shows a face although another lies before it there. The nearest face of each

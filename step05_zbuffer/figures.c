@@ -109,9 +109,7 @@ static bool draw_painted_over(const struct view *views, size_t view_count, const
         }
         list_free(&list);
     }
-    done = done && figure_save(&sheet.image, directory, "painted_over", error);
-    sheet_free(&sheet);
-    return done;
+    return sheet_end(&sheet, done, directory, "painted_over", error);
 }
 
 /* ---- Three bars in a circle ---- */

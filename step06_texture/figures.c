@@ -67,10 +67,8 @@ static bool draw_samplers(const char *directory, struct error *error) {
         draw_quad(&sheet.panel, corners, &texture, draws[i]);
         sheet_add(&sheet);
     }
-    done = done && figure_save(&sheet.image, directory, "samplers", error);
-    sheet_free(&sheet);
     texture_free(&texture);
-    return done;
+    return sheet_end(&sheet, done, directory, "samplers", error);
 }
 
 /* ---- Affine: a board of 5 x 6 tiles ---- */
@@ -90,9 +88,7 @@ static bool draw_affine(const char *directory, const struct texture *checker, st
         draw_quad(&sheet.panel, corners, checker, draws[i]);
         sheet_add(&sheet);
     }
-    done = done && figure_save(&sheet.image, directory, "affine", error);
-    sheet_free(&sheet);
-    return done;
+    return sheet_end(&sheet, done, directory, "affine", error);
 }
 
 /* ---- The horizon of scene checker ---- */
@@ -115,10 +111,8 @@ static bool draw_horizon(const char *directory, const struct texture *checker,
         draw_quad(&image, corners, checker, draws[i]);
         sheet_add_detail(&sheet, &image, far);
     }
-    done = done && figure_save(&sheet.image, directory, "horizon", error);
     image_free(&image);
-    sheet_free(&sheet);
-    return done;
+    return sheet_end(&sheet, done, directory, "horizon", error);
 }
 
 /* ---- The levels that the scene uses, each in its colour ---- */
@@ -185,9 +179,7 @@ static bool draw_textures(struct model *bust, const char *directory, struct erro
             sheet_add(&sheet);
         }
     }
-    done = done && figure_save(&sheet.image, directory, "textures", error);
-    sheet_free(&sheet);
-    return done;
+    return sheet_end(&sheet, done, directory, "textures", error);
 }
 
 /* Half the texture's colour, half blue: the same, however often an edge is drawn. */
@@ -228,39 +220,12 @@ static bool draw_uv_mesh(struct model *bust, const char *directory, struct error
     return done;
 }
 
-/* The first five levels of the letters, each enlarged to the size of level 0. */
-static bool draw_mips(const char *directory, struct error *error) {
-    enum { LEVELS = 5 };
-    struct texture letters_texture = {0};
-    bool done = make_letters(&letters_texture, letters_color, 1, error);
-    struct sheet sheet = {.width = LETTERS_COLUMNS * LETTERS_TILE,
-                          .height = LETTERS_ROWS * LETTERS_TILE,
-                          .columns = LEVELS,
-                          .rows = 1,
-                          .gap = GAP};
-    done = done && sheet_create(&sheet, error);
-    for (size_t i = 0; done && i < LEVELS; i++) {
-        const struct texture_level *level = &letters_texture.level[i];
-        for (int y = 0; y < (int)sheet.height; y++) {
-            for (int x = 0; x < (int)sheet.width; x++) {
-                uint32_t texel = texture_texel(level, (size_t)(x >> i), (size_t)(y >> i));
-                image_set(&sheet.panel, x, y, color_from_texel(texel));
-            }
-        }
-        sheet_add(&sheet);
-    }
-    done = done && figure_save(&sheet.image, directory, "mips", error);
-    sheet_free(&sheet);
-    texture_free(&letters_texture);
-    return done;
-}
-
 bool draw_figures(const char *directory, struct model *bust, struct error *error) {
     struct texture checker = {0};
     bool done = make_checker(&checker, error) && draw_horizon(directory, &checker, error) &&
                 draw_samplers(directory, error) && draw_affine(directory, &checker, error) &&
                 draw_levels(directory, error) && draw_textures(bust, directory, error) &&
-                draw_uv_mesh(bust, directory, error) && draw_mips(directory, error);
+                draw_uv_mesh(bust, directory, error);
     texture_free(&checker);
     return done;
 }

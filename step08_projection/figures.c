@@ -58,9 +58,7 @@ static bool draw_distances(struct drawing *drawing, const char *directory, struc
                   draw_model);
         sheet_add(&sheet);
     }
-    done = done && figure_save(&sheet.image, directory, "distances", error);
-    sheet_free(&sheet);
-    return done;
+    return sheet_end(&sheet, done, directory, "distances", error);
 }
 
 static bool draw_clipping(struct drawing *drawing, const char *directory, struct error *error) {
@@ -71,9 +69,7 @@ static bool draw_clipping(struct drawing *drawing, const char *directory, struct
         draw_with(drawing, &sheet.panel, camera_clip(&close_up), draws[i]);
         sheet_add(&sheet);
     }
-    done = done && figure_save(&sheet.image, directory, "clipping", error);
-    sheet_free(&sheet);
-    return done;
+    return sheet_end(&sheet, done, directory, "clipping", error);
 }
 
 /* ---- Perspective: lines on a wall ---- */
@@ -120,9 +116,7 @@ static bool draw_evenly(const char *directory, struct error *error) {
         draw_wall_lines(&sheet.panel, versions[i]);
         sheet_add(&sheet);
     }
-    done = done && figure_save(&sheet.image, directory, "evenly", error);
-    sheet_free(&sheet);
-    return done;
+    return sheet_end(&sheet, done, directory, "evenly", error);
 }
 
 /* ---- The wall without and with perspective ---- */
@@ -140,10 +134,8 @@ static bool draw_parallel(const struct drawing *drawing, const char *directory,
         draw_with(&of_quads, &sheet.panel, to_clip[i], draw_model);
         sheet_add(&sheet);
     }
-    done = done && figure_save(&sheet.image, directory, "parallel", error);
-    sheet_free(&sheet);
     texture_free(&tiles);
-    return done;
+    return sheet_end(&sheet, done, directory, "parallel", error);
 }
 
 /* ---- Normals of a circle that is made an ellipse ---- */
@@ -176,9 +168,7 @@ static bool draw_normals(const char *directory, struct error *error) {
         draw_normals_of(&sheet.panel, versions[i]);
         sheet_add(&sheet);
     }
-    done = done && figure_save(&sheet.image, directory, "normals", error);
-    sheet_free(&sheet);
-    return done;
+    return sheet_end(&sheet, done, directory, "normals", error);
 }
 
 /* ---- The program ---- */

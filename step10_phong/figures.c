@@ -160,11 +160,9 @@ static bool draw_shadow_figure(struct model *model, const char *directory, struc
         done = draw_with_map(&drawing, &image, 1024, biases[i], &shadowed, error);
         sheet_add_detail(&sheet, &image, detail);
     }
-    done = done && figure_save(&sheet.image, directory, "shadow", error);
-    sheet_free(&sheet);
     image_free(&image);
     pipeline_free(&pipeline);
-    return done;
+    return sheet_end(&sheet, done, directory, "shadow", error);
 }
 
 /* A piece of the shoulder, enlarged. Above 1, 4 and 16 samples; below 256, and 4 and 16 of which
@@ -183,10 +181,8 @@ static bool draw_samples_figure(struct model *model, const char *directory, stru
         done = draw_sampled(&drawing, &image, whole, sides[i], averaging, error);
         sheet_add_detail(&sheet, &image, detail);
     }
-    done = done && figure_save(&sheet.image, directory, "samples", error);
-    sheet_free(&sheet);
     image_free(&image);
-    return done;
+    return sheet_end(&sheet, done, directory, "samples", error);
 }
 
 bool draw_figures(const char *directory, struct model *bust, struct error *error) {
