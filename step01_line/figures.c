@@ -28,7 +28,7 @@ static void draw_three_lines(struct image *image, line_function *draw) {
     draw(image, (struct pixel){80, 40}, (struct pixel){13, 20}, red);
 }
 
-/* The scenes line, octants and gradient, side by side; and pixel and far. */
+/* The scenes line, octants and gradient, side by side. */
 static bool draw_made(const char *directory, struct error *error) {
     struct sheet sheet = {.width = 300, .height = 300, .columns = 3, .rows = 1, .gap = 6};
     struct image image = {0};
@@ -40,19 +40,8 @@ static bool draw_made(const char *directory, struct error *error) {
         done = draw[i](NULL, &image, error);
         sheet_add_detail(&sheet, &image, detail_of_whole(&image, 3, 0));
     }
-    done = done && figure_save(&sheet.image, directory, "made", error);
-    if (done) {
-        image_clear(&image, background);
-        done = draw_pixel(NULL, &image, error) && save_enlarged(&image, directory, "pixel", error);
-    }
-    if (done) {
-        image_clear(&image, background);
-        struct drawing drawing = {0};
-        done = draw_far(&drawing, &image, error) && save_enlarged(&image, directory, "far", error);
-    }
     image_free(&image);
-    sheet_free(&sheet);
-    return done;
+    return sheet_end(&sheet, done, directory, "made", error);
 }
 
 static bool draw_attempts(const char *directory, struct error *error) {
