@@ -17,9 +17,7 @@
 
 /* What a wireframe cost. */
 struct work {
-    uint64_t lines;   /* walked */
-    uint64_t tested;  /* pixels looked at */
-    uint64_t written; /* of them, those in the image */
+    uint64_t tested; /* pixels looked at */
 };
 
 /* ---- Wireframes ---- */
@@ -30,10 +28,8 @@ static inline void attempt_line_tested(struct image *image, struct pixel a, stru
                                        struct color color, struct work *work) {
     struct course course = course_from(a, b);
     int64_t u = course.u, v = course.v, error = -course.run;
-    uint64_t written = 0;
     for (int64_t k = 0; k <= course.run; k++) {
-        written +=
-            image_set(image, (int)(course.steep ? v : u), (int)(course.steep ? u : v), color);
+        image_set(image, (int)(course.steep ? v : u), (int)(course.steep ? u : v), color);
         u++;
         error += 2 * course.rise;
         if (error > 0) {
@@ -42,15 +38,6 @@ static inline void attempt_line_tested(struct image *image, struct pixel a, stru
         }
     }
     work->tested += (uint64_t)course.run + 1;
-    work->written += written;
-}
-
-/* The line of main.c: only the pixels in the image are visited. */
-static inline void attempt_line_cut(struct image *image, struct pixel a, struct pixel b,
-                                    struct color color, struct work *work) {
-    uint64_t visible = line(image, a, b, color);
-    work->tested += visible;
-    work->written += visible;
 }
 
 /* One side, cut or tested. */
@@ -62,9 +49,8 @@ static inline void attempt_side(struct image *image, const struct model *model, 
         !to_pixel(model->positions[q], image->width, image->height, &b)) {
         return;
     }
-    work->lines++;
     if (cut) {
-        attempt_line_cut(image, a, b, white, work);
+        work->tested += line(image, a, b, white);
     } else {
         attempt_line_tested(image, a, b, white, work);
     }

@@ -16,27 +16,7 @@
 /* Where an attempt draws. */
 struct target {
     struct image *image;
-    uint8_t *draws; /* how often each pixel was drawn, row by row; NULL when nobody asks */
 };
-
-static inline void target_put(struct target *target, int x, int y, struct color color) {
-    if (image_set(target->image, x, y, color) && target->draws != NULL) {
-        size_t i = (size_t)y * target->image->width + (size_t)x;
-        target->draws[i] = (uint8_t)(target->draws[i] < 255 ? target->draws[i] + 1 : 255);
-    }
-}
-
-/* Pixels x_begin..x_end - 1 of row y, which lie in the image. */
-static inline void target_row(struct target *target, int y, int x_begin, int x_end,
-                              struct color color) {
-    if (target->draws == NULL) {
-        image_fill_row(target->image, y, x_begin, x_end, color);
-        return;
-    }
-    for (int x = x_begin; x < x_end; x++) {
-        target_put(target, x, y, color);
-    }
-}
 
 /* For attempts that test pixel after pixel of a row: those that stand together are written at once.
  * `begin` is where they began, -1 while there are none; after the last pixel comes one more call
@@ -46,7 +26,7 @@ static inline void target_test(struct target *target, int *begin, int x, int y, 
     if (inside && *begin < 0) {
         *begin = x;
     } else if (!inside && *begin >= 0) {
-        target_row(target, y, *begin, x, color);
+        image_fill_row(target->image, y, *begin, x, color);
         *begin = -1;
     }
 }
@@ -97,8 +77,8 @@ static inline void attempt_1_sweep_whole(struct target *target, const struct vec
             left = right;
             right = kept;
         }
-        target_row(target, y, (int)(left > 0 ? left : 0),
-                   (int)(right < right_most ? right : right_most) + 1, color);
+        image_fill_row(target->image, y, (int)(left > 0 ? left : 0),
+                       (int)(right < right_most ? right : right_most) + 1, color);
     }
 }
 
@@ -129,7 +109,7 @@ static inline void attempt_2_sweep_float(struct target *target, const struct vec
             float right = short_x < long_x ? long_x : short_x;
             int begin = (int)attempt_clamp(ceil(left - 0.5F), 0, width);
             int end = (int)attempt_clamp(ceil(right - 0.5F), 0, width);
-            target_row(target, y, begin, end, color);
+            image_fill_row(target->image, y, begin, end, color);
             short_x += short_step;
             long_x += long_step;
         }

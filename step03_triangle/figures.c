@@ -1,4 +1,4 @@
-/* The pictures of step 3's README that are not references, and the numbers of its tables. */
+/* The pictures of step 3's README that are not references. */
 #include "../tests/bench/figures.h"
 
 #define LESSON "../step03_triangle/main.c"
@@ -6,190 +6,34 @@
 
 #include "attempts.h"
 
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
-
 enum { GRID = 60 }; /* grey level of the lines between enlarged pixels */
-
-/* ---- Meshes on the screen ---- */
-
-/* Triangles with corners in pixels, already snapped to 1/256, so that all attempts get the same. */
-struct mesh {
-    struct vec2 (*corners)[3];
-    size_t count;
-};
-
-static void mesh_free(struct mesh *mesh) {
-    free(mesh->corners);
-    *mesh = (struct mesh){0};
-}
-
-static bool mesh_create(struct mesh *mesh, size_t limit, struct error *error) {
-    *mesh = (struct mesh){.corners = malloc(limit * sizeof *mesh->corners)};
-    if (mesh->corners == NULL) {
-        error_out_of_memory(error);
-    }
-    return mesh->corners != NULL;
-}
-
-/* The faces of the model that show their outside. */
-static bool mesh_from_model(struct mesh *mesh, const struct model *model, const struct image *image,
-                            struct error *error) {
-    if (!mesh_create(mesh, model->face_count, error)) {
-        return false;
-    }
-    for (size_t face = 0; face < model->face_count; face++) {
-        struct fixed2 corner[3];
-        uint64_t turned_away = 0;
-        if (!place_face(model, face, image, corner, &turned_away)) {
-            continue;
-        }
-        for (int i = 0; i < 3; i++) {
-            mesh->corners[mesh->count][i] = in_pixels(corner[i]);
-        }
-        mesh->count++;
-    }
-    return true;
-}
-
-/* A mesh of the scenes. */
-static bool mesh_from_scene(struct mesh *mesh, mesh_function *place, int count,
-                            const struct image *image, struct error *error) {
-    if (!mesh_create(mesh, (size_t)count, error)) {
-        return false;
-    }
-    for (int i = 0; i < count; i++) {
-        struct fixed2 corner[3];
-        place(i, image, corner);
-        for (int k = 0; k < 3; k++) {
-            mesh->corners[mesh->count][k] = in_pixels(corner[k]);
-        }
-        mesh->count++;
-    }
-    return true;
-}
-
-/* ---- Counting how often each pixel is drawn ---- */
 
 typedef void attempt_function(struct target *target, const struct vec2 corner[3],
                               struct color color);
 
-/* The edges of a triangle of a mesh. False when it certainly covers no pixel. */
-static bool corners_setup(struct edges *edges, const struct vec2 corner[3],
-                          const struct image *image) {
-    struct fixed2 p[3];
-    for (int i = 0; i < 3; i++) {
-        if (!screen_snap(corner[i], &p[i])) {
-            return false;
-        }
-    }
-    return triangle_setup(edges, p[0], p[1], p[2], image->width, image->height);
-}
-
 /* The good version: spans. */
 static void draw_spans(struct target *target, const struct vec2 corner[3], struct color color) {
-    struct edges edges;
-    if (corners_setup(&edges, corner, target->image)) {
-        for (int y = edges.y_begin; y < edges.y_end; y++) {
-            struct span span = triangle_span(&edges, y);
-            for (int x = span.begin; x < span.end; x++) {
-                target_put(target, x, y, color);
-            }
-        }
+    struct fixed2 snapped[3];
+    if (snap_corners(corner, snapped)) {
+        triangle(target->image, snapped, color);
     }
 }
 
-struct version {
-    const char *name;
-    attempt_function *draw;
-};
-
-static const struct version versions[] = {
-    {"1 sweep, whole numbers", attempt_1_sweep_whole},
-    {"2 sweep, float", attempt_2_sweep_float},
-    {"3 box, float, >= 0", attempt_3_box_float},
-    {"4 box, double, >= 0", attempt_4_box_double},
-    {"5 box, double, > 0", attempt_5_box_open},
-    {"6 box, double, >= -0.001", attempt_6_box_epsilon},
-    {"7 edges added up in float", attempt_7_edges_float},
-    {"8 blocks", attempt_8_blocks},
-    {"spans (main.c)", draw_spans},
-};
-enum { VERSION_COUNT = sizeof versions / sizeof versions[0] };
-
-/* Draw a mesh, each triangle in its own colour, and count. `draws` may be NULL. */
-static void draw_mesh(const struct mesh *mesh, attempt_function *draw, struct image *image,
-                      uint8_t *draws) {
-    struct target target = {.image = image, .draws = draws};
-    if (draws != NULL) {
-        memset(draws, 0, image->width * image->height);
-    }
+/* The faces of the bust that show their outside, their corners already snapped to 1/256, so that
+ * all attempts get the same. */
+static void draw_bust_by(attempt_function *draw, const struct model *model, struct image *image) {
+    struct target target = {.image = image};
     image_clear(image, color_grey(0));
-    for (size_t i = 0; i < mesh->count; i++) {
-        draw(&target, mesh->corners[i], face_color(i));
-    }
-}
-
-/* How often each pixel must be drawn: the three edge functions, asked at every pixel. */
-static void count_exactly(const struct mesh *mesh, const struct image *image, uint8_t *draws) {
-    int width = (int)image->width;
-    memset(draws, 0, image->width * image->height);
-    for (size_t i = 0; i < mesh->count; i++) {
-        struct edges edges;
-        if (!corners_setup(&edges, mesh->corners[i], image)) {
-            continue;
-        }
-        for (int y = edges.y_begin; y < edges.y_end; y++) {
-            for (int x = 0; x < width; x++) {
-                draws[y * width + x] = (uint8_t)(draws[y * width + x] + edges_cover(&edges, x, y));
-            }
+    for (size_t face = 0, drawn = 0; face < model->face_count; face++) {
+        struct fixed2 corner[3];
+        uint64_t turned_away = 0;
+        if (place_face(model, face, image, corner, &turned_away)) {
+            const struct vec2 screen[3] = {in_pixels(corner[0]), in_pixels(corner[1]),
+                                           in_pixels(corner[2])};
+            draw(&target, screen, face_color(drawn));
+            drawn++;
         }
     }
-}
-
-/* Compare two counts as a picture: grey where they agree, orange where a pixel was drawn too often,
- * magenta where it was drawn too rarely. */
-static void show_draws(struct image *image, const uint8_t *draws, const uint8_t *exact) {
-    for (int y = 0; y < (int)image->height; y++) {
-        for (int x = 0; x < (int)image->width; x++) {
-            size_t i = (size_t)y * image->width + (size_t)x;
-            struct color c = color_grey((uint8_t)(exact[i] > 0 ? 90 + 30 * (exact[i] - 1) : 0));
-            c = draws[i] > exact[i] ? color_rgb(255, 150, 0) : c;
-            c = draws[i] < exact[i] ? color_rgb(255, 0, 160) : c;
-            image_set(image, x, y, c);
-        }
-    }
-}
-
-static void print_differences(const char *mesh, const char *version, const uint8_t *draws,
-                              const uint8_t *exact, size_t pixel_count) {
-    size_t covered = 0, too_often = 0, too_rarely = 0, holes = 0;
-    for (size_t i = 0; i < pixel_count; i++) {
-        covered += exact[i] > 0;
-        too_often += draws[i] > exact[i];
-        too_rarely += draws[i] < exact[i];
-        holes += draws[i] == 0 && exact[i] > 0;
-    }
-    printf("%-6s %-26s %7zu pixels: %6zu too often, %5zu too rarely, %4zu holes\n", mesh, version,
-           covered, too_often, too_rarely, holes);
-}
-
-static bool measure(const char *name, const struct mesh *mesh, struct image *image,
-                    struct error *error) {
-    size_t pixel_count = image->width * image->height;
-    uint8_t *draws = malloc(pixel_count), *exact = malloc(pixel_count);
-    bool done = draws != NULL && exact != NULL;
-    if (done) {
-        count_exactly(mesh, image, exact);
-    }
-    for (size_t i = 0; done && i < VERSION_COUNT; i++) {
-        draw_mesh(mesh, versions[i].draw, image, draws);
-        print_differences(name, versions[i].name, draws, exact, pixel_count);
-    }
-    free(draws);
-    free(exact);
-    return done || error_out_of_memory(error);
 }
 
 /* ---- The pictures ---- */
@@ -221,81 +65,6 @@ static bool draw_half_planes(const char *directory, struct error *error) {
     return done;
 }
 
-/* Eight triangles around a pixel centre. */
-static void make_small_fan(struct vec2 corners[8][3]) {
-    static const struct vec2 rim[8] = {{14.5, 8.5}, {14.5, 14.5}, {8.5, 14.5}, {2.5, 14.5},
-                                       {2.5, 8.5},  {2.5, 2.5},   {8.5, 2.5},  {14.5, 2.5}};
-    for (int i = 0; i < 8; i++) {
-        corners[i][0] = (struct vec2){8.5, 8.5};
-        corners[i][1] = rim[i];
-        corners[i][2] = rim[(i + 1) % 8];
-    }
-}
-
-/* The fan by three rules for pixel centres that lie on a side. */
-static bool draw_small_fan(const char *directory, struct error *error) {
-    static attempt_function *const rules[3] = {attempt_4_box_double, attempt_5_box_open,
-                                               draw_spans};
-    struct vec2 corners[8][3];
-    struct mesh fan = {.corners = corners, .count = 8};
-    struct sheet sheet = {.width = 17, .height = 17, .columns = 3, .rows = 1, .gap = 1};
-    uint8_t exact[17 * 17], draws[17 * 17];
-    bool done = sheet_create(&sheet, error);
-    make_small_fan(corners);
-    image_clear(&sheet.image, color_grey(0));
-    for (int k = 0; done && k < 3; k++) {
-        count_exactly(&fan, &sheet.panel, exact);
-        draw_mesh(&fan, rules[k], &sheet.panel, draws);
-        show_draws(&sheet.panel, draws, exact);
-        sheet_add(&sheet);
-    }
-    done = done && figure_save_detail(&sheet.image, detail_of_whole(&sheet.image, 12, GRID),
-                                      directory, "fan_rules", error);
-    sheet_free(&sheet);
-    return done;
-}
-
-/* The count of draws of one version, as a picture. */
-static bool draw_counts(const struct mesh *mesh, attempt_function *draw, struct image *image,
-                        struct detail part, const char *directory, const char *name,
-                        struct error *error) {
-    size_t pixel_count = image->width * image->height;
-    assert(pixel_count > 0);
-    uint8_t *draws = malloc(pixel_count), *exact = malloc(pixel_count);
-    bool done = draws != NULL && exact != NULL;
-    if (done) {
-        count_exactly(mesh, image, exact);
-        draw_mesh(mesh, draw, image, draws);
-        show_draws(image, draws, exact);
-    }
-    free(draws);
-    free(exact);
-    return done ? figure_save_detail(image, part, directory, name, error)
-                : error_out_of_memory(error);
-}
-
-/* What rules and attempts make of the sheet, and what float sums make of the long sides of the fan:
- * their edge values need more digits. */
-static bool draw_meshes(const char *directory, struct error *error) {
-    struct mesh sheet = {0}, fan = {0};
-    struct image image = {0};
-    struct detail part = {12, 12, 64, 64, .zoom = 5}, whole = {0, 0, 200, 200, .zoom = 2};
-    bool done =
-        image_create(&image, 200, 200, IMAGE_BGR, error) &&
-        mesh_from_scene(&sheet, place_in_sheet, SHEET_TRIANGLES, &image, error) &&
-        mesh_from_scene(&fan, place_in_fan, FAN_BLADES, &image, error) &&
-        measure("sheet", &sheet, &image, error) && measure("fan", &fan, &image, error) &&
-        draw_counts(&sheet, attempt_4_box_double, &image, part, directory, "sheet_closed", error) &&
-        draw_counts(&sheet, attempt_5_box_open, &image, part, directory, "sheet_open", error) &&
-        draw_counts(&sheet, draw_spans, &image, part, directory, "sheet_exact", error) &&
-        draw_counts(&fan, attempt_7_edges_float, &image, whole, directory, "fan_edges_float",
-                    error);
-    mesh_free(&sheet);
-    mesh_free(&fan);
-    image_free(&image);
-    return done;
-}
-
 /* A white ring, for the reader's eye. */
 static void draw_ring(struct image *image, int x, int y, int radius) {
     for (int v = -radius; v <= radius; v++) {
@@ -308,109 +77,27 @@ static void draw_ring(struct image *image, int x, int y, int radius) {
 }
 
 /* The eye of the bust. The rings show where the versions differ most. */
-static bool draw_eye(const struct mesh *bust, attempt_function *draw, struct image *image,
+static bool draw_eye(const struct model *bust, attempt_function *draw, struct image *image,
                      const char *directory, const char *name, struct error *error) {
     const struct detail eye = {300, 480, 130, 100, .zoom = 4};
-    draw_mesh(bust, draw, image, NULL);
+    draw_bust_by(draw, bust, image);
     draw_ring(image, 339, 542, 12); /* the iris */
     draw_ring(image, 400, 500, 12); /* the ridge of the nose */
     return figure_save_detail(image, eye, directory, name, error);
 }
 
-/* Part of the bust in colours: whole-number sweep, spans, and how often each pixel is drawn. */
+/* Part of the bust in colours: whole-number sweep, and spans. */
 static bool draw_bust_details(const struct model *bust, const char *directory,
                               struct error *error) {
-    const struct detail head = {100, 40, 600, 760, .zoom = 1};
-    struct mesh mesh = {0};
     struct image image = {0};
     bool done =
         image_create(&image, 800, 800, IMAGE_BGR, error) &&
-        mesh_from_model(&mesh, bust, &image, error) && measure("bust", &mesh, &image, error) &&
-        draw_counts(&mesh, draw_spans, &image, head, directory, "bust_exact_draws", error) &&
-        draw_eye(&mesh, attempt_1_sweep_whole, &image, directory, "bust_sweep_whole", error) &&
-        draw_eye(&mesh, draw_spans, &image, directory, "bust_spans", error);
-    mesh_free(&mesh);
-    image_free(&image);
-    return done;
-}
-
-/* All faces in the order of the file, the backs in magenta. */
-static bool draw_backs_too(const struct model *bust, const char *directory, struct error *error) {
-    const struct detail head = {90, 100, 220, 300, .zoom = 2};
-    struct image image;
-    if (!image_create(&image, 400, 400, IMAGE_BGR, error)) {
-        return false;
-    }
-    for (size_t face = 0; face < bust->face_count; face++) {
-        struct vec2 screen[3];
-        face_on_screen(bust, face, &image, screen);
-        uint8_t shade = (uint8_t)(face_color(face).g / 2 + 60);
-        box_triangle(&image, screen,
-                     is_turned_away(screen) ? color_rgb(shade, 0, (uint8_t)(shade / 2))
-                                            : color_grey(shade));
-    }
-    bool done = figure_save_detail(&image, head, directory, "backs_too", error);
-    image_free(&image);
-    return done;
-}
-
-/* The outline and the same triangles filled, enlarged. */
-static bool draw_first_scenes(const char *directory, struct error *error) {
-    struct drawing drawing = {.skip = true};
-    struct sheet sheet = {.width = 200, .height = 200, .columns = 2, .rows = 1, .gap = 4};
-    bool done = sheet_create(&sheet, error) && draw_outline(&drawing, &sheet.panel, error);
-    if (done) {
-        sheet_add(&sheet);
-        done = draw_signs(&drawing, &sheet.panel, error);
-    }
-    if (done) {
-        sheet_add(&sheet);
-        done = figure_save_detail(&sheet.image, detail_of_whole(&sheet.image, 2, 0), directory,
-                                  "outline_and_signs", error);
-    }
-    sheet_free(&sheet);
-    return done;
-}
-
-/* What attempt 8 decides for each block: outside (dark red), inside (green), mixed (yellow where a
- * tested pixel is inside, brown where it is outside). */
-static bool draw_blocks(const char *directory, struct error *error) {
-    struct image image;
-    struct edges edges;
-    const struct fixed2 a = {4 * 256, 6 * 256}, b = {74 * 256, 20 * 256}, c = {30 * 256, 60 * 256};
-    if (!image_create(&image, 80, 64, IMAGE_BGR, error)) {
-        return false;
-    }
-    edges_setup(&edges, a, b, c, image.width, image.height);
-    size_t tested = 0, outside = 0;
-    for (int y = 0; y < (int)image.height; y++) {
-        for (int x = 0; x < (int)image.width; x++) {
-            enum block_kind kind =
-                attempt_block_kind(&edges, x - x % ATTEMPT_BLOCK, y - y % ATTEMPT_BLOCK);
-            bool inside = edges_cover(&edges, x, y);
-            bool line = x % ATTEMPT_BLOCK == 0 || y % ATTEMPT_BLOCK == 0;
-            struct color color = kind == BLOCK_OUTSIDE  ? color_rgb(110, 20, 20)
-                                 : kind == BLOCK_INSIDE ? color_rgb(40, 170, 60)
-                                 : inside               ? color_rgb(250, 220, 60)
-                                                        : color_rgb(120, 95, 30);
-            tested += kind == BLOCK_MIXED;
-            outside += kind == BLOCK_MIXED && !inside;
-            color = line ? color_rgb((uint8_t)(color.r * 3 / 4), (uint8_t)(color.g * 3 / 4),
-                                     (uint8_t)(color.b * 3 / 4))
-                         : color;
-            image_set(&image, x, y, color);
-        }
-    }
-    printf("blocks: %zu pixels tested one by one, %zu of them outside\n", tested, outside);
-    bool done =
-        figure_save_detail(&image, detail_of_whole(&image, 6, 0), directory, "blocks", error);
+        draw_eye(bust, attempt_1_sweep_whole, &image, directory, "bust_sweep_whole", error) &&
+        draw_eye(bust, draw_spans, &image, directory, "bust_spans", error);
     image_free(&image);
     return done;
 }
 
 bool draw_figures(const char *directory, struct model *bust, struct error *error) {
-    return draw_first_scenes(directory, error) && draw_half_planes(directory, error) &&
-           draw_small_fan(directory, error) && draw_meshes(directory, error) &&
-           draw_bust_details(bust, directory, error) && draw_backs_too(bust, directory, error) &&
-           draw_blocks(directory, error);
+    return draw_half_planes(directory, error) && draw_bust_details(bust, directory, error);
 }

@@ -95,7 +95,6 @@ static const struct text_scene_shape three_triangles[] = {
     {{180, 150, 70}, {50, 1, 180}, {{WHITE}, {WHITE}, {WHITE}}},
     {{180, 120, 130}, {150, 160, 180}, {{GREEN}, {GREEN}, {GREEN}}},
 };
-enum { THREE_TRIANGLES = sizeof three_triangles / sizeof three_triangles[0] };
 
 /* The blue and the yellow one reach far out of the image and cover its lowest and its highest rows:
  * their long sides meet them at an x that does not fit in an int. Of the green, the red and the
@@ -118,7 +117,6 @@ static const struct text_scene_shape far_triangles[] = {
      {{WHITE}, {WHITE}, {WHITE}}},
     {{1000000, -1000000, 0}, {146.00390625, 146, 1000000}, {{YELLOW}, {YELLOW}, {YELLOW}}},
 };
-enum { FAR_TRIANGLES = sizeof far_triangles / sizeof far_triangles[0] };
 
 /* Outlines that leave the image on all sides, and one beside it: of that nothing is drawn. */
 static const struct text_scene_shape leaving_triangles[] = {
@@ -126,7 +124,6 @@ static const struct text_scene_shape leaving_triangles[] = {
     {{130, 160, 40}, {20, 45, 75}, {{GREEN}, {GREEN}, {GREEN}}},
     {{-50, -20, -35}, {10, 30, 50}, {{WHITE}, {WHITE}, {WHITE}}},
 };
-enum { LEAVING_TRIANGLES = sizeof leaving_triangles / sizeof leaving_triangles[0] };
 
 /* Triangles that leave the image: at the left and at the top, at the right, at the bottom. Their
  * sides are far from all pixel centres where they meet the border. */
@@ -135,14 +132,12 @@ static const struct text_scene_shape cut_triangles[] = {
     {{172.3, 240.4, 230.2}, {90.4, 130.3, 20.6}, {{YELLOW}, {YELLOW}, {YELLOW}}},
     {{88.3, 141.6, 110.4}, {7.4, 5.2, -30.7}, {{MAGENTA}, {MAGENTA}, {MAGENTA}}},
 };
-enum { CUT_TRIANGLES = sizeof cut_triangles / sizeof cut_triangles[0] };
 
 /* Two with an area of 0, a line and a point, through pixel centres: of them nothing is drawn. */
 static const struct text_scene_shape flat_triangles[] = {
     {{10, 70, 130}, {30, 30, 30}, {{YELLOW}, {YELLOW}, {YELLOW}}},
     {{60, 60, 60}, {20, 20, 20}, {{YELLOW}, {YELLOW}, {YELLOW}}},
 };
-enum { FLAT_TRIANGLES = sizeof flat_triangles / sizeof flat_triangles[0] };
 
 /* One triangle, given clockwise; a hexagon of six; a rectangle of two; one that leaves the image at
  * the top. */
@@ -158,28 +153,30 @@ static const struct text_scene_shape colored_triangles[] = {
     {{40, 760, 40}, {40, 380, 380}, {{BLUE}, {YELLOW}, {RED}}},
     {{340, 440, 390}, {700, 700, 1000}, {{RED}, {GREEN}, {WHITE}}},
 };
-enum { COLORED_TRIANGLES = sizeof colored_triangles / sizeof colored_triangles[0] };
 
-static void outline_shapes(struct drawing *drawing, struct image *image,
-                           const struct text_scene_shape *shapes, size_t shape_count) {
-    for (size_t i = 0; i < 3 * shape_count; i++) {
-        const struct text_scene_shape *shape = &shapes[i / 3];
+/* What the scenes draw: the lists and how long they are, by the number of the scene. */
+enum { THREE, FAR, LEAVING, CUT, FLAT, COLORED };
+
+#define LIST(triangles)                                                                            \
+    { triangles, sizeof(triangles) / sizeof(triangles)[0] }
+static const struct {
+    const struct text_scene_shape *shapes;
+    size_t count;
+} lists[] = {
+    [THREE] = LIST(three_triangles),     [FAR] = LIST(far_triangles),
+    [LEAVING] = LIST(leaving_triangles), [CUT] = LIST(cut_triangles),
+    [FLAT] = LIST(flat_triangles),       [COLORED] = LIST(colored_triangles),
+};
+
+static bool draw_outlines(struct drawing *drawing, struct image *image, struct error *error) {
+    (void)error;
+    for (size_t i = 0; i < 3 * lists[drawing->number].count; i++) {
+        const struct text_scene_shape *shape = &lists[drawing->number].shapes[i / 3];
         size_t k = i % 3, next = (k + 1) % 3;
         struct pixel a = {(int)shape->x[k], (int)shape->y[k]};
         struct pixel b = {(int)shape->x[next], (int)shape->y[next]};
         drawing_count(drawing, "pixels_written", draw_line(image, a, b, shape->color[0]));
     }
-}
-
-static bool draw_outline(struct drawing *drawing, struct image *image, struct error *error) {
-    (void)error;
-    outline_shapes(drawing, image, three_triangles, THREE_TRIANGLES);
-    return true;
-}
-
-static bool draw_leaving(struct drawing *drawing, struct image *image, struct error *error) {
-    (void)error;
-    outline_shapes(drawing, image, leaving_triangles, LEAVING_TRIANGLES);
     return true;
 }
 
@@ -196,14 +193,11 @@ static void draw_by_signs(struct drawing *drawing, struct image *image,
 static bool draw_signs(struct drawing *drawing, struct image *image, struct error *error) {
     enum { DOTS = 20 };
     (void)error;
-    for (size_t i = 0; i < THREE_TRIANGLES; i++) {
-        draw_by_signs(drawing, image, &three_triangles[i]);
-    }
-    for (size_t i = 0; i < CUT_TRIANGLES; i++) {
-        draw_by_signs(drawing, image, &cut_triangles[i]);
-    }
-    for (size_t i = 0; i < FLAT_TRIANGLES; i++) {
-        draw_by_signs(drawing, image, &flat_triangles[i]);
+    static const int filled[] = {THREE, CUT, FLAT};
+    for (size_t k = 0; k < sizeof filled / sizeof filled[0]; k++) {
+        for (size_t i = 0; i < lists[filled[k]].count; i++) {
+            draw_by_signs(drawing, image, &lists[filled[k]].shapes[i]);
+        }
     }
     for (int i = 0; i < DOTS; i++) {
         double x = 6 + 4 * i;
@@ -213,21 +207,9 @@ static bool draw_signs(struct drawing *drawing, struct image *image, struct erro
     return true;
 }
 
-static bool draw_triangle(struct drawing *drawing, struct image *image, struct error *error) {
+static bool draw_list(struct drawing *drawing, struct image *image, struct error *error) {
     (void)error;
-    draw_shapes(drawing, image, three_triangles, THREE_TRIANGLES);
-    return true;
-}
-
-static bool draw_far(struct drawing *drawing, struct image *image, struct error *error) {
-    (void)error;
-    draw_shapes(drawing, image, far_triangles, FAR_TRIANGLES);
-    return true;
-}
-
-static bool draw_gradient(struct drawing *drawing, struct image *image, struct error *error) {
-    (void)error;
-    draw_shapes(drawing, image, colored_triangles, COLORED_TRIANGLES);
+    draw_shapes(drawing, image, lists[drawing->number].shapes, lists[drawing->number].count);
     return true;
 }
 
@@ -496,16 +478,16 @@ static bool draw_faces(struct drawing *drawing, struct image *image, struct erro
 /* ---- The program ---- */
 
 static const struct scene scenes[] = {
-    {.name = "outline", .draw = draw_outline},
-    {.name = "leaving", .width = 120, .height = 60, .draw = draw_leaving},
+    {.name = "outline", .number = THREE, .draw = draw_outlines},
+    {.name = "leaving", .width = 120, .height = 60, .number = LEAVING, .draw = draw_outlines},
     {.name = "signs", .draw = draw_signs},
     {.name = "bust", .needs = NEEDS_MODEL, .width = 800, .height = 800, .draw = draw_bust},
-    {.name = "triangle", .draw = draw_triangle},
-    {.name = "far", .width = 240, .height = 160, .draw = draw_far},
+    {.name = "triangle", .number = THREE, .draw = draw_list},
+    {.name = "far", .width = 240, .height = 160, .number = FAR, .draw = draw_list},
     {.name = "sheet", .width = 800, .height = 800, .draw = draw_sheet},
     {.name = "fan", .width = 800, .height = 800, .draw = draw_fan},
     {.name = "faces", .needs = NEEDS_MODEL, .width = 800, .height = 800, .draw = draw_faces},
-    {.name = "gradient", .width = 800, .height = 800, .draw = draw_gradient},
+    {.name = "gradient", .width = 800, .height = 800, .number = COLORED, .draw = draw_list},
 };
 
 static const struct program step03_triangle = {

@@ -110,13 +110,6 @@ static inline void attempt_3_mean_depth(struct image *image, const struct drawn 
     }
 }
 
-/* Attempt 4: cleared to 0 instead of minus infinity. Everything farther than depth 0 is lost. */
-static inline void attempt_4_cleared_to_0(struct image *image, const struct drawn *list,
-                                          size_t count, void *buffer) {
-    attempt_fill_float(buffer, image->width * image->height, 0);
-    attempt_draw(image, list, count, attempt_keep_float, buffer);
-}
-
 static inline bool attempt_keep_farther(void *buffer, size_t i, double depth) {
     float *kept = (float *)buffer + i;
     if (!((float)depth < *kept)) {
@@ -124,14 +117,6 @@ static inline bool attempt_keep_farther(void *buffer, size_t i, double depth) {
     }
     *kept = (float)depth;
     return true;
-}
-
-/* Attempt 5: the comparison reversed (and the buffer cleared to match): the farthest is seen. Of a
- * head lit from the front: behind the nose the cheek, behind the ear the neck. */
-static inline void attempt_5_farthest(struct image *image, const struct drawn *list, size_t count,
-                                      void *buffer) {
-    attempt_fill_float(buffer, image->width * image->height, INFINITY);
-    attempt_draw(image, list, count, attempt_keep_farther, buffer);
 }
 
 /* ---- Fewer bits ---- */

@@ -18,23 +18,15 @@ struct list {
     size_t count;
 };
 
-/* A colour that tells the number of a triangle. */
-static struct color number_color(size_t number) {
-    return color_rgb((uint8_t)(number >> 16 & 255), (uint8_t)(number >> 8 & 255),
-                     (uint8_t)(number & 255));
-}
-
 /* A model as a scene shows it. */
 struct view {
-    const char *name;
     const struct model *model;
     struct vec3 light;
 };
 
-/* The lit faces of the model, as draw_zbuffer() draws them, moved to the right by `shift`; numbered
- * from 1 instead of grey when `numbered` is set. */
+/* The lit faces of the model, as draw_zbuffer() draws them. */
 static bool list_from_model(struct list *list, const struct view *view, const struct image *image,
-                            double shift, bool numbered, struct error *error) {
+                            struct error *error) {
     const struct model *model = view->model;
     const struct vec3 light = vec3_normalized(view->light);
     *list = (struct list){.items = malloc(model->face_count * sizeof *list->items)};
@@ -47,11 +39,8 @@ static bool list_from_model(struct list *list, const struct view *view, const st
         if (!(intensity > 0) || !place_face(model, face, image, d->v)) {
             continue;
         }
-        for (int i = 0; i < 3; i++) {
-            d->v[i].position.x += (int32_t)(shift * (double)image->width / 2 * SUBPIXELS);
-        }
         list->count++;
-        d->color = numbered ? number_color(list->count) : color_grey(level_from(intensity * 255));
+        d->color = color_grey(level_from(intensity * 255));
     }
     return true;
 }
@@ -71,27 +60,10 @@ static void draw_right(struct image *image, const struct drawn *items, size_t co
     }
 }
 
-/* Exchange items at random (always the same way): every order comes out equally often. */
-static void shuffle(struct list *list, uint32_t seed) {
-    for (size_t i = list->count; i > 1; i--) {
-        seed = seed * 1664525U + 1013904223U;
-        size_t other = (size_t)((uint64_t)seed * i >> 32);
-        struct drawn kept = list->items[i - 1];
-        list->items[i - 1] = list->items[other];
-        list->items[other] = kept;
-    }
-}
-
-/* ---- The bust by every version ---- */
+/* ---- The attempts ---- */
 
 typedef void attempt_function(struct image *image, const struct drawn *list, size_t count,
                               void *buffer);
-
-static void draw_file_order(struct image *image, const struct drawn *list, size_t count,
-                            void *buffer) {
-    (void)buffer;
-    attempt_1_file_order(image, list, count);
-}
 
 /* The painter sorts, so he gets a list of his own, in the buffer. */
 static void draw_painter(struct image *image, const struct drawn *list, size_t count,
@@ -106,11 +78,8 @@ struct version {
 };
 
 static const struct version versions[] = {
-    {"1 order of the file", draw_file_order},
     {"2 painter's order", draw_painter},
     {"3 mean depth", attempt_3_mean_depth},
-    {"4 cleared to 0", attempt_4_cleared_to_0},
-    {"5 farthest", attempt_5_farthest},
     {"6 8 bits", attempt_6_depth_8},
     {"7 16 bits", attempt_7_depth_16},
     {"8 24 bits", attempt_8_depth_24},
@@ -118,95 +87,7 @@ static const struct version versions[] = {
     {"10 float, 1 - near/distance", attempt_10_float_from_near},
     {"11 float, near/distance", attempt_11_float_reversed},
 };
-enum { VERSION_COUNT = sizeof versions / sizeof versions[0] };
-
-/* Draw the list with the first versions and count the pixels that show another face than main.c
- * does. */
-static void print_wrong_pixels(const char *name, const struct list *list, size_t version_count,
-                               struct image *right, struct image *image, double *depth,
-                               void *buffer) {
-    image_clear(right, color_grey(0));
-    draw_right(right, list->items, list->count, depth);
-    for (size_t i = 0; i < version_count; i++) {
-        image_clear(image, color_grey(0));
-        versions[i].draw(image, list->items, list->count, buffer);
-        size_t wrong = different_pixels(image, right);
-        image_clear(image, color_grey(0));
-        printf("%-6s %-28s %6zu pixels wrong of %zu\n", name, versions[i].name, wrong,
-               different_pixels(image, right));
-    }
-}
-
-/* The same triangles in other orders. */
-static bool print_shuffled(const struct list *list, struct image *right, struct image *image,
-                           double *depth, struct error *error) {
-    struct list shuffled = {.items = malloc(list->count * sizeof *list->items)};
-    size_t different = 0;
-    if (shuffled.items == NULL) {
-        return error_out_of_memory(error);
-    }
-    memcpy(shuffled.items, list->items, list->count * sizeof *list->items);
-    shuffled.count = list->count;
-    for (uint32_t i = 0; i < 100; i++) {
-        shuffle(&shuffled, i);
-        image_clear(image, color_grey(0));
-        draw_right(image, shuffled.items, shuffled.count, depth);
-        different += different_pixels(image, right);
-    }
-    printf("bust   100 shuffled orders          %6zu pixels different\n", different);
-    list_free(&shuffled);
-    return true;
-}
-
-/* Pictures of the attempts that look wrong from afar. */
-static bool draw_attempts(const struct view *view, const char *directory, double *depth,
-                          void *buffer, struct error *error) {
-    static const struct version shown[] = {
-        {"cleared_to_0", attempt_4_cleared_to_0},
-        {"farthest", attempt_5_farthest},
-    };
-    struct image image = {0};
-    struct list list = {0}, moved = {0};
-    bool done = image_create(&image, 400, 400, IMAGE_GREY, error) &&
-                list_from_model(&list, view, &image, 0, false, error) &&
-                list_from_model(&moved, view, &image, 0.25, false, error);
-    for (size_t i = 0; done && i < sizeof shown / sizeof shown[0]; i++) {
-        image_clear(&image, color_grey(0));
-        shown[i].draw(&image, list.items, list.count, buffer);
-        done = figure_save(&image, directory, shown[i].name, error);
-    }
-    if (done) { /* a second frame: the image is cleared, the depth is not */
-        struct canvas canvas = {.image = &image, .depth = depth};
-        draw_right(&image, list.items, list.count, depth);
-        image_clear(&image, color_grey(0));
-        for (size_t i = 0; i < moved.count; i++) {
-            triangle(&canvas, moved.items[i].v, moved.items[i].color);
-        }
-        done = figure_save(&image, directory, "not_cleared", error);
-    }
-    list_free(&list);
-    list_free(&moved);
-    image_free(&image);
-    return done;
-}
-
-/* Print how many pixels the first versions show wrong; of all the orders of the bust too. */
-static bool print_view(const struct view *view, size_t version_count, double *depth, void *buffer,
-                       struct error *error) {
-    struct list list = {0};
-    struct image right = {0}, image = {0};
-    bool done = image_create(&right, 800, 800, IMAGE_BGR, error) &&
-                image_create(&image, 800, 800, IMAGE_BGR, error) &&
-                list_from_model(&list, view, &image, 0, true, error);
-    if (done) {
-        print_wrong_pixels(view->name, &list, version_count, &right, &image, depth, buffer);
-        done = version_count < VERSION_COUNT || print_shuffled(&list, &right, &image, depth, error);
-    }
-    list_free(&list);
-    image_free(&right);
-    image_free(&image);
-    return done;
-}
+enum { FIRST_OF_FEW_BITS = 2, VERSION_COUNT = sizeof versions / sizeof versions[0] };
 
 /* ---- What lesson 4 draws ---- */
 
@@ -221,30 +102,14 @@ static bool draw_painted_over(const struct view *views, size_t view_count, const
     bool done = sheet_create(&sheet, error);
     for (size_t i = 0; done && i < view_count; i++) {
         struct list list = {0};
-        done = list_from_model(&list, &views[i], &sheet.panel, 0, false, error);
+        done = list_from_model(&list, &views[i], &sheet.panel, error);
         if (done) {
             attempt_1_file_order(&sheet.panel, list.items, list.count);
             sheet_add(&sheet);
         }
         list_free(&list);
     }
-    done = done && figure_save(&sheet.image, directory, "painted_over", error);
-    sheet_free(&sheet);
-    return done;
-}
-
-static bool draw_models(const struct model *bust, const struct model *knot, const char *directory,
-                        double *depth, void *buffer, struct error *error) {
-    const struct view views[] = {
-        {"knot", knot, {0, 0, -1}},
-        {"side", bust, {1, 0, -1}},
-        {"bust", bust, {0, 0, -1}},
-    };
-    return print_view(&views[0], 3, depth, buffer, error) &&
-           print_view(&views[1], 3, depth, buffer, error) &&
-           print_view(&views[2], VERSION_COUNT, depth, buffer, error) &&
-           draw_painted_over(views, 2, directory, error) &&
-           draw_attempts(&views[2], directory, depth, buffer, error);
+    return sheet_end(&sheet, done, directory, "painted_over", error);
 }
 
 /* ---- Three bars in a circle ---- */
@@ -297,17 +162,19 @@ static void make_floor(struct drawn list[FLOOR_COUNT]) {
 
 /* ---- Large triangles ---- */
 
+enum { LARGE_WIDTH = 260, LARGE_HEIGHT = 250 };
+
 /* From left to right: with a depth buffer, by the painter, by mean depth. */
 static bool draw_large(const char *name, const struct drawn *list, size_t count,
                        const char *directory, double *depth, void *buffer, struct error *error) {
-    struct sheet sheet = {.width = 260, .height = 250, .columns = 3, .rows = 1};
+    struct sheet sheet = {.width = LARGE_WIDTH, .height = LARGE_HEIGHT, .columns = 3, .rows = 1};
     struct image right = {0};
     bool done = sheet_create(&sheet, error) &&
                 image_create(&right, sheet.width, sheet.height, IMAGE_BGR, error);
     if (done) {
         draw_right(&right, list, count, depth);
         sheet_add_detail(&sheet, &right, detail_of_whole(&right, 1, 0));
-        for (int i = 1; i <= 2; i++) { /* attempts 2 and 3 */
+        for (int i = 0; i < FIRST_OF_FEW_BITS; i++) {
             versions[i].draw(&sheet.panel, list, count, buffer);
             printf("%-6s %-28s %6zu pixels wrong\n", name, versions[i].name,
                    different_pixels(&right, &sheet.panel));
@@ -349,7 +216,7 @@ static void make_sheets(struct drawn list[4]) {
 }
 
 static bool draw_sheets(const char *directory, double *depth, void *buffer, struct error *error) {
-    enum { FIRST = 5, STRIPS = 7 };
+    enum { FIRST = FIRST_OF_FEW_BITS, STRIPS = VERSION_COUNT - FIRST + 1 };
     struct sheet sheet = {
         .width = SHEETS_WIDTH, .height = SHEETS_HEIGHT, .columns = 1, .rows = STRIPS, .gap = 6};
     struct drawn list[4];
@@ -383,14 +250,12 @@ bool draw_figures(const char *directory, struct model *bust, struct error *error
     if (!model_read(&knot, COURSE_BUILD "/models/knot.off", error)) {
         return false;
     }
-    /* The buffer holds 4 bytes a pixel, or the list of the painter. */
-    size_t depths_size = 800 * 800 * sizeof(uint32_t);
-    size_t most_faces = bust->face_count > knot.face_count ? bust->face_count : knot.face_count;
-    size_t list_size = most_faces * sizeof(struct drawn);
-    double *depth = malloc(800 * 800 * sizeof *depth);
-    void *buffer = malloc(list_size > depths_size ? list_size : depths_size);
+    const struct view views[] = {{&knot, {0, 0, -1}}, {bust, {1, 0, -1}}};
+    /* The buffer holds 4 bytes a pixel, or the painter's list, which is shorter. */
+    double *depth = malloc(SHEETS_WIDTH * LARGE_HEIGHT * sizeof *depth);
+    void *buffer = malloc(SHEETS_WIDTH * LARGE_HEIGHT * sizeof(uint32_t));
     bool done = depth != NULL && buffer != NULL;
-    done = done ? draw_models(bust, &knot, directory, depth, buffer, error) &&
+    done = done ? draw_painted_over(views, 2, directory, error) &&
                       draw_circle_and_floor(directory, depth, buffer, error) &&
                       draw_sheets(directory, depth, buffer, error)
                 : error_out_of_memory(error);

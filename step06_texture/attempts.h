@@ -44,11 +44,6 @@ static inline struct color attempt_sample_bilinear(const struct texture *texture
 
 /* ---- Triangles ---- */
 
-static inline double attempt_level(const struct quotients *plane, struct vec2 uv, double w,
-                                   const struct texture *texture) {
-    return mip_level(uv_step(plane->right, uv, w), uv_step(plane->up, uv, w), texture);
-}
-
 /* Exact coordinates and a sampler that knows nothing of mip levels. */
 static inline void attempt_perspective(struct image *image, const struct vertex v[3],
                                        const struct texture *texture, attempt_sampler *sampler) {
@@ -109,45 +104,6 @@ static inline void attempt_5_affine(struct image *image, const struct vertex v[3
     }
 }
 
-/* Exact coordinates and mip level at every `step`-th pixel of a row, linear coordinates between:
- * one division for `step` pixels. Where the distance changes fast along a row, lines get waves. */
-static inline void attempt_every(struct image *image, const struct vertex v[3],
-                                 const struct texture *texture, int step) {
-    struct quotients plane;
-    if (!plane_begin(&plane, image, v)) {
-        return;
-    }
-    for (int y = plane.edges.y_begin; y < plane.edges.y_end; y++) {
-        struct span span = edges_span(&plane.edges, y);
-        double w;
-        struct vec2 begin = plane_uv(&plane, span.begin, y, &w);
-        for (int x = span.begin; x < span.end; x += step) {
-            int length = span.end - x < step ? span.end - x : step;
-            double level = attempt_level(&plane, begin, w, texture);
-            /* The last piece of a row ends at its last pixel: beyond the edge 1/w may reach 0. */
-            int last = x + length < span.end ? length : length - 1;
-            struct vec2 end = plane_uv(&plane, x + last, y, &w);
-            struct vec2 gain = vec2_scale(vec2_sub(end, begin), last > 0 ? 1.0 / last : 0);
-            for (int i = 0; i < length; i++) {
-                struct vec2 uv = vec2_add(begin, vec2_scale(gain, i));
-                struct vec4 c = sample_trilinear(texture, repeat(uv), level);
-                image_set(image, x + i, y, attempt_round_channels(c));
-            }
-            begin = end;
-        }
-    }
-}
-
-static inline void attempt_6_every_16(struct image *image, const struct vertex v[3],
-                                      const struct texture *texture) {
-    attempt_every(image, v, texture, 16);
-}
-
-static inline void attempt_7_every_8(struct image *image, const struct vertex v[3],
-                                     const struct texture *texture) {
-    attempt_every(image, v, texture, 8);
-}
-
 /* ---- The exact answer ---- */
 
 /* The mean colour (red, green, blue) of a pixel of scene checker, from `rays` * `rays` rays to the
@@ -174,25 +130,6 @@ static inline bool exact_checker(size_t x, size_t y, size_t width, size_t height
     double share = (double)light_count / (rays * rays);
     *mean = vec3_add(vec3_scale(light, share), vec3_scale(dark, 1 - share));
     return true;
-}
-
-/* Root of the mean squared error of the three channels, in levels, over the pixels of the plane:
- * against 256 rays a pixel. */
-static inline double checker_error(const struct image *image) {
-    double sum = 0, pixels = 0;
-    for (size_t y = 0; y < image->height; y++) {
-        for (size_t x = 0; x < image->width; x++) {
-            struct vec3 exact;
-            if (!exact_checker(x, y, image->width, image->height, 16, &exact)) {
-                continue;
-            }
-            struct color c = image_get(image, (int)x, (int)y);
-            struct vec3 error = vec3_sub((struct vec3){c.r, c.g, c.b}, exact);
-            sum += vec3_dot(error, error) / 3;
-            pixels++;
-        }
-    }
-    return pixels > 0 ? sqrt(sum / pixels) : 0;
 }
 
 #endif

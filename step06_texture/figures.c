@@ -1,4 +1,4 @@
-/* The pictures of step 6's README that are not references, and the errors of the attempts. */
+/* The pictures of step 6's README that are not references. */
 #include "../tests/bench/figures.h"
 
 #define LESSON "../step06_texture/main.c"
@@ -67,10 +67,8 @@ static bool draw_samplers(const char *directory, struct error *error) {
         draw_quad(&sheet.panel, corners, &texture, draws[i]);
         sheet_add(&sheet);
     }
-    done = done && figure_save(&sheet.image, directory, "samplers", error);
-    sheet_free(&sheet);
     texture_free(&texture);
-    return done;
+    return sheet_end(&sheet, done, directory, "samplers", error);
 }
 
 /* ---- Affine: a board of 5 x 6 tiles ---- */
@@ -78,84 +76,43 @@ static bool draw_samplers(const char *directory, struct error *error) {
 static bool draw_affine(const char *directory, const struct texture *checker, struct error *error) {
     enum { SIDE = 320 };
     static draw_function *const draws[] = {attempt_5_affine, draw_good};
+    static const struct surface_corner board[4] = {{-1.7, 0, 1.25, {-1.7, 1.25}},
+                                                   {0.8, 0, 1.25, {0.8, 1.25}},
+                                                   {0.8, 0, 4.25, {0.8, 4.25}},
+                                                   {-1.7, 0, 4.25, {-1.7, 4.25}}};
     struct sheet sheet = {.width = SIDE, .height = SIDE, .columns = 2, .rows = 1, .gap = GAP};
     bool done = sheet_create(&sheet, error);
     for (size_t i = 0; done && i < 2; i++) {
-        const struct vertex corners[4] = {
-            place_on_plane(-1.7, 1.25, &sheet.panel),
-            place_on_plane(0.8, 1.25, &sheet.panel),
-            place_on_plane(0.8, 4.25, &sheet.panel),
-            place_on_plane(-1.7, 4.25, &sheet.panel),
-        };
+        struct vertex corners[4];
+        place_surface(&sheet.panel, board, corners);
         draw_quad(&sheet.panel, corners, checker, draws[i]);
         sheet_add(&sheet);
     }
-    done = done && figure_save(&sheet.image, directory, "affine", error);
-    sheet_free(&sheet);
-    return done;
+    return sheet_end(&sheet, done, directory, "affine", error);
 }
 
-/* ---- The whole scene by every version ---- */
+/* ---- The horizon of scene checker ---- */
 
-static const struct version {
-    const char *name;
-    draw_function *draw;
-} versions[] = {
-    {"nearest by rounding", attempt_1_rounded},
-    {"nearest", attempt_2_nearest},
-    {"bilinear without the half texel", attempt_3_unshifted},
-    {"bilinear", attempt_4_no_levels},
-    {"affine, bilinear", attempt_5_affine},
-    {"mip levels, exact every 16 pixels", attempt_6_every_16},
-    {"mip levels, exact every 8 pixels", attempt_7_every_8},
-    {"mip levels, exact at every pixel", draw_good},
-};
-
-enum { VERSION_COUNT = sizeof versions / sizeof versions[0], SCENE_SIDE = 800 };
-enum { VERSION_NEAREST = 1, VERSION_BILINEAR = 3, VERSION_GOOD = 7 };
-
-static bool draw_versions(struct image images[VERSION_COUNT], const struct texture *checker,
-                          struct error *error) {
-    for (size_t i = 0; i < VERSION_COUNT; i++) {
-        if (!image_create(&images[i], SCENE_SIDE, SCENE_SIDE, IMAGE_BGR, error)) {
-            return false;
-        }
-        struct vertex corners[4];
-        place_plane(&images[i], corners);
-        draw_quad(&images[i], corners, checker, versions[i].draw);
-        printf("%-36s error %6.2f\n", versions[i].name, checker_error(&images[i]));
-    }
-    return true;
-}
-
-/* A part of the whole scene by `count` versions. */
-static bool draw_parts(const char *directory, const char *name, const struct image *images,
-                       const size_t *which, size_t count, struct detail part, struct error *error) {
-    struct sheet sheet = {.width = (size_t)(part.width * part.zoom),
-                          .height = (size_t)(part.height * part.zoom),
-                          .columns = count,
+static bool draw_horizon(const char *directory, const struct texture *checker,
+                         struct error *error) {
+    static draw_function *const draws[] = {attempt_2_nearest, attempt_4_no_levels, draw_good};
+    const struct detail far = {200, 440, 162, 120, .zoom = 2};
+    struct sheet sheet = {.width = (size_t)(far.width * far.zoom),
+                          .height = (size_t)(far.height * far.zoom),
+                          .columns = 3,
                           .rows = 1,
                           .gap = GAP};
-    bool done = sheet_create(&sheet, error);
-    for (size_t i = 0; done && i < count; i++) {
-        sheet_add_detail(&sheet, &images[which[i]], part);
+    struct image image = {0};
+    bool done = sheet_create(&sheet, error) && image_create(&image, 800, 800, IMAGE_BGR, error);
+    for (size_t i = 0; done && i < 3; i++) {
+        struct vertex corners[4];
+        place_plane(&image, corners);
+        image_clear(&image, color_grey(0));
+        draw_quad(&image, corners, checker, draws[i]);
+        sheet_add_detail(&sheet, &image, far);
     }
-    done = done && figure_save(&sheet.image, directory, name, error);
-    sheet_free(&sheet);
-    return done;
-}
-
-/* Draw the scene by every version, print their errors, and show where they differ. */
-static bool draw_scene(const char *directory, const struct texture *checker, struct error *error) {
-    static const size_t horizon[] = {VERSION_NEAREST, VERSION_BILINEAR, VERSION_GOOD};
-    const struct detail far = {200, 440, 162, 120, .zoom = 2};
-    struct image images[VERSION_COUNT] = {{0}};
-    bool done = draw_versions(images, checker, error) &&
-                draw_parts(directory, "horizon", images, horizon, 3, far, error);
-    for (size_t i = 0; i < VERSION_COUNT; i++) {
-        image_free(&images[i]);
-    }
-    return done;
+    image_free(&image);
+    return sheet_end(&sheet, done, directory, "horizon", error);
 }
 
 /* ---- The levels that the scene uses, each in its colour ---- */
@@ -222,9 +179,7 @@ static bool draw_textures(struct model *bust, const char *directory, struct erro
             sheet_add(&sheet);
         }
     }
-    done = done && figure_save(&sheet.image, directory, "textures", error);
-    sheet_free(&sheet);
-    return done;
+    return sheet_end(&sheet, done, directory, "textures", error);
 }
 
 /* Half the texture's colour, half blue: the same, however often an edge is drawn. */
@@ -265,39 +220,12 @@ static bool draw_uv_mesh(struct model *bust, const char *directory, struct error
     return done;
 }
 
-/* The first five levels of the letters, each enlarged to the size of level 0. */
-static bool draw_mips(const char *directory, struct error *error) {
-    enum { LEVELS = 5 };
-    struct texture letters_texture = {0};
-    bool done = make_letters(&letters_texture, letters_color, 1, error);
-    struct sheet sheet = {.width = LETTERS_COLUMNS * LETTERS_TILE,
-                          .height = LETTERS_ROWS * LETTERS_TILE,
-                          .columns = LEVELS,
-                          .rows = 1,
-                          .gap = GAP};
-    done = done && sheet_create(&sheet, error);
-    for (size_t i = 0; done && i < LEVELS; i++) {
-        const struct texture_level *level = &letters_texture.level[i];
-        for (int y = 0; y < (int)sheet.height; y++) {
-            for (int x = 0; x < (int)sheet.width; x++) {
-                uint32_t texel = texture_texel(level, (size_t)(x >> i), (size_t)(y >> i));
-                image_set(&sheet.panel, x, y, color_from_texel(texel));
-            }
-        }
-        sheet_add(&sheet);
-    }
-    done = done && figure_save(&sheet.image, directory, "mips", error);
-    sheet_free(&sheet);
-    texture_free(&letters_texture);
-    return done;
-}
-
 bool draw_figures(const char *directory, struct model *bust, struct error *error) {
     struct texture checker = {0};
-    bool done = make_checker(&checker, error) && draw_scene(directory, &checker, error) &&
+    bool done = make_checker(&checker, error) && draw_horizon(directory, &checker, error) &&
                 draw_samplers(directory, error) && draw_affine(directory, &checker, error) &&
                 draw_levels(directory, error) && draw_textures(bust, directory, error) &&
-                draw_uv_mesh(bust, directory, error) && draw_mips(directory, error);
+                draw_uv_mesh(bust, directory, error);
     texture_free(&checker);
     return done;
 }

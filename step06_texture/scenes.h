@@ -28,6 +28,12 @@ static bool place_face(const struct model *model, size_t face, const struct imag
     return true;
 }
 
+static void count_pixels(struct drawing *drawing, const struct canvas *canvas) {
+    drawing_count(drawing, "pixels_tested", canvas->pixels_tested);
+    drawing_count(drawing, "pixels_written", canvas->pixels_written);
+    drawing_count(drawing, "texels_fetched", canvas->texels_fetched);
+}
+
 /* All faces on which light falls, as in step 4. */
 static bool draw_texture(struct drawing *drawing, struct image *image, struct error *error) {
     (void)error;
@@ -48,9 +54,7 @@ static bool draw_texture(struct drawing *drawing, struct image *image, struct er
         }
     }
     drawing_count(drawing, "faces_placed", placed);
-    drawing_count(drawing, "pixels_tested", canvas.pixels_tested);
-    drawing_count(drawing, "pixels_written", canvas.pixels_written);
-    drawing_count(drawing, "texels_fetched", canvas.texels_fetched);
+    count_pixels(drawing, &canvas);
     return true;
 }
 
@@ -224,9 +228,7 @@ static bool draw_letters(struct drawing *drawing, struct image *image, struct er
         place_far_board(image, i, far);
         draw_board(&canvas, far, &state->bordered, 1);
     }
-    drawing_count(drawing, "pixels_tested", canvas.pixels_tested);
-    drawing_count(drawing, "pixels_written", canvas.pixels_written);
-    drawing_count(drawing, "texels_fetched", canvas.texels_fetched);
+    count_pixels(drawing, &canvas);
     return true;
 }
 
@@ -270,19 +272,30 @@ static struct vertex place_over_plane(double side, double height, double distanc
     return vertex;
 }
 
-/* A corner of the plane. One unit of it is one picture: two tiles. */
-static struct vertex place_on_plane(double side, double distance, const struct image *image) {
-    struct vertex vertex = place_over_plane(side, 0, distance, image);
-    vertex.uv = (struct vec2){side, distance};
-    return vertex;
+/* A corner of a surface: its place over the plane, and its texture coordinates. */
+struct surface_corner {
+    double side, height, distance;
+    struct vec2 uv;
+};
+
+static void place_surface(const struct image *image, const struct surface_corner places[4],
+                          struct vertex corners[4]) {
+    for (int i = 0; i < 4; i++) {
+        corners[i] = place_over_plane(places[i].side, places[i].height, places[i].distance, image);
+        corners[i].uv = places[i].uv;
+    }
 }
 
-/* The plane's corners, counterclockwise. */
+/* The plane itself, counterclockwise. One unit of it is one picture: two tiles. */
+static const struct surface_corner plane_corners[4] = {
+    {-PLANE_SIDE, 0, PLANE_NEAR, {-PLANE_SIDE, PLANE_NEAR}},
+    {PLANE_SIDE, 0, PLANE_NEAR, {PLANE_SIDE, PLANE_NEAR}},
+    {PLANE_SIDE, 0, PLANE_FAR, {PLANE_SIDE, PLANE_FAR}},
+    {-PLANE_SIDE, 0, PLANE_FAR, {-PLANE_SIDE, PLANE_FAR}},
+};
+
 static void place_plane(const struct image *image, struct vertex corners[4]) {
-    corners[0] = place_on_plane(-PLANE_SIDE, PLANE_NEAR, image);
-    corners[1] = place_on_plane(PLANE_SIDE, PLANE_NEAR, image);
-    corners[2] = place_on_plane(PLANE_SIDE, PLANE_FAR, image);
-    corners[3] = place_on_plane(-PLANE_SIDE, PLANE_FAR, image);
+    place_surface(image, plane_corners, corners);
 }
 
 static void draw_plane(struct drawing *drawing, struct image *image, const struct vertex corners[4],
@@ -316,83 +329,61 @@ static bool draw_checker(struct drawing *drawing, struct image *image, struct er
 
 /* A place of a wall or the floor, in units of the room. The picture of the letters is 2 units wide
  * and 1.2 high, so that its tiles are squares. */
-static struct vec2 room_uv(double across, double along) {
-    return (struct vec2){across / 2, along / 1.2};
-}
+#define ROOM_UV(across, along)                                                                     \
+    { (across) / 2, (along) / 1.2 }
 
-static struct vertex place_on_floor(double side, double distance, const struct image *image) {
-    struct vertex vertex = place_over_plane(side, 0, distance, image);
-    vertex.uv = room_uv(side, distance);
-    return vertex;
-}
+static const struct surface_corner floor_corners[4] = {
+    {ROOM_LEFT, 0, ROOM_NEAR, ROOM_UV(ROOM_LEFT, ROOM_NEAR)},
+    {ROOM_RIGHT, 0, ROOM_NEAR, ROOM_UV(ROOM_RIGHT, ROOM_NEAR)},
+    {ROOM_RIGHT, 0, ROOM_FAR, ROOM_UV(ROOM_RIGHT, ROOM_FAR)},
+    {ROOM_LEFT, 0, ROOM_FAR, ROOM_UV(ROOM_LEFT, ROOM_FAR)},
+};
 
 /* At the floor v is -3, and so negative on the whole wall. */
-static struct vertex place_on_wall(double distance, double height, const struct image *image) {
-    struct vertex vertex = place_over_plane(ROOM_LEFT, height, distance, image);
-    vertex.uv = room_uv(distance, height);
-    vertex.uv.y -= 3;
-    return vertex;
-}
-
-static void place_floor(const struct image *image, struct vertex corners[4]) {
-    corners[0] = place_on_floor(ROOM_LEFT, ROOM_NEAR, image);
-    corners[1] = place_on_floor(ROOM_RIGHT, ROOM_NEAR, image);
-    corners[2] = place_on_floor(ROOM_RIGHT, ROOM_FAR, image);
-    corners[3] = place_on_floor(ROOM_LEFT, ROOM_FAR, image);
-}
-
-static void place_wall(const struct image *image, struct vertex corners[4]) {
-    corners[0] = place_on_wall(ROOM_NEAR, 0, image);
-    corners[1] = place_on_wall(ROOM_FAR, 0, image);
-    corners[2] = place_on_wall(ROOM_FAR, ROOM_HIGH, image);
-    corners[3] = place_on_wall(ROOM_NEAR, ROOM_HIGH, image);
-}
+static const struct surface_corner wall_corners[4] = {
+    {ROOM_LEFT, 0, ROOM_NEAR, {ROOM_NEAR / 2, -3}},
+    {ROOM_LEFT, 0, ROOM_FAR, {ROOM_FAR / 2, -3}},
+    {ROOM_LEFT, ROOM_HIGH, ROOM_FAR, {ROOM_FAR / 2, ROOM_HIGH / 1.2 - 3}},
+    {ROOM_LEFT, ROOM_HIGH, ROOM_NEAR, {ROOM_NEAR / 2, ROOM_HIGH / 1.2 - 3}},
+};
 
 /* Its picture has fewer texels than that of the letters, and so fewer levels. */
-static void place_back(const struct image *image, struct vertex corners[4]) {
-    static const struct vec2 places[4] = {/* side, height */
-                                          {ROOM_LEFT, 0},
-                                          {ROOM_RIGHT, 0},
-                                          {ROOM_RIGHT, ROOM_HIGH},
-                                          {ROOM_LEFT, ROOM_HIGH}};
-    for (int i = 0; i < 4; i++) {
-        corners[i] = place_over_plane(places[i].x, places[i].y, ROOM_FAR, image);
-        corners[i].uv = vec2_scale(places[i], 1 / 0.9);
-    }
-}
+static const struct surface_corner back_corners[4] = {
+    {ROOM_LEFT, 0, ROOM_FAR, {ROOM_LEFT * (1 / 0.9), 0}},
+    {ROOM_RIGHT, 0, ROOM_FAR, {ROOM_RIGHT * (1 / 0.9), 0}},
+    {ROOM_RIGHT, ROOM_HIGH, ROOM_FAR, {ROOM_RIGHT * (1 / 0.9), ROOM_HIGH *(1 / 0.9)}},
+    {ROOM_LEFT, ROOM_HIGH, ROOM_FAR, {ROOM_LEFT * (1 / 0.9), ROOM_HIGH *(1 / 0.9)}},
+};
 
 /* A piece of wall right before the camera: a texel is larger than a pixel everywhere. */
-static void place_close(const struct image *image, struct vertex corners[4]) {
-    static const struct vec3 places[4] = {/* side, distance, height */
-                                          {-0.75, 1.0, 0.35},
-                                          {1.05, 1.5, 0.05},
-                                          {1.05, 1.5, 1.25},
-                                          {-0.75, 1.0, 1.55}};
-    for (int i = 0; i < 4; i++) {
-        corners[i] = place_over_plane(places[i].x, places[i].z, places[i].y, image);
-        corners[i].uv = room_uv(places[i].x, places[i].z);
-    }
+static const struct surface_corner close_corners[4] = {
+    {-0.75, 0.35, 1.0, ROOM_UV(-0.75, 0.35)},
+    {1.05, 0.05, 1.5, ROOM_UV(1.05, 0.05)},
+    {1.05, 1.25, 1.5, ROOM_UV(1.05, 1.25)},
+    {-0.75, 1.55, 1.0, ROOM_UV(-0.75, 1.55)},
+};
+
+static void draw_surface(struct drawing *drawing, struct image *image,
+                         const struct surface_corner places[4], const struct texture *texture,
+                         enum sampler sampler) {
+    struct vertex corners[4];
+    place_surface(image, places, corners);
+    draw_plane(drawing, image, corners, texture, sampler);
 }
 
 static bool draw_close(struct drawing *drawing, struct image *image, struct error *error) {
     (void)error;
     const struct state *state = drawing->state;
-    struct vertex corners[4];
-    place_close(image, corners);
-    draw_plane(drawing, image, corners, &state->letters, SAMPLE_BILINEAR);
+    draw_surface(drawing, image, close_corners, &state->letters, SAMPLE_BILINEAR);
     return true;
 }
 
 static void draw_room_by(struct drawing *drawing, struct image *image, enum sampler sampler) {
     const struct state *state = drawing->state;
-    struct vertex corners[4];
     /* First the picture with few levels: those with more must not be read as if they had as few. */
-    place_back(image, corners);
-    draw_plane(drawing, image, corners, &state->mosaic, sampler);
-    place_floor(image, corners);
-    draw_plane(drawing, image, corners, &state->letters, sampler);
-    place_wall(image, corners);
-    draw_plane(drawing, image, corners, &state->letters, sampler);
+    draw_surface(drawing, image, back_corners, &state->mosaic, sampler);
+    draw_surface(drawing, image, floor_corners, &state->letters, sampler);
+    draw_surface(drawing, image, wall_corners, &state->letters, sampler);
 }
 
 /* In the upper right corner: u goes from -2 to 2 to the right, v upwards, in steps of a quarter. At

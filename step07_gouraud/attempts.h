@@ -76,19 +76,6 @@ static inline void attempt_3_normal(struct canvas *canvas, struct attempt_face *
     attempt_fill(canvas, face, light, attempt_normal_level);
 }
 
-static inline uint8_t attempt_short_level(const struct attempt_face *face, struct vec3 weight,
-                                          struct vec3 light) {
-    const struct vec3 *n = face->normals;
-    return level_from(corner_intensity(vec3_interpolate(weight, n[0], n[1], n[2]), light) * 255);
-}
-
-/* The normal interpolated but not made of length 1 again. A mean of two directions is shorter than
- * they are, so the middle of every triangle is too dark: nearly Gouraud's picture, at more cost. */
-static inline void attempt_4_short(struct canvas *canvas, struct attempt_face *face,
-                                   struct vec3 light) {
-    attempt_fill(canvas, face, light, attempt_short_level);
-}
-
 /* ---- Negative intensities ---- */
 
 static inline void attempt_signed_corners(struct attempt_face *face, struct vec3 light) {
@@ -217,33 +204,6 @@ static inline double sphere_error(const struct canvas *canvas, struct vec3 light
         }
     }
     return pixels > 0 ? sqrt(sum / pixels) : 0;
-}
-
-/* ---- Normals where the file has none ---- */
-
-enum normal_weight {
-    WEIGHT_NONE, /* every face counts the same: a side cut into more triangles counts more */
-    WEIGHT_AREA, /* by area: a large side pulls the normal to itself */
-    WEIGHT_COUNT
-};
-
-/* Replace the normals of a model that had none, for which model_need_normals() has made one normal
- * per position. */
-static inline void attempt_normals(struct model *model, enum normal_weight weight) {
-    for (size_t i = 0; i < model->normal_count; i++) {
-        struct vec3 sum = {0, 0, 0};
-        for (size_t face = 0; face < model->face_count; face++) {
-            struct vec3 normal = model_face_normal(model, face); /* as long as twice its area */
-            const struct corner *corner = model->faces[face].corner;
-            if (corner[0].normal == i || corner[1].normal == i || corner[2].normal == i) {
-                sum = vec3_add(sum, weight == WEIGHT_AREA ? normal : vec3_normalized(normal));
-            }
-        }
-        sum = vec3_normalized(sum);
-        model->normals[i][0] = (float)sum.x;
-        model->normals[i][1] = (float)sum.y;
-        model->normals[i][2] = (float)sum.z;
-    }
 }
 
 /* ---- A whole model by any version ---- */

@@ -157,10 +157,11 @@ static void draw_panel(const struct plane *plane, int panel) {
     }
 }
 
-/* One panel by itself. */
-static bool draw_alone(struct image *image, int panel) {
+/* One panel by itself: that of the scene's number. */
+static bool draw_alone(struct drawing *drawing, struct image *image, struct error *error) {
+    (void)error;
     const struct plane plane = {image, whole_image(image)};
-    draw_panel(&plane, panel);
+    draw_panel(&plane, drawing->number);
     return true;
 }
 
@@ -174,51 +175,6 @@ static bool draw_unmapped(struct drawing *drawing, struct image *image, struct e
     }
     draw_mapped(&plane, &still);
     return true;
-}
-
-static bool draw_scale(struct drawing *drawing, struct image *image, struct error *error) {
-    (void)drawing, (void)error;
-    return draw_alone(image, 0);
-}
-
-static bool draw_shear(struct drawing *drawing, struct image *image, struct error *error) {
-    (void)drawing, (void)error;
-    return draw_alone(image, 1);
-}
-
-static bool draw_turn(struct drawing *drawing, struct image *image, struct error *error) {
-    (void)drawing, (void)error;
-    return draw_alone(image, 2);
-}
-
-static bool draw_scale_turn(struct drawing *drawing, struct image *image, struct error *error) {
-    (void)drawing, (void)error;
-    return draw_alone(image, 3);
-}
-
-static bool draw_turn_scale(struct drawing *drawing, struct image *image, struct error *error) {
-    (void)drawing, (void)error;
-    return draw_alone(image, 4);
-}
-
-static bool draw_turn_about(struct drawing *drawing, struct image *image, struct error *error) {
-    (void)drawing, (void)error;
-    return draw_alone(image, 5);
-}
-
-static bool draw_move_turn(struct drawing *drawing, struct image *image, struct error *error) {
-    (void)drawing, (void)error;
-    return draw_alone(image, 6);
-}
-
-static bool draw_turn_move(struct drawing *drawing, struct image *image, struct error *error) {
-    (void)drawing, (void)error;
-    return draw_alone(image, 7);
-}
-
-static bool draw_divided(struct drawing *drawing, struct image *image, struct error *error) {
-    (void)drawing, (void)error;
-    return draw_alone(image, 8);
 }
 
 static bool draw_transforms(struct drawing *drawing, struct image *image, struct error *error) {
@@ -829,15 +785,16 @@ enum { NEEDS_VIEW = NEEDS_MODEL | NEEDS_NORMALS | NEEDS_DIFFUSE | NEEDS_DEPTH };
 static const struct scene scenes[] = {
     /* Not square, and odd: who exchanges or cuts off sizes or places sees it. */
     {.name = "house", .width = 405, .height = 363, .draw = draw_unmapped},
-    {.name = "scale", .width = 400, .height = 400, .draw = draw_scale},
-    {.name = "shear", .width = 400, .height = 400, .draw = draw_shear},
-    {.name = "turn", .width = 400, .height = 400, .draw = draw_turn},
-    {.name = "scale_turn", .width = 400, .height = 400, .draw = draw_scale_turn},
-    {.name = "turn_scale", .width = 400, .height = 400, .draw = draw_turn_scale},
-    {.name = "turn_about", .width = 400, .height = 400, .draw = draw_turn_about},
-    {.name = "move_turn", .width = 400, .height = 400, .draw = draw_move_turn},
-    {.name = "turn_move", .width = 400, .height = 400, .draw = draw_turn_move},
-    {.name = "divided", .width = 400, .height = 400, .draw = draw_divided},
+    /* The panels one by one. */
+    {.name = "scale", .number = 0, .width = 400, .height = 400, .draw = draw_alone},
+    {.name = "shear", .number = 1, .width = 400, .height = 400, .draw = draw_alone},
+    {.name = "turn", .number = 2, .width = 400, .height = 400, .draw = draw_alone},
+    {.name = "scale_turn", .number = 3, .width = 400, .height = 400, .draw = draw_alone},
+    {.name = "turn_scale", .number = 4, .width = 400, .height = 400, .draw = draw_alone},
+    {.name = "turn_about", .number = 5, .width = 400, .height = 400, .draw = draw_alone},
+    {.name = "move_turn", .number = 6, .width = 400, .height = 400, .draw = draw_alone},
+    {.name = "turn_move", .number = 7, .width = 400, .height = 400, .draw = draw_alone},
+    {.name = "divided", .number = 8, .width = 400, .height = 400, .draw = draw_alone},
     {.name = "transforms", .draw = draw_transforms},
     {.name = "viewport", .needs = NEEDS_VIEW, .draw = draw_viewport},
     {.name = "projection", .needs = NEEDS_VIEW, .draw = draw_projection},

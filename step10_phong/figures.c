@@ -1,5 +1,4 @@
 /* The pictures of step 10's README that are not references, one of them moving. */
-#define _POSIX_C_SOURCE 200809L /* clock_gettime */
 #include "../tests/bench/figures.h"
 
 #define LESSON "../step10_phong/main.c"
@@ -86,31 +85,8 @@ static bool draw_chalk(struct model *model, const char *directory, struct error 
     return draw_panels(model, &view, panels, directory, "chalk", error);
 }
 
-static lanes_mask schlick_fragment(const void *uniforms, const lanes *varyings,
-                                   lanes_texel *color) {
-    const struct uniforms *u = uniforms;
-    struct surface surface = plain_surface(u, varyings);
-    struct lanes3 normal = mesh_normal(varyings), to_light = lanes3_all(u->to_light);
-    struct lanes3 to_eye = lanes3_normalized(surface.to_eye);
-    lanes zero = lanes_all(0), diffuse = lanes3_dot(normal, to_light);
-    lanes mirrored = lanes_max(lanes3_dot(reflect(normal, to_light), to_eye), zero);
-    lanes shine = attempt_4_schlick(mirrored, u->material.power);
-    lanes level = lanes_select(diffuse > 0, 255 * surface.specular * shine, zero);
-    *color = lanes_rgb(level, level, level);
-    return lanes_all_set();
-}
-
 /* Where the light of the scenes makes the largest spots, from near. */
 static const struct vec3 shoulder = {0.35, -0.45, 0.1};
-
-/* The specular part alone: power 10, and Schlick's form of it. */
-static bool draw_schlick(struct model *model, const char *directory, struct error *error) {
-    static const struct material bright = {0, 0, 1, 10, {255, 255, 255}};
-    const struct view view = {2, 1, {0, 0, 0}, {1, 1, 1}, 0.9};
-    const struct panel panels[] = {{PANEL_SHADER(plain_fragment), bright},
-                                   {PANEL_SHADER(schlick_fragment), bright}};
-    return draw_panels(model, &view, panels, directory, "schlick", error);
-}
 
 /* The specular part alone, from near: six powers. */
 static bool draw_near(struct model *model, const char *directory, struct error *error) {
@@ -131,26 +107,6 @@ static bool draw_normals(struct model *model, const char *directory, struct erro
     const struct panel panels[] = {{PANEL_SHADER(plain_fragment), bright},
                                    {PANEL_SHADER(attempt_5_not_normalized), bright}};
     return draw_panels(model, &view, panels, directory, "not_normalized", error);
-}
-
-/* The three textures of the model, an eighth of their size. */
-static bool draw_textures(struct model *model, const char *directory, struct error *error) {
-    static const enum model_texture_kind kinds[] = {MODEL_DIFFUSE, MODEL_NORMAL_MAP,
-                                                    MODEL_SPECULAR};
-    struct image image = {0};
-    bool done = image_create(&image, 3 * 256, 256, IMAGE_BGR, error);
-    for (int k = 0; done && k < 3; k++) {
-        const struct texture *texture = model_texture(model, kinds[k], error);
-        done = texture != NULL;
-        for (int i = 0; done && i < 256 * 256; i++) {
-            uint32_t texel = texture_texel(&texture->level[2], (size_t)i % 256, (size_t)i / 256);
-            image_set(&image, 256 * k + i % 256, i / 256,
-                      color_rgb((uint8_t)(texel >> 16), (uint8_t)(texel >> 8), (uint8_t)texel));
-        }
-    }
-    done = done && figure_save(&image, directory, "textures", error);
-    image_free(&image);
-    return done;
 }
 
 /* The frames of scene `turn`, each an image of its own. */
@@ -183,12 +139,55 @@ static bool draw_animation(struct model *model, const char *directory, struct er
     return done;
 }
 
-#include "figures_extra.h"
+/* ---- The figures of BEYOND.md ---- */
+
+/* Face and shoulder in the light of the scene `shadow`, with biases of 0, 0.01 and 0.1. */
+static bool draw_shadow_figure(struct model *model, const char *directory, struct error *error) {
+    static const double biases[] = {0, 0.01, 0.1};
+    const struct detail detail = {.x = 240, .y = 170, .width = 360, .height = 420, .zoom = 1};
+    struct sheet sheet = {.width = 360, .height = 420, .columns = 3, .rows = 1, .gap = 4};
+    struct drawing drawing = make_drawing(model);
+    struct pipeline pipeline = {0};
+    struct image image = {0};
+    drawing.light = (struct vec3){-1, 1, 1};
+    drawing.state = &pipeline;
+    bool done = load_textures(&drawing, model, error) && sheet_create(&sheet, error) &&
+                image_create(&image, 800, 800, IMAGE_BGR, error) &&
+                pipeline_create(&pipeline, 800, 800, error);
+    pipeline.keep_depth = true;
+    for (int i = 0; done && i < 3; i++) {
+        image_clear(&image, (struct color){0, 0, 0, 0});
+        done = draw_with_map(&drawing, &image, 1024, biases[i], &shadowed, error);
+        sheet_add_detail(&sheet, &image, detail);
+    }
+    image_free(&image);
+    pipeline_free(&pipeline);
+    return sheet_end(&sheet, done, directory, "shadow", error);
+}
+
+/* A piece of the shoulder, enlarged. Above 1, 4 and 16 samples; below 256, and 4 and 16 of which
+ * the values were averaged. */
+static bool draw_samples_figure(struct model *model, const char *directory, struct error *error) {
+    static const int sides[] = {1, 2, 4, 16, 2, 4};
+    const struct rectangle whole = {0, 0, 200, 200};
+    const struct detail detail = {.x = 132, .y = 36, .width = 40, .height = 40, .zoom = 8};
+    struct sheet sheet = {.width = 320, .height = 320, .columns = 3, .rows = 2, .gap = 4};
+    struct drawing drawing = make_drawing(model);
+    struct image image = {0};
+    bool done = load_textures(&drawing, model, error) && sheet_create(&sheet, error) &&
+                image_create(&image, 200, 200, IMAGE_BGR, error);
+    for (int i = 0; done && i < 6; i++) {
+        enum averaging averaging = i < 4 ? MEAN_OF_LIGHT : MEAN_OF_VALUES;
+        done = draw_sampled(&drawing, &image, whole, sides[i], averaging, error);
+        sheet_add_detail(&sheet, &image, detail);
+    }
+    image_free(&image);
+    return sheet_end(&sheet, done, directory, "samples", error);
+}
 
 bool draw_figures(const char *directory, struct model *bust, struct error *error) {
-    return model_need_normals(bust, error) && draw_textures(bust, directory, error) &&
-           draw_chalk(bust, directory, error) && draw_near(bust, directory, error) &&
-           draw_normals(bust, directory, error) && draw_schlick(bust, directory, error) &&
+    return model_need_normals(bust, error) && draw_chalk(bust, directory, error) &&
+           draw_near(bust, directory, error) && draw_normals(bust, directory, error) &&
            draw_animation(bust, directory, error) && draw_shadow_figure(bust, directory, error) &&
-           print_shadow_table(bust, error) && show_samples(bust, directory, error);
+           draw_samples_figure(bust, directory, error);
 }

@@ -48,6 +48,7 @@ struct drawing {
     bool skip;                     /* false with --no-skip: do all the work; same image */
     bool stats;                    /* with --stats: count what takes time to count, too */
     size_t frame;                  /* of an animation, from 0 */
+    int number;                    /* the scene's */
     void *state;                   /* program.state_size bytes, zero at first */
     struct counter counters[COUNTER_LIMIT];
     size_t counter_count;
@@ -67,6 +68,7 @@ struct scene {
     bool extra;                  /* no part of the lesson: drawn when --only names it */
     struct vec3 eye, center, up; /* the camera, in steps that have one */
     struct vec3 light;           /* in steps that have one */
+    int number; /* which of the scenes that share a draw function; it says of what */
     /* Draw into the image, which is black and of the right size and format. */
     bool (*draw)(struct drawing *drawing, struct image *image, struct error *error);
 };

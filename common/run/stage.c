@@ -188,7 +188,8 @@ bool stage_begin(struct stage *stage, struct run *run, const struct scene *scene
                     .up = scene->up,
                     .light = scene->light,
                     .skip = !run->no_skip,
-                    .stats = run->stats},
+                    .stats = run->stats,
+                    .number = scene->number},
         .pixel_count = width * height,
     };
     if (!load_needs(run, scene, &stage->drawing, error) || !allocate(stage, width, height, error)) {

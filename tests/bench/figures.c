@@ -95,6 +95,13 @@ void sheet_add(struct sheet *sheet) {
     image_clear(&sheet->panel, color_grey(0));
 }
 
+bool sheet_end(struct sheet *sheet, bool done, const char *directory, const char *name,
+               struct error *error) {
+    done = done && figure_save(&sheet->image, directory, name, error);
+    sheet_free(sheet);
+    return done;
+}
+
 /* ---- Two versions of one picture ---- */
 
 size_t different_pixels(const struct image *a, const struct image *b) {

@@ -72,6 +72,10 @@ void sheet_free(struct sheet *sheet);
 void sheet_add(struct sheet *sheet);
 void sheet_add_detail(struct sheet *sheet, const struct image *image, struct detail detail);
 
+/* Save the figure if all panels are `done`, and free it either way. */
+bool sheet_end(struct sheet *sheet, bool done, const char *directory, const char *name,
+               struct error *error);
+
 /* ---- Two versions of one picture ---- */
 
 /* Pixels in which two images of one size and format differ. */

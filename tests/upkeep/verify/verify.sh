@@ -3,7 +3,8 @@
 # must pass exactly, the starter must be to do, a solution in which one task is as in the starter must
 # fail nothing that does not need it, each mistake of stepNN_name/mistakes.txt must fail in
 # the scene that it names and look like itself there (tests/check/looks.h), and draw its lesson's
-# figure where it gives one; each program of tests/lessons/stepNN_name/alternatives.txt must pass.
+# figure where it gives one; each program of tests/lessons/stepNN_name/alternatives.txt must pass, and the
+# solution in each of the ways to build it of tests/lessons/builds.txt.
 #
 #   tests/upkeep/verify/verify.sh BUILD MAKE [STEP [PATTERN]]
 #
@@ -59,12 +60,28 @@ add_program() {
         "$name" >>"$work/table"
 }
 
+# add_builds LESSON: adds its solution, built in each of the ways of tests/lessons/builds.txt.
+add_builds() {
+    [ -f tests/lessons/builds.txt ] || return 0
+    sed '/^#/d' tests/lessons/builds.txt | while read -r name compiler flags; do
+        case $name in *"$only"*) ;; *) continue ;; esac
+        mkdir "$work/$1.$name" &&
+            awk -v mode=solution -f tests/student/marks.awk "$1/main.c" >"$work/$1.$name/main.c" ||
+            exit 1
+        printf '%s\t%s\taccept\t%s\t-\t%s\t%s\t-\tbuilt otherwise\t0\t-\n' "$1.$name" "$1" "$name" \
+            "$compiler" "$flags" >>"$work/table"
+    done || exit 1
+}
+
 # The entries of the lists, then what is made of each lesson's solution, in $work/table.
 make_table() {
     : >"$work/table"
     # shellcheck disable=SC2086 # one word a list
     [ -z "$lists" ] || awk -v directory="$work" -v only="$only" -f tests/upkeep/verify/replace.awk \
         -f tests/upkeep/verify/parse.awk $lists >"$work/table" || exit 1
+    for lesson in $lessons; do
+        add_builds "$lesson"
+    done
     if [ -n "$only" ]; then
         [ -s "$work/table" ] || fail "no name has '$only' in it"
         return
