@@ -33,7 +33,7 @@ static void make_largest(struct random *random, uint64_t index, void *made) {
 static void print_soup(const void *failing) {
     const struct soup_case *c = failing;
     struct soup soup;
-    soup_make(&soup, c->seed, (enum soup_kind)c->kind, c->faces, SOUP_REACH);
+    soup_make(&soup, c->seed, (enum soup_kind)c->kind, c->faces);
     soup_print(&soup);
 }
 
@@ -180,7 +180,7 @@ static bool judge_face(const struct soup *soup, const struct drawing *drawing, i
                        struct tally *tally) {
     size_t pixel = (size_t)y * soup->width + (size_t)x;
     int face = face_at(soup, drawing, pixel);
-    struct soup_seen seen = soup_see(soup, x, y, false);
+    struct soup_seen seen = soup_see(soup, x, y);
     unsigned candidates = soup_candidates(soup, &seen);
     if (face < 0) {
         tally->asked++;
@@ -209,7 +209,7 @@ static bool judge_faces(const void *tried, struct tally *tally) {
     const struct soup_case *c = tried;
     struct soup soup;
     struct drawing drawing;
-    soup_make(&soup, c->seed, (enum soup_kind)c->kind, c->faces, SOUP_REACH);
+    soup_make(&soup, c->seed, (enum soup_kind)c->kind, c->faces);
     bool right = drawing_create(&drawing, soup.width, soup.height, c->seed) &&
                  draw_faces(&drawing, &soup, c->seed);
     for (int y = 0; right && y < (int)soup.height; y++) {
@@ -241,7 +241,7 @@ static bool judge_values(const void *tried, struct tally *tally) {
     const struct soup_case *c = tried;
     struct soup soup;
     struct drawing drawing;
-    soup_make(&soup, c->seed, (enum soup_kind)c->kind, c->faces, SOUP_REACH);
+    soup_make(&soup, c->seed, (enum soup_kind)c->kind, c->faces);
     bool right = drawing_create(&drawing, soup.width, soup.height, c->seed) &&
                  draw_faces(&drawing, &soup, c->seed) && draw_values(&drawing, &soup, c->seed);
     for (int y = 0; right && y < (int)soup.height; y++) {

@@ -310,13 +310,12 @@ static void make_face(struct soup *soup, struct random *random, size_t face) {
     } while (!see_face(soup, face, &soup->polygons[face]));
 }
 
-static long double guard_band_of(const struct rectangle *viewport, long double reach) {
+static long double guard_band_of(const struct rectangle *viewport) {
     long double larger = viewport->width > viewport->height ? viewport->width : viewport->height;
-    return fminl(64, reach / (larger / 2));
+    return fminl(64, SOUP_REACH / (larger / 2));
 }
 
-void soup_make(struct soup *soup, uint64_t seed, enum soup_kind kind, size_t faces,
-               long double reach) {
+void soup_make(struct soup *soup, uint64_t seed, enum soup_kind kind, size_t faces) {
     struct random random = {seed};
     assert(faces <= SOUP_FACES);
     *soup = (struct soup){.kind = kind};
@@ -325,7 +324,7 @@ void soup_make(struct soup *soup, uint64_t seed, enum soup_kind kind, size_t fac
                                  .faces = soup->faces,
                                  .face_count = faces};
     choose_viewport(soup, &random);
-    soup->guard_band = guard_band_of(&soup->viewport, reach);
+    soup->guard_band = guard_band_of(&soup->viewport);
     if (kind == SOUP_CAMERA) {
         choose_camera(soup, &random);
     } else {
@@ -395,26 +394,14 @@ struct soup_hit soup_look(const struct soup *soup, size_t face, int x, int y) {
     return hit;
 }
 
-/* Are the corners counterclockwise on the screen? */
-static bool shows_front(const struct soup_polygon *polygon) {
-    int turn = 0;
-    for (size_t i = 2; i < polygon->count && turn == 0; i++) {
-        turn = oracle_turn(polygon->corner[0].screen, polygon->corner[i - 1].screen,
-                           polygon->corner[i].screen);
-    }
-    return turn > 0;
-}
-
-struct soup_seen soup_see(const struct soup *soup, int x, int y, bool fronts_only) {
+struct soup_seen soup_see(const struct soup *soup, int x, int y) {
     struct soup_seen seen = {.nearest = (long double)-INFINITY};
     const struct rectangle *v = &soup->viewport;
     if (x < v->x || x >= v->x + v->width || y < v->y || y >= v->y + v->height) {
         return seen;
     }
     for (size_t i = 0; i < soup->model.face_count; i++) {
-        if (!fronts_only || shows_front(&soup->polygons[i])) {
-            seen.hit[i] = soup_look(soup, i, x, y);
-        }
+        seen.hit[i] = soup_look(soup, i, x, y);
         if (seen.hit[i].covered) {
             seen.nearest = fmaxl(seen.nearest, seen.hit[i].depth.least);
         }
