@@ -9,14 +9,13 @@
 ##   make mutants                small changes of the code that some test must notice (COUNT=300,
 ##                               SEED=7, FILE=common/files/png.c)
 ##   make everything             what .ci/run leaves out because it takes long, before a release
-##   make coverage               which lines and branches of common the tests reach
 ##   make figures                draw the lessons' other pictures into build/out/*/figures (STEP=05)
 ##   make lesson-figures         the same into the lessons, after a change to them (STEP=05)
 ##   make references             draw the reference images again, never part of a check (STEP=05)
 ##   make mistakes               keep what the listed mistakes look like, by which the check knows
 ##                               them, and draw the lessons' wrong pictures (STEP=05)
-.PHONY: test stress verify portability fuzz mutants coverage everything figures lesson-figures \
-        references mistakes
+.PHONY: test stress verify portability fuzz mutants everything figures lesson-figures references \
+        mistakes
 
 # ---- make test ----
 
@@ -129,7 +128,7 @@ $(BUILD)/looks_make $(BUILD)/figure_make: $(BUILD)/%: $(BUILD)/tests/check/%.o $
                                            $(BUILD)/libcommon.a
 	$(Q)$(LINK) $^ -lm -o $@
 
-# ---- make mutants, portability, fuzz, coverage ----
+# ---- make mutants, portability, fuzz ----
 
 # What is wrong with a change must show at once, and what is wrong with memory too when nothing does.
 MUTATED = $(CC) $(STRICT) $(MARCH) -Wno-psabi -Werror=incompatible-pointer-types \
@@ -151,10 +150,7 @@ $(BUILD)/fuzz_%: $(BUILD)/tested/tests/upkeep/fuzz/fuzz_%.o $(BUILD)/tested/all.
 	$(Q)$(TESTED) -fsanitize=fuzzer $^ -lm -o $@
 
 everything:
-	@.ci/run test-clang portability-all grade-unshare bench-files coverage mutants-300
-
-coverage:
-	@tests/upkeep/coverage.sh $(BUILD) '$(MAKE) -s'
+	@.ci/run test-clang portability-all grade-unshare bench-files mutants-300
 
 # ---- Pictures: make figures, make references ----
 
