@@ -133,17 +133,6 @@ static bool line_is_exact(const void *tried) {
     return is_exact(&drawn, c);
 }
 
-static bool line_is_the_same_reversed(const void *tried) {
-    const struct line_case *c = tried;
-    struct drawn forwards = walk(c->a, c->b), backwards = walk(c->b, c->a);
-    for (int i = 0; i < WIDTH * HEIGHT; i++) {
-        if (forwards.times[i / WIDTH][i % WIDTH] != backwards.times[i / WIDTH][i % WIDTH]) {
-            return false;
-        }
-    }
-    return true;
-}
-
 /* The lesson's own line(), on an image. */
 static bool lesson_line_is_exact(const void *tried) {
     const struct line_case *c = tried;
@@ -207,8 +196,6 @@ static const struct case_kind cut_cases = {sizeof(struct cut_case), make_cut, pr
 
 const struct property line_properties[] = {
     PROPERTY("line: nearest pixels", AGAINST_INTEGERS, 1000000, line_cases, .holds = line_is_exact),
-    PROPERTY("line: same pixels reversed", AGAINST_ITSELF, 1000000, line_cases,
-             .holds = line_is_the_same_reversed),
     PROPERTY("line: lesson 1, nearest pixels", AGAINST_INTEGERS, 300000, short_line_cases,
              .holds = lesson_line_is_exact),
     PROPERTY("line: lesson 2, cut to the image", AGAINST_INTEGERS, 500000, cut_cases,
