@@ -2,21 +2,8 @@
 # Does `make verify` find what it is for? In a copy of lesson 1: a mistake that passes, a correct
 # program that fails, a wrong solution and a finished starter are findings; lists that are wrong are
 # refused with file and line.
-#
-# Exit status 0: all of that is so; 1: something is not.
-top=$(cd "$(dirname "$0")/../../.." && pwd) || exit 1
-build=$(cd "$top" && cd "${CHECK_PROGRAMS:-build}" && pwd) || exit 1
-work=$(mktemp -d) || exit 1
-trap 'rm -rf "$work"' EXIT
-trap 'exit 1' HUP INT TERM
-unset MAKEFLAGS MFLAGS STEP NAME # of the make that runs this test
-failed=0
-
-wrong() {
-    echo "verify: $*"
-    sed 's/^/    /' "$work/said"
-    failed=1
-}
+. "$(dirname "$0")/../../unit/script.sh"
+said=$work/said
 
 mkdir -p "$work/tests/reference" "$work/tests/check" && cd "$work" || exit 1
 cp -R "$top/Makefile" "$top/common" "$top/step01_line" . || exit 1
@@ -376,5 +363,4 @@ refused 1 'this is in no paragraph' <<'END'
 says b
 END
 
-[ $failed -eq 0 ] && echo "verify: finds what it is for"
 exit $failed
