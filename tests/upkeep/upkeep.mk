@@ -92,13 +92,12 @@ $(REPLAYS): $(BUILD)/tests/%: $(BUILD)/tested/tests/%.o $(BUILD)/tested/tests/up
 	$(Q)$(TESTED) $^ -lm -o $@
 
 test: $(UNITS) $(KINDS:%=$(BUILD)/tests/%) $(REPLAYS) $(BUILD)/check $(BUILD)/looks_make $(BUILD)/figure_make \
-      $(BUILD)/references $(BUILD)/show $(BUILD)/compare_page $(BUILD)/hidden \
-      $(BUILD)/limited programs models
+      $(BUILD)/show $(BUILD)/compare_page $(BUILD)/hidden $(BUILD)/limited programs models
 	@CHECK_PROGRAMS=$(BUILD) tests/upkeep/run_tests.sh $(SCRIPTS) $(UNITS) $(KINDS:%=$(BUILD)/tests/%)
 
 # Programs besides the lessons, for a compiler to find fault with.
 .PHONY: tools
-tools: $(addprefix $(BUILD)/,check show compare_page hidden limited references looks_make figure_make \
+tools: $(addprefix $(BUILD)/,check show compare_page hidden limited looks_make figure_make \
          stress benchmark bench-frame)
 
 # ---- make stress ----
@@ -174,8 +173,5 @@ $(BUILD)/figures/%: %/figures.c $(BUILD)/tests/bench/figures.o $(BUILD)/libcommo
 	$(SAY) CC $<
 	$(Q)$(COMPILE) -Itests -MF $@.d $< $(BUILD)/tests/bench/figures.o $(BUILD)/libcommon.a -lm -o $@
 
-references: $(BUILD)/references programs models
-	$(Q)$(BUILD)/references --programs $(BUILD) $(STEP)
-
-$(BUILD)/references: $(BUILD)/tests/check/references.o $(CHECKER) $(BUILD)/libcommon.a
-	$(Q)$(LINK) $^ -lm -o $@
+references: $(BUILD)/check programs models
+	$(Q)tests/check/references.sh $(BUILD) '$(MAKE) -s' $(CHOSEN)
