@@ -130,9 +130,9 @@ static void print_magnified(const void *failing) {
     }
 }
 
-static const struct case_kind mip_cases = {sizeof(struct mip_case), make_mip, print_mip, NULL};
+static const struct case_kind mip_cases = {sizeof(struct mip_case), make_mip, print_mip};
 static const struct case_kind magnified_cases = {sizeof(struct magnified_case), make_magnified,
-                                                 print_magnified, NULL};
+                                                 print_magnified};
 
 const struct property lesson06_properties[] = {
     PROPERTY("lesson06: mip level", AGAINST_LONG_DOUBLE, 300000, mip_cases, .holds = mip_is_right),

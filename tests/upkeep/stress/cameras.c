@@ -417,16 +417,16 @@ static void print_vector(const void *failing) {
     printf("    vector %.17g %.17g %.17g, turns %.17g\n", c->v.x, c->v.y, c->v.z, c->turns);
 }
 
-static const struct case_kind camera_cases = {sizeof(struct camera_case), make_camera, print_camera,
-                                              NULL};
+static const struct case_kind camera_cases = {sizeof(struct camera_case), make_camera,
+                                              print_camera};
 static const struct case_kind viewport_cases = {sizeof(struct viewport_case), make_viewport,
-                                                print_viewport, NULL};
-static const struct case_kind matrix_cases = {sizeof(struct matrix_case), make_matrix, print_matrix,
-                                              NULL};
+                                                print_viewport};
+static const struct case_kind matrix_cases = {sizeof(struct matrix_case), make_matrix,
+                                              print_matrix};
 static const struct case_kind whole_matrix_cases = {sizeof(struct matrix_case), make_whole_matrix,
-                                                    print_matrix, NULL};
-static const struct case_kind vector_cases = {sizeof(struct vector_case), make_vector, print_vector,
-                                              NULL};
+                                                    print_matrix};
+static const struct case_kind vector_cases = {sizeof(struct vector_case), make_vector,
+                                              print_vector};
 
 const struct property camera_properties[] = {
     PROPERTY("camera: orthonormal, finite pixels", AGAINST_BOUNDS, 1000000, camera_cases,

@@ -12,21 +12,10 @@ enum { SIZE = 24, POSITION_LIMIT = 288, FACE_LIMIT = 160 };
 struct mesh_case {
     uint64_t seed;
     uint64_t kind;
-    uint64_t faces; /* drawn: those up to this one; made smaller when a case is shrunk */
 };
 
 static void make_mesh_case(struct random *random, uint64_t index, void *made) {
-    *(struct mesh_case *)made = (struct mesh_case){random_bits(random), index % 3, FACE_LIMIT};
-}
-
-static bool shrink_mesh(const void *failing, unsigned attempt, void *smaller) {
-    const struct mesh_case *c = failing;
-    if (attempt >= 8 || c->faces <= 1) {
-        return false;
-    }
-    uint64_t less = c->faces >> (attempt + 1);
-    ((struct mesh_case *)smaller)->faces -= less > 0 ? less : 1;
-    return true;
+    *(struct mesh_case *)made = (struct mesh_case){random_bits(random), index % 3};
 }
 
 /* ---- The same image in every order ---- */
@@ -130,7 +119,6 @@ static bool same_in_every_order(const void *tried) {
     struct random random = {c->seed ^ 0x5555};
     double distance = c->kind == 0 ? INFINITY : 2.5;
     build_soup(c->seed, &mesh);
-    mesh.model.face_count = mesh.model.face_count < c->faces ? mesh.model.face_count : c->faces;
     int dx = (int)random_between(&random, 0, SIZE), dy = (int)random_between(&random, 0, SIZE);
     bool same = draw_soup(&mesh, distance, 0, 0, true, &image);
     shuffle(&mesh, &random);
@@ -156,7 +144,7 @@ static void print_soup(const void *failing) {
         struct vec3 p = mesh.positions[i];
         printf("    v %.17g %.17g %.17g\n", p.x, p.y, p.z);
     }
-    for (size_t i = 0; i < mesh.model.face_count && i < c->faces; i++) {
+    for (size_t i = 0; i < mesh.model.face_count; i++) {
         printf("    f %zu %zu %zu\n", 3 * i + 1, 3 * i + 2, 3 * i + 3);
     }
 }
@@ -355,7 +343,7 @@ static bool clipped_without_gaps(const void *tried) {
 }
 
 static void make_plane_case(struct random *random, uint64_t index, void *made) {
-    *(struct mesh_case *)made = (struct mesh_case){random_bits(random), index % 4, FACE_LIMIT};
+    *(struct mesh_case *)made = (struct mesh_case){random_bits(random), index % 4};
 }
 
 static void print_plane(const void *failing) {
@@ -374,9 +362,9 @@ static void print_plane(const void *failing) {
 }
 
 static const struct case_kind mesh_in_order_cases = {sizeof(struct mesh_case), make_mesh_case,
-                                                     print_soup, shrink_mesh};
-static const struct case_kind plane_cases = {sizeof(struct mesh_case), make_plane_case, print_plane,
-                                             NULL};
+                                                     print_soup};
+static const struct case_kind plane_cases = {sizeof(struct mesh_case), make_plane_case,
+                                             print_plane};
 
 const struct property mesh_properties[] = {
     PROPERTY("mesh: same image in every order", AGAINST_ITSELF, 20000, mesh_in_order_cases,

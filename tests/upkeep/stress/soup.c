@@ -3,7 +3,6 @@
 
 #include "pipeline.h"
 
-#include <assert.h>
 #include <math.h>
 #include <stdio.h>
 
@@ -315,14 +314,13 @@ static long double guard_band_of(const struct rectangle *viewport) {
     return fminl(64, SOUP_REACH / (larger / 2));
 }
 
-void soup_make(struct soup *soup, uint64_t seed, enum soup_kind kind, size_t faces) {
+void soup_make(struct soup *soup, uint64_t seed, enum soup_kind kind) {
     struct random random = {seed};
-    assert(faces <= SOUP_FACES);
     *soup = (struct soup){.kind = kind};
     soup->model = (struct model){.positions = soup->positions,
-                                 .position_count = 3 * faces,
+                                 .position_count = SOUP_CORNERS,
                                  .faces = soup->faces,
-                                 .face_count = faces};
+                                 .face_count = SOUP_FACES};
     choose_viewport(soup, &random);
     soup->guard_band = guard_band_of(&soup->viewport);
     if (kind == SOUP_CAMERA) {
@@ -330,7 +328,7 @@ void soup_make(struct soup *soup, uint64_t seed, enum soup_kind kind, size_t fac
     } else {
         choose_matrix(soup, &random);
     }
-    for (size_t i = 0; i < faces; i++) {
+    for (size_t i = 0; i < SOUP_FACES; i++) {
         make_face(soup, &random, i);
     }
 }
@@ -448,10 +446,4 @@ void soup_print(const struct soup *soup) {
     for (size_t i = 1; i <= soup->model.face_count; i++) {
         printf("    f %zu %zu %zu\n", 3 * i - 2, 3 * i - 1, 3 * i);
     }
-}
-
-bool soup_case_shrink(const void *failing, unsigned attempt, void *smaller) {
-    const struct soup_case *c = failing;
-    ((struct soup_case *)smaller)->faces--;
-    return attempt == 0 && c->faces > 1;
 }

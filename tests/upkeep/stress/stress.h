@@ -2,8 +2,8 @@
  * The stress run: named properties, each tried on very many cases, most of them hostile.
  *
  * Case number i of a property is made from (seed, property, i) alone, so that any case can be made
- * again, in any order and by any number of threads. When a property fails, its first failing case
- * is made smaller as long as it still fails, and printed.
+ * again, in any order and by any number of threads. When a property fails, its first failing case is
+ * printed.
  */
 #ifndef TESTS_STRESS_H
 #define TESTS_STRESS_H
@@ -40,9 +40,6 @@ struct case_kind {
     size_t size; /* bytes */
     void (*make)(struct random *random, uint64_t index, void *made);
     void (*print)(const void *failing);
-    /* Write the `attempt`-th idea (from 0) of a smaller case; false when there are no more ideas.
-     * NULL where cases are not made smaller. */
-    bool (*shrink)(const void *failing, unsigned attempt, void *smaller);
 };
 
 struct property {

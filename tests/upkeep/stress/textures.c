@@ -200,7 +200,7 @@ static void print_texture(const void *failing) {
 }
 
 static const struct case_kind texture_cases = {sizeof(struct texture_case), make_texture,
-                                               print_texture, NULL};
+                                               print_texture};
 
 const struct property texture_properties[] = {
     PROPERTY("texture: nearest texel", AGAINST_LONG_DOUBLE, 300000, texture_cases,

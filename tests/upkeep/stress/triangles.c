@@ -100,19 +100,6 @@ static void make_triangle(struct random *random, uint64_t index, void *made) {
     random_triangle(random, index, ((struct triangle_case *)made)->corner);
 }
 
-static bool shrink_triangle(const void *failing, unsigned attempt, void *smaller) {
-    struct fixed2 *c = ((struct triangle_case *)smaller)->corner;
-    (void)failing;
-    if (attempt >= 6 * 26) {
-        return false;
-    }
-    int32_t *number = attempt % 2 ? &c[attempt / 2 % 3].y : &c[attempt / 2 % 3].x;
-    unsigned bit = 25 - attempt / 6; /* take away large parts first */
-    int32_t part = (int32_t)1 << bit;
-    *number -= *number >= part ? part : *number <= -part ? -part : 0;
-    return true;
-}
-
 /* As a text scene of step 3, whose whole coordinates are pixel centres. */
 static void print_triangle(const void *failing) {
     const struct fixed2 *c = ((const struct triangle_case *)failing)->corner;
@@ -233,7 +220,7 @@ static double weight_error(const void *tried) {
 }
 
 static const struct case_kind triangle_cases = {sizeof(struct triangle_case), make_triangle,
-                                                print_triangle, shrink_triangle};
+                                                print_triangle};
 
 const struct property triangle_properties[] = {
     PROPERTY("triangle: exact coverage", AGAINST_INTEGERS, 2000000, triangle_cases,
