@@ -484,6 +484,7 @@ static void test_wrong_usage(void) {
         const char *timeout, *message;
     } cases[] = {
         {{"--nonsense"}, "1", "unknown option '--nonsense'"},
+        {{"-"}, "1", "unknown option '-'"},
         {{"--root"}, "1", "--root needs a value"},
         {{"--", "--root"}, "1", "there is no step '--root'"},
         {{"--", "--", "1"}, "1", "there is no step '--'"},
