@@ -48,7 +48,7 @@ for step in "$@"; do
         else
             kind=changed
         fi
-        cp "$work/$step/$scene.png" "$reference" && printf '%-9s  %s\n' $kind "$reference" || exit 1
+        cp "$work/$step/$scene.png" "$reference" && printf '%-9s  %s\n' "$kind" "$reference" || exit 1
     done
     # A blank picture, for one, is no reference.
     is_exact "$step" '' || wrong "the check does not accept them: $(cat "$work/said")"

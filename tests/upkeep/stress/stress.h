@@ -2,8 +2,8 @@
  * The stress run: named properties, each tried on very many cases, most of them hostile.
  *
  * Case number i of a property is made from (seed, property, i) alone, so that any case can be made
- * again, in any order and by any number of threads. When a property fails, its first failing case is
- * printed.
+ * again, in any order and by any number of threads. When a property fails, its first failing case
+ * is printed.
  */
 #ifndef TESTS_STRESS_H
 #define TESTS_STRESS_H
