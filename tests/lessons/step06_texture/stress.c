@@ -22,8 +22,11 @@ struct vec4 lesson06_trilinear(const struct texture *texture, struct vec2 uv, do
 uint64_t lesson06_triangle(const struct depth_image *on, const struct fixed2 corner[3],
                            const double depth[3], uint8_t level) {
     uint32_t texel = level * 0x010101U;
-    const struct texture_level one = {.width = 1, .height = 1, .pitch = 1, .texels = &texel};
-    const struct texture texture = {.level_count = 1, .level = {one}, .texels = &texel};
+    const struct texture texture = {
+        .level_count = 1,
+        .level = {{.width = 1, .height = 1, .pitch = 1, .texels = &texel}},
+        .texels = &texel,
+    };
     struct canvas canvas = {.image = on->image, .depth = on->depth, .skip = on->skip};
     struct vertex v[3];
     for (int i = 0; i < 3; i++) {
