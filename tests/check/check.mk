@@ -4,8 +4,8 @@
 ##   make check STEP=05 SANITIZE=1   the same, and in which line a program goes wrong
 
 # The parts of the check; the files with a main() are not among them.
-CHECKER = $(patsubst %.c,$(BUILD)/%.o,$(filter-out %/check.c %/references.c %/looks_make.c \
-              %/figure_make.c tests/check/test_%.c,$(wildcard tests/check/*.c tests/check/page/*.c))) \
+CHECKER = $(patsubst %.c,$(BUILD)/%.o,$(filter-out %/check.c %/looks_make.c %/figure_make.c \
+              tests/check/test_%.c,$(wildcard tests/check/*.c tests/check/page/*.c))) \
           $(BUILD)/tests/check/page/page_files.o
 
 # The check builds the lessons itself: one that does not build is a finding, not the end.

@@ -2,9 +2,9 @@
  * Tests of the check itself: for each way to fail, a small program in tests/check/wrong that fails
  * in that way, and the line that the check must print for it.
  *
- * Run it from the course's root directory. It needs the check and the program that redraws the
- * references, built: in the directory that CHECK_PROGRAMS names in the environment, or where the
- * Makefile puts them. All it writes goes to a temporary directory.
+ * Run it from the course's root directory. It needs the check, built: in the directory that
+ * CHECK_PROGRAMS names in the environment, or where the Makefile puts it. All it writes goes to a
+ * temporary directory.
  */
 #define _POSIX_C_SOURCE 200809L
 
@@ -13,7 +13,6 @@
 #include "base/bytes.h"
 #include "base/error.h"
 #include "base/file.h"
-#include "compare.h"
 #include "fault.h"
 #include "files/image_file.h"
 #include "files/png.h"
@@ -38,7 +37,7 @@ enum { ARGUMENT_LIMIT = 24, PATH_LIMIT = 1024 };
 static struct fixture {
     char directory[64]; /* of all that is written */
     char here[512];     /* the course's root */
-    char programs[600]; /* with check and references in it */
+    char programs[600]; /* with check in it */
     int status;         /* of a check of all the wrong programs; the file `all` is what it said */
     const char *build_timeout;
     int closed;           /* a standard file that the check is called without, or -1 */
@@ -485,6 +484,7 @@ static void test_wrong_usage(void) {
         const char *timeout, *message;
     } cases[] = {
         {{"--nonsense"}, "1", "unknown option '--nonsense'"},
+        {{"-"}, "1", "unknown option '-'"},
         {{"--root"}, "1", "--root needs a value"},
         {{"--", "--root"}, "1", "there is no step '--root'"},
         {{"--", "--", "1"}, "1", "there is no step '--'"},
@@ -725,56 +725,6 @@ static void test_runner(void) {
     unsetenv("CHECK_RUNNER");
 }
 
-/* Run the other program for one step of the wrong programs. */
-static int redraw(const char *step, struct bytes *output, struct bytes *errors) {
-    struct path references = inside("redrawn"), build = inside("build");
-    const char *arguments[] = {
-        "--root",        "tests/check/wrong", "--scenes", "scenes.txt", "--references",
-        references.text, "--programs",        build.text, step,         NULL};
-    int status = finish(start("references", "1", arguments));
-    *output = read_text(inside("output").text);
-    *errors = read_text(inside("errors").text);
-    return status;
-}
-
-static void test_redraw(void) {
-    static const struct {
-        const char *step;
-        int status;
-        const char *output, *errors;
-    } cases[] = {
-        {"1", 0, "new        ", ""},
-        {"1", 0, "unchanged  ", ""},
-        {"7", 1, "", "step07_missing: depth2: missing"},
-        {"9", 1, "", "step09_status: the program did not end well: step09_status: bust.obj:17"},
-        {"5", 1, "", "step05_blank: depth: the picture is blank"},
-        {"77", 2, "", "there is no step '77'"},
-    };
-    struct path first = inside("redrawn/step01_exact/depth.png");
-    struct stat before = {.st_size = 0}, after;
-    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
-        struct bytes output, errors;
-        CHECK_ROW(redraw(cases[i].step, &output, &errors) == cases[i].status, cases[i].step);
-        CHECK_ROW(contains(&output, cases[i].output), cases[i].step);
-        CHECK_ROW(contains(&errors, cases[i].errors), cases[i].step);
-        if (i == 0) {
-            CHECK(stat(first.text, &before) == 0);
-        }
-        bytes_free(&output);
-        bytes_free(&errors);
-    }
-    CHECK(access(inside("redrawn/step07_missing").text, F_OK) != 0);
-    CHECK(stat(first.text, &after) == 0 && before.st_ino == after.st_ino); /* not written again */
-    struct image drawn, wanted;
-    struct error error;
-    bool done = image_read(&drawn, first.text, &error);
-    done = image_read(&wanted, inside("reference/step01_exact/depth.png").text, &error) && done;
-    CHECK(done && drawn.height == wanted.height && drawn.width == wanted.width &&
-          compare_images(&wanted, &drawn).differing.count == 0);
-    image_free(&drawn);
-    image_free(&wanted);
-}
-
 /* What a program counts, and which of its pictures are black or missing, tells a mistake. */
 static void test_known_counters(void) {
     static const struct {
@@ -887,7 +837,6 @@ static const struct unit_test tests[] = {
     TEST(test_interrupt),
     TEST(test_ended_by_its_program),
     TEST(test_runner),
-    TEST(test_redraw),
     TEST(test_known_counters),
     TEST(test_place_of_fault),
     TEST(test_sanitized_is_not_advised),

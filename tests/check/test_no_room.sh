@@ -2,39 +2,24 @@
 # A disk that is full is no fault of a main.c: is that told as the check's own error, and only that?
 # And is nothing handed out then, instead of a part of it? A small file system in memory is TMPDIR,
 # or where it is handed out to; where none may be mounted, nothing is tried.
-#
-# Exit status 0: all of that is so; 1: something is not.
+. "$(dirname "$0")/../unit/script.sh"
+unset CHECK_RUNNER
 
-if [ -z "${NO_ROOM_WORK:-}" ]; then
-    NO_ROOM_WORK=$(mktemp -d) || exit 1
-    export NO_ROOM_WORK
-    trap 'rm -rf "$NO_ROOM_WORK"' EXIT
-    trap 'exit 1' HUP INT TERM
-    if ! unshare -rm mount -t tmpfs none "$NO_ROOM_WORK" 2>/dev/null; then
+if [ -z "${NO_ROOM:-}" ]; then
+    if ! unshare -rm mount -t tmpfs none "$work" 2>/dev/null; then
         echo "no_room: skipped, nothing may be mounted here"
         exit 0
     fi
-    unshare -rm "$0"
+    NO_ROOM=1 unshare -rm "$top/tests/check/test_no_room.sh"
     exit
 fi
-
-top=$(cd "$(dirname "$0")/../.." && pwd) || exit 1
-build=$(cd "$top" && cd "${CHECK_PROGRAMS:-build}" && pwd) || exit 1
-work=$NO_ROOM_WORK
-unset MAKEFLAGS MFLAGS CHECK_EXACT CHECK_RUNNER # of the make that runs this test
-failed=0
 
 # judges SIZE STATUS WORDS COMMAND: with so much memory for its files, a program that COMMAND makes.
 judges() {
     mkdir -p "$work/disk" && mount -t tmpfs -o "size=$1" none "$work/disk" || exit 1
-    TMPDIR=$work/disk "$build/check" --root "$top" --programs "$work/programs" --first '' \
-        --differences "$work/differences" --make "$4; true" 01 >"$work/said" 2>&1
-    status=$?
-    if [ $status -ne "$2" ] || ! grep -q "$3" "$work/said"; then
-        echo "no_room: with $1, $4 ended with $status, not $2:"
-        cat "$work/said"
-        failed=1
-    fi
+    said_by "$2" env TMPDIR="$work/disk" "$build/check" --root "$top" --programs "$work/programs" --first '' \
+        --differences "$work/differences" --make "$4; true" 01
+    grep -q "$3" "$said" || wrong "with $1, nothing says $3"
     umount "$work/disk"
 }
 
@@ -58,13 +43,9 @@ judges 50m 1 'step01_line  FAIL' "cp '$work/fill' '$program'" # which has room w
 # is for pictures, and then for some of the headers, which another program writes.
 hands_out() {
     mkdir -p "$work/disk" && mount -t tmpfs -o "size=$1" none "$work/disk" || exit 1
-    if (cd "$top" && tests/teacher/handout/handout.sh "$work/disk/out" 1) >"$work/said" 2>&1 ||
-        ! grep -q "^make handout: cannot write .*/$2.*" "$work/said" ||
-        [ -n "$(ls "$work/disk")" ]; then
-        echo "no_room: with $1, make handout ended so, and left '$(ls "$work/disk")':"
-        cat "$work/said"
-        failed=1
-    fi
+    said_by 1 tests/teacher/handout/handout.sh "$work/disk/out" 1
+    grep -q "^make handout: cannot write .*/$2.*" "$said" || wrong "with $1, it says something else"
+    [ -z "$(ls "$work/disk")" ] || wrong "with $1, it leaves $(ls "$work/disk")"
     umount "$work/disk"
 }
 

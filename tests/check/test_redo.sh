@@ -1,22 +1,10 @@
 #!/bin/sh
 # Do `make` and `make check` redo what changed, and nothing else? In a small course of two lessons
 # all files are made old; then one is changed, and what make writes again is listed.
-#
-# Exit status 0: all of that is so; 1: something is not.
 
 one=step01_line
 two=step02_copy
-top=$(cd "$(dirname "$0")/../.." && pwd) || exit 1
-work=$(mktemp -d) || exit 1
-trap 'rm -rf "$work"' EXIT
-trap 'exit 1' HUP INT TERM
-unset MAKEFLAGS MFLAGS MAKELEVEL STEP BUILD CFLAGS MARCH WERROR # of the make that runs this test
-failed=0
-
-wrong() {
-    echo "redo: $*"
-    failed=1
-}
+. "$(dirname "$0")/../unit/script.sh"
 
 cp -R "$top/Makefile" "$top/common" "$top/$one" "$work" && cd "$work" || exit 1
 mkdir -p tests/reference && cp -R "$top/tests/check" "$top/tests/student" tests || exit 1

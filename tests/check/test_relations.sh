@@ -2,16 +2,7 @@
 # Does the check find a program that draws its own scenes right, and what is new to it wrong? Copies
 # of lesson 5 that go wrong only in an image of another size than the scenes': each breaks one
 # relation of tests/check/relation.h.
-#
-# Exit status 0: all of that is so; 1: something is not.
-
-top=$(cd "$(dirname "$0")/../.." && pwd) || exit 1
-build=$(cd "$top" && cd "${CHECK_PROGRAMS:-build}" && pwd) || exit 1
-work=$(mktemp -d) || exit 1
-trap 'rm -rf "$work"' EXIT
-trap 'exit 1' HUP INT TERM
-unset MAKEFLAGS MFLAGS STEP # of the make that runs this test
-failed=0
+. "$(dirname "$0")/../unit/script.sh"
 
 lesson=step05_zbuffer
 mkdir -p "$work/tests/reference" && cd "$work" || exit 1
@@ -29,18 +20,10 @@ cp $lesson/main.c main.c
 # judge STATUS PATTERN SED_EXPRESSION: the check of main.c changed so ends so, and says that.
 judge() {
     sed "$3" main.c >$lesson/main.c
-    ! cmp -s main.c $lesson/main.c || [ "$3" = "" ] || {
-        echo "relations: changes nothing: $3"
-        failed=1
-    }
-    "$build/check" --scenes scenes.txt --programs "$work/build" --first '' --only zbuffer \
-        --make "make -s BUILD='$work/build' MARCH= CFLAGS=-O1" 05 >said 2>&1
-    status=$?
-    if [ $status -ne "$1" ] || ! grep -q "$2" said; then
-        echo "relations: status $status, not $1 with \"$2\", of $3"
-        sed 's/^/    /' said
-        failed=1
-    fi
+    ! cmp -s main.c $lesson/main.c || [ "$3" = "" ] || wrong "changes nothing: $3"
+    said_by "$1" "$build/check" --scenes scenes.txt --programs "$work/build" --first '' --only zbuffer \
+        --make "make -s BUILD='$work/build' MARCH= CFLAGS=-O1" 05
+    grep -q "$2" "$said" || wrong "nothing says \"$2\" of $3"
 }
 
 # What the models are built from stays as it is: they are taken from the build directory.

@@ -3,20 +3,7 @@
 # main.c its starter, and `make solution` its solution: both without marks, and the starter builds
 # without a warning. (What the check says of them: make verify.) Then, on a small main.c: nothing
 # that a student wrote is ever lost, and wrong marks are refused with their line.
-#
-# Exit status 0: all of that is so; 1: something is not.
-
-top=$(cd "$(dirname "$0")/../.." && pwd) || exit 1
-work=$(mktemp -d) || exit 1
-trap 'rm -rf "$work"' EXIT
-trap 'exit 1' HUP INT TERM
-unset MAKEFLAGS MFLAGS STEP # of the make that runs this test
-failed=0
-
-wrong() {
-    echo "starters: $*"
-    failed=1
-}
+. "$(dirname "$0")/../unit/script.sh"
 
 marks() {
     awk -v mode="$1" -f "$top/tests/student/marks.awk" "$2"

@@ -2,14 +2,7 @@
 # Do the arrows of the house point down only? A room is a lesson, a directory of tests or of common,
 # or one of the pairs on top of common with the room beside it; an arrow is an #include. And is
 # nothing committed that a build has made?
-#
-# Exit status 0: there is no circle, and nothing built; 1: there is, named.
-
-cd "$(dirname "$0")/../.." || exit 1
-work=$(mktemp -d) || exit 1
-trap 'rm -rf "$work"' EXIT
-trap 'exit 1' HUP INT TERM
-failed=0
+. "$(dirname "$0")/../unit/script.sh"
 
 # Lines `room room`, for tsort: the first includes a file of the second. (The scripts of grading jobs
 # and the check's fixtures are programs of other courses.)

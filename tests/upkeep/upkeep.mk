@@ -9,14 +9,13 @@
 ##   make mutants                small changes of the code that some test must notice (COUNT=300,
 ##                               SEED=7, FILE=common/files/png.c)
 ##   make everything             what .ci/run leaves out because it takes long, before a release
-##   make coverage               which lines and branches of common the tests reach
 ##   make figures                draw the lessons' other pictures into build/out/*/figures (STEP=05)
 ##   make lesson-figures         the same into the lessons, after a change to them (STEP=05)
 ##   make references             draw the reference images again, never part of a check (STEP=05)
 ##   make mistakes               keep what the listed mistakes look like, by which the check knows
 ##                               them, and draw the lessons' wrong pictures (STEP=05)
-.PHONY: test stress verify portability fuzz mutants coverage everything figures lesson-figures \
-        references mistakes
+.PHONY: test stress verify portability fuzz mutants everything figures lesson-figures references \
+        mistakes
 
 # ---- make test ----
 
@@ -93,13 +92,12 @@ $(REPLAYS): $(BUILD)/tests/%: $(BUILD)/tested/tests/%.o $(BUILD)/tested/tests/up
 	$(Q)$(TESTED) $^ -lm -o $@
 
 test: $(UNITS) $(KINDS:%=$(BUILD)/tests/%) $(REPLAYS) $(BUILD)/check $(BUILD)/looks_make $(BUILD)/figure_make \
-      $(BUILD)/references $(BUILD)/show $(BUILD)/compare_page $(BUILD)/hidden \
-      $(BUILD)/limited programs models
+      $(BUILD)/show $(BUILD)/compare_page $(BUILD)/hidden $(BUILD)/limited programs models
 	@CHECK_PROGRAMS=$(BUILD) tests/upkeep/run_tests.sh $(SCRIPTS) $(UNITS) $(KINDS:%=$(BUILD)/tests/%)
 
 # Programs besides the lessons, for a compiler to find fault with.
 .PHONY: tools
-tools: $(addprefix $(BUILD)/,check show compare_page hidden limited references looks_make figure_make \
+tools: $(addprefix $(BUILD)/,check show compare_page hidden limited looks_make figure_make \
          stress benchmark bench-frame)
 
 # ---- make stress ----
@@ -129,7 +127,7 @@ $(BUILD)/looks_make $(BUILD)/figure_make: $(BUILD)/%: $(BUILD)/tests/check/%.o $
                                            $(BUILD)/libcommon.a
 	$(Q)$(LINK) $^ -lm -o $@
 
-# ---- make mutants, portability, fuzz, coverage ----
+# ---- make mutants, portability, fuzz ----
 
 # What is wrong with a change must show at once, and what is wrong with memory too when nothing does.
 MUTATED = $(CC) $(STRICT) $(MARCH) -Wno-psabi -Werror=incompatible-pointer-types \
@@ -151,10 +149,7 @@ $(BUILD)/fuzz_%: $(BUILD)/tested/tests/upkeep/fuzz/fuzz_%.o $(BUILD)/tested/all.
 	$(Q)$(TESTED) -fsanitize=fuzzer $^ -lm -o $@
 
 everything:
-	@.ci/run test-clang portability-all grade-unshare bench-files coverage mutants-300
-
-coverage:
-	@tests/upkeep/coverage.sh $(BUILD) '$(MAKE) -s'
+	@.ci/run test-clang portability-all grade-unshare bench-files mutants-300
 
 # ---- Pictures: make figures, make references ----
 
@@ -178,8 +173,5 @@ $(BUILD)/figures/%: %/figures.c $(BUILD)/tests/bench/figures.o $(BUILD)/libcommo
 	$(SAY) CC $<
 	$(Q)$(COMPILE) -Itests -MF $@.d $< $(BUILD)/tests/bench/figures.o $(BUILD)/libcommon.a -lm -o $@
 
-references: $(BUILD)/references programs models
-	$(Q)$(BUILD)/references --programs $(BUILD) $(STEP)
-
-$(BUILD)/references: $(BUILD)/tests/check/references.o $(CHECKER) $(BUILD)/libcommon.a
-	$(Q)$(LINK) $^ -lm -o $@
+references: $(BUILD)/check programs models
+	$(Q)tests/check/references.sh $(BUILD) '$(MAKE) -s' $(CHOSEN)

@@ -216,6 +216,10 @@ static void test_corner_on_plane(void) {
         for (size_t i = 0; i < 3; i++) {
             CHECK(same_clip(same.corner[i].clip, triangle.corner[i].clip));
         }
+        /* Before one that is outside it stays, too. */
+        triangle.corner[1].clip.w = -1;
+        struct polygon rest = clip_at_plane(&triangle, plane);
+        CHECK(has_corner(&rest, on_plane[plane]));
     }
 }
 

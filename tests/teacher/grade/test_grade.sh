@@ -2,21 +2,7 @@
 # `make grade` in small: what becomes of the names and files of submissions, that the course's own
 # files are used and not theirs, hidden scenes against stored pictures, and a class that is merged.
 # What hostile programs do is tried by tests/teacher/grade/try_class.sh.
-#
-# Exit status 0: all of that is so; 1: something is not.
-
-top=$(cd "$(dirname "$0")/../../.." && pwd) || exit 1
-build=$(cd "$top" && cd "${CHECK_PROGRAMS:-build}" && pwd) || exit 1
-work=$(mktemp -d) || exit 1
-trap 'rm -rf "$work"' EXIT
-trap 'exit 1' HUP INT TERM
-unset MAKEFLAGS MFLAGS STEP HIDDEN SOLUTION CHECK_EXACT # of the make that runs this test
-failed=0
-
-wrong() {
-    echo "grade: $*"
-    failed=1
-}
+. "$(dirname "$0")/../../unit/script.sh"
 
 # ---- Names ----
 
@@ -45,17 +31,17 @@ head -c 1048577 /dev/zero | tr '\0' ' ' >large.c
 mkdir -p large/step01_line && mv large.c large/step01_line/main.c
 mkdir empty
 unpack() {
-    said=$(cd "$top" && tests/teacher/grade/unpack.sh "$build/limited" "$work/$1" "$work/from.$1" \
+    answer=$(cd "$top" && tests/teacher/grade/unpack.sh "$build/limited" "$work/$1" "$work/from.$1" \
         step01_line step02_wireframe)
 }
 for packed in s s.tar.gz s.zip; do
-    unpack $packed || wrong "$packed: $said"
+    unpack $packed || wrong "$packed: $answer"
     found=$(cd "from.$packed" && find . -type f | sort | tr '\n' ' ')
     [ "$found" = "./step01_line/main.c ./step01_line/my_own.h " ] || wrong "$packed: $found"
 done
 for none in large empty; do
     ! unpack $none || wrong "$none is taken"
-    [ "$said" = "holds no main.c of a lesson" ] || wrong "$none: $said"
+    [ "$answer" = "holds no main.c of a lesson" ] || wrong "$none: $answer"
 done
 echo "no archive" >broken.zip
 ! unpack broken.zip || wrong "broken.zip is taken"

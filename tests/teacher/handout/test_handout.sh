@@ -4,61 +4,47 @@
 # leads nowhere. Each lesson alone: its solution compiles there. Then all of them, on a machine that
 # has little more than gcc and make: `make` builds and draws every starter without a warning, and
 # the check finds all to do.
-#
-# Exit status 0: all of that is so; 1: something is not.
-
-cd "$(dirname "$0")/../../.." || exit 1
-top=$PWD
-work=$(mktemp -d) || exit 1
-trap 'rm -rf "$work"' EXIT
-trap 'exit 1' HUP INT TERM
-unset MAKEFLAGS MFLAGS MAKELEVEL STEP # of the make that runs this test
-failed=0
-
-fail() {
-    echo "handout: $*"
-    failed=1
-}
+. "$(dirname "$0")/../../unit/script.sh"
 
 hand_out() {
     make -s handout OUT="$1" LESSONS="$2" >"$work/log" 2>&1
 }
 
-hand_out "$work/a" 4-5 || fail "LESSONS=4-5 fails: $(cat "$work/log")"
-hand_out "$work/b" 4-5 && diff -r "$work/a" "$work/b" >"$work/log" || fail "the second time differs"
-hand_out "$work/b" 4-5 && fail "a directory with something in it is written over"
-hand_out "$work/c" 4-x && fail "LESSONS=4-x is taken"
-hand_out "$work/c" 44 && fail "LESSONS=44 is taken"
-[ ! -e "$work/c" ] || fail "a failure leaves something behind"
+hand_out "$work/a" 4-5 || wrong "LESSONS=4-5 fails: $(cat "$work/log")"
+hand_out "$work/b" 4-5 && diff -r "$work/a" "$work/b" >"$work/log" || wrong "the second time differs"
+hand_out "$work/b" 4-5 && wrong "a directory with something in it is written over"
+hand_out "$work/c" 4-x && wrong "LESSONS=4-x is taken"
+hand_out "$work/c" 44 && wrong "LESSONS=44 is taken"
+[ ! -e "$work/c" ] || wrong "a failure leaves something behind"
 
 # What must not be there, and what must.
 cd "$work/a" || exit 1
 for file in step03_triangle step06_texture tests/upkeep tests/unit tests/lessons/step03_triangle \
     step04_flat/mistakes.txt common/pipeline.h; do
-    [ ! -e "$file" ] || fail "$file is handed out"
+    [ ! -e "$file" ] || wrong "$file is handed out"
 done
 grep -rlE 'BEGIN SOLUTION|<details>|texture_bilinear\(' ./*.md step* common tests/student/starters \
     >"$work/log" &&
-    fail "a solution or an answer is handed out in $(cat "$work/log")"
-grep -q 'bool edges_setup' common/raster.h || fail "the triangle of lesson 3 is missing in lesson 4"
-grep -q 'to do 4\.1' step04_flat/main.c || fail "the starter of lesson 4 is not one"
-make -s help | grep -q 'make check' || fail "make help does not help"
-make -s help | grep -qE 'handout|mutants' && fail "make help names targets of the instructor"
+    wrong "a solution or an answer is handed out in $(cat "$work/log")"
+grep -q 'bool edges_setup' common/raster.h || wrong "the triangle of lesson 3 is missing in lesson 4"
+grep -q 'to do 4\.1' step04_flat/main.c || wrong "the starter of lesson 4 is not one"
+make -s help | grep -q 'make check' || wrong "make help does not help"
+make -s help | grep -qE 'handout|mutants' && wrong "make help names targets of the instructor"
 
 echo '// mine' >>step04_flat/main.c
-make -s start STEP=04 >"$work/log" 2>&1 || fail "make start: $(cat "$work/log")"
-cmp -s step04_flat/main.c tests/student/starters/step04_flat.c || fail "make start brings no starter back"
-grep -q '// mine' step04_flat/main.c.1 || fail "make start does not keep what main.c held"
+make -s start STEP=04 >"$work/log" 2>&1 || wrong "make start: $(cat "$work/log")"
+cmp -s step04_flat/main.c tests/student/starters/step04_flat.c || wrong "make start brings no starter back"
+grep -q '// mine' step04_flat/main.c.1 || wrong "make start does not keep what main.c held"
 
 mkdir -p tests/unit tests/upkeep/texts && cp "$top/tests/upkeep/texts/test_links.sh" tests/upkeep/texts &&
     cp "$top/tests/unit/script.sh" tests/unit
-tests/upkeep/texts/test_links.sh >"$work/log" 2>&1 || fail "$(cat "$work/log")"
+tests/upkeep/texts/test_links.sh >"$work/log" 2>&1 || wrong "$(cat "$work/log")"
 
 # The first lesson stands on nothing that it teaches.
 cd "$top" || exit 1
-hand_out "$work/one" 1 && cd "$work/one" || fail "LESSONS=1 fails: $(cat "$work/log")"
-grep -q 'line_begin' common/*.h common/*.c && fail "the line of lesson 1 is handed out with it"
-make -s CFLAGS=-O0 WERROR=-Werror programs >"$work/log" 2>&1 || fail "make: $(cat "$work/log")"
+hand_out "$work/one" 1 && cd "$work/one" || wrong "LESSONS=1 fails: $(cat "$work/log")"
+grep -q 'line_begin' common/*.h common/*.c && wrong "the line of lesson 1 is handed out with it"
+make -s CFLAGS=-O0 WERROR=-Werror programs >"$work/log" 2>&1 || wrong "make: $(cat "$work/log")"
 
 # headers_build FILE...: each by itself, but those that say to include another one, which must be there.
 headers_build() {
@@ -67,7 +53,7 @@ headers_build() {
         [ -f "common/$other" ] || alone="$alone $header"
     done
     # shellcheck disable=SC2086 # one word a file
-    "${CC:-cc}" -std=c17 -fsyntax-only -Wall -Werror -Icommon -Itests -x c $alone
+    cc -std=c17 -fsyntax-only -Wall -Werror -Icommon -Itests -x c $alone
 }
 
 # What a lesson asks for can be written with the headers that come with it, and what its text tells
@@ -76,20 +62,20 @@ cd "$top" || exit 1
 for lesson in step*; do
     out=$work/only/$lesson
     mkdir -p "$work/only" && hand_out "$out" "$(echo "$lesson" | cut -c 5-6)" ||
-        fail "$lesson alone fails: $(cat "$work/log")"
+        wrong "$lesson alone fails: $(cat "$work/log")"
     awk -v mode=solution -f tests/student/marks.awk "$lesson/main.c" >"$out/$lesson/main.c"
-    "${CC:-cc}" -std=c17 -Wall -Werror -DCOURSE_BUILD='"build"' -I"$out/common" -fsyntax-only \
+    cc -std=c17 -Wall -Werror -DCOURSE_BUILD='"build"' -I"$out/common" -fsyntax-only \
         "$out/$lesson/main.c" >"$work/log" 2>&1 ||
-        fail "$lesson needs what is not handed out with it: $(head -n 3 "$work/log")"
+        wrong "$lesson needs what is not handed out with it: $(head -n 3 "$work/log")"
     (cd "$out" && headers_build common/*.h common/*/*.h tests/*/*.h tests/*/*/*.h) \
-        >"$work/log" 2>&1 || fail "headers of $lesson: $(head -n 3 "$work/log")"
-    grep -n 'make solution' "$out/README.md" "$out/$lesson"/*.md && fail "there are no solutions"
-    grep -q "Then read .*(${lesson}/README.md)" "$out/README.md" || fail "where does $lesson begin?"
+        >"$work/log" 2>&1 || wrong "headers of $lesson: $(head -n 3 "$work/log")"
+    grep -n 'make solution' "$out/README.md" "$out/$lesson"/*.md && wrong "there are no solutions"
+    grep -q "Then read .*(${lesson}/README.md)" "$out/README.md" || wrong "where does $lesson begin?"
 done
 
 # All lessons. A C compiler brings binutils; the others are in every system.
 cd "$top" || exit 1
-hand_out "$work/all" '' || fail "make handout fails: $(cat "$work/log")"
+hand_out "$work/all" '' || wrong "make handout fails: $(cat "$work/log")"
 mkdir "$work/bin"
 for tool in gcc as ld ar make sh awk sed cmp cksum getconf cat chmod cp date dirname basename echo \
     env expr head ls mkdir mktemp mv rm rmdir sort tail test touch tr true uname wc; do
@@ -102,9 +88,8 @@ little() {
         >"$work/log" 2>&1
 }
 little all && ! grep -E 'warning|not found' "$work/log" ||
-    fail "make, with gcc and make alone: $(tail -n 5 "$work/log")"
-little check && fail "a starter passes"
+    wrong "make, with gcc and make alone: $(tail -n 5 "$work/log")"
+little check && wrong "a starter passes"
 [ "$(grep -c '^step[0-9]*_[a-z]* *TODO 0/.* SCORE 0/' "$work/log")" -eq 10 ] ||
-    fail "the check says: $(cat "$work/log")"
-[ $failed -eq 0 ] && echo "handout: a course of its own"
+    wrong "the check says: $(cat "$work/log")"
 exit $failed

@@ -2,21 +2,8 @@
 # Does the instructor get what the students do not? In a copy of lessons 1 and 4, with few mistakes:
 # the solution without marks, every answer, each mistake with the picture that it draws, the points
 # as the table of scenes has them; the same bytes twice; all of it or nothing.
-#
-# Exit status 0: all of that is so; 1: something is not.
-top=$(cd "$(dirname "$0")/../../.." && pwd) || exit 1
-build=$(cd "$top" && cd "${CHECK_PROGRAMS:-build}" && pwd) || exit 1
-work=$(mktemp -d) || exit 1
-trap 'rm -rf "$work"' EXIT
-trap 'exit 1' HUP INT TERM
-unset MAKEFLAGS MFLAGS STEP NAME LESSONS # of the make that runs this test
-failed=0
-
-wrong() {
-    echo "key: $*"
-    sed 's/^/    /' "$work/said"
-    failed=1
-}
+. "$(dirname "$0")/../../unit/script.sh"
+said=$work/said && : >"$said"
 
 mkdir -p "$work/course/tests/reference" && cd "$work/course" || exit 1
 cp -R "$top/Makefile" "$top/README.md" "$top/LICENSE" "$top/common" . &&
@@ -153,5 +140,4 @@ awk -v mode=solution -f tests/student/marks.awk "$top/step01_line/main.c" \
 refuses 1 'no good marks' 1
 tests/teacher/handout/handout.sh "$work/solutions" 1 >"$work/said" 2>&1 && wrong "a solution is handed out"
 [ ! -e "$work/solutions" ] || wrong "a refused hand-out leaves something"
-[ $failed -eq 0 ] && echo "key: solutions, answers, mistakes and points"
 exit $failed

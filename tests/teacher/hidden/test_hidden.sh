@@ -2,22 +2,8 @@
 # Hidden scenes: does the solution pass them all, a program that prints stored pictures none, is a
 # main.c never its own solution, and is nothing but the class of a scene told? Do they wait for a
 # check that is at work, and judge what is in main.c now? In a copy of lessons 1 and 5.
-#
-# Exit status 0: all of that is so; 1: something is not.
-
-top=$(cd "$(dirname "$0")/../../.." && pwd) || exit 1
-build=$(cd "$top" && cd "${CHECK_PROGRAMS:-build}" && pwd) || exit 1
-work=$(mktemp -d) || exit 1
-trap 'rm -rf "$work"' EXIT
-trap 'exit 1' HUP INT TERM
-unset MAKEFLAGS MFLAGS STEP HIDDEN SOLUTION # of the make that runs this test
-failed=0
-
-wrong() {
-    echo "hidden: $*"
-    sed 's/^/    /' "$work/said"
-    failed=1
-}
+. "$(dirname "$0")/../../unit/script.sh"
+said=$work/said && : >"$said"
 
 mkdir -p "$work/course/tests/reference" && cd "$work/course" || exit 1
 cp -R "$top/Makefile" "$top/common" "$top/step01_line" "$top/step05_zbuffer" . || exit 1

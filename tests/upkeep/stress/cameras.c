@@ -89,7 +89,9 @@ static bool is_right_handed(const struct mat4 *view) {
     return determinant > 0;
 }
 
-double view_frame_error(const struct mat4 *view) {
+/* How far the three rows are from unit length and right angles, in ulp of 1; infinite where the
+ * third points against the cross product of the others. */
+static double view_frame_error(const struct mat4 *view) {
     long double worst = 0;
     for (int i = 0; i < 3; i++) {
         for (int k = i; k < 3; k++) {
@@ -104,10 +106,12 @@ double view_frame_error(const struct mat4 *view) {
     return is_right_handed(view) ? (double)worst * 0x1p52 : (double)INFINITY;
 }
 
-double view_axes_error(const struct mat4 *view, struct vec3 eye, struct vec3 center,
-                       struct vec3 up) {
-    struct oracle_frame frame = oracle_frame(eye, center, up);
-    bool z_is_certain = eye.x != center.x || eye.y != center.y || eye.z != center.z;
+/* How far they are from the oracle's axes, in ulp of 1, where these are certain. The smaller the
+ * angle between up and the line of sight, the less is asked of the first two. */
+static double view_axes_error(const struct mat4 *view, const struct camera_case *c) {
+    struct oracle_frame frame = oracle_frame(c->eye, c->center, c->up);
+    bool z_is_certain =
+        c->eye.x != c->center.x || c->eye.y != c->center.y || c->eye.z != c->center.z;
     long double worst = 0;
     for (int row = z_is_certain && frame.sine > 0 ? 0 : z_is_certain ? 2 : 3; row < 3; row++) {
         long double certainty = row < 2 ? frame.sine : 1;
@@ -120,7 +124,8 @@ double view_axes_error(const struct mat4 *view, struct vec3 eye, struct vec3 cen
     return (double)worst * 0x1p52;
 }
 
-bool view_moves_center(const struct mat4 *view, struct vec3 center) {
+/* Does the center become the origin, as nearly as its products with the axes can be added? */
+static bool view_moves_center(const struct mat4 *view, struct vec3 center) {
     for (int row = 0; row < 3; row++) {
         const double *m = view->m[row];
         long double x = (long double)m[0] * (long double)center.x;
@@ -134,21 +139,19 @@ bool view_moves_center(const struct mat4 *view, struct vec3 center) {
     return true;
 }
 
-void print_camera_options(struct vec3 eye, struct vec3 center, struct vec3 up) {
-    printf("    --eye %.17g,%.17g,%.17g --center %.17g,%.17g,%.17g --up %.17g,%.17g,%.17g\n", eye.x,
-           eye.y, eye.z, center.x, center.y, center.z, up.x, up.y, up.z);
-}
-
+/* Of the house version and of lesson 8. */
 static double frame_error(const void *tried) {
     const struct camera_case *c = tried;
     struct mat4 view = mat4_lookat(c->eye, c->center, c->up);
-    return view_frame_error(&view);
+    struct mat4 lesson = lesson08_lookat(c->eye, c->center, c->up);
+    return fmax(view_frame_error(&view), view_frame_error(&lesson));
 }
 
 static double axes_error(const void *tried) {
     const struct camera_case *c = tried;
     struct mat4 view = mat4_lookat(c->eye, c->center, c->up);
-    return view_axes_error(&view, c->eye, c->center, c->up);
+    struct mat4 lesson = lesson08_lookat(c->eye, c->center, c->up);
+    return fmax(view_axes_error(&view, c), view_axes_error(&lesson, c));
 }
 
 enum { SIZE = 6 };
@@ -211,12 +214,16 @@ static bool camera_draws_finite_pixels(const void *tried) {
 static bool camera_is_sound(const void *tried) {
     const struct camera_case *c = tried;
     struct mat4 view = mat4_lookat(c->eye, c->center, c->up);
-    return view_moves_center(&view, c->center) && camera_draws_finite_pixels(tried);
+    struct mat4 lesson = lesson08_lookat(c->eye, c->center, c->up);
+    return view_moves_center(&view, c->center) && view_moves_center(&lesson, c->center) &&
+           camera_draws_finite_pixels(tried);
 }
 
 static void print_camera(const void *failing) {
     const struct camera_case *c = failing;
-    print_camera_options(c->eye, c->center, c->up);
+    const struct vec3 *e = &c->eye, *m = &c->center, *u = &c->up;
+    printf("    --eye %.17g,%.17g,%.17g --center %.17g,%.17g,%.17g --up %.17g,%.17g,%.17g\n", e->x,
+           e->y, e->z, m->x, m->y, m->z, u->x, u->y, u->z);
     printf("    # zoom %.17g, not orthonormal by %.3g ulp, axes off by %.3g ulp\n", c->zoom,
            frame_error(c), axes_error(c));
     for (int i = 0; i < 4; i++) {
@@ -410,16 +417,16 @@ static void print_vector(const void *failing) {
     printf("    vector %.17g %.17g %.17g, turns %.17g\n", c->v.x, c->v.y, c->v.z, c->turns);
 }
 
-static const struct case_kind camera_cases = {sizeof(struct camera_case), make_camera, print_camera,
-                                              NULL};
+static const struct case_kind camera_cases = {sizeof(struct camera_case), make_camera,
+                                              print_camera};
 static const struct case_kind viewport_cases = {sizeof(struct viewport_case), make_viewport,
-                                                print_viewport, NULL};
-static const struct case_kind matrix_cases = {sizeof(struct matrix_case), make_matrix, print_matrix,
-                                              NULL};
+                                                print_viewport};
+static const struct case_kind matrix_cases = {sizeof(struct matrix_case), make_matrix,
+                                              print_matrix};
 static const struct case_kind whole_matrix_cases = {sizeof(struct matrix_case), make_whole_matrix,
-                                                    print_matrix, NULL};
-static const struct case_kind vector_cases = {sizeof(struct vector_case), make_vector, print_vector,
-                                              NULL};
+                                                    print_matrix};
+static const struct case_kind vector_cases = {sizeof(struct vector_case), make_vector,
+                                              print_vector};
 
 const struct property camera_properties[] = {
     PROPERTY("camera: orthonormal, finite pixels", AGAINST_BOUNDS, 1000000, camera_cases,

@@ -69,24 +69,6 @@ static void make_short_line(struct random *random, uint64_t index, void *made) {
                                         {near_image(random, 6), near_image(random, 6)}};
 }
 
-static bool shrink_line(const void *failing, unsigned attempt, void *smaller) {
-    static const int divisors[] = {1000000, 1000, 10, 2};
-    struct line_case *c = smaller;
-    (void)failing;
-    int *const numbers[] = {&c->a.x, &c->a.y, &c->b.x, &c->b.y};
-    if (attempt < 16) { /* smaller numbers */
-        *numbers[attempt % 4] -= *numbers[attempt % 4] / divisors[attempt / 4];
-        *numbers[attempt % 4] /= attempt / 4 == 3 ? 2 : 1;
-        return true;
-    }
-    if (attempt < 20) { /* one less */
-        int *n = numbers[attempt % 4];
-        *n -= (*n > 0) - (*n < 0);
-        return true;
-    }
-    return false;
-}
-
 static void print_line(const void *failing) {
     const struct line_case *c = failing;
     printf("    size %d %d\n    line %d %d %d %d 255 255 255\n", WIDTH, HEIGHT, c->a.x, c->a.y,
@@ -133,17 +115,6 @@ static bool line_is_exact(const void *tried) {
     return is_exact(&drawn, c);
 }
 
-static bool line_is_the_same_reversed(const void *tried) {
-    const struct line_case *c = tried;
-    struct drawn forwards = walk(c->a, c->b), backwards = walk(c->b, c->a);
-    for (int i = 0; i < WIDTH * HEIGHT; i++) {
-        if (forwards.times[i / WIDTH][i % WIDTH] != backwards.times[i / WIDTH][i % WIDTH]) {
-            return false;
-        }
-    }
-    return true;
-}
-
 /* The lesson's own line(), on an image. */
 static bool lesson_line_is_exact(const void *tried) {
     const struct line_case *c = tried;
@@ -188,27 +159,19 @@ static bool cut_is_exact(const void *tried) {
     return told == wanted;
 }
 
-static bool shrink_cut(const void *failing, unsigned attempt, void *smaller) {
-    return shrink_line(failing, attempt, &((struct cut_case *)smaller)->line);
-}
-
 static void print_cut(const void *failing) {
     const struct cut_case *c = failing;
     printf("    size %d %d\n    line %d %d %d %d 255 255 255\n", c->width, c->height, c->line.a.x,
            c->line.a.y, c->line.b.x, c->line.b.y);
 }
 
-static const struct case_kind line_cases = {sizeof(struct line_case), make_line, print_line,
-                                            shrink_line};
+static const struct case_kind line_cases = {sizeof(struct line_case), make_line, print_line};
 static const struct case_kind short_line_cases = {sizeof(struct line_case), make_short_line,
-                                                  print_line, shrink_line};
-static const struct case_kind cut_cases = {sizeof(struct cut_case), make_cut, print_cut,
-                                           shrink_cut};
+                                                  print_line};
+static const struct case_kind cut_cases = {sizeof(struct cut_case), make_cut, print_cut};
 
 const struct property line_properties[] = {
     PROPERTY("line: nearest pixels", AGAINST_INTEGERS, 1000000, line_cases, .holds = line_is_exact),
-    PROPERTY("line: same pixels reversed", AGAINST_ITSELF, 1000000, line_cases,
-             .holds = line_is_the_same_reversed),
     PROPERTY("line: lesson 1, nearest pixels", AGAINST_INTEGERS, 300000, short_line_cases,
              .holds = lesson_line_is_exact),
     PROPERTY("line: lesson 2, cut to the image", AGAINST_INTEGERS, 500000, cut_cases,

@@ -9,7 +9,7 @@
 #include <string.h>
 
 static void make_case(struct random *random, enum soup_kind kind, void *made) {
-    *(struct soup_case *)made = (struct soup_case){random_bits(random), kind, SOUP_FACES};
+    *(struct soup_case *)made = (struct soup_case){random_bits(random), kind};
 }
 
 static void make_whole(struct random *random, uint64_t index, void *made) {
@@ -33,7 +33,7 @@ static void make_largest(struct random *random, uint64_t index, void *made) {
 static void print_soup(const void *failing) {
     const struct soup_case *c = failing;
     struct soup soup;
-    soup_make(&soup, c->seed, (enum soup_kind)c->kind, c->faces, SOUP_REACH);
+    soup_make(&soup, c->seed, (enum soup_kind)c->kind);
     soup_print(&soup);
 }
 
@@ -180,7 +180,7 @@ static bool judge_face(const struct soup *soup, const struct drawing *drawing, i
                        struct tally *tally) {
     size_t pixel = (size_t)y * soup->width + (size_t)x;
     int face = face_at(soup, drawing, pixel);
-    struct soup_seen seen = soup_see(soup, x, y, false);
+    struct soup_seen seen = soup_see(soup, x, y);
     unsigned candidates = soup_candidates(soup, &seen);
     if (face < 0) {
         tally->asked++;
@@ -209,7 +209,7 @@ static bool judge_faces(const void *tried, struct tally *tally) {
     const struct soup_case *c = tried;
     struct soup soup;
     struct drawing drawing;
-    soup_make(&soup, c->seed, (enum soup_kind)c->kind, c->faces, SOUP_REACH);
+    soup_make(&soup, c->seed, (enum soup_kind)c->kind);
     bool right = drawing_create(&drawing, soup.width, soup.height, c->seed) &&
                  draw_faces(&drawing, &soup, c->seed);
     for (int y = 0; right && y < (int)soup.height; y++) {
@@ -241,7 +241,7 @@ static bool judge_values(const void *tried, struct tally *tally) {
     const struct soup_case *c = tried;
     struct soup soup;
     struct drawing drawing;
-    soup_make(&soup, c->seed, (enum soup_kind)c->kind, c->faces, SOUP_REACH);
+    soup_make(&soup, c->seed, (enum soup_kind)c->kind);
     bool right = drawing_create(&drawing, soup.width, soup.height, c->seed) &&
                  draw_faces(&drawing, &soup, c->seed) && draw_values(&drawing, &soup, c->seed);
     for (int y = 0; right && y < (int)soup.height; y++) {
@@ -253,14 +253,11 @@ static bool judge_values(const void *tried, struct tally *tally) {
     return right;
 }
 
-static const struct case_kind whole_cases = {sizeof(struct soup_case), make_whole, print_soup,
-                                             soup_case_shrink};
+static const struct case_kind whole_cases = {sizeof(struct soup_case), make_whole, print_soup};
 static const struct case_kind seen_by_camera_cases = {sizeof(struct soup_case), make_seen_by_camera,
-                                                      print_soup, soup_case_shrink};
-static const struct case_kind steep_cases = {sizeof(struct soup_case), make_steep, print_soup,
-                                             soup_case_shrink};
-static const struct case_kind largest_cases = {sizeof(struct soup_case), make_largest, print_soup,
-                                               soup_case_shrink};
+                                                      print_soup};
+static const struct case_kind steep_cases = {sizeof(struct soup_case), make_steep, print_soup};
+static const struct case_kind largest_cases = {sizeof(struct soup_case), make_largest, print_soup};
 
 const struct property pipeline_properties[] = {
     PROPERTY("pipeline: the nearest by z/w", AGAINST_FRACTIONS, 15000, whole_cases,

@@ -3,7 +3,6 @@
 
 #include "pipeline.h"
 
-#include <assert.h>
 #include <math.h>
 #include <stdio.h>
 
@@ -310,28 +309,26 @@ static void make_face(struct soup *soup, struct random *random, size_t face) {
     } while (!see_face(soup, face, &soup->polygons[face]));
 }
 
-static long double guard_band_of(const struct rectangle *viewport, long double reach) {
+static long double guard_band_of(const struct rectangle *viewport) {
     long double larger = viewport->width > viewport->height ? viewport->width : viewport->height;
-    return fminl(64, reach / (larger / 2));
+    return fminl(64, SOUP_REACH / (larger / 2));
 }
 
-void soup_make(struct soup *soup, uint64_t seed, enum soup_kind kind, size_t faces,
-               long double reach) {
+void soup_make(struct soup *soup, uint64_t seed, enum soup_kind kind) {
     struct random random = {seed};
-    assert(faces <= SOUP_FACES);
     *soup = (struct soup){.kind = kind};
     soup->model = (struct model){.positions = soup->positions,
-                                 .position_count = 3 * faces,
+                                 .position_count = SOUP_CORNERS,
                                  .faces = soup->faces,
-                                 .face_count = faces};
+                                 .face_count = SOUP_FACES};
     choose_viewport(soup, &random);
-    soup->guard_band = guard_band_of(&soup->viewport, reach);
+    soup->guard_band = guard_band_of(&soup->viewport);
     if (kind == SOUP_CAMERA) {
         choose_camera(soup, &random);
     } else {
         choose_matrix(soup, &random);
     }
-    for (size_t i = 0; i < faces; i++) {
+    for (size_t i = 0; i < SOUP_FACES; i++) {
         make_face(soup, &random, i);
     }
 }
@@ -395,26 +392,14 @@ struct soup_hit soup_look(const struct soup *soup, size_t face, int x, int y) {
     return hit;
 }
 
-/* Are the corners counterclockwise on the screen? */
-static bool shows_front(const struct soup_polygon *polygon) {
-    int turn = 0;
-    for (size_t i = 2; i < polygon->count && turn == 0; i++) {
-        turn = oracle_turn(polygon->corner[0].screen, polygon->corner[i - 1].screen,
-                           polygon->corner[i].screen);
-    }
-    return turn > 0;
-}
-
-struct soup_seen soup_see(const struct soup *soup, int x, int y, bool fronts_only) {
+struct soup_seen soup_see(const struct soup *soup, int x, int y) {
     struct soup_seen seen = {.nearest = (long double)-INFINITY};
     const struct rectangle *v = &soup->viewport;
     if (x < v->x || x >= v->x + v->width || y < v->y || y >= v->y + v->height) {
         return seen;
     }
     for (size_t i = 0; i < soup->model.face_count; i++) {
-        if (!fronts_only || shows_front(&soup->polygons[i])) {
-            seen.hit[i] = soup_look(soup, i, x, y);
-        }
+        seen.hit[i] = soup_look(soup, i, x, y);
         if (seen.hit[i].covered) {
             seen.nearest = fmaxl(seen.nearest, seen.hit[i].depth.least);
         }
@@ -461,10 +446,4 @@ void soup_print(const struct soup *soup) {
     for (size_t i = 1; i <= soup->model.face_count; i++) {
         printf("    f %zu %zu %zu\n", 3 * i - 2, 3 * i - 1, 3 * i);
     }
-}
-
-bool soup_case_shrink(const void *failing, unsigned attempt, void *smaller) {
-    const struct soup_case *c = failing;
-    ((struct soup_case *)smaller)->faces--;
-    return attempt == 0 && c->faces > 1;
 }

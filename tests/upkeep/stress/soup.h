@@ -7,7 +7,7 @@
  * shares with the pipeline are four numbers: positions are rounded to 1/256 pixel, faces end at w
  * = 1/128, and their edges end where they leave NDC -64..64 or are 2^16 pixels from the middle.
  *
- *     soup_make(&soup, seed, SOUP_CAMERA, SOUP_FACES, SOUP_REACH);
+ *     soup_make(&soup, seed, SOUP_CAMERA);
  *     ... draw soup.model with soup.to_clip into soup.viewport ...
  *     struct soup_hit hit = soup_look(&soup, face, x, y);
  */
@@ -70,11 +70,9 @@ struct soup {
     struct soup_polygon polygons[SOUP_FACES];
 };
 
-/* Make the same soup from the same seed; with fewer faces, the first ones of it. No corner is
- * so near to the border between two steps of 1/256 pixel that it could be rounded either way. Faces
- * are cut at NDC -64..64, or `reach` pixels from the middle (SOUP_REACH, or INFINITY). */
-void soup_make(struct soup *soup, uint64_t seed, enum soup_kind kind, size_t faces,
-               long double reach);
+/* Make the same soup from the same seed. No corner is so near to the border between two steps of
+ * 1/256 pixel that it could be rounded either way. */
+void soup_make(struct soup *soup, uint64_t seed, enum soup_kind kind);
 
 /* The least and the greatest right answer. They are the same for a whole triangle. Where a face was
  * cut, the polygon that is left may be drawn as any triangles between its corners, and these give
@@ -97,9 +95,8 @@ struct soup_seen {
     long double nearest; /* the depth that some face surely reaches; minus infinity for none */
 };
 
-/* Nothing is seen outside the viewport, nor of a face that shows its back where only fronts
- * count. */
-struct soup_seen soup_see(const struct soup *soup, int x, int y, bool fronts_only);
+/* Nothing is seen outside the viewport. */
+struct soup_seen soup_see(const struct soup *soup, int x, int y);
 
 /* Could the face be the nearest one, for all that doubles can tell? How many faces could? */
 bool soup_may_show(const struct soup *soup, const struct soup_seen *seen, size_t face);
@@ -113,13 +110,10 @@ double soup_value_tolerance(const struct soup *soup, const struct soup_hit *hit)
 /* In the form of an OBJ file, with the rest as comments. */
 void soup_print(const struct soup *soup);
 
-/* A soup as a case of a property. To make it smaller faces are left out. */
+/* A soup as a case of a property. */
 struct soup_case {
     uint64_t seed;
     uint64_t kind; /* enum soup_kind */
-    uint64_t faces;
 };
-
-bool soup_case_shrink(const void *failing, unsigned attempt, void *smaller);
 
 #endif

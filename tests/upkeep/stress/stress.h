@@ -3,7 +3,7 @@
  *
  * Case number i of a property is made from (seed, property, i) alone, so that any case can be made
  * again, in any order and by any number of threads. When a property fails, its first failing case
- * is made smaller as long as it still fails, and printed.
+ * is printed.
  */
 #ifndef TESTS_STRESS_H
 #define TESTS_STRESS_H
@@ -40,9 +40,6 @@ struct case_kind {
     size_t size; /* bytes */
     void (*make)(struct random *random, uint64_t index, void *made);
     void (*print)(const void *failing);
-    /* Write the `attempt`-th idea (from 0) of a smaller case; false when there are no more ideas.
-     * NULL where cases are not made smaller. */
-    bool (*shrink)(const void *failing, unsigned attempt, void *smaller);
 };
 
 struct property {
@@ -80,13 +77,6 @@ extern const struct property mesh_properties[];
 extern const struct property pipeline_properties[];
 extern const struct property camera_properties[];
 extern const struct property texture_properties[];
-extern const struct property lesson02_properties[];
-extern const struct property lesson04_properties[];
-extern const struct property lesson05_properties[];
 extern const struct property lesson06_properties[];
-extern const struct property lesson07_properties[];
-extern const struct property lesson08_properties[];
-extern const struct property lesson09_properties[];
-extern const struct property lesson10_properties[];
 
 #endif

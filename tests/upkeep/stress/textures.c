@@ -2,7 +2,6 @@
  * samplers are the three of lesson 6 and the house version of the second. */
 #include "lessons.h"
 #include "stress.h"
-#include "texture.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -112,7 +111,13 @@ static long double tent(double coordinate, size_t i, size_t size) {
     return distance < 1 ? 1 - distance : 0;
 }
 
-struct sample exact_bilinear(const struct texture_level *level, double u, double v) {
+/* Red, green, blue, alpha. */
+struct sample {
+    long double channel[4];
+};
+
+/* The mean of all texels of a level, each with its weight. */
+static struct sample exact_bilinear(const struct texture_level *level, double u, double v) {
     static const int shift[4] = {16, 8, 0, 24};
     struct sample sum = {{0, 0, 0, 0}};
     for (size_t y = 0; y < level->height; y++) {
@@ -195,7 +200,7 @@ static void print_texture(const void *failing) {
 }
 
 static const struct case_kind texture_cases = {sizeof(struct texture_case), make_texture,
-                                               print_texture, NULL};
+                                               print_texture};
 
 const struct property texture_properties[] = {
     PROPERTY("texture: nearest texel", AGAINST_LONG_DOUBLE, 300000, texture_cases,

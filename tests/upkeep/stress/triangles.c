@@ -1,7 +1,5 @@
-/* Triangles: coverage against 128-bit integers, the depths of two against fractions. */
+/* Triangles: coverage against 128-bit integers, weights, depth tests. */
 #include "lessons.h"
-#include "oracle/shown.h"
-#include "pipeline.h"
 #include "stress.h"
 
 #include <stdio.h>
@@ -102,19 +100,6 @@ static void make_triangle(struct random *random, uint64_t index, void *made) {
     random_triangle(random, index, ((struct triangle_case *)made)->corner);
 }
 
-static bool shrink_triangle(const void *failing, unsigned attempt, void *smaller) {
-    struct fixed2 *c = ((struct triangle_case *)smaller)->corner;
-    (void)failing;
-    if (attempt >= 6 * 26) {
-        return false;
-    }
-    int32_t *number = attempt % 2 ? &c[attempt / 2 % 3].y : &c[attempt / 2 % 3].x;
-    unsigned bit = 25 - attempt / 6; /* take away large parts first */
-    int32_t part = (int32_t)1 << bit;
-    *number -= *number >= part ? part : *number <= -part ? -part : 0;
-    return true;
-}
-
 /* As a text scene of step 3, whose whole coordinates are pixel centres. */
 static void print_triangle(const void *failing) {
     const struct fixed2 *c = ((const struct triangle_case *)failing)->corner;
@@ -170,6 +155,51 @@ static bool lesson04_is_exact(const void *tried) {
     return draws_exactly(((const struct triangle_case *)tried)->corner, lesson04_triangle);
 }
 
+/* Does the image show this level where the triangle is, and nothing elsewhere? */
+static bool shows(const struct image *image, const struct fixed2 c[3], uint8_t level) {
+    for (int i = 0; i < WIDTH * HEIGHT; i++) {
+        bool covered = oracle_covers(c[0], c[1], c[2], i % WIDTH, i / WIDTH);
+        if (image->pixels[3 * i] != (covered ? level : 0)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/* One triangle four times: of equal depths the first stays, also before a farther one, until a
+ * nearer one comes. Every pixel is tested each time. */
+static bool hides_what_is_not_nearer(const struct fixed2 c[3], depth_triangle *draw, bool skip) {
+    uint8_t pixels[HEIGHT * WIDTH * 3] = {0};
+    double depth[HEIGHT * WIDTH], here[3], farther[3], nearer[3];
+    struct image image = {WIDTH, HEIGHT, IMAGE_BGR, pixels};
+    const struct depth_image on = {&image, depth, skip};
+    uint64_t covered = 0;
+    for (int i = 0; i < 3; i++) {
+        here[i] = (double)c[i].x / 7 - 3 * (double)c[i].y;
+        farther[i] = here[i] - 1e9;
+        nearer[i] = here[i] + 1e9;
+    }
+    for (int i = 0; i < WIDTH * HEIGHT; i++) {
+        depth[i] = -INFINITY;
+        covered += oracle_covers(c[0], c[1], c[2], i % WIDTH, i / WIDTH);
+    }
+    uint64_t tested = draw(&on, c, here, 200) + draw(&on, c, here, 100) + draw(&on, c, farther, 50);
+    bool stays = shows(&image, c, 200);
+    tested += draw(&on, c, nearer, 250);
+    return stays && shows(&image, c, 250) && tested == 4 * covered;
+}
+
+static bool lessons_hide(const void *tried) {
+    static depth_triangle *const lessons[] = {lesson05_triangle, lesson06_triangle,
+                                              lesson07_triangle};
+    const struct fixed2 *c = ((const struct triangle_case *)tried)->corner;
+    bool right = true;
+    for (int i = 0; i < 6; i++) {
+        right = right && hides_what_is_not_nearer(c, lessons[i / 2], i % 2 != 0);
+    }
+    return right;
+}
+
 /* The weights at every covered pixel: none negative, sum 1. */
 static double weight_error(const void *tried) {
     const struct fixed2 *c = ((const struct triangle_case *)tried)->corner;
@@ -189,119 +219,8 @@ static double weight_error(const void *tried) {
     return worst * 0x1p52;
 }
 
-/* ---- Depth ---- */
-
-struct depth_case {
-    struct fixed2 corner[2][3];
-    int64_t depth[2][3];
-    int x, y;
-};
-
-/* Powers of 2: corners at whole 1/256 pixel are floats without an error. */
-enum { DEPTH_WIDTH = 16, DEPTH_HEIGHT = 8 };
-
-/* Two triangles that cover a common pixel, in depths that are close or equal there. */
-static void make_depths(struct random *random, uint64_t index, void *made) {
-    struct depth_case *c = made;
-    c->x = (int)random_between(random, 0, WIDTH - 1);
-    c->y = (int)random_between(random, 0, DEPTH_HEIGHT - 1);
-    for (int k = 0; k < 2; k++) {
-        do {
-            for (int i = 0; i < 3; i++) {
-                c->corner[k][i] = place(random, index % 2 ? 512 : 60000, 1);
-            }
-        } while (!oracle_covers(c->corner[k][0], c->corner[k][1], c->corner[k][2], c->x, c->y));
-        int64_t base = index % 3 ? 1000 : 0, spread = index % 5 ? 1000000 : 3;
-        for (int i = 0; i < 3; i++) {
-            c->depth[k][i] = base + random_between(random, -spread, spread);
-        }
-    }
-}
-
-static void number_vertex(const void *uniforms, size_t face, size_t corner, double *varyings) {
-    (void)uniforms;
-    (void)corner;
-    varyings[0] = (double)face + 1;
-}
-
-static lanes_mask number_fragment(const void *uniforms, const lanes *varyings, lanes_texel *color) {
-    (void)uniforms;
-    *color = lanes_rgb(varyings[0], varyings[0], varyings[0]);
-    return lanes_all_set();
-}
-
-SHADER(number_shader, .varying_count = 1, .vertex = number_vertex, .fragment = number_fragment);
-
-/* Which triangle shows at the pixel, 1 or 2, when both are drawn; 0 for none. */
-static int face_shown(const struct depth_case *c, bool skip) {
-    struct vec3 positions[6];
-    struct face faces[2];
-    for (uint32_t i = 0; i < 6; i++) {
-        positions[i] = (struct vec3){c->corner[i / 3][i % 3].x / (DEPTH_WIDTH * 128.0) - 1,
-                                     c->corner[i / 3][i % 3].y / (DEPTH_HEIGHT * 128.0) - 1,
-                                     (double)c->depth[i / 3][i % 3]};
-        faces[i / 3].corner[i % 3] = (struct corner){i, MODEL_NONE, MODEL_NONE};
-    }
-    struct model model = {
-        .positions = positions, .position_count = 6, .faces = faces, .face_count = 2};
-    struct draw_call call = {
-        .model = &model, .to_clip = mat4_identity(), .viewport = {0, 0, DEPTH_WIDTH, DEPTH_HEIGHT}};
-    uint8_t pixels[DEPTH_HEIGHT * DEPTH_WIDTH * 3] = {0};
-    struct image image = {DEPTH_WIDTH, DEPTH_HEIGHT, IMAGE_BGR, pixels};
-    struct pipeline pipeline;
-    struct error error;
-    if (!pipeline_create(&pipeline, DEPTH_WIDTH, DEPTH_HEIGHT, &error)) {
-        return 0;
-    }
-    pipeline.skip = skip;
-    bool done = draw_frame(&pipeline, &call, &number_shader, NULL, 0, &image, &error);
-    pipeline_free(&pipeline);
-    return done ? image_get(&image, c->x, c->y).r : 0;
-}
-
-/* How far apart the depths are, as a share of the largest one at a corner. */
-static long double depth_difference(const struct depth_case *c) {
-    static const int64_t parallel[3] = {1, 1, 1};
-    long double depth[2], largest = 1;
-    for (int k = 0; k < 2; k++) {
-        depth[k] = oracle_perspective_depth(c->corner[k], c->depth[k], parallel, c->x, c->y);
-        for (int i = 0; i < 3; i++) {
-            largest = fmaxl(largest, fabsl((long double)c->depth[k][i]));
-        }
-    }
-    return fabsl(depth[0] - depth[1]) / largest;
-}
-
-/* The nearer triangle must show. Where the exact depths differ by less than the numbers' precision,
- * a tie may go either way. */
-static bool nearer_one_shows(const void *tried, struct tally *tally) {
-    const struct depth_case *c = tried;
-    int exact =
-        oracle_compare_depth(c->corner[0], c->depth[0], c->corner[1], c->depth[1], c->x, c->y);
-    int shown = face_shown(c, c->depth[0][0] % 2 == 0);
-    bool tie = depth_difference(c) <= 0x1p-49L;
-    tally->asked = !tie;
-    tally->left_out = tie;
-    return tie ? shown != 0 : shown == (exact > 0 ? 1 : 2);
-}
-
-static void print_depths(const void *failing) {
-    const struct depth_case *c = failing;
-    for (int k = 0; k < 2; k++) {
-        printf("    corners (1/256 pixel) and depths:");
-        for (int i = 0; i < 3; i++) {
-            printf(" (%d %d %lld)", (int)c->corner[k][i].x, (int)c->corner[k][i].y,
-                   (long long)c->depth[k][i]);
-        }
-        printf("\n");
-    }
-    printf("    at pixel %d %d\n", c->x, c->y);
-}
-
 static const struct case_kind triangle_cases = {sizeof(struct triangle_case), make_triangle,
-                                                print_triangle, shrink_triangle};
-static const struct case_kind depths_cases = {sizeof(struct depth_case), make_depths, print_depths,
-                                              NULL};
+                                                print_triangle};
 
 const struct property triangle_properties[] = {
     PROPERTY("triangle: exact coverage", AGAINST_INTEGERS, 2000000, triangle_cases,
@@ -310,9 +229,9 @@ const struct property triangle_properties[] = {
              .holds = lesson03_is_exact),
     PROPERTY("triangle: lesson 4, exact coverage", AGAINST_INTEGERS, 200000, triangle_cases,
              .holds = lesson04_is_exact),
+    PROPERTY("triangle: lessons 5 to 7, depth test", AGAINST_INTEGERS, 100000, triangle_cases,
+             .holds = lessons_hide),
     PROPERTY("triangle: weights", AGAINST_BOUNDS, 500000, triangle_cases, .error = weight_error,
              .limit = 4, .error_unit = "ulp of 1"),
-    PROPERTY("depth: the nearer one shows", AGAINST_FRACTIONS, 300000, depths_cases,
-             .judge = nearer_one_shows),
     {.name = NULL},
 };

@@ -2,21 +2,8 @@
 # Does `make verify` find what it is for? In a copy of lesson 1: a mistake that passes, a correct
 # program that fails, a wrong solution and a finished starter are findings; lists that are wrong are
 # refused with file and line.
-#
-# Exit status 0: all of that is so; 1: something is not.
-top=$(cd "$(dirname "$0")/../../.." && pwd) || exit 1
-build=$(cd "$top" && cd "${CHECK_PROGRAMS:-build}" && pwd) || exit 1
-work=$(mktemp -d) || exit 1
-trap 'rm -rf "$work"' EXIT
-trap 'exit 1' HUP INT TERM
-unset MAKEFLAGS MFLAGS STEP NAME # of the make that runs this test
-failed=0
-
-wrong() {
-    echo "verify: $*"
-    sed 's/^/    /' "$work/said"
-    failed=1
-}
+. "$(dirname "$0")/../../unit/script.sh"
+said=$work/said
 
 mkdir -p "$work/tests/reference" "$work/tests/check" && cd "$work" || exit 1
 cp -R "$top/Makefile" "$top/common" "$top/step01_line" . || exit 1
@@ -280,101 +267,40 @@ cp main.c step01_line/main.c
 
 # ---- Lists that are wrong ----
 
-# refused LINE MESSAGE: the list on standard input is, for that.
+# refused LINE MESSAGE TEXT_LINE...: such a list of mistakes is, for that line.
 refused() {
-    mistakes
+    at="step01_line/mistakes.txt:$1: $2"
+    shift 2
+    printf '%s\n' "$@" >step01_line/mistakes.txt
     verify 1
-    says "step01_line/mistakes.txt:$1: $2"
+    says "$at"
 }
 
-refused 4 'a: the text does not occur in step01_line/main.c' <<'END'
-mistake a
-says b
-scene pixel
-- no such text
-+ text
-END
-refused 4 'a: the text occurs more than once' <<'END'
-mistake a
-says b
-scene pixel
-- walk
-+ walks
-END
-refused 4 'a: changes nothing' <<'END'
-mistake a
-says b
-scene pixel
-- walk->u++;
-+ walk->u++;
-END
-refused 1 'a: changes nothing' <<'END'
-mistake a
-says b
-scene pixel
-END
-refused 1 'a: no line `says' <<'END'
-mistake a
-scene pixel
-- walk->u++;
-+ walk->u--;
-END
-refused 1 'a: no scene of step01_line: pixels' <<'END'
-mistake a
-says b
-scene pixels
-- walk->u++;
-+ walk->u--;
-END
-refused 6 'a second a' <<'END'
-mistake a
-says b
-scene pixel
-- walk->u++;
-+ walk->u--;
-mistake a
-says b
-scene pixel
-- walk->u++;
-+ walk->u--;
-END
+a='mistake a'
+b='says b'
+pixel='scene pixel'
+before='- walk->u++;'
+after='+ walk->u--;'
+refused 4 'a: the text does not occur in step01_line/main.c' "$a" "$b" "$pixel" '- no such text' '+ text'
+refused 4 'a: the text occurs more than once' "$a" "$b" "$pixel" '- walk' '+ walks'
+refused 4 'a: changes nothing' "$a" "$b" "$pixel" "$before" '+ walk->u++;'
+refused 1 'a: changes nothing' "$a" "$b" "$pixel"
+# shellcheck disable=SC2016 # a word of the message
+refused 1 'a: no line `says' "$a" "$pixel" "$before" "$after"
+refused 1 'a: no scene of step01_line: pixels' "$a" "$b" 'scene pixels' "$before" "$after"
+refused 6 'a second a' "$a" "$b" "$pixel" "$before" "$after" "$a" "$b" "$pixel" "$before" "$after"
 printf 'accept a\nsays b\nbuild CFLAGS=-O1\nfigure 1\n' >tests/lessons/step01_line/alternatives.txt
 : | mistakes
 verify 1
 says 'tests/lessons/step01_line/alternatives.txt:1: a: a correct program has no figure'
 rm tests/lessons/step01_line/alternatives.txt
-refused 1 'mistakes stand in ' <<'END'
-accept a
-says b
-build CC=clang
-END
-refused 5 'b: the picture of figure 1 is that of a mistake before it' <<'END'
-mistake a
-says b
-scene pixel
-figure 1
-mistake b
-says b
-scene pixel
-figure 1 20x10+45+35
-- walk->u++;
-+ walk->u--;
-END
+refused 1 'mistakes stand in ' 'accept a' "$b" 'build CC=clang'
+refused 5 'b: the picture of figure 1 is that of a mistake before it' "$a" "$b" "$pixel" 'figure 1' \
+    'mistake b' "$b" "$pixel" 'figure 1 20x10+45+35' "$before" "$after"
 for figure in 0 x 4x '4 20x10' '4 20x10+-1+2' '4 20x10+1+2 3'; do
-    refused 4 "a line that means nothing: figure $figure" <<END
-mistake a
-says b
-scene pixel
-figure $figure
-END
+    refused 4 "a line that means nothing: figure $figure" "$a" "$b" "$pixel" "figure $figure"
 done
-refused 2 'a line that means nothing: say b' <<'END'
-mistake a
-say b
-END
-refused 1 'this is in no paragraph' <<'END'
-says b
-END
+refused 2 'a line that means nothing: say b' "$a" 'say b'
+refused 1 'this is in no paragraph' "$b"
 
-[ $failed -eq 0 ] && echo "verify: finds what it is for"
 exit $failed
