@@ -1,13 +1,12 @@
 /* Lines and words of text.h, and its numbers against the C library's strtof() and strtod(), which
  * glibc documents as correctly rounded. */
 #include "base/text.h"
-#include "unit/unit.h"
+#include "unit/images.h"
 
 #include <errno.h>
 #include <float.h>
 #include <locale.h>
 #include <math.h>
-#include <stdlib.h>
 
 /* ---- Lines and words ---- */
 
@@ -93,11 +92,7 @@ static void test_skipped_lines(void) {
 /* One line of 8 MB, as blanks, as one word, as a comment: linear time, or this test never ends. */
 static void test_long_line(void) {
     const size_t size = 8 << 20;
-    char *data = malloc(size);
-    CHECK(data != NULL);
-    if (data == NULL) {
-        return;
-    }
+    char *data = new_memory(size);
     for (const char *fill = "a #\\"; *fill != '\0'; fill++) {
         memset(data, *fill, size);
         struct text text;
@@ -179,12 +174,7 @@ static bool same_double(double a, double b) {
 static void check_number(const char *string) {
     double expected = strtod(string, NULL), as_word = 0, in_text = 0;
     size_t length = strlen(string);
-    char *copy = malloc(length);
-    CHECK(copy != NULL);
-    if (copy == NULL) {
-        return;
-    }
-    memcpy(copy, string, length);
+    char *copy = exact_copy(string, length);
     struct text text = {.next = copy, .end = copy + length, .line = 1};
     CHECK_ROW(word_to_double((struct word){copy, length}, &as_word) &&
                   same_double(as_word, expected),
@@ -256,12 +246,8 @@ static void test_chosen_numbers(void) {
 /* Many digits before and behind the point that the exponent takes back. */
 static void test_long_numbers(void) {
     enum { ZEROS = 100000 };
-    char *string = malloc(ZEROS + 100);
+    char *string = new_memory(ZEROS + 100);
     double d;
-    CHECK(string != NULL);
-    if (string == NULL) {
-        return;
-    }
     memset(string, '0', ZEROS);
     string[0] = '1';
     strcpy(string + ZEROS, "e-99999");
