@@ -25,16 +25,8 @@ enum {
     PALETTE_LIMIT = 256
 };
 
-/* Row filters, as in the file; the last is not in it: the best for each row. */
-enum {
-    FILTER_NONE,
-    FILTER_SUB,
-    FILTER_UP,
-    FILTER_AVERAGE,
-    FILTER_PAETH,
-    FILTER_COUNT,
-    FILTER_ADAPTIVE = FILTER_COUNT
-};
+/* Row filters, as in the file. */
+enum { FILTER_NONE, FILTER_SUB, FILTER_UP, FILTER_AVERAGE, FILTER_PAETH, FILTER_COUNT };
 
 /* As in IHDR. */
 enum color_type {
@@ -632,22 +624,20 @@ static uint32_t distance_from_zero(const uint8_t *bytes, size_t size) {
 }
 
 /* Filter every row of the part, top row first, into `out`: the filter's number and the bytes.
- * With FILTER_ADAPTIVE each row gets the filter whose differences are smallest in sum, as the
+ * Unless the part is flat, each row gets the filter whose differences are smallest in sum, as the
  * specification advises (section 12.7). `rows` has room for two rows and their margins, all zero,
  * `trial` for one row. */
-static void filter_rows(const struct part *part, unsigned choice, uint8_t *rows, uint8_t *trial,
+static void filter_rows(const struct part *part, bool flat, uint8_t *rows, uint8_t *trial,
                         uint8_t *out) {
     size_t step = (size_t)part->image->format;
     size_t size = part->width * step;
     uint8_t *row = rows + PIXEL_LIMIT, *above = rows + 2 * PIXEL_LIMIT + size;
-    unsigned first = choice == FILTER_ADAPTIVE ? FILTER_NONE : choice;
-    unsigned last = choice == FILTER_ADAPTIVE ? FILTER_COUNT - 1 : choice;
     for (size_t y = part->height; y-- > 0; out += 1 + size) {
         load_row(part, y, row);
-        filter_row(first, row, above, size, step, out + 1);
-        out[0] = (uint8_t)first;
-        uint32_t best = first == last ? 0 : distance_from_zero(out + 1, size);
-        for (unsigned filter = first + 1; filter <= last && best > 0; filter++) {
+        filter_row(FILTER_NONE, row, above, size, step, out + 1);
+        out[0] = FILTER_NONE;
+        uint32_t best = flat ? 0 : distance_from_zero(out + 1, size);
+        for (unsigned filter = FILTER_SUB; filter < FILTER_COUNT && best > 0; filter++) {
             filter_row(filter, row, above, size, step, trial);
             uint32_t sum = distance_from_zero(trial, size);
             if (sum < best) {
@@ -715,7 +705,6 @@ static bool has_flat_areas(const struct part *part) {
 
 /* The filtered and compressed pixels of a part, at the end of `out`. */
 static bool compress_pixels(const struct part *part, struct bytes *out, struct error *error) {
-    unsigned filter = has_flat_areas(part) ? FILTER_NONE : FILTER_ADAPTIVE;
     size_t size = part->width * (size_t)part->image->format;
     uint8_t *rows = calloc(3, PIXEL_LIMIT + size);
     uint8_t *raw = calloc(part->height, 1 + size);
@@ -724,7 +713,7 @@ static bool compress_pixels(const struct part *part, struct bytes *out, struct e
         error_out_of_memory(error);
         goto end;
     }
-    filter_rows(part, filter, rows, rows + 2 * (PIXEL_LIMIT + size), raw);
+    filter_rows(part, has_flat_areas(part), rows, rows + 2 * (PIXEL_LIMIT + size), raw);
     done = zlib_compress(raw, part->height * (1 + size), out, error);
 end:
     free(rows);

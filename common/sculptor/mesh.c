@@ -4,7 +4,6 @@
 #include "base/bytes.h"
 #include "base/file.h"
 
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -185,68 +184,51 @@ bool mesh_from_surface(struct mesh *mesh, const struct surface *surface,
 
 /* ---- Files ---- */
 
-/* Six decimals, written from an integer so that every C library prints the same digits. */
-static void print_number(char text[32], double value) {
+/* After `before`, six decimals, written from an integer so that every C library prints the same
+ * digits. */
+static bool append_number(struct bytes *out, const char *before, double value) {
     long long millionths = (long long)floor(value * 1e6 + 0.5);
-    unsigned long long size =
-        millionths < 0 ? 0ULL - (unsigned long long)millionths : (unsigned long long)millionths;
-    snprintf(text, 32, "%s%llu.%06llu", millionths < 0 ? "-" : "", size / 1000000, size % 1000000);
+    long long size = millionths < 0 ? -millionths : millionths;
+    return bytes_print(out, "%s%s%lld.%06lld", before, millionths < 0 ? "-" : "", size / 1000000,
+                       size % 1000000);
 }
 
-static bool append_text(struct bytes *out, const char *text) {
-    return bytes_append(out, text, strlen(text));
-}
-
-/* A line of a word (or "") and numbers. */
-static bool append_numbers(struct bytes *out, const char *word, const double *values, int count) {
-    bool done = append_text(out, word);
-    for (int i = 0; done && i < count; i++) {
-        char text[32];
-        print_number(text, values[i]);
-        done = (*word == '\0' && i == 0 ? true : append_text(out, " ")) && append_text(out, text);
-    }
-    return done && append_text(out, "\n");
-}
-
-static bool append_point(struct bytes *out, const char *word, struct vec3 p) {
-    double values[3] = {p.x, p.y, p.z};
-    return append_numbers(out, word, values, 3);
+/* A line, which begins with `start`. */
+static bool append_point(struct bytes *out, const char *start, struct vec3 p) {
+    return append_number(out, start, p.x) && append_number(out, " ", p.y) &&
+           append_number(out, " ", p.z) && bytes_print(out, "\n");
 }
 
 static bool append_obj(struct bytes *out, const struct mesh *mesh, const char *comment) {
-    bool done = append_text(out, "# ") && append_text(out, comment) && append_text(out, "\n");
+    bool done = bytes_print(out, "# %s\n", comment);
     for (int i = 0; done && i < mesh->place_count; i++) {
-        done = append_point(out, "v", mesh->places[i]);
+        done = append_point(out, "v ", mesh->places[i]);
     }
     for (int i = 0; done && i < mesh->uv_count; i++) {
-        done = append_numbers(out, "vt", mesh->uvs[i], 2);
+        done = append_number(out, "vt ", mesh->uvs[i][0]) &&
+               append_number(out, " ", mesh->uvs[i][1]) && bytes_print(out, "\n");
     }
     for (int i = 0; done && i < mesh->normal_count; i++) {
-        done = append_point(out, "vn", mesh->normals[i]);
+        done = append_point(out, "vn ", mesh->normals[i]);
     }
     for (int i = 0; done && i < mesh->face_count; i++) {
-        char line[160];
         const struct mesh_corner *f = mesh->faces[i];
-        snprintf(line, sizeof line, "f %d/%d/%d %d/%d/%d %d/%d/%d\n", f[0].place + 1, f[0].uv + 1,
-                 f[0].normal + 1, f[1].place + 1, f[1].uv + 1, f[1].normal + 1, f[2].place + 1,
-                 f[2].uv + 1, f[2].normal + 1);
-        done = append_text(out, line);
+        done = bytes_print(out, "f %d/%d/%d %d/%d/%d %d/%d/%d\n", f[0].place + 1, f[0].uv + 1,
+                           f[0].normal + 1, f[1].place + 1, f[1].uv + 1, f[1].normal + 1,
+                           f[2].place + 1, f[2].uv + 1, f[2].normal + 1);
     }
     return done;
 }
 
 static bool append_off(struct bytes *out, const struct mesh *mesh, const char *comment) {
-    char line[80];
-    snprintf(line, sizeof line, "%d %d 0\n", mesh->place_count, mesh->face_count);
-    bool done = append_text(out, "OFF\n# ") && append_text(out, comment) &&
-                append_text(out, "\n") && append_text(out, line);
+    bool done =
+        bytes_print(out, "OFF\n# %s\n%d %d 0\n", comment, mesh->place_count, mesh->face_count);
     for (int i = 0; done && i < mesh->place_count; i++) {
         done = append_point(out, "", mesh->places[i]);
     }
     for (int i = 0; done && i < mesh->face_count; i++) {
         const struct mesh_corner *f = mesh->faces[i];
-        snprintf(line, sizeof line, "3 %d %d %d\n", f[0].place, f[1].place, f[2].place);
-        done = append_text(out, line);
+        done = bytes_print(out, "3 %d %d %d\n", f[0].place, f[1].place, f[2].place);
     }
     return done;
 }

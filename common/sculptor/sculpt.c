@@ -1,8 +1,8 @@
 /*
  * Sculpts the course's own model: sculpt DIR
  *
- * Writes into DIR: bust.obj with bust_diffuse.tga, bust_nm.tga and bust_spec.tga, and three plain
- * solids, sphere.obj, torus.obj and knot.off. All are closed, face outwards and lie within -1..1.
+ * Writes into DIR: bust.obj with bust_diffuse.tga, bust_nm.tga and bust_spec.tga, and two plain
+ * solids, sphere.obj and knot.off. All are closed, face outwards and lie within -1..1.
  *
  *   head.c      the bust as a solid of clay: where clay is and where not
  *   surface.c   rays from inside find its surface, as a fine grid over the texture
@@ -82,9 +82,6 @@ static bool write_solids(const char *directory, struct error *error) {
     struct mesh mesh;
     bool done = solid_sphere(&mesh, 48, 24) || error_set(error, "out of memory for the sphere");
     done = done && write_obj(&mesh, "A sphere of radius 0.9", directory, "sphere.obj", error);
-    mesh_free(&mesh);
-    done = done && (solid_torus(&mesh, 48, 24) || error_set(error, "out of memory for the torus"));
-    done = done && write_obj(&mesh, "A torus of radii 0.6 and 0.3", directory, "torus.obj", error);
     mesh_free(&mesh);
     char path[4096];
     done = done && (solid_knot(&mesh, 96, 12) || error_set(error, "out of memory for the knot"));

@@ -1,4 +1,4 @@
-/* Sphere, torus and knot: see solids.h. */
+/* Sphere and knot: see solids.h. */
 #include "sculptor/solids.h"
 
 /* A quadrilateral as two triangles. */
@@ -66,61 +66,17 @@ bool solid_sphere(struct mesh *mesh, int segments, int rings) {
     return true;
 }
 
-/* A tube around a closed line: `center` and two unit vectors across it at each segment. */
-struct frame {
-    struct vec3 center, across, up;
-};
-
-static bool tube(struct mesh *mesh, struct frame (*frame_at)(double share), double radius,
-                 int segments, int rings) {
-    if (!mesh_create(mesh, segments * rings, (segments + 1) * (rings + 1), segments * rings,
-                     2 * segments * rings)) {
-        return false;
-    }
-    for (int i = 0; i < segments; i++) {
-        struct frame frame = frame_at((double)i / segments);
-        for (int j = 0; j < rings; j++) {
-            struct vec2 turn = turn_direction((double)j / rings);
-            struct vec3 normal =
-                vec3_add(vec3_scale(frame.across, turn.x), vec3_scale(frame.up, turn.y));
-            mesh_add_normal(mesh, normal);
-            mesh_add_place(mesh, vec3_add(frame.center, vec3_scale(normal, radius)));
-        }
-    }
-    for (int i = 0; i <= segments; i++) {
-        for (int j = 0; j <= rings; j++) {
-            mesh_add_uv(mesh, (double)i / segments, (double)j / rings);
-        }
-    }
-    for (int i = 0; i < segments; i++) {
-        for (int j = 0; j < rings; j++) {
-            int here = i * rings, there = (i + 1) % segments * rings, above = (j + 1) % rings;
-            int uv = i * (rings + 1) + j, uv_there = uv + rings + 1;
-            struct mesh_corner a = {here + j, uv, here + j}, b = {there + j, uv_there, there + j};
-            struct mesh_corner c = {there + above, uv_there + 1, there + above};
-            struct mesh_corner d = {here + above, uv + 1, here + above};
-            add_quad(mesh, a, b, c, d);
-        }
-    }
-    return true;
-}
-
-static struct frame circle_at(double share) {
-    struct vec2 turn = turn_direction(share);
-    struct vec3 outwards = {turn.y, 0, turn.x};
-    return (struct frame){vec3_scale(outwards, 0.6), outwards, {0, 1, 0}};
-}
-
-bool solid_torus(struct mesh *mesh, int segments, int rings) {
-    return tube(mesh, circle_at, 0.3, segments, rings);
-}
-
 /* The trefoil: twice around the middle while going three times up and down. */
 static struct vec3 trefoil(double share) {
     struct vec2 around = turn_direction(2 * share), wave = turn_direction(3 * share);
     double reach = 0.5 + 0.21 * wave.x;
     return at(reach * around.x, reach * around.y, 0.26 * wave.y);
 }
+
+/* The centre of the tube and two unit vectors across it. */
+struct frame {
+    struct vec3 center, across, up;
+};
 
 static struct frame trefoil_at(double share) {
     struct vec3 center = trefoil(share);
@@ -132,5 +88,26 @@ static struct frame trefoil_at(double share) {
 }
 
 bool solid_knot(struct mesh *mesh, int segments, int rings) {
-    return tube(mesh, trefoil_at, 0.15, segments, rings);
+    if (!mesh_create(mesh, segments * rings, 1, 1, 2 * segments * rings)) {
+        return false;
+    }
+    for (int i = 0; i < segments; i++) {
+        struct frame frame = trefoil_at((double)i / segments);
+        for (int j = 0; j < rings; j++) {
+            struct vec2 turn = turn_direction((double)j / rings);
+            struct vec3 out =
+                vec3_add(vec3_scale(frame.across, turn.x), vec3_scale(frame.up, turn.y));
+            mesh_add_place(mesh, vec3_add(frame.center, vec3_scale(out, 0.15)));
+        }
+    }
+    for (int i = 0; i < segments; i++) {
+        for (int j = 0; j < rings; j++) {
+            int here = i * rings, there = (i + 1) % segments * rings, above = (j + 1) % rings;
+            add_quad(mesh, (struct mesh_corner){.place = here + j},
+                     (struct mesh_corner){.place = there + j},
+                     (struct mesh_corner){.place = there + above},
+                     (struct mesh_corner){.place = here + above});
+        }
+    }
+    return true;
 }

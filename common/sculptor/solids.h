@@ -7,10 +7,7 @@
 /* A sphere of radius 0.9: `rings` bands of `segments` each, triangles at the poles. */
 bool solid_sphere(struct mesh *mesh, int segments, int rings);
 
-/* A ring lying in the xz plane: distance 0.6 from the middle, 0.3 thick. */
-bool solid_torus(struct mesh *mesh, int segments, int rings);
-
-/* A tube tied into a trefoil knot, standing in the xy plane. */
+/* A tube tied into a trefoil knot, standing in the xy plane: positions and faces alone. */
 bool solid_knot(struct mesh *mesh, int segments, int rings);
 
 #endif

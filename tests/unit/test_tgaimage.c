@@ -8,51 +8,22 @@
 #include "tgaimage.h"
 
 #include "base/file.h"
-#include "unit.h"
+#include "unit/images.h"
 
 #include <math.h>
-#include <stdlib.h>
-
-static uint32_t next_random(uint32_t *state) {
-    *state = *state * 1664525u + 1013904223u;
-    return *state >> 8;
-}
 
 static struct image random_image(size_t width, size_t height, enum image_format format,
                                  uint32_t levels, uint32_t *state) {
-    struct image image;
-    struct error error;
-    CHECK(image_create(&image, width, height, format, &error));
+    struct image image = new_image(width, height, format);
     for (size_t i = 0; i < width * height * (size_t)format; i++) {
         image.pixels[i] = (uint8_t)(next_random(state) % levels * 255 / (levels - 1));
     }
     return image;
 }
 
-static bool same_image(const struct image *a, const struct image *b) {
-    return a->width == b->width && a->height == b->height && a->format == b->format &&
-           memcmp(a->pixels, b->pixels, a->width * a->height * (size_t)a->format) == 0;
-}
-
-static bool same_color(struct color a, struct color b) {
-    return a.r == b.r && a.g == b.g && a.b == b.b && a.a == b.a;
-}
-
-/* Decode from an allocated block of exactly this size. */
 static bool decode_exact(struct image *image, const uint8_t *data, size_t size,
                          struct error *error) {
-    uint8_t *copy = malloc(size + (size == 0));
-    CHECK(copy != NULL);
-    if (copy == NULL) {
-        return false;
-    }
-    memcpy(copy, data, size);
-    error->message[0] = '\0';
-    bool done = tga_decode(image, copy, size, error);
-    CHECK(done == (image->pixels != NULL));
-    CHECK(done || error->message[0] != '\0');
-    free(copy);
-    return done;
+    return decode_exact_by(tga_decode, image, data, size, error);
 }
 
 /* ---- Images ---- */
@@ -75,10 +46,8 @@ static void test_create(void) {
 
 /* What the pipeline draws on has no chunk of 16 pixels in two lines of the cache. */
 static void test_aligned(void) {
-    struct image image;
-    struct error error;
     for (size_t side = 1; side < 2000; side = 3 * side + 1) {
-        CHECK(image_create(&image, side, side, IMAGE_BGRA, &error));
+        struct image image = new_image(side, side, IMAGE_BGRA);
         CHECK((uintptr_t)image.pixels % 64 == 0);
         image_free(&image);
     }
@@ -88,9 +57,7 @@ static void test_aligned(void) {
 static void test_created_is_black(void) {
     bool black = true;
     for (size_t width = 1; width <= 100; width++) {
-        struct image image;
-        struct error error;
-        CHECK(image_create(&image, width, 2, IMAGE_BGRA, &error));
+        struct image image = new_image(width, 2, IMAGE_BGRA);
         for (size_t i = 0; i < 8 * width; i++) {
             black = black && image.pixels[i] == 0;
             image.pixels[i] = 255;
@@ -283,11 +250,6 @@ static const struct kind kinds[] = {
     {"grey with a colour map to skip", 3, 8, 24, 0, IMAGE_GREY},
 };
 enum { KIND_COUNT = sizeof kinds / sizeof kinds[0] };
-
-static void put(struct bytes *file, unsigned value) {
-    uint8_t byte = (uint8_t)value;
-    CHECK(bytes_append(file, &byte, 1));
-}
 
 static void put_16(struct bytes *file, unsigned value) {
     put(file, value & 255);
@@ -626,11 +588,7 @@ static void test_tga_runs(void) {
     static const enum image_format formats[] = {IMAGE_GREY, IMAGE_BGR, IMAGE_BGRA};
     enum { ACROSS = 200, LENGTHS = 150 };
     for (size_t i = 0; i < 3; i++) {
-        struct image image;
-        struct error error;
-        if (!CHECK(image_create(&image, ACROSS, LENGTHS, formats[i], &error))) {
-            continue;
-        }
+        struct image image = new_image(ACROSS, LENGTHS, formats[i]);
         for (int y = 0; y < LENGTHS; y++) {
             for (int x = 0; x < ACROSS; x++) {
                 int first = 20 + y % 8;

@@ -4,29 +4,9 @@
  * the address sanitizer sees a read past the end.
  */
 #include "files/deflate.h"
-#include "unit/unit.h"
+#include "unit/images.h"
 
-#include <stdlib.h>
 #include <time.h>
-
-static uint32_t next_random(uint32_t *state) {
-    *state = *state * 1664525u + 1013904223u;
-    return *state >> 8;
-}
-
-static void put(struct bytes *out, unsigned value) {
-    uint8_t byte = (uint8_t)(value & 255);
-    CHECK(bytes_append(out, &byte, 1));
-}
-
-static uint32_t slow_adler(const uint8_t *data, size_t size) {
-    uint32_t a = 1, b = 0;
-    for (size_t i = 0; i < size; i++) {
-        a = (a + data[i]) % 65521;
-        b = (b + a) % 65521;
-    }
-    return b * 65536 + a;
-}
 
 /* ---- Streams by hand ---- */
 
@@ -112,16 +92,11 @@ static struct bytes wrap_blocks(struct bits *bits, const void *plain, size_t siz
 /* Does the stream give just these bytes? Otherwise there is a message. */
 static bool gives(const uint8_t *data, size_t size, const void *plain, size_t plain_size,
                   struct error *error) {
-    uint8_t *copy = malloc(size + (size == 0)), *out = malloc(plain_size + (plain_size == 0));
-    bool same = false;
-    CHECK(copy != NULL && out != NULL);
-    if (copy != NULL && out != NULL) {
-        memcpy(copy, data, size);
-        error->message[0] = '\0';
-        bool done = zlib_decompress(copy, size, out, plain_size, error);
-        CHECK(done || error->message[0] != '\0');
-        same = done && (plain_size == 0 || memcmp(out, plain, plain_size) == 0);
-    }
+    uint8_t *copy = exact_copy(data, size), *out = new_memory(plain_size);
+    error->message[0] = '\0';
+    bool done = zlib_decompress(copy, size, out, plain_size, error);
+    bool same = done && (plain_size == 0 || memcmp(out, plain, plain_size) == 0);
+    CHECK(done || error->message[0] != '\0');
     free(copy);
     free(out);
     return same;
@@ -138,13 +113,11 @@ static void check_blocks(struct bits *bits, const void *plain, size_t size) {
 /* The blocks are refused, whatever follows them, with this message. */
 static void check_refused(struct bits *bits, size_t size, const char *message, const char *row) {
     struct error error;
-    uint8_t *plain = calloc(size, 1);
+    uint8_t *plain = new_memory(size);
     put_bits(bits, 0, 32);
     struct bytes stream = wrap_blocks(bits, plain, 0);
-    if (CHECK(plain != NULL)) {
-        CHECK_ROW(!gives(stream.data, stream.size, plain, size, &error), row);
-        CHECK_ROW(strstr(error.message, message) != NULL, error.message);
-    }
+    CHECK_ROW(!gives(stream.data, stream.size, plain, size, &error), row);
+    CHECK_ROW(strstr(error.message, message) != NULL, error.message);
     free(plain);
     bytes_free(&stream);
 }
@@ -451,12 +424,8 @@ static void test_zlib_header(void) {
 static void test_empty_blocks(void) {
     enum { SIZE = 1 << 20, REPEATED = 5 };
     static const uint8_t four_blocks[REPEATED] = {0x02, 0x08, 0x20, 0x80, 0x00};
-    uint8_t *stream = calloc(SIZE, 1), out[1] = {0};
+    uint8_t *stream = new_memory(SIZE), out[1] = {0};
     struct error error;
-    CHECK(stream != NULL);
-    if (stream == NULL) {
-        return;
-    }
     stream[0] = 0x78;
     stream[1] = 0x01;
     for (size_t i = 2; i < SIZE; i++) {
@@ -581,10 +550,7 @@ static void test_compressed_sizes(void) {
     for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
         struct bytes packed = {0};
         struct error error;
-        uint8_t *data = malloc(rows[i].size);
-        if (!CHECK(data != NULL)) {
-            return;
-        }
+        uint8_t *data = new_memory(rows[i].size);
         fill_data(data, rows[i].size, rows[i].kind);
         CHECK(zlib_compress(data, rows[i].size, &packed, &error));
         CHECK_ROW(packed.size <= rows[i].most, rows[i].name);

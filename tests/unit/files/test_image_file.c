@@ -3,43 +3,16 @@
 
 #include "files/image_file.h"
 
-#include "base/file.h"
 #include "files/png.h"
-#include "unit/unit.h"
-
-#include <stdlib.h>
-#include <unistd.h>
+#include "unit/images.h"
+#include "unit/place.h"
 
 static struct image make_image(enum image_format format, uint8_t first) {
-    struct image image;
-    struct error error;
-    CHECK(image_create(&image, 3, 2, format, &error));
+    struct image image = new_image(3, 2, format);
     for (size_t i = 0; i < 6 * (size_t)format; i++) {
         image.pixels[i] = (uint8_t)(first + 9 * i);
     }
     return image;
-}
-
-static bool same_image(const struct image *a, const struct image *b) {
-    return a->width == b->width && a->height == b->height && a->format == b->format &&
-           memcmp(a->pixels, b->pixels, a->width * a->height * (size_t)a->format) == 0;
-}
-
-/* A name in a new directory, which leave_directory() removes. */
-struct place {
-    char directory[32], path[64];
-};
-
-static struct place enter_directory(const char *name) {
-    struct place place = {.directory = "/tmp/test_image_file.XXXXXX"};
-    CHECK(mkdtemp(place.directory) != NULL);
-    snprintf(place.path, sizeof place.path, "%s/%s", place.directory, name);
-    return place;
-}
-
-static void leave_directory(const struct place *place) {
-    unlink(place->path);
-    CHECK(rmdir(place->directory) == 0); /* the writers have left nothing else */
 }
 
 /* ---- Reading ---- */
@@ -51,7 +24,8 @@ static void test_signature_decides(void) {
         bool (*write)(const struct image *image, const char *path, struct error *error);
     } rows[] = {{"a.png", tga_write}, {"a.tga", png_write}, {"a", png_write}};
     for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
-        struct place place = enter_directory(rows[i].name);
+        struct place place = place_create();
+        name_file(&place, rows[i].name);
         struct image image = make_image(IMAGE_BGRA, 5), again;
         struct error error;
         CHECK_ROW(rows[i].write(&image, place.path, &error), rows[i].name);
@@ -60,7 +34,8 @@ static void test_signature_decides(void) {
         }
         image_free(&again);
         image_free(&image);
-        leave_directory(&place);
+        unlink(place.path);
+        place_remove(&place, NULL);
     }
 }
 
@@ -86,7 +61,8 @@ static void test_wrong_files(void) {
          "a TGA cut off: 2x1 pixels take at least 2 bytes, but 1 are left"},
     };
     for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
-        struct place place = enter_directory("picture.tga");
+        struct place place = place_create();
+        name_file(&place, "picture.tga");
         struct image image = {.width = 7};
         struct error error = {0};
         char expected[200];
@@ -99,7 +75,8 @@ static void test_wrong_files(void) {
         CHECK_ROW(image.pixels == NULL && image.width == 0, rows[i].name);
         snprintf(expected, sizeof expected, "%s: %s", place.path, rows[i].message);
         CHECK_TEXT(error.message, expected);
-        leave_directory(&place);
+        unlink(place.path);
+        place_remove(&place, NULL);
     }
 }
 
@@ -173,7 +150,8 @@ static void test_writers(void) {
     CHECK(sizeof rows / sizeof rows[0] == image_file_format_count);
     for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
         const struct image_file_format *format = image_file_format_find(rows[i].format);
-        struct place place = enter_directory("picture");
+        struct place place = place_create();
+        name_file(&place, "picture");
         struct image image = make_image(IMAGE_BGR, 1), empty = {0};
         struct bytes file = {0};
         struct error error;
@@ -188,7 +166,8 @@ static void test_writers(void) {
         CHECK_ROW((format->write_frames != NULL) == rows[i].moves, rows[i].format);
         bytes_free(&file);
         image_free(&image);
-        leave_directory(&place);
+        unlink(place.path);
+        place_remove(&place, NULL);
     }
 }
 
@@ -199,7 +178,8 @@ static void test_frames(void) {
         if (format->write_frames == NULL) {
             continue;
         }
-        struct place place = enter_directory("film");
+        struct place place = place_create();
+        name_file(&place, "film");
         struct image frames[2] = {make_image(IMAGE_BGR, 1), make_image(IMAGE_BGR, 2)}, again;
         struct bytes one = {0}, two = {0};
         struct error error;
@@ -212,7 +192,8 @@ static void test_frames(void) {
         image_free(&frames[1]);
         bytes_free(&one);
         bytes_free(&two);
-        leave_directory(&place);
+        unlink(place.path);
+        place_remove(&place, NULL);
     }
 }
 

@@ -7,7 +7,8 @@
 #include "files/obj.h"
 #include "files/png.h"
 #include "model.h"
-#include "unit/unit.h"
+#include "unit/images.h"
+#include "unit/place.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -20,13 +21,8 @@
 /* Read the text, from memory of just its size. */
 static bool decode(struct model *model, const char *text, struct error *error) {
     size_t size = strlen(text);
-    char *copy = malloc(size + (size == 0));
-    bool done = false;
-    *model = (struct model){0};
-    if (CHECK(copy != NULL)) {
-        memcpy(copy, text, size);
-        done = model_decode(model, copy, size, error);
-    }
+    char *copy = exact_copy(text, size);
+    bool done = model_decode(model, copy, size, error);
     free(copy);
     return done;
 }
@@ -508,11 +504,7 @@ static void test_long_lines(void) {
     static const char *const starts[] = {"",      "v ",   "f ",           SQUARE "f 1 ",
                                          "vt 1 ", "OFF ", "OFF\n1 1 0\n", "# "};
     const size_t size = 1 << 20;
-    char *data = malloc(size);
-    CHECK(data != NULL);
-    if (data == NULL) {
-        return;
-    }
+    char *data = new_memory(size);
     for (size_t i = 0; i < sizeof starts / sizeof starts[0]; i++) {
         static const char fills[] = {'\0', 'a', ' ', '1', '\\', '/', '.', '\n'};
         for (size_t k = 0; k < sizeof fills; k++) {
@@ -565,17 +557,11 @@ static void test_too_many_corners(void) {
 
 /* ---- Files ---- */
 
-static bool write_text(const char *path, const char *text) {
-    struct error error;
-    return file_write(path, text, strlen(text), &error);
-}
-
 static bool write_image(const char *path, uint8_t level, bool png) {
-    struct image image;
+    struct image image = new_image(2, 2, IMAGE_GREY);
     struct error error;
-    bool done = image_create(&image, 2, 2, IMAGE_GREY, &error);
     image_clear(&image, color_grey(level));
-    done = done && (png ? png_write(&image, path, &error) : tga_write(&image, path, &error));
+    bool done = png ? png_write(&image, path, &error) : tga_write(&image, path, &error);
     image_free(&image);
     return done;
 }
@@ -584,21 +570,19 @@ static void test_files(void) {
     char directory[] = COURSE_BUILD "/test_model.XXXXXX", path[400], expected[500];
     struct model m;
     struct error error;
-    if (!CHECK(mkdtemp(directory) != NULL)) {
-        return;
-    }
+    CHECK(mkdtemp(directory) != NULL);
     CHECK(!model_read(&m, directory, &error) && m.faces == NULL);
     snprintf(expected, sizeof expected, "%s: is a directory", directory);
     CHECK_TEXT(error.message, expected);
     snprintf(path, sizeof path, "%s/a.obj", directory);
     CHECK(!model_read(&m, path, &error) && strstr(error.message, "a.obj: ") != NULL);
-    CHECK(write_text(path, SQUARE "f 1 2 99\n") && !model_read(&m, path, &error));
+    CHECK(put_text(path, SQUARE "f 1 2 99\n") && !model_read(&m, path, &error));
     snprintf(expected, sizeof expected, "%s:5: face names vertex 99 of 4", path);
     CHECK_TEXT(error.message, expected);
-    CHECK(write_text(path, "") && !model_read(&m, path, &error));
+    CHECK(put_text(path, "") && !model_read(&m, path, &error));
     snprintf(expected, sizeof expected, "%s: holds no faces", path);
     CHECK_TEXT(error.message, expected);
-    CHECK(write_text(path, SQUARE "f 1 2 3\n") && model_read(&m, path, &error));
+    CHECK(put_text(path, SQUARE "f 1 2 3\n") && model_read(&m, path, &error));
     CHECK(m.path != NULL && m.path != path);
     if (m.path != NULL) {
         CHECK_TEXT(m.path, path);
@@ -621,14 +605,12 @@ static void test_named_off(void) {
         {SQUARE "f 1 2 3\n", NULL},
     };
     char directory[] = COURSE_BUILD "/test_model.XXXXXX", path[400], expected[500];
-    if (!CHECK(mkdtemp(directory) != NULL)) {
-        return;
-    }
+    CHECK(mkdtemp(directory) != NULL);
     snprintf(path, sizeof path, "%s/a.off", directory);
     for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
         struct model m;
         struct error error = {0};
-        CHECK(write_text(path, rows[i].text));
+        CHECK(put_text(path, rows[i].text));
         CHECK_ROW(model_read(&m, path, &error) == (rows[i].message == NULL), rows[i].text);
         if (rows[i].message != NULL) {
             snprintf(expected, sizeof expected, "%s: %s", path, rows[i].message);
@@ -645,14 +627,12 @@ static void test_textures(void) {
          expected[500];
     struct model m;
     struct error error;
-    if (!CHECK(mkdtemp(directory) != NULL)) {
-        return;
-    }
+    CHECK(mkdtemp(directory) != NULL);
     snprintf(path, sizeof path, "%s/a.b.off", directory);
     snprintf(tga, sizeof tga, "%s/a.b_diffuse.tga", directory);
     snprintf(png, sizeof png, "%s/a.b_diffuse.png", directory);
-    CHECK(write_text(path, "OFF 1 1 0\n0 0 0\n3 0 0 0\n"));
-    CHECK(write_text(tga, "not an image"));
+    CHECK(put_text(path, "OFF 1 1 0\n0 0 0\n3 0 0 0\n"));
+    CHECK(put_text(tga, "not an image"));
     CHECK(model_read(&m, path, &error)); /* textures are not looked at yet */
     CHECK(model_texture(&m, MODEL_DIFFUSE, &error) == NULL);
     CHECK(strncmp(error.message, tga, strlen(tga)) == 0);

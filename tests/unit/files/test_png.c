@@ -9,38 +9,12 @@
 
 #include "base/file.h"
 #include "files/deflate.h"
-#include "unit/unit.h"
-
-#include <stdlib.h>
-
-static uint32_t next_random(uint32_t *state) {
-    *state = *state * 1664525u + 1013904223u;
-    return *state >> 8;
-}
-
-static bool same_image(const struct image *a, const struct image *b) {
-    return a->width == b->width && a->height == b->height && a->format == b->format &&
-           memcmp(a->pixels, b->pixels, a->width * a->height * (size_t)a->format) == 0;
-}
-
-static void put(struct bytes *out, unsigned value) {
-    uint8_t byte = (uint8_t)(value & 255);
-    CHECK(bytes_append(out, &byte, 1));
-}
+#include "unit/images.h"
 
 static void put_32(struct bytes *out, uint32_t value) {
     for (unsigned shift = 32; shift > 0; shift -= 8) {
         put(out, value >> (shift - 8) & 255);
     }
-}
-
-static uint32_t slow_adler(const uint8_t *data, size_t size) {
-    uint32_t a = 1, b = 0;
-    for (size_t i = 0; i < size; i++) {
-        a = (a + data[i]) % 65521;
-        b = (b + a) % 65521;
-    }
-    return b * 65536 + a;
 }
 
 static uint32_t slow_crc(const uint8_t *data, size_t size) {
@@ -97,18 +71,7 @@ static void put_pixels(struct bytes *file, const uint8_t *raw, size_t size) {
 
 static bool decode_exact(struct image *image, const uint8_t *data, size_t size,
                          struct error *error) {
-    uint8_t *copy = malloc(size + (size == 0));
-    CHECK(copy != NULL);
-    if (copy == NULL) {
-        return false;
-    }
-    memcpy(copy, data, size);
-    error->message[0] = '\0';
-    bool done = png_decode(image, copy, size, error);
-    CHECK(done == (image->pixels != NULL));
-    CHECK(done || error->message[0] != '\0');
-    free(copy);
-    return done;
+    return decode_exact_by(png_decode, image, data, size, error);
 }
 
 /* Bytes written as a string. */
@@ -482,13 +445,13 @@ static void test_huge_length(void) {
 /* A square PNG of 1 bit a pixel; `noise` bytes of it are not black. */
 static struct bytes make_square(uint32_t side, size_t noise) {
     size_t row = 1 + (side + 7) / 8, size = side * row;
-    uint8_t *rows = calloc(size, 1);
+    uint8_t *rows = new_memory(size);
     struct bytes file = {0}, stream = {0};
     struct error error;
     uint32_t state = 1;
-    for (size_t i = 0; CHECK(rows != NULL) && i < noise; i++) {
-        state = state * 1664525u + 1013904223u;
-        rows[i + 1 + i / (row - 1)] = (uint8_t)(state >> 24); /* never a row's filter */
+    for (size_t i = 0; i < noise; i++) {
+        rows[i + 1 + i / (row - 1)] =
+            (uint8_t)(next_random(&state) >> 16); /* never a row's filter */
     }
     CHECK(zlib_compress(rows, size, &stream, &error));
     put_header(&file, side, side, 1, 0, 0);
@@ -542,9 +505,7 @@ enum picture { NOISE, SHADES, FLAT, PICTURES };
 
 static struct image make_image(size_t width, size_t height, enum image_format format,
                                enum picture picture, uint32_t *state) {
-    struct image image;
-    struct error error;
-    CHECK(image_create(&image, width, height, format, &error));
+    struct image image = new_image(width, height, format);
     for (size_t y = 0; y < height; y++) {
         for (size_t x = 0; x < width; x++) {
             uint32_t noise = next_random(state);
@@ -598,7 +559,7 @@ static unsigned filters_of(const struct image *image) {
     struct error error;
     unsigned set = 0;
     size_t row = 1 + image->width * (size_t)image->format;
-    uint8_t *raw = malloc(image->height * row);
+    uint8_t *raw = new_memory(image->height * row);
     CHECK(png_encode(image, &file, &error));
     size_t size = (size_t)file.data[33] << 24 | (size_t)file.data[34] << 16 |
                   (size_t)file.data[35] << 8 | file.data[36];
@@ -627,11 +588,7 @@ static void test_choice_of_filters(void) {
 static void test_choice_of_paeth(void) {
     static const uint8_t across[4] = {0, 3, 43, 46};
     enum { WIDTH = 32, HEIGHT = 16 };
-    struct image image;
-    struct error error;
-    if (!CHECK(image_create(&image, WIDTH, HEIGHT, IMAGE_GREY, &error))) {
-        return;
-    }
+    struct image image = new_image(WIDTH, HEIGHT, IMAGE_GREY);
     for (int i = 0; i < WIDTH * HEIGHT; i++) {
         int x = i % WIDTH, y = i / WIDTH;
         image.pixels[i] = (uint8_t)(6 * (x / 4) + across[x % 4] + 10 * y);

@@ -2,10 +2,9 @@
 #include "files/polygon.h"
 
 #include "oracle/oracle.h"
-#include "unit/unit.h"
+#include "unit/images.h"
 
 #include <assert.h>
-#include <stdlib.h>
 #include <time.h>
 
 static struct random random_state = {1};
@@ -575,12 +574,8 @@ static void test_sawtooth(void) {
  * there, and the corners that may lie in its way are all at the bottom. */
 static void test_longest(void) {
     const size_t size = POLYGON_CONCAVE_LIMIT;
-    struct vec3 *places = calloc(size, sizeof *places);
+    struct vec3 *places = new_memory((size + 1) * sizeof *places);
     struct polygon_cutter cutter = {0};
-    CHECK(places != NULL);
-    if (places == NULL) {
-        return;
-    }
     for (size_t i = 0; i + 1 < size; i++) {
         double x = (double)i / (double)(size - 2);
         places[i] = (struct vec3){x, x * (1 - x), 0};
@@ -598,12 +593,8 @@ static void test_limit(void) {
     static const struct vec3 arrow[4] = {{0, 0, 0}, {4, 0, 0}, {1, 1, 0}, {0, 4, 0}};
     static const struct vec3 square[4] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
     const size_t size = POLYGON_CONCAVE_LIMIT;
-    struct vec3 *places = malloc((size + 1) * sizeof *places);
+    struct vec3 *places = new_memory((size + 1) * sizeof *places);
     struct polygon_cutter cutter = {0};
-    CHECK(places != NULL);
-    if (places == NULL) {
-        return;
-    }
     for (size_t i = 0; i <= size; i++) { /* all corners but four in one place */
         places[i] = arrow[i < 4 ? i : 3];
     }

@@ -1,14 +1,11 @@
 /* Tests of common/files/ppm.c: every kind of file, byte by byte. */
 #include "files/ppm.h"
 
-#include "base/file.h"
-#include "unit/unit.h"
+#include "unit/images.h"
 
 /* Two rows of two pixels, whose bytes are the letters from a on. */
 static struct image make_letters(enum image_format format) {
-    struct image image;
-    struct error error;
-    CHECK(image_create(&image, 2, 2, format, &error));
+    struct image image = new_image(2, 2, format);
     for (size_t i = 0; i < 4 * (size_t)format; i++) {
         image.pixels[i] = (uint8_t)(97 + i);
     }
@@ -47,10 +44,9 @@ static void test_kinds(void) {
 /* The largest number takes the most room, and a wide row must find it. */
 static void test_white_row(void) {
     enum { WIDTH = 1000 };
-    struct image image;
+    struct image image = new_image(WIDTH, 1, IMAGE_BGR);
     struct error error;
     struct bytes file = {0};
-    CHECK(image_create(&image, WIDTH, 1, IMAGE_BGR, &error));
     image_clear(&image, color_grey(255));
     CHECK(ppm_encode(&image, true, &file, &error));
     CHECK(file.size == strlen("P3\n1000 1\n255\n") + WIDTH * strlen("255 255 255\n"));

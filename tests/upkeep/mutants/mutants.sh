@@ -213,7 +213,7 @@ done
 [ ! -f tests/lesson.h ] || cp tests/lesson.h "$work/sources/tests"
 cd "$work/sources" || exit 2
 find . -type f ! -name '*.[ch]' -exec rm -f {} +
-find . -name 'test_*.c' -exec sed -i "s|\"/tmp/[a-z_]*\.XXXXXX|\"$scratch/f.XXXXXX|" {} +
+find tests/unit -name '*.[ch]' -exec sed -i "s|\"/tmp/[a-z_]*\.XXXXXX|\"$scratch/f.XXXXXX|" {} +
 ln -s "$build/models" "$work/models"
 ${CC:-cc} -O1 "$here/mutate.c" -o "$work/mutate" || exit 2
 find common tests/oracle -name '*.c' 2>/dev/null | grep -v /sculptor/ >"$work/library"
