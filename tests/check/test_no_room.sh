@@ -49,6 +49,6 @@ hands_out() {
     umount "$work/disk"
 }
 
-hands_out 300k tests/reference/step01_line
-hands_out 600k common
+hands_out 280k tests/reference/step01_line
+hands_out 500k common
 exit $failed
