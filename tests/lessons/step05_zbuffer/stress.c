@@ -1,16 +1,105 @@
-/* The triangles of step 5. */
+/* Step 5: triangles with depths, depths as levels. */
 #define LESSON "../step05_zbuffer/main.c"
 #include "lesson.h"
 
 #include "upkeep/stress/lessons.h"
+#include "upkeep/stress/stress.h"
 
-uint64_t lesson05_triangle(const struct depth_image *on, const struct fixed2 corner[3],
-                           const double depth[3], uint8_t level) {
-    struct canvas canvas = {.image = on->image, .depth = on->depth};
-    struct vertex v[3];
-    for (int i = 0; i < 3; i++) {
-        v[i] = (struct vertex){corner[i], depth[i]};
-    }
-    triangle(&canvas, v, color_grey(level));
-    return canvas.pixels_tested;
+#include <stdio.h>
+#include <string.h>
+
+/* ---- Triangles ---- */
+
+static void make_layers_case(struct random *random, uint64_t index, void *made) {
+    make_layers(random, index, made);
 }
+
+static void print_layers_case(const void *failing) {
+    print_layers(failing);
+}
+
+/* There is nothing to skip: what is hidden has no colour to compute. */
+static struct layer_work draw_layers(const void *tried, const struct depth_image *on) {
+    const struct layers *layers = tried;
+    struct canvas canvas = {.image = on->image, .depth = on->depth};
+    for (int i = 0; i < LAYER_COUNT; i++) {
+        struct vertex v[3];
+        for (int k = 0; k < 3; k++) {
+            v[k] = (struct vertex){layers->corner[i][k], layers->depth[i][k]};
+        }
+        triangle(&canvas, v, color_grey((uint8_t)(i + 1)));
+    }
+    return (struct layer_work){canvas.pixels_tested,
+                               on->skip ? canvas.pixels_written : canvas.pixels_tested};
+}
+
+static bool is_level(const void *tried, int layer, int picture, int x, int y, struct color color) {
+    (void)tried, (void)picture, (void)x, (void)y;
+    return color.r == layer + 1 && color.g == color.r && color.b == color.r;
+}
+
+static bool nearest_triangle_shows(const void *tried) {
+    const struct layered layered = {tried, tried, 1, draw_layers, is_level};
+    return layers_are_right(&layered);
+}
+
+/* ---- Depths as levels ---- */
+
+enum { DEPTHS_WIDTH = 5, DEPTHS_HEIGHT = 3, DEPTHS = DEPTHS_WIDTH * DEPTHS_HEIGHT };
+
+struct depths_case {
+    double depth[DEPTHS];
+};
+
+static void make_depths(struct random *random, uint64_t index, void *made) {
+    struct depths_case *c = made;
+    int exponent = (int)random_between(random, -900, 900);
+    double base = random_real(random, -1, 1);
+    for (int i = 0; i < DEPTHS; i++) {
+        double depth = index % 3 == 0   ? random_real(random, -1, 1)
+                       : index % 3 == 1 ? ldexp(random_real(random, -1, 1), exponent)
+                                        : base;
+        bool nothing = random_bits(random) % 4 == 0 || index % 64 == 0;
+        c->depth[i] = nothing ? -INFINITY : depth;
+    }
+}
+
+static bool depth_levels_are_right(const void *tried) {
+    const struct depths_case *c = tried;
+    uint8_t pixels[DEPTHS];
+    struct image image = {DEPTHS_WIDTH, DEPTHS_HEIGHT, IMAGE_GREY, pixels};
+    long double far = (long double)INFINITY, near = (long double)-INFINITY;
+    for (int i = 0; i < DEPTHS; i++) {
+        far = c->depth[i] != -INFINITY ? fminl(far, c->depth[i]) : far;
+        near = fmaxl(near, c->depth[i]);
+    }
+    memset(pixels, 99, sizeof pixels);
+    show_depths(&image, c->depth);
+    bool right = true;
+    for (int i = 0; i < DEPTHS; i++) {
+        long double share = near > far ? ((long double)c->depth[i] - far) / (near - far) : 0;
+        right = right && (c->depth[i] == -INFINITY ? pixels[i] == 0
+                                                   : level_is_right(pixels[i], 55 + 200 * share));
+    }
+    return right;
+}
+
+static void print_depths(const void *failing) {
+    const struct depths_case *c = failing;
+    for (int i = 0; i < DEPTHS; i++) {
+        printf(i % DEPTHS_WIDTH == DEPTHS_WIDTH - 1 ? " %.17g\n" : "    %.17g", c->depth[i]);
+    }
+}
+
+static const struct case_kind layers_cases = {sizeof(struct layers), make_layers_case,
+                                              print_layers_case};
+static const struct case_kind depths_cases = {sizeof(struct depths_case), make_depths,
+                                              print_depths};
+
+const struct property lesson05_properties[] = {
+    PROPERTY("lesson05: nearest triangle, depths", AGAINST_LONG_DOUBLE, 100000, layers_cases,
+             .holds = nearest_triangle_shows),
+    PROPERTY("lesson05: depths as levels", AGAINST_LONG_DOUBLE, 200000, depths_cases,
+             .holds = depth_levels_are_right),
+    {.name = NULL},
+};

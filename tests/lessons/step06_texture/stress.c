@@ -1,4 +1,4 @@
-/* Step 6: its samplers are lent to textures.c; its triangles to triangles.c; here mip levels. */
+/* Step 6: its samplers are lent to textures.c; here triangles, mip levels and perspective. */
 #define LESSON "../step06_texture/main.c"
 #include "lesson.h"
 
@@ -6,6 +6,7 @@
 #include "upkeep/stress/stress.h"
 
 #include <stdio.h>
+#include <string.h>
 
 struct color lesson06_nearest(const struct texture *texture, struct vec2 uv) {
     return sample_nearest(texture, uv);
@@ -19,21 +20,87 @@ struct vec4 lesson06_trilinear(const struct texture *texture, struct vec2 uv, do
     return sample_trilinear(texture, uv, level);
 }
 
-uint64_t lesson06_triangle(const struct depth_image *on, const struct fixed2 corner[3],
-                           const double depth[3], uint8_t level) {
-    uint32_t texel = level * 0x010101U;
-    const struct texture texture = {
-        .level_count = 1,
-        .level = {{.width = 1, .height = 1, .pitch = 1, .texels = &texel}},
-        .texels = &texel,
-    };
-    struct canvas canvas = {.image = on->image, .depth = on->depth, .skip = on->skip};
-    struct vertex v[3];
-    for (int i = 0; i < 3; i++) {
-        v[i] = (struct vertex){.position = corner[i], .depth = depth[i]};
+enum { PIXELS = SCREEN_WIDTH * SCREEN_HEIGHT, SIDE = 8, TEXELS = SIDE * SIDE };
+
+/* ---- Triangles with a texture ---- */
+
+struct texture_case {
+    struct layers layers;
+    struct vec2 uv[LAYER_COUNT][3];
+    double intensity[LAYER_COUNT];
+    uint32_t texels[TEXELS];
+};
+
+static void make_textured(struct random *random, uint64_t index, void *made) {
+    struct texture_case *c = made;
+    make_layers(random, index, &c->layers);
+    for (int i = 0; i < LAYER_COUNT; i++) {
+        for (int k = 0; k < 3; k++) {
+            c->uv[i][k].x = random_real(random, -0.3, 1.3);
+            c->uv[i][k].y = random_real(random, -0.3, 1.3);
+        }
+        c->intensity[i] = random_real(random, 0, 1);
     }
-    triangle(&canvas, v, &texture, 1);
-    return canvas.pixels_tested;
+    for (int i = 0; i < TEXELS; i++) {
+        c->texels[i] = (uint32_t)random_bits(random);
+    }
+}
+
+static struct layer_work draw_layers(const void *tried, const struct depth_image *on) {
+    const struct texture_case *c = tried;
+    uint32_t texels[TEXELS];
+    memcpy(texels, c->texels, sizeof texels);
+    struct texture texture = texture_from(texels, SIDE, SIDE);
+    struct canvas canvas = {.image = on->image, .depth = on->depth, .skip = on->skip};
+    for (int i = 0; i < LAYER_COUNT; i++) {
+        struct vertex v[3];
+        for (int k = 0; k < 3; k++) {
+            v[k] = (struct vertex){c->layers.corner[i][k], c->layers.depth[i][k], c->uv[i][k],
+                                   .recip_w = NAN};
+        }
+        triangle(&canvas, v, &texture, c->intensity[i]);
+    }
+    return (struct layer_work){canvas.pixels_tested, canvas.texels_fetched};
+}
+
+static int texel_that_holds(long double coordinate) {
+    long double place = floorl(coordinate * SIDE);
+    return place < 0 ? 0 : place >= SIDE ? SIDE - 1 : (int)place;
+}
+
+/* Is it the colour of the texel that holds the place? Near the border of two texels either is. */
+static bool is_texel(const void *tried, int layer, int picture, int x, int y, struct color color) {
+    const struct texture_case *c = tried;
+    const struct vec2 *uv = c->uv[layer];
+    const double us[3] = {uv[0].x, uv[1].x, uv[2].x}, vs[3] = {uv[0].y, uv[1].y, uv[2].y};
+    long double u = layer_value(&c->layers, layer, us, x, y);
+    long double v = layer_value(&c->layers, layer, vs, x, y);
+    bool right = false;
+    (void)picture;
+    for (int i = 0; i < 4; i++) {
+        int column = texel_that_holds(u + (i % 2 ? 1e-12L : -1e-12L));
+        int row = texel_that_holds(v + (i / 2 ? 1e-12L : -1e-12L));
+        struct color texel = color_from_texel(c->texels[row * SIDE + column]);
+        struct real3 exact = {texel.r, texel.g, texel.b};
+        right = right || color_is_right(color, real3_scale(exact, c->intensity[layer]));
+    }
+    return right;
+}
+
+static bool textured_is_right(const void *tried) {
+    const struct texture_case *c = tried;
+    const struct layered layered = {&c->layers, c, 1, draw_layers, is_texel};
+    return layers_are_right(&layered);
+}
+
+static void print_textured(const void *failing) {
+    const struct texture_case *c = failing;
+    print_layers(&c->layers);
+    for (int i = 0; i < LAYER_COUNT; i++) {
+        const struct vec2 *uv = c->uv[i];
+        printf("    uv (%.17g %.17g) (%.17g %.17g) (%.17g %.17g), intensity %.17g\n", uv[0].x,
+               uv[0].y, uv[1].x, uv[1].y, uv[2].x, uv[2].y, c->intensity[i]);
+    }
 }
 
 /* ---- Mip levels ---- */
@@ -92,54 +159,151 @@ static void print_mip(const void *failing) {
            c->right.y, c->up.x, c->up.y, c->width, c->height, c->level_count);
 }
 
-/* ---- Texels ---- */
+/* ---- Triangles in perspective ---- */
 
-struct magnified_case {
+struct perspective_case {
     struct fixed2 corner[3];
+    struct vec2 uv[3];
+    double recip_w[3];
+    uint8_t texels[TEXELS][4];
 };
 
-static void make_magnified(struct random *random, uint64_t index, void *made) {
-    random_triangle(random, index, ((struct magnified_case *)made)->corner);
+static void make_perspective(struct random *random, uint64_t index, void *made) {
+    struct perspective_case *c = made;
+    (void)index;
+    random_triangle(random, random_bits(random), c->corner);
+    double reach = ldexp(1, (int)random_between(random, -4, 4));
+    for (int i = 0; i < 3; i++) {
+        c->uv[i] =
+            (struct vec2){random_real(random, -reach, reach), random_real(random, -reach, reach)};
+        c->recip_w[i] = ldexp(random_real(random, 1, 2), (int)random_between(random, -6, 3));
+    }
+    for (int i = 0; i < TEXELS; i++) {
+        uint64_t bits = random_bits(random);
+        memcpy(c->texels[i], &bits, sizeof c->texels[i]);
+    }
 }
 
-/* One place of the texture fills the triangle, at mip level 0: no second level need be read. */
-static bool one_level_is_read(const void *tried) {
-    const struct fixed2 *corner = ((const struct magnified_case *)tried)->corner;
-    uint8_t texels[4] = {10, 20, 30, 255}, pixels[3 * SCREEN_WIDTH * SCREEN_HEIGHT];
-    struct image picture = {1, 1, IMAGE_BGRA, texels};
+/* What is linear in perspective at a pixel, and what it gains in a step to the right and in one up:
+ * a = n / d, both linear on the screen, so that a' = (n' - a d') / d. */
+struct gains {
+    long double here, right, up;
+};
+
+static struct gains exact_gains(const struct perspective_case *c, const double a[3], int x, int y) {
+    static const double one[3] = {1, 1, 1};
+    const double *d = c->recip_w;
+    const double n[3] = {a[0] * d[0], a[1] * d[1], a[2] * d[2]};
+    long double here = oracle_interpolate(c->corner, d, a, x, y);
+    long double below = oracle_interpolate(c->corner, one, d, x, y), gain[2];
+    for (int i = 0; i < 2; i++) {
+        int to_x = x + 1 - i, to_y = y + i;
+        gain[i] = (oracle_interpolate(c->corner, one, n, to_x, to_y) - here * below -
+                   here * (oracle_interpolate(c->corner, one, d, to_x, to_y) - below)) /
+                  below;
+    }
+    return (struct gains){here, gain[0], gain[1]};
+}
+
+/* u, v and w at a pixel, and what they gain: they choose the mip level. A gain is the difference of
+ * what may be far larger outside a small triangle. */
+static bool place_is_right(const struct perspective_case *c, const struct quotients *plane, int x,
+                           int y, struct vec2 *uv, double *level, const struct texture *texture) {
+    const double us[3] = {c->uv[0].x, c->uv[1].x, c->uv[2].x};
+    const double vs[3] = {c->uv[0].y, c->uv[1].y, c->uv[2].y};
+    const double ws[3] = {1 / c->recip_w[0], 1 / c->recip_w[1], 1 / c->recip_w[2]};
+    struct gains u = exact_gains(c, us, x, y), v = exact_gains(c, vs, x, y);
+    long double slack = 1e-12L * 16; /* coordinates are up to 16 */
+    long double gains = fabsl(u.right) + fabsl(u.up) + fabsl(v.right) + fabsl(v.up);
+    long double gain_slack = (1e-12L * gains + slack) * 64 * SUBPIXELS * SUBPIXELS;
+    double w;
+    *uv = plane_uv(plane, x, y, &w);
+    struct vec2 right = uv_step(plane->right, *uv, w), up = uv_step(plane->up, *uv, w);
+    *level = mip_level(right, up, texture);
+    return is_near(w, oracle_interpolate(c->corner, c->recip_w, ws, x, y), 1e-9L) &&
+           is_near(uv->x, u.here, slack) && is_near(uv->y, v.here, slack) &&
+           is_near(right.x, u.right, gain_slack) && is_near(right.y, v.right, gain_slack) &&
+           is_near(up.x, u.up, gain_slack) && is_near(up.y, v.up, gain_slack);
+}
+
+/* Adds to `fetched` how many texels a pixel needs at least. */
+static bool sample_is_right(const struct perspective_case *c, const struct quotients *plane, int x,
+                            int y, struct color color, const struct texture *texture,
+                            uint64_t *fetched) {
+    struct vec2 uv;
+    double level;
+    bool right = place_is_right(c, plane, x, y, &uv, &level, texture);
+    struct vec2 part = {uv.x - floor(uv.x), uv.y - floor(uv.y)};
+    struct vec4 sample = sample_trilinear(texture, part, level);
+    *fetched += level > 0 ? 8 : 4;
+    return right && color_is_right(color, (struct real3){sample.x, sample.y, sample.z});
+}
+
+/* With and without fetching what counts for nothing. */
+static bool perspective_picture_is_right(const struct perspective_case *c,
+                                         const struct vertex vertices[3],
+                                         const struct texture *texture) {
+    uint8_t pixels[3 * PIXELS] = {0}, all_pixels[3 * PIXELS] = {0};
     struct image image = {SCREEN_WIDTH, SCREEN_HEIGHT, IMAGE_BGR, pixels};
+    struct image all_image = {SCREEN_WIDTH, SCREEN_HEIGHT, IMAGE_BGR, all_pixels};
+    struct canvas canvas = {.image = &image, .sampler = SAMPLE_TRILINEAR, .skip = true};
+    struct canvas all = {.image = &all_image, .sampler = SAMPLE_TRILINEAR};
+    struct quotients plane;
+    uint64_t fetched = 0;
+    perspective_triangle(&canvas, vertices, texture);
+    perspective_triangle(&all, vertices, texture);
+    bool drawn = plane_begin(&plane, &image, vertices);
+    bool right = memcmp(pixels, all_pixels, sizeof pixels) == 0;
+    for (int i = 0; i < PIXELS && right; i++) {
+        int x = i % SCREEN_WIDTH, y = i / SCREEN_WIDTH;
+        struct color color = image_get(&image, x, y);
+        right = oracle_covers(c->corner[0], c->corner[1], c->corner[2], x, y)
+                    ? drawn && sample_is_right(c, &plane, x, y, color, texture, &fetched)
+                    : (color.r | color.g | color.b) == 0;
+    }
+    return right && canvas.texels_fetched == fetched &&
+           canvas.pixels_written == all.pixels_written &&
+           all.texels_fetched == 8 * all.pixels_written;
+}
+
+static bool perspective_is_right(const void *tried) {
+    const struct perspective_case *c = tried;
+    uint8_t texels[sizeof c->texels];
+    struct image picture = {SIDE, SIDE, IMAGE_BGRA, texels};
     struct texture texture;
     struct error error;
-    struct vertex v[3];
+    struct vertex vertices[3];
+    memcpy(texels, c->texels, sizeof texels);
     for (int i = 0; i < 3; i++) {
-        v[i] = (struct vertex){.position = corner[i], .uv = {0.3, 0.4}, .recip_w = 1};
+        vertices[i] = (struct vertex){c->corner[i], NAN, c->uv[i], c->recip_w[i]};
     }
     if (!texture_create(&texture, &picture, &error)) {
         return false;
     }
-    struct canvas canvas = {.image = &image, .sampler = SAMPLE_TRILINEAR, .skip = true};
-    struct canvas all = {.image = &image, .sampler = SAMPLE_TRILINEAR};
-    perspective_triangle(&canvas, v, &texture);
-    perspective_triangle(&all, v, &texture);
+    bool right = perspective_picture_is_right(c, vertices, &texture);
     texture_free(&texture);
-    return canvas.texels_fetched == 4 * canvas.pixels_written &&
-           all.texels_fetched == 8 * canvas.pixels_written;
+    return right;
 }
 
-static void print_magnified(const void *failing) {
-    const struct fixed2 *c = ((const struct magnified_case *)failing)->corner;
+static void print_perspective(const void *failing) {
+    const struct perspective_case *c = failing;
     for (int i = 0; i < 3; i++) {
-        printf("    corner (%d %d)/256\n", (int)c[i].x, (int)c[i].y);
+        printf("    corner (%d %d)/256, uv %.17g %.17g, 1/w %.17g\n", (int)c->corner[i].x,
+               (int)c->corner[i].y, c->uv[i].x, c->uv[i].y, c->recip_w[i]);
     }
 }
 
+static const struct case_kind textured_cases = {sizeof(struct texture_case), make_textured,
+                                                print_textured};
 static const struct case_kind mip_cases = {sizeof(struct mip_case), make_mip, print_mip};
-static const struct case_kind magnified_cases = {sizeof(struct magnified_case), make_magnified,
-                                                 print_magnified};
+static const struct case_kind perspective_cases = {sizeof(struct perspective_case),
+                                                   make_perspective, print_perspective};
 
 const struct property lesson06_properties[] = {
+    PROPERTY("lesson06: texture, nearest triangle", AGAINST_LONG_DOUBLE, 100000, textured_cases,
+             .holds = textured_is_right),
     PROPERTY("lesson06: mip level", AGAINST_LONG_DOUBLE, 300000, mip_cases, .holds = mip_is_right),
-    PROPERTY("lesson06: texels read", AGAINST_BOUNDS, 100000, magnified_cases,
-             .holds = one_level_is_read),
+    PROPERTY("lesson06: perspective", AGAINST_LONG_DOUBLE, 100000, perspective_cases,
+             .holds = perspective_is_right),
     {.name = NULL},
 };

@@ -201,7 +201,8 @@ known() {
     awk '/^symmetric / { sub(/:.*/, ""); for (i = 2; i <= NF; i++) { print "swapped\t" $i "\t" } }
         /^[a-z].*:/ { file = $0; sub(/:.*/, "", file) }
         /^- / { before = substr($0, 3) }
-        /^\+ / { print "/" file "\t" before "\t" substr($0, 3) }' "$here/equivalent.txt"
+        /^\+ / { print (file ~ "/" ? "\t" : "/") file "\t" before "\t" substr($0, 3) }' \
+        "$here/equivalent.txt"
 }
 
 # The sources. Tests make their files where they are found again, and not all over /tmp.
@@ -234,6 +235,8 @@ if [ -s "$work/changes" ] && [ -n "$MUTANTS_SANITIZED" ]; then
     mv "$work/killed" "$work/fates"
     count=$((count + 1))
     try_changes sanitized "$MUTANTS_SANITIZED"
+    # Where no unit test links what changed, as of most lessons, none could be run again.
+    sed -i -e 's/^the same/survives/' -e 's/^not compiled/survives/' "$work/fates"
 fi
 cp "$work/fates" "${MUTANTS_LOG:-/dev/null}"
 sort -t "$tab" -k 8,8 -k 5,5n "$work/fates" | awk -F '\t' -v seed="$seed" '

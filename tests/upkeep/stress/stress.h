@@ -77,6 +77,13 @@ extern const struct property mesh_properties[];
 extern const struct property pipeline_properties[];
 extern const struct property camera_properties[];
 extern const struct property texture_properties[];
+extern const struct property lesson02_properties[];
+extern const struct property lesson04_properties[];
+extern const struct property lesson05_properties[];
 extern const struct property lesson06_properties[];
+extern const struct property lesson07_properties[];
+extern const struct property lesson08_properties[];
+extern const struct property lesson09_properties[];
+extern const struct property lesson10_properties[];
 
 #endif

@@ -111,13 +111,7 @@ static long double tent(double coordinate, size_t i, size_t size) {
     return distance < 1 ? 1 - distance : 0;
 }
 
-/* Red, green, blue, alpha. */
-struct sample {
-    long double channel[4];
-};
-
-/* The mean of all texels of a level, each with its weight. */
-static struct sample exact_bilinear(const struct texture_level *level, double u, double v) {
+struct sample exact_bilinear(const struct texture_level *level, double u, double v) {
     static const int shift[4] = {16, 8, 0, 24};
     struct sample sum = {{0, 0, 0, 0}};
     for (size_t y = 0; y < level->height; y++) {

@@ -1,4 +1,4 @@
-/* Triangles: coverage against 128-bit integers, weights, depth tests. */
+/* Triangles: coverage against 128-bit integers, and weights. */
 #include "lessons.h"
 #include "stress.h"
 
@@ -155,51 +155,6 @@ static bool lesson04_is_exact(const void *tried) {
     return draws_exactly(((const struct triangle_case *)tried)->corner, lesson04_triangle);
 }
 
-/* Does the image show this level where the triangle is, and nothing elsewhere? */
-static bool shows(const struct image *image, const struct fixed2 c[3], uint8_t level) {
-    for (int i = 0; i < WIDTH * HEIGHT; i++) {
-        bool covered = oracle_covers(c[0], c[1], c[2], i % WIDTH, i / WIDTH);
-        if (image->pixels[3 * i] != (covered ? level : 0)) {
-            return false;
-        }
-    }
-    return true;
-}
-
-/* One triangle four times: of equal depths the first stays, also before a farther one, until a
- * nearer one comes. Every pixel is tested each time. */
-static bool hides_what_is_not_nearer(const struct fixed2 c[3], depth_triangle *draw, bool skip) {
-    uint8_t pixels[HEIGHT * WIDTH * 3] = {0};
-    double depth[HEIGHT * WIDTH], here[3], farther[3], nearer[3];
-    struct image image = {WIDTH, HEIGHT, IMAGE_BGR, pixels};
-    const struct depth_image on = {&image, depth, skip};
-    uint64_t covered = 0;
-    for (int i = 0; i < 3; i++) {
-        here[i] = (double)c[i].x / 7 - 3 * (double)c[i].y;
-        farther[i] = here[i] - 1e9;
-        nearer[i] = here[i] + 1e9;
-    }
-    for (int i = 0; i < WIDTH * HEIGHT; i++) {
-        depth[i] = -INFINITY;
-        covered += oracle_covers(c[0], c[1], c[2], i % WIDTH, i / WIDTH);
-    }
-    uint64_t tested = draw(&on, c, here, 200) + draw(&on, c, here, 100) + draw(&on, c, farther, 50);
-    bool stays = shows(&image, c, 200);
-    tested += draw(&on, c, nearer, 250);
-    return stays && shows(&image, c, 250) && tested == 4 * covered;
-}
-
-static bool lessons_hide(const void *tried) {
-    static depth_triangle *const lessons[] = {lesson05_triangle, lesson06_triangle,
-                                              lesson07_triangle};
-    const struct fixed2 *c = ((const struct triangle_case *)tried)->corner;
-    bool right = true;
-    for (int i = 0; i < 6; i++) {
-        right = right && hides_what_is_not_nearer(c, lessons[i / 2], i % 2 != 0);
-    }
-    return right;
-}
-
 /* The weights at every covered pixel: none negative, sum 1. */
 static double weight_error(const void *tried) {
     const struct fixed2 *c = ((const struct triangle_case *)tried)->corner;
@@ -229,8 +184,6 @@ const struct property triangle_properties[] = {
              .holds = lesson03_is_exact),
     PROPERTY("triangle: lesson 4, exact coverage", AGAINST_INTEGERS, 200000, triangle_cases,
              .holds = lesson04_is_exact),
-    PROPERTY("triangle: lessons 5 to 7, depth test", AGAINST_INTEGERS, 100000, triangle_cases,
-             .holds = lessons_hide),
     PROPERTY("triangle: weights", AGAINST_BOUNDS, 500000, triangle_cases, .error = weight_error,
              .limit = 4, .error_unit = "ulp of 1"),
     {.name = NULL},
