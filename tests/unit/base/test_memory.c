@@ -375,14 +375,6 @@ static bool encode_all(const struct inputs *inputs, struct error *error) {
     return done;
 }
 
-static bool read_images(const struct inputs *inputs, struct error *error) {
-    struct image tga = {0}, png = {0};
-    bool done = image_read(&tga, inputs->diffuse, error) && image_read(&png, inputs->map, error);
-    image_free(&tga);
-    image_free(&png);
-    return done;
-}
-
 /* More than one block, so that memory can run out between two. Words that nearly repeat make the
  * compressor look ahead. */
 static bool encode_large(const struct inputs *inputs, struct error *error) {
@@ -410,7 +402,6 @@ static void test_images(void) {
         {"tga_decode with colour map", decode_tga_map},
         {"tga_encode, ppm_encode, png_encode", encode_all},
         {"png_encode of a large image", encode_large},
-        {"image_read", read_images},
     };
     RUN_TASKS(tasks);
 }
@@ -450,13 +441,6 @@ static bool give_normals_and_colors(const struct inputs *inputs, struct error *e
     return done;
 }
 
-static bool colors_without_normals(const struct inputs *inputs, struct error *error) {
-    struct model model;
-    bool done = model_read(&model, inputs->off, error) && model_need_colors(&model, error);
-    model_free(&model);
-    return done;
-}
-
 /* The diffuse texture is a TGA, the normal map a PNG. */
 static bool read_textures(const struct inputs *inputs, struct error *error) {
     struct model model;
@@ -472,7 +456,6 @@ static void test_scenes_and_models(void) {
         {"text_scene_decode", decode_scene},
         {"model_decode", decode_models},
         {"model_need_normals", give_normals_and_colors},
-        {"model_need_colors", colors_without_normals},
         {"model_texture", read_textures},
     };
     RUN_TASKS(tasks);
@@ -672,10 +655,6 @@ static bool run_with_model(const struct inputs *inputs, const char *option, cons
     return run_program(&model_program, inputs, 7, argv, error);
 }
 
-static bool run_png(const struct inputs *inputs, struct error *error) {
-    return run_with_model(inputs, "--format", "png", error);
-}
-
 static bool run_repeated(const struct inputs *inputs, struct error *error) {
     return run_with_model(inputs, "--repeat", "3", error);
 }
@@ -689,8 +668,7 @@ static bool run_text(const struct inputs *inputs, struct error *error) {
 }
 
 static void test_programs(void) {
-    static const struct task tasks[] = {{"a program that writes PNG", run_png},
-                                        {"a program with --repeat", run_repeated},
+    static const struct task tasks[] = {{"a program with --repeat", run_repeated},
                                         {"a program with a text scene", run_text}};
 #ifdef __GLIBC__
     spared = 1; /* that of keep_freed_memory() */
