@@ -459,7 +459,7 @@ static void test_stats_of_files(void) {
     put_file("mapped.obj", mapped_obj);
     if (CHECK(image_create(&white, 2, 2, IMAGE_BGR, &error))) {
         image_clear(&white, color_grey(255));
-        CHECK(tga_encode(&white, true, &texture, &error));
+        CHECK(tga_encode(&white, &texture, &error));
         CHECK(tga_write(&white, in_directory("mapped_diffuse.tga"), &error));
         CHECK(tga_write(&white, in_directory("mapped_nm.tga"), &error));
     }
