@@ -530,13 +530,6 @@ static size_t bits_size(size_t width) {
     return width / 8 + 1;
 }
 
-/* Eight bytes as a number, the first one lowest. Compilers know this form as one instruction. */
-static inline uint64_t load_u64(const uint8_t *bytes) {
-    return bytes[0] | (uint64_t)bytes[1] << 8 | (uint64_t)bytes[2] << 16 |
-           (uint64_t)bytes[3] << 24 | (uint64_t)bytes[4] << 32 | (uint64_t)bytes[5] << 40 |
-           (uint64_t)bytes[6] << 48 | (uint64_t)bytes[7] << 56;
-}
-
 static inline void find_repeats(const uint8_t *row, size_t width, const struct repeats *repeats,
                                 const size_t size) {
     compare_neighbours(row, width, repeats->equal, size);

@@ -316,14 +316,9 @@ static uint32_t any_node(const struct polygon_cutter *cutter, uint32_t start) {
 
 /* Room for the corners of a polygon that is cut by its ears. */
 static bool reserve_nodes(struct polygon_cutter *cutter, size_t size) {
-    void *nodes = array_reserve(cutter->nodes, &cutter->node_capacity, size, sizeof *cutter->nodes);
-    cutter->nodes = nodes == NULL ? cutter->nodes : nodes;
-    void *cells = array_reserve(cutter->cells, &cutter->cell_capacity, size, sizeof *cutter->cells);
-    cutter->cells = cells == NULL ? cutter->cells : cells;
-    void *queue =
-        array_reserve(cutter->queue, &cutter->queue_capacity, size, sizeof *cutter->queue);
-    cutter->queue = queue == NULL ? cutter->queue : queue;
-    return nodes != NULL && cells != NULL && queue != NULL;
+    return array_extend(&cutter->nodes, &cutter->node_capacity, size, sizeof *cutter->nodes) &&
+           array_extend(&cutter->cells, &cutter->cell_capacity, size, sizeof *cutter->cells) &&
+           array_extend(&cutter->queue, &cutter->queue_capacity, size, sizeof *cutter->queue);
 }
 
 /* About as many cells as corners, over the rectangle around the polygon. */
@@ -429,10 +424,8 @@ static void cut_ears(struct polygon_cutter *cutter, size_t size) {
 /* ---- Polygons ---- */
 
 static bool reserve_triangles(struct polygon_cutter *cutter, size_t count) {
-    void *grown = array_reserve(cutter->triangles, &cutter->triangle_capacity, count,
-                                sizeof *cutter->triangles);
-    cutter->triangles = grown == NULL ? cutter->triangles : grown;
-    return grown != NULL;
+    return array_extend(&cutter->triangles, &cutter->triangle_capacity, count,
+                        sizeof *cutter->triangles);
 }
 
 static void cut_as_fan(struct polygon_cutter *cutter, size_t size) {
