@@ -233,25 +233,13 @@ static bool append_off(struct bytes *out, const struct mesh *mesh, const char *c
     return done;
 }
 
-static bool finish(struct bytes *text, bool done, const char *path, struct error *error) {
-    if (done) {
-        done = file_write(path, text->data, text->size, error);
-    } else {
+bool mesh_write(const struct mesh *mesh, const char *comment, const char *path,
+                struct error *error) {
+    struct bytes text = {0};
+    bool done =
+        mesh->uv_count > 0 ? append_obj(&text, mesh, comment) : append_off(&text, mesh, comment);
+    if (!done) {
         error_out_of_memory(error);
-        error_name_file(error, path);
     }
-    bytes_free(text);
-    return done;
-}
-
-bool mesh_write_obj(const struct mesh *mesh, const char *comment, const char *path,
-                    struct error *error) {
-    struct bytes text = {0};
-    return finish(&text, append_obj(&text, mesh, comment), path, error);
-}
-
-bool mesh_write_off(const struct mesh *mesh, const char *comment, const char *path,
-                    struct error *error) {
-    struct bytes text = {0};
-    return finish(&text, append_off(&text, mesh, comment), path, error);
+    return file_write_encoded(path, done, &text, error);
 }
