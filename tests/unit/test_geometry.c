@@ -1,4 +1,4 @@
-/* Vectors, matrices, cameras and triangles, as far as `make stress` does not try them. */
+/* Vectors, matrices and cameras, as far as `make stress` does not try them. */
 #include "geometry.h"
 #include "oracle/oracle.h"
 #include "raster.h"
@@ -282,58 +282,6 @@ static void test_projection(void) {
 
 /* ---- Triangles ---- */
 
-static void check_triangle(const struct fixed2 c[3], int width, int height) {
-    struct edges edges;
-    bool any = edges_setup(&edges, c[0], c[1], c[2], (size_t)width, (size_t)height);
-    if (any) {
-        int128 area = ((int128)c[1].x - c[0].x) * ((int128)c[2].y - c[0].y) -
-                      ((int128)c[1].y - c[0].y) * ((int128)c[2].x - c[0].x);
-        CHECK(edges.clockwise == (area < 0) && edges.area == (area < 0 ? -area : area));
-        CHECK(edges.y_begin >= 0 && edges.y_begin < edges.y_end && edges.y_end <= height);
-    }
-    for (int y = 0; y < height; y++) {
-        struct span span = {0, 0};
-        if (any && y >= edges.y_begin && y < edges.y_end) {
-            span = edges_span(&edges, y);
-        }
-        for (int x = 0; x < width; x++) {
-            bool covered = x >= span.begin && x < span.end;
-            if (covered != oracle_covers(c[0], c[1], c[2], x, y)) {
-                fprintf(stderr, "triangle %d %d, %d %d, %d %d at pixel %d %d\n", (int)c[0].x,
-                        (int)c[0].y, (int)c[1].x, (int)c[1].y, (int)c[2].x, (int)c[2].y, x, y);
-                CHECK(covered == oracle_covers(c[0], c[1], c[2], x, y));
-                return;
-            }
-            if (any && !CHECK(covered == edges_cover(&edges, x, y))) {
-                return;
-            }
-        }
-        if (span.begin < span.end) {
-            struct vec3 w = edges_weights(&edges, span.begin, y);
-            CHECK(w.x >= 0 && w.y >= 0 && w.z >= 0 && near(w.x + w.y + w.z, 1, 1e-15));
-        }
-    }
-    CHECK(true);
-}
-
-static void test_triangle_special(void) {
-    static const struct fixed2 rows[][3] = {
-        {{128, 128}, {128, 128}, {128, 128}},             /* a point on a pixel centre */
-        {{0, 0}, {2560, 2560}, {1280, 1280}},             /* a line */
-        {{128, 128}, {128 + 256, 128}, {128, 128 + 256}}, /* corners on centres */
-        {{-536870912, -536870912},
-         {536870912, -536870912},
-         {0, 536870912}},                     /* as large as allowed */
-        {{1, 1}, {2, 1}, {1, 2}},             /* between the centres */
-        {{127, 127}, {129, 127}, {128, 129}}, /* tiny, around a centre */
-    };
-    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
-        check_triangle(rows[i], 17, 13);
-        struct fixed2 turned[3] = {rows[i][2], rows[i][1], rows[i][0]};
-        check_triangle(turned, 17, 13);
-    }
-}
-
 static void test_depth_clear(void) {
     double depth[5] = {1, 2, NAN, -3, 0};
     depth_clear(depth, 4);
@@ -368,4 +316,4 @@ UNIT_MAIN(TEST(test_vectors), TEST(test_normalized_components), TEST(test_renorm
           TEST(test_product_and_transpose), TEST(test_inverse_nearly_singular), TEST(test_singular),
           TEST(test_rotation), TEST(test_lookat_ends_of_range), TEST(test_lookat_along_up),
           TEST(test_perpendicular_axis), TEST(test_inverse_overflow), TEST(test_projection),
-          TEST(test_triangle_special), TEST(test_depth_clear), TEST(test_snap), TEST(test_no_area))
+          TEST(test_depth_clear), TEST(test_snap), TEST(test_no_area))

@@ -140,29 +140,6 @@ static void test_obj_numbers(void) {
     model_free(&m);
 }
 
-/* Colours for many positions, from the middle on and not up to the end. */
-static void test_obj_many_colors(void) {
-    struct bytes bytes = {0};
-    struct model m;
-    struct error error;
-    char line[64];
-    for (int i = 0; i < 1000; i++) {
-        bool colored = i >= 300 && i < 500;
-        int length = snprintf(line, sizeof line, "v %d 0 0%s\n", i, colored ? " 0 0.5 0" : "");
-        CHECK(bytes_append(&bytes, line, (size_t)length));
-    }
-    CHECK(bytes_append(&bytes, "f 1 2 3\n", 8));
-    if (CHECK(model_decode(&m, bytes.data, bytes.size, &error)) && CHECK(m.colors != NULL)) {
-        for (int i = 0; i < 1000; i++) {
-            bool colored = i >= 300 && i < 500;
-            CHECK(m.positions[i].x == (double)i);
-            CHECK(same3(m.colors[i], colored ? 0 : 1, colored ? 0.5F : 1, colored ? 0 : 1));
-        }
-    }
-    model_free(&m);
-    bytes_free(&bytes);
-}
-
 static void test_off(void) {
     static const struct {
         const char *name, *text, *faces;
@@ -654,7 +631,7 @@ static void test_errors_in_parts(void) {
 }
 
 UNIT_MAIN(TEST(test_parts), TEST(test_errors_in_parts), TEST(test_obj_faces),
-          TEST(test_obj_numbers), TEST(test_obj_many_colors), TEST(test_off),
-          TEST(test_off_smallest), TEST(test_face_colors), TEST(test_face_color_values),
-          TEST(test_colors_of_both), TEST(test_messages), TEST(test_too_many_corners),
-          TEST(test_files), TEST(test_named_off), TEST(test_textures), TEST(test_texture_names))
+          TEST(test_obj_numbers), TEST(test_off), TEST(test_off_smallest), TEST(test_face_colors),
+          TEST(test_face_color_values), TEST(test_colors_of_both), TEST(test_messages),
+          TEST(test_too_many_corners), TEST(test_files), TEST(test_named_off), TEST(test_textures),
+          TEST(test_texture_names))
