@@ -77,9 +77,9 @@ bool tga_is_possible(const void *data, size_t size);
  * overwritten, not freed; empty on an error. */
 bool tga_decode(struct image *image, const void *data, size_t size, struct error *error);
 
-/* TGA 2.0 with footer: type 11 or 10, run-length coded; no packet crosses a row. Where packets would
- * be larger than the raw pixels (noise), these are written instead, as type 3 or 2. Appends to
- * `out`. */
+/* TGA 2.0 with footer: type 11 or 10, run-length coded; no packet crosses a row. Where packets
+ * would be larger than the raw pixels (noise), these are written instead, as type 3 or 2. Appends
+ * to `out`. */
 bool tga_encode(const struct image *image, struct bytes *out, struct error *error);
 bool tga_write(const struct image *image, const char *path, struct error *error);
 

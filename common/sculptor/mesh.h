@@ -38,7 +38,7 @@ void mesh_add_face(struct mesh *mesh, struct mesh_corner a, struct mesh_corner b
 bool mesh_from_surface(struct mesh *mesh, const struct surface *surface,
                        const struct grid_triangle *triangles, size_t count);
 
-/* Write the mesh after the comment line: an OBJ file, or OFF where it has no texture coordinates. */
+/* Write the comment line and the mesh: an OBJ file, or OFF where it has no texture coordinates. */
 bool mesh_write(const struct mesh *mesh, const char *comment, const char *path,
                 struct error *error);
 

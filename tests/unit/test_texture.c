@@ -83,6 +83,7 @@ static void test_level_sizes(void) {
         }
         CHECK(t.level[t.level_count - 1].width == 1 && t.level[t.level_count - 1].height == 1);
         texture_free(&t);
+        CHECK(t.level_count == 0 && t.texels == NULL);
     }
     struct texture t;
     struct error error;

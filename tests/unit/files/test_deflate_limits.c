@@ -417,7 +417,7 @@ static void fill_data(uint8_t *data, size_t size, enum data_kind kind) {
     }
 }
 
-/* The checksum of a stream is that of the definition, where its sums are as large as they get too. */
+/* The checksum is that of the definition, also where its sums are as large as they get. */
 static bool has_checksum_of(const struct bytes *packed, const uint8_t *plain, size_t size) {
     uint32_t check = 0;
     for (size_t i = packed->size - 4; i < packed->size; i++) {
