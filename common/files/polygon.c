@@ -261,16 +261,6 @@ static bool cell_blocks_ear(const struct polygon_cutter *cutter, uint32_t first,
     return false;
 }
 
-static double least_of(double a, double b, double c) {
-    double least = a < b ? a : b;
-    return least < c ? least : c;
-}
-
-static double greatest_of(double a, double b, double c) {
-    double greatest = a > b ? a : b;
-    return greatest > c ? greatest : c;
-}
-
 /* A spike, where the polygon turns straight back, or a doubled point: it can always be cut off. */
 static bool is_spike(const struct polygon_cutter *cutter, uint32_t index) {
     const struct polygon_node *tip = &cutter->nodes[index];
@@ -285,8 +275,8 @@ static bool is_ear(const struct polygon_cutter *cutter, uint32_t index) {
     if (tip->turn <= 0) { /* a point of a straight side stays */
         return is_spike(cutter, index);
     }
-    double left = least_of(a->x, tip->x, b->x), right = greatest_of(a->x, tip->x, b->x);
-    double bottom = least_of(a->y, tip->y, b->y), top = greatest_of(a->y, tip->y, b->y);
+    double left = fmin(fmin(a->x, tip->x), b->x), right = fmax(fmax(a->x, tip->x), b->x);
+    double bottom = fmin(fmin(a->y, tip->y), b->y), top = fmax(fmax(a->y, tip->y), b->y);
     size_t first_column = grid_place(cutter, left, cutter->left, cutter->x_scale);
     size_t last_column = grid_place(cutter, right, cutter->left, cutter->x_scale);
     size_t first_row = grid_place(cutter, bottom, cutter->bottom, cutter->y_scale);

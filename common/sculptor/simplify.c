@@ -143,21 +143,12 @@ static struct collapse heap_pop(struct workshop *w) {
 
 /* ---- What may collapse ---- */
 
-static int column_of(const struct workshop *w, int vertex) {
-    return vertex % (w->surface->columns + 1);
-}
-
-static int row_of(const struct workshop *w, int vertex) {
-    return vertex / (w->surface->columns + 1);
-}
-
 static bool is_pole(const struct workshop *w, int vertex) {
-    return row_of(w, vertex) == 0 || row_of(w, vertex) == w->surface->rows;
+    return surface_is_pole(w->surface, vertex);
 }
 
 static bool is_in_mirror(const struct workshop *w, int vertex) {
-    int column = column_of(w, vertex);
-    return column == 0 || column == w->surface->columns || is_pole(w, vertex);
+    return surface_is_in_mirror(w->surface, vertex);
 }
 
 static bool has_corner(const struct grid_triangle *t, int vertex) {
@@ -199,8 +190,8 @@ static struct vec3 area_vector(const struct workshop *w, const struct grid_trian
 static int area_in_texture(const struct workshop *w, const struct grid_triangle *t) {
     int x[3], y[3];
     for (int k = 0; k < 3; k++) {
-        x[k] = 2 * column_of(w, t->corner[k]);
-        y[k] = row_of(w, t->corner[k]);
+        x[k] = 2 * surface_column(w->surface, t->corner[k]);
+        y[k] = surface_row(w->surface, t->corner[k]);
     }
     for (int k = 0; k < 3; k++) {
         if (is_pole(w, t->corner[k])) {
