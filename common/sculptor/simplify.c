@@ -68,7 +68,7 @@ static void quadric_add(struct quadric *sum, const struct quadric *added) {
 
 static struct quadric quadric_of_plane(struct vec3 normal, double offset, double weight) {
     const double plane[4] = {normal.x, normal.y, normal.z, offset};
-    struct quadric quadric;
+    struct quadric quadric = {{0}};
     for (int i = 0, term = 0; i < 4; i++) {
         for (int k = i; k < 4; k++) {
             quadric.term[term++] = weight * plane[i] * plane[k];
