@@ -559,6 +559,7 @@ static size_t play(const struct bytes *file, const struct image *frames, size_t 
     struct image shown = {0};
     struct error error;
     uint8_t header[13];
+    bool told = false; /* how many frames there are */
     size_t done = 0, sequence = 0, area = 0, pending_width = 0, pending_height = 0, x = 0, y = 0;
     memcpy(header, file->data + 16, 13);
     CHECK(image_create(&shown, frames->width, frames->height, frames->format, &error));
@@ -569,6 +570,7 @@ static size_t play(const struct bytes *file, const struct image *frames, size_t 
         at += size + 12;
         if (memcmp(type, "acTL", 4) == 0) {
             CHECK(size == 8 && get_32(data) == count && get_32(data + 4) == 0 && done == 0);
+            told = true;
         } else if (memcmp(type, "fcTL", 4) == 0) {
             CHECK(size == 26 && get_32(data) == sequence++);
             pending_width = get_32(data + 4);
@@ -599,7 +601,7 @@ static size_t play(const struct bytes *file, const struct image *frames, size_t 
             CHECK(memcmp(type, "IEND", 4) == 0 && at == file->size);
         }
     }
-    CHECK(done == count);
+    CHECK(told && done == count);
     image_free(&shown);
     return area;
 }
