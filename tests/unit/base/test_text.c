@@ -5,7 +5,6 @@
 
 #include <errno.h>
 #include <float.h>
-#include <locale.h>
 #include <math.h>
 
 /* ---- Lines and words ---- */
@@ -308,21 +307,6 @@ static void test_random_numbers(void) {
     }
 }
 
-/* A locale with a decimal comma changes nothing. */
-static void test_locale(void) {
-    static const char *const names[] = {"de_DE.UTF-8", "fr_FR.UTF-8", "de_DE", "ru_RU.UTF-8"};
-    for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
-        if (setlocale(LC_ALL, names[i]) != NULL) {
-            break;
-        }
-    }
-    double d;
-    CHECK(word_to_double(word_of("1.25"), &d) && d == 1.25);
-    CHECK(!word_to_double(word_of("1,25"), &d));
-    setlocale(LC_ALL, "C");
-}
-
 UNIT_MAIN(TEST(test_lines), TEST(test_skipped_lines), TEST(test_long_line), TEST(test_words),
           TEST(test_integers), TEST(test_numbers_of_a_line), TEST(test_chosen_numbers),
-          TEST(test_long_numbers), TEST(test_refused_numbers), TEST(test_random_numbers),
-          TEST(test_locale))
+          TEST(test_long_numbers), TEST(test_refused_numbers), TEST(test_random_numbers))
