@@ -3,8 +3,6 @@
 #include "base/text.h"
 #include "unit/images.h"
 
-#include <errno.h>
-#include <float.h>
 #include <math.h>
 
 /* ---- Lines and words ---- */
