@@ -383,6 +383,11 @@ static void test_tga_packs(void) {
     struct error error;
     struct bytes file = {0};
     CHECK(!tga_encode(&image, &file, &error) && file.size == 0);
+    /* An empty picture must become small: two packets a row. */
+    image = new_image(256, 4, IMAGE_BGR);
+    CHECK(tga_encode(&image, &file, &error) && file.size == 18 + 4 * 2 * 4 + 26);
+    image_free(&image);
+    file.size = 0;
     /* Two equal grey pixels among others are not worth a packet: 5 bytes and 2, not 2 + 2 + 4. */
     CHECK(image_create(&image, 104, 1, IMAGE_GREY, &error));
     memcpy(image.pixels, "\1\2\2\3", 4);
