@@ -431,6 +431,8 @@ static void test_messages(void) {
     struct error error;
     CHECK(!model_decode(&model, "v 1 2 3\nf\0", 10, &error));
     CHECK_ERROR(error, "2: not a text file: it holds a zero byte");
+    CHECK(!model_decode(&model, "OFF\n\0", 5, &error));
+    CHECK_ERROR(error, "2: not a text file: it holds a zero byte");
     CHECK(!model_decode(&model, NULL, 0, &error));
 }
 
