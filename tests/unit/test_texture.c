@@ -66,6 +66,26 @@ static void test_gaps(void) {
     check_gaps(6, 4, 2 + 1);
 }
 
+static void test_texels(void) {
+    static const enum image_format formats[] = {IMAGE_GREY, IMAGE_BGR, IMAGE_BGRA};
+    for (size_t f = 0; f < 3; f++) {
+        struct image image = new_image(5, 3, formats[f]);
+        struct texture texture;
+        struct error error;
+        for (size_t i = 0; i < 15 * (size_t)formats[f]; i++) {
+            image.pixels[i] = (uint8_t)random_bits(&random_state);
+        }
+        CHECK(texture_create(&texture, &image, &error));
+        for (size_t i = 0; i < 15; i++) {
+            struct color c = image_get(&image, (int)(i % 5), (int)(i / 5));
+            CHECK(texture_texel(&texture.level[0], i % 5, i / 5) ==
+                  ((uint32_t)c.b | (uint32_t)c.g << 8 | (uint32_t)c.r << 16 | (uint32_t)c.a << 24));
+        }
+        texture_free(&texture);
+        image_free(&image);
+    }
+}
+
 static void test_level_sizes(void) {
     static const struct {
         size_t width, height, levels;
@@ -216,5 +236,5 @@ static void test_sizes(void) {
     }
 }
 
-UNIT_MAIN(TEST(test_pitch), TEST(test_gaps), TEST(test_level_sizes), TEST(test_levels),
-          TEST(test_level_rounding), TEST(test_clamp), TEST(test_sizes))
+UNIT_MAIN(TEST(test_pitch), TEST(test_gaps), TEST(test_texels), TEST(test_level_sizes),
+          TEST(test_levels), TEST(test_level_rounding), TEST(test_clamp), TEST(test_sizes))
