@@ -70,18 +70,6 @@ static size_t image_size(const struct image *image) {
     return image->height * row_size(image);
 }
 
-bool image_copy(struct image *copy, const struct image *image, struct error *error) {
-    if (image->pixels == NULL) {
-        *copy = (struct image){0};
-        return true;
-    }
-    if (!create(copy, image->width, image->height, image->format, false, error)) {
-        return false;
-    }
-    memcpy(copy->pixels, image->pixels, image_size(image));
-    return true;
-}
-
 static bool is_inside(const struct image *image, int x, int y) {
     return x >= 0 && y >= 0 && (size_t)x < image->width && (size_t)y < image->height;
 }
@@ -168,7 +156,7 @@ static void swap_bytes(uint8_t *a, uint8_t *b, size_t size) {
     }
 }
 
-void image_flip_horizontally(struct image *image) {
+static void flip_horizontally(struct image *image) {
     size_t step = (size_t)image->format;
     for (size_t y = 0; y < image->height; y++) {
         uint8_t *row = image->pixels + y * row_size(image);
@@ -178,117 +166,11 @@ void image_flip_horizontally(struct image *image) {
     }
 }
 
-void image_flip_vertically(struct image *image) {
+static void flip_vertically(struct image *image) {
     size_t size = row_size(image);
     for (size_t y = 0; y < image->height / 2; y++) {
         swap_bytes(image->pixels + y * size, image->pixels + (image->height - 1 - y) * size, size);
     }
-}
-
-/* ---- Change of size: one axis at a time, with whole-number weights, so that nothing is rounded
- * before the end. ---- */
-
-/* Which old pixels make one new pixel along an axis: `count` of them from `first`. */
-struct taps {
-    uint64_t first, count;
-};
-
-/* From `old_size` pixels to `new_size`. Shrinking: in units of 1/(old_size * new_size) of the axis,
- * old pixel i covers [i * new_size, (i+1) * new_size), new pixel j covers [j * old_size, (j+1) *
- * old_size). Growing: the centre of new pixel j lies at ((2j+1) * old_size - new_size) / (2 *
- * new_size) among the centres of the old pixels, which lie at 0, 1, 2... */
-static struct taps axis_taps(uint64_t old_size, uint64_t new_size, uint64_t j) {
-    if (new_size <= old_size) {
-        uint64_t first = j * old_size / new_size;
-        uint64_t last = ((j + 1) * old_size - 1) / new_size;
-        return (struct taps){first, last - first + 1};
-    }
-    uint64_t centre = (2 * j + 1) * old_size;
-    if (centre < new_size) {
-        return (struct taps){0, 1};
-    }
-    uint64_t first = (centre - new_size) / (2 * new_size);
-    return (struct taps){first, first + 1 < old_size ? 2 : 1};
-}
-
-/* The weight of old pixel i in new pixel j; the weights of all taps of j add up to axis_total(). */
-static uint64_t axis_weight(uint64_t old_size, uint64_t new_size, uint64_t j, struct taps taps,
-                            uint64_t i) {
-    if (new_size <= old_size) {
-        uint64_t old_start = i * new_size, old_end = old_start + new_size;
-        uint64_t new_start = j * old_size, new_end = new_start + old_size;
-        uint64_t start = old_start > new_start ? old_start : new_start;
-        uint64_t end = old_end < new_end ? old_end : new_end;
-        return end - start;
-    }
-    if (taps.count == 1) {
-        return 2 * new_size;
-    }
-    uint64_t right = ((2 * j + 1) * old_size - new_size) % (2 * new_size);
-    return i == taps.first ? 2 * new_size - right : right;
-}
-
-static uint64_t axis_total(uint64_t old_size, uint64_t new_size) {
-    return new_size <= old_size ? old_size : 2 * new_size;
-}
-
-/* sums = the weighted sum of the old rows that make new row y, of which there are `height`. */
-static void sum_rows(uint64_t *sums, const struct image *old, size_t height, size_t y) {
-    size_t size = row_size(old);
-    struct taps taps = axis_taps(old->height, height, y);
-    memset(sums, 0, size * sizeof *sums);
-    for (size_t i = (size_t)taps.first; i < taps.first + taps.count; i++) {
-        const uint8_t *row = old->pixels + i * size;
-        uint64_t weight = axis_weight(old->height, height, y, taps, i);
-        for (size_t k = 0; k < size; k++) {
-            sums[k] += weight * row[k];
-        }
-    }
-}
-
-/* One row of new pixels from the weighted sums along a row of old ones, rounded to nearest. The
- * sums stay below 256 * 131070 * 131070, far inside 64 bits. */
-static void sum_columns(uint8_t *row, size_t width, const uint64_t *sums, const struct image *old,
-                        uint64_t rows_total) {
-    size_t channels = (size_t)old->format;
-    uint64_t total = rows_total * axis_total(old->width, width);
-    for (size_t x = 0; x < width; x++) {
-        struct taps taps = axis_taps(old->width, width, x);
-        uint64_t sum[4] = {0};
-        for (size_t i = (size_t)taps.first; i < taps.first + taps.count; i++) {
-            uint64_t weight = axis_weight(old->width, width, x, taps, i);
-            for (size_t c = 0; c < channels; c++) {
-                sum[c] += weight * sums[i * channels + c];
-            }
-        }
-        for (size_t c = 0; c < channels; c++) {
-            row[x * channels + c] = (uint8_t)((sum[c] + total / 2) / total);
-        }
-    }
-}
-
-bool image_scale(struct image *image, size_t width, size_t height, struct error *error) {
-    if (image->pixels == NULL) {
-        return error_set(error, "an empty image cannot be scaled");
-    }
-    struct image scaled;
-    if (!image_create(&scaled, width, height, image->format, error)) {
-        return false;
-    }
-    uint64_t *sums = calloc(row_size(image), sizeof *sums);
-    if (sums == NULL) {
-        image_free(&scaled);
-        return error_out_of_memory(error);
-    }
-    uint64_t rows_total = axis_total(image->height, height);
-    for (size_t y = 0; y < height; y++) {
-        sum_rows(sums, image, height, y);
-        sum_columns(scaled.pixels + y * row_size(&scaled), width, sums, image, rows_total);
-    }
-    free(sums);
-    image_free(image);
-    *image = scaled;
-    return true;
 }
 
 /* ---- TGA ---- */
@@ -615,10 +497,10 @@ bool tga_decode(struct image *image, const void *data, size_t size, struct error
         return false;
     }
     if ((tga.descriptor & TGA_RIGHT_TO_LEFT) != 0) {
-        image_flip_horizontally(image);
+        flip_horizontally(image);
     }
     if ((tga.descriptor & TGA_TOP_TO_BOTTOM) != 0) {
-        image_flip_vertically(image);
+        flip_vertically(image);
     }
     return true;
 }
@@ -646,13 +528,6 @@ struct repeats {
 /* Bytes that hold a bit for each pixel of a row, and one more. */
 static size_t bits_size(size_t width) {
     return width / 8 + 1;
-}
-
-/* Eight bytes as a number, the first one lowest. Compilers know this form as one instruction. */
-static inline uint64_t load_u64(const uint8_t *bytes) {
-    return bytes[0] | (uint64_t)bytes[1] << 8 | (uint64_t)bytes[2] << 16 |
-           (uint64_t)bytes[3] << 24 | (uint64_t)bytes[4] << 32 | (uint64_t)bytes[5] << 40 |
-           (uint64_t)bytes[6] << 48 | (uint64_t)bytes[7] << 56;
 }
 
 static inline void find_repeats(const uint8_t *row, size_t width, const struct repeats *repeats,
@@ -769,8 +644,7 @@ static bool pack_rows(const struct image *image, const struct repeats *repeats, 
     return true;
 }
 
-bool tga_encode(const struct image *image, bool run_length, struct bytes *out,
-                struct error *error) {
+bool tga_encode(const struct image *image, struct bytes *out, struct error *error) {
     if (image->pixels == NULL) {
         return error_set(error, "an empty image cannot be written");
     }
@@ -786,7 +660,7 @@ bool tga_encode(const struct image *image, bool run_length, struct bytes *out,
                                     image->pixels + image_size(image)};
     size_t start = out->size;
     out->size += TGA_HEADER_SIZE;
-    bool packed = run_length && pack_rows(image, &repeats, out);
+    bool packed = pack_rows(image, &repeats, out);
     free(known);
     if (!packed) { /* noise: run-length coding would make it larger */
         out->size = start + TGA_HEADER_SIZE;
@@ -801,6 +675,6 @@ bool tga_encode(const struct image *image, bool run_length, struct bytes *out,
 
 bool tga_write(const struct image *image, const char *path, struct error *error) {
     struct bytes out = {0};
-    bool encoded = tga_encode(image, true, &out, error);
+    bool encoded = tga_encode(image, &out, error);
     return file_write_encoded(path, encoded, &out, error);
 }

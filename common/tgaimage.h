@@ -50,9 +50,6 @@ bool image_create(struct image *image, size_t width, size_t height, enum image_f
 /* Free the pixels and leave an empty image. Freeing an empty image is legal. */
 void image_free(struct image *image);
 
-/* `copy` becomes an image of its own with the same pixels (what it held before is not freed). */
-bool image_copy(struct image *copy, const struct image *image, struct error *error);
-
 /* The pixel's colour; zero (all channels) outside the image. Grey comes as three equal channels;
  * an image without alpha is opaque. */
 struct color image_get(const struct image *image, int x, int y);
@@ -67,15 +64,6 @@ void image_fill_row(struct image *image, int y, int x_begin, int x_end, struct c
 /* Every pixel becomes `color`. */
 void image_clear(struct image *image, struct color color);
 
-/* Mirror left and right, and top and bottom. */
-void image_flip_horizontally(struct image *image);
-void image_flip_vertically(struct image *image);
-
-/* Change the size to any 1..IMAGE_SIZE_LIMIT. Each new pixel is the mean of the area that it covers
- * when shrinking, and linear between pixel centres when growing. On an error the image is
- * unchanged. */
-bool image_scale(struct image *image, size_t width, size_t height, struct error *error);
-
 /* ---- TGA. image_read() of image_file.h reads files; only tga_write() names one. ---- */
 
 /* Can the bytes be a TGA of these types? TGA has no signature: all that tells is that the header
@@ -89,10 +77,10 @@ bool tga_is_possible(const void *data, size_t size);
  * overwritten, not freed; empty on an error. */
 bool tga_decode(struct image *image, const void *data, size_t size, struct error *error);
 
-/* TGA 2.0 with footer: type 3 or 2, run-length coded (11 or 10) when `run_length` is set; no packet
- * crosses a row. Where packets would be larger than the raw pixels (noise), these are written
- * instead. Appends to `out`. */
-bool tga_encode(const struct image *image, bool run_length, struct bytes *out, struct error *error);
-bool tga_write(const struct image *image, const char *path, struct error *error); /* run-length */
+/* TGA 2.0 with footer: type 11 or 10, run-length coded; no packet crosses a row. Where packets
+ * would be larger than the raw pixels (noise), these are written instead, as type 3 or 2. Appends
+ * to `out`. */
+bool tga_encode(const struct image *image, struct bytes *out, struct error *error);
+bool tga_write(const struct image *image, const char *path, struct error *error);
 
 #endif

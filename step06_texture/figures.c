@@ -133,23 +133,6 @@ static bool paint_levels(struct texture *texture, struct error *error) {
     return true;
 }
 
-static bool draw_levels(const char *directory, struct error *error) {
-    enum { SIDE = 800, SHOWN = 400 };
-    struct texture texture = {0};
-    struct image panel = {0};
-    bool done = paint_levels(&texture, error) && image_create(&panel, SIDE, SIDE, IMAGE_BGR, error);
-    if (done) {
-        struct vertex corners[4];
-        place_plane(&panel, corners);
-        draw_quad(&panel, corners, &texture, draw_good);
-        done = image_scale(&panel, SHOWN, SHOWN, error) &&
-               figure_save(&panel, directory, "levels", error);
-    }
-    image_free(&panel);
-    texture_free(&texture);
-    return done;
-}
-
 /* ---- The textures themselves ---- */
 
 /* The finest level that is not wider than the image, into its lower left corner. */
@@ -164,6 +147,31 @@ static void show_texture(struct image *image, const struct texture *texture) {
             image_set(image, (int)x, (int)y, color_from_texel(texture_texel(level, x, y)));
         }
     }
+}
+
+/* Drawn twice as large as it is shown, which is as the next level. */
+static bool draw_levels(const char *directory, struct error *error) {
+    enum { SIDE = 800, SHOWN = 400 };
+    struct texture texture = {0}, drawn = {0};
+    struct image panel = {0}, shown = {0};
+    bool done = paint_levels(&texture, error) &&
+                image_create(&panel, SIDE, SIDE, IMAGE_BGR, error) &&
+                image_create(&shown, SHOWN, SHOWN, IMAGE_BGR, error);
+    if (done) {
+        struct vertex corners[4];
+        place_plane(&panel, corners);
+        draw_quad(&panel, corners, &texture, draw_good);
+        done = texture_create(&drawn, &panel, error);
+    }
+    if (done) {
+        show_texture(&shown, &drawn);
+        done = figure_save(&shown, directory, "levels", error);
+    }
+    image_free(&panel);
+    image_free(&shown);
+    texture_free(&texture);
+    texture_free(&drawn);
+    return done;
 }
 
 static bool draw_textures(struct model *bust, const char *directory, struct error *error) {

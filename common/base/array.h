@@ -3,17 +3,17 @@
  *
  * The owner keeps a pointer, how many elements are in use and how many there is room for:
  *
- *     struct face *grown = array_reserve(faces, &capacity, count + 1, sizeof *faces);
- *     if (grown == NULL) {
+ *     if (!array_extend(&faces, &capacity, count + 1, sizeof *faces)) {
  *         return error_out_of_memory(error);
  *     }
- *     faces = grown;
  *     faces[count++] = face;
  */
 #ifndef COMMON_ARRAY_H
 #define COMMON_ARRAY_H
 
+#include <stdbool.h>
 #include <stddef.h>
+#include <string.h>
 
 /* Of the processor's cache, in bytes: memory for aligned_alloc() that is read or written so much at
  * once, and should not lie in two lines then. */
@@ -29,6 +29,18 @@ static inline void *array_reserve(void *array, size_t *capacity, size_t count,
                                   size_t element_size) {
     return count <= *capacity && array != NULL ? array
                                                : array_grow(array, capacity, count, element_size);
+}
+
+/* The same for the array whose pointer is at `pointer`, and is set. False when memory runs out. */
+static inline bool array_extend(void *pointer, size_t *capacity, size_t count,
+                                size_t element_size) {
+    void *array;
+    memcpy(&array, pointer, sizeof array); /* of any type */
+    array = array_reserve(array, capacity, count, element_size);
+    if (array != NULL) {
+        memcpy(pointer, &array, sizeof array);
+    }
+    return array != NULL;
 }
 
 #endif

@@ -10,12 +10,8 @@
 #include <string.h>
 
 bool bytes_reserve(struct bytes *bytes, size_t size) {
-    if (size > SIZE_MAX - bytes->size) {
-        return false;
-    }
-    void *grown = array_reserve(bytes->data, &bytes->capacity, bytes->size + size, 1);
-    bytes->data = grown == NULL ? bytes->data : grown;
-    return grown != NULL;
+    return size <= SIZE_MAX - bytes->size &&
+           array_extend(&bytes->data, &bytes->capacity, bytes->size + size, 1);
 }
 
 bool bytes_append(struct bytes *bytes, const void *data, size_t size) {

@@ -6,6 +6,8 @@
 #ifndef COMMON_EXACT_H
 #define COMMON_EXACT_H
 
+#include <math.h>
+
 /* Stands for rounded + rest. */
 struct exact {
     double rounded, rest;
@@ -18,21 +20,11 @@ static inline struct exact exact_sum(double a, double b) {
     return (struct exact){sum, (a - a_part) + (b - b_part)};
 }
 
-/* A number as a sum of two with half as many bits: their products are exact. */
-static inline struct exact exact_split(double number) {
-    double scaled = 134217729 * number; /* 2^27 + 1 */
-    double high = scaled - (scaled - number);
-    return (struct exact){high, number - high};
-}
-
-/* a * b (Dekker, "A Floating-Point Technique for Extending the Available Precision", 1971). */
+/* a * b: fma() rounds only once, and what is left of the product takes no more bits than a double
+ * has. */
 static inline struct exact exact_product(double a, double b) {
-    struct exact p = exact_split(a), q = exact_split(b);
     double product = a * b;
-    double rest = product - p.rounded * q.rounded;
-    rest -= p.rest * q.rounded;
-    rest -= p.rounded * q.rest;
-    return (struct exact){product, p.rest * q.rest - rest};
+    return (struct exact){product, fma(a, b, -product)};
 }
 
 #endif

@@ -484,15 +484,6 @@ static bool fail_with(struct decompressor *d, const char *problem) {
     return false;
 }
 
-/* Eight bytes as a number, the first one lowest. */
-static inline uint64_t load_u64(const uint8_t *bytes) {
-    uint64_t value = 0;
-    for (int i = 7; i >= 0; i--) {
-        value = value << 8 | bytes[i];
-    }
-    return value;
-}
-
 /* Take whole bytes up to 56 bits or more: enough for a length, a distance and their extra bits. */
 static inline void refill(struct bit_reader *in) {
     if (in->end - in->next >= 8) {

@@ -5,8 +5,6 @@
 #include "files/png.h"
 #include "files/ppm.h"
 
-#include <assert.h>
-#include <stdio.h>
 #include <string.h>
 
 /* ---- Reading ---- */
@@ -55,17 +53,4 @@ const char *image_file_extension(const struct image_file_format *format,
                                  const struct image *image) {
     bool grey = image->format == IMAGE_GREY && format->grey_extension != NULL;
     return grey ? format->grey_extension : format->name;
-}
-
-struct image_file_names image_file_names(void) {
-    struct image_file_names names = {""};
-    size_t length = 0;
-    for (size_t i = 0; i < image_file_format_count; i++) {
-        bool last = i + 1 == image_file_format_count;
-        const char *before = i == 0 ? "" : last ? " or " : ", ";
-        length += (size_t)snprintf(names.text + length, sizeof names.text - length, "%s%s", before,
-                                   image_file_formats[i].name);
-        assert(length < sizeof names.text);
-    }
-    return names;
 }

@@ -45,11 +45,7 @@ const struct image_file_format *image_file_format_find(const char *name);
 /* The extension of the image's file, without the dot. */
 const char *image_file_extension(const struct image_file_format *format, const struct image *image);
 
-/* The names of all formats for help and messages, "tga, png or ppm", as in
- * `printf("%s\n", image_file_names().text)`. */
-struct image_file_names {
-    char text[64];
-};
-struct image_file_names image_file_names(void);
+/* The names of all formats, for help and messages. */
+#define IMAGE_FILE_NAMES "tga, png or ppm"
 
 #endif

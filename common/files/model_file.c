@@ -56,13 +56,11 @@ bool model_decode(struct model *model, const void *data, size_t size, struct err
 }
 
 static bool keep_path(struct model *model, const char *path, struct error *error) {
-    size_t size = strlen(path) + 1;
-    model->path = malloc(size);
+    model->path = string_format("%s", path);
     if (model->path == NULL) {
         model_free(model);
         return error_out_of_memory(error);
     }
-    memcpy(model->path, path, size);
     return true;
 }
 

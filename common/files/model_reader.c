@@ -72,24 +72,19 @@ bool reader_read_numbers(struct model_reader *reader, struct reader_numbers *num
 
 /* ---- Positions, texture coordinates, normals, colours ---- */
 
-/* As array_reserve(), with a message. Elements are numbered below MODEL_NONE. */
-static void *reserve(struct model_reader *reader, void *array, size_t *capacity, size_t count,
-                     size_t element_size) {
-    void *grown = count < MODEL_NONE ? array_reserve(array, capacity, count, element_size) : NULL;
-    if (grown == NULL) {
-        error_out_of_memory(reader->error);
-    }
-    return grown;
+/* As array_extend(), with a message. Elements are numbered below MODEL_NONE. */
+static bool extend(struct model_reader *reader, void *pointer, size_t *capacity, size_t count,
+                   size_t element_size) {
+    return (count < MODEL_NONE && array_extend(pointer, capacity, count, element_size)) ||
+           error_out_of_memory(reader->error);
 }
 
 bool reader_add_position(struct model_reader *reader, const double position[3]) {
     struct model *model = reader->model;
-    void *grown = reserve(reader, model->positions, &reader->position_capacity,
-                          model->position_count + 1, sizeof *model->positions);
-    if (grown == NULL) {
+    if (!extend(reader, &model->positions, &reader->position_capacity, model->position_count + 1,
+                sizeof *model->positions)) {
         return false;
     }
-    model->positions = grown;
     model->positions[model->position_count++] =
         (struct vec3){position[0], position[1], position[2]};
     return true;
@@ -98,11 +93,9 @@ bool reader_add_position(struct model_reader *reader, const double position[3]) 
 /* Add three numbers to a list of floats. */
 static bool add_three(struct model_reader *reader, float (**list)[3], size_t *count,
                       size_t *capacity, const double numbers[3]) {
-    void *grown = reserve(reader, *list, capacity, *count + 1, sizeof **list);
-    if (grown == NULL) {
+    if (!extend(reader, list, capacity, *count + 1, sizeof **list)) {
         return false;
     }
-    *list = grown;
     for (int i = 0; i < 3; i++) {
         (*list)[*count][i] = (float)numbers[i];
     }
@@ -118,12 +111,10 @@ bool reader_add_normal(struct model_reader *reader, const double normal[3]) {
 
 bool reader_add_uv(struct model_reader *reader, double u, double v) {
     struct model *model = reader->model;
-    void *grown =
-        reserve(reader, model->uvs, &reader->uv_capacity, model->uv_count + 1, sizeof *model->uvs);
-    if (grown == NULL) {
+    if (!extend(reader, &model->uvs, &reader->uv_capacity, model->uv_count + 1,
+                sizeof *model->uvs)) {
         return false;
     }
-    model->uvs = grown;
     model->uvs[model->uv_count][0] = (float)u;
     model->uvs[model->uv_count++][1] = (float)v;
     return true;
@@ -185,20 +176,16 @@ bool reader_finish_colors(struct model_reader *reader) {
 /* ---- Faces ---- */
 
 bool reader_grow_polygon(struct model_reader *reader) {
-    void *grown = reserve(reader, reader->polygon, &reader->polygon_capacity,
-                          reader->polygon_size + 1, sizeof *reader->polygon);
-    reader->polygon = grown != NULL ? grown : reader->polygon;
-    return grown != NULL;
+    return extend(reader, &reader->polygon, &reader->polygon_capacity, reader->polygon_size + 1,
+                  sizeof *reader->polygon);
 }
 
 /* Put the positions of the polygon's corners together. */
 static bool gather_places(struct model_reader *reader) {
-    void *grown = reserve(reader, reader->places, &reader->place_capacity, reader->polygon_size,
-                          sizeof *reader->places);
-    if (grown == NULL) {
+    if (!extend(reader, &reader->places, &reader->place_capacity, reader->polygon_size,
+                sizeof *reader->places)) {
         return false;
     }
-    reader->places = grown;
     for (size_t i = 0; i < reader->polygon_size; i++) {
         reader->places[i] = reader->model->positions[reader->polygon[i].position];
     }
@@ -222,10 +209,8 @@ static bool cut_polygon(struct model_reader *reader) {
 /* Make room for more faces. */
 static bool reserve_faces(struct model_reader *reader, size_t count) {
     struct model *model = reader->model;
-    void *grown = reserve(reader, model->faces, &reader->face_capacity, model->face_count + count,
-                          sizeof *model->faces);
-    model->faces = grown != NULL ? grown : model->faces;
-    return grown != NULL;
+    return extend(reader, &model->faces, &reader->face_capacity, model->face_count + count,
+                  sizeof *model->faces);
 }
 
 /* Most faces are triangles already. */

@@ -74,13 +74,9 @@ static size_t count_bare_corners(const struct model *model) {
 /* Room for `more` normals. */
 static bool reserve_normals(struct model *model, size_t more) {
     size_t capacity = model->normal_count;
-    if (more >= MODEL_NONE - model->normal_count) {
-        return false;
-    }
-    void *grown = array_reserve(model->normals, &capacity, model->normal_count + more,
-                                sizeof *model->normals);
-    model->normals = grown == NULL ? model->normals : grown;
-    return grown != NULL;
+    return more < MODEL_NONE - model->normal_count &&
+           array_extend(&model->normals, &capacity, model->normal_count + more,
+                        sizeof *model->normals);
 }
 
 /* Give bare corners the normal of their position, which is made for the first of them. `normal_of`

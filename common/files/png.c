@@ -582,6 +582,7 @@ static bool append_chunk(struct bytes *out, const char *type, const void *head, 
     return true;
 }
 
+/* The signature and the first chunk. */
 static bool append_header(struct bytes *out, const struct image *image) {
     static const uint8_t types[] = {
         [IMAGE_GREY] = COLOR_GREY, [IMAGE_BGR] = COLOR_RGB, [IMAGE_BGRA] = COLOR_RGBA};
@@ -590,7 +591,8 @@ static bool append_header(struct bytes *out, const struct image *image) {
     put_u32(header + 4, image->height);
     header[8] = 8;
     header[9] = types[image->format];
-    return append_chunk(out, "IHDR", header, sizeof header, NULL, 0);
+    return bytes_append(out, png_signature, sizeof png_signature) &&
+           append_chunk(out, "IHDR", header, sizeof header, NULL, 0);
 }
 
 static const uint8_t *part_row(const struct part *part, size_t y) {
@@ -725,10 +727,6 @@ static struct part whole(const struct image *image) {
     return (struct part){image, 0, 0, image->width, image->height};
 }
 
-static bool append_signature(struct bytes *out) {
-    return bytes_append(out, png_signature, sizeof png_signature);
-}
-
 /* The compressed pixels, in as many chunks as they take. */
 static bool append_pixels(struct bytes *out, const struct bytes *compressed) {
     for (size_t done = 0; done < compressed->size;) {
@@ -746,12 +744,6 @@ static bool append_end(struct bytes *out) {
     return append_chunk(out, "IEND", NULL, 0, NULL, 0);
 }
 
-/* The whole file. */
-static bool append_png(struct bytes *out, const struct image *image, const struct bytes *pixels) {
-    return append_signature(out) && append_header(out, image) && append_pixels(out, pixels) &&
-           append_end(out);
-}
-
 bool png_encode(const struct image *image, struct bytes *out, struct error *error) {
     if (image->pixels == NULL) {
         return error_set(error, "an empty image cannot be written");
@@ -760,7 +752,8 @@ bool png_encode(const struct image *image, struct bytes *out, struct error *erro
     struct part part = whole(image);
     size_t start = out->size;
     bool done = compress_pixels(&part, &pixels, error) &&
-                (append_png(out, image, &pixels) || error_out_of_memory(error));
+                ((append_header(out, image) && append_pixels(out, &pixels) && append_end(out)) ||
+                 error_out_of_memory(error));
     bytes_free(&pixels);
     out->size = done ? out->size : start;
     return done;
@@ -871,8 +864,7 @@ static bool check_frames(const struct image *frames, size_t count, unsigned dela
 static bool append_animation_head(struct bytes *out, const struct image *frame, size_t count) {
     uint8_t control[8] = {0}; /* number of frames; 0 plays: forever */
     put_u32(control, count);
-    return append_signature(out) && append_header(out, frame) &&
-           append_chunk(out, "acTL", control, sizeof control, NULL, 0);
+    return append_header(out, frame) && append_chunk(out, "acTL", control, sizeof control, NULL, 0);
 }
 
 bool apng_encode(const struct image *frames, size_t count, unsigned delay_ms, struct bytes *out,

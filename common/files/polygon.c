@@ -261,16 +261,6 @@ static bool cell_blocks_ear(const struct polygon_cutter *cutter, uint32_t first,
     return false;
 }
 
-static double least_of(double a, double b, double c) {
-    double least = a < b ? a : b;
-    return least < c ? least : c;
-}
-
-static double greatest_of(double a, double b, double c) {
-    double greatest = a > b ? a : b;
-    return greatest > c ? greatest : c;
-}
-
 /* A spike, where the polygon turns straight back, or a doubled point: it can always be cut off. */
 static bool is_spike(const struct polygon_cutter *cutter, uint32_t index) {
     const struct polygon_node *tip = &cutter->nodes[index];
@@ -285,8 +275,8 @@ static bool is_ear(const struct polygon_cutter *cutter, uint32_t index) {
     if (tip->turn <= 0) { /* a point of a straight side stays */
         return is_spike(cutter, index);
     }
-    double left = least_of(a->x, tip->x, b->x), right = greatest_of(a->x, tip->x, b->x);
-    double bottom = least_of(a->y, tip->y, b->y), top = greatest_of(a->y, tip->y, b->y);
+    double left = fmin(fmin(a->x, tip->x), b->x), right = fmax(fmax(a->x, tip->x), b->x);
+    double bottom = fmin(fmin(a->y, tip->y), b->y), top = fmax(fmax(a->y, tip->y), b->y);
     size_t first_column = grid_place(cutter, left, cutter->left, cutter->x_scale);
     size_t last_column = grid_place(cutter, right, cutter->left, cutter->x_scale);
     size_t first_row = grid_place(cutter, bottom, cutter->bottom, cutter->y_scale);
@@ -316,14 +306,9 @@ static uint32_t any_node(const struct polygon_cutter *cutter, uint32_t start) {
 
 /* Room for the corners of a polygon that is cut by its ears. */
 static bool reserve_nodes(struct polygon_cutter *cutter, size_t size) {
-    void *nodes = array_reserve(cutter->nodes, &cutter->node_capacity, size, sizeof *cutter->nodes);
-    cutter->nodes = nodes == NULL ? cutter->nodes : nodes;
-    void *cells = array_reserve(cutter->cells, &cutter->cell_capacity, size, sizeof *cutter->cells);
-    cutter->cells = cells == NULL ? cutter->cells : cells;
-    void *queue =
-        array_reserve(cutter->queue, &cutter->queue_capacity, size, sizeof *cutter->queue);
-    cutter->queue = queue == NULL ? cutter->queue : queue;
-    return nodes != NULL && cells != NULL && queue != NULL;
+    return array_extend(&cutter->nodes, &cutter->node_capacity, size, sizeof *cutter->nodes) &&
+           array_extend(&cutter->cells, &cutter->cell_capacity, size, sizeof *cutter->cells) &&
+           array_extend(&cutter->queue, &cutter->queue_capacity, size, sizeof *cutter->queue);
 }
 
 /* About as many cells as corners, over the rectangle around the polygon. */
@@ -429,10 +414,8 @@ static void cut_ears(struct polygon_cutter *cutter, size_t size) {
 /* ---- Polygons ---- */
 
 static bool reserve_triangles(struct polygon_cutter *cutter, size_t count) {
-    void *grown = array_reserve(cutter->triangles, &cutter->triangle_capacity, count,
-                                sizeof *cutter->triangles);
-    cutter->triangles = grown == NULL ? cutter->triangles : grown;
-    return grown != NULL;
+    return array_extend(&cutter->triangles, &cutter->triangle_capacity, count,
+                        sizeof *cutter->triangles);
 }
 
 static void cut_as_fan(struct polygon_cutter *cutter, size_t size) {

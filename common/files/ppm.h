@@ -13,8 +13,8 @@
 
 #include <stdbool.h>
 
-/* PGM/PPM (P5 for grey, else P6 without alpha), top row first; `plain` gives P2/P3 as text. */
-bool ppm_encode(const struct image *image, bool plain, struct bytes *out, struct error *error);
-bool ppm_write(const struct image *image, const char *path, struct error *error); /* binary */
+/* PGM/PPM (P5 for grey, else P6 without alpha), top row first. */
+bool ppm_encode(const struct image *image, struct bytes *out, struct error *error);
+bool ppm_write(const struct image *image, const char *path, struct error *error);
 
 #endif

@@ -87,52 +87,14 @@ static bool parse_light(const struct program *program, const char *value, void *
            (light->value.x != 0 || light->value.y != 0 || light->value.z != 0);
 }
 
-/* ---- What a message and the help say of the values ---- */
-
-struct details {
-    char text[256];
-};
-
-typedef struct details details_function(const struct program *program);
-
-static struct details describe_size(const struct program *program) {
-    struct details details;
-    (void)program;
-    snprintf(details.text, sizeof details.text, ": each 1 to %d", DRAW_LIMIT);
-    return details;
-}
-
-static struct details describe_repeat(const struct program *program) {
-    struct details details;
-    (void)program;
-    snprintf(details.text, sizeof details.text, ": 1 to %d", REPEAT_LIMIT);
-    return details;
-}
-
-static struct details describe_format(const struct program *program) {
-    struct details details;
-    (void)program;
-    snprintf(details.text, sizeof details.text, ": %s", image_file_names().text);
-    return details;
-}
-
-/* The names of the scenes, cut where there are very many. */
-static struct details describe_scenes(const struct program *program) {
-    struct details details = {{0}};
-    size_t length = 0;
-    for (size_t i = 0; i < program->scene_count && length < sizeof details.text; i++) {
-        length += (size_t)snprintf(details.text + length, sizeof details.text - length, "%s %s",
-                                   i == 0 ? ":" : ",", program->scenes[i].name);
-    }
-    return details;
-}
-
-static struct details describe_nothing(const struct program *program) {
-    (void)program;
-    return (struct details){{0}};
-}
-
 /* ---- The table ---- */
+
+#define SIZES ": each 1 to 16384"
+_Static_assert(DRAW_LIMIT == 16384, "the largest of SIZES");
+#define REPEATS ": 1 to 1000000"
+_Static_assert(REPEAT_LIMIT == 1000000, "the largest of REPEATS");
+#define FORMATS ": " IMAGE_FILE_NAMES
+#define POINT   "three numbers X,Y,Z"
 
 enum condition { ALWAYS, WITH_MODEL, WITH_CAMERA, WITH_LIGHT };
 
@@ -143,40 +105,50 @@ static const struct option {
     const char *value; /* as --help shows it; empty for an option without one */
     const char *wants; /* for messages */
     const char *help;
-    details_function *describe; /* the values; comes after both texts */
-    size_t field;               /* offset in struct options */
+    size_t field; /* offset in struct options */
     parse_function *parse;
     enum condition condition;
 } options_known[] = {
-    {"-o", "DIR", "a directory", "where the images go", describe_nothing, FIELD(directory),
-     parse_directory, ALWAYS},
-    {"-s", "WxH", "WxH", "image size", describe_size, FIELD(size), parse_size, ALWAYS},
-    {"--only", "SCENE", "a scene", "draw just this scene", describe_scenes, FIELD(only),
-     parse_scene, ALWAYS},
-    {"--format", "F", "a format", "of the images", describe_format, FIELD(format), parse_format,
+    {"-o", "DIR", "a directory", "where the images go", FIELD(directory), parse_directory, ALWAYS},
+    {"-s", "WxH", "WxH" SIZES, "image size" SIZES, FIELD(size), parse_size, ALWAYS},
+    {"--only", "SCENE", "a scene", "draw just this scene", FIELD(only), parse_scene, ALWAYS},
+    {"--format", "F", "a format" FORMATS, "of the images" FORMATS, FIELD(format), parse_format,
      ALWAYS},
-    {"--fit", "", "", "move and scale the model into view", describe_nothing, FIELD(fit),
-     parse_switch, WITH_MODEL},
-    {"--eye", "X,Y,Z", "three numbers X,Y,Z", "where the camera stands", describe_nothing,
-     FIELD(eye), parse_vec3, WITH_CAMERA},
-    {"--center", "X,Y,Z", "three numbers X,Y,Z", "the point that it looks at", describe_nothing,
-     FIELD(center), parse_vec3, WITH_CAMERA},
-    {"--up", "X,Y,Z", "three numbers X,Y,Z", "the direction that appears upwards", describe_nothing,
-     FIELD(up), parse_vec3, WITH_CAMERA},
-    {"--light", "X,Y,Z", "three numbers X,Y,Z that are not all 0",
-     "where the light goes, comes from or stands: see the lesson", describe_nothing, FIELD(light),
-     parse_light, WITH_LIGHT},
-    {"--repeat", "N", "a number", "draw N times; print the median milliseconds of one frame",
-     describe_repeat, FIELD(repeat), parse_repeat, ALWAYS},
-    {"--stats", "", "", "print what was done and what was skipped", describe_nothing, FIELD(stats),
-     parse_switch, ALWAYS},
-    {"--no-skip", "", "", "do everything; the image must not change", describe_nothing,
-     FIELD(no_skip), parse_switch, ALWAYS},
-    {"--help", "", "", "this text; so does -h", describe_nothing, FIELD(help), parse_switch,
+    {"--fit", "", "", "move and scale the model into view", FIELD(fit), parse_switch, WITH_MODEL},
+    {"--eye", "X,Y,Z", POINT, "where the camera stands", FIELD(eye), parse_vec3, WITH_CAMERA},
+    {"--center", "X,Y,Z", POINT, "the point that it looks at", FIELD(center), parse_vec3,
+     WITH_CAMERA},
+    {"--up", "X,Y,Z", POINT, "the direction that appears upwards", FIELD(up), parse_vec3,
+     WITH_CAMERA},
+    {"--light", "X,Y,Z", POINT " that are not all 0",
+     "where the light goes, comes from or stands: see the lesson", FIELD(light), parse_light,
+     WITH_LIGHT},
+    {"--repeat", "N", "a number" REPEATS,
+     "draw N times; print the median milliseconds of one frame" REPEATS, FIELD(repeat),
+     parse_repeat, ALWAYS},
+    {"--stats", "", "", "print what was done and what was skipped", FIELD(stats), parse_switch,
      ALWAYS},
+    {"--no-skip", "", "", "do everything; the image must not change", FIELD(no_skip), parse_switch,
+     ALWAYS},
+    {"--help", "", "", "this text; so does -h", FIELD(help), parse_switch, ALWAYS},
 };
 
 enum { OPTIONS_KNOWN = sizeof options_known / sizeof options_known[0] };
+
+struct details {
+    char text[256];
+};
+
+/* What follows the option's texts: the names of the scenes, cut where there are very many. */
+static struct details details_of(const struct option *option, const struct program *program) {
+    struct details details = {{0}};
+    size_t length = 0, count = option->parse == parse_scene ? program->scene_count : 0;
+    for (size_t i = 0; i < count && length < sizeof details.text; i++) {
+        length += (size_t)snprintf(details.text + length, sizeof details.text - length, "%s %s",
+                                   i == 0 ? ":" : ",", program->scenes[i].name);
+    }
+    return details;
+}
 
 bool program_takes_model(const struct program *program) {
     unsigned needs = 0;
@@ -230,11 +202,11 @@ static bool parse_option(struct options *options, const struct program *program,
     *count = takes_value ? 2 : 1;
     if (takes_value && value == NULL) {
         return error_set(error, "%s wants %s%s", name, option->wants,
-                         option->describe(program).text);
+                         details_of(option, program).text);
     }
     return option->parse(program, value, (char *)options + option->field) ||
            error_set(error, "%s wants %s%s, not '%s'", name, option->wants,
-                     option->describe(program).text, value);
+                     details_of(option, program).text, value);
 }
 
 bool options_parse(struct options *options, const struct program *program, int argc, char **argv,
@@ -276,7 +248,7 @@ void options_print_help(const struct program *program, const char *directory,
         if (takes_option(program, option)) {
             int width = HELP_COLUMN - (int)strlen(option->name);
             printf("  %s %-*s%s%s\n", option->name, width, option->value, option->help,
-                   option->describe(program).text);
+                   details_of(option, program).text);
         }
     }
     printf("\nWithout -o the images go to %s/%s\n", directory, program->name);

@@ -122,12 +122,9 @@ static bool read_size(struct reader *reader) {
 /* A shape takes at least 19 bytes of text, so memory grows only as the file does. */
 static bool add_shape(struct reader *reader, const struct text_scene_shape *shape) {
     struct text_scene *scene = reader->scene;
-    struct text_scene_shape *grown =
-        array_reserve(scene->shapes, &reader->capacity, scene->shape_count + 1, sizeof *grown);
-    if (grown == NULL) {
+    if (!array_extend(&scene->shapes, &reader->capacity, scene->shape_count + 1, sizeof *shape)) {
         return error_out_of_memory(reader->error);
     }
-    scene->shapes = grown;
     scene->shapes[scene->shape_count++] = *shape;
     return true;
 }

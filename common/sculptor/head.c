@@ -169,8 +169,7 @@ static double add_chin(double d, struct vec3 p) {
     if (p.y > 0.05 || p.z < 0.1) {
         return d;
     }
-    d = join(d, ellipsoid(p, at(0, -0.140, 0.400), at(0.085, 0.070, 0.070)), 0.08);
-    return d;
+    return join(d, ellipsoid(p, at(0, -0.140, 0.400), at(0.085, 0.070, 0.070)), 0.08);
 }
 
 static double add_neck_cords(double d, struct vec3 p) {

@@ -61,26 +61,21 @@ struct grid_corner {
     int place[2], uv[2], normal[2];
 };
 
-static bool is_pole(const struct surface *surface, int row) {
-    return row == 0 || row == surface->rows;
-}
-
 static void add_grid_corner(struct mesh *mesh, const struct surface *surface, int vertex, int side,
                             struct grid_corner *corners) {
-    int column = vertex % (surface->columns + 1), row = vertex / (surface->columns + 1);
-    bool in_mirror = column == 0 || column == surface->columns || is_pole(surface, row);
+    int column = surface_column(surface, vertex), row = surface_row(surface, vertex);
     struct grid_corner *corner = &corners[vertex];
     if (corner->place[side] == NONE) {
         struct vec3 p = surface->place[vertex];
         p.x = side == LEFT ? p.x : -p.x;
         corner->place[side] = mesh_add_place(mesh, p);
         corner->normal[side] = mesh_add_normal(mesh, (struct vec3){0, 0, 0});
-        if (in_mirror) { /* both sides share it */
+        if (surface_is_in_mirror(surface, vertex)) { /* both sides share it */
             corner->place[1 - side] = corner->place[side];
             corner->normal[1 - side] = corner->normal[side];
         }
     }
-    if (corner->uv[side] == NONE && !is_pole(surface, row)) {
+    if (corner->uv[side] == NONE && !surface_is_pole(surface, vertex)) {
         double u = 0.5 * column / surface->columns;
         corner->uv[side] =
             mesh_add_uv(mesh, side == LEFT ? 0.5 + u : 0.5 - u, (double)row / surface->rows);
@@ -101,10 +96,10 @@ static void add_grid_triangle(struct mesh *mesh, const struct surface *surface,
         made[k] = (struct mesh_corner){.place = corners[vertex].place[side],
                                        .uv = corners[vertex].uv[side],
                                        .normal = corners[vertex].normal[side]};
-        flat_base &= vertex / (surface->columns + 1) <= SURFACE_BASE_ROWS;
+        flat_base &= surface_row(surface, vertex) <= SURFACE_BASE_ROWS;
     }
     for (int k = 0; k < 3; k++) {
-        if (is_pole(surface, triangle->corner[k] / (surface->columns + 1))) {
+        if (surface_is_pole(surface, triangle->corner[k])) {
             /* A pole has no u of its own: it takes the middle of its partners'. */
             const double *a = mesh->uvs[made[(k + 1) % 3].uv], *b = mesh->uvs[made[(k + 2) % 3].uv];
             made[k].uv = mesh_add_uv(mesh, (a[0] + b[0]) / 2, triangle->corner[k] == 0 ? 0 : 1);
@@ -233,25 +228,13 @@ static bool append_off(struct bytes *out, const struct mesh *mesh, const char *c
     return done;
 }
 
-static bool finish(struct bytes *text, bool done, const char *path, struct error *error) {
-    if (done) {
-        done = file_write(path, text->data, text->size, error);
-    } else {
+bool mesh_write(const struct mesh *mesh, const char *comment, const char *path,
+                struct error *error) {
+    struct bytes text = {0};
+    bool done =
+        mesh->uv_count > 0 ? append_obj(&text, mesh, comment) : append_off(&text, mesh, comment);
+    if (!done) {
         error_out_of_memory(error);
-        error_name_file(error, path);
     }
-    bytes_free(text);
-    return done;
-}
-
-bool mesh_write_obj(const struct mesh *mesh, const char *comment, const char *path,
-                    struct error *error) {
-    struct bytes text = {0};
-    return finish(&text, append_obj(&text, mesh, comment), path, error);
-}
-
-bool mesh_write_off(const struct mesh *mesh, const char *comment, const char *path,
-                    struct error *error) {
-    struct bytes text = {0};
-    return finish(&text, append_off(&text, mesh, comment), path, error);
+    return file_write_encoded(path, done, &text, error);
 }

@@ -38,10 +38,8 @@ void mesh_add_face(struct mesh *mesh, struct mesh_corner a, struct mesh_corner b
 bool mesh_from_surface(struct mesh *mesh, const struct surface *surface,
                        const struct grid_triangle *triangles, size_t count);
 
-/* The mesh as text of an OBJ or OFF file, after the comment line. */
-bool mesh_write_obj(const struct mesh *mesh, const char *comment, const char *path,
-                    struct error *error);
-bool mesh_write_off(const struct mesh *mesh, const char *comment, const char *path,
-                    struct error *error);
+/* Write the comment line and the mesh: an OBJ file, or OFF where it has no texture coordinates. */
+bool mesh_write(const struct mesh *mesh, const char *comment, const char *path,
+                struct error *error);
 
 #endif

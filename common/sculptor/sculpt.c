@@ -35,10 +35,10 @@ static bool join_path(char path[4096], const char *directory, const char *name,
     return (length > 0 && length < 4096) || error_set(error, "%s: the path is too long", directory);
 }
 
-static bool write_obj(const struct mesh *mesh, const char *comment, const char *directory,
-                      const char *name, struct error *error) {
+static bool write_mesh(const struct mesh *mesh, const char *comment, const char *directory,
+                       const char *name, struct error *error) {
     char path[4096];
-    return join_path(path, directory, name, error) && mesh_write_obj(mesh, comment, path, error);
+    return join_path(path, directory, name, error) && mesh_write(mesh, comment, path, error);
 }
 
 static bool write_image(const struct image *image, const char *directory, const char *name,
@@ -55,8 +55,8 @@ static bool write_mesh_of_bust(const struct surface *surface, const char *direct
     bool done = (simplify(surface, HALF_FACES, &triangles, &count) &&
                  mesh_from_surface(&mesh, surface, triangles, count)) ||
                 error_set(error, "out of memory for the bust");
-    done = done && write_obj(&mesh, "A bust, sculpted by common/sculptor/sculpt.c", directory,
-                             "bust.obj", error);
+    done = done && write_mesh(&mesh, "A bust, sculpted by common/sculptor/sculpt.c", directory,
+                              "bust.obj", error);
     mesh_free(&mesh);
     free(triangles);
     return done;
@@ -81,12 +81,10 @@ static bool write_bust(const char *directory, struct error *error) {
 static bool write_solids(const char *directory, struct error *error) {
     struct mesh mesh;
     bool done = solid_sphere(&mesh, 48, 24) || error_set(error, "out of memory for the sphere");
-    done = done && write_obj(&mesh, "A sphere of radius 0.9", directory, "sphere.obj", error);
+    done = done && write_mesh(&mesh, "A sphere of radius 0.9", directory, "sphere.obj", error);
     mesh_free(&mesh);
-    char path[4096];
     done = done && (solid_knot(&mesh, 96, 12) || error_set(error, "out of memory for the knot"));
-    done = done && join_path(path, directory, "knot.off", error) &&
-           mesh_write_off(&mesh, "A trefoil knot", path, error);
+    done = done && write_mesh(&mesh, "A trefoil knot", directory, "knot.off", error);
     mesh_free(&mesh);
     return done;
 }

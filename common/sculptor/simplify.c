@@ -20,8 +20,10 @@
 enum { NONE = -1, VALENCE_LIMIT = 11 };
 
 /* x'Ax + 2b'x + c for a symmetric A: the weighted squared distances to a set of planes. */
+enum { XX, XY, XZ, X, YY, YZ, Y, ZZ, Z, ONE, TERMS };
+
 struct quadric {
-    double xx, xy, xz, yy, yz, zz, x, y, z, one;
+    double term[TERMS];
 };
 
 /* A possible collapse of vertex `from` onto `to`; out of date when either has changed since. */
@@ -58,36 +60,28 @@ static double importance(struct vec3 p) {
            1.2 * ear;
 }
 
-static void quadric_add(struct quadric *sum, const struct quadric *term) {
-    sum->xx += term->xx;
-    sum->xy += term->xy;
-    sum->xz += term->xz;
-    sum->yy += term->yy;
-    sum->yz += term->yz;
-    sum->zz += term->zz;
-    sum->x += term->x;
-    sum->y += term->y;
-    sum->z += term->z;
-    sum->one += term->one;
+static void quadric_add(struct quadric *sum, const struct quadric *added) {
+    for (int i = 0; i < TERMS; i++) {
+        sum->term[i] += added->term[i];
+    }
 }
 
 static struct quadric quadric_of_plane(struct vec3 normal, double offset, double weight) {
-    return (struct quadric){.xx = weight * normal.x * normal.x,
-                            .xy = weight * normal.x * normal.y,
-                            .xz = weight * normal.x * normal.z,
-                            .yy = weight * normal.y * normal.y,
-                            .yz = weight * normal.y * normal.z,
-                            .zz = weight * normal.z * normal.z,
-                            .x = weight * normal.x * offset,
-                            .y = weight * normal.y * offset,
-                            .z = weight * normal.z * offset,
-                            .one = weight * offset * offset};
+    const double plane[4] = {normal.x, normal.y, normal.z, offset};
+    struct quadric quadric = {{0}};
+    for (int i = 0, term = 0; i < 4; i++) {
+        for (int k = i; k < 4; k++) {
+            quadric.term[term++] = weight * plane[i] * plane[k];
+        }
+    }
+    return quadric;
 }
 
-static double quadric_at(const struct quadric *q, struct vec3 p) {
-    double a = q->xx * p.x + 2 * (q->xy * p.y + q->xz * p.z + q->x);
-    double b = q->yy * p.y + 2 * (q->yz * p.z + q->y);
-    return a * p.x + b * p.y + (q->zz * p.z + 2 * q->z) * p.z + q->one;
+static double quadric_at(const struct quadric *quadric, struct vec3 p) {
+    const double *q = quadric->term;
+    double a = q[XX] * p.x + 2 * (q[XY] * p.y + q[XZ] * p.z + q[X]);
+    double b = q[YY] * p.y + 2 * (q[YZ] * p.z + q[Y]);
+    return a * p.x + b * p.y + (q[ZZ] * p.z + 2 * q[Z]) * p.z + q[ONE];
 }
 
 static double price_of(const struct workshop *w, int from, int to) {
@@ -149,21 +143,12 @@ static struct collapse heap_pop(struct workshop *w) {
 
 /* ---- What may collapse ---- */
 
-static int column_of(const struct workshop *w, int vertex) {
-    return vertex % (w->surface->columns + 1);
-}
-
-static int row_of(const struct workshop *w, int vertex) {
-    return vertex / (w->surface->columns + 1);
-}
-
 static bool is_pole(const struct workshop *w, int vertex) {
-    return row_of(w, vertex) == 0 || row_of(w, vertex) == w->surface->rows;
+    return surface_is_pole(w->surface, vertex);
 }
 
 static bool is_in_mirror(const struct workshop *w, int vertex) {
-    int column = column_of(w, vertex);
-    return column == 0 || column == w->surface->columns || is_pole(w, vertex);
+    return surface_is_in_mirror(w->surface, vertex);
 }
 
 static bool has_corner(const struct grid_triangle *t, int vertex) {
@@ -205,8 +190,8 @@ static struct vec3 area_vector(const struct workshop *w, const struct grid_trian
 static int area_in_texture(const struct workshop *w, const struct grid_triangle *t) {
     int x[3], y[3];
     for (int k = 0; k < 3; k++) {
-        x[k] = 2 * column_of(w, t->corner[k]);
-        y[k] = row_of(w, t->corner[k]);
+        x[k] = 2 * surface_column(w->surface, t->corner[k]);
+        y[k] = surface_row(w->surface, t->corner[k]);
     }
     for (int k = 0; k < 3; k++) {
         if (is_pole(w, t->corner[k])) {
@@ -364,9 +349,9 @@ static void measure_planes(struct workshop *w) {
             if (is_in_mirror(w,
                              t->corner[k])) { /* the mirror image of this triangle is there too */
                 struct quadric image = q;
-                image.xy = -q.xy;
-                image.xz = -q.xz;
-                image.x = -q.x;
+                image.term[XY] = -q.term[XY];
+                image.term[XZ] = -q.term[XZ];
+                image.term[X] = -q.term[X];
                 quadric_add(&w->quadrics[t->corner[k]], &image);
             }
         }

@@ -27,6 +27,25 @@ static inline int surface_index(const struct surface *surface, int column, int r
     return row * (surface->columns + 1) + column;
 }
 
+static inline int surface_column(const struct surface *surface, int index) {
+    return index % (surface->columns + 1);
+}
+
+static inline int surface_row(const struct surface *surface, int index) {
+    return index / (surface->columns + 1);
+}
+
+/* Is it the middle of the base or the crown? */
+static inline bool surface_is_pole(const struct surface *surface, int index) {
+    return surface_row(surface, index) % surface->rows == 0;
+}
+
+/* Does it lie in the plane between the two halves? */
+static inline bool surface_is_in_mirror(const struct surface *surface, int index) {
+    return surface_column(surface, index) % surface->columns == 0 ||
+           surface_is_pole(surface, index);
+}
+
 /* Place and normal at (u, v) in 0..1, between the grid's points. */
 struct vec3 surface_place(const struct surface *surface, double u, double v);
 struct vec3 surface_normal(const struct surface *surface, double u, double v);

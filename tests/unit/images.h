@@ -72,6 +72,13 @@ static inline struct image new_image(size_t width, size_t height, enum image_for
     return image;
 }
 
+/* Of its own, with the same pixels; the caller frees it. */
+static inline struct image copy_of(const struct image *image) {
+    struct image copy = new_image(image->width, image->height, image->format);
+    memcpy(copy.pixels, image->pixels, image->width * image->height * (size_t)image->format);
+    return copy;
+}
+
 static inline bool same_image(const struct image *a, const struct image *b) {
     return a->width == b->width && a->height == b->height && a->format == b->format &&
            memcmp(a->pixels, b->pixels, a->width * a->height * (size_t)a->format) == 0;

@@ -107,7 +107,7 @@ static void encode_all(struct files *files, int first, encode_function *encode) 
 }
 
 static bool encode_tga(const struct image *image, struct bytes *out, struct error *error) {
-    return tga_encode(image, true, out, error);
+    return tga_encode(image, out, error);
 }
 
 static void write_tga(void *state, int first) {
@@ -314,7 +314,9 @@ static void load_images(struct files *files) {
 static void make_noise(struct files *files) {
     struct image *noise = &files->noise;
     uint32_t random = 1;
-    must(image_copy(noise, &files->images[PNG], &files->error), &files->error);
+    const struct image *like = &files->images[PNG];
+    must(image_create(noise, like->width, like->height, like->format, &files->error),
+         &files->error);
     for (size_t i = 0; i < noise->width * noise->height * (size_t)noise->format; i++) {
         random = random * 1664525u + 1013904223u;
         noise->pixels[i] = (uint8_t)(random >> 24);

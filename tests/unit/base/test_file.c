@@ -438,30 +438,6 @@ static void test_chain_of_links(void) {
     place_remove(&place, NULL);
 }
 
-/* file_write() follows as many links as the system: 40 under Linux. */
-static void test_many_links(void) {
-    enum { LINKS = 45 };
-    struct place place = place_create();
-    struct error error;
-    struct stat status;
-    char target[16] = "a", name[16];
-    CHECK(file_write(name_file(&place, target), "old", 3, &error));
-    for (int i = 0; i < LINKS; i++) {
-        snprintf(name, sizeof name, "link%d", i);
-        CHECK(symlink(target, name_file(&place, name)) == 0);
-        bool followed = stat(place.path, &status) == 0;
-        CHECK_ROW(file_write(place.path, name, strlen(name), &error) == followed, name);
-        CHECK_ROW(is_link(place.path), name);
-        CHECK_ROW(file_is(name_file(&place, "a"), name) == followed, name);
-        strcpy(target, name);
-    }
-    for (int i = 0; i < LINKS; i++) {
-        snprintf(name, sizeof name, "link%d", i);
-        CHECK(unlink(name_file(&place, name)) == 0);
-    }
-    place_remove(&place, "a");
-}
-
 /* A device or a pipe is written to, and stays what it is. The devices of the system are only
  * touched without the right to replace them: a wrong program under test must not do harm. */
 static bool write_to_null(const char *path) {
@@ -504,4 +480,4 @@ UNIT_MAIN(TEST(test_messages), TEST(test_printable_texts), TEST(test_names_of_fi
           TEST(test_standard_input), TEST(test_write), TEST(test_write_without_input),
           TEST(test_write_errors), TEST(test_write_protection), TEST(test_write_from_elsewhere),
           TEST(test_dangling_link), TEST(test_limit_of_file_size), TEST(test_ended_while_writing),
-          TEST(test_chain_of_links), TEST(test_many_links), TEST(test_devices))
+          TEST(test_chain_of_links), TEST(test_devices))

@@ -227,19 +227,6 @@ static void test_each_call_fails(void) {
     place_remove(&files.place, "old");
 }
 
-/* No name for a temporary file is free; a file that nobody may see. */
-static void test_other_reasons(void) {
-    static const int reasons[] = {EACCES, EROFS, ENOSPC, EMFILE};
-    struct files files = files_create();
-    struct error error;
-    for (size_t i = 0; i < sizeof reasons / sizeof reasons[0]; i++) {
-        struct system_calls fields = {.failing = 1, .reason = reasons[i]}; /* stat(), then open() */
-        CHECK(!attempt(WRITE_FRESH, &files, fields, &error));
-        CHECK(tells(&error, files.fresh, reasons[i]));
-    }
-    place_remove(&files.place, "old");
-}
-
 /* Interrupted calls, and a disk that takes nothing, which is full. */
 static void test_interrupted_and_full(void) {
     struct files files = files_create();
@@ -307,4 +294,4 @@ static void test_growing_file(void) {
 }
 
 UNIT_MAIN(TEST(test_taken_names), TEST(test_seldom_names), TEST(test_each_call_fails),
-          TEST(test_other_reasons), TEST(test_interrupted_and_full), TEST(test_growing_file))
+          TEST(test_interrupted_and_full), TEST(test_growing_file))

@@ -3,9 +3,6 @@
 #include "base/text.h"
 #include "unit/images.h"
 
-#include <errno.h>
-#include <float.h>
-#include <locale.h>
 #include <math.h>
 
 /* ---- Lines and words ---- */
@@ -217,27 +214,16 @@ static void test_numbers_of_a_line(void) {
     }
 }
 
-/* Among them the middles between two floats, between two doubles, and what is next to them. */
+/* Among them what is just too large for a product of exact numbers, and middles between doubles. */
 static void test_chosen_numbers(void) {
     char numbers[] =
         "0 -0 +0 0.0 -0.0e10 0e999999999999999999999 .5 5. -.5e1 5.e1 1e-30 1E+30 1e0 "
-        "1e-0 00012.500 0.1 0.3 16777215 16777216 16777217 16777219 "
-        "16777217.00000000000000000000000000000000000001 "
-        "16777216.99999999999999999999999999999 9007199254740993 "
+        "1e-0 00012.500 0.1 0.3 9007199254740992 9007199254740993 "
         "9007199254740992.99999999999999999999999 "
-        "9007199254740993.00000000000000000000000000000001 1.00000005960464477539062500 "
-        "1.00000005960464477539062499999999999 "
-        "1.0000000596046447753906250000000000000000001 3.4028234663852886e38 "
-        "3.4028235677973366e38 3.40282356779733661e38 "
-        "3.402823567797336616375393954581425684479e38 3.4028235677973362e38 1e39 -1e39 "
+        "9007199254740993.00000000000000000000000000000001 1e39 -1e39 "
         "1e400 1e-400 1e99999999999999999999 1e-99999999999999999999 "
-        "1.7976931348623157e308 1.7976931348623158e308 1.7976931348623159e308 "
-        "1.797693134862315807e308 1.797693134862315808e308 1.4012984643248170e-45 "
-        "7.0064923216240853e-46 7.0064923216240854e-46 "
-        "7.00649232162408535461864791644958e-46 7.00649232162408535461864791644959e-46 "
-        "1.1754943508222875e-38 1.1754942807573643e-38 1.17549431578987e-38 "
+        "1.7976931348623158e308 1.7976931348623159e308 7.0064923216240854e-46 "
         "4.9406564584124654e-324 2.4703282292062327e-324 2.4703282292062328e-324 "
-        "2.2250738585072011e-308 2.2250738585072014e-308 8.589973e9 "
         "123456789012345678901234567890 0.000000000000000000000000000000000001 "
         "9999999999999999999 10000000000000000000 18446744073709551616 1e22 1e23 8.5e22 "
         "-1.5e-22 6.02214076e23 ";
@@ -299,128 +285,26 @@ static unsigned random_below(unsigned limit) {
     return (unsigned)(random_bits() % limit);
 }
 
-static float random_float(uint32_t mask) {
-    float value;
-    do {
-        uint32_t bits = (uint32_t)random_bits() & mask;
-        memcpy(&value, &bits, sizeof value);
-    } while (!isfinite(value));
-    return value;
-}
-
-static double random_double(uint64_t mask) {
-    double value;
-    do {
-        uint64_t bits = random_bits() & mask;
-        memcpy(&value, &bits, sizeof value);
-    } while (!isfinite(value));
-    return value;
-}
-
 static void random_digits(char *string, unsigned digits) {
-    unsigned point = random_below(digits + 1);
+    unsigned point = random_below(digits + 1), reach = random_below(2) == 0 ? 20 : 350;
     for (unsigned i = 0; i < digits; i++) {
         if (i == point) {
             *string++ = '.';
         }
         *string++ = (char)('0' + (random_below(3) == 0 ? 0 : random_below(10)));
     }
-    sprintf(string, "e%d", (int)random_below(700) - 350);
+    sprintf(string, "e%d", (int)random_below(2 * reach) - (int)reach);
 }
 
-/* The middle between a float and its neighbour, in full or cut to some digits. */
-static void middle_of_floats(char *string, size_t room) {
-    float below = random_float(UINT32_MAX);
-    float above = nextafterf(below, 0);
-    int digits = random_below(2) == 0 ? 200 : (int)random_below(25) + 5;
-    snprintf(string, room, "%.*g", digits, ((double)below + (double)above) / 2);
-}
-
-/* The middle between two doubles of ordinary size, in full: 54 bits, so up to 54 digits more. */
-static void middle_of_doubles(char *string, size_t room) {
-    uint64_t whole = (UINT64_C(1) << 52 | random_bits() >> 12);
-    unsigned point = random_below(10);
-    /* whole + 1/2, divided by 2^point, written exactly: digits by repeated doubling of the rest. */
-    uint64_t rest = ((whole << 1 | 1) & ((UINT64_C(1) << (point + 1)) - 1));
-    size_t used = (size_t)snprintf(string, room, "%" PRIu64 ".", (whole << 1 | 1) >> (point + 1));
-    for (unsigned i = 0; i <= point; i++) {
-        rest *= 10;
-        string[used++] = (char)('0' + (rest >> (point + 1)));
-        rest &= (UINT64_C(1) << (point + 1)) - 1;
-    }
-    unsigned tail = random_below(3); /* exact, or just above by a far digit */
-    for (unsigned i = 0; tail > 0 && i < 30; i++) {
-        string[used++] = '0';
-    }
-    string[used] = '\0';
-    if (tail == 2) {
-        strcat(string, "1");
-    }
-}
-
-/* 15 to 25 digits, perhaps with a point among them. */
-static void ordinary_digits(char *string, size_t room) {
-    int digits = (int)random_below(11) + 15, point = (int)random_below(28);
-    size_t used = 0;
-    for (int i = 0; i < digits; i++) {
-        used += (size_t)snprintf(string + used, room - used, "%s%u", i == point ? "." : "",
-                                 random_below(10));
-    }
-}
-
+/* Digits of any number, of which few are exact by a product and many have to be copied. */
 static void test_random_numbers(void) {
-    for (int i = 0; i < 150000; i++) {
-        char string[2048];
-        switch (i % 9) {
-        case 0: /* more digits than fast_double() takes, some more than fit 64 bits */
-            ordinary_digits(string, sizeof string);
-            break;
-        case 1:
-            snprintf(string, sizeof string, "%.17g", random_double(UINT64_MAX));
-            break;
-        case 2:
-            snprintf(string, sizeof string, "%.9g", (double)random_float(UINT32_MAX));
-            break;
-        case 3:
-            middle_of_floats(string, sizeof string);
-            break;
-        case 4:
-            middle_of_doubles(string, sizeof string);
-            break;
-        case 5: /* subnormals */
-            snprintf(string, sizeof string, "%.*g", (int)random_below(40) + 1,
-                     random_double(UINT64_C(0x801FFFFFFFFFFFFF)));
-            break;
-        case 6:
-            snprintf(string, sizeof string, "%.*g", (int)random_below(120) + 1,
-                     (double)random_float(UINT32_C(0x80FFFFFF)));
-            break;
-        case 7:
-            random_digits(string, random_below(40) + 1);
-            break;
-        default:
-            random_digits(string, random_below(i % 64 == 7 ? 1500 : 24) + 1);
-            break;
-        }
+    char string[2048];
+    for (unsigned i = 0; i < 30000; i++) {
+        random_digits(string, random_below(i % 64 == 0 ? 1500 : 24) + 1);
         check_number(string);
     }
 }
 
-/* A locale with a decimal comma changes nothing. */
-static void test_locale(void) {
-    static const char *const names[] = {"de_DE.UTF-8", "fr_FR.UTF-8", "de_DE", "ru_RU.UTF-8"};
-    for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
-        if (setlocale(LC_ALL, names[i]) != NULL) {
-            break;
-        }
-    }
-    double d;
-    CHECK(word_to_double(word_of("1.25"), &d) && d == 1.25);
-    CHECK(!word_to_double(word_of("1,25"), &d));
-    setlocale(LC_ALL, "C");
-}
-
 UNIT_MAIN(TEST(test_lines), TEST(test_skipped_lines), TEST(test_long_line), TEST(test_words),
           TEST(test_integers), TEST(test_numbers_of_a_line), TEST(test_chosen_numbers),
-          TEST(test_long_numbers), TEST(test_refused_numbers), TEST(test_random_numbers),
-          TEST(test_locale))
+          TEST(test_long_numbers), TEST(test_refused_numbers), TEST(test_random_numbers))

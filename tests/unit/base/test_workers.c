@@ -78,14 +78,6 @@ static void meet(void *context, size_t index, size_t worker) {
     }
 }
 
-static void test_two_at_once(void) {
-    atomic_int arrived = 0;
-    struct workers *workers = workers_create(2);
-    workers_run(workers, 2, meet, &arrived);
-    CHECK(arrived == 2);
-    workers_free(workers);
-}
-
 /* The loop returns when all parts are done, even those that a thread began last and is slow at. */
 static _Thread_local bool calling;
 
@@ -192,5 +184,5 @@ static void test_signals(void) {
     CHECK(!sigismember(&blocked, SIGTERM));
 }
 
-UNIT_MAIN(TEST(test_each_part_once), TEST(test_many_loops), TEST(test_two_at_once),
-          TEST(test_slow_thread), TEST(test_shares), TEST(test_alone), TEST(test_signals))
+UNIT_MAIN(TEST(test_each_part_once), TEST(test_many_loops), TEST(test_slow_thread),
+          TEST(test_shares), TEST(test_alone), TEST(test_signals))

@@ -1,6 +1,6 @@
 /* Models: what is read of OBJ and OFF, the message for everything that is refused, textures beside
  * the model. */
-#define _POSIX_C_SOURCE 200809L /* mkdtemp */
+#define _XOPEN_SOURCE 700 /* POSIX.1-2008 with mkdtemp() */
 
 #include "base/file.h"
 #include "files/model_file.h"
@@ -13,10 +13,6 @@
 #include <math.h>
 #include <stdlib.h>
 #include <unistd.h>
-
-#ifndef COURSE_BUILD /* where make builds: test files go there */
-#define COURSE_BUILD "."
-#endif
 
 /* Read the text, from memory of just its size. */
 static bool decode(struct model *model, const char *text, struct error *error) {
@@ -61,7 +57,6 @@ static void test_obj_faces(void) {
         {"plain", SQUARE "f 1 2 3\n", TRIANGLE},
         {"no final newline", SQUARE "f 1 2 3", TRIANGLE},
         {"CRLF", "v 0 0 0\r\nv 1 0 0\r\nv 0 1 0\r\nf 1 2 3\r\n", TRIANGLE},
-        {"CR only", "v 0 0 0\rv 1 0 0\rv 0 1 0\rf 1 2 3\r", TRIANGLE},
         {"byte-order mark", "\xEF\xBB\xBFv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3", TRIANGLE},
         {"v/vt", SQUARE CORNERS "f 1/1 2/2 3/3\n", "0/0/-,1/1/-,2/2/-"},
         {"v//vn", SQUARE CORNERS "f 1//1 2//2 3//1\n", "0/-/0,1/-/1,2/-/0"},
@@ -77,17 +72,10 @@ static void test_obj_faces(void) {
         {"attributes further down", SQUARE "f 1/1/1 2/2/2 3/3/1\n" CORNERS, "0/0/0,1/1/1,2/2/0"},
         {"plus sign, leading zeros", SQUARE "f +1 002 3\n", TRIANGLE},
         {"square", SQUARE "f 1 2 3 4\n", "0/-/-,1/-/-,2/-/- 0/-/-,2/-/-,3/-/-"},
-        {"clockwise square", SQUARE "f 4 3 2 1\n", "3/-/-,2/-/-,1/-/- 3/-/-,1/-/-,0/-/-"},
         {"corners keep their attributes", SQUARE CORNERS "f 1/1/1 2/2/1 3/3/1 4/1/2\n",
          "0/0/0,1/1/0,2/2/0 0/0/0,2/2/0,3/0/1"},
         {"arrow: the inner corner 4 must be on the cut",
          "v 0 0 0\nv 4 0 0\nv 0 4 0\nv 1 1 0\nf 1 2 4 3\n", "0/-/-,1/-/-,3/-/- 0/-/-,3/-/-,2/-/-"},
-        {"the same from another first corner", "v 0 0 0\nv 4 0 0\nv 0 4 0\nv 1 1 0\nf 2 4 3 1\n",
-         "3/-/-,2/-/-,0/-/- 3/-/-,0/-/-,1/-/-"},
-        {"all corners in one place", "v 1 1 1\nf 1 1 1 1 1\n",
-         "0/-/-,0/-/-,0/-/- 0/-/-,0/-/-,0/-/- 0/-/-,0/-/-,0/-/-"},
-        {"on a line", "v 0 0 0\nv 1 1 1\nv 2 2 2\nv 3 3 3\nf 1 3 2 4\n",
-         "0/-/-,2/-/-,1/-/- 0/-/-,1/-/-,3/-/-"},
         {"polylines and points are no faces", SQUARE "l 1 2 3 4\np 1\nf 1 2 3\nl 1 2 3\n",
          TRIANGLE},
         {"unknown words",
@@ -95,10 +83,8 @@ static void test_obj_faces(void) {
          "cstype bezier\nf 1 2 3\nfoo # bar\nfacet 1 2\nvv 1\n",
          TRIANGLE},
         {"comments", "# v 9 9 9\n" SQUARE "f 1 2 3 # 4\n#f 1 2 3\n", TRIANGLE},
-        {"comment that ends in a backslash", "# c:\\models\\\n" SQUARE "f 1 2 3", TRIANGLE},
         {"continued face", SQUARE "f 1 \\\n2\\\n \\\r\n3\n", TRIANGLE},
         {"continued vertex", "v 0 0 \\\n 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", TRIANGLE},
-        {"tabs and blanks", "\tv\t0 0  0 \n v 1 0 0\n  v 0 1 0\nf\t1  2\t3 \n", TRIANGLE},
     };
     for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
         struct model model;
@@ -154,29 +140,6 @@ static void test_obj_numbers(void) {
     model_free(&m);
 }
 
-/* Colours for many positions, from the middle on and not up to the end. */
-static void test_obj_many_colors(void) {
-    struct bytes bytes = {0};
-    struct model m;
-    struct error error;
-    char line[64];
-    for (int i = 0; i < 1000; i++) {
-        bool colored = i >= 300 && i < 500;
-        int length = snprintf(line, sizeof line, "v %d 0 0%s\n", i, colored ? " 0 0.5 0" : "");
-        CHECK(bytes_append(&bytes, line, (size_t)length));
-    }
-    CHECK(bytes_append(&bytes, "f 1 2 3\n", 8));
-    if (CHECK(model_decode(&m, bytes.data, bytes.size, &error)) && CHECK(m.colors != NULL)) {
-        for (int i = 0; i < 1000; i++) {
-            bool colored = i >= 300 && i < 500;
-            CHECK(m.positions[i].x == (double)i);
-            CHECK(same3(m.colors[i], colored ? 0 : 1, colored ? 0.5F : 1, colored ? 0 : 1));
-        }
-    }
-    model_free(&m);
-    bytes_free(&bytes);
-}
-
 static void test_off(void) {
     static const struct {
         const char *name, *text, *faces;
@@ -207,8 +170,6 @@ static void test_off(void) {
          "# made by hand\n\nOFF # what\n\n# x\n3 1 0 # y\n0 0 0\n\n1 0 0 # z\n1 1 0\n\n#\n3 0 1 2 "
          "#\n",
          TRIANGLE},
-        {"CRLF and a byte-order mark",
-         "\xEF\xBB\xBFOFF\r\n3 1 0\r\n0 0 0\r\n1 0 0\r\n1 1 0\r\n3 0 1 2\r\n", TRIANGLE},
         {"face colours",
          "OFF\n3 2 0\n0 0 0\n1 0 0\n1 1 0\n3 0 1 2 255 0 0\n3 0 1 2 0.5 0.5 0.5 1\n",
          TRIANGLE " " TRIANGLE},
@@ -371,23 +332,18 @@ static void test_messages(void) {
         {"", "holds no faces"},
         {"\n# nothing\n", "holds no faces"},
         {SQUARE, "holds no faces"},
-        {SQUARE "l 1 2 3 4\n", "holds no faces"},
         {"just some words\nand more of them", "holds no faces"},
         {SQUARE "\nf 1 2 0\n", "6: face names vertex 0: the first is 1"},
         {SQUARE "f 1 2 5\n", "5: face names vertex 5 of 4"},
-        {SQUARE "f 1 2 4294967297\n", "5: face names vertex 4294967297 of 4"},
         {SQUARE "f 1 2 4294967296\n", "5: face names vertex 4294967296 of 4"},
         {SQUARE "f 1 2 -4294967295\n", "5: face names vertex -4294967295 of 4"},
         {SQUARE "f 1 2 18446744073709551617\n", "5: face names vertex 18446744073709551617 of 4"},
         {SQUARE "f 1 2 -99999999999999999999\n", "5: face names vertex -99999999999999999999 of 4"},
         {SQUARE "f 1 2 -99999999999999999999\nv 1 1 1\n", /* only those above count */
          "5: face names vertex -99999999999999999999 of 4"},
-        {SQUARE "f 1 2 +99999999999999999999\n", "5: face names vertex +99999999999999999999 of 4"},
-        {SQUARE "f 1 2 -5\n", "5: face names vertex -5 of 4"},
         {"f 1 2 3\nv 0 0 x\n", "2: 'x' is not a number"},
         {"f 1 2 3\nv 0 0 0\nf 1 1 -2\nv 1 0 0\nv 0 1 0\n", "3: face names vertex -2 of 1"},
         {SQUARE "vn 1 2 3 4\nf 1 2 3\n", "5: 'vn' takes 3 numbers, not 4"},
-        {"f 1 2 3\n" SQUARE "f 1 2 9\n", "6: face names vertex 9 of 4"},
         {"\nf 3 1 x\n" SQUARE, "2: face corner 'x' is none of v, v/vt, v//vn, v/vt/vn"},
         {"v 0 0 0\nf -1 -1 -2\n" SQUARE, "2: face names vertex -2 of 1"},
         {SQUARE "f 1/1 2/1 3/1\n", "5: face names texture coordinate 1 of 0"},
@@ -396,9 +352,7 @@ static void test_messages(void) {
         {SQUARE CORNERS "f 1//1 2//1 3//3\n", "10: face names normal 3 of 2"},
         {SQUARE CORNERS "f 1//1 2//1 3//-3\n", "10: face names normal -3 of 2"},
         {SQUARE "f 1 2\n", "5: a face has at least 3 corners, not 2"},
-        {SQUARE "f\n", "5: a face has at least 3 corners, not 0"},
         {SQUARE "f 1 2 x\n", "5: face corner 'x' is none of v, v/vt, v//vn, v/vt/vn"},
-        {SQUARE "f 1 2 3.0\n", "5: face corner '3.0' is none of v, v/vt, v//vn, v/vt/vn"},
         {SQUARE "f 1 2 /3\n", "5: face corner '/3' is none of v, v/vt, v//vn, v/vt/vn"},
         {SQUARE "f 1 2 3/\n", "5: face corner '3/' is none of v, v/vt, v//vn, v/vt/vn"},
         {SQUARE "f 1 2 3//\n", "5: face corner '3//' is none of v, v/vt, v//vn, v/vt/vn"},
@@ -409,31 +363,18 @@ static void test_messages(void) {
         {SQUARE "f 1 \\\n 2 \\\n 9\n", "5: face names vertex 9 of 4"},
         {"v 1 2\n", "1: 'v' takes 3, 4 or 6 numbers, not 2"},
         {"\nv 1 2 3 4 5\n", "2: 'v' takes 3, 4 or 6 numbers, not 5"},
-        {"v 1 2 3 4 5 6 7\n", "1: 'v' takes 3, 4 or 6 numbers, not 7"},
         {"v 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15\n", "1: 'v' takes 3, 4 or 6 numbers, not 15"},
-        {"v\n", "1: 'v' takes 3, 4 or 6 numbers, not 0"},
-        {"vt\n", "1: 'vt' takes 1 to 3 numbers, not 0"},
         {"vt 1 2 3 4\n", "1: 'vt' takes 1 to 3 numbers, not 4"},
-        {"vn 1 2\n", "1: 'vn' takes 3 numbers, not 2"},
         {"v 1 2 nan\n", "1: 'nan' is not a number"},
-        {"v 1 2 inf\n", "1: 'inf' is not a number"},
-        {"v 1 2 -Infinity\n", "1: '-Infinity' is not a number"},
         {"v 1 2 1e39\n", "1: 1e39 is too large"},
-        {"v 1 2 3 1 1 3.5e38\n", "1: 3.5e38 is too large"},
-        {"vt 1e400\n", "1: 1e400 is too large"},
-        {"vn 0 0 -1e39\n", "1: -1e39 is too large"},
-        {"v 1,5 2 3\n", "1: '1,5' is not a number"},
-        {"v 1 2 3x\n", "1: '3x' is not a number"},
         {"v 1 2 \x1b[31m\n", "1: '?[31m' is not a number"},
         {"OFF", "1: the numbers of vertices and faces are missing"},
         {"OFF\n\n", "2: the numbers of vertices and faces are missing"},
         {"OFF\n3\n", "2: the number of faces is missing"},
         {"OFF\nx 1 0\n", "2: 'x' is not a number of vertices"},
         {"OFF! 1 1\n", "holds no faces"}, /* not OFF, and nothing that OBJ knows */
-        {"OFFs 1 1\n", "holds no faces"},
         {"OFF\n4294967295 1 0\n", "2: '4294967295' is not a number of vertices"},
         {"COFF\n0 0 0\n", "holds no faces"},
-        {"OFF\n-1 1 0\n", "2: '-1' is not a number of vertices"},
         {"OFF\n1 1.5 0\n", "2: '1.5' is not a number of faces"},
         {"OFF\n4000000000 1 0\n0 0 0\n",
          "2: 4000000000 vertices and 1 faces are more than the file can hold"},
@@ -458,11 +399,8 @@ static void test_messages(void) {
         {"COFF\n1 1 0\n0 0 0 1 1\n", "3: the file ends after 0 of 1 vertices"},
         {"OFF 1 1 x\n0 0 0\n3 0 0 0\n", "1: 'x' is not a number of edges"},
         {"OFF 1\n1\nx\n0 0 0\n3 0 0 0\n", "3: 'x' is not a number of edges"},
-        {"8 6 12\n0 0 0\n", "begins with a number: an OFF file begins with the word OFF"},
         {"# a cube\n\n8 6 12\n", "begins with a number: an OFF file begins with the word OFF"},
-        {"cube\n8 6 12\n", "holds no faces"},
         {"OFF\n1 1 0\n0 nan 0\n3 0 0 0\n", "3: 'nan' is not a number"},
-        {"OFF\n1 1 0\n0 1e39 0\n3 0 0 0\n", "3: 1e39 is too large"},
         {"OFF\n1 1 0\n0 0 0\n3 0 0 1\n", "4: face names vertex 1 of 1 (from 0)"},
         {"OFF\n1 1 0\n0 0 0\n3 0 0 -1\n", "4: face names vertex -1 of 1 (from 0)"},
         {"OFF\n1 1 0\n0 0 0\n3 0 0 4294967296\n", "4: face names vertex 4294967296 of 1 (from 0)"},
@@ -475,10 +413,7 @@ static void test_messages(void) {
          "6: the colour of a face has 3 or 4 numbers, not 5"},
         {"OFF\n1 1 0\n0 0 0\n1 0 1 2\n", "4: the colour of a face has 3 or 4 numbers, not 2"},
         {"OFF\n1 1 0\n0 0 0\n3 0 0 0 red\n", "4: 'red' is not a number"},
-        {"OFF\n1 1 0\n0 0 0\n3 0 0 0 0 0 nan\n", "4: 'nan' is not a number"},
-        {"OFF\n1 1 0\n0 0 0\n3 0 0 0 0 0 1e39\n", "4: 1e39 is too large"},
         {"OFF\n1 0 0\n0 0 0\n", "holds no faces"},
-        {"OFF\n0 0 0\n", "holds no faces"},
         {"OFF BINARY\n", "1: binary OFF files cannot be read"},
         {"4OFF\n1 1 0\n", "1: 4OFF: only positions of three coordinates can be read"},
         {"nOFF 3\n1 1 0\n", "1: nOFF: only positions of three coordinates can be read"},
@@ -496,44 +431,9 @@ static void test_messages(void) {
     struct error error;
     CHECK(!model_decode(&model, "v 1 2 3\nf\0", 10, &error));
     CHECK_ERROR(error, "2: not a text file: it holds a zero byte");
+    CHECK(!model_decode(&model, "OFF\n\0", 5, &error));
+    CHECK_ERROR(error, "2: not a text file: it holds a zero byte");
     CHECK(!model_decode(&model, NULL, 0, &error));
-}
-
-/* 1 MB of one character, alone and after each keyword: refused in linear time. */
-static void test_long_lines(void) {
-    static const char *const starts[] = {"",      "v ",   "f ",           SQUARE "f 1 ",
-                                         "vt 1 ", "OFF ", "OFF\n1 1 0\n", "# "};
-    const size_t size = 1 << 20;
-    char *data = new_memory(size);
-    for (size_t i = 0; i < sizeof starts / sizeof starts[0]; i++) {
-        static const char fills[] = {'\0', 'a', ' ', '1', '\\', '/', '.', '\n'};
-        for (size_t k = 0; k < sizeof fills; k++) {
-            struct model model;
-            struct error error;
-            memset(data, fills[k], size);
-            memcpy(data, starts[i], strlen(starts[i]));
-            CHECK(!model_decode(&model, data, size, &error));
-            CHECK(strlen(error.message) < 200);
-        }
-    }
-    free(data);
-}
-
-/* A face on a line of more than 64 KB. */
-static void test_long_face(void) {
-    enum { CORNERS_OF_FACE = 30000 };
-    struct bytes bytes = {0};
-    struct model model;
-    struct error error;
-    CHECK(bytes_append(&bytes, SQUARE "f 1 2", strlen(SQUARE "f 1 2")));
-    for (int i = 2; i < CORNERS_OF_FACE; i++) {
-        CHECK(bytes_append(&bytes, i < CORNERS_OF_FACE - 1 ? " 3" : " 4", 2));
-    }
-    CHECK(model_decode(&model, bytes.data, bytes.size, &error));
-    CHECK(model.face_count == CORNERS_OF_FACE - 2);
-    CHECK(model.faces[CORNERS_OF_FACE - 3].corner[2].position == 3);
-    model_free(&model);
-    bytes_free(&bytes);
 }
 
 /* One corner more than a face that is not convex may have. */
@@ -566,71 +466,66 @@ static bool write_image(const char *path, uint8_t level, bool png) {
     return done;
 }
 
+/* The file `name` with this text cannot be read: the message is its path and this. */
+static void check_not_read(struct place *place, const char *name, const char *text,
+                           const char *message) {
+    struct model m;
+    struct error error = {0};
+    char expected[300];
+    CHECK(put_text(name_file(place, name), text));
+    CHECK_ROW(!model_read(&m, place->path, &error) && m.faces == NULL, text);
+    snprintf(expected, sizeof expected, "%s%s", place->path, message);
+    CHECK_TEXT(error.message, expected);
+}
+
 static void test_files(void) {
-    char directory[] = COURSE_BUILD "/test_model.XXXXXX", path[400], expected[500];
+    struct place place = place_create();
     struct model m;
     struct error error;
-    CHECK(mkdtemp(directory) != NULL);
-    CHECK(!model_read(&m, directory, &error) && m.faces == NULL);
-    snprintf(expected, sizeof expected, "%s: is a directory", directory);
-    CHECK_TEXT(error.message, expected);
-    snprintf(path, sizeof path, "%s/a.obj", directory);
+    CHECK(!model_read(&m, place.directory, &error) && m.faces == NULL);
+    CHECK(strstr(error.message, ": is a directory") != NULL);
+    const char *path = name_file(&place, "a.obj");
     CHECK(!model_read(&m, path, &error) && strstr(error.message, "a.obj: ") != NULL);
-    CHECK(put_text(path, SQUARE "f 1 2 99\n") && !model_read(&m, path, &error));
-    snprintf(expected, sizeof expected, "%s:5: face names vertex 99 of 4", path);
-    CHECK_TEXT(error.message, expected);
-    CHECK(put_text(path, "") && !model_read(&m, path, &error));
-    snprintf(expected, sizeof expected, "%s: holds no faces", path);
-    CHECK_TEXT(error.message, expected);
+    check_not_read(&place, "a.obj", SQUARE "f 1 2 99\n", ":5: face names vertex 99 of 4");
+    check_not_read(&place, "a.obj", "", ": holds no faces");
     CHECK(put_text(path, SQUARE "f 1 2 3\n") && model_read(&m, path, &error));
-    CHECK(m.path != NULL && m.path != path);
-    if (m.path != NULL) {
+    if (CHECK(m.path != NULL && m.path != path)) {
         CHECK_TEXT(m.path, path);
     }
     model_free(&m);
-    CHECK(unlink(path) == 0 && rmdir(directory) == 0);
+    place_remove(&place, "a.obj");
 }
 
 /* What the name promises, the first word must keep; an OBJ file may have any name. */
 static void test_named_off(void) {
-    static const struct {
-        const char *text, *message; /* NULL: it is read */
-    } rows[] = {
-        {"off\n1 1 0\n0 0 0\n3 0 0 0\n", "does not begin with the word OFF"},
-        {"OFFF\n1 1 0\n0 0 0\n3 0 0 0\n", "does not begin with the word OFF"},
-        {"hello\n", "does not begin with the word OFF"},
-        {"", "does not begin with the word OFF"},
-        {"1 1 0\n", "begins with a number: an OFF file begins with the word OFF"},
-        {"OFF\n1 0 0\n0 0 0\n", "holds no faces"},
-        {SQUARE "f 1 2 3\n", NULL},
+    static const char *const rows[][2] = {
+        {"off\n1 1 0\n0 0 0\n3 0 0 0\n", ": does not begin with the word OFF"},
+        {"OFFF\n1 1 0\n0 0 0\n3 0 0 0\n", ": does not begin with the word OFF"},
+        {"hello\n", ": does not begin with the word OFF"},
+        {"", ": does not begin with the word OFF"},
+        {"1 1 0\n", ": begins with a number: an OFF file begins with the word OFF"},
+        {"OFF\n1 0 0\n0 0 0\n", ": holds no faces"},
     };
-    char directory[] = COURSE_BUILD "/test_model.XXXXXX", path[400], expected[500];
-    CHECK(mkdtemp(directory) != NULL);
-    snprintf(path, sizeof path, "%s/a.off", directory);
+    struct place place = place_create();
+    struct model m;
+    struct error error;
     for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
-        struct model m;
-        struct error error = {0};
-        CHECK(put_text(path, rows[i].text));
-        CHECK_ROW(model_read(&m, path, &error) == (rows[i].message == NULL), rows[i].text);
-        if (rows[i].message != NULL) {
-            snprintf(expected, sizeof expected, "%s: %s", path, rows[i].message);
-            CHECK_TEXT(error.message, expected);
-        }
-        model_free(&m);
+        check_not_read(&place, "a.off", rows[i][0], rows[i][1]);
     }
-    CHECK(unlink(path) == 0 && rmdir(directory) == 0);
+    CHECK(put_text(place.path, SQUARE "f 1 2 3\n") && model_read(&m, place.path, &error));
+    model_free(&m);
+    place_remove(&place, "a.off");
 }
 
 /* Found beside the model as TGA before PNG, read once and only when asked for. */
 static void test_textures(void) {
-    char directory[] = COURSE_BUILD "/test_model.XXXXXX", path[400], tga[400], png[400],
-         expected[500];
+    struct place place = place_create();
+    char tga[128], png[128];
     struct model m;
     struct error error;
-    CHECK(mkdtemp(directory) != NULL);
-    snprintf(path, sizeof path, "%s/a.b.off", directory);
-    snprintf(tga, sizeof tga, "%s/a.b_diffuse.tga", directory);
-    snprintf(png, sizeof png, "%s/a.b_diffuse.png", directory);
+    strcpy(tga, name_file(&place, "a.b_diffuse.tga"));
+    strcpy(png, name_file(&place, "a.b_diffuse.png"));
+    const char *path = name_file(&place, "a.b.off");
     CHECK(put_text(path, "OFF 1 1 0\n0 0 0\n3 0 0 0\n"));
     CHECK(put_text(tga, "not an image"));
     CHECK(model_read(&m, path, &error)); /* textures are not looked at yet */
@@ -650,13 +545,12 @@ static void test_textures(void) {
     texture = model_texture(&m, MODEL_DIFFUSE, &error);
     CHECK(texture != NULL && (texture->level[0].texels[0] & 0xFF) == 20);
     CHECK(model_texture(&m, MODEL_NORMAL_MAP, &error) == NULL);
-    snprintf(expected, sizeof expected, "%s/a.b_nm.tga: no such file, nor the same as .png",
-             directory);
-    CHECK_TEXT(error.message, expected);
+    CHECK(strstr(error.message, "/a.b_nm.tga: no such file, nor the same as .png") != NULL);
     CHECK(model_texture(&m, MODEL_SPECULAR, &error) == NULL);
     CHECK(strstr(error.message, "a.b_spec.tga") != NULL);
     model_free(&m);
-    CHECK(unlink(png) == 0 && unlink(path) == 0 && rmdir(directory) == 0);
+    CHECK(unlink(png) == 0);
+    place_remove(&place, "a.b.off");
     CHECK(decode(&m, SQUARE "f 1 2 3", &error) && model_texture(&m, MODEL_DIFFUSE, &error) == NULL);
     model_free(&m);
 }
@@ -731,8 +625,7 @@ static void test_errors_in_parts(void) {
 }
 
 UNIT_MAIN(TEST(test_parts), TEST(test_errors_in_parts), TEST(test_obj_faces),
-          TEST(test_obj_numbers), TEST(test_obj_many_colors), TEST(test_off),
-          TEST(test_off_smallest), TEST(test_face_colors), TEST(test_face_color_values),
-          TEST(test_colors_of_both), TEST(test_messages), TEST(test_long_lines),
-          TEST(test_long_face), TEST(test_too_many_corners), TEST(test_files), TEST(test_named_off),
-          TEST(test_textures), TEST(test_texture_names))
+          TEST(test_obj_numbers), TEST(test_off), TEST(test_off_smallest), TEST(test_face_colors),
+          TEST(test_face_color_values), TEST(test_colors_of_both), TEST(test_messages),
+          TEST(test_too_many_corners), TEST(test_files), TEST(test_named_off), TEST(test_textures),
+          TEST(test_texture_names))

@@ -138,22 +138,6 @@ static void test_normals(void) {
     }
 }
 
-/* A corner of a cube made of three squares, one of them cut the other way: weighted by angle, its
- * normal is the diagonal however the squares are cut; weighted by area it would not be. */
-static void test_cube_corner(void) {
-    static const char text[] = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 1 1 0\nv 0 1 1\nv 1 0 1\n"
-                               "f 1 3 5\nf 1 5 2\nf 4 6 1\nf 6 3 1\nf 1 2 7 4\n";
-    struct model m;
-    struct error error;
-    if (CHECK(decode(&m, text, &error)) && CHECK(model_need_normals(&m, &error))) {
-        struct vec3 n = model_normal(&m, 0, 0);
-        double diagonal = -sqrt(1.0 / 3);
-        CHECK(fabs(n.x - diagonal) < 1e-7 && fabs(n.y - diagonal) < 1e-7 &&
-              fabs(n.z - diagonal) < 1e-7);
-    }
-    model_free(&m);
-}
-
 static void test_no_normal(void) {
     static const char text[] = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 3e38 3e38 3e38\nv -3e38 1e-45 3e38\n"
                                "v 2 0 0\nf 1 2 3\nf 1 3 2\nf 1 4 5\nf 2 6 2\n";
@@ -240,6 +224,5 @@ static void test_given_colors(void) {
     }
 }
 
-UNIT_MAIN(TEST(test_angles), TEST(test_normals), TEST(test_cube_corner), TEST(test_no_normal),
-          TEST(test_back_to_back), TEST(test_narrow_corner), TEST(test_colors_from_normals),
-          TEST(test_given_colors))
+UNIT_MAIN(TEST(test_angles), TEST(test_normals), TEST(test_no_normal), TEST(test_back_to_back),
+          TEST(test_narrow_corner), TEST(test_colors_from_normals), TEST(test_given_colors))

@@ -113,8 +113,8 @@ static void test_color_types(void) {
          TEXT("\0\x01\x02\x03\x04\x05\x06\0\x07\x08\x09\x0a\x0b\x0c"), IMAGE_BGR,
          "\x09\x08\x07\x0c\x0b\x0a\x03\x02\x01\x06\x05\x04"},
         {"RGB with a clear colour", 8, 2, TEXT(""), TEXT("\0\x04\0\x05\0\x06"),
-         TEXT("\0\x01\x02\x03\x04\x05\x06\0\x07\x08\x09\x0a\x0b\x0c"), IMAGE_BGRA,
-         "\x09\x08\x07\xff\x0c\x0b\x0a\xff\x03\x02\x01\xff\x06\x05\x04\0"},
+         TEXT("\0\x01\x05\x06\x04\x05\x06\0\x04\x08\x06\x04\x05\x0c"), IMAGE_BGRA,
+         "\x06\x08\x04\xff\x0c\x05\x04\xff\x06\x05\x01\xff\x06\x05\x04\0"},
         {"RGBA", 8, 6, TEXT(""), TEXT(""),
          TEXT("\0\x01\x02\x03\x04\x05\x06\x07\x08\0\x09\x0a\x0b\x0c\x0d\x0e\x0f\x10"), IMAGE_BGRA,
          "\x0b\x0a\x09\x0c\x0f\x0e\x0d\x10\x03\x02\x01\x04\x07\x06\x05\x08"},
@@ -288,8 +288,8 @@ static void test_wrong_headers(void) {
 
 /* A file of one pixel: chunks by letter and number of bytes, all 0. H header (13 are right), P
  * palette, T tRNS, D pixel, E end, o optional, X unknown, N without a name, Z of a length that
- * lies. `header` is what the header says behind the size. */
-static struct bytes make_file(const uint8_t header[5], const char *chunks, const uint8_t *pixel) {
+ * lies. `header` is what the header says behind the size, and the first byte of the pixel. */
+static struct bytes make_file(const uint8_t header[6], const char *chunks) {
     static const char letters[] = "HPTDEoXNZ";
     static const char *const types[] = {"IHDR", "PLTE", "tRNS", "IDAT", "IEND",
                                         "tEXt", "ABCD", "ab{d", "teXt"};
@@ -303,8 +303,7 @@ static struct bytes make_file(const uint8_t header[5], const char *chunks, const
         memcpy(contents + 8, header, 5);
         c = end;
         if (letter == 'D') {
-            uint8_t raw[5] = {0};
-            memcpy(raw + 1, pixel, size);
+            const uint8_t raw[5] = {0, header[5]};
             put_pixels(&file, raw, 1 + size);
         } else {
             const char *type = types[strchr(letters, letter) - letters];
@@ -320,7 +319,7 @@ static struct bytes make_file(const uint8_t header[5], const char *chunks, const
 static void test_chunks(void) {
     static const struct {
         const char *name, *chunks, *message; /* NULL: it can be read */
-        uint8_t header[5]; /* depth, colour type, compression, filter, interlace */
+        uint8_t header[6]; /* depth, colour type, compression, filter, interlace; the pixel */
     } rows[] = {
         {"RGB", "H13D3E", NULL, {8, 2, 0, 0, 0}},
         {"a palette that only suggests colours", "H13P768D3E", NULL, {8, 2, 0, 0, 0}},
@@ -357,6 +356,7 @@ static void test_chunks(void) {
         {"tRNS before its palette", "H13T2P6D1E", "tRNS chunk in the wrong", {1, 3, 0, 0, 0}},
         {"tRNS too long", "H13P6T3D1E", "tRNS chunk of 3 bytes", {1, 3, 0, 0, 0}},
         {"no palette", "H13D1E", "without its palette", {8, 3, 0, 0, 0}},
+        {"a pixel outside it", "H13P3D1E", "outside its palette", {8, 3, 0, 0, 0, 1}},
         {"no data", "H13P6E", "without pixel data", {1, 3, 0, 0, 0}},
         {"no end", "H13P6D1", "cut off", {1, 3, 0, 0, 0}},
         {"lying length", "H13Z0D1E", "claims 2147483647 bytes", {8, 0, 0, 0, 0}},
@@ -374,10 +374,9 @@ static void test_chunks(void) {
         {"larger than the data", "H13D2E", "smaller", {8, 2, 0, 0, 0}},
     };
     for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
-        static const uint8_t pixel[4] = {0, 0, 0, 0};
         struct image image;
         struct error error;
-        struct bytes file = make_file(rows[i].header, rows[i].chunks, pixel);
+        struct bytes file = make_file(rows[i].header, rows[i].chunks);
         bool done = decode_exact(&image, file.data, file.size, &error);
         CHECK_ROW(done == (rows[i].message == NULL), rows[i].name);
         if (!done && rows[i].message != NULL) {
@@ -390,10 +389,10 @@ static void test_chunks(void) {
 
 /* Every character of a chunk's name is a letter. */
 static void test_names(void) {
-    static const uint8_t header[5] = {8, 0, 0, 0, 0};
+    static const uint8_t header[6] = {8};
     static const char characters[] = "@[`{0 azAZ";
     for (size_t i = 0; i < 4 * (sizeof characters - 1); i++) {
-        struct bytes file = make_file(header, "H13o0D1E", header + 1), chunk = {0};
+        struct bytes file = make_file(header, "H13o0D1E"), chunk = {0};
         struct image image;
         struct error error;
         char type[5] = "tEXt";
@@ -407,39 +406,6 @@ static void test_names(void) {
         bytes_free(&chunk);
         bytes_free(&file);
     }
-}
-
-/* The tRNS colour is black: a pixel is clear only where all three channels are. */
-static void test_clear_color(void) {
-    static const struct {
-        uint8_t pixel[3];
-        uint8_t alpha;
-    } rows[] = {{{0, 0, 0}, 0}, {{1, 0, 0}, 255}, {{0, 1, 0}, 255}, {{0, 0, 1}, 255}};
-    static const uint8_t header[5] = {8, 2, 0, 0, 0};
-    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
-        struct image image;
-        struct error error;
-        struct bytes file = make_file(header, "H13T6D3E", rows[i].pixel);
-        if (CHECK(png_decode(&image, file.data, file.size, &error))) {
-            struct color color = image_get(&image, 0, 0);
-            CHECK(color.r == rows[i].pixel[0] && color.g == rows[i].pixel[1]);
-            CHECK(color.b == rows[i].pixel[2] && color.a == rows[i].alpha);
-        }
-        image_free(&image);
-        bytes_free(&file);
-    }
-}
-
-/* A length with the highest bit set is refused whatever the size of the file. */
-static void test_huge_length(void) {
-    static const uint8_t header[5] = {8, 2, 0, 0, 0};
-    struct bytes file = make_file(header, "H13D3E", header);
-    struct image image;
-    struct error error;
-    file.data[8] = 0x80;
-    CHECK(!png_decode(&image, file.data, file.size, &error) && image.pixels == NULL);
-    CHECK(strstr(error.message, "claims 2147483661 bytes") != NULL);
-    bytes_free(&file);
 }
 
 /* A square PNG of 1 bit a pixel; `noise` bytes of it are not black. */
@@ -484,19 +450,6 @@ static void test_limit_of_pixels(void) {
         image_free(&image);
         bytes_free(&file);
     }
-}
-
-static void test_pixel_outside_palette(void) {
-    struct bytes file = {0};
-    struct image image;
-    struct error error;
-    put_header(&file, 1, 1, 8, 3, 0);
-    put_chunk(&file, "PLTE", "abc", 3);
-    put_pixels(&file, (const uint8_t *)"\0\x01", 2);
-    put_chunk(&file, "IEND", NULL, 0);
-    CHECK(!decode_exact(&image, file.data, file.size, &error));
-    CHECK(strstr(error.message, "outside its palette") != NULL);
-    bytes_free(&file);
 }
 
 /* ---- PNG out ---- */
@@ -579,21 +532,7 @@ static void test_choice_of_filters(void) {
     CHECK(filters_of(&image) == 1); /* areas of one colour: none */
     image_free(&image);
     image = make_image(90, 90, IMAGE_BGR, SHADES, &state);
-    CHECK((filters_of(&image) & ~1u) != 0 && (filters_of(&image) & 1) == 0);
-    image_free(&image);
-}
-
-/* Small and large steps to the right, and the same step upwards everywhere: Paeth's filter foresees
- * the larger of two steps, which no other one does. */
-static void test_choice_of_paeth(void) {
-    static const uint8_t across[4] = {0, 3, 43, 46};
-    enum { WIDTH = 32, HEIGHT = 16 };
-    struct image image = new_image(WIDTH, HEIGHT, IMAGE_GREY);
-    for (int i = 0; i < WIDTH * HEIGHT; i++) {
-        int x = i % WIDTH, y = i / WIDTH;
-        image.pixels[i] = (uint8_t)(6 * (x / 4) + across[x % 4] + 10 * y);
-    }
-    CHECK((filters_of(&image) & 1u << 4) != 0);
+    CHECK(filters_of(&image) == (1 << 1 | 1 << 4)); /* Sub and Paeth */
     image_free(&image);
 }
 
@@ -620,6 +559,7 @@ static size_t play(const struct bytes *file, const struct image *frames, size_t 
     struct image shown = {0};
     struct error error;
     uint8_t header[13];
+    bool told = false; /* how many frames there are */
     size_t done = 0, sequence = 0, area = 0, pending_width = 0, pending_height = 0, x = 0, y = 0;
     memcpy(header, file->data + 16, 13);
     CHECK(image_create(&shown, frames->width, frames->height, frames->format, &error));
@@ -630,6 +570,7 @@ static size_t play(const struct bytes *file, const struct image *frames, size_t 
         at += size + 12;
         if (memcmp(type, "acTL", 4) == 0) {
             CHECK(size == 8 && get_32(data) == count && get_32(data + 4) == 0 && done == 0);
+            told = true;
         } else if (memcmp(type, "fcTL", 4) == 0) {
             CHECK(size == 26 && get_32(data) == sequence++);
             pending_width = get_32(data + 4);
@@ -660,7 +601,7 @@ static size_t play(const struct bytes *file, const struct image *frames, size_t 
             CHECK(memcmp(type, "IEND", 4) == 0 && at == file->size);
         }
     }
-    CHECK(done == count);
+    CHECK(told && done == count);
     image_free(&shown);
     return area;
 }
@@ -675,7 +616,7 @@ static void test_animation(void) {
         struct error error;
         frames[0] = make_image(WIDTH, HEIGHT, formats[i], SHADES, &state);
         for (size_t k = 1; k < COUNT; k++) {
-            CHECK(image_copy(&frames[k], &frames[k - 1], &error));
+            frames[k] = copy_of(&frames[k - 1]);
         }
         /* 1: a rectangle of 3x2; 2: two corners; 3: nothing; 4: as 2, one pixel changed */
         for (size_t k = 1; k < COUNT; k++) {
@@ -731,7 +672,6 @@ static void test_animations(void) {
 }
 
 UNIT_MAIN(TEST(test_color_types), TEST(test_filters), TEST(test_split_data),
-          TEST(test_wrong_headers), TEST(test_chunks), TEST(test_names), TEST(test_clear_color),
-          TEST(test_huge_length), TEST(test_limit_of_pixels), TEST(test_pixel_outside_palette),
-          TEST(test_round_trip), TEST(test_choice_of_filters), TEST(test_choice_of_paeth),
-          TEST(test_animation), TEST(test_animations))
+          TEST(test_wrong_headers), TEST(test_chunks), TEST(test_names), TEST(test_limit_of_pixels),
+          TEST(test_round_trip), TEST(test_choice_of_filters), TEST(test_animation),
+          TEST(test_animations))

@@ -4,7 +4,6 @@
 #include "oracle/oracle.h"
 #include "unit/images.h"
 
-#include <assert.h>
 #include <time.h>
 
 static struct random random_state = {1};
@@ -53,32 +52,6 @@ static void make_monotone(struct polygon *p) {
     for (int i = count; i-- > 0;) {
         polygon_add(p, i * 10 + random_int(0, 9), random_int(1, 50));
     }
-}
-
-/* A frame with holes of three or four corners, each reached from the lower side by a cut that is
- * walked up to its lowest corner and down again. */
-static void make_holes(struct polygon *p) {
-    int holes = random_int(1, 6);
-    *p = (struct polygon){0};
-    polygon_add(p, 0, 0);
-    for (int i = 0; i < holes; i++) {
-        int left = 20 * i + random_int(1, 9), right = left + random_int(1, 9);
-        int bottom = random_int(1, 50), top = bottom + random_int(1, 49);
-        int base = random_int(20 * i + 1, 20 * i + 19), lean = random_int(0, top - bottom);
-        bool square = random_int(0, 1) == 1;
-        polygon_add(p, base, 0);
-        polygon_add(p, left, bottom);
-        polygon_add(p, left, top);
-        if (square) {
-            polygon_add(p, right, top);
-        }
-        polygon_add(p, right, bottom + (square ? 0 : lean));
-        polygon_add(p, left, bottom);
-        polygon_add(p, base, 0);
-    }
-    polygon_add(p, 20 * holes, 0);
-    polygon_add(p, 20 * holes, 100);
-    polygon_add(p, 0, 100);
 }
 
 /* A square whose hole is reached from the lower side and touches the outline's last corner, often
@@ -167,112 +140,6 @@ static void make_glued(struct polygon *p) {
     }
 }
 
-static int sign_of(int128 value) {
-    return (value > 0) - (value < 0);
-}
-
-static bool between(int64_t a, int64_t b, int64_t value) {
-    return (a <= value && value <= b) || (b <= value && value <= a);
-}
-
-/* Do the sides from a and from b (not neighbours) share a point? */
-static bool sides_meet(const struct polygon *p, size_t a, size_t b) {
-    size_t a2 = (a + 1) % p->size, b2 = (b + 1) % p->size;
-    int s1 = sign_of(area_of(p, a, a2, b)), s2 = sign_of(area_of(p, a, a2, b2));
-    int s3 = sign_of(area_of(p, b, b2, a)), s4 = sign_of(area_of(p, b, b2, a2));
-    if (s1 == 0 && s2 == 0) {
-        return between(p->x[a], p->x[a2], p->x[b]) || between(p->x[a], p->x[a2], p->x[b2]) ||
-               between(p->x[b], p->x[b2], p->x[a]);
-    }
-    return s1 * s2 <= 0 && s3 * s4 <= 0;
-}
-
-static void swap_corners(struct polygon *p, size_t a, size_t b) {
-    int64_t x = p->x[a], y = p->y[a];
-    p->x[a] = p->x[b];
-    p->y[a] = p->y[b];
-    p->x[b] = x;
-    p->y[b] = y;
-}
-
-/* Two sides that meet, or false. */
-static bool find_meeting(const struct polygon *p, size_t *a, size_t *b) {
-    for (*a = 0; *a < p->size; ++*a) {
-        for (*b = *a + 2; *b < p->size; ++*b) {
-            if (!(*a == 0 && *b == p->size - 1) && sides_meet(p, *a, *b)) {
-                return true;
-            }
-        }
-    }
-    return false;
-}
-
-/* Random points; where two sides cross, the way between them is turned round until none do. False
- * when that does not come to an end, or two corners meet. */
-static bool make_uncrossed(struct polygon *p) {
-    size_t size = (size_t)random_int(4, 16), a, b;
-    int range = random_int(4, 40);
-    *p = (struct polygon){0};
-    for (size_t i = 0; i < size; i++) {
-        polygon_add(p, random_int(0, range), random_int(0, range));
-    }
-    for (int tries = 0; tries < 300; tries++) {
-        if (!find_meeting(p, &a, &b)) {
-            for (size_t i = 0; i < size; i++) { /* no spikes: neighbours may overlap too */
-                size_t next = (i + 1) % size, last = (i + 2) % size;
-                if (area_of(p, i, next, last) == 0 &&
-                    (p->x[i] - p->x[next]) * (p->x[last] - p->x[next]) +
-                            (p->y[i] - p->y[next]) * (p->y[last] - p->y[next]) >=
-                        0) {
-                    return false;
-                }
-            }
-            if (polygon_area(p) < 0) {
-                for (size_t i = 0; i < size / 2; i++) {
-                    swap_corners(p, i, size - 1 - i);
-                }
-            }
-            return true;
-        }
-        for (size_t i = a + 1, j = b; i < j; i++, j--) {
-            swap_corners(p, i, j);
-        }
-    }
-    return false;
-}
-
-/* The smallest turn from the way (dx, dy) that whole numbers can make: dx * *y - dy * *x is 1, or
- * where the two share a factor 0. dx and dy are positive (Euclid's algorithm, extended). */
-static void smallest_turn(int64_t dx, int64_t dy, int64_t *x, int64_t *y) {
-    assert(dx > 0 && dy > 0);
-    int64_t a = dx, b = dy, a_times = 1, b_times = 0; /* of dx, up to a multiple of dy */
-    while (b != 0) {
-        int64_t quotient = a / b, rest = a % b, rest_times = a_times - quotient * b_times;
-        a = b, b = rest;
-        a_times = b_times, b_times = rest_times;
-    }
-    *y = a == 1 ? a_times : 0;
-    *x = a == 1 ? (int64_t)(((int128)dx * a_times - 1) / dy) : 0;
-}
-
-enum { LARGEST_BITS = 52 };
-
-/* Four corners of large numbers, of which the differences are rounded. The second one lies on the
- * line of its neighbours or beside it, as near to it as can be. */
-static void make_hardly_bent(struct polygon *p) {
-    const int64_t reach = INT64_C(1) << LARGEST_BITS;
-    int64_t x = -reach + random_int(0, 1000), y = -reach + random_int(0, 1000), turn_x, turn_y;
-    int64_t dx = random_between(&random_state, 1, reach / random_int(2, 1000));
-    int64_t dy = random_between(&random_state, 1, reach / random_int(2, 1000));
-    int side = random_int(-1, 1);
-    smallest_turn(dx, dy, &turn_x, &turn_y);
-    *p = (struct polygon){0};
-    polygon_add(p, x, y);
-    polygon_add(p, x + 2 * dx + side * turn_x, y + 2 * dy + side * turn_y);
-    polygon_add(p, x + 4 * dx, y + 4 * dy);
-    polygon_add(p, x, y + 4 * dy);
-}
-
 /* ---- Cutting them ---- */
 
 /* A polygon laid into space: `corner` says which of its corners each place is. */
@@ -289,8 +156,7 @@ static struct laid lay(const struct polygon *p, bool backwards) {
                                      {0, 2, 1}, {2, 1, 0}, {1, 0, 2}};
     struct laid laid = {.size = p->size};
     const int *order = orders[random_int(0, 5)];
-    bool large = p->y[p->size - 1] >> (LARGEST_BITS - 10) != 0; /* a sum would be rounded */
-    int a = large ? 0 : random_int(-1, 1), b = large ? 0 : random_int(-1, 1);
+    int a = random_int(-1, 1), b = random_int(-1, 1);
     int exponent = random_int(0, 1) == 1 ? random_int(-390, 340) : 0;
     size_t first = (size_t)random_int(0, (int)p->size - 1);
     for (size_t i = 0; i < p->size; i++) {
@@ -376,24 +242,14 @@ static bool is_convex(const struct polygon *p) {
 static void test_polygons(void) {
     struct polygon_cutter cutter = {0};
     struct polygon p;
-    int uncrossed = 0;
     for (int i = 0; i < 1000; i++) {
         make_monotone(&p);
         check_polygon(&cutter, &p, is_convex(&p), "monotone");
-        make_holes(&p);
-        check_polygon(&cutter, &p, true, "holes");
         make_touched(&p);
         check_polygon(&cutter, &p, true, "touched");
-        make_hardly_bent(&p);
-        check_polygon(&cutter, &p, is_convex(&p), "hardly bent");
         make_glued(&p);
         check_polygon(&cutter, &p, true, "glued");
-        if (make_uncrossed(&p)) {
-            check_polygon(&cutter, &p, is_convex(&p), "uncrossed");
-            uncrossed++;
-        }
     }
-    CHECK(uncrossed > 300);
     polygon_cutter_free(&cutter);
 }
 
@@ -474,30 +330,6 @@ static void test_chosen_polygons(void) {
     CHECK(cutter.triangles == NULL && cutter.triangle_count == 0 && cutter.nodes == NULL);
 }
 
-/* A corner that turns right by 2^-390, less than doubles can tell without exact arithmetic: cut as
- * if it were straight, there would be a triangle of corners 0, 1 and 2, turned over. */
-static void test_hardly_concave(void) {
-    static const struct vec3 places[4] = {{0x1p-390, 0, 0}, {1, 1, 0}, {2, 2, 0}, {0, 3, 0}};
-    struct polygon_cutter cutter = {0};
-    for (size_t first = 0; first < 4; first++) {
-        struct vec3 turned[4];
-        for (size_t i = 0; i < 4; i++) {
-            turned[i] = places[(first + i) % 4];
-        }
-        CHECK(polygon_cut(&cutter, turned, 4) == POLYGON_CUT);
-        for (size_t i = 0; i < cutter.triangle_count; i++) { /* both have corners 1 and 3 */
-            bool has_1 = false, has_3 = false;
-            for (int j = 0; j < 3; j++) {
-                size_t corner = (first + cutter.triangles[i][j]) % 4;
-                has_1 = has_1 || corner == 1;
-                has_3 = has_3 || corner == 3;
-            }
-            CHECK(cutter.triangle_count == 2 && has_1 && has_3);
-        }
-    }
-    polygon_cutter_free(&cutter);
-}
-
 /* Twice the exact area of a triangle whose coordinates are whole numbers of up to 2^61. */
 static int128 exact_area(struct vec3 a, struct vec3 b, struct vec3 c) {
     int128 ax = (int128)a.x, ay = (int128)a.y;
@@ -542,34 +374,6 @@ static void test_nearly_straight(void) {
 
 /* ---- Large ones ---- */
 
-static double twice_the_area(struct vec3 a, struct vec3 b, struct vec3 c) {
-    return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
-}
-
-/* A sawtooth of many corners: quick, and whole. The exact area is known. */
-static void test_sawtooth(void) {
-    enum { TEETH = 2500, SIZE = 2 * TEETH + 3 };
-    static struct vec3 places[SIZE];
-    struct polygon_cutter cutter = {0};
-    double area = 0;
-    for (int i = 0; i < SIZE; i++) { /* back over the teeth, then below them */
-        bool tooth = i <= 2 * TEETH;
-        places[i] = tooth ? (struct vec3){2 * TEETH - i, i % 2, 7}
-                          : (struct vec3){i == SIZE - 1 ? 2 * TEETH : 0, -1, 7};
-    }
-    if (CHECK(polygon_cut(&cutter, places, SIZE) == POLYGON_CUT)) {
-        CHECK(cutter.triangle_count == SIZE - 2);
-        for (size_t i = 0; i < cutter.triangle_count; i++) {
-            const uint32_t *c = cutter.triangles[i];
-            double twice = twice_the_area(places[c[0]], places[c[1]], places[c[2]]);
-            CHECK(twice >= 0);
-            area += twice;
-        }
-        CHECK(area == 2.0 * (2 * TEETH + TEETH));
-    }
-    polygon_cutter_free(&cutter);
-}
-
 /* What takes longest, up to the limit: a bowl with a corner far above it. Each ear reaches up
  * there, and the corners that may lie in its way are all at the bottom. */
 static void test_longest(void) {
@@ -612,5 +416,4 @@ static void test_limit(void) {
 }
 
 UNIT_MAIN(TEST(test_polygons), TEST(test_wild_polygons), TEST(test_chosen_polygons),
-          TEST(test_hardly_concave), TEST(test_nearly_straight), TEST(test_sawtooth),
-          TEST(test_longest), TEST(test_limit))
+          TEST(test_nearly_straight), TEST(test_longest), TEST(test_limit))

@@ -1,16 +1,8 @@
 /* Text scenes: what is read, and the message for everything that is refused. */
-#define _POSIX_C_SOURCE 200809L /* mkdtemp, dup2 */
+#define _XOPEN_SOURCE 700 /* POSIX.1-2008 with mkdtemp() */
 
-#include "base/file.h"
 #include "run/text_scene.h"
-#include "unit/unit.h"
-
-#include <stdlib.h>
-#include <unistd.h>
-
-#ifndef COURSE_BUILD /* where make builds: test files go there */
-#define COURSE_BUILD "."
-#endif
+#include "unit/place.h"
 
 static bool decode(struct text_scene *scene, const char *text, enum text_scene_kind kind,
                    struct error *error) {
@@ -79,9 +71,6 @@ static void test_messages(void) {
         const char *text, *message;
     } rows[] = {
         {TEXT_SCENE_LINES, "\n# x\nline 1 2 3 4 5\n", "3: 'line' takes 7 or 10 numbers, not 5"},
-        {TEXT_SCENE_LINES, "line 1 2 3 4 5 6 7 8 9 10 11",
-         "1: 'line' takes 7 or 10 numbers, not 11"},
-        {TEXT_SCENE_LINES, "line", "1: 'line' takes 7 or 10 numbers, not 0"},
         {TEXT_SCENE_LINES, "line 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0 0",
          "1: 'line' takes 7 or 10 numbers, not 20"},
         {TEXT_SCENE_TRIANGLES, "triangle 1 2 3 4 5 6 7 8 9 0",
@@ -90,10 +79,7 @@ static void test_messages(void) {
          "1: 'triangle' is not known: 'size' or 'line' is allowed"},
         {TEXT_SCENE_TRIANGLES, "size 1 1\rline 1 2 3 4 5 6 7",
          "2: 'line' is not known: 'size' or 'triangle' is allowed"},
-        {TEXT_SCENE_LINES, "Line 1 2 3 4 5 6 7",
-         "1: 'Line' is not known: 'size' or 'line' is allowed"},
         {TEXT_SCENE_LINES, "line 1.5 2 3 4 5 6 7", "1: coordinate '1.5' is not a whole number"},
-        {TEXT_SCENE_LINES, "line 1 two 3 4 5 6 7", "1: coordinate 'two' is not a whole number"},
         {TEXT_SCENE_LINES, "line 1 2 nan 4 5 6 7", "1: coordinate 'nan' is not a whole number"},
         {TEXT_SCENE_LINES, "line 1 2 3 1000001 5 6 7",
          "1: coordinate 1000001 lies outside -1000000..1000000"},
@@ -105,10 +91,6 @@ static void test_messages(void) {
          "1: coordinate 1000000.5 lies outside -1000000..1000000"},
         {TEXT_SCENE_TRIANGLES, "triangle 1 2 3 4 5 -1e400 7 8 9",
          "1: coordinate -1e400 lies outside -1000000..1000000"},
-        {TEXT_SCENE_TRIANGLES, "triangle inf 2 3 4 5 6 7 8 9",
-         "1: coordinate 'inf' is not a number"},
-        {TEXT_SCENE_TRIANGLES, "triangle 1,5 2 3 4 5 6 7 8 9",
-         "1: coordinate '1,5' is not a number"},
         {TEXT_SCENE_LINES, "line 1 2 3 4 256 6 7", "1: colour level 256 lies outside 0..255"},
         {TEXT_SCENE_LINES, "line 1 2 3 4 5 6 7 8 9 -1", "1: colour level -1 lies outside 0..255"},
         {TEXT_SCENE_TRIANGLES, "triangle 1 2 3 4 5 6 7 8 0.5",
@@ -136,46 +118,23 @@ static void test_messages(void) {
     CHECK_ERROR(error, "2: not a text file: it holds a zero byte");
 }
 
-static void test_many_shapes(void) {
-    enum { COUNT = 1000 };
-    struct bytes bytes = {0};
-    for (int i = 0; i < COUNT; i++) {
-        char line[64];
-        int length = snprintf(line, sizeof line, "line %d 0 0 %d 0 0 %d\n", i, -i, i % 256);
-        CHECK(bytes_append(&bytes, line, (size_t)length));
-    }
-    struct text_scene scene;
-    struct error error;
-    CHECK(text_scene_decode(&scene, bytes.data, bytes.size, TEXT_SCENE_LINES, &error));
-    CHECK(scene.shape_count == COUNT);
-    for (size_t i = 0; i < scene.shape_count; i++) {
-        CHECK(scene.shapes[i].x[0] == (double)i && scene.shapes[i].y[1] == -(double)i &&
-              scene.shapes[i].color[1].b == i % 256);
-    }
-    text_scene_free(&scene);
-    bytes_free(&bytes);
-}
-
 static void test_files(void) {
-    char directory[] = COURSE_BUILD "/test_text_scene.XXXXXX";
-    char path[400], expected[500];
+    struct place place = place_create();
+    char expected[200];
     struct text_scene scene;
     struct error error;
-    if (!CHECK(mkdtemp(directory) != NULL)) {
-        return;
-    }
-    snprintf(path, sizeof path, "%s/scene.txt", directory);
+    const char *path = name_file(&place, "scene.txt");
     snprintf(expected, sizeof expected, "%s:2: 'size' takes 2 numbers, not 1", path);
-    CHECK(file_write(path, "\nsize 3\n", 8, &error));
+    CHECK(put_text(path, "\nsize 3\n"));
     CHECK(!text_scene_read(&scene, path, TEXT_SCENE_LINES, &error));
     CHECK_TEXT(error.message, expected);
-    CHECK(file_write(path, "size 3 4\n", 9, &error));
+    CHECK(put_text(path, "size 3 4\n"));
     CHECK(text_scene_read(&scene, path, TEXT_SCENE_LINES, &error) && scene.height == 4);
     text_scene_free(&scene);
     CHECK(freopen(path, "rb", stdin) != NULL);
     CHECK(text_scene_read(&scene, "-", TEXT_SCENE_LINES, &error) && scene.width == 3);
     text_scene_free(&scene);
-    CHECK(file_write(path, "dot\n", 4, &error));
+    CHECK(put_text(path, "dot\n"));
     CHECK(freopen(path, "rb", stdin) != NULL);
     CHECK(!text_scene_read(&scene, "-", TEXT_SCENE_LINES, &error));
     CHECK_TEXT(error.message, "standard input:1: 'dot' is not known: 'size' or 'line' is allowed");
@@ -184,10 +143,10 @@ static void test_files(void) {
     CHECK(!text_scene_read(&scene, path, TEXT_SCENE_LINES, &error) && scene.shapes == NULL);
     CHECK(scene.width == 0 && scene.height == 0 && scene.shape_count == 0);
     CHECK(strstr(error.message, "scene.txt: ") != NULL);
-    CHECK(!text_scene_read(&scene, directory, TEXT_SCENE_LINES, &error));
+    CHECK(!text_scene_read(&scene, place.directory, TEXT_SCENE_LINES, &error));
     CHECK(strstr(error.message, "directory") != NULL);
-    CHECK(rmdir(directory) == 0);
+    place_remove(&place, NULL);
 }
 
 UNIT_MAIN(TEST(test_lines), TEST(test_triangles), TEST(test_empty), TEST(test_messages),
-          TEST(test_many_shapes), TEST(test_files))
+          TEST(test_files))
