@@ -13,8 +13,8 @@
  * Compiler Collection", section "Vector Extensions".)
  *
  * All is the same on every machine: + - * / and square roots are rounded once, nothing else is
- * used. `make LANES=1` builds the same programs with one lane, a plain number that a debugger
- * shows; `make REAL=double` with twice the precision.
+ * used. `make LANES=1` builds the same programs with one lane, which a debugger shows as one
+ * number; `make REAL=double` with twice the precision.
  */
 #ifndef COMMON_LANES_H
 #define COMMON_LANES_H
@@ -46,8 +46,6 @@ typedef REAL real;
 #define LANES_INLINE static inline __attribute__((always_inline))
 
 #define LANES_IS_FLOAT (sizeof(real) == sizeof(float))
-
-#if LANES > 1
 
 /* gcc would tell of every function here that older versions passed its arguments otherwise. */
 #pragma GCC diagnostic ignored "-Wpsabi"
@@ -127,63 +125,9 @@ LANES_INLINE lanes lanes_from(int first) {
     return from + (real)first;
 }
 
-#else
-
-typedef real lanes;
-typedef int32_t lanes_int;
-typedef uint32_t lanes_texel;
-typedef int lanes_mask;
-
-LANES_INLINE lanes lanes_all(real value) {
-    return value;
-}
-
-LANES_INLINE lanes lanes_select(lanes_mask mask, lanes a, lanes b) {
-    return mask ? a : b;
-}
-
-LANES_INLINE lanes_texel lanes_texel_select(lanes_int mask, lanes_texel a, lanes_texel b) {
-    return mask ? a : b;
-}
-
-LANES_INLINE lanes lanes_sqrt(lanes a) {
-    return LANES_IS_FLOAT ? (real)sqrtf((float)a) : (real)sqrt((double)a);
-}
-
-LANES_INLINE lanes_int lanes_to_int(lanes a) {
-    return (lanes_int)a;
-}
-
-LANES_INLINE lanes lanes_from_int(lanes_int a) {
-    return (lanes)a;
-}
-
-LANES_INLINE bool lanes_is_set(lanes_mask mask, int i) {
-    (void)i;
-    return mask != 0;
-}
-
-LANES_INLINE lanes_mask lanes_all_set(void) {
-    return 1;
-}
-
-LANES_INLINE lanes_mask lanes_not_before(int first) {
-    return first <= 0;
-}
-
-LANES_INLINE lanes_int lanes_int_from(int first) {
-    return first;
-}
-
-LANES_INLINE lanes lanes_from(int first) {
-    return (lanes)first;
-}
-
-#endif
-
 /* maxps and minps where x86 has them for LANES floats, which gcc 12 and clang 14 do not find by
  * themselves: they compare and choose, which takes two instructions and a register for masks; a
- * seventh of the time of a textured pixel. More of this kind: lanes_native.h. */
+ * seventh of the time of a textured pixel. More of this kind: pipeline/vectors.h. */
 #define LANES_PASTE(a, b)   a##b
 #define LANES_OF_TYPE(type) LANES_PASTE(LANES_OF_, type)
 #define LANES_OF_float      LANES /* of other types there are none: 0 */

@@ -54,8 +54,8 @@ void pipeline_free(struct pipeline *pipeline) {
     workers_free(pipeline->workers);
     free(pipeline->depth);
     free(pipeline->draws.data);
-    free(pipeline->boxes.data);
     free(pipeline->order.data);
+    free(pipeline->boxes.data);
     free(pipeline->uniforms.data);
     free(pipeline->assemblies.data);
     free(pipeline->screens.data);
@@ -114,8 +114,8 @@ static bool scratch_reserve(struct scratch *scratch, const struct pipeline *p, s
     scratch->visible = visible != NULL ? visible : scratch->visible;
     size_t pixels = chunk_columns(p) * CHUNK * BAND_HEIGHT;
     size_t most = (number < pixels ? number : pixels) + TOGETHER; /* which are written at once */
-    struct planes *planes =
-        array_reserve(scratch->planes, &scratch->plane_capacity, most, sizeof *planes);
+    real *planes = array_reserve(scratch->planes, &scratch->plane_capacity, most,
+                                 PLANES_SIZE(VARYING_LIMIT) * sizeof *planes);
     scratch->planes = planes != NULL ? planes : scratch->planes;
     return (fetched != NULL && visible != NULL && planes != NULL) || error_out_of_memory(error);
 }
@@ -137,9 +137,8 @@ void pipeline_use_threads(struct pipeline *pipeline, size_t thread_count) {
 const char *const pipeline_stat_name[PIPELINE_STATS] = {
     "objects",        "objects_outside", "objects_hidden",    "vertices_transformed",
     "faces",          "faces_outside",   "faces_turned_away", "faces_without_pixel",
-    "faces_clipped",  "faces_hidden",    "faces_behind",      "batches_outside",
-    "batches_hidden", "attribute_sets",  "pixels_covered",    "pixels_passed",
-    "pixels_shaded",
+    "faces_clipped",  "faces_hidden",    "faces_behind",      "attribute_sets",
+    "pixels_covered", "pixels_passed",   "pixels_shaded",
 };
 
 struct draw_call camera_call(const struct model *model, struct vec3 eye, struct vec3 center,
@@ -157,7 +156,6 @@ struct draw_call camera_call(const struct model *model, struct vec3 eye, struct 
 
 void pipeline_clear(struct pipeline *pipeline) {
     pipeline->draw_count = pipeline->uniforms_end = 0;
-    pipeline->boxed = NULL;
     pipeline->discards = false;
     memset(pipeline->stats, 0, sizeof pipeline->stats);
 }
@@ -179,14 +177,13 @@ bool pipeline_draw(struct pipeline *p, const struct draw_call *call, const struc
     }
     p->stats[STAT_OBJECTS]++;
     p->stats[STAT_FACES] += call->model->face_count;
-    if (takes_shortcut(p, SHORTCUT_OUTSIDE) && pipeline_is_outside(p, call)) {
-        p->stats[STAT_OBJECTS_OUTSIDE]++;
-        p->stats[STAT_FACES_OUTSIDE] += call->model->face_count;
-        return true;
-    }
     struct draw *draws = p->draws.data;
-    draws[p->draw_count++] =
-        (struct draw){.call = *call, .shader = shader, .uniforms = p->uniforms_end};
+    draws[p->draw_count++] = (struct draw){
+        .call = *call,
+        .shader = shader,
+        .uniforms = p->uniforms_end,
+        .place = {{v->x, v->x + v->width}, {v->y, v->y + v->height}, INFINITY},
+    };
     if (size > 0) {
         memcpy((char *)p->uniforms.data + p->uniforms_end, uniforms, size);
     }
@@ -298,19 +295,16 @@ static bool draw_rounds(struct frame *frame, struct error *error) {
     do {
         size_t first_block = p->block_end;
         pipeline_next_round(frame);
-        frame->kept |= frame->draws.end < p->draw_count;
+        frame->kept |= frame->draws.end < p->order_count;
         size_t count = frame->kept ? band_count(p) : workers_count(p->workers);
         if (!reserve_visibility(p, count, error) || !pipeline_assemble_round(frame, error) ||
             !pipeline_sort_round(frame, first_block, error)) {
             return false;
         }
-        if (!p->reordered) {
-            pipeline_reorder(p);
-        }
         if (frame->kept) {
             pipeline_run(p, band_count(p), pipeline_cover_band, frame);
         }
-    } while (frame->draws.end < p->draw_count);
+    } while (frame->draws.end < p->order_count);
     return true;
 }
 

@@ -24,8 +24,7 @@
  *
  * Skipped, in this order, and counted (enum pipeline_stat): draw calls whose model lies beyond one
  * side of the view, as the box around it shows, before a position is transformed; draw calls whose
- * box is behind what earlier rounds show in every tile of 16x8 pixels, likewise; of a model that is
- * drawn several times in turn, batches of faces whose box is off screen, or behind; faces off
+ * box is behind what earlier rounds show in every tile of 16x8 pixels, likewise; faces off
  * screen; faces turned away; faces that reach no pixel centre; draw calls, and pieces, behind what
  * a tile already shows, for which the nearest draw calls are covered first; attributes and shading
  * of what is hidden after all, which costs one comparison a pixel. (Burns and Hunt, "The Visibility
@@ -124,8 +123,8 @@ struct shader {
 /* ---- The pipeline ---- */
 
 /* What was done and what was skipped since pipeline_clear(), once the frame is finished. What is
- * skipped with its object or as a part of it is counted like what is skipped alone: FACES_OUTSIDE,
- * FACES_HIDDEN (of a hidden object or batch all faces, also what is outside or turned away). */
+ * skipped with its object is counted like what is skipped alone: FACES_OUTSIDE,
+ * FACES_HIDDEN (of a hidden object all faces, also what is outside or turned away). */
 enum pipeline_stat {
     STAT_OBJECTS,              /* draw calls */
     STAT_OBJECTS_OUTSIDE,      /* skipped: all of the model is beyond one side of the view */
@@ -138,11 +137,9 @@ enum pipeline_stat {
     STAT_FACES_CLIPPED,        /* cut at the near plane or the guard band */
     STAT_FACES_HIDDEN,         /* drawn, but behind others: no attribute fetched */
     STAT_FACES_BEHIND, /* of these, so far behind that no pixel was tested: once, or in each band */
-    STAT_BATCHES_OUTSIDE, /* skipped: 64 faces of a model drawn several times, off screen */
-    STAT_BATCHES_HIDDEN,  /* skipped: the same behind nearer models */
-    STAT_ATTRIBUTE_SETS,  /* fetched: once for each visible face in each band of rows */
-    STAT_PIXELS_COVERED,  /* depth tests; counted only with `counts_tests` */
-    STAT_PIXELS_PASSED,   /* of these, nearer than what was there; likewise */
+    STAT_ATTRIBUTE_SETS, /* fetched: once for each visible face in each band of rows */
+    STAT_PIXELS_COVERED, /* depth tests; counted only with `counts_tests` */
+    STAT_PIXELS_PASSED,  /* of these, nearer than what was there; likewise */
     STAT_PIXELS_SHADED,
     PIPELINE_STATS
 };
@@ -183,19 +180,18 @@ struct pipeline {
     bool alone;              /* there are none */
     struct buffer draws;     /* of struct draw */
     size_t draw_count;
-    bool discards;             /* one of their shaders does */
-    bool reordered;            /* the nearest draw calls are covered first */
-    const struct model *boxed; /* of which `box` is the box in this frame; or NULL */
-    struct box3 box;
-    struct buffer boxes;    /* of struct boxes: around batches of faces of models drawn again */
+    bool discards;          /* one of their shaders does */
+    bool reordered;         /* the nearest draw calls are covered first */
     struct buffer order;    /* of struct draw_order: as draw calls are covered */
+    size_t order_count;     /* those that may cover pixels */
+    struct buffer boxes;    /* of struct boxes: around batches of faces of models drawn again */
     struct buffer uniforms; /* of the draw calls, one behind the other: bytes */
     size_t uniforms_end;
     struct buffer assemblies; /* of struct assembly: the draw calls of a round */
     /* The transformed positions of a round: on the screen, their depths, and the sides of the view
      * that they are beyond. */
     struct buffer screens, depths, beyonds;
-    struct buffer recip_w; /* of double: 1/w of the positions, of each draw call that is not flat */
+    struct buffer recip_w; /* of double: 1/w of the positions of each draw call */
     size_t recip_w_end;
     struct buffer blocks; /* of struct block */
     size_t block_end;

@@ -20,7 +20,6 @@ enum { CLIP_PLANES = 5 };
 
 /* Positions and faces are shared out among threads in blocks of this many. */
 enum { BLOCK_SIZE = 1024 };
-_Static_assert(BLOCK_SIZE / BATCH_SIZE <= 32, "pipeline_leave_out() has a bit for each batch");
 _Static_assert(BLOCK_SIZE / BATCH_SIZE % TOGETHER == 0, "no struct boxes is of two blocks");
 
 /* A convex polygon gains at most one corner at each plane. Where coordinates differ by many
@@ -33,7 +32,7 @@ enum { POLYGON_LIMIT = 19 };
 struct vertices {
     struct fixed2 *screen;
     double *depth;
-    double *recip_w; /* NULL for a flat shader, which needs none */
+    double *recip_w;
     uint8_t *beyond;
 };
 
@@ -105,39 +104,6 @@ LANES_INLINE struct screen_positions project(const struct clip_positions *clip, 
     };
 }
 
-/* TOGETHER positions, x with x. Where a register can be taken apart, in a few instructions instead
- * of three for each position. */
-LANES_INLINE void load_positions(const struct vec3 *from, doubles *x, doubles *y, doubles *z) {
-#if defined(LANES_SHUFFLE) && TOGETHER >= 4
-    const double *numbers = &from->x;
-    doubles a, b, c;
-    memcpy(&a, numbers, sizeof a);
-    memcpy(&b, numbers + TOGETHER, sizeof b);
-    memcpy(&c, numbers + 2 * TOGETHER, sizeof c);
-#endif
-#if defined(LANES_SHUFFLE) && TOGETHER == 8
-    doubles first_x = LANES_SHUFFLE(a, b, 0, 3, 6, 9, 12, 15, 0, 0);
-    doubles first_y = LANES_SHUFFLE(a, b, 1, 4, 7, 10, 13, 0, 0, 0);
-    doubles first_z = LANES_SHUFFLE(a, b, 2, 5, 8, 11, 14, 0, 0, 0);
-    *x = LANES_SHUFFLE(first_x, c, 0, 1, 2, 3, 4, 5, 10, 13);
-    *y = LANES_SHUFFLE(first_y, c, 0, 1, 2, 3, 4, 8, 11, 14);
-    *z = LANES_SHUFFLE(first_z, c, 0, 1, 2, 3, 4, 9, 12, 15);
-#elif defined(LANES_SHUFFLE) && TOGETHER == 4
-    doubles xy_xy = LANES_SHUFFLE(a, b, 0, 1, 6, 7); /* of positions 0 and 2 */
-    doubles zx_zx = LANES_SHUFFLE(a, c, 2, 3, 4, 5); /* 0 1, 2 3 */
-    doubles yz_yz = LANES_SHUFFLE(b, c, 0, 1, 6, 7); /* 1, 3 */
-    *x = LANES_SHUFFLE(xy_xy, zx_zx, 0, 5, 2, 7);
-    *y = LANES_SHUFFLE(xy_xy, yz_yz, 1, 4, 3, 6);
-    *z = LANES_SHUFFLE(zx_zx, yz_yz, 0, 5, 2, 7);
-#else
-    for (size_t i = 0; i < TOGETHER; i++) {
-        (*x)[i] = from[i].x;
-        (*y)[i] = from[i].y;
-        (*z)[i] = from[i].z;
-    }
-#endif
-}
-
 /* Positions of the model from number `at` on; behind the last one that again. As mat4_point(). */
 LANES_INLINE struct clip_positions transform(const struct draw_call *call, size_t at) {
     const struct model *model = call->model;
@@ -152,7 +118,11 @@ LANES_INLINE struct clip_positions transform(const struct draw_call *call, size_
         }
         positions = last_ones;
     }
-    load_positions(positions, &x, &y, &z);
+    for (size_t i = 0; i < TOGETHER; i++) {
+        x[i] = positions[i].x;
+        y[i] = positions[i].y;
+        z[i] = positions[i].z;
+    }
     return (struct clip_positions){
         .x = m[0][0] * x + m[0][1] * y + m[0][2] * z + m[0][3],
         .y = m[1][0] * x + m[1][1] * y + m[1][2] * z + m[1][3],
@@ -161,33 +131,15 @@ LANES_INLINE struct clip_positions transform(const struct draw_call *call, size_
     };
 }
 
-/* x beside y. */
-LANES_INLINE void store_screens(struct fixed2 *to, ints x, ints y) {
-#if defined(LANES_SHUFFLE) && TOGETHER == 8
-    ints low = LANES_SHUFFLE(x, y, 0, 8, 1, 9, 2, 10, 3, 11);
-    ints high = LANES_SHUFFLE(x, y, 4, 12, 5, 13, 6, 14, 7, 15);
-#elif defined(LANES_SHUFFLE) && TOGETHER == 4
-    ints low = LANES_SHUFFLE(x, y, 0, 4, 1, 5), high = LANES_SHUFFLE(x, y, 2, 6, 3, 7);
-#endif
-#if defined(LANES_SHUFFLE) && TOGETHER >= 4
-    memcpy(to, &low, sizeof low);
-    memcpy(to + TOGETHER / 2, &high, sizeof high);
-#else
-    for (size_t i = 0; i < TOGETHER; i++) {
-        to[i] = (struct fixed2){x[i], y[i]};
-    }
-#endif
-}
-
 static void keep(const struct vertices *vertices, size_t at, const struct screen_positions *p,
                  longs beyond) {
     typedef uint8_t bytes __attribute__((vector_size(TOGETHER)));
     bytes narrow = __builtin_convertvector(beyond, bytes);
     memcpy(vertices->depth + at, &p->depth, sizeof p->depth);
-    if (vertices->recip_w != NULL) {
-        memcpy(vertices->recip_w + at, &p->recip_w, sizeof p->recip_w);
+    memcpy(vertices->recip_w + at, &p->recip_w, sizeof p->recip_w);
+    for (size_t i = 0; i < TOGETHER; i++) {
+        vertices->screen[at + i] = (struct fixed2){p->x[i], p->y[i]};
     }
-    store_screens(vertices->screen + at, p->x, p->y);
     memcpy(vertices->beyond + at, &narrow, sizeof narrow);
 }
 
@@ -296,9 +248,10 @@ static inline struct face_beyond find_face_beyond(const struct assembly *a,
 static inline void batch_put(struct batch *batch, const struct assembly *a,
                              const struct corner corner[3], bool inside) {
     size_t at = batch->count++;
-    __builtin_prefetch(&a->vertices.depth[corner[0].position]); /* for add_batch(), soon */
     for (int i = 0; i < 3; i++) {
-        batch->screen[i][at] = a->vertices.screen[corner[i].position];
+        struct fixed2 screen = a->vertices.screen[corner[i].position];
+        batch->x[i][at] = screen.x;
+        batch->y[i][at] = screen.y;
     }
     if (!inside) {
         struct face_beyond beyond = find_face_beyond(a, corner);
@@ -318,17 +271,6 @@ struct output {
     uint32_t draw;                 /* which draw call the pieces are of */
 };
 
-/* Ask for the places of pieces further on, to write there. Other processors have read what stood
- * there in the last frame: to take it back from them only when it is needed would take as long as
- * all the rest. (Behind the last piece nothing happens.) */
-static inline void expect_piece(const struct piece *piece, const struct band_span *bands) {
-    enum { PIECES_AHEAD = 16, BANDS_AHEAD = 64 };
-    uintptr_t ahead = (uintptr_t)piece + PIECES_AHEAD * sizeof *piece;
-    uintptr_t bands_ahead = (uintptr_t)bands + BANDS_AHEAD * sizeof *bands;
-    __builtin_prefetch((const void *)ahead, 1);
-    __builtin_prefetch((const void *)bands_ahead, 1);
-}
-
 /* Add a triangle of a batch that is whole. Corner 0 becomes the lowest, so that a face whose
  * corners are listed from another one on is computed in the same way, to the last bit; and the rest
  * follows counterclockwise. Not added, but counted, where it is hidden already. */
@@ -337,18 +279,17 @@ static void add_piece(struct output *to, const struct batch *batch, size_t at, s
     struct block *block = to->block;
     struct span columns = {batch->left[at], batch->right[at] + 1};
     struct span rows = {batch->bottom[at], batch->top[at] + 1};
-    if (to->hiding != NULL &&
-        pipeline_is_hidden(to->hiding, nearest_of_depths(depth), columns, rows)) {
+    const struct screen_place place = {columns, rows, nearest_of_depths(depth)};
+    if (to->hiding != NULL && pipeline_is_hidden(to->hiding, &place)) {
         block->stats[STAT_FACES_HIDDEN]++;
         block->stats[STAT_FACES_BEHIND]++;
         return;
     }
     struct band_span *bands = &to->piece_bands[block->piece_count];
     struct piece *piece = &to->pieces[block->piece_count++];
-    expect_piece(piece, bands);
     int order[3] = {batch->first[at], batch->second[at], 3 - batch->first[at] - batch->second[at]};
     for (int i = 0; i < 3; i++) {
-        piece->corner[i] = batch->screen[order[i]][at];
+        piece->corner[i] = (struct fixed2){batch->x[order[i]][at], batch->y[order[i]][at]};
         piece->depth[i] = depth[order[i]];
         piece->face_corner[i] = (uint8_t)order[i];
     }
@@ -414,7 +355,8 @@ static void add_part(const struct assembly *a, struct output *to, size_t face,
         if (!position.placed[0]) {
             return;
         }
-        batch.screen[i][0] = (struct fixed2){position.x[0], position.y[0]};
+        batch.x[i][0] = position.x[0];
+        batch.y[i][0] = position.y[0];
         depth[i] = position.depth[0];
         clipped.recip_w[i] = position.recip_w[0];
         clipped.weight[i] = corner[i]->weight;
@@ -487,6 +429,18 @@ LANES_INLINE void fill_batch(struct batch *batch, const struct assembly *a, stru
     }
 }
 
+/* Can the batch of faces in that place be left out: outside the view, or hidden by the rounds
+ * before this one? Then its faces are counted. */
+static bool leave_out_batch(const struct assembly *a, const struct screen_place *place,
+                            size_t faces, uint64_t stats[PIPELINE_STATS]) {
+    bool outside = place_is_empty(place);
+    bool hidden = a->draw->round > 0 && pipeline_is_hidden(a->pipeline, place);
+    stats[STAT_FACES_OUTSIDE] += outside ? faces : 0;
+    stats[STAT_FACES_HIDDEN] += hidden ? faces : 0;
+    stats[STAT_FACES_BEHIND] += hidden ? faces : 0;
+    return outside || hidden;
+}
+
 static void assemble_block(void *context, size_t index, size_t worker) {
     (void)worker;
     const struct assembly *a = context;
@@ -504,11 +458,16 @@ static void assemble_block(void *context, size_t index, size_t worker) {
     };
     memset(to.band_counts, 0, bands * sizeof *to.band_counts);
     struct range block_faces = block_range(index, a->draw->call.model->face_count);
-    uint32_t left_out = pipeline_leave_out(p, a->draw, block_faces, block->stats);
+    const struct boxes *boxes = (const struct boxes *)p->boxes.data + a->draw->first_boxes;
+    struct screen_place place[TOGETHER];
     struct batch batch = {.count = 0};
     for (size_t i = 0; i * BATCH_SIZE < block_faces.end - block_faces.begin; i++) {
         struct range faces = batch_range(block_faces, i);
-        if ((left_out >> i & 1) != 0) {
+        if (a->draw->has_boxes && i % TOGETHER == 0) {
+            pipeline_place(&a->draw->call, &boxes[faces.begin / BATCH_SIZE / TOGETHER], place);
+        }
+        if (a->draw->has_boxes &&
+            leave_out_batch(a, &place[i % TOGETHER], faces.end - faces.begin, block->stats)) {
             continue;
         }
         if (a->beyond == 0) {
@@ -574,10 +533,10 @@ static bool lay_out_blocks(struct pipeline *p, const struct assembly *a, struct 
 /* What the blocks of a draw call have counted. */
 static void add_up_blocks(struct pipeline *p, struct draw *draw) {
     const struct block *blocks = p->blocks.data;
-    draw->columns = draw->rows = (struct span){INT_MAX, 0};
+    draw->place.columns = draw->place.rows = (struct span){INT_MAX, 0};
     for (size_t i = draw->first_block; i < draw->first_block + draw->block_count; i++) {
-        draw->columns = span_around(draw->columns, blocks[i].columns);
-        draw->rows = span_around(draw->rows, blocks[i].rows);
+        draw->place.columns = span_around(draw->place.columns, blocks[i].columns);
+        draw->place.rows = span_around(draw->place.rows, blocks[i].rows);
         for (int stat = 0; stat < PIPELINE_STATS; stat++) {
             p->stats[stat] += blocks[i].stats[stat];
         }
@@ -616,7 +575,7 @@ static void add_draw(struct round *round, struct pipeline *p, struct draw *draw)
     round->positions += room_for_positions(draw);
     round->vertex_blocks += (model->position_count + BLOCK_SIZE - 1) / BLOCK_SIZE;
     p->block_end += draw->block_count;
-    p->recip_w_end += draw->shader->flat ? 0 : room_for_positions(draw);
+    p->recip_w_end += room_for_positions(draw);
     p->stats[STAT_VERTICES_TRANSFORMED] += model->position_count;
 }
 
@@ -632,7 +591,7 @@ static bool list_draws(const struct frame *frame, struct round *round, struct er
     for (size_t i = frame->draws.begin; i < frame->draws.end; i++) {
         struct draw *draw = (struct draw *)p->draws.data + order[i].draw;
         draw->round = frame->round;
-        if (frame->round > 0 && pipeline_is_hidden(p, draw->nearest, draw->columns, draw->rows)) {
+        if (frame->round > 0 && pipeline_is_hidden(p, &draw->place)) {
             p->stats[STAT_OBJECTS_HIDDEN]++;
             p->stats[STAT_FACES_HIDDEN] += draw->call.model->face_count;
             p->stats[STAT_FACES_BEHIND] += draw->call.model->face_count;
@@ -658,11 +617,9 @@ static bool reserve_round(struct pipeline *p, struct round *round, struct error 
         a->vertices = (struct vertices){
             .screen = (struct fixed2 *)p->screens.data + a->first_position,
             .depth = (double *)p->depths.data + a->first_position,
+            .recip_w = (double *)p->recip_w.data + a->draw->first_recip_w,
             .beyond = (uint8_t *)p->beyonds.data + a->first_position,
         };
-        if (!a->draw->shader->flat) {
-            a->vertices.recip_w = (double *)p->recip_w.data + a->draw->first_recip_w;
-        }
     }
     return true;
 }

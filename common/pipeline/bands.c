@@ -2,7 +2,6 @@
 #include "pipeline.h"
 
 #include "pipeline/parts.h"
-#include "pipeline/pixel_mask.h"
 
 /* ---- Cover: which piece is nearest at each pixel ---- */
 
@@ -18,7 +17,7 @@ struct band {
     bool reordered;                            /* the nearest draw calls are covered first: */
     struct span changed_columns, changed_rows; /* where pieces of the draw call were covered */
     uint64_t behind;
-    pixel_counts covered, passed; /* depth tests */
+    uint64_t covered, passed; /* depth tests */
 };
 
 /* Mark that something may be drawn in these rows of the columns from x on. */
@@ -26,22 +25,6 @@ static void touch(const struct band *band, int x, struct span rows) {
     int begin = rows.begin - band->rows.begin, end = rows.end - band->rows.begin;
     uint64_t before_end = (UINT64_C(1) << end) - 1;
     band->visibility->touched[x / CHUNK] |= (uint32_t)(before_end >> begin << begin);
-}
-
-LANES_INLINE longs longs_from(int first) {
-    longs from = {0};
-    for (int i = 0; i < TOGETHER; i++) {
-        from[i] = i;
-    }
-    return from + first;
-}
-
-LANES_INLINE doubles doubles_from(int first) {
-    doubles from = {0};
-    for (int i = 0; i < TOGETHER; i++) {
-        from[i] = i;
-    }
-    return from + first;
 }
 
 /* The draw call of a piece of the band. */
@@ -58,15 +41,13 @@ static uint32_t draw_of_number(const struct band *band, uint32_t number) {
 
 /* Where depths are equal: which of the old numbers are of a draw call that was drawn later than
  * that? Rare, so one by one. */
-static pixel_mask find_later(const struct band *band, pixel_mask equal, const uint32_t *numbers,
-                             uint32_t draw) {
-    pixel_mask later = {0};
+static doubles_mask find_later(const struct band *band, doubles_mask equal, const uint32_t *numbers,
+                               uint32_t draw) {
+    doubles later = {0};
     for (int i = 0; i < TOGETHER; i++) {
-        if (mask_is_set(equal, i) && draw_of_number(band, numbers[i]) > draw) {
-            later = mask_set(later, i);
-        }
+        later[i] = mask_is_set(equal, i) && draw_of_number(band, numbers[i]) > draw;
     }
-    return later;
+    return mask_above(equal, later, doubles_all(0));
 }
 
 /* What is drawn at pixels that a piece covers. */
@@ -78,22 +59,22 @@ struct shown {
  * equal depths that of the first drawn stays: the one that is there, except with `reordered`, when
  * the draw calls are asked. Without branches: each line is an instruction or two for all pixels.
  * Returns where the piece is shown now. */
-LANES_INLINE pixel_mask cover_pixels(const struct band *band, double *depths, uint32_t *numbers,
-                                     pixel_mask inside, doubles z, struct shown piece,
-                                     bool reordered) {
+LANES_INLINE doubles_mask cover_pixels(const struct band *band, double *depths, uint32_t *numbers,
+                                       doubles_mask inside, doubles z, struct shown piece,
+                                       bool reordered) {
     doubles old_z;
     ints old_number;
     memcpy(&old_z, depths, sizeof old_z);
     memcpy(&old_number, numbers, sizeof old_number);
-    pixel_mask nearer = mask_and_above(inside, z, old_z);
+    doubles_mask nearer = mask_above(inside, z, old_z);
     if (reordered) {
-        pixel_mask equal = mask_and_equal(inside, z, old_z);
+        doubles_mask equal = mask_not_below(inside, z, old_z) & ~nearer;
         if (mask_any(equal)) {
             nearer |= find_later(band, equal, numbers, piece.draw);
         }
     }
     z = doubles_select(nearer, z, old_z);
-    old_number = ints_select(nearer, (int32_t)piece.number, old_number);
+    old_number = ints_select(nearer, (int32_t)piece.number - (ints){0}, old_number);
     memcpy(depths, &z, sizeof z);
     memcpy(numbers, &old_number, sizeof old_number);
     return nearer;
@@ -114,7 +95,11 @@ LANES_INLINE three three_select(three_longs mask, three a, three b) {
 }
 
 LANES_INLINE three to_three(three_ints whole) {
-    return lanes_four_to_doubles(whole);
+#if LANES >= 8 && defined(__AVX2__) /* gcc 12 converts one half after the other */
+    return (three)_mm256_cvtepi32_pd((__m128i)whole);
+#else
+    return __builtin_convertvector(whole, three);
+#endif
 }
 
 /* The edge functions at the centres of the pixels of a box: their values at its pixel (0,0), their
@@ -141,17 +126,6 @@ static struct box_edges find_box_edges(const struct fixed2 c[3], int left, int b
     };
 }
 
-/* Those of TOGETHER pixels from x on that lie outside of the columns. */
-LANES_INLINE longs columns_beyond(int x, struct span columns) {
-    longs at = longs_from(x);
-    return (at < columns.begin) | (at >= columns.end);
-}
-
-/* Where the mask is set the other number. */
-LANES_INLINE doubles doubles_where_not(longs mask, doubles values, doubles other) {
-    return (doubles)((~mask & (longs)values) + (mask & (longs)other));
-}
-
 /* Of TOGETHER strips of pixels beside each other, TOGETHER columns each: the rows in which some may
  * be inside all edges, from the lowest row of the box on. */
 struct strip_rows {
@@ -163,7 +137,7 @@ struct strip_rows {
  * farther from one than `little`; and what is found for it, nearer to it than that. */
 LANES_INLINE struct strip_rows rows_of_strips(const struct box_edges *e, int row_count) {
     const double little = 0x1p-40;
-    const doubles all = doubles_all(row_count), x = doubles_from(0) * TOGETHER;
+    const doubles all = doubles_all(row_count), x = doubles_count() * TOGETHER;
     const doubles none = doubles_all(0);
     doubles begin = none, end = all;
     three per_value = -1 / e->dy;
@@ -171,12 +145,12 @@ LANES_INLINE struct strip_rows rows_of_strips(const struct box_edges *e, int row
         double to_greatest = e->dx[i] > 0 ? e->dx[i] * (TOGETHER - 1) : 0;
         doubles greatest = e->origin[i] - e->least[i] + to_greatest + e->dx[i] * x;
         doubles row = greatest * per_value[i], dy = doubles_all(e->dy[i]);
-        begin = doubles_most(begin, doubles_where_not(dy <= 0, row, none));
-        end = doubles_least(end, doubles_where_not(dy >= 0, row + (1 + little), all));
+        begin = dy[0] > 0 ? doubles_max(begin, row) : begin;
+        end = dy[0] < 0 ? doubles_min(end, row + (1 + little)) : end;
     }
     struct strip_rows rows;
-    ints first = __builtin_convertvector(doubles_least(begin + (1 - little), all), ints);
-    ints behind = __builtin_convertvector(doubles_most(end, none), ints);
+    ints first = __builtin_convertvector(doubles_min(begin + (1 - little), all), ints);
+    ints behind = __builtin_convertvector(doubles_max(end, none), ints);
     memcpy(rows.begin, &first, sizeof first);
     memcpy(rows.end, &behind, sizeof behind);
     return rows;
@@ -206,21 +180,24 @@ LANES_INLINE void cover_strip(struct band *band, const struct box *box, int x, s
     doubles e0 = first[0] + box->right[0], e1 = first[1] + box->right[1];
     doubles e2 = first[2] + box->right[2];
     if (box->cut) {
-        e0 = doubles_where_not(columns_beyond(x, box->columns), e0, doubles_all(-INFINITY));
+        doubles at = doubles_count() + x;
+        doubles_mask seen = mask_not_below(mask_all(), at, doubles_all(box->columns.begin));
+        seen = mask_above(seen, doubles_all(box->columns.end), at);
+        e0 = doubles_select(seen, e0, doubles_all(-INFINITY));
     }
     size_t place = place_in_band(rows.begin - band->rows.begin, x);
     double *depths = visibility->depth + place;
     uint32_t *numbers = visibility->number + place;
     for (int y = rows.begin; y < rows.end; y++) {
-        pixel_mask inside = mask_not_below(e0, box->least[0]);
-        inside = mask_and_not_below(inside, e1, box->least[1]);
-        inside = mask_and_not_below(inside, e2, box->least[2]);
+        doubles_mask inside = mask_not_below(mask_all(), e0, box->least[0]);
+        inside = mask_not_below(inside, e1, box->least[1]);
+        inside = mask_not_below(inside, e2, box->least[2]);
         doubles z = depths_at(&box->slopes, e1, e2);
-        pixel_mask nearer =
+        doubles_mask nearer =
             cover_pixels(band, depths, numbers, inside, z, box->shown, how.reordered);
         if (how.counts) {
-            band->covered = counts_add(band->covered, inside);
-            band->passed = counts_add(band->passed, nearer);
+            band->covered += mask_count(inside);
+            band->passed += mask_count(nearer);
         }
         e0 += box->up[0];
         e1 += box->up[1];
@@ -269,7 +246,7 @@ LANES_INLINE void cover_box(struct band *band, const struct piece *piece, struct
         .slopes = find_depth_slopes(piece, e.origin[0] + e.origin[1] + e.origin[2]),
     };
     for (int i = 0; i < 3; i++) {
-        box.right[i] = e.dx[i] * doubles_from(0);
+        box.right[i] = e.dx[i] * doubles_count();
         box.up[i] = doubles_all(e.dy[i]);
         box.least[i] = doubles_all(e.least[i]);
     }
@@ -334,14 +311,14 @@ static bool is_behind(const struct visibility *band, double nearest, struct span
     return behind;
 }
 
-bool pipeline_is_hidden(const struct pipeline *p, double nearest, struct span columns,
-                        struct span rows) {
+bool pipeline_is_hidden(const struct pipeline *p, const struct screen_place *place) {
     const struct visibility *bands = p->visibility.data;
-    bool hidden = columns.begin < columns.end && rows.begin < rows.end;
+    struct span rows = place->rows;
+    bool hidden = !place_is_empty(place);
     for (int y = rows.begin; hidden && y < rows.end; y = (y / BAND_HEIGHT + 1) * BAND_HEIGHT) {
         int bottom = y / BAND_HEIGHT * BAND_HEIGHT;
         struct span band = span_overlap(rows, (struct span){bottom, bottom + BAND_HEIGHT});
-        hidden = is_behind(&bands[y / BAND_HEIGHT], nearest, columns,
+        hidden = is_behind(&bands[y / BAND_HEIGHT], place->nearest, place->columns,
                            (struct span){band.begin - bottom, band.end - bottom});
     }
     return hidden;
@@ -557,8 +534,8 @@ static bool next_draw(const struct band *band, struct shading *shading, size_t p
 }
 
 static bool draw_is_behind(const struct band *band, const struct draw *draw) {
-    return band->reordered && is_behind(band->visibility, draw->nearest, draw->columns,
-                                        rows_in_band(band, draw->rows));
+    return band->reordered && is_behind(band->visibility, draw->place.nearest, draw->place.columns,
+                                        rows_in_band(band, draw->place.rows));
 }
 
 /* Cover the pieces of the round's draw calls in the band. */
@@ -568,7 +545,7 @@ static void cover_draws(struct band *band, struct shading *shading, struct range
         if (!next_draw(band, shading, i)) {
             continue;
         }
-        *columns = span_around(*columns, shading->draw->columns);
+        *columns = span_around(*columns, shading->draw->place.columns);
         if (draw_is_behind(band, shading->draw)) {
             band->behind += (uint64_t)(shading->numbers.end - shading->numbers.begin);
             continue;
@@ -583,7 +560,7 @@ static void cover_draws(struct band *band, struct shading *shading, struct range
 
 /* Shade what is visible of all draw calls in the band. */
 static void shade_draws(const struct band *band, struct shading *shading) {
-    for (size_t i = 0; i < band->pipeline->draw_count; i++) {
+    for (size_t i = 0; i < band->pipeline->order_count; i++) {
         if (next_draw(band, shading, i) && !draw_is_behind(band, shading->draw)) {
             call_shader(shading);
         }
@@ -616,8 +593,8 @@ static struct shading begin_shading(const struct frame *frame, const struct band
 
 static void add_covered(const struct band *band, struct pixel_work *work) {
     work->behind += band->behind;
-    work->covered += counts_sum(band->covered);
-    work->passed += counts_sum(band->passed);
+    work->covered += band->covered;
+    work->passed += band->passed;
 }
 
 void pipeline_cover_band(void *context, size_t index, size_t worker) {

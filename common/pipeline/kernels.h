@@ -64,6 +64,13 @@ struct clipped_corners {
     double recip_w[3];
 };
 
+/* Where something may cover pixels, and what no depth of it is above: infinite where it may reach
+ * the near plane. */
+struct screen_place {
+    struct span columns, rows;
+    double nearest;
+};
+
 /* A recorded draw call. */
 struct draw {
     struct draw_call call;
@@ -71,11 +78,10 @@ struct draw {
     size_t uniforms;                 /* where they are in the pipeline's `uniforms` */
     size_t round;                    /* in which it is covered */
     size_t first_block, block_count; /* none while it is not assembled, or hidden as a whole */
-    size_t first_recip_w; /* of its positions, in `recip_w`; without use where the shader is flat */
-    struct span columns, rows; /* that it may cover: first its box, then its pieces */
-    double nearest;            /* at least the depth of every pixel, where draws are reordered */
-    bool has_boxes;            /* around batches of its faces: see pipeline_box_batches() */
-    size_t first_boxes;        /* in the pipeline's `boxes` */
+    size_t first_recip_w;            /* of its positions, in `recip_w` */
+    struct screen_place place;       /* first of the box around it, then of its pieces */
+    bool has_boxes;                  /* around batches of its faces */
+    size_t first_boxes;              /* in the pipeline's `boxes` */
 };
 
 /* The pieces of a band that come in one round: `binned[first]` to `binned[first + count - 1]`. In a
@@ -110,10 +116,9 @@ struct scratch {
     /* By a piece's number: 0 while nothing of it is visible, otherwise 1; and once its draw call is
      * shaded, what was fetched for it: the colour of a flat piece, or where its planes are. */
     uint32_t *fetched;
-    /* Of the visible pieces of a draw call: their numbers, and their planes, which lie as
-     * planes_number() says. */
+    /* Of the visible pieces of a draw call: their numbers, and their planes: see planes_of(). */
     uint32_t *visible;
-    struct planes *planes;
+    real *planes;
     size_t fetched_capacity, visible_capacity, plane_capacity; /* elements */
 };
 
@@ -169,9 +174,10 @@ static inline void find_recip_w(const struct pipeline *p, const struct draw *dra
 KERNEL void fetch_varyings(const struct shading *s, const struct shader *shader,
                            const struct piece *piece, double *varyings) {
     size_t n = shader->varying_count;
-    if (piece->clipped == NOT_CLIPPED) {
+    if (piece->clipped == NOT_CLIPPED || shader->flat) {
         for (size_t i = 0; i < 3; i++) {
-            shader->vertex(s->uniforms, piece->face, piece->face_corner[i], varyings + i * n);
+            size_t corner = shader->flat ? 0 : piece->face_corner[i];
+            shader->vertex(s->uniforms, piece->face, corner, varyings + i * n);
         }
         return;
     }
@@ -205,23 +211,12 @@ KERNEL void put_corners(const struct shading *s, const struct shader *shader,
     }
 }
 
-/* The planes of one piece. */
+/* The planes of one piece, number 0 of those. */
 KERNEL void fetch_planes(const struct shading *s, const struct shader *shader,
-                         const struct piece *piece, struct planes *planes) {
+                         const struct piece *piece, real *planes) {
     struct corners_together corners = {0};
-    struct planes found[TOGETHER];
-    if (shader->flat) {
-        double varyings[VARYING_LIMIT];
-        planes->x0 = planes->y0 = 0;
-        shader->vertex(s->uniforms, piece->face, 0, varyings);
-        for (size_t k = 0; k < shader->varying_count; k++) {
-            planes->four[k / FOUR].corner[k % FOUR] = (real)varyings[k];
-        }
-        return;
-    }
     put_corners(s, shader, piece, &corners, 0);
-    find_planes(&corners, shader, found);
-    *planes = found[0];
+    find_planes(&corners, shader, planes);
 }
 
 /* The piece of a number, seen: some pixel of it is visible. Several threads may see it. */
@@ -297,7 +292,8 @@ KERNEL void fetch_all_planes(const struct shading *s, const struct shader *shade
         put_corners(s, shader, see_piece(s, visible[i]), &corners, i % TOGETHER);
         if (i % TOGETHER == TOGETHER - 1 || i == count - 1) {
             find_planes(&corners, shader,
-                        planes_number(s->scratch->planes, shader, i / TOGETHER * TOGETHER));
+                        s->scratch->planes +
+                            i / TOGETHER * TOGETHER * PLANES_SIZE(shader->varying_count));
         }
     }
 }
@@ -340,30 +336,17 @@ struct lanes_planes {
     lanes at[VARYING_LIMIT + 1], corner[VARYING_LIMIT + 1];
 };
 
-/* What the planes of a piece are at x0 of row y, written for all lanes to read. */
-KERNEL void find_row(const struct shader *shader, const struct planes *planes, real y, real *row) {
-    real up = y - planes->y0;
-    for (size_t i = 0; i < FOURS_OF(shader->varying_count); i++) {
-        four_reals origin, dy;
-        memcpy(&origin, planes->four[i].origin, sizeof origin);
-        memcpy(&dy, planes->four[i].dy, sizeof dy);
-        four_reals at_x0 = origin + up * dy;
-        memcpy(row + i * FOUR, &at_x0, sizeof at_x0);
-    }
-    LANES_READ_AGAIN();
-}
-
 /* From lane `first` on, the planes become those of a piece at pixels x of row y. */
 KERNEL void take_planes(struct lanes_planes *to, int first, const struct shader *shader,
-                        const struct planes *from, lanes x, real y) {
-    real row[FOURS_OF(VARYING_LIMIT) * FOUR];
-    lanes right = x - from->x0;
-    find_row(shader, from, y, row);
-    for (size_t i = 0; i <= shader->varying_count; i++) {
-        const struct four_planes *planes = &from->four[i / FOUR];
-        lanes at = right * planes->dx[i % FOUR] + row[i];
-        to->at[i] = lanes_join(to->at[i], first, at);
-        to->corner[i] = lanes_join(to->corner[i], first, lanes_all(planes->corner[i % FOUR]));
+                        const real *from, lanes x, real y) {
+    lanes right = x - from[PLANES_X0 * TOGETHER];
+    real up = y - from[PLANES_Y0 * TOGETHER];
+    for (size_t k = 0; k <= shader->varying_count; k++) {
+        real row = plane_at(from, k, PLANE_ORIGIN) + up * plane_at(from, k, PLANE_DY);
+        lanes at = right * plane_at(from, k, PLANE_DX) + row;
+        to->at[k] = lanes_join(to->at[k], first, at);
+        to->corner[k] =
+            lanes_join(to->corner[k], first, lanes_all(plane_at(from, k, PLANE_CORNER)));
     }
 }
 
@@ -385,18 +368,15 @@ KERNEL void divide_planes(const struct lanes_planes *planes, const struct shader
 }
 
 /* The varyings of pixels x, x + 1, ... of row y, all of one piece. */
-KERNEL void interpolate_varyings(const struct shader *shader, const struct planes *planes, int x,
-                                 int y, lanes *varyings) {
-    if (shader->flat) {
-        for (size_t i = 0; i < shader->varying_count; i++) {
-            varyings[i] = lanes_all(varying_plane(planes, i).corner);
-        }
-        return;
-    }
+KERNEL void interpolate_varyings(const struct shader *shader, const real *planes, int x, int y,
+                                 lanes *varyings) {
     struct lanes_planes same;
     clear_planes(&same, shader);
     take_planes(&same, 0, shader, planes, lanes_from(x), (real)y);
     divide_planes(&same, shader, varyings);
+    for (size_t k = 0; shader->flat && k < shader->varying_count; k++) {
+        varyings[k] = lanes_all(plane_at(planes, k, PLANE_CORNER));
+    }
 }
 
 /* ---- Writing pixels ---- */
@@ -460,16 +440,15 @@ KERNEL bool gather_varyings(const struct shading *s, const struct shader *shader
     bool found = has_number(s, number[0]);
     clear_planes(&planes, shader);
     if (found) {
-        take_planes(&planes, 0, shader,
-                    planes_number(s->scratch->planes, shader, fetched[number[0]]), columns,
-                    (real)y);
+        take_planes(&planes, 0, shader, planes_of(s->scratch->planes, shader, fetched[number[0]]),
+                    columns, (real)y);
     }
     uint32_t runs = find_runs(number);
     for (runs &= runs - 1; runs != 0; runs &= runs - 1) {
         int first = __builtin_ctz(runs);
         if (has_number(s, number[first])) {
             take_planes(&planes, first, shader,
-                        planes_number(s->scratch->planes, shader, fetched[number[first]]), columns,
+                        planes_of(s->scratch->planes, shader, fetched[number[first]]), columns,
                         (real)y);
             found = true;
         }
@@ -552,7 +531,7 @@ KERNEL lanes_int shade_columns(const struct shading *s, const struct shader *sha
 /* Each visible pixel of the draw call once, in columns: what lies above a chunk is mostly of the
  * same pieces, and its texels lie beside those just fetched. */
 KERNEL void shade_visible(const struct shading *s, const struct shader *shader) {
-    struct span columns = s->draw->columns;
+    struct span columns = s->draw->place.columns;
     lanes_int shaded = {0};
     if (fetch_visible(s, shader) == 0) {
         return;
@@ -590,9 +569,8 @@ static inline double edge_at(const struct edge *e, int x, int y) {
 /* Draw the pixels of a chunk that a piece covers and where it is nearest so far. With an image,
  * write their colours; without one, their numbers, for shade_visible(). */
 KERNEL void shade_chunk_at_once(const struct shading *s, const struct shader *shader,
-                                const struct planes *planes, uint32_t number, struct span span,
-                                int x, int y, const struct edges *edges,
-                                const struct depth_slopes *slopes) {
+                                const real *planes, uint32_t number, struct span span, int x, int y,
+                                const struct edges *edges, const struct depth_slopes *slopes) {
     size_t first = place_in_band(y - s->rows.begin, x);
     double *depths = s->visibility->depth + first;
     for (int lane = 0; lane < CHUNK; lane += LANES) {
@@ -643,11 +621,11 @@ KERNEL void shade_piece_at_once(const struct shading *s, const struct shader *sh
     if (!edges_setup(&edges, c[0], c[1], c[2], p->width, p->height)) {
         return;
     }
-    struct planes planes;
-    fetch_planes(s, shader, piece, &planes);
+    real planes[PLANES_SIZE(VARYING_LIMIT) * TOGETHER];
+    fetch_planes(s, shader, piece, planes);
     s->work->fetched++;
     struct depth_slopes slopes = find_depth_slopes(piece, (double)edges.area);
-    struct span rows = span_overlap((struct span){edges.y_begin, edges.y_end}, s->draw->rows);
+    struct span rows = span_overlap((struct span){edges.y_begin, edges.y_end}, s->draw->place.rows);
     rows = span_overlap(rows, s->rows);
     for (int y = rows.begin; y < rows.end; y++) {
         struct span span = span_overlap(edges_span(&edges, y),
@@ -657,7 +635,7 @@ KERNEL void shade_piece_at_once(const struct shading *s, const struct shader *sh
         }
         s->work->covered += (uint64_t)(span.end - span.begin);
         for (int x = span.begin / CHUNK * CHUNK; x < span.end && !piece->dropped; x += CHUNK) {
-            shade_chunk_at_once(s, shader, &planes, number, span, x, y, &edges, &slopes);
+            shade_chunk_at_once(s, shader, planes, number, span, x, y, &edges, &slopes);
         }
     }
 }

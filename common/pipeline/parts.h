@@ -4,13 +4,14 @@
  * Each file calls only files below it, and includes only headers below it:
  *
  *     pipeline.c                records draw calls, draws the frame
- *     rounds.c, assemble.c      order, rounds and bands; from models to pieces
- *     objects.c, batch.c        boxes around objects; what becomes of a face
+ *     order.c                   which draw calls need not be drawn, and the order of the others
+ *     assemble.c, batch.c       from models to pieces; what becomes of a face
+ *     bins.c                    pieces sorted into bands of rows
  *     bands.c                   covers and shades pixels
- *     parts.h, pixel_mask.h     what these files share; comparisons of pixels
+ *     parts.h                   what these files share
  *     pipeline.h                with its second half, the loops over pixels: kernels.h, planes.h
  *     texture_lanes.h
- *     lanes_native.h
+ *     vectors.h
  *     lanes.h
  */
 #ifndef COMMON_PIPELINE_PARTS_H
@@ -87,7 +88,7 @@ enum {
     BEYOND_ALL = 63
 };
 
-/* Several in clip space, as many as the processor takes in one instruction or two. */
+/* TOGETHER positions in clip space. */
 struct clip_positions {
     doubles x, y, z, w;
 };
@@ -124,7 +125,7 @@ struct batch {
     size_t count; /* behind them may be anything that fits the screen */
     /* Their corners on the screen, in 1/256 pixel (anything, where a corner has no place there),
      * and the sides that all of the corners, and any of them, are beyond. */
-    struct fixed2 screen[3][BATCH_SIZE];
+    int32_t x[3][BATCH_SIZE], y[3][BATCH_SIZE];
     int32_t beyond_all[BATCH_SIZE], beyond_any[BATCH_SIZE];
     /* Found by batch_classify(); all but the first only of what is whole: */
     int32_t kind[BATCH_SIZE]; /* of enum triangle_kind */
@@ -139,29 +140,21 @@ struct batch {
  * their box are not looked for. */
 void batch_classify(struct batch *batch, const struct draw_call *call, bool skip);
 
-/* ---- Boxes around objects and batches: objects.c ---- */
+/* ---- Draw calls and batches as a whole: order.c ---- */
 
-/* Would every face of the model be found to be outside? Often that is seen at once. */
-bool pipeline_is_outside(struct pipeline *pipeline, const struct draw_call *call);
-
-/* Find where a draw call may cover pixels (`columns` and `rows`, in the viewport) and what no depth
- * of it is above (`nearest`; infinite where it reaches the near plane), before it is assembled. */
-void pipeline_place(struct pipeline *pipeline, struct draw *draw);
-
-/* Boxes in a model's own space, around as many batches of its faces as are looked at together:
- * their two sides across each axis, least and greatest. */
+/* Boxes in a model's own space, as many as are looked at together: their two sides across each
+ * axis, least and greatest. */
 struct boxes {
     double side[2][3][TOGETHER];
 };
 
-/* Find the boxes around all batches of the models that are drawn several times in turn. (For one
- * that is drawn once that would take longer than it could save.) */
-bool pipeline_box_batches(struct pipeline *pipeline, struct error *error);
+/* Where all that is in the boxes may be on the screen: nowhere if it is outside the view. */
+void pipeline_place(const struct draw_call *call, const struct boxes *boxes,
+                    struct screen_place place[TOGETHER]);
 
-/* Find which batches of a block of faces can be left out, bit i for batch i, and count what is in
- * them: those whose box is outside the viewport, or hidden by the rounds before this one. */
-uint32_t pipeline_leave_out(const struct pipeline *pipeline, const struct draw *draw,
-                            struct range faces, uint64_t stats[PIPELINE_STATS]);
+static inline bool place_is_empty(const struct screen_place *place) {
+    return place->columns.begin >= place->columns.end || place->rows.begin >= place->rows.end;
+}
 
 /* The faces of one batch of a block. */
 static inline struct range batch_range(struct range faces, size_t batch) {
@@ -169,7 +162,7 @@ static inline struct range batch_range(struct range faces, size_t batch) {
     return (struct range){begin, faces.end - begin < BATCH_SIZE ? faces.end : begin + BATCH_SIZE};
 }
 
-/* ---- A frame and its rounds: rounds.c ---- */
+/* ---- A frame and its rounds: order.c, bins.c ---- */
 
 /* What the threads that draw a frame share. */
 struct frame {
@@ -187,13 +180,9 @@ struct draw_order {
     size_t draw;
 };
 
-/* Find the order in which draw calls are covered: that of drawing, or, where there are many and
- * their boxes overlap, the nearest first. */
+/* Find the draw calls that may cover pixels, and the order in which they are covered: that of
+ * drawing or, where they overlap, the nearest first. */
 bool pipeline_order(struct pipeline *pipeline, struct error *error);
-
-/* Where they come in the order of drawing, all in one round, and are assembled: if what they cover
- * overlaps, the nearest first. (It is less than what their boxes do.) */
-void pipeline_reorder(struct pipeline *pipeline);
 
 /* Go on to the next round; from all zero, to the first. */
 void pipeline_next_round(struct frame *frame);
@@ -207,10 +196,9 @@ bool pipeline_sort_round(const struct frame *frame, size_t first_block, struct e
  * a whole: fills their blocks, which begin where the last ones ended. */
 bool pipeline_assemble_round(const struct frame *frame, struct error *error);
 
-/* Is all that is no nearer than that, in some columns and rows, behind what the rounds before this
- * one have covered? Only where that is kept. */
-bool pipeline_is_hidden(const struct pipeline *pipeline, double nearest, struct span columns,
-                        struct span rows);
+/* Is all that is in a place behind what the rounds before this one have covered? Only where that is
+ * kept. */
+bool pipeline_is_hidden(const struct pipeline *pipeline, const struct screen_place *place);
 
 /* Cover the round's pieces in band `index` of a frame (context: struct frame, which is kept): see
  * worker_function. */

@@ -2,7 +2,7 @@
 #ifndef COMMON_TEXTURE_LANES_H
 #define COMMON_TEXTURE_LANES_H
 
-#include "pipeline/lanes_native.h"
+#include "pipeline/vectors.h"
 #include "texture.h"
 
 /* A place between texel centres along one axis: the lower one of its two neighbours, and how far it
@@ -22,7 +22,7 @@ LANES_INLINE struct lanes_place lanes_find_texel(lanes coordinate, real size, re
 /* Where the four texels around each pixel's place are in a level of that size. */
 struct texel_place {
     size_t width, height;
-    lanes_texel index; /* of the lower left one */
+    lanes_texel bytes; /* from the first texel to the lower left one */
     lanes weight[4];   /* lower left, lower right, upper left, upper right; sum 1 */
 };
 
@@ -40,9 +40,10 @@ LANES_INLINE void lanes_texel_weights(lanes across, lanes along, lanes weight[4]
     weight[0] = 1 - across - weight[2];
 }
 
-LANES_INLINE lanes_texel lanes_texel_index(const struct texture_level *level, struct lanes_place x,
+LANES_INLINE lanes_texel lanes_texel_bytes(const struct texture_level *level, struct lanes_place x,
                                            struct lanes_place y) {
-    return (lanes_texel)y.texel * (uint32_t)level->pitch + (lanes_texel)x.texel;
+    return ((lanes_texel)y.texel * (uint32_t)level->pitch + (lanes_texel)x.texel) *
+           (uint32_t)sizeof *level->texels;
 }
 
 LANES_INLINE void texture_find(const struct texture_level *level, struct lanes2 uv,
@@ -51,19 +52,23 @@ LANES_INLINE void texture_find(const struct texture_level *level, struct lanes2 
     struct lanes_place y = lanes_find_texel(uv.y, level->rows, level->last_row);
     place->width = level->width;
     place->height = level->height;
-    place->index = lanes_texel_index(level, x, y);
+    place->bytes = lanes_texel_bytes(level, x, y);
     lanes_texel_weights(x.fraction, y.fraction, place->weight);
 }
 
-/* Ask the memory for the texel some rows above this one, and for the next above that: the pixels
- * above will need them, or what lies beside them, and find it in the cache. (Beyond the texture
- * nothing happens.) */
-LANES_INLINE void texture_expect(const struct texture_level *level, const uint32_t *texel) {
+/* Ask the memory for texels some rows above these, and for the next above those: the pixels above
+ * will need them, or what lies beside them, and find it in the cache. (Beyond the texture nothing
+ * happens.) */
+LANES_INLINE void texture_expect(const struct texture_level *level, const uint32_t *texels,
+                                 lanes_texel bytes) {
     enum { ROWS_AHEAD = 10 };
-    uintptr_t row = level->pitch * sizeof *level->texels;
-    uintptr_t ahead = (uintptr_t)texel + ROWS_AHEAD * row;
-    __builtin_prefetch((const void *)ahead);
-    __builtin_prefetch((const void *)(ahead + row));
+    uintptr_t row = level->pitch * sizeof *texels;
+    for (int i = 0; i < 3; i++) { /* the first, one in the middle, the last */
+        uintptr_t ahead =
+            (uintptr_t)texels + lanes_texel_at(bytes, i * (LANES - 1) / 2) + ROWS_AHEAD * row;
+        __builtin_prefetch((const void *)ahead);
+        __builtin_prefetch((const void *)(ahead + row));
+    }
 }
 
 /* That level, clamped to the last one. */
@@ -83,11 +88,10 @@ LANES_INLINE struct texels texture_fetch(const struct texture *texture, struct l
         texture_find(l, uv, place);
     }
     struct texels texels;
-    lanes_fetch_pairs(l->texels, place->index, &texels.texel[0], &texels.texel[1]);
-    lanes_fetch_pairs(l->texels + l->pitch, place->index, &texels.texel[2], &texels.texel[3]);
-    texture_expect(l, l->texels + lanes_texel_at(place->index, 0));
-    texture_expect(l, l->texels + lanes_texel_at(place->index, LANES / 2));
-    texture_expect(l, l->texels + lanes_texel_at(place->index, LANES - 1));
+    lanes_fetch_pairs(l->texels, place->bytes, &texels.texel[0], &texels.texel[1]);
+    LANES_READ_AGAIN();
+    lanes_fetch_pairs(l->texels + l->pitch, place->bytes, &texels.texel[2], &texels.texel[3]);
+    texture_expect(l, l->texels, place->bytes);
     memcpy(texels.weight, place->weight, sizeof texels.weight);
     return texels;
 }
@@ -129,7 +133,8 @@ LANES_INLINE void texture_locate(const struct texture *texture, size_t level, la
     struct lanes_place y = lanes_find_texel(*v, l->rows, l->last_row);
     *u = x.fraction;
     *v = y.fraction;
-    lanes_keep_index(index, lanes_texel_index(l, x, y));
+    lanes_texel at = lanes_texel_bytes(l, x, y);
+    memcpy(index, &at, sizeof at);
 }
 
 /* Then, what texture_lanes() finds there, of the same texture and level. */
@@ -137,12 +142,12 @@ LANES_INLINE struct lanes3 texture_located(const struct texture *texture, size_t
                                            lanes v, const lanes *index) {
     const struct texture_level *l = texture_level_of(texture, level);
     struct texels texels;
-    lanes_fetch_kept_pairs(l->texels, index, &texels.texel[0], &texels.texel[1]);
+    lanes_texel place;
+    memcpy(&place, index, sizeof place);
+    lanes_fetch_pairs(l->texels, place, &texels.texel[0], &texels.texel[1]);
     LANES_READ_AGAIN();
-    lanes_fetch_kept_pairs(l->texels + l->pitch, index, &texels.texel[2], &texels.texel[3]);
-    texture_expect(l, lanes_kept_texel(l->texels, index, 0));
-    texture_expect(l, lanes_kept_texel(l->texels, index, LANES / 2));
-    texture_expect(l, lanes_kept_texel(l->texels, index, LANES - 1));
+    lanes_fetch_pairs(l->texels + l->pitch, place, &texels.texel[2], &texels.texel[3]);
+    texture_expect(l, l->texels, place);
     lanes_texel_weights(u, v, texels.weight);
     return texels_mix(&texels);
 }

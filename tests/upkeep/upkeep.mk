@@ -41,8 +41,8 @@ $(BUILD)/tested/flags: force
 	@mkdir -p $(@D)
 	@echo '$(TESTED)' | cmp -s - $@ || echo '$(TESTED)' >$@
 
-# Those of lanes_native.h and pixel_mask.h with the instructions of this processor, which they choose.
-NATIVE = $(if $(filter test_lanes.o test_pixel_mask.o,$(@F)),$(MARCH))
+# Those of vectors.h with the instructions of this processor, which it chooses.
+NATIVE = $(if $(filter test_lanes.o test_vectors.o,$(@F)),$(MARCH))
 $(BUILD)/tested/%.o: %.c $(BUILD)/tested/flags
 	@mkdir -p $(@D)
 	$(SAY) TEST $<
@@ -62,7 +62,7 @@ $(filter $(BUILD)/tests/check/% $(BUILD)/tests/student/%,$(UNITS)): $(BUILD)/tes
 # Some tests of the pipeline are built in several kinds besides, with the pipeline under them: so many
 # LANES, and REAL where it is not float. (test_lanes-8-double has LANES=8 and REAL=double.)
 KINDS_OF_BATCH = test_batch-4 test_batch-8 test_batch-16
-KINDS = $(KINDS_OF_BATCH) $(KINDS_OF_BATCH:test_batch%=test_pixel_mask%) \
+KINDS = $(KINDS_OF_BATCH) $(KINDS_OF_BATCH:test_batch%=test_vectors%) \
         $(KINDS_OF_BATCH:test_batch%=test_strips%) $(KINDS_OF_BATCH:test_batch%=test_transform%) \
         test_borders-1 test_borders-16 test_borders-8-double \
         test_planes-8 test_planes-16 test_planes-16-double \
@@ -77,7 +77,7 @@ $(BUILD)/tested/$(1)/pipeline.a: $(PIPELINE:%=$(BUILD)/tested/$(1)/%)
 	@rm -f $$@
 	$$(Q)$$(AR) qcs $$@ $$^
 # These link no pipeline, which does not come with every number of LANES.
-$(BUILD)/tests/test_lanes-$(1) $(BUILD)/tests/test_pixel_mask-$(1): \
+$(BUILD)/tests/test_lanes-$(1) $(BUILD)/tests/test_vectors-$(1): \
         $(BUILD)/tests/%-$(1): $(BUILD)/tested/$(1)/tests/unit/pipeline/%.o $(BUILD)/tested/all.a
 	$$(Q)$$(TESTED) $$^ -lm -o $$@
 $(BUILD)/tests/%-$(1): $(BUILD)/tested/$(1)/tests/unit/pipeline/%.o \

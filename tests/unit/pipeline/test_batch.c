@@ -111,7 +111,8 @@ static struct answer find_answer(const struct triangle *t, const struct draw_cal
 
 static void put(struct batch *batch, size_t at, const struct triangle *t) {
     for (int i = 0; i < 3; i++) {
-        batch->screen[i][at] = t->corner[i];
+        batch->x[i][at] = t->corner[i].x;
+        batch->y[i][at] = t->corner[i].y;
     }
     batch->beyond_all[at] = t->beyond_all;
     batch->beyond_any[at] = t->beyond_any;

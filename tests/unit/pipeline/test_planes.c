@@ -74,51 +74,21 @@ static void test_units(void) {
     CHECK(units_of(doubles_all(0x1p-1074))[0] == 0x1p1022);
 }
 
-static void any_numbers(reals numbers[FOUR]) {
-    for (int k = 0; k < FOUR; k++) {
-        for (int i = 0; i < TOGETHER; i++) {
-            numbers[k][i] = (real)random_real(&random_state, -1, 1);
-        }
-    }
-}
+/* A plane on the screen over a piece, and a number of the piece's corners. */
+struct varying_plane {
+    real origin, dx, dy, corner;
+};
 
-/* However they are written: the same bytes, and no others. */
-static void test_fours(void) {
-    struct planes fast[TOGETHER], plain[TOGETHER];
-    reals numbers[FOUR];
-    any_numbers(numbers);
-    memset(fast, 7, sizeof fast);
-    memset(plain, 7, sizeof plain);
-    write_fours(numbers, &shader, fast, offsetof(struct planes, four));
-    write_fours_plainly(numbers, &shader, plain, offsetof(struct planes, four));
-    CHECK(memcmp(fast, plain, sizeof fast) == 0);
-}
-
-static void test_written(void) {
-    struct planes planes[TOGETHER];
-    struct planes_of_pieces from[FOURS_OF(VARYING_LIMIT)];
-    for (size_t i = 0; i < FOURS_OF(shader.varying_count); i++) {
-        any_numbers(from[i].origin);
-        any_numbers(from[i].dx);
-        any_numbers(from[i].dy);
-        any_numbers(from[i].corner);
-        write_planes(&from[i], &shader, planes, i);
-    }
-    for (size_t k = 0; k <= shader.varying_count; k++) {
-        const struct planes_of_pieces *written = &from[k / 4];
-        for (size_t i = 0; i < TOGETHER; i++) {
-            struct varying_plane found = varying_plane(planes_number(planes, &shader, i), k);
-            CHECK(found.origin == written->origin[k % 4][i] && found.dx == written->dx[k % 4][i]);
-            CHECK(found.dy == written->dy[k % 4][i] && found.corner == written->corner[k % 4][i]);
-        }
-    }
+static struct varying_plane varying_plane(const real *planes, size_t k) {
+    return (struct varying_plane){plane_at(planes, k, PLANE_ORIGIN), plane_at(planes, k, PLANE_DX),
+                                  plane_at(planes, k, PLANE_DY), plane_at(planes, k, PLANE_CORNER)};
 }
 
 /* A plane at a corner of its piece. */
-static double at_corner(struct varying_plane plane, const struct planes *planes,
+static double at_corner(struct varying_plane plane, const real *planes,
                         const struct corners_together *of, size_t piece, int c) {
-    double right = (of->x[c][piece] - 128) / 256.0 - planes->x0;
-    double up = (of->y[c][piece] - 128) / 256.0 - planes->y0;
+    double right = (of->x[c][piece] - 128) / 256.0 - planes[PLANES_X0 * TOGETHER];
+    double up = (of->y[c][piece] - 128) / 256.0 - planes[PLANES_Y0 * TOGETHER];
     return plane.origin + plane.dx * right + plane.dy * up;
 }
 
@@ -131,7 +101,7 @@ static double rounding_of(struct varying_plane plane) {
     return few_roundings * (fabs(plane.origin) + 2 * 300 / 256.0 * steepest);
 }
 
-static void check_piece(const struct corners_together *of, const struct planes *planes, size_t i) {
+static void check_piece(const struct corners_together *of, const real *planes, size_t i) {
     size_t n = shader.varying_count;
     const double *w[3] = {of->recip_w[0], of->recip_w[1], of->recip_w[2]};
     double most = fmax(fmax(w[0][i], w[1][i]), w[2][i]);
@@ -154,19 +124,20 @@ static void check_piece(const struct corners_together *of, const struct planes *
 static void test_planes(void) {
     for (int run = 0; run < RUNS; run++) {
         struct corners_together corners = any_corners(300);
-        struct planes found[TOGETHER];
-        find_planes(&corners, &shader, found);
+        /* Behind other planes, so that it shows where they begin. */
+        real found[3 * TOGETHER * PLANES_SIZE(VARYING_LIMIT)];
+        size_t first = TOGETHER * (size_t)(run % 3);
+        find_planes(&corners, &shader, found + first * PLANES_SIZE(shader.varying_count));
         for (size_t i = 0; i < TOGETHER; i++) {
             int64_t area = 0;
             for (int e = 0; e < 3; e++) {
                 area += plain_edge(&corners, i, e, 0, 0);
             }
             if (area != 0) {
-                check_piece(&corners, planes_number(found, &shader, i), i);
+                check_piece(&corners, planes_of(found, &shader, first + i), i);
             }
         }
     }
 }
 
-UNIT_MAIN(TEST(test_edges), TEST(test_units), TEST(test_fours), TEST(test_written),
-          TEST(test_planes))
+UNIT_MAIN(TEST(test_edges), TEST(test_units), TEST(test_planes))

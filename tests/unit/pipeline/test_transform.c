@@ -82,13 +82,13 @@ static struct mat4 random_matrix(int run) {
 }
 
 /* Of that many positions. Returns how many differ. */
-static size_t count_wrong(size_t count, const struct draw_call *call, bool flat) {
+static size_t count_wrong(size_t count, const struct draw_call *call) {
     static struct fixed2 screen[ROUNDED];
     static double depth[ROUNDED], recip_w[ROUNDED];
     static uint8_t beyond[ROUNDED];
     struct draw draw = {.call = *call};
     struct assembly assembly = {.draw = &draw,
-                                .vertices = {screen, depth, flat ? NULL : recip_w, beyond},
+                                .vertices = {screen, depth, recip_w, beyond},
                                 .guard_band = guard_band_of(&call->viewport)};
     unsigned any = 0;
     size_t wrong = 0;
@@ -100,7 +100,7 @@ static size_t count_wrong(size_t count, const struct draw_call *call, bool flat)
         struct expected e = expect(call, call->model->positions[i]);
         bool same = screen[i].x == e.screen.x && screen[i].y == e.screen.y &&
                     same_double(depth[i], e.depth) && beyond[i] == e.beyond &&
-                    same_double(recip_w[i], flat ? 0 : e.recip_w);
+                    same_double(recip_w[i], e.recip_w);
         wrong += !same;
         any |= e.beyond;
     }
@@ -123,8 +123,7 @@ static void test_positions(void) {
         }
         for (size_t i = 0; i < sizeof counts / sizeof counts[0]; i++) {
             model.position_count = counts[i];
-            CHECK(count_wrong(counts[i], &call, false) == 0);
-            CHECK(count_wrong(counts[i], &call, true) == 0);
+            CHECK(count_wrong(counts[i], &call) == 0);
         }
     }
     CHECK(placed > (size_t)RUNS * COUNT / 4 && placed < (size_t)RUNS * COUNT);

@@ -1,6 +1,6 @@
-/* pixel_mask.h against plain answers, one pixel at a time. */
+/* Masks and numbers of vectors.h against plain answers, one at a time. */
 #include "oracle/oracle.h"
-#include "pipeline/pixel_mask.h"
+#include "pipeline/vectors.h"
 #include "unit/unit.h"
 
 #include <float.h>
@@ -25,15 +25,15 @@ static doubles any_numbers(void) {
 }
 
 /* One that is set where bit i of the number is. */
-static pixel_mask mask_of(unsigned bits) {
-    pixel_mask mask = {0};
+static doubles_mask mask_of(unsigned bits) {
+    doubles set = {0};
     for (int i = 0; i < TOGETHER; i++) {
-        mask = (bits >> i & 1) != 0 ? mask_set(mask, i) : mask;
+        set[i] = bits >> i & 1;
     }
-    return mask;
+    return mask_above(mask_all(), set, doubles_all(0));
 }
 
-static unsigned bits_of(pixel_mask mask) {
+static unsigned bits_of(doubles_mask mask) {
     unsigned bits = 0;
     for (int i = 0; i < TOGETHER; i++) {
         bits |= (unsigned)mask_is_set(mask, i) << i;
@@ -51,25 +51,23 @@ static bool same_double(double a, double b) {
 
 static void test_masks(void) {
     for (unsigned bits = 0; bits < 1U << TOGETHER; bits++) {
-        pixel_mask mask = mask_of(bits);
+        doubles_mask mask = mask_of(bits);
         CHECK(bits_of(mask) == bits);
         CHECK(mask_any(mask) == (bits != 0));
+        CHECK(mask_count(mask) == (uint64_t)__builtin_popcount(bits));
     }
 }
 
 static void test_comparisons(void) {
     for (int run = 0; run < RUNS; run++) {
         doubles a = any_numbers(), b = any_numbers();
-        unsigned bits = any_bits(), not_below = 0, above = 0, equal = 0;
+        unsigned bits = any_bits(), not_below = 0, above = 0;
         for (int i = 0; i < TOGETHER; i++) {
             not_below |= (unsigned)(a[i] >= b[i]) << i;
             above |= (unsigned)(a[i] > b[i]) << i;
-            equal |= (unsigned)(a[i] == b[i]) << i;
         }
-        CHECK(bits_of(mask_not_below(a, b)) == not_below);
-        CHECK(bits_of(mask_and_not_below(mask_of(bits), a, b)) == (bits & not_below));
-        CHECK(bits_of(mask_and_above(mask_of(bits), a, b)) == (bits & above));
-        CHECK(bits_of(mask_and_equal(mask_of(bits), a, b)) == (bits & equal));
+        CHECK(bits_of(mask_not_below(mask_of(bits), a, b)) == (bits & not_below));
+        CHECK(bits_of(mask_above(mask_of(bits), a, b)) == (bits & above));
     }
 }
 
@@ -82,24 +80,17 @@ static void test_selected(void) {
         for (int i = 0; i < TOGETHER; i++) {
             old[i] = (int32_t)random_between(&random_state, INT32_MIN, INT32_MAX);
         }
-        ints numbers = ints_select(mask_of(bits), number, old);
+        ints numbers = ints_select(mask_of(bits), number + (ints){0}, old);
         for (int i = 0; i < TOGETHER; i++) {
             bool set = (bits >> i & 1) != 0;
             CHECK(same_double(chosen[i], set ? a[i] : b[i]));
+            CHECK(same_double(doubles_min(a, b)[i], a[i] < b[i] ? a[i] : b[i]));
+            CHECK(same_double(doubles_max(a, b)[i], a[i] > b[i] ? a[i] : b[i]));
+            CHECK(same_double(doubles_abs(a)[i], fabs(a[i])));
+            CHECK(doubles_from_ints(old)[i] == old[i]);
             CHECK(numbers[i] == (set ? number : old[i]));
         }
     }
 }
 
-static void test_counted(void) {
-    pixel_counts counts = {0};
-    uint64_t sum = 0;
-    for (int run = 0; run < RUNS; run++) {
-        unsigned bits = any_bits();
-        counts = counts_add(counts, mask_of(bits));
-        sum += (uint64_t)__builtin_popcount(bits);
-        CHECK(counts_sum(counts) == sum);
-    }
-}
-
-UNIT_MAIN(TEST(test_masks), TEST(test_comparisons), TEST(test_selected), TEST(test_counted))
+UNIT_MAIN(TEST(test_masks), TEST(test_comparisons), TEST(test_selected))
