@@ -1,5 +1,5 @@
 /*
- * The exact pixels of lines and triangles. The fill rule lives here: edges_setup(), edges_span().
+ * The exact pixels of lines and triangles. The fill rule is in raster.c, make_edge().
  *
  * Taught in step01_line, step02_wireframe (lines cut to the image) and step03_triangle: read these
  * first. Everything is decided with integers: a pixel is covered or not, whatever the compiler, and

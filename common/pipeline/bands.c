@@ -55,10 +55,10 @@ struct shown {
     uint32_t number, draw;
 };
 
-/* Depths and numbers of neighbours become those of the piece where it is `inside` and nearer; of
- * equal depths that of the first drawn stays: the one that is there, except with `reordered`, when
- * the draw calls are asked. Without branches: each line is an instruction or two for all pixels.
- * Returns where the piece is shown now. */
+/* The depth test. Depths and numbers of neighbours become those of the piece where it is `inside`
+ * and nearer; of equal depths that of the first drawn stays: the one that is there, except with
+ * `reordered`, when the draw calls are asked. Without branches: each line is an instruction or two
+ * for all pixels. Returns where the piece is shown now. */
 LANES_INLINE doubles_mask cover_pixels(const struct band *band, double *depths, uint32_t *numbers,
                                        doubles_mask inside, doubles z, struct shown piece,
                                        bool reordered) {

@@ -37,6 +37,7 @@ draw() {
 [ $# -gt 0 ] || wrong "there is no such step"
 for step in "$@"; do
     scenes=$(awk -v step="$step" '$1 == step { print $2 }' tests/check/scenes.txt)
+    [ -n "$scenes" ] || { wrong "$step has no line in tests/check/scenes.txt" && continue; }
     draw "$step" || { wrong "$step: $(cat "$work/said")" && continue; }
     mkdir -p "tests/reference/$step"
     for scene in $scenes; do

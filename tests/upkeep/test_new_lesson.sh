@@ -1,7 +1,8 @@
 #!/bin/sh
 # Is a lesson entered in few places only? Makes a small course of two lessons: one of ours, and a
-# copy of it under a new name, entered where README.md, "A new lesson", says and nowhere else. The
-# copy must be built, drawn, checked and measured; parts that a lesson need not have may be missing.
+# copy of it under a new name, entered where CONTRIBUTING.md, "A new lesson", says and nowhere else.
+# The copy must be built, drawn, checked and measured; parts that a lesson need not have may be
+# missing.
 . "$(dirname "$0")/../unit/script.sh"
 old=step05_zbuffer
 new=step11_copy
