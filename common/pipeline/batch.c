@@ -92,7 +92,7 @@ LANES_INLINE lanes_int find_windings(const struct corners *c) {
     lanes_int x1 = c[1].x - c[0].x, y1 = c[1].y - c[0].y;
     lanes_int x2 = c[2].x - c[0].x, y2 = c[2].y - c[0].y;
     lanes_int bits = (x1 ^ (x1 < 0)) | (y1 ^ (y1 < 0)) | (x2 ^ (x2 < 0)) | (y2 ^ (y2 < 0));
-    if (lanes_bits(bits >> 15) == 0) {
+    if (lanes_bits(bits >> 15 != 0) == 0) {
         return x1 * y2 - y1 * x2;
     }
     lanes_int windings = {0};

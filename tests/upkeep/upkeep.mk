@@ -41,8 +41,8 @@ $(BUILD)/tested/flags: force
 	@mkdir -p $(@D)
 	@echo '$(TESTED)' | cmp -s - $@ || echo '$(TESTED)' >$@
 
-# Those of vectors.h with the instructions of this processor, which it chooses.
-NATIVE = $(if $(filter test_lanes.o test_vectors.o,$(@F)),$(MARCH))
+# Those that use vectors.h in most ways with the instructions of this processor, which it chooses.
+NATIVE = $(if $(filter test_lanes.o test_vectors.o test_batch.o batch.o,$(@F)),$(MARCH))
 $(BUILD)/tested/%.o: %.c $(BUILD)/tested/flags
 	@mkdir -p $(@D)
 	$(SAY) TEST $<
