@@ -7,22 +7,31 @@
 #include <string.h>
 #include <sys/stat.h>
 
+/* Where the part begins in a line of that length; NULL if it is not there. (strstr() would look
+ * through the rest of the file for each line.) */
+static const char *find_in_line(const char *line, size_t length, const char *part) {
+    size_t part_length = strlen(part);
+    for (const char *end = line + length; (size_t)(end - line) >= part_length; line++) {
+        line = memchr(line, part[0], (size_t)(end - line) - part_length + 1);
+        if (line == NULL || memcmp(line, part, part_length) == 0) {
+            return line;
+        }
+    }
+    return NULL;
+}
+
 static bool line_has(const char *line, size_t length, const char *part) {
-    const char *found = strstr(line, part);
-    return found != NULL && found < line + length;
+    return find_in_line(line, length, part) != NULL;
 }
 
 /* Behind a "//" in the line stands "to do" with that number, and not a longer one. */
 static bool line_has_task(const char *line, size_t length, const char *task) {
     static const char words[] = "to do ";
-    const char *comment = strstr(line, "//"), *end = line + length;
-    if (comment == NULL || comment >= end) {
-        return false;
-    }
-    for (const char *at = strstr(comment, words); at != NULL && at < end;
-         at = strstr(at + 1, words)) {
-        const char *number = at + strlen(words), *after = number + strlen(task);
-        if (strncmp(number, task, strlen(task)) == 0 && !isdigit((unsigned char)*after)) {
+    const char *end = line + length, *at = find_in_line(line, length, "//");
+    while (at != NULL && (at = find_in_line(at, (size_t)(end - at), words)) != NULL) {
+        at += strlen(words);
+        const char *after = at + strlen(task);
+        if (strncmp(at, task, strlen(task)) == 0 && !isdigit((unsigned char)*after)) {
             return true;
         }
     }

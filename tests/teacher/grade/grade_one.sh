@@ -81,7 +81,9 @@ echo begun >>"$out/.begun/$name"
 # shellcheck disable=SC2086 # one word a lesson
 reason=$(tests/teacher/grade/unpack.sh "$build/limited" "$submission" "$work/sources" $lessons) ||
     finish "ERROR $reason"
-mv "$work/sources" "$work/result" && cp -R "$work/result/sources" "$place/sources" &&
+# Whatever modes its files have: the compiler that reads them runs as nobody.
+chmod -R u+rwX,go+rX "$work/sources" &&
+    mv "$work/sources" "$work/result" && cp -R "$work/result/sources" "$place/sources" &&
     mkdir "$place/tmp" && chmod 711 "$place" "$place/tmp" || exit 1
 
 export CONTAIN_COURSE="$PWD" CONTAIN_BUILD="$build"

@@ -39,10 +39,18 @@ for packed in s s.tar.gz s.zip; do
     found=$(cd "from.$packed" && find . -type f | sort | tr '\n' ' ')
     [ "$found" = "./step01_line/main.c ./step01_line/my_own.h " ] || wrong "$packed: $found"
 done
-for none in large empty; do
-    ! unpack $none || wrong "$none is taken"
-    [ "$answer" = "holds no main.c of a lesson" ] || wrong "$none: $answer"
-done
+mkdir -p linked/step01_line dots/step01_line && ln -s /etc/passwd linked/step01_line/main.c
+echo solved >dots/main.c
+(cd dots/step01_line && tar cPf ../../dots.tar ../main.c)
+# refuses SUBMISSION WORDS: it is not taken, for that reason.
+refuses() {
+    ! unpack "$1" || wrong "$1 is taken"
+    case $answer in *"$2"*) ;; *) wrong "$1: $answer" ;; esac
+}
+refuses empty "holds no main.c of a lesson"
+refuses large "step01_line/main.c is no file of 1 MiB at most"
+refuses linked "step01_line/main.c is a link"
+refuses dots.tar "\`../'"
 echo "no archive" >broken.zip
 ! unpack broken.zip || wrong "broken.zip is taken"
 ln -s s link
@@ -62,6 +70,7 @@ for kind in solution starter; do
         awk -v mode=$kind -f tests/student/marks.awk step01_line/main.c \
             >"../class/$kind/step01_line/main.c" || exit 1
 done
+chmod 600 ../class/solution/step01_line/main.c # the compiler runs as nobody where root grades
 mkdir -p "../class/a b/step01_line" ../class/stored/step01_line
 sed 's/52, 41/41, 52/' ../class/solution/step01_line/main.c >"../class/a b/step01_line/main.c"
 # It has all of the references within itself.

@@ -22,8 +22,10 @@ fail() {
 # unpack COMMAND...: into $into.packed, where it may take neither long nor much.
 unpack() {
     mkdir "$into.packed" || fail "no room to unpack it"
-    why=$("$limited" 60 $megabytes "$into.packed" "$into.said" "$@" 2>&1) ||
+    why=$("$limited" 60 $megabytes "$into.packed" "$into.said" "$@" 2>&1) || {
+        [ -n "$why" ] || why=$(sed -n '/\.\./p; 1p' "$into.said" 2>/dev/null | sed 1q)
         fail "cannot be unpacked${why:+: $why}"
+    }
     chmod -R u+rwX "$into.packed" 2>/dev/null
     from=$into.packed
 }
@@ -34,7 +36,10 @@ if [ -d "$submission" ]; then
     from=$submission
 else
     case $submission in
-    *.[Zz][Ii][Pp]) unpack unzip -qq -o "$submission" ;;
+    *.[Zz][Ii][Pp]) # status 1: unpacked, with a warning, such as of the backslashes of Windows
+        # shellcheck disable=SC2016 # expanded there
+        unpack sh -c 'unzip -qq -o "$1" || [ $? -eq 1 ]' unzip "$submission"
+        ;;
     *.[Tt][Aa][Rr] | *.[Tt][Aa][Rr].* | *.[Tt][GgXxBb][Zz]*)
         unpack tar xf "$submission" --no-same-owner --no-same-permissions
         ;;
@@ -43,12 +48,12 @@ else
 fi
 # find_directory LESSON: where its main.c is. (macOS packs files of its own, with such names, too.)
 find_directory() {
-    (cd "$from" && find . -maxdepth 5 -name __MACOSX -prune -o -type f -path "*/$1/main.c" -print) \
+    (cd "$from" && find . -maxdepth 5 -name __MACOSX -prune -o ! -type d -path "*/$1/main.c" -print) \
         2>/dev/null | sed -n 's|^\(\./.*\)/main\.c$|\1|p' |
         awk -F / '{ print NF "\t" $0 }' | LC_ALL=C sort -k 1,1n -k 2 | sed 's/^[0-9]*.//; 1q'
 }
 mkdir "$into" || fail "no room to unpack it"
-found=
+found= why=
 for lesson in "$@"; do
     directory=$(find_directory "$lesson")
     [ -n "$directory" ] && [ -d "$from/$directory" ] || continue
@@ -57,9 +62,13 @@ for lesson in "$@"; do
         name=${file##*/}
         case $name in *[!A-Za-z0-9_.]*) continue ;; esac # such as '*', where there is none
         [ "$name" = main.c ] || [ ! -f "$lesson/$name" ] || continue # the course's own
-        [ -f "$file" ] && [ ! -h "$file" ] && [ "$(wc -c <"$file")" -le 1048576 ] || continue
+        if [ -h "$file" ]; then
+            why="$lesson/$name is a link" && continue
+        elif [ ! -f "$file" ] || [ "$(wc -c <"$file")" -gt 1048576 ]; then
+            why="$lesson/$name is no file of 1 MiB at most" && continue
+        fi
         cp "$file" "$into/$lesson/$name" || fail "no room to unpack it"
     done
     [ ! -f "$into/$lesson/main.c" ] || found=yes
 done
-[ -n "$found" ] || fail "holds no main.c of a lesson"
+[ -n "$found" ] || fail "${why:-holds no main.c of a lesson}"
