@@ -14,6 +14,9 @@
  * step passes when all its scenes do and its program ends with status 0. The check never stops
  * early.
  *
+ * To a person at a terminal it says less, and what to do next; what is only unfinished has not
+ * failed then, and the status is 0.
+ *
  * Exit status: 0 all passed, 1 something failed, 2 the check itself cannot work (wrong usage, the
  * models cannot be made, a reference is missing, unreadable or blank, the disk is full, an old file
  * cannot be removed, or nobody gets the score).
@@ -69,12 +72,13 @@ static bool check_steps(const struct options *options, const struct scene_table 
             struct step_result *step = &result->steps[result->step_count++];
             judge_step(options, &table->steps[i], step);
             if (run_caught_signal() == 0) {
-                report_step(step);
+                (options->person ? report_step_to_person : report_step)(step);
                 check_result_add(result, step);
             }
         }
     }
-    return run_caught_signal() != 0 || report_end(result, error);
+    return run_caught_signal() != 0 ||
+           (options->person ? report_end_to_person : report_end)(result, error);
 }
 
 /* Write the reports that were asked for; one that cannot be written stops none of the others. */
@@ -111,9 +115,11 @@ static int check(const struct options *options, const struct scene_table *table)
     }
     result.note = options->note;
     done = (run_caught_signal() != 0 || export_all(options, &result)) && done;
-    int status = !done || result.cannot_work ? EXIT_CANNOT_WORK
-                 : result.failed > 0         ? EXIT_FAILED
-                                             : EXIT_ALL_PASSED;
+    /* A person at a terminal is not told of failure while something is only to do. */
+    bool unfinished = options->person && report_is_unfinished(&result);
+    int status = !done || result.cannot_work        ? EXIT_CANNOT_WORK
+                 : result.failed > 0 && !unfinished ? EXIT_FAILED
+                                                    : EXIT_ALL_PASSED;
     check_result_free(&result);
     return status;
 }

@@ -1,3 +1,5 @@
+#define _POSIX_C_SOURCE 200809L
+
 #include "options.h"
 
 #include "arguments.h"
@@ -6,6 +8,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 static const struct options default_options = {
     .root = ".",
@@ -54,7 +57,9 @@ static bool read_exact(bool *exact, struct error *error) {
 }
 
 bool options_begin(struct options *options, struct error *error) {
+    const char *verbose = getenv("VERBOSE");
     *options = default_options;
+    options->person = isatty(STDOUT_FILENO) && (verbose == NULL || verbose[0] == '\0');
     return read_seconds("CHECK_TIMEOUT", &options->seconds, error) &&
            read_seconds("CHECK_BUILD_TIMEOUT", &options->build_seconds, error) &&
            read_exact(&options->exact, error);
@@ -135,6 +140,8 @@ void options_help(void) {
          "CHECK_BUILD_TIMEOUT in the environment: seconds that building it may take (60).\n"
          "CHECK_RUNNER in the environment: a command that runs the programs, shut in.\n"
          "CHECK_EXACT=1 in the environment: every pixel of every scene must be equal.\n"
+         "VERBOSE=1 in the environment: on a terminal, too, all that a file gets.\n"
          "Exit status: 0 all passed, 1 something failed, 2 the check itself cannot work.\n"
+         "On a terminal what is still to do has not failed: status 0.\n"
          "To see all that a program says, run it by hand: build/step05_zbuffer -o DIRECTORY");
 }

@@ -22,6 +22,7 @@ struct options {
     double build_seconds;                        /* for building it */
     bool exact;                                  /* every pixel of every scene must be equal */
     bool sanitized;                              /* the programs say in which line they crash */
+    bool person; /* standard output is a terminal, and VERBOSE is not in the environment */
 };
 
 /* The defaults, and what the environment says. False, with a message, where that is wrong. */

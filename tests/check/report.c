@@ -107,6 +107,18 @@ static void report_warnings(const struct step_result *step) {
     printf("\n");
 }
 
+/* What follows the rows of a step. */
+static void report_advice(const struct step_result *step) {
+    report_warnings(step);
+    if (step->state == RESULT_CRASH && !step->sanitized) {
+        printf("  make check STEP=%.2s SANITIZE=1 says in which line\n",
+               step->name + strlen("step"));
+    }
+    if (step->state != RESULT_PASS && step->task_count > 1) {
+        report_tasks(step);
+    }
+}
+
 void report_step(const struct step_result *step) {
     printf("%s  %s %zu/%zu SCORE %u/%u%s", step->name, result_state_name(step->state), step->passed,
            step->item_count, step->points, step->most, is_exact(step) ? " exact" : "");
@@ -121,33 +133,118 @@ void report_step(const struct step_result *step) {
             report_item(step, item);
         }
     }
-    report_warnings(step);
-    if (step->state == RESULT_CRASH && !step->sanitized) {
-        printf("  make check STEP=%.2s SANITIZE=1 says in which line\n",
-               step->name + strlen("step"));
-    }
-    if (step->state != RESULT_PASS && step->task_count > 1) {
-        report_tasks(step);
-    }
+    report_advice(step);
     fflush(stdout); /* so that each step is seen as soon as it is known */
 }
 
-bool report_end(const struct check_result *result, struct error *error) {
+/* The difference images: of all that is not exact, or only of what does not pass. */
+static void report_differences(const struct check_result *result, bool only_failed) {
     bool any = false;
-    printf("SCORE %u/%u\n%zu passed, %zu failed\n", result->points, result->most, result->passed,
-           result->failed);
     for (size_t i = 0; i < result->step_count; i++) {
         const struct step_result *step = &result->steps[i];
         for (size_t k = 0; k < step->item_count; k++) {
-            if (step->items[k].difference.text[0] != '\0') {
+            const struct item_result *item = &step->items[k];
+            if (item->difference.text[0] != '\0' && !(only_failed && item->state == RESULT_PASS)) {
                 printf("%s  %s\n",
                        any ? ""
                            : "Difference images (reference, yours, difference, side by side):\n",
-                       step->items[k].difference.text);
+                       item->difference.text);
                 any = true;
             }
         }
     }
+}
+
+static bool report_written(struct error *error) {
     return (fflush(stdout) == 0 && !ferror(stdout)) ||
            error_set(error, "the score could not be written to standard output");
+}
+
+bool report_end(const struct check_result *result, struct error *error) {
+    printf("SCORE %u/%u\n%zu passed, %zu failed\n", result->points, result->most, result->passed,
+           result->failed);
+    report_differences(result, false);
+    return report_written(error);
+}
+
+/* ---- To a person, who reads it on a terminal ---- */
+
+/* What passes, in one line; what is not exact, though, has a row. */
+static void report_right_items(const struct step_result *step) {
+    const char *before = "  right: ";
+    for (size_t i = 0; i < step->item_count; i++) {
+        const struct item_result *item = &step->items[i];
+        if (item->state == RESULT_PASS && item->message.text[0] == '\0') {
+            printf("%s%s%s%s", before, item->scene, item->counter[0] != '\0' ? " " : "",
+                   item->counter);
+            before = ", ";
+        }
+    }
+    printf("%s", before[0] == ',' ? "\n" : "");
+}
+
+void report_step_to_person(const struct step_result *step) {
+    size_t to_come = 0;
+    printf("%s: %zu of %zu right, %u of %u points", step->name, step->passed, step->item_count,
+           step->points, step->most);
+    printf("%s%s\n", step->reason.text[0] != '\0' && !is_blamed(step) ? ": " : "",
+           is_blamed(step) ? "" : step->reason.text);
+    report_right_items(step);
+    bool at_hand = false; /* the first that is to do has been told */
+    for (size_t i = 0; i < step->item_count; i++) {
+        const struct item_result *item = &step->items[i];
+        bool comes = item->state == RESULT_TODO || item->unjudged;
+        if (item->message.text[0] != '\0' && !(comes && at_hand)) {
+            report_item(step, item);
+            at_hand |= comes;
+        } else if (comes) {
+            to_come++;
+        }
+    }
+    if (to_come > 0) {
+        printf("  %zu more to come; VERBOSE=1 shows all\n", to_come);
+    }
+    report_advice(step);
+    fflush(stdout);
+}
+
+bool report_is_unfinished(const struct check_result *result) {
+    bool only_to_do = result->failed > 0;
+    for (size_t i = 0; i < result->step_count; i++) {
+        enum result_state state = result->steps[i].state;
+        only_to_do = only_to_do && (state == RESULT_PASS || state == RESULT_TODO);
+    }
+    return only_to_do;
+}
+
+/* The first task that is not right. */
+static void report_next(const struct check_result *result) {
+    for (size_t i = 0; i < result->step_count; i++) {
+        const struct step_result *step = &result->steps[i];
+        for (size_t k = 0; k < step->task_count; k++) {
+            const struct task_result *task = &step->tasks[k];
+            if (task->state != RESULT_PASS && !task->waits) {
+                printf("%s task %s; `make hint STEP=%.2s TASK=%s` gives a hint.\n",
+                       task->state == RESULT_TODO ? "Next:" : "First put right:", task->name.text,
+                       step->name + strlen("step"), task->name.text);
+                return;
+            }
+        }
+    }
+}
+
+bool report_end_to_person(const struct check_result *result, struct error *error) {
+    report_differences(result, true);
+    if (result->failed == 0) {
+        printf("All %u points.", result->points);
+        if (result->step_count == 1) {
+            printf(" `make show STEP=%.2s` shows your pictures.",
+                   result->steps[0].name + strlen("step"));
+        }
+        printf("\n");
+    } else {
+        printf("%u of %u points. ", result->points, result->most);
+        report_next(result);
+    }
+    return report_written(error);
 }

@@ -40,4 +40,12 @@ void report_step(const struct step_result *step);
  * message, when something did not reach standard output. */
 bool report_end(const struct check_result *result, struct error *error);
 
+/* The same for a person at a terminal: what is right in one line, the first that is to do, how much
+ * is to come; at the end, what to do next. */
+void report_step_to_person(const struct step_result *step);
+bool report_end_to_person(const struct check_result *result, struct error *error);
+
+/* Does nothing fail but what is still to do? */
+bool report_is_unfinished(const struct check_result *result);
+
 #endif
