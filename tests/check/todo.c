@@ -27,8 +27,9 @@ static bool line_has(const char *line, size_t length, const char *part) {
 /* Behind a "//" in the line stands "to do" with that number, and not a longer one. */
 static bool line_has_task(const char *line, size_t length, const char *task) {
     static const char words[] = "to do ";
-    const char *end = line + length, *at = find_in_line(line, length, "//");
-    while (at != NULL && (at = find_in_line(at, (size_t)(end - at), words)) != NULL) {
+    const char *end = line + length, *comment = find_in_line(line, length, "//");
+    const char *at = comment == NULL ? NULL : find_in_line(comment, (size_t)(end - comment), words);
+    for (; at != NULL; at = find_in_line(at, (size_t)(end - at), words)) {
         at += strlen(words);
         const char *after = at + strlen(task);
         if (strncmp(at, task, strlen(task)) == 0 && !isdigit((unsigned char)*after)) {
