@@ -30,23 +30,29 @@ put_changed() {
 
 # ---- The lessons ----
 
+# Commands that only the whole course has stand in brackets behind what they measure or draw.
 # shellcheck disable=SC2016 # awk's own dollars
-with_note='
-    { print }
-    /^\[.*\.\.\/README\.md#map-of-the-course/ {
-        print "\nThis is a part of the course: `make figures`, `make bench`, `make counts` and" \
-            " `make\ncharts`, which this page names, belong to the whole of it."
+without_commands='
+    { text = text $0 "\n" }
+    END {
+        gsub(/[ \n]+\(`make (figures|bench|bench-frame|counts)( STEP=[0-9]+)?`\)/, "", text)
+        printf "%s", text
     }'
 
 put_lesson() {
     mkdir -p "$new/$1" "$new/tests/student/starters"
     awk -v mode=without -f tests/teacher/handout/answers.awk "$1/README.md" >"$work/README.md" &&
-        awk "$with_note" "$work/README.md" >"$new/$1/README.md" || fail 1 "cannot write $new/$1"
+        awk "$without_commands" "$work/README.md" >"$new/$1/README.md" ||
+        fail 1 "cannot write $new/$1"
     put_text starter "$1"
     cp "$new/$1/main.c" "$new/tests/student/starters/$1.c" || fail 1 "cannot write $new/tests"
     for file in "$1"/scenes.h "$1"/extra_*.h "$1"/mine.c "$1"/attempts.h "$1"/hints.txt \
         "$1"/[A-Z]*.md "$1"/figures/* tests/reference/"$1"/*; do
-        [ ! -f "$file" ] || [ "$file" = "$1/README.md" ] || put "$file"
+        case $file in
+        "$1/README.md") ;;
+        *.md) [ ! -f "$file" ] || put_changed "$without_commands" "$file" ;;
+        *) [ ! -f "$file" ] || put "$file" ;;
+        esac
     done
 }
 for lesson in $lessons; do
@@ -85,7 +91,7 @@ done <"$work/needed"
 # What is no source: scripts, pages, and what the mistakes of these lessons look like.
 {
     find tests/check tests/student -type f ! -name '*.[ch]' ! -path '*/wrong/*' \
-        ! -name 'test_*' ! -name 'try_*' ! -name 'mark*' ! -name start.sh
+        ! -name 'test_*' ! -name 'try_*' ! -name 'mark*' ! -name start.sh ! -name references.sh
     for lesson in $lessons; do
         [ ! -d "tests/lessons/$lesson/looks" ] || find "tests/lessons/$lesson/looks" -type f
     done

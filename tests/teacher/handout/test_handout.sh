@@ -56,6 +56,19 @@ headers_build() {
     cc -std=c17 -fsyntax-only -Wall -Werror -Icommon -Itests -x c $alone
 }
 
+# commands_are_there FILE...: every `make TARGET` of these texts is in the hand-out's `make help`, or a
+# lesson's program.
+commands_are_there() {
+    grep -hoE '(`|^    )make [a-z][a-z0-9_-]*' "$@" | sed 's/.*make //' | sort -u | {
+        missing=0
+        while read -r command; do
+            [ -d "$command" ] || grep -qE "^##   make $command( |$)" Makefile tests/*/*.mk ||
+                { echo "make $command" && missing=1; }
+        done
+        return $missing
+    }
+}
+
 # What a lesson asks for can be written with the headers that come with it, and what its text tells
 # to do is there.
 cd "$top" || exit 1
@@ -69,7 +82,8 @@ for lesson in step*; do
         wrong "$lesson needs what is not handed out with it: $(head -n 3 "$work/log")"
     (cd "$out" && headers_build common/*.h common/*/*.h tests/*/*.h tests/*/*/*.h) \
         >"$work/log" 2>&1 || wrong "headers of $lesson: $(head -n 3 "$work/log")"
-    grep -n 'make solution' "$out/README.md" "$out/$lesson"/*.md && wrong "there are no solutions"
+    (cd "$out" && commands_are_there README.md "$lesson"/*.md "$lesson"/*.txt "$lesson"/*.[ch]) ||
+        wrong "$lesson names commands that are not handed out"
     grep -q "Then read .*(${lesson}/README.md)" "$out/README.md" || wrong "where does $lesson begin?"
 done
 

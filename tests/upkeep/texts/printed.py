@@ -3,8 +3,9 @@
 
 In a lesson's texts a line `<!-- printed -->` stands before each table that `make figures` prints:
 either as it is printed, indented, or as a table in which each row begins with words of a printed
-line, and all its numbers stand in such lines, but for those of columns headed "ms". And "counts 40
-million instructions for `zbuffer`: 5 for loading, ..." is what tests/bench/counts.txt says.
+line, and all its numbers stand in such lines, but for those of columns headed "ms". And "`zbuffer`
+takes 40 million instructions (`make counts STEP=05`): 5 for loading, ..." is what
+tests/bench/counts.txt says.
 
     printed.py BUILD        after `make figures` or `make lesson-figures` with that BUILD
 
@@ -51,10 +52,13 @@ def judge_text(path, printed):
 
 def judge_counts(readme, counts):
     """Instructions: each number rounded as it is written."""
+    global checked
     text = " ".join(readme.read_text().split())
-    for match in re.finditer(r"counts ([\d.]+) million instructions for `(\w+)`(.*?)(?:\. |$)", text):
-        row = dict(zip(("all", "loading", "drawing", "saving"), counts[readme.parent.name, match[2]]))
-        written = [(match[1], "all")] + re.findall(r"([\d.]+) for (loading|drawing|saving)", match[3])
+    for match in re.finditer(r"`(\w+)` takes ([\d.]+) million instructions \(`make counts STEP=\d+`\):"
+                             r"(.*?)(?:\. |$)", text):
+        row = dict(zip(("all", "loading", "drawing", "saving"), counts[readme.parent.name, match[1]]))
+        checked += 1
+        written = [(match[2], "all")] + re.findall(r"([\d.]+) for (loading|drawing|saving)", match[3])
         for number, what in written:
             digits = len(number.partition(".")[2])
             if number != f"{float(row[what]):.{digits}f}":
@@ -65,7 +69,7 @@ for output in sorted((build / "figures").glob("step*.txt")):
     for text in sorted((top / output.stem).glob("*.md")):
         judge_text(text, output.read_text().split("\n"))
 rows = [line.split() for line in (top / "tests/bench/counts.txt").read_text().split("\n")]
-for readme in sorted(top.glob("step*/README.md")):
+for readme in sorted(top.glob("step*/*.md")):
     judge_counts(readme, {(row[0], row[1]): row[2:] for row in rows if len(row) > 2})
 for line in wrong:
     print(line)
