@@ -458,15 +458,16 @@ static void assemble_block(void *context, size_t index, size_t worker) {
     };
     memset(to.band_counts, 0, bands * sizeof *to.band_counts);
     struct range block_faces = block_range(index, a->draw->call.model->face_count);
-    const struct boxes *boxes = (const struct boxes *)p->boxes.data + a->draw->first_boxes;
+    const struct boxes *boxes =
+        a->draw->has_boxes ? (const struct boxes *)p->boxes.data + a->draw->first_boxes : NULL;
     struct screen_place place[TOGETHER];
     struct batch batch = {.count = 0};
     for (size_t i = 0; i * BATCH_SIZE < block_faces.end - block_faces.begin; i++) {
         struct range faces = batch_range(block_faces, i);
-        if (a->draw->has_boxes && i % TOGETHER == 0) {
+        if (boxes != NULL && i % TOGETHER == 0) {
             pipeline_place(&a->draw->call, &boxes[faces.begin / BATCH_SIZE / TOGETHER], place);
         }
-        if (a->draw->has_boxes &&
+        if (boxes != NULL &&
             leave_out_batch(a, &place[i % TOGETHER], faces.end - faces.begin, block->stats)) {
             continue;
         }

@@ -103,10 +103,9 @@ bool solid_knot(struct mesh *mesh, int segments, int rings) {
     for (int i = 0; i < segments; i++) {
         for (int j = 0; j < rings; j++) {
             int here = i * rings, there = (i + 1) % segments * rings, above = (j + 1) % rings;
-            add_quad(mesh, (struct mesh_corner){.place = here + j},
-                     (struct mesh_corner){.place = there + j},
-                     (struct mesh_corner){.place = there + above},
-                     (struct mesh_corner){.place = here + above});
+            const struct mesh_corner a = {.place = here + j}, b = {.place = there + j};
+            const struct mesh_corner c = {.place = there + above}, d = {.place = here + above};
+            add_quad(mesh, a, b, c, d);
         }
     }
     return true;
