@@ -24,7 +24,8 @@
  *
  * Skipped, in this order, and counted (enum pipeline_stat): draw calls whose model lies beyond one
  * side of the view, as the box around it shows, before a position is transformed; draw calls whose
- * box is behind what earlier rounds show in every tile of 16x8 pixels, likewise; faces off
+ * box is behind what earlier rounds show in every tile of 16x8 pixels, likewise; of a model that is
+ * drawn several times in turn, batches of faces whose box is off screen, or behind; faces off
  * screen; faces turned away; faces that reach no pixel centre; draw calls, and pieces, behind what
  * a tile already shows, for which the nearest draw calls are covered first; attributes and shading
  * of what is hidden after all, which costs one comparison a pixel. (Burns and Hunt, "The Visibility
@@ -123,8 +124,8 @@ struct shader {
 /* ---- The pipeline ---- */
 
 /* What was done and what was skipped since pipeline_clear(), once the frame is finished. What is
- * skipped with its object is counted like what is skipped alone: FACES_OUTSIDE,
- * FACES_HIDDEN (of a hidden object all faces, also what is outside or turned away). */
+ * skipped with its object or as a part of it is counted like what is skipped alone: FACES_OUTSIDE,
+ * FACES_HIDDEN (of a hidden object or batch all faces, also what is outside or turned away). */
 enum pipeline_stat {
     STAT_OBJECTS,              /* draw calls */
     STAT_OBJECTS_OUTSIDE,      /* skipped: all of the model is beyond one side of the view */

@@ -59,7 +59,9 @@ headers_build() {
 # commands_are_there FILE...: every `make TARGET` of these texts is in the hand-out's `make help`, or a
 # lesson's program.
 commands_are_there() {
-    grep -hoE '(`|^    )make [a-z][a-z0-9_-]*' "$@" | sed 's/.*make //' | sort -u | {
+    # A command may be wrapped after its first word.
+    awk '/`make$/ { printf "%s ", $0; next } { print }' "$@" |
+        grep -hoE '(`|^    )make [a-z][a-z0-9_-]*' | sed 's/.*make //' | sort -u | {
         missing=0
         while read -r command; do
             [ -d "$command" ] || grep -qE "^##   make $command( |$)" Makefile tests/*/*.mk ||
