@@ -301,6 +301,9 @@ static bool draw_rounds(struct frame *frame, struct error *error) {
             !pipeline_sort_round(frame, first_block, error)) {
             return false;
         }
+        if (!p->reordered) {
+            pipeline_reorder(p);
+        }
         if (frame->kept) {
             pipeline_run(p, band_count(p), pipeline_cover_band, frame);
         }

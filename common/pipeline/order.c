@@ -236,19 +236,25 @@ static bool find_boxes(struct pipeline *p, struct error *error) {
     return true;
 }
 
+void pipeline_reorder(struct pipeline *p) {
+    /* A shader that discards needs the order of drawing. */
+    p->reordered = takes_shortcut(p, SHORTCUT_VISIBLE) && takes_shortcut(p, SHORTCUT_BEHIND) &&
+                   !p->discards && p->order_count > 1 && draws_overlap(p);
+    if (p->reordered) {
+        qsort(p->order.data, p->order_count, sizeof(struct draw_order), compare_draws);
+    }
+}
+
 bool pipeline_order(struct pipeline *p, struct error *error) {
     if (!buffer_reserve(&p->order, p->draw_count, sizeof(struct draw_order), error)) {
         return false;
     }
     list_draws(p);
-    /* A shader that discards needs the order of drawing. */
-    p->reordered = takes_shortcut(p, SHORTCUT_VISIBLE) && takes_shortcut(p, SHORTCUT_BEHIND) &&
-                   !p->discards && p->order_count > 1 && draws_overlap(p);
-    if (!p->reordered) {
-        return true;
+    p->reordered = false;
+    if (p->order_count >= MANY) {
+        pipeline_reorder(p);
     }
-    qsort(p->order.data, p->order_count, sizeof(struct draw_order), compare_draws);
-    return p->order_count < MANY || find_boxes(p, error);
+    return !p->reordered || find_boxes(p, error);
 }
 
 void pipeline_next_round(struct frame *frame) {
@@ -257,7 +263,7 @@ void pipeline_next_round(struct frame *frame) {
     frame->round = draws->end == 0 ? 0 : frame->round + 1;
     draws->begin = draws->end;
     draws->end = draws->begin == 0 ? FIRST_ROUND : 2 * draws->begin;
-    if (!p->reordered || p->order_count < MANY || draws->end > p->order_count) {
+    if (!p->reordered || draws->end > p->order_count) {
         draws->end = p->order_count;
     }
 }

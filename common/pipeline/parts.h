@@ -181,8 +181,12 @@ struct draw_order {
 };
 
 /* Find the draw calls that may cover pixels, and the order in which they are covered: that of
- * drawing or, where they overlap, the nearest first. */
+ * drawing or, where there are many and they overlap, the nearest first. */
 bool pipeline_order(struct pipeline *pipeline, struct error *error);
+
+/* The nearest first, where draw calls overlap: of many decided by their boxes; of few once they are
+ * assembled, since what they cover is less. */
+void pipeline_reorder(struct pipeline *pipeline);
 
 /* Go on to the next round; from all zero, to the first. */
 void pipeline_next_round(struct frame *frame);

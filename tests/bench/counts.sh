@@ -17,7 +17,7 @@ fi
 
 # -g changes no instruction; it tells from which file each comes.
 make -s BUILD="$build" CC=gcc CFLAGS='-O3 -g' MARCH=$march REAL= LANES= programs models || exit 1
-git show HEAD:./tests/counts.txt >"$build/committed" 2>/dev/null ||
+git show HEAD:./tests/bench/counts.txt >"$build/committed" 2>/dev/null ||
     : >"$build/committed"
 
 # count STEP SCENE: a line of the table. A function's cost is here that of all that it calls, too;
