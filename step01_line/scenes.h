@@ -150,7 +150,7 @@ static bool draw_list(struct drawing *drawing, struct image *image, struct error
 
 /* Lines that begin or end far outside the image, or never come in. */
 static bool draw_far(struct drawing *drawing, struct image *image, struct error *error) {
-    (void)error;
+    (void)drawing, (void)error;
     static const struct {
         struct pixel a, b;
         struct color color; /* blue, green, red, alpha */
@@ -170,7 +170,6 @@ static bool draw_far(struct drawing *drawing, struct image *image, struct error 
     };
     for (size_t i = 0; i < sizeof lines / sizeof lines[0]; i++) {
         line(image, lines[i].a, lines[i].b, lines[i].color);
-        drawing_count(drawing, "pixels_walked", line_length(lines[i].a, lines[i].b));
     }
     return true;
 }
@@ -220,7 +219,6 @@ static bool draw_text(struct drawing *drawing, struct image *image, struct error
         } else if (!line_gradient(image, a, b, shape->color[0], shape->color[1], error)) {
             return false;
         }
-        drawing_count(drawing, "pixels_walked", line_length(a, b));
     }
     return true;
 }

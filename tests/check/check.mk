@@ -33,6 +33,14 @@ $(STEPS:%=$(BUILD)/sanitized/%): $(BUILD)/sanitized/%: %/main.c $(BUILD)/%.text 
 	@mkdir -p $(@D)
 	$(call BUILD_LESSON,$(SANITIZED))
 
+# A lesson's functions called with numbers.
+NUMBERS = $(patsubst tests/lessons/%/numbers.c,%,$(wildcard tests/lessons/*/numbers.c))
+$(NUMBERS:%=$(BUILD)/numbers/%): $(BUILD)/numbers/%: tests/lessons/%/numbers.c $(BUILD)/%.text \
+                                                     $(BUILD)/libcommon.a $(BUILD)/flags
+	@mkdir -p $(@D)
+	$(Q)$(COMPILE) -O0 -w -Itests -MF $@.d -MT $@ -c $< -o $@.o
+	$(Q)$(LINK) $@.o $(BUILD)/libcommon.a -lm -o $@.$$$$ && mv -f $@.$$$$ $@
+
 $(BUILD)/check: $(BUILD)/tests/check/check.o $(CHECKER) $(BUILD)/libcommon.a
 	$(Q)$(LINK) $^ -lm -o $@.$$$$ && mv -f $@.$$$$ $@
 

@@ -16,6 +16,19 @@ enum {
     MESSAGE_WIDTH = 200
 };
 
+bool drawn_program(struct drawn_path *path, const char *programs, const char *name,
+                   struct error *error) {
+    char here[DRAWN_PATH_LIMIT];
+    if (getcwd(here, sizeof here) == NULL) {
+        return error_set(error, "the current directory has no name: %s", strerror(errno));
+    }
+    bool is_absolute = programs[0] == '/';
+    int length = snprintf(path->text, sizeof path->text, "%s%s%s/%s", is_absolute ? "" : here,
+                          is_absolute ? "" : "/", programs, name);
+    return (length >= 0 && (size_t)length < sizeof path->text) ||
+           error_set(error, "%s: name too long", programs);
+}
+
 bool drawn_run(const char *programs, const char *step, const char *directory, const char *scene,
                const struct run_limits *limits, struct run_result *result, struct error *error) {
     return drawn_run_stats(programs, step, directory, scene, NULL, limits, result, error);
@@ -25,17 +38,11 @@ bool drawn_run_stats(const char *programs, const char *step, const char *directo
                      const char *scene, const char *output, const struct run_limits *limits,
                      struct run_result *result, struct error *error) {
     *result = (struct run_result){.end = RUN_EXITED};
-    /* The program runs in another directory, so its own name must be an absolute one. */
-    char here[DRAWN_PATH_LIMIT], path[DRAWN_PATH_LIMIT];
-    if (getcwd(here, sizeof here) == NULL) {
-        return error_set(error, "the current directory has no name: %s", strerror(errno));
+    struct drawn_path path;
+    if (!drawn_program(&path, programs, step, error)) {
+        return false;
     }
-    int length = programs[0] == '/' ? snprintf(path, sizeof path, "%s/%s", programs, step)
-                                    : snprintf(path, sizeof path, "%s/%s/%s", here, programs, step);
-    if (length < 0 || (size_t)length >= sizeof path) {
-        return error_set(error, "%s: name too long", programs);
-    }
-    const char *arguments[7] = {path, "-o", directory};
+    const char *arguments[7] = {path.text, "-o", directory};
     size_t count = 3;
     if (output != NULL) {
         arguments[count++] = "--stats";

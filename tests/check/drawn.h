@@ -15,6 +15,13 @@
 
 enum { DRAWN_PATH_LIMIT = 4096 };
 
+/* The absolute path of a program in the directory `programs`: it runs in another one. */
+struct drawn_path {
+    char text[DRAWN_PATH_LIMIT];
+};
+bool drawn_program(struct drawn_path *path, const char *programs, const char *name,
+                   struct error *error);
+
 /* Run `PROGRAM -o DIRECTORY` in the directory, with the limits of an untrusted program. `programs`
  * is the directory of the programs, `step` the program's name; with a scene that is not "" the
  * program is told `--only SCENE` too. The caller frees result->messages, also on an error. */

@@ -13,6 +13,7 @@
 #include "files/png.h"
 #include "legend.h"
 #include "looks.h"
+#include "numbers.h"
 #include "run.h"
 #include "todo.h"
 #include "verdict.h"
@@ -495,11 +496,14 @@ static bool judge_works(const struct judging *judging, struct error *error) {
     bool done = true;
     for (size_t i = pictures; i < result->item_count && done; i++) {
         struct item_result *item = &result->items[i];
-        const struct item_result *picture = result_picture_of(result, item);
         const struct checked_work *work = &judging->step->works[i - pictures];
+        if (work->kind == WORK_NUMBERS) {
+            continue;
+        }
+        const struct item_result *picture = result_picture_of(result, item);
         if (picture->state == RESULT_PASS) {
-            done = work->has_relations ? judge_relations(judging, work, item, error)
-                                       : judge_work(judging, item, error);
+            done = work->kind == WORK_RELATIONS ? judge_relations(judging, work, item, error)
+                                                : judge_work(judging, item, error);
         } else {
             item->state = picture->state;
             item->unjudged = true;
@@ -595,7 +599,7 @@ static void tell_likenesses(const struct judging *judging) {
 static bool is_wrong_work(const struct judging *judging, size_t i) {
     const struct item_result *item = &judging->result->items[i];
     size_t pictures = judging->step->scene_count;
-    return i >= pictures && !judging->step->works[i - pictures].has_relations &&
+    return i >= pictures && judging->step->works[i - pictures].kind == WORK_COUNTER &&
            item->state == RESULT_FAIL && !item->blamed && !item->unjudged;
 }
 
@@ -699,6 +703,15 @@ static bool had_room(const struct judging *judging, struct error *error) {
     return !is_missing || run_has_room(run_temporary(), bytes, error);
 }
 
+/* Does a function never return that a program will call for its pictures, too? */
+static bool has_endless_numbers(const struct step_result *result) {
+    bool found = false;
+    for (size_t i = 0; i < result->item_count; i++) {
+        found |= result->items[i].is_numbers && result->items[i].state == RESULT_TIME;
+    }
+    return found;
+}
+
 static bool draw_and_judge(struct judging *judging, struct error *error) {
     const struct options *options = judging->options;
     struct step_result *result = judging->result;
@@ -750,6 +763,15 @@ static bool build_and_judge(struct judging *judging, struct error *error) {
     result_say(&result->warning, "%s", built.warning.text);
     result->more_warnings = built.more_warnings;
     bytes_free(&built.messages);
+    done = done && numbers_judge(judging->options, judging->step,
+                                 (const char *)judging->source.data, result, error);
+    if (has_endless_numbers(result)) {
+        judging->limits = hurried_limits(judging->options->seconds);
+    }
+    if (judging->step->scene_count == 0) {
+        find_all_to_do(judging);
+        return done;
+    }
     return done && draw_and_judge(judging, error);
 }
 
@@ -773,9 +795,9 @@ void judge_step(const struct options *options, const struct checked_step *step,
         .options = options,
         .step = step,
         .result = result,
-        .references = calloc(step->scene_count, sizeof *judging.references),
-        .errors = calloc(step->scene_count, sizeof *judging.errors),
-        .looks = calloc(step->scene_count, sizeof *judging.looks),
+        .references = calloc(step->scene_count + 1, sizeof *judging.references),
+        .errors = calloc(step->scene_count + 1, sizeof *judging.errors),
+        .looks = calloc(step->scene_count + 1, sizeof *judging.looks),
         .limits = run_program_limits(options->seconds),
     };
     char path[DRAWN_PATH_LIMIT];

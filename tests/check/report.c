@@ -31,7 +31,23 @@ static bool is_told(const struct step_result *step, const struct item_result *it
     return told;
 }
 
-static void report_item(const struct step_result *step, const struct item_result *item) {
+/* Is a hint all that can be said, and has none before this item been the same? */
+static bool wants_hint(const struct step_result *step, const struct item_result *item) {
+    bool wants = item->looks.text[0] == '\0' && item->state >= RESULT_FAIL &&
+                 item->state <= RESULT_CRASH && !item->unjudged;
+    const struct result_text advice = result_advice(step, item);
+    for (size_t i = 0; wants && i < step->item_count; i++) {
+        const struct item_result *other = &step->items[i];
+        bool is_before = other->is_numbers == item->is_numbers ? other < item : other->is_numbers;
+        bool is_wrong = other->state >= RESULT_FAIL && other->state <= RESULT_CRASH;
+        wants =
+            !is_before || !is_wrong || strcmp(result_advice(step, other).text, advice.text) != 0;
+    }
+    return wants;
+}
+
+static void report_item(const struct step_result *step, const struct item_result *item,
+                        bool hints) {
     printf("  %s%s%s %s %u/%u", item->scene, item->counter[0] != '\0' ? " " : "", item->counter,
            result_item_state(item), item->points, item->credit->points);
     if (item->message.text[0] != '\0') {
@@ -43,6 +59,8 @@ static void report_item(const struct step_result *step, const struct item_result
     } else if (item->looks.text[0] != '\0') {
         printf("    %s %s%s\n", result_likeness(item), item->looks.text,
                result_advice(step, item).text);
+    } else if ((hints || item->is_numbers) && wants_hint(step, item)) {
+        printf("    %s\n", result_advice(step, item).text + strlen("; "));
     }
 }
 
@@ -119,6 +137,17 @@ static void report_advice(const struct step_result *step) {
     }
 }
 
+/* Numbers, or the others. */
+static void report_items(const struct step_result *step, bool numbers) {
+    for (size_t i = 0; i < step->item_count; i++) {
+        const struct item_result *item = &step->items[i];
+        bool passes = item->state == RESULT_PASS && step->state != RESULT_PASS;
+        if (item->is_numbers == numbers && (passes || item->message.text[0] != '\0')) {
+            report_item(step, item, false);
+        }
+    }
+}
+
 void report_step(const struct step_result *step) {
     printf("%s  %s %zu/%zu SCORE %u/%u%s", step->name, result_state_name(step->state), step->passed,
            step->item_count, step->points, step->most, is_exact(step) ? " exact" : "");
@@ -126,13 +155,8 @@ void report_step(const struct step_result *step) {
         printf(": %s", step->reason.text);
     }
     printf("\n");
-    for (size_t i = 0; i < step->item_count; i++) {
-        const struct item_result *item = &step->items[i];
-        bool passes = item->state == RESULT_PASS && step->state != RESULT_PASS;
-        if (passes || item->message.text[0] != '\0') {
-            report_item(step, item);
-        }
-    }
+    report_items(step, true);
+    report_items(step, false);
     report_advice(step);
     fflush(stdout); /* so that each step is seen as soon as it is known */
 }
@@ -183,24 +207,35 @@ static void report_right_items(const struct step_result *step) {
     printf("%s", before[0] == ',' ? "\n" : "");
 }
 
-void report_step_to_person(const struct step_result *step) {
+/* Numbers, or the others. Of what is to do only the first picture is told; returns how many items
+ * more are to come. */
+static size_t report_items_to_person(const struct step_result *step, bool numbers) {
     size_t to_come = 0;
-    printf("%s: %zu of %zu right, %u of %u points", step->name, step->passed, step->item_count,
-           step->points, step->most);
-    printf("%s%s\n", step->reason.text[0] != '\0' && !is_blamed(step) ? ": " : "",
-           is_blamed(step) ? "" : step->reason.text);
-    report_right_items(step);
-    bool at_hand = false; /* the first that is to do has been told */
+    bool at_hand = numbers;
     for (size_t i = 0; i < step->item_count; i++) {
         const struct item_result *item = &step->items[i];
         bool comes = item->state == RESULT_TODO || item->unjudged;
+        if (item->is_numbers != numbers) {
+            continue;
+        }
         if (item->message.text[0] != '\0' && !(comes && at_hand)) {
-            report_item(step, item);
+            report_item(step, item, true);
             at_hand |= comes;
         } else if (comes) {
             to_come++;
         }
     }
+    return to_come;
+}
+
+void report_step_to_person(const struct step_result *step) {
+    printf("%s: %zu of %zu right, %u of %u points", step->name, step->passed, step->item_count,
+           step->points, step->most);
+    printf("%s%s\n", step->reason.text[0] != '\0' && !is_blamed(step) ? ": " : "",
+           is_blamed(step) ? "" : step->reason.text);
+    report_right_items(step);
+    size_t to_come = report_items_to_person(step, true);
+    to_come += report_items_to_person(step, false);
     if (to_come > 0) {
         printf("  %zu more to come; VERBOSE=1 shows all\n", to_come);
     }

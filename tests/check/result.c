@@ -67,6 +67,7 @@ bool step_result_begin(struct step_result *result, const struct checked_step *st
             item->credit = &work->credit;
             item->most = work->most;
             item->least = work->least;
+            item->is_numbers = work->kind == WORK_NUMBERS;
         }
     }
     return true;
@@ -119,9 +120,31 @@ const char *result_likeness(const struct item_result *item) {
     return item->only_may_be ? "may be" : "looks like";
 }
 
+/* Do wrong numbers tell that this task is at fault in the item, which shows or needs it, or ends as
+ * badly as the calls did? */
+static bool numbers_blame(const struct step_result *result, const struct item_result *item,
+                          const char *task) {
+    for (size_t i = 0; i < result->item_count; i++) {
+        const struct item_result *numbers = &result->items[i];
+        const bool are_wrong = numbers->state == RESULT_FAIL || numbers->state == RESULT_TIME ||
+                               numbers->state == RESULT_CRASH;
+        if (numbers->is_numbers && are_wrong && strcmp(numbers->counter, task) == 0 &&
+            (credit_has(item->credit, task) ||
+             (item->state > RESULT_FAIL && item->state == numbers->state))) {
+            return true;
+        }
+    }
+    return false;
+}
+
 /* The first task that may be to blame for an item that is wrong. */
 static const char *first_suspect(const struct step_result *result, const struct item_result *item) {
     const struct credit *credit = item->credit;
+    for (size_t i = 0; i < result->task_count; i++) {
+        if (numbers_blame(result, item, result->tasks[i].name.text)) {
+            return result->tasks[i].name.text;
+        }
+    }
     if (item->looks_task_count > 0) {
         return item->looks_tasks[0].text;
     }
@@ -165,10 +188,21 @@ static bool names_any(const struct step_result *result, const struct item_result
     return found;
 }
 
+static bool numbers_blame_any(const struct step_result *result, const struct item_result *item) {
+    bool found = false;
+    for (size_t i = 0; i < result->task_count; i++) {
+        found |= numbers_blame(result, item, result->tasks[i].name.text);
+    }
+    return found;
+}
+
 /* May this task be at fault in the item, which is wrong? */
 static bool is_suspect(const struct step_result *result, const struct item_result *item,
                        const char *task) {
     const struct credit *credit = item->credit;
+    if (numbers_blame_any(result, item)) {
+        return numbers_blame(result, item, task);
+    }
     const struct item_result *told = item->unjudged ? result_picture_of(result, item) : item;
     if (names_any(result, told)) {
         return names(told, task);
@@ -192,7 +226,7 @@ static bool is_need_wrong(const struct step_result *result, const struct credit 
 /* Is it not known whose fault the item is? The states of all tasks are known. */
 static bool is_unsure(const struct step_result *result, const struct item_result *item) {
     const struct credit *credit = item->credit;
-    if (item->state != RESULT_FAIL) {
+    if (item->state != RESULT_FAIL || numbers_blame_any(result, item)) {
         return false;
     }
     if (item->looks_task_count > 0 && !item->only_may_be) {

@@ -1,8 +1,8 @@
 /*
  * What a check has found: filled in once, and read by whoever reports it.
  *
- * A step has items: its pictures, and the counters of work and the relations that the table of
- * scenes wants. Points belong to items: all of them when it passes, otherwise none. An item's
+ * A step has items: its pictures, and what else the table of scenes wants: counters of work,
+ * relations, numbers. Points belong to items: all of them when it passes, otherwise none. An item's
  * points are shared out evenly to its tasks, so the tasks' points add up to the step's too.
  */
 #ifndef TESTS_CHECK_RESULT_H
@@ -40,10 +40,12 @@ struct result_path {
     char text[DRAWN_PATH_LIMIT]; /* from the root; "" when there is no such file */
 };
 
-/* A picture, a counter, or relations. */
+/* A picture, a counter, relations, or the numbers that a task's functions give. */
 struct item_result {
-    const char *scene;   /* its name */
-    const char *counter; /* "" for a picture; of relations "drawn again (moved, halved)" */
+    const char *scene; /* its name; "numbers" */
+    const char
+        *counter; /* "" for a picture; of relations "drawn again (moved, halved)"; the task */
+    bool is_numbers;
     const struct credit *credit;
     const struct checked_scene *rule; /* of a picture: how it is compared; else NULL */
     enum result_state state;
@@ -77,6 +79,8 @@ struct item_result {
 
 /* What is wrong may be the fault of these tasks:
  *
+ * - where the numbers of tasks that it shows or needs are wrong: of these, for sure; also where it
+ *   ends badly, as calls of theirs do;
  * - where the item looks like known mistakes of tasks that it shows or needs: of these, whatever
  *   other items show, and of no others; for sure when it is one task, which it shows (what only
  *   may be a mistake looks like none);

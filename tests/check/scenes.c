@@ -308,28 +308,51 @@ static bool read_relations(struct checked_work *work, struct text *text, struct 
         }
         start = end + 1;
     }
-    work->has_relations = true;
     name_relations(work);
     return read_limit(&work->limit, text, text_next_word(text), error) && read_end(text, error);
 }
 
-/* What follows `work` or `same`. */
-static bool read_work(struct scene_table *table, struct text *text, bool same,
-                      struct error *error) {
+/* Nothing more; the task's name is the counter's. */
+static bool read_numbers(struct checked_work *work, struct text *text, struct error *error) {
+    strcpy(work->counter, work->credit.tasks[0].text);
+    return read_end(text, error);
+}
+
+/* The kinds of lines behind the scenes, by their first word. */
+static const struct {
+    const char *word, *what;
+    bool (*read)(struct checked_work *work, struct text *text, struct error *error);
+} work_kinds[] = {
+    [WORK_COUNTER] = {"work", "work", read_counter},
+    [WORK_RELATIONS] = {"same", "relations", read_relations},
+    [WORK_NUMBERS] = {"call", "numbers", read_numbers},
+};
+enum { WORK_KIND_COUNT = sizeof work_kinds / sizeof work_kinds[0] };
+
+static int find_work_kind(struct word word) {
+    int kind = 0;
+    while (kind < WORK_KIND_COUNT && !word_is(word, work_kinds[kind].word)) {
+        kind++;
+    }
+    return kind;
+}
+
+/* What follows the first word. */
+static bool read_work(struct scene_table *table, struct text *text, int kind, struct error *error) {
     struct word word = text_next_word(text);
     struct checked_step *step = table->step_count > 0 ? &table->steps[table->step_count - 1] : NULL;
     if (step == NULL || !word_is(word, step->name)) {
         return text_error(error, text->line, "%s of '%s' must stand behind its scenes",
-                          same ? "relations" : "work", word_show(word).text);
+                          work_kinds[kind].what, word_show(word).text);
     }
-    struct checked_work work = {.most = 0};
+    struct checked_work work = {.kind = (enum work_kind)kind};
     word = text_next_word(text);
-    if (!name_copy(work.scene, word) || !has_scene(step, work.scene)) {
+    if (!name_copy(work.scene, word) ||
+        (kind == WORK_NUMBERS ? !word_is(word, "numbers") : !has_scene(step, work.scene))) {
         return text_error(error, text->line, "%s has no scene '%s'", step->name,
                           word_show(word).text);
     }
-    if (!read_credit(&work.credit, text, error) ||
-        !(same ? read_relations : read_counter)(&work, text, error)) {
+    if (!read_credit(&work.credit, text, error) || !work_kinds[kind].read(&work, text, error)) {
         return false;
     }
     struct checked_work *works =
@@ -352,8 +375,9 @@ bool scene_table_read(struct scene_table *table, const char *path, struct error 
     bool done = text_begin(&text, file.data, file.size, false, error);
     while (done && text_next_line(&text)) {
         struct word word = text_next_word(&text);
-        if (word_is(word, "work") || word_is(word, "same")) {
-            done = read_work(table, &text, word_is(word, "same"), error);
+        int kind = find_work_kind(word);
+        if (kind < WORK_KIND_COUNT) {
+            done = read_work(table, &text, kind, error);
         } else {
             done = word.length == 0 || read_scene(table, &text, word, error);
         }
@@ -429,7 +453,7 @@ static bool keep_scene(struct checked_step *step, const char *scene) {
     }
     step->scene_count = kept;
     step->work_count = kept_works;
-    return kept > 0;
+    return kept + kept_works > 0;
 }
 
 bool scene_table_keep(struct scene_table *table, const char *scene, struct error *error) {

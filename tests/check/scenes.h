@@ -11,9 +11,10 @@
  * lines_drawn  7467` stands behind the step's scenes: with --stats the counter of that scene must
  * not be above that number, and where a second one follows not below that. A line `same
  * step05_zbuffer  zbuffer  5.2  1  shuffled,moved  0.1` names relations (relation.h) that the scene
- * must keep with what it has never drawn, but for that percentage of the drawn pixels. '#' begins a
- * comment. The check and the program that redraws the references read the same file,
- * tests/check/scenes.txt.
+ * must keep with what it has never drawn, but for that percentage of the drawn pixels. A line `call
+ * step01_line  numbers  1.3  1` gives a point for a task whose functions give the right numbers
+ * (numbers.h). '#' begins a comment. The check and the program that redraws the references read the
+ * same file, tests/check/scenes.txt.
  */
 #ifndef TESTS_CHECK_SCENES_H
 #define TESTS_CHECK_SCENES_H
@@ -66,13 +67,17 @@ struct checked_scene {
     unsigned wrong_limit, apart_limit, coverage_limit, near_limit;
 };
 
-/* What else is judged of a scene that passes: a counter, or relations. */
+enum work_kind { WORK_COUNTER, WORK_RELATIONS, WORK_NUMBERS };
+
+/* What else is judged: of a scene that passes a counter, or relations; of a task, the numbers that
+ * its functions give (numbers.h). */
 struct checked_work {
-    char scene[SCENE_NAME_LIMIT];   /* one of the step's */
-    char counter[SCENE_NAME_LIMIT]; /* of relations "drawn again (moved, halved)" */
+    enum work_kind kind;
+    char scene[SCENE_NAME_LIMIT]; /* one of the step's; "numbers" of numbers */
+    char counter
+        [SCENE_NAME_LIMIT]; /* of relations "drawn again (moved, halved)", of numbers "1.3" */
     struct credit credit;
     uint64_t most, least; /* of a counter; inclusive */
-    bool has_relations;   /* otherwise it is a counter */
     bool relations[RELATION_COUNT];
     unsigned limit; /* of relations, as those of a scene */
 };
@@ -81,7 +86,7 @@ struct checked_step {
     char name[SCENE_NAME_LIMIT]; /* "step05_zbuffer" */
     bool selected;
     struct checked_scene *scenes;
-    size_t scene_count; /* at least 1 */
+    size_t scene_count; /* at least 1, but with only numbers kept */
     size_t scene_capacity;
     struct checked_work *works;
     size_t work_count, work_capacity;
@@ -104,8 +109,8 @@ bool scene_table_select(struct scene_table *table, const char *step, struct erro
 /* Select every step. */
 void scene_table_select_all(struct scene_table *table);
 
-/* Keep of the selected steps only the scene of that name; "" keeps all. A step without it is an
- * error. */
+/* Keep of the selected steps only the scene of that name, or "numbers"; "" keeps all. A step
+ * without it is an error. */
 bool scene_table_keep(struct scene_table *table, const char *scene, struct error *error);
 
 /* The scene of that name, NULL where the table has none. */

@@ -7,7 +7,7 @@ script -qec true /dev/null >/dev/null 2>&1 || {
     echo "person: skipped, there is no script -qec here"
     exit 0
 }
-mkdir -p "$work/sources/step01_line" || exit 1
+mkdir -p "$work/sources/step01_line" && grep -v '^call ' tests/check/scenes.txt >"$work/scenes.txt" || exit 1
 main=$work/sources/step01_line/main.c
 
 # checks STATUS [VARIABLE]: lesson 1 as main.c is, at a terminal; what it says goes to $said.
@@ -17,7 +17,7 @@ checks() {
     ${CC:-cc} -std=c17 -w -I"$top/common" -I"$top/step01_line" -DCOURSE_BUILD="\"$build\"" \
         "$work/main.c" "$build/libcommon.a" -lm -pthread -o "$work/built" || exit 1
     command="$2 '$build/check' --root '$top' --programs '$work' --sources '$work/sources' --first '' \
-        --differences '$work/differences' --make \"cp '$work/built' '$work/step01_line'; true\" 01"
+        --scenes '$work/scenes.txt' --differences '$work/differences' --make \"cp '$work/built' '$work/step01_line'; true\" 01"
     script -qec "$command" /dev/null >"$said"
     [ $? -eq "$1" ] || wrong "$2 the status is not $1: $(cat "$said")"
 }
@@ -32,7 +32,7 @@ says_no() {
 
 awk -v mode=starter -f tests/student/marks.awk step01_line/main.c >"$main"
 checks 0
-says '0 of 17 points. Next: task 1.1; `make hint STEP=01 TASK=1.1` gives a hint.'
+says '0 of 14 points. Next: task 1.1; `make hint STEP=01 TASK=1.1` gives a hint.'
 says '7 more to come'
 says_no 'octants TODO'
 checks 1 VERBOSE=1
@@ -44,12 +44,12 @@ says '0 passed, 1 failed'
 awk -v mode=solution -f tests/student/marks.awk step01_line/main.c >"$work/solution"
 cp "$work/solution" "$main"
 checks 0
-says 'All 17 points.'
+says 'All 14 points.'
 says_no 'Difference images'
 
 sed 's/52, 41/41, 52/' "$work/solution" >"$main"
 checks 1
-says '16 of 17 points. First put right: task 1.1'
+says '13 of 14 points. First put right: task 1.1'
 says 'pixel FAIL 0/1'
 says 'right: line, octants'
 exit $failed

@@ -94,6 +94,7 @@ done <"$work/needed"
         ! -name 'test_*' ! -name 'try_*' ! -name 'mark*' ! -name start.sh ! -name references.sh
     for lesson in $lessons; do
         [ ! -d "tests/lessons/$lesson/looks" ] || find "tests/lessons/$lesson/looks" -type f
+        [ ! -f "tests/lessons/$lesson/numbers.c" ] || echo "tests/lessons/$lesson/numbers.c"
     done
 } >"$work/others"
 put_all <"$work/others"
@@ -105,6 +106,8 @@ put_changed '
         if (step < first || step > last) next
     }
     { print }' tests/check/scenes.txt
+put tests/lesson.h
+put tests/numbers.h
 put LICENSE
 put Makefile
 put step10_phong/figures/turn.png # where all this leads to: README.md begins with it

@@ -1,7 +1,7 @@
 #!/bin/sh
 # Builds one program, as the check would have it built by make:
 #
-#     build.sh COMMANDS -s DIRECTORY/STEP
+#     build.sh COMMANDS -s DIRECTORY/STEP        or DIRECTORY/numbers/STEP, which calls its functions
 #
 # from DIRECTORY/main.c and the headers of STEP. COMMANDS has in three lines how to compile, how to
 # link, and with what.
@@ -9,5 +9,15 @@ program=$3
 compile=$(sed -n 1p "$1")
 link=$(sed -n 2p "$1")
 libraries=$(sed -n 3p "$1")
-eval "$compile -I'${program##*/}' -c '${program%/*}/main.c' -o '$program.o'" &&
+step=${program##*/}
+place=${program%/*}
+case $place in
+*/numbers)
+    source=tests/lessons/$step/numbers.c
+    compile="$compile -O0 -w -I. -Itests -DLESSON='\"${place%/numbers}/main.c\"'"
+    mkdir -p "$place"
+    ;;
+*) source=$place/main.c ;;
+esac
+eval "$compile -I'$step' -c '$source' -o '$program.o'" &&
     eval "$link '$program.o' $libraries -o '$program'"

@@ -97,7 +97,10 @@ judge() {
     mistake:1:BUILD*) finding ERROR "$said" ;;
     mistake:1:*)
         case $part in -) ;; *) judge_figure ;; esac
-        judge_looks
+        case $scene in
+        numbers) judge_task ;; # the call that is wrong says what no name would
+        *) judge_looks ;;
+        esac
         ;;
     undone:1:TODO\ * | undone:1:BUILD*) ;; # all that fails needs it, or nothing can be built
     starter:1:TODO\ 0/* | accept:0:* | solution:0:*' exact') ;; # as it should be

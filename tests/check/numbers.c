@@ -1,0 +1,233 @@
+#define _POSIX_C_SOURCE 200809L
+
+#include "numbers.h"
+
+#include "base/file.h"
+#include "build.h"
+#include "run.h"
+#include "todo.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum {
+    PROGRAM_NAME_LIMIT = SCENE_NAME_LIMIT + 8,
+    ARGUMENT_COUNT = 4, /* program, file, first call, and the NULL at the end */
+    NUMBER_COLUMNS = 6, /* of a line that is whole */
+    COLUMN_WIDTH = 150  /* of them are shown */
+};
+
+/* A task of which functions are called. */
+struct called_task {
+    struct item_result *item;
+    size_t called, wrong; /* calls */
+};
+
+/* What is known while the functions of a step are called. */
+struct calling {
+    const struct options *options;
+    const struct checked_step *step;
+    struct called_task *tasks;
+    size_t count;
+    const char **arguments; /* of the program: the last are tasks that are not called */
+    size_t argument_count;
+    long first; /* the call to begin with */
+};
+
+static struct called_task *find_task(const struct calling *calling, const char *name) {
+    for (size_t i = 0; i < calling->count; i++) {
+        if (strcmp(calling->tasks[i].item->counter, name) == 0) {
+            return &calling->tasks[i];
+        }
+    }
+    return NULL;
+}
+
+static void leave_out(struct calling *calling, const char *task) {
+    calling->arguments[calling->argument_count++] = task;
+}
+
+/* ---- Lines ---- */
+
+/* Cut a line at its tabs; returns how many columns it has. */
+static size_t split(char *line, char *columns[NUMBER_COLUMNS]) {
+    size_t count = 0;
+    for (char *next = line; next != NULL && count < NUMBER_COLUMNS; count++) {
+        columns[count] = next;
+        next = strchr(next, '\t');
+        if (next != NULL) {
+            *next++ = '\0';
+        }
+    }
+    return count;
+}
+
+/* The call, what is right, and what yours does; only of the first that is wrong. */
+static void set_wrong(struct called_task *task, char *columns[NUMBER_COLUMNS],
+                      enum result_state state, const char *what) {
+    struct item_result *item = task->item;
+    task->wrong++;
+    if (task->wrong == 1) {
+        item->state = state;
+        result_say(&item->message, "%.*s %.*s: %s%.*s", COLUMN_WIDTH, columns[2], COLUMN_WIDTH,
+                   columns[3], state == RESULT_FAIL ? "yours " : "", COLUMN_WIDTH, what);
+        text_make_printable(item->message.text, ' ');
+    }
+}
+
+/* What a call did that has not come back. */
+static void set_ended(struct calling *calling, struct called_task *task,
+                      char *columns[NUMBER_COLUMNS], const struct run_result *end) {
+    if (end->end == RUN_OUT_OF_TIME) {
+        set_wrong(task, columns, RESULT_TIME, "yours does not return");
+        leave_out(calling, task->item->counter);
+    } else if (end->end == RUN_KILLED) {
+        set_wrong(task, columns, RESULT_CRASH, run_signal_name(end->number).text);
+    } else {
+        set_wrong(task, columns, RESULT_CRASH, "yours ends the program");
+    }
+}
+
+/* Returns true where the line's call has not come back. */
+static bool judge_line(struct calling *calling, char *line, const struct run_result *end) {
+    char *columns[NUMBER_COLUMNS];
+    size_t count = split(line, columns);
+    struct called_task *task = count > 3 ? find_task(calling, columns[1]) : NULL;
+    if (task == NULL) {
+        return false;
+    }
+    bool is_whole = count == NUMBER_COLUMNS;
+    task->called++;
+    calling->first = strtol(columns[0], NULL, 10) + 1;
+    if (!is_whole) {
+        set_ended(calling, task, columns, end);
+    } else if (strcmp(columns[5], "right") != 0) {
+        set_wrong(task, columns, RESULT_FAIL, columns[4]);
+    }
+    return !is_whole;
+}
+
+/* ---- The program ---- */
+
+static void name_program(char name[PROGRAM_NAME_LIMIT], const struct checked_step *step) {
+    snprintf(name, PROGRAM_NAME_LIMIT, "numbers/%s", step->name);
+}
+
+/* Call the functions until all are called, or one does not come back: then `*more`. */
+static bool call_some(struct calling *calling, const char *directory, bool *more,
+                      struct error *error) {
+    char first[24], path[RUN_PATH_LIMIT + 16];
+    struct bytes lines = {.data = NULL};
+    struct run_result end;
+    struct error ignored;
+    snprintf(first, sizeof first, "%ld", calling->first);
+    snprintf(path, sizeof path, "%s/numbers%ld", directory, calling->first);
+    calling->arguments[1] = path;
+    calling->arguments[2] = first;
+    calling->arguments[calling->argument_count] = NULL;
+    const struct run_command command = {
+        .arguments = calling->arguments,
+        .directory = directory,
+        .contained = true,
+        .limits = run_program_limits(calling->options->seconds / 4),
+    };
+    bool done = run(&command, &end, error);
+    *more = false;
+    if (done && end.end != RUN_INTERRUPTED && file_read(path, &lines, &ignored) &&
+        bytes_append(&lines, "", 1)) {
+        for (char *line = (char *)lines.data, *next; *line != '\0'; line = next) {
+            next = line + strcspn(line, "\n");
+            next += *next == '\n' ? (*next = '\0', 1) : 0;
+            *more |= judge_line(calling, line, &end);
+        }
+    }
+    bytes_free(&lines);
+    bytes_free(&end.messages);
+    return done;
+}
+
+static bool call_all(struct calling *calling, struct error *error) {
+    struct run_directory directory;
+    struct drawn_path program;
+    char name[PROGRAM_NAME_LIMIT];
+    name_program(name, calling->step);
+    if (!drawn_program(&program, calling->options->programs, name, error) ||
+        !run_directory_create(&directory, error)) {
+        return false;
+    }
+    calling->arguments[0] = program.text;
+    bool done = true, more = true;
+    while (done && more) {
+        done = call_some(calling, directory.path, &more, error);
+    }
+    run_directory_remove(directory.path);
+    return done;
+}
+
+/* ---- All of it ---- */
+
+static void set_not_called(const struct calling *calling, const char *reason) {
+    for (size_t i = 0; i < calling->count; i++) {
+        result_say(&calling->tasks[i].item->message,
+                   "functions are not as the starter has them: %s", reason);
+    }
+}
+
+static void finish(const struct calling *calling, const char *source) {
+    for (size_t i = 0; i < calling->count; i++) {
+        const struct called_task *task = &calling->tasks[i];
+        if (task->wrong > 1) {
+            result_say(&task->item->message, " (and %zu more)", task->wrong - 1);
+        } else if (task->wrong == 0 && task->called > 0) {
+            task->item->state = RESULT_PASS;
+        } else if (task->called == 0 && !todo_has_task(source, task->item->counter)) {
+            result_say(&task->item->message, "not called");
+        }
+    }
+}
+
+static bool build_and_call(struct calling *calling, const char *source, struct error *error) {
+    struct build_result built;
+    char name[PROGRAM_NAME_LIMIT];
+    name_program(name, calling->step);
+    bool done = build_step(calling->options, name, &built, error);
+    if (done && built.reason.text[0] != '\0') {
+        set_not_called(calling, built.reason.text);
+    } else if (done && run_caught_signal() == 0) {
+        done = call_all(calling, error);
+        finish(calling, source);
+    }
+    bytes_free(&built.messages);
+    return done;
+}
+
+static void begin(struct calling *calling, const char *source, struct step_result *result) {
+    calling->argument_count = ARGUMENT_COUNT - 1;
+    for (size_t i = 0; i < calling->step->work_count; i++) {
+        struct item_result *item = &result->items[calling->step->scene_count + i];
+        if (calling->step->works[i].kind == WORK_NUMBERS) {
+            calling->tasks[calling->count++].item = item;
+            if (todo_has_task(source, item->counter)) {
+                leave_out(calling, item->counter);
+            }
+        }
+    }
+}
+
+bool numbers_judge(const struct options *options, const struct checked_step *step,
+                   const char *source, struct step_result *result, struct error *error) {
+    struct calling calling = {.options = options, .step = step};
+    calling.tasks = calloc(step->work_count + 1, sizeof *calling.tasks);
+    calling.arguments = calloc(2 * step->work_count + ARGUMENT_COUNT, sizeof *calling.arguments);
+    bool done = false;
+    if (calling.tasks == NULL || calling.arguments == NULL) {
+        error_out_of_memory(error);
+    } else {
+        begin(&calling, source, result);
+        done = calling.count == 0 || build_and_call(&calling, source, error);
+    }
+    free(calling.tasks);
+    free(calling.arguments);
+    return done;
+}

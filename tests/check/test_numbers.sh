@@ -1,0 +1,66 @@
+#!/bin/sh
+# Functions called with numbers: what the check says where one gives another number, never returns,
+# crashes or ends the program, and that a task that is to do is not called; also that the numbers in
+# the lessons' texts are those of the calls.
+. "$(dirname "$0")/../unit/script.sh"
+
+mkdir -p "$work/course" && cp -R Makefile common step01_line tests "$work/course" &&
+    cd "$work/course" || exit 1
+main=step01_line/main.c
+cp "$main" "$work/solution.c"
+
+# checked STATUS OLD NEW: lesson 1 with the line of 1.3 that holds OLD in place of it.
+checked() {
+    awk -v old="$2" -v new="$3" 'index($0, old) { print new; next } { print }' "$work/solution.c" >"$main"
+    said_by "$1" make -s check STEP=01 MARCH= CFLAGS=-O1 CHECK_TIMEOUT=4
+}
+length='return (size_t)walk.run + 1;'
+
+checked 0 nothing ''
+checked 1 "$length" 'return (size_t)walk.run + (walk.run > 0);'
+says '  numbers 1.3 FAIL 0/1: line_length((5, 5), (5, 5)) 1: yours 0'
+silent '1.3 perhaps'
+says '1.4 1/2'
+checked 1 "$length" 'for (;;) walk.run = 0;'
+says '  numbers 1.3 TIME 0/1: line_length((0, 0), (5, 2)) 6: yours does not return'
+says '  far PASS'
+says ', 1.3 TIME 0/2, 1.4 1/2,'
+checked 1 "$length" '*(volatile int *)0 = 1; return 1;'
+says '  numbers 1.3 CRASH 0/1: line_length((0, 0), (5, 2)) 6: SIGSEGV (and 3 more)'
+checked 1 "$length" 'exit(0);'
+says '  numbers 1.3 CRASH 0/1: line_length((0, 0), (5, 2)) 6: yours ends the program (and 3 more)'
+checked 0 "$length" 'puts("9\t1.3\tx\t1\t2\twrong"); return (size_t)walk.run + 1;'
+checked 1 "$length" 'return 1; // to do 1.3'
+says '  numbers 1.3 TODO 0/1: task 1.3 is to do'
+says '  numbers 1.4 PASS'
+
+# ---- The texts ----
+
+cd "$top" || exit 1
+for numbers in tests/lessons/step*/numbers.c; do
+    lesson=${numbers#tests/lessons/}
+    lesson=${lesson%/numbers.c}
+    make -s BUILD="$build" "$build/numbers/$lesson" && rm -f "$work/rows" &&
+        "$build/numbers/$lesson" "$work/rows" 0 || wrong "$lesson: the calls fail"
+    # A call that the text names is followed in its paragraph by what it gives, and each task that
+    # has calls has one in the text.
+    awk -F '\t' -v lesson="$lesson" '
+        FILENAME ~ /README.md$/ { text = text $0 ($0 == "" ? "\n" : " "); next }
+        FNR == 1 { gsub(/ +/, " ", text) }
+        {
+            tasks[$2] += 0
+            rest = text
+            while ((at = index(rest, "`" $3 "`")) > 0) {
+                rest = substr(rest, at + length($3) + 2)
+                paragraph = substr(rest, 1, index(rest, "\n"))
+                if (index(paragraph, $4) == 0) { print lesson ": " $3 " is not " $4 " in the text"; bad = 1 }
+                tasks[$2]++
+            }
+            if ($6 != "right") { print lesson ": " $3 " is " $5 ", not " $4; bad = 1 }
+        }
+        END {
+            for (task in tasks) if (tasks[task] == 0) { print lesson ": no call of task " task " in the text"; bad = 1 }
+            exit bad
+        }' "$lesson/README.md" "$work/rows" || wrong "$lesson: text and calls differ"
+done
+exit $failed
