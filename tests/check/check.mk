@@ -19,7 +19,8 @@ $(error HIDDEN=$(HIDDEN): hidden scenes are drawn where the solutions are)
 endif
 endif
 .PHONY: check
-check: $(BUILD)/check $(HIDDEN:%=$(BUILD)/hidden)
+check: $(BUILD)/check $(HIDDEN:%=$(BUILD)/hidden) $(if $(MAKE_TERMOUT),$(BUILD)/show)
+	$(END_LINE)
 	@$(if $(SANITIZE),ASAN_OPTIONS=detect_leaks=0:handle_abort=1 UBSAN_OPTIONS=print_stacktrace=1 \
 	                CHECK_TIMEOUT=$${CHECK_TIMEOUT:-60}) \
 	$(BUILD)/check --programs $(CHECKED) --differences $(CHECKED)/differences --make '$(MAKE) -s' \

@@ -164,6 +164,9 @@ static void judge_picture(const struct judging *judging, size_t i, const struct 
         item->looks_path =
             looks_small_path(judging->options->looks, judging->step->name, item->scene);
         item->looks_row = likeness.row;
+        if (item->shift.x == 0 && item->shift.y == 0) {
+            item->seen = seen_find(reference, yours);
+        }
     }
     write_shares(judging->options->shares, judging->step->name, item, &likeness);
 }

@@ -13,6 +13,7 @@
 #include "compare.h"
 #include "drawn.h"
 #include "scenes.h"
+#include "seen.h"
 #include "tgaimage.h"
 
 #include <stdbool.h>
@@ -51,6 +52,7 @@ struct item_result {
     enum result_state state;
     unsigned points;            /* 0, or all of them */
     struct result_text message; /* what is wrong, or not exact; empty when there is nothing */
+    struct seen_text seen;      /* what can be said of a wrong picture that looks like none */
     struct result_text looks;   /* "A" or "B", the mistakes that draw or count this; or empty */
     /* It may be such a mistake, and may not: others draw nothing as well, or another scene that
      * shows the mistake is wrong in another way. */

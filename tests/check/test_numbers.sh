@@ -21,6 +21,8 @@ checked 1 "$length" 'return (size_t)walk.run + (walk.run > 0);'
 says '  numbers 1.3 FAIL 0/1: line_length((5, 5), (5, 5)) 1: yours 0'
 silent '1.3 perhaps'
 says '1.4 1/2'
+said_by 0 make hint STEP=01 MARCH= CFLAGS=-O1
+says 'Task 1.3, hint 1 of 3'
 checked 1 "$length" 'for (;;) walk.run = 0;'
 says '  numbers 1.3 TIME 0/1: line_length((0, 0), (5, 2)) 6: yours does not return'
 says '  far PASS'

@@ -45,6 +45,9 @@ awk -v mode=solution -f tests/student/marks.awk step01_line/main.c >"$work/solut
 cp "$work/solution" "$main"
 checks 0
 says 'All 14 points.'
+says 'tests/reference/step01_line/line.png' # build/show is not there
+says 'You can draw now: a line without gaps, exact, with whole numbers only.'
+says 'Next: `make start STEP=02` turns lesson 2 into its starter; then read step02_wireframe/README.md.'
 says_no 'Difference images'
 
 sed 's/52, 41/41, 52/' "$work/solution" >"$main"
@@ -52,4 +55,9 @@ checks 1
 says '13 of 14 points. First put right: task 1.1'
 says 'pixel FAIL 0/1'
 says 'right: line, octants'
+says_no 'Next: `make start'
+
+tests/student/next.sh "$work" >"$said"
+says 'Next: `make start STEP=01`'
+says 'turn.png'
 exit $failed

@@ -11,16 +11,19 @@ start solution:
 	@tests/student/start.sh $@ '$(STEP)'
 
 hint:
-	@tests/student/hint.sh '$(BUILD)' '$(STEP)' '$(TASK)' '$(AGAIN)'
+	$(END_LINE)
+	@tests/student/hint.sh '$(BUILD)' '$(STEP)' '$(TASK)' '$(AGAIN)' '$(MAKE) -s'
 
 # They draw themselves: what hangs or crashes is shown as far as it comes. Of the lesson that STEP
 # names; without one the scripts say what is wrong.
 SHOWN = $(if $(STEP),$(CHOSEN:%=$(BUILD)/%) $(BUILD)/models/bust.obj)
 
 open: $(BUILD)/compare_page $(SHOWN)
+	$(END_LINE)
 	@tests/student/open.sh '$(BUILD)' '$(STEP)' '$(SCENE)'
 
 show: $(BUILD)/show $(SHOWN)
+	$(END_LINE)
 	@tests/student/show.sh '$(BUILD)' '$(STEP)' '$(SCENE)' '$(WHICH)' '$(KIND)'
 
 watch:
