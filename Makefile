@@ -82,6 +82,8 @@ $(BUILD)/flags: force
 # It is linked under another name first: `make watch` may run the old one meanwhile. What the
 # compiler warns of is kept, because the check repeats it.
 define BUILD_LESSON
+	@$(foreach h,$(filter $(notdir $(wildcard common/*.h)),$(notdir $(wildcard $(<D)/*.h))),\
+	    echo "$(<D)/$h: error: it hides common/$h: give it another name" >&2; exit 1;) :
 	$(SAY) CC $<
 	$(Q)$(COMPILE) $$([ ! -t 2 ] || echo -fdiagnostics-color=always) $(1) -MF $@.d -MT $@ -c $< -o $@.o \
 	    2>$@.said || { $(SAID) >&2; exit 1; }

@@ -28,7 +28,8 @@
 
 enum {
     TIMEOUT_LIMIT = 3, /* times that a step's program is waited for in vain; then only shortly */
-    FILE_EXTRA = 8192  /* bytes on the disk of a picture's file, besides its pixels */
+    SOURCE_LIMIT = 1 << 20, /* bytes of main.c */
+    FILE_EXTRA = 8192       /* bytes on the disk of a picture's file, besides its pixels */
 };
 
 /* What is known of a step before its program runs, which could change files. */
@@ -260,6 +261,12 @@ static bool is_fault(const struct judging *judging, const struct run_result *end
            fault_describe(text, judging->step->name, (const char *)end->messages.data);
 }
 
+/* What malloc() and free() say (in glibc, musl says nothing) where a program has spoilt their lists. */
+static bool is_spoilt_memory(const char *said) {
+    return strstr(said, "malloc()") != NULL || strstr(said, "free()") != NULL ||
+           strstr(said, "corrupted") != NULL || strstr(said, "munmap_chunk()") != NULL;
+}
+
 /* How it ended, when not well. */
 static void describe_end(struct result_text *text, const struct run_result *end,
                          const struct run_limits *limits) {
@@ -270,7 +277,9 @@ static void describe_end(struct result_text *text, const struct run_result *end,
         bool speaks = end->end == RUN_KILLED;
         result_say(text, "%s%s%s", stopped.text, speaks ? colon : "", speaks ? said.text : "");
     } else if (end->end == RUN_KILLED) {
-        result_say(text, "%s%s%s", run_signal_name(end->number).text, colon, said.text);
+        result_say(text, "%s%s%s%s", run_signal_name(end->number).text, colon,
+                   is_spoilt_memory(said.text) ? "memory was written outside of an array: " : "",
+                   said.text);
     } else if (end->number != 0) {
         result_say(text, "exit status %d%s%s", end->number, colon, said.text);
     }
@@ -757,6 +766,13 @@ static bool build_and_judge(struct judging *judging, struct error *error) {
     result->sanitized = judging->options->sanitized;
     remove_old_pictures(judging);
     read_references(judging);
+    if (judging->source.size > SOURCE_LIMIT) {
+        struct message_line reason;
+        snprintf(reason.text, sizeof reason.text, "main.c has %zu bytes; at most %d are judged",
+                 judging->source.size, SOURCE_LIMIT);
+        set_not_built(judging, &reason);
+        return true;
+    }
     bool done = build_step(judging->options, judging->step->name, &built, error);
     if (done && built.reason.text[0] != '\0') {
         result->messages = built.messages;
