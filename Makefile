@@ -28,7 +28,7 @@ SAY = $(if $(V)$(SILENT),@:,@printf '$(if $(IN_PLACE),\r\033[K)%-6s %s$(if $(IN_
 # On a terminal (make 4.1 and newer knows) the lines of a student's commands replace each other; what
 # follows them begins with $(END_LINE).
 SILENT   = $(findstring s,$(firstword -$(MAKEFLAGS)))
-IN_PLACE = $(if $(filter-out all check show open watch hint $(STEPS),$(MAKECMDGOALS))$(V)$(SILENT),,$(MAKE_TERMOUT))
+IN_PLACE = $(if $(filter-out all check show open live watch hint $(STEPS),$(MAKECMDGOALS))$(V)$(SILENT),,$(MAKE_TERMOUT))
 END_LINE = $(if $(IN_PLACE),@printf '\r\033[K',@:)
 
 # ---- Pictures ----

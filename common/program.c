@@ -6,6 +6,7 @@
 #include "base/large_pages.h"
 #include "files/fit.h"
 #include "files/image_file.h"
+#include "run/live.h"
 #include "run/options.h"
 #include "run/stage.h"
 
@@ -15,6 +16,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
+#include <unistd.h>
 
 #ifndef COURSE_BUILD
 #define COURSE_BUILD "build"
@@ -443,6 +445,93 @@ static bool draw_scenes(struct command *command, struct error *error) {
     return true;
 }
 
+/* ---- --live ---- */
+
+/* Draw one frame of the scene and write it. */
+static bool answer_scene(struct command *command, const struct scene *given, FILE *out,
+                         struct error *error) {
+    const struct scene scene = chosen_scene(command, given);
+    struct image image = {.pixels = NULL};
+    struct stage stage = {0};
+    size_t frame = command->options.frame > 0 ? command->options.frame - 1 : 0;
+    bool done = image_create(&image, scene.width, scene.height, scene.format, error) &&
+                stage_begin(&stage, &command->run, &scene, scene.width, scene.height, error);
+    double begin = now_ms();
+    done = done && stage_draw(&stage, &image, frame % scene.frames, error);
+    if (done) {
+        live_write_frame(&image, now_ms() - begin, stage.drawing.counters,
+                         stage.drawing.counter_count, out);
+    }
+    stage_end(&stage);
+    image_free(&image);
+    return done;
+}
+
+static bool answer_text(struct command *command, const struct live_request *request, FILE *out,
+                        struct error *error) {
+    const struct program *program = command->run.program;
+    struct text_scene text = {0};
+    bool done = program->draw_text != NULL || error_set(error, "takes no text scene");
+    done = done &&
+           text_scene_decode(&text, request->text, request->text_size, program->text_kind, error);
+    if (done) {
+        const struct scene scene = {
+            .name = "text", .width = text.width, .height = text.height, .draw = program->draw_text};
+        command->run.text = &text;
+        done = answer_scene(command, &scene, out, error);
+    }
+    command->run.text = NULL;
+    text_scene_free(&text);
+    return done;
+}
+
+/* Options of the request; the model, and whether it is fitted, are those of the command line. */
+static bool answer(void *context, const struct live_request *request, FILE *out,
+                   struct error *error) {
+    struct command *command = context;
+    const struct program *program = command->run.program;
+    if (!options_parse(&command->options, program, request->argc, request->argv, error) ||
+        !check_options(command, error)) {
+        return false;
+    }
+    if (command->options.input != NULL || command->options.live) {
+        return error_set(error, "the model and --live stand on the command line");
+    }
+    command->run.no_skip = command->options.no_skip;
+    command->run.stats = command->options.stats;
+    if (request->text != NULL) {
+        return answer_text(command, request, out, error);
+    }
+    const struct scene *scene = command->options.only;
+    return answer_scene(command, scene != NULL ? scene : &program->scenes[0], out, error);
+}
+
+/* What a student's program prints must not come between the frames: it goes to standard error. */
+static FILE *live_output(void) {
+#ifdef __wasi__ /* which has no dup() */
+    return stdout;
+#else
+    int output = dup(STDOUT_FILENO);
+    return output >= 0 && dup2(STDERR_FILENO, STDOUT_FILENO) >= 0 ? fdopen(output, "wb") : NULL;
+#endif
+}
+
+/* All that any scene needs of the model is read at once. */
+static bool answer_all(struct command *command, struct error *error) {
+    const struct program *program = command->run.program;
+    command->run.input = program->draw_text == NULL ? command->options.input : NULL;
+    for (size_t i = 0; i < program->scene_count; i++) {
+        command->run.needs |= program->scenes[i].needs;
+    }
+    FILE *out = live_output();
+    bool done = out != NULL ? live_loop(program, stdin, out, answer, command, error)
+                            : error_set(error, "cannot write to standard output");
+    if (out != NULL && out != stdout) {
+        fclose(out);
+    }
+    return done;
+}
+
 /* ---- The program ---- */
 
 static bool run_command(struct command *command, struct error *error) {
@@ -451,6 +540,8 @@ static bool run_command(struct command *command, struct error *error) {
     bool done = true;
     if (command->options.help) {
         options_print_help(program, OUTPUT_DIRECTORY, default_model_path);
+    } else if (command->options.live) {
+        done = answer_all(command, error);
     } else {
         done = text ? draw_text(command, error) : draw_scenes(command, error);
     }

@@ -8,8 +8,8 @@
  *         WHOLE("1.3", line_length(at(3, 4), at(-7, 9)), 11);
  *     }
  *
- * Each call belongs to a task. The program is called as `NUMBERS FILE FIRST [TASK ...]` and writes a
- * line a call to FILE, without the first FIRST calls and those of the tasks that are named:
+ * Each call belongs to a task. The program is called as `NUMBERS FILE FIRST [TASK ...]` and writes
+ * a line a call to FILE, without the first FIRST calls and those of the tasks that are named:
  *
  *     NUMBER \t TASK \t CALL \t RIGHT \t YOURS \t right|wrong
  *

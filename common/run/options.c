@@ -130,6 +130,10 @@ static const struct option {
      ALWAYS},
     {"--no-skip", "", "", "do everything; the image must not change", FIELD(no_skip), parse_switch,
      ALWAYS},
+    {"--frame", "N", "a number" REPEATS, "with --live: this frame of an animation" REPEATS,
+     FIELD(frame), parse_repeat, ALWAYS},
+    {"--live", "", "", "answer lines of options with frames: see common/run/live.h", FIELD(live),
+     parse_switch, ALWAYS},
     {"--help", "", "", "this text; so does -h", FIELD(help), parse_switch, ALWAYS},
 };
 

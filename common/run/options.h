@@ -27,7 +27,8 @@ struct options {
     const struct image_file_format *format;
     struct vec3_option eye, center, up, light;
     size_t repeat; /* 0 without --repeat */
-    bool fit, stats, no_skip, help;
+    size_t frame;  /* 1 and on, of an animation; 0 without --frame */
+    bool fit, stats, no_skip, live, help;
 };
 
 /* Does the program draw a model, which the command line may then name? */

@@ -261,7 +261,7 @@ static bool is_fault(const struct judging *judging, const struct run_result *end
            fault_describe(text, judging->step->name, (const char *)end->messages.data);
 }
 
-/* What malloc() and free() say (in glibc, musl says nothing) where a program has spoilt their lists. */
+/* What malloc() and free() of glibc say where a program has spoilt their lists. */
 static bool is_spoilt_memory(const char *said) {
     return strstr(said, "malloc()") != NULL || strstr(said, "free()") != NULL ||
            strstr(said, "corrupted") != NULL || strstr(said, "munmap_chunk()") != NULL;

@@ -44,8 +44,8 @@ struct result_path {
 /* A picture, a counter, relations, or the numbers that a task's functions give. */
 struct item_result {
     const char *scene; /* its name; "numbers" */
-    const char
-        *counter; /* "" for a picture; of relations "drawn again (moved, halved)"; the task */
+    /* "" for a picture; of relations "drawn again (moved, halved)"; of numbers the task. */
+    const char *counter;
     bool is_numbers;
     const struct credit *credit;
     const struct checked_scene *rule; /* of a picture: how it is compared; else NULL */

@@ -1,4 +1,4 @@
-/* What is said of pictures that are wrong in simple ways: a picture without any symmetry, changed. */
+/* What is said of pictures that are wrong in simple ways: one without any symmetry, changed. */
 #include "seen.h"
 
 #include "compare.h"

@@ -10,8 +10,8 @@
  *
  * The pictures stand side by side where the terminal is wide enough for 30 characters each, and
  * otherwise one below the other. A large one is shrunk to fit, and keeps what is drawn, even a
- * single pixel; a small one is enlarged by a whole number, so that its pixels are squares. But where
- * a large one is wrong and WHICH is empty, its part around the first wrong pixel is shown.
+ * single pixel; a small one is enlarged by a whole number, so that its pixels are squares. Where a
+ * large one is wrong and WHICH is empty, its part around the first wrong pixel is shown.
  *
  * Exit status: 0 shown, 1 a file cannot be read or nothing is there, 2 wrong usage.
  */
@@ -261,7 +261,7 @@ static bool show_parts(struct bytes *out, const struct pictures *pictures,
     return done;
 }
 
-/* Would all of it be shrunk, and a wrong pixel with it? (Pictures of two sizes are wrong as such.) */
+/* Would all of it be shrunk, and a wrong pixel with it? (Two sizes are wrong as such.) */
 static bool wants_parts(const struct pictures *pictures, const struct options *options) {
     const struct image *yours = &pictures->image[PICTURE_YOURS];
     const struct image *reference = &pictures->image[PICTURE_REFERENCE];

@@ -19,7 +19,7 @@ const struct checked_scene *pictures_rule(struct scene_table *table, const char 
     return found ? scene_table_find(table, step, scene) : NULL;
 }
 
-/* Which pixels count as wrong, and which is the first? Pictures of different sizes have no shares. */
+/* Which pixels count as wrong, and which is first? Pictures of different sizes have no shares. */
 static enum compare_pixels find_wrong(struct pictures *pictures, const struct checked_scene *rule) {
     const struct image *reference = &pictures->image[PICTURE_REFERENCE];
     const struct image *yours = &pictures->image[PICTURE_YOURS];

@@ -39,7 +39,7 @@ void pictures_free(struct pictures *pictures);
 bool picture_enlarge(struct image *enlarged, const struct image *image, size_t times,
                      struct error *error);
 
-/* `part` becomes those pixels of the image from (left,bottom), which lies in it, on: at most so many. */
+/* `part` becomes the pixels from (left,bottom) on, which lies in the image: at most so many. */
 bool picture_part(struct image *part, const struct image *image, int left, int bottom, size_t width,
                   size_t height, struct error *error);
 
