@@ -414,18 +414,29 @@ static bool find_counter(const char *text, const struct item_result *item, uint6
     return found;
 }
 
+/* "pixels written" for "pixels_written". */
+static struct result_text counter_words(const char *counter) {
+    struct result_text words = {""};
+    result_say(&words, "%s", counter);
+    for (char *blank = words.text; (blank = strchr(blank, '_')) != NULL;) {
+        *blank = ' ';
+    }
+    return words;
+}
+
 /* What is wrong with a count, if anything is. A number that wraps round was below 0. */
 static void say_count(struct item_result *item) {
     const struct count_text counted = show_count(item->counted), most = show_count(item->most);
+    const struct result_text words = counter_words(item->counter);
     if (item->counted > INT64_MAX) {
-        result_say(&item->message, "-%s, but a count is never below 0",
-                   show_count(0 - item->counted).text);
+        result_say(&item->message, "-%s %s, but a count is never below 0",
+                   show_count(0 - item->counted).text, words.text);
     } else if (item->most == item->least && item->counted != item->most) {
-        result_say(&item->message, "%s, but %s are right", counted.text, most.text);
+        result_say(&item->message, "%s %s, but %s are right", counted.text, words.text, most.text);
     } else if (item->counted > item->most) {
-        result_say(&item->message, "%s, but %s are enough", counted.text, most.text);
+        result_say(&item->message, "%s %s, but %s are enough", counted.text, words.text, most.text);
     } else if (item->counted < item->least) {
-        result_say(&item->message, "%s, but it must count %s or more", counted.text,
+        result_say(&item->message, "%s %s, but it must count %s or more", counted.text, words.text,
                    show_count(item->least).text);
     }
 }

@@ -736,16 +736,16 @@ static void test_known_counters(void) {
         const char *options, *wanted; /* "": it looks like nothing */
     } cases[] = {
         {"step41_counted", "41.2 0 depth:-:pixels=5,rows=7 five\n", "",
-         "depth pixels FAIL 0/1: 5, but 9 are right;   looks like \"five\"; make hint "
-         "STEP=41 TASK=41.2; depth2 pixels FAIL 0/1: 5, but 9 are right; depth2 rows"},
+         "depth pixels FAIL 0/1: 5 pixels, but 9 are right;   looks like \"five\"; make hint "
+         "STEP=41 TASK=41.2; depth2 pixels FAIL 0/1: 5 pixels, but 9 are right; depth2 rows"},
         {"step41_counted", "41.2 4 depth:-:pixels=5,rows=7 five\n", "--only depth",
          "looks like \"five\": see step41_counted/README.md, figure 4; make hint STEP=41 "
          "TASK=41.2"},
         {"step41_counted", "41.2 0 depth:-:pixels=5,rows=7 five\n", "--only depth2", ""},
         {"step41_counted", "41.2 0 depth:-:pixels=5 not all of it\n", "", ""},
         {"step41_counted", "41.2 0 depth2:-:pixels=5,rows=8 five\n", "",
-         "depth2 pixels FAIL 0/1: 5, but 9 are right;   looks like \"five\"; make hint "
-         "STEP=41 TASK=41.2; depth2 rows FAIL 0/1: 8, but 9 are right;   looks like "
+         "depth2 pixels FAIL 0/1: 5 pixels, but 9 are right;   looks like \"five\"; make hint "
+         "STEP=41 TASK=41.2; depth2 rows FAIL 0/1: 8 rows, but 9 are right;   looks like "
          "the same"},
         {"step42_black", "42.2 0 depth2:rbb:pixels=5;depth3:rbb:pixels=0 black\n", "",
          "may be \"black\"; make hint STEP=42 TASK=42.2; depth3 FAIL 0/1: "},

@@ -42,7 +42,7 @@ says ': memory was written outside of an array: '
 
 : >step01_line/program.h
 checked 1 nothing ''
-says 'BUILD 0/11 SCORE 0/17: step01_line/program.h: error: it hides common/program.h: give it another name'
+says 'SCORE 0/17: step01_line/program.h: error: it hides common/program.h: give it another name'
 rm step01_line/program.h
 checked 0 nothing ''
 awk 'BEGIN { for (i = 0; i < 50000; i++) print "/* a comment in many lines */" }' >>"$main"

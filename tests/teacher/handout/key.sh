@@ -56,7 +56,7 @@ cut -f 1 "$work/table" |
 tab=$(printf '\t')
 while IFS=$tab read -r number lesson kind name scene _; do
     [ "$kind" = mistake ] || continue
-    put "tests/reference/$lesson/$scene.png" "$lesson/reference/$scene.png"
+    [ "$scene" = numbers ] || put "tests/reference/$lesson/$scene.png" "$lesson/reference/$scene.png"
     mkdir -p "$new/$lesson/mistakes" || fail 1 "cannot write $new"
     [ ! -f "$work/$number.png" ] || mv "$work/$number.png" "$new/$lesson/mistakes/$name.png" ||
         fail 1 "cannot write $new"

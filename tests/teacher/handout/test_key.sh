@@ -11,7 +11,9 @@ cp -R "$top/Makefile" "$top/README.md" "$top/LICENSE" "$top/common" . &&
 mkdir -p step10_phong/figures && cp "$top/step10_phong/figures/turn.png" step10_phong/figures
 (cd "$top/tests" && tests=$work/course/tests &&
     cp -R check student teacher upkeep "$tests" &&
-    cp -R reference/step01_line reference/step04_flat "$tests/reference") || exit 1
+    cp -R reference/step01_line reference/step04_flat "$tests/reference" &&
+    cp lesson.h numbers.h "$tests" && mkdir "$tests/lessons" &&
+    cp -R lessons/step01_line lessons/step04_flat "$tests/lessons") || exit 1
 grep -e '^#' -e 'step01_' -e 'step04_' "$top/tests/check/scenes.txt" >tests/check/scenes.txt
 cat >step01_line/mistakes.txt <<'END'
 mistake axes
@@ -34,6 +36,12 @@ scene line
 - #include "scenes.h"
 + #include "scenes.h"
 + #include <stdlib.h>
+
+mistake short
+says both ends belong to the line
+scene numbers
+- return (size_t)walk.run + 1;
++ return (size_t)walk.run;
 END
 cp "$top/step04_flat/main.c" step04_flat/main.c
 
@@ -69,11 +77,12 @@ awk '/^## /{ inside = /^## Questions/ } inside && !/<\/?details>/' "$top/step01_
 
 page=step01_line/mistakes.html
 grep -o '<h2>.*</h2>' $page >"$work/said"
-[ "$(tr -d '\n' <"$work/said")" = '<h2>axes</h2><h2>next_column</h2><h2>killed</h2>' ] ||
+[ "$(tr -d '\n' <"$work/said")" = '<h2>axes</h2><h2>next_column</h2><h2>killed</h2><h2>short</h2>' ] ||
     wrong "other mistakes"
 grep -qF '<p>x &amp; y exchanged: "41" &lt;before&gt; 52 (task 1.1)</p>' $page ||
     wrong "no sentence in HTML"
 grep -q '^+ *image_set(image, 41, 52,' $page || wrong "nobody sees what was changed"
+grep -q 'line_length((0, 0), (5, 2)) 6: yours 5' $page || wrong "nobody sees the wrong number"
 grep -q 'CRASH' $page || wrong "nobody sees that a program was killed"
 [ "$(grep -c 'src="reference/pixel.png"' $page)" -eq 2 ] || wrong "no references"
 grep -o 'src="[^"]*"' $page | sed 's/src="/step01_line\//; s/"//' |
