@@ -3,6 +3,7 @@
 
 #include "base/text.h"
 #include "files/image_file.h"
+#include "files/known.h"
 #include "files/obj.h"
 #include "files/off.h"
 
@@ -17,18 +18,21 @@ static bool is_named_off(const char *path) {
     return dot != NULL && (strcmp(dot, ".off") == 0 || strcmp(dot, ".OFF") == 0);
 }
 
-/* An OFF file without its first word looks like an OBJ file of which nothing is known. */
+/* Say what a file without faces has instead. */
 static bool error_no_faces(const char *path, const void *data, size_t size, struct error *error) {
     struct text text;
     struct error ignored;
     double number;
-    bool begun = text_begin(&text, data, size, false, &ignored);
+    bool begun = text_begin(&text, data, size, true, &ignored), first = true;
     while (begun && text_next_line(&text)) {
         struct word word = text_next_word(&text);
-        if (word_to_double(word, &number)) {
-            return error_set(error, "begins with a number: an OFF file begins with the word OFF");
+        if (first && word_to_double(word, &number)) {
+            return error_set(error, "begins with a number, as neither OBJ nor OFF does");
         }
-        begun = word.length == 0;
+        if (word_is(word, "l")) {
+            return text_error(error, text.line, "lines and no faces, which only lesson 2 draws");
+        }
+        first = first && word.length == 0;
     }
     if (is_named_off(path) && !off_recognize(data, size)) {
         return error_set(error, "does not begin with the word OFF");
@@ -40,15 +44,28 @@ static bool error_no_faces(const char *path, const void *data, size_t size, stru
 static bool decode(struct model *model, const char *path, const void *data, size_t size,
                    unsigned parts, struct error *error) {
     *model = (struct model){0};
-    bool done = off_recognize(data, size) ? off_decode(model, data, size, error)
-                                          : obj_decode(model, data, size, parts, error);
-    if (done && model->face_count == 0) {
+    bool is_off = off_recognize(data, size);
+    bool done = is_off ? off_decode(model, data, size, parts, error)
+                       : obj_decode(model, data, size, parts, error);
+    if (done && model->face_count == 0 && model->line_count == 0) {
         done = error_no_faces(path, data, size, error);
     }
     if (!done) {
         model_free(model);
+        (void)(!is_off && error_known_file(error, data, size, "an OBJ or OFF file"));
     }
     return done;
+}
+
+const char *model_warning_text(enum model_warning warning) {
+    static const char *const texts[] = {
+        [MODEL_SHORT_FACES] = "a face of fewer than 3 corners is not drawn",
+        [MODEL_UVS_MISSING] = "a face names a texture coordinate that the file does not have",
+        [MODEL_NORMALS_MISSING] =
+            "a face names a normal that the file does not have; it is computed instead",
+        [MODEL_NORMALS_WRONG] = "a normal has no direction; it is computed instead",
+    };
+    return texts[warning];
 }
 
 bool model_decode(struct model *model, const void *data, size_t size, struct error *error) {

@@ -25,7 +25,8 @@ enum need {
     NEEDS_DIFFUSE = 8, /* textures beside the model */
     NEEDS_NORMAL_MAP = 16,
     NEEDS_SPECULAR = 32,
-    NEEDS_DEPTH = 64 /* a depth buffer */
+    NEEDS_DEPTH = 64, /* a depth buffer */
+    NEEDS_LINES = 128 /* those beside the faces, and a model of lines alone will do */
 };
 
 enum { COUNTER_LIMIT = 32 }; /* different names that one scene counts */

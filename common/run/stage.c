@@ -81,7 +81,9 @@ static void unload_model(struct run *run) {
 static unsigned needed_parts(unsigned needs) {
     unsigned normals = NEEDS_NORMALS | NEEDS_COLORS;
     unsigned textures = NEEDS_DIFFUSE | NEEDS_NORMAL_MAP | NEEDS_SPECULAR;
-    return ((needs & normals) != 0 ? MODEL_NORMALS : 0) | ((needs & textures) != 0 ? MODEL_UVS : 0);
+    return ((needs & normals) != 0 ? MODEL_NORMALS : 0) |
+           ((needs & textures) != 0 ? MODEL_UVS : 0) |
+           ((needs & NEEDS_LINES) != 0 ? MODEL_LINES : 0);
 }
 
 /* The model of the command line or else the scene's, unless it is loaded already. */

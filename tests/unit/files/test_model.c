@@ -113,7 +113,7 @@ static bool at(const struct model *model, size_t position, double x, double y, d
 }
 
 static void test_obj_numbers(void) {
-    static const char text[] = "v 1 -2 .5\nv 1e2 5. -1E-2 7\nv 0.1 0.2 0.3 0.25 -1 300\n"
+    static const char text[] = "v 1 -2 .5\nv 1e2 5. -1E-2 7\nv 0.1 0.2 0.3 0.25 -1 1.5\n"
                                "v 16777217 1e-30 -0\nvt 0.5\nvt 2 -3\nvt 1 2 3\nvn 0 3 4\n"
                                "f 1 2 3\n";
     struct model m;
@@ -346,24 +346,15 @@ static void test_messages(void) {
         {SQUARE "vn 1 2 3 4\nf 1 2 3\n", "5: 'vn' takes 3 numbers, not 4"},
         {"\nf 3 1 x\n" SQUARE, "2: face corner 'x' is none of v, v/vt, v//vn, v/vt/vn"},
         {"v 0 0 0\nf -1 -1 -2\n" SQUARE, "2: face names vertex -2 of 1"},
-        {SQUARE "f 1/1 2/1 3/1\n", "5: face names texture coordinate 1 of 0"},
-        {SQUARE CORNERS "f 1/1 2/4 3/1\n", "10: face names texture coordinate 4 of 3"},
-        {SQUARE CORNERS "f 1/1 2/0 3/1\n", "10: face names texture coordinate 0: the first is 1"},
-        {SQUARE CORNERS "f 1//1 2//1 3//3\n", "10: face names normal 3 of 2"},
-        {SQUARE CORNERS "f 1//1 2//1 3//-3\n", "10: face names normal -3 of 2"},
-        {SQUARE "f 1 2\n", "5: a face has at least 3 corners, not 2"},
         {SQUARE "f 1 2 x\n", "5: face corner 'x' is none of v, v/vt, v//vn, v/vt/vn"},
         {SQUARE "f 1 2 /3\n", "5: face corner '/3' is none of v, v/vt, v//vn, v/vt/vn"},
-        {SQUARE "f 1 2 3/\n", "5: face corner '3/' is none of v, v/vt, v//vn, v/vt/vn"},
-        {SQUARE "f 1 2 3//\n", "5: face corner '3//' is none of v, v/vt, v//vn, v/vt/vn"},
         {SQUARE CORNERS "f 1 2 3/1/1/1\n",
          "10: face corner '3/1/1/1' is none of v, v/vt, v//vn, v/vt/vn"},
         {SQUARE CORNERS "f 1 2 3/1/1/\n",
          "10: face corner '3/1/1/' is none of v, v/vt, v//vn, v/vt/vn"},
         {SQUARE "f 1 \\\n 2 \\\n 9\n", "5: face names vertex 9 of 4"},
-        {"v 1 2\n", "1: 'v' takes 3, 4 or 6 numbers, not 2"},
-        {"\nv 1 2 3 4 5\n", "2: 'v' takes 3, 4 or 6 numbers, not 5"},
-        {"v 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15\n", "1: 'v' takes 3, 4 or 6 numbers, not 15"},
+        {"v 1 2\n", "1: 'v' takes 3, 4, 6 or more numbers, not 2"},
+        {"\nv 1 2 3 4 5\n", "2: 'v' takes 3, 4, 6 or more numbers, not 5"},
         {"vt 1 2 3 4\n", "1: 'vt' takes 1 to 3 numbers, not 4"},
         {"v 1 2 nan\n", "1: 'nan' is not a number"},
         {"v 1 2 1e39\n", "1: 1e39 is too large"},
@@ -393,13 +384,10 @@ static void test_messages(void) {
         /* Wrong in a face, and as a number of edges the 0 of the first vertex would fit. */
         {"OFF\n4 1\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 9\n",
          "7: face names vertex 9 of 4 (from 0)"},
-        {"OFF\n2 1 0\n0 0 0 0.5 0.5 0.5\n0.5 0 0 0 0.5 0\n3 0 0 0\n",
-         "4: '0.5' is not a number of corners"},
         {"COFF\n1 1 0\n0 0 0\n3 0 0 0\n", "4: the file ends after 0 of 1 faces"},
         {"COFF\n1 1 0\n0 0 0 1 1\n", "3: the file ends after 0 of 1 vertices"},
         {"OFF 1 1 x\n0 0 0\n3 0 0 0\n", "1: 'x' is not a number of edges"},
         {"OFF 1\n1\nx\n0 0 0\n3 0 0 0\n", "3: 'x' is not a number of edges"},
-        {"# a cube\n\n8 6 12\n", "begins with a number: an OFF file begins with the word OFF"},
         {"OFF\n1 1 0\n0 nan 0\n3 0 0 0\n", "3: 'nan' is not a number"},
         {"OFF\n1 1 0\n0 0 0\n3 0 0 1\n", "4: face names vertex 1 of 1 (from 0)"},
         {"OFF\n1 1 0\n0 0 0\n3 0 0 -1\n", "4: face names vertex -1 of 1 (from 0)"},
@@ -414,9 +402,6 @@ static void test_messages(void) {
         {"OFF\n1 1 0\n0 0 0\n1 0 1 2\n", "4: the colour of a face has 3 or 4 numbers, not 2"},
         {"OFF\n1 1 0\n0 0 0\n3 0 0 0 red\n", "4: 'red' is not a number"},
         {"OFF\n1 0 0\n0 0 0\n", "holds no faces"},
-        {"OFF BINARY\n", "1: binary OFF files cannot be read"},
-        {"4OFF\n1 1 0\n", "1: 4OFF: only positions of three coordinates can be read"},
-        {"nOFF 3\n1 1 0\n", "1: nOFF: only positions of three coordinates can be read"},
     };
     for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
         struct model model;
@@ -499,11 +484,11 @@ static void test_files(void) {
 /* What the name promises, the first word must keep; an OBJ file may have any name. */
 static void test_named_off(void) {
     static const char *const rows[][2] = {
-        {"off\n1 1 0\n0 0 0\n3 0 0 0\n", ": does not begin with the word OFF"},
         {"OFFF\n1 1 0\n0 0 0\n3 0 0 0\n", ": does not begin with the word OFF"},
         {"hello\n", ": does not begin with the word OFF"},
         {"", ": does not begin with the word OFF"},
-        {"1 1 0\n", ": begins with a number: an OFF file begins with the word OFF"},
+        {"1 1 0\n", ":1: 1 vertices and 1 faces are more than the file can hold"},
+        {"1.5 1 0\n", ": begins with a number, as neither OBJ nor OFF does"},
         {"OFF\n1 0 0\n0 0 0\n", ": holds no faces"},
     };
     struct place place = place_create();
@@ -612,8 +597,6 @@ static void test_errors_in_parts(void) {
         {SQUARE "vt what\nf 1/1 2 3\n", MODEL_UVS, false},
         {SQUARE "vn 1\nf 1//1 2 3\n", MODEL_UVS, true},
         {SQUARE "vn 1\nf 1//1 2 3\n", MODEL_NORMALS, false},
-        {SQUARE "vt 1 1\nf 1/2 2 3\n", 0, false}, /* there is no second one */
-        {SQUARE "vn 1 1 1\nf 1//-2 2 3\n", 0, false},
     };
     for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
         struct model m = {0};
