@@ -254,6 +254,7 @@ static const struct scene scenes[] = {
     },
     {
         .name = "near",
+        .detail = true,
         .needs = NEEDS_MODEL | NEEDS_NORMALS | NEEDS_DIFFUSE | NEEDS_NORMAL_MAP,
         .width = 1600,
         .height = 400,

@@ -67,6 +67,7 @@ struct scene {
     enum image_format format;    /* IMAGE_BGR by default */
     size_t frames;               /* of an animation, drawn as a sheet or, in PNG, moving */
     bool extra;                  /* no part of the lesson: drawn when --only names it */
+    bool detail; /* of the course's model, so of another one drawn when --only names it */
     struct vec3 eye, center, up; /* the camera, in steps that have one */
     struct vec3 light;           /* in steps that have one */
     int number; /* which of the scenes that share a draw function; it says of what */

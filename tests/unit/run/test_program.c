@@ -543,21 +543,83 @@ static void test_out_of_view(void) {
     CHECK(run(&view_program, "-o out far.obj") == 0);
     CHECK(strncmp(output, out_message, strlen(out_message)) == 0);
     snprintf(expected, sizeof expected,
-             "%sprobe: scene view: nothing was drawn; what may help: --fit --light\n"
-             "probe: scene deep: nothing was drawn; what may help: --fit --light\n"
+             "%sprobe: scene view: nothing was drawn; what may help: --fit\n"
              "out/view.tga\nout/deep.tga\n",
              out_message);
     CHECK_TEXT(output, expected);
     CHECK_RUN(&camera_program, "-o out --only view --eye 0,0,2 far.obj", 0,
-              "probe: scene view: nothing was drawn; what may help: --fit --center "
-              "--light\nout/view.tga\n"); /* placed by hand */
+              "probe: scene view: nothing was drawn; what may help: --fit --center\n"
+              "out/view.tga\n"); /* placed by hand */
     /* Without an option it is the lesson that is not written yet. */
     camera_program.scenes = blank_scenes;
     camera_program.scene_count = 1;
     CHECK_RUN(&camera_program, "-o out", 0, "out/blank.tga\n");
     CHECK_RUN(&camera_program, "-o out --light 1,0,0 --fit", 0,
-              "probe: scene blank: nothing was drawn; what may help: --center --light\n"
+              "probe: scene blank: nothing was drawn; what may help: --light\n"
               "out/blank.tga\n");
+    CHECK_RUN(&camera_program, "-o out --center 1,0,0 --fit", 0,
+              "probe: scene blank: nothing was drawn; what may help: --center\n"
+              "out/blank.tga\n");
+    CHECK_RUN(&camera_program, "-o out --eye 0,-9,-9 --fit near.obj", 0,
+              "probe: scene blank: nothing was drawn: all faces look away\nout/blank.tga\n");
+}
+
+/* What is much smaller than the view is drawn, but small: said once. */
+static void test_tiny(void) {
+    put_file("tiny.obj", "v 0 0 0\nv 0.1 0 0\nv 0 0.1 0\nf 1 2 3\n");
+    CHECK_RUN(&view_program, "-o out tiny.obj", 0,
+              "probe: tiny.obj: fills little of -1..1; --fit makes it larger\n"
+              "out/view.tga\nout/deep.tga\n");
+    CHECK_RUN(&view_program, "-o out --fit tiny.obj", 0, "out/view.tga\nout/deep.tga\n");
+}
+
+static const struct scene detail_scenes[] = {
+    {.name = "view", .needs = NEEDS_MODEL, .draw = draw_corners},
+    {.name = "nose", .detail = true, .needs = NEEDS_MODEL, .draw = draw_corners},
+    {.name = "ear", .detail = true, .needs = NEEDS_MODEL, .draw = draw_corners},
+    {.name = "beard", .detail = true, .extra = true, .needs = NEEDS_MODEL, .draw = draw_corners},
+};
+
+/* Scenes that frame a part of the course's model are not drawn of another, unless by name. */
+static void test_details(void) {
+    struct program program = view_program;
+    program.scenes = detail_scenes;
+    program.scene_count = 4;
+    CHECK_RUN(&program, "-o out", 0, "out/view.tga\nout/nose.tga\nout/ear.tga\n");
+    CHECK_RUN(&program, "-o out near.obj", 0,
+              "probe: left out, as details of the course's own model: nose, ear\nout/view.tga\n");
+    CHECK_RUN(&program, "-o out --only nose near.obj", 0, "out/nose.tga\n");
+    CHECK_RUN(&program, "-o out missing.obj", 1, "probe: missing.obj: No such file or directory\n");
+}
+
+/* A file is drawn all the same; what was wrong is said once, with its line. */
+static void test_warnings_of_files(void) {
+    put_file("wild.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2\nf 1 2 3\nf 2 3\n");
+    CHECK_RUN(&view_program, "-o out wild.obj", 0,
+              "probe: wild.obj:4: a face of fewer than 3 corners is not drawn\n"
+              "out/view.tga\nout/deep.tga\n");
+}
+
+/* One that cannot be drawn does not stop the others; each message once, and the status tells. */
+static const struct scene partly_scenes[] = {
+    {.name = "bad", .width = 4, .height = 3, .draw = draw_failing},
+    {.name = "good", .width = 4, .height = 3, .draw = draw_nothing},
+    {.name = "worse", .width = 4, .height = 3, .draw = draw_failing},
+    {.name = "read", .width = 4, .height = 3, .needs = NEEDS_MODEL, .draw = draw_nothing},
+    {.name = "last", .width = 4, .height = 3, .draw = draw_nothing},
+};
+
+static void test_failing_scenes(void) {
+    struct program program = view_program;
+    program.scenes = partly_scenes;
+    program.scene_count = 3;
+    CHECK_RUN(&program, "-o out", 1, "probe: cannot draw this\nout/good.tga\n");
+    program.scene_count = 5;
+    CHECK_RUN(&program, "-o out --only read missing.obj", 1,
+              "probe: missing.obj: No such file or directory\n");
+    CHECK_RUN(&program, "-o out missing.obj", 1,
+              "probe: cannot draw this\nprobe: missing.obj: No such file or directory\n"
+              "out/good.tga\n"); /* what would come of it cannot be known */
 }
 
 /* ---- Seldom ways ---- */
@@ -631,7 +693,7 @@ static void test_end_of_options(void) {
 static void test_seldom_failures(void) {
     prepare_calls = finish_calls = draw_calls = 0;
     CHECK_RUN(&unprepared_program, "-o nothing", 1, "probe: cannot prepare this\n");
-    CHECK(prepare_calls == 1 && finish_calls == 1 && draw_calls == 0);
+    CHECK(prepare_calls == 2 && finish_calls == 2 && draw_calls == 0); /* both scenes */
     CHECK_RUN(&failing_program, "-o nothing --repeat 2", 1, "probe: cannot draw this\n");
     CHECK_RUN(&text_program, "-o nothing --only bad", 1,
               "probe: cannot draw this\n"); /* without a text: its own scenes */
@@ -726,6 +788,7 @@ static void test_clean_up(void) {
 UNIT_MAIN(TEST(test_usage), TEST(test_help), TEST(test_extra), TEST(test_formats),
           TEST(test_frames), TEST(test_stats_and_repeat), TEST(test_repeat_time), TEST(test_camera),
           TEST(test_failures), TEST(test_text_scene), TEST(test_needs), TEST(test_stats_of_files),
-          TEST(test_defaults), TEST(test_grey), TEST(test_out_of_view), TEST(test_end_of_options),
-          TEST(test_seldom_failures), TEST(test_full_output), TEST(test_text_names),
-          TEST(test_default_directory), TEST(test_clean_up))
+          TEST(test_defaults), TEST(test_grey), TEST(test_out_of_view), TEST(test_tiny),
+          TEST(test_details), TEST(test_warnings_of_files), TEST(test_failing_scenes),
+          TEST(test_end_of_options), TEST(test_seldom_failures), TEST(test_full_output),
+          TEST(test_text_names), TEST(test_default_directory), TEST(test_clean_up))
