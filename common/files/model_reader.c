@@ -273,10 +273,9 @@ static bool cut_polygon(struct model_reader *reader) {
     switch (polygon_cut(&reader->cutter, reader->places, size)) {
     case POLYGON_CUT:
         return true;
-    case POLYGON_TOO_LARGE:
+    case POLYGON_TOO_INTRICATE:
         return text_error(reader->error, reader->line,
-                          "face of %zu corners: one that is not convex may have %d", size,
-                          POLYGON_CONCAVE_LIMIT);
+                          "face of %zu corners, too intricate to be cut into triangles", size);
     default:
         return error_out_of_memory(reader->error);
     }

@@ -64,9 +64,9 @@ struct scene {
     unsigned needs;       /* of enum need, joined with | */
     const char *model;    /* a file of the course's; "bust.obj" by default */
     size_t width, height; /* of the image, unless -s says otherwise; a sheet's frames share it */
-    enum image_format format;    /* IMAGE_BGR by default */
-    size_t frames;               /* of an animation, drawn as a sheet or, in PNG, moving */
-    bool extra;                  /* no part of the lesson: drawn when --only names it */
+    enum image_format format; /* IMAGE_BGR by default */
+    size_t frames;            /* of an animation, drawn as a sheet or, in PNG, moving */
+    bool extra;               /* no part of the lesson: drawn when --only names it */
     bool detail; /* of the course's model, so of another one drawn when --only names it */
     struct vec3 eye, center, up; /* the camera, in steps that have one */
     struct vec3 light;           /* in steps that have one */

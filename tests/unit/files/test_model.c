@@ -421,25 +421,6 @@ static void test_messages(void) {
     CHECK(!model_decode(&model, NULL, 0, &error));
 }
 
-/* One corner more than a face that is not convex may have. */
-static void test_too_many_corners(void) {
-    enum { CORNERS_LIMIT = 8192 };
-    static const char points[] = "v 0 0 0\nv 4 0 0\nv 1 1 0\nv 0 4 0\nf";
-    struct bytes text = {0};
-    struct model m;
-    struct error error;
-    CHECK(bytes_append(&text, points, strlen(points)));
-    for (int i = 0; i <= CORNERS_LIMIT; i++) {
-        const char corner[] = {' ', (char)('1' + i % 4)};
-        if (!bytes_append(&text, corner, sizeof corner)) {
-            break;
-        }
-    }
-    CHECK(!model_decode(&m, text.data, text.size, &error));
-    CHECK_ERROR(error, "5: face of 8193 corners: one that is not convex may have 8192");
-    bytes_free(&text);
-}
-
 /* ---- Files ---- */
 
 static bool write_image(const char *path, uint8_t level, bool png) {
@@ -610,5 +591,4 @@ static void test_errors_in_parts(void) {
 UNIT_MAIN(TEST(test_parts), TEST(test_errors_in_parts), TEST(test_obj_faces),
           TEST(test_obj_numbers), TEST(test_off), TEST(test_off_smallest), TEST(test_face_colors),
           TEST(test_face_color_values), TEST(test_colors_of_both), TEST(test_messages),
-          TEST(test_too_many_corners), TEST(test_files), TEST(test_named_off), TEST(test_textures),
-          TEST(test_texture_names))
+          TEST(test_files), TEST(test_named_off), TEST(test_textures), TEST(test_texture_names))
