@@ -31,11 +31,12 @@ struct face {
     struct corner corner[3]; /* counterclockwise as seen from outside */
 };
 
-/* The textures that may lie beside NAME.obj, read when first asked for. */
+/* The textures that may lie beside NAME.obj, read when first asked for; also under other usual
+ * names, as model_file.c knows them. */
 enum model_texture_kind {
-    MODEL_DIFFUSE,    /* NAME_diffuse.tga or .png: the colour of the surface */
-    MODEL_NORMAL_MAP, /* NAME_nm.tga or .png: object-space; level = (coordinate + 1) * 127.5 */
-    MODEL_SPECULAR,   /* NAME_spec.tga or .png: how the surface shines */
+    MODEL_DIFFUSE,    /* NAME_diffuse.tga: the colour of the surface */
+    MODEL_NORMAL_MAP, /* NAME_nm.tga: object-space; level = (coordinate + 1) * 127.5 */
+    MODEL_SPECULAR,   /* NAME_spec.tga: how the surface shines */
     MODEL_TEXTURE_KINDS
 };
 
@@ -60,8 +61,9 @@ struct model {
     uint32_t (*lines)[2];                /* the positions that they join; only where asked for */
     size_t warning_line[MODEL_WARNINGS]; /* where each is first, from 1; 0: nowhere */
     char *path;                          /* the file, for messages and for its textures */
-    struct texture textures[MODEL_TEXTURE_KINDS]; /* empty until first asked for */
-    uint64_t bytes_read;                          /* of the file and of its textures */
+    const char *texture_files[MODEL_TEXTURE_KINDS]; /* to read instead; NULL: those beside it */
+    struct texture textures[MODEL_TEXTURE_KINDS];   /* empty until first asked for */
+    uint64_t bytes_read;                            /* of the file and of its textures */
 };
 
 /* Free everything and leave an empty model. */

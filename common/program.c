@@ -252,7 +252,7 @@ static void say(const struct command *command, const struct error *error) {
     fprintf(stderr, "%s: %s\n", command->run.program->name, error->message);
 }
 
-/* Say once what was wrong with the file of a model that is drawn all the same. */
+/* Say once what was wrong with the files of a model that is drawn all the same. */
 static void warn_of_file(struct command *command) {
     struct model *model = &command->run.model;
     for (int i = 0; i < MODEL_WARNINGS; i++) {
@@ -264,6 +264,13 @@ static void warn_of_file(struct command *command) {
             say(command, &warning);
         }
         model->warning_line[i] = 0;
+    }
+    for (int i = 0; i < MODEL_TEXTURE_KINDS; i++) {
+        struct error *replaced = &command->run.replaced[i];
+        if (replaced->message[0] != '\0') {
+            say(command, replaced);
+        }
+        replaced->message[0] = '\0';
     }
 }
 
@@ -570,6 +577,8 @@ int program_main(const struct program *program, int argc, char **argv) {
         command.run.no_skip = command.options.no_skip;
         command.run.stats = command.options.stats;
         command.run.fit = command.options.fit;
+        memcpy(command.run.texture_files, command.options.textures,
+               sizeof command.options.textures);
         status = run_command(&command, &error) ? STATUS_DONE : STATUS_FAILED;
     }
     if (status != STATUS_DONE) {

@@ -99,6 +99,16 @@ bool model_read(struct model *model, const char *path, struct error *error) {
 
 /* ---- Textures ---- */
 
+/* The names that textures have behind that of their model, the one that is looked for first as the
+ * first. JPEG is looked for, too, though it cannot be read: its message says what to do. */
+static const char *const texture_suffixes[MODEL_TEXTURE_KINDS][4] = {
+    [MODEL_DIFFUSE] = {"_diffuse", "_albedo", "_basecolor"},
+    [MODEL_NORMAL_MAP] = {"_nm", "_normal"},
+    [MODEL_SPECULAR] = {"_spec", "_specular"},
+};
+static const char *const texture_extensions[] = {"tga", "png", "TGA", "PNG", "Tga",
+                                                 "Png", "jpg", "JPG", "jpeg"};
+
 /* "DIRECTORY/NAME" and what follows it for a model at "DIRECTORY/NAME.obj"; the caller frees it. */
 static char *texture_path(const char *model_path, const char *suffix, const char *extension) {
     const char *slash = strrchr(model_path, '/');
@@ -120,36 +130,31 @@ static bool read_texture(struct texture *texture, const char *path, struct error
     return done;
 }
 
-/* The path of the texture, as .tga or else as .png; the caller frees it. NULL, with a message,
- * where there is none. */
-static char *find_texture(const struct model *model, enum model_texture_kind kind,
-                          struct error *error) {
-    static const char *const suffix[] = {"_diffuse", "_nm", "_spec"};
-    char *tga_path = texture_path(model->path, suffix[kind], "tga");
-    char *png_path = texture_path(model->path, suffix[kind], "png");
-    char *found = NULL;
-    if (tga_path == NULL || png_path == NULL) {
-        error_out_of_memory(error);
-    } else if (file_exists(tga_path) || file_exists(png_path)) {
-        char **path = file_exists(tga_path) ? &tga_path : &png_path;
-        found = *path;
-        *path = NULL;
-    } else {
-        error_set(error, "no such file, nor the same as .png");
-        error_name_file(error, tga_path);
+/* The first name under which there is a file, or the first of all, so that a message can say what
+ * was looked for; the caller frees it. NULL when memory runs out. */
+static char *find_texture(const char *model_path, enum model_texture_kind kind, bool *found) {
+    const char *const *suffixes = texture_suffixes[kind];
+    const size_t count = sizeof texture_extensions / sizeof texture_extensions[0];
+    *found = false;
+    for (size_t i = 0; i < 4 && suffixes[i] != NULL; i++) {
+        for (size_t k = 0; k < count; k++) {
+            char *path = texture_path(model_path, suffixes[i], texture_extensions[k]);
+            *found = path != NULL && file_exists(path);
+            if (path == NULL || *found) {
+                return path;
+            }
+            free(path);
+        }
     }
-    free(tga_path);
-    free(png_path);
-    return found;
+    return texture_path(model_path, suffixes[0], texture_extensions[0]);
 }
 
 size_t model_textures_present(const struct model *model) {
     size_t present = 0;
     for (int kind = 0; model->path != NULL && kind < MODEL_TEXTURE_KINDS; kind++) {
-        struct error ignored;
-        char *path = find_texture(model, (enum model_texture_kind)kind, &ignored);
-        present += path != NULL;
-        free(path);
+        bool found;
+        free(find_texture(model->path, (enum model_texture_kind)kind, &found));
+        present += found;
     }
     return present;
 }
@@ -157,6 +162,7 @@ size_t model_textures_present(const struct model *model) {
 const struct texture *model_texture(struct model *model, enum model_texture_kind kind,
                                     struct error *error) {
     struct texture *texture = &model->textures[kind];
+    const char *named = model->texture_files[kind];
     if (texture->level_count > 0) {
         return texture;
     }
@@ -164,9 +170,18 @@ const struct texture *model_texture(struct model *model, enum model_texture_kind
         error_set(error, "a model that was not read from a file has no textures");
         return NULL;
     }
-    char *path = find_texture(model, kind, error);
-    bool done = path != NULL && read_texture(texture, path, error);
-    model->bytes_read += done ? file_size(path) : 0;
+    bool found = named != NULL;
+    char *path = found ? string_format("%s", named) : find_texture(model->path, kind, &found);
+    bool done = false;
+    if (path == NULL) {
+        error_out_of_memory(error);
+    } else if (!found) {
+        error_set(error, "no such file, nor one of another usual name");
+        error_name_file(error, path);
+    } else {
+        done = read_texture(texture, path, error);
+        model->bytes_read += done ? file_size(path) : 0;
+    }
     free(path);
     return done ? texture : NULL;
 }

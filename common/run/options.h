@@ -26,7 +26,8 @@ struct options {
     struct size_option size;
     const struct image_file_format *format;
     struct vec3_option eye, center, up, light;
-    size_t repeat; /* 0 without --repeat */
+    const char *textures[MODEL_TEXTURE_KINDS]; /* files; NULL for those beside the model */
+    size_t repeat;                             /* 0 without --repeat */
     bool fit, stats, no_skip, help;
 };
 

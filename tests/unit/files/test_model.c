@@ -511,7 +511,8 @@ static void test_textures(void) {
     texture = model_texture(&m, MODEL_DIFFUSE, &error);
     CHECK(texture != NULL && (texture->level[0].texels[0] & 0xFF) == 20);
     CHECK(model_texture(&m, MODEL_NORMAL_MAP, &error) == NULL);
-    CHECK(strstr(error.message, "/a.b_nm.tga: no such file, nor the same as .png") != NULL);
+    CHECK(strstr(error.message, "/a.b_nm.tga: no such file, nor one of another usual name") !=
+          NULL);
     CHECK(model_texture(&m, MODEL_SPECULAR, &error) == NULL);
     CHECK(strstr(error.message, "a.b_spec.tga") != NULL);
     model_free(&m);
@@ -538,12 +539,59 @@ static void test_texture_names(void) {
         if (CHECK(m.path != NULL)) {
             strcpy(m.path, rows[i][0]);
             CHECK(model_texture(&m, MODEL_SPECULAR, &error) == NULL);
-            snprintf(expected, sizeof expected, "%s: no such file, nor the same as .png",
+            snprintf(expected, sizeof expected, "%s: no such file, nor one of another usual name",
                      rows[i][1]);
             CHECK_TEXT(error.message, expected);
         }
         model_free(&m);
     }
+}
+
+/* Other usual names, and any that is given. The first one in the list counts. */
+static void test_other_names(void) {
+    static const struct {
+        const char *name;
+        enum model_texture_kind kind;
+    } rows[] = {
+        {"a_basecolor.PNG", MODEL_DIFFUSE}, {"a_basecolor.tga", MODEL_DIFFUSE},
+        {"a_albedo.png", MODEL_DIFFUSE},    {"a_diffuse.Png", MODEL_DIFFUSE},
+        {"a_diffuse.TGA", MODEL_DIFFUSE},   {"a_normal.png", MODEL_NORMAL_MAP},
+        {"a_nm.PNG", MODEL_NORMAL_MAP},     {"a_specular.TGA", MODEL_SPECULAR},
+        {"a_spec.png", MODEL_SPECULAR},     {"given", MODEL_SPECULAR},
+    };
+    enum { COUNT = sizeof rows / sizeof rows[0] };
+    struct place place = place_create();
+    char model_path[128];
+    strcpy(model_path, name_file(&place, "a.obj"));
+    CHECK(put_text(model_path, SQUARE "f 1 2 3\n"));
+    for (size_t i = 0; i < COUNT; i++) { /* each is looked for before those above it */
+        struct model m;
+        struct error error = {0};
+        CHECK(write_image(name_file(&place, rows[i].name), (uint8_t)(i + 1), true));
+        CHECK(model_read(&m, model_path, &error));
+        m.texture_files[rows[i].kind] = strcmp(rows[i].name, "given") == 0 ? place.path : NULL;
+        const struct texture *texture = model_texture(&m, rows[i].kind, &error);
+        if (CHECK_ROW(texture != NULL, rows[i].name)) {
+            CHECK_ROW((texture->level[0].texels[0] & 0xFF) == i + 1, rows[i].name);
+        }
+        CHECK(model_textures_present(&m) == (i < 5 ? 1 : i < 7 ? 2 : 3));
+        model_free(&m);
+    }
+    for (size_t i = 0; i < COUNT; i++) {
+        CHECK(unlink(name_file(&place, rows[i].name)) == 0);
+    }
+    struct model m;
+    struct error error;
+    CHECK(put_text(name_file(&place, "a_spec.JPG"), "\xFF\xD8\xFF\xE0"));
+    CHECK(model_read(&m, model_path, &error));
+    CHECK(model_texture(&m, MODEL_SPECULAR, &error) == NULL);
+    CHECK(strstr(error.message, "/a_spec.JPG: a JPEG file, not a PNG or TGA file: ") != NULL);
+    m.texture_files[MODEL_SPECULAR] = model_path; /* what is given is read, whatever it is */
+    CHECK(model_texture(&m, MODEL_SPECULAR, &error) == NULL);
+    CHECK(strstr(error.message, "/a.obj: neither a PNG nor a TGA") != NULL);
+    model_free(&m);
+    CHECK(unlink(place.path) == 0);
+    place_remove(&place, "a.obj");
 }
 
 /* What is not asked for is counted and not read, in the quick way and in the careful one. */
@@ -591,4 +639,5 @@ static void test_errors_in_parts(void) {
 UNIT_MAIN(TEST(test_parts), TEST(test_errors_in_parts), TEST(test_obj_faces),
           TEST(test_obj_numbers), TEST(test_off), TEST(test_off_smallest), TEST(test_face_colors),
           TEST(test_face_color_values), TEST(test_colors_of_both), TEST(test_messages),
-          TEST(test_files), TEST(test_named_off), TEST(test_textures), TEST(test_texture_names))
+          TEST(test_files), TEST(test_named_off), TEST(test_textures), TEST(test_texture_names),
+          TEST(test_other_names))
