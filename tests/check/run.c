@@ -1,5 +1,5 @@
-#define _XOPEN_SOURCE 700 /* POSIX.1-2008 with nftw() */
-#define _DARWIN_C_SOURCE  /* macOS has mkdtemp() and O_NOFOLLOW only so */
+#define _XOPEN_SOURCE    700 /* POSIX.1-2008 with nftw() */
+#define _DARWIN_C_SOURCE     /* macOS has mkdtemp() and O_NOFOLLOW only so */
 
 #include "run.h"
 

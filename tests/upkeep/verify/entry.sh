@@ -45,7 +45,7 @@ export CHECK_BUILD_TIMEOUT="${CHECK_BUILD_TIMEOUT:-600}"
 check() {
     said=$("$build/check" --programs "$place" --sources "$place/sources" --first '' \
         --differences "$place/differences" --shares "$place/shares" \
-        --make "tests/upkeep/verify/build.sh $commands" "$@" "$lesson" 2>"$place/errors")
+        --make "sh tests/upkeep/verify/build.sh $commands" "$@" "$lesson" 2>"$place/errors")
     status=$?
     said=$(echo "$said" | awk '/^SCORE/ { exit }
         /^  / { printf "; %s", substr($0, 3); next }
