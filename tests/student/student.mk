@@ -29,7 +29,7 @@ show: $(BUILD)/show $(SHOWN)
 
 live: $(BUILD)/live $(SHOWN)
 	$(END_LINE)
-	@tests/student/live.sh '$(BUILD)' '$(MAKE) -s' '$(STEP)' '$(MODEL)'
+	@sh tests/student/live.sh '$(BUILD)' '$(MAKE) -s' '$(STEP)' '$(MODEL)'
 
 $(BUILD)/live: $(patsubst %.c,$(BUILD)/%.o,$(wildcard tests/student/live/*.c)) $(CHECKER) \
                $(BUILD)/libcommon.a

@@ -19,7 +19,7 @@ export ZIG_GLOBAL_CACHE_DIR="$build/cache" ZIG_LOCAL_CACHE_DIR="$build/cache"
 for processor in aarch64 x86_64; do
     place=$build/$processor
     set -- programs
-    for program in sculptor check show compare_page hidden limited; do
+    for program in sculptor check show live compare_page hidden limited; do
         set -- "$@" "$place/$program"
     done
     make -s BUILD="$place" CC="$zig cc -target $processor-macos" AR="$zig ar" CFLAGS=-O0 MARCH= \
