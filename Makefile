@@ -36,7 +36,7 @@ END_LINE = $(if $(IN_PLACE),@printf '\r\033[K',@:)
 .PHONY: all programs models $(STEPS)
 all: $(CHOSEN) $(if $(MAKE_TERMOUT),$(BUILD)/show)
 	$(END_LINE)
-	@$(if $(SILENT)$(STEP),:,tests/student/next.sh '$(BUILD)')
+	@$(if $(SILENT)$(STEP),:,sh tests/student/next.sh '$(BUILD)')
 programs: $(STEPS:%=$(BUILD)/%)
 models: $(BUILD)/models/bust.obj
 $(STEPS): %: $(BUILD)/out/%/.drawn

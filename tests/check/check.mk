@@ -12,7 +12,7 @@ CHECKER = $(patsubst %.c,$(BUILD)/%.o,$(filter-out %/check.c %/looks_make.c %/fi
 # SANITIZE=1: their main.c with the sanitizers, which tell in which line a program goes wrong. They
 # are slow; memory that is not freed at the end is no fault here, and a failed assert() is.
 CHECKED   = $(BUILD)$(if $(SANITIZE),/sanitized)
-SANITIZED = -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
+SANITIZED = -O1 -g1 -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
 ifneq ($(HIDDEN),)
 ifeq ($(wildcard tests/teacher/hidden),)
 $(error HIDDEN=$(HIDDEN): hidden scenes are drawn where the solutions are)

@@ -1,4 +1,5 @@
-#define _XOPEN_SOURCE 700 /* POSIX.1-2008 with nftw() */
+#define _XOPEN_SOURCE    700 /* POSIX.1-2008 with nftw() */
+#define _DARWIN_C_SOURCE     /* macOS has mkdtemp() and O_NOFOLLOW only so */
 
 #include "run.h"
 
@@ -269,9 +270,11 @@ static void limit_sizes(const struct run_limits *limits) {
     if (limits->file_bytes > 0) {
         lower_limit(RLIMIT_FSIZE, limits->file_bytes, limits->file_bytes);
     }
+#ifndef __APPLE__ /* there the libraries that all processes share count as well: many GiB */
     if (limits->memory_bytes > 0) {
         lower_limit(RLIMIT_AS, limits->memory_bytes, limits->memory_bytes);
     }
+#endif
 }
 
 static void limit_work(const struct run_limits *limits, size_t threads) {

@@ -3,10 +3,7 @@
 # to do. In a file it says what it always did, with status 1. (script of util-linux is the terminal.)
 . "$(dirname "$0")/../unit/script.sh"
 
-script -qec true /dev/null >/dev/null 2>&1 || {
-    echo "person: skipped, there is no script -qec here"
-    exit 0
-}
+script -qec true /dev/null >/dev/null 2>&1 || skip "there is no script -qec here"
 mkdir -p "$work/sources/step01_line" && grep -v '^call ' tests/check/scenes.txt >"$work/scenes.txt" || exit 1
 main=$work/sources/step01_line/main.c
 
@@ -57,7 +54,7 @@ says 'pixel FAIL 0/1'
 says 'right: line, octants'
 says_no 'Next: `make start'
 
-tests/student/next.sh "$work" >"$said"
+sh tests/student/next.sh "$work" >"$said"
 says 'Next: `make start STEP=01`'
 says 'turn.png'
 exit $failed

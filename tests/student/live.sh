@@ -21,5 +21,5 @@ trap '' INT # the server ends at Ctrl-C, and this after it
 "$build/live" "$build" "$make" "$lesson" ${model:+"$model"} | while IFS= read -r address; do
     echo "$address"
     echo "Your program draws on this page, and again at every save of $lesson/main.c; Ctrl-C ends."
-    tests/student/browse.sh "$address"
+    sh tests/student/browse.sh "$address"
 done

@@ -26,4 +26,4 @@ done
 case $page in /*) ;; *) page=$PWD/$page ;; esac
 echo "$page"
 
-tests/student/browse.sh "$page"
+sh tests/student/browse.sh "$page"

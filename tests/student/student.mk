@@ -9,11 +9,11 @@
 ##   make LINE=mine              lessons 2 to 8 draw with what you wrote in lessons 1 and 3
 .PHONY: start solution hint show open live watch
 start solution:
-	@tests/student/start.sh $@ '$(STEP)'
+	@sh tests/student/start.sh $@ '$(STEP)'
 
 hint:
 	$(END_LINE)
-	@tests/student/hint.sh '$(BUILD)' '$(STEP)' '$(TASK)' '$(AGAIN)' '$(MAKE) -s'
+	@sh tests/student/hint.sh '$(BUILD)' '$(STEP)' '$(TASK)' '$(AGAIN)' '$(MAKE) -s'
 
 # They draw themselves: what hangs or crashes is shown as far as it comes. Of the lesson that STEP
 # names; without one the scripts say what is wrong.
@@ -21,22 +21,22 @@ SHOWN = $(if $(STEP),$(CHOSEN:%=$(BUILD)/%) $(BUILD)/models/bust.obj)
 
 open: $(BUILD)/compare_page $(SHOWN)
 	$(END_LINE)
-	@tests/student/open.sh '$(BUILD)' '$(STEP)' '$(SCENE)'
+	@sh tests/student/open.sh '$(BUILD)' '$(STEP)' '$(SCENE)'
 
 show: $(BUILD)/show $(SHOWN)
 	$(END_LINE)
-	@tests/student/show.sh '$(BUILD)' '$(STEP)' '$(SCENE)' '$(WHICH)' '$(KIND)'
+	@sh tests/student/show.sh '$(BUILD)' '$(STEP)' '$(SCENE)' '$(WHICH)' '$(KIND)'
 
 live: $(BUILD)/live $(SHOWN)
 	$(END_LINE)
-	@tests/student/live.sh '$(BUILD)' '$(MAKE) -s' '$(STEP)' '$(MODEL)'
+	@sh tests/student/live.sh '$(BUILD)' '$(MAKE) -s' '$(STEP)' '$(MODEL)'
 
 $(BUILD)/live: $(patsubst %.c,$(BUILD)/%.o,$(wildcard tests/student/live/*.c)) $(CHECKER) \
                $(BUILD)/libcommon.a
 	$(Q)$(LINK) $^ -lm -o $@
 
 watch:
-	@tests/student/watch.sh '$(BUILD)' '$(MAKE) -s' '$(STEP)' '$(SCENE)'
+	@sh tests/student/watch.sh '$(BUILD)' '$(MAKE) -s' '$(STEP)' '$(SCENE)'
 
 $(BUILD)/show $(BUILD)/compare_page: $(BUILD)/%: $(BUILD)/tests/student/%.o \
                                      $(BUILD)/tests/student/terminal.o $(CHECKER) \

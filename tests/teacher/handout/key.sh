@@ -49,7 +49,7 @@ for lesson in $lessons; do
     printf '%s\t%s\tsolution\tsolution\t-\t-\t-\t-\t-\t0\t-\n' "$lesson.solution" "$lesson"
 done >>"$work/table"
 cut -f 1 "$work/table" |
-    xargs -P "$workers" -n 1 tests/teacher/handout/draw.sh "$build" "$make" "$work" || fail 1 "stopped"
+    xargs -P "$workers" -n 1 sh tests/teacher/handout/draw.sh "$build" "$make" "$work" || fail 1 "stopped"
 
 # ---- The pages ----
 

@@ -47,7 +47,7 @@ cp "$top/step04_flat/main.c" step04_flat/main.c
 
 # key STATUS OUT [LESSONS]: what it says is in $work/said.
 key() {
-    tests/teacher/handout/key.sh "$build" "make -s BUILD='$build'" "$2" "$3" >"$work/said" 2>&1
+    sh tests/teacher/handout/key.sh "$build" "make -s BUILD='$build'" "$2" "$3" >"$work/said" 2>&1
     status=$?
     [ $status -eq "$1" ] || wrong "status $status, not $1"
 }
@@ -107,7 +107,7 @@ awk -F '|' '$3 ~ /[0-9]\.[0-9]/ { sum += $5 } END { print sum }' README.md >"$wo
 [ "$(cat "$work/said")" -eq "$points" ] || wrong "the points of the tasks are not $points"
 mkdir -p tests/unit tests/reference tests/upkeep/texts && cp "$top/tests/unit/script.sh" tests/unit &&
     cp "$top/tests/upkeep/texts/test_links.sh" tests/upkeep/texts
-tests/upkeep/texts/test_links.sh >"$work/said" 2>&1 || wrong "links"
+sh tests/upkeep/texts/test_links.sh >"$work/said" 2>&1 || wrong "links"
 rm -rf tests
 
 # ---- Twice the same; from a lesson that somebody has begun, too ----
@@ -119,13 +119,13 @@ rm -rf "$work/b"
 make -s start STEP=01 >"$work/said" 2>&1 || wrong "make start"
 key 0 "$work/b" 1
 diff -r "$work/a" "$work/b" >"$work/said" || wrong "the key of a lesson that was begun differs"
-tests/teacher/handout/handout.sh "$work/students" 1 >"$work/said" 2>&1 || wrong "handout"
+sh tests/teacher/handout/handout.sh "$work/students" 1 >"$work/said" 2>&1 || wrong "handout"
 cmp -s step01_line/main.c "$work/students/step01_line/main.c" || wrong "no starter is handed out"
 
 # ---- A mark that is left ends a hand-out ----
 
 echo '/* END SOLUTION */' >>step01_line/attempts.h
-tests/teacher/handout/handout.sh "$work/marks" 1 >"$work/said" 2>&1 && wrong "a mark is handed out"
+sh tests/teacher/handout/handout.sh "$work/marks" 1 >"$work/said" 2>&1 && wrong "a mark is handed out"
 grep -q 'a mark is left in ./step01_line/attempts.h' "$work/said" || wrong "does not say where"
 ls -d "$work"/marks* >"$work/said" 2>/dev/null && wrong "a refused hand-out leaves something"
 
@@ -147,6 +147,6 @@ refuses 1 'step01/solution: FAIL' 1
 awk -v mode=solution -f tests/student/marks.awk "$top/step01_line/main.c" \
     >step01_line/main.c
 refuses 1 'no good marks' 1
-tests/teacher/handout/handout.sh "$work/solutions" 1 >"$work/said" 2>&1 && wrong "a solution is handed out"
+sh tests/teacher/handout/handout.sh "$work/solutions" 1 >"$work/said" 2>&1 && wrong "a solution is handed out"
 [ ! -e "$work/solutions" ] || wrong "a refused hand-out leaves something"
 exit $failed
