@@ -606,6 +606,7 @@ static bool answer(void *context, const struct live_request *request, FILE *out,
     }
     command->run.no_skip = command->options.no_skip;
     command->run.stats = command->options.stats;
+    command->run.chosen_count = command->options.set_count;
     if (request->text != NULL) {
         return answer_text(command, request, out, error);
     }
@@ -668,6 +669,8 @@ int program_main(const struct program *program, int argc, char **argv) {
         command.run.no_skip = command.options.no_skip;
         command.run.stats = command.options.stats;
         command.run.fit = command.options.fit;
+        command.run.chosen = command.options.set;
+        command.run.chosen_count = command.options.set_count;
         memcpy(command.run.texture_files, command.options.textures,
                sizeof command.options.textures);
         status = run_command(&command, &error) ? STATUS_DONE : STATUS_FAILED;

@@ -104,7 +104,8 @@ static bool draw_zbuffer(struct drawing *drawing, struct image *image, struct er
     const struct model *model = drawing->model;
     const struct vec3 light = vec3_normalized(drawing->light);
     struct canvas canvas = {.image = image, .depth = drawing->depth};
-    for (size_t face = 0; face < model->face_count; face++) {
+    const double share = drawing_value(drawing, "faces");
+    for (size_t face = 0; (double)face < share * (double)model->face_count; face++) {
         struct vertex vertices[3];
         double intensity = model_face_intensity(model, face, light);
         bool lit = intensity > 0;
@@ -225,6 +226,11 @@ static bool draw_single(struct drawing *drawing, struct image *image, struct err
 
 /* ---- The program ---- */
 
+static const struct scene_value faces_value[] = {
+    {"faces", "share of the faces that are drawn", 0, 1, 0.01, 1},
+    {.name = NULL},
+};
+
 static const struct scene scenes[] = {
     {
         .name = "rows",
@@ -233,23 +239,31 @@ static const struct scene scenes[] = {
         .height = ROWS_HEIGHT,
         .draw = draw_rows,
     },
-    {.name = "zbuffer", .needs = NEEDS_MODEL | NEEDS_DEPTH, .draw = draw_zbuffer},
+    {
+        .name = "zbuffer",
+        .needs = NEEDS_MODEL | NEEDS_DEPTH,
+        .values = faces_value,
+        .draw = draw_zbuffer,
+    },
     {
         .name = "depth",
         .needs = NEEDS_MODEL | NEEDS_DEPTH,
         .format = IMAGE_GREY,
+        .values = faces_value,
         .draw = draw_depth,
     },
     {
         .name = "deep",
         .needs = NEEDS_MODEL | NEEDS_DEPTH,
         .format = IMAGE_GREY,
+        .values = faces_value,
         .draw = draw_deep,
     },
     {
         .name = "knot",
         .needs = NEEDS_MODEL | NEEDS_DEPTH,
         .model = "knot.off",
+        .values = faces_value,
         .draw = draw_zbuffer,
     },
     {
@@ -258,6 +272,7 @@ static const struct scene scenes[] = {
         .width = 800,
         .height = 600, /* less than the width: who takes it for that mixes rows of depths */
         .light = {1, 0, -1},
+        .values = faces_value,
         .draw = draw_zbuffer,
     },
     {.name = "cards", .needs = NEEDS_DEPTH, .width = 400, .height = 400, .draw = draw_cards},

@@ -16,6 +16,16 @@ static void describe_vec3(const char *name, struct vec3 v, FILE *out) {
     fprintf(out, ",\"%s\":[%g,%g,%g]", name, v.x, v.y, v.z);
 }
 
+static void describe_values(const struct scene_value *values, FILE *out) {
+    for (size_t i = 0; values != NULL && values[i].name != NULL; i++) {
+        const struct scene_value *v = &values[i];
+        fprintf(out, "%s{\"name\":\"%s\",\"help\":\"%s\",", i > 0 ? "," : ",\"values\":[", v->name,
+                v->help);
+        fprintf(out, "\"least\":%g,\"most\":%g,\"step\":%g,\"value\":%g}%s", v->least, v->most,
+                v->step, v->value, v[1].name == NULL ? "]" : "");
+    }
+}
+
 void live_describe(const struct program *program, FILE *out) {
     fprintf(out, "{\"program\":\"%s\",\"text\":%s,\"scenes\":[", program->name,
             program->draw_text == NULL               ? "null"
@@ -33,6 +43,7 @@ void live_describe(const struct program *program, FILE *out) {
             describe_vec3("center", scene.center, out);
             describe_vec3("up", scene.up, out);
         }
+        describe_values(scene.values, out);
         fprintf(out, "}");
     }
     fprintf(out, "]}\n");

@@ -80,6 +80,24 @@ static bool parse_vec3(const struct program *program, const char *value, void *f
     return true;
 }
 
+/* NAME=VALUE: a number of a scene, within its range. */
+static bool parse_set(const struct program *program, const char *text, void *field) {
+    struct options *options = field;
+    struct chosen_value chosen = {.name = text, .length = strcspn(text, "=")};
+    const char *number = text + chosen.length + (text[chosen.length] == '=');
+    bool known = false;
+    if (options->set_count == VALUE_LIMIT ||
+        !word_to_double((struct word){number, strlen(number)}, &chosen.value)) {
+        return false;
+    }
+    for (size_t i = 0; i < program->scene_count; i++) {
+        const struct scene_value *value = scene_find_value(&program->scenes[i], &chosen);
+        known |= value != NULL && chosen.value >= value->least && chosen.value <= value->most;
+    }
+    options->set[options->set_count++] = chosen;
+    return known;
+}
+
 /* Light without a direction makes every picture black. */
 static bool parse_light(const struct program *program, const char *value, void *field) {
     struct vec3_option *light = field;
@@ -103,7 +121,8 @@ enum condition {
     WITH_NORMAL_MAP,
     WITH_SPECULAR,
     WITH_CAMERA,
-    WITH_LIGHT
+    WITH_LIGHT,
+    WITH_VALUES
 };
 
 #define FIELD(name) offsetof(struct options, name)
@@ -137,6 +156,8 @@ static const struct option {
     {"--light", "X,Y,Z", POINT " that are not all 0",
      "where the light goes, comes from or stands: see the lesson", FIELD(light), parse_light,
      WITH_LIGHT},
+    {"--set", "NAME=N", "NAME=N, a scene's number", "change a number of a scene", 0, parse_set,
+     WITH_VALUES},
     {"--repeat", "N", "a number" REPEATS,
      "draw N times; print the median milliseconds of one frame" REPEATS, FIELD(repeat),
      parse_repeat, ALWAYS},
@@ -161,6 +182,17 @@ struct details {
 static struct details details_of(const struct option *option, const struct program *program) {
     struct details details = {{0}};
     size_t length = 0, count = option->parse == parse_scene ? program->scene_count : 0;
+    for (size_t i = 0; option->parse == parse_set && i < program->scene_count; i++) {
+        const struct scene_value *value = program->scenes[i].values;
+        bool is_new = i == 0 || value != program->scenes[i - 1].values;
+        for (; value != NULL && is_new && value->name != NULL && length < sizeof details.text;
+             value++) {
+            length +=
+                (size_t)snprintf(details.text + length, sizeof details.text - length,
+                                 "%s %s of %s, %g to %g", length == 0 ? ":" : ";", value->name,
+                                 program->scenes[i].name, value->least, value->most);
+        }
+    }
     for (size_t i = 0; i < count && length < sizeof details.text; i++) {
         length += (size_t)snprintf(details.text + length, sizeof details.text - length, "%s %s",
                                    i == 0 ? ":" : ",", program->scenes[i].name);
@@ -181,6 +213,14 @@ bool program_takes_model(const struct program *program) {
     return program->draw_text == NULL && (needs_of(program) & ~(unsigned)NEEDS_DEPTH) != 0;
 }
 
+static bool takes_values(const struct program *program) {
+    bool takes = false;
+    for (size_t i = 0; i < program->scene_count; i++) {
+        takes |= program->scenes[i].values != NULL;
+    }
+    return takes;
+}
+
 static bool takes_option(const struct program *program, const struct option *option) {
     switch (option->condition) {
     case WITH_MODEL:
@@ -195,6 +235,8 @@ static bool takes_option(const struct program *program, const struct option *opt
         return program->takes_camera;
     case WITH_LIGHT:
         return program->takes_light;
+    case WITH_VALUES:
+        return takes_values(program);
     default:
         return true;
     }

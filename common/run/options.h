@@ -8,7 +8,7 @@
 #define COMMON_OPTIONS_H
 
 #include "files/image_file.h"
-#include "run/scene.h"
+#include "run/stage.h"
 
 struct vec3_option {
     bool given;
@@ -27,8 +27,10 @@ struct options {
     const struct image_file_format *format;
     struct vec3_option eye, center, up, light;
     const char *textures[MODEL_TEXTURE_KINDS]; /* files; NULL for those beside the model */
-    size_t repeat;                             /* 0 without --repeat */
-    size_t frame;                              /* 1 and on, of an animation; 0 without --frame */
+    struct chosen_value set[VALUE_LIMIT];
+    size_t set_count;
+    size_t repeat; /* 0 without --repeat */
+    size_t frame;  /* 1 and on, of an animation; 0 without --frame */
     bool fit, stats, no_skip, live, help;
 };
 

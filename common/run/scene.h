@@ -29,7 +29,18 @@ enum need {
     NEEDS_LINES = 128 /* those beside the faces, and a model of lines alone will do */
 };
 
-enum { COUNTER_LIMIT = 32 }; /* different names that one scene counts */
+/* A number of a scene that --set changes, within its range. A list of them ends with one that has
+ * no name; every scene has its own list, or none. */
+struct scene_value {
+    const char *name;                /* letters, digits and '_' */
+    const char *help;                /* what it is, in a few words */
+    double least, most, step, value; /* step: by how much it changes at a time */
+};
+
+enum {
+    COUNTER_LIMIT = 32, /* different names that one scene counts */
+    VALUE_LIMIT = 8     /* numbers in a scene's list */
+};
 
 struct counter {
     const char *name;
@@ -50,6 +61,8 @@ struct drawing {
     bool stats;                       /* with --stats: count what takes time to count, too */
     size_t frame;                     /* of an animation, from 0 */
     int number;                       /* the scene's */
+    const struct scene_value *values; /* the scene's, */
+    double value[VALUE_LIMIT];        /* and what they are now: see drawing_value() */
     void *state;                      /* program.state_size bytes, zero at first */
     struct counter counters[COUNTER_LIMIT];
     size_t counter_count;
@@ -57,6 +70,9 @@ struct drawing {
 
 /* Add to the drawing's counter of that name (a string constant), for --stats. */
 void drawing_count(struct drawing *drawing, const char *name, uint64_t amount);
+
+/* The scene's number of that name, as --set has chosen it, or its default. The scene has it. */
+double drawing_value(const struct drawing *drawing, const char *name);
 
 /* Where a field is zero, the program's default stands. */
 struct scene {
@@ -68,8 +84,9 @@ struct scene {
     size_t frames;            /* of an animation, drawn as a sheet or, in PNG, moving */
     bool extra;               /* no part of the lesson: drawn when --only names it */
     bool detail; /* of the course's model, so of another one drawn when --only names it */
-    struct vec3 eye, center, up; /* the camera, in steps that have one */
-    struct vec3 light;           /* in steps that have one */
+    struct vec3 eye, center, up;      /* the camera, in steps that have one */
+    struct vec3 light;                /* in steps that have one */
+    const struct scene_value *values; /* that --set changes; NULL: none */
     int number; /* which of the scenes that share a draw function; it says of what */
     /* Draw into the image, which is black and of the right size and format. */
     bool (*draw)(struct drawing *drawing, struct image *image, struct error *error);

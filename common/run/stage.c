@@ -34,6 +34,42 @@ void drawing_count(struct drawing *drawing, const char *name, uint64_t amount) {
     drawing->counters[i].value += amount;
 }
 
+/* ---- Numbers of scenes ---- */
+
+const struct scene_value *scene_find_value(const struct scene *scene,
+                                           const struct chosen_value *chosen) {
+    const struct scene_value *value = scene->values;
+    while (value != NULL && value->name != NULL &&
+           (strlen(value->name) != chosen->length ||
+            memcmp(value->name, chosen->name, chosen->length) != 0)) {
+        value++;
+    }
+    return value != NULL && value->name != NULL ? value : NULL;
+}
+
+double drawing_value(const struct drawing *drawing, const char *name) {
+    size_t i = 0;
+    while (strcmp(drawing->values[i].name, name) != 0) {
+        i++;
+    }
+    return drawing->value[i];
+}
+
+/* The scene's defaults, then what was chosen. */
+static void set_values(struct drawing *drawing, const struct scene *scene, const struct run *run) {
+    drawing->values = scene->values;
+    for (size_t i = 0; scene->values != NULL && scene->values[i].name != NULL; i++) {
+        assert(i < VALUE_LIMIT);
+        drawing->value[i] = scene->values[i].value;
+    }
+    for (size_t i = 0; i < run->chosen_count; i++) {
+        const struct scene_value *value = scene_find_value(scene, &run->chosen[i]);
+        if (value != NULL) {
+            drawing->value[value - scene->values] = run->chosen[i].value;
+        }
+    }
+}
+
 /* ---- Scenes: what they leave at zero is the program's ---- */
 
 static bool is_zero(struct vec3 v) {
@@ -243,6 +279,7 @@ bool stage_begin(struct stage *stage, struct run *run, const struct scene *scene
                     .number = scene->number},
         .pixel_count = width * height,
     };
+    set_values(&stage->drawing, scene, run);
     if (!load_needs(run, scene, &stage->drawing, error) || !allocate(stage, width, height, error)) {
         return false;
     }

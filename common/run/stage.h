@@ -13,13 +13,22 @@ struct loaded {
     uint64_t bytes, textures_read, textures_present;
 };
 
+/* NAME=VALUE of a --set. */
+struct chosen_value {
+    const char *name; /* of `length` bytes */
+    size_t length;
+    double value;
+};
+
 /* What the scenes of one run share. Set the first part, leave the second zero. */
 struct run {
     const struct program *program;
     const char *input;             /* a model in place of the course's own; NULL: none */
     const struct text_scene *text; /* NULL but for a text scene */
     bool no_skip, stats;
-    bool fit;                                       /* move and scale models into view */
+    bool fit;                          /* move and scale models into view */
+    const struct chosen_value *chosen; /* numbers of scenes, by --set */
+    size_t chosen_count;
     const char *texture_files[MODEL_TEXTURE_KINDS]; /* for the model; NULL: those beside it */
     unsigned needs; /* of all scenes that will be drawn, so that a model is read once; 0: unknown */
 
@@ -45,6 +54,10 @@ extern const char *const default_model_path;
 
 /* The scene with the program's defaults filled in. */
 struct scene scene_complete(const struct program *program, const struct scene *scene);
+
+/* The scene's number that this chooses; NULL where it has none of that name. */
+const struct scene_value *scene_find_value(const struct scene *scene,
+                                           const struct chosen_value *chosen);
 
 /* Is the scene drawn from a model? */
 bool scene_needs_model(const struct scene *scene);

@@ -56,9 +56,9 @@ function readAddress() {
             chosen[name] = numbers;
         }
     }
-    for (const name of ["frame", "size"]) {
-        if (Number(given.get(name)) > 0) {
-            chosen[name] = Number(given.get(name));
+    for (const [name, text] of given) {
+        if (!(name in chosen) && name !== "text" && Number.isFinite(Number(text))) {
+            chosen[name] = Number(text);
         }
     }
     if (given.get("text")) {
@@ -87,6 +87,10 @@ function request() {
     }
     for (const name of ["light", "eye", "center", "up"]) {
         words += chosen[name] ? ` --${name} ${three(chosen[name])}` : "";
+    }
+    for (const value of scene.values ?? []) {
+        const set = chosen[value.name];
+        words += set === undefined ? "" : ` --set ${value.name}=${set}`;
     }
     return words + (chosen.frame ? ` --frame ${chosen.frame}` : "") + "\n";
 }
@@ -501,6 +505,14 @@ function buildControls() {
     if (!isOwn() && scene.frames > 1) {
         $("values").append(slider("frame", chosen.frame ?? 1, 1, scene.frames, 1, value => {
             chosen.frame = value;
+            changed();
+        }));
+        $("values").hidden = false;
+    }
+    for (const value of (!isOwn() && scene.values) || []) {
+        $("values").append(slider(value.help, chosen[value.name] ?? value.value, value.least, value.most,
+                                  value.step, number => {
+            chosen[value.name] = number;
             changed();
         }));
         $("values").hidden = false;

@@ -38,4 +38,12 @@ printf '%s\n' '--only zbuffer -s 8x8 --stats' | answers step05_zbuffer
 head -n 1 "$work/answer" | grep -qx 'frame 8 8 [0-9.]* 3' || wrong "not three counters"
 "$build/step05_zbuffer" --only zbuffer -s 8x8 --stats -o "$work" | sed -n 's/zbuffer\.//; s/: / /; 1,3p' >"$work/stats"
 sed -n 2,4p "$work/answer" | cmp -s - "$work/stats" || wrong "other counters than --stats"
+
+# Numbers of a scene: in the description, and chosen, within their range.
+printf '%s\n' '--only zbuffer --set faces=0 --stats' '--set faces=2' '--set corners=1' | answers step05_zbuffer
+head -n 1 "$work/all" | grep -qF '"values":[{"name":"faces","help":"share of the faces that are drawn","least":0,"most":1,' ||
+    wrong "no values in the description"
+sed -n 4p "$work/answer" | grep -qx 'pixels_written 0' || wrong "faces are drawn"
+[ "$(grep -ac "^error --set wants NAME=N, a scene's number: faces of zbuffer, 0 to 1, not" "$work/answer")" -eq 2 ] ||
+    [ "$(tail -n 2 "$work/answer" | grep -ac 'error --set wants')" -eq 2 ] || wrong "numbers out of range are taken"
 exit $failed

@@ -117,7 +117,8 @@ static void add_chunk(struct bytes *file, const char *type, const uint8_t *data,
     REQUIRE(bytes_append(file, number, 4));
 }
 
-/* Bytes 1, 2: width, height; 3: depth; 4: colour type, and 128 more where it is interlaced; 5: colours of the palette; 6: bytes of the
+/* Bytes 1, 2: width, height; 3: depth; 4: colour type, and 128 more where it is interlaced;
+ * 5: colours of the palette; 6: bytes of the
  * tRNS chunk; then the palette, the tRNS chunk, and rows. */
 static void try_rows(const uint8_t *data, size_t size) {
     enum { HEADER = 7 };
