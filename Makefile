@@ -23,12 +23,20 @@ ROOMS := $(wildcard $(foreach room,check student teacher bench upkeep,tests/$(ro
 # ---- What is said: a line a file, or with V=1 each command ----
 
 Q   = $(if $(V),,@)
-SAY = $(if $(V)$(findstring s,$(firstword -$(MAKEFLAGS))),@:,@printf '%-6s %s\n')
+SAY = $(if $(V)$(SILENT),@:,@printf '$(if $(IN_PLACE),\r\033[K)%-6s %s$(if $(IN_PLACE),,\n)')
+
+# On a terminal (make 4.1 and newer knows) the lines of a student's commands replace each other; what
+# follows them begins with $(END_LINE).
+SILENT   = $(findstring s,$(firstword -$(MAKEFLAGS)))
+IN_PLACE = $(if $(filter-out all check show open live watch hint $(STEPS),$(MAKECMDGOALS))$(V)$(SILENT),,$(MAKE_TERMOUT))
+END_LINE = $(if $(IN_PLACE),@printf '\r\033[K',@:)
 
 # ---- Pictures ----
 
 .PHONY: all programs models $(STEPS)
-all: $(CHOSEN)
+all: $(CHOSEN) $(if $(MAKE_TERMOUT),$(BUILD)/show)
+	$(END_LINE)
+	@$(if $(SILENT)$(STEP),:,sh tests/student/next.sh '$(BUILD)')
 programs: $(STEPS:%=$(BUILD)/%)
 models: $(BUILD)/models/bust.obj
 $(STEPS): %: $(BUILD)/out/%/.drawn
@@ -74,12 +82,15 @@ $(BUILD)/flags: force
 # It is linked under another name first: `make watch` may run the old one meanwhile. What the
 # compiler warns of is kept, because the check repeats it.
 define BUILD_LESSON
+	@$(foreach h,$(filter $(notdir $(wildcard common/*.h)),$(notdir $(wildcard $(<D)/*.h))),\
+	    echo "$(<D)/$h: error: it hides common/$h: give it another name" >&2; exit 1;) :
 	$(SAY) CC $<
 	$(Q)$(COMPILE) $$([ ! -t 2 ] || echo -fdiagnostics-color=always) $(1) -MF $@.d -MT $@ -c $< -o $@.o \
-	    2>$@.said || { cat $@.said >&2; exit 1; }
-	@cat $@.said >&2
+	    2>$@.said || { $(SAID) >&2; exit 1; }
+	@[ ! -s $@.said ] || $(SAID) >&2
 	$(Q)$(LINK) $(1) $@.o $(2) $(BUILD)/libcommon.a -lm -o $@.$$$$ && mv -f $@.$$$$ $@
 endef
+SAID = { $(if $(IN_PLACE),echo;) cat $@.said; }
 $(STEPS:%=$(BUILD)/%): $(BUILD)/%: %/main.c $(BUILD)/%.text $(BUILD)/libcommon.a $(BUILD)/flags
 	$(call BUILD_LESSON,$(LESSON_FLAGS),$(LESSON_OBJECTS))
 

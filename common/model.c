@@ -13,6 +13,7 @@ void model_free(struct model *model) {
     free(model->colors);
     free(model->face_colors);
     free(model->faces);
+    free(model->lines);
     free(model->path);
     *model = (struct model){0};
 }

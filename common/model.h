@@ -31,26 +31,39 @@ struct face {
     struct corner corner[3]; /* counterclockwise as seen from outside */
 };
 
-/* The textures that may lie beside NAME.obj, read when first asked for. */
+/* The textures that may lie beside NAME.obj, read when first asked for; also under other usual
+ * names, as model_file.c knows them. */
 enum model_texture_kind {
-    MODEL_DIFFUSE,    /* NAME_diffuse.tga or .png: the colour of the surface */
-    MODEL_NORMAL_MAP, /* NAME_nm.tga or .png: object-space; level = (coordinate + 1) * 127.5 */
-    MODEL_SPECULAR,   /* NAME_spec.tga or .png: how the surface shines */
+    MODEL_DIFFUSE,    /* NAME_diffuse.tga: the colour of the surface */
+    MODEL_NORMAL_MAP, /* NAME_nm.tga: object-space; level = (coordinate + 1) * 127.5 */
+    MODEL_SPECULAR,   /* NAME_spec.tga: how the surface shines */
     MODEL_TEXTURE_KINDS
+};
+
+/* What was wrong with a file that was read all the same; model_warning_text() says it. */
+enum model_warning {
+    MODEL_SHORT_FACES,
+    MODEL_UVS_MISSING,
+    MODEL_NORMALS_MISSING,
+    MODEL_NORMALS_WRONG,
+    MODEL_WARNINGS
 };
 
 /* All zero is a valid, empty model. Everything in it belongs to it. */
 struct model {
-    size_t position_count, uv_count, normal_count, face_count;
+    size_t position_count, uv_count, normal_count, face_count, line_count;
     struct vec3 *positions;
     float (*uvs)[2];         /* u v */
     float (*normals)[3];     /* as in the file, of any length; of length 1 where computed */
     float (*colors)[3];      /* red green blue 0..1, one a position; NULL where the file has none */
     float (*face_colors)[3]; /* the same, one a face; model_color() knows which counts */
     struct face *faces;
-    char *path;                                   /* the file, for messages and for its textures */
-    struct texture textures[MODEL_TEXTURE_KINDS]; /* empty until first asked for */
-    uint64_t bytes_read;                          /* of the file and of its textures */
+    uint32_t (*lines)[2];                /* the positions that they join; only where asked for */
+    size_t warning_line[MODEL_WARNINGS]; /* where each is first, from 1; 0: nowhere */
+    char *path;                          /* the file, for messages and for its textures */
+    const char *texture_files[MODEL_TEXTURE_KINDS]; /* to read instead; NULL: those beside it */
+    struct texture textures[MODEL_TEXTURE_KINDS];   /* empty until first asked for */
+    uint64_t bytes_read;                            /* of the file and of its textures */
 };
 
 /* Free everything and leave an empty model. */

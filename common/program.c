@@ -6,6 +6,8 @@
 #include "base/large_pages.h"
 #include "files/fit.h"
 #include "files/image_file.h"
+#include "files/model_file.h"
+#include "run/live.h"
 #include "run/options.h"
 #include "run/stage.h"
 
@@ -15,6 +17,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
+#include <unistd.h>
 
 #ifndef COURSE_BUILD
 #define COURSE_BUILD "build"
@@ -28,7 +31,8 @@ enum { FRAME_DELAY_MS = 40 }; /* of an animation: 25 frames a second */
 struct command {
     struct options options;
     struct run run;
-    bool suggested; /* suggest_fit() has looked at the model */
+    bool suggested;     /* suggest_fit() has looked at the model */
+    const char *advice; /* the last one of warn_of_nothing() */
 };
 
 /* ---- Timing ---- */
@@ -72,7 +76,9 @@ static struct scene chosen_scene(const struct command *command, const struct sce
 }
 
 static bool is_chosen(const struct command *command, const struct scene *scene) {
-    return command->options.only == NULL ? !scene->extra : command->options.only == scene;
+    bool of_another = command->options.input != NULL && scene->detail;
+    return command->options.only == NULL ? !scene->extra && !of_another
+                                         : command->options.only == scene;
 }
 
 static bool same_point(struct vec3 a, struct vec3 b) {
@@ -244,7 +250,34 @@ end:
 
 /* ---- Warnings: what a picture does not tell ---- */
 
-/* Say once that the model of the command line may lie out of view. Who places the camera knows. */
+static void say(const struct command *command, const struct error *error) {
+    fprintf(stderr, "%s: %s\n", command->run.program->name, error->message);
+}
+
+/* Say once what was wrong with the files of a model that is drawn all the same. */
+static void warn_of_file(struct command *command) {
+    struct model *model = &command->run.model;
+    for (int i = 0; i < MODEL_WARNINGS; i++) {
+        struct error warning;
+        if (model->warning_line[i] > 0) {
+            error_set(&warning, "%s", model_warning_text((enum model_warning)i));
+            warning.line = model->warning_line[i];
+            error_name_input(&warning, model->path);
+            say(command, &warning);
+        }
+        model->warning_line[i] = 0;
+    }
+    for (int i = 0; i < MODEL_TEXTURE_KINDS; i++) {
+        struct error *replaced = &command->run.replaced[i];
+        if (replaced->message[0] != '\0') {
+            say(command, replaced);
+        }
+        replaced->message[0] = '\0';
+    }
+}
+
+/* Say once that the model of the command line may lie out of view, or be hard to see. Who places
+ * the camera knows. */
 static void suggest_fit(struct command *command, const struct model *model) {
     const struct options *options = &command->options;
     bool placed = options->fit || options->eye.given || options->center.given;
@@ -252,12 +285,17 @@ static void suggest_fit(struct command *command, const struct model *model) {
         return;
     }
     command->suggested = true;
-    if (box_reaches_out(model_box(model))) {
-        struct error advice;
+    struct box3 box = model_box(model);
+    struct error advice;
+    if (box_reaches_out(box)) {
         error_set(&advice, "reaches out of -1..1; --fit brings it into view");
-        error_name_file(&advice, options->input);
-        fprintf(stderr, "%s: %s\n", command->run.program->name, advice.message);
+    } else if (box_is_tiny(box)) {
+        error_set(&advice, "fills little of -1..1; --fit makes it larger");
+    } else {
+        return;
     }
+    error_name_input(&advice, options->input);
+    say(command, &advice);
 }
 
 static bool is_black(const struct image *image) {
@@ -293,21 +331,57 @@ static bool shows_nothing(const struct stage *stage, const struct frames *frames
     return true;
 }
 
-/* Say that a scene shows nothing of its model, where an option chose what is in view. Without one
- * it is the lesson that is not yet written. */
-static void warn_of_nothing(const struct command *command, const struct stage *stage,
-                            const struct frames *frames) {
+/* Does a face turn its outside to the eye? */
+static bool is_a_face_seen(const struct stage *stage) {
+    const struct model *model = stage->drawing.model;
+    for (size_t i = 0; i < model->face_count; i++) {
+        struct vec3 along_z = {0, 0, 1}; /* in a parallel view */
+        struct vec3 to_eye = stage->program->takes_camera
+                                 ? vec3_sub(stage->drawing.eye, model_position(model, i, 0))
+                                 : along_z;
+        if (vec3_dot(model_face_normal(model, i), to_eye) > 0) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/* Why a scene may show nothing, or what may help. */
+static const char *advise(const struct command *command, const struct stage *stage) {
     const struct options *options = &command->options;
     const struct program *program = command->run.program;
+    struct box3 box = model_box(stage->drawing.model);
+    bool placed =
+        program->takes_camera && !(same_point(stage->scene.eye, program->defaults.eye) &&
+                                   same_point(stage->scene.center, program->defaults.center));
+    if (!options->fit && (box_reaches_out(box) || box_is_tiny(box))) {
+        return placed ? "; what may help: --fit --center" : "; what may help: --fit";
+    }
+    if ((stage->scene.needs & NEEDS_LINES) == 0 && !is_a_face_seen(stage)) {
+        return ": all faces look away";
+    }
+    if (placed) {
+        return "; what may help: --center";
+    }
+    return program->takes_light ? "; what may help: --light" : "";
+}
+
+/* Say that a scene shows nothing of its model, where an option chose what is in view. Without one
+ * it is the lesson that is not yet written. What is true of several scenes is said of the first. */
+static void warn_of_nothing(struct command *command, const struct stage *stage,
+                            const struct frames *frames) {
+    const struct options *options = &command->options;
     bool chosen = options->input != NULL || options->eye.given || options->center.given ||
                   options->light.given;
     if (!chosen || !scene_needs_model(&stage->scene) || !shows_nothing(stage, frames)) {
         return;
     }
-    bool any = !options->fit || program->takes_camera || program->takes_light;
-    fprintf(stderr, "%s: scene %s: nothing was drawn%s%s%s%s\n", program->name, stage->scene.name,
-            any ? "; what may help:" : "", options->fit ? "" : " --fit",
-            program->takes_camera ? " --center" : "", program->takes_light ? " --light" : "");
+    const char *advice = advise(command, stage);
+    if (command->advice == NULL || strcmp(command->advice, advice) != 0) {
+        fprintf(stderr, "%s: scene %s: nothing was drawn%s\n", command->run.program->name,
+                stage->scene.name, advice);
+    }
+    command->advice = advice;
 }
 
 /* ---- Drawing ---- */
@@ -370,6 +444,7 @@ static bool draw_scene(struct command *command, const struct scene *given, struc
     struct stage stage = {0};
     bool done = frames_create(&frames, options, &scene, error) &&
                 stage_begin(&stage, &command->run, &scene, frames.width, frames.height, error);
+    warn_of_file(command);
     if (done) {
         suggest_fit(command, stage.drawing.model);
     }
@@ -424,23 +499,144 @@ static bool draw_text(struct command *command, struct error *error) {
     return done;
 }
 
+/* Say which scenes are not drawn of the command line's model. */
+static void warn_of_details(const struct command *command) {
+    const struct program *program = command->run.program;
+    char names[256] = "";
+    size_t length = 0;
+    bool chosen = command->options.input != NULL && command->options.only == NULL;
+    for (size_t i = 0; chosen && i < program->scene_count && length < sizeof names; i++) {
+        const struct scene *scene = &program->scenes[i];
+        if (scene->detail && !scene->extra) {
+            length += (size_t)snprintf(names + length, sizeof names - length, "%s %s",
+                                       length == 0 ? ":" : ",", scene->name);
+        }
+    }
+    if (length > 0) {
+        fprintf(stderr, "%s: left out, as details of the course's own model%s\n", program->name,
+                names);
+    }
+}
+
+/* A scene that cannot be drawn does not keep the next from being drawn, but a model of the command
+ * line that cannot be read does. Each message is said once, the last one by main(). */
 static bool draw_scenes(struct command *command, struct error *error) {
     const struct program *program = command->run.program;
+    bool done = true;
     command->run.input = command->options.input;
     for (size_t i = 0; i < program->scene_count; i++) {
         const struct scene *scene = &program->scenes[i];
         command->run.needs |= is_chosen(command, scene) ? scene->needs : 0;
     }
-    for (size_t i = 0; i < program->scene_count; i++) {
+    bool readable = true;
+    for (size_t i = 0; i < program->scene_count && readable; i++) {
         const struct scene *scene = &program->scenes[i];
-        if (is_chosen(command, scene) && !draw_scene(command, scene, error)) {
-            return false;
+        struct error fault;
+        if (!is_chosen(command, scene) || draw_scene(command, scene, &fault)) {
+            continue;
         }
+        if (!done && strcmp(error->message, fault.message) != 0) {
+            say(command, error);
+        }
+        *error = fault;
+        done = false;
+        readable = command->run.input == NULL || command->run.model_file != NULL ||
+                   !scene_needs_model(scene);
+    }
+    if (command->run.model_file != NULL) {
+        warn_of_details(command);
     }
     if (command->options.stats && command->run.model_file != NULL) {
         print_loaded(&command->run);
     }
-    return true;
+    return done;
+}
+
+/* ---- --live ---- */
+
+/* Draw one frame of the scene and write it. */
+static bool answer_scene(struct command *command, const struct scene *given, FILE *out,
+                         struct error *error) {
+    const struct scene scene = chosen_scene(command, given);
+    struct image image = {.pixels = NULL};
+    struct stage stage = {0};
+    size_t frame = command->options.frame > 0 ? command->options.frame - 1 : 0;
+    bool done = image_create(&image, scene.width, scene.height, scene.format, error) &&
+                stage_begin(&stage, &command->run, &scene, scene.width, scene.height, error);
+    double begin = now_ms();
+    done = done && stage_draw(&stage, &image, frame % scene.frames, error);
+    if (done) {
+        live_write_frame(&image, now_ms() - begin, stage.drawing.counters,
+                         stage.drawing.counter_count, out);
+    }
+    stage_end(&stage);
+    image_free(&image);
+    return done;
+}
+
+static bool answer_text(struct command *command, const struct live_request *request, FILE *out,
+                        struct error *error) {
+    const struct program *program = command->run.program;
+    struct text_scene text = {0};
+    bool done = program->draw_text != NULL || error_set(error, "takes no text scene");
+    done = done &&
+           text_scene_decode(&text, request->text, request->text_size, program->text_kind, error);
+    if (done) {
+        const struct scene scene = {
+            .name = "text", .width = text.width, .height = text.height, .draw = program->draw_text};
+        command->run.text = &text;
+        done = answer_scene(command, &scene, out, error);
+    }
+    command->run.text = NULL;
+    text_scene_free(&text);
+    return done;
+}
+
+/* Options of the request; the model, and whether it is fitted, are those of the command line. */
+static bool answer(void *context, const struct live_request *request, FILE *out,
+                   struct error *error) {
+    struct command *command = context;
+    const struct program *program = command->run.program;
+    if (!options_parse(&command->options, program, request->argc, request->argv, error) ||
+        !check_options(command, error)) {
+        return false;
+    }
+    if (command->options.input != NULL || command->options.live) {
+        return error_set(error, "the model and --live stand on the command line");
+    }
+    command->run.no_skip = command->options.no_skip;
+    command->run.stats = command->options.stats;
+    if (request->text != NULL) {
+        return answer_text(command, request, out, error);
+    }
+    const struct scene *scene = command->options.only;
+    return answer_scene(command, scene != NULL ? scene : &program->scenes[0], out, error);
+}
+
+/* What a student's program prints must not come between the frames: it goes to standard error. */
+static FILE *live_output(void) {
+#ifdef __wasi__ /* which has no dup() */
+    return stdout;
+#else
+    int output = dup(STDOUT_FILENO);
+    return output >= 0 && dup2(STDERR_FILENO, STDOUT_FILENO) >= 0 ? fdopen(output, "wb") : NULL;
+#endif
+}
+
+/* All that any scene needs of the model is read at once. */
+static bool answer_all(struct command *command, struct error *error) {
+    const struct program *program = command->run.program;
+    command->run.input = program->draw_text == NULL ? command->options.input : NULL;
+    for (size_t i = 0; i < program->scene_count; i++) {
+        command->run.needs |= program->scenes[i].needs;
+    }
+    FILE *out = live_output();
+    bool done = out != NULL ? live_loop(program, stdin, out, answer, command, error)
+                            : error_set(error, "cannot write to standard output");
+    if (out != NULL && out != stdout) {
+        fclose(out);
+    }
+    return done;
 }
 
 /* ---- The program ---- */
@@ -451,6 +647,8 @@ static bool run_command(struct command *command, struct error *error) {
     bool done = true;
     if (command->options.help) {
         options_print_help(program, OUTPUT_DIRECTORY, default_model_path);
+    } else if (command->options.live) {
+        done = answer_all(command, error);
     } else {
         done = text ? draw_text(command, error) : draw_scenes(command, error);
     }
@@ -470,6 +668,8 @@ int program_main(const struct program *program, int argc, char **argv) {
         command.run.no_skip = command.options.no_skip;
         command.run.stats = command.options.stats;
         command.run.fit = command.options.fit;
+        memcpy(command.run.texture_files, command.options.textures,
+               sizeof command.options.textures);
         status = run_command(&command, &error) ? STATUS_DONE : STATUS_FAILED;
     }
     if (status != STATUS_DONE) {

@@ -232,7 +232,8 @@ static bool is_color_depth(unsigned bits) {
 /* Is the pixel's depth one that goes with the type? */
 static bool check_tga_depth(const struct tga *tga, struct error *error) {
     bool color = tga->type == TGA_TRUE_COLOR;
-    if (color ? !is_color_depth(tga->depth) : tga->depth != 8) {
+    bool grey_alpha = tga->type == TGA_GREY && tga->depth == 16;
+    if (color ? !is_color_depth(tga->depth) : tga->depth != 8 && !grey_alpha) {
         return error_set(error, "a TGA of %s pixels of %u bits is not supported",
                          color                   ? "true-colour"
                          : tga->type == TGA_GREY ? "grey"
@@ -298,7 +299,7 @@ static bool check_tga_size(const struct tga *tga, struct error *error) {
 
 static enum image_format tga_format(const struct tga *tga) {
     if (tga->type == TGA_GREY) {
-        return IMAGE_GREY;
+        return tga->depth == 16 ? IMAGE_BGRA : IMAGE_GREY;
     }
     bool one_attribute_bit = (tga->descriptor & TGA_ATTRIBUTE_BITS) == 1;
     bool alpha = tga->color_depth == 32 || (tga->color_depth == 16 && one_attribute_bit);
@@ -322,9 +323,21 @@ static void unpack_5551(const uint8_t *stored, enum image_format format, uint8_t
     store_color(pixel, format, color);
 }
 
+/* Grey and alpha, a byte each. */
+static void unpack_grey_alpha(const uint8_t *stored, size_t count, uint8_t *bgra) {
+    for (size_t i = 0; i < count; i++) {
+        memset(bgra + 4 * i, stored[2 * i], 3);
+        bgra[4 * i + 3] = stored[2 * i + 1];
+    }
+}
+
 /* `count` stored colours become pixels. */
 static void convert_colors(const struct tga *tga, const uint8_t *stored, size_t count,
                            uint8_t *pixels) {
+    if (tga->type == TGA_GREY && tga->depth == 16) {
+        unpack_grey_alpha(stored, count, pixels);
+        return;
+    }
     if (tga->color_depth != 15 && tga->color_depth != 16) {
         memcpy(pixels, stored, count * (size_t)tga->format);
         return;

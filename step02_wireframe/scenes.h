@@ -29,16 +29,25 @@ static struct side greatest_side(const struct side *sides, size_t side_count) {
     return greatest;
 }
 
+/* How many sides the model has, of faces and, behind these, lines of its file. */
+static size_t sides_of(const struct model *model) {
+    return 3 * model->face_count + model->line_count;
+}
+
 /* With --no-skip, a side that two faces share stands in the list twice. Behind the list stands its
  * greatest side once more: whoever reads on beyond the end takes that for an equal one. */
 static bool wireframe_create(struct wireframe *wireframe, const struct model *model, bool skip,
                              struct error *error) {
-    size_t side_count = 3 * model->face_count;
+    size_t side_count = sides_of(model);
     wireframe->sides = calloc(side_count + 1, sizeof *wireframe->sides);
     if (wireframe->sides == NULL) {
         return error_set(error, "out of memory for %zu sides", side_count);
     }
     list_sides(model, wireframe->sides);
+    for (size_t i = 0; i < model->line_count; i++) {
+        uint32_t p = model->lines[i][0], q = model->lines[i][1];
+        wireframe->sides[3 * model->face_count + i] = (struct side){p < q ? p : q, p < q ? q : p};
+    }
     wireframe->sides[side_count] = greatest_side(wireframe->sides, side_count);
     wireframe->side_count = skip ? keep_one_of_each(wireframe->sides, side_count) : side_count;
     return true;
@@ -137,7 +146,7 @@ static bool draw_wireframe(struct drawing *drawing, struct image *image, struct 
     const struct wireframe *wireframe = drawing->state;
     draw_sides(drawing, wireframe, drawing->model->positions, (struct view){0, 0, 1}, image);
     drawing_count(drawing, "lines_shared_skipped",
-                  3 * drawing->model->face_count - wireframe->side_count);
+                  sides_of(drawing->model) - wireframe->side_count);
     return true;
 }
 
@@ -147,7 +156,7 @@ static bool draw_part(struct drawing *drawing, const struct model *part, struct 
     bool made = wireframe_create(&wireframe, part, drawing->skip, error);
     if (made) {
         draw_sides(drawing, &wireframe, part->positions, view, image);
-        drawing_count(drawing, "lines_shared_skipped", 3 * part->face_count - wireframe.side_count);
+        drawing_count(drawing, "lines_shared_skipped", sides_of(part) - wireframe.side_count);
     }
     free(wireframe.sides);
     return made;
@@ -200,6 +209,7 @@ static bool draw_border(struct drawing *drawing, struct image *image, struct err
     struct model part = *drawing->model;
     part.faces += part.face_count / 8;
     part.face_count = (part.face_count + 3) / 4;
+    part.line_count = 0;
     return draw_part(drawing, &part, (struct view){0.26, 0.1, 2.4}, image, error);
 }
 
@@ -329,10 +339,24 @@ static bool draw_walked(struct drawing *drawing, struct image *image, struct err
 
 static const struct scene scenes[] = {
     {.name = "square", .width = 100, .height = 100, .draw = draw_square},
-    {.name = "points", .needs = NEEDS_MODEL, .width = 241, .height = 201, .draw = draw_points},
-    {.name = "wireframe", .needs = NEEDS_MODEL, .draw = draw_wireframe},
-    {.name = "border", .needs = NEEDS_MODEL, .width = 480, .height = 360, .draw = draw_border},
-    {.name = "enlarged", .needs = NEEDS_MODEL, .width = 480, .height = 360, .draw = draw_enlarged},
+    {.name = "points",
+     .needs = NEEDS_MODEL | NEEDS_LINES,
+     .width = 241,
+     .height = 201,
+     .draw = draw_points},
+    {.name = "wireframe", .needs = NEEDS_MODEL | NEEDS_LINES, .draw = draw_wireframe},
+    {.name = "border",
+     .detail = true,
+     .needs = NEEDS_MODEL,
+     .width = 480,
+     .height = 360,
+     .draw = draw_border},
+    {.name = "enlarged",
+     .detail = true,
+     .needs = NEEDS_MODEL,
+     .width = 480,
+     .height = 360,
+     .draw = draw_enlarged},
     {.name = "cut", .width = CUT_WIDTH, .height = CUT_HEIGHT, .draw = draw_cut},
     {.name = "walked", .width = 320, .height = 4 * (CUT_LINES + 2), .draw = draw_walked},
 };

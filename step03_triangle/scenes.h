@@ -229,6 +229,7 @@ struct covering {
     mesh_function *place;
     int triangle_count;
     size_t begin, end; /* the columns, and the rows, that it covers; end exclusive */
+    bool every_other_clockwise;
 };
 
 enum {
@@ -332,11 +333,8 @@ static void show_counted(struct image *image, const struct image *small,
 }
 
 /* The grey of a triangle of a mesh: one of four, lighter where it is given clockwise. */
-static uint8_t mesh_shade(int i, const struct image *image, const struct fixed2 corner[3]) {
-    struct edges edges;
-    bool clockwise =
-        triangle_setup(&edges, corner[0], corner[1], corner[2], image->width, image->height) &&
-        edges.clockwise;
+static uint8_t mesh_shade(const struct covering *mesh, int i) {
+    bool clockwise = mesh->every_other_clockwise && i % 2 != 0;
     return (uint8_t)(90 + 17 * (i % 4) + (clockwise ? 80 : 0));
 }
 
@@ -349,7 +347,7 @@ static void count_mesh(struct drawing *drawing, struct image *small, const struc
         struct fixed2 corner[3];
         mesh->place(i, small, corner);
         fill_triangle(drawing, small, corner, white);
-        count_draws(small, mesh_shade(i, small, corner), counted);
+        count_draws(small, mesh_shade(mesh, i), counted);
     }
     for (size_t i = 0; i < small->width * small->height; i++) {
         int wanted = in_mesh(mesh, i % small->width, i / small->width);
@@ -381,12 +379,12 @@ static bool draw_counted(struct drawing *drawing, struct image *image, const str
 
 static bool draw_sheet(struct drawing *drawing, struct image *image, struct error *error) {
     const struct covering sheet = {place_in_sheet, SHEET_TRIANGLES, SHEET_MARGIN,
-                                   SHEET_MARGIN + SHEET_CELLS * SHEET_CELL};
+                                   SHEET_MARGIN + SHEET_CELLS * SHEET_CELL, true};
     return draw_counted(drawing, image, &sheet, error);
 }
 
 static bool draw_fan(struct drawing *drawing, struct image *image, struct error *error) {
-    const struct covering fan = {place_in_fan, FAN_BLADES, 0, SIZE_MAX};
+    const struct covering fan = {place_in_fan, FAN_BLADES, 0, SIZE_MAX, false};
     return draw_counted(drawing, image, &fan, error);
 }
 

@@ -821,6 +821,7 @@ static const struct scene scenes[] = {
     },
     {
         .name = "closeup",
+        .detail = true,
         .needs = NEEDS_VIEW,
         .eye = {0.03, 0.47, 0.46}, /* between the eyebrows, looking down the nose */
         .center = {0.03, -0.3, 0.4},

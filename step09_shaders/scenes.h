@@ -207,7 +207,8 @@ static bool draw_simple_cells(const struct drawing *drawing, struct image *image
                         drawing->up, cell->zoom, place, cell->cull);
         struct uniforms u = make_uniforms(drawing, cell->zoom * place.width);
         u.normal_level++; /* not the texture's: who exchanges the levels sees it */
-        simple_draw(&canvas, &call, cell->shader, &u);
+        bool has_map = drawing->normal_map != NULL || cell->shader != &simple_normal_mapped;
+        simple_draw(&canvas, &call, has_map ? cell->shader : &simple_gouraud_textured, &u);
     }
     return true;
 }
@@ -318,8 +319,9 @@ static bool draw_normal_map(struct drawing *drawing, struct image *image, struct
     struct uniforms u = make_uniforms(drawing, 0.85 * place.width);
     struct uniforms small = make_uniforms(drawing, corner.width);
     small.diffuse_level++; /* who exchanges the levels sees it */
-    bool done = pipeline_draw(pipeline, &call, &normal_mapped, &u, sizeof u, error) &&
-                pipeline_draw(pipeline, &small_call, &normal_mapped, &small, sizeof small, error);
+    const struct shader *shader = drawing->normal_map != NULL ? &normal_mapped : &gouraud_textured;
+    bool done = pipeline_draw(pipeline, &call, shader, &u, sizeof u, error) &&
+                pipeline_draw(pipeline, &small_call, shader, &small, sizeof small, error);
     return pipeline_end(drawing, done, image, error);
 }
 

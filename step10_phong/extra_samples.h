@@ -60,9 +60,10 @@ static bool draw_head(const struct drawing *drawing, struct image *image, struct
     struct rectangle whole = grid_cell(image->width, image->height, 1, 1, 0, 0);
     struct draw_call call = pipeline_call(drawing, whole, 0.85, CULL_BACK);
     struct uniforms u = make_uniforms(drawing, 0.85 * whole.width, textured_material);
-    bool done = pipeline_create(&pipeline, image->width, image->height, error) &&
-                pipeline_draw(&pipeline, &call, &weight_mapped, &u, sizeof u, error) &&
-                pipeline_finish(&pipeline, image, error);
+    bool done =
+        pipeline_create(&pipeline, image->width, image->height, error) &&
+        pipeline_draw(&pipeline, &call, drawn_by(drawing, &weight_mapped), &u, sizeof u, error) &&
+        pipeline_finish(&pipeline, image, error);
     pipeline_free(&pipeline);
     return done;
 }

@@ -27,6 +27,14 @@ static struct uniforms make_uniforms(const struct drawing *drawing, double pixel
     };
 }
 
+/* The shader, or, for a model without normal map, one that draws by the mesh's normals. */
+static const struct shader *drawn_by(const struct drawing *drawing, const struct shader *shader) {
+    if (drawing->normal_map != NULL || shader == &plain) {
+        return shader;
+    }
+    return shader == &mapped ? &plain : &textured;
+}
+
 /* One cell of a picture. */
 struct cell {
     const struct shader *shader;
@@ -56,7 +64,8 @@ static bool draw_cells(struct drawing *drawing, struct image *image, const struc
             u.specular = cells[i].specular;
             u.specular_level = 0;
         }
-        done = pipeline_draw(pipeline, &call, cells[i].shader, &u, sizeof u, error);
+        const struct shader *shader = drawn_by(drawing, cells[i].shader);
+        done = pipeline_draw(pipeline, &call, shader, &u, sizeof u, error);
     }
     return pipeline_end(drawing, done, image, error);
 }
@@ -210,7 +219,8 @@ static bool draw_turn(struct drawing *drawing, struct image *image, struct error
     struct uniforms u = make_uniforms(drawing, 0.85 * whole.width, textured_material);
     (void)turning_light(0.5);
     u.to_light = turning_light((double)drawing->frame / TURN_FRAMES);
-    bool done = pipeline_draw(pipeline, &call, &weight_mapped, &u, sizeof u, error);
+    const struct shader *shader = drawn_by(drawing, &weight_mapped);
+    bool done = pipeline_draw(pipeline, &call, shader, &u, sizeof u, error);
     return pipeline_end(drawing, done, image, error);
 }
 
@@ -255,6 +265,7 @@ static const struct scene scenes[] = {
     },
     {
         .name = "near",
+        .detail = true,
         .needs = NEEDS_MODEL | NEEDS_NORMALS | NEEDS_DIFFUSE | NEEDS_NORMAL_MAP,
         .width = 1600,
         .height = 400,

@@ -158,6 +158,32 @@ static inline struct shown show_color(struct color color) {
     return show("%d,%d,%d", color.r, color.g, color.b);
 }
 
+/* A black image to draw into; show_pixels() frees it. */
+static inline struct image black_image(size_t width, size_t height) {
+    struct image image;
+    struct error error;
+    if (!image_create(&image, width, height, IMAGE_BGR, &error)) {
+        fprintf(stderr, "numbers: %s\n", error.message);
+        exit(1);
+    }
+    return image;
+}
+
+/* "(0,0) (1,0)": the pixels that are not black, row by row from the bottom. */
+static inline struct shown show_pixels(struct image *image) {
+    struct shown shown = {""};
+    for (int i = 0; i < (int)(image->width * image->height) && strlen(shown.text) < 150; i++) {
+        int x = i % (int)image->width, y = i / (int)image->width;
+        struct color color = image_get(image, x, y);
+        if (color.r > 0 || color.g > 0 || color.b > 0) {
+            const char *blank = shown.text[0] != '\0' ? " " : "";
+            shown = show("%.150s%s(%d,%d)", shown.text, blank, x, y);
+        }
+    }
+    image_free(image);
+    return shown.text[0] != '\0' ? shown : show("none");
+}
+
 /* ---- Calls ---- */
 
 /* TASK's call must give this whole number. */

@@ -101,7 +101,9 @@ static void skip_rest_of_line(struct text *text) {
 }
 
 bool text_next_line(struct text *text) {
-    if (text->line > 0) {
+    if (text->line > 0 && text->next < text->end && *text->next == '\n') {
+        text->next++; /* most lines have been read to their ends */
+    } else if (text->line > 0) {
         skip_rest_of_line(text);
         text->next = over_line_end(text->next, text->end);
     }
@@ -196,12 +198,9 @@ struct decimal {
     uint64_t digits;         /* those before and behind the point as one number, if they fit */
     const char *start, *end; /* where the digits and their point are */
     const char *point;       /* `end` where there is none */
+    ptrdiff_t whole, part;   /* how many digits are before the point, and behind it */
     int64_t exponent;        /* the one that is written */
 };
-
-static size_t digit_count(const struct decimal *decimal) {
-    return (size_t)(decimal->end - decimal->start) - (decimal->point < decimal->end);
-}
 
 /* "e-5": returns the place behind it, NULL where there is no such exponent. */
 static const char *read_exponent(const char *p, const char *end, int64_t *exponent) {
@@ -225,11 +224,14 @@ static inline const char *read_decimal(const char *p, const char *end, struct de
     decimal->exponent = 0;
     decimal->start = p;
     decimal->point = p = text_read_digits(p, end, &decimal->digits);
+    decimal->whole = p - decimal->start;
+    decimal->part = 0;
     if (p < end && *p == '.') {
         p = text_read_digits(p + 1, end, &decimal->digits);
+        decimal->part = p - decimal->point - 1;
     }
     decimal->end = p;
-    if (digit_count(decimal) == 0) {
+    if (decimal->whole + decimal->part == 0) {
         return NULL;
     }
     if (p < end && (*p == 'e' || *p == 'E')) {
@@ -248,9 +250,8 @@ static inline bool exact_double(const struct decimal *decimal, double *value) {
                                           1e8,  1e9,  1e10, 1e11, 1e12, 1e13, 1e14, 1e15,
                                           1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
     static const double sign[] = {1, -1}; /* no branch: no processor can foretell it */
-    int64_t power = decimal->exponent;
-    power -= decimal->point < decimal->end ? decimal->end - decimal->point - 1 : 0;
-    if (FLT_EVAL_METHOD != 0 || digit_count(decimal) > EXACT_DIGITS ||
+    int64_t power = decimal->exponent - decimal->part;
+    if (FLT_EVAL_METHOD != 0 || decimal->whole + decimal->part > EXACT_DIGITS ||
         decimal->digits > UINT64_C(1) << 53 || power < -EXACT_POWER || power > EXACT_POWER) {
         return false;
     }
@@ -264,7 +265,7 @@ static inline bool exact_double(const struct decimal *decimal, double *value) {
 static double any_double(struct decimal decimal) {
     char copy[KEPT_DIGITS + 32];
     size_t kept = 0;
-    int64_t exponent = decimal.exponent + (decimal.point - decimal.start);
+    int64_t exponent = decimal.exponent + decimal.whole;
     bool more = false;
     for (const char *p = decimal.start; p < decimal.end; p++) {
         if (p == decimal.point) {

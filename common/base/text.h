@@ -70,18 +70,22 @@ bool text_is_rare_word_end(const struct text *text, const char *p);
 
 /* Go to where the next word begins; false at the end of the line. */
 static inline bool text_find_word(struct text *text) {
-    while (text->next < text->end && *text->next == ' ') {
-        text->next++;
+    const char *p = text->next;
+    while (p < text->end && *p == ' ') {
+        p++;
     }
-    if (text->next < text->end && *text->next >= '-' && *text->next <= '9') {
-        return true; /* what most words begin with is no blank, comment or line's end */
+    text->next = p;
+    if (p == text->end || *p == '\n') {
+        return false;
     }
-    return text_find_rare_word(text);
+    /* No blank, comment or line's end begins above '#'; a backslash may join lines. */
+    return ((unsigned char)*p > '#' && *p != '\\') || text_find_rare_word(text);
 }
 
 /* Does a word that goes on to p end there? */
 static inline bool text_is_word_end(const struct text *text, const char *p) {
-    return p == text->end || *p == ' ' || *p == '\n' || text_is_rare_word_end(text, p);
+    return p == text->end || *p == ' ' || *p == '\n' ||
+           (((unsigned char)*p < ' ' || *p == '\\') && text_is_rare_word_end(text, p));
 }
 
 /* Four bytes as a number, the first one lowest. Compilers know this form as one instruction. */

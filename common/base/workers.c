@@ -1,5 +1,6 @@
 /* Loops shared out among threads: see workers.h. POSIX threads, where there are any. */
-#define _POSIX_C_SOURCE 200809L
+#define _POSIX_C_SOURCE  200809L
+#define _DARWIN_C_SOURCE /* macOS tells the number of processors only so */
 #include "base/workers.h"
 
 #include <stdlib.h>

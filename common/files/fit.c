@@ -8,15 +8,22 @@ static const double reach_in_parallel_view = 0.95;
  * r / sqrt(1 - (r / d)^2): 0.97 for 7/8 at the distance 2. */
 static const double reach_all_around = 0.875;
 
+static struct box3 box_with(struct box3 box, struct vec3 p) {
+    struct vec3 a = box.least, b = box.greatest;
+    return (struct box3){{fmin(a.x, p.x), fmin(a.y, p.y), fmin(a.z, p.z)},
+                         {fmax(b.x, p.x), fmax(b.y, p.y), fmax(b.z, p.z)}};
+}
+
 struct box3 model_box(const struct model *model) {
-    struct vec3 first = model_position(model, 0, 0);
-    struct box3 box = {first, first};
+    const double far = INFINITY;
+    struct box3 box = {{far, far, far}, {-far, -far, -far}};
     for (size_t i = 0; i < model->face_count; i++) {
         for (size_t j = 0; j < 3; j++) {
-            struct vec3 p = model_position(model, i, j), a = box.least, b = box.greatest;
-            box.least = (struct vec3){fmin(a.x, p.x), fmin(a.y, p.y), fmin(a.z, p.z)};
-            box.greatest = (struct vec3){fmax(b.x, p.x), fmax(b.y, p.y), fmax(b.z, p.z)};
+            box = box_with(box, model_position(model, i, j));
         }
+    }
+    for (size_t i = 0; i < 2 * model->line_count; i++) {
+        box = box_with(box, model->positions[model->lines[i / 2][i % 2]]);
     }
     return box;
 }
@@ -31,12 +38,19 @@ static double longest_side(struct box3 box) {
     return fmax(sides.x, fmax(sides.y, sides.z));
 }
 
+bool box_is_tiny(struct box3 box) {
+    return longest_side(box) < 0.4;
+}
+
 static double distance_from_origin(const struct model *model) {
     double farthest = 0;
     for (size_t i = 0; i < model->face_count; i++) {
         for (size_t j = 0; j < 3; j++) {
             farthest = fmax(farthest, vec3_length(model_position(model, i, j)));
         }
+    }
+    for (size_t i = 0; i < 2 * model->line_count; i++) {
+        farthest = fmax(farthest, vec3_length(model->positions[model->lines[i / 2][i % 2]]));
     }
     return farthest;
 }

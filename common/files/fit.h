@@ -5,11 +5,14 @@
 #include "geometry.h"
 #include "model.h"
 
-/* The smallest box around all corners of the model's faces. */
+/* The smallest box around all corners of the model's faces and lines. */
 struct box3 model_box(const struct model *model);
 
 /* Does a part of the box lie outside -1..1 in x, y or z? */
 bool box_reaches_out(struct box3 box);
+
+/* Is the longest side of the box less than a fifth of -1..1? */
+bool box_is_tiny(struct box3 box);
 
 /* Move the middle of the model's box to the origin and scale the model, in proportion, so that the
  * longest side of the box nearly fills -1..1: for a parallel view. With `all_around` the model

@@ -2,6 +2,7 @@
 #include "files/image_file.h"
 
 #include "base/file.h"
+#include "files/known.h"
 #include "files/png.h"
 #include "files/ppm.h"
 
@@ -17,6 +18,9 @@ bool image_decode(struct image *image, const void *data, size_t size, struct err
         return tga_decode(image, data, size, error);
     }
     *image = (struct image){0};
+    if (error_known_file(error, data, size, "a PNG or TGA file")) {
+        return false;
+    }
     return error_set(error, "neither a PNG nor a TGA of a type that is supported");
 }
 

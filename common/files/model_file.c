@@ -3,6 +3,7 @@
 
 #include "base/text.h"
 #include "files/image_file.h"
+#include "files/known.h"
 #include "files/obj.h"
 #include "files/off.h"
 
@@ -17,18 +18,21 @@ static bool is_named_off(const char *path) {
     return dot != NULL && (strcmp(dot, ".off") == 0 || strcmp(dot, ".OFF") == 0);
 }
 
-/* An OFF file without its first word looks like an OBJ file of which nothing is known. */
+/* Say what a file without faces has instead. */
 static bool error_no_faces(const char *path, const void *data, size_t size, struct error *error) {
     struct text text;
     struct error ignored;
     double number;
-    bool begun = text_begin(&text, data, size, false, &ignored);
+    bool begun = text_begin(&text, data, size, true, &ignored), first = true;
     while (begun && text_next_line(&text)) {
         struct word word = text_next_word(&text);
-        if (word_to_double(word, &number)) {
-            return error_set(error, "begins with a number: an OFF file begins with the word OFF");
+        if (first && word_to_double(word, &number)) {
+            return error_set(error, "begins with a number, as neither OBJ nor OFF does");
         }
-        begun = word.length == 0;
+        if (word_is(word, "l")) {
+            return text_error(error, text.line, "lines and no faces, which only lesson 2 draws");
+        }
+        first = first && word.length == 0;
     }
     if (is_named_off(path) && !off_recognize(data, size)) {
         return error_set(error, "does not begin with the word OFF");
@@ -40,15 +44,28 @@ static bool error_no_faces(const char *path, const void *data, size_t size, stru
 static bool decode(struct model *model, const char *path, const void *data, size_t size,
                    unsigned parts, struct error *error) {
     *model = (struct model){0};
-    bool done = off_recognize(data, size) ? off_decode(model, data, size, error)
-                                          : obj_decode(model, data, size, parts, error);
-    if (done && model->face_count == 0) {
+    bool is_off = off_recognize(data, size);
+    bool done = is_off ? off_decode(model, data, size, parts, error)
+                       : obj_decode(model, data, size, parts, error);
+    if (done && model->face_count == 0 && model->line_count == 0) {
         done = error_no_faces(path, data, size, error);
     }
     if (!done) {
         model_free(model);
+        (void)(!is_off && error_known_file(error, data, size, "an OBJ or OFF file"));
     }
     return done;
+}
+
+const char *model_warning_text(enum model_warning warning) {
+    static const char *const texts[] = {
+        [MODEL_SHORT_FACES] = "a face of fewer than 3 corners is not drawn",
+        [MODEL_UVS_MISSING] = "a face names a texture coordinate that the file does not have",
+        [MODEL_NORMALS_MISSING] =
+            "a face names a normal that the file does not have; it is computed instead",
+        [MODEL_NORMALS_WRONG] = "a normal has no direction; it is computed instead",
+    };
+    return texts[warning];
 }
 
 bool model_decode(struct model *model, const void *data, size_t size, struct error *error) {
@@ -82,6 +99,16 @@ bool model_read(struct model *model, const char *path, struct error *error) {
 
 /* ---- Textures ---- */
 
+/* The names that textures have behind that of their model, the one that is looked for first as the
+ * first. JPEG is looked for, too, though it cannot be read: its message says what to do. */
+static const char *const texture_suffixes[MODEL_TEXTURE_KINDS][4] = {
+    [MODEL_DIFFUSE] = {"_diffuse", "_albedo", "_basecolor"},
+    [MODEL_NORMAL_MAP] = {"_nm", "_normal"},
+    [MODEL_SPECULAR] = {"_spec", "_specular"},
+};
+static const char *const texture_extensions[] = {"tga", "png", "TGA", "PNG", "Tga",
+                                                 "Png", "jpg", "JPG", "jpeg"};
+
 /* "DIRECTORY/NAME" and what follows it for a model at "DIRECTORY/NAME.obj"; the caller frees it. */
 static char *texture_path(const char *model_path, const char *suffix, const char *extension) {
     const char *slash = strrchr(model_path, '/');
@@ -103,36 +130,31 @@ static bool read_texture(struct texture *texture, const char *path, struct error
     return done;
 }
 
-/* The path of the texture, as .tga or else as .png; the caller frees it. NULL, with a message,
- * where there is none. */
-static char *find_texture(const struct model *model, enum model_texture_kind kind,
-                          struct error *error) {
-    static const char *const suffix[] = {"_diffuse", "_nm", "_spec"};
-    char *tga_path = texture_path(model->path, suffix[kind], "tga");
-    char *png_path = texture_path(model->path, suffix[kind], "png");
-    char *found = NULL;
-    if (tga_path == NULL || png_path == NULL) {
-        error_out_of_memory(error);
-    } else if (file_exists(tga_path) || file_exists(png_path)) {
-        char **path = file_exists(tga_path) ? &tga_path : &png_path;
-        found = *path;
-        *path = NULL;
-    } else {
-        error_set(error, "no such file, nor the same as .png");
-        error_name_file(error, tga_path);
+/* The first name under which there is a file, or the first of all, so that a message can say what
+ * was looked for; the caller frees it. NULL when memory runs out. */
+static char *find_texture(const char *model_path, enum model_texture_kind kind, bool *found) {
+    const char *const *suffixes = texture_suffixes[kind];
+    const size_t count = sizeof texture_extensions / sizeof texture_extensions[0];
+    *found = false;
+    for (size_t i = 0; i < 4 && suffixes[i] != NULL; i++) {
+        for (size_t k = 0; k < count; k++) {
+            char *path = texture_path(model_path, suffixes[i], texture_extensions[k]);
+            *found = path != NULL && file_exists(path);
+            if (path == NULL || *found) {
+                return path;
+            }
+            free(path);
+        }
     }
-    free(tga_path);
-    free(png_path);
-    return found;
+    return texture_path(model_path, suffixes[0], texture_extensions[0]);
 }
 
 size_t model_textures_present(const struct model *model) {
     size_t present = 0;
     for (int kind = 0; model->path != NULL && kind < MODEL_TEXTURE_KINDS; kind++) {
-        struct error ignored;
-        char *path = find_texture(model, (enum model_texture_kind)kind, &ignored);
-        present += path != NULL;
-        free(path);
+        bool found;
+        free(find_texture(model->path, (enum model_texture_kind)kind, &found));
+        present += found;
     }
     return present;
 }
@@ -140,6 +162,7 @@ size_t model_textures_present(const struct model *model) {
 const struct texture *model_texture(struct model *model, enum model_texture_kind kind,
                                     struct error *error) {
     struct texture *texture = &model->textures[kind];
+    const char *named = model->texture_files[kind];
     if (texture->level_count > 0) {
         return texture;
     }
@@ -147,9 +170,18 @@ const struct texture *model_texture(struct model *model, enum model_texture_kind
         error_set(error, "a model that was not read from a file has no textures");
         return NULL;
     }
-    char *path = find_texture(model, kind, error);
-    bool done = path != NULL && read_texture(texture, path, error);
-    model->bytes_read += done ? file_size(path) : 0;
+    bool found = named != NULL;
+    char *path = found ? string_format("%s", named) : find_texture(model->path, kind, &found);
+    bool done = false;
+    if (path == NULL) {
+        error_out_of_memory(error);
+    } else if (!found) {
+        error_set(error, "no such file, nor one of another usual name");
+        error_name_file(error, path);
+    } else {
+        done = read_texture(texture, path, error);
+        model->bytes_read += done ? file_size(path) : 0;
+    }
     free(path);
     return done ? texture : NULL;
 }

@@ -1,13 +1,15 @@
 /*
  * Models read from OBJ and OFF files, and the textures that lie beside them.
  *
- * OBJ: v (x y z, x y z w: w is not used, x y z r g b), vt (u, u v, u v w: w is not used), vn and f;
- * all other keywords are passed over. A face may name what comes further down; a negative index
- * counts back from the face. OFF, COFF, NOFF, STOFF and their mixtures, as text; lines may end
- * between any two numbers, but a face ends with its line, so that two need two lines (off.h). Its
- * colour is in levels 0..255 where its 3 or 4 numbers are whole, otherwise 0..1; one number alone,
- * an index into a table of colours, is not used. Colours are cut to 0..1; where some positions or
- * faces have colours, the others are white. A concave face has at most 8,192 corners.
+ * OBJ: v (x y z, x y z w: w is not used, x y z r g b and what follows), vt (u, u v, u v w: w is not
+ * used), vn, f and, where asked for, l; all other keywords are passed over. A face may name what
+ * comes further down; a negative index counts back from the face. A corner may name no texture
+ * coordinate and no normal, and what the file does not have counts as none. OFF, COFF, NOFF, STOFF,
+ * 4OFF and their mixtures, as text; lines may end between any two numbers, but a face ends with its
+ * line, so that two need two lines (off.h). Its colour is in levels 0..255 where its 3 or 4 numbers
+ * are whole, otherwise 0..1; one number alone, an index into a table of colours, is not used.
+ * Colours of positions are levels where one is above 2. All are cut to 0..1; where some positions
+ * or faces have colours, the others are white.
  */
 #ifndef COMMON_MODEL_FILE_H
 #define COMMON_MODEL_FILE_H
@@ -23,11 +25,19 @@
 bool model_read(struct model *model, const char *path, struct error *error);
 
 /* What a file may hold beside positions and faces. */
-enum model_part { MODEL_UVS = 1, MODEL_NORMALS = 2, MODEL_ALL_PARTS = MODEL_UVS | MODEL_NORMALS };
+enum model_part {
+    MODEL_UVS = 1,
+    MODEL_NORMALS = 2,
+    MODEL_LINES = 4, /* a model may then consist of lines alone, with no face */
+    MODEL_ALL_PARTS = MODEL_UVS | MODEL_NORMALS /* of faces */
+};
 
-/* The same, but of an OBJ file only the parts that are asked for, joined with |: the lines of the
- * others are counted and not read, and no corner has them. */
+/* The same, but only the parts that are asked for, joined with |. Of an OBJ file, texture
+ * coordinates and normals that are not are counted and not read, and no corner has them. */
 bool model_read_parts(struct model *model, const char *path, unsigned parts, struct error *error);
+
+/* What the warning says. */
+const char *model_warning_text(enum model_warning warning);
 
 /* model_read() from memory (for tests and fuzzing); the message does not name the file, and the
  * line is in `error` alone. */

@@ -39,8 +39,27 @@ bool reader_parse_index(struct word word, int64_t *index) {
     return word.length > sign;
 }
 
-static bool check_number(struct model_reader *reader, struct word word, double number) {
-    if (fabs(number) <= FLT_MAX) {
+/* Words by which C libraries write what is no number. */
+static bool names_no_number(struct word word) {
+    static const char *const beginnings[] = {"nan", "inf", "1.#"};
+    size_t sign = word.length > 0 && (word.start[0] == '-' || word.start[0] == '+');
+    for (size_t i = 0; i < 3; i++) {
+        size_t length = 0;
+        while (length < 3 && sign + length < word.length &&
+               (word.start[sign + length] | 32) == (beginnings[i][length] | 32)) {
+            length++;
+        }
+        if (length == 3) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/* A number that is no float. */
+static bool check_rare_number(struct model_reader *reader, struct word word,
+                              enum reader_range range, double number) {
+    if (range == READER_ANY && (!isnan(number) || names_no_number(word))) {
         return true;
     }
     return isnan(number)
@@ -49,25 +68,37 @@ static bool check_number(struct model_reader *reader, struct word word, double n
                : text_error(reader->error, reader->line, "%s is too large", word_show(word).text);
 }
 
-bool reader_parse_number(struct model_reader *reader, struct word word, double *number) {
-    *number = word_to_double(word, number) ? *number : NAN;
-    return check_number(reader, word, *number);
+static inline bool check_number(struct model_reader *reader, struct word word,
+                                enum reader_range range, double number) {
+    return fabs(number) <= FLT_MAX || check_rare_number(reader, word, range, number);
 }
 
-bool reader_read_numbers(struct model_reader *reader, struct reader_numbers *numbers) {
+bool reader_parse_number(struct model_reader *reader, struct word word, enum reader_range range,
+                         double *number) {
+    *number = word_to_double(word, number) ? *number : NAN;
+    return check_number(reader, word, range, *number);
+}
+
+bool reader_read_numbers(struct model_reader *reader, enum reader_range range,
+                         struct reader_numbers *numbers) {
     for (numbers->count = 0;; numbers->count++) {
         double number;
         struct word word = text_next_number(&reader->text, &number);
         if (word.length == 0) {
             return true;
         }
-        if (!check_number(reader, word, number)) {
+        if (!check_number(reader, word, range, number)) {
             return false;
         }
         if (numbers->count < READER_NUMBER_LIMIT) {
             numbers->value[numbers->count] = number;
         }
     }
+}
+
+void reader_warn(struct model_reader *reader, enum model_warning warning) {
+    size_t *line = &reader->model->warning_line[warning];
+    *line = *line == 0 ? reader->line : *line;
 }
 
 /* ---- Positions, texture coordinates, normals, colours ---- */
@@ -103,10 +134,36 @@ static bool add_three(struct model_reader *reader, float (**list)[3], size_t *co
     return true;
 }
 
+static bool is_float(double number) {
+    return fabs(number) <= FLT_MAX;
+}
+
+/* A normal without a direction is kept as 0 0 0: its number must not be another's. */
 bool reader_add_normal(struct model_reader *reader, const double normal[3]) {
     struct model *model = reader->model;
+    const double zero[3] = {0, 0, 0};
+    bool right = is_float(normal[0]) && is_float(normal[1]) && is_float(normal[2]) &&
+                 ((float)normal[0] != 0 || (float)normal[1] != 0 || (float)normal[2] != 0);
+    if (!right && reader->wrong_normal_line == 0) {
+        reader->wrong_normal_line = reader->line;
+    }
     return add_three(reader, &model->normals, &model->normal_count, &reader->normal_capacity,
-                     normal);
+                     right ? normal : zero);
+}
+
+/* Take those without a direction off the corners. */
+static void drop_wrong_normals(struct model_reader *reader) {
+    struct model *model = reader->model;
+    for (size_t i = 0; reader->wrong_normal_line > 0 && i < model->face_count; i++) {
+        for (int j = 0; j < 3; j++) {
+            uint32_t *index = &model->faces[i].corner[j].normal;
+            const float *n = *index == MODEL_NONE ? NULL : model->normals[*index];
+            if (n != NULL && n[0] == 0 && n[1] == 0 && n[2] == 0) {
+                *index = MODEL_NONE;
+                model->warning_line[MODEL_NORMALS_WRONG] = reader->wrong_normal_line;
+            }
+        }
+    }
 }
 
 bool reader_add_uv(struct model_reader *reader, double u, double v) {
@@ -115,12 +172,13 @@ bool reader_add_uv(struct model_reader *reader, double u, double v) {
                 sizeof *model->uvs)) {
         return false;
     }
-    model->uvs[model->uv_count][0] = (float)u;
-    model->uvs[model->uv_count++][1] = (float)v;
+    model->uvs[model->uv_count][0] = is_float(u) ? (float)u : 0;
+    model->uvs[model->uv_count++][1] = is_float(v) ? (float)v : 0;
     return true;
 }
 
-static const double white[3] = {1, 1, 1};
+/* Of what has no colour: white in any unit, once it is cut. */
+static const double white[3] = {INFINITY, INFINITY, INFINITY};
 
 /* Add this colour to a list until it holds `count` of them. */
 static bool fill_colors(struct model_reader *reader, float (**colors)[3],
@@ -152,25 +210,43 @@ bool reader_color_faces(struct model_reader *reader, size_t first, const double 
                       color);
 }
 
-/* Cut the colours to 0..1, and add white up to `count` of them. */
+/* Colours of positions are 0..1, but many writers use levels 0..255: one value tells that is
+ * further above 1 than rounding could have brought it. */
+static float unit_of_colors(const struct model_reader *reader) {
+    float unit = 1;
+    for (size_t i = 0; i < reader->colors.count; i++) {
+        const float *color = reader->model->colors[i];
+        for (int channel = 0; channel < 3; channel++) {
+            unit = color[channel] > 2 && color[channel] < INFINITY ? 255 : unit;
+        }
+    }
+    return unit;
+}
+
+/* Bring the colours, in parts of `unit`, to 0..1, and add white up to `count` of them. */
 static bool finish_colors(struct model_reader *reader, float (**colors)[3],
-                          struct reader_colors *filled, size_t count) {
+                          struct reader_colors *filled, size_t count, float unit) {
     if (*colors == NULL) {
         return true;
     }
+    if (!fill_colors(reader, colors, filled, count, white)) {
+        return false;
+    }
     for (size_t i = 0; i < filled->count; i++) {
         for (int channel = 0; channel < 3; channel++) {
-            float value = (*colors)[i][channel];
+            float value = (*colors)[i][channel] / unit;
             (*colors)[i][channel] = value > 0 ? (value < 1 ? value : 1) : 0;
         }
     }
-    return fill_colors(reader, colors, filled, count, white);
+    return true;
 }
 
-bool reader_finish_colors(struct model_reader *reader) {
+bool reader_finish(struct model_reader *reader) {
     struct model *model = reader->model;
-    return finish_colors(reader, &model->colors, &reader->colors, model->position_count) &&
-           finish_colors(reader, &model->face_colors, &reader->face_colors, model->face_count);
+    drop_wrong_normals(reader);
+    return finish_colors(reader, &model->colors, &reader->colors, model->position_count,
+                         unit_of_colors(reader)) &&
+           finish_colors(reader, &model->face_colors, &reader->face_colors, model->face_count, 1);
 }
 
 /* ---- Faces ---- */
@@ -197,10 +273,9 @@ static bool cut_polygon(struct model_reader *reader) {
     switch (polygon_cut(&reader->cutter, reader->places, size)) {
     case POLYGON_CUT:
         return true;
-    case POLYGON_TOO_LARGE:
+    case POLYGON_TOO_INTRICATE:
         return text_error(reader->error, reader->line,
-                          "face of %zu corners: one that is not convex may have %d", size,
-                          POLYGON_CONCAVE_LIMIT);
+                          "face of %zu corners, too intricate to be cut into triangles", size);
     default:
         return error_out_of_memory(reader->error);
     }
@@ -241,6 +316,19 @@ bool reader_add_faces(struct model_reader *reader) {
         const struct corner *polygon = reader->polygon;
         model->faces[model->face_count++] =
             (struct face){{polygon[corner[0]], polygon[corner[1]], polygon[corner[2]]}};
+    }
+    return true;
+}
+
+bool reader_add_lines(struct model_reader *reader) {
+    struct model *model = reader->model;
+    for (size_t i = 1; i < reader->polygon_size; i++) {
+        if (!extend(reader, &model->lines, &reader->line_capacity, model->line_count + 1,
+                    sizeof *model->lines)) {
+            return false;
+        }
+        model->lines[model->line_count][0] = reader->polygon[i - 1].position;
+        model->lines[model->line_count++][1] = reader->polygon[i].position;
     }
     return true;
 }

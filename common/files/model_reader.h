@@ -37,15 +37,16 @@ struct model_reader {
     struct vec3 *places; /* of the polygon's corners */
     struct polygon_cutter cutter;
     struct reader_colors colors, face_colors;
-    size_t position_capacity, uv_capacity, normal_capacity, face_capacity;
+    size_t wrong_normal_line; /* the line of the first normal without a direction; 0: none */
+    size_t position_capacity, uv_capacity, normal_capacity, face_capacity, line_capacity;
     size_t polygon_capacity, place_capacity;
 };
 
-/* The most numbers that a line of any format has: x y z, normal, colour with alpha, uv. */
-enum { READER_NUMBER_LIMIT = 12 };
+/* The most numbers that a line of any format has: x y z w, normal, colour with alpha, uv. */
+enum { READER_NUMBER_LIMIT = 13 };
 
 struct reader_numbers {
-    double value[READER_NUMBER_LIMIT]; /* the first of them, within the range of a float */
+    double value[READER_NUMBER_LIMIT]; /* the first of them */
     size_t count;                      /* of all, which may be more */
 };
 
@@ -55,16 +56,26 @@ bool reader_next_line(struct model_reader *reader, struct word *word);
 /* The next word, of this line or of those that follow. False at the end of the text. */
 bool reader_next_word(struct model_reader *reader, struct word *word);
 
-/* The word as a number within the range of a float. */
-bool reader_parse_number(struct model_reader *reader, struct word word, double *number);
+/* Which numbers are taken: READER_ANY are also those too large for a float, and words by which
+ * writers say that there is none, as "nan" and "-1.#IND", which become NaN. */
+enum reader_range { READER_FINITE, READER_ANY };
+
+/* The word as a number. */
+bool reader_parse_number(struct model_reader *reader, struct word word, enum reader_range range,
+                         double *number);
 
 /* The numbers up to the end of the line. */
-bool reader_read_numbers(struct model_reader *reader, struct reader_numbers *numbers);
+bool reader_read_numbers(struct model_reader *reader, enum reader_range range,
+                         struct reader_numbers *numbers);
 
 /* A decimal integer; one outside 64 bits becomes the nearest that fits, which no file can hold. */
 bool reader_parse_index(struct word word, int64_t *index);
 
-/* Add to the model. All but positions is rounded to float. */
+/* Note the line of the current statement, unless the model has that warning already. */
+void reader_warn(struct model_reader *reader, enum model_warning warning);
+
+/* Add to the model. All but positions is rounded to float. A texture coordinate that is none
+ * becomes 0; when the model is finished, corners lose a normal that has no direction. */
 bool reader_add_position(struct model_reader *reader, const double position[3]);
 bool reader_add_uv(struct model_reader *reader, double u, double v);
 bool reader_add_normal(struct model_reader *reader, const double normal[3]);
@@ -87,12 +98,16 @@ static inline bool reader_add_corner(struct model_reader *reader, struct corner 
 /* Make faces of the polygon (at least 3 corners). Its positions must be known. */
 bool reader_add_faces(struct model_reader *reader);
 
-/* The same for all faces from `first` on. */
+/* Join each corner of the polygon with the next one by a line. */
+bool reader_add_lines(struct model_reader *reader);
+
+/* Give all faces from `first` on a colour, of any values; earlier ones that have none are white. */
 bool reader_color_faces(struct model_reader *reader, size_t first, const double color[3]);
 
-/* At the end: cut all colours to 0..1, and where some positions or faces have them, make the others
- * white. */
-bool reader_finish_colors(struct model_reader *reader);
+/* At the end: bring all colours to 0..1 (those of positions are levels 0..255 where one is far
+ * above 1); where some positions or faces have them, make the others white; take normals without
+ * a direction off the corners. */
+bool reader_finish(struct model_reader *reader);
 
 /* Free what does not belong to the model. */
 void model_reader_free(struct model_reader *reader);

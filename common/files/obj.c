@@ -13,11 +13,10 @@
 /* Positions, texture coordinates, normals: what a corner "v/vt/vn" names, in this order. */
 enum attribute { POSITION, UV, NORMAL, ATTRIBUTES };
 
-static const char *const attribute_name[] = {"vertex", "texture coordinate", "normal"};
-
 struct obj {
     struct model_reader reader;
-    unsigned parts;            /* of enum model_part: what is wanted */
+    unsigned parts;              /* of enum model_part: what is wanted */
+    uint32_t unused[ATTRIBUTES]; /* MODEL_NONE where an attribute is not wanted, otherwise 0 */
     size_t so_far[ATTRIBUTES]; /* above the current line: what a negative index counts back from */
     size_t total[ATTRIBUTES];  /* as far as the file is read */
     bool reading_ahead;        /* faces are passed over */
@@ -26,49 +25,53 @@ struct obj {
 
 /* ---- Positions, texture coordinates and normals ---- */
 
-static bool read_position(struct model_reader *reader, const struct reader_numbers *numbers) {
-    size_t count = numbers->count;
-    if (count != 3 && count != 4 && count != 6) { /* x y z, x y z w, x y z r g b */
-        return text_error(reader->error, reader->line, "'v' takes 3, 4 or 6 numbers, not %zu",
-                          count);
+/* x y z, x y z w, or x y z r g b and what follows. */
+static bool read_position(struct model_reader *reader) {
+    struct reader_numbers numbers;
+    if (!reader_read_numbers(reader, READER_FINITE, &numbers)) {
+        return false;
     }
-    return reader_add_position(reader, numbers->value) &&
-           (count < 6 || reader_color_position(reader, numbers->value + 3));
+    if (numbers.count < 3 || numbers.count == 5) {
+        return text_error(reader->error, reader->line, "'v' takes 3, 4, 6 or more numbers, not %zu",
+                          numbers.count);
+    }
+    return reader_add_position(reader, numbers.value) &&
+           (numbers.count < 6 || reader_color_position(reader, numbers.value + 3));
 }
 
-static bool read_uv(struct model_reader *reader, const struct reader_numbers *numbers) {
-    if (numbers->count < 1 || numbers->count > 3) { /* u, u v, u v w */
+static bool read_uv(struct model_reader *reader) {
+    struct reader_numbers numbers;
+    if (!reader_read_numbers(reader, READER_ANY, &numbers)) {
+        return false;
+    }
+    if (numbers.count < 1 || numbers.count > 3) { /* u, u v, u v w */
         return text_error(reader->error, reader->line, "'vt' takes 1 to 3 numbers, not %zu",
-                          numbers->count);
+                          numbers.count);
     }
-    return reader_add_uv(reader, numbers->value[0], numbers->count > 1 ? numbers->value[1] : 0);
+    return reader_add_uv(reader, numbers.value[0], numbers.count > 1 ? numbers.value[1] : 0);
 }
 
-static bool read_normal(struct model_reader *reader, const struct reader_numbers *numbers) {
-    if (numbers->count != 3) {
+static bool read_normal(struct model_reader *reader) {
+    struct reader_numbers numbers;
+    if (!reader_read_numbers(reader, READER_ANY, &numbers)) {
+        return false;
+    }
+    if (numbers.count != 3) {
         return text_error(reader->error, reader->line, "'vn' takes 3 numbers, not %zu",
-                          numbers->count);
+                          numbers.count);
     }
-    return reader_add_normal(reader, numbers->value);
-}
-
-static bool is_wanted(const struct obj *obj, enum attribute attribute) {
-    static const unsigned part[] = {0, MODEL_UVS, MODEL_NORMALS};
-    return attribute == POSITION || (obj->parts & part[attribute]) != 0;
+    return reader_add_normal(reader, numbers.value);
 }
 
 /* A line of an attribute: counted, and read if it is of use and not read yet. */
 static bool read_attribute(struct obj *obj, enum attribute attribute) {
-    static bool (*const read[])(struct model_reader *, const struct reader_numbers *) = {
-        read_position, read_uv, read_normal};
-    struct reader_numbers numbers;
+    static bool (*const read[])(struct model_reader *) = {read_position, read_uv, read_normal};
     obj->so_far[attribute]++;
     if (obj->is_read_ahead) {
         return true;
     }
     obj->total[attribute]++;
-    return !is_wanted(obj, attribute) ||
-           (reader_read_numbers(&obj->reader, &numbers) && read[attribute](&obj->reader, &numbers));
+    return obj->unused[attribute] != 0 || read[attribute](&obj->reader);
 }
 
 /* ---- Faces ---- */
@@ -90,10 +93,29 @@ static bool read_ahead(struct obj *obj) {
     return true;
 }
 
-/* The index from 0 of what the field names. */
-static bool resolve(struct obj *obj, enum attribute attribute, int64_t index, struct word field,
+static bool error_malformed(struct model_reader *reader) {
+    struct word word = text_next_word(&reader->text);
+    return text_error(reader->error, reader->line,
+                      "face corner '%s' is none of v, v/vt, v//vn, v/vt/vn", word_show(word).text);
+}
+
+/* The index that a field up to a slash or the end of its word names, from 0. A position must exist;
+ * a texture coordinate or normal that does not is none, as where the field is empty or 0. */
+static bool resolve(struct obj *obj, enum attribute attribute, struct word field,
                     uint32_t *resolved) {
+    struct model_reader *reader = &obj->reader;
     const size_t so_far = obj->so_far[attribute], *total = &obj->total[attribute];
+    int64_t index;
+    *resolved = MODEL_NONE;
+    if (field.length == 0 && attribute != POSITION) {
+        return true;
+    }
+    if (!reader_parse_index(field, &index)) {
+        return error_malformed(reader);
+    }
+    if (obj->unused[attribute] != 0 || (index == 0 && attribute != POSITION)) {
+        return true;
+    }
     if (index > 0 && (uint64_t)index > *total && !obj->is_read_ahead && !read_ahead(obj)) {
         return false;
     }
@@ -101,85 +123,85 @@ static bool resolve(struct obj *obj, enum attribute attribute, int64_t index, st
         *resolved = (uint32_t)(index > 0 ? index - 1 : (int64_t)so_far + index);
         return true;
     }
-    const char *name = attribute_name[attribute];
-    if (index == 0) {
-        return text_error(obj->reader.error, obj->reader.line, "face names %s 0: the first is 1",
-                          name);
+    if (attribute != POSITION) {
+        reader_warn(reader, attribute == UV ? MODEL_UVS_MISSING : MODEL_NORMALS_MISSING);
+        return true;
     }
-    return text_error(obj->reader.error, obj->reader.line, "face names %s %s of %zu", name,
+    if (index == 0) {
+        return text_error(reader->error, reader->line, "face names vertex 0: the first is 1");
+    }
+    return text_error(reader->error, reader->line, "face names vertex %s of %zu",
                       word_show(field).text, index > 0 ? *total : so_far);
 }
 
-/* Over an index, [+-] digits; NULL where there is none. */
-static inline const char *read_index(const char *p, const char *end, int64_t *index) {
+/* Over a field of a corner, and what it names; NULL, with a message, where it is wrong. Nearly all
+ * count from the beginning and name what is known already. */
+static inline const char *read_field(struct obj *obj, enum attribute attribute, const char *p,
+                                     uint32_t *resolved) {
     enum { DIGIT_LIMIT = 18 }; /* so many always fit */
-    const char *start = p;
-    bool negative = p < end && *p == '-';
-    p += negative || (p < end && *p == '+');
-    const char *digits = p;
+    struct text *text = &obj->reader.text;
     uint64_t value = 0;
-    p = text_read_digits(p, end, &value);
-    if (p - digits > DIGIT_LIMIT) {
-        int64_t nearest;
-        reader_parse_index((struct word){start, (size_t)(p - start)}, &nearest);
-        *index = nearest;
-    } else {
-        *index = negative ? -(int64_t)value : (int64_t)value;
+    const char *end = text_read_digits(p, text->end, &value);
+    if (value - 1 < obj->total[attribute] && end - p <= DIGIT_LIMIT) { /* 0 - 1 is huge */
+        *resolved = (uint32_t)(value - 1) | obj->unused[attribute];
+        return end;
     }
-    return p > digits ? p : NULL;
-}
-
-static bool error_malformed(struct model_reader *reader) {
-    struct word word = text_next_word(&reader->text);
-    return text_error(reader->error, reader->line,
-                      "face corner '%s' is none of v, v/vt, v//vn, v/vt/vn", word_show(word).text);
+    while (end < text->end && *end != '/' && !text_is_word_end(text, end)) {
+        end++;
+    }
+    return resolve(obj, attribute, (struct word){p, (size_t)(end - p)}, resolved) ? end : NULL;
 }
 
 /* "v", "v/vt", "v//vn" or "v/vt/vn", from the beginning of the word to its end. */
 static bool read_corner(struct obj *obj) {
-    struct model_reader *reader = &obj->reader;
-    struct text *text = &reader->text;
-    uint32_t resolved[ATTRIBUTES] = {MODEL_NONE, MODEL_NONE, MODEL_NONE};
-    const char *p = text->next;
-    for (int attribute = POSITION; attribute < ATTRIBUTES; attribute++) {
-        const char *field = p;
-        int64_t index;
-        bool left_out = attribute == UV && p < text->end && *p == '/';
-        p = left_out ? p : read_index(p, text->end, &index);
-        bool goes_on = p != NULL && p < text->end && *p == '/';
-        if (p == NULL || (!goes_on && !text_is_word_end(text, p))) {
-            break;
+    struct text *text = &obj->reader.text;
+    struct corner corner = {MODEL_NONE, MODEL_NONE, MODEL_NONE};
+    const char *p = read_field(obj, POSITION, text->next, &corner.position);
+    if (p != NULL && p < text->end && *p == '/') {
+        p = read_field(obj, UV, p + 1, &corner.uv);
+        if (p != NULL && p < text->end && *p == '/') {
+            p = read_field(obj, NORMAL, p + 1, &corner.normal);
         }
-        struct word word = {field, (size_t)(p - field)};
-        if (!left_out &&
-            !resolve(obj, (enum attribute)attribute, index, word, &resolved[attribute])) {
-            return false;
-        }
-        if (!goes_on) {
-            text->next = p;
-            return reader_add_corner(
-                reader,
-                (struct corner){resolved[POSITION], is_wanted(obj, UV) ? resolved[UV] : MODEL_NONE,
-                                is_wanted(obj, NORMAL) ? resolved[NORMAL] : MODEL_NONE});
-        }
-        p++;
     }
-    return error_malformed(reader);
+    if (p == NULL) {
+        return false;
+    }
+    if (!text_is_word_end(text, p)) {
+        return error_malformed(&obj->reader);
+    }
+    text->next = p;
+    return reader_add_corner(&obj->reader, corner);
 }
 
-static bool read_face(struct obj *obj) {
-    struct model_reader *reader = &obj->reader;
-    reader->polygon_size = 0;
-    while (text_find_word(&reader->text)) {
+/* The corners of a face or of a line. */
+static bool read_corners(struct obj *obj) {
+    obj->reader.polygon_size = 0;
+    while (text_find_word(&obj->reader.text)) {
         if (!read_corner(obj)) {
             return false;
         }
     }
-    if (reader->polygon_size < 3) {
-        return text_error(reader->error, reader->line, "a face has at least 3 corners, not %zu",
-                          reader->polygon_size);
+    return true;
+}
+
+static bool read_face(struct obj *obj) {
+    if (obj->reading_ahead) {
+        return true;
     }
-    return reader_add_faces(reader);
+    if (!read_corners(obj)) {
+        return false;
+    }
+    if (obj->reader.polygon_size < 3) {
+        reader_warn(&obj->reader, MODEL_SHORT_FACES);
+        return true;
+    }
+    return reader_add_faces(&obj->reader);
+}
+
+/* "l v1 v2 v3 ...": from each to the next. */
+static bool read_line(struct obj *obj) {
+    return obj->reading_ahead || (obj->parts & MODEL_LINES) == 0 ||
+           (read_corners(obj) && reader_add_lines(&obj->reader));
 }
 
 /* ---- All of it ---- */
@@ -196,7 +218,9 @@ static bool read_lines(struct obj *obj) {
         } else if (word_is(keyword, "vn")) {
             done = read_attribute(obj, NORMAL);
         } else if (word_is(keyword, "f")) {
-            done = obj->reading_ahead || read_face(obj);
+            done = read_face(obj);
+        } else if (word_is(keyword, "l")) {
+            done = read_line(obj);
         }
     }
     return done;
@@ -204,9 +228,14 @@ static bool read_lines(struct obj *obj) {
 
 bool obj_decode(struct model *model, const void *data, size_t size, unsigned parts,
                 struct error *error) {
-    struct obj obj = {.reader = {.model = model, .error = error}, .parts = parts};
+    struct obj obj = {
+        .reader = {.model = model, .error = error},
+        .parts = parts,
+        .unused = {0, (parts & MODEL_UVS) != 0 ? 0 : MODEL_NONE,
+                   (parts & MODEL_NORMALS) != 0 ? 0 : MODEL_NONE},
+    };
     bool done = text_begin(&obj.reader.text, data, size, true, error) && read_lines(&obj) &&
-                reader_finish_colors(&obj.reader);
+                reader_finish(&obj.reader);
     model_reader_free(&obj.reader);
     return done;
 }

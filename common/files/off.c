@@ -1,48 +1,67 @@
 /*
- * OFF files; see off.h. A line may end between any two words of them. It counts in three places:
- * the colour of a face ends with its line; where a line has one number more than a vertex with a
- * colour, that is alpha; the number of edges may be missing where those before it end their line.
+ * OFF files; see off.h. A line may end between any two words of them. It counts in four places: the
+ * colour of a face ends with its line; where a line has one number more than a vertex with a
+ * colour, that is alpha; the number of edges may be missing where those before it end their line;
+ * and only where each vertex has a line may it have a colour of which the first word says nothing.
  */
 #include "files/off.h"
 
 #include "files/model_reader.h"
 
 #include <assert.h>
+#include <float.h>
+#include <math.h>
 #include <string.h>
 
 /* ---- The first lines ---- */
 
-/* The first word: [ST][C][N][4][n]OFF says what a vertex has beside x y z. */
+/* What the file does not say clearly, and how it is taken. */
+struct off_guess {
+    bool edges;   /* whether the number of edges is there, where the line ends before it: otherwise
+                   * than it looks */
+    bool colored; /* vertices have colours, though the first word names none */
+};
+
+/* The first word: ST, C, N, 4 and n in any order, then OFF, says what a vertex has. Where it is
+ * missing, the file begins with its numbers. */
 struct off_kind {
     bool uv, color, normal;
-    bool four, dimension; /* 4OFF and nOFF: positions of more than three coordinates */
+    bool four, dimension; /* 4OFF: x y z w; nOFF: the number of dimensions follows */
     bool only_drawn;      /* faces with fewer than 3 corners tell that the file is read amiss */
+    bool own_lines;       /* each vertex has a line */
+    bool lines;           /* faces of 2 corners are wanted */
     struct word rest;     /* what follows OFF in the same word: some writers leave out the blank */
 };
 
-/* Whether the number of edges is there, where the line ends before it. */
-enum edges_guess { EDGES_AS_IT_LOOKS, EDGES_OTHERWISE };
-
+/* The prefix in capitals or small letters. */
 static bool over_prefix(const char **p, const char *end, const char *prefix) {
-    size_t length = strlen(prefix);
-    if ((size_t)(end - *p) < length || memcmp(*p, prefix, length) != 0) {
-        return false;
+    const char *q = *p;
+    for (; *prefix != '\0'; prefix++, q++) {
+        if (q == end || (*q & ~32) != (*prefix & ~32)) {
+            return false;
+        }
     }
-    *p += length;
+    *p = q;
     return true;
 }
 
 static bool parse_keyword(struct word word, struct off_kind *kind) {
-    *kind = (struct off_kind){0};
-    if (word.length == 0) {
-        return false;
+    int64_t number;
+    *kind = (struct off_kind){.rest = word};
+    if (word.length == 0 || word_to_integer(word, &number)) {
+        return word.length > 0;
     }
-    const char *p = word.start, *end = word.start + word.length;
-    kind->uv = over_prefix(&p, end, "ST");
-    kind->color = over_prefix(&p, end, "C");
-    kind->normal = over_prefix(&p, end, "N");
-    kind->four = over_prefix(&p, end, "4");
-    kind->dimension = over_prefix(&p, end, "n");
+    const char *p = word.start, *end = word.start + word.length, *before;
+    do {
+        before = p;
+        if (end - p == 4 && memcmp(p, "nOFF", 4) == 0) {
+            kind->dimension = over_prefix(&p, end, "N");
+        }
+        kind->uv |= over_prefix(&p, end, "ST");
+        kind->color |= over_prefix(&p, end, "C");
+        kind->normal |= over_prefix(&p, end, "N");
+        kind->four |= over_prefix(&p, end, "4");
+    } while (p > before);
     if (!over_prefix(&p, end, "OFF")) {
         return false;
     }
@@ -50,13 +69,28 @@ static bool parse_keyword(struct word word, struct off_kind *kind) {
     return p == end || (*p >= '0' && *p <= '9');
 }
 
+/* The first word of a file that may be large, and its kind; the reader is then behind it. */
+static bool peek_keyword(struct model_reader *reader, const void *data, size_t size,
+                         struct off_kind *kind) {
+    struct word word = {0};
+    text_peek(&reader->text, data, size);
+    return reader_next_line(reader, &word) && parse_keyword(word, kind);
+}
+
 bool off_recognize(const void *data, size_t size) {
     struct error ignored;
     struct off_kind kind;
-    struct word word = {0};
     struct model_reader reader = {.error = &ignored};
-    text_peek(&reader.text, data, size); /* the first word of a file that may be large */
-    return reader_next_line(&reader, &word) && parse_keyword(word, &kind);
+    return peek_keyword(&reader, data, size, &kind);
+}
+
+/* Numbers as bytes follow a first line that says so. */
+static bool is_binary(const void *data, size_t size) {
+    struct error ignored;
+    struct off_kind kind;
+    struct model_reader reader = {.error = &ignored};
+    return peek_keyword(&reader, data, size, &kind) &&
+           word_is(text_next_word(&reader.text), "BINARY");
 }
 
 static bool read_count(struct model_reader *reader, struct word word, const char *what,
@@ -89,11 +123,11 @@ static bool one_word_follows(struct text text) {
 
 /* Read over the number of edges, which nobody needs. Behind numbers that end their line it looks
  * like one where it has a line of its own. */
-static bool skip_edges(struct model_reader *reader, enum edges_guess guess, bool *in_doubt) {
+static bool skip_edges(struct model_reader *reader, struct off_guess guess, bool *in_doubt) {
     struct word word = text_next_word(&reader->text);
     int64_t ignored;
     *in_doubt = word.length == 0;
-    if (*in_doubt && one_word_follows(reader->text) == (guess == EDGES_OTHERWISE)) {
+    if (*in_doubt && one_word_follows(reader->text) == guess.edges) {
         return true;
     }
     if (word.length == 0 && !reader_next_word(reader, &word)) {
@@ -111,7 +145,7 @@ struct off_counts {
 
 /* The numbers of vertices, faces and edges, from `word` on. A vertex takes at least 6 bytes
  * ("0 0 0" and a blank), a face at least 2. */
-static bool read_counts(struct model_reader *reader, struct word word, enum edges_guess guess,
+static bool read_counts(struct model_reader *reader, struct word word, struct off_guess guess,
                         struct off_counts *counts) {
     if (word.length == 0 && !reader_next_line(reader, &word)) {
         return text_error(reader->error, reader->line,
@@ -134,21 +168,26 @@ static bool read_counts(struct model_reader *reader, struct word word, enum edge
                       counts->vertices, counts->faces);
 }
 
-/* "OFF" and the numbers. */
-static bool read_header(struct model_reader *reader, enum edges_guess guess, struct off_kind *kind,
+/* "OFF" and the numbers, with what is guessed. */
+static bool read_header(struct model_reader *reader, struct off_guess guess, struct off_kind *kind,
                         struct off_counts *counts) {
     struct word word;
     bool is_off = reader_next_line(reader, &word) && parse_keyword(word, kind);
     assert(is_off); /* or off_recognize() was not asked */
     (void)is_off;
-    if (kind->four || kind->dimension) {
-        return text_error(reader->error, reader->line,
-                          "%s: only positions of three coordinates can be read",
-                          word_show(word).text);
-    }
+    kind->only_drawn = guess.edges;
+    kind->own_lines = guess.colored;
+    kind->color |= guess.colored;
     word = kind->rest.length > 0 ? kind->rest : text_next_word(&reader->text);
-    if (word_is(word, "BINARY")) {
-        return text_error(reader->error, reader->line, "binary OFF files cannot be read");
+    if (kind->dimension) {
+        if (word.length == 0 && !reader_next_line(reader, &word)) {
+            return text_error(reader->error, reader->line, "the number of dimensions is missing");
+        }
+        if (!word_is(word, "3")) {
+            return text_error(reader->error, reader->line, "a space of %s dimensions, not 3",
+                              word_show(word).text);
+        }
+        word = text_next_word(&reader->text);
     }
     return read_counts(reader, word, guess, counts);
 }
@@ -156,44 +195,45 @@ static bool read_header(struct model_reader *reader, enum edges_guess guess, str
 /* ---- Vertices ---- */
 
 /* The next number of vertex `number` of `total`. */
-static bool read_number(struct model_reader *reader, size_t number, size_t total, double *value) {
+static bool read_number(struct model_reader *reader, size_t number, size_t total,
+                        enum reader_range range, double *value) {
     struct word word;
     if (!reader_next_word(reader, &word)) {
         return text_error(reader->error, reader->line, "the file ends after %zu of %zu vertices",
                           number, total);
     }
-    return reader_parse_number(reader, word, value);
+    return reader_parse_number(reader, word, range, value);
+}
+
+/* The point that homogeneous coordinates name; at infinity, the direction to it. */
+static bool divide_by_w(struct model_reader *reader, double position[4]) {
+    bool right = true;
+    for (int i = 0; position[3] != 0 && i < 3; i++) {
+        position[i] /= position[3];
+        right = right && fabs(position[i]) <= FLT_MAX;
+    }
+    return right || text_error(reader->error, reader->line, "the vertex is too far away");
 }
 
 static bool read_vertex(struct model_reader *reader, const struct off_kind *kind, size_t number,
                         size_t total) {
     double value[READER_NUMBER_LIMIT];
-    size_t color_at = kind->normal ? 6 : 3;
-    size_t least = color_at + (kind->color ? 3 : 0) + (kind->uv ? 2 : 0), count = 0;
+    size_t normal_at = kind->four ? 4 : 3, color_at = normal_at + (kind->normal ? 3 : 0);
+    size_t least = color_at + (kind->color ? 3 : 0) + (kind->uv ? 2 : 0), count = 0, line = 0;
     while (count < least || (count == least && kind->color && one_word_is_left(reader->text))) {
-        if (!read_number(reader, number, total, &value[count++])) {
+        enum reader_range range = count < normal_at ? READER_FINITE : READER_ANY;
+        if (!read_number(reader, number, total, range, &value[count++])) {
             return false;
         }
+        line = count == 1 ? reader->line : line;
     }
-    return reader_add_position(reader, value) &&
+    if (kind->own_lines && (line != reader->line || text_next_word(&reader->text).length > 0)) {
+        return false; /* it was but a guess, and its message is ignored */
+    }
+    return (!kind->four || divide_by_w(reader, value)) && reader_add_position(reader, value) &&
            (!kind->color || reader_color_position(reader, value + color_at)) &&
-           (!kind->normal || reader_add_normal(reader, value + 3)) &&
+           (!kind->normal || reader_add_normal(reader, value + normal_at)) &&
            (!kind->uv || reader_add_uv(reader, value[count - 2], value[count - 1]));
-}
-
-/* Colours are 0..1, but many writers use levels 0..255: one value above 1 tells. */
-static void scale_colors(struct model *model) {
-    float scale = 1;
-    for (size_t i = 0; i < model->position_count; i++) {
-        for (int channel = 0; channel < 3; channel++) {
-            scale = model->colors[i][channel] > 1 ? 255 : scale;
-        }
-    }
-    for (size_t i = 0; i < model->position_count; i++) {
-        for (int channel = 0; channel < 3; channel++) {
-            model->colors[i][channel] /= scale;
-        }
-    }
 }
 
 static bool read_vertices(struct model_reader *reader, const struct off_kind *kind, size_t total) {
@@ -201,9 +241,6 @@ static bool read_vertices(struct model_reader *reader, const struct off_kind *ki
         if (!read_vertex(reader, kind, i, total)) {
             return false;
         }
-    }
-    if (reader->model->colors != NULL) {
-        scale_colors(reader->model);
     }
     return true;
 }
@@ -257,7 +294,7 @@ static bool are_whole(struct text text) {
 static bool read_face_color(struct model_reader *reader, double color[3], bool *colored) {
     struct reader_numbers numbers;
     double scale = are_whole(reader->text) ? 255 : 1;
-    if (!reader_read_numbers(reader, &numbers)) {
+    if (!reader_read_numbers(reader, READER_FINITE, &numbers)) {
         return false;
     }
     if (numbers.count == 2 || numbers.count > 4) {
@@ -286,9 +323,10 @@ static bool read_face(struct model_reader *reader, const struct off_kind *kind, 
         !read_face_color(reader, color, &colored)) {
         return false;
     }
-    if (size < 3) { /* points and lines are not drawn */
-        return !kind->only_drawn ||
-               text_error(reader->error, reader->line, "face has %zu corners", size);
+    if (size < 3) { /* points are not drawn, and lines in lesson 2 alone */
+        return (!kind->only_drawn ||
+                text_error(reader->error, reader->line, "face has %zu corners", size)) &&
+               (!kind->lines || reader_add_lines(reader));
     }
     return reader_add_faces(reader) && (!colored || reader_color_faces(reader, first, color));
 }
@@ -303,12 +341,13 @@ static bool read_end(struct model_reader *reader, size_t faces) {
 
 /* ---- All of it ---- */
 
-static bool read_all(struct model_reader *reader, enum edges_guess guess, bool *in_doubt) {
+static bool read_all(struct model_reader *reader, unsigned parts, struct off_guess guess,
+                     bool *in_doubt) {
     struct off_kind kind;
     struct off_counts counts = {0};
     bool done = read_header(reader, guess, &kind, &counts);
     *in_doubt = counts.in_doubt;
-    kind.only_drawn = guess == EDGES_OTHERWISE;
+    kind.lines = (parts & MODEL_LINES) != 0;
     if (!done || !read_vertices(reader, &kind, counts.vertices)) {
         return false;
     }
@@ -317,26 +356,33 @@ static bool read_all(struct model_reader *reader, enum edges_guess guess, bool *
             return false;
         }
     }
-    return read_end(reader, counts.faces) && reader_finish_colors(reader);
+    return read_end(reader, counts.faces) && reader_finish(reader);
 }
 
-static bool decode(struct model *model, const void *data, size_t size, enum edges_guess guess,
-                   bool *in_doubt, struct error *error) {
+static bool decode(struct model *model, const void *data, size_t size, unsigned parts,
+                   struct off_guess guess, bool *in_doubt, struct error *error) {
     struct model_reader reader = {.model = model, .error = error};
-    bool done =
-        text_begin(&reader.text, data, size, false, error) && read_all(&reader, guess, in_doubt);
+    bool done = text_begin(&reader.text, data, size, false, error) &&
+                read_all(&reader, parts, guess, in_doubt);
     model_reader_free(&reader);
+    if (!done) {
+        model_free(model);
+    }
     return done;
 }
 
-/* Where what looks right does not fit, the other guess may; not with points and lines, which it
+/* Where what looks right does not fit, another guess may; not with points and lines, which it
  * finds in many a file that is wrong elsewhere. */
-bool off_decode(struct model *model, const void *data, size_t size, struct error *error) {
+bool off_decode(struct model *model, const void *data, size_t size, unsigned parts,
+                struct error *error) {
     struct error ignored;
     bool in_doubt = false;
-    if (decode(model, data, size, EDGES_AS_IT_LOOKS, &in_doubt, error)) {
-        return true;
+    if (is_binary(data, size)) {
+        return text_error(error, 1, "a binary OFF file: only text can be read");
     }
-    model_free(model);
-    return in_doubt && decode(model, data, size, EDGES_OTHERWISE, &in_doubt, &ignored);
+    return decode(model, data, size, parts, (struct off_guess){0}, &in_doubt, error) ||
+           (in_doubt && decode(model, data, size, parts, (struct off_guess){.edges = true},
+                               &in_doubt, &ignored)) ||
+           decode(model, data, size, parts, (struct off_guess){.colored = true}, &in_doubt,
+                  &ignored);
 }

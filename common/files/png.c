@@ -194,6 +194,19 @@ static inline bool unfilter_row_of(unsigned filter, uint8_t *restrict row,
     }
 }
 
+/* The same for pixels of any size, which are rare. */
+static bool unfilter_large_pixels(unsigned filter, uint8_t *row, const uint8_t *above, size_t size,
+                                  size_t step) {
+    if (filter == FILTER_NONE || filter == FILTER_UP) {
+        return unfilter_row_of(filter, row, above, size, 1);
+    }
+    for (size_t i = 0; i < size; i++) {
+        uint8_t left = i < step ? 0 : row[i - step], corner = i < step ? 0 : above[i - step];
+        unfilter_byte(filter, &row[i], above[i], &left, &corner);
+    }
+    return filter < FILTER_COUNT;
+}
+
 static bool unfilter_row(unsigned filter, uint8_t *row, const uint8_t *above, size_t size,
                          size_t step) {
     switch (step) {
@@ -203,8 +216,10 @@ static bool unfilter_row(unsigned filter, uint8_t *row, const uint8_t *above, si
         return unfilter_row_of(filter, row, above, size, 2);
     case 3:
         return unfilter_row_of(filter, row, above, size, 3);
-    default:
+    case 4:
         return unfilter_row_of(filter, row, above, size, 4);
+    default:
+        return unfilter_large_pixels(filter, row, above, size, step);
     }
 }
 
@@ -221,6 +236,7 @@ struct png {
     size_t width, height;
     unsigned depth; /* bits of a sample or a palette index */
     unsigned color_type;
+    bool interlaced;
     uint8_t palette[PALETTE_LIMIT][4]; /* blue, green, red, alpha */
     size_t palette_size;
     bool has_alpha_chunk; /* a tRNS chunk */
@@ -231,6 +247,11 @@ struct png {
 
 static bool is_type(const struct chunk *chunk, const char *type) {
     return memcmp(chunk->type, type, 4) == 0;
+}
+
+/* A chunk that a picture cannot do without has a capital first letter; tRNS changes it, too. */
+static bool is_needed(const struct chunk *chunk) {
+    return (chunk->type[0] & 32) == 0 || is_type(chunk, "tRNS");
 }
 
 /* Split off the next chunk; `position` moves behind it. */
@@ -254,7 +275,8 @@ static bool next_chunk(const uint8_t *data, size_t size, size_t *position, struc
         return error_set(error, "a PNG cut off: chunk %.4s claims %lu bytes, but %zu are left",
                          (const char *)chunk->type, (unsigned long)length, left - CHUNK_OVERHEAD);
     }
-    if (crc32(chunk->type, 4 + chunk->size) != get_u32(chunk->data + chunk->size)) {
+    if (is_needed(chunk) &&
+        crc32(chunk->type, 4 + chunk->size) != get_u32(chunk->data + chunk->size)) {
         return error_set(error, "a PNG with a wrong checksum in chunk %.4s",
                          (const char *)chunk->type);
     }
@@ -281,10 +303,8 @@ static bool check_depth(const struct png *png, struct error *error) {
     if (png->color_type > COLOR_RGBA || png->color_type == 1 || png->color_type == 5) {
         return error_set(error, "a PNG of an unknown colour type, %u", png->color_type);
     }
-    if (png->depth == 16 && png->color_type != COLOR_PALETTE) {
-        return error_set(error, "a PNG with 16 bits a channel is not supported");
-    }
-    if (png->depth != 8 && !(small && packed)) {
+    bool large = png->depth == 16 && png->color_type != COLOR_PALETTE;
+    if (png->depth != 8 && !large && !(small && packed)) {
         return error_set(error, "a PNG of colour type %u cannot have %u bits", png->color_type,
                          png->depth);
     }
@@ -302,17 +322,18 @@ static bool read_header(struct png *png, const struct chunk *chunk, struct error
     }
     png->width = width;
     png->height = height;
+    for (size_t i = 0; i < PALETTE_LIMIT; i++) {
+        png->palette[i][3] = 255; /* black, where the file has no colour */
+    }
     png->depth = chunk->data[8];
     png->color_type = chunk->data[9];
     if (chunk->data[10] != 0 || chunk->data[11] != 0) {
         return error_set(error, "a PNG with an unknown compression or filter method");
     }
-    if (chunk->data[12] == 1) {
-        return error_set(error, "an interlaced PNG is not supported");
-    }
-    if (chunk->data[12] != 0) {
+    if (chunk->data[12] > 1) {
         return error_set(error, "a PNG with an unknown interlace method");
     }
+    png->interlaced = chunk->data[12] == 1;
     return check_depth(png, error);
 }
 
@@ -389,8 +410,7 @@ static bool read_chunk(struct png *png, const struct chunk *chunk, struct error 
         png->ended = true;
         return (chunk->size == 0 && png->seen_data) || error_set(error, "a PNG without pixel data");
     }
-    bool critical = (chunk->type[0] & 32) == 0; /* a capital first letter: must be understood */
-    return !critical ||
+    return !is_needed(chunk) ||
            error_set(error, "a PNG with an unknown chunk, %.4s", (const char *)chunk->type);
 }
 
@@ -425,45 +445,40 @@ static enum image_format png_format(const struct png *png) {
     return png->color_type == COLOR_GREY ? IMAGE_GREY : IMAGE_BGR;
 }
 
-/* Sample x of a row whose samples have `depth` bits, the first in the highest bits. */
-static unsigned packed_sample(const uint8_t *row, size_t x, unsigned depth) {
-    size_t bit = x * depth;
+/* Sample i of a row, of `depth` bits; the first is in the highest bits. */
+static unsigned sample_at(const uint8_t *row, size_t i, unsigned depth) {
+    if (depth == 16) {
+        return (unsigned)row[2 * i] << 8 | row[2 * i + 1];
+    }
+    size_t bit = i * depth;
     return ((unsigned)row[bit / 8] >> (8 - depth - bit % 8)) & ((1u << depth) - 1);
 }
 
-/* One pixel as blue, green, red, alpha; false for an index past the palette. */
-static bool read_pixel(const struct png *png, const uint8_t *row, size_t x, uint8_t bgra[4]) {
-    const uint8_t *samples = row + x * channel_count(png->color_type);
-    unsigned value;
-    bool clear;
-    switch (png->color_type) {
-    case COLOR_GREY:
-        value = packed_sample(row, x, png->depth);
-        clear = png->has_alpha_chunk && value == png->clear[0];
-        value = value * 255 / ((1u << png->depth) - 1);
-        memset(bgra, (int)value, 3);
-        bgra[3] = clear ? 0 : 255;
-        return true;
-    case COLOR_GREY_ALPHA:
-        memset(bgra, samples[0], 3);
-        bgra[3] = samples[1];
-        return true;
-    case COLOR_PALETTE:
-        value = packed_sample(row, x, png->depth);
-        if (value >= png->palette_size) {
-            return false;
-        }
-        memcpy(bgra, png->palette[value], 4);
-        return true;
-    default: /* RGB: copy_plain_pixels() knows RGBA */
-        clear = png->has_alpha_chunk && samples[0] == png->clear[0] &&
-                samples[1] == png->clear[1] && samples[2] == png->clear[2];
-        bgra[0] = samples[2];
-        bgra[1] = samples[1];
-        bgra[2] = samples[0];
-        bgra[3] = clear ? 0 : 255;
-        return true;
+/* The sample as a level, rounded to nearest. */
+static uint8_t level_of(unsigned sample, unsigned depth) {
+    unsigned greatest = (1u << depth) - 1;
+    return (uint8_t)((sample * 255 + greatest / 2) / greatest);
+}
+
+/* One pixel as blue, green, red, alpha. */
+static void read_pixel(const struct png *png, const uint8_t *row, size_t x, uint8_t bgra[4]) {
+    size_t channels = channel_count(png->color_type);
+    uint8_t level[4] = {0};
+    bool clear = png->has_alpha_chunk;
+    if (png->color_type == COLOR_PALETTE) {
+        memcpy(bgra, png->palette[sample_at(row, x, png->depth)], 4);
+        return;
     }
+    for (size_t i = 0; i < channels; i++) {
+        unsigned sample = sample_at(row, x * channels + i, png->depth);
+        level[i] = level_of(sample, png->depth);
+        clear = clear && i < 3 && sample == png->clear[i];
+    }
+    bool colored = channels >= 3, own_alpha = channels % 2 == 0;
+    bgra[0] = level[colored ? 2 : 0];
+    bgra[1] = level[colored ? 1 : 0];
+    bgra[2] = level[0];
+    bgra[3] = own_alpha ? level[channels - 1] : clear ? 0 : 255;
 }
 
 /* A row of pixels as they are in most files: eight bits a channel, and no colour that stands for
@@ -487,38 +502,85 @@ static bool copy_plain_pixels(const struct png *png, const uint8_t *row, uint8_t
     }
 }
 
-/* Undo the filters of `raw` (each row: filter, `size` bytes), row by row; fill the image. Before
- * the first row there are `size` zero bytes, a row above it. */
-static bool unpack_rows(const struct png *png, uint8_t *raw, size_t size, struct image *image,
-                        struct error *error) {
-    const uint8_t *above = raw - size;
+/* Which pixels a part of the file holds: every so many, from the first, counted from the top left.
+ * An interlaced file has seven parts (the specification's section 8.2), others one. */
+struct pass {
+    size_t x, y, x_step, y_step;
+};
+
+static const struct pass all_pixels = {0, 0, 1, 1};
+static const struct pass interlaced[] = {{0, 0, 8, 8}, {4, 0, 8, 8}, {0, 4, 4, 8}, {2, 0, 4, 4},
+                                         {0, 2, 2, 4}, {1, 0, 2, 2}, {0, 1, 1, 2}};
+
+static size_t pass_count(const struct png *png) {
+    return png->interlaced ? sizeof interlaced / sizeof interlaced[0] : 1;
+}
+
+static struct pass pass_at(const struct png *png, size_t i) {
+    return png->interlaced ? interlaced[i] : all_pixels;
+}
+
+/* Pixels in a row of the pass, and rows. */
+static size_t pass_width(const struct png *png, struct pass pass) {
+    return (png->width + pass.x_step - 1 - pass.x) / pass.x_step;
+}
+
+static size_t pass_height(const struct png *png, struct pass pass) {
+    return (png->height + pass.y_step - 1 - pass.y) / pass.y_step;
+}
+
+static size_t row_bytes(const struct png *png, size_t width) {
+    return (width * channel_count(png->color_type) * png->depth + 7) / 8;
+}
+
+/* Bytes of all rows, each after the number of its filter. */
+static uint64_t raw_bytes(const struct png *png) {
+    uint64_t sum = 0;
+    for (size_t i = 0; i < pass_count(png); i++) {
+        struct pass pass = pass_at(png, i);
+        size_t width = pass_width(png, pass);
+        sum += width > 0 ? (uint64_t)pass_height(png, pass) * (1 + row_bytes(png, width)) : 0;
+    }
+    return sum;
+}
+
+/* Undo the filters of a pass, row by row, and fill its pixels of the image; `above` is a row of
+ * zeros. Returns the place behind it in `raw`; NULL, with a message, for a wrong filter. */
+static uint8_t *unpack_pass(const struct png *png, struct pass pass, uint8_t *raw,
+                            const uint8_t *above, struct image *image, struct error *error) {
     size_t bits = channel_count(png->color_type) * png->depth;
-    size_t step = bits < 8 ? 1 : bits / 8;
-    size_t pixel_size = (size_t)image->format;
-    for (size_t y = png->height; y-- > 0;) {
+    size_t step = bits < 8 ? 1 : bits / 8, pixel_size = (size_t)image->format;
+    size_t width = pass_width(png, pass), size = row_bytes(png, width);
+    for (size_t y = pass.y; width > 0 && y < png->height; y += pass.y_step) {
         uint8_t *row = raw + 1;
         if (!unfilter_row(raw[0], row, above, size, step)) {
-            return error_set(error, "a PNG with an unknown row filter, %u", raw[0]);
+            error_set(error, "a PNG with an unknown row filter, %u", raw[0]);
+            return NULL;
         }
-        uint8_t *pixel = image->pixels + y * image->width * pixel_size;
-        bool copied = copy_plain_pixels(png, row, pixel);
-        for (size_t x = 0; !copied && x < png->width; x++, pixel += pixel_size) {
+        uint8_t *pixels = image->pixels + (png->height - 1 - y) * image->width * pixel_size;
+        bool copied = pass.x_step == 1 && copy_plain_pixels(png, row, pixels);
+        for (size_t x = 0; !copied && x < width; x++) {
             uint8_t bgra[4];
-            if (!read_pixel(png, row, x, bgra)) {
-                return error_set(error, "a PNG with a pixel outside its palette of %zu colours",
-                                 png->palette_size);
-            }
-            memcpy(pixel, bgra, pixel_size);
+            read_pixel(png, row, x, bgra);
+            memcpy(pixels + (pass.x + x * pass.x_step) * pixel_size, bgra, pixel_size);
         }
         raw += 1 + size;
         above = row;
     }
-    return true;
+    return raw;
+}
+
+static bool unpack_rows(const struct png *png, uint8_t *raw, const uint8_t *zeros,
+                        struct image *image, struct error *error) {
+    for (size_t i = 0; raw != NULL && i < pass_count(png); i++) {
+        raw = unpack_pass(png, pass_at(png, i), raw, zeros, image, error);
+    }
+    return raw != NULL;
 }
 
 static bool decode_pixels(const struct png *png, struct image *image, struct error *error) {
-    size_t row_size = (png->width * channel_count(png->color_type) * png->depth + 7) / 8;
-    uint64_t raw_size = (uint64_t)png->height * (1 + row_size);
+    size_t row_size = row_bytes(png, png->width);
+    uint64_t raw_size = raw_bytes(png);
     assert(raw_size > 0); /* read_header() lets no empty image pass */
     if (raw_size / DEFLATE_RATIO_LIMIT > png->compressed.size || raw_size > SIZE_MAX / 2) {
         return error_set(error, "a PNG cut off: %zu bytes cannot hold %zux%zu pixels",
@@ -530,7 +592,7 @@ static bool decode_pixels(const struct png *png, struct image *image, struct err
         return error_set(error, "a PNG of %zux%zu pixels in no more than %zu bytes is not read",
                          png->width, png->height, png->compressed.size);
     }
-    uint8_t *memory = malloc(row_size + (size_t)raw_size);
+    uint8_t *memory = malloc(row_size + (size_t)raw_size); /* after a row of zeros */
     if (memory == NULL) {
         return error_out_of_memory(error);
     }
@@ -539,7 +601,7 @@ static bool decode_pixels(const struct png *png, struct image *image, struct err
     bool done =
         zlib_decompress(png->compressed.data, png->compressed.size, raw, (size_t)raw_size, error) &&
         image_create(image, png->width, png->height, png_format(png), error) &&
-        unpack_rows(png, raw, row_size, image, error);
+        unpack_rows(png, raw, memory, image, error);
     if (!done) {
         image_free(image);
     }

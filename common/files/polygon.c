@@ -20,6 +20,7 @@ struct polygon_node {
     uint32_t cell_previous, cell_next; /* in the list of the same cell, or NOTHING */
     bool in_cell;                      /* not convex: stands in the list of its cell */
     bool waits;                        /* stands in the queue */
+    bool changed;                      /* since then it has another neighbour */
     bool gone;                         /* was cut off */
 };
 
@@ -70,6 +71,9 @@ static double orientation(const struct polygon_node *a, const struct polygon_nod
                           const struct polygon_node *c) {
     double left = (b->x - a->x) * (c->y - a->y);
     double right = (b->y - a->y) * (c->x - a->x);
+    if (left == 0 && right == 0) {
+        return 0; /* on a line along x or y: no difference or product of them is rounded to 0 */
+    }
     /* (3 + 16e)e with e = 2^-53, and some more. */
     double bound = 4e-16 * (fabs(left) + fabs(right));
     return fabs(left - right) > bound ? left - right : exact_orientation(a, b, c);
@@ -153,6 +157,7 @@ static bool fan_is_right(const struct vec3 *corners, size_t size, struct vec3 no
  * ear. */
 
 static void queue_add(struct polygon_cutter *cutter, uint32_t index) {
+    cutter->nodes[index].changed = cutter->nodes[index].waits;
     if (!cutter->nodes[index].waits) {
         cutter->nodes[index].waits = true;
         cutter->queue[(cutter->queue_first + cutter->queue_count) % cutter->queue_size] = index;
@@ -250,10 +255,13 @@ static bool blocks_ear(const struct polygon_cutter *cutter, const struct polygon
            orientation(next, previous, other) >= 0;
 }
 
-/* Does a corner of the list that starts at `first` keep the ear from being cut off? */
+/* Does a corner of the list that starts at `first` keep the ear from being cut off? Adds the list
+ * and those of its corners that are looked at to the work. */
 static bool cell_blocks_ear(const struct polygon_cutter *cutter, uint32_t first,
-                            const struct polygon_node *tip) {
+                            const struct polygon_node *tip, uint64_t *work) {
+    *work += 1;
     for (uint32_t i = first; i != NOTHING; i = cutter->nodes[i].cell_next) {
+        *work += 1;
         if (blocks_ear(cutter, tip, &cutter->nodes[i])) {
             return true;
         }
@@ -269,7 +277,8 @@ static bool is_spike(const struct polygon_cutter *cutter, uint32_t index) {
            (a->x - tip->x) * (b->x - tip->x) + (a->y - tip->y) * (b->y - tip->y) >= 0;
 }
 
-static bool is_ear(const struct polygon_cutter *cutter, uint32_t index) {
+/* Adds to the work that finding out takes. */
+static bool is_ear(const struct polygon_cutter *cutter, uint32_t index, uint64_t *work) {
     const struct polygon_node *tip = &cutter->nodes[index];
     const struct polygon_node *a = &cutter->nodes[tip->previous], *b = &cutter->nodes[tip->next];
     if (tip->turn <= 0) { /* a point of a straight side stays */
@@ -283,7 +292,8 @@ static bool is_ear(const struct polygon_cutter *cutter, uint32_t index) {
     size_t last_row = grid_place(cutter, top, cutter->bottom, cutter->y_scale);
     for (size_t row = first_row; row <= last_row; row++) {
         for (size_t column = first_column; column <= last_column; column++) {
-            if (cell_blocks_ear(cutter, cutter->cells[row * cutter->grid_size + column], tip)) {
+            uint32_t first = cutter->cells[row * cutter->grid_size + column];
+            if (cell_blocks_ear(cutter, first, tip, work)) {
                 return false;
             }
         }
@@ -311,8 +321,8 @@ static bool reserve_nodes(struct polygon_cutter *cutter, size_t size) {
            array_extend(&cutter->queue, &cutter->queue_capacity, size, sizeof *cutter->queue);
 }
 
-/* About as many cells as corners, over the rectangle around the polygon. */
-static void grid_begin(struct polygon_cutter *cutter, size_t size) {
+/* A rectangle around the polygon. */
+static void find_bounds(struct polygon_cutter *cutter, size_t size) {
     double right = cutter->nodes[0].x, top = cutter->nodes[0].y;
     cutter->left = right;
     cutter->bottom = top;
@@ -323,14 +333,32 @@ static void grid_begin(struct polygon_cutter *cutter, size_t size) {
         cutter->bottom = node->y < cutter->bottom ? node->y : cutter->bottom;
         top = node->y > top ? node->y : top;
     }
+    cutter->width = right - cutter->left;
+    cutter->height = top - cutter->bottom;
+}
+
+/* An empty grid with about as many cells as there are corners. */
+static void grid_begin(struct polygon_cutter *cutter, size_t size) {
     cutter->grid_size = (size_t)sqrt((double)size);
-    double width = right - cutter->left, height = top - cutter->bottom;
     /* Both are positive: a polygon without area on the plane is cut as a fan. */
-    cutter->x_scale = (double)cutter->grid_size / width;
-    cutter->y_scale = (double)cutter->grid_size / height;
+    cutter->x_scale = (double)cutter->grid_size / cutter->width;
+    cutter->y_scale = (double)cutter->grid_size / cutter->height;
     for (size_t i = 0; i < cutter->grid_size * cutter->grid_size; i++) {
         cutter->cells[i] = NOTHING;
     }
+}
+
+/* The ears that are left grow, and the corners become fewer: make the cells larger, so that an ear
+ * reaches into as few as before. `start` is some corner that is still there. */
+static void grid_coarsen(struct polygon_cutter *cutter, size_t size, uint32_t start) {
+    uint32_t index = start;
+    grid_begin(cutter, size);
+    do {
+        if (cutter->nodes[index].in_cell) {
+            cell_add(cutter, index);
+        }
+        index = cutter->nodes[index].next;
+    } while (index != start);
 }
 
 /* Link the corners to a ring and list those where the polygon is not convex. */
@@ -395,20 +423,34 @@ static uint32_t cut_ear(struct polygon_cutter *cutter, uint32_t index, size_t cu
     return place;
 }
 
-static void cut_ears(struct polygon_cutter *cutter, size_t size) {
+/* False when that takes too long. */
+static bool cut_ears(struct polygon_cutter *cutter, size_t size) {
     const size_t cuts = size - 3; /* a last triangle is left */
-    uint32_t place = 0;           /* some corner that is still there */
+    const uint64_t work_limit = (uint64_t)size * POLYGON_WORK_LIMIT;
+    uint32_t place = 0;    /* some corner that is still there */
+    size_t gridded = size; /* corners when the grid was made */
+    uint64_t work = 0;
+    find_bounds(cutter, size);
     grid_begin(cutter, size);
     link_nodes(cutter, (uint32_t)size);
     queue_begin(cutter, (uint32_t)size);
-    while (cutter->triangle_count < cuts) {
+    while (cutter->triangle_count < cuts && work <= work_limit) {
         bool waiting = cutter->queue_count > 0;
         uint32_t index = waiting ? queue_take(cutter) : any_node(cutter, place);
-        if (!waiting || (!cutter->nodes[index].gone && is_ear(cutter, index))) {
+        const struct polygon_node *node = &cutter->nodes[index];
+        if (waiting && node->changed && !node->gone && !is_spike(cutter, index)) {
+            queue_add(cutter, index); /* others first, so that ears stay small */
+        } else if (!waiting || (!node->gone && is_ear(cutter, index, &work))) {
             place = cut_ear(cutter, index, cuts);
+            size_t left = size - cutter->triangle_count;
+            if (left < gridded / 2) {
+                gridded = left;
+                grid_coarsen(cutter, left, place);
+            }
         }
     }
     add_triangle(cutter, cutter->nodes[place].previous, place, cutter->nodes[place].next);
+    return work <= work_limit;
 }
 
 /* ---- Polygons ---- */
@@ -430,9 +472,6 @@ enum polygon_result polygon_cut(struct polygon_cutter *cutter, const struct vec3
     struct vec3 normal = size > 3 ? polygon_normal(corners, size) : (struct vec3){0, 0, 0};
     bool fan = fan_is_right(corners, size, normal);
     cutter->triangle_count = 0;
-    if (!fan && size > POLYGON_CONCAVE_LIMIT) {
-        return POLYGON_TOO_LARGE;
-    }
     if (!reserve_triangles(cutter, size - 2) || (!fan && !reserve_nodes(cutter, size))) {
         return POLYGON_OUT_OF_MEMORY;
     }
@@ -444,7 +483,10 @@ enum polygon_result polygon_cut(struct polygon_cutter *cutter, const struct vec3
     for (size_t i = 0; i < size; i++) {
         cutter->nodes[i] = node_on_plane(corners[i], plane);
     }
-    cut_ears(cutter, size);
+    if (!cut_ears(cutter, size)) {
+        cutter->triangle_count = 0;
+        return POLYGON_TOO_INTRICATE;
+    }
     return POLYGON_CUT;
 }
 

@@ -19,7 +19,7 @@ static bool parse_switch(const struct program *program, const char *value, void 
     return true;
 }
 
-static bool parse_directory(const struct program *program, const char *value, void *field) {
+static bool parse_path(const struct program *program, const char *value, void *field) {
     (void)program;
     *(const char **)field = value;
     return value[0] != '\0';
@@ -96,7 +96,15 @@ _Static_assert(REPEAT_LIMIT == 1000000, "the largest of REPEATS");
 #define FORMATS ": " IMAGE_FILE_NAMES
 #define POINT   "three numbers X,Y,Z"
 
-enum condition { ALWAYS, WITH_MODEL, WITH_CAMERA, WITH_LIGHT };
+enum condition {
+    ALWAYS,
+    WITH_MODEL,
+    WITH_TEXTURE,
+    WITH_NORMAL_MAP,
+    WITH_SPECULAR,
+    WITH_CAMERA,
+    WITH_LIGHT
+};
 
 #define FIELD(name) offsetof(struct options, name)
 
@@ -109,12 +117,18 @@ static const struct option {
     parse_function *parse;
     enum condition condition;
 } options_known[] = {
-    {"-o", "DIR", "a directory", "where the images go", FIELD(directory), parse_directory, ALWAYS},
+    {"-o", "DIR", "a directory", "where the images go", FIELD(directory), parse_path, ALWAYS},
     {"-s", "WxH", "WxH" SIZES, "image size" SIZES, FIELD(size), parse_size, ALWAYS},
     {"--only", "SCENE", "a scene", "draw just this scene", FIELD(only), parse_scene, ALWAYS},
     {"--format", "F", "a format" FORMATS, "of the images" FORMATS, FIELD(format), parse_format,
      ALWAYS},
     {"--fit", "", "", "move and scale the model into view", FIELD(fit), parse_switch, WITH_MODEL},
+    {"--texture", "FILE", "a file", "the colours, instead of those beside the model",
+     FIELD(textures[MODEL_DIFFUSE]), parse_path, WITH_TEXTURE},
+    {"--normal-map", "FILE", "a file", "the normals, likewise", FIELD(textures[MODEL_NORMAL_MAP]),
+     parse_path, WITH_NORMAL_MAP},
+    {"--specular", "FILE", "a file", "the shine, likewise", FIELD(textures[MODEL_SPECULAR]),
+     parse_path, WITH_SPECULAR},
     {"--eye", "X,Y,Z", POINT, "where the camera stands", FIELD(eye), parse_vec3, WITH_CAMERA},
     {"--center", "X,Y,Z", POINT, "the point that it looks at", FIELD(center), parse_vec3,
      WITH_CAMERA},
@@ -130,6 +144,10 @@ static const struct option {
      ALWAYS},
     {"--no-skip", "", "", "do everything; the image must not change", FIELD(no_skip), parse_switch,
      ALWAYS},
+    {"--frame", "N", "a number" REPEATS, "with --live: this frame of an animation" REPEATS,
+     FIELD(frame), parse_repeat, ALWAYS},
+    {"--live", "", "", "answer lines of options with frames: see common/run/live.h", FIELD(live),
+     parse_switch, ALWAYS},
     {"--help", "", "", "this text; so does -h", FIELD(help), parse_switch, ALWAYS},
 };
 
@@ -150,19 +168,36 @@ static struct details details_of(const struct option *option, const struct progr
     return details;
 }
 
-bool program_takes_model(const struct program *program) {
+/* What one scene needs or another. */
+static unsigned needs_of(const struct program *program) {
     unsigned needs = 0;
     for (size_t i = 0; i < program->scene_count; i++) {
         needs |= program->scenes[i].needs;
     }
-    return program->draw_text == NULL && (needs & ~(unsigned)NEEDS_DEPTH) != 0;
+    return needs;
+}
+
+bool program_takes_model(const struct program *program) {
+    return program->draw_text == NULL && (needs_of(program) & ~(unsigned)NEEDS_DEPTH) != 0;
 }
 
 static bool takes_option(const struct program *program, const struct option *option) {
-    return option->condition == ALWAYS ||
-           (option->condition == WITH_MODEL && program_takes_model(program)) ||
-           (option->condition == WITH_CAMERA && program->takes_camera) ||
-           (option->condition == WITH_LIGHT && program->takes_light);
+    switch (option->condition) {
+    case WITH_MODEL:
+        return program_takes_model(program);
+    case WITH_TEXTURE:
+        return (needs_of(program) & NEEDS_DIFFUSE) != 0;
+    case WITH_NORMAL_MAP:
+        return (needs_of(program) & NEEDS_NORMAL_MAP) != 0;
+    case WITH_SPECULAR:
+        return (needs_of(program) & NEEDS_SPECULAR) != 0;
+    case WITH_CAMERA:
+        return program->takes_camera;
+    case WITH_LIGHT:
+        return program->takes_light;
+    default:
+        return true;
+    }
 }
 
 static const struct option *find_option(const struct program *program, const char *name) {

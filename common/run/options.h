@@ -26,8 +26,10 @@ struct options {
     struct size_option size;
     const struct image_file_format *format;
     struct vec3_option eye, center, up, light;
-    size_t repeat; /* 0 without --repeat */
-    bool fit, stats, no_skip, help;
+    const char *textures[MODEL_TEXTURE_KINDS]; /* files; NULL for those beside the model */
+    size_t repeat;                             /* 0 without --repeat */
+    size_t frame;                              /* 1 and on, of an animation; 0 without --frame */
+    bool fit, stats, no_skip, live, help;
 };
 
 /* Does the program draw a model, which the command line may then name? */

@@ -22,10 +22,11 @@ enum need {
     NEEDS_MODEL = 1,
     NEEDS_NORMALS = 2, /* at every corner: computed where the file has none */
     NEEDS_COLORS = 4,  /* at every position: made from the normals where the file has none */
-    NEEDS_DIFFUSE = 8, /* textures beside the model */
+    NEEDS_DIFFUSE = 8, /* textures beside the model; what is missing is replaced */
     NEEDS_NORMAL_MAP = 16,
     NEEDS_SPECULAR = 32,
-    NEEDS_DEPTH = 64 /* a depth buffer */
+    NEEDS_DEPTH = 64, /* a depth buffer */
+    NEEDS_LINES = 128 /* those beside the faces, and a model of lines alone will do */
 };
 
 enum { COUNTER_LIMIT = 32 }; /* different names that one scene counts */
@@ -37,19 +38,19 @@ struct counter {
 
 /* What a draw function works with. It reads all of it and may change `depth` and `state`. */
 struct drawing {
-    const struct model *model;     /* NULL where the scene needs none, as all that follows */
-    const struct texture *diffuse; /* one white texel for a model without coordinates */
-    const struct texture *normal_map;
-    const struct texture *specular;
-    double *depth;                 /* one a pixel, row by row from the bottom: -INFINITY */
-    const struct text_scene *text; /* the text scene of the command line, otherwise NULL */
-    struct vec3 eye, center, up;   /* the camera: options, the scene's or the program's */
-    struct vec3 light;             /* as given: not normalised */
-    bool skip;                     /* false with --no-skip: do all the work; same image */
-    bool stats;                    /* with --stats: count what takes time to count, too */
-    size_t frame;                  /* of an animation, from 0 */
-    int number;                    /* the scene's */
-    void *state;                   /* program.state_size bytes, zero at first */
+    const struct model *model;        /* NULL where the scene needs none, as all that follows */
+    const struct texture *diffuse;    /* one white texel where there is none */
+    const struct texture *normal_map; /* NULL where there is none: draw by the mesh's normals */
+    const struct texture *specular;   /* one texel where there is none */
+    double *depth;                    /* one a pixel, row by row from the bottom: -INFINITY */
+    const struct text_scene *text;    /* the text scene of the command line, otherwise NULL */
+    struct vec3 eye, center, up;      /* the camera: options, the scene's or the program's */
+    struct vec3 light;                /* as given: not normalised */
+    bool skip;                        /* false with --no-skip: do all the work; same image */
+    bool stats;                       /* with --stats: count what takes time to count, too */
+    size_t frame;                     /* of an animation, from 0 */
+    int number;                       /* the scene's */
+    void *state;                      /* program.state_size bytes, zero at first */
     struct counter counters[COUNTER_LIMIT];
     size_t counter_count;
 };
@@ -63,9 +64,10 @@ struct scene {
     unsigned needs;       /* of enum need, joined with | */
     const char *model;    /* a file of the course's; "bust.obj" by default */
     size_t width, height; /* of the image, unless -s says otherwise; a sheet's frames share it */
-    enum image_format format;    /* IMAGE_BGR by default */
-    size_t frames;               /* of an animation, drawn as a sheet or, in PNG, moving */
-    bool extra;                  /* no part of the lesson: drawn when --only names it */
+    enum image_format format; /* IMAGE_BGR by default */
+    size_t frames;            /* of an animation, drawn as a sheet or, in PNG, moving */
+    bool extra;               /* no part of the lesson: drawn when --only names it */
+    bool detail; /* of the course's model, so of another one drawn when --only names it */
     struct vec3 eye, center, up; /* the camera, in steps that have one */
     struct vec3 light;           /* in steps that have one */
     int number; /* which of the scenes that share a draw function; it says of what */

@@ -75,19 +75,28 @@ static void unload_model(struct run *run) {
     run->unloaded = run_loaded(run);
     model_free(&run->model);
     run->model_file = NULL;
+    for (int kind = 0; kind < MODEL_TEXTURE_KINDS; kind++) {
+        run->is_replaced[kind] = false;
+    }
 }
 
 /* What of a model's file such scenes look at. */
 static unsigned needed_parts(unsigned needs) {
     unsigned normals = NEEDS_NORMALS | NEEDS_COLORS;
     unsigned textures = NEEDS_DIFFUSE | NEEDS_NORMAL_MAP | NEEDS_SPECULAR;
-    return ((needs & normals) != 0 ? MODEL_NORMALS : 0) | ((needs & textures) != 0 ? MODEL_UVS : 0);
+    return ((needs & normals) != 0 ? MODEL_NORMALS : 0) |
+           ((needs & textures) != 0 ? MODEL_UVS : 0) |
+           ((needs & NEEDS_LINES) != 0 ? MODEL_LINES : 0);
 }
 
 /* The model of the command line or else the scene's, unless it is loaded already. */
 static bool load_model(struct run *run, const struct scene *scene, struct error *error) {
     const char *file = run->input != NULL ? run->input : scene->model;
-    unsigned parts = needed_parts(run->needs | scene->needs);
+    unsigned needs = run->needs | scene->needs;
+    if (run->input != NULL && (needs & NEEDS_NORMAL_MAP) != 0) {
+        needs |= NEEDS_NORMALS; /* it may have no map, and then it is drawn by these */
+    }
+    unsigned parts = needed_parts(needs);
     if (run->model_file != NULL && strcmp(run->model_file, file) == 0 &&
         (parts & ~run->model_parts) == 0) {
         return true;
@@ -106,6 +115,7 @@ static bool load_model(struct run *run, const struct scene *scene, struct error 
                                  : error_set(error, "%s: no such file; `make` sculpts it", path);
         free(path);
     }
+    memcpy(run->model.texture_files, run->texture_files, sizeof run->texture_files);
     if (done && run->fit) {
         model_fit(&run->model, run->program->takes_camera);
     }
@@ -113,24 +123,65 @@ static bool load_model(struct run *run, const struct scene *scene, struct error 
     return done;
 }
 
-static bool make_white(struct texture *white, struct error *error) {
-    uint8_t pixel[] = {255};
-    const struct image image = {.width = 1, .height = 1, .format = IMAGE_GREY, .pixels = pixel};
-    return white->level_count > 0 || texture_create(white, &image, error);
+/* One texel, where the texture is empty yet. */
+static bool make_texel(struct texture *texture, uint8_t level, struct error *error) {
+    const struct image image = {.width = 1, .height = 1, .format = IMAGE_GREY, .pixels = &level};
+    return texture->level_count > 0 || texture_create(texture, &image, error);
 }
 
-/* A texture that the scene needs. A model whose corners have no place in a picture is white. */
+enum { SHINY = 64 }; /* the level of a specular map: a power of 16, as lesson 10 reads it */
+
+/* What is drawn in place of a texture: NULL for a normal map. */
+static bool replace_texture(struct run *run, enum model_texture_kind kind,
+                            const struct texture **texture, struct error *error) {
+    if (kind == MODEL_NORMAL_MAP) {
+        *texture = NULL;
+        return model_need_normals(&run->model, error);
+    }
+    struct texture *instead = kind == MODEL_DIFFUSE ? &run->white : &run->shiny;
+    *texture = instead;
+    return make_texel(instead, kind == MODEL_DIFFUSE ? 255 : SHINY, error);
+}
+
+/* Are the normals of a map, as their mean tells, nearly all about (0, 0, 1)? Those of an object go
+ * all around. */
+static bool is_tangent_space(const struct texture *map) {
+    struct color mean = color_from_texel(map->level[map->level_count - 1].texels[0]);
+    return mean.b > 200 && abs(mean.r - 128) < 40 && abs(mean.g - 128) < 40;
+}
+
+/* A texture that the scene needs. One that the command line names must be there; others are
+ * replaced, and those of a model whose corners have no place in a picture are not looked for. */
 static bool load_texture(struct run *run, bool needed, enum model_texture_kind kind,
                          const struct texture **texture, struct error *error) {
+    static const char *const instead[] = {
+        "white instead; --texture FILE names one",
+        "the mesh's normals instead; --normal-map FILE names one",
+        "the same shine everywhere instead; --specular FILE names one",
+    };
     if (!needed) {
         return true;
     }
-    if (kind == MODEL_DIFFUSE && run->model.uv_count == 0) {
-        *texture = &run->white;
-        return make_white(&run->white, error);
+    if (run->model.uv_count == 0 && run->texture_files[kind] != NULL) {
+        error_set(error, "has no texture coordinates, without which %s cannot be drawn",
+                  run->texture_files[kind]);
+        return error_name_input(error, run->model.path);
+    }
+    if (run->model.uv_count == 0 || run->is_replaced[kind]) {
+        return replace_texture(run, kind, texture, error);
     }
     *texture = model_texture(&run->model, kind, error);
-    return *texture != NULL;
+    bool tangent = kind == MODEL_NORMAL_MAP && *texture != NULL && is_tangent_space(*texture);
+    if (tangent) {
+        error_set(error, "the normal map is one in tangent space, and only object space is read");
+        error_name_input(error, run->model.path);
+    }
+    if ((*texture != NULL && !tangent) || run->texture_files[kind] != NULL) {
+        return *texture != NULL && !tangent;
+    }
+    error_set(&run->replaced[kind], "%s; %s", error->message, instead[kind]);
+    run->is_replaced[kind] = true;
+    return replace_texture(run, kind, texture, error);
 }
 
 bool scene_needs_model(const struct scene *scene) {
@@ -221,5 +272,6 @@ void stage_end(struct stage *stage) {
 void run_free(struct run *run) {
     model_free(&run->model);
     texture_free(&run->white);
+    texture_free(&run->shiny);
     *run = (struct run){0};
 }

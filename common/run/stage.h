@@ -19,14 +19,19 @@ struct run {
     const char *input;             /* a model in place of the course's own; NULL: none */
     const struct text_scene *text; /* NULL but for a text scene */
     bool no_skip, stats;
-    bool fit;       /* move and scale models into view */
+    bool fit;                                       /* move and scale models into view */
+    const char *texture_files[MODEL_TEXTURE_KINDS]; /* for the model; NULL: those beside it */
     unsigned needs; /* of all scenes that will be drawn, so that a model is read once; 0: unknown */
 
-    struct model model;     /* loaded when the first scene needs it */
-    const char *model_file; /* which file it is; NULL while none is loaded */
-    unsigned model_parts;   /* what of it is loaded, of enum model_part */
-    struct loaded unloaded; /* of models that made room for others */
-    struct texture white;   /* for a model without texture coordinates; empty until needed */
+    struct model model;          /* loaded when the first scene needs it */
+    const char *model_file;      /* which file it is; NULL while none is loaded */
+    unsigned model_parts;        /* what of it is loaded, of enum model_part */
+    struct loaded unloaded;      /* of models that made room for others */
+    struct texture white, shiny; /* of one texel, for a model without textures; empty at first */
+    /* Textures that the model has not, or that cannot be read: why, and what is drawn instead. The
+     * message is empty once it is said. */
+    struct error replaced[MODEL_TEXTURE_KINDS];
+    bool is_replaced[MODEL_TEXTURE_KINDS];
 };
 
 /* What was read up to now. */

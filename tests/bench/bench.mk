@@ -84,8 +84,8 @@ $(BUILD)/bench-files: $(call OBJECTS_OF,bench/files) $(BUILD)/tests/bench/measur
 
 # A whole run, beside the same bytes only read and copied.
 bench-run: all
-	@tests/bench/whole_run.sh $(BUILD)
+	@bash tests/bench/whole_run.sh $(BUILD)
 
 # Instructions, which no other process disturbs.
 counts:
-	@tests/bench/counts.sh $(BUILD) '$(STEP)'
+	@sh tests/bench/counts.sh $(BUILD) '$(STEP)'

@@ -12,14 +12,15 @@ CHECKER = $(patsubst %.c,$(BUILD)/%.o,$(filter-out %/check.c %/looks_make.c %/fi
 # SANITIZE=1: their main.c with the sanitizers, which tell in which line a program goes wrong. They
 # are slow; memory that is not freed at the end is no fault here, and a failed assert() is.
 CHECKED   = $(BUILD)$(if $(SANITIZE),/sanitized)
-SANITIZED = -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
+SANITIZED = -O1 -g1 -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer
 ifneq ($(HIDDEN),)
 ifeq ($(wildcard tests/teacher/hidden),)
 $(error HIDDEN=$(HIDDEN): hidden scenes are drawn where the solutions are)
 endif
 endif
 .PHONY: check
-check: $(BUILD)/check $(HIDDEN:%=$(BUILD)/hidden)
+check: $(BUILD)/check $(HIDDEN:%=$(BUILD)/hidden) $(if $(MAKE_TERMOUT),$(BUILD)/show)
+	$(END_LINE)
 	@$(if $(SANITIZE),ASAN_OPTIONS=detect_leaks=0:handle_abort=1 UBSAN_OPTIONS=print_stacktrace=1 \
 	                CHECK_TIMEOUT=$${CHECK_TIMEOUT:-60}) \
 	$(BUILD)/check --programs $(CHECKED) --differences $(CHECKED)/differences --make '$(MAKE) -s' \

@@ -3,6 +3,16 @@
 
 #include "todo.h"
 
+/* Where a mistake makes so many pixels wrong, other arithmetic leaves one of ten of them so. */
+enum { MANY_APART = 100, LEFT_APART = 10 };
+
+/* Is the scene right, which the mistake would have made wrong? */
+static bool is_right_without(const struct item_result *item, const struct look *look) {
+    bool passes = item->state == RESULT_PASS && look->apart >= MANY_APART;
+    return (item->exact && look->apart > 0) ||
+           (passes && item->shares.apart.count * LEFT_APART < look->apart);
+}
+
 /* Is the scene wrong in another way than the mistake makes it? (What a mistake draws that draws
  * nothing is not kept.) */
 static bool is_wrong_otherwise(const struct item_result *item, const struct looks *scene,
@@ -26,7 +36,7 @@ enum mistake_doubt doubt_find(const void *context, const struct mistake *mistake
             continue;
         }
         const struct look *look = &scene->list[mistake - scene->mistakes->list];
-        if (other->exact && look->apart > 0) {
+        if (is_right_without(other, look)) {
             return MISTAKE_IMPOSSIBLE;
         }
         is_doubtful |= other->state == RESULT_FAIL &&

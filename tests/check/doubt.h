@@ -2,7 +2,8 @@
  * What else is known of a program, and speaks against a mistake that one of its pictures, or its
  * work, looks like.
  *
- *     MISTAKE_IMPOSSIBLE  a scene is exact that the mistake would make wrong;
+ *     MISTAKE_IMPOSSIBLE  a scene is exact that the mistake would make wrong, or it passes with
+ *                         less than a tenth of the pixels apart that the mistake makes so;
  *     MISTAKE_DOUBTFUL    another scene fails that shows and needs nothing but what this one does
  *                         (so no other task can have made it wrong), and it is not so that the
  *                         mistake makes it, or the mistake would leave it right. Two mistakes in

@@ -28,7 +28,8 @@
 
 enum {
     TIMEOUT_LIMIT = 3, /* times that a step's program is waited for in vain; then only shortly */
-    FILE_EXTRA = 8192  /* bytes on the disk of a picture's file, besides its pixels */
+    SOURCE_LIMIT = 1 << 20, /* bytes of main.c */
+    FILE_EXTRA = 8192       /* bytes on the disk of a picture's file, besides its pixels */
 };
 
 /* What is known of a step before its program runs, which could change files. */
@@ -164,6 +165,9 @@ static void judge_picture(const struct judging *judging, size_t i, const struct 
         item->looks_path =
             looks_small_path(judging->options->looks, judging->step->name, item->scene);
         item->looks_row = likeness.row;
+        if (item->shift.x == 0 && item->shift.y == 0) {
+            item->seen = seen_find(reference, yours);
+        }
     }
     write_shares(judging->options->shares, judging->step->name, item, &likeness);
 }
@@ -257,6 +261,12 @@ static bool is_fault(const struct judging *judging, const struct run_result *end
            fault_describe(text, judging->step->name, (const char *)end->messages.data);
 }
 
+/* What malloc() and free() of glibc say where a program has spoilt their lists. */
+static bool is_spoilt_memory(const char *said) {
+    return strstr(said, "malloc()") != NULL || strstr(said, "free()") != NULL ||
+           strstr(said, "corrupted") != NULL || strstr(said, "munmap_chunk()") != NULL;
+}
+
 /* How it ended, when not well. */
 static void describe_end(struct result_text *text, const struct run_result *end,
                          const struct run_limits *limits) {
@@ -267,7 +277,9 @@ static void describe_end(struct result_text *text, const struct run_result *end,
         bool speaks = end->end == RUN_KILLED;
         result_say(text, "%s%s%s", stopped.text, speaks ? colon : "", speaks ? said.text : "");
     } else if (end->end == RUN_KILLED) {
-        result_say(text, "%s%s%s", run_signal_name(end->number).text, colon, said.text);
+        result_say(text, "%s%s%s%s", run_signal_name(end->number).text, colon,
+                   is_spoilt_memory(said.text) ? "memory was written outside of an array: " : "",
+                   said.text);
     } else if (end->number != 0) {
         result_say(text, "exit status %d%s%s", end->number, colon, said.text);
     }
@@ -402,18 +414,29 @@ static bool find_counter(const char *text, const struct item_result *item, uint6
     return found;
 }
 
+/* "pixels written" for "pixels_written". */
+static struct result_text counter_words(const char *counter) {
+    struct result_text words = {""};
+    result_say(&words, "%s", counter);
+    for (char *blank = words.text; (blank = strchr(blank, '_')) != NULL;) {
+        *blank = ' ';
+    }
+    return words;
+}
+
 /* What is wrong with a count, if anything is. A number that wraps round was below 0. */
 static void say_count(struct item_result *item) {
     const struct count_text counted = show_count(item->counted), most = show_count(item->most);
+    const struct result_text words = counter_words(item->counter);
     if (item->counted > INT64_MAX) {
-        result_say(&item->message, "-%s, but a count is never below 0",
-                   show_count(0 - item->counted).text);
+        result_say(&item->message, "-%s %s, but a count is never below 0",
+                   show_count(0 - item->counted).text, words.text);
     } else if (item->most == item->least && item->counted != item->most) {
-        result_say(&item->message, "%s, but %s are right", counted.text, most.text);
+        result_say(&item->message, "%s %s, but %s are right", counted.text, words.text, most.text);
     } else if (item->counted > item->most) {
-        result_say(&item->message, "%s, but %s are enough", counted.text, most.text);
+        result_say(&item->message, "%s %s, but %s are enough", counted.text, words.text, most.text);
     } else if (item->counted < item->least) {
-        result_say(&item->message, "%s, but it must count %s or more", counted.text,
+        result_say(&item->message, "%s %s, but it must count %s or more", counted.text, words.text,
                    show_count(item->least).text);
     }
 }
@@ -754,6 +777,13 @@ static bool build_and_judge(struct judging *judging, struct error *error) {
     result->sanitized = judging->options->sanitized;
     remove_old_pictures(judging);
     read_references(judging);
+    if (judging->source.size > SOURCE_LIMIT) {
+        struct message_line reason;
+        snprintf(reason.text, sizeof reason.text, "main.c has %zu bytes; at most %d are judged",
+                 judging->source.size, SOURCE_LIMIT);
+        set_not_built(judging, &reason);
+        return true;
+    }
     bool done = build_step(judging->options, judging->step->name, &built, error);
     if (done && built.reason.text[0] != '\0') {
         result->messages = built.messages;

@@ -53,13 +53,15 @@ static void leave_out(struct calling *calling, const char *task) {
 /* Cut a line at its tabs; returns how many columns it has. */
 static size_t split(char *line, char *columns[NUMBER_COLUMNS]) {
     size_t count = 0;
-    for (char *next = line; next != NULL && count < NUMBER_COLUMNS; count++) {
-        columns[count] = next;
-        next = strchr(next, '\t');
-        if (next != NULL) {
-            *next++ = '\0';
+    char *tab = NULL;
+    do {
+        columns[count++] = line;
+        tab = strchr(line, '\t');
+        if (tab != NULL) {
+            *tab = '\0';
+            line = tab + 1;
         }
-    }
+    } while (tab != NULL && count < NUMBER_COLUMNS);
     return count;
 }
 

@@ -110,8 +110,9 @@ static bool compare(struct relation_result *result, enum relation relation,
     result->drawn_pixels = found.drawn;
     result->drawn = found.drawn > 0;
     if (result->drawn) {
-        snprintf(result->text, sizeof result->text, "%s: %llu pixels differ, first at (%zu,%zu)",
-                 table[relation].says, (unsigned long long)tally->count, tally->x, tally->y);
+        snprintf(result->text, sizeof result->text, "%s: %llu of %llu pixels of a new scene differ",
+                 table[relation].says, (unsigned long long)tally->count,
+                 (unsigned long long)found.drawn);
     } else {
         snprintf(result->text, sizeof result->text, "of a new scene nothing is drawn");
     }

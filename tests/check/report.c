@@ -59,6 +59,8 @@ static void report_item(const struct step_result *step, const struct item_result
     } else if (item->looks.text[0] != '\0') {
         printf("    %s %s%s\n", result_likeness(item), item->looks.text,
                result_advice(step, item).text);
+    } else if (item->seen.text[0] != '\0' && item->state == RESULT_FAIL) {
+        printf("    %s%s\n", item->seen.text, result_advice(step, item).text);
     } else if ((hints || item->is_numbers) && wants_hint(step, item)) {
         printf("    %s\n", result_advice(step, item).text + strlen("; "));
     }

@@ -120,15 +120,30 @@ const char *result_likeness(const struct item_result *item) {
     return item->only_may_be ? "may be" : "looks like";
 }
 
+static bool are_wrong_numbers(const struct item_result *item) {
+    return item->is_numbers && (item->state == RESULT_FAIL || item->state == RESULT_TIME ||
+                                item->state == RESULT_CRASH);
+}
+
+/* Are the numbers wrong of a task that these numbers need? Then these tell nothing. */
+static bool is_need_of_numbers_wrong(const struct step_result *result,
+                                     const struct item_result *numbers) {
+    bool wrong = false;
+    for (size_t i = 0; i < result->item_count; i++) {
+        const struct item_result *other = &result->items[i];
+        wrong |= are_wrong_numbers(other) && credit_needs(numbers->credit, other->counter);
+    }
+    return wrong;
+}
+
 /* Do wrong numbers tell that this task is at fault in the item, which shows or needs it, or ends as
  * badly as the calls did? */
 static bool numbers_blame(const struct step_result *result, const struct item_result *item,
                           const char *task) {
     for (size_t i = 0; i < result->item_count; i++) {
         const struct item_result *numbers = &result->items[i];
-        const bool are_wrong = numbers->state == RESULT_FAIL || numbers->state == RESULT_TIME ||
-                               numbers->state == RESULT_CRASH;
-        if (numbers->is_numbers && are_wrong && strcmp(numbers->counter, task) == 0 &&
+        if (are_wrong_numbers(numbers) && strcmp(numbers->counter, task) == 0 &&
+            !is_need_of_numbers_wrong(result, numbers) &&
             (credit_has(item->credit, task) ||
              (item->state > RESULT_FAIL && item->state == numbers->state))) {
             return true;

@@ -13,6 +13,7 @@
 #include "compare.h"
 #include "drawn.h"
 #include "scenes.h"
+#include "seen.h"
 #include "tgaimage.h"
 
 #include <stdbool.h>
@@ -43,14 +44,15 @@ struct result_path {
 /* A picture, a counter, relations, or the numbers that a task's functions give. */
 struct item_result {
     const char *scene; /* its name; "numbers" */
-    const char
-        *counter; /* "" for a picture; of relations "drawn again (moved, halved)"; the task */
+    /* "" for a picture; of relations "drawn again (moved, halved)"; of numbers the task. */
+    const char *counter;
     bool is_numbers;
     const struct credit *credit;
     const struct checked_scene *rule; /* of a picture: how it is compared; else NULL */
     enum result_state state;
     unsigned points;            /* 0, or all of them */
     struct result_text message; /* what is wrong, or not exact; empty when there is nothing */
+    struct seen_text seen;      /* what can be said of a wrong picture that looks like none */
     struct result_text looks;   /* "A" or "B", the mistakes that draw or count this; or empty */
     /* It may be such a mistake, and may not: others draw nothing as well, or another scene that
      * shows the mistake is wrong in another way. */

@@ -1,4 +1,5 @@
-#define _XOPEN_SOURCE 700 /* POSIX.1-2008 with nftw() */
+#define _XOPEN_SOURCE    700 /* POSIX.1-2008 with nftw() */
+#define _DARWIN_C_SOURCE     /* macOS has mkdtemp() and O_NOFOLLOW only so */
 
 #include "run.h"
 
@@ -269,9 +270,11 @@ static void limit_sizes(const struct run_limits *limits) {
     if (limits->file_bytes > 0) {
         lower_limit(RLIMIT_FSIZE, limits->file_bytes, limits->file_bytes);
     }
+#ifndef __APPLE__ /* there the libraries that all processes share count as well: many GiB */
     if (limits->memory_bytes > 0) {
         lower_limit(RLIMIT_AS, limits->memory_bytes, limits->memory_bytes);
     }
+#endif
 }
 
 static void limit_work(const struct run_limits *limits, size_t threads) {
@@ -322,6 +325,25 @@ static void execute(const struct run_command *command) {
     child_fail("start", arguments[0]);
 }
 
+/* Stay between the check and the program, which comes back here as a child: a program that ends its
+ * parent does not end the check. This process ends as the program does. */
+static void stand_between(void) {
+    pid_t program = fork();
+    int status;
+    if (program == 0) {
+        return;
+    }
+    signal(SIGTERM, SIG_IGN); /* the program may take its time after it, up to a limit */
+    if (program < 0 || waitpid(program, &status, 0) != program) {
+        _exit(127);
+    }
+    if (WIFSIGNALED(status)) {
+        signal(WTERMSIG(status), SIG_DFL);
+        raise(WTERMSIG(status));
+    }
+    _exit(WEXITSTATUS(status));
+}
+
 static void child(const struct run_command *command, int messages, size_t threads) {
     setsid(); /* a group of its own, and no terminal to write a score to */
     signal(SIGPIPE, SIG_DFL);
@@ -347,6 +369,9 @@ static void child(const struct run_command *command, int messages, size_t thread
         limit_work(&command->limits, threads);
     }
     limit_sizes(&command->limits);
+    if (command->contained) {
+        stand_between();
+    }
     execute(command);
 }
 
@@ -428,10 +453,10 @@ static enum run_end judge_use(const struct run_command *command, pid_t id) {
         measure_directory(&disk, AT_FDCWD, command->directory, 0);
     }
     bool disk_full = disk.full || disk.bytes > limits->disk_bytes;
-    return group.processes > limits->processes                            ? RUN_TOO_MANY
-           : limits->group_bytes > 0 && group.bytes > limits->group_bytes ? RUN_TOO_LARGE
-           : limits->disk_bytes > 0 && disk_full                          ? RUN_DISK_FULL
-                                                                          : RUN_EXITED;
+    return group.processes > limits->processes + 1 /* who stands between */ ? RUN_TOO_MANY
+           : limits->group_bytes > 0 && group.bytes > limits->group_bytes   ? RUN_TOO_LARGE
+           : limits->disk_bytes > 0 && disk_full                            ? RUN_DISK_FULL
+                                                                            : RUN_EXITED;
 }
 
 /* Wait until the program ends or must be stopped. */

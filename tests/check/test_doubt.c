@@ -73,6 +73,16 @@ static void test_impossible(void) {
     f.items[1].state = RESULT_PASS;
     f.items[1].exact = true;
     CHECK(find(&f) == MISTAKE_IMPOSSIBLE);
+    f.items[1].exact = false;
+    f.items[1].shares.apart.count = 9;
+    CHECK(find(&f) == MISTAKE_IMPOSSIBLE);
+    f.items[1].shares.apart.count = 10; /* other arithmetic hides some of it */
+    CHECK(find(&f) == MISTAKE_UNLIKELY);
+    f.items[1].shares.apart.count = 0;
+    f.lists[1][0].apart = 99; /* or all, where it is little */
+    CHECK(find(&f) == MISTAKE_UNLIKELY);
+    f.items[1].exact = true;
+    CHECK(find(&f) == MISTAKE_IMPOSSIBLE);
     f.looks[1].list = NULL; /* nothing is known of the scene */
     CHECK(find(&f) == MISTAKE_UNLIKELY);
 }

@@ -6,11 +6,8 @@
 unset CHECK_RUNNER
 
 if [ -z "${NO_ROOM:-}" ]; then
-    if ! unshare -rm mount -t tmpfs none "$work" 2>/dev/null; then
-        echo "no_room: skipped, nothing may be mounted here"
-        exit 0
-    fi
-    NO_ROOM=1 unshare -rm "$top/tests/check/test_no_room.sh"
+    unshare -rm mount -t tmpfs none "$work" 2>/dev/null || skip "nothing may be mounted here"
+    NO_ROOM=1 unshare -rm sh "$top/tests/check/test_no_room.sh"
     exit
 fi
 
@@ -43,7 +40,7 @@ judges 50m 1 'step01_line  FAIL' "cp '$work/fill' '$program'" # which has room w
 # is for pictures, and then for some of the headers, which another program writes.
 hands_out() {
     mkdir -p "$work/disk" && mount -t tmpfs -o "size=$1" none "$work/disk" || exit 1
-    said_by 1 tests/teacher/handout/handout.sh "$work/disk/out" 1
+    said_by 1 sh tests/teacher/handout/handout.sh "$work/disk/out" 1
     grep -q "^make handout: cannot write .*/$2.*" "$said" || wrong "with $1, it says something else"
     [ -z "$(ls "$work/disk")" ] || wrong "with $1, it leaves $(ls "$work/disk")"
     umount "$work/disk"

@@ -21,6 +21,8 @@ checked 1 "$length" 'return (size_t)walk.run + (walk.run > 0);'
 says '  numbers 1.3 FAIL 0/1: line_length((5, 5), (5, 5)) 1: yours 0'
 silent '1.3 perhaps'
 says '1.4 1/2'
+said_by 0 make hint STEP=01 MARCH= CFLAGS=-O1
+says 'Task 1.3, hint 1 of 3'
 checked 1 "$length" 'for (;;) walk.run = 0;'
 says '  numbers 1.3 TIME 0/1: line_length((0, 0), (5, 2)) 6: yours does not return'
 says '  far PASS'
@@ -33,6 +35,19 @@ checked 0 "$length" 'puts("9\t1.3\tx\t1\t2\twrong"); return (size_t)walk.run + 1
 checked 1 "$length" 'return 1; // to do 1.3'
 says '  numbers 1.3 TODO 0/1: task 1.3 is to do'
 says '  numbers 1.4 PASS'
+checked 1 "$length" 'return (size_t)walk.run;' # the array of the list is one too short
+says ': memory was written outside of an array: '
+
+# ---- What is not built ----
+
+: >step01_line/program.h
+checked 1 nothing ''
+says 'SCORE 0/17: step01_line/program.h: error: it hides common/program.h: give it another name'
+rm step01_line/program.h
+checked 0 nothing ''
+awk 'BEGIN { for (i = 0; i < 50000; i++) print "/* a comment in many lines */" }' >>"$main"
+said_by 1 make -s check STEP=01 MARCH= CFLAGS=-O1
+says 'bytes; at most 1048576 are judged'
 
 # ---- The texts ----
 

@@ -3,10 +3,7 @@
 # to do. In a file it says what it always did, with status 1. (script of util-linux is the terminal.)
 . "$(dirname "$0")/../unit/script.sh"
 
-script -qec true /dev/null >/dev/null 2>&1 || {
-    echo "person: skipped, there is no script -qec here"
-    exit 0
-}
+script -qec true /dev/null >/dev/null 2>&1 || skip "there is no script -qec here"
 mkdir -p "$work/sources/step01_line" && grep -v '^call ' tests/check/scenes.txt >"$work/scenes.txt" || exit 1
 main=$work/sources/step01_line/main.c
 
@@ -32,7 +29,7 @@ says_no() {
 
 awk -v mode=starter -f tests/student/marks.awk step01_line/main.c >"$main"
 checks 0
-says '0 of 14 points. Next: task 1.1; `make hint STEP=01 TASK=1.1` gives a hint.'
+says '0 of 13 points. Next: task 1.1; `make hint STEP=01 TASK=1.1` gives a hint.'
 says '7 more to come'
 says_no 'octants TODO'
 checks 1 VERBOSE=1
@@ -44,12 +41,20 @@ says '0 passed, 1 failed'
 awk -v mode=solution -f tests/student/marks.awk step01_line/main.c >"$work/solution"
 cp "$work/solution" "$main"
 checks 0
-says 'All 14 points.'
+says 'All 13 points.'
+says 'tests/reference/step01_line/line.png' # build/show is not there
+says 'You can draw now: a line without gaps, exact, with whole numbers only.'
+says 'Next: `make start STEP=02` turns lesson 2 into its starter; then read step02_wireframe/README.md.'
 says_no 'Difference images'
 
 sed 's/52, 41/41, 52/' "$work/solution" >"$main"
 checks 1
-says '13 of 14 points. First put right: task 1.1'
+says '12 of 13 points. First put right: task 1.1'
 says 'pixel FAIL 0/1'
 says 'right: line, octants'
+says_no 'Next: `make start'
+
+sh tests/student/next.sh "$work" >"$said"
+says 'Next: `make start STEP=01`'
+says 'turn.png'
 exit $failed

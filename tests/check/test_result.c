@@ -24,7 +24,7 @@ static size_t read_tasks(struct task_name *tasks, const char *text) {
 
 /* "KIND TASKS NEEDS STATE LOOKS": what is wrong is FAIL, or CRASH; LOOKS are the tasks of the
  * mistakes that it looks like. A `counter` or one that is `unjudged` is about no picture; in one
- * that is `blank` nothing is drawn. */
+ * that is `blank` nothing is drawn; `numbers` are those of one task. */
 static void read_item(struct item_result *item, struct credit *credit, const char *text) {
     char kind[LINE_LIMIT], tasks[LINE_LIMIT], needs[LINE_LIMIT], state[LINE_LIMIT],
         looks[LINE_LIMIT];
@@ -37,6 +37,8 @@ static void read_item(struct item_result *item, struct credit *credit, const cha
     item->only_may_be = strcmp(kind, "blank") == 0;
     item->counter = strcmp(kind, "picture") == 0 || item->only_may_be ? "" : "counted";
     item->unjudged = strcmp(kind, "unjudged") == 0;
+    item->is_numbers = strcmp(kind, "numbers") == 0;
+    item->counter = item->is_numbers ? credit->tasks[0].text : item->counter;
     item->state = strcmp(state, "PASS") == 0   ? RESULT_PASS
                   : strcmp(state, "FAIL") == 0 ? RESULT_FAIL
                                                : RESULT_CRASH;
@@ -134,6 +136,19 @@ static void test_needs_excuse(void) {
     check_blame(cases, sizeof cases / sizeof cases[0]);
 }
 
+/* Wrong numbers say whose fault the pictures are; but not where they need a task whose own are
+ * wrong. */
+static void test_numbers_blame(void) {
+    static const struct blame_case cases[] = {
+        {{"picture 1.1,1.2 - FAIL -", "numbers 1.1 - FAIL -"}, "1.1 FAIL, 1.2"},
+        {{"picture 1.1,1.2 - FAIL -", "numbers 1.1 - PASS -", "numbers 1.2 1.1 FAIL -"},
+         "1.1, 1.2 FAIL"},
+        {{"picture 1.1,1.2 - FAIL -", "numbers 1.1 - FAIL -", "numbers 1.2 1.1 FAIL -"},
+         "1.1 FAIL, 1.2"},
+    };
+    check_blame(cases, sizeof cases / sizeof cases[0]);
+}
+
 /* Where to read about a mistake, and what to ask for: as far as it is known. */
 static void test_advice(void) {
     static const struct {
@@ -160,4 +175,4 @@ static void test_advice(void) {
 }
 
 UNIT_MAIN(TEST(test_advice), TEST(test_pictures_show), TEST(test_likenesses_name),
-          TEST(test_needs_excuse))
+          TEST(test_needs_excuse), TEST(test_numbers_blame))

@@ -1,6 +1,14 @@
 # For scripts that work on a lesson's pictures, which read this with `.` after lesson.sh, with
 # `target`, `build`, `lesson` and `scene` set.
 
+# The size of the terminal: what it says itself, else what the shell knows.
+find_size() {
+    size=$(stty size 2>/dev/null </dev/tty)
+    case $size in *[1-9]' '*[1-9]* | *[1-9]' '*0) ;; *) size="${LINES:-24} ${COLUMNS:-80}" ;; esac
+    lines=${size% *}
+    columns=${size#* }
+}
+
 # scenes_in_order: those of the lesson, then whatever else has been drawn.
 scenes_in_order() {
     awk -v lesson="$lesson" '$1 == lesson { print $2 }' tests/check/scenes.txt 2>/dev/null

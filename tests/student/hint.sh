@@ -1,10 +1,11 @@
 #!/bin/sh
-# Prints the next hint for a lesson's first task that is still to do: each time one more of three.
+# Prints the next hint for a lesson's first task that is wrong, else for the first one that is still
+# to do: each time one more of three.
 #
-#     hint.sh BUILD STEP [TASK] [AGAIN]     STEP is 5, 05 or step05_zbuffer; TASK is 5.2
+#     hint.sh BUILD STEP [TASK] [AGAIN] [MAKE]     STEP is 5, 05 or step05_zbuffer; TASK is 5.2
 #
-# A task is to do while main.c holds the starter's line `to do 5.2`. When none is, or another one is
-# meant, TASK says which. With AGAIN (any word) all that was shown is shown again. What was shown is
+# Which one is wrong says the check, which MAKE builds, and the lesson. A task is to
+# do while main.c holds the starter's line `to do 5.2`. When another one is meant, TASK says which. With AGAIN (any word) all that was shown is shown again. What was shown is
 # kept in BUILD/hints. The hints stand in the lesson's hints.txt (hints.awk says how).
 #
 # Exit status: 0 done; 1 there are no hints; 2 wrong usage.
@@ -15,6 +16,7 @@ build=$1
 wanted=$2
 task=$3
 again=$4
+make=$5
 . tests/student/lesson.sh
 
 # Of the tasks that have hints, those whose line `to do` is still in main.c, one a line.
@@ -37,14 +39,33 @@ all_tasks() {
     echo "$hints" | cut -f 1 | uniq | tr '\n' ' ' | sed 's/ $//'
 }
 
+# Sets wrong to the tasks that the check calls wrong, a line each: for sure, then perhaps. Ends where
+# the lesson does not build.
+find_wrong() {
+    wrong=
+    [ -n "$make" ] && sh -c "$make '$build/check' models" >/dev/null 2>&1 || return
+    said=$("$build/check" --make "$make" "$number" </dev/null 2>/dev/null)
+    case $said in
+    "$lesson  BUILD"*)
+        echo "$main does not build: $(echo "$said" | sed -n '1s/^[^:]*: //p')"
+        exit 0
+        ;;
+    esac
+    tasks=$(echo "$said" | grep -E '^  (tasks|part .*):' | sed 's/.*://' | tr , '\n')
+    wrong=$(for doubt in '' ' perhaps'; do
+        echo "$tasks" | sed -nE "s/^ *([^ ]+)$doubt (FAIL|TIME|CRASH) .*/\\1/p"
+    done)
+}
+
 # Sets task to the one that is meant, and others to the rest of those that are to do.
 choose_task() {
     to_do=$(find_to_do)
     if [ -z "$task" ]; then
-        task=$(echo "$to_do" | head -n 1)
+        find_wrong
+        task=$(printf '%s\n%s\n' "$wrong" "$to_do" | grep -m 1 .)
     fi
     if [ -z "$task" ]; then
-        echo "Nothing is left to do in $main. Say for which task you want a hint, for example
+        echo "Nothing is wrong or left to do in $main. Say for which task you want a hint, for example
     make hint STEP=$number TASK=$(echo "$hints" | head -n 1 | cut -f 1)
 There are: $(all_tasks)"
         exit 0
@@ -100,5 +121,3 @@ fi
 [ "$shown" -eq 3 ] || echo "The same command again tells more."
 [ "$shown" -eq 1 ] || echo "All so far: make hint STEP=$number TASK=$task AGAIN=1"
 [ -z "$others" ] || echo "Also to do: $others (make hint STEP=$number TASK=${others%% *})"
-[ -n "$3" ] ||
-    echo "A task that is written, but wrong: make hint STEP=$number TASK=... (the check says which)"

@@ -10,7 +10,8 @@
  *
  * The pictures stand side by side where the terminal is wide enough for 30 characters each, and
  * otherwise one below the other. A large one is shrunk to fit, and keeps what is drawn, even a
- * single pixel; a small one is enlarged by a whole number, so that its pixels are squares.
+ * single pixel; a small one is enlarged by a whole number, so that its pixels are squares. Where a
+ * large one is wrong and WHICH is empty, its part around the first wrong pixel is shown.
  *
  * Exit status: 0 shown, 1 a file cannot be read or nothing is there, 2 wrong usage.
  */
@@ -226,6 +227,51 @@ static bool is_chosen(const struct options *options, int picture) {
            options->columns >= PICTURE_COUNT * LEAST_COLUMNS + (PICTURE_COUNT - 1) * GAP;
 }
 
+/* ---- A part of them ---- */
+
+/* Where a part of that length begins which has the pixel in its middle, if it lies in the image. */
+static int part_begin(int pixel, size_t length, size_t size) {
+    int begin = pixel - (int)(length / 2), last = (int)size - (int)length;
+    begin = begin < last ? begin : last;
+    return begin > 0 ? begin : 0;
+}
+
+/* The parts around the first wrong pixel side by side, where shrinking would hide that pixel. */
+static bool show_parts(struct bytes *out, const struct pictures *pictures,
+                       const struct options *options, struct error *error) {
+    struct image parts[PICTURE_COUNT] = {{.pixels = NULL}};
+    const struct image *reference = &pictures->image[PICTURE_REFERENCE];
+    struct room room = room_for(options, PICTURE_COUNT);
+    int left = part_begin(pictures->wrong_x, room.width, reference->width);
+    int bottom = part_begin(pictures->wrong_y, room.height, reference->height);
+    bool done = true;
+    for (int i = 0; i < PICTURE_COUNT && done; i++) {
+        done = picture_part(&parts[i], &pictures->image[i], left, bottom, room.width, room.height,
+                            error);
+    }
+    done =
+        done && show_sheet(out, parts, picture_names, PICTURE_COUNT, options->kind, error) &&
+        (bytes_print(out, "Only x %d to %zu, y %d to %zu: (%d,%d) is the first wrong pixel.\n",
+                     left, (size_t)left + parts[0].width - 1, bottom,
+                     (size_t)bottom + parts[0].height - 1, pictures->wrong_x, pictures->wrong_y) ||
+         error_out_of_memory(error));
+    for (int i = 0; i < PICTURE_COUNT; i++) {
+        image_free(&parts[i]);
+    }
+    return done;
+}
+
+/* Would all of it be shrunk, and a wrong pixel with it? (Two sizes are wrong as such.) */
+static bool wants_parts(const struct pictures *pictures, const struct options *options) {
+    const struct image *yours = &pictures->image[PICTURE_YOURS];
+    const struct image *reference = &pictures->image[PICTURE_REFERENCE];
+    bool all_beside = options->columns >= PICTURE_COUNT * (LEAST_COLUMNS + GAP) - GAP;
+    struct room room = room_for(options, all_beside ? PICTURE_COUNT : 1);
+    return pictures->fails && options->which[0] == '\0' && yours->width == reference->width &&
+           yours->height == reference->height &&
+           (yours->width > room.width || yours->height > room.height);
+}
+
 static bool show(struct bytes *out, const struct options *options, struct error *error) {
     struct pictures pictures;
     const struct image *images[PICTURE_COUNT];
@@ -237,6 +283,11 @@ static bool show(struct bytes *out, const struct options *options, struct error 
     scene_table_free(&table);
     if (!done) {
         return false;
+    }
+    if (wants_parts(&pictures, options)) {
+        done = show_parts(out, &pictures, options, error);
+        pictures_free(&pictures);
+        return done;
     }
     for (int i = 0; i < PICTURE_COUNT; i++) {
         if (is_chosen(options, i) && pictures.image[i].width > 0) {

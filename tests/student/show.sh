@@ -18,14 +18,6 @@ kind=$5
 . tests/student/lesson.sh
 . tests/student/drawn.sh
 
-# The size of the terminal: what it says itself, else what the shell knows.
-find_size() {
-    size=$(stty size 2>/dev/null </dev/tty)
-    case $size in *[1-9]' '*[1-9]* | *[1-9]' '*0) ;; *) size="${LINES:-24} ${COLUMNS:-80}" ;; esac
-    lines=${size% *}
-    columns=${size#* }
-}
-
 find_lesson
 find_size
 draw

@@ -4,27 +4,39 @@
 ##   make show STEP=05           the pictures in the terminal, beside the references (SCENE=depth,
 ##                               WHICH=yours,reference,difference, KIND=blocks, sixel or kitty)
 ##   make open STEP=05           the same in the browser, in one page
+##   make live STEP=05           your program under the mouse, in the browser; each save is drawn
 ##   make watch STEP=05          check and show again at every save, until Ctrl-C
 ##   make LINE=mine              lessons 2 to 8 draw with what you wrote in lessons 1 and 3
-.PHONY: start solution hint show open watch
+.PHONY: start solution hint show open live watch
 start solution:
-	@tests/student/start.sh $@ '$(STEP)'
+	@sh tests/student/start.sh $@ '$(STEP)'
 
 hint:
-	@tests/student/hint.sh '$(BUILD)' '$(STEP)' '$(TASK)' '$(AGAIN)'
+	$(END_LINE)
+	@sh tests/student/hint.sh '$(BUILD)' '$(STEP)' '$(TASK)' '$(AGAIN)' '$(MAKE) -s'
 
 # They draw themselves: what hangs or crashes is shown as far as it comes. Of the lesson that STEP
 # names; without one the scripts say what is wrong.
 SHOWN = $(if $(STEP),$(CHOSEN:%=$(BUILD)/%) $(BUILD)/models/bust.obj)
 
 open: $(BUILD)/compare_page $(SHOWN)
-	@tests/student/open.sh '$(BUILD)' '$(STEP)' '$(SCENE)'
+	$(END_LINE)
+	@sh tests/student/open.sh '$(BUILD)' '$(STEP)' '$(SCENE)'
 
 show: $(BUILD)/show $(SHOWN)
-	@tests/student/show.sh '$(BUILD)' '$(STEP)' '$(SCENE)' '$(WHICH)' '$(KIND)'
+	$(END_LINE)
+	@sh tests/student/show.sh '$(BUILD)' '$(STEP)' '$(SCENE)' '$(WHICH)' '$(KIND)'
+
+live: $(BUILD)/live $(SHOWN)
+	$(END_LINE)
+	@sh tests/student/live.sh '$(BUILD)' '$(MAKE) -s' '$(STEP)' '$(MODEL)'
+
+$(BUILD)/live: $(patsubst %.c,$(BUILD)/%.o,$(wildcard tests/student/live/*.c)) $(CHECKER) \
+               $(BUILD)/libcommon.a
+	$(Q)$(LINK) $^ -lm -o $@
 
 watch:
-	@tests/student/watch.sh '$(BUILD)' '$(MAKE) -s' '$(STEP)' '$(SCENE)'
+	@sh tests/student/watch.sh '$(BUILD)' '$(MAKE) -s' '$(STEP)' '$(SCENE)'
 
 $(BUILD)/show $(BUILD)/compare_page: $(BUILD)/%: $(BUILD)/tests/student/%.o \
                                      $(BUILD)/tests/student/terminal.o $(CHECKER) \

@@ -72,7 +72,7 @@ silent 'Third'
 sed -i.old 's/to do 5.2: one thing; //' step05_zbuffer/main.c
 hint 0 'Third of ten.' STEP=05
 sed -i.old 's/to do 5.10//' step05_zbuffer/main.c
-hint 0 'Nothing is left to do' STEP=05
+hint 0 'Nothing is wrong or left to do' STEP=05
 hint 0 'There are: 5.1 5.2 5.10' STEP=05
 hint 1 'there is no task "5.20" in this lesson' STEP=05 TASK=5.20
 hint 1 'there is no task "5." in this lesson' STEP=05 TASK=5.

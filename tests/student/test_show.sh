@@ -52,6 +52,20 @@ size 50 1
 show 0 40 23 '' point.tga none.tga
 size 40 20
 says ';2;255;0;0m'
+# Where it is wrong, its part around the first wrong pixel is shown, and the two others beside it.
+{
+    printf '\0\0\2\0\0\0\0\0\0\0\0\0\144\0\144\0\30\0'
+    head -c 30000 /dev/zero
+} >black.tga
+show 0 80 23 '' point.tga black.tga # 25 columns each
+says 'Only x 0 to 24, y 30 to 69: (0,50) is the first wrong pixel.'
+[ "$(sed -n 11p "$said" | grep -o ';2;255;0;0m' | wc -l)" -eq 2 ] || wrong "not in yours and in the difference"
+show 0 80 23 yours point.tga black.tga
+silent 'Only x'
+show 0 80 23 '' point.tga point.tga
+silent 'Only x'
+show 0 320 53 '' point.tga black.tga # all of it has room
+silent 'Only x'
 show 0 10 1 '' white.tga none.tga # one line at least
 size 2 1
 show 0 94 13 '' white.tga grey.tga # side by side: 20 + 2 + 20 + 2 + 20
@@ -113,7 +127,7 @@ draws() {
     touch build/step05_zbuffer
     touch build/models/bust.obj
     sleep 1 # a file system may count seconds
-    said_by "$2" env CHECK_TIMEOUT=1 tests/student/show.sh build 5 "$3" yours blocks
+    said_by "$2" env CHECK_TIMEOUT=1 sh tests/student/show.sh build 5 "$3" yours blocks
     shift 3
     [ "$(grep -o '^step05_zbuffer [a-z]*$' "$said" | cut -d ' ' -f 2 | xargs)" = "$*" ] ||
         wrong "not $*"

@@ -209,7 +209,7 @@ EOF
 chmod +x full/cp
 for copy in 1 2 3 4; do
     rm -f copies
-    fails 'cannot' env FULL_AT=$copy PATH="$PWD/full:$PATH" tests/student/start.sh start 5
+    fails 'cannot' env FULL_AT=$copy PATH="$PWD/full:$PATH" sh tests/student/start.sh start 5
     case $copy in
     4) holds main.c=mine main.c.marked=marked_later main.c.1=mine ;;
     *) holds main.c=mine main.c.marked=marked_later ;;
@@ -217,7 +217,7 @@ for copy in 1 2 3 4; do
 done
 rm $lesson/main.c.* copies
 cp marked $lesson/main.c
-fails 'cannot write' env FULL_AT=2 PATH="$PWD/full:$PATH" tests/student/start.sh start 5
+fails 'cannot write' env FULL_AT=2 PATH="$PWD/full:$PATH" sh tests/student/start.sh start 5
 holds main.c=marked
 cp mine $lesson/main.c
 fails 'no good marks' make -s start STEP=05

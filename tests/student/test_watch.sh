@@ -26,7 +26,7 @@ waits() {
 }
 
 MAKEFLAGS='s -j2 --jobserver-auth=3,4 -- CC=clang' \
-    tests/student/watch.sh some/build "./fake_make -s" 5 depth >said 2>&1 &
+    sh tests/student/watch.sh some/build "./fake_make -s" 5 depth >said 2>&1 &
 running=$!
 waits 1 "not checked at the beginning"
 says 'make:s -- CC=clang: -s check STEP=step05_zbuffer'
@@ -48,5 +48,5 @@ kill $running
 wait $running || wrong "status $? when it is ended"
 running=
 find . -type f | sort | diff files - || wrong "files are left behind"
-said_by 2 tests/student/watch.sh build ./fake_make 7 ''
+said_by 2 sh tests/student/watch.sh build ./fake_make 7 ''
 exit $failed

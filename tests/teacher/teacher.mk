@@ -12,16 +12,16 @@
 ##   make grade-tools            build what these use
 .PHONY: handout key grade grade-one grade-merge grade-tools
 handout:
-	@tests/teacher/handout/handout.sh '$(OUT)' '$(LESSONS)'
+	@sh tests/teacher/handout/handout.sh '$(OUT)' '$(LESSONS)'
 
 key: $(BUILD)/check models
-	@tests/teacher/handout/key.sh $(BUILD) '$(MAKE) -s' '$(OUT)' '$(LESSONS)'
+	@sh tests/teacher/handout/key.sh $(BUILD) '$(MAKE) -s' '$(OUT)' '$(LESSONS)'
 
 # ---- Hidden scenes ----
 
 POINTS = $(CHECKED)/points.csv
 KEEP_POINTS = $(if $(HIDDEN),--csv '$(POINTS)')
-THEN_HIDDEN = $(if $(HIDDEN),; status=$$?; tests/teacher/hidden/hidden.sh '$(BUILD)' '$(CHECKED)' \
+THEN_HIDDEN = $(if $(HIDDEN),; status=$$?; sh tests/teacher/hidden/hidden.sh '$(BUILD)' '$(CHECKED)' \
                   '$(MAKE) -s' '$(HIDDEN)' '$(STEP)' '$(SOLUTION)' '$(POINTS)' && exit $$status)
 
 $(BUILD)/hidden: $(BUILD)/tests/teacher/hidden/hidden.o $(CHECKER) $(BUILD)/libcommon.a
@@ -39,26 +39,26 @@ grade-tools: $(BUILD)/check $(BUILD)/limited models \
              $(if $(SEED),$(BUILD)/hidden $(BUILD)/solutions/.built)
 
 grade: grade-tools
-	@tests/teacher/grade/grade.sh '$(BUILD)' '$(MAKE) -s' '$(SUBMISSIONS)' '$(GRADES)' '$(JOBS)' \
+	@bash tests/teacher/grade/grade.sh '$(BUILD)' '$(MAKE) -s' '$(SUBMISSIONS)' '$(GRADES)' '$(JOBS)' \
 	    '$(LESSONS)' '$(SEED)'
 
 grade-one: grade-tools
-	@tests/teacher/grade/grade_one.sh '$(BUILD)' '$(MAKE) -s' '$(SUBMISSION)' '$(GRADES)' \
+	@sh tests/teacher/grade/grade_one.sh '$(BUILD)' '$(MAKE) -s' '$(SUBMISSION)' '$(GRADES)' \
 	    '$(LESSONS)' '$(SEED)'
 
 grade-merge: $(BUILD)/limited
-	@tests/teacher/grade/merge.sh '$(BUILD)' '$(GRADES)'
+	@sh tests/teacher/grade/merge.sh '$(BUILD)' '$(GRADES)'
 
 # What the hidden scenes are held against.
 $(BUILD)/solutions/.built: $(STEPS:%=%/main.c) $(BUILD)/libcommon.a
-	@tests/teacher/hidden/solutions.sh '$(@D)' '$(MAKE) -s' '$(SOLUTION)'
+	@sh tests/teacher/hidden/solutions.sh '$(@D)' '$(MAKE) -s' '$(SOLUTION)'
 	@touch $@
 
 $(BUILD)/limited: $(BUILD)/tests/teacher/grade/limited.o $(CHECKER) $(BUILD)/libcommon.a
 	$(Q)$(LINK) $^ -lm -o $@
 
 # A lesson of a submission: compiled and linked where it can do no harm.
-CONTAINED = CONTAIN_WRITES='$(abspath $(@D))' tests/teacher/grade/contain.sh
+CONTAINED = CONTAIN_WRITES='$(abspath $(@D))' sh tests/teacher/grade/contain.sh
 $(BUILD)/grade.%: force
 	@[ -f $(@D)/sources/$(@F)/main.c ] || { echo 'error: no $(@F)/main.c was handed in' >&2; exit 1; }
 	$(Q)$(CONTAINED) $(filter-out -MMD -MP,$(COMPILE)) -I$(@F) -c $(@D)/sources/$(@F)/main.c -o $@.o

@@ -131,6 +131,8 @@ static const struct kind kinds[] = {
     {"32 bits", 2, 32, 0, 8, IMAGE_BGRA},
     {"grey", 3, 8, 0, 0, IMAGE_GREY},
     {"grey with a colour map to skip", 3, 8, 24, 0, IMAGE_GREY},
+    {"grey and alpha", 3, 16, 0, 8, IMAGE_BGRA},
+    {"grey and alpha, of which the header says nothing", 3, 16, 0, 0, IMAGE_BGRA},
 };
 enum { KIND_COUNT = sizeof kinds / sizeof kinds[0] };
 
@@ -216,6 +218,10 @@ static void put_tga(struct bytes *file, const struct kind *kind, struct layout l
             } else if (mapped) {
                 put(file, MAP_FIRST + number % MAP_LENGTH);
                 expected[done + i] = map[number % MAP_LENGTH];
+            } else if (kind->type == 3 && kind->depth == 16) {
+                put_16(file, number & 0xffff);
+                expected[done + i] = color_grey((uint8_t)number);
+                expected[done + i].a = (uint8_t)(number >> 8);
             } else {
                 expected[done + i] = put_color(file, kind->depth, attribute, number);
             }
@@ -295,8 +301,8 @@ static void test_lying_tga(void) {
         {"no image", "type 0", "\0\0\0\0\0\0\0\0\0\0\0\0\1\0\1\0\10\0\11", 19},
         {"type 32", "type 32", "\0\0\40\0\0\0\0\0\0\0\0\0\1\0\1\0\10\0\11", 19},
         {"type 12", "type 12", "\0\0\14\0\0\0\0\0\0\0\0\0\1\0\1\0\10\0\11", 19},
-        {"grey of 16 bits", "grey pixels of 16 bits", "\0\0\3\0\0\0\0\0\0\0\0\0\1\0\1\0\20\0\11\11",
-         20},
+        {"grey of 24 bits", "grey pixels of 24 bits",
+         "\0\0\3\0\0\0\0\0\0\0\0\0\1\0\1\0\30\0\11\11\11", 21},
         {"colour of 8 bits", "true-colour pixels of 8 bits",
          "\0\0\2\0\0\0\0\0\0\0\0\0\1\0\1\0\10\0\11", 19},
         {"mapped without a map", "without a colour map", "\0\0\1\0\0\0\0\30\0\0\0\0\1\0\1\0\10\0\0",

@@ -93,7 +93,7 @@ $(REPLAYS): $(BUILD)/tests/%: $(BUILD)/tested/tests/%.o $(BUILD)/tested/tests/up
 
 test: $(UNITS) $(KINDS:%=$(BUILD)/tests/%) $(REPLAYS) $(BUILD)/check $(BUILD)/looks_make $(BUILD)/figure_make \
       $(BUILD)/show $(BUILD)/compare_page $(BUILD)/hidden $(BUILD)/limited programs models
-	@CHECK_PROGRAMS=$(BUILD) tests/upkeep/run_tests.sh $(SCRIPTS) $(UNITS) $(KINDS:%=$(BUILD)/tests/%)
+	@CHECK_PROGRAMS=$(BUILD) sh tests/upkeep/run_tests.sh $(SCRIPTS) $(UNITS) $(KINDS:%=$(BUILD)/tests/%)
 
 # Programs besides the lessons, for a compiler to find fault with.
 .PHONY: tools
@@ -112,7 +112,7 @@ stress: $(BUILD)/stress
 # ---- make verify, make mistakes: what the check makes of wrong programs, and of correct ones ----
 
 verify: $(BUILD)/check $(BUILD)/figure_make models
-	@tests/upkeep/verify/verify.sh $(BUILD) '$(MAKE) -s' '$(STEP)' '$(NAME)'
+	@sh tests/upkeep/verify/verify.sh $(BUILD) '$(MAKE) -s' '$(STEP)' '$(NAME)'
 
 # How a lesson's program is compiled and linked, and with what, for scripts that do it hundreds of
 # times.
@@ -121,7 +121,7 @@ commands:
 	@: $(info $(filter-out -MMD -MP,$(COMPILE)))$(info $(LINK))$(info $(BUILD)/libcommon.a -lm)
 
 mistakes: $(BUILD)/check $(BUILD)/looks_make $(BUILD)/figure_make models
-	@tests/upkeep/verify/mistakes.sh $(BUILD) '$(MAKE) -s' '$(STEP)'
+	@sh tests/upkeep/verify/mistakes.sh $(BUILD) '$(MAKE) -s' '$(STEP)'
 
 $(BUILD)/looks_make $(BUILD)/figure_make: $(BUILD)/%: $(BUILD)/tests/check/%.o $(CHECKER) \
                                            $(BUILD)/libcommon.a
@@ -136,14 +136,14 @@ mutants: export MUTANTS_CC = $(MUTATED) -fsanitize=undefined -fsanitize-undefine
 mutants: export MUTANTS_SANITIZED = $(MUTATED) $(filter -f%,$(SANITIZED))
 mutants: export MUTANTS_STRESS = $(wildcard tests/upkeep/stress/*.c tests/lessons/*/stress.c)
 mutants: $(BUILD)/check models
-	@tests/upkeep/mutants/mutants.sh $(BUILD) $(or $(COUNT),40) $(or $(SEED),1) $(FILE)
+	@sh tests/upkeep/mutants/mutants.sh $(BUILD) $(or $(COUNT),40) $(or $(SEED),1) $(FILE)
 
 portability:
-	@tests/upkeep/portability/portability.sh -b $(BUILD)/portability $(CONFIGURATIONS)
+	@bash tests/upkeep/portability/portability.sh -b $(BUILD)/portability $(CONFIGURATIONS)
 
 FUZZ_SECONDS = 60
 fuzz:
-	@tests/upkeep/fuzz/run.sh $(BUILD) '$(MAKE) -s' $(FUZZ_SECONDS) $(TARGET)
+	@bash tests/upkeep/fuzz/run.sh $(BUILD) '$(MAKE) -s' $(FUZZ_SECONDS) $(TARGET)
 
 $(BUILD)/fuzz_%: $(BUILD)/tested/tests/upkeep/fuzz/fuzz_%.o $(BUILD)/tested/all.a
 	$(Q)$(TESTED) -fsanitize=fuzzer $^ -lm -o $@
@@ -174,4 +174,4 @@ $(BUILD)/figures/%: %/figures.c $(BUILD)/tests/bench/figures.o $(BUILD)/libcommo
 	$(Q)$(COMPILE) -Itests -MF $@.d $< $(BUILD)/tests/bench/figures.o $(BUILD)/libcommon.a -lm -o $@
 
 references: $(BUILD)/check programs models
-	$(Q)tests/check/references.sh $(BUILD) '$(MAKE) -s' $(CHOSEN)
+	$(Q)sh tests/check/references.sh $(BUILD) '$(MAKE) -s' $(CHOSEN)

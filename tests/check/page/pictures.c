@@ -19,17 +19,20 @@ const struct checked_scene *pictures_rule(struct scene_table *table, const char 
     return found ? scene_table_find(table, step, scene) : NULL;
 }
 
-/* Which pixels count as wrong? Pictures of different sizes have no shares. */
-static enum compare_pixels find_wrong(const struct image *reference, const struct image *yours,
-                                      const struct checked_scene *rule) {
+/* Which pixels count as wrong, and which is first? Pictures of different sizes have no shares. */
+static enum compare_pixels find_wrong(struct pictures *pictures, const struct checked_scene *rule) {
+    const struct image *reference = &pictures->image[PICTURE_REFERENCE];
+    const struct image *yours = &pictures->image[PICTURE_YOURS];
+    static const struct checked_scene no_rule = {.near_limit = 100 * 1000};
     struct comparison shares = {.drawn = 0};
-    if (rule == NULL) {
-        return COMPARE_UNMATCHED;
-    }
     if (reference->width == yours->width && reference->height == yours->height) {
         shares = compare_images(reference, yours);
     }
-    return verdict_find(&shares, rule).pixels;
+    const struct verdict verdict = verdict_find(&shares, rule != NULL ? rule : &no_rule);
+    pictures->fails = !verdict.passes;
+    pictures->wrong_x = (int)verdict.tally->x;
+    pictures->wrong_y = (int)verdict.tally->y;
+    return rule != NULL ? verdict.pixels : COMPARE_UNMATCHED;
 }
 
 bool pictures_read(struct pictures *pictures, const char *yours, const char *reference,
@@ -39,8 +42,7 @@ bool pictures_read(struct pictures *pictures, const char *yours, const char *ref
     bool done = read_if_there(&image[PICTURE_YOURS], yours, error) &&
                 read_if_there(&image[PICTURE_REFERENCE], reference, error);
     if (done && image[PICTURE_YOURS].width > 0 && image[PICTURE_REFERENCE].width > 0) {
-        enum compare_pixels wrong =
-            find_wrong(&image[PICTURE_REFERENCE], &image[PICTURE_YOURS], rule);
+        enum compare_pixels wrong = find_wrong(pictures, rule);
         done = compare_difference(&image[PICTURE_DIFFERENCE], &image[PICTURE_REFERENCE],
                                   &image[PICTURE_YOURS], wrong, error);
     }
@@ -66,6 +68,21 @@ bool picture_enlarge(struct image *enlarged, const struct image *image, size_t t
         for (size_t x = 0; x < enlarged->width; x++) {
             image_set(enlarged, (int)x, (int)y,
                       image_get(image, (int)(x / times), (int)(y / times)));
+        }
+    }
+    return true;
+}
+
+bool picture_part(struct image *part, const struct image *image, int left, int bottom, size_t width,
+                  size_t height, struct error *error) {
+    size_t most_width = image->width - (size_t)left, most_height = image->height - (size_t)bottom;
+    if (!image_create(part, width < most_width ? width : most_width,
+                      height < most_height ? height : most_height, image->format, error)) {
+        return false;
+    }
+    for (int y = 0; y < (int)part->height; y++) {
+        for (int x = 0; x < (int)part->width; x++) {
+            image_set(part, x, y, image_get(image, left + x, bottom + y));
         }
     }
     return true;

@@ -17,6 +17,8 @@ extern const char *const picture_names[PICTURE_COUNT];
 /* All zero is valid and empty: no picture at all. */
 struct pictures {
     struct image image[PICTURE_COUNT]; /* an empty image: this picture is not there */
+    bool fails;                        /* the check would not let yours pass */
+    int wrong_x, wrong_y;              /* then the first pixel that is wrong */
 };
 
 /* How the check compares that scene; NULL where the table of scenes is not here or lacks it. The
@@ -36,6 +38,10 @@ void pictures_free(struct pictures *pictures);
 /* `enlarged` becomes the image with each pixel as a square of `times` by `times`. */
 bool picture_enlarge(struct image *enlarged, const struct image *image, size_t times,
                      struct error *error);
+
+/* `part` becomes the pixels from (left,bottom) on, which lies in the image: at most so many. */
+bool picture_part(struct image *part, const struct image *image, int left, int bottom, size_t width,
+                  size_t height, struct error *error);
 
 /* `shrunk` becomes the image in that size, which is not larger: of the pixels that become one it
  * keeps the one that differs most from the background, so that no line and no mark is lost. */

@@ -209,7 +209,7 @@ static int limits(const struct task *task) {
     getrlimit(RLIMIT_CORE, &core);
     fprintf(stderr, "here %d files %d open %d session %d cpu %d size %ld core %ld input %d\n",
             strcmp(getcwd(here, sizeof here), task->directory) == 0, files - 2, open_files,
-            getsid(0) == getpid(), cpu.rlim_cur < 10000, (long)size.rlim_cur, (long)core.rlim_cur,
+            getsid(0) == getppid(), cpu.rlim_cur < 10000, (long)size.rlim_cur, (long)core.rlim_cur,
             getchar());
     return 3;
 }

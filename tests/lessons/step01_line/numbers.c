@@ -16,7 +16,23 @@ static struct shown listed(struct pixel a, struct pixel b, size_t count) {
     return shown;
 }
 
+/* The pixels that line() sets. */
+static struct shown drawn(struct pixel a, struct pixel b) {
+    struct image image = black_image(12, 12);
+    line(&image, a, b, rgb(255, 255, 255));
+    return show_pixels(&image);
+}
+
 static void numbers(void) {
+    TEXT("1.2", "line(image, (0, 0), (5, 2), white)", drawn(at(0, 0), at(5, 2)),
+         "(0,0) (1,0) (2,1) (3,1) (4,2) (5,2)");
+    TEXT("1.2", "line(image, (5, 2), (0, 0), white)", drawn(at(5, 2), at(0, 0)),
+         "(0,0) (1,0) (2,1) (3,1) (4,2) (5,2)");
+    TEXT("1.2", "line(image, (0, 2), (5, 0), white)", drawn(at(0, 2), at(5, 0)),
+         "(4,0) (5,0) (2,1) (3,1) (0,2) (1,2)");
+    TEXT("1.2", "line(image, (7, 9), (6, 6), white)", drawn(at(7, 9), at(6, 6)),
+         "(6,6) (6,7) (7,8) (7,9)");
+    TEXT("1.2", "line(image, (5, 5), (5, 5), white)", drawn(at(5, 5), at(5, 5)), "(5,5)");
     WHOLE("1.3", line_length(at(0, 0), at(5, 2)), 6);
     WHOLE("1.3", line_length(at(3, 4), at(-7, 9)), 11);
     WHOLE("1.3", line_length(at(5, 5), at(5, 5)), 1);

@@ -70,9 +70,9 @@ show_progress() {
 # xargs stops when a command dies of a signal: no submission may stop the others.
 # shellcheck disable=SC2016 # for that shell
 printf '%s\0' "${list[@]}" |
-    xargs -0 -n 1 -P "$jobs" sh -c 'tests/teacher/grade/grade_one.sh "$1" "$2" "$5" "$3" "$4" "$0" || :' \
+    xargs -0 -n 1 -P "$jobs" sh -c 'sh tests/teacher/grade/grade_one.sh "$1" "$2" "$5" "$3" "$4" "$0" || :' \
         "$seed" "$build" "$make" "$out" "$wanted" | show_progress
-tests/teacher/grade/merge.sh "$build" "$out" || exit 1
+sh tests/teacher/grade/merge.sh "$build" "$out" || exit 1
 find_results
 [ ${#others[@]} -eq 0 ] || {
     echo "In $out/submissions, but not in $submissions:"

@@ -79,7 +79,7 @@ echo begun >>"$out/.begun/$name"
 [ "$(wc -l <"$out/.begun/$name")" -le 2 ] || finish "ERROR killed the grading twice"
 
 # shellcheck disable=SC2086 # one word a lesson
-reason=$(tests/teacher/grade/unpack.sh "$build/limited" "$submission" "$work/sources" $lessons) ||
+reason=$(sh tests/teacher/grade/unpack.sh "$build/limited" "$submission" "$work/sources" $lessons) ||
     finish "ERROR $reason"
 # Whatever modes its files have: the compiler that reads them runs as nobody.
 chmod -R u+rwX,go+rX "$work/sources" &&

@@ -17,7 +17,7 @@ work=$(mktemp -d "$out/.merging.XXXXXX") || exit 1
 trap 'trap "" HUP INT TERM; rm -rf "$work"' EXIT # see grade_one.sh
 trap 'exit 1' HUP INT TERM
 
-mkdir "$work/compared" && tests/teacher/grade/alike.sh "$build/limited" "$out" "$work/compared" || exit 1
+mkdir "$work/compared" && sh tests/teacher/grade/alike.sh "$build/limited" "$out" "$work/compared" || exit 1
 cat "$work/compared/not_compared"
 
 # Lines `NAME KIND ...` of all results, in the order of the names; sums.awk says what follows.

@@ -3,6 +3,9 @@
 # files are used and not theirs, hidden scenes against stored pictures, and a class that is merged.
 # What hostile programs do is tried by tests/teacher/grade/try_class.sh.
 . "$(dirname "$0")/../../unit/script.sh"
+for tool in zip unzip; do
+    command -v $tool >/dev/null || skip "there is no $tool"
+done
 
 # ---- Names ----
 
@@ -31,7 +34,7 @@ head -c 1048577 /dev/zero | tr '\0' ' ' >large.c
 mkdir -p large/step01_line && mv large.c large/step01_line/main.c
 mkdir empty
 unpack() {
-    answer=$(cd "$top" && tests/teacher/grade/unpack.sh "$build/limited" "$work/$1" "$work/from.$1" \
+    answer=$(cd "$top" && sh tests/teacher/grade/unpack.sh "$build/limited" "$work/$1" "$work/from.$1" \
         step01_line step02_wireframe)
 }
 for packed in s s.tar.gz s.zip; do
@@ -119,7 +122,7 @@ left=$(find build -maxdepth 1 -name 'grade.*'; find ../out -name '.[gm]*')
 # Without sim_c the page says what to install.
 mkdir "$work/bin" && ln -s /usr/bin/* /bin/* "$work/bin" 2>/dev/null
 rm -f "$work/bin/sim_c"
-PATH=$work/bin tests/teacher/grade/merge.sh build ../out >"$work/said" || wrong "grade fails without sim_c"
+PATH=$work/bin sh tests/teacher/grade/merge.sh build ../out >"$work/said" || wrong "grade fails without sim_c"
 grep -q 'apt-get install similarity-tester' ../out/index.html || wrong "does not say what to install"
 
 # A copy has other names and comments, its functions in another order, lines of its own, and a
@@ -152,7 +155,7 @@ exec $(command -v sim_c) "\$@"
 END
     PATH=$work/slow:$PATH
 fi
-tests/teacher/grade/merge.sh build ../alike >"$work/said" || wrong "merge: $(cat "$work/said")"
+sh tests/teacher/grade/merge.sh build ../alike >"$work/said" || wrong "merge: $(cat "$work/said")"
 if command -v sim_c >/dev/null; then
     listed=$(sed -E 's/^([89][0-9]|100),//' ../alike/similar.csv | LC_ALL=C sort | tr '\n' ' ')
     [ "$listed" = "percent,lesson,submission,submission step01_line,a%20b,copy \

@@ -24,7 +24,7 @@ build=build
 make -s grade-tools || exit 1
 contained=1
 [ "$CONTAIN_BY" != nothing ] || contained=
-CONTAINED=$contained tests/teacher/grade/make_class.sh "$work" "$count" "$last" || exit 1
+CONTAINED=$contained bash tests/teacher/grade/make_class.sh "$work" "$count" "$last" || exit 1
 precious="build/libcommon.a build/check tests/check/scenes.txt tests/reference/step01_line/line.png"
 # shellcheck disable=SC2086
 before=$(cksum $precious)

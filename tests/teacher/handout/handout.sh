@@ -76,7 +76,7 @@ without_later_sections='
     !later { print }'
 
 # Programs of which a student needs the sources, besides the lessons.
-programs="tests/check/check.c tests/student/show.c tests/student/compare_page.c common/sculptor/sculpt.c"
+programs="tests/check/check.c tests/student/show.c tests/student/compare_page.c tests/student/live/serve.c common/sculptor/sculpt.c"
 # shellcheck disable=SC2046,SC2086 # one word a file
 awk -f tests/teacher/handout/needs.awk \
     $(find common tests/check tests/student -name '*.[ch]' ! -name 'test_*' | sort) = \

@@ -49,14 +49,14 @@ for lesson in $lessons; do
     printf '%s\t%s\tsolution\tsolution\t-\t-\t-\t-\t-\t0\t-\n' "$lesson.solution" "$lesson"
 done >>"$work/table"
 cut -f 1 "$work/table" |
-    xargs -P "$workers" -n 1 tests/teacher/handout/draw.sh "$build" "$make" "$work" || fail 1 "stopped"
+    xargs -P "$workers" -n 1 sh tests/teacher/handout/draw.sh "$build" "$make" "$work" || fail 1 "stopped"
 
 # ---- The pages ----
 
 tab=$(printf '\t')
 while IFS=$tab read -r number lesson kind name scene _; do
     [ "$kind" = mistake ] || continue
-    put "tests/reference/$lesson/$scene.png" "$lesson/reference/$scene.png"
+    [ "$scene" = numbers ] || put "tests/reference/$lesson/$scene.png" "$lesson/reference/$scene.png"
     mkdir -p "$new/$lesson/mistakes" || fail 1 "cannot write $new"
     [ ! -f "$work/$number.png" ] || mv "$work/$number.png" "$new/$lesson/mistakes/$name.png" ||
         fail 1 "cannot write $new"

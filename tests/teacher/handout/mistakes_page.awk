@@ -77,7 +77,7 @@ $2 == lesson && $3 == "mistake" {
     mistaken = "mistakes/" $4 ".png"
     if (is_there(page "/" mistaken)) print_picture(mistaken, "this mistake, scene " $5)
     else print "<p>It leaves no wrong picture.</p>"
-    print_picture("reference/" $5 ".png", "the reference")
+    if ($5 != "numbers") print_picture("reference/" $5 ".png", "the reference")
     print "</div>\n<p>The check: <code>" said "</code>" \
         (named ? ", and it knows the mistake" : "") ".</p>"
     if ($6 != "-") print "<p>Built with CC=" escaped($6) "</p>"

@@ -38,7 +38,7 @@ grep -q '// mine' step04_flat/main.c.1 || wrong "make start does not keep what m
 
 mkdir -p tests/unit tests/upkeep/texts && cp "$top/tests/upkeep/texts/test_links.sh" tests/upkeep/texts &&
     cp "$top/tests/unit/script.sh" tests/unit
-tests/upkeep/texts/test_links.sh >"$work/log" 2>&1 || wrong "$(cat "$work/log")"
+sh tests/upkeep/texts/test_links.sh >"$work/log" 2>&1 || wrong "$(cat "$work/log")"
 
 # The first lesson stands on nothing that it teaches.
 cd "$top" || exit 1

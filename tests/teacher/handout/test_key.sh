@@ -11,7 +11,9 @@ cp -R "$top/Makefile" "$top/README.md" "$top/LICENSE" "$top/common" . &&
 mkdir -p step10_phong/figures && cp "$top/step10_phong/figures/turn.png" step10_phong/figures
 (cd "$top/tests" && tests=$work/course/tests &&
     cp -R check student teacher upkeep "$tests" &&
-    cp -R reference/step01_line reference/step04_flat "$tests/reference") || exit 1
+    cp -R reference/step01_line reference/step04_flat "$tests/reference" &&
+    cp lesson.h numbers.h "$tests" && mkdir "$tests/lessons" &&
+    cp -R lessons/step01_line lessons/step04_flat "$tests/lessons") || exit 1
 grep -e '^#' -e 'step01_' -e 'step04_' "$top/tests/check/scenes.txt" >tests/check/scenes.txt
 cat >step01_line/mistakes.txt <<'END'
 mistake axes
@@ -34,12 +36,18 @@ scene line
 - #include "scenes.h"
 + #include "scenes.h"
 + #include <stdlib.h>
+
+mistake short
+says both ends belong to the line
+scene numbers
+- return (size_t)walk.run + 1;
++ return (size_t)walk.run;
 END
 cp "$top/step04_flat/main.c" step04_flat/main.c
 
 # key STATUS OUT [LESSONS]: what it says is in $work/said.
 key() {
-    tests/teacher/handout/key.sh "$build" "make -s BUILD='$build'" "$2" "$3" >"$work/said" 2>&1
+    sh tests/teacher/handout/key.sh "$build" "make -s BUILD='$build'" "$2" "$3" >"$work/said" 2>&1
     status=$?
     [ $status -eq "$1" ] || wrong "status $status, not $1"
 }
@@ -69,11 +77,12 @@ awk '/^## /{ inside = /^## Questions/ } inside && !/<\/?details>/' "$top/step01_
 
 page=step01_line/mistakes.html
 grep -o '<h2>.*</h2>' $page >"$work/said"
-[ "$(tr -d '\n' <"$work/said")" = '<h2>axes</h2><h2>next_column</h2><h2>killed</h2>' ] ||
+[ "$(tr -d '\n' <"$work/said")" = '<h2>axes</h2><h2>next_column</h2><h2>killed</h2><h2>short</h2>' ] ||
     wrong "other mistakes"
 grep -qF '<p>x &amp; y exchanged: "41" &lt;before&gt; 52 (task 1.1)</p>' $page ||
     wrong "no sentence in HTML"
 grep -q '^+ *image_set(image, 41, 52,' $page || wrong "nobody sees what was changed"
+grep -q 'line_length((0, 0), (5, 2)) 6: yours 5' $page || wrong "nobody sees the wrong number"
 grep -q 'CRASH' $page || wrong "nobody sees that a program was killed"
 [ "$(grep -c 'src="reference/pixel.png"' $page)" -eq 2 ] || wrong "no references"
 grep -o 'src="[^"]*"' $page | sed 's/src="/step01_line\//; s/"//' |
@@ -98,7 +107,7 @@ awk -F '|' '$3 ~ /[0-9]\.[0-9]/ { sum += $5 } END { print sum }' README.md >"$wo
 [ "$(cat "$work/said")" -eq "$points" ] || wrong "the points of the tasks are not $points"
 mkdir -p tests/unit tests/reference tests/upkeep/texts && cp "$top/tests/unit/script.sh" tests/unit &&
     cp "$top/tests/upkeep/texts/test_links.sh" tests/upkeep/texts
-tests/upkeep/texts/test_links.sh >"$work/said" 2>&1 || wrong "links"
+sh tests/upkeep/texts/test_links.sh >"$work/said" 2>&1 || wrong "links"
 rm -rf tests
 
 # ---- Twice the same; from a lesson that somebody has begun, too ----
@@ -110,13 +119,13 @@ rm -rf "$work/b"
 make -s start STEP=01 >"$work/said" 2>&1 || wrong "make start"
 key 0 "$work/b" 1
 diff -r "$work/a" "$work/b" >"$work/said" || wrong "the key of a lesson that was begun differs"
-tests/teacher/handout/handout.sh "$work/students" 1 >"$work/said" 2>&1 || wrong "handout"
+sh tests/teacher/handout/handout.sh "$work/students" 1 >"$work/said" 2>&1 || wrong "handout"
 cmp -s step01_line/main.c "$work/students/step01_line/main.c" || wrong "no starter is handed out"
 
 # ---- A mark that is left ends a hand-out ----
 
 echo '/* END SOLUTION */' >>step01_line/attempts.h
-tests/teacher/handout/handout.sh "$work/marks" 1 >"$work/said" 2>&1 && wrong "a mark is handed out"
+sh tests/teacher/handout/handout.sh "$work/marks" 1 >"$work/said" 2>&1 && wrong "a mark is handed out"
 grep -q 'a mark is left in ./step01_line/attempts.h' "$work/said" || wrong "does not say where"
 ls -d "$work"/marks* >"$work/said" 2>/dev/null && wrong "a refused hand-out leaves something"
 
@@ -138,6 +147,6 @@ refuses 1 'step01/solution: FAIL' 1
 awk -v mode=solution -f tests/student/marks.awk "$top/step01_line/main.c" \
     >step01_line/main.c
 refuses 1 'no good marks' 1
-tests/teacher/handout/handout.sh "$work/solutions" 1 >"$work/said" 2>&1 && wrong "a solution is handed out"
+sh tests/teacher/handout/handout.sh "$work/solutions" 1 >"$work/said" 2>&1 && wrong "a solution is handed out"
 [ ! -e "$work/solutions" ] || wrong "a refused hand-out leaves something"
 exit $failed

@@ -31,7 +31,7 @@ all=$(mktemp -d "$build/hidden.XXXXXX") || fail 2 "cannot write into $build"
 trap 'rm -rf "$all"' EXIT
 trap 'exit 2' HUP INT TERM
 # shellcheck disable=SC2086 # one word a lesson
-said=$(tests/teacher/hidden/solutions.sh --judged "$all" "$make" "$solution" $lessons 2>&1) ||
+said=$(sh tests/teacher/hidden/solutions.sh --judged "$all" "$make" "$solution" $lessons 2>&1) ||
     fail 2 "$said"
 {
     # shellcheck disable=SC2086 # one word a lesson

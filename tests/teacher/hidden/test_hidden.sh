@@ -23,7 +23,7 @@ built() {
 
 # hidden STATUS SEED STEP [SOLUTION [POINTS]]: what it says is in $work/said.
 hidden() {
-    tests/teacher/hidden/hidden.sh build build "make -s $flags" "$2" "$3" "$4" "$5" >"$work/said" 2>&1
+    sh tests/teacher/hidden/hidden.sh build build "make -s $flags" "$2" "$3" "$4" "$5" >"$work/said" 2>&1
     status=$?
     [ $status -eq "$1" ] || wrong "status $status, not $1: seed $2, step $3"
 }
@@ -194,7 +194,7 @@ says 'HIDDEN \([1-9][0-9]*\)/\1'
 # And a check waits for hidden scenes.
 rm held.began held.go
 : >"$work/said"
-tests/teacher/hidden/solutions.sh build/hidden.held "make -s $flags" "$work" step05_zbuffer >"$work/said" ||
+sh tests/teacher/hidden/solutions.sh build/hidden.held "make -s $flags" "$work" step05_zbuffer >"$work/said" ||
     wrong "no solution"
 build/hidden build build/hidden.held 2 "./held $flags" step05_zbuffer >"$work/hidden.said" 2>&1 &
 beside=$!

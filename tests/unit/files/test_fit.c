@@ -119,4 +119,28 @@ static void test_reaching_out(void) {
     }
 }
 
-UNIT_MAIN(TEST(test_box), TEST(test_fit), TEST(test_odd_sizes), TEST(test_reaching_out))
+/* Lines count as faces do, and a model may have nothing else. */
+static void test_lines(void) {
+    for (int all_around = 0; all_around < 2; all_around++) {
+        struct vec3 positions[] = {{9, 9, 9}, {1, 2, 3}, {5, 4, 3}};
+        uint32_t lines[][2] = {{1, 2}};
+        struct model model = {
+            .position_count = 3, .positions = positions, .line_count = 1, .lines = lines};
+        struct box3 box = model_box(&model);
+        CHECK(box.least.x == 1 && box.least.y == 2 && box.least.z == 3);
+        CHECK(box.greatest.x == 5 && box.greatest.y == 4 && box.greatest.z == 3);
+        model_fit(&model, all_around == 1);
+        double reach = all_around ? vec3_length(positions[1]) : positions[2].x;
+        CHECK(fabs(reach - (all_around ? 0.875 : 0.95)) < 1e-12);
+    }
+}
+
+static void test_tiny(void) {
+    CHECK(box_is_tiny((struct box3){{5, 5, 5}, {5.3, 5.3, 5.3}}));
+    CHECK(box_is_tiny((struct box3){{5, 5, 5}, {5, 5, 5}}));
+    CHECK(!box_is_tiny((struct box3){{0, 0, 0}, {0, 0, 0.5}}));
+    CHECK(!box_is_tiny((struct box3){{0, -0.3, 0}, {0, 0.3, 0}}));
+}
+
+UNIT_MAIN(TEST(test_lines), TEST(test_tiny), TEST(test_box), TEST(test_fit), TEST(test_odd_sizes),
+          TEST(test_reaching_out))

@@ -39,6 +39,7 @@ static void test_signature_decides(void) {
     }
 }
 
+#define CONVERT "not a PNG or TGA file: `magick FILE NEW.png` converts it"
 #define NEITHER "neither a PNG nor a TGA of a type that is supported"
 
 /* What is neither, and what is one of the two with a fault of its own. */
@@ -51,7 +52,16 @@ static void test_wrong_files(void) {
         {"nothing", "", 0, NEITHER},
         {"text", "The quick brown fox jumps over", 30, NEITHER},
         {"too short for a TGA", "\0\0\2\0\0\0\0\0\0\0\0\0\1\0\1\0\30", 17, NEITHER},
-        {"JPEG", "\xff\xd8\xff\xe0\0\20JFIF\0\1\1\0\0\1\0\1\0\0", 20, NEITHER},
+        {"JPEG", "\xff\xd8\xff\xe0\0\20JFIF\0\1\1\0\0\1\0\1\0\0", 20, "a JPEG file, " CONVERT},
+        {"WebP", "RIFF\x1a\0\0\0WEBPVP8L", 16, "a WebP file, " CONVERT},
+        {"RIFF, but no WebP", "RIFF\x1a\0\0\0WAVEfmt ", 16, NEITHER},
+        {"GIF", "GIF89a\1\0\1\0", 10, "a GIF file, " CONVERT},
+        {"BMP", "BM\x3a\0\0\0\0\0\0\0\x36\0\0\0", 14, "a BMP file, " CONVERT},
+        {"TIFF", "II*\0\x8\0\0\0", 8, "a TIFF file, " CONVERT},
+        {"Git LFS", "version https://git-lfs.github.com/spec/v1\n", 43,
+         "a Git LFS pointer, not a PNG or TGA file: `git lfs pull` fetches the file itself"},
+        {"page", "<!DOCTYPE html>", 15,
+         "an HTML page, not a PNG or TGA file: download the file itself"},
         {"PNG after a change of line ends", "\x89PNG\n\x1a\n\0\0\0\rIHDR\0\0\0\1", 20, NEITHER},
         {"TGA of type 0", "\0\0\0\0\0\0\0\0\0\0\0\0\1\0\1\0\10\0\7", 19, NEITHER},
         {"TGA of type 4", "\0\0\4\0\0\0\0\0\0\0\0\0\1\0\1\0\10\0\7", 19, NEITHER},

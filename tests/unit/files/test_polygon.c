@@ -374,46 +374,80 @@ static void test_nearly_straight(void) {
 
 /* ---- Large ones ---- */
 
-/* What takes longest, up to the limit: a bowl with a corner far above it. Each ear reaches up
- * there, and the corners that may lie in its way are all at the bottom. */
+/* What takes longest: a bowl with a corner far above it. Each ear reaches up there, and the corners
+ * that may lie in its way are all at the bottom. Up to some size it is cut, and before it takes too
+ * long it is refused; a cutter goes on after that. */
 static void test_longest(void) {
-    const size_t size = POLYGON_CONCAVE_LIMIT;
-    struct vec3 *places = new_memory((size + 1) * sizeof *places);
+    static const size_t sizes[] = {8192, 60000};
+    static const struct vec3 square[4] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
     struct polygon_cutter cutter = {0};
-    for (size_t i = 0; i + 1 < size; i++) {
-        double x = (double)i / (double)(size - 2);
-        places[i] = (struct vec3){x, x * (1 - x), 0};
+    for (size_t k = 0; k < 2; k++) {
+        size_t size = sizes[k];
+        struct vec3 *places = new_memory(size * sizeof *places);
+        for (size_t i = 0; i + 1 < size; i++) {
+            double x = (double)i / (double)(size - 2);
+            places[i] = (struct vec3){x, x * (1 - x), 0};
+        }
+        places[size - 1] = (struct vec3){0.5, 10, 0};
+        clock_t start = clock();
+        enum polygon_result result = polygon_cut(&cutter, places, size);
+        CHECK(result == (k == 0 ? POLYGON_CUT : POLYGON_TOO_INTRICATE));
+        CHECK(cutter.triangle_count == (k == 0 ? size - 2 : 0));
+        CHECK(clock() - start < (k == 0 ? 3 : 20) * CLOCKS_PER_SEC); /* and is far below it */
+        free(places);
     }
-    places[size - 1] = (struct vec3){0.5, 10, 0};
-    clock_t start = clock();
-    CHECK(polygon_cut(&cutter, places, size) == POLYGON_CUT && cutter.triangle_count == size - 2);
-    CHECK(clock() - start < 3 * CLOCKS_PER_SEC); /* and is far below it */
+    CHECK(polygon_cut(&cutter, square, 4) == POLYGON_CUT && cutter.triangle_count == 2);
     polygon_cutter_free(&cutter);
-    free(places);
 }
 
-/* The limit holds for polygons that are not convex, and a cutter goes on after it. */
-static void test_limit(void) {
-    static const struct vec3 arrow[4] = {{0, 0, 0}, {4, 0, 0}, {1, 1, 0}, {0, 4, 0}};
-    static const struct vec3 square[4] = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
-    const size_t size = POLYGON_CONCAVE_LIMIT;
-    struct vec3 *places = new_memory((size + 1) * sizeof *places);
+/* Twice the area of all triangles, none of which may be turned over by more than rounding. */
+static double whole_area(const struct polygon_cutter *cutter, const struct vec3 *places) {
+    double sum = 0;
+    for (size_t i = 0; i < cutter->triangle_count; i++) {
+        const uint32_t *c = cutter->triangles[i];
+        struct vec3 a = places[c[0]], p = vec3_sub(places[c[1]], a), q = vec3_sub(places[c[2]], a);
+        double area = p.x * q.y - p.y * q.x;
+        CHECK(area > -1e-15);
+        sum += area;
+    }
+    return sum;
+}
+
+/* What programs write: the cap of a cylinder, with nine digits, which makes half of its corners
+ * dents; a gear; a comb, whose teeth end on one line. Many corners take no longer for each. */
+static void test_many_corners(void) {
+    enum { SIZE = 200000, SHAPES = 3 };
+    struct vec3 *places = new_memory(SIZE * sizeof *places);
     struct polygon_cutter cutter = {0};
-    for (size_t i = 0; i <= size; i++) { /* all corners but four in one place */
-        places[i] = arrow[i < 4 ? i : 3];
+    for (int shape = 0; shape < SHAPES; shape++) {
+        size_t size = shape == 2 ? SIZE / 10 : SIZE;
+        double expected = 0;
+        for (size_t i = 0; i < size; i++) {
+            double angle = 6.283185307179586 * (double)i / (double)size;
+            double radius = shape == 0 || i / 4 % 2 == 0 ? 0.33 : 0.3;
+            places[i] = (struct vec3){floor(radius * cos(angle) * 1e9) / 1e9,
+                                      floor(radius * sin(angle) * 1e9) / 1e9, 0};
+            if (shape == 2) { /* from right to left above, and back below */
+                places[i] = (struct vec3){1 - (double)i / (double)size, i % 4 < 2 ? 1 : 0.5, 0};
+            }
+        }
+        if (shape == 2) {
+            places[size - 2] = (struct vec3){0, 0, 0};
+            places[size - 1] = (struct vec3){1, 0, 0};
+        }
+        for (size_t i = 0; i < size; i++) {
+            struct vec3 a = places[i], b = places[(i + 1) % size];
+            expected += a.x * b.y - a.y * b.x;
+        }
+        clock_t start = clock();
+        CHECK(polygon_cut(&cutter, places, size) == POLYGON_CUT);
+        CHECK(clock() - start < 15 * CLOCKS_PER_SEC);
+        CHECK(cutter.triangle_count == size - 2);
+        CHECK(fabs(whole_area(&cutter, places) / expected - 1) < 1e-9);
     }
-    CHECK(polygon_cut(&cutter, places, size + 1) == POLYGON_TOO_LARGE);
-    CHECK(cutter.triangle_count == 0);
-    CHECK(polygon_cut(&cutter, places, size) == POLYGON_CUT);
-    CHECK(cutter.triangle_count == size - 2);
-    for (size_t i = 0; i <= size; i++) {
-        places[i] = square[i < 4 ? i : 3];
-    }
-    CHECK(polygon_cut(&cutter, places, size + 1) == POLYGON_CUT);
-    CHECK(cutter.triangle_count == size - 1 && cutter.triangles[size - 2][2] == size);
     polygon_cutter_free(&cutter);
     free(places);
 }
 
 UNIT_MAIN(TEST(test_polygons), TEST(test_wild_polygons), TEST(test_chosen_polygons),
-          TEST(test_nearly_straight), TEST(test_longest), TEST(test_limit))
+          TEST(test_nearly_straight), TEST(test_longest), TEST(test_many_corners))

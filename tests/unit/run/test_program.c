@@ -435,17 +435,81 @@ static void test_needs(void) {
     CHECK(run(&needs_program, "-o out --only depth --repeat 3 bare.obj") == 0);
     CHECK(draw_calls == 3 && last_drawing.diffuse == NULL && last_drawing.normal_map == NULL);
     CHECK(run(&needs_program, "-o out --only normals bare.obj") == 0);
-    CHECK(run(&needs_program, "-o out --only diffuse bare.obj") == 0); /* no places in a picture */
-    CHECK(run(&needs_program, "-o out --only diffuse mapped.obj") == 1);
-    CHECK(strstr(output, "probe: mapped_diffuse.tga: ") == output);
-    CHECK(run(&needs_program, "-o out --only map mapped.obj") == 1);
-    CHECK(strstr(output, "probe: mapped_nm.tga: ") == output);
+    CHECK(run(&needs_program, "-o out --only diffuse bare.obj") == 0);  /* no places in a picture */
     CHECK(run(&needs_program, "-o out --only plain missing.obj") == 0); /* no model, none read */
     CHECK(run(&needs_program, "-o out --only depth missing.obj") == 1);
     struct program finishing = needs_program; /* what was never prepared needs no finish */
     finishing.finish = finish_unprepared;
     finish_calls = 0;
     CHECK(run(&finishing, "-o out --only depth missing.obj") == 1 && finish_calls == 0);
+}
+
+/* A drawing of a replaced texture: what stands for it. */
+static bool draw_replaced(struct drawing *drawing, struct image *image, struct error *error) {
+    (void)error;
+    const struct texture *diffuse = drawing->diffuse, *specular = drawing->specular;
+    CHECK(drawing->normal_map == NULL && model_normal(drawing->model, 0, 1).y == 1);
+    CHECK(diffuse->level[0].width == 1 && diffuse->level[0].texels[0] == 0xFFFFFFFF);
+    CHECK(specular->level[0].width == 1 && specular->level[0].texels[0] == 0xFF404040);
+    return image_set(image, 0, 0, color_grey(1));
+}
+
+static bool draw_present(struct drawing *drawing, struct image *image, struct error *error) {
+    (void)error;
+    CHECK(drawing->diffuse != NULL && (drawing->diffuse->level[0].texels[0] & 255) == 90);
+    CHECK(drawing->normal_map != NULL && drawing->specular != NULL);
+    return image_set(image, 0, 0, color_grey(1));
+}
+
+enum { ALL_TEXTURES = NEEDS_DIFFUSE | NEEDS_NORMAL_MAP | NEEDS_SPECULAR };
+
+#define NO_FILE  ": no such file, nor one of another usual name; "
+#define WHITE    "white instead; --texture FILE names one\n"
+#define NORMALS  "the mesh's normals instead; --normal-map FILE names one\n"
+#define SHINE    "the same shine everywhere instead; --specular FILE names one\n"
+#define MAPPED   "vt 0 0\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 1 0\nf 1/1/1 2/1/1 3/1/1\n"
+#define PICTURES "out/one.tga\nout/two.tga\n"
+
+/* What a model has not is replaced, which is said once; what the command line names must be there,
+ * and counts before what lies beside the model. */
+static void test_replaced(void) {
+    static struct scene two_scenes[] = {
+        {.name = "one", .needs = ALL_TEXTURES, .width = 4, .height = 3, .draw = draw_replaced},
+        {.name = "two", .needs = ALL_TEXTURES, .width = 4, .height = 3, .draw = draw_replaced},
+    };
+    const struct program program = {
+        .name = "probe", .summary = "replaced", .scenes = two_scenes, .scene_count = 2};
+    uint8_t levels[] = {255, 128, 128};
+    const struct image blue = {1, 1, IMAGE_BGR, levels}, grey = {1, 1, IMAGE_GREY, levels};
+    struct error error;
+    put_file("wild.obj", MAPPED);
+    CHECK_RUN(&program, "-o out wild.obj", 0,
+              "probe: wild_diffuse.tga" NO_FILE WHITE "probe: wild_nm.tga" NO_FILE NORMALS
+              "probe: wild_spec.tga" NO_FILE SHINE PICTURES);
+    put_file("bare.obj", "v 0 0 0\nv 0 0 1\nv 1 0 0\nf 1 2 3\n"); /* no place in a picture */
+    CHECK_RUN(&program, "-o out bare.obj", 0, PICTURES);
+    CHECK_RUN(&program, "-o out --texture a.png bare.obj", 1,
+              "probe: bare.obj: has no texture coordinates, without which a.png cannot be drawn\n");
+    CHECK_RUN(&program, "-o out --texture a.png wild.obj", 1,
+              "probe: a.png: No such file or directory\n");
+    /* A map in tangent space, and files that cannot be read. */
+    put_file("wild_diffuse.png", "\xFF\xD8\xFF\xE0");
+    put_file("wild_spec.png", "nothing");
+    CHECK(tga_write(&blue, in_directory("wild_nm.tga"), &error));
+    CHECK_RUN(&program, "-o out wild.obj", 0,
+              "probe: wild_diffuse.png: a JPEG file, not a PNG or TGA file: `magick FILE NEW.png` "
+              "converts it; " WHITE "probe: wild.obj: the normal map is one in tangent space, and "
+              "only object space is read; " NORMALS
+              "probe: wild_spec.png: neither a PNG nor a TGA of a type that is supported; " SHINE
+                  PICTURES);
+    two_scenes[0].draw = two_scenes[1].draw = draw_present;
+    levels[0] = 90;
+    CHECK(tga_write(&grey, in_directory("given.tga"), &error));
+    CHECK_RUN(&program,
+              "-o out --texture given.tga --normal-map given.tga --specular given.tga wild.obj", 0,
+              PICTURES);
+    CHECK_RUN(&dot_program, "--texture given.tga", 2,
+              "probe: unknown option '--texture'; try --help\n");
 }
 
 /* --stats says how much was read: the model and the textures that a chosen scene needs, and nothing
@@ -543,21 +607,83 @@ static void test_out_of_view(void) {
     CHECK(run(&view_program, "-o out far.obj") == 0);
     CHECK(strncmp(output, out_message, strlen(out_message)) == 0);
     snprintf(expected, sizeof expected,
-             "%sprobe: scene view: nothing was drawn; what may help: --fit --light\n"
-             "probe: scene deep: nothing was drawn; what may help: --fit --light\n"
+             "%sprobe: scene view: nothing was drawn; what may help: --fit\n"
              "out/view.tga\nout/deep.tga\n",
              out_message);
     CHECK_TEXT(output, expected);
     CHECK_RUN(&camera_program, "-o out --only view --eye 0,0,2 far.obj", 0,
-              "probe: scene view: nothing was drawn; what may help: --fit --center "
-              "--light\nout/view.tga\n"); /* placed by hand */
+              "probe: scene view: nothing was drawn; what may help: --fit --center\n"
+              "out/view.tga\n"); /* placed by hand */
     /* Without an option it is the lesson that is not written yet. */
     camera_program.scenes = blank_scenes;
     camera_program.scene_count = 1;
     CHECK_RUN(&camera_program, "-o out", 0, "out/blank.tga\n");
     CHECK_RUN(&camera_program, "-o out --light 1,0,0 --fit", 0,
-              "probe: scene blank: nothing was drawn; what may help: --center --light\n"
+              "probe: scene blank: nothing was drawn; what may help: --light\n"
               "out/blank.tga\n");
+    CHECK_RUN(&camera_program, "-o out --center 1,0,0 --fit", 0,
+              "probe: scene blank: nothing was drawn; what may help: --center\n"
+              "out/blank.tga\n");
+    CHECK_RUN(&camera_program, "-o out --eye 0,-9,-9 --fit near.obj", 0,
+              "probe: scene blank: nothing was drawn: all faces look away\nout/blank.tga\n");
+}
+
+/* What is much smaller than the view is drawn, but small: said once. */
+static void test_tiny(void) {
+    put_file("tiny.obj", "v 0 0 0\nv 0.1 0 0\nv 0 0.1 0\nf 1 2 3\n");
+    CHECK_RUN(&view_program, "-o out tiny.obj", 0,
+              "probe: tiny.obj: fills little of -1..1; --fit makes it larger\n"
+              "out/view.tga\nout/deep.tga\n");
+    CHECK_RUN(&view_program, "-o out --fit tiny.obj", 0, "out/view.tga\nout/deep.tga\n");
+}
+
+static const struct scene detail_scenes[] = {
+    {.name = "view", .needs = NEEDS_MODEL, .draw = draw_corners},
+    {.name = "nose", .detail = true, .needs = NEEDS_MODEL, .draw = draw_corners},
+    {.name = "ear", .detail = true, .needs = NEEDS_MODEL, .draw = draw_corners},
+    {.name = "beard", .detail = true, .extra = true, .needs = NEEDS_MODEL, .draw = draw_corners},
+};
+
+/* Scenes that frame a part of the course's model are not drawn of another, unless by name. */
+static void test_details(void) {
+    struct program program = view_program;
+    program.scenes = detail_scenes;
+    program.scene_count = 4;
+    CHECK_RUN(&program, "-o out", 0, "out/view.tga\nout/nose.tga\nout/ear.tga\n");
+    CHECK_RUN(&program, "-o out near.obj", 0,
+              "probe: left out, as details of the course's own model: nose, ear\nout/view.tga\n");
+    CHECK_RUN(&program, "-o out --only nose near.obj", 0, "out/nose.tga\n");
+    CHECK_RUN(&program, "-o out missing.obj", 1, "probe: missing.obj: No such file or directory\n");
+}
+
+/* A file is drawn all the same; what was wrong is said once, with its line. */
+static void test_warnings_of_files(void) {
+    put_file("wild.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2\nf 1 2 3\nf 2 3\n");
+    CHECK_RUN(&view_program, "-o out wild.obj", 0,
+              "probe: wild.obj:4: a face of fewer than 3 corners is not drawn\n"
+              "out/view.tga\nout/deep.tga\n");
+}
+
+/* One that cannot be drawn does not stop the others; each message once, and the status tells. */
+static const struct scene partly_scenes[] = {
+    {.name = "bad", .width = 4, .height = 3, .draw = draw_failing},
+    {.name = "good", .width = 4, .height = 3, .draw = draw_nothing},
+    {.name = "worse", .width = 4, .height = 3, .draw = draw_failing},
+    {.name = "read", .width = 4, .height = 3, .needs = NEEDS_MODEL, .draw = draw_nothing},
+    {.name = "last", .width = 4, .height = 3, .draw = draw_nothing},
+};
+
+static void test_failing_scenes(void) {
+    struct program program = view_program;
+    program.scenes = partly_scenes;
+    program.scene_count = 3;
+    CHECK_RUN(&program, "-o out", 1, "probe: cannot draw this\nout/good.tga\n");
+    program.scene_count = 5;
+    CHECK_RUN(&program, "-o out --only read missing.obj", 1,
+              "probe: missing.obj: No such file or directory\n");
+    CHECK_RUN(&program, "-o out missing.obj", 1,
+              "probe: cannot draw this\nprobe: missing.obj: No such file or directory\n"
+              "out/good.tga\n"); /* what would come of it cannot be known */
 }
 
 /* ---- Seldom ways ---- */
@@ -631,7 +757,7 @@ static void test_end_of_options(void) {
 static void test_seldom_failures(void) {
     prepare_calls = finish_calls = draw_calls = 0;
     CHECK_RUN(&unprepared_program, "-o nothing", 1, "probe: cannot prepare this\n");
-    CHECK(prepare_calls == 1 && finish_calls == 1 && draw_calls == 0);
+    CHECK(prepare_calls == 2 && finish_calls == 2 && draw_calls == 0); /* both scenes */
     CHECK_RUN(&failing_program, "-o nothing --repeat 2", 1, "probe: cannot draw this\n");
     CHECK_RUN(&text_program, "-o nothing --only bad", 1,
               "probe: cannot draw this\n"); /* without a text: its own scenes */
@@ -726,6 +852,8 @@ static void test_clean_up(void) {
 UNIT_MAIN(TEST(test_usage), TEST(test_help), TEST(test_extra), TEST(test_formats),
           TEST(test_frames), TEST(test_stats_and_repeat), TEST(test_repeat_time), TEST(test_camera),
           TEST(test_failures), TEST(test_text_scene), TEST(test_needs), TEST(test_stats_of_files),
-          TEST(test_defaults), TEST(test_grey), TEST(test_out_of_view), TEST(test_end_of_options),
-          TEST(test_seldom_failures), TEST(test_full_output), TEST(test_text_names),
-          TEST(test_default_directory), TEST(test_clean_up))
+          TEST(test_defaults), TEST(test_grey), TEST(test_out_of_view), TEST(test_replaced),
+          TEST(test_tiny), TEST(test_details), TEST(test_warnings_of_files),
+          TEST(test_failing_scenes), TEST(test_end_of_options), TEST(test_seldom_failures),
+          TEST(test_full_output), TEST(test_text_names), TEST(test_default_directory),
+          TEST(test_clean_up))

@@ -39,5 +39,6 @@ static void require_parts(const uint8_t *data, size_t size) {
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
     require_model(data, size);
     require_parts(data, size);
+    require_lines(data, size, obj_decode);
     return 0;
 }

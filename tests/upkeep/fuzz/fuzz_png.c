@@ -117,7 +117,7 @@ static void add_chunk(struct bytes *file, const char *type, const uint8_t *data,
     REQUIRE(bytes_append(file, number, 4));
 }
 
-/* Bytes 1, 2: width, height; 3: depth; 4: colour type; 5: colours of the palette; 6: bytes of the
+/* Bytes 1, 2: width, height; 3: depth; 4: colour type, and 128 more where it is interlaced; 5: colours of the palette; 6: bytes of the
  * tRNS chunk; then the palette, the tRNS chunk, and rows. */
 static void try_rows(const uint8_t *data, size_t size) {
     enum { HEADER = 7 };
@@ -129,7 +129,8 @@ static void try_rows(const uint8_t *data, size_t size) {
     if (size - HEADER < palette_size + clear_size) {
         return;
     }
-    uint8_t header[13] = {[3] = data[1], [7] = data[2], [8] = data[3], [9] = data[4]};
+    uint8_t header[13] = {[3] = data[1], [7] = data[2], [8] = data[3], [9] = data[4] & 127};
+    header[12] = data[4] >> 7; /* interlaced */
     const uint8_t *palette = data + HEADER, *clear = palette + palette_size;
     const uint8_t *rows = clear + clear_size;
     struct bytes file = {0}, pixels = {0};

@@ -60,6 +60,22 @@ static inline void require_valid_model(const struct model *model) {
     }
 }
 
+typedef bool part_decoder(struct model *model, const void *data, size_t size, unsigned parts,
+                          struct error *error);
+
+/* Lines that are asked for join positions that exist. */
+static inline void require_lines(const uint8_t *data, size_t size, part_decoder *decode) {
+    struct model model = {0};
+    struct error error = no_error();
+    if (decode(&model, data, size, MODEL_LINES, &error)) {
+        for (size_t i = 0; i < model.line_count; i++) {
+            REQUIRE(model.lines[i][0] < model.position_count);
+            REQUIRE(model.lines[i][1] < model.position_count);
+        }
+    }
+    model_free(&model);
+}
+
 /* After this every corner has a normal; those that were computed have length 1. */
 static inline void require_normals(struct model *model) {
     struct error error = no_error();

@@ -8,9 +8,9 @@ build=${CHECK_PROGRAMS:-build}
 log=$build/fuzz/replay.log
 failed=0
 
-for name in $(tests/upkeep/fuzz/corpus.sh names); do
+for name in $(sh tests/upkeep/fuzz/corpus.sh names); do
     kept=$build/fuzz/replayed/$name
-    tests/upkeep/fuzz/corpus.sh unpack "$name" "$kept" || exit 1
+    sh tests/upkeep/fuzz/corpus.sh unpack "$name" "$kept" || exit 1
     if "$build/tests/upkeep/fuzz/fuzz_$name" "$kept"/* >"$log" 2>&1; then
         echo "$name: $(find "$kept" -type f | wc -l) files, all is well"
     else

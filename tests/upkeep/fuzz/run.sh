@@ -16,7 +16,7 @@ make=$2
 seconds=$3
 shift 3
 # shellcheck disable=SC2046 # one word a target
-[ $# -gt 0 ] || set -- $(tests/upkeep/fuzz/corpus.sh names)
+[ $# -gt 0 ] || set -- $(sh tests/upkeep/fuzz/corpus.sh names)
 mkdir -p "$work/found" || exit 1
 if ! echo 'int LLVMFuzzerTestOneInput(void) { return 0; }' |
     clang -fsanitize=fuzzer -x c - -o "$work/probe" 2>"$work/log"; then
@@ -32,7 +32,7 @@ merge() {
     mkdir -p "$work/merged/$1" &&
         "$work/fuzz_$1" -merge=1 -use_counters=0 -max_len=2048 "$work/merged/$1" "$kept" "$grown" \
             >"$log" 2>&1 &&
-        tests/upkeep/fuzz/corpus.sh pack "$1" "$work/merged/$1" &&
+        sh tests/upkeep/fuzz/corpus.sh pack "$1" "$work/merged/$1" &&
         echo "$1: $(find "$work/merged/$1" -type f | wc -l) files kept"
 }
 
@@ -40,7 +40,7 @@ fuzz() {
     grown=$work/corpus/$1
     kept=$work/kept/$1
     log=$work/$1.log
-    mkdir -p "$grown" && tests/upkeep/fuzz/corpus.sh unpack "$1" "$kept" || return 1
+    mkdir -p "$grown" && sh tests/upkeep/fuzz/corpus.sh unpack "$1" "$kept" || return 1
     if [ -n "${FUZZ_MERGE:-}" ]; then
         merge "$1"
         return

@@ -70,7 +70,7 @@ for lesson in step[0-9]*_*/mistakes.txt; do
         "$lesson/mistakes.txt" >"$work/table" || exit 1
     add_starter "$lesson"
     cut -f 1 "$work/table" |
-        xargs -P "$workers" -n 1 tests/upkeep/verify/draw.sh "$build" "$make" "$work" || exit 1
+        xargs -P "$workers" -n 1 sh tests/upkeep/verify/draw.sh "$build" "$make" "$work" || exit 1
     keep "$lesson"
     draw_figures "$lesson"
     find "$work" -mindepth 1 -delete

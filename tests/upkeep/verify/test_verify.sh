@@ -14,7 +14,7 @@ mkdir -p tests/lessons/step01_line
 
 # verify STATUS [NAME]: what it says is in `said`.
 verify() {
-    tests/upkeep/verify/verify.sh "$build" "make -s BUILD='$build'" 01 "$2" >said 2>&1
+    sh tests/upkeep/verify/verify.sh "$build" "make -s BUILD='$build'" 01 "$2" >said 2>&1
     status=$?
     [ $status -eq "$1" ] || wrong "status $status, not $1"
 }
@@ -102,7 +102,7 @@ scene pixel
 + (void)image;
 END
 looks() {
-    tests/upkeep/verify/mistakes.sh "$build" "make -s BUILD='$build'" 01 >said 2>&1 ||
+    sh tests/upkeep/verify/mistakes.sh "$build" "make -s BUILD='$build'" 01 >said 2>&1 ||
         wrong "mistakes.sh failed"
 }
 looks
@@ -174,7 +174,7 @@ says 'STALE step01/blue: not in '
 sed 's/^says no pixel/&\nfigure 3/' mistakes.kept >step01_line/mistakes.txt
 verify 1 nothing
 says 'ERROR step01/nothing: no figure 3: figure_make: all of it is black'
-tests/upkeep/verify/mistakes.sh "$build" "make -s BUILD='$build'" 01 >said 2>&1 && wrong "a black figure"
+sh tests/upkeep/verify/mistakes.sh "$build" "make -s BUILD='$build'" 01 >said 2>&1 && wrong "a black figure"
 says 'mistakes: step01_line: no picture of nothing'
 rm -r tests/lessons/step01_line/looks
 cp mistakes.kept step01_line/mistakes.txt

@@ -136,7 +136,7 @@ find_lessons
 make_table
 : >"$work/results"
 cut -f 1 "$work/table" |
-    xargs -P "$workers" -n 1 tests/upkeep/verify/try.sh "$build" "$make" "$work" || fail "stopped"
+    xargs -P "$workers" -n 1 sh tests/upkeep/verify/try.sh "$build" "$make" "$work" || fail "stopped"
 lighter=$(sed -n 's/.*COMPARE_LIGHTER = \([0-9]*\) .*/\1/p' tests/check/compare.h)
 [ ! -f "$work/shares" ] || awk -v lighter="$lighter" -f tests/upkeep/verify/limits.awk \
     tests/check/scenes.txt "$work/shares"

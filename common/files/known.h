@@ -1,0 +1,14 @@
+/* What a file is that no reader here reads, for messages. */
+#ifndef COMMON_KNOWN_H
+#define COMMON_KNOWN_H
+
+#include "base/error.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+
+/* Does the file begin as those of a known kind do? Then the message says of which, and what helps,
+ * or else what was wanted: "an OBJ or OFF file". Otherwise the message stays as it is. */
+bool error_known_file(struct error *error, const void *data, size_t size, const char *wanted);
+
+#endif

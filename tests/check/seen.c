@@ -1,0 +1,227 @@
+#include "seen.h"
+
+#include "compare.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+
+enum { TRUE_SHARE = 20 }; /* of the drawn pixels one in so many may contradict */
+
+/* Where a pixel of the reference is to be found in yours, and in which colours. */
+struct seen_map {
+    double from_x, from_y;                 /* pixel (0,0) of the reference is this one of yours */
+    double x_by_x, x_by_y, y_by_x, y_by_y; /* and one to the right, one up, are so far from it */
+    int channels[3];                       /* red, green, blue are which of yours */
+};
+
+static const struct seen_map same_place = {.x_by_x = 1, .y_by_y = 1, .channels = {0, 1, 2}};
+
+static bool is_drawn(struct color c) {
+    return c.r != 0 || c.g != 0 || c.b != 0;
+}
+
+static bool agree(struct color a, struct color b) {
+    return abs(a.r - b.r) <= COMPARE_LEVELS && abs(a.g - b.g) <= COMPARE_LEVELS &&
+           abs(a.b - b.b) <= COMPARE_LEVELS;
+}
+
+static struct color mapped_color(const struct image *yours, const struct seen_map *map, int x,
+                                 int y) {
+    double at_x = map->from_x + map->x_by_x * x + map->x_by_y * y;
+    double at_y = map->from_y + map->y_by_x * x + map->y_by_y * y;
+    struct color c = {0};
+    if (at_x > -0.5 && at_y > -0.5 && at_x < (double)yours->width - 0.5 &&
+        at_y < (double)yours->height - 0.5) {
+        c = image_get(yours, (int)(at_x + 0.5), (int)(at_y + 0.5));
+    }
+    const uint8_t levels[] = {c.r, c.g, c.b};
+    return color_rgb(levels[map->channels[0]], levels[map->channels[1]], levels[map->channels[2]]);
+}
+
+/* How many pixels do not agree, yours mapped, and how many are drawn in either. Up to `near` pixels
+ * away a colour is as good. */
+struct seen_count {
+    size_t apart, drawn;
+};
+
+static struct seen_count count_apart(const struct image *reference, const struct image *yours,
+                                     const struct seen_map *map, int near) {
+    struct seen_count count = {0, 0};
+    for (int y = 0; y < (int)reference->height; y++) {
+        for (int x = 0; x < (int)reference->width; x++) {
+            struct color right = image_get(reference, x, y), is = mapped_color(yours, map, x, y);
+            bool found = agree(right, is);
+            for (int i = 0; i < 9 && !found && near > 0; i++) {
+                found = agree(right, mapped_color(yours, map, x + i % 3 - 1, y + i / 3 - 1));
+            }
+            count.drawn += is_drawn(right) || is_drawn(is);
+            count.apart += !found;
+        }
+    }
+    return count;
+}
+
+/* Does this map explain nearly all, and most of what is apart without it? */
+static bool is_map(const struct image *reference, const struct image *yours,
+                   const struct seen_map *map, int near) {
+    struct seen_count mapped = count_apart(reference, yours, map, near);
+    struct seen_count before = count_apart(reference, yours, &same_place, near);
+    return TRUE_SHARE * mapped.apart <= mapped.drawn && 4 * mapped.apart < before.apart;
+}
+
+/* ---- What it may be ---- */
+
+/* Is all that is drawn of one colour, and in the reference not? */
+static bool is_one_color(const struct image *image, struct color *color) {
+    bool any = false;
+    for (int y = 0; y < (int)image->height; y++) {
+        for (int x = 0; x < (int)image->width; x++) {
+            struct color c = image_get(image, x, y);
+            if (is_drawn(c) && !any) {
+                *color = c;
+                any = true;
+            } else if (is_drawn(c) && (c.r != color->r || c.g != color->g || c.b != color->b)) {
+                return false;
+            }
+        }
+    }
+    return any;
+}
+
+static const char *find_turn(const struct image *reference, const struct image *yours) {
+    const double right = (double)reference->width - 1, top = (double)reference->height - 1;
+    const bool is_square = reference->width == reference->height;
+    const struct {
+        const char *text;
+        double from_x, from_y, x_by_x, x_by_y, y_by_x, y_by_y;
+    } turns[] = {
+        {"mirrored: left and right are exchanged", right, 0, -1, 0, 0, 1},
+        {"upside down", 0, top, 1, 0, 0, -1},
+        {"turned by half a turn", right, top, -1, 0, 0, -1},
+        {"x and y are exchanged", 0, 0, 0, 1, 1, 0},
+        {"turned by a quarter to the left", right, 0, 0, -1, 1, 0},
+        {"turned by a quarter to the right", 0, top, 0, 1, -1, 0},
+    };
+    for (size_t i = 0; i < sizeof turns / sizeof turns[0]; i++) {
+        struct seen_map map = same_place;
+        map.from_x = turns[i].from_x;
+        map.from_y = turns[i].from_y;
+        map.x_by_x = turns[i].x_by_x;
+        map.x_by_y = turns[i].x_by_y;
+        map.y_by_x = turns[i].y_by_x;
+        map.y_by_y = turns[i].y_by_y;
+        if ((i < 3 || is_square) && is_map(reference, yours, &map, 1)) {
+            return turns[i].text;
+        }
+    }
+    return NULL;
+}
+
+/* The box around what is drawn; there is something. */
+struct box {
+    int left, bottom, right, top; /* inclusive */
+};
+
+static struct box find_box(const struct image *image) {
+    struct box box = {(int)image->width, (int)image->height, -1, -1};
+    for (int y = 0; y < (int)image->height; y++) {
+        for (int x = 0; x < (int)image->width; x++) {
+            if (is_drawn(image_get(image, x, y))) {
+                box.left = x < box.left ? x : box.left;
+                box.right = x > box.right ? x : box.right;
+                box.bottom = y < box.bottom ? y : box.bottom;
+                box.top = y > box.top ? y : box.top;
+            }
+        }
+    }
+    return box;
+}
+
+/* Moved, or larger and smaller, as the boxes say. */
+static struct seen_text find_place(const struct image *reference, const struct image *yours) {
+    const struct box right = find_box(reference), box = find_box(yours);
+    struct seen_text seen = {""};
+    struct seen_map map = same_place;
+    map.from_x = box.left - right.left;
+    map.from_y = box.bottom - right.bottom;
+    if ((map.from_x != 0 || map.from_y != 0) && is_map(reference, yours, &map, 0)) {
+        snprintf(seen.text, sizeof seen.text, "moved by (%g,%g)", map.from_x, map.from_y);
+        return seen;
+    }
+    if (right.right == right.left || right.top == right.bottom) {
+        return seen;
+    }
+    map.x_by_x = (double)(box.right - box.left) / (right.right - right.left);
+    map.y_by_y = (double)(box.top - box.bottom) / (right.top - right.bottom);
+    map.from_x = box.left - map.x_by_x * right.left;
+    map.from_y = box.bottom - map.y_by_y * right.bottom;
+    bool is_scaled =
+        map.x_by_x < 0.95 || map.x_by_x > 1.05 || map.y_by_y < 0.95 || map.y_by_y > 1.05;
+    if (is_scaled && is_map(reference, yours, &map, 1)) {
+        snprintf(seen.text, sizeof seen.text, "%.2g times as wide and %.2g times as high",
+                 map.x_by_x, map.y_by_y);
+    }
+    return seen;
+}
+
+static const char *find_channels(const struct image *reference, const struct image *yours) {
+    static const struct {
+        const char *text;
+        int channels[3];
+    } orders[] = {
+        {"red and blue are exchanged", {2, 1, 0}},
+        {"red and green are exchanged", {1, 0, 2}},
+        {"green and blue are exchanged", {0, 2, 1}},
+    };
+    for (size_t i = 0; i < sizeof orders / sizeof orders[0]; i++) {
+        struct seen_map map = same_place;
+        for (int k = 0; k < 3; k++) {
+            map.channels[k] = orders[i].channels[k];
+        }
+        if (is_map(reference, yours, &map, 0)) {
+            return orders[i].text;
+        }
+    }
+    return NULL;
+}
+
+/* What is missing, where all else is right. */
+static struct seen_text find_part(const struct image *reference, const struct image *yours) {
+    size_t drawn = 0, missing = 0, other = 0;
+    struct seen_text seen = {""};
+    for (int y = 0; y < (int)reference->height; y++) {
+        for (int x = 0; x < (int)reference->width; x++) {
+            struct color right = image_get(reference, x, y), is = image_get(yours, x, y);
+            drawn += is_drawn(right);
+            missing += is_drawn(right) && !is_drawn(is);
+            other += is_drawn(is) && !agree(right, is);
+        }
+    }
+    if (TRUE_SHARE * missing > drawn && TRUE_SHARE * other <= drawn - missing) {
+        snprintf(seen.text, sizeof seen.text, "%zu %% of the picture is missing, the rest is right",
+                 missing * 100 / drawn);
+    }
+    return seen;
+}
+
+struct seen_text seen_find(const struct image *reference, const struct image *yours) {
+    struct seen_text seen = {""};
+    struct color one = {0}, other = {0};
+    if (image_is_blank(yours)) {
+        return (struct seen_text){"nothing is drawn"};
+    }
+    if (is_one_color(yours, &one) && !is_one_color(reference, &other)) {
+        snprintf(seen.text, sizeof seen.text, "all that is drawn has one colour, %d,%d,%d", one.r,
+                 one.g, one.b);
+        return seen;
+    }
+    const char *text = find_turn(reference, yours);
+    if (text == NULL) {
+        seen = find_place(reference, yours);
+        text = seen.text[0] == '\0' ? find_channels(reference, yours) : NULL;
+    }
+    if (text != NULL) {
+        snprintf(seen.text, sizeof seen.text, "%s", text);
+    }
+    return seen.text[0] != '\0' ? seen : find_part(reference, yours);
+}

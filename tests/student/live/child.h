@@ -1,0 +1,31 @@
+/* A lesson's program that answers requests with frames (common/run/live.h), started when it is
+ * needed, and ended when it takes too long. */
+#ifndef TESTS_STUDENT_LIVE_CHILD_H
+#define TESTS_STUDENT_LIVE_CHILD_H
+
+#include "base/bytes.h"
+#include "base/error.h"
+
+#include <stdbool.h>
+#include <sys/types.h>
+
+struct child {
+    pid_t id;             /* 0: not started */
+    int input, output;    /* ends of pipes: to it, and from it */
+    struct bytes pending; /* read from it, and no answer yet */
+};
+
+/* Start PROGRAM --live [MODEL]; what it says to standard error goes to the file `said`. Its first
+ * line, the description, is appended to `description`. */
+bool child_start(struct child *child, const char *program, const char *model, const char *said,
+                 struct bytes *description, struct error *error);
+
+/* Send a request, and append the whole answer. False, with a message, where the program crashes,
+ * ends, or takes longer than that: then it is ended. */
+bool child_ask(struct child *child, const struct bytes *request, double seconds,
+               struct bytes *answer, struct error *error);
+
+/* End it, whatever it does. */
+void child_end(struct child *child);
+
+#endif

@@ -1,0 +1,41 @@
+#!/bin/sh
+# Lines of options answered with frames (common/run/live.h): sizes, pixels, counters, messages, a text
+# scene, and that what a program prints does not come between the frames.
+. "$(dirname "$0")/../../unit/script.sh"
+
+# answers PROGRAM: to what standard input asks; in $work/answer, without the description.
+answers() {
+    "$build/$1" --live >"$work/all" 2>"$work/errors" || wrong "$1 fails: $(cat "$work/errors")"
+    head -n 1 "$work/all" | grep -q "^{\"program\":\"$1\",.*}$" || wrong "$1 is not described"
+    tail -c +$(($(head -n 1 "$work/all" | wc -c) + 1)) "$work/all" >"$work/answer"
+}
+
+# has LINE TEXT
+has() {
+    [ "$(sed -n "$1p" "$work/answer" | tr -d '\000')" = "$2" ] || wrong "line $1 of the answer is not \"$2\""
+}
+
+# One pixel of 100x100: red, in the row that is the 59th from the top.
+printf '%s\n' '--only pixel' | answers step01_line
+head -n 1 "$work/answer" | grep -qx 'frame 100 100 [0-9.]* 0' || wrong "another head"
+head=$(head -n 1 "$work/answer" | wc -c)
+[ "$(wc -c <"$work/answer")" -eq $((head + 40000)) ] || wrong "another size"
+[ "$(od -An -tu1 -j $((head + 4 * (5800 + 52))) -N 8 "$work/answer" | tr -s ' ')" = ' 255 0 0 255 0 0 0 255' ] ||
+    wrong "the pixel is elsewhere"
+
+# Each line is answered, also a wrong one, and a text scene between two marks.
+printf '%s\n' '--only nothing' '--live' 'model.obj' '--only pixel text' 'line 1 2 3 x 1 1 1' end '' | answers step01_line
+has 1 "error --only wants a scene: pixel, line, octants, ties, far, list, gradient, not 'nothing'"
+has 2 'error the model and --live stand on the command line'
+has 3 'error the model and --live stand on the command line'
+has 4 "error coordinate 'x' is not a whole number"
+printf '%s\n' 'text' 'size 3 2' 'line 0 0 2 0 9 8 7' end | answers step01_line
+[ "$(tail -c 24 "$work/answer" | od -An -tu1 | tr -s ' \n' ' ')" = \
+    ' 0 0 0 255 0 0 0 255 0 0 0 255 9 8 7 255 9 8 7 255 9 8 7 255 ' ] || wrong "not the lowest row of three"
+
+# Counters, as --stats prints them; light, size and a frame of an animation are the options' own.
+printf '%s\n' '--only zbuffer -s 8x8 --stats' | answers step05_zbuffer
+head -n 1 "$work/answer" | grep -qx 'frame 8 8 [0-9.]* 3' || wrong "not three counters"
+"$build/step05_zbuffer" --only zbuffer -s 8x8 --stats -o "$work" | sed -n 's/zbuffer\.//; s/: / /; 1,3p' >"$work/stats"
+sed -n 2,4p "$work/answer" | cmp -s - "$work/stats" || wrong "other counters than --stats"
+exit $failed
