@@ -11,8 +11,8 @@
 /* How a surface answers to light. */
 struct material {
     double ambient, diffuse, specular; /* weights of the three parts */
-    int power;                         /* of the specular part: larger makes smaller lights */
-    struct vec3 color;                 /* red, green, blue 0..255 */
+    int power;         /* of the specular part: larger makes smaller lights; -1: nothing shines */
+    struct vec3 color; /* red, green, blue 0..255 */
 };
 
 /* What is the same for all pixels of a drawing. */
@@ -28,8 +28,11 @@ struct uniforms {
 /* ---- The technique ---- */
 
 /* base to a whole power 0..`largest_power`, which may differ from pixel to pixel, by multiplying.
- * base^0 is 1. */
+ * base^0 is 1. Where nothing shines, `largest_power` is below 0, and the result 0. */
 static lanes integer_power(lanes base, lanes power, int largest_power) {
+    if (largest_power < 0) {
+        return lanes_all(0);
+    }
     /* BEGIN SOLUTION 10b.1 whole powers */
     lanes result = lanes_all(1);
     for (int left = largest_power; left > 0; left /= 2) {

@@ -96,6 +96,7 @@ static bool draw_matt(struct drawing *drawing, struct image *image, struct error
     const struct model *own = drawing->model;
     struct model stretched;
     cell.material.specular = 0;
+    cell.material.power = -1; /* so that integer_power() is not needed yet */
     if (!stretch_normals(&stretched, own, error)) {
         return false;
     }

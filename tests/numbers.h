@@ -67,15 +67,16 @@ static inline struct shown show_call(const char *call) {
     return shown;
 }
 
-/* The next call is this one. Is it wanted? Then its line is begun. */
+/* The next call is this one. Is it wanted? Then its line is begun. Behind a `+` stand tasks that it
+ * needs, too ("10a.2+10b.1"): it is not called without them. */
 static inline bool number_begin(const char *task, const char *call, struct shown right) {
     bool wanted = number_state.next >= number_state.first;
     for (char **name = number_state.without; *name != NULL; name++) {
-        wanted = wanted && strcmp(*name, task) != 0;
+        wanted = wanted && strstr(task, *name) == NULL;
     }
     if (wanted) {
-        fprintf(number_state.file, "%ld\t%s\t%s\t%s\t", number_state.next, task,
-                show_call(call).text, right.text);
+        fprintf(number_state.file, "%ld\t%.*s\t%s\t%s\t", number_state.next,
+                (int)strcspn(task, "+"), task, show_call(call).text, right.text);
         fflush(number_state.file);
     }
     number_state.next++;
@@ -220,6 +221,18 @@ static inline struct shown show_pixels(struct image *image) {
     do {                                                                                           \
         if (number_begin(task, text, show("%s", right))) {                                         \
             end_text(call, show("%s", right));                                                     \
+        }                                                                                          \
+    } while (0)
+
+/* The same, of a function that calls those of other tasks: `own` is what it must give with yours of
+ * them, which is right, too. A mistake in one of them costs its own task. */
+#define TEXT_WITH(task, name, call, right, own)                                                    \
+    do {                                                                                           \
+        if (number_begin(task, name, show("%s", right))) {                                         \
+            const struct shown yours = call;                                                       \
+            const struct shown with_yours = own;                                                   \
+            number_end(yours, strcmp(yours.text, right) == 0 ||                                    \
+                                  strcmp(yours.text, with_yours.text) == 0);                       \
         }                                                                                          \
     } while (0)
 

@@ -184,7 +184,7 @@ static void finish(const struct calling *calling, const char *source) {
         } else if (task->wrong == 0 && task->called > 0) {
             task->item->state = RESULT_PASS;
         } else if (task->called == 0 && !todo_has_task(source, task->item->counter)) {
-            result_say(&task->item->message, "not called");
+            result_say(&task->item->message, "not called: what it needs does not return");
         }
     }
 }
