@@ -72,8 +72,9 @@ static void set_wrong(struct called_task *task, char *columns[NUMBER_COLUMNS],
     task->wrong++;
     if (task->wrong == 1) {
         item->state = state;
-        result_say(&item->message, "%.*s %.*s: %s%.*s", COLUMN_WIDTH, columns[2], COLUMN_WIDTH,
-                   columns[3], state == RESULT_FAIL ? "yours " : "", COLUMN_WIDTH, what);
+        result_say(&item->message, "%.*s must be %.*s: %s%.*s", COLUMN_WIDTH, columns[2],
+                   COLUMN_WIDTH, columns[3], state == RESULT_FAIL ? "yours " : "", COLUMN_WIDTH,
+                   what);
         text_make_printable(item->message.text, ' ');
     }
 }
