@@ -473,7 +473,8 @@ static bool draw_projection(struct drawing *drawing, struct image *image, struct
     (void)error;
     const int size = (int)image->width / 5;
     const struct rectangle corner = {0, (int)image->height - size, size, size};
-    draw_facets(drawing, image, whole_image(image), eye_distance(drawing));
+    const double farther = drawing_value(drawing, "farther");
+    draw_facets(drawing, image, whole_image(image), farther * eye_distance(drawing));
     draw_facets(drawing, image, corner, INFINITY);
     return true;
 }
@@ -782,6 +783,11 @@ static void finish(struct drawing *drawing) {
 
 enum { NEEDS_VIEW = NEEDS_MODEL | NEEDS_NORMALS | NEEDS_DIFFUSE | NEEDS_DEPTH };
 
+static const struct scene_value distance_value[] = {
+    {"farther", "so many times as far away is the eye", 0.4, 10, 0.1, 1},
+    {.name = NULL},
+};
+
 static const struct scene scenes[] = {
     /* Not square, and odd: who exchanges or cuts off sizes or places sees it. */
     {.name = "house", .width = 405, .height = 363, .draw = draw_unmapped},
@@ -797,7 +803,12 @@ static const struct scene scenes[] = {
     {.name = "divided", .number = 8, .width = 400, .height = 400, .draw = draw_alone},
     {.name = "transforms", .draw = draw_transforms},
     {.name = "viewport", .needs = NEEDS_VIEW, .draw = draw_viewport},
-    {.name = "projection", .needs = NEEDS_VIEW, .draw = draw_projection},
+    {
+        .name = "projection",
+        .needs = NEEDS_VIEW,
+        .values = distance_value,
+        .draw = draw_projection,
+    },
     {.name = "crossing", .needs = NEEDS_DEPTH, .draw = draw_crossing},
     {.name = "wall", .needs = NEEDS_DEPTH, .draw = draw_wall},
     {.name = "narrow", .needs = NEEDS_VIEW, .draw = draw_narrow},

@@ -130,12 +130,31 @@ static bool draw_shine(struct drawing *drawing, struct image *image, struct erro
     return draw_cells(drawing, image, cells, 2, 2, 0.8, error);
 }
 
+static const struct scene_value light_values[] = {
+    {"ambient", "weight of the ambient light", 0, 1, 0.01, 0.1},
+    {"diffuse", "weight of the diffuse light", 0, 2, 0.01, 1},
+    {"specular", "times as much specular light", 0, 3, 0.01, 1},
+    {"power", "power of the specular light", 0, 200, 1, 10},
+    {.name = NULL},
+};
+
+/* The material, with the drawing's numbers for it. */
+static struct material chosen_material(const struct drawing *drawing, struct material material) {
+    material.ambient = drawing_value(drawing, "ambient");
+    material.diffuse = drawing_value(drawing, "diffuse");
+    material.specular *= drawing_value(drawing, "specular");
+    material.power = (int)drawing_value(drawing, "power");
+    return material;
+}
+
 /* Phong alone, with the normal map, with the texture, and with both. */
 static bool draw_four(struct drawing *drawing, struct image *image, struct error *error) {
-    const struct cell cells[] = {{&plain, plain_material, NULL, NULL},
-                                 {&mapped, plain_material, NULL, NULL},
-                                 {&textured, textured_material, NULL, NULL},
-                                 {&full, textured_material, NULL, NULL}};
+    const struct material white = chosen_material(drawing, plain_material);
+    const struct material colored = chosen_material(drawing, textured_material);
+    const struct cell cells[] = {{&plain, white, NULL, NULL},
+                                 {&mapped, white, NULL, NULL},
+                                 {&textured, colored, NULL, NULL},
+                                 {&full, colored, NULL, NULL}};
     return draw_cells(drawing, image, cells, 2, 2, 0.8,
                       error); /* of a quarter: 0.4 of the picture */
 }
@@ -250,12 +269,14 @@ static const struct scene scenes[] = {
     {
         .name = "four",
         .needs = NEEDS_MODEL | NEEDS_NORMALS | NEEDS_DIFFUSE | NEEDS_NORMAL_MAP,
+        .values = light_values,
         .draw = draw_four,
     },
     {
         .name = "behind",
         .needs = NEEDS_MODEL | NEEDS_NORMALS | NEEDS_DIFFUSE | NEEDS_NORMAL_MAP,
         .light = {-2, 2, -3},
+        .values = light_values,
         .draw = draw_four,
     },
     {

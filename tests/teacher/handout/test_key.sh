@@ -82,7 +82,7 @@ grep -o '<h2>.*</h2>' $page >"$work/said"
 grep -qF '<p>x &amp; y exchanged: "41" &lt;before&gt; 52 (task 1.1)</p>' $page ||
     wrong "no sentence in HTML"
 grep -q '^+ *image_set(image, 41, 52,' $page || wrong "nobody sees what was changed"
-grep -q 'line_length((0, 0), (5, 2)) 6: yours 5' $page || wrong "nobody sees the wrong number"
+grep -q 'line_length((0, 0), (5, 2)) must be 6: yours 5' $page || wrong "nobody sees the wrong number"
 grep -q 'CRASH' $page || wrong "nobody sees that a program was killed"
 [ "$(grep -c 'src="reference/pixel.png"' $page)" -eq 2 ] || wrong "no references"
 grep -o 'src="[^"]*"' $page | sed 's/src="/step01_line\//; s/"//' |
