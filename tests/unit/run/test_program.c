@@ -635,6 +635,12 @@ static void test_tiny(void) {
               "probe: tiny.obj: fills little of -1..1; --fit makes it larger\n"
               "out/view.tga\nout/deep.tga\n");
     CHECK_RUN(&view_program, "-o out --fit tiny.obj", 0, "out/view.tga\nout/deep.tga\n");
+    struct program blank = view_program;
+    blank.scenes = blank_scenes;
+    blank.scene_count = 1;
+    CHECK_RUN(&blank, "-o out tiny.obj", 0,
+              "probe: tiny.obj: fills little of -1..1; --fit makes it larger\n"
+              "probe: scene blank: nothing was drawn; what may help: --fit\nout/blank.tga\n");
 }
 
 static const struct scene detail_scenes[] = {
