@@ -14,6 +14,16 @@ void model_free(struct model *model) {
     free(model->face_colors);
     free(model->faces);
     free(model->lines);
+    for (size_t i = 0; i < model->material_count; i++) {
+        free(model->materials[i].name);
+        free(model->materials[i].texture);
+    }
+    free(model->materials);
+    free(model->face_materials);
+    for (size_t i = 0; i < model->library_count; i++) {
+        free(model->libraries[i]);
+    }
+    free(model->libraries);
     free(model->path);
     *model = (struct model){0};
 }

@@ -40,12 +40,21 @@ enum model_texture_kind {
     MODEL_TEXTURE_KINDS
 };
 
+/* How faces look, as a file of materials says that the model's file names. */
+struct model_material {
+    char *name;
+    float color[3]; /* red green blue 0..1 */
+    char *texture;  /* the path of a picture; NULL: none */
+    bool known;     /* the file says something of it; otherwise it is white */
+};
+
 /* What was wrong with a file that was read all the same; model_warning_text() says it. */
 enum model_warning {
     MODEL_SHORT_FACES,
     MODEL_UVS_MISSING,
     MODEL_NORMALS_MISSING,
     MODEL_NORMALS_WRONG,
+    MODEL_MATERIALS_MISSING,
     MODEL_WARNINGS
 };
 
@@ -58,6 +67,11 @@ struct model {
     float (*colors)[3];      /* red green blue 0..1, one a position; NULL where the file has none */
     float (*face_colors)[3]; /* the same, one a face; model_color() knows which counts */
     struct face *faces;
+    struct model_material *materials; /* those that faces name */
+    size_t material_count;
+    uint32_t *face_materials; /* one a face, or MODEL_NONE; NULL where the file names none */
+    char **libraries;         /* the files of materials, as the model's file names them */
+    size_t library_count, library_line;  /* the line of the first */
     uint32_t (*lines)[2];                /* the positions that they join; only where asked for */
     size_t warning_line[MODEL_WARNINGS]; /* where each is first, from 1; 0: nowhere */
     char *path;                          /* the file, for messages and for its textures */

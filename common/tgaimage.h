@@ -71,11 +71,10 @@ void image_clear(struct image *image, struct color color);
 bool tga_is_possible(const void *data, size_t size);
 
 /* TGA types 1, 2, 3, 9, 10, 11; 8-bit grey and colour map, 16-bit grey with alpha (becomes BGRA),
- * 15/16-bit 5551, 24 and 32 bit; all four
- * origins (the result is always bottom-left). A 16-bit pixel's attribute bit becomes alpha 0 or 255
- * when the header declares one attribute bit. The fourth byte of a 32-bit pixel is
- * always alpha, whatever the header declares, since many writers leave that number at 0. `image` is
- * overwritten, not freed; empty on an error. */
+ * 15/16-bit 5551, 24 and 32 bit; all four origins (the result is always bottom-left). A 16-bit
+ * colour's attribute bit becomes alpha 0 or 255 when the header declares one attribute bit. The
+ * fourth byte of a 32-bit pixel is always alpha, whatever the header declares, since many writers
+ * leave that number at 0. `image` is overwritten, not freed; empty on an error. */
 bool tga_decode(struct image *image, const void *data, size_t size, struct error *error);
 
 /* TGA 2.0 with footer: type 11 or 10, run-length coded; no packet crosses a row. Where packets

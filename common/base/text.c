@@ -154,6 +154,16 @@ struct word text_next_word(struct text *text) {
     return (struct word){start, start == NULL ? 0 : (size_t)(p - start)};
 }
 
+struct word text_rest_of_line(struct text *text) {
+    text_find_word(text);
+    const char *start = text->next, *p = start, *end = start;
+    for (; p < text->end && !is_line_end(*p); p++) {
+        end = is_blank(*p) ? end : p + 1;
+    }
+    text->next = p;
+    return (struct word){start, start == NULL ? 0 : (size_t)(end - start)};
+}
+
 /* ---- Integers ---- */
 
 bool word_to_integer(struct word word, int64_t *value) {

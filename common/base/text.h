@@ -45,7 +45,10 @@ bool text_next_line(struct text *text);
  * that reaches to the end of the line. Where lines are joined, `line` counts on. */
 struct word text_next_word(struct text *text);
 
-/* The same, read as a number as by word_to_double(); NaN where it is none. */
+/* What is left of the line, without blanks around it: names may hold blanks. */
+struct word text_rest_of_line(struct text *text);
+
+/* The next word, read as a number as by word_to_double(); NaN where it is none. */
 struct word text_next_number(struct text *text, double *number);
 
 /* Is the word exactly this string? */

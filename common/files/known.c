@@ -45,14 +45,14 @@ static const struct known_file {
     {"#?RADIANCE", 0, "a Radiance HDR file", CONVERT},
 };
 
-static char to_small(char c) {
-    return c >= 'A' && c <= 'Z' ? (char)(c + ('a' - 'A')) : c;
+static int to_small(int c) {
+    return c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c;
 }
 
-static bool begins_as(const struct known_file *known, const char *data, size_t size) {
+static bool begins_as(const struct known_file *known, const uint8_t *data, size_t size) {
     size_t length = strlen(known->begins), same = 0;
     while (same < length && known->at + same < size &&
-           to_small(data[known->at + same]) == to_small(known->begins[same])) {
+           to_small(data[known->at + same]) == to_small((uint8_t)known->begins[same])) {
         same++;
     }
     return same == length;

@@ -4,6 +4,7 @@
 #include "base/text.h"
 #include "files/image_file.h"
 #include "files/known.h"
+#include "files/mtl.h"
 #include "files/obj.h"
 #include "files/off.h"
 
@@ -64,6 +65,8 @@ const char *model_warning_text(enum model_warning warning) {
         [MODEL_NORMALS_MISSING] =
             "a face names a normal that the file does not have; it is computed instead",
         [MODEL_NORMALS_WRONG] = "a normal has no direction; it is computed instead",
+        [MODEL_MATERIALS_MISSING] =
+            "the file of materials is not there; faces have neither its colours nor its textures",
     };
     return texts[warning];
 }
@@ -81,6 +84,58 @@ static bool keep_path(struct model *model, const char *path, struct error *error
     return true;
 }
 
+/* ---- Materials ---- */
+
+/* Read a file of materials beside the model. False when memory runs out; sets whether it is
+ * there. */
+static bool read_library(struct model *model, struct word name, bool *found, struct error *error) {
+    const char *slash = strrchr(model->path, '/');
+    int length = slash == NULL ? 0 : (int)(slash + 1 - model->path);
+    char *path = name.length > INT_MAX
+                     ? NULL
+                     : string_format("%.*s%.*s", length, model->path, (int)name.length, name.start);
+    char *directory = NULL;
+    struct bytes bytes = {0};
+    struct error ignored;
+    bool done = path != NULL;
+    *found = done && name.length > 0 && file_exists(path) && file_read(path, &bytes, &ignored);
+    if (*found) {
+        const char *end = strrchr(path, '/');
+        directory = string_format("%.*s", end == NULL ? 0 : (int)(end + 1 - path), path);
+        done = directory != NULL && mtl_decode(model, bytes.data, bytes.size, directory, error);
+        model->bytes_read += bytes.size;
+    }
+    bytes_free(&bytes);
+    free(directory);
+    free(path);
+    return done || error_out_of_memory(error);
+}
+
+/* All that the model names: a name may hold blanks, or there are several in a line. */
+static bool read_libraries(struct model *model, struct error *error) {
+    bool all = true;
+    for (size_t i = 0; model->material_count > 0 && i < model->library_count; i++) {
+        struct word line = {model->libraries[i], strlen(model->libraries[i])};
+        bool found;
+        if (!read_library(model, line, &found, error)) {
+            return false;
+        }
+        struct text text;
+        text_peek(&text, line.start, line.length);
+        bool whole = found; /* all of the line is one name */
+        while (!whole && text_find_word(&text)) {
+            bool each;
+            if (!read_library(model, text_next_word(&text), &each, error)) {
+                return false;
+            }
+            found = found || each;
+        }
+        all = all && found;
+    }
+    model->warning_line[MODEL_MATERIALS_MISSING] = all ? 0 : model->library_line;
+    return true;
+}
+
 bool model_read_parts(struct model *model, const char *path, unsigned parts, struct error *error) {
     struct bytes bytes;
     *model = (struct model){0};
@@ -90,7 +145,11 @@ bool model_read_parts(struct model *model, const char *path, unsigned parts, str
     bool done = decode(model, path, bytes.data, bytes.size, parts, error);
     model->bytes_read = bytes.size;
     bytes_free(&bytes);
-    return (done && keep_path(model, path, error)) || error_name_input(error, path);
+    if (done && keep_path(model, path, error) && read_libraries(model, error)) {
+        return true;
+    }
+    model_free(model);
+    return error_name_input(error, path);
 }
 
 bool model_read(struct model *model, const char *path, struct error *error) {
@@ -184,4 +243,89 @@ const struct texture *model_texture(struct model *model, enum model_texture_kind
     }
     free(path);
     return done ? texture : NULL;
+}
+
+/* ---- Materials in a texture ---- */
+
+bool model_has_materials(const struct model *model) {
+    bool known = false, textured = false, beside = false;
+    for (size_t i = 0; i < model->material_count; i++) {
+        known = known || model->materials[i].known;
+        textured = textured || model->materials[i].texture != NULL;
+    }
+    if (known && !textured && model->uv_count > 0 && model->path != NULL) {
+        free(find_texture(model->path, MODEL_DIFFUSE, &beside));
+    }
+    return known && !beside;
+}
+
+const char *model_only_texture(const struct model *model) {
+    const char *only = NULL;
+    for (size_t i = 0; model->face_materials != NULL && i < model->face_count; i++) {
+        uint32_t index = model->face_materials[i];
+        const char *texture = index == MODEL_NONE ? NULL : model->materials[index].texture;
+        only = i == 0 ? texture : only;
+        if (texture == NULL || (texture != only && strcmp(texture, only) != 0)) {
+            return NULL;
+        }
+    }
+    return only;
+}
+
+/* What a material looks like from afar. */
+static struct color mean_color(const struct model_material *material, bool *has_texture) {
+    struct texture texture = {0};
+    struct error ignored;
+    const float *c = material->color;
+    struct color color = color_rgb((uint8_t)(c[0] * 255 + 0.5F), (uint8_t)(c[1] * 255 + 0.5F),
+                                   (uint8_t)(c[2] * 255 + 0.5F));
+    *has_texture = material->texture != NULL && read_texture(&texture, material->texture, &ignored);
+    if (*has_texture) {
+        color = color_from_texel(texture.level[texture.level_count - 1].texels[0]);
+        texture_free(&texture);
+    }
+    return color;
+}
+
+/* Texture coordinates in the middles of the texels of a row, one for each face. */
+static bool place_in_palette(struct model *model, size_t texels) {
+    float(*uvs)[2] = malloc(texels * sizeof *uvs);
+    if (uvs == NULL) {
+        return false;
+    }
+    for (size_t i = 0; i < texels; i++) {
+        uvs[i][0] = ((float)i + 0.5F) / (float)texels;
+        uvs[i][1] = 0.5F;
+    }
+    free(model->uvs);
+    model->uvs = uvs;
+    model->uv_count = texels;
+    for (size_t i = 0; i < model->face_count; i++) {
+        uint32_t index = model->face_materials[i];
+        for (int j = 0; j < 3; j++) {
+            model->faces[i].corner[j].uv = index == MODEL_NONE ? (uint32_t)texels - 1 : index;
+        }
+    }
+    return true;
+}
+
+bool model_make_palette(struct model *model, struct texture *palette, bool *several,
+                        struct error *error) {
+    struct image image;
+    size_t count = model->material_count;
+    *several = false;
+    if (!image_create(&image, count + 1, 1, IMAGE_BGR, error)) {
+        return false;
+    }
+    image_clear(&image, color_grey(255));
+    for (size_t i = 0; i < count; i++) {
+        bool has_texture;
+        image_set(&image, (int)i, 0, mean_color(&model->materials[i], &has_texture));
+        *several = *several || has_texture;
+    }
+    bool done = texture_create(palette, &image, error) &&
+                (place_in_palette(model, count + 1) || error_out_of_memory(error));
+    palette->level_count = done ? 1 : palette->level_count; /* colours are not mixed */
+    image_free(&image);
+    return done;
 }

@@ -2,14 +2,14 @@
  * Models read from OBJ and OFF files, and the textures that lie beside them.
  *
  * OBJ: v (x y z, x y z w: w is not used, x y z r g b and what follows), vt (u, u v, u v w: w is not
- * used), vn, f and, where asked for, l; all other keywords are passed over. A face may name what
- * comes further down; a negative index counts back from the face. A corner may name no texture
- * coordinate and no normal, and what the file does not have counts as none. OFF, COFF, NOFF, STOFF,
- * 4OFF and their mixtures, as text; lines may end between any two numbers, but a face ends with its
- * line, so that two need two lines (off.h). Its colour is in levels 0..255 where its 3 or 4 numbers
- * are whole, otherwise 0..1; one number alone, an index into a table of colours, is not used.
- * Colours of positions are levels where one is above 2. All are cut to 0..1; where some positions
- * or faces have colours, the others are white.
+ * used), vn, f, mtllib, usemtl and, where asked for, l; all other keywords are passed over. A face
+ * may name what comes further down; a negative index counts back from the face. A corner may name
+ * no texture coordinate and no normal, and what the file does not have counts as none. OFF, COFF,
+ * NOFF, STOFF, 4OFF and their mixtures, as text; lines may end between any two numbers, but a face
+ * ends with its line, so that two need two lines (off.h). Its colour is in levels 0..255 where its
+ * 3 or 4 numbers are whole, otherwise 0..1; one number alone, an index into a table of colours, is
+ * not used. Colours of positions are levels where one is above 2. All are cut to 0..1; where some
+ * positions or faces have colours, the others are white. Of files of materials: see mtl.h.
  */
 #ifndef COMMON_MODEL_FILE_H
 #define COMMON_MODEL_FILE_H
@@ -45,6 +45,19 @@ bool model_decode(struct model *model, const void *data, size_t size, struct err
 
 /* How many of the textures lie beside the model. */
 size_t model_textures_present(const struct model *model);
+
+/* Does a file of materials say how the model looks? Colours alone count less than a texture that
+ * lies beside the model. */
+bool model_has_materials(const struct model *model);
+
+/* The path of the one texture that all faces have; NULL where that is not so. */
+const char *model_only_texture(const struct model *model);
+
+/* Make a texture of one row: the colour of each material, or the mean colour of its texture, and
+ * white. The texture coordinates of the faces become places in it. `several` becomes whether means
+ * stand for textures. False when memory runs out. The caller frees the texture. */
+bool model_make_palette(struct model *model, struct texture *palette, bool *several,
+                        struct error *error);
 
 /* A texture of the model, read at the first call. NULL, with a message that names the file that was
  * looked for, when there is none or it cannot be read. The model keeps the texture. */

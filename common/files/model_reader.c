@@ -6,6 +6,7 @@
 #include <float.h>
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 /* ---- Lines and numbers ---- */
 
@@ -241,10 +242,77 @@ static bool finish_colors(struct model_reader *reader, float (**colors)[3],
     return true;
 }
 
+/* ---- Materials ---- */
+
+enum { MATERIAL_LIMIT = 1024 }; /* they are looked for one after the other */
+
+/* Faces that have no material yet get the current one. */
+static bool fill_materials(struct model_reader *reader) {
+    struct model *model = reader->model;
+    if (model->material_count == 0) {
+        return true;
+    }
+    if (!extend(reader, &model->face_materials, &reader->face_material_capacity,
+                model->face_count + 1, sizeof *model->face_materials)) {
+        return false;
+    }
+    while (reader->face_material_count < model->face_count) {
+        model->face_materials[reader->face_material_count++] = reader->material;
+    }
+    return true;
+}
+
+/* A copy of the word that ends with a zero; the caller frees it. */
+static char *copy_word(struct word word) {
+    char *copy = malloc(word.length + 1);
+    if (copy != NULL) {
+        memcpy(copy, word.length > 0 ? word.start : "", word.length);
+        copy[word.length] = '\0';
+    }
+    return copy;
+}
+
+bool reader_use_material(struct model_reader *reader, struct word name) {
+    struct model *model = reader->model;
+    size_t i = 0;
+    if (model->material_count == 0) {
+        reader->material = MODEL_NONE; /* of the faces before the first */
+    }
+    while (i < model->material_count && !word_is(name, model->materials[i].name)) {
+        i++;
+    }
+    if (i == model->material_count && i < MATERIAL_LIMIT) {
+        struct model_material material = {.name = copy_word(name), .color = {1, 1, 1}};
+        if (material.name == NULL || !extend(reader, &model->materials, &reader->material_capacity,
+                                             i + 1, sizeof *model->materials)) {
+            free(material.name);
+            return error_out_of_memory(reader->error);
+        }
+        model->materials[model->material_count++] = material;
+    }
+    bool done = fill_materials(reader);
+    reader->material = i < MATERIAL_LIMIT ? (uint32_t)i : MODEL_NONE;
+    return done;
+}
+
+bool reader_add_library(struct model_reader *reader, struct word name) {
+    struct model *model = reader->model;
+    char *copy = copy_word(name);
+    if (copy == NULL || !extend(reader, &model->libraries, &reader->library_capacity,
+                                model->library_count + 1, sizeof *model->libraries)) {
+        free(copy);
+        return error_out_of_memory(reader->error);
+    }
+    model->library_line = model->library_count == 0 ? reader->line : model->library_line;
+    model->libraries[model->library_count++] = copy;
+    return true;
+}
+
 bool reader_finish(struct model_reader *reader) {
     struct model *model = reader->model;
     drop_wrong_normals(reader);
-    return finish_colors(reader, &model->colors, &reader->colors, model->position_count,
+    return fill_materials(reader) &&
+           finish_colors(reader, &model->colors, &reader->colors, model->position_count,
                          unit_of_colors(reader)) &&
            finish_colors(reader, &model->face_colors, &reader->face_colors, model->face_count, 1);
 }

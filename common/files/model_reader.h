@@ -37,6 +37,8 @@ struct model_reader {
     struct vec3 *places; /* of the polygon's corners */
     struct polygon_cutter cutter;
     struct reader_colors colors, face_colors;
+    uint32_t material; /* of the faces to come; MODEL_NONE at first */
+    size_t material_capacity, face_material_count, face_material_capacity, library_capacity;
     size_t wrong_normal_line; /* the line of the first normal without a direction; 0: none */
     size_t position_capacity, uv_capacity, normal_capacity, face_capacity, line_capacity;
     size_t polygon_capacity, place_capacity;
@@ -103,6 +105,13 @@ bool reader_add_lines(struct model_reader *reader);
 
 /* Give all faces from `first` on a colour, of any values; earlier ones that have none are white. */
 bool reader_color_faces(struct model_reader *reader, size_t first, const double color[3]);
+
+/* The faces to come have that material; those before it keep theirs. At most 1,024 are known apart;
+ * faces of more have none. */
+bool reader_use_material(struct model_reader *reader, struct word name);
+
+/* Add the name of a file of materials. */
+bool reader_add_library(struct model_reader *reader, struct word name);
 
 /* At the end: bring all colours to 0..1 (those of positions are levels 0..255 where one is far
  * above 1); where some positions or faces have them, make the others white; take normals without

@@ -221,6 +221,12 @@ static bool read_lines(struct obj *obj) {
             done = read_face(obj);
         } else if (word_is(keyword, "l")) {
             done = read_line(obj);
+        } else if (word_is(keyword, "usemtl")) {
+            done = obj->reading_ahead ||
+                   reader_use_material(&obj->reader, text_rest_of_line(&obj->reader.text));
+        } else if (word_is(keyword, "mtllib")) {
+            done = obj->reading_ahead ||
+                   reader_add_library(&obj->reader, text_rest_of_line(&obj->reader.text));
         }
     }
     return done;

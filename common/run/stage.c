@@ -111,6 +111,7 @@ static void unload_model(struct run *run) {
     run->unloaded = run_loaded(run);
     model_free(&run->model);
     run->model_file = NULL;
+    texture_free(&run->palette);
     for (int kind = 0; kind < MODEL_TEXTURE_KINDS; kind++) {
         run->is_replaced[kind] = false;
     }
@@ -123,6 +124,30 @@ static unsigned needed_parts(unsigned needs) {
     return ((needs & normals) != 0 ? MODEL_NORMALS : 0) |
            ((needs & textures) != 0 ? MODEL_UVS : 0) |
            ((needs & NEEDS_LINES) != 0 ? MODEL_LINES : 0);
+}
+
+/* A model with one texture in its materials is drawn by that, others by a texture of colours. */
+static bool take_materials(struct run *run, struct error *error) {
+    struct model *model = &run->model;
+    const char *only = model_only_texture(model);
+    bool several = false;
+    if (run->texture_files[MODEL_DIFFUSE] != NULL || !model_has_materials(model)) {
+        return true;
+    }
+    if (only != NULL && model->uv_count > 0) {
+        model->texture_files[MODEL_DIFFUSE] = only;
+        return true;
+    }
+    if (!model_make_palette(model, &run->palette, &several, error)) {
+        return false;
+    }
+    if (several) {
+        error_set(&run->replaced[MODEL_DIFFUSE],
+                  "has several textures, of which only the mean colours are drawn; --texture FILE "
+                  "names one for all faces");
+        error_name_input(&run->replaced[MODEL_DIFFUSE], model->path);
+    }
+    return true;
 }
 
 /* The model of the command line or else the scene's, unless it is loaded already. */
@@ -152,6 +177,9 @@ static bool load_model(struct run *run, const struct scene *scene, struct error 
         free(path);
     }
     memcpy(run->model.texture_files, run->texture_files, sizeof run->texture_files);
+    if (done && (needs & NEEDS_DIFFUSE) != 0) {
+        done = take_materials(run, error);
+    }
     if (done && run->fit) {
         model_fit(&run->model, run->program->takes_camera);
     }
@@ -203,7 +231,11 @@ static bool load_texture(struct run *run, bool needed, enum model_texture_kind k
                   run->texture_files[kind]);
         return error_name_input(error, run->model.path);
     }
-    if (run->model.uv_count == 0 || run->is_replaced[kind]) {
+    if (run->palette.level_count > 0 && kind == MODEL_DIFFUSE) {
+        *texture = &run->palette;
+        return true;
+    }
+    if (run->model.uv_count == 0 || run->palette.level_count > 0 || run->is_replaced[kind]) {
         return replace_texture(run, kind, texture, error);
     }
     *texture = model_texture(&run->model, kind, error);
@@ -308,6 +340,7 @@ void stage_end(struct stage *stage) {
 
 void run_free(struct run *run) {
     model_free(&run->model);
+    texture_free(&run->palette);
     texture_free(&run->white);
     texture_free(&run->shiny);
     *run = (struct run){0};

@@ -245,7 +245,7 @@ static void test_filters(void) {
                 int x = i % WIDTH, y = i / WIDTH;
                 const uint8_t *pixel = &plain[HEIGHT - 1 - y][(size_t)x * step];
                 size_t bytes = kinds[k].depth / 8, channels = step / bytes;
-                uint8_t samples[4];
+                uint8_t samples[4] = {0};
                 for (size_t c = 0; c < channels; c++) {
                     int sample =
                         bytes == 1 ? 257 * pixel[c] : 256 * pixel[2 * c] + pixel[2 * c + 1];

@@ -461,6 +461,17 @@ static bool draw_present(struct drawing *drawing, struct image *image, struct er
     return image_set(image, 0, 0, color_grey(1));
 }
 
+/* Colours of materials, a texture of given.tga, or both of them. */
+static bool draw_palette(struct drawing *drawing, struct image *image, struct error *error) {
+    (void)error;
+    const struct texture_level *level = &drawing->diffuse->level[0];
+    uint32_t first = level->texels[0];
+    CHECK(level->width == 2 ? first == 0xFF0000FF || first == 0xFF5A5A5A
+                            : level->width == 1 && first == 0xFF5A5A5A);
+    CHECK(level->width == 1 || drawing->normal_map == NULL);
+    return image_set(image, 0, 0, color_grey(1));
+}
+
 enum { ALL_TEXTURES = NEEDS_DIFFUSE | NEEDS_NORMAL_MAP | NEEDS_SPECULAR };
 
 #define NO_FILE  ": no such file, nor one of another usual name; "
@@ -508,6 +519,24 @@ static void test_replaced(void) {
     CHECK_RUN(&program,
               "-o out --texture given.tga --normal-map given.tga --specular given.tga wild.obj", 0,
               PICTURES);
+    /* Materials: a picture of their colours, or of the one texture that all have. */
+    two_scenes[0].draw = two_scenes[1].draw = draw_palette;
+    put_file("m.mtl", "newmtl a\nKd 0 0 1\n");
+    put_file("wild2.obj", "mtllib m.mtl\nusemtl a\n" MAPPED);
+    CHECK_RUN(&program, "-o out wild2.obj", 0, PICTURES);
+    put_file("m.mtl", "newmtl a\nKd 0 0 1\nmap_Kd given.tga\n");
+    CHECK_RUN(&program, "-o out --normal-map given.tga --specular given.tga wild2.obj", 0,
+              PICTURES);
+    put_file("wild3.obj", "mtllib m.mtl\nf 1 2 3\nusemtl a\n" MAPPED);
+    CHECK_RUN(&program, "-o out --only one wild3.obj", 0,
+              "probe: wild3.obj: has several textures, of which only the mean colours are drawn; "
+              "--texture FILE names one for all faces\nout/one.tga\n");
+    put_file("wild4.obj", "mtllib none.mtl\nusemtl a\n" MAPPED);
+    CHECK_RUN(&program, "-o out --only one --texture given.tga wild4.obj", 0,
+              "probe: wild4.obj:1: the file of materials is not there; faces have neither its "
+              "colours nor its textures\n"
+              "probe: wild4_nm.tga" NO_FILE NORMALS "probe: wild4_spec.tga" NO_FILE SHINE
+              "out/one.tga\n");
     CHECK_RUN(&dot_program, "--texture given.tga", 2,
               "probe: unknown option '--texture'; try --help\n");
 }
@@ -635,6 +664,12 @@ static void test_tiny(void) {
               "probe: tiny.obj: fills little of -1..1; --fit makes it larger\n"
               "out/view.tga\nout/deep.tga\n");
     CHECK_RUN(&view_program, "-o out --fit tiny.obj", 0, "out/view.tga\nout/deep.tga\n");
+    struct program blank = view_program;
+    blank.scenes = blank_scenes;
+    blank.scene_count = 1;
+    CHECK_RUN(&blank, "-o out tiny.obj", 0,
+              "probe: tiny.obj: fills little of -1..1; --fit makes it larger\n"
+              "probe: scene blank: nothing was drawn; what may help: --fit\nout/blank.tga\n");
 }
 
 static const struct scene detail_scenes[] = {

@@ -76,6 +76,24 @@ static inline void require_lines(const uint8_t *data, size_t size, part_decoder 
     model_free(&model);
 }
 
+/* Faces know their materials, and may be drawn in their colours. */
+static inline void require_materials(struct model *model) {
+    struct error error = no_error();
+    struct texture palette = {0};
+    bool several;
+    for (size_t i = 0; model->face_materials != NULL && i < model->face_count; i++) {
+        REQUIRE(model->face_materials[i] == MODEL_NONE ||
+                model->face_materials[i] < model->material_count);
+    }
+    REQUIRE((model->face_materials != NULL) == (model->material_count > 0));
+    if (model->material_count > 0) {
+        REQUIRE(model_make_palette(model, &palette, &several, &error));
+        REQUIRE(palette.level[0].width == model->material_count + 1);
+        texture_free(&palette);
+        require_valid_model(model);
+    }
+}
+
 /* After this every corner has a normal; those that were computed have length 1. */
 static inline void require_normals(struct model *model) {
     struct error error = no_error();
@@ -212,6 +230,7 @@ static inline void require_model(const uint8_t *data, size_t size) {
         require_valid_model(&model);
         REQUIRE(model.colors != NULL || model.face_colors != NULL);
     }
+    require_materials(&model);
     model_free(&model);
 }
 
