@@ -85,7 +85,6 @@ there is no C compiler called $(firstword $(CC)). Is another one here (make CC=g
     Alpine                sudo apk add gcc musl-dev make
     Arch                  sudo pacman -S gcc make
     macOS                 xcode-select --install
-    FreeBSD               has one, clang: gmake CC=clang
     MSYS2                 pacman -S gcc make
 endef
 
