@@ -10,6 +10,9 @@
 # CC=clang, CFLAGS=-O0, MARCH=, WERROR=-Werror, BUILD=some/directory, LANES=1 (one pixel at a time,
 # for a debugger) and REAL=double (twice the precision) may be added to any of these.
 
+# (bmake runs this and is ended by it; for GNU make it is a variable that is not set.)
+NEEDED := ${:!echo 'This Makefile is for GNU make: use gmake' >&2; set | grep ^PPID= | tr -dc 0-9 | xargs kill!}
+
 BUILD  = build
 CFLAGS = -O3
 
@@ -55,7 +58,10 @@ $(BUILD)/models/bust.obj: $(BUILD)/sculptor
 # ---- How the compiler is called ----
 
 WARNINGS = -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wstrict-prototypes \
-           -Wmissing-prototypes -Wno-psabi
+           -Wmissing-prototypes -Wno-psabi $(CONSTANTS)
+# The course's constants are enums, also in sums with double, of which clang 19 begins to warn.
+CONSTANTS := $(shell $(CC) -Werror -Wenum-float-conversion -E -x c /dev/null >/dev/null 2>&1 && \
+                     echo -Wno-enum-float-conversion)
 # One rounding for each operation, so that every machine computes the same bytes.
 STRICT   = -std=c17 -ffp-contract=off -fno-math-errno
 # All that this processor can do, where the compiler knows it; no byte of a picture changes.
@@ -69,6 +75,30 @@ LINK     = $(CC) $(CFLAGS) $(MARCH) $(THREADED)
 # The path of the build directory is a word of make and of the shell, and a string of C.
 ifneq ($(words $(BUILD))$(strip $(foreach sign,' " \,$(findstring $(sign),$(abspath $(BUILD))))),1)
 $(error the build directory $(abspath $(BUILD)) holds a quote or a backslash, or BUILD a blank)
+endif
+
+# What a machine must have.
+define NO_COMPILER
+there is no C compiler called $(firstword $(CC)). Is another one here (make CC=gcc)? To install one:
+    Debian, Ubuntu, WSL   sudo apt-get install gcc libc6-dev make
+    Fedora                sudo dnf install gcc make
+    Alpine                sudo apk add gcc musl-dev make
+    Arch                  sudo pacman -S gcc make
+    macOS                 xcode-select --install
+    MSYS2                 pacman -S gcc make
+endef
+
+ifneq ($(filter-out help clean start solution handout,$(or $(MAKECMDGOALS),all)),)
+MISSING := $(shell command -v $(firstword $(CC)) >/dev/null 2>&1 || echo compiler; \
+                   [ -d "$${TMPDIR:-.}" ] || echo temporary; \
+                   { mkdir -p '$(BUILD)' && [ -w '$(BUILD)' ]; } 2>/dev/null || echo build)
+$(if $(filter compiler,$(MISSING)),$(error $(NO_COMPILER)))
+$(if $(filter build,$(MISSING)),$(error nothing can be written into $(BUILD): name another directory, \
+    for example make BUILD=/tmp/course))
+ifneq ($(filter temporary,$(MISSING)),)
+$(warning TMPDIR=$(TMPDIR) is no directory: /tmp is taken)
+export TMPDIR := /tmp
+endif
 endif
 
 # Changes only when the compiler or its flags do, and then everything is built again.

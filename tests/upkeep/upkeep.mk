@@ -91,7 +91,15 @@ $(REPLAYS): $(BUILD)/tests/%: $(BUILD)/tested/tests/%.o $(BUILD)/tested/tests/up
 	@mkdir -p $(@D)
 	$(Q)$(TESTED) $^ -lm -o $@
 
-test: $(UNITS) $(KINDS:%=$(BUILD)/tests/%) $(REPLAYS) $(BUILD)/check $(BUILD)/looks_make $(BUILD)/figure_make \
+# The tests make starter and solution of each main.c.
+.PHONY: marked
+marked:
+	@for step in $(STEPS); do grep -q 'BEGIN SOLUTION [1-9]' $$step/main.c || { \
+	    echo "make test: $$step/main.c has lost its marks: make start or make solution made it what it is." >&2; \
+	    echo "Bring the course's own back: git checkout $$step/main.c, or cp $$step/main.c.marked $$step/main.c" >&2; \
+	    exit 1; }; done
+
+test: marked $(UNITS) $(KINDS:%=$(BUILD)/tests/%) $(REPLAYS) $(BUILD)/check $(BUILD)/looks_make $(BUILD)/figure_make \
       $(BUILD)/show $(BUILD)/compare_page $(BUILD)/hidden $(BUILD)/limited programs models
 	@CHECK_PROGRAMS=$(BUILD) sh tests/upkeep/run_tests.sh $(SCRIPTS) $(UNITS) $(KINDS:%=$(BUILD)/tests/%)
 

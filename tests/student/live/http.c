@@ -1,5 +1,6 @@
 /* The little of HTTP that one page needs: see http.h. */
-#define _POSIX_C_SOURCE 200809L
+#define _POSIX_C_SOURCE  200809L
+#define _DARWIN_C_SOURCE /* macOS has INADDR_LOOPBACK only so */
 #include "http.h"
 
 #include <arpa/inet.h>

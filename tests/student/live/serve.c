@@ -128,7 +128,12 @@ static uint64_t sum_sources(const struct live *live) {
                                         strcmp(entry->d_name + length - 2, ".h") == 0);
         snprintf(path, sizeof path, "%s/%.255s", live->step, entry->d_name);
         if (is_source && stat(path, &status) == 0) {
-            sum += (uint64_t)status.st_mtim.tv_sec * 1000003 + (uint64_t)status.st_mtim.tv_nsec +
+#ifdef __APPLE__
+            struct timespec saved = {status.st_mtime, status.st_mtimensec};
+#else
+            struct timespec saved = status.st_mtim;
+#endif
+            sum += (uint64_t)saved.tv_sec * 1000003 + (uint64_t)saved.tv_nsec +
                    (uint64_t)status.st_size * 31;
         }
     }

@@ -7,6 +7,10 @@
 # anew. At the end merge.sh makes OUT/class.csv and OUT/index.html.
 #
 # Exit status: 0 each has a result; 1 not; 2 wrong usage.
+[ "${BASH_VERSINFO[0]}" -ge 4 ] || {
+    echo "make grade: bash $BASH_VERSION is too old, it takes bash 4; on macOS: brew install bash" >&2
+    exit 2
+}
 build=$1
 make=$2
 submissions=$3

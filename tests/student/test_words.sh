@@ -1,0 +1,36 @@
+#!/bin/sh
+# Says make in a clear word what a machine lacks? Without a compiler, a directory for temporary files,
+# a place to write to, or GNU make; and where main.c has no marks for make test.
+. "$(dirname "$0")/../unit/script.sh"
+
+said_by 1 make CC=no_such_compiler
+says 'there is no C compiler called no_such_compiler'
+says 'apt-get install gcc'
+said_by 0 make -s CC=no_such_compiler help
+
+: >"$work/file"
+said_by 1 make BUILD="$work/file/build" programs
+says "name another directory, for example make BUILD="
+said_by 0 make -s BUILD="$work/file/build" help
+
+echo 'all check: ; @echo TMPDIR is $$TMPDIR' >"$work/room.mk"
+sed 's|^include .*|include room.mk|; s|^all:.*|build:|' Makefile >"$work/Makefile" || exit 1
+said_by 0 env TMPDIR="$work/nowhere" make -s -C "$work" check
+says "TMPDIR=$work/nowhere is no directory"
+says 'TMPDIR is /tmp'
+said_by 0 env TMPDIR="$work" make -s -C "$work" check
+says "TMPDIR is $work"
+
+mkdir -p "$work/step01_line" && : >"$work/step01_line/README.md" && : >"$work/step01_line/main.c" &&
+    sed -n '/^marked:/,/^$/p' tests/upkeep/upkeep.mk >>"$work/room.mk" || exit 1
+said_by 1 make -s -C "$work" marked
+says 'step01_line/main.c has lost its marks'
+cp step01_line/main.c "$work/step01_line" && said_by 0 make -s -C "$work" marked
+
+if command -v bmake >/dev/null; then
+    bmake check >"$work/said" 2>&1 && wrong "bmake makes it"
+    said=$work/said
+    says 'use gmake'
+    [ "$(wc -l <"$said")" -le 2 ] || wrong "bmake says more"
+fi
+exit $failed
