@@ -145,7 +145,8 @@ bool model_read_parts(struct model *model, const char *path, unsigned parts, str
     bool done = decode(model, path, bytes.data, bytes.size, parts, error);
     model->bytes_read = bytes.size;
     bytes_free(&bytes);
-    if (done && keep_path(model, path, error) && read_libraries(model, error)) {
+    done = done && keep_path(model, path, error);
+    if (done && ((parts & MODEL_UVS) == 0 || read_libraries(model, error))) {
         return true;
     }
     model_free(model);

@@ -26,7 +26,7 @@ bool model_read(struct model *model, const char *path, struct error *error);
 
 /* What a file may hold beside positions and faces. */
 enum model_part {
-    MODEL_UVS = 1,
+    MODEL_UVS = 1, /* and what materials say: all that pictures on faces need */
     MODEL_NORMALS = 2,
     MODEL_LINES = 4, /* a model may then consist of lines alone, with no face */
     MODEL_ALL_PARTS = MODEL_UVS | MODEL_NORMALS /* of faces */

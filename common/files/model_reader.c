@@ -80,7 +80,7 @@ bool reader_parse_number(struct model_reader *reader, struct word word, enum rea
     return check_number(reader, word, range, *number);
 }
 
-bool reader_read_numbers(struct model_reader *reader, enum reader_range range,
+bool reader_read_numbers(struct model_reader *reader, size_t finite,
                          struct reader_numbers *numbers) {
     for (numbers->count = 0;; numbers->count++) {
         double number;
@@ -88,6 +88,7 @@ bool reader_read_numbers(struct model_reader *reader, enum reader_range range,
         if (word.length == 0) {
             return true;
         }
+        enum reader_range range = numbers->count < finite ? READER_FINITE : READER_ANY;
         if (!check_number(reader, word, range, number)) {
             return false;
         }
@@ -122,21 +123,21 @@ bool reader_add_position(struct model_reader *reader, const double position[3]) 
     return true;
 }
 
-/* Add three numbers to a list of floats. */
+static bool is_float(double number) {
+    return fabs(number) <= FLT_MAX;
+}
+
+/* Add three numbers to a list of floats; one that is none becomes infinite. */
 static bool add_three(struct model_reader *reader, float (**list)[3], size_t *count,
                       size_t *capacity, const double numbers[3]) {
     if (!extend(reader, list, capacity, *count + 1, sizeof **list)) {
         return false;
     }
     for (int i = 0; i < 3; i++) {
-        (*list)[*count][i] = (float)numbers[i];
+        (*list)[*count][i] = (float)(is_float(numbers[i]) ? numbers[i] : INFINITY);
     }
     *count += 1;
     return true;
-}
-
-static bool is_float(double number) {
-    return fabs(number) <= FLT_MAX;
 }
 
 /* A normal without a direction is kept as 0 0 0: its number must not be another's. */

@@ -66,8 +66,8 @@ enum reader_range { READER_FINITE, READER_ANY };
 bool reader_parse_number(struct model_reader *reader, struct word word, enum reader_range range,
                          double *number);
 
-/* The numbers up to the end of the line. */
-bool reader_read_numbers(struct model_reader *reader, enum reader_range range,
+/* The numbers up to the end of the line, of which the first so many must be READER_FINITE. */
+bool reader_read_numbers(struct model_reader *reader, size_t finite,
                          struct reader_numbers *numbers);
 
 /* A decimal integer; one outside 64 bits becomes the nearest that fits, which no file can hold. */

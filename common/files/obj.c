@@ -28,7 +28,7 @@ struct obj {
 /* x y z, x y z w, or x y z r g b and what follows. */
 static bool read_position(struct model_reader *reader) {
     struct reader_numbers numbers;
-    if (!reader_read_numbers(reader, READER_FINITE, &numbers)) {
+    if (!reader_read_numbers(reader, 3, &numbers)) {
         return false;
     }
     if (numbers.count < 3 || numbers.count == 5) {
@@ -41,7 +41,7 @@ static bool read_position(struct model_reader *reader) {
 
 static bool read_uv(struct model_reader *reader) {
     struct reader_numbers numbers;
-    if (!reader_read_numbers(reader, READER_ANY, &numbers)) {
+    if (!reader_read_numbers(reader, 0, &numbers)) {
         return false;
     }
     if (numbers.count < 1 || numbers.count > 3) { /* u, u v, u v w */
@@ -53,7 +53,7 @@ static bool read_uv(struct model_reader *reader) {
 
 static bool read_normal(struct model_reader *reader) {
     struct reader_numbers numbers;
-    if (!reader_read_numbers(reader, READER_ANY, &numbers)) {
+    if (!reader_read_numbers(reader, 0, &numbers)) {
         return false;
     }
     if (numbers.count != 3) {

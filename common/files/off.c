@@ -294,7 +294,7 @@ static bool are_whole(struct text text) {
 static bool read_face_color(struct model_reader *reader, double color[3], bool *colored) {
     struct reader_numbers numbers;
     double scale = are_whole(reader->text) ? 255 : 1;
-    if (!reader_read_numbers(reader, READER_FINITE, &numbers)) {
+    if (!reader_read_numbers(reader, SIZE_MAX, &numbers)) {
         return false;
     }
     if (numbers.count == 2 || numbers.count > 4) {

@@ -179,6 +179,9 @@ static void test_files(void) {
     CHECK(model_read(&m, path, &error) && m.warning_line[MODEL_MATERIALS_MISSING] == 2);
     CHECK(!model_has_materials(&m));
     model_free(&m);
+    CHECK(model_read_parts(&m, path, MODEL_NORMALS, &error)); /* no picture needs it */
+    CHECK(m.warning_line[MODEL_MATERIALS_MISSING] == 0);
+    model_free(&m);
     CHECK(put_text(path, "mtllib no.mtl\n" SQUARE "f 1 2 3\n")); /* no face needs it */
     CHECK(model_read(&m, path, &error) && m.warning_line[MODEL_MATERIALS_MISSING] == 0);
     model_free(&m);
