@@ -34,13 +34,19 @@ $(STEPS:%=$(BUILD)/sanitized/%): $(BUILD)/sanitized/%: %/main.c $(BUILD)/%.text 
 	@mkdir -p $(@D)
 	$(call BUILD_LESSON,$(SANITIZED))
 
-# A lesson's functions called with numbers.
+# A lesson's functions called with numbers; the sanitizers know more of what ends them.
 NUMBERS = $(patsubst tests/lessons/%/numbers.c,%,$(wildcard tests/lessons/*/numbers.c))
+define BUILD_NUMBERS
+	@mkdir -p $(@D)
+	$(Q)$(COMPILE) -O0 -w -Itests $(1) -MF $@.d -MT $@ -c $< -o $@.o
+	$(Q)$(LINK) $(1) $@.o $(BUILD)/libcommon.a -lm -o $@.$$$$ && mv -f $@.$$$$ $@
+endef
 $(NUMBERS:%=$(BUILD)/numbers/%): $(BUILD)/numbers/%: tests/lessons/%/numbers.c $(BUILD)/%.text \
                                                      $(BUILD)/libcommon.a $(BUILD)/flags
-	@mkdir -p $(@D)
-	$(Q)$(COMPILE) -O0 -w -Itests -MF $@.d -MT $@ -c $< -o $@.o
-	$(Q)$(LINK) $@.o $(BUILD)/libcommon.a -lm -o $@.$$$$ && mv -f $@.$$$$ $@
+	$(call BUILD_NUMBERS)
+$(NUMBERS:%=$(BUILD)/sanitized/numbers/%): $(BUILD)/sanitized/numbers/%: \
+        tests/lessons/%/numbers.c $(BUILD)/%.text $(BUILD)/libcommon.a $(BUILD)/flags
+	$(call BUILD_NUMBERS,$(SANITIZED))
 
 $(BUILD)/check: $(BUILD)/tests/check/check.o $(CHECKER) $(BUILD)/libcommon.a
 	$(Q)$(LINK) $^ -lm -o $@.$$$$ && mv -f $@.$$$$ $@

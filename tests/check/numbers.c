@@ -4,6 +4,7 @@
 
 #include "base/file.h"
 #include "build.h"
+#include "fault.h"
 #include "run.h"
 #include "todo.h"
 
@@ -82,9 +83,12 @@ static void set_wrong(struct called_task *task, char *columns[NUMBER_COLUMNS],
 /* What a call did that has not come back. */
 static void set_ended(struct calling *calling, struct called_task *task,
                       char *columns[NUMBER_COLUMNS], const struct run_result *end) {
+    struct result_text fault = {""};
     if (end->end == RUN_OUT_OF_TIME) {
         set_wrong(task, columns, RESULT_TIME, "yours does not return");
         leave_out(calling, task->item->counter);
+    } else if (fault_describe(&fault, calling->step->name, (const char *)end->messages.data)) {
+        set_wrong(task, columns, RESULT_CRASH, fault.text);
     } else if (end->end == RUN_KILLED) {
         set_wrong(task, columns, RESULT_CRASH, run_signal_name(end->number).text);
     } else {
@@ -181,7 +185,7 @@ static void finish(const struct calling *calling, const char *source) {
     for (size_t i = 0; i < calling->count; i++) {
         const struct called_task *task = &calling->tasks[i];
         if (task->wrong > 1) {
-            result_say(&task->item->message, " (and %zu more)", task->wrong - 1);
+            result_say(&task->item->message, " (and %zu more calls)", task->wrong - 1);
         } else if (task->wrong == 0 && task->called > 0) {
             task->item->state = RESULT_PASS;
         } else if (task->called == 0 && !todo_has_task(source, task->item->counter)) {

@@ -258,6 +258,10 @@ bool report_is_unfinished(const struct check_result *result) {
 static void report_next(const struct check_result *result) {
     for (size_t i = 0; i < result->step_count; i++) {
         const struct step_result *step = &result->steps[i];
+        if (step->state == RESULT_BUILD) {
+            printf("First let it build.\n");
+            return;
+        }
         for (size_t k = 0; k < step->task_count; k++) {
             const struct task_result *task = &step->tasks[k];
             if (task->state != RESULT_PASS && !task->waits) {

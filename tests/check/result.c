@@ -215,10 +215,10 @@ static bool numbers_blame_any(const struct step_result *result, const struct ite
 static bool is_suspect(const struct step_result *result, const struct item_result *item,
                        const char *task) {
     const struct credit *credit = item->credit;
-    if (numbers_blame_any(result, item)) {
-        return numbers_blame(result, item, task);
-    }
     const struct item_result *told = item->unjudged ? result_picture_of(result, item) : item;
+    if (numbers_blame_any(result, told)) {
+        return numbers_blame(result, told, task);
+    }
     if (names_any(result, told)) {
         return names(told, task);
     }

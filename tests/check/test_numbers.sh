@@ -28,15 +28,23 @@ says '  numbers 1.3 TIME 0/1: line_length((0, 0), (5, 2)) must be 6: yours does 
 says '  far PASS'
 says ', 1.3 TIME 0/2, 1.4 1/2,'
 checked 1 "$length" '*(volatile int *)0 = 1; return 1;'
-says '  numbers 1.3 CRASH 0/1: line_length((0, 0), (5, 2)) must be 6: SIGSEGV (and 3 more)'
+says '  numbers 1.3 CRASH 0/1: line_length((0, 0), (5, 2)) must be 6: SIGSEGV (and 3 more calls)'
 checked 1 "$length" 'exit(0);'
-says '  numbers 1.3 CRASH 0/1: line_length((0, 0), (5, 2)) must be 6: yours ends the program (and 3 more)'
+says '  numbers 1.3 CRASH 0/1: line_length((0, 0), (5, 2)) must be 6: yours ends the program (and 3 more calls)'
 checked 0 "$length" 'puts("9\t1.3\tx\t1\t2\twrong"); return (size_t)walk.run + 1;'
 checked 1 "$length" 'return 1; // to do 1.3'
 says '  numbers 1.3 TODO 0/1: task 1.3 is to do'
 says '  numbers 1.4 PASS'
 checked 1 "$length" 'return (size_t)walk.run;' # the array of the list is one too short
 says ': memory was written outside of an array: '
+
+checked 1 "$length" 'int zero = 0; return 1 / zero;'
+said_by 1 make -s check STEP=01 MARCH= CFLAGS=-O1 CHECK_TIMEOUT=20 SANITIZE=1
+says '  numbers 1.3 CRASH 0/1: line_length((0, 0), (5, 2)) must be 6: step01_line/main.c:'
+says ': division by zero'
+checked 0 nothing ''
+said_by 0 make -s check STEP=01 MARCH= CFLAGS=-O1 CHECK_TIMEOUT=20 SANITIZE=1
+says '17/17'
 
 # ---- What is not built ----
 

@@ -124,7 +124,7 @@ first_lesson=${lessons# }
 first_lesson=${first_lesson%% *}
 sed -e "/^Then read/s|.*|Then read [lesson $first]($first_lesson/README.md).|" \
     -e "s/STEP=01/STEP=$(echo "$first_lesson" | cut -c 5-6)/; s/turns lesson 1 into/turns lesson $first into/" \
-    README.md |
+    -e "s|step05_zbuffer/main\.c|$first_lesson/main.c|" README.md |
     new=$new awk -v first="$first" -v last="$last" '
         function is_there(step) { return step + 0 >= first && step + 0 <= last }
         /^## More/ { exit }
@@ -146,7 +146,8 @@ sed -e "/^Then read/s|.*|Then read [lesson $first]($first_lesson/README.md).|" \
             }
             next
         }
-        { print }' >"$new/README.md" || fail 1 "cannot write $new/README.md"
+        NF || !blank { print }
+        { blank = !NF }' >"$new/README.md" || fail 1 "cannot write $new/README.md"
 
 finish_texts
 
