@@ -108,7 +108,7 @@ put_changed '
     { print }' tests/check/scenes.txt
 put tests/lesson.h
 put tests/numbers.h
-put tests/lane_numbers.h
+! grep -qs lane_numbers.h "$new"/tests/lessons/*/numbers.c || put tests/lane_numbers.h
 put LICENSE
 put Makefile
 put step10_phong/figures/turn.png # where all this leads to: README.md begins with it
