@@ -54,7 +54,8 @@ static inline struct shown in_each_lane(lane_function *function, const double *n
 }
 
 /* A texture of one row. */
-static inline bool make_texture(struct texture *texture, const struct color *row, size_t width) {
+static inline bool called_make_texture(struct texture *texture, const struct color *row,
+                                       size_t width) {
     struct image image;
     struct error error;
     if (!image_create(&image, width, 1, IMAGE_BGR, &error)) {

@@ -5,7 +5,7 @@
 #include "numbers.h"
 
 /* "(3,4) (2,4)": the pixels that line_list() gives. */
-static struct shown listed(struct pixel a, struct pixel b, size_t count) {
+static struct shown called_listed(struct pixel a, struct pixel b, size_t count) {
     enum { ROOM = 16 };
     struct pixel list[ROOM] = {{0}};
     struct shown shown = {""};
@@ -17,33 +17,33 @@ static struct shown listed(struct pixel a, struct pixel b, size_t count) {
 }
 
 /* The pixels that line() sets. */
-static struct shown drawn(struct pixel a, struct pixel b) {
+static struct shown called_drawn(struct pixel a, struct pixel b) {
     struct image image = black_image(12, 12);
     line(&image, a, b, rgb(255, 255, 255));
     return show_pixels(&image);
 }
 
 static void numbers(void) {
-    TEXT("1.2", "line(image, (0, 0), (5, 2), white)", drawn(at(0, 0), at(5, 2)),
+    TEXT("1.2", "line(image, (0, 0), (5, 2), white)", called_drawn(at(0, 0), at(5, 2)),
          "(0,0) (1,0) (2,1) (3,1) (4,2) (5,2)");
-    TEXT("1.2", "line(image, (5, 2), (0, 0), white)", drawn(at(5, 2), at(0, 0)),
+    TEXT("1.2", "line(image, (5, 2), (0, 0), white)", called_drawn(at(5, 2), at(0, 0)),
          "(0,0) (1,0) (2,1) (3,1) (4,2) (5,2)");
-    TEXT("1.2", "line(image, (0, 2), (5, 0), white)", drawn(at(0, 2), at(5, 0)),
+    TEXT("1.2", "line(image, (0, 2), (5, 0), white)", called_drawn(at(0, 2), at(5, 0)),
          "(4,0) (5,0) (2,1) (3,1) (0,2) (1,2)");
-    TEXT("1.2", "line(image, (7, 9), (6, 6), white)", drawn(at(7, 9), at(6, 6)),
+    TEXT("1.2", "line(image, (7, 9), (6, 6), white)", called_drawn(at(7, 9), at(6, 6)),
          "(6,6) (6,7) (7,8) (7,9)");
-    TEXT("1.2", "line(image, (5, 5), (5, 5), white)", drawn(at(5, 5), at(5, 5)), "(5,5)");
+    TEXT("1.2", "line(image, (5, 5), (5, 5), white)", called_drawn(at(5, 5), at(5, 5)), "(5,5)");
     WHOLE("1.3", line_length(at(0, 0), at(5, 2)), 6);
     WHOLE("1.3", line_length(at(3, 4), at(-7, 9)), 11);
     WHOLE("1.3", line_length(at(5, 5), at(5, 5)), 1);
     WHOLE("1.3", line_length(at(9, 2), at(9, -20)), 23);
-    TEXT("1.4", "line_list((0, 0), (5, 2), list)", listed(at(0, 0), at(5, 2), 6),
+    TEXT("1.4", "line_list((0, 0), (5, 2), list)", called_listed(at(0, 0), at(5, 2), 6),
          "(0,0) (1,0) (2,1) (3,1) (4,2) (5,2)");
-    TEXT("1.4", "line_list((5, 2), (0, 0), list)", listed(at(5, 2), at(0, 0), 6),
+    TEXT("1.4", "line_list((5, 2), (0, 0), list)", called_listed(at(5, 2), at(0, 0), 6),
          "(0,0) (1,0) (2,1) (3,1) (4,2) (5,2)");
-    TEXT("1.4", "line_list((7, 9), (6, 6), list)", listed(at(7, 9), at(6, 6), 4),
+    TEXT("1.4", "line_list((7, 9), (6, 6), list)", called_listed(at(7, 9), at(6, 6), 4),
          "(6,6) (6,7) (7,8) (7,9)");
-    TEXT("1.4", "line_list((5, 5), (5, 5), list)", listed(at(5, 5), at(5, 5), 1), "(5,5)");
+    TEXT("1.4", "line_list((5, 5), (5, 5), list)", called_listed(at(5, 5), at(5, 5), 1), "(5,5)");
     COLOR("1.5", color_along(at(10, 0), at(14, 0), rgb(0, 255, 0), rgb(0, 0, 255), at(11, 0)),
           rgb(0, 191, 64));
     COLOR("1.5", color_along(at(14, 0), at(10, 0), rgb(0, 0, 255), rgb(0, 255, 0), at(11, 0)),

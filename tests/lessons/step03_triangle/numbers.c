@@ -4,125 +4,128 @@
 #endif
 #include "numbers.h"
 
-static const struct color white = {255, 255, 255, 255};
+static const struct color called_white = {255, 255, 255, 255};
 
 /* Edges as triangle_setup() finds them: of the triangle that the text computes by hand, of the same
  * one given clockwise, of one beside the image, and of one that reaches far beyond it. */
-static const struct edges by_hand = {
+static const struct edges called_by_hand = {
     .edge = {{1245184, -196608, -262144, 1}, {-196608, 196608, 0, 0}, {-262144, 0, 262144, 1}},
     .area = 786432,
     .y_begin = 1,
     .y_end = 5,
     .width = 8};
-static const struct edges turned = {
+static const struct edges called_turned = {
     .edge = {{1245184, -196608, -262144, 1}, {-262144, 0, 262144, 1}, {-196608, 196608, 0, 0}},
     .area = 786432,
     .clockwise = true,
     .y_begin = 1,
     .y_end = 5,
     .width = 8};
-static const struct edges at_the_right = {
+static const struct edges called_at_the_right = {
     .edge = {{15728640, -786432, 0, 1}, {-3145728, 786432, -1048576, 0}, {0, 0, 1048576, 1}},
     .area = 12582912,
     .y_end = 8,
     .width = 8};
-static const struct edges far_away = {.edge = {{65536000000000000, 65536458752, 65536000000, 0},
-                                               {65536000000000000, -65536459008, 65536000000, 1},
-                                               {917760000000, 256, -131072000000, 0}},
-                                      .area = 131072917760000000,
-                                      .y_end = 8,
-                                      .width = 8};
+static const struct edges called_far_away = {
+    .edge = {{65536000000000000, 65536458752, 65536000000, 0},
+             {65536000000000000, -65536459008, 65536000000, 1},
+             {917760000000, 256, -131072000000, 0}},
+    .area = 131072917760000000,
+    .y_end = 8,
+    .width = 8};
 
 /* ---- Part a ---- */
 
-static struct shown line_drawn(struct pixel a, struct pixel b) {
+static struct shown called_line_drawn(struct pixel a, struct pixel b) {
     struct image image = black_image(8, 8);
-    unsigned long long count = draw_line(&image, a, b, white);
+    unsigned long long count = draw_line(&image, a, b, called_white);
     return show("%llu: %.150s", count, show_pixels(&image).text);
 }
 
-static struct shown box_drawn(struct vec2 a, struct vec2 b, struct vec2 c) {
+static struct shown called_box_drawn(struct vec2 a, struct vec2 b, struct vec2 c) {
     struct image image = black_image(8, 8);
-    unsigned long long count = box_triangle(&image, (struct vec2[3]){a, b, c}, white);
+    unsigned long long count = box_triangle(&image, (struct vec2[3]){a, b, c}, called_white);
     return show("%llu: %.150s", count, show_pixels(&image).text);
 }
 
 /* The whole image. */
-static uint64_t boxed(void) {
+static uint64_t called_boxed(void) {
     struct image image = black_image(8, 8);
-    uint64_t count = box_triangle(&image, (struct vec2[3]){{-9, -9}, {30, -9}, {-9, 30}}, white);
+    uint64_t count =
+        box_triangle(&image, (struct vec2[3]){{-9, -9}, {30, -9}, {-9, 30}}, called_white);
     image_free(&image);
     return count;
 }
 
-static struct shown turned_away(struct vec2 a, struct vec2 b, struct vec2 c) {
+static struct shown called_turned_away(struct vec2 a, struct vec2 b, struct vec2 c) {
     return show_truth(is_turned_away((struct vec2[3]){a, b, c}));
 }
 
 /* ---- Part b ---- */
 
-static struct fixed2 on(int x, int y) {
+static struct fixed2 called_on(int x, int y) {
     return (struct fixed2){x, y};
 }
 
-static struct shown edge_made(struct fixed2 p, struct fixed2 q, int sign) {
+static struct shown called_edge_made(struct fixed2 p, struct fixed2 q, int sign) {
     struct edge e = make_edge(p, q, sign);
     return show("origin %lld, dx %lld, dy %lld, least %lld", (long long)e.origin, (long long)e.dx,
                 (long long)e.dy, (long long)e.least);
 }
 
-static bool same_edge(struct edge a, struct edge b) {
+static bool called_same_edge(struct edge a, struct edge b) {
     return a.origin == b.origin && a.dx == b.dx && a.dy == b.dy && a.least == b.least;
 }
 
 /* Are these what make_edge() gives, right or wrong? */
-static bool has_edges(const struct edges *edges, struct fixed2 a, struct fixed2 b, struct fixed2 c,
-                      int sign) {
-    return same_edge(edges->edge[0], make_edge(b, c, sign)) &&
-           same_edge(edges->edge[1], make_edge(c, a, sign)) &&
-           same_edge(edges->edge[2], make_edge(a, b, sign));
+static bool called_has_edges(const struct edges *edges, struct fixed2 a, struct fixed2 b,
+                             struct fixed2 c, int sign) {
+    return called_same_edge(edges->edge[0], make_edge(b, c, sign)) &&
+           called_same_edge(edges->edge[1], make_edge(c, a, sign)) &&
+           called_same_edge(edges->edge[2], make_edge(a, b, sign));
 }
 
-static struct shown set_up(struct fixed2 a, struct fixed2 b, struct fixed2 c, int sign) {
+static struct shown called_set_up(struct fixed2 a, struct fixed2 b, struct fixed2 c, int sign) {
     struct edges edges = {.y_begin = 0};
     if (!triangle_setup(&edges, a, b, c, 40, 8)) {
         return show("false");
     }
     return show("area %lld, clockwise %d, rows %d to %d, width %d, edges %s", (long long)edges.area,
                 edges.clockwise, edges.y_begin, edges.y_end, edges.width,
-                has_edges(&edges, a, b, c, sign)    ? sign > 0 ? "with sign 1" : "with sign -1"
-                : has_edges(&edges, a, b, c, -sign) ? "with the other sign"
-                                                    : "in another order");
+                called_has_edges(&edges, a, b, c, sign) ? sign > 0 ? "with sign 1" : "with sign -1"
+                : called_has_edges(&edges, a, b, c, -sign) ? "with the other sign"
+                                                           : "in another order");
 }
 
-static struct shown found(const struct edges *edges, int y) {
+static struct shown called_found(const struct edges *edges, int y) {
     struct span span = triangle_span(edges, y);
     return span.begin == span.end ? show("empty") : show("%d to %d", span.begin, span.end);
 }
 
-static struct shown filled(struct fixed2 a, struct fixed2 b, struct fixed2 c) {
+static struct shown called_filled(struct fixed2 a, struct fixed2 b, struct fixed2 c) {
     struct image image = black_image(8, 8);
-    unsigned long long count = triangle(&image, (struct fixed2[3]){a, b, c}, white);
+    unsigned long long count = triangle(&image, (struct fixed2[3]){a, b, c}, called_white);
     return show("%llu: %.150s", count, show_pixels(&image).text);
 }
 
 /* Above the image there is a row more, for who draws there. */
-static uint64_t counted(struct fixed2 a, struct fixed2 b, struct fixed2 c) {
+static uint64_t called_counted(struct fixed2 a, struct fixed2 b, struct fixed2 c) {
     struct image image = black_image(8, 9);
     image.height = 8;
-    uint64_t count = triangle(&image, (struct fixed2[3]){a, b, c}, white);
+    uint64_t count = triangle(&image, (struct fixed2[3]){a, b, c}, called_white);
     image_free(&image);
     return count;
 }
 
 /* ---- Part c ---- */
 
-static struct shown mixed(struct vec3 weight, struct color a, struct color b, struct color c) {
+static struct shown called_mixed(struct vec3 weight, struct color a, struct color b,
+                                 struct color c) {
     return show_color(mix_colors(weight, (struct color[3]){a, b, c}));
 }
 
 /* How many pixels, and the colour of (2,2). */
-static struct shown gradient(struct fixed2 a, struct fixed2 b, struct fixed2 c) {
+static struct shown called_gradient(struct fixed2 a, struct fixed2 b, struct fixed2 c) {
     struct image image = black_image(8, 8);
     const struct color colors[3] = {rgb(255, 0, 0), rgb(0, 255, 0), rgb(0, 0, 255)};
     unsigned long long count = gradient_triangle(&image, (struct fixed2[3]){a, b, c}, colors);
@@ -132,78 +135,92 @@ static struct shown gradient(struct fixed2 a, struct fixed2 b, struct fixed2 c) 
 }
 
 static void numbers(void) {
-    TEXT("3a.1", "draw_line(image, (0, 0), (5, 2), white)", line_drawn(at(0, 0), at(5, 2)),
+    TEXT("3a.1", "draw_line(image, (0, 0), (5, 2), white)", called_line_drawn(at(0, 0), at(5, 2)),
          "6: (0,0) (1,0) (2,1) (3,1) (4,2) (5,2)");
-    TEXT("3a.1", "draw_line(image, (-5, 1), (-1, 2), white)", line_drawn(at(-5, 1), at(-1, 2)),
-         "0: none");
+    TEXT("3a.1", "draw_line(image, (-5, 1), (-1, 2), white)",
+         called_line_drawn(at(-5, 1), at(-1, 2)), "0: none");
     REAL("3a.2", side_of(xy(1, 1), xy(5, 1), xy(1, 4)), 12);
     REAL("3a.2", side_of(xy(5, 1), xy(1, 4), xy(2, 2)), 5);
     REAL("3a.2", side_of(xy(5, 1), xy(1, 4), xy(3, 3)), -2);
     REAL("3a.2", side_of(xy(1, 4), xy(1, 1), xy(1, 2)), 0);
     TEXT("3a.3", "box_triangle(image, (1, 1) (5, 1) (1, 4), white)",
-         box_drawn(xy(1, 1), xy(5, 1), xy(1, 4)), "6: (1,1) (2,1) (3,1) (1,2) (2,2) (1,3)");
+         called_box_drawn(xy(1, 1), xy(5, 1), xy(1, 4)), "6: (1,1) (2,1) (3,1) (1,2) (2,2) (1,3)");
     TEXT("3a.3", "box_triangle(image, (1, 1) (1, 4) (5, 1), white)",
-         box_drawn(xy(1, 1), xy(1, 4), xy(5, 1)), "6: (1,1) (2,1) (3,1) (1,2) (2,2) (1,3)");
+         called_box_drawn(xy(1, 1), xy(1, 4), xy(5, 1)), "6: (1,1) (2,1) (3,1) (1,2) (2,2) (1,3)");
     TEXT("3a.3", "box_triangle(image, (0.5, 2.5) (4.5, 2.5) (6.5, 2.5), white)",
-         box_drawn(xy(0.5, 2.5), xy(4.5, 2.5), xy(6.5, 2.5)), "0: none");
-    AS_WHOLE("3a.3", "box_triangle(image, (-9, -9) (30, -9) (-9, 30), white)", boxed(), 64);
-    TEXT("3a.4", "is_turned_away((1, 1) (5, 1) (1, 4))", turned_away(xy(1, 1), xy(5, 1), xy(1, 4)),
-         "false");
-    TEXT("3a.4", "is_turned_away((1, 1) (1, 4) (5, 1))", turned_away(xy(1, 1), xy(1, 4), xy(5, 1)),
-         "true");
+         called_box_drawn(xy(0.5, 2.5), xy(4.5, 2.5), xy(6.5, 2.5)), "0: none");
+    AS_WHOLE("3a.3", "box_triangle(image, (-9, -9) (30, -9) (-9, 30), white)", called_boxed(), 64);
+    TEXT("3a.4", "is_turned_away((1, 1) (5, 1) (1, 4))",
+         called_turned_away(xy(1, 1), xy(5, 1), xy(1, 4)), "false");
+    TEXT("3a.4", "is_turned_away((1, 1) (1, 4) (5, 1))",
+         called_turned_away(xy(1, 1), xy(1, 4), xy(5, 1)), "true");
     TEXT("3a.4", "is_turned_away((0, 0) (0, 0.5) (0.5, 0))",
-         turned_away(xy(0, 0), xy(0, 0.5), xy(0.5, 0)), "true");
+         called_turned_away(xy(0, 0), xy(0, 0.5), xy(0.5, 0)), "true");
 
     TEXT("3b.1", "make_edge((1408, 384), (384, 1152), 1)",
-         edge_made(on(1408, 384), on(384, 1152), 1),
+         called_edge_made(called_on(1408, 384), called_on(384, 1152), 1),
          "origin 1245184, dx -196608, dy -262144, least 1");
-    TEXT("3b.1", "make_edge((384, 1152), (384, 384), 1)", edge_made(on(384, 1152), on(384, 384), 1),
+    TEXT("3b.1", "make_edge((384, 1152), (384, 384), 1)",
+         called_edge_made(called_on(384, 1152), called_on(384, 384), 1),
          "origin -196608, dx 196608, dy 0, least 0");
-    TEXT("3b.1", "make_edge((384, 384), (1408, 384), 1)", edge_made(on(384, 384), on(1408, 384), 1),
+    TEXT("3b.1", "make_edge((384, 384), (1408, 384), 1)",
+         called_edge_made(called_on(384, 384), called_on(1408, 384), 1),
          "origin -262144, dx 0, dy 262144, least 1");
     TEXT("3b.1", "make_edge((384, 384), (1408, 384), -1)",
-         edge_made(on(384, 384), on(1408, 384), -1), "origin 262144, dx 0, dy -262144, least 0");
+         called_edge_made(called_on(384, 384), called_on(1408, 384), -1),
+         "origin 262144, dx 0, dy -262144, least 0");
     TEXT("3b.1", "make_edge((384, 384), (384, 1152), -1)",
-         edge_made(on(384, 384), on(384, 1152), -1), "origin -196608, dx 196608, dy 0, least 0");
+         called_edge_made(called_on(384, 384), called_on(384, 1152), -1),
+         "origin -196608, dx 196608, dy 0, least 0");
     TEXT("3b.2", "triangle_setup(&edges, (384, 384), (1408, 384), (384, 1152), 40, 8)",
-         set_up(on(384, 384), on(1408, 384), on(384, 1152), 1),
+         called_set_up(called_on(384, 384), called_on(1408, 384), called_on(384, 1152), 1),
          "area 786432, clockwise 0, rows 1 to 5, width 40, edges with sign 1");
     TEXT("3b.2", "triangle_setup(&edges, (384, 384), (384, 1152), (1408, 384), 40, 8)",
-         set_up(on(384, 384), on(384, 1152), on(1408, 384), -1),
+         called_set_up(called_on(384, 384), called_on(384, 1152), called_on(1408, 384), -1),
          "area 786432, clockwise 1, rows 1 to 5, width 40, edges with sign -1");
     TEXT("3b.2", "triangle_setup(&edges, (384, 384), (1408, 384), (2432, 384), 40, 8)",
-         set_up(on(384, 384), on(1408, 384), on(2432, 384), 1), "false");
-    TEXT("3b.3", "triangle_span(edges of the example, 2)", found(&by_hand, 2), "1 to 4");
-    TEXT("3b.3", "triangle_span(edges of the example, 4)", found(&by_hand, 4), "empty");
-    TEXT("3b.3", "triangle_span(edges of (4,0) (20,0) (20,12), 1)", found(&at_the_right, 1),
-         "6 to 8");
-    TEXT("3b.3", "triangle_span(edges of (4,0) (20,0) (20,12), 6)", found(&at_the_right, 6),
+         called_set_up(called_on(384, 384), called_on(1408, 384), called_on(2432, 384), 1),
+         "false");
+    TEXT("3b.3", "triangle_span(edges of the example, 2)", called_found(&called_by_hand, 2),
+         "1 to 4");
+    TEXT("3b.3", "triangle_span(edges of the example, 4)", called_found(&called_by_hand, 4),
          "empty");
-    TEXT("3b.3", "triangle_span(edges of (1e6,7) (-1e6,7) (0,-1e6), 0)", found(&far_away, 0),
-         "0 to 8");
+    TEXT("3b.3", "triangle_span(edges of (4,0) (20,0) (20,12), 1)",
+         called_found(&called_at_the_right, 1), "6 to 8");
+    TEXT("3b.3", "triangle_span(edges of (4,0) (20,0) (20,12), 6)",
+         called_found(&called_at_the_right, 6), "empty");
+    TEXT("3b.3", "triangle_span(edges of (1e6,7) (-1e6,7) (0,-1e6), 0)",
+         called_found(&called_far_away, 0), "0 to 8");
     TEXT("3b.4", "triangle(image, (384, 384) (1408, 384) (384, 1152), white)",
-         filled(on(384, 384), on(1408, 384), on(384, 1152)), "5: (1,2) (2,2) (3,2) (1,3) (2,3)");
+         called_filled(called_on(384, 384), called_on(1408, 384), called_on(384, 1152)),
+         "5: (1,2) (2,2) (3,2) (1,3) (2,3)");
     TEXT("3b.4", "triangle(image, (384, 384) (384, 1152) (1408, 384), white)",
-         filled(on(384, 384), on(384, 1152), on(1408, 384)), "5: (1,2) (2,2) (3,2) (1,3) (2,3)");
+         called_filled(called_on(384, 384), called_on(384, 1152), called_on(1408, 384)),
+         "5: (1,2) (2,2) (3,2) (1,3) (2,3)");
     AS_WHOLE("3b.4", "triangle(image, (1152, 128) (5248, 128) (5248, 3200), white)",
-             counted(on(1152, 128), on(5248, 128), on(5248, 3200)), 3);
-    AS_WHOLE("3b.4", "triangle(image, (-2048, -2048) (8192, -2048) (-2048, 8192), white)",
-             counted(on(-2048, -2048), on(8192, -2048), on(-2048, 8192)), 64);
+             called_counted(called_on(1152, 128), called_on(5248, 128), called_on(5248, 3200)), 3);
+    AS_WHOLE(
+        "3b.4", "triangle(image, (-2048, -2048) (8192, -2048) (-2048, 8192), white)",
+        called_counted(called_on(-2048, -2048), called_on(8192, -2048), called_on(-2048, 8192)),
+        64);
 
     AS_VECTOR("3c.1", "triangle_weights(edges of the example, 2, 2)", vec3,
-              triangle_weights(&by_hand, 2, 2), xyz(5 / 12.0, 3 / 12.0, 4 / 12.0));
+              triangle_weights(&called_by_hand, 2, 2), xyz(5 / 12.0, 3 / 12.0, 4 / 12.0));
     AS_VECTOR("3c.1", "triangle_weights(edges of the example, 1, 1)", vec3,
-              triangle_weights(&by_hand, 1, 1), xyz(1, 0, 0));
+              triangle_weights(&called_by_hand, 1, 1), xyz(1, 0, 0));
     AS_VECTOR("3c.1", "triangle_weights(the same given clockwise, 2, 2)", vec3,
-              triangle_weights(&turned, 2, 2), xyz(5 / 12.0, 4 / 12.0, 3 / 12.0));
+              triangle_weights(&called_turned, 2, 2), xyz(5 / 12.0, 4 / 12.0, 3 / 12.0));
     TEXT("3c.2", "mix_colors((0.5, 0.25, 0.25), 10,20,30 90,60,30 50,40,90)",
-         mixed(xyz(0.5, 0.25, 0.25), rgb(10, 20, 30), rgb(90, 60, 30), rgb(50, 40, 90)),
+         called_mixed(xyz(0.5, 0.25, 0.25), rgb(10, 20, 30), rgb(90, 60, 30), rgb(50, 40, 90)),
          "40,35,45");
     TEXT("3c.2", "mix_colors((5/12, 3/12, 4/12), red green blue)",
-         mixed(xyz(5 / 12.0, 3 / 12.0, 4 / 12.0), rgb(255, 0, 0), rgb(0, 255, 0), rgb(0, 0, 255)),
+         called_mixed(xyz(5 / 12.0, 3 / 12.0, 4 / 12.0), rgb(255, 0, 0), rgb(0, 255, 0),
+                      rgb(0, 0, 255)),
          "106,64,85");
     TEXT("3c.3", "gradient_triangle(image, (384, 384) (1408, 384) (384, 1152), red green blue)",
-         gradient(on(384, 384), on(1408, 384), on(384, 1152)), "5 pixels, (2,2) is 106,64,85");
+         called_gradient(called_on(384, 384), called_on(1408, 384), called_on(384, 1152)),
+         "5 pixels, (2,2) is 106,64,85");
     TEXT("3c.3", "gradient_triangle(image, (256, 256) (256, 1280) (1280, 256), red green blue)",
-         gradient(on(256, 256), on(256, 1280), on(1280, 256)), "6 pixels, (2,2) is 64,96,96");
+         called_gradient(called_on(256, 256), called_on(256, 1280), called_on(1280, 256)),
+         "6 pixels, (2,2) is 64,96,96");
 }

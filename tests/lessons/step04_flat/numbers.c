@@ -4,20 +4,20 @@
 #endif
 #include "numbers.h"
 
-static struct face face = {
+static struct face called_face = {
     {{0, MODEL_NONE, MODEL_NONE}, {1, MODEL_NONE, MODEL_NONE}, {2, MODEL_NONE, MODEL_NONE}}};
 
 /* A model of one face with these corners. */
-static struct model of_one_face(struct vec3 corners[3]) {
+static struct model called_of_one_face(struct vec3 corners[3]) {
     return (struct model){
-        .positions = corners, .position_count = 3, .faces = &face, .face_count = 1};
+        .positions = corners, .position_count = 3, .faces = &called_face, .face_count = 1};
 }
 
 /* In an image of 200 x 100. */
-static struct shown placed(struct vec3 a, struct vec3 b, struct vec3 c) {
+static struct shown called_placed(struct vec3 a, struct vec3 b, struct vec3 c) {
     const struct image image = {.width = 200, .height = 100};
     struct vec3 corners[3] = {a, b, c};
-    const struct model model = of_one_face(corners);
+    const struct model model = called_of_one_face(corners);
     struct vertex v[3] = {{{0, 0}}};
     if (!place_face(&model, 0, &image, v)) {
         return show("false");
@@ -26,52 +26,54 @@ static struct shown placed(struct vec3 a, struct vec3 b, struct vec3 c) {
                 v[1].position.y, v[2].position.x, v[2].position.y);
 }
 
-static struct vertex on(int x, int y) {
+static struct vertex called_on(int x, int y) {
     return (struct vertex){{x, y}};
 }
 
-static struct shown drawn(struct vertex a, struct vertex b, struct vertex c) {
+static struct shown called_drawn(struct vertex a, struct vertex b, struct vertex c) {
     struct image image = black_image(8, 8);
     triangle(&image, (struct vertex[3]){a, b, c}, rgb(255, 255, 255));
     return show_pixels(&image);
 }
 
 /* The grey of the text's face, moved and `size` times as large, in 255ths. */
-static long grey(struct vec3 moved, double size, struct vec3 light) {
+static long called_grey(struct vec3 moved, double size, struct vec3 light) {
     struct vec3 corners[3] = {xyz(0, 0, 0), xyz(2, 0, 1), xyz(0, 1, 1)};
     for (int i = 0; i < 3; i++) {
         corners[i] = vec3_add(vec3_scale(corners[i], size), moved);
     }
-    const struct model model = of_one_face(corners);
+    const struct model model = called_of_one_face(corners);
     return (long)floor(face_intensity(&model, 0, light) * 255 + 0.5);
 }
 
 static void numbers(void) {
     TEXT("4.1", "place_face((0, 0, 0) (0.5, 0, 0) (0, 0.5, 0.3), 200 x 100)",
-         placed(xyz(0, 0, 0), xyz(0.5, 0, 0), xyz(0, 0.5, 0.3)),
+         called_placed(xyz(0, 0, 0), xyz(0.5, 0, 0), xyz(0, 0.5, 0.3)),
          "(25600,12800) (38400,12800) (25600,19200)");
     TEXT("4.1", "place_face((-1, -1, 0) (3, -1, 0) (-1, 2, 0), 200 x 100)",
-         placed(xyz(-1, -1, 0), xyz(3, -1, 0), xyz(-1, 2, 0)), "(0,0) (102400,0) (0,38400)");
+         called_placed(xyz(-1, -1, 0), xyz(3, -1, 0), xyz(-1, 2, 0)), "(0,0) (102400,0) (0,38400)");
     TEXT("4.1", "place_face((1e9, 0, 0) (0.5, 0, 0) (0, 0.5, 0), 200 x 100)",
-         placed(xyz(1e9, 0, 0), xyz(0.5, 0, 0), xyz(0, 0.5, 0)), "false");
+         called_placed(xyz(1e9, 0, 0), xyz(0.5, 0, 0), xyz(0, 0.5, 0)), "false");
     TEXT("4.1", "place_face((0, 0, 0) (0.5, 0, 0) (0, -1e9, 0), 200 x 100)",
-         placed(xyz(0, 0, 0), xyz(0.5, 0, 0), xyz(0, -1e9, 0)), "false");
+         called_placed(xyz(0, 0, 0), xyz(0.5, 0, 0), xyz(0, -1e9, 0)), "false");
     TEXT("4.2", "triangle(image, (256, 256) (1280, 256) (256, 1024), white)",
-         drawn(on(256, 256), on(1280, 256), on(256, 1024)), "(1,1) (2,1) (3,1) (1,2) (2,2) (1,3)");
+         called_drawn(called_on(256, 256), called_on(1280, 256), called_on(256, 1024)),
+         "(1,1) (2,1) (3,1) (1,2) (2,2) (1,3)");
     TEXT("4.2", "triangle(image, (256, 256) (256, 1024) (1280, 256), white)",
-         drawn(on(256, 256), on(256, 1024), on(1280, 256)), "(1,1) (2,1) (3,1) (1,2) (2,2) (1,3)");
+         called_drawn(called_on(256, 256), called_on(256, 1024), called_on(1280, 256)),
+         "(1,1) (2,1) (3,1) (1,2) (2,2) (1,3)");
     TEXT("4.2", "triangle(image, (256, 256) (512, 256) (768, 256), white)",
-         drawn(on(256, 256), on(512, 256), on(768, 256)), "none");
+         called_drawn(called_on(256, 256), called_on(512, 256), called_on(768, 256)), "none");
     AS_WHOLE("4.3", "255 * face_intensity((0, 0, 0) (2, 0, 1) (0, 1, 1), light (0, 0, -1))",
-             grey(xyz(0, 0, 0), 1, xyz(0, 0, -1)), 170);
+             called_grey(xyz(0, 0, 0), 1, xyz(0, 0, -1)), 170);
     AS_WHOLE("4.3", "255 * face_intensity((3, 4, 5) (5, 4, 6) (3, 5, 6), light (0, 0, -1))",
-             grey(xyz(3, 4, 5), 1, xyz(0, 0, -1)), 170);
+             called_grey(xyz(3, 4, 5), 1, xyz(0, 0, -1)), 170);
     AS_WHOLE("4.3", "255 * face_intensity((0, 0, 0) (2, 0, 1) (0, 1, 1), light (0.6, 0, -0.8))",
-             grey(xyz(0, 0, 0), 1, xyz(0.6, 0, -0.8)), 187);
+             called_grey(xyz(0, 0, 0), 1, xyz(0.6, 0, -0.8)), 187);
     AS_WHOLE("4.3", "255 * face_intensity((0, 0, 0) (2, 0, 1) (0, 1, 1), light (0, 0.6, -0.8))",
-             grey(xyz(0, 0, 0), 1, xyz(0, 0.6, -0.8)), 238);
+             called_grey(xyz(0, 0, 0), 1, xyz(0, 0.6, -0.8)), 238);
     AS_WHOLE("4.3", "255 * face_intensity((0, 0, 0) (2, 0, 1) (0, 1, 1), light (0, 0, 1))",
-             grey(xyz(0, 0, 0), 1, xyz(0, 0, 1)), -170);
+             called_grey(xyz(0, 0, 0), 1, xyz(0, 0, 1)), -170);
     AS_WHOLE("4.3", "255 * face_intensity(a thousandth of that face, light (0, 0, -1))",
-             grey(xyz(0, 0, 0), 0.001, xyz(0, 0, -1)), 170);
+             called_grey(xyz(0, 0, 0), 0.001, xyz(0, 0, -1)), 170);
 }

@@ -5,69 +5,71 @@
 #include "numbers.h"
 
 /* What is drawn on: two rows of two panels. */
-enum { SIDE = 10, PIXELS = SIDE * SIDE };
-static uint8_t bytes[3 * 4 * PIXELS];
-static double depths[4 * PIXELS];
-static struct image sheet = {2 * SIDE, 2 * SIDE, IMAGE_BGR, bytes};
-static struct canvas canvas = {.image = &sheet,
-                               .width = SIDE,
-                               .height = SIDE,
-                               .depth = depths,
-                               .material = &satin,
-                               .skip = true};
+enum { CALLED_SIDE = 10, CALLED_PIXELS = CALLED_SIDE * CALLED_SIDE };
+static uint8_t called_bytes[3 * 4 * CALLED_PIXELS];
+static double called_depths[4 * CALLED_PIXELS];
+static struct image called_sheet = {2 * CALLED_SIDE, 2 * CALLED_SIDE, IMAGE_BGR, called_bytes};
+static struct canvas called_canvas = {.image = &called_sheet,
+                                      .width = CALLED_SIDE,
+                                      .height = CALLED_SIDE,
+                                      .depth = called_depths,
+                                      .material = &satin,
+                                      .skip = true};
 
-typedef void triangle_function(struct canvas *canvas, const struct edges *edges,
-                               const struct vertex v[3]);
+typedef void called_triangle_function(struct canvas *called_canvas, const struct edges *edges,
+                                      const struct vertex v[3]);
 
 /* Draw a triangle over that depth. At pixel (3,3) all weights are 1/3, at (2,1) they are 6/9, 2/9
  * and 1/9. */
-static void draw(triangle_function *function, const struct vertex v[3], double depth) {
+static void called_draw(called_triangle_function *function, const struct vertex v[3],
+                        double depth) {
     const struct fixed2 corner[3] = {{128, 128}, {2432, 128}, {128, 2432}};
     struct edges edges;
-    memset(bytes, 0, sizeof bytes);
-    for (int i = 0; i < 4 * PIXELS; i++) {
-        depths[i] = depth;
+    memset(called_bytes, 0, sizeof called_bytes);
+    for (int i = 0; i < 4 * CALLED_PIXELS; i++) {
+        called_depths[i] = depth;
     }
-    edges_setup(&edges, corner[0], corner[1], corner[2], SIDE, SIDE);
-    function(&canvas, &edges, v);
+    edges_setup(&edges, corner[0], corner[1], corner[2], CALLED_SIDE, CALLED_SIDE);
+    function(&called_canvas, &edges, v);
 }
 
 /* Red of both pixels. */
-static struct shown shaded(double a, double b, double c, double depth) {
-    draw(triangle, (struct vertex[]){{.intensity = a}, {.intensity = b}, {.intensity = c}}, depth);
-    return show("%d %d", image_get(&sheet, 3, 3).r, image_get(&sheet, 2, 1).r);
+static struct shown called_shaded(double a, double b, double c, double depth) {
+    called_draw(triangle, (struct vertex[]){{.intensity = a}, {.intensity = b}, {.intensity = c}},
+                depth);
+    return show("%d %d", image_get(&called_sheet, 3, 3).r, image_get(&called_sheet, 2, 1).r);
 }
 
-static struct color colored(struct vec3 a, struct vec3 b, struct vec3 c) {
-    draw(color_triangle, (struct vertex[]){{.color = a}, {.color = b}, {.color = c}}, -1);
-    return image_get(&sheet, 2, 1);
+static struct color called_colored(struct vec3 a, struct vec3 b, struct vec3 c) {
+    called_draw(color_triangle, (struct vertex[]){{.color = a}, {.color = b}, {.color = c}}, -1);
+    return image_get(&called_sheet, 2, 1);
 }
 
 /* Pixel (2,1) of all panels, from the first. */
-static struct shown lit(struct light_parts a, struct light_parts b, struct light_parts c) {
+static struct shown called_lit(struct light_parts a, struct light_parts b, struct light_parts c) {
     struct shown shown = {""};
-    draw(lit_triangle, (struct vertex[]){{.parts = a}, {.parts = b}, {.parts = c}}, -1);
+    called_draw(lit_triangle, (struct vertex[]){{.parts = a}, {.parts = b}, {.parts = c}}, -1);
     for (int i = 0; i < PANEL_COUNT; i++) {
-        int x = 2 + panels[i].column * SIDE, y = 1 + panels[i].row * SIDE;
+        int x = 2 + panels[i].column * CALLED_SIDE, y = 1 + panels[i].row * CALLED_SIDE;
         shown = show("%.150s%s%s", shown.text, i > 0 ? " " : "",
-                     show_color(image_get(&sheet, x, y)).text);
+                     show_color(image_get(&called_sheet, x, y)).text);
     }
     return shown;
 }
 
 /* What corner_light() gives. */
-static struct vec2 pair(struct light_parts parts) {
-    return xy(parts.diffuse, parts.specular);
+static struct vec2 called_pair(struct light_parts called_parts) {
+    return xy(called_parts.diffuse, called_parts.specular);
 }
 
-static struct light_parts parts(double diffuse, double specular) {
+static struct light_parts called_parts(double diffuse, double specular) {
     return (struct light_parts){diffuse, specular};
 }
 
-#define LIGHT(call, right) AS_VECTOR("7b.2", #call, vec2, pair(call), right)
+#define LIGHT(call, right) AS_VECTOR("7b.2", #call, vec2, called_pair(call), right)
 #define PANEL(i, d, s, material, right)                                                            \
     COLOR_AS("7b.3", "panel_color(&panels[" #i "], {" #d ", " #s "}, &" #material ")",             \
-             panel_color(&panels[i], parts(d, s), &(material)), right)
+             panel_color(&panels[i], called_parts(d, s), &(material)), right)
 #define COLOR_AS(task, text, call, right) TEXT(task, text, show_color(call), right)
 
 static void numbers(void) {
@@ -75,11 +77,11 @@ static void numbers(void) {
     REAL("7a.1", corner_intensity(xyz(0, 0.6, -0.8), xyz(0, 0, 1)), 0);
     REAL("7a.1", corner_intensity(xyz(-0.6, 0.8, 0), xyz(0.6, 0, 0.8)), 0);
     TEXT("7a.2", "triangle(), intensities 0.9, 0.8, 0.71: pixels (3,3) (2,1)",
-         shaded(0.9, 0.8, 0.71, -1), "205 218");
+         called_shaded(0.9, 0.8, 0.71, -1), "205 218");
     TEXT("7a.2", "triangle(), intensities 0.9, 0.8, 0.71: behind another",
-         shaded(0.9, 0.8, 0.71, 1), "0 0");
+         called_shaded(0.9, 0.8, 0.71, 1), "0 0");
     COLOR_AS("7a.3", "color_triangle(), colors (0.61, 0, 1), (0, 0.91, 1), (0, 0.3, 0.71): (2,1)",
-             colored(xyz(0.61, 0, 1), xyz(0, 0.91, 1), xyz(0, 0.3, 0.71)), "104,60,247");
+             called_colored(xyz(0.61, 0, 1), xyz(0, 0.91, 1), xyz(0, 0.3, 0.71)), "104,60,247");
     REAL("7b.1", integer_power(0.5, 3), 0.125);
     REAL("7b.1", integer_power(0.5, 1), 0.5);
     REAL("7b.1", integer_power(3, 0), 1);
@@ -99,6 +101,6 @@ static void numbers(void) {
     PANEL(3, 0.5, 0.2, satin, "105,132,172");
     TEXT("7b.3",
          "lit_triangle(), parts {0.9, 0.06}, {0.4, 0.03}, {0.24, 0}: pixel (2,1) of the panels",
-         lit(parts(0.9, 0.06), parts(0.4, 0.03), parts(0.24, 0)),
+         called_lit(called_parts(0.9, 0.06), called_parts(0.4, 0.03), called_parts(0.24, 0)),
          "9,14,22 64,100,157 12,11,9 85,125,189");
 }

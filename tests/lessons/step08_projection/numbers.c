@@ -7,49 +7,49 @@
 /* ---- Matrices: what they make of a point, or of a direction ---- */
 
 /* Where a matrix takes a point of the plane. */
-static struct vec2 in_plane(struct mat4 matrix, double x, double y) {
+static struct vec2 called_in_plane(struct mat4 matrix, double x, double y) {
     struct vec4 p = mat4_point(&matrix, xyz(x, y, 0));
     return xy(p.x / p.w, p.y / p.w);
 }
 
-static struct vec3 in_space(struct mat4 matrix, struct vec3 p) {
+static struct vec3 called_in_space(struct mat4 matrix, struct vec3 p) {
     struct vec4 q = mat4_point(&matrix, p);
     return xyz(q.x / q.w, q.y / q.w, q.z / q.w);
 }
 
-static struct vec4 in_clip_space(struct mat4 matrix, struct vec3 p) {
+static struct vec4 called_in_clip_space(struct mat4 matrix, struct vec3 p) {
     return mat4_point(&matrix, p);
 }
 
 /* The largest coordinate made 1: the length of a normal may be any. */
-static struct vec3 as_normal(struct mat4 matrix, struct vec3 normal) {
+static struct vec3 called_as_normal(struct mat4 matrix, struct vec3 normal) {
     struct vec3 n = mat4_direction(&matrix, normal);
     return vec3_scale(n, 1 / fmax(fabs(n.x), fmax(fabs(n.y), fabs(n.z))));
 }
 
-static struct vec3 weighted(struct vec3 screen, struct vec3 recip_w) {
+static struct vec3 called_weighted(struct vec3 screen, struct vec3 recip_w) {
     const double three[3] = {recip_w.x, recip_w.y, recip_w.z};
     return correct_weights(screen, three);
 }
 
 /* Maps that the texts of calls name. */
-static struct mat4 move(double x, double y, double z) {
+static struct mat4 called_move(double x, double y, double z) {
     return mat4_translation(xyz(x, y, z));
 }
 
-static struct mat4 scale(double x, double y, double z) {
+static struct mat4 called_scale(double x, double y, double z) {
     return mat4_scaling(xyz(x, y, z));
 }
 
 /* x becomes x + amount * y. */
-static struct mat4 lean(double amount) {
+static struct mat4 called_lean(double amount) {
     struct mat4 map = mat4_identity();
     map.m[0][1] = amount;
     return map;
 }
 
 /* w becomes 1 + amount * x. */
-static struct mat4 away(double amount) {
+static struct mat4 called_away(double amount) {
     struct mat4 map = mat4_identity();
     map.m[3][0] = amount;
     return map;
@@ -57,10 +57,10 @@ static struct mat4 away(double amount) {
 
 #define VIEWPORT(width, height, x, y, right)                                                       \
     AS_VECTOR("8a.1", "viewport(" #width ", " #height ") * (" #x ", " #y ")", vec2,                \
-              in_plane(viewport(width, height), x, y), right)
+              called_in_plane(viewport(width, height), x, y), right)
 #define PANEL(panel, x, y, right)                                                                  \
     AS_VECTOR("8a.3", "panel_map(" #panel ") * (" #x ", " #y ")", vec2,                            \
-              in_plane(panel_map(panel), x, y), right)
+              called_in_plane(panel_map(panel), x, y), right)
 #define PIXELS(map, p, right)                                                                      \
     do {                                                                                           \
         const struct mat4 matrix = map;                                                            \
@@ -68,21 +68,21 @@ static struct mat4 away(double amount) {
     } while (0)
 #define PROJECTION(distance, p, right)                                                             \
     AS_VECTOR("8b.2", "projection(" #distance ") * " #p, vec4,                                     \
-              in_clip_space(projection(distance), xyz p), right)
+              called_in_clip_space(projection(distance), xyz p), right)
 #define WEIGHTED(screen, recip_w, right)                                                           \
     AS_VECTOR("8c.1", "correct_weights(" #screen ", " #recip_w ")", vec3,                          \
-              weighted(xyz screen, xyz recip_w), right)
+              called_weighted(xyz screen, xyz recip_w), right)
 #define NORMAL(map, normal, right)                                                                 \
     AS_VECTOR("8c.2", "normals_to_world(" #map ") * " #normal, vec3,                               \
-              as_normal(normals_to_world(map), xyz normal), right)
+              called_as_normal(normals_to_world(map), xyz normal), right)
 #define SEEN(eye, center, up, p, right)                                                            \
     AS_VECTOR("8d.1", "lookat(" #eye ", " #center ", " #up ") * " #p, vec3,                        \
-              in_space(lookat(xyz eye, xyz center, xyz up), xyz p), right)
+              called_in_space(lookat(xyz eye, xyz center, xyz up), xyz p), right)
 
 /* ---- 8b.1 ---- */
 
 /* On a screen of 100 x 100 pixels. */
-static struct shown placed(struct vec4 clip) {
+static struct shown called_placed(struct vec4 clip) {
     const struct mat4 to_screen = {{{50, 0, 0, 50}, {0, 50, 0, 50}, {0, 0, 1, 0}, {0, 0, 0, 1}}};
     struct vertex v = {.position = {0, 0}};
     if (!place(clip, &to_screen, &v)) {
@@ -101,7 +101,7 @@ struct listed {
     size_t count, first;
 };
 
-static struct listed clipped(struct vec4 a, struct vec4 b, struct vec4 c, int plane) {
+static struct listed called_clipped(struct vec4 a, struct vec4 b, struct vec4 c, int plane) {
     const struct polygon triangle = {
         .corner = {{a, {1, 0, 0}}, {b, {0, 1, 0}}, {c, {0, 0, 1}}},
         .count = 3,
@@ -116,7 +116,7 @@ static struct listed clipped(struct vec4 a, struct vec4 b, struct vec4 c, int pl
 }
 
 /* Six digits; -0 + 0 is 0. */
-static struct shown listed_corners(struct listed listed) {
+static struct shown called_listed_corners(struct listed listed) {
     struct shown shown = show(listed.count == 0 ? "nothing" : "");
     for (size_t i = 0; i < listed.count; i++) {
         struct vec4 p = listed.left.corner[(listed.first + i) % listed.count].clip;
@@ -126,7 +126,7 @@ static struct shown listed_corners(struct listed listed) {
     return shown;
 }
 
-static struct shown listed_weights(struct listed listed) {
+static struct shown called_listed_weights(struct listed listed) {
     struct shown shown = {""};
     for (size_t i = 0; i < listed.count; i++) {
         struct vec3 w = listed.left.corner[(listed.first + i) % listed.count].weight;
@@ -137,44 +137,45 @@ static struct shown listed_weights(struct listed listed) {
 }
 
 /* Cut at the plane that must give `right`, whichever number it has, or else at this one. */
-static struct shown cut_at(struct shown (*list)(struct listed), struct vec4 a, struct vec4 b,
-                           struct vec4 c, int plane, const char *right) {
+static struct shown called_cut_at(struct shown (*list)(struct listed), struct vec4 a, struct vec4 b,
+                                  struct vec4 c, int plane, const char *right) {
     for (int other = 0; other < CLIP_PLANES; other++) {
-        struct shown shown = list(clipped(a, b, c, other));
+        struct shown shown = list(called_clipped(a, b, c, other));
         if (strcmp(shown.text, right) == 0) {
             return shown;
         }
     }
-    return list(clipped(a, b, c, plane));
+    return list(called_clipped(a, b, c, plane));
 }
 
 #define CLIP(plane, a, b, c, right)                                                                \
     TEXT("8e.1", "clip_at_plane(" #a " " #b " " #c ", " #plane ")",                                \
-         cut_at(listed_corners, xyzw a, xyzw b, xyzw c, plane, right), right)
+         called_cut_at(called_listed_corners, xyzw a, xyzw b, xyzw c, plane, right), right)
 #define WEIGHTS(plane, a, b, c, right)                                                             \
     TEXT("8e.1", "clip_at_plane(" #a " " #b " " #c ", " #plane "), weights",                       \
-         cut_at(listed_weights, xyzw a, xyzw b, xyzw c, plane, right), right)
+         called_cut_at(called_listed_weights, xyzw a, xyzw b, xyzw c, plane, right), right)
 
 static void numbers(void) {
     VIEWPORT(800, 800, 0.5, -1, xy(600, 0));
     VIEWPORT(800, 600, -1, -1, xy(0, 0));
     VIEWPORT(405, 363, 0, 0, xy(202.5, 181.5));
     VIEWPORT(405, 363, 1, 1, xy(405, 363));
-    PIXELS(move(3, 0, 0), (2, 1), xy(5, 1));
-    PIXELS(away(0.5), (2, 3), xy(1, 1.5));
-    PIXELS(lean(0.25), (-1, 2), xy(-0.5, 2));
+    PIXELS(called_move(3, 0, 0), (2, 1), xy(5, 1));
+    PIXELS(called_away(0.5), (2, 3), xy(1, 1.5));
+    PIXELS(called_lean(0.25), (-1, 2), xy(-0.5, 2));
     PANEL(0, 2, 2, xy(3, 1));
     PANEL(1, 1, 1, xy(1.6, 1));
     PANEL(2, 1, 0, xy(sqrt(0.5), sqrt(0.5)));
     PANEL(5, 1, 0.8, xy(1, 0.8));
     PANEL(5, 2, 0.8, xy(1 + sqrt(0.5), 0.8 + sqrt(0.5)));
     PANEL(8, 2, 1, xy(1, 0.5));
-    TEXT("8b.1", "place((0.4, 0.2, 1, 0.5), ...)", placed(xyzw(0.4, 0.2, 1, 0.5)),
+    TEXT("8b.1", "place((0.4, 0.2, 1, 0.5), ...)", called_placed(xyzw(0.4, 0.2, 1, 0.5)),
          "position (90, 70), depth 2, recip_w 2");
-    TEXT("8b.1", "place((0.4, -0.8, -2, 2), ...)", placed(xyzw(0.4, -0.8, -2, 2)),
+    TEXT("8b.1", "place((0.4, -0.8, -2, 2), ...)", called_placed(xyzw(0.4, -0.8, -2, 2)),
          "position (60, 30), depth -1, recip_w 0.5");
-    TEXT("8b.1", "place((0, 0, 1e308, 0.01), ...)", placed(xyzw(0, 0, 1e308, 0.01)), "false");
-    TEXT("8b.1", "place((1e9, 0, 0, 1), ...)", placed(xyzw(1e9, 0, 0, 1)), "false");
+    TEXT("8b.1", "place((0, 0, 1e308, 0.01), ...)", called_placed(xyzw(0, 0, 1e308, 0.01)),
+         "false");
+    TEXT("8b.1", "place((1e9, 0, 0, 1), ...)", called_placed(xyzw(1e9, 0, 0, 1)), "false");
     PROJECTION(2, (0.4, 0.2, 1), xyzw(0.4, 0.2, 1, 0.5));
     PROJECTION(2, (0.4, 0.2, -2), xyzw(0.4, 0.2, -2, 2));
     PROJECTION(4, (1, 2, 3), xyzw(1, 2, 3, 0.25));
@@ -182,10 +183,10 @@ static void numbers(void) {
     WEIGHTED((0.5, 0.5, 0), (1, 0.25, 1), xyz(0.8, 0.2, 0));
     WEIGHTED((0.2, 0.3, 0.5), (1, 1, 1), xyz(0.2, 0.3, 0.5));
     WEIGHTED((0.5, 0.25, 0.25), (1, 2, 4), xyz(0.25, 0.25, 0.5));
-    NORMAL(scale(2, 1, 1), (1, -1, 0), xyz(0.5, -1, 0));
-    NORMAL(lean(1), (1, 0, 0), xyz(1, -1, 0));
-    NORMAL(move(5, 6, 7), (0.5, -1, 0), xyz(0.5, -1, 0));
-    NORMAL(scale(1, 1, 0), (0.5, 0, 1), xyz(0.5, 0, 1));
+    NORMAL(called_scale(2, 1, 1), (1, -1, 0), xyz(0.5, -1, 0));
+    NORMAL(called_lean(1), (1, 0, 0), xyz(1, -1, 0));
+    NORMAL(called_move(5, 6, 7), (0.5, -1, 0), xyz(0.5, -1, 0));
+    NORMAL(called_scale(1, 1, 0), (0.5, 0, 1), xyz(0.5, 0, 1));
     SEEN((3, 0, 0), (1, 0, 0), (0, 1, 0), (1, 0, -1), xyz(1, 0, 0));
     SEEN((0, 0, 5), (0, 0, 2), (0, 2, 2), (1, 2, 4), xyz(1, 2, 2));
     SEEN((0, 0, 2), (0, 0, 0), (1, 0, 0), (1, 2, 3), xyz(-2, 1, 3));

@@ -17,33 +17,33 @@ static struct face faces[] = {
     {{{0, 0, 0}, {6, 1, 1}, {7, 0, 2}}}, /* counterclockwise, with normals */
     {{{0, 0, 0}, {7, 0, 2}, {6, 1, 1}}}, /* clockwise */
 };
-enum { FACES = sizeof faces / sizeof faces[0], FRONT = 4, BACK = 5 };
+enum { CALLED_FACES = sizeof faces / sizeof faces[0], CALLED_FRONT = 4, CALLED_BACK = 5 };
 static const struct model model = {
     .positions = positions,
     .normals = normals,
     .uvs = uvs,
     .faces = faces,
-    .face_count = FACES,
+    .face_count = CALLED_FACES,
 };
 
 /* w = 1 - z / 2; a viewport of odd size. */
-static struct draw_call call_of(enum cull cull) {
+static struct draw_call called_call_of(enum cull cull) {
     struct draw_call call = {&model, mat4_identity(), {10, 20, 101, 51}, cull};
     call.to_clip.m[3][2] = -0.5;
     return call;
 }
 
-enum placed_part { POSITION, DEPTH, RECIP_W };
+enum placed_part { CALLED_POSITION, CALLED_DEPTH, CALLED_RECIP_W };
 
-static struct shown placed(size_t face, enum placed_part part) {
-    const struct draw_call call = call_of(CULL_NONE);
+static struct shown called_placed(size_t face, enum placed_part part) {
+    const struct draw_call call = called_call_of(CULL_NONE);
     struct placed_face p = {.depth = {0}};
     if (!place_face(&call, face, &p)) {
         return show("false");
     }
     const struct fixed2 *at = p.position;
-    return part == DEPTH ? show_reals(p.depth, 3)
-           : part == RECIP_W
+    return part == CALLED_DEPTH ? show_reals(p.depth, 3)
+           : part == CALLED_RECIP_W
                ? show_reals(p.recip_w, 3)
                : show("(%g, %g) (%g, %g) (%g, %g)", at[0].x / 256.0, at[0].y / 256.0,
                       at[1].x / 256.0, at[1].y / 256.0, at[2].x / 256.0, at[2].y / 256.0);
@@ -52,24 +52,26 @@ static struct shown placed(size_t face, enum placed_part part) {
 /* ---- 9a.2 ---- */
 
 /* Varying 1, as grey; what is below 30 may be discarded. */
-static bool grey_pixel(const void *uniforms, const double *varyings, struct vec3 *rgb) {
-    (void)uniforms;
+static bool called_grey_pixel(const void *called_uniforms, const double *varyings,
+                              struct vec3 *rgb) {
+    (void)called_uniforms;
     *rgb = xyz(varyings[1], varyings[1], varyings[1]);
     return true;
 }
 
-static bool light_pixel(const void *uniforms, const double *varyings, struct vec3 *rgb) {
-    return grey_pixel(uniforms, varyings, rgb) && varyings[1] >= 30;
+static bool called_light_pixel(const void *called_uniforms, const double *varyings,
+                               struct vec3 *rgb) {
+    return called_grey_pixel(called_uniforms, varyings, rgb) && varyings[1] >= 30;
 }
 
-enum { WIDTH = 3, HEIGHT = 2 };
+enum { CALLED_WIDTH = 3, CALLED_HEIGHT = 2 };
 
 /* A triangle with the corners (0, 0), (8, 0) and (0, 8) over 3 x 2 pixels: what is in the image or,
  * where `depths`, in the depth buffer, which was `before`. The triangle's depth is 0.5, 1.5, 2.5 in
  * its columns, its varying 0, 80 and 160 at its corners. */
-static struct shown drawn(bool depths, double before, double recip_w, struct rectangle view,
-                          bool (*pixel)(const void *, const double *, struct vec3 *)) {
-    double depth[WIDTH * HEIGHT];
+static struct shown called_drawn(bool depths, double before, double recip_w, struct rectangle view,
+                                 bool (*pixel)(const void *, const double *, struct vec3 *)) {
+    double depth[CALLED_WIDTH * CALLED_HEIGHT];
     struct image image = {.pixels = NULL};
     struct error error;
     struct edges edges;
@@ -82,20 +84,21 @@ static struct shown drawn(bool depths, double before, double recip_w, struct rec
         .recip_w = {1, recip_w, 1},
         .varyings = {{200, 0}, {200, 80}, {200, 160}},
     };
-    for (size_t i = 0; i < WIDTH * HEIGHT; i++) {
+    for (size_t i = 0; i < CALLED_WIDTH * CALLED_HEIGHT; i++) {
         depth[i] = before;
     }
-    if (!image_create(&image, WIDTH, HEIGHT, IMAGE_GREY, &error) ||
-        !edges_setup(&edges, face.position[0], face.position[1], face.position[2], WIDTH, HEIGHT)) {
+    if (!image_create(&image, CALLED_WIDTH, CALLED_HEIGHT, IMAGE_GREY, &error) ||
+        !edges_setup(&edges, face.position[0], face.position[1], face.position[2], CALLED_WIDTH,
+                     CALLED_HEIGHT)) {
         return show("no image");
     }
     draw_pixels(&canvas, &view, &edges, &face, &shader, NULL);
-    for (int i = 0; i < WIDTH * HEIGHT; i++) {
+    for (int i = 0; i < CALLED_WIDTH * CALLED_HEIGHT; i++) {
         shown = show("%.150s%s%.4g", shown.text,
-                     i == 0       ? ""
-                     : i == WIDTH ? " / "
-                                  : " ",
-                     depths ? depth[i] : image_get(&image, i % WIDTH, i / WIDTH).r);
+                     i == 0              ? ""
+                     : i == CALLED_WIDTH ? " / "
+                                         : " ",
+                     depths ? depth[i] : image_get(&image, i % CALLED_WIDTH, i / CALLED_WIDTH).r);
     }
     image_free(&image);
     return shown;
@@ -104,127 +107,131 @@ static struct shown drawn(bool depths, double before, double recip_w, struct rec
 /* ---- 9a.3 ---- */
 
 /* Which corners of a face were asked for. */
-static bool asked[FACES][3];
+static bool called_asked[CALLED_FACES][3];
 
-static void asking_vertex(const void *uniforms, size_t face, size_t corner, double *varyings) {
-    (void)uniforms;
+static void called_asking_vertex(const void *called_uniforms, size_t face, size_t corner,
+                                 double *varyings) {
+    (void)called_uniforms;
     varyings[0] = varyings[1] = 0;
-    asked[face][corner] = true;
+    called_asked[face][corner] = true;
 }
 
 /* "0:012 4:012": the corners of faces 0 and 4. */
-static struct shown listed(void) {
+static struct shown called_listed(void) {
     struct shown shown = {""};
-    for (int i = 0; i < FACES; i++) {
-        if (asked[i][0] || asked[i][1] || asked[i][2]) {
+    for (int i = 0; i < CALLED_FACES; i++) {
+        if (called_asked[i][0] || called_asked[i][1] || called_asked[i][2]) {
             shown = show("%.150s%s%d:%s%s%s", shown.text, shown.text[0] == '\0' ? "" : " ", i,
-                         asked[i][0] ? "0" : "", asked[i][1] ? "1" : "", asked[i][2] ? "2" : "");
+                         called_asked[i][0] ? "0" : "", called_asked[i][1] ? "1" : "",
+                         called_asked[i][2] ? "2" : "");
         }
     }
-    memset(asked, 0, sizeof asked);
+    memset(called_asked, 0, sizeof called_asked);
     return shown;
 }
 
-enum { SIDE = 128 };
+enum { CALLED_SIDE = 128 };
 
-static struct shown asked_by_draw(enum cull cull) {
-    static double depth[SIDE * SIDE];
+static struct shown called_asked_by_draw(enum cull cull) {
+    static double depth[CALLED_SIDE * CALLED_SIDE];
     struct image image = {.pixels = NULL};
     struct error error;
     const struct canvas canvas = {&image, depth};
-    const struct simple_shader shader = {2, asking_vertex, grey_pixel};
-    const struct draw_call call = call_of(cull);
-    if (!image_create(&image, SIDE, SIDE, IMAGE_GREY, &error)) {
+    const struct simple_shader shader = {2, called_asking_vertex, called_grey_pixel};
+    const struct draw_call call = called_call_of(cull);
+    if (!image_create(&image, CALLED_SIDE, CALLED_SIDE, IMAGE_GREY, &error)) {
         return show("no image");
     }
     simple_draw(&canvas, &call, &shader, NULL);
     image_free(&image);
-    return listed();
+    return called_listed();
 }
 
 /* Those that your place_face() places. */
-static struct shown asked_of_placed(enum cull cull) {
-    const struct draw_call call = call_of(cull);
-    for (size_t i = 0; i < FACES; i++) {
+static struct shown called_asked_of_placed(enum cull cull) {
+    const struct draw_call call = called_call_of(cull);
+    for (size_t i = 0; i < CALLED_FACES; i++) {
         struct placed_face p;
         struct edges edges;
-        bool draws = place_face(&call, i, &p) &&
-                     edges_setup(&edges, p.position[0], p.position[1], p.position[2], SIDE, SIDE);
+        bool draws =
+            place_face(&call, i, &p) && edges_setup(&edges, p.position[0], p.position[1],
+                                                    p.position[2], CALLED_SIDE, CALLED_SIDE);
         for (size_t k = 0; k < 3; k++) {
-            asked[i][k] = draws && cull != (edges.clockwise ? CULL_BACK : CULL_FRONT);
+            called_asked[i][k] = draws && cull != (edges.clockwise ? CULL_BACK : CULL_FRONT);
         }
     }
-    return listed();
+    return called_listed();
 }
 
 /* ---- Part b ---- */
 
-static struct texture colors, grey, map;
-static struct uniforms uniforms = {
-    .model = &model, .diffuse = &colors, .normal_map = &map, .to_light = {0.6, 0, 0.8}};
+static struct texture called_colors, grey, map;
+static struct uniforms called_uniforms = {
+    .model = &model, .diffuse = &called_colors, .normal_map = &map, .to_light = {0.6, 0, 0.8}};
 
-static bool make_textures(void) {
+static bool called_make_textures(void) {
     const struct color two[] = {{.r = 200, .g = 100, .b = 50}, {.r = 201, .g = 101, .b = 51}};
     const struct color one = color_grey(100);
-    return make_texture(&colors, two, 2) && make_texture(&grey, &one, 1);
+    return called_make_texture(&called_colors, two, 2) && called_make_texture(&grey, &one, 1);
 }
 
 /* For a normal map of one colour, a grey texture and the light (2, 3, 6) / 7. */
-static struct uniforms mapped(int r, int g, int b) {
+static struct uniforms called_mapped(int r, int g, int b) {
     const struct color color = rgb(r, g, b);
-    struct uniforms u = uniforms;
+    struct uniforms u = called_uniforms;
     texture_free(&map);
-    make_texture(&map, &color, 1);
+    called_make_texture(&map, &color, 1);
     u.diffuse = &grey;
     u.to_light = xyz(2.0 / 7, 3.0 / 7, 6.0 / 7);
     return u;
 }
 
-static struct shown first_varyings(void (*vertex)(const void *, size_t, size_t, double *),
-                                   size_t face, size_t corner, size_t count) {
+static struct shown called_first_varyings(void (*vertex)(const void *, size_t, size_t, double *),
+                                          size_t face, size_t corner, size_t count) {
     double varyings[VARYING_LIMIT] = {0};
-    vertex(&uniforms, face, corner, varyings);
+    vertex(&called_uniforms, face, corner, varyings);
     return count == 1 ? show("%.5g", varyings[0]) : show_reals(varyings, count);
 }
 
-static struct shown light_on(struct vec3 normal) {
-    return show("%.5g", lambert(normal, uniforms.to_light));
+static struct shown called_light_on(struct vec3 normal) {
+    return show("%.5g", lambert(normal, called_uniforms.to_light));
 }
 
-typedef bool pixel_function(const void *uniforms, const double *varyings, struct vec3 *rgb);
+typedef bool called_pixel_function(const void *called_uniforms, const double *varyings,
+                                   struct vec3 *rgb);
 
-static struct vec3 pixel_of(pixel_function *pixel, struct uniforms u, double a, double b,
-                            double c) {
+static struct vec3 called_pixel_of(called_pixel_function *pixel, struct uniforms u, double a,
+                                   double b, double c) {
     const double varyings[VARYING_LIMIT] = {a, b, c};
     struct vec3 rgb = {0, 0, 0};
     pixel(&u, varyings, &rgb);
     return rgb;
 }
 
-static bool is_drawn(pixel_function *pixel, double intensity) {
+static bool called_is_drawn(called_pixel_function *pixel, double intensity) {
     const double varyings[VARYING_LIMIT] = {intensity};
     struct vec3 rgb;
-    return pixel(&uniforms, varyings, &rgb);
+    return pixel(&called_uniforms, varyings, &rgb);
 }
 
 /* Whole numbers: 127.5 and 128 are both taken for the middle of the map's values. */
-static struct shown mapped_pixel(struct uniforms u) {
-    struct vec3 c = pixel_of(normal_map_pixel, u, 0.5, 0.25, 0.125);
+static struct shown called_mapped_pixel(struct uniforms u) {
+    struct vec3 c = called_pixel_of(normal_map_pixel, u, 0.5, 0.25, 0.125);
     return show("%.0f,%.0f,%.0f", c.x, c.y, c.z);
 }
 
-static struct shown grey_in_light(double x, double y, double z) {
+static struct shown called_grey_in_light(double x, double y, double z) {
     double value = 100 * lambert(xyz(x, y, z), xyz(2.0 / 7, 3.0 / 7, 6.0 / 7));
     return show("%.0f,%.0f,%.0f", value, value, value);
 }
 
 /* ---- Part c ---- */
 
-typedef lanes_mask fragment_function(const void *uniforms, const lanes *varyings,
-                                     lanes_texel *color);
+typedef lanes_mask called_fragment_function(const void *called_uniforms, const lanes *varyings,
+                                            lanes_texel *color);
 
-static lanes_mask call_fragment(fragment_function *fragment, const struct uniforms *u, int lane,
-                                const double *v, lanes_texel *color) {
+static lanes_mask called_call_fragment(called_fragment_function *fragment, const struct uniforms *u,
+                                       int lane, const double *v, lanes_texel *color) {
     const lanes varyings[VARYING_LIMIT] = {in_one_lane(lane, v[0], 0.25),
                                            in_one_lane(lane, v[1], 0.25),
                                            in_one_lane(lane, v[2], 0.25)};
@@ -233,138 +240,150 @@ static lanes_mask call_fragment(fragment_function *fragment, const struct unifor
 }
 
 /* Three varyings each. */
-static struct shown white_in(int lane, const double *v) {
+static struct shown called_white_in(int lane, const double *v) {
     lanes_texel color;
-    call_fragment(white_fragment, &uniforms, lane, v, &color);
+    called_call_fragment(white_fragment, &called_uniforms, lane, v, &color);
     return show_color(texel_lane(color, lane));
 }
 
-static struct shown textured_in(int lane, const double *v) {
+static struct shown called_textured_in(int lane, const double *v) {
     lanes_texel color;
-    call_fragment(textured_fragment, &uniforms, lane, v, &color);
+    called_call_fragment(textured_fragment, &called_uniforms, lane, v, &color);
     return show_color(texel_lane(color, lane));
 }
 
-static struct shown toon_in(int lane, const double *v) {
+static struct shown called_toon_in(int lane, const double *v) {
     lanes_texel color;
-    call_fragment(toon_fragment, &uniforms, lane, v, &color);
+    called_call_fragment(toon_fragment, &called_uniforms, lane, v, &color);
     return show_color(texel_lane(color, lane));
 }
 
-static struct shown lit_in(int lane, const double *v) {
+static struct shown called_lit_in(int lane, const double *v) {
     lanes_texel color;
-    return show_truth(
-        lanes_is_set(call_fragment(lit_only_fragment, &uniforms, lane, v, &color), lane));
+    return show_truth(lanes_is_set(
+        called_call_fragment(lit_only_fragment, &called_uniforms, lane, v, &color), lane));
 }
 
 /* Red, green, blue, intensity. */
-static struct shown shade_in(int lane, const double *v) {
+static struct shown called_shade_in(int lane, const double *v) {
     return show_color(
         texel_lane(shade(lanes3_all(xyz(v[0], v[1], v[2])), in_one_lane(lane, v[3], 0.25)), lane));
 }
 
 /* A normal. */
-static struct shown light_in(int lane, const double *v) {
+static struct shown called_light_in(int lane, const double *v) {
     struct lanes3 normal = vector_in_one_lane(lane, xyz(v[0], v[1], v[2]));
-    return show_lane(lambert_lanes(normal, uniforms.to_light), lane);
+    return show_lane(lambert_lanes(normal, called_uniforms.to_light), lane);
 }
 
 /* The map's colour. */
-static struct shown mapped_in(int lane, const double *v) {
-    const struct uniforms u = mapped((int)v[0], (int)v[1], (int)v[2]);
+static struct shown called_mapped_in(int lane, const double *v) {
+    const struct uniforms u = called_mapped((int)v[0], (int)v[1], (int)v[2]);
     lanes_texel color;
-    call_fragment(normal_map_fragment, &u, lane, (double[]){0.5, 0.25, 0.125}, &color);
+    called_call_fragment(normal_map_fragment, &u, lane, (double[]){0.5, 0.25, 0.125}, &color);
     return show_color(texel_lane(color, lane));
 }
 
 #define IN_LANES(function, ...) in_each_lane(function, (double[]){__VA_ARGS__})
 
 static void numbers(void) {
-    const struct rectangle all = {0, 0, WIDTH, HEIGHT}, one = {1, 1, 1, 1};
-    if (!make_textures()) {
+    const struct rectangle all = {0, 0, CALLED_WIDTH, CALLED_HEIGHT}, one = {1, 1, 1, 1};
+    if (!called_make_textures()) {
         return;
     }
-    TEXT("9a.1", "place_face(call, 0, placed), position", placed(0, POSITION),
+    TEXT("9a.1", "place_face(call, 0, placed), position", called_placed(0, CALLED_POSITION),
          "(60.5, 45.5) (111, -5.5) (85.75, 58.25)");
-    TEXT("9a.1", "place_face(call, 0, placed), depth", placed(0, DEPTH), "(0, 2, -1)");
-    TEXT("9a.1", "place_face(call, 0, placed), recip_w", placed(0, RECIP_W), "(1, 2, 0.5)");
-    TEXT("9a.1", "place_face(call, 1, placed)", placed(1, POSITION), "false");
-    TEXT("9a.1", "place_face(call, 2, placed)", placed(2, POSITION), "false");
-    TEXT("9a.1", "place_face(call, 3, placed)", placed(3, POSITION), "false");
-    TEXT("9a.2", "draw_pixels() on 3 x 2 pixels", drawn(false, -INFINITY, 1, all, grey_pixel),
-         "15 25 35 / 35 45 55");
-    TEXT("9a.2", "draw_pixels() in perspective", drawn(false, -INFINITY, 4, all, grey_pixel),
-         "25 45 57 / 42 58 67");
-    TEXT("9a.2", "draw_pixels() over depths of 1.5", drawn(false, 1.5, 1, all, grey_pixel),
-         "0 0 35 / 0 0 55");
-    TEXT("9a.2", "draw_pixels() over depths of 1, depths", drawn(true, 1, 4, all, grey_pixel),
-         "1 1.5 2.5 / 1 1.5 2.5");
+    TEXT("9a.1", "place_face(call, 0, placed), depth", called_placed(0, CALLED_DEPTH),
+         "(0, 2, -1)");
+    TEXT("9a.1", "place_face(call, 0, placed), recip_w", called_placed(0, CALLED_RECIP_W),
+         "(1, 2, 0.5)");
+    TEXT("9a.1", "place_face(call, 1, placed)", called_placed(1, CALLED_POSITION), "false");
+    TEXT("9a.1", "place_face(call, 2, placed)", called_placed(2, CALLED_POSITION), "false");
+    TEXT("9a.1", "place_face(call, 3, placed)", called_placed(3, CALLED_POSITION), "false");
+    TEXT("9a.2", "draw_pixels() on 3 x 2 pixels",
+         called_drawn(false, -INFINITY, 1, all, called_grey_pixel), "15 25 35 / 35 45 55");
+    TEXT("9a.2", "draw_pixels() in perspective",
+         called_drawn(false, -INFINITY, 4, all, called_grey_pixel), "25 45 57 / 42 58 67");
+    TEXT("9a.2", "draw_pixels() over depths of 1.5",
+         called_drawn(false, 1.5, 1, all, called_grey_pixel), "0 0 35 / 0 0 55");
+    TEXT("9a.2", "draw_pixels() over depths of 1, depths",
+         called_drawn(true, 1, 4, all, called_grey_pixel), "1 1.5 2.5 / 1 1.5 2.5");
     TEXT("9a.2", "draw_pixels() in a viewport of one pixel",
-         drawn(false, -INFINITY, 1, one, grey_pixel), "0 0 0 / 0 45 0");
-    TEXT("9a.2", "draw_pixels() that discards, depths", drawn(true, 0, 1, all, light_pixel),
-         "0 0 2.5 / 0.5 1.5 2.5");
-    TEXT_WITH("9a.3", "simple_draw(), CULL_BACK", asked_by_draw(CULL_BACK), "0:012 4:012",
-              asked_of_placed(CULL_BACK));
-    TEXT_WITH("9a.3", "simple_draw(), CULL_FRONT", asked_by_draw(CULL_FRONT), "5:012",
-              asked_of_placed(CULL_FRONT));
-    TEXT_WITH("9a.3", "simple_draw(), CULL_NONE", asked_by_draw(CULL_NONE), "0:012 4:012 5:012",
-              asked_of_placed(CULL_NONE));
+         called_drawn(false, -INFINITY, 1, one, called_grey_pixel), "0 0 0 / 0 45 0");
+    TEXT("9a.2", "draw_pixels() that discards, depths",
+         called_drawn(true, 0, 1, all, called_light_pixel), "0 0 2.5 / 0.5 1.5 2.5");
+    TEXT_WITH("9a.3", "simple_draw(), CULL_BACK", called_asked_by_draw(CULL_BACK), "0:012 4:012",
+              called_asked_of_placed(CULL_BACK));
+    TEXT_WITH("9a.3", "simple_draw(), CULL_FRONT", called_asked_by_draw(CULL_FRONT), "5:012",
+              called_asked_of_placed(CULL_FRONT));
+    TEXT_WITH("9a.3", "simple_draw(), CULL_NONE", called_asked_by_draw(CULL_NONE),
+              "0:012 4:012 5:012", called_asked_of_placed(CULL_NONE));
     REAL("9b.1", lambert(xyz(0, 0, 2), xyz(0.6, 0, 0.8)), 0.8);
     REAL("9b.1", lambert(xyz(3, 0, 4), xyz(0.6, 0, 0.8)), 1);
     REAL("9b.1", lambert(xyz(0, 0, -2), xyz(0.6, 0, 0.8)), 0);
-    AS_VECTOR("9b.2", "white_pixel(0.5)", vec3, pixel_of(white_pixel, uniforms, 0.5, 0, 0),
-              xyz(127.5, 127.5, 127.5));
+    AS_VECTOR("9b.2", "white_pixel(0.5)", vec3,
+              called_pixel_of(white_pixel, called_uniforms, 0.5, 0, 0), xyz(127.5, 127.5, 127.5));
     TEXT_WITH("9b.2", "flat_vertex(face of normal (0, 0, 4))",
-              first_varyings(flat_vertex, FRONT, 1, 1), "0.8", light_on(xyz(0, 0, 4)));
+              called_first_varyings(flat_vertex, CALLED_FRONT, 1, 1), "0.8",
+              called_light_on(xyz(0, 0, 4)));
     TEXT_WITH("9b.2", "gouraud_vertex(corner of normal (2, 0, 0))",
-              first_varyings(gouraud_vertex, FRONT, 1, 1), "0.6", light_on(xyz(2, 0, 0)));
-    TEXT("9b.3", "uv_vertex(corner of uv (0.25, 0.75))", first_varyings(uv_vertex, FRONT, 1, 2),
-         "(0.25, 0.75)");
+              called_first_varyings(gouraud_vertex, CALLED_FRONT, 1, 1), "0.6",
+              called_light_on(xyz(2, 0, 0)));
+    TEXT("9b.3", "uv_vertex(corner of uv (0.25, 0.75))",
+         called_first_varyings(uv_vertex, CALLED_FRONT, 1, 2), "(0.25, 0.75)");
     AS_VECTOR("9b.3", "textured_pixel(0.5, 0.25, 0.6)", vec3,
-              pixel_of(textured_pixel, uniforms, 0.5, 0.25, 0.6), xyz(120.3, 60.3, 30.3));
-    AS_VECTOR("9b.4", "toon_pixel(0.8001)", vec3, pixel_of(toon_pixel, uniforms, 0.8001, 0, 0),
+              called_pixel_of(textured_pixel, called_uniforms, 0.5, 0.25, 0.6),
+              xyz(120.3, 60.3, 30.3));
+    AS_VECTOR("9b.4", "toon_pixel(0.8001)", vec3,
+              called_pixel_of(toon_pixel, called_uniforms, 0.8001, 0, 0), xyz(255, 155, 0));
+    AS_VECTOR("9b.4", "toon_pixel(0.7999)", vec3,
+              called_pixel_of(toon_pixel, called_uniforms, 0.7999, 0, 0), xyz(191.25, 116.25, 0));
+    AS_VECTOR("9b.4", "toon_pixel(0.1999)", vec3,
+              called_pixel_of(toon_pixel, called_uniforms, 0.1999, 0, 0), xyz(0, 0, 0));
+    AS_VECTOR("9b.4", "toon_pixel(1)", vec3, called_pixel_of(toon_pixel, called_uniforms, 1, 0, 0),
               xyz(255, 155, 0));
-    AS_VECTOR("9b.4", "toon_pixel(0.7999)", vec3, pixel_of(toon_pixel, uniforms, 0.7999, 0, 0),
-              xyz(191.25, 116.25, 0));
-    AS_VECTOR("9b.4", "toon_pixel(0.1999)", vec3, pixel_of(toon_pixel, uniforms, 0.1999, 0, 0),
-              xyz(0, 0, 0));
-    AS_VECTOR("9b.4", "toon_pixel(1)", vec3, pixel_of(toon_pixel, uniforms, 1, 0, 0),
-              xyz(255, 155, 0));
-    TEXT_WITH("9b.5", "normal_map_pixel() of (255, 128, 128)", mapped_pixel(mapped(255, 128, 128)),
-              "29,29,29", grey_in_light(1, 0, 0));
-    TEXT_WITH("9b.5", "normal_map_pixel() of (128, 255, 128)", mapped_pixel(mapped(128, 255, 128)),
-              "43,43,43", grey_in_light(0, 1, 0));
-    TEXT_WITH("9b.5", "normal_map_pixel() of (128, 128, 255)", mapped_pixel(mapped(128, 128, 255)),
-              "86,86,86", grey_in_light(0, 0, 1));
+    TEXT_WITH("9b.5", "normal_map_pixel() of (255, 128, 128)",
+              called_mapped_pixel(called_mapped(255, 128, 128)), "29,29,29",
+              called_grey_in_light(1, 0, 0));
+    TEXT_WITH("9b.5", "normal_map_pixel() of (128, 255, 128)",
+              called_mapped_pixel(called_mapped(128, 255, 128)), "43,43,43",
+              called_grey_in_light(0, 1, 0));
+    TEXT_WITH("9b.5", "normal_map_pixel() of (128, 128, 255)",
+              called_mapped_pixel(called_mapped(128, 128, 255)), "86,86,86",
+              called_grey_in_light(0, 0, 1));
     TEXT("9b.6", "two_sided_vertex(face of normal (0, 0, 4))",
-         first_varyings(two_sided_vertex, FRONT, 1, 1), "0.8");
+         called_first_varyings(two_sided_vertex, CALLED_FRONT, 1, 1), "0.8");
     TEXT("9b.6", "two_sided_vertex(face of normal (0, 0, -4))",
-         first_varyings(two_sided_vertex, BACK, 1, 1), "0.8");
-    TEXT("9b.7", "lit_only_pixel(0)", show_truth(is_drawn(lit_only_pixel, 0)), "false");
-    TEXT("9b.7", "lit_only_pixel(0.001)", show_truth(is_drawn(lit_only_pixel, 0.001)), "true");
-    TEXT("9c.1", "shade((200, 100, 50), 0.6)", IN_LANES(shade_in, 200, 100, 50, 0.6), "120,60,30");
-    TEXT("9c.1", "white_fragment(0.6)", IN_LANES(white_in, 0.6, 0, 0), "153,153,153");
-    TEXT("9c.1", "textured_fragment(0.5, 0.25, 0.6)", IN_LANES(textured_in, 0.5, 0.25, 0.6),
+         called_first_varyings(two_sided_vertex, CALLED_BACK, 1, 1), "0.8");
+    TEXT("9b.7", "lit_only_pixel(0)", show_truth(called_is_drawn(lit_only_pixel, 0)), "false");
+    TEXT("9b.7", "lit_only_pixel(0.001)", show_truth(called_is_drawn(lit_only_pixel, 0.001)),
+         "true");
+    TEXT("9c.1", "shade((200, 100, 50), 0.6)", IN_LANES(called_shade_in, 200, 100, 50, 0.6),
          "120,60,30");
-    TEXT_WITH("9c.2", "toon_fragment(0.8001)", IN_LANES(toon_in, 0.8001, 0, 0), "255,155,0",
-              IN_LANES(shade_in, 255, 155, 0, 1));
-    TEXT_WITH("9c.2", "toon_fragment(0.7999)", IN_LANES(toon_in, 0.7999, 0, 0), "191,116,0",
-              IN_LANES(shade_in, 255, 155, 0, 0.75));
-    TEXT_WITH("9c.2", "toon_fragment(0.1999)", IN_LANES(toon_in, 0.1999, 0, 0), "0,0,0",
-              IN_LANES(shade_in, 255, 155, 0, 0));
-    TEXT_WITH("9c.2", "toon_fragment(1)", IN_LANES(toon_in, 1, 0, 0), "255,155,0",
-              IN_LANES(shade_in, 255, 155, 0, 1));
-    TEXT("9c.3", "lambert_lanes((0, 0, 2), (0.6, 0, 0.8))", IN_LANES(light_in, 0, 0, 2), "0.8");
-    TEXT("9c.3", "lambert_lanes((0, 0, -2), (0.6, 0, 0.8))", IN_LANES(light_in, 0, 0, -2), "0");
+    TEXT("9c.1", "white_fragment(0.6)", IN_LANES(called_white_in, 0.6, 0, 0), "153,153,153");
+    TEXT("9c.1", "textured_fragment(0.5, 0.25, 0.6)", IN_LANES(called_textured_in, 0.5, 0.25, 0.6),
+         "120,60,30");
+    TEXT_WITH("9c.2", "toon_fragment(0.8001)", IN_LANES(called_toon_in, 0.8001, 0, 0), "255,155,0",
+              IN_LANES(called_shade_in, 255, 155, 0, 1));
+    TEXT_WITH("9c.2", "toon_fragment(0.7999)", IN_LANES(called_toon_in, 0.7999, 0, 0), "191,116,0",
+              IN_LANES(called_shade_in, 255, 155, 0, 0.75));
+    TEXT_WITH("9c.2", "toon_fragment(0.1999)", IN_LANES(called_toon_in, 0.1999, 0, 0), "0,0,0",
+              IN_LANES(called_shade_in, 255, 155, 0, 0));
+    TEXT_WITH("9c.2", "toon_fragment(1)", IN_LANES(called_toon_in, 1, 0, 0), "255,155,0",
+              IN_LANES(called_shade_in, 255, 155, 0, 1));
+    TEXT("9c.3", "lambert_lanes((0, 0, 2), (0.6, 0, 0.8))", IN_LANES(called_light_in, 0, 0, 2),
+         "0.8");
+    TEXT("9c.3", "lambert_lanes((0, 0, -2), (0.6, 0, 0.8))", IN_LANES(called_light_in, 0, 0, -2),
+         "0");
     TEXT_WITH("9c.3", "normal_map_fragment() of (255, 128, 128)",
-              IN_LANES(mapped_in, 255, 128, 128), "29,29,29",
-              IN_LANES(shade_in, 100, 100, 100, 2.0 / 7));
+              IN_LANES(called_mapped_in, 255, 128, 128), "29,29,29",
+              IN_LANES(called_shade_in, 100, 100, 100, 2.0 / 7));
     TEXT_WITH("9c.3", "normal_map_fragment() of (128, 255, 128)",
-              IN_LANES(mapped_in, 128, 255, 128), "43,43,43",
-              IN_LANES(shade_in, 100, 100, 100, 3.0 / 7));
+              IN_LANES(called_mapped_in, 128, 255, 128), "43,43,43",
+              IN_LANES(called_shade_in, 100, 100, 100, 3.0 / 7));
     TEXT_WITH("9c.3", "normal_map_fragment() of (128, 128, 255)",
-              IN_LANES(mapped_in, 128, 128, 255), "86,86,86",
-              IN_LANES(shade_in, 100, 100, 100, 6.0 / 7));
-    TEXT("9c.4", "lit_only_fragment(0)", IN_LANES(lit_in, 0, 0, 0), "false");
-    TEXT("9c.4", "lit_only_fragment(0.001)", IN_LANES(lit_in, 0.001, 0, 0), "true");
+              IN_LANES(called_mapped_in, 128, 128, 255), "86,86,86",
+              IN_LANES(called_shade_in, 100, 100, 100, 6.0 / 7));
+    TEXT("9c.4", "lit_only_fragment(0)", IN_LANES(called_lit_in, 0, 0, 0), "false");
+    TEXT("9c.4", "lit_only_fragment(0.001)", IN_LANES(called_lit_in, 0.001, 0, 0), "true");
 }

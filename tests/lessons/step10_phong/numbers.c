@@ -6,56 +6,60 @@
 
 #define IN_LANES(function, ...) in_each_lane(function, (double[]){__VA_ARGS__})
 
-static struct lanes3 vector_in(int lane, const double *v) {
+static struct lanes3 called_vector_in(int lane, const double *v) {
     return vector_in_one_lane(lane, xyz(v[0], v[1], v[2]));
 }
 
 /* ---- The technique ---- */
 
 /* Base, power, largest power. */
-static struct shown power_in(int lane, const double *v) {
+static struct shown called_power_in(int lane, const double *v) {
     return show_lane(
         integer_power(in_one_lane(lane, v[0], 0.25), in_one_lane(lane, v[1], 0), (int)v[2]), lane);
 }
 
 /* Normal, to light. */
-static struct shown reflect_in(int lane, const double *v) {
-    return show_vector_lane(reflect(vector_in(lane, v), vector_in(lane, v + 3)), lane);
+static struct shown called_reflect_in(int lane, const double *v) {
+    return show_vector_lane(reflect(called_vector_in(lane, v), called_vector_in(lane, v + 3)),
+                            lane);
 }
 
 /* Normal, to light, to eye, power. */
-static struct lanes2 phong_lanes(int lane, const double *v) {
-    return phong(vector_in(lane, v), vector_in(lane, v + 3), vector_in(lane, v + 6),
-                 lanes_all((real)v[9]), (int)v[9]);
+static struct lanes2 called_phong_lanes(int lane, const double *v) {
+    return phong(called_vector_in(lane, v), called_vector_in(lane, v + 3),
+                 called_vector_in(lane, v + 6), lanes_all((real)v[9]), (int)v[9]);
 }
 
-static struct shown diffuse_in(int lane, const double *v) {
-    return show_lane(phong_lanes(lane, v).x, lane);
+static struct shown called_diffuse_in(int lane, const double *v) {
+    return show_lane(called_phong_lanes(lane, v).x, lane);
 }
 
-static struct shown specular_in(int lane, const double *v) {
-    return show_lane(phong_lanes(lane, v).y, lane);
+static struct shown called_specular_in(int lane, const double *v) {
+    return show_lane(called_phong_lanes(lane, v).y, lane);
 }
 
 /* The same by your other functions, where your diffuse light says that there is some. */
-static struct shown specular_of(const double *v) {
-    if (!(phong_lanes(0, v).x[0] > 0)) {
+static struct shown called_specular_of(const double *v) {
+    if (!(called_phong_lanes(0, v).x[0] > 0)) {
         return show("0");
     }
-    lanes mirrored = lanes3_dot(reflect(vector_in(0, v), vector_in(0, v + 3)), vector_in(0, v + 6));
+    lanes mirrored = lanes3_dot(reflect(called_vector_in(0, v), called_vector_in(0, v + 3)),
+                                called_vector_in(0, v + 6));
     return show_lane(
         integer_power(lanes_max(mirrored, lanes_all(0)), lanes_all((real)v[9]), (int)v[9]), 0);
 }
 
 #define DIFFUSE(normal, light, right)                                                              \
     TEXT("10a.1", "phong(" #normal ", " #light ", ...).x",                                         \
-         in_each_lane(diffuse_in, joined(xyz normal, xyz light, xyz(0, 0, 1), -1)), right)
+         in_each_lane(called_diffuse_in, called_joined(xyz normal, xyz light, xyz(0, 0, 1), -1)),  \
+         right)
 #define SPECULAR(normal, light, eye, power, right)                                                 \
-    TEXT_WITH("10b.3+10b.1", "phong(" #normal ", " #light ", " #eye ", " #power ", " #power ").y", \
-              in_each_lane(specular_in, joined(xyz normal, xyz light, xyz eye, power)), right,     \
-              specular_of(joined(xyz normal, xyz light, xyz eye, power)))
+    TEXT_WITH(                                                                                     \
+        "10b.3+10b.1", "phong(" #normal ", " #light ", " #eye ", " #power ", " #power ").y",       \
+        in_each_lane(called_specular_in, called_joined(xyz normal, xyz light, xyz eye, power)),    \
+        right, called_specular_of(called_joined(xyz normal, xyz light, xyz eye, power)))
 
-static const double *joined(struct vec3 a, struct vec3 b, struct vec3 c, double power) {
+static const double *called_joined(struct vec3 a, struct vec3 b, struct vec3 c, double power) {
     static double v[10];
     const double all[10] = {a.x, a.y, a.z, b.x, b.y, b.z, c.x, c.y, c.z, power};
     memcpy(v, all, sizeof v);
@@ -69,13 +73,13 @@ static float normals[][3] = {{0, 3, 4}}, uvs[][2] = {{0, 0}, {0.25f, 0.75f}};
 static struct face faces[] = {{{{0, 0, 0}, {1, 1, 0}, {2, 0, 0}}}};
 static const struct model model = {
     .positions = positions, .normals = normals, .uvs = uvs, .faces = faces, .face_count = 1};
-static struct texture colors, map, specular;
+static struct texture called_colors, map, specular;
 
 /* In the light of the text's worked example, seen from the front. */
-static struct uniforms uniforms_of(struct material material) {
+static struct uniforms called_uniforms_of(struct material material) {
     return (struct uniforms){
         .model = &model,
-        .diffuse = &colors,
+        .diffuse = &called_colors,
         .normal_map = &map,
         .specular = &specular,
         .eye = {1, 2, 3},
@@ -84,21 +88,21 @@ static struct uniforms uniforms_of(struct material material) {
     };
 }
 
-static const struct material matt = {0.1, 0.5, 0, -1, {0, 255, 0}};
-static const struct material shining = {0.1, 1, 1.5, 10, {0, 255, 0}};
-static const struct material faint = {0.1, 1, 0.5, 10, {0, 255, 0}};
+static const struct material called_matt = {0.1, 0.5, 0, -1, {0, 255, 0}};
+static const struct material called_shining = {0.1, 1, 1.5, 10, {0, 255, 0}};
+static const struct material called_faint = {0.1, 1, 0.5, 10, {0, 255, 0}};
 
 /* Where the way to the eye has any length. */
-static const double varyings[VARYING_LIMIT] = {0, 0, 2, 0.5, 0.5};
+static const double called_varyings[VARYING_LIMIT] = {0, 0, 2, 0.5, 0.5};
 
-static void fill_varyings(lanes *all) {
+static void called_fill_varyings(lanes *all) {
     for (int i = 0; i < VARYING_LIMIT; i++) {
-        all[i] = lanes_all((real)varyings[i]);
+        all[i] = lanes_all((real)called_varyings[i]);
     }
 }
 
 /* These are the surface's own: the material's are others. */
-static struct surface surface_of(struct vec3 color, double weight, int power) {
+static struct surface called_surface_of(struct vec3 color, double weight, int power) {
     return (struct surface){
         .color = lanes3_all(color),
         .normal = lanes3_all(xyz(0, 0, 1)),
@@ -110,7 +114,7 @@ static struct surface surface_of(struct vec3 color, double weight, int power) {
 }
 
 /* The three parts of a surface, by your phong(). */
-static struct vec3 sum_of(const struct material *material, const struct surface *surface) {
+static struct vec3 called_sum_of(const struct material *material, const struct surface *surface) {
     struct lanes2 light = phong(surface->normal, lanes3_all(xyz(0.6, 0, 0.8)),
                                 lanes3_all(xyz(0, 0, 1)), surface->power, surface->largest_power);
     double scattered = material->ambient + material->diffuse * (double)light.x[0];
@@ -120,29 +124,30 @@ static struct vec3 sum_of(const struct material *material, const struct surface 
                (double)surface->color.z[0] * scattered + mirrored);
 }
 
-static struct color illuminated(struct material material, struct surface surface) {
-    const struct uniforms u = uniforms_of(material);
+static struct color called_illuminated(struct material material, struct surface surface) {
+    const struct uniforms u = called_uniforms_of(material);
     return texel_lane(illuminate(&u, &surface), 0);
 }
 
-typedef lanes_mask fragment_function(const void *uniforms, const lanes *varyings,
-                                     lanes_texel *color);
+typedef lanes_mask called_fragment_function(const void *uniforms, const lanes *called_varyings,
+                                            lanes_texel *color);
 
-static struct color fragment_of(fragment_function *fragment, struct material material) {
-    const struct uniforms u = uniforms_of(material);
+static struct color called_fragment_of(called_fragment_function *fragment,
+                                       struct material material) {
+    const struct uniforms u = called_uniforms_of(material);
     lanes all[VARYING_LIMIT];
     lanes_texel color = lanes_black();
-    fill_varyings(all);
+    called_fill_varyings(all);
     fragment(&u, all, &color);
     return texel_lane(color, 0);
 }
 
-static struct vec3 vec3_of(struct color c) {
+static struct vec3 called_vec3_of(struct color c) {
     return xyz(c.r, c.g, c.b);
 }
 
 /* As one program rounds, and another cuts off. */
-static bool is_about(struct color c, struct vec3 v) {
+static bool called_is_about(struct color c, struct vec3 v) {
     return fabs(c.r - fmin(v.x, 255)) <= 1 && fabs(c.g - fmin(v.y, 255)) <= 1 &&
            fabs(c.b - fmin(v.z, 255)) <= 1;
 }
@@ -152,119 +157,123 @@ static bool is_about(struct color c, struct vec3 v) {
     do {                                                                                           \
         if (number_begin(task, name, show_color(right))) {                                         \
             const struct color yours = call;                                                       \
-            number_end(show_color(yours),                                                          \
-                       is_about(yours, vec3_of(right)) || is_about(yours, own));                   \
+            number_end(show_color(yours), called_is_about(yours, called_vec3_of(right)) ||         \
+                                              called_is_about(yours, own));                        \
         }                                                                                          \
     } while (0)
 
 /* With the map's normal, and this part of the weight, or another power. */
-static struct vec3 mapped_sum(struct material material, double part, int power, int largest_power) {
+static struct vec3 called_mapped_sum(struct material material, double part, int power,
+                                     int largest_power) {
     lanes all[VARYING_LIMIT];
-    const struct uniforms u = uniforms_of(material);
-    fill_varyings(all);
+    const struct uniforms u = called_uniforms_of(material);
+    called_fill_varyings(all);
     struct surface surface = textured_surface(&u, all);
     surface.normal = mapped_normal(&u, all);
     surface.specular *= (real)part;
     surface.power = power >= 0 ? lanes_all((real)power) : surface.power;
     surface.largest_power = power >= 0 ? largest_power : surface.largest_power;
-    return vec3_of(illuminated(material, surface));
+    return called_vec3_of(called_illuminated(material, surface));
 }
 
-static bool make_textures(uint8_t value) {
+static bool called_make_textures(uint8_t value) {
     const struct color one[] = {rgb(200, 100, 50), rgb(128, 128, 255), color_grey(value)};
-    texture_free(&colors);
+    texture_free(&called_colors);
     texture_free(&map);
     texture_free(&specular);
-    return make_texture(&colors, &one[0], 1) && make_texture(&map, &one[1], 1) &&
-           make_texture(&specular, &one[2], 1);
+    return called_make_texture(&called_colors, &one[0], 1) &&
+           called_make_texture(&map, &one[1], 1) && called_make_texture(&specular, &one[2], 1);
 }
 
 /* ---- What a corner hands over, and what a pixel makes of it ---- */
 
-static struct shown handed_over(void (*vertex)(const void *, size_t, size_t, double *),
-                                size_t first, size_t count) {
-    const struct uniforms u = uniforms_of(matt);
+static struct shown called_handed_over(void (*vertex)(const void *, size_t, size_t, double *),
+                                       size_t first, size_t count) {
+    const struct uniforms u = called_uniforms_of(called_matt);
     double handed[VARYING_LIMIT] = {0};
     vertex(&u, 0, 1, handed);
     return show_reals(handed + first, count);
 }
 
-static struct shown normal_in(int lane, const double *v) {
-    struct lanes3 n = vector_in(lane, v);
+static struct shown called_normal_in(int lane, const double *v) {
+    struct lanes3 n = called_vector_in(lane, v);
     const lanes all[VARYING_LIMIT] = {[5] = n.x, [6] = n.y, [7] = n.z};
     return show_vector_lane(mesh_normal(all), lane);
 }
 
 /* Tenths: 127.5 and 128 are both taken for the middle of the map's values. */
-static struct shown map_normal_in(int lane, const double *v) {
-    struct lanes3 n = normal_from_values(vector_in(lane, v));
+static struct shown called_map_normal_in(int lane, const double *v) {
+    struct lanes3 n = normal_from_values(called_vector_in(lane, v));
     return show("(%.1f, %.1f, %.1f)", round((double)n.x[lane] * 10) / 10 + 0,
                 round((double)n.y[lane] * 10) / 10 + 0, round((double)n.z[lane] * 10) / 10 + 0);
 }
 
-static struct vec3 color_of_texture(void) {
-    const struct uniforms u = uniforms_of(shining);
+static struct vec3 called_color_of_texture(void) {
+    const struct uniforms u = called_uniforms_of(called_shining);
     lanes all[VARYING_LIMIT];
-    fill_varyings(all);
+    called_fill_varyings(all);
     struct lanes3 color = textured_surface(&u, all).color;
     return xyz((double)color.x[0], (double)color.y[0], (double)color.z[0]);
 }
 
 static void numbers(void) {
-    if (!make_textures(102)) {
+    if (!called_make_textures(102)) {
         return;
     }
     /* First: what needs it is not called where it never returns. */
-    TEXT("10b.1", "integer_power(0.8, 10, 10)", IN_LANES(power_in, 0.8, 10, 10), "0.1074");
-    TEXT("10b.1", "integer_power(0.9, 1, 1)", IN_LANES(power_in, 0.9, 1, 1), "0.9");
-    TEXT("10b.1", "integer_power(0.5, 0, 0)", IN_LANES(power_in, 0.5, 0, 0), "1");
-    TEXT("10b.1", "integer_power(0.5, 3, 32)", IN_LANES(power_in, 0.5, 3, 32), "0.125");
-    TEXT("10b.1", "integer_power(0.99, 200, 200)", IN_LANES(power_in, 0.99, 200, 200), "0.134");
+    TEXT("10b.1", "integer_power(0.8, 10, 10)", IN_LANES(called_power_in, 0.8, 10, 10), "0.1074");
+    TEXT("10b.1", "integer_power(0.9, 1, 1)", IN_LANES(called_power_in, 0.9, 1, 1), "0.9");
+    TEXT("10b.1", "integer_power(0.5, 0, 0)", IN_LANES(called_power_in, 0.5, 0, 0), "1");
+    TEXT("10b.1", "integer_power(0.5, 3, 32)", IN_LANES(called_power_in, 0.5, 3, 32), "0.125");
+    TEXT("10b.1", "integer_power(0.99, 200, 200)", IN_LANES(called_power_in, 0.99, 200, 200),
+         "0.134");
     DIFFUSE((0, 0, 1), (0.6, 0, 0.8), "0.8");
     DIFFUSE((0.6, 0, 0.8), (0.6, 0, 0.8), "1");
     DIFFUSE((0, 0, -1), (0.6, 0, 0.8), "0");
-    const struct surface dull = surface_of(xyz(200, 100, 50), 0, -1);
-    ABOUT("10a.2", "illuminate(), matt", illuminated(matt, dull), rgb(100, 50, 25),
-          sum_of(&matt, &dull));
+    const struct surface dull = called_surface_of(xyz(200, 100, 50), 0, -1);
+    ABOUT("10a.2", "illuminate(), matt", called_illuminated(called_matt, dull), rgb(100, 50, 25),
+          called_sum_of(&called_matt, &dull));
     const struct material other = {0.1, 1, 0.25, 3, {0, 255, 0}};
-    const struct surface bright = surface_of(xyz(255, 128, 255), 0.5, 10);
-    ABOUT("10a.2+10b.1", "illuminate(), worked example", illuminated(other, bright),
-          rgb(243, 129, 243), sum_of(&other, &bright));
-    TEXT("10a.3", "vertex_with_normal(), normal (0, 3, 4)", handed_over(vertex_with_normal, 5, 3),
-         "(0, 0.6, 0.8)");
-    TEXT("10a.4", "mesh_normal((0.5, 0.5, 0))", IN_LANES(normal_in, 0.5, 0.5, 0),
+    const struct surface bright = called_surface_of(xyz(255, 128, 255), 0.5, 10);
+    ABOUT("10a.2+10b.1", "illuminate(), worked example", called_illuminated(other, bright),
+          rgb(243, 129, 243), called_sum_of(&other, &bright));
+    TEXT("10a.3", "vertex_with_normal(), normal (0, 3, 4)",
+         called_handed_over(vertex_with_normal, 5, 3), "(0, 0.6, 0.8)");
+    TEXT("10a.4", "mesh_normal((0.5, 0.5, 0))", IN_LANES(called_normal_in, 0.5, 0.5, 0),
          "(0.70711, 0.70711, 0)");
-    TEXT("10a.4", "mesh_normal((0, 0.3, -0.4))", IN_LANES(normal_in, 0, 0.3, -0.4),
+    TEXT("10a.4", "mesh_normal((0, 0.3, -0.4))", IN_LANES(called_normal_in, 0, 0.3, -0.4),
          "(0, 0.6, -0.8)");
-    TEXT("10b.2", "reflect((0, 0, 1), (0.6, 0, 0.8))", IN_LANES(reflect_in, 0, 0, 1, 0.6, 0, 0.8),
-         "(-0.6, 0, 0.8)");
-    TEXT("10b.2", "reflect((0.6, 0.8, 0), (1, 0, 0))", IN_LANES(reflect_in, 0.6, 0.8, 0, 1, 0, 0),
-         "(-0.28, 0.96, 0)");
+    TEXT("10b.2", "reflect((0, 0, 1), (0.6, 0, 0.8))",
+         IN_LANES(called_reflect_in, 0, 0, 1, 0.6, 0, 0.8), "(-0.6, 0, 0.8)");
+    TEXT("10b.2", "reflect((0.6, 0.8, 0), (1, 0, 0))",
+         IN_LANES(called_reflect_in, 0.6, 0.8, 0, 1, 0, 0), "(-0.28, 0.96, 0)");
     SPECULAR((0, 0, 1), (0.6, 0, 0.8), (0, 0, 1), 10, "0.1074");
     SPECULAR((0, 0, 1), (0.6, 0, 0.8), (1, 0, 0), 2, "0");
     SPECULAR((0, 0, 1), (0.6, 0, 0.8), (1, 0, 0), 0, "1");
     SPECULAR((0, 0, -1), (0.6, 0, 0.8), (-0.96, 0, -0.28), 2, "0");
-    TEXT("10b.4", "vertex(), eye (1, 2, 3)", handed_over(vertex, 0, 5),
+    TEXT("10b.4", "vertex(), eye (1, 2, 3)", called_handed_over(vertex, 0, 5),
          "(0.5, 1.5, 3, 0.25, 0.75)");
     TEXT("10c.1", "normal_from_values((255, 127.5, 127.5))",
-         IN_LANES(map_normal_in, 255, 127.5, 127.5), "(1.0, 0.0, 0.0)");
+         IN_LANES(called_map_normal_in, 255, 127.5, 127.5), "(1.0, 0.0, 0.0)");
     TEXT("10c.1", "normal_from_values((127.5, 64, 127.5))",
-         IN_LANES(map_normal_in, 127.5, 64, 127.5), "(0.0, -1.0, 0.0)");
+         IN_LANES(called_map_normal_in, 127.5, 64, 127.5), "(0.0, -1.0, 0.0)");
     TEXT("10c.1", "normal_from_values((204, 127.5, 229.5))",
-         IN_LANES(map_normal_in, 204, 127.5, 229.5), "(0.6, 0.0, 0.8)");
-    AS_VECTOR("10c.2", "textured_surface(u, varyings).color", vec3, color_of_texture(),
+         IN_LANES(called_map_normal_in, 204, 127.5, 229.5), "(0.6, 0.0, 0.8)");
+    AS_VECTOR("10c.2", "textured_surface(u, varyings).color", vec3, called_color_of_texture(),
               xyz(200, 100, 50));
-    ABOUT("10c.2", "full_fragment(), matt", fragment_of(full_fragment, matt), rgb(100, 50, 25),
-          mapped_sum(matt, 1, -1, -1));
+    ABOUT("10c.2", "full_fragment(), matt", called_fragment_of(full_fragment, called_matt),
+          rgb(100, 50, 25), called_mapped_sum(called_matt, 1, -1, -1));
     ABOUT("10c.3+10b.1", "weight_map_fragment() of value 102",
-          fragment_of(weight_map_fragment, shining), rgb(198, 108, 63),
-          mapped_sum(shining, 0.4, -1, -1));
-    make_textures(87);
-    ABOUT("10c.3+10b.1", "power_map_fragment() of value 87", fragment_of(power_map_fragment, faint),
-          rgb(192, 102, 57), mapped_sum(faint, 1, 11, 32));
-    make_textures(7);
-    ABOUT("10c.3+10b.1", "power_map_fragment() of value 7", fragment_of(power_map_fragment, faint),
-          rgb(255, 193, 148), mapped_sum(faint, 1, 1, 32));
+          called_fragment_of(weight_map_fragment, called_shining), rgb(198, 108, 63),
+          called_mapped_sum(called_shining, 0.4, -1, -1));
+    called_make_textures(87);
+    ABOUT("10c.3+10b.1", "power_map_fragment() of value 87",
+          called_fragment_of(power_map_fragment, called_faint), rgb(192, 102, 57),
+          called_mapped_sum(called_faint, 1, 11, 32));
+    called_make_textures(7);
+    ABOUT("10c.3+10b.1", "power_map_fragment() of value 7",
+          called_fragment_of(power_map_fragment, called_faint), rgb(255, 193, 148),
+          called_mapped_sum(called_faint, 1, 1, 32));
     VECTOR("10c.4", vec3, turning_light(0), xyz(0, 0, 1));
     VECTOR("10c.4", vec3, turning_light(0.25), xyz(1, 0, 0));
     VECTOR("10c.4", vec3, turning_light(0.125), xyz(sqrt(0.5), 0, sqrt(0.5)));
