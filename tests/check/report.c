@@ -254,7 +254,35 @@ bool report_is_unfinished(const struct check_result *result) {
     return only_to_do;
 }
 
-/* The first task that is not right. */
+/* Do the numbers of a task pass? */
+static bool has_right_numbers(const struct step_result *step, const struct task_result *task) {
+    bool passes = false;
+    for (size_t i = 0; i < step->item_count; i++) {
+        const struct item_result *item = &step->items[i];
+        passes |= item->is_numbers && item->state == RESULT_PASS &&
+                  strcmp(item->counter, task->name.text) == 0;
+    }
+    return passes;
+}
+
+/* The task to go on with: the first that is wrong for sure, else of those that perhaps are the one
+ * whose numbers do not pass, else the first of them, else the first that is to do; or NULL. */
+static const struct task_result *find_next(const struct step_result *step) {
+    const struct task_result *next = NULL;
+    int least = 4;
+    for (size_t i = 0; i < step->task_count; i++) {
+        const struct task_result *task = &step->tasks[i];
+        int rank = task->state == RESULT_PASS || task->waits ? 4
+                   : task->state == RESULT_TODO              ? 3
+                   : !task->perhaps                          ? 0
+                                                             : 1 + has_right_numbers(step, task);
+        next = rank < least ? task : next;
+        least = rank < least ? rank : least;
+    }
+    return next;
+}
+
+/* What to do now, in the first lesson that is not right. */
 static void report_next(const struct check_result *result) {
     for (size_t i = 0; i < result->step_count; i++) {
         const struct step_result *step = &result->steps[i];
@@ -262,14 +290,12 @@ static void report_next(const struct check_result *result) {
             printf("First let it build.\n");
             return;
         }
-        for (size_t k = 0; k < step->task_count; k++) {
-            const struct task_result *task = &step->tasks[k];
-            if (task->state != RESULT_PASS && !task->waits) {
-                printf("%s task %s; `make hint STEP=%.2s TASK=%s` gives a hint.\n",
-                       task->state == RESULT_TODO ? "Next:" : "First put right:", task->name.text,
-                       step->name + strlen("step"), task->name.text);
-                return;
-            }
+        const struct task_result *task = find_next(step);
+        if (task != NULL) {
+            printf("%s task %s; `make hint STEP=%.2s TASK=%s` gives a hint.\n",
+                   task->state == RESULT_TODO ? "Next:" : "First put right:", task->name.text,
+                   step->name + strlen("step"), task->name.text);
+            return;
         }
     }
 }

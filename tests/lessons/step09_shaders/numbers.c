@@ -287,7 +287,7 @@ static struct shown called_mapped_in(int lane, const double *v) {
 #define IN_LANES(function, ...) in_each_lane(function, (double[]){__VA_ARGS__})
 
 static void numbers(void) {
-    const struct rectangle all = {0, 0, CALLED_WIDTH, CALLED_HEIGHT}, one = {1, 1, 1, 1};
+    const struct rectangle all = {0, 0, CALLED_WIDTH, CALLED_HEIGHT}, one = {1, 0, 1, 1};
     if (!called_make_textures()) {
         return;
     }
@@ -309,7 +309,7 @@ static void numbers(void) {
     TEXT("9a.2", "draw_pixels() over depths of 1, depths",
          called_drawn(true, 1, 4, all, called_grey_pixel), "1 1.5 2.5 / 1 1.5 2.5");
     TEXT("9a.2", "draw_pixels() in a viewport of one pixel",
-         called_drawn(false, -INFINITY, 1, one, called_grey_pixel), "0 0 0 / 0 45 0");
+         called_drawn(false, -INFINITY, 1, one, called_grey_pixel), "0 25 0 / 0 0 0");
     TEXT("9a.2", "draw_pixels() that discards, depths",
          called_drawn(true, 0, 1, all, called_light_pixel), "0 0 2.5 / 0.5 1.5 2.5");
     TEXT_WITH("9a.3", "simple_draw(), CULL_BACK", called_asked_by_draw(CULL_BACK), "0:012 4:012",
