@@ -1,8 +1,9 @@
 /*
- * Sculpts the course's own model: sculpt DIR
+ * Sculpts the course's own model: sculpt DIR [COARSER]
  *
  * Writes into DIR: bust.obj with bust_diffuse.tga, bust_nm.tga and bust_spec.tga, and two plain
- * solids, sphere.obj and knot.off. All are closed, face outwards and lie within -1..1.
+ * solids, sphere.obj and knot.off. All are closed, face outwards and lie within -1..1. COARSER, 1
+ * to 8, divides the columns, rows, faces and texels of the bust, where a processor is emulated.
  *
  *   head.c      the bust as a solid of clay: where clay is and where not
  *   surface.c   rays from inside find its surface, as a fine grid over the texture
@@ -47,12 +48,12 @@ static bool write_image(const struct image *image, const char *directory, const 
     return join_path(path, directory, name, error) && tga_write(image, path, error);
 }
 
-static bool write_mesh_of_bust(const struct surface *surface, const char *directory,
+static bool write_mesh_of_bust(const struct surface *surface, int coarser, const char *directory,
                                struct error *error) {
     struct grid_triangle *triangles = NULL;
     size_t count;
     struct mesh mesh = {0};
-    bool done = (simplify(surface, HALF_FACES, &triangles, &count) &&
+    bool done = (simplify(surface, (size_t)(HALF_FACES / coarser), &triangles, &count) &&
                  mesh_from_surface(&mesh, surface, triangles, count)) ||
                 error_set(error, "out of memory for the bust");
     done = done && write_mesh(&mesh, "A bust, sculpted by common/sculptor/sculpt.c", directory,
@@ -62,14 +63,14 @@ static bool write_mesh_of_bust(const struct surface *surface, const char *direct
     return done;
 }
 
-static bool write_bust(const char *directory, struct error *error) {
+static bool write_bust(int coarser, const char *directory, struct error *error) {
     struct surface surface;
-    if (!surface_create(&surface, FINE_COLUMNS, FINE_ROWS)) {
+    if (!surface_create(&surface, FINE_COLUMNS / coarser, FINE_ROWS / coarser)) {
         return error_set(error, "out of memory for the bust");
     }
     struct skin skin = {0};
-    bool done = write_mesh_of_bust(&surface, directory, error) &&
-                skin_create(&skin, &surface, TEXTURE_SIZE, error) &&
+    bool done = write_mesh_of_bust(&surface, coarser, directory, error) &&
+                skin_create(&skin, &surface, (size_t)(TEXTURE_SIZE / coarser), error) &&
                 write_image(&skin.diffuse, directory, "bust_diffuse.tga", error) &&
                 write_image(&skin.normals, directory, "bust_nm.tga", error) &&
                 write_image(&skin.specular, directory, "bust_spec.tga", error);
@@ -90,12 +91,13 @@ static bool write_solids(const char *directory, struct error *error) {
 }
 
 int main(int argc, char **argv) {
-    if (argc != 2 || argv[1][0] == '\0') {
-        fprintf(stderr, "usage: sculpt DIR\n");
+    int coarser = argc == 3 ? atoi(argv[2]) : 1;
+    if (argc < 2 || argc > 3 || argv[1][0] == '\0' || coarser < 1 || coarser > 8) {
+        fprintf(stderr, "usage: sculpt DIR [COARSER]\n");
         return 2;
     }
     struct error error;
-    if (!write_solids(argv[1], &error) || !write_bust(argv[1], &error)) {
+    if (!write_solids(argv[1], &error) || !write_bust(coarser, argv[1], &error)) {
         fprintf(stderr, "sculpt: %s\n", error.message);
         return 1;
     }
