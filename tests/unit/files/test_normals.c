@@ -200,8 +200,8 @@ static void test_colors_from_normals(void) {
     }
     CHECK(same3(m.colors[0], 0.5F, 0.5F, 0)); /* the first face decides */
     CHECK(same3(m.colors[1], 0.8F, 0.9F, 0.5F));
-    CHECK(same3(m.colors[2], 0.5F, 0.5F, 0.5F)); /* a normal without length */
-    CHECK(same3(m.colors[3], 0.5F, 0.5F, 1));    /* computed */
+    CHECK(same3(m.colors[2], 0.5F, 0.5F, 1));    /* computed: the one given has no length */
+    CHECK(same3(m.colors[3], 0.5F, 0.5F, 1));    /* computed: none is given */
     CHECK(same3(m.colors[4], 0.5F, 0.5F, 0.5F)); /* of no face */
     model_free(&m);
 }
