@@ -48,8 +48,8 @@ static bool over_prefix(const char **p, const char *end, const char *prefix) {
 static bool parse_keyword(struct word word, struct off_kind *kind) {
     int64_t number;
     *kind = (struct off_kind){.rest = word};
-    if (word.length == 0 || word_to_integer(word, &number)) {
-        return word.length > 0;
+    if (word_to_integer(word, &number)) {
+        return true;
     }
     const char *p = word.start, *end = word.start + word.length, *before;
     do {

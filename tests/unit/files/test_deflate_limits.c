@@ -146,6 +146,11 @@ static void test_right_blocks(void) {
         {"0 10 10010001 0000000 0 10 10010001 0000000 0 " OWN "00000" CODES "10 0 10"
          "1 10 10010001 0000000",
          "aaaa"}, /* other codes, and back */
+        /* a code length repeated: 97 zeros, 3, six times 3, 152 zeros, 3 and no distance */
+        {"1 01 00000 00000 0101 110 000 100 110 000 000 000 000 000 000 000 000 000 010"
+         "0 0110101 10 111 11 0 1111111 0 1100000 10 110"
+         "110 101 100 011 010 001 000 111",
+         "gfedcba"},
     };
     for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
         struct bits bits = {0};
