@@ -490,14 +490,33 @@ static void test_live(void) {
     struct program program = needs_program;
     program.scenes = scenes_of_model;
     program.scene_count = 2;
-    draw_calls = 0;
+    draw_calls = finish_calls = 0;
     CHECK(run_live(&dot_program, "--live", "--only film\n") == 0);
-    CHECK(draw_calls == 1 && last_drawing.frame == 0);
+    CHECK(draw_calls == 1 && finish_calls == 1 && last_drawing.frame == 0);
     CHECK(run_live(&dot_program, "--live", "--only film --frame 2\n") == 0);
     CHECK(draw_calls == 2 && last_drawing.frame == 1);
     put_file("mapped.obj", mapped_obj);
     CHECK(run_live(&program, "--live mapped.obj", "--only model\n") == 0);
     CHECK(draw_calls == 3);
+}
+
+/* The numbers of a scene: theirs, or what --set says. */
+static void test_set(void) {
+    static const struct scene_value values[] = {
+        {"size", "how large", 1, 9, 1, 5}, {"turn", "how far", -1, 1, 0.1, 0}, {.name = NULL}};
+    static const struct scene scene = {
+        .name = "dot", .width = 4, .height = 3, .values = values, .draw = draw_dot};
+    struct program program = dot_program;
+    program.scenes = &scene;
+    program.scene_count = 1;
+    CHECK(run(&program, "-o out") == 0);
+    CHECK(drawing_value(&last_drawing, "size") == 5 && drawing_value(&last_drawing, "turn") == 0);
+    CHECK(run(&program, "-o out --set turn=-0.5 --set size=9") == 0);
+    CHECK(drawing_value(&last_drawing, "size") == 9 &&
+          drawing_value(&last_drawing, "turn") == -0.5);
+    CHECK(run(&program, "-o out --set size=9.5") == 2 && run(&program, "-o out --set size=0") == 2);
+    CHECK(run_live(&program, "--live", "--set size=1\n") == 0);
+    CHECK(drawing_value(&last_drawing, "size") == 1 && drawing_value(&last_drawing, "turn") == 0);
 }
 
 /* A drawing of a replaced texture: what stands for it. */
@@ -685,6 +704,9 @@ static void test_out_of_view(void) {
     camera_program.takes_camera = camera_program.takes_light = false;
     CHECK_RUN(&camera_program, "-o out --fit near.obj", 0,
               "probe: scene blank: nothing was drawn\nout/blank.tga\n");
+    put_file("away.obj", "v 0 0 0\nv 0 1 2\nv 1 0 2\nf 1 2 3\n"); /* up, right and away */
+    CHECK_RUN(&camera_program, "-o out --fit away.obj", 0,
+              "probe: scene blank: nothing was drawn: all faces look away\nout/blank.tga\n");
 }
 
 /* What is much smaller than the view is drawn, but small: said once. */
@@ -911,8 +933,8 @@ static void test_clean_up(void) {
 UNIT_MAIN(TEST(test_usage), TEST(test_help), TEST(test_extra), TEST(test_formats),
           TEST(test_frames), TEST(test_stats_and_repeat), TEST(test_repeat_time), TEST(test_camera),
           TEST(test_failures), TEST(test_text_scene), TEST(test_needs), TEST(test_live),
-          TEST(test_stats_of_files), TEST(test_defaults), TEST(test_grey), TEST(test_out_of_view),
-          TEST(test_replaced), TEST(test_tiny), TEST(test_details), TEST(test_warnings_of_files),
-          TEST(test_failing_scenes), TEST(test_end_of_options), TEST(test_seldom_failures),
-          TEST(test_full_output), TEST(test_text_names), TEST(test_default_directory),
-          TEST(test_clean_up))
+          TEST(test_set), TEST(test_stats_of_files), TEST(test_defaults), TEST(test_grey),
+          TEST(test_out_of_view), TEST(test_replaced), TEST(test_tiny), TEST(test_details),
+          TEST(test_warnings_of_files), TEST(test_failing_scenes), TEST(test_end_of_options),
+          TEST(test_seldom_failures), TEST(test_full_output), TEST(test_text_names),
+          TEST(test_default_directory), TEST(test_clean_up))
