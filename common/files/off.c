@@ -48,8 +48,8 @@ static bool over_prefix(const char **p, const char *end, const char *prefix) {
 static bool parse_keyword(struct word word, struct off_kind *kind) {
     int64_t number;
     *kind = (struct off_kind){.rest = word};
-    if (word.length == 0 || word_to_integer(word, &number)) {
-        return word.length > 0;
+    if (word_to_integer(word, &number)) {
+        return true;
     }
     const char *p = word.start, *end = word.start + word.length, *before;
     do {
@@ -372,17 +372,20 @@ static bool decode(struct model *model, const void *data, size_t size, unsigned 
 }
 
 /* Where what looks right does not fit, another guess may; not with points and lines, which it
- * finds in many a file that is wrong elsewhere. */
+ * finds in many a file that is wrong elsewhere. Nor where memory ran out, an error that
+ * names no line: a guess that needs less memory might fit, and be wrong. */
 bool off_decode(struct model *model, const void *data, size_t size, unsigned parts,
                 struct error *error) {
-    struct error ignored;
+    struct error again = {.line = 1};
     bool in_doubt = false;
     if (is_binary(data, size)) {
         return text_error(error, 1, "a binary OFF file: only text can be read");
     }
     return decode(model, data, size, parts, (struct off_guess){0}, &in_doubt, error) ||
-           (in_doubt && decode(model, data, size, parts, (struct off_guess){.edges = true},
-                               &in_doubt, &ignored)) ||
-           decode(model, data, size, parts, (struct off_guess){.colored = true}, &in_doubt,
-                  &ignored);
+           (error->line > 0 && in_doubt &&
+            decode(model, data, size, parts, (struct off_guess){.edges = true}, &in_doubt,
+                   &again)) ||
+           (error->line > 0 && again.line > 0 &&
+            decode(model, data, size, parts, (struct off_guess){.colored = true}, &in_doubt,
+                   &again));
 }

@@ -146,6 +146,11 @@ static void test_right_blocks(void) {
         {"0 10 10010001 0000000 0 10 10010001 0000000 0 " OWN "00000" CODES "10 0 10"
          "1 10 10010001 0000000",
          "aaaa"}, /* other codes, and back */
+        /* a code length repeated: 97 zeros, 3, six times 3, 152 zeros, 3 and no distance */
+        {"1 01 00000 00000 0101 110 000 100 110 000 000 000 000 000 000 000 000 000 010"
+         "0 0110101 10 111 11 0 1111111 0 1100000 10 110"
+         "110 101 100 011 010 001 000 111",
+         "gfedcba"},
     };
     for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
         struct bits bits = {0};
@@ -350,6 +355,23 @@ static void test_long_codes(void) {
     }
 }
 
+/* Literal codes of 1 to 15 bits: byte i has i of them, byte 0 and the end of the block 15. */
+static void test_long_literals(void) {
+    uint8_t plain[15];
+    struct bits bits = {0};
+    put_own_header(&bits, 257, 1);
+    for (unsigned i = 0; i < 258; i++) {
+        put_code(&bits, i == 0 || i == 256 ? 15 : i < 15 ? i : 0, 4);
+    }
+    for (unsigned i = 0; i < 15; i++) {
+        unsigned count = i == 0 ? 15 : i;
+        plain[i] = (uint8_t)i;
+        put_code(&bits, (1u << count) - 2, count);
+    }
+    put_code(&bits, (1u << 15) - 1, 15);
+    check_blocks(&bits, plain, sizeof plain);
+}
+
 static void test_zlib_header(void) {
     static const struct {
         const char *name;
@@ -503,5 +525,5 @@ static void test_limit_of_codes(void) {
 
 UNIT_MAIN(TEST(test_right_blocks), TEST(test_wrong_blocks), TEST(test_stored_after_others),
           TEST(test_far_distances), TEST(test_matches_near_end), TEST(test_long_codes),
-          TEST(test_zlib_header), TEST(test_empty_blocks), TEST(test_compress),
-          TEST(test_compress_far_copies), TEST(test_limit_of_codes))
+          TEST(test_long_literals), TEST(test_zlib_header), TEST(test_empty_blocks),
+          TEST(test_compress), TEST(test_compress_far_copies), TEST(test_limit_of_codes))

@@ -544,7 +544,7 @@ static void test_limit_of_pixels(void) {
 
 /* ---- PNG out ---- */
 
-enum picture { NOISE, SHADES, FLAT, PICTURES };
+enum picture { NOISE, SHADES, FLAT, STAIRS, PICTURES };
 
 static struct image make_image(size_t width, size_t height, enum image_format format,
                                enum picture picture, uint32_t *state) {
@@ -561,6 +561,8 @@ static struct image make_image(size_t width, size_t height, enum image_format fo
                                        (uint8_t)(200 - y), (uint8_t)(255 - x)};
             } else if (picture == FLAT) {
                 color = color_rgb((uint8_t)((x / 9 + y / 7) % 3 * 90), 255, y < 20 ? 255 : 0);
+            } else if (picture == STAIRS) {
+                color = color_grey((uint8_t)(x / 9));
             }
             image_set(&image, (int)x, (int)y, color);
         }
@@ -577,8 +579,8 @@ static void test_round_trip(void) {
         struct bytes file = {0};
         struct image again;
         struct error error;
-        struct image image = make_image(sizes[i / 9][0], sizes[i / 9][1], formats[i % 3],
-                                        (enum picture)(i / 3 % PICTURES), &state);
+        struct image image = make_image(sizes[i / (3 * PICTURES)][0], sizes[i / (3 * PICTURES)][1],
+                                        formats[i % 3], (enum picture)(i / 3 % PICTURES), &state);
         put(&file, 66);
         CHECK(png_encode(&image, &file, &error) && file.data[0] == 66);
         CHECK(file.data[1 + 24] == 8 && file.data[1 + 25] == color_types[i % 3]);
@@ -620,6 +622,12 @@ static void test_choice_of_filters(void) {
     uint32_t state = 5;
     struct image image = make_image(90, 90, IMAGE_BGR, FLAT, &state);
     CHECK(filters_of(&image) == 1); /* areas of one colour: none */
+    image_free(&image);
+    image = make_image(90, 90, IMAGE_BGRA, FLAT, &state); /* the last channel is all the same */
+    CHECK(filters_of(&image) == 1);
+    image_free(&image);
+    image = make_image(90, 90, IMAGE_GREY, STAIRS, &state);
+    CHECK(filters_of(&image) == (1 << 1 | 1 << 2)); /* low steps are no areas: Sub and Up */
     image_free(&image);
     image = make_image(90, 90, IMAGE_BGR, SHADES, &state);
     CHECK(filters_of(&image) == (1 << 1 | 1 << 4)); /* Sub and Paeth */

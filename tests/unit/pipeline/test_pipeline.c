@@ -1,5 +1,6 @@
 /* The pipeline against independent answers: perspective, clipping, what is left out, and how.
  * (Which face shows at which pixel, and each pixel once: test_borders.c.) */
+#include "base/workers.h"
 #include "oracle/oracle.h"
 #include "unit/frames.h"
 
@@ -854,6 +855,28 @@ static void test_frames_keep_their_memory(void) {
     target_free(&target);
 }
 
+/* A pipeline that drew without threads gets those that are asked for later. */
+static void test_threads_later(void) {
+    static struct mesh mesh;
+    struct random random = {18};
+    struct workers *three = workers_create(3); /* fewer on a system without threads */
+    make_soup(&mesh, &random);
+    if (frame_begin(0)) {
+        for (size_t threads = 1; threads <= 3; threads += 2) {
+            pipeline_use_threads(&target.pipeline, threads);
+            frame_next();
+            for (int call = 0; call < 20; call++) { /* more than one part */
+                frame_draw(&mesh, mat4_identity(), &number_shader);
+            }
+            frame_finish();
+            CHECK(workers_count(target.pipeline.workers) ==
+                  (threads == 1 ? 1 : workers_count(three)));
+        }
+    }
+    target_free(&target);
+    workers_free(three);
+}
+
 static void test_errors(void) {
     struct error error;
     struct pipeline pipeline;
@@ -873,4 +896,5 @@ UNIT_MAIN(TEST(test_face_past_a_corner), TEST(test_object_partly_in_view),
           TEST(test_scale_of_clip_space), TEST(test_each_call_has_its_perspective),
           TEST(test_corner_order), TEST(test_ground_without_gaps), TEST(test_interpolation),
           TEST(test_grid_cell), TEST(test_not_finite), TEST(test_wrapped_level),
-          TEST(test_far_apart), TEST(test_frames_keep_their_memory), TEST(test_errors))
+          TEST(test_far_apart), TEST(test_frames_keep_their_memory), TEST(test_threads_later),
+          TEST(test_errors))

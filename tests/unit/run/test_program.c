@@ -37,7 +37,8 @@ static bool draw_dot(struct drawing *drawing, struct image *image, struct error 
     (void)error;
     const struct probe_state *state = drawing->state;
     CHECK(state->prepared == 1);
-    CHECK(image_get(image, 1, 1).r == 0); /* cleared, also before it is drawn again */
+    struct color before = image_get(image, 1, 1); /* cleared, also before it is drawn again */
+    CHECK(before.r == 0 && before.g == 0 && before.b == 0);
     image_set(image, 1, 1, color_rgb(1, 2, (uint8_t)(3 + drawing->frame)));
     drawing_count(drawing, "dots", 1);
     drawing_count(drawing, "dots", 2);
@@ -246,6 +247,19 @@ static void test_extra(void) {
     CHECK(exists("out/deep/more.tga"));
 }
 
+/* The frames of an animation; 0 in a plain PNG. */
+static size_t count_frames(const char *path) {
+    struct error error;
+    struct bytes file = {0};
+    size_t frames = 0;
+    CHECK(file_read(in_directory(path), &file, &error));
+    for (size_t i = 0; i + 4 <= file.size; i++) {
+        frames += memcmp(file.data + i, "fcTL", 4) == 0;
+    }
+    bytes_free(&file);
+    return frames;
+}
+
 static void test_formats(void) {
     CHECK_RUN(&dot_program, "-o out/deep --only dot", 0, "out/deep/dot.tga\n");
     if (read_image("out/deep/dot.tga")) {
@@ -257,13 +271,13 @@ static void test_formats(void) {
         CHECK(picture.width == 7 && picture.height == 9);
         CHECK(image_get(&picture, 1, 1).r == 1 && image_get(&picture, 1, 1).b == 3);
     }
+    CHECK(count_frames("out/dot.png") == 0);
     CHECK(run(&dot_program, "-o out --only dot --format ppm") == 0);
     CHECK(exists("out/dot.ppm"));
     CHECK(!exists("out/dot.tga")); /* only what was asked for */
 }
 
 static void test_frames(void) {
-    struct error error;
     CHECK(run(&dot_program, "-o out --only film") == 0);
     if (read_image("out/film.tga")) {
         /* Three frames of 2x2 on a sheet of two columns, the first one top left. */
@@ -274,15 +288,7 @@ static void test_frames(void) {
         CHECK(image_get(&picture, 3, 1).b == 0);
     }
     CHECK(run(&dot_program, "-o out --only film --format png") == 0);
-    struct bytes file = {0};
-    if (CHECK(file_read(in_directory("out/film.png"), &file, &error))) {
-        size_t frames = 0;
-        for (size_t i = 0; i + 4 <= file.size; i++) {
-            frames += memcmp(file.data + i, "fcTL", 4) == 0;
-        }
-        CHECK(frames == 3);
-        bytes_free(&file);
-    }
+    CHECK(count_frames("out/film.png") == 3);
     if (read_image("out/film.png")) {
         CHECK(picture.width == 5 &&
               picture.height == 4); /* in an animation each frame has the size */
@@ -303,11 +309,12 @@ static void test_stats_and_repeat(void) {
     CHECK(strstr(output, "dot.dots: 3\n") != NULL); /* of one drawing, not of five */
 }
 
-/* Takes at least that long. */
+/* Takes at least that long, and every other time, from the first on, eight times as long. */
 enum { SLOW_MS = 3 };
+static int slow_calls;
 
 static bool draw_slowly(struct drawing *drawing, struct image *image, struct error *error) {
-    const struct timespec pause = {.tv_nsec = SLOW_MS * 1000000};
+    const struct timespec pause = {.tv_nsec = SLOW_MS * 1000000 * (slow_calls++ % 2 == 0 ? 8 : 1)};
     (void)drawing, (void)image, (void)error;
     nanosleep(&pause, NULL);
     return true;
@@ -320,18 +327,27 @@ static const struct scene slow_scenes[] = {
 static const struct program slow_program = {
     .name = "probe", .summary = "slow", .scenes = slow_scenes, .scene_count = 1};
 
-/* The time of one drawing: not less than it certainly takes, nor more than the whole run. */
-static void test_repeat_time(void) {
+/* The median time of `repeat` drawings is at least `least` milliseconds, and at most one of `parts`
+ * equal parts of the whole run. */
+static void check_time(int repeat, double least, int parts) {
     struct timespec begin, end;
+    char arguments[32];
     double time = -1;
+    slow_calls = 0;
+    snprintf(arguments, sizeof arguments, "-o out --repeat %d", repeat);
     clock_gettime(CLOCK_MONOTONIC, &begin);
-    CHECK(run(&slow_program, "-o out --repeat 5") == 0);
+    CHECK(run(&slow_program, arguments) == 0);
     clock_gettime(CLOCK_MONOTONIC, &end);
     double whole =
         (double)(end.tv_sec - begin.tv_sec) * 1e3 + (double)(end.tv_nsec - begin.tv_nsec) * 1e-6;
     const char *line = strstr(output, "slow: ");
     CHECK(line != NULL && sscanf(line, "slow: %lf ms\n", &time) == 1);
-    CHECK(time >= SLOW_MS - 0.001 && time < whole); /* printed with three digits */
+    CHECK(time >= least - 0.001 && time < whole / parts); /* printed with three digits */
+}
+
+static void test_repeat_time(void) {
+    check_time(3, 8 * SLOW_MS, 2);   /* two are at least as long as the median */
+    check_time(2, 4.5 * SLOW_MS, 2); /* the mean of both */
 }
 
 static void test_camera(void) {
@@ -442,6 +458,65 @@ static void test_needs(void) {
     finishing.finish = finish_unprepared;
     finish_calls = 0;
     CHECK(run(&finishing, "-o out --only depth missing.obj") == 1 && finish_calls == 0);
+}
+
+/* Run with --live, asked for `requests`. */
+static int run_live(const struct program *program, const char *arguments, const char *requests) {
+    put_file("requests", requests);
+    int kept = dup(STDIN_FILENO), file = open(in_directory("requests"), O_RDONLY);
+    CHECK(dup2(file, STDIN_FILENO) == STDIN_FILENO);
+    int status = run(program, arguments);
+    clearerr(stdin);
+    CHECK(dup2(kept, STDIN_FILENO) == STDIN_FILENO);
+    close(kept);
+    close(file);
+    return status;
+}
+
+static bool draw_places(struct drawing *drawing, struct image *image, struct error *error) {
+    (void)image, (void)error;
+    CHECK(drawing->model->uv_count == 3);
+    draw_calls++;
+    return true;
+}
+
+/* A request is one frame, of the animation too. What any scene needs of a model is read for the
+ * first. */
+static void test_live(void) {
+    static const struct scene scenes_of_model[] = {
+        {.name = "model", .needs = NEEDS_MODEL, .draw = draw_places},
+        {.name = "diffuse", .needs = NEEDS_DIFFUSE, .draw = draw_places},
+    };
+    struct program program = needs_program;
+    program.scenes = scenes_of_model;
+    program.scene_count = 2;
+    draw_calls = finish_calls = 0;
+    CHECK(run_live(&dot_program, "--live", "--only film\n") == 0);
+    CHECK(draw_calls == 1 && finish_calls == 1 && last_drawing.frame == 0);
+    CHECK(run_live(&dot_program, "--live", "--only film --frame 2\n") == 0);
+    CHECK(draw_calls == 2 && last_drawing.frame == 1);
+    put_file("mapped.obj", mapped_obj);
+    CHECK(run_live(&program, "--live mapped.obj", "--only model\n") == 0);
+    CHECK(draw_calls == 3);
+}
+
+/* The numbers of a scene: theirs, or what --set says. */
+static void test_set(void) {
+    static const struct scene_value values[] = {
+        {"size", "how large", 1, 9, 1, 5}, {"turn", "how far", -1, 1, 0.1, 0}, {.name = NULL}};
+    static const struct scene scene = {
+        .name = "dot", .width = 4, .height = 3, .values = values, .draw = draw_dot};
+    struct program program = dot_program;
+    program.scenes = &scene;
+    program.scene_count = 1;
+    CHECK(run(&program, "-o out") == 0);
+    CHECK(drawing_value(&last_drawing, "size") == 5 && drawing_value(&last_drawing, "turn") == 0);
+    CHECK(run(&program, "-o out --set turn=-0.5 --set size=9") == 0);
+    CHECK(drawing_value(&last_drawing, "size") == 9 &&
+          drawing_value(&last_drawing, "turn") == -0.5);
+    CHECK(run(&program, "-o out --set size=9.5") == 2 && run(&program, "-o out --set size=0") == 2);
+    CHECK(run_live(&program, "--live", "--set size=1\n") == 0);
+    CHECK(drawing_value(&last_drawing, "size") == 1 && drawing_value(&last_drawing, "turn") == 0);
 }
 
 /* A drawing of a replaced texture: what stands for it. */
@@ -654,6 +729,12 @@ static void test_out_of_view(void) {
               "probe: scene blank: nothing was drawn; what may help: --center\n"
               "out/blank.tga\n");
     CHECK_RUN(&camera_program, "-o out --eye 0,-9,-9 --fit near.obj", 0,
+              "probe: scene blank: nothing was drawn: all faces look away\nout/blank.tga\n");
+    camera_program.takes_camera = camera_program.takes_light = false;
+    CHECK_RUN(&camera_program, "-o out --fit near.obj", 0,
+              "probe: scene blank: nothing was drawn\nout/blank.tga\n");
+    put_file("away.obj", "v 0 0 0\nv 0 1 2\nv 1 0 2\nf 1 2 3\n"); /* up, right and away */
+    CHECK_RUN(&camera_program, "-o out --fit away.obj", 0,
               "probe: scene blank: nothing was drawn: all faces look away\nout/blank.tga\n");
 }
 
@@ -886,9 +967,9 @@ static void test_clean_up(void) {
 
 UNIT_MAIN(TEST(test_usage), TEST(test_help), TEST(test_extra), TEST(test_formats),
           TEST(test_frames), TEST(test_stats_and_repeat), TEST(test_repeat_time), TEST(test_camera),
-          TEST(test_failures), TEST(test_text_scene), TEST(test_needs), TEST(test_stats_of_files),
-          TEST(test_defaults), TEST(test_grey), TEST(test_out_of_view), TEST(test_replaced),
-          TEST(test_tiny), TEST(test_details), TEST(test_warnings_of_files),
-          TEST(test_failing_scenes), TEST(test_end_of_options), TEST(test_seldom_failures),
-          TEST(test_full_output), TEST(test_text_names), TEST(test_default_directory),
-          TEST(test_clean_up))
+          TEST(test_failures), TEST(test_text_scene), TEST(test_needs), TEST(test_live),
+          TEST(test_set), TEST(test_stats_of_files), TEST(test_defaults), TEST(test_grey),
+          TEST(test_out_of_view), TEST(test_replaced), TEST(test_tiny), TEST(test_details),
+          TEST(test_warnings_of_files), TEST(test_failing_scenes), TEST(test_end_of_options),
+          TEST(test_seldom_failures), TEST(test_full_output), TEST(test_text_names),
+          TEST(test_default_directory), TEST(test_clean_up))
