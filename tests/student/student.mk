@@ -6,8 +6,10 @@
 ##   make open STEP=05           the same in the browser, in one page
 ##   make live STEP=05           your program under the mouse, in the browser; each save is drawn
 ##   make watch STEP=05          check and show again at every save, until Ctrl-C
+##   make new NAME=mine          a program of your own, mine/main.c, which draws with the pipeline
+##   make mine                   build it and draw build/out/mine/turn.png (MODEL=a.obj, or several)
 ##   make LINE=mine              lessons 2 to 8 draw with what you wrote in lessons 1 and 3
-.PHONY: start solution hint show open live watch
+.PHONY: start solution hint show open live watch new
 start solution:
 	@sh tests/student/start.sh $@ '$(STEP)'
 
@@ -42,6 +44,22 @@ $(BUILD)/show $(BUILD)/compare_page: $(BUILD)/%: $(BUILD)/tests/student/%.o \
                                      $(BUILD)/tests/student/terminal.o $(CHECKER) \
                                      $(BUILD)/libcommon.a
 	$(Q)$(LINK) $^ -lm -o $@
+
+# ---- A program of one's own: a directory with a file .new ----
+
+# A NAME of the environment does not count: WSL has one.
+new:
+	@sh tests/student/new.sh '$(MAKE) -s' $(if $(findstring command,$(origin NAME)),"$$NAME")
+
+OWN := $(patsubst %/.new,%,$(wildcard */.new))
+.PHONY: $(OWN)
+$(OWN): %: $(BUILD)/own/% $(BUILD)/models/bust.obj
+	$(SAY) DRAW $@
+	$(Q)$< $(MODEL)
+
+$(OWN:%=$(BUILD)/own/%): $(BUILD)/own/%: %/main.c $(BUILD)/libcommon.a $(BUILD)/flags
+	@mkdir -p $(@D)
+	$(BUILD_LESSON)
 
 # ---- LINE=mine ----
 

@@ -1,9 +1,10 @@
 #!/bin/sh
 # Does `make help` list what there is? Each `make NAME` of it is a target that the Makefile, or what
 # it includes, calls .PHONY, and each of those is listed, but for a few that are steps on the way.
+# (`make mine` is one after `make new NAME=mine`.)
 . "$(dirname "$0")/../unit/script.sh"
 
-make -s help | sed -n 's/^  make \([a-z][a-z-]*\)\( .*\)*$/\1/p' | sort -u >"$work/listed"
+make -s help | sed -n 's/^  make \([a-z][a-z-]*\)\( .*\)*$/\1/p' | grep -vx mine | sort -u >"$work/listed"
 sed -e :a -e '/\\$/{N;s/\\\n//;ba' -e '}' Makefile tests/*/*.mk | sed -n 's/^\.PHONY: //p' | tr ' ' '\n' | grep -v '[$%]' |
     grep -vxE 'all|programs|models|common|tests|force|commands|tools|marked' | sort -u >"$work/targets"
 for target in $(comm -23 "$work/listed" "$work/targets"); do

@@ -109,6 +109,7 @@ put_changed '
 put tests/lesson.h
 put tests/numbers.h
 ! grep -qs lane_numbers.h "$new"/tests/lessons/*/numbers.c || put tests/lane_numbers.h
+[ ! -f "$new/common/pipeline.h" ] || put tests/student/new.c # which draws with it
 put LICENSE
 put Makefile
 put step10_phong/figures/turn.png # where all this leads to: README.md begins with it
