@@ -64,7 +64,7 @@ ln -s s link
 mkdir -p course/tests/reference && cd course || exit 1
 cp -R "$top/Makefile" "$top/common" "$top/step01_line" . &&
     (cd "$top/tests" && cp -R check student teacher "$work/course/tests" &&
-        mkdir "$work/course/tests/lessons" && cp -R lessons/step01_line "$work/course/tests/lessons" &&
+        cp lesson.h numbers.h "$work/course/tests" && mkdir "$work/course/tests/lessons" && cp -R lessons/step01_line "$work/course/tests/lessons" &&
         cp -R reference/step01_line "$work/course/tests/reference") || exit 1
 grep -e '^#' -e 'step01_' "$top/tests/check/scenes.txt" >tests/check/scenes.txt
 mkdir build && cp -R "$build/models" build || exit 1
