@@ -54,8 +54,9 @@ hand_out 0 mine
 silent warning
 says build/out/mine/turn.png
 
-# How many frames, how many of them change the picture, and of both halves of the first how many pixels
-# in a hundred are not black, and how many colours there are.
+# Its size, how many frames it has, and how many of them change it; of both halves of the first, how many
+# pixels in a hundred are not black, in how many reds; how many are not black in the two columns in the
+# middle; and the largest red.
 cat >look.c <<'END'
 #include "base/file.h"
 #include "files/image_file.h"
@@ -66,8 +67,8 @@ int main(int argc, char **argv) {
     struct bytes file = {0};
     struct image image;
     struct error error;
-    static char seen[256];
-    size_t frames = 0, changes = 0, half[2] = {0, 0}, colors = 0;
+    static char seen[2][256];
+    size_t frames = 0, changes = 0, drawn[2] = {0, 0}, reds[2] = {0, 0}, middle = 0, largest = 0;
     if (argc != 2 || !file_read(argv[1], &file, &error) || !image_read(&image, argv[1], &error)) {
         return 1;
     }
@@ -81,28 +82,36 @@ int main(int argc, char **argv) {
     for (size_t y = 0; y < image.height; y++) {
         for (size_t x = 0; x < image.width; x++) {
             struct color c = image_get(&image, (int)x, (int)y);
-            half[2 * x >= image.width] += c.r + c.g + c.b > 0;
-            colors += !seen[c.r];
-            seen[c.r] = 1;
+            size_t half = 2 * x >= image.width, is_drawn = c.r + c.g + c.b > 0;
+            drawn[half] += is_drawn;
+            middle += is_drawn && (x + 1 == image.width / 2 || x == image.width / 2);
+            reds[half] += !seen[half][c.r];
+            seen[half][c.r] = 1;
+            largest = c.r > largest ? c.r : largest;
         }
     }
     size_t pixels = image.width * image.height / 2;
-    printf("%zux%zu %zu frames %zu changes %zu %zu percent %zu reds\n", image.width, image.height,
-           frames, changes, half[0] * 100 / pixels, half[1] * 100 / pixels, colors);
+    printf("%zux%zu frames %zu changes %zu drawn %zu %zu reds %zu %zu middle %zu largest %zu\n",
+           image.width, image.height, frames, changes, drawn[0] * 100 / pixels,
+           drawn[1] * 100 / pixels, reds[0], reds[1], middle, largest);
 }
 END
 cc -std=c17 -Icommon look.c build/libcommon.a -lm -pthread -o look || exit 1
 
-# looks SIZE: 36 frames, all different; in both halves something is drawn, and in shades.
+# looks SIZE CONDITION: 36 frames, all different; in both halves something is drawn, and in shades. Of
+# what is in the middle and of the largest red the condition says more.
 looks() {
     ./look build/out/mine/turn.png >"$work/look" || wrong "turn.png cannot be read"
-    awk -v size="$1" '{ exit !($1 == size && $2 == 36 && $4 == 36 && $6 >= 10 && $7 >= 10 &&
-        $6 <= 90 && $7 <= 90 && $9 >= 100) }' "$work/look" || wrong "the picture: $(cat "$work/look")"
+    awk -v size="$1" '{ middle = $13; largest = $15 }
+        { exit !($1 == size && $3 == 36 && $5 == 36 && $7 >= 10 && $8 >= 10 && $7 <= 90 && $8 <= 90 &&
+                 $10 >= 100 && $11 >= 100 && '"$2"') }' "$work/look" ||
+        wrong "the picture: $(cat "$work/look")"
 }
-looks 400x400
+looks 400x400 'middle > 100'
 cp build/out/mine/turn.png one.png
-hand_out 0 mine MODEL='build/models/knot.off build/models/bust.obj'
-looks 800x400
+# (The knot has no normals of its own. Where the sphere looks towards the light, it is brightest.)
+hand_out 0 mine MODEL='build/models/knot.off build/models/sphere.obj'
+looks 800x400 'middle == 0 && largest == 255'
 hand_out 0 mine
 cmp one.png build/out/mine/turn.png || wrong "the same command draws another picture"
 hand_out 1 mine MODEL=nowhere.obj
