@@ -57,9 +57,16 @@ $(BUILD)/solutions/.built: $(STEPS:%=%/main.c) $(BUILD)/libcommon.a
 $(BUILD)/limited: $(BUILD)/tests/teacher/grade/limited.o $(CHECKER) $(BUILD)/libcommon.a
 	$(Q)$(LINK) $^ -lm -o $@
 
-# A lesson of a submission: compiled and linked where it can do no harm.
-CONTAINED = CONTAIN_WRITES='$(abspath $(@D))' sh tests/teacher/grade/contain.sh
+# A lesson of a submission: compiled and linked where it can do no harm, in PLACE/STEP. What calls its
+# functions with numbers is PLACE/numbers/STEP; of our tests the compiler sees only copies there.
+PLACE     = $(patsubst %/numbers,%,$(@D))
+HANDED_IN = $(PLACE)/sources/$(@F)/main.c
+CONTAINED = CONTAIN_WRITES='$(abspath $(PLACE))' sh tests/teacher/grade/contain.sh
 $(BUILD)/grade.%: force
-	@[ -f $(@D)/sources/$(@F)/main.c ] || { echo 'error: no $(@F)/main.c was handed in' >&2; exit 1; }
-	$(Q)$(CONTAINED) $(filter-out -MMD -MP,$(COMPILE)) -I$(@F) -c $(@D)/sources/$(@F)/main.c -o $@.o
+	@[ -f $(HANDED_IN) ] || { echo 'error: no $(@F)/main.c was handed in' >&2; exit 1; }
+	@[ $(PLACE) = $(@D) ] || { mkdir -p $(@D) && chmod 777 $(@D) && \
+	    cp tests/*.h tests/lessons/$(@F)/numbers.c $(@D); }
+	$(Q)$(CONTAINED) $(filter-out -MMD -MP,$(COMPILE)) -I$(@F) $(if $(filter %/numbers,$(@D)), \
+	    -O0 -w -I$(@D) -DLESSON='"$(abspath $(HANDED_IN))"' -c $(@D)/numbers.c, \
+	    -c $(HANDED_IN)) -o $@.o
 	$(Q)$(CONTAINED) $(LINK) $@.o $(BUILD)/libcommon.a -lm -o $@

@@ -58,7 +58,7 @@ alike() {
 # The same place for both, so that what they say is the same.
 mkdir "$work/course" && cp -R Makefile README.md LICENSE common step* "$work/course" &&
     mkdir "$work/course/tests" && cp -R tests/[!l]* "$work/course/tests" &&
-    cp -R tests/lessons tests/lesson.h "$work/course/tests" && cd "$work/course" || exit 1
+    cp -R tests/lessons tests/*.h "$work/course/tests" && cd "$work/course" || exit 1
 alike tests/student/start.sh start 1
 alike tests/student/hint.sh build 1 1.2 ''
 alike tests/student/hint.sh build 77

@@ -34,7 +34,7 @@ awk -v directory="$into/list" -f tests/upkeep/verify/replace.awk -f tests/upkeep
 # points LESSONS: what these are worth; a pattern of their numbers.
 points() {
     awk -v wanted="^step$1_" '$1 ~ wanted { points += $4 }
-        ($1 == "work" || $1 == "same") && $2 ~ wanted { points += $5 }
+        ($1 == "work" || $1 == "same" || $1 == "call") && $2 ~ wanted { points += $5 }
         END { print points }' tests/check/scenes.txt
 }
 most=$(points "0[1-$last]")

@@ -199,8 +199,15 @@ mkdir -p ../class/kills/step01_line
 cat >../class/kills/step01_line/main.c <<'END'
 #define _POSIX_C_SOURCE 200809L
 #include <signal.h>
+#include <stdio.h>
 #include <unistd.h>
-int main(void) { return kill(getppid(), SIGKILL); }
+int main(void) {
+    char path[64];
+    int check = 0;
+    snprintf(path, sizeof path, "/proc/%d/stat", (int)getppid()); /* who stands between */
+    FILE *file = fopen(path, "r");
+    return file == NULL || fscanf(file, "%*d %*s %*c %d", &check) != 1 || kill(check, SIGKILL);
+}
 END
 rm -rf ../out
 for name in kills solution; do

@@ -29,9 +29,9 @@ set -eE
 trap 'echo "templates: wrong in line $LINENO" >&2' ERR
 # The lesson's points, and how many pictures and counters have them.
 points=$(awk '$1 == "step05_zbuffer" { sum += $4 } # a scene
-    $2 == "step05_zbuffer" { sum += $5 } # work, same
+    $2 == "step05_zbuffer" { sum += $5 } # work, same, call
     END { print sum }' tests/check/scenes.txt)
-tests=$(grep -cE '^((work|same) +)?step05_zbuffer ' tests/check/scenes.txt)
+tests=$(grep -cE '^((work|same|call) +)?step05_zbuffer ' tests/check/scenes.txt)
 export points tests
 make -s handout OUT="$work/course" LESSONS=5 >/dev/null
 mkdir "$work/solution" "$work/broken"
