@@ -280,7 +280,7 @@ static void test_interlaced(void) {
         struct bytes file = {0};
         struct image image;
         struct error error;
-        for (char pass = '1'; pass <= '7'; pass++) {
+        for (int pass = '1'; pass <= '7'; pass++) {
             for (uint32_t y = 0; y < height; y++) {
                 size_t row = end, bit = 0;
                 for (uint32_t x = 0; x < width; x++) {
