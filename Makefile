@@ -88,7 +88,7 @@ there is no C compiler called $(firstword $(CC)). Is another one here (make CC=g
     MSYS2                 pacman -S gcc make
 endef
 
-ifneq ($(filter-out help clean start solution handout,$(or $(MAKECMDGOALS),all)),)
+ifneq ($(filter-out help clean start solution handout commands,$(or $(MAKECMDGOALS),all)),)
 MISSING := $(shell command -v $(firstword $(CC)) >/dev/null 2>&1 || echo compiler; \
                    [ -d "$${TMPDIR:-.}" ] || echo temporary; \
                    { mkdir -p '$(BUILD)' && [ -w '$(BUILD)' ]; } 2>/dev/null || echo build)

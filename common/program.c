@@ -76,7 +76,7 @@ static struct scene chosen_scene(const struct command *command, const struct sce
 }
 
 static bool is_chosen(const struct command *command, const struct scene *scene) {
-    bool of_another = command->options.input != NULL && scene->detail;
+    bool of_another = command->options.input != NULL && scene->detail && !command->options.details;
     return command->options.only == NULL ? !scene->extra && !of_another
                                          : command->options.only == scene;
 }
@@ -504,7 +504,8 @@ static void warn_of_details(const struct command *command) {
     const struct program *program = command->run.program;
     char names[256] = "";
     size_t length = 0;
-    bool chosen = command->options.input != NULL && command->options.only == NULL;
+    bool chosen = command->options.input != NULL && command->options.only == NULL &&
+                  !command->options.details;
     for (size_t i = 0; chosen && i < program->scene_count && length < sizeof names; i++) {
         const struct scene *scene = &program->scenes[i];
         if (scene->detail && !scene->extra) {
@@ -513,8 +514,8 @@ static void warn_of_details(const struct command *command) {
         }
     }
     if (length > 0) {
-        fprintf(stderr, "%s: left out, as details of the course's own model%s\n", program->name,
-                names);
+        fprintf(stderr, "%s: left out, as details of the course's own model (--details)%s\n",
+                program->name, names);
     }
 }
 

@@ -142,6 +142,8 @@ static const struct option {
     {"--format", "F", "a format" FORMATS, "of the images" FORMATS, FIELD(format), parse_format,
      ALWAYS},
     {"--fit", "", "", "move and scale the model into view", FIELD(fit), parse_switch, WITH_MODEL},
+    {"--details", "", "", "draw a model also where the course's own is seen from near",
+     FIELD(details), parse_switch, WITH_MODEL},
     {"--texture", "FILE", "a file", "the colours, instead of those beside the model",
      FIELD(textures[MODEL_DIFFUSE]), parse_path, WITH_TEXTURE},
     {"--normal-map", "FILE", "a file", "the normals, likewise", FIELD(textures[MODEL_NORMAL_MAP]),

@@ -31,7 +31,7 @@ struct options {
     size_t set_count;
     size_t repeat; /* 0 without --repeat */
     size_t frame;  /* 1 and on, of an animation; 0 without --frame */
-    bool fit, stats, no_skip, live, help;
+    bool fit, details, stats, no_skip, live, help;
 };
 
 /* Does the program draw a model, which the command line may then name? */

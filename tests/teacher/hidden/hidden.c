@@ -118,6 +118,9 @@ static void tell_all(struct told *told, const struct hidden_case *hidden_case, u
     struct random random = {seed};
     told->count = 0;
     told->list[0] = NULL;
+    if (step >= 8) {
+        tell(told, "--details");
+    }
     if (hidden_case->size) {
         int width = random_between(&random, FIRST_SIZE, LAST_SIZE);
         tell(told, "-s");
@@ -326,7 +329,8 @@ enum use {
 
 static bool find_uses(const struct hidden *hidden, const struct checked_step *step, enum use *uses,
                       struct error *error) {
-    const struct told nothing = {.count = 0};
+    static const struct hidden_case plain = {.size = false};
+    struct told told;
     char solutions[DRAWN_PATH_LIMIT];
     struct unseen_place place;
     struct ending ending;
@@ -334,8 +338,9 @@ static bool find_uses(const struct hidden *hidden, const struct checked_step *st
     if (!unseen_begin(&place, error)) {
         return false;
     }
-    bool done = draw(&place, "", solutions, step->name, &nothing, INPUT_MODEL, hidden->seed,
-                     &ending, error);
+    tell_all(&told, &plain, (unsigned)strtoul(step->name + 4, NULL, 10), hidden->seed);
+    bool done =
+        draw(&place, "", solutions, step->name, &told, INPUT_MODEL, hidden->seed, &ending, error);
     for (size_t i = 0; i < step->scene_count && done; i++) {
         struct image image;
         struct error ignored;

@@ -9,7 +9,7 @@ mkdir -p "$work/course/tests/reference" && cd "$work/course" || exit 1
 cp -R "$top/Makefile" "$top/common" "$top/step01_line" "$top/step05_zbuffer" . || exit 1
 (cd "$top/tests" && cp -R check student teacher "$work/course/tests" &&
     cp -R reference/step01_line reference/step05_zbuffer "$work/course/tests/reference") || exit 1
-grep -e '^#' -e 'step01_' -e 'step05_' "$top/tests/check/scenes.txt" >tests/check/scenes.txt
+grep -v '^call' "$top/tests/check/scenes.txt" | grep -e '^#' -e 'step01_' -e 'step05_' >tests/check/scenes.txt
 mkdir build && cp -R "$build/models" "$build/hidden" build || exit 1
 flags='CFLAGS=-O1 MARCH='
 
@@ -149,7 +149,7 @@ says '  hidden: zbuffer of a model in another size: wrong'
 # Two programs of lesson 10 that differ where faces are large: a correct one a little, a wrong one by
 # much.
 cp -R "$top/step10_phong" . && cp -R "$top/tests/reference/step10_phong" tests/reference || exit 1
-grep 'step10_' "$top/tests/check/scenes.txt" >>tests/check/scenes.txt
+grep -v '^call' "$top/tests/check/scenes.txt" | grep 'step10_' >>tests/check/scenes.txt
 # take LIST NAME: the program with that in its name becomes the one of lesson 10.
 take() {
     rm -rf other

@@ -767,7 +767,8 @@ static void test_details(void) {
     program.scene_count = 4;
     CHECK_RUN(&program, "-o out", 0, "out/view.tga\nout/nose.tga\nout/ear.tga\n");
     CHECK_RUN(&program, "-o out near.obj", 0,
-              "probe: left out, as details of the course's own model: nose, ear\nout/view.tga\n");
+              "probe: left out, as details of the course's own model (--details): nose, "
+              "ear\nout/view.tga\n");
     CHECK_RUN(&program, "-o out --only nose near.obj", 0, "out/nose.tga\n");
     CHECK_RUN(&program, "-o out missing.obj", 1, "probe: missing.obj: No such file or directory\n");
 }
