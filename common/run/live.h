@@ -30,7 +30,7 @@ struct live_request {
 typedef bool live_answer(void *context, const struct live_request *request, FILE *out,
                          struct error *error);
 
-/* Write what the program's scenes are; `numbers` of them are those of scene_complete(). */
+/* Write the line of JSON: the program's scenes, with its defaults filled in. */
 void live_describe(const struct program *program, FILE *out);
 
 void live_write_frame(const struct image *image, double milliseconds,

@@ -34,8 +34,8 @@ $(STEPS:%=$(BUILD)/sanitized/%): $(BUILD)/sanitized/%: %/main.c $(BUILD)/%.text 
 	@mkdir -p $(@D)
 	$(call BUILD_LESSON,$(SANITIZED))
 
-# (-O0 builds fastest; gcc 12 cannot build vectors of doubles with it.)
-# A lesson's functions called with numbers; the sanitizers know more of what ends them.
+# A lesson's functions called with numbers; the sanitizers know more of what ends them. (-O0 builds
+# fastest; gcc 12 cannot build vectors of doubles with it.)
 NUMBERS = $(patsubst tests/lessons/%/numbers.c,%,$(wildcard tests/lessons/*/numbers.c))
 define BUILD_NUMBERS
 	@mkdir -p $(@D)
