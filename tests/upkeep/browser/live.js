@@ -152,6 +152,9 @@ test('a fault of the compiler, a crash and an endless loop are said, and mended 
         await page.waitForFunction(() => document.querySelector('#message').hidden, null, {timeout: 60000});
         await page.click('button:text-is("difference")');
         await has(page, 'pixel', '\n0 pixels differ');
+        await changed('step05_zbuffer', begin, `${begin} if (image != NULL) return;`, () =>
+            page.waitForFunction(() => /\n[1-9]\d* pixels differ/.test(
+                document.getElementById('pixel').textContent), null, {timeout: 60000}));
     }));
 
 /* The status of an answer, 0 for none. */
