@@ -1,11 +1,7 @@
-/* The pipeline: recording draw calls, and what a frame takes besides the pixels. See pipeline.h. */
+/* The pipeline: recording draw calls, and what a frame takes besides its stages. See pipeline.h. */
 #include "pipeline.h"
 
-#include "base/array.h"
-#include "pipeline/parts.h"
-
 #include <assert.h>
-#include <stdlib.h>
 
 /* ---- Memory ---- */
 
@@ -15,10 +11,15 @@ bool pipeline_create(struct pipeline *pipeline, size_t width, size_t height, str
         return error_set(error, "cannot draw %zux%zu pixels: a side has 1 to %d", width, height,
                          DRAW_LIMIT);
     }
+    struct frame *frame = calloc(1, sizeof *frame);
+    if (frame == NULL) {
+        return error_out_of_memory(error);
+    }
+    frame->shortcuts = SHORTCUTS;
     pipeline->width = width;
     pipeline->height = height;
     pipeline->skip = true;
-    pipeline->shortcuts = SHORTCUTS;
+    pipeline->frame = frame;
     return true;
 }
 
@@ -30,57 +31,64 @@ static void visibility_free(struct visibility *visibility) {
     *visibility = (struct visibility){0};
 }
 
-static void free_all_visibility(struct pipeline *p) {
-    struct visibility *visibility = p->visibility.data;
-    for (size_t i = 0; i < p->visibility_count; i++) {
-        visibility_free(&visibility[i]);
+static void free_all_visibility(struct frame *frame) {
+    for (size_t i = 0; i < frame->visibility_count; i++) {
+        visibility_free(&frame->visibility[i]);
     }
-    p->visibility_count = 0;
+    frame->visibility_count = 0;
 }
 
-static void free_all_scratch(struct pipeline *p) {
-    struct scratch *scratch = p->scratch.data;
-    for (size_t i = 0; i < p->scratch_count; i++) {
-        free(scratch[i].fetched);
-        free(scratch[i].visible);
-        free(scratch[i].planes);
+static void free_all_scratch(struct frame *frame) {
+    for (size_t i = 0; i < frame->scratch_count; i++) {
+        free(frame->scratch[i].pieces);
+        free(frame->scratch[i].fetched);
+        free(frame->scratch[i].visible);
+        free(frame->scratch[i].planes);
     }
-    p->scratch_count = 0;
+    frame->scratch_count = 0;
+}
+
+static void free_all_blocks(struct frame *frame) {
+    for (size_t i = 0; i < frame->blocks_made; i++) {
+        free(frame->blocks[i].pieces);
+        free(frame->blocks[i].bands);
+        free(frame->blocks[i].sorted);
+    }
+}
+
+static void frame_free(struct frame *frame) {
+    free_all_visibility(frame);
+    free_all_scratch(frame);
+    free_all_blocks(frame);
+    workers_free(frame->workers);
+    free(frame->calls);
+    free(frame->uniforms);
+    free(frame->order);
+    free(frame->positions);
+    free(frame->screens);
+    free(frame->depths);
+    free(frame->recip_w);
+    free(frame->beyonds);
+    free(frame->blocks);
+    free(frame->band_starts);
+    free(frame->visibility);
+    free(frame->scratch);
+    free(frame->band_stats);
+    free(frame->last_touched);
+    free(frame);
 }
 
 void pipeline_free(struct pipeline *pipeline) {
-    free_all_visibility(pipeline);
-    free_all_scratch(pipeline);
-    workers_free(pipeline->workers);
+    if (pipeline->frame != NULL) {
+        frame_free(pipeline->frame);
+    }
     free(pipeline->depth);
-    free(pipeline->draws.data);
-    free(pipeline->order.data);
-    free(pipeline->boxes.data);
-    free(pipeline->uniforms.data);
-    free(pipeline->assemblies.data);
-    free(pipeline->screens.data);
-    free(pipeline->depths.data);
-    free(pipeline->beyonds.data);
-    free(pipeline->recip_w.data);
-    free(pipeline->blocks.data);
-    free(pipeline->pieces.data);
-    free(pipeline->piece_bands.data);
-    free(pipeline->clipped.data);
-    free(pipeline->visible.data);
-    free(pipeline->visibility.data);
-    free(pipeline->band_work.data);
-    free(pipeline->band_counts.data);
-    free(pipeline->bins.data);
-    free(pipeline->binned.data);
-    free(pipeline->scratch.data);
-    free(pipeline->last_touched.data);
     *pipeline = (struct pipeline){0};
 }
 
 /* Room for a band, in which nothing is visible yet; left as it was when memory runs out. */
-static bool visibility_create(struct visibility *visibility, const struct pipeline *p,
-                              struct error *error) {
-    size_t columns = chunk_columns(p), pixels = columns * CHUNK * BAND_HEIGHT;
+static bool visibility_create(struct visibility *visibility, const struct frame *frame) {
+    size_t columns = chunk_columns(frame), pixels = columns * CHUNK * BAND_HEIGHT;
     /* Behind the last number one more is read: see find_runs(). */
     size_t depth_size = pixels * sizeof *visibility->depth;
     size_t number_size = (pixels + CHUNK) * sizeof *visibility->number;
@@ -89,12 +97,11 @@ static bool visibility_create(struct visibility *visibility, const struct pipeli
         .number = aligned_alloc(CACHE_LINE, number_size),
         .touched = calloc(columns, sizeof *made.touched),
         .farthest = malloc(columns * BAND_TILES * sizeof *made.farthest),
-        .columns = {(int)p->width, 0},
     };
     if (made.depth == NULL || made.number == NULL || made.touched == NULL ||
         made.farthest == NULL) {
         visibility_free(&made);
-        return error_out_of_memory(error);
+        return false;
     }
     depth_clear(made.depth, pixels);
     memset(made.number, 0, number_size);
@@ -103,42 +110,38 @@ static bool visibility_create(struct visibility *visibility, const struct pipeli
     return true;
 }
 
-/* Memory for the numbers of one band, 1 to that. */
-static bool scratch_reserve(struct scratch *scratch, const struct pipeline *p, size_t number,
-                            struct error *error) {
-    uint32_t *fetched =
-        array_reserve(scratch->fetched, &scratch->fetched_capacity, number + 1, sizeof *fetched);
-    scratch->fetched = fetched != NULL ? fetched : scratch->fetched;
-    uint32_t *visible =
-        array_reserve(scratch->visible, &scratch->visible_capacity, number + 1, sizeof *visible);
-    scratch->visible = visible != NULL ? visible : scratch->visible;
-    size_t pixels = chunk_columns(p) * CHUNK * BAND_HEIGHT;
-    size_t most = (number < pixels ? number : pixels) + TOGETHER; /* which are written at once */
-    real *planes = array_reserve(scratch->planes, &scratch->plane_capacity, most,
-                                 PLANES_SIZE(VARYING_LIMIT) * sizeof *planes);
-    scratch->planes = planes != NULL ? planes : scratch->planes;
-    return (fetched != NULL && visible != NULL && planes != NULL) || error_out_of_memory(error);
-}
-
-/* ---- Threads ---- */
-
-void pipeline_use_threads(struct pipeline *pipeline, size_t thread_count) {
-    if (pipeline->thread_count != thread_count) {
-        free_all_scratch(pipeline);
-        workers_free(pipeline->workers);
-        pipeline->workers = NULL;
-        pipeline->alone = false;
-        pipeline->thread_count = thread_count;
-    }
+/* Memory for the pieces of one band: fewer than all. What is not used is not touched. */
+static bool scratch_reserve(struct scratch *scratch, const struct frame *frame) {
+    size_t pixels = chunk_columns(frame) * CHUNK * BAND_HEIGHT, count = frame->sorted_count + 1;
+    size_t visible = (count < pixels ? count : pixels) + TOGETHER; /* which are written at once */
+    return array_extend(&scratch->pieces, &scratch->piece_capacity, count,
+                        sizeof *scratch->pieces) &&
+           array_extend(&scratch->fetched, &scratch->fetched_capacity, count,
+                        sizeof *scratch->fetched) &&
+           array_extend(&scratch->visible, &scratch->visible_capacity, count,
+                        sizeof *scratch->visible) &&
+           array_extend(&scratch->planes, &scratch->plane_capacity, visible,
+                        PLANES_SIZE(VARYING_LIMIT) * sizeof *scratch->planes);
 }
 
 /* ---- Draw calls ---- */
 
+void pipeline_use_threads(struct pipeline *pipeline, size_t thread_count) {
+    struct frame *frame = pipeline->frame;
+    if (frame->thread_count != thread_count) {
+        free_all_scratch(frame);
+        workers_free(frame->workers);
+        frame->workers = NULL;
+        frame->alone = false;
+        frame->thread_count = thread_count;
+    }
+}
+
 const char *const pipeline_stat_name[PIPELINE_STATS] = {
-    "objects",        "objects_outside", "objects_hidden",    "vertices_transformed",
-    "faces",          "faces_outside",   "faces_turned_away", "faces_without_pixel",
-    "faces_clipped",  "faces_hidden",    "faces_behind",      "attribute_sets",
-    "pixels_covered", "pixels_passed",   "pixels_shaded",
+    "calls",          "calls_outside", "calls_hidden",      "vertices_transformed",
+    "faces",          "faces_outside", "faces_turned_away", "faces_without_pixel",
+    "faces_clipped",  "faces_hidden",  "faces_behind",      "attribute_sets",
+    "pixels_covered", "pixels_passed", "pixels_shaded",
 };
 
 struct draw_call camera_call(const struct model *model, struct vec3 eye, struct vec3 center,
@@ -155,8 +158,9 @@ struct draw_call camera_call(const struct model *model, struct vec3 eye, struct 
 }
 
 void pipeline_clear(struct pipeline *pipeline) {
-    pipeline->draw_count = pipeline->uniforms_end = 0;
-    pipeline->discards = false;
+    struct frame *frame = pipeline->frame;
+    frame->call_count = frame->uniforms_end = 0;
+    frame->discards = false;
     memset(pipeline->stats, 0, sizeof pipeline->stats);
 }
 
@@ -164,179 +168,129 @@ void pipeline_clear(struct pipeline *pipeline) {
  * aligns for every type, aligned as well as a variable is. */
 enum { UNIFORMS_ALIGNMENT = 64 };
 
-bool pipeline_draw(struct pipeline *p, const struct draw_call *call, const struct shader *shader,
-                   const void *uniforms, size_t size, struct error *error) {
+bool pipeline_draw(struct pipeline *pipeline, const struct draw_call *call,
+                   const struct shader *shader, const void *uniforms, size_t size,
+                   struct error *error) {
+    struct frame *frame = pipeline->frame;
     const struct rectangle *v = &call->viewport;
     assert(shader->varying_count <= VARYING_LIMIT);
     assert(v->x >= 0 && v->y >= 0 && v->width >= 0 && v->height >= 0);
-    assert((size_t)v->x + (size_t)v->width <= p->width);
-    assert((size_t)v->y + (size_t)v->height <= p->height);
-    if (!buffer_reserve(&p->draws, p->draw_count + 1, sizeof(struct draw), error) ||
-        !buffer_reserve(&p->uniforms, p->uniforms_end + size, 1, error)) {
-        return false;
+    assert((size_t)v->x + (size_t)v->width <= pipeline->width);
+    assert((size_t)v->y + (size_t)v->height <= pipeline->height);
+    if (!array_extend(&frame->calls, &frame->call_capacity, frame->call_count + 1,
+                      sizeof *frame->calls) ||
+        !array_extend(&frame->uniforms, &frame->uniforms_capacity, frame->uniforms_end + size, 1)) {
+        return error_out_of_memory(error);
     }
-    p->stats[STAT_OBJECTS]++;
-    p->stats[STAT_FACES] += call->model->face_count;
-    struct draw *draws = p->draws.data;
-    draws[p->draw_count++] = (struct draw){
+    pipeline->stats[STAT_CALLS]++;
+    pipeline->stats[STAT_FACES] += call->model->face_count;
+    frame->calls[frame->call_count++] = (struct recorded_call){
         .call = *call,
         .shader = shader,
-        .uniforms = p->uniforms_end,
-        .place = {{v->x, v->x + v->width}, {v->y, v->y + v->height}, INFINITY},
+        .uniforms = frame->uniforms_end,
+        .place = {columns_of(v), rows_of(v), INFINITY},
     };
     if (size > 0) {
-        memcpy((char *)p->uniforms.data + p->uniforms_end, uniforms, size);
+        memcpy(frame->uniforms + frame->uniforms_end, uniforms, size);
     }
-    p->uniforms_end += (size + UNIFORMS_ALIGNMENT - 1) / UNIFORMS_ALIGNMENT * UNIFORMS_ALIGNMENT;
-    p->discards |= shader->discards;
+    frame->uniforms_end +=
+        (size + UNIFORMS_ALIGNMENT - 1) / UNIFORMS_ALIGNMENT * UNIFORMS_ALIGNMENT;
+    frame->discards |= shader->discards;
     return true;
 }
 
 /* ---- The frame ---- */
 
-/* One for each thread, or, where it is kept from round to round, for each band. */
-static bool reserve_visibility(struct pipeline *p, size_t count, struct error *error) {
-    if (!buffer_reserve(&p->visibility, count, sizeof(struct visibility), error)) {
-        return false;
-    }
-    struct visibility *visibility = p->visibility.data;
-    bool reserved = true;
-    while (reserved && p->visibility_count < count) {
-        reserved = visibility_create(&visibility[p->visibility_count], p, error);
-        p->visibility_count += reserved;
-    }
-    return reserved;
-}
-
-/* The most numbers that a band has. */
-static size_t most_numbers(const struct pipeline *p, size_t rounds) {
-    size_t bands = band_count(p), most = 0;
-    const struct bin *last = (const struct bin *)p->bins.data + (rounds - 1) * bands;
-    for (size_t band = 0; band < bands; band++) {
-        size_t numbers = last[band].number + last[band].count;
-        most = numbers > most ? numbers : most;
-    }
-    return most;
-}
-
-static bool reserve_scratch(struct pipeline *p, size_t rounds, struct error *error) {
-    size_t count = workers_count(p->workers);
-    if (!buffer_reserve(&p->scratch, count, sizeof(struct scratch), error)) {
-        return false;
-    }
-    struct scratch *scratch = p->scratch.data;
-    for (; p->scratch_count < count; p->scratch_count++) {
-        scratch[p->scratch_count] = (struct scratch){0};
-    }
-    size_t numbers = most_numbers(p, rounds);
-    bool reserved = true;
-    for (size_t i = 0; i < count && reserved; i++) {
-        reserved = scratch_reserve(&scratch[i], p, numbers, error);
-    }
-    return reserved;
-}
-
-static bool reserve_depth(struct pipeline *p, struct error *error) {
+static bool reserve_depth(struct pipeline *p) {
     if (!p->keep_depth) {
         free(p->depth);
         p->depth = NULL;
     } else if (p->depth == NULL) {
         p->depth = malloc(p->width * p->height * sizeof *p->depth);
-        return p->depth != NULL || error_out_of_memory(error);
+        return p->depth != NULL;
     }
     return true;
 }
 
-/* Room for what the frame touches, if it is to be remembered; and do we know it of the last one? */
-static bool reserve_touched(struct frame *frame, struct error *error) {
-    struct pipeline *p = frame->pipeline;
-    const struct image *image = frame->image, *last = &p->last_image;
-    bool remembers = p->clearing == CLEAR_LAST_FRAME;
-    frame->knows_last = remembers && last->pixels == image->pixels && last->format == image->format;
-    return !remembers || buffer_reserve(&p->last_touched, band_count(p) * chunk_columns(p),
-                                        sizeof(uint32_t), error);
-}
-
-/* Count the pieces of which nothing was visible. Where all is shaded at once, nobody knows. */
-static void count_hidden(struct pipeline *p) {
-    const struct draw *draws = p->draws.data;
-    const struct block *blocks = p->blocks.data;
-    const atomic_uchar *visible = p->visible.data;
-    for (size_t i = 0; takes_shortcut(p, SHORTCUT_VISIBLE) && i < p->draw_count; i++) {
-        for (size_t k = 0; k < draws[i].block_count && !draws[i].shader->discards; k++) {
-            const struct block *block = &blocks[draws[i].first_block + k];
-            for (size_t piece = 0; piece < block->piece_count; piece++) {
-                p->stats[STAT_FACES_HIDDEN] += visible[block->first_piece + piece] == 0;
-            }
-        }
-    }
-}
-
-/* Room for what does not depend on the model. */
-static bool begin_frame(struct frame *frame, struct error *error) {
-    struct pipeline *p = frame->pipeline;
-    size_t bands = band_count(p);
-    p->piece_end = p->clipped_end = p->recip_w_end = p->block_end = p->binned_end = 0;
+/* Nothing is drawn yet. Room for what does not depend on the models. */
+static bool begin_frame(struct frame *frame, struct pipeline *p, struct image *image) {
+    size_t bands = band_count(frame);
+    const struct image *last = &frame->last_image;
+    frame->image = image;
+    frame->knows_last = p->clearing == CLEAR_LAST_FRAME && last->pixels == image->pixels &&
+                        last->format == image->format;
+    frame->round = (struct range){0, 0};
+    frame->position_count = frame->block_count = frame->sorted_count = 0;
+    frame->kept = frame->exhausted = false;
     if (bands > 1) {
-        pipeline_start_workers(p);
+        pipeline_start_workers(frame);
     }
-    if (!reserve_depth(p, error) || !reserve_touched(frame, error) || !pipeline_order(p, error) ||
-        !buffer_reserve(&p->band_work, bands, sizeof(struct pixel_work), error)) {
+    if (!reserve_depth(p) ||
+        !array_extend(&frame->last_touched, &frame->touched_capacity, bands * chunk_columns(frame),
+                      sizeof *frame->last_touched) ||
+        !array_extend(&frame->band_stats, &frame->band_capacity, bands,
+                      sizeof *frame->band_stats)) {
         return false;
     }
-    memset(p->band_work.data, 0, bands * sizeof(struct pixel_work));
+    memset(frame->band_stats, 0, bands * sizeof *frame->band_stats);
     return true;
+}
+
+/* Room for what the threads need to draw bands; and what is visible of one: for each thread, or,
+ * where it is kept from round to round, for each band. */
+static bool reserve_bands(struct frame *frame, struct error *error) {
+    size_t threads = workers_count(frame->workers);
+    size_t count = frame->kept ? band_count(frame) : threads;
+    bool reserved =
+        array_extend(&frame->visibility, &frame->visibility_capacity, count,
+                     sizeof *frame->visibility) &&
+        array_extend(&frame->scratch, &frame->scratch_capacity, threads, sizeof *frame->scratch);
+    for (size_t i = frame->visibility_count; reserved && i < count; i++) {
+        reserved = visibility_create(&frame->visibility[i], frame);
+        frame->visibility_count += reserved;
+    }
+    for (size_t i = 0; reserved && i < threads; i++) {
+        if (i == frame->scratch_count) {
+            frame->scratch[frame->scratch_count++] = (struct scratch){0};
+        }
+        reserved = scratch_reserve(&frame->scratch[i], frame);
+    }
+    return reserved || error_out_of_memory(error);
 }
 
 /* All but the shading. With one round only, pixels are not covered yet: that is done for a band
  * when it is shaded, while it is in the cache. */
 static bool draw_rounds(struct frame *frame, struct error *error) {
-    struct pipeline *p = frame->pipeline;
     do {
-        size_t first_block = p->block_end;
         pipeline_next_round(frame);
-        frame->kept |= frame->draws.end < p->order_count;
-        size_t count = frame->kept ? band_count(p) : workers_count(p->workers);
-        if (!reserve_visibility(p, count, error) || !pipeline_assemble_round(frame, error) ||
-            !pipeline_sort_round(frame, first_block, error)) {
+        frame->kept |= frame->round.end < frame->order_count;
+        if (!pipeline_assemble_round(frame, error) || !reserve_bands(frame, error)) {
             return false;
         }
-        if (!p->reordered) {
-            pipeline_reorder(p);
-        }
         if (frame->kept) {
-            pipeline_run(p, band_count(p), pipeline_cover_band, frame);
+            pipeline_run(frame, band_count(frame), pipeline_cover_band);
+            frame->round.begin = frame->round.end;
         }
-    } while (frame->draws.end < p->order_count);
+    } while (frame->round.end < frame->order_count);
     return true;
-}
-
-/* What was done and skipped in the bands. */
-static void add_up_bands(struct pipeline *p) {
-    const struct pixel_work *work = p->band_work.data;
-    for (size_t i = 0; i < band_count(p); i++) {
-        p->stats[STAT_ATTRIBUTE_SETS] += work[i].fetched;
-        p->stats[STAT_FACES_BEHIND] += work[i].behind;
-        p->stats[STAT_PIXELS_COVERED] += p->counts_tests ? work[i].covered : 0;
-        p->stats[STAT_PIXELS_PASSED] += p->counts_tests ? work[i].passed : 0;
-        p->stats[STAT_PIXELS_SHADED] += work[i].shaded;
-    }
-    count_hidden(p);
 }
 
 bool pipeline_finish(struct pipeline *p, struct image *image, struct error *error) {
     assert(image->width == p->width && image->height == p->height && image->format != IMAGE_GREY);
-    struct frame frame = {.pipeline = p, .image = image};
-    if (!begin_frame(&frame, error) || !draw_rounds(&frame, error) ||
-        !buffer_reserve(&p->visible, p->piece_end, sizeof(atomic_uchar), error) ||
-        !reserve_scratch(p, frame.round + 1, error)) {
-        free_all_visibility(p); /* of some bands, perhaps, there is something in it */
+    struct frame *frame = p->frame;
+    frame->pipeline = p;
+    if (!(begin_frame(frame, p, image) || error_out_of_memory(error)) ||
+        !pipeline_order(frame, error) || !draw_rounds(frame, error)) {
+        free_all_visibility(frame); /* of some bands, perhaps, there is something in it */
         return false;
     }
-    atomic_uchar *visible = p->visible.data;
-    memset(visible, 0, p->piece_end * sizeof *visible);
-    pipeline_run(p, band_count(p), pipeline_draw_band, &frame);
-    p->last_image = p->clearing == CLEAR_LAST_FRAME ? *image : (struct image){0};
-    add_up_bands(p);
+    pipeline_run(frame, band_count(frame), pipeline_draw_band);
+    frame->last_image = p->clearing == CLEAR_LAST_FRAME ? *image : (struct image){0};
+    for (size_t i = 0; i < band_count(frame); i++) {
+        pipeline_add_stats(frame, frame->band_stats[i]);
+    }
+    if (!p->counts_tests) {
+        p->stats[STAT_PIXELS_COVERED] = p->stats[STAT_PIXELS_PASSED] = 0;
+    }
     return true;
 }

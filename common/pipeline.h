@@ -7,31 +7,30 @@
  *     pipeline_draw(&pipeline, &call, &toon, &uniforms, sizeof uniforms, &error);
  *     pipeline_finish(&pipeline, &image, &error);
  *
- * Draw calls are recorded, and the frame is drawn when it is finished:
+ * Draw calls are recorded, and the frame is drawn when it is finished. Its stages, and where they
+ * are:
  *
- *   1. assemble: positions only. Every position is transformed once; every face is clipped, culled
- *      and, where it may cover a pixel, kept as one or more `pieces`.
- *   2. sort: the pieces go into bands of rows. The depth and the piece numbers of a band stay in
- *      the processor's cache while the band is worked on:
- *   3. cover: each pixel keeps the depth and the number of the piece that is nearest there;
- *   4. shade: the varyings of a piece that is visible somewhere are fetched once, and each visible
- *      pixel is shaded exactly once, several neighbours at a time (see lanes.h).
+ *     record     keep the draw call                               pipeline_draw() in pipeline.c
+ *     order      drop calls off screen; nearest first             pipeline/order.c
+ *     transform  each position once, to the screen                pipeline/assemble.c
+ *     classify   which faces are off screen, turned away, tiny    pipeline/classify.c
+ *     clip       cut what leaves the view                         pipeline/clip.c
+ *     assemble   faces become pieces, sorted into bands of rows   pipeline/assemble.c
+ *     cover      band by band: which piece is nearest?            pipeline/cover.c
+ *     fetch      ask the corners of visible pieces, once          pipeline/shade.h
+ *     shade      colour each visible pixel, once                  pipeline/shade.h
  *
- * Where many objects overlap, 1 to 3 are done in rounds: first the nearest few objects, then in
- * each round as many as in all before. What a round covers hides objects of the next ones, which
- * are not assembled then, and faces of others, which are not sorted. (Depths and numbers of all
- * bands are kept then: 12 bytes a pixel.)
+ * A band's depths and piece numbers stay in the processor's cache from cover to shade. Several
+ * neighbours are shaded at once: see lanes.h. (Burns and Hunt, "The Visibility Buffer", JCGT 2(2),
+ * 2013.)
  *
- * Skipped, in this order, and counted (enum pipeline_stat): draw calls whose model lies beyond one
- * side of the view, as the box around it shows, before a position is transformed; draw calls whose
- * box is behind what earlier rounds show in every tile of 16x8 pixels, likewise; of a model that is
- * drawn several times in turn, batches of faces whose box is off screen, or behind; faces off
- * screen; faces turned away; faces that reach no pixel centre; draw calls, and pieces, behind what
- * a tile already shows, for which the nearest draw calls are covered first; attributes and shading
- * of what is hidden after all, which costs one comparison a pixel. (Burns and Hunt, "The Visibility
- * Buffer", JCGT 2(2), 2013; the farthest depth of a tile: Greene, Kass and Miller, "Hierarchical
- * Z-Buffer Visibility", SIGGRAPH 1993.) The pixels of a shader that may discard are decided within
- * step 3, in the order of drawing; with `skip` off everything is shaded there.
+ * Where many draw calls overlap, the stages from transform to cover are done in rounds: first the
+ * nearest few calls, then in each round as many as in all before. A call whose box is behind what
+ * is covered already, in every tile of 16x8 pixels, is skipped as a whole, and so is a piece.
+ * (Greene, Kass and Miller, "Hierarchical Z-Buffer Visibility", SIGGRAPH 1993.)
+ *
+ * The pixels of a shader that may discard are shaded while they are covered, in the order of
+ * drawing; with `skip` off all are.
  *
  * Guarantees: every pixel of a mesh is drawn once, also across clipped faces; the image does not
  * depend on the number of threads, on `skip`, or on which corner of a face comes first. Of two
@@ -41,7 +40,6 @@
 #ifndef COMMON_PIPELINE_H
 #define COMMON_PIPELINE_H
 
-#include "base/workers.h"
 #include "geometry.h"
 #include "lanes.h"
 #include "model.h"
@@ -49,7 +47,6 @@
 #include "raster.h"
 #include "tgaimage.h"
 
-#include <stdatomic.h>
 #include <stdbool.h>
 #include <stddef.h>
 #include <stdint.h>
@@ -76,10 +73,10 @@ struct draw_call camera_call(const struct model *model, struct vec3 eye, struct 
 
 enum { VARYING_LIMIT = 16 };
 
-struct shading;
+struct band;
 
-/* The loops over pixels for one shader: see pipeline/kernels.h. */
-typedef void shade_function(const struct shading *shading);
+/* The loops over the pixels of a band for one shader: see pipeline/shade.h. */
+typedef void shade_function(const struct band *band);
 
 /* `uniforms` points to what is the same for all pixels: matrices, the light, the model and its
  * textures. */
@@ -115,22 +112,22 @@ struct shader {
  * pixels have them as constants: the functions become part of the loop, and no pixel costs a
  * call. */
 #define SHADER(name, ...)                                                                          \
-    static FLATTEN void name##_shade(const struct shading *shading) {                              \
+    static FLATTEN void name##_shade(const struct band *band) {                                    \
         const struct shader constant = {__VA_ARGS__};                                              \
-        shade_by_own_loops(shading, &constant);                                                    \
+        shade_call(band, &constant, constant.discards);                                            \
     }                                                                                              \
     static const struct shader name = {__VA_ARGS__, .shade = name##_shade}
 
 /* ---- The pipeline ---- */
 
 /* What was done and what was skipped since pipeline_clear(), once the frame is finished. What is
- * skipped with its object or as a part of it is counted like what is skipped alone: FACES_OUTSIDE,
- * FACES_HIDDEN (of a hidden object or batch all faces, also what is outside or turned away). */
+ * skipped with its draw call is counted like what is skipped alone: FACES_OUTSIDE, FACES_HIDDEN (of
+ * a hidden call all faces, also what is outside or turned away). */
 enum pipeline_stat {
-    STAT_OBJECTS,              /* draw calls */
-    STAT_OBJECTS_OUTSIDE,      /* skipped: all of the model is beyond one side of the view */
-    STAT_OBJECTS_HIDDEN,       /* skipped: all of the model is behind nearer ones */
-    STAT_VERTICES_TRANSFORMED, /* positions; skipped: those of objects outside */
+    STAT_CALLS,                /* draw calls */
+    STAT_CALLS_OUTSIDE,        /* skipped: all of the model is beyond one side of the view */
+    STAT_CALLS_HIDDEN,         /* skipped: all of the model is behind nearer ones */
+    STAT_VERTICES_TRANSFORMED, /* positions; none of skipped calls */
     STAT_FACES,                /* asked for */
     STAT_FACES_OUTSIDE,        /* skipped: beyond one side of the viewport, or behind the eye */
     STAT_FACES_TURNED_AWAY,    /* skipped: culled */
@@ -148,12 +145,6 @@ enum pipeline_stat {
 /* Their names, as --stats prints them. */
 extern const char *const pipeline_stat_name[PIPELINE_STATS];
 
-/* An array that keeps its memory from frame to frame. */
-struct buffer {
-    void *data;
-    size_t capacity; /* elements */
-};
-
 /* What becomes of pixels that nothing covers. */
 enum clearing {
     CLEAR_NOTHING, /* they stay as they are */
@@ -163,8 +154,8 @@ enum clearing {
     CLEAR_LAST_FRAME
 };
 
-/* What is kept from frame to frame, so that drawing allocates nothing once they are large
- * enough. All zero is a valid, empty pipeline. */
+/* Its memory is kept from frame to frame, so that drawing allocates nothing once there is enough.
+ * All zero is a valid, empty pipeline. */
 struct pipeline {
     size_t width, height;
     bool skip;              /* false: do all the work, shade at once; the image is the same */
@@ -174,45 +165,7 @@ struct pipeline {
     double *depth; /* width * height; minus infinity where nothing is drawn; NULL if not kept */
     uint64_t stats[PIPELINE_STATS];
 
-    /* From here on private: see pipeline/kernels.h. */
-    unsigned shortcuts;      /* of enum shortcut: those taken while `skip` is on; at first all */
-    size_t thread_count;     /* for workers_create() */
-    struct workers *workers; /* NULL until they are needed, and where there are none */
-    bool alone;              /* there are none */
-    struct buffer draws;     /* of struct draw */
-    size_t draw_count;
-    bool discards;          /* one of their shaders does */
-    bool reordered;         /* the nearest draw calls are covered first */
-    struct buffer order;    /* of struct draw_order: as draw calls are covered */
-    size_t order_count;     /* those that may cover pixels */
-    struct buffer boxes;    /* of struct boxes: around batches of faces of models drawn again */
-    struct buffer uniforms; /* of the draw calls, one behind the other: bytes */
-    size_t uniforms_end;
-    struct buffer assemblies; /* of struct assembly: the draw calls of a round */
-    /* The transformed positions of a round: on the screen, their depths, and the sides of the view
-     * that they are beyond. */
-    struct buffer screens, depths, beyonds;
-    struct buffer recip_w; /* of double: 1/w of the positions of each draw call */
-    size_t recip_w_end;
-    struct buffer blocks; /* of struct block */
-    size_t block_end;
-    struct buffer piece_bands; /* of struct band_span, for each piece */
-    struct buffer pieces;      /* of struct piece; each block has a part of it */
-    size_t piece_end;
-    struct buffer clipped; /* of struct clipped_corners; each block has a part of it */
-    size_t clipped_end;
-    struct buffer visible;     /* of atomic_uchar, for each piece: a pixel of it is visible */
-    struct buffer band_counts; /* of uint32_t: pieces of a block in a band, then places */
-    struct buffer bins;        /* of struct bin, one a band in each round */
-    struct buffer binned;      /* of uint32_t: indices of pieces, sorted by round and band */
-    size_t binned_end;
-    struct buffer band_work;  /* of struct pixel_work, one a band */
-    struct buffer visibility; /* of struct visibility, one a thread or one a band */
-    size_t visibility_count;
-    struct buffer scratch; /* of struct scratch, one a thread */
-    size_t scratch_count;
-    struct buffer last_touched; /* `touched` of all bands: see struct visibility */
-    struct image last_image;    /* whose they are: none unless CLEAR_LAST_FRAME */
+    struct frame *frame; /* private: pipeline/frame.h */
 };
 
 /* Allocate for images of that size, 1..DRAW_LIMIT a side; skip is on, depth is not kept. */
@@ -237,6 +190,6 @@ bool pipeline_draw(struct pipeline *pipeline, const struct draw_call *call,
  * covers is as `clearing` says. False when memory runs out, with the image as it was. */
 bool pipeline_finish(struct pipeline *pipeline, struct image *image, struct error *error);
 
-#include "pipeline/kernels.h" /* private: what SHADER() compiles into its loop */
+#include "pipeline/shade.h" /* private: what SHADER() compiles into its loop */
 
 #endif

@@ -1,9 +1,5 @@
-/* The first part of the pipeline: from a model to pieces on the screen. See pipeline.h. */
+/* From a model to pieces on the screen, sorted into bands. See pipeline.h. */
 #include "pipeline.h"
-
-#include "pipeline/parts.h"
-
-#include <assert.h>
 
 /* Faces are cut where they leave the guard band, NDC -64..64: far outside of the viewport, so that
  * few are. For large viewports it is narrower, 2^16 pixels to each side of the middle: so no side
@@ -15,48 +11,6 @@ static double guard_band_of(const struct rectangle *viewport) {
 
 /* A depth beyond this is no place to draw at: sums and differences of such might overflow. */
 static const double depth_limit = 1e280;
-
-enum { CLIP_PLANES = 5 };
-
-/* Positions and faces are shared out among threads in blocks of this many. */
-enum { BLOCK_SIZE = 1024 };
-_Static_assert(BLOCK_SIZE / BATCH_SIZE % TOGETHER == 0, "no struct boxes is of two blocks");
-
-/* A convex polygon gains at most one corner at each plane. Where coordinates differ by many
- * orders of magnitude, rounding can make the polygon not convex, and n corners become up to n +
- * n/2 at each of the five planes: 3, 4, 6, 9, 13, 19. */
-enum { POLYGON_LIMIT = 19 };
-
-/* The transformed positions of a draw call. What is beyond the near plane or the guard band has no
- * place on the screen: all but `beyond` is 0. */
-struct vertices {
-    struct fixed2 *screen;
-    double *depth;
-    double *recip_w;
-    uint8_t *beyond;
-};
-
-/* A corner of a polygon while it is clipped. */
-struct clip_corner {
-    struct vec4 clip;
-    struct vec3 weight; /* of the face's corners; sum 1 */
-};
-
-struct polygon {
-    struct clip_corner corner[POLYGON_LIMIT];
-    size_t count;
-};
-
-/* A draw call that is assembled, and what the threads that do it share. */
-struct assembly {
-    struct pipeline *pipeline;
-    struct draw *draw;
-    size_t first_position;     /* in the pipeline's arrays */
-    size_t first_vertex_block; /* of all of the round */
-    struct vertices vertices;
-    double guard_band;
-    atomic_uint beyond; /* the sides that any of the vertices is beyond */
-};
 
 /* ---- Positions ---- */
 
@@ -131,162 +85,68 @@ LANES_INLINE struct clip_positions transform(const struct draw_call *call, size_
     };
 }
 
-static void keep(const struct vertices *vertices, size_t at, const struct screen_positions *p,
+static void keep(const struct frame *frame, size_t at, const struct screen_positions *p,
                  longs beyond) {
     typedef uint8_t bytes __attribute__((vector_size(TOGETHER)));
     bytes narrow = __builtin_convertvector(beyond, bytes);
-    memcpy(vertices->depth + at, &p->depth, sizeof p->depth);
-    memcpy(vertices->recip_w + at, &p->recip_w, sizeof p->recip_w);
+    memcpy(frame->depths + at, &p->depth, sizeof p->depth);
+    memcpy(frame->recip_w + at, &p->recip_w, sizeof p->recip_w);
     for (size_t i = 0; i < TOGETHER; i++) {
-        vertices->screen[at + i] = (struct fixed2){p->x[i], p->y[i]};
+        frame->screens[at + i] = (struct fixed2){p->x[i], p->y[i]};
     }
-    memcpy(vertices->beyond + at, &narrow, sizeof narrow);
+    memcpy(frame->beyonds + at, &narrow, sizeof narrow);
 }
 
-/* The elements of a block. */
-static struct range block_range(size_t index, size_t count) {
-    size_t begin = index * BLOCK_SIZE;
-    return (struct range){begin, count - begin < BLOCK_SIZE ? count : begin + BLOCK_SIZE};
-}
-
-static void transform_block(void *context, size_t index, size_t worker) {
+static void transform_part(void *context, size_t index, size_t worker) {
     (void)worker;
-    struct assembly *assembly = context;
     /* Copies: the compiler need not fear that what is written changes them. */
-    const struct draw_call call = assembly->draw->call;
-    const struct vertices vertices = assembly->vertices;
-    struct range range = block_range(index, call.model->position_count);
+    const struct frame frame = *(const struct frame *)context;
+    const struct call_part part = frame.positions[index];
+    const struct draw_call call = part.call->call;
+    const size_t first = part.call->first_position;
+    const double guard_band = part.call->guard_band;
     longs any = {0};
-    for (size_t i = range.begin; i < range.end; i += TOGETHER) {
+    for (size_t i = part.range.begin; i < part.range.end; i += TOGETHER) {
         struct clip_positions clip = transform(&call, i);
-        longs beyond = find_beyond(&clip, assembly->guard_band);
+        longs beyond = find_beyond(&clip, guard_band);
         longs may_be_placed = (beyond & (BEYOND_NEAR | BEYOND_GUARD_BAND)) == 0;
         struct screen_positions positions = project(&clip, may_be_placed, &call.viewport);
         beyond |= may_be_placed & ~positions.placed & BEYOND_ALL;
-        keep(&vertices, i, &positions, beyond);
+        keep(&frame, first + i, &positions, beyond);
         any |= beyond;
     }
     for (int i = 0; i < TOGETHER; i++) {
-        atomic_fetch_or_explicit(&assembly->beyond, (unsigned)any[i], memory_order_relaxed);
+        atomic_fetch_or_explicit(&part.call->beyond, (unsigned)any[i], memory_order_relaxed);
     }
 }
 
-/* ---- Clipping ---- */
+/* ---- Pieces ---- */
 
-/* Signed distances to the planes, positive inside. */
-static double plane_distance(struct vec4 p, int plane, double guard_band) {
-    switch (plane) {
-    case 0:
-        return p.w - near_w;
-    case 1:
-        return guard_band * p.w + p.x;
-    case 2:
-        return guard_band * p.w - p.x;
-    case 3:
-        return guard_band * p.w + p.y;
-    default:
-        return guard_band * p.w - p.y;
-    }
+/* Room for that many pieces more. */
+static bool reserve_pieces(struct block *block, size_t count) {
+    return array_extend(&block->pieces, &block->piece_capacity, block->piece_count + count,
+                        sizeof *block->pieces) &&
+           array_extend(&block->bands, &block->band_capacity, block->piece_count + count,
+                        sizeof *block->bands);
 }
-
-static double mix(double from, double to, double t) {
-    return from + t * (to - from);
-}
-
-/* Where an edge crosses the plane. Always computed from the corner inside to the one outside, so
- * that both faces of an edge find the very same point, and no gap opens between them. */
-static struct clip_corner cut_edge(const struct clip_corner *inside,
-                                   const struct clip_corner *outside, double inside_distance,
-                                   double outside_distance) {
-    double t = inside_distance / (inside_distance - outside_distance);
-    struct vec4 p = inside->clip, q = outside->clip;
-    struct vec3 v = inside->weight, w = outside->weight;
-    return (struct clip_corner){
-        .clip = {mix(p.x, q.x, t), mix(p.y, q.y, t), mix(p.z, q.z, t), mix(p.w, q.w, t)},
-        .weight = {mix(v.x, w.x, t), mix(v.y, w.y, t), mix(v.z, w.z, t)},
-    };
-}
-
-/* The part of a polygon on the inner side of a plane (Sutherland and Hodgman, "Reentrant Polygon
- * Clipping", 1974). */
-static struct polygon clip_at_plane(const struct polygon *polygon, int plane, double guard_band) {
-    struct polygon result = {.count = 0};
-    for (size_t i = 0; i < polygon->count; i++) {
-        const struct clip_corner *a = &polygon->corner[i];
-        const struct clip_corner *b = &polygon->corner[(i + 1) % polygon->count];
-        double a_distance = plane_distance(a->clip, plane, guard_band);
-        double b_distance = plane_distance(b->clip, plane, guard_band);
-        bool a_inside = a_distance >= 0, b_inside = b_distance >= 0;
-        if (a_inside) {
-            result.corner[result.count++] = *a;
-        }
-        if (a_inside && !b_inside) {
-            result.corner[result.count++] = cut_edge(a, b, a_distance, b_distance);
-        } else if (!a_inside && b_inside) {
-            result.corner[result.count++] = cut_edge(b, a, b_distance, a_distance);
-        }
-    }
-    return result;
-}
-
-/* ---- Triangles on the screen ---- */
-
-/* What the corners of a face are beyond: all of them, and any of them. */
-struct face_beyond {
-    unsigned all, any;
-};
-
-static inline struct face_beyond find_face_beyond(const struct assembly *a,
-                                                  const struct corner corner[3]) {
-    const uint8_t *beyond = a->vertices.beyond;
-    unsigned b[3] = {beyond[corner[0].position], beyond[corner[1].position],
-                     beyond[corner[2].position]};
-    return (struct face_beyond){b[0] & b[1] & b[2], b[0] | b[1] | b[2]};
-}
-
-/* Where all positions are beyond nothing, `inside`, that is not asked, and was 0 before. */
-static inline void batch_put(struct batch *batch, const struct assembly *a,
-                             const struct corner corner[3], bool inside) {
-    size_t at = batch->count++;
-    for (int i = 0; i < 3; i++) {
-        struct fixed2 screen = a->vertices.screen[corner[i].position];
-        batch->x[i][at] = screen.x;
-        batch->y[i][at] = screen.y;
-    }
-    if (!inside) {
-        struct face_beyond beyond = find_face_beyond(a, corner);
-        batch->beyond_all[at] = (int32_t)beyond.all;
-        batch->beyond_any[at] = (int32_t)beyond.any;
-    }
-}
-
-/* Where a block's pieces go. */
-struct output {
-    struct block *block;
-    struct piece *pieces;
-    struct band_span *piece_bands;
-    struct clipped_corners *clipped;
-    uint32_t *band_counts;
-    const struct pipeline *hiding; /* rounds before this one hide what lies behind; or NULL */
-    uint32_t draw;                 /* which draw call the pieces are of */
-};
 
 /* Add a triangle of a batch that is whole. Corner 0 becomes the lowest, so that a face whose
  * corners are listed from another one on is computed in the same way, to the last bit; and the rest
  * follows counterclockwise. Not added, but counted, where it is hidden already. */
-static void add_piece(struct output *to, const struct batch *batch, size_t at, size_t face,
-                      uint32_t clipped, const double depth[3]) {
-    struct block *block = to->block;
+static void add_piece(const struct frame *frame, struct block *block, const struct batch *batch,
+                      size_t at, size_t face, size_t part, const double depth[3]) {
     struct span columns = {batch->left[at], batch->right[at] + 1};
     struct span rows = {batch->bottom[at], batch->top[at] + 1};
     const struct screen_place place = {columns, rows, nearest_of_depths(depth)};
-    if (to->hiding != NULL && pipeline_is_hidden(to->hiding, &place)) {
+    if (frame->round.begin > 0 && pipeline_is_hidden(frame, &place)) {
         block->stats[STAT_FACES_HIDDEN]++;
         block->stats[STAT_FACES_BEHIND]++;
         return;
     }
-    struct band_span *bands = &to->piece_bands[block->piece_count];
-    struct piece *piece = &to->pieces[block->piece_count++];
+    const struct band_span bands = {(uint16_t)(rows.begin / BAND_HEIGHT),
+                                    (uint16_t)((rows.end - 1) / BAND_HEIGHT)};
+    block->bands[block->piece_count] = bands;
+    struct piece *piece = &block->pieces[block->piece_count++];
     int order[3] = {batch->first[at], batch->second[at], 3 - batch->first[at] - batch->second[at]};
     for (int i = 0; i < 3; i++) {
         piece->corner[i] = (struct fixed2){batch->x[order[i]][at], batch->y[order[i]][at]};
@@ -294,383 +154,289 @@ static void add_piece(struct output *to, const struct batch *batch, size_t at, s
         piece->face_corner[i] = (uint8_t)order[i];
     }
     piece->face = (uint32_t)face;
-    piece->clipped = clipped;
+    piece->part = (uint8_t)part;
     piece->dropped = batch->culled[at] != 0;
-    piece->draw = to->draw;
+    piece->call = (uint32_t)(block->faces.call - frame->calls);
+    piece->several = bands.last > bands.first;
+    atomic_init(&piece->seen, false);
     block->columns = span_around(block->columns, columns);
     block->rows = span_around(block->rows, rows);
-    bands->first = (uint16_t)(rows.begin / BAND_HEIGHT);
-    bands->last = (uint16_t)((rows.end - 1) / BAND_HEIGHT);
-    for (int band = bands->first; band <= bands->last; band++) {
-        to->band_counts[band]++;
-    }
 }
 
 /* Count a triangle that is not drawn. */
-static void count_left_out(struct block *block, enum triangle_kind kind) {
+static void count_left_out(struct block *block, int32_t kind) {
     block->stats[STAT_FACES_OUTSIDE] += kind == TRIANGLE_OUTSIDE;
     block->stats[STAT_FACES_TURNED_AWAY] += kind == TRIANGLE_TURNED_AWAY;
     block->stats[STAT_FACES_WITHOUT_PIXEL] += kind == TRIANGLE_WITHOUT_PIXEL;
 }
 
-/* ---- Faces that are clipped ---- */
-
-/* Is position a before b, in a fixed order? */
-static bool is_before(struct vec4 a, struct vec4 b) {
-    return a.y < b.y ||
-           (a.y == b.y && (a.x < b.x || (a.x == b.x && (a.z < b.z || (a.z == b.z && a.w < b.w)))));
-}
-
-/* The part of a face that can be drawn. Cut from its first corner on, in a fixed order of
- * positions; the weights are of the face's corners as the model lists them. */
-static struct polygon clip_face(const struct assembly *a, size_t face) {
-    const struct draw_call *call = &a->draw->call;
-    static const struct vec3 weight[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-    struct vec4 clip[3];
-    size_t first = 0;
-    for (size_t i = 0; i < 3; i++) {
-        clip[i] = mat4_point(&call->to_clip, model_position(call->model, face, i));
-        first = i > 0 && is_before(clip[i], clip[first]) ? i : first;
-    }
-    struct polygon polygon = {.count = 3};
-    for (size_t i = 0; i < 3; i++) {
-        size_t from = (first + i) % 3;
-        polygon.corner[i] = (struct clip_corner){clip[from], weight[from]};
-    }
-    for (int plane = 0; plane < CLIP_PLANES && polygon.count > 0; plane++) {
-        polygon = clip_at_plane(&polygon, plane, a->guard_band);
-    }
-    return polygon;
-}
-
-/* One triangle of the fan that a clipped polygon is cut into. */
-static void add_part(const struct assembly *a, struct output *to, size_t face,
-                     const struct clip_corner *const corner[3]) {
-    struct clipped_corners clipped;
+/* Triangle `part` of the fan that a clipped polygon is cut into. */
+static void add_part(const struct frame *frame, struct block *block, size_t face,
+                     const struct polygon *polygon, size_t part) {
+    const struct draw_call *call = &block->faces.call->call;
+    const size_t corner[3] = {0, part, part + 1};
     struct batch batch = {.count = 1};
     double depth[3];
     for (int i = 0; i < 3; i++) {
-        struct clip_positions clip = clip_positions_all(corner[i]->clip);
-        struct screen_positions position = project(&clip, ~(longs){0}, &a->draw->call.viewport);
+        struct clip_positions clip = clip_positions_all(polygon->corner[corner[i]].clip);
+        struct screen_positions position = project(&clip, ~(longs){0}, &call->viewport);
         if (!position.placed[0]) {
             return;
         }
         batch.x[i][0] = position.x[0];
         batch.y[i][0] = position.y[0];
         depth[i] = position.depth[0];
-        clipped.recip_w[i] = position.recip_w[0];
-        clipped.weight[i] = corner[i]->weight;
     }
-    batch_classify(&batch, &a->draw->call, a->pipeline->skip);
-    if (batch.kind[0] != TRIANGLE_WHOLE) {
-        count_left_out(to->block, (enum triangle_kind)batch.kind[0]);
-        return;
+    batch_classify(&batch, call, frame->pipeline->skip);
+    if (batch.kind[0] == TRIANGLE_WHOLE) {
+        add_piece(frame, block, &batch, 0, face, part, depth);
+    } else {
+        count_left_out(block, batch.kind[0]);
     }
-    size_t index = to->block->first_clipped + to->block->clipped_count;
-    add_piece(to, &batch, 0, face, (uint32_t)index, depth);
-    to->clipped[to->block->clipped_count++] = clipped;
 }
 
-static void add_clipped_face(const struct assembly *a, struct output *to, size_t face) {
-    struct polygon polygon = clip_face(a, face);
+/* Leaves room for the other faces of its batch. False when memory runs out. */
+static bool add_clipped_face(const struct frame *frame, struct block *block, size_t face) {
+    struct polygon polygon = pipeline_clip_face(block->faces.call, face);
     if (polygon.count < 3) {
-        to->block->stats[STAT_FACES_OUTSIDE]++;
-        return;
+        block->stats[STAT_FACES_OUTSIDE]++;
+        return true;
     }
-    to->block->stats[STAT_FACES_CLIPPED]++;
-    for (size_t i = 2; i < polygon.count; i++) {
-        const struct clip_corner *part[3] = {&polygon.corner[0], &polygon.corner[i - 1],
-                                             &polygon.corner[i]};
-        add_part(a, to, face, part);
+    block->stats[STAT_FACES_CLIPPED]++;
+    bool reserved = reserve_pieces(block, polygon.count + BATCH_SIZE);
+    for (size_t part = 1; reserved && part + 1 < polygon.count; part++) {
+        add_part(frame, block, face, &polygon, part);
+    }
+    return reserved;
+}
+
+/* ---- Faces ---- */
+
+/* Put the corners of faces into a batch. Where all positions are beyond nothing, `inside` (constant
+ * where it is called), that is not asked, and was 0 before. */
+LANES_INLINE void fill_batch(const struct frame *frame, struct batch *batch,
+                             const struct recorded_call *call, struct range faces, bool inside) {
+    const struct fixed2 *screens = frame->screens + call->first_position;
+    const uint8_t *beyonds = frame->beyonds + call->first_position;
+    batch->count = faces.end - faces.begin;
+    for (size_t at = 0; at < batch->count; at++) {
+        const struct corner *corner = call->call.model->faces[faces.begin + at].corner;
+        int32_t all = BEYOND_ALL, any = 0;
+        for (int i = 0; i < 3; i++) {
+            struct fixed2 screen = screens[corner[i].position];
+            batch->x[i][at] = screen.x;
+            batch->y[i][at] = screen.y;
+            all &= inside ? 0 : beyonds[corner[i].position];
+            any |= inside ? 0 : beyonds[corner[i].position];
+        }
+        if (!inside) {
+            batch->beyond_all[at] = all;
+            batch->beyond_any[at] = any;
+        }
     }
 }
 
-/* ---- Batches and blocks of faces ---- */
-
-/* Those that may be drawn, in their order; without a branch, see batch.c. */
-static size_t list_drawn(const struct batch *batch, uint32_t list[BATCH_SIZE]) {
+/* List those that may be drawn, in their order, and count the others; without a branch, see
+ * classify.c. */
+static size_t list_drawn(struct block *block, const struct batch *batch,
+                         uint32_t list[BATCH_SIZE]) {
     size_t count = 0;
     for (uint32_t at = 0; at < batch->count; at++) {
         list[count] = at;
         count += batch->kind[at] >= TRIANGLE_CLIPPED;
     }
+    for (size_t at = 0; at < batch->count; at++) {
+        count_left_out(block, batch->kind[at]);
+    }
     return count;
 }
 
-/* Add the faces of a batch from `first_face` on, or count why they need not be drawn. */
-static void add_batch(const struct assembly *a, struct output *to, const struct batch *batch,
+/* Add what is to be drawn of the faces of a batch from `first_face` on. False when memory runs
+ * out. */
+static bool add_batch(const struct frame *frame, struct block *block, const struct batch *batch,
                       size_t first_face) {
+    const struct recorded_call *call = block->faces.call;
+    const double *depths = frame->depths + call->first_position;
     uint32_t list[BATCH_SIZE];
-    size_t count = list_drawn(batch, list);
-    for (size_t at = 0; at < batch->count; at++) {
-        count_left_out(to->block, (enum triangle_kind)batch->kind[at]);
-    }
-    for (size_t i = 0; i < count; i++) {
+    size_t count = list_drawn(block, batch, list);
+    bool reserved = reserve_pieces(block, count);
+    for (size_t i = 0; reserved && i < count; i++) {
         size_t face = first_face + list[i];
         if (batch->kind[list[i]] == TRIANGLE_CLIPPED) {
-            add_clipped_face(a, to, face);
+            reserved = add_clipped_face(frame, block, face);
         } else {
-            const struct corner *corner = a->draw->call.model->faces[face].corner;
-            const double *depths = a->vertices.depth;
+            const struct corner *corner = call->call.model->faces[face].corner;
             const double depth[3] = {depths[corner[0].position], depths[corner[1].position],
                                      depths[corner[2].position]};
-            add_piece(to, batch, list[i], face, NOT_CLIPPED, depth);
+            add_piece(frame, block, batch, list[i], face, 0, depth);
         }
     }
+    return reserved;
 }
 
-/* Constant where it is called: see batch_put(). */
-LANES_INLINE void fill_batch(struct batch *batch, const struct assembly *a, struct range faces,
-                             bool inside) {
-    const struct face *face = a->draw->call.model->faces;
-    batch->count = 0;
-    for (size_t i = faces.begin; i < faces.end; i++) {
-        batch_put(batch, a, face[i].corner, inside);
+/* ---- Pieces sorted into bands ---- */
+
+/* List the pieces of each band, in their order. Counts become ends, and then, filled from behind,
+ * places where the lists begin. False when memory runs out. */
+static bool sort_block(const struct frame *frame, struct block *block) {
+    size_t bands = band_count(frame);
+    uint32_t *starts = frame->band_starts + (size_t)(block - frame->blocks) * (bands + 1);
+    memset(starts, 0, (bands + 1) * sizeof *starts);
+    for (size_t i = 0; i < block->piece_count; i++) {
+        for (int band = block->bands[i].first; band <= block->bands[i].last; band++) {
+            starts[band]++;
+        }
     }
-}
-
-/* Can the batch of faces in that place be left out: outside the view, or hidden by the rounds
- * before this one? Then its faces are counted. */
-static bool leave_out_batch(const struct assembly *a, const struct screen_place *place,
-                            size_t faces, uint64_t stats[PIPELINE_STATS]) {
-    bool outside = place_is_empty(place);
-    bool hidden = a->draw->round > 0 && pipeline_is_hidden(a->pipeline, place);
-    stats[STAT_FACES_OUTSIDE] += outside ? faces : 0;
-    stats[STAT_FACES_HIDDEN] += hidden ? faces : 0;
-    stats[STAT_FACES_BEHIND] += hidden ? faces : 0;
-    return outside || hidden;
+    for (size_t band = 1; band <= bands; band++) {
+        starts[band] += starts[band - 1];
+    }
+    if (!array_extend(&block->sorted, &block->sorted_capacity, starts[bands],
+                      sizeof *block->sorted)) {
+        return false;
+    }
+    for (size_t i = block->piece_count; i-- > 0;) {
+        for (int band = block->bands[i].first; band <= block->bands[i].last; band++) {
+            block->sorted[--starts[band]] = (uint32_t)i;
+        }
+    }
+    return true;
 }
 
 static void assemble_block(void *context, size_t index, size_t worker) {
     (void)worker;
-    const struct assembly *a = context;
-    const struct pipeline *p = a->pipeline;
-    struct block *block = (struct block *)p->blocks.data + a->draw->first_block + index;
-    size_t bands = band_count(p);
-    struct output to = {
-        .block = block,
-        .pieces = (struct piece *)p->pieces.data + block->first_piece,
-        .piece_bands = (struct band_span *)p->piece_bands.data + block->first_piece,
-        .clipped = (struct clipped_corners *)p->clipped.data + block->first_clipped,
-        .band_counts = (uint32_t *)p->band_counts.data + (a->draw->first_block + index) * bands,
-        .hiding = a->draw->round > 0 ? p : NULL,
-        .draw = (uint32_t)(a->draw - (const struct draw *)p->draws.data),
-    };
-    memset(to.band_counts, 0, bands * sizeof *to.band_counts);
-    struct range block_faces = block_range(index, a->draw->call.model->face_count);
-    const struct boxes *boxes =
-        a->draw->has_boxes ? (const struct boxes *)p->boxes.data + a->draw->first_boxes : NULL;
-    struct screen_place place[TOGETHER];
+    struct frame *frame = context;
+    struct block *block = &frame->blocks[frame->round_block + index];
+    const struct recorded_call *call = block->faces.call;
     struct batch batch = {.count = 0};
-    for (size_t i = 0; i * BATCH_SIZE < block_faces.end - block_faces.begin; i++) {
-        struct range faces = batch_range(block_faces, i);
-        if (boxes != NULL && i % TOGETHER == 0) {
-            pipeline_place(&a->draw->call, &boxes[faces.begin / BATCH_SIZE / TOGETHER], place);
-        }
-        if (boxes != NULL &&
-            leave_out_batch(a, &place[i % TOGETHER], faces.end - faces.begin, block->stats)) {
-            continue;
-        }
-        if (a->beyond == 0) {
-            fill_batch(&batch, a, faces, true);
+    struct range faces = block->faces.range;
+    bool reserved = true;
+    while (reserved && faces.begin < faces.end) {
+        size_t end = faces.begin + BATCH_SIZE;
+        struct range some = {faces.begin, end < faces.end ? end : faces.end};
+        if (call->beyond == 0) {
+            fill_batch(frame, &batch, call, some, true);
         } else {
-            fill_batch(&batch, a, faces, false);
+            fill_batch(frame, &batch, call, some, false);
         }
-        batch_classify(&batch, &a->draw->call, p->skip);
-        add_batch(a, &to, &batch, faces.begin);
+        batch_classify(&batch, &call->call, frame->pipeline->skip);
+        reserved = add_batch(frame, block, &batch, some.begin);
+        faces.begin = some.end;
     }
-}
-
-/* How many pieces the faces of a block may need, counted into `block`. */
-static void count_pieces(const struct assembly *a, struct range faces, struct block *block) {
-    for (size_t face = faces.begin; face < faces.end; face++) {
-        struct face_beyond beyond = find_face_beyond(a, a->draw->call.model->faces[face].corner);
-        bool outside = (beyond.all & BEYOND_ONE_SIDE) != 0;
-        bool cut = (beyond.any & (BEYOND_NEAR | BEYOND_GUARD_BAND)) != 0;
-        if (!outside && cut) {
-            size_t corners = clip_face(a, face).count;
-            block->clipped_count += corners > 2 ? corners - 2 : 0;
-        }
-        block->piece_count += !outside && !cut;
+    if (!shades_at_once(frame, call->shader)) {
+        block->stats[STAT_FACES_HIDDEN] += block->piece_count; /* until one is seen */
     }
-    block->piece_count += block->clipped_count;
-}
-
-/* Give each block of the draw call its part of `pieces` and `clipped`. */
-static bool lay_out_blocks(struct pipeline *p, const struct assembly *a, struct error *error) {
-    const struct draw *draw = a->draw;
-    size_t face_count = draw->call.model->face_count;
-    bool clips = (a->beyond & (BEYOND_NEAR | BEYOND_GUARD_BAND)) != 0; /* some face, perhaps */
-    struct block *blocks = p->blocks.data;
-    size_t pieces = p->piece_end, clipped = p->clipped_end;
-    for (size_t i = 0; i < draw->block_count; i++) {
-        struct block *block = &blocks[draw->first_block + i];
-        struct range faces = block_range(i, face_count);
-        *block = (struct block){.columns = {INT_MAX, 0}, .rows = {INT_MAX, 0}};
-        if (clips) {
-            count_pieces(a, faces, block);
-        } else {
-            block->piece_count = faces.end - faces.begin;
-        }
-        block->first_piece = pieces;
-        block->first_clipped = clipped;
-        pieces += block->piece_count;
-        clipped += block->clipped_count;
-        block->piece_count = block->clipped_count = 0; /* so far */
-    }
-    if (pieces >= UINT32_MAX) {
-        return error_set(error, "more than %lu triangles in one frame", (unsigned long)UINT32_MAX);
-    }
-    if (!buffer_reserve(&p->pieces, pieces, sizeof(struct piece), error) ||
-        !buffer_reserve(&p->piece_bands, pieces, sizeof(struct band_span), error) ||
-        !buffer_reserve(&p->clipped, clipped, sizeof(struct clipped_corners), error)) {
-        return false;
-    }
-    p->piece_end = pieces;
-    p->clipped_end = clipped;
-    return true;
-}
-
-/* What the blocks of a draw call have counted. */
-static void add_up_blocks(struct pipeline *p, struct draw *draw) {
-    const struct block *blocks = p->blocks.data;
-    draw->place.columns = draw->place.rows = (struct span){INT_MAX, 0};
-    for (size_t i = draw->first_block; i < draw->first_block + draw->block_count; i++) {
-        draw->place.columns = span_around(draw->place.columns, blocks[i].columns);
-        draw->place.rows = span_around(draw->place.rows, blocks[i].rows);
-        for (int stat = 0; stat < PIPELINE_STATS; stat++) {
-            p->stats[stat] += blocks[i].stats[stat];
-        }
+    if (!reserved || !sort_block(frame, block)) {
+        frame->exhausted = true;
     }
 }
 
 /* ---- A round ---- */
 
-/* The draw calls of a round that are not hidden. */
-struct round {
-    struct assembly *assembly;
-    size_t count;
-    size_t first_block; /* of those with faces */
-    size_t vertex_blocks, positions;
-};
-
-/* Rounded up, so that TOGETHER of them can be written at once. */
-static size_t room_for_positions(const struct draw *draw) {
-    return (draw->call.model->position_count + TOGETHER - 1) / TOGETHER * TOGETHER;
-}
-
-/* Add a draw call to the round, and its share to all that must be allocated. */
-static void add_draw(struct round *round, struct pipeline *p, struct draw *draw) {
-    const struct model *model = draw->call.model;
-    struct assembly *assembly = &round->assembly[round->count++];
-    *assembly = (struct assembly){
-        .pipeline = p,
-        .draw = draw,
-        .first_position = round->positions,
-        .first_vertex_block = round->vertex_blocks,
-        .guard_band = guard_band_of(&draw->call.viewport),
-    };
-    draw->first_block = p->block_end;
-    draw->block_count = (model->face_count + BLOCK_SIZE - 1) / BLOCK_SIZE;
-    draw->first_recip_w = p->recip_w_end;
-    round->positions += room_for_positions(draw);
-    round->vertex_blocks += (model->position_count + BLOCK_SIZE - 1) / BLOCK_SIZE;
-    p->block_end += draw->block_count;
-    p->recip_w_end += room_for_positions(draw);
-    p->stats[STAT_VERTICES_TRANSFORMED] += model->position_count;
-}
-
-/* Find the draw calls that are not hidden, and count those that are. */
-static bool list_draws(const struct frame *frame, struct round *round, struct error *error) {
-    struct pipeline *p = frame->pipeline;
-    const struct draw_order *order = p->order.data;
-    size_t most = frame->draws.end - frame->draws.begin;
-    if (!buffer_reserve(&p->assemblies, most, sizeof(struct assembly), error)) {
-        return false;
-    }
-    *round = (struct round){.assembly = p->assemblies.data, .first_block = p->block_end};
-    for (size_t i = frame->draws.begin; i < frame->draws.end; i++) {
-        struct draw *draw = (struct draw *)p->draws.data + order[i].draw;
-        draw->round = frame->round;
-        if (frame->round > 0 && pipeline_is_hidden(p, &draw->place)) {
-            p->stats[STAT_OBJECTS_HIDDEN]++;
-            p->stats[STAT_FACES_HIDDEN] += draw->call.model->face_count;
-            p->stats[STAT_FACES_BEHIND] += draw->call.model->face_count;
-        } else {
-            add_draw(round, p, draw);
-        }
-    }
-    return true;
-}
-
-/* Room for all positions and blocks of the round. */
-static bool reserve_round(struct pipeline *p, struct round *round, struct error *error) {
-    if (!buffer_reserve(&p->screens, round->positions, sizeof(struct fixed2), error) ||
-        !buffer_reserve(&p->depths, round->positions, sizeof(double), error) ||
-        !buffer_reserve(&p->beyonds, round->positions, sizeof(uint8_t), error) ||
-        !buffer_reserve(&p->recip_w, p->recip_w_end, sizeof(double), error) ||
-        !buffer_reserve(&p->blocks, p->block_end, sizeof(struct block), error) ||
-        !buffer_reserve(&p->band_counts, p->block_end * band_count(p), sizeof(uint32_t), error)) {
-        return false;
-    }
-    for (size_t i = 0; i < round->count; i++) {
-        struct assembly *a = &round->assembly[i];
-        a->vertices = (struct vertices){
-            .screen = (struct fixed2 *)p->screens.data + a->first_position,
-            .depth = (double *)p->depths.data + a->first_position,
-            .recip_w = (double *)p->recip_w.data + a->draw->first_recip_w,
-            .beyond = (uint8_t *)p->beyonds.data + a->first_position,
-        };
-    }
-    return true;
-}
-
-/* The round's first block of a draw call: of positions, or of faces. */
-static size_t first_of(const struct round *round, const struct assembly *a, bool faces) {
-    return faces ? a->draw->first_block - round->first_block : a->first_vertex_block;
-}
-
-/* Whose block it is: of the last draw call that begins with it, or before. (One that has no block
- * begins with the next one's.) */
-static struct assembly *find_assembly(const struct round *round, size_t block, bool faces) {
-    size_t first = 0, end = round->count;
-    while (end - first > 1) {
-        size_t middle = first + (end - first) / 2;
-        bool is_after = first_of(round, &round->assembly[middle], faces) > block;
-        first = is_after ? first : middle;
-        end = is_after ? middle : end;
-    }
-    return &round->assembly[first];
-}
-
-/* Blocks of all draw calls are shared out together: who waited for the other threads after each
- * small object would do so most of the time. */
-
-static void transform_any_block(void *context, size_t index, size_t worker) {
-    struct assembly *a = find_assembly(context, index, false);
-    transform_block(a, index - first_of(context, a, false), worker);
-}
-
-static void assemble_any_block(void *context, size_t index, size_t worker) {
-    struct assembly *a = find_assembly(context, index, true);
-    assemble_block(a, index - first_of(context, a, true), worker);
-}
-
-bool pipeline_assemble_round(const struct frame *frame, struct error *error) {
-    struct pipeline *p = frame->pipeline;
-    struct round round;
-    if (!list_draws(frame, &round, error) || !reserve_round(p, &round, error)) {
-        return false;
-    }
-    pipeline_run(p, round.vertex_blocks, transform_any_block, &round);
-    for (size_t i = 0; i < round.count; i++) {
-        if (!lay_out_blocks(p, &round.assembly[i], error)) {
+/* Add a call's positions, in parts. Rounded up, so that TOGETHER of them can be written at once. */
+static bool add_positions(struct frame *frame, struct recorded_call *call) {
+    size_t count = call->call.model->position_count;
+    call->first_position = frame->position_count;
+    call->guard_band = guard_band_of(&call->call.viewport);
+    call->beyond = 0;
+    frame->position_count += (count + TOGETHER - 1) / TOGETHER * TOGETHER;
+    frame->pipeline->stats[STAT_VERTICES_TRANSFORMED] += count;
+    for (size_t begin = 0, end; begin < count; begin = end) {
+        end = count - begin < BLOCK_SIZE ? count : begin + BLOCK_SIZE;
+        if (!array_extend(&frame->positions, &frame->part_capacity, frame->part_count + 1,
+                          sizeof *frame->positions)) {
             return false;
         }
-    }
-    pipeline_run(p, p->block_end - round.first_block, assemble_any_block, &round);
-    for (size_t i = 0; i < round.count; i++) {
-        add_up_blocks(p, round.assembly[i].draw);
+        frame->positions[frame->part_count++] = (struct call_part){call, {begin, end}};
     }
     return true;
+}
+
+/* Make one more block, or use one of the last frame again. */
+static bool add_block(struct frame *frame, struct call_part faces) {
+    if (!array_extend(&frame->blocks, &frame->block_capacity, frame->block_count + 1,
+                      sizeof *frame->blocks)) {
+        return false;
+    }
+    struct block *block = &frame->blocks[frame->block_count++];
+    if (frame->block_count > frame->blocks_made) {
+        *block = (struct block){.piece_count = 0};
+        frame->blocks_made++;
+    }
+    block->faces = faces;
+    block->piece_count = 0;
+    block->columns = block->rows = (struct span){INT_MAX, 0};
+    memset(block->stats, 0, sizeof block->stats);
+    return true;
+}
+
+static bool add_faces(struct frame *frame, struct recorded_call *call) {
+    size_t count = call->call.model->face_count;
+    bool reserved = true;
+    call->first_block = frame->block_count;
+    for (size_t begin = 0, end; reserved && begin < count; begin = end) {
+        end = count - begin < BLOCK_SIZE ? count : begin + BLOCK_SIZE;
+        reserved = add_block(frame, (struct call_part){call, {begin, end}});
+    }
+    call->block_count = frame->block_count - call->first_block;
+    return reserved;
+}
+
+/* Add the calls of the round that are not hidden, and count those that are. */
+static bool add_calls(struct frame *frame, struct error *error) {
+    uint64_t *stats = frame->pipeline->stats;
+    frame->part_count = 0;
+    frame->round_block = frame->block_count;
+    for (size_t i = frame->round.begin; i < frame->round.end; i++) {
+        struct recorded_call *call = &frame->calls[frame->order[i].call];
+        if (frame->round.begin > 0 && pipeline_is_hidden(frame, &call->place)) {
+            stats[STAT_CALLS_HIDDEN]++;
+            stats[STAT_FACES_HIDDEN] += call->call.model->face_count;
+            stats[STAT_FACES_BEHIND] += call->call.model->face_count;
+        } else if (!add_positions(frame, call) || !add_faces(frame, call)) {
+            return error_out_of_memory(error);
+        }
+    }
+    return true;
+}
+
+static bool reserve_round(struct frame *frame, struct error *error) {
+    size_t positions = frame->position_count;
+    return (array_extend(&frame->screens, &frame->screen_capacity, positions,
+                         sizeof *frame->screens) &&
+            array_extend(&frame->depths, &frame->depth_capacity, positions,
+                         sizeof *frame->depths) &&
+            array_extend(&frame->recip_w, &frame->recip_w_capacity, positions,
+                         sizeof *frame->recip_w) &&
+            array_extend(&frame->beyonds, &frame->beyond_capacity, positions,
+                         sizeof *frame->beyonds) &&
+            array_extend(&frame->band_starts, &frame->start_capacity,
+                         frame->block_count * (band_count(frame) + 1),
+                         sizeof *frame->band_starts)) ||
+           error_out_of_memory(error);
+}
+
+/* What the blocks of the round have found. */
+static bool add_up_blocks(struct frame *frame, struct error *error) {
+    for (size_t i = frame->round_block; i < frame->block_count; i++) {
+        const struct block *block = &frame->blocks[i];
+        struct screen_place *place = &block->faces.call->place;
+        if (i == block->faces.call->first_block) {
+            place->columns = place->rows = (struct span){INT_MAX, 0};
+        }
+        place->columns = span_around(place->columns, block->columns);
+        place->rows = span_around(place->rows, block->rows);
+        frame->sorted_count += frame->band_starts[(i + 1) * (band_count(frame) + 1) - 1];
+        pipeline_add_stats(frame, block->stats);
+    }
+    return frame->sorted_count <= INT_MAX ||
+           error_set(error, "more than %d triangles in one frame", INT_MAX);
+}
+
+bool pipeline_assemble_round(struct frame *frame, struct error *error) {
+    if (!add_calls(frame, error) || !reserve_round(frame, error)) {
+        return false;
+    }
+    pipeline_run(frame, frame->part_count, transform_part);
+    pipeline_run(frame, frame->block_count - frame->round_block, assemble_block);
+    return frame->exhausted ? error_out_of_memory(error) : add_up_blocks(frame, error);
 }

@@ -1,6 +1,6 @@
 /*
  * Private to the pipeline: numbers of several things at once, and planes, from which varyings are
- * found at any pixel. kernels.h includes it, since each shader gets its own.
+ * found at any pixel. shade.h includes it, since each shader gets its own.
  */
 #ifndef COMMON_PIPELINE_PLANES_H
 #define COMMON_PIPELINE_PLANES_H

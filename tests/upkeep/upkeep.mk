@@ -42,7 +42,7 @@ $(BUILD)/tested/flags: force
 	@echo '$(TESTED)' | cmp -s - $@ || echo '$(TESTED)' >$@
 
 # Those that use vectors.h in most ways with the instructions of this processor, which it chooses.
-NATIVE = $(if $(filter test_lanes.o test_vectors.o test_batch.o batch.o,$(@F)),$(MARCH))
+NATIVE = $(if $(filter test_lanes.o test_vectors.o test_classify.o classify.o,$(@F)),$(MARCH))
 $(BUILD)/tested/%.o: %.c $(BUILD)/tested/flags
 	@mkdir -p $(@D)
 	$(SAY) TEST $<
@@ -61,9 +61,9 @@ $(filter $(BUILD)/tests/check/% $(BUILD)/tests/student/%,$(UNITS)): $(BUILD)/tes
 
 # Some tests of the pipeline are built in several kinds besides, with the pipeline under them: so many
 # LANES, and REAL where it is not float. (test_lanes-8-double has LANES=8 and REAL=double.)
-KINDS_OF_BATCH = test_batch-4 test_batch-8 test_batch-16
-KINDS = $(KINDS_OF_BATCH) $(KINDS_OF_BATCH:test_batch%=test_vectors%) \
-        $(KINDS_OF_BATCH:test_batch%=test_strips%) $(KINDS_OF_BATCH:test_batch%=test_transform%) \
+KINDS_OF_LANES = test_classify-4 test_classify-8 test_classify-16
+KINDS = $(KINDS_OF_LANES) $(KINDS_OF_LANES:test_classify%=test_vectors%) \
+        $(KINDS_OF_LANES:test_classify%=test_strips%) $(KINDS_OF_LANES:test_classify%=test_transform%) \
         test_borders-1 test_borders-16 test_borders-8-double \
         test_planes-8 test_planes-16 test_planes-16-double \
         test_lanes-1 test_lanes-2 test_lanes-4 test_lanes-8 test_lanes-16 test_lanes-8-double

@@ -149,7 +149,7 @@ static bool draw(struct pipeline *pipeline, const struct scene *scene, const str
                  const struct shader *shader, struct image *image, struct error *error) {
     size_t first_id = 0;
     pipeline->skip = way->skip;
-    pipeline->shortcuts = way->shortcuts;
+    pipeline->frame->shortcuts = way->shortcuts;
     pipeline_clear(pipeline);
     memset(image->pixels, 0, SIDE * SIDE * (size_t)image->format);
     for (size_t i = 0; i < scene->count; i++) {

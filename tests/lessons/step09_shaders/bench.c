@@ -53,7 +53,7 @@ static bool draw_by_pipeline(struct work *work, int kind, struct pipeline *p) {
     const struct shader *shader = kind == CALLED    ? &called
                                   : kind == AT_ONCE ? &attempt_4_at_once
                                                     : &gouraud_textured;
-    p->shortcuts = kind == AT_ONCE ? SHORTCUTS & ~(unsigned)SHORTCUT_VISIBLE : SHORTCUTS;
+    p->frame->shortcuts = kind == AT_ONCE ? SHORTCUTS & ~(unsigned)SHORTCUT_VISIBLE : SHORTCUTS;
     pipeline_clear(p);
     return pipeline_draw(p, &work->call, shader, &work->uniforms, sizeof work->uniforms, &error) &&
            pipeline_finish(p, &work->image, &error);

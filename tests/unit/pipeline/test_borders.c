@@ -322,7 +322,7 @@ static bool tests_are_right(const struct pipeline *pipeline, uint64_t drawn,
     bool some_behind = pipeline->stats[STAT_FACES_BEHIND] > 0;
     return covered >= drawn && covered <= work->covered &&
            (some_behind || covered == work->covered) && passed >= drawn && passed <= covered &&
-           (pipeline->reordered || passed == work->nearest);
+           (pipeline->frame->reordered || passed == work->nearest);
 }
 
 /* What was counted while a frame was drawn, of faces none of which is culled. Each pixel is shaded
@@ -621,8 +621,8 @@ static void test_many_calls(void) {
         target.pipeline.keep_depth = frame % 4 == 0;
         pipeline_use_threads(&target.pipeline, (size_t)(1 + frame / 10 % 4));
         check_scene(&target, &scene);
-        hidden += target.pipeline.stats[STAT_OBJECTS_HIDDEN];
-        all += target.pipeline.stats[STAT_OBJECTS];
+        hidden += target.pipeline.stats[STAT_CALLS_HIDDEN];
+        all += target.pipeline.stats[STAT_CALLS];
     }
     CHECK(hidden > 650 && hidden < all);
     target_free(&target);
@@ -692,8 +692,8 @@ static void test_past_the_wall(void) {
                      along_x ? 100 : 150);
         }
         check_scene(&target, &scene);
-        hidden += target.pipeline.stats[STAT_OBJECTS_HIDDEN];
-        all += target.pipeline.stats[STAT_OBJECTS];
+        hidden += target.pipeline.stats[STAT_CALLS_HIDDEN];
+        all += target.pipeline.stats[STAT_CALLS];
     }
     CHECK(hidden > 200 && 2 * hidden < all);
     target_free(&target);

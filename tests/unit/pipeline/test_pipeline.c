@@ -192,8 +192,8 @@ static void test_object_without_positions(void) {
     static struct mesh mesh, seen;
     draw_alone(&mesh, mat4_identity(), &number_shader, 0);
     CHECK(frame_count(0) == (size_t)SIZE * SIZE);
-    CHECK(target.pipeline.stats[STAT_OBJECTS] == 1);
-    CHECK(target.pipeline.stats[STAT_OBJECTS_OUTSIDE] == 0);
+    CHECK(target.pipeline.stats[STAT_CALLS] == 1);
+    CHECK(target.pipeline.stats[STAT_CALLS_OUTSIDE] == 0);
     make_cover(&seen, 1);
     frame_next();
     for (int i = 0; i < 20; i++) {
@@ -223,7 +223,7 @@ static void test_object_too_large_to_judge(void) {
     mesh.positions[9] = (struct vec3){4e-301, 4e-301, 0.8};
     mesh_face(&mesh, 5, 7, 9);
     draw_alone(&mesh, to_clip, &number_shader, 0);
-    CHECK(target.pipeline.stats[STAT_OBJECTS_OUTSIDE] == 0);
+    CHECK(target.pipeline.stats[STAT_CALLS_OUTSIDE] == 0);
     CHECK(frame_count(1) > 100);
     target_free(&target);
 }
@@ -661,11 +661,11 @@ static void test_interpolation(void) {
 static void test_cut_from_both_ends(void) {
     static struct mesh mesh;
     static struct seen seen;
-    const double column = 10.5 * 2 / SIZE - 1, near_w = 1.0 / 128;
+    const double column = 10.5 * 2 / SIZE - 1, nearest_w = 1.0 / 128;
     for (int i = 0; i < 80; i++) {
         double half_step = (i % 2 ? 1 : -1) * 1.0 / (256 * SIZE), beyond = (i / 2 + 1) / 16.0;
         struct vec3 p = {column, -0.875, 1};
-        struct vec3 cut = {(column + half_step) * near_w, 0.875 * near_w, near_w};
+        struct vec3 cut = {(column + half_step) * nearest_w, 0.875 * nearest_w, nearest_w};
         struct vec3 q = vec3_add(cut, vec3_scale(vec3_sub(cut, p), beyond));
         uint64_t stats[PIPELINE_STATS] = {0};
         mesh_begin(&mesh);
@@ -833,23 +833,31 @@ static void test_frames_keep_their_memory(void) {
     struct random random = {17};
     make_soup(&mesh, &random);
     if (frame_begin(0)) {
-        const struct pipeline *p = &target.pipeline;
-        const struct buffer *buffers[] = {
-            &p->draws,       &p->order,   &p->uniforms,    &p->recip_w, &p->blocks,    &p->pieces,
-            &p->clipped,     &p->bins,    &p->band_counts, &p->binned,  &p->scratch,   &p->visible,
-            &p->piece_bands, &p->screens, &p->depths,      &p->beyonds, &p->visibility};
-        enum { BUFFERS = sizeof buffers / sizeof buffers[0] };
-        size_t capacity[BUFFERS] = {0};
+        const struct frame *f = target.pipeline.frame;
+        const size_t *capacities[] = {
+            &f->call_capacity,       &f->uniforms_capacity, &f->order_capacity,
+            &f->screen_capacity,     &f->depth_capacity,    &f->recip_w_capacity,
+            &f->beyond_capacity,     &f->part_capacity,     &f->block_capacity,
+            &f->blocks_made,         &f->start_capacity,    &f->band_capacity,
+            &f->visibility_capacity, &f->scratch_capacity,  &f->touched_capacity};
+        enum { CAPACITIES = sizeof capacities / sizeof capacities[0] };
+        size_t capacity[CAPACITIES] = {0}, pieces = 0;
         for (int i = 0; i < 20; i++) {
             frame_next();
             for (int call = 0; call < 20; call++) {
                 frame_draw(&mesh, mat4_identity(), &number_shader);
             }
             frame_finish();
-            for (size_t k = 0; k < BUFFERS; k++) {
-                CHECK(i == 0 || capacity[k] == buffers[k]->capacity);
-                capacity[k] = buffers[k]->capacity;
+            for (size_t k = 0; k < CAPACITIES; k++) {
+                CHECK(i == 0 || capacity[k] == *capacities[k]);
+                capacity[k] = *capacities[k];
             }
+            size_t sum = f->scratch[0].piece_capacity + f->scratch[0].plane_capacity;
+            for (size_t k = 0; k < f->blocks_made; k++) {
+                sum += f->blocks[k].piece_capacity + f->blocks[k].sorted_capacity;
+            }
+            CHECK(sum > 0 && (i == 0 || sum == pieces));
+            pieces = sum;
         }
     }
     target_free(&target);
@@ -869,7 +877,7 @@ static void test_threads_later(void) {
                 frame_draw(&mesh, mat4_identity(), &number_shader);
             }
             frame_finish();
-            CHECK(workers_count(target.pipeline.workers) ==
+            CHECK(workers_count(target.pipeline.frame->workers) ==
                   (threads == 1 ? 1 : workers_count(three)));
         }
     }

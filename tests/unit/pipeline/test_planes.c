@@ -3,7 +3,7 @@
  * and what the planes are at the corners.
  */
 #include "oracle/oracle.h"
-#include "pipeline/parts.h"
+#include "pipeline.h"
 #include "unit/unit.h"
 
 enum { RUNS = 300 };

@@ -200,15 +200,15 @@ static size_t count_vertices(const struct scene *scene) {
 /* Both ways count the same scene. Of what is hidden with its object or batch, which reach neither
  * the near plane nor the guard band, some faces may be outside. */
 static void check_counters(const struct scene *scene, const uint64_t *skip, const uint64_t *all) {
-    static const enum pipeline_stat same[] = {STAT_OBJECTS, STAT_FACES, STAT_FACES_CLIPPED};
+    static const enum pipeline_stat same[] = {STAT_CALLS, STAT_FACES, STAT_FACES_CLIPPED};
     for (size_t i = 0; i < sizeof same / sizeof same[0]; i++) {
         CHECK_ROW(skip[same[i]] == all[same[i]], pipeline_stat_name[same[i]]);
     }
     uint64_t outside = skip[STAT_FACES_OUTSIDE], hidden = skip[STAT_FACES_HIDDEN];
     CHECK_ROW(outside <= all[STAT_FACES_OUTSIDE] && outside + hidden >= all[STAT_FACES_OUTSIDE],
               scene->name);
-    CHECK_ROW(all[STAT_OBJECTS] == scene->count, scene->name);
-    CHECK_ROW(all[STAT_OBJECTS_OUTSIDE] == 0 && all[STAT_OBJECTS_HIDDEN] == 0 &&
+    CHECK_ROW(all[STAT_CALLS] == scene->count, scene->name);
+    CHECK_ROW(all[STAT_CALLS_OUTSIDE] == 0 && all[STAT_CALLS_HIDDEN] == 0 &&
                   all[STAT_FACES_TURNED_AWAY] == 0,
               scene->name);
     CHECK_ROW(all[STAT_VERTICES_TRANSFORMED] == count_vertices(scene), scene->name);
@@ -234,11 +234,11 @@ static void check_shortcuts(struct trial *trial, const struct scene *scene, unsi
                             enum cull cull, const struct shader *shader) {
     struct drawn some = trial->skip;
     trial->pipeline.skip = true;
-    trial->pipeline.shortcuts = shortcuts;
+    trial->pipeline.frame->shortcuts = shortcuts;
     draw_objects(&trial->pipeline, scene, 0, scene->count, cull, shader, &some);
     CHECK_ROW(memcmp(trial->all.image.pixels, some.image.pixels, WIDTH * HEIGHT * 3) == 0,
               scene->name);
-    trial->pipeline.shortcuts = SHORTCUTS;
+    trial->pipeline.frame->shortcuts = SHORTCUTS;
 }
 
 /* Draws the scene with skip on and off and whatever culled: with all shaders, or with another one
@@ -257,7 +257,7 @@ static void check_scene(const struct scene *scene, bool all_shaders,
         }
         const uint64_t *skip = compare(&trial, scene, cull, shader), *all = trial.all.stats;
         check_counters(scene, skip, all);
-        CHECK_ROW(skip[STAT_OBJECTS_HIDDEN] > 0 ||
+        CHECK_ROW(skip[STAT_CALLS_HIDDEN] > 0 ||
                       skip[STAT_FACES_OUTSIDE] == all[STAT_FACES_OUTSIDE],
                   scene->name);
         memcpy(stats, skip, sizeof trial.skip.stats);
@@ -280,7 +280,7 @@ static void test_single(void) {
     make_single(&scene, &bust);
     check_scene(&scene, true, stats);
     CHECK(stats[STAT_FACES_TURNED_AWAY] > bust.face_count / 3 && stats[STAT_FACES_HIDDEN] > 0);
-    CHECK(stats[STAT_OBJECTS_OUTSIDE] == 0);
+    CHECK(stats[STAT_CALLS_OUTSIDE] == 0);
 }
 
 static void test_nested_spheres(void) {
@@ -289,9 +289,9 @@ static void test_nested_spheres(void) {
         make_nested(&scene, &sphere, outer_first);
         check_scene(&scene, false, stats);
         CHECK(stats[STAT_ATTRIBUTE_SETS] <= sphere.face_count * BANDS);
-        CHECK(stats[STAT_OBJECTS_HIDDEN] > 30);
+        CHECK(stats[STAT_CALLS_HIDDEN] > 30);
         CHECK(stats[STAT_VERTICES_TRANSFORMED] ==
-              (128 - stats[STAT_OBJECTS_HIDDEN]) * sphere.position_count);
+              (128 - stats[STAT_CALLS_HIDDEN]) * sphere.position_count);
         CHECK(2 * stats[STAT_FACES_BEHIND] > stats[STAT_FACES_HIDDEN]);
     }
 }
@@ -328,9 +328,9 @@ static void test_crowd(void) {
         make_crowd(&scene, &bust, &wall, directions[i]);
         check_scene(&scene, false, stats);
         size_t outside = count_outside();
-        CHECK(stats[STAT_OBJECTS_OUTSIDE] > 200 && stats[STAT_OBJECTS_OUTSIDE] <= outside);
-        CHECK(stats[STAT_OBJECTS_OUTSIDE] + 10 >= outside);
-        CHECK(stats[STAT_OBJECTS_HIDDEN] > 5);
+        CHECK(stats[STAT_CALLS_OUTSIDE] > 200 && stats[STAT_CALLS_OUTSIDE] <= outside);
+        CHECK(stats[STAT_CALLS_OUTSIDE] + 10 >= outside);
+        CHECK(stats[STAT_CALLS_HIDDEN] > 5);
     }
 }
 
@@ -348,7 +348,7 @@ static void test_two_models(void) {
     add_object(&scene, &bust, camera, place, 1);
     add_object(&scene, &spike, camera, place, 1);
     check_scene(&scene, true, stats);
-    CHECK(stats[STAT_OBJECTS_OUTSIDE] == 1 && stats[STAT_PIXELS_SHADED] > 100);
+    CHECK(stats[STAT_CALLS_OUTSIDE] == 1 && stats[STAT_PIXELS_SHADED] > 100);
 }
 
 /* Faces that are clipped at the near plane, and whose positions are the first of thousands: who
@@ -472,7 +472,7 @@ static void check_rounds(size_t count, size_t wall_place) {
     }
     check_scene(&scene, false, stats);
     size_t hidden = count - end_of_round(wall_place, count), behind = count - 1 - wall_place;
-    CHECK(stats[STAT_OBJECTS_HIDDEN] == hidden);
+    CHECK(stats[STAT_CALLS_HIDDEN] == hidden);
     CHECK(stats[STAT_VERTICES_TRANSFORMED] == 4 * (count - hidden));
     CHECK(stats[STAT_FACES_HIDDEN] == 2 * behind && stats[STAT_FACES_BEHIND] == 2 * behind);
     CHECK(stats[STAT_ATTRIBUTE_SETS] == 2 * BANDS + 2 * wall_place);
@@ -507,7 +507,7 @@ static void test_face_hidden_by_an_earlier_round(void) {
     }
     add_object(&scene, &both, mat4_identity(), origin, 1);
     check_scene(&scene, true, stats);
-    CHECK(stats[STAT_OBJECTS_HIDDEN] == 0);
+    CHECK(stats[STAT_CALLS_HIDDEN] == 0);
     CHECK(stats[STAT_FACES_HIDDEN] == 1 && stats[STAT_FACES_BEHIND] == 1);
 }
 
@@ -539,7 +539,7 @@ static void test_askew(void) {
                                 mat4_rotation(any_place(&random, 1), random_real(&random, 0, 1)));
         }
         const uint64_t *stats = compare(&trial, &scene, CULL_NONE, &smooth);
-        hidden += stats[STAT_OBJECTS_HIDDEN];
+        hidden += stats[STAT_CALLS_HIDDEN];
         clipped += stats[STAT_FACES_CLIPPED];
     }
     CHECK(hidden > 600 && clipped > 600);
@@ -664,72 +664,9 @@ static void test_hidden_by_many_faces(void) {
     }
     scene.objects[scene.count++] = (struct object){&soup, mat4_identity()};
     check_scene(&scene, false, stats);
-    CHECK(stats[STAT_OBJECTS_HIDDEN] == scene.count - end_of_round(0, scene.count));
+    CHECK(stats[STAT_CALLS_HIDDEN] == scene.count - end_of_round(0, scene.count));
     CHECK(stats[STAT_PIXELS_SHADED] == WIDTH * HEIGHT);
     model_free(&soup);
-}
-
-/* Every other face is turned away. The faces of the first batches lie in the left half of the
- * image; of the others every fifth batch lies outside, and the rest in the right half. */
-enum side { LEFT, RIGHT, OUTSIDE };
-
-static enum side side_of_batch(size_t batch, size_t left_batches) {
-    return batch < left_batches ? LEFT : batch % 5 == 4 ? OUTSIDE : RIGHT;
-}
-
-static void make_halves(struct model *soup, size_t left_batches) {
-    static const int begin[] = {[LEFT] = 4, [RIGHT] = 53, [OUTSIDE] = WIDTH + 4};
-    for (size_t f = 0; f < soup->face_count; f++) {
-        size_t batch = f / BATCH;
-        double x = begin[side_of_batch(batch, left_batches)] + (double)(batch * 5 % 36);
-        double y = 4 + (double)(f % BATCH);
-        soup->positions[3 * f] = at_pixel(x, y);
-        soup->positions[3 * f + 1 + f % 2] = at_pixel(x + 3, y);
-        soup->positions[3 * f + 2 - f % 2] = at_pixel(x, y + 3);
-    }
-}
-
-/* Walls before the left half of the image, which fill the first round, and behind them a model that
- * is drawn some times, at most so often in turn. Of faces that are left out with their batch nobody
- * asks which way they are turned: so the counters tell that they were. */
-static void check_left_out(struct model *soup, size_t left_batches, size_t times, size_t in_turn) {
-    struct mat4 left_half = mat4_scaling((struct vec3){0.25, 0.5, 1});
-    uint64_t stats[PIPELINE_STATS] = {0};
-    scene = (struct scene){.name = "some batches behind a wall"};
-    make_halves(soup, left_batches);
-    for (size_t i = 0; i < 16 + times; i++) {
-        if (i < 16 || i % in_turn == 0) {
-            add_object(&scene, &wall, left_half, (struct vec3){-2, 0, 0.25 + (double)i / 64}, 1);
-        }
-        if (i >= 16) {
-            scene.objects[scene.count++] = (struct object){soup, mat4_identity()};
-        }
-    }
-    check_scene(&scene, false, stats);
-    size_t faces = soup->face_count, count[] = {0, 0, 0}, turned[] = {0, 0, 0};
-    for (size_t f = 0; f < faces; f++) {
-        count[side_of_batch(f / BATCH, left_batches)]++;
-        turned[side_of_batch(f / BATCH, left_batches)] += f % 2;
-    }
-    bool has_boxes = in_turn >= 4 && times >= 4, is_hidden = count[LEFT] == faces;
-    CHECK(stats[STAT_OBJECTS_HIDDEN] == (is_hidden ? times : 0));
-    CHECK(stats[STAT_FACES_OUTSIDE] == times * count[OUTSIDE]);
-    CHECK(stats[STAT_FACES_TURNED_AWAY] ==
-          times * (turned[RIGHT] + (has_boxes || is_hidden ? 0 : turned[LEFT])));
-    CHECK(stats[STAT_FACES_HIDDEN] >= times * (has_boxes ? count[LEFT] : count[LEFT] / 2));
-}
-
-static void test_batches(void) {
-    static const size_t faces[] = {63, 64, 65, 128, 512, 513, 1024, 1025, 2500};
-    static const size_t left[] = {0, 1, 2, 7, 8, 9, 15, 16, 17, 39};
-    for (size_t i = 0; i < sizeof faces / sizeof faces[0]; i++) {
-        struct model soup;
-        for (size_t k = 0; k < sizeof left / sizeof left[0] && soup_create(&soup, faces[i]); k++) {
-            check_left_out(&soup, left[k], 3 + k % 3, 7);
-            check_left_out(&soup, left[k], 4 + k % 3, 3);
-            model_free(&soup);
-        }
-    }
 }
 
 /* The faces of a batch lie close together; of some batches all but one are very small, and in one
@@ -802,5 +739,5 @@ UNIT_MAIN(TEST(test_models_are_there), TEST(test_single), TEST(test_nested_spher
           TEST(test_before_and_behind), TEST(test_within_roundings_of_a_side), TEST(test_rounds),
           TEST(test_face_hidden_by_an_earlier_round), TEST(test_askew),
           TEST(test_within_roundings_of_a_wall), TEST(test_roundings_within_a_face),
-          TEST(test_hidden_by_many_faces), TEST(test_batches), TEST(test_scattered_batches),
+          TEST(test_hidden_by_many_faces), TEST(test_scattered_batches),
           TEST(test_free))

@@ -2,7 +2,7 @@
  * In which rows of a strip of columns some pixel may be inside all edges: rows_of_strips() of the
  * pipeline, against each row in turn.
  */
-#include "../../../common/pipeline/bands.c"
+#include "../../../common/pipeline/cover.c"
 
 #include "oracle/oracle.h"
 #include "unit/unit.h"

@@ -86,15 +86,21 @@ static size_t count_wrong(size_t count, const struct draw_call *call) {
     static struct fixed2 screen[ROUNDED];
     static double depth[ROUNDED], recip_w[ROUNDED];
     static uint8_t beyond[ROUNDED];
-    struct draw draw = {.call = *call};
-    struct assembly assembly = {.draw = &draw,
-                                .vertices = {screen, depth, recip_w, beyond},
-                                .guard_band = guard_band_of(&call->viewport)};
+    struct recorded_call recorded = {.call = *call, .guard_band = guard_band_of(&call->viewport)};
+    struct call_part parts[COUNT / BLOCK_SIZE + 1];
+    struct frame frame = {.screens = screen,
+                          .depths = depth,
+                          .recip_w = recip_w,
+                          .beyonds = beyond,
+                          .positions = parts};
     unsigned any = 0;
     size_t wrong = 0;
     memset(recip_w, 0, sizeof recip_w);
     for (size_t block = 0; block * BLOCK_SIZE < count; block++) {
-        transform_block(&assembly, block, 0);
+        size_t begin = block * BLOCK_SIZE, rest = count - begin;
+        parts[block] =
+            (struct call_part){&recorded, {begin, rest < BLOCK_SIZE ? count : begin + BLOCK_SIZE}};
+        transform_part(&frame, block, 0);
     }
     for (size_t i = 0; i < count; i++) {
         struct expected e = expect(call, call->model->positions[i]);
@@ -104,7 +110,7 @@ static size_t count_wrong(size_t count, const struct draw_call *call) {
         wrong += !same;
         any |= e.beyond;
     }
-    return wrong + (assembly.beyond != any);
+    return wrong + (recorded.beyond != any);
 }
 
 static void test_positions(void) {

@@ -36,7 +36,7 @@ same $lesson common/geometry.c projection mat4_projection
 same $lesson common/geometry.c lookat mat4_lookat
 same $lesson common/geometry.h correct_weights perspective_weights
 for name in plane_distance mix cut_edge clip_at_plane; do
-    same $lesson common/pipeline/assemble.c $name
+    same $lesson common/pipeline/clip.c $name
 done
 
 exit $failed

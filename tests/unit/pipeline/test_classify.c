@@ -1,9 +1,9 @@
 /*
- * pipeline/batch.c against plain answers: one triangle at a time, one pixel centre at a time, with
+ * pipeline/classify.c against plain answers: one triangle at a time, one pixel centre at a time, with
  * the oracle's turns and coverage.
  */
 #include "oracle/oracle.h"
-#include "pipeline/parts.h"
+#include "pipeline.h"
 #include "unit/unit.h"
 
 /* The farthest place on the screen, in 1/256 pixel. */

@@ -3,8 +3,6 @@
  * for a single face, and what is found of it is of use only if it turns out to be needed. */
 #include "pipeline.h"
 
-#include "pipeline/parts.h"
-
 _Static_assert(BATCH_SIZE % LANES == 0, "the last faces of a batch are classified together");
 
 /* A corner of several triangles, on the screen. */

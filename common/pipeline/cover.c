@@ -1,0 +1,529 @@
+/* The pixels of a frame, band by band: cover, then have them shaded. See pipeline.h. */
+#include "pipeline.h"
+
+/* In boxes higher than this many pixels it pays to ask in which rows a strip lies outside. */
+enum { HIGH_BOX = 8 };
+
+/* ---- Edges at the pixels of a box ---- */
+
+/* A number for each corner or edge of a triangle, and a fourth that is of no use. */
+typedef double three __attribute__((vector_size(4 * sizeof(double))));
+typedef int32_t three_ints __attribute__((vector_size(4 * sizeof(int32_t))));
+typedef int64_t three_longs __attribute__((vector_size(4 * sizeof(int64_t))));
+
+LANES_INLINE three three_select(three_longs mask, three a, three b) {
+    return (three)((mask & (three_longs)a) + (~mask & (three_longs)b));
+}
+
+LANES_INLINE three to_three(three_ints whole) {
+#if LANES >= 8 && defined(__AVX2__) /* gcc 12 converts one half after the other */
+    return (three)_mm256_cvtepi32_pd((__m128i)whole);
+#else
+    return __builtin_convertvector(whole, three);
+#endif
+}
+
+/* The edge functions at the centres of the pixels of a box: their values at its pixel (0,0), their
+ * steps, and the least that is inside: 0, or 1 where 0 is not. All are whole numbers that a double
+ * holds: see guard_band_of(). */
+struct box_edges {
+    three origin, dx, dy, least;
+};
+
+/* Edge i lies opposite corner i; pixel (0,0) of the box is (left,bottom) of the image. */
+static struct box_edges find_box_edges(const struct fixed2 c[3], int left, int bottom) {
+    three_ints ax = {c[1].x, c[2].x, c[0].x}, ay = {c[1].y, c[2].y, c[0].y};
+    three_ints bx = {c[2].x, c[0].x, c[1].x}, by = {c[2].y, c[0].y, c[1].y};
+    three x_distance = to_three(bx - ax), y_distance = to_three(by - ay);
+    three a_right = to_three(ax - (left * SUBPIXELS + SUBPIXELS / 2));
+    three a_up = to_three(ay - (bottom * SUBPIXELS + SUBPIXELS / 2));
+    three_longs top_left = (y_distance < 0) | ((y_distance == 0) & (x_distance < 0));
+    three zero = {0};
+    return (struct box_edges){
+        .origin = y_distance * a_right - x_distance * a_up,
+        .dx = y_distance * -SUBPIXELS,
+        .dy = x_distance * SUBPIXELS,
+        .least = three_select(top_left, zero, zero + 1),
+    };
+}
+
+/* depth_at() for several pixels. */
+LANES_INLINE doubles depths_at(const struct depth_slopes *s, doubles e1, doubles e2) {
+    return s->origin + e1 * s->k1 + e2 * s->k2;
+}
+
+/* Of TOGETHER strips of pixels beside each other, TOGETHER columns each: the rows in which some may
+ * be inside all edges, from the lowest row of the box on. */
+struct strip_rows {
+    int32_t begin[TOGETHER], end[TOGETHER];
+};
+
+/* In a strip, the greatest value of each edge function is as much as is inside. The row where that
+ * becomes 0 is a fraction of whole numbers, the lower of them up to 2^33: it is a whole number, or
+ * farther from one than `little`; and what is found for it, nearer to it than that. */
+LANES_INLINE struct strip_rows rows_of_strips(const struct box_edges *e, int row_count) {
+    const double little = 0x1p-40;
+    const doubles all = doubles_all(row_count), x = doubles_count() * TOGETHER;
+    const doubles none = doubles_all(0);
+    doubles begin = none, end = all;
+    three per_value = -1 / e->dy;
+    for (int i = 0; i < 3; i++) {
+        double to_greatest = e->dx[i] > 0 ? e->dx[i] * (TOGETHER - 1) : 0;
+        doubles greatest = e->origin[i] - e->least[i] + to_greatest + e->dx[i] * x;
+        doubles row = greatest * per_value[i], dy = doubles_all(e->dy[i]);
+        begin = dy[0] > 0 ? doubles_max(begin, row) : begin;
+        end = dy[0] < 0 ? doubles_min(end, row + (1 + little)) : end;
+    }
+    struct strip_rows rows;
+    ints first = __builtin_convertvector(doubles_min(begin + (1 - little), all), ints);
+    ints behind = __builtin_convertvector(doubles_max(end, none), ints);
+    memcpy(rows.begin, &first, sizeof first);
+    memcpy(rows.end, &behind, sizeof behind);
+    return rows;
+}
+
+/* ---- Cover: which piece is nearest at each pixel ---- */
+
+/* What is done besides; constant where a function is called with it. */
+struct cover_how {
+    bool reordered; /* the nearest calls are covered first */
+    bool counts;    /* depth tests */
+};
+
+/* The box of a piece that is being covered. */
+struct box {
+    const struct piece *piece;
+    uint32_t number;
+    struct span columns, rows;
+    bool cut;               /* the piece reaches beyond the columns */
+    struct box_edges edges; /* at the next strip */
+    struct depth_slopes slopes;
+    doubles right[3], up[3], least[3];
+};
+
+/* Where depths are equal: which of the old numbers are of a call that was drawn later than the
+ * piece's? Rare, so one by one. */
+static doubles_mask find_later(const struct band *band, doubles_mask equal, const uint32_t *numbers,
+                               const struct piece *piece) {
+    doubles later = {0};
+    for (int i = 0; i < TOGETHER; i++) {
+        later[i] =
+            mask_is_set(equal, i) && band->scratch->pieces[numbers[i] - 1]->call > piece->call;
+    }
+    return mask_above(equal, later, doubles_all(0));
+}
+
+/* The depth test. Depths and numbers of neighbours become those of the piece where it is `inside`
+ * and nearer; of equal depths that of the first drawn stays: the one that is there, except with
+ * `reordered`, when the calls are asked. Without branches: each line is an instruction or two for
+ * all pixels. Returns where the piece is shown now. */
+LANES_INLINE doubles_mask cover_pixels(const struct band *band, const struct box *box,
+                                       double *depths, uint32_t *numbers, doubles_mask inside,
+                                       doubles z, bool reordered) {
+    doubles old_z;
+    ints old_number;
+    memcpy(&old_z, depths, sizeof old_z);
+    memcpy(&old_number, numbers, sizeof old_number);
+    doubles_mask nearer = mask_above(inside, z, old_z);
+    if (reordered) {
+        doubles_mask equal = mask_not_below(inside, z, old_z) & ~nearer;
+        if (mask_any(equal)) {
+            nearer |= find_later(band, equal, numbers, box->piece);
+        }
+    }
+    z = doubles_select(nearer, z, old_z);
+    old_number = ints_select(nearer, (int32_t)box->number - (ints){0}, old_number);
+    memcpy(depths, &z, sizeof z);
+    memcpy(numbers, &old_number, sizeof old_number);
+    return nearer;
+}
+
+/* Mark that something may be drawn in these rows of the columns from x on. */
+static void touch(const struct band *band, int x, struct span rows) {
+    uint64_t before_end = (UINT64_C(1) << (rows.end - band->rows.begin)) - 1;
+    int begin = rows.begin - band->rows.begin;
+    band->visibility->touched[x / CHUNK] |= (uint32_t)(before_end >> begin << begin);
+}
+
+/* Some rows of a strip, the TOGETHER columns from x on. */
+LANES_INLINE void cover_strip(const struct band *band, const struct box *box, int x,
+                              struct span rows, struct cover_how how) {
+    three first = box->edges.origin + box->edges.dy * (rows.begin - box->rows.begin);
+    doubles e0 = first[0] + box->right[0], e1 = first[1] + box->right[1];
+    doubles e2 = first[2] + box->right[2];
+    if (box->cut) {
+        doubles at = doubles_count() + x;
+        doubles_mask seen = mask_not_below(mask_all(), at, doubles_all(box->columns.begin));
+        seen = mask_above(seen, doubles_all(box->columns.end), at);
+        e0 = doubles_select(seen, e0, doubles_all(-INFINITY));
+    }
+    size_t place = place_in_band(rows.begin - band->rows.begin, x);
+    double *depths = band->visibility->depth + place;
+    uint32_t *numbers = band->visibility->number + place;
+    for (int y = rows.begin; y < rows.end; y++) {
+        doubles_mask inside = mask_not_below(mask_all(), e0, box->least[0]);
+        inside = mask_not_below(inside, e1, box->least[1]);
+        inside = mask_not_below(inside, e2, box->least[2]);
+        doubles z = depths_at(&box->slopes, e1, e2);
+        doubles_mask nearer = cover_pixels(band, box, depths, numbers, inside, z, how.reordered);
+        if (how.counts) {
+            band->stats[STAT_PIXELS_COVERED] += mask_count(inside);
+            band->stats[STAT_PIXELS_PASSED] += mask_count(nearer);
+        }
+        e0 += box->up[0];
+        e1 += box->up[1];
+        e2 += box->up[2];
+        depths += CHUNK;
+        numbers += CHUNK;
+    }
+    touch(band, x, rows);
+}
+
+/* Its strips, one beside the other. Of high ones, only the rows where something may be inside. */
+LANES_INLINE void cover_strips(const struct band *band, struct box *box, int left,
+                               struct cover_how how) {
+    int row_count = box->rows.end - box->rows.begin, bottom = box->rows.begin, x = left;
+    if (row_count <= HIGH_BOX) {
+        for (; x < box->columns.end; x += TOGETHER) {
+            cover_strip(band, box, x, box->rows, how);
+            box->edges.origin += box->edges.dx * TOGETHER;
+        }
+        return;
+    }
+    while (x < box->columns.end) {
+        struct strip_rows strips = rows_of_strips(&box->edges, row_count);
+        for (int i = 0; i < TOGETHER && x < box->columns.end; i++, x += TOGETHER) {
+            struct span rows = {bottom + strips.begin[i], bottom + strips.end[i]};
+            if (rows.begin < rows.end) {
+                cover_strip(band, box, x, rows, how);
+            }
+            box->edges.origin += box->edges.dx * TOGETHER;
+        }
+    }
+}
+
+/* All pixels of a piece's box, several tested at once: strip by strip, each from its lowest row on.
+ * (Row by row, a processor would often be wrong about where the row ends.) */
+LANES_INLINE void cover_box(const struct band *band, struct box *box, struct cover_how how) {
+    int left = box->columns.begin / TOGETHER * TOGETHER;
+    struct box_edges e = find_box_edges(box->piece->corner, left, box->rows.begin);
+    box->edges = e;
+    box->slopes = find_depth_slopes(box->piece, e.origin[0] + e.origin[1] + e.origin[2]);
+    for (int i = 0; i < 3; i++) {
+        box->right[i] = e.dx[i] * doubles_count();
+        box->up[i] = doubles_all(e.dy[i]);
+        box->least[i] = doubles_all(e.least[i]);
+    }
+    cover_strips(band, box, left, how);
+}
+
+/* ---- What is behind ---- */
+
+/* The rows of the band, counted from its lowest one, in which something is. */
+static struct span rows_in_band(const struct band *band, struct span rows) {
+    rows = span_overlap(rows, band->rows);
+    return (struct span){rows.begin - band->rows.begin, rows.end - band->rows.begin};
+}
+
+/* Find the farthest depth of a tile in a column of chunks; beyond the image nothing is drawn. */
+static double find_farthest(const struct band *band, int chunk, int tile) {
+    double least[CHUNK];
+    int columns = (int)band->frame->pipeline->width - chunk * CHUNK;
+    int begin = tile * TILE_HEIGHT, rows = band->rows.end - band->rows.begin - begin;
+    uint32_t all = (UINT32_C(1) << (rows < TILE_HEIGHT ? rows : TILE_HEIGHT)) - 1;
+    if ((band->visibility->touched[chunk] >> begin & all) != all) {
+        return -INFINITY;
+    }
+    const double *depth = band->visibility->depth + place_in_band(begin, chunk * CHUNK);
+    for (int i = 0; i < CHUNK; i++) {
+        least[i] = INFINITY;
+    }
+    for (int row = 0; row < rows && row < TILE_HEIGHT; row++) {
+        for (int i = 0; i < CHUNK; i++) {
+            least[i] = depth[i] < least[i] ? depth[i] : least[i];
+        }
+        depth += CHUNK;
+    }
+    for (int i = 1; i < CHUNK && i < columns; i++) {
+        least[0] = least[i] < least[0] ? least[i] : least[0];
+    }
+    return least[0];
+}
+
+/* After a call, where it has changed something. */
+static void update_farthest(const struct band *band) {
+    struct span columns = band->changed_columns, rows = rows_in_band(band, band->changed_rows);
+    for (int x = columns.begin / CHUNK; x * CHUNK < columns.end; x++) {
+        double *farthest = band->visibility->farthest + x * BAND_TILES;
+        for (int tile = rows.begin / TILE_HEIGHT; tile * TILE_HEIGHT < rows.end; tile++) {
+            farthest[tile] = find_farthest(band, x, tile);
+        }
+    }
+}
+
+/* Is all that is no nearer than that behind what a band shows in every tile that some columns, and
+ * rows of the band, reach? */
+static bool is_behind(const struct visibility *band, double nearest, struct span columns,
+                      struct span rows) {
+    bool behind = true;
+    for (int x = columns.begin / CHUNK; behind && x * CHUNK < columns.end; x++) {
+        const double *farthest = band->farthest + x * BAND_TILES;
+        for (int tile = rows.begin / TILE_HEIGHT; behind && tile * TILE_HEIGHT < rows.end; tile++) {
+            behind = nearest < farthest[tile];
+        }
+    }
+    return behind;
+}
+
+bool pipeline_is_hidden(const struct frame *frame, const struct screen_place *place) {
+    struct span rows = place->rows;
+    bool hidden = !place_is_empty(place);
+    for (int y = rows.begin; hidden && y < rows.end; y = (y / BAND_HEIGHT + 1) * BAND_HEIGHT) {
+        int bottom = y / BAND_HEIGHT * BAND_HEIGHT;
+        struct span band = span_overlap(rows, (struct span){bottom, bottom + BAND_HEIGHT});
+        hidden = is_behind(&frame->visibility[y / BAND_HEIGHT], place->nearest, place->columns,
+                           (struct span){band.begin - bottom, band.end - bottom});
+    }
+    return hidden;
+}
+
+/* ---- The pieces of a call ---- */
+
+LANES_INLINE void cover_piece(struct band *band, uint32_t number, struct cover_how how) {
+    const struct piece *piece = band->scratch->pieces[number - 1];
+    const struct fixed2 *c = piece->corner;
+    const struct rectangle *v = &band->call->call.viewport;
+    struct span whole = box_centers(c[0].x, c[1].x, c[2].x);
+    struct box box = {.piece = piece, .number = number};
+    box.columns = span_overlap(whole, columns_of(v));
+    box.rows = span_overlap(box_centers(c[0].y, c[1].y, c[2].y), rows_of(v));
+    box.rows = span_overlap(box.rows, band->rows);
+    box.cut = box.columns.begin > whole.begin || box.columns.end < whole.end;
+    if (how.reordered) {
+        if (is_behind(band->visibility, nearest_of_depths(piece->depth), box.columns,
+                      rows_in_band(band, box.rows))) {
+            band->stats[STAT_FACES_BEHIND]++;
+            return;
+        }
+        band->changed_columns = span_around(band->changed_columns, box.columns);
+        band->changed_rows = span_around(band->changed_rows, box.rows);
+    }
+    cover_box(band, &box, how);
+}
+
+LANES_INLINE void cover_pieces(struct band *band, struct cover_how how) {
+    enum { AHEAD = 8 }; /* so that the memory is asked for a piece before it is covered */
+    for (int i = band->numbers.begin; i < band->numbers.end; i++) {
+        if (i + AHEAD < band->numbers.end) {
+            __builtin_prefetch(band->scratch->pieces[i + AHEAD]);
+        }
+        cover_piece(band, (uint32_t)i + 1, how);
+    }
+}
+
+static void call_shader(const struct band *band) {
+    const struct shader *shader = band->call->shader;
+    bool at_once = shades_at_once(band->frame, shader);
+    if (shader->shade != NULL && at_once == shader->discards) {
+        shader->shade(band);
+    } else {
+        shade_call(band, shader, at_once);
+    }
+}
+
+static void cover_call(struct band *band) {
+    bool counts = band->frame->pipeline->counts_tests;
+    if (shades_at_once(band->frame, band->call->shader)) {
+        call_shader(band);
+    } else if (band->frame->reordered && counts) {
+        cover_pieces(band, (struct cover_how){true, true});
+    } else if (band->frame->reordered) {
+        cover_pieces(band, (struct cover_how){true, false});
+    } else if (counts) {
+        cover_pieces(band, (struct cover_how){false, true});
+    } else {
+        cover_pieces(band, (struct cover_how){false, false});
+    }
+}
+
+/* ---- A band ---- */
+
+/* Mark the pieces of LANES neighbours. In large triangles these are three runs of equal numbers, or
+ * fewer: one of each is enough, and a run twice does no harm. */
+static void mark_neighbours(const uint32_t number[LANES + 1], uint32_t *visible) {
+    const int last = LANES - 1;
+    uint32_t second = find_runs(number) & ~UINT32_C(1); /* and the later ones */
+    uint32_t third = second & (second - 1), fourth = third & (third - 1);
+    if (fourth == 0) {
+        visible[number[0]] = 1;
+        visible[number[last]] = 1;
+        visible[number[__builtin_ctz(second | UINT32_C(1) << last)]] = 1;
+        return;
+    }
+    for (int i = 0; i < LANES; i++) {
+        visible[number[i]] = 1;
+    }
+}
+
+/* Mark the pieces of which a pixel is visible. */
+static void mark_visible(const struct band *band) {
+    const struct visibility *visibility = band->visibility;
+    memset(band->scratch->fetched, 0, ((size_t)band->numbers.end + 1) * sizeof(uint32_t));
+    for (size_t i = 0; i < chunk_columns(band->frame); i++) {
+        const uint32_t *number = visibility->number + place_in_band(0, (int)i * CHUNK);
+        for (uint32_t rows = visibility->touched[i]; rows != 0; rows >>= 1) {
+            for (int k = 0; (rows & 1) != 0 && k < CHUNK; k += LANES) {
+                mark_neighbours(number + k, band->scratch->fetched);
+            }
+            number += CHUNK;
+        }
+    }
+}
+
+/* Make the band what it was: nothing is drawn. Only what was touched has changed. */
+static void clear_band(const struct band *band) {
+    struct visibility *visibility = band->visibility;
+    size_t columns = chunk_columns(band->frame);
+    for (size_t i = 0; i < columns; i++) {
+        size_t place = place_in_band(0, (int)i * CHUNK);
+        for (uint32_t rows = visibility->touched[i]; rows != 0; rows >>= 1) {
+            if ((rows & 1) != 0) {
+                for (int k = 0; k < CHUNK; k++) {
+                    visibility->depth[place + (size_t)k] = -INFINITY;
+                }
+                memset(visibility->number + place, 0, CHUNK * sizeof *visibility->number);
+            }
+            place += CHUNK;
+        }
+        visibility->touched[i] = 0;
+    }
+    depth_clear(visibility->farthest, columns * BAND_TILES);
+}
+
+static void keep_depth(const struct band *band) {
+    const struct pipeline *p = band->frame->pipeline;
+    for (int y = band->rows.begin; y < band->rows.end; y++) {
+        for (size_t x = 0; x < p->width; x++) {
+            p->depth[(size_t)y * p->width + x] =
+                band->visibility->depth[place_in_band(y - band->rows.begin, (int)x)];
+        }
+    }
+}
+
+/* Clear what the last frame has touched in some rows of the image. */
+static void clear_touched(const struct image *image, struct span rows, const uint32_t *touched) {
+    for (size_t x = 0; x < image->width; x += CHUNK) {
+        uint8_t *pixels = image->pixels + ((size_t)rows.begin * image->width + x) * image->format;
+        size_t size = (image->width - x < CHUNK ? image->width - x : CHUNK) * image->format;
+        for (uint32_t left = touched[x / CHUNK]; left != 0; left >>= 1) {
+            if ((left & 1) != 0 && size == CHUNK * IMAGE_BGRA) {
+                memset(pixels, 0, CHUNK * IMAGE_BGRA); /* one instruction or two */
+            } else if ((left & 1) != 0) {
+                memset(pixels, 0, size);
+            }
+            pixels += image->width * image->format;
+        }
+    }
+}
+
+/* While the rows are in the cache: the shaders write to them next. */
+static void clear_image(const struct band *band, const uint32_t *last_touched) {
+    const struct frame *frame = band->frame;
+    const struct image *image = frame->image;
+    size_t row_size = image->width * image->format;
+    if (frame->knows_last) {
+        clear_touched(image, band->rows, last_touched);
+    } else if (frame->pipeline->clearing != CLEAR_NOTHING) {
+        memset(image->pixels + (size_t)band->rows.begin * row_size, 0,
+               (size_t)(band->rows.end - band->rows.begin) * row_size);
+    }
+}
+
+/* Number the pieces of the call at that place of the order, behind those of the calls before it.
+ * False where it has none in the band. */
+static bool next_call(struct band *band, size_t place) {
+    const struct frame *frame = band->frame;
+    const struct recorded_call *call = &frame->calls[frame->order[place].call];
+    size_t bands = band_count(frame), index = (size_t)band->rows.begin / BAND_HEIGHT;
+    struct piece **next = band->scratch->pieces + band->numbers.end;
+    for (size_t i = call->first_block; i < call->first_block + call->block_count; i++) {
+        const struct block *block = &frame->blocks[i];
+        const uint32_t *start = frame->band_starts + i * (bands + 1) + index;
+        for (uint32_t k = start[0]; k < start[1]; k++) {
+            *next++ = &block->pieces[block->sorted[k]];
+        }
+    }
+    band->call = call;
+    band->uniforms = frame->uniforms + call->uniforms;
+    band->numbers = (struct span){band->numbers.end, (int)(next - band->scratch->pieces)};
+    return band->numbers.begin < band->numbers.end;
+}
+
+static bool call_is_behind(const struct band *band) {
+    const struct screen_place *place = &band->call->place;
+    return band->frame->reordered && is_behind(band->visibility, place->nearest, place->columns,
+                                               rows_in_band(band, place->rows));
+}
+
+/* Cover the pieces of the round's calls in the band; those of earlier rounds are numbered only. */
+static void cover_calls(struct band *band) {
+    struct range round = band->frame->round;
+    for (size_t i = 0; i < round.end; i++) {
+        if (!next_call(band, i) || i < round.begin) {
+            continue;
+        }
+        if (call_is_behind(band)) {
+            band->stats[STAT_FACES_BEHIND] += (uint64_t)(band->numbers.end - band->numbers.begin);
+            continue;
+        }
+        band->changed_columns = band->changed_rows = (struct span){INT_MAX, 0};
+        cover_call(band);
+        if (band->frame->reordered) {
+            update_farthest(band);
+        }
+    }
+}
+
+/* Shade what is visible of all calls in the band. */
+static void shade_calls(struct band *band) {
+    band->numbers.end = 0;
+    for (size_t i = 0; i < band->frame->order_count; i++) {
+        if (next_call(band, i) && !shades_at_once(band->frame, band->call->shader)) {
+            call_shader(band);
+        }
+    }
+}
+
+static struct band begin_band(struct frame *frame, size_t index, size_t worker) {
+    int bottom = (int)index * BAND_HEIGHT, height = (int)frame->pipeline->height;
+    return (struct band){
+        .frame = frame,
+        .rows = {bottom, height - bottom < BAND_HEIGHT ? height : bottom + BAND_HEIGHT},
+        .visibility = &frame->visibility[frame->kept ? index : worker],
+        .scratch = &frame->scratch[worker],
+        .stats = frame->band_stats[index],
+    };
+}
+
+void pipeline_cover_band(void *context, size_t index, size_t worker) {
+    struct band band = begin_band(context, index, worker);
+    cover_calls(&band);
+}
+
+void pipeline_draw_band(void *context, size_t index, size_t worker) {
+    struct frame *frame = context;
+    struct band band = begin_band(frame, index, worker);
+    size_t columns = chunk_columns(frame);
+    uint32_t *last_touched = frame->last_touched + index * columns;
+    clear_image(&band, last_touched);
+    cover_calls(&band);
+    mark_visible(&band);
+    shade_calls(&band);
+    if (frame->pipeline->depth != NULL) {
+        keep_depth(&band);
+    }
+    if (frame->pipeline->clearing == CLEAR_LAST_FRAME) {
+        memcpy(last_touched, band.visibility->touched, columns * sizeof *last_touched);
+    }
+    clear_band(&band);
+}

@@ -1,0 +1,380 @@
+/*
+ * Private to the pipeline: a frame, and all else that its stages know of each other. The table in
+ * pipeline.h lists the stages in their order. Each file calls only files below it:
+ *
+ *     pipeline.c                  records draw calls, draws the frame
+ *     order.c                     which calls need not be drawn, and the order of the others
+ *     assemble.c                  from models to pieces
+ *     clip.c, classify.c          what becomes of a face
+ *     cover.c                     covers the pixels of a band, and has them shaded
+ *     shade.h, planes.h           the loops that SHADER() compiles
+ *     frame.h, vectors.h          what all share
+ */
+#ifndef COMMON_PIPELINE_FRAME_H
+#define COMMON_PIPELINE_FRAME_H
+
+#ifndef COMMON_PIPELINE_H
+#error "include pipeline.h instead"
+#endif
+
+#include "base/array.h"
+#include "base/workers.h"
+#include "pipeline/vectors.h"
+
+#include <limits.h>
+#include <stdatomic.h>
+#include <stdlib.h>
+
+/* Rows are drawn in bands of this many, whose depths stay in the cache. */
+enum { BAND_HEIGHT = 32 };
+_Static_assert(BAND_HEIGHT <= 32, "`touched` has a bit for each row");
+
+/* A row is divided into chunks of this many pixels, for however many LANES: what is touched is
+ * known by the chunk; and what is farthest, by the tile of some chunks one above the other. */
+enum { CHUNK = 16, TILE_HEIGHT = 8, BAND_TILES = BAND_HEIGHT / TILE_HEIGHT };
+_Static_assert(BAND_HEIGHT % TILE_HEIGHT == 0, "no tile lies in two bands");
+
+/* What `skip` switches on and off, so that each can be measured alone. */
+enum shortcut {
+    SHORTCUT_OUTSIDE = 1, /* calls beyond a side of the view are not transformed */
+    SHORTCUT_VISIBLE = 2, /* what is visible is found before anything is shaded */
+    SHORTCUT_BEHIND = 4,  /* the nearest calls are covered first; what is behind them, not at all */
+    SHORTCUTS = 7
+};
+
+/* ---- Draw calls and pieces ---- */
+
+/* Elements of an array: begin inclusive, end exclusive. */
+struct range {
+    size_t begin, end;
+};
+
+/* Where something may cover pixels, and what no depth of it is above: infinite where it may reach
+ * the near plane. */
+struct screen_place {
+    struct span columns, rows;
+    double nearest;
+};
+
+struct recorded_call {
+    struct draw_call call;
+    const struct shader *shader;
+    size_t uniforms;                 /* where they are in the frame's `uniforms` */
+    struct screen_place place;       /* first of the box around it, then of its pieces */
+    size_t first_block, block_count; /* none while it is not assembled, or hidden as a whole */
+    size_t first_position;           /* in the frame's `screens` */
+    double guard_band;               /* where its faces are clipped: see guard_band_of() */
+    atomic_uint beyond;              /* the sides that any of its positions is beyond */
+};
+
+/* A call's place in the order of covering. */
+struct call_order {
+    double nearest;
+    size_t call;
+};
+
+/* A triangle on the screen: a face of the model, or a part that clipping left of one. One cache
+ * line. */
+struct piece {
+    struct fixed2 corner[3]; /* counterclockwise; the lowest first, of those the leftmost */
+    double depth[3];         /* z/w at the corners, linear on the screen */
+    uint32_t face, call;
+    uint8_t face_corner[3]; /* which corner of the face, or of the part, each corner is */
+    uint8_t part;           /* 0: a whole face; n: triangle n of the fan of a clipped one */
+    bool dropped;           /* covers pixels but must not be drawn (culled, with skip off) */
+    bool several;           /* it reaches several bands */
+    atomic_bool seen;       /* one of these has shown a pixel of it */
+};
+
+/* Positions and faces are shared out among threads in blocks of at most this many of one call. */
+enum { BLOCK_SIZE = 1024 };
+
+struct call_part {
+    struct recorded_call *call;
+    struct range range;
+};
+
+/* The faces that one thread assembles, and the pieces that they became. */
+struct block {
+    struct call_part faces;
+    struct piece *pieces;
+    struct band_span {
+        uint16_t first, last;
+    } * bands;        /* that each piece reaches */
+    uint32_t *sorted; /* indices of pieces, band after band: see `band_starts` of the frame */
+    size_t piece_count, piece_capacity, band_capacity, sorted_capacity;
+    struct span columns, rows; /* that the pieces may cover */
+    uint64_t stats[PIPELINE_STATS];
+};
+
+/* ---- Bands ---- */
+
+/* What is visible of a band, so far. A thread's, for one band after the other; or, where a frame
+ * takes several rounds, a band's. */
+struct visibility {
+    double *depth;     /* of each pixel, at place_in_band(); minus infinity: nothing is drawn */
+    uint32_t *number;  /* the same, of its piece: see struct scratch; 0 where nothing is drawn */
+    uint32_t *touched; /* of each column of chunks, bit i: something may be drawn in row i */
+    double *farthest;  /* of each tile, those of a column together: at most every pixel's depth */
+};
+
+/* The memory of a thread, for one band after the other. The pieces of a band have numbers from 1 on,
+ * one draw call's after the other's. */
+struct scratch {
+    struct piece **pieces; /* number n is pieces[n - 1] */
+    /* By number: 0 while nothing of the piece is visible, otherwise 1; and once its draw call is
+     * shaded, what was fetched for it: the colour of a flat piece, or where its planes are. */
+    uint32_t *fetched;
+    uint32_t *visible; /* the numbers of a draw call's visible pieces */
+    real *planes;      /* and their planes: see planes_of() */
+    size_t piece_capacity, fetched_capacity, visible_capacity, plane_capacity;
+};
+
+/* A band that is drawn, one draw call after the other: what a shade_function works on. */
+struct band {
+    const struct frame *frame;
+    struct span rows;
+    struct visibility *visibility;
+    struct scratch *scratch;
+    uint64_t *stats;
+    const struct recorded_call *call;
+    const void *uniforms;
+    struct span numbers;                       /* of the call's pieces: begin + 1 to end */
+    struct span changed_columns, changed_rows; /* where its pieces were covered */
+};
+
+/* ---- A frame ---- */
+
+struct frame {
+    struct pipeline *pipeline;
+    struct image *image;
+    unsigned shortcuts;      /* of enum shortcut: those taken while `skip` is on; at first all */
+    size_t thread_count;     /* for workers_create() */
+    struct workers *workers; /* NULL until they are needed, and where there are none */
+    bool alone;              /* there are none */
+    /* Recorded: */
+    struct recorded_call *calls;
+    size_t call_count, call_capacity;
+    char *uniforms; /* of the calls, one behind the other */
+    size_t uniforms_end, uniforms_capacity;
+    bool discards; /* one of the shaders does */
+    /* Ordered: */
+    struct call_order *order; /* the calls that may cover pixels, as they are covered */
+    size_t order_count, order_capacity;
+    bool reordered;     /* the nearest first */
+    struct range round; /* of the order, what comes in this round */
+    bool kept;          /* there are several: each band has a visibility of its own */
+    /* Transformed: places on the screen, depths and 1/w of positions (0 where one has no place),
+     * and the sides of the view that they are beyond; and what is to be transformed in a round. */
+    struct fixed2 *screens;
+    double *depths, *recip_w;
+    uint8_t *beyonds;
+    struct call_part *positions;
+    size_t position_count, screen_capacity, depth_capacity, recip_w_capacity, beyond_capacity;
+    size_t part_count, part_capacity;
+    /* Assembled: */
+    struct block *blocks;
+    uint32_t *band_starts; /* of each block, in `sorted`: one for each band, and the end */
+    size_t block_count, block_capacity, start_capacity;
+    size_t blocks_made;    /* that have memory */
+    size_t round_block;    /* the first one of the round */
+    size_t sorted_count;   /* entries of all `sorted` */
+    atomic_bool exhausted; /* a thread ran out of memory */
+    /* Drawn: */
+    struct visibility *visibility; /* one a thread or, if `kept`, one a band */
+    struct scratch *scratch;       /* one a thread */
+    uint64_t (*band_stats)[PIPELINE_STATS];
+    size_t visibility_count, visibility_capacity;
+    size_t scratch_count, scratch_capacity, band_capacity;
+    /* For CLEAR_LAST_FRAME: `touched` of all bands, and whose they are. */
+    uint32_t *last_touched;
+    size_t touched_capacity;
+    struct image last_image;
+    bool knows_last; /* the image is that one */
+};
+
+static inline bool takes_shortcut(const struct frame *frame, enum shortcut shortcut) {
+    return frame->pipeline->skip && (frame->shortcuts & (unsigned)shortcut) != 0;
+}
+
+/* Are the pixels of a shader shaded while they are covered? */
+static inline bool shades_at_once(const struct frame *frame, const struct shader *shader) {
+    return shader->discards || !takes_shortcut(frame, SHORTCUT_VISIBLE);
+}
+
+static inline size_t band_count(const struct frame *frame) {
+    return (frame->pipeline->height + BAND_HEIGHT - 1) / BAND_HEIGHT;
+}
+
+static inline size_t chunk_columns(const struct frame *frame) {
+    return (frame->pipeline->width + CHUNK - 1) / CHUNK;
+}
+
+/* Where a pixel of a band is in memory: chunk above chunk, and column of chunks beside column. So
+ * what lies above is near, and as many rows as are wanted are read in turn. */
+static inline size_t place_in_band(int row, int x) {
+    return ((size_t)x / CHUNK * BAND_HEIGHT + (size_t)row) * CHUNK + (size_t)x % CHUNK;
+}
+
+static inline struct span span_around(struct span a, struct span b) {
+    return (struct span){a.begin < b.begin ? a.begin : b.begin, a.end > b.end ? a.end : b.end};
+}
+
+static inline bool place_is_empty(const struct screen_place *place) {
+    return place->columns.begin >= place->columns.end || place->rows.begin >= place->rows.end;
+}
+
+/* At least the depth at every pixel of a piece with those depths at its corners, whatever
+ * roundings: these amount to a few ulp of them. */
+static inline double nearest_of_depths(const double z[3]) {
+    double most = z[0] > z[1] ? z[0] : z[1];
+    return (most > z[2] ? most : z[2]) + 1e-14 * (fabs(z[0]) + fabs(z[1]) + fabs(z[2]));
+}
+
+/* The columns, or rows, whose pixel centres the box of a triangle reaches, in an image without end.
+ * centers_between() of raster.h, with shifts. */
+static inline struct span box_centers(int32_t a, int32_t b, int32_t c) {
+    return (struct span){(least_of(a, b, c) + SUBPIXELS / 2 - 1) >> 8,
+                         ((most_of(a, b, c) - SUBPIXELS / 2) >> 8) + 1};
+}
+
+static inline struct span columns_of(const struct rectangle *viewport) {
+    return (struct span){viewport->x, viewport->x + viewport->width};
+}
+
+static inline struct span rows_of(const struct rectangle *viewport) {
+    return (struct span){viewport->y, viewport->y + viewport->height};
+}
+
+/* ---- Positions ---- */
+
+/* Nearer than this part of the camera's distance nothing is drawn: 1/w would grow without bound. */
+#define NEAR_W (1.0 / 128)
+
+/* Sides of the view that a position is beyond. */
+enum {
+    BEYOND_LEFT = 1,
+    BEYOND_RIGHT = 2,
+    BEYOND_BOTTOM = 4,
+    BEYOND_TOP = 8,
+    BEYOND_NEAR = 16,
+    BEYOND_ONE_SIDE = 31, /* any of these */
+    BEYOND_GUARD_BAND = 32,
+    BEYOND_ALL = 63
+};
+
+/* TOGETHER positions in clip space. */
+struct clip_positions {
+    doubles x, y, z, w;
+};
+
+/* One position, several times. */
+LANES_INLINE struct clip_positions clip_positions_all(struct vec4 p) {
+    return (struct clip_positions){doubles_all(p.x), doubles_all(p.y), doubles_all(p.z),
+                                   doubles_all(p.w)};
+}
+
+/* The sides that each is beyond, of BEYOND_ONE_SIDE. Written so that what is not a number is beyond
+ * everything. */
+LANES_INLINE longs find_beyond_sides(const struct clip_positions *p) {
+    return (~(p->x >= -p->w) & BEYOND_LEFT) | (~(p->x <= p->w) & BEYOND_RIGHT) |
+           (~(p->y >= -p->w) & BEYOND_BOTTOM) | (~(p->y <= p->w) & BEYOND_TOP) |
+           (~(p->w >= NEAR_W) & BEYOND_NEAR);
+}
+
+/* ---- Faces that are clipped: clip.c ---- */
+
+/* A convex polygon gains at most one corner at each plane. Where coordinates differ by many
+ * orders of magnitude, rounding can make the polygon not convex, and n corners become up to n +
+ * n/2 at each of the five planes: 3, 4, 6, 9, 13, 19. */
+enum { POLYGON_LIMIT = 19 };
+
+struct polygon {
+    struct clip_corner {
+        struct vec4 clip;
+        struct vec3 weight; /* of the face's corners; sum 1 */
+    } corner[POLYGON_LIMIT];
+    size_t count;
+};
+
+/* The part of a face that can be drawn. Triangle n of its fan has corners 0, n and n + 1. */
+struct polygon pipeline_clip_face(const struct recorded_call *call, size_t face);
+
+/* ---- What becomes of a face: classify.c ---- */
+
+/* Of a face, or of a part of a clipped one. */
+enum triangle_kind {
+    TRIANGLE_OUTSIDE,       /* beyond one side of the view */
+    TRIANGLE_TURNED_AWAY,   /* culled */
+    TRIANGLE_WITHOUT_PIXEL, /* it covers no pixel centre */
+    TRIANGLE_CLIPPED,       /* must be cut before it can be drawn */
+    TRIANGLE_WHOLE          /* to be drawn */
+};
+
+/* Triangles that are classified together. */
+enum { BATCH_SIZE = 64 };
+
+struct batch {
+    size_t count; /* behind them may be anything that fits the screen */
+    /* Their corners on the screen, in 1/256 pixel (anything, where a corner has no place there),
+     * and the sides that all of the corners, and any of them, are beyond. */
+    int32_t x[3][BATCH_SIZE], y[3][BATCH_SIZE];
+    int32_t beyond_all[BATCH_SIZE], beyond_any[BATCH_SIZE];
+    /* Found by batch_classify(); all but the first only of what is whole: */
+    int32_t kind[BATCH_SIZE]; /* of enum triangle_kind */
+    int32_t culled[BATCH_SIZE];
+    /* The lowest corner, of those the leftmost; and the next, counterclockwise. */
+    int32_t first[BATCH_SIZE], second[BATCH_SIZE];
+    /* The pixel centres of its box in the viewport, inclusive. */
+    int32_t left[BATCH_SIZE], right[BATCH_SIZE], bottom[BATCH_SIZE], top[BATCH_SIZE];
+};
+
+/* Classify the triangles. With `skip` off none is turned away, and those that miss the centres in
+ * their box are not looked for. */
+void batch_classify(struct batch *batch, const struct draw_call *call, bool skip);
+
+/* ---- The stages ---- */
+
+/* Start the threads, unless that was done before. */
+static inline void pipeline_start_workers(struct frame *frame) {
+    if (frame->workers == NULL && !frame->alone) {
+        frame->workers = workers_create(frame->thread_count);
+        frame->alone = frame->workers == NULL;
+    }
+}
+
+/* Share out a loop of more than one part among the threads. */
+static inline void pipeline_run(struct frame *frame, size_t count, worker_function *work) {
+    if (count > 1) {
+        pipeline_start_workers(frame);
+    }
+    workers_run(frame->workers, count, work, frame);
+}
+
+static inline void pipeline_add_stats(struct frame *frame, const uint64_t stats[PIPELINE_STATS]) {
+    for (int i = 0; i < PIPELINE_STATS; i++) {
+        frame->pipeline->stats[i] += stats[i];
+    }
+}
+
+/* Find the calls that may cover pixels, and the order in which they are covered: that of drawing
+ * or, where they overlap, the nearest first. */
+bool pipeline_order(struct frame *frame, struct error *error);
+
+/* Go on to the next round; from all zero, to the first. */
+void pipeline_next_round(struct frame *frame);
+
+/* Transform, clip and cull the models of the round's calls, except of those that are hidden as a
+ * whole: adds their blocks. */
+bool pipeline_assemble_round(struct frame *frame, struct error *error);
+
+/* Is all that is in a place behind what the rounds before this one have covered? */
+bool pipeline_is_hidden(const struct frame *frame, const struct screen_place *place);
+
+/* Cover the round's pieces in band `index` of a frame, which is kept: see worker_function. */
+void pipeline_cover_band(void *frame, size_t index, size_t worker);
+
+/* Draw band `index` of a frame: shade what is visible, and cover first, if it was not kept. */
+void pipeline_draw_band(void *frame, size_t index, size_t worker);
+
+#endif
