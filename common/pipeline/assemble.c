@@ -138,7 +138,7 @@ static void add_piece(const struct frame *frame, struct block *block, const stru
     struct span columns = {batch->left[at], batch->right[at] + 1};
     struct span rows = {batch->bottom[at], batch->top[at] + 1};
     const struct screen_place place = {columns, rows, nearest_of_depths(depth)};
-    if (frame->round.begin > 0 && pipeline_is_hidden(frame, &place)) {
+    if (is_hidden(frame, &place)) {
         block->stats[STAT_FACES_HIDDEN]++;
         block->stats[STAT_FACES_BEHIND]++;
         return;
@@ -388,7 +388,7 @@ static bool add_calls(struct frame *frame, struct error *error) {
     frame->round_block = frame->block_count;
     for (size_t i = frame->round.begin; i < frame->round.end; i++) {
         struct recorded_call *call = &frame->calls[frame->order[i].call];
-        if (frame->round.begin > 0 && pipeline_is_hidden(frame, &call->place)) {
+        if (is_hidden(frame, &call->place)) {
             stats[STAT_CALLS_HIDDEN]++;
             stats[STAT_FACES_HIDDEN] += call->call.model->face_count;
             stats[STAT_FACES_BEHIND] += call->call.model->face_count;

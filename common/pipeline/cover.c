@@ -261,32 +261,6 @@ static void update_farthest(const struct band *band) {
     }
 }
 
-/* Is all that is no nearer than that behind what a band shows in every tile that some columns, and
- * rows of the band, reach? */
-static bool is_behind(const struct visibility *band, double nearest, struct span columns,
-                      struct span rows) {
-    bool behind = true;
-    for (int x = columns.begin / CHUNK; behind && x * CHUNK < columns.end; x++) {
-        const double *farthest = band->farthest + x * BAND_TILES;
-        for (int tile = rows.begin / TILE_HEIGHT; behind && tile * TILE_HEIGHT < rows.end; tile++) {
-            behind = nearest < farthest[tile];
-        }
-    }
-    return behind;
-}
-
-bool pipeline_is_hidden(const struct frame *frame, const struct screen_place *place) {
-    struct span rows = place->rows;
-    bool hidden = !place_is_empty(place);
-    for (int y = rows.begin; hidden && y < rows.end; y = (y / BAND_HEIGHT + 1) * BAND_HEIGHT) {
-        int bottom = y / BAND_HEIGHT * BAND_HEIGHT;
-        struct span band = span_overlap(rows, (struct span){bottom, bottom + BAND_HEIGHT});
-        hidden = is_behind(&frame->visibility[y / BAND_HEIGHT], place->nearest, place->columns,
-                           (struct span){band.begin - bottom, band.end - bottom});
-    }
-    return hidden;
-}
-
 /* ---- The pieces of a call ---- */
 
 LANES_INLINE void cover_piece(struct band *band, uint32_t number, struct cover_how how) {
@@ -300,8 +274,9 @@ LANES_INLINE void cover_piece(struct band *band, uint32_t number, struct cover_h
     box.rows = span_overlap(box.rows, band->rows);
     box.cut = box.columns.begin > whole.begin || box.columns.end < whole.end;
     if (how.reordered) {
-        if (is_behind(band->visibility, nearest_of_depths(piece->depth), box.columns,
-                      rows_in_band(band, box.rows))) {
+        const struct screen_place place = {box.columns, rows_in_band(band, box.rows),
+                                           nearest_of_depths(piece->depth)};
+        if (is_behind(band->visibility, &place)) {
             band->stats[STAT_FACES_BEHIND]++;
             return;
         }
@@ -348,23 +323,6 @@ static void cover_call(struct band *band) {
 
 /* ---- A band ---- */
 
-/* Mark the pieces of LANES neighbours. In large triangles these are three runs of equal numbers, or
- * fewer: one of each is enough, and a run twice does no harm. */
-static void mark_neighbours(const uint32_t number[LANES + 1], uint32_t *visible) {
-    const int last = LANES - 1;
-    uint32_t second = find_runs(number) & ~UINT32_C(1); /* and the later ones */
-    uint32_t third = second & (second - 1), fourth = third & (third - 1);
-    if (fourth == 0) {
-        visible[number[0]] = 1;
-        visible[number[last]] = 1;
-        visible[number[__builtin_ctz(second | UINT32_C(1) << last)]] = 1;
-        return;
-    }
-    for (int i = 0; i < LANES; i++) {
-        visible[number[i]] = 1;
-    }
-}
-
 /* Mark the pieces of which a pixel is visible. */
 static void mark_visible(const struct band *band) {
     const struct visibility *visibility = band->visibility;
@@ -372,8 +330,8 @@ static void mark_visible(const struct band *band) {
     for (size_t i = 0; i < chunk_columns(band->frame); i++) {
         const uint32_t *number = visibility->number + place_in_band(0, (int)i * CHUNK);
         for (uint32_t rows = visibility->touched[i]; rows != 0; rows >>= 1) {
-            for (int k = 0; (rows & 1) != 0 && k < CHUNK; k += LANES) {
-                mark_neighbours(number + k, band->scratch->fetched);
+            for (int k = 0; (rows & 1) != 0 && k < CHUNK; k++) {
+                band->scratch->fetched[number[k]] = 1;
             }
             number += CHUNK;
         }
@@ -460,9 +418,9 @@ static bool next_call(struct band *band, size_t place) {
 }
 
 static bool call_is_behind(const struct band *band) {
-    const struct screen_place *place = &band->call->place;
-    return band->frame->reordered && is_behind(band->visibility, place->nearest, place->columns,
-                                               rows_in_band(band, place->rows));
+    struct screen_place place = band->call->place;
+    place.rows = rows_in_band(band, place.rows);
+    return band->frame->reordered && is_behind(band->visibility, &place);
 }
 
 /* Cover the pieces of the round's calls in the band; those of earlier rounds are numbered only. */

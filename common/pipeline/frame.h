@@ -246,6 +246,25 @@ static inline struct span rows_of(const struct rectangle *viewport) {
     return (struct span){viewport->y, viewport->y + viewport->height};
 }
 
+/* Is all that is in a place behind what is shown in every tile that it reaches? Rows are counted from
+ * the lowest one of the first of these bands. */
+static inline bool is_behind(const struct visibility *bands, const struct screen_place *place) {
+    for (int y = place->rows.begin / TILE_HEIGHT; y * TILE_HEIGHT < place->rows.end; y++) {
+        const double *farthest = bands[y / BAND_TILES].farthest + y % BAND_TILES;
+        for (int x = place->columns.begin / CHUNK; x * CHUNK < place->columns.end; x++) {
+            if (!(place->nearest < farthest[x * BAND_TILES])) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+/* The same, of what the rounds before this one have covered. */
+static inline bool is_hidden(const struct frame *frame, const struct screen_place *place) {
+    return frame->round.begin > 0 && !place_is_empty(place) && is_behind(frame->visibility, place);
+}
+
 /* ---- Positions ---- */
 
 /* Nearer than this part of the camera's distance nothing is drawn: 1/w would grow without bound. */
@@ -367,9 +386,6 @@ void pipeline_next_round(struct frame *frame);
 /* Transform, clip and cull the models of the round's calls, except of those that are hidden as a
  * whole: adds their blocks. */
 bool pipeline_assemble_round(struct frame *frame, struct error *error);
-
-/* Is all that is in a place behind what the rounds before this one have covered? */
-bool pipeline_is_hidden(const struct frame *frame, const struct screen_place *place);
 
 /* Cover the round's pieces in band `index` of a frame, which is kept: see worker_function. */
 void pipeline_cover_band(void *frame, size_t index, size_t worker);

@@ -89,7 +89,6 @@ LANES_INLINE struct texels texture_fetch(const struct texture *texture, struct l
     }
     struct texels texels;
     lanes_fetch_pairs(l->texels, place->bytes, &texels.texel[0], &texels.texel[1]);
-    LANES_READ_AGAIN();
     lanes_fetch_pairs(l->texels + l->pitch, place->bytes, &texels.texel[2], &texels.texel[3]);
     texture_expect(l, l->texels, place->bytes);
     memcpy(texels.weight, place->weight, sizeof texels.weight);
@@ -145,7 +144,6 @@ LANES_INLINE struct lanes3 texture_located(const struct texture *texture, size_t
     lanes_texel place;
     memcpy(&place, index, sizeof place);
     lanes_fetch_pairs(l->texels, place, &texels.texel[0], &texels.texel[1]);
-    LANES_READ_AGAIN();
     lanes_fetch_pairs(l->texels + l->pitch, place, &texels.texel[2], &texels.texel[3]);
     texture_expect(l, l->texels, place);
     lanes_texel_weights(u, v, texels.weight);

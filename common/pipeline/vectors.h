@@ -5,12 +5,11 @@
  *                                      are set, texels by their index, least and most
  *     doubles, longs, ints             TOGETHER pixels, positions or pieces, as many as 64-bit
  *                                      numbers fit into a register: what must be exact
- *     doubles_mask                   of TOGETHER doubles: for which a comparison holds
+ *     doubles_mask                     of TOGETHER doubles: for which a comparison holds
  *
- * x86 has instructions for some of this that gcc 12 and clang 14 do not find by themselves. Here,
- * and for lanes_max() and lanes_min(), the compiler is told which one is meant ("Intel 64 and
- * IA-32 Architectures Software Developer's Manual", volume 2); the plain C next to it says what it
- * does.
+ * x86 has instructions for some of this that gcc 12 and clang 14 do not find by themselves. Here
+ * the compiler is told which one is meant ("Intel 64 and IA-32 Architectures Software Developer's
+ * Manual", volume 2); the plain C next to it says what it does.
  */
 #ifndef COMMON_PIPELINE_VECTORS_H
 #define COMMON_PIPELINE_VECTORS_H
@@ -21,16 +20,11 @@
 #include <immintrin.h>
 #endif
 
-#define LANES_READ_AGAIN() __asm__ volatile("" ::: "memory")
 /* ---- LANES numbers ---- */
 
 /* Lanes 0 to `first` - 1 of a, the others of b. */
 LANES_INLINE lanes lanes_join(lanes a, int first, lanes b) {
-#if LANES_OF_TYPE(REAL) == 16 && defined(__AVX512F__)
-    return (lanes)_mm512_mask_blend_ps((__mmask16)(0xFFFFU << first), (__m512)a, (__m512)b);
-#else
     return lanes_select(lanes_not_before(first), b, a);
-#endif
 }
 
 /* Bit i of the result is set where lane i of the mask is. (0.75 of the time of a flat frame.) */
@@ -86,20 +80,6 @@ LANES_INLINE lanes_texel lanes_fetch(const uint32_t *texels, const uint32_t inde
     return all;
 }
 
-/* The lanes as numbers of their own: gcc takes a register of 16 apart sooner by 64 bits than by
- * 32. */
-LANES_INLINE void lanes_take_apart(lanes_texel from, uint32_t lane[LANES]) {
-#if LANES == 16 && !defined(__clang__) && __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__
-    uint64_t two[LANES / 2];
-    memcpy(two, &from, sizeof two);
-    for (int i = 0; i < LANES; i++) {
-        lane[i] = (uint32_t)(two[i / 2] >> i % 2 * 32);
-    }
-#else
-    memcpy(lane, &from, sizeof from);
-#endif
-}
-
 LANES_INLINE int lanes_pair_place(int lane) {
     return LANES < 4 ? lane : lane % 4 / 2 * (LANES / 2) + lane / 4 * 2 + lane % 2;
 }
@@ -111,7 +91,7 @@ LANES_INLINE void lanes_fetch_pairs(const uint32_t *texels, lanes_texel bytes, l
                                     lanes_texel *second) {
     uint32_t at[LANES], lower[LANES], upper[LANES];
     uint64_t pair[LANES];
-    lanes_take_apart(bytes, at);
+    memcpy(at, &bytes, sizeof at);
     for (int i = 0; i < LANES; i++) {
         const uint32_t *texel = (const void *)((const char *)texels + at[i]);
         pair[lanes_pair_place(i)] = texel[0] | (uint64_t)texel[1] << 32;

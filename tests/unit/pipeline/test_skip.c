@@ -739,5 +739,4 @@ UNIT_MAIN(TEST(test_models_are_there), TEST(test_single), TEST(test_nested_spher
           TEST(test_before_and_behind), TEST(test_within_roundings_of_a_side), TEST(test_rounds),
           TEST(test_face_hidden_by_an_earlier_round), TEST(test_askew),
           TEST(test_within_roundings_of_a_wall), TEST(test_roundings_within_a_face),
-          TEST(test_hidden_by_many_faces), TEST(test_scattered_batches),
-          TEST(test_free))
+          TEST(test_hidden_by_many_faces), TEST(test_scattered_batches), TEST(test_free))
