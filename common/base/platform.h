@@ -40,8 +40,8 @@ typedef int signal_set;
 /* How many processors the machine has; at least 1. */
 size_t platform_processors(void);
 
-/* SIGINT, SIGTERM and SIGHUP wait from here, in the thread that calls, until the old set is back. On
- * Windows Ctrl-C has no effect in between. */
+/* SIGINT, SIGTERM and SIGHUP wait from here, in the thread that calls, until the old set is back.
+ * On Windows Ctrl-C has no effect in between. */
 void signals_hold(signal_set *before);
 void signals_release(const signal_set *before);
 
