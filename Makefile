@@ -10,8 +10,8 @@
 # CC=clang, CFLAGS=-O0, MARCH=, WERROR=-Werror, BUILD=some/directory, LANES=1 (one pixel at a time,
 # for a debugger) and REAL=double (twice the precision) may be added to any of these.
 
-# (bmake runs this and is ended by it; for GNU make it is a variable that is not set.)
-NEEDED := ${:!echo 'This Makefile is for GNU make: use gmake' >&2; set | grep ^PPID= | tr -dc 0-9 | xargs kill!}
+# BSD make stops here and says this. For GNU make it is a target that nobody needs.
+.error : use gmake, this is for GNU make
 
 BUILD  = build
 CFLAGS = -O3
