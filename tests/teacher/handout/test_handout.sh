@@ -84,7 +84,7 @@ for lesson in step*; do
         wrong "$lesson needs what is not handed out with it: $(head -n 3 "$work/log")"
     (cd "$out" && headers_build common/*.h common/*/*.h tests/*/*.h tests/*/*/*.h) \
         >"$work/log" 2>&1 || wrong "headers of $lesson: $(head -n 3 "$work/log")"
-    (cd "$out" && commands_are_there README.md "$lesson"/*.md "$lesson"/*.txt "$lesson"/*.[ch]) ||
+    (cd "$out" && commands_are_there README.md tests/student/README.md "$lesson"/*.md "$lesson"/*.txt "$lesson"/*.[ch]) ||
         wrong "$lesson names commands that are not handed out"
     grep -q "Then read .*(${lesson}/README.md)" "$out/README.md" || wrong "where does $lesson begin?"
 done
