@@ -23,7 +23,7 @@ for file in step03_triangle step06_texture tests/upkeep tests/unit tests/lessons
     step04_flat/mistakes.txt common/pipeline.h; do
     [ ! -e "$file" ] || wrong "$file is handed out"
 done
-grep -rlE 'BEGIN SOLUTION|<details>|texture_bilinear\(' ./*.md step* common tests/student/starters \
+grep -rlE 'BEGIN SOLUTION|<summary>Answer|texture_bilinear\(' ./*.md step* common tests/student/starters \
     >"$work/log" &&
     wrong "a solution or an answer is handed out in $(cat "$work/log")"
 grep -q 'bool edges_setup' common/raster.h || wrong "the triangle of lesson 3 is missing in lesson 4"
