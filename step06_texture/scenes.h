@@ -2,13 +2,14 @@
  * Step 6, the given part: its scenes and the program.
  *
  * `texture` draws a model with its diffuse texture, nearest texel, times the intensity of the face.
- * `letters` draws a board whose texture coordinates leave a clamped picture with a border, two small
- * boards far beyond that picture, and a piece of cloth on which the middle of each pixel lies
- * on the border between two texels. `room` lays that picture, without the border, on a floor and a
- * wall in perspective, again and again, nearest texel too; the wall at the back has a smaller
- * picture. Its chart shows what whole numbers are repeated as. `close` is a wall before the camera,
- * bilinear. `softer` shows the mip levels of that picture, and what lies between them. `mipmapped`
- * is the room with a mip level for every pixel, and so is `checker`, a plane towards the horizon.
+ * `letters` draws a board whose texture coordinates leave a clamped picture, with a border around
+ * it, two small boards far beyond that picture, and a piece of cloth on which the middle of each
+ * pixel lies on the border between two texels. `room` lays that picture, without the border, on a
+ * floor and a wall in perspective, again and again, nearest texel too; the wall at the back has a
+ * smaller picture. Its chart shows what whole numbers are repeated as. `close` is a wall before the
+ * camera, bilinear. `softer` shows the mip levels of that picture, and what lies between them.
+ * `mipmapped` is the room with a mip level for every pixel, and so is `checker`, a plane towards
+ * the horizon.
  */
 
 /* ---- Scene: texture ---- */
