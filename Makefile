@@ -102,7 +102,8 @@ $(warning TMPDIR=$(TMPDIR) is no directory: /tmp is taken)
 export TMPDIR := /tmp
 endif
 # Windows itself draws the pictures. It has no fork() and no signals, which the check needs, calls
-# directories otherwise than the shell of MSYS2, and converts to float in its isfinite().
+# directories otherwise than the shell of MSYS2, converts to float in its isfinite(), and has a printf()
+# of its own without %zu.
 ifneq ($(filter windows,$(MISSING)),)
 POSIX := $(filter-out all programs models new $(patsubst %/.new,%,$(wildcard */.new)) $(STEPS) \
              $(BUILD)/%,$(MAKECMDGOALS))
@@ -110,6 +111,7 @@ $(if $(POSIX),$(error make $(POSIX) needs WSL: README.md, "Start"))
 override MAKE_TERMOUT =
 BUILT := $(or $(shell cygpath -am '$(BUILD)' 2>/dev/null),$(BUILT))
 WARNINGS += -Wno-float-conversion
+DEFINES += -D__USE_MINGW_ANSI_STDIO=1
 endif
 endif
 
