@@ -118,8 +118,8 @@ struct visibility {
     double *farthest;  /* of each tile, those of a column together: at most every pixel's depth */
 };
 
-/* The memory of a thread, for one band after the other. The pieces of a band have numbers from 1 on,
- * one draw call's after the other's. */
+/* The memory of a thread, for one band after the other. The pieces of a band have numbers from 1
+ * on, one draw call's after the other's. */
 struct scratch {
     struct piece **pieces; /* number n is pieces[n - 1] */
     /* By number: 0 while nothing of the piece is visible, otherwise 1; and once its draw call is
@@ -246,8 +246,8 @@ static inline struct span rows_of(const struct rectangle *viewport) {
     return (struct span){viewport->y, viewport->y + viewport->height};
 }
 
-/* Is all that is in a place behind what is shown in every tile that it reaches? Rows are counted from
- * the lowest one of the first of these bands. */
+/* Is all that is in a place behind what is shown in every tile that it reaches? Rows are counted
+ * from the lowest one of the first of these bands. */
 static inline bool is_behind(const struct visibility *bands, const struct screen_place *place) {
     for (int y = place->rows.begin / TILE_HEIGHT; y * TILE_HEIGHT < place->rows.end; y++) {
         const double *farthest = bands[y / BAND_TILES].farthest + y % BAND_TILES;

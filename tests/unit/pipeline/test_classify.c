@@ -1,6 +1,6 @@
 /*
- * pipeline/classify.c against plain answers: one triangle at a time, one pixel centre at a time, with
- * the oracle's turns and coverage.
+ * pipeline/classify.c against plain answers: one triangle at a time, one pixel centre at a time,
+ * with the oracle's turns and coverage.
  */
 #include "oracle/oracle.h"
 #include "pipeline.h"
