@@ -221,7 +221,8 @@ static bool begin_frame(struct frame *frame, struct pipeline *p, struct image *i
                         last->format == image->format;
     frame->round = (struct range){0, 0};
     frame->position_count = frame->block_count = frame->sorted_count = 0;
-    frame->kept = frame->exhausted = false;
+    frame->kept = false;
+    frame->exhausted = false;
     if (bands > 1) {
         pipeline_start_workers(frame);
     }
