@@ -3,10 +3,10 @@
  *
  * Taught in step06_texture: read that first. Texture coordinates are (0,0) at the bottom-left
  * corner of the image and (1,1) at its top-right corner; texel (i,j) covers u in [i/width,
- * (i+1)/width), so its centre is at ((i+0.5)/width, (j+0.5)/height). Outside 0..1 the picture repeats
- * or, where it is clamped, its edge texels do; a coordinate that is not a number counts as 0. All is
- * the same on every machine: the mip levels are computed with whole numbers, sampling with + - * of
- * doubles.
+ * (i+1)/width), so its centre is at ((i+0.5)/width, (j+0.5)/height). Outside 0..1 the picture
+ * repeats or, where it is clamped, its edge texels do; a coordinate that is not a number counts as
+ * 0. All is the same on every machine: the mip levels are computed with whole numbers, sampling
+ * with + - * of doubles.
  */
 #ifndef COMMON_TEXTURE_H
 #define COMMON_TEXTURE_H
@@ -110,7 +110,7 @@ static inline struct vec4 texture_mix_texels(uint32_t from, uint32_t to, double 
 }
 
 /* Where a coordinate lies on an axis of `size` texels: 0 at the centre of the first one, 1 at that
- * of the second. Beyond the last centre comes the first one again, at `size`; not where it clamps. */
+ * of the second. Behind the last one comes the first again, at `size`; not where it clamps. */
 static inline double texture_place(double coordinate, double size, bool clamp) {
     if (clamp) {
         return texture_clamp(coordinate * size - 0.5, size - 1);

@@ -319,9 +319,9 @@ static real any_coordinate(struct random *random, size_t size) {
     }
 }
 
-/* A coordinate is multiplied by the size, a half is taken away, and whole pictures: 4 roundings of a
- * place, as far outside the picture as it is; levels change by up to 255 from texel to texel, along
- * both axes; and a few roundings of levels. */
+/* A coordinate is multiplied by the size, a half is taken away, and whole pictures: 4 roundings of
+ * a place, as far outside the picture as it is; levels change by up to 255 from texel to texel,
+ * along both axes; and a few roundings of levels. */
 static double sample_tolerance(size_t width, size_t height) {
     return 255 * ulp * (4 * LARGEST * (double)(width + height) + 16);
 }
@@ -396,8 +396,8 @@ static void test_textures(void) {
     }
 }
 
-/* Where it clamps, beyond the corners there is only the corner's own texel, whatever is beyond it in memory; nowhere
- * is at the lower left one. */
+/* Where it clamps, beyond the corners there is only the corner's own texel, whatever is beyond it
+ * in memory; nowhere is at the lower left one. */
 static void test_corner_texels(void) {
     static const struct color colors[4] = {
         {255, 1, 2, 255}, {3, 255, 4, 255}, {5, 6, 255, 255}, {250, 251, 252, 255}};
