@@ -35,15 +35,16 @@ begin_out "$(mktemp -d)"
 
 texts='README.md tests/student/README.md'
 for lesson in $lessons; do
-    texts="$texts $lesson/README.md $(echo "$lesson"/[!R]*.md)"
+    texts="$texts $lesson/README.md $(find "$lesson" -name '[!R]*.md' | sort)"
 done
+# shellcheck disable=SC2086 # one word a file
 {
     printf '%s\n' $texts
     grep -oE '(src="|\]\()[^")]*\.(png|svg)' README.md | sed 's/^src="//; s/^](//'
 } | put_all
 finish_texts
 
-# A picture is as it was, or so nearly that nobody sees a difference.
+# Small pictures keep every pixel; large ones change so little that nobody sees it.
 find "$new" -name '*.png' | while IFS= read -r picture; do
     kind='-lossless -z 6'
     [ "$(wc -c <"$picture")" -lt 60000 ] || kind='-q 90 -sharp_yuv'
@@ -79,7 +80,7 @@ for lesson in $lessons; do
     text solution "$work/marked" "$main" >"$work/$lesson.c" || fail 1 "no solution of $lesson"
 done
 # shellcheck disable=SC2086 # several words
-printf "%s\n" $lessons | xargs -P "$(getconf _NPROCESSORS_ONLN)" -I LESSON \
+printf '%s\n' $lessons | xargs -P "$(getconf _NPROCESSORS_ONLN)" -I LESSON \
     $compile -w -ILESSON -Dmain=LESSON_main -c "$work/LESSON.c" -o "$work/LESSON.o" &&
     $compile -mexec-model=reactor "-DLESSONS(X)=$names" -o "$work/program" \
         -Wl,--stack-first,-z,stack-size=1048576,-s,--wrap=live_loop,--wrap=file_read,--wrap=file_exists \
