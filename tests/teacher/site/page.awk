@@ -113,7 +113,7 @@ function print_contents(    i, in_lesson) {
     print "</ul>\n</nav>"
 }
 
-function is_main(i) { return address[i] ~ /index\.html$/ }
+function is_main(i) { return address[i] !~ /^step/ || address[i] ~ /index\.html$/ }
 
 function neighbour(step, name,    i) {
     for (i = here + step; i >= 1 && i <= pages && !is_main(i); i += step) {}

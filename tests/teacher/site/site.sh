@@ -33,9 +33,9 @@ begin_out "$(mktemp -d)"
 
 # ---- Texts and pictures ----
 
-texts='README.md tests/student/README.md'
-for lesson in $lessons; do
-    texts="$texts $lesson/README.md $(find "$lesson" -name '[!R]*.md' | sort)"
+texts=README.md
+for directory in tests/student $lessons; do
+    texts="$texts $directory/README.md $(find "$directory" -name '[!R]*.md' | sort)"
 done
 # shellcheck disable=SC2086 # one word a file
 {
