@@ -219,7 +219,7 @@ static bool begin_frame(struct frame *frame, struct pipeline *p, struct image *i
     frame->image = image;
     frame->knows_last = p->clearing == CLEAR_LAST_FRAME && last->pixels == image->pixels &&
                         last->format == image->format;
-    frame->round = (struct range){0, 0};
+    frame->round = (struct index_range){0, 0};
     frame->position_count = frame->block_count = frame->sorted_count = 0;
     frame->kept = false;
     frame->exhausted = false;

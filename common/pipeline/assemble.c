@@ -215,7 +215,8 @@ static bool add_clipped_face(const struct frame *frame, struct block *block, siz
 /* Put the corners of faces into a batch. Where all positions are beyond nothing, `inside` (constant
  * where it is called), that is not asked, and was 0 before. */
 LANES_INLINE void fill_batch(const struct frame *frame, struct batch *batch,
-                             const struct recorded_call *call, struct range faces, bool inside) {
+                             const struct recorded_call *call, struct index_range faces,
+                             bool inside) {
     const struct fixed2 *screens = frame->screens + call->first_position;
     const uint8_t *beyonds = frame->beyonds + call->first_position;
     batch->count = faces.end - faces.begin;
@@ -308,11 +309,11 @@ static void assemble_block(void *context, size_t index, size_t worker) {
     struct block *block = &frame->blocks[frame->round_block + index];
     const struct recorded_call *call = block->faces.call;
     struct batch batch = {.count = 0};
-    struct range faces = block->faces.range;
+    struct index_range faces = block->faces.range;
     bool reserved = true;
     while (reserved && faces.begin < faces.end) {
         size_t end = faces.begin + BATCH_SIZE;
-        struct range some = {faces.begin, end < faces.end ? end : faces.end};
+        struct index_range some = {faces.begin, end < faces.end ? end : faces.end};
         if (call->beyond == 0) {
             fill_batch(frame, &batch, call, some, true);
         } else {

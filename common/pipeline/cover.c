@@ -428,7 +428,7 @@ static bool call_is_behind(const struct band *band) {
 
 /* Cover the pieces of the round's calls in the band; those of earlier rounds are numbered only. */
 static void cover_calls(struct band *band) {
-    struct range round = band->frame->round;
+    struct index_range round = band->frame->round;
     for (size_t i = 0; i < round.end; i++) {
         if (!next_call(band, i) || i < round.begin) {
             continue;

@@ -45,7 +45,7 @@ enum shortcut {
 /* ---- Draw calls and pieces ---- */
 
 /* Elements of an array: begin inclusive, end exclusive. */
-struct range {
+struct index_range {
     size_t begin, end;
 };
 
@@ -91,7 +91,7 @@ enum { BLOCK_SIZE = 1024 };
 
 struct call_part {
     struct recorded_call *call;
-    struct range range;
+    struct index_range range;
 };
 
 /* The faces that one thread assembles, and the pieces that they became. */
@@ -161,9 +161,9 @@ struct frame {
     /* Ordered: */
     struct call_order *order; /* the calls that may cover pixels, as they are covered */
     size_t order_count, order_capacity;
-    bool reordered;     /* the nearest first */
-    struct range round; /* of the order, what comes in this round */
-    bool kept;          /* there are several: each band has a visibility of its own */
+    bool reordered;           /* the nearest first */
+    struct index_range round; /* of the order, what comes in this round */
+    bool kept;                /* there are several: each band has a visibility of its own */
     /* Transformed: places on the screen, depths and 1/w of positions (0 where one has no place),
      * and the sides of the view that they are beyond; and what is to be transformed in a round. */
     struct fixed2 *screens;

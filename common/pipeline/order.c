@@ -176,7 +176,7 @@ bool pipeline_order(struct frame *frame, struct error *error) {
 }
 
 void pipeline_next_round(struct frame *frame) {
-    struct range *round = &frame->round;
+    struct index_range *round = &frame->round;
     round->begin = round->end;
     round->end = round->begin == 0 ? FIRST_ROUND : 2 * round->begin;
     if (!frame->reordered || frame->order_count < MANY || round->end > frame->order_count) {
