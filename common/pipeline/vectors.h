@@ -7,9 +7,10 @@
  *                                      numbers fit into a register: what must be exact
  *     doubles_mask                     of TOGETHER doubles: for which a comparison holds
  *
- * x86 has instructions for some of this that gcc 12 and clang 14 do not find by themselves. Here
- * the compiler is told which one is meant ("Intel 64 and IA-32 Architectures Software Developer's
- * Manual", volume 2); the plain C next to it says what it does.
+ * x86 has instructions for some of this that gcc 12 and clang 14 do not find by themselves. Here,
+ * and for lanes_max() and lanes_min(), the compiler is told which one is meant ("Intel 64 and
+ * IA-32 Architectures Software Developer's Manual", volume 2); the plain C next to it says what it
+ * does.
  */
 #ifndef COMMON_PIPELINE_VECTORS_H
 #define COMMON_PIPELINE_VECTORS_H
@@ -19,11 +20,6 @@
 #if LANES >= 8 && defined(__AVX2__)
 #include <immintrin.h>
 #endif
-
-/* LANES where REAL is float, otherwise 0. */
-#define LANES_PASTE(a, b)   a##b
-#define LANES_OF_TYPE(type) LANES_PASTE(LANES_OF_, type)
-#define LANES_OF_float      LANES
 
 /* ---- LANES numbers ---- */
 
