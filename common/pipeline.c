@@ -268,6 +268,9 @@ static bool draw_rounds(struct frame *frame, struct error *error) {
         if (!pipeline_assemble_round(frame, error) || !reserve_bands(frame, error)) {
             return false;
         }
+        if (!frame->reordered) {
+            pipeline_reorder(frame);
+        }
         if (frame->kept) {
             pipeline_run(frame, band_count(frame), pipeline_cover_band);
             frame->round.begin = frame->round.end;

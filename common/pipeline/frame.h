@@ -376,9 +376,12 @@ static inline void pipeline_add_stats(struct frame *frame, const uint64_t stats[
     }
 }
 
-/* Find the calls that may cover pixels, and the order in which they are covered: that of drawing
- * or, where they overlap, the nearest first. */
+/* Find the calls that may cover pixels, and the order in which they are covered. */
 bool pipeline_order(struct frame *frame, struct error *error);
+
+/* The nearest first, where calls overlap: of many decided by their boxes; of few once they are
+ * assembled, since what they cover is less. */
+void pipeline_reorder(struct frame *frame);
 
 /* Go on to the next round; from all zero, to the first. */
 void pipeline_next_round(struct frame *frame);

@@ -159,18 +159,25 @@ static void list_calls(struct frame *frame) {
     }
 }
 
-bool pipeline_order(struct frame *frame, struct error *error) {
-    if (!array_extend(&frame->order, &frame->order_capacity, frame->call_count,
-                      sizeof *frame->order)) {
-        return error_out_of_memory(error);
-    }
-    list_calls(frame);
+void pipeline_reorder(struct frame *frame) {
     /* A shader that discards needs the order of drawing. */
     frame->reordered = takes_shortcut(frame, SHORTCUT_VISIBLE) &&
                        takes_shortcut(frame, SHORTCUT_BEHIND) && !frame->discards &&
                        frame->order_count > 1 && calls_overlap(frame);
     if (frame->reordered) {
         qsort(frame->order, frame->order_count, sizeof *frame->order, compare_calls);
+    }
+}
+
+bool pipeline_order(struct frame *frame, struct error *error) {
+    if (!array_extend(&frame->order, &frame->order_capacity, frame->call_count,
+                      sizeof *frame->order)) {
+        return error_out_of_memory(error);
+    }
+    list_calls(frame);
+    frame->reordered = false;
+    if (frame->order_count >= MANY) {
+        pipeline_reorder(frame);
     }
     return true;
 }
@@ -179,7 +186,7 @@ void pipeline_next_round(struct frame *frame) {
     struct index_range *round = &frame->round;
     round->begin = round->end;
     round->end = round->begin == 0 ? FIRST_ROUND : 2 * round->begin;
-    if (!frame->reordered || frame->order_count < MANY || round->end > frame->order_count) {
+    if (!frame->reordered || round->end > frame->order_count) {
         round->end = frame->order_count;
     }
 }
