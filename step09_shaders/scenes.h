@@ -2,7 +2,7 @@
  * Step 9, the given part: its scenes and the program.
  *
  * A scene is a grid of cells, and in each cell the model as one shader draws it. `loops`, `looks`
- * and `more_looks` are drawn by simple_draw(); the others by the pipeline: `four`, `toon` and
+ * and `more_looks` are drawn by simple_draw(), `heads` by visible_draw(), the others by the pipeline: `four`, `toon` and
  * `normalmap` show shaders, `culling` which faces may be left out.
  */
 
@@ -345,7 +345,78 @@ static bool draw_culling(struct drawing *drawing, struct image *image, struct er
     return pipeline_end(drawing, done, image, error);
 }
 
+/* ---- Four heads, in four ways ---- */
+
+enum { HEADS = 4, BAND_ROWS = 32 };
+
+/* What draws them: see `way` below. */
+enum way { WAY_SIMPLE = 1, WAY_VISIBLE, WAY_BANDS, WAY_PIPELINE };
+
+/* One behind another, the farthest first. */
+static void make_head_calls(const struct drawing *drawing, const struct image *image,
+                            struct draw_call calls[HEADS]) {
+    const struct vec3 behind = {-0.62, 0.06, -0.6}; /* from head to head */
+    const struct rectangle whole = grid_cell(image->width, image->height, 1, 1, 0, 0);
+    for (int i = 0; i < HEADS; i++) {
+        struct mat4 moved =
+            mat4_translation(vec3_add((struct vec3){0, 0.27, 0}, vec3_scale(behind, 2 - i)));
+        calls[i] = pipeline_call(drawing, whole, 0.68, CULL_BACK);
+        calls[i].to_clip = mat4_mul(calls[i].to_clip, moved);
+    }
+}
+
+/* visible_draw(), with its memory. */
+static bool draw_heads_visibly(struct drawing *drawing, const struct canvas *canvas,
+                               const struct draw_call calls[HEADS], int band_rows,
+                               const struct uniforms *u, struct error *error) {
+    const size_t pixels = canvas->image->width * canvas->image->height;
+    struct kept_face *kept = calloc(HEADS * drawing->model->face_count + 1, sizeof *kept);
+    struct band band = {
+        {0, band_rows}, canvas->image->width, canvas->depth, malloc(pixels * sizeof *band.nearest)};
+    bool done = kept != NULL && band.nearest != NULL;
+    size_t count = 0;
+    for (int i = 0; done && i < HEADS; i++) {
+        count += keep_faces(canvas, &calls[i], kept + count);
+    }
+    if (done) {
+        visible_draw(canvas, band, kept, (uint32_t)count, &simple_gouraud_textured, u);
+    } else {
+        error_out_of_memory(error);
+    }
+    drawing_count(drawing, "faces_kept", count);
+    free(band.nearest);
+    free(kept);
+    return done;
+}
+
+static bool draw_heads(struct drawing *drawing, struct image *image, struct error *error) {
+    const enum way way = (enum way)drawing_value(drawing, "way");
+    const struct canvas canvas = {image, drawing->depth};
+    const struct uniforms u = make_uniforms(drawing, 0.85 * (double)image->width);
+    struct draw_call calls[HEADS];
+    make_head_calls(drawing, image, calls);
+    if (way == WAY_VISIBLE || way == WAY_BANDS) {
+        const int rows = way == WAY_BANDS ? BAND_ROWS : (int)image->height;
+        return draw_heads_visibly(drawing, &canvas, calls, rows, &u, error);
+    }
+    struct pipeline *pipeline = pipeline_begin(drawing);
+    bool done = true;
+    for (int i = 0; done && i < HEADS; i++) {
+        if (way == WAY_SIMPLE) {
+            simple_draw(&canvas, &calls[i], &simple_gouraud_textured, &u);
+        } else {
+            done = pipeline_draw(pipeline, &calls[i], &gouraud_textured, &u, sizeof u, error);
+        }
+    }
+    return way == WAY_SIMPLE || pipeline_end(drawing, done, image, error);
+}
+
 /* ---- The program ---- */
+
+static const struct scene_value way_value[] = {
+    {"way", "1 simple_draw(), 2 visible_draw(), 3 in bands, 4 the pipeline", 1, 4, 1, 3},
+    {.name = NULL},
+};
 
 static const struct scene scenes[] = {
     {
@@ -379,6 +450,14 @@ static const struct scene scenes[] = {
         .needs = NEEDS_MODEL,
         .light = {1, 0.2, 0}, /* from the side */
         .draw = draw_culling,
+    },
+    {
+        .name = "heads",
+        .needs = NEEDS_MODEL | NEEDS_NORMALS | NEEDS_DIFFUSE | NEEDS_DEPTH,
+        .height = 790, /* the last band is lower than the others */
+        .width = 800,
+        .values = way_value,
+        .draw = draw_heads,
     },
 };
 
