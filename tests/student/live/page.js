@@ -9,10 +9,6 @@ const context = canvas.getContext("2d");
 
 // ---- What is shown ----
 
-const ownTexts = {
-    line: "size 100 100\nline 13 20 80 40 255 255 255\nline 20 13 40 80 255 0 0\n",
-    triangle: "size 100 100\ntriangle 10 10 80 25 35 85 255 140 0\ntriangle 80 25 90 90 35 85 80 80 255\n",
-};
 let about = null;      // what the program says of itself
 let version = -1;      // of the program, as built
 let shown = null;      // the last frame: width, height, pixels, milliseconds, counters
@@ -23,12 +19,14 @@ let drag = null;
 let zoom = 0;          // screen pixels of a pixel; 0: fit
 let center = null;     // the pixel in the middle of the canvas; null: that of the picture
 let cursor = null;     // the pixel under the mouse
+let point = 0;         // which of the points the arrows move
 
-const OWN = "your own";
-const sceneOf = name => about.scenes.find(scene => scene.name === name);
-const isOwn = () => chosen.scene === OWN;
-const valueOf = name => chosen[name] ?? sceneOf(chosen.scene)?.[name];
-const isAsInLesson = () => !isOwn() && Object.keys(chosen).every(name => name === "scene");
+const scene = () => about.scenes.find(scene => scene.name === chosen.scene);
+const isOwn = () => scene().text !== undefined;
+const textOf = () => chosen.text ?? scene().text;
+const valueOf = name => chosen[name] ?? scene()[name] ??
+    scene().values?.find(value => value.name === name)?.value;
+const isAsInLesson = () => !isOwn() && !scene().extra && Object.keys(chosen).every(name => name === "scene" || name === "all");
 
 // ---- The address keeps what is shown ----
 
@@ -61,26 +59,25 @@ function writeAddress() {
 const three = v => v.map(x => Number(x.toFixed(4))).join(",");
 
 function request() {
-    if (isOwn()) {
-        return `--stats text\n${chosen.text.trimEnd()}\nend\n`;
-    }
-    const scene = sceneOf(chosen.scene);
-    let words = `--stats --only ${scene.name}`;
+    const {name, width, height, values = []} = scene();
+    let words = "--stats" + (chosen.all ? " --no-skip" : "") + (isOwn() ? "" : ` --only ${name}`);
     if (chosen.size) {
-        const height = Math.max(1, Math.round(chosen.size * scene.height / scene.width));
-        words += ` -s ${chosen.size}x${height}`;
+        words += ` -s ${chosen.size}x${Math.max(1, Math.round(chosen.size * height / width))}`;
     }
     for (const name of ["light", "eye", "center", "up"]) {
         words += chosen[name] ? ` --${name} ${three(chosen[name])}` : "";
     }
-    for (const value of scene.values ?? []) {
-        const set = chosen[value.name];
-        words += set === undefined ? "" : ` --set ${value.name}=${set}`;
+    for (const {name} of values) {
+        words += chosen[name] === undefined ? "" : ` --set ${name}=${chosen[name]}`;
     }
-    return words + (chosen.frame ? ` --frame ${chosen.frame}` : "") + "\n";
+    words += chosen.frame ? ` --frame ${chosen.frame}` : "";
+    if (cursor && colorAt(shown, ...cursor)) {
+        words += ` --probe ${cursor[0]},${shown.height - 1 - cursor[1]}`;
+    }
+    return words + (isOwn() ? ` text\n${textOf().trimEnd()}\nend\n` : "\n");
 }
 
-// "frame W H MS COUNT", COUNT lines, pixels; or "error MESSAGE".
+// "frame W H MS COUNT", COUNT lines (a note begins with a blank), pixels; or "error MESSAGE".
 function parseFrame(bytes) {
     let at = 0;
     const line = () => {
@@ -94,9 +91,11 @@ function parseFrame(bytes) {
         return {error: head.replace(/^error /, "")};
     }
     const [width, height, milliseconds, count] = head.split(" ").slice(1).map(Number);
-    const counters = Array.from({length: count}, () => line().split(" "));
+    const lines = Array.from({length: count}, line);
+    const counters = lines.filter(text => text[0] !== " ").map(text => text.split(" "));
+    const notes = lines.filter(text => text[0] === " ").map(text => text.slice(1));
     const pixels = new Uint8ClampedArray(bytes.subarray(at, at + 4 * width * height));
-    return {width, height, milliseconds, counters, pixels};
+    return {width, height, milliseconds, counters, notes, pixels};
 }
 
 let asking = false, again = false;
@@ -164,9 +163,9 @@ async function readReference() {
     if (!isAsInLesson() || !program.reference) {
         return;
     }
-    const scene = chosen.scene;
+    const {scene: name} = chosen;
     const image = new Image();
-    image.src = program.reference(scene);
+    image.src = program.reference(name);
     try {
         await image.decode();
     } catch {
@@ -174,7 +173,7 @@ async function readReference() {
     }
     const copy = new OffscreenCanvas(image.width, image.height).getContext("2d");
     copy.drawImage(image, 0, 0);
-    if (chosen.scene === scene && isAsInLesson()) {
+    if (chosen.scene === name && isAsInLesson()) {
         reference = {width: image.width, height: image.height,
                      pixels: copy.getImageData(0, 0, image.width, image.height).data};
         paint();
@@ -230,9 +229,7 @@ function paint() {
     if (size >= 8 * devicePixelRatio) {
         paintGrid(frame, size, left, top);
     }
-    if (isOwn()) {
-        paintHandles(size, left, top);
-    }
+    paintPoints(size, left, top);
     describe(frame);
 }
 
@@ -267,6 +264,7 @@ function describe(frame) {
     if (cursor) {
         const [x, y] = cursor, mine = colorAt(shown, x, y), right = sameSize() && colorAt(reference, x, y);
         lines.push(`(${x},${shown.height - 1 - y}) ${mine}` + (right ? `, reference ${right}` : ""));
+        lines.push(...shown.notes);
     }
     $("pixel").textContent = lines.join("\n");
     $("zoom").textContent = zoom ? `${zoom}x` : "fit";
@@ -279,45 +277,69 @@ function describe(frame) {
     }));
 }
 
-// ---- Corners of a scene of one's own ----
+// ---- Points to drag ----
 
-// Of each line `line` or `triangle`: which words are x and y of its corners.
-function corners() {
-    return chosen.text.split("\n").flatMap((line, row) => {
+const pairs = () => (scene().values ?? []).filter(value => value.name.endsWith("_x"))
+    .map(x => [x, scene().values.find(y => y.name === x.name.replace(/x$/, "y"))]);
+const steps = (v, step) => Number((Math.round(v / step) * step).toFixed(6));
+
+// Of each line `line` or `triangle` the corners, and of numbers NAME_x and NAME_y the point: where
+// it is in pixels, counted from below, and how to move it.
+function points() {
+    const lines = isOwn() ? textOf().split("\n") : [], whole = lines.some(line => /^\s*line/.test(line));
+    const corners = lines.flatMap((line, row) => {
         const words = line.trim().split(/\s+/), count = {line: 2, triangle: 3}[words[0]] ?? 0;
-        return Array.from({length: count}, (_, i) => ({row, word: 1 + 2 * i, x: Number(words[1 + 2 * i]),
-                                                       y: Number(words[2 + 2 * i])}));
+        return Array.from({length: count}, (_, i) => ({
+            x: Number(words[1 + 2 * i]), y: Number(words[2 + 2 * i]), step: whole ? 1 : 1 / 8,
+            move(x, y) {
+                const all = textOf().split("\n"), moved = all[row].trim().split(/\s+/);
+                moved.splice(1 + 2 * i, 2, steps(x, this.step), steps(y, this.step));
+                all[row] = moved.join(" ");
+                chosen.text = $("text").value = all.join("\n");
+            },
+        }));
     });
+    const place = ({name, least, most}, size) => (valueOf(name) - least) / (most - least) * size - .5;
+    const set = ({name, least, most, step}, part) => {
+        chosen[name] = steps(Math.max(least, Math.min(most, least + part * (most - least))), step);
+    };
+    return corners.concat(pairs().map(([x, y]) => ({
+        x: place(x, shown.width), y: place(y, shown.height), name: x.name.slice(0, -2),
+        step: Math.max(1, x.step / (x.most - x.least) * shown.width),
+        move(left, up) {
+            set(x, (left + .5) / shown.width);
+            set(y, (up + .5) / shown.height);
+        },
+    })));
 }
 
-const cornerPlace = (corner, size, left, top) =>
-    [left + (corner.x + .5) * size, top + (shown.height - .5 - corner.y) * size];
+// All points at the place of this one: corners of neighbours stay together.
+const together = one => points().filter(p => p.x === one.x && p.y === one.y);
 
-function paintHandles(size, left, top) {
-    for (const corner of corners()) {
-        const [x, y] = cornerPlace(corner, size, left, top);
+const pointPlace = (p, size, left, top) => [left + (p.x + .5) * size, top + (shown.height - .5 - p.y) * size];
+
+function paintPoints(size, left, top) {
+    points().forEach((p, i) => {
+        const [x, y] = pointPlace(p, size, left, top);
         context.beginPath();
         context.arc(x, y, 7 * devicePixelRatio, 0, 2 * Math.PI);
-        context.lineWidth = 2 * devicePixelRatio;
-        context.strokeStyle = "#fff";
-        context.stroke();
-        context.strokeStyle = "#2a6fdb";
-        context.setLineDash([4, 4]);
-        context.stroke();
+        context.lineWidth = (i === point ? 4 : 2) * devicePixelRatio;
+        for (const [color, dash] of [["#fff", []], ["#2a6fdb", [4, 4]]]) {
+            context.setLineDash(dash);
+            context.strokeStyle = color;
+            context.stroke();
+        }
         context.setLineDash([]);
-    }
-}
-
-function moveCorners(held, x, y) {
-    const lines = chosen.text.split("\n"), whole = about.text === "line";
-    const round = value => whole ? Math.round(value) : Math.round(8 * value) / 8;
-    for (const {row, word} of held) {
-        const words = lines[row].trim().split(/\s+/);
-        words[word] = round(x);
-        words[word + 1] = round(y);
-        lines[row] = words.join(" ");
-    }
-    chosen.text = $("text").value = lines.join("\n");
+        if (p.name) {
+            context.font = `${12 * devicePixelRatio}px sans-serif`;
+            context.textAlign = "center";
+            context.lineWidth = 3 * devicePixelRatio;
+            context.strokeStyle = "#000";
+            context.fillStyle = "#fff";
+            context.strokeText(p.name, x, y - 11 * devicePixelRatio);
+            context.fillText(p.name, x, y - 11 * devicePixelRatio);
+        }
+    });
 }
 
 // ---- Turning ----
@@ -369,16 +391,11 @@ canvas.addEventListener("pointerdown", event => {
     if (!shown) {
         return;
     }
-    const at = pixelAt(event), {size, left, top} = place(visible());
-    held = {x: event.clientX, y: event.clientY, corners: []};
-    if (isOwn()) {
-        const near = corner => {
-            const [x, y] = cornerPlace(corner, size, left, top);
-            return Math.hypot(x - (left + at[0] * size), y - (top + at[1] * size)) < 16 * devicePixelRatio;
-        };
-        const first = corners().find(near);
-        held.corners = first ? corners().filter(corner => corner.x === first.x && corner.y === first.y) : [];
-    }
+    const at = pixelAt(event), {size} = place(visible());
+    const far = p => Math.hypot(p.x + .5 - at[0], shown.height - .5 - p.y - at[1]) * size / devicePixelRatio;
+    const nearest = points().map(far).reduce((best, d, i, all) => d < (all[best] ?? 16) ? i : best, -1);
+    held = {x: event.clientX, y: event.clientY, points: nearest < 0 ? [] : together(points()[nearest])};
+    point = nearest < 0 ? point : nearest;
     canvas.setPointerCapture(event.pointerId);
 });
 
@@ -388,8 +405,8 @@ canvas.addEventListener("pointermove", event => {
     }
     const at = pixelAt(event);
     cursor = at.map(Math.floor);
-    if (held?.corners.length > 0) {
-        moveCorners(held.corners, at[0] - .5, shown.height - .5 - at[1]);
+    if (held?.points.length > 0) {
+        held.points.forEach(p => p.move(at[0] - .5, shown.height - .5 - at[1]));
         changed();
     } else if (held) {
         const dx = event.clientX - held.x, dy = event.clientY - held.y;
@@ -400,9 +417,19 @@ canvas.addEventListener("pointermove", event => {
             const middle = center ?? [shown.width / 2, shown.height / 2];
             center = [middle[0] - dx * devicePixelRatio / size, middle[1] - dy * devicePixelRatio / size];
         }
+    } else {
+        probeSoon();
     }
     paint();
 });
+
+// When the mouse rests, the program says what there is to say about the pixel.
+let rest = 0;
+
+function probeSoon() {
+    clearTimeout(rest);
+    rest = setTimeout(ask, 60);
+}
 
 for (const name of ["pointerup", "pointercancel"]) {
     canvas.addEventListener(name, () => { held = null; });
@@ -435,9 +462,10 @@ canvas.addEventListener("keydown", event => {
     const arrow = arrows[event.key];
     if (arrow && shown) {
         event.preventDefault();
-        if (isOwn()) {
-            const all = corners(), first = all[0];
-            moveCorners(all.filter(c => c.x === first.x && c.y === first.y), first.x + arrow[0], first.y + arrow[1]);
+        const now = drag === "points" && points()[point];
+        if (now) {
+            const by = now.step * (event.shiftKey ? 10 : 1);
+            together(now).forEach(p => p.move(now.x + by * arrow[0], now.y + by * arrow[1]));
             changed();
         } else if (!turn(arrow[0] / 10, arrow[1] / 10)) {
             const middle = center ?? [shown.width / 2, shown.height / 2];
@@ -446,6 +474,9 @@ canvas.addEventListener("keydown", event => {
         }
     } else if (event.key === "+" || event.key === "-") {
         enlarge(event.key === "+" ? 2 : .5);
+    } else if (event.key === "n" && shown) {
+        point = (point + 1) % Math.max(1, points().length);
+        paint();
     }
 });
 
@@ -481,36 +512,34 @@ function slider(name, value, least, most, step, change) {
 
 // What this scene lets one change.
 function buildControls() {
-    const scene = sceneOf(chosen.scene);
-    const drags = isOwn() ? ["corners"] : ["picture", scene.light && "light", scene.eye && "camera"].filter(Boolean);
+    const {light, eye, width, frames, values = []} = scene();
+    const drags = ["picture", light && "light", eye && "camera", (isOwn() || pairs().length > 0) && "points"].filter(Boolean);
     drag = drags.includes(drag) ? drag : drags[drags.length - 1];
     buttons($("drags"), drags, drag, name => { drag = name; });
     $("values").replaceChildren($("values").firstElementChild);
-    $("values").hidden = true;
-    if (!isOwn() && scene.frames > 1) {
-        $("values").append(slider("frame", chosen.frame ?? 1, 1, scene.frames, 1, value => {
-            chosen.frame = value;
-            changed();
-        }));
-        $("values").hidden = false;
+    const add = (name, help, ...range) => $("values").append(slider(help, ...range, value => {
+        chosen[name] = value;
+        changed();
+    }));
+    if (frames > 1) {
+        add("frame", "frame", chosen.frame ?? 1, 1, frames, 1);
     }
-    for (const value of (!isOwn() && scene.values) || []) {
-        $("values").append(slider(value.help, chosen[value.name] ?? value.value, value.least, value.most,
-                                  value.step, number => {
-            chosen[value.name] = number;
-            changed();
-        }));
-        $("values").hidden = false;
+    const dragged = pairs().flat();
+    for (const value of values.filter(value => !dragged.includes(value))) {
+        add(value.name, value.help, valueOf(value.name), value.least, value.most, value.step);
     }
-    const sizes = isOwn() ? [] : [...new Set([scene.width, 100, 200, 400, 800])].sort((a, b) => a - b);
-    $("size").replaceChildren(...sizes.map(size => new Option(size, size, false, size === (chosen.size ?? scene.width))));
+    $("values").hidden = $("values").children.length === 1;
+    const sizes = isOwn() ? [] : [...new Set([width, 100, 200, 400, 800])].sort((a, b) => a - b);
+    $("size").replaceChildren(...sizes.map(size => new Option(size, size, false, size === (chosen.size ?? width))));
+    $("all").checked = Boolean(chosen.all);
     $("own").hidden = !isOwn();
-    $("text").value = chosen.text ?? "";
+    $("text").value = textOf() ?? "";
 }
 
 function chooseScene(name) {
-    chosen = {scene: name, ...(name === OWN && {text: ownTexts[about.text]})};
+    chosen = {scene: name};
     center = null;
+    point = 0;
     buildControls();
     writeAddress();
     readReference();
@@ -518,12 +547,9 @@ function chooseScene(name) {
 }
 
 function build() {
-    const names = about.scenes.map(scene => scene.name).concat(about.text ? [OWN] : []);
+    const names = about.scenes.map(scene => scene.name);
     if (!names.includes(chosen.scene)) {
         chosen = {scene: names[0]};
-    }
-    if (isOwn() && !chosen.text) {
-        chosen.text = ownTexts[about.text];
     }
     buttons($("scenes"), names, chosen.scene, chooseScene);
     $("views").parentElement.hidden = !program.reference;
@@ -534,6 +560,7 @@ function build() {
 
 $("text").addEventListener("input", () => { chosen.text = $("text").value; changed(); });
 $("size").addEventListener("change", () => { chosen.size = Number($("size").value); changed(); });
+$("all").addEventListener("change", () => { chosen.all = $("all").checked ? 1 : undefined; changed(); });
 $("reset").addEventListener("click", () => chooseScene(chosen.scene));
 $("larger").addEventListener("click", () => shown && enlarge(2));
 $("smaller").addEventListener("click", () => shown && enlarge(.5));

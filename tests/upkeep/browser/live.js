@@ -107,21 +107,89 @@ test('the mouse turns the light, the keys too, and the address keeps it', () =>
         await has(page, 'pixel', '\n0 pixels differ');
     }));
 
-test('corners of two neighbours move together, and no pixel is missing', () =>
+/* Where on the screen the middle of a pixel is, counted from below. */
+const placeOf = (page, x, y) => page.evaluate(([x, y]) => {
+    const {size, left, top} = place(visible()), box = canvas.getBoundingClientRect();
+    return [box.x + (left + (x + .5) * size) / devicePixelRatio,
+            box.y + (top + (shown.height - .5 - y) * size) / devicePixelRatio];
+}, [x, y]);
+
+async function dragTo(page, from, to) {
+    await page.mouse.move(...await placeOf(page, ...from));
+    await page.mouse.down();
+    await page.mouse.move(...await placeOf(page, ...to));
+    await page.mouse.up();
+    await settled(page);
+}
+
+/* When all that was asked is answered. */
+const settled = page => page.waitForFunction(() => !asking && !again);
+
+/* A slider becomes that number, by keys alone. */
+async function set(page, name, value) {
+    const slider = page.locator(`label:has-text("${name}") input`);
+    await slider.focus();
+    for (const key of value === Number(await slider.getAttribute('max')) ? ['End'] : ['Home']) {
+        await page.keyboard.press(key);
+    }
+    const step = Number(await slider.getAttribute('step'));
+    for (let now = Number(await slider.inputValue()); now < value - step / 2; now += step) {
+        await page.keyboard.press('ArrowRight');
+    }
+    assert.ok(Math.abs(Number(await slider.inputValue()) - value) < step / 2, name);
+    await settled(page);
+}
+
+const counted = (page, name) => page.evaluate(name => Number(shown.counters.find(c => c[0] === name)[1]), name);
+const colorOf = (page, x, y) => page.evaluate(([x, y]) => colorAt(shown, x, shown.height - 1 - y).join(), [x, y]);
+
+/* What the program says of a pixel. */
+async function notes(page, x, y) {
+    await page.mouse.move(...await placeOf(page, x, y));
+    await page.waitForFunction(() => shown.notes.length > 0 && !asking && !again);
+    await settled(page);
+    return page.evaluate('shown.notes.join("\\n")');
+}
+const near = (a, b, most = 2e-3) => assert.ok(Math.abs(a - b) <= most, `${a} is not ${b}`);
+
+test('corners of two neighbours move together, by mouse and keys, and no pixel is missing', () =>
     on('step03_triangle', desktop, '#scene=your+own', async page => {
         const before = await page.inputValue('#text');
         await page.focus('#picture');
         await page.keyboard.press('ArrowRight');
-        assert.equal(await page.inputValue('#text'), before.replace('10 10', '11 10'));
-        const box = await page.locator('#picture').boundingBox();
-        const size = box.height / 100, left = box.x + (box.width - box.height) / 2;
-        const place = (x, y) => [left + (x + .5) * size, box.y + (99.5 - y) * size];
-        await page.mouse.move(...place(35, 85));
-        await page.mouse.down();
-        await page.mouse.move(...place(40, 60));
-        await page.mouse.up();
-        assert.equal((await page.inputValue('#text')).match(/ (39|40)[.\d]* (59|60)[.\d]*/g)?.length, 2);
-        await has(page, 'counters', 'pixels written');
+        assert.equal(await page.inputValue('#text'), before.replace('4 4', '4.125 4'));
+        await page.keyboard.press('n');
+        await page.keyboard.press('Shift+ArrowUp'); /* both at (30,10) */
+        assert.equal((await page.inputValue('#text')).match(/ 30 11\.25 /g)?.length, 2);
+        await dragTo(page, [14, 34], [11, 31]);
+        assert.equal((await page.inputValue('#text')).match(/ 11 31 /g)?.length, 2);
+        await set(page, 'orange', 1);
+        assert.deepEqual([await counted(page, 'pixels_too_often'), await counted(page, 'pixels_missing')], [0, 0]);
+        await page.click('#reset');
+        await set(page, 'orange', 1);
+        await set(page, 'attempt', 4); /* what lies on the common side, twice */
+        assert.equal(await counted(page, 'pixels_too_often'), 13);
+        assert.equal(await colorOf(page, 22, 22), '255,150,0');
+        await picture(page, 'counted');
+        await set(page, 'attempt', 5); /* and never, with one on an outer side */
+        assert.equal(await counted(page, 'pixels_missing'), 18);
+        const said = await notes(page, 22, 22);
+        assert.match(said, /E0 = \+0\.0000: on it\n.*\n.*\n.*\n.*E1 = \+0\.0000: on it, a top or left edge/);
+    }));
+
+test('the ends of a line are dragged; an attempt, its wrong pixels, and half of its steps', () =>
+    on('step01_line', desktop, '#scene=your+own', async page => {
+        await dragTo(page, [80, 40], [83, 90]);
+        await set(page, 'red is wrong', 1);
+        assert.equal(await counted(page, 'pixels_wrong') + await counted(page, 'pixels_missing'), 0);
+        await set(page, 'attempt', 3); /* a step for every column: a steep line has holes */
+        assert.equal(await counted(page, 'pixels_missing'), 47);
+        assert.equal(await colorOf(page, 20, 14), '0,90,255');
+        await picture(page, 'attempt');
+        await set(page, 'share', 0.5);
+        const drawn = await page.evaluate(() => shown.pixels.filter((v, i) => i % 4 === 2 && v > 0).length);
+        assert.equal(drawn, 36 + 34 - 1); /* columns 13 to 48, rows 13 to 46; one is on both */
+        assert.match(await notes(page, 48, 60), /at x = 48 the line is at y = 20 \+ 35 \* 70\/70 = 55\.000/);
     }));
 
 test('zoomed to single pixels their values are shown, and none is blurred', () =>
