@@ -192,6 +192,54 @@ test('the ends of a line are dragged; an attempt, its wrong pixels, and half of 
         assert.match(await notes(page, 48, 60), /at x = 48 the line is at y = 20 \+ 35 \* 70\/70 = 55\.000/);
     }));
 
+test('perspective and its mistake: u, v and w at the cursor, and levels as colours', () =>
+    on('step06_texture', desktop, '#scene=room', async page => {
+        const numbers = async () => [...(await notes(page, 300, 200)).matchAll(/-?\d+\.\d+/g)].map(Number);
+        const [u, v, w, uByW, , byW] = await numbers();
+        near(uByW * w, u);
+        near(byW * w, 1);
+        const right = await colorOf(page, 300, 200);
+        await set(page, 'mixed without', 1);
+        const wrong = await numbers();
+        assert.ok(wrong[2] === 1 && Math.abs(wrong[0] - u) > 0.1 && v !== wrong[1], `${wrong}`);
+        assert.notEqual(await page.evaluate('isAsInLesson()'), true);
+        await page.click('#reset');
+        await settled(page);
+        assert.equal(await colorOf(page, 300, 200), right);
+        await page.click('button:text-is("checker")');
+        await settled(page);
+        await set(page, 'its own colour', 1);
+        assert.match(await notes(page, 500, 20), /mip level 0\.00/);
+        assert.equal(await colorOf(page, 500, 20), '255,255,255');
+        await set(page, '0 nearest', 0);
+        assert.equal(await colorOf(page, 10, 420), '255,255,255'); /* level 0 to the horizon */
+        await picture(page, 'levels');
+    }));
+
+test('the columns of a matrix are dragged; near plane; a corner through the spaces', () =>
+    on('step08_projection', desktop, '#scene=house', async page => {
+        const pixel = (x, y) => [Math.floor((x + 2) / 4 * 405), Math.floor((y + 2) / 4 * 363)];
+        assert.equal(await colorOf(page, ...pixel(0.28, 0.3)), '96,62,40'); /* the door */
+        await dragTo(page, [(1 + 2) / 4 * 405 - .5, 363 / 2 - .5], pixel(1, 1));
+        near(await page.evaluate('chosen.right_y'), 1, 0.051);
+        assert.equal(await colorOf(page, ...pixel(0.28, 0.3 + 0.28)), '96,62,40');
+        await picture(page, 'columns');
+        await page.click('button:text-is("closeup")');
+        await settled(page);
+        const before = await counted(page, 'faces_clipped');
+        await set(page, 'of the near plane', 0.125);
+        assert.ok(before > 0 && await counted(page, 'faces_clipped') > before);
+        await set(page, 'not cut', 1);
+        assert.equal(await counted(page, 'faces_clipped'), 0);
+        await page.click('button:text-is("lookat")');
+        await settled(page);
+        const [, clip, ndc, screen] = (await notes(page, 400, 400)).split('\n').map(
+            line => [...line.matchAll(/-?\d+\.\d+/g)].map(Number));
+        near(clip[0] / clip[3], ndc[0]);
+        near((ndc[0] + 1) * 400, screen[0], 0.5);
+        near(screen[1], 400, 20);
+    }));
+
 test('zoomed to single pixels their values are shown, and none is blurred', () =>
     on('step01_line', phone, '#scene=line', async page => {
         for (let i = 0; i < 6; i++) {
