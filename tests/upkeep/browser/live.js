@@ -240,6 +240,73 @@ test('the columns of a matrix are dragged; near plane; a corner through the spac
         near(screen[1], 400, 20);
     }));
 
+test('ends of segments are dragged before a row of depths; painter, bits', () =>
+    on('step05_zbuffer', desktop, '#scene=rows', async page => {
+        assert.equal(await colorOf(page, 60, 100), '255,0,0');
+        await dragTo(page, [120.7 - .5, 434 + 140 - .5], [40, 600]); /* green, now also at x = 60 */
+        assert.equal(await colorOf(page, 60, 100), '0,255,0');
+        await page.click('button:text-is("zbuffer")');
+        await settled(page);
+        await page.click('button:text-is("difference")');
+        await has(page, 'pixel', '\n0 pixels differ');
+        assert.ok(await counted(page, 'pixels_hidden') > 0);
+        const all = await counted(page, 'pixels_tested');
+        await set(page, 'farthest face', 1);
+        assert.equal(await counted(page, 'pixels_hidden'), 0);
+        await set(page, 'share', 0.5);
+        assert.ok(await counted(page, 'pixels_tested') < all);
+        await page.click('button:text-is("cards")');
+        await settled(page);
+
+        assert.equal(await colorOf(page, 230, 160), '230,190,40');
+        await set(page, 'bits', 4); /* as near as red, which came first */
+        assert.equal(await colorOf(page, 230, 160), '220,60,50');
+    }));
+
+test('rings of a sphere against the error; steps of toon; a window over the lines; work', async () => {
+    await on('step07_gouraud', desktop, '#scene=sphere', async page => {
+        const error = () => counted(page, 'error_of_1000_pixels');
+        const few = await error();
+        await set(page, 'rings', 32);
+        assert.ok(await error() < few / 8, 'four times the rings: a sixteenth of the error');
+        await set(page, 'flat', 0);
+        assert.ok(await error() > 429);
+        await set(page, 'flat', 2);
+        assert.equal(await error(), 0);
+    });
+    await on('step09_shaders', desktop, '#scene=toon', async page => {
+        const shades = () => page.evaluate(() => new Set(shown.pixels.filter((v, i) => i % 4 === 0)).size);
+        assert.equal(await shades(), 5);
+        await set(page, 'steps', 3);
+        assert.equal(await shades(), 3);
+    });
+    await on('step02_wireframe', desktop, '#scene=enlarged', async page => {
+        const drawn = await counted(page, 'lines_drawn');
+        await dragTo(page, [1.08 / 2 * 480 - .5, 1.42 / 2 * 360 - .5], [470, 180]);
+        assert.ok(drawn > 0);
+        assert.equal(await counted(page, 'lines_drawn'), 0);
+    });
+    await on('step07_gouraud', desktop, '#scene=gouraud', async page => {
+        const lit = await counted(page, 'corners_lit');
+        await page.check('#all');
+        await settled(page);
+        assert.ok(await counted(page, 'corners_lit') > lit);
+        await page.click('button:text-is("difference")');
+        await has(page, 'pixel', '\n0 pixels differ');
+    });
+});
+
+test('n, l and r at the cursor are those of the formula', () =>
+    on('step10_phong', desktop, '#scene=four', async page => {
+        const lines = (await notes(page, 200, 600)).split('\n').map(
+            line => [...line.matchAll(/[-+]\d+\.\d+/g)].map(Number));
+        const [n, l, r, v] = lines, dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+        near(dot(n, l), l[3]);
+        [0, 1, 2].forEach(i => near(r[i], 2 * l[3] * n[i] - l[i], 4e-3));
+        near(dot(r, v), v[3], 4e-3);
+        near(dot(n, n), 1, 4e-3);
+    }));
+
 test('zoomed to single pixels their values are shown, and none is blurred', () =>
     on('step01_line', phone, '#scene=line', async page => {
         for (let i = 0; i < 6; i++) {
