@@ -391,7 +391,7 @@ static bool draw_fan(struct drawing *drawing, struct image *image, struct error 
 static const struct scene_value text_values[] = {
     {"attempt", "attempt that draws; 0 is triangle()", 0, 8, 1, 0},
     {"snap", "bits of a corner's fraction", 0, 8, 1, 8},
-    {"counted", "1: orange is drawn too often, magenta is missing", 0, 1, 1, 0},
+    {"counted", "orange is drawn too often, magenta is missing", 0, 1, 1, 0},
     {.name = NULL},
 };
 
@@ -425,7 +425,7 @@ static uint64_t fill_shape(const struct drawing *drawing, struct image *image,
 
 /* What the three edges say of the probed pixel: the lesson's own ones. */
 static void note_edges(struct drawing *drawing, const struct image *image,
-                       const struct fixed2 corner[3]) {
+                       const struct fixed2 corner[3], size_t number) {
     struct edges edges;
     if (!triangle_setup(&edges, corner[0], corner[1], corner[2], image->width, image->height)) {
         return;
@@ -433,7 +433,7 @@ static void note_edges(struct drawing *drawing, const struct image *image,
     for (int i = 0; i < 3; i++) {
         const struct edge *e = &edges.edge[i];
         int64_t value = e->origin + e->dx * drawing->probe.x + e->dy * drawing->probe.y;
-        drawing_note(drawing, "%s E%d = %+.4f: %s", i == 0 ? "triangle," : "         ", i,
+        drawing_note(drawing, "triangle %zu: E%d = %+.4f, %s", number, i,
                      (double)value / SUBPIXELS / SUBPIXELS,
                      value == 0          ? e->least == 0 ? "on it, a top or left edge" : "on it"
                      : value >= e->least ? "inside"
@@ -494,7 +494,7 @@ static bool draw_text(struct drawing *drawing, struct image *image, struct error
             count_shape(image, corner, (uint8_t)(90 + 50 * (i % 4)), surplus);
         }
         if (drawing->probed) {
-            note_edges(drawing, image, corner);
+            note_edges(drawing, image, corner, i + 1);
         }
     }
     if (drawing_value(drawing, "attempt") == 0) {

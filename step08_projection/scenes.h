@@ -173,8 +173,8 @@ static const struct scene_value matrix_values[] = {
     {"up_y", "column 2", -2, 2, 0.05, 1},
     {"move_x", "last column", -2, 2, 0.05, 0},
     {"move_y", "last column", -2, 2, 0.05, 0},
-    {"w_by_x", "last row", -0.4, 0.4, 0.02, 0},
-    {"w_by_y", "last row", -0.4, 0.4, 0.02, 0},
+    {"w_by_1", "last row: w gains this times x", -0.4, 0.4, 0.02, 0},
+    {"w_by_2", "last row: w gains this times y", -0.4, 0.4, 0.02, 0},
     {.name = NULL},
 };
 
@@ -183,9 +183,12 @@ static bool draw_unmapped(struct drawing *drawing, struct image *image, struct e
     (void)error;
     const struct plane plane = {image, whole_image(image)};
     const struct vec2 right = drawing_point(drawing, "right"), up = drawing_point(drawing, "up");
-    const struct vec2 move = drawing_point(drawing, "move"), w = drawing_point(drawing, "w_by");
+    const struct vec2 move = drawing_point(drawing, "move");
     const struct mat4 map = {
-        {{right.x, up.x, 0, move.x}, {right.y, up.y, 0, move.y}, {0, 0, 1, 0}, {w.x, w.y, 0, 1}}};
+        {{right.x, up.x, 0, move.x},
+         {right.y, up.y, 0, move.y},
+         {0, 0, 1, 0},
+         {drawing_value(drawing, "w_by_1"), drawing_value(drawing, "w_by_2"), 0, 1}}};
     struct mat4 twice = mat4_identity(); /* changes nothing: w is 2 */
     for (int i = 0; i < 4; i++) {
         twice.m[i][i] = 2;
@@ -846,8 +849,8 @@ static const struct scene_value distance_value[] = {
 
 static const struct scene_value view_values[] = {
     {"near", "w of the near plane", 1.0 / 128, 1, 1.0 / 128, 1.0 / 128},
-    {"uncut", "1: faces are not cut at the near plane", 0, 1, 1, 0},
-    {"affine", "1: mixed without 1/w", 0, 1, 1, 0},
+    {"uncut", "faces are not cut at the near plane", 0, 1, 1, 0},
+    {"affine", "mixed without 1/w", 0, 1, 1, 0},
     {.name = NULL},
 };
 

@@ -497,9 +497,16 @@ function buttons(parent, names, current, choose) {
     }));
 }
 
+// Of two values a box to check, of more a slider.
 function slider(name, value, least, most, step, change) {
     const label = document.createElement("label"), input = document.createElement("input");
     const output = document.createElement("output");
+    if (most - least === step) {
+        Object.assign(input, {type: "checkbox", checked: value === most});
+        input.addEventListener("change", () => change(input.checked ? most : least));
+        label.append(input, ` ${name}`);
+        return label;
+    }
     Object.assign(input, {type: "range", min: least, max: most, step, value});
     output.textContent = value;
     input.addEventListener("input", () => {
@@ -529,6 +536,7 @@ function buildControls() {
         add(value.name, value.help, valueOf(value.name), value.least, value.most, value.step);
     }
     $("values").hidden = $("values").children.length === 1;
+    $("size").closest("fieldset").hidden = isOwn();
     const sizes = isOwn() ? [] : [...new Set([width, 100, 200, 400, 800])].sort((a, b) => a - b);
     $("size").replaceChildren(...sizes.map(size => new Option(size, size, false, size === (chosen.size ?? width))));
     $("all").checked = Boolean(chosen.all);

@@ -129,6 +129,10 @@ const settled = page => page.waitForFunction(() => !asking && !again);
 async function set(page, name, value) {
     const slider = page.locator(`label:has-text("${name}") input`);
     await slider.focus();
+    if (await slider.getAttribute('type') === 'checkbox') {
+        await page.keyboard.press('Space');
+        return settled(page);
+    }
     for (const key of value === Number(await slider.getAttribute('max')) ? ['End'] : ['Home']) {
         await page.keyboard.press(key);
     }
@@ -174,7 +178,7 @@ test('corners of two neighbours move together, by mouse and keys, and no pixel i
         await set(page, 'attempt', 5); /* and never, with one on an outer side */
         assert.equal(await counted(page, 'pixels_missing'), 18);
         const said = await notes(page, 22, 22);
-        assert.match(said, /E0 = \+0\.0000: on it\n.*\n.*\n.*\n.*E1 = \+0\.0000: on it, a top or left edge/);
+        assert.match(said, /1: E0 = \+0\.0000, on it\n.*\n.*\n.*\n.*2: E1 = \+0\.0000, on it, a top or left edge/);
     }));
 
 test('the ends of a line are dragged; an attempt, its wrong pixels, and half of its steps', () =>
