@@ -13,6 +13,7 @@ let about = null;      // what the program says of itself
 let version = -1;      // of the program, as built
 let shown = null;      // the last frame: width, height, pixels, milliseconds, counters
 let reference = null;  // the same of the reference, for the scene as in the lesson
+let told = null;       // and of their difference, where the program has a picture of it
 let chosen = {};       // scene, values that differ from the scene's own, text
 let view = "yours";
 let drag = null;
@@ -153,29 +154,34 @@ async function lookForChanges() {
     } catch (error) {
         say(error.message);
     }
-    setTimeout(lookForChanges, 500);
+    if (!program.still) {
+        setTimeout(lookForChanges, 500);
+    }
 }
 
-// ---- The reference ----
+// ---- The reference, and how far yours is from it ----
 
-async function readReference() {
-    reference = null;
-    if (!isAsInLesson() || !program.reference) {
-        return;
-    }
-    const {scene: name} = chosen;
+async function readPicture(address) {
     const image = new Image();
-    image.src = program.reference(name);
+    image.src = address;
     try {
         await image.decode();
     } catch {
-        return;
+        return null;
     }
-    const copy = new OffscreenCanvas(image.width, image.height).getContext("2d");
+    const {width, height} = image, copy = new OffscreenCanvas(width, height).getContext("2d");
     copy.drawImage(image, 0, 0);
+    return {width, height, pixels: copy.getImageData(0, 0, width, height).data};
+}
+
+async function readReference() {
+    reference = told = null;
+    const {scene: name} = chosen, address = isAsInLesson() && program.reference?.(name);
+    const read = address ? await readPicture(address) : null;
+    const difference = program.difference?.(name);
+    const readToo = difference ? await readPicture(difference) : null;
     if (chosen.scene === name && isAsInLesson()) {
-        reference = {width: image.width, height: image.height,
-                     pixels: copy.getImageData(0, 0, image.width, image.height).data};
+        [reference, told] = [read, readToo];
         paint();
     }
 }
@@ -183,28 +189,59 @@ async function readReference() {
 const colorAt = (frame, x, y) => frame && x >= 0 && y >= 0 && x < frame.width && y < frame.height
     ? [...frame.pixels.subarray(4 * (y * frame.width + x), 4 * (y * frame.width + x) + 3)] : null;
 
-// As make check draws it: the reference, dark, and what differs in red.
-function difference() {
-    const pixels = new Uint8ClampedArray(shown.pixels.length);
-    let count = 0;
+// The largest difference of a channel.
+const errorAt = (a, b, i) => Math.max(Math.abs(a[i] - b[i]), Math.abs(a[i + 1] - b[i + 1]), Math.abs(a[i + 2] - b[i + 2]));
+
+// From which error on a colour stands, and the colour (magma, of matplotlib).
+const scale = [[0, 0x00, 0x00, 0x04], [1, 0x3b, 0x0f, 0x70], [5, 0x8c, 0x29, 0x81], [16, 0xde, 0x49, 0x68],
+               [64, 0xfe, 0x9f, 0x6d], [128, 0xfc, 0xfd, 0xbf]];
+
+// The difference as make check draws it: the reference, dark, and what differs in red; or the errors
+// in the colours of the scale.
+function compare(errors) {
+    const {width, height, pixels: mine} = shown, right = reference.pixels;
+    const pixels = new Uint8ClampedArray(mine.length), counts = scale.map(() => 0);
     for (let i = 0; i < pixels.length; i += 4) {
-        const differs = [0, 1, 2].some(k => shown.pixels[i + k] !== reference.pixels[i + k]);
-        count += differs;
-        pixels.set(differs ? [255, 0, 0, 255]
-                           : [...reference.pixels.subarray(i, i + 3)].map(c => c / 4).concat(255), i);
+        const error = errorAt(mine, right, i), step = scale.findLastIndex(([from]) => error >= from);
+        counts[step]++;
+        pixels.set(errors ? scale[step].slice(1)
+                   : error > 0 ? [255, 0, 0]
+                   : [right[i] / 4, right[i + 1] / 4, right[i + 2] / 4], i);
+        pixels[i + 3] = 255;
     }
-    return {width: shown.width, height: shown.height, pixels, count};
+    return {width, height, pixels, counts, count: width * height - counts[0]};
+}
+
+// Which pixels of a difference are red, or blue: missing.
+function wrongOf({pixels}) {
+    const wrong = [];
+    for (let i = 0; i < pixels.length; i += 4) {
+        if (pixels[i + 1] === 0 && Math.max(pixels[i], pixels[i + 2]) === 255 && Math.min(pixels[i], pixels[i + 2]) === 0) {
+            wrong.push(i / 4);
+        }
+    }
+    return wrong;
 }
 
 // ---- Painting ----
 
 const sameSize = () => reference && shown && reference.width === shown.width && reference.height === shown.height;
 
+let made = {};         // what was last compared, and of what
+
+function compared(view) {
+    if (made.view !== view || made.shown !== shown || made.reference !== reference || made.told !== told) {
+        const frame = view === "difference" && told ? {...told, count: compare(false).count} : compare(view === "errors");
+        made = {view, shown, reference, told, frame, wrong: view === "difference" ? wrongOf(frame) : []};
+    }
+    return made.frame;
+}
+
 function visible() {
     if (view === "reference" && reference) {
         return reference;
     }
-    return view === "difference" && sameSize() ? difference() : shown;
+    return (view === "difference" || view === "errors") && sameSize() ? compared(view) : shown;
 }
 
 // Where pixel (x,y), counted from the top left, is on the canvas.
@@ -226,11 +263,46 @@ function paint() {
     copy.getContext("2d").putImageData(new ImageData(frame.pixels, frame.width, frame.height), 0, 0);
     context.imageSmoothingEnabled = size < 1;
     context.drawImage(copy, left, top, frame.width * size, frame.height * size);
+    if (view === "split" && sameSize()) {
+        paintSplit(size, left, top);
+    }
+    if (frame === made.frame && size < 3) {
+        paintWrong(frame, size, left, top);
+    }
     if (size >= 8 * devicePixelRatio) {
         paintGrid(frame, size, left, top);
     }
     paintPoints(size, left, top);
+    paintCursor(size, left, top);
     describe(frame);
+}
+
+// The reference, to the right of the cursor.
+function paintSplit(size, left, top) {
+    const {width, height, pixels} = reference, from = cursor ? Math.max(0, Math.min(width, cursor[0])) : width >> 1;
+    const copy = new OffscreenCanvas(width, height);
+    copy.getContext("2d").putImageData(new ImageData(pixels, width, height), 0, 0);
+    context.drawImage(copy, from, 0, width - from, height, left + from * size, top, (width - from) * size, height * size);
+    context.fillStyle = "#fff";
+    context.fillRect(left + from * size, top, devicePixelRatio, height * size);
+}
+
+// Wrong pixels so large that they are seen.
+function paintWrong({width, pixels}, size, left, top) {
+    for (const at of made.wrong) {
+        context.fillStyle = pixels[4 * at] > 0 ? "#f00" : "#00f";
+        context.fillRect(left + at % width * size - 1, top + Math.floor(at / width) * size - 1, 3, 3);
+    }
+}
+
+function paintCursor(size, left, top) {
+    if (cursor && size >= 4) {
+        context.lineWidth = devicePixelRatio;
+        for (const [color, by] of [["#000", 1], ["#fff", 0]]) {
+            context.strokeStyle = color;
+            context.strokeRect(left + cursor[0] * size - by, top + cursor[1] * size - by, size + 2 * by, size + 2 * by);
+        }
+    }
 }
 
 function paintGrid(frame, size, left, top) {
@@ -238,6 +310,7 @@ function paintGrid(frame, size, left, top) {
     const to = [Math.min(frame.width, Math.ceil((canvas.width - left) / size)),
                 Math.min(frame.height, Math.ceil((canvas.height - top) / size))];
     context.strokeStyle = "#8888";
+    context.lineWidth = 1;
     context.font = `${Math.floor(size / 4)}px monospace`;
     context.textAlign = "center";
     for (let y = from[1]; y < to[1]; y++) {
@@ -255,23 +328,26 @@ function paintGrid(frame, size, left, top) {
 
 // The numbers below the picture, and those that were counted.
 function describe(frame) {
-    const lines = [`${shown.width}x${shown.height} pixels, ${shown.milliseconds.toFixed(1)} ms`];
-    if (view === "difference" && frame.count !== undefined) {
+    const lines = [`${shown.width}x${shown.height} pixels` +
+                   (program.still ? "" : `, ${shown.milliseconds.toFixed(1)} ms`)];
+    if (frame.count !== undefined) {
         lines.push(`${frame.count} pixels differ from the reference`);
-    } else if (!reference && view !== "yours") {
-        lines.push("no reference: not as in the lesson");
+    } else if (!sameSize() && view !== "yours") {
+        lines.push(reference ? `the reference has ${reference.width}x${reference.height}` : "no reference: not as in the lesson");
     }
     if (cursor) {
         const [x, y] = cursor, mine = colorAt(shown, x, y), right = sameSize() && colorAt(reference, x, y);
-        lines.push(`(${x},${shown.height - 1 - y}) ${mine}` + (right ? `, reference ${right}` : ""));
+        lines.push(`(${x},${shown.height - 1 - y}) ${mine}` + (right && mine ? `, reference ${right}, error ${errorAt(mine, right, 0)}` : ""));
         lines.push(...shown.notes);
     }
     $("pixel").textContent = lines.join("\n");
     $("zoom").textContent = zoom ? `${zoom}x` : "fit";
-    const counters = $("counters");
-    counters.replaceChildren(...shown.counters.flatMap(([name, value]) => {
+    const ranges = (frame.counts ?? []).map((count, i) => [
+        `error ${scale[i][0]}` + (i > 0 ? ` to ${(scale[i + 1] ?? [256])[0] - 1}` : ""), count, `rgb(${scale[i].slice(1)})`]);
+    $("counters").replaceChildren(...(view === "errors" ? ranges : shown.counters).flatMap(([name, value, color]) => {
         const term = document.createElement("dt"), number = document.createElement("dd");
         term.textContent = name.replaceAll("_", " ");
+        term.style.borderLeft = color ? `1.2em solid ${color}` : "";
         number.textContent = Number(value).toLocaleString("en");
         return [term, number];
     }));
@@ -454,7 +530,32 @@ canvas.addEventListener("wheel", event => {
     }
 }, {passive: false});
 
+// The next place with wrong pixels, large: one at least 16 pixels from the last.
+function nextWrong() {
+    chooseView("difference");
+    const {width} = shown, last = cursor ?? [-99, -99];
+    const all = made.wrong.map(at => [at % width, Math.floor(at / width)]);
+    const after = all.filter(([x, y]) => y * width + x > last[1] * width + last[0]);
+    const found = after.find(([x, y]) => Math.hypot(x - last[0], y - last[1]) >= 16) ?? all[0];
+    if (found) {
+        cursor = found;
+        center = [found[0] + .5, found[1] + .5];
+        zoom = Math.max(zoom, 8);
+        paint();
+    }
+}
+
 // ---- Keys ----
+
+const views = {y: "yours", r: "reference", s: "split", d: "difference", e: "errors"};
+
+function chooseView(name) {
+    view = name;
+    [...$("views").children].forEach(button => button.setAttribute("aria-pressed", button.textContent === name));
+    if (shown) {
+        paint();
+    }
+}
 
 const arrows = {ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1]};
 
@@ -468,8 +569,11 @@ canvas.addEventListener("keydown", event => {
             together(now).forEach(p => p.move(now.x + by * arrow[0], now.y + by * arrow[1]));
             changed();
         } else if (!turn(arrow[0] / 10, arrow[1] / 10)) {
-            const middle = center ?? [shown.width / 2, shown.height / 2];
-            center = [middle[0] + arrow[0], middle[1] - arrow[1]];
+            const by = event.shiftKey ? 10 : 1, from = cursor ?? [shown.width >> 1, shown.height >> 1];
+            cursor = [Math.max(0, Math.min(shown.width - 1, from[0] + by * arrow[0])),
+                      Math.max(0, Math.min(shown.height - 1, from[1] - by * arrow[1]))];
+            center = cursor.map(x => x + .5);
+            probeSoon();
             paint();
         }
     } else if (event.key === "+" || event.key === "-") {
@@ -477,6 +581,13 @@ canvas.addEventListener("keydown", event => {
     } else if (event.key === "n" && shown) {
         point = (point + 1) % Math.max(1, points().length);
         paint();
+    } else if (event.key === "w" && shown) {
+        nextWrong();
+    } else if (event.key === " ") {
+        event.preventDefault();
+        chooseView(view === "yours" ? "reference" : "yours");
+    } else if (views[event.key] && !event.ctrlKey && !event.metaKey) {
+        chooseView(views[event.key]);
     }
 });
 
@@ -561,7 +672,7 @@ function build() {
     }
     buttons($("scenes"), names, chosen.scene, chooseScene);
     $("views").parentElement.hidden = !program.reference;
-    buttons($("views"), ["yours", "reference", "difference"], view, name => { view = name; paint(); });
+    buttons($("views"), Object.values(views), view, chooseView);
     buildControls();
     readReference();
 }
@@ -570,6 +681,7 @@ $("text").addEventListener("input", () => { chosen.text = $("text").value; chang
 $("size").addEventListener("change", () => { chosen.size = Number($("size").value); changed(); });
 $("all").addEventListener("change", () => { chosen.all = $("all").checked ? 1 : undefined; changed(); });
 $("reset").addEventListener("click", () => chooseScene(chosen.scene));
+$("wrong").addEventListener("click", () => shown && nextWrong());
 $("larger").addEventListener("click", () => shown && enlarge(2));
 $("smaller").addEventListener("click", () => shown && enlarge(.5));
 $("controls").addEventListener("submit", event => event.preventDefault());
