@@ -311,16 +311,17 @@ function paintGrid(frame, size, left, top) {
                 Math.min(frame.height, Math.ceil((canvas.height - top) / size))];
     context.strokeStyle = "#8888";
     context.lineWidth = 1;
-    context.font = `${Math.floor(size / 4)}px monospace`;
+    context.font = `${Math.floor(size * .3)}px monospace`;
     context.textAlign = "center";
     for (let y = from[1]; y < to[1]; y++) {
         for (let x = from[0]; x < to[0]; x++) {
             context.strokeRect(left + x * size, top + y * size, size, size);
-            if (size >= 32 * devicePixelRatio) {
-                const color = colorAt(frame, x, y);
+            if (size >= 32 * devicePixelRatio && view !== "difference") {
+                const color = colorAt(frame, x, y), i = 4 * (y * frame.width + x);
+                const numbers = view === "errors" && sameSize() ? [errorAt(shown.pixels, reference.pixels, i)] : color;
                 context.fillStyle = color[0] + color[1] + color[2] > 380 ? "#000" : "#fff";
-                color.forEach((value, i) =>
-                    context.fillText(value, left + (x + .5) * size, top + (y + .3 + .27 * i) * size));
+                numbers.forEach((value, i) =>
+                    context.fillText(value, left + (x + .5) * size, top + (y + .32 + .29 * i) * size));
             }
         }
     }
