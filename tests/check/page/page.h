@@ -18,8 +18,8 @@
 
 #include <stdbool.h>
 
-/* Its style and its script: page.css and still.js, line by line; then NULL. And those of the page of
- * `make live`, with what is in its body. Written by make. */
+/* Its style and its script: page.css and still.js, line by line; then NULL. And those of the page
+ * of `make live`, with what is in its body. Written by make. */
 extern const char *const page_css[], *const page_still[];
 extern const char *const page_live[], *const page_js[], *const page_viewer[];
 
