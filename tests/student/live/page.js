@@ -75,7 +75,8 @@ function request() {
     if (cursor && colorAt(shown, ...cursor)) {
         words += ` --probe ${cursor[0]},${shown.height - 1 - cursor[1]}`;
     }
-    return words + (isOwn() ? ` text\n${textOf().trimEnd()}\nend\n` : "\n");
+    const text = textOf()?.split("\n").filter(line => line !== "end").join("\n").trimEnd();
+    return words + (isOwn() ? ` text\n${text}\nend\n` : "\n");
 }
 
 // "frame W H MS COUNT", COUNT lines (a note begins with a blank), pixels; or "error MESSAGE".
@@ -535,7 +536,7 @@ canvas.addEventListener("wheel", event => {
 function nextWrong() {
     chooseView("difference");
     const {width} = shown, last = cursor ?? [-99, -99];
-    const all = made.wrong.map(at => [at % width, Math.floor(at / width)]);
+    const all = (sameSize() ? made.wrong : []).map(at => [at % width, Math.floor(at / width)]);
     const after = all.filter(([x, y]) => y * width + x > last[1] * width + last[0]);
     const found = after.find(([x, y]) => Math.hypot(x - last[0], y - last[1]) >= 16) ?? all[0];
     if (found) {

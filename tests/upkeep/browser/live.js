@@ -194,6 +194,12 @@ test('the ends of a line are dragged; an attempt, its wrong pixels, and half of 
         const drawn = await page.evaluate(() => shown.pixels.filter((v, i) => i % 4 === 2 && v > 0).length);
         assert.equal(drawn, 36 + 34 - 1); /* columns 13 to 48, rows 13 to 46; one is on both */
         assert.match(await notes(page, 48, 60), /at x = 48 the line is at y = 20 \+ 35 \* 70\/70 = 55\.000/);
+        await page.focus('#picture');
+        await page.keyboard.press('w'); /* there is no reference in which a pixel could be wrong */
+        await page.click('#reset');
+        await page.fill('#text', 'size 3 3\nend\nline 0 0 2 0 9 9 9\n'); /* `end` is the mark behind a text */
+        await settled(page);
+        assert.equal(await page.evaluate(() => `${shown.width} ${shown.pixels.filter(v => v === 9).length}`), '3 9');
     }));
 
 test('perspective and its mistake: u, v and w at the cursor, and levels as colours', () =>
@@ -309,6 +315,44 @@ test('n, l and r at the cursor are those of the formula', () =>
         [0, 1, 2].forEach(i => near(r[i], 2 * l[3] * n[i] - l[i], 4e-3));
         near(dot(r, v), v[3], 4e-3);
         near(dot(n, n), 1, 4e-3);
+    }));
+
+test('by keys alone: a scene, a view, what is dragged, a number, back to the lesson', () =>
+    on('step05_zbuffer', desktop, '', async page => {
+        const reach = async text => {
+            for (let i = 0; i < 60; i++) {
+                await page.keyboard.press('Tab');
+                if (await page.evaluate(text => document.activeElement.textContent === text ||
+                        document.activeElement.closest('label')?.textContent.startsWith(text) ||
+                        `#${document.activeElement.id}` === text, text)) {
+                    return page.evaluate(() => getComputedStyle(document.activeElement).outlineStyle);
+                }
+            }
+            assert.fail(`${text} is not reached`);
+        };
+        const press = async (...keys) => {
+            for (const key of keys) {
+                await page.keyboard.press(key);
+            }
+            await settled(page);
+        };
+        assert.notEqual(await reach('zbuffer'), 'none');
+        await press('Enter');
+        assert.equal(await page.evaluate(() => chosen.scene), 'zbuffer');
+        assert.notEqual(await reach('#picture'), 'none');
+        await press('d');
+        await has(page, 'pixel', '\n0 pixels differ');
+        await press('ArrowRight'); /* the light */
+        near((await page.evaluate(() => chosen.light))[0], -Math.sin(0.1));
+        await reach('#picture'); /* Tab goes around */
+        await press(' ');
+        assert.equal(await page.evaluate(() => view), 'yours');
+        await reach('bits');
+        await press('Home');
+        assert.equal(await page.evaluate(() => chosen.bits), 1);
+        await reach('as in the lesson');
+        await press('Enter');
+        assert.ok(await page.evaluate(() => isAsInLesson()));
     }));
 
 test('zoomed to single pixels their values are shown, and none is blurred', () =>
