@@ -177,6 +177,10 @@ test('corners of two neighbours move together, by mouse and keys, and no pixel i
         await picture(page, 'counted');
         await set(page, 'attempt', 5); /* and never, with one on an outer side */
         assert.equal(await counted(page, 'pixels_missing'), 18);
+        await set(page, 'fraction', 0); /* from a pixel's middle to its upper right corner */
+        assert.match(await notes(page, 22, 22), /1: E0 = \+20\.0000, inside/);
+        await page.click('#reset');
+        await settled(page);
         const said = await notes(page, 22, 22);
         assert.match(said, /1: E0 = \+0\.0000, on it\n.*\n.*\n.*\n.*2: E1 = \+0\.0000, on it, a top or left edge/);
     }));
@@ -263,6 +267,11 @@ test('ends of segments are dragged before a row of depths; painter, bits', () =>
         const all = await counted(page, 'pixels_tested');
         await set(page, 'farthest face', 1);
         assert.equal(await counted(page, 'pixels_hidden'), 0);
+        const apart = await page.evaluate(async () => {
+            const {pixels} = await readPicture('reference/zbuffer.png');
+            return shown.pixels.filter((v, i) => v !== pixels[i]).length;
+        });
+        assert.equal(apart, 0); /* seen from the front, no order of these faces is wrong */
         await set(page, 'share', 0.5);
         assert.ok(await counted(page, 'pixels_tested') < all);
         await page.click('button:text-is("cards")');
@@ -280,15 +289,18 @@ test('rings of a sphere against the error; steps of toon; a window over the line
         await set(page, 'rings', 32);
         assert.ok(await error() < few / 8, 'four times the rings: a sixteenth of the error');
         await set(page, 'flat', 0);
-        assert.ok(await error() > 429);
+        assert.ok(await error() > 429 && await error() < 14863 / 3, 'a quarter of what eight rings have');
         await set(page, 'flat', 2);
         assert.equal(await error(), 0);
     });
     await on('step09_shaders', desktop, '#scene=toon', async page => {
         const shades = () => page.evaluate(() => new Set(shown.pixels.filter((v, i) => i % 4 === 0)).size);
+        const full = () => page.evaluate(() => shown.pixels.filter((v, i) => i % 4 === 0 && v === 255).length);
         assert.equal(await shades(), 5);
-        await set(page, 'steps', 3);
+        const fifth = await full();
+        await set(page, 'steps', 3); /* a third of the light is in the last step, not a fifth */
         assert.equal(await shades(), 3);
+        assert.ok(await full() > 1.2 * fifth);
     });
     await on('step02_wireframe', desktop, '#scene=enlarged', async page => {
         const drawn = await counted(page, 'lines_drawn');
