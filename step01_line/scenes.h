@@ -222,7 +222,7 @@ static bool draw_gradient(struct drawing *drawing, struct image *image, struct e
 #undef set_flat
 
 static const struct scene_value text_values[] = {
-    {"attempt", "attempt that draws; 0 is line(), 8 and 9 are beside the road", 0, 9, 1, 0},
+    {"attempt", "which attempt draws (0: line(), 8: by cases, 9: by runs)", 0, 9, 1, 0},
     {"wrong", "red is wrong, blue is missing", 0, 1, 1, 0},
     {"steps", "share of the line that is drawn", 0, 1, 0.01, 1},
     {.name = NULL},

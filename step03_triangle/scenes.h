@@ -388,7 +388,7 @@ static bool draw_fan(struct drawing *drawing, struct image *image, struct error 
 #undef box
 
 static const struct scene_value text_values[] = {
-    {"attempt", "attempt that draws; 0 is triangle()", 0, 8, 1, 0},
+    {"attempt", "which attempt draws (0: triangle())", 0, 8, 1, 0},
     {"snap", "bits of a corner's fraction", 0, 8, 1, 8},
     {"counted", "orange is drawn too often, magenta is missing", 0, 1, 1, 0},
     {.name = NULL},

@@ -123,7 +123,7 @@ static bool place_face(const struct model *model, size_t face, const struct imag
 
 static const struct scene_value model_values[] = {
     {"faces", "share of the faces that are drawn", 0, 1, 0.01, 1},
-    {"painter", "from the farthest face to the nearest, each over what is there", 0, 1, 1, 0},
+    {"painter", "the painter: the farthest face first, each over what is there", 0, 1, 1, 0},
     {"bits", "bits of a corner's depth", 1, 52, 1, 52},
     {.name = NULL},
 };

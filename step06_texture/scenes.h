@@ -285,7 +285,7 @@ static bool make_colored(struct texture *texture, struct error *error) {
         {"sampler", "0 nearest, 1 bilinear, 2 with mip levels", 0, 2, 1, sampler},                 \
             {"affine", "u and v are mixed without 1/w", 0, 1, 1, 0},                               \
             {"colors", "every mip level has its own colour", 0, 1, 1, 0},                          \
-            {"walk", "so far the camera goes ahead", -2, 0.5, 0.05, 0}, {                          \
+            {"walk", "how far the camera walks ahead", -2, 0.5, 0.05, 0}, {                        \
             .name = NULL                                                                           \
         }                                                                                          \
     }

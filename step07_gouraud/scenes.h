@@ -227,13 +227,12 @@ static struct model make_sphere(struct sphere *sphere, uint32_t rings, bool flat
                           .position_count = (size_t)2 * rings * (rings + 1),
                           .face_count = (size_t)4 * rings * rings};
     const uint32_t around = 2 * rings;
+    const double turn = 2 * acos(-1);
     model.normal_count = flat ? model.face_count : model.position_count;
     for (uint32_t i = 0; i < model.position_count; i++) {
-        const struct mat4 down = mat4_rotation((struct vec3){1, 0, 0}, i / around * 0.5 / rings);
-        const struct mat4 turn = mat4_rotation((struct vec3){0, 1, 0}, i % around * 1.0 / around);
-        const struct vec4 p = mat4_point(&down, (struct vec3){0, 0.9, 0});
-        const struct vec4 q = mat4_point(&turn, (struct vec3){p.x, p.y, p.z});
-        sphere->positions[i] = (struct vec3){q.x, q.y, q.z};
+        const double down = i / around * turn / 2 / rings, right = i % around * turn / around;
+        sphere->positions[i] = (struct vec3){0.9 * sin(down) * sin(right), 0.9 * cos(down),
+                                             0.9 * sin(down) * cos(right)};
     }
     for (uint32_t i = 0; i < model.face_count; i++) {
         uint32_t ring = i / 2 / around, column = i / 2 % around, next = (column + 1) % around;

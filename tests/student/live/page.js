@@ -636,6 +636,7 @@ function buildControls() {
     const drags = ["picture", light && "light", eye && "camera", (isOwn() || pairs().length > 0) && "points"].filter(Boolean);
     drag = drags.includes(drag) ? drag : drags[drags.length - 1];
     buttons($("drags"), drags, drag, name => { drag = name; });
+    $("views").parentElement.hidden = !program.reference || isOwn() || Boolean(scene().extra);
     $("values").replaceChildren($("values").firstElementChild);
     const add = (name, help, ...range) => $("values").append(slider(help, ...range, value => {
         chosen[name] = value;
@@ -673,7 +674,6 @@ function build() {
         chosen = {scene: names[0]};
     }
     buttons($("scenes"), names, chosen.scene, chooseScene);
-    $("views").parentElement.hidden = !program.reference;
     buttons($("views"), Object.values(views), view, chooseView);
     buildControls();
     readReference();
