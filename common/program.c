@@ -4,6 +4,7 @@
 
 #include "base/file.h"
 #include "base/large_pages.h"
+#include "base/platform.h"
 #include "files/fit.h"
 #include "files/image_file.h"
 #include "files/model_file.h"
@@ -11,13 +12,11 @@
 #include "run/options.h"
 #include "run/stage.h"
 
-#include <errno.h>
 #include <limits.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
-#include <unistd.h>
 
 #ifndef COURSE_BUILD
 #define COURSE_BUILD "build"
@@ -488,6 +487,7 @@ static bool draw_text(struct command *command, struct error *error) {
             .name = name,
             .width = text.width,
             .height = text.height,
+            .values = program->text_values,
             .draw = program->draw_text,
         };
         command->run.text = &text;
@@ -567,8 +567,7 @@ static bool answer_scene(struct command *command, const struct scene *given, FIL
     double begin = now_ms();
     done = done && stage_draw(&stage, &image, frame % scene.frames, error);
     if (done) {
-        live_write_frame(&image, now_ms() - begin, stage.drawing.counters,
-                         stage.drawing.counter_count, out);
+        live_write_frame(&image, now_ms() - begin, &stage.drawing, out);
     }
     stage_end(&stage);
     image_free(&image);
@@ -583,8 +582,11 @@ static bool answer_text(struct command *command, const struct live_request *requ
     done = done &&
            text_scene_decode(&text, request->text, request->text_size, program->text_kind, error);
     if (done) {
-        const struct scene scene = {
-            .name = "text", .width = text.width, .height = text.height, .draw = program->draw_text};
+        const struct scene scene = {.name = "text",
+                                    .width = text.width,
+                                    .height = text.height,
+                                    .values = program->text_values,
+                                    .draw = program->draw_text};
         command->run.text = &text;
         done = answer_scene(command, &scene, out, error);
     }
@@ -607,6 +609,8 @@ static bool answer(void *context, const struct live_request *request, FILE *out,
     }
     command->run.no_skip = command->options.no_skip;
     command->run.stats = command->options.stats;
+    command->run.probed = command->options.probe.given;
+    command->run.probe = command->options.probe.value;
     command->run.chosen_count = command->options.set_count;
     if (request->text != NULL) {
         return answer_text(command, request, out, error);
@@ -664,6 +668,9 @@ int program_main(const struct program *program, int argc, char **argv) {
     struct command command = {.run = {.program = program}};
     struct error error = {0};
     int status = STATUS_USAGE;
+#ifdef _WIN32
+    windows_begin(&argc, &argv);
+#endif
     keep_freed_memory();
     if (options_parse(&command.options, program, argc, argv, &error) &&
         check_options(&command, &error)) {

@@ -34,8 +34,8 @@ static size_t sides_of(const struct model *model) {
     return 3 * model->face_count + model->line_count;
 }
 
-/* With --no-skip, a side that two faces share stands in the list twice. Behind the list stands its
- * greatest side once more: whoever reads on beyond the end takes that for an equal one. */
+/* With --no-skip, a side that two faces share is in the list twice. Behind the list its greatest
+ * side is repeated: code that reads beyond the end takes that for an equal one. */
 static bool wireframe_create(struct wireframe *wireframe, const struct model *model, bool skip,
                              struct error *error) {
     size_t side_count = sides_of(model);
@@ -163,8 +163,8 @@ static bool draw_part(struct drawing *drawing, const struct model *part, struct 
 }
 
 /* Two faces, which share a side, of a model with many positions: the greatest number is
- * `greatest`. The first face stands there again and again, front and back, so its sides belong to
- * many faces; the other one comes last. */
+ * `greatest`. The first face is repeated, front and back, so its sides belong to many faces; the
+ * other one comes last. */
 static bool draw_two_faces(struct drawing *drawing, uint32_t greatest, size_t face_count,
                            struct view view, struct image *image, struct error *error) {
     enum { D = 1, B = 2, C = 501 };
@@ -213,11 +213,20 @@ static bool draw_border(struct drawing *drawing, struct image *image, struct err
     return draw_part(drawing, &part, (struct view){0.26, 0.1, 2.4}, image, error);
 }
 
+/* The middle of the window is a point to drag over the model. */
+static const struct scene_value window_values[] = {
+    {"middle_x", "middle of the window", -1, 1, 0.01, 0.08},
+    {"middle_y", "middle of the window", -1, 1, 0.01, 0.42},
+    {"larger", "times as large", 1, 40, 0.5, 6},
+    {.name = NULL},
+};
+
 /* One side of the face, six times as large: most of the model lies outside. */
 static bool draw_enlarged(struct drawing *drawing, struct image *image, struct error *error) {
     (void)error;
-    draw_sides(drawing, drawing->state, drawing->model->positions, (struct view){0.08, 0.42, 6},
-               image);
+    const struct vec2 middle = drawing_point(drawing, "middle");
+    draw_sides(drawing, drawing->state, drawing->model->positions,
+               (struct view){middle.x, middle.y, drawing_value(drawing, "larger")}, image);
     return true;
 }
 
@@ -301,7 +310,7 @@ static bool draw_cut(struct drawing *drawing, struct image *image, struct error 
     return true;
 }
 
-/* A bar as long as a line was walked in an image of that size; the bars stand one below another. */
+/* A bar as long as a line was walked in an image of that size; the bars are stacked. */
 static bool draw_bar(struct image *image, int index, const struct cut_line *l, size_t width,
                      size_t height, struct error *error) {
     struct image canvas;
@@ -356,6 +365,7 @@ static const struct scene scenes[] = {
      .needs = NEEDS_MODEL,
      .width = 480,
      .height = 360,
+     .values = window_values,
      .draw = draw_enlarged},
     {.name = "cut", .width = CUT_WIDTH, .height = CUT_HEIGHT, .draw = draw_cut},
     {.name = "walked", .width = 320, .height = 4 * (CUT_LINES + 2), .draw = draw_walked},

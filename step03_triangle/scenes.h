@@ -1,12 +1,11 @@
 /*
  * Step 3, the given part: its scenes and the program.
  *
- * Part a: `outline` draws the sides of three triangles, `leaving` those of some that leave the
- * image; `signs` fills triangles by three signs, `bust` does the same with the faces of a model,
- * each in a colour of its own. Part b draws the triangles
- * and the model again, `triangle` and `faces`; in `far` triangles leave the image on all sides;
- * `sheet` and `fan` show how often each pixel of a mesh is drawn. Part c: `gradient` mixes the
- * colours of the corners. A text scene draws the triangles that it lists.
+ * Part a: `outline` draws the edges of three triangles, `leaving` those of triangles that leave the
+ * image; `signs` fills triangles by three signs, and `bust` the faces of a model, each in a colour
+ * of its own. Part b draws the triangles and the model again, in `triangle` and `faces`; in `far`
+ * triangles leave the image on all sides; `sheet` and `fan` show how often each pixel of a mesh is
+ * drawn. Part c: `gradient` mixes the colours of the corners. A text scene draws its own triangles.
  */
 #ifdef LINE_IS_MINE /* make LINE=mine: the line() of lesson 1 draws */
 #include "run/mine.h"
@@ -97,10 +96,10 @@ static const struct text_scene_shape three_triangles[] = {
 };
 
 /* The blue and the yellow one reach far out of the image and cover its lowest and its highest rows:
- * their long sides meet them at an x that does not fit in an int. Of the green, the red and the
- * cyan one a corner is in the image, and most rows are beside it. The first white one and the
- * magenta one are very long and narrow, and the other white ones small: their sides go through
- * pixel centres or 1/256 pixel past them. So does the level side of the cyan one. */
+ * their long edges meet these rows at an x that does not fit in an int. The green, the red and the
+ * cyan one have a corner in the image, but most of their rows miss it. The first white one and the
+ * magenta one are very long and narrow, and the other white ones small: their edges pass through
+ * pixel centres or 1/256 pixel past them, as the level edge of the cyan one does. */
 static const struct text_scene_shape far_triangles[] = {
     {{-900000, 900000, 900000}, {-900000, 899999.96, 900000.04}, {{WHITE}, {WHITE}, {WHITE}}},
     {{1000000, -1000000, 0}, {7.00390625, 7, -1000000}, {{BLUE}, {BLUE}, {BLUE}}},
@@ -118,7 +117,7 @@ static const struct text_scene_shape far_triangles[] = {
     {{1000000, -1000000, 0}, {146.00390625, 146, 1000000}, {{YELLOW}, {YELLOW}, {YELLOW}}},
 };
 
-/* Outlines that leave the image on all sides, and one beside it: of that nothing is drawn. */
+/* Outlines that leave the image on all sides, and one outside it, which draws nothing. */
 static const struct text_scene_shape leaving_triangles[] = {
     {{-30, 60, 100}, {30, -25, 55}, {{RED}, {RED}, {RED}}},
     {{130, 160, 40}, {20, 45, 75}, {{GREEN}, {GREEN}, {GREEN}}},
@@ -126,14 +125,14 @@ static const struct text_scene_shape leaving_triangles[] = {
 };
 
 /* Triangles that leave the image: at the left and at the top, at the right, at the bottom. Their
- * sides are far from all pixel centres where they meet the border. */
+ * edges are far from all pixel centres where they meet the border. */
 static const struct text_scene_shape cut_triangles[] = {
     {{-30.4, 20.3, 40.2}, {165.3, 250.4, 185.1}, {{CYAN}, {CYAN}, {CYAN}}},
     {{172.3, 240.4, 230.2}, {90.4, 130.3, 20.6}, {{YELLOW}, {YELLOW}, {YELLOW}}},
     {{88.3, 141.6, 110.4}, {7.4, 5.2, -30.7}, {{MAGENTA}, {MAGENTA}, {MAGENTA}}},
 };
 
-/* Two with an area of 0, a line and a point, through pixel centres: of them nothing is drawn. */
+/* Two with an area of 0, a line and a point, through pixel centres: they draw nothing. */
 static const struct text_scene_shape flat_triangles[] = {
     {{10, 70, 130}, {30, 30, 30}, {{YELLOW}, {YELLOW}, {YELLOW}}},
     {{60, 60, 60}, {20, 20, 20}, {{YELLOW}, {YELLOW}, {YELLOW}}},
@@ -188,8 +187,8 @@ static void draw_by_signs(struct drawing *drawing, struct image *image,
     drawing_count(drawing, "pixels_written", box_triangle(image, screen, shape->color[0]));
 }
 
-/* The three triangles, three that leave the image, two of which nothing is drawn, and a row of
- * dots: triangles smaller than a pixel. */
+/* The three triangles, three that leave the image, two that draw nothing, and a row of dots:
+ * triangles smaller than a pixel. */
 static bool draw_signs(struct drawing *drawing, struct image *image, struct error *error) {
     enum { DOTS = 20 };
     (void)error;
@@ -210,12 +209,6 @@ static bool draw_signs(struct drawing *drawing, struct image *image, struct erro
 static bool draw_list(struct drawing *drawing, struct image *image, struct error *error) {
     (void)error;
     draw_shapes(drawing, image, lists[drawing->number].shapes, lists[drawing->number].count);
-    return true;
-}
-
-static bool draw_text(struct drawing *drawing, struct image *image, struct error *error) {
-    (void)error;
-    draw_shapes(drawing, image, drawing->text->shapes, drawing->text->shape_count);
     return true;
 }
 
@@ -269,7 +262,7 @@ static void place_in_sheet(int i, const struct image *image, struct fixed2 corne
 }
 
 /* A corner on the rim of the fan, a square around its middle. Every other one lies so
- * that the side from the middle to it goes through many pixel centres. */
+ * that the edge from the middle to it passes through many pixel centres. */
 static struct fixed2 fan_corner(int i, struct fixed2 middle) {
     const int side = FAN_BLADES / 4;
     int x = side, y = i % side * 2 - side;
@@ -388,6 +381,131 @@ static bool draw_fan(struct drawing *drawing, struct image *image, struct error 
     return draw_counted(drawing, image, &fan, error);
 }
 
+/* ---- Text scenes ---- */
+
+#define box attempts_box /* a name that a student's own may have, too */
+#include "attempts.h"
+#undef box
+
+static const struct scene_value text_values[] = {
+    {"attempt", "which attempt draws (0: triangle())", 0, 8, 1, 0},
+    {"snap", "bits of a corner's fraction", 0, 8, 1, 8},
+    {"counted", "orange is drawn too often, magenta is missing", 0, 1, 1, 0},
+    {.name = NULL},
+};
+
+/* The corners, snapped to so many bits. */
+static bool place_snapped(const struct drawing *drawing, const struct text_scene_shape *shape,
+                          struct vec2 screen[3], struct fixed2 corner[3]) {
+    const double steps = ldexp(1, (int)drawing_value(drawing, "snap"));
+    place_shape(shape, screen);
+    for (int i = 0; i < 3; i++) {
+        screen[i] = (struct vec2){floor(screen[i].x * steps + 0.5) / steps,
+                                  floor(screen[i].y * steps + 0.5) / steps};
+    }
+    return snap_corners(screen, corner);
+}
+
+/* By an attempt, or by what the lesson writes. */
+static uint64_t fill_shape(const struct drawing *drawing, struct image *image,
+                           const struct vec2 screen[3], const struct fixed2 corner[3],
+                           const struct color color[3]) {
+    static void (*const attempts[])(struct target *, const struct vec2[3], struct color) = {
+        attempt_1_sweep_whole, attempt_2_sweep_float, attempt_3_box_float,   attempt_4_box_double,
+        attempt_5_box_open,    attempt_6_box_epsilon, attempt_7_edges_float, attempt_8_blocks,
+    };
+    const int attempt = (int)drawing_value(drawing, "attempt");
+    if (attempt == 0) {
+        return fill_triangle(drawing, image, corner, color);
+    }
+    attempts[attempt - 1](&(struct target){image}, screen, color[0]);
+    return 0;
+}
+
+/* What the three edges say of the probed pixel: the lesson's own ones. */
+static void note_edges(struct drawing *drawing, const struct image *image,
+                       const struct fixed2 corner[3], size_t number) {
+    struct edges edges;
+    if (!triangle_setup(&edges, corner[0], corner[1], corner[2], image->width, image->height)) {
+        return;
+    }
+    for (int i = 0; i < 3; i++) {
+        const struct edge *e = &edges.edge[i];
+        int64_t value = e->origin + e->dx * drawing->probe.x + e->dy * drawing->probe.y;
+        drawing_note(drawing, "triangle %zu: E%d = %+.4f, %s", number, i,
+                     (double)value / SUBPIXELS / SUBPIXELS,
+                     value == 0          ? e->least == 0 ? "on it, a top or left edge" : "on it"
+                     : value >= e->least ? "inside"
+                                         : "outside");
+    }
+}
+
+/* How often each pixel is drawn, and should be. */
+struct surplus {
+    struct counted counted;
+    int wanted;
+};
+
+/* The shape is in the image, in white. */
+static void count_shape(struct image *image, const struct fixed2 corner[3], uint8_t shade,
+                        struct surplus *surplus) {
+    struct edges edges;
+    bool any = edges_setup(&edges, corner[0], corner[1], corner[2], image->width, image->height);
+    for (size_t i = 0; i < image->width * image->height; i++) {
+        int x = (int)(i % image->width), y = (int)(i / image->width);
+        surplus[i].wanted += any && edges_cover(&edges, x, y);
+        if (image->pixels[i * IMAGE_BGR] != 0) {
+            surplus[i].counted.draws++;
+            surplus[i].counted.shade = shade;
+        }
+    }
+    image_clear(image, color_grey(0));
+}
+
+static void show_surplus(struct drawing *drawing, struct image *image,
+                         const struct surplus *surplus) {
+    for (size_t i = 0; i < image->width * image->height; i++) {
+        const struct surplus *s = &surplus[i];
+        drawing_count(drawing, "pixels_too_often", s->counted.draws > s->wanted);
+        drawing_count(drawing, "pixels_missing", s->counted.draws < s->wanted);
+        image_set(image, (int)(i % image->width), (int)(i / image->width),
+                  counted_color(s->counted, s->wanted));
+    }
+}
+
+static bool draw_text(struct drawing *drawing, struct image *image, struct error *error) {
+    const struct color white[3] = {{WHITE}, {WHITE}, {WHITE}};
+    const bool counted = drawing_value(drawing, "counted") != 0;
+    struct surplus *surplus = NULL;
+    uint64_t written = 0;
+    if (counted && (surplus = calloc(image->width * image->height, sizeof *surplus)) == NULL) {
+        return error_out_of_memory(error);
+    }
+    for (size_t i = 0; i < drawing->text->shape_count; i++) {
+        const struct text_scene_shape *shape = &drawing->text->shapes[i];
+        struct vec2 screen[3];
+        struct fixed2 corner[3];
+        if (!place_snapped(drawing, shape, screen, corner)) {
+            continue;
+        }
+        written += fill_shape(drawing, image, screen, corner, counted ? white : shape->color);
+        if (counted) {
+            count_shape(image, corner, (uint8_t)(90 + 50 * (i % 4)), surplus);
+        }
+        if (drawing->probed) {
+            note_edges(drawing, image, corner, i + 1);
+        }
+    }
+    if (drawing_value(drawing, "attempt") == 0) {
+        drawing_count(drawing, "pixels_written", written);
+    }
+    if (counted) {
+        show_surplus(drawing, image, surplus);
+    }
+    free(surplus);
+    return true;
+}
+
 /* ---- Scenes: bust, faces ---- */
 
 /* A colour that looks random but depends on the number alone. The mixing of bits is the last step
@@ -493,6 +611,10 @@ static const struct program step03_triangle = {
     .summary = "filled triangles: exact edge functions, the top-left rule, spans",
     .text_kind = TEXT_SCENE_TRIANGLES,
     .draw_text = draw_text,
+    .text_values = text_values,
+    .text = "size 40 40\n"
+            "triangle 4 4 30 10 14 34 255 140 0\n"
+            "triangle 30 10 36 36 14 34 80 80 255\n",
     .defaults = {.width = 200, .height = 200},
     .scenes = scenes,
     .scene_count = sizeof scenes / sizeof scenes[0],
