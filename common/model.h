@@ -75,6 +75,7 @@ struct model {
     uint32_t (*lines)[2];                /* the positions that they join; only where asked for */
     size_t warning_line[MODEL_WARNINGS]; /* where each is first, from 1; 0: nowhere */
     char *path;                          /* the file, for messages and for its textures */
+    int turns[3]; /* quarter turns around x, y, z since it was read: see fit.h */
     const char *texture_files[MODEL_TEXTURE_KINDS]; /* to read instead; NULL: those beside it */
     struct texture textures[MODEL_TEXTURE_KINDS];   /* empty until first asked for */
     uint64_t bytes_read;                            /* of the file and of its textures */

@@ -358,7 +358,7 @@ static const char *advise(const struct command *command, const struct stage *sta
         return placed ? "; what may help: --fit --center" : "; what may help: --fit";
     }
     if ((stage->scene.needs & NEEDS_LINES) == 0 && !is_a_face_seen(stage)) {
-        return ": all faces look away";
+        return ": all faces look away; what may help: --two-sided";
     }
     if (placed) {
         return "; what may help: --center";
@@ -593,7 +593,7 @@ static bool answer_text(struct command *command, const struct live_request *requ
     return done;
 }
 
-/* Options of the request; the model, and whether it is fitted, are those of the command line. */
+/* Options of the request; the model, turned and fitted or not, is that of the command line. */
 static bool answer(void *context, const struct live_request *request, FILE *out,
                    struct error *error) {
     struct command *command = context;
@@ -670,6 +670,8 @@ int program_main(const struct program *program, int argc, char **argv) {
         command.run.no_skip = command.options.no_skip;
         command.run.stats = command.options.stats;
         command.run.fit = command.options.fit;
+        command.run.two_sided = command.options.two_sided;
+        memcpy(command.run.turns, command.options.turns, sizeof command.run.turns);
         command.run.chosen = command.options.set;
         command.run.chosen_count = command.options.set_count;
         memcpy(command.run.texture_files, command.options.textures,

@@ -2,6 +2,7 @@
 #include "files/model_file.h"
 
 #include "base/text.h"
+#include "files/fit.h"
 #include "files/image_file.h"
 #include "files/known.h"
 #include "files/mtl.h"
@@ -180,10 +181,30 @@ static char *texture_path(const char *model_path, const char *suffix, const char
                : string_format("%.*s%s.%s", (int)length, model_path, suffix, extension);
 }
 
-static bool read_texture(struct texture *texture, const char *path, struct error *error) {
+/* Turn the normals that a picture holds, as levels (coordinate + 1) * 127.5. */
+static void turn_normals(struct image *image, const int turns[3]) {
+    for (int y = 0; y < (int)image->height; y++) {
+        for (int x = 0; x < (int)image->width; x++) {
+            struct color c = image_get(image, x, y);
+            struct vec3 n = {c.r - 127.5, c.g - 127.5, c.b - 127.5};
+            n = vec3_quarter_turned(n, turns);
+            c.r = (uint8_t)(n.x + 127.5);
+            c.g = (uint8_t)(n.y + 127.5);
+            c.b = (uint8_t)(n.z + 127.5);
+            image_set(image, x, y, c);
+        }
+    }
+}
+
+/* With `turns` where the picture holds normals, otherwise NULL. */
+static bool read_texture(struct texture *texture, const char *path, const int *turns,
+                         struct error *error) {
     struct image image;
     if (!image_read(&image, path, error)) {
         return false;
+    }
+    if (turns != NULL && (turns[0] != 0 || turns[1] != 0 || turns[2] != 0)) {
+        turn_normals(&image, turns);
     }
     bool done = texture_create(texture, &image, error) || error_name_file(error, path);
     image_free(&image);
@@ -239,7 +260,7 @@ const struct texture *model_texture(struct model *model, enum model_texture_kind
         error_set(error, "no such file, nor one of another usual name");
         error_name_file(error, path);
     } else {
-        done = read_texture(texture, path, error);
+        done = read_texture(texture, path, kind == MODEL_NORMAL_MAP ? model->turns : NULL, error);
         model->bytes_read += done ? file_size(path) : 0;
     }
     free(path);
@@ -280,7 +301,8 @@ static struct color mean_color(const struct model_material *material, bool *has_
     const float *c = material->color;
     struct color color = color_rgb((uint8_t)(c[0] * 255 + 0.5F), (uint8_t)(c[1] * 255 + 0.5F),
                                    (uint8_t)(c[2] * 255 + 0.5F));
-    *has_texture = material->texture != NULL && read_texture(&texture, material->texture, &ignored);
+    *has_texture =
+        material->texture != NULL && read_texture(&texture, material->texture, NULL, &ignored);
     if (*has_texture) {
         color = color_from_texel(texture.level[texture.level_count - 1].texels[0]);
         texture_free(&texture);

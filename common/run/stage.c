@@ -5,6 +5,7 @@
 #include "files/fit.h"
 #include "files/model_file.h"
 #include "files/normals.h"
+#include "files/sides.h"
 
 #include <assert.h>
 #include <stdlib.h>
@@ -150,6 +151,21 @@ static bool take_materials(struct run *run, struct error *error) {
     return true;
 }
 
+/* Turn it, show its faces from both sides, fit it into view, as the options say. */
+static bool place_model(struct run *run, bool need_normals, struct error *error) {
+    const int *turns = run->turns;
+    if (turns[0] != 0 || turns[1] != 0 || turns[2] != 0) {
+        model_turn(&run->model, turns);
+    }
+    if (run->two_sided && !model_add_other_sides(&run->model, need_normals, error)) {
+        return false;
+    }
+    if (run->fit) {
+        model_fit(&run->model, run->program->takes_camera);
+    }
+    return true;
+}
+
 /* The model of the command line or else the scene's, unless it is loaded already. */
 static bool load_model(struct run *run, const struct scene *scene, struct error *error) {
     const char *file = run->input != NULL ? run->input : scene->model;
@@ -180,9 +196,7 @@ static bool load_model(struct run *run, const struct scene *scene, struct error 
     if (done && (needs & NEEDS_DIFFUSE) != 0) {
         done = take_materials(run, error);
     }
-    if (done && run->fit) {
-        model_fit(&run->model, run->program->takes_camera);
-    }
+    done = done && place_model(run, (parts & MODEL_NORMALS) != 0, error);
     run->model_file = done ? file : NULL;
     return done;
 }

@@ -636,9 +636,10 @@ static bool run_with_model(const struct inputs *inputs, const char *option, cons
                            struct error *error) {
     char images[PATH_SIZE];
     snprintf(images, sizeof images, "%.60s/images", inputs->directory);
-    char *argv[] = {(char *)"probe", (char *)"-o",        images, (char *)option, (char *)value,
-                    (char *)"--fit", (char *)inputs->obj, NULL};
-    return run_program(&model_program, inputs, 7, argv, error);
+    char *argv[] = {(char *)"probe",       (char *)"-o",        images,
+                    (char *)option,        (char *)value,       (char *)"--fit",
+                    (char *)"--two-sided", (char *)inputs->obj, NULL};
+    return run_program(&model_program, inputs, 8, argv, error);
 }
 
 static bool run_repeated(const struct inputs *inputs, struct error *error) {

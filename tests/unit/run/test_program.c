@@ -209,6 +209,7 @@ static void test_usage(void) {
         {"--repeat 0", "probe: --repeat wants a number: 1 to 1000000, not '0'\n"},
         {"--repeat 1000001", "probe: --repeat wants a number: 1 to 1000000, not '1000001'\n"},
         {"one.obj", "probe: one argument too many: 'one.obj'; try --help\n"},
+        {"--turn 1,0,0", "probe: unknown option '--turn'; try --help\n"},
         {"--eye 0,0,0", "probe: scene dot: the eye and the center are the same point\n"},
         {"--eye 1e-150,0,0",
          "probe: scene dot: the eye and the center are too near to each other\n"},
@@ -729,13 +730,15 @@ static void test_out_of_view(void) {
               "probe: scene blank: nothing was drawn; what may help: --center\n"
               "out/blank.tga\n");
     CHECK_RUN(&camera_program, "-o out --eye 0,-9,-9 --fit near.obj", 0,
-              "probe: scene blank: nothing was drawn: all faces look away\nout/blank.tga\n");
+              "probe: scene blank: nothing was drawn: all faces look away; what may help: "
+              "--two-sided\nout/blank.tga\n");
     camera_program.takes_camera = camera_program.takes_light = false;
     CHECK_RUN(&camera_program, "-o out --fit near.obj", 0,
               "probe: scene blank: nothing was drawn\nout/blank.tga\n");
     put_file("away.obj", "v 0 0 0\nv 0 1 2\nv 1 0 2\nf 1 2 3\n"); /* up, right and away */
     CHECK_RUN(&camera_program, "-o out --fit away.obj", 0,
-              "probe: scene blank: nothing was drawn: all faces look away\nout/blank.tga\n");
+              "probe: scene blank: nothing was drawn: all faces look away; what may help: "
+              "--two-sided\nout/blank.tga\n");
 }
 
 /* What is much smaller than the view is drawn, but small: said once. */
@@ -751,6 +754,46 @@ static void test_tiny(void) {
     CHECK_RUN(&blank, "-o out tiny.obj", 0,
               "probe: tiny.obj: fills little of -1..1; --fit makes it larger\n"
               "probe: scene blank: nothing was drawn; what may help: --fit\nout/blank.tga\n");
+}
+
+/* What is drawn of a turned model: a corner, its normal, and the same of a normal map. */
+static bool draw_turned(struct drawing *drawing, struct image *image, struct error *error) {
+    (void)error;
+    struct vec3 p = model_position(drawing->model, 0, 1), n = model_normal(drawing->model, 0, 1);
+    CHECK(vec3_length(vec3_sub(p, (struct vec3){0.25, -0.75, 0.5})) == 0);
+    CHECK(vec3_length(vec3_sub(n, (struct vec3){0, -2, 1})) == 0);
+    CHECK(drawing->normal_map->level[0].texels[0] == 0xFFFF9B00); /* 255 155 0 */
+    CHECK(drawing->diffuse->level[0].texels[0] == 0xFFFF0064);
+    return image_set(image, 0, 0, color_grey(1));
+}
+
+/* --turn: of the model with all that has a direction, before anything else. --two-sided: twice as
+ * many faces, and a model that looks away is seen. */
+static void test_turn_and_sides(void) {
+    struct scene scene = {.name = "turned",
+                          .needs = NEEDS_MODEL | NEEDS_NORMALS | NEEDS_NORMAL_MAP | NEEDS_DIFFUSE,
+                          .draw = draw_turned};
+    struct program program = view_program;
+    uint8_t levels[] = {100, 0, 255}; /* blue, green, red */
+    const struct image normal = {1, 1, IMAGE_BGR, levels};
+    struct error error;
+    program.scenes = &scene;
+    program.scene_count = 1;
+    put_file("up.obj", "vt 0 0\nv 0 0 0\nv 0.25 0.5 0.75\nv 0 1 0\nvn 0 1 2\n"
+                       "f 1/1/1 2/1/1 3/1/1\n");
+    CHECK(tga_write(&normal, in_directory("up_nm.tga"), &error) &&
+          tga_write(&normal, in_directory("up_diffuse.tga"), &error));
+    CHECK_RUN(&program, "-o out --turn 1,0,0 up.obj", 0, "out/turned.tga\n");
+    CHECK_RUN(&program, "-o out --turn -3,4,-8 up.obj", 0, "out/turned.tga\n");
+    CHECK_RUN(&program, "--turn 0.5,0,0", 2,
+              "probe: --turn wants three whole numbers X,Y,Z, not '0.5,0,0'\n");
+    CHECK_RUN(&program, "--turn 1", 2, "probe: --turn wants three whole numbers X,Y,Z, not '1'\n");
+    program.scenes = view_scenes;
+    CHECK_RUN(&program, "-o out --fit --turn 0,3,0 far.obj", 0, "out/view.tga\n");
+    CHECK(farthest_corner > 0.95);
+    program.scenes = blank_scenes;
+    CHECK_RUN(&program, "-o out --two-sided --fit away.obj", 0,
+              "probe: scene blank: nothing was drawn; what may help: --light\nout/blank.tga\n");
 }
 
 static const struct scene detail_scenes[] = {
@@ -970,7 +1013,7 @@ UNIT_MAIN(TEST(test_usage), TEST(test_help), TEST(test_extra), TEST(test_formats
           TEST(test_frames), TEST(test_stats_and_repeat), TEST(test_repeat_time), TEST(test_camera),
           TEST(test_failures), TEST(test_text_scene), TEST(test_needs), TEST(test_live),
           TEST(test_set), TEST(test_stats_of_files), TEST(test_defaults), TEST(test_grey),
-          TEST(test_out_of_view), TEST(test_replaced), TEST(test_tiny), TEST(test_details),
-          TEST(test_warnings_of_files), TEST(test_failing_scenes), TEST(test_end_of_options),
-          TEST(test_seldom_failures), TEST(test_full_output), TEST(test_text_names),
-          TEST(test_default_directory), TEST(test_clean_up))
+          TEST(test_out_of_view), TEST(test_replaced), TEST(test_tiny), TEST(test_turn_and_sides),
+          TEST(test_details), TEST(test_warnings_of_files), TEST(test_failing_scenes),
+          TEST(test_end_of_options), TEST(test_seldom_failures), TEST(test_full_output),
+          TEST(test_text_names), TEST(test_default_directory), TEST(test_clean_up))
