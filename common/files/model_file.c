@@ -42,6 +42,18 @@ static bool error_no_faces(const char *path, const void *data, size_t size, stru
     return error_set(error, "holds no faces");
 }
 
+/* Bytes of a text that others write as UTF-16. False when memory runs out. */
+static bool make_utf8(struct bytes *bytes) {
+    struct bytes utf8 = {0};
+    if (!text_is_utf16(bytes->data, bytes->size)) {
+        return true;
+    }
+    bool done = text_from_utf16(&utf8, bytes->data, bytes->size);
+    bytes_free(bytes);
+    *bytes = utf8;
+    return done;
+}
+
 /* The path, which is not read, may tell what the file should be. */
 static bool decode(struct model *model, const char *path, const void *data, size_t size,
                    unsigned parts, struct error *error) {
@@ -103,8 +115,9 @@ static bool read_library(struct model *model, struct word name, bool *found, str
     if (*found) {
         const char *end = strrchr(path, '/');
         directory = string_format("%.*s", end == NULL ? 0 : (int)(end + 1 - path), path);
-        done = directory != NULL && mtl_decode(model, bytes.data, bytes.size, directory, error);
         model->bytes_read += bytes.size;
+        done = directory != NULL && make_utf8(&bytes) &&
+               mtl_decode(model, bytes.data, bytes.size, directory, error);
     }
     bytes_free(&bytes);
     free(directory);
@@ -143,8 +156,10 @@ bool model_read_parts(struct model *model, const char *path, unsigned parts, str
     if (!file_read(path, &bytes, error)) {
         return false;
     }
-    bool done = decode(model, path, bytes.data, bytes.size, parts, error);
-    model->bytes_read = bytes.size;
+    size_t size = bytes.size;
+    bool done = make_utf8(&bytes) ? decode(model, path, bytes.data, bytes.size, parts, error)
+                                  : error_out_of_memory(error);
+    model->bytes_read = size;
     bytes_free(&bytes);
     done = done && keep_path(model, path, error);
     if (done && ((parts & MODEL_UVS) == 0 || read_libraries(model, error))) {

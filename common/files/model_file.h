@@ -9,7 +9,8 @@
  * ends with its line, so that two need two lines (off.h). Its colour is in levels 0..255 where its
  * 3 or 4 numbers are whole, otherwise 0..1; one number alone, an index into a table of colours, is
  * not used. Colours of positions are levels where one is above 2. All are cut to 0..1; where some
- * positions or faces have colours, the others are white. Of files of materials: see mtl.h.
+ * positions or faces have colours, the others are white. UTF-16 is read as
+ * UTF-8. Of files of materials: see mtl.h.
  */
 #ifndef COMMON_MODEL_FILE_H
 #define COMMON_MODEL_FILE_H
