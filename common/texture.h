@@ -42,6 +42,7 @@ struct texture {
     struct texture_level level[TEXTURE_LEVEL_LIMIT]; /* 0 is the image, each next half of it */
     /* Of all levels, owned by the texture; after the last level a row more. */
     uint32_t *texels;
+    bool tangent_space; /* of a normal map: see tangent.h; otherwise it is in object space */
 };
 
 /* How far rows of that many texels lie apart: 16 texels (the 64 bytes of a cache line), an odd

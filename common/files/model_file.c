@@ -10,6 +10,7 @@
 #include "files/off.h"
 
 #include <limits.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -179,7 +180,7 @@ bool model_read(struct model *model, const char *path, struct error *error) {
  * first. JPEG is looked for, too, though it cannot be read: its message says what to do. */
 static const char *const texture_suffixes[MODEL_TEXTURE_KINDS][4] = {
     [MODEL_DIFFUSE] = {"_diffuse", "_albedo", "_basecolor"},
-    [MODEL_NORMAL_MAP] = {"_nm", "_normal"},
+    [MODEL_NORMAL_MAP] = {"_nm", "_normal", "_nm_tangent", "_normal_tangent"},
     [MODEL_SPECULAR] = {"_spec", "_specular"},
 };
 static const char *const texture_extensions[] = {"tga", "png", "TGA", "PNG", "Tga",
@@ -211,18 +212,53 @@ static void turn_normals(struct image *image, const int turns[3]) {
     }
 }
 
-/* With `turns` where the picture holds normals, otherwise NULL. */
-static bool read_texture(struct texture *texture, const char *path, const int *turns,
+static bool make_texture(struct texture *texture, struct image *image, const char *path,
                          struct error *error) {
+    bool done = texture_create(texture, image, error) || error_name_file(error, path);
+    image_free(image);
+    return done;
+}
+
+static bool read_texture(struct texture *texture, const char *path, struct error *error) {
+    struct image image;
+    return image_read(&image, path, error) && make_texture(texture, &image, path, error);
+}
+
+/* Are the normals of a map nearly all about (0, 0, 1)? Those of an object go all around. What is
+ * not of length 1, more or less, is no normal, but a background. */
+static bool looks_tangent(const struct image *image) {
+    struct vec3 sum = {0, 0, 0};
+    double count = 0;
+    for (int y = 0; y < (int)image->height; y++) {
+        for (int x = 0; x < (int)image->width; x++) {
+            struct color c = image_get(image, x, y);
+            struct vec3 n = {c.r / 127.5 - 1, c.g / 127.5 - 1, c.b / 127.5 - 1};
+            double length = vec3_length(n);
+            if (length > 0.7 && length < 1.3) {
+                sum = vec3_add(sum, n);
+                count++;
+            }
+        }
+    }
+    return sum.z > 0.7 * count && fabs(sum.x) < 0.3 * count && fabs(sum.y) < 0.3 * count;
+}
+
+static bool read_normal_map(struct model *model, const char *path, struct error *error) {
+    struct texture *texture = &model->textures[MODEL_NORMAL_MAP];
+    const int *turns = model->turns;
+    const char *slash = strrchr(path, '/');
+    bool named = strstr(slash == NULL ? path : slash, "_tangent.") != NULL;
     struct image image;
     if (!image_read(&image, path, error)) {
         return false;
     }
-    if (turns != NULL && (turns[0] != 0 || turns[1] != 0 || turns[2] != 0)) {
+    model->is_space_guessed = !named && looks_tangent(&image);
+    bool tangent_space = named || model->is_space_guessed;
+    if (!tangent_space && (turns[0] != 0 || turns[1] != 0 || turns[2] != 0)) {
         turn_normals(&image, turns);
     }
-    bool done = texture_create(texture, &image, error) || error_name_file(error, path);
-    image_free(&image);
+    bool done = make_texture(texture, &image, path, error);
+    texture->tangent_space = tangent_space;
     return done;
 }
 
@@ -275,7 +311,8 @@ const struct texture *model_texture(struct model *model, enum model_texture_kind
         error_set(error, "no such file, nor one of another usual name");
         error_name_file(error, path);
     } else {
-        done = read_texture(texture, path, kind == MODEL_NORMAL_MAP ? model->turns : NULL, error);
+        done = kind == MODEL_NORMAL_MAP ? read_normal_map(model, path, error)
+                                        : read_texture(texture, path, error);
         model->bytes_read += done ? file_size(path) : 0;
     }
     free(path);
@@ -316,8 +353,7 @@ static struct color mean_color(const struct model_material *material, bool *has_
     const float *c = material->color;
     struct color color = color_rgb((uint8_t)(c[0] * 255 + 0.5F), (uint8_t)(c[1] * 255 + 0.5F),
                                    (uint8_t)(c[2] * 255 + 0.5F));
-    *has_texture =
-        material->texture != NULL && read_texture(&texture, material->texture, NULL, &ignored);
+    *has_texture = material->texture != NULL && read_texture(&texture, material->texture, &ignored);
     if (*has_texture) {
         color = color_from_texel(texture.level[texture.level_count - 1].texels[0]);
         texture_free(&texture);

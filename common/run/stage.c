@@ -221,13 +221,6 @@ static bool replace_texture(struct run *run, enum model_texture_kind kind,
     return make_texel(instead, kind == MODEL_DIFFUSE ? 255 : SHINY, error);
 }
 
-/* Are the normals of a map, as their mean tells, nearly all about (0, 0, 1)? Those of an object go
- * all around. */
-static bool is_tangent_space(const struct texture *map) {
-    struct color mean = color_from_texel(map->level[map->level_count - 1].texels[0]);
-    return mean.b > 200 && abs(mean.r - 128) < 40 && abs(mean.g - 128) < 40;
-}
-
 /* A texture that the scene needs. One that the command line names must be there; others are
  * replaced, and those of a model whose corners have no place in a picture are not looked for. */
 static bool load_texture(struct run *run, bool needed, enum model_texture_kind kind,
@@ -253,13 +246,14 @@ static bool load_texture(struct run *run, bool needed, enum model_texture_kind k
         return replace_texture(run, kind, texture, error);
     }
     *texture = model_texture(&run->model, kind, error);
-    bool tangent = kind == MODEL_NORMAL_MAP && *texture != NULL && is_tangent_space(*texture);
-    if (tangent) {
-        error_set(error, "the normal map is one in tangent space, and only object space is read");
-        error_name_input(error, run->model.path);
+    if (*texture != NULL && kind == MODEL_NORMAL_MAP && run->model.is_space_guessed) {
+        error_set(&run->replaced[kind], "the normal map is blue, so it is read as one in tangent "
+                                        "space, as if its name ended in _tangent");
+        error_name_input(&run->replaced[kind], run->model.path);
+        run->model.is_space_guessed = false; /* it is said */
     }
-    if ((*texture != NULL && !tangent) || run->texture_files[kind] != NULL) {
-        return *texture != NULL && !tangent;
+    if (*texture != NULL || run->texture_files[kind] != NULL) {
+        return *texture != NULL;
     }
     error_set(&run->replaced[kind], "%s; %s", error->message, instead[kind]);
     run->is_replaced[kind] = true;

@@ -530,8 +530,20 @@ static bool draw_replaced(struct drawing *drawing, struct image *image, struct e
     return image_set(image, 0, 0, color_grey(1));
 }
 
+/* A normal map in tangent space, beside what is replaced. */
+static bool draw_tangent(struct drawing *drawing, struct image *image, struct error *error) {
+    (void)error;
+    CHECK(drawing->normal_map != NULL && drawing->normal_map->tangent_space);
+    CHECK(drawing->normal_map->level[0].texels[0] == 0xFF8080FF); /* not turned */
+    CHECK(model_normal(drawing->model, 0, 1).z == 1);             /* turned */
+    return image_set(image, 0, 0, color_grey(1));
+}
+
+static bool given_tangent; /* by a name */
+
 static bool draw_present(struct drawing *drawing, struct image *image, struct error *error) {
     (void)error;
+    CHECK(drawing->normal_map->tangent_space == given_tangent);
     CHECK(drawing->diffuse != NULL && (drawing->diffuse->level[0].texels[0] & 255) == 90);
     CHECK(drawing->normal_map != NULL && drawing->specular != NULL);
     return image_set(image, 0, 0, color_grey(1));
@@ -566,8 +578,8 @@ static void test_replaced(void) {
     };
     const struct program program = {
         .name = "probe", .summary = "replaced", .scenes = two_scenes, .scene_count = 2};
-    uint8_t levels[] = {255, 128, 128};
-    const struct image blue = {1, 1, IMAGE_BGR, levels}, grey = {1, 1, IMAGE_GREY, levels};
+    uint8_t levels[] = {255, 128, 128, 0, 0, 0};
+    const struct image blue = {2, 1, IMAGE_BGR, levels}, grey = {1, 1, IMAGE_GREY, levels};
     struct error error;
     put_file("wild.obj", MAPPED);
     CHECK_RUN(&program, "-o out wild.obj", 0,
@@ -583,10 +595,12 @@ static void test_replaced(void) {
     put_file("wild_diffuse.png", "\xFF\xD8\xFF\xE0");
     put_file("wild_spec.png", "nothing");
     CHECK(tga_write(&blue, in_directory("wild_nm.tga"), &error));
-    CHECK_RUN(&program, "-o out wild.obj", 0,
+    two_scenes[0].draw = two_scenes[1].draw = draw_tangent;
+    CHECK_RUN(&program, "-o out --turn 1,0,0 wild.obj", 0,
               "probe: wild_diffuse.png: a JPEG file, not a PNG or TGA file: `magick FILE NEW.png` "
-              "converts it; " WHITE "probe: wild.obj: the normal map is one in tangent space, and "
-              "only object space is read; " NORMALS
+              "converts it; " WHITE
+              "probe: wild.obj: the normal map is blue, so it is read as one in "
+              "tangent space, as if its name ended in _tangent\n"
               "probe: wild_spec.png: neither a PNG nor a TGA of a type that is supported; " SHINE
                   PICTURES);
     two_scenes[0].draw = two_scenes[1].draw = draw_present;
@@ -595,6 +609,12 @@ static void test_replaced(void) {
     CHECK_RUN(&program,
               "-o out --texture given.tga --normal-map given.tga --specular given.tga wild.obj", 0,
               PICTURES);
+    given_tangent = true;
+    CHECK(tga_write(&grey, in_directory("given_tangent.tga"), &error));
+    CHECK_RUN(&program,
+              "-o out --texture given.tga --normal-map given_tangent.tga --specular given.tga "
+              "wild.obj",
+              0, PICTURES);
     /* Materials: a picture of their colours, or of the one texture that all have. */
     two_scenes[0].draw = two_scenes[1].draw = draw_palette;
     put_file("m.mtl", "newmtl a\nKd 0 0 1\n");
