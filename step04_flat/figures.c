@@ -9,15 +9,16 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-static const struct vec3 front = {0, 0, -1}; /* the light of scene flat */
+static const struct vec3 front = {0, 0, 1}; /* to the light of scene flat */
 
 typedef double intensity_function(struct vec3 w0, struct vec3 w1, struct vec3 w2,
-                                  struct vec3 light);
+                                  struct vec3 to_light);
 
 /* The face_intensity() of main.c, in the form of the attempts. */
-static double intensity_of_main(struct vec3 w0, struct vec3 w1, struct vec3 w2, struct vec3 light) {
-    struct vec3 normal = vec3_normalized(vec3_cross(vec3_sub(w2, w0), vec3_sub(w1, w0)));
-    return vec3_dot(normal, light);
+static double intensity_of_main(struct vec3 w0, struct vec3 w1, struct vec3 w2,
+                                struct vec3 to_light) {
+    struct vec3 normal = vec3_normalized(vec3_cross(vec3_sub(w1, w0), vec3_sub(w2, w0)));
+    return vec3_dot(normal, to_light);
 }
 
 /* draw_flat() with another intensity, lit from the front. */
@@ -34,8 +35,9 @@ static void draw_with(const struct model *model, intensity_function *find, struc
 }
 
 /* Attempt 1 as it is, and many times brighter, so that something can be seen. */
-static double intensity_of_area(struct vec3 w0, struct vec3 w1, struct vec3 w2, struct vec3 light) {
-    return 100 * attempt_1_not_normalized(w0, w1, w2, light);
+static double intensity_of_area(struct vec3 w0, struct vec3 w1, struct vec3 w2,
+                                struct vec3 to_light) {
+    return 100 * attempt_1_not_normalized(w0, w1, w2, to_light);
 }
 
 static bool draw_not_normalized(const struct model *model, const char *directory,

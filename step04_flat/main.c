@@ -54,17 +54,17 @@ static void triangle(struct image *image, const struct vertex v[3], struct color
 /* ---- Light ---- */
 
 /* How directly the light falls on a face, n . l: 1 straight, 0 along the face, negative from
- * behind. `light` has length 1 and is the direction in which the light travels, so it is -l. The
- * normal here is -n: it points into the model. */
-static double face_intensity(const struct model *model, size_t face, struct vec3 light) {
+ * behind. n is the face's normal; l, here `to_light`, goes from the face to the light. Both have
+ * length 1. */
+static double face_intensity(const struct model *model, size_t face, struct vec3 to_light) {
     /* BEGIN SOLUTION 4.3 light on a face */
     struct vec3 w0 = model_position(model, face, 0), w1 = model_position(model, face, 1);
     struct vec3 w2 = model_position(model, face, 2);
-    struct vec3 normal = vec3_normalized(vec3_cross(vec3_sub(w2, w0), vec3_sub(w1, w0)));
-    return vec3_dot(normal, light);
+    struct vec3 normal = vec3_normalized(vec3_cross(vec3_sub(w1, w0), vec3_sub(w2, w0)));
+    return vec3_dot(normal, to_light);
     /* STARTER
-    (void)model, (void)face, (void)light;
-    return 1; // to do 4.3: the normal, and its dot product with the light
+    (void)model, (void)face, (void)to_light;
+    return 1; // to do 4.3: the normal, and its dot product with to_light
     END SOLUTION */
 }
 

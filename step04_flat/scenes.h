@@ -12,11 +12,11 @@
 static bool draw_flat(struct drawing *drawing, struct image *image, struct error *error) {
     (void)error;
     const struct model *model = drawing->model;
-    const struct vec3 light = vec3_normalized(drawing->light);
+    const struct vec3 to_light = vec3_scale(vec3_normalized(drawing->light), -1);
     uint64_t unlit = 0, too_far = 0;
     for (size_t face = 0; face < model->face_count; face++) {
         struct vertex vertices[3] = {{{0, 0}}};
-        double intensity = face_intensity(model, face, light);
+        double intensity = face_intensity(model, face, to_light);
         bool lit = intensity > 0;
         unlit += !lit;
         if (!lit && drawing->skip) {

@@ -1,7 +1,7 @@
 /*
- * Step 8: the worse and the better versions, for the lesson's figures and the benchmark.
+ * Lesson 8: the worse and the better versions, for the lesson's figures and the benchmark.
  *
- * Include main.c first: these versions share its cameras, its faces and its triangle().
+ * Include main.c first: these versions use its cameras, its faces and its triangle().
  */
 #ifndef STEP08_ATTEMPTS_H
 #define STEP08_ATTEMPTS_H
@@ -14,13 +14,13 @@
 typedef struct vec2 attempt_perspective(struct vec3 view, double distance);
 
 /* Larger when nearer, by a factor that grows evenly. The size is right at z = 0, but straight lines
- * become curves. */
+ * bend. */
 static inline struct vec2 attempt_1_evenly(struct vec3 view, double distance) {
     double factor = 1 + view.z / distance;
     return (struct vec2){view.x * factor, view.y * factor};
 }
 
-/* Divided by what is left of the distance. */
+/* Divided by the distance from the camera. */
 static inline struct vec2 attempt_14_divided(struct vec3 view, double distance) {
     double w = 1 - view.z / distance;
     return (struct vec2){view.x / w, view.y / w};
@@ -40,14 +40,14 @@ static inline void attempt_corners(const struct drawing *drawing, size_t face,
     }
 }
 
-/* Whether the whole face lies in front of the near plane and within the guard band. */
+/* Whether the whole face is in front of the near plane and within the guard band. */
 static inline bool attempt_in_front(struct position *const corner[3]) {
     unsigned beyond = corner[0]->beyond | corner[1]->beyond | corner[2]->beyond;
     return (beyond & (BEYOND_NEAR | BEYOND_GUARD_BAND)) == 0;
 }
 
-/* One triangle with the weights of the screen for everything: triangle() without correct_weights(),
- * which saves a division and a few products a pixel. */
+/* triangle() without correct_weights(): the weights of the screen for everything. That saves a
+ * division and a few products a pixel. */
 static inline void attempt_15_affine_triangle(const struct canvas *canvas,
                                               const struct edges *edges, const struct vertex v[3]) {
     const struct rectangle area = canvas->area;
@@ -70,7 +70,7 @@ static inline void attempt_15_affine_triangle(const struct canvas *canvas,
     }
 }
 
-/* Divided by w, whatever w is. A point behind the camera has a negative w: it appears in front,
+/* Divides by w, whatever w is. A point behind the camera has a negative w, so it appears in front,
  * upside down, and a face with one such corner covers the wrong side of the picture. */
 static inline void attempt_7_unclipped(struct drawing *drawing, struct canvas *canvas,
                                        const struct mat4 *to_clip) {
@@ -89,8 +89,8 @@ static inline void attempt_7_unclipped(struct drawing *drawing, struct canvas *c
     }
 }
 
-/* Faces with a corner behind the near plane are left out: holes where large faces pass under the
- * camera. */
+/* Skips faces with a corner behind the near plane, which leaves holes where large faces pass under
+ * the camera. */
 static inline void attempt_8_left_out(struct drawing *drawing, struct canvas *canvas,
                                       const struct mat4 *to_clip) {
     transform_positions(drawing, to_clip);
@@ -107,8 +107,8 @@ static inline void attempt_8_left_out(struct drawing *drawing, struct canvas *ca
 
 typedef struct vec3 attempt_normal(const struct mat4 *map, struct vec3 normal);
 
-/* A normal sent through the same matrix as the points: no longer perpendicular to the surface when
- * the scale is not the same in all directions. */
+/* Sends a normal through the matrix of the points. It is no longer perpendicular to the surface
+ * when the scale differs between directions. */
 static inline struct vec3 attempt_4_same_matrix(const struct mat4 *map, struct vec3 normal) {
     return vec3_normalized(mat4_direction(map, normal));
 }
@@ -125,7 +125,7 @@ static inline struct vec3 attempt_13_inverse_transpose(const struct mat4 *map, s
 
 typedef bool attempt_inverse(struct mat4 a, struct mat4 *inverse);
 
-/* The determinant of what is left of a without a row and a column. */
+/* The determinant of a without one row and one column. */
 static inline double attempt_minor(const struct mat4 *a, int without_row, int without_column) {
     int r[3], c[3];
     for (int i = 0; i < 3; i++) {
@@ -140,8 +140,8 @@ static inline double attempt_minor(const struct mat4 *a, int without_row, int wi
                (a->m[r[1]][c[0]] * a->m[r[2]][c[1]] - a->m[r[1]][c[1]] * a->m[r[2]][c[0]]);
 }
 
-/* By Cramer's rule: transposed cofactors divided by the determinant, 16 minors. Subtracting nearly
- * equal products loses digits when the matrix is nearly singular, and a determinant of a well
+/* By Cramer's rule: transposed cofactors, 16 minors, divided by the determinant. Subtracting nearly
+ * equal products loses digits when the matrix is nearly singular, and the determinant of a well
  * behaved matrix may underflow to 0. */
 static inline bool attempt_11_cofactors(struct mat4 a, struct mat4 *inverse) {
     struct mat4 result;

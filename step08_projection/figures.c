@@ -1,4 +1,4 @@
-/* The pictures of step 8's README that are not references. */
+/* The pictures of lesson 8 that are not references. */
 #include "../tests/bench/figures.h"
 
 #define LESSON "../step08_projection/main.c"
@@ -8,7 +8,7 @@
 #include "files/model_file.h"
 #include "files/normals.h"
 
-enum { SIDE = 260, SMALL_SIDE = 200, GAP = 6 }; /* pixels of a panel, and between two panels */
+enum { LARGE_SIDE = 390, SIDE = 260, SMALL_SIDE = 200, GAP = 6 }; /* pixels; GAP: between panels */
 
 /* A row of square panels. */
 static bool row_create(struct sheet *sheet, size_t side, size_t columns, struct error *error) {
@@ -70,6 +70,72 @@ static bool draw_clipping(struct drawing *drawing, const char *directory, struct
         sheet_add(&sheet);
     }
     return sheet_end(&sheet, done, directory, "clipping", error);
+}
+
+/* ---- Where the camera of closeup is ---- */
+
+static bool make_red(struct texture *texture, struct error *error) {
+    struct image image;
+    if (!image_create(&image, 1, 1, IMAGE_BGR, error)) {
+        return false;
+    }
+    image_set(&image, 0, 0, color_rgb(255, 90, 70));
+    bool done = texture_create(texture, &image, error);
+    image_free(&image);
+    return done;
+}
+
+/* The head, with those faces red that are behind the close camera. */
+static void draw_behind_red(struct drawing *drawing, struct image *image,
+                            const struct mat4 *to_clip, const struct texture *red) {
+    struct canvas canvas = make_canvas(drawing, image, whole_image(image));
+    const struct mat4 close_clip = camera_clip(&close_up);
+    depth_clear(drawing->depth, image->width * image->height);
+    transform_positions(drawing, to_clip);
+    for (size_t i = 0; i < drawing->model->face_count; i++) {
+        const struct corner *c = drawing->model->faces[i].corner;
+        struct vec4 seen = mat4_point(&close_clip, drawing->model->positions[c[0].position]);
+        canvas.texture = seen.w < near_w ? red : drawing->diffuse;
+        draw_face(drawing, &canvas, i);
+    }
+}
+
+/* The plane through the camera, and the lower and the upper side of what it sees. */
+static void draw_close_camera(struct image *image, const struct mat4 *to_clip) {
+    const struct plane plane = {image, whole_image(image)};
+    const struct mat4 to_screen = area_to_screen(plane.area), still = mat4_identity();
+    const struct mat4 frame = camera_frame(&close_up), back = mat4_transpose(frame);
+    const struct vec3 ends[] = {{0, -3, 0}, {0, 3, 0}, {0, -1, -1}, {0, 1, -1}};
+    const struct vec4 eye = mat4_point(to_clip, close_up.eye);
+    for (size_t i = 0; i < sizeof ends / sizeof ends[0]; i++) {
+        double along = i < 2 ? 0 : camera_distance(&close_up) - 1; /* ends at z = -distance */
+        struct vec3 step = mat4_direction(&back, vec3_sub(ends[i], (struct vec3){0, 0, along}));
+        struct vec3 end = {close_up.eye.x + step.x, close_up.eye.y + step.y,
+                           close_up.eye.z + step.z};
+        struct vec4 q = mat4_point(to_clip, end);
+        struct vec2 from = to_pixels(&to_screen, (struct vec2){eye.x, eye.y});
+        plane_line(&plane, &still, from, to_pixels(&to_screen, (struct vec2){q.x, q.y}),
+                   i < 2 ? color_rgb(255, 90, 70) : color_rgb(120, 200, 255));
+    }
+}
+
+/* Left panel: the head from the side, with the camera of closeup. Right: what that camera sees. */
+static bool draw_close(struct drawing *drawing, const char *directory, struct error *error) {
+    const struct camera side = {{3, 0.4, 0.35}, {0, 0.4, 0.35}, {0, 1, 0}};
+    const struct mat4 to_clip =
+        mat4_mul(mat4_scaling((struct vec3){1.6, 1.6, 1}), camera_frame(&side));
+    struct texture red = {0};
+    struct sheet sheet = {0};
+    bool done = make_red(&red, error) && row_create(&sheet, LARGE_SIDE, 2, error);
+    if (done) {
+        draw_behind_red(drawing, &sheet.panel, &to_clip, &red);
+        draw_close_camera(&sheet.panel, &to_clip);
+        sheet_add(&sheet);
+        draw_with(drawing, &sheet.panel, camera_clip(&close_up), draw_model);
+        sheet_add(&sheet);
+    }
+    texture_free(&red);
+    return sheet_end(&sheet, done, directory, "close", error);
 }
 
 /* ---- Perspective: lines on a wall ---- */
@@ -183,7 +249,8 @@ bool draw_figures(const char *directory, struct model *bust, struct error *error
            prepare(&drawing, 800, 800, error);
     done = done && draw_distances(&drawing, directory, error) &&
            draw_parallel(&drawing, directory, error) && draw_evenly(directory, error) &&
-           draw_clipping(&drawing, directory, error) && draw_normals(directory, error);
+           draw_close(&drawing, directory, error) && draw_clipping(&drawing, directory, error) &&
+           draw_normals(directory, error);
     finish(&drawing);
     free(drawing.depth);
     return done;

@@ -1,14 +1,14 @@
 /*
- * Step 8: matrices, perspective and the camera.
+ * Lesson 8: matrices, perspective and the camera.
  *
  * A point goes through a chain of matrices, from the model to the screen:
  *
- *     world  = to_world * point                 where the model stands, and how large
- *     clip   = projection * lookat * world      the camera; w says how far away it is
+ *     world  = to_world * point                 the model's place and size
+ *     clip   = projection * lookat * world      the camera; w says how far away the point is
  *     ndc    = clip / w                         -1..1 over the picture
  *     screen = viewport * ndc                   pixels
  *
- * What lies behind the camera has no place on the screen: it is cut off before the division.
+ * A point behind the camera has no place on the screen, so triangles are cut before the division.
  */
 #include "program.h"
 #include "texture.h"
@@ -33,7 +33,7 @@ static struct mat4 viewport(size_t width, size_t height) {
 
 /* ---- Maps of the plane: scene transforms ---- */
 
-/* Where a map takes a point of the plane z = 0; what the scene maps to are pixels. */
+/* Where a map takes a point of the plane z = 0. In the scenes the map ends at pixels. */
 static struct vec2 to_pixels(const struct mat4 *map, struct vec2 p) {
     /* BEGIN SOLUTION 8a.2 point through a map */
     struct vec4 q = mat4_point(map, (struct vec3){p.x, p.y, 0});
@@ -44,7 +44,7 @@ static struct vec2 to_pixels(const struct mat4 *map, struct vec2 p) {
     END SOLUTION */
 }
 
-static const struct vec3 pivot = {1, 0.8, 0}; /* of the rotation about a point */
+static const struct vec3 pivot = {1, 0.8, 0}; /* the house of `turn_about` turns about it */
 
 /* BEGIN SOLUTION 8a.3 maps of the plane */
 /* Moves x by y * amount; y stays. */
@@ -66,7 +66,9 @@ static struct mat4 rotate_about(struct vec3 point, double turns) {
 }
 /* END SOLUTION */
 
-/* What panel 0..8 shows, row by row from the top left. */
+/* The map of panel 0..8, row by row from the top left. Each panel is also a scene of its own. S
+ * scales x by 1.5 and y by 0.5; R turns by 0.125 of a whole turn about the axis (0,0,1),
+ * counterclockwise; M moves by (-0.8, -1.3). */
 static struct mat4 panel_map(int panel) {
     /* BEGIN SOLUTION 8a.3 maps of the plane */
     const struct mat4 scale = mat4_scaling((struct vec3){1.5, 0.5, 1}), turn = rotate(0.125);
@@ -88,15 +90,15 @@ static struct mat4 panel_map(int panel) {
     /* STARTER
     const struct mat4 maps[] = {
         // to do 8a.3: the map of each panel
-        mat4_identity(), // scale
-        mat4_identity(), // shear
-        mat4_identity(), // turn
-        mat4_identity(), // scale_turn
-        mat4_identity(), // turn_scale
-        mat4_identity(), // turn_about
-        mat4_identity(), // move_turn
-        mat4_identity(), // turn_move
-        mat4_identity(), // divided
+        mat4_identity(), // scale: S
+        mat4_identity(), // shear: x becomes x + 0.6 y
+        mat4_identity(), // turn: R
+        mat4_identity(), // scale_turn: S first, then R
+        mat4_identity(), // turn_scale: R first, then S
+        mat4_identity(), // turn_about: R, but about the point `pivot`
+        mat4_identity(), // move_turn: M first, then R
+        mat4_identity(), // turn_move: R first, then M
+        mat4_identity(), // divided: the identity with the last row (0.5, 0, 0, 1)
     };
     return maps[panel];
     END SOLUTION */
@@ -104,7 +106,7 @@ static struct mat4 panel_map(int panel) {
 
 /* ---- From clip space to the screen ---- */
 
-/* A corner of a triangle that is to be drawn. */
+/* A corner of a triangle on the screen. */
 struct vertex {
     struct fixed2 position; /* on the screen */
     double depth;           /* z/w, linear on the screen; larger is nearer */
@@ -113,8 +115,8 @@ struct vertex {
     struct vec2 uv;
 };
 
-/* Here is the division by w: find recip_w, depth and, by `to_screen` from NDC, position. False when
- * there is no such place on the screen: coordinates too large to compute with. */
+/* The division by w: sets recip_w, depth and, by `to_screen` from NDC, position. False when the
+ * point has no place on the screen, because its coordinates are too large to compute with. */
 static bool place(struct vec4 clip, const struct mat4 *to_screen, struct vertex *vertex) {
     /* BEGIN SOLUTION 8b.1 division by w */
     vertex->recip_w = 1 / clip.w;
@@ -131,8 +133,8 @@ static bool place(struct vec4 clip, const struct mat4 *to_screen, struct vertex 
 
 /* ---- Perspective ---- */
 
-/* A camera at (0, 0, distance) that looks along -z: w = 1 - z / distance. An infinite distance
- * gives the parallel view. */
+/* A camera at (0, 0, distance) that looks along -z: makes w, how far away a point is, counted in
+ * distances. An infinite distance gives the parallel view, with w = 1. */
 static struct mat4 projection(double distance) {
     /* BEGIN SOLUTION 8b.2 perspective */
     struct mat4 projection = mat4_identity();
@@ -146,29 +148,29 @@ static struct mat4 projection(double distance) {
 
 /* ---- Perspective inside a triangle ---- */
 
-/* The weights of the corners in the plane of the triangle, from those on the screen: a corner far
- * away counts for less (Blinn, "Hyperbolic Interpolation", 1992). */
+/* The weights of the corners in the plane of the triangle, from the weights on the screen: a far
+ * corner counts for less (Blinn, "Hyperbolic Interpolation", 1992). */
 static struct vec3 correct_weights(struct vec3 screen, const double recip_w[3]) {
     /* BEGIN SOLUTION 8c.1 correct weights */
     double a = screen.x * recip_w[0], b = screen.y * recip_w[1], c = screen.z * recip_w[2];
     double scale = 1 / (a + b + c);
     return (struct vec3){a * scale, b * scale, c * scale};
     /* STARTER
-    (void)recip_w; // to do 8c.1: weigh each corner by its 1/w, then make the sum 1 again
+    (void)recip_w; // to do 8c.1: the weights in the plane of the triangle
     return screen;
     END SOLUTION */
 }
 
-/* What is drawn on, and what was done to the faces. */
+/* The image with its depth buffer, how to draw on it, and counts of what was done. */
 struct canvas {
     struct image *image;
-    double *depth;                 /* one a pixel of the image, row by row from the bottom */
+    double *depth;                 /* of each pixel, row by row from the bottom */
     struct rectangle area;         /* of the image: nothing is drawn outside */
     struct mat4 to_screen;         /* from NDC to the area */
     const struct texture *texture; /* the colour of the surface */
     struct mat4 normals_to_world;
-    bool one_color;  /* a face: that of its middle */
-    bool unweighted; /* a face is alike all over: 1/w is taken for 1 */
+    bool one_color;  /* each face has the colour of its middle */
+    bool unweighted; /* each face is the same all over, so 1/w is taken as 1 */
     uint64_t positions_divided;
     uint64_t faces_outside, faces_clipped, triangles_turned_away;
 };
@@ -180,8 +182,8 @@ static struct color shade(const struct texture *texture, struct vec2 uv, double 
                      level_from(c.z * intensity));
 }
 
-/* The triangles of steps 6 and 7 in one. The depth is interpolated with the weights on the screen,
- * all else with the correct weights. */
+/* The triangles of lessons 6 and 7 in one. The depth is interpolated with the weights on the
+ * screen, everything else with the correct weights. */
 static void triangle(const struct canvas *canvas, const struct edges *edges,
                      const struct vertex v[3]) {
     const double recip_w[3] = {v[0].recip_w, v[1].recip_w, v[2].recip_w};
@@ -208,15 +210,15 @@ static void triangle(const struct canvas *canvas, const struct edges *edges,
 
 /* ---- Normals of a model that is scaled ---- */
 
-/* Takes normals to the world, where to_world takes points: by the inverse transpose they stay
- * perpendicular to the surface. A map without an inverse leaves them as they are. */
+/* The matrix for normals where to_world is the matrix for points: the inverse transpose keeps them
+ * perpendicular to the surface. A map without an inverse leaves normals as they are. */
 static struct mat4 normals_to_world(struct mat4 to_world) {
     /* BEGIN SOLUTION 8c.2 normals */
     struct mat4 inverse = mat4_identity();
     mat4_inverse(to_world, &inverse);
     return mat4_transpose(inverse);
     /* STARTER
-    return to_world; // to do 8c.2: the inverse, and of that the transpose
+    return to_world; // to do 8c.2: the inverse transpose
     END SOLUTION */
 }
 
@@ -248,24 +250,24 @@ static struct mat4 lookat(struct vec3 eye, struct vec3 center, struct vec3 up) {
     END SOLUTION */
 }
 
-/* ---- Clipping: only what lies in front of the camera can be divided by w ---- */
+/* ---- Clipping: only what is in front of the camera can be divided by w ---- */
 
-/* Nearer than this part of the camera's distance nothing is drawn: 1/w would grow without bound. */
+/* The near plane: nothing nearer is drawn, or 1/w would grow without bound. */
 static const double near_w = 1.0 / 128;
 
-/* Faces are cut where they leave NDC -64..64: far outside the image, so that few are, but within
- * SCREEN_LIMIT for the largest image. */
+/* Faces are cut where they leave NDC -64..64. That is far outside the image, so few are cut, but
+ * within SCREEN_LIMIT for the largest image. */
 static const double guard_band = 64;
 
-/* A convex polygon gains at most one corner at each plane. Where coordinates differ by many
- * orders of magnitude, rounding can make the polygon not convex, and n corners become up to n +
- * n/2 at each of the five planes: 3, 4, 6, 9, 13, 19. */
+/* A convex polygon gains at most one corner at each plane. Where coordinates differ by many orders
+ * of magnitude, rounding can dent the polygon, and n corners become up to n + n/2 at each of the
+ * five planes: 3, 4, 6, 9, 13, 19. */
 enum { CLIP_PLANES = 5, POLYGON_LIMIT = 19 };
 
 /* A corner of a polygon while it is clipped. */
 struct clip_corner {
     struct vec4 clip;
-    struct vec3 weight; /* of the face's corners; sum 1 */
+    struct vec3 weight; /* where it is between the corners of the face; sum 1 */
 };
 
 struct polygon {
@@ -294,8 +296,8 @@ static double mix(double from, double to, double t) {
     return from + t * (to - from);
 }
 
-/* Where an edge crosses the plane. Always computed from the corner inside to the one outside, so
- * that both faces of an edge find the very same point, and no gap opens between them. */
+/* Where an edge crosses the plane. Always computed from the inner corner to the outer one, so that
+ * both faces at an edge find the very same point, and no gap opens between them. */
 static struct clip_corner cut_edge(const struct clip_corner *inside,
                                    const struct clip_corner *outside, double inside_distance,
                                    double outside_distance) {
@@ -309,8 +311,8 @@ static struct clip_corner cut_edge(const struct clip_corner *inside,
 }
 /* END SOLUTION */
 
-/* The part of a polygon on the inner side of plane 0..4 (Sutherland and Hodgman, "Reentrant Polygon
- * Clipping", 1974): w >= near_w, guard_band * w >= -x, >= x, >= -y, >= y. */
+/* What plane 0..4 leaves of a polygon (Sutherland and Hodgman, "Reentrant Polygon Clipping", 1974).
+ * Inside are w >= near_w (plane 0), guard_band * w >= -x (1), >= x (2), >= -y (3) and >= y (4). */
 static struct polygon clip_at_plane(const struct polygon *polygon, int plane) {
     struct polygon result = {.count = 0};
     /* BEGIN SOLUTION 8e.1 clipping */
@@ -335,8 +337,8 @@ static struct polygon clip_at_plane(const struct polygon *polygon, int plane) {
     return result;
 }
 
-/* Sides of the view that a position is beyond. A face that is beyond one of the first five with all
- * corners is not drawn; one that is beyond one of the last two with some of them is clipped. */
+/* The sides of the view. A face with all corners beyond one of the first five is not drawn; a face
+ * with a corner beyond one of the last two is clipped. */
 enum {
     BEYOND_LEFT = 1,
     BEYOND_RIGHT = 2,
@@ -346,7 +348,7 @@ enum {
     BEYOND_GUARD_BAND = 32
 };
 
-/* Written so that what is not a number is beyond everything. */
+/* The sides that a position is beyond. A position that is not a number is beyond all of them. */
 static unsigned find_beyond(struct vec4 p) {
     unsigned beyond = 0;
     beyond |= p.x >= -p.w ? 0 : BEYOND_LEFT;

@@ -1,18 +1,19 @@
 /*
- * Step 8, the given part: its scenes and the program.
+ * Lesson 8, the given part: its scenes and the program.
  *
- * Part a: `house` shows a small house, `scale` to `divided` what nine matrices do to it, and
- * `transforms` all of them together.
+ * Part a: `house` shows a small house, `scale` to `divided` show it through nine matrices, and
+ * `transforms` shows all nine together.
  *
  * Part b: `viewport` draws a model into several rectangles, without perspective. `projection` adds
- * perspective, with d infinite in a corner, and `crossing` planes whose depths decide, and two
- * faces without a place on the screen. A face has one colour, or w is 1: no weights are needed.
+ * perspective, with d infinite in a corner. `crossing` has planes that hide each other in part,
+ * and two faces without a place on the screen. A face has one colour, or w is 1, so no weights are
+ * needed.
  *
- * Part c: `wall` needs the correct weights, `narrow` normals for a model that is not scaled alike
- * in all directions, and for a leaf that is flattened.
+ * Part c: `wall` needs the correct weights. `narrow` needs the normals of a model that is not
+ * scaled alike in all directions, and of a leaf that is flattened.
  *
- * Part d: `lookat`, `tilted` and `above` need a camera anywhere. Until there, and in `endless`, the
- * camera stands in front.
+ * Part d: `lookat`, `tilted` and `above` need a camera anywhere. Before them, and in `endless`, the
+ * camera is in front.
  *
  * Part e: in `closeup` and `endless` faces pass behind the camera.
  */
@@ -36,7 +37,7 @@ static void fill_area(struct image *image, struct rectangle area, struct color c
 
 /* ---- Scene: transforms ---- */
 
-/* The house: convex polygons, those in front last. */
+/* The house: convex polygons, from back to front. */
 enum { PART_CORNERS = 4 };
 
 static const struct part {
@@ -66,7 +67,7 @@ static void plane_pixel(const struct plane *plane, int x, int y, struct color co
     }
 }
 
-/* A line between two points, in the pixels in which the map takes them. */
+/* A line between the pixels to which the map takes two points. */
 static void plane_line(const struct plane *plane, const struct mat4 *map, struct vec2 from,
                        struct vec2 to, struct color color) {
     struct vec2 a = to_pixels(map, from), b = to_pixels(map, to);
@@ -82,7 +83,7 @@ static void plane_triangle(const struct plane *plane, const struct mat4 *map, st
                            struct vec2 b, struct vec2 c, struct color color) {
     struct fixed2 p[3] = {{0, 0}};
     struct edges edges;
-    /* Never beyond the limit. */
+    /* The points are never beyond the limit. */
     screen_snap(to_pixels(map, a), &p[0]);
     screen_snap(to_pixels(map, b), &p[1]);
     screen_snap(to_pixels(map, c), &p[2]);
@@ -124,7 +125,7 @@ static void mark_point(const struct plane *plane, const struct mat4 *map, struct
 
 enum { PANEL_COLUMNS = 3, PANEL_COUNT = 9, PANEL_MARGIN = 4, PANEL_OF_PIVOT = 5 };
 
-/* Where a panel lies in an image; its width or height may be negative in a very small one. */
+/* The panel's part of an image. In a very small image its width or height may be negative. */
 static struct rectangle panel_area(const struct image *image, int panel) {
     struct rectangle cell = grid_cell(image->width, image->height, PANEL_COLUMNS, PANEL_COLUMNS,
                                       panel % PANEL_COLUMNS, panel / PANEL_COLUMNS);
@@ -137,7 +138,7 @@ static struct mat4 panel_to_screen(struct rectangle area) {
     return mat4_mul(area_to_screen(area), mat4_scaling((struct vec3){0.5, 0.5, 1}));
 }
 
-/* Axes, the house through a map, and its outline without. */
+/* Axes, the house through a map, and the outline of the house as it was. */
 static void draw_mapped(const struct plane *plane, const struct mat4 *map) {
     const struct color axis = color_grey(90), outline = color_grey(165);
     const struct mat4 to_screen = panel_to_screen(plane->area);
@@ -157,7 +158,7 @@ static void draw_panel(const struct plane *plane, int panel) {
     }
 }
 
-/* One panel by itself: that of the scene's number. */
+/* One panel by itself, chosen by the scene's number. */
 static bool draw_alone(struct drawing *drawing, struct image *image, struct error *error) {
     (void)error;
     const struct plane plane = {image, whole_image(image)};
@@ -165,11 +166,11 @@ static bool draw_alone(struct drawing *drawing, struct image *image, struct erro
     return true;
 }
 
-/* The house where it stands. */
+/* The house as it is. */
 static bool draw_unmapped(struct drawing *drawing, struct image *image, struct error *error) {
     (void)drawing, (void)error;
     const struct plane plane = {image, whole_image(image)};
-    struct mat4 still = mat4_identity(); /* times 2, which changes nothing: w is 2 */
+    struct mat4 still = mat4_identity(); /* times 2, which moves no point: w is 2 */
     for (int i = 0; i < 4; i++) {
         still.m[i][i] = 2;
     }
@@ -190,16 +191,16 @@ static bool draw_transforms(struct drawing *drawing, struct image *image, struct
 
 /* ---- Positions of the model ---- */
 
-/* A position, transformed. The last three are for place_once(). */
+/* A transformed position. place_once() uses the last three fields. */
 struct position {
     struct vec4 clip;
     unsigned beyond;
-    bool tried, placed;   /* place() was called, and gave a place on the screen */
+    bool tried, placed;   /* place() was called, and found a place on the screen */
     struct vertex vertex; /* without intensity and uv */
 };
 
 struct state {
-    struct position *positions; /* one a position of the model */
+    struct position *positions; /* one for each position of the model */
 };
 
 /* Each position is transformed once, however many faces share it. */
@@ -229,13 +230,13 @@ static bool place_face(struct position *const corner[3], struct canvas *canvas) 
 
 /* ---- Faces ---- */
 
-/* What the corners of a face hand to the pixels. */
+/* What is interpolated between the corners of a face. */
 struct face_attributes {
     double intensity[3];
     struct vec2 uv[3];
 };
 
-/* The intensity of step 7, with the normal brought to the world. */
+/* The intensity of lesson 7, with the normal taken to the world. */
 static double light_on(const struct drawing *drawing, const struct canvas *canvas,
                        struct vec3 model_normal) {
     struct vec3 normal = vec3_normalized(mat4_direction(&canvas->normals_to_world, model_normal));
@@ -254,7 +255,7 @@ static struct face_attributes fetch_corners(const struct drawing *drawing,
     return attributes;
 }
 
-/* The same at all corners: then no weights can be wrong. */
+/* The same at all corners, so that no weights can be wrong. */
 static struct face_attributes fetch_middle(const struct drawing *drawing,
                                            const struct canvas *canvas, size_t face) {
     const struct vec3 third = {1.0 / 3, 1.0 / 3, 1.0 / 3};
@@ -275,8 +276,8 @@ static struct face_attributes fetch_face(const struct drawing *drawing, const st
 static const struct vec3 whole_face[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
 
 /* Draw a triangle of a face: the face itself, or a part that clipping left. `weight` says where its
- * corners lie between those of the face. A triangle whose corners run clockwise on the screen shows
- * its inside: in a closed body something else is in front of it. */
+ * corners are between those of the face. A triangle whose corners run clockwise on the screen shows
+ * its inside, and a closed body always has something else in front of it. */
 static void draw_part(const struct drawing *drawing, struct canvas *canvas, size_t face,
                       struct vertex v[3], const struct vec3 weight[3]) {
     struct edges edges;
@@ -299,7 +300,7 @@ static void draw_part(const struct drawing *drawing, struct canvas *canvas, size
     }
 }
 
-/* A face whose corners lie at these places in clip space, cut at all planes. */
+/* A face with these corners in clip space, cut at all planes. */
 static struct polygon clip_face(struct vec4 a, struct vec4 b, struct vec4 c) {
     struct polygon polygon = {
         .corner = {{a, whole_face[0]}, {b, whole_face[1]}, {c, whole_face[2]}}, .count = 3};
@@ -349,7 +350,7 @@ static void draw_face(const struct drawing *drawing, struct canvas *canvas, size
     unsigned beyond_all = corner[0]->beyond & corner[1]->beyond & corner[2]->beyond;
     unsigned beyond_any = corner[0]->beyond | corner[1]->beyond | corner[2]->beyond;
     if (drawing->skip && (beyond_all & ~(unsigned)BEYOND_GUARD_BAND) != 0) {
-        canvas->faces_outside++; /* all of it lies beyond one side */
+        canvas->faces_outside++; /* all of it is beyond one side */
     } else if ((beyond_any & (BEYOND_NEAR | BEYOND_GUARD_BAND)) != 0) {
         struct polygon polygon = clip_face(corner[0]->clip, corner[1]->clip, corner[2]->clip);
         draw_clipped(drawing, canvas, face, &polygon);
@@ -396,7 +397,7 @@ static struct canvas make_canvas(const struct drawing *drawing, struct image *im
     };
 }
 
-/* Does the camera stand where lookat() has nothing to do? It is not called then, so that a mistake
+/* Is the camera where lookat() has nothing to do? Then lookat() is not called, so that a mistake
  * in it costs no scene of the parts before it. */
 static bool stands_in_front(const struct drawing *drawing) {
     const struct vec3 eye = drawing->eye, center = drawing->center, up = drawing->up;
@@ -479,7 +480,7 @@ static bool draw_projection(struct drawing *drawing, struct image *image, struct
     return true;
 }
 
-/* The rectangles of scene viewport, in eighths of the image, and what they are filled with. */
+/* The rectangles of scene viewport, in eighths of the image, and their backgrounds. */
 static const struct pane {
     struct rectangle eighths;
     struct color color;
@@ -525,7 +526,7 @@ struct quad {
 
 enum { QUAD_LIMIT = 4, QUAD_CORNERS = 4 * QUAD_LIMIT };
 
-/* A model of quads, and where its positions are transformed to. */
+/* A model of quads, and its transformed positions. */
 struct quad_model {
     struct model model;
     struct vec3 positions[QUAD_CORNERS];
@@ -535,7 +536,7 @@ struct quad_model {
     struct state state;
 };
 
-/* All normals point to the light: the tiles are seen in their own colours. */
+/* All normals point to the light, so that the tiles have their own colours. */
 static void quad_model_make(struct quad_model *made, const struct quad *quads, size_t count,
                             struct vec3 light) {
     *made = (struct quad_model){.model = {.position_count = 4 * count, .face_count = 2 * count}};
@@ -626,8 +627,8 @@ static const struct quad crossing[] = {
 
 enum { CROSSING_QUADS = sizeof crossing / sizeof crossing[0] };
 
-/* Two faces of which nothing may be seen, on a screen that is far larger than the image: NDC 0 is
- * pixel 0, and NDC 1 pixel 2^22. One corner is too far for the screen, one has no finite depth. */
+/* Two faces that must not be seen, on a screen far larger than the image: NDC 0 is pixel 0, and NDC
+ * 1 is pixel 2^22. One corner is too far for the screen, one has no finite depth. */
 static bool draw_nowhere(struct drawing *drawing, struct image *image, struct error *error) {
     const int side = 1 << 22;
     const double pixel = 1.0 / side;
@@ -659,17 +660,17 @@ static bool draw_crossing(struct drawing *drawing, struct image *image, struct e
            draw_nowhere(drawing, image, error);
 }
 
-/* It goes away from the viewer. */
+/* It leads away from the viewer. */
 static const struct quad wall = {
     {{-0.9, -0.45, 1.1}, {0.9, -0.45, -2}, {0.9, 0.45, -2}, {-0.9, 0.45, 1.1}},
     {{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
 
-/* It nearly faces the viewer: there is little to correct, but enough to be seen. */
+/* It nearly faces the viewer. There is little to correct, but enough to see. */
 static const struct quad poster = {
     {{0, 0.45, 0}, {0.98, 0.45, -0.09}, {0.98, 0.98, -0.09}, {0, 0.98, 0}},
     {{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
 
-/* Quads that stand in the world as they are. */
+/* Quads that are in the world as they are given. */
 static bool draw_standing(struct drawing *drawing, struct image *image, const struct quad *quads,
                           size_t count, struct error *error) {
     struct canvas canvas = make_canvas(drawing, image, whole_image(image));
@@ -688,9 +689,8 @@ static struct mat4 narrow_to_world(void) {
                     mat4_scaling((struct vec3){0.5, 1, 1}));
 }
 
-/* Leaves that are scaled. The first one is flattened by a map that has no inverse: its light is
- * that on the leaf as it was. The map of the other one has the determinant 1, as if it were a
- * rotation. */
+/* Leaves that are scaled. The first one is flattened by a map without an inverse, and keeps the
+ * light of the leaf as it was. The map of the other one has the determinant 1, like a rotation. */
 static const struct leaf {
     struct vec3 scale;
     struct quad quad;
@@ -726,8 +726,8 @@ static bool draw_narrow(struct drawing *drawing, struct image *image, struct err
            draw_leaf(drawing, image, &leaves[1], error);
 }
 
-/* A sail that all five planes cut, in a small view of its own: it hides all behind it. Of its three
- * corners eight are left, and the last ones show. */
+/* A sail that all five planes cut, in a small view where it hides all behind it. Its three corners
+ * become eight, and the last ones show. */
 static bool draw_eight_corners(struct drawing *drawing, struct image *image, struct error *error) {
     const int width = (int)image->width, height = (int)image->height;
     const struct rectangle area = {width * 44 / 100, height * 47 / 100, width / 9, height / 9};
@@ -740,8 +740,8 @@ static bool draw_eight_corners(struct drawing *drawing, struct image *image, str
     return draw_quads(drawing, &canvas, &sail, 1, &to_clip, error);
 }
 
-/* A floor and a wall that have no end behind the camera, a leaf before its lens, and a sail (with
- * three corners) that four planes cut: six corners are left, and each shows. */
+/* A floor and a wall that have no end behind the camera, a leaf right before its lens, and a sail
+ * (with three corners) that four planes cut: its three corners become six, and each shows. */
 static bool draw_endless(struct drawing *drawing, struct image *image, struct error *error) {
     const double far = 1e14, wide = 1e15, u = wide / 4, v = far / 8;
     const struct quad quads[] = {
@@ -784,12 +784,12 @@ static void finish(struct drawing *drawing) {
 enum { NEEDS_VIEW = NEEDS_MODEL | NEEDS_NORMALS | NEEDS_DIFFUSE | NEEDS_DEPTH };
 
 static const struct scene_value distance_value[] = {
-    {"farther", "so many times as far away is the eye", 0.4, 10, 0.1, 1},
+    {"farther", "how many times as far away the eye is", 0.4, 10, 0.1, 1},
     {.name = NULL},
 };
 
 static const struct scene scenes[] = {
-    /* Not square, and odd: who exchanges or cuts off sizes or places sees it. */
+    /* Odd and not square: exchanged or truncated sizes show. */
     {.name = "house", .width = 405, .height = 363, .draw = draw_unmapped},
     /* The panels one by one. */
     {.name = "scale", .number = 0, .width = 400, .height = 400, .draw = draw_alone},

@@ -175,7 +175,7 @@ struct result_text result_advice(const struct step_result *result, const struct 
     struct result_text advice = {""};
     for (size_t i = 0; i < item->looks_figure_count; i++) {
         if (i == 0) {
-            result_say(&advice, ": see %s/README.md, figure ", result->name);
+            result_say(&advice, ": see %s/WRONG.md, figure ", result->name);
         }
         result_say(&advice, "%s%u", i > 0 ? " or " : "", item->looks_figures[i]);
     }

@@ -158,7 +158,7 @@ bool result_is_right(const struct step_result *result, const char *task);
 /* The words before `looks`: "looks like", or "may be". */
 const char *result_likeness(const struct item_result *item);
 
-/* What to do about what it looks like: ": see step08_projection/README.md, figure 4" where a figure
+/* What to do about what it looks like: ": see step08_projection/WRONG.md, figure 4" where a figure
  * shows it, and "; make hint STEP=08 TASK=8b.2 or TASK=8b.3". */
 struct result_text result_advice(const struct step_result *result, const struct item_result *item);
 

@@ -739,7 +739,7 @@ static void test_known_counters(void) {
          "depth pixels FAIL 0/1: 5 pixels, but 9 are right;   looks like \"five\"; make hint "
          "STEP=41 TASK=41.2; depth2 pixels FAIL 0/1: 5 pixels, but 9 are right; depth2 rows"},
         {"step41_counted", "41.2 4 depth:-:pixels=5,rows=7 five\n", "--only depth",
-         "looks like \"five\": see step41_counted/README.md, figure 4; make hint STEP=41 "
+         "looks like \"five\": see step41_counted/WRONG.md, figure 4; make hint STEP=41 "
          "TASK=41.2"},
         {"step41_counted", "41.2 0 depth:-:pixels=5,rows=7 five\n", "--only depth2", ""},
         {"step41_counted", "41.2 0 depth:-:pixels=5 not all of it\n", "", ""},

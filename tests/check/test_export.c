@@ -105,12 +105,12 @@ static void test_figures(void) {
     check_report(export_json, &f, "\"looks_like\": \"five\"", "}", "");
     f.item.looks_figures[f.item.looks_figure_count++] = 4;
     check_report(export_json, &f, "\"looks_like\": \"five\", \"figures\": [", "4", "]}");
-    check_report(export_html, &f, "<p>looks like five: see ", "step05_zbuffer/README.md, figure 4",
+    check_report(export_html, &f, "<p>looks like five: see ", "step05_zbuffer/WRONG.md, figure 4",
                  "; make hint STEP=05 TASK=5.2</p>");
     f.item.looks_figures[f.item.looks_figure_count++] = 12;
     check_report(export_json, &f, "\"looks_like\": \"five\", \"figures\": [", "4, 12", "]}");
     check_report(export_html, &f, "<p>looks like five: see ",
-                 "step05_zbuffer/README.md, figure 4 or 12", "; make hint STEP=05 TASK=5.2</p>");
+                 "step05_zbuffer/WRONG.md, figure 4 or 12", "; make hint STEP=05 TASK=5.2</p>");
     bytes_free(&f.step.messages);
 }
 

@@ -1,11 +1,11 @@
 #!/bin/sh
-# Do the lessons quote what is there? Every ```c block of a lesson's README has 12 lines at most,
+# Do the lessons quote what is there? Every ```c block of a lesson's texts has 12 lines at most,
 # and stands word for word (but for white space at the beginning of lines) in one file of the
 # lesson's directory, or in one header of common. A line `...` stands for lines left out. main.c is
 # quoted without its marks, as solution or as starter.
 . "$(dirname "$0")/../unit/script.sh"
 
-# find_quotes README FILE...: each quote of the README in one of the files.
+# find_quotes TEXT FILE...: each quote of the text in one of the files.
 find_quotes() {
     readme=$1
     shift
@@ -54,7 +54,9 @@ for lesson in step*; do
         awk -v mode=$mode -f tests/student/marks.awk "$lesson/main.c" >"$work/$mode" || failed=1
     done
     files=$(find "$lesson" -name '*.[ch]' ! -name main.c -o -name '*.txt')
-    # shellcheck disable=SC2086
-    find_quotes "$lesson/README.md" "$work/starter" "$work/solution" $files common/*.h
+    for text in "$lesson"/*.md; do
+        # shellcheck disable=SC2086
+        find_quotes "$text" "$work/starter" "$work/solution" $files common/*.h
+    done
 done
 exit $failed

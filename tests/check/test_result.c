@@ -157,8 +157,8 @@ static void test_advice(void) {
     } cases[] = {
         {0, 0, "; make hint STEP=08 TASK=8b.1"},
         {0, 2, "; make hint STEP=08 TASK=8b.2 or TASK=8c.1"},
-        {1, 1, ": see step08_a/README.md, figure 4; make hint STEP=08 TASK=8b.2"},
-        {2, 0, ": see step08_a/README.md, figure 4 or 12; make hint STEP=08 TASK=8b.1"},
+        {1, 1, ": see step08_a/WRONG.md, figure 4; make hint STEP=08 TASK=8b.2"},
+        {2, 0, ": see step08_a/WRONG.md, figure 4 or 12; make hint STEP=08 TASK=8b.1"},
     };
     const struct credit credit = {.tasks = {{"8b.1"}}, .task_count = 1};
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {

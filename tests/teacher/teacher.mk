@@ -1,8 +1,8 @@
 ##
 ## For who teaches (tests/teacher/README.md says more):
 ##   make handout OUT=dir        what a student gets: starters, and no solution (LESSONS=1-5)
-##   make key OUT=dir            what an instructor gets: solutions, answers, the pictures of
-##                               mistakes, points (LESSONS=1-5)
+##   make key OUT=dir            what an instructor gets: solutions, the pictures of mistakes,
+##                               points (LESSONS=1-5)
 ##   make check HIDDEN=7         the check, and then scenes that nobody has seen, made from that
 ##                               number (SOLUTION=dir holds them against dir/step05_zbuffer/main.c)
 ##   make grade SUBMISSIONS=dir  a class: points, reports, what is alike, into OUT=dir (LESSONS=1-5,

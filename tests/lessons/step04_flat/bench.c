@@ -46,7 +46,7 @@ static void faces_find_levels(const struct model *model, struct vec3 light, doub
         faces_shade(model, light, levels, attempt_1_not_normalized);
         break;
     case 2:
-        faces_shade(model, light, levels, attempt_2_outward);
+        faces_shade(model, light, levels, attempt_2_inward);
         break;
     case 3:
         faces_shade(model, light, levels, attempt_3_absolute);
@@ -80,7 +80,7 @@ static void run(void *state, int choice) {
 
 /* ---- The error ---- */
 
-/* How directly light falls on a face: minus the cosine of the angle between the light's direction
+/* How directly light falls on a face: the cosine of the angle between the direction to the light
  * and the outward normal. 0 for a face without area. */
 static long double exact_intensity(const struct model *model, size_t face, struct vec3 light) {
     struct real3 origin = real3_from(model_position(model, face, 0));
@@ -88,7 +88,7 @@ static long double exact_intensity(const struct model *model, size_t face, struc
     struct real3 b = real3_sub(real3_from(model_position(model, face, 2)), origin);
     struct real3 normal = real3_cross(a, b), to = real3_from(light);
     long double length = real3_length(normal) * real3_length(to);
-    return length > 0 ? -real3_dot(normal, to) / length : 0;
+    return length > 0 ? real3_dot(normal, to) / length : 0;
 }
 
 /* A level as the picture can show it; what is not a number is shown as 0. */
@@ -115,7 +115,7 @@ static double error_of(void *state, int choice) {
 
 static bool faces_setup(void *state, struct error *error) {
     static const struct vec3 directions[LIGHT_COUNT] = {
-        {0, 0, -1}, {-1, -1, -1}, {3, -1, -2}, {-0.1, 1, -0.3}};
+        {0, 0, 1}, {1, 1, 1}, {-3, 1, 2}, {0.1, -1, 0.3}};
     struct faces *faces = state;
     for (int i = 0; i < LIGHT_COUNT; i++) {
         faces->light[i] = vec3_normalized(directions[i]);
@@ -139,7 +139,7 @@ static double faces_units(const void *state, int base) {
 }
 
 static const struct bench_version attempt_versions[] = {
-    VERSION("1: not normalised", 1),   VERSION("2: pointing outwards", 2),
+    VERSION("1: not normalised", 1),   VERSION("2: pointing inwards", 2),
     VERSION("3: sign thrown away", 3), VERSION("4: float", 4),
     VERSION("5: guessed root", 5),     VERSION("6: one Newton step", 6),
     VERSION("7: two Newton steps", 7), HOUSE_VERSION("double (main.c)", HOUSE),

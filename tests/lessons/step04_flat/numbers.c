@@ -37,13 +37,13 @@ static struct shown called_drawn(struct vertex a, struct vertex b, struct vertex
 }
 
 /* The grey of the text's face, moved and `size` times as large, in 255ths. */
-static long called_grey(struct vec3 moved, double size, struct vec3 light) {
+static long called_grey(struct vec3 moved, double size, struct vec3 to_light) {
     struct vec3 corners[3] = {xyz(0, 0, 0), xyz(2, 0, 1), xyz(0, 1, 1)};
     for (int i = 0; i < 3; i++) {
         corners[i] = vec3_add(vec3_scale(corners[i], size), moved);
     }
     const struct model model = called_of_one_face(corners);
-    return (long)floor(face_intensity(&model, 0, light) * 255 + 0.5);
+    return (long)floor(face_intensity(&model, 0, to_light) * 255 + 0.5);
 }
 
 static void numbers(void) {
@@ -64,16 +64,16 @@ static void numbers(void) {
          "(1,1) (2,1) (3,1) (1,2) (2,2) (1,3)");
     TEXT("4.2", "triangle(image, (256, 256) (512, 256) (768, 256), white)",
          called_drawn(called_on(256, 256), called_on(512, 256), called_on(768, 256)), "none");
-    AS_WHOLE("4.3", "255 * face_intensity((0, 0, 0) (2, 0, 1) (0, 1, 1), light (0, 0, -1))",
-             called_grey(xyz(0, 0, 0), 1, xyz(0, 0, -1)), 170);
-    AS_WHOLE("4.3", "255 * face_intensity((3, 4, 5) (5, 4, 6) (3, 5, 6), light (0, 0, -1))",
-             called_grey(xyz(3, 4, 5), 1, xyz(0, 0, -1)), 170);
-    AS_WHOLE("4.3", "255 * face_intensity((0, 0, 0) (2, 0, 1) (0, 1, 1), light (0.6, 0, -0.8))",
-             called_grey(xyz(0, 0, 0), 1, xyz(0.6, 0, -0.8)), 187);
-    AS_WHOLE("4.3", "255 * face_intensity((0, 0, 0) (2, 0, 1) (0, 1, 1), light (0, 0.6, -0.8))",
-             called_grey(xyz(0, 0, 0), 1, xyz(0, 0.6, -0.8)), 238);
-    AS_WHOLE("4.3", "255 * face_intensity((0, 0, 0) (2, 0, 1) (0, 1, 1), light (0, 0, 1))",
-             called_grey(xyz(0, 0, 0), 1, xyz(0, 0, 1)), -170);
-    AS_WHOLE("4.3", "255 * face_intensity(a thousandth of that face, light (0, 0, -1))",
-             called_grey(xyz(0, 0, 0), 0.001, xyz(0, 0, -1)), 170);
+    AS_WHOLE("4.3", "255 * face_intensity((0, 0, 0) (2, 0, 1) (0, 1, 1), l (0, 0, 1))",
+             called_grey(xyz(0, 0, 0), 1, xyz(0, 0, 1)), 170);
+    AS_WHOLE("4.3", "255 * face_intensity((3, 4, 5) (5, 4, 6) (3, 5, 6), l (0, 0, 1))",
+             called_grey(xyz(3, 4, 5), 1, xyz(0, 0, 1)), 170);
+    AS_WHOLE("4.3", "255 * face_intensity((0, 0, 0) (2, 0, 1) (0, 1, 1), l (-0.6, 0, 0.8))",
+             called_grey(xyz(0, 0, 0), 1, xyz(-0.6, 0, 0.8)), 187);
+    AS_WHOLE("4.3", "255 * face_intensity((0, 0, 0) (2, 0, 1) (0, 1, 1), l (0, -0.6, 0.8))",
+             called_grey(xyz(0, 0, 0), 1, xyz(0, -0.6, 0.8)), 238);
+    AS_WHOLE("4.3", "255 * face_intensity((0, 0, 0) (2, 0, 1) (0, 1, 1), l (0, 0, -1))",
+             called_grey(xyz(0, 0, 0), 1, xyz(0, 0, -1)), -170);
+    AS_WHOLE("4.3", "255 * face_intensity(a thousandth of that face, l (0, 0, 1))",
+             called_grey(xyz(0, 0, 0), 0.001, xyz(0, 0, 1)), 170);
 }

@@ -32,8 +32,8 @@ static double intensity_error(const void *tried) {
     struct model model = model_of(&c.face);
     double got = face_intensity(&model, 0, c.light);
     long double uncertainty;
-    struct real3 inwards = real3_scale(real3_unit(face_cross(&c.face, &uncertainty)), -1);
-    long double exact = real3_dot(inwards, real3_from(c.light));
+    struct real3 outwards = real3_unit(face_cross(&c.face, &uncertainty));
+    long double exact = real3_dot(outwards, real3_from(c.light));
     return (double)(fabsl(exact - (long double)got) / (0x1p-53L * (uncertainty + 1)));
 }
 

@@ -1,26 +1,11 @@
 // The page under the mouse: asks a lesson's program for frames, and shows them pixel by pixel. What
-// can be changed stands in what the program says of its scenes (common/run/live.h).
+// can be changed stands in what the program says of its scenes (common/run/live.h). Frames come from
+// the `program` that another file defines: server.js has the one of `make live`.
+"use strict";
 
 const $ = id => document.getElementById(id);
 const canvas = $("picture");
 const context = canvas.getContext("2d");
-
-// ---- The program: where frames come from ----
-
-// Both ask a server; a page without one brings its own.
-const server = {
-    async state() {
-        return (await fetch("state")).json();
-    },
-    async frame(request) {
-        const answer = await fetch("frame", {method: "POST", body: request});
-        return new Uint8Array(await answer.arrayBuffer());
-    },
-    reference(scene) {
-        return `reference/${scene}.png`;
-    },
-};
-const program = window.liveProgram ?? server;
 
 // ---- What is shown ----
 
@@ -133,8 +118,8 @@ async function ask() {
                 shown = frame;
                 say(buildMessage);
             }
-        } catch {
-            say("Nobody answers: has make live ended?");
+        } catch (error) {
+            say(error.message);
         }
         paint();
     } while (again);
@@ -166,8 +151,8 @@ async function lookForChanges() {
                 ask();
             }
         }
-    } catch {
-        say("Nobody answers: has make live ended?");
+    } catch (error) {
+        say(error.message);
     }
     setTimeout(lookForChanges, 500);
 }
@@ -176,7 +161,7 @@ async function lookForChanges() {
 
 async function readReference() {
     reference = null;
-    if (!isAsInLesson()) {
+    if (!isAsInLesson() || !program.reference) {
         return;
     }
     const scene = chosen.scene;
@@ -541,6 +526,7 @@ function build() {
         chosen.text = ownTexts[about.text];
     }
     buttons($("scenes"), names, chosen.scene, chooseScene);
+    $("views").parentElement.hidden = !program.reference;
     buttons($("views"), ["yours", "reference", "difference"], view, name => { view = name; paint(); });
     buildControls();
     readReference();

@@ -242,6 +242,7 @@ static void answer(struct live *live, struct http_request *request) {
         {"", "tests/student/live/page.html", "text/html; charset=utf-8"},
         {"page.css", "tests/student/live/page.css", "text/css"},
         {"page.js", "tests/student/live/page.js", "text/javascript"},
+        {"server.js", "tests/student/live/server.js", "text/javascript"},
     };
     for (size_t i = 0; i < sizeof files / sizeof files[0]; i++) {
         if (!request->is_post && strcmp(request->path, files[i].path) == 0) {

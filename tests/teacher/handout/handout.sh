@@ -4,7 +4,7 @@
 #     handout.sh OUT [LESSONS]        LESSONS is 5 or 1-5; all of them without it
 #
 # OUT is a directory that is not there yet, or empty. It gets the lessons with main.c as the
-# starter, the texts without answers, the check with its references, hints, and what of common these
+# starter, the texts, the check with its references, hints, and what of common these
 # need. What common has of a technique (sections whose heading says `taught in step03_triangle`)
 # comes with the first hand-out that reaches beyond that lesson. Twice the same command writes the
 # same bytes.
@@ -41,15 +41,11 @@ without_commands='
 
 put_lesson() {
     mkdir -p "$new/$1" "$new/tests/student/starters"
-    awk -v mode=without -f tests/teacher/handout/answers.awk "$1/README.md" >"$work/README.md" &&
-        awk "$without_commands" "$work/README.md" >"$new/$1/README.md" ||
-        fail 1 "cannot write $new/$1"
     put_text starter "$1"
     cp "$new/$1/main.c" "$new/tests/student/starters/$1.c" || fail 1 "cannot write $new/tests"
     for file in "$1"/scenes.h "$1"/extra_*.h "$1"/mine.c "$1"/attempts.h "$1"/hints.txt \
         "$1"/[A-Z]*.md "$1"/figures/* tests/reference/"$1"/*; do
         case $file in
-        "$1/README.md") ;;
         *.md) [ ! -f "$file" ] || put_changed "$without_commands" "$file" ;;
         *) [ ! -f "$file" ] || put "$file" ;;
         esac
@@ -152,20 +148,10 @@ sed -e "/^Then read/s|.*|Then read [lesson $first]($first_lesson/README.md).|" \
 
 finish_texts
 
-# Pictures that only answers show stay here, too.
-cat "$new"/*.md "$new"/*/*.md | grep -oE '[[:alnum:]_.-]+\.(png|svg)' | sort -u >"$work/shown"
-printf '%s\n' "$new"/step*/figures/* |
-    awk -F / -v shown="$work/shown" '
-        BEGIN { while ((getline name <shown) > 0) is_shown[name] = 1 }
-        !($NF in is_shown) { print }' |
-    while IFS= read -r figure; do
-        rm -f "$figure"
-    done
-
 # ---- Nothing of a solution goes out ----
 
 # The check knows the marks itself.
-left=$(cd "$new" && grep -rlE 'BEGIN SOLUTION|END SOLUTION|/\* STARTER$|<summary>Answer' . |
+left=$(cd "$new" && grep -rlE 'BEGIN SOLUTION|END SOLUTION|/\* STARTER$' . |
     grep -vxF ./tests/check/todo.c)
 # shellcheck disable=SC2086 # one word a file
 [ -z "$left" ] || fail 1 "a mark is left in" $left

@@ -7,7 +7,6 @@
 # task, and for each lesson
 #
 #     main.c           the solution, without marks: it has passed the check
-#     answers.md       the questions of the lesson, with their answers
 #     mistakes.html    each mistake of mistakes.txt: what is written wrong, what the check says to
 #                      it, and the picture that it draws beside the reference
 #
@@ -33,8 +32,6 @@ begin_out "$(mktemp -d "$build/verify.XXXXXX")"
 # are changes of the marked source, wherever that is found.
 for lesson in $lessons; do
     put_text solution "$lesson"
-    awk -v mode=only -f tests/teacher/handout/answers.awk "$lesson/README.md" >"$new/$lesson/answers.md" ||
-        fail 1 "cannot write $new/$lesson"
     mkdir -p "$work/course/$lesson" && cp "$work/marked" "$work/course/$lesson/main.c" &&
         mkdir "$work/$lesson.solution" && cp "$new/$lesson/main.c" "$work/$lesson.solution" ||
         fail 1 "cannot write $work"
@@ -74,21 +71,20 @@ done
 
 {
     cat <<'END'
-# For the instructor: solutions, answers, mistakes, points
+# For the instructor: solutions, mistakes, points
 
 Not for students: `make handout` writes what they get. All of this is made by `make key` from the
 course; after a change of the course, make it again.
 
-`main.c` is the solution that `make check` passes, `answers.md` has the questions with their
-answers, `mistakes.html` (to be opened in a browser) the pictures that typical mistakes draw, beside
-the reference.
+`main.c` is the solution that `make check` passes. Open `mistakes.html` in a browser: it shows the
+pictures that typical mistakes draw, next to the reference.
 
 END
     for lesson in $lessons; do
         title=$(sed -n '1s/^# //p' "$lesson/README.md")
         mistakes=
         [ ! -f "$new/$lesson/mistakes.html" ] || mistakes=", [mistakes]($lesson/mistakes.html)"
-        echo "- $title: [solution]($lesson/main.c), [answers]($lesson/answers.md)$mistakes"
+        echo "- $title: [solution]($lesson/main.c)$mistakes"
     done
     printf '\n## Points\n\n'
     # shellcheck disable=SC2086 # one word a file

@@ -57,7 +57,8 @@ finish_texts() {
                     put "$(echo "${directory#"$new"/}/$link" | sed 's|[^/]*/\.\./||')"
             done || exit 1
     done
-    for text in "$new"/*.md "$new"/*/*.md; do
+    for text in "$new"/*.md "$new"/*/*.md "$new"/*/*/*.md; do
+        [ -f "$text" ] || continue
         directory=$(dirname "$text")
         grep -o '\](\([^)#]*\)[^)]*)' "$text" | sed 's/^](//; s/[#)].*//' | sort -u |
             while IFS= read -r link; do

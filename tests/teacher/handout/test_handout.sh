@@ -1,6 +1,6 @@
 #!/bin/sh
 # Is what is handed out a course of its own, and without solutions? Hands out two lessons: the same
-# bytes twice; no mark, no answer, no mistake, nothing of what the next lessons teach; no link that
+# bytes twice; no mark, no mistake, nothing of what the next lessons teach; no link that
 # leads nowhere. Each lesson alone: its solution compiles there. Then all of them, on a machine that
 # has little more than gcc and make: `make` builds and draws every starter without a warning, and
 # the check finds all to do.
@@ -23,9 +23,9 @@ for file in step03_triangle step06_texture tests/upkeep tests/unit tests/lessons
     step04_flat/mistakes.txt common/pipeline.h; do
     [ ! -e "$file" ] || wrong "$file is handed out"
 done
-grep -rlE 'BEGIN SOLUTION|<details>|texture_bilinear\(' ./*.md step* common tests/student/starters \
+grep -rlE 'BEGIN SOLUTION|texture_bilinear\(' ./*.md step* common tests/student/starters \
     >"$work/log" &&
-    wrong "a solution or an answer is handed out in $(cat "$work/log")"
+    wrong "a solution is handed out in $(cat "$work/log")"
 grep -q 'bool edges_setup' common/raster.h || wrong "the triangle of lesson 3 is missing in lesson 4"
 grep -q 'to do 4\.1' step04_flat/main.c || wrong "the starter of lesson 4 is not one"
 make -s help | grep -q 'make check' || wrong "make help does not help"
@@ -84,7 +84,7 @@ for lesson in step*; do
         wrong "$lesson needs what is not handed out with it: $(head -n 3 "$work/log")"
     (cd "$out" && headers_build common/*.h common/*/*.h tests/*/*.h tests/*/*/*.h) \
         >"$work/log" 2>&1 || wrong "headers of $lesson: $(head -n 3 "$work/log")"
-    (cd "$out" && commands_are_there README.md "$lesson"/*.md "$lesson"/*.txt "$lesson"/*.[ch]) ||
+    (cd "$out" && commands_are_there README.md tests/student/README.md "$lesson"/*.md "$lesson"/*.txt "$lesson"/*.[ch]) ||
         wrong "$lesson names commands that are not handed out"
     grep -q "Then read .*(${lesson}/README.md)" "$out/README.md" || wrong "where does $lesson begin?"
 done

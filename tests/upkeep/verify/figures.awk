@@ -1,8 +1,8 @@
 # Do the tables of wrong pictures, the lists of mistakes and the pictures agree?
 #
-#   awk -f tests/upkeep/verify/figures.awk stepNN_name/README.md stepNN_name/mistakes.txt stepMM_name/...
+#   awk -f tests/upkeep/verify/figures.awk stepNN_name/WRONG.md stepNN_name/mistakes.txt stepMM_name/...
 #
-# In the table with the column `figure` below `## Common wrong pictures`, a row begins with the
+# In the table with the column `figure`, a row begins with the
 # number of its figure and has its picture, `| 4 | ![words](figures/wrong_04.png) | ...`, or with
 # neither, `| | | ...`, where there is nothing to see. The numbers go from 1 on; each figure is named
 # by a mistake (`figure 4`), and each that a mistake names is in the table; no picture is left over.
@@ -30,10 +30,10 @@ function end_lesson(    i, path) {
         return
     }
     for (i = 1; i <= rows; i++) {
-        if (!(i in named)) wrong(lesson "/README.md", "no mistake draws figure " i)
+        if (!(i in named)) wrong(lesson "/WRONG.md", "no mistake draws figure " i)
     }
     for (i in named) {
-        if (i + 0 > rows) wrong(named[i], "figure " i " is not in the table of README.md")
+        if (i + 0 > rows) wrong(named[i], "figure " i " is not in the table of WRONG.md")
     }
     for (i = rows + 1; i <= 99; i++) {
         path = sprintf("%s/figures/wrong_%02d.png", lesson, i)
@@ -44,7 +44,7 @@ function end_lesson(    i, path) {
 function begin_file() {
     directory = FILENAME
     sub(/\/[^\/]*$/, "", directory)
-    inside = is_table = 0
+    is_table = 0
     if (directory != lesson) {
         end_lesson()
         lesson = directory
@@ -77,8 +77,7 @@ function read_row(    cell, number, picture, path) {
 }
 
 FNR == 1 { begin_file() }
-/^## / { inside = /^## Common wrong pictures$/; is_table = 0 }
-inside && /^\| figure \|/ { is_table = getline; next } # the line below it has no words
+/^\| figure \|/ { is_table = getline; next } # the line below it has no words
 !/^\|/ { is_table = 0 }
 is_table { read_row() }
 FILENAME ~ /mistakes\.txt$/ && /^figure / && !($2 in named) { named[$2] = FILENAME ":" FNR }

@@ -17,7 +17,7 @@
 #
 #   figure 4
 #
-# names the row of the table of wrong pictures in stepNN_name/README.md that it belongs to. The
+# names the row of the table in stepNN_name/WRONG.md that it belongs to. The
 # first one with that figure gives its picture: of its scene, the part around all that is wrong, or
 # another part: `figure 4 60x40+10+20` is 60 pixels wide and 40 high, from (10,20) on.
 #

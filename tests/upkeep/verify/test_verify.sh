@@ -181,15 +181,15 @@ cp mistakes.kept step01_line/mistakes.txt
 
 # agree STATUS [MESSAGE]: whether table, list and pictures do.
 agree() {
-    awk -f tests/upkeep/verify/figures.awk step01_line/README.md step01_line/mistakes.txt >said
+    awk -f tests/upkeep/verify/figures.awk step01_line/WRONG.md step01_line/mistakes.txt >said
     status=$?
     [ $status -eq "$1" ] || wrong "figures.awk: status $status, not $1"
     [ -z "$2" ] || says "$2"
 }
 table() {
-    { printf '# Title\n\n## Common wrong pictures\n\n| figure | b | c |\n| ---: | --- | --- |\n' &&
+    { printf '# Title\n\n| figure | b | c |\n| ---: | --- | --- |\n' &&
         cat && printf '\n| another | table |\n| --- | --- |\n| x | y |\n\n## More\n'; } \
-        >step01_line/README.md
+        >step01_line/WRONG.md
 }
 table <<'END'
 | 1 | ![a b](figures/wrong_01.png) | c |
@@ -198,25 +198,25 @@ table <<'END'
 END
 echo >"$figures/wrong_01.png" && echo >"$figures/wrong_02.png"
 agree 0
-sed -i.old 's/^| 2 /| 3 /' step01_line/README.md
-agree 1 'step01_line/README.md:9: figure 3 follows 1'
-sed 's/^| 2 /| x /' step01_line/README.md.old >step01_line/README.md
-agree 1 'step01_line/README.md:9: a row begins with neither a number nor an empty column'
-sed 's/^| 2 /| /' step01_line/README.md.old >step01_line/README.md
-agree 1 'step01_line/README.md:9: a picture without a number'
-sed 's/^| 2 .*/| 2 | | c |/' step01_line/README.md.old >step01_line/README.md
-agree 1 'step01_line/README.md:9: figure 2 is not '
-sed 's/wrong_02/wrong_01/' step01_line/README.md.old >step01_line/README.md
-agree 1 'step01_line/README.md:9: figure 2 is not '
-sed '/^| 2 /d' step01_line/README.md.old >step01_line/README.md
+sed -i.old 's/^| 2 /| 3 /' step01_line/WRONG.md
+agree 1 'step01_line/WRONG.md:7: figure 3 follows 1'
+sed 's/^| 2 /| x /' step01_line/WRONG.md.old >step01_line/WRONG.md
+agree 1 'step01_line/WRONG.md:7: a row begins with neither a number nor an empty column'
+sed 's/^| 2 /| /' step01_line/WRONG.md.old >step01_line/WRONG.md
+agree 1 'step01_line/WRONG.md:7: a picture without a number'
+sed 's/^| 2 .*/| 2 | | c |/' step01_line/WRONG.md.old >step01_line/WRONG.md
+agree 1 'step01_line/WRONG.md:7: figure 2 is not '
+sed 's/wrong_02/wrong_01/' step01_line/WRONG.md.old >step01_line/WRONG.md
+agree 1 'step01_line/WRONG.md:7: figure 2 is not '
+sed '/^| 2 /d' step01_line/WRONG.md.old >step01_line/WRONG.md
 agree 1 'step01_line/mistakes.txt:18: figure 2 is not in the table'
 says 'step01_line/figures/wrong_02.png: is in no row of the table'
-cp step01_line/README.md.old step01_line/README.md
+cp step01_line/WRONG.md.old step01_line/WRONG.md
 sed -i.old '/^figure 2/d' step01_line/mistakes.txt
-agree 1 'step01_line/README.md: no mistake draws figure 2'
+agree 1 'step01_line/WRONG.md: no mistake draws figure 2'
 mv step01_line/mistakes.txt.old step01_line/mistakes.txt
 rm "$figures/wrong_02.png"
-agree 1 'step01_line/README.md:9: figures/wrong_02.png is missing'
+agree 1 'step01_line/WRONG.md:7: figures/wrong_02.png is missing'
 
 # ---- Findings ----
 

@@ -10,7 +10,7 @@ function line(text) { return text == "" ? "" : text "\\n" }
 is_item() {
     looks = text_of("looks_like")
     may_be = text_of("may_be")
-    see = figures_of() == "" ? "" : ": see " step "/README.md, figure " figures_of()
+    see = figures_of() == "" ? "" : ": see " step "/WRONG.md, figure " figures_of()
     tests = tests (tests == "" ? "" : ",") "\n    {\"name\": \"" step " " item_name() \
         "\", \"score\": " number_of("points") ", \"max_score\": " number_of("most") \
         ", \"output\": \"" text_of("state") "\\n" line(text_of("message")) \

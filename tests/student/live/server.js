@@ -1,0 +1,28 @@
+// Where the page's frames come from: the server of `make live`. The course's web pages bring a
+// `program` of their own, which answers the same.
+"use strict";
+
+async function fetchFrom(path, options) {
+    try {
+        return await fetch(path, options);
+    } catch {
+        throw new Error("Nobody answers: has make live ended?");
+    }
+}
+
+const program = {
+    // What common/run/live.h says of the scenes, and the messages of who builds the program:
+    // {version, step, message, program}.
+    async state() {
+        return (await fetchFrom("state")).json();
+    },
+    // The bytes of the answer to a request, as live.h has them.
+    async frame(request) {
+        const answer = await fetchFrom("frame", {method: "POST", body: request});
+        return new Uint8Array(await answer.arrayBuffer());
+    },
+    // The address of a picture. A program without this has no references to show.
+    reference(scene) {
+        return `reference/${scene}.png`;
+    },
+};
