@@ -262,15 +262,16 @@ static bool read_normal_map(struct model *model, const char *path, struct error 
     return done;
 }
 
-/* The first name under which there is a file, or the first of all, so that a message can say what
- * was looked for; the caller frees it. NULL when memory runs out. */
-static char *find_texture(const char *model_path, enum model_texture_kind kind, bool *found) {
+char *model_find_texture(const struct model *model, enum model_texture_kind kind, bool *found) {
     const char *const *suffixes = texture_suffixes[kind];
     const size_t count = sizeof texture_extensions / sizeof texture_extensions[0];
-    *found = false;
+    *found = model->texture_files[kind] != NULL;
+    if (*found) {
+        return string_format("%s", model->texture_files[kind]);
+    }
     for (size_t i = 0; i < 4 && suffixes[i] != NULL; i++) {
         for (size_t k = 0; k < count; k++) {
-            char *path = texture_path(model_path, suffixes[i], texture_extensions[k]);
+            char *path = texture_path(model->path, suffixes[i], texture_extensions[k]);
             *found = path != NULL && file_exists(path);
             if (path == NULL || *found) {
                 return path;
@@ -278,14 +279,14 @@ static char *find_texture(const char *model_path, enum model_texture_kind kind, 
             free(path);
         }
     }
-    return texture_path(model_path, suffixes[0], texture_extensions[0]);
+    return texture_path(model->path, suffixes[0], texture_extensions[0]);
 }
 
 size_t model_textures_present(const struct model *model) {
     size_t present = 0;
     for (int kind = 0; model->path != NULL && kind < MODEL_TEXTURE_KINDS; kind++) {
         bool found;
-        free(find_texture(model->path, (enum model_texture_kind)kind, &found));
+        free(model_find_texture(model, (enum model_texture_kind)kind, &found));
         present += found;
     }
     return present;
@@ -294,7 +295,6 @@ size_t model_textures_present(const struct model *model) {
 const struct texture *model_texture(struct model *model, enum model_texture_kind kind,
                                     struct error *error) {
     struct texture *texture = &model->textures[kind];
-    const char *named = model->texture_files[kind];
     if (texture->level_count > 0) {
         return texture;
     }
@@ -302,9 +302,8 @@ const struct texture *model_texture(struct model *model, enum model_texture_kind
         error_set(error, "a model that was not read from a file has no textures");
         return NULL;
     }
-    bool found = named != NULL;
-    char *path = found ? string_format("%s", named) : find_texture(model->path, kind, &found);
-    bool done = false;
+    bool found, done = false;
+    char *path = model_find_texture(model, kind, &found);
     if (path == NULL) {
         error_out_of_memory(error);
     } else if (!found) {
@@ -328,7 +327,7 @@ bool model_has_materials(const struct model *model) {
         textured = textured || model->materials[i].texture != NULL;
     }
     if (known && !textured && model->uv_count > 0 && model->path != NULL) {
-        free(find_texture(model->path, MODEL_DIFFUSE, &beside));
+        free(model_find_texture(model, MODEL_DIFFUSE, &beside));
     }
     return known && !beside;
 }

@@ -8,6 +8,7 @@
 #include "files/sides.h"
 
 #include <assert.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -221,16 +222,55 @@ static bool replace_texture(struct run *run, enum model_texture_kind kind,
     return make_texel(instead, kind == MODEL_DIFFUSE ? 255 : SHINY, error);
 }
 
+/* What is drawn where there is no texture, and the option that names one. */
+static const struct {
+    unsigned need;
+    const char *instead, *option;
+} replacements[MODEL_TEXTURE_KINDS] = {
+    [MODEL_DIFFUSE] = {NEEDS_DIFFUSE, "white", "--texture"},
+    [MODEL_NORMAL_MAP] = {NEEDS_NORMAL_MAP, "the mesh's normals", "--normal-map"},
+    [MODEL_SPECULAR] = {NEEDS_SPECULAR, "the same shine everywhere", "--specular"},
+};
+
+/* Add to a list in a text of 200 bytes. */
+static void list_add(char *list, const char *entry) {
+    size_t length = strlen(list);
+    snprintf(list + length, 200 - length, "%s%s", length > 0 ? ", " : "", entry);
+}
+
+/* Say in one message which of the textures that the scenes need are not there. */
+static bool note_missing(struct run *run, unsigned needs, struct error *error) {
+    char names[200] = "", instead[200] = "", options[200] = "";
+    struct error *note = NULL;
+    for (int kind = 0; kind < MODEL_TEXTURE_KINDS; kind++) {
+        bool found;
+        char *path = model_find_texture(&run->model, (enum model_texture_kind)kind, &found);
+        if (path == NULL) {
+            return error_out_of_memory(error);
+        }
+        if (!found && (needs & replacements[kind].need) != 0 && !run->is_replaced[kind]) {
+            const char *slash = strrchr(path, '/');
+            list_add(names, slash == NULL ? path : slash + 1);
+            list_add(instead, replacements[kind].instead);
+            list_add(options, replacements[kind].option);
+            note = note == NULL ? &run->replaced[kind] : note;
+            run->is_replaced[kind] = true;
+        }
+        free(path);
+    }
+    if (note != NULL) {
+        error_set(note, "no %s beside it, nor other usual names; %s instead (%s)", names, instead,
+                  options);
+        error_name_input(note, run->model.path);
+    }
+    return true;
+}
+
 /* A texture that the scene needs. One that the command line names must be there; others are
  * replaced, and those of a model whose corners have no place in a picture are not looked for. */
-static bool load_texture(struct run *run, bool needed, enum model_texture_kind kind,
+static bool load_texture(struct run *run, unsigned needs, enum model_texture_kind kind,
                          const struct texture **texture, struct error *error) {
-    static const char *const instead[] = {
-        "white instead; --texture FILE names one",
-        "the mesh's normals instead; --normal-map FILE names one",
-        "the same shine everywhere instead; --specular FILE names one",
-    };
-    if (!needed) {
+    if ((needs & replacements[kind].need) == 0) {
         return true;
     }
     if (run->model.uv_count == 0 && run->texture_files[kind] != NULL) {
@@ -242,7 +282,11 @@ static bool load_texture(struct run *run, bool needed, enum model_texture_kind k
         *texture = &run->palette;
         return true;
     }
-    if (run->model.uv_count == 0 || run->palette.level_count > 0 || run->is_replaced[kind]) {
+    bool has_places = run->model.uv_count > 0 && run->palette.level_count == 0;
+    if (has_places && !note_missing(run, needs | run->needs, error)) {
+        return false;
+    }
+    if (!has_places || run->is_replaced[kind]) {
         return replace_texture(run, kind, texture, error);
     }
     *texture = model_texture(&run->model, kind, error);
@@ -255,7 +299,8 @@ static bool load_texture(struct run *run, bool needed, enum model_texture_kind k
     if (*texture != NULL || run->texture_files[kind] != NULL) {
         return *texture != NULL;
     }
-    error_set(&run->replaced[kind], "%s; %s", error->message, instead[kind]);
+    error_set(&run->replaced[kind], "%s; %s instead (%s)", error->message,
+              replacements[kind].instead, replacements[kind].option);
     run->is_replaced[kind] = true;
     return replace_texture(run, kind, texture, error);
 }
@@ -277,10 +322,9 @@ static bool load_needs(struct run *run, const struct scene *scene, struct drawin
     drawing->model = &run->model;
     return ((needs & NEEDS_NORMALS) == 0 || model_need_normals(&run->model, error)) &&
            ((needs & NEEDS_COLORS) == 0 || model_need_colors(&run->model, error)) &&
-           load_texture(run, needs & NEEDS_DIFFUSE, MODEL_DIFFUSE, &drawing->diffuse, error) &&
-           load_texture(run, needs & NEEDS_NORMAL_MAP, MODEL_NORMAL_MAP, &drawing->normal_map,
-                        error) &&
-           load_texture(run, needs & NEEDS_SPECULAR, MODEL_SPECULAR, &drawing->specular, error);
+           load_texture(run, needs, MODEL_DIFFUSE, &drawing->diffuse, error) &&
+           load_texture(run, needs, MODEL_NORMAL_MAP, &drawing->normal_map, error) &&
+           load_texture(run, needs, MODEL_SPECULAR, &drawing->specular, error);
 }
 
 /* ---- The stage ---- */

@@ -1,6 +1,6 @@
 /*
- * For tests of maps in tangent space: a board that looks along z, with u along x and v along y. There
- * both spaces are one. It can be turned, with the camera and the light of a drawing.
+ * For tests of maps in tangent space: a board that looks along z, with u along x and v along y.
+ * There both spaces are one. It can be turned, with the camera and the light of a drawing.
  */
 #ifndef TESTS_BOARD_H
 #define TESTS_BOARD_H

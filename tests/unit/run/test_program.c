@@ -562,10 +562,10 @@ static bool draw_palette(struct drawing *drawing, struct image *image, struct er
 
 enum { ALL_TEXTURES = NEEDS_DIFFUSE | NEEDS_NORMAL_MAP | NEEDS_SPECULAR };
 
-#define NO_FILE  ": no such file, nor one of another usual name; "
-#define WHITE    "white instead; --texture FILE names one\n"
-#define NORMALS  "the mesh's normals instead; --normal-map FILE names one\n"
-#define SHINE    "the same shine everywhere instead; --specular FILE names one\n"
+#define MISSING  " beside it, nor other usual names; "
+#define WHITE    "white instead (--texture)\n"
+#define NORMALS  "the mesh's normals instead (--normal-map)\n"
+#define SHINE    "the same shine everywhere instead (--specular)\n"
 #define MAPPED   "vt 0 0\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 1 0\nf 1/1/1 2/1/1 3/1/1\n"
 #define PICTURES "out/one.tga\nout/two.tga\n"
 
@@ -583,13 +583,22 @@ static void test_replaced(void) {
     struct error error;
     put_file("wild.obj", MAPPED);
     CHECK_RUN(&program, "-o out wild.obj", 0,
-              "probe: wild_diffuse.tga" NO_FILE WHITE "probe: wild_nm.tga" NO_FILE NORMALS
-              "probe: wild_spec.tga" NO_FILE SHINE PICTURES);
+              "probe: wild.obj: no wild_diffuse.tga, wild_nm.tga, wild_spec.tga" MISSING
+              "white, the mesh's normals, the same shine everywhere instead "
+              "(--texture, --normal-map, --specular)\n" PICTURES);
+    put_file("wild_nm.JPG", "\xFF\xD8\xFF\xE0");
+    CHECK_RUN(&program, "-o out --specular none.tga wild.obj", 1,
+              "probe: wild.obj: no wild_diffuse.tga" MISSING WHITE
+              "probe: wild_nm.JPG: a JPEG file, not a PNG or TGA file: `magick FILE NEW.png` "
+              "converts it; " NORMALS "probe: none.tga: No such file or directory\n");
+    CHECK(remove(in_directory("wild_nm.JPG")) == 0);
     put_file("bare.obj", "v 0 0 0\nv 0 0 1\nv 1 0 0\nf 1 2 3\n"); /* no place in a picture */
     CHECK_RUN(&program, "-o out bare.obj", 0, PICTURES);
     CHECK_RUN(&program, "-o out --texture a.png bare.obj", 1,
               "probe: bare.obj: has no texture coordinates, without which a.png cannot be drawn\n");
     CHECK_RUN(&program, "-o out --texture a.png wild.obj", 1,
+              "probe: wild.obj: no wild_nm.tga, wild_spec.tga" MISSING
+              "the mesh's normals, the same shine everywhere instead (--normal-map, --specular)\n"
               "probe: a.png: No such file or directory\n");
     /* A map in tangent space, and files that cannot be read. */
     put_file("wild_diffuse.png", "\xFF\xD8\xFF\xE0");
@@ -631,7 +640,8 @@ static void test_replaced(void) {
     CHECK_RUN(&program, "-o out --only one --texture given.tga wild4.obj", 0,
               "probe: wild4.obj:1: the file of materials is not there; faces have neither its "
               "colours nor its textures\n"
-              "probe: wild4_nm.tga" NO_FILE NORMALS "probe: wild4_spec.tga" NO_FILE SHINE
+              "probe: wild4.obj: no wild4_nm.tga, wild4_spec.tga" MISSING
+              "the mesh's normals, the same shine everywhere instead (--normal-map, --specular)\n"
               "out/one.tga\n");
     CHECK_RUN(&dot_program, "--texture given.tga", 2,
               "probe: unknown option '--texture'; try --help\n");
@@ -717,6 +727,10 @@ static const char far_obj[] = "v 1000 1000 0\nv 1004 1000 0\nv 1000 1002 0\nv 9e
 static const char out_message[] =
     "probe: far.obj: reaches out of -1..1; --fit brings it into view\n";
 
+#define NO_FRONT                                                                                   \
+    "probe: scene blank: nothing was drawn: no face is seen from its front; what may help: "       \
+    "--two-sided --turn\n"
+
 /* What is said of a model; nothing where something is seen, or where nothing was asked. */
 static void test_out_of_view(void) {
     struct program camera_program = view_program;
@@ -750,15 +764,16 @@ static void test_out_of_view(void) {
               "probe: scene blank: nothing was drawn; what may help: --center\n"
               "out/blank.tga\n");
     CHECK_RUN(&camera_program, "-o out --eye 0,-9,-9 --fit near.obj", 0,
-              "probe: scene blank: nothing was drawn: all faces look away; what may help: "
-              "--two-sided\nout/blank.tga\n");
+              NO_FRONT "out/blank.tga\n");
     camera_program.takes_camera = camera_program.takes_light = false;
     CHECK_RUN(&camera_program, "-o out --fit near.obj", 0,
               "probe: scene blank: nothing was drawn\nout/blank.tga\n");
+    put_file("edge.obj", /* lies, and a face whose corners are in a row */
+             "v 0.01 0.02 0.03\nv 0.04 0.05 0.06\nv 0.07 0.08 0.09\nv 1 0 1\nv -1 0 1\nv 1 0 -1\n"
+             "f 2 1 3\nf 5 4 6\n");
     put_file("away.obj", "v 0 0 0\nv 0 1 2\nv 1 0 2\nf 1 2 3\n"); /* up, right and away */
-    CHECK_RUN(&camera_program, "-o out --fit away.obj", 0,
-              "probe: scene blank: nothing was drawn: all faces look away; what may help: "
-              "--two-sided\nout/blank.tga\n");
+    CHECK_RUN(&camera_program, "-o out --fit edge.obj", 0, NO_FRONT "out/blank.tga\n");
+    CHECK_RUN(&camera_program, "-o out --fit away.obj", 0, NO_FRONT "out/blank.tga\n");
 }
 
 /* What is much smaller than the view is drawn, but small: said once. */
