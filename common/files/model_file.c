@@ -243,6 +243,18 @@ static bool looks_tangent(const struct image *image) {
     return sum.z > 0.7 * count && fabs(sum.x) < 0.3 * count && fabs(sum.y) < 0.3 * count;
 }
 
+static bool is_grey(const struct image *image) {
+    for (int y = 0; y < (int)image->height; y++) {
+        for (int x = 0; x < (int)image->width; x++) {
+            struct color c = image_get(image, x, y);
+            if (c.r != c.g || c.g != c.b) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
 static bool read_normal_map(struct model *model, const char *path, struct error *error) {
     struct texture *texture = &model->textures[MODEL_NORMAL_MAP];
     const int *turns = model->turns;
@@ -251,6 +263,11 @@ static bool read_normal_map(struct model *model, const char *path, struct error 
     struct image image;
     if (!image_read(&image, path, error)) {
         return false;
+    }
+    if (is_grey(&image)) {
+        image_free(&image);
+        error_set(error, "grey values: perhaps heights, but not normals");
+        return error_name_file(error, path);
     }
     model->is_space_guessed = !named && looks_tangent(&image);
     bool tangent_space = named || model->is_space_guessed;

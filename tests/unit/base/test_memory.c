@@ -228,7 +228,7 @@ static bool make_inputs(struct inputs *inputs) {
            put_text(inputs->off, "OFF 3 1\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n") &&
            put_text(inputs->old, "old") && symlink("old", inputs->link) == 0 &&
            tga_write(&inputs->color, inputs->diffuse, &error) &&
-           png_write(&inputs->grey, inputs->map, &error);
+           png_write(&inputs->color, inputs->map, &error);
 }
 
 /* Free the inputs. False when files were left behind that nobody asked for. */

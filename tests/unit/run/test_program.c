@@ -48,6 +48,11 @@ static bool draw_dot(struct drawing *drawing, struct image *image, struct error 
     return true;
 }
 
+static bool draw_nothing(struct drawing *drawing, struct image *image, struct error *error) {
+    (void)drawing, (void)image, (void)error;
+    return true;
+}
+
 static bool draw_failing(struct drawing *drawing, struct image *image, struct error *error) {
     (void)drawing, (void)image;
     return error_set(error, "cannot draw this");
@@ -554,8 +559,8 @@ static bool draw_palette(struct drawing *drawing, struct image *image, struct er
     (void)error;
     const struct texture_level *level = &drawing->diffuse->level[0];
     uint32_t first = level->texels[0];
-    CHECK(level->width == 2 ? first == 0xFF0000FF || first == 0xFF5A5A5A
-                            : level->width == 1 && first == 0xFF5A5A5A);
+    CHECK(level->width == 2 ? first == 0xFF0000FF || first == 0xFF80805A
+                            : level->width == 1 && first == 0xFF80805A);
     CHECK(level->width == 1 || drawing->normal_map == NULL);
     return image_set(image, 0, 0, color_grey(1));
 }
@@ -580,6 +585,7 @@ static void test_replaced(void) {
         .name = "probe", .summary = "replaced", .scenes = two_scenes, .scene_count = 2};
     uint8_t levels[] = {255, 128, 128, 0, 0, 0};
     const struct image blue = {2, 1, IMAGE_BGR, levels}, grey = {1, 1, IMAGE_GREY, levels};
+    const struct image given = {1, 1, IMAGE_BGR, levels};
     struct error error;
     put_file("wild.obj", MAPPED);
     CHECK_RUN(&program, "-o out wild.obj", 0,
@@ -612,14 +618,19 @@ static void test_replaced(void) {
               "tangent space, as if its name ended in _tangent\n"
               "probe: wild_spec.png: neither a PNG nor a TGA of a type that is supported; " SHINE
                   PICTURES);
-    two_scenes[0].draw = two_scenes[1].draw = draw_present;
     levels[0] = 90;
-    CHECK(tga_write(&grey, in_directory("given.tga"), &error));
+    CHECK(tga_write(&given, in_directory("given.tga"), &error) &&
+          tga_write(&grey, in_directory("wild_nm.tga"), &error));
+    two_scenes[0].draw = draw_nothing;
+    CHECK_RUN(&program, "-o out --only one --texture given.tga --specular given.tga wild.obj", 0,
+              "probe: wild_nm.tga: grey values: perhaps heights, but not normals; " NORMALS
+              "probe: scene one: nothing was drawn\nout/one.tga\n");
+    two_scenes[0].draw = two_scenes[1].draw = draw_present;
     CHECK_RUN(&program,
               "-o out --texture given.tga --normal-map given.tga --specular given.tga wild.obj", 0,
               PICTURES);
     given_tangent = true;
-    CHECK(tga_write(&grey, in_directory("given_tangent.tga"), &error));
+    CHECK(tga_write(&given, in_directory("given_tangent.tga"), &error));
     CHECK_RUN(&program,
               "-o out --texture given.tga --normal-map given_tangent.tga --specular given.tga "
               "wild.obj",
@@ -697,11 +708,6 @@ static bool draw_corners(struct drawing *drawing, struct image *image, struct er
     if (drawing->depth != NULL) {
         image_clear(image, color_grey(50)); /* a background */
     }
-    return true;
-}
-
-static bool draw_nothing(struct drawing *drawing, struct image *image, struct error *error) {
-    (void)drawing, (void)image, (void)error;
     return true;
 }
 
