@@ -35,7 +35,7 @@ struct face {
  * names, as model_file.c knows them. */
 enum model_texture_kind {
     MODEL_DIFFUSE,    /* NAME_diffuse.tga: the colour of the surface */
-    MODEL_NORMAL_MAP, /* NAME_nm.tga: object-space; level = (coordinate + 1) * 127.5 */
+    MODEL_NORMAL_MAP, /* NAME_nm.tga: level = (coordinate + 1) * 127.5; tangent.h has the spaces */
     MODEL_SPECULAR,   /* NAME_spec.tga: how the surface shines */
     MODEL_TEXTURE_KINDS
 };
@@ -75,9 +75,11 @@ struct model {
     uint32_t (*lines)[2];                /* the positions that they join; only where asked for */
     size_t warning_line[MODEL_WARNINGS]; /* where each is first, from 1; 0: nowhere */
     char *path;                          /* the file, for messages and for its textures */
+    int turns[3]; /* quarter turns around x, y, z since it was read: see fit.h */
     const char *texture_files[MODEL_TEXTURE_KINDS]; /* to read instead; NULL: those beside it */
     struct texture textures[MODEL_TEXTURE_KINDS];   /* empty until first asked for */
-    uint64_t bytes_read;                            /* of the file and of its textures */
+    bool is_space_guessed; /* the normal map's looks, not its name, said in which space it is */
+    uint64_t bytes_read;   /* of the file and of its textures */
 };
 
 /* Free everything and leave an empty model. */

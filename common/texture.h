@@ -44,8 +44,9 @@ static inline uint32_t texture_texel(const struct texture_level *level, size_t x
 struct texture {
     size_t level_count;                              /* at least 1 once created */
     struct texture_level level[TEXTURE_LEVEL_LIMIT]; /* 0 is the image, each next half of it */
-    bool clamp;       /* outside 0..1 the edge texels repeat, not the picture */
-    uint32_t *texels; /* of all levels, owned by the texture */
+    bool clamp;         /* outside 0..1 the edge texels repeat, not the picture */
+    bool tangent_space; /* of a normal map: see tangent.h; otherwise it is in object space */
+    uint32_t *texels;   /* of all levels, owned by the texture */
 };
 
 /* How far rows of that many texels, and one more, lie apart: 16 texels (the 64 bytes of a cache

@@ -6,6 +6,55 @@
  * `normalmap` show shaders, `culling` which faces may be left out.
  */
 
+#include "tangent.h"
+
+/* ---- Normal maps in tangent space: lesson 10 explains them in TANGENT.md ---- */
+
+static void tangent_vertex(const void *uniforms, size_t face, size_t corner, double *varyings) {
+    const struct uniforms *u = uniforms;
+    uv_vertex(uniforms, face, corner, varyings);
+    tangent_varyings(u->model, face, corner, varyings + 2);
+}
+
+static lanes_mask tangent_fragment(const void *uniforms, const lanes *varyings,
+                                   lanes_texel *color) {
+    const struct uniforms *u = uniforms;
+    struct lanes2 uv = {varyings[0], varyings[1]};
+    struct lanes3 value = texture_lanes(u->normal_map, uv, u->normal_level);
+    lanes intensity = lambert_lanes(tangent_normal(varyings + 2, value), u->to_light);
+    *color = shade(texture_lanes(u->diffuse, uv, u->diffuse_level), intensity);
+    return lanes_all_set();
+}
+
+/* Without loops of its own, which take long to compile. */
+static const struct shader tangent_mapped = {
+    .varying_count = 2 + TANGENT_VARYINGS, .vertex = tangent_vertex, .fragment = tangent_fragment};
+
+/* The same for simple_draw(). */
+static bool tangent_pixel(const void *uniforms, const double *varyings, struct vec3 *rgb) {
+    const struct uniforms *u = uniforms;
+    const double *axis = varyings + 2;
+    struct vec3 value = sample(u->normal_map, varyings, u->normal_level);
+    double n[3];
+    for (int i = 0; i < 3; i++) {
+        n[i] = (value.x - 127.5) * axis[i] + (value.y - 127.5) * axis[3 + i] +
+               (value.z - 127.5) * axis[6 + i];
+    }
+    *rgb = vec3_scale(sample(u->diffuse, varyings, u->diffuse_level),
+                      lambert((struct vec3){n[0], n[1], n[2]}, u->to_light));
+    return true;
+}
+
+static const struct simple_shader simple_tangent_mapped = {2 + TANGENT_VARYINGS, tangent_vertex,
+                                                           tangent_pixel};
+
+/* The shader for a normal map, as it is, or for a model that has none. */
+static const struct shader *mapped_by(const struct texture *normal_map) {
+    return normal_map == NULL          ? &gouraud_textured
+           : normal_map->tangent_space ? &tangent_mapped
+                                       : &normal_mapped;
+}
+
 /* ---- Drawing ---- */
 
 /* What the shaders of the lesson read, for a model that is seen over so many pixels. */
@@ -207,8 +256,12 @@ static bool draw_simple_cells(const struct drawing *drawing, struct image *image
                         drawing->up, cell->zoom, place, cell->cull);
         struct uniforms u = make_uniforms(drawing, cell->zoom * place.width);
         u.normal_level++; /* not the texture's: who exchanges the levels sees it */
-        bool has_map = drawing->normal_map != NULL || cell->shader != &simple_normal_mapped;
-        simple_draw(&canvas, &call, has_map ? cell->shader : &simple_gouraud_textured, &u);
+        const struct texture *map = drawing->normal_map;
+        const struct simple_shader *shader = cell->shader != &simple_normal_mapped ? cell->shader
+                                             : map == NULL        ? &simple_gouraud_textured
+                                             : map->tangent_space ? &simple_tangent_mapped
+                                                                  : cell->shader;
+        simple_draw(&canvas, &call, shader, &u);
     }
     return true;
 }
@@ -319,7 +372,7 @@ static bool draw_normal_map(struct drawing *drawing, struct image *image, struct
     struct uniforms u = make_uniforms(drawing, 0.85 * place.width);
     struct uniforms small = make_uniforms(drawing, corner.width);
     small.diffuse_level++; /* who exchanges the levels sees it */
-    const struct shader *shader = drawing->normal_map != NULL ? &normal_mapped : &gouraud_textured;
+    const struct shader *shader = mapped_by(drawing->normal_map);
     bool done = pipeline_draw(pipeline, &call, shader, &u, sizeof u, error) &&
                 pipeline_draw(pipeline, &small_call, shader, &small, sizeof small, error);
     return pipeline_end(drawing, done, image, error);

@@ -2,6 +2,7 @@
 #include "files/model_file.h"
 
 #include "base/text.h"
+#include "files/fit.h"
 #include "files/image_file.h"
 #include "files/known.h"
 #include "files/mtl.h"
@@ -9,6 +10,7 @@
 #include "files/off.h"
 
 #include <limits.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -39,6 +41,18 @@ static bool error_no_faces(const char *path, const void *data, size_t size, stru
         return error_set(error, "does not begin with the word OFF");
     }
     return error_set(error, "holds no faces");
+}
+
+/* Bytes of a text that others write as UTF-16. False when memory runs out. */
+static bool make_utf8(struct bytes *bytes) {
+    struct bytes utf8 = {0};
+    if (!text_is_utf16(bytes->data, bytes->size)) {
+        return true;
+    }
+    bool done = text_from_utf16(&utf8, bytes->data, bytes->size);
+    bytes_free(bytes);
+    *bytes = utf8;
+    return done;
 }
 
 /* The path, which is not read, may tell what the file should be. */
@@ -102,8 +116,9 @@ static bool read_library(struct model *model, struct word name, bool *found, str
     if (*found) {
         const char *end = strrchr(path, '/');
         directory = string_format("%.*s", end == NULL ? 0 : (int)(end + 1 - path), path);
-        done = directory != NULL && mtl_decode(model, bytes.data, bytes.size, directory, error);
         model->bytes_read += bytes.size;
+        done = directory != NULL && make_utf8(&bytes) &&
+               mtl_decode(model, bytes.data, bytes.size, directory, error);
     }
     bytes_free(&bytes);
     free(directory);
@@ -142,8 +157,10 @@ bool model_read_parts(struct model *model, const char *path, unsigned parts, str
     if (!file_read(path, &bytes, error)) {
         return false;
     }
-    bool done = decode(model, path, bytes.data, bytes.size, parts, error);
-    model->bytes_read = bytes.size;
+    size_t size = bytes.size;
+    bool done = make_utf8(&bytes) ? decode(model, path, bytes.data, bytes.size, parts, error)
+                                  : error_out_of_memory(error);
+    model->bytes_read = size;
     bytes_free(&bytes);
     done = done && keep_path(model, path, error);
     if (done && ((parts & MODEL_UVS) == 0 || read_libraries(model, error))) {
@@ -163,7 +180,7 @@ bool model_read(struct model *model, const char *path, struct error *error) {
  * first. JPEG is looked for, too, though it cannot be read: its message says what to do. */
 static const char *const texture_suffixes[MODEL_TEXTURE_KINDS][4] = {
     [MODEL_DIFFUSE] = {"_diffuse", "_albedo", "_basecolor"},
-    [MODEL_NORMAL_MAP] = {"_nm", "_normal"},
+    [MODEL_NORMAL_MAP] = {"_nm", "_normal", "_nm_tangent", "_normal_tangent"},
     [MODEL_SPECULAR] = {"_spec", "_specular"},
 };
 static const char *const texture_extensions[] = {"tga", "png", "TGA", "PNG", "Tga",
@@ -180,25 +197,98 @@ static char *texture_path(const char *model_path, const char *suffix, const char
                : string_format("%.*s%s.%s", (int)length, model_path, suffix, extension);
 }
 
+/* Turn the normals that a picture holds, as levels (coordinate + 1) * 127.5. */
+static void turn_normals(struct image *image, const int turns[3]) {
+    for (int y = 0; y < (int)image->height; y++) {
+        for (int x = 0; x < (int)image->width; x++) {
+            struct color c = image_get(image, x, y);
+            struct vec3 n = {c.r - 127.5, c.g - 127.5, c.b - 127.5};
+            n = vec3_quarter_turned(n, turns);
+            c.r = (uint8_t)(n.x + 127.5);
+            c.g = (uint8_t)(n.y + 127.5);
+            c.b = (uint8_t)(n.z + 127.5);
+            image_set(image, x, y, c);
+        }
+    }
+}
+
+static bool make_texture(struct texture *texture, struct image *image, const char *path,
+                         struct error *error) {
+    bool done = texture_create(texture, image, error) || error_name_file(error, path);
+    image_free(image);
+    return done;
+}
+
 static bool read_texture(struct texture *texture, const char *path, struct error *error) {
+    struct image image;
+    return image_read(&image, path, error) && make_texture(texture, &image, path, error);
+}
+
+/* Are the normals of a map nearly all about (0, 0, 1)? Those of an object go all around. What is
+ * not of length 1, more or less, is no normal, but a background. */
+static bool looks_tangent(const struct image *image) {
+    struct vec3 sum = {0, 0, 0};
+    double count = 0;
+    for (int y = 0; y < (int)image->height; y++) {
+        for (int x = 0; x < (int)image->width; x++) {
+            struct color c = image_get(image, x, y);
+            struct vec3 n = {c.r / 127.5 - 1, c.g / 127.5 - 1, c.b / 127.5 - 1};
+            double length = vec3_length(n);
+            if (length > 0.7 && length < 1.3) {
+                sum = vec3_add(sum, n);
+                count++;
+            }
+        }
+    }
+    return sum.z > 0.7 * count && fabs(sum.x) < 0.3 * count && fabs(sum.y) < 0.3 * count;
+}
+
+static bool is_grey(const struct image *image) {
+    for (int y = 0; y < (int)image->height; y++) {
+        for (int x = 0; x < (int)image->width; x++) {
+            struct color c = image_get(image, x, y);
+            if (c.r != c.g || c.g != c.b) {
+                return false;
+            }
+        }
+    }
+    return true;
+}
+
+static bool read_normal_map(struct model *model, const char *path, struct error *error) {
+    struct texture *texture = &model->textures[MODEL_NORMAL_MAP];
+    const int *turns = model->turns;
+    const char *slash = strrchr(path, '/');
+    bool named = strstr(slash == NULL ? path : slash, "_tangent.") != NULL;
     struct image image;
     if (!image_read(&image, path, error)) {
         return false;
     }
-    bool done = texture_create(texture, &image, error) || error_name_file(error, path);
-    image_free(&image);
+    if (is_grey(&image)) {
+        image_free(&image);
+        error_set(error, "grey values: perhaps heights, but not normals");
+        return error_name_file(error, path);
+    }
+    model->is_space_guessed = !named && looks_tangent(&image);
+    bool tangent_space = named || model->is_space_guessed;
+    if (!tangent_space && (turns[0] != 0 || turns[1] != 0 || turns[2] != 0)) {
+        turn_normals(&image, turns);
+    }
+    bool done = make_texture(texture, &image, path, error);
+    texture->tangent_space = tangent_space;
     return done;
 }
 
-/* The first name under which there is a file, or the first of all, so that a message can say what
- * was looked for; the caller frees it. NULL when memory runs out. */
-static char *find_texture(const char *model_path, enum model_texture_kind kind, bool *found) {
+char *model_find_texture(const struct model *model, enum model_texture_kind kind, bool *found) {
     const char *const *suffixes = texture_suffixes[kind];
     const size_t count = sizeof texture_extensions / sizeof texture_extensions[0];
-    *found = false;
+    *found = model->texture_files[kind] != NULL;
+    if (*found) {
+        return string_format("%s", model->texture_files[kind]);
+    }
     for (size_t i = 0; i < 4 && suffixes[i] != NULL; i++) {
         for (size_t k = 0; k < count; k++) {
-            char *path = texture_path(model_path, suffixes[i], texture_extensions[k]);
+            char *path = texture_path(model->path, suffixes[i], texture_extensions[k]);
             *found = path != NULL && file_exists(path);
             if (path == NULL || *found) {
                 return path;
@@ -206,14 +296,14 @@ static char *find_texture(const char *model_path, enum model_texture_kind kind, 
             free(path);
         }
     }
-    return texture_path(model_path, suffixes[0], texture_extensions[0]);
+    return texture_path(model->path, suffixes[0], texture_extensions[0]);
 }
 
 size_t model_textures_present(const struct model *model) {
     size_t present = 0;
     for (int kind = 0; model->path != NULL && kind < MODEL_TEXTURE_KINDS; kind++) {
         bool found;
-        free(find_texture(model->path, (enum model_texture_kind)kind, &found));
+        free(model_find_texture(model, (enum model_texture_kind)kind, &found));
         present += found;
     }
     return present;
@@ -222,7 +312,6 @@ size_t model_textures_present(const struct model *model) {
 const struct texture *model_texture(struct model *model, enum model_texture_kind kind,
                                     struct error *error) {
     struct texture *texture = &model->textures[kind];
-    const char *named = model->texture_files[kind];
     if (texture->level_count > 0) {
         return texture;
     }
@@ -230,16 +319,16 @@ const struct texture *model_texture(struct model *model, enum model_texture_kind
         error_set(error, "a model that was not read from a file has no textures");
         return NULL;
     }
-    bool found = named != NULL;
-    char *path = found ? string_format("%s", named) : find_texture(model->path, kind, &found);
-    bool done = false;
+    bool found, done = false;
+    char *path = model_find_texture(model, kind, &found);
     if (path == NULL) {
         error_out_of_memory(error);
     } else if (!found) {
         error_set(error, "no such file, nor one of another usual name");
         error_name_file(error, path);
     } else {
-        done = read_texture(texture, path, error);
+        done = kind == MODEL_NORMAL_MAP ? read_normal_map(model, path, error)
+                                        : read_texture(texture, path, error);
         model->bytes_read += done ? file_size(path) : 0;
     }
     free(path);
@@ -255,7 +344,7 @@ bool model_has_materials(const struct model *model) {
         textured = textured || model->materials[i].texture != NULL;
     }
     if (known && !textured && model->uv_count > 0 && model->path != NULL) {
-        free(find_texture(model->path, MODEL_DIFFUSE, &beside));
+        free(model_find_texture(model, MODEL_DIFFUSE, &beside));
     }
     return known && !beside;
 }

@@ -5,8 +5,10 @@
 #include "files/fit.h"
 #include "files/model_file.h"
 #include "files/normals.h"
+#include "files/sides.h"
 
 #include <assert.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -150,6 +152,21 @@ static bool take_materials(struct run *run, struct error *error) {
     return true;
 }
 
+/* Turn it, show its faces from both sides, fit it into view, as the options say. */
+static bool place_model(struct run *run, bool need_normals, struct error *error) {
+    const int *turns = run->turns;
+    if (turns[0] != 0 || turns[1] != 0 || turns[2] != 0) {
+        model_turn(&run->model, turns);
+    }
+    if (run->two_sided && !model_add_other_sides(&run->model, need_normals, error)) {
+        return false;
+    }
+    if (run->fit) {
+        model_fit(&run->model, run->program->takes_camera);
+    }
+    return true;
+}
+
 /* The model of the command line or else the scene's, unless it is loaded already. */
 static bool load_model(struct run *run, const struct scene *scene, struct error *error) {
     const char *file = run->input != NULL ? run->input : scene->model;
@@ -180,9 +197,7 @@ static bool load_model(struct run *run, const struct scene *scene, struct error 
     if (done && (needs & NEEDS_DIFFUSE) != 0) {
         done = take_materials(run, error);
     }
-    if (done && run->fit) {
-        model_fit(&run->model, run->program->takes_camera);
-    }
+    done = done && place_model(run, (parts & MODEL_NORMALS) != 0, error);
     run->model_file = done ? file : NULL;
     return done;
 }
@@ -207,23 +222,55 @@ static bool replace_texture(struct run *run, enum model_texture_kind kind,
     return make_texel(instead, kind == MODEL_DIFFUSE ? 255 : SHINY, error);
 }
 
-/* Are the normals of a map, as their mean tells, nearly all about (0, 0, 1)? Those of an object go
- * all around. */
-static bool is_tangent_space(const struct texture *map) {
-    struct color mean = color_from_texel(map->level[map->level_count - 1].texels[0]);
-    return mean.b > 200 && abs(mean.r - 128) < 40 && abs(mean.g - 128) < 40;
+/* What is drawn where there is no texture, and the option that names one. */
+static const struct {
+    unsigned need;
+    const char *instead, *option;
+} replacements[MODEL_TEXTURE_KINDS] = {
+    [MODEL_DIFFUSE] = {NEEDS_DIFFUSE, "white", "--texture"},
+    [MODEL_NORMAL_MAP] = {NEEDS_NORMAL_MAP, "the mesh's normals", "--normal-map"},
+    [MODEL_SPECULAR] = {NEEDS_SPECULAR, "the same shine everywhere", "--specular"},
+};
+
+/* Add to a list in a text of 200 bytes. */
+static void list_add(char *list, const char *entry) {
+    size_t length = strlen(list);
+    snprintf(list + length, 200 - length, "%s%s", length > 0 ? ", " : "", entry);
+}
+
+/* Say in one message which of the textures that the scenes need are not there. */
+static bool note_missing(struct run *run, unsigned needs, struct error *error) {
+    char names[200] = "", instead[200] = "", options[200] = "";
+    struct error *note = NULL;
+    for (int kind = 0; kind < MODEL_TEXTURE_KINDS; kind++) {
+        bool found;
+        char *path = model_find_texture(&run->model, (enum model_texture_kind)kind, &found);
+        if (path == NULL) {
+            return error_out_of_memory(error);
+        }
+        if (!found && (needs & replacements[kind].need) != 0 && !run->is_replaced[kind]) {
+            const char *slash = strrchr(path, '/');
+            list_add(names, slash == NULL ? path : slash + 1);
+            list_add(instead, replacements[kind].instead);
+            list_add(options, replacements[kind].option);
+            note = note == NULL ? &run->replaced[kind] : note;
+            run->is_replaced[kind] = true;
+        }
+        free(path);
+    }
+    if (note != NULL) {
+        error_set(note, "no %s beside it, nor other usual names; %s instead (%s)", names, instead,
+                  options);
+        error_name_input(note, run->model.path);
+    }
+    return true;
 }
 
 /* A texture that the scene needs. One that the command line names must be there; others are
  * replaced, and those of a model whose corners have no place in a picture are not looked for. */
-static bool load_texture(struct run *run, bool needed, enum model_texture_kind kind,
+static bool load_texture(struct run *run, unsigned needs, enum model_texture_kind kind,
                          const struct texture **texture, struct error *error) {
-    static const char *const instead[] = {
-        "white instead; --texture FILE names one",
-        "the mesh's normals instead; --normal-map FILE names one",
-        "the same shine everywhere instead; --specular FILE names one",
-    };
-    if (!needed) {
+    if ((needs & replacements[kind].need) == 0) {
         return true;
     }
     if (run->model.uv_count == 0 && run->texture_files[kind] != NULL) {
@@ -235,19 +282,25 @@ static bool load_texture(struct run *run, bool needed, enum model_texture_kind k
         *texture = &run->palette;
         return true;
     }
-    if (run->model.uv_count == 0 || run->palette.level_count > 0 || run->is_replaced[kind]) {
+    bool has_places = run->model.uv_count > 0 && run->palette.level_count == 0;
+    if (has_places && !note_missing(run, needs | run->needs, error)) {
+        return false;
+    }
+    if (!has_places || run->is_replaced[kind]) {
         return replace_texture(run, kind, texture, error);
     }
     *texture = model_texture(&run->model, kind, error);
-    bool tangent = kind == MODEL_NORMAL_MAP && *texture != NULL && is_tangent_space(*texture);
-    if (tangent) {
-        error_set(error, "the normal map is one in tangent space, and only object space is read");
-        error_name_input(error, run->model.path);
+    if (*texture != NULL && kind == MODEL_NORMAL_MAP && run->model.is_space_guessed) {
+        error_set(&run->replaced[kind], "the normal map is blue, so it is read as one in tangent "
+                                        "space, as if its name ended in _tangent");
+        error_name_input(&run->replaced[kind], run->model.path);
+        run->model.is_space_guessed = false; /* it is said */
     }
-    if ((*texture != NULL && !tangent) || run->texture_files[kind] != NULL) {
-        return *texture != NULL && !tangent;
+    if (*texture != NULL || run->texture_files[kind] != NULL) {
+        return *texture != NULL;
     }
-    error_set(&run->replaced[kind], "%s; %s", error->message, instead[kind]);
+    error_set(&run->replaced[kind], "%s; %s instead (%s)", error->message,
+              replacements[kind].instead, replacements[kind].option);
     run->is_replaced[kind] = true;
     return replace_texture(run, kind, texture, error);
 }
@@ -269,10 +322,9 @@ static bool load_needs(struct run *run, const struct scene *scene, struct drawin
     drawing->model = &run->model;
     return ((needs & NEEDS_NORMALS) == 0 || model_need_normals(&run->model, error)) &&
            ((needs & NEEDS_COLORS) == 0 || model_need_colors(&run->model, error)) &&
-           load_texture(run, needs & NEEDS_DIFFUSE, MODEL_DIFFUSE, &drawing->diffuse, error) &&
-           load_texture(run, needs & NEEDS_NORMAL_MAP, MODEL_NORMAL_MAP, &drawing->normal_map,
-                        error) &&
-           load_texture(run, needs & NEEDS_SPECULAR, MODEL_SPECULAR, &drawing->specular, error);
+           load_texture(run, needs, MODEL_DIFFUSE, &drawing->diffuse, error) &&
+           load_texture(run, needs, MODEL_NORMAL_MAP, &drawing->normal_map, error) &&
+           load_texture(run, needs, MODEL_SPECULAR, &drawing->specular, error);
 }
 
 /* ---- The stage ---- */

@@ -26,7 +26,9 @@ struct run {
     const char *input;             /* a model in place of the course's own; NULL: none */
     const struct text_scene *text; /* NULL but for a text scene */
     bool no_skip, stats;
+    int turns[3];                      /* quarter turns of models: see fit.h */
     bool fit;                          /* move and scale models into view */
+    bool two_sided;                    /* draw faces from both sides */
     const struct chosen_value *chosen; /* numbers of scenes, by --set */
     size_t chosen_count;
     const char *texture_files[MODEL_TEXTURE_KINDS]; /* for the model; NULL: those beside it */

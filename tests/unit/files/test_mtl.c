@@ -191,4 +191,36 @@ static void test_files(void) {
     place_remove(&place, NULL);
 }
 
-UNIT_MAIN(TEST(test_faces), TEST(test_many_materials), TEST(test_statements), TEST(test_files))
+/* Write ASCII as Windows writes "Unicode". */
+static bool put_utf16(const char *path, const char *text) {
+    struct bytes bytes = {0};
+    struct error error;
+    bool done = bytes_append(&bytes, "\xFF\xFE", 2);
+    for (; done && *text != '\0'; text++) {
+        const char unit[2] = {*text, 0};
+        done = bytes_append(&bytes, unit, 2);
+    }
+    done = done && file_write(path, bytes.data, bytes.size, &error);
+    bytes_free(&bytes);
+    return done;
+}
+
+/* Model and materials in UTF-16; messages count their lines, and --stats their bytes. */
+static void test_utf16(void) {
+    struct place place = place_create();
+    struct model m;
+    struct error error;
+    CHECK(put_utf16(name_file(&place, "a.mtl"), "newmtl a\nKd 0 1 0\n"));
+    CHECK(put_utf16(name_file(&place, "a.obj"), "mtllib a.mtl\r\nusemtl a\r\n" SQUARE "f 1 2 3\n"));
+    CHECK(model_read(&m, place.path, &error) && m.face_count == 1 && m.positions[1].x == 1);
+    CHECK(m.material_count == 1 && m.materials[0].color[0] == 0 && m.materials[0].color[1] == 1);
+    CHECK(m.bytes_read == file_size(place.path) + 2 + 2 * strlen("newmtl a\nKd 0 1 0\n"));
+    model_free(&m);
+    CHECK(put_utf16(place.path, "v 0 0 0\nf 1 2 3\n") && !model_read(&m, place.path, &error));
+    CHECK(strstr(error.message, "/a.obj:2: face names vertex 2 of 1") != NULL);
+    CHECK(unlink(name_file(&place, "a.obj")) == 0);
+    place_remove(&place, "a.mtl");
+}
+
+UNIT_MAIN(TEST(test_utf16), TEST(test_faces), TEST(test_many_materials), TEST(test_statements),
+          TEST(test_files))
