@@ -472,7 +472,8 @@ static bool prepare(struct drawing *drawing, size_t width, size_t height, struct
                 make_square(&state->cloth, CLOTH_SIDE, cloth_color, error) &&
                 make_square(&state->mosaic, MOSAIC_SIDE, cloth_color, error) &&
                 make_checker(&state->checker, error);
-    state->bordered.clamp = state->fading.clamp = true;
+    texture_set_clamp(&state->bordered, true);
+    texture_set_clamp(&state->fading, true);
     return made;
 }
 

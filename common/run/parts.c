@@ -129,7 +129,7 @@ static bool give_textures(struct parts *parts, struct drawing_part *part,
         if (!find_picture(parts, material->texture, &part->diffuse, &why)) {
             return false;
         }
-        part->diffuse.clamp = material->clamp;
+        texture_set_clamp(&part->diffuse, material->clamp);
         if (why.message[0] != '\0' && missing->message[0] == '\0') {
             error_set(missing, "%s; the material's colour instead (--texture)", why.message);
         }
