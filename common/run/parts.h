@@ -1,6 +1,4 @@
-/*
- * The parts of a model: the faces of each of its materials, with the textures they are drawn with.
- */
+/* The parts of a model: the faces of each of its materials, with the textures they are drawn with. */
 #ifndef COMMON_PARTS_H
 #define COMMON_PARTS_H
 
