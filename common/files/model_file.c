@@ -224,35 +224,27 @@ static bool read_texture(struct texture *texture, const char *path, struct error
     return image_read(&image, path, error) && make_texture(texture, &image, path, error);
 }
 
-/* Are the normals of a map nearly all about (0, 0, 1)? Those of an object go all around. What is
- * not of length 1, more or less, is no normal, but a background. */
-static bool looks_tangent(const struct image *image) {
+/* What a picture of normals looks like, at some of its pixels. In tangent space nearly all are about
+ * (0, 0, 1), while those of an object go all around; what is not of length 1, more or less, is no
+ * normal, but a background. Heights are grey. */
+static void look_at_normals(const struct image *image, bool *grey, bool *tangent_space) {
+    const int across = (int)image->width / 64 + 1, along = (int)image->height / 64 + 1;
     struct vec3 sum = {0, 0, 0};
     double count = 0;
-    for (int y = 0; y < (int)image->height; y++) {
-        for (int x = 0; x < (int)image->width; x++) {
+    *grey = true;
+    for (int y = 0; y < (int)image->height; y += along) {
+        for (int x = 0; x < (int)image->width; x += across) {
             struct color c = image_get(image, x, y);
             struct vec3 n = {c.r / 127.5 - 1, c.g / 127.5 - 1, c.b / 127.5 - 1};
             double length = vec3_length(n);
+            *grey = *grey && c.r == c.g && c.g == c.b;
             if (length > 0.7 && length < 1.3) {
                 sum = vec3_add(sum, n);
                 count++;
             }
         }
     }
-    return sum.z > 0.7 * count && fabs(sum.x) < 0.3 * count && fabs(sum.y) < 0.3 * count;
-}
-
-static bool is_grey(const struct image *image) {
-    for (int y = 0; y < (int)image->height; y++) {
-        for (int x = 0; x < (int)image->width; x++) {
-            struct color c = image_get(image, x, y);
-            if (c.r != c.g || c.g != c.b) {
-                return false;
-            }
-        }
-    }
-    return true;
+    *tangent_space = sum.z > 0.7 * count && fabs(sum.x) < 0.3 * count && fabs(sum.y) < 0.3 * count;
 }
 
 static bool read_normal_map(struct model *model, const char *path, struct error *error) {
@@ -260,16 +252,18 @@ static bool read_normal_map(struct model *model, const char *path, struct error 
     const int *turns = model->turns;
     const char *slash = strrchr(path, '/');
     bool named = strstr(slash == NULL ? path : slash, "_tangent.") != NULL;
+    bool grey, looks_tangent;
     struct image image;
     if (!image_read(&image, path, error)) {
         return false;
     }
-    if (is_grey(&image)) {
+    look_at_normals(&image, &grey, &looks_tangent);
+    if (grey) {
         image_free(&image);
         error_set(error, "grey values: perhaps heights, but not normals");
         return error_name_file(error, path);
     }
-    model->is_space_guessed = !named && looks_tangent(&image);
+    model->is_space_guessed = !named && looks_tangent;
     bool tangent_space = named || model->is_space_guessed;
     if (!tangent_space && (turns[0] != 0 || turns[1] != 0 || turns[2] != 0)) {
         turn_normals(&image, turns);
