@@ -15,10 +15,17 @@ struct cover {
     uint32_t weight[3]; /* how much of each is covered */
 };
 
-/* What lies between a row and the next: it is read with the last texel, and counts for nothing. */
-static void clear_gap(const struct texture_level *level, size_t row) {
-    memset(level->texels + row * level->pitch + level->width, 0,
-           (level->pitch - level->width) * sizeof *level->texels);
+/* What lies between a row and the next: the first texel again, and nothing. */
+static void fill_gap(const struct texture_level *level, size_t row) {
+    uint32_t *texels = level->texels + row * level->pitch, *gap = texels + level->width;
+    memset(gap, 0, (level->pitch - level->width) * sizeof *gap);
+    gap[0] = texels[0];
+}
+
+/* Above the last row, the first one again. */
+static void repeat_first_row(const struct texture_level *level) {
+    memcpy(level->texels + level->height * level->pitch, level->texels,
+           level->pitch * sizeof *level->texels);
 }
 
 static size_t half_size(size_t size) {
@@ -81,7 +88,7 @@ static void shrink_even_level(const struct texture_level *from, struct texture_l
         for (size_t x = 0; x < to->width; x++) {
             row[x] = mean_of_four(lower[2 * x], lower[2 * x + 1], upper[2 * x], upper[2 * x + 1]);
         }
-        clear_gap(to, y);
+        fill_gap(to, y);
     }
 }
 
@@ -96,7 +103,7 @@ static void shrink_level(const struct texture_level *from, struct texture_level 
             struct cover across = cover_of(x, from->width);
             to->texels[y * to->pitch + x] = mean_texel(from, &across, &up);
         }
-        clear_gap(to, y);
+        fill_gap(to, y);
     }
 }
 
@@ -126,12 +133,13 @@ static void unpack_image(const struct image *image, const struct texture_level *
     const uint8_t *row = image->pixels;
     for (size_t y = 0; y < to->height; y++) {
         unpack_row(row, image->format, to->width, to->texels + y * to->pitch);
-        clear_gap(to, y);
+        fill_gap(to, y);
         row += image->width * image->format;
     }
 }
 
-/* Set the sizes of all levels. Returns how many texels they have, which lie one after the other. */
+/* Set the sizes of all levels. Returns how many texels they have, which lie one after the other,
+ * with the row above the last one. */
 static uint64_t lay_out(struct texture *texture, size_t width, size_t height) {
     uint64_t count = 0;
     for (;;) {
@@ -145,7 +153,7 @@ static uint64_t lay_out(struct texture *texture, size_t width, size_t height) {
             .last_column = (float)(width - 1),
             .last_row = (float)(height - 1),
         };
-        count += (uint64_t)pitch * height;
+        count += (uint64_t)pitch * (height + 1);
         if (width == 1 && height == 1) {
             return count;
         }
@@ -165,8 +173,8 @@ bool texture_create(struct texture *texture, const struct image *image, struct e
                          image->height, TEXTURE_TEXEL_LIMIT);
     }
     uint64_t count = lay_out(texture, image->width, image->height);
-    /* A row more, so that the right and upper neighbours of every texel can be read, several at a
-     * time: at the edges they count for nothing. */
+    /* Another row: a place that is rounded up to the first texel behind the last one has
+     * neighbours, too, which count for nothing. */
     uint64_t room = count + texture->level[0].pitch;
     if (room <= SIZE_MAX / sizeof *texture->texels) {
         texture->texels = malloc((size_t)room * sizeof *texture->texels);
@@ -180,11 +188,13 @@ bool texture_create(struct texture *texture, const struct image *image, struct e
     uint32_t *next = texture->texels;
     for (size_t i = 0; i < texture->level_count; i++) {
         texture->level[i].texels = next;
-        next += texture->level[i].pitch * texture->level[i].height;
+        next += texture->level[i].pitch * (texture->level[i].height + 1);
     }
     unpack_image(image, &texture->level[0]);
+    repeat_first_row(&texture->level[0]);
     for (size_t i = 1; i < texture->level_count; i++) {
         shrink_level(&texture->level[i - 1], &texture->level[i]);
+        repeat_first_row(&texture->level[i]);
     }
     return true;
 }

@@ -3,9 +3,10 @@
  *
  * Taught in step06_texture: read that first. Texture coordinates are (0,0) at the bottom-left
  * corner of the image and (1,1) at its top-right corner; texel (i,j) covers u in [i/width,
- * (i+1)/width), so its centre is at ((i+0.5)/width, (j+0.5)/height). Outside 0..1 the edge texel is
- * repeated; a coordinate that is not a number counts as 0. All is the same on every machine: the
- * mip levels are computed with whole numbers, sampling with + - * of doubles.
+ * (i+1)/width), so its centre is at ((i+0.5)/width, (j+0.5)/height). Outside 0..1 the picture
+ * repeats or, where it is clamped, its edge texels do; a coordinate that is not a number counts as
+ * 0. All is the same on every machine: the mip levels are computed with whole numbers, sampling
+ * with + - * of doubles.
  */
 #ifndef COMMON_TEXTURE_H
 #define COMMON_TEXTURE_H
@@ -14,6 +15,7 @@
 #include "geometry.h"
 #include "tgaimage.h"
 
+#include <math.h>
 #include <stddef.h>
 #include <stdint.h>
 
@@ -26,7 +28,9 @@ enum {
 struct texture_level {
     size_t width, height; /* 1..IMAGE_SIZE_LIMIT */
     size_t pitch;         /* texels from a row to the next one above it; see texture_pitch() */
-    uint32_t *texels;     /* bottom row first; see texture_texel() */
+    /* Bottom row first; see texture_texel(). Behind each row and above the last one the first texel
+     * and the first row come again, so that the neighbours of every texel can be read. */
+    uint32_t *texels;
     /* Width and height again, and less 1, as numbers to sample with. */
     float columns, rows, last_column, last_row;
 };
@@ -40,16 +44,16 @@ static inline uint32_t texture_texel(const struct texture_level *level, size_t x
 struct texture {
     size_t level_count;                              /* at least 1 once created */
     struct texture_level level[TEXTURE_LEVEL_LIMIT]; /* 0 is the image, each next half of it */
-    /* Of all levels, owned by the texture; after the last level a row more. */
-    uint32_t *texels;
+    bool clamp;         /* outside 0..1 the edge texels repeat, not the picture */
     bool tangent_space; /* of a normal map: see tangent.h; otherwise it is in object space */
+    uint32_t *texels;   /* of all levels, owned by the texture */
 };
 
-/* How far rows of that many texels lie apart: 16 texels (the 64 bytes of a cache line), an odd
- * number of times. With a power of two, as widths mostly are, texels above each other would compete
- * for the same few lines of the cache, and push each other out. */
+/* How far rows of that many texels, and one more, lie apart: 16 texels (the 64 bytes of a cache
+ * line), an odd number of times. With a power of two, as widths mostly are, texels above each other
+ * would compete for the same few lines of the cache, and push each other out. */
 static inline size_t texture_pitch(size_t width) {
-    return 16 * ((width + 15) / 16 | 1);
+    return 16 * ((width + 16) / 16 | 1);
 }
 
 /* Make a texture of an image: 32-bit texels and its mip levels down to 1x1. Each level has half the
@@ -106,22 +110,29 @@ static inline struct vec4 texture_mix_texels(uint32_t from, uint32_t to, double 
         b + ((int)(to & 0xFF) - b) * fraction, a + ((int)(to >> 24) - a) * fraction};
 }
 
+/* Where a coordinate lies on an axis of `size` texels: 0 at the centre of the first one, 1 at that
+ * of the second. Behind the last one comes the first again, at `size`; not where it clamps. */
+static inline double texture_place(double coordinate, double size, bool clamp) {
+    if (clamp) {
+        return texture_clamp(coordinate * size - 0.5, size - 1);
+    }
+    double place = texture_clamp(coordinate - floor(coordinate), 1) * size - 0.5;
+    return place < 0 ? place + size : place;
+}
+
 /* Linear between the four nearest texel centres of one level (clamped to the last one). The result
  * is red, green, blue, alpha as x, y, z, w in values 0..255, not rounded. */
 static inline struct vec4 texture_bilinear(const struct texture *texture, struct vec2 uv,
                                            size_t level) {
     size_t last_level = texture->level_count - 1;
     const struct texture_level *l = &texture->level[level < last_level ? level : last_level];
-    double last_x = (double)(uint32_t)(l->width - 1), last_y = (double)(uint32_t)(l->height - 1);
-    double u = texture_clamp(uv.x * (last_x + 1) - 0.5, last_x);
-    double v = texture_clamp(uv.y * (last_y + 1) - 0.5, last_y);
+    double u = texture_place(uv.x, (double)(uint32_t)l->width, texture->clamp);
+    double v = texture_place(uv.y, (double)(uint32_t)l->height, texture->clamp);
     uint32_t x = (uint32_t)u, y = (uint32_t)v;
-    size_t right = x + 1 < l->width, up = y + 1 < l->height ? l->pitch : 0;
-    const uint32_t *corner = l->texels + y * l->pitch + x;
+    const uint32_t *lower = l->texels + y * l->pitch + x, *upper = lower + l->pitch;
     double across = u - x, along = v - y;
-    struct vec4 lower = texture_mix_texels(corner[0], corner[right], across);
-    struct vec4 upper = texture_mix_texels(corner[up], corner[up + right], across);
-    return texture_mix(lower, upper, along);
+    return texture_mix(texture_mix_texels(lower[0], lower[1], across),
+                       texture_mix_texels(upper[0], upper[1], across), along);
 }
 
 #endif

@@ -20,6 +20,7 @@ typedef struct color attempt_sampler(const struct texture *texture, struct vec2 
 static inline struct color attempt_sample_rounded(const struct texture *texture, struct vec2 uv) {
     const struct texture_level *level = &texture->level[0];
     double right = (double)(level->width - 1), top = (double)(level->height - 1);
+    uv = place_in(texture, uv);
     size_t x = (size_t)texture_clamp(floor(uv.x * (double)level->width + 0.5), right);
     size_t y = (size_t)texture_clamp(floor(uv.y * (double)level->height + 0.5), top);
     return color_from_texel(texture_texel(level, x, y));
@@ -56,7 +57,7 @@ static inline void attempt_perspective(struct image *image, const struct vertex 
         for (int x = span.begin; x < span.end; x++) {
             double w;
             struct vec2 uv = plane_uv(&plane, x, y, &w);
-            image_set(image, x, y, sampler(texture, repeat(uv)));
+            image_set(image, x, y, sampler(texture, uv));
         }
     }
 }
@@ -99,7 +100,7 @@ static inline void attempt_5_affine(struct image *image, const struct vertex v[3
         for (int x = span.begin; x < span.end; x++) {
             struct vec3 weight = edges_weights(&plane.edges, x, y);
             struct vec2 uv = vec2_interpolate(weight, v[0].uv, v[1].uv, v[2].uv);
-            image_set(image, x, y, attempt_sample_bilinear(texture, repeat(uv)));
+            image_set(image, x, y, attempt_sample_bilinear(texture, uv));
         }
     }
 }

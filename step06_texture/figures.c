@@ -1,4 +1,4 @@
-/* The pictures of step 6's README that are not references. */
+/* The pictures of lesson 6 that are not references. */
 #include "../tests/bench/figures.h"
 
 #define LESSON "../step06_texture/main.c"
@@ -45,6 +45,7 @@ static bool make_small_texture(struct texture *texture, struct error *error) {
         }
     }
     bool done = texture_create(texture, &image, error);
+    texture->clamp = true;
     image_free(&image);
     return done;
 }
@@ -117,7 +118,17 @@ static bool draw_horizon(const char *directory, const struct texture *checker,
 
 /* ---- The levels that the scene uses, each in its colour ---- */
 
-/* A texture whose level i is full of the colour of level i. */
+/* A texel, made lighter and then multiplied by a colour: all tiles stay visible. */
+static uint32_t tinted(uint32_t texel, uint32_t color) {
+    uint32_t result = 0xFF000000;
+    for (int shift = 0; shift < 24; shift += 8) {
+        uint32_t part = texel >> shift & 255, of = color >> shift & 255;
+        result |= ((part + 255) / 2 * of / 255) << shift;
+    }
+    return result;
+}
+
+/* The tiles, whose level i is tinted with the colour of level i. */
 static bool paint_levels(struct texture *texture, struct error *error) {
     static const uint32_t colors[] = {0xFFFFFF, 0xF0E442, 0x56B4E9, 0x009E73, 0xE69F00,
                                       0xD55E00, 0xCC79A7, 0x0072B2, 0x404040};
@@ -127,7 +138,8 @@ static bool paint_levels(struct texture *texture, struct error *error) {
     for (size_t i = 0; i < texture->level_count; i++) {
         const struct texture_level *level = &texture->level[i];
         for (size_t j = 0; j < level->pitch * level->height; j++) {
-            level->texels[j] = colors[i % (sizeof colors / sizeof colors[0])] | 0xFF000000;
+            level->texels[j] =
+                tinted(level->texels[j], colors[i % (sizeof colors / sizeof colors[0])]);
         }
     }
     return true;

@@ -11,6 +11,24 @@
 
 /* ---- From a place in a picture to a colour ---- */
 
+/* The part after the point, always 0 <= part < 1: the picture repeats. */
+static struct vec2 repeat(struct vec2 uv) {
+    /* BEGIN SOLUTION 6b.1 repeat */
+    return (struct vec2){uv.x - floor(uv.x), uv.y - floor(uv.y)};
+    /* STARTER
+    return uv; // to do 6b.1: keep the part after the point
+    END SOLUTION */
+}
+
+/* Where the picture repeats, the place in it that (u,v) means; where it is clamped, (u,v). */
+static struct vec2 place_in(const struct texture *texture, struct vec2 uv) {
+    if (texture->clamp) {
+        return uv;
+    }
+    struct vec2 part = repeat(uv);
+    return (struct vec2){texture_clamp(part.x, 1), texture_clamp(part.y, 1)};
+}
+
 /* BEGIN SOLUTION 6a.1 nearest texel */
 /* Which texel of an axis of `size` texels holds the coordinate: i where i/size <= coordinate <
  * (i+1)/size. Outside 0..1 the edge texel is repeated. */
@@ -21,6 +39,7 @@ static size_t texel_index(double coordinate, size_t size) {
 
 /* Sampler 1: the colour of the texel that holds the point. */
 static struct color sample_nearest(const struct texture *texture, struct vec2 uv) {
+    uv = place_in(texture, uv);
     /* BEGIN SOLUTION 6a.1 nearest texel */
     const struct texture_level *level = &texture->level[0];
     size_t x = texel_index(uv.x, level->width), y = texel_index(uv.y, level->height);
@@ -101,15 +120,6 @@ static void triangle(struct canvas *canvas, const struct vertex v[3], const stru
 
 /* ---- Triangles in perspective ---- */
 
-/* The part after the point, always 0 <= part < 1: the picture repeats. */
-static struct vec2 repeat(struct vec2 uv) {
-    /* BEGIN SOLUTION 6b.1 repeat */
-    return (struct vec2){uv.x - floor(uv.x), uv.y - floor(uv.y)};
-    /* STARTER
-    return uv; // to do 6b.1: keep the part after the point
-    END SOLUTION */
-}
-
 /* On the screen u and v are not linear in perspective, but u/w, v/w and 1/w are (Heckbert and
  * Moreton, "Interpolation for polygon texture mapping and shading", 1991): here as x, y and z. */
 struct quotients {
@@ -171,15 +181,20 @@ struct neighbours {
 };
 
 /* The centre of texel i lies at coordinate (i + 0.5) / size, so the point lies
- * coordinate * size - 0.5 texels beyond the centre of texel 0. Before the first and after the last
- * centre there is nothing to mix with: the edge texel alone counts. */
-static struct neighbours find_neighbours(double coordinate, size_t size) {
-    double position = texture_clamp(coordinate * (double)size - 0.5, (double)(size - 1));
-    size_t first = (size_t)position;
+ * coordinate * size - 0.5 texels beyond the centre of texel 0. Beyond the last texel comes the
+ * first one again; where the picture is clamped, the edge texel alone counts. */
+static struct neighbours find_neighbours(double coordinate, size_t size, bool clamp) {
+    double position = coordinate * (double)size - 0.5, last = (double)(size - 1);
+    if (clamp) {
+        position = texture_clamp(position, last);
+    }
+    double first = floor(position);
     return (struct neighbours){
-        .first = first,
-        .second = first + 1 < size ? first + 1 : first,
-        .part = position - (double)first,
+        .first = first < 0 ? size - 1 : (size_t)first,
+        .second = first < last ? (size_t)(first + 1)
+                  : clamp      ? size - 1
+                               : 0,
+        .part = position - first,
     };
 }
 
@@ -194,10 +209,11 @@ static struct vec4 mix_in_row(const struct texture_level *level, size_t row, str
 /* Sampler 2: mixed from the four texels whose centres lie around the point, on one mip level. The
  * channels are 0..255 and not rounded. texture_bilinear() gives later lessons the same values. */
 static struct vec4 sample_bilinear(const struct texture *texture, struct vec2 uv, size_t number) {
+    uv = place_in(texture, uv);
     /* BEGIN SOLUTION 6c.1 bilinear */
     const struct texture_level *level = &texture->level[number];
-    struct neighbours x = find_neighbours(uv.x, level->width);
-    struct neighbours y = find_neighbours(uv.y, level->height);
+    struct neighbours x = find_neighbours(uv.x, level->width, texture->clamp);
+    struct neighbours y = find_neighbours(uv.y, level->height, texture->clamp);
     return texture_mix(mix_in_row(level, y.first, x), mix_in_row(level, y.second, x), y.part);
     /* STARTER
     (void)texture, (void)uv, (void)number; // to do 6c.1: mix four texels of texture->level[number]
@@ -268,23 +284,23 @@ static struct color color_at(struct canvas *canvas, const struct quotients *plan
     struct vec2 uv = plane_uv(plane, x, y, &w);
     if (canvas->sampler == SAMPLE_NEAREST) {
         canvas->texels_fetched++;
-        return sample_nearest(texture, repeat(uv));
+        return sample_nearest(texture, uv);
     }
     if (canvas->sampler == SAMPLE_BILINEAR) {
-        struct vec4 four = sample_bilinear(texture, repeat(uv), 0);
+        struct vec4 four = sample_bilinear(texture, uv, 0);
         canvas->texels_fetched += 4;
         return color_rgb(level_from(four.x), level_from(four.y), level_from(four.z));
     }
     /* BEGIN SOLUTION 6e.3 the level of the pixel */
     double level = mip_level(uv_step(plane->right, uv, w), uv_step(plane->up, uv, w), texture);
     bool one_level = canvas->skip && level == 0; /* the second would count for nothing */
-    struct vec4 c = one_level ? sample_bilinear(texture, repeat(uv), 0)
-                              : sample_trilinear(texture, repeat(uv), level);
+    struct vec4 c =
+        one_level ? sample_bilinear(texture, uv, 0) : sample_trilinear(texture, uv, level);
     canvas->texels_fetched += one_level ? 4 : 8;
     return color_rgb(level_from(c.x), level_from(c.y), level_from(c.z));
     /* STARTER
     (void)mip_level, (void)uv_step;
-    struct vec4 t = sample_bilinear(texture, repeat(uv), 0); // to do 6e.3: sampler 3 at its level
+    struct vec4 t = sample_bilinear(texture, uv, 0); // to do 6e.3: sampler 3 at its level
     return color_rgb(level_from(t.x), level_from(t.y), level_from(t.z));
     END SOLUTION */
 }

@@ -2,13 +2,14 @@
  * Step 6, the given part: its scenes and the program.
  *
  * `texture` draws a model with its diffuse texture, nearest texel, times the intensity of the face.
- * `letters` draws a board whose texture coordinates leave the picture, with a border around it, two
- * small boards far beyond that picture, and a piece of cloth on which the middle of each pixel lies
- * on the border between two texels. `room` lays that picture, without the border, on a floor and a
- * wall in perspective, again and again, nearest texel too; the wall at the back has a smaller
- * picture. Its chart shows what whole numbers are repeated as. `close` is a wall before the camera,
- * bilinear. `softer` shows the mip levels of that picture, and what lies between them. `mipmapped`
- * is the room with a mip level for every pixel, and so is `checker`, a plane towards the horizon.
+ * `letters` draws a board whose texture coordinates leave a clamped picture, with a border around
+ * it, two small boards far beyond that picture, and a piece of cloth on which the middle of each
+ * pixel lies on the border between two texels. `room` lays that picture, without the border, on a
+ * floor and a wall in perspective, again and again, nearest texel too; the wall at the back has a
+ * smaller picture. Its chart shows what whole numbers are repeated as. `close` is a wall before the
+ * camera, bilinear. `softer` shows the mip levels of that picture, and what lies between them.
+ * `mipmapped` is the room with a mip level for every pixel, and so is `checker`, a plane towards
+ * the horizon.
  */
 
 /* ---- Scene: texture ---- */
@@ -394,7 +395,7 @@ static void draw_chart(struct image *image, const struct texture *texture) {
     for (int row = 0; row < cells; row++) {
         for (int column = 0; column < cells; column++) {
             struct vec2 uv = {column / 4.0 - 2, row / 4.0 - 2};
-            struct color color = sample_nearest(texture, repeat(uv));
+            struct color color = sample_nearest(texture, uv);
             for (int i = 0; i < side * side; i++) {
                 image_set(image, left + column * side + i % side, below + row * side + i / side,
                           color);
@@ -454,13 +455,17 @@ static bool draw_softer(struct drawing *drawing, struct image *image, struct err
 static bool prepare(struct drawing *drawing, size_t width, size_t height, struct error *error) {
     (void)width, (void)height;
     struct state *state = drawing->state;
-    return drawing->model != NULL ||
-           (make_letters(&state->letters, letters_color, 1, error) &&
-            make_letters(&state->bordered, bordered_color, 1, error) &&
-            make_letters(&state->fading, letters_color, 0.3, error) &&
-            make_square(&state->cloth, CLOTH_SIDE, cloth_color, error) &&
-            make_square(&state->mosaic, MOSAIC_SIDE, cloth_color, error) &&
-            make_checker(&state->checker, error));
+    if (drawing->model != NULL) {
+        return true;
+    }
+    bool made = make_letters(&state->letters, letters_color, 1, error) &&
+                make_letters(&state->bordered, bordered_color, 1, error) &&
+                make_letters(&state->fading, letters_color, 0.3, error) &&
+                make_square(&state->cloth, CLOTH_SIDE, cloth_color, error) &&
+                make_square(&state->mosaic, MOSAIC_SIDE, cloth_color, error) &&
+                make_checker(&state->checker, error);
+    state->bordered.clamp = state->fading.clamp = true;
+    return made;
 }
 
 static void finish(struct drawing *drawing) {

@@ -582,6 +582,7 @@ static bool make_tiles(struct texture *texture, struct error *error) {
         }
     }
     bool done = texture_create(texture, &image, error);
+    texture->clamp = true;
     image_free(&image);
     return done;
 }

@@ -6,22 +6,42 @@
 #include "texture.h"
 
 /* A place between texel centres along one axis: the lower one of its two neighbours, and how far it
- * lies towards the other: 0 at the last texel, which has no other. */
+ * lies towards the other. */
 struct lanes_place {
     lanes_int texel;
     lanes fraction;
 };
 
-LANES_INLINE struct lanes_place lanes_find_texel(lanes coordinate, real size, real last) {
-    lanes place = coordinate * size - 0.5f;
-    place = lanes_min(lanes_max(place, lanes_all(0)), lanes_all(last));
-    lanes_int texel = lanes_to_int(place);
-    return (struct lanes_place){texel, place - lanes_from_int(texel)};
+/* Where a place that lies outside, or nowhere, is in the picture: see texture_place(). */
+LANES_INLINE lanes lanes_bring_inside(lanes place, real size, bool clamp) {
+    if (clamp) {
+        return lanes_min(lanes_max(place, lanes_all(0)), lanes_all(size - 1));
+    }
+    real far = 0x1p22f * size; /* there floats have hardly a fraction left: a whole number */
+    lanes bounded = lanes_select((place > -far) & (place < far), place, lanes_all(-0.5f));
+    lanes inside = bounded - lanes_floor(bounded / size) * size;
+    return lanes_min(lanes_max(inside, lanes_all(0)), lanes_all(size));
+}
+
+/* The places of `uv` in a level of that texture. */
+LANES_INLINE void lanes_find_texels(const struct texture *texture,
+                                    const struct texture_level *level, struct lanes2 uv,
+                                    struct lanes_place *x, struct lanes_place *y) {
+    lanes across = uv.x * level->columns - 0.5f, along = uv.y * level->rows - 0.5f;
+    if (!lanes_within(across, level->last_column, along, level->last_row)) {
+        across = lanes_bring_inside(across, level->columns, texture->clamp);
+        along = lanes_bring_inside(along, level->rows, texture->clamp);
+    }
+    x->texel = lanes_to_int(across);
+    y->texel = lanes_to_int(along);
+    x->fraction = across - lanes_from_int(x->texel);
+    y->fraction = along - lanes_from_int(y->texel);
 }
 
 /* Where the four texels around each pixel's place are in a level of that size. */
 struct texel_place {
     size_t width, height;
+    bool clamp;
     lanes_texel bytes; /* from the first texel to the lower left one */
     lanes weight[4];   /* lower left, lower right, upper left, upper right; sum 1 */
 };
@@ -46,12 +66,13 @@ LANES_INLINE lanes_texel lanes_texel_bytes(const struct texture_level *level, st
            (uint32_t)sizeof *level->texels;
 }
 
-LANES_INLINE void texture_find(const struct texture_level *level, struct lanes2 uv,
-                               struct texel_place *place) {
-    struct lanes_place x = lanes_find_texel(uv.x, level->columns, level->last_column);
-    struct lanes_place y = lanes_find_texel(uv.y, level->rows, level->last_row);
+LANES_INLINE void texture_find(const struct texture *texture, const struct texture_level *level,
+                               struct lanes2 uv, struct texel_place *place) {
+    struct lanes_place x, y;
+    lanes_find_texels(texture, level, uv, &x, &y);
     place->width = level->width;
     place->height = level->height;
+    place->clamp = texture->clamp;
     place->bytes = lanes_texel_bytes(level, x, y);
     lanes_texel_weights(x.fraction, y.fraction, place->weight);
 }
@@ -84,8 +105,8 @@ LANES_INLINE const struct texture_level *texture_level_of(const struct texture *
 LANES_INLINE struct texels texture_fetch(const struct texture *texture, struct lanes2 uv,
                                          size_t level, struct texel_place *place) {
     const struct texture_level *l = texture_level_of(texture, level);
-    if (place->width != l->width || place->height != l->height) {
-        texture_find(l, uv, place);
+    if (place->width != l->width || place->height != l->height || place->clamp != texture->clamp) {
+        texture_find(texture, l, uv, place);
     }
     struct texels texels;
     lanes_fetch_pairs(l->texels, place->bytes, &texels.texel[0], &texels.texel[1]);
@@ -129,8 +150,8 @@ LANES_INLINE struct lanes3 texture_lanes(const struct texture *texture, struct l
 LANES_INLINE void texture_locate(const struct texture *texture, size_t level, lanes *u, lanes *v,
                                  lanes *index) {
     const struct texture_level *l = texture_level_of(texture, level);
-    struct lanes_place x = lanes_find_texel(*u, l->columns, l->last_column);
-    struct lanes_place y = lanes_find_texel(*v, l->rows, l->last_row);
+    struct lanes_place x, y;
+    lanes_find_texels(texture, l, (struct lanes2){*u, *v}, &x, &y);
     *u = x.fraction;
     *v = y.fraction;
     lanes_texel at = lanes_texel_bytes(l, x, y);

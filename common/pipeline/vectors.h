@@ -48,6 +48,20 @@ LANES_INLINE uint32_t lanes_bits(lanes_int mask) {
 #endif
 }
 
+/* Are all lanes of both within 0 and their last? What is not a number is not. */
+LANES_INLINE bool lanes_within(lanes a, real last_a, lanes b, real last_b) {
+#if LANES_OF_TYPE(REAL) == 16 && defined(__AVX512F__)
+    __mmask16 within = _mm512_cmp_ps_mask((__m512)a, _mm512_setzero_ps(), _CMP_GE_OQ);
+    within = _mm512_mask_cmp_ps_mask(within, (__m512)a, _mm512_set1_ps(last_a), _CMP_LE_OQ);
+    within = _mm512_mask_cmp_ps_mask(within, (__m512)b, _mm512_setzero_ps(), _CMP_GE_OQ);
+    within = _mm512_mask_cmp_ps_mask(within, (__m512)b, _mm512_set1_ps(last_b), _CMP_LE_OQ);
+    return within == 0xFFFF;
+#else
+    lanes_mask within = (a >= 0) & (a <= last_a) & (b >= 0) & (b <= last_b);
+    return lanes_bits(__builtin_convertvector(~within, lanes_int)) == 0;
+#endif
+}
+
 LANES_INLINE lanes_int lanes_int_all(int32_t value) {
     return value + (lanes_int){0};
 }

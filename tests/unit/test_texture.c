@@ -29,7 +29,7 @@ static unsigned channel_of(const struct texture_level *level, size_t x, size_t y
 static void test_pitch(void) {
     for (size_t width = 1; width <= IMAGE_SIZE_LIMIT; width++) {
         size_t pitch = texture_pitch(width);
-        CHECK(pitch >= width && pitch % 32 == 16 && (width <= 16 || pitch - width < 32));
+        CHECK(pitch > width && pitch % 32 == 16 && (width < 16 || pitch - width <= 32));
     }
 }
 
@@ -42,7 +42,7 @@ static void dirty_memory(size_t size) {
     free((void *)memory);
 }
 
-/* What lies between the rows is read with those before it, and is 0. */
+/* Behind each row its first texel comes again, then nothing; above the last row, the first. */
 static void check_gaps(size_t width, size_t height, size_t rows_of_smaller_levels) {
     struct texture texture;
     dirty_memory(sizeof(uint32_t) * 16 * (height + rows_of_smaller_levels + 1));
@@ -52,18 +52,23 @@ static void check_gaps(size_t width, size_t height, size_t rows_of_smaller_level
     for (size_t k = 0; k < texture.level_count; k++) {
         const struct texture_level *level = &texture.level[k];
         CHECK(level->pitch == texture_pitch(level->width));
-        for (size_t x = level->width; x < level->pitch; x++) {
-            for (size_t y = 0; y < level->height; y++) {
+        for (size_t y = 0; y < level->height; y++) {
+            CHECK(texture_texel(level, level->width, y) == texture_texel(level, 0, y));
+            for (size_t x = level->width + 1; x < level->pitch; x++) {
                 CHECK(texture_texel(level, x, y) == 0);
             }
+        }
+        for (size_t x = 0; x < level->pitch; x++) {
+            CHECK(texture_texel(level, x, level->height) == texture_texel(level, x, 0));
         }
     }
     texture_free(&texture);
 }
 
 static void test_gaps(void) {
-    check_gaps(5, 3, 1 + 1);
-    check_gaps(6, 4, 2 + 1);
+    check_gaps(5, 3, 2 + 1 + 3);
+    check_gaps(6, 4, 2 + 1 + 3);
+    check_gaps(16, 1, 0);
 }
 
 static void test_texels(void) {
@@ -206,6 +211,74 @@ static void test_clamp(void) {
     }
 }
 
+/* Three times three copies of a picture, side by side, as one texture. */
+static bool tile_texture(struct texture *tiled, const struct texture *texture) {
+    const struct texture_level *one = &texture->level[0];
+    struct image image = new_image(3 * one->width, 3 * one->height, IMAGE_BGRA);
+    struct error error;
+    for (size_t y = 0; y < image.height; y++) {
+        for (size_t x = 0; x < image.width; x++) {
+            image_set(&image, (int)x, (int)y,
+                      color_from_texel(texture_texel(one, x % one->width, y % one->height)));
+        }
+    }
+    bool done = texture_create(tiled, &image, &error);
+    image_free(&image);
+    return done;
+}
+
+static bool is_near(struct vec4 a, struct vec4 b) {
+    return fabs(a.x - b.x) < 1e-9 && fabs(a.y - b.y) < 1e-9 && fabs(a.z - b.z) < 1e-9 &&
+           fabs(a.w - b.w) < 1e-9;
+}
+
+/* A coordinate -1..2, on borders and centres of texels too. */
+static double any_coordinate(size_t size) {
+    int64_t halves = 2 * (int64_t)size;
+    return random_bits(&random_state) % 2 == 0
+               ? (double)random_between(&random_state, -halves, 2 * halves) / (double)halves
+               : random_real(&random_state, -1, 2);
+}
+
+/* A sample of a picture that repeats is one of the nine copies, inside: levels, too, as long as
+ * sizes are even. A clamped one is the nearest place inside. */
+static void check_outside(size_t width, size_t height, size_t levels) {
+    struct texture texture, tiled;
+    if (!CHECK(random_texture(&texture, width, height, IMAGE_BGRA)) ||
+        !CHECK(tile_texture(&tiled, &texture))) {
+        return;
+    }
+    for (int i = 0; i < 2000; i++) {
+        size_t level = (size_t)i % levels;
+        double half_x = 0.5 / (double)texture.level[level].width;
+        double half_y = 0.5 / (double)texture.level[level].height;
+        struct vec2 uv = {any_coordinate(width), any_coordinate(height)};
+        struct vec2 inside = {fmax(half_x, fmin(uv.x, 1 - half_x)),
+                              fmax(half_y, fmin(uv.y, 1 - half_y))};
+        struct vec2 copied = {(uv.x + 1) / 3, (uv.y + 1) / 3};
+        texture.clamp = true;
+        CHECK(is_near(texture_bilinear(&texture, uv, level),
+                      texture_bilinear(&texture, inside, level)));
+        texture.clamp = false;
+        if (fmin(uv.x, uv.y) >= -1 + fmax(half_x, half_y) &&
+            fmax(uv.x, uv.y) <= 2 - fmax(half_x, half_y)) {
+            CHECK(is_near(texture_bilinear(&texture, uv, level),
+                          texture_bilinear(&tiled, copied, level)));
+        }
+        CHECK(is_near(texture_bilinear(&texture, uv, level),
+                      texture_bilinear(&texture, (struct vec2){uv.x + 8, uv.y - 16}, level)));
+    }
+    texture_free(&texture);
+    texture_free(&tiled);
+}
+
+static void test_outside(void) {
+    check_outside(1, 1, 1);
+    check_outside(5, 3, 1);
+    check_outside(16, 8, 3);
+    check_outside(2, 4, 2);
+}
+
 /* No image makes the first of these; the sizes come from whoever fills the struct. Of the others no
  * pixel must be read. */
 static void test_sizes(void) {
@@ -237,4 +310,5 @@ static void test_sizes(void) {
 }
 
 UNIT_MAIN(TEST(test_pitch), TEST(test_gaps), TEST(test_texels), TEST(test_level_sizes),
-          TEST(test_levels), TEST(test_level_rounding), TEST(test_clamp), TEST(test_sizes))
+          TEST(test_levels), TEST(test_level_rounding), TEST(test_clamp), TEST(test_outside),
+          TEST(test_sizes))

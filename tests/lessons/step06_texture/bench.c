@@ -54,7 +54,7 @@ struct work {
 
 /* ---- Triangles ---- */
 
-/* The colour at a place in 0..1. */
+/* The colour at a place. */
 typedef struct color sampler(const struct texture *texture, struct vec2 uv);
 
 typedef void draw_function(struct image *image, const struct vertex v[3],
@@ -72,7 +72,7 @@ INLINED void draw_sampled(struct image *image, const struct vertex v[3],
         for (int x = span.begin; x < span.end; x++) {
             double w;
             struct vec2 uv = plane_uv(&plane, x, y, &w);
-            image_set(image, x, y, sample(texture, repeat(uv)));
+            image_set(image, x, y, sample(texture, uv));
         }
     }
 }
@@ -80,7 +80,7 @@ INLINED void draw_sampled(struct image *image, const struct vertex v[3],
 /* The other versions of perspective show the nearest texel: a cheap sampler hides no time. */
 static inline void set_nearest(struct image *image, int x, int y, const struct texture *texture,
                                struct vec2 uv) {
-    image_set(image, x, y, sample_nearest(texture, repeat(uv)));
+    image_set(image, x, y, sample_nearest(texture, uv));
 }
 
 static inline struct vec2 divided(struct vec3 over_w) {
@@ -251,6 +251,7 @@ static bool make_hill_texture(struct texture *texture, struct error *error) {
         }
     }
     bool done = texture_create(texture, &image, error);
+    texture->clamp = true;
     image_free(&image);
     return done;
 }

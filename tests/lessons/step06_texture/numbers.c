@@ -118,7 +118,9 @@ static void numbers(void) {
                    two = called_made(4, 2, called_drawing),
                    wide = called_made(16, 8, called_grey_0);
     struct texture levels = called_greys(), inner = called_made(4, 4, called_framed);
-    const struct texture *texture = &four;
+    struct texture drawn_again = two;
+    four.clamp = two.clamp = true;
+    const struct texture *texture = &four, *repeated = &drawn_again;
     COLOR("6a.1", sample_nearest(texture, xy(0.2, 0.4)), rgb(0, 10, 250));
     COLOR("6a.1", sample_nearest(texture, xy(0.75, 0.5)), rgb(30, 10, 250));
     COLOR("6a.1", sample_nearest(texture, xy(1, 1)), rgb(30, 20, 250));
@@ -144,6 +146,8 @@ static void numbers(void) {
     VECTOR("6c.1", vec4, sample_bilinear(texture, xy(0, 0), 0), xyzw(0, 0, 7, 255));
     VECTOR("6c.1", vec4, sample_bilinear(texture, xy(0.5, 1.5), 0), xyzw(150, 100, 7, 55));
     VECTOR("6c.1", vec4, sample_bilinear(texture, xy(0.5, 0.5), 1), xyzw(100, 50, 7, 155));
+    VECTOR("6c.1", vec4, sample_bilinear(repeated, xy(0.95, 0.5), 0), xyzw(70, 50, 7, 155));
+    VECTOR("6c.1", vec4, sample_bilinear(repeated, xy(0, 0), 0), xyzw(50, 50, 7, 155));
     texture = &levels;
     REAL("6d.1", sample_trilinear(texture, xy(0.5, 0.5), 0.25).x, 25);
     REAL("6d.1", sample_trilinear(texture, xy(0.5, 0.5), 1.5).x, 150);

@@ -29,6 +29,7 @@ struct texture_case {
     struct vec2 uv[LAYER_COUNT][3];
     double intensity[LAYER_COUNT];
     uint32_t texels[TEXELS];
+    bool clamp;
 };
 
 static void make_textured(struct random *random, uint64_t index, void *made) {
@@ -44,6 +45,7 @@ static void make_textured(struct random *random, uint64_t index, void *made) {
     for (int i = 0; i < TEXELS; i++) {
         c->texels[i] = (uint32_t)random_bits(random);
     }
+    c->clamp = index % 2 == 0;
 }
 
 static struct layer_work draw_layers(const void *tried, const struct depth_image *on) {
@@ -51,6 +53,7 @@ static struct layer_work draw_layers(const void *tried, const struct depth_image
     uint32_t texels[TEXELS];
     memcpy(texels, c->texels, sizeof texels);
     struct texture texture = texture_from(texels, SIDE, SIDE);
+    texture.clamp = c->clamp;
     struct canvas canvas = {.image = on->image, .depth = on->depth, .skip = on->skip};
     for (int i = 0; i < LAYER_COUNT; i++) {
         struct vertex v[3];
@@ -63,8 +66,8 @@ static struct layer_work draw_layers(const void *tried, const struct depth_image
     return (struct layer_work){canvas.pixels_tested, canvas.texels_fetched};
 }
 
-static int texel_that_holds(long double coordinate) {
-    long double place = floorl(coordinate * SIDE);
+static int texel_that_holds(long double coordinate, bool clamp) {
+    long double place = floorl((clamp ? coordinate : coordinate - floorl(coordinate)) * SIDE);
     return place < 0 ? 0 : place >= SIDE ? SIDE - 1 : (int)place;
 }
 
@@ -78,8 +81,8 @@ static bool is_texel(const void *tried, int layer, int picture, int x, int y, st
     bool right = false;
     (void)picture;
     for (int i = 0; i < 4; i++) {
-        int column = texel_that_holds(u + (i % 2 ? 1e-12L : -1e-12L));
-        int row = texel_that_holds(v + (i / 2 ? 1e-12L : -1e-12L));
+        int column = texel_that_holds(u + (i % 2 ? 1e-12L : -1e-12L), c->clamp);
+        int row = texel_that_holds(v + (i / 2 ? 1e-12L : -1e-12L), c->clamp);
         struct color texel = color_from_texel(c->texels[row * SIDE + column]);
         struct real3 exact = {texel.r, texel.g, texel.b};
         right = right || color_is_right(color, real3_scale(exact, c->intensity[layer]));
@@ -233,8 +236,7 @@ static bool sample_is_right(const struct perspective_case *c, const struct quoti
     struct vec2 uv;
     double level;
     bool right = place_is_right(c, plane, x, y, &uv, &level, texture);
-    struct vec2 part = {uv.x - floor(uv.x), uv.y - floor(uv.y)};
-    struct vec4 sample = sample_trilinear(texture, part, level);
+    struct vec4 sample = sample_trilinear(texture, uv, level);
     *fetched += level > 0 ? 8 : 4;
     return right && color_is_right(color, (struct real3){sample.x, sample.y, sample.z});
 }

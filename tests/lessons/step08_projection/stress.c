@@ -82,7 +82,7 @@ struct scenery {
     struct model model;
     struct position positions[SOUP_CORNERS];
     struct state state;
-    uint32_t texels[2 * SOUP_FACES];
+    uint32_t texels[2 * SOUP_FACES + 2];
     struct texture texture;
     uint8_t pixels[3 * SOUP_PIXELS];
     double depth[SOUP_PIXELS];

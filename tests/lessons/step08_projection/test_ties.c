@@ -6,9 +6,9 @@
 
 static void draw(struct image *image, const struct level_triangle *triangles, size_t count) {
     double depth[TIES_SIDE * TIES_SIDE];
-    uint32_t white = UINT32_MAX;
+    uint32_t white[4] = {UINT32_MAX, UINT32_MAX, UINT32_MAX, UINT32_MAX};
     const struct texture texture = {
-        .level = {{.width = 1, .height = 1, .pitch = 1, .texels = &white}}, .level_count = 1};
+        .level = {{.width = 1, .height = 1, .pitch = 2, .texels = white}}, .level_count = 1};
     const struct canvas canvas = {
         .image = image, .depth = depth, .area = {0, 0, TIES_SIDE, TIES_SIDE}, .texture = &texture};
     image_clear(image, color_grey(0));

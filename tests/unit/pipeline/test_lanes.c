@@ -299,14 +299,19 @@ static void fill(struct image *image, struct random *random) {
     }
 }
 
+enum { LARGEST = 8 }; /* coordinate that has a fraction */
+
 /* Corners, edges, texel centres and borders, outside, far outside, nowhere. */
 static real any_coordinate(struct random *random, size_t size) {
-    static const double special[] = {0, 1, -1, 2, 1e9, -1e9, 1e30, -1e30, 1e-30, 0.5};
-    switch (random_bits(random) % 4) {
+    static const double special[] = {0,     1,     -1,     2,   1e9, -1e9,    1e30,
+                                     -1e30, 1e-30, -1e-30, 0.5, NAN, INFINITY};
+    switch (random_bits(random) % 5) {
     case 0:
         return (real)special[random_bits(random) % (sizeof special / sizeof special[0])];
     case 1:
         return (real)((double)random_between(random, 0, 2 * (int64_t)size) / (2 * (double)size));
+    case 4:
+        return (real)random_real(random, -LARGEST, LARGEST);
     case 2:
         return (real)random_real(random, -0.1, 1.1);
     default:
@@ -314,11 +319,11 @@ static real any_coordinate(struct random *random, size_t size) {
     }
 }
 
-/* A coordinate is multiplied by the size and a half is taken away: 2 roundings of a place in the
- * texture; levels change by up to 255 from texel to texel, along both axes; and a few roundings of
- * levels. */
+/* A coordinate is multiplied by the size, a half is taken away, and whole pictures: 4 roundings of
+ * a place, as far outside the picture as it is; levels change by up to 255 from texel to texel,
+ * along both axes; and a few roundings of levels. */
 static double sample_tolerance(size_t width, size_t height) {
-    return 255 * ulp * (3 * (double)(width + height) + 16);
+    return 255 * ulp * (4 * LARGEST * (double)(width + height) + 16);
 }
 
 static bool sample_is_right(const struct texture *texture, size_t level, struct numbers u,
@@ -375,6 +380,7 @@ static void check_texture(size_t width, size_t height, struct random *random) {
             v.at[i] = any_coordinate(random, height);
         }
         size_t level = random_bits(random) % (texture.level_count + 1); /* one too many */
+        texture.clamp = round % 2 == 0;
         right = sample_is_right(&texture, level, u, v);
     }
     CHECK(right);
@@ -390,8 +396,8 @@ static void test_textures(void) {
     }
 }
 
-/* Beyond the corners there is only the corner's own texel, whatever is beyond it in memory; nowhere
- * is at the lower left one. */
+/* Where it clamps, beyond the corners there is only the corner's own texel, whatever is beyond it
+ * in memory; nowhere is at the lower left one. */
 static void test_corner_texels(void) {
     static const struct color colors[4] = {
         {255, 1, 2, 255}, {3, 255, 4, 255}, {5, 6, 255, 255}, {250, 251, 252, 255}};
@@ -399,6 +405,7 @@ static void test_corner_texels(void) {
     struct random random = {98};
     struct texture texture = {0};
     CHECK(make_texture(&texture, 5, 4, &random, colors));
+    texture.clamp = true;
     for (int i = 0; i < 4; i++) {
         for (int k = 0; k < (i == 0 ? 4 : 3); k++) {
             struct lanes2 uv = {lanes_all(i % 2 ? 1 + out[k] : -out[k]),
@@ -412,9 +419,9 @@ static void test_corner_texels(void) {
     texture_free(&texture);
 }
 
-/* A place is found anew where the texture has another size. */
+/* A place is found again where the texture has another size, or clamps and the last one did not. */
 static void test_places_of_two_sizes(void) {
-    static const size_t sizes[][2] = {{4, 8}, {8, 8}, {8, 4}, {8, 8}, {8, 8}};
+    static const size_t sizes[][2] = {{4, 8}, {8, 8}, {8, 4}, {8, 8}, {8, 8}, {8, 8}};
     struct random random = {96};
     struct lanes2 uv = {lanes_from(0) * 0.05f, 1 - lanes_from(0) * 0.03f};
     struct texel_place place = {0};
@@ -423,6 +430,7 @@ static void test_places_of_two_sizes(void) {
         if (!CHECK(make_texture(&texture, sizes[i][0], sizes[i][1], &random, NULL))) {
             return;
         }
+        texture.clamp = i == 5;
         struct texels texels = texture_fetch(&texture, uv, 0, &place);
         struct lanes3 got = texels_mix(&texels), alone = texture_lanes(&texture, uv, 0);
         CHECK(memcmp(&got, &alone, sizeof got) == 0);

@@ -294,7 +294,7 @@ void print_face(const struct one_face *face) {
 struct texture texture_from(uint32_t *texels, size_t width, size_t height) {
     const struct texture_level level = {
         .width = width, .height = height, .pitch = width, .texels = texels};
-    return (struct texture){.level_count = 1, .level = {level}, .texels = texels};
+    return (struct texture){.level_count = 1, .level = {level}, .clamp = true, .texels = texels};
 }
 
 void make_picture(struct random *random, struct picture *picture) {
@@ -302,6 +302,7 @@ void make_picture(struct random *random, struct picture *picture) {
     picture->height = (size_t)random_between(random, 1, PICTURE_SIDE);
     bool has_two_levels = picture->width > 1 || picture->height > 1;
     picture->level = has_two_levels ? random_bits(random) % 2 : 0;
+    picture->clamp = random_bits(random) % 2 == 0;
     for (int i = 0; i < PICTURE_SIDE * PICTURE_SIDE; i++) {
         uint64_t bits = random_bits(random);
         memcpy(picture->channel[i], &bits, sizeof picture->channel[i]);
@@ -309,7 +310,7 @@ void make_picture(struct random *random, struct picture *picture) {
 }
 
 struct vec2 random_uv(struct random *random) {
-    double reach = random_bits(random) % 8 == 0 ? 1000 : 0.2;
+    double reach = random_bits(random) % 8 == 0 ? 2 : 0.2;
     struct vec2 uv = {random_real(random, -reach, 1 + reach),
                       random_real(random, -reach, 1 + reach)};
     if (random_bits(random) % 8 == 0) {
@@ -322,11 +323,13 @@ bool texture_of_picture(const struct picture *picture, struct texture *texture) 
     struct picture copy = *picture;
     struct image image = {copy.width, copy.height, IMAGE_BGRA, copy.channel[0]};
     struct error error;
-    return texture_create(texture, &image, &error);
+    bool made = texture_create(texture, &image, &error);
+    texture->clamp = copy.clamp;
+    return made;
 }
 
 struct real3 exact_color(const struct texture *texture, size_t level, struct vec2 uv) {
-    struct sample sample = exact_bilinear(&texture->level[level], uv.x, uv.y);
+    struct sample sample = exact_bilinear(texture, level, uv.x, uv.y);
     return (struct real3){sample.channel[0], sample.channel[1], sample.channel[2]};
 }
 

@@ -133,7 +133,8 @@ void print_face(const struct one_face *face);
 
 /* ---- Textures ---- */
 
-/* A texture of one level; it uses `texels`: nothing to free. */
+/* A clamped texture of one level; it uses `texels`: nothing to free. The texels have to go on for a
+ * row and a texel, which count for nothing. */
 struct texture texture_from(uint32_t *texels, size_t width, size_t height);
 
 enum { PICTURE_SIDE = 5 };
@@ -141,12 +142,13 @@ enum { PICTURE_SIDE = 5 };
 /* A small picture of any size, also of one texel, and a mip level of it. */
 struct picture {
     size_t width, height, level;
+    bool clamp;
     uint8_t channel[PICTURE_SIDE * PICTURE_SIDE][4]; /* blue, green, red, alpha */
 };
 
 void make_picture(struct random *random, struct picture *picture);
 
-/* Where to look at pictures: also on texel borders and far outside. */
+/* Where to look at pictures: also on texel borders and outside. */
 struct vec2 random_uv(struct random *random);
 
 /* A texture with all its mip levels, which the caller frees. */
@@ -158,7 +160,7 @@ struct sample {
 };
 
 /* The mean of all texels of a level, each with its weight: a tent around its centre. */
-struct sample exact_bilinear(const struct texture_level *level, double u, double v);
+struct sample exact_bilinear(const struct texture *texture, size_t number, double u, double v);
 
 /* Red, green and blue of it. */
 struct real3 exact_color(const struct texture *texture, size_t level, struct vec2 uv);

@@ -13,6 +13,7 @@ struct texture_case {
     uint8_t level[SIDE_LIMIT * SIDE_LIMIT][4]; /* blue, green, red, alpha */
     double u, v;
     double mip_level;
+    bool clamp;
 };
 
 static double any_coordinate(struct random *random, int size) {
@@ -49,6 +50,7 @@ static void make_texture(struct random *random, uint64_t index, void *made) {
     c->u = any_coordinate(random, c->width);
     c->v = any_coordinate(random, c->height);
     c->mip_level = any_mip_level(random);
+    c->clamp = random_bits(random) % 2 == 0;
 }
 
 static bool make(const struct texture_case *c, struct texture *texture) {
@@ -56,10 +58,12 @@ static bool make(const struct texture_case *c, struct texture *texture) {
     uint8_t pixels[sizeof c->level];
     memcpy(pixels, c->level, sizeof pixels);
     struct image image = {(size_t)c->width, (size_t)c->height, IMAGE_BGRA, pixels};
-    return texture_create(texture, &image, &error);
+    bool made = texture_create(texture, &image, &error);
+    texture->clamp = c->clamp;
+    return made;
 }
 
-/* A coordinate as texture.h says: 0 for no number, the edge repeated outside. */
+/* The least for no number. */
 static long double bounded(long double x, long double least, long double most) {
     return !(x >= least) ? least : x > most ? most : x;
 }
@@ -75,10 +79,17 @@ static int texel_at(long double place, int size) {
     return found;
 }
 
+/* The coordinate in the picture that repeats. */
+static long double in_picture(long double coordinate, bool clamp) {
+    return clamp ? coordinate : bounded(coordinate - floorl(coordinate), 0, 1);
+}
+
 /* How far a product of a coordinate and a size may be off: nothing where it is exact, as for sizes
  * that are powers of two. Elsewhere the texel on either side of a border is right. */
-static long double product_error(double coordinate, int size) {
-    return (long double)(coordinate * size) == (long double)coordinate * size ? 0 : 1e-12L;
+static long double product_error(double coordinate, int size, bool clamp) {
+    double part = clamp ? coordinate : coordinate - floor(coordinate);
+    long double place = in_picture(coordinate, clamp) * size;
+    return (long double)(part * size) == place ? 0 : 1e-12L;
 }
 
 static bool nearest_is_exact(const void *tried) {
@@ -90,10 +101,10 @@ static bool nearest_is_exact(const void *tried) {
     struct color got = lesson06_nearest(&texture, (struct vec2){c->u, c->v});
     texture_free(&texture);
     for (int i = 0; i < 4; i++) {
-        long double x_error = product_error(c->u, c->width) * (i % 2 == 0 ? -1 : 1);
-        long double y_error = product_error(c->v, c->height) * (i / 2 == 0 ? -1 : 1);
-        int x = texel_at((long double)c->u * c->width + x_error, c->width);
-        int y = texel_at((long double)c->v * c->height + y_error, c->height);
+        long double x_error = product_error(c->u, c->width, c->clamp) * (i % 2 == 0 ? -1 : 1);
+        long double y_error = product_error(c->v, c->height, c->clamp) * (i / 2 == 0 ? -1 : 1);
+        int x = texel_at(in_picture(c->u, c->clamp) * c->width + x_error, c->width);
+        int y = texel_at(in_picture(c->v, c->clamp) * c->height + y_error, c->height);
         const uint8_t *texel = c->level[y * c->width + x];
         if (got.b == texel[0] && got.g == texel[1] && got.r == texel[2] && got.a == texel[3]) {
             return true;
@@ -102,21 +113,26 @@ static bool nearest_is_exact(const void *tried) {
     return false;
 }
 
-/* The weight of texel i: a tent of width 2 around its centre, everything outside given to the
- * edge. */
-static long double tent(double coordinate, size_t i, size_t size) {
+/* The weight of texel i: a tent of width 2 around its centre, and around its copy one picture
+ * further on; or, where it clamps, everything outside given to the edge. */
+static long double tent(double coordinate, size_t i, size_t size, bool clamp) {
     long double most = (long double)size - 1;
-    long double place = bounded((long double)coordinate * (long double)size - 0.5L, 0, most);
+    long double place = in_picture(coordinate, clamp) * (long double)size - 0.5L;
+    if (clamp) {
+        return fmaxl(0, 1 - fabsl(bounded(place, 0, most) - (long double)i));
+    }
     long double distance = fabsl(place - (long double)i);
-    return distance < 1 ? 1 - distance : 0;
+    return fmaxl(0, 1 - distance) + fmaxl(0, 1 - fabsl((long double)size - distance));
 }
 
-struct sample exact_bilinear(const struct texture_level *level, double u, double v) {
+struct sample exact_bilinear(const struct texture *texture, size_t number, double u, double v) {
     static const int shift[4] = {16, 8, 0, 24};
+    const struct texture_level *level = &texture->level[number];
     struct sample sum = {{0, 0, 0, 0}};
     for (size_t y = 0; y < level->height; y++) {
         for (size_t x = 0; x < level->width; x++) {
-            long double weight = tent(u, x, level->width) * tent(v, y, level->height);
+            long double weight = tent(u, x, level->width, texture->clamp) *
+                                 tent(v, y, level->height, texture->clamp);
             uint32_t texel = texture_texel(level, x, y);
             for (int i = 0; i < 4; i++) {
                 sum.channel[i] += weight * (texel >> shift[i] & 0xFF);
@@ -133,7 +149,7 @@ static struct sample exact_trilinear(const struct texture *texture, double u, do
     long double place = bounded(mip_level, 0, (long double)texture->level_count - 1);
     for (size_t k = 0; k < texture->level_count; k++) {
         long double distance = fabsl(place - (long double)k);
-        struct sample sample = exact_bilinear(&texture->level[k], u, v);
+        struct sample sample = exact_bilinear(texture, k, u, v);
         for (int i = 0; i < 4 && distance < 1; i++) {
             sum.channel[i] += (1 - distance) * sample.channel[i];
         }
@@ -160,7 +176,7 @@ static double bilinear_error(const void *tried) {
         return INFINITY;
     }
     struct vec2 uv = {c->u, c->v};
-    struct sample exact = exact_bilinear(&texture.level[0], c->u, c->v);
+    struct sample exact = exact_bilinear(&texture, 0, c->u, c->v);
     double lesson_error = sample_error(lesson06_bilinear(&texture, uv, 0), exact);
     double house_error = sample_error(texture_bilinear(&texture, uv, 0), exact);
     texture_free(&texture);
@@ -181,8 +197,8 @@ static double trilinear_error(const void *tried) {
 
 static void print_texture(const void *failing) {
     const struct texture_case *c = failing;
-    printf("    at u %.17g v %.17g, mip level %.17g, of %dx%d texels, bottom row first:\n", c->u,
-           c->v, c->mip_level, c->width, c->height);
+    printf("    at u %.17g v %.17g, mip level %.17g, of %dx%d texels%s, bottom row first:\n", c->u,
+           c->v, c->mip_level, c->width, c->height, c->clamp ? ", clamped" : "");
     for (int y = 0; y < c->height; y++) {
         printf("   ");
         for (int x = 0; x < c->width; x++) {
