@@ -225,8 +225,8 @@ static bool read_texture(struct texture *texture, const char *path, struct error
 }
 
 /* What a picture of normals looks like, at some of its pixels. In tangent space nearly all are
- * about (0, 0, 1), while those of an object go all around; what is not of length 1, more or less, is
- * no normal, but a background. Heights are grey. */
+ * about (0, 0, 1), while those of an object go all around. What is not of length 1, more or less,
+ * is a background, and heights are grey. */
 static void look_at_normals(const struct image *image, bool *grey, bool *tangent_space) {
     const int across = (int)image->width / 64 + 1, along = (int)image->height / 64 + 1;
     struct vec3 sum = {0, 0, 0};
