@@ -228,7 +228,7 @@ static bool read_texture(struct texture *texture, const char *path, struct error
  * about (0, 0, 1), while those of an object go all around. What is not of length 1, more or less,
  * is a background, and heights are grey. */
 static void look_at_normals(const struct image *image, bool *grey, bool *tangent_space) {
-    const int across = (int)image->width / 64 + 1, along = (int)image->height / 64 + 1;
+    const int across = (int)image->width / 32 + 1, along = (int)image->height / 32 + 1;
     struct vec3 sum = {0, 0, 0};
     double count = 0;
     *grey = true;

@@ -734,7 +734,7 @@ static const char out_message[] =
     "probe: far.obj: reaches out of -1..1; --fit brings it into view\n";
 
 #define NO_FRONT                                                                                   \
-    "probe: scene blank: nothing was drawn: no face is seen from its front; what may help: "       \
+    "probe: scene blank: nothing was drawn: all faces look away or lie edge-on; what may help: "   \
     "--two-sided --turn\n"
 
 /* What is said of a model; nothing where something is seen, or where nothing was asked. */
