@@ -78,8 +78,7 @@ struct model {
     int turns[3]; /* quarter turns around x, y, z since it was read: see fit.h */
     const char *texture_files[MODEL_TEXTURE_KINDS]; /* to read instead; NULL: those beside it */
     struct texture textures[MODEL_TEXTURE_KINDS];   /* empty until first asked for */
-    bool is_space_guessed; /* the normal map's looks, not its name, said in which space it is */
-    uint64_t bytes_read;   /* of the file and of its textures */
+    uint64_t bytes_read;                            /* of the file and of its textures */
 };
 
 /* Free everything and leave an empty model. */

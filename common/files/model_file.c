@@ -247,9 +247,8 @@ static void look_at_normals(const struct image *image, bool *grey, bool *tangent
     *tangent_space = sum.z > 0.7 * count && fabs(sum.x) < 0.3 * count && fabs(sum.y) < 0.3 * count;
 }
 
-static bool read_normal_map(struct model *model, const char *path, struct error *error) {
-    struct texture *texture = &model->textures[MODEL_NORMAL_MAP];
-    const int *turns = model->turns;
+bool model_read_normal_map(struct texture *texture, const char *path, const int turns[3],
+                           struct error *error) {
     const char *slash = strrchr(path, '/');
     bool named = strstr(slash == NULL ? path : slash, "_tangent.") != NULL;
     bool grey, looks_tangent;
@@ -263,13 +262,12 @@ static bool read_normal_map(struct model *model, const char *path, struct error 
         error_set(error, "grey values: perhaps heights, but not normals");
         return error_name_file(error, path);
     }
-    model->is_space_guessed = !named && looks_tangent;
-    bool tangent_space = named || model->is_space_guessed;
-    if (!tangent_space && (turns[0] != 0 || turns[1] != 0 || turns[2] != 0)) {
+    if (!named && !looks_tangent && (turns[0] != 0 || turns[1] != 0 || turns[2] != 0)) {
         turn_normals(&image, turns);
     }
     bool done = make_texture(texture, &image, path, error);
-    texture->tangent_space = tangent_space;
+    texture->tangent_space = named || looks_tangent;
+    texture->space_guessed = !named && looks_tangent;
     return done;
 }
 
@@ -321,7 +319,7 @@ const struct texture *model_texture(struct model *model, enum model_texture_kind
         error_set(error, "no such file, nor one of another usual name");
         error_name_file(error, path);
     } else {
-        done = kind == MODEL_NORMAL_MAP ? read_normal_map(model, path, error)
+        done = kind == MODEL_NORMAL_MAP ? model_read_normal_map(texture, path, model->turns, error)
                                         : read_texture(texture, path, error);
         model->bytes_read += done ? file_size(path) : 0;
     }

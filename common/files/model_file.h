@@ -65,6 +65,10 @@ const char *model_only_texture(const struct model *model);
 bool model_make_palette(struct model *model, struct texture *palette, bool *several,
                         struct error *error);
 
+/* A normal map, which says in which space it is. One in object space is turned as the model is. */
+bool model_read_normal_map(struct texture *texture, const char *path, const int turns[3],
+                           struct error *error);
+
 /* A texture of the model, read at the first call. NULL, with a message that names the file that was
  * looked for, when there is none or it cannot be read. The model keeps the texture. */
 const struct texture *model_texture(struct model *model, enum model_texture_kind kind,

@@ -290,11 +290,12 @@ static bool load_texture(struct run *run, unsigned needs, enum model_texture_kin
         return replace_texture(run, kind, texture, error);
     }
     *texture = model_texture(&run->model, kind, error);
-    if (*texture != NULL && kind == MODEL_NORMAL_MAP && run->model.is_space_guessed) {
+    bool *guessed = &run->model.textures[kind].space_guessed;
+    if (*guessed) {
         error_set(&run->replaced[kind], "the normal map is blue, so it is read as one in tangent "
                                         "space, as if its name ended in _tangent");
         error_name_input(&run->replaced[kind], run->model.path);
-        run->model.is_space_guessed = false; /* it is said */
+        *guessed = false; /* it is said */
     }
     if (*texture != NULL || run->texture_files[kind] != NULL) {
         return *texture != NULL;
