@@ -1,6 +1,6 @@
 /*
- * Step 1's earlier versions of line(), from the first idea to the last but one, and two that leave
- * the main road: one with a case for every kind of line, and one that is faster.
+ * Step 1's earlier versions of line(), from the first idea to the last but one, and two others: one
+ * with a case for every kind of line, and one that is faster.
  *
  * All have the signature of line() in main.c, so that the figures and the benchmark can loop over
  * them. Attempts 5 to 7 compute in `float` on purpose: with 24 bits one can watch the errors grow.
@@ -72,8 +72,8 @@ static inline void attempt_2_ten_steps(struct image *image, struct pixel a, stru
     }
 }
 
-/* As many steps as columns: t grows by 1 / (x1 - x0). Wrong: a line to the left is not drawn at
- * all, a steep line has holes, and for a vertical one t is 0 / 0. */
+/* As many steps as columns: t grows by 1 / (x1 - x0). Wrong: a line to the left is missing, a steep
+ * line has holes, and for a vertical one t is 0 / 0. */
 static inline void attempt_3_step_per_column(struct image *image, struct pixel a, struct pixel b,
                                              struct color color) {
     for (int x = a.x; x <= b.x; x++) {
@@ -83,7 +83,7 @@ static inline void attempt_3_step_per_column(struct image *image, struct pixel a
 }
 
 /* Axes and ends exchanged where needed. The picture is right now. What is left to mend: a division
- * for every pixel; and where two pixels are equally near, always the upper one is taken. */
+ * for every pixel; and where two pixels are equally near, this always takes the upper one. */
 static inline void attempt_4_swapped(struct image *image, struct pixel a, struct pixel b,
                                      struct color color) {
     bool steep = make_flat(&a, &b);
@@ -93,8 +93,8 @@ static inline void attempt_4_swapped(struct image *image, struct pixel a, struct
     }
 }
 
-/* The division does not depend on x: it stands before the loop. Wrong now and then: the slope is
- * rounded, so near a tie the wrong side wins, the more often the longer the line. */
+/* The division does not depend on x, so it is done once, before the loop. Wrong now and then: the
+ * slope is rounded, so near a tie the wrong pixel wins, more often on longer lines. */
 static inline void attempt_5_division_outside(struct image *image, struct pixel a, struct pixel b,
                                               struct color color) {
     bool steep = make_flat(&a, &b);
@@ -138,11 +138,11 @@ static inline void attempt_7_two_parts(struct image *image, struct pixel a, stru
     }
 }
 
-/* ---- Beside the road ---- */
+/* ---- Two more ---- */
 
 /* A case for every kind of line, and all eight octants mirrored from the first one. Each case is
- * simple, all together are long. Wrong: mirroring starts at a, and so do the ties; from b to a
- * other pixels may be set than from a to b. */
+ * simple, but there are many. Wrong: mirroring starts at a, and so do the ties; from b to a it may
+ * set other pixels than from a to b. */
 static inline void attempt_by_cases(struct image *image, struct pixel a, struct pixel b,
                                     struct color color) {
     int dx = abs(b.x - a.x), dy = abs(b.y - a.y);

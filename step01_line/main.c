@@ -78,8 +78,8 @@ static struct pixel walk_pixel(const struct walk *walk) {
 
 /* END SOLUTION */
 
-/* Draw a line in one colour. Coordinates may lie far outside the image, in -1000000..1000000: what
- * lies outside is refused by image_set(). */
+/* Draw a line in one colour. Coordinates may lie far outside the image, in -1000000..1000000;
+ * image_set() refuses what is outside. */
 static void line(struct image *image, struct pixel a, struct pixel b, struct color color) {
     /* BEGIN SOLUTION 1.2 a line */
     for (struct walk walk = walk_begin(a, b); walk.u <= walk.u_last; walk_next(&walk)) {
@@ -100,7 +100,7 @@ static size_t line_length(struct pixel a, struct pixel b) {
     return (size_t)walk.run + 1;
     /* STARTER
     (void)a, (void)b;
-    return 1; // to do 1.3: one more than the length along the longer axis
+    return 1; // to do 1.3: how many pixels does the line have?
     END SOLUTION */
 }
 
@@ -128,8 +128,8 @@ static uint8_t mix_value(uint8_t from, uint8_t to, int64_t k, int64_t n) {
 
 /* END SOLUTION */
 
-/* The colour of pixel p of the line from a (colour color_a) to b (colour color_b). The share of
- * color_b is alpha = |u - u_a| / |u_b - u_a|, kept as a fraction k / n; at a point it is 0. */
+/* The colour of pixel p of the line from a (in color_a) to b (in color_b), mixed by how far along
+ * the longer axis p is from a. A point has color_a. */
 static struct color color_along(struct pixel a, struct pixel b, struct color color_a,
                                 struct color color_b, struct pixel p) {
     /* BEGIN SOLUTION 1.5 colours along a line */
@@ -144,7 +144,7 @@ static struct color color_along(struct pixel a, struct pixel b, struct color col
                      mix_value(color_a.b, color_b.b, k, n));
     /* STARTER
     (void)a, (void)b, (void)color_a, (void)color_b, (void)p;
-    return color_rgb(0, 0, 0); // to do 1.5: alpha, then each value
+    return color_rgb(0, 0, 0); // to do 1.5: mix each value
     END SOLUTION */
 }
 

@@ -56,7 +56,8 @@ static inline void attempt_side(struct image *image, const struct model *model, 
     }
 }
 
-/* Three lines for every face. Wasteful: nearly every side is that of two faces and drawn twice. */
+/* Three lines for every face. Wasteful: nearly every side belongs to two faces and is drawn
+ * twice. */
 static inline struct work attempt_faces(struct image *image, const struct model *model, bool cut) {
     struct work work = {0};
     for (size_t i = 0; i < model->face_count; i++) {
@@ -88,7 +89,7 @@ static inline struct work attempt_3_each_once_tested(struct image *image, const 
     return work;
 }
 
-/* A shortcut in place of the list: draw a side only where it goes from the smaller number to the
+/* A shortcut instead of the list: draw a side only where it goes from the smaller number to the
  * larger. In a closed mesh the other face has it the other way round, so it is drawn once. Wrong
  * for a mesh with a border: half of the border, by chance, is missing. */
 static inline struct work attempt_4_one_direction(struct image *image, const struct model *model) {

@@ -1,9 +1,9 @@
 /*
  * Step 2: a model made of lines.
  *
- * A face of a model has three sides. Each is drawn as a line, x and y of its ends mapped to the
- * image, z not looked at. Two faces that touch share a side: it is drawn once. A line may reach far
- * beyond the image: only the part inside is walked, and it has the same pixels as the whole line.
+ * A face of a model has three sides. Each becomes a line: x and y of its ends are mapped to the
+ * image, and z is ignored. A side that two faces share is drawn once. A line may reach far beyond
+ * the image: we walk only over the part inside, which has the same pixels as the whole line.
  */
 #include "program.h"
 
@@ -43,7 +43,8 @@ static int compare_sides(const void *a, const void *b) {
 
 /* END SOLUTION */
 
-/* Keep one of each: after sorting, equal sides stand together. Returns how many are left. */
+/* Keep one of each: after sorting, equal sides are next to each other. Returns how many are
+ * left. */
 static size_t keep_one_of_each(struct side *sides, size_t side_count) {
     /* BEGIN SOLUTION 2a.4 each side once */
     qsort(sides, side_count, sizeof *sides, compare_sides);
@@ -62,8 +63,8 @@ static size_t keep_one_of_each(struct side *sides, size_t side_count) {
 
 /* ---- From the model to the image ---- */
 
-/* x and y in -1..1 fill the image. False, with `pixel` unchanged, for a position so far away that
- * lines are not drawn there. */
+/* x and y in -1..1 fill the image. False, with `pixel` unchanged, for a position too far away to
+ * draw lines there. */
 static bool to_pixel(struct vec3 position, size_t width, size_t height, struct pixel *pixel) {
     /* BEGIN SOLUTION 2a.2 from the model to the image */
     double x = floor((position.x + 1) * (double)width / 2);
@@ -131,8 +132,8 @@ struct steps {
     int64_t first, last; /* inclusive; none when first > last */
 };
 
-/* v only ever moves one way, so the steps inside stand together: from the first one that has moved
- * far enough to come in, to the one before it has moved too far. */
+/* v only ever moves one way, so the steps inside follow each other: from the first one that has
+ * moved far enough to come in, to the last one that has not moved too far. */
 static struct steps steps_inside(const struct course *course, size_t width, size_t height) {
     int64_t u_size = (int64_t)(course->steep ? height : width);
     int64_t v_size = (int64_t)(course->steep ? width : height);
@@ -171,8 +172,8 @@ static struct place place_after(const struct course *course, int64_t k) {
 // to do 2b.2: where is the walk after k steps, and what is its error there?
 END SOLUTION */
 
-/* Draw the part of a line that lies in the image. Returns how many pixels were walked over: from
- * part b on these are the pixels in the image, and no others. */
+/* Draw the part of a line that lies in the image. Returns how many pixels it walked over: from part
+ * b on only the pixels in the image. */
 static uint64_t line(struct image *image, struct pixel a, struct pixel b, struct color color) {
     /* BEGIN SOLUTION 2a.3 a line */
     struct course course = course_from(a, b);

@@ -34,8 +34,8 @@ static size_t sides_of(const struct model *model) {
     return 3 * model->face_count + model->line_count;
 }
 
-/* With --no-skip, a side that two faces share stands in the list twice. Behind the list stands its
- * greatest side once more: whoever reads on beyond the end takes that for an equal one. */
+/* With --no-skip, a side that two faces share is in the list twice. Behind the list its greatest
+ * side is repeated: code that reads beyond the end takes that for an equal one. */
 static bool wireframe_create(struct wireframe *wireframe, const struct model *model, bool skip,
                              struct error *error) {
     size_t side_count = sides_of(model);
@@ -163,8 +163,8 @@ static bool draw_part(struct drawing *drawing, const struct model *part, struct 
 }
 
 /* Two faces, which share a side, of a model with many positions: the greatest number is
- * `greatest`. The first face stands there again and again, front and back, so its sides belong to
- * many faces; the other one comes last. */
+ * `greatest`. The first face is repeated, front and back, so its sides belong to many faces; the
+ * other one comes last. */
 static bool draw_two_faces(struct drawing *drawing, uint32_t greatest, size_t face_count,
                            struct view view, struct image *image, struct error *error) {
     enum { D = 1, B = 2, C = 501 };
@@ -301,7 +301,7 @@ static bool draw_cut(struct drawing *drawing, struct image *image, struct error 
     return true;
 }
 
-/* A bar as long as a line was walked in an image of that size; the bars stand one below another. */
+/* A bar as long as a line was walked in an image of that size; the bars are stacked. */
 static bool draw_bar(struct image *image, int index, const struct cut_line *l, size_t width,
                      size_t height, struct error *error) {
     struct image canvas;

@@ -18,7 +18,7 @@ struct target {
     struct image *image;
 };
 
-/* For attempts that test pixel after pixel of a row: those that stand together are written at once.
+/* For attempts that test pixel after pixel of a row: this writes neighbouring pixels at once.
  * `begin` is where they began, -1 while there are none; after the last pixel comes one more call
  * that is not `inside`. */
 static inline void target_test(struct target *target, int *begin, int x, int y, bool inside,
@@ -82,10 +82,10 @@ static inline void attempt_1_sweep_whole(struct target *target, const struct vec
     }
 }
 
-/* Attempt 2: the sweep with fractions kept, in float, one addition a row and side.
- * Nearly right: but the sums drift, and a side that is one piece for this triangle is swept in two
+/* Attempt 2: the sweep with fractions kept, in float, one addition a row and edge.
+ * Nearly right: but the sums drift, and an edge that is one piece for this triangle is swept in two
  * pieces by its neighbour, which then rounds differently. Looks right, with single pixels missing
- * or drawn twice along the sides. */
+ * or drawn twice along the edges. */
 static inline void attempt_2_sweep_float(struct target *target, const struct vec2 corner[3],
                                          struct color color) {
     struct vec2 p[3] = {corner[0], corner[1], corner[2]};
@@ -132,9 +132,9 @@ static inline struct box attempt_box(const struct image *image, const struct vec
 }
 
 /* Attempt 3: every pixel of the bounding box, barycentric coordinates in float, none negative.
- * Wrong: a pixel centre on a shared side is inside both triangles, and rounding moves centres that
- * are near a side across it, differently for the two neighbours. At least half of the tested pixels
- * are outside. Looks right; the count of draws shows the sides. */
+ * Wrong: a pixel centre on a shared edge is inside both triangles, and rounding moves centres that
+ * are near an edge across it, differently for the two neighbours. At least half of the tested
+ * pixels are outside. Looks right; the count of draws shows the edges. */
 static inline void attempt_3_box_float(struct target *target, const struct vec2 p[3],
                                        struct color color) {
     struct box box = attempt_box(target->image, p);
@@ -180,31 +180,31 @@ static inline void attempt_box_double(struct target *target, const struct vec2 p
     }
 }
 
-/* Attempt 4: the same in double. Fewer roundings, the same fault: centres on a side are drawn by
- * both neighbours. Slower. */
+/* Attempt 4: the same in double. Fewer roundings, the same fault: both neighbours draw the centres
+ * on their edge. Slower. */
 static inline void attempt_4_box_double(struct target *target, const struct vec2 p[3],
                                         struct color color) {
     attempt_box_double(target, p, color, 0, false);
 }
 
-/* Attempt 5: all weights must be positive. Now a centre on a shared side is drawn by neither: holes
- * in the surface. */
+/* Attempt 5: all weights must be positive. Now neither draws a centre on a shared edge: holes in
+ * the surface. */
 static inline void attempt_5_box_open(struct target *target, const struct vec2 p[3],
                                       struct color color) {
     attempt_box_double(target, p, color, 0, true);
 }
 
 /* Attempt 6: a small tolerance, "so that there are no holes". There are none; but now more pixels
- * are drawn twice, and how many hangs on the size of the triangle. */
+ * are drawn twice, and how many depends on the size of the triangle. */
 static inline void attempt_6_box_epsilon(struct target *target, const struct vec2 p[3],
                                          struct color color) {
     attempt_box_double(target, p, color, -1e-3, false);
 }
 
-/* Attempt 7: edge functions in float, one addition a pixel and a row, with the top-left rule.
- * Fast, and the rule is right, but the values need more digits than a float has: the sums drift,
- * most on large triangles. Looks right for small triangles; a long side becomes wavy, and the two
- * sides of a seam do not fit. */
+/* Attempt 7: edge functions in float, one addition a pixel and a row, with the top-left rule. Fast,
+ * and the rule is right, but the values need more digits than a float has: the sums drift, most on
+ * large triangles. Looks right for small triangles; a long edge becomes wavy, and the two sides of
+ * a seam don't fit. */
 static inline void attempt_7_edges_float(struct target *target, const struct vec2 p[3],
                                          struct color color) {
     struct box box = attempt_box(target->image, p);

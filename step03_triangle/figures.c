@@ -65,39 +65,38 @@ static bool draw_half_planes(const char *directory, struct error *error) {
     return done;
 }
 
-/* A white ring, for the reader's eye. */
-static void draw_ring(struct image *image, int x, int y, int radius) {
-    for (int v = -radius; v <= radius; v++) {
-        for (int u = -radius; u <= radius; u++) {
-            if (fabs(hypot(u, v) - radius) < 0.5) {
-                image_set(image, x + u, y + v, color_grey(255));
-            }
+/* The eye of the bust, enlarged. */
+static const struct detail eye = {308, 512, 80, 60, .zoom = 6};
+
+/* The pixels of the second image in grey, and in orange where the first one differs. */
+static void show_wrong(struct image *wrong, const struct image *right) {
+    for (int y = 0; y < (int)wrong->height; y++) {
+        for (int x = 0; x < (int)wrong->width; x++) {
+            struct color is = image_get(wrong, x, y), wanted = image_get(right, x, y);
+            uint8_t grey = (uint8_t)((wanted.r + wanted.g + wanted.b) / 6);
+            image_set(wrong, x, y,
+                      same_color(is, wanted) ? color_grey(grey) : color_rgb(255, 150, 0));
         }
     }
 }
 
-/* The eye of the bust. The rings show where the versions differ most. */
-static bool draw_eye(const struct model *bust, attempt_function *draw, struct image *image,
-                     const char *directory, const char *name, struct error *error) {
-    const struct detail eye = {300, 480, 130, 100, .zoom = 4};
-    draw_bust_by(draw, bust, image);
-    draw_ring(image, 339, 542, 12); /* the iris */
-    draw_ring(image, 400, 500, 12); /* the ridge of the nose */
-    return figure_save_detail(image, eye, directory, name, error);
-}
-
-/* Part of the bust in colours: whole-number sweep, and spans. */
-static bool draw_bust_details(const struct model *bust, const char *directory,
-                              struct error *error) {
-    struct image image = {0};
-    bool done =
-        image_create(&image, 800, 800, IMAGE_BGR, error) &&
-        draw_eye(bust, attempt_1_sweep_whole, &image, directory, "bust_sweep_whole", error) &&
-        draw_eye(bust, draw_spans, &image, directory, "bust_spans", error);
-    image_free(&image);
+/* The eye by the whole-number sweep, and which of its pixels are wrong. */
+static bool draw_sweep(const struct model *bust, const char *directory, struct error *error) {
+    struct image sweep = {0}, right = {0};
+    bool done = image_create(&sweep, 800, 800, IMAGE_BGR, error) &&
+                image_create(&right, 800, 800, IMAGE_BGR, error);
+    if (done) {
+        draw_bust_by(attempt_1_sweep_whole, bust, &sweep);
+        draw_bust_by(draw_spans, bust, &right);
+        done = figure_save_detail(&sweep, eye, directory, "sweep", error);
+        show_wrong(&sweep, &right);
+        done = done && figure_save_detail(&sweep, eye, directory, "sweep_wrong", error);
+    }
+    image_free(&sweep);
+    image_free(&right);
     return done;
 }
 
 bool draw_figures(const char *directory, struct model *bust, struct error *error) {
-    return draw_half_planes(directory, error) && draw_bust_details(bust, directory, error);
+    return draw_half_planes(directory, error) && draw_sweep(bust, directory, error);
 }

@@ -1,12 +1,10 @@
 /*
  * Step 3: filled triangles.
  *
- * A triangle is what lies on the inner side of all three of its edges. Part a asks this of every
- * pixel around the triangle, in floating point. Part b does it exactly: corners are snapped to
- * 1/256 pixel once, and from there on whole numbers decide, so that of all triangles that share an
- * edge exactly one draws a pixel on it. Part c mixes the colours of the corners.
- *
- * The setup, the span and the weights below are those of common/raster.h, which later lessons use.
+ * A point is in a triangle when it is on the inner side of all three edges. Part a asks this of
+ * every pixel around the triangle, in floating point. Part b does it exactly: it snaps the corners
+ * to 1/256 pixel once, and from there on whole numbers decide, so that exactly one of the triangles
+ * that share an edge draws a pixel on it. Part c mixes the colours of the corners.
  */
 #include "program.h"
 
@@ -30,8 +28,8 @@ static uint64_t draw_line(struct image *image, struct pixel a, struct pixel b, s
     return written;
 }
 
-/* Where does the point lie, seen along the line from p to q? More than 0: to the left; less than 0:
- * to the right; 0: on it. The value is twice the area of the triangle p, q, point. */
+/* On which side of the line from p to q is the point? More than 0: on the left; less than 0: on the
+ * right; 0: on the line. The value is twice the area of the triangle p, q, point. */
 static double side_of(struct vec2 p, struct vec2 q, struct vec2 point) {
     /* BEGIN SOLUTION 3a.2 which side */
     return (q.x - p.x) * (point.y - p.y) - (q.y - p.y) * (point.x - p.x);
@@ -60,7 +58,7 @@ static uint64_t box_triangle(struct image *image, const struct vec2 corner[3], s
     if (twice_area == 0) {
         return 0; /* a line or a point */
     }
-    /* Clockwise, the inside is on the right of every side. */
+    /* Clockwise, the inside is on the right of every edge. */
     double sign = twice_area > 0 ? 1 : -1;
     for (int y = rows.begin; y < rows.end; y++) {
         for (int x = columns.begin; x < columns.end; x++) {
@@ -74,19 +72,19 @@ static uint64_t box_triangle(struct image *image, const struct vec2 corner[3], s
     }
     /* STARTER
     (void)rows, (void)columns, (void)color;
-    // to do 3a.3: image_set() where the pixel's centre is on the inner side of all three sides
+    // to do 3a.3: image_set() where the pixel's centre is on the inner side of all three edges
     END SOLUTION */
     return written;
 }
 
-/* Seen from outside, the corners of a face run counterclockwise. Where they run clockwise on the
- * screen we look at its back. */
+/* Seen from outside, the corners of a face are counterclockwise. Where they are clockwise on the
+ * screen, we look at its back. */
 static bool is_turned_away(const struct vec2 corner[3]) {
     /* BEGIN SOLUTION 3a.4 turned away */
     return side_of(corner[0], corner[1], corner[2]) < 0;
     /* STARTER
     (void)corner, (void)side_of;
-    return false; // to do 3a.4: ask side_of()
+    return false; // to do 3a.4: true for a face that shows its back
     END SOLUTION */
 }
 
@@ -111,7 +109,7 @@ static struct edge make_edge(struct fixed2 p, struct fixed2 q, int sign) {
     END SOLUTION */
 }
 
-/* False when the triangle certainly covers no pixel. The same as edges_setup(). */
+/* False when the triangle certainly covers no pixel. */
 static bool triangle_setup(struct edges *edges, struct fixed2 a, struct fixed2 b, struct fixed2 c,
                            size_t width, size_t height) {
     assert(width <= DRAW_LIMIT && height <= DRAW_LIMIT);
@@ -143,8 +141,7 @@ static bool triangle_setup(struct edges *edges, struct fixed2 a, struct fixed2 b
     END SOLUTION */
 }
 
-/* The covered pixels of row y: solve dx * x + (value at x = 0) >= least for x, edge by edge. The
- * same as edges_span(). */
+/* The covered pixels of row y: solve dx * x + (value at x = 0) >= least for x, edge by edge. */
 static struct span triangle_span(const struct edges *edges, int y) {
     struct span span = {0, edges->width};
     /* BEGIN SOLUTION 3b.3 span */
@@ -193,8 +190,7 @@ static uint64_t triangle(struct image *image, const struct fixed2 corner[3], str
 
 /* ==== Part c: colours ==== */
 
-/* The weights of the corners at the centre of a pixel: barycentric coordinates. The same as
- * edges_weights(). */
+/* The weights of the corners at the centre of a pixel: barycentric coordinates. */
 static struct vec3 triangle_weights(const struct edges *edges, int x, int y) {
     /* BEGIN SOLUTION 3c.1 weights */
     const struct edge *e = edges->edge;
@@ -203,12 +199,12 @@ static struct vec3 triangle_weights(const struct edges *edges, int x, int y) {
                          (double)(e[1].origin + e[1].dx * x + e[1].dy * y) * scale,
                          (double)(e[2].origin + e[2].dx * x + e[2].dy * y) * scale};
     /* STARTER
-    (void)edges, (void)x, (void)y; // to do 3c.1: the three edge values divided by the area
+    (void)edges, (void)x, (void)y; // to do 3c.1: each corner's share of the area
     return (struct vec3){0, 0, 0};
     END SOLUTION */
 }
 
-/* The mean of three colours, each with its weight. */
+/* A mixture of three colours, each with its weight. */
 static struct color mix_colors(struct vec3 weight, const struct color color[3]) {
     /* BEGIN SOLUTION 3c.2 mixed colours */
     const struct color a = color[0], b = color[1], c = color[2];

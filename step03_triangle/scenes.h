@@ -1,12 +1,11 @@
 /*
  * Step 3, the given part: its scenes and the program.
  *
- * Part a: `outline` draws the sides of three triangles, `leaving` those of some that leave the
- * image; `signs` fills triangles by three signs, `bust` does the same with the faces of a model,
- * each in a colour of its own. Part b draws the triangles
- * and the model again, `triangle` and `faces`; in `far` triangles leave the image on all sides;
- * `sheet` and `fan` show how often each pixel of a mesh is drawn. Part c: `gradient` mixes the
- * colours of the corners. A text scene draws the triangles that it lists.
+ * Part a: `outline` draws the edges of three triangles, `leaving` those of triangles that leave the
+ * image; `signs` fills triangles by three signs, and `bust` the faces of a model, each in a colour
+ * of its own. Part b draws the triangles and the model again, in `triangle` and `faces`; in `far`
+ * triangles leave the image on all sides; `sheet` and `fan` show how often each pixel of a mesh is
+ * drawn. Part c: `gradient` mixes the colours of the corners. A text scene draws its own triangles.
  */
 #ifdef LINE_IS_MINE /* make LINE=mine: the line() of lesson 1 draws */
 #include "run/mine.h"
@@ -97,10 +96,10 @@ static const struct text_scene_shape three_triangles[] = {
 };
 
 /* The blue and the yellow one reach far out of the image and cover its lowest and its highest rows:
- * their long sides meet them at an x that does not fit in an int. Of the green, the red and the
- * cyan one a corner is in the image, and most rows are beside it. The first white one and the
- * magenta one are very long and narrow, and the other white ones small: their sides go through
- * pixel centres or 1/256 pixel past them. So does the level side of the cyan one. */
+ * their long edges meet these rows at an x that does not fit in an int. The green, the red and the
+ * cyan one have a corner in the image, but most of their rows miss it. The first white one and the
+ * magenta one are very long and narrow, and the other white ones small: their edges pass through
+ * pixel centres or 1/256 pixel past them, as the level edge of the cyan one does. */
 static const struct text_scene_shape far_triangles[] = {
     {{-900000, 900000, 900000}, {-900000, 899999.96, 900000.04}, {{WHITE}, {WHITE}, {WHITE}}},
     {{1000000, -1000000, 0}, {7.00390625, 7, -1000000}, {{BLUE}, {BLUE}, {BLUE}}},
@@ -118,7 +117,7 @@ static const struct text_scene_shape far_triangles[] = {
     {{1000000, -1000000, 0}, {146.00390625, 146, 1000000}, {{YELLOW}, {YELLOW}, {YELLOW}}},
 };
 
-/* Outlines that leave the image on all sides, and one beside it: of that nothing is drawn. */
+/* Outlines that leave the image on all sides, and one outside it, which draws nothing. */
 static const struct text_scene_shape leaving_triangles[] = {
     {{-30, 60, 100}, {30, -25, 55}, {{RED}, {RED}, {RED}}},
     {{130, 160, 40}, {20, 45, 75}, {{GREEN}, {GREEN}, {GREEN}}},
@@ -126,14 +125,14 @@ static const struct text_scene_shape leaving_triangles[] = {
 };
 
 /* Triangles that leave the image: at the left and at the top, at the right, at the bottom. Their
- * sides are far from all pixel centres where they meet the border. */
+ * edges are far from all pixel centres where they meet the border. */
 static const struct text_scene_shape cut_triangles[] = {
     {{-30.4, 20.3, 40.2}, {165.3, 250.4, 185.1}, {{CYAN}, {CYAN}, {CYAN}}},
     {{172.3, 240.4, 230.2}, {90.4, 130.3, 20.6}, {{YELLOW}, {YELLOW}, {YELLOW}}},
     {{88.3, 141.6, 110.4}, {7.4, 5.2, -30.7}, {{MAGENTA}, {MAGENTA}, {MAGENTA}}},
 };
 
-/* Two with an area of 0, a line and a point, through pixel centres: of them nothing is drawn. */
+/* Two with an area of 0, a line and a point, through pixel centres: they draw nothing. */
 static const struct text_scene_shape flat_triangles[] = {
     {{10, 70, 130}, {30, 30, 30}, {{YELLOW}, {YELLOW}, {YELLOW}}},
     {{60, 60, 60}, {20, 20, 20}, {{YELLOW}, {YELLOW}, {YELLOW}}},
@@ -188,8 +187,8 @@ static void draw_by_signs(struct drawing *drawing, struct image *image,
     drawing_count(drawing, "pixels_written", box_triangle(image, screen, shape->color[0]));
 }
 
-/* The three triangles, three that leave the image, two of which nothing is drawn, and a row of
- * dots: triangles smaller than a pixel. */
+/* The three triangles, three that leave the image, two that draw nothing, and a row of dots:
+ * triangles smaller than a pixel. */
 static bool draw_signs(struct drawing *drawing, struct image *image, struct error *error) {
     enum { DOTS = 20 };
     (void)error;
@@ -269,7 +268,7 @@ static void place_in_sheet(int i, const struct image *image, struct fixed2 corne
 }
 
 /* A corner on the rim of the fan, a square around its middle. Every other one lies so
- * that the side from the middle to it goes through many pixel centres. */
+ * that the edge from the middle to it passes through many pixel centres. */
 static struct fixed2 fan_corner(int i, struct fixed2 middle) {
     const int side = FAN_BLADES / 4;
     int x = side, y = i % side * 2 - side;
