@@ -44,8 +44,14 @@ enum model_texture_kind {
 struct model_material {
     char *name;
     float color[3]; /* red green blue 0..1 */
-    char *texture;  /* the path of a picture; NULL: none */
-    bool known;     /* the file says something of it; otherwise it is white */
+    float specular; /* the weight of its shine 0..1 where it has no map; negative: unknown */
+    float power;    /* of its shine; 0: unknown */
+    bool hidden;    /* altogether transparent */
+    char *texture;  /* the path of a picture, which then is the colour; NULL: none */
+    char *shine;    /* the path of a specular map; NULL: none */
+    bool clamp;     /* the picture, outside 0..1; otherwise it repeats */
+    float scale[2], offset[2]; /* of texture coordinates: offset + scale * (u, v) */
+    bool known;                /* the file says something of it; otherwise it is white */
 };
 
 /* What was wrong with a file that was read all the same; model_warning_text() says it. */

@@ -83,9 +83,11 @@ static bool record_cells(struct drawing *drawing, struct pipeline *pipeline,
     for (int i = 0; done && i < side * side; i++) {
         struct rectangle place =
             grid_cell(image->width, image->height, side, side, i % side, i / side);
-        struct draw_call call = pipeline_call(drawing, place, zoom, cells[i].cull);
-        struct uniforms u = make_uniforms(drawing, zoom * place.width);
-        done = pipeline_draw(pipeline, &call, cells[i].shader, &u, sizeof u, error);
+        for (size_t part = 0; drawing_take_part(drawing, part); part++) {
+            struct draw_call call = pipeline_call(drawing, place, zoom, cells[i].cull);
+            struct uniforms u = make_uniforms(drawing, zoom * place.width);
+            done = done && pipeline_draw(pipeline, &call, cells[i].shader, &u, sizeof u, error);
+        }
     }
     return done;
 }
@@ -243,25 +245,31 @@ struct simple_cell {
     struct vec3 eye; /* zero: that of the drawing */
 };
 
+static void draw_simple_cell(const struct drawing *drawing, const struct canvas *canvas,
+                             const struct simple_cell *cell, struct rectangle place) {
+    bool has_eye = vec3_dot(cell->eye, cell->eye) > 0;
+    struct draw_call call =
+        camera_call(drawing->model, has_eye ? cell->eye : drawing->eye, drawing->center,
+                    drawing->up, cell->zoom, place, cell->cull);
+    struct uniforms u = make_uniforms(drawing, cell->zoom * place.width);
+    u.normal_level++; /* not the texture's: who exchanges the levels sees it */
+    const struct texture *map = drawing->normal_map;
+    const struct simple_shader *shader = cell->shader != &simple_normal_mapped ? cell->shader
+                                         : map == NULL        ? &simple_gouraud_textured
+                                         : map->tangent_space ? &simple_tangent_mapped
+                                                              : cell->shader;
+    simple_draw(canvas, &call, shader, &u);
+}
+
 /* Draw two rows of two cells, the first one top left. */
-static bool draw_simple_cells(const struct drawing *drawing, struct image *image,
+static bool draw_simple_cells(struct drawing *drawing, struct image *image,
                               const struct simple_cell cells[4]) {
     const struct canvas canvas = {image, drawing->depth};
     for (int i = 0; i < 4; i++) {
-        const struct simple_cell *cell = &cells[i];
         struct rectangle place = grid_cell(image->width, image->height, 2, 2, i % 2, i / 2);
-        bool has_eye = vec3_dot(cell->eye, cell->eye) > 0;
-        struct draw_call call =
-            camera_call(drawing->model, has_eye ? cell->eye : drawing->eye, drawing->center,
-                        drawing->up, cell->zoom, place, cell->cull);
-        struct uniforms u = make_uniforms(drawing, cell->zoom * place.width);
-        u.normal_level++; /* not the texture's: who exchanges the levels sees it */
-        const struct texture *map = drawing->normal_map;
-        const struct simple_shader *shader = cell->shader != &simple_normal_mapped ? cell->shader
-                                             : map == NULL        ? &simple_gouraud_textured
-                                             : map->tangent_space ? &simple_tangent_mapped
-                                                                  : cell->shader;
-        simple_draw(&canvas, &call, shader, &u);
+        for (size_t part = 0; drawing_take_part(drawing, part); part++) {
+            draw_simple_cell(drawing, &canvas, &cells[i], place);
+        }
     }
     return true;
 }
@@ -367,14 +375,17 @@ static bool draw_normal_map(struct drawing *drawing, struct image *image, struct
     struct pipeline *pipeline = pipeline_begin(drawing);
     const struct rectangle place = grid_cell(image->width, image->height, 1, 1, 0, 0);
     const struct rectangle corner = corner_of(place);
-    struct draw_call call = pipeline_call(drawing, place, 0.85, CULL_BACK);
-    struct draw_call small_call = pipeline_call(drawing, corner, 1, CULL_BACK);
-    struct uniforms u = make_uniforms(drawing, 0.85 * place.width);
-    struct uniforms small = make_uniforms(drawing, corner.width);
-    small.diffuse_level++; /* who exchanges the levels sees it */
     const struct shader *shader = mapped_by(drawing->normal_map);
-    bool done = pipeline_draw(pipeline, &call, shader, &u, sizeof u, error) &&
-                pipeline_draw(pipeline, &small_call, shader, &small, sizeof small, error);
+    bool done = true;
+    for (size_t part = 0; drawing_take_part(drawing, part); part++) {
+        struct draw_call call = pipeline_call(drawing, place, 0.85, CULL_BACK);
+        struct draw_call small_call = pipeline_call(drawing, corner, 1, CULL_BACK);
+        struct uniforms u = make_uniforms(drawing, 0.85 * place.width);
+        struct uniforms small = make_uniforms(drawing, corner.width);
+        small.diffuse_level++; /* who exchanges the levels sees it */
+        done = done && pipeline_draw(pipeline, &call, shader, &u, sizeof u, error) &&
+               pipeline_draw(pipeline, &small_call, shader, &small, sizeof small, error);
+    }
     return pipeline_end(drawing, done, image, error);
 }
 

@@ -113,6 +113,41 @@ struct cell {
     const struct texture *specular; /* NULL: the drawing's */
 };
 
+/* What a part's own material says, instead of the lesson's. */
+static struct material own_material(const struct drawing *drawing, struct material material) {
+    const double most = 200;
+    if (drawing->parts != NULL && drawing->specular_weight >= 0) {
+        material.specular *= drawing->specular_weight;
+    }
+    if (drawing->parts != NULL && drawing->power > 0) {
+        material.power = (int)fmax(1, fmin(drawing->power, most));
+    }
+    return material;
+}
+
+/* Record the drawing's model, or a part of it, as one cell has it. */
+static bool record_cell(const struct drawing *drawing, struct pipeline *pipeline,
+                        const struct cell *cell, struct rectangle place, double zoom,
+                        struct error *error) {
+    struct draw_call call = pipeline_call(drawing, place, zoom, CULL_BACK);
+    bool textured_cell = cell->shader != &plain && cell->shader != &mapped;
+    struct uniforms u =
+        make_uniforms(drawing, zoom * place.width,
+                      textured_cell ? own_material(drawing, cell->material) : cell->material);
+    if (cell->model != NULL) {
+        call.model = u.model = cell->model;
+    }
+    if (cell->shader == &weight_mapped || cell->shader == &power_mapped) {
+        u.normal_level += 1; /* three different levels: who exchanges them sees it */
+        u.specular_level += 2;
+    }
+    if (cell->specular != NULL) {
+        u.specular = cell->specular;
+        u.specular_level = 0;
+    }
+    return pipeline_draw(pipeline, &call, drawn_by(drawing, cell->shader), &u, sizeof u, error);
+}
+
 /* Draw rows of cells, the first one top left. */
 static bool draw_cells(struct drawing *drawing, struct image *image, const struct cell *cells,
                        int columns, int rows, double zoom, struct error *error) {
@@ -121,21 +156,9 @@ static bool draw_cells(struct drawing *drawing, struct image *image, const struc
     for (int i = 0; done && i < columns * rows; i++) {
         struct rectangle place =
             grid_cell(image->width, image->height, columns, rows, i % columns, i / columns);
-        struct draw_call call = pipeline_call(drawing, place, zoom, CULL_BACK);
-        struct uniforms u = make_uniforms(drawing, zoom * place.width, cells[i].material);
-        if (cells[i].model != NULL) {
-            call.model = u.model = cells[i].model;
+        for (size_t part = 0; drawing_take_part(drawing, part); part++) {
+            done = done && record_cell(drawing, pipeline, &cells[i], place, zoom, error);
         }
-        if (cells[i].shader == &weight_mapped || cells[i].shader == &power_mapped) {
-            u.normal_level += 1; /* three different levels: who exchanges them sees it */
-            u.specular_level += 2;
-        }
-        if (cells[i].specular != NULL) {
-            u.specular = cells[i].specular;
-            u.specular_level = 0;
-        }
-        const struct shader *shader = drawn_by(drawing, cells[i].shader);
-        done = pipeline_draw(pipeline, &call, shader, &u, sizeof u, error);
     }
     return pipeline_end(drawing, done, image, error);
 }
@@ -304,12 +327,17 @@ enum { TURN_FRAMES = 100 };
 static bool draw_turn(struct drawing *drawing, struct image *image, struct error *error) {
     struct pipeline *pipeline = pipeline_begin(drawing);
     struct rectangle whole = grid_cell(image->width, image->height, 1, 1, 0, 0);
-    struct draw_call call = pipeline_call(drawing, whole, 0.85, CULL_BACK);
-    struct uniforms u = make_uniforms(drawing, 0.85 * whole.width, textured_material);
-    (void)turning_light(0.5);
-    u.to_light = turning_light((double)drawing->frame / TURN_FRAMES);
     const struct shader *shader = drawn_by(drawing, &weight_mapped);
-    bool done = pipeline_draw(pipeline, &call, shader, &u, sizeof u, error);
+    bool done = true;
+    (void)turning_light(0.5);
+    struct vec3 to_light = turning_light((double)drawing->frame / TURN_FRAMES);
+    for (size_t part = 0; drawing_take_part(drawing, part); part++) {
+        struct draw_call call = pipeline_call(drawing, whole, 0.85, CULL_BACK);
+        struct uniforms u =
+            make_uniforms(drawing, 0.85 * whole.width, own_material(drawing, textured_material));
+        u.to_light = to_light;
+        done = done && pipeline_draw(pipeline, &call, shader, &u, sizeof u, error);
+    }
     return pipeline_end(drawing, done, image, error);
 }
 

@@ -219,7 +219,7 @@ static bool make_texture(struct texture *texture, struct image *image, const cha
     return done;
 }
 
-static bool read_texture(struct texture *texture, const char *path, struct error *error) {
+bool model_read_texture(struct texture *texture, const char *path, struct error *error) {
     struct image image;
     return image_read(&image, path, error) && make_texture(texture, &image, path, error);
 }
@@ -320,14 +320,12 @@ const struct texture *model_texture(struct model *model, enum model_texture_kind
         error_name_file(error, path);
     } else {
         done = kind == MODEL_NORMAL_MAP ? model_read_normal_map(texture, path, model->turns, error)
-                                        : read_texture(texture, path, error);
+                                        : model_read_texture(texture, path, error);
         model->bytes_read += done ? file_size(path) : 0;
     }
     free(path);
     return done ? texture : NULL;
 }
-
-/* ---- Materials in a texture ---- */
 
 bool model_has_materials(const struct model *model) {
     bool known = false, textured = false, beside = false;
@@ -339,75 +337,4 @@ bool model_has_materials(const struct model *model) {
         free(model_find_texture(model, MODEL_DIFFUSE, &beside));
     }
     return known && !beside;
-}
-
-const char *model_only_texture(const struct model *model) {
-    const char *only = NULL;
-    for (size_t i = 0; model->face_materials != NULL && i < model->face_count; i++) {
-        uint32_t index = model->face_materials[i];
-        const char *texture = index == MODEL_NONE ? NULL : model->materials[index].texture;
-        only = i == 0 ? texture : only;
-        if (texture == NULL || (texture != only && strcmp(texture, only) != 0)) {
-            return NULL;
-        }
-    }
-    return only;
-}
-
-/* What a material looks like from afar. */
-static struct color mean_color(const struct model_material *material, bool *has_texture) {
-    struct texture texture = {0};
-    struct error ignored;
-    const float *c = material->color;
-    struct color color = color_rgb((uint8_t)(c[0] * 255 + 0.5F), (uint8_t)(c[1] * 255 + 0.5F),
-                                   (uint8_t)(c[2] * 255 + 0.5F));
-    *has_texture = material->texture != NULL && read_texture(&texture, material->texture, &ignored);
-    if (*has_texture) {
-        color = color_from_texel(texture.level[texture.level_count - 1].texels[0]);
-        texture_free(&texture);
-    }
-    return color;
-}
-
-/* Texture coordinates in the middles of the texels of a row, one for each face. */
-static bool place_in_palette(struct model *model, size_t texels) {
-    float(*uvs)[2] = malloc(texels * sizeof *uvs);
-    if (uvs == NULL) {
-        return false;
-    }
-    for (size_t i = 0; i < texels; i++) {
-        uvs[i][0] = ((float)i + 0.5F) / (float)texels;
-        uvs[i][1] = 0.5F;
-    }
-    free(model->uvs);
-    model->uvs = uvs;
-    model->uv_count = texels;
-    for (size_t i = 0; i < model->face_count; i++) {
-        uint32_t index = model->face_materials[i];
-        for (int j = 0; j < 3; j++) {
-            model->faces[i].corner[j].uv = index == MODEL_NONE ? (uint32_t)texels - 1 : index;
-        }
-    }
-    return true;
-}
-
-bool model_make_palette(struct model *model, struct texture *palette, bool *several,
-                        struct error *error) {
-    struct image image;
-    size_t count = model->material_count;
-    *several = false;
-    if (!image_create(&image, count + 1, 1, IMAGE_BGR, error)) {
-        return false;
-    }
-    image_clear(&image, color_grey(255));
-    for (size_t i = 0; i < count; i++) {
-        bool has_texture;
-        image_set(&image, (int)i, 0, mean_color(&model->materials[i], &has_texture));
-        *several = *several || has_texture;
-    }
-    bool done = texture_create(palette, &image, error) &&
-                (place_in_palette(model, count + 1) || error_out_of_memory(error));
-    palette->level_count = done ? 1 : palette->level_count; /* colours are not mixed */
-    image_free(&image);
-    return done;
 }

@@ -56,14 +56,8 @@ size_t model_textures_present(const struct model *model);
  * lies beside the model. */
 bool model_has_materials(const struct model *model);
 
-/* The path of the one texture that all faces have; NULL where that is not so. */
-const char *model_only_texture(const struct model *model);
-
-/* Make a texture of one row: the colour of each material, or the mean colour of its texture, and
- * white. The texture coordinates of the faces become places in it. `several` becomes whether means
- * stand for textures. False when memory runs out. The caller frees the texture. */
-bool model_make_palette(struct model *model, struct texture *palette, bool *several,
-                        struct error *error);
+/* A texture of a picture's file. The caller frees it. */
+bool model_read_texture(struct texture *texture, const char *path, struct error *error);
 
 /* A normal map, which says in which space it is. One in object space is turned as the model is. */
 bool model_read_normal_map(struct texture *texture, const char *path, const int turns[3],

@@ -36,6 +36,22 @@ void drawing_count(struct drawing *drawing, const char *name, uint64_t amount) {
     drawing->counters[i].value += amount;
 }
 
+/* ---- Parts ---- */
+
+bool drawing_take_part(struct drawing *drawing, size_t i) {
+    if (drawing->parts == NULL) {
+        return i == 0;
+    }
+    bool is_part = i < drawing->part_count;
+    const struct drawing_part *part = &drawing->parts[is_part ? i : drawing->part_count];
+    drawing->model = &part->model;
+    drawing->diffuse = &part->diffuse;
+    drawing->specular = part->specular.level_count > 0 ? &part->specular : drawing->whole_specular;
+    drawing->specular_weight = part->specular_weight;
+    drawing->power = part->power;
+    return is_part;
+}
+
 /* ---- Numbers of scenes ---- */
 
 const struct scene_value *scene_find_value(const struct scene *scene,
@@ -102,9 +118,16 @@ struct scene scene_complete(const struct program *program, const struct scene *g
 struct loaded run_loaded(const struct run *run) {
     struct loaded loaded = run->unloaded;
     loaded.bytes += run->model.bytes_read;
+    loaded.bytes += run->parts.bytes_read;
     loaded.textures_present += model_textures_present(&run->model);
     for (int kind = 0; kind < MODEL_TEXTURE_KINDS; kind++) {
         loaded.textures_read += run->model.textures[kind].level_count > 0;
+    }
+    for (size_t i = 0; i < run->parts.picture_count; i++) {
+        const struct picture *picture = &run->parts.pictures[i];
+        bool is_read = picture->path != NULL && picture->texture.level_count > 0;
+        loaded.textures_present += is_read;
+        loaded.textures_read += is_read;
     }
     return loaded;
 }
@@ -113,7 +136,7 @@ static void unload_model(struct run *run) {
     run->unloaded = run_loaded(run);
     model_free(&run->model);
     run->model_file = NULL;
-    texture_free(&run->palette);
+    parts_free(&run->parts);
     for (int kind = 0; kind < MODEL_TEXTURE_KINDS; kind++) {
         run->is_replaced[kind] = false;
     }
@@ -126,30 +149,6 @@ static unsigned needed_parts(unsigned needs) {
     return ((needs & normals) != 0 ? MODEL_NORMALS : 0) |
            ((needs & textures) != 0 ? MODEL_UVS : 0) |
            ((needs & NEEDS_LINES) != 0 ? MODEL_LINES : 0);
-}
-
-/* A model with one texture in its materials is drawn by that, others by a texture of colours. */
-static bool take_materials(struct run *run, struct error *error) {
-    struct model *model = &run->model;
-    const char *only = model_only_texture(model);
-    bool several = false;
-    if (run->texture_files[MODEL_DIFFUSE] != NULL || !model_has_materials(model)) {
-        return true;
-    }
-    if (only != NULL && model->uv_count > 0) {
-        model->texture_files[MODEL_DIFFUSE] = only;
-        return true;
-    }
-    if (!model_make_palette(model, &run->palette, &several, error)) {
-        return false;
-    }
-    if (several) {
-        error_set(&run->replaced[MODEL_DIFFUSE],
-                  "has several textures, of which only the mean colours are drawn; --texture FILE "
-                  "names one for all faces");
-        error_name_input(&run->replaced[MODEL_DIFFUSE], model->path);
-    }
-    return true;
 }
 
 /* Turn it, show its faces from both sides, fit it into view, as the options say. */
@@ -194,9 +193,10 @@ static bool load_model(struct run *run, const struct scene *scene, struct error 
         free(path);
     }
     memcpy(run->model.texture_files, run->texture_files, sizeof run->texture_files);
-    if (done && (needs & NEEDS_DIFFUSE) != 0) {
-        done = take_materials(run, error);
-    }
+    run->has_materials = (needs & NEEDS_DIFFUSE) != 0 &&
+                         run->texture_files[MODEL_DIFFUSE] == NULL &&
+                         model_has_materials(&run->model);
+    done = done && (!run->has_materials || parts_move_coordinates(&run->model, error));
     done = done && place_model(run, (parts & MODEL_NORMALS) != 0, error);
     run->model_file = done ? file : NULL;
     return done;
@@ -278,15 +278,18 @@ static bool load_texture(struct run *run, unsigned needs, enum model_texture_kin
                   run->texture_files[kind]);
         return error_name_input(error, run->model.path);
     }
-    if (run->palette.level_count > 0 && kind == MODEL_DIFFUSE) {
-        *texture = &run->palette;
-        return true;
+    if (run->has_materials && kind == MODEL_DIFFUSE) {
+        return true; /* take_parts() gives it */
     }
-    bool has_places = run->model.uv_count > 0 && run->palette.level_count == 0;
-    if (has_places && !note_missing(run, needs | run->needs, error)) {
+    bool has_places = run->model.uv_count > 0;
+    if (has_places && !run->has_materials && !note_missing(run, needs | run->needs, error)) {
         return false;
     }
-    if (!has_places || run->is_replaced[kind]) {
+    bool found = true;
+    if (has_places && run->has_materials) { /* what they do not name is no loss */
+        free(model_find_texture(&run->model, kind, &found));
+    }
+    if (!has_places || !found || run->is_replaced[kind]) {
         return replace_texture(run, kind, texture, error);
     }
     *texture = model_texture(&run->model, kind, error);
@@ -310,6 +313,26 @@ bool scene_needs_model(const struct scene *scene) {
     return (scene->needs & ~(unsigned)NEEDS_DEPTH) != 0;
 }
 
+/* The parts of a model with materials. */
+static bool take_parts(struct run *run, struct drawing *drawing, struct error *error) {
+    struct error missing = {0};
+    if (!run->has_materials) {
+        return true;
+    }
+    if (!parts_make(&run->parts, &run->model, &missing, error)) {
+        return false;
+    }
+    if (missing.message[0] != '\0' && !run->is_replaced[MODEL_DIFFUSE]) {
+        run->replaced[MODEL_DIFFUSE] = missing;
+        run->is_replaced[MODEL_DIFFUSE] = true;
+    }
+    drawing->parts = run->parts.part;
+    drawing->part_count = run->parts.count;
+    drawing->whole_specular = drawing->specular;
+    drawing_take_part(drawing, drawing->part_count);
+    return true;
+}
+
 /* All that the scene needs, except for its depth buffer. */
 static bool load_needs(struct run *run, const struct scene *scene, struct drawing *drawing,
                        struct error *error) {
@@ -325,7 +348,8 @@ static bool load_needs(struct run *run, const struct scene *scene, struct drawin
            ((needs & NEEDS_COLORS) == 0 || model_need_colors(&run->model, error)) &&
            load_texture(run, needs, MODEL_DIFFUSE, &drawing->diffuse, error) &&
            load_texture(run, needs, MODEL_NORMAL_MAP, &drawing->normal_map, error) &&
-           load_texture(run, needs, MODEL_SPECULAR, &drawing->specular, error);
+           load_texture(run, needs, MODEL_SPECULAR, &drawing->specular, error) &&
+           ((needs & NEEDS_DIFFUSE) == 0 || take_parts(run, drawing, error));
 }
 
 /* ---- The stage ---- */
@@ -393,7 +417,7 @@ void stage_end(struct stage *stage) {
 
 void run_free(struct run *run) {
     model_free(&run->model);
-    texture_free(&run->palette);
+    parts_free(&run->parts);
     texture_free(&run->white);
     texture_free(&run->shiny);
     *run = (struct run){0};

@@ -6,6 +6,7 @@
 #ifndef COMMON_STAGE_H
 #define COMMON_STAGE_H
 
+#include "run/parts.h"
 #include "run/scene.h"
 
 /* What was read, for --stats. */
@@ -38,7 +39,8 @@ struct run {
     const char *model_file;      /* which file it is; NULL while none is loaded */
     unsigned model_parts;        /* what of it is loaded, of enum model_part */
     struct loaded unloaded;      /* of models that made room for others */
-    struct texture palette;      /* the model's materials; empty where it has none or one texture */
+    bool has_materials;          /* the model has, and is drawn by them, part for part */
+    struct parts parts;          /* as the last scene had them */
     struct texture white, shiny; /* of one texel, for a model without textures; empty at first */
     /* Textures that the model has not, or that cannot be read: why, and what is drawn instead. The
      * message is empty once it is said. */

@@ -554,14 +554,21 @@ static bool draw_present(struct drawing *drawing, struct image *image, struct er
     return image_set(image, 0, 0, color_grey(1));
 }
 
-/* Colours of materials, a texture of given.tga, or both of them. */
-static bool draw_palette(struct drawing *drawing, struct image *image, struct error *error) {
+static const char *expected_parts; /* faces and colour of each, in the order of materials */
+
+static bool draw_materials(struct drawing *drawing, struct image *image, struct error *error) {
+    char parts[200] = "";
     (void)error;
-    const struct texture_level *level = &drawing->diffuse->level[0];
-    uint32_t first = level->texels[0];
-    CHECK(level->width == 2 ? first == 0xFF0000FF || first == 0xFF80805A
-                            : level->width == 1 && first == 0xFF80805A);
-    CHECK(level->width == 1 || drawing->normal_map == NULL);
+    size_t count = 0;
+    for (; drawing_take_part(drawing, count); count++) {
+        size_t length = strlen(parts);
+        snprintf(parts + length, sizeof parts - length, "%zu %06X %g %g;",
+                 drawing->model->face_count, drawing->diffuse->level[0].texels[0] & 0xFFFFFF,
+                 drawing->specular_weight, drawing->power);
+        CHECK(drawing->specular->level_count > 0);
+    }
+    CHECK_TEXT(parts, expected_parts);
+    CHECK(drawing->model->face_count >= count && drawing->diffuse->level_count > 0);
     return image_set(image, 0, 0, color_grey(1));
 }
 
@@ -635,18 +642,28 @@ static void test_replaced(void) {
               "-o out --texture given.tga --normal-map given_tangent.tga --specular given.tga "
               "wild.obj",
               0, PICTURES);
-    /* Materials: a picture of their colours, or of the one texture that all have. */
-    two_scenes[0].draw = two_scenes[1].draw = draw_palette;
-    put_file("m.mtl", "newmtl a\nKd 0 0 1\n");
+    /* Materials: each part with its colour or its texture, also in the next scene. */
+    two_scenes[0].draw = two_scenes[1].draw = draw_materials;
+    put_file("m.mtl", "newmtl a\nKd 0 0 1\nKs 0.25 0.5 0.75\nNs 30\n");
     put_file("wild2.obj", "mtllib m.mtl\nusemtl a\n" MAPPED);
+    expected_parts = "1 0000FF 0.5 30;";
     CHECK_RUN(&program, "-o out wild2.obj", 0, PICTURES);
-    put_file("m.mtl", "newmtl a\nKd 0 0 1\nmap_Kd given.tga\n");
-    CHECK_RUN(&program, "-o out --normal-map given.tga --specular given.tga wild2.obj", 0,
+    put_file("m.mtl", "newmtl b\nKd 1 0 0\nnewmtl a\nKd 0 0 1\nmap_Kd given.tga\n");
+    put_file("wild3.obj", "mtllib m.mtl\nf 1 2 3\nusemtl a\nf 1 2 3\nusemtl b\n" MAPPED);
+    expected_parts = "1 80805A -1 0;1 FF0000 -1 0;1 FFFFFF -1 0;";
+    CHECK_RUN(&program, "-o out --normal-map given.tga --specular given.tga wild3.obj", 0,
               PICTURES);
-    put_file("wild3.obj", "mtllib m.mtl\nf 1 2 3\nusemtl a\n" MAPPED);
-    CHECK_RUN(&program, "-o out --only one wild3.obj", 0,
-              "probe: wild3.obj: has several textures, of which only the mean colours are drawn; "
-              "--texture FILE names one for all faces\nout/one.tga\n");
+    put_file("m.mtl", "newmtl b\nd 0\nnewmtl a\nKd 0 0 1\nmap_Kd no.tga\n");
+    expected_parts = "1 0000FF -1 0;1 FFFFFF -1 0;";
+    CHECK_RUN(&program, "-o out wild3.obj", 0,
+              "probe: no.tga: No such file or directory; the material's colour instead "
+              "(--texture)\n" PICTURES);
+    expected_parts = "3 80805A 0 0;"; /* one for all faces */
+    CHECK_RUN(&program,
+              "-o out --normal-map given.tga --specular given.tga --texture given.tga "
+              "wild3.obj",
+              0, PICTURES);
+    expected_parts = "1 80805A 0 0;";
     put_file("wild4.obj", "mtllib none.mtl\nusemtl a\n" MAPPED);
     CHECK_RUN(&program, "-o out --only one --texture given.tga wild4.obj", 0,
               "probe: wild4.obj:1: the file of materials is not there; faces have neither its "
