@@ -225,43 +225,52 @@ bool model_read_texture(struct texture *texture, const char *path, struct error 
 }
 
 /* What a picture of normals looks like, at some of its pixels. In tangent space nearly all are
- * about (0, 0, 1), while those of an object go all around. What is not of length 1, more or less,
- * is a background, and heights are grey. */
-static void look_at_normals(const struct image *image, bool *grey, bool *tangent_space) {
+ * about (0, 0, 1), while those of an object go all around. All have a length of about 1: what is
+ * far from it is a background, and what is so in the mean is something else. Heights are grey. */
+enum normals_look { LOOKS_OBJECT_SPACE, LOOKS_TANGENT_SPACE, LOOKS_GREY, LOOKS_LIKE_NONE };
+
+static enum normals_look look_at_normals(const struct image *image) {
     const int across = (int)image->width / 32 + 1, along = (int)image->height / 32 + 1;
     struct vec3 sum = {0, 0, 0};
-    double count = 0;
-    *grey = true;
+    double count = 0, length_sum = 0;
+    bool grey = true;
     for (int y = 0; y < (int)image->height; y += along) {
         for (int x = 0; x < (int)image->width; x += across) {
             struct color c = image_get(image, x, y);
             struct vec3 n = {c.r / 127.5 - 1, c.g / 127.5 - 1, c.b / 127.5 - 1};
             double length = vec3_length(n);
-            *grey = *grey && c.r == c.g && c.g == c.b;
-            if (length > 0.7 && length < 1.3) {
+            grey = grey && c.r == c.g && c.g == c.b;
+            if (length > 0.4 && length < 1.6) {
                 sum = vec3_add(sum, n);
+                length_sum += length;
                 count++;
             }
         }
     }
-    *tangent_space = sum.z > 0.7 * count && fabs(sum.x) < 0.3 * count && fabs(sum.y) < 0.3 * count;
+    bool blue = sum.z > 0.7 * count && fabs(sum.x) < 0.3 * count && fabs(sum.y) < 0.3 * count;
+    bool of_length_1 = length_sum >= 0.85 * count && length_sum <= 1.15 * count;
+    return grey           ? LOOKS_GREY
+           : !of_length_1 ? LOOKS_LIKE_NONE
+           : blue         ? LOOKS_TANGENT_SPACE
+                          : LOOKS_OBJECT_SPACE;
 }
 
 bool model_read_normal_map(struct texture *texture, const char *path, const int turns[3],
                            struct error *error) {
     const char *slash = strrchr(path, '/');
     bool named = strstr(slash == NULL ? path : slash, "_tangent.") != NULL;
-    bool grey, looks_tangent;
     struct image image;
     if (!image_read(&image, path, error)) {
         return false;
     }
-    look_at_normals(&image, &grey, &looks_tangent);
-    if (grey) {
+    enum normals_look look = look_at_normals(&image);
+    if (look == LOOKS_GREY || look == LOOKS_LIKE_NONE) {
         image_free(&image);
-        error_set(error, "grey values: perhaps heights, but not normals");
+        error_set(error, look == LOOKS_GREY ? "grey values: perhaps heights, but not normals"
+                                            : "no normals, whose values would have length 1");
         return error_name_file(error, path);
     }
+    bool looks_tangent = look == LOOKS_TANGENT_SPACE;
     if (!named && !looks_tangent && (turns[0] != 0 || turns[1] != 0 || turns[2] != 0)) {
         turn_normals(&image, turns);
     }

@@ -820,8 +820,8 @@ static bool draw_turned(struct drawing *drawing, struct image *image, struct err
     struct vec3 p = model_position(drawing->model, 0, 1), n = model_normal(drawing->model, 0, 1);
     CHECK(vec3_length(vec3_sub(p, (struct vec3){0.25, -0.75, 0.5})) == 0);
     CHECK(vec3_length(vec3_sub(n, (struct vec3){0, -2, 1})) == 0);
-    CHECK(drawing->normal_map->level[0].texels[0] == 0xFFFF9B00); /* 255 155 0 */
-    CHECK(drawing->diffuse->level[0].texels[0] == 0xFFFF0064);
+    CHECK(drawing->normal_map->level[0].texels[0] == 0xFFE69B3C); /* 230 155 60 */
+    CHECK(drawing->diffuse->level[0].texels[0] == 0xFFE63C64);
     return image_set(image, 0, 0, color_grey(1));
 }
 
@@ -832,7 +832,7 @@ static void test_turn_and_sides(void) {
                           .needs = NEEDS_MODEL | NEEDS_NORMALS | NEEDS_NORMAL_MAP | NEEDS_DIFFUSE,
                           .draw = draw_turned};
     struct program program = view_program;
-    uint8_t levels[] = {100, 0, 255}; /* blue, green, red */
+    uint8_t levels[] = {100, 60, 230}; /* blue, green, red */
     const struct image normal = {1, 1, IMAGE_BGR, levels};
     struct error error;
     program.scenes = &scene;
