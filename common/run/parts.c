@@ -133,10 +133,11 @@ static bool give_normal_map(struct parts *parts, struct drawing_part *part,
         return false;
     }
     bool is_read = part->normal_map.level_count > 0;
-    if (why.message[0] != '\0' && parts->note.message[0] == '\0' &&
-        !(is_read && material->is_norm)) {
+    bool is_news = parts->note.message[0] == '\0' || (parts->is_note_of_guess && !is_read);
+    if (why.message[0] != '\0' && is_news && !(is_read && material->is_norm)) {
         error_set(&parts->note, "%s%s", why.message,
                   is_read ? "" : "; the mesh's normals instead (--normal-map)");
+        parts->is_note_of_guess = is_read;
     }
     part->normal_map.tangent_space = part->normal_map.tangent_space || material->is_norm;
     return true;

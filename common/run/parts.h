@@ -23,7 +23,8 @@ struct parts {
     size_t picture_count;
     uint64_t bytes_read;
     bool with_normal_maps; /* set it before parts_make(), which otherwise reads none */
-    struct error note; /* of a normal map that was not read, or of which something was guessed */
+    struct error note;     /* of the first normal map that was not read, or else was guessed */
+    bool is_note_of_guess;
 };
 
 /* Sort the model's faces by their materials and make a part of the faces of each; hidden ones get

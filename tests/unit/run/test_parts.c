@@ -117,7 +117,7 @@ static void test_normal_maps(void) {
         {"newmtl a\nbump grey.png\nnewmtl b\n", "--",
          "/grey.png: grey values: perhaps heights, but not normals; the mesh's normals instead "
          "(--normal-map)"},
-        {"newmtl a\nKd 1 1 1\nnewmtl b\nbump pale.png\n", "--",
+        {"newmtl a\nbump blue.png\nnewmtl b\nbump pale.png\n", "t-",
          "/pale.png: no normals, whose values would have length 1; the mesh's normals instead"},
     };
     struct place place = place_create();
