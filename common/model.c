@@ -18,6 +18,7 @@ void model_free(struct model *model) {
         free(model->materials[i].name);
         free(model->materials[i].texture);
         free(model->materials[i].shine);
+        free(model->materials[i].bumps);
     }
     free(model->materials);
     free(model->face_materials);

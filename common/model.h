@@ -49,6 +49,8 @@ struct model_material {
     bool hidden;    /* altogether transparent */
     char *texture;  /* the path of a picture, which then is the colour; NULL: none */
     char *shine;    /* the path of a specular map; NULL: none */
+    char *bumps;    /* the path of a normal map; NULL: none */
+    bool is_norm;   /* the file calls it norm, which is one in tangent space, and not bump */
     bool clamp;     /* the picture, outside 0..1; otherwise it repeats */
     float scale[2], offset[2]; /* of texture coordinates: offset + scale * (u, v) */
     bool known;                /* the file says something of it; otherwise it is white */
@@ -84,8 +86,7 @@ struct model {
     int turns[3]; /* quarter turns around x, y, z since it was read: see fit.h */
     const char *texture_files[MODEL_TEXTURE_KINDS]; /* to read instead; NULL: those beside it */
     struct texture textures[MODEL_TEXTURE_KINDS];   /* empty until first asked for */
-    bool is_space_guessed; /* the normal map's looks, not its name, said in which space it is */
-    uint64_t bytes_read;   /* of the file and of its textures */
+    uint64_t bytes_read;                            /* of the file and of its textures */
 };
 
 /* Free everything and leave an empty model. */

@@ -361,7 +361,7 @@ static const char *advise(const struct command *command, const struct stage *sta
         return placed ? "; what may help: --fit --center" : "; what may help: --fit";
     }
     if ((stage->scene.needs & NEEDS_LINES) == 0 && !is_a_face_seen(stage)) {
-        return ": no face is seen from its front; what may help: --two-sided --turn";
+        return ": all faces look away or lie edge-on; what may help: --two-sided --turn";
     }
     if (placed) {
         return "; what may help: --center";

@@ -48,6 +48,7 @@ struct texture {
     struct texture_level level[TEXTURE_LEVEL_LIMIT]; /* 0 is the image, each next half of it */
     bool clamp; /* outside 0..1 the edge texels repeat, not the picture: texture_set_clamp() */
     bool tangent_space; /* of a normal map: see tangent.h; otherwise it is in object space */
+    bool space_guessed; /* the normal map's looks, not its name, said in which space it is */
     uint32_t *texels;   /* of all levels, owned by the texture */
 };
 

@@ -375,9 +375,9 @@ static bool draw_normal_map(struct drawing *drawing, struct image *image, struct
     struct pipeline *pipeline = pipeline_begin(drawing);
     const struct rectangle place = grid_cell(image->width, image->height, 1, 1, 0, 0);
     const struct rectangle corner = corner_of(place);
-    const struct shader *shader = mapped_by(drawing->normal_map);
     bool done = true;
     for (size_t part = 0; drawing_take_part(drawing, part); part++) {
+        const struct shader *shader = mapped_by(drawing->normal_map);
         struct draw_call call = pipeline_call(drawing, place, 0.85, CULL_BACK);
         struct draw_call small_call = pipeline_call(drawing, corner, 1, CULL_BACK);
         struct uniforms u = make_uniforms(drawing, 0.85 * place.width);

@@ -327,7 +327,6 @@ enum { TURN_FRAMES = 100 };
 static bool draw_turn(struct drawing *drawing, struct image *image, struct error *error) {
     struct pipeline *pipeline = pipeline_begin(drawing);
     struct rectangle whole = grid_cell(image->width, image->height, 1, 1, 0, 0);
-    const struct shader *shader = drawn_by(drawing, &weight_mapped);
     bool done = true;
     (void)turning_light(0.5);
     struct vec3 to_light = turning_light((double)drawing->frame / TURN_FRAMES);
@@ -336,6 +335,7 @@ static bool draw_turn(struct drawing *drawing, struct image *image, struct error
         struct uniforms u =
             make_uniforms(drawing, 0.85 * whole.width, own_material(drawing, textured_material));
         u.to_light = to_light;
+        const struct shader *shader = drawn_by(drawing, &weight_mapped);
         done = done && pipeline_draw(pipeline, &call, shader, &u, sizeof u, error);
     }
     return pipeline_end(drawing, done, image, error);

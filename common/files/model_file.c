@@ -224,58 +224,59 @@ bool model_read_texture(struct texture *texture, const char *path, struct error 
     return image_read(&image, path, error) && make_texture(texture, &image, path, error);
 }
 
-/* Are the normals of a map nearly all about (0, 0, 1)? Those of an object go all around. What is
- * not of length 1, more or less, is no normal, but a background. */
-static bool looks_tangent(const struct image *image) {
+/* What a picture of normals looks like, at some of its pixels. In tangent space nearly all are
+ * about (0, 0, 1), while those of an object go all around. All have a length of about 1: what is
+ * far from it is a background, and what is so in the mean is something else. Heights are grey. */
+enum normals_look { LOOKS_OBJECT_SPACE, LOOKS_TANGENT_SPACE, LOOKS_GREY, LOOKS_LIKE_NONE };
+
+static enum normals_look look_at_normals(const struct image *image) {
+    const int across = (int)image->width / 32 + 1, along = (int)image->height / 32 + 1;
     struct vec3 sum = {0, 0, 0};
-    double count = 0;
-    for (int y = 0; y < (int)image->height; y++) {
-        for (int x = 0; x < (int)image->width; x++) {
+    double count = 0, length_sum = 0;
+    bool grey = true;
+    for (int y = 0; y < (int)image->height; y += along) {
+        for (int x = 0; x < (int)image->width; x += across) {
             struct color c = image_get(image, x, y);
             struct vec3 n = {c.r / 127.5 - 1, c.g / 127.5 - 1, c.b / 127.5 - 1};
             double length = vec3_length(n);
-            if (length > 0.7 && length < 1.3) {
+            grey = grey && c.r == c.g && c.g == c.b;
+            if (length > 0.4 && length < 1.6) {
                 sum = vec3_add(sum, n);
+                length_sum += length;
                 count++;
             }
         }
     }
-    return sum.z > 0.7 * count && fabs(sum.x) < 0.3 * count && fabs(sum.y) < 0.3 * count;
+    bool blue = sum.z > 0.7 * count && fabs(sum.x) < 0.3 * count && fabs(sum.y) < 0.3 * count;
+    bool of_length_1 = length_sum >= 0.85 * count && length_sum <= 1.15 * count;
+    return grey           ? LOOKS_GREY
+           : !of_length_1 ? LOOKS_LIKE_NONE
+           : blue         ? LOOKS_TANGENT_SPACE
+                          : LOOKS_OBJECT_SPACE;
 }
 
-static bool is_grey(const struct image *image) {
-    for (int y = 0; y < (int)image->height; y++) {
-        for (int x = 0; x < (int)image->width; x++) {
-            struct color c = image_get(image, x, y);
-            if (c.r != c.g || c.g != c.b) {
-                return false;
-            }
-        }
-    }
-    return true;
-}
-
-static bool read_normal_map(struct model *model, const char *path, struct error *error) {
-    struct texture *texture = &model->textures[MODEL_NORMAL_MAP];
-    const int *turns = model->turns;
+bool model_read_normal_map(struct texture *texture, const char *path, const int turns[3],
+                           struct error *error) {
     const char *slash = strrchr(path, '/');
     bool named = strstr(slash == NULL ? path : slash, "_tangent.") != NULL;
     struct image image;
     if (!image_read(&image, path, error)) {
         return false;
     }
-    if (is_grey(&image)) {
+    enum normals_look look = look_at_normals(&image);
+    if (look == LOOKS_GREY || look == LOOKS_LIKE_NONE) {
         image_free(&image);
-        error_set(error, "grey values: perhaps heights, but not normals");
+        error_set(error, look == LOOKS_GREY ? "grey values: perhaps heights, but not normals"
+                                            : "no normals, whose values would have length 1");
         return error_name_file(error, path);
     }
-    model->is_space_guessed = !named && looks_tangent(&image);
-    bool tangent_space = named || model->is_space_guessed;
-    if (!tangent_space && (turns[0] != 0 || turns[1] != 0 || turns[2] != 0)) {
+    bool looks_tangent = look == LOOKS_TANGENT_SPACE;
+    if (!named && !looks_tangent && (turns[0] != 0 || turns[1] != 0 || turns[2] != 0)) {
         turn_normals(&image, turns);
     }
     bool done = make_texture(texture, &image, path, error);
-    texture->tangent_space = tangent_space;
+    texture->tangent_space = named || looks_tangent;
+    texture->space_guessed = !named && looks_tangent;
     return done;
 }
 
@@ -327,7 +328,7 @@ const struct texture *model_texture(struct model *model, enum model_texture_kind
         error_set(error, "no such file, nor one of another usual name");
         error_name_file(error, path);
     } else {
-        done = kind == MODEL_NORMAL_MAP ? read_normal_map(model, path, error)
+        done = kind == MODEL_NORMAL_MAP ? model_read_normal_map(texture, path, model->turns, error)
                                         : model_read_texture(texture, path, error);
         model->bytes_read += done ? file_size(path) : 0;
     }

@@ -59,6 +59,10 @@ bool model_has_materials(const struct model *model);
 /* A texture of a picture's file. The caller frees it. */
 bool model_read_texture(struct texture *texture, const char *path, struct error *error);
 
+/* A normal map, which says in which space it is. One in object space is turned as the model is. */
+bool model_read_normal_map(struct texture *texture, const char *path, const int turns[3],
+                           struct error *error);
+
 /* A texture of the model, read at the first call. NULL, with a message that names the file that was
  * looked for, when there is none or it cannot be read. The model keeps the texture. */
 const struct texture *model_texture(struct model *model, enum model_texture_kind kind,

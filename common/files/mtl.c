@@ -112,6 +112,9 @@ static bool read_map(struct text *text, struct model_material *options, const ch
 static bool read_statement(struct text *text, struct word keyword, const char *directory,
                            struct model_material *material) {
     double number;
+    bool is_norm = word_is(keyword, "norm");
+    bool is_bump =
+        word_is(keyword, "map_Bump") || word_is(keyword, "map_bump") || word_is(keyword, "bump");
     if (word_is(keyword, "Kd")) {
         read_color(text, material->color);
     } else if (word_is(keyword, "Ks")) {
@@ -127,6 +130,9 @@ static bool read_statement(struct text *text, struct word keyword, const char *d
         return read_map(text, material, directory, &material->texture);
     } else if (word_is(keyword, "map_Ks") || word_is(keyword, "map_Ns")) {
         return read_map(text, NULL, directory, &material->shine);
+    } else if (is_norm || (is_bump && !material->is_norm)) {
+        material->is_norm = is_norm;
+        return read_map(text, NULL, directory, &material->bumps);
     }
     return true;
 }

@@ -6,7 +6,7 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { REPEAT_LIMIT = 1000000, HELP_COLUMN = 16 };
+enum { REPEAT_LIMIT = 1000000, HELP_COLUMN = 17 };
 
 /* Reads the value (NULL for an option without one) into the option's field. */
 typedef bool parse_function(const struct program *program, const char *value, void *field);

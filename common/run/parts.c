@@ -73,18 +73,24 @@ static bool keep_picture(struct parts *parts, const struct picture *picture) {
     return true;
 }
 
-/* The texture of a file, read at the first call; of no level where it cannot be read. */
-static bool find_picture(struct parts *parts, const char *path, struct texture *texture,
-                         struct error *why) {
+/* The texture of a file, read at the first call; of no level where it cannot be read. With `turns`
+ * it is a normal map of a model that was turned so. */
+static bool find_picture(struct parts *parts, const char *path, const int *turns,
+                         struct texture *texture, struct error *why) {
     for (size_t i = 0; i < parts->picture_count; i++) {
-        if (parts->pictures[i].path != NULL && strcmp(parts->pictures[i].path, path) == 0) {
+        if (parts->pictures[i].path != NULL && strcmp(parts->pictures[i].path, path) == 0 &&
+            parts->pictures[i].is_normal_map == (turns != NULL)) {
             *texture = parts->pictures[i].texture;
             return true;
         }
     }
-    struct picture picture = {.path = path};
-    if (model_read_texture(&picture.texture, path, why)) {
-        parts->bytes_read += file_size(path);
+    struct picture picture = {.path = path, .is_normal_map = turns != NULL};
+    bool is_read = turns == NULL ? model_read_texture(&picture.texture, path, why)
+                                 : model_read_normal_map(&picture.texture, path, turns, why);
+    parts->bytes_read += is_read ? file_size(path) : 0;
+    if (picture.texture.space_guessed) {
+        error_set(why, "blue, so it is read as a normal map in tangent space");
+        error_name_file(why, path);
     }
     if (!keep_picture(parts, &picture)) {
         texture_free(&picture.texture);
@@ -119,6 +125,24 @@ static bool find_color(struct parts *parts, const float color[3], struct texture
     return true;
 }
 
+/* The normal map of a part, whose material has one. */
+static bool give_normal_map(struct parts *parts, struct drawing_part *part,
+                            const struct model_material *material) {
+    struct error why = {0};
+    if (!find_picture(parts, material->bumps, part->model.turns, &part->normal_map, &why)) {
+        return false;
+    }
+    bool is_read = part->normal_map.level_count > 0;
+    bool is_news = parts->note.message[0] == '\0' || (parts->is_note_of_guess && !is_read);
+    if (why.message[0] != '\0' && is_news && !(is_read && material->is_norm)) {
+        error_set(&parts->note, "%s%s", why.message,
+                  is_read ? "" : "; the mesh's normals instead (--normal-map)");
+        parts->is_note_of_guess = is_read;
+    }
+    part->normal_map.tangent_space = part->normal_map.tangent_space || material->is_norm;
+    return true;
+}
+
 /* The textures of a part; none where its corners have no places in them. */
 static bool give_textures(struct parts *parts, struct drawing_part *part,
                           const struct model_material *material, struct error *missing) {
@@ -126,7 +150,7 @@ static bool give_textures(struct parts *parts, struct drawing_part *part,
     struct error why = {0}, ignored;
     bool has_places = part->model.uv_count > 0;
     if (material != NULL && material->texture != NULL && has_places) {
-        if (!find_picture(parts, material->texture, &part->diffuse, &why)) {
+        if (!find_picture(parts, material->texture, NULL, &part->diffuse, &why)) {
             return false;
         }
         texture_set_clamp(&part->diffuse, material->clamp);
@@ -135,7 +159,11 @@ static bool give_textures(struct parts *parts, struct drawing_part *part,
         }
     }
     if (material != NULL && material->shine != NULL && has_places &&
-        !find_picture(parts, material->shine, &part->specular, &ignored)) {
+        !find_picture(parts, material->shine, NULL, &part->specular, &ignored)) {
+        return false;
+    }
+    if (material != NULL && material->bumps != NULL && has_places && parts->with_normal_maps &&
+        !give_normal_map(parts, part, material)) {
         return false;
     }
     return part->diffuse.level_count > 0 ||

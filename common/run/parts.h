@@ -1,4 +1,4 @@
-/* The parts of a model: the faces of each of its materials, with the textures they are drawn with. */
+/* The parts of a model: the faces of each of its materials, with their textures. */
 #ifndef COMMON_PARTS_H
 #define COMMON_PARTS_H
 
@@ -10,7 +10,8 @@
 
 /* A picture that materials name, or the colour of one of them. */
 struct picture {
-    const char *path; /* belongs to a material; NULL: of a colour */
+    const char *path;   /* belongs to a material; NULL: of a colour */
+    bool is_normal_map; /* read as one; the same file may be a colour, too */
     struct texture texture;
 };
 
@@ -21,6 +22,9 @@ struct parts {
     struct picture *pictures; /* each file is read once */
     size_t picture_count;
     uint64_t bytes_read;
+    bool with_normal_maps; /* set it before parts_make(), which otherwise reads none */
+    struct error note;     /* of the first normal map that was not read, or else was guessed */
+    bool is_note_of_guess;
 };
 
 /* Sort the model's faces by their materials and make a part of the faces of each; hidden ones get

@@ -49,9 +49,10 @@ struct counter {
 
 /* The faces of one material. */
 struct drawing_part {
-    struct model model;               /* of these faces alone; it shares all else with the whole */
-    struct texture diffuse, specular; /* shared; the specular one may be empty */
-    double specular_weight, power;    /* of the material; negative or 0: unknown */
+    struct model model; /* of these faces alone; it shares all else with the whole */
+    struct texture diffuse, normal_map,
+        specular;                  /* shared; empty where there is none, but diffuse */
+    double specular_weight, power; /* of the material; negative or 0: unknown */
 };
 
 /* What a draw function works with. It reads all of it and may change `depth` and `state`. */
@@ -62,19 +63,19 @@ struct drawing {
     const struct texture *specular;   /* one texel where there is none */
     const struct drawing_part *parts; /* of a model with materials: see drawing_take_part() */
     size_t part_count;
-    const struct texture *whole_specular; /* of parts that have none */
-    double specular_weight, power;        /* of a part's material; negative or 0: unknown */
-    double *depth;                        /* one a pixel, row by row from the bottom: -INFINITY */
-    const struct text_scene *text;        /* the text scene of the command line, otherwise NULL */
-    struct vec3 eye, center, up;          /* the camera: options, the scene's or the program's */
-    struct vec3 light;                    /* as given: not normalised */
-    bool skip;                            /* false with --no-skip: do all the work; same image */
-    bool stats;                           /* with --stats: count what takes time to count, too */
-    size_t frame;                         /* of an animation, from 0 */
-    int number;                           /* the scene's */
-    const struct scene_value *values;     /* the scene's, */
-    double value[VALUE_LIMIT];            /* and what they are now: see drawing_value() */
-    void *state;                          /* program.state_size bytes, zero at first */
+    const struct texture *whole_normal_map, *whole_specular; /* of parts that have none */
+    double specular_weight, power;    /* of a part's material; negative or 0: unknown */
+    double *depth;                    /* one a pixel, row by row from the bottom: -INFINITY */
+    const struct text_scene *text;    /* the text scene of the command line, otherwise NULL */
+    struct vec3 eye, center, up;      /* the camera: options, the scene's or the program's */
+    struct vec3 light;                /* as given: not normalised */
+    bool skip;                        /* false with --no-skip: do all the work; same image */
+    bool stats;                       /* with --stats: count what takes time to count, too */
+    size_t frame;                     /* of an animation, from 0 */
+    int number;                       /* the scene's */
+    const struct scene_value *values; /* the scene's, */
+    double value[VALUE_LIMIT];        /* and what they are now: see drawing_value() */
+    void *state;                      /* program.state_size bytes, zero at first */
     struct counter counters[COUNTER_LIMIT];
     size_t counter_count;
 };

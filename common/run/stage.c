@@ -46,6 +46,8 @@ bool drawing_take_part(struct drawing *drawing, size_t i) {
     const struct drawing_part *part = &drawing->parts[is_part ? i : drawing->part_count];
     drawing->model = &part->model;
     drawing->diffuse = &part->diffuse;
+    drawing->normal_map =
+        part->normal_map.level_count > 0 ? &part->normal_map : drawing->whole_normal_map;
     drawing->specular = part->specular.level_count > 0 ? &part->specular : drawing->whole_specular;
     drawing->specular_weight = part->specular_weight;
     drawing->power = part->power;
@@ -136,6 +138,7 @@ static void unload_model(struct run *run) {
     run->unloaded = run_loaded(run);
     model_free(&run->model);
     run->model_file = NULL;
+    run->is_noted = false;
     parts_free(&run->parts);
     for (int kind = 0; kind < MODEL_TEXTURE_KINDS; kind++) {
         run->is_replaced[kind] = false;
@@ -293,11 +296,12 @@ static bool load_texture(struct run *run, unsigned needs, enum model_texture_kin
         return replace_texture(run, kind, texture, error);
     }
     *texture = model_texture(&run->model, kind, error);
-    if (*texture != NULL && kind == MODEL_NORMAL_MAP && run->model.is_space_guessed) {
+    bool *guessed = &run->model.textures[kind].space_guessed;
+    if (*guessed) {
         error_set(&run->replaced[kind], "the normal map is blue, so it is read as one in tangent "
                                         "space, as if its name ended in _tangent");
         error_name_input(&run->replaced[kind], run->model.path);
-        run->model.is_space_guessed = false; /* it is said */
+        *guessed = false; /* it is said */
     }
     if (*texture != NULL || run->texture_files[kind] != NULL) {
         return *texture != NULL;
@@ -313,11 +317,14 @@ bool scene_needs_model(const struct scene *scene) {
 }
 
 /* The parts of a model with materials. */
-static bool take_parts(struct run *run, struct drawing *drawing, struct error *error) {
+static bool take_parts(struct run *run, unsigned needs, struct drawing *drawing,
+                       struct error *error) {
     struct error missing = {0};
     if (!run->has_materials) {
         return true;
     }
+    run->parts.with_normal_maps =
+        (needs & NEEDS_NORMAL_MAP) != 0 && run->texture_files[MODEL_NORMAL_MAP] == NULL;
     if (!parts_make(&run->parts, &run->model, &missing, error)) {
         return false;
     }
@@ -325,8 +332,13 @@ static bool take_parts(struct run *run, struct drawing *drawing, struct error *e
         run->replaced[MODEL_DIFFUSE] = missing;
         run->is_replaced[MODEL_DIFFUSE] = true;
     }
+    if (run->parts.note.message[0] != '\0' && !run->is_noted) {
+        run->replaced[MODEL_NORMAL_MAP] = run->parts.note;
+        run->is_noted = true;
+    }
     drawing->parts = run->parts.part;
     drawing->part_count = run->parts.count;
+    drawing->whole_normal_map = drawing->normal_map;
     drawing->whole_specular = drawing->specular;
     drawing_take_part(drawing, drawing->part_count);
     return true;
@@ -348,7 +360,7 @@ static bool load_needs(struct run *run, const struct scene *scene, struct drawin
            load_texture(run, needs, MODEL_DIFFUSE, &drawing->diffuse, error) &&
            load_texture(run, needs, MODEL_NORMAL_MAP, &drawing->normal_map, error) &&
            load_texture(run, needs, MODEL_SPECULAR, &drawing->specular, error) &&
-           ((needs & NEEDS_DIFFUSE) == 0 || take_parts(run, drawing, error));
+           ((needs & NEEDS_DIFFUSE) == 0 || take_parts(run, needs, drawing, error));
 }
 
 /* ---- The stage ---- */

@@ -46,6 +46,7 @@ struct run {
      * message is empty once it is said. */
     struct error replaced[MODEL_TEXTURE_KINDS];
     bool is_replaced[MODEL_TEXTURE_KINDS];
+    bool is_noted; /* what parts.note says */
 };
 
 /* What was read up to now. */

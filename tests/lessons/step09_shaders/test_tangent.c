@@ -7,7 +7,7 @@
 #include "lessons/board.h"
 
 /* The picture of the pipeline, or of simple_draw(). */
-static struct image draw(struct drawing *drawing, bool simple) {
+static struct image draw(struct drawing drawing, bool simple) {
     static const struct simple_cell mapped = {&simple_normal_mapped, CULL_BACK, 1, {0, 0, 0}};
     const struct simple_cell cells[4] = {mapped, mapped, mapped, mapped};
     struct image image = new_image(BOARD_SIZE, BOARD_SIZE, IMAGE_BGR);
@@ -15,11 +15,11 @@ static struct image draw(struct drawing *drawing, bool simple) {
     struct error error;
     double depth[BOARD_SIZE * BOARD_SIZE];
     depth_clear(depth, sizeof depth / sizeof *depth);
-    drawing->state = &pipeline;
-    drawing->depth = depth;
+    drawing.state = &pipeline;
+    drawing.depth = depth;
     CHECK(pipeline_create(&pipeline, BOARD_SIZE, BOARD_SIZE, &error) &&
-          (simple ? draw_simple_cells(drawing, &image, cells)
-                  : draw_normal_map(drawing, &image, &error)));
+          (simple ? draw_simple_cells(&drawing, &image, cells)
+                  : draw_normal_map(&drawing, &image, &error)));
     pipeline_free(&pipeline);
     return image;
 }
@@ -36,10 +36,10 @@ static void test_shaders(void) {
         drawing.light = (struct vec3){1, 0.5, 0.75};
         map.tangent_space = false;
         lay_board((const int[3]){0, 0, 0});
-        struct image expected = draw(&drawing, i < 4);
+        struct image expected = draw(drawing, i < 4);
         map.tangent_space = true;
         turn_board(&drawing, turns[i % 4]);
-        struct image image = draw(&drawing, i < 4);
+        struct image image = draw(drawing, i < 4);
         CHECK(nearly_same(&image, &expected));
         image_free(&image);
         image_free(&expected);

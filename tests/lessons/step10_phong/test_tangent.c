@@ -7,14 +7,14 @@
 #include "lessons/board.h"
 
 /* The picture of a shader of the lesson, or of the one that stands for it. */
-static struct image draw(struct drawing *drawing, const struct shader *shader) {
+static struct image draw(struct drawing drawing, const struct shader *shader) {
     struct image image = new_image(BOARD_SIZE, BOARD_SIZE, IMAGE_BGR);
     struct pipeline pipeline = {0};
     struct error error;
     const struct cell cell = {shader, textured_material, NULL, NULL};
-    drawing->state = &pipeline;
+    drawing.state = &pipeline;
     CHECK(pipeline_create(&pipeline, BOARD_SIZE, BOARD_SIZE, &error) &&
-          draw_cells(drawing, &image, &cell, 1, 1, 1, &error));
+          draw_cells(&drawing, &image, &cell, 1, 1, 1, &error));
     pipeline_free(&pipeline);
     return image;
 }
@@ -34,10 +34,10 @@ static void test_shaders(void) {
         drawing.light = (struct vec3){1, 0.5, 0.75};
         map.tangent_space = false;
         lay_board((const int[3]){0, 0, 0});
-        struct image expected = draw(&drawing, shaders[i / 4]);
+        struct image expected = draw(drawing, shaders[i / 4]);
         map.tangent_space = true;
         turn_board(&drawing, turns[i % 4]);
-        struct image image = draw(&drawing, shaders[i / 4]);
+        struct image image = draw(drawing, shaders[i / 4]);
         CHECK(nearly_same(&image, &expected));
         image_free(&image);
         image_free(&expected);

@@ -426,7 +426,7 @@ static void test_messages(void) {
 static bool write_image(const char *path, uint8_t level, bool png) {
     struct image image = new_image(2, 2, IMAGE_BGR);
     struct error error;
-    image_clear(&image, color_rgb(200, 100, level));
+    image_clear(&image, color_rgb(160, 100, level));
     bool done = png ? png_write(&image, path, &error) : tga_write(&image, path, &error);
     image_free(&image);
     return done;

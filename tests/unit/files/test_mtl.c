@@ -158,6 +158,36 @@ static void test_numbers(void) {
     }
 }
 
+/* norm says more than the names of bumps, and may come before or after them. */
+static void test_bumps(void) {
+    static const struct {
+        const char *text, *bumps;
+        bool is_norm;
+    } rows[] = {
+        {"norm n.png\n", "n.png", true},
+        {"map_Bump -bm 0.5 b.png\n", "b.png", false},
+        {"map_bump b c.png\n", "b c.png", false},
+        {"bump -imfchan l -clamp on b.png\n", "b.png", false},
+        {"bump a.png\nnorm n.png\nmap_Bump b.png\n", "n.png", true},
+        {"bump a.png\nmap_Bump b.png\n", "b.png", false},
+        {"map_Kn b.png\nnormal b.png\n", "", false},
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        struct model m;
+        struct error error;
+        char text[200];
+        snprintf(text, sizeof text, "newmtl a\n%s", rows[i].text);
+        if (!decode(&m, SQUARE "usemtl a\nf 1 2 3\n")) {
+            return;
+        }
+        CHECK(mtl_decode(&m, text, strlen(text), "", &error));
+        const struct model_material *a = &m.materials[0];
+        CHECK_TEXT(a->bumps == NULL ? "" : a->bumps, rows[i].bumps);
+        CHECK_ROW(a->is_norm == rows[i].is_norm && !a->clamp, rows[i].text);
+        model_free(&m);
+    }
+}
+
 static void put_picture(struct place *place, const char *name, struct color color) {
     struct image image = new_image(2, 2, IMAGE_BGR);
     struct error error;
@@ -245,4 +275,4 @@ static void test_utf16(void) {
 }
 
 UNIT_MAIN(TEST(test_utf16), TEST(test_faces), TEST(test_many_materials), TEST(test_statements),
-          TEST(test_numbers), TEST(test_files))
+          TEST(test_numbers), TEST(test_bumps), TEST(test_files))

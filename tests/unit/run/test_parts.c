@@ -103,6 +103,58 @@ static void test_parts(void) {
     place_remove(&place, "m.obj");
 }
 
+/* Normal maps of materials: in which space each is, and what is said. */
+static void test_normal_maps(void) {
+    static const struct {
+        const char *materials, *spaces, *note; /* of a and b: tangent, object or none */
+    } rows[] = {
+        {"newmtl a\nbump blue.png\nnewmtl b\nmap_Bump red.png\n", "to",
+         "/blue.png: blue, so it is read as a normal map in tangent space"},
+        {"newmtl a\nnorm blue.png\nnewmtl b\nnorm red.png\n", "tt", ""},
+        {"newmtl a\nnorm no.png\nnewmtl b\nKd 1 0 0\n", "--",
+         "/no.png: No such file or directory; the mesh's normals instead (--normal-map)"},
+        {"newmtl a\nmap_Kd red.png\nbump red.png\nnewmtl b\nbump red.png\n", "oo", ""},
+        {"newmtl a\nbump grey.png\nnewmtl b\n", "--",
+         "/grey.png: grey values: perhaps heights, but not normals; the mesh's normals instead "
+         "(--normal-map)"},
+        {"newmtl a\nbump blue.png\nnewmtl b\nbump pale.png\n", "t-",
+         "/pale.png: no normals, whose values would have length 1; the mesh's normals instead"},
+    };
+    struct place place = place_create();
+    put_picture(&place, "blue.png", color_rgb(130, 120, 250));
+    put_picture(&place, "red.png", color_rgb(200, 20, 100));
+    put_picture(&place, "pale.png", color_rgb(191, 192, 247));
+    put_picture(&place, "grey.png", color_rgb(128, 128, 128));
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        struct model model;
+        struct parts parts;
+        struct error missing, error;
+        char spaces[3] = "";
+        if (!read_parts(&place, &model, &parts, &missing,
+                        "usemtl a\nf 1/1 2/2 3/3\nusemtl b\nf 2/1 3/2 4/3\n", rows[i].materials)) {
+            continue;
+        }
+        CHECK(parts.part[0].normal_map.level_count == 0 && parts.note.message[0] == '\0');
+        parts.with_normal_maps = true;
+        CHECK(parts_make(&parts, &model, &missing, &error));
+        for (size_t k = 0; k < 2; k++) {
+            const struct texture *map = &parts.part[k].normal_map;
+            spaces[k] = map->level_count == 0 ? '-' : map->tangent_space ? 't' : 'o';
+        }
+        CHECK_TEXT(spaces, rows[i].spaces);
+        CHECK_ROW(strstr(parts.note.message, rows[i].note) != NULL, parts.note.message);
+        CHECK((parts.note.message[0] == '\0') == (rows[i].note[0] == '\0'));
+        CHECK(i != 3 || parts.picture_count == 3); /* as colour, as map, and white */
+        parts_free(&parts);
+        model_free(&model);
+    }
+    const char *const names[] = {"blue.png", "red.png", "grey.png", "pale.png", "m.mtl"};
+    for (size_t i = 0; i < 5; i++) {
+        CHECK(unlink(name_file(&place, names[i])) == 0);
+    }
+    place_remove(&place, "m.obj");
+}
+
 /* One material scales and moves, another one has the coordinates as they are. */
 static void test_coordinates(void) {
     struct place place = place_create();
@@ -149,4 +201,4 @@ static void test_face_colors(void) {
     parts_free(&parts);
 }
 
-UNIT_MAIN(TEST(test_parts), TEST(test_coordinates), TEST(test_face_colors))
+UNIT_MAIN(TEST(test_parts), TEST(test_normal_maps), TEST(test_coordinates), TEST(test_face_colors))
