@@ -6,6 +6,55 @@
  * `normalmap` show shaders, `culling` which faces may be left out.
  */
 
+#include "tangent.h"
+
+/* ---- Normal maps in tangent space: lesson 10 explains them in TANGENT.md ---- */
+
+static void tangent_vertex(const void *uniforms, size_t face, size_t corner, double *varyings) {
+    const struct uniforms *u = uniforms;
+    uv_vertex(uniforms, face, corner, varyings);
+    tangent_varyings(u->model, face, corner, varyings + 2);
+}
+
+static lanes_mask tangent_fragment(const void *uniforms, const lanes *varyings,
+                                   lanes_texel *color) {
+    const struct uniforms *u = uniforms;
+    struct lanes2 uv = {varyings[0], varyings[1]};
+    struct lanes3 value = texture_lanes(u->normal_map, uv, u->normal_level);
+    lanes intensity = lambert_lanes(tangent_normal(varyings + 2, value), u->to_light);
+    *color = shade(texture_lanes(u->diffuse, uv, u->diffuse_level), intensity);
+    return lanes_all_set();
+}
+
+/* Without loops of its own, which take long to compile. */
+static const struct shader tangent_mapped = {
+    .varying_count = 2 + TANGENT_VARYINGS, .vertex = tangent_vertex, .fragment = tangent_fragment};
+
+/* The same for simple_draw(). */
+static bool tangent_pixel(const void *uniforms, const double *varyings, struct vec3 *rgb) {
+    const struct uniforms *u = uniforms;
+    const double *axis = varyings + 2;
+    struct vec3 value = sample(u->normal_map, varyings, u->normal_level);
+    double n[3];
+    for (int i = 0; i < 3; i++) {
+        n[i] = (value.x - 127.5) * axis[i] + (value.y - 127.5) * axis[3 + i] +
+               (value.z - 127.5) * axis[6 + i];
+    }
+    *rgb = vec3_scale(sample(u->diffuse, varyings, u->diffuse_level),
+                      lambert((struct vec3){n[0], n[1], n[2]}, u->to_light));
+    return true;
+}
+
+static const struct simple_shader simple_tangent_mapped = {2 + TANGENT_VARYINGS, tangent_vertex,
+                                                           tangent_pixel};
+
+/* The shader for a normal map, as it is, or for a model that has none. */
+static const struct shader *mapped_by(const struct texture *normal_map) {
+    return normal_map == NULL          ? &gouraud_textured
+           : normal_map->tangent_space ? &tangent_mapped
+                                       : &normal_mapped;
+}
+
 /* ---- Drawing ---- */
 
 /* What the shaders of the lesson read, for a model that is seen over so many pixels. */
@@ -34,9 +83,11 @@ static bool record_cells(struct drawing *drawing, struct pipeline *pipeline,
     for (int i = 0; done && i < side * side; i++) {
         struct rectangle place =
             grid_cell(image->width, image->height, side, side, i % side, i / side);
-        struct draw_call call = pipeline_call(drawing, place, zoom, cells[i].cull);
-        struct uniforms u = make_uniforms(drawing, zoom * place.width);
-        done = pipeline_draw(pipeline, &call, cells[i].shader, &u, sizeof u, error);
+        for (size_t part = 0; drawing_take_part(drawing, part); part++) {
+            struct draw_call call = pipeline_call(drawing, place, zoom, cells[i].cull);
+            struct uniforms u = make_uniforms(drawing, zoom * place.width);
+            done = done && pipeline_draw(pipeline, &call, cells[i].shader, &u, sizeof u, error);
+        }
     }
     return done;
 }
@@ -194,21 +245,31 @@ struct simple_cell {
     struct vec3 eye; /* zero: that of the drawing */
 };
 
+static void draw_simple_cell(const struct drawing *drawing, const struct canvas *canvas,
+                             const struct simple_cell *cell, struct rectangle place) {
+    bool has_eye = vec3_dot(cell->eye, cell->eye) > 0;
+    struct draw_call call =
+        camera_call(drawing->model, has_eye ? cell->eye : drawing->eye, drawing->center,
+                    drawing->up, cell->zoom, place, cell->cull);
+    struct uniforms u = make_uniforms(drawing, cell->zoom * place.width);
+    u.normal_level++; /* not the texture's: who exchanges the levels sees it */
+    const struct texture *map = drawing->normal_map;
+    const struct simple_shader *shader = cell->shader != &simple_normal_mapped ? cell->shader
+                                         : map == NULL        ? &simple_gouraud_textured
+                                         : map->tangent_space ? &simple_tangent_mapped
+                                                              : cell->shader;
+    simple_draw(canvas, &call, shader, &u);
+}
+
 /* Draw two rows of two cells, the first one top left. */
-static bool draw_simple_cells(const struct drawing *drawing, struct image *image,
+static bool draw_simple_cells(struct drawing *drawing, struct image *image,
                               const struct simple_cell cells[4]) {
     const struct canvas canvas = {image, drawing->depth};
     for (int i = 0; i < 4; i++) {
-        const struct simple_cell *cell = &cells[i];
         struct rectangle place = grid_cell(image->width, image->height, 2, 2, i % 2, i / 2);
-        bool has_eye = vec3_dot(cell->eye, cell->eye) > 0;
-        struct draw_call call =
-            camera_call(drawing->model, has_eye ? cell->eye : drawing->eye, drawing->center,
-                        drawing->up, cell->zoom, place, cell->cull);
-        struct uniforms u = make_uniforms(drawing, cell->zoom * place.width);
-        u.normal_level++; /* not the texture's: who exchanges the levels sees it */
-        bool has_map = drawing->normal_map != NULL || cell->shader != &simple_normal_mapped;
-        simple_draw(&canvas, &call, has_map ? cell->shader : &simple_gouraud_textured, &u);
+        for (size_t part = 0; drawing_take_part(drawing, part); part++) {
+            draw_simple_cell(drawing, &canvas, &cells[i], place);
+        }
     }
     return true;
 }
@@ -338,14 +399,17 @@ static bool draw_normal_map(struct drawing *drawing, struct image *image, struct
     struct pipeline *pipeline = pipeline_begin(drawing);
     const struct rectangle place = grid_cell(image->width, image->height, 1, 1, 0, 0);
     const struct rectangle corner = corner_of(place);
-    struct draw_call call = pipeline_call(drawing, place, 0.85, CULL_BACK);
-    struct draw_call small_call = pipeline_call(drawing, corner, 1, CULL_BACK);
-    struct uniforms u = make_uniforms(drawing, 0.85 * place.width);
-    struct uniforms small = make_uniforms(drawing, corner.width);
-    small.diffuse_level++; /* who exchanges the levels sees it */
-    const struct shader *shader = drawing->normal_map != NULL ? &normal_mapped : &gouraud_textured;
-    bool done = pipeline_draw(pipeline, &call, shader, &u, sizeof u, error) &&
-                pipeline_draw(pipeline, &small_call, shader, &small, sizeof small, error);
+    bool done = true;
+    for (size_t part = 0; drawing_take_part(drawing, part); part++) {
+        const struct shader *shader = mapped_by(drawing->normal_map);
+        struct draw_call call = pipeline_call(drawing, place, 0.85, CULL_BACK);
+        struct draw_call small_call = pipeline_call(drawing, corner, 1, CULL_BACK);
+        struct uniforms u = make_uniforms(drawing, 0.85 * place.width);
+        struct uniforms small = make_uniforms(drawing, corner.width);
+        small.diffuse_level++; /* who exchanges the levels sees it */
+        done = done && pipeline_draw(pipeline, &call, shader, &u, sizeof u, error) &&
+               pipeline_draw(pipeline, &small_call, shader, &small, sizeof small, error);
+    }
     return pipeline_end(drawing, done, image, error);
 }
 
