@@ -59,7 +59,7 @@ static struct vec3 chosen(const struct vec3_option *option, struct vec3 otherwis
     return option->given ? option->value : otherwise;
 }
 
-/* The scene with the options of the command line in place of its own values. */
+/* The scene with the options of the command line instead of its own values. */
 static struct scene chosen_scene(const struct command *command, const struct scene *given) {
     const struct options *options = &command->options;
     struct scene scene = scene_complete(command->run.program, given);

@@ -4,8 +4,8 @@
  * Steps 4 to 8 repeated one loop over faces and one over pixels, and changed only what a corner
  * hands over and what a pixel makes of it. Part a writes the loops once, and passes them the two
  * functions that differ: a shader. Part b writes eight shaders. Part c writes what their pixels do
- * for the pipeline of common/pipeline.h, which draws the same pictures faster. Part d makes part a's
- * draw() a pipeline, stage by stage.
+ * for the pipeline of common/pipeline.h, which draws the same pictures faster. Part d makes a
+ * pipeline of part a's loops, stage by stage.
  */
 #include "pipeline_program.h"
 

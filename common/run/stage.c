@@ -235,7 +235,7 @@ static bool make_texel(struct texture *texture, uint8_t level, struct error *err
 
 enum { SHINY = 64 }; /* the level of a specular map: a power of 16, as lesson 10 reads it */
 
-/* What is drawn in place of a texture: NULL for a normal map. */
+/* What is drawn instead of a missing texture: NULL for a normal map. */
 static bool replace_texture(struct run *run, enum model_texture_kind kind,
                             const struct texture **texture, struct error *error) {
     if (kind == MODEL_NORMAL_MAP) {

@@ -24,7 +24,7 @@ struct chosen_value {
 /* What the scenes of one run share. Set the first part, leave the second zero. */
 struct run {
     const struct program *program;
-    const char *input;             /* a model in place of the course's own; NULL: none */
+    const char *input;             /* a model instead of the course's own; NULL: none */
     const struct text_scene *text; /* NULL but for a text scene */
     bool no_skip, stats, probed;
     struct pixel probe;                /* where `probed` */

@@ -360,8 +360,8 @@ static bool called_counting_pixel(const void *u, const double *varyings, struct 
 enum called_part { CALLED_GREYS, CALLED_CALLS, CALLED_ROWS };
 
 /* Two such faces, face 1 nearer, of which shade_band() finds face 0 in three pixels, face 1 in one;
- * or all of visible_draw(), where face 1 reaches over row 0 only, in bands of that many rows: its greys, its calls, or how many rows of
- * the memory for bands it writes. */
+ * or all of visible_draw(), where face 1 reaches over row 0 only, in bands of that many rows: its
+ * greys, its calls, or how many rows of the memory for bands it writes. */
 static struct shown called_drawn_visibly(int band_rows, enum called_part part) {
     double depth[CALLED_WIDTH * CALLED_HEIGHT], greys[CALLED_WIDTH * CALLED_HEIGHT];
     uint32_t nearest[CALLED_WIDTH * CALLED_HEIGHT] = {1, 0, 1, 0, 2, 1};
