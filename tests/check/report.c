@@ -91,10 +91,11 @@ static void report_part(const struct step_result *step, char part) {
         const struct task_result *task = &step->tasks[i];
         if (part_of(task) == part) {
             const char *state = task->state == RESULT_PASS ? ""
-                                : task->waits              ? "waits"
+                                : task->waits_for != NULL  ? "waits for "
                                                            : result_state_name(task->state);
-            printf("%s %s%s%s%s %u/%u", comma, task->name.text, task->perhaps ? " perhaps" : "",
-                   state[0] != '\0' ? " " : "", state, task->points, task->most);
+            printf("%s %s%s%s%s%s %u/%u", comma, task->name.text, task->perhaps ? " perhaps" : "",
+                   state[0] != '\0' ? " " : "", state,
+                   task->waits_for != NULL ? task->waits_for : "", task->points, task->most);
             comma = ",";
         }
     }
@@ -272,10 +273,10 @@ static const struct task_result *find_next(const struct step_result *step) {
     int least = 4;
     for (size_t i = 0; i < step->task_count; i++) {
         const struct task_result *task = &step->tasks[i];
-        int rank = task->state == RESULT_PASS || task->waits ? 4
-                   : task->state == RESULT_TODO              ? 3
-                   : !task->perhaps                          ? 0
-                                                             : 1 + has_right_numbers(step, task);
+        int rank = task->state == RESULT_PASS || task->waits_for != NULL ? 4
+                   : task->state == RESULT_TODO                          ? 3
+                   : !task->perhaps                                      ? 0
+                                    : 1 + has_right_numbers(step, task);
         next = rank < least ? task : next;
         least = rank < least ? rank : least;
     }
