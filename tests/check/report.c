@@ -31,6 +31,17 @@ static bool is_told(const struct step_result *step, const struct item_result *it
     return told;
 }
 
+/* Is the same to be seen in an item before this one, with the same hint? */
+static bool is_seen(const struct step_result *step, const struct item_result *item) {
+    const struct result_text advice = result_advice(step, item);
+    bool seen = false;
+    for (const struct item_result *other = step->items; other < item; other++) {
+        seen |= strcmp(other->seen.text, item->seen.text) == 0 && other->looks.text[0] == '\0' &&
+                strcmp(result_advice(step, other).text, advice.text) == 0;
+    }
+    return seen;
+}
+
 /* Is a hint all that can be said, and has none before this item been the same? */
 static bool wants_hint(const struct step_result *step, const struct item_result *item) {
     bool wants = item->looks.text[0] == '\0' && item->state >= RESULT_FAIL &&
@@ -60,7 +71,9 @@ static void report_item(const struct step_result *step, const struct item_result
         printf("    %s %s%s\n", result_likeness(item), item->looks.text,
                result_advice(step, item).text);
     } else if (item->seen.text[0] != '\0' && item->state == RESULT_FAIL) {
-        printf("    %s%s\n", item->seen.text, result_advice(step, item).text);
+        bool seen = is_seen(step, item);
+        printf("    %s%s\n", seen ? "the same" : item->seen.text,
+               seen ? "" : result_advice(step, item).text);
     } else if ((hints || item->is_numbers) && wants_hint(step, item)) {
         printf("    %s\n", result_advice(step, item).text + strlen("; "));
     }
