@@ -10,8 +10,8 @@
 # CC=clang, CFLAGS=-O0, MARCH=, WERROR=-Werror, BUILD=some/directory, LANES=1 (one pixel at a time,
 # for a debugger) and REAL=double (twice the precision) may be added to any of these.
 
-# (bmake runs this and is ended by it; for GNU make it is a variable that is not set.)
-NEEDED := ${:!echo 'This Makefile is for GNU make: use gmake' >&2; set | grep ^PPID= | tr -dc 0-9 | xargs kill!}
+# BSD make stops here and says this. For GNU make it is a target that nobody needs.
+.error : use gmake, this is for GNU make
 
 BUILD  = build
 CFLAGS = -O3
@@ -67,7 +67,8 @@ STRICT   = -std=c17 -ffp-contract=off -fno-math-errno
 # All that this processor can do, where the compiler knows it; no byte of a picture changes.
 MARCH   := $(shell $(CC) -march=native -E -x c /dev/null >/dev/null 2>&1 && echo -march=native)
 THREADED = -pthread
-DEFINES  = -DCOURSE_BUILD='"$(abspath $(BUILD))"' $(LANES:%=-DLANES=%) $(REAL:%=-DREAL=%)
+BUILT    = $(abspath $(BUILD))
+DEFINES  = -DCOURSE_BUILD='"$(BUILT)"' $(LANES:%=-DLANES=%) $(REAL:%=-DREAL=%)
 COMPILE  = $(CC) $(STRICT) $(WARNINGS) $(WERROR) $(CFLAGS) $(MARCH) $(THREADED) $(DEFINES) \
            -Icommon -MMD -MP
 LINK     = $(CC) $(CFLAGS) $(MARCH) $(THREADED)
@@ -85,19 +86,32 @@ there is no C compiler called $(firstword $(CC)). Is another one here (make CC=g
     Alpine                sudo apk add gcc musl-dev make
     Arch                  sudo pacman -S gcc make
     macOS                 xcode-select --install
-    MSYS2                 pacman -S gcc make
+    MSYS2 (no check)      pacman -S make mingw-w64-ucrt-x86_64-gcc
 endef
 
 ifneq ($(filter-out help clean start solution handout commands,$(or $(MAKECMDGOALS),all)),)
 MISSING := $(shell command -v $(firstword $(CC)) >/dev/null 2>&1 || echo compiler; \
                    [ -d "$${TMPDIR:-.}" ] || echo temporary; \
-                   { mkdir -p '$(BUILD)' && [ -w '$(BUILD)' ]; } 2>/dev/null || echo build)
+                   { mkdir -p '$(BUILD)' && [ -w '$(BUILD)' ]; } 2>/dev/null || echo build; \
+                   case $$($(CC) -dumpmachine 2>/dev/null) in (*mingw*) echo windows ;; esac)
 $(if $(filter compiler,$(MISSING)),$(error $(NO_COMPILER)))
 $(if $(filter build,$(MISSING)),$(error nothing can be written into $(BUILD): name another directory, \
     for example make BUILD=/tmp/course))
 ifneq ($(filter temporary,$(MISSING)),)
 $(warning TMPDIR=$(TMPDIR) is no directory: /tmp is taken)
 export TMPDIR := /tmp
+endif
+# Windows itself draws the pictures. It has no fork() and no signals, which the check needs, calls
+# directories otherwise than the shell of MSYS2, converts to float in its isfinite(), and has a printf()
+# of its own without %zu.
+ifneq ($(filter windows,$(MISSING)),)
+POSIX := $(filter-out all programs models new $(patsubst %/.new,%,$(wildcard */.new)) $(STEPS) \
+             $(BUILD)/%,$(MAKECMDGOALS))
+$(if $(POSIX),$(error make $(POSIX) needs WSL: README.md, "Start"))
+override MAKE_TERMOUT =
+BUILT := $(or $(shell cygpath -am '$(BUILD)' 2>/dev/null),$(BUILT))
+WARNINGS += -Wno-float-conversion
+DEFINES += -D__USE_MINGW_ANSI_STDIO=1
 endif
 endif
 
@@ -141,7 +155,7 @@ $(BUILD)/libcommon.a: $(COMMON)
 	$(Q)$(AR) qcs $@ $^
 
 $(BUILD)/sculptor: $(SCULPTOR) $(BUILD)/libcommon.a
-	$(Q)$(LINK) $^ -lm -o $@
+	$(Q)$(LINK) $^ -lm -o $@.new && mv -f $@.new $@
 
 $(BUILD)/%.o: %.c $(BUILD)/flags
 	@mkdir -p $(@D)

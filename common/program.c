@@ -4,6 +4,7 @@
 
 #include "base/file.h"
 #include "base/large_pages.h"
+#include "base/platform.h"
 #include "files/fit.h"
 #include "files/image_file.h"
 #include "files/model_file.h"
@@ -11,13 +12,11 @@
 #include "run/options.h"
 #include "run/stage.h"
 
-#include <errno.h>
 #include <limits.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <time.h>
-#include <unistd.h>
 
 #ifndef COURSE_BUILD
 #define COURSE_BUILD "build"
@@ -664,6 +663,9 @@ int program_main(const struct program *program, int argc, char **argv) {
     struct command command = {.run = {.program = program}};
     struct error error = {0};
     int status = STATUS_USAGE;
+#ifdef _WIN32
+    windows_begin(&argc, &argv);
+#endif
     keep_freed_memory();
     if (options_parse(&command.options, program, argc, argv, &error) &&
         check_options(&command, &error)) {

@@ -1,7 +1,7 @@
 /*
- * Step 6: the worse versions, for the lesson's figures and the benchmark.
+ * Lesson 6: the worse versions, for the lesson's figures and the benchmark.
  *
- * Include main.c first: these versions share its vertices and its samplers. Each attempt draws one
+ * Include main.c first: these versions use its vertices and its samplers. Each attempt draws one
  * triangle in perspective, as perspective_triangle() does, on an image without a depth test.
  */
 #ifndef STEP06_ATTEMPTS_H
@@ -15,8 +15,8 @@
 
 typedef struct color attempt_sampler(const struct texture *texture, struct vec2 uv);
 
-/* Wrong: rounds where it should cut off. The whole picture is shifted by half a texel: the first
- * row and column of texels appear half as wide, the last ones half again as wide. */
+/* Wrong: rounds instead of truncating. The whole picture is shifted by half a texel: the first row
+ * and column of texels are half as wide as they should be, the last ones 1.5 times. */
 static inline struct color attempt_sample_rounded(const struct texture *texture, struct vec2 uv) {
     const struct texture_level *level = &texture->level[0];
     double right = (double)(level->width - 1), top = (double)(level->height - 1);
@@ -30,15 +30,14 @@ static inline struct color attempt_round_channels(struct vec4 c) {
     return color_rgb(level_from(c.x), level_from(c.y), level_from(c.z));
 }
 
-/* Wrong: takes the corner of a texel for its centre. Smooth, but shifted by half a texel too: it
- * shows what lies half a texel further on. */
+/* Wrong: takes the corner of a texel for its centre. Smooth, but shifted by half a texel, too. */
 static inline struct color attempt_sample_unshifted(const struct texture *texture, struct vec2 uv) {
     const struct texture_level *level = &texture->level[0];
     struct vec2 further = {uv.x + 0.5 / (double)level->width, uv.y + 0.5 / (double)level->height};
     return attempt_round_channels(sample_bilinear(texture, further, 0));
 }
 
-/* Right up close. Far away, where a pixel covers many texels, it sees only four of them. */
+/* Right near the camera. Far away a pixel covers many texels, and this sees only four of them. */
 static inline struct color attempt_sample_bilinear(const struct texture *texture, struct vec2 uv) {
     return attempt_round_channels(sample_bilinear(texture, uv, 0));
 }
@@ -68,7 +67,7 @@ static inline void attempt_1_rounded(struct image *image, const struct vertex v[
     attempt_perspective(image, v, texture, attempt_sample_rounded);
 }
 
-/* Nearest texel, right: still, every texel is a square up close and noise far away. */
+/* Nearest texel, done right. Still, every texel is a square near the camera and noise far away. */
 static inline void attempt_2_nearest(struct image *image, const struct vertex v[3],
                                      const struct texture *texture) {
     attempt_perspective(image, v, texture, sample_nearest);

@@ -1,8 +1,8 @@
 /*
- * Step 6: pictures on triangles.
+ * Lesson 6: textures, which are pictures on triangles.
  *
- * Every corner of a face carries a texture coordinate (u,v): a place in a picture. Inside the face
- * u and v are interpolated like the depth, and the colour is looked up in the picture.
+ * Each corner of a face has a texture coordinate (u,v), a place in a picture. Inside the face u and
+ * v are interpolated like the depth, and the colour of a pixel is looked up in the picture.
  */
 #include "program.h"
 #include "texture.h"
@@ -11,16 +11,16 @@
 
 /* ---- From a place in a picture to a colour ---- */
 
-/* The part after the point, always 0 <= part < 1: the picture repeats. */
+/* Where a picture repeats, all coordinates mean one in 0 <= u < 1, 0 <= v < 1: that one. */
 static struct vec2 repeat(struct vec2 uv) {
     /* BEGIN SOLUTION 6b.1 repeat */
     return (struct vec2){uv.x - floor(uv.x), uv.y - floor(uv.y)};
     /* STARTER
-    return uv; // to do 6b.1: keep the part after the point
+    return uv; // to do 6b.1: -0.7, 0.3 and 1.3 all mean 0.3
     END SOLUTION */
 }
 
-/* Where the picture repeats, the place in it that (u,v) means; where it is clamped, (u,v). */
+/* The place in a picture that repeats; (u,v) as it is in a picture that is clamped. */
 static struct vec2 place_in(const struct texture *texture, struct vec2 uv) {
     if (texture->clamp) {
         return uv;
@@ -30,8 +30,8 @@ static struct vec2 place_in(const struct texture *texture, struct vec2 uv) {
 }
 
 /* BEGIN SOLUTION 6a.1 nearest texel */
-/* Which texel of an axis of `size` texels holds the coordinate: i where i/size <= coordinate <
- * (i+1)/size. Outside 0..1 the edge texel is repeated. */
+/* The texel that holds the coordinate, on an axis of `size` texels: i where i/size <= coordinate <
+ * (i+1)/size. Outside 0..1 it is the texel at the edge. */
 static size_t texel_index(double coordinate, size_t size) {
     return (size_t)texture_clamp(floor(coordinate * (double)size), (double)(size - 1));
 }
@@ -52,23 +52,23 @@ static struct color sample_nearest(const struct texture *texture, struct vec2 uv
 
 /* ---- Triangles ---- */
 
-/* A corner of a triangle that is to be drawn. */
+/* A corner of a triangle on the screen. */
 struct vertex {
     struct fixed2 position; /* on the screen */
     double depth;           /* larger is nearer */
     struct vec2 uv;
-    double recip_w; /* 1/w, w being the distance from the camera; used with perspective only */
+    double recip_w; /* 1/w, where w is the distance from the camera; only in perspective */
 };
 
 /* How a pixel in perspective finds its colour. */
 enum sampler { SAMPLE_NEAREST, SAMPLE_BILINEAR, SAMPLE_TRILINEAR };
 
-/* What is drawn on, and the work done on it. */
+/* The image with its depth buffer, how to draw on it, and counts of what was done. */
 struct canvas {
     struct image *image;
-    double *depth;          /* one a pixel, row by row from the bottom; none in perspective */
+    double *depth;          /* of each pixel, row by row from the bottom; none in perspective */
     enum sampler sampler;   /* in perspective; the first two read level 0 */
-    bool skip;              /* fetch a texel only where it will be seen */
+    bool skip;              /* fetch a texel only where it is seen */
     uint64_t pixels_tested; /* covered by a triangle */
     uint64_t pixels_written;
     uint64_t texels_fetched;
@@ -80,8 +80,8 @@ static struct color shade(struct color texel, double intensity) {
                      level_from(texel.b * intensity));
 }
 
-/* The triangle of step 5 with u and v interpolated like the depth. There is no perspective here, so
- * everything is linear on the screen. */
+/* The triangle of lesson 5 with u and v interpolated like the depth. Without perspective everything
+ * is linear on the screen. */
 static void triangle(struct canvas *canvas, const struct vertex v[3], const struct texture *texture,
                      double intensity) {
     struct image *image = canvas->image;
@@ -120,15 +120,15 @@ static void triangle(struct canvas *canvas, const struct vertex v[3], const stru
 
 /* ---- Triangles in perspective ---- */
 
-/* On the screen u and v are not linear in perspective, but u/w, v/w and 1/w are (Heckbert and
- * Moreton, "Interpolation for polygon texture mapping and shading", 1991): here as x, y and z. */
+/* u/w, v/w and 1/w as x, y and z. In perspective these are linear on the screen, while u and v are
+ * not (Heckbert and Moreton, "Interpolation for polygon texture mapping and shading", 1991). */
 struct quotients {
     struct edges edges;
     struct vec3 corner[3]; /* their values at the corners */
-    struct vec3 right, up; /* what they gain in a step to the right and in one up */
+    struct vec3 right, up; /* what they gain in a step to the right, and in a step up */
 };
 
-/* Set up a triangle; false where edges_setup() says so. */
+/* Sets up a triangle. False when edges_setup() says so. */
 static bool plane_begin(struct quotients *plane, const struct image *image,
                         const struct vertex v[3]) {
     struct edges *edges = &plane->edges;
@@ -174,13 +174,13 @@ static struct vec2 plane_uv(const struct quotients *plane, int x, int y, double 
 /* ---- The same at every distance ---- */
 
 /* BEGIN SOLUTION 6c.1 bilinear */
-/* Two neighbouring texels on one axis, and where the point lies between their centres. */
+/* Two neighbouring texels on one axis, and where the point is between their centres. */
 struct neighbours {
     size_t first, second;
-    double part; /* 0 at the centre of the first, towards 1 at the centre of the second */
+    double part; /* 0 at the centre of the first, 1 at the centre of the second */
 };
 
-/* The centre of texel i lies at coordinate (i + 0.5) / size, so the point lies
+/* The centre of texel i is at coordinate (i + 0.5) / size, so the point is
  * coordinate * size - 0.5 texels beyond the centre of texel 0. Beyond the last texel comes the
  * first one again; where the picture is clamped, the edge texel alone counts. */
 static struct neighbours find_neighbours(double coordinate, size_t size, bool clamp) {
@@ -206,7 +206,7 @@ static struct vec4 mix_in_row(const struct texture_level *level, size_t row, str
 }
 /* END SOLUTION */
 
-/* Sampler 2: mixed from the four texels whose centres lie around the point, on one mip level. The
+/* Sampler 2: mixed from the four texels whose centres surround the point, on one mip level. The
  * channels are 0..255 and not rounded. texture_bilinear() gives later lessons the same values. */
 static struct vec4 sample_bilinear(const struct texture *texture, struct vec2 uv, size_t number) {
     uv = place_in(texture, uv);
@@ -222,7 +222,8 @@ static struct vec4 sample_bilinear(const struct texture *texture, struct vec2 uv
 }
 
 /* Sampler 3: mixed from the two mip levels next to `level` (Williams, "Pyramidal parametrics",
- * 1983). Level 0 is the whole picture, each next level has half its width and height. */
+ * 1983). Level 0 is the whole picture, and each level has half the width and height of the one
+ * before. */
 static struct vec4 sample_trilinear(const struct texture *texture, struct vec2 uv, double level) {
     /* BEGIN SOLUTION 6d.1 trilinear */
     size_t last = texture->level_count - 1;
@@ -236,20 +237,20 @@ static struct vec4 sample_trilinear(const struct texture *texture, struct vec2 u
     END SOLUTION */
 }
 
-/* How far u and v move in a step: the derivative of the quotient u = (u/w) / (1/w). `gain` is
- * what u/w, v/w and 1/w gain. */
+/* What u and v gain in a step: the derivative of the quotient u = (u/w) / (1/w). `gain` is what
+ * u/w, v/w and 1/w gain. */
 static struct vec2 uv_step(struct vec3 gain, struct vec2 uv, double w) {
     /* BEGIN SOLUTION 6e.1 one step */
     return (struct vec2){(gain.x - uv.x * gain.z) * w, (gain.y - uv.y * gain.z) * w};
     /* STARTER
-    (void)gain, (void)uv, (void)w; // to do 6e.1: (gain of u/w - u * gain of 1/w) * w, and v
+    (void)gain, (void)uv, (void)w; // to do 6e.1: what u and v gain
     return (struct vec2){0, 0};
     END SOLUTION */
 }
 
 /* The mip level whose texels are as large as the step from one pixel to the next: log2 of the
- * step's length in texels. `right` and `up` say how far u and v move, in units of the whole
- * picture, from a pixel to its right and its upper neighbour; the longer of the two counts. */
+ * step's length in texels. `right` and `up` are what u and v gain, in units of the whole picture,
+ * from a pixel to its right and to its upper neighbour. The longer step counts. */
 static double mip_level(struct vec2 right, struct vec2 up, const struct texture *texture) {
     /* BEGIN SOLUTION 6e.2 mip level */
     double width = (double)texture->level[0].width, height = (double)texture->level[0].height;
@@ -261,11 +262,11 @@ static double mip_level(struct vec2 right, struct vec2 up, const struct texture 
         return 0; /* a texel is larger than a pixel: magnified */
     }
     if (square > 0x1p40) {
-        return last; /* beyond all levels; infinity ends here too */
+        return last; /* beyond all levels, also when it is infinite */
     }
-    /* log2 of 2^e * (1 + f) is taken as e + f: exact at powers of 2, and at most 0.0861
-     * too small between them, and the same on every machine. Half of it, since the square was
-     * measured: the level is at most 0.0431 too small. */
+    /* e + f instead of log2 of 2^e * (1 + f): exact at powers of 2, at most 0.0861 too small
+     * between them, and the same on every machine. The level is half of it, because this is the
+     * square of the length; so it is at most 0.0431 too small. */
     int exponent;
     double fraction = frexp(square, &exponent); /* square = fraction * 2^exponent, 0.5..1 */
     return texture_clamp(0.5 * ((exponent - 1) + (2 * fraction - 1)), last);
@@ -277,7 +278,7 @@ static double mip_level(struct vec2 right, struct vec2 up, const struct texture 
 
 /* ---- The colour of a pixel in perspective ---- */
 
-/* By the sampler of the canvas; sampler 3 with the mip level of this place. */
+/* The colour by the canvas's sampler. Sampler 3 needs the mip level of this pixel. */
 static struct color color_at(struct canvas *canvas, const struct quotients *plane, int x, int y,
                              const struct texture *texture) {
     double w;

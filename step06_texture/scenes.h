@@ -1,15 +1,14 @@
 /*
- * Step 6, the given part: its scenes and the program.
+ * Lesson 6, the given part: its scenes and the program.
  *
  * `texture` draws a model with its diffuse texture, nearest texel, times the intensity of the face.
- * `letters` draws a board whose texture coordinates leave a clamped picture, with a border around
- * it, two small boards far beyond that picture, and a piece of cloth on which the middle of each
- * pixel lies on the border between two texels. `room` lays that picture, without the border, on a
- * floor and a wall in perspective, again and again, nearest texel too; the wall at the back has a
- * smaller picture. Its chart shows what whole numbers are repeated as. `close` is a wall before the
- * camera, bilinear. `softer` shows the mip levels of that picture, and what lies between them.
- * `mipmapped` is the room with a mip level for every pixel, and so is `checker`, a plane towards
- * the horizon.
+ * `letters` draws a board that is larger than its clamped picture, two small boards far beyond that
+ * picture, and a piece of cloth on which each pixel's centre is on the border between two texels.
+ * `room` repeats the picture, without its border, on a floor and a wall in perspective, with the
+ * nearest texel; the wall at the back has a smaller picture. A chart shows how whole numbers
+ * repeat. `close` is a wall right before the camera, bilinear. `softer` shows the mip levels of
+ * that picture, and what is between them. `mipmapped` is the room with a mip level for every pixel,
+ * and `checker` is a plane of tiles towards the horizon, with mip levels, too.
  */
 
 /* ---- Scene: texture ---- */
@@ -35,7 +34,7 @@ static void count_pixels(struct drawing *drawing, const struct canvas *canvas) {
     drawing_count(drawing, "texels_fetched", canvas->texels_fetched);
 }
 
-/* All faces on which light falls, as in step 4. */
+/* All faces on which light falls, as in lesson 4. */
 static bool draw_texture(struct drawing *drawing, struct image *image, struct error *error) {
     (void)error;
     const struct model *model = drawing->model;
@@ -47,7 +46,7 @@ static bool draw_texture(struct drawing *drawing, struct image *image, struct er
         double intensity = model_face_intensity(model, face, light);
         bool lit = intensity > 0;
         if (!lit && drawing->skip) {
-            continue; /* it will not be drawn: where it lies does not matter */
+            continue; /* it will not be drawn, so its place does not matter */
         }
         placed++;
         if (place_face(model, face, image, vertices) && lit) {
@@ -65,7 +64,7 @@ struct state {
     struct texture letters, bordered, fading, cloth, mosaic, checker;
 };
 
-/* A picture of 5 x 3 tiles with the letters A to O, so that nothing can be exchanged unseen. */
+/* A picture of 5 x 3 tiles with the letters A to O, so that every mix-up shows. */
 enum {
     LETTERS_COLUMNS = 5,
     LETTERS_ROWS = 3,
@@ -76,7 +75,8 @@ enum {
     LETTERS_JOINT = 2 /* dark texels at the left and lower side of a tile */
 };
 
-/* Row by row from the top, a digit each: 4 is the left stroke, 2 the middle, 1 the right one. */
+/* Each letter row by row from the top: a digit is the sum of 4 for the left stroke, 2 for the
+ * middle and 1 for the right one. */
 static const char letters[LETTERS_COLUMNS * LETTERS_ROWS][6] = {
     "25755", "65656", "34443", "65556", "74647", /* A B C D E */
     "74644", "34553", "55755", "72227", "11152", /* F G H I J */
@@ -103,8 +103,8 @@ static struct color letters_color(int x, int y) {
     return is_light != letter_covers(letter, left, below) ? light : dark;
 }
 
-/* The same with a border one texel wide, which is not as what it surrounds: the dark joint at the
- * left and at the lower side, the colour of the next tile at the others. */
+/* The same with a border one texel wide that differs from what it surrounds: the dark joint at the
+ * left and lower side, the colour of the next tile at the others. */
 static struct color bordered_color(int x, int y) {
     if (x == LETTERS_COLUMNS * LETTERS_TILE - 1) {
         return letters_color(x - LETTERS_TILE, y);
@@ -149,7 +149,7 @@ static struct color cloth_color(int x, int y) {
     return threads[(x + y) % 3];
 }
 
-/* A picture of so many texels a side. */
+/* A square picture, `side` texels wide. */
 static bool make_square(struct texture *texture, int side, struct color (*color)(int x, int y),
                         struct error *error) {
     struct image image;
@@ -166,8 +166,8 @@ static bool make_square(struct texture *texture, int side, struct color (*color)
     return done;
 }
 
-/* Texels as large as pixels, at the lower right of the image. The corners lie on pixel centres, so
- * all pixel centres lie on corners of texels. With a side of a power of 2 nothing is rounded. */
+/* Texels as large as pixels, at the lower right of the image. The corners are at pixel centres, so
+ * all pixel centres are at corners of texels. The side is a power of 2, so nothing is rounded. */
 static void place_cloth(const struct image *image, struct vertex corners[4]) {
     for (int i = 0; i < 4; i++) {
         struct vec2 uv = {i == 1 || i == 2, i >= 2};
@@ -193,9 +193,9 @@ static void place_board(const struct image *image, struct vertex corners[4]) {
 
 enum { FAR_BOARDS = 2 };
 
-/* The corners of a small board at the upper left, beside another one. One shows the last column of
- * its picture, the other one the last row: they lie too many pictures to the right of it, or above
- * it, for an int to count the texels. */
+/* The corners of two small boards at the upper left. One shows the last column of its picture, the
+ * other the last row: they are so far to the right of it, or above it, that an int cannot count the
+ * texels. */
 static void place_far_board(const struct image *image, int number, struct vertex corners[4]) {
     const double left = 0.02 + 0.09 * number, beyond = 1e12;
     for (int i = 0; i < 4; i++) {
@@ -222,7 +222,7 @@ static bool draw_letters(struct drawing *drawing, struct image *image, struct er
     place_cloth(image, cloth);
     struct canvas canvas = {.image = image, .depth = drawing->depth, .skip = drawing->skip};
     draw_board(&canvas, board, &state->bordered, 1);
-    /* What is no nearer than what is there stays hidden. */
+    /* The same board again, darker: it is no nearer, so it must stay hidden. */
     draw_board(&canvas, board, &state->bordered, 0.5);
     draw_board(&canvas, cloth, &state->cloth, 1);
     for (int i = 0; i < FAR_BOARDS; i++) {
@@ -249,9 +249,9 @@ static bool make_checker(struct texture *texture, struct error *error) {
     return make_square(texture, CHECKER_SIZE, checker_color, error);
 }
 
-/* The camera stands at the origin and looks along -z. The plane lies PLANE_BELOW under it, rolled
- * about the line of sight so that the distance changes along every row too: (COSINE, SINE) points
- * to the right in the plane. The plane is cut off at PLANE_NEAR, below the image, and PLANE_FAR. */
+/* The camera is at the origin and looks along -z. The plane is PLANE_BELOW under it, rolled about
+ * the line of sight so that the distance changes along every row: (COSINE, SINE) points to the
+ * right in the plane. The plane ends at PLANE_NEAR, below the image, and at PLANE_FAR. */
 #define PLANE_COSINE 0.96
 #define PLANE_SINE   0.28
 #define PLANE_BELOW  1.5
@@ -321,7 +321,7 @@ static bool draw_checker(struct drawing *drawing, struct image *image, struct er
 
 /* ---- Scenes: room, close and mipmapped ---- */
 
-/* Over the plane of scene checker stands a wall, along the left side of a floor. */
+/* A wall stands on the plane of scene checker, along the left side of a floor. */
 #define ROOM_LEFT  (-3.1)
 #define ROOM_RIGHT 2.3
 #define ROOM_NEAR  1.3

@@ -11,7 +11,9 @@
 
 #include <stdlib.h>
 
-enum { PANEL = 320, TURN_SIZE = 128, TURN_DELAY_MS = 40 };
+/* Of the small animation: the light swings from the left to the right and back, in whole frames of
+ * scene `turn`. */
+enum { PANEL = 320, SWING_SIZE = 240, SWING_FRAMES = 32, SWING_DELAY_MS = 80 };
 
 /* The camera of the scenes. */
 static struct drawing make_drawing(struct model *model) {
@@ -100,39 +102,61 @@ static bool draw_near(struct model *model, const char *directory, struct error *
     return draw_panels(model, &view, panels, directory, "powers_near", error);
 }
 
-/* Normalised or not, from near, where a high power makes a small difference large. */
-static bool draw_normals(struct model *model, const char *directory, struct error *error) {
-    static const struct material bright = {0, 0, 1, 40, {255, 255, 255}};
-    const struct view view = {2, 1, shoulder, {1, 1, 1}, 2};
-    const struct panel panels[] = {{PANEL_SHADER(plain_fragment), bright},
-                                   {PANEL_SHADER(attempt_5_not_normalized), bright}};
-    return draw_panels(model, &view, panels, directory, "not_normalized", error);
+/* The specular part computed at the corners, as in lesson 7: the only varying. */
+static void corner_light_vertex(const void *uniforms, size_t face, size_t corner,
+                                double *varyings) {
+    const struct uniforms *u = uniforms;
+    struct vec3 normal = vec3_normalized(model_normal(u->model, face, corner));
+    struct vec3 to_eye = vec3_normalized(vec3_sub(u->eye, model_position(u->model, face, corner)));
+    double facing = vec3_dot(normal, u->to_light);
+    struct vec3 mirrored = vec3_sub(vec3_scale(normal, 2 * facing), u->to_light);
+    varyings[0] = facing > 0 ? pow(fmax(vec3_dot(mirrored, to_eye), 0), u->material.power) : 0;
 }
 
-/* The frames of scene `turn`, each an image of its own. */
-static bool draw_frames(struct model *model, struct image frames[TURN_FRAMES],
+static lanes_mask corner_light_fragment(const void *uniforms, const lanes *varyings,
+                                        lanes_texel *color) {
+    (void)uniforms;
+    *color = lanes_rgb(255 * varyings[0], 255 * varyings[0], 255 * varyings[0]);
+    return lanes_all_set();
+}
+
+/* From near, where a high power makes a small difference large: light at the corners, light at each
+ * pixel with normals as they are interpolated, and with normals of length 1. */
+static bool draw_lost_highlight(struct model *model, const char *directory, struct error *error) {
+    static const struct material bright = {0, 0, 1, 40, {255, 255, 255}};
+    const struct view view = {3, 1, shoulder, {1, 1, 1}, 2};
+    const struct panel panels[] = {
+        {{.varying_count = 1, .vertex = corner_light_vertex, .fragment = corner_light_fragment},
+         bright},
+        {PANEL_SHADER(attempt_5_not_normalized), bright},
+        {PANEL_SHADER(plain_fragment), bright}};
+    return draw_panels(model, &view, panels, directory, "lost_highlight", error);
+}
+
+/* The frames of the animation, each an image of its own. */
+static bool draw_frames(struct model *model, struct image frames[SWING_FRAMES],
                         struct error *error) {
     struct pipeline pipeline = {0};
     struct drawing drawing = make_drawing(model);
     drawing.state = &pipeline;
     bool done = load_textures(&drawing, model, error) &&
-                pipeline_create(&pipeline, TURN_SIZE, TURN_SIZE, error);
-    for (size_t i = 0; done && i < TURN_FRAMES; i++) {
-        drawing.frame = i;
-        done = image_create(&frames[i], TURN_SIZE, TURN_SIZE, IMAGE_BGR, error) &&
+                pipeline_create(&pipeline, SWING_SIZE, SWING_SIZE, error);
+    for (size_t i = 0; done && i < SWING_FRAMES; i++) {
+        double swing = 22 * turn_direction((double)i / SWING_FRAMES).y; /* frames of `turn` */
+        drawing.frame = (size_t)(TURN_FRAMES + lround(swing)) % TURN_FRAMES;
+        done = image_create(&frames[i], SWING_SIZE, SWING_SIZE, IMAGE_BGR, error) &&
                draw_turn(&drawing, &frames[i], error);
     }
     pipeline_free(&pipeline);
     return done;
 }
 
-/* The scene `turn` as a small animation. */
 static bool draw_animation(struct model *model, const char *directory, struct error *error) {
-    struct image frames[TURN_FRAMES] = {{0}};
+    struct image frames[SWING_FRAMES] = {{0}};
     char *path = figure_path(directory, "turn", error);
     bool done = path != NULL && draw_frames(model, frames, error) &&
-                apng_write(frames, TURN_FRAMES, TURN_DELAY_MS, path, error);
-    for (size_t i = 0; i < TURN_FRAMES; i++) {
+                apng_write(frames, SWING_FRAMES, SWING_DELAY_MS, path, error);
+    for (size_t i = 0; i < SWING_FRAMES; i++) {
         image_free(&frames[i]);
     }
     free(path);
@@ -187,7 +211,7 @@ static bool draw_samples_figure(struct model *model, const char *directory, stru
 
 bool draw_figures(const char *directory, struct model *bust, struct error *error) {
     return model_need_normals(bust, error) && draw_chalk(bust, directory, error) &&
-           draw_near(bust, directory, error) && draw_normals(bust, directory, error) &&
+           draw_near(bust, directory, error) && draw_lost_highlight(bust, directory, error) &&
            draw_animation(bust, directory, error) && draw_shadow_figure(bust, directory, error) &&
            draw_samples_figure(bust, directory, error);
 }

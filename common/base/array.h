@@ -18,6 +18,9 @@
 /* Of the processor's cache, in bytes: memory for aligned_alloc() that is read or written so much at
  * once, and should not lie in two lines then. */
 enum { CACHE_LINE = 64 };
+#ifdef _WIN32 /* where free() takes no aligned block; it is only a little slower */
+#define aligned_alloc(alignment, size) malloc(size)
+#endif
 
 /* The part of array_reserve() for an array that must be moved. */
 void *array_grow(void *array, size_t *capacity, size_t count, size_t element_size);

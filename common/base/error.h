@@ -12,7 +12,9 @@ struct error {
     size_t line; /* of the text that was read, from 1; 0 where no line is meant or it is named */
 };
 
-#if defined(__GNUC__)
+#if defined(__MINGW32__) && !defined(__clang__) /* for which printf is that of Windows */
+#define PRINTF_LIKE(string, first) __attribute__((format(gnu_printf, string, first)))
+#elif defined(__GNUC__)
 #define PRINTF_LIKE(string, first) __attribute__((format(printf, string, first)))
 #else
 #define PRINTF_LIKE(string, first)

@@ -1,19 +1,27 @@
-/* Whole files in and out; see file.h. Of POSIX, only what WebAssembly (WASI) has as well, but for
- * fchmod() and signals: no getpid(), no realpath(), and no access(), which allows everything. */
+/* Whole files in and out; see file.h. Of POSIX, only what platform.h has on Windows and what
+ * WebAssembly (WASI) has: no getpid(), no realpath(), and no access(), which allows everything. */
 #define _POSIX_C_SOURCE 200809L
 
 #include "base/file.h"
 
-#include <errno.h>
-#include <fcntl.h>
-#ifndef __wasi__
-#include <signal.h>
-#endif
+#include "base/platform.h"
+
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
-#include <unistd.h>
+
+#ifdef _WIN32
+#define O_CLOEXEC                    (_O_NOINHERIT | _O_BINARY)
+#define open(path, ...)              windows_open(path, __VA_ARGS__)
+#define read(file, data, size)       windows_read(file, data, size)
+#define write(file, data, size)      windows_write(file, data, size)
+#define stat(path, status)           windows_stat(path, status)
+#define rename(from, to)             windows_rename(from, to)
+#define unlink(path)                 windows_unlink(path)
+#define mkdir(path, mode)            windows_mkdir(path)
+#define readlink(path, target, size) (errno = EINVAL, -1) /* Windows follows links itself */
+#define fchmod(file, mode)           ((void)(file), (void)(mode))
+#endif
 
 enum {
     FILE_SIZE_LIMIT = 1 << 30, /* bytes of the largest file that is read: 1 GiB */
@@ -224,19 +232,11 @@ end:
 /* As write_and_rename(). What would end the program waits, so that no part of a file is left. */
 static bool write_and_rename_or_nothing(const char *path, long mode, const void *data, size_t size,
                                         struct error *error) {
-#ifdef SIGTERM
-    sigset_t ends, before;
-    sigemptyset(&ends);
-    sigaddset(&ends, SIGINT);
-    sigaddset(&ends, SIGTERM);
-    sigaddset(&ends, SIGHUP);
-    sigprocmask(SIG_BLOCK, &ends, &before);
+    signal_set before;
+    signals_hold(&before);
     bool done = write_and_rename(path, mode, data, size, error);
-    sigprocmask(SIG_SETMASK, &before, NULL);
+    signals_release(&before);
     return done;
-#else
-    return write_and_rename(path, mode, data, size, error);
-#endif
 }
 
 /* Follow `*path`, an allocated string, to what is no symbolic link: a file, or nothing yet. */

@@ -1,16 +1,15 @@
 /* Loops shared out among threads: see workers.h. POSIX threads, where there are any. */
-#define _POSIX_C_SOURCE  200809L
-#define _DARWIN_C_SOURCE /* macOS tells the number of processors only so */
+#define _POSIX_C_SOURCE 200809L
 #include "base/workers.h"
+
+#include "base/platform.h"
 
 #include <stdlib.h>
 #include <time.h>
-#include <unistd.h>
 
 #if defined(_POSIX_THREADS) && _POSIX_THREADS > 0 && !defined(__wasi__)
 
 #include <pthread.h>
-#include <signal.h>
 #include <stdatomic.h>
 #include <stdbool.h>
 
@@ -119,10 +118,8 @@ static size_t wanted_threads(size_t thread_count) {
     if (count == 0 && text != NULL) {
         count = strtol(text, NULL, 10);
     }
-    if (count < 1) {
-        count = sysconf(_SC_NPROCESSORS_ONLN);
-    }
-    return count < 1 ? 1 : count > THREAD_LIMIT ? THREAD_LIMIT : (size_t)count;
+    size_t wanted = count < 1 ? platform_processors() : (size_t)count;
+    return wanted < THREAD_LIMIT ? wanted : THREAD_LIMIT;
 }
 
 struct workers *workers_create(size_t thread_count) {
@@ -136,18 +133,14 @@ struct workers *workers_create(size_t thread_count) {
     pthread_cond_init(&workers->last_leaves, NULL);
     /* What ends the program is for the first thread, which may have to wait (file.c). Faults stay
      * with the thread whose they are: a sanitizer tells where. */
-    sigset_t ends, before;
-    sigemptyset(&ends);
-    sigaddset(&ends, SIGINT);
-    sigaddset(&ends, SIGTERM);
-    sigaddset(&ends, SIGHUP);
-    pthread_sigmask(SIG_BLOCK, &ends, &before);
+    signal_set before;
+    signals_hold(&before);
     while (workers->thread_count + 1 < wanted &&
            pthread_create(&workers->threads[workers->thread_count], NULL, thread_main, workers) ==
                0) {
         workers->thread_count++;
     }
-    pthread_sigmask(SIG_SETMASK, &before, NULL);
+    signals_release(&before);
     return workers;
 }
 

@@ -1,5 +1,4 @@
-#define _XOPEN_SOURCE    700 /* POSIX.1-2008 with nftw() */
-#define _DARWIN_C_SOURCE     /* macOS has mkdtemp() and O_NOFOLLOW only so */
+#define _GNU_SOURCE /* all that each system has: POSIX.1-2008 with nftw(), and RLIMIT_NPROC */
 
 #include "run.h"
 

@@ -3,15 +3,17 @@
  *
  *     show COLUMNS LINES STEP SCENE WHICH KIND YOURS REFERENCE
  *
- * COLUMNS and LINES are the terminal's. STEP and SCENE say what counts as wrong in the difference:
- * what the check counts. WHICH is a list like yours,difference; where it is empty, all are shown
- * that have room side by side, otherwise yours. KIND is blocks, sixel or kitty; where it is empty,
- * what the terminal can. The last two are image files; one that does not exist is left out.
+ * COLUMNS and LINES are the terminal's. STEP and SCENE, which may be empty, are for the title, and
+ * say what counts as wrong in the difference: what the check counts. The title says whether yours
+ * is exact; then there is no difference to show. WHICH is a list like yours,difference; where it is
+ * empty, all are shown that have room side by side, and yours and the difference at least. KIND is
+ * blocks, sixel or kitty; where it is empty, what the terminal can. The last two are image files;
+ * one that does not exist is left out.
  *
- * The pictures stand side by side where the terminal is wide enough for 30 characters each, and
- * otherwise one below the other. A large one is shrunk to fit, and keeps what is drawn, even a
- * single pixel; a small one is enlarged by a whole number, so that its pixels are squares. Where a
- * large one is wrong and WHICH is empty, its part around the first wrong pixel is shown.
+ * As many pictures are side by side as have 30 characters each, the others below. A large one is
+ * shrunk to fit, and keeps what is drawn, even a single pixel; a small one is enlarged by a whole
+ * number, so that its pixels are squares. Where a large one is wrong and WHICH is empty, its part
+ * around the first wrong pixel is shown.
  *
  * Exit status: 0 shown, 1 a file cannot be read or nothing is there, 2 wrong usage.
  */
@@ -28,7 +30,7 @@ enum {
     ARGUMENTS = 9,      /* with the program's name */
     LEAST_COLUMNS = 30, /* characters of a picture beside others */
     GAP = 2,            /* characters between two pictures */
-    KEPT_LINES = 3,     /* of the terminal: names, the command, the prompt */
+    KEPT_LINES = 5,     /* of the terminal: title, names, put_hint(), the prompt */
     SIZE_LIMIT = 2000,  /* characters of a line, lines of a terminal */
     CELL_WIDTH = 8,     /* pixels of a character where pictures have pixels of their own */
     CELL_HEIGHT = 16
@@ -197,34 +199,28 @@ static bool show_sheet(struct bytes *out, const struct image *panels, const char
     return done;
 }
 
-/* Fit the images, and show `beside` of them side by side. */
-static bool show_all(struct bytes *out, const struct image *const *images, const char *const *names,
-                     size_t count, const struct options *options, struct error *error) {
-    struct image panels[PICTURE_COUNT] = {{.pixels = NULL}};
-    bool all_beside = options->columns >= count * LEAST_COLUMNS + (count - 1) * GAP;
-    size_t beside = all_beside ? count : 1;
-    bool done = true;
-    for (size_t i = 0; i < count && done; i++) {
-        done = fit(&panels[i], images[i], room_for(options, beside), error);
-    }
-    for (size_t i = 0; i < count && done; i += beside) {
-        done = show_sheet(out, panels + i, names + i, beside, options->kind, error);
-    }
-    for (size_t i = 0; i < PICTURE_COUNT; i++) {
-        image_free(&panels[i]);
-    }
-    return done;
+/* ---- Which pictures, and how many side by side ---- */
+
+static bool is_exact(const struct pictures *pictures) {
+    return pictures->same_size && pictures->differing == 0;
 }
 
-/* ---- Which pictures ---- */
+static size_t fitting(const struct options *options) {
+    size_t beside = (options->columns + GAP) / (LEAST_COLUMNS + GAP);
+    return beside > 0 ? beside : 1;
+}
 
-/* Without a choice: all, where there is room for them side by side. */
-static bool is_chosen(const struct options *options, int picture) {
+/* The title says that a picture is exact: there is no difference to draw. Without a choice the
+ * reference is left out where three have no room, since the difference has a shade of it. */
+static bool is_chosen(const struct options *options, const struct pictures *pictures, int picture) {
+    bool differs = pictures->image[PICTURE_DIFFERENCE].width > 0 && !is_exact(pictures);
+    if (picture == PICTURE_DIFFERENCE && !differs) {
+        return false;
+    }
     if (options->which[0] != '\0') {
         return is_listed(options->which, picture_names[picture]);
     }
-    return picture == PICTURE_YOURS ||
-           options->columns >= PICTURE_COUNT * LEAST_COLUMNS + (PICTURE_COUNT - 1) * GAP;
+    return picture != PICTURE_REFERENCE || !differs || fitting(options) >= PICTURE_COUNT;
 }
 
 /* ---- A part of them ---- */
@@ -236,46 +232,82 @@ static int part_begin(int pixel, size_t length, size_t size) {
     return begin > 0 ? begin : 0;
 }
 
-/* The parts around the first wrong pixel side by side, where shrinking would hide that pixel. */
-static bool show_parts(struct bytes *out, const struct pictures *pictures,
-                       const struct options *options, struct error *error) {
-    struct image parts[PICTURE_COUNT] = {{.pixels = NULL}};
+/* Would all of it be shrunk, and a few wrong pixels with it? (Two sizes are wrong as such.) */
+static bool wants_part(const struct pictures *pictures, const struct options *options,
+                       struct room room) {
+    const struct image *yours = &pictures->image[PICTURE_YOURS];
+    return pictures->fails && options->which[0] == '\0' && pictures->same_size &&
+           pictures->differing < room.width * room.height &&
+           (yours->width > room.width || yours->height > room.height);
+}
+
+/* ---- The scene ---- */
+
+/* "step05_zbuffer depth: 214 pixels differ". */
+static bool put_title(struct bytes *out, const struct pictures *pictures,
+                      const struct options *options) {
+    const struct image *yours = &pictures->image[PICTURE_YOURS];
     const struct image *reference = &pictures->image[PICTURE_REFERENCE];
-    struct room room = room_for(options, PICTURE_COUNT);
+    bool done = bytes_print(out, "%s %s", options->step, options->scene);
+    if (is_exact(pictures)) {
+        done = done && bytes_print(out, ": exact");
+    } else if (pictures->same_size) {
+        done = done && bytes_print(out, ": %llu pixel%s%s", (unsigned long long)pictures->differing,
+                                   pictures->differing == 1 ? " differs" : "s differ",
+                                   pictures->fails ? "" : ", and it passes");
+    } else if (pictures->image[PICTURE_DIFFERENCE].width > 0) {
+        done = done && bytes_print(out, ": %zux%zu pixels, not %zux%zu", yours->width,
+                                   yours->height, reference->width, reference->height);
+    }
+    return done && bytes_print(out, "\n");
+}
+
+/* What is not seen of them, and how to see it. */
+static bool put_hint(struct bytes *out, const struct pictures *pictures, const struct image *part,
+                     int left, int bottom) {
+    return (part == NULL ||
+            bytes_print(out, "Only x %d to %zu, y %d to %zu: (%d,%d) is the first wrong pixel.\n",
+                        left, (size_t)left + part->width - 1, bottom,
+                        (size_t)bottom + part->height - 1, pictures->wrong_x, pictures->wrong_y)) &&
+           bytes_print(out, "WHICH=yours,reference,difference shows all of them.\n");
+}
+
+/* The chosen pictures or, where shrinking would hide a few wrong pixels, their part around them. */
+static bool show_chosen(struct bytes *out, const struct pictures *pictures, const int *chosen,
+                        size_t count, const struct options *options, struct error *error) {
+    struct image panels[PICTURE_COUNT] = {{.pixels = NULL}};
+    const char *names[PICTURE_COUNT];
+    size_t beside = smaller(count, fitting(options));
+    struct room room = room_for(options, beside);
+    const struct image *reference = &pictures->image[PICTURE_REFERENCE];
     int left = part_begin(pictures->wrong_x, room.width, reference->width);
     int bottom = part_begin(pictures->wrong_y, room.height, reference->height);
-    bool done = true;
-    for (int i = 0; i < PICTURE_COUNT && done; i++) {
-        done = picture_part(&parts[i], &pictures->image[i], left, bottom, room.width, room.height,
-                            error);
+    bool part = wants_part(pictures, options, room), done = true;
+    for (size_t i = 0; i < count && done; i++) {
+        const struct image *image = &pictures->image[chosen[i]];
+        names[i] = picture_names[chosen[i]];
+        done = part ? picture_part(&panels[i], image, left, bottom, room.width, room.height, error)
+                    : fit(&panels[i], image, room, error);
     }
-    done =
-        done && show_sheet(out, parts, picture_names, PICTURE_COUNT, options->kind, error) &&
-        (bytes_print(out, "Only x %d to %zu, y %d to %zu: (%d,%d) is the first wrong pixel.\n",
-                     left, (size_t)left + parts[0].width - 1, bottom,
-                     (size_t)bottom + parts[0].height - 1, pictures->wrong_x, pictures->wrong_y) ||
-         error_out_of_memory(error));
-    for (int i = 0; i < PICTURE_COUNT; i++) {
-        image_free(&parts[i]);
+    for (size_t i = 0; i < count && done; i += beside) {
+        done = show_sheet(out, panels + i, names + i, smaller(beside, count - i), options->kind,
+                          error);
+    }
+    bool hidden = options->which[0] == '\0' && count < PICTURE_COUNT && reference->width > 0 &&
+                  chosen[count - 1] == PICTURE_DIFFERENCE;
+    if (done && (part || hidden)) {
+        done = put_hint(out, pictures, part ? &panels[0] : NULL, left, bottom) ||
+               error_out_of_memory(error);
+    }
+    for (size_t i = 0; i < PICTURE_COUNT; i++) {
+        image_free(&panels[i]);
     }
     return done;
 }
 
-/* Would all of it be shrunk, and a wrong pixel with it? (Two sizes are wrong as such.) */
-static bool wants_parts(const struct pictures *pictures, const struct options *options) {
-    const struct image *yours = &pictures->image[PICTURE_YOURS];
-    const struct image *reference = &pictures->image[PICTURE_REFERENCE];
-    bool all_beside = options->columns >= PICTURE_COUNT * (LEAST_COLUMNS + GAP) - GAP;
-    struct room room = room_for(options, all_beside ? PICTURE_COUNT : 1);
-    return pictures->fails && options->which[0] == '\0' && yours->width == reference->width &&
-           yours->height == reference->height &&
-           (yours->width > room.width || yours->height > room.height);
-}
-
 static bool show(struct bytes *out, const struct options *options, struct error *error) {
     struct pictures pictures;
-    const struct image *images[PICTURE_COUNT];
-    const char *names[PICTURE_COUNT];
+    int chosen[PICTURE_COUNT];
     size_t count = 0;
     struct scene_table table;
     const struct checked_scene *rule = pictures_rule(&table, options->step, options->scene);
@@ -284,20 +316,18 @@ static bool show(struct bytes *out, const struct options *options, struct error 
     if (!done) {
         return false;
     }
-    if (wants_parts(&pictures, options)) {
-        done = show_parts(out, &pictures, options, error);
-        pictures_free(&pictures);
-        return done;
-    }
     for (int i = 0; i < PICTURE_COUNT; i++) {
-        if (is_chosen(options, i) && pictures.image[i].width > 0) {
-            images[count] = &pictures.image[i];
-            names[count++] = picture_names[i];
+        if (pictures.image[i].width > 0 && is_chosen(options, &pictures, i)) {
+            chosen[count++] = i;
         }
     }
-    done = count > 0 ? show_all(out, images, names, count, options, error)
-                     : error_set(error, "no such picture: %.400s, %.400s", options->yours,
-                                 options->reference);
+    if (count == 0 && !is_exact(&pictures)) {
+        done =
+            error_set(error, "no such picture: %.400s, %.400s", options->yours, options->reference);
+    }
+    done = done && (options->step[0] == '\0' || put_title(out, &pictures, options) ||
+                    error_out_of_memory(error));
+    done = done && (count == 0 || show_chosen(out, &pictures, chosen, count, options, error));
     pictures_free(&pictures);
     return done;
 }

@@ -23,7 +23,6 @@ find_size
 draw
 find_drawn
 for name in $drawn; do
-    echo "$lesson $name"
     "$build/show" "$columns" "$lines" "$lesson" "$name" "$which" "$kind" \
         "$build/out/$lesson/$name.tga" "tests/reference/$lesson/$name.png" || exit
 done

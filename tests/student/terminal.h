@@ -10,7 +10,7 @@
 #include <stddef.h>
 
 enum terminal_kind {
-    TERMINAL_BLOCKS, /* two pixels a character, in 24-bit colours: nearly every terminal */
+    TERMINAL_BLOCKS, /* two pixels a character, in as many colours as the environment names */
     TERMINAL_SIXEL,  /* DEC's graphics: xterm -ti vt340, foot, mlterm, WezTerm, ... */
     TERMINAL_KITTY   /* the graphics protocol of kitty, which Ghostty and others know, too */
 };

@@ -1,6 +1,8 @@
 #!/bin/sh
 # Does `make show` show the pictures that are asked for, in a size that fits?
 . "$(dirname "$0")/../unit/script.sh"
+unset NO_COLOR WT_SESSION
+export COLORTERM=truecolor TERM=xterm
 cd "$work" || exit 1
 
 # tga FILE WIDTH HEIGHT BYTE: a grey picture; sizes below 256, bytes in octal.
@@ -24,10 +26,10 @@ show() {
     said_by "$1" "$build/show" "$2" "$3" $scene "$4" blocks "$5" "$6"
 }
 
-# size WIDTH HEIGHT: so many half blocks in the second line, so many lines after the first.
+# size WIDTH HEIGHT: so many half blocks below title and names, so many lines that have some.
 size() {
-    width=$(sed -n 2p "$said" | awk '{ print gsub(/\342\226\200/, "") }')
-    height=$(($(wc -l <"$said") - 1))
+    width=$(sed -n 3p "$said" | awk '{ print gsub(/\342\226\200/, "") }')
+    height=$(grep -c "$(printf '\342\226\200')" "$said")
     [ "$width $height" = "$1 $2" ] || wrong "$width x $height characters, not $1 x $2"
 }
 
@@ -35,12 +37,12 @@ tga white.tga 10 10 377
 tga grey.tga 10 10 100
 tga wide.tga 200 4 377
 
-show 0 40 23 '' white.tga none.tga # 4 times as large: 5 would be too high
+show 0 40 25 '' white.tga none.tga # 4 times as large: 5 would be too high
 size 40 20
 says '38;2;255;255;255m'
 show 0 29 100 '' white.tga none.tga # twice as large, as whole numbers go
 size 20 10
-show 0 50 23 '' wide.tga none.tga # a quarter
+show 0 50 25 '' wide.tga none.tga # a quarter
 size 50 1
 # One red pixel on black: as red when the picture is shrunk.
 {
@@ -49,37 +51,89 @@ size 50 1
     printf '\0\0\377'
     head -c 14997 /dev/zero
 } >point.tga
-show 0 40 23 '' point.tga none.tga
+show 0 40 25 '' point.tga none.tga
 size 40 20
 says ';2;255;0;0m'
-# Where it is wrong, its part around the first wrong pixel is shown, and the two others beside it.
+# Where a few pixels of it are wrong, its part around the first of them is shown.
 {
     printf '\0\0\2\0\0\0\0\0\0\0\0\0\144\0\144\0\30\0'
     head -c 30000 /dev/zero
 } >black.tga
-show 0 80 23 '' point.tga black.tga # 25 columns each
-says 'Only x 0 to 24, y 30 to 69: (0,50) is the first wrong pixel.'
-[ "$(sed -n 11p "$said" | grep -o ';2;255;0;0m' | wc -l)" -eq 2 ] || wrong "not in yours and in the difference"
-show 0 80 23 yours point.tga black.tga
+show 0 80 25 '' point.tga black.tga # 39 columns each
+says 'Only x 0 to 38, y 30 to 69: (0,50) is the first wrong pixel.'
+says 'WHICH=yours,reference,difference shows all of them.'
+[ "$(sed -n 12p "$said" | grep -o ';2;255;0;0m' | wc -l)" -eq 2 ] || wrong "not in yours and in the difference"
+show 0 94 25 '' point.tga black.tga # 30 columns each, the reference as well
+says 'Only x 0 to 29, y 30 to 69: (0,50) is the first wrong pixel.'
+says 'WHICH=yours,reference,difference shows all of them.'
+show 0 80 25 yours point.tga black.tga
 silent 'Only x'
-show 0 80 23 '' point.tga point.tga
+silent 'WHICH='
+show 0 80 25 '' point.tga point.tga
 silent 'Only x'
-show 0 320 53 '' point.tga black.tga # all of it has room
+show 0 320 55 '' point.tga black.tga # all of it has room
+silent 'Only x'
+silent 'WHICH='
+tga white100.tga 100 100 377
+show 0 80 25 '' white100.tga black.tga # all is wrong: a part says less than the whole
 silent 'Only x'
 show 0 10 1 '' white.tga none.tga # one line at least
 size 2 1
-show 0 94 13 '' white.tga grey.tga # side by side: 20 + 2 + 20 + 2 + 20
+show 0 94 15 '' white.tga grey.tga # side by side: 20 + 2 + 20 + 2 + 20
 size 64 10
-[ "$(head -n 1 "$said")" = "yours                 reference             difference" ] ||
+[ "$(sed -n 2p "$said")" = "yours                 reference             difference" ] ||
     wrong "not side by side"
 says '38;2;64;64;64m'  # the reference
 says '38;2;255;0;0m'   # the difference: another colour
-show 0 93 13 '' white.tga grey.tga # no room for three: yours alone
-size 20 10
-show 0 40 8 reference,yours white.tga grey.tga # one below the other
+silent 'WHICH='
+show 0 93 15 '' white.tga grey.tga # no room for three
+size 42 10
+[ "$(sed -n 2p "$said")" = "yours                 difference" ] || wrong "not these two"
+says 'WHICH=yours,reference,difference shows all of them.'
+show 0 62 15 '' white.tga white.tga # the reference, where there is no difference
+[ "$(sed -n 2p "$said")" = "yours                 reference" ] || wrong "not these two"
+silent 'WHICH='
+show 0 61 10 reference,yours white.tga grey.tga # one below the other
 [ "$(grep -cx -e yours -e reference "$said")" -eq 2 ] || wrong "not one below the other"
-show 0 94 13 reference none.tga grey.tga
+show 0 94 15 reference none.tga grey.tga
 size 20 10
+
+# ---- The title ----
+
+title() { # TEXT YOURS REFERENCE
+    show 0 80 24 '' "$2" "$3"
+    [ "$(head -n 1 "$said")" = "step01_line none$1" ] || wrong "the title is not '$1'"
+}
+title '' white.tga none.tga
+title ': exact' white.tga white.tga
+title ': 1 pixel differs' point.tga black.tga
+title ': 100 pixels differ' white.tga grey.tga
+title ': 10x10 pixels, not 200x4' white.tga wide.tga
+show 0 80 24 difference white.tga white.tga # is only said
+[ "$(cat "$said")" = 'step01_line none: exact' ] || wrong "more than that it is exact"
+
+# ---- Colours ----
+
+# colors FOUND NAME=VALUE...: in the first line of blocks or characters of a red picture.
+printf '\0\0\2\0\0\0\0\0\0\0\0\0\1\0\1\0\30\0\0\0\377' >red.tga
+colors() {
+    found=$1
+    shift
+    said_by 0 env -u COLORTERM "$@" "$build/show" 1 9 step01_line none '' blocks red.tga none.tga
+    [ "$(sed -n 3p "$said" | tr -d '\033')" = "$found" ] || wrong "$* gives not $found"
+}
+half=$(printf '\342\226\200')
+colors "[38;2;255;0;0m[48;2;0;0;0m$half[0m" COLORTERM=24bit
+colors "[38;2;255;0;0m[48;2;0;0;0m$half[0m" TERM=xterm-direct
+colors "[38;2;255;0;0m[48;2;0;0;0m$half[0m" WT_SESSION=1
+colors "[38;5;196m[48;5;16m$half[0m" TERM=xterm-256color
+colors "[38;5;196m[48;5;16m$half[0m" TERM=foot
+colors "[91m[40m$half[0m" TERM=linux
+colors "[91m[40m$half[0m" TERM=
+colors '@' TERM=dumb
+colors '@' TERM=vt220
+colors '@' NO_COLOR=1 COLORTERM=truecolor
+colors "[38;2;255;0;0m[48;2;0;0;0m$half[0m" NO_COLOR= COLORTERM=truecolor
 
 # A level less counts where the scene must be exact.
 tga near.tga 10 10 376

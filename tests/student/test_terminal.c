@@ -54,6 +54,8 @@ static void test_base64(void) {
 
 static void test_blocks(void) {
     struct image image = make(3, 3);
+    unsetenv("NO_COLOR");
+    setenv("COLORTERM", "truecolor", 1);
     struct bytes out = {.data = NULL};
     image_set(&image, 0, 2, color_rgb(255, 0, 1)); /* the upper row: one, then two equal ones */
     image_set(&image, 1, 2, color_rgb(2, 3, 4));
@@ -64,6 +66,52 @@ static void test_blocks(void) {
                "\033[38;2;2;3;4m\xe2\x96\x80"
                "\033[48;2;9;9;9m\xe2\x96\x80\033[0m\n"
                "\033[38;2;0;0;0m\033[48;2;0;0;0m\xe2\x96\x80\xe2\x96\x80\xe2\x96\x80\033[0m\n");
+    bytes_free(&out);
+    image_free(&image);
+}
+
+/* Some colours of xterm's palettes, and the nearest of them where there are fewer. */
+static void test_fewer_colors(void) {
+    static const struct {
+        const char *term;
+        uint8_t r, g, b;
+        const char *code;
+    } cases[] = {
+        {"linux", 0, 0, 0, "30m"},
+        {"linux", 200, 10, 10, "31m"},
+        {"linux", 230, 230, 230, "37m"},
+        {"linux", 120, 120, 130, "90m"},
+        {"linux", 255, 255, 255, "97m"},
+        {"xterm-256color", 0, 0, 0, "38;5;16m"},
+        {"xterm-256color", 255, 255, 255, "38;5;231m"},
+        {"xterm-256color", 95, 135, 175, "38;5;67m"},
+        {"xterm-256color", 90, 138, 170, "38;5;67m"},
+        {"xterm-256color", 9, 8, 8, "38;5;232m"},
+        {"xterm-256color", 237, 237, 240, "38;5;255m"},
+    };
+    unsetenv("COLORTERM");
+    unsetenv("WT_SESSION");
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        struct image image = make(1, 1);
+        struct bytes out = {.data = NULL};
+        setenv("TERM", cases[i].term, 1);
+        image_set(&image, 0, 0, color_rgb(cases[i].r, cases[i].g, cases[i].b));
+        const char *text = shown(&out, &image, TERMINAL_BLOCKS);
+        CHECK_ROW(strncmp(text + 2, cases[i].code, strlen(cases[i].code)) == 0, cases[i].code);
+        bytes_free(&out);
+        image_free(&image);
+    }
+}
+
+static void test_characters(void) {
+    struct image image = make(4, 2);
+    struct bytes out = {.data = NULL};
+    image_set(&image, 1, 1, color_rgb(0, 96, 0));
+    image_set(&image, 2, 1, color_rgb(10, 10, 10));
+    image_set(&image, 2, 0, color_rgb(0, 0, 255)); /* the lighter one counts */
+    image_set(&image, 3, 0, color_rgb(29, 20, 20));
+    setenv("TERM", "dumb", 1);
+    CHECK_TEXT(shown(&out, &image, TERMINAL_BLOCKS), " -@.\n");
     bytes_free(&out);
     image_free(&image);
 }
@@ -195,4 +243,5 @@ static void test_kind(void) {
     }
 }
 
-UNIT_MAIN(TEST(test_base64), TEST(test_blocks), TEST(test_sixel), TEST(test_kitty), TEST(test_kind))
+UNIT_MAIN(TEST(test_base64), TEST(test_blocks), TEST(test_fewer_colors), TEST(test_characters),
+          TEST(test_sixel), TEST(test_kitty), TEST(test_kind))

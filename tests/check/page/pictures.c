@@ -25,9 +25,11 @@ static enum compare_pixels find_wrong(struct pictures *pictures, const struct ch
     const struct image *yours = &pictures->image[PICTURE_YOURS];
     static const struct checked_scene no_rule = {.near_limit = 100 * 1000};
     struct comparison shares = {.drawn = 0};
-    if (reference->width == yours->width && reference->height == yours->height) {
+    pictures->same_size = reference->width == yours->width && reference->height == yours->height;
+    if (pictures->same_size) {
         shares = compare_images(reference, yours);
     }
+    pictures->differing = shares.differing.count;
     const struct verdict verdict = verdict_find(&shares, rule != NULL ? rule : &no_rule);
     pictures->fails = !verdict.passes;
     pictures->wrong_x = (int)verdict.tally->x;

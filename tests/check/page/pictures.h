@@ -8,6 +8,7 @@
 
 #include <stdbool.h>
 #include <stddef.h>
+#include <stdint.h>
 
 enum { PICTURE_YOURS, PICTURE_REFERENCE, PICTURE_DIFFERENCE, PICTURE_COUNT };
 
@@ -17,6 +18,8 @@ extern const char *const picture_names[PICTURE_COUNT];
 /* All zero is valid and empty: no picture at all. */
 struct pictures {
     struct image image[PICTURE_COUNT]; /* an empty image: this picture is not there */
+    bool same_size;                    /* both are there: only then does the rest hold */
+    uint64_t differing;                /* pixels that are not equal */
     bool fails;                        /* the check would not let yours pass */
     int wrong_x, wrong_y;              /* then the first pixel that is wrong */
 };

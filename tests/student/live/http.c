@@ -1,6 +1,5 @@
 /* The little of HTTP that one page needs: see http.h. */
-#define _POSIX_C_SOURCE  200809L
-#define _DARWIN_C_SOURCE /* macOS has INADDR_LOOPBACK only so */
+#define _DEFAULT_SOURCE /* macOS and FreeBSD hide INADDR_LOOPBACK from POSIX alone */
 #include "http.h"
 
 #include <arpa/inet.h>

@@ -32,6 +32,7 @@ wasm | clang | -O1 --target=wasm32-wasi -Wno-unused-command-line-argument -Wl,--
 arm32 | arm-linux-gnueabihf-gcc | -O3 -mfpu=neon-vfpv4 | qemu-arm -L /usr/arm-linux-gnueabihf | gcc-arm-linux-gnueabihf libc6-dev-armhf-cross qemu-user
 riscv64 | riscv64-linux-gnu-gcc | -O3 | qemu-riscv64 -L /usr/riscv64-linux-gnu | gcc-riscv64-linux-gnu libc6-dev-riscv64-cross qemu-user
 musl | musl-gcc | -O3 | | musl-tools
+windows | x86_64-w64-mingw32-gcc | -O1 -static | wine | gcc-mingw-w64-x86-64 wine
 i386-sse | i686-linux-gnu-gcc | -O3 -msse2 -mfpmath=sse -static | | gcc-i686-linux-gnu libc6-dev-i386-cross
 i386-clang | clang | -O3 --target=i686-linux-gnu -msse2 -static | | clang gcc-i686-linux-gnu libc6-dev-i386-cross
 END
@@ -63,6 +64,10 @@ use() {
     # no threads.
     case $name in
         wasm) archiver=llvm-ar threaded= ;;
+        windows)
+            archiver=x86_64-w64-mingw32-ar threaded=-pthread
+            export WINEPREFIX="$work/wine" WINEDEBUG=-all WINEDLLOVERRIDES='mscoree,mshtml='
+            ;;
         *) archiver=ar threaded=-pthread ;;
     esac
     [ -n "$name" ]
@@ -81,9 +86,10 @@ run() {
 }
 
 # The models (an emulated processor, which would need minutes for the bust, sculpts a coarse one), every
-# scene as TGA, and PNG written and read (as a texture), animated PNG, PPM, and a model in OFF.
+# scene as TGA, one again over its file, and PNG written and read (as a texture, where names are not
+# ASCII), animated PNG, PPM, a model in OFF, and a frame of --live without its first two lines.
 draw() {
-    rm -rf "$work"/{models,coarse,out} && mkdir -p "$work"/{models,coarse,out/formats/textured}
+    rm -rf "$work"/{models,coarse,out} && mkdir -p "$work"/{models,coarse,out/formats/Köpfe}
     run sculptor "$work/coarse" 4 || return
     if [ -z "${runner// /}" ]; then
         run sculptor "$work/models" || return
@@ -96,11 +102,13 @@ draw() {
     done
     formats=$work/out/formats
     run step10_phong --only four --format png -o "$formats" &&
+        run step10_phong --only four --format png -o "$formats" &&
         run step10_phong --only turn --format png -s 40x40 -o "$formats" &&
         run step04_flat --only flat --format ppm -o "$formats" "$work/models/knot.off" &&
-        cp "$work/models/bust.obj" "$formats/textured/bust.obj" &&
-        cp "$formats/four.png" "$formats/textured/bust_diffuse.png" &&
-        run step06_texture --only texture -o "$formats/textured" "$formats/textured/bust.obj"
+        cp "$work/models/bust.obj" "$formats/Köpfe/bust.obj" &&
+        cp "$formats/four.png" "$formats/Köpfe/bust_diffuse.png" &&
+        run step06_texture --only texture -o "$formats/Köpfe" "$formats/Köpfe/bust.obj" &&
+        echo '-s 100x100' | $runner "$work/step04_flat" --live | tail -n +3 >"$formats/live"
 }
 
 # Which files are not the reference's?
@@ -124,7 +132,7 @@ judge_row() {
         command -v "$tool" >/dev/null || { echo "SKIP  $tool is missing (Debian: $packages)"; return; }
     done
     # shellcheck disable=SC2086 # several words
-    if ! $compiler $flags -x c - -o "$work/probe" <<<'int main(void) { return 0; }' || ! run probe; then
+    if ! $compiler $flags -x c - -o "$work/probe.new" <<<'int main(void) { return 0; }' || ! run probe.new; then
         echo "SKIP  an empty program is not built or does not run (Debian: $packages; LOG)"
         return
     fi

@@ -1,7 +1,7 @@
 #!/bin/sh
 # Are the words of the texts spelled as British English spells them? hunspell knows most, words.txt
-# beside this file the terms of the subject. Code, links, what stands in `quotes`, and words with a
-# digit are left out.
+# beside this file the terms of the subject. Code, links, what is in `quotes`, French, and words with
+# a digit are left out.
 #
 #   tests/upkeep/texts/spelling.sh [FILE...]         without files: every .md of the course, and its drawings
 #
@@ -19,7 +19,7 @@ words_of() {
     *.svg) sed -n 's/.*<\(text\|tspan\|title\)[^>]*>\([^<]*\)<.*/\2/p' "$1" ;;
     *)
         awk '/^ *```/ { quoted = !quoted; next } !quoted && !/^    /' "$1" |
-            sed 's/`[^`]*`/ /g; s/<[^>]*>/ /g; s/](\([^)]*\))/] /g; s|https*:[^ ]*||g'
+            sed 's/`[^`]*`/ /g; s|<i lang="fr">[^<]*</i>| |g; s/<[^>]*>/ /g; s/](\([^)]*\))/] /g; s|https*:[^ ]*||g'
         ;;
     esac
 }
