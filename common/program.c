@@ -487,6 +487,7 @@ static bool draw_text(struct command *command, struct error *error) {
             .name = name,
             .width = text.width,
             .height = text.height,
+            .values = program->text_values,
             .draw = program->draw_text,
         };
         command->run.text = &text;
@@ -566,8 +567,7 @@ static bool answer_scene(struct command *command, const struct scene *given, FIL
     double begin = now_ms();
     done = done && stage_draw(&stage, &image, frame % scene.frames, error);
     if (done) {
-        live_write_frame(&image, now_ms() - begin, stage.drawing.counters,
-                         stage.drawing.counter_count, out);
+        live_write_frame(&image, now_ms() - begin, &stage.drawing, out);
     }
     stage_end(&stage);
     image_free(&image);
@@ -582,8 +582,11 @@ static bool answer_text(struct command *command, const struct live_request *requ
     done = done &&
            text_scene_decode(&text, request->text, request->text_size, program->text_kind, error);
     if (done) {
-        const struct scene scene = {
-            .name = "text", .width = text.width, .height = text.height, .draw = program->draw_text};
+        const struct scene scene = {.name = "text",
+                                    .width = text.width,
+                                    .height = text.height,
+                                    .values = program->text_values,
+                                    .draw = program->draw_text};
         command->run.text = &text;
         done = answer_scene(command, &scene, out, error);
     }
@@ -606,6 +609,8 @@ static bool answer(void *context, const struct live_request *request, FILE *out,
     }
     command->run.no_skip = command->options.no_skip;
     command->run.stats = command->options.stats;
+    command->run.probed = command->options.probe.given;
+    command->run.probe = command->options.probe.value;
     command->run.chosen_count = command->options.set_count;
     if (request->text != NULL) {
         return answer_text(command, request, out, error);

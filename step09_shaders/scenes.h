@@ -296,6 +296,27 @@ static bool draw_four(struct drawing *drawing, struct image *image, struct error
     return draw_cells(drawing, image, cells, 2, 0.8, error); /* of a quarter: 0.4 of the picture */
 }
 
+static const struct scene_value toon_values[] = {
+    {"steps", "steps of the light", 2, 16, 1, 5},
+    {.name = NULL},
+};
+
+/* The light in another number of steps than five. */
+struct steps {
+    struct uniforms uniforms; /* for gouraud_vertex() */
+    double steps;
+};
+
+static lanes_mask steps_fragment(const void *uniforms, const lanes *varyings, lanes_texel *color) {
+    const struct steps *u = uniforms;
+    const float most = (float)u->steps - 1;
+    lanes step = lanes_min(lanes_floor(varyings[0] * (most + 1)), lanes_all(most));
+    *color = shade(lanes3_all((struct vec3){255, 155, 0}), step / most);
+    return lanes_all_set();
+}
+
+SHADER(in_steps, .varying_count = 1, .vertex = gouraud_vertex, .fragment = steps_fragment);
+
 /* With a square in full light beside it. */
 static bool draw_toon(struct drawing *drawing, struct image *image, struct error *error) {
     struct pipeline *pipeline = pipeline_begin(drawing);
@@ -304,7 +325,10 @@ static bool draw_toon(struct drawing *drawing, struct image *image, struct error
     struct uniforms u = make_uniforms(drawing, 0.85 * place.width);
     struct pair square;
     struct draw_call beside = square_call(&square, place);
-    bool done = pipeline_draw(pipeline, &call, &toon, &u, sizeof u, error) &&
+    const struct steps steps = {u, drawing_value(drawing, "steps")};
+    bool done = (steps.steps == 5
+                     ? pipeline_draw(pipeline, &call, &toon, &u, sizeof u, error)
+                     : pipeline_draw(pipeline, &call, &in_steps, &steps, sizeof steps, error)) &&
                 pipeline_draw(pipeline, &beside, &toon, &square.uniforms, sizeof u, error);
     return pipeline_end(drawing, done, image, error);
 }
@@ -367,7 +391,12 @@ static const struct scene scenes[] = {
         .draw = draw_more_looks,
     },
     {.name = "four", .needs = NEEDS_MODEL | NEEDS_NORMALS | NEEDS_DIFFUSE, .draw = draw_four},
-    {.name = "toon", .needs = NEEDS_MODEL | NEEDS_NORMALS, .draw = draw_toon},
+    {
+        .name = "toon",
+        .needs = NEEDS_MODEL | NEEDS_NORMALS,
+        .values = toon_values,
+        .draw = draw_toon,
+    },
     {
         .name = "normalmap",
         .needs = NEEDS_MODEL | NEEDS_DIFFUSE | NEEDS_NORMAL_MAP,

@@ -31,7 +31,7 @@ int windows_unlink(const char *path);
 int windows_mkdir(const char *path);
 #endif
 
-#ifdef SIGHUP
+#ifdef SIG_BLOCK
 typedef sigset_t signal_set;
 #else
 typedef int signal_set;

@@ -30,7 +30,8 @@ enum need {
 };
 
 /* A number of a scene that --set changes, within its range. A list of them ends with one that has
- * no name; every scene has its own list, or none. */
+ * no name; every scene has its own list, or none. Two that are called NAME_x and NAME_y are a point
+ * to drag: their ranges are the picture, from left to right and from the bottom up. */
 struct scene_value {
     const char *name;                /* letters, digits and '_' */
     const char *help;                /* what it is, in a few words */
@@ -39,7 +40,8 @@ struct scene_value {
 
 enum {
     COUNTER_LIMIT = 32, /* different names that one scene counts */
-    VALUE_LIMIT = 8     /* numbers in a scene's list */
+    VALUE_LIMIT = 16,   /* numbers in a scene's list */
+    NOTES_LIMIT = 1024  /* bytes of notes about a pixel */
 };
 
 struct counter {
@@ -64,6 +66,9 @@ struct drawing {
     const struct scene_value *values; /* the scene's, */
     double value[VALUE_LIMIT];        /* and what they are now: see drawing_value() */
     void *state;                      /* program.state_size bytes, zero at first */
+    bool probed;                      /* by --probe: note what there is to say about a pixel */
+    struct pixel probe;               /* this one */
+    char notes[NOTES_LIMIT];          /* lines: see drawing_note() */
     struct counter counters[COUNTER_LIMIT];
     size_t counter_count;
 };
@@ -71,8 +76,15 @@ struct drawing {
 /* Add to the drawing's counter of that name (a string constant), for --stats. */
 void drawing_count(struct drawing *drawing, const char *name, uint64_t amount);
 
-/* The scene's number of that name, as --set has chosen it, or its default. The scene has it. */
+/* Add a line, as printf makes it, to what is said about the pixel; it is cut where that is full. */
+void drawing_note(struct drawing *drawing, const char *format, ...) PRINTF_LIKE(2, 3);
+
+/* The scene's number of that name, as --set has chosen it, or its default; 0 where the scene has no
+ * such number. */
 double drawing_value(const struct drawing *drawing, const char *name);
+
+/* The same of NAME_x and NAME_y. */
+struct vec2 drawing_point(const struct drawing *drawing, const char *name);
 
 /* Where a field is zero, the program's default stands. */
 struct scene {
@@ -104,6 +116,8 @@ struct program {
      * drawing->text. The default size counts where the text has no `size`. */
     bool (*draw_text)(struct drawing *drawing, struct image *image, struct error *error);
     enum text_scene_kind text_kind;
+    const struct scene_value *text_values; /* of every text scene; NULL: none */
+    const char *text;                      /* with which a reader begins, to drag its points */
     /* Memory of a scene that outlives one drawing of it: made before the drawing, so that it is not
      * measured. `prepare` is called once for each scene when all it needs is loaded, `finish`
      * always after a call of `prepare`, even a failed one. Both may be NULL. */

@@ -7,6 +7,8 @@
 #include "files/normals.h"
 
 #include <assert.h>
+#include <stdarg.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -34,11 +36,23 @@ void drawing_count(struct drawing *drawing, const char *name, uint64_t amount) {
     drawing->counters[i].value += amount;
 }
 
+void drawing_note(struct drawing *drawing, const char *format, ...) {
+    size_t length = strlen(drawing->notes);
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(drawing->notes + length, sizeof drawing->notes - length, format, arguments);
+    va_end(arguments);
+    length = strlen(drawing->notes);
+    if (length + 1 < sizeof drawing->notes) {
+        drawing->notes[length] = '\n';
+    }
+}
+
 /* ---- Numbers of scenes ---- */
 
-const struct scene_value *scene_find_value(const struct scene *scene,
-                                           const struct chosen_value *chosen) {
-    const struct scene_value *value = scene->values;
+const struct scene_value *find_value(const struct scene_value *values,
+                                     const struct chosen_value *chosen) {
+    const struct scene_value *value = values;
     while (value != NULL && value->name != NULL &&
            (strlen(value->name) != chosen->length ||
             memcmp(value->name, chosen->name, chosen->length) != 0)) {
@@ -48,11 +62,20 @@ const struct scene_value *scene_find_value(const struct scene *scene,
 }
 
 double drawing_value(const struct drawing *drawing, const char *name) {
-    size_t i = 0;
-    while (strcmp(drawing->values[i].name, name) != 0) {
-        i++;
+    const struct scene_value *values = drawing->values;
+    for (size_t i = 0; values != NULL && values[i].name != NULL; i++) {
+        if (strcmp(values[i].name, name) == 0) {
+            return drawing->value[i];
+        }
     }
-    return drawing->value[i];
+    return 0;
+}
+
+struct vec2 drawing_point(const struct drawing *drawing, const char *name) {
+    char x[64], y[64];
+    snprintf(x, sizeof x, "%s_x", name);
+    snprintf(y, sizeof y, "%s_y", name);
+    return (struct vec2){drawing_value(drawing, x), drawing_value(drawing, y)};
 }
 
 /* The scene's defaults, then what was chosen. */
@@ -63,7 +86,7 @@ static void set_values(struct drawing *drawing, const struct scene *scene, const
         drawing->value[i] = scene->values[i].value;
     }
     for (size_t i = 0; i < run->chosen_count; i++) {
-        const struct scene_value *value = scene_find_value(scene, &run->chosen[i]);
+        const struct scene_value *value = find_value(scene->values, &run->chosen[i]);
         if (value != NULL) {
             drawing->value[value - scene->values] = run->chosen[i].value;
         }
@@ -308,6 +331,8 @@ bool stage_begin(struct stage *stage, struct run *run, const struct scene *scene
                     .light = scene->light,
                     .skip = !run->no_skip,
                     .stats = run->stats,
+                    .probed = run->probed,
+                    .probe = run->probe,
                     .number = scene->number},
         .pixel_count = width * height,
     };

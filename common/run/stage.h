@@ -25,7 +25,8 @@ struct run {
     const struct program *program;
     const char *input;             /* a model in place of the course's own; NULL: none */
     const struct text_scene *text; /* NULL but for a text scene */
-    bool no_skip, stats;
+    bool no_skip, stats, probed;
+    struct pixel probe;                /* where `probed` */
     bool fit;                          /* move and scale models into view */
     const struct chosen_value *chosen; /* numbers of scenes, by --set */
     size_t chosen_count;
@@ -56,9 +57,9 @@ extern const char *const default_model_path;
 /* The scene with the program's defaults filled in. */
 struct scene scene_complete(const struct program *program, const struct scene *scene);
 
-/* The scene's number that this chooses; NULL where it has none of that name. */
-const struct scene_value *scene_find_value(const struct scene *scene,
-                                           const struct chosen_value *chosen);
+/* The number of a list that this chooses; NULL where it has none of that name. */
+const struct scene_value *find_value(const struct scene_value *values,
+                                     const struct chosen_value *chosen);
 
 /* Is the scene drawn from a model? */
 bool scene_needs_model(const struct scene *scene);

@@ -5,17 +5,21 @@
 ##                               points (LESSONS=1-5)
 ##   make check HIDDEN=7         the check, and then scenes that nobody has seen, made from that
 ##                               number (SOLUTION=dir holds them against dir/step05_zbuffer/main.c)
+##   make site OUT=dir           the course as web pages, in which the solutions draw under the mouse
 ##   make grade SUBMISSIONS=dir  a class: points, reports, what is alike, into OUT=dir (LESSONS=1-5,
 ##                               SEED=7 for hidden scenes, JOBS=8)
 ##   make grade-one SUBMISSION=path   one of them, into OUT=dir
 ##   make grade-merge OUT=dir    the class, from those that are there
 ##   make grade-tools            build what these use
-.PHONY: handout key grade grade-one grade-merge grade-tools
+.PHONY: handout key site grade grade-one grade-merge grade-tools
 handout:
 	@sh tests/teacher/handout/handout.sh '$(OUT)' '$(LESSONS)'
 
 key: $(BUILD)/check models
 	@sh tests/teacher/handout/key.sh $(BUILD) '$(MAKE) -s' '$(OUT)' '$(LESSONS)'
+
+site: $(BUILD)/models/bust.obj
+	@sh tests/teacher/site/site.sh '$(BUILD)' '$(OUT)'
 
 # ---- Hidden scenes ----
 

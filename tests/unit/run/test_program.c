@@ -517,6 +517,26 @@ static void test_set(void) {
     CHECK(run(&program, "-o out --set size=9.5") == 2 && run(&program, "-o out --set size=0") == 2);
     CHECK(run_live(&program, "--live", "--set size=1\n") == 0);
     CHECK(drawing_value(&last_drawing, "size") == 1 && drawing_value(&last_drawing, "turn") == 0);
+    CHECK(drawing_value(&last_drawing, "siz") == 0);
+    program.text_values = values + 1; /* a text scene has its own numbers */
+    program.scenes = scenes;
+    CHECK(run(&program, "-o out --set turn=1") == 0 && run(&program, "-o out --set size=5") == 2);
+}
+
+/* A point is two numbers; what is said about a pixel is lines, as many as there is room for. */
+static void test_points_and_notes(void) {
+    static const struct scene_value values[] = {
+        {"a_x", "", -1, 1, 1, 0}, {"a_y", "", -1, 1, 1, 0}, {.name = NULL}};
+    struct drawing drawing = {.values = values, .value = {0.25, -0.5}};
+    struct vec2 a = drawing_point(&drawing, "a");
+    CHECK(a.x == 0.25 && a.y == -0.5);
+    drawing_note(&drawing, "%d", 12);
+    drawing_note(&drawing, "%s", "b");
+    CHECK_TEXT(drawing.notes, "12\nb\n");
+    for (int i = 0; i < NOTES_LIMIT; i++) {
+        drawing_note(&drawing, "%d", i);
+    }
+    CHECK(strlen(drawing.notes) == NOTES_LIMIT - 1 && drawing.notes[NOTES_LIMIT - 1] == '\0');
 }
 
 /* A drawing of a replaced texture: what stands for it. */
@@ -969,8 +989,9 @@ static void test_clean_up(void) {
 UNIT_MAIN(TEST(test_usage), TEST(test_help), TEST(test_extra), TEST(test_formats),
           TEST(test_frames), TEST(test_stats_and_repeat), TEST(test_repeat_time), TEST(test_camera),
           TEST(test_failures), TEST(test_text_scene), TEST(test_needs), TEST(test_live),
-          TEST(test_set), TEST(test_stats_of_files), TEST(test_defaults), TEST(test_grey),
-          TEST(test_out_of_view), TEST(test_replaced), TEST(test_tiny), TEST(test_details),
-          TEST(test_warnings_of_files), TEST(test_failing_scenes), TEST(test_end_of_options),
-          TEST(test_seldom_failures), TEST(test_full_output), TEST(test_text_names),
-          TEST(test_default_directory), TEST(test_clean_up))
+          TEST(test_set), TEST(test_points_and_notes), TEST(test_stats_of_files),
+          TEST(test_defaults), TEST(test_grey), TEST(test_out_of_view), TEST(test_replaced),
+          TEST(test_tiny), TEST(test_details), TEST(test_warnings_of_files),
+          TEST(test_failing_scenes), TEST(test_end_of_options), TEST(test_seldom_failures),
+          TEST(test_full_output), TEST(test_text_names), TEST(test_default_directory),
+          TEST(test_clean_up))

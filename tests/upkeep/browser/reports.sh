@@ -1,8 +1,8 @@
 #!/bin/sh
-# Can others read the reports of `make check REPORT=`, and does its page, and that of `make open`, do
-# what it says? Both are tried with tools that nobody here wrote. The check judges lessons that are
-# right, wrong as two known mistakes are, still to do, crash, and do not build, with a message that no
-# format likes and that is a page's own script.
+# Can others read the reports of `make check REPORT=`? And do its page, that of `make open`, and those
+# of `make live` and `make site` do what they say? All are tried with tools that nobody here wrote.
+# The check judges lessons that are right, wrong as two known mistakes are, still to do, crash, and do
+# not build, with a message that no format likes and that is a page's own script.
 #
 #     tests/upkeep/browser/reports.sh [DIRECTORY]   for reports and screenshots: build/reports
 #
@@ -81,6 +81,16 @@ judge_live() {
         COURSE=$work/live node --test tests/upkeep/browser/live.js
 }
 
+# The lessons as web pages, as far as their tools are here.
+judge_site() {
+    make -s models && sh tests/teacher/site/site.sh build "$work/site" >"$work/log" 2>&1
+    case $? in
+    0) SITE=$work/site node --test tests/upkeep/browser/site.js ;;
+    77) skipped "the site" "$(sed 's/.*install //' "$work/log")" ;;
+    *) cat "$work/log" && return 1 ;;
+    esac
+}
+
 status=0
 make_reports || exit 1
 none=$(missing prove xmllint python3)$(npm_missing)
@@ -96,6 +106,6 @@ none=$(missing "${BROWSER:-chromium}" node)$(npm_missing)
 if [ -n "$none" ]; then
     skipped "the pages, without$none" 'chromium nodejs npm'
 else
-    judge_pages || exit 1
+    judge_pages && judge_site || exit 1
 fi
 exit $status

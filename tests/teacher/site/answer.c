@@ -1,0 +1,129 @@
+/*
+ * The lessons' programs as one module of WebAssembly, for web pages. They answer requests as with
+ * --live (common/run/live.h), but whenever the page calls, since nothing can wait there; and their
+ * files are in memory: two models, and textures, which are sculpted when one is read first.
+ *
+ * site.sh compiles it: main() of step05_zbuffer is step05_zbuffer_main() then, LESSONS lists such
+ * names, and calls of live_loop(), file_read() and file_exists() come here (--wrap).
+ */
+#include "base/file.h"
+#include "run/live.h"
+#include "sculptor/skin.h"
+
+#include <string.h>
+
+/* ---- Files ---- */
+
+enum { TEXTURE_SIZE = 1024, FINE_COLUMNS = 224, FINE_ROWS = 448 }; /* as in sculptor/sculpt.c */
+
+/* A file's bytes and their number. */
+#define INCLUDE_FILE(name, file)                                                                   \
+    __asm__(".section .rodata." #name ",\"\",@\n" #name "_size:\n.int .L" #name " - " #name        \
+            "_file\n.size " #name "_size, 4\n" #name "_file:\n.incbin \"" file "\"\n"              \
+            ".L" #name ":\n.size " #name "_file, .L" #name " - " #name "_file\n");                 \
+    extern const unsigned char name##_file[];                                                      \
+    extern const unsigned name##_size
+
+INCLUDE_FILE(bust, "bust.obj");
+INCLUDE_FILE(knot, "knot.off");
+
+enum { BUST, KNOT, DIFFUSE, NORMALS, SPECULAR, FILE_COUNT };
+
+static const char *const names[] = {"bust.obj", "knot.off", "bust_diffuse.tga", "bust_nm.tga",
+                                    "bust_spec.tga"};
+static struct bytes files[FILE_COUNT];
+
+static bool sculpt_textures(struct error *error) {
+    struct surface surface;
+    struct skin skin = {0};
+    if (!surface_create(&surface, FINE_COLUMNS, FINE_ROWS)) {
+        return error_out_of_memory(error);
+    }
+    bool done = skin_create(&skin, &surface, TEXTURE_SIZE, error) &&
+                tga_encode(&skin.diffuse, &files[DIFFUSE], error) &&
+                tga_encode(&skin.normals, &files[NORMALS], error) &&
+                tga_encode(&skin.specular, &files[SPECULAR], error);
+    skin_free(&skin);
+    surface_free(&surface);
+    return done;
+}
+
+/* Its place among the files; FILE_COUNT: there is none of that name. */
+static int find_file(const char *path) {
+    const char *slash = strrchr(path, '/');
+    int i = 0;
+    while (i < FILE_COUNT && strcmp(names[i], slash != NULL ? slash + 1 : path) != 0) {
+        i++;
+    }
+    return i;
+}
+
+bool __wrap_file_exists(const char *path) {
+    return find_file(path) < FILE_COUNT;
+}
+
+bool __wrap_file_read(const char *path, struct bytes *bytes, struct error *error) {
+    int i = find_file(path);
+    *bytes = (struct bytes){0};
+    if (i == BUST) {
+        return bytes_append(bytes, bust_file, bust_size);
+    }
+    if (i == KNOT) {
+        return bytes_append(bytes, knot_file, knot_size);
+    }
+    if (i == FILE_COUNT) {
+        return error_set(error, "%s: a web page has no such file", path);
+    }
+    return (files[i].size > 0 || sculpt_textures(error)) &&
+           bytes_append(bytes, files[i].data, files[i].size);
+}
+
+/* ---- Answers ---- */
+
+static struct {
+    const struct program *program;
+    live_answer *answer;
+    void *context;
+} loop; /* of the program that runs */
+
+/* Leaves all functions that run, by an exception of JavaScript, and so without an end to what they
+ * have on the stack: the program's state stays there. */
+void wait_for_calls(void);
+
+bool __real_live_loop(const struct program *program, FILE *in, FILE *out, live_answer *answer,
+                      void *context, struct error *error);
+
+bool __wrap_live_loop(const struct program *program, FILE *in, FILE *out, live_answer *answer,
+                      void *context, struct error *error) {
+    (void)in, (void)out, (void)error;
+    loop.program = program;
+    loop.answer = answer;
+    loop.context = context;
+    wait_for_calls();
+    return true;
+}
+
+void start(int lesson);
+void answer(void);
+
+#ifndef LESSONS
+#define LESSONS(X) X(step01_line)
+#endif
+#define DECLARE(name) int name##_main(int argc, char **argv);
+#define MAIN(name)    name##_main,
+LESSONS(DECLARE)
+
+/* Run a lesson's program up to its first request: the how manieth of LESSONS. */
+void start(int lesson) {
+    static int (*const mains[])(int, char **) = {LESSONS(MAIN)};
+    static char program[] = "lesson", live[] = "--live";
+    static char *arguments[] = {program, live, NULL};
+    mains[lesson](2, arguments);
+}
+
+/* Answer what standard input has: first with the description of all scenes, a line. */
+void answer(void) {
+    struct error error;
+    clearerr(stdin);
+    __real_live_loop(loop.program, stdin, stdout, loop.answer, loop.context, &error);
+}

@@ -1,0 +1,142 @@
+# A page of the site from what cmark-gfm makes of a text:
+#
+#     awk -v page=step05_zbuffer/index.html -v contents=FILE -v words=FILE -f page.awk
+#
+# `contents` has the pages in their order, a line each: address and title, with a tab between. For
+# the search, `words` gets a row of JavaScript for each section: address, titles, text.
+
+BEGIN {
+    FS = "\t"
+    lesson = page ~ /^step/ ? substr(page, 1, index(page, "/") - 1) : ""
+    root = page
+    gsub(/[^\/]*\//, "../", root)
+    sub(/[^\/]*$/, "", root)
+    while ((getline <contents) > 0) {
+        address[++pages] = $1
+        title[pages] = $2
+        if ($1 == page) here = pages
+    }
+}
+
+function plain(html) {
+    gsub(/<[^>]*>/, "", html)
+    return html
+}
+
+# As GitHub names headings: small letters, without punctuation, blanks become hyphens.
+function name_of(heading) {
+    heading = tolower(plain(heading))
+    gsub(/&[a-z]*;/, "", heading)
+    gsub(/[!-,.\/:-@\[-^`{-~]/, "", heading)
+    gsub(/ /, "-", heading)
+    return heading (named[heading]++ ? "-" named[heading] - 1 : "")
+}
+
+# A heading begins a section. No level is left out: a task below a part is one level below it.
+function heading(line,    level, name) {
+    level = substr(line, 3, 1)
+    name = name_of(line)
+    end_section()
+    section = page (level > 1 ? "#" name : "")
+    section_title = level > 1 ? plain(line) : ""
+    if (level == 2) sections = sections "<li><a href=\"#" name "\">" plain(line) "</a></li>\n"
+    if (level < 4) above = level
+    else if (above < 3) gsub(/h4>/, "h" above + 1 ">", line)
+    sub(/>/, " id=\"" name "\">", line)
+    return line
+}
+
+function quoted(text) {
+    gsub(/\\/, "\\\\", text)
+    gsub(/"/, "\\\"", text)
+    gsub(/&quot;/, "\\\"", text)
+    gsub(/&lt;/, "<", text)
+    gsub(/&gt;/, ">", text)
+    gsub(/&amp;/, "\\&", text)
+    gsub(/[ \t]+/, " ", text)
+    return "\"" text "\""
+}
+
+function end_section() {
+    if (text != "") print "[" quoted(section) "," quoted(title[here]) "," quoted(section_title) "," quoted(text) "]," >words
+    text = ""
+}
+
+# Links to texts become links to pages.
+function link(line) {
+    while (match(line, /href="([^":]*\/)?README\.md/)) {
+        line = substr(line, 1, RSTART + RLENGTH - 10) "index.html" substr(line, RSTART + RLENGTH)
+    }
+    while (match(line, /href="[^":]*\.md["#]/)) {
+        line = substr(line, 1, RSTART + RLENGTH - 4) "html" substr(line, RSTART + RLENGTH - 1)
+    }
+    return line
+}
+
+# Pictures are WebP. Those of a lesson's scenes lead to the scene in the live page.
+function picture(line,    name, step, file, found) {
+    gsub(/\.png"/, ".webp\"", line)
+    if (line !~ /^(<p>)?<img/ || !match(line, /<img src="[^"]*\.webp"[^>]*>/)) return line
+    name = substr(line, RSTART, RLENGTH)
+    sub(/\.webp.*/, "", name)
+    step = match(name, /step[0-9]+_[a-z]+/) ? substr(name, RSTART, RLENGTH) : lesson
+    sub(/.*\//, "", name)
+    file = "tests/reference/" step "/" name ".png"
+    found = (getline _ <file) > 0
+    close(file)
+    if (found) {
+        sub(/<img[^>]*>/, "<a class=live href=\"" root step "/live.html#scene=" name "\">&</a>", line)
+    }
+    return line
+}
+
+/^<h[1-6]>/ { $0 = heading($0) }
+{ text = text " " plain($0) }
+/<img/ { $0 = picture($0) }
+/href=/ { $0 = link($0) }
+/<pre>/ { sub(/<pre>/, "<pre tabindex=0>") } # which may be wider than the page
+/^<th/ && /><\/th>$/ { gsub(/th/, "td") } # an empty one heads nothing
+/^<table>/ { $0 = "<div class=wide tabindex=0>" $0 }
+{ body = body $0 "\n" }
+/<\/table>/ { body = body "</div>\n" }
+
+function print_contents(    i, in_lesson) {
+    print "<nav id=\"contents\" aria-label=Contents>\n<ul>"
+    for (i = 1; i <= pages; i++) {
+        in_lesson = lesson != "" && index(address[i], lesson "/") == 1
+        if (!in_lesson && !is_main(i)) continue
+        print "<li" (is_main(i) ? "" : " class=part") "><a href=\"" root address[i] "\"" \
+              (i == here ? " aria-current=page" : "") ">" title[i] "</a>"
+        if (i == here && sections != "") printf "<ul>\n%s</ul>", sections
+        print "</li>"
+    }
+    print "</ul>\n</nav>"
+}
+
+function is_main(i) { return address[i] !~ /^step/ || address[i] ~ /index\.html$/ }
+
+function neighbour(step, name,    i) {
+    for (i = here + step; i >= 1 && i <= pages && !is_main(i); i += step) {}
+    if (i >= 1 && i <= pages) print "<a rel=" name " href=\"" root address[i] "\">" title[i] "</a>"
+}
+
+END {
+    end_section()
+    print "<!DOCTYPE html>\n<html lang=en>\n<head>\n<meta charset=utf-8>"
+    print "<meta http-equiv=Content-Security-Policy content=\"default-src 'none'; script-src 'self'; " \
+          "style-src 'self'; img-src 'self' data:; frame-src 'self'; base-uri 'none'; form-action 'none'\">"
+    print "<meta name=viewport content=\"width=device-width,initial-scale=1\">"
+    print "<meta name=referrer content=no-referrer>\n<title>" title[here] "</title>"
+    print "<link rel=icon href=\"data:,\">\n<link rel=stylesheet href=\"" root "live/site.css\">"
+    print "<script defer src=\"" root "live/site.js\"></script>\n</head>\n<body>\n<header>"
+    print "<a href=\"#contents\">Contents</a>"
+    print "<search><input id=search type=search aria-label=\"Search the course\" placeholder=Search hidden></search>"
+    print "<ol id=found hidden></ol>\n</header>\n<main>"
+    printf "%s", body
+    print "<nav class=neighbours aria-label=\"Next and previous\">"
+    neighbour(-1, "prev")
+    neighbour(1, "next")
+    print "</nav>\n</main>"
+    print_contents()
+    print "</body>\n</html>"
+}

@@ -1,0 +1,108 @@
+#!/bin/sh
+# shellcheck disable=SC2034,SC2154 # the scripts that are read use and set variables
+# Writes the course as web pages, in which the lessons' solutions draw under the mouse:
+#
+#     site.sh BUILD OUT
+#
+# OUT is a directory that is not there yet, or empty. Each text of README.md and of the lessons
+# becomes a page beside its pictures. Pages work from disk as from any server, and without scripts;
+# they load nothing from elsewhere. Solutions are there only as compiled code, in live/program.js.
+# BUILD has the models.
+#
+# Exit status: 0 done; 1 it cannot be done, and OUT is as it was; 2 wrong usage; 77 a tool is missing.
+
+cd "$(dirname "$0")/../../.." || exit 1
+target=site
+build=$1
+out=$2
+wanted=
+. tests/student/lesson.sh
+. tests/student/marked.sh
+. tests/teacher/handout/out.sh
+
+compile="clang --target=wasm32-wasi -O3 -msimd128 -std=c17 -ffp-contract=off -fno-math-errno -Wno-psabi
+    -Icommon -I$build/models"
+missing=
+for tool in cmark-gfm cwebp clang wasm-ld; do
+    command -v $tool >/dev/null || missing="$missing $tool,"
+done
+echo 'int main(void) { return 0; }' | $compile -x c - -o /dev/null 2>/dev/null || missing="$missing WebAssembly for clang,"
+[ -z "$missing" ] || fail 77 "there is no${missing%,} here; on Debian: apt-get install" \
+    cmark-gfm webp clang lld wasi-libc libclang-rt-dev-wasm32
+begin_out "$(mktemp -d)"
+
+# ---- Texts and pictures ----
+
+texts=README.md
+for directory in tests/student $lessons; do
+    texts="$texts $directory/README.md $(find "$directory" -name '[!R]*.md' | sort)"
+done
+# shellcheck disable=SC2086 # one word a file
+{
+    printf '%s\n' $texts
+    grep -oE '(src="|\]\()[^")]*\.(png|svg)' README.md | sed 's/^src="//; s/^](//'
+} | put_all
+finish_texts
+
+# Small pictures keep every pixel; large ones change so little that nobody sees it.
+find "$new" -name '*.png' | while IFS= read -r picture; do
+    kind='-lossless -z 6'
+    [ "$(wc -c <"$picture")" -lt 60000 ] || kind='-q 90 -sharp_yuv'
+    # shellcheck disable=SC2086 # several words
+    cwebp -quiet $kind "$picture" -o "${picture%png}webp" && rm "$picture" || fail 1 "cannot convert $picture"
+done || exit 1
+
+# page_of TEXT: its page's address.
+page_of() {
+    echo "$1" | sed 's/README\.md$/index.md/; s/md$/html/'
+}
+
+for text in $texts; do
+    printf '%s\t%s\n' "$(page_of "$text")" "$(sed -n '1s/^# //p' "$text")"
+done >"$work/contents"
+mkdir "$new/live"
+for text in $texts; do
+    cmark-gfm --unsafe -e table -e strikethrough -e autolink "$new/$text" >"$work/text" &&
+        awk -v page="$(page_of "$text")" -v contents="$work/contents" -v words="$work/words" \
+            -f tests/teacher/site/page.awk "$work/text" >"$new/$(page_of "$text")" &&
+        cat "$work/words" >>"$work/all_words" && rm "$new/$text" || fail 1 "cannot write the page of $text"
+done
+{ echo 'const words = ['; cat "$work/all_words"; echo '];'; } >"$new/live/words.js"
+
+# ---- Programs ----
+
+# A list as a macro of C.
+names=
+for lesson in $lessons; do
+    names="$names X($lesson)"
+    main=$lesson/main.c
+    find_marked
+    text solution "$work/marked" "$main" >"$work/$lesson.c" || fail 1 "no solution of $lesson"
+done
+# shellcheck disable=SC2086 # several words
+printf '%s\n' $lessons | xargs -P "$(getconf _NPROCESSORS_ONLN)" -I LESSON \
+    $compile -w -ILESSON -Dmain=LESSON_main -c "$work/LESSON.c" -o "$work/LESSON.o" &&
+    $compile -mexec-model=reactor "-DLESSONS(X)=$names" -o "$work/program" \
+        -Wl,--stack-first,-z,stack-size=1048576,-s,--wrap=live_loop,--wrap=file_read,--wrap=file_exists \
+        -Wl,--export=start,--export=answer,--allow-undefined \
+        tests/teacher/site/answer.c "$work"/*.o common/*.c common/[bfpr]*/*.c \
+        common/sculptor/[!s]*.c common/sculptor/s[!c]*.c -lm || fail 1 "cannot compile the lessons"
+{
+    printf 'const lessonPrograms = {lessons: "%s".split(" "), program: "' "${lessons# }"
+    gzip -9nc "$work/program" | base64 | tr -d '\n'
+    echo '"};'
+} >"$new/live/program.js"
+
+# ---- The live page of each lesson ----
+
+for file in tests/student/live/*.css tests/student/live/*.js tests/teacher/site/*.css tests/teacher/site/*.js; do
+    [ "${file##*/}" = server.js ] || put "$file" "live/${file##*/}"
+done
+policy="default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self'; worker-src blob:; img-src data:"
+for lesson in $lessons; do
+    sed -e 's|=\([a-z]*\.[cj]s*\)>|=../live/\1>|' -e 's|/server.js|/wasm.js|' \
+        -e "s|<meta charset=utf-8>|&<meta http-equiv=Content-Security-Policy content=\"$policy\">|" \
+        -e 's|&nbsp;|One moment: the program sculpts the textures of the head itself.|' \
+        tests/student/live/page.html >"$new/$lesson/live.html"
+done
+end_out

@@ -1,0 +1,192 @@
+/*
+ * The web pages of `make site`, which SITE names, in a browser: as they open from disk and from a
+ * server, for the eye, the keys and without scripts; and the pictures that their programs draw.
+ */
+'use strict';
+const assert = require('node:assert/strict');
+const fs = require('node:fs');
+const http = require('node:http');
+const path = require('node:path');
+const {after, before, test} = require('node:test');
+const {pathToFileURL} = require('node:url');
+const axe = require('axe-core');
+const {chromium} = require('playwright-core');
+
+const site = fs.realpathSync(process.env.SITE), pictures = process.env.PAGES;
+const files = fs.readdirSync(site, {recursive: true}).filter(file => fs.statSync(`${site}/${file}`).isFile());
+const pages = files.filter(file => file.endsWith('.html'));
+const lessons = fs.readdirSync(site).filter(name => /^step/.test(name)).sort();
+const onDisk = file => pathToFileURL(`${site}/${file}`).href;
+const size = file => fs.statSync(`${site}/${file}`).size;
+const text = file => fs.readFileSync(`${site}/${file}`, 'utf8');
+let browser, server;
+
+before(async () => {
+    browser = await chromium.launch({executablePath: process.env.BROWSER,
+                                     args: ['--no-sandbox', '--disable-gpu', '--no-first-run']});
+    const types = {html: 'text/html', css: 'text/css', js: 'text/javascript', webp: 'image/webp', svg: 'image/svg+xml'};
+    server = http.createServer(({url}, answer) => {
+        const file = site + new URL(url, 'http://x').pathname;
+        answer.writeHead(200, {'Content-Type': types[path.extname(file).slice(1)]});
+        fs.createReadStream(file).pipe(answer);
+    });
+    await new Promise(done => server.listen(0, '127.0.0.1', done));
+});
+after(() => {
+    server.close();
+    return browser.close();
+});
+const served = file => `http://127.0.0.1:${server.address().port}/${file}`;
+
+const desktop = {viewport: {width: 1280, height: 800}, colorScheme: 'light', reducedMotion: 'reduce'};
+const phone = {viewport: {width: 390, height: 844}, deviceScaleFactor: 2, isMobile: true, hasTouch: true,
+               colorScheme: 'dark'};
+
+/* A page that complains of nothing, and asks nobody else. */
+async function on(address, window, judge) {
+    const page = await browser.newPage(window), wrong = [];
+    page.on('pageerror', error => wrong.push(error.stack));
+    page.on('console', message => wrong.push(message.text()));
+    page.on('request', request => /^(blob|data):/.test(request.url()) ||
+        new URL(request.url()).host === new URL(address).host || wrong.push(request.url()));
+    await page.goto(address);
+    await judge(page);
+    await page.close();
+    assert.deepEqual(wrong, [], address);
+}
+
+const drawn = page => page.waitForFunction(() => document.querySelector('#pixel').textContent.includes('ms'),
+                                           null, {timeout: 60000});
+
+/* In a live page: how many pixels of a scene are not its reference's. Frames lie on a sheet. */
+async function countWrong([scene, png]) {
+    const image = new Image();
+    image.src = png;
+    await image.decode();
+    const sheet = new OffscreenCanvas(image.width, image.height).getContext('2d', {willReadFrequently: true});
+    sheet.drawImage(image, 0, 0);
+    const {frames} = about.scenes.find(({name}) => name === scene);
+    const columns = Math.ceil(Math.sqrt(frames)), rows = Math.ceil(frames / columns);
+    const width = Math.floor(image.width / columns), height = Math.floor(image.height / rows);
+    let wrong = 0;
+    for (let i = 0; i < frames; i++) {
+        const frame = parseFrame(await program.frame(`--only ${scene} --frame ${i + 1} -s ${width}x${height}\n`));
+        const right = sheet.getImageData(i % columns * width, Math.floor(i / columns) * height, width, height).data;
+        wrong += frame.pixels?.length !== right.length ? Infinity : frame.pixels.filter((v, at) => v !== right[at]).length;
+    }
+    return wrong;
+}
+
+for (const lesson of lessons) {
+    test(`from disk, every scene of ${lesson} is its reference`, () =>
+        on(onDisk(`${lesson}/live.html`), desktop, async page => {
+            await drawn(page);
+            const scenes = await page.evaluate(() => about.scenes.map(({name}) => name));
+            const references = fs.readdirSync(`tests/reference/${lesson}`).map(file => file.replace('.png', ''));
+            for (const scene of references.filter(name => scenes.includes(name))) {
+                const png = fs.readFileSync(`tests/reference/${lesson}/${scene}.png`).toString('base64');
+                assert.equal(await page.evaluate(countWrong, [scene, `data:image/png;base64,${png}`]), 0, scene);
+            }
+            const linked = pages.flatMap(file => [...text(file).matchAll(/(step\w+)\/live\.html#scene=(\w+)/g)])
+                .filter(([, of]) => of === lesson).map(([, , scene]) => scene);
+            assert.ok(linked.length > 0);
+            assert.deepEqual(linked.filter(name => !scenes.includes(name)), []);
+        }));
+}
+
+test('all links lead somewhere, and none to a source', () => {
+    const wrong = [];
+    for (const page of pages) {
+        for (const [, link] of text(page).matchAll(/(?:href|src)="?([^" >]+)/g)) {
+            const [file, id] = link.split('#');
+            const target = path.join(path.dirname(page), file || path.basename(page));
+            const there = /^(https?|data):/.test(link) || files.includes(target) &&
+                (!id || id.startsWith('scene=') || text(target).includes(`id="${id}"`));
+            there || wrong.push(`${page}: ${link}`);
+        }
+    }
+    assert.deepEqual(wrong, []);
+    assert.deepEqual(files.filter(file => !/\.(html|css|js|webp|svg)$/.test(file)), []);
+    assert.ok(!files.some(file => /BEGIN SOLUTION|#include "scenes.h"/.test(text(file))));
+});
+
+test('the whole is below 6 MB, and a lesson below 1 MB before its live part is touched', t => {
+    const whole = files.reduce((sum, file) => sum + size(file), 0);
+    t.diagnostic(`${whole} bytes`);
+    assert.ok(whole < 6e6, `${whole}`);
+    for (const page of pages.filter(file => !file.endsWith('live.html'))) {
+        const needed = new Set([page, 'live/site.css', 'live/site.js']);
+        for (const [, source] of text(page).matchAll(/<img src="([^"]+)/g)) {
+            needed.add(path.join(path.dirname(page), source));
+        }
+        const sum = [...needed].reduce((sum, file) => sum + size(file), 0);
+        t.diagnostic(`${page}: ${sum} bytes`);
+        assert.ok(sum < 1e6, `${page}: ${sum}`);
+    }
+});
+
+for (const [kind, window] of Object.entries({desktop, phone})) {
+    test(`axe finds nothing, and nothing is wider than the window: ${kind}`, async () => {
+        for (const file of pages.filter(name => !/live/.test(name) || /step05/.test(name))) {
+            await on(served(file), window, async page => {
+                await page.evaluate(axe.source);
+                const found = await page.evaluate(() => axe.run());
+                assert.deepEqual(found.violations.map(v => `${v.id}: ${v.nodes.map(n => n.html + n.failureSummary)}`), [], file);
+                const [width, limit] = await page.evaluate(() => [document.documentElement.scrollWidth, innerWidth]);
+                assert.ok(width <= limit, `${file}: ${width}`);
+                await page.screenshot({path: `${pictures}/site_${kind}_${file.replaceAll('/', '_')}.png`});
+            });
+        }
+    });
+}
+
+test('the keys find a word and open the live page, in the place of the picture', () =>
+    on(served('step10_phong/index.html'), desktop, async page => {
+        await page.focus('#search');
+        await page.keyboard.type('fill rule');
+        await page.waitForSelector('#found a:text("triangle")');
+        await page.screenshot({path: `${pictures}/site_search.png`});
+        await page.fill('#search', '');
+        await page.focus('a.live');
+        const scene = new URL(await page.getAttribute('a.live', 'href'), page.url()).hash;
+        await page.keyboard.press('Enter');
+        const live = await (await page.waitForSelector('iframe')).contentFrame();
+        await drawn(live);
+        assert.equal(new URL(live.url()).hash, scene);
+        const before = await live.evaluate(() => String(shown.pixels));
+        await live.focus('#picture');
+        await page.keyboard.press('ArrowLeft');
+        await live.waitForFunction(before => String(shown.pixels) !== before, before);
+        await page.screenshot({path: `${pictures}/site_live.png`});
+    }));
+
+test('without scripts the text is there', async () => {
+    const context = await browser.newContext({javaScriptEnabled: false});
+    const page = await context.newPage();
+    await page.goto(onDisk('step03_triangle/index.html'));
+    assert.ok(await page.isVisible('main pre'));
+    assert.ok(await page.isHidden('#search'));
+    const next = await page.textContent('[rel=next]');
+    await page.click('[rel=next]');
+    assert.equal(await page.textContent('h1'), next);
+    await page.click('a.live');
+    assert.ok(await page.isVisible('#controls'));
+    await context.close();
+});
+
+test('frames a second at 400x400', async t => {
+    for (const [lesson, scene] of [['step05_zbuffer', 'zbuffer'], ['step08_projection', 'lookat'], ['step10_phong', 'four']]) {
+        await on(served(`${lesson}/live.html#scene=${scene}`), desktop, async page => {
+            await drawn(page);
+            const seconds = await page.evaluate(async () => {
+                const begin = performance.now();
+                for (let i = 0; i < 60; i++) {
+                    chosen = {scene: chosen.scene, size: 400, light: [Math.sin(i / 10), 0, -1]};
+                    await ask();
+                }
+                return (performance.now() - begin) / 1000;
+            });
+            t.diagnostic(`${lesson}, ${scene}: ${(60 / seconds).toFixed(0)} frames a second`);
+        });
+    }
+});
