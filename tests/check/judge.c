@@ -676,7 +676,7 @@ static void tell_counted(const struct judging *judging, const size_t *items,
     for (size_t i = 0; i < count && counted_tells(yours, count); i++) {
         struct item_result *item = &judging->result->items[items[i]];
         const struct suspicion suspicion = suspicion_of(judging, item);
-        item->only_may_be |= item->blank && item->counter[0] == '\0';
+        item->only_may_be |= (item->blank || item->divided) && item->counter[0] == '\0';
         mistakes_tell(item, &set, doubt_find, &suspicion);
         write_sign(judging->options->counted, &yours[i]);
     }

@@ -228,7 +228,8 @@ static struct seen_text describe_colors(const struct parts *parts) {
     return seen;
 }
 
-/* What is missing, where all else is right; what is too much; or which colours are wrong. */
+/* What is missing, where all else is right; what is too much; which colours are wrong; or how many
+ * pixels are each of these. */
 static struct seen_text find_part(const struct image *reference, const struct image *yours) {
     const struct parts parts = find_parts(reference, yours);
     const size_t kept = parts.drawn - parts.missing, wrong = parts.extra + parts.other;
@@ -243,6 +244,10 @@ static struct seen_text find_part(const struct image *reference, const struct im
                  parts.extra * 100 / (kept + parts.extra));
     } else if (parts.other > 0 && TRUE_SHARE * (parts.missing + parts.extra) <= parts.other) {
         seen = describe_colors(&parts);
+    } else if (parts.missing + wrong > 0) {
+        snprintf(seen.text, sizeof seen.text,
+                 "%zu pixels are missing, %zu are too many, %zu have other colours", parts.missing,
+                 parts.extra, parts.other);
     }
     return seen;
 }

@@ -49,6 +49,13 @@ static struct shown called_row_of_depths(struct vec2 a, struct vec2 b) {
     return called_shown_depths();
 }
 
+/* In the place behind the last column. */
+static struct shown called_depth_behind(struct vec2 a, struct vec2 b) {
+    called_begin(CALLED_SIDE, 1, -INFINITY);
+    called_draw(a, b, 1);
+    return show("%.5g", called_depths[CALLED_SIDE]);
+}
+
 /* After two segments. */
 static struct shown called_depths_of_two(struct vec2 a, struct vec2 b, struct vec2 c,
                                          struct vec2 d) {
@@ -114,6 +121,8 @@ static void numbers(void) {
          "-inf -inf 17.5 27.5 37.5 47.5 -inf -inf");
     TEXT("5.1", "draw_segment() from (-1.5, 5) to (14.5, -11): depths",
          called_row_of_depths(xy(-1.5, 5), xy(14.5, -11)), "3 2 1 0 -1 -2 -3 -4");
+    TEXT("5.1", "draw_segment() from (-1.5, 5) to (14.5, -11): what is behind the 8 depths",
+         called_depth_behind(xy(-1.5, 5), xy(14.5, -11)), "-inf");
     TEXT("5.1",
          "draw_segment() in 1 from (0.5, 30) to (4.5, 10), in 2 from (-1.5, 20) to (6.5, 20): "
          "colors",
