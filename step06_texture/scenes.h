@@ -34,12 +34,10 @@ static void count_pixels(struct drawing *drawing, const struct canvas *canvas) {
     drawing_count(drawing, "texels_fetched", canvas->texels_fetched);
 }
 
-/* All faces on which light falls, as in lesson 4. */
-static bool draw_texture(struct drawing *drawing, struct image *image, struct error *error) {
-    (void)error;
+/* All faces on which light falls, as in lesson 4. Returns how many had to be placed. */
+static uint64_t draw_faces(const struct drawing *drawing, struct canvas *canvas) {
     const struct model *model = drawing->model;
     const struct vec3 light = vec3_normalized(drawing->light);
-    struct canvas canvas = {.image = image, .depth = drawing->depth, .skip = drawing->skip};
     uint64_t placed = 0;
     for (size_t face = 0; face < model->face_count; face++) {
         struct vertex vertices[3];
@@ -49,9 +47,19 @@ static bool draw_texture(struct drawing *drawing, struct image *image, struct er
             continue; /* it will not be drawn, so its place does not matter */
         }
         placed++;
-        if (place_face(model, face, image, vertices) && lit) {
-            triangle(&canvas, vertices, drawing->diffuse, intensity);
+        if (place_face(model, face, canvas->image, vertices) && lit) {
+            triangle(canvas, vertices, drawing->diffuse, intensity);
         }
+    }
+    return placed;
+}
+
+static bool draw_texture(struct drawing *drawing, struct image *image, struct error *error) {
+    (void)error;
+    struct canvas canvas = {.image = image, .depth = drawing->depth, .skip = drawing->skip};
+    uint64_t placed = 0;
+    for (size_t i = 0; drawing_take_part(drawing, i); i++) {
+        placed += draw_faces(drawing, &canvas);
     }
     drawing_count(drawing, "faces_placed", placed);
     count_pixels(drawing, &canvas);
@@ -520,7 +528,8 @@ static bool prepare(struct drawing *drawing, size_t width, size_t height, struct
                 make_square(&state->cloth, CLOTH_SIDE, cloth_color, error) &&
                 make_square(&state->mosaic, MOSAIC_SIDE, cloth_color, error) &&
                 make_checker(&state->checker, error) && make_colored(&state->colored, error);
-    state->bordered.clamp = state->fading.clamp = true;
+    texture_set_clamp(&state->bordered, true);
+    texture_set_clamp(&state->fading, true);
     return made;
 }
 

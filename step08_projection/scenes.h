@@ -407,13 +407,15 @@ static void note_corner(struct drawing *drawing, const struct state *state,
     }
 }
 
-static void draw_faces(const struct drawing *drawing, struct canvas *canvas,
-                       const struct mat4 *to_clip) {
+static void draw_faces(struct drawing *drawing, struct canvas *canvas, const struct mat4 *to_clip) {
     struct state *state = drawing->state;
     state->uncut = drawing_value(drawing, "uncut") != 0;
     transform_positions(drawing, to_clip);
-    for (size_t face = 0; face < drawing->model->face_count; face++) {
-        draw_face(drawing, canvas, face);
+    for (size_t i = 0; drawing_take_part(drawing, i); i++) {
+        canvas->texture = drawing->diffuse;
+        for (size_t face = 0; face < drawing->model->face_count; face++) {
+            draw_face(drawing, canvas, face);
+        }
     }
 }
 
@@ -640,7 +642,7 @@ static bool make_tiles(struct texture *texture, struct error *error) {
         }
     }
     bool done = texture_create(texture, &image, error);
-    texture->clamp = true;
+    texture_set_clamp(texture, true);
     image_free(&image);
     return done;
 }
@@ -649,6 +651,7 @@ static bool make_tiles(struct texture *texture, struct error *error) {
 static struct drawing drawing_of_quads(const struct drawing *drawing, struct quad_model *quads,
                                        const struct texture *tiles) {
     struct drawing of_quads = *drawing;
+    of_quads.parts = NULL;
     of_quads.model = &quads->model;
     of_quads.diffuse = tiles;
     of_quads.state = &quads->state;
@@ -665,9 +668,8 @@ static bool draw_quads(struct drawing *drawing, const struct canvas *canvas,
         return false;
     }
     quad_model_make(&made, quads, count, drawing->light);
-    const struct drawing of_quads = drawing_of_quads(drawing, &made, &tiles);
+    struct drawing of_quads = drawing_of_quads(drawing, &made, &tiles);
     struct canvas tiled = *canvas;
-    tiled.texture = &tiles;
     draw_faces(&of_quads, &tiled, to_clip);
     count_work(drawing, &tiled, &made.model);
     note_corner(drawing, &made.state, &made.model);

@@ -3,7 +3,73 @@
  *
  * A scene is a square of cells, and in each cell the model as one shader draws it, with a material.
  */
+#include "tangent.h"
+
 #include <stdlib.h>
+
+/* ---- Normal maps in tangent space: see TANGENT.md ---- */
+
+/* The lesson's varyings, and the axes behind them. */
+static void tangent_vertex(const void *uniforms, size_t face, size_t corner, double *varyings) {
+    const struct uniforms *u = uniforms;
+    vertex(uniforms, face, corner, varyings);
+    tangent_varyings(u->model, face, corner, varyings + 5);
+}
+
+/* Light on a surface that has all but its normal. */
+static lanes_mask tangent_light(const struct uniforms *u, struct surface surface,
+                                const lanes *varyings, lanes_texel *color) {
+    struct lanes3 value = texture_lanes(u->normal_map, uv_of(varyings), u->normal_level);
+    surface.normal = lanes3_normalized(tangent_normal(varyings + 5, value));
+    *color = illuminate(u, &surface);
+    return lanes_all_set();
+}
+
+static lanes_mask tangent_mapped_fragment(const void *uniforms, const lanes *varyings,
+                                          lanes_texel *color) {
+    return tangent_light(uniforms, plain_surface(uniforms, varyings), varyings, color);
+}
+
+static lanes_mask tangent_full_fragment(const void *uniforms, const lanes *varyings,
+                                        lanes_texel *color) {
+    return tangent_light(uniforms, textured_surface(uniforms, varyings), varyings, color);
+}
+
+static lanes_mask tangent_weight_fragment(const void *uniforms, const lanes *varyings,
+                                          lanes_texel *color) {
+    const struct uniforms *u = uniforms;
+    struct surface surface = textured_surface(u, varyings);
+    lanes value = texture_lanes(u->specular, uv_of(varyings), u->specular_level).z;
+    surface.specular *= value * (1 / 255.0f);
+    return tangent_light(u, surface, varyings, color);
+}
+
+static lanes_mask tangent_power_fragment(const void *uniforms, const lanes *varyings,
+                                         lanes_texel *color) {
+    const struct uniforms *u = uniforms;
+    struct surface surface = textured_surface(u, varyings);
+    lanes value = texture_lanes(u->specular, uv_of(varyings), u->specular_level).z;
+    surface.power = 1 + lanes_floor(value * 0.125f);
+    surface.largest_power = 32;
+    return tangent_light(u, surface, varyings, color);
+}
+
+/* Without loops of their own, which take long to compile. */
+#define TANGENT_SHADER(function)                                                                   \
+    { .varying_count = 5 + TANGENT_VARYINGS, .vertex = tangent_vertex, .fragment = (function) }
+static const struct shader tangent_mapped = TANGENT_SHADER(tangent_mapped_fragment);
+static const struct shader tangent_full = TANGENT_SHADER(tangent_full_fragment);
+static const struct shader tangent_weight = TANGENT_SHADER(tangent_weight_fragment);
+static const struct shader tangent_power = TANGENT_SHADER(tangent_power_fragment);
+
+/* The one that does in tangent space what the lesson's shader does in object space. */
+static const struct shader *in_tangent_space(const struct shader *shader) {
+    return shader == &mapped          ? &tangent_mapped
+           : shader == &full          ? &tangent_full
+           : shader == &weight_mapped ? &tangent_weight
+           : shader == &power_mapped  ? &tangent_power
+                                      : shader;
+}
 
 /* ---- Drawing ---- */
 
@@ -27,8 +93,12 @@ static struct uniforms make_uniforms(const struct drawing *drawing, double pixel
     };
 }
 
-/* The shader, or, for a model without normal map, one that draws by the mesh's normals. */
+/* The shader; for a model without normal map one that draws by the mesh's normals, and for a map in
+ * tangent space one that reads it so. */
 static const struct shader *drawn_by(const struct drawing *drawing, const struct shader *shader) {
+    if (drawing->normal_map != NULL && drawing->normal_map->tangent_space) {
+        return in_tangent_space(shader);
+    }
     if (drawing->normal_map != NULL || shader == &plain) {
         return shader;
     }
@@ -103,6 +173,42 @@ static void note_light(struct drawing *drawing, const struct image *image,
     }
 }
 
+/* What a part's own material says, instead of the lesson's. */
+static struct material own_material(const struct drawing *drawing, struct material material) {
+    const double most = 200;
+    if (drawing->parts != NULL && drawing->specular_weight >= 0) {
+        material.specular *= drawing->specular_weight;
+    }
+    if (drawing->parts != NULL && drawing->power > 0) {
+        material.power = (int)fmax(1, fmin(drawing->power, most));
+    }
+    return material;
+}
+
+/* Record the drawing's model, or a part of it, as one cell has it. */
+static bool record_cell(struct drawing *drawing, struct pipeline *pipeline,
+                        const struct image *image, const struct cell *cell, struct rectangle place,
+                        double zoom, struct error *error) {
+    struct draw_call call = pipeline_call(drawing, place, zoom, CULL_BACK);
+    bool textured_cell = cell->shader != &plain && cell->shader != &mapped;
+    struct uniforms u =
+        make_uniforms(drawing, zoom * place.width,
+                      textured_cell ? own_material(drawing, cell->material) : cell->material);
+    if (cell->model != NULL) {
+        call.model = u.model = cell->model;
+    }
+    if (cell->shader == &weight_mapped || cell->shader == &power_mapped) {
+        u.normal_level += 1; /* three different levels: who exchanges them sees it */
+        u.specular_level += 2;
+    }
+    if (cell->specular != NULL) {
+        u.specular = cell->specular;
+        u.specular_level = 0;
+    }
+    note_light(drawing, image, &call, &u);
+    return pipeline_draw(pipeline, &call, drawn_by(drawing, cell->shader), &u, sizeof u, error);
+}
+
 /* Draw rows of cells, the first one top left. */
 static bool draw_cells(struct drawing *drawing, struct image *image, const struct cell *cells,
                        int columns, int rows, double zoom, struct error *error) {
@@ -111,22 +217,9 @@ static bool draw_cells(struct drawing *drawing, struct image *image, const struc
     for (int i = 0; done && i < columns * rows; i++) {
         struct rectangle place =
             grid_cell(image->width, image->height, columns, rows, i % columns, i / columns);
-        struct draw_call call = pipeline_call(drawing, place, zoom, CULL_BACK);
-        struct uniforms u = make_uniforms(drawing, zoom * place.width, cells[i].material);
-        if (cells[i].model != NULL) {
-            call.model = u.model = cells[i].model;
+        for (size_t part = 0; drawing_take_part(drawing, part); part++) {
+            done = done && record_cell(drawing, pipeline, image, &cells[i], place, zoom, error);
         }
-        if (cells[i].shader == &weight_mapped || cells[i].shader == &power_mapped) {
-            u.normal_level += 1; /* three different levels: who exchanges them sees it */
-            u.specular_level += 2;
-        }
-        if (cells[i].specular != NULL) {
-            u.specular = cells[i].specular;
-            u.specular_level = 0;
-        }
-        const struct shader *shader = drawn_by(drawing, cells[i].shader);
-        note_light(drawing, image, &call, &u);
-        done = pipeline_draw(pipeline, &call, shader, &u, sizeof u, error);
     }
     return pipeline_end(drawing, done, image, error);
 }
@@ -295,12 +388,17 @@ enum { TURN_FRAMES = 100 };
 static bool draw_turn(struct drawing *drawing, struct image *image, struct error *error) {
     struct pipeline *pipeline = pipeline_begin(drawing);
     struct rectangle whole = grid_cell(image->width, image->height, 1, 1, 0, 0);
-    struct draw_call call = pipeline_call(drawing, whole, 0.85, CULL_BACK);
-    struct uniforms u = make_uniforms(drawing, 0.85 * whole.width, textured_material);
+    bool done = true;
     (void)turning_light(0.5);
-    u.to_light = turning_light((double)drawing->frame / TURN_FRAMES);
-    const struct shader *shader = drawn_by(drawing, &weight_mapped);
-    bool done = pipeline_draw(pipeline, &call, shader, &u, sizeof u, error);
+    struct vec3 to_light = turning_light((double)drawing->frame / TURN_FRAMES);
+    for (size_t part = 0; drawing_take_part(drawing, part); part++) {
+        struct draw_call call = pipeline_call(drawing, whole, 0.85, CULL_BACK);
+        struct uniforms u =
+            make_uniforms(drawing, 0.85 * whole.width, own_material(drawing, textured_material));
+        u.to_light = to_light;
+        const struct shader *shader = drawn_by(drawing, &weight_mapped);
+        done = done && pipeline_draw(pipeline, &call, shader, &u, sizeof u, error);
+    }
     return pipeline_end(drawing, done, image, error);
 }
 

@@ -9,6 +9,7 @@
 #ifndef COMMON_TEXT_H
 #define COMMON_TEXT_H
 
+#include "base/bytes.h"
 #include "base/file.h"
 
 #include <stdbool.h>
@@ -29,6 +30,13 @@ struct word {
     const char *start;
     size_t length;
 };
+
+/* Is a text UTF-16, as its first two bytes say? Windows calls it Unicode. */
+bool text_is_utf16(const void *data, size_t size);
+
+/* Append it to `utf8` as UTF-8, without these two bytes. Each half of a pair becomes three bytes by
+ * itself, and an odd byte at the end is left out. False when memory runs out. */
+bool text_from_utf16(struct bytes *utf8, const void *data, size_t size);
 
 /* Start before the first line. A UTF-8 byte-order mark is skipped. A NUL byte anywhere means that
  * this is not a text file: an error (with its line). */

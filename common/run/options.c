@@ -7,7 +7,7 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { REPEAT_LIMIT = 1000000, HELP_COLUMN = 16 };
+enum { REPEAT_LIMIT = 1000000, HELP_COLUMN = 17 };
 
 /* Reads the value (NULL for an option without one) into the option's field. */
 typedef bool parse_function(const struct program *program, const char *value, void *field);
@@ -99,6 +99,21 @@ static bool is_within(const struct scene_value *known, double value) {
     return known != NULL && value >= known->least && value <= known->most;
 }
 
+/* Three whole numbers of quarter turns; four make none. */
+static bool parse_turns(const struct program *program, const char *value, void *field) {
+    struct vec3_option turns;
+    if (!parse_vec3(program, value, &turns)) {
+        return false;
+    }
+    const double quarters[3] = {turns.value.x, turns.value.y, turns.value.z};
+    bool whole = true;
+    for (int i = 0; i < 3; i++) {
+        whole = whole && floor(quarters[i]) == quarters[i];
+        ((int *)field)[i] = (int)(quarters[i] - 4 * floor(quarters[i] / 4));
+    }
+    return whole;
+}
+
 /* NAME=VALUE: a number of a scene, within its range. */
 static bool parse_set(const struct program *program, const char *text, void *field) {
     struct options *options = field;
@@ -159,6 +174,11 @@ static const struct option {
     {"--only", "SCENE", "a scene", "draw just this scene", FIELD(only), parse_scene, ALWAYS},
     {"--format", "F", "a format" FORMATS, "of the images" FORMATS, FIELD(format), parse_format,
      ALWAYS},
+    {"--turn", "X,Y,Z", "three whole numbers X,Y,Z",
+     "first turn the model: quarter turns around x, then y, then z", FIELD(turns), parse_turns,
+     WITH_MODEL},
+    {"--two-sided", "", "", "draw the faces of the model from both sides", FIELD(two_sided),
+     parse_switch, WITH_MODEL},
     {"--fit", "", "", "move and scale the model into view", FIELD(fit), parse_switch, WITH_MODEL},
     {"--details", "", "", "draw a model also where the course's own is seen from near",
      FIELD(details), parse_switch, WITH_MODEL},

@@ -34,10 +34,11 @@ struct options {
     const char *textures[MODEL_TEXTURE_KINDS]; /* files; NULL for those beside the model */
     struct chosen_value set[VALUE_LIMIT];
     size_t set_count;
+    int turns[3];  /* quarter turns */
     size_t repeat; /* 0 without --repeat */
     struct pixel_option probe;
     size_t frame; /* 1 and on, of an animation; 0 without --frame */
-    bool fit, details, stats, no_skip, live, help;
+    bool fit, two_sided, details, stats, no_skip, live, help;
 };
 
 /* Does the program draw a model, which the command line may then name? */

@@ -49,12 +49,24 @@ struct counter {
     uint64_t value;
 };
 
+/* The faces of one material. */
+struct drawing_part {
+    struct model model; /* of these faces alone; it shares all else with the whole */
+    struct texture diffuse, normal_map,
+        specular;                  /* shared; empty where there is none, but diffuse */
+    double specular_weight, power; /* of the material; negative or 0: unknown */
+};
+
 /* What a draw function works with. It reads all of it and may change `depth` and `state`. */
 struct drawing {
     const struct model *model;        /* NULL where the scene needs none, as all that follows */
     const struct texture *diffuse;    /* one white texel where there is none */
     const struct texture *normal_map; /* NULL where there is none: draw by the mesh's normals */
     const struct texture *specular;   /* one texel where there is none */
+    const struct drawing_part *parts; /* of a model with materials: see drawing_take_part() */
+    size_t part_count;
+    const struct texture *whole_normal_map, *whole_specular; /* of parts that have none */
+    double specular_weight, power;    /* of a part's material; negative or 0: unknown */
     double *depth;                    /* one a pixel, row by row from the bottom: -INFINITY */
     const struct text_scene *text;    /* the text scene of the command line, otherwise NULL */
     struct vec3 eye, center, up;      /* the camera: options, the scene's or the program's */
@@ -78,6 +90,11 @@ void drawing_count(struct drawing *drawing, const char *name, uint64_t amount);
 
 /* Add a line, as printf makes it, to what is said about the pixel; it is cut where that is full. */
 void drawing_note(struct drawing *drawing, const char *format, ...) PRINTF_LIKE(2, 3);
+
+/* Set the model and its textures to those of part `i`, from 0. False behind the last one; then they
+ * are again those of the whole model. A model without materials is one part. So a scene draws a
+ * model of several materials: for (size_t i = 0; drawing_take_part(drawing, i); i++). */
+bool drawing_take_part(struct drawing *drawing, size_t i);
 
 /* The scene's number of that name, as --set has chosen it, or its default; 0 where the scene has no
  * such number. */
