@@ -17,6 +17,8 @@ void model_free(struct model *model) {
     for (size_t i = 0; i < model->material_count; i++) {
         free(model->materials[i].name);
         free(model->materials[i].texture);
+        free(model->materials[i].shine);
+        free(model->materials[i].bumps);
     }
     free(model->materials);
     free(model->face_materials);

@@ -35,7 +35,7 @@ struct face {
  * names, as model_file.c knows them. */
 enum model_texture_kind {
     MODEL_DIFFUSE,    /* NAME_diffuse.tga: the colour of the surface */
-    MODEL_NORMAL_MAP, /* NAME_nm.tga: object-space; level = (coordinate + 1) * 127.5 */
+    MODEL_NORMAL_MAP, /* NAME_nm.tga: level = (coordinate + 1) * 127.5; tangent.h has the spaces */
     MODEL_SPECULAR,   /* NAME_spec.tga: how the surface shines */
     MODEL_TEXTURE_KINDS
 };
@@ -44,8 +44,16 @@ enum model_texture_kind {
 struct model_material {
     char *name;
     float color[3]; /* red green blue 0..1 */
-    char *texture;  /* the path of a picture; NULL: none */
-    bool known;     /* the file says something of it; otherwise it is white */
+    float specular; /* the weight of its shine 0..1 where it has no map; negative: unknown */
+    float power;    /* of its shine; 0: unknown */
+    bool hidden;    /* altogether transparent */
+    char *texture;  /* the path of a picture, which then is the colour; NULL: none */
+    char *shine;    /* the path of a specular map; NULL: none */
+    char *bumps;    /* the path of a normal map; NULL: none */
+    bool is_norm;   /* the file calls it norm, which is one in tangent space, and not bump */
+    bool clamp;     /* the picture, outside 0..1; otherwise it repeats */
+    float scale[2], offset[2]; /* of texture coordinates: offset + scale * (u, v) */
+    bool known;                /* the file says something of it; otherwise it is white */
 };
 
 /* What was wrong with a file that was read all the same; model_warning_text() says it. */
@@ -75,6 +83,7 @@ struct model {
     uint32_t (*lines)[2];                /* the positions that they join; only where asked for */
     size_t warning_line[MODEL_WARNINGS]; /* where each is first, from 1; 0: nowhere */
     char *path;                          /* the file, for messages and for its textures */
+    int turns[3]; /* quarter turns around x, y, z since it was read: see fit.h */
     const char *texture_files[MODEL_TEXTURE_KINDS]; /* to read instead; NULL: those beside it */
     struct texture textures[MODEL_TEXTURE_KINDS];   /* empty until first asked for */
     uint64_t bytes_read;                            /* of the file and of its textures */

@@ -73,10 +73,10 @@ struct draw_call camera_call(const struct model *model, struct vec3 eye, struct 
 
 enum { VARYING_LIMIT = 16 };
 
-struct band;
+struct call_band;
 
 /* The loops over the pixels of a band for one shader: see pipeline/shade.h. */
-typedef void shade_function(const struct band *band);
+typedef void shade_function(const struct call_band *band);
 
 /* `uniforms` points to what is the same for all pixels: matrices, the light, the model and its
  * textures. */
@@ -112,7 +112,7 @@ struct shader {
  * pixels have them as constants: the functions become part of the loop, and no pixel costs a
  * call. */
 #define SHADER(name, ...)                                                                          \
-    static FLATTEN void name##_shade(const struct band *band) {                                    \
+    static FLATTEN void name##_shade(const struct call_band *band) {                               \
         const struct shader constant = {__VA_ARGS__};                                              \
         shade_call(band, &constant, constant.discards);                                            \
     }                                                                                              \

@@ -59,7 +59,7 @@ static struct vec3 chosen(const struct vec3_option *option, struct vec3 otherwis
     return option->given ? option->value : otherwise;
 }
 
-/* The scene with the options of the command line in place of its own values. */
+/* The scene with the options of the command line instead of its own values. */
 static struct scene chosen_scene(const struct command *command, const struct scene *given) {
     const struct options *options = &command->options;
     struct scene scene = scene_complete(command->run.program, given);
@@ -330,15 +330,19 @@ static bool shows_nothing(const struct stage *stage, const struct frames *frames
     return true;
 }
 
-/* Does a face turn its outside to the eye? */
+/* Does a face turn its outside to the eye? One that is seen from its edge, or has no area but what
+ * rounding gives it, does not. */
 static bool is_a_face_seen(const struct stage *stage) {
+    const double noise = 1e-12;
     const struct model *model = stage->drawing.model;
     for (size_t i = 0; i < model->face_count; i++) {
-        struct vec3 along_z = {0, 0, 1}; /* in a parallel view */
-        struct vec3 to_eye = stage->program->takes_camera
-                                 ? vec3_sub(stage->drawing.eye, model_position(model, i, 0))
-                                 : along_z;
-        if (vec3_dot(model_face_normal(model, i), to_eye) > 0) {
+        struct vec3 a = model_position(model, i, 0), along_z = {0, 0, 1}; /* in a parallel view */
+        struct vec3 side = vec3_sub(model_position(model, i, 1), a);
+        struct vec3 other = vec3_sub(model_position(model, i, 2), a);
+        struct vec3 to_eye =
+            stage->program->takes_camera ? vec3_sub(stage->drawing.eye, a) : along_z;
+        double most = vec3_length(side) * vec3_length(other) * vec3_length(to_eye);
+        if (vec3_dot(model_face_normal(model, i), to_eye) > noise * most) {
             return true;
         }
     }
@@ -357,7 +361,7 @@ static const char *advise(const struct command *command, const struct stage *sta
         return placed ? "; what may help: --fit --center" : "; what may help: --fit";
     }
     if ((stage->scene.needs & NEEDS_LINES) == 0 && !is_a_face_seen(stage)) {
-        return ": all faces look away";
+        return ": all faces look away or lie edge-on; what may help: --two-sided --turn";
     }
     if (placed) {
         return "; what may help: --center";
@@ -487,6 +491,7 @@ static bool draw_text(struct command *command, struct error *error) {
             .name = name,
             .width = text.width,
             .height = text.height,
+            .values = program->text_values,
             .draw = program->draw_text,
         };
         command->run.text = &text;
@@ -566,8 +571,7 @@ static bool answer_scene(struct command *command, const struct scene *given, FIL
     double begin = now_ms();
     done = done && stage_draw(&stage, &image, frame % scene.frames, error);
     if (done) {
-        live_write_frame(&image, now_ms() - begin, stage.drawing.counters,
-                         stage.drawing.counter_count, out);
+        live_write_frame(&image, now_ms() - begin, &stage.drawing, out);
     }
     stage_end(&stage);
     image_free(&image);
@@ -582,8 +586,11 @@ static bool answer_text(struct command *command, const struct live_request *requ
     done = done &&
            text_scene_decode(&text, request->text, request->text_size, program->text_kind, error);
     if (done) {
-        const struct scene scene = {
-            .name = "text", .width = text.width, .height = text.height, .draw = program->draw_text};
+        const struct scene scene = {.name = "text",
+                                    .width = text.width,
+                                    .height = text.height,
+                                    .values = program->text_values,
+                                    .draw = program->draw_text};
         command->run.text = &text;
         done = answer_scene(command, &scene, out, error);
     }
@@ -592,7 +599,7 @@ static bool answer_text(struct command *command, const struct live_request *requ
     return done;
 }
 
-/* Options of the request; the model, and whether it is fitted, are those of the command line. */
+/* Options of the request; the model, turned and fitted or not, is that of the command line. */
 static bool answer(void *context, const struct live_request *request, FILE *out,
                    struct error *error) {
     struct command *command = context;
@@ -606,6 +613,8 @@ static bool answer(void *context, const struct live_request *request, FILE *out,
     }
     command->run.no_skip = command->options.no_skip;
     command->run.stats = command->options.stats;
+    command->run.probed = command->options.probe.given;
+    command->run.probe = command->options.probe.value;
     command->run.chosen_count = command->options.set_count;
     if (request->text != NULL) {
         return answer_text(command, request, out, error);
@@ -672,6 +681,8 @@ int program_main(const struct program *program, int argc, char **argv) {
         command.run.no_skip = command.options.no_skip;
         command.run.stats = command.options.stats;
         command.run.fit = command.options.fit;
+        command.run.two_sided = command.options.two_sided;
+        memcpy(command.run.turns, command.options.turns, sizeof command.run.turns);
         command.run.chosen = command.options.set;
         command.run.chosen_count = command.options.set_count;
         memcpy(command.run.texture_files, command.options.textures,

@@ -148,10 +148,6 @@ static uint64_t lay_out(struct texture *texture, size_t width, size_t height) {
             .width = width,
             .height = height,
             .pitch = pitch,
-            .columns = (float)width,
-            .rows = (float)height,
-            .last_column = (float)(width - 1),
-            .last_row = (float)(height - 1),
         };
         count += (uint64_t)pitch * (height + 1);
         if (width == 1 && height == 1) {
@@ -190,6 +186,7 @@ bool texture_create(struct texture *texture, const struct image *image, struct e
         texture->level[i].texels = next;
         next += texture->level[i].pitch * (texture->level[i].height + 1);
     }
+    texture_set_clamp(texture, false);
     unpack_image(image, &texture->level[0]);
     repeat_first_row(&texture->level[0]);
     for (size_t i = 1; i < texture->level_count; i++) {
@@ -197,6 +194,21 @@ bool texture_create(struct texture *texture, const struct image *image, struct e
         repeat_first_row(&texture->level[i]);
     }
     return true;
+}
+
+void texture_set_clamp(struct texture *texture, bool clamp) {
+    texture->clamp = clamp;
+    for (size_t i = 0; i < texture->level_count; i++) {
+        struct texture_level *level = &texture->level[i];
+        level->columns = (float)level->width;
+        level->rows = (float)level->height;
+        level->recip_columns = clamp ? 0 : 1 / level->columns;
+        level->recip_rows = clamp ? 0 : 1 / level->rows;
+        level->most_columns = clamp ? level->columns - 1 : level->columns;
+        level->most_rows = clamp ? level->rows - 1 : level->rows;
+        level->kind =
+            1 | (uint64_t)clamp << 1 | (uint64_t)level->width << 2 | (uint64_t)level->height << 32;
+    }
 }
 
 void texture_free(struct texture *texture) {

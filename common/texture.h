@@ -31,8 +31,10 @@ struct texture_level {
     /* Bottom row first; see texture_texel(). Behind each row and above the last one the first texel
      * and the first row come again, so that the neighbours of every texel can be read. */
     uint32_t *texels;
-    /* Width and height again, and less 1, as numbers to sample with. */
-    float columns, rows, last_column, last_row;
+    /* To sample with: both sizes; 1 over them, or 0 where the picture clamps; the last place on
+     * both axes, as texture_place() gives it. */
+    float columns, rows, recip_columns, recip_rows, most_columns, most_rows;
+    uint64_t kind; /* the same in levels of equal size that both repeat, or both clamp */
 };
 
 /* Texel (x,y), counted from the lower left; x is below `width`, y below `height`. */
@@ -44,8 +46,10 @@ static inline uint32_t texture_texel(const struct texture_level *level, size_t x
 struct texture {
     size_t level_count;                              /* at least 1 once created */
     struct texture_level level[TEXTURE_LEVEL_LIMIT]; /* 0 is the image, each next half of it */
-    bool clamp;       /* outside 0..1 the edge texels repeat, not the picture */
-    uint32_t *texels; /* of all levels, owned by the texture */
+    bool clamp; /* outside 0..1 the edge texels repeat, not the picture: texture_set_clamp() */
+    bool tangent_space; /* of a normal map: see tangent.h; otherwise it is in object space */
+    bool space_guessed; /* the normal map's looks, not its name, said in which space it is */
+    uint32_t *texels;   /* of all levels, owned by the texture */
 };
 
 /* How far rows of that many texels, and one more, lie apart: 16 texels (the 64 bytes of a cache
@@ -62,6 +66,9 @@ static inline size_t texture_pitch(size_t width) {
  * both. False when memory runs out, or of an image without pixels, and of one that has more than
  * TEXTURE_TEXEL_LIMIT in rows that lie texture_pitch() apart. */
 bool texture_create(struct texture *texture, const struct image *image, struct error *error);
+
+/* Clamp, or repeat as textures do at first. */
+void texture_set_clamp(struct texture *texture, bool clamp);
 
 /* Free the texels and leave an empty texture. */
 void texture_free(struct texture *texture);

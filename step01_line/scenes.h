@@ -208,19 +208,136 @@ static bool draw_gradient(struct drawing *drawing, struct image *image, struct e
     return true;
 }
 
-/* Draw the lines of a text scene: by line() where both ends have the same colour. */
-static bool draw_text(struct drawing *drawing, struct image *image, struct error *error) {
-    for (size_t i = 0; i < drawing->text->shape_count; i++) {
-        const struct text_scene_shape *shape = &drawing->text->shapes[i];
-        struct pixel a = {(int)shape->x[0], (int)shape->y[0]};
-        struct pixel b = {(int)shape->x[1], (int)shape->y[1]};
-        if (memcmp(&shape->color[0], &shape->color[1], sizeof shape->color[0]) == 0) {
-            line(image, a, b, shape->color[0]);
-        } else if (!line_gradient(image, a, b, shape->color[0], shape->color[1], error)) {
-            return false;
-        }
+/* ---- Text scenes ---- */
+
+/* The attempts' helpers have names that a student's own may have, too. */
+#define nearest_pixel attempts_nearest_pixel
+#define transposed    attempts_transposed
+#define make_flat     attempts_make_flat
+#define set_flat      attempts_set_flat
+#include "attempts.h"
+#undef nearest_pixel
+#undef transposed
+#undef make_flat
+#undef set_flat
+
+static const struct scene_value text_values[] = {
+    {"attempt", "which attempt draws (0: line(), 8: by cases, 9: by runs)", 0, 9, 1, 0},
+    {"wrong", "red is wrong, blue is missing", 0, 1, 1, 0},
+    {"steps", "share of the line that is drawn", 0, 1, 0.01, 1},
+    {.name = NULL},
+};
+
+static struct pixel shape_end(const struct text_scene_shape *shape, int end) {
+    return (struct pixel){(int)shape->x[end], (int)shape->y[end]};
+}
+
+/* By an attempt, or by line() where both ends have the same colour. */
+static bool draw_shape(const struct drawing *drawing, struct image *image,
+                       const struct text_scene_shape *shape, struct error *error) {
+    struct pixel a = shape_end(shape, 0), b = shape_end(shape, 1);
+    int attempt = (int)drawing_value(drawing, "attempt");
+    if (attempt > 0) {
+        line_attempt(attempt - 1).draw(image, a, b, shape->color[0]);
+    } else if (memcmp(&shape->color[0], &shape->color[1], sizeof shape->color[0]) == 0) {
+        line(image, a, b, shape->color[0]);
+    } else {
+        return line_gradient(image, a, b, shape->color[0], shape->color[1], error);
     }
     return true;
+}
+
+/* Is the pixel among the first steps of a line, from its left or lower end on? */
+static bool is_reached(const struct text_scene_shape *shape, double steps, int x, int y) {
+    bool steep = fabs(shape->y[1] - shape->y[0]) > fabs(shape->x[1] - shape->x[0]);
+    const double *u = steep ? shape->y : shape->x;
+    return (steep ? y : x) <= fmin(u[0], u[1]) + steps * fabs(u[1] - u[0]);
+}
+
+/* What the exact line is at the probed pixel's column, or at a steep line's row. */
+static void note_line(struct drawing *drawing, const struct text_scene_shape *shape) {
+    struct pixel a = shape_end(shape, 0), b = shape_end(shape, 1), p = drawing->probe;
+    int run = b.x - a.x, rise = b.y - a.y;
+    bool steep = abs(rise) > abs(run);
+    int step = steep ? p.y - a.y : p.x - a.x, from = steep ? a.x : a.y;
+    int length = steep ? rise : run, climb = steep ? run : rise;
+    if (length != 0 && step / length == 0 && (step == 0 || (step < 0) == (length < 0))) {
+        drawing_note(drawing, "at %s = %d the line is at %s = %d + %d * %d/%d = %.3f",
+                     steep ? "y" : "x", steep ? p.y : p.x, steep ? "x" : "y", from, step, climb,
+                     length, from + (double)step * climb / length);
+    }
+}
+
+/* Is the pixel one of an exact line? */
+static void mark_wrong(struct drawing *drawing, struct image *image, const struct image *exact) {
+    uint64_t wrong = 0, missing = 0;
+    for (int i = 0; i < (int)(image->width * image->height); i++) {
+        int x = i % (int)image->width, y = i / (int)image->width;
+        struct color now = image_get(image, x, y), right = image_get(exact, x, y);
+        bool drawn = now.r + now.g + now.b > 0, wanted = right.r > 0;
+        wrong += drawn && !wanted;
+        missing += !drawn && wanted;
+        image_set(image, x, y,
+                  drawn == wanted ? color_grey(drawn ? 160 : 0)
+                                  : color_rgb(drawn ? 255 : 0, drawn ? 0 : 90, drawn ? 0 : 255));
+    }
+    drawing_count(drawing, "pixels_wrong", wrong);
+    drawing_count(drawing, "pixels_missing", missing);
+}
+
+/* Copy the pixels of `from` that are drawn, up to those steps. */
+static void copy_reached(struct image *image, const struct image *from,
+                         const struct text_scene_shape *shape, double steps) {
+    for (int i = 0; i < (int)(image->width * image->height); i++) {
+        int x = i % (int)image->width, y = i / (int)image->width;
+        struct color color = image_get(from, x, y);
+        if (color.r + color.g + color.b > 0 && is_reached(shape, steps, x, y)) {
+            image_set(image, x, y, color);
+        }
+    }
+}
+
+static bool draw_steps(struct drawing *drawing, struct image *image, struct image *one,
+                       struct image *exact, struct error *error) {
+    const double steps = drawing_value(drawing, "steps");
+    for (size_t i = 0; i < drawing->text->shape_count; i++) {
+        const struct text_scene_shape *shape = &drawing->text->shapes[i];
+        struct line_walk walk;
+        image_clear(one, color_grey(0));
+        if (!draw_shape(drawing, one, shape, error)) {
+            return false;
+        }
+        copy_reached(image, one, shape, steps);
+        bool more = line_begin(&walk, shape_end(shape, 0), shape_end(shape, 1), image->width,
+                               image->height);
+        for (; more; more = line_next(&walk)) {
+            if (is_reached(shape, steps, walk.x, walk.y)) {
+                image_set(exact, walk.x, walk.y, color_grey(255));
+            }
+        }
+    }
+    if (drawing_value(drawing, "wrong") != 0) {
+        mark_wrong(drawing, image, exact);
+    }
+    return true;
+}
+
+static bool draw_text(struct drawing *drawing, struct image *image, struct error *error) {
+    const bool all = drawing_value(drawing, "wrong") == 0 && drawing_value(drawing, "steps") == 1;
+    struct image one = {.pixels = NULL}, exact = {.pixels = NULL};
+    bool done = all || (image_create(&one, image->width, image->height, IMAGE_BGR, error) &&
+                        image_create(&exact, image->width, image->height, IMAGE_BGR, error));
+    for (size_t i = 0; done && i < drawing->text->shape_count; i++) {
+        const struct text_scene_shape *shape = &drawing->text->shapes[i];
+        done = !all || draw_shape(drawing, image, shape, error);
+        if (drawing->probed) {
+            note_line(drawing, shape);
+        }
+    }
+    done = done && (all || draw_steps(drawing, image, &one, &exact, error));
+    image_free(&one);
+    image_free(&exact);
+    return done;
 }
 
 /* ---- The program ---- */
@@ -241,6 +358,10 @@ static const struct program step01_line = {
     .defaults = {.width = 100, .height = 100},
     .draw_text = draw_text,
     .text_kind = TEXT_SCENE_LINES,
+    .text_values = text_values,
+    .text = "size 100 100\n"
+            "line 13 20 80 40 255 255 255\n"
+            "line 20 13 40 80 255 0 0\n",
     .scenes = scenes,
     .scene_count = sizeof scenes / sizeof scenes[0],
 };

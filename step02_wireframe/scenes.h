@@ -213,11 +213,20 @@ static bool draw_border(struct drawing *drawing, struct image *image, struct err
     return draw_part(drawing, &part, (struct view){0.26, 0.1, 2.4}, image, error);
 }
 
+/* The middle of the window is a point to drag over the model. */
+static const struct scene_value window_values[] = {
+    {"middle_x", "middle of the window", -1, 1, 0.01, 0.08},
+    {"middle_y", "middle of the window", -1, 1, 0.01, 0.42},
+    {"larger", "times as large", 1, 40, 0.5, 6},
+    {.name = NULL},
+};
+
 /* One side of the face, six times as large: most of the model lies outside. */
 static bool draw_enlarged(struct drawing *drawing, struct image *image, struct error *error) {
     (void)error;
-    draw_sides(drawing, drawing->state, drawing->model->positions, (struct view){0.08, 0.42, 6},
-               image);
+    const struct vec2 middle = drawing_point(drawing, "middle");
+    draw_sides(drawing, drawing->state, drawing->model->positions,
+               (struct view){middle.x, middle.y, drawing_value(drawing, "larger")}, image);
     return true;
 }
 
@@ -356,6 +365,7 @@ static const struct scene scenes[] = {
      .needs = NEEDS_MODEL,
      .width = 480,
      .height = 360,
+     .values = window_values,
      .draw = draw_enlarged},
     {.name = "cut", .width = CUT_WIDTH, .height = CUT_HEIGHT, .draw = draw_cut},
     {.name = "walked", .width = 320, .height = 4 * (CUT_LINES + 2), .draw = draw_walked},

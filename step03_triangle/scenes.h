@@ -212,12 +212,6 @@ static bool draw_list(struct drawing *drawing, struct image *image, struct error
     return true;
 }
 
-static bool draw_text(struct drawing *drawing, struct image *image, struct error *error) {
-    (void)error;
-    draw_shapes(drawing, image, drawing->text->shapes, drawing->text->shape_count);
-    return true;
-}
-
 /* ---- Scenes: sheet, fan ---- */
 
 /* Which triangle `i` of a mesh is, on an image of that size. */
@@ -387,6 +381,131 @@ static bool draw_fan(struct drawing *drawing, struct image *image, struct error 
     return draw_counted(drawing, image, &fan, error);
 }
 
+/* ---- Text scenes ---- */
+
+#define box attempts_box /* a name that a student's own may have, too */
+#include "attempts.h"
+#undef box
+
+static const struct scene_value text_values[] = {
+    {"attempt", "which attempt draws (0: triangle())", 0, 8, 1, 0},
+    {"snap", "bits of a corner's fraction", 0, 8, 1, 8},
+    {"counted", "orange is drawn too often, magenta is missing", 0, 1, 1, 0},
+    {.name = NULL},
+};
+
+/* The corners, snapped to so many bits. */
+static bool place_snapped(const struct drawing *drawing, const struct text_scene_shape *shape,
+                          struct vec2 screen[3], struct fixed2 corner[3]) {
+    const double steps = ldexp(1, (int)drawing_value(drawing, "snap"));
+    place_shape(shape, screen);
+    for (int i = 0; i < 3; i++) {
+        screen[i] = (struct vec2){floor(screen[i].x * steps + 0.5) / steps,
+                                  floor(screen[i].y * steps + 0.5) / steps};
+    }
+    return snap_corners(screen, corner);
+}
+
+/* By an attempt, or by what the lesson writes. */
+static uint64_t fill_shape(const struct drawing *drawing, struct image *image,
+                           const struct vec2 screen[3], const struct fixed2 corner[3],
+                           const struct color color[3]) {
+    static void (*const attempts[])(struct target *, const struct vec2[3], struct color) = {
+        attempt_1_sweep_whole, attempt_2_sweep_float, attempt_3_box_float,   attempt_4_box_double,
+        attempt_5_box_open,    attempt_6_box_epsilon, attempt_7_edges_float, attempt_8_blocks,
+    };
+    const int attempt = (int)drawing_value(drawing, "attempt");
+    if (attempt == 0) {
+        return fill_triangle(drawing, image, corner, color);
+    }
+    attempts[attempt - 1](&(struct target){image}, screen, color[0]);
+    return 0;
+}
+
+/* What the three edges say of the probed pixel: the lesson's own ones. */
+static void note_edges(struct drawing *drawing, const struct image *image,
+                       const struct fixed2 corner[3], size_t number) {
+    struct edges edges;
+    if (!triangle_setup(&edges, corner[0], corner[1], corner[2], image->width, image->height)) {
+        return;
+    }
+    for (int i = 0; i < 3; i++) {
+        const struct edge *e = &edges.edge[i];
+        int64_t value = e->origin + e->dx * drawing->probe.x + e->dy * drawing->probe.y;
+        drawing_note(drawing, "triangle %zu: E%d = %+.4f, %s", number, i,
+                     (double)value / SUBPIXELS / SUBPIXELS,
+                     value == 0          ? e->least == 0 ? "on it, a top or left edge" : "on it"
+                     : value >= e->least ? "inside"
+                                         : "outside");
+    }
+}
+
+/* How often each pixel is drawn, and should be. */
+struct surplus {
+    struct counted counted;
+    int wanted;
+};
+
+/* The shape is in the image, in white. */
+static void count_shape(struct image *image, const struct fixed2 corner[3], uint8_t shade,
+                        struct surplus *surplus) {
+    struct edges edges;
+    bool any = edges_setup(&edges, corner[0], corner[1], corner[2], image->width, image->height);
+    for (size_t i = 0; i < image->width * image->height; i++) {
+        int x = (int)(i % image->width), y = (int)(i / image->width);
+        surplus[i].wanted += any && edges_cover(&edges, x, y);
+        if (image->pixels[i * IMAGE_BGR] != 0) {
+            surplus[i].counted.draws++;
+            surplus[i].counted.shade = shade;
+        }
+    }
+    image_clear(image, color_grey(0));
+}
+
+static void show_surplus(struct drawing *drawing, struct image *image,
+                         const struct surplus *surplus) {
+    for (size_t i = 0; i < image->width * image->height; i++) {
+        const struct surplus *s = &surplus[i];
+        drawing_count(drawing, "pixels_too_often", s->counted.draws > s->wanted);
+        drawing_count(drawing, "pixels_missing", s->counted.draws < s->wanted);
+        image_set(image, (int)(i % image->width), (int)(i / image->width),
+                  counted_color(s->counted, s->wanted));
+    }
+}
+
+static bool draw_text(struct drawing *drawing, struct image *image, struct error *error) {
+    const struct color white[3] = {{WHITE}, {WHITE}, {WHITE}};
+    const bool counted = drawing_value(drawing, "counted") != 0;
+    struct surplus *surplus = NULL;
+    uint64_t written = 0;
+    if (counted && (surplus = calloc(image->width * image->height, sizeof *surplus)) == NULL) {
+        return error_out_of_memory(error);
+    }
+    for (size_t i = 0; i < drawing->text->shape_count; i++) {
+        const struct text_scene_shape *shape = &drawing->text->shapes[i];
+        struct vec2 screen[3];
+        struct fixed2 corner[3];
+        if (!place_snapped(drawing, shape, screen, corner)) {
+            continue;
+        }
+        written += fill_shape(drawing, image, screen, corner, counted ? white : shape->color);
+        if (counted) {
+            count_shape(image, corner, (uint8_t)(90 + 50 * (i % 4)), surplus);
+        }
+        if (drawing->probed) {
+            note_edges(drawing, image, corner, i + 1);
+        }
+    }
+    if (drawing_value(drawing, "attempt") == 0) {
+        drawing_count(drawing, "pixels_written", written);
+    }
+    if (counted) {
+        show_surplus(drawing, image, surplus);
+    }
+    free(surplus);
+    return true;
+}
+
 /* ---- Scenes: bust, faces ---- */
 
 /* A colour that looks random but depends on the number alone. The mixing of bits is the last step
@@ -492,6 +611,10 @@ static const struct program step03_triangle = {
     .summary = "filled triangles: exact edge functions, the top-left rule, spans",
     .text_kind = TEXT_SCENE_TRIANGLES,
     .draw_text = draw_text,
+    .text_values = text_values,
+    .text = "size 40 40\n"
+            "triangle 4 4 30 10 14 34 255 140 0\n"
+            "triangle 30 10 36 36 14 34 80 80 255\n",
     .defaults = {.width = 200, .height = 200},
     .scenes = scenes,
     .scene_count = sizeof scenes / sizeof scenes[0],

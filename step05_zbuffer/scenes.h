@@ -8,6 +8,7 @@
  * look away from us too. The cards of `cards` lie almost, or exactly, in one plane, or far apart;
  * `single` shows the depths of two cards, which are all the same.
  */
+#include <stdlib.h>
 
 /* ---- Scene: rows ---- */
 
@@ -43,12 +44,34 @@ static void draw_column(struct image *image, int x, int bottom, int height, stru
     }
 }
 
+/* The ends of the first three segments are points to drag. */
+#define ROWS_POINT(name, x, y)                                                                     \
+    {name "_x", "end", 0, ROWS_WIDTH, 0.1, x}, {                                                   \
+        name "_y", "end", -ROWS_PLANE_BOTTOM, ROWS_PLANE, 0.1, y                                   \
+    }
+static const struct scene_value rows_values[] = {
+    ROWS_POINT("red", 20.5, 34),
+    ROWS_POINT("red_end", 744.5, 400),
+    ROWS_POINT("green", 120.7, 434),
+    ROWS_POINT("green_end", 444.8, 400),
+    ROWS_POINT("blue", 330, 463),
+    ROWS_POINT("blue_end", 594, 200),
+    {.name = NULL},
+};
+
+/* The segment between two of them, from left to right. */
+static struct segment dragged_segment(const struct drawing *drawing, const char *from,
+                                      const char *to, struct color color) {
+    const struct vec2 a = drawing_point(drawing, from), b = drawing_point(drawing, to);
+    return (struct segment){a.x < b.x ? a : b, a.x < b.x ? b : a, color};
+}
+
 static bool draw_rows(struct drawing *drawing, struct image *image, struct error *error) {
     (void)error;
-    static const struct segment segments[] = {
-        {{20.5, 34}, {744.5, 400}, {.r = 255, .a = 255}},
-        {{120.7, 434}, {444.8, 400}, {.g = 255, .a = 255}},
-        {{330, 463}, {594, 200}, {.b = 255, .a = 255}},
+    const struct segment segments[] = {
+        dragged_segment(drawing, "red", "red_end", color_rgb(255, 0, 0)),
+        dragged_segment(drawing, "green", "green_end", color_rgb(0, 255, 0)),
+        dragged_segment(drawing, "blue", "blue_end", color_rgb(0, 0, 255)),
         {{748, -6}, {766, -6}, {.r = 200, .a = 255}},                    /* below 0: so far away */
         {{748, -16}, {766, -16}, {.r = 80, .g = 40, .a = 255}},          /* farther still: hidden */
         {{-40, 150}, {8, 90}, {.b = 150, .g = 150, .r = 150, .a = 255}}, /* beyond the sides */
@@ -98,14 +121,61 @@ static bool place_face(const struct model *model, size_t face, const struct imag
     return true;
 }
 
-/* All faces on which light falls, as in step 4. */
+static const struct scene_value model_values[] = {
+    {"faces", "share of the faces that are drawn", 0, 1, 0.01, 1},
+    {"painter", "the painter: the farthest face first, each over what is there", 0, 1, 1, 0},
+    {"bits", "bits of a corner's depth", 1, 52, 1, 52},
+    {.name = NULL},
+};
+
+/* A depth of -range..range in as many steps as the bits allow; all 52 leave it as it is. */
+static double round_depth(double depth, int bits, double range) {
+    const double step = ldexp(range, 1 - bits);
+    return bits < 52 ? floor(depth / step + 0.5) * step : depth;
+}
+
+struct painted {
+    double depth; /* of the middle */
+    size_t face;
+};
+
+static int compare_painted(const void *a, const void *b) {
+    const struct painted *p = a, *q = b;
+    return (p->depth > q->depth) - (p->depth < q->depth);
+}
+
+/* The painter's order of the faces, to be freed by the caller; NULL when memory runs out. */
+static struct painted *painters_order(const struct model *model, struct error *error) {
+    struct painted *order = calloc(model->face_count + 1, sizeof *order);
+    for (size_t face = 0; order != NULL && face < model->face_count; face++) {
+        order[face].face = face;
+        for (size_t i = 0; i < 3; i++) {
+            order[face].depth += model_position(model, face, i).z;
+        }
+    }
+    if (order == NULL) {
+        error_out_of_memory(error);
+    } else {
+        qsort(order, model->face_count, sizeof *order, compare_painted);
+    }
+    return order;
+}
+
+/* All faces on which light falls, as in step 4. A painter's faces get the number of their turn as
+ * depth: each is nearer than all before. */
 static bool draw_zbuffer(struct drawing *drawing, struct image *image, struct error *error) {
-    (void)error;
     const struct model *model = drawing->model;
+    const bool painter = drawing_value(drawing, "painter") != 0;
+    struct painted *order = painter ? painters_order(model, error) : NULL;
+    if (painter && order == NULL) {
+        return false;
+    }
     const struct vec3 light = vec3_normalized(drawing->light);
     struct canvas canvas = {.image = image, .depth = drawing->depth};
     const double share = drawing_value(drawing, "faces");
-    for (size_t face = 0; (double)face < share * (double)model->face_count; face++) {
+    const int bits = (int)drawing_value(drawing, "bits");
+    for (size_t turn = 0; (double)turn < share * (double)model->face_count; turn++) {
+        const size_t face = painter ? order[turn].face : turn;
         struct vertex vertices[3];
         double intensity = model_face_intensity(model, face, light);
         bool lit = intensity > 0;
@@ -113,9 +183,14 @@ static bool draw_zbuffer(struct drawing *drawing, struct image *image, struct er
             continue; /* it will not be drawn: where it lies does not matter */
         }
         if (place_face(model, face, image, vertices) && lit) {
+            for (int i = 0; i < 3; i++) {
+                vertices[i].depth =
+                    painter ? (double)turn : round_depth(vertices[i].depth, bits, 1);
+            }
             triangle(&canvas, vertices, color_grey(level_from(intensity * 255)));
         }
     }
+    free(order);
     drawing_count(drawing, "pixels_tested", canvas.pixels_tested);
     drawing_count(drawing, "pixels_hidden", canvas.pixels_tested - canvas.pixels_written);
     drawing_count(drawing, "pixels_written", canvas.pixels_written);
@@ -203,8 +278,11 @@ static bool draw_cards(struct drawing *drawing, struct image *image, struct erro
         {{-0.9, 0.85}, {0.2, 0.95}, 0.7, {.r = 20, .g = 20, .b = 20, .a = 255}},
     };
     struct canvas canvas = {.image = image, .depth = drawing->depth};
+    const int bits = (int)drawing_value(drawing, "bits");
     for (size_t i = 0; i < sizeof cards / sizeof cards[0]; i++) {
-        draw_card(&cards[i], &canvas);
+        struct card card = cards[i];
+        card.depth = round_depth(card.depth, bits, 8192);
+        draw_card(&card, &canvas);
     }
     return true;
 }
@@ -226,8 +304,8 @@ static bool draw_single(struct drawing *drawing, struct image *image, struct err
 
 /* ---- The program ---- */
 
-static const struct scene_value faces_value[] = {
-    {"faces", "share of the faces that are drawn", 0, 1, 0.01, 1},
+static const struct scene_value cards_values[] = {
+    {"bits", "bits of a card's depth", 1, 52, 1, 52},
     {.name = NULL},
 };
 
@@ -237,33 +315,34 @@ static const struct scene scenes[] = {
         .needs = NEEDS_DEPTH,
         .width = ROWS_WIDTH,
         .height = ROWS_HEIGHT,
+        .values = rows_values,
         .draw = draw_rows,
     },
     {
         .name = "zbuffer",
         .needs = NEEDS_MODEL | NEEDS_DEPTH,
-        .values = faces_value,
+        .values = model_values,
         .draw = draw_zbuffer,
     },
     {
         .name = "depth",
         .needs = NEEDS_MODEL | NEEDS_DEPTH,
         .format = IMAGE_GREY,
-        .values = faces_value,
+        .values = model_values,
         .draw = draw_depth,
     },
     {
         .name = "deep",
         .needs = NEEDS_MODEL | NEEDS_DEPTH,
         .format = IMAGE_GREY,
-        .values = faces_value,
+        .values = model_values,
         .draw = draw_deep,
     },
     {
         .name = "knot",
         .needs = NEEDS_MODEL | NEEDS_DEPTH,
         .model = "knot.off",
-        .values = faces_value,
+        .values = model_values,
         .draw = draw_zbuffer,
     },
     {
@@ -272,10 +351,17 @@ static const struct scene scenes[] = {
         .width = 800,
         .height = 600, /* less than the width: who takes it for that mixes rows of depths */
         .light = {1, 0, -1},
-        .values = faces_value,
+        .values = model_values,
         .draw = draw_zbuffer,
     },
-    {.name = "cards", .needs = NEEDS_DEPTH, .width = 400, .height = 400, .draw = draw_cards},
+    {
+        .name = "cards",
+        .needs = NEEDS_DEPTH,
+        .width = 400,
+        .height = 400,
+        .values = cards_values,
+        .draw = draw_cards,
+    },
     {
         .name = "single",
         .needs = NEEDS_DEPTH,

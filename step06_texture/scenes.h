@@ -34,12 +34,10 @@ static void count_pixels(struct drawing *drawing, const struct canvas *canvas) {
     drawing_count(drawing, "texels_fetched", canvas->texels_fetched);
 }
 
-/* All faces on which light falls, as in lesson 4. */
-static bool draw_texture(struct drawing *drawing, struct image *image, struct error *error) {
-    (void)error;
+/* All faces on which light falls, as in lesson 4. Returns how many had to be placed. */
+static uint64_t draw_faces(const struct drawing *drawing, struct canvas *canvas) {
     const struct model *model = drawing->model;
     const struct vec3 light = vec3_normalized(drawing->light);
-    struct canvas canvas = {.image = image, .depth = drawing->depth, .skip = drawing->skip};
     uint64_t placed = 0;
     for (size_t face = 0; face < model->face_count; face++) {
         struct vertex vertices[3];
@@ -49,9 +47,19 @@ static bool draw_texture(struct drawing *drawing, struct image *image, struct er
             continue; /* it will not be drawn, so its place does not matter */
         }
         placed++;
-        if (place_face(model, face, image, vertices) && lit) {
-            triangle(&canvas, vertices, drawing->diffuse, intensity);
+        if (place_face(model, face, canvas->image, vertices) && lit) {
+            triangle(canvas, vertices, drawing->diffuse, intensity);
         }
+    }
+    return placed;
+}
+
+static bool draw_texture(struct drawing *drawing, struct image *image, struct error *error) {
+    (void)error;
+    struct canvas canvas = {.image = image, .depth = drawing->depth, .skip = drawing->skip};
+    uint64_t placed = 0;
+    for (size_t i = 0; drawing_take_part(drawing, i); i++) {
+        placed += draw_faces(drawing, &canvas);
     }
     drawing_count(drawing, "faces_placed", placed);
     count_pixels(drawing, &canvas);
@@ -61,7 +69,7 @@ static bool draw_texture(struct drawing *drawing, struct image *image, struct er
 /* ---- Scene: letters ---- */
 
 struct state {
-    struct texture letters, bordered, fading, cloth, mosaic, checker;
+    struct texture letters, bordered, fading, cloth, mosaic, checker, colored;
 };
 
 /* A picture of 5 x 3 tiles with the letters A to O, so that every mix-up shows. */
@@ -249,6 +257,26 @@ static bool make_checker(struct texture *texture, struct error *error) {
     return make_square(texture, CHECKER_SIZE, checker_color, error);
 }
 
+static struct color white_color(int x, int y) {
+    (void)x, (void)y;
+    return color_rgb(255, 255, 255);
+}
+
+/* Of one colour on each level: white, red, green, blue, yellow, magenta, cyan, grey. */
+static bool make_colored(struct texture *texture, struct error *error) {
+    static const uint32_t colors[] = {0xffffff, 0xff4040, 0x40c040, 0x4060ff,
+                                      0xffe040, 0xff60ff, 0x40ffff, 0x808080};
+    bool done = make_square(texture, CHECKER_SIZE, white_color, error);
+    for (size_t i = 0; done && i < texture->level_count; i++) {
+        const struct texture_level *level = &texture->level[i];
+        for (size_t k = 0; k < level->width * level->height; k++) {
+            level->texels[k / level->width * level->pitch + k % level->width] =
+                0xff000000U | colors[i < 8 ? i : 7];
+        }
+    }
+    return done;
+}
+
 /* The camera is at the origin and looks along -z. The plane is PLANE_BELOW under it, rolled about
  * the line of sight so that the distance changes along every row: (COSINE, SINE) points to the
  * right in the plane. The plane ends at PLANE_NEAR, below the image, and at PLANE_FAR. */
@@ -258,6 +286,20 @@ static bool make_checker(struct texture *texture, struct error *error) {
 #define PLANE_SIDE   72.0
 #define PLANE_NEAR   0.75
 #define PLANE_FAR    60.0
+
+/* What one can change: every scene has its own sampler. */
+#define VIEW_VALUES(sampler)                                                                       \
+    {                                                                                              \
+        {"sampler", "0 nearest, 1 bilinear, 2 with mip levels", 0, 2, 1, sampler},                 \
+            {"affine", "u and v are mixed without 1/w", 0, 1, 1, 0},                               \
+            {"colors", "every mip level has its own colour", 0, 1, 1, 0},                          \
+            {"walk", "how far the camera walks ahead", -2, 0.5, 0.05, 0}, {                        \
+            .name = NULL                                                                           \
+        }                                                                                          \
+    }
+static const struct scene_value nearest_values[] = VIEW_VALUES(SAMPLE_NEAREST);
+static const struct scene_value bilinear_values[] = VIEW_VALUES(SAMPLE_BILINEAR);
+static const struct scene_value trilinear_values[] = VIEW_VALUES(SAMPLE_TRILINEAR);
 
 /* Where a point appears: `side` units to the right of the line of sight, `height` over the plane,
  * `distance` before the camera. In perspective that is its x and y divided by w, the distance. */
@@ -279,11 +321,14 @@ struct surface_corner {
     struct vec2 uv;
 };
 
-static void place_surface(const struct image *image, const struct surface_corner places[4],
-                          struct vertex corners[4]) {
+static void place_surface(const struct drawing *drawing, const struct image *image,
+                          const struct surface_corner places[4], struct vertex corners[4]) {
+    const bool affine = drawing_value(drawing, "affine") != 0;
     for (int i = 0; i < 4; i++) {
-        corners[i] = place_over_plane(places[i].side, places[i].height, places[i].distance, image);
+        corners[i] = place_over_plane(places[i].side, places[i].height,
+                                      places[i].distance - drawing_value(drawing, "walk"), image);
         corners[i].uv = places[i].uv;
+        corners[i].recip_w = affine ? 1 : corners[i].recip_w;
     }
 }
 
@@ -295,15 +340,35 @@ static const struct surface_corner plane_corners[4] = {
     {-PLANE_SIDE, 0, PLANE_FAR, {-PLANE_SIDE, PLANE_FAR}},
 };
 
-static void place_plane(const struct image *image, struct vertex corners[4]) {
-    place_surface(image, plane_corners, corners);
+/* What the probed pixel shows of a triangle. */
+static void note_texel(struct drawing *drawing, const struct image *image, const struct vertex v[3],
+                       const struct texture *texture) {
+    const int x = drawing->probe.x, y = drawing->probe.y;
+    struct quotients plane;
+    if (!drawing->probed || !plane_begin(&plane, image, v) || !edges_cover(&plane.edges, x, y)) {
+        return;
+    }
+    double w;
+    const struct vec2 uv = plane_uv(&plane, x, y, &w);
+    const struct vec2 right = uv_step(plane.right, uv, w), up = uv_step(plane.up, uv, w);
+    const double width = (double)texture->level[0].width, height = (double)texture->level[0].height;
+    drawing_note(drawing, "u %.4f  v %.4f  w %.4f", uv.x, uv.y, w);
+    drawing_note(drawing, "u/w %.4f  v/w %.4f  1/w %.4f", uv.x / w, uv.y / w, 1 / w);
+    drawing_note(drawing, "texels to the next pixel: right (%.2f, %.2f), up (%.2f, %.2f)",
+                 right.x * width, right.y * height, up.x * width, up.y * height);
+    drawing_note(drawing, "mip level %.2f", mip_level(right, up, texture));
 }
 
 static void draw_plane(struct drawing *drawing, struct image *image, const struct vertex corners[4],
-                       const struct texture *texture, enum sampler sampler) {
+                       const struct texture *texture) {
     const struct vertex first[3] = {corners[0], corners[1], corners[2]};
     const struct vertex second[3] = {corners[0], corners[2], corners[3]};
+    const struct state *state = drawing->state;
+    const enum sampler sampler = (enum sampler)drawing_value(drawing, "sampler");
     struct canvas canvas = {.image = image, .sampler = sampler, .skip = drawing->skip};
+    note_texel(drawing, image, first, texture);
+    note_texel(drawing, image, second, texture);
+    texture = drawing_value(drawing, "colors") != 0 ? &state->colored : texture;
     perspective_triangle(&canvas, first, texture);
     perspective_triangle(&canvas, second, texture);
     drawing_count(drawing, "pixels_written", canvas.pixels_written);
@@ -314,8 +379,8 @@ static bool draw_checker(struct drawing *drawing, struct image *image, struct er
     (void)error;
     const struct state *state = drawing->state;
     struct vertex corners[4];
-    place_plane(image, corners);
-    draw_plane(drawing, image, corners, &state->checker, SAMPLE_TRILINEAR);
+    place_surface(drawing, image, plane_corners, corners);
+    draw_plane(drawing, image, corners, &state->checker);
     return true;
 }
 
@@ -365,26 +430,25 @@ static const struct surface_corner close_corners[4] = {
 };
 
 static void draw_surface(struct drawing *drawing, struct image *image,
-                         const struct surface_corner places[4], const struct texture *texture,
-                         enum sampler sampler) {
+                         const struct surface_corner places[4], const struct texture *texture) {
     struct vertex corners[4];
-    place_surface(image, places, corners);
-    draw_plane(drawing, image, corners, texture, sampler);
+    place_surface(drawing, image, places, corners);
+    draw_plane(drawing, image, corners, texture);
 }
 
 static bool draw_close(struct drawing *drawing, struct image *image, struct error *error) {
     (void)error;
     const struct state *state = drawing->state;
-    draw_surface(drawing, image, close_corners, &state->letters, SAMPLE_BILINEAR);
+    draw_surface(drawing, image, close_corners, &state->letters);
     return true;
 }
 
-static void draw_room_by(struct drawing *drawing, struct image *image, enum sampler sampler) {
+static void draw_surfaces(struct drawing *drawing, struct image *image) {
     const struct state *state = drawing->state;
     /* First the picture with few levels: those with more must not be read as if they had as few. */
-    draw_surface(drawing, image, back_corners, &state->mosaic, sampler);
-    draw_surface(drawing, image, floor_corners, &state->letters, sampler);
-    draw_surface(drawing, image, wall_corners, &state->letters, sampler);
+    draw_surface(drawing, image, back_corners, &state->mosaic);
+    draw_surface(drawing, image, floor_corners, &state->letters);
+    draw_surface(drawing, image, wall_corners, &state->letters);
 }
 
 /* In the upper right corner: u goes from -2 to 2 to the right, v upwards, in steps of a quarter. At
@@ -407,14 +471,14 @@ static void draw_chart(struct image *image, const struct texture *texture) {
 static bool draw_room(struct drawing *drawing, struct image *image, struct error *error) {
     (void)error;
     const struct state *state = drawing->state;
-    draw_room_by(drawing, image, SAMPLE_NEAREST);
+    draw_surfaces(drawing, image);
     draw_chart(image, &state->letters);
     return true;
 }
 
 static bool draw_mipmapped(struct drawing *drawing, struct image *image, struct error *error) {
     (void)error;
-    draw_room_by(drawing, image, SAMPLE_TRILINEAR);
+    draw_surfaces(drawing, image);
     return true;
 }
 
@@ -463,8 +527,9 @@ static bool prepare(struct drawing *drawing, size_t width, size_t height, struct
                 make_letters(&state->fading, letters_color, 0.3, error) &&
                 make_square(&state->cloth, CLOTH_SIDE, cloth_color, error) &&
                 make_square(&state->mosaic, MOSAIC_SIDE, cloth_color, error) &&
-                make_checker(&state->checker, error);
-    state->bordered.clamp = state->fading.clamp = true;
+                make_checker(&state->checker, error) && make_colored(&state->colored, error);
+    texture_set_clamp(&state->bordered, true);
+    texture_set_clamp(&state->fading, true);
     return made;
 }
 
@@ -476,6 +541,7 @@ static void finish(struct drawing *drawing) {
     texture_free(&state->cloth);
     texture_free(&state->mosaic);
     texture_free(&state->checker);
+    texture_free(&state->colored);
 }
 
 static const struct scene scenes[] = {
@@ -491,11 +557,17 @@ static const struct scene scenes[] = {
         .height = 600,
         .draw = draw_letters,
     },
-    {.name = "room", .width = 800, .height = 600, .draw = draw_room},
-    {.name = "close", .width = 800, .height = 600, .draw = draw_close},
+    {.name = "room", .width = 800, .height = 600, .values = nearest_values, .draw = draw_room},
+    {.name = "close", .width = 800, .height = 600, .values = bilinear_values, .draw = draw_close},
     {.name = "softer", .width = 800, .height = 480, .draw = draw_softer},
-    {.name = "mipmapped", .width = 800, .height = 600, .draw = draw_mipmapped},
-    {.name = "checker", .draw = draw_checker},
+    {
+        .name = "mipmapped",
+        .width = 800,
+        .height = 600,
+        .values = trilinear_values,
+        .draw = draw_mipmapped,
+    },
+    {.name = "checker", .values = trilinear_values, .draw = draw_checker},
 };
 
 static const struct program step06_texture = {

@@ -166,15 +166,36 @@ static bool draw_alone(struct drawing *drawing, struct image *image, struct erro
     return true;
 }
 
-/* The house as it is. */
+/* The columns of a matrix are points to drag: where (1,0), (0,1) and (0,0) go. */
+static const struct scene_value matrix_values[] = {
+    {"right_x", "column 1", -2, 2, 0.05, 1},
+    {"right_y", "column 1", -2, 2, 0.05, 0},
+    {"up_x", "column 2", -2, 2, 0.05, 0},
+    {"up_y", "column 2", -2, 2, 0.05, 1},
+    {"move_x", "last column", -2, 2, 0.05, 0},
+    {"move_y", "last column", -2, 2, 0.05, 0},
+    {"w_by_1", "last row: w gains this times x", -0.4, 0.4, 0.02, 0},
+    {"w_by_2", "last row: w gains this times y", -0.4, 0.4, 0.02, 0},
+    {.name = NULL},
+};
+
+/* The house as it is, unless the matrix is another. */
 static bool draw_unmapped(struct drawing *drawing, struct image *image, struct error *error) {
-    (void)drawing, (void)error;
+    (void)error;
     const struct plane plane = {image, whole_image(image)};
-    struct mat4 still = mat4_identity(); /* times 2, which moves no point: w is 2 */
+    const struct vec2 right = drawing_point(drawing, "right"), up = drawing_point(drawing, "up");
+    const struct vec2 move = drawing_point(drawing, "move");
+    const struct mat4 map = {
+        {{right.x, up.x, 0, move.x},
+         {right.y, up.y, 0, move.y},
+         {0, 0, 1, 0},
+         {drawing_value(drawing, "w_by_1"), drawing_value(drawing, "w_by_2"), 0, 1}}};
+    struct mat4 twice = mat4_identity(); /* which moves no point: w is 2 */
     for (int i = 0; i < 4; i++) {
-        still.m[i][i] = 2;
+        twice.m[i][i] = 2;
     }
-    draw_mapped(&plane, &still);
+    const struct mat4 mapped = mat4_mul(twice, map);
+    draw_mapped(&plane, &mapped);
     return true;
 }
 
@@ -201,6 +222,7 @@ struct position {
 
 struct state {
     struct position *positions; /* one for each position of the model */
+    bool uncut;                 /* draw faces as they are, also where they pass behind the camera */
 };
 
 /* Each position is transformed once, however many faces share it. */
@@ -351,7 +373,7 @@ static void draw_face(const struct drawing *drawing, struct canvas *canvas, size
     unsigned beyond_any = corner[0]->beyond | corner[1]->beyond | corner[2]->beyond;
     if (drawing->skip && (beyond_all & ~(unsigned)BEYOND_GUARD_BAND) != 0) {
         canvas->faces_outside++; /* all of it is beyond one side */
-    } else if ((beyond_any & (BEYOND_NEAR | BEYOND_GUARD_BAND)) != 0) {
+    } else if ((beyond_any & (BEYOND_NEAR | BEYOND_GUARD_BAND)) != 0 && !state->uncut) {
         struct polygon polygon = clip_face(corner[0]->clip, corner[1]->clip, corner[2]->clip);
         draw_clipped(drawing, canvas, face, &polygon);
     } else {
@@ -359,11 +381,41 @@ static void draw_face(const struct drawing *drawing, struct canvas *canvas, size
     }
 }
 
-static void draw_faces(const struct drawing *drawing, struct canvas *canvas,
-                       const struct mat4 *to_clip) {
+/* How the corner next to the probed pixel came to the screen. */
+static void note_corner(struct drawing *drawing, const struct state *state,
+                        const struct model *model) {
+    double least = INFINITY;
+    size_t nearest = 0;
+    for (size_t i = 0; drawing->probed && i < model->position_count; i++) {
+        const struct fixed2 p = state->positions[i].vertex.position;
+        double distance = hypot((double)p.x / SUBPIXELS - 0.5 - drawing->probe.x,
+                                (double)p.y / SUBPIXELS - 0.5 - drawing->probe.y);
+        if (state->positions[i].placed && distance < least) {
+            least = distance;
+            nearest = i;
+        }
+    }
+    if (least < INFINITY) {
+        const struct vec3 m = model->positions[nearest];
+        const struct position *p = &state->positions[nearest];
+        const struct vec4 c = p->clip;
+        drawing_note(drawing, "corner %zu: %.3f %.3f %.3f", nearest, m.x, m.y, m.z);
+        drawing_note(drawing, "clip   %.3f %.3f %.3f  w %.3f", c.x, c.y, c.z, c.w);
+        drawing_note(drawing, "NDC    %.3f %.3f %.3f", c.x / c.w, c.y / c.w, c.z / c.w);
+        drawing_note(drawing, "screen %.2f %.2f", (double)p->vertex.position.x / SUBPIXELS,
+                     (double)p->vertex.position.y / SUBPIXELS);
+    }
+}
+
+static void draw_faces(struct drawing *drawing, struct canvas *canvas, const struct mat4 *to_clip) {
+    struct state *state = drawing->state;
+    state->uncut = drawing_value(drawing, "uncut") != 0;
     transform_positions(drawing, to_clip);
-    for (size_t face = 0; face < drawing->model->face_count; face++) {
-        draw_face(drawing, canvas, face);
+    for (size_t i = 0; drawing_take_part(drawing, i); i++) {
+        canvas->texture = drawing->diffuse;
+        for (size_t face = 0; face < drawing->model->face_count; face++) {
+            draw_face(drawing, canvas, face);
+        }
     }
 }
 
@@ -381,6 +433,7 @@ static void count_work(struct drawing *drawing, const struct canvas *canvas,
 static void draw_model(struct drawing *drawing, struct canvas *canvas, const struct mat4 *to_clip) {
     draw_faces(drawing, canvas, to_clip);
     count_work(drawing, canvas, drawing->model);
+    note_corner(drawing, drawing->state, drawing->model);
 }
 
 /* ---- Scenes with the model ---- */
@@ -394,6 +447,7 @@ static struct canvas make_canvas(const struct drawing *drawing, struct image *im
         .to_screen = area_to_screen(area),
         .texture = drawing->diffuse,
         .normals_to_world = mat4_identity(),
+        .unweighted = drawing_value(drawing, "affine") != 0,
     };
 }
 
@@ -417,9 +471,15 @@ static double eye_distance(const struct drawing *drawing) {
     return vec3_length(vec3_sub(drawing->eye, drawing->center));
 }
 
-/* In perspective, at the distance between eye and center. */
+/* In perspective, at the distance between eye and center. A matrix times a number gives the same
+ * picture, but is cut where w is that much less: so the near plane is chosen. */
 static struct mat4 perspective_camera(const struct drawing *drawing) {
-    return camera(drawing, eye_distance(drawing));
+    struct mat4 to_clip = camera(drawing, eye_distance(drawing));
+    const double near = drawing_value(drawing, "near");
+    for (int i = 0; near > 0 && i < 16; i++) {
+        to_clip.m[i / 4][i % 4] *= near_w / near;
+    }
+    return to_clip;
 }
 
 /* Scenes lookat, tilted and closeup, and most of above: they differ in their eye, center and up. */
@@ -582,7 +642,7 @@ static bool make_tiles(struct texture *texture, struct error *error) {
         }
     }
     bool done = texture_create(texture, &image, error);
-    texture->clamp = true;
+    texture_set_clamp(texture, true);
     image_free(&image);
     return done;
 }
@@ -591,6 +651,7 @@ static bool make_tiles(struct texture *texture, struct error *error) {
 static struct drawing drawing_of_quads(const struct drawing *drawing, struct quad_model *quads,
                                        const struct texture *tiles) {
     struct drawing of_quads = *drawing;
+    of_quads.parts = NULL;
     of_quads.model = &quads->model;
     of_quads.diffuse = tiles;
     of_quads.state = &quads->state;
@@ -607,11 +668,11 @@ static bool draw_quads(struct drawing *drawing, const struct canvas *canvas,
         return false;
     }
     quad_model_make(&made, quads, count, drawing->light);
-    const struct drawing of_quads = drawing_of_quads(drawing, &made, &tiles);
+    struct drawing of_quads = drawing_of_quads(drawing, &made, &tiles);
     struct canvas tiled = *canvas;
-    tiled.texture = &tiles;
     draw_faces(&of_quads, &tiled, to_clip);
     count_work(drawing, &tiled, &made.model);
+    note_corner(drawing, &made.state, &made.model);
     texture_free(&tiles);
     return true;
 }
@@ -789,9 +850,22 @@ static const struct scene_value distance_value[] = {
     {.name = NULL},
 };
 
+static const struct scene_value view_values[] = {
+    {"near", "w of the near plane", 1.0 / 128, 1, 1.0 / 128, 1.0 / 128},
+    {"uncut", "faces are not cut at the near plane", 0, 1, 1, 0},
+    {"affine", "mixed without 1/w", 0, 1, 1, 0},
+    {.name = NULL},
+};
+
 static const struct scene scenes[] = {
-    /* Odd and not square: exchanged or truncated sizes show. */
-    {.name = "house", .width = 405, .height = 363, .draw = draw_unmapped},
+    /* Not square, and odd: who exchanges or cuts off sizes or places sees it. */
+    {
+        .name = "house",
+        .width = 405,
+        .height = 363,
+        .values = matrix_values,
+        .draw = draw_unmapped,
+    },
     /* The panels one by one. */
     {.name = "scale", .number = 0, .width = 400, .height = 400, .draw = draw_alone},
     {.name = "shear", .number = 1, .width = 400, .height = 400, .draw = draw_alone},
@@ -811,9 +885,15 @@ static const struct scene scenes[] = {
         .draw = draw_projection,
     },
     {.name = "crossing", .needs = NEEDS_DEPTH, .draw = draw_crossing},
-    {.name = "wall", .needs = NEEDS_DEPTH, .draw = draw_wall},
+    {.name = "wall", .needs = NEEDS_DEPTH, .values = view_values, .draw = draw_wall},
     {.name = "narrow", .needs = NEEDS_VIEW, .draw = draw_narrow},
-    {.name = "lookat", .needs = NEEDS_VIEW, .eye = {1, 1, 2}, .draw = draw_view},
+    {
+        .name = "lookat",
+        .needs = NEEDS_VIEW,
+        .eye = {1, 1, 2},
+        .values = view_values,
+        .draw = draw_view,
+    },
     {
         .name = "tilted",
         .needs = NEEDS_VIEW,
@@ -838,9 +918,10 @@ static const struct scene scenes[] = {
         .eye = {0.03, 0.47, 0.46}, /* between the eyebrows, looking down the nose */
         .center = {0.03, -0.3, 0.4},
         .up = {0, 0, 1},
+        .values = view_values,
         .draw = draw_view,
     },
-    {.name = "endless", .needs = NEEDS_DEPTH, .draw = draw_endless},
+    {.name = "endless", .needs = NEEDS_DEPTH, .values = view_values, .draw = draw_endless},
 };
 
 static const struct program step08_projection = {

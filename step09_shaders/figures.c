@@ -4,7 +4,6 @@
 #define LESSON "../step09_shaders/main.c"
 #include "../tests/lesson.h"
 
-#include "attempts.h"
 #include "files/model_file.h"
 
 #include <stdlib.h>

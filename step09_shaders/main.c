@@ -4,9 +4,12 @@
  * Steps 4 to 8 repeated one loop over faces and one over pixels, and changed only what a corner
  * hands over and what a pixel makes of it. Part a writes the loops once, and passes them the two
  * functions that differ: a shader. Part b writes eight shaders. Part c writes what their pixels do
- * for the pipeline of common/pipeline.h, which draws the same pictures faster.
+ * for the pipeline of common/pipeline.h, which draws the same pictures faster. Part d makes a
+ * pipeline of part a's loops, stage by stage.
  */
 #include "pipeline_program.h"
+
+#include <string.h>
 
 /* What is the same for all pixels of a drawing. */
 struct uniforms {
@@ -402,6 +405,135 @@ SHADER(two_sided, .varying_count = 1, .flat = true, .vertex = two_sided_vertex,
        .fragment = white_fragment);
 SHADER(culled_by_light, .varying_count = 1, .flat = true, .vertex = flat_vertex,
        .fragment = lit_only_fragment, .discards = true);
+
+/* ---- Part d: a pipeline of your own ---- */
+
+/* A face that may be seen. */
+struct kept_face {
+    size_t face; /* of the model */
+    bool asked;  /* its corners, for their varyings */
+    struct placed_face placed;
+    struct edges edges;
+};
+
+/* Some rows of the picture, and what each of their pixels shows so far. */
+struct band {
+    struct span rows;  /* of the picture */
+    size_t width;      /* of a row */
+    double *depth;     /* one a pixel, the band's lowest row first */
+    uint32_t *nearest; /* likewise: 1 + the index of the kept face that is nearest; 0: none */
+};
+
+/* Nothing is drawn yet in these rows. */
+static void band_clear(const struct band *band) {
+    const size_t pixels = (size_t)(band->rows.end - band->rows.begin) * band->width;
+    depth_clear(band->depth, pixels);
+    memset(band->nearest, 0, pixels * sizeof *band->nearest);
+}
+
+/* Keep the faces of a call that may be seen; its viewport is the whole image. Returns how many. */
+static size_t keep_faces(const struct canvas *canvas, const struct draw_call *call,
+                         struct kept_face *kept) {
+    size_t count = 0;
+    /* BEGIN SOLUTION 9d.1 faces that may be seen */
+    for (size_t i = 0; i < call->model->face_count; i++) {
+        struct kept_face *k = &kept[count];
+        const struct fixed2 *corner = k->placed.position;
+        k->face = i;
+        k->asked = false;
+        if (place_face(call, i, &k->placed) &&
+            edges_setup(&k->edges, corner[0], corner[1], corner[2], canvas->image->width,
+                        canvas->image->height) &&
+            call->cull != (k->edges.clockwise ? CULL_BACK : CULL_FRONT)) {
+            count++;
+        }
+    }
+    /* STARTER
+    (void)canvas, (void)call, (void)kept; // to do 9d.1: the first half of simple_draw()
+    END SOLUTION */
+    return count;
+}
+
+/* Where the face is nearest so far, keep its depth and its number: pixels of the band only. */
+static void cover_face(const struct band *band, const struct kept_face *kept, uint32_t number) {
+    /* BEGIN SOLUTION 9d.2 what is nearest */
+    const double *z = kept->placed.depth;
+    struct span rows =
+        span_overlap((struct span){kept->edges.y_begin, kept->edges.y_end}, band->rows);
+    for (int y = rows.begin; y < rows.end; y++) {
+        struct span span = edges_span(&kept->edges, y);
+        size_t row = (size_t)(y - band->rows.begin) * band->width;
+        for (int x = span.begin; x < span.end; x++) {
+            double depth = interpolate_depth(edges_weights(&kept->edges, x, y), z[0], z[1], z[2]);
+            if (depth > band->depth[row + (size_t)x]) {
+                band->depth[row + (size_t)x] = depth;
+                band->nearest[row + (size_t)x] = number;
+            }
+        }
+    }
+    /* STARTER
+    (void)band, (void)kept, (void)number; // to do 9d.2: draw_pixels(), but keep the number only
+    END SOLUTION */
+}
+
+/* Colour each pixel of the band once, by the face that is nearest there. */
+static void shade_band(const struct canvas *canvas, const struct band *band, struct kept_face *kept,
+                       const struct simple_shader *shader, const void *uniforms) {
+    /* BEGIN SOLUTION 9d.3 each visible pixel once */
+    for (int y = band->rows.begin; y < band->rows.end; y++) {
+        const uint32_t *nearest = band->nearest + (size_t)(y - band->rows.begin) * band->width;
+        for (int x = 0; x < (int)band->width; x++) {
+            if (nearest[x] == 0) {
+                continue;
+            }
+            struct kept_face *k = &kept[nearest[x] - 1];
+            double(*corner)[VARYING_LIMIT] = k->placed.varyings;
+            for (size_t i = 0; !k->asked && i < 3; i++) {
+                shader->vertex(uniforms, k->face, i, corner[i]);
+            }
+            k->asked = true;
+            struct vec3 rgb,
+                weight = perspective_weights(edges_weights(&k->edges, x, y), k->placed.recip_w);
+            double varyings[VARYING_LIMIT];
+            for (size_t i = 0; i < shader->varying_count; i++) {
+                varyings[i] = interpolate(weight, corner[0][i], corner[1][i], corner[2][i]);
+            }
+            if (shader->pixel(uniforms, varyings, &rgb)) {
+                image_set(canvas->image, x, y,
+                          color_rgb(level_from(rgb.x), level_from(rgb.y), level_from(rgb.z)));
+            }
+        }
+    }
+    /* STARTER
+    // to do 9d.3: for each pixel that shows a face its varyings, then the shader's pixel function
+    (void)canvas, (void)band, (void)kept, (void)shader, (void)uniforms;
+    END SOLUTION */
+}
+
+/* Draw the kept faces, the first of `count` at kept[0]. `band` has room for the whole picture, and
+ * its rows say how high a band should be. */
+static void visible_draw(const struct canvas *canvas, struct band band, struct kept_face *kept,
+                         uint32_t count, const struct simple_shader *shader, const void *uniforms) {
+    const int height = (int)canvas->image->height;
+    /* BEGIN SOLUTION 9d.4 bands */
+    const int step = band.rows.end - band.rows.begin;
+    for (int y = 0; y < height; y += step) {
+        band.rows = (struct span){y, y + step < height ? y + step : height};
+        band_clear(&band);
+        for (uint32_t i = 0; i < count; i++) {
+            cover_face(&band, &kept[i], i + 1);
+        }
+        shade_band(canvas, &band, kept, shader, uniforms);
+    }
+    /* STARTER
+    band.rows = (struct span){0, height}; // to do 9d.4: this is one band; do it band by band
+    band_clear(&band);
+    for (uint32_t i = 0; i < count; i++) {
+        cover_face(&band, &kept[i], i + 1);
+    }
+    shade_band(canvas, &band, kept, shader, uniforms);
+    END SOLUTION */
+}
 
 #include "scenes.h"
 

@@ -2,9 +2,58 @@
  * Step 9, the given part: its scenes and the program.
  *
  * A scene is a grid of cells, and in each cell the model as one shader draws it. `loops`, `looks`
- * and `more_looks` are drawn by simple_draw(); the others by the pipeline: `four`, `toon` and
- * `normalmap` show shaders, `culling` which faces may be left out.
+ * and `more_looks` are drawn by simple_draw(), `heads` by visible_draw(), the others by the
+ * pipeline: `four`, `toon` and `normalmap` show shaders, `culling` which faces may be left out.
  */
+
+#include "tangent.h"
+
+/* ---- Normal maps in tangent space: lesson 10 explains them in TANGENT.md ---- */
+
+static void tangent_vertex(const void *uniforms, size_t face, size_t corner, double *varyings) {
+    const struct uniforms *u = uniforms;
+    uv_vertex(uniforms, face, corner, varyings);
+    tangent_varyings(u->model, face, corner, varyings + 2);
+}
+
+static lanes_mask tangent_fragment(const void *uniforms, const lanes *varyings,
+                                   lanes_texel *color) {
+    const struct uniforms *u = uniforms;
+    struct lanes2 uv = {varyings[0], varyings[1]};
+    struct lanes3 value = texture_lanes(u->normal_map, uv, u->normal_level);
+    lanes intensity = lambert_lanes(tangent_normal(varyings + 2, value), u->to_light);
+    *color = shade(texture_lanes(u->diffuse, uv, u->diffuse_level), intensity);
+    return lanes_all_set();
+}
+
+/* Without loops of its own, which take long to compile. */
+static const struct shader tangent_mapped = {
+    .varying_count = 2 + TANGENT_VARYINGS, .vertex = tangent_vertex, .fragment = tangent_fragment};
+
+/* The same for simple_draw(). */
+static bool tangent_pixel(const void *uniforms, const double *varyings, struct vec3 *rgb) {
+    const struct uniforms *u = uniforms;
+    const double *axis = varyings + 2;
+    struct vec3 value = sample(u->normal_map, varyings, u->normal_level);
+    double n[3];
+    for (int i = 0; i < 3; i++) {
+        n[i] = (value.x - 127.5) * axis[i] + (value.y - 127.5) * axis[3 + i] +
+               (value.z - 127.5) * axis[6 + i];
+    }
+    *rgb = vec3_scale(sample(u->diffuse, varyings, u->diffuse_level),
+                      lambert((struct vec3){n[0], n[1], n[2]}, u->to_light));
+    return true;
+}
+
+static const struct simple_shader simple_tangent_mapped = {2 + TANGENT_VARYINGS, tangent_vertex,
+                                                           tangent_pixel};
+
+/* The shader for a normal map, as it is, or for a model that has none. */
+static const struct shader *mapped_by(const struct texture *normal_map) {
+    return normal_map == NULL          ? &gouraud_textured
+           : normal_map->tangent_space ? &tangent_mapped
+                                       : &normal_mapped;
+}
 
 /* ---- Drawing ---- */
 
@@ -34,9 +83,11 @@ static bool record_cells(struct drawing *drawing, struct pipeline *pipeline,
     for (int i = 0; done && i < side * side; i++) {
         struct rectangle place =
             grid_cell(image->width, image->height, side, side, i % side, i / side);
-        struct draw_call call = pipeline_call(drawing, place, zoom, cells[i].cull);
-        struct uniforms u = make_uniforms(drawing, zoom * place.width);
-        done = pipeline_draw(pipeline, &call, cells[i].shader, &u, sizeof u, error);
+        for (size_t part = 0; drawing_take_part(drawing, part); part++) {
+            struct draw_call call = pipeline_call(drawing, place, zoom, cells[i].cull);
+            struct uniforms u = make_uniforms(drawing, zoom * place.width);
+            done = done && pipeline_draw(pipeline, &call, cells[i].shader, &u, sizeof u, error);
+        }
     }
     return done;
 }
@@ -194,21 +245,31 @@ struct simple_cell {
     struct vec3 eye; /* zero: that of the drawing */
 };
 
+static void draw_simple_cell(const struct drawing *drawing, const struct canvas *canvas,
+                             const struct simple_cell *cell, struct rectangle place) {
+    bool has_eye = vec3_dot(cell->eye, cell->eye) > 0;
+    struct draw_call call =
+        camera_call(drawing->model, has_eye ? cell->eye : drawing->eye, drawing->center,
+                    drawing->up, cell->zoom, place, cell->cull);
+    struct uniforms u = make_uniforms(drawing, cell->zoom * place.width);
+    u.normal_level++; /* not the texture's: who exchanges the levels sees it */
+    const struct texture *map = drawing->normal_map;
+    const struct simple_shader *shader = cell->shader != &simple_normal_mapped ? cell->shader
+                                         : map == NULL        ? &simple_gouraud_textured
+                                         : map->tangent_space ? &simple_tangent_mapped
+                                                              : cell->shader;
+    simple_draw(canvas, &call, shader, &u);
+}
+
 /* Draw two rows of two cells, the first one top left. */
-static bool draw_simple_cells(const struct drawing *drawing, struct image *image,
+static bool draw_simple_cells(struct drawing *drawing, struct image *image,
                               const struct simple_cell cells[4]) {
     const struct canvas canvas = {image, drawing->depth};
     for (int i = 0; i < 4; i++) {
-        const struct simple_cell *cell = &cells[i];
         struct rectangle place = grid_cell(image->width, image->height, 2, 2, i % 2, i / 2);
-        bool has_eye = vec3_dot(cell->eye, cell->eye) > 0;
-        struct draw_call call =
-            camera_call(drawing->model, has_eye ? cell->eye : drawing->eye, drawing->center,
-                        drawing->up, cell->zoom, place, cell->cull);
-        struct uniforms u = make_uniforms(drawing, cell->zoom * place.width);
-        u.normal_level++; /* not the texture's: who exchanges the levels sees it */
-        bool has_map = drawing->normal_map != NULL || cell->shader != &simple_normal_mapped;
-        simple_draw(&canvas, &call, has_map ? cell->shader : &simple_gouraud_textured, &u);
+        for (size_t part = 0; drawing_take_part(drawing, part); part++) {
+            draw_simple_cell(drawing, &canvas, &cells[i], place);
+        }
     }
     return true;
 }
@@ -296,6 +357,27 @@ static bool draw_four(struct drawing *drawing, struct image *image, struct error
     return draw_cells(drawing, image, cells, 2, 0.8, error); /* of a quarter: 0.4 of the picture */
 }
 
+static const struct scene_value toon_values[] = {
+    {"steps", "steps of the light", 2, 16, 1, 5},
+    {.name = NULL},
+};
+
+/* The light in another number of steps than five. */
+struct steps {
+    struct uniforms uniforms; /* for gouraud_vertex() */
+    double steps;
+};
+
+static lanes_mask steps_fragment(const void *uniforms, const lanes *varyings, lanes_texel *color) {
+    const struct steps *u = uniforms;
+    const float most = (float)u->steps - 1;
+    lanes step = lanes_min(lanes_floor(varyings[0] * (most + 1)), lanes_all(most));
+    *color = shade(lanes3_all((struct vec3){255, 155, 0}), step / most);
+    return lanes_all_set();
+}
+
+SHADER(in_steps, .varying_count = 1, .vertex = gouraud_vertex, .fragment = steps_fragment);
+
 /* With a square in full light beside it. */
 static bool draw_toon(struct drawing *drawing, struct image *image, struct error *error) {
     struct pipeline *pipeline = pipeline_begin(drawing);
@@ -304,7 +386,10 @@ static bool draw_toon(struct drawing *drawing, struct image *image, struct error
     struct uniforms u = make_uniforms(drawing, 0.85 * place.width);
     struct pair square;
     struct draw_call beside = square_call(&square, place);
-    bool done = pipeline_draw(pipeline, &call, &toon, &u, sizeof u, error) &&
+    const struct steps steps = {u, drawing_value(drawing, "steps")};
+    bool done = (steps.steps == 5
+                     ? pipeline_draw(pipeline, &call, &toon, &u, sizeof u, error)
+                     : pipeline_draw(pipeline, &call, &in_steps, &steps, sizeof steps, error)) &&
                 pipeline_draw(pipeline, &beside, &toon, &square.uniforms, sizeof u, error);
     return pipeline_end(drawing, done, image, error);
 }
@@ -314,14 +399,17 @@ static bool draw_normal_map(struct drawing *drawing, struct image *image, struct
     struct pipeline *pipeline = pipeline_begin(drawing);
     const struct rectangle place = grid_cell(image->width, image->height, 1, 1, 0, 0);
     const struct rectangle corner = corner_of(place);
-    struct draw_call call = pipeline_call(drawing, place, 0.85, CULL_BACK);
-    struct draw_call small_call = pipeline_call(drawing, corner, 1, CULL_BACK);
-    struct uniforms u = make_uniforms(drawing, 0.85 * place.width);
-    struct uniforms small = make_uniforms(drawing, corner.width);
-    small.diffuse_level++; /* who exchanges the levels sees it */
-    const struct shader *shader = drawing->normal_map != NULL ? &normal_mapped : &gouraud_textured;
-    bool done = pipeline_draw(pipeline, &call, shader, &u, sizeof u, error) &&
-                pipeline_draw(pipeline, &small_call, shader, &small, sizeof small, error);
+    bool done = true;
+    for (size_t part = 0; drawing_take_part(drawing, part); part++) {
+        const struct shader *shader = mapped_by(drawing->normal_map);
+        struct draw_call call = pipeline_call(drawing, place, 0.85, CULL_BACK);
+        struct draw_call small_call = pipeline_call(drawing, corner, 1, CULL_BACK);
+        struct uniforms u = make_uniforms(drawing, 0.85 * place.width);
+        struct uniforms small = make_uniforms(drawing, corner.width);
+        small.diffuse_level++; /* who exchanges the levels sees it */
+        done = done && pipeline_draw(pipeline, &call, shader, &u, sizeof u, error) &&
+               pipeline_draw(pipeline, &small_call, shader, &small, sizeof small, error);
+    }
     return pipeline_end(drawing, done, image, error);
 }
 
@@ -345,7 +433,78 @@ static bool draw_culling(struct drawing *drawing, struct image *image, struct er
     return pipeline_end(drawing, done, image, error);
 }
 
+/* ---- Four heads, in four ways ---- */
+
+enum { HEADS = 4, BAND_ROWS = 32 };
+
+/* What draws them: see `way` below. */
+enum way { WAY_SIMPLE = 1, WAY_VISIBLE, WAY_BANDS, WAY_PIPELINE };
+
+/* One behind another, the farthest first. */
+static void make_head_calls(const struct drawing *drawing, const struct image *image,
+                            struct draw_call calls[HEADS]) {
+    const struct vec3 behind = {-0.62, 0.06, -0.6}; /* from head to head */
+    const struct rectangle whole = grid_cell(image->width, image->height, 1, 1, 0, 0);
+    for (int i = 0; i < HEADS; i++) {
+        struct mat4 moved =
+            mat4_translation(vec3_add((struct vec3){0, 0.27, 0}, vec3_scale(behind, 2 - i)));
+        calls[i] = pipeline_call(drawing, whole, 0.68, CULL_BACK);
+        calls[i].to_clip = mat4_mul(calls[i].to_clip, moved);
+    }
+}
+
+/* visible_draw(), with its memory. */
+static bool draw_heads_visibly(struct drawing *drawing, const struct canvas *canvas,
+                               const struct draw_call calls[HEADS], int band_rows,
+                               const struct uniforms *u, struct error *error) {
+    const size_t pixels = canvas->image->width * canvas->image->height;
+    struct kept_face *kept = calloc(HEADS * drawing->model->face_count + 1, sizeof *kept);
+    struct band band = {
+        {0, band_rows}, canvas->image->width, canvas->depth, malloc(pixels * sizeof *band.nearest)};
+    bool done = kept != NULL && band.nearest != NULL;
+    size_t count = 0;
+    for (int i = 0; done && i < HEADS; i++) {
+        count += keep_faces(canvas, &calls[i], kept + count);
+    }
+    if (done) {
+        visible_draw(canvas, band, kept, (uint32_t)count, &simple_gouraud_textured, u);
+    } else {
+        error_out_of_memory(error);
+    }
+    drawing_count(drawing, "faces_kept", count);
+    free(band.nearest);
+    free(kept);
+    return done;
+}
+
+static bool draw_heads(struct drawing *drawing, struct image *image, struct error *error) {
+    const enum way way = (enum way)drawing_value(drawing, "way");
+    const struct canvas canvas = {image, drawing->depth};
+    const struct uniforms u = make_uniforms(drawing, 0.85 * (double)image->width);
+    struct draw_call calls[HEADS];
+    make_head_calls(drawing, image, calls);
+    if (way == WAY_VISIBLE || way == WAY_BANDS) {
+        const int rows = way == WAY_BANDS ? BAND_ROWS : (int)image->height;
+        return draw_heads_visibly(drawing, &canvas, calls, rows, &u, error);
+    }
+    struct pipeline *pipeline = pipeline_begin(drawing);
+    bool done = true;
+    for (int i = 0; done && i < HEADS; i++) {
+        if (way == WAY_SIMPLE) {
+            simple_draw(&canvas, &calls[i], &simple_gouraud_textured, &u);
+        } else {
+            done = pipeline_draw(pipeline, &calls[i], &gouraud_textured, &u, sizeof u, error);
+        }
+    }
+    return way == WAY_SIMPLE || pipeline_end(drawing, done, image, error);
+}
+
 /* ---- The program ---- */
+
+static const struct scene_value way_value[] = {
+    {"way", "1 simple_draw(), 2 visible_draw(), 3 in bands, 4 the pipeline", 1, 4, 1, 3},
+    {.name = NULL},
+};
 
 static const struct scene scenes[] = {
     {
@@ -367,7 +526,12 @@ static const struct scene scenes[] = {
         .draw = draw_more_looks,
     },
     {.name = "four", .needs = NEEDS_MODEL | NEEDS_NORMALS | NEEDS_DIFFUSE, .draw = draw_four},
-    {.name = "toon", .needs = NEEDS_MODEL | NEEDS_NORMALS, .draw = draw_toon},
+    {
+        .name = "toon",
+        .needs = NEEDS_MODEL | NEEDS_NORMALS,
+        .values = toon_values,
+        .draw = draw_toon,
+    },
     {
         .name = "normalmap",
         .needs = NEEDS_MODEL | NEEDS_DIFFUSE | NEEDS_NORMAL_MAP,
@@ -379,6 +543,14 @@ static const struct scene scenes[] = {
         .needs = NEEDS_MODEL,
         .light = {1, 0.2, 0}, /* from the side */
         .draw = draw_culling,
+    },
+    {
+        .name = "heads",
+        .needs = NEEDS_MODEL | NEEDS_NORMALS | NEEDS_DIFFUSE | NEEDS_DEPTH,
+        .height = 790, /* the last band is lower than the others */
+        .width = 800,
+        .values = way_value,
+        .draw = draw_heads,
     },
 };
 

@@ -138,8 +138,8 @@ static bool draw_with_map(struct drawing *drawing, struct image *image, int side
 }
 
 static bool draw_shadow(struct drawing *drawing, struct image *image, struct error *error) {
-    if (drawing->normal_map == NULL) {
-        return error_set(error, "the scene shadow is drawn by a normal map alone");
+    if (drawing->normal_map == NULL || drawing->normal_map->tangent_space) {
+        return error_set(error, "the scene shadow is drawn by a normal map in object space alone");
     }
     return draw_with_map(drawing, image, 1024, 0.01, &shadowed, error);
 }

@@ -209,9 +209,81 @@ static bool draw_samples_figure(struct model *model, const char *directory, stru
     return sheet_end(&sheet, done, directory, "samples", error);
 }
 
+/* ---- The figure of TANGENT.md ---- */
+
+enum { STUD = 30, STUDS = 16, BALL = 240 };
+
+/* Half of a ball on each square of a board: normals that count from the board. `up` is -1 where
+ * green grows downwards. */
+static bool draw_studs(struct image *image, double up, struct error *error) {
+    if (!image_create(image, STUDS * STUD, STUDS * STUD / 2, IMAGE_BGR, error)) {
+        return false;
+    }
+    for (int y = 0; y < (int)image->height; y++) {
+        for (int x = 0; x < (int)image->width; x++) {
+            double u = (x % STUD + 0.5) / STUD * 2 - 1, v = (y % STUD + 0.5) / STUD * 2 - 1;
+            double rest = 1 - (u * u + v * v) / 0.6;
+            struct vec3 n = {u / sqrt(0.6), v / sqrt(0.6) * up, sqrt(fmax(rest, 0))};
+            struct color c = color_rgb(level_from(127.5 * (n.x + 1)), level_from(127.5 * (n.y + 1)),
+                                       level_from(127.5 * (n.z + 1)));
+            image_set(image, x, y, rest > 0 ? c : color_rgb(128, 128, 255));
+        }
+    }
+    return true;
+}
+
+/* The ball with a map on it, as a panel of the sheet. */
+static bool add_ball(struct sheet *sheet, struct model *ball, const struct texture *map,
+                     const struct shader *shader, struct error *error) {
+    struct drawing drawing = make_drawing(ball);
+    struct pipeline pipeline = {0};
+    struct image image = {0};
+    drawing.normal_map = map;
+    drawing.eye = (struct vec3){0, 0, 3};
+    drawing.light = (struct vec3){1, 1, 0.5};
+    struct draw_call call =
+        pipeline_call(&drawing, (struct rectangle){0, 0, BALL, BALL}, 0.85, CULL_BACK);
+    struct uniforms u = make_uniforms(&drawing, BALL, plain_material);
+    bool done = image_create(&image, BALL, BALL, IMAGE_BGR, error) &&
+                pipeline_create(&pipeline, BALL, BALL, error) &&
+                pipeline_draw(&pipeline, &call, shader, &u, sizeof u, error) &&
+                pipeline_finish(&pipeline, &image, error);
+    if (done) {
+        sheet_add_detail(sheet, &image, detail_of_whole(&image, 1, 0));
+    }
+    image_free(&image);
+    pipeline_free(&pipeline);
+    return done;
+}
+
+/* A part of the map; read in tangent space; read in object space; read with green downwards. */
+static bool draw_tangent_figure(const char *directory, struct error *error) {
+    const struct detail part = {.x = 0, .y = 0, .width = BALL, .height = BALL, .zoom = 1};
+    struct sheet sheet = {.width = BALL, .height = BALL, .columns = 4, .rows = 1, .gap = 4};
+    struct model ball = {0};
+    struct image studs = {0}, turned = {0};
+    struct texture map = {0}, turned_map = {0};
+    bool done = model_read(&ball, COURSE_BUILD "/models/sphere.obj", error) &&
+                draw_studs(&studs, 1, error) && draw_studs(&turned, -1, error) &&
+                texture_create(&map, &studs, error) &&
+                texture_create(&turned_map, &turned, error) && sheet_create(&sheet, error);
+    if (done) {
+        sheet_add_detail(&sheet, &studs, part);
+    }
+    done = done && add_ball(&sheet, &ball, &map, &tangent_mapped, error) &&
+           add_ball(&sheet, &ball, &map, &mapped, error) &&
+           add_ball(&sheet, &ball, &turned_map, &tangent_mapped, error);
+    texture_free(&map);
+    texture_free(&turned_map);
+    image_free(&studs);
+    image_free(&turned);
+    model_free(&ball);
+    return sheet_end(&sheet, done, directory, "tangent", error);
+}
+
 bool draw_figures(const char *directory, struct model *bust, struct error *error) {
     return model_need_normals(bust, error) && draw_chalk(bust, directory, error) &&
            draw_near(bust, directory, error) && draw_lost_highlight(bust, directory, error) &&
            draw_animation(bust, directory, error) && draw_shadow_figure(bust, directory, error) &&
-           draw_samples_figure(bust, directory, error);
+           draw_samples_figure(bust, directory, error) && draw_tangent_figure(directory, error);
 }

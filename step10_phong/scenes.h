@@ -3,7 +3,73 @@
  *
  * A scene is a square of cells, and in each cell the model as one shader draws it, with a material.
  */
+#include "tangent.h"
+
 #include <stdlib.h>
+
+/* ---- Normal maps in tangent space: see TANGENT.md ---- */
+
+/* The lesson's varyings, and the axes behind them. */
+static void tangent_vertex(const void *uniforms, size_t face, size_t corner, double *varyings) {
+    const struct uniforms *u = uniforms;
+    vertex(uniforms, face, corner, varyings);
+    tangent_varyings(u->model, face, corner, varyings + 5);
+}
+
+/* Light on a surface that has all but its normal. */
+static lanes_mask tangent_light(const struct uniforms *u, struct surface surface,
+                                const lanes *varyings, lanes_texel *color) {
+    struct lanes3 value = texture_lanes(u->normal_map, uv_of(varyings), u->normal_level);
+    surface.normal = lanes3_normalized(tangent_normal(varyings + 5, value));
+    *color = illuminate(u, &surface);
+    return lanes_all_set();
+}
+
+static lanes_mask tangent_mapped_fragment(const void *uniforms, const lanes *varyings,
+                                          lanes_texel *color) {
+    return tangent_light(uniforms, plain_surface(uniforms, varyings), varyings, color);
+}
+
+static lanes_mask tangent_full_fragment(const void *uniforms, const lanes *varyings,
+                                        lanes_texel *color) {
+    return tangent_light(uniforms, textured_surface(uniforms, varyings), varyings, color);
+}
+
+static lanes_mask tangent_weight_fragment(const void *uniforms, const lanes *varyings,
+                                          lanes_texel *color) {
+    const struct uniforms *u = uniforms;
+    struct surface surface = textured_surface(u, varyings);
+    lanes value = texture_lanes(u->specular, uv_of(varyings), u->specular_level).z;
+    surface.specular *= value * (1 / 255.0f);
+    return tangent_light(u, surface, varyings, color);
+}
+
+static lanes_mask tangent_power_fragment(const void *uniforms, const lanes *varyings,
+                                         lanes_texel *color) {
+    const struct uniforms *u = uniforms;
+    struct surface surface = textured_surface(u, varyings);
+    lanes value = texture_lanes(u->specular, uv_of(varyings), u->specular_level).z;
+    surface.power = 1 + lanes_floor(value * 0.125f);
+    surface.largest_power = 32;
+    return tangent_light(u, surface, varyings, color);
+}
+
+/* Without loops of their own, which take long to compile. */
+#define TANGENT_SHADER(function)                                                                   \
+    { .varying_count = 5 + TANGENT_VARYINGS, .vertex = tangent_vertex, .fragment = (function) }
+static const struct shader tangent_mapped = TANGENT_SHADER(tangent_mapped_fragment);
+static const struct shader tangent_full = TANGENT_SHADER(tangent_full_fragment);
+static const struct shader tangent_weight = TANGENT_SHADER(tangent_weight_fragment);
+static const struct shader tangent_power = TANGENT_SHADER(tangent_power_fragment);
+
+/* The one that does in tangent space what the lesson's shader does in object space. */
+static const struct shader *in_tangent_space(const struct shader *shader) {
+    return shader == &mapped          ? &tangent_mapped
+           : shader == &full          ? &tangent_full
+           : shader == &weight_mapped ? &tangent_weight
+           : shader == &power_mapped  ? &tangent_power
+                                      : shader;
+}
 
 /* ---- Drawing ---- */
 
@@ -27,8 +93,12 @@ static struct uniforms make_uniforms(const struct drawing *drawing, double pixel
     };
 }
 
-/* The shader, or, for a model without normal map, one that draws by the mesh's normals. */
+/* The shader; for a model without normal map one that draws by the mesh's normals, and for a map in
+ * tangent space one that reads it so. */
 static const struct shader *drawn_by(const struct drawing *drawing, const struct shader *shader) {
+    if (drawing->normal_map != NULL && drawing->normal_map->tangent_space) {
+        return in_tangent_space(shader);
+    }
     if (drawing->normal_map != NULL || shader == &plain) {
         return shader;
     }
@@ -43,6 +113,102 @@ struct cell {
     const struct texture *specular; /* NULL: the drawing's */
 };
 
+/* The weights of a face's corners at the probed pixel, where it covers that and is nearer than
+ * `depth`, which becomes its own. */
+static bool probe_face(const struct drawing *drawing, const struct image *image,
+                       const struct draw_call *call, size_t face, double *depth,
+                       struct vec3 *weight) {
+    struct fixed2 p[3];
+    double z[3], recip_w[3];
+    struct edges edges;
+    for (size_t i = 0; i < 3; i++) {
+        const struct vec4 c = mat4_point(&call->to_clip, model_position(call->model, face, i));
+        const struct rectangle *view = &call->viewport;
+        if (!(c.w > 0) || !screen_snap((struct vec2){view->x + (c.x / c.w + 1) * view->width / 2,
+                                                     view->y + (c.y / c.w + 1) * view->height / 2},
+                                       &p[i])) {
+            return false;
+        }
+        z[i] = c.z / c.w;
+        recip_w[i] = 1 / c.w;
+    }
+    if (!edges_setup(&edges, p[0], p[1], p[2], image->width, image->height) || edges.clockwise ||
+        !edges_cover(&edges, drawing->probe.x, drawing->probe.y)) {
+        return false;
+    }
+    const struct vec3 w = edges_weights(&edges, drawing->probe.x, drawing->probe.y);
+    const double there = interpolate(w, z[0], z[1], z[2]);
+    const double sum = interpolate(w, recip_w[0], recip_w[1], recip_w[2]);
+    if (!(there > *depth)) {
+        return false;
+    }
+    *depth = there;
+    *weight = (struct vec3){w.x * recip_w[0] / sum, w.y * recip_w[1] / sum, w.z * recip_w[2] / sum};
+    return true;
+}
+
+/* The vectors of Phong's light at the probed pixel, with the normals of the corners. */
+static void note_light(struct drawing *drawing, const struct image *image,
+                       const struct draw_call *call, const struct uniforms *u) {
+    const struct model *m = call->model;
+    struct vec3 w, n = {0, 0, 0}, place = {0, 0, 0};
+    double depth = -INFINITY;
+    for (size_t face = 0; drawing->probed && face < m->face_count; face++) {
+        if (probe_face(drawing, image, call, face, &depth, &w)) {
+            n = vec3_normalized(vec3_interpolate(
+                w, model_normal(m, face, 0), model_normal(m, face, 1), model_normal(m, face, 2)));
+            place = vec3_interpolate(w, model_position(m, face, 0), model_position(m, face, 1),
+                                     model_position(m, face, 2));
+        }
+    }
+    if (depth > -INFINITY) {
+        const struct vec3 l = u->to_light, v = vec3_normalized(vec3_sub(drawing->eye, place));
+        const struct vec3 r = vec3_sub(vec3_scale(n, 2 * vec3_dot(n, l)), l);
+        drawing_note(drawing, "n %+.3f %+.3f %+.3f", n.x, n.y, n.z);
+        drawing_note(drawing, "l %+.3f %+.3f %+.3f   n.l %+.3f", l.x, l.y, l.z, vec3_dot(n, l));
+        drawing_note(drawing, "r %+.3f %+.3f %+.3f", r.x, r.y, r.z);
+        drawing_note(drawing, "v %+.3f %+.3f %+.3f   r.v %+.3f, to the power of %d: %.3f", v.x, v.y,
+                     v.z, vec3_dot(r, v), u->material.power,
+                     pow(fmax(vec3_dot(r, v), 0), u->material.power));
+    }
+}
+
+/* What a part's own material says, instead of the lesson's. */
+static struct material own_material(const struct drawing *drawing, struct material material) {
+    const double most = 200;
+    if (drawing->parts != NULL && drawing->specular_weight >= 0) {
+        material.specular *= drawing->specular_weight;
+    }
+    if (drawing->parts != NULL && drawing->power > 0) {
+        material.power = (int)fmax(1, fmin(drawing->power, most));
+    }
+    return material;
+}
+
+/* Record the drawing's model, or a part of it, as one cell has it. */
+static bool record_cell(struct drawing *drawing, struct pipeline *pipeline,
+                        const struct image *image, const struct cell *cell, struct rectangle place,
+                        double zoom, struct error *error) {
+    struct draw_call call = pipeline_call(drawing, place, zoom, CULL_BACK);
+    bool textured_cell = cell->shader != &plain && cell->shader != &mapped;
+    struct uniforms u =
+        make_uniforms(drawing, zoom * place.width,
+                      textured_cell ? own_material(drawing, cell->material) : cell->material);
+    if (cell->model != NULL) {
+        call.model = u.model = cell->model;
+    }
+    if (cell->shader == &weight_mapped || cell->shader == &power_mapped) {
+        u.normal_level += 1; /* three different levels: who exchanges them sees it */
+        u.specular_level += 2;
+    }
+    if (cell->specular != NULL) {
+        u.specular = cell->specular;
+        u.specular_level = 0;
+    }
+    note_light(drawing, image, &call, &u);
+    return pipeline_draw(pipeline, &call, drawn_by(drawing, cell->shader), &u, sizeof u, error);
+}
+
 /* Draw rows of cells, the first one top left. */
 static bool draw_cells(struct drawing *drawing, struct image *image, const struct cell *cells,
                        int columns, int rows, double zoom, struct error *error) {
@@ -51,21 +217,9 @@ static bool draw_cells(struct drawing *drawing, struct image *image, const struc
     for (int i = 0; done && i < columns * rows; i++) {
         struct rectangle place =
             grid_cell(image->width, image->height, columns, rows, i % columns, i / columns);
-        struct draw_call call = pipeline_call(drawing, place, zoom, CULL_BACK);
-        struct uniforms u = make_uniforms(drawing, zoom * place.width, cells[i].material);
-        if (cells[i].model != NULL) {
-            call.model = u.model = cells[i].model;
+        for (size_t part = 0; drawing_take_part(drawing, part); part++) {
+            done = done && record_cell(drawing, pipeline, image, &cells[i], place, zoom, error);
         }
-        if (cells[i].shader == &weight_mapped || cells[i].shader == &power_mapped) {
-            u.normal_level += 1; /* three different levels: who exchanges them sees it */
-            u.specular_level += 2;
-        }
-        if (cells[i].specular != NULL) {
-            u.specular = cells[i].specular;
-            u.specular_level = 0;
-        }
-        const struct shader *shader = drawn_by(drawing, cells[i].shader);
-        done = pipeline_draw(pipeline, &call, shader, &u, sizeof u, error);
     }
     return pipeline_end(drawing, done, image, error);
 }
@@ -234,12 +388,17 @@ enum { TURN_FRAMES = 100 };
 static bool draw_turn(struct drawing *drawing, struct image *image, struct error *error) {
     struct pipeline *pipeline = pipeline_begin(drawing);
     struct rectangle whole = grid_cell(image->width, image->height, 1, 1, 0, 0);
-    struct draw_call call = pipeline_call(drawing, whole, 0.85, CULL_BACK);
-    struct uniforms u = make_uniforms(drawing, 0.85 * whole.width, textured_material);
+    bool done = true;
     (void)turning_light(0.5);
-    u.to_light = turning_light((double)drawing->frame / TURN_FRAMES);
-    const struct shader *shader = drawn_by(drawing, &weight_mapped);
-    bool done = pipeline_draw(pipeline, &call, shader, &u, sizeof u, error);
+    struct vec3 to_light = turning_light((double)drawing->frame / TURN_FRAMES);
+    for (size_t part = 0; drawing_take_part(drawing, part); part++) {
+        struct draw_call call = pipeline_call(drawing, whole, 0.85, CULL_BACK);
+        struct uniforms u =
+            make_uniforms(drawing, 0.85 * whole.width, own_material(drawing, textured_material));
+        u.to_light = to_light;
+        const struct shader *shader = drawn_by(drawing, &weight_mapped);
+        done = done && pipeline_draw(pipeline, &call, shader, &u, sizeof u, error);
+    }
     return pipeline_end(drawing, done, image, error);
 }
 

@@ -41,6 +41,31 @@ bool text_error(struct error *error, size_t line, const char *format, ...) {
     return false;
 }
 
+/* ---- UTF-16 ---- */
+
+bool text_is_utf16(const void *data, size_t size) {
+    return size >= 2 && (memcmp(data, "\xFF\xFE", 2) == 0 || memcmp(data, "\xFE\xFF", 2) == 0);
+}
+
+bool text_from_utf16(struct bytes *utf8, const void *data, size_t size) {
+    const unsigned char *bytes = data;
+    size_t high = bytes[0] == 0xFE ? 0 : 1; /* the byte of a unit that counts 256 times */
+    if (size > SIZE_MAX / 2 || !bytes_reserve(utf8, size / 2 * 3)) {
+        return false;
+    }
+    for (size_t i = 2; i + 1 < size; i += 2) {
+        unsigned unit = (unsigned)bytes[i + high] << 8 | bytes[i + 1 - high];
+        unsigned char *p = utf8->data + utf8->size;
+        size_t length = unit < 0x80 ? 1 : unit < 0x800 ? 2 : 3;
+        for (size_t k = length - 1; k > 0; k--, unit >>= 6) {
+            p[k] = (unsigned char)(0x80 | (unit & 0x3F));
+        }
+        p[0] = (unsigned char)(unit | (length == 1 ? 0 : length == 2 ? 0xC0 : 0xE0));
+        utf8->size += length;
+    }
+    return true;
+}
+
 /* ---- Lines and words ---- */
 
 static bool is_line_end(char c) {

@@ -9,6 +9,7 @@
 #ifndef COMMON_TEXT_H
 #define COMMON_TEXT_H
 
+#include "base/bytes.h"
 #include "base/file.h"
 
 #include <stdbool.h>
@@ -30,12 +31,19 @@ struct word {
     size_t length;
 };
 
+/* Is a text UTF-16, as its first two bytes say? Windows calls it Unicode. */
+bool text_is_utf16(const void *data, size_t size);
+
+/* Append it to `utf8` as UTF-8, without these two bytes. Each half of a pair becomes three bytes by
+ * itself, and an odd byte at the end is left out. False when memory runs out. */
+bool text_from_utf16(struct bytes *utf8, const void *data, size_t size);
+
 /* Start before the first line. A UTF-8 byte-order mark is skipped. A NUL byte anywhere means that
  * this is not a text file: an error (with its line). */
 bool text_begin(struct text *text, const void *data, size_t size, bool continuation,
                 struct error *error);
 
-/* The same without a look for NUL bytes: for who needs but the first words of a large file. */
+/* The same without a search for NUL bytes: of a large file, only the first words may be needed. */
 void text_peek(struct text *text, const void *data, size_t size);
 
 /* Go to the next line, over what is left of this one; false at the end of the text. */

@@ -3,7 +3,7 @@
  *
  * A busy machine is the normal case: a grading job, a laptop in class. So no thread waits awake for
  * more than 50 microseconds, and a loop never waits for a thread that the machine has not woken
- * yet: who calls does all that is left. What a loop computes must not depend on which thread does
+ * yet: the calling thread does the rest. What a loop computes must not depend on which thread does
  * which part.
  *
  * Each worker begins with a share of its own, parts beside each other, the same ones in each loop

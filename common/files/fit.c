@@ -1,6 +1,8 @@
 /* Where a model lies, and moving it into view: see fit.h. */
 #include "files/fit.h"
 
+#include <string.h>
+
 /* At 1 the outermost lines would lie on the edge of the image. */
 static const double reach_in_parallel_view = 0.95;
 
@@ -40,6 +42,33 @@ static double longest_side(struct box3 box) {
 
 bool box_is_tiny(struct box3 box) {
     return longest_side(box) < 0.4;
+}
+
+struct vec3 vec3_quarter_turned(struct vec3 v, const int turns[3]) {
+    for (int i = turns[0] & 3; i > 0; i--) {
+        v = (struct vec3){v.x, -v.z, v.y};
+    }
+    for (int i = turns[1] & 3; i > 0; i--) {
+        v = (struct vec3){v.z, v.y, -v.x};
+    }
+    for (int i = turns[2] & 3; i > 0; i--) {
+        v = (struct vec3){-v.y, v.x, v.z};
+    }
+    return v;
+}
+
+void model_turn(struct model *model, const int turns[3]) {
+    for (size_t i = 0; i < model->position_count; i++) {
+        model->positions[i] = vec3_quarter_turned(model->positions[i], turns);
+    }
+    for (size_t i = 0; i < model->normal_count; i++) {
+        float *n = model->normals[i];
+        struct vec3 turned = vec3_quarter_turned((struct vec3){n[0], n[1], n[2]}, turns);
+        n[0] = (float)turned.x;
+        n[1] = (float)turned.y;
+        n[2] = (float)turned.z;
+    }
+    memcpy(model->turns, turns, sizeof model->turns);
 }
 
 static double distance_from_origin(const struct model *model) {

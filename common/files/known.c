@@ -15,8 +15,6 @@ static const struct known_file {
     const char *what, *advice;
 } known_files[] = {
     {"version https://git-lfs", 0, "a Git LFS pointer", "`git lfs pull` fetches the file itself"},
-    {"\xFF\xFE", 0, "UTF-16 text", "`iconv -f UTF-16 -t UTF-8 FILE >NEW` converts it"},
-    {"\xFE\xFF", 0, "UTF-16 text", "`iconv -f UTF-16 -t UTF-8 FILE >NEW` converts it"},
     {"<!doctype html", 0, "an HTML page", DOWNLOAD},
     {"<html", 0, "an HTML page", DOWNLOAD},
     {"\x1F\x8B", 0, "a gzip archive", "`gzip -d FILE.gz` unpacks it"},

@@ -2,6 +2,7 @@
 #include "files/model_file.h"
 
 #include "base/text.h"
+#include "files/fit.h"
 #include "files/image_file.h"
 #include "files/known.h"
 #include "files/mtl.h"
@@ -9,6 +10,7 @@
 #include "files/off.h"
 
 #include <limits.h>
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -39,6 +41,18 @@ static bool error_no_faces(const char *path, const void *data, size_t size, stru
         return error_set(error, "does not begin with the word OFF");
     }
     return error_set(error, "holds no faces");
+}
+
+/* Bytes of a text that others write as UTF-16. False when memory runs out. */
+static bool make_utf8(struct bytes *bytes) {
+    struct bytes utf8 = {0};
+    if (!text_is_utf16(bytes->data, bytes->size)) {
+        return true;
+    }
+    bool done = text_from_utf16(&utf8, bytes->data, bytes->size);
+    bytes_free(bytes);
+    *bytes = utf8;
+    return done;
 }
 
 /* The path, which is not read, may tell what the file should be. */
@@ -102,8 +116,9 @@ static bool read_library(struct model *model, struct word name, bool *found, str
     if (*found) {
         const char *end = strrchr(path, '/');
         directory = string_format("%.*s", end == NULL ? 0 : (int)(end + 1 - path), path);
-        done = directory != NULL && mtl_decode(model, bytes.data, bytes.size, directory, error);
         model->bytes_read += bytes.size;
+        done = directory != NULL && make_utf8(&bytes) &&
+               mtl_decode(model, bytes.data, bytes.size, directory, error);
     }
     bytes_free(&bytes);
     free(directory);
@@ -142,8 +157,10 @@ bool model_read_parts(struct model *model, const char *path, unsigned parts, str
     if (!file_read(path, &bytes, error)) {
         return false;
     }
-    bool done = decode(model, path, bytes.data, bytes.size, parts, error);
-    model->bytes_read = bytes.size;
+    size_t size = bytes.size;
+    bool done = make_utf8(&bytes) ? decode(model, path, bytes.data, bytes.size, parts, error)
+                                  : error_out_of_memory(error);
+    model->bytes_read = size;
     bytes_free(&bytes);
     done = done && keep_path(model, path, error);
     if (done && ((parts & MODEL_UVS) == 0 || read_libraries(model, error))) {
@@ -163,7 +180,7 @@ bool model_read(struct model *model, const char *path, struct error *error) {
  * first. JPEG is looked for, too, though it cannot be read: its message says what to do. */
 static const char *const texture_suffixes[MODEL_TEXTURE_KINDS][4] = {
     [MODEL_DIFFUSE] = {"_diffuse", "_albedo", "_basecolor"},
-    [MODEL_NORMAL_MAP] = {"_nm", "_normal"},
+    [MODEL_NORMAL_MAP] = {"_nm", "_normal", "_nm_tangent", "_normal_tangent"},
     [MODEL_SPECULAR] = {"_spec", "_specular"},
 };
 static const char *const texture_extensions[] = {"tga", "png", "TGA", "PNG", "Tga",
@@ -180,25 +197,99 @@ static char *texture_path(const char *model_path, const char *suffix, const char
                : string_format("%.*s%s.%s", (int)length, model_path, suffix, extension);
 }
 
-static bool read_texture(struct texture *texture, const char *path, struct error *error) {
+/* Turn the normals that a picture holds, as levels (coordinate + 1) * 127.5. */
+static void turn_normals(struct image *image, const int turns[3]) {
+    for (int y = 0; y < (int)image->height; y++) {
+        for (int x = 0; x < (int)image->width; x++) {
+            struct color c = image_get(image, x, y);
+            struct vec3 n = {c.r - 127.5, c.g - 127.5, c.b - 127.5};
+            n = vec3_quarter_turned(n, turns);
+            c.r = (uint8_t)(n.x + 127.5);
+            c.g = (uint8_t)(n.y + 127.5);
+            c.b = (uint8_t)(n.z + 127.5);
+            image_set(image, x, y, c);
+        }
+    }
+}
+
+static bool make_texture(struct texture *texture, struct image *image, const char *path,
+                         struct error *error) {
+    bool done = texture_create(texture, image, error) || error_name_file(error, path);
+    image_free(image);
+    return done;
+}
+
+bool model_read_texture(struct texture *texture, const char *path, struct error *error) {
+    struct image image;
+    return image_read(&image, path, error) && make_texture(texture, &image, path, error);
+}
+
+/* What a picture of normals looks like, at some of its pixels. In tangent space nearly all are
+ * about (0, 0, 1), while those of an object go all around. All have a length of about 1: what is
+ * far from it is a background, and what is so in the mean is something else. Heights are grey. */
+enum normals_look { LOOKS_OBJECT_SPACE, LOOKS_TANGENT_SPACE, LOOKS_GREY, LOOKS_LIKE_NONE };
+
+static enum normals_look look_at_normals(const struct image *image) {
+    const int across = (int)image->width / 32 + 1, along = (int)image->height / 32 + 1;
+    struct vec3 sum = {0, 0, 0};
+    double count = 0, length_sum = 0;
+    bool grey = true;
+    for (int y = 0; y < (int)image->height; y += along) {
+        for (int x = 0; x < (int)image->width; x += across) {
+            struct color c = image_get(image, x, y);
+            struct vec3 n = {c.r / 127.5 - 1, c.g / 127.5 - 1, c.b / 127.5 - 1};
+            double length = vec3_length(n);
+            grey = grey && c.r == c.g && c.g == c.b;
+            if (length > 0.4 && length < 1.6) {
+                sum = vec3_add(sum, n);
+                length_sum += length;
+                count++;
+            }
+        }
+    }
+    bool blue = sum.z > 0.7 * count && fabs(sum.x) < 0.3 * count && fabs(sum.y) < 0.3 * count;
+    bool of_length_1 = length_sum >= 0.85 * count && length_sum <= 1.15 * count;
+    return grey           ? LOOKS_GREY
+           : !of_length_1 ? LOOKS_LIKE_NONE
+           : blue         ? LOOKS_TANGENT_SPACE
+                          : LOOKS_OBJECT_SPACE;
+}
+
+bool model_read_normal_map(struct texture *texture, const char *path, const int turns[3],
+                           struct error *error) {
+    const char *slash = strrchr(path, '/');
+    bool named = strstr(slash == NULL ? path : slash, "_tangent.") != NULL;
     struct image image;
     if (!image_read(&image, path, error)) {
         return false;
     }
-    bool done = texture_create(texture, &image, error) || error_name_file(error, path);
-    image_free(&image);
+    enum normals_look look = look_at_normals(&image);
+    if (look == LOOKS_GREY || look == LOOKS_LIKE_NONE) {
+        image_free(&image);
+        error_set(error, look == LOOKS_GREY ? "grey values: perhaps heights, but not normals"
+                                            : "no normals, whose values would have length 1");
+        return error_name_file(error, path);
+    }
+    bool looks_tangent = look == LOOKS_TANGENT_SPACE;
+    if (!named && !looks_tangent && (turns[0] != 0 || turns[1] != 0 || turns[2] != 0)) {
+        turn_normals(&image, turns);
+    }
+    bool done = make_texture(texture, &image, path, error);
+    texture->tangent_space = named || looks_tangent;
+    texture->space_guessed = !named && looks_tangent;
     return done;
 }
 
-/* The first name under which there is a file, or the first of all, so that a message can say what
- * was looked for; the caller frees it. NULL when memory runs out. */
-static char *find_texture(const char *model_path, enum model_texture_kind kind, bool *found) {
+char *model_find_texture(const struct model *model, enum model_texture_kind kind, bool *found) {
     const char *const *suffixes = texture_suffixes[kind];
     const size_t count = sizeof texture_extensions / sizeof texture_extensions[0];
-    *found = false;
+    *found = model->texture_files[kind] != NULL;
+    if (*found) {
+        return string_format("%s", model->texture_files[kind]);
+    }
     for (size_t i = 0; i < 4 && suffixes[i] != NULL; i++) {
         for (size_t k = 0; k < count; k++) {
-            char *path = texture_path(model_path, suffixes[i], texture_extensions[k]);
+            char *path = texture_path(model->path, suffixes[i], texture_extensions[k]);
             *found = path != NULL && file_exists(path);
             if (path == NULL || *found) {
                 return path;
@@ -206,14 +297,14 @@ static char *find_texture(const char *model_path, enum model_texture_kind kind, 
             free(path);
         }
     }
-    return texture_path(model_path, suffixes[0], texture_extensions[0]);
+    return texture_path(model->path, suffixes[0], texture_extensions[0]);
 }
 
 size_t model_textures_present(const struct model *model) {
     size_t present = 0;
     for (int kind = 0; model->path != NULL && kind < MODEL_TEXTURE_KINDS; kind++) {
         bool found;
-        free(find_texture(model->path, (enum model_texture_kind)kind, &found));
+        free(model_find_texture(model, (enum model_texture_kind)kind, &found));
         present += found;
     }
     return present;
@@ -222,7 +313,6 @@ size_t model_textures_present(const struct model *model) {
 const struct texture *model_texture(struct model *model, enum model_texture_kind kind,
                                     struct error *error) {
     struct texture *texture = &model->textures[kind];
-    const char *named = model->texture_files[kind];
     if (texture->level_count > 0) {
         return texture;
     }
@@ -230,23 +320,21 @@ const struct texture *model_texture(struct model *model, enum model_texture_kind
         error_set(error, "a model that was not read from a file has no textures");
         return NULL;
     }
-    bool found = named != NULL;
-    char *path = found ? string_format("%s", named) : find_texture(model->path, kind, &found);
-    bool done = false;
+    bool found, done = false;
+    char *path = model_find_texture(model, kind, &found);
     if (path == NULL) {
         error_out_of_memory(error);
     } else if (!found) {
         error_set(error, "no such file, nor one of another usual name");
         error_name_file(error, path);
     } else {
-        done = read_texture(texture, path, error);
+        done = kind == MODEL_NORMAL_MAP ? model_read_normal_map(texture, path, model->turns, error)
+                                        : model_read_texture(texture, path, error);
         model->bytes_read += done ? file_size(path) : 0;
     }
     free(path);
     return done ? texture : NULL;
 }
-
-/* ---- Materials in a texture ---- */
 
 bool model_has_materials(const struct model *model) {
     bool known = false, textured = false, beside = false;
@@ -255,78 +343,7 @@ bool model_has_materials(const struct model *model) {
         textured = textured || model->materials[i].texture != NULL;
     }
     if (known && !textured && model->uv_count > 0 && model->path != NULL) {
-        free(find_texture(model->path, MODEL_DIFFUSE, &beside));
+        free(model_find_texture(model, MODEL_DIFFUSE, &beside));
     }
     return known && !beside;
-}
-
-const char *model_only_texture(const struct model *model) {
-    const char *only = NULL;
-    for (size_t i = 0; model->face_materials != NULL && i < model->face_count; i++) {
-        uint32_t index = model->face_materials[i];
-        const char *texture = index == MODEL_NONE ? NULL : model->materials[index].texture;
-        only = i == 0 ? texture : only;
-        if (texture == NULL || (texture != only && strcmp(texture, only) != 0)) {
-            return NULL;
-        }
-    }
-    return only;
-}
-
-/* What a material looks like from afar. */
-static struct color mean_color(const struct model_material *material, bool *has_texture) {
-    struct texture texture = {0};
-    struct error ignored;
-    const float *c = material->color;
-    struct color color = color_rgb((uint8_t)(c[0] * 255 + 0.5F), (uint8_t)(c[1] * 255 + 0.5F),
-                                   (uint8_t)(c[2] * 255 + 0.5F));
-    *has_texture = material->texture != NULL && read_texture(&texture, material->texture, &ignored);
-    if (*has_texture) {
-        color = color_from_texel(texture.level[texture.level_count - 1].texels[0]);
-        texture_free(&texture);
-    }
-    return color;
-}
-
-/* Texture coordinates in the middles of the texels of a row, one for each face. */
-static bool place_in_palette(struct model *model, size_t texels) {
-    float(*uvs)[2] = malloc(texels * sizeof *uvs);
-    if (uvs == NULL) {
-        return false;
-    }
-    for (size_t i = 0; i < texels; i++) {
-        uvs[i][0] = ((float)i + 0.5F) / (float)texels;
-        uvs[i][1] = 0.5F;
-    }
-    free(model->uvs);
-    model->uvs = uvs;
-    model->uv_count = texels;
-    for (size_t i = 0; i < model->face_count; i++) {
-        uint32_t index = model->face_materials[i];
-        for (int j = 0; j < 3; j++) {
-            model->faces[i].corner[j].uv = index == MODEL_NONE ? (uint32_t)texels - 1 : index;
-        }
-    }
-    return true;
-}
-
-bool model_make_palette(struct model *model, struct texture *palette, bool *several,
-                        struct error *error) {
-    struct image image;
-    size_t count = model->material_count;
-    *several = false;
-    if (!image_create(&image, count + 1, 1, IMAGE_BGR, error)) {
-        return false;
-    }
-    image_clear(&image, color_grey(255));
-    for (size_t i = 0; i < count; i++) {
-        bool has_texture;
-        image_set(&image, (int)i, 0, mean_color(&model->materials[i], &has_texture));
-        *several = *several || has_texture;
-    }
-    bool done = texture_create(palette, &image, error) &&
-                (place_in_palette(model, count + 1) || error_out_of_memory(error));
-    palette->level_count = done ? 1 : palette->level_count; /* colours are not mixed */
-    image_free(&image);
-    return done;
 }

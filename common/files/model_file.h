@@ -9,7 +9,8 @@
  * ends with its line, so that two need two lines (off.h). Its colour is in levels 0..255 where its
  * 3 or 4 numbers are whole, otherwise 0..1; one number alone, an index into a table of colours, is
  * not used. Colours of positions are levels where one is above 2. All are cut to 0..1; where some
- * positions or faces have colours, the others are white. Of files of materials: see mtl.h.
+ * positions or faces have colours, the others are white. UTF-16 is read as
+ * UTF-8. Of files of materials: see mtl.h.
  */
 #ifndef COMMON_MODEL_FILE_H
 #define COMMON_MODEL_FILE_H
@@ -43,21 +44,24 @@ const char *model_warning_text(enum model_warning warning);
  * line is in `error` alone. */
 bool model_decode(struct model *model, const void *data, size_t size, struct error *error);
 
-/* How many of the textures lie beside the model. */
+/* The file of a texture, and whether it is there: the one that was chosen for this model, or the
+ * first usual name under which there is one beside it, or the first of all. The caller frees it;
+ * NULL when memory runs out. The model was read from a file. */
+char *model_find_texture(const struct model *model, enum model_texture_kind kind, bool *found);
+
+/* How many of the textures there are. */
 size_t model_textures_present(const struct model *model);
 
 /* Does a file of materials say how the model looks? Colours alone count less than a texture that
  * lies beside the model. */
 bool model_has_materials(const struct model *model);
 
-/* The path of the one texture that all faces have; NULL where that is not so. */
-const char *model_only_texture(const struct model *model);
+/* A texture of a picture's file. The caller frees it. */
+bool model_read_texture(struct texture *texture, const char *path, struct error *error);
 
-/* Make a texture of one row: the colour of each material, or the mean colour of its texture, and
- * white. The texture coordinates of the faces become places in it. `several` becomes whether means
- * stand for textures. False when memory runs out. The caller frees the texture. */
-bool model_make_palette(struct model *model, struct texture *palette, bool *several,
-                        struct error *error);
+/* A normal map, which says in which space it is. One in object space is turned as the model is. */
+bool model_read_normal_map(struct texture *texture, const char *path, const int turns[3],
+                           struct error *error);
 
 /* A texture of the model, read at the first call. NULL, with a message that names the file that was
  * looked for, when there is none or it cannot be read. The model keeps the texture. */

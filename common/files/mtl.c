@@ -29,24 +29,44 @@ static void read_color(struct text *text, float color[3]) {
     }
 }
 
-/* Over the options before a texture's name, each of them with what follows it. */
-static void skip_options(struct text *text) {
+/* Up to three numbers, of which two count. */
+static void read_pair(struct text *text, float pair[2]) {
+    for (int i = 0; i < 3; i++) {
+        struct text ahead = *text;
+        double number;
+        if (!word_to_double(text_next_word(&ahead), &number)) {
+            return;
+        }
+        if (i < 2 && number >= -1e6 && number <= 1e6) {
+            pair[i] = (float)number;
+        }
+        *text = ahead;
+    }
+}
+
+/* The options before a texture's name, each of them with what follows it. `material` gets those
+ * that count; NULL: none. */
+static void read_options(struct text *text, struct model_material *material) {
+    struct model_material ignored = {0};
+    material = material == NULL ? &ignored : material;
     for (;;) {
         struct text ahead = *text;
         struct word option = text_next_word(&ahead);
         if (option.length < 2 || option.start[0] != '-') {
             return;
         }
-        bool numbers = word_is(option, "-o") || word_is(option, "-s") || word_is(option, "-t");
-        text_next_word(&ahead); /* every option has one argument at least */
-        if (word_is(option, "-mm")) {
+        if (word_is(option, "-s")) {
+            read_pair(&ahead, material->scale);
+        } else if (word_is(option, "-o")) {
+            read_pair(&ahead, material->offset);
+        } else if (word_is(option, "-t")) {
+            read_pair(&ahead, ignored.offset);
+        } else if (word_is(option, "-clamp")) {
+            material->clamp = word_is(text_next_word(&ahead), "on");
+        } else { /* every other one has one argument, or two */
             text_next_word(&ahead);
-        }
-        for (int i = 0; numbers && i < 2; i++) { /* these have up to three numbers */
-            struct text behind = ahead;
-            double number;
-            if (word_to_double(text_next_word(&behind), &number)) {
-                ahead = behind;
+            if (word_is(option, "-mm")) {
+                text_next_word(&ahead);
             }
         }
         *text = ahead;
@@ -78,6 +98,45 @@ static char *texture_path(struct word name, const char *directory) {
     return beside;
 }
 
+/* A map of the material: its options, and its path in place of the last one. */
+static bool read_map(struct text *text, struct model_material *options, const char *directory,
+                     char **path) {
+    read_options(text, options);
+    struct word name = text_rest_of_line(text);
+    free(*path);
+    *path = texture_path(name, directory);
+    return name.length == 0 || *path != NULL;
+}
+
+/* False when memory runs out. */
+static bool read_statement(struct text *text, struct word keyword, const char *directory,
+                           struct model_material *material) {
+    double number;
+    bool is_norm = word_is(keyword, "norm");
+    bool is_bump =
+        word_is(keyword, "map_Bump") || word_is(keyword, "map_bump") || word_is(keyword, "bump");
+    if (word_is(keyword, "Kd")) {
+        read_color(text, material->color);
+    } else if (word_is(keyword, "Ks")) {
+        float color[3];
+        read_color(text, color);
+        material->specular = (color[0] + color[1] + color[2]) / 3;
+    } else if (word_is(keyword, "Ns")) {
+        bool given = text_next_number(text, &number).length > 0 && number >= 0 && number <= 1e4;
+        material->power = given ? (float)number : material->power;
+    } else if (word_is(keyword, "d")) {
+        material->hidden = text_next_number(text, &number).length > 0 && number <= 0;
+    } else if (word_is(keyword, "map_Kd")) {
+        return read_map(text, material, directory, &material->texture);
+    } else if (word_is(keyword, "map_Ks") || word_is(keyword, "map_Ns")) {
+        return read_map(text, NULL, directory, &material->shine);
+    } else if (is_norm || (is_bump && !material->is_norm)) {
+        material->is_norm = is_norm;
+        return read_map(text, NULL, directory, &material->bumps);
+    }
+    return true;
+}
+
 bool mtl_decode(struct model *model, const void *data, size_t size, const char *directory,
                 struct error *error) {
     struct text text;
@@ -93,16 +152,8 @@ bool mtl_decode(struct model *model, const void *data, size_t size, const char *
             if (material != NULL) {
                 material->known = true;
             }
-        } else if (material != NULL && word_is(keyword, "Kd")) {
-            read_color(&text, material->color);
-        } else if (material != NULL && word_is(keyword, "map_Kd")) {
-            skip_options(&text);
-            struct word name = text_rest_of_line(&text);
-            free(material->texture);
-            material->texture = texture_path(name, directory);
-            if (name.length > 0 && material->texture == NULL) {
-                return error_out_of_memory(error);
-            }
+        } else if (material != NULL && !read_statement(&text, keyword, directory, material)) {
+            return error_out_of_memory(error);
         }
     }
     return true;

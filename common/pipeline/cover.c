@@ -103,8 +103,8 @@ struct box {
 
 /* Where depths are equal: which of the old numbers are of a call that was drawn later than the
  * piece's? Rare, so one by one. */
-static doubles_mask find_later(const struct band *band, doubles_mask equal, const uint32_t *numbers,
-                               const struct piece *piece) {
+static doubles_mask find_later(const struct call_band *band, doubles_mask equal,
+                               const uint32_t *numbers, const struct piece *piece) {
     doubles later = {0};
     for (int i = 0; i < TOGETHER; i++) {
         later[i] =
@@ -117,7 +117,7 @@ static doubles_mask find_later(const struct band *band, doubles_mask equal, cons
  * and nearer; of equal depths that of the first drawn stays: the one that is there, except with
  * `reordered`, when the calls are asked. Without branches: each line is an instruction or two for
  * all pixels. Returns where the piece is shown now. */
-LANES_INLINE doubles_mask cover_pixels(const struct band *band, const struct box *box,
+LANES_INLINE doubles_mask cover_pixels(const struct call_band *band, const struct box *box,
                                        double *depths, uint32_t *numbers, doubles_mask inside,
                                        doubles z, bool reordered) {
     doubles old_z;
@@ -139,14 +139,14 @@ LANES_INLINE doubles_mask cover_pixels(const struct band *band, const struct box
 }
 
 /* Mark that something may be drawn in these rows of the columns from x on. */
-static void touch(const struct band *band, int x, struct span rows) {
+static void touch(const struct call_band *band, int x, struct span rows) {
     uint64_t before_end = (UINT64_C(1) << (rows.end - band->rows.begin)) - 1;
     int begin = rows.begin - band->rows.begin;
     band->visibility->touched[x / CHUNK] |= (uint32_t)(before_end >> begin << begin);
 }
 
 /* Some rows of a strip, the TOGETHER columns from x on. */
-LANES_INLINE void cover_strip(const struct band *band, const struct box *box, int x,
+LANES_INLINE void cover_strip(const struct call_band *band, const struct box *box, int x,
                               struct span rows, struct cover_how how) {
     three first = box->edges.origin + box->edges.dy * (rows.begin - box->rows.begin);
     doubles e0 = first[0] + box->right[0], e1 = first[1] + box->right[1];
@@ -180,7 +180,7 @@ LANES_INLINE void cover_strip(const struct band *band, const struct box *box, in
 }
 
 /* Its strips, one beside the other. Of high ones, only the rows where something may be inside. */
-LANES_INLINE void cover_strips(const struct band *band, struct box *box, int left,
+LANES_INLINE void cover_strips(const struct call_band *band, struct box *box, int left,
                                struct cover_how how) {
     int row_count = box->rows.end - box->rows.begin, bottom = box->rows.begin, x = left;
     if (row_count <= HIGH_BOX) {
@@ -204,7 +204,7 @@ LANES_INLINE void cover_strips(const struct band *band, struct box *box, int lef
 
 /* All pixels of a piece's box, several tested at once: strip by strip, each from its lowest row on.
  * (Row by row, a processor would often be wrong about where the row ends.) */
-LANES_INLINE void cover_box(const struct band *band, struct box *box, struct cover_how how) {
+LANES_INLINE void cover_box(const struct call_band *band, struct box *box, struct cover_how how) {
     int left = box->columns.begin / TOGETHER * TOGETHER;
     struct box_edges e = find_box_edges(box->piece->corner, left, box->rows.begin);
     box->edges = e;
@@ -220,13 +220,13 @@ LANES_INLINE void cover_box(const struct band *band, struct box *box, struct cov
 /* ---- What is behind ---- */
 
 /* The rows of the band, counted from its lowest one, in which something is. */
-static struct span rows_in_band(const struct band *band, struct span rows) {
+static struct span rows_in_band(const struct call_band *band, struct span rows) {
     rows = span_overlap(rows, band->rows);
     return (struct span){rows.begin - band->rows.begin, rows.end - band->rows.begin};
 }
 
 /* Find the farthest depth of a tile in a column of chunks; beyond the image nothing is drawn. */
-static double find_farthest(const struct band *band, int chunk, int tile) {
+static double find_farthest(const struct call_band *band, int chunk, int tile) {
     double least[CHUNK];
     int columns = (int)band->frame->pipeline->width - chunk * CHUNK;
     int begin = tile * TILE_HEIGHT, rows = band->rows.end - band->rows.begin - begin;
@@ -251,7 +251,7 @@ static double find_farthest(const struct band *band, int chunk, int tile) {
 }
 
 /* After a call, where it has changed something. */
-static void update_farthest(const struct band *band) {
+static void update_farthest(const struct call_band *band) {
     struct span columns = band->changed_columns, rows = rows_in_band(band, band->changed_rows);
     for (int x = columns.begin / CHUNK; x * CHUNK < columns.end; x++) {
         double *farthest = band->visibility->farthest + x * BAND_TILES;
@@ -263,7 +263,7 @@ static void update_farthest(const struct band *band) {
 
 /* ---- The pieces of a call ---- */
 
-LANES_INLINE void cover_piece(struct band *band, uint32_t number, struct cover_how how) {
+LANES_INLINE void cover_piece(struct call_band *band, uint32_t number, struct cover_how how) {
     const struct piece *piece = band->scratch->pieces[number - 1];
     const struct fixed2 *c = piece->corner;
     const struct rectangle *v = &band->call->call.viewport;
@@ -286,7 +286,7 @@ LANES_INLINE void cover_piece(struct band *band, uint32_t number, struct cover_h
     cover_box(band, &box, how);
 }
 
-LANES_INLINE void cover_pieces(struct band *band, struct cover_how how) {
+LANES_INLINE void cover_pieces(struct call_band *band, struct cover_how how) {
     enum { AHEAD = 8 }; /* so that the memory is asked for a piece before it is covered */
     for (int i = band->numbers.begin; i < band->numbers.end; i++) {
         if (i + AHEAD < band->numbers.end) {
@@ -296,7 +296,7 @@ LANES_INLINE void cover_pieces(struct band *band, struct cover_how how) {
     }
 }
 
-static void call_shader(const struct band *band) {
+static void call_shader(const struct call_band *band) {
     const struct shader *shader = band->call->shader;
     bool at_once = shades_at_once(band->frame, shader);
     if (shader->shade != NULL && at_once == shader->discards) {
@@ -306,7 +306,7 @@ static void call_shader(const struct band *band) {
     }
 }
 
-static void cover_call(struct band *band) {
+static void cover_call(struct call_band *band) {
     bool counts = band->frame->pipeline->counts_tests;
     if (shades_at_once(band->frame, band->call->shader)) {
         call_shader(band);
@@ -324,7 +324,7 @@ static void cover_call(struct band *band) {
 /* ---- A band ---- */
 
 /* Mark the pieces of which a pixel is visible. */
-static void mark_visible(const struct band *band) {
+static void mark_visible(const struct call_band *band) {
     const struct visibility *visibility = band->visibility;
     memset(band->scratch->fetched, 0, ((size_t)band->numbers.end + 1) * sizeof(uint32_t));
     for (size_t i = 0; i < chunk_columns(band->frame); i++) {
@@ -339,7 +339,7 @@ static void mark_visible(const struct band *band) {
 }
 
 /* Make the band what it was: nothing is drawn. Only what was touched has changed. */
-static void clear_band(const struct band *band) {
+static void clear_band(const struct call_band *band) {
     struct visibility *visibility = band->visibility;
     size_t columns = chunk_columns(band->frame);
     for (size_t i = 0; i < columns; i++) {
@@ -358,7 +358,7 @@ static void clear_band(const struct band *band) {
     depth_clear(visibility->farthest, columns * BAND_TILES);
 }
 
-static void keep_depth(const struct band *band) {
+static void keep_depth(const struct call_band *band) {
     const struct pipeline *p = band->frame->pipeline;
     for (int y = band->rows.begin; y < band->rows.end; y++) {
         for (size_t x = 0; x < p->width; x++) {
@@ -388,7 +388,7 @@ static void clear_touched(const struct image *image, struct span rows, const uin
 }
 
 /* While the rows are in the cache: the shaders write to them next. */
-static void clear_image(const struct band *band, const uint32_t *last_touched) {
+static void clear_image(const struct call_band *band, const uint32_t *last_touched) {
     const struct frame *frame = band->frame;
     const struct image *image = frame->image;
     size_t row_size = image->width * image->format;
@@ -402,7 +402,7 @@ static void clear_image(const struct band *band, const uint32_t *last_touched) {
 
 /* Number the pieces of the call at that place of the order, behind those of the calls before it.
  * False where it has none in the band. */
-static bool next_call(struct band *band, size_t place) {
+static bool next_call(struct call_band *band, size_t place) {
     const struct frame *frame = band->frame;
     const struct recorded_call *call = &frame->calls[frame->order[place].call];
     size_t bands = band_count(frame), index = (size_t)band->rows.begin / BAND_HEIGHT;
@@ -420,14 +420,14 @@ static bool next_call(struct band *band, size_t place) {
     return band->numbers.begin < band->numbers.end;
 }
 
-static bool call_is_behind(const struct band *band) {
+static bool call_is_behind(const struct call_band *band) {
     struct screen_place place = band->call->place;
     place.rows = rows_in_band(band, place.rows);
     return band->frame->reordered && is_behind(band->visibility, &place);
 }
 
 /* Cover the pieces of the round's calls in the band; those of earlier rounds are numbered only. */
-static void cover_calls(struct band *band) {
+static void cover_calls(struct call_band *band) {
     struct index_range round = band->frame->round;
     for (size_t i = 0; i < round.end; i++) {
         if (!next_call(band, i) || i < round.begin) {
@@ -446,7 +446,7 @@ static void cover_calls(struct band *band) {
 }
 
 /* Shade what is visible of all calls in the band. */
-static void shade_calls(struct band *band) {
+static void shade_calls(struct call_band *band) {
     band->numbers.end = 0;
     for (size_t i = 0; i < band->frame->order_count; i++) {
         if (next_call(band, i) && !shades_at_once(band->frame, band->call->shader)) {
@@ -455,9 +455,9 @@ static void shade_calls(struct band *band) {
     }
 }
 
-static struct band begin_band(struct frame *frame, size_t index, size_t worker) {
+static struct call_band begin_band(struct frame *frame, size_t index, size_t worker) {
     int bottom = (int)index * BAND_HEIGHT, height = (int)frame->pipeline->height;
-    return (struct band){
+    return (struct call_band){
         .frame = frame,
         .rows = {bottom, height - bottom < BAND_HEIGHT ? height : bottom + BAND_HEIGHT},
         .visibility = &frame->visibility[frame->kept ? index : worker],
@@ -467,13 +467,13 @@ static struct band begin_band(struct frame *frame, size_t index, size_t worker) 
 }
 
 void pipeline_cover_band(void *context, size_t index, size_t worker) {
-    struct band band = begin_band(context, index, worker);
+    struct call_band band = begin_band(context, index, worker);
     cover_calls(&band);
 }
 
 void pipeline_draw_band(void *context, size_t index, size_t worker) {
     struct frame *frame = context;
-    struct band band = begin_band(frame, index, worker);
+    struct call_band band = begin_band(frame, index, worker);
     size_t columns = chunk_columns(frame);
     uint32_t *last_touched = frame->last_touched + index * columns;
     clear_image(&band, last_touched);

@@ -131,7 +131,7 @@ struct scratch {
 };
 
 /* A band that is drawn, one draw call after the other: what a shade_function works on. */
-struct band {
+struct call_band {
     const struct frame *frame;
     struct span rows;
     struct visibility *visibility;

@@ -30,7 +30,7 @@ enum { IS_LITTLE_ENDIAN = 0 };
 /* ---- Fetching: once for each visible piece of a draw call ---- */
 
 /* A corner of a face becomes corner c of number i of those. */
-KERNEL void put_corner(const struct band *band, const struct shader *shader, uint32_t face,
+KERNEL void put_corner(const struct call_band *band, const struct shader *shader, uint32_t face,
                        size_t corner, struct corners_together *to, size_t c, size_t i) {
     const struct recorded_call *call = band->call;
     size_t position = call->call.model->faces[face].corner[corner].position;
@@ -43,7 +43,7 @@ KERNEL void put_corner(const struct band *band, const struct shader *shader, uin
 }
 
 /* The same for the corners of a part of a clipped face: mixed from those of the face. */
-KERNEL void put_clipped_corners(const struct band *band, const struct shader *shader,
+KERNEL void put_clipped_corners(const struct call_band *band, const struct shader *shader,
                                 const struct piece *piece, struct corners_together *to, size_t i) {
     struct polygon polygon = pipeline_clip_face(band->call, piece->face);
     const size_t fan[3] = {0, piece->part, piece->part + 1U};
@@ -63,7 +63,7 @@ KERNEL void put_clipped_corners(const struct band *band, const struct shader *sh
 }
 
 /* The corners of a piece become number i of those. */
-KERNEL void put_corners(const struct band *band, const struct shader *shader,
+KERNEL void put_corners(const struct call_band *band, const struct shader *shader,
                         const struct piece *piece, struct corners_together *to, size_t i) {
     for (size_t c = 0; c < 3; c++) {
         to->x[c][i] = piece->corner[c].x;
@@ -78,7 +78,7 @@ KERNEL void put_corners(const struct band *band, const struct shader *shader,
 }
 
 /* The planes of one piece, number 0 of those. */
-KERNEL void fetch_planes(const struct band *band, const struct shader *shader,
+KERNEL void fetch_planes(const struct call_band *band, const struct shader *shader,
                          const struct piece *piece, real *planes) {
     struct corners_together corners = {0};
     put_corners(band, shader, piece, &corners, 0);
@@ -87,14 +87,14 @@ KERNEL void fetch_planes(const struct band *band, const struct shader *shader,
 
 /* The piece of a number, seen: some pixel of it is visible, so it is not hidden, for the first band
  * that shows it. */
-static inline const struct piece *see_piece(const struct band *band, uint32_t number) {
+static inline const struct piece *see_piece(const struct call_band *band, uint32_t number) {
     struct piece *piece = band->scratch->pieces[number - 1];
     band->stats[STAT_FACES_HIDDEN] -= !piece->several || !atomic_exchange(&piece->seen, true);
     return piece;
 }
 
 /* What a fragment finds in its varyings. */
-KERNEL void prepare_varyings(const struct band *band, const struct shader *shader,
+KERNEL void prepare_varyings(const struct call_band *band, const struct shader *shader,
                              lanes *varyings) {
     if (shader->prepare != NULL) {
         shader->prepare(band->uniforms, varyings);
@@ -108,7 +108,7 @@ struct flat_pieces {
     real varyings[VARYING_LIMIT][LANES];
 };
 
-KERNEL void find_flat_colors(const struct band *band, const struct shader *shader,
+KERNEL void find_flat_colors(const struct call_band *band, const struct shader *shader,
                              struct flat_pieces *pieces) {
     lanes varyings[VARYING_LIMIT];
     lanes_texel colors;
@@ -123,7 +123,7 @@ KERNEL void find_flat_colors(const struct band *band, const struct shader *shade
 
 /* List the numbers of the visible pieces of the draw call; returns how many they are. Without a
  * branch: no processor could foresee it. */
-KERNEL uint32_t list_visible(const struct band *band) {
+KERNEL uint32_t list_visible(const struct call_band *band) {
     uint32_t *visible = band->scratch->visible, count = 0;
     for (uint32_t number = (uint32_t)band->numbers.begin + 1; number <= (uint32_t)band->numbers.end;
          number++) {
@@ -134,7 +134,7 @@ KERNEL uint32_t list_visible(const struct band *band) {
 }
 
 /* Ask the memory for a piece that will be fetched soon, and for the face of a sooner one. */
-KERNEL void expect_pieces(const struct band *band, const uint32_t *visible, uint32_t count) {
+KERNEL void expect_pieces(const struct call_band *band, const uint32_t *visible, uint32_t count) {
     enum { PIECES_AHEAD = 16, FACES_AHEAD = 8 };
     struct piece *const *pieces = band->scratch->pieces;
     if (count > PIECES_AHEAD) {
@@ -149,7 +149,8 @@ KERNEL void expect_pieces(const struct band *band, const uint32_t *visible, uint
 }
 
 /* Fetch the planes of the visible pieces. */
-KERNEL void fetch_all_planes(const struct band *band, const struct shader *shader, uint32_t count) {
+KERNEL void fetch_all_planes(const struct call_band *band, const struct shader *shader,
+                             uint32_t count) {
     const uint32_t *visible = band->scratch->visible;
     struct corners_together corners = {0};
     for (uint32_t i = 0; i < count; i++) {
@@ -165,7 +166,8 @@ KERNEL void fetch_all_planes(const struct band *band, const struct shader *shade
 }
 
 /* And the colours, of a flat shader. */
-KERNEL void fetch_all_colors(const struct band *band, const struct shader *shader, uint32_t count) {
+KERNEL void fetch_all_colors(const struct call_band *band, const struct shader *shader,
+                             uint32_t count) {
     const uint32_t *visible = band->scratch->visible;
     struct flat_pieces flat = {0};
     for (uint32_t i = 0; i < count; i++) {
@@ -183,7 +185,7 @@ KERNEL void fetch_all_colors(const struct band *band, const struct shader *shade
 
 /* Fetch what the visible pieces of the draw call need, in the order of the model, whose faces lie
  * close together in memory there. Returns how many these are. */
-KERNEL uint32_t fetch_visible(const struct band *band, const struct shader *shader) {
+KERNEL uint32_t fetch_visible(const struct call_band *band, const struct shader *shader) {
     uint32_t count = list_visible(band);
     if (shader->flat) {
         fetch_all_colors(band, shader, count);
@@ -282,7 +284,7 @@ KERNEL void write_lanes(struct image *image, int x, int y, lanes_texel color, la
 
 /* ---- Shading what is visible ---- */
 
-KERNEL bool has_number(const struct band *band, uint32_t number) {
+KERNEL bool has_number(const struct call_band *band, uint32_t number) {
     return number > (uint32_t)band->numbers.begin && number <= (uint32_t)band->numbers.end;
 }
 
@@ -298,7 +300,7 @@ KERNEL uint32_t find_runs(const uint32_t number[LANES + 1]) {
 
 /* The varyings of LANES pixels, which may belong to several pieces: the planes are taken run by
  * run, and divided by w once. False when none of the pixels is of this draw call. */
-KERNEL bool gather_varyings(const struct band *band, const struct shader *shader,
+KERNEL bool gather_varyings(const struct call_band *band, const struct shader *shader,
                             const uint32_t number[LANES + 1], int x, int y, lanes *varyings) {
     const uint32_t *fetched = band->scratch->fetched;
     struct lanes_planes planes;
@@ -334,7 +336,7 @@ struct pixels {
 };
 
 /* Find what is to be shaded at (x,y). False when none of the pixels is of this draw call. */
-KERNEL bool gather_pixels(const struct band *band, const struct shader *shader,
+KERNEL bool gather_pixels(const struct call_band *band, const struct shader *shader,
                           const uint32_t number[LANES + 1], int x, int y, struct pixels *pixels) {
     lanes_texel numbers;
     memcpy(&numbers, number, sizeof numbers);
@@ -352,7 +354,7 @@ KERNEL bool gather_pixels(const struct band *band, const struct shader *shader,
     return gather_varyings(band, shader, number, x, y, pixels->varyings);
 }
 
-KERNEL void shade_pixels(const struct band *band, const struct shader *shader,
+KERNEL void shade_pixels(const struct call_band *band, const struct shader *shader,
                          const struct pixels *pixels) {
     lanes_texel color;
     if (shader->flat) { /* colours of other draw calls are of no use */
@@ -367,7 +369,7 @@ KERNEL void shade_pixels(const struct band *band, const struct shader *shader,
  * the first is shaded: a processor foresees badly how many pieces there are, and would begin anew
  * with texels that are on their way. (Flat ones wait for none: at once, in 0.94 of the time of a
  * frame.) Returns how many pixels there were in each column. */
-KERNEL lanes_int shade_columns(const struct band *band, const struct shader *shader, int x) {
+KERNEL lanes_int shade_columns(const struct call_band *band, const struct shader *shader, int x) {
     const uint32_t *number = band->visibility->number + place_in_band(0, x);
     uint32_t touched = band->visibility->touched[x / CHUNK];
     struct pixels pixels[BAND_HEIGHT];
@@ -396,7 +398,7 @@ KERNEL lanes_int shade_columns(const struct band *band, const struct shader *sha
 
 /* Each visible pixel of the draw call once, in columns: what lies above a chunk is mostly of the
  * same pieces, and its texels lie beside those just fetched. */
-KERNEL void shade_visible(const struct band *band, const struct shader *shader) {
+KERNEL void shade_visible(const struct call_band *band, const struct shader *shader) {
     struct span columns = band->call->place.columns;
     lanes_int shaded = {0};
     if (fetch_visible(band, shader) == 0) {
@@ -434,7 +436,7 @@ static inline double edge_at(const struct edge *e, int x, int y) {
 
 /* Draw the pixels of a chunk that a piece covers and where it is nearest so far. Their numbers
  * become the piece's, so that nothing behind it is shaded. */
-KERNEL void shade_chunk_at_once(const struct band *band, const struct shader *shader,
+KERNEL void shade_chunk_at_once(const struct call_band *band, const struct shader *shader,
                                 const real *planes, uint32_t number, struct span span, int x, int y,
                                 const struct edges *edges, const struct depth_slopes *slopes) {
     size_t first = place_in_band(y - band->rows.begin, x);
@@ -476,7 +478,7 @@ KERNEL void shade_chunk_at_once(const struct band *band, const struct shader *sh
     }
 }
 
-KERNEL void shade_piece_at_once(const struct band *band, const struct shader *shader,
+KERNEL void shade_piece_at_once(const struct call_band *band, const struct shader *shader,
                                 const struct piece *piece, uint32_t number) {
     const struct pipeline *p = band->frame->pipeline;
     const struct rectangle *viewport = &band->call->call.viewport;
@@ -505,7 +507,7 @@ KERNEL void shade_piece_at_once(const struct band *band, const struct shader *sh
     }
 }
 
-KERNEL void shade_at_once(const struct band *band, const struct shader *shader) {
+KERNEL void shade_at_once(const struct call_band *band, const struct shader *shader) {
     for (int i = band->numbers.begin; i < band->numbers.end; i++) {
         shade_piece_at_once(band, shader, band->scratch->pieces[i], (uint32_t)i + 1);
     }
@@ -514,7 +516,7 @@ KERNEL void shade_at_once(const struct band *band, const struct shader *shader) 
 /* ---- One call in one band ---- */
 
 /* What SHADER() compiles for a shader. */
-KERNEL void shade_call(const struct band *band, const struct shader *shader, bool at_once) {
+KERNEL void shade_call(const struct call_band *band, const struct shader *shader, bool at_once) {
     if (at_once) {
         shade_at_once(band, shader);
     } else {

@@ -12,36 +12,29 @@ struct lanes_place {
     lanes fraction;
 };
 
-/* Where a place that lies outside, or nowhere, is in the picture: see texture_place(). */
-LANES_INLINE lanes lanes_bring_inside(lanes place, real size, bool clamp) {
-    if (clamp) {
-        return lanes_min(lanes_max(place, lanes_all(0)), lanes_all(size - 1));
-    }
-    real far = 0x1p22f * size; /* there floats have hardly a fraction left: a whole number */
-    lanes bounded = lanes_select((place > -far) & (place < far), place, lanes_all(-0.5f));
-    lanes inside = bounded - lanes_floor(bounded / size) * size;
-    return lanes_min(lanes_max(inside, lanes_all(0)), lanes_all(size));
+/* Along an axis of `size` texels: whole pictures are taken away, or nothing where `recip` is 0.
+ * What has hardly a fraction left (beyond 2^22), and what is not a number, is somewhere in the
+ * picture. */
+LANES_INLINE struct lanes_place lanes_find_texel(lanes coordinate, real size, real recip,
+                                                 real most) {
+    lanes place = coordinate * size - 0.5f;
+    place -= lanes_floor_any(place * recip) * size;
+    place = lanes_min(lanes_max(place, lanes_all(0)), lanes_all(most));
+    lanes_int texel = lanes_to_int(place);
+    return (struct lanes_place){texel, place - lanes_from_int(texel)};
 }
 
-/* The places of `uv` in a level of that texture. */
-LANES_INLINE void lanes_find_texels(const struct texture *texture,
-                                    const struct texture_level *level, struct lanes2 uv,
-                                    struct lanes_place *x, struct lanes_place *y) {
-    lanes across = uv.x * level->columns - 0.5f, along = uv.y * level->rows - 0.5f;
-    if (!lanes_within(across, level->last_column, along, level->last_row)) {
-        across = lanes_bring_inside(across, level->columns, texture->clamp);
-        along = lanes_bring_inside(along, level->rows, texture->clamp);
-    }
-    x->texel = lanes_to_int(across);
-    y->texel = lanes_to_int(along);
-    x->fraction = across - lanes_from_int(x->texel);
-    y->fraction = along - lanes_from_int(y->texel);
+LANES_INLINE struct lanes_place lanes_find_texel_x(const struct texture_level *level, lanes u) {
+    return lanes_find_texel(u, level->columns, level->recip_columns, level->most_columns);
 }
 
-/* Where the four texels around each pixel's place are in a level of that size. */
+LANES_INLINE struct lanes_place lanes_find_texel_y(const struct texture_level *level, lanes v) {
+    return lanes_find_texel(v, level->rows, level->recip_rows, level->most_rows);
+}
+
+/* Where the four texels around each pixel's place are in a level of that kind. */
 struct texel_place {
-    size_t width, height;
-    bool clamp;
+    uint64_t kind;     /* the level's; 0: none yet */
     lanes_texel bytes; /* from the first texel to the lower left one */
     lanes weight[4];   /* lower left, lower right, upper left, upper right; sum 1 */
 };
@@ -66,13 +59,10 @@ LANES_INLINE lanes_texel lanes_texel_bytes(const struct texture_level *level, st
            (uint32_t)sizeof *level->texels;
 }
 
-LANES_INLINE void texture_find(const struct texture *texture, const struct texture_level *level,
-                               struct lanes2 uv, struct texel_place *place) {
-    struct lanes_place x, y;
-    lanes_find_texels(texture, level, uv, &x, &y);
-    place->width = level->width;
-    place->height = level->height;
-    place->clamp = texture->clamp;
+LANES_INLINE void texture_find(const struct texture_level *level, struct lanes2 uv,
+                               struct texel_place *place) {
+    struct lanes_place x = lanes_find_texel_x(level, uv.x), y = lanes_find_texel_y(level, uv.y);
+    place->kind = level->kind;
     place->bytes = lanes_texel_bytes(level, x, y);
     lanes_texel_weights(x.fraction, y.fraction, place->weight);
 }
@@ -105,8 +95,8 @@ LANES_INLINE const struct texture_level *texture_level_of(const struct texture *
 LANES_INLINE struct texels texture_fetch(const struct texture *texture, struct lanes2 uv,
                                          size_t level, struct texel_place *place) {
     const struct texture_level *l = texture_level_of(texture, level);
-    if (place->width != l->width || place->height != l->height || place->clamp != texture->clamp) {
-        texture_find(texture, l, uv, place);
+    if (place->kind != l->kind) {
+        texture_find(l, uv, place);
     }
     struct texels texels;
     lanes_fetch_pairs(l->texels, place->bytes, &texels.texel[0], &texels.texel[1]);
@@ -149,8 +139,7 @@ LANES_INLINE struct lanes3 texture_lanes(const struct texture *texture, struct l
 LANES_INLINE void texture_locate(const struct texture *texture, size_t level, lanes *u, lanes *v,
                                  lanes *index) {
     const struct texture_level *l = texture_level_of(texture, level);
-    struct lanes_place x, y;
-    lanes_find_texels(texture, l, (struct lanes2){*u, *v}, &x, &y);
+    struct lanes_place x = lanes_find_texel_x(l, *u), y = lanes_find_texel_y(l, *v);
     *u = x.fraction;
     *v = y.fraction;
     lanes_texel at = lanes_texel_bytes(l, x, y);

@@ -43,17 +43,16 @@ LANES_INLINE uint32_t lanes_bits(lanes_int mask) {
 #endif
 }
 
-/* Are all lanes of both within 0 and their last? What is not a number is not. */
-LANES_INLINE bool lanes_within(lanes a, real last_a, lanes b, real last_b) {
+/* The next lower whole number, of any number: what is beyond 2^22 may become any other one. */
+LANES_INLINE lanes lanes_floor_any(lanes a) {
 #if LANES_OF_TYPE(REAL) == 16 && defined(__AVX512F__)
-    __mmask16 within = _mm512_cmp_ps_mask((__m512)a, _mm512_setzero_ps(), _CMP_GE_OQ);
-    within = _mm512_mask_cmp_ps_mask(within, (__m512)a, _mm512_set1_ps(last_a), _CMP_LE_OQ);
-    within = _mm512_mask_cmp_ps_mask(within, (__m512)b, _mm512_setzero_ps(), _CMP_GE_OQ);
-    within = _mm512_mask_cmp_ps_mask(within, (__m512)b, _mm512_set1_ps(last_b), _CMP_LE_OQ);
-    return within == 0xFFFF;
+    return (lanes)_mm512_floor_ps((__m512)a);
+#elif LANES_OF_TYPE(REAL) == 8 && defined(__AVX2__)
+    return (lanes)_mm256_floor_ps((__m256)a);
 #else
-    lanes_mask within = (a >= 0) & (a <= last_a) & (b >= 0) & (b <= last_b);
-    return lanes_bits(__builtin_convertvector(~within, lanes_int)) == 0;
+    const real whole = LANES_IS_FLOAT ? 0x1.8p23f : (real)0x1.8p52; /* so large: no fraction */
+    lanes nearest = (a + whole) - whole;
+    return lanes_select(nearest > a, nearest - 1, nearest);
 #endif
 }
 

@@ -26,15 +26,27 @@ static void describe_values(const struct scene_value *values, FILE *out) {
     }
 }
 
+/* A text scene is one more, with the text that one begins with. */
+static void describe_text(const struct program *program, FILE *out) {
+    if (program->text == NULL) {
+        return;
+    }
+    fprintf(out, ",{\"name\":\"your own\",\"frames\":1,\"text\":\"");
+    for (const char *c = program->text; *c != '\0'; c++) {
+        fprintf(out, *c == '\n' ? "\\n" : "%c", *c);
+    }
+    fprintf(out, "\"");
+    describe_values(program->text_values, out);
+    fprintf(out, "}");
+}
+
 void live_describe(const struct program *program, FILE *out) {
-    fprintf(out, "{\"program\":\"%s\",\"text\":%s,\"scenes\":[", program->name,
-            program->draw_text == NULL               ? "null"
-            : program->text_kind == TEXT_SCENE_LINES ? "\"line\""
-                                                     : "\"triangle\"");
+    fprintf(out, "{\"program\":\"%s\",\"scenes\":[", program->name);
     for (size_t i = 0; i < program->scene_count; i++) {
         const struct scene scene = scene_complete(program, &program->scenes[i]);
-        fprintf(out, "%s{\"name\":\"%s\",\"width\":%zu,\"height\":%zu,\"frames\":%zu",
-                i > 0 ? "," : "", scene.name, scene.width, scene.height, scene.frames);
+        fprintf(out, "%s{\"name\":\"%s\",\"width\":%zu,\"height\":%zu,\"frames\":%zu%s",
+                i > 0 ? "," : "", scene.name, scene.width, scene.height, scene.frames,
+                scene.extra ? ",\"extra\":true" : "");
         if (program->takes_light) {
             describe_vec3("light", scene.light, out);
         }
@@ -46,18 +58,33 @@ void live_describe(const struct program *program, FILE *out) {
         describe_values(scene.values, out);
         fprintf(out, "}");
     }
+    describe_text(program, out);
     fprintf(out, "]}\n");
     fflush(out);
 }
 
 /* ---- Frames ---- */
 
-void live_write_frame(const struct image *image, double milliseconds,
-                      const struct counter *counters, size_t counter_count, FILE *out) {
+static size_t count_lines(const char *text) {
+    size_t count = 0;
+    for (; *text != '\0'; text++) {
+        count += *text == '\n';
+    }
+    return count;
+}
+
+void live_write_frame(const struct image *image, double milliseconds, const struct drawing *drawing,
+                      FILE *out) {
     fprintf(out, "frame %zu %zu %.3f %zu\n", image->width, image->height, milliseconds,
-            counter_count);
-    for (size_t i = 0; i < counter_count; i++) {
-        fprintf(out, "%s %llu\n", counters[i].name, (unsigned long long)counters[i].value);
+            drawing->counter_count + count_lines(drawing->notes));
+    for (size_t i = 0; i < drawing->counter_count; i++) {
+        const struct counter *counter = &drawing->counters[i];
+        fprintf(out, "%s %llu\n", counter->name, (unsigned long long)counter->value);
+    }
+    for (const char *line = drawing->notes; strchr(line, '\n') != NULL;) {
+        int length = (int)strcspn(line, "\n");
+        fprintf(out, " %.*s\n", length, line);
+        line += length + 1;
     }
     uint8_t row[4 * DRAW_LIMIT];
     for (int y = (int)image->height - 1; y >= 0; y--) {

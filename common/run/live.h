@@ -5,7 +5,8 @@
  * last word is `text`, the lines of a text scene follow, up to a line `end`. The answer to each is
  *
  *     frame WIDTH HEIGHT MILLISECONDS COUNT
- *     NAME VALUE                                 COUNT lines: counters, as --stats prints them
+ *     NAME VALUE                                 COUNT lines: counters, as --stats prints them,
+ *      TEXT                                      and behind a blank, what --probe is told
  *     then WIDTH * HEIGHT pixels of four bytes: red, green, blue, 255, row by row from the top
  *
  * or a line `error MESSAGE`. Before the first request one line of JSON says which scenes there are,
@@ -33,8 +34,8 @@ typedef bool live_answer(void *context, const struct live_request *request, FILE
 /* Write the line of JSON: the program's scenes, with its defaults filled in. */
 void live_describe(const struct program *program, FILE *out);
 
-void live_write_frame(const struct image *image, double milliseconds,
-                      const struct counter *counters, size_t counter_count, FILE *out);
+void live_write_frame(const struct image *image, double milliseconds, const struct drawing *drawing,
+                      FILE *out);
 
 /* Answer until the input ends. False, with a message, when memory runs out, or nobody reads. */
 bool live_loop(const struct program *program, FILE *in, FILE *out, live_answer *answer,

@@ -3,10 +3,11 @@
 
 #include "base/text.h"
 
+#include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
 
-enum { REPEAT_LIMIT = 1000000, HELP_COLUMN = 16 };
+enum { REPEAT_LIMIT = 1000000, HELP_COLUMN = 17 };
 
 /* Reads the value (NULL for an option without one) into the option's field. */
 typedef bool parse_function(const struct program *program, const char *value, void *field);
@@ -80,21 +81,53 @@ static bool parse_vec3(const struct program *program, const char *value, void *f
     return true;
 }
 
+/* A pixel of an image, which may be smaller. */
+static bool parse_pixel(const struct program *program, const char *value, void *field) {
+    struct pixel_option *pixel = field;
+    struct vec3_option three;
+    char text[64];
+    snprintf(text, sizeof text, "%s,0", value);
+    bool done = parse_vec3(program, text, &three) && three.value.x >= 0 && three.value.y >= 0 &&
+                three.value.x < DRAW_LIMIT && three.value.y < DRAW_LIMIT;
+    if (done) {
+        *pixel = (struct pixel_option){true, {(int)three.value.x, (int)three.value.y}};
+    }
+    return done;
+}
+
+static bool is_within(const struct scene_value *known, double value) {
+    return known != NULL && value >= known->least && value <= known->most;
+}
+
+/* Three whole numbers of quarter turns; four make none. */
+static bool parse_turns(const struct program *program, const char *value, void *field) {
+    struct vec3_option turns;
+    if (!parse_vec3(program, value, &turns)) {
+        return false;
+    }
+    const double quarters[3] = {turns.value.x, turns.value.y, turns.value.z};
+    bool whole = true;
+    for (int i = 0; i < 3; i++) {
+        whole = whole && floor(quarters[i]) == quarters[i];
+        ((int *)field)[i] = (int)(quarters[i] - 4 * floor(quarters[i] / 4));
+    }
+    return whole;
+}
+
 /* NAME=VALUE: a number of a scene, within its range. */
 static bool parse_set(const struct program *program, const char *text, void *field) {
     struct options *options = field;
     struct chosen_value chosen = {.name = text, .length = strcspn(text, "=")};
     const char *number = text + chosen.length + (text[chosen.length] == '=');
-    bool known = false;
     if (options->set_count == VALUE_LIMIT ||
         !word_to_double((struct word){number, strlen(number)}, &chosen.value)) {
         return false;
     }
-    for (size_t i = 0; i < program->scene_count; i++) {
-        const struct scene_value *value = scene_find_value(&program->scenes[i], &chosen);
-        known |= value != NULL && chosen.value >= value->least && chosen.value <= value->most;
-    }
     options->set[options->set_count++] = chosen;
+    bool known = is_within(find_value(program->text_values, &chosen), chosen.value);
+    for (size_t i = 0; i < program->scene_count; i++) {
+        known |= is_within(find_value(program->scenes[i].values, &chosen), chosen.value);
+    }
     return known;
 }
 
@@ -141,6 +174,11 @@ static const struct option {
     {"--only", "SCENE", "a scene", "draw just this scene", FIELD(only), parse_scene, ALWAYS},
     {"--format", "F", "a format" FORMATS, "of the images" FORMATS, FIELD(format), parse_format,
      ALWAYS},
+    {"--turn", "X,Y,Z", "three whole numbers X,Y,Z",
+     "first turn the model: quarter turns around x, then y, then z", FIELD(turns), parse_turns,
+     WITH_MODEL},
+    {"--two-sided", "", "", "draw the faces of the model from both sides", FIELD(two_sided),
+     parse_switch, WITH_MODEL},
     {"--fit", "", "", "move and scale the model into view", FIELD(fit), parse_switch, WITH_MODEL},
     {"--details", "", "", "draw a model also where the course's own is seen from near",
      FIELD(details), parse_switch, WITH_MODEL},
@@ -169,6 +207,8 @@ static const struct option {
      ALWAYS},
     {"--frame", "N", "a number" REPEATS, "with --live: this frame of an animation" REPEATS,
      FIELD(frame), parse_repeat, ALWAYS},
+    {"--probe", "X,Y", "a pixel X,Y", "with --live: what there is to say about this pixel",
+     FIELD(probe), parse_pixel, ALWAYS},
     {"--live", "", "", "answer lines of options with frames: see common/run/live.h", FIELD(live),
      parse_switch, ALWAYS},
     {"--help", "", "", "this text; so does -h", FIELD(help), parse_switch, ALWAYS},
@@ -177,27 +217,40 @@ static const struct option {
 enum { OPTIONS_KNOWN = sizeof options_known / sizeof options_known[0] };
 
 struct details {
-    char text[256];
+    char text[768];
 };
 
-/* What follows the option's texts: the names of the scenes, cut where there are very many. */
+/* Append to the details, which are cut where they are too many. */
+static void PRINTF_LIKE(2, 3) add_detail(struct details *details, const char *format, ...) {
+    size_t length = strlen(details->text);
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(details->text + length, sizeof details->text - length, format, arguments);
+    va_end(arguments);
+}
+
+/* The numbers of a list, and of which scene. */
+static void add_values(struct details *details, const struct scene_value *value,
+                       const char *scene) {
+    for (; value != NULL && value->name != NULL; value++) {
+        add_detail(details, "%s %s of %s, %g to %g", details->text[0] == '\0' ? ":" : ";",
+                   value->name, scene, value->least, value->most);
+    }
+}
+
+/* What follows the option's texts: the names of the scenes, or of their numbers. */
 static struct details details_of(const struct option *option, const struct program *program) {
     struct details details = {{0}};
-    size_t length = 0, count = option->parse == parse_scene ? program->scene_count : 0;
-    for (size_t i = 0; option->parse == parse_set && i < program->scene_count; i++) {
-        const struct scene_value *value = program->scenes[i].values;
-        bool is_new = i == 0 || value != program->scenes[i - 1].values;
-        for (; value != NULL && is_new && value->name != NULL && length < sizeof details.text;
-             value++) {
-            length +=
-                (size_t)snprintf(details.text + length, sizeof details.text - length,
-                                 "%s %s of %s, %g to %g", length == 0 ? ":" : ";", value->name,
-                                 program->scenes[i].name, value->least, value->most);
+    for (size_t i = 0; i < program->scene_count; i++) {
+        const struct scene *scene = &program->scenes[i];
+        if (option->parse == parse_scene) {
+            add_detail(&details, "%s %s", i == 0 ? ":" : ",", scene->name);
+        } else if (option->parse == parse_set && (i == 0 || scene->values != scene[-1].values)) {
+            add_values(&details, scene->values, scene->name);
         }
     }
-    for (size_t i = 0; i < count && length < sizeof details.text; i++) {
-        length += (size_t)snprintf(details.text + length, sizeof details.text - length, "%s %s",
-                                   i == 0 ? ":" : ",", program->scenes[i].name);
+    if (option->parse == parse_set) {
+        add_values(&details, program->text_values, "a text scene");
     }
     return details;
 }
@@ -216,7 +269,7 @@ bool program_takes_model(const struct program *program) {
 }
 
 static bool takes_values(const struct program *program) {
-    bool takes = false;
+    bool takes = program->text_values != NULL;
     for (size_t i = 0; i < program->scene_count; i++) {
         takes |= program->scenes[i].values != NULL;
     }

@@ -19,6 +19,11 @@ struct size_option {
     size_t width, height; /* 0 where none was given */
 };
 
+struct pixel_option {
+    bool given;
+    struct pixel value;
+};
+
 struct options {
     const char *input;        /* model or text scene; NULL where none was named */
     const char *directory;    /* NULL for the default */
@@ -29,9 +34,11 @@ struct options {
     const char *textures[MODEL_TEXTURE_KINDS]; /* files; NULL for those beside the model */
     struct chosen_value set[VALUE_LIMIT];
     size_t set_count;
+    int turns[3];  /* quarter turns */
     size_t repeat; /* 0 without --repeat */
-    size_t frame;  /* 1 and on, of an animation; 0 without --frame */
-    bool fit, details, stats, no_skip, live, help;
+    struct pixel_option probe;
+    size_t frame; /* 1 and on, of an animation; 0 without --frame */
+    bool fit, two_sided, details, stats, no_skip, live, help;
 };
 
 /* Does the program draw a model, which the command line may then name? */

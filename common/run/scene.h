@@ -30,7 +30,8 @@ enum need {
 };
 
 /* A number of a scene that --set changes, within its range. A list of them ends with one that has
- * no name; every scene has its own list, or none. */
+ * no name; every scene has its own list, or none. Two that are called NAME_x and NAME_y are a point
+ * to drag: their ranges are the picture, from left to right and from the bottom up. */
 struct scene_value {
     const char *name;                /* letters, digits and '_' */
     const char *help;                /* what it is, in a few words */
@@ -39,12 +40,21 @@ struct scene_value {
 
 enum {
     COUNTER_LIMIT = 32, /* different names that one scene counts */
-    VALUE_LIMIT = 8     /* numbers in a scene's list */
+    VALUE_LIMIT = 16,   /* numbers in a scene's list */
+    NOTES_LIMIT = 1024  /* bytes of notes about a pixel */
 };
 
 struct counter {
     const char *name;
     uint64_t value;
+};
+
+/* The faces of one material. */
+struct drawing_part {
+    struct model model; /* of these faces alone; it shares all else with the whole */
+    struct texture diffuse, normal_map,
+        specular;                  /* shared; empty where there is none, but diffuse */
+    double specular_weight, power; /* of the material; negative or 0: unknown */
 };
 
 /* What a draw function works with. It reads all of it and may change `depth` and `state`. */
@@ -53,6 +63,10 @@ struct drawing {
     const struct texture *diffuse;    /* one white texel where there is none */
     const struct texture *normal_map; /* NULL where there is none: draw by the mesh's normals */
     const struct texture *specular;   /* one texel where there is none */
+    const struct drawing_part *parts; /* of a model with materials: see drawing_take_part() */
+    size_t part_count;
+    const struct texture *whole_normal_map, *whole_specular; /* of parts that have none */
+    double specular_weight, power;    /* of a part's material; negative or 0: unknown */
     double *depth;                    /* one a pixel, row by row from the bottom: -INFINITY */
     const struct text_scene *text;    /* the text scene of the command line, otherwise NULL */
     struct vec3 eye, center, up;      /* the camera: options, the scene's or the program's */
@@ -64,6 +78,9 @@ struct drawing {
     const struct scene_value *values; /* the scene's, */
     double value[VALUE_LIMIT];        /* and what they are now: see drawing_value() */
     void *state;                      /* program.state_size bytes, zero at first */
+    bool probed;                      /* by --probe: note what there is to say about a pixel */
+    struct pixel probe;               /* this one */
+    char notes[NOTES_LIMIT];          /* lines: see drawing_note() */
     struct counter counters[COUNTER_LIMIT];
     size_t counter_count;
 };
@@ -71,8 +88,20 @@ struct drawing {
 /* Add to the drawing's counter of that name (a string constant), for --stats. */
 void drawing_count(struct drawing *drawing, const char *name, uint64_t amount);
 
-/* The scene's number of that name, as --set has chosen it, or its default. The scene has it. */
+/* Add a line, as printf makes it, to what is said about the pixel; it is cut where that is full. */
+void drawing_note(struct drawing *drawing, const char *format, ...) PRINTF_LIKE(2, 3);
+
+/* Set the model and its textures to those of part `i`, from 0. False behind the last one; then they
+ * are again those of the whole model. A model without materials is one part. So a scene draws a
+ * model of several materials: for (size_t i = 0; drawing_take_part(drawing, i); i++). */
+bool drawing_take_part(struct drawing *drawing, size_t i);
+
+/* The scene's number of that name, as --set has chosen it, or its default; 0 where the scene has no
+ * such number. */
 double drawing_value(const struct drawing *drawing, const char *name);
+
+/* The same of NAME_x and NAME_y. */
+struct vec2 drawing_point(const struct drawing *drawing, const char *name);
 
 /* Where a field is zero, the program's default stands. */
 struct scene {
@@ -104,6 +133,8 @@ struct program {
      * drawing->text. The default size counts where the text has no `size`. */
     bool (*draw_text)(struct drawing *drawing, struct image *image, struct error *error);
     enum text_scene_kind text_kind;
+    const struct scene_value *text_values; /* of every text scene; NULL: none */
+    const char *text;                      /* with which a reader begins, to drag its points */
     /* Memory of a scene that outlives one drawing of it: made before the drawing, so that it is not
      * measured. `prepare` is called once for each scene when all it needs is loaded, `finish`
      * always after a call of `prepare`, even a failed one. Both may be NULL. */

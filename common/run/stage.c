@@ -5,8 +5,11 @@
 #include "files/fit.h"
 #include "files/model_file.h"
 #include "files/normals.h"
+#include "files/sides.h"
 
 #include <assert.h>
+#include <stdarg.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -34,11 +37,41 @@ void drawing_count(struct drawing *drawing, const char *name, uint64_t amount) {
     drawing->counters[i].value += amount;
 }
 
+void drawing_note(struct drawing *drawing, const char *format, ...) {
+    size_t length = strlen(drawing->notes);
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(drawing->notes + length, sizeof drawing->notes - length, format, arguments);
+    va_end(arguments);
+    length = strlen(drawing->notes);
+    if (length + 1 < sizeof drawing->notes) {
+        drawing->notes[length] = '\n';
+    }
+}
+
+/* ---- Parts ---- */
+
+bool drawing_take_part(struct drawing *drawing, size_t i) {
+    if (drawing->parts == NULL) {
+        return i == 0;
+    }
+    bool is_part = i < drawing->part_count;
+    const struct drawing_part *part = &drawing->parts[is_part ? i : drawing->part_count];
+    drawing->model = &part->model;
+    drawing->diffuse = &part->diffuse;
+    drawing->normal_map =
+        part->normal_map.level_count > 0 ? &part->normal_map : drawing->whole_normal_map;
+    drawing->specular = part->specular.level_count > 0 ? &part->specular : drawing->whole_specular;
+    drawing->specular_weight = part->specular_weight;
+    drawing->power = part->power;
+    return is_part;
+}
+
 /* ---- Numbers of scenes ---- */
 
-const struct scene_value *scene_find_value(const struct scene *scene,
-                                           const struct chosen_value *chosen) {
-    const struct scene_value *value = scene->values;
+const struct scene_value *find_value(const struct scene_value *values,
+                                     const struct chosen_value *chosen) {
+    const struct scene_value *value = values;
     while (value != NULL && value->name != NULL &&
            (strlen(value->name) != chosen->length ||
             memcmp(value->name, chosen->name, chosen->length) != 0)) {
@@ -48,11 +81,20 @@ const struct scene_value *scene_find_value(const struct scene *scene,
 }
 
 double drawing_value(const struct drawing *drawing, const char *name) {
-    size_t i = 0;
-    while (strcmp(drawing->values[i].name, name) != 0) {
-        i++;
+    const struct scene_value *values = drawing->values;
+    for (size_t i = 0; values != NULL && values[i].name != NULL; i++) {
+        if (strcmp(values[i].name, name) == 0) {
+            return drawing->value[i];
+        }
     }
-    return drawing->value[i];
+    return 0;
+}
+
+struct vec2 drawing_point(const struct drawing *drawing, const char *name) {
+    char x[64], y[64];
+    snprintf(x, sizeof x, "%s_x", name);
+    snprintf(y, sizeof y, "%s_y", name);
+    return (struct vec2){drawing_value(drawing, x), drawing_value(drawing, y)};
 }
 
 /* The scene's defaults, then what was chosen. */
@@ -63,7 +105,7 @@ static void set_values(struct drawing *drawing, const struct scene *scene, const
         drawing->value[i] = scene->values[i].value;
     }
     for (size_t i = 0; i < run->chosen_count; i++) {
-        const struct scene_value *value = scene_find_value(scene, &run->chosen[i]);
+        const struct scene_value *value = find_value(scene->values, &run->chosen[i]);
         if (value != NULL) {
             drawing->value[value - scene->values] = run->chosen[i].value;
         }
@@ -100,9 +142,16 @@ struct scene scene_complete(const struct program *program, const struct scene *g
 struct loaded run_loaded(const struct run *run) {
     struct loaded loaded = run->unloaded;
     loaded.bytes += run->model.bytes_read;
+    loaded.bytes += run->parts.bytes_read;
     loaded.textures_present += model_textures_present(&run->model);
     for (int kind = 0; kind < MODEL_TEXTURE_KINDS; kind++) {
         loaded.textures_read += run->model.textures[kind].level_count > 0;
+    }
+    for (size_t i = 0; i < run->parts.picture_count; i++) {
+        const struct picture *picture = &run->parts.pictures[i];
+        bool is_read = picture->path != NULL && picture->texture.level_count > 0;
+        loaded.textures_present += is_read;
+        loaded.textures_read += is_read;
     }
     return loaded;
 }
@@ -111,7 +160,8 @@ static void unload_model(struct run *run) {
     run->unloaded = run_loaded(run);
     model_free(&run->model);
     run->model_file = NULL;
-    texture_free(&run->palette);
+    run->is_noted = false;
+    parts_free(&run->parts);
     for (int kind = 0; kind < MODEL_TEXTURE_KINDS; kind++) {
         run->is_replaced[kind] = false;
     }
@@ -126,26 +176,17 @@ static unsigned needed_parts(unsigned needs) {
            ((needs & NEEDS_LINES) != 0 ? MODEL_LINES : 0);
 }
 
-/* A model with one texture in its materials is drawn by that, others by a texture of colours. */
-static bool take_materials(struct run *run, struct error *error) {
-    struct model *model = &run->model;
-    const char *only = model_only_texture(model);
-    bool several = false;
-    if (run->texture_files[MODEL_DIFFUSE] != NULL || !model_has_materials(model)) {
-        return true;
+/* Turn it, show its faces from both sides, fit it into view, as the options say. */
+static bool place_model(struct run *run, bool need_normals, struct error *error) {
+    const int *turns = run->turns;
+    if (turns[0] != 0 || turns[1] != 0 || turns[2] != 0) {
+        model_turn(&run->model, turns);
     }
-    if (only != NULL && model->uv_count > 0) {
-        model->texture_files[MODEL_DIFFUSE] = only;
-        return true;
-    }
-    if (!model_make_palette(model, &run->palette, &several, error)) {
+    if (run->two_sided && !model_add_other_sides(&run->model, need_normals, error)) {
         return false;
     }
-    if (several) {
-        error_set(&run->replaced[MODEL_DIFFUSE],
-                  "has several textures, of which only the mean colours are drawn; --texture FILE "
-                  "names one for all faces");
-        error_name_input(&run->replaced[MODEL_DIFFUSE], model->path);
+    if (run->fit) {
+        model_fit(&run->model, run->program->takes_camera);
     }
     return true;
 }
@@ -177,12 +218,11 @@ static bool load_model(struct run *run, const struct scene *scene, struct error 
         free(path);
     }
     memcpy(run->model.texture_files, run->texture_files, sizeof run->texture_files);
-    if (done && (needs & NEEDS_DIFFUSE) != 0) {
-        done = take_materials(run, error);
-    }
-    if (done && run->fit) {
-        model_fit(&run->model, run->program->takes_camera);
-    }
+    run->has_materials = (needs & NEEDS_DIFFUSE) != 0 &&
+                         run->texture_files[MODEL_DIFFUSE] == NULL &&
+                         model_has_materials(&run->model);
+    done = done && (!run->has_materials || parts_move_coordinates(&run->model, error));
+    done = done && place_model(run, (parts & MODEL_NORMALS) != 0, error);
     run->model_file = done ? file : NULL;
     return done;
 }
@@ -195,7 +235,7 @@ static bool make_texel(struct texture *texture, uint8_t level, struct error *err
 
 enum { SHINY = 64 }; /* the level of a specular map: a power of 16, as lesson 10 reads it */
 
-/* What is drawn in place of a texture: NULL for a normal map. */
+/* What is drawn instead of a missing texture: NULL for a normal map. */
 static bool replace_texture(struct run *run, enum model_texture_kind kind,
                             const struct texture **texture, struct error *error) {
     if (kind == MODEL_NORMAL_MAP) {
@@ -207,23 +247,55 @@ static bool replace_texture(struct run *run, enum model_texture_kind kind,
     return make_texel(instead, kind == MODEL_DIFFUSE ? 255 : SHINY, error);
 }
 
-/* Are the normals of a map, as their mean tells, nearly all about (0, 0, 1)? Those of an object go
- * all around. */
-static bool is_tangent_space(const struct texture *map) {
-    struct color mean = color_from_texel(map->level[map->level_count - 1].texels[0]);
-    return mean.b > 200 && abs(mean.r - 128) < 40 && abs(mean.g - 128) < 40;
+/* What is drawn where there is no texture, and the option that names one. */
+static const struct {
+    unsigned need;
+    const char *instead, *option;
+} replacements[MODEL_TEXTURE_KINDS] = {
+    [MODEL_DIFFUSE] = {NEEDS_DIFFUSE, "white", "--texture"},
+    [MODEL_NORMAL_MAP] = {NEEDS_NORMAL_MAP, "the mesh's normals", "--normal-map"},
+    [MODEL_SPECULAR] = {NEEDS_SPECULAR, "the same shine everywhere", "--specular"},
+};
+
+/* Add to a list in a text of 200 bytes. */
+static void list_add(char *list, const char *entry) {
+    size_t length = strlen(list);
+    snprintf(list + length, 200 - length, "%s%s", length > 0 ? ", " : "", entry);
+}
+
+/* Say in one message which of the textures that the scenes need are not there. */
+static bool note_missing(struct run *run, unsigned needs, struct error *error) {
+    char names[200] = "", instead[200] = "", options[200] = "";
+    struct error *note = NULL;
+    for (int kind = 0; kind < MODEL_TEXTURE_KINDS; kind++) {
+        bool found;
+        char *path = model_find_texture(&run->model, (enum model_texture_kind)kind, &found);
+        if (path == NULL) {
+            return error_out_of_memory(error);
+        }
+        if (!found && (needs & replacements[kind].need) != 0 && !run->is_replaced[kind]) {
+            const char *slash = strrchr(path, '/');
+            list_add(names, slash == NULL ? path : slash + 1);
+            list_add(instead, replacements[kind].instead);
+            list_add(options, replacements[kind].option);
+            note = note == NULL ? &run->replaced[kind] : note;
+            run->is_replaced[kind] = true;
+        }
+        free(path);
+    }
+    if (note != NULL) {
+        error_set(note, "no %s beside it, nor other usual names; %s instead (%s)", names, instead,
+                  options);
+        error_name_input(note, run->model.path);
+    }
+    return true;
 }
 
 /* A texture that the scene needs. One that the command line names must be there; others are
  * replaced, and those of a model whose corners have no place in a picture are not looked for. */
-static bool load_texture(struct run *run, bool needed, enum model_texture_kind kind,
+static bool load_texture(struct run *run, unsigned needs, enum model_texture_kind kind,
                          const struct texture **texture, struct error *error) {
-    static const char *const instead[] = {
-        "white instead; --texture FILE names one",
-        "the mesh's normals instead; --normal-map FILE names one",
-        "the same shine everywhere instead; --specular FILE names one",
-    };
-    if (!needed) {
+    if ((needs & replacements[kind].need) == 0) {
         return true;
     }
     if (run->model.uv_count == 0 && run->texture_files[kind] != NULL) {
@@ -231,29 +303,67 @@ static bool load_texture(struct run *run, bool needed, enum model_texture_kind k
                   run->texture_files[kind]);
         return error_name_input(error, run->model.path);
     }
-    if (run->palette.level_count > 0 && kind == MODEL_DIFFUSE) {
-        *texture = &run->palette;
-        return true;
+    if (run->has_materials && kind == MODEL_DIFFUSE) {
+        return true; /* take_parts() gives it */
     }
-    if (run->model.uv_count == 0 || run->palette.level_count > 0 || run->is_replaced[kind]) {
+    bool has_places = run->model.uv_count > 0;
+    if (has_places && !run->has_materials && !note_missing(run, needs | run->needs, error)) {
+        return false;
+    }
+    bool found = true;
+    if (has_places && run->has_materials) { /* what they do not name is no loss */
+        free(model_find_texture(&run->model, kind, &found));
+    }
+    if (!has_places || !found || run->is_replaced[kind]) {
         return replace_texture(run, kind, texture, error);
     }
     *texture = model_texture(&run->model, kind, error);
-    bool tangent = kind == MODEL_NORMAL_MAP && *texture != NULL && is_tangent_space(*texture);
-    if (tangent) {
-        error_set(error, "the normal map is one in tangent space, and only object space is read");
-        error_name_input(error, run->model.path);
+    bool *guessed = &run->model.textures[kind].space_guessed;
+    if (*guessed) {
+        error_set(&run->replaced[kind], "the normal map is blue, so it is read as one in tangent "
+                                        "space, as if its name ended in _tangent");
+        error_name_input(&run->replaced[kind], run->model.path);
+        *guessed = false; /* it is said */
     }
-    if ((*texture != NULL && !tangent) || run->texture_files[kind] != NULL) {
-        return *texture != NULL && !tangent;
+    if (*texture != NULL || run->texture_files[kind] != NULL) {
+        return *texture != NULL;
     }
-    error_set(&run->replaced[kind], "%s; %s", error->message, instead[kind]);
+    error_set(&run->replaced[kind], "%s; %s instead (%s)", error->message,
+              replacements[kind].instead, replacements[kind].option);
     run->is_replaced[kind] = true;
     return replace_texture(run, kind, texture, error);
 }
 
 bool scene_needs_model(const struct scene *scene) {
     return (scene->needs & ~(unsigned)NEEDS_DEPTH) != 0;
+}
+
+/* The parts of a model with materials. */
+static bool take_parts(struct run *run, unsigned needs, struct drawing *drawing,
+                       struct error *error) {
+    struct error missing = {0};
+    if (!run->has_materials) {
+        return true;
+    }
+    run->parts.with_normal_maps =
+        (needs & NEEDS_NORMAL_MAP) != 0 && run->texture_files[MODEL_NORMAL_MAP] == NULL;
+    if (!parts_make(&run->parts, &run->model, &missing, error)) {
+        return false;
+    }
+    if (missing.message[0] != '\0' && !run->is_replaced[MODEL_DIFFUSE]) {
+        run->replaced[MODEL_DIFFUSE] = missing;
+        run->is_replaced[MODEL_DIFFUSE] = true;
+    }
+    if (run->parts.note.message[0] != '\0' && !run->is_noted) {
+        run->replaced[MODEL_NORMAL_MAP] = run->parts.note;
+        run->is_noted = true;
+    }
+    drawing->parts = run->parts.part;
+    drawing->part_count = run->parts.count;
+    drawing->whole_normal_map = drawing->normal_map;
+    drawing->whole_specular = drawing->specular;
+    drawing_take_part(drawing, drawing->part_count);
+    return true;
 }
 
 /* All that the scene needs, except for its depth buffer. */
@@ -269,10 +379,10 @@ static bool load_needs(struct run *run, const struct scene *scene, struct drawin
     drawing->model = &run->model;
     return ((needs & NEEDS_NORMALS) == 0 || model_need_normals(&run->model, error)) &&
            ((needs & NEEDS_COLORS) == 0 || model_need_colors(&run->model, error)) &&
-           load_texture(run, needs & NEEDS_DIFFUSE, MODEL_DIFFUSE, &drawing->diffuse, error) &&
-           load_texture(run, needs & NEEDS_NORMAL_MAP, MODEL_NORMAL_MAP, &drawing->normal_map,
-                        error) &&
-           load_texture(run, needs & NEEDS_SPECULAR, MODEL_SPECULAR, &drawing->specular, error);
+           load_texture(run, needs, MODEL_DIFFUSE, &drawing->diffuse, error) &&
+           load_texture(run, needs, MODEL_NORMAL_MAP, &drawing->normal_map, error) &&
+           load_texture(run, needs, MODEL_SPECULAR, &drawing->specular, error) &&
+           ((needs & NEEDS_DIFFUSE) == 0 || take_parts(run, needs, drawing, error));
 }
 
 /* ---- The stage ---- */
@@ -308,6 +418,8 @@ bool stage_begin(struct stage *stage, struct run *run, const struct scene *scene
                     .light = scene->light,
                     .skip = !run->no_skip,
                     .stats = run->stats,
+                    .probed = run->probed,
+                    .probe = run->probe,
                     .number = scene->number},
         .pixel_count = width * height,
     };
@@ -340,7 +452,7 @@ void stage_end(struct stage *stage) {
 
 void run_free(struct run *run) {
     model_free(&run->model);
-    texture_free(&run->palette);
+    parts_free(&run->parts);
     texture_free(&run->white);
     texture_free(&run->shiny);
     *run = (struct run){0};

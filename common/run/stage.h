@@ -6,6 +6,7 @@
 #ifndef COMMON_STAGE_H
 #define COMMON_STAGE_H
 
+#include "run/parts.h"
 #include "run/scene.h"
 
 /* What was read, for --stats. */
@@ -23,10 +24,13 @@ struct chosen_value {
 /* What the scenes of one run share. Set the first part, leave the second zero. */
 struct run {
     const struct program *program;
-    const char *input;             /* a model in place of the course's own; NULL: none */
+    const char *input;             /* a model instead of the course's own; NULL: none */
     const struct text_scene *text; /* NULL but for a text scene */
-    bool no_skip, stats;
+    bool no_skip, stats, probed;
+    struct pixel probe;                /* where `probed` */
+    int turns[3];                      /* quarter turns of models: see fit.h */
     bool fit;                          /* move and scale models into view */
+    bool two_sided;                    /* draw faces from both sides */
     const struct chosen_value *chosen; /* numbers of scenes, by --set */
     size_t chosen_count;
     const char *texture_files[MODEL_TEXTURE_KINDS]; /* for the model; NULL: those beside it */
@@ -36,12 +40,14 @@ struct run {
     const char *model_file;      /* which file it is; NULL while none is loaded */
     unsigned model_parts;        /* what of it is loaded, of enum model_part */
     struct loaded unloaded;      /* of models that made room for others */
-    struct texture palette;      /* the model's materials; empty where it has none or one texture */
+    bool has_materials;          /* the model has, and is drawn by them, part for part */
+    struct parts parts;          /* as the last scene had them */
     struct texture white, shiny; /* of one texel, for a model without textures; empty at first */
     /* Textures that the model has not, or that cannot be read: why, and what is drawn instead. The
      * message is empty once it is said. */
     struct error replaced[MODEL_TEXTURE_KINDS];
     bool is_replaced[MODEL_TEXTURE_KINDS];
+    bool is_noted; /* what parts.note says */
 };
 
 /* What was read up to now. */
@@ -56,9 +62,9 @@ extern const char *const default_model_path;
 /* The scene with the program's defaults filled in. */
 struct scene scene_complete(const struct program *program, const struct scene *scene);
 
-/* The scene's number that this chooses; NULL where it has none of that name. */
-const struct scene_value *scene_find_value(const struct scene *scene,
-                                           const struct chosen_value *chosen);
+/* The number of a list that this chooses; NULL where it has none of that name. */
+const struct scene_value *find_value(const struct scene_value *values,
+                                     const struct chosen_value *chosen);
 
 /* Is the scene drawn from a model? */
 bool scene_needs_model(const struct scene *scene);

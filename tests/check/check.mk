@@ -55,12 +55,18 @@ $(BUILD)/check: $(BUILD)/tests/check/check.o $(CHECKER) $(BUILD)/libcommon.a
 $(BUILD)/tests/%.o: INCLUDES = -Itests
 
 # Style and script of the pages, as strings of C.
-$(BUILD)/tests/check/page/page_files.c: tests/check/page/page.css tests/check/page/page.js
+PAGE_FILES = css=tests/check/page/page.css still=tests/check/page/still.js \
+             live=tests/student/live/page.css js=tests/student/live/page.js \
+             viewer=tests/student/live/page.html
+$(BUILD)/tests/check/page/page_files.c: $(foreach file,$(PAGE_FILES),$(lastword $(subst =, ,$(file))))
 	@mkdir -p $(@D)
 	@{ echo '#include "check/page/page.h"'; \
-	   for file in css js; do \
-	       echo "const char *const page_$$file[] = {"; \
-	       sed 's/[\\"]/\\&/g; s/.*/    "&\\n",/' tests/check/page/page.$$file; \
+	   for file in $(PAGE_FILES); do \
+	       echo "const char *const page_$${file%%=*}[] = {"; \
+	       case $$file in \
+	       *.html) sed -n '/^<header>/,/^<.main>/p' "$${file#*=}" | sed 's/main class/div class/; s/.main>/\/div>/' ;; \
+	       *) cat "$${file#*=}" ;; \
+	       esac | sed 's/[\\"]/\\&/g; s/.*/    "&\\n",/'; \
 	       echo '    NULL};'; \
 	   done; } >$@
 

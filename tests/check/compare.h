@@ -95,7 +95,7 @@ enum compare_pixels {
 bool image_is_blank(const struct image *image);
 
 /* Make the picture of the difference, of the reference's size: the reference at a quarter of its
- * brightness with, on top, red: this pixel of yours should not be there, or has another colour;
+ * brightness with, on top, red: this pixel should not be there, or has another colour;
  * blue: missing; dark green: differs, but does not count. Yours is laid at the bottom-left corner
  * and cut, and an empty image shows as background. The caller frees `difference`. */
 bool compare_difference(struct image *difference, const struct image *reference,

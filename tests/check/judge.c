@@ -550,6 +550,14 @@ static const char *find_to_do(const struct judging *judging, const struct credit
     return found;
 }
 
+/* The same; what was not judged because of its picture is to do when that is. */
+static const char *find_item_to_do(const struct judging *judging, const struct item_result *item) {
+    const char *task = find_to_do(judging, item->credit);
+    return task == NULL && item->unjudged
+               ? find_to_do(judging, result_picture_of(judging->result, item)->credit)
+               : task;
+}
+
 /* What has failed is to do while such a task is, also where the program crashes for want of it. */
 static void set_to_do(struct item_result *item, const char *task) {
     item->state = RESULT_TODO;
@@ -564,16 +572,12 @@ static void set_to_do(struct item_result *item, const char *task) {
     result_say(&item->message, "%s %s is to do", kind, task);
 }
 
-/* Work and relations that were not judged because of their picture are to do when it is. */
 static void find_all_to_do(const struct judging *judging) {
     struct step_result *result = judging->result;
     bool was_blamed = false, is_blamed = false;
     for (size_t i = 0; i < result->item_count; i++) {
         struct item_result *item = &result->items[i];
-        const char *task = find_to_do(judging, item->credit);
-        if (task == NULL && item->unjudged) {
-            task = find_to_do(judging, result_picture_of(result, item)->credit);
-        }
+        const char *task = find_item_to_do(judging, item);
         was_blamed |= item->blamed;
         if (item->state >= RESULT_FAIL && item->state <= RESULT_CRASH && task != NULL) {
             set_to_do(item, task);
@@ -586,13 +590,34 @@ static void find_all_to_do(const struct judging *judging) {
     }
 }
 
-/* Which tasks are to do only because others are. */
+/* What a task waits for that is written: what the first item needs that shows it and is to do. */
 static void find_waiting_tasks(const struct judging *judging) {
     struct step_result *result = judging->result;
     const char *source = (const char *)judging->source.data;
     for (size_t i = 0; i < result->task_count; i++) {
         struct task_result *task = &result->tasks[i];
-        task->waits = task->state == RESULT_TODO && !todo_has_task(source, task->name.text);
+        bool waits = task->state == RESULT_TODO && !todo_has_task(source, task->name.text);
+        for (size_t k = 0; k < result->item_count && waits && task->waits_for == NULL; k++) {
+            const struct item_result *item = &result->items[k];
+            if (item->state == RESULT_TODO &&
+                task_is_among(item->credit->tasks, item->credit->task_count, task->name.text)) {
+                task->waits_for = find_item_to_do(judging, item);
+            }
+        }
+    }
+}
+
+/* Where the program ended badly over a picture, and a function does so alone: which one it is. */
+static void tell_crashing_functions(struct step_result *result) {
+    for (size_t i = 0; i < result->item_count && !result->sanitized; i++) {
+        struct item_result *item = &result->items[i];
+        const struct item_result *numbers = item->blamed ? result_numbers_of(result, item) : NULL;
+        if (numbers != NULL) {
+            result_say(&item->message, "; %.*s() %s, see numbers %s",
+                       (int)strcspn(numbers->message.text, "("), numbers->message.text,
+                       item->state == RESULT_TIME ? "does not return" : "crashes",
+                       numbers->counter);
+        }
     }
 }
 
@@ -651,7 +676,7 @@ static void tell_counted(const struct judging *judging, const size_t *items,
     for (size_t i = 0; i < count && counted_tells(yours, count); i++) {
         struct item_result *item = &judging->result->items[items[i]];
         const struct suspicion suspicion = suspicion_of(judging, item);
-        item->only_may_be |= item->blank && item->counter[0] == '\0';
+        item->only_may_be |= (item->blank || item->divided) && item->counter[0] == '\0';
         mistakes_tell(item, &set, doubt_find, &suspicion);
         write_sign(judging->options->counted, &yours[i]);
     }
@@ -748,6 +773,7 @@ static bool draw_and_judge(struct judging *judging, struct error *error) {
         judge_end(judging, &result->state, &result->reason, &end);
         done = judge_pictures(judging, &end, error) && judge_works(judging, error);
         find_all_to_do(judging);
+        tell_crashing_functions(result);
         tell_likenesses(judging);
         done = done && count_and_tell(judging, &end, error);
     }

@@ -31,6 +31,17 @@ static bool is_told(const struct step_result *step, const struct item_result *it
     return told;
 }
 
+/* Is the same to be seen in an item before this one, with the same hint? */
+static bool is_seen(const struct step_result *step, const struct item_result *item) {
+    const struct result_text advice = result_advice(step, item);
+    bool seen = false;
+    for (const struct item_result *other = step->items; other < item; other++) {
+        seen |= strcmp(other->seen.text, item->seen.text) == 0 && other->looks.text[0] == '\0' &&
+                strcmp(result_advice(step, other).text, advice.text) == 0;
+    }
+    return seen;
+}
+
 /* Is a hint all that can be said, and has none before this item been the same? */
 static bool wants_hint(const struct step_result *step, const struct item_result *item) {
     bool wants = item->looks.text[0] == '\0' && item->state >= RESULT_FAIL &&
@@ -60,7 +71,9 @@ static void report_item(const struct step_result *step, const struct item_result
         printf("    %s %s%s\n", result_likeness(item), item->looks.text,
                result_advice(step, item).text);
     } else if (item->seen.text[0] != '\0' && item->state == RESULT_FAIL) {
-        printf("    %s%s\n", item->seen.text, result_advice(step, item).text);
+        bool seen = is_seen(step, item);
+        printf("    %s%s\n", seen ? "the same" : item->seen.text,
+               seen ? "" : result_advice(step, item).text);
     } else if ((hints || item->is_numbers) && wants_hint(step, item)) {
         printf("    %s\n", result_advice(step, item).text + strlen("; "));
     }
@@ -91,10 +104,11 @@ static void report_part(const struct step_result *step, char part) {
         const struct task_result *task = &step->tasks[i];
         if (part_of(task) == part) {
             const char *state = task->state == RESULT_PASS ? ""
-                                : task->waits              ? "waits"
+                                : task->waits_for != NULL  ? "waits for "
                                                            : result_state_name(task->state);
-            printf("%s %s%s%s%s %u/%u", comma, task->name.text, task->perhaps ? " perhaps" : "",
-                   state[0] != '\0' ? " " : "", state, task->points, task->most);
+            printf("%s %s%s%s%s%s %u/%u", comma, task->name.text, task->perhaps ? " perhaps" : "",
+                   state[0] != '\0' ? " " : "", state,
+                   task->waits_for != NULL ? task->waits_for : "", task->points, task->most);
             comma = ",";
         }
     }
@@ -272,10 +286,10 @@ static const struct task_result *find_next(const struct step_result *step) {
     int least = 4;
     for (size_t i = 0; i < step->task_count; i++) {
         const struct task_result *task = &step->tasks[i];
-        int rank = task->state == RESULT_PASS || task->waits ? 4
-                   : task->state == RESULT_TODO              ? 3
-                   : !task->perhaps                          ? 0
-                                                             : 1 + has_right_numbers(step, task);
+        int rank = task->state == RESULT_PASS || task->waits_for != NULL ? 4
+                   : task->state == RESULT_TODO                          ? 3
+                   : !task->perhaps                                      ? 0
+                                    : 1 + has_right_numbers(step, task);
         next = rank < least ? task : next;
         least = rank < least ? rank : least;
     }

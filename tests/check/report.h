@@ -12,7 +12,7 @@
  *       knot TODO 0/2: task 5.2 is to do
  *       tasks: 5.1 2/2, 5.2 FAIL 0/6, 5.3 2/2
  *     step05_zbuffer  CRASH 1/4 SCORE 2/10
- *       zbuffer CRASH 0/4: SIGSEGV
+ *       zbuffer CRASH 0/4: SIGSEGV, outside of an array, or a pointer to nothing
  *     step05_zbuffer  BUILD 0/4 SCORE 0/10: step05_zbuffer/main.c:12:5: error: ...
  *     step05_zbuffer  ERROR 3/4 SCORE 8/10
  *       depth ERROR 0/2: no reference: ...
@@ -24,7 +24,7 @@
  * where it is not known which of several is to blame, a task that the scene needs is not right
  * either, or the scene looks like a mistake of a task that it neither shows nor needs (result.h).
  *
- * A task that is written `waits` where all that shows it needs another one that is to do.
+ * A task that is written `waits for` another, which is to do and needed by all that shows it.
  *
  * The fraction in a step's line counts its pictures and counters; all others are points.
  */

@@ -152,6 +152,18 @@ static bool numbers_blame(const struct step_result *result, const struct item_re
     return false;
 }
 
+const struct item_result *result_numbers_of(const struct step_result *result,
+                                            const struct item_result *item) {
+    for (size_t i = 0; i < result->item_count; i++) {
+        const struct item_result *numbers = &result->items[i];
+        if (are_wrong_numbers(numbers) && numbers->state == item->state &&
+            !is_need_of_numbers_wrong(result, numbers)) {
+            return numbers;
+        }
+    }
+    return NULL;
+}
+
 /* The first task that may be to blame for an item that is wrong. */
 static const char *first_suspect(const struct step_result *result, const struct item_result *item) {
     const struct credit *credit = item->credit;

@@ -98,7 +98,7 @@ struct task_result {
     struct task_name name;
     enum result_state state; /* the worst of those of the items that may be its fault */
     bool perhaps;            /* FAIL, and of the first such item it is not sure */
-    bool waits;              /* TODO, but written: what shows it needs a task that is to do */
+    const char *waits_for;   /* TODO, but written: this task or part is to do first; else NULL */
     unsigned points, most;
 };
 
@@ -154,6 +154,10 @@ const struct item_result *result_picture_of(const struct step_result *result,
 /* Does a picture that passes show this task alone? (Work that is counted right shows nothing: what
  * it counts may be drawn wrong.) */
 bool result_is_right(const struct step_result *result, const char *task);
+
+/* The first numbers that are wrong in the way in which the item ended; NULL for none. */
+const struct item_result *result_numbers_of(const struct step_result *result,
+                                            const struct item_result *item);
 
 /* The words before `looks`: "looks like", or "may be". */
 const char *result_likeness(const struct item_result *item);

@@ -83,10 +83,22 @@ struct signal_name run_signal_name(int number) {
         int number;
         const char *name;
     } known[] = {
-        {SIGSEGV, "SIGSEGV"}, {SIGABRT, "SIGABRT"}, {SIGFPE, "SIGFPE"},   {SIGILL, "SIGILL"},
-        {SIGBUS, "SIGBUS"},   {SIGTRAP, "SIGTRAP"}, {SIGSYS, "SIGSYS"},   {SIGPIPE, "SIGPIPE"},
-        {SIGKILL, "SIGKILL"}, {SIGTERM, "SIGTERM"}, {SIGXFSZ, "SIGXFSZ"}, {SIGXCPU, "SIGXCPU"},
-        {SIGINT, "SIGINT"},   {SIGQUIT, "SIGQUIT"}, {SIGHUP, "SIGHUP"},   {SIGALRM, "SIGALRM"},
+        {SIGSEGV, "SIGSEGV, outside of an array, or a pointer to nothing"},
+        {SIGABRT, "SIGABRT, ended by abort() or a failed assert()"},
+        {SIGFPE, "SIGFPE, a whole number divided by 0"},
+        {SIGILL, "SIGILL"},
+        {SIGBUS, "SIGBUS, outside of an array, or a pointer to nothing"},
+        {SIGTRAP, "SIGTRAP"},
+        {SIGSYS, "SIGSYS"},
+        {SIGPIPE, "SIGPIPE"},
+        {SIGKILL, "SIGKILL"},
+        {SIGTERM, "SIGTERM"},
+        {SIGXFSZ, "SIGXFSZ"},
+        {SIGXCPU, "SIGXCPU"},
+        {SIGINT, "SIGINT"},
+        {SIGQUIT, "SIGQUIT"},
+        {SIGHUP, "SIGHUP"},
+        {SIGALRM, "SIGALRM"},
     };
     struct signal_name name;
     snprintf(name.text, sizeof name.text, "signal %d", number);

@@ -75,9 +75,10 @@ struct run_text {
 };
 struct run_text run_stopped_by(const struct run_result *result, const struct run_limits *limits);
 
-/* The name of a signal, like "SIGSEGV". */
+/* The name of a signal, and what a program has done to get it: "SIGFPE, a whole number divided by
+ * 0". */
 struct signal_name {
-    char text[24];
+    char text[80];
 };
 struct signal_name run_signal_name(int number);
 

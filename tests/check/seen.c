@@ -185,21 +185,69 @@ static const char *find_channels(const struct image *reference, const struct ima
     return NULL;
 }
 
-/* What is missing, where all else is right. */
-static struct seen_text find_part(const struct image *reference, const struct image *yours) {
-    size_t drawn = 0, missing = 0, other = 0;
-    struct seen_text seen = {""};
+/* Pixels drawn in the reference, in it alone, in yours alone; and of those in both how many have
+ * other colours, how many of these are nowhere too light or nowhere too dark, and by how much. */
+struct parts {
+    size_t drawn, missing, extra, other, dark, light;
+    double levels;
+};
+
+static void add_color(struct parts *parts, struct color right, struct color is) {
+    int r = is.r - right.r, g = is.g - right.g, b = is.b - right.b;
+    parts->other++;
+    parts->dark += r <= 0 && g <= 0 && b <= 0;
+    parts->light += r >= 0 && g >= 0 && b >= 0;
+    parts->levels += abs(r + g + b) / 3.0;
+}
+
+static struct parts find_parts(const struct image *reference, const struct image *yours) {
+    struct parts parts = {.drawn = 0};
     for (int y = 0; y < (int)reference->height; y++) {
         for (int x = 0; x < (int)reference->width; x++) {
             struct color right = image_get(reference, x, y), is = image_get(yours, x, y);
-            drawn += is_drawn(right);
-            missing += is_drawn(right) && !is_drawn(is);
-            other += is_drawn(is) && !agree(right, is);
+            parts.drawn += is_drawn(right);
+            parts.missing += is_drawn(right) && !is_drawn(is);
+            parts.extra += is_drawn(is) && !is_drawn(right);
+            if (is_drawn(is) && is_drawn(right) && !agree(right, is)) {
+                add_color(&parts, right, is);
+            }
         }
     }
-    if (TRUE_SHARE * missing > drawn && TRUE_SHARE * other <= drawn - missing) {
+    return parts;
+}
+
+/* All is drawn where it should be: are its colours too dark, or too light? */
+static struct seen_text describe_colors(const struct parts *parts) {
+    const size_t most = parts->other - parts->other / TRUE_SHARE;
+    struct seen_text seen = {"the right pixels are drawn, in other colours"};
+    if (parts->dark >= most || parts->light >= most) {
+        snprintf(seen.text, sizeof seen.text,
+                 "the right pixels are drawn, but too %s: where they differ, by %.0f on average",
+                 parts->dark >= most ? "dark" : "light", parts->levels / (double)parts->other);
+    }
+    return seen;
+}
+
+/* What is missing, where all else is right; what is too much; which colours are wrong; or how many
+ * pixels are each of these. */
+static struct seen_text find_part(const struct image *reference, const struct image *yours) {
+    const struct parts parts = find_parts(reference, yours);
+    const size_t kept = parts.drawn - parts.missing, wrong = parts.extra + parts.other;
+    struct seen_text seen = {""};
+    if (TRUE_SHARE * parts.missing > parts.drawn && TRUE_SHARE * wrong <= kept) {
         snprintf(seen.text, sizeof seen.text, "%zu %% of the picture is missing, the rest is right",
-                 missing * 100 / drawn);
+                 parts.missing * 100 / parts.drawn);
+    } else if (TRUE_SHARE * parts.extra > parts.drawn &&
+               TRUE_SHARE * (parts.missing + parts.other) <= parts.drawn) {
+        snprintf(seen.text, sizeof seen.text,
+                 "%zu %% of what you draw should not be there, the rest is right",
+                 parts.extra * 100 / (kept + parts.extra));
+    } else if (parts.other > 0 && TRUE_SHARE * (parts.missing + parts.extra) <= parts.other) {
+        seen = describe_colors(&parts);
+    } else if (parts.missing + wrong > 0) {
+        snprintf(seen.text, sizeof seen.text,
+                 "%zu pixels are missing, %zu are too many, %zu have other colours", parts.missing,
+                 parts.extra, parts.other);
     }
     return seen;
 }

@@ -720,7 +720,8 @@ static void test_runner(void) {
     CHECK(run_check("1 9 14", &output) == 1);
     CHECK_TEXT(line_of(&output, "step01_exact").text, "PASS 2/2 SCORE 2/2 exact");
     CHECK(contains(&output, "exit status 1: step09_status: bust.obj:17"));
-    CHECK(contains(&output, "step14_abort  CRASH 0/1 SCORE 0/1\n  depth CRASH 0/1: SIGABRT: "));
+    CHECK(contains(&output, "step14_abort  CRASH 0/1 SCORE 0/1\n  depth CRASH 0/1: SIGABRT, ended "
+                            "by abort() or a failed assert(): "));
     bytes_free(&output);
     setenv("CHECK_RUNNER", "/nowhere/runner", 1);
     CHECK(run_check("1", &output) == 1);
@@ -754,7 +755,8 @@ static void test_known_counters(void) {
         {"step42_black", "42.2 0 depth2:rbb:pixels=5;depth3:rbb:pixels=1 black\n", "", ""},
         {"step42_black", "42.2 0 depth2:rbb:pixels=5 black\n", "--only depth2", ""},
         {"step43_divided", "43.2 0 depth2:rd:- by 0\n", "",
-         "depth2 CRASH 0/1: SIGFPE;   looks like \"by 0\"; make hint STEP=43 TASK=43.2"},
+         "depth2 CRASH 0/1: SIGFPE, a whole number divided by 0;   may be \"by 0\"; make hint "
+         "STEP=43 TASK=43.2"},
         {"step43_divided", "43.2 0 depth2:rd:pixels=5 counted\n", "", ""},
         {"step13_crash", "13.1 0 depth2:rd:- another crash\n", "", ""},
     };
@@ -816,7 +818,8 @@ static void test_sanitized_is_not_advised(void) {
     struct bytes output;
     CHECK(run_check("--sanitized 33", &output) == 1);
     CHECK_TEXT(line_of(&output, "step33_first").text,
-               "CRASH 1/2 SCORE 3/4; depth CRASH 0/1: SIGABRT; depth2 PASS 3/3; tasks: 33.1 CRASH "
+               "CRASH 1/2 SCORE 3/4; depth CRASH 0/1: SIGABRT, ended by abort() or a failed "
+               "assert(); depth2 PASS 3/3; tasks: 33.1 CRASH "
                "0/1, 33.2 3/3");
     bytes_free(&output);
 }

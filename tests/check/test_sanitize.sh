@@ -7,7 +7,7 @@ lesson=step01_line
 unset ASAN_OPTIONS UBSAN_OPTIONS
 
 cp -R "$top/Makefile" "$top/common" "$work" && cd "$work" && mkdir -p $lesson tests/reference &&
-    cp -R "$top/tests/check" tests && : >$lesson/README.md &&
+    cp -R "$top/tests/check" "$top/tests/student" tests && : >$lesson/README.md &&
     cp -R "$top/tests/reference/$lesson" tests/reference || exit 1
 grep "^$lesson " "$top/tests/check/scenes.txt" >tests/check/scenes.txt
 

@@ -70,6 +70,28 @@ static struct color without_foot(int x, int y) {
     return x < 20 ? shape_color(x, y) : color_rgb(0, 0, 0);
 }
 
+static struct color with_bar(int x, int y) {
+    return y >= 50 && y < 53 ? color_rgb(9, 9, 9) : shape_color(x, y);
+}
+
+static struct color darker(int x, int y) {
+    struct color c = shape_color(x, y);
+    return c.r > 0 ? color_rgb((uint8_t)(c.r - 10), (uint8_t)(c.g - 10), (uint8_t)(c.b - 10)) : c;
+}
+
+static struct color bluer(int x, int y) {
+    struct color c = shape_color(x, y);
+    return c.r > 0 && y < 30 ? color_rgb(c.r, c.g, (uint8_t)(c.b + 30)) : c;
+}
+
+static struct color all_ways(int x, int y) {
+    struct color c = shape_color(x, y);
+    if (y == 50 && c.r == 0) {
+        return color_rgb(9, 9, 9);
+    }
+    return x == 10 || c.r == 0 ? color_rgb(0, 0, 0) : color_rgb(c.b, c.r, c.g);
+}
+
 static struct color noise(int x, int y) {
     struct color c = shape_color(x, y);
     int level = (x * 37 + y * 91) % 200;
@@ -106,7 +128,11 @@ static void test_changes(void) {
         {halved, "0.5 times as wide and 0.5 times as high"},
         {blue_for_red, "red and blue are exchanged"},
         {without_foot, "25 % of the picture is missing, the rest is right"},
-        {noise, ""},
+        {with_bar, "27 % of what you draw should not be there, the rest is right"},
+        {darker, "the right pixels are drawn, but too dark: where they differ, by 10 on average"},
+        {bluer, "the right pixels are drawn, but too light: where they differ, by 10 on average"},
+        {all_ways, "35 pixels are missing, 60 are too many, 435 have other colours"},
+        {noise, "the right pixels are drawn, in other colours"},
     };
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         struct image right, yours = {.pixels = NULL};

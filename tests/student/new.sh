@@ -41,4 +41,4 @@ trap 'rm -rf "$new"' EXIT
 trap 'exit 1' HUP INT TERM
 mkdir "$new" 2>/dev/null && sed "s/NAME/$name/g" tests/student/new.c >"$new/main.c" &&
     : >"$new/.new" && mv "$new" "$name" || fail 1 "cannot write $name/main.c"
-echo "$name/main.c is a program of yours: make $name builds it and draws a picture that moves."
+echo "$name/main.c is your own program: make $name builds it and draws a picture that moves."

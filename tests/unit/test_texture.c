@@ -256,10 +256,10 @@ static void check_outside(size_t width, size_t height, size_t levels) {
         struct vec2 inside = {fmax(half_x, fmin(uv.x, 1 - half_x)),
                               fmax(half_y, fmin(uv.y, 1 - half_y))};
         struct vec2 copied = {(uv.x + 1) / 3, (uv.y + 1) / 3};
-        texture.clamp = true;
+        texture_set_clamp(&texture, true);
         CHECK(is_near(texture_bilinear(&texture, uv, level),
                       texture_bilinear(&texture, inside, level)));
-        texture.clamp = false;
+        texture_set_clamp(&texture, false);
         if (fmin(uv.x, uv.y) >= -1 + fmax(half_x, half_y) &&
             fmax(uv.x, uv.y) <= 2 - fmax(half_x, half_y)) {
             CHECK(is_near(texture_bilinear(&texture, uv, level),

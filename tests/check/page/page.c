@@ -16,37 +16,6 @@ static const char *const head[] = {
     "<link rel=icon href=\"data:,\">\n",
     NULL};
 
-static const char *const controls[] = {"<div id=top class=tools>\n<span>\n",
-                                       "<button id=side>side by side</button>\n",
-                                       "<button id=slide>slider</button>\n",
-                                       "<button id=yours>yours</button>\n",
-                                       "<button id=reference>reference</button>\n",
-                                       "<button id=difference>difference</button>\n",
-                                       "<button id=errors>errors</button>\n",
-                                       "</span>\n<span>\n",
-                                       "<button id=smaller aria-label=smaller>&minus;</button>\n",
-                                       "<output id=zoom>fit</output>\n",
-                                       "<button id=larger aria-label=larger>+</button>\n",
-                                       "</span>\n<span>\n",
-                                       "<button id=marks>marks</button>\n",
-                                       "<button id=wrong>next wrong pixel</button>\n",
-                                       "</span>\n</div>\n",
-                                       NULL};
-
-static const char *const legend[] = {
-    "<details><summary>Keys and colours</summary>\n",
-    "<p><kbd>s</kbd> side by side, <kbd>l</kbd> a slider between yours and the reference, ",
-    "<kbd>y</kbd> yours, <kbd>r</kbd> reference, <kbd>d</kbd> difference, <kbd>e</kbd> errors, ",
-    "<kbd>space</kbd> yours and reference in turn.</p>\n",
-    "<p><kbd>+</kbd> <kbd>-</kbd> larger and smaller: at 32x the pixels' numbers are in them. ",
-    "<kbd>w</kbd> the next wrong pixel, <kbd>m</kbd> wrong pixels marked or not, <kbd>n</kbd> ",
-    "<kbd>p</kbd> next and previous scene. In a picture, the arrows go from pixel to pixel ",
-    "(with <kbd>shift</kbd>, ten of them).</p>\n",
-    "<p>In the difference, red: this pixel of yours should not be there, or has another colour; ",
-    "blue: missing; dark green: differs, but does not count.</p>\n",
-    "</details>\n",
-    NULL};
-
 static bool put_all(struct bytes *page, const char *const *lines) {
     for (size_t i = 0; lines[i] != NULL; i++) {
         if (!page_html(page, lines[i])) {
@@ -67,10 +36,9 @@ bool page_text(struct bytes *page, const char *text) {
 bool page_begin(struct bytes *page, const char *title) {
     return page_html(page, "<!DOCTYPE html>\n<html lang=en>\n<head>\n") && put_all(page, head) &&
            page_html(page, "<title>") && page_text(page, title) &&
-           page_html(page, "</title>\n<style>\n") && put_all(page, page_css) &&
-           page_html(page, "</style>\n</head>\n<body class=side>\n<h1>") &&
-           page_text(page, title) && page_html(page, "</h1>\n") && put_all(page, controls) &&
-           page_html(page, "<main>\n") && put_all(page, legend);
+           page_html(page, "</title>\n<style>\n") && put_all(page, page_live) &&
+           put_all(page, page_css) && page_html(page, "</style>\n</head>\n<body>\n<h1>") &&
+           page_text(page, title) && page_html(page, "</h1>\n<main>\n");
 }
 
 /* The picture as the address of an <img>. */
@@ -87,14 +55,13 @@ static bool put_figure(struct bytes *page, const char *scene, const char *name,
                        const struct image *image, struct error *error) {
     bool begun = page_html(page, "<figure data-name=\"") && page_text(page, name) &&
                  page_html(page, "\"><figcaption>") && page_text(page, name) &&
-                 page_html(page, "</figcaption><div class=view><img alt=\"") &&
-                 page_text(page, scene) && page_html(page, ", ") && page_text(page, name) &&
-                 page_html(page, "\" src=\"");
+                 page_html(page, "</figcaption><img alt=\"") && page_text(page, scene) &&
+                 page_html(page, ", ") && page_text(page, name) && page_html(page, "\" src=\"");
     if (!begun) {
         return error_out_of_memory(error);
     }
     return put_image(page, image, error) &&
-           (page_html(page, "\"></div></figure>\n") || error_out_of_memory(error));
+           (page_html(page, "\"></figure>\n") || error_out_of_memory(error));
 }
 
 /* What it looks like, and the two small pictures by which that is seen. */
@@ -129,8 +96,9 @@ bool page_scene(struct bytes *page, const struct page_scene *scene, struct error
 }
 
 bool page_end(struct bytes *page) {
-    return page_html(page, "</main>\n<div id=values aria-live=polite>"
-                           "Point at a pixel, tap it, or go to it with the arrows: its values "
-                           "stand here.</div>\n<script>\n") &&
-           put_all(page, page_js) && page_html(page, "</script>\n</body>\n</html>\n");
+    return page_html(page, "</main>\n<dialog id=viewer aria-label=Pictures>\n") &&
+           page_html(page, "<form method=dialog><button id=close>close</button></form>\n") &&
+           put_all(page, page_viewer) && page_html(page, "</dialog>\n<script>\n") &&
+           put_all(page, page_still) && put_all(page, page_js) &&
+           page_html(page, "</script>\n</body>\n</html>\n");
 }

@@ -6,9 +6,8 @@
  *     page_scene(&page, "depth", "0.7 % differ", &pictures, &error);
  *     page_end(&page);
  *
- * The page is one file that works offline: pictures are in it as PNG. It follows the light or dark
- * look of the system, shows pixels without smoothing and their values under the pointer, and all of
- * it works by keyboard. Without scripts the pictures stand side by side.
+ * The page is one file that works offline: pictures are in it as PNG, side by side. A click on one
+ * opens the page of `make live` over them (still.js), which shows single pixels and their values.
  */
 #ifndef TESTS_HELP_PAGE_H
 #define TESTS_HELP_PAGE_H
@@ -19,8 +18,10 @@
 
 #include <stdbool.h>
 
-/* Its style and its script: page.css and page.js, line by line; then NULL. Written by make. */
-extern const char *const page_css[], *const page_js[];
+/* Its style and its script: page.css and still.js, line by line; then NULL. And those of the page
+ * of `make live`, with what is in its body. Written by make. */
+extern const char *const page_css[], *const page_still[];
+extern const char *const page_live[], *const page_js[], *const page_viewer[];
 
 /* What is shown of a scene. */
 struct page_scene {

@@ -34,15 +34,35 @@ static struct shown called_depth_at(struct vec2 a, struct vec2 b, int column) {
     return show("%.5g", called_depths[column]);
 }
 
-/* "-inf 10 20". */
-static struct shown called_row_of_depths(struct vec2 a, struct vec2 b) {
+/* "-inf 10 20": what the depths are now. */
+static struct shown called_shown_depths(void) {
     struct shown shown = {""};
-    called_begin(CALLED_SIDE, 1, -INFINITY);
-    called_draw(a, b, 1);
     for (int x = 0; x < CALLED_SIDE; x++) {
         shown = show("%.180s%s%.5g", shown.text, x > 0 ? " " : "", called_depths[x]);
     }
     return shown;
+}
+
+static struct shown called_row_of_depths(struct vec2 a, struct vec2 b) {
+    called_begin(CALLED_SIDE, 1, -INFINITY);
+    called_draw(a, b, 1);
+    return called_shown_depths();
+}
+
+/* In the place behind the last column. */
+static struct shown called_depth_behind(struct vec2 a, struct vec2 b) {
+    called_begin(CALLED_SIDE, 1, -INFINITY);
+    called_draw(a, b, 1);
+    return show("%.5g", called_depths[CALLED_SIDE]);
+}
+
+/* After two segments. */
+static struct shown called_depths_of_two(struct vec2 a, struct vec2 b, struct vec2 c,
+                                         struct vec2 d) {
+    called_begin(CALLED_SIDE, 1, -INFINITY);
+    called_draw(a, b, 1);
+    called_draw(c, d, 2);
+    return called_shown_depths();
 }
 
 /* "2 1 0": which of two segments each column shows; 0 is none. */
@@ -101,11 +121,18 @@ static void numbers(void) {
          "-inf -inf 17.5 27.5 37.5 47.5 -inf -inf");
     TEXT("5.1", "draw_segment() from (-1.5, 5) to (14.5, -11): depths",
          called_row_of_depths(xy(-1.5, 5), xy(14.5, -11)), "3 2 1 0 -1 -2 -3 -4");
+    TEXT("5.1", "draw_segment() from (-1.5, 5) to (14.5, -11): what is behind the 8 depths",
+         called_depth_behind(xy(-1.5, 5), xy(14.5, -11)), "-inf");
     TEXT("5.1",
          "draw_segment() in 1 from (0.5, 30) to (4.5, 10), in 2 from (-1.5, 20) to (6.5, 20): "
          "colors",
          called_row_of_colors(xy(0.5, 30), xy(4.5, 10), xy(-1.5, 20), xy(6.5, 20)),
          "1 1 1 2 2 2 0 0");
+    TEXT("5.1",
+         "draw_segment() in 1 from (0.5, 30) to (4.5, 10), in 2 from (-1.5, 20) to (6.5, 20): "
+         "depths",
+         called_depths_of_two(xy(0.5, 30), xy(4.5, 10), xy(-1.5, 20), xy(6.5, 20)),
+         "30 25 20 20 20 20 -inf -inf");
     TEXT("5.2", "triangle() in color 1 over depth 0.1: pixel (2,2)", called_drawn_over(0.1),
          "color 1, depth 0.15");
     TEXT("5.2", "triangle() in color 1 over depth 0.2: pixel (2,2)", called_drawn_over(0.2),

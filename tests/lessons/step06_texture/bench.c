@@ -251,7 +251,7 @@ static bool make_hill_texture(struct texture *texture, struct error *error) {
         }
     }
     bool done = texture_create(texture, &image, error);
-    texture->clamp = true;
+    texture_set_clamp(texture, true);
     image_free(&image);
     return done;
 }

@@ -119,7 +119,8 @@ static void numbers(void) {
                    wide = called_made(16, 8, called_grey_0);
     struct texture levels = called_greys(), inner = called_made(4, 4, called_framed);
     struct texture drawn_again = two;
-    four.clamp = two.clamp = true;
+    texture_set_clamp(&four, true);
+    texture_set_clamp(&two, true);
     const struct texture *texture = &four, *repeated = &drawn_again;
     COLOR("6a.1", sample_nearest(texture, xy(0.2, 0.4)), rgb(0, 10, 250));
     COLOR("6a.1", sample_nearest(texture, xy(0.75, 0.5)), rgb(30, 10, 250));

@@ -8,8 +8,6 @@
 #define LESSON "../step09_shaders/main.c"
 #include "lesson.h"
 
-#include "../../../step09_shaders/attempts.h"
-
 #include "bench/bench.h"
 #include "files/model_file.h"
 #include "files/normals.h"
@@ -26,32 +24,38 @@ struct work {
     struct draw_call call;
     struct image image, exact;    /* BGRA, black where nothing is */
     struct pipeline pipelines[2]; /* with one thread, and with two */
-    /* What simple_draw() and its attempts draw with. */
+    /* What simple_draw() and visible_draw() draw with. */
     double *depth;
-    struct attempt_memory memory;
+    uint32_t *nearest;
+    struct kept_face *kept;
     bool drawn; /* by the last version, without running out of memory */
 };
 
 /* ---- The versions ---- */
 
-/* simple_draw() and its attempts; the pipeline, which calls the shader for sixteen pixels, shades
- * at once, or does neither; added where it has two threads. */
-enum {
-    SIMPLE,
-    POSITIONS_ONCE,
-    VISIBLE_FIRST,
-    CALLED,
-    AT_ONCE,
-    VISIBLE,
-    KINDS,
-    TWO_THREADS = KINDS
-};
+/* A call for every few pixels: the shader without the loops that are compiled for it. Its functions
+ * are called through pointers, and nothing of it can be kept in registers. */
+static struct shader attempt_called(const struct shader *shader) {
+    struct shader called = *shader;
+    called.shade = NULL;
+    return called;
+}
+
+/* Shaded at once: every pixel that is nearest so far, though it may be hidden later. The pipeline
+ * does so without SHORTCUT_VISIBLE. (It says that it discards pixels, for then SHADER() has loops
+ * for it that shade at once; but it never does.) */
+SHADER(attempt_at_once, .varying_count = 3, .vertex = gouraud_textured_vertex,
+       .fragment = textured_fragment, .discards = true);
+
+/* simple_draw(); visible_draw() in one band, and in bands; the pipeline, which calls the shader for
+ * several pixels, shades at once, or does neither; added where it has two threads. */
+enum { SIMPLE, ONE_BAND, BANDS, CALLED, AT_ONCE, VISIBLE, KINDS, TWO_THREADS = KINDS };
 
 static bool draw_by_pipeline(struct work *work, int kind, struct pipeline *p) {
     struct error error;
-    struct shader called = attempt_3_called(&gouraud_textured);
+    struct shader called = attempt_called(&gouraud_textured);
     const struct shader *shader = kind == CALLED    ? &called
-                                  : kind == AT_ONCE ? &attempt_4_at_once
+                                  : kind == AT_ONCE ? &attempt_at_once
                                                     : &gouraud_textured;
     p->frame->shortcuts = kind == AT_ONCE ? SHORTCUTS & ~(unsigned)SHORTCUT_VISIBLE : SHORTCUTS;
     pipeline_clear(p);
@@ -64,22 +68,21 @@ static void run(void *state, int choice) {
     const size_t pixels = (size_t)SIDE * SIDE;
     const struct canvas canvas = {&work->image, work->depth};
     memset(work->image.pixels, 0, pixels * IMAGE_BGRA);
-    if (choice % KINDS > VISIBLE_FIRST) {
+    if (choice % KINDS > BANDS) {
         work->drawn = draw_by_pipeline(work, choice % KINDS, &work->pipelines[choice / KINDS]);
         return;
     }
     work->drawn = true;
-    depth_clear(work->depth, pixels);
     if (choice == SIMPLE) {
+        depth_clear(work->depth, pixels);
         simple_draw(&canvas, &work->call, &simple_gouraud_textured, &work->uniforms);
-    } else if (choice == POSITIONS_ONCE) {
-        attempt_1_positions_once(&canvas, &work->call, &simple_gouraud_textured, &work->uniforms,
-                                 &work->memory);
-    } else {
-        memset(work->memory.nearest, 0, pixels * sizeof *work->memory.nearest);
-        attempt_2_visible_first(&canvas, &work->call, &simple_gouraud_textured, &work->uniforms,
-                                &work->memory);
+        return;
     }
+    const struct band band = {
+        {0, choice == BANDS ? BAND_ROWS : SIDE}, SIDE, work->depth, work->nearest};
+    size_t count = keep_faces(&canvas, &work->call, work->kept);
+    visible_draw(&canvas, band, work->kept, (uint32_t)count, &simple_gouraud_textured,
+                 &work->uniforms);
 }
 
 /* The mean difference of the channels of all pixels that either picture shows. */
@@ -267,9 +270,9 @@ static bool setup(void *state, struct error *error) {
         pipeline_use_threads(&work->pipelines[i], i + 1);
     }
     work->depth = malloc(pixels * sizeof *work->depth);
-    work->memory.nearest = malloc(pixels * sizeof *work->memory.nearest);
-    work->memory.positions = malloc(work->model.position_count * sizeof *work->memory.positions);
-    if (work->depth == NULL || work->memory.nearest == NULL || work->memory.positions == NULL) {
+    work->nearest = malloc(pixels * sizeof *work->nearest);
+    work->kept = malloc((work->model.face_count + 1) * sizeof *work->kept);
+    if (work->depth == NULL || work->nearest == NULL || work->kept == NULL) {
         return error_out_of_memory(error);
     }
     draw_exactly(work);
@@ -285,19 +288,16 @@ static void teardown(void *state) {
     image_free(&work->exact);
     model_free(&work->model);
     free(work->depth);
-    free(work->memory.nearest);
-    free(work->memory.positions);
+    free(work->nearest);
+    free(work->kept);
 }
 
 /* ---- The panels ---- */
 
 static const struct bench_version stage_versions[] = {
-    VERSION("stage 0: simple_draw()", SIMPLE),
-    VERSION("stage 1: positions once", POSITIONS_ONCE),
-    VERSION("stage 2: visible first", VISIBLE_FIRST),
-    VERSION("stage 4: by 16, in bands", CALLED),
-    HOUSE_VERSION("stage 5: no call", VISIBLE),
-    HOUSE_VERSION("stage 6: 2 threads", TWO_THREADS + VISIBLE),
+    VERSION("9a: simple_draw()", SIMPLE), VERSION("9d: visible first", ONE_BAND),
+    VERSION("9d: in bands", BANDS),       VERSION("several pixels at once", CALLED),
+    HOUSE_VERSION("no call", VISIBLE),    HOUSE_VERSION("2 threads", TWO_THREADS + VISIBLE),
 };
 
 static const struct bench_version pipeline_versions[] = {

@@ -286,6 +286,108 @@ static struct shown called_mapped_in(int lane, const double *v) {
 
 #define IN_LANES(function, ...) in_each_lane(function, (double[]){__VA_ARGS__})
 
+/* ---- Part d ---- */
+
+/* The faces of the model that are kept: "0 4". */
+static struct shown called_kept(enum cull cull) {
+    static struct kept_face kept[CALLED_FACES + 1];
+    const struct image image = {.width = CALLED_SIDE, .height = CALLED_SIDE};
+    const struct canvas canvas = {(struct image *)&image, NULL};
+    const struct draw_call call = called_call_of(cull);
+    size_t count = keep_faces(&canvas, &call, kept);
+    struct shown shown = {""};
+    for (size_t i = 0; i < count && i < CALLED_FACES; i++) {
+        shown = show("%.150s%s%zu", shown.text, i > 0 ? " " : "", kept[i].face);
+    }
+    return shown;
+}
+
+/* The triangle of 9a.2 over 3 x 2 pixels, or a lower one. */
+static void called_keep_triangle(struct kept_face *kept, size_t face, double depth, int height) {
+    *kept = (struct kept_face){
+        .face = face,
+        .placed = {.position = {{0, 0}, {2048, 0}, {0, height}},
+                   .depth = {depth, depth + 8, depth},
+                   .recip_w = {1, 1, 1}},
+    };
+    const struct fixed2 *corner = kept->placed.position;
+    edges_setup(&kept->edges, corner[0], corner[1], corner[2], CALLED_WIDTH, CALLED_HEIGHT);
+}
+
+/* Two rows of three numbers: "1 2 3 / 4 5 6". */
+static struct shown called_two_rows(const double values[CALLED_WIDTH * CALLED_HEIGHT], int count) {
+    struct shown shown = {""};
+    for (int i = 0; i < count; i++) {
+        const char *between = i == 0 ? "" : i == CALLED_WIDTH ? " / " : " ";
+        shown = show("%.150s%s%.4g", shown.text, between, values[i]);
+    }
+    return shown;
+}
+
+/* The numbers, or the depths, of a band after a face with number 7 is drawn. */
+static struct shown called_covered(struct span rows, bool depths, double before) {
+    double depth[CALLED_WIDTH * CALLED_HEIGHT], shown[CALLED_WIDTH * CALLED_HEIGHT];
+    uint32_t nearest[CALLED_WIDTH * CALLED_HEIGHT] = {0};
+    const struct band band = {rows, CALLED_WIDTH, depth, nearest};
+    struct kept_face kept;
+    called_keep_triangle(&kept, 0, 0, 2048);
+    for (int i = 0; i < CALLED_WIDTH * CALLED_HEIGHT; i++) {
+        depth[i] = before;
+    }
+    cover_face(&band, &kept, 7);
+    for (int i = 0; i < CALLED_WIDTH * CALLED_HEIGHT; i++) {
+        shown[i] = depths ? depth[i] : nearest[i];
+    }
+    return called_two_rows(shown, CALLED_WIDTH * (rows.end - rows.begin));
+}
+
+/* How often each function of the shader below was called. */
+static int called_corners, called_pixels;
+
+/* Varying 1 is 0, 80 and 160 at the corners of face 0, and 100 more in face 1. */
+static void called_counting_vertex(const void *u, size_t face, size_t corner, double *varyings) {
+    (void)u;
+    varyings[0] = 200;
+    varyings[1] = 80 * (double)corner + 100 * (double)face;
+    called_corners++;
+}
+
+static bool called_counting_pixel(const void *u, const double *varyings, struct vec3 *rgb) {
+    called_pixels++;
+    return called_grey_pixel(u, varyings, rgb);
+}
+
+enum called_part { CALLED_GREYS, CALLED_CALLS, CALLED_ROWS };
+
+/* Two such faces, face 1 nearer, of which shade_band() finds face 0 in three pixels, face 1 in one;
+ * or all of visible_draw(), where face 1 reaches over row 0 only, in bands of that many rows: its
+ * greys, its calls, or how many rows of the memory for bands it writes. */
+static struct shown called_drawn_visibly(int band_rows, enum called_part part) {
+    double depth[CALLED_WIDTH * CALLED_HEIGHT], greys[CALLED_WIDTH * CALLED_HEIGHT];
+    uint32_t nearest[CALLED_WIDTH * CALLED_HEIGHT] = {1, 0, 1, 0, 2, 1};
+    struct image image = black_image(CALLED_WIDTH, CALLED_HEIGHT);
+    const struct canvas canvas = {&image, depth};
+    const struct simple_shader shader = {2, called_counting_vertex, called_counting_pixel};
+    struct band band = {{0, CALLED_HEIGHT}, CALLED_WIDTH, depth, nearest};
+    struct kept_face kept[2];
+    called_keep_triangle(&kept[0], 0, 0, 2048);
+    called_keep_triangle(&kept[1], 1, 1, band_rows == 0 ? 2048 : 307);
+    called_corners = called_pixels = 0;
+    if (band_rows == 0) {
+        shade_band(&canvas, &band, kept, &shader, NULL);
+    } else {
+        band.rows.end = band_rows;
+        nearest[CALLED_WIDTH] = 99;
+        visible_draw(&canvas, band, kept, 2, &shader, NULL);
+    }
+    for (int i = 0; i < CALLED_WIDTH * CALLED_HEIGHT; i++) {
+        greys[i] = image_get(&image, i % CALLED_WIDTH, i / CALLED_WIDTH).r;
+    }
+    return part == CALLED_GREYS   ? called_two_rows(greys, CALLED_WIDTH * CALLED_HEIGHT)
+           : part == CALLED_CALLS ? show("%d corners, %d pixels", called_corners, called_pixels)
+                                  : show("%d", nearest[CALLED_WIDTH] == 99 ? 1 : CALLED_HEIGHT);
+}
+
 static void numbers(void) {
     const struct rectangle all = {0, 0, CALLED_WIDTH, CALLED_HEIGHT}, one = {1, 0, 1, 1};
     if (!called_make_textures()) {
@@ -386,4 +488,27 @@ static void numbers(void) {
               IN_LANES(called_shade_in, 100, 100, 100, 6.0 / 7));
     TEXT("9c.4", "lit_only_fragment(0)", IN_LANES(called_lit_in, 0, 0, 0), "false");
     TEXT("9c.4", "lit_only_fragment(0.001)", IN_LANES(called_lit_in, 0.001, 0, 0), "true");
+    TEXT("9d.1+9a.1", "keep_faces(), CULL_NONE", called_kept(CULL_NONE), "0 4 5");
+    TEXT("9d.1+9a.1", "keep_faces(), CULL_BACK", called_kept(CULL_BACK), "0 4");
+    TEXT("9d.1+9a.1", "keep_faces(), CULL_FRONT", called_kept(CULL_FRONT), "5");
+    TEXT("9d.2", "cover_face() with number 7: numbers",
+         called_covered((struct span){0, 2}, false, -INFINITY), "7 7 7 / 7 7 7");
+    TEXT("9d.2", "cover_face() over depth 1: numbers",
+         called_covered((struct span){0, 2}, false, 1), "0 7 7 / 0 7 7");
+    TEXT("9d.2", "cover_face() over depth 1: depths", called_covered((struct span){0, 2}, true, 1),
+         "1 1.5 2.5 / 1 1.5 2.5");
+    TEXT("9d.2", "cover_face() over depth 1.5: numbers",
+         called_covered((struct span){0, 2}, false, 1.5), "0 0 7 / 0 0 7");
+    TEXT("9d.2", "cover_face() in a band of row 1: numbers",
+         called_covered((struct span){1, 2}, false, 1), "0 7 7");
+    TEXT("9d.3", "shade_band() of 1 0 1 / 0 2 1", called_drawn_visibly(0, CALLED_GREYS),
+         "15 0 35 / 0 145 55");
+    TEXT("9d.3", "shade_band() of 1 0 1 / 0 2 1: calls", called_drawn_visibly(0, CALLED_CALLS),
+         "6 corners, 4 pixels");
+    TEXT("9d.4+9d.2,9d.3", "visible_draw() in bands of 1 row",
+         called_drawn_visibly(1, CALLED_GREYS), "172 182 192 / 35 45 55");
+    TEXT("9d.4+9d.2,9d.3", "visible_draw() in bands of 1 row: calls",
+         called_drawn_visibly(1, CALLED_CALLS), "6 corners, 6 pixels");
+    TEXT("9d.4+9d.2,9d.3", "visible_draw() in bands of 1 row: rows of memory",
+         called_drawn_visibly(1, CALLED_ROWS), "1");
 }

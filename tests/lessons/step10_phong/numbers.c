@@ -223,6 +223,7 @@ static void numbers(void) {
     /* First: what needs it is not called where it never returns. */
     TEXT("10b.1", "integer_power(0.8, 10, 10)", IN_LANES(called_power_in, 0.8, 10, 10), "0.1074");
     TEXT("10b.1", "integer_power(0.9, 1, 1)", IN_LANES(called_power_in, 0.9, 1, 1), "0.9");
+    TEXT("10b.1", "integer_power(0.8, 2, 2)", IN_LANES(called_power_in, 0.8, 2, 2), "0.64");
     TEXT("10b.1", "integer_power(0.5, 0, 0)", IN_LANES(called_power_in, 0.5, 0, 0), "1");
     TEXT("10b.1", "integer_power(0.5, 3, 32)", IN_LANES(called_power_in, 0.5, 3, 32), "0.125");
     TEXT("10b.1", "integer_power(0.99, 200, 200)", IN_LANES(called_power_in, 0.99, 200, 200),

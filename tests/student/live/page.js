@@ -9,26 +9,25 @@ const context = canvas.getContext("2d");
 
 // ---- What is shown ----
 
-const ownTexts = {
-    line: "size 100 100\nline 13 20 80 40 255 255 255\nline 20 13 40 80 255 0 0\n",
-    triangle: "size 100 100\ntriangle 10 10 80 25 35 85 255 140 0\ntriangle 80 25 90 90 35 85 80 80 255\n",
-};
 let about = null;      // what the program says of itself
 let version = -1;      // of the program, as built
 let shown = null;      // the last frame: width, height, pixels, milliseconds, counters
 let reference = null;  // the same of the reference, for the scene as in the lesson
+let told = null;       // and of their difference, where the program has a picture of it
 let chosen = {};       // scene, values that differ from the scene's own, text
 let view = "yours";
 let drag = null;
 let zoom = 0;          // screen pixels of a pixel; 0: fit
 let center = null;     // the pixel in the middle of the canvas; null: that of the picture
 let cursor = null;     // the pixel under the mouse
+let point = 0;         // which of the points the arrows move
 
-const OWN = "your own";
-const sceneOf = name => about.scenes.find(scene => scene.name === name);
-const isOwn = () => chosen.scene === OWN;
-const valueOf = name => chosen[name] ?? sceneOf(chosen.scene)?.[name];
-const isAsInLesson = () => !isOwn() && Object.keys(chosen).every(name => name === "scene");
+const scene = () => about.scenes.find(scene => scene.name === chosen.scene);
+const isOwn = () => scene().text !== undefined;
+const textOf = () => chosen.text ?? scene().text;
+const valueOf = name => chosen[name] ?? scene()[name] ??
+    scene().values?.find(value => value.name === name)?.value;
+const isAsInLesson = () => !isOwn() && !scene().extra && Object.keys(chosen).every(name => name === "scene" || name === "all");
 
 // ---- The address keeps what is shown ----
 
@@ -61,26 +60,26 @@ function writeAddress() {
 const three = v => v.map(x => Number(x.toFixed(4))).join(",");
 
 function request() {
-    if (isOwn()) {
-        return `--stats text\n${chosen.text.trimEnd()}\nend\n`;
-    }
-    const scene = sceneOf(chosen.scene);
-    let words = `--stats --only ${scene.name}`;
+    const {name, width, height, values = []} = scene();
+    let words = "--stats" + (chosen.all ? " --no-skip" : "") + (isOwn() ? "" : ` --only ${name}`);
     if (chosen.size) {
-        const height = Math.max(1, Math.round(chosen.size * scene.height / scene.width));
-        words += ` -s ${chosen.size}x${height}`;
+        words += ` -s ${chosen.size}x${Math.max(1, Math.round(chosen.size * height / width))}`;
     }
     for (const name of ["light", "eye", "center", "up"]) {
         words += chosen[name] ? ` --${name} ${three(chosen[name])}` : "";
     }
-    for (const value of scene.values ?? []) {
-        const set = chosen[value.name];
-        words += set === undefined ? "" : ` --set ${value.name}=${set}`;
+    for (const {name} of values) {
+        words += chosen[name] === undefined ? "" : ` --set ${name}=${chosen[name]}`;
     }
-    return words + (chosen.frame ? ` --frame ${chosen.frame}` : "") + "\n";
+    words += chosen.frame ? ` --frame ${chosen.frame}` : "";
+    if (cursor && colorAt(shown, ...cursor)) {
+        words += ` --probe ${cursor[0]},${shown.height - 1 - cursor[1]}`;
+    }
+    const text = textOf()?.split("\n").filter(line => line !== "end").join("\n").trimEnd();
+    return words + (isOwn() ? ` text\n${text}\nend\n` : "\n");
 }
 
-// "frame W H MS COUNT", COUNT lines, pixels; or "error MESSAGE".
+// "frame W H MS COUNT", COUNT lines (a note begins with a blank), pixels; or "error MESSAGE".
 function parseFrame(bytes) {
     let at = 0;
     const line = () => {
@@ -94,9 +93,11 @@ function parseFrame(bytes) {
         return {error: head.replace(/^error /, "")};
     }
     const [width, height, milliseconds, count] = head.split(" ").slice(1).map(Number);
-    const counters = Array.from({length: count}, () => line().split(" "));
+    const lines = Array.from({length: count}, line);
+    const counters = lines.filter(text => text[0] !== " ").map(text => text.split(" "));
+    const notes = lines.filter(text => text[0] === " ").map(text => text.slice(1));
     const pixels = new Uint8ClampedArray(bytes.subarray(at, at + 4 * width * height));
-    return {width, height, milliseconds, counters, pixels};
+    return {width, height, milliseconds, counters, notes, pixels};
 }
 
 let asking = false, again = false;
@@ -154,29 +155,34 @@ async function lookForChanges() {
     } catch (error) {
         say(error.message);
     }
-    setTimeout(lookForChanges, 500);
+    if (!program.still) {
+        setTimeout(lookForChanges, 500);
+    }
 }
 
-// ---- The reference ----
+// ---- The reference, and how far yours is from it ----
 
-async function readReference() {
-    reference = null;
-    if (!isAsInLesson() || !program.reference) {
-        return;
-    }
-    const scene = chosen.scene;
+async function readPicture(address) {
     const image = new Image();
-    image.src = program.reference(scene);
+    image.src = address;
     try {
         await image.decode();
     } catch {
-        return;
+        return null;
     }
-    const copy = new OffscreenCanvas(image.width, image.height).getContext("2d");
+    const {width, height} = image, copy = new OffscreenCanvas(width, height).getContext("2d");
     copy.drawImage(image, 0, 0);
-    if (chosen.scene === scene && isAsInLesson()) {
-        reference = {width: image.width, height: image.height,
-                     pixels: copy.getImageData(0, 0, image.width, image.height).data};
+    return {width, height, pixels: copy.getImageData(0, 0, width, height).data};
+}
+
+async function readReference() {
+    reference = told = null;
+    const {scene: name} = chosen, address = isAsInLesson() && program.reference?.(name);
+    const read = address ? await readPicture(address) : null;
+    const difference = program.difference?.(name);
+    const readToo = difference ? await readPicture(difference) : null;
+    if (chosen.scene === name && isAsInLesson()) {
+        [reference, told] = [read, readToo];
         paint();
     }
 }
@@ -184,28 +190,59 @@ async function readReference() {
 const colorAt = (frame, x, y) => frame && x >= 0 && y >= 0 && x < frame.width && y < frame.height
     ? [...frame.pixels.subarray(4 * (y * frame.width + x), 4 * (y * frame.width + x) + 3)] : null;
 
-// As make check draws it: the reference, dark, and what differs in red.
-function difference() {
-    const pixels = new Uint8ClampedArray(shown.pixels.length);
-    let count = 0;
+// The largest difference of a channel.
+const errorAt = (a, b, i) => Math.max(Math.abs(a[i] - b[i]), Math.abs(a[i + 1] - b[i + 1]), Math.abs(a[i + 2] - b[i + 2]));
+
+// From which error on a colour stands, and the colour (magma, of matplotlib).
+const scale = [[0, 0x00, 0x00, 0x04], [1, 0x3b, 0x0f, 0x70], [5, 0x8c, 0x29, 0x81], [16, 0xde, 0x49, 0x68],
+               [64, 0xfe, 0x9f, 0x6d], [128, 0xfc, 0xfd, 0xbf]];
+
+// The difference as make check draws it: the reference, dark, and what differs in red; or the errors
+// in the colours of the scale.
+function compare(errors) {
+    const {width, height, pixels: mine} = shown, right = reference.pixels;
+    const pixels = new Uint8ClampedArray(mine.length), counts = scale.map(() => 0);
     for (let i = 0; i < pixels.length; i += 4) {
-        const differs = [0, 1, 2].some(k => shown.pixels[i + k] !== reference.pixels[i + k]);
-        count += differs;
-        pixels.set(differs ? [255, 0, 0, 255]
-                           : [...reference.pixels.subarray(i, i + 3)].map(c => c / 4).concat(255), i);
+        const error = errorAt(mine, right, i), step = scale.findLastIndex(([from]) => error >= from);
+        counts[step]++;
+        pixels.set(errors ? scale[step].slice(1)
+                   : error > 0 ? [255, 0, 0]
+                   : [right[i] / 4, right[i + 1] / 4, right[i + 2] / 4], i);
+        pixels[i + 3] = 255;
     }
-    return {width: shown.width, height: shown.height, pixels, count};
+    return {width, height, pixels, counts, count: width * height - counts[0]};
+}
+
+// Which pixels of a difference are red, or blue: missing.
+function wrongOf({pixels}) {
+    const wrong = [];
+    for (let i = 0; i < pixels.length; i += 4) {
+        if (pixels[i + 1] === 0 && Math.max(pixels[i], pixels[i + 2]) === 255 && Math.min(pixels[i], pixels[i + 2]) === 0) {
+            wrong.push(i / 4);
+        }
+    }
+    return wrong;
 }
 
 // ---- Painting ----
 
 const sameSize = () => reference && shown && reference.width === shown.width && reference.height === shown.height;
 
+let made = {};         // what was last compared, and of what
+
+function compared(view) {
+    if (made.view !== view || made.shown !== shown || made.reference !== reference || made.told !== told) {
+        const frame = view === "difference" && told ? {...told, count: compare(false).count} : compare(view === "errors");
+        made = {view, shown, reference, told, frame, wrong: view === "difference" ? wrongOf(frame) : []};
+    }
+    return made.frame;
+}
+
 function visible() {
     if (view === "reference" && reference) {
         return reference;
     }
-    return view === "difference" && sameSize() ? difference() : shown;
+    return (view === "difference" || view === "errors") && sameSize() ? compared(view) : shown;
 }
 
 // Where pixel (x,y), counted from the top left, is on the canvas.
@@ -227,13 +264,46 @@ function paint() {
     copy.getContext("2d").putImageData(new ImageData(frame.pixels, frame.width, frame.height), 0, 0);
     context.imageSmoothingEnabled = size < 1;
     context.drawImage(copy, left, top, frame.width * size, frame.height * size);
+    if (view === "split" && sameSize()) {
+        paintSplit(size, left, top);
+    }
+    if (frame === made.frame && size < 3) {
+        paintWrong(frame, size, left, top);
+    }
     if (size >= 8 * devicePixelRatio) {
         paintGrid(frame, size, left, top);
     }
-    if (isOwn()) {
-        paintHandles(size, left, top);
-    }
+    paintPoints(size, left, top);
+    paintCursor(size, left, top);
     describe(frame);
+}
+
+// The reference, to the right of the cursor.
+function paintSplit(size, left, top) {
+    const {width, height, pixels} = reference, from = cursor ? Math.max(0, Math.min(width, cursor[0])) : width >> 1;
+    const copy = new OffscreenCanvas(width, height);
+    copy.getContext("2d").putImageData(new ImageData(pixels, width, height), 0, 0);
+    context.drawImage(copy, from, 0, width - from, height, left + from * size, top, (width - from) * size, height * size);
+    context.fillStyle = "#fff";
+    context.fillRect(left + from * size, top, devicePixelRatio, height * size);
+}
+
+// Wrong pixels so large that they are seen.
+function paintWrong({width, pixels}, size, left, top) {
+    for (const at of made.wrong) {
+        context.fillStyle = pixels[4 * at] > 0 ? "#f00" : "#00f";
+        context.fillRect(left + at % width * size - 1, top + Math.floor(at / width) * size - 1, 3, 3);
+    }
+}
+
+function paintCursor(size, left, top) {
+    if (cursor && size >= 4) {
+        context.lineWidth = devicePixelRatio;
+        for (const [color, by] of [["#000", 1], ["#fff", 0]]) {
+            context.strokeStyle = color;
+            context.strokeRect(left + cursor[0] * size - by, top + cursor[1] * size - by, size + 2 * by, size + 2 * by);
+        }
+    }
 }
 
 function paintGrid(frame, size, left, top) {
@@ -241,16 +311,18 @@ function paintGrid(frame, size, left, top) {
     const to = [Math.min(frame.width, Math.ceil((canvas.width - left) / size)),
                 Math.min(frame.height, Math.ceil((canvas.height - top) / size))];
     context.strokeStyle = "#8888";
-    context.font = `${Math.floor(size / 4)}px monospace`;
+    context.lineWidth = 1;
+    context.font = `${Math.floor(size * .3)}px monospace`;
     context.textAlign = "center";
     for (let y = from[1]; y < to[1]; y++) {
         for (let x = from[0]; x < to[0]; x++) {
             context.strokeRect(left + x * size, top + y * size, size, size);
-            if (size >= 32 * devicePixelRatio) {
-                const color = colorAt(frame, x, y);
+            if (size >= 32 * devicePixelRatio && view !== "difference") {
+                const color = colorAt(frame, x, y), i = 4 * (y * frame.width + x);
+                const numbers = view === "errors" && sameSize() ? [errorAt(shown.pixels, reference.pixels, i)] : color;
                 context.fillStyle = color[0] + color[1] + color[2] > 380 ? "#000" : "#fff";
-                color.forEach((value, i) =>
-                    context.fillText(value, left + (x + .5) * size, top + (y + .3 + .27 * i) * size));
+                numbers.forEach((value, i) =>
+                    context.fillText(value, left + (x + .5) * size, top + (y + .32 + .29 * i) * size));
             }
         }
     }
@@ -258,66 +330,94 @@ function paintGrid(frame, size, left, top) {
 
 // The numbers below the picture, and those that were counted.
 function describe(frame) {
-    const lines = [`${shown.width}x${shown.height} pixels, ${shown.milliseconds.toFixed(1)} ms`];
-    if (view === "difference" && frame.count !== undefined) {
+    const lines = [`${shown.width}x${shown.height} pixels` +
+                   (program.still ? "" : `, ${shown.milliseconds.toFixed(1)} ms`)];
+    if (frame.count !== undefined) {
         lines.push(`${frame.count} pixels differ from the reference`);
-    } else if (!reference && view !== "yours") {
-        lines.push("no reference: not as in the lesson");
+    } else if (!sameSize() && view !== "yours") {
+        lines.push(reference ? `the reference has ${reference.width}x${reference.height}` : "no reference: not as in the lesson");
     }
     if (cursor) {
         const [x, y] = cursor, mine = colorAt(shown, x, y), right = sameSize() && colorAt(reference, x, y);
-        lines.push(`(${x},${shown.height - 1 - y}) ${mine}` + (right ? `, reference ${right}` : ""));
+        lines.push(`(${x},${shown.height - 1 - y}) ${mine}` + (right && mine ? `, reference ${right}, error ${errorAt(mine, right, 0)}` : ""));
+        lines.push(...shown.notes);
     }
     $("pixel").textContent = lines.join("\n");
     $("zoom").textContent = zoom ? `${zoom}x` : "fit";
-    const counters = $("counters");
-    counters.replaceChildren(...shown.counters.flatMap(([name, value]) => {
+    const ranges = (frame.counts ?? []).map((count, i) => [
+        `error ${scale[i][0]}` + (i > 0 ? ` to ${(scale[i + 1] ?? [256])[0] - 1}` : ""), count, `rgb(${scale[i].slice(1)})`]);
+    $("counters").replaceChildren(...(view === "errors" ? ranges : shown.counters).flatMap(([name, value, color]) => {
         const term = document.createElement("dt"), number = document.createElement("dd");
         term.textContent = name.replaceAll("_", " ");
+        term.style.borderLeft = color ? `1.2em solid ${color}` : "";
         number.textContent = Number(value).toLocaleString("en");
         return [term, number];
     }));
 }
 
-// ---- Corners of a scene of one's own ----
+// ---- Points to drag ----
 
-// Of each line `line` or `triangle`: which words are x and y of its corners.
-function corners() {
-    return chosen.text.split("\n").flatMap((line, row) => {
+const pairs = () => (scene().values ?? []).filter(value => value.name.endsWith("_x"))
+    .map(x => [x, scene().values.find(y => y.name === x.name.replace(/x$/, "y"))]);
+const steps = (v, step) => Number((Math.round(v / step) * step).toFixed(6));
+
+// Of each line `line` or `triangle` the corners, and of numbers NAME_x and NAME_y the point: where
+// it is in pixels, counted from below, and how to move it.
+function points() {
+    const lines = isOwn() ? textOf().split("\n") : [], whole = lines.some(line => /^\s*line/.test(line));
+    const corners = lines.flatMap((line, row) => {
         const words = line.trim().split(/\s+/), count = {line: 2, triangle: 3}[words[0]] ?? 0;
-        return Array.from({length: count}, (_, i) => ({row, word: 1 + 2 * i, x: Number(words[1 + 2 * i]),
-                                                       y: Number(words[2 + 2 * i])}));
+        return Array.from({length: count}, (_, i) => ({
+            x: Number(words[1 + 2 * i]), y: Number(words[2 + 2 * i]), step: whole ? 1 : 1 / 8,
+            move(x, y) {
+                const all = textOf().split("\n"), moved = all[row].trim().split(/\s+/);
+                moved.splice(1 + 2 * i, 2, steps(x, this.step), steps(y, this.step));
+                all[row] = moved.join(" ");
+                chosen.text = $("text").value = all.join("\n");
+            },
+        }));
     });
+    const place = ({name, least, most}, size) => (valueOf(name) - least) / (most - least) * size - .5;
+    const set = ({name, least, most, step}, part) => {
+        chosen[name] = steps(Math.max(least, Math.min(most, least + part * (most - least))), step);
+    };
+    return corners.concat(pairs().map(([x, y]) => ({
+        x: place(x, shown.width), y: place(y, shown.height), name: x.name.slice(0, -2),
+        step: Math.max(1, x.step / (x.most - x.least) * shown.width),
+        move(left, up) {
+            set(x, (left + .5) / shown.width);
+            set(y, (up + .5) / shown.height);
+        },
+    })));
 }
 
-const cornerPlace = (corner, size, left, top) =>
-    [left + (corner.x + .5) * size, top + (shown.height - .5 - corner.y) * size];
+// All points at the place of this one: corners of neighbours stay together.
+const together = one => points().filter(p => p.x === one.x && p.y === one.y);
 
-function paintHandles(size, left, top) {
-    for (const corner of corners()) {
-        const [x, y] = cornerPlace(corner, size, left, top);
+const pointPlace = (p, size, left, top) => [left + (p.x + .5) * size, top + (shown.height - .5 - p.y) * size];
+
+function paintPoints(size, left, top) {
+    points().forEach((p, i) => {
+        const [x, y] = pointPlace(p, size, left, top);
         context.beginPath();
         context.arc(x, y, 7 * devicePixelRatio, 0, 2 * Math.PI);
-        context.lineWidth = 2 * devicePixelRatio;
-        context.strokeStyle = "#fff";
-        context.stroke();
-        context.strokeStyle = "#2a6fdb";
-        context.setLineDash([4, 4]);
-        context.stroke();
+        context.lineWidth = (i === point ? 4 : 2) * devicePixelRatio;
+        for (const [color, dash] of [["#fff", []], ["#2a6fdb", [4, 4]]]) {
+            context.setLineDash(dash);
+            context.strokeStyle = color;
+            context.stroke();
+        }
         context.setLineDash([]);
-    }
-}
-
-function moveCorners(held, x, y) {
-    const lines = chosen.text.split("\n"), whole = about.text === "line";
-    const round = value => whole ? Math.round(value) : Math.round(8 * value) / 8;
-    for (const {row, word} of held) {
-        const words = lines[row].trim().split(/\s+/);
-        words[word] = round(x);
-        words[word + 1] = round(y);
-        lines[row] = words.join(" ");
-    }
-    chosen.text = $("text").value = lines.join("\n");
+        if (p.name) {
+            context.font = `${12 * devicePixelRatio}px sans-serif`;
+            context.textAlign = "center";
+            context.lineWidth = 3 * devicePixelRatio;
+            context.strokeStyle = "#000";
+            context.fillStyle = "#fff";
+            context.strokeText(p.name, x, y - 11 * devicePixelRatio);
+            context.fillText(p.name, x, y - 11 * devicePixelRatio);
+        }
+    });
 }
 
 // ---- Turning ----
@@ -369,16 +469,11 @@ canvas.addEventListener("pointerdown", event => {
     if (!shown) {
         return;
     }
-    const at = pixelAt(event), {size, left, top} = place(visible());
-    held = {x: event.clientX, y: event.clientY, corners: []};
-    if (isOwn()) {
-        const near = corner => {
-            const [x, y] = cornerPlace(corner, size, left, top);
-            return Math.hypot(x - (left + at[0] * size), y - (top + at[1] * size)) < 16 * devicePixelRatio;
-        };
-        const first = corners().find(near);
-        held.corners = first ? corners().filter(corner => corner.x === first.x && corner.y === first.y) : [];
-    }
+    const at = pixelAt(event), {size} = place(visible());
+    const far = p => Math.hypot(p.x + .5 - at[0], shown.height - .5 - p.y - at[1]) * size / devicePixelRatio;
+    const nearest = points().map(far).reduce((best, d, i, all) => d < (all[best] ?? 16) ? i : best, -1);
+    held = {x: event.clientX, y: event.clientY, points: nearest < 0 ? [] : together(points()[nearest])};
+    point = nearest < 0 ? point : nearest;
     canvas.setPointerCapture(event.pointerId);
 });
 
@@ -388,8 +483,8 @@ canvas.addEventListener("pointermove", event => {
     }
     const at = pixelAt(event);
     cursor = at.map(Math.floor);
-    if (held?.corners.length > 0) {
-        moveCorners(held.corners, at[0] - .5, shown.height - .5 - at[1]);
+    if (held?.points.length > 0) {
+        held.points.forEach(p => p.move(at[0] - .5, shown.height - .5 - at[1]));
         changed();
     } else if (held) {
         const dx = event.clientX - held.x, dy = event.clientY - held.y;
@@ -400,9 +495,19 @@ canvas.addEventListener("pointermove", event => {
             const middle = center ?? [shown.width / 2, shown.height / 2];
             center = [middle[0] - dx * devicePixelRatio / size, middle[1] - dy * devicePixelRatio / size];
         }
+    } else {
+        probeSoon();
     }
     paint();
 });
+
+// When the mouse rests, the program says what there is to say about the pixel.
+let rest = 0;
+
+function probeSoon() {
+    clearTimeout(rest);
+    rest = setTimeout(ask, 60);
+}
 
 for (const name of ["pointerup", "pointercancel"]) {
     canvas.addEventListener(name, () => { held = null; });
@@ -427,7 +532,32 @@ canvas.addEventListener("wheel", event => {
     }
 }, {passive: false});
 
+// The next place with wrong pixels, large: one at least 16 pixels from the last.
+function nextWrong() {
+    chooseView("difference");
+    const {width} = shown, last = cursor ?? [-99, -99];
+    const all = (sameSize() ? made.wrong : []).map(at => [at % width, Math.floor(at / width)]);
+    const after = all.filter(([x, y]) => y * width + x > last[1] * width + last[0]);
+    const found = after.find(([x, y]) => Math.hypot(x - last[0], y - last[1]) >= 16) ?? all[0];
+    if (found) {
+        cursor = found;
+        center = [found[0] + .5, found[1] + .5];
+        zoom = Math.max(zoom, 8);
+        paint();
+    }
+}
+
 // ---- Keys ----
+
+const views = {y: "yours", r: "reference", s: "split", d: "difference", e: "errors"};
+
+function chooseView(name) {
+    view = name;
+    [...$("views").children].forEach(button => button.setAttribute("aria-pressed", button.textContent === name));
+    if (shown) {
+        paint();
+    }
+}
 
 const arrows = {ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1]};
 
@@ -435,17 +565,31 @@ canvas.addEventListener("keydown", event => {
     const arrow = arrows[event.key];
     if (arrow && shown) {
         event.preventDefault();
-        if (isOwn()) {
-            const all = corners(), first = all[0];
-            moveCorners(all.filter(c => c.x === first.x && c.y === first.y), first.x + arrow[0], first.y + arrow[1]);
+        const now = drag === "points" && points()[point];
+        if (now) {
+            const by = now.step * (event.shiftKey ? 10 : 1);
+            together(now).forEach(p => p.move(now.x + by * arrow[0], now.y + by * arrow[1]));
             changed();
         } else if (!turn(arrow[0] / 10, arrow[1] / 10)) {
-            const middle = center ?? [shown.width / 2, shown.height / 2];
-            center = [middle[0] + arrow[0], middle[1] - arrow[1]];
+            const by = event.shiftKey ? 10 : 1, from = cursor ?? [shown.width >> 1, shown.height >> 1];
+            cursor = [Math.max(0, Math.min(shown.width - 1, from[0] + by * arrow[0])),
+                      Math.max(0, Math.min(shown.height - 1, from[1] - by * arrow[1]))];
+            center = cursor.map(x => x + .5);
+            probeSoon();
             paint();
         }
     } else if (event.key === "+" || event.key === "-") {
         enlarge(event.key === "+" ? 2 : .5);
+    } else if (event.key === "n" && shown) {
+        point = (point + 1) % Math.max(1, points().length);
+        paint();
+    } else if (event.key === "w" && shown) {
+        nextWrong();
+    } else if (event.key === " ") {
+        event.preventDefault();
+        chooseView(view === "yours" ? "reference" : "yours");
+    } else if (views[event.key] && !event.ctrlKey && !event.metaKey) {
+        chooseView(views[event.key]);
     }
 });
 
@@ -466,9 +610,16 @@ function buttons(parent, names, current, choose) {
     }));
 }
 
+// Of two values a box to check, of more a slider.
 function slider(name, value, least, most, step, change) {
     const label = document.createElement("label"), input = document.createElement("input");
     const output = document.createElement("output");
+    if (most - least === step) {
+        Object.assign(input, {type: "checkbox", checked: value === most});
+        input.addEventListener("change", () => change(input.checked ? most : least));
+        label.append(input, ` ${name}`);
+        return label;
+    }
     Object.assign(input, {type: "range", min: least, max: most, step, value});
     output.textContent = value;
     input.addEventListener("input", () => {
@@ -481,36 +632,36 @@ function slider(name, value, least, most, step, change) {
 
 // What this scene lets one change.
 function buildControls() {
-    const scene = sceneOf(chosen.scene);
-    const drags = isOwn() ? ["corners"] : ["picture", scene.light && "light", scene.eye && "camera"].filter(Boolean);
+    const {light, eye, width, frames, values = []} = scene();
+    const drags = ["picture", light && "light", eye && "camera", (isOwn() || pairs().length > 0) && "points"].filter(Boolean);
     drag = drags.includes(drag) ? drag : drags[drags.length - 1];
     buttons($("drags"), drags, drag, name => { drag = name; });
+    $("views").parentElement.hidden = !program.reference || isOwn() || Boolean(scene().extra);
     $("values").replaceChildren($("values").firstElementChild);
-    $("values").hidden = true;
-    if (!isOwn() && scene.frames > 1) {
-        $("values").append(slider("frame", chosen.frame ?? 1, 1, scene.frames, 1, value => {
-            chosen.frame = value;
-            changed();
-        }));
-        $("values").hidden = false;
+    const add = (name, help, ...range) => $("values").append(slider(help, ...range, value => {
+        chosen[name] = value;
+        changed();
+    }));
+    if (frames > 1) {
+        add("frame", "frame", chosen.frame ?? 1, 1, frames, 1);
     }
-    for (const value of (!isOwn() && scene.values) || []) {
-        $("values").append(slider(value.help, chosen[value.name] ?? value.value, value.least, value.most,
-                                  value.step, number => {
-            chosen[value.name] = number;
-            changed();
-        }));
-        $("values").hidden = false;
+    const dragged = pairs().flat();
+    for (const value of values.filter(value => !dragged.includes(value))) {
+        add(value.name, value.help, valueOf(value.name), value.least, value.most, value.step);
     }
-    const sizes = isOwn() ? [] : [...new Set([scene.width, 100, 200, 400, 800])].sort((a, b) => a - b);
-    $("size").replaceChildren(...sizes.map(size => new Option(size, size, false, size === (chosen.size ?? scene.width))));
+    $("values").hidden = $("values").children.length === 1;
+    $("size").closest("fieldset").hidden = isOwn();
+    const sizes = isOwn() ? [] : [...new Set([width, 100, 200, 400, 800])].sort((a, b) => a - b);
+    $("size").replaceChildren(...sizes.map(size => new Option(size, size, false, size === (chosen.size ?? width))));
+    $("all").checked = Boolean(chosen.all);
     $("own").hidden = !isOwn();
-    $("text").value = chosen.text ?? "";
+    $("text").value = textOf() ?? "";
 }
 
 function chooseScene(name) {
-    chosen = {scene: name, ...(name === OWN && {text: ownTexts[about.text]})};
+    chosen = {scene: name};
     center = null;
+    point = 0;
     buildControls();
     writeAddress();
     readReference();
@@ -518,23 +669,21 @@ function chooseScene(name) {
 }
 
 function build() {
-    const names = about.scenes.map(scene => scene.name).concat(about.text ? [OWN] : []);
+    const names = about.scenes.map(scene => scene.name);
     if (!names.includes(chosen.scene)) {
         chosen = {scene: names[0]};
     }
-    if (isOwn() && !chosen.text) {
-        chosen.text = ownTexts[about.text];
-    }
     buttons($("scenes"), names, chosen.scene, chooseScene);
-    $("views").parentElement.hidden = !program.reference;
-    buttons($("views"), ["yours", "reference", "difference"], view, name => { view = name; paint(); });
+    buttons($("views"), Object.values(views), view, chooseView);
     buildControls();
     readReference();
 }
 
 $("text").addEventListener("input", () => { chosen.text = $("text").value; changed(); });
 $("size").addEventListener("change", () => { chosen.size = Number($("size").value); changed(); });
+$("all").addEventListener("change", () => { chosen.all = $("all").checked ? 1 : undefined; changed(); });
 $("reset").addEventListener("click", () => chooseScene(chosen.scene));
+$("wrong").addEventListener("click", () => shown && nextWrong());
 $("larger").addEventListener("click", () => shown && enlarge(2));
 $("smaller").addEventListener("click", () => shown && enlarge(.5));
 $("controls").addEventListener("submit", event => event.preventDefault());

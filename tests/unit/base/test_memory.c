@@ -228,7 +228,7 @@ static bool make_inputs(struct inputs *inputs) {
            put_text(inputs->off, "OFF 3 1\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n") &&
            put_text(inputs->old, "old") && symlink("old", inputs->link) == 0 &&
            tga_write(&inputs->color, inputs->diffuse, &error) &&
-           png_write(&inputs->grey, inputs->map, &error);
+           png_write(&inputs->color, inputs->map, &error);
 }
 
 /* Free the inputs. False when files were left behind that nobody asked for. */
@@ -636,9 +636,10 @@ static bool run_with_model(const struct inputs *inputs, const char *option, cons
                            struct error *error) {
     char images[PATH_SIZE];
     snprintf(images, sizeof images, "%.60s/images", inputs->directory);
-    char *argv[] = {(char *)"probe", (char *)"-o",        images, (char *)option, (char *)value,
-                    (char *)"--fit", (char *)inputs->obj, NULL};
-    return run_program(&model_program, inputs, 7, argv, error);
+    char *argv[] = {(char *)"probe",       (char *)"-o",        images,
+                    (char *)option,        (char *)value,       (char *)"--fit",
+                    (char *)"--two-sided", (char *)inputs->obj, NULL};
+    return run_program(&model_program, inputs, 8, argv, error);
 }
 
 static bool run_repeated(const struct inputs *inputs, struct error *error) {

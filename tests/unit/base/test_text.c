@@ -305,6 +305,39 @@ static void test_random_numbers(void) {
     }
 }
 
-UNIT_MAIN(TEST(test_lines), TEST(test_skipped_lines), TEST(test_long_line), TEST(test_words),
-          TEST(test_integers), TEST(test_numbers_of_a_line), TEST(test_chosen_numbers),
-          TEST(test_long_numbers), TEST(test_refused_numbers), TEST(test_random_numbers))
+/* Characters of each length, at both ends of it, and a pair, in either order of bytes. */
+static void test_utf16(void) {
+    static const struct {
+        uint16_t units[4];
+        const char *utf8;
+    } rows[] = {
+        {{'v', ' ', '1', '\n'}, "v 1\n"},
+        {{0x7F, 0x80, 0x7FF, 0x800}, "\x7F\xC2\x80\xDF\xBF\xE0\xA0\x80"},
+        {{0xE000, 0xFFFD, 0xD83D, 0xDE00}, "\xEE\x80\x80\xEF\xBF\xBD\xED\xA0\xBD\xED\xB8\x80"},
+    };
+    CHECK(!text_is_utf16("\xFF", 1) && !text_is_utf16("\xFF\xFF", 2) && !text_is_utf16(NULL, 0));
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0] * 4; i++) {
+        const unsigned high = i & 1, odd = i >> 1 & 1; /* the first byte is the larger part */
+        struct bytes utf8 = {0}, utf16 = {0};
+        for (int k = -1; k < 4; k++) {
+            unsigned unit = k < 0 ? 0xFEFF : rows[i / 4].units[k];
+            unsigned char pair[] = {(unsigned char)(unit >> 8 * high), (unsigned char)(unit >> 8)};
+            pair[1] = high ? (unsigned char)unit : pair[1];
+            CHECK(bytes_append(&utf16, pair, 2));
+        }
+        CHECK(bytes_append(&utf16, "!", odd));
+        unsigned char *exact = malloc(utf16.size);
+        memcpy(exact, utf16.data, utf16.size);
+        CHECK(text_is_utf16(exact, utf16.size) && text_from_utf16(&utf8, exact, utf16.size));
+        CHECK(bytes_append(&utf8, "", 1));
+        CHECK_TEXT((const char *)utf8.data, rows[i / 4].utf8);
+        free(exact);
+        bytes_free(&utf8);
+        bytes_free(&utf16);
+    }
+}
+
+UNIT_MAIN(TEST(test_utf16), TEST(test_lines), TEST(test_skipped_lines), TEST(test_long_line),
+          TEST(test_words), TEST(test_integers), TEST(test_numbers_of_a_line),
+          TEST(test_chosen_numbers), TEST(test_long_numbers), TEST(test_refused_numbers),
+          TEST(test_random_numbers))

@@ -89,6 +89,30 @@ static void test_fit(void) {
     }
 }
 
+/* As the rotation matrices say, and nothing is rounded: positions, and normals of any length. */
+static void test_turn(void) {
+    static const struct vec3 axes[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    const struct vec3 v = {0.1, -1.0 / 3, 7e-9};
+    for (int i = -64; i < 64; i++) {
+        const int turns[3] = {i % 4, i / 4 % 4, i / 16};
+        float normals[][3] = {{0.1F, -0.25F, 9}};
+        struct vec3 position = v;
+        struct model model = {
+            .positions = &position, .position_count = 1, .normals = normals, .normal_count = 1};
+        struct vec4 expected = {v.x, v.y, v.z, 1}, normal = {0.1F, -0.25F, 9, 0};
+        for (int k = 0; k < 3; k++) {
+            struct mat4 rotation = mat4_rotation(axes[k], turns[k] / 4.0);
+            expected = mat4_apply(&rotation, expected);
+            normal = mat4_apply(&rotation, normal);
+        }
+        model_turn(&model, turns);
+        CHECK(position.x == expected.x && position.y == expected.y && position.z == expected.z);
+        CHECK((double)normals[0][0] == normal.x && (double)normals[0][1] == normal.y &&
+              (double)normals[0][2] == normal.z);
+        CHECK(memcmp(model.turns, turns, sizeof turns) == 0);
+    }
+}
+
 /* Of size 0, or so small and large that a square would under- or overflow. */
 static void test_odd_sizes(void) {
     static const double sizes[] = {0, 5e-324, 1e-200, 3e38};
@@ -142,5 +166,5 @@ static void test_tiny(void) {
     CHECK(!box_is_tiny((struct box3){{0, -0.3, 0}, {0, 0.3, 0}}));
 }
 
-UNIT_MAIN(TEST(test_lines), TEST(test_tiny), TEST(test_box), TEST(test_fit), TEST(test_odd_sizes),
-          TEST(test_reaching_out))
+UNIT_MAIN(TEST(test_turn), TEST(test_lines), TEST(test_tiny), TEST(test_box), TEST(test_fit),
+          TEST(test_odd_sizes), TEST(test_reaching_out))

@@ -424,9 +424,9 @@ static void test_messages(void) {
 /* ---- Files ---- */
 
 static bool write_image(const char *path, uint8_t level, bool png) {
-    struct image image = new_image(2, 2, IMAGE_GREY);
+    struct image image = new_image(2, 2, IMAGE_BGR);
     struct error error;
-    image_clear(&image, color_grey(level));
+    image_clear(&image, color_rgb(160, 100, level));
     bool done = png ? png_write(&image, path, &error) : tga_write(&image, path, &error);
     image_free(&image);
     return done;
@@ -553,11 +553,12 @@ static void test_other_names(void) {
         const char *name;
         enum model_texture_kind kind;
     } rows[] = {
-        {"a_basecolor.PNG", MODEL_DIFFUSE}, {"a_basecolor.tga", MODEL_DIFFUSE},
-        {"a_albedo.png", MODEL_DIFFUSE},    {"a_diffuse.Png", MODEL_DIFFUSE},
-        {"a_diffuse.TGA", MODEL_DIFFUSE},   {"a_normal.png", MODEL_NORMAL_MAP},
-        {"a_nm.PNG", MODEL_NORMAL_MAP},     {"a_specular.TGA", MODEL_SPECULAR},
-        {"a_spec.png", MODEL_SPECULAR},     {"given", MODEL_SPECULAR},
+        {"a_basecolor.PNG", MODEL_DIFFUSE},     {"a_basecolor.tga", MODEL_DIFFUSE},
+        {"a_albedo.png", MODEL_DIFFUSE},        {"a_diffuse.Png", MODEL_DIFFUSE},
+        {"a_diffuse.TGA", MODEL_DIFFUSE},       {"a_normal_tangent.png", MODEL_NORMAL_MAP},
+        {"a_nm_tangent.tga", MODEL_NORMAL_MAP}, {"a_normal.png", MODEL_NORMAL_MAP},
+        {"a_nm.PNG", MODEL_NORMAL_MAP},         {"a_specular.TGA", MODEL_SPECULAR},
+        {"a_spec.png", MODEL_SPECULAR},         {"given", MODEL_SPECULAR},
     };
     enum { COUNT = sizeof rows / sizeof rows[0] };
     struct place place = place_create();
@@ -574,7 +575,8 @@ static void test_other_names(void) {
         if (CHECK_ROW(texture != NULL, rows[i].name)) {
             CHECK_ROW((texture->level[0].texels[0] & 0xFF) == i + 1, rows[i].name);
         }
-        CHECK(model_textures_present(&m) == (i < 5 ? 1 : i < 7 ? 2 : 3));
+        CHECK(m.textures[MODEL_NORMAL_MAP].tangent_space == (i == 5 || i == 6));
+        CHECK(model_textures_present(&m) == (i < 5 ? 1 : i < 9 ? 2 : 3));
         model_free(&m);
     }
     for (size_t i = 0; i < COUNT; i++) {
@@ -586,6 +588,8 @@ static void test_other_names(void) {
     CHECK(model_read(&m, model_path, &error));
     CHECK(model_texture(&m, MODEL_SPECULAR, &error) == NULL);
     CHECK(strstr(error.message, "/a_spec.JPG: a JPEG file, not a PNG or TGA file: ") != NULL);
+    m.texture_files[MODEL_NORMAL_MAP] = "grey.png";
+    CHECK(model_texture(&m, MODEL_NORMAL_MAP, &error) == NULL);
     m.texture_files[MODEL_SPECULAR] = model_path; /* what is given is read, whatever it is */
     CHECK(model_texture(&m, MODEL_SPECULAR, &error) == NULL);
     CHECK(strstr(error.message, "/a.obj: neither a PNG nor a TGA") != NULL);

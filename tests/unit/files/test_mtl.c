@@ -96,7 +96,7 @@ static void test_statements(void) {
         {"newmtl a\nmap_Kd x.png\nmap_Kd y.png\n", {1, 1, 1}, "d/y.png", true},
         {"newmtl a\nmap_Kd\n", {1, 1, 1}, NULL, true},
         {"newmtl a\nmap_Kd -clamp\n", {1, 1, 1}, NULL, true},
-        {"newmtl a\nmap_Ks x.png\nmap_Kd_ x.png\n", {1, 1, 1}, NULL, true},
+        {"newmtl a\nmap_bump x.png\nmap_Kd_ x.png\n", {1, 1, 1}, NULL, true},
     };
     for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
         struct model m;
@@ -124,6 +124,70 @@ static void test_statements(void) {
     }
 }
 
+/* The other numbers of the material "a": shine, power, hidden or not, the map's options. */
+static void test_numbers(void) {
+    static const struct {
+        const char *text, *expected;
+    } rows[] = {
+        {"", "-1 0 - none - 1 1 0 0"},
+        {"Ks 0.25 0.5 0.75\nNs 30\n", "0.5 30 - none - 1 1 0 0"},
+        {"Ks 0\nNs -1\nd 0.5\n", "0 0 - none - 1 1 0 0"},
+        {"Ns 2e4\nNs x\nd 0.0\nTr 0\n", "-1 0 d none - 1 1 0 0"},
+        {"d 0\nd 1\n", "-1 0 - none - 1 1 0 0"},
+        {"map_Ks -clamp on s.png\n", "-1 0 - s.png - 1 1 0 0"},
+        {"map_Ks s.png\nmap_Ns t.png\n", "-1 0 - t.png - 1 1 0 0"},
+        {"map_Kd -clamp on -s 2 3 4 -o 0.5 x.png\n", "-1 0 - none c 2 3 0.5 0"},
+        {"map_Kd -clamp off -o -1 2 -t 7 7 7 -s 9e9 x.png\n", "-1 0 - none - 1 1 -1 2"},
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        struct model m;
+        struct error error;
+        char text[200], got[200];
+        snprintf(text, sizeof text, "newmtl a\n%s", rows[i].text);
+        if (!decode(&m, SQUARE "usemtl a\nf 1 2 3\n")) {
+            return;
+        }
+        CHECK(mtl_decode(&m, text, strlen(text), "", &error));
+        const struct model_material *a = &m.materials[0];
+        snprintf(got, sizeof got, "%g %g %s %s %s %g %g %g %g", (double)a->specular,
+                 (double)a->power, a->hidden ? "d" : "-", a->shine == NULL ? "none" : a->shine,
+                 a->clamp ? "c" : "-", (double)a->scale[0], (double)a->scale[1],
+                 (double)a->offset[0], (double)a->offset[1]);
+        CHECK_TEXT(got, rows[i].expected);
+        model_free(&m);
+    }
+}
+
+/* norm says more than the names of bumps, and may come before or after them. */
+static void test_bumps(void) {
+    static const struct {
+        const char *text, *bumps;
+        bool is_norm;
+    } rows[] = {
+        {"norm n.png\n", "n.png", true},
+        {"map_Bump -bm 0.5 b.png\n", "b.png", false},
+        {"map_bump b c.png\n", "b c.png", false},
+        {"bump -imfchan l -clamp on b.png\n", "b.png", false},
+        {"bump a.png\nnorm n.png\nmap_Bump b.png\n", "n.png", true},
+        {"bump a.png\nmap_Bump b.png\n", "b.png", false},
+        {"map_Kn b.png\nnormal b.png\n", "", false},
+    };
+    for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
+        struct model m;
+        struct error error;
+        char text[200];
+        snprintf(text, sizeof text, "newmtl a\n%s", rows[i].text);
+        if (!decode(&m, SQUARE "usemtl a\nf 1 2 3\n")) {
+            return;
+        }
+        CHECK(mtl_decode(&m, text, strlen(text), "", &error));
+        const struct model_material *a = &m.materials[0];
+        CHECK_TEXT(a->bumps == NULL ? "" : a->bumps, rows[i].bumps);
+        CHECK_ROW(a->is_norm == rows[i].is_norm && !a->clamp, rows[i].text);
+        model_free(&m);
+    }
+}
+
 static void put_picture(struct place *place, const char *name, struct color color) {
     struct image image = new_image(2, 2, IMAGE_BGR);
     struct error error;
@@ -132,7 +196,7 @@ static void put_picture(struct place *place, const char *name, struct color colo
     image_free(&image);
 }
 
-/* Beside the model and in its file's directories; what is drawn of it. */
+/* Beside the model and in its file's directories. */
 static void test_files(void) {
     static const char *const names[] = {"m.obj", "m.mtl", "two names.mtl", "red.png",
                                         "m_diffuse.png"};
@@ -149,28 +213,16 @@ static void test_files(void) {
     put_picture(&place, "red.png", color_rgb(200, 10, 20));
     put_picture(&place, "m_diffuse.png", color_rgb(1, 2, 3));
     if (CHECK_ROW(model_read(&m, path, &error), error.message)) {
-        struct texture palette = {0};
-        bool several = false;
         CHECK(m.material_count == 3 && m.warning_line[MODEL_MATERIALS_MISSING] == 0);
-        CHECK(model_has_materials(&m) && model_only_texture(&m) == NULL);
+        CHECK(model_has_materials(&m) && strstr(m.materials[0].texture, "/red.png") != NULL);
         CHECK(m.bytes_read == file_size(path) + file_size(name_file(&place, "m.mtl")) +
                                   file_size(name_file(&place, "two names.mtl")));
-        CHECK(model_make_palette(&m, &palette, &several, &error) && several);
-        static const uint32_t colors[] = {0xFFC80A14, 0xFF000099, 0xFFFFFFFF};
-        for (size_t i = 0; i < 3; i++) {
-            struct vec2 uv = model_uv(&m, i, 1);
-            CHECK(palette.level_count == 1 && palette.level[0].width == 4);
-            CHECK((size_t)(uv.x * 4) == i && uv.x * 4 - (double)i == 0.5 && uv.y == 0.5);
-            CHECK(palette.level[0].texels[i] == colors[i]);
-        }
-        texture_free(&palette);
     }
     model_free(&m);
-    /* One texture for all faces; colours alone, which a texture beside the model outdoes; a file
+    /* A texture; colours alone, which a texture beside the model outdoes; a file
      * that is not there. */
     CHECK(put_text(path, "mtllib two names.mtl\n" SQUARE "usemtl red\nf 1 2 3\n"));
     CHECK(model_read(&m, path, &error) && model_has_materials(&m));
-    CHECK(model_only_texture(&m) != NULL && strstr(model_only_texture(&m), "/red.png") != NULL);
     model_free(&m);
     CHECK(put_text(path, "mtllib m.mtl\n" SQUARE "usemtl blue\nf 1 2 3\n"));
     CHECK(model_read(&m, path, &error) && !model_has_materials(&m));
@@ -191,4 +243,36 @@ static void test_files(void) {
     place_remove(&place, NULL);
 }
 
-UNIT_MAIN(TEST(test_faces), TEST(test_many_materials), TEST(test_statements), TEST(test_files))
+/* Write ASCII as Windows writes "Unicode". */
+static bool put_utf16(const char *path, const char *text) {
+    struct bytes bytes = {0};
+    struct error error;
+    bool done = bytes_append(&bytes, "\xFF\xFE", 2);
+    for (; done && *text != '\0'; text++) {
+        const char unit[2] = {*text, 0};
+        done = bytes_append(&bytes, unit, 2);
+    }
+    done = done && file_write(path, bytes.data, bytes.size, &error);
+    bytes_free(&bytes);
+    return done;
+}
+
+/* Model and materials in UTF-16; messages count their lines, and --stats their bytes. */
+static void test_utf16(void) {
+    struct place place = place_create();
+    struct model m;
+    struct error error;
+    CHECK(put_utf16(name_file(&place, "a.mtl"), "newmtl a\nKd 0 1 0\n"));
+    CHECK(put_utf16(name_file(&place, "a.obj"), "mtllib a.mtl\r\nusemtl a\r\n" SQUARE "f 1 2 3\n"));
+    CHECK(model_read(&m, place.path, &error) && m.face_count == 1 && m.positions[1].x == 1);
+    CHECK(m.material_count == 1 && m.materials[0].color[0] == 0 && m.materials[0].color[1] == 1);
+    CHECK(m.bytes_read == file_size(place.path) + 2 + 2 * strlen("newmtl a\nKd 0 1 0\n"));
+    model_free(&m);
+    CHECK(put_utf16(place.path, "v 0 0 0\nf 1 2 3\n") && !model_read(&m, place.path, &error));
+    CHECK(strstr(error.message, "/a.obj:2: face names vertex 2 of 1") != NULL);
+    CHECK(unlink(name_file(&place, "a.obj")) == 0);
+    place_remove(&place, "a.mtl");
+}
+
+UNIT_MAIN(TEST(test_utf16), TEST(test_faces), TEST(test_many_materials), TEST(test_statements),
+          TEST(test_numbers), TEST(test_bumps), TEST(test_files))

@@ -287,10 +287,6 @@ static void test_messages(void) {
         {"glTF\2", "a glTF file, not an OBJ or OFF file" EXPORT},
         {"{\"asset\": {}}", "JSON, perhaps a glTF file, not an OBJ or OFF file" EXPORT},
         {"<!DOCTYPE HTML><html>", "an HTML page, not an OBJ or OFF file: download the file itself"},
-        {"\xFF\xFEv", "UTF-16 text, not an OBJ or OFF file: "
-                      "`iconv -f UTF-16 -t UTF-8 FILE >NEW` converts it"},
-        {"\xFE\xFFv", "UTF-16 text, not an OBJ or OFF file: "
-                      "`iconv -f UTF-16 -t UTF-8 FILE >NEW` converts it"},
         {"solid\n" SQUARE "f 1 2 9\n", "an STL file, not an OBJ or OFF file" EXPORT},
     };
     for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {

@@ -46,4 +46,13 @@ head -n 1 "$work/all" | grep -qF '"values":[{"name":"faces","help":"share of the
 sed -n 4p "$work/answer" | grep -qx 'pixels_written 0' || wrong "faces are drawn"
 [ "$(grep -ac "^error --set wants NAME=N, a scene's number: faces of zbuffer, 0 to 1, not" "$work/answer")" -eq 2 ] ||
     [ "$(tail -n 2 "$work/answer" | grep -ac 'error --set wants')" -eq 2 ] || wrong "numbers out of range are taken"
+
+# A text scene's numbers, the text that one begins with, and what is said about a pixel.
+printf '%s\n' '--set attempt=1 --set wrong=1 --probe 1,0 --stats text' 'size 3 2' 'line 0 0 2 1 9 8 7' end \
+    '--probe 1,x' '--probe 16384,0' | answers step01_line
+grep -aqF '{"name":"your own","frames":1,"text":"size 100 100\nline 13' "$work/all" || wrong "no text to begin with"
+has 2 'pixels_wrong 0'
+has 3 'pixels_missing 1'
+has 4 ' at x = 1 the line is at y = 0 + 1 * 1/2 = 0.500'
+[ "$(grep -ac 'error --probe wants a pixel X,Y, not' "$work/answer")" -eq 2 ] || wrong "any pixel is taken"
 exit $failed

@@ -48,6 +48,11 @@ static bool draw_dot(struct drawing *drawing, struct image *image, struct error 
     return true;
 }
 
+static bool draw_nothing(struct drawing *drawing, struct image *image, struct error *error) {
+    (void)drawing, (void)image, (void)error;
+    return true;
+}
+
 static bool draw_failing(struct drawing *drawing, struct image *image, struct error *error) {
     (void)drawing, (void)image;
     return error_set(error, "cannot draw this");
@@ -209,6 +214,7 @@ static void test_usage(void) {
         {"--repeat 0", "probe: --repeat wants a number: 1 to 1000000, not '0'\n"},
         {"--repeat 1000001", "probe: --repeat wants a number: 1 to 1000000, not '1000001'\n"},
         {"one.obj", "probe: one argument too many: 'one.obj'; try --help\n"},
+        {"--turn 1,0,0", "probe: unknown option '--turn'; try --help\n"},
         {"--eye 0,0,0", "probe: scene dot: the eye and the center are the same point\n"},
         {"--eye 1e-150,0,0",
          "probe: scene dot: the eye and the center are too near to each other\n"},
@@ -517,6 +523,26 @@ static void test_set(void) {
     CHECK(run(&program, "-o out --set size=9.5") == 2 && run(&program, "-o out --set size=0") == 2);
     CHECK(run_live(&program, "--live", "--set size=1\n") == 0);
     CHECK(drawing_value(&last_drawing, "size") == 1 && drawing_value(&last_drawing, "turn") == 0);
+    CHECK(drawing_value(&last_drawing, "siz") == 0);
+    program.text_values = values + 1; /* a text scene has its own numbers */
+    program.scenes = scenes;
+    CHECK(run(&program, "-o out --set turn=1") == 0 && run(&program, "-o out --set size=5") == 2);
+}
+
+/* A point is two numbers; what is said about a pixel is lines, as many as there is room for. */
+static void test_points_and_notes(void) {
+    static const struct scene_value values[] = {
+        {"a_x", "", -1, 1, 1, 0}, {"a_y", "", -1, 1, 1, 0}, {.name = NULL}};
+    struct drawing drawing = {.values = values, .value = {0.25, -0.5}};
+    struct vec2 a = drawing_point(&drawing, "a");
+    CHECK(a.x == 0.25 && a.y == -0.5);
+    drawing_note(&drawing, "%d", 12);
+    drawing_note(&drawing, "%s", "b");
+    CHECK_TEXT(drawing.notes, "12\nb\n");
+    for (int i = 0; i < NOTES_LIMIT; i++) {
+        drawing_note(&drawing, "%d", i);
+    }
+    CHECK(strlen(drawing.notes) == NOTES_LIMIT - 1 && drawing.notes[NOTES_LIMIT - 1] == '\0');
 }
 
 /* A drawing of a replaced texture: what stands for it. */
@@ -529,30 +555,49 @@ static bool draw_replaced(struct drawing *drawing, struct image *image, struct e
     return image_set(image, 0, 0, color_grey(1));
 }
 
+/* A normal map in tangent space, beside what is replaced. */
+static bool draw_tangent(struct drawing *drawing, struct image *image, struct error *error) {
+    (void)error;
+    CHECK(drawing->normal_map != NULL && drawing->normal_map->tangent_space);
+    CHECK(drawing->normal_map->level[0].texels[0] == 0xFF8080FF); /* not turned */
+    CHECK(model_normal(drawing->model, 0, 1).z == 1);             /* turned */
+    return image_set(image, 0, 0, color_grey(1));
+}
+
+static bool given_tangent; /* by a name */
+
 static bool draw_present(struct drawing *drawing, struct image *image, struct error *error) {
     (void)error;
     CHECK(drawing->diffuse != NULL && (drawing->diffuse->level[0].texels[0] & 255) == 90);
     CHECK(drawing->normal_map != NULL && drawing->specular != NULL);
+    CHECK(drawing->normal_map == NULL || drawing->normal_map->tangent_space == given_tangent);
     return image_set(image, 0, 0, color_grey(1));
 }
 
-/* Colours of materials, a texture of given.tga, or both of them. */
-static bool draw_palette(struct drawing *drawing, struct image *image, struct error *error) {
+static const char *expected_parts; /* faces and colour of each, in the order of materials */
+
+static bool draw_materials(struct drawing *drawing, struct image *image, struct error *error) {
+    char parts[200] = "";
     (void)error;
-    const struct texture_level *level = &drawing->diffuse->level[0];
-    uint32_t first = level->texels[0];
-    CHECK(level->width == 2 ? first == 0xFF0000FF || first == 0xFF5A5A5A
-                            : level->width == 1 && first == 0xFF5A5A5A);
-    CHECK(level->width == 1 || drawing->normal_map == NULL);
+    size_t count = 0;
+    for (; drawing_take_part(drawing, count); count++) {
+        size_t length = strlen(parts);
+        snprintf(parts + length, sizeof parts - length, "%zu %06X %g %g;",
+                 drawing->model->face_count, drawing->diffuse->level[0].texels[0] & 0xFFFFFF,
+                 drawing->specular_weight, drawing->power);
+        CHECK(drawing->specular->level_count > 0);
+    }
+    CHECK_TEXT(parts, expected_parts);
+    CHECK(drawing->model->face_count >= count && drawing->diffuse->level_count > 0);
     return image_set(image, 0, 0, color_grey(1));
 }
 
 enum { ALL_TEXTURES = NEEDS_DIFFUSE | NEEDS_NORMAL_MAP | NEEDS_SPECULAR };
 
-#define NO_FILE  ": no such file, nor one of another usual name; "
-#define WHITE    "white instead; --texture FILE names one\n"
-#define NORMALS  "the mesh's normals instead; --normal-map FILE names one\n"
-#define SHINE    "the same shine everywhere instead; --specular FILE names one\n"
+#define MISSING  " beside it, nor other usual names; "
+#define WHITE    "white instead (--texture)\n"
+#define NORMALS  "the mesh's normals instead (--normal-map)\n"
+#define SHINE    "the same shine everywhere instead (--specular)\n"
 #define MAPPED   "vt 0 0\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 1 0\nf 1/1/1 2/1/1 3/1/1\n"
 #define PICTURES "out/one.tga\nout/two.tga\n"
 
@@ -565,52 +610,86 @@ static void test_replaced(void) {
     };
     const struct program program = {
         .name = "probe", .summary = "replaced", .scenes = two_scenes, .scene_count = 2};
-    uint8_t levels[] = {255, 128, 128};
-    const struct image blue = {1, 1, IMAGE_BGR, levels}, grey = {1, 1, IMAGE_GREY, levels};
+    uint8_t levels[] = {255, 128, 128, 0, 0, 0};
+    const struct image blue = {2, 1, IMAGE_BGR, levels}, grey = {1, 1, IMAGE_GREY, levels};
+    const struct image given = {1, 1, IMAGE_BGR, levels};
     struct error error;
     put_file("wild.obj", MAPPED);
     CHECK_RUN(&program, "-o out wild.obj", 0,
-              "probe: wild_diffuse.tga" NO_FILE WHITE "probe: wild_nm.tga" NO_FILE NORMALS
-              "probe: wild_spec.tga" NO_FILE SHINE PICTURES);
+              "probe: wild.obj: no wild_diffuse.tga, wild_nm.tga, wild_spec.tga" MISSING
+              "white, the mesh's normals, the same shine everywhere instead "
+              "(--texture, --normal-map, --specular)\n" PICTURES);
+    put_file("wild_nm.JPG", "\xFF\xD8\xFF\xE0");
+    CHECK_RUN(&program, "-o out --specular none.tga wild.obj", 1,
+              "probe: wild.obj: no wild_diffuse.tga" MISSING WHITE
+              "probe: wild_nm.JPG: a JPEG file, not a PNG or TGA file: `magick FILE NEW.png` "
+              "converts it; " NORMALS "probe: none.tga: No such file or directory\n");
+    CHECK(remove(in_directory("wild_nm.JPG")) == 0);
     put_file("bare.obj", "v 0 0 0\nv 0 0 1\nv 1 0 0\nf 1 2 3\n"); /* no place in a picture */
     CHECK_RUN(&program, "-o out bare.obj", 0, PICTURES);
     CHECK_RUN(&program, "-o out --texture a.png bare.obj", 1,
               "probe: bare.obj: has no texture coordinates, without which a.png cannot be drawn\n");
     CHECK_RUN(&program, "-o out --texture a.png wild.obj", 1,
+              "probe: wild.obj: no wild_nm.tga, wild_spec.tga" MISSING
+              "the mesh's normals, the same shine everywhere instead (--normal-map, --specular)\n"
               "probe: a.png: No such file or directory\n");
     /* A map in tangent space, and files that cannot be read. */
     put_file("wild_diffuse.png", "\xFF\xD8\xFF\xE0");
     put_file("wild_spec.png", "nothing");
     CHECK(tga_write(&blue, in_directory("wild_nm.tga"), &error));
-    CHECK_RUN(&program, "-o out wild.obj", 0,
+    two_scenes[0].draw = two_scenes[1].draw = draw_tangent;
+    CHECK_RUN(&program, "-o out --turn 1,0,0 wild.obj", 0,
               "probe: wild_diffuse.png: a JPEG file, not a PNG or TGA file: `magick FILE NEW.png` "
-              "converts it; " WHITE "probe: wild.obj: the normal map is one in tangent space, and "
-              "only object space is read; " NORMALS
+              "converts it; " WHITE
+              "probe: wild.obj: the normal map is blue, so it is read as one in "
+              "tangent space, as if its name ended in _tangent\n"
               "probe: wild_spec.png: neither a PNG nor a TGA of a type that is supported; " SHINE
                   PICTURES);
-    two_scenes[0].draw = two_scenes[1].draw = draw_present;
     levels[0] = 90;
-    CHECK(tga_write(&grey, in_directory("given.tga"), &error));
+    CHECK(tga_write(&given, in_directory("given.tga"), &error) &&
+          tga_write(&grey, in_directory("wild_nm.tga"), &error));
+    two_scenes[0].draw = draw_nothing;
+    CHECK_RUN(&program, "-o out --only one --texture given.tga --specular given.tga wild.obj", 0,
+              "probe: wild_nm.tga: grey values: perhaps heights, but not normals; " NORMALS
+              "probe: scene one: nothing was drawn\nout/one.tga\n");
+    two_scenes[0].draw = two_scenes[1].draw = draw_present;
     CHECK_RUN(&program,
               "-o out --texture given.tga --normal-map given.tga --specular given.tga wild.obj", 0,
               PICTURES);
-    /* Materials: a picture of their colours, or of the one texture that all have. */
-    two_scenes[0].draw = two_scenes[1].draw = draw_palette;
-    put_file("m.mtl", "newmtl a\nKd 0 0 1\n");
+    given_tangent = true;
+    CHECK(tga_write(&given, in_directory("given_tangent.tga"), &error));
+    CHECK_RUN(&program,
+              "-o out --texture given.tga --normal-map given_tangent.tga --specular given.tga "
+              "wild.obj",
+              0, PICTURES);
+    /* Materials: each part with its colour or its texture, also in the next scene. */
+    two_scenes[0].draw = two_scenes[1].draw = draw_materials;
+    put_file("m.mtl", "newmtl a\nKd 0 0 1\nKs 0.25 0.5 0.75\nNs 30\n");
     put_file("wild2.obj", "mtllib m.mtl\nusemtl a\n" MAPPED);
+    expected_parts = "1 0000FF 0.5 30;";
     CHECK_RUN(&program, "-o out wild2.obj", 0, PICTURES);
-    put_file("m.mtl", "newmtl a\nKd 0 0 1\nmap_Kd given.tga\n");
-    CHECK_RUN(&program, "-o out --normal-map given.tga --specular given.tga wild2.obj", 0,
+    put_file("m.mtl", "newmtl b\nKd 1 0 0\nnewmtl a\nKd 0 0 1\nmap_Kd given.tga\n");
+    put_file("wild3.obj", "mtllib m.mtl\nf 1 2 3\nusemtl a\nf 1 2 3\nusemtl b\n" MAPPED);
+    expected_parts = "1 80805A -1 0;1 FF0000 -1 0;1 FFFFFF -1 0;";
+    CHECK_RUN(&program, "-o out --normal-map given.tga --specular given.tga wild3.obj", 0,
               PICTURES);
-    put_file("wild3.obj", "mtllib m.mtl\nf 1 2 3\nusemtl a\n" MAPPED);
-    CHECK_RUN(&program, "-o out --only one wild3.obj", 0,
-              "probe: wild3.obj: has several textures, of which only the mean colours are drawn; "
-              "--texture FILE names one for all faces\nout/one.tga\n");
+    put_file("m.mtl", "newmtl b\nd 0\nnewmtl a\nKd 0 0 1\nmap_Kd no.tga\n");
+    expected_parts = "1 0000FF -1 0;1 FFFFFF -1 0;";
+    CHECK_RUN(&program, "-o out wild3.obj", 0,
+              "probe: no.tga: No such file or directory; the material's colour instead "
+              "(--texture)\n" PICTURES);
+    expected_parts = "3 80805A 0 0;"; /* one for all faces */
+    CHECK_RUN(&program,
+              "-o out --normal-map given.tga --specular given.tga --texture given.tga "
+              "wild3.obj",
+              0, PICTURES);
+    expected_parts = "1 80805A 0 0;";
     put_file("wild4.obj", "mtllib none.mtl\nusemtl a\n" MAPPED);
     CHECK_RUN(&program, "-o out --only one --texture given.tga wild4.obj", 0,
               "probe: wild4.obj:1: the file of materials is not there; faces have neither its "
               "colours nor its textures\n"
-              "probe: wild4_nm.tga" NO_FILE NORMALS "probe: wild4_spec.tga" NO_FILE SHINE
+              "probe: wild4.obj: no wild4_nm.tga, wild4_spec.tga" MISSING
+              "the mesh's normals, the same shine everywhere instead (--normal-map, --specular)\n"
               "out/one.tga\n");
     CHECK_RUN(&dot_program, "--texture given.tga", 2,
               "probe: unknown option '--texture'; try --help\n");
@@ -669,11 +748,6 @@ static bool draw_corners(struct drawing *drawing, struct image *image, struct er
     return true;
 }
 
-static bool draw_nothing(struct drawing *drawing, struct image *image, struct error *error) {
-    (void)drawing, (void)image, (void)error;
-    return true;
-}
-
 static const struct scene view_scenes[] = {
     {.name = "view", .needs = NEEDS_MODEL, .draw = draw_corners},
     {.name = "deep", .needs = NEEDS_MODEL | NEEDS_DEPTH, .draw = draw_corners},
@@ -695,6 +769,10 @@ static const struct scene blank_scenes[] = {
 static const char far_obj[] = "v 1000 1000 0\nv 1004 1000 0\nv 1000 1002 0\nv 9e9 0 0\nf 1 2 3\n";
 static const char out_message[] =
     "probe: far.obj: reaches out of -1..1; --fit brings it into view\n";
+
+#define NO_FRONT                                                                                   \
+    "probe: scene blank: nothing was drawn: all faces look away or lie edge-on; what may help: "   \
+    "--two-sided --turn\n"
 
 /* What is said of a model; nothing where something is seen, or where nothing was asked. */
 static void test_out_of_view(void) {
@@ -729,13 +807,16 @@ static void test_out_of_view(void) {
               "probe: scene blank: nothing was drawn; what may help: --center\n"
               "out/blank.tga\n");
     CHECK_RUN(&camera_program, "-o out --eye 0,-9,-9 --fit near.obj", 0,
-              "probe: scene blank: nothing was drawn: all faces look away\nout/blank.tga\n");
+              NO_FRONT "out/blank.tga\n");
     camera_program.takes_camera = camera_program.takes_light = false;
     CHECK_RUN(&camera_program, "-o out --fit near.obj", 0,
               "probe: scene blank: nothing was drawn\nout/blank.tga\n");
+    put_file("edge.obj", /* lies, and a face whose corners are in a row */
+             "v 0.01 0.02 0.03\nv 0.04 0.05 0.06\nv 0.07 0.08 0.09\nv 1 0 1\nv -1 0 1\nv 1 0 -1\n"
+             "f 2 1 3\nf 5 4 6\n");
     put_file("away.obj", "v 0 0 0\nv 0 1 2\nv 1 0 2\nf 1 2 3\n"); /* up, right and away */
-    CHECK_RUN(&camera_program, "-o out --fit away.obj", 0,
-              "probe: scene blank: nothing was drawn: all faces look away\nout/blank.tga\n");
+    CHECK_RUN(&camera_program, "-o out --fit edge.obj", 0, NO_FRONT "out/blank.tga\n");
+    CHECK_RUN(&camera_program, "-o out --fit away.obj", 0, NO_FRONT "out/blank.tga\n");
 }
 
 /* What is much smaller than the view is drawn, but small: said once. */
@@ -751,6 +832,46 @@ static void test_tiny(void) {
     CHECK_RUN(&blank, "-o out tiny.obj", 0,
               "probe: tiny.obj: fills little of -1..1; --fit makes it larger\n"
               "probe: scene blank: nothing was drawn; what may help: --fit\nout/blank.tga\n");
+}
+
+/* What is drawn of a turned model: a corner, its normal, and the same of a normal map. */
+static bool draw_turned(struct drawing *drawing, struct image *image, struct error *error) {
+    (void)error;
+    struct vec3 p = model_position(drawing->model, 0, 1), n = model_normal(drawing->model, 0, 1);
+    CHECK(vec3_length(vec3_sub(p, (struct vec3){0.25, -0.75, 0.5})) == 0);
+    CHECK(vec3_length(vec3_sub(n, (struct vec3){0, -2, 1})) == 0);
+    CHECK(drawing->normal_map->level[0].texels[0] == 0xFFE69B3C); /* 230 155 60 */
+    CHECK(drawing->diffuse->level[0].texels[0] == 0xFFE63C64);
+    return image_set(image, 0, 0, color_grey(1));
+}
+
+/* --turn: of the model with all that has a direction, before anything else. --two-sided: twice as
+ * many faces, and a model that looks away is seen. */
+static void test_turn_and_sides(void) {
+    struct scene scene = {.name = "turned",
+                          .needs = NEEDS_MODEL | NEEDS_NORMALS | NEEDS_NORMAL_MAP | NEEDS_DIFFUSE,
+                          .draw = draw_turned};
+    struct program program = view_program;
+    uint8_t levels[] = {100, 60, 230}; /* blue, green, red */
+    const struct image normal = {1, 1, IMAGE_BGR, levels};
+    struct error error;
+    program.scenes = &scene;
+    program.scene_count = 1;
+    put_file("up.obj", "vt 0 0\nv 0 0 0\nv 0.25 0.5 0.75\nv 0 1 0\nvn 0 1 2\n"
+                       "f 1/1/1 2/1/1 3/1/1\n");
+    CHECK(tga_write(&normal, in_directory("up_nm.tga"), &error) &&
+          tga_write(&normal, in_directory("up_diffuse.tga"), &error));
+    CHECK_RUN(&program, "-o out --turn 1,0,0 up.obj", 0, "out/turned.tga\n");
+    CHECK_RUN(&program, "-o out --turn -3,4,-8 up.obj", 0, "out/turned.tga\n");
+    CHECK_RUN(&program, "--turn 0.5,0,0", 2,
+              "probe: --turn wants three whole numbers X,Y,Z, not '0.5,0,0'\n");
+    CHECK_RUN(&program, "--turn 1", 2, "probe: --turn wants three whole numbers X,Y,Z, not '1'\n");
+    program.scenes = view_scenes;
+    CHECK_RUN(&program, "-o out --fit --turn 0,3,0 far.obj", 0, "out/view.tga\n");
+    CHECK(farthest_corner > 0.95);
+    program.scenes = blank_scenes;
+    CHECK_RUN(&program, "-o out --two-sided --fit away.obj", 0,
+              "probe: scene blank: nothing was drawn; what may help: --light\nout/blank.tga\n");
 }
 
 static const struct scene detail_scenes[] = {
@@ -969,8 +1090,9 @@ static void test_clean_up(void) {
 UNIT_MAIN(TEST(test_usage), TEST(test_help), TEST(test_extra), TEST(test_formats),
           TEST(test_frames), TEST(test_stats_and_repeat), TEST(test_repeat_time), TEST(test_camera),
           TEST(test_failures), TEST(test_text_scene), TEST(test_needs), TEST(test_live),
-          TEST(test_set), TEST(test_stats_of_files), TEST(test_defaults), TEST(test_grey),
-          TEST(test_out_of_view), TEST(test_replaced), TEST(test_tiny), TEST(test_details),
+          TEST(test_set), TEST(test_points_and_notes), TEST(test_stats_of_files),
+          TEST(test_defaults), TEST(test_grey), TEST(test_out_of_view), TEST(test_replaced),
+          TEST(test_tiny), TEST(test_turn_and_sides), TEST(test_details),
           TEST(test_warnings_of_files), TEST(test_failing_scenes), TEST(test_end_of_options),
           TEST(test_seldom_failures), TEST(test_full_output), TEST(test_text_names),
           TEST(test_default_directory), TEST(test_clean_up))

@@ -1,4 +1,4 @@
-/* Of a model only what a scene needs is read, and once for all scenes of a run: stage.h. */
+/* A stage reads of a model only what a scene needs, and once for all scenes of a run: stage.h. */
 #include "run/stage.h"
 
 #include "base/file.h"

@@ -56,7 +56,7 @@ function on(file, window, name, judge) {
 
 const ask = (what, given) => page.evaluate(what, given);
 const picture = name => page.screenshot({path: `${pages}/${name.replace(/\W+/g, '_')}.png`});
-const values = () => page.textContent('#values');
+const values = () => page.textContent('#pixel');
 const zoom = () => page.textContent('#zoom');
 
 /* When all that was begun is drawn. */
@@ -73,32 +73,32 @@ async function click(...ids) {
     await settle();
 }
 
-/* The scene comes to the top; what is chosen in it; one of its pictures. */
-const goToScene = () => ask(scene + '.section.scrollIntoView()').then(settle);
-const setCursor = (x, y) => ask(`setCursor(${scene}, ${x}, ${y})`).then(settle);
-const hideCursor = () => ask('document.querySelectorAll(".cursor").forEach(c => c.remove())');
-const figure = name => page.locator(`section:has(h3:text-is("zbuffer")) [data-name=${name}]`);
-
-/* Which pictures of it are seen, and how far from the window's edge. */
-const shown = () => ask(`Object.keys(${scene}.figures)
-    .filter(name => ${scene}.figures[name].clientWidth).join()`);
-const edges = side => figure('yours').locator('..').locator('figure:visible .view').evaluateAll(
-    (views, side) => views.map(view => Math.round(view.getBoundingClientRect()[side])), side);
+/* A scene's picture is clicked: it opens, large. */
+async function look(which, name = 'zbuffer') {
+    await page.click(`section:has(:is(h2,h3):text-is("${name}")) [data-name=${which}] button`);
+    await page.waitForFunction(which => shown && $('viewer').open && view === which &&
+        (!sameSize() || made.view === which || which !== 'difference'), which);
+    await settle();
+}
+const setCursor = (x, y) => ask(([x, y]) => {
+    cursor = [x, shown.height - 1 - y];
+    center = cursor.map(c => c + 0.5);
+    paint();
+}, [x, y]).then(settle);
 
 /* Where on the screen the middle of a pixel is. */
-async function placeOf(name, x, y) {
-    const box = await figure(name).locator('.sheet').boundingBox();
-    return [box.x + (x + 0.5) * box.width / size, box.y + (size - y - 0.5) * box.height / size];
-}
+const placeOf = (x, y) => ask(([x, y]) => {
+    const {size, left, top} = place(visible()), box = canvas.getBoundingClientRect();
+    return [box.x + (left + (x + 0.5) * size) / devicePixelRatio,
+            box.y + (top + (shown.height - 0.5 - y) * size) / devicePixelRatio];
+}, [x, y]);
 
 /* Colours of the window at some points, as the eye sees them. */
 async function seen(points) {
     const data = (await page.screenshot()).toString('base64');
     return ask(async ([data, points]) => {
-        const image = make('img', {src: 'data:image/png;base64,' + data});
-        await image.decode();
-        return points.map(([x, y]) => colorAt(
-            image, Math.floor(x), image.height - 1 - Math.floor(y)).join());
+        const picture = await readPicture('data:image/png;base64,' + data);
+        return points.map(([x, y]) => colorAt(picture, Math.floor(x), Math.floor(y)).join());
     }, [data, points]);
 }
 
@@ -106,8 +106,8 @@ async function seen(points) {
 async function judgeLayout() {
     assert.ok(await ask('document.documentElement.scrollWidth <= innerWidth'), 'too wide');
     const torn = await ask(() => {
-        const boxes = [...document.querySelectorAll('.tools button, .tools output')]
-            .map(element => [element.id, element.getBoundingClientRect()]);
+        const boxes = [...document.querySelectorAll('dialog[open] form button')]
+            .map(element => [element.textContent, element.getBoundingClientRect()]);
         return boxes.flatMap(([a, p]) => boxes.filter(([b, q]) => a != b && p.left < q.right &&
             q.left < p.right && p.top < q.bottom && q.top < p.bottom).map(([b]) => a + ' on ' + b));
     });
@@ -147,8 +147,9 @@ async function judgeContents() {
 
 /* Beside a diagnosis is the picture of that mistake, which is what was drawn. */
 async function judgeLooks() {
-    const found = await ask(() => [...document.querySelectorAll('.looks')].map(
-        looks => [...looks.querySelectorAll('img')].map(image => [...allOf(image)])));
+    const found = await ask(() => Promise.all([...document.querySelectorAll('.looks')].map(
+        looks => Promise.all([...looks.querySelectorAll('img')].map(
+            async image => [...(await readPicture(image.src)).pixels])))));
     assert.ok(found.length >= 2, 'no diagnosis');
     for (const [mistake, small, ...more] of found) {
         assert.equal(Math.max(...mistake), 255);
@@ -156,167 +157,147 @@ async function judgeLooks() {
     }
 }
 
+/* Where a scene's three pictures lie. */
+const edges = side => page.locator('section:has(h3:text-is("zbuffer")) .pictures img').evaluateAll(
+    (images, side) => images.map(image => Math.round(image.getBoundingClientRect()[side])), side);
+
 for (const colorScheme of ['dark', 'light']) {
     on('report.html', {...desktop, colorScheme}, 'desktop, ' + colorScheme, async () => {
         await judgeLayout();
         await judgeContents();
         await judgeLooks();
-        await goToScene();
         assert.equal(new Set(await edges('top')).size, 1, 'not side by side');
-    });
-    on('report.html', {...phone, colorScheme}, 'phone, ' + colorScheme, async () => {
+        await look('yours');
         await judgeLayout();
-        await goToScene();
+    });
+    on('report.html', {...phone, viewport: {width: 400, height: 844}, colorScheme}, 'phone, ' + colorScheme, async () => {
+        await judgeLayout();
         assert.equal(new Set(await edges('left')).size, 1, 'not below each other');
-        await figure('yours').locator('.sheet').tap();
-        assert.match(await values(), /^\(\d+,\d+\).*yours.*reference/);
-        await page.tap('#slide');
-        assert.equal(await shown(), 'slide');
-        await page.tap('#side');
+        await look('difference');
+        await judgeLayout();
+        for (const button of await page.locator('dialog button:visible').all()) {
+            const {x, width} = await button.boundingBox();
+            assert.ok(x >= 0 && x + width <= 400, 'cut off: ' + await button.textContent());
+        }
+        await page.tap('#close');
         await ask('document.querySelectorAll("details").forEach(d => { d.open = true; })');
         await settle();
         await judgeLayout();
     });
 }
 
-const keyOf = {side: 's', slide: 'l', yours: 'y', reference: 'r', difference: 'd', errors: 'e'};
+/* The same by buttons and by keys. */
+const keyOf = {yours: 'y', reference: 'r', split: 's', difference: 'd', errors: 'e'};
 for (const way of ['buttons', 'keys']) {
     on('report.html', desktop, way, async () => {
-        for (const mode of ['slide', 'yours', 'reference', 'difference', 'errors', 'side']) {
-            await (way == 'keys' ? press(keyOf[mode]) : click(mode));
-            const all = 'yours,reference,difference,errors';
-            assert.equal(await shown(), mode == 'side' ? all : mode);
-            assert.equal(await page.locator('[aria-pressed=true]').getAttribute('id'), mode);
+        await look('yours');
+        for (const name of ['split', 'reference', 'difference', 'errors', 'yours']) {
+            await (way == 'keys' ? press(keyOf[name]) : page.click(`#views button:text-is("${name}")`));
+            assert.equal(await ask('view'), name);
+            assert.equal(await page.textContent('#views [aria-pressed=true]'), name);
+        }
+        if (way == 'keys') {
+            await press(' ');
+            assert.equal(await ask('view'), 'reference');
+            await press('Escape');
+            assert.equal(await ask('$("viewer").open'), false);
         }
     });
 }
 
 on('report.html', desktop, 'errors', async () => {
-    await goToScene();
-    const counts = (await figure('errors').locator('.scale li').allTextContents())
-        .map(line => Number(line.replace(/.*: |,| pixels?/g, '')));
+    await look('yours');
+    await press('e');
+    const counts = (await page.locator('#counters dd').allTextContents()).map(text => Number(text.replaceAll(',', '')));
     const sum = counts => counts.reduce((a, b) => a + b, 0);
     assert.equal(sum(counts), size * size);
     assert.equal(sum(counts.slice(2)), pixels(item.apart_percent));
-    const colors = await figure('errors').locator('.scale i').evaluateAll(
-        all => all.map(square => square.style.background));
+    const colors = await page.locator('#counters dt').evaluateAll(all => all.map(term => term.style.borderLeftColor));
     assert.equal(new Set(colors).size, 6);
 });
 
 /* Not smoothed: each pixel is one square of its own colour, and the values are those told. */
 on('report.html', desktop, 'zoom', async () => {
-    await goToScene();
-    await click('wrong');
+    await look('yours');
+    await press('w');
     assert.equal(await zoom(), '8x');
-    assert.match(await values(), /wrong: place 1 of /);
+    assert.equal(await ask('view'), 'difference');
+    assert.ok(['255,0,0', '0,0,255'].includes(await ask('colorAt(visible(), ...cursor).join()')), 'not wrong');
+    const before = await ask('cursor.join()');
+    await press('w');
+    assert.notEqual(await ask('cursor.join()'), before);
     await setCursor(x, y);
-    const places = async name => {
-        const [left, top] = await placeOf(name, x, y);
-        return [[0, 0], [-3.5, -3.5], [3.5, -3.5], [-3.5, 3.5], [3.5, 3.5]]
-            .map(([i, j]) => [left + i, top + j]);
-    };
-    await page.mouse.move(...(await places('yours'))[0]);
-    assert.ok((await values()).replace(/ +/g, ' ').startsWith(
-        `(${x},${y}) yours ${yours} reference ${right} `), await values());
-    await hideCursor();
-    assert.deepEqual(await seen(await places('yours')), Array(5).fill(yours));
-    assert.deepEqual(await seen(await places('reference')), Array(5).fill(right));
-    const below = await placeOf('difference', x, y - 1);
-    assert.deepEqual(await seen([below]), ['0,0,0'], 'a wrong pixel below the first');
-    const scrolled = await figure('yours').locator('..').locator('.view:visible').evaluateAll(
-        views => views.map(view => view.scrollLeft));
-    assert.equal(new Set(scrolled).size, 1, 'not scrolled together');
-    await click('larger', 'larger');
-    await setCursor(x, y);
-    assert.equal(await figure('yours').locator('.values').count(), 1, 'no numbers at 32x');
-    await click(...Array(6).fill('smaller'));
+    assert.ok((await values()).includes(`(${x},${y}) ${yours}, reference ${right}, error `), await values());
+    await press('+', '+'); /* 32: numbers in the upper part of each pixel */
+    await ask('cursor = null; paint()');
+    const [left, top] = await placeOf(x, y);
+    const corners = [[-14, -14], [14, -14], [-14, 14], [14, 14]].map(([i, j]) => [left + i, top + j]);
+    for (const [key, color] of [['y', yours], ['r', right]]) {
+        await press(key);
+        assert.deepEqual(await seen(corners), Array(4).fill(color));
+    }
+    await press('d');
+    assert.deepEqual(await seen([await placeOf(x, y - 1)]), ['0,0,0'], 'a wrong pixel below the first');
+    await press(...Array(7).fill('-'));
     assert.equal(await zoom(), 'fit');
 });
 
-on('report.html', desktop, 'marks', async () => {
-    await goToScene();
-    await click('larger', 'marks'); /* 1x: as many marks as wrong pixels */
-    const marked = await ask(`allOf(${scene}.figures.yours.querySelector('.marks'))
-        .filter((value, i) => i % 4 == 3 && value > 0).length`);
-    assert.equal(marked, pixels(item.wrong_percent));
-    await click('marks');
-    assert.equal(await figure('yours').locator('.marks').isVisible(), false);
-});
-
-on('report.html', desktop, 'slider', async () => {
-    await click('slide', 'larger');
+/* Yours is left of the cursor, the reference right of it; shrunk, wrong pixels are seen all the same. */
+on('report.html', desktop, 'split', async () => {
+    await look('yours');
     await setCursor(x, y);
-    await hideCursor();
-    const range = figure('slide').locator('input');
-    const {width, height} = await range.boundingBox();
-    for (const [beside, color] of [[40, yours], [-40, right]]) { /* yours is left of its handle */
-        await range.click({position: {x: width * (x + beside) / size, y: height / 2}});
-        assert.deepEqual(await seen([await placeOf('slide', x, y)]), [color]);
+    await press('s', '+', '+');
+    for (const [beside, color] of [[40, yours], [-40, right]]) {
+        await page.mouse.move(...await placeOf(x + beside, y));
+        await settle();
+        assert.deepEqual(await seen([await placeOf(x, y)]), [color]);
     }
-    await range.focus();
-    await press('Home', 'ArrowRight');
-    assert.equal(await figure('slide').locator('.divider').evaluate(d => d.style.left), '0.5%');
+    await press('d', '-', '-', '-', '-');
+    assert.ok(await ask(() => {
+        const {size, left, top} = place(shown), {data} = context.getImageData(0, 0, canvas.width, canvas.height);
+        return size < 1 && made.wrong.length > 0 && made.wrong.every(at => {
+            const [x, y] = [left + at % shown.width * size, top + Math.floor(at / shown.width) * size].map(Math.floor);
+            const i = 4 * (y * canvas.width + x);
+            return data[i + 1] == 0 && Math.max(data[i], data[i + 2]) == 255 && Math.min(data[i], data[i + 2]) == 0;
+        });
+    }), 'a wrong pixel is not seen');
 });
 
 /* Tab reaches everything, from the first to the last, and it is seen where one is. */
 on('report.html', desktop, 'Tab', async () => {
-    const reached = [];
-    for (let at = ' '; at && reached.length < 200; reached.push(at)) {
-        await page.keyboard.press('Tab');
-        let outline;
-        [at, outline] = await ask(`(e => [e == document.body ? '' : e.id || e.className ||
-            e.textContent.slice(0, 12) || e.type, getComputedStyle(e).outlineStyle])(
-            document.activeElement)`);
-        assert.ok(!at || outline != 'none', 'not seen: ' + at);
-    }
-    for (const name of [...Object.keys(keyOf), 'smaller', 'larger', 'marks', 'wrong',
-        'Keys and col', 'step01_line', 'Messages', 'view']) {
+    const reach = async () => {
+        const reached = [];
+        for (let at = ' '; at && reached.length < 300; reached.push(at)) {
+            await page.keyboard.press('Tab');
+            let outline;
+            [at, outline] = await ask(`(e => [e == document.body ? '' : e.id || e.textContent.slice(0, 12) ||
+                e.firstElementChild?.alt || e.type, getComputedStyle(e).outlineStyle])(document.activeElement)`);
+            assert.ok(!at || outline != 'none', 'not seen: ' + at);
+        }
+        return reached;
+    };
+    const reached = await reach();
+    for (const name of ['step01_line', 'Messages', 'zbuffer, yours', 'zbuffer, difference']) {
         assert.ok(reached.includes(name), name);
     }
-    const after = async (selector, key, what) => {
-        await page.focus(selector);
-        await press(key);
-        return ask(what);
-    };
-    assert.equal(await after('#difference', 'Enter', 'mode'), 'difference');
-    assert.equal(await after('#errors', ' ', 'mode'), 'errors');
-    assert.ok(await after('main summary', 'Enter', 'document.querySelector("details").open'));
-});
-
-on('report.html', desktop, 'other keys', async () => {
-    const after = (...keys) => press(...keys).then(() => ask(
-        '({mode, marked, zoom: byId("zoom").textContent, at: unfolded().indexOf(current())})'));
-    assert.equal((await after(' ')).mode, 'yours');
-    assert.equal((await after(' ')).mode, 'reference');
-    const first = (await after('s', 'n')).at;
-    assert.equal((await after('n', 'n')).at, first + 2);
-    assert.equal((await after('p')).at, first + 1);
-    await figure('yours').locator('.view').focus();
-    await setCursor(x - 11, y - 1);
-    await press('Shift+ArrowRight', 'ArrowRight', 'ArrowUp');
-    assert.ok((await values()).startsWith(`(${x},${y})`), await values());
-    assert.equal((await after('m')).marked, true);
-    assert.equal((await after('m', 'w')).zoom, '8x');
-    assert.equal((await after('-', '-', '-', '-')).zoom, 'fit');
-    assert.equal((await after('+')).zoom, '1x');
+    await page.focus('section [data-name=yours] button');
+    await press('Enter');
+    assert.equal(await ask('document.activeElement.id'), 'picture');
+    await page.focus('#close');
+    const inside = await reach();
+    for (const name of ['picture', ...Object.keys(keyOf), 'wrong', 'smaller', 'larger', 'Keys']) {
+        assert.ok(inside.includes(name), name);
+    }
 });
 
 /* A small picture: one red pixel, which should be two lines. */
 on('open.html', desktop, 'make open', async () => {
-    const image = page.locator('[data-name=yours] img').first();
-    const width = () => image.evaluate(image => image.width);
-    const left = name => page.$eval(`[data-name=${name}] .view`, view => view.scrollLeft);
-    assert.equal(await page.locator('figure:visible').count(), 4);
-    assert.ok(await width() > 100 && await width() % 100 == 0, 'not enlarged by a whole number');
+    const image = page.locator('section [data-name=yours] img').first();
     assert.equal(await image.evaluate(i => getComputedStyle(i).imageRendering), 'pixelated');
-    await press('+', '+');
-    assert.equal(await width(), 200);
-    await press('-', '-', '-');
-    assert.equal(await zoom(), 'fit');
-    await press(...Array(9).fill('+'));
-    assert.equal(await width(), 3200);
-    await image.hover({position: {x: 52.5 * 32, y: (99 - 41 + 0.5) * 32}});
-    assert.equal(await values(), '(52,41) yours 255,0,0 reference 0,0,0  error 255');
-    assert.ok(await left('yours') > 0);
-    assert.equal(await left('difference'), await left('yours'), 'not scrolled together');
+    await look('yours', 'pixel');
+    await page.mouse.move(...await placeOf(52, 41));
+    await settle();
+    assert.ok((await values()).includes('(52,41) 255,0,0, reference 0,0,0, error 255'), await values());
+    await press('d');
+    assert.ok((await values()).includes('136 pixels differ'), await values());
 });

@@ -107,21 +107,264 @@ test('the mouse turns the light, the keys too, and the address keeps it', () =>
         await has(page, 'pixel', '\n0 pixels differ');
     }));
 
-test('corners of two neighbours move together, and no pixel is missing', () =>
+/* Where on the screen the middle of a pixel is, counted from below. */
+const placeOf = (page, x, y) => page.evaluate(([x, y]) => {
+    const {size, left, top} = place(visible()), box = canvas.getBoundingClientRect();
+    return [box.x + (left + (x + .5) * size) / devicePixelRatio,
+            box.y + (top + (shown.height - .5 - y) * size) / devicePixelRatio];
+}, [x, y]);
+
+async function dragTo(page, from, to) {
+    await page.mouse.move(...await placeOf(page, ...from));
+    await page.mouse.down();
+    await page.mouse.move(...await placeOf(page, ...to));
+    await page.mouse.up();
+    await settled(page);
+}
+
+/* When all that was asked is answered. */
+const settled = page => page.waitForFunction(() => !asking && !again);
+
+/* A slider becomes that number, by keys alone. */
+async function set(page, name, value) {
+    const slider = page.locator(`label:has-text("${name}") input`);
+    await slider.focus();
+    if (await slider.getAttribute('type') === 'checkbox') {
+        await page.keyboard.press('Space');
+        return settled(page);
+    }
+    for (const key of value === Number(await slider.getAttribute('max')) ? ['End'] : ['Home']) {
+        await page.keyboard.press(key);
+    }
+    const step = Number(await slider.getAttribute('step'));
+    for (let now = Number(await slider.inputValue()); now < value - step / 2; now += step) {
+        await page.keyboard.press('ArrowRight');
+    }
+    assert.ok(Math.abs(Number(await slider.inputValue()) - value) < step / 2, name);
+    await settled(page);
+}
+
+const counted = (page, name) => page.evaluate(name => Number(shown.counters.find(c => c[0] === name)[1]), name);
+const colorOf = (page, x, y) => page.evaluate(([x, y]) => colorAt(shown, x, shown.height - 1 - y).join(), [x, y]);
+
+/* What the program says of a pixel. */
+async function notes(page, x, y) {
+    await page.mouse.move(...await placeOf(page, x, y));
+    await page.waitForFunction(() => shown.notes.length > 0 && !asking && !again);
+    await settled(page);
+    return page.evaluate('shown.notes.join("\\n")');
+}
+const near = (a, b, most = 2e-3) => assert.ok(Math.abs(a - b) <= most, `${a} is not ${b}`);
+
+test('corners of two neighbours move together, by mouse and keys, and no pixel is missing', () =>
     on('step03_triangle', desktop, '#scene=your+own', async page => {
         const before = await page.inputValue('#text');
         await page.focus('#picture');
         await page.keyboard.press('ArrowRight');
-        assert.equal(await page.inputValue('#text'), before.replace('10 10', '11 10'));
-        const box = await page.locator('#picture').boundingBox();
-        const size = box.height / 100, left = box.x + (box.width - box.height) / 2;
-        const place = (x, y) => [left + (x + .5) * size, box.y + (99.5 - y) * size];
-        await page.mouse.move(...place(35, 85));
-        await page.mouse.down();
-        await page.mouse.move(...place(40, 60));
-        await page.mouse.up();
-        assert.equal((await page.inputValue('#text')).match(/ (39|40)[.\d]* (59|60)[.\d]*/g)?.length, 2);
-        await has(page, 'counters', 'pixels written');
+        assert.equal(await page.inputValue('#text'), before.replace('4 4', '4.125 4'));
+        await page.keyboard.press('n');
+        await page.keyboard.press('Shift+ArrowUp'); /* both at (30,10) */
+        assert.equal((await page.inputValue('#text')).match(/ 30 11\.25 /g)?.length, 2);
+        await dragTo(page, [14, 34], [11, 31]);
+        assert.equal((await page.inputValue('#text')).match(/ 11 31 /g)?.length, 2);
+        await set(page, 'orange', 1);
+        assert.deepEqual([await counted(page, 'pixels_too_often'), await counted(page, 'pixels_missing')], [0, 0]);
+        await page.click('#reset');
+        await set(page, 'orange', 1);
+        await set(page, 'attempt', 4); /* what lies on the common side, twice */
+        assert.equal(await counted(page, 'pixels_too_often'), 13);
+        assert.equal(await colorOf(page, 22, 22), '255,150,0');
+        await picture(page, 'counted');
+        await set(page, 'attempt', 5); /* and never, with one on an outer side */
+        assert.equal(await counted(page, 'pixels_missing'), 18);
+        await set(page, 'fraction', 0); /* from a pixel's middle to its upper right corner */
+        assert.match(await notes(page, 22, 22), /1: E0 = \+20\.0000, inside/);
+        await page.click('#reset');
+        await settled(page);
+        const said = await notes(page, 22, 22);
+        assert.match(said, /1: E0 = \+0\.0000, on it\n.*\n.*\n.*\n.*2: E1 = \+0\.0000, on it, a top or left edge/);
+    }));
+
+test('the ends of a line are dragged; an attempt, its wrong pixels, and half of its steps', () =>
+    on('step01_line', desktop, '#scene=your+own', async page => {
+        await dragTo(page, [80, 40], [83, 90]);
+        await set(page, 'red is wrong', 1);
+        assert.equal(await counted(page, 'pixels_wrong') + await counted(page, 'pixels_missing'), 0);
+        await set(page, 'attempt', 3); /* a step for every column: a steep line has holes */
+        assert.equal(await counted(page, 'pixels_missing'), 47);
+        assert.equal(await colorOf(page, 20, 14), '0,90,255');
+        await picture(page, 'attempt');
+        await set(page, 'share', 0.5);
+        const drawn = await page.evaluate(() => shown.pixels.filter((v, i) => i % 4 === 2 && v > 0).length);
+        assert.equal(drawn, 36 + 34 - 1); /* columns 13 to 48, rows 13 to 46; one is on both */
+        assert.match(await notes(page, 48, 60), /at x = 48 the line is at y = 20 \+ 35 \* 70\/70 = 55\.000/);
+        await page.focus('#picture');
+        await page.keyboard.press('w'); /* there is no reference in which a pixel could be wrong */
+        await page.click('#reset');
+        await page.fill('#text', 'size 3 3\nend\nline 0 0 2 0 9 9 9\n'); /* `end` is the mark behind a text */
+        await settled(page);
+        assert.equal(await page.evaluate(() => `${shown.width} ${shown.pixels.filter(v => v === 9).length}`), '3 9');
+    }));
+
+test('perspective and its mistake: u, v and w at the cursor, and levels as colours', () =>
+    on('step06_texture', desktop, '#scene=room', async page => {
+        const numbers = async () => [...(await notes(page, 300, 200)).matchAll(/-?\d+\.\d+/g)].map(Number);
+        const [u, v, w, uByW, , byW] = await numbers();
+        near(uByW * w, u);
+        near(byW * w, 1);
+        const right = await colorOf(page, 300, 200);
+        await set(page, 'mixed without', 1);
+        const wrong = await numbers();
+        assert.ok(wrong[2] === 1 && Math.abs(wrong[0] - u) > 0.1 && v !== wrong[1], `${wrong}`);
+        assert.notEqual(await page.evaluate('isAsInLesson()'), true);
+        await page.click('#reset');
+        await settled(page);
+        assert.equal(await colorOf(page, 300, 200), right);
+        await page.click('button:text-is("checker")');
+        await settled(page);
+        await set(page, 'its own colour', 1);
+        assert.match(await notes(page, 500, 20), /mip level 0\.00/);
+        assert.equal(await colorOf(page, 500, 20), '255,255,255');
+        await set(page, '0 nearest', 0);
+        assert.equal(await colorOf(page, 10, 420), '255,255,255'); /* level 0 to the horizon */
+        await picture(page, 'levels');
+    }));
+
+test('the columns of a matrix are dragged; near plane; a corner through the spaces', () =>
+    on('step08_projection', desktop, '#scene=house', async page => {
+        const pixel = (x, y) => [Math.floor((x + 2) / 4 * 405), Math.floor((y + 2) / 4 * 363)];
+        assert.equal(await colorOf(page, ...pixel(0.28, 0.3)), '96,62,40'); /* the door */
+        await dragTo(page, [(1 + 2) / 4 * 405 - .5, 363 / 2 - .5], pixel(1, 1));
+        near(await page.evaluate('chosen.right_y'), 1, 0.051);
+        assert.equal(await colorOf(page, ...pixel(0.28, 0.3 + 0.28)), '96,62,40');
+        await picture(page, 'columns');
+        await page.click('button:text-is("closeup")');
+        await settled(page);
+        const before = await counted(page, 'faces_clipped');
+        await set(page, 'of the near plane', 0.125);
+        assert.ok(before > 0 && await counted(page, 'faces_clipped') > before);
+        await set(page, 'not cut', 1);
+        assert.equal(await counted(page, 'faces_clipped'), 0);
+        await page.click('button:text-is("lookat")');
+        await settled(page);
+        const [, clip, ndc, screen] = (await notes(page, 400, 400)).split('\n').map(
+            line => [...line.matchAll(/-?\d+\.\d+/g)].map(Number));
+        near(clip[0] / clip[3], ndc[0]);
+        near((ndc[0] + 1) * 400, screen[0], 0.5);
+        near(screen[1], 400, 20);
+    }));
+
+test('ends of segments are dragged before a row of depths; painter, bits', () =>
+    on('step05_zbuffer', desktop, '#scene=rows', async page => {
+        assert.equal(await colorOf(page, 60, 100), '255,0,0');
+        await dragTo(page, [120.7 - .5, 434 + 140 - .5], [40, 600]); /* green, now also at x = 60 */
+        assert.equal(await colorOf(page, 60, 100), '0,255,0');
+        await page.click('button:text-is("zbuffer")');
+        await settled(page);
+        await page.click('button:text-is("difference")');
+        await has(page, 'pixel', '\n0 pixels differ');
+        assert.ok(await counted(page, 'pixels_hidden') > 0);
+        const all = await counted(page, 'pixels_tested');
+        await set(page, 'farthest face', 1);
+        assert.equal(await counted(page, 'pixels_hidden'), 0);
+        const apart = await page.evaluate(async () => {
+            const {pixels} = await readPicture('reference/zbuffer.png');
+            return shown.pixels.filter((v, i) => v !== pixels[i]).length;
+        });
+        assert.equal(apart, 0); /* seen from the front, no order of these faces is wrong */
+        await set(page, 'share', 0.5);
+        assert.ok(await counted(page, 'pixels_tested') < all);
+        await page.click('button:text-is("cards")');
+        await settled(page);
+
+        assert.equal(await colorOf(page, 230, 160), '230,190,40');
+        await set(page, 'bits', 4); /* as near as red, which came first */
+        assert.equal(await colorOf(page, 230, 160), '220,60,50');
+    }));
+
+test('rings of a sphere against the error; steps of toon; a window over the lines; work', async () => {
+    await on('step07_gouraud', desktop, '#scene=sphere', async page => {
+        const error = () => counted(page, 'error_of_1000_pixels');
+        const few = await error();
+        await set(page, 'rings', 32);
+        assert.ok(await error() < few / 8, 'four times the rings: a sixteenth of the error');
+        await set(page, 'flat', 0);
+        assert.ok(await error() > 429 && await error() < 14863 / 3, 'a quarter of what eight rings have');
+        await set(page, 'flat', 2);
+        assert.equal(await error(), 0);
+    });
+    await on('step09_shaders', desktop, '#scene=toon', async page => {
+        const shades = () => page.evaluate(() => new Set(shown.pixels.filter((v, i) => i % 4 === 0)).size);
+        const full = () => page.evaluate(() => shown.pixels.filter((v, i) => i % 4 === 0 && v === 255).length);
+        assert.equal(await shades(), 5);
+        const fifth = await full();
+        await set(page, 'steps', 3); /* a third of the light is in the last step, not a fifth */
+        assert.equal(await shades(), 3);
+        assert.ok(await full() > 1.2 * fifth);
+    });
+    await on('step02_wireframe', desktop, '#scene=enlarged', async page => {
+        const drawn = await counted(page, 'lines_drawn');
+        await dragTo(page, [1.08 / 2 * 480 - .5, 1.42 / 2 * 360 - .5], [470, 180]);
+        assert.ok(drawn > 0);
+        assert.equal(await counted(page, 'lines_drawn'), 0);
+    });
+    await on('step07_gouraud', desktop, '#scene=gouraud', async page => {
+        const lit = await counted(page, 'corners_lit');
+        await page.check('#all');
+        await settled(page);
+        assert.ok(await counted(page, 'corners_lit') > lit);
+        await page.click('button:text-is("difference")');
+        await has(page, 'pixel', '\n0 pixels differ');
+    });
+});
+
+test('n, l and r at the cursor are those of the formula', () =>
+    on('step10_phong', desktop, '#scene=four', async page => {
+        const lines = (await notes(page, 200, 600)).split('\n').map(
+            line => [...line.matchAll(/[-+]\d+\.\d+/g)].map(Number));
+        const [n, l, r, v] = lines, dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+        near(dot(n, l), l[3]);
+        [0, 1, 2].forEach(i => near(r[i], 2 * l[3] * n[i] - l[i], 4e-3));
+        near(dot(r, v), v[3], 4e-3);
+        near(dot(n, n), 1, 4e-3);
+    }));
+
+test('by keys alone: a scene, a view, what is dragged, a number, back to the lesson', () =>
+    on('step05_zbuffer', desktop, '', async page => {
+        const reach = async text => {
+            for (let i = 0; i < 60; i++) {
+                await page.keyboard.press('Tab');
+                if (await page.evaluate(text => document.activeElement.textContent === text ||
+                        document.activeElement.closest('label')?.textContent.startsWith(text) ||
+                        `#${document.activeElement.id}` === text, text)) {
+                    return page.evaluate(() => getComputedStyle(document.activeElement).outlineStyle);
+                }
+            }
+            assert.fail(`${text} is not reached`);
+        };
+        const press = async (...keys) => {
+            for (const key of keys) {
+                await page.keyboard.press(key);
+            }
+            await settled(page);
+        };
+        assert.notEqual(await reach('zbuffer'), 'none');
+        await press('Enter');
+        assert.equal(await page.evaluate(() => chosen.scene), 'zbuffer');
+        assert.notEqual(await reach('#picture'), 'none');
+        await press('d');
+        await has(page, 'pixel', '\n0 pixels differ');
+        await press('ArrowRight'); /* the light */
+        near((await page.evaluate(() => chosen.light))[0], -Math.sin(0.1));
+        await reach('#picture'); /* Tab goes around */
+        await press(' ');
+        assert.equal(await page.evaluate(() => view), 'yours');
+        await reach('bits');
+        await press('Home');
+        assert.equal(await page.evaluate(() => chosen.bits), 1);
+        await reach('as in the lesson');
+        await press('Enter');
+        assert.ok(await page.evaluate(() => isAsInLesson()));
     }));
 
 test('zoomed to single pixels their values are shown, and none is blurred', () =>

@@ -49,6 +49,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
         REQUIRE(material->texture == NULL ||
                 strncmp(material->texture, "no/such/directory/", 18) == 0);
         REQUIRE(material->known || material->texture == NULL);
+        REQUIRE(material->specular <= 1 && material->power >= 0 && material->power <= 1e4F);
     }
     model_free(&model);
     return 0;

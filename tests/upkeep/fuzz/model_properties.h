@@ -8,6 +8,7 @@
 #include "fuzz.h"
 #include "model.h"
 #include "pipeline.h"
+#include "run/parts.h"
 
 #include <math.h>
 
@@ -79,17 +80,22 @@ static inline void require_lines(const uint8_t *data, size_t size, part_decoder 
 /* Faces know their materials, and may be drawn in their colours. */
 static inline void require_materials(struct model *model) {
     struct error error = no_error();
-    struct texture palette = {0};
-    bool several;
+    struct parts parts = {0};
+    struct error missing = {0};
     for (size_t i = 0; model->face_materials != NULL && i < model->face_count; i++) {
         REQUIRE(model->face_materials[i] == MODEL_NONE ||
                 model->face_materials[i] < model->material_count);
     }
     REQUIRE((model->face_materials != NULL) == (model->material_count > 0));
     if (model->material_count > 0) {
-        REQUIRE(model_make_palette(model, &palette, &several, &error));
-        REQUIRE(palette.level[0].width == model->material_count + 1);
-        texture_free(&palette);
+        size_t faces = 0;
+        REQUIRE(parts_move_coordinates(model, &error));
+        REQUIRE(parts_make(&parts, model, &missing, &error));
+        for (size_t i = 0; i < parts.count; i++) {
+            faces += parts.part[i].model.face_count;
+        }
+        REQUIRE(faces == model->face_count);
+        parts_free(&parts);
         require_valid_model(model);
     }
 }

@@ -324,7 +324,7 @@ bool texture_of_picture(const struct picture *picture, struct texture *texture) 
     struct image image = {copy.width, copy.height, IMAGE_BGRA, copy.channel[0]};
     struct error error;
     bool made = texture_create(texture, &image, &error);
-    texture->clamp = copy.clamp;
+    texture_set_clamp(texture, copy.clamp);
     return made;
 }
 

@@ -59,7 +59,7 @@ static bool make(const struct texture_case *c, struct texture *texture) {
     memcpy(pixels, c->level, sizeof pixels);
     struct image image = {(size_t)c->width, (size_t)c->height, IMAGE_BGRA, pixels};
     bool made = texture_create(texture, &image, &error);
-    texture->clamp = c->clamp;
+    texture_set_clamp(texture, c->clamp);
     return made;
 }
 

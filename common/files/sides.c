@@ -1,0 +1,183 @@
+/* Faces seen from both sides: see sides.h. */
+#include "files/sides.h"
+
+#include "base/array.h"
+#include "files/normals.h"
+
+#include <stdlib.h>
+
+/* ---- Neighbours wound alike ---- */
+
+/* A side of a face, between two positions. */
+struct side {
+    uint32_t low, high, face;
+    bool falls; /* the face goes from `high` to `low` */
+};
+
+/* Faces of which it is known whether they are wound alike: a tree of those that led there. */
+struct group {
+    uint32_t parent, size; /* a root is its own parent; the size counts there */
+    bool differs;          /* from the parent */
+};
+
+static bool joins_the_same(const struct side *a, const struct side *b) {
+    return a->low == b->low && a->high == b->high;
+}
+
+static int compare_sides(const void *a, const void *b) {
+    const struct side *x = a, *y = b;
+    if (!joins_the_same(x, y)) {
+        return x->low != y->low ? (x->low > y->low) - (x->low < y->low)
+                                : (x->high > y->high) - (x->high < y->high);
+    }
+    return (x->face > y->face) - (x->face < y->face);
+}
+
+static struct side side_of(const struct model *model, uint32_t face, int i) {
+    const struct corner *corner = model->faces[face].corner;
+    uint32_t a = corner[i].position, b = corner[(i + 1) % 3].position;
+    return a < b ? (struct side){a, b, face, false} : (struct side){b, a, face, true};
+}
+
+/* The root of a face's group, and whether the face is wound otherwise. */
+static uint32_t find_root(const struct group *groups, uint32_t face, bool *differs) {
+    for (*differs = false; groups[face].parent != face; face = groups[face].parent) {
+        *differs = *differs != groups[face].differs;
+    }
+    return face;
+}
+
+/* The smaller group hangs below the root of the larger one, so that ways stay short. */
+static void join(struct group *groups, uint32_t a, uint32_t b, bool differ) {
+    bool a_differs, b_differs;
+    uint32_t root = find_root(groups, a, &a_differs), other = find_root(groups, b, &b_differs);
+    if (root == other) {
+        return;
+    }
+    if (groups[root].size < groups[other].size) {
+        uint32_t smaller = root;
+        root = other;
+        other = smaller;
+    }
+    groups[other].parent = root;
+    groups[other].differs = (a_differs != b_differs) != differ;
+    groups[root].size += groups[other].size;
+}
+
+/* Neighbours go along their common side in opposite directions. Where three faces meet, none says
+ * anything of another. */
+static void join_neighbours(struct group *groups, const struct side *sides, size_t count) {
+    for (size_t begin = 0, end; begin < count; begin = end) {
+        const struct side *a = &sides[begin];
+        for (end = begin + 1; end < count && joins_the_same(a, &sides[end]); end++) {
+        }
+        if (end == begin + 2) {
+            join(groups, a[0].face, a[1].face, a[0].falls == a[1].falls);
+        }
+    }
+}
+
+/* Wind the faces of each connected part alike, in one of the two ways. */
+static bool wind_alike(struct model *model) {
+    size_t count = 3 * model->face_count;
+    struct side *sides = malloc((count + 1) * sizeof *sides);
+    struct group *groups = malloc((model->face_count + 1) * sizeof *groups);
+    bool done = sides != NULL && groups != NULL;
+    for (uint32_t i = 0; done && i < model->face_count; i++) {
+        groups[i] = (struct group){.parent = i, .size = 1};
+        for (int j = 0; j < 3; j++) {
+            sides[3 * (size_t)i + (size_t)j] = side_of(model, i, j);
+        }
+    }
+    if (done) {
+        qsort(sides, count, sizeof *sides, compare_sides);
+        join_neighbours(groups, sides, count);
+    }
+    for (uint32_t i = 0; done && i < model->face_count; i++) {
+        struct corner *corner = model->faces[i].corner, second = corner[1];
+        bool differs;
+        find_root(groups, i, &differs);
+        if (differs) {
+            corner[1] = corner[2];
+            corner[2] = second;
+        }
+    }
+    free(sides);
+    free(groups);
+    return done;
+}
+
+/* ---- The other sides ---- */
+
+/* Room for twice as many faces and normals. */
+static bool reserve(struct model *model) {
+    size_t faces = model->face_count, colors = faces, materials = faces;
+    size_t normals = model->normal_count, twice = 2 * faces;
+    return faces < MODEL_NONE / 2 && normals < MODEL_NONE / 2 &&
+           array_extend(&model->faces, &faces, twice, sizeof *model->faces) &&
+           (model->face_colors == NULL ||
+            array_extend(&model->face_colors, &colors, twice, sizeof *model->face_colors)) &&
+           (model->face_materials == NULL || array_extend(&model->face_materials, &materials, twice,
+                                                          sizeof *model->face_materials)) &&
+           array_extend(&model->normals, &normals, 2 * normals, sizeof *model->normals);
+}
+
+/* Behind the normals, the same with the other direction. */
+static void add_opposite_normals(struct model *model) {
+    size_t count = model->normal_count;
+    for (size_t i = 0; i < 3 * count; i++) {
+        model->normals[count + i / 3][i % 3] = -model->normals[i / 3][i % 3];
+    }
+    model->normal_count = 2 * count;
+}
+
+/* Do the normals of a face lie on its inside? */
+static bool looks_inwards(const struct model *model, size_t face) {
+    struct vec3 outside = model_face_normal(model, face);
+    double sum = 0;
+    for (size_t i = 0; i < 3; i++) {
+        sum += vec3_dot(vec3_normalized(model_normal(model, face, i)), outside);
+    }
+    return sum < 0;
+}
+
+static void turn_normals(struct face *face, uint32_t opposite) {
+    for (int i = 0; i < 3; i++) {
+        uint32_t *normal = &face->corner[i].normal;
+        *normal = *normal == MODEL_NONE ? MODEL_NONE : *normal + opposite;
+    }
+}
+
+/* From the last face on, so that none is overwritten before it is read. */
+static void add_other_faces(struct model *model, uint32_t opposite) {
+    for (size_t i = model->face_count; i-- > 0;) {
+        struct face face = model->faces[i];
+        struct face other = {{face.corner[0], face.corner[2], face.corner[1]}};
+        turn_normals(looks_inwards(model, i) ? &face : &other, opposite);
+        model->faces[2 * i] = face;
+        model->faces[2 * i + 1] = other;
+        for (size_t k = 2; model->face_materials != NULL && k-- > 0;) {
+            model->face_materials[2 * i + k] = model->face_materials[i];
+        }
+        for (size_t k = 6; model->face_colors != NULL && k-- > 0;) {
+            model->face_colors[2 * i + k / 3][k % 3] = model->face_colors[i][k % 3];
+        }
+    }
+    model->face_count *= 2;
+}
+
+bool model_add_other_sides(struct model *model, bool need_normals, struct error *error) {
+    if (need_normals && !wind_alike(model)) {
+        return error_out_of_memory(error);
+    }
+    if (need_normals && !model_need_normals(model, error)) {
+        return false;
+    }
+    if (!reserve(model)) {
+        return error_out_of_memory(error);
+    }
+    uint32_t opposite = (uint32_t)model->normal_count;
+    add_opposite_normals(model);
+    add_other_faces(model, opposite);
+    return true;
+}

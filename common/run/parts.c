@@ -1,0 +1,266 @@
+/* The parts of a model: see parts.h. */
+#include "run/parts.h"
+
+#include "base/array.h"
+#include "base/file.h"
+#include "files/model_file.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+/* ---- Faces by their materials ---- */
+
+/* The place of a face's material among all, those without one behind the last. */
+static size_t slot_of(const struct model *model, size_t face) {
+    uint32_t material = model->face_materials[face];
+    return material == MODEL_NONE ? model->material_count : material;
+}
+
+/* Where the faces of each material begin, once they are sorted, and where the last of them end. */
+static void find_begins(const struct model *model, size_t *begins) {
+    for (size_t i = 0; i < model->face_count; i++) {
+        begins[slot_of(model, i) + 1]++;
+    }
+    for (size_t i = 0; i <= model->material_count; i++) {
+        begins[i + 1] += begins[i];
+    }
+}
+
+/* Faces of one material keep their order. */
+static bool sort_faces(struct model *model, const size_t *begins) {
+    size_t count = model->face_count;
+    size_t *next = malloc((model->material_count + 1) * sizeof *next);
+    struct face *faces = malloc((count + 1) * sizeof *faces);
+    uint32_t *materials = malloc((count + 1) * sizeof *materials);
+    float(*colors)[3] = model->face_colors == NULL ? NULL : malloc((count + 1) * sizeof *colors);
+    bool done = next != NULL && faces != NULL && materials != NULL &&
+                (model->face_colors == NULL || colors != NULL);
+    if (done) {
+        memcpy(next, begins, (model->material_count + 1) * sizeof *next);
+    }
+    for (size_t i = 0; done && i < count; i++) {
+        size_t to = next[slot_of(model, i)]++;
+        faces[to] = model->faces[i];
+        materials[to] = model->face_materials[i];
+        if (colors != NULL) {
+            memcpy(colors[to], model->face_colors[i], sizeof colors[to]);
+        }
+    }
+    if (done) {
+        memcpy(model->faces, faces, count * sizeof *faces);
+        memcpy(model->face_materials, materials, count * sizeof *materials);
+        if (colors != NULL) {
+            memcpy(model->face_colors, colors, count * sizeof *colors);
+        }
+    }
+    free(next);
+    free(faces);
+    free(materials);
+    free(colors);
+    return done;
+}
+
+/* ---- Textures ---- */
+
+/* False when memory runs out. */
+static bool keep_picture(struct parts *parts, const struct picture *picture) {
+    size_t capacity = parts->picture_count; /* few, and each is large */
+    if (!array_extend(&parts->pictures, &capacity, parts->picture_count + 1,
+                      sizeof *parts->pictures)) {
+        return false;
+    }
+    parts->pictures[parts->picture_count++] = *picture;
+    return true;
+}
+
+/* The texture of a file, read at the first call; of no level where it cannot be read. With `turns`
+ * it is a normal map of a model that was turned so. */
+static bool find_picture(struct parts *parts, const char *path, const int *turns,
+                         struct texture *texture, struct error *why) {
+    for (size_t i = 0; i < parts->picture_count; i++) {
+        if (parts->pictures[i].path != NULL && strcmp(parts->pictures[i].path, path) == 0 &&
+            parts->pictures[i].is_normal_map == (turns != NULL)) {
+            *texture = parts->pictures[i].texture;
+            return true;
+        }
+    }
+    struct picture picture = {.path = path, .is_normal_map = turns != NULL};
+    bool is_read = turns == NULL ? model_read_texture(&picture.texture, path, why)
+                                 : model_read_normal_map(&picture.texture, path, turns, why);
+    parts->bytes_read += is_read ? file_size(path) : 0;
+    if (picture.texture.space_guessed) {
+        error_set(why, "blue, so it is read as a normal map in tangent space");
+        error_name_file(why, path);
+    }
+    if (!keep_picture(parts, &picture)) {
+        texture_free(&picture.texture);
+        return false;
+    }
+    *texture = picture.texture;
+    return true;
+}
+
+/* The texture of one texel of that colour, made at the first call. */
+static bool find_color(struct parts *parts, const float color[3], struct texture *texture) {
+    uint8_t bgr[3];
+    for (int i = 0; i < 3; i++) {
+        bgr[i] = (uint8_t)(color[2 - i] * 255 + 0.5F);
+    }
+    for (size_t i = 0; i < parts->picture_count; i++) {
+        struct picture *made = &parts->pictures[i];
+        struct color c = color_from_texel(made->path == NULL ? made->texture.texels[0] : 0);
+        if (made->path == NULL && c.b == bgr[0] && c.g == bgr[1] && c.r == bgr[2]) {
+            *texture = made->texture;
+            return true;
+        }
+    }
+    const struct image image = {.width = 1, .height = 1, .format = IMAGE_BGR, .pixels = bgr};
+    struct picture picture = {0};
+    struct error ignored;
+    if (!texture_create(&picture.texture, &image, &ignored) || !keep_picture(parts, &picture)) {
+        texture_free(&picture.texture);
+        return false;
+    }
+    *texture = picture.texture;
+    return true;
+}
+
+/* The normal map of a part, whose material has one. */
+static bool give_normal_map(struct parts *parts, struct drawing_part *part,
+                            const struct model_material *material) {
+    struct error why = {0};
+    if (!find_picture(parts, material->bumps, part->model.turns, &part->normal_map, &why)) {
+        return false;
+    }
+    bool is_read = part->normal_map.level_count > 0;
+    bool is_news = parts->note.message[0] == '\0' || (parts->is_note_of_guess && !is_read);
+    if (why.message[0] != '\0' && is_news && !(is_read && material->is_norm)) {
+        error_set(&parts->note, "%s%s", why.message,
+                  is_read ? "" : "; the mesh's normals instead (--normal-map)");
+        parts->is_note_of_guess = is_read;
+    }
+    part->normal_map.tangent_space = part->normal_map.tangent_space || material->is_norm;
+    return true;
+}
+
+/* The textures of a part; none where its corners have no places in them. */
+static bool give_textures(struct parts *parts, struct drawing_part *part,
+                          const struct model_material *material, struct error *missing) {
+    static const float white[3] = {1, 1, 1};
+    struct error why = {0}, ignored;
+    bool has_places = part->model.uv_count > 0;
+    if (material != NULL && material->texture != NULL && has_places) {
+        if (!find_picture(parts, material->texture, NULL, &part->diffuse, &why)) {
+            return false;
+        }
+        texture_set_clamp(&part->diffuse, material->clamp);
+        if (why.message[0] != '\0' && missing->message[0] == '\0') {
+            error_set(missing, "%s; the material's colour instead (--texture)", why.message);
+        }
+    }
+    if (material != NULL && material->shine != NULL && has_places &&
+        !find_picture(parts, material->shine, NULL, &part->specular, &ignored)) {
+        return false;
+    }
+    if (material != NULL && material->bumps != NULL && has_places && parts->with_normal_maps &&
+        !give_normal_map(parts, part, material)) {
+        return false;
+    }
+    return part->diffuse.level_count > 0 ||
+           find_color(parts, material != NULL ? material->color : white, &part->diffuse);
+}
+
+/* ---- Parts ---- */
+
+static bool add_part(struct parts *parts, const struct model *model, const size_t *begins,
+                     size_t slot, struct error *missing) {
+    const struct model_material *material =
+        slot < model->material_count ? &model->materials[slot] : NULL;
+    if (begins[slot] == begins[slot + 1] || (material != NULL && material->hidden)) {
+        return true;
+    }
+    struct drawing_part *part = &parts->part[parts->count++];
+    *part = (struct drawing_part){.model = *model, .specular_weight = -1};
+    part->model.faces += begins[slot];
+    part->model.face_count = begins[slot + 1] - begins[slot];
+    if (model->face_colors != NULL) {
+        part->model.face_colors += begins[slot];
+    }
+    if (!give_textures(parts, part, material, missing)) {
+        return false;
+    }
+    if (material != NULL && part->specular.level_count == 0) { /* a map counts before a number */
+        part->specular_weight = (double)material->specular;
+    }
+    part->power = material != NULL ? (double)material->power : 0;
+    return true;
+}
+
+bool parts_make(struct parts *parts, struct model *model, struct error *missing,
+                struct error *error) {
+    size_t slots = model->material_count + 1;
+    size_t *begins = calloc(slots + 1, sizeof *begins);
+    free(parts->part);
+    parts->part = calloc(slots + 1, sizeof *parts->part);
+    parts->count = 0;
+    bool done = begins != NULL && parts->part != NULL;
+    if (done) {
+        find_begins(model, begins);
+        done = sort_faces(model, begins);
+    }
+    for (size_t slot = 0; done && slot < slots; slot++) {
+        done = add_part(parts, model, begins, slot, missing);
+    }
+    if (done) {
+        parts->part[parts->count] = parts->part[0];
+        parts->part[parts->count].model = *model;
+    }
+    free(begins);
+    return done || error_out_of_memory(error);
+}
+
+/* Does a material put its picture elsewhere than the coordinates say? */
+static bool moves(const struct model_material *m) {
+    return m->scale[0] != 1 || m->scale[1] != 1 || m->offset[0] != 0 || m->offset[1] != 0;
+}
+
+/* Behind the others, all coordinates as one material has them. */
+static void move_coordinates(struct model *model, size_t count, uint32_t material) {
+    const struct model_material *m = &model->materials[material];
+    for (size_t i = 0; i < count; i++) {
+        for (int k = 0; k < 2; k++) {
+            model->uvs[model->uv_count + i][k] = m->offset[k] + m->scale[k] * model->uvs[i][k];
+        }
+    }
+    for (size_t i = 0; i < model->face_count; i++) {
+        for (int k = 0; model->face_materials[i] == material && k < 3; k++) {
+            uint32_t *uv = &model->faces[i].corner[k].uv;
+            *uv = *uv == MODEL_NONE ? MODEL_NONE : *uv + (uint32_t)model->uv_count;
+        }
+    }
+    model->uv_count += count;
+}
+
+bool parts_move_coordinates(struct model *model, struct error *error) {
+    const size_t count = model->uv_count;
+    for (uint32_t i = 0; count > 0 && i < model->material_count; i++) {
+        if (!moves(&model->materials[i]) || model->uv_count + count >= MODEL_NONE) {
+            continue;
+        }
+        size_t capacity = model->uv_count;
+        if (!array_extend(&model->uvs, &capacity, model->uv_count + count, sizeof *model->uvs)) {
+            return error_out_of_memory(error);
+        }
+        move_coordinates(model, count, i);
+    }
+    return true;
+}
+
+void parts_free(struct parts *parts) {
+    for (size_t i = 0; i < parts->picture_count; i++) {
+        texture_free(&parts->pictures[i].texture);
+    }
+    free(parts->pictures);
+    free(parts->part);
+    *parts = (struct parts){0};
+}

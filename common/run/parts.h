@@ -1,0 +1,43 @@
+/* The parts of a model: the faces of each of its materials, with their textures. */
+#ifndef COMMON_PARTS_H
+#define COMMON_PARTS_H
+
+#include "base/error.h"
+#include "run/scene.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+
+/* A picture that materials name, or the colour of one of them. */
+struct picture {
+    const char *path;   /* belongs to a material; NULL: of a colour */
+    bool is_normal_map; /* read as one; the same file may be a colour, too */
+    struct texture texture;
+};
+
+/* All zero is valid: a model that is one whole. */
+struct parts {
+    struct drawing_part *part; /* and behind the last one the whole, as its first part looks */
+    size_t count;
+    struct picture *pictures; /* each file is read once */
+    size_t picture_count;
+    uint64_t bytes_read;
+    bool with_normal_maps; /* set it before parts_make(), which otherwise reads none */
+    struct error note;     /* of the first normal map that was not read, or else was guessed */
+    bool is_note_of_guess;
+};
+
+/* Sort the model's faces by their materials and make a part of the faces of each; hidden ones get
+ * none. A texture that cannot be read is replaced by the material's colour: `missing`, which is
+ * empty at first, says so of the first of them. Parts share what the model has, so make them when
+ * it changes no more. False when memory runs out. */
+bool parts_make(struct parts *parts, struct model *model, struct error *missing,
+                struct error *error);
+
+/* Make texture coordinates for materials that scale or move them. Once, before the parts. False
+ * when memory runs out. */
+bool parts_move_coordinates(struct model *model, struct error *error);
+
+void parts_free(struct parts *parts);
+
+#endif

@@ -1,0 +1,105 @@
+/* Faces that are seen from both sides. */
+#include "files/sides.h"
+
+#include "base/array.h"
+#include "files/model_file.h"
+#include "unit/images.h"
+
+#define OCTAHEDRON "v 1 0 0\nv -1 0 0\nv 0 1 0\nv 0 -1 0\nv 0 0 1\nv 0 0 -1\n"
+
+static struct model decode(const char *text) {
+    struct model model = {0};
+    struct error error = {0};
+    if (!CHECK(model_decode(&model, text, strlen(text), &error))) {
+        fprintf(stderr, "    %s\n", error.message);
+        exit(1);
+    }
+    return model;
+}
+
+static bool same_corner(struct corner a, struct corner b) {
+    return a.position == b.position && a.uv == b.uv;
+}
+
+/* The two sides of face i have the same corners, the other way round, and opposite normals, which
+ * point to where each side looks. */
+static void check_sides(const struct model *model, size_t i) {
+    const struct face *a = &model->faces[2 * i], *b = &model->faces[2 * i + 1];
+    CHECK(same_corner(a->corner[0], b->corner[0]) && same_corner(a->corner[1], b->corner[2]) &&
+          same_corner(a->corner[2], b->corner[1]));
+    for (size_t k = 0; k < 3; k++) {
+        struct vec3 n = model_normal(model, 2 * i, k);
+        struct vec3 other = model_normal(model, 2 * i + 1, (3 - k) % 3);
+        CHECK(n.x == -other.x && n.y == -other.y && n.z == -other.z);
+        CHECK(vec3_dot(n, model_face_normal(model, 2 * i)) > 0);
+        CHECK(vec3_dot(other, model_face_normal(model, 2 * i + 1)) > 0);
+    }
+}
+
+/* However its faces are wound, the computed normals of a solid point away from its middle on the
+ * outside. */
+static void test_mixed_winding(void) {
+    for (unsigned wound = 0; wound < 256; wound++) {
+        char text[512] = OCTAHEDRON;
+        for (unsigned k = 0; k < 8; k++) { /* in many orders */
+            unsigned i = (k * 3 + wound) % 8 ^ wound >> 5;
+            unsigned x = 1 + (i & 1), y = 3 + (i >> 1 & 1), z = 5 + (i >> 2);
+            bool turned = (wound >> i & 1) != 0;
+            snprintf(text + strlen(text), sizeof text - strlen(text), "f %u %u %u\n", x,
+                     turned ? y : z, turned ? z : y);
+        }
+        struct model model = decode(text);
+        struct error error;
+        CHECK(model_add_other_sides(&model, true, &error) && model.face_count == 16);
+        for (size_t i = 0; i < 8; i++) {
+            check_sides(&model, i);
+        }
+        for (size_t i = 0; i < 48; i++) {
+            struct vec3 p = model_position(&model, i / 3, i % 3);
+            double along = vec3_dot(model_normal(&model, i / 3, i % 3), p);
+            bool outside = vec3_dot(model_face_normal(&model, i / 3), p) > 0;
+            CHECK(outside ? along > 0.999999 : along < -0.999999);
+        }
+        model_free(&model);
+    }
+}
+
+/* Normals of the file count, whatever the winding; what belongs to faces follows them. */
+static void test_kept(void) {
+    struct model model = decode("OFF\n4 3\n0 0 0\n1 0 0\n1 1 0\n0 1 5\n"
+                                "3 0 1 2 255 0 0\n3 2 1 3 0 255 0\n3 0 2 3 0 0 255\n");
+    const float expected[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    struct error error;
+    CHECK(model_add_other_sides(&model, false, &error) && model.face_count == 6);
+    for (size_t i = 0; i < 18; i++) {
+        CHECK(model.faces[i / 3].corner[i % 3].normal == MODEL_NONE);
+        CHECK(model.face_colors[i / 3][i % 3] == expected[i / 6][i % 3]);
+    }
+    model_free(&model);
+    model =
+        decode("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nvn 0.5 0 2\nvn 0 0 -9\nvt 0 0\nvt 1 0\n"
+               "usemtl a\nf 1/1/1 2/2/1 3/1/1\nusemtl b\nf 1/1/2 2/2/2 3/2/2\nf 1//1 3//1 2//1\n");
+    CHECK(model_add_other_sides(&model, true, &error) && model.face_count == 6);
+    for (size_t i = 0; i < 3; i++) {
+        check_sides(&model, i);
+    }
+    for (size_t i = 0; i < 6; i++) {
+        CHECK(model.face_materials[i] == (i < 2 ? 0 : 1));
+    }
+    model_free(&model);
+}
+
+/* Where three faces meet, none decides how another is wound. */
+static void test_three_meet(void) {
+    struct model model = decode("v 0 0 0\nv 0 1 0\nv 1 0 0\nv -1 0 1\nv -1 0 -1\n"
+                                "f 1 2 3\nf 1 2 4\nf 1 2 5\n");
+    struct error error;
+    CHECK(model_add_other_sides(&model, true, &error) && model.face_count == 6);
+    for (uint32_t i = 0; i < 3; i++) {
+        const struct corner *corner = model.faces[2 * (size_t)i].corner;
+        CHECK(corner[0].position == 0 && corner[1].position == 1 && corner[2].position == 2 + i);
+    }
+    model_free(&model);
+}
+
+UNIT_MAIN(TEST(test_mixed_winding), TEST(test_kept), TEST(test_three_meet))
