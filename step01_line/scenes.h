@@ -297,22 +297,34 @@ static void copy_reached(struct image *image, const struct image *from,
     }
 }
 
+/* Is the pixel the line's nearest one in its column (in its row, where the line is steep)? Of two as
+ * near, the one towards the end at which a walk starts. */
+static bool is_on_line(const struct pixel ends[2], int x, int y) {
+    const int64_t dx = (int64_t)ends[1].x - ends[0].x, dy = (int64_t)ends[1].y - ends[0].y;
+    const bool steep = llabs(dy) > llabs(dx);
+    const int64_t run = llabs(steep ? dy : dx), rise = llabs(steep ? dx : dy);
+    const struct pixel start = ends[(steep ? dy : dx) < 0];
+    const int64_t along = steep ? y - start.y : x - start.x;
+    const int64_t aside = (steep ? x - start.x : y - start.y) * ((dx < 0) == (dy < 0) ? 1 : -1);
+    const int64_t off = 2 * (aside * run - along * rise); /* in parts of 1 / (2 run) pixels */
+    return along >= 0 && along <= run && (run == 0 ? aside == 0 : off >= -run && off < run);
+}
+
 static bool draw_steps(struct drawing *drawing, struct image *image, struct image *one,
                        struct image *exact, struct error *error) {
     const double steps = drawing_value(drawing, "steps");
     for (size_t i = 0; i < drawing->text->shape_count; i++) {
         const struct text_scene_shape *shape = &drawing->text->shapes[i];
-        struct line_walk walk;
         image_clear(one, color_grey(0));
         if (!draw_shape(drawing, one, shape, error)) {
             return false;
         }
         copy_reached(image, one, shape, steps);
-        bool more = line_begin(&walk, shape_end(shape, 0), shape_end(shape, 1), image->width,
-                               image->height);
-        for (; more; more = line_next(&walk)) {
-            if (is_reached(shape, steps, walk.x, walk.y)) {
-                image_set(exact, walk.x, walk.y, color_grey(255));
+        const struct pixel ends[] = {shape_end(shape, 0), shape_end(shape, 1)};
+        for (int k = 0; k < (int)(image->width * image->height); k++) {
+            int x = k % (int)image->width, y = k / (int)image->width;
+            if (is_on_line(ends, x, y) && is_reached(shape, steps, x, y)) {
+                image_set(exact, x, y, color_grey(255));
             }
         }
     }

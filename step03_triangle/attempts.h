@@ -117,13 +117,13 @@ static inline void attempt_2_sweep_float(struct target *target, const struct vec
 }
 
 /* The pixels that a triangle can reach: its bounding box, cut to the image. */
-struct box {
+struct attempt_box {
     int x_begin, x_end, y_begin, y_end; /* begin inclusive, end exclusive */
 };
 
-static inline struct box attempt_box(const struct image *image, const struct vec2 p[3]) {
+static inline struct attempt_box attempt_box(const struct image *image, const struct vec2 p[3]) {
     double width = (double)image->width, height = (double)image->height;
-    return (struct box){
+    return (struct attempt_box){
         .x_begin = (int)attempt_clamp(floor(fmin(p[0].x, fmin(p[1].x, p[2].x))), 0, width),
         .x_end = (int)attempt_clamp(floor(fmax(p[0].x, fmax(p[1].x, p[2].x))) + 1, 0, width),
         .y_begin = (int)attempt_clamp(floor(fmin(p[0].y, fmin(p[1].y, p[2].y))), 0, height),
@@ -137,7 +137,7 @@ static inline struct box attempt_box(const struct image *image, const struct vec
  * pixels are outside. Looks right; the count of draws shows the edges. */
 static inline void attempt_3_box_float(struct target *target, const struct vec2 p[3],
                                        struct color color) {
-    struct box box = attempt_box(target->image, p);
+    struct attempt_box box = attempt_box(target->image, p);
     float ax = (float)p[0].x, ay = (float)p[0].y;
     float abx = (float)p[1].x - ax, aby = (float)p[1].y - ay;
     float acx = (float)p[2].x - ax, acy = (float)p[2].y - ay;
@@ -166,7 +166,7 @@ static inline struct vec3 attempt_weights(const struct vec2 p[3], double area, d
 /* A pixel is drawn when no weight is less than `least` (when `open`: when all are more). */
 static inline void attempt_box_double(struct target *target, const struct vec2 p[3],
                                       struct color color, double least, bool open) {
-    struct box box = attempt_box(target->image, p);
+    struct attempt_box box = attempt_box(target->image, p);
     double area = (p[1].x - p[0].x) * (p[2].y - p[0].y) - (p[1].y - p[0].y) * (p[2].x - p[0].x);
     for (int y = box.y_begin; y < box.y_end && area != 0; y++) {
         int begin = -1;
@@ -207,7 +207,7 @@ static inline void attempt_6_box_epsilon(struct target *target, const struct vec
  * a seam don't fit. */
 static inline void attempt_7_edges_float(struct target *target, const struct vec2 p[3],
                                          struct color color) {
-    struct box box = attempt_box(target->image, p);
+    struct attempt_box box = attempt_box(target->image, p);
     double area = (p[1].x - p[0].x) * (p[2].y - p[0].y) - (p[1].y - p[0].y) * (p[2].x - p[0].x);
     float row[3], right[3], up[3];
     bool closed[3];
@@ -234,64 +234,6 @@ static inline void attempt_7_edges_float(struct target *target, const struct vec
         target_test(target, &begin, box.x_end, y, false, color);
         for (int i = 0; i < 3; i++) {
             row[i] += up[i];
-        }
-    }
-}
-
-enum { ATTEMPT_BLOCK = 8 }; /* pixels a side */
-
-enum block_kind { BLOCK_OUTSIDE, BLOCK_INSIDE, BLOCK_MIXED };
-
-/* Where the pixel centres of the block at (x,y) lie, from the values of each edge function at the
- * two of them that are farthest in and farthest out. */
-static inline enum block_kind attempt_block_kind(const struct edges *edges, int x, int y) {
-    enum block_kind kind = BLOCK_INSIDE;
-    for (int i = 0; i < 3; i++) {
-        const struct edge *e = &edges->edge[i];
-        int64_t value = e->origin + e->dx * x + e->dy * y;
-        int64_t across = e->dx * (ATTEMPT_BLOCK - 1), up = e->dy * (ATTEMPT_BLOCK - 1);
-        int64_t most = value + (across > 0 ? across : 0) + (up > 0 ? up : 0);
-        int64_t least = value + (across < 0 ? across : 0) + (up < 0 ? up : 0);
-        if (most < e->least) {
-            return BLOCK_OUTSIDE;
-        }
-        if (least < e->least) {
-            kind = BLOCK_MIXED;
-        }
-    }
-    return kind;
-}
-
-/* Attempt 8: blocks of 8x8 pixels, with exact edge functions: a block is outside, inside, or its
- * pixels are tested one by one. Right. It pays where a block can be left out as a whole (a coarse
- * depth, for example) and on graphics processors; for small triangles nearly all blocks are mixed,
- * and pixels outside are tested all the time. */
-static inline void attempt_8_blocks(struct target *target, const struct vec2 p[3],
-                                    struct color color) {
-    struct image *image = target->image;
-    struct fixed2 corner[3];
-    struct edges edges;
-    for (int i = 0; i < 3; i++) {
-        if (!screen_snap(p[i], &corner[i])) {
-            return;
-        }
-    }
-    if (!edges_setup(&edges, corner[0], corner[1], corner[2], image->width, image->height)) {
-        return;
-    }
-    struct box box = attempt_box(image, p);
-    for (int y = edges.y_begin; y < edges.y_end; y += ATTEMPT_BLOCK) {
-        for (int x = box.x_begin; x < box.x_end; x += ATTEMPT_BLOCK) {
-            enum block_kind kind = attempt_block_kind(&edges, x, y);
-            int y_end = y + ATTEMPT_BLOCK < edges.y_end ? y + ATTEMPT_BLOCK : edges.y_end;
-            int x_end = x + ATTEMPT_BLOCK < edges.width ? x + ATTEMPT_BLOCK : edges.width;
-            for (int v = y; v < y_end && kind != BLOCK_OUTSIDE; v++) {
-                int begin = kind == BLOCK_INSIDE ? x : -1;
-                for (int u = x; u < x_end && kind == BLOCK_MIXED; u++) {
-                    target_test(target, &begin, u, v, edges_cover(&edges, u, v), color);
-                }
-                target_test(target, &begin, x_end, v, false, color);
-            }
         }
     }
 }

@@ -383,12 +383,10 @@ static bool draw_fan(struct drawing *drawing, struct image *image, struct error 
 
 /* ---- Text scenes ---- */
 
-#define box attempts_box /* a name that a student's own may have, too */
 #include "attempts.h"
-#undef box
 
 static const struct scene_value text_values[] = {
-    {"attempt", "which attempt draws (0: triangle())", 0, 8, 1, 0},
+    {"attempt", "which attempt draws (0: triangle())", 0, 7, 1, 0},
     {"snap", "bits of a corner's fraction", 0, 8, 1, 8},
     {"counted", "orange is drawn too often, magenta is missing", 0, 1, 1, 0},
     {.name = NULL},
@@ -412,7 +410,7 @@ static uint64_t fill_shape(const struct drawing *drawing, struct image *image,
                            const struct color color[3]) {
     static void (*const attempts[])(struct target *, const struct vec2[3], struct color) = {
         attempt_1_sweep_whole, attempt_2_sweep_float, attempt_3_box_float,   attempt_4_box_double,
-        attempt_5_box_open,    attempt_6_box_epsilon, attempt_7_edges_float, attempt_8_blocks,
+        attempt_5_box_open,    attempt_6_box_epsilon, attempt_7_edges_float,
     };
     const int attempt = (int)drawing_value(drawing, "attempt");
     if (attempt == 0) {
@@ -446,14 +444,28 @@ struct surplus {
     int wanted;
 };
 
+/* Should the pixel be drawn? Its centre is inside, and a hair to its right and below as well. */
+static bool is_wanted(const struct fixed2 corner[3], int x, int y) {
+    const int64_t px = (int64_t)x * SUBPIXELS + SUBPIXELS / 2;
+    const int64_t py = (int64_t)y * SUBPIXELS + SUBPIXELS / 2;
+    int left = 0, right = 0; /* edges that have the centre there */
+    for (int i = 0; i < 3; i++) {
+        const struct fixed2 a = corner[i], b = corner[(i + 1) % 3];
+        const int64_t dx = (int64_t)b.x - a.x, dy = (int64_t)b.y - a.y;
+        int64_t side = dx * (py - a.y) - dy * (px - a.x);
+        side = side != 0 ? side : dy != 0 ? -dy : -dx;
+        left += side > 0;
+        right += side < 0;
+    }
+    return left == 3 || right == 3;
+}
+
 /* The shape is in the image, in white. */
 static void count_shape(struct image *image, const struct fixed2 corner[3], uint8_t shade,
                         struct surplus *surplus) {
-    struct edges edges;
-    bool any = edges_setup(&edges, corner[0], corner[1], corner[2], image->width, image->height);
     for (size_t i = 0; i < image->width * image->height; i++) {
         int x = (int)(i % image->width), y = (int)(i / image->width);
-        surplus[i].wanted += any && edges_cover(&edges, x, y);
+        surplus[i].wanted += is_wanted(corner, x, y);
         if (image->pixels[i * IMAGE_BGR] != 0) {
             surplus[i].counted.draws++;
             surplus[i].counted.shade = shade;

@@ -74,6 +74,9 @@ static bool draw_samplers(const char *directory, struct error *error) {
 
 /* ---- Affine: a board of 5 x 6 tiles ---- */
 
+/* Nobody walks, and no number of a scene is set. */
+static const struct drawing still = {.values = NULL};
+
 static bool draw_affine(const char *directory, const struct texture *checker, struct error *error) {
     enum { SIDE = 320 };
     static draw_function *const draws[] = {attempt_5_affine, draw_good};
@@ -85,7 +88,7 @@ static bool draw_affine(const char *directory, const struct texture *checker, st
     bool done = sheet_create(&sheet, error);
     for (size_t i = 0; done && i < 2; i++) {
         struct vertex corners[4];
-        place_surface(&sheet.panel, board, corners);
+        place_surface(&still, &sheet.panel, board, corners);
         draw_quad(&sheet.panel, corners, checker, draws[i]);
         sheet_add(&sheet);
     }
@@ -107,7 +110,7 @@ static bool draw_horizon(const char *directory, const struct texture *checker,
     bool done = sheet_create(&sheet, error) && image_create(&image, 800, 800, IMAGE_BGR, error);
     for (size_t i = 0; done && i < 3; i++) {
         struct vertex corners[4];
-        place_plane(&image, corners);
+        place_surface(&still, &image, plane_corners, corners);
         image_clear(&image, color_grey(0));
         draw_quad(&image, corners, checker, draws[i]);
         sheet_add_detail(&sheet, &image, far);
@@ -171,7 +174,7 @@ static bool draw_levels(const char *directory, struct error *error) {
                 image_create(&shown, SHOWN, SHOWN, IMAGE_BGR, error);
     if (done) {
         struct vertex corners[4];
-        place_plane(&panel, corners);
+        place_surface(&still, &panel, plane_corners, corners);
         draw_quad(&panel, corners, &texture, draw_good);
         done = texture_create(&drawn, &panel, error);
     }

@@ -66,7 +66,8 @@ $(BUILD)/tests/check/page/page_files.c: $(foreach file,$(PAGE_FILES),$(lastword 
 	       case $$file in \
 	       *.html) sed -n '/^<header>/,/^<.main>/p' "$${file#*=}" | sed 's/main class/div class/; s/.main>/\/div>/' ;; \
 	       *) cat "$${file#*=}" ;; \
-	       esac | sed 's/[\\"]/\\&/g; s/.*/    "&\\n",/'; \
+	       esac | \
+	       sed 's/[\\"]/\\&/g; s/.*/    "&\\n",/'; \
 	       echo '    NULL};'; \
 	   done; } >$@
 

@@ -1,14 +1,16 @@
 #!/bin/sh
 # Does tests/check/scenes.txt tell the tasks of the lessons? Every task of a main.c must be shown by
-# a scene, and every task that a scene shows or needs must be one of that main.c. A main.c without
+# a scene or by numbers, and every task that a scene shows or needs must be one of that main.c. A main.c without
 # marks (a starter, a solution) is left alone.
 . "$(dirname "$0")/../unit/script.sh"
 table=tests/check/scenes.txt
 
-# column PART LESSON: tasks that its scenes show (1) or need besides (2), one a line: 5.1,5.2+5.3
+# column PART LESSON: tasks that its scenes and numbers show (1) or need besides (2), one a line:
+# 5.1,5.2+5.3
 column() {
-    awk -v part="$1" -v lesson="$2" '$1 == lesson { split($3, parts, "+"); print parts[part] }' \
-        $table | tr ',' '\n' | grep . | sort -u
+    awk -v part="$1" -v lesson="$2" '{ sub(/^call +/, "") }
+        $1 == lesson { split($3, parts, "+"); print parts[part] }' $table |
+        tr ',' '\n' | grep . | sort -u
 }
 
 # none_only_in OPTION FILE FILE WORDS: of the lines that comm prints then, the words are true.
