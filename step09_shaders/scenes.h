@@ -458,7 +458,7 @@ static bool draw_heads_visibly(struct drawing *drawing, const struct canvas *can
                                const struct draw_call calls[HEADS], int band_rows,
                                const struct uniforms *u, struct error *error) {
     const size_t pixels = canvas->image->width * canvas->image->height;
-    struct kept_face *kept = calloc(HEADS * drawing->model->face_count + 1, sizeof *kept);
+    struct kept_face *kept = malloc((HEADS * drawing->model->face_count + 1) * sizeof *kept);
     struct band band = {
         {0, band_rows}, canvas->image->width, canvas->depth, malloc(pixels * sizeof *band.nearest)};
     bool done = kept != NULL && band.nearest != NULL;

@@ -301,7 +301,7 @@ static bool make_far(struct target *far, struct error *error) {
     if (!target_create(far, FAR_SIDE, error) || !make_checker(&far->texture, error)) {
         return false;
     }
-    place_plane(&far->image, far->corners);
+    place_surface(&(struct drawing){.values = NULL}, &far->image, plane_corners, far->corners);
 #ifdef _OPENMP
 #pragma omp parallel for schedule(dynamic)
 #endif
@@ -346,7 +346,7 @@ static bool make_tiles(struct target *tiles, struct error *error) {
     if (!target_create(tiles, TILES_SIDE, error) || !make_checker(&tiles->texture, error)) {
         return false;
     }
-    place_plane(&tiles->image, tiles->corners);
+    place_surface(&(struct drawing){.values = NULL}, &tiles->image, plane_corners, tiles->corners);
     for (size_t i = 0; i < (size_t)TILES_SIDE * TILES_SIDE; i++) {
         tiles->exact[i] = (struct vec3){-1, -1, -1};
     }
