@@ -297,8 +297,8 @@ static void copy_reached(struct image *image, const struct image *from,
     }
 }
 
-/* Is the pixel the line's nearest one in its column (in its row, where the line is steep)? Of two as
- * near, the one towards the end at which a walk starts. */
+/* Is the pixel the line's nearest one in its column, or in its row where the line is steep? Of two
+ * as near, the one towards the end at which a walk starts. */
 static bool is_on_line(const struct pixel ends[2], int x, int y) {
     const int64_t dx = (int64_t)ends[1].x - ends[0].x, dy = (int64_t)ends[1].y - ends[0].y;
     const bool steep = llabs(dy) > llabs(dx);
