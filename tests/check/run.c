@@ -1,4 +1,7 @@
-#define _GNU_SOURCE /* all that each system has: POSIX.1-2008 with nftw(), and RLIMIT_NPROC */
+#ifdef __linux__ /* POSIX.1-2008 with nftw(), and RLIMIT_NPROC; other systems have them unasked */
+#define _DEFAULT_SOURCE
+#define _XOPEN_SOURCE 700
+#endif
 
 #include "run.h"
 
