@@ -101,7 +101,7 @@ static bool shows_front(const struct soup_polygon *polygon) {
 
 /* Of faces that show their back nothing is to be seen. */
 static void scenery_make(struct scenery *s, const struct soup_case *c) {
-    *s = (struct scenery){.state = {s->positions}};
+    *s = (struct scenery){.state = {.positions = s->positions}};
     soup_make(&s->soup, c->seed, (enum soup_kind)c->kind);
     for (size_t i = 0; i < SOUP_FACES; i++) {
         if (!shows_front(&s->soup.polygons[i])) {
