@@ -336,6 +336,9 @@ static bool make_map(struct texture *texture, uint8_t value, struct error *error
     }
     image_set(&image, 0, 0, color_grey(value));
     bool done = texture_create(texture, &image, error);
+    if (done) {
+        texture_set_clamp(texture, true); /* one texel: nothing is mixed, however it is compiled */
+    }
     image_free(&image);
     return done;
 }

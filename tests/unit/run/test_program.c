@@ -3,6 +3,7 @@
 #include "base/file.h"
 #include "files/image_file.h"
 #include "program.h"
+#include "run/live.h"
 #include "unit/unit.h"
 
 #include <fcntl.h>
@@ -515,7 +516,15 @@ static void test_set(void) {
     struct program program = dot_program;
     program.scenes = &scene;
     program.scene_count = 1;
-    CHECK(run(&program, "-o out") == 0);
+    char text[1000] = "";
+    FILE *described = tmpfile();
+    live_describe(&program, described);
+    rewind(described);
+    CHECK(fread(text, 1, sizeof text - 1, described) > 0 && fclose(described) == 0);
+    CHECK(strstr(text, "\"width\":4,\"height\":3,") != NULL);
+    CHECK(run_live(&program, "--live", "--only dot --probe 0,0\n") == 0);
+    CHECK(last_drawing.probed && last_drawing.probe.x == 0 && last_drawing.probe.y == 0);
+    CHECK(run(&program, "-o out") == 0 && !last_drawing.probed);
     CHECK(drawing_value(&last_drawing, "size") == 5 && drawing_value(&last_drawing, "turn") == 0);
     CHECK(run(&program, "-o out --set turn=-0.5 --set size=9") == 0);
     CHECK(drawing_value(&last_drawing, "size") == 9 &&
@@ -617,6 +626,10 @@ static void test_replaced(void) {
     put_file("wild.obj", MAPPED);
     CHECK_RUN(&program, "-o out wild.obj", 0,
               "probe: wild.obj: no wild_diffuse.tga, wild_nm.tga, wild_spec.tga" MISSING
+              "white, the mesh's normals, the same shine everywhere instead "
+              "(--texture, --normal-map, --specular)\n" PICTURES);
+    CHECK_RUN(&program, "-o out ./wild.obj", 0, /* files are named without their directory */
+              "probe: ./wild.obj: no wild_diffuse.tga, wild_nm.tga, wild_spec.tga" MISSING
               "white, the mesh's normals, the same shine everywhere instead "
               "(--texture, --normal-map, --specular)\n" PICTURES);
     put_file("wild_nm.JPG", "\xFF\xD8\xFF\xE0");
@@ -845,6 +858,24 @@ static bool draw_turned(struct drawing *drawing, struct image *image, struct err
     return image_set(image, 0, 0, color_grey(1));
 }
 
+/* The same around y only. */
+static bool draw_turned_aside(struct drawing *drawing, struct image *image, struct error *error) {
+    (void)error;
+    struct vec3 p = model_position(drawing->model, 0, 1);
+    CHECK(vec3_length(vec3_sub(p, (struct vec3){0.75, 0.5, -0.25})) == 0);
+    CHECK(drawing->normal_map->level[0].texels[0] == 0xFF643C19); /* 100 60 25 */
+    return image_set(image, 0, 0, color_grey(1));
+}
+
+/* Neighbours of two windings, without normals: those that are computed do not cancel out. */
+static bool draw_plane(struct drawing *drawing, struct image *image, struct error *error) {
+    (void)error;
+    for (size_t i = 0; i < 3; i++) {
+        CHECK(fabs(model_normal(drawing->model, 0, i).z) > 0.99);
+    }
+    return image_set(image, 0, 0, color_grey(1));
+}
+
 /* --turn: of the model with all that has a direction, before anything else. --two-sided: twice as
  * many faces, and a model that looks away is seen. */
 static void test_turn_and_sides(void) {
@@ -863,6 +894,12 @@ static void test_turn_and_sides(void) {
           tga_write(&normal, in_directory("up_diffuse.tga"), &error));
     CHECK_RUN(&program, "-o out --turn 1,0,0 up.obj", 0, "out/turned.tga\n");
     CHECK_RUN(&program, "-o out --turn -3,4,-8 up.obj", 0, "out/turned.tga\n");
+    scene.draw = draw_turned_aside;
+    CHECK_RUN(&program, "-o out --turn 0,1,0 up.obj", 0, "out/turned.tga\n");
+    scene.draw = draw_plane;
+    scene.needs = NEEDS_MODEL | NEEDS_NORMALS;
+    put_file("plane.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 1 4 3\n");
+    CHECK_RUN(&program, "-o out --two-sided plane.obj", 0, "out/turned.tga\n");
     CHECK_RUN(&program, "--turn 0.5,0,0", 2,
               "probe: --turn wants three whole numbers X,Y,Z, not '0.5,0,0'\n");
     CHECK_RUN(&program, "--turn 1", 2, "probe: --turn wants three whole numbers X,Y,Z, not '1'\n");
