@@ -14,6 +14,17 @@ static const double depth_limit = 1e280;
 
 /* ---- Positions ---- */
 
+/* TOGETHER positions in clip space. */
+struct clip_positions {
+    doubles x, y, z, w;
+};
+
+/* One position, several times. */
+LANES_INLINE struct clip_positions clip_positions_all(struct vec4 p) {
+    return (struct clip_positions){doubles_all(p.x), doubles_all(p.y), doubles_all(p.z),
+                                   doubles_all(p.w)};
+}
+
 /* Where they are on the screen; 0 where they have no place there. */
 struct screen_positions {
     ints x, y; /* in 1/256 pixel */
@@ -26,10 +37,13 @@ LANES_INLINE doubles doubles_where(longs mask, doubles value) {
     return (doubles)(mask & (longs)value);
 }
 
+/* The sides that each is beyond. Written so that what is not a number is beyond everything. */
 LANES_INLINE longs find_beyond(const struct clip_positions *p, double guard_band) {
     doubles guard = guard_band * p->w;
     longs in_guard_band = (doubles_abs(p->x) <= guard) & (doubles_abs(p->y) <= guard);
-    return find_beyond_sides(p) | (~in_guard_band & BEYOND_GUARD_BAND);
+    return (~(p->x >= -p->w) & BEYOND_LEFT) | (~(p->x <= p->w) & BEYOND_RIGHT) |
+           (~(p->y >= -p->w) & BEYOND_BOTTOM) | (~(p->y <= p->w) & BEYOND_TOP) |
+           (~(p->w >= NEAR_W) & BEYOND_NEAR) | (~in_guard_band & BEYOND_GUARD_BAND);
 }
 
 /* screen_snap() of what is within SCREEN_LIMIT. */

@@ -282,25 +282,6 @@ enum {
     BEYOND_ALL = 63
 };
 
-/* TOGETHER positions in clip space. */
-struct clip_positions {
-    doubles x, y, z, w;
-};
-
-/* One position, several times. */
-LANES_INLINE struct clip_positions clip_positions_all(struct vec4 p) {
-    return (struct clip_positions){doubles_all(p.x), doubles_all(p.y), doubles_all(p.z),
-                                   doubles_all(p.w)};
-}
-
-/* The sides that each is beyond, of BEYOND_ONE_SIDE. Written so that what is not a number is beyond
- * everything. */
-LANES_INLINE longs find_beyond_sides(const struct clip_positions *p) {
-    return (~(p->x >= -p->w) & BEYOND_LEFT) | (~(p->x <= p->w) & BEYOND_RIGHT) |
-           (~(p->y >= -p->w) & BEYOND_BOTTOM) | (~(p->y <= p->w) & BEYOND_TOP) |
-           (~(p->w >= NEAR_W) & BEYOND_NEAR);
-}
-
 /* ---- Faces that are clipped: clip.c ---- */
 
 /* A convex polygon gains at most one corner at each plane. Where coordinates differ by many

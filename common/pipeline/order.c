@@ -48,9 +48,11 @@ static struct span find_pixels(double least, double most, int first, int size) {
     return (struct span){(int)(begin > last ? last : begin), (int)(end < first ? first : end)};
 }
 
+/* What is not a number is beyond everything. */
 static unsigned beyond_sides(struct vec4 p) {
-    struct clip_positions positions = clip_positions_all(p);
-    return (unsigned)find_beyond_sides(&positions)[0];
+    return (p.x >= -p.w ? 0U : BEYOND_LEFT) | (p.x <= p.w ? 0U : BEYOND_RIGHT) |
+           (p.y >= -p.w ? 0U : BEYOND_BOTTOM) | (p.y <= p.w ? 0U : BEYOND_TOP) |
+           (p.w >= NEAR_W ? 0U : BEYOND_NEAR);
 }
 
 /* Where the box may be on the screen: nowhere if it is beyond a side of the view. Exactly, a side's
