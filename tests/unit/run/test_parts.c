@@ -139,7 +139,7 @@ static void test_normal_maps(void) {
         CHECK(parts_make(&parts, &model, &missing, &error));
         for (size_t k = 0; k < 2; k++) {
             const struct texture *map = &parts.part[k].normal_map;
-            spaces[k] = map->level_count == 0 ? '-' : map->tangent_space ? 't' : 'o';
+            spaces[k] = "-ot"[map->level_count == 0 ? 0 : 1 + map->tangent_space];
         }
         CHECK_TEXT(spaces, rows[i].spaces);
         CHECK_ROW(strstr(parts.note.message, rows[i].note) != NULL, parts.note.message);
