@@ -47,7 +47,9 @@ struct model_material {
     float specular; /* the weight of its shine 0..1 where it has no map; negative: unknown */
     float power;    /* of its shine; 0: unknown */
     bool hidden;    /* altogether transparent */
-    char *texture;  /* the path of a picture, which then is the colour; NULL: none */
+    bool glassy;    /* transparent in part, though it is drawn opaque */
+    size_t line;    /* of the model's file: where it is first */
+    char *texture;  /* the path of a picture, whose colours count; NULL: none */
     char *shine;    /* the path of a specular map; NULL: none */
     char *bumps;    /* the path of a normal map; NULL: none */
     bool is_norm;   /* the file calls it norm, which is one in tangent space, and not bump */
@@ -63,6 +65,7 @@ enum model_warning {
     MODEL_NORMALS_MISSING,
     MODEL_NORMALS_WRONG,
     MODEL_MATERIALS_MISSING,
+    MODEL_GLASSY,
     MODEL_WARNINGS
 };
 

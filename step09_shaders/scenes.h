@@ -59,12 +59,13 @@ static const struct shader *mapped_by(const struct texture *normal_map) {
 
 /* What the shaders of the lesson read, for a model that is seen over so many pixels. */
 static struct uniforms make_uniforms(const struct drawing *drawing, double pixels) {
+    const double one_picture = pixels / fmax(drawing->repeats, 1);
     return (struct uniforms){
         .model = drawing->model,
         .diffuse = drawing->diffuse,
         .normal_map = drawing->normal_map,
-        .diffuse_level = texture_wrapped_level(drawing->diffuse, pixels),
-        .normal_level = texture_wrapped_level(drawing->normal_map, pixels),
+        .diffuse_level = texture_wrapped_level(drawing->diffuse, one_picture),
+        .normal_level = texture_wrapped_level(drawing->normal_map, one_picture),
         .to_light = vec3_normalized(drawing->light),
     };
 }

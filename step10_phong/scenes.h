@@ -79,14 +79,15 @@ static const struct material textured_material = {0.1, 1, 1, 10, {255, 255, 255}
 /* What the shaders of the lesson read, for a model that is seen over so many pixels. */
 static struct uniforms make_uniforms(const struct drawing *drawing, double pixels,
                                      struct material material) {
+    const double one_picture = pixels / fmax(drawing->repeats, 1);
     return (struct uniforms){
         .model = drawing->model,
         .diffuse = drawing->diffuse,
         .normal_map = drawing->normal_map,
         .specular = drawing->specular,
-        .diffuse_level = texture_wrapped_level(drawing->diffuse, pixels),
-        .normal_level = texture_wrapped_level(drawing->normal_map, pixels),
-        .specular_level = texture_wrapped_level(drawing->specular, pixels),
+        .diffuse_level = texture_wrapped_level(drawing->diffuse, one_picture),
+        .normal_level = texture_wrapped_level(drawing->normal_map, one_picture),
+        .specular_level = texture_wrapped_level(drawing->specular, one_picture),
         .eye = drawing->eye,
         .to_light = vec3_normalized(drawing->light),
         .material = material,

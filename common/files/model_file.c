@@ -81,6 +81,7 @@ const char *model_warning_text(enum model_warning warning) {
         [MODEL_NORMALS_WRONG] = "a normal has no direction; it is computed instead",
         [MODEL_MATERIALS_MISSING] =
             "the file of materials is not there; faces have neither its colours nor its textures",
+        [MODEL_GLASSY] = "a material that is transparent in part is drawn opaque",
     };
     return texts[warning];
 }

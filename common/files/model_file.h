@@ -1,8 +1,7 @@
 /*
  * Models read from OBJ and OFF files, and the textures that lie beside them.
  *
- * OBJ: v (x y z, x y z w: w is not used, x y z r g b and what follows), vt (u, u v, u v w: w is not
- * used), vn, f, mtllib, usemtl and, where asked for, l; all other keywords are passed over. A face
+ * OBJ: v (x y z or x y z r g b), vt (u or u v) and vn, in which more numbers count for nothing, f, mtllib, usemtl and, where asked for, l; all other keywords are passed over. A face
  * may name what comes further down; a negative index counts back from the face. A corner may name
  * no texture coordinate and no normal, and what the file does not have counts as none. OFF, COFF,
  * NOFF, STOFF, 4OFF and their mixtures, as text; lines may end between any two numbers, but a face

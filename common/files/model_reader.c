@@ -283,8 +283,11 @@ bool reader_use_material(struct model_reader *reader, struct word name) {
         i++;
     }
     if (i == model->material_count && i < MATERIAL_LIMIT) {
-        struct model_material material = {
-            .name = copy_word(name), .color = {1, 1, 1}, .specular = -1, .scale = {1, 1}};
+        struct model_material material = {.name = copy_word(name),
+                                          .color = {1, 1, 1},
+                                          .specular = -1,
+                                          .scale = {1, 1},
+                                          .line = reader->line};
         if (material.name == NULL || !extend(reader, &model->materials, &reader->material_capacity,
                                              i + 1, sizeof *model->materials)) {
             free(material.name);

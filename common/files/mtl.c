@@ -124,8 +124,12 @@ static bool read_statement(struct text *text, struct word keyword, const char *d
     } else if (word_is(keyword, "Ns")) {
         bool given = text_next_number(text, &number).length > 0 && number >= 0 && number <= 1e4;
         material->power = given ? (float)number : material->power;
-    } else if (word_is(keyword, "d")) {
-        material->hidden = text_next_number(text, &number).length > 0 && number <= 0;
+    } else if (word_is(keyword, "d") || word_is(keyword, "Tr")) {
+        bool given = text_next_number(text, &number).length > 0;
+        material->hidden = word_is(keyword, "d") ? given && number <= 0 : material->hidden;
+        material->glassy = material->glassy || (given && number > 0 && number < 1);
+    } else if (word_is(keyword, "map_d")) {
+        material->glassy = true;
     } else if (word_is(keyword, "map_Kd")) {
         return read_map(text, material, directory, &material->texture);
     } else if (word_is(keyword, "map_Ks") || word_is(keyword, "map_Ns")) {
@@ -135,6 +139,17 @@ static bool read_statement(struct text *text, struct word keyword, const char *d
         return read_map(text, NULL, directory, &material->bumps);
     }
     return true;
+}
+
+/* Where the first of them is named. */
+static void warn_of_glass(struct model *model) {
+    size_t *line = &model->warning_line[MODEL_GLASSY];
+    for (size_t i = 0; i < model->material_count; i++) {
+        const struct model_material *material = &model->materials[i];
+        if (material->glassy && !material->hidden && (*line == 0 || material->line < *line)) {
+            *line = material->line;
+        }
+    }
 }
 
 bool mtl_decode(struct model *model, const void *data, size_t size, const char *directory,
@@ -156,5 +171,6 @@ bool mtl_decode(struct model *model, const void *data, size_t size, const char *
             return error_out_of_memory(error);
         }
     }
+    warn_of_glass(model);
     return true;
 }

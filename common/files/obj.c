@@ -25,14 +25,14 @@ struct obj {
 
 /* ---- Positions, texture coordinates and normals ---- */
 
-/* x y z, x y z w, or x y z r g b and what follows. */
+/* x y z, or x y z r g b; what else follows, such as w, counts for nothing. */
 static bool read_position(struct model_reader *reader) {
     struct reader_numbers numbers;
     if (!reader_read_numbers(reader, 3, &numbers)) {
         return false;
     }
-    if (numbers.count < 3 || numbers.count == 5) {
-        return text_error(reader->error, reader->line, "'v' takes 3, 4, 6 or more numbers, not %zu",
+    if (numbers.count < 3) {
+        return text_error(reader->error, reader->line, "'v' takes 3 or more numbers, not %zu",
                           numbers.count);
     }
     return reader_add_position(reader, numbers.value) &&
@@ -44,9 +44,8 @@ static bool read_uv(struct model_reader *reader) {
     if (!reader_read_numbers(reader, 0, &numbers)) {
         return false;
     }
-    if (numbers.count < 1 || numbers.count > 3) { /* u, u v, u v w */
-        return text_error(reader->error, reader->line, "'vt' takes 1 to 3 numbers, not %zu",
-                          numbers.count);
+    if (numbers.count < 1) { /* u, u v, u v w */
+        return text_error(reader->error, reader->line, "'vt' takes 1 or more numbers, not 0");
     }
     return reader_add_uv(reader, numbers.value[0], numbers.count > 1 ? numbers.value[1] : 0);
 }
@@ -56,8 +55,8 @@ static bool read_normal(struct model_reader *reader) {
     if (!reader_read_numbers(reader, 0, &numbers)) {
         return false;
     }
-    if (numbers.count != 3) {
-        return text_error(reader->error, reader->line, "'vn' takes 3 numbers, not %zu",
+    if (numbers.count < 3) {
+        return text_error(reader->error, reader->line, "'vn' takes 3 or more numbers, not %zu",
                           numbers.count);
     }
     return reader_add_normal(reader, numbers.value);

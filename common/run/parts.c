@@ -5,6 +5,7 @@
 #include "base/file.h"
 #include "files/model_file.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -62,6 +63,8 @@ static bool sort_faces(struct model *model, const size_t *begins) {
 
 /* ---- Textures ---- */
 
+static const float white[3] = {1, 1, 1};
+
 /* False when memory runs out. */
 static bool keep_picture(struct parts *parts, const struct picture *picture) {
     size_t capacity = parts->picture_count; /* few, and each is large */
@@ -73,20 +76,54 @@ static bool keep_picture(struct parts *parts, const struct picture *picture) {
     return true;
 }
 
-/* The texture of a file, read at the first call; of no level where it cannot be read. With `turns`
- * it is a normal map of a model that was turned so. */
-static bool find_picture(struct parts *parts, const char *path, const int *turns,
-                         struct texture *texture, struct error *why) {
+/* The colour by which a picture is multiplied, as materials mean it. Not by a grey one: exporters
+ * write 0.64, 0.8 and even 0 beside every picture, and mean nothing by it. */
+static void find_tint(const float color[3], float tint[3]) {
+    bool grey = color[0] == color[1] && color[1] == color[2];
+    for (int i = 0; i < 3; i++) {
+        tint[i] = grey ? 1 : color[i];
+    }
+}
+
+static void multiply(struct texture *texture, const float tint[3]) {
+    for (size_t i = 0; i < texture->level_count; i++) {
+        const struct texture_level *level = &texture->level[i];
+        for (size_t k = 0; k < level->pitch * (level->height + 1); k++) {
+            struct color c = color_from_texel(level->texels[k]);
+            level->texels[k] = (uint32_t)((float)c.b * tint[2] + 0.5F) |
+                               (uint32_t)((float)c.g * tint[1] + 0.5F) << 8 |
+                               (uint32_t)((float)c.r * tint[0] + 0.5F) << 16 | (uint32_t)c.a << 24;
+        }
+    }
+}
+
+static bool read_picture(struct picture *picture, const int *turns, struct error *why) {
+    if (turns != NULL) {
+        return model_read_normal_map(&picture->texture, picture->path, turns, why);
+    }
+    bool done = model_read_texture(&picture->texture, picture->path, why);
+    if (picture->tint[0] != 1 || picture->tint[1] != 1 || picture->tint[2] != 1) {
+        multiply(&picture->texture, picture->tint);
+    }
+    return done;
+}
+
+/* The texture of a file, multiplied by a colour, read at the first call; of no level where it
+ * cannot be read. With `turns` it is a normal map of a model that was turned so. */
+static bool find_picture(struct parts *parts, const char *path, const float tint[3],
+                         const int *turns, struct texture *texture, struct error *why) {
+    struct picture picture = {.path = path, .is_normal_map = turns != NULL};
+    memcpy(picture.tint, tint, sizeof picture.tint);
     for (size_t i = 0; i < parts->picture_count; i++) {
-        if (parts->pictures[i].path != NULL && strcmp(parts->pictures[i].path, path) == 0 &&
-            parts->pictures[i].is_normal_map == (turns != NULL)) {
-            *texture = parts->pictures[i].texture;
+        const struct picture *other = &parts->pictures[i];
+        if (other->path != NULL && strcmp(other->path, path) == 0 &&
+            other->is_normal_map == picture.is_normal_map &&
+            memcmp(other->tint, picture.tint, sizeof picture.tint) == 0) {
+            *texture = other->texture;
             return true;
         }
     }
-    struct picture picture = {.path = path, .is_normal_map = turns != NULL};
-    bool is_read = turns == NULL ? model_read_texture(&picture.texture, path, why)
-                                 : model_read_normal_map(&picture.texture, path, turns, why);
+    bool is_read = read_picture(&picture, turns, why);
     parts->bytes_read += is_read ? file_size(path) : 0;
     if (picture.texture.space_guessed) {
         error_set(why, "blue, so it is read as a normal map in tangent space");
@@ -129,7 +166,7 @@ static bool find_color(struct parts *parts, const float color[3], struct texture
 static bool give_normal_map(struct parts *parts, struct drawing_part *part,
                             const struct model_material *material) {
     struct error why = {0};
-    if (!find_picture(parts, material->bumps, part->model.turns, &part->normal_map, &why)) {
+    if (!find_picture(parts, material->bumps, white, part->model.turns, &part->normal_map, &why)) {
         return false;
     }
     bool is_read = part->normal_map.level_count > 0;
@@ -146,11 +183,12 @@ static bool give_normal_map(struct parts *parts, struct drawing_part *part,
 /* The textures of a part; none where its corners have no places in them. */
 static bool give_textures(struct parts *parts, struct drawing_part *part,
                           const struct model_material *material, struct error *missing) {
-    static const float white[3] = {1, 1, 1};
     struct error why = {0}, ignored;
     bool has_places = part->model.uv_count > 0;
     if (material != NULL && material->texture != NULL && has_places) {
-        if (!find_picture(parts, material->texture, NULL, &part->diffuse, &why)) {
+        float tint[3];
+        find_tint(material->color, tint);
+        if (!find_picture(parts, material->texture, tint, NULL, &part->diffuse, &why)) {
             return false;
         }
         texture_set_clamp(&part->diffuse, material->clamp);
@@ -159,7 +197,7 @@ static bool give_textures(struct parts *parts, struct drawing_part *part,
         }
     }
     if (material != NULL && material->shine != NULL && has_places &&
-        !find_picture(parts, material->shine, NULL, &part->specular, &ignored)) {
+        !find_picture(parts, material->shine, white, NULL, &part->specular, &ignored)) {
         return false;
     }
     if (material != NULL && material->bumps != NULL && has_places && parts->with_normal_maps &&
@@ -171,6 +209,30 @@ static bool give_textures(struct parts *parts, struct drawing_part *part,
 }
 
 /* ---- Parts ---- */
+
+/* Twice the area of the faces. */
+static double surface_of(const struct model *model) {
+    double sum = 0;
+    for (size_t i = 0; i < model->face_count; i++) {
+        sum += vec3_length(model_face_normal(model, i));
+    }
+    return sum;
+}
+
+/* Twice the area that the faces have in the plane of u and v, where a picture has the area 1. */
+static double pictures_on(const struct model *model) {
+    double sum = 0;
+    for (size_t i = 0; i < model->face_count; i++) {
+        struct vec2 a = model_uv(model, i, 0), b = model_uv(model, i, 1), c = model_uv(model, i, 2);
+        sum += fabs((b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y));
+    }
+    return sum;
+}
+
+double parts_repeats(const struct model *faces, const struct model *whole, bool two_sided) {
+    double share = surface_of(faces) / surface_of(whole);
+    return sqrt(pictures_on(faces) / (two_sided ? 4 : 2) / share);
+}
 
 static bool add_part(struct parts *parts, const struct model *model, const size_t *begins,
                      size_t slot, struct error *missing) {
@@ -193,6 +255,7 @@ static bool add_part(struct parts *parts, const struct model *model, const size_
         part->specular_weight = (double)material->specular;
     }
     part->power = material != NULL ? (double)material->power : 0;
+    part->repeats = model->uv_count == 0 ? 1 : parts_repeats(&part->model, model, parts->two_sided);
     return true;
 }
 

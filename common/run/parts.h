@@ -12,6 +12,7 @@
 struct picture {
     const char *path;   /* belongs to a material; NULL: of a colour */
     bool is_normal_map; /* read as one; the same file may be a colour, too */
+    float tint[3];      /* by which its red, green and blue are multiplied; those of a map are 0 */
     struct texture texture;
 };
 
@@ -19,10 +20,11 @@ struct picture {
 struct parts {
     struct drawing_part *part; /* and behind the last one the whole, as its first part looks */
     size_t count;
-    struct picture *pictures; /* each file is read once */
+    struct picture *pictures; /* each file is read once for each tint */
     size_t picture_count;
     uint64_t bytes_read;
     bool with_normal_maps; /* set it before parts_make(), which otherwise reads none */
+    bool two_sided;        /* likewise: every face is in the model twice */
     struct error note;     /* of the first normal map that was not read, or else was guessed */
     bool is_note_of_guess;
 };
@@ -33,6 +35,11 @@ struct parts {
  * it changes no more. False when memory runs out. */
 bool parts_make(struct parts *parts, struct model *model, struct error *missing,
                 struct error *error);
+
+/* How many pictures would lie side by side across a model whose whole surface had as many in an area
+ * as these faces have: 1 for a picture that goes once around it. Not a number where there is no
+ * surface. */
+double parts_repeats(const struct model *faces, const struct model *whole, bool two_sided);
 
 /* Make texture coordinates for materials that scale or move them. Once, before the parts. False
  * when memory runs out. */

@@ -55,6 +55,7 @@ struct drawing_part {
     struct texture diffuse, normal_map,
         specular;                  /* shared; empty where there is none, but diffuse */
     double specular_weight, power; /* of the material; negative or 0: unknown */
+    double repeats;                /* pictures side by side across the model: parts_repeats() */
 };
 
 /* What a draw function works with. It reads all of it and may change `depth` and `state`. */
@@ -67,6 +68,7 @@ struct drawing {
     size_t part_count;
     const struct texture *whole_normal_map, *whole_specular; /* of parts that have none */
     double specular_weight, power;    /* of a part's material; negative or 0: unknown */
+    double repeats;                   /* pictures side by side across the model; below 1: one */
     double *depth;                    /* one a pixel, row by row from the bottom: -INFINITY */
     const struct text_scene *text;    /* the text scene of the command line, otherwise NULL */
     struct vec3 eye, center, up;      /* the camera: options, the scene's or the program's */

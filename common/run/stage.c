@@ -64,6 +64,7 @@ bool drawing_take_part(struct drawing *drawing, size_t i) {
     drawing->specular = part->specular.level_count > 0 ? &part->specular : drawing->whole_specular;
     drawing->specular_weight = part->specular_weight;
     drawing->power = part->power;
+    drawing->repeats = part->repeats;
     return is_part;
 }
 
@@ -343,8 +344,11 @@ static bool take_parts(struct run *run, unsigned needs, struct drawing *drawing,
                        struct error *error) {
     struct error missing = {0};
     if (!run->has_materials) {
+        drawing->repeats =
+            run->model.uv_count == 0 ? 1 : parts_repeats(&run->model, &run->model, run->two_sided);
         return true;
     }
+    run->parts.two_sided = run->two_sided;
     run->parts.with_normal_maps =
         (needs & NEEDS_NORMAL_MAP) != 0 && run->texture_files[MODEL_NORMAL_MAP] == NULL;
     if (!parts_make(&run->parts, &run->model, &missing, error)) {

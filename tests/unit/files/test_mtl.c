@@ -124,16 +124,20 @@ static void test_statements(void) {
     }
 }
 
-/* The other numbers of the material "a": shine, power, hidden or not, the map's options. */
+/* The other numbers of the material "a": shine, power, hidden (d) or transparent in
+ * part (g and the line that the warning names), the map's options. */
 static void test_numbers(void) {
     static const struct {
         const char *text, *expected;
     } rows[] = {
         {"", "-1 0 - none - 1 1 0 0"},
         {"Ks 0.25 0.5 0.75\nNs 30\n", "0.5 30 - none - 1 1 0 0"},
-        {"Ks 0\nNs -1\nd 0.5\n", "0 0 - none - 1 1 0 0"},
+        {"Ks 0\nNs -1\nd 0.5\n", "0 0 g4 none - 1 1 0 0"},
         {"Ns 2e4\nNs x\nd 0.0\nTr 0\n", "-1 0 d none - 1 1 0 0"},
-        {"d 0\nd 1\n", "-1 0 - none - 1 1 0 0"},
+        {"d 0\nd 1\nTr 1\n", "-1 0 - none - 1 1 0 0"},
+        {"Tr 0.1\n", "-1 0 g4 none - 1 1 0 0"},
+        {"d 0.5\nd 0\n", "-1 0 d none - 1 1 0 0"},
+        {"map_d leaf.png\n", "-1 0 g4 none - 1 1 0 0"},
         {"map_Ks -clamp on s.png\n", "-1 0 - s.png - 1 1 0 0"},
         {"map_Ks s.png\nmap_Ns t.png\n", "-1 0 - t.png - 1 1 0 0"},
         {"map_Kd -clamp on -s 2 3 4 -o 0.5 x.png\n", "-1 0 - none c 2 3 0.5 0"},
@@ -142,15 +146,18 @@ static void test_numbers(void) {
     for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
         struct model m;
         struct error error;
-        char text[200], got[200];
+        char text[200], got[200], clear[30] = "-";
         snprintf(text, sizeof text, "newmtl a\n%s", rows[i].text);
-        if (!decode(&m, SQUARE "usemtl a\nf 1 2 3\n")) {
+        if (!decode(&m, "usemtl b\nusemtl c\n\nusemtl a\n" SQUARE "f 1 2 3\n")) {
             return;
         }
         CHECK(mtl_decode(&m, text, strlen(text), "", &error));
-        const struct model_material *a = &m.materials[0];
+        const struct model_material *a = &m.materials[2];
+        if (m.warning_line[MODEL_GLASSY] > 0) {
+            snprintf(clear, sizeof clear, "g%zu", m.warning_line[MODEL_GLASSY]);
+        }
         snprintf(got, sizeof got, "%g %g %s %s %s %g %g %g %g", (double)a->specular,
-                 (double)a->power, a->hidden ? "d" : "-", a->shine == NULL ? "none" : a->shine,
+                 (double)a->power, a->hidden ? "d" : clear, a->shine == NULL ? "none" : a->shine,
                  a->clamp ? "c" : "-", (double)a->scale[0], (double)a->scale[1],
                  (double)a->offset[0], (double)a->offset[1]);
         CHECK_TEXT(got, rows[i].expected);

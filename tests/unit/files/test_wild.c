@@ -54,6 +54,7 @@ static void test_corners(void) {
         {SQUARE CORNERS "f 1 2/0/1 3\n", NORMAL, 0, 0},
         {SQUARE CORNERS "f 1 2/-0/+1 3\n", NORMAL, 0, 0},
         {SQUARE "f 1// 2// 3// 4//", NEITHER, 0, 0},
+        {SQUARE "vt 1 0 0 1\nvn 0 0 1 0\nf 1/1/1 2/1/1 3/1/1\n", BOTH, 0, 0},
         {SQUARE CORNERS "f 1 2/5/1 3\nf 1 2/6 3\n", NORMAL, MODEL_UVS_MISSING, 13},
         {SQUARE CORNERS "f 1 2/1/5 3\nf 1//7 2 3\n", UV, MODEL_NORMALS_MISSING, 13},
         {SQUARE CORNERS "f 1 2//-5 3\n", NEITHER, MODEL_NORMALS_MISSING, 13},

@@ -7,6 +7,7 @@
 #include "unit/images.h"
 #include "unit/place.h"
 
+#include <math.h>
 #include <stdio.h>
 
 #define SQUARE "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 0.5\n"
@@ -64,6 +65,11 @@ static void test_parts(void) {
         {"usemtl a\nf 1 2 3\nusemtl b\nf 2 3 4\n", "newmtl a\nd 0\nnewmtl b\nd 0.5\n", "1 FFFFFF;",
          ""},
         {"usemtl a\nf 1 2 3\n", "newmtl a\nd 0\n", "", ""},
+        /* A colour tints the picture, and is read again for it; a grey one does not. */
+        {"usemtl a\nf 1 2 3\nusemtl b\nf 2 3 4\nusemtl c\nf 3 4 1\n",
+         "newmtl a\nKd 0 0 0\nmap_Kd red.png\nnewmtl b\nKd 0.5 1 0.25\nmap_Kd red.png\n"
+         "newmtl c\nKd 0.8 0.8 0.8\nmap_Kd red.png\n",
+         "0 C80A14;1 640A05;2 C80A14;", ""},
     };
     struct place place = place_create();
     put_picture(&place, "red.png", color_rgb(200, 10, 20));
@@ -177,6 +183,26 @@ static void test_coordinates(void) {
     place_remove(&place, "m.obj");
 }
 
+/* The square has 2 x 4 pictures on half of the surface, the other half none of them. */
+static void test_repeats(void) {
+    struct model model, part;
+    struct error error;
+    static const char text[] =
+        "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 3 0\nvt 5 0\nvt 5 -4\nvt 3 -4\n"
+        "f 1/1 2/2 3/3 4/4\nf 1/1 2/1 3/1 4/1\n";
+    if (!CHECK(model_decode(&model, text, sizeof text - 1, &error))) {
+        return;
+    }
+    part = model;
+    CHECK(fabs(parts_repeats(&model, &model, false) - sqrt(8)) < 1e-9);
+    CHECK(fabs(parts_repeats(&model, &model, true) - sqrt(4)) < 1e-9);
+    part.face_count = 2;
+    CHECK(fabs(parts_repeats(&part, &model, false) - sqrt(16)) < 1e-9);
+    part.face_count = 0;
+    CHECK(isnan(parts_repeats(&part, &model, false)));
+    model_free(&model);
+}
+
 /* Faces keep their own colours, wherever they are sorted to. */
 static void test_face_colors(void) {
     static float colors[3][3] = {{0.1F, 0, 0}, {0.2F, 0, 0}, {0.3F, 0, 0}};
@@ -201,4 +227,5 @@ static void test_face_colors(void) {
     parts_free(&parts);
 }
 
-UNIT_MAIN(TEST(test_parts), TEST(test_normal_maps), TEST(test_coordinates), TEST(test_face_colors))
+UNIT_MAIN(TEST(test_parts), TEST(test_normal_maps), TEST(test_coordinates), TEST(test_repeats),
+          TEST(test_face_colors))
