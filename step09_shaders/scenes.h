@@ -469,6 +469,9 @@ static bool draw_heads_visibly(struct drawing *drawing, const struct canvas *can
     }
     if (done) {
         visible_draw(canvas, band, kept, (uint32_t)count, &simple_gouraud_textured, u);
+        if (count > 0) { /* these are the depths of the last band, which may be empty */
+            canvas->depth[0] = 0;
+        }
     } else {
         error_out_of_memory(error);
     }
