@@ -52,6 +52,7 @@ struct model_material {
     char *texture;  /* the path of a picture, whose colours count; NULL: none */
     char *shine;    /* the path of a specular map; NULL: none */
     char *bumps;    /* the path of a normal map; NULL: none */
+    float bump;     /* by which its bumps are steeper, 1 at first */
     bool is_norm;   /* the file calls it norm, which is one in tangent space, and not bump */
     bool clamp;     /* the picture, outside 0..1; otherwise it repeats */
     float scale[2], offset[2]; /* of texture coordinates: offset + scale * (u, v) */

@@ -287,6 +287,7 @@ bool reader_use_material(struct model_reader *reader, struct word name) {
                                           .color = {1, 1, 1},
                                           .specular = -1,
                                           .scale = {1, 1},
+                                          .bump = 1,
                                           .line = reader->line};
         if (material.name == NULL || !extend(reader, &model->materials, &reader->material_capacity,
                                              i + 1, sizeof *model->materials)) {

@@ -45,10 +45,9 @@ static void read_pair(struct text *text, float pair[2]) {
 }
 
 /* The options before a texture's name, each of them with what follows it. `material` gets those
- * that count; NULL: none. */
+ * that count. */
 static void read_options(struct text *text, struct model_material *material) {
-    struct model_material ignored = {0};
-    material = material == NULL ? &ignored : material;
+    float ignored[2];
     for (;;) {
         struct text ahead = *text;
         struct word option = text_next_word(&ahead);
@@ -60,7 +59,11 @@ static void read_options(struct text *text, struct model_material *material) {
         } else if (word_is(option, "-o")) {
             read_pair(&ahead, material->offset);
         } else if (word_is(option, "-t")) {
-            read_pair(&ahead, ignored.offset);
+            read_pair(&ahead, ignored);
+        } else if (word_is(option, "-bm")) {
+            double number;
+            text_next_number(&ahead, &number);
+            material->bump = number > 0 && number <= 100 ? (float)number : 1;
         } else if (word_is(option, "-clamp")) {
             material->clamp = word_is(text_next_word(&ahead), "on");
         } else { /* every other one has one argument, or two */
@@ -112,6 +115,7 @@ static bool read_map(struct text *text, struct model_material *options, const ch
 static bool read_statement(struct text *text, struct word keyword, const char *directory,
                            struct model_material *material) {
     double number;
+    struct model_material options = {.bump = 1}; /* of other maps than that of the colours */
     bool is_norm = word_is(keyword, "norm");
     bool is_bump =
         word_is(keyword, "map_Bump") || word_is(keyword, "map_bump") || word_is(keyword, "bump");
@@ -131,12 +135,17 @@ static bool read_statement(struct text *text, struct word keyword, const char *d
     } else if (word_is(keyword, "map_d")) {
         material->glassy = true;
     } else if (word_is(keyword, "map_Kd")) {
-        return read_map(text, material, directory, &material->texture);
+        options.bump = material->bump; /* is not its own */
+        bool done = read_map(text, material, directory, &material->texture);
+        material->bump = options.bump;
+        return done;
     } else if (word_is(keyword, "map_Ks") || word_is(keyword, "map_Ns")) {
-        return read_map(text, NULL, directory, &material->shine);
+        return read_map(text, &options, directory, &material->shine);
     } else if (is_norm || (is_bump && !material->is_norm)) {
         material->is_norm = is_norm;
-        return read_map(text, NULL, directory, &material->bumps);
+        bool done = read_map(text, &options, directory, &material->bumps);
+        material->bump = options.bump;
+        return done;
     }
     return true;
 }

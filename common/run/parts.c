@@ -85,25 +85,38 @@ static void find_tint(const float color[3], float tint[3]) {
     }
 }
 
-static void multiply(struct texture *texture, const float tint[3]) {
+/* How steep the bumps of a map in tangent space are: its values along the surface over that away
+ * from it. */
+static void find_steepness(float bump, float tint[3]) {
+    tint[0] = tint[1] = bump < 1 ? bump : 1;
+    tint[2] = bump > 1 ? 1 / bump : 1;
+}
+
+static uint32_t multiplied(uint8_t level, float zero, float factor) {
+    return (uint32_t)(zero + ((float)level - zero) * factor + 0.5F);
+}
+
+/* Multiply red, green and blue, which count from a level `zero`. */
+static void multiply(struct texture *texture, const float tint[3], float zero) {
     for (size_t i = 0; i < texture->level_count; i++) {
         const struct texture_level *level = &texture->level[i];
         for (size_t k = 0; k < level->pitch * (level->height + 1); k++) {
             struct color c = color_from_texel(level->texels[k]);
-            level->texels[k] = (uint32_t)((float)c.b * tint[2] + 0.5F) |
-                               (uint32_t)((float)c.g * tint[1] + 0.5F) << 8 |
-                               (uint32_t)((float)c.r * tint[0] + 0.5F) << 16 | (uint32_t)c.a << 24;
+            level->texels[k] = multiplied(c.b, zero, tint[2]) |
+                               multiplied(c.g, zero, tint[1]) << 8 |
+                               multiplied(c.r, zero, tint[0]) << 16 | (uint32_t)c.a << 24;
         }
     }
 }
 
 static bool read_picture(struct picture *picture, const int *turns, struct error *why) {
-    if (turns != NULL) {
-        return model_read_normal_map(&picture->texture, picture->path, turns, why);
-    }
-    bool done = model_read_texture(&picture->texture, picture->path, why);
-    if (picture->tint[0] != 1 || picture->tint[1] != 1 || picture->tint[2] != 1) {
-        multiply(&picture->texture, picture->tint);
+    struct texture *texture = &picture->texture;
+    const float *tint = picture->tint;
+    bool done = turns != NULL ? model_read_normal_map(texture, picture->path, turns, why)
+                              : model_read_texture(texture, picture->path, why);
+    bool is_tinted = tint[0] != 1 || tint[1] != 1 || tint[2] != 1;
+    if (is_tinted && (turns == NULL || texture->tangent_space)) {
+        multiply(texture, tint, turns != NULL ? 127.5F : 0);
     }
     return done;
 }
@@ -166,7 +179,9 @@ static bool find_color(struct parts *parts, const float color[3], struct texture
 static bool give_normal_map(struct parts *parts, struct drawing_part *part,
                             const struct model_material *material) {
     struct error why = {0};
-    if (!find_picture(parts, material->bumps, white, part->model.turns, &part->normal_map, &why)) {
+    float tint[3];
+    find_steepness(material->bump, tint);
+    if (!find_picture(parts, material->bumps, tint, part->model.turns, &part->normal_map, &why)) {
         return false;
     }
     bool is_read = part->normal_map.level_count > 0;

@@ -12,7 +12,7 @@
 struct picture {
     const char *path;   /* belongs to a material; NULL: of a colour */
     bool is_normal_map; /* read as one; the same file may be a colour, too */
-    float tint[3];      /* by which its red, green and blue are multiplied; those of a map are 0 */
+    float tint[3];      /* by which red, green and blue are multiplied */
     struct texture texture;
 };
 
@@ -36,9 +36,9 @@ struct parts {
 bool parts_make(struct parts *parts, struct model *model, struct error *missing,
                 struct error *error);
 
-/* How many pictures would lie side by side across a model whose whole surface had as many in an area
- * as these faces have: 1 for a picture that goes once around it. Not a number where there is no
- * surface. */
+/* How many pictures would lie side by side across a model whose whole surface had as many in an
+ * area as these faces have: 1 for a picture that goes once around it. Not a number where there is
+ * no surface. */
 double parts_repeats(const struct model *faces, const struct model *whole, bool two_sided);
 
 /* Make texture coordinates for materials that scale or move them. Once, before the parts. False

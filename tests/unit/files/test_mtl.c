@@ -170,14 +170,16 @@ static void test_bumps(void) {
     static const struct {
         const char *text, *bumps;
         bool is_norm;
+        float bump;
     } rows[] = {
-        {"norm n.png\n", "n.png", true},
-        {"map_Bump -bm 0.5 b.png\n", "b.png", false},
-        {"map_bump b c.png\n", "b c.png", false},
-        {"bump -imfchan l -clamp on b.png\n", "b.png", false},
-        {"bump a.png\nnorm n.png\nmap_Bump b.png\n", "n.png", true},
-        {"bump a.png\nmap_Bump b.png\n", "b.png", false},
-        {"map_Kn b.png\nnormal b.png\n", "", false},
+        {"norm n.png\n", "n.png", true, 1},
+        {"map_Bump -bm 0.5 b.png\n", "b.png", false, 0.5F},
+        {"map_bump -bm -2 b c.png\n", "b c.png", false, 1},
+        {"bump -imfchan l -clamp on -bm 4 b.png\n", "b.png", false, 4},
+        {"bump a.png\nnorm -bm 3 n.png\nmap_Bump b.png\n", "n.png", true, 3},
+        {"bump -bm 2 a.png\nmap_Bump b.png\n", "b.png", false, 1},
+        {"bump -bm 2 a.png\nmap_Kd -bm 3 c.png\nmap_Ks -bm 5 s.png\n", "a.png", false, 2},
+        {"map_Kn b.png\nnormal b.png\n", "", false, 1},
     };
     for (size_t i = 0; i < sizeof rows / sizeof rows[0]; i++) {
         struct model m;
@@ -191,6 +193,7 @@ static void test_bumps(void) {
         const struct model_material *a = &m.materials[0];
         CHECK_TEXT(a->bumps == NULL ? "" : a->bumps, rows[i].bumps);
         CHECK_ROW(a->is_norm == rows[i].is_norm && !a->clamp, rows[i].text);
+        CHECK_ROW(a->bump == rows[i].bump, rows[i].text);
         model_free(&m);
     }
 }

@@ -117,6 +117,7 @@ static void test_normal_maps(void) {
         {"newmtl a\nbump blue.png\nnewmtl b\nmap_Bump red.png\n", "to",
          "/blue.png: blue, so it is read as a normal map in tangent space"},
         {"newmtl a\nnorm blue.png\nnewmtl b\nnorm red.png\n", "tt", ""},
+        {"newmtl a\nnorm -bm 0.5 blue.png\nnewmtl b\nnorm -bm 4 blue.png\n", "tt", ""},
         {"newmtl a\nnorm no.png\nnewmtl b\nKd 1 0 0\n", "--",
          "/no.png: No such file or directory; the mesh's normals instead (--normal-map)"},
         {"newmtl a\nmap_Kd red.png\nbump red.png\nnewmtl b\nbump red.png\n", "oo", ""},
@@ -150,7 +151,13 @@ static void test_normal_maps(void) {
         CHECK_TEXT(spaces, rows[i].spaces);
         CHECK_ROW(strstr(parts.note.message, rows[i].note) != NULL, parts.note.message);
         CHECK((parts.note.message[0] == '\0') == (rows[i].note[0] == '\0'));
-        CHECK(i != 3 || parts.picture_count == 3); /* as colour, as map, and white */
+        CHECK(i != 4 || parts.picture_count == 3); /* as colour, as map, and white */
+        /* Half as steep: (2.5, -7.5, 122.5) becomes (1.25, -3.75, 122.5); or 4 times. */
+        if (i == 2) {
+            struct texture *half = &parts.part[0].normal_map, *four = &parts.part[1].normal_map;
+            CHECK((half->level[0].texels[0] & 0xFFFFFF) == (129 << 16 | 124 << 8 | 250));
+            CHECK((four->level[0].texels[0] & 0xFFFFFF) == (130 << 16 | 120 << 8 | 158));
+        }
         parts_free(&parts);
         model_free(&model);
     }
