@@ -687,12 +687,11 @@ static uint32_t distance_from_zero(const uint8_t *bytes, size_t size) {
     return sum;
 }
 
-/* Filter every row of the part, top row first, into `out`: the filter's number and the bytes.
- * Unless the part is flat, each row gets the filter whose differences are smallest in sum, as the
- * specification advises (section 12.7). `rows` has room for two rows and their margins, all zero,
+/* Filter every row of the part, top row first, into `out`: the filter's number and the bytes. Each
+ * row gets the filter whose differences are smallest in sum, as the specification advises (section
+ * 12.7). `rows` has room for two rows and their margins, all zero,
  * `trial` for one row. */
-static void filter_rows(const struct part *part, bool flat, uint8_t *rows, uint8_t *trial,
-                        uint8_t *out) {
+static void filter_rows(const struct part *part, uint8_t *rows, uint8_t *trial, uint8_t *out) {
     size_t step = (size_t)part->image->format;
     size_t size = part->width * step;
     uint8_t *row = rows + PIXEL_LIMIT, *above = rows + 2 * PIXEL_LIMIT + size;
@@ -700,7 +699,7 @@ static void filter_rows(const struct part *part, bool flat, uint8_t *rows, uint8
         load_row(part, y, row);
         filter_row(FILTER_NONE, row, above, size, step, out + 1);
         out[0] = FILTER_NONE;
-        uint32_t best = flat ? 0 : distance_from_zero(out + 1, size);
+        uint32_t best = distance_from_zero(out + 1, size);
         for (unsigned filter = FILTER_SUB; filter < FILTER_COUNT && best > 0; filter++) {
             filter_row(filter, row, above, size, step, trial);
             uint32_t sum = distance_from_zero(trial, size);
@@ -716,57 +715,6 @@ static void filter_rows(const struct part *part, bool flat, uint8_t *rows, uint8
     }
 }
 
-/* What a row's changes of colour are like. */
-struct changes {
-    uint64_t all, hard;
-};
-
-/* The colours of a row that are not those at their left, and how many of these are hard edges: the
- * first of a new colour after a run of another one, or after one pixel between two of the same, and
- * clearly different. `step`, the bytes of a pixel, is a constant where this is called. */
-static inline struct changes count_changes_of(const uint8_t *row, size_t width, const size_t step) {
-    struct changes changes = {0, 0};
-    for (size_t x = 2; x < width; x++) {
-        const uint8_t *pixel = row + x * step, *left = pixel - step, *left_2 = left - step;
-        int difference = 0, before = 0, around = 0; /* to the left, of the left ones, to left_2 */
-        for (size_t i = 0; i < step; i++) {
-            int d = abs(pixel[i] - left[i]);
-            difference = d > difference ? d : difference;
-            before |= left[i] ^ left_2[i];
-            around |= pixel[i] ^ left_2[i];
-        }
-        changes.all += difference != 0;
-        changes.hard += (difference > 8) & ((before == 0) | (around == 0));
-    }
-    return changes;
-}
-
-static struct changes count_changes(const uint8_t *row, size_t width, size_t step) {
-    switch (step) {
-    case 1:
-        return count_changes_of(row, width, 1);
-    case 3:
-        return count_changes_of(row, width, 3);
-    default:
-        return count_changes_of(row, width, 4);
-    }
-}
-
-/* Does the image consist of areas of one colour with hard edges (flat shading, lines, text)? The
- * bytes as they are then compress better, and faster, than any differences. Of the changes along
- * the rows of such images more than half are hard edges; of smoothly shaded ones, less than a
- * tenth. */
-static bool has_flat_areas(const struct part *part) {
-    size_t step = (size_t)part->image->format;
-    uint64_t all = 0, hard = 0;
-    for (size_t y = 0; y < part->height; y++) {
-        struct changes changes = count_changes(part_row(part, y), part->width, step);
-        all += changes.all;
-        hard += changes.hard;
-    }
-    return hard > all / 2;
-}
-
 /* The filtered and compressed pixels of a part, at the end of `out`. */
 static bool compress_pixels(const struct part *part, struct bytes *out, struct error *error) {
     size_t size = part->width * (size_t)part->image->format;
@@ -777,7 +725,7 @@ static bool compress_pixels(const struct part *part, struct bytes *out, struct e
         error_out_of_memory(error);
         goto end;
     }
-    filter_rows(part, has_flat_areas(part), rows, rows + 2 * (PIXEL_LIMIT + size), raw);
+    filter_rows(part, rows, rows + 2 * (PIXEL_LIMIT + size), raw);
     done = zlib_compress(raw, part->height * (1 + size), out, error);
 end:
     free(rows);
