@@ -11,23 +11,21 @@
 #include <string.h>
 
 #ifdef _WIN32
-#define O_CLOEXEC                    (_O_NOINHERIT | _O_BINARY)
-#define open(path, ...)              windows_open(path, __VA_ARGS__)
-#define read(file, data, size)       windows_read(file, data, size)
-#define write(file, data, size)      windows_write(file, data, size)
-#define stat(path, status)           windows_stat(path, status)
-#define rename(from, to)             windows_rename(from, to)
-#define unlink(path)                 windows_unlink(path)
-#define mkdir(path, mode)            windows_mkdir(path)
-#define readlink(path, target, size) (errno = EINVAL, -1) /* Windows follows links itself */
-#define fchmod(file, mode)           ((void)(file), (void)(mode))
+#define O_CLOEXEC               (_O_NOINHERIT | _O_BINARY)
+#define open(path, ...)         windows_open(path, __VA_ARGS__)
+#define read(file, data, size)  windows_read(file, data, size)
+#define write(file, data, size) windows_write(file, data, size)
+#define stat(path, status)      windows_stat(path, status)
+#define lstat(path, status)     windows_stat(path, status)
+#define rename(from, to)        windows_rename(from, to)
+#define unlink(path)            windows_unlink(path)
+#define mkdir(path, mode)       windows_mkdir(path)
+#define fchmod(file, mode)      ((void)(file), (void)(mode))
 #endif
 
 enum {
     FILE_SIZE_LIMIT = 1 << 30, /* bytes of the largest file that is read: 1 GiB */
-    TEMPORARY_NAME_TRIES = 1000,
-    LINK_SIZE = 4096, /* bytes of the longest path in a symbolic link */
-    LINK_LIMIT = 40   /* links that lead from one to the next: as many as Linux follows */
+    TEMPORARY_NAME_TRIES = 1000
 };
 
 static bool is_standard_input(const char *path) {
@@ -162,7 +160,7 @@ static bool write_and_close(int file, const void *data, size_t size) {
     return written && closed;
 }
 
-/* A device or a pipe: there is nothing to rename over. */
+/* A device, a pipe or a symbolic link, which stays: there is nothing to rename over. */
 static bool write_directly(const char *path, const void *data, size_t size, struct error *error) {
     int file = open(path, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
     if (file < 0 || !write_and_close(file, data, size)) {
@@ -239,62 +237,30 @@ static bool write_and_rename_or_nothing(const char *path, long mode, const void 
     return done;
 }
 
-/* Follow `*path`, an allocated string, to what is no symbolic link: a file, or nothing yet. */
-static bool follow_links(char **path, struct error *error) {
-    for (int i = 0; i <= LINK_LIMIT; i++) {
-        char target[LINK_SIZE];
-        ssize_t length = readlink(*path, target, sizeof target);
-        if (length < 0) {
-            bool no_link = errno == EINVAL || errno == ENOENT;
-            return no_link || error_from_system(error);
-        }
-        int kept = target[0] == '/' ? 0 : directory_length(*path);
-        char *next = string_format("%.*s%.*s", kept, *path, (int)length, target);
-        if (next == NULL) {
-            return error_out_of_memory(error);
-        }
-        free(*path);
-        *path = next;
-    }
-    errno = ELOOP;
-    return error_from_system(error);
-}
-
 /* Renaming would get round a write protection. Opening for writing changes nothing. */
 static bool check_writable(const char *path, struct error *error) {
     int file = open(path, O_WRONLY | O_CLOEXEC);
     return (file >= 0 && close(file) == 0) || error_from_system(error);
 }
 
-/* Write a regular file, which has the permissions `mode`, or -1 when there is none yet. A symbolic
- * link to it stays. */
-static bool write_regular(const char *path, long mode, const void *data, size_t size,
-                          struct error *error) {
-    char *target = string_format("%s", path);
-    if (target == NULL) {
-        return error_out_of_memory(error);
-    }
-    bool done = (mode < 0 || check_writable(target, error)) && follow_links(&target, error) &&
-                write_and_rename_or_nothing(target, mode, data, size, error);
-    free(target);
-    return done;
-}
-
 /* As file_write(), but messages do not name the file. */
 static bool write_whole(const char *path, const void *data, size_t size, struct error *error) {
     struct stat status;
     bool device_name = strncmp(path, "/dev/", 5) == 0; /* /dev/stdout may be a regular file */
-    if (stat(path, &status) != 0) {
-        bool missing = errno == ENOENT && path[0] != '\0';
-        return missing ? write_regular(path, -1, data, size, error) : error_from_system(error);
+    long mode = -1;
+    if (lstat(path, &status) == 0) {
+        if (S_ISDIR(status.st_mode)) {
+            return error_set(error, "is a directory");
+        }
+        if (!S_ISREG(status.st_mode) || device_name) {
+            return write_directly(path, data, size, error);
+        }
+        mode = (long)(status.st_mode & 07777);
+    } else if (errno != ENOENT || path[0] == '\0') {
+        return error_from_system(error);
     }
-    if (S_ISDIR(status.st_mode)) {
-        return error_set(error, "is a directory");
-    }
-    if (!S_ISREG(status.st_mode) || device_name) {
-        return write_directly(path, data, size, error);
-    }
-    return write_regular(path, (long)(status.st_mode & 07777), data, size, error);
+    return (mode < 0 || check_writable(path, error)) &&
+           write_and_rename_or_nothing(path, mode, data, size, error);
 }
 
 bool file_write(const char *path, const void *data, size_t size, struct error *error) {

@@ -26,8 +26,8 @@ bool error_name_input(struct error *error, const char *path);
 bool file_read(const char *path, struct bytes *bytes, struct error *error);
 
 /* Write the whole file: complete or, on an error, not at all (an older file of that name stays).
- * What replaces a file keeps its permissions, where the system has any (WASI has none), and a
- * symbolic link to it stays. */
+ * What replaces a file keeps its permissions, where the system has any (WASI has none). A symbolic
+ * link stays, and leads to what may then be half-written on an error, as a device. */
 bool file_write(const char *path, const void *data, size_t size, struct error *error);
 
 /* The end of every writer: file_write() what was encoded, or, when encoding failed (`encoded` is

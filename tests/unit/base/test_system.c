@@ -24,7 +24,6 @@ int __real_open(const char *path, int flags, ...);
 int __real_close(int file);
 int __real_fstat(int file, struct stat *status);
 int __real_stat(const char *path, struct stat *status);
-ssize_t __real_readlink(const char *path, char *target, size_t size);
 int __real_rename(const char *from, const char *to);
 ssize_t __real_read(int file, void *data, size_t size);
 ssize_t __real_write(int file, const void *data, size_t size);
@@ -32,7 +31,6 @@ int __wrap_open(const char *path, int flags, ...);
 int __wrap_close(int file);
 int __wrap_fstat(int file, struct stat *status);
 int __wrap_stat(const char *path, struct stat *status);
-ssize_t __wrap_readlink(const char *path, char *target, size_t size);
 int __wrap_rename(const char *from, const char *to);
 ssize_t __wrap_read(int file, void *data, size_t size);
 ssize_t __wrap_write(int file, const void *data, size_t size);
@@ -102,10 +100,6 @@ int __wrap_fstat(int file, struct stat *status) {
 
 int __wrap_stat(const char *path, struct stat *status) {
     return fails() ? -1 : __real_stat(path, status);
-}
-
-ssize_t __wrap_readlink(const char *path, char *target, size_t size) {
-    return fails() ? -1 : __real_readlink(path, target, size);
 }
 
 int __wrap_rename(const char *from, const char *to) {
