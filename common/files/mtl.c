@@ -111,35 +111,43 @@ static bool read_map(struct text *text, struct model_material *options, const ch
     return name.length == 0 || *path != NULL;
 }
 
+/* Small and capital letters are the same, as in many files. */
+static bool is_keyword(struct word word, const char *name) {
+    size_t i = 0;
+    while (i < word.length && name[i] != '\0' && (word.start[i] | 32) == (name[i] | 32)) {
+        i++;
+    }
+    return i == word.length && name[i] == '\0';
+}
+
 /* False when memory runs out. */
 static bool read_statement(struct text *text, struct word keyword, const char *directory,
                            struct model_material *material) {
     double number;
     struct model_material options = {.bump = 1}; /* of other maps than that of the colours */
-    bool is_norm = word_is(keyword, "norm");
-    bool is_bump =
-        word_is(keyword, "map_Bump") || word_is(keyword, "map_bump") || word_is(keyword, "bump");
-    if (word_is(keyword, "Kd")) {
+    bool is_norm = is_keyword(keyword, "norm");
+    bool is_bump = is_keyword(keyword, "map_Bump") || is_keyword(keyword, "bump");
+    if (is_keyword(keyword, "Kd")) {
         read_color(text, material->color);
-    } else if (word_is(keyword, "Ks")) {
+    } else if (is_keyword(keyword, "Ks")) {
         float color[3];
         read_color(text, color);
         material->specular = (color[0] + color[1] + color[2]) / 3;
-    } else if (word_is(keyword, "Ns")) {
+    } else if (is_keyword(keyword, "Ns")) {
         bool given = text_next_number(text, &number).length > 0 && number >= 0 && number <= 1e4;
         material->power = given ? (float)number : material->power;
-    } else if (word_is(keyword, "d") || word_is(keyword, "Tr")) {
+    } else if (is_keyword(keyword, "d") || is_keyword(keyword, "Tr")) {
         bool given = text_next_number(text, &number).length > 0;
-        material->hidden = word_is(keyword, "d") ? given && number <= 0 : material->hidden;
+        material->hidden = is_keyword(keyword, "d") ? given && number <= 0 : material->hidden;
         material->glassy = material->glassy || (given && number > 0 && number < 1);
-    } else if (word_is(keyword, "map_d")) {
+    } else if (is_keyword(keyword, "map_d")) {
         material->glassy = true;
-    } else if (word_is(keyword, "map_Kd")) {
+    } else if (is_keyword(keyword, "map_Kd")) {
         options.bump = material->bump; /* is not its own */
         bool done = read_map(text, material, directory, &material->texture);
         material->bump = options.bump;
         return done;
-    } else if (word_is(keyword, "map_Ks") || word_is(keyword, "map_Ns")) {
+    } else if (is_keyword(keyword, "map_Ks") || is_keyword(keyword, "map_Ns")) {
         return read_map(text, &options, directory, &material->shine);
     } else if (is_norm || (is_bump && !material->is_norm)) {
         material->is_norm = is_norm;
@@ -171,7 +179,7 @@ bool mtl_decode(struct model *model, const void *data, size_t size, const char *
     }
     while (text_next_line(&text)) {
         struct word keyword = text_next_word(&text);
-        if (word_is(keyword, "newmtl")) {
+        if (is_keyword(keyword, "newmtl")) {
             material = find_material(model, text_rest_of_line(&text));
             if (material != NULL) {
                 material->known = true;

@@ -88,6 +88,7 @@ static void test_statements(void) {
         {"newmtl a\nKd 2 -1 nan\n", {1, 0, 0}, NULL, true},
         {"newmtl a\nKd 0 0 0\nnewmtl a\nKd 0 1 0\n", {0, 1, 0}, NULL, true},
         {"newmtl a\nmap_Kd wood.png\n", {1, 1, 1}, "d/wood.png", true},
+        {"NEWMTL a\nKD 0 1 0\nmap_kd wood.png\n", {0, 1, 0}, "d/wood.png", true},
         {"newmtl a\nmap_Kd  old oak.png \r\n", {1, 1, 1}, "d/old oak.png", true},
         {"newmtl a\nmap_Kd C:\\maps\\oak.png\n", {1, 1, 1}, "d/C:/maps/oak.png", true},
         {"newmtl a\nmap_Kd -clamp on -bm 0.5 x.png\n", {1, 1, 1}, "d/x.png", true},
