@@ -5,8 +5,6 @@
 #include "upkeep/stress/lessons.h"
 #include "upkeep/stress/stress.h"
 
-#include <stdio.h>
-
 uint64_t lesson02_line(struct image *image, struct pixel a, struct pixel b, struct color color) {
     return line(image, a, b, color);
 }
@@ -67,12 +65,7 @@ static bool place_is_right(const void *tried) {
            pixel_holds(p.x, c->x, c->width) && pixel_holds(p.y, c->y, c->height);
 }
 
-static void print_place(const void *failing) {
-    const struct place_case *c = failing;
-    printf("    v %.17g %.17g 0, %dx%d pixels\n", c->x, c->y, c->width, c->height);
-}
-
-static const struct case_kind place_cases = {sizeof(struct place_case), make_place, print_place};
+static const struct case_kind place_cases = {.size = sizeof(struct place_case), .make = make_place};
 
 const struct property lesson02_properties[] = {
     PROPERTY("lesson02: from model to image", AGAINST_LONG_DOUBLE, 500000, place_cases,

@@ -1,5 +1,4 @@
-/* Cameras, viewports, matrices and vectors under hostile numbers. */
-#include "lessons.h"
+/* Cameras, matrices and vectors under hostile numbers. */
 #include "oracle/shown.h"
 #include "pipeline.h"
 #include "stress.h"
@@ -139,19 +138,16 @@ static bool view_moves_center(const struct mat4 *view, struct vec3 center) {
     return true;
 }
 
-/* Of the house version and of lesson 8. */
 static double frame_error(const void *tried) {
     const struct camera_case *c = tried;
     struct mat4 view = mat4_lookat(c->eye, c->center, c->up);
-    struct mat4 lesson = lesson08_lookat(c->eye, c->center, c->up);
-    return fmax(view_frame_error(&view), view_frame_error(&lesson));
+    return view_frame_error(&view);
 }
 
 static double axes_error(const void *tried) {
     const struct camera_case *c = tried;
     struct mat4 view = mat4_lookat(c->eye, c->center, c->up);
-    struct mat4 lesson = lesson08_lookat(c->eye, c->center, c->up);
-    return fmax(view_axes_error(&view, c), view_axes_error(&lesson, c));
+    return view_axes_error(&view, c);
 }
 
 enum { SIZE = 6 };
@@ -214,9 +210,7 @@ static bool camera_draws_finite_pixels(const void *tried) {
 static bool camera_is_sound(const void *tried) {
     const struct camera_case *c = tried;
     struct mat4 view = mat4_lookat(c->eye, c->center, c->up);
-    struct mat4 lesson = lesson08_lookat(c->eye, c->center, c->up);
-    return view_moves_center(&view, c->center) && view_moves_center(&lesson, c->center) &&
-           camera_draws_finite_pixels(tried);
+    return view_moves_center(&view, c->center) && camera_draws_finite_pixels(tried);
 }
 
 static void print_camera(const void *failing) {
@@ -229,44 +223,6 @@ static void print_camera(const void *failing) {
     for (int i = 0; i < 4; i++) {
         printf("    v %.17g %.17g %.17g\n", c->corner[i].x, c->corner[i].y, c->corner[i].z);
     }
-}
-
-/* ---- Viewports (lesson 8) ---- */
-
-struct viewport_case {
-    int width, height;
-    struct vec3 ndc;
-};
-
-/* Often at the edges of the image, and as far out as the guard band. */
-static void make_viewport(struct random *random, uint64_t index, void *made) {
-    struct viewport_case *c = made;
-    double reach = index % 2 == 0 ? 1 : 64;
-    c->width = (int)random_between(random, 1, DRAW_LIMIT);
-    c->height = (int)random_between(random, 1, DRAW_LIMIT);
-    c->ndc.x =
-        index % 4 == 0 ? (double)random_between(random, -1, 1) : random_real(random, -reach, reach);
-    c->ndc.y =
-        index % 4 == 0 ? (double)random_between(random, -1, 1) : random_real(random, -reach, reach);
-    c->ndc.z = random_real(random, -1, 1);
-}
-
-/* In 1/256 pixel; z and w must not change at all. */
-static double viewport_error(const void *tried) {
-    const struct viewport_case *c = tried;
-    struct mat4 viewport = lesson08_viewport((size_t)c->width, (size_t)c->height);
-    struct vec4 screen = mat4_point(&viewport, c->ndc);
-    long double x = ((long double)c->ndc.x + 1) * c->width / 2;
-    long double y = ((long double)c->ndc.y + 1) * c->height / 2;
-    double error =
-        (double)fmaxl(fabsl((long double)screen.x - x), fabsl((long double)screen.y - y));
-    return screen.z == c->ndc.z && screen.w == 1 ? error * SUBPIXELS : (double)INFINITY;
-}
-
-static void print_viewport(const void *failing) {
-    const struct viewport_case *c = failing;
-    printf("    %dx%d pixels, ndc %.17g %.17g %.17g\n", c->width, c->height, c->ndc.x, c->ndc.y,
-           c->ndc.z);
 }
 
 /* ---- Matrices ---- */
@@ -317,14 +273,6 @@ static double inverse_error(const void *tried) {
     }
     long double condition = row_norm(a) * row_norm(&inverse);
     return (double)(oracle_inverse_residual(a, &inverse) / (condition * 0x1p-53L));
-}
-
-static void print_matrix(const void *failing) {
-    const struct mat4 *a = &((const struct matrix_case *)failing)->a;
-    for (int row = 0; row < 4; row++) {
-        printf("    {%.17g, %.17g, %.17g, %.17g},\n", a->m[row][0], a->m[row][1], a->m[row][2],
-               a->m[row][3]);
-    }
 }
 
 /* Matrices of small whole numbers, whose determinant is known exactly: singular or not. */
@@ -412,29 +360,20 @@ static double direction_error(const void *tried) {
            0x1p52;
 }
 
-static void print_vector(const void *failing) {
-    const struct vector_case *c = failing;
-    printf("    vector %.17g %.17g %.17g, turns %.17g\n", c->v.x, c->v.y, c->v.z, c->turns);
-}
-
 static const struct case_kind camera_cases = {sizeof(struct camera_case), make_camera,
                                               print_camera};
-static const struct case_kind viewport_cases = {sizeof(struct viewport_case), make_viewport,
-                                                print_viewport};
-static const struct case_kind matrix_cases = {sizeof(struct matrix_case), make_matrix,
-                                              print_matrix};
-static const struct case_kind whole_matrix_cases = {sizeof(struct matrix_case), make_whole_matrix,
-                                                    print_matrix};
-static const struct case_kind vector_cases = {sizeof(struct vector_case), make_vector,
-                                              print_vector};
+static const struct case_kind matrix_cases = {.size = sizeof(struct matrix_case),
+                                              .make = make_matrix};
+static const struct case_kind whole_matrix_cases = {.size = sizeof(struct matrix_case),
+                                                    .make = make_whole_matrix};
+static const struct case_kind vector_cases = {.size = sizeof(struct vector_case),
+                                              .make = make_vector};
 
 const struct property camera_properties[] = {
     PROPERTY("camera: orthonormal, finite pixels", AGAINST_BOUNDS, 1000000, camera_cases,
              .error = frame_error, .limit = 4, .error_unit = "ulp of 1", .holds = camera_is_sound),
     PROPERTY("camera: axes", AGAINST_LONG_DOUBLE, 300000, camera_cases, .error = axes_error,
              .limit = 4, .error_unit = "ulp of 1"),
-    PROPERTY("viewport: NDC to pixels", AGAINST_LONG_DOUBLE, 300000, viewport_cases,
-             .error = viewport_error, .limit = 1e-6, .error_unit = "1/256 pixel"),
     PROPERTY("matrix: inverse, any numbers", AGAINST_LONG_DOUBLE, 1000000, matrix_cases,
              .error = inverse_error, .limit = 16, .error_unit = "eps * condition"),
     PROPERTY("matrix: inverse, whole numbers", AGAINST_FRACTIONS, 300000, whole_matrix_cases,

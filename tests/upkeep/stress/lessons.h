@@ -14,6 +14,7 @@
 
 /* ---- Functions of lessons that others hold against exact answers ---- */
 
+size_t lesson01_list(struct pixel a, struct pixel b, struct pixel *list);
 void lesson01_line(struct image *image, struct pixel a, struct pixel b, struct color color);
 uint64_t lesson02_line(struct image *image, struct pixel a, struct pixel b, struct color color);
 void lesson03_triangle(struct image *image, const struct fixed2 corner[3], struct color color);
@@ -21,8 +22,6 @@ void lesson04_triangle(struct image *image, const struct fixed2 corner[3], struc
 struct color lesson06_nearest(const struct texture *texture, struct vec2 uv);
 struct vec4 lesson06_bilinear(const struct texture *texture, struct vec2 uv, size_t level);
 struct vec4 lesson06_trilinear(const struct texture *texture, struct vec2 uv, double level);
-struct mat4 lesson08_viewport(size_t width, size_t height);
-struct mat4 lesson08_lookat(struct vec3 eye, struct vec3 center, struct vec3 up);
 
 /* ---- Numbers ---- */
 
@@ -107,8 +106,6 @@ struct layered {
  * depth; the same with and without skipping; and all must stay when the layers are drawn again. */
 bool layers_are_right(const struct layered *layered);
 
-void print_layers(const struct layers *layers);
-
 /* ---- A model of one face ---- */
 
 struct one_face {
@@ -128,8 +125,6 @@ struct real3 face_normal(const struct one_face *face, size_t corner); /* of leng
 /* (b - a) x (c - a) of its positions, and how uncertain rounding makes its direction: the lengths
  * of these two sides over twice the area. */
 struct real3 face_cross(const struct one_face *face, long double *uncertainty);
-
-void print_face(const struct one_face *face);
 
 /* ---- Textures ---- */
 
