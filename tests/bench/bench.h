@@ -33,7 +33,6 @@ struct bench_version {
     const char *name; /* at most 26 characters, so that labels find room in the chart */
     int choice;       /* which version it is: added to the panel's `base` */
     bool is_house;    /* the lesson's good version, the one in main.c: its name is set in bold */
-    void (*run)(void *state, int choice); /* in place of the panel's, where that is not NULL */
 };
 
 #define VERSION(label, number)                                                                     \
@@ -71,8 +70,6 @@ struct bench_panel {
      * version. The same pointer for all of a series, BENCH_SERIES_LIMIT series at most; NULL for a
      * version without. */
     const char *(*series)(int choice);
-    /* A third number, for who prints it: asked for after `error`. */
-    double (*size)(const void *state, int choice);
     /* The most that the error of a house version is if it is right, and what it is measured
      * against, too: beyond it the benchmark fails. BENCH_EXACT allows none; 0: nobody asks. */
     double house_within;
@@ -96,6 +93,13 @@ struct bench_lesson {
     const struct bench_panel *panels;
     size_t panel_count; /* 1..BENCH_PANEL_LIMIT */
 };
+
+/* Of the panels in the array `rows`. */
+#define BENCH_LESSON(directory, heading, state, set_up, tear_down, rows)                           \
+    {                                                                                              \
+        .step = (directory), .title = (heading), .state_size = sizeof(state), .setup = (set_up),   \
+        .teardown = (tear_down), .panels = (rows), .panel_count = sizeof(rows) / sizeof(rows)[0],  \
+    }
 
 /* All of them in order, then NULL. The Makefile writes this list from the names of the files; that
  * of stepNN.c is called bench_stepNN. */

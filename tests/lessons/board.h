@@ -1,7 +1,7 @@
 /*
  * For tests of maps in tangent space: on a board that looks along z, with u along x and v along y,
- * both spaces are one: the shaders for maps in tangent space draw what those of the lesson draw. On a
- * board that was turned they draw what it was before, in a light that was turned with it.
+ * both spaces are one: the shaders for maps in tangent space draw what those of the lesson draw. On
+ * a board that was turned they draw what it was before, in a light that was turned with it.
  */
 #ifndef TESTS_BOARD_H
 #define TESTS_BOARD_H

@@ -1,18 +1,18 @@
 /* llvmpipe in a process of its own: see child.h. */
-#define _DEFAULT_SOURCE /* MAP_ANONYMOUS, SIGPIPE */
+#define _DEFAULT_SOURCE /* MAP_ANONYMOUS */
 #include "child.h"
 
 #include "bench/timing.h"
 
 #include <signal.h>
 #include <stdio.h>
-#include <string.h>
 #include <sys/mman.h>
+#include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
-/* A child is told when to end: a later child has copies of an earlier one's pipes, so that these do
- * not close while it lives. */
+/* A child is told when to end: a later child has a copy of an earlier one's socket, so that this
+ * does not close while it lives. */
 enum order { ORDER_LOAD, ORDER_DRAW, ORDER_READ, ORDER_END };
 
 struct request {
@@ -26,32 +26,15 @@ struct reply {
     struct error error;
 };
 
-/* ---- Pipes ---- */
+/* ---- The socket between both ---- */
 
-static bool write_all(int file, const void *data, size_t size) {
-    const char *next = data;
-    while (size > 0) {
-        ssize_t written = write(file, next, size);
-        if (written <= 0) {
-            return false;
-        }
-        next += written;
-        size -= (size_t)written;
-    }
-    return true;
+/* What is sent is small, and waits there as a whole. */
+static bool send_all(int socket, const void *data, size_t size) {
+    return send(socket, data, size, 0) == (ssize_t)size;
 }
 
-static bool read_all(int file, void *data, size_t size) {
-    char *next = data;
-    while (size > 0) {
-        ssize_t got = read(file, next, size);
-        if (got <= 0) {
-            return false;
-        }
-        next += got;
-        size -= (size_t)got;
-    }
-    return true;
+static bool receive_all(int socket, void *data, size_t size) {
+    return recv(socket, data, size, MSG_WAITALL) == (ssize_t)size;
 }
 
 /* ---- The child ---- */
@@ -80,7 +63,7 @@ static void obey(struct llvmpipe *l, const struct request *request, uint8_t *pix
 
 /* Do what is asked until nobody asks any more. The first reply says who draws, or why nobody
  * does. */
-static void serve(int threads, uint8_t *pixels, int from, int to) {
+static void serve(int threads, uint8_t *pixels, int parent) {
     struct request request;
     struct reply reply = {.done = false};
     struct llvmpipe *l = llvmpipe->open(threads, &reply.error);
@@ -88,8 +71,8 @@ static void serve(int threads, uint8_t *pixels, int from, int to) {
         reply.done = true;
         snprintf(reply.error.message, sizeof reply.error.message, "%s", llvmpipe->name(l));
     }
-    while (write_all(to, &reply, sizeof reply) && l != NULL &&
-           read_all(from, &request, sizeof request) && request.order != ORDER_END) {
+    while (send_all(parent, &reply, sizeof reply) && l != NULL &&
+           receive_all(parent, &request, sizeof request) && request.order != ORDER_END) {
         obey(l, &request, pixels, &reply);
     }
     if (l != NULL) {
@@ -100,55 +83,42 @@ static void serve(int threads, uint8_t *pixels, int from, int to) {
 /* ---- The parent ---- */
 
 static bool receive(const struct child *child, struct reply *reply, struct error *error) {
-    if (!read_all(child->from, reply, sizeof *reply)) {
+    if (!receive_all(child->socket, reply, sizeof *reply)) {
         return error_set(error, "llvmpipe has ended unexpectedly");
     }
     *error = reply->error;
     return reply->done;
 }
 
-static bool ask(const struct child *child, const struct request *request, struct reply *reply,
+static bool ask(const struct child *child, struct request request, struct reply *reply,
                 struct error *error) {
-    if (!write_all(child->to, request, sizeof *request)) {
-        return error_set(error, "llvmpipe has ended unexpectedly");
-    }
-    return receive(child, reply, error);
+    *reply = (struct reply){.seconds = 0};
+    return (send_all(child->socket, &request, sizeof request) ||
+            error_set(error, "llvmpipe has ended unexpectedly")) &&
+           receive(child, reply, error);
 }
 
-/* In the child: leave without what the parent has registered to be done at its end. */
-static void live(const struct child *child, int threads, int from, int to) {
-    close(child->to);
-    close(child->from);
-    serve(threads, child->pixels, from, to);
-    _exit(0);
-}
-
+/* The child leaves without what the parent has registered to be done at its end. */
 static bool begin(struct child *child, int threads, struct error *error) {
-    int to[2], from[2];
-    if (pipe(to) != 0) {
-        return error_set(error, "cannot make a pipe");
+    int ends[2];
+    if (socketpair(AF_UNIX, SOCK_STREAM, 0, ends) != 0) {
+        return error_set(error, "cannot make a socket");
     }
-    if (pipe(from) != 0) {
-        close(to[0]);
-        close(to[1]);
-        return error_set(error, "cannot make a pipe");
-    }
-    child->to = to[1];
-    child->from = from[0];
     signal(SIGPIPE, SIG_IGN); /* a child that has ended is an error, not our end */
     fflush(NULL);             /* what is not written yet would be written twice */
     child->process = fork();
     if (child->process == 0) {
-        live(child, threads, to[0], from[1]);
+        close(ends[0]);
+        serve(threads, child->pixels, ends[1]);
+        _exit(0);
     }
-    close(to[0]);
-    close(from[1]);
+    close(ends[1]);
     if (child->process < 0) {
-        close(to[1]);
-        close(from[0]);
+        close(ends[0]);
         child->process = 0;
         return error_set(error, "cannot start a process");
     }
+    child->socket = ends[0];
     return true;
 }
 
@@ -172,9 +142,8 @@ bool child_start(struct child *child, int threads, size_t pixels_most, struct er
 void child_end(struct child *child) {
     const struct request request = {.order = ORDER_END};
     if (child->process != 0) {
-        (void)write_all(child->to, &request, sizeof request);
-        close(child->to);
-        close(child->from);
+        (void)send_all(child->socket, &request, sizeof request);
+        close(child->socket);
         waitpid(child->process, NULL, 0);
     }
     if (child->pixels != NULL) {
@@ -184,21 +153,18 @@ void child_end(struct child *child) {
 }
 
 bool child_load(const struct child *child, const struct frame_scene *scene, struct error *error) {
-    struct request request = {.order = ORDER_LOAD, .scene = *scene};
     struct reply reply;
-    return ask(child, &request, &reply, error);
+    return ask(child, (struct request){ORDER_LOAD, *scene}, &reply, error);
 }
 
 bool child_draw(const struct child *child, double *seconds, struct error *error) {
-    struct request request = {.order = ORDER_DRAW};
-    struct reply reply = {.seconds = 0};
-    bool done = ask(child, &request, &reply, error);
+    struct reply reply;
+    bool done = ask(child, (struct request){.order = ORDER_DRAW}, &reply, error);
     *seconds = reply.seconds;
     return done;
 }
 
 bool child_read(const struct child *child, struct error *error) {
-    struct request request = {.order = ORDER_READ};
     struct reply reply;
-    return ask(child, &request, &reply, error);
+    return ask(child, (struct request){.order = ORDER_READ}, &reply, error);
 }

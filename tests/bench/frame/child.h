@@ -17,7 +17,7 @@
 /* All zero is valid, and no child. */
 struct child {
     pid_t process;   /* 0: none */
-    int to, from;    /* pipes */
+    int socket;      /* to it */
     uint8_t *pixels; /* shared with the child; of the last child_read() */
     size_t pixels_size;
     char name[256]; /* of the renderer */

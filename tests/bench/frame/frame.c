@@ -36,13 +36,17 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { SUBDIVISIONS_LIMIT = 6 };
+/* What is measured, and only the first of both where it must be quick: sizes of the image, and
+ * about how many triangles. */
+enum { STEPS = 3, SUBDIVISIONS_LIMIT = 6 };
+static const size_t widths[STEPS] = {800, 1920, 3840}, heights[STEPS] = {800, 1080, 2160};
+static const size_t triangles[STEPS] = {2500, 40000, 640000};
 
 struct bench {
     struct options options;
-    struct frame_model given;             /* as read, with the textures */
-    struct frame_model finer[LIST_LIMIT]; /* cut, empty where it need not be */
-    struct ours ours[2];                  /* one thread, two */
+    struct frame_model given;        /* as read, with the textures */
+    struct frame_model finer[STEPS]; /* cut, empty where it need not be */
+    struct ours ours[2];             /* one thread, two */
     struct child mesa[2];
     double seconds[SIDES][FRAMES_LIMIT];
     struct table table;
@@ -149,17 +153,20 @@ static bool measure_cell(struct bench *b, const struct frame_scene *scene, struc
 
 /* ---- All cells ---- */
 
+static size_t step_count(const struct bench *b) {
+    return b->options.quick ? 1 : STEPS;
+}
+
 /* The model of the i-th number of triangles. */
 static const struct frame_model *head_of(const struct bench *b, size_t i) {
     return b->finer[i].model.face_count > 0 ? &b->finer[i] : &b->given;
 }
 
 static bool measure_look(struct bench *b, enum frame_look look, struct error *error) {
-    const struct options *o = &b->options;
-    for (size_t k = 0; k < o->size_count * o->triangle_count; k++) {
-        struct size size = o->sizes[k / o->triangle_count];
-        struct frame_scene scene = frame_scene(look, size.width, size.height,
-                                               head_of(b, k % o->triangle_count), &b->given.model);
+    const size_t steps = step_count(b);
+    for (size_t k = 0; k < steps * steps; k++) {
+        struct frame_scene scene = frame_scene(look, widths[k / steps], heights[k / steps],
+                                               head_of(b, k % steps), &b->given.model);
         struct cell *cell = &b->table.cells[b->table.count];
         if (!measure_cell(b, &scene, cell, error)) {
             return false;
@@ -173,10 +180,13 @@ static bool measure_look(struct bench *b, enum frame_look look, struct error *er
 static bool measure_all(struct bench *b, struct error *error) {
     const struct options *o = &b->options;
     table_print_time_head(o);
-    for (size_t i = 0; i < o->look_count; i++) {
-        if (!frame_look_is_possible(o->looks[i], &b->given.model)) {
-            printf("%-7s left out: the model lacks a texture\n", frame_look_name[o->looks[i]]);
-        } else if (!measure_look(b, o->looks[i], error)) {
+    for (enum frame_look look = FRAME_FLAT; look < FRAME_LOOKS; look++) {
+        if (o->look != FRAME_LOOKS && o->look != look) {
+            continue;
+        }
+        if (!frame_look_is_possible(look, &b->given.model)) {
+            printf("%-7s left out: the model lacks a texture\n", frame_look_name[look]);
+        } else if (!measure_look(b, look, error)) {
             return false;
         }
     }
@@ -201,22 +211,13 @@ static bool read_heads(struct bench *b, struct error *error) {
     if (!frame_model_read(&b->given, b->options.model, error)) {
         return false;
     }
-    for (size_t i = 0; i < b->options.triangle_count; i++) {
-        int times = subdivisions_for(b->given.model.face_count, b->options.triangles[i]);
+    for (size_t i = 0; i < step_count(b); i++) {
+        int times = subdivisions_for(b->given.model.face_count, triangles[i]);
         if (times > 0 && !frame_model_subdivide(&b->finer[i], &b->given, times, error)) {
             return false;
         }
     }
     return true;
-}
-
-static size_t most_pixels(const struct options *o) {
-    size_t most = 0;
-    for (size_t i = 0; i < o->size_count; i++) {
-        size_t pixels = o->sizes[i].width * o->sizes[i].height;
-        most = pixels > most ? pixels : most;
-    }
-    return most;
 }
 
 /* Before any thread is started here, and after all models were read. */
@@ -225,7 +226,8 @@ static void start_mesa(struct bench *b) {
     struct error error;
     b->table.has_mesa = llvmpipe != NULL;
     for (int i = 0; b->table.has_mesa && i < 2; i++) {
-        b->table.has_mesa = child_start(&b->mesa[i], threads[i], most_pixels(&b->options), &error);
+        b->table.has_mesa =
+            child_start(&b->mesa[i], threads[i], widths[STEPS - 1] * heights[STEPS - 1], &error);
         if (!b->table.has_mesa) {
             printf("llvmpipe is left out: %s\n", error.message);
         }
@@ -233,13 +235,6 @@ static void start_mesa(struct bench *b) {
     if (b->table.has_mesa) {
         printf("%s\n", b->mesa[0].name);
     }
-}
-
-static bool allocate(struct bench *b, struct error *error) {
-    const struct options *o = &b->options;
-    b->table.cells =
-        calloc(o->look_count * o->size_count * o->triangle_count, sizeof *b->table.cells);
-    return b->table.cells != NULL || error_out_of_memory(error);
 }
 
 /* What else the machine does. */
@@ -252,7 +247,7 @@ static void print_load(void) {
 }
 
 static bool set_up(struct bench *b, struct error *error) {
-    if (!read_heads(b, error) || !allocate(b, error)) {
+    if (!read_heads(b, error)) {
         return false;
     }
     printf("%s, seen from (1,1,3), in the middle square of the image\n", b->options.model);
@@ -266,11 +261,10 @@ static void tear_down(struct bench *b) {
         child_end(&b->mesa[i]);
         ours_free(&b->ours[i]);
     }
-    for (size_t i = 0; i < LIST_LIMIT; i++) {
+    for (size_t i = 0; i < STEPS; i++) {
         frame_model_free(&b->finer[i]);
     }
     frame_model_free(&b->given);
-    free(b->table.cells);
     free(b);
 }
 

@@ -23,8 +23,10 @@ struct cell {
     bool same[2]; /* one thread and two draw the same bytes: ours, llvmpipe */
 };
 
+enum { CELLS_LIMIT = 27 };
+
 struct table {
-    struct cell *cells;
+    struct cell cells[CELLS_LIMIT];
     size_t count;
     bool has_mesa;
 };

@@ -108,12 +108,5 @@ static const struct bench_panel lines_panels[] = {
     },
 };
 
-const struct bench_lesson bench_step01 = {
-    .step = "step01_line",
-    .title = "Step 1: a line",
-    .state_size = sizeof(struct lines),
-    .setup = lines_setup,
-    .teardown = lines_teardown,
-    .panels = lines_panels,
-    .panel_count = sizeof lines_panels / sizeof lines_panels[0],
-};
+const struct bench_lesson bench_step01 = BENCH_LESSON("step01_line", "Step 1: a line", struct lines,
+                                                      lines_setup, lines_teardown, lines_panels);

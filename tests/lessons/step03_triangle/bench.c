@@ -384,12 +384,6 @@ static const struct bench_panel fill_panels[] = {
     },
 };
 
-const struct bench_lesson bench_step03 = {
-    .step = "step03_triangle",
-    .title = "Step 3: a triangle",
-    .state_size = sizeof(struct fill_bench),
-    .setup = fill_setup,
-    .teardown = fill_teardown,
-    .panels = fill_panels,
-    .panel_count = sizeof fill_panels / sizeof fill_panels[0],
-};
+const struct bench_lesson bench_step03 =
+    BENCH_LESSON("step03_triangle", "Step 3: a triangle", struct fill_bench, fill_setup,
+                 fill_teardown, fill_panels);

@@ -455,12 +455,6 @@ static const struct bench_panel depth_panels[] = {
     SHEETS_PANEL("The same sheets, far : near = 1,000,000", PILE_1000000),
 };
 
-const struct bench_lesson bench_step05 = {
-    .step = "step05_zbuffer",
-    .title = "Step 5: a depth buffer",
-    .state_size = sizeof(struct depth_bench),
-    .setup = depth_setup,
-    .teardown = depth_teardown,
-    .panels = depth_panels,
-    .panel_count = sizeof depth_panels / sizeof depth_panels[0],
-};
+const struct bench_lesson bench_step05 =
+    BENCH_LESSON("step05_zbuffer", "Step 5: a depth buffer", struct depth_bench, depth_setup,
+                 depth_teardown, depth_panels);

@@ -442,12 +442,5 @@ static const struct bench_panel bench_panels[] = {
      .house_within = BENCH_EXACT},
 };
 
-const struct bench_lesson bench_step06 = {
-    .step = "step06_texture",
-    .title = "Step 6: textures",
-    .state_size = sizeof(struct work),
-    .setup = setup,
-    .teardown = teardown,
-    .panels = bench_panels,
-    .panel_count = sizeof bench_panels / sizeof bench_panels[0],
-};
+const struct bench_lesson bench_step06 =
+    BENCH_LESSON("step06_texture", "Step 6: textures", struct work, setup, teardown, bench_panels);

@@ -370,12 +370,5 @@ static const struct bench_panel bench_panels[] = {
      .series = series},
 };
 
-const struct bench_lesson bench_step07 = {
-    .step = "step07_gouraud",
-    .title = "Step 7: light on a round body",
-    .state_size = sizeof(struct work),
-    .setup = setup,
-    .teardown = teardown,
-    .panels = bench_panels,
-    .panel_count = sizeof bench_panels / sizeof bench_panels[0],
-};
+const struct bench_lesson bench_step07 = BENCH_LESSON(
+    "step07_gouraud", "Step 7: light on a round body", struct work, setup, teardown, bench_panels);

@@ -685,12 +685,5 @@ static const struct bench_panel bench_panels[] = {
      BENCH_VERSIONS(clip_versions)},
 };
 
-const struct bench_lesson bench_step08 = {
-    .step = "step08_projection",
-    .title = "Step 8: perspective",
-    .state_size = sizeof(struct work),
-    .setup = setup,
-    .teardown = teardown,
-    .panels = bench_panels,
-    .panel_count = sizeof bench_panels / sizeof bench_panels[0],
-};
+const struct bench_lesson bench_step08 = BENCH_LESSON("step08_projection", "Step 8: perspective",
+                                                      struct work, setup, teardown, bench_panels);

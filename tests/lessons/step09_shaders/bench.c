@@ -328,12 +328,5 @@ static const struct bench_panel bench_panels[] = {
      .house_within = 0.001},
 };
 
-const struct bench_lesson bench_step09 = {
-    .step = "step09_shaders",
-    .title = "Step 9: shaders",
-    .state_size = sizeof(struct work),
-    .setup = setup,
-    .teardown = teardown,
-    .panels = bench_panels,
-    .panel_count = sizeof bench_panels / sizeof bench_panels[0],
-};
+const struct bench_lesson bench_step09 =
+    BENCH_LESSON("step09_shaders", "Step 9: shaders", struct work, setup, teardown, bench_panels);

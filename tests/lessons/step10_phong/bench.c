@@ -529,12 +529,5 @@ static const struct bench_panel bench_panels[] = {
      .series = detail_series},
 };
 
-const struct bench_lesson bench_step10 = {
-    .step = "step10_phong",
-    .title = "Step 10: Phong's light",
-    .state_size = sizeof(struct work),
-    .setup = setup,
-    .teardown = teardown,
-    .panels = bench_panels,
-    .panel_count = sizeof bench_panels / sizeof bench_panels[0],
-};
+const struct bench_lesson bench_step10 = BENCH_LESSON("step10_phong", "Step 10: Phong's light",
+                                                      struct work, setup, teardown, bench_panels);
