@@ -2,7 +2,7 @@
  * How fast files are read and written: `make bench-files` prints the median of many rounds, in
  * which all rows take their turn, and the quartiles. What is read is the course's model, many times
  * over in one file, with its textures, and some of the pictures that the lessons draw. The rows
- * `bytes alone` read or write the same bytes and do nothing else, as cat does: no program is faster.
+ * `bytes alone` read or write the same bytes and do nothing else, as cat does: nobody is faster.
  *
  * BENCH_SECONDS in the environment: for the whole, 20 where it is not set.
  */

@@ -212,23 +212,18 @@ static void run_knot(void *state, int choice) {
 enum { FIXED_16, FIXED_24, FIXED_32, FLOAT, REVERSED, DOUBLE, KINDS };
 
 /* The tests of attempts.h take a depth in -1..1; these take whole steps, 0 being "nothing here". */
-static inline bool keep_16(void *buffer, size_t i, double depth) {
-    uint16_t *kept = (uint16_t *)buffer + i, step = (uint16_t)depth;
-    if (!(step > *kept)) {
-        return false;
+#define KEEP_STEPS(name, type)                                                                     \
+    static inline bool name(void *buffer, size_t i, double depth) {                                \
+        type *kept = (type *)buffer + i, step = (type)depth;                                       \
+        if (!(step > *kept)) {                                                                     \
+            return false;                                                                          \
+        }                                                                                          \
+        *kept = step;                                                                              \
+        return true;                                                                               \
     }
-    *kept = step;
-    return true;
-}
 
-static inline bool keep_32(void *buffer, size_t i, double depth) {
-    uint32_t *kept = (uint32_t *)buffer + i, step = (uint32_t)depth;
-    if (!(step > *kept)) {
-        return false;
-    }
-    *kept = step;
-    return true;
-}
+KEEP_STEPS(keep_16, uint16_t)
+KEEP_STEPS(keep_32, uint32_t)
 
 #if defined(__GNUC__)
 #define INLINED static inline __attribute__((always_inline))
@@ -261,25 +256,16 @@ INLINED void kept_triangle(struct canvas *canvas, const struct vertex v[3], stru
     }
 }
 
-static void triangle_16(struct canvas *canvas, const struct vertex v[3], struct color color,
-                        void *buffer) {
-    kept_triangle(canvas, v, color, buffer, keep_16);
-}
+#define KEPT_TRIANGLE(name, test)                                                                  \
+    static void name(struct canvas *canvas, const struct vertex v[3], struct color color,          \
+                     void *buffer) {                                                               \
+        kept_triangle(canvas, v, color, buffer, test);                                             \
+    }
 
-static void triangle_32(struct canvas *canvas, const struct vertex v[3], struct color color,
-                        void *buffer) {
-    kept_triangle(canvas, v, color, buffer, keep_32);
-}
-
-static void triangle_float(struct canvas *canvas, const struct vertex v[3], struct color color,
-                           void *buffer) {
-    kept_triangle(canvas, v, color, buffer, attempt_keep_farther);
-}
-
-static void triangle_reversed(struct canvas *canvas, const struct vertex v[3], struct color color,
-                              void *buffer) {
-    kept_triangle(canvas, v, color, buffer, attempt_keep_float);
-}
+KEPT_TRIANGLE(triangle_16, keep_16)
+KEPT_TRIANGLE(triangle_32, keep_32)
+KEPT_TRIANGLE(triangle_float, attempt_keep_farther)
+KEPT_TRIANGLE(triangle_reversed, attempt_keep_float)
 
 static void triangle_double(struct canvas *canvas, const struct vertex v[3], struct color color,
                             void *buffer) {
