@@ -3,8 +3,7 @@
  *
  *     bench-frame [options] [model]     --help prints the options
  *
- * Draws a head in three looks (scene.h), at three sizes, with three numbers of triangles, each side
- * with one thread and with two. A frame is: clear colour and depth, draw, all of it in memory;
+ * Draws a head in three looks (scene.h), at three sizes, with three numbers of triangles. A frame is: clear colour and depth, draw, all of it in memory;
  * nothing is read back or saved in that time. The sides take turns, so that what disturbs the
  * machine disturbs all alike. A side draws two frames when it is its turn, and the second one is
  * timed: in between the others have used the caches. What counts is the smaller of the time on the
@@ -23,8 +22,8 @@
  * because of them.
  */
 #define _DEFAULT_SOURCE /* clock_gettime, getloadavg */
-#include "child.h"
 #include "exact.h"
+#include "llvmpipe.h"
 #include "options.h"
 #include "ours.h"
 #include "skipping.h"
@@ -46,41 +45,38 @@ struct bench {
     struct options options;
     struct frame_model given;        /* as read, with the textures */
     struct frame_model finer[STEPS]; /* cut, empty where it need not be */
-    struct ours ours[2];             /* one thread, two */
-    struct child mesa[2];
+    struct ours ours;
+    struct llvmpipe *mesa; /* NULL where it cannot draw */
     double seconds[SIDES][FRAMES_LIMIT];
     struct table table;
 };
 
 /* ---- Those who draw ---- */
 
-static bool load_side(struct bench *b, enum side side, const struct frame_scene *scene,
-                      struct error *error) {
-    if (side >= MESA_1) {
-        return child_load(&b->mesa[side - MESA_1], scene, error);
+static size_t side_count(const struct bench *b) {
+    return b->table.has_mesa ? SIDES : MESA;
+}
+
+static bool load_sides(struct bench *b, const struct frame_scene *scene, struct error *error) {
+    return ours_load(&b->ours, scene, b->options.threads, b->options.clearing, error) &&
+           (b->mesa == NULL || llvmpipe->load(b->mesa, scene, error));
+}
+
+static bool draw_side(struct bench *b, size_t side, struct error *error) {
+    if (side == OURS) {
+        return ours_draw(&b->ours, error);
     }
-    return ours_load(&b->ours[side - OURS_1], scene, side - OURS_1 + 1, b->options.clearing, error);
+    llvmpipe->draw(b->mesa);
+    return true;
 }
 
 /* Two frames, of which the second is timed. */
-static bool draw_side(struct bench *b, enum side side, double *seconds, struct error *error) {
-    if (side >= MESA_1) {
-        return child_draw(&b->mesa[side - MESA_1], seconds, error);
-    }
-    bool done = ours_draw(&b->ours[side - OURS_1], error);
+static bool time_side(struct bench *b, size_t side, double *seconds, struct error *error) {
+    bool done = draw_side(b, side, error);
     struct stopwatch start = stopwatch_start();
-    done = done && ours_draw(&b->ours[side - OURS_1], error);
+    done = done && draw_side(b, side, error);
     *seconds = stopwatch_seconds(start);
     return done;
-}
-
-/* The picture that was drawn last, and NULL where that fails. */
-static const uint8_t *read_side(struct bench *b, enum side side, struct error *error) {
-    if (side <= OURS_2) {
-        return b->ours[side - OURS_1].image.pixels;
-    }
-    struct child *child = &b->mesa[side - MESA_1];
-    return child_read(child, error) ? child->pixels : NULL;
 }
 
 /* ---- A cell of the table ---- */
@@ -94,17 +90,13 @@ static struct summary summarize(const struct bench *b, double *seconds) {
     };
 }
 
-static size_t side_count(const struct bench *b) {
-    return b->table.has_mesa ? SIDES : MESA_1;
-}
-
 /* Rounds in which each side has its turn, each round beginning with another one. */
 static bool time_cell(struct bench *b, struct cell *cell, struct error *error) {
     size_t sides = side_count(b);
     for (size_t i = 0; i < b->options.frames; i++) {
         for (size_t k = 0; k < sides; k++) {
-            enum side side = (enum side)((i + k) % sides);
-            if (!draw_side(b, side, &b->seconds[side][i], error)) {
+            size_t side = (i + k) % sides;
+            if (!time_side(b, side, &b->seconds[side][i], error)) {
                 return false;
             }
         }
@@ -115,40 +107,32 @@ static bool time_cell(struct bench *b, struct cell *cell, struct error *error) {
     return true;
 }
 
+/* The pictures that were drawn last. */
 static bool judge_cell(struct bench *b, const struct frame_scene *scene, struct cell *cell,
                        struct error *error) {
-    const uint8_t *pictures[SIDES];
-    size_t bytes = scene->width * scene->height * IMAGE_BGRA;
     struct exact exact = {0};
-    for (size_t side = 0; side < side_count(b); side++) {
-        pictures[side] = read_side(b, (enum side)side, error);
-        if (pictures[side] == NULL) {
-            return false;
-        }
-    }
-    bool done = exact_begin(&exact, scene, error);
+    uint8_t *theirs = malloc(scene->width * scene->height * IMAGE_BGRA);
+    const uint8_t *const pictures[SIDES] = {b->ours.image.pixels, theirs};
+    bool done = (theirs != NULL || error_out_of_memory(error)) &&
+                (b->mesa == NULL || llvmpipe->read(b->mesa, theirs, error)) &&
+                exact_begin(&exact, scene, error);
     if (done) {
         exact_compare(&exact, pictures, side_count(b), cell->deviations);
         cell->visible = exact.visible;
-        cell->same[0] = memcmp(pictures[OURS_1], pictures[OURS_2], bytes) == 0;
-        cell->same[1] =
-            !b->table.has_mesa || memcmp(pictures[MESA_1], pictures[MESA_2], bytes) == 0;
     }
     exact_end(&exact);
+    free(theirs);
     return done;
 }
 
 static bool measure_cell(struct bench *b, const struct frame_scene *scene, struct cell *cell,
                          struct error *error) {
-    bool done = true;
     *cell = (struct cell){.look = scene->look,
                           .width = scene->width,
                           .height = scene->height,
                           .faces = scene->call.model->face_count};
-    for (size_t side = 0; done && side < side_count(b); side++) {
-        done = load_side(b, (enum side)side, scene, error);
-    }
-    return done && time_cell(b, cell, error) && judge_cell(b, scene, cell, error);
+    return load_sides(b, scene, error) && time_cell(b, cell, error) &&
+           judge_cell(b, scene, cell, error);
 }
 
 /* ---- All cells ---- */
@@ -220,21 +204,14 @@ static bool read_heads(struct bench *b, struct error *error) {
     return true;
 }
 
-/* Before any thread is started here, and after all models were read. */
 static void start_mesa(struct bench *b) {
-    static const int threads[2] = {0, 2}; /* 0: none but the one that calls */
     struct error error;
-    b->table.has_mesa = llvmpipe != NULL;
-    for (int i = 0; b->table.has_mesa && i < 2; i++) {
-        b->table.has_mesa =
-            child_start(&b->mesa[i], threads[i], widths[STEPS - 1] * heights[STEPS - 1], &error);
-        if (!b->table.has_mesa) {
-            printf("llvmpipe is left out: %s\n", error.message);
-        }
+    if (llvmpipe != NULL) {
+        b->mesa = llvmpipe->open((int)b->options.threads, &error);
+        printf("%s%s\n", b->mesa != NULL ? "" : "llvmpipe is left out: ",
+               b->mesa != NULL ? llvmpipe->name(b->mesa) : error.message);
     }
-    if (b->table.has_mesa) {
-        printf("%s\n", b->mesa[0].name);
-    }
+    b->table.has_mesa = b->mesa != NULL;
 }
 
 /* What else the machine does. */
@@ -257,9 +234,9 @@ static bool set_up(struct bench *b, struct error *error) {
 }
 
 static void tear_down(struct bench *b) {
-    for (int i = 0; i < 2; i++) {
-        child_end(&b->mesa[i]);
-        ours_free(&b->ours[i]);
+    ours_free(&b->ours);
+    if (b->mesa != NULL) {
+        llvmpipe->close(b->mesa);
     }
     for (size_t i = 0; i < STEPS; i++) {
         frame_model_free(&b->finer[i]);

@@ -247,7 +247,7 @@ static void close_llvmpipe(struct llvmpipe *l) {
 static struct llvmpipe *open_llvmpipe(int threads, struct error *error) {
     char number[16];
     struct llvmpipe *l = calloc(1, sizeof *l);
-    snprintf(number, sizeof number, "%d", threads);
+    snprintf(number, sizeof number, "%d", threads > 1 ? threads : 0); /* 0: the one that calls */
     setenv("LP_NUM_THREADS", number, 1);
     if (l == NULL) {
         error_out_of_memory(error);

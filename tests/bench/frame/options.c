@@ -14,6 +14,10 @@ static bool read_frames(const char *value, void *target) {
     return argument_number(value, target) && *(size_t *)target <= FRAMES_LIMIT;
 }
 
+static bool read_threads(const char *value, void *target) {
+    return argument_number(value, target) && *(size_t *)target <= THREADS_LIMIT;
+}
+
 static bool read_look(const char *value, void *target) {
     enum frame_look look = FRAME_FLAT;
     while (look < FRAME_LOOKS && strcmp(value, frame_look_name[look]) != 0) {
@@ -41,6 +45,7 @@ bool options_read(struct options *o, int argc, char **argv, struct error *error)
     const struct argument known[] = {
         {"--look", "NAME", "only this look: flat, gouraud or phong", read_look, &o->look},
         {"--frames", "N", "frames that are timed of each (default 15)", read_frames, &o->frames},
+        {"--threads", "N", "that draw, on both sides (default 1)", read_threads, &o->threads},
         {"--quick", "", "3 frames, at the first size, of the model as it is", be_quick, o},
         {"--skipping", "", "only what each shortcut is worth, where much is hidden or off screen",
          argument_flag, &o->skipping},
@@ -49,7 +54,8 @@ bool options_read(struct options *o, int argc, char **argv, struct error *error)
          clear_all, &o->clearing},
     };
     const size_t known_count = sizeof known / sizeof known[0];
-    *o = (struct options){.look = FRAME_LOOKS, .frames = 15, .clearing = CLEAR_LAST_FRAME};
+    *o = (struct options){
+        .look = FRAME_LOOKS, .frames = 15, .threads = 1, .clearing = CLEAR_LAST_FRAME};
     o->help = arguments_want_help(argc, argv);
     if (o->help) {
         puts("usage: bench-frame [options] [model]\n\n"
