@@ -4,10 +4,11 @@
  *     bench-frame [options] [model]     --help prints the options
  *
  * Draws a head in three looks (scene.h), at three sizes, with three numbers of triangles. A frame
- * is: clear colour and depth, draw, all of it in memory; nothing is read back or saved in that time.
- * The sides take turns, so that what disturbs the machine disturbs both alike. A side draws two
- * frames when it is its turn, and the second one is timed: before, the other has used the caches. What counts is the smaller of the time on the
- * wall and that of all its threads together, so that other programs disturb little.
+ * is: clear colour and depth, draw, all of it in memory; nothing is read back or saved in that
+ * time. The sides take turns, so that what disturbs the machine disturbs both alike. A side draws
+ * two frames when it is its turn, and the second one is timed: before, the other has used the
+ * caches. What counts is the smaller of the time on the wall and that of all threads together, so
+ * that other programs disturb little.
  *
  * Fair: the same mesh with shared vertices, matrix, viewport and culling, 32 bits a pixel with blue
  * first, bilinear samples of the same mip level. What does not change from frame to frame is made
