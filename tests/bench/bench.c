@@ -90,12 +90,15 @@ static bool check_errors(const struct bench_lesson *lesson, const struct bench_r
                          struct error *error) {
     for (size_t p = 0; p < lesson->panel_count; p++) {
         const struct bench_panel *panel = &lesson->panels[p];
-        for (size_t i = 0; panel->house_within > 0 && i < panel->version_count; i++) {
-            double found = results->of[p][i].error;
-            if (panel->versions[i].is_house && !(found <= panel->house_within)) {
+        for (size_t i = 0; i < panel->version_count; i++) {
+            const struct bench_version *version = &panel->versions[i];
+            double found = results->of[p][i].error, within = DBL_MAX;
+            if (version->is_house && panel->house_within > 0) {
+                within = panel->house_within;
+            }
+            if (!(found <= within)) {
                 return error_set(error, "%s: \"%s\" has an error of %g, and may have %g",
-                                 lesson->title, panel->versions[i].name, found,
-                                 panel->house_within);
+                                 lesson->title, version->name, found, within);
             }
         }
     }
@@ -114,11 +117,11 @@ static bool measure_lessons(const struct options *options, struct error *error) 
             continue;
         }
         json.done = bench_measure(lesson, options->seconds, &results, error) &&
+                    check_errors(lesson, &results, error) &&
                     save_chart(lesson, &results, options->directory, error);
         if (json.done) {
             report_lesson(&json, lesson, &results, count++ == 0);
             report_print(lesson, &results);
-            json.done = json.done && check_errors(lesson, &results, error);
         }
     }
     if (json.done && count == 0) {

@@ -54,9 +54,9 @@ struct bench_panel {
      * is called many times over; each call must do the same, so what it uses up it first makes
      * again. */
     void (*run)(void *state, int choice);
-    /* The error of a version in the panel's error unit: 0 only when it is exact, infinite or not
-     * a number when it has no meaning. Called once, right after the last timed `run` of this
-     * version: judge what that left in the state. (It may do more work of its own.) */
+    /* The error of a version in the panel's error unit: 0 only when it is exact, and never infinite:
+     * a version without an answer is a fault of the benchmark. Called once, right after the last
+     * timed `run` of this version: judge what that left in the state. (It may do more work.) */
     double (*error)(void *state, int choice);
     /* Units of work that one run does: seconds of a run / units * 1e9 is shown in nanoseconds.
      * NULL: milliseconds of one run are shown. The same number for all versions; gets `base`. */
@@ -76,6 +76,14 @@ struct bench_panel {
 };
 
 #define BENCH_EXACT DBL_TRUE_MIN
+
+/* A compiler inlines a small function where few call it. Here many versions do, and none of them
+ * shall have less of it than main.c has alone. */
+#if defined(__GNUC__)
+#define INLINED static inline __attribute__((always_inline))
+#else
+#define INLINED static inline
+#endif
 
 /* Set versions and version_count of a panel. */
 #define BENCH_VERSIONS(list) .versions = (list), .version_count = sizeof(list) / sizeof(list)[0]

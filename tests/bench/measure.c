@@ -66,7 +66,7 @@ static bool is_better(const struct bench_result *a, const struct bench_result *b
 
 static void mark_front(struct bench_result *results, size_t count) {
     for (size_t i = 0; i < count; i++) {
-        results[i].front = isfinite(results[i].error);
+        results[i].front = true;
         for (size_t j = 0; j < count; j++) {
             results[i].front = results[i].front && !is_better(&results[j], &results[i]);
         }
@@ -131,10 +131,6 @@ bool bench_measure(const struct bench_lesson *lesson, double seconds, struct ben
 }
 
 void bench_show_number(double value, char text[32]) {
-    if (!isfinite(value)) {
-        snprintf(text, 32, "none");
-        return;
-    }
     double size = fabs(value);
     if (size != 0 && (size < 1e-3 || size >= 1e6)) {
         snprintf(text, 32, "%.2e", value);

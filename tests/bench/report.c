@@ -1,7 +1,6 @@
 /* Tables and JSON: see report.h. */
 #include "report.h"
 
-#include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
@@ -81,13 +80,8 @@ static void put_string(struct output *json, const char *name, const char *value)
     report_put(json, "\", ");
 }
 
-/* "name": value; JSON has no infinity, so null stands for what is not finite. */
 static void put_number(struct output *json, const char *name, double value) {
-    if (isfinite(value)) {
-        report_put(json, "\"%s\": %.9g, ", name, value);
-    } else {
-        report_put(json, "\"%s\": null, ", name);
-    }
+    report_put(json, "\"%s\": %.9g, ", name, value);
 }
 
 static void put_version(struct output *json, const struct bench_panel *panel, size_t i,

@@ -225,12 +225,6 @@ enum { FIXED_16, FIXED_24, FIXED_32, FLOAT, REVERSED, DOUBLE, KINDS };
 KEEP_STEPS(keep_16, uint16_t)
 KEEP_STEPS(keep_32, uint32_t)
 
-#if defined(__GNUC__)
-#define INLINED static inline __attribute__((always_inline))
-#else
-#define INLINED static inline
-#endif
-
 /* triangle() of main.c, line by line, but for the number that a depth is kept in. `test` is a
  * constant wherever this is used, and becomes a part of the loop. */
 INLINED void kept_triangle(struct canvas *canvas, const struct vertex v[3], struct color color,

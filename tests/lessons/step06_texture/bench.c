@@ -6,15 +6,9 @@
  * no texture takes part in it. Ways to find the coordinates are held against the same texels, found
  * in long double: there a sampler's own error does not count.
  */
+#include "bench/bench.h"
 #include "texture.h"
 
-/* A compiler inlines a small function where few call it. Here many versions do, and none of them
- * shall have less of it than main.c has alone. */
-#if defined(__GNUC__)
-#define INLINED static inline __attribute__((always_inline))
-#else
-#define INLINED static inline
-#endif
 struct neighbours;
 struct quotients;
 INLINED struct color sample_nearest(const struct texture *texture, struct vec2 uv);
@@ -29,7 +23,6 @@ INLINED struct vec2 plane_uv(const struct quotients *plane, int x, int y, double
 
 #include "../../../step06_texture/attempts.h"
 
-#include "bench/bench.h"
 #include "oracle/oracle.h"
 
 #include <stdlib.h>

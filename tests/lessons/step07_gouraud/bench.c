@@ -4,15 +4,9 @@
  * The exact answer is the true sphere in long double: its normal is the point itself. One panel has
  * diffuse light, n . l. The other has a highlight, (r . v)^8 as in scene lit, which changes faster.
  */
+#include "bench/bench.h"
 #include "geometry.h"
 
-/* A compiler inlines a small function where few call it. Here many versions do, and none of them
- * shall have less of it than main.c has alone. */
-#if defined(__GNUC__)
-#define INLINED static inline __attribute__((always_inline))
-#else
-#define INLINED static inline
-#endif
 INLINED double corner_intensity(struct vec3 normal, struct vec3 to_light);
 INLINED double integer_power(double base, int power);
 
@@ -20,8 +14,6 @@ INLINED double integer_power(double base, int power);
 #include "lesson.h"
 
 #include "../../../step07_gouraud/attempts.h"
-
-#include "bench/bench.h"
 
 #include <stdlib.h>
 #include <string.h>
