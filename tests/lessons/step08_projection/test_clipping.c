@@ -1,5 +1,5 @@
 /* Lesson 8's clipping against its definition in long double. The pipeline has the same text (see
- * same_text.sh). find_beyond() is tried by make stress. */
+ * same_text.sh). make stress tries find_beyond(), and whole faces. */
 #define LESSON "../step08_projection/main.c"
 #include "lesson.h"
 
@@ -111,45 +111,6 @@ static void test_cut_from_both_ends(void) {
     CHECK(cuts > 1000);
 }
 
-/* ---- Whole triangles ---- */
-
-static long double weighted(const struct polygon *triangle, struct vec3 weight, int component) {
-    long double sum = 0;
-    for (int i = 0; i < 3; i++) {
-        struct vec4 p = triangle->corner[i].clip;
-        const double components[4] = {p.x, p.y, p.z, p.w};
-        const double weights[3] = {weight.x, weight.y, weight.z};
-        sum += (long double)weights[i] * (long double)components[component];
-    }
-    return sum;
-}
-
-/* What is left lies inside all planes, and each of its corners is where its weights say. */
-static void test_clipped_triangles(void) {
-    int clipped = 0;
-    for (int i = 0; i < 3000; i++) {
-        struct polygon triangle = random_triangle(6), rest = triangle;
-        for (int plane = 0; plane < CLIP_PLANES; plane++) {
-            rest = clip_at_plane(&rest, plane);
-        }
-        clipped += rest.count > 2 && !same_clip(rest.corner[0].clip, triangle.corner[0].clip);
-        for (size_t k = 0; k < rest.count; k++) {
-            struct vec4 p = rest.corner[k].clip;
-            struct vec3 weight = rest.corner[k].weight;
-            const double components[4] = {p.x, p.y, p.z, p.w};
-            for (int plane = 0; plane < CLIP_PLANES; plane++) {
-                CHECK(plane_distance(p, plane) > -1e-11);
-            }
-            CHECK(fabs(weight.x + weight.y + weight.z - 1) < 1e-13);
-            for (int c = 0; c < 4; c++) {
-                long double expected = weighted(&triangle, weight, c);
-                CHECK(fabsl((long double)components[c] - expected) < 1e-11L);
-            }
-        }
-    }
-    CHECK(clipped > 300);
-}
-
 /* A corner on the plane is inside: nothing is cut. */
 static void test_corner_on_plane(void) {
     for (int plane = 0; plane < CLIP_PLANES; plane++) {
@@ -172,4 +133,4 @@ static void test_corner_on_plane(void) {
 }
 
 UNIT_MAIN(TEST(test_place), TEST(test_cut_is_accurate), TEST(test_cut_from_both_ends),
-          TEST(test_clipped_triangles), TEST(test_corner_on_plane))
+          TEST(test_corner_on_plane))
