@@ -4,9 +4,8 @@
 ##   make charts                 put these charts into the lessons
 ##   make bench-frame            the time of a frame beside Mesa's llvmpipe (OPTIONS=--help)
 ##   make bench-files            how fast files are read and written, beside plain bytes
-##   make bench-run              where the time of a whole run goes, beside cat and cp of its files
 ##   make counts                 the instructions of each scene, beside those committed (STEP=05)
-.PHONY: bench charts bench-frame bench-files bench-run counts
+.PHONY: bench charts bench-frame bench-files counts
 
 # Stress and benchmarks share out their cases with OpenMP, where the compiler has it.
 OPENMP := $(shell $(CC) -fopenmp -E -x c /dev/null >/dev/null 2>&1 && echo -fopenmp)
@@ -48,7 +47,7 @@ charts:
 	        echo "$$step: no chart yet; make bench draws it"; \
 	    fi; done
 
-# ---- Frames, files, whole runs ----
+# ---- Frames, files, instructions ----
 
 # With Mesa's renderer beside ours where it is installed. Whether it is there is asked when it
 # matters.
@@ -78,10 +77,6 @@ bench-files: $(BUILD)/bench-files all
 $(BUILD)/bench-files: $(call OBJECTS_OF,bench/files) $(BUILD)/tests/bench/measure.o \
                       $(BUILD)/libcommon.a
 	$(Q)$(LINK) $^ -lm -o $@
-
-# A whole run, beside the same bytes only read and copied.
-bench-run: all
-	@bash tests/bench/whole_run.sh $(BUILD)
 
 # Instructions, which no other process disturbs.
 counts:
