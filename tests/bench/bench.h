@@ -54,8 +54,8 @@ struct bench_panel {
      * is called many times over; each call must do the same, so what it uses up it first makes
      * again. */
     void (*run)(void *state, int choice);
-    /* The error of a version in the panel's error unit: 0 only when it is exact, and never infinite:
-     * a version without an answer is a fault of the benchmark. Called once, right after the last
+    /* The error of a version in the panel's error unit: 0 only when it is exact, never infinite: a
+     * version without an answer is a fault of the benchmark. Called once, right after the last
      * timed `run` of this version: judge what that left in the state. (It may do more work.) */
     double (*error)(void *state, int choice);
     /* Units of work that one run does: seconds of a run / units * 1e9 is shown in nanoseconds.
