@@ -35,30 +35,21 @@ static int64_t area_at(struct fixed2 a, struct fixed2 b, int x, int y) {
     return ((int64_t)b.x - a.x) * (to_y - a.y) - ((int64_t)b.y - a.y) * (to_x - a.x);
 }
 
-/* 1/w at the pixel; linear on the screen. */
-static long double exact_depth(const struct fixed2 screen[3], const double recip_w[3], int x,
-                               int y) {
+/* And 1/w there, which is linear on the screen. */
+static struct weights weights_at(const struct fixed2 screen[3], const double recip_w[3], int x,
+                                 int y, long double *depth) {
+    struct weights weights;
     long double sum = 0, area = 0;
     for (int i = 0; i < 3; i++) {
         long double part = (long double)area_at(screen[(i + 1) % 3], screen[(i + 2) % 3], x, y);
-        sum += part * recip_w[i];
-        area += part;
-    }
-    return sum / area;
-}
-
-static struct weights weights_at(const struct fixed2 screen[3], const double recip_w[3], int x,
-                                 int y) {
-    struct weights weights;
-    long double sum = 0;
-    for (int i = 0; i < 3; i++) {
-        weights.corner[i] =
-            (long double)area_at(screen[(i + 1) % 3], screen[(i + 2) % 3], x, y) * recip_w[i];
+        weights.corner[i] = part * recip_w[i];
         sum += weights.corner[i];
+        area += part;
     }
     for (int i = 0; i < 3; i++) {
         weights.corner[i] /= sum;
     }
+    *depth = sum / area;
     return weights;
 }
 
@@ -92,7 +83,9 @@ static void cover_face(struct exact *exact, size_t face) {
             if (!oracle_covers(p[0], p[1], p[2], x, y)) {
                 continue;
             }
-            double depth = (double)exact_depth(p, recip_w, x, y);
+            long double exact_depth;
+            (void)weights_at(p, recip_w, x, y, &exact_depth);
+            double depth = (double)exact_depth;
             if (depth > exact->depths[pixel]) {
                 exact->visible += exact->faces[pixel] == 0;
                 exact->depths[pixel] = depth;
@@ -225,7 +218,8 @@ static struct real3 exact_color(const struct exact *exact, size_t face, int x, i
     struct fixed2 screen[3];
     double recip_w[3];
     find_corners(exact, face, screen, recip_w);
-    struct weights weights = weights_at(screen, recip_w, x, y);
+    long double depth;
+    struct weights weights = weights_at(screen, recip_w, x, y, &depth);
     switch (exact->scene->look) {
     case FRAME_FLAT: {
         long double level = 255 * light_on(exact->scene, exact->scene->head->face_normals[face]);

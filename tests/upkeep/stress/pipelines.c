@@ -7,27 +7,17 @@
 #include <math.h>
 #include <string.h>
 
-static void make_case(struct random *random, enum soup_kind kind, void *made) {
-    *(struct soup_case *)made = (struct soup_case){random_bits(random), kind};
-}
+/* Soups of one kind and of another, in turn. */
+#define MAKE_SOUPS(name, kind, other)                                                              \
+    static void name(struct random *random, uint64_t index, void *made) {                          \
+        *(struct soup_case *)made =                                                                \
+            (struct soup_case){random_bits(random), index % 2 ? (kind) : (other)};                 \
+    }
 
-static void make_whole(struct random *random, uint64_t index, void *made) {
-    (void)index;
-    make_case(random, SOUP_WHOLE, made);
-}
-
-static void make_seen_by_camera(struct random *random, uint64_t index, void *made) {
-    (void)index;
-    make_case(random, SOUP_CAMERA, made);
-}
-
-static void make_steep(struct random *random, uint64_t index, void *made) {
-    make_case(random, index % 2 ? SOUP_STEEP : SOUP_CAMERA, made);
-}
-
-static void make_largest(struct random *random, uint64_t index, void *made) {
-    make_case(random, index % 2 ? SOUP_WIDE : SOUP_HIGH, made);
-}
+MAKE_SOUPS(make_whole, SOUP_WHOLE, SOUP_WHOLE)
+MAKE_SOUPS(make_seen_by_camera, SOUP_CAMERA, SOUP_CAMERA)
+MAKE_SOUPS(make_steep, SOUP_STEEP, SOUP_CAMERA)
+MAKE_SOUPS(make_largest, SOUP_WIDE, SOUP_HIGH)
 
 /* ---- Drawing a soup ---- */
 
