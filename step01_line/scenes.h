@@ -238,7 +238,7 @@ static bool draw_shape(const struct drawing *drawing, struct image *image,
     struct pixel a = shape_end(shape, 0), b = shape_end(shape, 1);
     int attempt = (int)drawing_value(drawing, "attempt");
     if (attempt > 0) {
-        line_attempt(attempt - 1).draw(image, a, b, shape->color[0]);
+        line_attempt(attempt - 1)(image, a, b, shape->color[0]);
     } else if (memcmp(&shape->color[0], &shape->color[1], sizeof shape->color[0]) == 0) {
         line(image, a, b, shape->color[0]);
     } else {

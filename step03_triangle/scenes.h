@@ -405,7 +405,7 @@ static bool place_snapped(const struct drawing *drawing, const struct text_scene
 static uint64_t fill_shape(const struct drawing *drawing, struct image *image,
                            const struct vec2 screen[3], const struct fixed2 corner[3],
                            const struct color color[3]) {
-    static void (*const attempts[])(struct target *, const struct vec2[3], struct color) = {
+    static void (*const attempts[])(struct image *, const struct vec2[3], struct color) = {
         attempt_1_sweep_whole, attempt_2_sweep_float, attempt_3_box_float,   attempt_4_box_double,
         attempt_5_box_open,    attempt_6_box_epsilon, attempt_7_edges_float,
     };
@@ -413,7 +413,7 @@ static uint64_t fill_shape(const struct drawing *drawing, struct image *image,
     if (attempt == 0) {
         return fill_triangle(drawing, image, corner, color);
     }
-    attempts[attempt - 1](&(struct target){image}, screen, color[0]);
+    attempts[attempt - 1](image, screen, color[0]);
     return 0;
 }
 

@@ -31,7 +31,7 @@ static uint8_t version_level(int choice) {
 
 static void lines_run(void *state, int choice) {
     struct lines *lines = state;
-    line_function *draw = choice == HOUSE_LINE ? line : line_attempt(choice).draw;
+    line_function *draw = choice == HOUSE_LINE ? line : line_attempt(choice);
     for (int i = 0; i < LINE_COUNT; i++) {
         draw(&lines->images[i], lines->ends[i][0], lines->ends[i][1],
              color_grey(version_level(choice)));
