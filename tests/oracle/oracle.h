@@ -91,9 +91,6 @@ bool oracle_camera(struct vec3 eye, struct vec3 center, struct vec3 up, double z
 
 /* ---- Matrices ---- */
 
-/* The largest error of an inverse, |a * inverse - identity|, in long double. */
-long double oracle_inverse_residual(const struct mat4 *a, const struct mat4 *inverse);
-
 /* The exact determinant of a matrix of whole numbers of at most 2^24, by cofactors. */
 int128 oracle_determinant(const int64_t m[4][4]);
 

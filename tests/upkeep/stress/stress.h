@@ -76,7 +76,6 @@ extern const struct property mesh_properties[];
 extern const struct property pipeline_properties[];
 extern const struct property camera_properties[];
 extern const struct property texture_properties[];
-extern const struct property lesson02_properties[];
 extern const struct property lesson04_properties[];
 extern const struct property lesson05_properties[];
 extern const struct property lesson06_properties[];
