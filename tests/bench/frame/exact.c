@@ -3,6 +3,7 @@
 
 #include "oracle/oracle.h"
 #include "oracle/reals.h"
+#include "oracle/texels.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -129,37 +130,10 @@ void exact_end(struct exact *exact) {
 
 /* ---- Light ---- */
 
-static long double mix(long double from, long double to, long double t) {
-    return from + (to - from) * t;
-}
-
-static long double clamped(long double value, long double most) {
-    return value < 0 ? 0 : value > most ? most : value;
-}
-
-static struct real3 texel(const struct texture_level *level, size_t x, size_t y) {
-    uint32_t t = texture_texel(level, x, y);
-    return (struct real3){t >> 16 & 255, t >> 8 & 255, t & 255};
-}
-
-static struct real3 mix3(struct real3 from, struct real3 to, long double t) {
-    return (struct real3){mix(from.x, to.x, t), mix(from.y, to.y, t), mix(from.z, to.z, t)};
-}
-
-/* Red, green, blue, linear between the four nearest texel centres. */
 static struct real3 sample(const struct frame_scene *scene, enum model_texture_kind kind,
                            const long double uv[2]) {
     const struct frame_texture *from = &scene->textures[kind];
-    const struct texture_level *level = &from->texture->level[from->level];
-    size_t last_x = level->width - 1, last_y = level->height - 1;
-    long double u = clamped(uv[0] * (long double)level->width - 0.5L, (long double)last_x);
-    long double v = clamped(uv[1] * (long double)level->height - 0.5L, (long double)last_y);
-    size_t x = (size_t)u, y = (size_t)v, right = x < last_x ? x + 1 : x,
-           up = y < last_y ? y + 1 : y;
-    u -= (long double)x;
-    v -= (long double)y;
-    return mix3(mix3(texel(level, x, y), texel(level, right, y), u),
-                mix3(texel(level, x, up), texel(level, right, up), u), v);
+    return real3_bilinear(&from->texture->level[from->level], uv[0], uv[1]);
 }
 
 static long double light_on(const struct frame_scene *scene, const float normal[3]) {
@@ -235,8 +209,8 @@ static struct real3 exact_color(const struct exact *exact, size_t face, int x, i
 /* ---- Comparing ---- */
 
 static void compare_pixel(struct real3 exact, const uint8_t *bgra, struct deviation *d) {
-    const long double values[3] = {clamped(exact.z, 255), clamped(exact.y, 255),
-                                   clamped(exact.x, 255)};
+    const long double values[3] = {real_clamped(exact.z, 255), real_clamped(exact.y, 255),
+                                   real_clamped(exact.x, 255)};
     bool rounded = false;
     d->compared++;
     for (int i = 0; i < 3; i++) {

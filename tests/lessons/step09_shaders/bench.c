@@ -12,6 +12,7 @@
 #include "files/model_file.h"
 #include "files/normals.h"
 #include "oracle/oracle.h"
+#include "oracle/texels.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -131,35 +132,6 @@ static bool make_face(struct seen *seen, const struct work *work, size_t face) {
            !seen->edges.clockwise;
 }
 
-struct exact_place {
-    size_t lower, upper;
-    long double fraction;
-};
-
-static struct exact_place place_between(long double coordinate, size_t size) {
-    long double last = (long double)(size - 1), place = coordinate * (long double)size - 0.5L;
-    place = place < 0 ? 0 : place > last ? last : place;
-    size_t lower = (size_t)place;
-    return (struct exact_place){lower, lower + 1 < size ? lower + 1 : lower,
-                                place - (long double)lower};
-}
-
-/* A channel of the bilinear sample. */
-static long double exact_sample(const struct texture_level *level, long double u, long double v,
-                                int shift) {
-    struct exact_place x = place_between(u, level->width), y = place_between(v, level->height);
-    const uint32_t *lower = level->texels + y.lower * level->pitch;
-    const uint32_t *upper = level->texels + y.upper * level->pitch;
-    long double a = lower[x.lower] >> shift & 255, b = lower[x.upper] >> shift & 255;
-    long double c = upper[x.lower] >> shift & 255, d = upper[x.upper] >> shift & 255;
-    long double below = a + (b - a) * x.fraction, above = c + (d - c) * x.fraction;
-    return below + (above - below) * y.fraction;
-}
-
-static uint8_t exact_level(long double value) {
-    return value >= 255 ? 255 : value > 0 ? (uint8_t)(value + 0.5L) : 0;
-}
-
 /* The light of the face at a pixel. */
 static void exact_pixel(struct work *work, const struct seen *face, int x, int y) {
     const struct texture_level *level =
@@ -169,9 +141,10 @@ static void exact_pixel(struct work *work, const struct seen *face, int x, int y
         at[k] = oracle_interpolate(face->corner, face->recip_w, face->value[k], x, y);
     }
     uint8_t *pixel = work->exact.pixels + IMAGE_BGRA * ((size_t)y * SIDE + (size_t)x);
-    for (int k = 0; k < 3; k++) { /* blue, green, red */
-        pixel[k] = exact_level(exact_sample(level, at[0], at[1], 8 * k) * at[INTENSITY]);
-    }
+    struct real3 rgb = real3_bilinear(level, at[0], at[1]);
+    pixel[0] = level_from_real(rgb.z * at[INTENSITY]);
+    pixel[1] = level_from_real(rgb.y * at[INTENSITY]);
+    pixel[2] = level_from_real(rgb.x * at[INTENSITY]);
 }
 
 /* Each face over those that are farther. */
