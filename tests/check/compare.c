@@ -8,7 +8,6 @@
 enum { PANEL_GAP = 8 }; /* grey pixels between two panels */
 
 enum mark { MARK_EQUAL = 0, MARK_NEAR = 1, MARK_APART = 2, MARK_COVERAGE = 4, MARK_WRONG = 8 };
-enum { SHIFT_LIMIT = 2, SHIFT_BETTER = 8 }; /* pixels; so many times fewer are apart */
 
 struct rgb {
     uint8_t r, g, b;
@@ -148,41 +147,7 @@ struct share_text share_show(uint64_t count, uint64_t drawn, unsigned limit) {
     return share;
 }
 
-/* ---- Moved pictures ---- */
-
-/* How many pixels are apart when yours is moved back by (right, up)? What is moved out of the
- * picture, and what has come in, does not count. No more than `most` are counted. */
-static uint64_t count_apart(const struct image *reference, const struct image *yours, int right,
-                            int up, uint64_t most) {
-    uint64_t count = 0;
-    int width = (int)reference->width, height = (int)reference->height;
-    for (int y = up < 0 ? -up : 0; y < height && y + up < height && count < most; y++) {
-        for (int x = right < 0 ? -right : 0; x < width && x + right < width; x++) {
-            count += !agree(pixel_at(reference, (size_t)x, (size_t)y),
-                            pixel_at(yours, (size_t)(x + right), (size_t)(y + up)));
-        }
-    }
-    return count;
-}
-
-struct shift compare_shift(const struct image *reference, const struct image *yours) {
-    struct shift best = {0, 0};
-    uint64_t apart = count_apart(reference, yours, 0, 0, UINT64_MAX);
-    uint64_t least = apart / SHIFT_BETTER + 1;
-    if (apart == 0 || image_is_blank(yours)) {
-        return best;
-    }
-    for (int y = -SHIFT_LIMIT; y <= SHIFT_LIMIT; y++) {
-        for (int x = -SHIFT_LIMIT; x <= SHIFT_LIMIT; x++) {
-            uint64_t count = count_apart(reference, yours, x, y, least);
-            if (count < least && (x != 0 || y != 0)) {
-                least = count;
-                best = (struct shift){x, y};
-            }
-        }
-    }
-    return best;
-}
+/* ---- The picture of a difference ---- */
 
 bool image_is_blank(const struct image *image) {
     for (size_t y = 0; y < image->height; y++) {

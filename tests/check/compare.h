@@ -76,13 +76,6 @@ struct share_text {
 };
 struct share_text share_show(uint64_t count, uint64_t drawn, unsigned limit);
 
-/* How far yours is moved to the right and up, when that explains what is apart: moved back, at most
- * an eighth of it is left. Otherwise, and for moves by more than two pixels, (0,0). */
-struct shift {
-    int x, y;
-};
-struct shift compare_shift(const struct image *reference, const struct image *yours);
-
 /* The pixels that count as wrong in a picture: those that its broken limit is about. */
 enum compare_pixels {
     COMPARE_UNMATCHED, /* `wrong` of a comparison */

@@ -60,7 +60,7 @@ static bool is_error(enum result_state state) {
 
 /* How many of the step's items count as failures, errors and skipped. */
 struct outcome {
-    size_t failures, errors, skipped;
+    unsigned failures, errors, skipped;
 };
 
 static struct outcome count_outcome(const struct step_result *step) {
@@ -86,72 +86,65 @@ static const char *message_of(const struct step_result *step, const struct item_
 
 /* ---- JUnit XML ---- */
 
-/* What is between the two: free text. */
-static void put_xml(struct writer *writer, const char *before, const char *text,
-                    const char *after) {
-    put(writer, "%s", before);
-    writer->failed = writer->failed || !escape_markup(writer->report, text);
-    put(writer, "%s", after);
-}
-
-static void junit_item(struct writer *writer, const struct step_result *step,
+static bool junit_item(struct bytes *report, const struct step_result *step,
                        const struct item_result *item) {
     const char *message = message_of(step, item);
-    put(writer, "    <testcase classname=\"%s\" name=\"", step->name);
-    put_name(writer, item);
-    put(writer, "\">\n");
-    if (item->state == RESULT_TODO) {
-        put_xml(writer, "      <skipped>", message, "</skipped>\n");
-    } else if (item->state != RESULT_PASS) {
-        put(writer, "      <%s type=\"%s\"", item->state == RESULT_FAIL ? "failure" : "error",
-            result_state_name(item->state));
-        put_xml(writer, " message=\"", message, "\"/>\n");
+    bool done =
+        markup_print(report, "    <testcase classname=\"%s\" name=\"%s%s%s\">\n", step->name,
+                     item->scene, item->counter[0] != '\0' ? " " : "", item->counter);
+    if (done && item->state == RESULT_TODO) {
+        done = markup_print(report, "      <skipped>%s</skipped>\n", message);
+    } else if (done && item->state != RESULT_PASS) {
+        done = markup_print(report, "      <%s type=\"%s\" message=\"%s\"/>\n",
+                            item->state == RESULT_FAIL ? "failure" : "error",
+                            result_state_name(item->state), message);
     }
-    put(writer, "      <system-out>points %u/%u", item->points, item->credit->points);
-    if (item->state == RESULT_PASS && message[0] != '\0') {
-        put_xml(writer, "; ", message, "");
-    }
-    put(writer, "</system-out>\n    </testcase>\n");
+    bool remark = item->state == RESULT_PASS && message[0] != '\0';
+    return done &&
+           markup_print(
+               report, "      <system-out>points %u/%u%s%s</system-out>\n    </testcase>\n",
+               item->points, item->credit->points, remark ? "; " : "", remark ? message : "");
 }
 
-static void junit_step(struct writer *writer, const struct check_result *result,
+static bool junit_step(struct bytes *report, const struct check_result *result,
                        const struct step_result *step) {
     struct outcome outcome = count_outcome(step);
-    put(writer,
-        "  <testsuite name=\"%s\" tests=\"%zu\" failures=\"%zu\" errors=\"%zu\" skipped=\"%zu\">\n",
-        step->name, step->item_count, outcome.failures, outcome.errors, outcome.skipped);
-    for (size_t k = 0; k < step->item_count; k++) {
-        junit_item(writer, step, &step->items[k]);
+    bool done = markup_print(report,
+                             "  <testsuite name=\"%s\" tests=\"%u\" failures=\"%u\" errors=\"%u\" "
+                             "skipped=\"%u\">\n",
+                             step->name, (unsigned)step->item_count, outcome.failures,
+                             outcome.errors, outcome.skipped);
+    for (size_t k = 0; k < step->item_count && done; k++) {
+        done = junit_item(report, step, &step->items[k]);
     }
-    if (has_note(result)) {
-        put_xml(writer, "    <system-out>", result->note, "</system-out>\n");
+    if (done && has_note(result)) {
+        done = markup_print(report, "    <system-out>%s</system-out>\n", result->note);
     }
-    if (step->messages.size > 1) {
-        put_xml(writer, "    <system-err>", (const char *)step->messages.data, "</system-err>\n");
+    if (done && step->messages.size > 1) {
+        done = markup_print(report, "    <system-err>%s</system-err>\n",
+                            (const char *)step->messages.data);
     }
-    put(writer, "  </testsuite>\n");
+    return done && markup_print(report, "  </testsuite>\n");
 }
 
-bool export_junit(struct bytes *report, const struct check_result *result, const char *references,
-                  struct error *error) {
-    struct writer writer = {.report = report};
+bool export_junit(struct bytes *report, const struct check_result *result, struct error *error) {
     struct outcome all = {0};
-    size_t tests = 0;
-    (void)references;
+    unsigned tests = 0;
     for (size_t i = 0; i < result->step_count; i++) {
         struct outcome outcome = count_outcome(&result->steps[i]);
         all.failures += outcome.failures;
         all.errors += outcome.errors;
-        tests += result->steps[i].item_count;
+        tests += (unsigned)result->steps[i].item_count;
     }
-    put(&writer, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n");
-    put(&writer, "<testsuites name=\"check\" tests=\"%zu\" failures=\"%zu\" errors=\"%zu\">\n",
-        tests, all.failures, all.errors);
-    for (size_t i = 0; i < result->step_count; i++) {
-        junit_step(&writer, result, &result->steps[i]);
+    bool done = markup_print(report,
+                             "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+                             "<testsuites name=\"check\" tests=\"%u\" failures=\"%u\" "
+                             "errors=\"%u\">\n",
+                             tests, all.failures, all.errors);
+    for (size_t i = 0; i < result->step_count && done; i++) {
+        done = junit_step(report, result, &result->steps[i]);
     }
-    put(&writer, "</testsuites>\n");
-    return finish(&writer, error);
+    return (done && markup_print(report, "</testsuites>\n")) || error_out_of_memory(error);
 }
 
 /* ---- JSON ---- */
@@ -248,10 +241,8 @@ static void json_step(struct writer *writer, const struct step_result *step) {
     put(writer, "      ]\n    }");
 }
 
-bool export_json(struct bytes *report, const struct check_result *result, const char *references,
-                 struct error *error) {
+bool export_json(struct bytes *report, const struct check_result *result, struct error *error) {
     struct writer writer = {.report = report};
-    (void)references;
     put(&writer, "{\n  \"points\": %u,\n  \"most\": %u,\n", result->points, result->most);
     put(&writer, "  \"passed\": %zu,\n  \"failed\": %zu", result->passed, result->failed);
     json_message(&writer, ",\n  \"note\"", has_note(result) ? result->note : "");
@@ -286,11 +277,9 @@ static void tap_item(struct writer *writer, size_t number, const struct step_res
     put(writer, "\n");
 }
 
-bool export_tap(struct bytes *report, const struct check_result *result, const char *references,
-                struct error *error) {
+bool export_tap(struct bytes *report, const struct check_result *result, struct error *error) {
     struct writer writer = {.report = report};
     size_t number = 0;
-    (void)references;
     for (size_t i = 0; i < result->step_count; i++) {
         number += result->steps[i].item_count;
     }
@@ -312,10 +301,8 @@ bool export_tap(struct bytes *report, const struct check_result *result, const c
 
 /* ---- CSV ---- */
 
-bool export_csv(struct bytes *report, const struct check_result *result, const char *references,
-                struct error *error) {
+bool export_csv(struct bytes *report, const struct check_result *result, struct error *error) {
     struct writer writer = {.report = report};
-    (void)references;
     put(&writer, "step,task,state,points,most\n");
     for (size_t i = 0; i < result->step_count; i++) {
         const struct step_result *step = &result->steps[i];

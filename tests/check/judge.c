@@ -21,6 +21,7 @@
 #include <errno.h>
 #include <math.h>
 #include <signal.h>
+#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -74,12 +75,6 @@ static void describe_first(struct item_result *item, const struct tally *tally,
     item->y = tally->y;
     item->got = image_get(yours, (int)tally->x, (int)tally->y);
     item->wanted = image_get(reference, (int)tally->x, (int)tally->y);
-    if (item->state != RESULT_PASS) {
-        item->shift = compare_shift(reference, yours);
-    }
-    if (item->shift.x != 0 || item->shift.y != 0) {
-        result_say(&item->message, ", shifted by (%d,%d)", item->shift.x, item->shift.y);
-    }
     result_say(&item->message, ", first at (%zu,%zu): yours %d,%d,%d, right %d,%d,%d", item->x,
                item->y, item->got.r, item->got.g, item->got.b, item->wanted.r, item->wanted.g,
                item->wanted.b);
@@ -114,27 +109,35 @@ static const struct tally *judge_shares(struct item_result *item,
     return verdict.tally;
 }
 
-/* For who sets the limits; at the end how far the picture is from the mistake that it looks like,
- * or - when it looks like none. */
+static void append_line(const char *path, const char *format, ...) PRINTF_LIKE(2, 3);
+
+/* Add to a file, "" for none, which whoever keeps limits and signs of mistakes has asked for. */
+static void append_line(const char *path, const char *format, ...) {
+    if (path[0] == '\0') {
+        return;
+    }
+    FILE *file = fopen(path, "a");
+    va_list arguments;
+    va_start(arguments, format);
+    if (file == NULL || vfprintf(file, format, arguments) < 0 || fclose(file) != 0) {
+        fprintf(stderr, "check: %s: %s\n", path, strerror(errno));
+    }
+    va_end(arguments);
+}
+
+/* At the end how far the picture is from the mistake that it looks like, or - when like none. */
 static void write_shares(const char *path, const char *step, const struct item_result *item,
                          const struct likeness *likeness) {
     char distance[24] = "-";
-    FILE *file = path[0] == '\0' ? NULL : fopen(path, "a");
     const struct comparison *shares = &item->shares;
-    double drawn = shares->drawn > 0 ? (double)shares->drawn : 1;
-    if (file != NULL) {
-        if (likeness->row > 0) {
-            snprintf(distance, sizeof distance, "%zu", likeness->distance);
-        }
-        fprintf(file, "%s %s %.4f %.4f %.4f %.4f %.4f %s\n", step, item->scene,
-                100 * (double)shares->wrong.count / drawn,
-                100 * (double)shares->apart.count / drawn,
-                100 * (double)shares->coverage.count / drawn,
-                100 * (double)shares->near.count / drawn, compare_lighter(shares), distance);
+    const double share = 100 / (shares->drawn > 0 ? (double)shares->drawn : 1);
+    if (likeness->row > 0) {
+        snprintf(distance, sizeof distance, "%zu", likeness->distance);
     }
-    if (path[0] != '\0' && (file == NULL || fclose(file) != 0)) {
-        fprintf(stderr, "check: %s: %s\n", path, strerror(errno));
-    }
+    append_line(path, "%s %s %.4f %.4f %.4f %.4f %.4f %s\n", step, item->scene,
+                share * (double)shares->wrong.count, share * (double)shares->apart.count,
+                share * (double)shares->coverage.count, share * (double)shares->near.count,
+                compare_lighter(shares), distance);
 }
 
 static void judge_picture(const struct judging *judging, size_t i, const struct image *yours) {
@@ -165,9 +168,7 @@ static void judge_picture(const struct judging *judging, size_t i, const struct 
         item->looks_path =
             looks_small_path(judging->options->looks, judging->step->name, item->scene);
         item->looks_row = likeness.row;
-        if (item->shift.x == 0 && item->shift.y == 0) {
-            item->seen = seen_find(reference, yours);
-        }
+        item->seen = seen_find(reference, yours);
     }
     write_shares(judging->options->shares, judging->step->name, item, &likeness);
 }
@@ -267,21 +268,17 @@ static bool is_spoilt_memory(const char *said) {
            strstr(said, "corrupted") != NULL || strstr(said, "munmap_chunk()") != NULL;
 }
 
-/* How it ended, when not well. */
+/* How it ended, when not well, and what it said. */
 static void describe_end(struct result_text *text, const struct run_result *end,
                          const struct run_limits *limits) {
-    struct run_text stopped = run_stopped_by(end, limits);
-    struct message_line said = drawn_message((const char *)end->messages.data);
-    const char *colon = said.text[0] != '\0' ? ": " : "";
-    if (stopped.text[0] != '\0') {
-        bool speaks = end->end == RUN_KILLED;
-        result_say(text, "%s%s%s", stopped.text, speaks ? colon : "", speaks ? said.text : "");
-    } else if (end->end == RUN_KILLED) {
-        result_say(text, "%s%s%s%s", run_signal_name(end->number).text, colon,
-                   is_spoilt_memory(said.text) ? "memory was written outside of an array: " : "",
-                   said.text);
-    } else if (end->number != 0) {
-        result_say(text, "exit status %d%s%s", end->number, colon, said.text);
+    const struct message_line said = drawn_message((const char *)end->messages.data);
+    const struct run_text ended = run_ended_by(end, limits);
+    const bool speaks = said.text[0] != '\0' && (end->end == RUN_KILLED || end->end == RUN_EXITED);
+    const bool spoilt = end->end == RUN_KILLED && is_spoilt_memory(said.text);
+    if (ended.text[0] != '\0') {
+        result_say(text, "%s%s%s%s", ended.text, speaks ? ": " : "",
+                   spoilt ? "memory was written outside of an array: " : "",
+                   speaks ? said.text : "");
     }
 }
 
@@ -355,7 +352,7 @@ static bool judge_alone(const struct judging *judging, size_t i, struct error *e
     struct item_result *item = &judging->result->items[i];
     struct run_result end;
     bool done = drawn_run(options->programs, judging->step->name, judging->directory.path,
-                          item->scene, &judging->limits, &end, error);
+                          item->scene, NULL, &judging->limits, &end, error);
     if (done && end.end != RUN_INTERRUPTED && judge_scene(judging, i) == DRAWN_MISSING &&
         !ended_well(&end)) {
         blame(judging, item, &end);
@@ -468,8 +465,8 @@ static bool run_counting(const struct judging *judging, const char *scene, struc
         return false;
     }
     snprintf(path, sizeof path, "%s/.stats", directory.path);
-    bool done = drawn_run_stats(judging->options->programs, judging->step->name, directory.path,
-                                scene, path, &judging->limits, end, error);
+    bool done = drawn_run(judging->options->programs, judging->step->name, directory.path, scene,
+                          path, &judging->limits, end, error);
     if (done && !file_read(path, output, &ignored)) {
         bytes_free(output); /* it has made something else of the file */
     }
@@ -621,14 +618,17 @@ static void tell_crashing_functions(struct step_result *result) {
     }
 }
 
-/* What is known of the program, for an item of which it is asked what it looks like. */
-static struct suspicion suspicion_of(const struct judging *judging,
-                                     const struct item_result *item) {
-    return (struct suspicion){.result = judging->result,
-                              .looks = judging->looks,
-                              .scene_count = judging->step->scene_count,
-                              .source = (const char *)judging->source.data,
-                              .item = item};
+/* Say that the item looks like these mistakes, as far as what else is known allows it. */
+static void tell(const struct judging *judging, struct item_result *item, struct mistake_set set) {
+    const struct suspicion suspicion = {.result = judging->result,
+                                        .looks = judging->looks,
+                                        .scene_count = judging->step->scene_count,
+                                        .source = (const char *)judging->source.data,
+                                        .item = item};
+    for (size_t i = 0; i < set.count; i++) {
+        set.doubts[i] = doubt_find(&suspicion, set.list[i]);
+    }
+    mistakes_tell(item, &set);
 }
 
 /* Say what the wrong pictures look like, now that all is known. */
@@ -636,10 +636,8 @@ static void tell_likenesses(const struct judging *judging) {
     for (size_t i = 0; i < judging->step->scene_count; i++) {
         struct item_result *item = &judging->result->items[i];
         const struct looks *looks = &judging->looks[i];
-        const struct suspicion suspicion = suspicion_of(judging, item);
         item->only_may_be = item->looks_row > 0 && item->looks_row == looks->starter;
-        const struct mistake_set set = looks_mistakes(looks, item->looks_row);
-        mistakes_tell(item, &set, doubt_find, &suspicion);
+        tell(judging, item, looks_mistakes(looks, item->looks_row));
     }
 }
 
@@ -658,27 +656,15 @@ static bool is_not_there(const struct judging *judging, size_t i) {
            (item->state == RESULT_CRASH && item->divided);
 }
 
-/* For whoever keeps the signs of mistakes. */
-static void write_sign(const char *path, const struct counted *counted) {
-    FILE *file = path[0] == '\0' ? NULL : fopen(path, "a");
-    if (file != NULL) {
-        fprintf(file, "%s\n", counted->text);
-    }
-    if (path[0] != '\0' && (file == NULL || fclose(file) != 0)) {
-        fprintf(stderr, "check: %s: %s\n", path, strerror(errno));
-    }
-}
-
 /* Say of these items, which show `yours` together, which mistakes do so too. */
 static void tell_counted(const struct judging *judging, const size_t *items,
                          const struct counted *yours, size_t count) {
     const struct mistake_set set = counted_find(&judging->mistakes, yours, count);
     for (size_t i = 0; i < count && counted_tells(yours, count); i++) {
         struct item_result *item = &judging->result->items[items[i]];
-        const struct suspicion suspicion = suspicion_of(judging, item);
         item->only_may_be |= (item->blank || item->divided) && item->counter[0] == '\0';
-        mistakes_tell(item, &set, doubt_find, &suspicion);
-        write_sign(judging->options->counted, &yours[i]);
+        tell(judging, item, set);
+        append_line(judging->options->counted, "%s\n", yours[i].text);
     }
 }
 
@@ -768,7 +754,7 @@ static bool draw_and_judge(struct judging *judging, struct error *error) {
         return false;
     }
     bool done = drawn_run(options->programs, judging->step->name, judging->directory.path,
-                          options->only, &judging->limits, &end, error);
+                          options->only, NULL, &judging->limits, &end, error);
     if (done && end.end != RUN_INTERRUPTED) {
         judge_end(judging, &result->state, &result->reason, &end);
         done = judge_pictures(judging, &end, error) && judge_works(judging, error);

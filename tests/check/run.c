@@ -81,7 +81,7 @@ void run_die_of_signal(void) {
     raise(caught_signal);
 }
 
-struct signal_name run_signal_name(int number) {
+struct run_text run_signal_name(int number) {
     static const struct {
         int number;
         const char *name;
@@ -103,7 +103,7 @@ struct signal_name run_signal_name(int number) {
         {SIGHUP, "SIGHUP"},
         {SIGALRM, "SIGALRM"},
     };
-    struct signal_name name;
+    struct run_text name;
     snprintf(name.text, sizeof name.text, "signal %d", number);
     for (size_t i = 0; i < sizeof known / sizeof known[0]; i++) {
         if (known[i].number == number) {
@@ -142,6 +142,17 @@ struct run_text run_stopped_by(const struct run_result *result, const struct run
     } else if (result->end == RUN_KILLED && result->number == SIGXFSZ) {
         snprintf(text.text, sizeof text.text, "SIGXFSZ, file larger than %zu MB",
                  limits->file_bytes / MEGABYTE);
+    }
+    return text;
+}
+
+struct run_text run_ended_by(const struct run_result *result, const struct run_limits *limits) {
+    struct run_text text = run_stopped_by(result, limits);
+    if (text.text[0] == '\0' && result->end == RUN_KILLED) {
+        return run_signal_name(result->number);
+    }
+    if (text.text[0] == '\0' && result->number != 0) {
+        snprintf(text.text, sizeof text.text, "exit status %d", result->number);
     }
     return text;
 }

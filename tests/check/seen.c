@@ -142,8 +142,10 @@ static struct seen_text find_place(const struct image *reference, const struct i
     const struct box right = find_box(reference), box = find_box(yours);
     struct seen_text seen = {""};
     struct seen_map map = same_place;
-    map.from_x = box.left - right.left;
-    map.from_y = box.bottom - right.bottom;
+    /* A side may have been cut off at the border: then the other one tells. */
+    map.from_x = right.left > 0 && box.left > 0 ? box.left - right.left : box.right - right.right;
+    map.from_y =
+        right.bottom > 0 && box.bottom > 0 ? box.bottom - right.bottom : box.top - right.top;
     if ((map.from_x != 0 || map.from_y != 0) && is_map(reference, yours, &map, 0)) {
         snprintf(seen.text, sizeof seen.text, "moved by (%g,%g)", map.from_x, map.from_y);
         return seen;

@@ -160,44 +160,6 @@ static void test_limit_and_its_text(void) {
     }
 }
 
-/* A disc of many colours; `noise` pixels of it are of others. */
-static void fill_disc(struct image *image, int x, int y, int noise) {
-    image_clear(image, color_grey(0));
-    for (int j = -10; j <= 10; j++) {
-        for (int i = -10; i <= 10; i++) {
-            if (i * i + j * j <= 100) {
-                struct color c = color_rgb((uint8_t)(128 + 10 * i), (uint8_t)(128 + 10 * j), 99);
-                image_set(image, x + i, y + j, noise-- > 0 ? color_grey(255) : c);
-            }
-        }
-    }
-}
-
-static void test_shift(void) {
-    static const struct {
-        int x, y, noise, shift_x, shift_y;
-    } cases[] = {
-        {0, 0, 0, 0, 0}, {1, 0, 0, 1, 0},  {0, -1, 0, 0, -1}, {-2, 2, 0, -2, 2},
-        {3, 0, 0, 0, 0}, {1, 1, 30, 1, 1}, {1, 1, 60, 0, 0},  {0, 0, 60, 0, 0},
-    };
-    struct image a = make(40, 30, IMAGE_BGR), b = make(40, 30, IMAGE_BGRA);
-    fill_disc(&a, 20, 15, 0);
-    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
-        fill_disc(&b, 20 + cases[i].x, 15 + cases[i].y, cases[i].noise);
-        struct shift shift = compare_shift(&a, &b);
-        CHECK(shift.x == cases[i].shift_x && shift.y == cases[i].shift_y);
-    }
-    fill_disc(&a, 0, 15, 0); /* what has left the picture is not missed */
-    fill_disc(&b, -1, 15, 0);
-    CHECK(compare_shift(&a, &b).x == -1);
-    image_clear(&a, color_grey(0));
-    image_clear(&b, color_grey(0));
-    image_set(&a, 0, 0, color_grey(255)); /* nothing is not something that has moved away */
-    CHECK(compare_shift(&a, &b).x == 0 && compare_shift(&a, &b).y == 0);
-    image_free(&a);
-    image_free(&b);
-}
-
 static void test_difference_picture(void) {
     struct image a = make(20, 10, IMAGE_BGR), b = make(12, 14, IMAGE_BGR), picture;
     struct error error;
@@ -316,5 +278,5 @@ static void test_legend(void) {
 
 UNIT_MAIN(TEST(test_counts), TEST(test_levels_and_neighbours), TEST(test_lightness),
           TEST(test_blank_picture_is_all_wrong), TEST(test_formats_with_equal_look),
-          TEST(test_limit_and_its_text), TEST(test_shift), TEST(test_difference_picture),
+          TEST(test_limit_and_its_text), TEST(test_difference_picture),
           TEST(test_difference_of_what_counts), TEST(test_legend))

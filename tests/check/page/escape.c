@@ -1,6 +1,7 @@
 /* Text that others wrote: see escape.h. */
 #include "escape.h"
 
+#include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -50,5 +51,23 @@ bool escape_markup(struct bytes *out, const char *text) {
             entity != NULL ? bytes_append(out, entity, strlen(entity)) : bytes_append(out, at, 1);
     }
     free(printable);
+    return done;
+}
+
+bool markup_print(struct bytes *out, const char *format, ...) {
+    bool done = true;
+    va_list arguments;
+    va_start(arguments, format);
+    for (const char *at = format; done && *at != '\0';) {
+        size_t plain = strcspn(at, "%");
+        done = bytes_append(out, at, plain);
+        at += plain;
+        if (*at == '%') {
+            done = done && (at[1] == 's' ? escape_markup(out, va_arg(arguments, const char *))
+                                         : bytes_print(out, "%u", va_arg(arguments, unsigned)));
+            at += 2;
+        }
+    }
+    va_end(arguments);
     return done;
 }

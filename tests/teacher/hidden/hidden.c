@@ -211,14 +211,14 @@ static bool draw(struct unseen_place *place, const char *runner, const char *pro
                  struct ending *ending, struct error *error) {
     const struct run_limits limits = run_program_limits(SECONDS);
     const struct variant plain = {.turned = 0};
-    char program[DRAWN_PATH_LIMIT];
+    struct drawn_path program;
     struct run_result result;
-    if (!unseen_program(program, programs, step, error)) {
+    if (!drawn_program(&program, programs, step, error)) {
         return false;
     }
     setenv("CHECK_RUNNER", runner, 1);
     bool done =
-        unseen_draw(place, program, told->list, kind, seed, &plain, &limits, &result, error);
+        unseen_draw(place, program.text, told->list, kind, seed, &plain, &limits, &result, error);
     ending->well = done && result.end == RUN_EXITED && result.number == 0;
     ending->said = drawn_message(done ? (const char *)result.messages.data : "");
     if (done && run_caught_signal() != 0) {
