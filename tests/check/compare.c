@@ -9,32 +9,19 @@ enum { PANEL_GAP = 8 }; /* grey pixels between two panels */
 
 enum mark { MARK_EQUAL = 0, MARK_NEAR = 1, MARK_APART = 2, MARK_COVERAGE = 4, MARK_WRONG = 8 };
 
-struct rgb {
-    uint8_t r, g, b;
-};
-
-static inline struct rgb pixel_at(const struct image *image, size_t x, size_t y) {
+static inline struct color pixel_at(const struct image *image, size_t x, size_t y) {
     const uint8_t *p = image->pixels + (y * image->width + x) * (size_t)image->format;
-    return image->format == IMAGE_GREY ? (struct rgb){p[0], p[0], p[0]}
-                                       : (struct rgb){p[2], p[1], p[0]};
+    return image->format == IMAGE_GREY ? color_grey(p[0]) : color_rgb(p[2], p[1], p[0]);
 }
 
-static inline bool is_background(struct rgb c) {
-    return c.r == 0 && c.g == 0 && c.b == 0;
-}
-
-static inline bool is_close(uint8_t a, uint8_t b) {
-    return (a > b ? a - b : b - a) <= COMPARE_LEVELS;
-}
-
-static inline bool agree(struct rgb a, struct rgb b) {
-    return is_close(a.r, b.r) && is_close(a.g, b.g) && is_close(a.b, b.b);
+static inline bool agree(struct color a, struct color b) {
+    return color_distance(a, b) <= COMPARE_LEVELS;
 }
 
 /* ---- The rule ---- */
 
 /* Does a pixel of the 3x3 around (x,y) agree with the colour? */
-static bool is_around(const struct image *image, size_t x, size_t y, struct rgb color) {
+static bool is_around(const struct image *image, size_t x, size_t y, struct color color) {
     for (size_t j = y > 0 ? y - 1 : 0; j <= y + 1 && j < image->height; j++) {
         for (size_t i = x > 0 ? x - 1 : 0; i <= x + 1 && i < image->width; i++) {
             if (agree(pixel_at(image, i, j), color)) {
@@ -48,8 +35,8 @@ static bool is_around(const struct image *image, size_t x, size_t y, struct rgb 
 /* The marks of a pixel; all but MARK_EQUAL have MARK_NEAR. */
 static unsigned mark_pixel(const struct image *reference, const struct image *yours, size_t x,
                            size_t y) {
-    struct rgb wanted = pixel_at(reference, x, y), got = pixel_at(yours, x, y);
-    if (wanted.r == got.r && wanted.g == got.g && wanted.b == got.b) {
+    struct color wanted = pixel_at(reference, x, y), got = pixel_at(yours, x, y);
+    if (color_distance(wanted, got) == 0) {
         return MARK_EQUAL;
     }
     if (agree(wanted, got)) {
@@ -57,7 +44,7 @@ static unsigned mark_pixel(const struct image *reference, const struct image *yo
     }
     bool is_matched = is_around(yours, x, y, wanted) && is_around(reference, x, y, got);
     return MARK_NEAR | MARK_APART | (is_matched ? 0 : MARK_WRONG) |
-           (is_background(wanted) != is_background(got) ? MARK_COVERAGE : 0);
+           (color_is_black(wanted) != color_is_black(got) ? MARK_COVERAGE : 0);
 }
 
 static void add(struct tally *tally, bool counts, size_t x, size_t y) {
@@ -69,9 +56,9 @@ static void add(struct tally *tally, bool counts, size_t x, size_t y) {
 
 static void add_pixel(struct comparison *result, const struct image *reference,
                       const struct image *yours, size_t x, size_t y) {
-    struct rgb wanted = pixel_at(reference, x, y), got = pixel_at(yours, x, y);
+    struct color wanted = pixel_at(reference, x, y), got = pixel_at(yours, x, y);
     unsigned marks = mark_pixel(reference, yours, x, y);
-    result->drawn += !is_background(wanted) || !is_background(got);
+    result->drawn += !color_is_black(wanted) || !color_is_black(got);
     add(&result->differing, marks != MARK_EQUAL, x, y);
     add(&result->apart, (marks & MARK_APART) != 0, x, y);
     add(&result->near, marks == MARK_NEAR, x, y);
@@ -92,7 +79,7 @@ static bool is_same_row(const struct image *a, const struct image *b, size_t y) 
 static size_t count_drawn(const struct image *image, size_t y) {
     size_t drawn = 0;
     for (size_t x = 0; x < image->width; x++) {
-        drawn += !is_background(pixel_at(image, x, y));
+        drawn += !color_is_black(pixel_at(image, x, y));
     }
     return drawn;
 }
@@ -152,7 +139,7 @@ struct share_text share_show(uint64_t count, uint64_t drawn, unsigned limit) {
 bool image_is_blank(const struct image *image) {
     for (size_t y = 0; y < image->height; y++) {
         for (size_t x = 0; x < image->width; x++) {
-            if (!is_background(pixel_at(image, x, y))) {
+            if (!color_is_black(pixel_at(image, x, y))) {
                 return false;
             }
         }
@@ -160,7 +147,7 @@ bool image_is_blank(const struct image *image) {
     return true;
 }
 
-static void put(struct image *picture, size_t x, size_t y, struct rgb color) {
+static void put(struct image *picture, size_t x, size_t y, struct color color) {
     uint8_t *p = picture->pixels + (y * picture->width + x) * 3;
     p[0] = color.b;
     p[1] = color.g;
@@ -178,16 +165,16 @@ static unsigned marks_of(enum compare_pixels wrong) {
     return marks[wrong];
 }
 
-static struct rgb mark_color(unsigned marks, enum compare_pixels wrong, struct rgb reference,
-                             struct rgb yours) {
+static struct color mark_color(unsigned marks, enum compare_pixels wrong, struct color reference,
+                               struct color yours) {
     if (marks & marks_of(wrong)) {
-        struct rgb red = {.r = 255}, blue = {.b = 255}; /* missing: blue */
-        return is_background(yours) ? blue : red;
+        return color_is_black(yours) ? color_rgb(0, 0, 255)
+                                     : color_rgb(255, 0, 0); /* blue: missing */
     }
     if (marks != MARK_EQUAL) {
-        return (struct rgb){.g = 96};
+        return color_rgb(0, 96, 0);
     }
-    return (struct rgb){reference.r / 4, reference.g / 4, reference.b / 4};
+    return color_rgb(reference.r / 4, reference.g / 4, reference.b / 4);
 }
 
 /* Lay the part of `panel` that has room there on the picture, from column x on. */

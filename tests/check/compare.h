@@ -32,11 +32,24 @@
 
 #include <stdbool.h>
 #include <stdint.h>
+#include <stdlib.h>
 
 enum {
     COMPARE_LEVELS = 4,    /* channels of colours that agree differ by this at most */
     COMPARE_LIGHTER = 1250 /* and by this on average: thousandths of a level */
 };
+
+/* How far two colours are apart: the largest difference of a channel, alpha not looked at. */
+static inline int color_distance(struct color a, struct color b) {
+    int red = abs(a.r - b.r), green = abs(a.g - b.g), blue = abs(a.b - b.b);
+    int most = red > green ? red : green;
+    return most > blue ? most : blue;
+}
+
+/* Is it (0,0,0)? */
+static inline bool color_is_black(struct color color) {
+    return color.r == 0 && color.g == 0 && color.b == 0;
+}
 
 /* Some pixels of a picture: how many, and the first of them, by rows from the bottom. */
 struct tally {
