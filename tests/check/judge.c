@@ -55,16 +55,13 @@ struct count_text {
 };
 
 static struct count_text show_count(uint64_t count) {
-    struct count_text shown;
+    struct count_text shown = {""};
     char digits[24];
-    int length = snprintf(digits, sizeof digits, "%llu", (unsigned long long)count), size = 0;
+    int length = snprintf(digits, sizeof digits, "%llu", (unsigned long long)count);
     for (int i = 0; i < length; i++) {
-        if (i > 0 && (length - i) % 3 == 0) {
-            shown.text[size++] = ',';
-        }
-        shown.text[size++] = digits[i];
+        bool begins_group = i > 0 && (length - i) % 3 == 0;
+        strncat(strcat(shown.text, begins_group ? "," : ""), digits + i, 1);
     }
-    shown.text[size] = '\0';
     return shown;
 }
 
@@ -86,26 +83,22 @@ static const struct tally *judge_shares(struct item_result *item,
     const struct comparison *shares = &item->shares;
     const struct verdict verdict = verdict_find(shares, scene);
     const uint64_t drawn = shares->drawn, differing = shares->differing.count;
-    if (!verdict.passes && scene->exact) {
+    if (verdict.passes) {
+        item->state = RESULT_PASS;
+        result_say(&item->message, "%s differ (%s pixel%s)", share_show(differing, drawn, 0).text,
+                   show_count(differing).text, differing == 1 ? "" : "s");
+    } else if (scene->exact) {
         result_say(&item->message, "%s of %s drawn pixels differ (must be exact)",
                    show_count(differing).text, show_count(drawn).text);
-        return verdict.tally;
-    }
-    if (!verdict.passes && verdict.what == NULL) {
+    } else if (verdict.what == NULL) {
         const double lighter = compare_lighter(shares);
         result_say(&item->message, "too %s by %.1f levels on average (limit %g)",
                    lighter > 0 ? "light" : "dark", fabs(lighter), COMPARE_LIGHTER / 1000.0);
-        return verdict.tally;
-    }
-    if (!verdict.passes) {
+    } else {
         result_say(&item->message, "%s of drawn pixels %s (limit %g %%)",
                    share_show(verdict.tally->count, drawn, verdict.limit).text, verdict.what,
                    verdict.limit / 1000.0);
-        return verdict.tally;
     }
-    item->state = RESULT_PASS;
-    result_say(&item->message, "%s differ (%s pixel%s)", share_show(differing, drawn, 0).text,
-               show_count(differing).text, differing == 1 ? "" : "s");
     return verdict.tally;
 }
 
@@ -222,15 +215,16 @@ static void keep_pictures(const struct judging *judging, struct item_result *ite
     image_free(&picture);
 }
 
+/* One that is not there has no name, which is no file's. */
+static void drop_picture(struct result_path *path) {
+    unlink(path->text);
+    path->text[0] = '\0';
+}
+
 /* A scene that was missing, and is exact where it is drawn alone, has none. */
 static void drop_pictures(struct item_result *item) {
-    struct result_path *paths[] = {&item->yours, &item->difference};
-    for (size_t i = 0; i < sizeof paths / sizeof paths[0]; i++) {
-        if (paths[i]->text[0] != '\0') {
-            unlink(paths[i]->text);
-            paths[i]->text[0] = '\0';
-        }
-    }
+    drop_picture(&item->yours);
+    drop_picture(&item->difference);
     item->reference.text[0] = '\0';
 }
 
@@ -561,10 +555,7 @@ static void set_to_do(struct item_result *item, const char *task) {
     item->blamed = false;
     item->message.text[0] = '\0';
     item->looks_row = 0;
-    if (item->difference.text[0] != '\0') {
-        unlink(item->difference.text);
-        item->difference.text[0] = '\0';
-    }
+    drop_picture(&item->difference);
     const char *kind = strchr(task, '.') != NULL ? "task" : "part";
     result_say(&item->message, "%s %s is to do", kind, task);
 }
@@ -649,74 +640,41 @@ static bool is_wrong_work(const struct judging *judging, size_t i) {
            item->state == RESULT_FAIL && !item->blamed && !item->unjudged;
 }
 
-/* Is item i a picture that tells nothing, blank or missing for a division by 0? */
-static bool is_not_there(const struct judging *judging, size_t i) {
-    const struct item_result *item = &judging->result->items[i];
+/* Is it a picture that tells nothing, blank or missing for a division by 0? */
+static bool is_not_there(const struct item_result *item) {
     return (item->state == RESULT_FAIL && item->blank) ||
            (item->state == RESULT_CRASH && item->divided);
 }
 
-/* Say of these items, which show `yours` together, which mistakes do so too. */
-static void tell_counted(const struct judging *judging, const size_t *items,
-                         const struct counted *yours, size_t count) {
-    const struct mistake_set set = counted_find(&judging->mistakes, yours, count);
-    for (size_t i = 0; i < count && counted_tells(yours, count); i++) {
-        struct item_result *item = &judging->result->items[items[i]];
-        item->only_may_be |= (item->blank || item->divided) && item->counter[0] == '\0';
-        tell(judging, item, set);
-        append_line(judging->options->counted, "%s\n", yours[i].text);
+/* Say which mistakes show the same as the item, which no picture tells. */
+static void tell_counted(const struct judging *judging, struct item_result *item,
+                         const char *output) {
+    struct counted yours;
+    if (counted_of(&yours, judging->result, item, output)) {
+        item->only_may_be |= item->counter[0] == '\0';
+        tell(judging, item, counted_find(&judging->mistakes, &yours));
+        append_line(judging->options->counted, "%s\n", yours.text);
     }
 }
 
-/* `output` is what the program has printed with --stats. Each counter is told by itself, all
- * pictures that are not there together. `items` and `yours` have room for all. */
-static void tell_untold(const struct judging *judging, const char *output, size_t *items,
-                        struct counted *yours) {
-    struct step_result *result = judging->result;
-    size_t count = 0;
-    bool is_clear = true;
-    for (size_t i = 0; i < result->item_count; i++) {
-        const struct item_result *item = &result->items[i];
-        items[count] = i;
-        if (is_not_there(judging, i)) {
-            is_clear &= counted_of(&yours[count], result, item, output);
-            count++;
-        } else if (is_wrong_work(judging, i) && counted_of(&yours[count], result, item, output)) {
-            tell_counted(judging, &items[count], &yours[count], 1);
+/* The same of all of them: what is counted wrongly is counted once more, with all else. */
+static bool count_and_tell(const struct judging *judging, struct error *error) {
+    bool done = true;
+    for (size_t i = 0; i < judging->result->item_count && done; i++) {
+        struct item_result *item = &judging->result->items[i];
+        struct bytes output = {.data = NULL};
+        struct run_result end = {.end = RUN_EXITED};
+        if (is_not_there(item)) {
+            tell_counted(judging, item, "");
+        } else if (is_wrong_work(judging, i)) {
+            done = run_counting(judging, item->scene, &output, &end, error);
+            if (done && ended_well(&end)) {
+                tell_counted(judging, item, (const char *)output.data);
+            }
         }
+        bytes_free(&output);
+        bytes_free(&end.messages);
     }
-    if (is_clear) {
-        tell_counted(judging, items, yours, count);
-    }
-}
-
-/* Say what the failures look like that no picture tells. */
-static bool count_and_tell(const struct judging *judging, const struct run_result *drawn,
-                           struct error *error) {
-    const struct step_result *result = judging->result;
-    struct bytes output = {.data = NULL};
-    struct run_result end = {.end = RUN_EXITED};
-    bool is_untold = false, done = true;
-    for (size_t i = 0; i < result->item_count; i++) {
-        is_untold |= is_wrong_work(judging, i) || is_not_there(judging, i);
-    }
-    if (!is_untold) {
-        return true;
-    }
-    if (ended_well(drawn)) { /* else it would end badly again */
-        done = run_counting(judging, judging->options->only, &output, &end, error);
-    }
-    size_t *items = calloc(result->item_count, sizeof *items);
-    struct counted *yours = calloc(result->item_count, sizeof *yours);
-    if (items == NULL || yours == NULL) {
-        done = error_out_of_memory(error);
-    } else if (done && ended_well(&end)) {
-        tell_untold(judging, output.data != NULL ? (const char *)output.data : "", items, yours);
-    }
-    free(items);
-    free(yours);
-    bytes_free(&output);
-    bytes_free(&end.messages);
     return done;
 }
 
@@ -761,7 +719,7 @@ static bool draw_and_judge(struct judging *judging, struct error *error) {
         find_all_to_do(judging);
         tell_crashing_functions(result);
         tell_likenesses(judging);
-        done = done && count_and_tell(judging, &end, error);
+        done = done && count_and_tell(judging, error);
     }
     result->messages = end.messages;
     run_directory_remove(judging->directory.path);
@@ -851,10 +809,9 @@ void judge_step(const struct options *options, const struct checked_step *step,
     }
     step_result_finish(result);
     find_waiting_tasks(&judging);
-    for (size_t i = 0; judging.references != NULL && i < step->scene_count; i++) {
+    bool has_lists = judging.references != NULL && judging.looks != NULL;
+    for (size_t i = 0; has_lists && i < step->scene_count; i++) {
         image_free(&judging.references[i]);
-    }
-    for (size_t i = 0; judging.looks != NULL && i < step->scene_count; i++) {
         looks_free(&judging.looks[i]);
     }
     mistakes_free(&judging.mistakes);
