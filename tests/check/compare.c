@@ -5,8 +5,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { PANEL_GAP = 8 }; /* grey pixels between two panels */
-
 enum mark { MARK_EQUAL = 0, MARK_NEAR = 1, MARK_APART = 2, MARK_COVERAGE = 4, MARK_WRONG = 8 };
 
 static inline struct color pixel_at(const struct image *image, size_t x, size_t y) {
@@ -177,22 +175,17 @@ static struct color mark_color(unsigned marks, enum compare_pixels wrong, struct
     return color_rgb(reference.r / 4, reference.g / 4, reference.b / 4);
 }
 
-/* Lay the part of `panel` that has room there on the picture, from column x on. */
-static void put_panel(struct image *picture, const struct image *panel, size_t x) {
-    for (size_t y = 0; y < picture->height && y < panel->height; y++) {
-        for (size_t i = 0; x + i < picture->width && i < panel->width; i++) {
-            put(picture, x + i, y, pixel_at(panel, i, y));
-        }
-    }
-}
-
 /* `cut` becomes the part of `image` that a picture of that size shows, with background around. */
 static bool cut_to_size(struct image *cut, const struct image *image, size_t width, size_t height,
                         struct error *error) {
     if (!image_create(cut, width, height, IMAGE_BGR, error)) {
         return false;
     }
-    put_panel(cut, image, 0);
+    for (size_t y = 0; y < height && y < image->height; y++) {
+        for (size_t x = 0; x < width && x < image->width; x++) {
+            put(cut, x, y, pixel_at(image, x, y));
+        }
+    }
     return true;
 }
 
@@ -215,23 +208,4 @@ bool compare_difference(struct image *difference, const struct image *reference,
     }
     image_free(&cut);
     return true;
-}
-
-bool compare_picture(struct image *picture, const struct image *reference,
-                     const struct image *yours, enum compare_pixels wrong, struct error *error) {
-    size_t width = reference->width, height = reference->height;
-    struct image cut = {.pixels = NULL}, difference = {.pixels = NULL};
-    *picture = (struct image){.pixels = NULL};
-    bool done = cut_to_size(&cut, yours, width, height, error) &&
-                compare_difference(&difference, reference, yours, wrong, error) &&
-                image_create(picture, 3 * width + 2 * PANEL_GAP, height, IMAGE_BGR, error);
-    if (done) {
-        image_clear(picture, color_grey(128));
-        put_panel(picture, reference, 0);
-        put_panel(picture, &cut, width + PANEL_GAP);
-        put_panel(picture, &difference, 2 * (width + PANEL_GAP));
-    }
-    image_free(&cut);
-    image_free(&difference);
-    return done;
 }

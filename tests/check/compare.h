@@ -107,9 +107,4 @@ bool image_is_blank(const struct image *image);
 bool compare_difference(struct image *difference, const struct image *reference,
                         const struct image *yours, enum compare_pixels wrong, struct error *error);
 
-/* Make a picture of three panels: reference, yours, difference. Each has the reference's size. The
- * caller frees `picture`. */
-bool compare_picture(struct image *picture, const struct image *reference,
-                     const struct image *yours, enum compare_pixels wrong, struct error *error);
-
 #endif

@@ -210,6 +210,7 @@ static void json_item(struct writer *writer, const struct item_result *item) {
     }
     json_message(writer, ", \"message\"", item->message.text);
     json_message(writer, item->only_may_be ? ", \"may_be\"" : ", \"looks_like\"", item->looks.text);
+    json_message(writer, ", \"seen\"", item->state == RESULT_FAIL ? item->seen.text : "");
     for (size_t i = 0; i < item->looks_figure_count; i++) {
         put(writer, "%s%u%s", i > 0 ? ", " : ", \"figures\": [", item->looks_figures[i],
             i + 1 < item->looks_figure_count ? "" : "]");

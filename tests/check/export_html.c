@@ -92,16 +92,18 @@ static bool read_small(const struct item_result *item, const struct pictures *pi
            looks_shrink(small, yours, reference, error);
 }
 
-/* The item's part of the page, with its pictures: all three, or where all pixels are equal the
+/* The item's part of the page, with what it looks like and its pictures: all three, or where all pixels are equal the
  * reference alone. */
 static bool put_scene(struct bytes *page, const struct step_result *step,
                       const struct item_result *item, struct page_scene scene,
                       struct error *error) {
-    if (item->looks.text[0] == '\0') {
+    bool is_known = item->looks.text[0] != '\0';
+    if (!is_known && (item->seen.text[0] == '\0' || item->state != RESULT_FAIL)) {
         return page_scene(page, &scene, error);
     }
     struct image mistake = {.pixels = NULL}, small = {.pixels = NULL};
-    char *looks = string_format("%s %s%s", result_likeness(item), item->looks.text,
+    char *looks = string_format("%s%s%s%s", is_known ? result_likeness(item) : "",
+                                is_known ? " " : "", is_known ? item->looks.text : item->seen.text,
                                 result_advice(step, item).text);
     scene.looks = looks;
     scene.mistake = &mistake;

@@ -198,20 +198,18 @@ static struct result_path keep_picture(const struct image *picture, struct resul
 
 static void keep_pictures(const struct judging *judging, struct item_result *item,
                           const struct image *reference, const struct image *yours) {
-    struct image panels, picture = {.pixels = NULL};
+    struct image picture;
     struct error error;
     item->reference = reference_path(judging, item->scene);
     if (yours->pixels != NULL) {
         item->yours = keep_picture(yours, kept_path(judging, "yours/", item->scene));
     }
-    if (compare_picture(&panels, reference, yours, verdict_find(&item->shares, item->rule).pixels,
-                        &error) &&
-        legend_picture(&picture, &panels, reference->width, &error)) {
+    if (legend_picture(&picture, reference, yours, verdict_find(&item->shares, item->rule).pixels,
+                       &error)) {
         item->difference = keep_picture(&picture, kept_path(judging, "", item->scene));
     } else {
         fprintf(stderr, "check: no difference image: %s\n", error.message);
     }
-    image_free(&panels);
     image_free(&picture);
 }
 

@@ -99,6 +99,17 @@ static void test_hostile_texts(void) {
     }
 }
 
+/* What is seen of a picture that looks like no mistake. */
+static void test_seen(void) {
+    struct fixture f;
+    set_up(&f, RESULT_FAIL, "");
+    snprintf(f.item.seen.text, sizeof f.item.seen.text, "upside down");
+    check_report(export_json, &f, ", \"seen\": \"", "upside down", "\"}");
+    check_report(export_html, &f, "<aside class=looks><p>", "upside down",
+                 "; make hint STEP=05 TASK=5.2</p>");
+    bytes_free(&f.step.messages);
+}
+
 /* The figures that show what it looks like. */
 static void test_figures(void) {
     struct fixture f;
@@ -162,4 +173,5 @@ static void test_long_texts(void) {
     bytes_free(&text);
 }
 
-UNIT_MAIN(TEST(test_hostile_texts), TEST(test_figures), TEST(test_counters), TEST(test_long_texts))
+UNIT_MAIN(TEST(test_hostile_texts), TEST(test_seen), TEST(test_figures), TEST(test_counters),
+          TEST(test_long_texts))
