@@ -89,6 +89,7 @@ silent step03
 [ ! -e "$work/differences/step01_exact/depth.png" ] || wrong "an old difference image is kept"
 checks 1 1 step07_missing
 says '1 passed, 1 failed'
+: >"$WITNESS"
 checks 0 --only depth2 -- 01
 says 'step01_exact  PASS 1/1 SCORE 1/1 exact'
 grep -q 'one scene of 2' "$WITNESS" || wrong "the program is not told which scene"

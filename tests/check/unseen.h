@@ -19,6 +19,8 @@ struct unseen_place {
 };
 
 bool unseen_begin(struct unseen_place *place, struct error *error);
+
+/* Remove it; one that is all zero is none. */
 void unseen_end(const struct unseen_place *place);
 
 enum { UNSEEN_OPTION_LIMIT = 24 };

@@ -80,13 +80,6 @@ static inline void picture_save(const struct picture *p, int height, const char 
     fclose(file);
 }
 
-/* Draw the right picture, or one with another fill rule or without a depth test, and save it. */
-static inline void picture(const char *directory, const char *scene, int rule, int use_depth) {
-    static struct picture p;
-    picture_draw(&p, rule, use_depth);
-    picture_save(&p, PICTURE_SIZE, directory, scene);
-}
-
 /* Add a line to the file that the environment names WITNESS, where a test reads it. */
 static inline void witness(const char *format, long number) {
     const char *path = getenv("WITNESS");

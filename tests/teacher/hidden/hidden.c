@@ -183,22 +183,6 @@ struct pair {
     struct unseen_place yours, solution;
 };
 
-static bool pair_begin(struct pair *pair, struct error *error) {
-    if (!unseen_begin(&pair->yours, error)) {
-        return false;
-    }
-    if (!unseen_begin(&pair->solution, error)) {
-        unseen_end(&pair->yours);
-        return false;
-    }
-    return true;
-}
-
-static void pair_end(const struct pair *pair) {
-    unseen_end(&pair->yours);
-    unseen_end(&pair->solution);
-}
-
 /* How a program ended, and what it said. */
 struct ending {
     bool well;
@@ -360,15 +344,13 @@ static bool try_case(struct hidden *hidden, const struct checked_step *step, siz
     unsigned step_number = (unsigned)strtoul(step->name + 4, NULL, 10);
     uint64_t seed = hidden->seed * 1000 + number;
     struct told told;
-    struct pair pair;
+    struct pair pair = {.yours = {.whole = {""}}};
     struct ending yours, solved;
     char solutions[DRAWN_PATH_LIMIT], says[256];
     snprintf(solutions, sizeof solutions, "%s/%s", hidden->solutions, step->name);
     tell_all(&told, hidden_case, step_number, seed);
-    if (!pair_begin(&pair, error)) {
-        return false;
-    }
-    bool done = draw(&pair.solution, "", solutions, step->name, &told, hidden_case->kind, seed,
+    bool done = unseen_begin(&pair.yours, error) && unseen_begin(&pair.solution, error) &&
+                draw(&pair.solution, "", solutions, step->name, &told, hidden_case->kind, seed,
                      &solved, error) &&
                 (solved.well || error_set(error, "%s: the solution does not draw %s: %s",
                                           step->name, hidden_case->says, solved.said.text)) &&
@@ -385,7 +367,8 @@ static bool try_case(struct hidden *hidden, const struct checked_step *step, siz
             judge(hidden, &pair, step->name, step->scenes[i].name, &step->scenes[i], says);
         }
     }
-    pair_end(&pair);
+    unseen_end(&pair.yours);
+    unseen_end(&pair.solution);
     return done;
 }
 
