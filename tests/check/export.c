@@ -26,6 +26,10 @@ static void put(struct writer *writer, const char *format, ...) {
     va_end(arguments);
 }
 
+static void put_plain(struct writer *writer, const char *text) {
+    writer->failed = writer->failed || !bytes_append(writer->report, text, strlen(text));
+}
+
 static bool finish(const struct writer *writer, struct error *error) {
     return !writer->failed || error_out_of_memory(error);
 }
@@ -126,7 +130,7 @@ bool export_junit(struct bytes *report, const struct check_result *result, struc
 static void json_text(struct writer *writer, const char *before, const char *name,
                       const char *text) {
     if (text[0] != '\0') {
-        put(writer, before); /* without any % */
+        put_plain(writer, before);
         put(writer, "\"%s\": \"%s\"", name, text);
     }
 }

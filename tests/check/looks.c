@@ -1,5 +1,6 @@
 #include "looks.h"
 
+#include "check/page/pictures.h"
 #include "files/image_file.h"
 
 #include <stdio.h>
@@ -236,42 +237,14 @@ static uint8_t find_level(uint8_t value) {
     return (uint8_t)((value * LEVELS + MOST / 2) / MOST * MOST / LEVELS);
 }
 
-/* Of the pixels from (x,y) up to, without, (right,top): the one that is farthest from the
- * reference's, so that no hole and no line is lost; where none is, the brightest. */
-static struct color choose_pixel(const struct image *picture, const struct image *reference,
-                                 size_t x, size_t y, size_t right, size_t top) {
-    const struct color black = {.a = 255};
-    struct color chosen = black;
-    int most = -1;
-    for (size_t j = y; j < top; j++) {
-        for (size_t i = x; i < right; i++) {
-            struct color color = image_get(picture, (int)i, (int)j);
-            int wrong = color_distance(color, image_get(reference, (int)i, (int)j));
-            int weight = (wrong > COMPARE_LEVELS ? wrong * 256 : 0) + color_distance(color, black);
-            if (weight > most) {
-                most = weight;
-                chosen = color;
-            }
-        }
-    }
-    return chosen;
-}
-
 bool looks_shrink(struct image *small, const struct image *picture, const struct image *reference,
                   struct error *error) {
     struct size size = small_size(reference);
-    size_t width = reference->width, height = reference->height;
-    if (!image_create(small, size.width, size.height, IMAGE_BGR, error)) {
+    if (!picture_shrink(small, picture, reference, size.width, size.height, error)) {
         return false;
     }
-    for (size_t y = 0; y < size.height; y++) {
-        for (size_t x = 0; x < size.width; x++) {
-            struct color color =
-                choose_pixel(picture, reference, x * width / size.width, y * height / size.height,
-                             (x + 1) * width / size.width, (y + 1) * height / size.height);
-            image_set(small, (int)x, (int)y,
-                      color_rgb(find_level(color.r), find_level(color.g), find_level(color.b)));
-        }
+    for (size_t i = 0; i < size.width * size.height * (size_t)small->format; i++) {
+        small->pixels[i] = find_level(small->pixels[i]);
     }
     return true;
 }

@@ -47,9 +47,10 @@ bool picture_part(struct image *part, const struct image *image, int left, int b
                   size_t height, struct error *error);
 
 /* `shrunk` becomes the image in that size, which is not larger: of the pixels that become one it
- * keeps the one that differs most from the background, so that no line and no mark is lost. */
-bool picture_shrink(struct image *shrunk, const struct image *image, size_t width, size_t height,
-                    struct error *error);
+ * keeps the one that differs most from the reference, of the same size, and where none does, or it
+ * is NULL, from the background, so that no line, no mark and no hole is lost. */
+bool picture_shrink(struct image *shrunk, const struct image *image, const struct image *reference,
+                    size_t width, size_t height, struct error *error);
 
 /* How many times an image of that size must be enlarged, by whole numbers, to fill `room`, and at
  * least 1. */
