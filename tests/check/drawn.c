@@ -130,3 +130,10 @@ struct message_line drawn_message(const char *text) {
     }
     return line;
 }
+
+const char *message_line_start(const char *text, const char *at) {
+    while (at > text && at[-1] != '\n') {
+        at--;
+    }
+    return at;
+}

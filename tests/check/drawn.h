@@ -45,4 +45,7 @@ struct message_line {
 };
 struct message_line drawn_message(const char *text);
 
+/* Where the line begins in which `at` points; `text` is where the first one does. */
+const char *message_line_start(const char *text, const char *at);
+
 #endif

@@ -69,6 +69,9 @@ bool run(const struct run_command *command, struct run_result *result, struct er
  * submissions run. */
 struct run_limits run_program_limits(double seconds);
 
+/* Seconds since some time, by a clock that nobody sets. */
+double run_now(void);
+
 /* What made it end as it did, where that is a limit: "stopped after 10 s"; else "". */
 struct run_text {
     char text[112];
