@@ -235,23 +235,12 @@ static bool wants_part(const struct pictures *pictures, const struct options *op
 
 /* ---- The scene ---- */
 
-/* "step05_zbuffer depth: 214 pixels differ". */
+/* "step05_zbuffer depth: 214 pixels differ ..."; with one picture alone nothing is said of it. */
 static bool put_title(struct bytes *out, const struct pictures *pictures,
                       const struct options *options) {
-    const struct image *yours = &pictures->image[PICTURE_YOURS];
-    const struct image *reference = &pictures->image[PICTURE_REFERENCE];
-    bool done = bytes_print(out, "%s %s", options->step, options->scene);
-    if (is_exact(pictures)) {
-        done = done && bytes_print(out, ": exact");
-    } else if (pictures->same_size) {
-        done = done && bytes_print(out, ": %llu pixel%s%s", (unsigned long long)pictures->differing,
-                                   pictures->differing == 1 ? " differs" : "s differ",
-                                   pictures->fails ? "" : ", and it passes");
-    } else if (pictures->image[PICTURE_DIFFERENCE].width > 0) {
-        done = done && bytes_print(out, ": %zux%zu pixels, not %zux%zu", yours->width,
-                                   yours->height, reference->width, reference->height);
-    }
-    return done && bytes_print(out, "\n");
+    bool both = pictures->image[PICTURE_DIFFERENCE].width > 0;
+    return bytes_print(out, "%s %s%s%s\n", options->step, options->scene, both ? ": " : "",
+                       both ? pictures_describe(pictures).text : "");
 }
 
 /* What is not seen of them, and how to see it. */

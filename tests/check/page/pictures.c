@@ -6,6 +6,8 @@
 #include "check/verdict.h"
 #include "files/image_file.h"
 
+#include <stdio.h>
+
 const char *const picture_names[PICTURE_COUNT] = {"yours", "reference", "difference"};
 
 static bool read_if_there(struct image *image, const char *path, struct error *error) {
@@ -52,6 +54,28 @@ bool pictures_read(struct pictures *pictures, const char *yours, const char *ref
         pictures_free(pictures);
     }
     return done;
+}
+
+struct picture_words pictures_describe(const struct pictures *pictures) {
+    const struct image *yours = &pictures->image[PICTURE_YOURS];
+    const struct image *reference = &pictures->image[PICTURE_REFERENCE];
+    struct picture_words words = {"exact"};
+    const size_t size = sizeof words.text;
+    if (yours->width == 0 || reference->width == 0) {
+        snprintf(words.text, size, "there is no %s",
+                 yours->width == 0 ? "picture of yours" : "reference");
+    } else if (!pictures->same_size) {
+        snprintf(words.text, size, "%zux%zu pixels, not %zux%zu", yours->width, yours->height,
+                 reference->width, reference->height);
+    } else if (pictures->differing > 0) {
+        int length =
+            snprintf(words.text, size, "%llu pixel%s, ", (unsigned long long)pictures->differing,
+                     pictures->differing == 1 ? " differs" : "s differ");
+        snprintf(words.text + length, size - (size_t)length,
+                 pictures->fails ? "the first wrong one at (%d,%d)" : "and it passes",
+                 pictures->wrong_x, pictures->wrong_y);
+    }
+    return words;
 }
 
 void pictures_free(struct pictures *pictures) {
