@@ -293,9 +293,10 @@ static const struct {
     {"step50_new", new_scene},
 };
 
-/* Those that only draw: a letter for each of their pictures depth, depth2, depth3 ...: r right, s with
- * another fill rule (every edge is one pixel further to the right), d without depth test, b black;
- * + three levels too light, - three too dark, 1 one too dark. And what they print with --stats. */
+/* Those that only draw: a letter for each of their pictures depth, depth2, depth3 ...: r right, s
+ * with another fill rule (every edge is one pixel further to the right), d without depth test,
+ * b black; + three levels too light, - three too dark, 1 one too dark. And what they print with
+ * --stats. */
 static const struct {
     const char *name, *pictures, *stats;
 } drawings[] = {
