@@ -92,8 +92,8 @@ static bool read_small(const struct item_result *item, const struct pictures *pi
            looks_shrink(small, yours, reference, error);
 }
 
-/* The item's part of the page, with what it looks like and its pictures: all three, or where all pixels are equal the
- * reference alone. */
+/* The item's part of the page, with what it looks like and its pictures: all three, or where all
+ * pixels are equal the reference alone. */
 static bool put_scene(struct bytes *page, const struct step_result *step,
                       const struct item_result *item, struct page_scene scene,
                       struct error *error) {

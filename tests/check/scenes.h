@@ -1,6 +1,6 @@
 /*
- * The table of scenes: which pictures each step draws and how strictly each is compared, what else is
- * judged, and the points. The head of tests/check/scenes.txt says what its lines mean.
+ * The table of scenes: which pictures each step draws and how strictly each is compared, what else
+ * is judged, and the points. The head of tests/check/scenes.txt says what its lines mean.
  */
 #ifndef TESTS_CHECK_SCENES_H
 #define TESTS_CHECK_SCENES_H

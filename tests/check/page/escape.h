@@ -7,8 +7,8 @@
 #include <stdarg.h>
 #include <stdbool.h>
 
-/* Appends the text as a format has it; false when memory runs out. What a terminal would obey becomes
- * '?', a tab a blank; lines stay lines. */
+/* Appends the text as a format has it; false when memory runs out. What a terminal would obey
+ * becomes '?', a tab a blank; lines stay lines. */
 typedef bool escape_function(struct bytes *out, const char *text);
 
 /* As text or attribute of HTML or XML; within a string of JSON; on the one line of TAP, where '#'

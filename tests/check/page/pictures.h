@@ -35,8 +35,8 @@ const struct checked_scene *pictures_rule(struct scene_table *table, const char 
 bool pictures_read(struct pictures *pictures, const char *yours, const char *reference,
                    const struct checked_scene *rule, struct error *error);
 
-/* "exact"; "214 pixels differ, the first wrong one at (3,5)", or "and it passes"; "10x10 pixels, not
- * 200x4"; "there is no picture of yours", or no reference. */
+/* "exact"; "214 pixels differ, the first wrong one at (3,5)", or "and it passes"; "10x10 pixels,
+ * not 200x4"; "there is no picture of yours", or no reference. */
 struct picture_words {
     char text[100];
 };
