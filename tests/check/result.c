@@ -164,24 +164,26 @@ const struct item_result *result_numbers_of(const struct step_result *result,
     return NULL;
 }
 
-/* The first task of which that is true for the item; or NULL. */
-static const char *first_task(const struct step_result *result, const struct item_result *item,
-                              bool is_true(const struct step_result *result,
-                                           const struct item_result *item, const char *task)) {
-    for (size_t i = 0; i < result->task_count; i++) {
-        if (is_true(result, item, result->tasks[i].name.text)) {
-            return result->tasks[i].name.text;
-        }
+/* The first task of which that is true for the item: its number, or task_count. */
+static size_t first_task(const struct step_result *result, const struct item_result *item,
+                         bool is_true(const struct step_result *result,
+                                      const struct item_result *item, const char *task)) {
+    size_t i = 0;
+    while (i < result->task_count && !is_true(result, item, result->tasks[i].name.text)) {
+        i++;
     }
-    return NULL;
+    return i;
 }
 
 /* The first task that may be to blame for an item that is wrong. */
 static const char *first_suspect(const struct step_result *result, const struct item_result *item) {
     const struct credit *credit = item->credit;
-    const char *blamed = first_task(result, item, numbers_blame);
-    if (blamed != NULL || item->looks_task_count > 0) {
-        return blamed != NULL ? blamed : item->looks_tasks[0].text;
+    size_t blamed = first_task(result, item, numbers_blame);
+    if (blamed < result->task_count) {
+        return result->tasks[blamed].name.text;
+    }
+    if (item->looks_task_count > 0) {
+        return item->looks_tasks[0].text;
     }
     for (size_t i = 0; i < credit->task_count; i++) {
         if (!result_is_right(result, credit->tasks[i].text)) {
@@ -221,10 +223,10 @@ static bool is_suspect(const struct step_result *result, const struct item_resul
                        const char *task) {
     const struct credit *credit = item->credit;
     const struct item_result *told = item->unjudged ? result_picture_of(result, item) : item;
-    if (first_task(result, told, numbers_blame) != NULL) {
+    if (first_task(result, told, numbers_blame) < result->task_count) {
         return numbers_blame(result, told, task);
     }
-    if (first_task(result, told, names) != NULL) {
+    if (first_task(result, told, names) < result->task_count) {
         return names(result, told, task);
     }
     bool may_be_right =
@@ -246,7 +248,8 @@ static bool is_need_wrong(const struct step_result *result, const struct credit 
 /* Is it not known whose fault the item is? The states of all tasks are known. */
 static bool is_unsure(const struct step_result *result, const struct item_result *item) {
     const struct credit *credit = item->credit;
-    if (item->state != RESULT_FAIL || first_task(result, item, numbers_blame) != NULL) {
+    if (item->state != RESULT_FAIL ||
+        first_task(result, item, numbers_blame) < result->task_count) {
         return false;
     }
     if (item->looks_task_count > 0 && !item->only_may_be) {
