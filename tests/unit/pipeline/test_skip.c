@@ -76,11 +76,6 @@ static struct mat4 camera_at(struct vec3 eye, struct vec3 center) {
 
 static const struct vec3 origin = {0, 0, 0};
 
-static void make_single(struct scene *scene, const struct model *model) {
-    *scene = (struct scene){.name = "one model"};
-    add_object(scene, model, camera_at((struct vec3){1, 1, 3}, origin), origin, 1);
-}
-
 /* 64 spheres, one in the other; each drawn twice, so that depths are equal. */
 static void make_nested(struct scene *scene, const struct model *sphere, bool outer_first) {
     *scene = (struct scene){.name = outer_first ? "spheres, outer first" : "spheres, inner first"};
@@ -275,14 +270,6 @@ static void check_scene(const struct scene *scene, bool all_shaders,
 static struct model bust, sphere, wall;
 static struct scene scene;
 
-static void test_single(void) {
-    uint64_t stats[PIPELINE_STATS] = {0};
-    make_single(&scene, &bust);
-    check_scene(&scene, true, stats);
-    CHECK(stats[STAT_FACES_TURNED_AWAY] > bust.face_count / 3 && stats[STAT_FACES_HIDDEN] > 0);
-    CHECK(stats[STAT_CALLS_OUTSIDE] == 0);
-}
-
 static void test_nested_spheres(void) {
     for (int outer_first = 0; outer_first < 2; outer_first++) {
         uint64_t stats[PIPELINE_STATS] = {0};
@@ -334,23 +321,6 @@ static void test_crowd(void) {
     }
 }
 
-/* After a model that is outside, one whose positions are nearly all at the same place, but of which
- * one face reaches into the view: each has a box of its own. */
-static void test_two_models(void) {
-    static struct vec3 positions[16] = {[1] = {10, 3, 0}, [2] = {10, -3, 0}};
-    static const uint32_t corners[][3] = {{0, 2, 1}};
-    struct face face;
-    struct model spike = plain_model(positions, 16, &face, 1, corners);
-    struct mat4 camera = camera_at((struct vec3){0, 0, 3}, origin);
-    struct vec3 place = {-5, 0, 0};
-    uint64_t stats[PIPELINE_STATS] = {0};
-    scene = (struct scene){.name = "two models"};
-    add_object(&scene, &bust, camera, place, 1);
-    add_object(&scene, &spike, camera, place, 1);
-    check_scene(&scene, true, stats);
-    CHECK(stats[STAT_CALLS_OUTSIDE] == 1 && stats[STAT_PIXELS_SHADED] > 100);
-}
-
 /* Faces that are clipped at the near plane, and whose positions are the first of thousands: who
  * transforms the last of these has seen none that is clipped. Of several positions at once it is
  * not the first one that is beyond the plane. */
@@ -368,38 +338,6 @@ static void test_clipped_by_the_first_positions(void) {
     add_object(&scene, &model, camera_at((struct vec3){0, 0.5, 3}, origin), origin, 1);
     check_scene(&scene, true, stats);
     CHECK(stats[STAT_FACES_CLIPPED] == FACES && stats[STAT_PIXELS_SHADED] > 100);
-}
-
-/* A wall, and after it a model that lies in the same plane, except for one face that goes through
- * the wall: it is nearest, but where depths are equal the wall was first. */
-static void test_equal_depths(void) {
-    static struct vec3 positions[] = {{-1, -1, 0}, {1, -1, 0},    {1, 1, 0},    {-1, 1, 0},
-                                      {0, -1, -1}, {0.9, 0, 0.5}, {0, 0.9, 0.5}};
-    static struct face faces[3];
-    static const uint32_t corners[3][3] = {{0, 1, 2}, {0, 2, 3}, {4, 5, 6}};
-    struct model through = plain_model(positions, 7, faces, 3, corners);
-    uint64_t stats[PIPELINE_STATS] = {0};
-    scene = (struct scene){.name = "a wall and what goes through it"};
-    add_object(&scene, &wall, mat4_identity(), origin, 1);
-    add_object(&scene, &through, mat4_identity(), origin, 1);
-    check_scene(&scene, true, stats);
-    CHECK(stats[STAT_PIXELS_SHADED] == WIDTH * HEIGHT);
-    CHECK(stats[STAT_ATTRIBUTE_SETS] > 2 * BANDS && stats[STAT_ATTRIBUTE_SETS] <= 3 * BANDS);
-}
-
-/* A wall, and a model of which one face is before and the next one behind it: as a whole it is not
- * behind. */
-static void test_before_and_behind(void) {
-    static struct vec3 positions[] = {{-0.8, -0.8, 0.5},  {0.2, -0.8, 0.5},  {-0.8, 0.2, 0.5},
-                                      {-0.2, -0.8, -0.5}, {0.8, -0.8, -0.5}, {0.8, 0.8, -0.5}};
-    struct face faces[2];
-    struct model both = plain_model(positions, 6, faces, 2, NULL);
-    uint64_t stats[PIPELINE_STATS] = {0};
-    scene = (struct scene){.name = "before and behind a wall"};
-    add_object(&scene, &wall, mat4_identity(), origin, 1);
-    add_object(&scene, &both, mat4_identity(), origin, 1);
-    check_scene(&scene, true, stats);
-    CHECK(stats[STAT_FACES_HIDDEN] == 1 && stats[STAT_PIXELS_SHADED] == WIDTH * HEIGHT);
 }
 
 /* Points within roundings of one side of the view: a face is skipped with its object only if it
@@ -489,26 +427,6 @@ static void test_rounds(void) {
             }
         }
     }
-}
-
-/* Of an object that comes after a wall's round one face is hidden and the other one is not: the
- * hidden one is counted once, not in each of its bands. */
-static void test_face_hidden_by_an_earlier_round(void) {
-    static struct vec3 positions[] = {{-0.9, -0.9, 0}, {-0.2, -0.9, 0}, {-0.9, 0.9, 0},
-                                      {0.2, -0.9, 0},  {0.9, -0.9, 0},  {0.9, 0.9, 0}};
-    struct face faces[2];
-    struct model both = plain_model(positions, 6, faces, 2, NULL);
-    uint64_t stats[PIPELINE_STATS] = {0};
-    scene = (struct scene){.name = "half behind a wall"};
-    struct mat4 left_half = mat4_scaling((struct vec3){0.25, 0.5, 1});
-    add_object(&scene, &wall, left_half, (struct vec3){-2, 0, 0.5}, 1);
-    for (size_t i = 0; i < 16; i++) {
-        scene.objects[scene.count++] = (struct object){&wall, small_square(24 * i + 13, 0.25)};
-    }
-    add_object(&scene, &both, mat4_identity(), origin, 1);
-    check_scene(&scene, true, stats);
-    CHECK(stats[STAT_CALLS_HIDDEN] == 0);
-    CHECK(stats[STAT_FACES_HIDDEN] == 1 && stats[STAT_FACES_BEHIND] == 1);
 }
 
 static struct vec3 any_place(struct random *random, double side) {
@@ -635,40 +553,6 @@ static bool soup_create(struct model *soup, size_t face_count) {
     return true;
 }
 
-/* A place on the screen, in pixels, as a position that no matrix moves. */
-static struct vec3 at_pixel(double x, double y) {
-    return (struct vec3){2 * x / WIDTH - 1, 2 * y / HEIGHT - 1, 0};
-}
-
-/* A wall of a square for each tile of 16x8 pixels. What comes after its round is hidden, whichever
- * of the squares it is behind. */
-static void test_hidden_by_many_faces(void) {
-    enum { COLUMNS = WIDTH / 16, ROWS = HEIGHT / 8, SQUARES = 20 };
-    struct model soup;
-    uint64_t stats[PIPELINE_STATS] = {0};
-    if (!soup_create(&soup, 2 * COLUMNS * ROWS)) {
-        return;
-    }
-    for (size_t i = 0; i < COLUMNS * ROWS; i++) {
-        double x = (double)(i % COLUMNS * 16), y = (double)(i / COLUMNS * 8);
-        struct vec3 corners[] = {at_pixel(x, y), at_pixel(x + 16, y), at_pixel(x + 16, y + 8),
-                                 at_pixel(x, y + 8)};
-        for (size_t k = 0; k < 6; k++) {
-            soup.positions[6 * i + k] = corners[k < 3 ? k : (k - 1) % 4];
-        }
-    }
-    scene = (struct scene){.name = "squares behind a wall of squares"};
-    for (size_t i = 0; i < SQUARES; i++) {
-        scene.objects[scene.count++] =
-            (struct object){&wall, small_square(i * 37 % (24 * 18), -0.5)};
-    }
-    scene.objects[scene.count++] = (struct object){&soup, mat4_identity()};
-    check_scene(&scene, false, stats);
-    CHECK(stats[STAT_CALLS_HIDDEN] == scene.count - end_of_round(0, scene.count));
-    CHECK(stats[STAT_PIXELS_SHADED] == WIDTH * HEIGHT);
-    model_free(&soup);
-}
-
 /* The faces of a batch lie close together; of some batches all but one are very small, and in one
  * place: so the box hangs on one face. */
 static void scatter_batches(struct model *soup, struct random *random) {
@@ -733,10 +617,8 @@ static void test_free(void) {
     CHECK(bust.face_count == 0 && sphere.face_count == 0);
 }
 
-UNIT_MAIN(TEST(test_models_are_there), TEST(test_single), TEST(test_nested_spheres),
-          TEST(test_behind_a_wall), TEST(test_crowd), TEST(test_two_models),
-          TEST(test_clipped_by_the_first_positions), TEST(test_equal_depths),
-          TEST(test_before_and_behind), TEST(test_within_roundings_of_a_side), TEST(test_rounds),
-          TEST(test_face_hidden_by_an_earlier_round), TEST(test_askew),
+UNIT_MAIN(TEST(test_models_are_there), TEST(test_nested_spheres), TEST(test_behind_a_wall),
+          TEST(test_crowd), TEST(test_clipped_by_the_first_positions),
+          TEST(test_within_roundings_of_a_side), TEST(test_rounds), TEST(test_askew),
           TEST(test_within_roundings_of_a_wall), TEST(test_roundings_within_a_face),
-          TEST(test_hidden_by_many_faces), TEST(test_scattered_batches), TEST(test_free))
+          TEST(test_scattered_batches), TEST(test_free))
