@@ -151,43 +151,6 @@ static void test_face_past_a_corner(void) {
     target_free(&target);
 }
 
-/* Objects are left out when all of their positions are beyond one side: not when most of them are,
- * and not because another object was, or the same one in another frame. */
-static void test_object_partly_in_view(void) {
-    static struct mesh mesh, outside;
-    enum { POSITIONS = 80 };
-    mesh_begin(&outside);
-    for (int i = 0; i < POSITIONS; i++) {
-        mesh_vertex(&outside, -4 + 0.01 * i, 0.3 * (i % 3), 0);
-    }
-    mesh_face(&outside, 0, 1, 2);
-    for (uint32_t first = 0; frame_begin(0) && first + 2 < POSITIONS; first++) {
-        mesh_begin(&mesh);
-        memcpy(mesh.positions, outside.positions, POSITIONS * sizeof mesh.positions[0]);
-        mesh.model.position_count = POSITIONS;
-        mesh_face(&mesh, first, first + 1, first + 2);
-        frame_draw(&outside, mat4_identity(), &number_shader);
-        frame_draw(&mesh, mat4_identity(), &number_shader);
-        frame_finish();
-        CHECK(frame_count(0) == (size_t)SIZE * SIZE);
-        for (uint32_t i = 0; i < 3; i++) {
-            mesh.positions[first + i] = (struct vec3){i == 1 ? 0.5 : -0.5, i == 2 ? 0.5 : -0.5, 0};
-        }
-        frame_next();
-        frame_draw(&mesh, mat4_identity(), &number_shader);
-        frame_finish();
-        CHECK(frame_count(1) > 50);
-        frame_next();
-        frame_draw(&outside, mat4_identity(), &number_shader);
-        frame_draw(&mesh, mat4_identity(), &number_shader);
-        frame_finish();
-        CHECK(frame_count(2) > 50);
-        CHECK(target.pipeline.stats[STAT_FACES_OUTSIDE] == 1);
-        target_free(&target);
-    }
-    target_free(&target);
-}
-
 /* A model without positions has no box: it is beyond no side, and nothing of it is seen; nor does
  * it disturb others, which are held against each other by their boxes. */
 static void test_object_without_positions(void) {
@@ -607,11 +570,10 @@ static void test_errors(void) {
     pipeline_free(&pipeline);
 }
 
-UNIT_MAIN(TEST(test_face_past_a_corner), TEST(test_object_partly_in_view),
-          TEST(test_object_without_positions), TEST(test_object_too_large_to_judge),
-          TEST(test_each_number_of_varyings), TEST(test_prepared),
-          TEST(test_discarded_hides_nothing), TEST(test_cut_from_both_ends), TEST(test_nearest_w),
-          TEST(test_depth_overflows), TEST(test_clipped_in_every_block),
+UNIT_MAIN(TEST(test_face_past_a_corner), TEST(test_object_without_positions),
+          TEST(test_object_too_large_to_judge), TEST(test_each_number_of_varyings),
+          TEST(test_prepared), TEST(test_discarded_hides_nothing), TEST(test_cut_from_both_ends),
+          TEST(test_nearest_w), TEST(test_depth_overflows), TEST(test_clipped_in_every_block),
           TEST(test_scale_of_clip_space), TEST(test_grid_cell), TEST(test_not_finite),
           TEST(test_wrapped_level), TEST(test_far_apart), TEST(test_threads_later),
           TEST(test_errors))
