@@ -168,10 +168,11 @@ static void put_file(const char *name, const char *text) {
 
 static struct image picture; /* the last one that was read */
 
-static bool read_image(const char *name) {
+static bool read_image(const char *name, size_t width, size_t height) {
     struct error error;
     image_free(&picture);
-    return CHECK(image_read(&picture, in_directory(name), &error));
+    return CHECK(image_read(&picture, in_directory(name), &error)) &&
+           CHECK(picture.width == width && picture.height == height);
 }
 
 /* Run, and compare the status and all that was printed. */
@@ -260,15 +261,11 @@ static size_t count_frames(const char *path) {
 
 static void test_formats(void) {
     CHECK_RUN(&dot_program, "-o out/deep --only dot", 0, "out/deep/dot.tga\n");
-    if (read_image("out/deep/dot.tga")) {
-        CHECK(picture.width == 4 && picture.height == 3);
-        CHECK(image_get(&picture, 1, 1).r == 1 && image_get(&picture, 1, 1).b == 3);
-    }
+    CHECK(read_image("out/deep/dot.tga", 4, 3));
+    CHECK(image_get(&picture, 1, 1).r == 1 && image_get(&picture, 1, 1).b == 3);
     CHECK(run(&dot_program, "-o out --only dot --format png -s 7x9") == 0);
-    if (read_image("out/dot.png")) {
-        CHECK(picture.width == 7 && picture.height == 9);
-        CHECK(image_get(&picture, 1, 1).r == 1 && image_get(&picture, 1, 1).b == 3);
-    }
+    CHECK(read_image("out/dot.png", 7, 9));
+    CHECK(image_get(&picture, 1, 1).r == 1 && image_get(&picture, 1, 1).b == 3);
     CHECK(count_frames("out/dot.png") == 0);
     CHECK(run(&dot_program, "-o out --only dot --format ppm") == 0);
     CHECK(exists("out/dot.ppm"));
@@ -277,20 +274,13 @@ static void test_formats(void) {
 
 static void test_frames(void) {
     CHECK(run(&dot_program, "-o out --only film") == 0);
-    if (read_image("out/film.tga")) {
-        /* Three frames of 2x2 on a sheet of two columns, the first one top left. */
-        CHECK(picture.width == 5 && picture.height == 4);
-        CHECK(image_get(&picture, 1, 3).b == 3);
-        CHECK(image_get(&picture, 3, 3).b == 4);
-        CHECK(image_get(&picture, 1, 1).b == 5);
-        CHECK(image_get(&picture, 3, 1).b == 0);
-    }
+    /* Three frames of 2x2 on a sheet of two columns, the first one top left. */
+    CHECK(read_image("out/film.tga", 5, 4));
+    CHECK(image_get(&picture, 1, 3).b == 3 && image_get(&picture, 3, 3).b == 4);
+    CHECK(image_get(&picture, 1, 1).b == 5 && image_get(&picture, 3, 1).b == 0);
     CHECK(run(&dot_program, "-o out --only film --format png") == 0);
     CHECK(count_frames("out/film.png") == 3);
-    if (read_image("out/film.png")) {
-        CHECK(picture.width == 5 &&
-              picture.height == 4); /* in an animation each frame has the size */
-    }
+    CHECK(read_image("out/film.png", 5, 4)); /* in an animation each frame has the size */
     CHECK_RUN(&dot_program, "-o out --only film -s 1x9", 2,
               "probe: scene film: 3 frames need at least 2x2 pixels\n");
     CHECK_RUN(&dot_program, "-o out --only film -s 9x1", 2,
@@ -374,17 +364,11 @@ static void test_text_scene(void) {
     put_file("a.b.txt", with_size);
     put_file("plain", without);
     CHECK_RUN(&text_program, "-o out a.b.txt", 0, "out/a.b.tga\n");
-    if (read_image("out/a.b.tga")) {
-        CHECK(picture.width == 9 && picture.height == 8 && image_get(&picture, 3, 0).g == 20);
-    }
+    CHECK(read_image("out/a.b.tga", 9, 8) && image_get(&picture, 3, 0).g == 20);
     CHECK(run(&text_program, "-o out plain") == 0);
-    if (read_image("out/plain.tga")) {
-        CHECK(picture.width == 5 && picture.height == 5);
-    }
+    CHECK(read_image("out/plain.tga", 5, 5));
     CHECK(run(&text_program, "-o out -s 6x7 a.b.txt") == 0); /* the option wins */
-    if (read_image("out/a.b.tga")) {
-        CHECK(picture.width == 6 && picture.height == 7);
-    }
+    CHECK(read_image("out/a.b.tga", 6, 7));
 }
 
 /* ---- What scenes need ---- */
@@ -530,32 +514,25 @@ static void test_points_and_notes(void) {
     CHECK(strlen(drawing.notes) == NOTES_LIMIT - 1 && drawing.notes[NOTES_LIMIT - 1] == '\0');
 }
 
-/* A drawing of a replaced texture: what stands for it. */
-static bool draw_replaced(struct drawing *drawing, struct image *image, struct error *error) {
-    (void)error;
-    const struct texture *diffuse = drawing->diffuse, *specular = drawing->specular;
-    CHECK(drawing->normal_map == NULL && model_normal(drawing->model, 0, 1).y == 1);
-    CHECK(diffuse->level[0].width == 1 && diffuse->level[0].texels[0] == 0xFFFFFFFF);
-    CHECK(specular->level[0].width == 1 && specular->level[0].texels[0] == 0xFF404040);
-    return image_set(image, 0, 0, color_grey(1));
-}
+static const char *expected_sight;
 
-/* A normal map in tangent space, beside what is replaced. */
-static bool draw_tangent(struct drawing *drawing, struct image *image, struct error *error) {
+/* Corner 1 of face 0, its normal, and the first texels of the textures. */
+static bool draw_sight(struct drawing *drawing, struct image *image, struct error *error) {
+    const struct texture *textures[] = {drawing->diffuse, drawing->normal_map, drawing->specular};
+    struct vec3 p = model_position(drawing->model, 0, 1), n = model_normal(drawing->model, 0, 1),
+                zero = {0, 0, 0};
+    char sight[200];
     (void)error;
-    CHECK(drawing->normal_map != NULL && drawing->normal_map->tangent_space);
-    CHECK(drawing->normal_map->level[0].texels[0] == 0xFF8080FF); /* not turned */
-    CHECK(model_normal(drawing->model, 0, 1).z == 1);             /* turned */
-    return image_set(image, 0, 0, color_grey(1));
-}
-
-static bool given_tangent; /* by a name */
-
-static bool draw_present(struct drawing *drawing, struct image *image, struct error *error) {
-    (void)error;
-    CHECK(drawing->diffuse != NULL && (drawing->diffuse->level[0].texels[0] & 255) == 90);
-    CHECK(drawing->normal_map != NULL && drawing->specular != NULL);
-    CHECK(drawing->normal_map == NULL || drawing->normal_map->tangent_space == given_tangent);
+    p = vec3_add(p, zero); /* no negative zeros */
+    n = vec3_add(n, zero);
+    int used = snprintf(sight, sizeof sight, "%g %g %g, %g %g %g,", p.x, p.y, p.z, n.x, n.y, n.z);
+    for (int i = 0; i < 3; i++) {
+        const struct texture *t = textures[i];
+        used += snprintf(sight + used, sizeof sight - (size_t)used, t == NULL ? " none" : " %X%s",
+                         t == NULL ? 0 : t->level[0].texels[0],
+                         t != NULL && t->tangent_space ? " tangent" : "");
+    }
+    CHECK_TEXT(sight, expected_sight);
     return image_set(image, 0, 0, color_grey(1));
 }
 
@@ -590,8 +567,8 @@ enum { ALL_TEXTURES = NEEDS_DIFFUSE | NEEDS_NORMAL_MAP | NEEDS_SPECULAR };
  * and counts before what lies beside the model. */
 static void test_replaced(void) {
     static struct scene two_scenes[] = {
-        {.name = "one", .needs = ALL_TEXTURES, .width = 4, .height = 3, .draw = draw_replaced},
-        {.name = "two", .needs = ALL_TEXTURES, .width = 4, .height = 3, .draw = draw_replaced},
+        {.name = "one", .needs = ALL_TEXTURES, .width = 4, .height = 3, .draw = draw_sight},
+        {.name = "two", .needs = ALL_TEXTURES, .width = 4, .height = 3, .draw = draw_sight},
     };
     const struct program program = {PROBE(two_scenes)};
     uint8_t levels[] = {255, 128, 128, 0, 0, 0};
@@ -599,6 +576,7 @@ static void test_replaced(void) {
     const struct image given = {1, 1, IMAGE_BGR, levels};
     struct error error;
     put_file("wild.obj", MAPPED);
+    expected_sight = "1 0 0, 0 1 0, FFFFFFFF none FF404040";
     CHECK_RUN(&program, "-o out wild.obj", 0,
               "probe: wild.obj: no wild_diffuse.tga, wild_nm.tga, wild_spec.tga" MISSING
               "white, the mesh's normals, the same shine everywhere instead "
@@ -614,6 +592,7 @@ static void test_replaced(void) {
               "converts it; " NORMALS "probe: none.tga: No such file or directory\n");
     CHECK(remove(in_directory("wild_nm.JPG")) == 0);
     put_file("bare.obj", "v 0 0 0\nv 0 0 1\nv 1 0 0\nf 1 2 3\n"); /* no place in a picture */
+    expected_sight = "0 0 1, 0 1 0, FFFFFFFF none FF404040";
     CHECK_RUN(&program, "-o out bare.obj", 0, PICTURES);
     CHECK_RUN(&program, "-o out --texture a.png bare.obj", 1,
               "probe: bare.obj: has no texture coordinates, without which a.png cannot be drawn\n");
@@ -625,7 +604,7 @@ static void test_replaced(void) {
     put_file("wild_diffuse.png", "\xFF\xD8\xFF\xE0");
     put_file("wild_spec.png", "nothing");
     CHECK(tga_write(&blue, in_directory("wild_nm.tga"), &error));
-    two_scenes[0].draw = two_scenes[1].draw = draw_tangent;
+    expected_sight = "1 0 0, 0 0 1, FFFFFFFF FF8080FF tangent FF404040"; /* the map stays */
     CHECK_RUN(&program, "-o out --turn 1,0,0 wild.obj", 0,
               "probe: wild_diffuse.png: a JPEG file, not a PNG or TGA file: `magick FILE NEW.png` "
               "converts it; " WHITE
@@ -640,11 +619,12 @@ static void test_replaced(void) {
     CHECK_RUN(&program, "-o out --only one --texture given.tga --specular given.tga wild.obj", 0,
               "probe: wild_nm.tga: grey values: perhaps heights, but not normals; " NORMALS
               "probe: scene one: nothing was drawn\nout/one.tga\n");
-    two_scenes[0].draw = two_scenes[1].draw = draw_present;
+    two_scenes[0].draw = draw_sight;
+    expected_sight = "1 0 0, 0 1 0, FF80805A FF80805A FF80805A";
     CHECK_RUN(&program,
               "-o out --texture given.tga --normal-map given.tga --specular given.tga wild.obj", 0,
               PICTURES);
-    given_tangent = true;
+    expected_sight = "1 0 0, 0 1 0, FF80805A FF80805A tangent FF80805A";
     CHECK(tga_write(&given, in_directory("given_tangent.tga"), &error));
     CHECK_RUN(&program,
               "-o out --texture given.tga --normal-map given_tangent.tga --specular given.tga "
@@ -815,26 +795,6 @@ static void test_tiny(void) {
               "probe: scene blank: nothing was drawn; what may help: --fit\nout/blank.tga\n");
 }
 
-/* What is drawn of a turned model: a corner, its normal, and the same of a normal map. */
-static bool draw_turned(struct drawing *drawing, struct image *image, struct error *error) {
-    (void)error;
-    struct vec3 p = model_position(drawing->model, 0, 1), n = model_normal(drawing->model, 0, 1);
-    CHECK(vec3_length(vec3_sub(p, (struct vec3){0.25, -0.75, 0.5})) == 0);
-    CHECK(vec3_length(vec3_sub(n, (struct vec3){0, -2, 1})) == 0);
-    CHECK(drawing->normal_map->level[0].texels[0] == 0xFFE69B3C); /* 230 155 60 */
-    CHECK(drawing->diffuse->level[0].texels[0] == 0xFFE63C64);
-    return image_set(image, 0, 0, color_grey(1));
-}
-
-/* The same around y only. */
-static bool draw_turned_aside(struct drawing *drawing, struct image *image, struct error *error) {
-    (void)error;
-    struct vec3 p = model_position(drawing->model, 0, 1);
-    CHECK(vec3_length(vec3_sub(p, (struct vec3){0.75, 0.5, -0.25})) == 0);
-    CHECK(drawing->normal_map->level[0].texels[0] == 0xFF643C19); /* 100 60 25 */
-    return image_set(image, 0, 0, color_grey(1));
-}
-
 /* A roof of two faces that are wound otherwise, without normals: on the ridge each corner has the
  * mean of both, and not the normal of its own face, which leans by 45 degrees. */
 static bool draw_roof(struct drawing *drawing, struct image *image, struct error *error) {
@@ -851,7 +811,7 @@ static bool draw_roof(struct drawing *drawing, struct image *image, struct error
 static void test_turn_and_sides(void) {
     struct scene scene = {.name = "turned",
                           .needs = NEEDS_MODEL | NEEDS_NORMALS | NEEDS_NORMAL_MAP | NEEDS_DIFFUSE,
-                          .draw = draw_turned};
+                          .draw = draw_sight};
     struct program program = with_scenes(&view_program, &scene, 1);
     uint8_t levels[] = {100, 60, 230}; /* blue, green, red */
     const struct image normal = {1, 1, IMAGE_BGR, levels};
@@ -860,9 +820,10 @@ static void test_turn_and_sides(void) {
                        "f 1/1/1 2/1/1 3/1/1\n");
     CHECK(tga_write(&normal, in_directory("up_nm.tga"), &error) &&
           tga_write(&normal, in_directory("up_diffuse.tga"), &error));
+    expected_sight = "0.25 -0.75 0.5, 0 -2 1, FFE63C64 FFE69B3C none";
     CHECK_RUN(&program, "-o out --turn 1,0,0 up.obj", 0, "out/turned.tga\n");
     CHECK_RUN(&program, "-o out --turn -3,4,-8 up.obj", 0, "out/turned.tga\n");
-    scene.draw = draw_turned_aside;
+    expected_sight = "0.75 0.5 -0.25, 2 1 0, FFE63C64 FF643C19 none";
     CHECK_RUN(&program, "-o out --turn 0,1,0 up.obj", 0, "out/turned.tga\n");
     scene.draw = draw_roof;
     scene.needs = NEEDS_MODEL | NEEDS_NORMALS;
