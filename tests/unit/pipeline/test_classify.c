@@ -183,33 +183,10 @@ static struct triangle small_triangle(struct random *random, const struct rectan
     int x = (int)random_between(random, viewport->x - 2, viewport->x + viewport->width);
     int y = (int)random_between(random, viewport->y - 2, viewport->y + viewport->height);
     int columns = (int)random_between(random, 1, 3), rows = (int)random_between(random, 1, 3);
+    int32_t grid = random_bits(random) % 3 ? 1 : 128;
     for (int i = 0; i < 3; i++) {
-        t.corner[i].x = any_place(random, x, columns);
-        t.corner[i].y = any_place(random, y, rows);
-    }
-    struct fixed2 *c = t.corner;
-    uint64_t from = random_bits(random) % 3, to = random_bits(random) % 3;
-    switch (random_bits(random) % 16) {
-    case 0:
-    case 1:
-        c[to].x = c[from].x;
-        break;
-    case 2:
-    case 3:
-        c[to].y = c[from].y;
-        break;
-    case 4:
-        c[0].x = (c[1].x & ~1) + (c[2].x & ~1);
-        c[0].y = (c[1].y & ~1) + (c[2].y & ~1);
-        c[0] = (struct fixed2){c[0].x / 2, c[0].y / 2};
-        c[1] = (struct fixed2){c[1].x & ~1, c[1].y & ~1};
-        c[2] = (struct fixed2){c[2].x & ~1, c[2].y & ~1};
-        break;
-    case 5:
-        c[to] = c[from];
-        break;
-    default:
-        break;
+        t.corner[i].x = any_place(random, x, columns) / grid * grid;
+        t.corner[i].y = any_place(random, y, rows) / grid * grid;
     }
     return t;
 }
