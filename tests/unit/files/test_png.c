@@ -71,11 +71,6 @@ static void put_pixels(struct bytes *file, const uint8_t *raw, size_t size) {
     bytes_free(&stream);
 }
 
-static bool decode_exact(struct image *image, const uint8_t *data, size_t size,
-                         struct error *error) {
-    return decode_exact_by(png_decode, image, data, size, error);
-}
-
 /* Bytes written as a string. */
 struct text {
     const char *bytes;
@@ -163,7 +158,8 @@ static void test_color_types(void) {
         put_pixels(&file, (const uint8_t *)rows[i].raw.bytes, rows[i].raw.size);
         size_t whole = file.size + 12;
         put_chunk(&file, "IEND", NULL, 0);
-        if (CHECK_ROW(decode_exact(&image, file.data, file.size, &error), rows[i].name)) {
+        if (CHECK_ROW(decode_exact(png_decode, &image, file.data, file.size, &error),
+                      rows[i].name)) {
             CHECK_ROW(image.width == 2 && image.height == 2, rows[i].name);
             CHECK_ROW(image.format == rows[i].format, rows[i].name);
             CHECK_ROW(memcmp(image.pixels, rows[i].pixels, 4 * (size_t)image.format) == 0,
@@ -171,7 +167,7 @@ static void test_color_types(void) {
         }
         image_free(&image);
         for (size_t size = 0; size < whole; size++) {
-            CHECK_ROW(!decode_exact(&image, file.data, size, &error), rows[i].name);
+            CHECK_ROW(!decode_exact(png_decode, &image, file.data, size, &error), rows[i].name);
         }
         /* The checksums see every change of a byte; in "teXt", which no picture needs, it is passed
          * over (but not where its length is). With another name tRNS is needed as little. */
@@ -181,7 +177,7 @@ static void test_color_types(void) {
             bool harmless = at >= 33 + 4 && at < 33 + 12 + 13;
             bool renamed = rows[i].alpha.size > 0 && at >= alpha_at + 4 && at < alpha_at + 8;
             file.data[at] ^= 0x10;
-            bool done = decode_exact(&image, file.data, file.size, &error);
+            bool done = decode_exact(png_decode, &image, file.data, file.size, &error);
             CHECK_ROW(renamed || done == harmless, rows[i].name);
             CHECK_ROW(!harmless ||
                           memcmp(image.pixels, rows[i].pixels, 4 * (size_t)image.format) == 0,
@@ -240,7 +236,7 @@ static void test_filters(void) {
         put_header(&file, WIDTH, HEIGHT, kinds[k].depth, kinds[k].type, 0);
         put_pixels(&file, raw, HEIGHT * (1 + size));
         put_chunk(&file, "IEND", NULL, 0);
-        if (CHECK(decode_exact(&image, file.data, file.size, &error))) {
+        if (CHECK(decode_exact(png_decode, &image, file.data, file.size, &error))) {
             for (int i = 0; i < WIDTH * HEIGHT; i++) {
                 int x = i % WIDTH, y = i / WIDTH;
                 const uint8_t *pixel = &plain[HEIGHT - 1 - y][(size_t)x * step];
@@ -310,7 +306,7 @@ static void test_interlaced(void) {
         put_header(&file, width, height, depth, 0, 1);
         put_pixels(&file, raw, end);
         put_chunk(&file, "IEND", NULL, 0);
-        if (CHECK(decode_exact(&image, file.data, file.size, &error))) {
+        if (CHECK(decode_exact(png_decode, &image, file.data, file.size, &error))) {
             CHECK(image.width == width && image.height == height);
             for (uint32_t k = 0; k < width * height; k++) {
                 uint32_t x = k % width, y = k / width;
@@ -337,7 +333,7 @@ static void test_split_data(void) {
             put_chunk(&file, other ? "tIME" : "IDAT", "1234567", other ? 7 : 0);
         }
         put_chunk(&file, "IEND", NULL, 0);
-        bool done = decode_exact(&image, file.data, file.size, &error);
+        bool done = decode_exact(png_decode, &image, file.data, file.size, &error);
         CHECK(done == !between);
         CHECK(done || strstr(error.message, "between its pixel data") != NULL);
         CHECK(!done || memcmp(image.pixels, raw + 1, 3) == 0);
@@ -458,7 +454,7 @@ static void test_chunks(void) {
         struct image image;
         struct error error;
         struct bytes file = make_file(rows[i].header, rows[i].chunks);
-        bool done = decode_exact(&image, file.data, file.size, &error);
+        bool done = decode_exact(png_decode, &image, file.data, file.size, &error);
         CHECK_ROW(done == (rows[i].message == NULL), rows[i].name);
         if (!done && rows[i].message != NULL) {
             CHECK_ROW(strstr(error.message, rows[i].message) != NULL, error.message);
@@ -480,7 +476,7 @@ static void test_names(void) {
         type[i % 4] = characters[i / 4];
         put_chunk(&chunk, type, NULL, 0);
         memcpy(file.data + 33, chunk.data, chunk.size);
-        decode_exact(&image, file.data, file.size, &error);
+        decode_exact(png_decode, &image, file.data, file.size, &error);
         bool refused = strstr(error.message, "chunk without a name at byte 33") != NULL;
         CHECK_ROW(refused == (i / 4 < 6), type);
         image_free(&image);
@@ -531,7 +527,7 @@ static void test_round_trip(void) {
         put(&file, 66);
         CHECK(png_encode(&image, &file, &error) && file.data[0] == 66);
         CHECK(file.data[1 + 24] == 8 && file.data[1 + 25] == color_types[i % 3]);
-        if (CHECK(decode_exact(&again, file.data + 1, file.size - 1, &error))) {
+        if (CHECK(decode_exact(png_decode, &again, file.data + 1, file.size - 1, &error))) {
             CHECK(same_image(&image, &again));
         }
         image_free(&again);
@@ -630,7 +626,7 @@ static size_t play(const struct bytes *file, const struct image *frames, size_t 
                        header[9], 0);
             put_chunk(&single, "IDAT", data + (first ? 0 : 4), size - (first ? 0 : 4));
             put_chunk(&single, "IEND", NULL, 0);
-            if (CHECK(decode_exact(&part, single.data, single.size, &error))) {
+            if (CHECK(decode_exact(png_decode, &part, single.data, single.size, &error))) {
                 paste(&shown, &part, x, y);
             }
             CHECK(done < count && same_image(&shown, &frames[done]));
@@ -673,7 +669,8 @@ static void test_animation(void) {
         CHECK(apng_encode(frames, COUNT, 40, &file, &error));
         CHECK(play(&file, frames, COUNT, 40) == 600 + 6 + 600 + 1 + 1);
         /* A viewer without animation shows the first frame. */
-        CHECK(decode_exact(&still, file.data, file.size, &error) && same_image(&still, &frames[0]));
+        CHECK(decode_exact(png_decode, &still, file.data, file.size, &error) &&
+              same_image(&still, &frames[0]));
         image_free(&still);
         for (size_t k = 0; k < COUNT; k++) {
             image_free(&frames[k]);
