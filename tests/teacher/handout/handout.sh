@@ -43,7 +43,7 @@ put_lesson() {
     mkdir -p "$new/$1" "$new/tests/student/starters"
     put_text starter "$1"
     cp "$new/$1/main.c" "$new/tests/student/starters/$1.c" || fail 1 "cannot write $new/tests"
-    for file in "$1"/scenes.h "$1"/extra_*.h "$1"/mine.c "$1"/attempts.h "$1"/hints.txt \
+    for file in "$1"/scenes.h "$1"/extra_*.h "$1"/mine.c "$1"/opengl.c "$1"/attempts.h "$1"/hints.txt \
         "$1"/[A-Z]*.md "$1"/figures/* tests/reference/"$1"/*; do
         case $file in
         *.md) [ ! -f "$file" ] || put_changed "$without_commands" "$file" ;;
