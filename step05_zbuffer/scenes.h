@@ -203,7 +203,7 @@ static bool draw_depth(struct drawing *drawing, struct image *image, struct erro
     return done;
 }
 
-/* The depths of some rows, `more` added to all of them, as a picture of its own. The depths of its
+/* The depths of some rows, `more` added to all of them, as a separate picture. The depths of its
  * first and its last pixel are given. */
 static void show_rows(const struct image *image, size_t begin, size_t end, double *depth,
                       double first, double last, double more) {

@@ -160,7 +160,7 @@ static struct lanes3 mesh_normal(const lanes *varyings) {
     END SOLUTION */
 }
 
-/* From the values 0..255 of a normal map, which stand for -1..1. */
+/* From the values 0..255 of a normal map, which mean -1..1. */
 static struct lanes3 normal_from_values(struct lanes3 value) {
     /* BEGIN SOLUTION 10c.1 normals of the map */
     struct lanes3 n = {value.x - 127.5f, value.y - 127.5f, value.z - 127.5f};

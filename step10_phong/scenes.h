@@ -54,7 +54,7 @@ static lanes_mask tangent_power_fragment(const void *uniforms, const lanes *vary
     return tangent_light(u, surface, varyings, color);
 }
 
-/* Without loops of their own, which take long to compile. */
+/* Without their own loops, which take long to compile. */
 #define TANGENT_SHADER(function)                                                                   \
     { .varying_count = 5 + TANGENT_VARYINGS, .vertex = tangent_vertex, .fragment = (function) }
 static const struct shader tangent_mapped = TANGENT_SHADER(tangent_mapped_fragment);
@@ -467,7 +467,7 @@ static const struct scene scenes[] = {
         .name = "shadow",
         .extra = true,
         .needs = NEEDS_MODEL | NEEDS_DIFFUSE | NEEDS_NORMAL_MAP,
-        .light = {-1, 1, 1}, /* the head stands between it and a shoulder */
+        .light = {-1, 1, 1}, /* the head is between it and a shoulder */
         .draw = draw_shadow,
     },
     {

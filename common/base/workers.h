@@ -6,7 +6,7 @@
  * yet: the calling thread does the rest. What a loop computes must not depend on which thread does
  * which part.
  *
- * Each worker begins with a share of its own, parts beside each other, the same ones in each loop
+ * Each worker begins with its own share, parts next to each other, the same ones in each loop
  * of as many parts: what it has written or read in one is often still in its cache in the next.
  */
 #ifndef COMMON_WORKERS_H

@@ -33,7 +33,7 @@ struct bench_version {
     const char *name; /* at most 26 characters, so that labels find room in the chart */
     int choice;       /* which version it is: added to the panel's `base` */
     bool is_house;    /* the lesson's good version, the one in main.c: its name is set in bold */
-    void (*run)(void *state, int choice); /* in place of the panel's, where that is not NULL */
+    void (*run)(void *state, int choice); /* instead of the panel's, where that is not NULL */
 };
 
 #define VERSION(label, number)                                                                     \

@@ -7,7 +7,7 @@
  *
  *     PICTURES    - for all right, where a counter of this scene is wrong; else a letter for each
  *                 scene of the lesson: r right, b blank, d none for a division by 0
- *     COUNTERS    all that the program counts here, as in pixels_tested=5,pixels_written=0; - for
+ *     COUNTERS    everything the program counts here, as in pixels_tested=5,pixels_written=0; - for
  *                 nothing
  *
  * A wrong diagnosis is worse than none. So a program makes such a mistake only when

@@ -14,7 +14,7 @@
  *                                                the picture of each row, for people: small, side
  *                                                by side in the order of the rows
  *
- * Which row is whose stands in signs.txt beside them (mistakes.h).
+ * Which row is whose is in signs.txt next to them (mistakes.h).
  *
  * A wrong diagnosis is worse than none. So a picture looks like a mistake only when
  *

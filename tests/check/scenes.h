@@ -8,10 +8,10 @@
  * three or four percentages of the drawn pixels, or `exact` in their place.
  *
  * Where a task is about work that is not done, a line `work  step02_wireframe  wireframe  2.4  2
- * lines_drawn  7467` stands behind the step's scenes: with --stats the counter of that scene must
- * not be above that number, and where a second one follows not below that. A line `same
- * step05_zbuffer  zbuffer  5.2  1  shuffled,moved  0.1` names relations (relation.h) that the scene
- * must keep with what it has never drawn, but for that percentage of the drawn pixels. A line `call
+ * lines_drawn  7467` follows the step's scenes: with --stats the counter of that scene must not be
+ * above that number, and where a second one follows not below that. A line `same step05_zbuffer
+ * zbuffer  5.2  1  shuffled,moved  0.1` names relations (relation.h) that the scene must keep with
+ * pictures that it has never drawn, except in that percentage of the drawn pixels. A line `call
  * step01_line  numbers  1.3  1` gives a point for a task whose functions give the right numbers
  * (numbers.h). '#' begins a comment. The check and the program that redraws the references read the
  * same file, tests/check/scenes.txt.
@@ -55,7 +55,7 @@ bool credit_needs(const struct credit *credit, const char *task);
 /* Is it shown or needed? */
 bool credit_has(const struct credit *credit, const char *task);
 
-/* Are all that the other one shows and needs? */
+/* Does it show and need everything that the other one does? */
 bool credit_covers(const struct credit *credit, const struct credit *other);
 
 struct checked_scene {

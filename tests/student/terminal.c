@@ -322,7 +322,7 @@ static void ask(int terminal, char *answer, size_t size) {
     sigset_t all, signals;
     ssize_t length = (ssize_t)strlen(question);
     if (tcgetpgrp(terminal) != getpgrp() || tcgetattr(terminal, &before) != 0) {
-        return; /* who stands in the background must not touch the terminal */
+        return; /* a program in the background must not touch the terminal */
     }
     sigfillset(&all);
     sigprocmask(SIG_BLOCK, &all, &signals);

@@ -1,5 +1,5 @@
 /*
- * llvmpipe in a process of its own: it reads its number of threads once in the life of a process,
+ * llvmpipe in a separate process: it reads its number of threads once in the life of a process,
  * so each number needs one. A child draws a frame when it is told to, and sleeps otherwise; so the
  * frames of all sides can take turns.
  *

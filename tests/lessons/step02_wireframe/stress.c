@@ -41,7 +41,7 @@ static long double in_pixels(double place, int size) {
     return ((long double)place + 1) * size / 2;
 }
 
-/* Is it the pixel that holds the place? Beside the border of two pixels either is right. */
+/* Is it the pixel that holds the place? At the border of two pixels either is right. */
 static bool pixel_holds(int pixel, double place, int size) {
     long double exact = in_pixels(place, size), slack = 1e-15L * (fabsl(exact) + size);
     return pixel <= exact + slack && exact < pixel + 1 + slack;

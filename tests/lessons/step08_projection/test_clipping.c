@@ -1,5 +1,5 @@
 /* Lesson 8's clipping against its definition in long double. The pipeline has the same text (see
- * same_text.sh), but for find_beyond(), which it asks of several positions at once: see
+ * same_text.sh), except for find_beyond(), which it asks of several positions at once: see
  * test_transform.c. */
 #define LESSON "../step08_projection/main.c"
 #include "lesson.h"
@@ -82,7 +82,7 @@ static void test_sides(void) {
     }
 }
 
-/* What has no place on the screen, or no depth, is not placed: too far beside it, or z/w too large
+/* What has no place on the screen, or no depth, is not placed: too far outside it, or z/w too large
  * for a number although z is one. */
 static void test_place(void) {
     const struct mat4 to_screen = viewport(300, 200);

@@ -30,7 +30,7 @@ put_changed() {
 
 # ---- The lessons ----
 
-# Commands that only the whole course has stand in brackets behind what they measure or draw.
+# Commands that only the whole course has are in brackets behind what they measure or draw.
 # shellcheck disable=SC2016 # awk's own dollars
 without_commands='
     { text = text $0 "\n" }
@@ -96,7 +96,7 @@ done <"$work/needed"
 put_all <"$work/others"
 # shellcheck disable=SC2016
 put_changed '
-    { name = $1 ~ /^step/ ? $1 : $2 } # `work` and `relations` stand before it
+    { name = $1 ~ /^step/ ? $1 : $2 } # `work` and `relations` are before it
     match(name, /^step[0-9]+_/) {
         step = substr(name, 5, RLENGTH - 5) + 0
         if (step < first || step > last) next

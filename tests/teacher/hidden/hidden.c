@@ -155,7 +155,7 @@ static bool check_options(const struct hidden *hidden, struct options *options,
     return true;
 }
 
-/* What is judged is what stands in main.c now, whatever was built of it before. One that does not
+/* What is judged is what is in main.c now, whatever was built of it before. One that does not
  * build is gone, and draws nothing. */
 static bool build_yours(const struct hidden *hidden, const char *step, struct error *error) {
     struct options options;

@@ -138,7 +138,7 @@ static void fetch(const void *uniforms, size_t face, size_t corner, double *vary
 
 /* What reaches a pixel that is drawn is finite, and lies inside the triangle: such a pixel has a
  * blue of 255. (What is not drawn is computed too, and may be anything.) In floats a sliver may
- * lose all that is asked for here; make stress judges how much each face may lose. */
+ * lose everything that is asked for here; make stress judges how much each face may lose. */
 static lanes_mask shade(const void *uniforms, const lanes *varyings, lanes_texel *color) {
     const real rounding = sizeof(real) == sizeof(float) ? (real)INFINITY : (real)1e-6;
     lanes_mask right = lanes_all_set();
