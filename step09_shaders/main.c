@@ -418,11 +418,10 @@ struct kept_face {
 
 /* Some rows of the picture, and what each of their pixels shows so far. */
 struct band {
-    struct span rows; /* of the picture */
-    size_t width;     /* of a row */
-    double *depth;    /* one a pixel, the band's lowest row first */
-    uint32_t
-        *nearest; /* one a pixel, too: 1 + the index of the kept face that is nearest; 0: none */
+    struct span rows;  /* of the picture */
+    size_t width;      /* of a row */
+    double *depth;     /* one a pixel, the band's lowest row first */
+    uint32_t *nearest; /* one a pixel: 1 + the index of the nearest kept face; 0: none */
 };
 
 /* Nothing is drawn yet in these rows. */
