@@ -353,7 +353,7 @@ static lanes_mask toon_fragment(const void *uniforms, const lanes *varyings, lan
     return lanes_all_set();
 }
 
-/* lambert() for sixteen pixels. */
+/* lambert() for several pixels. */
 static lanes lambert_lanes(struct lanes3 normal, struct vec3 to_light) {
     /* BEGIN SOLUTION 9c.3 normals from a picture */
     lanes intensity = lanes3_dot(lanes3_normalized(normal), lanes3_all(to_light));

@@ -4,7 +4,7 @@
  * The light that a pixel sends to the eye is the sum of three parts: ambient (from everywhere),
  * diffuse (scattered by the surface) and specular (mirrored towards the eye, more or less sharply).
  * The normal comes from the mesh or from the normal map, the colour from a constant or the texture.
- * All of it is computed for up to sixteen pixels at once (common/lanes.h).
+ * All of it is computed for several pixels at once (common/lanes.h).
  */
 #include "pipeline_program.h"
 
