@@ -101,7 +101,7 @@ static const struct scene scenes[] = {
     {.name = "flat", .needs = NEEDS_MODEL, .draw = draw_flat},
     {.name = "side",
      .needs = NEEDS_MODEL,
-     .width = 719, /* odd, and not the height: who halves or exchanges them sees it */
+     .width = 719, /* odd, and not the height: halved or exchanged, it shows */
      .height = 797,
      .light = {0.4, -0.25, -1},
      .draw = draw_side},

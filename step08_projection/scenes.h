@@ -858,7 +858,7 @@ static const struct scene_value view_values[] = {
 };
 
 static const struct scene scenes[] = {
-    /* Not square, and odd: who exchanges or cuts off sizes or places sees it. */
+    /* Not square, and odd: exchanged or halved sizes show. */
     {
         .name = "house",
         .width = 405,

@@ -252,7 +252,7 @@ static void draw_simple_cell(const struct drawing *drawing, const struct canvas 
         camera_call(drawing->model, has_eye ? cell->eye : drawing->eye, drawing->center,
                     drawing->up, cell->zoom, place, cell->cull);
     struct uniforms u = make_uniforms(drawing, cell->zoom * place.width);
-    u.normal_level++; /* not the texture's: who exchanges the levels sees it */
+    u.normal_level++; /* not the texture's: exchanged levels show */
     const struct texture *map = drawing->normal_map;
     const struct simple_shader *shader = cell->shader != &simple_normal_mapped ? cell->shader
                                          : map == NULL        ? &simple_gouraud_textured
@@ -406,7 +406,7 @@ static bool draw_normal_map(struct drawing *drawing, struct image *image, struct
         struct draw_call small_call = pipeline_call(drawing, corner, 1, CULL_BACK);
         struct uniforms u = make_uniforms(drawing, 0.85 * place.width);
         struct uniforms small = make_uniforms(drawing, corner.width);
-        small.diffuse_level++; /* who exchanges the levels sees it */
+        small.diffuse_level++; /* exchanged levels show */
         done = done && pipeline_draw(pipeline, &call, shader, &u, sizeof u, error) &&
                pipeline_draw(pipeline, &small_call, shader, &small, sizeof small, error);
     }
@@ -510,7 +510,7 @@ static const struct scene scenes[] = {
     {
         .name = "loops",
         .needs = NEEDS_MODEL | NEEDS_NORMALS | NEEDS_DEPTH,
-        .width = 806, /* cells of odd sizes, which differ: who exchanges or halves them sees it */
+        .width = 806, /* cells of odd sizes, which differ: exchanged or halved, they show */
         .height = 662,
         .draw = draw_loops,
     },

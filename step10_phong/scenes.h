@@ -198,7 +198,7 @@ static bool record_cell(struct drawing *drawing, struct pipeline *pipeline,
         call.model = u.model = cell->model;
     }
     if (cell->shader == &weight_mapped || cell->shader == &power_mapped) {
-        u.normal_level += 1; /* three different levels: who exchanges them sees it */
+        u.normal_level += 1; /* three different levels: exchanged, they show */
         u.specular_level += 2;
     }
     if (cell->specular != NULL) {

@@ -33,8 +33,8 @@ enum model_part {
     MODEL_ALL_PARTS = MODEL_UVS | MODEL_NORMALS /* of faces */
 };
 
-/* The same, but only the parts that are asked for, joined with |. Of an OBJ file, texture
- * coordinates and normals that are not are counted and not read, and no corner has them. */
+/* The same, but only the wanted parts, joined with |. Unwanted texture coordinates and normals of an
+ * OBJ file are counted and not read, and no corner has them. */
 bool model_read_parts(struct model *model, const char *path, unsigned parts, struct error *error);
 
 /* What the warning says. */

@@ -302,7 +302,7 @@ struct polygon pipeline_clip_face(const struct recorded_call *call, size_t face)
 
 /* ---- What becomes of a face: classify.c ---- */
 
-/* Of a face, or of a part of a clipped one. */
+/* What a face is, or a part of a clipped one. */
 enum triangle_kind {
     TRIANGLE_OUTSIDE,       /* beyond one side of the view */
     TRIANGLE_TURNED_AWAY,   /* culled */

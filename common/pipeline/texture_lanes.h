@@ -45,7 +45,7 @@ struct texels {
     lanes weight[4];
 };
 
-/* Of a place that lies so far from the lower left texel to the right and up. */
+/* The weights of four texels for a place so far to the right and up from the lower left one. */
 LANES_INLINE void lanes_texel_weights(lanes across, lanes along, lanes weight[4]) {
     weight[3] = across * along;
     weight[2] = along - weight[3];

@@ -1,8 +1,8 @@
 /*
  * Which of the lessons' known mistakes a wrong picture looks like.
  *
- * Of each mistake of stepNN_name/mistakes.txt the colours at some hundred pixels of each scene are
- * kept: pixels at which the mistakes differ from the reference and from each other, and some
+ * Each mistake of stepNN_name/mistakes.txt is kept as its colours at some hundred pixels of each
+ * scene: pixels at which the mistakes differ from the reference and from each other, and some
  * others. They are made by `make mistakes STEP=NN` after a change of main.c, scenes or mistakes.txt
  * (`make verify` finds those that are out of date), in two files for each scene:
  *

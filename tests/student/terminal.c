@@ -29,7 +29,7 @@ static const char *variable(const char *name) {
 }
 
 /* How many colours, in bits: 24, 8, 4, or 0 for none. Terminals tell by COLORTERM, Windows' own by
- * WT_SESSION; who wants none, by NO_COLOR (no-color.org). */
+ * WT_SESSION; NO_COLOR (no-color.org) asks for none. */
 static int color_bits(void) {
     static const char *const of_16[] = {"", "ansi", "linux", "screen", "xterm", "xterm-16color"};
     const char *name = variable("TERM"), *colors = variable("COLORTERM");
