@@ -33,8 +33,8 @@ enum model_part {
     MODEL_ALL_PARTS = MODEL_UVS | MODEL_NORMALS /* of faces */
 };
 
-/* The same, but only the wanted parts, joined with |. Texture coordinates and normals of an OBJ file
- * that aren't wanted are counted and not read, and no corner has them. */
+/* The same, but only the wanted parts, joined with |. Unwanted texture coordinates and normals of
+ * an OBJ file are counted but not read, and no corner has them. */
 bool model_read_parts(struct model *model, const char *path, unsigned parts, struct error *error);
 
 /* What the warning says. */
