@@ -158,7 +158,7 @@ show 2 80 24 yours,mine white.tga grey.tga
 
 # ---- A program that hangs or crashes ----
 
-# In place of a lesson's program: a scene a line of `draws`, as a command that draws it or does not.
+# Instead of a lesson's program: a scene a line of `draws`, as a command that draws it or does not.
 mkdir -p course/tests/check course/step05_zbuffer course/build/models || exit 1
 cp -R "$top/tests/student" course/tests || exit 1
 cp "$build/show" course/build && cp grey.tga course && cd course || exit 1
