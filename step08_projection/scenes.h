@@ -659,6 +659,42 @@ static struct drawing drawing_of_quads(const struct drawing *drawing, struct qua
 }
 
 /* Draw the quads, transformed by to_clip, with tiles on them. */
+/* How the probed pixel comes to u and v, where a triangle of the quads has it. */
+static void note_texel(struct drawing *drawing, const struct canvas *canvas,
+                       const struct quad_model *made) {
+    const int x = drawing->probe.x, y = drawing->probe.y;
+    for (size_t face = 0; drawing->probed && face < made->model.face_count; face++) {
+        const struct corner *corner = made->model.faces[face].corner;
+        const struct position *p[3];
+        struct edges edges;
+        for (int i = 0; i < 3; i++) {
+            p[i] = &made->places[corner[i].position];
+        }
+        if (!p[0]->placed || !p[1]->placed || !p[2]->placed ||
+            !edges_setup(&edges, p[0]->vertex.position, p[1]->vertex.position,
+                         p[2]->vertex.position, canvas->image->width, canvas->image->height) ||
+            !edges_cover(&edges, x, y)) {
+            continue;
+        }
+        const struct vec3 weights = edges_weights(&edges, x, y);
+        const double weight[3] = {weights.x, weights.y, weights.z};
+        double u = 0, v = 0, u_by_w = 0, v_by_w = 0, recip_w = 0;
+        for (int i = 0; i < 3; i++) {
+            const float *uv = made->uvs[corner[i].uv];
+            const double part = weight[i] * p[i]->vertex.recip_w;
+            u += weight[i] * uv[0];
+            v += weight[i] * uv[1];
+            u_by_w += part * uv[0];
+            v_by_w += part * uv[1];
+            recip_w += part;
+        }
+        drawing_note(drawing, "u/w %.4f  v/w %.4f  1/w %.4f", u_by_w, v_by_w, recip_w);
+        drawing_note(drawing, "u %.4f  v %.4f  w %.4f", u_by_w / recip_w, v_by_w / recip_w,
+                     1 / recip_w);
+        drawing_note(drawing, "affine: u %.4f  v %.4f", u, v);
+    }
+}
+
 static bool draw_quads(struct drawing *drawing, const struct canvas *canvas,
                        const struct quad *quads, size_t count, const struct mat4 *to_clip,
                        struct error *error) {
@@ -673,6 +709,7 @@ static bool draw_quads(struct drawing *drawing, const struct canvas *canvas,
     draw_faces(&of_quads, &tiled, to_clip);
     count_work(drawing, &tiled, &made.model);
     note_corner(drawing, &made.state, &made.model);
+    note_texel(drawing, &tiled, &made);
     texture_free(&tiles);
     return true;
 }
@@ -741,7 +778,8 @@ static bool draw_standing(struct drawing *drawing, struct image *image, const st
 }
 
 static bool draw_wall(struct drawing *drawing, struct image *image, struct error *error) {
-    const struct quad quads[] = {wall, poster};
+    struct quad quads[] = {wall, poster};
+    quads[0].corner[1].z = quads[0].corner[2].z = 2 - 2 * drawing_value(drawing, "far");
     return draw_standing(drawing, image, quads, sizeof quads / sizeof quads[0], error);
 }
 
@@ -850,6 +888,12 @@ static const struct scene_value distance_value[] = {
     {.name = NULL},
 };
 
+static const struct scene_value wall_values[] = {
+    {"far", "w of the wall's far end", 0.5, 8, 0.1, 2},
+    {"affine", "mixed without 1/w", 0, 1, 1, 0},
+    {.name = NULL},
+};
+
 static const struct scene_value view_values[] = {
     {"near", "w of the near plane", 1.0 / 128, 1, 1.0 / 128, 1.0 / 128},
     {"uncut", "faces are not cut at the near plane", 0, 1, 1, 0},
@@ -885,7 +929,7 @@ static const struct scene scenes[] = {
         .draw = draw_projection,
     },
     {.name = "crossing", .needs = NEEDS_DEPTH, .draw = draw_crossing},
-    {.name = "wall", .needs = NEEDS_DEPTH, .values = view_values, .draw = draw_wall},
+    {.name = "wall", .needs = NEEDS_DEPTH, .values = wall_values, .draw = draw_wall},
     {.name = "narrow", .needs = NEEDS_VIEW, .draw = draw_narrow},
     {
         .name = "lookat",
