@@ -179,6 +179,29 @@ static const struct scene_value matrix_values[] = {
     {.name = NULL},
 };
 
+/* How the house's corner next to the probed pixel gets there: by the matrix, then back onto w = 1. */
+static void note_mapped(struct drawing *drawing, const struct image *image,
+                        const struct mat4 *map) {
+    const struct mat4 to_screen = mat4_mul(panel_to_screen(whole_image(image)), *map);
+    double least = INFINITY;
+    struct vec2 nearest = {0, 0};
+    for (size_t i = 0; drawing->probed && i < (size_t)HOUSE_PARTS * PART_CORNERS; i++) {
+        const struct vec2 corner = house[i / PART_CORNERS].corner[i % PART_CORNERS];
+        const struct vec2 at = to_pixels(&to_screen, corner);
+        const double distance = hypot(at.x - 0.5 - drawing->probe.x, at.y - 0.5 - drawing->probe.y);
+        if (distance < least) {
+            least = distance;
+            nearest = corner;
+        }
+    }
+    if (least < INFINITY) {
+        const struct vec4 p = mat4_point(map, (struct vec3){nearest.x, nearest.y, 0});
+        drawing_note(drawing, "corner %.2f %.2f  w 1", nearest.x, nearest.y);
+        drawing_note(drawing, "mapped %.3f %.3f  w %.3f", p.x, p.y, p.w);
+        drawing_note(drawing, "on the plane w = 1: %.3f %.3f", p.x / p.w, p.y / p.w);
+    }
+}
+
 /* The house as it is, unless the matrix is another. */
 static bool draw_unmapped(struct drawing *drawing, struct image *image, struct error *error) {
     (void)error;
@@ -196,6 +219,7 @@ static bool draw_unmapped(struct drawing *drawing, struct image *image, struct e
     }
     const struct mat4 mapped = mat4_mul(twice, map);
     draw_mapped(&plane, &mapped);
+    note_mapped(drawing, image, &map);
     return true;
 }
 

@@ -41,7 +41,9 @@ function readAddress() {
         }
     }
     for (const [name, text] of given) {
-        if (!(name in chosen) && name !== "text" && Number.isFinite(Number(text))) {
+        if (name === "view") {
+            view = Object.values(views).includes(text) ? text : view;
+        } else if (!(name in chosen) && name !== "text" && Number.isFinite(Number(text))) {
             chosen[name] = Number(text);
         }
     }
@@ -51,7 +53,7 @@ function readAddress() {
 }
 
 function writeAddress() {
-    const kept = Object.entries(chosen).filter(([, value]) => value !== undefined);
+    const kept = Object.entries({...chosen, view: view === "yours" ? undefined : view}).filter(([, value]) => value !== undefined);
     history.replaceState(null, "", "#" + new URLSearchParams(kept.map(([name, value]) => [name, `${value}`])));
 }
 
@@ -557,6 +559,7 @@ function chooseView(name) {
     view = name;
     [...$("views").children].forEach(button => button.setAttribute("aria-pressed", button.textContent === name));
     if (shown) {
+        writeAddress();
         paint();
     }
 }

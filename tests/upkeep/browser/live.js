@@ -236,6 +236,14 @@ test('the columns of a matrix are dragged; near plane; a corner through the spac
         assert.equal(await colorOf(page, ...pixel(0.28, 0.3)), '96,62,40'); /* the door */
         await dragTo(page, [(1 + 2) / 4 * 405 - .5, 363 / 2 - .5], pixel(1, 1));
         near(await page.evaluate('chosen.right_y'), 1, 0.051);
+        await set(page, 'times y', 0.2);
+        const [[x, y], [, , mappedW], [, onX, onY]] = (await notes(page, ...pixel(1 / 1.16, 1.8 / 1.16))).split('\n').map(
+            line => [...line.matchAll(/-?\d+\.?\d*/g)].map(Number));
+        assert.deepEqual([x, y], [1, 0.8]);
+        near(mappedW, 1.16);
+        near(onX, 1 / 1.16);
+        near(onY, 1.8 / 1.16, 0.051);
+        await set(page, 'times y', 0);
         assert.equal(await colorOf(page, ...pixel(0.28, 0.3 + 0.28)), '96,62,40');
         await picture(page, 'columns');
         await page.click('button:text-is("closeup")');
@@ -259,6 +267,8 @@ test('the columns of a matrix are dragged; near plane; a corner through the spac
         await page.click('button:text-is("split")');
         assert.ok(await page.evaluate('sameSize() && !isComparable()'), 'the lesson\'s stays beside it');
         await picture(page, 'split');
+        await page.reload(); /* the address keeps what is shown */
+        await page.waitForFunction(() => shown && view === 'split' && chosen.affine === 1);
         await page.click('button:text-is("yours")');
         await page.click('#reset');
         await settled(page);
