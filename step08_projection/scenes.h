@@ -179,7 +179,7 @@ static const struct scene_value matrix_values[] = {
     {.name = NULL},
 };
 
-/* How the house's corner next to the probed pixel gets there: by the matrix, then back onto w = 1. */
+/* How the house's corner next to the probed pixel gets there: by the matrix, then onto w = 1. */
 static void note_mapped(struct drawing *drawing, const struct image *image,
                         const struct mat4 *map) {
     const struct mat4 to_screen = mat4_mul(panel_to_screen(whole_image(image)), *map);
