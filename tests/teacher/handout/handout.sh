@@ -110,6 +110,7 @@ put LICENSE
 put Makefile
 put step10_phong/figures/turn.png # where all this leads to: README.md begins with it
 put tests/student/lesson.sh
+put tests/student/machine.mk
 
 # `make start` has the starters themselves; there is no `make solution`.
 put tests/teacher/handout/start.sh tests/student/start.sh
