@@ -113,6 +113,7 @@ async function ask() {
     asking = true;
     do {
         again = false;
+        const slow = setTimeout(() => { $("pixel").textContent = "One moment"; }, 400);
         try {
             const frame = parseFrame(await program.frame(request()));
             if (frame.error) {
@@ -124,6 +125,7 @@ async function ask() {
         } catch (error) {
             say(error.message);
         }
+        clearTimeout(slow);
         paint();
     } while (again);
     asking = false;

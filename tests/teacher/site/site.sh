@@ -103,7 +103,6 @@ for lesson in $lessons; do
     sed -e 's|=\([a-z]*\.[cj]s*\)>|=../live/\1>|' -e 's|/server.js|/wasm.js|' \
         -e "s|<meta charset=utf-8>|&<meta http-equiv=Content-Security-Policy content=\"$policy\">|" \
         -e "s|^<header>|&<a href=index.html target=_top>$(sed -n '1s/^# //p' "$lesson/README.md")</a>|" \
-        -e 's|&nbsp;|One moment: where a scene has textures, the program sculpts them itself.|' \
         tests/student/live/page.html >"$new/$lesson/live.html"
 done
 end_out
