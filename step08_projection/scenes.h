@@ -405,16 +405,26 @@ static void draw_face(const struct drawing *drawing, struct canvas *canvas, size
     }
 }
 
+/* Is the corner in the picture, and not behind what is drawn there? */
+static bool is_seen(const struct drawing *drawing, const struct image *image,
+                    const struct position *position) {
+    const struct fixed2 p = position->vertex.position;
+    const double x = floor((double)p.x / SUBPIXELS), y = floor((double)p.y / SUBPIXELS);
+    const double width = (double)image->width;
+    return position->placed && x >= 0 && x < width && y >= 0 && y < (double)image->height &&
+           position->vertex.depth > drawing->depth[(size_t)(y * width + x)] - 0.01;
+}
+
 /* How the corner next to the probed pixel came to the screen. */
-static void note_corner(struct drawing *drawing, const struct state *state,
-                        const struct model *model) {
+static void note_corner(struct drawing *drawing, const struct image *image,
+                        const struct state *state, const struct model *model) {
     double least = INFINITY;
     size_t nearest = 0;
     for (size_t i = 0; drawing->probed && i < model->position_count; i++) {
         const struct fixed2 p = state->positions[i].vertex.position;
         double distance = hypot((double)p.x / SUBPIXELS - 0.5 - drawing->probe.x,
                                 (double)p.y / SUBPIXELS - 0.5 - drawing->probe.y);
-        if (state->positions[i].placed && distance < least) {
+        if (distance < least && is_seen(drawing, image, &state->positions[i])) {
             least = distance;
             nearest = i;
         }
@@ -457,7 +467,7 @@ static void count_work(struct drawing *drawing, const struct canvas *canvas,
 static void draw_model(struct drawing *drawing, struct canvas *canvas, const struct mat4 *to_clip) {
     draw_faces(drawing, canvas, to_clip);
     count_work(drawing, canvas, drawing->model);
-    note_corner(drawing, drawing->state, drawing->model);
+    note_corner(drawing, canvas->image, drawing->state, drawing->model);
 }
 
 /* ---- Scenes with the model ---- */
@@ -732,7 +742,7 @@ static bool draw_quads(struct drawing *drawing, const struct canvas *canvas,
     struct canvas tiled = *canvas;
     draw_faces(&of_quads, &tiled, to_clip);
     count_work(drawing, &tiled, &made.model);
-    note_corner(drawing, &made.state, &made.model);
+    note_corner(drawing, canvas->image, &made.state, &made.model);
     note_texel(drawing, &tiled, &made);
     texture_free(&tiles);
     return true;
