@@ -503,7 +503,7 @@ static bool draw_heads(struct drawing *drawing, struct image *image, struct erro
 
 enum fate { OUTSIDE, TURNED_AWAY, HIDDEN, SEEN, FATES };
 
-/* Counted by these names. A face that covers no pixel's centre is outside of all of them. */
+/* Counted by these names. A face that covers no pixel's centre counts as outside. */
 static const struct {
     const char *name;
     struct vec3 color;
@@ -593,7 +593,7 @@ static size_t draw_fate(const struct drawing *drawing, const struct canvas *canv
     return part.face_count;
 }
 
-/* The heads as the scene's camera sees them, shown to one who looks from beside it. */
+/* What the scene's camera sees and skips, from elsewhere. */
 static bool draw_skipped(struct drawing *drawing, struct image *image, struct error *error) {
     const size_t faces = drawing->model->face_count;
     const struct canvas canvas = {image, drawing->depth};
@@ -622,7 +622,7 @@ static bool draw_skipped(struct drawing *drawing, struct image *image, struct er
 /* ---- The program ---- */
 
 static const struct scene_value around_value[] = {
-    {"around", "degrees by which we look from beside the camera", -180, 180, 5, 60},
+    {"around", "degrees round the heads, from their camera", -180, 180, 5, 60},
     {.name = NULL},
 };
 
