@@ -102,7 +102,7 @@ policy="default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; style-src 'sel
 for lesson in $lessons; do
     sed -e 's|=\([a-z]*\.[cj]s*\)>|=../live/\1>|' -e 's|/server.js|/wasm.js|' \
         -e "s|<meta charset=utf-8>|&<meta http-equiv=Content-Security-Policy content=\"$policy\">|" \
-        -e 's|&nbsp;|One moment: the program sculpts the textures of the head itself.|' \
+        -e "s|^<header>|&<a href=index.html target=_top>$(sed -n '1s/^# //p' "$lesson/README.md")</a>|" \
         tests/student/live/page.html >"$new/$lesson/live.html"
 done
 end_out
