@@ -16,36 +16,22 @@ static size_t store_rgb(const uint8_t *pixel, enum image_format format, uint8_t 
     return 3;
 }
 
-static bool append_header(struct bytes *out, const struct image *image) {
-    int kind = image->format == IMAGE_GREY ? 5 : 6;
-    return bytes_print(out, "P%d\n%zu %zu\n255\n", kind, image->width, image->height);
-}
-
-static bool append_row(struct bytes *out, const struct image *image, size_t y) {
-    enum { BYTES_LIMIT = 3 }; /* of a pixel */
-    size_t step = (size_t)image->format;
-    const uint8_t *pixel = image->pixels + y * image->width * step;
-    if (!bytes_reserve(out, image->width * BYTES_LIMIT)) {
-        return false;
-    }
-    for (size_t x = 0; x < image->width; x++, pixel += step) {
-        out->size += store_rgb(pixel, image->format, out->data + out->size);
-    }
-    return true;
-}
-
 bool ppm_encode(const struct image *image, struct bytes *out, struct error *error) {
+    const bool grey = image->format == IMAGE_GREY;
+    const size_t start = out->size, row = image->width * (size_t)image->format;
     if (image->pixels == NULL) {
         return error_set(error, "an empty image cannot be written");
     }
-    size_t start = out->size;
-    bool done = append_header(out, image);
-    for (size_t y = image->height; done && y-- > 0;) {
-        done = append_row(out, image, y);
-    }
-    if (!done) {
+    if (!bytes_print(out, "P%d\n%zu %zu\n255\n", grey ? 5 : 6, image->width, image->height) ||
+        !bytes_reserve(out, image->width * image->height * (grey ? 1 : 3))) {
         out->size = start;
         return error_out_of_memory(error);
+    }
+    for (size_t y = image->height; y-- > 0;) {
+        for (size_t x = 0; x < row; x += (size_t)image->format) {
+            const uint8_t *pixel = image->pixels + y * row + x;
+            out->size += store_rgb(pixel, image->format, out->data + out->size);
+        }
     }
     return true;
 }

@@ -2,12 +2,10 @@
 #define _POSIX_C_SOURCE 200809L
 #include "run/live.h"
 
-#include "base/array.h"
 #include "base/bytes.h"
 #include "run/options.h"
 #include "run/stage.h"
 
-#include <stdlib.h>
 #include <string.h>
 
 /* ---- What is there ---- */
@@ -112,28 +110,20 @@ static bool read_line(FILE *in, struct bytes *line, bool *memory) {
     return any && *memory;
 }
 
+enum { WORD_LIMIT = 256 }; /* of a request, far more than there are options */
+
 /* What is read of one request. */
 struct request_memory {
     struct bytes line, text;
-    char **words;
-    size_t capacity;
+    char *words[WORD_LIMIT];
 };
 
-/* Split the line into words behind the program's name. False when memory runs out. */
-static bool split_line(struct live_request *request, struct request_memory *memory) {
-    char *save = NULL;
-    for (char *word = strtok_r((char *)memory->line.data, " \t\r\n", &save); word != NULL;
-         word = strtok_r(NULL, " \t\r\n", &save)) {
-        char **words = array_reserve(memory->words, &memory->capacity, (size_t)request->argc + 1,
-                                     sizeof *words);
-        if (words == NULL) {
-            return false;
-        }
-        memory->words = words;
-        words[request->argc++] = word;
+/* Split the line into words behind the program's name. */
+static void split_line(struct live_request *request, struct request_memory *memory) {
+    char *save = NULL, *word = strtok_r((char *)memory->line.data, " \t\r\n", &save);
+    for (; word != NULL && request->argc < WORD_LIMIT; word = strtok_r(NULL, " \t\r\n", &save)) {
+        memory->words[request->argc++] = word;
     }
-    request->argv = memory->words;
-    return true;
 }
 
 /* Read a text scene up to its end. */
@@ -153,21 +143,16 @@ static bool read_text(FILE *in, struct request_memory *memory, bool *enough) {
 /* The next request; false at the end of the input, or when there is not `enough` memory. */
 static bool read_request(FILE *in, const struct program *program, struct request_memory *memory,
                          struct live_request *request, bool *enough) {
-    static char text_word[] = "text";
-    *request = (struct live_request){.argc = 1};
+    *request = (struct live_request){.argc = 1, .argv = memory->words};
     memory->line.size = memory->text.size = 0;
-    if (!read_line(in, &memory->line, enough)) {
-        return false;
-    }
-    char **words = array_reserve(memory->words, &memory->capacity, 1, sizeof *words);
-    memory->words = words != NULL ? words : memory->words;
-    *enough = words != NULL && bytes_append(&memory->line, "", 1);
-    if (!*enough) {
+    bool read = read_line(in, &memory->line, enough);
+    *enough = *enough && bytes_append(&memory->line, "", 1);
+    if (!read || !*enough) {
         return false;
     }
     memory->words[0] = (char *)(uintptr_t)program->name;
-    *enough = split_line(request, memory);
-    if (*enough && request->argc > 1 && strcmp(request->argv[request->argc - 1], text_word) == 0) {
+    split_line(request, memory);
+    if (request->argc > 1 && strcmp(request->argv[request->argc - 1], "text") == 0) {
         request->argc--;
         if (!read_text(in, memory, enough)) {
             return false;
@@ -175,12 +160,12 @@ static bool read_request(FILE *in, const struct program *program, struct request
         request->text = (const char *)memory->text.data;
         request->text_size = memory->text.size;
     }
-    return *enough;
+    return true;
 }
 
 bool live_loop(const struct program *program, FILE *in, FILE *out, live_answer *answer,
                void *context, struct error *error) {
-    struct request_memory memory = {.words = NULL};
+    struct request_memory memory = {.words = {NULL}};
     struct live_request request;
     bool enough = true;
     live_describe(program, out);
@@ -192,7 +177,6 @@ bool live_loop(const struct program *program, FILE *in, FILE *out, live_answer *
     }
     bytes_free(&memory.line);
     bytes_free(&memory.text);
-    free(memory.words);
     if (!enough) {
         return error_out_of_memory(error);
     }

@@ -1,8 +1,9 @@
 /*
  * Lines of options, answered with frames: the loop of --live. Private to program.c.
  *
- * A request is one line: options as on the command line, with blanks between its words. Where the
- * last word is `text`, the lines of a text scene follow, up to a line `end`. The answer to each is
+ * A request is one line: options as on the command line, 255 words at most, with blanks between
+ * them. Where the last word is `text`, the lines of a text scene follow, up to a line `end`. The
+ * answer to each is
  *
  *     frame WIDTH HEIGHT MILLISECONDS COUNT
  *     NAME VALUE                                 COUNT lines: counters, as --stats prints them,
