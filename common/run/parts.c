@@ -245,7 +245,7 @@ static double pictures_on(const struct model *model) {
 }
 
 double parts_repeats(const struct model *faces, const struct model *whole, bool two_sided) {
-    double share = surface_of(faces) / surface_of(whole);
+    double share = faces == whole ? 1 : surface_of(faces) / surface_of(whole);
     return sqrt(pictures_on(faces) / (two_sided ? 4 : 2) / share);
 }
 
