@@ -378,7 +378,7 @@ static void draw_clipped(const struct drawing *drawing, struct canvas *canvas, s
     }
 }
 
-/* Draw a face none of whose corners must be clipped, unless one has no place on the screen. */
+/* Draw a face that needs no clipping, unless a corner has no place on the screen. */
 static void draw_whole(const struct drawing *drawing, struct canvas *canvas, size_t face,
                        struct position *const corner[3]) {
     if (place_face(corner, canvas)) {
@@ -563,7 +563,7 @@ static void draw_facets(struct drawing *drawing, struct image *image, struct rec
     draw_model(drawing, &canvas, &to_clip);
 }
 
-/* Once large; and small beside it, from infinitely far away. */
+/* Once large; and small, from infinitely far away, next to it. */
 static bool draw_projection(struct drawing *drawing, struct image *image, struct error *error) {
     (void)error;
     const int size = (int)image->width / 5;
@@ -936,7 +936,7 @@ static const struct scene_value view_values[] = {
 };
 
 static const struct scene scenes[] = {
-    /* Not square, and odd: who exchanges or cuts off sizes or places sees it. */
+    /* Not square, and odd: exchanged or halved sizes show. */
     {
         .name = "house",
         .width = 405,

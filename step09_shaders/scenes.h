@@ -26,7 +26,7 @@ static lanes_mask tangent_fragment(const void *uniforms, const lanes *varyings,
     return lanes_all_set();
 }
 
-/* Without loops of its own, which take long to compile. */
+/* Without its own loops, which take long to compile. */
 static const struct shader tangent_mapped = {
     .varying_count = 2 + TANGENT_VARYINGS, .vertex = tangent_vertex, .fragment = tangent_fragment};
 
@@ -99,7 +99,7 @@ static bool draw_cells(struct drawing *drawing, struct image *image, const struc
     return pipeline_end(drawing, done, image, error);
 }
 
-/* ---- Two faces beside a head ---- */
+/* ---- Two faces next to a head ---- */
 
 /* A model of two faces, and what shaders read of it. */
 struct pair {
@@ -217,7 +217,7 @@ static struct draw_call near_call(struct pair *near, struct rectangle cell) {
 
 /* ---- Scenes of simple_draw() ---- */
 
-/* Each corner of a face in a colour of its own: what is in between shows the weights. The colour is
+/* Each corner of a face has its own colour: what is in between shows the weights. The colour is
  * in the first three varyings and in the last three of as many as there may be. The last ones are
  * read: they are black where only some varyings are interpolated. */
 static void corner_vertex(const void *uniforms, size_t face, size_t corner, double *varyings) {
@@ -252,7 +252,7 @@ static void draw_simple_cell(const struct drawing *drawing, const struct canvas 
         camera_call(drawing->model, has_eye ? cell->eye : drawing->eye, drawing->center,
                     drawing->up, cell->zoom, place, cell->cull);
     struct uniforms u = make_uniforms(drawing, cell->zoom * place.width);
-    u.normal_level++; /* not the texture's: who exchanges the levels sees it */
+    u.normal_level++; /* not the texture's: exchanged levels show */
     const struct texture *map = drawing->normal_map;
     const struct simple_shader *shader = cell->shader != &simple_normal_mapped ? cell->shader
                                          : map == NULL        ? &simple_gouraud_textured
@@ -274,7 +274,7 @@ static bool draw_simple_cells(struct drawing *drawing, struct image *image,
     return true;
 }
 
-/* Above: the corners, and beside the head two triangles that cross, at the left in perspective and
+/* Above: the corners, and next to the head two triangles that cross, at the left in perspective and
  * at the right in the parallel view; the normals, and two triangles that reach too far. Below: the
  * corners from so near that perspective is strong, and a shoulder is behind the eye; the inside of
  * the back of the head, and two triangles that reach to the eye. */
@@ -323,7 +323,7 @@ static void draw_in_two_lights(const struct canvas *canvas, struct rectangle cel
     simple_draw(canvas, &call, &simple_flat, &triangle.uniforms);
 }
 
-/* The first one has a square in full light beside it, the third one a triangle in two lights. The
+/* The first one has a square in full light next to it, the third one a triangle in two lights. The
  * last one is seen from where no light falls: what is left is the inside of the lit half; beside
  * it, a square that gets next to none. */
 static bool draw_more_looks(struct drawing *drawing, struct image *image, struct error *error) {
@@ -378,7 +378,7 @@ static lanes_mask steps_fragment(const void *uniforms, const lanes *varyings, la
 
 SHADER(in_steps, .varying_count = 1, .vertex = gouraud_vertex, .fragment = steps_fragment);
 
-/* With a square in full light beside it. */
+/* With a square in full light next to it. */
 static bool draw_toon(struct drawing *drawing, struct image *image, struct error *error) {
     struct pipeline *pipeline = pipeline_begin(drawing);
     const struct rectangle place = grid_cell(image->width, image->height, 1, 1, 0, 0);
@@ -406,7 +406,7 @@ static bool draw_normal_map(struct drawing *drawing, struct image *image, struct
         struct draw_call small_call = pipeline_call(drawing, corner, 1, CULL_BACK);
         struct uniforms u = make_uniforms(drawing, 0.85 * place.width);
         struct uniforms small = make_uniforms(drawing, corner.width);
-        small.diffuse_level++; /* who exchanges the levels sees it */
+        small.diffuse_level++; /* exchanged levels show */
         done = done && pipeline_draw(pipeline, &call, shader, &u, sizeof u, error) &&
                pipeline_draw(pipeline, &small_call, shader, &small, sizeof small, error);
     }
@@ -635,7 +635,7 @@ static const struct scene scenes[] = {
     {
         .name = "loops",
         .needs = NEEDS_MODEL | NEEDS_NORMALS | NEEDS_DEPTH,
-        .width = 806, /* cells of odd sizes, which differ: who exchanges or halves them sees it */
+        .width = 806, /* cells of odd sizes, which differ: exchanged or halved, they show */
         .height = 662,
         .draw = draw_loops,
     },

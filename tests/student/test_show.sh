@@ -106,8 +106,8 @@ title() { # TEXT YOURS REFERENCE
 }
 title '' white.tga none.tga
 title ': exact' white.tga white.tga
-title ': 1 pixel differs' point.tga black.tga
-title ': 100 pixels differ' white.tga grey.tga
+title ': 1 pixel differs, the first wrong one at (0,50)' point.tga black.tga
+title ': 100 pixels differ, the first wrong one at (0,0)' white.tga grey.tga
 title ': 10x10 pixels, not 200x4' white.tga wide.tga
 show 0 80 24 difference white.tga white.tga # is only said
 [ "$(cat "$said")" = 'step01_line none: exact' ] || wrong "more than that it is exact"
@@ -158,7 +158,7 @@ show 2 80 24 yours,mine white.tga grey.tga
 
 # ---- A program that hangs or crashes ----
 
-# In place of a lesson's program: a scene a line of `draws`, as a command that draws it or does not.
+# Instead of a lesson's program: a scene a line of `draws`, as a command that draws it or does not.
 mkdir -p course/tests/check course/step05_zbuffer course/build/models || exit 1
 cp -R "$top/tests/student" course/tests || exit 1
 cp "$build/show" course/build && cp grey.tga course && cd course || exit 1

@@ -1,5 +1,5 @@
 // The page under the mouse: asks a lesson's program for frames, and shows them pixel by pixel. What
-// can be changed stands in what the program says of its scenes (common/run/live.h). Frames come from
+// can be changed is in what the program says of its scenes (common/run/live.h). Frames come from
 // the `program` that another file defines: server.js has the one of `make live`.
 "use strict";
 

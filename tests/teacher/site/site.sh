@@ -5,7 +5,7 @@
 #     site.sh BUILD OUT
 #
 # OUT is a directory that is not there yet, or empty. Each text of README.md and of the lessons
-# becomes a page beside its pictures. Pages work from disk as from any server, and without scripts;
+# becomes a page next to its pictures. Pages work from disk as from any server, and without scripts;
 # they load nothing from elsewhere. Solutions are there only as compiled code, in live/program.js.
 # BUILD has the models.
 #

@@ -178,20 +178,3 @@ test('without scripts the text is there', async () => {
     assert.ok(await page.isVisible('#controls'));
     await context.close();
 });
-
-test('frames a second at 400x400', async t => {
-    for (const [lesson, scene] of [['step05_zbuffer', 'zbuffer'], ['step08_projection', 'lookat'], ['step10_phong', 'four']]) {
-        await on(served(`${lesson}/live.html#scene=${scene}`), desktop, async page => {
-            await drawn(page);
-            const seconds = await page.evaluate(async () => {
-                const begin = performance.now();
-                for (let i = 0; i < 60; i++) {
-                    chosen = {scene: chosen.scene, size: 400, light: [Math.sin(i / 10), 0, -1]};
-                    await ask();
-                }
-                return (performance.now() - begin) / 1000;
-            });
-            t.diagnostic(`${lesson}, ${scene}: ${(60 / seconds).toFixed(0)} frames a second`);
-        });
-    }
-});
