@@ -227,16 +227,6 @@ end:
     return done;
 }
 
-/* As write_and_rename(). What would end the program waits, so that no part of a file is left. */
-static bool write_and_rename_or_nothing(const char *path, long mode, const void *data, size_t size,
-                                        struct error *error) {
-    signal_set before;
-    signals_hold(&before);
-    bool done = write_and_rename(path, mode, data, size, error);
-    signals_release(&before);
-    return done;
-}
-
 /* Renaming would get round a write protection. Opening for writing changes nothing. */
 static bool check_writable(const char *path, struct error *error) {
     int file = open(path, O_WRONLY | O_CLOEXEC);
@@ -259,8 +249,14 @@ static bool write_whole(const char *path, const void *data, size_t size, struct 
     } else if (errno != ENOENT || path[0] == '\0') {
         return error_from_system(error);
     }
-    return (mode < 0 || check_writable(path, error)) &&
-           write_and_rename_or_nothing(path, mode, data, size, error);
+    if (mode >= 0 && !check_writable(path, error)) {
+        return false;
+    }
+    signal_set before; /* what would end the program waits, so that no part of a file is left */
+    signals_hold(&before);
+    bool done = write_and_rename(path, mode, data, size, error);
+    signals_release(&before);
+    return done;
 }
 
 bool file_write(const char *path, const void *data, size_t size, struct error *error) {
