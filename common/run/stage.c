@@ -285,9 +285,11 @@ static bool note_missing(struct run *run, unsigned needs, struct error *error) {
         free(path);
     }
     if (note != NULL) {
-        error_set(note, "no %s beside it, nor other usual names; %s instead (%s)", names, instead,
-                  options);
+        size_t *unsaid = &run->model.warning_line[MODEL_MATERIALS_MISSING];
+        error_set(note, "no %s%s beside it, nor other usual names; %s instead (%s)",
+                  *unsaid > 0 ? "file of materials, " : "", names, instead, options);
         error_name_input(note, run->model.path);
+        *unsaid = 0;
     }
     return true;
 }

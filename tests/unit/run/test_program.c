@@ -654,11 +654,14 @@ static void test_replaced(void) {
     expected_parts = "1 80805A 0 0;";
     put_file("wild4.obj", "mtllib none.mtl\nusemtl a\n" MAPPED);
     CHECK_RUN(&program, "-o out --only one --texture given.tga wild4.obj", 0,
-              "probe: wild4.obj:1: the file of materials is not there; faces have neither its "
-              "colours nor its textures\n"
-              "probe: wild4.obj: no wild4_nm.tga, wild4_spec.tga" MISSING
+              "probe: wild4.obj: no file of materials, wild4_nm.tga, wild4_spec.tga" MISSING
               "the mesh's normals, the same shine everywhere instead (--normal-map, --specular)\n"
               "out/one.tga\n");
+    expected_parts = "1 FFFFFF 0 0;"; /* without a place in a picture none is looked for */
+    put_file("wild5.obj", "mtllib none.mtl\nusemtl a\nv 0 0 0\nv 0 0 1\nv 1 0 0\nf 1 2 3\n");
+    CHECK_RUN(&program, "-o out --only one wild5.obj", 0,
+              "probe: wild5.obj:1: the file of materials is not there; faces have neither its "
+              "colours nor its textures\nout/one.tga\n");
     CHECK_RUN(&dot_program, "--texture given.tga", 2,
               "probe: unknown option '--texture'; try --help\n");
 }
