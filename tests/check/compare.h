@@ -10,10 +10,10 @@
  * Why not count the pixels that differ: a correct renderer with another fill rule moves edges by
  * one pixel all over the picture, while a missing depth buffer shows in few places, at the mouth
  * and the ears. By a plain count the wrong program comes out better. A moved edge has its colour
- * next to it; a wrong triangle has not. What is apart is counted too, and has a limit of its own,
- * because otherwise a picture that is shifted by one pixel would be right. And so is what is drawn
- * in one picture only: holes between triangles are thin, and few beside the moved edges inside of a
- * model. And pixels that are near but not equal: other arithmetic gives a few of them, but where
+ * next to it; a wrong triangle has not. What is apart is counted too, and has its own limit,
+ * because otherwise a picture that is shifted by one pixel would be right. So is what is drawn in
+ * one picture only: holes between triangles are thin, and few compared with the moved edges inside
+ * a model. And pixels that are near but not equal: other arithmetic gives a few of them, but where
  * values are cut off and not rounded half of them and more are one too small.
  *
  * Last, a whole picture may be a few levels too light or too dark, and every colour in it agree. So

@@ -34,7 +34,7 @@ enum drawn_state { DRAWN_READ, DRAWN_MISSING, DRAWN_UNREADABLE, DRAWN_WRONG_SIZE
 
 /* Read DIRECTORY/SCENE.tga. With `wanted` not NULL, a picture of another size than that one is
  * DRAWN_WRONG_SIZE: it is read too if it is not huge, otherwise `image` is empty. Without it, any
- * size will do. What is wrong stands in `error`. The caller frees the image. */
+ * size will do. What is wrong is in `error`. The caller frees the image. */
 enum drawn_state drawn_read(struct image *image, const char *directory, const char *scene,
                             const struct image *wanted, struct error *error);
 

@@ -180,7 +180,8 @@ static void finish(const struct calling *calling, const char *source) {
     for (size_t i = 0; i < calling->count; i++) {
         const struct called_task *task = &calling->tasks[i];
         if (task->wrong > 1) {
-            result_say(&task->item->message, " (and %zu more calls)", task->wrong - 1);
+            result_say(&task->item->message, " (and %zu more call%s)", task->wrong - 1,
+                       task->wrong == 2 ? "" : "s");
         } else if (task->wrong == 0 && task->called > 0) {
             task->item->state = RESULT_PASS;
         } else if (task->called == 0 && !todo_has_task(source, task->item->counter)) {

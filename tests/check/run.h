@@ -112,7 +112,7 @@ struct run_directory {
 };
 bool run_directory_create(struct run_directory *directory, struct error *error);
 
-/* Remove a directory with all that a program left in it. Links are removed, not followed. */
+/* Remove a directory with everything a program left in it. Links are removed, not followed. */
 void run_directory_remove(const char *path);
 
 #endif

@@ -41,7 +41,7 @@ bool credit_needs(const struct credit *credit, const char *task);
 /* Is it shown or needed? */
 bool credit_has(const struct credit *credit, const char *task);
 
-/* Are all that the other one shows and needs? */
+/* Does it show and need everything that the other one does? */
 bool credit_covers(const struct credit *credit, const struct credit *other);
 
 struct checked_scene {

@@ -203,20 +203,25 @@ static struct seen_text describe_colors(const struct parts *parts) {
     return seen;
 }
 
-/* What is missing, where all else is right; what is too much; which colours are wrong; or how many
+/* What is said of the rest, of which few pixels may be wrong. */
+static const char *of_the_rest(size_t wrong) {
+    return wrong == 0 ? "the rest is right" : "nearly all the rest is right";
+}
+
+/* What is missing, where the rest is right; what is too much; which colours are wrong; or how many
  * pixels are each of these. */
 static struct seen_text find_part(const struct image *reference, const struct image *yours) {
     const struct parts parts = find_parts(reference, yours);
     const size_t kept = parts.drawn - parts.missing, wrong = parts.extra + parts.other;
     struct seen_text seen = {""};
     if (TRUE_SHARE * parts.missing > parts.drawn && TRUE_SHARE * wrong <= kept) {
-        snprintf(seen.text, sizeof seen.text, "%zu %% of the picture is missing, the rest is right",
-                 parts.missing * 100 / parts.drawn);
+        snprintf(seen.text, sizeof seen.text, "%zu %% of the picture is missing, %s",
+                 parts.missing * 100 / parts.drawn, of_the_rest(wrong));
     } else if (TRUE_SHARE * parts.extra > parts.drawn &&
                TRUE_SHARE * (parts.missing + parts.other) <= parts.drawn) {
-        snprintf(seen.text, sizeof seen.text,
-                 "%zu %% of what you draw should not be there, the rest is right",
-                 parts.extra * 100 / (kept + parts.extra));
+        snprintf(seen.text, sizeof seen.text, "%zu %% of what you draw should not be there, %s",
+                 parts.extra * 100 / (kept + parts.extra),
+                 of_the_rest(parts.missing + parts.other));
     } else if (parts.other > 0 && TRUE_SHARE * (parts.missing + parts.extra) <= parts.other) {
         seen = describe_colors(&parts);
     } else if (parts.missing + wrong > 0) {

@@ -38,6 +38,10 @@ static struct color without_foot(int x, int y) {
     return x < 20 ? shape_color(x, y) : color_rgb(0, 0, 0);
 }
 
+static struct color without_foot_but_a_pixel(int x, int y) {
+    return x == 0 && y == 0 ? color_rgb(9, 9, 9) : without_foot(x, y);
+}
+
 static struct color with_bar(int x, int y) {
     return y >= 50 && y < 53 ? color_rgb(9, 9, 9) : shape_color(x, y);
 }
@@ -127,6 +131,7 @@ static void test_colors(void) {
         {one_color, "all that is drawn has one colour, 9,8,7"},
         {blue_for_red, "red and blue are exchanged"},
         {without_foot, "25 % of the picture is missing, the rest is right"},
+        {without_foot_but_a_pixel, "25 % of the picture is missing, nearly all the rest is right"},
         {with_bar, "27 % of what you draw should not be there, the rest is right"},
         {darker, "the right pixels are drawn, but too dark: where they differ, by 10 on average"},
         {bluer, "the right pixels are drawn, but too light: where they differ, by 10 on average"},

@@ -11,7 +11,7 @@
 
 #include <stdbool.h>
 
-/* A directory of its own with two empty ones: where the input lies, and where the program runs and
+/* A separate directory with two empty ones: where the input lies, and where the program runs and
  * leaves its pictures. */
 struct unseen_place {
     struct run_directory whole;
