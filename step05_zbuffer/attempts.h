@@ -72,7 +72,7 @@ static inline int attempt_compare_depths(const void *a, const void *b) {
 }
 
 /* Attempt 2: painter's order: sorted by mean depth, the farthest first. The list is changed.
- * Wrong where a large triangle lies beside a small one, where two pass through each other, and
+ * Wrong where a large triangle is next to a small one, where two pass through each other, and
  * where three lie over one another in a circle: then there is no order at all. Sorting costs more
  * with every triangle, and every hidden pixel is drawn. */
 static inline void attempt_2_painter(struct image *image, struct drawn *list, size_t count) {

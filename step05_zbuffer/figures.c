@@ -137,7 +137,7 @@ static void make_circle(struct drawn bars[3]) {
 enum { FLOOR_TREES = 6, FLOOR_COUNT = FLOOR_TREES + 2 };
 
 /* A floor seen from obliquely above, of two triangles: its depth falls from 0.9 at the bottom of
- * the picture to -0.9 at the top. The trees stand on it upright: one depth each. */
+ * the picture to -0.9 at the top. The trees on it are upright: one depth each. */
 static void make_floor(struct drawn list[FLOOR_COUNT]) {
     static const struct vec2 foot[FLOOR_TREES] = {{60, 150}, {130, 120}, {205, 140},
                                                   {170, 85}, {90, 60},   {220, 40}};

@@ -46,30 +46,6 @@ static inline bool attempt_in_front(struct position *const corner[3]) {
     return (beyond & (BEYOND_NEAR | BEYOND_GUARD_BAND)) == 0;
 }
 
-/* triangle() without correct_weights(): the weights of the screen for everything. That saves a
- * division and a few products a pixel. */
-static inline void attempt_15_affine_triangle(const struct canvas *canvas,
-                                              const struct edges *edges, const struct vertex v[3]) {
-    const struct rectangle area = canvas->area;
-    const struct span columns = {area.x, area.x + area.width};
-    const struct span rows = span_overlap((struct span){edges->y_begin, edges->y_end},
-                                          (struct span){area.y, area.y + area.height});
-    for (int y = rows.begin; y < rows.end; y++) {
-        struct span span = span_overlap(edges_span(edges, y), columns);
-        double *row = canvas->depth + (size_t)y * canvas->image->width;
-        for (int x = span.begin; x < span.end; x++) {
-            struct vec3 w = edges_weights(edges, x, y);
-            double depth = interpolate_depth(w, v[0].depth, v[1].depth, v[2].depth);
-            if (depth > row[x]) {
-                double intensity = interpolate(w, v[0].intensity, v[1].intensity, v[2].intensity);
-                struct vec2 uv = vec2_interpolate(w, v[0].uv, v[1].uv, v[2].uv);
-                row[x] = depth;
-                image_set(canvas->image, x, y, shade(canvas->texture, uv, intensity));
-            }
-        }
-    }
-}
-
 /* Divides by w, whatever w is. A point behind the camera has a negative w, so it appears in front,
  * upside down, and a face with one such corner covers the wrong side of the picture. */
 static inline void attempt_7_unclipped(struct drawing *drawing, struct canvas *canvas,

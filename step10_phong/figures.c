@@ -117,7 +117,7 @@ static bool draw_lost_highlight(struct model *model, const char *directory, stru
     return draw_panels(model, &view, panels, directory, "lost_highlight", error);
 }
 
-/* The frames of the animation, each an image of its own. */
+/* The frames of the animation, one image each. */
 static bool draw_frames(struct model *model, struct image frames[SWING_FRAMES],
                         struct error *error) {
     struct pipeline pipeline = {0};

@@ -11,9 +11,9 @@
 
 enum {
     CHART_WIDTH = 820,
-    HEAD_HEIGHT = 44,   /* the lesson's title */
+    HEAD_HEIGHT = 44,   /* the lesson's title and the key */
     PANEL_HEIGHT = 460, /* a panel with its title and axes */
-    FOOT_HEIGHT = 54,
+    FOOT_HEIGHT = 37,
     PLOT_LEFT = 76,
     PLOT_RIGHT = 800,
     PLOT_TOP = 44,            /* below the panel's top */
@@ -624,7 +624,7 @@ static void draw_captions(struct output *output, const struct bench_panel *panel
              !plot->has_scale          ? ""
              : plot->error.logarithmic ? "logarithmic scale"
                                        : "linear scale from 0",
-             plot->exact_apart ? "; 0 stands apart, left of the break" : "");
+             plot->exact_apart ? "; 0 is left of the break" : "");
     put_text(output, "tick middle", middle, plot->bottom + 52, text);
 }
 
@@ -676,14 +676,13 @@ bool chart_draw(const struct bench_lesson *lesson, const struct bench_results *r
                height);
     snprintf(text, sizeof text, "%s: run time against error", lesson->title);
     put_text(&output, "head", 20, 28, text);
+    put_text(&output, "foot", 20, 46,
+             "Filled dots, dashed stair: nothing is both faster and more accurate. Bold: the "
+             "lesson's own. Bars: from quartile to quartile.");
     for (size_t i = 0; i < lesson->panel_count; i++) {
         draw_panel(&output, &lesson->panels[i], results->of[i],
                    HEAD_HEIGHT + (double)i * PANEL_HEIGHT + 8);
     }
-    put_text(&output, "foot", 20, height - 30,
-             "Filled dots, dashed stair: no other version is as good in both and better in one. "
-             "Bold: the "
-             "lesson's own. Dots: medians; bars: quartiles.");
     report_processor(processor);
     snprintf(text, sizeof text, "%s%s%s", report_compiler(), processor[0] != '\0' ? ", " : "",
              processor);

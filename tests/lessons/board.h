@@ -54,7 +54,7 @@ static inline void turn_board(struct drawing *drawing, const int turns[3]) {
     drawing->light = vec3_quarter_turned(drawing->light, turns);
 }
 
-/* Is it the same picture, but for rounding, and one that shows something? */
+/* Is it the same picture, except for rounding, and one that shows something? */
 static inline bool nearly_same(const struct image *a, const struct image *b) {
     size_t wrong = 0, seen = 0;
     for (size_t i = 0; i < (size_t)BOARD_SIZE * BOARD_SIZE * 3; i++) {

@@ -62,7 +62,7 @@ INLINED double intensity_at(struct vec3 weight, const struct vertex v[3], const 
     return light_on(normal, light, kind);
 }
 
-/* triangle() of main.c, line by line, but for the intensity. */
+/* triangle() of main.c, line by line, except for the intensity. */
 INLINED void shaded_triangle(struct canvas *canvas, const struct edges *edges,
                              const struct vertex v[3], const struct vec3 n[3], struct vec3 light,
                              int way, int kind) {

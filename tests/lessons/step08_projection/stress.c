@@ -53,7 +53,7 @@ enum look { LOOK_FACE, LOOK_INTENSITY, LOOK_U, LOOK_V };
 
 enum { SOUP_PIXELS = 26 * 26 };
 
-/* A soup with all that the lesson draws from, and what it draws on. */
+/* A soup with everything the lesson draws from, and what it draws on. */
 struct scenery {
     struct soup soup;
     float uv[SOUP_CORNERS][2], normal[SOUP_CORNERS][3];

@@ -1,6 +1,6 @@
 /*
- * Lesson 9's benchmark: from simple_draw() to the pipeline; what is shaded, how a shader is called,
- * and by how many threads.
+ * Lesson 9's benchmark: from simple_draw() to the pipeline; how a shader is called, and by how many
+ * threads.
  *
  * All versions draw the same four busts, one behind another, and are judged by the same exact
  * picture: what is visible decided by whole numbers and double, its colours found in long double.
@@ -42,23 +42,14 @@ static struct shader attempt_called(const struct shader *shader) {
     return called;
 }
 
-/* Shaded at once: every pixel that is nearest so far, though it may be hidden later. The pipeline
- * does so without SHORTCUT_VISIBLE. (It says that it discards pixels, for then SHADER() has loops
- * for it that shade at once; but it never does.) */
-SHADER(attempt_at_once, .varying_count = 3, .vertex = gouraud_textured_vertex,
-       .fragment = textured_fragment, .discards = true);
-
 /* simple_draw(); visible_draw() in one band, and in bands; the pipeline, which calls the shader for
- * several pixels, shades at once, or does neither; added where it has two threads. */
-enum { SIMPLE, ONE_BAND, BANDS, CALLED, AT_ONCE, VISIBLE, KINDS, TWO_THREADS = KINDS };
+ * several pixels, or doesn't; added where it has two threads. */
+enum { SIMPLE, ONE_BAND, BANDS, CALLED, VISIBLE, KINDS, TWO_THREADS = KINDS };
 
 static bool draw_by_pipeline(struct work *work, int kind, struct pipeline *p) {
     struct error error;
     struct shader called = attempt_called(&gouraud_textured);
-    const struct shader *shader = kind == CALLED    ? &called
-                                  : kind == AT_ONCE ? &attempt_at_once
-                                                    : &gouraud_textured;
-    p->frame->shortcuts = kind == AT_ONCE ? SHORTCUTS & ~(unsigned)SHORTCUT_VISIBLE : SHORTCUTS;
+    const struct shader *shader = kind == CALLED ? &called : &gouraud_textured;
     pipeline_clear(p);
     return pipeline_draw(p, &work->call, shader, &work->uniforms, sizeof work->uniforms, &error) &&
            pipeline_finish(p, &work->image, &error);
@@ -273,14 +264,6 @@ static const struct bench_version stage_versions[] = {
     HOUSE_VERSION("no call", VISIBLE),    HOUSE_VERSION("2 threads", TWO_THREADS + VISIBLE),
 };
 
-static const struct bench_version pipeline_versions[] = {
-    VERSION("at once", AT_ONCE),
-    VERSION("visible, called", CALLED),
-    HOUSE_VERSION("visible", VISIBLE),
-    VERSION("at once, 2 threads", TWO_THREADS + AT_ONCE),
-    HOUSE_VERSION("visible, 2 threads", TWO_THREADS + VISIBLE),
-};
-
 /* The house's error: a level in a thousand that is not the nearest. */
 static const struct bench_panel bench_panels[] = {
     {.title = "From your draw() to the pipeline: four busts one behind another, textured",
@@ -290,14 +273,6 @@ static const struct bench_panel bench_panels[] = {
      .run = run,
      .error = error_of,
      BENCH_VERSIONS(stage_versions),
-     .house_within = 0.001},
-    {.title = "The same by the pipeline: shaded at once, or only what is visible",
-     .error_label = "values of 0..255, mean",
-     .time_label = "ms per frame",
-     .against = "long double",
-     .run = run,
-     .error = error_of,
-     BENCH_VERSIONS(pipeline_versions),
      .house_within = 0.001},
 };
 

@@ -50,7 +50,7 @@ struct work {
     size_t lit_count;            /* pixels; the last lanes may have some that do not count */
     struct model meshes[MESHES]; /* of the sphere, each of four times the triangles */
     struct texture ripples;      /* normal map of the sphere */
-    struct uniforms sphere;      /* but for the model */
+    struct uniforms sphere;      /* except for the model */
     struct pipeline pipeline;
     struct image image;
 };

@@ -31,7 +31,7 @@ bool is_near(double got, long double exact, long double slack);
 /* Is it the nearest 1/256 pixel? Halfway between two either is right. */
 bool is_snapped(int32_t position, long double pixels);
 
-/* Is a level 0..255 the one nearest to this value, or one of two that are equally near but for
+/* Is a level 0..255 the one nearest to this value, or one of two that are equally near except for
  * rounding? And is each channel of a colour; red, green, blue as x, y, z? */
 bool level_is_right(uint8_t level, long double exact);
 bool color_is_right(struct color color, struct real3 exact);
@@ -57,7 +57,7 @@ struct pixel_color shade_pixel(fragment_function *fragment, const void *uniforms
 /* base * base * ... */
 long double exact_power(long double base, int power);
 
-/* A direction of length 1, but for rounding. */
+/* A direction of length 1, except for rounding. */
 struct vec3 random_direction(struct random *random);
 
 /* A vector of any length, from 2^-reach to 2^reach; now and then zero. */
