@@ -217,7 +217,7 @@ static const struct option {
 enum { OPTIONS_KNOWN = sizeof options_known / sizeof options_known[0] };
 
 struct details {
-    char text[768];
+    char text[1024];
 };
 
 /* Append to the details, which are cut where they are too many. */
@@ -229,12 +229,12 @@ static void PRINTF_LIKE(2, 3) add_detail(struct details *details, const char *fo
     va_end(arguments);
 }
 
-/* The numbers of a list, and of which scene. */
+/* The numbers of a list, of which scene, with range and default. */
 static void add_values(struct details *details, const struct scene_value *value,
                        const char *scene) {
     for (; value != NULL && value->name != NULL; value++) {
-        add_detail(details, "%s %s of %s, %g to %g", details->text[0] == '\0' ? ":" : ";",
-                   value->name, scene, value->least, value->most);
+        add_detail(details, "%s %s of %s, %g to %g (%g)", details->text[0] == '\0' ? ":" : ";",
+                   value->name, scene, value->least, value->most, value->value);
     }
 }
 

@@ -44,7 +44,7 @@ printf '%s\n' '--only zbuffer --set faces=0 --stats' '--set faces=2' '--set corn
 head -n 1 "$work/all" | grep -qF '"values":[{"name":"faces","help":"share of the faces that are drawn","least":0,"most":1,' ||
     wrong "no values in the description"
 sed -n 4p "$work/answer" | grep -qx 'pixels_written 0' || wrong "faces are drawn"
-[ "$(grep -ac "^error --set wants NAME=N, a scene's number: faces of zbuffer, 0 to 1, not" "$work/answer")" -eq 2 ] ||
+[ "$(grep -ac "^error --set wants NAME=N, a scene's number: faces of zbuffer, 0 to 1 (1), not" "$work/answer")" -eq 2 ] ||
     [ "$(tail -n 2 "$work/answer" | grep -ac 'error --set wants')" -eq 2 ] || wrong "numbers out of range are taken"
 
 # A text scene's numbers, the text that one begins with, and what is said about a pixel.
