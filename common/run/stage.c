@@ -286,7 +286,7 @@ static bool note_missing(struct run *run, unsigned needs, struct error *error) {
     }
     if (note != NULL) {
         size_t *unsaid = &run->model.warning_line[MODEL_MATERIALS_MISSING];
-        error_set(note, "no %s%s beside it, nor other usual names; %s instead (%s)",
+        error_set(note, "no %s%s next to it, nor other usual names; %s instead (%s)",
                   *unsaid > 0 ? "file of materials, " : "", names, instead, options);
         error_name_input(note, run->model.path);
         *unsaid = 0;
