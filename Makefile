@@ -64,7 +64,7 @@ CONSTANTS := $(shell $(CC) -Werror -Wenum-float-conversion -E -x c /dev/null >/d
                      echo -Wno-enum-float-conversion)
 # One rounding for each operation, so that every machine computes the same bytes.
 STRICT   = -std=c17 -ffp-contract=off -fno-math-errno
-# All that this processor can do, where the compiler knows it; no byte of a picture changes.
+# Everything this processor can do, where the compiler knows it; no byte of a picture changes.
 MARCH   := $(shell $(CC) -march=native -E -x c /dev/null >/dev/null 2>&1 && echo -march=native)
 THREADED = -pthread
 BUILT    = $(abspath $(BUILD))

@@ -45,7 +45,7 @@ struct texels {
     lanes weight[4];
 };
 
-/* Of a place that lies so far from the lower left texel to the right and up. */
+/* The weights of four texels for a place so far to the right and up from the lower left one. */
 LANES_INLINE void lanes_texel_weights(lanes across, lanes along, lanes weight[4]) {
     weight[3] = across * along;
     weight[2] = along - weight[3];
@@ -68,7 +68,7 @@ LANES_INLINE void texture_find(const struct texture_level *level, struct lanes2 
 }
 
 /* Ask the memory for texels some rows above these, and for the next above those: the pixels above
- * will need them, or what lies beside them, and find it in the cache. (Beyond the texture nothing
+ * will need them, or their neighbours, and find it in the cache. (Beyond the texture nothing
  * happens.) */
 LANES_INLINE void texture_expect(const struct texture_level *level, const uint32_t *texels,
                                  lanes_texel bytes) {

@@ -13,7 +13,7 @@ endef
 
 ifneq ($(filter-out help clean start solution handout commands,$(or $(MAKECMDGOALS),all)),)
 MISSING := $(shell command -v $(firstword $(CC)) >/dev/null 2>&1 || echo compiler; \
-                   [ -d "$${TMPDIR:-.}" ] || echo temporary; \
+                   [ -d '$(or $(TMPDIR),.)' ] || echo temporary; \
                    { mkdir -p '$(BUILD)' && [ -w '$(BUILD)' ]; } 2>/dev/null || echo build; \
                    case $$($(CC) -dumpmachine 2>/dev/null) in (*mingw*) echo windows ;; esac)
 $(if $(filter compiler,$(MISSING)),$(error $(NO_COMPILER)))
@@ -21,7 +21,8 @@ $(if $(filter build,$(MISSING)),$(error nothing can be written into $(BUILD): na
     for example make BUILD=/tmp/course))
 ifneq ($(filter temporary,$(MISSING)),)
 $(warning TMPDIR=$(TMPDIR) is no directory: /tmp is taken)
-export TMPDIR := /tmp
+override TMPDIR := /tmp
+export TMPDIR
 endif
 # Windows itself draws the pictures. It has no fork() and no signals, which the check needs, calls
 # directories otherwise than the shell of MSYS2, converts to float in its isfinite(), and has a printf()

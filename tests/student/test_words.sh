@@ -18,6 +18,8 @@ sed 's|^include $(ROOMS)|include room.mk|; s|tests/student/machine|'"$top"'/&|; 
 said_by 0 env TMPDIR="$work/nowhere" make -s -C "$work" check
 says "TMPDIR=$work/nowhere is no directory"
 says 'TMPDIR is /tmp'
+said_by 0 make -s -C "$work" check TMPDIR="$work/nowhere"
+says 'TMPDIR is /tmp'
 said_by 0 env TMPDIR="$work" make -s -C "$work" check
 says "TMPDIR is $work"
 

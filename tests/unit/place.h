@@ -1,4 +1,4 @@
-/* For tests of files: a directory of its own for a test, in which nothing may be left behind. The
+/* For tests of files: a separate directory for a test, in which nothing may be left behind. The
  * test defines _XOPEN_SOURCE as 700, for mkdtemp(). */
 #ifndef TESTS_PLACE_H
 #define TESTS_PLACE_H
