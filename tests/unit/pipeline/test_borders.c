@@ -328,9 +328,8 @@ static bool tests_are_right(const struct pipeline *pipeline, uint64_t drawn,
         return covered == 0 && passed == 0;
     }
     bool some_behind = pipeline->stats[STAT_FACES_BEHIND] > 0;
-    return (!some_behind || pipeline->frame->reordered) && covered >= drawn &&
-           covered <= work->covered && (some_behind || covered == work->covered) &&
-           passed >= drawn && passed <= covered &&
+    return covered >= drawn && covered <= work->covered &&
+           (some_behind || covered == work->covered) && passed >= drawn && passed <= covered &&
            (pipeline->frame->reordered || passed == work->nearest);
 }
 
