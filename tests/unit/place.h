@@ -42,7 +42,7 @@ static inline size_t place_count(const struct place *place) {
     return count - 2; /* "." and ".." */
 }
 
-/* The directory, and what it still holds: names of files with commas between them, or NULL. */
+/* The directory, and the files that it still holds: names with commas between them, or NULL. */
 static inline void place_remove(struct place *place, const char *names) {
     while (names != NULL) {
         char name[64];

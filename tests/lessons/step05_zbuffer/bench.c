@@ -361,6 +361,7 @@ static double error_knot(void *state, int choice) {
 }
 
 static double error_sheets(void *state, int choice) {
+    (void)choice;
     const struct depth_bench *bench = state;
     return pile_error(bench, &bench->piles[PILE_SHEETS]);
 }

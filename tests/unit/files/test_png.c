@@ -346,7 +346,7 @@ static void test_split_data(void) {
 /* A file of one pixel: chunks by letter and number of bytes, all 0. H header (13 are right), P
  * palette, T tRNS, D pixel, I pixels that are none, E end, o optional, X unknown, Z of a length
  * that lies. `header`: depth, colour type, compression, filter, interlace; the first byte of the
- * pixel, and 256 times its row's filter; width and height where they are not 1. */
+ * pixel, after 256 times its row's filter; width and height where they are not 1. */
 static struct bytes make_file(const uint32_t header[8], const char *chunks) {
     static const char letters[] = "HPTDIEoXZ";
     static const char *const types[] = {"IHDR", "PLTE", "tRNS", "IDAT", "IDAT",
