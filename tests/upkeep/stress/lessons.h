@@ -95,7 +95,7 @@ struct depth_image {
 struct layered {
     const struct layers *layers;
     const void *tried;
-    int side; /* so many pictures beside and above one another show the same layers */
+    int side; /* so many pictures next to and above one another show the same layers */
     struct layer_work (*draw)(const void *tried, const struct depth_image *on);
     /* Does the layer have this colour at this pixel, in a picture (from 0, below left)? */
     bool (*has_color)(const void *tried, int layer, int picture, int x, int y, struct color color);
