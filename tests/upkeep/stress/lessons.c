@@ -83,6 +83,140 @@ struct vec3 random_vector(struct random *random, int reach) {
     return vec3_scale(random_direction(random), random_bits(random) % 64 == 0 ? 0 : length);
 }
 
+/* ---- Layers ---- */
+
+enum { PIXELS = SCREEN_WIDTH * SCREEN_HEIGHT };
+
+static double any_depth(struct random *random, uint64_t kind) {
+    switch (kind) {
+    case 0: /* many ties */
+        return (double)random_between(random, -2, 2);
+    case 1: /* close together, far from zero */
+        return 1000 + random_real(random, -1e-9, 1e-9);
+    case 2:
+        return ldexp(random_real(random, -1, 1), (int)random_between(random, -300, 300));
+    default:
+        return random_real(random, -1, 1);
+    }
+}
+
+void make_layers(struct random *random, uint64_t index, struct layers *layers) {
+    for (int i = 0; i < LAYER_COUNT; i++) {
+        random_triangle(random, random_bits(random), layers->corner[i]);
+        for (int k = 0; k < 3; k++) {
+            layers->depth[i][k] = any_depth(random, index % 8);
+        }
+        if (i > 0 && random_bits(random) % 4 == 0) {
+            int earlier = (int)random_between(random, 0, i - 1);
+            memcpy(layers->corner[i], layers->corner[earlier], sizeof layers->corner[i]);
+            memcpy(layers->depth[i], layers->depth[earlier], sizeof layers->depth[i]);
+        }
+    }
+}
+
+long double layer_value(const struct layers *layers, int layer, const double value[3], int x,
+                        int y) {
+    static const double no_perspective[3] = {1, 1, 1};
+    return oracle_interpolate(layers->corner[layer], no_perspective, value, x, y);
+}
+
+/* How far a depth of a layer may be off. */
+static double depth_tolerance(const struct layers *layers, int layer) {
+    const double *depth = layers->depth[layer];
+    return fmax(fabs(depth[0]), fmax(fabs(depth[1]), fabs(depth[2]))) * 0x1p-49;
+}
+
+static bool layer_covers(const struct layers *layers, int layer, int x, int y) {
+    const struct fixed2 *c = layers->corner[layer];
+    return oracle_covers(c[0], c[1], c[2], x, y);
+}
+
+static bool is_copy(const struct layers *layers, int layer, int earlier) {
+    return memcmp(layers->corner[layer], layers->corner[earlier], sizeof layers->corner[0]) == 0 &&
+           memcmp(layers->depth[layer], layers->depth[earlier], sizeof layers->depth[0]) == 0;
+}
+
+static bool hides(const struct layers *layers, int front, int behind, int x, int y) {
+    if (front == behind || !layer_covers(layers, front, x, y)) {
+        return false;
+    }
+    if (front < behind && is_copy(layers, behind, front)) {
+        return true;
+    }
+    long double front_depth = layer_value(layers, front, layers->depth[front], x, y);
+    long double behind_depth = layer_value(layers, behind, layers->depth[behind], x, y);
+    long double tolerance = depth_tolerance(layers, front) + depth_tolerance(layers, behind);
+    return front_depth > behind_depth + tolerance;
+}
+
+static bool may_show(const struct layers *layers, int layer, int x, int y) {
+    bool shows = layer_covers(layers, layer, x, y);
+    for (int i = 0; i < LAYER_COUNT && shows; i++) {
+        shows = !hides(layers, i, layer, x, y);
+    }
+    return shows;
+}
+
+static uint64_t covered_pixels(const struct layers *layers) {
+    uint64_t count = 0;
+    for (int i = 0; i < LAYER_COUNT * PIXELS; i++) {
+        int pixel = i % PIXELS;
+        count += layer_covers(layers, i / PIXELS, pixel % SCREEN_WIDTH, pixel / SCREEN_WIDTH);
+    }
+    return count;
+}
+
+/* Does the pixel show this layer, or none where it is -1, in all pictures? */
+static bool shows_layer(const struct layered *l, int layer, int x, int y, const struct image *image,
+                        double depth) {
+    bool right = layer < 0
+                     ? depth == -INFINITY
+                     : is_near(depth, layer_value(l->layers, layer, l->layers->depth[layer], x, y),
+                               (long double)depth_tolerance(l->layers, layer));
+    for (int i = 0; i < l->side * l->side && right; i++) {
+        struct color color =
+            image_get(image, x + i % l->side * SCREEN_WIDTH, y + i / l->side * SCREEN_HEIGHT);
+        right = layer < 0 ? (color.r | color.g | color.b) == 0
+                          : l->has_color(l->tried, layer, i, x, y, color);
+    }
+    return right;
+}
+
+static bool pixel_is_right(const struct layered *l, int x, int y, const struct image *image,
+                           double depth) {
+    bool right = false, empty = true;
+    for (int i = 0; i < LAYER_COUNT && !right; i++) {
+        bool may = may_show(l->layers, i, x, y);
+        empty = empty && !may;
+        right = may && shows_layer(l, i, x, y, image, depth);
+    }
+    return right || (empty && shows_layer(l, -1, x, y, image, depth));
+}
+
+bool layers_are_right(const struct layered *l) {
+    uint8_t pixels[4 * 3 * PIXELS] = {0}, all_pixels[sizeof pixels] = {0}, once[sizeof pixels];
+    double depth[PIXELS], all_depth[PIXELS];
+    size_t width = (size_t)l->side * SCREEN_WIDTH, height = (size_t)l->side * SCREEN_HEIGHT;
+    struct image image = {width, height, IMAGE_BGR, pixels};
+    struct image all_image = {width, height, IMAGE_BGR, all_pixels};
+    const struct depth_image on = {&image, depth, true}, on_all = {&all_image, all_depth, false};
+    for (int i = 0; i < PIXELS; i++) {
+        depth[i] = all_depth[i] = -INFINITY;
+    }
+    uint64_t covered = covered_pixels(l->layers);
+    struct layer_work work = l->draw(l->tried, &on), all = l->draw(l->tried, &on_all);
+    memcpy(once, pixels, sizeof once);
+    struct layer_work again = l->draw(l->tried, &on);
+    bool right = memcmp(pixels, once, sizeof once) == 0 &&
+                 memcmp(pixels, all_pixels, sizeof pixels) == 0 && work.tested == covered &&
+                 all.tested == covered && all.computed == covered && again.tested == covered &&
+                 again.computed == 0;
+    for (int i = 0; i < PIXELS && right; i++) {
+        right = pixel_is_right(l, i % SCREEN_WIDTH, i / SCREEN_WIDTH, &image, depth[i]);
+    }
+    return right;
+}
+
 /* ---- A model of one face ---- */
 
 void make_face(struct random *random, uint64_t index, struct one_face *face) {
