@@ -44,6 +44,7 @@ static void free_all_scratch(struct frame *frame) {
         free(frame->scratch[i].fetched);
         free(frame->scratch[i].visible);
         free(frame->scratch[i].planes);
+        visibility_free(&frame->scratch[i].before);
     }
     frame->scratch_count = 0;
 }
@@ -65,9 +66,6 @@ static void frame_free(struct frame *frame) {
     free(frame->uniforms);
     free(frame->order);
     free(frame->positions);
-    free(frame->screens);
-    free(frame->depths);
-    free(frame->recip_w);
     free(frame->beyonds);
     free(frame->blocks);
     free(frame->band_starts);
@@ -113,7 +111,7 @@ static bool visibility_create(struct visibility *visibility, const struct frame 
 /* Memory for the pieces of one band: fewer than all. What is not used is not touched. */
 static bool scratch_reserve(struct scratch *scratch, const struct frame *frame) {
     size_t pixels = chunk_columns(frame) * CHUNK * BAND_HEIGHT, count = frame->sorted_count + 1;
-    size_t visible = (count < pixels ? count : pixels) + TOGETHER; /* which are written at once */
+    size_t visible = count < pixels ? count : pixels;
     return array_extend(&scratch->pieces, &scratch->piece_capacity, count,
                         sizeof *scratch->pieces) &&
            array_extend(&scratch->fetched, &scratch->fetched_capacity, count,
@@ -121,7 +119,9 @@ static bool scratch_reserve(struct scratch *scratch, const struct frame *frame) 
            array_extend(&scratch->visible, &scratch->visible_capacity, count,
                         sizeof *scratch->visible) &&
            array_extend(&scratch->planes, &scratch->plane_capacity, visible,
-                        PLANES_SIZE(VARYING_LIMIT) * sizeof *scratch->planes);
+                        sizeof(struct planes) + (VARYING_LIMIT + 1) * sizeof(struct plane)) &&
+           (!frame->discards || scratch->before.depth != NULL ||
+            visibility_create(&scratch->before, frame));
 }
 
 /* ---- Draw calls ---- */
@@ -220,7 +220,7 @@ static bool begin_frame(struct frame *frame, struct pipeline *p, struct image *i
     frame->knows_last = p->clearing == CLEAR_LAST_FRAME && last->pixels == image->pixels &&
                         last->format == image->format;
     frame->round = (struct index_range){0, 0};
-    frame->position_count = frame->block_count = frame->sorted_count = 0;
+    frame->block_count = frame->sorted_count = 0;
     frame->kept = false;
     frame->exhausted = false;
     if (bands > 1) {
@@ -267,9 +267,6 @@ static bool draw_rounds(struct frame *frame, struct error *error) {
         frame->kept |= frame->round.end < frame->order_count;
         if (!pipeline_assemble_round(frame, error) || !reserve_bands(frame, error)) {
             return false;
-        }
-        if (!frame->reordered) {
-            pipeline_reorder(frame);
         }
         if (frame->kept) {
             pipeline_run(frame, band_count(frame), pipeline_cover_band);

@@ -62,7 +62,7 @@ struct recorded_call {
     size_t uniforms;                 /* where they are in the frame's `uniforms` */
     struct screen_place place;       /* first of the box around it, then of its pieces */
     size_t first_block, block_count; /* none while it is not assembled, or hidden as a whole */
-    size_t first_position;           /* in the frame's `screens` */
+    size_t first_position;           /* in the frame's `positions` */
     double guard_band;               /* where its faces are clipped: see guard_band_of() */
     atomic_uint beyond;              /* the sides that any of its positions is beyond */
 };
@@ -73,30 +73,31 @@ struct call_order {
     size_t call;
 };
 
+/* A position on the screen. */
+struct screen_position {
+    struct fixed2 at;
+    double depth; /* z/w, linear on the screen */
+};
+
 /* A triangle on the screen: a face of the model, or a part that clipping left of one. One cache
  * line. */
 struct piece {
     struct fixed2 corner[3]; /* counterclockwise; the lowest first, of those the leftmost */
-    double depth[3];         /* z/w at the corners, linear on the screen */
+    double depth[3];
     uint32_t face, call;
     uint8_t face_corner[3]; /* which corner of the face, or of the part, each corner is */
     uint8_t part;           /* 0: a whole face; n: triangle n of the fan of a clipped one */
-    bool dropped;           /* covers pixels but must not be drawn (culled, with skip off) */
     bool several;           /* it reaches several bands */
     atomic_bool seen;       /* one of these has shown a pixel of it */
 };
 
-/* Positions and faces are shared out among threads in blocks of at most this many of one call. */
+/* The positions and the faces of a call are shared out among threads in blocks of this many. */
 enum { BLOCK_SIZE = 1024 };
 
-struct call_part {
-    struct recorded_call *call;
-    struct index_range range;
-};
-
-/* The faces that one thread assembles, and the pieces that they became. */
+/* Those of one block, and the pieces that its faces became. */
 struct block {
-    struct call_part faces;
+    struct recorded_call *call;
+    size_t begin; /* its first position, and its first face */
     struct piece *pieces;
     struct band_span {
         uint16_t first, last;
@@ -125,8 +126,9 @@ struct scratch {
     /* By number: 0 while nothing of the piece is visible, otherwise 1; and once its draw call is
      * shaded, what was fetched for it: the colour of a flat piece, or where its planes are. */
     uint32_t *fetched;
-    uint32_t *visible; /* the numbers of a draw call's visible pieces */
-    real *planes;      /* and their planes: see planes_of() */
+    uint32_t *visible;        /* the numbers of a draw call's visible pieces */
+    char *planes;             /* and their planes: see planes_of() */
+    struct visibility before; /* where a shader discards: what was visible without its piece */
     size_t piece_capacity, fetched_capacity, visible_capacity, plane_capacity;
 };
 
@@ -139,8 +141,8 @@ struct call_band {
     uint64_t *stats;
     const struct recorded_call *call;
     const void *uniforms;
-    struct span numbers;                       /* of the call's pieces: begin + 1 to end */
-    struct span changed_columns, changed_rows; /* where its pieces were covered */
+    struct span numbers;               /* of the call's pieces: begin + 1 to end */
+    struct span columns, changed_rows; /* where they are shaded, or were covered */
 };
 
 /* ---- A frame ---- */
@@ -164,14 +166,10 @@ struct frame {
     bool reordered;           /* the nearest first */
     struct index_range round; /* of the order, what comes in this round */
     bool kept;                /* there are several: each band has a visibility of its own */
-    /* Transformed: places on the screen, depths and 1/w of positions (0 where one has no place),
-     * and the sides of the view that they are beyond; and what is to be transformed in a round. */
-    struct fixed2 *screens;
-    double *depths, *recip_w;
+    /* Transformed, of a round: positions, and the sides of the view that they are beyond. */
+    struct screen_position *positions;
     uint8_t *beyonds;
-    struct call_part *positions;
-    size_t position_count, screen_capacity, depth_capacity, recip_w_capacity, beyond_capacity;
-    size_t part_count, part_capacity;
+    size_t position_count, position_capacity, beyond_capacity;
     /* Assembled: */
     struct block *blocks;
     uint32_t *band_starts; /* of each block, in `sorted`: one for each band, and the end */
@@ -322,15 +320,14 @@ struct batch {
     int32_t beyond_all[BATCH_SIZE], beyond_any[BATCH_SIZE];
     /* Found by batch_classify(); all but the first only of what is whole: */
     int32_t kind[BATCH_SIZE]; /* of enum triangle_kind */
-    int32_t culled[BATCH_SIZE];
     /* The lowest corner, of those the leftmost; and the next, counterclockwise. */
     int32_t first[BATCH_SIZE], second[BATCH_SIZE];
     /* The pixel centres of its box in the viewport, inclusive. */
     int32_t left[BATCH_SIZE], right[BATCH_SIZE], bottom[BATCH_SIZE], top[BATCH_SIZE];
 };
 
-/* Classify the triangles. With `skip` off none is turned away, and those that miss the centres in
- * their box are not looked for. */
+/* Classify the triangles. With `skip` off those that miss the centres in their box are not looked
+ * for. */
 void batch_classify(struct batch *batch, const struct draw_call *call, bool skip);
 
 /* ---- The stages ---- */
@@ -359,10 +356,6 @@ static inline void pipeline_add_stats(struct frame *frame, const uint64_t stats[
 
 /* Find the calls that may cover pixels, and the order in which they are covered. */
 bool pipeline_order(struct frame *frame, struct error *error);
-
-/* The nearest first, where calls overlap: of many decided by their boxes; of few once they are
- * assembled, since what they cover is less. */
-void pipeline_reorder(struct frame *frame);
 
 /* Go on to the next round; from all zero, to the first. */
 void pipeline_next_round(struct frame *frame);

@@ -836,8 +836,7 @@ static void test_frames_keep_their_memory(void) {
         const struct frame *f = target.pipeline.frame;
         const size_t *capacities[] = {
             &f->call_capacity,       &f->uniforms_capacity, &f->order_capacity,
-            &f->screen_capacity,     &f->depth_capacity,    &f->recip_w_capacity,
-            &f->beyond_capacity,     &f->part_capacity,     &f->block_capacity,
+            &f->position_capacity,   &f->beyond_capacity,   &f->block_capacity,
             &f->blocks_made,         &f->start_capacity,    &f->band_capacity,
             &f->visibility_capacity, &f->scratch_capacity,  &f->touched_capacity};
         enum { CAPACITIES = sizeof capacities / sizeof capacities[0] };
