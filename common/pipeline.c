@@ -15,7 +15,6 @@ bool pipeline_create(struct pipeline *pipeline, size_t width, size_t height, str
     if (frame == NULL) {
         return error_out_of_memory(error);
     }
-    frame->shortcuts = SHORTCUTS;
     pipeline->width = width;
     pipeline->height = height;
     pipeline->skip = true;
@@ -66,6 +65,7 @@ static void frame_free(struct frame *frame) {
     free(frame->uniforms);
     free(frame->order);
     free(frame->positions);
+    free(frame->recip_w);
     free(frame->beyonds);
     free(frame->blocks);
     free(frame->band_starts);
@@ -132,7 +132,7 @@ void pipeline_use_threads(struct pipeline *pipeline, size_t thread_count) {
         free_all_scratch(frame);
         workers_free(frame->workers);
         frame->workers = NULL;
-        frame->alone = false;
+        frame->has_workers = false;
         frame->thread_count = thread_count;
     }
 }
@@ -220,11 +220,12 @@ static bool begin_frame(struct frame *frame, struct pipeline *p, struct image *i
     frame->knows_last = p->clearing == CLEAR_LAST_FRAME && last->pixels == image->pixels &&
                         last->format == image->format;
     frame->round = (struct index_range){0, 0};
-    frame->block_count = frame->sorted_count = 0;
+    frame->position_count = frame->block_count = frame->sorted_count = 0;
     frame->kept = false;
     frame->exhausted = false;
-    if (bands > 1) {
-        pipeline_start_workers(frame);
+    if (!frame->has_workers) {
+        frame->workers = workers_create(frame->thread_count);
+        frame->has_workers = true;
     }
     if (!reserve_depth(p) ||
         !array_extend(&frame->last_touched, &frame->touched_capacity, bands * chunk_columns(frame),
@@ -269,7 +270,7 @@ static bool draw_rounds(struct frame *frame, struct error *error) {
             return false;
         }
         if (frame->kept) {
-            pipeline_run(frame, band_count(frame), pipeline_cover_band);
+            workers_run(frame->workers, band_count(frame), pipeline_cover_band, frame);
             frame->round.begin = frame->round.end;
         }
     } while (frame->round.end < frame->order_count);
@@ -285,7 +286,7 @@ bool pipeline_finish(struct pipeline *p, struct image *image, struct error *erro
         free_all_visibility(frame); /* of some bands, perhaps, there is something in it */
         return false;
     }
-    pipeline_run(frame, band_count(frame), pipeline_draw_band);
+    workers_run(frame->workers, band_count(frame), pipeline_draw_band, frame);
     frame->last_image = p->clearing == CLEAR_LAST_FRAME ? *image : (struct image){0};
     for (size_t i = 0; i < band_count(frame); i++) {
         pipeline_add_stats(frame, frame->band_stats[i]);

@@ -28,7 +28,7 @@ LANES_INLINE struct clip_positions clip_positions_all(struct vec4 p) {
 /* Where they are on the screen; 0 where they have no place there. */
 struct screen_positions {
     ints x, y; /* in 1/256 pixel */
-    doubles depth;
+    doubles depth, recip_w;
     longs placed; /* which have one */
 };
 
@@ -67,6 +67,7 @@ LANES_INLINE struct screen_positions project(const struct clip_positions *clip, 
         .x = snap(doubles_where(placed, x)),
         .y = snap(doubles_where(placed, y)),
         .depth = doubles_where(placed, depth),
+        .recip_w = doubles_where(placed, recip_w),
         .placed = placed,
     };
 }
@@ -114,6 +115,7 @@ static void transform_block(void *context, size_t index, size_t worker) {
     const struct index_range part = part_of(block, call.model->position_count);
     const double guard_band = recorded->guard_band;
     struct screen_position *to = frame->positions + recorded->first_position;
+    double *recip_w = frame->recip_w + recorded->first_position;
     uint8_t *beyonds = frame->beyonds + recorded->first_position;
     longs any = {0};
     for (size_t at = part.begin; at < part.end; at += TOGETHER) {
@@ -123,6 +125,7 @@ static void transform_block(void *context, size_t index, size_t worker) {
         struct screen_positions found = project(&clip, may_be_placed, &call.viewport);
         beyond |= may_be_placed & ~found.placed & BEYOND_ALL;
         any |= beyond;
+        memcpy(recip_w + at, &found.recip_w, sizeof found.recip_w);
         for (size_t i = 0; i < TOGETHER; i++) {
             to[at + i] = (struct screen_position){{found.x[i], found.y[i]}, found.depth[i]};
             beyonds[at + i] = (uint8_t)beyond[i];
@@ -381,10 +384,9 @@ static bool add_blocks(struct frame *frame, struct recorded_call *call) {
 /* Add the calls of the round that are not hidden, and count those that are. */
 static bool add_calls(struct frame *frame, struct error *error) {
     uint64_t *stats = frame->pipeline->stats;
-    frame->position_count = 0;
     frame->round_block = frame->block_count;
     for (size_t i = frame->round.begin; i < frame->round.end; i++) {
-        struct recorded_call *call = &frame->calls[frame->order[i].call];
+        struct recorded_call *call = frame->order[i];
         if (is_hidden(frame, &call->place)) {
             stats[STAT_CALLS_HIDDEN]++;
             stats[STAT_FACES_HIDDEN] += call->call.model->face_count;
@@ -400,6 +402,8 @@ static bool reserve_round(struct frame *frame, struct error *error) {
     size_t starts = frame->block_count * (band_count(frame) + 1);
     return (array_extend(&frame->positions, &frame->position_capacity, frame->position_count,
                          sizeof *frame->positions) &&
+            array_extend(&frame->recip_w, &frame->recip_w_capacity, frame->position_count,
+                         sizeof *frame->recip_w) &&
             array_extend(&frame->beyonds, &frame->beyond_capacity, frame->position_count,
                          sizeof *frame->beyonds) &&
             array_extend(&frame->band_starts, &frame->start_capacity, starts,
@@ -428,7 +432,8 @@ bool pipeline_assemble_round(struct frame *frame, struct error *error) {
     if (!add_calls(frame, error) || !reserve_round(frame, error)) {
         return false;
     }
-    pipeline_run(frame, frame->block_count - frame->round_block, transform_block);
-    pipeline_run(frame, frame->block_count - frame->round_block, assemble_block);
+    size_t count = frame->block_count - frame->round_block;
+    workers_run(frame->workers, count, transform_block, frame);
+    workers_run(frame->workers, count, assemble_block, frame);
     return frame->exhausted ? error_out_of_memory(error) : add_up_blocks(frame, error);
 }

@@ -209,21 +209,6 @@ LANES_INLINE void cover_strips(const struct call_band *band, struct box *box, in
     }
 }
 
-/* All pixels of a piece's box, several tested at once: strip by strip, each from its lowest row on.
- * (Row by row, a processor would often be wrong about where the row ends.) */
-LANES_INLINE void cover_box(const struct call_band *band, struct box *box, struct cover_how how) {
-    int left = box->columns.begin / TOGETHER * TOGETHER;
-    struct box_edges e = find_box_edges(box->piece->corner, left, box->rows.begin);
-    box->edges = e;
-    box->slopes = find_depth_slopes(box->piece, e.origin[0] + e.origin[1] + e.origin[2]);
-    for (int i = 0; i < 3; i++) {
-        box->right[i] = e.dx[i] * doubles_count();
-        box->up[i] = doubles_all(e.dy[i]);
-        box->least[i] = doubles_all(e.least[i]);
-    }
-    cover_strips(band, box, left, how);
-}
-
 /* ---- What is behind ---- */
 
 /* The rows of the band, counted from its lowest one, in which something is. */
@@ -270,6 +255,8 @@ static void update_farthest(const struct call_band *band) {
 
 /* ---- The pieces of a call ---- */
 
+/* All pixels of a piece's box, several tested at once: strip by strip, each from its lowest row on.
+ * (Row by row, a processor would often be wrong about where the row ends.) */
 LANES_INLINE void cover_piece(struct call_band *band, uint32_t number, struct cover_how how) {
     const struct piece *piece = band->scratch->pieces[number - 1];
     const struct fixed2 *c = piece->corner;
@@ -290,7 +277,15 @@ LANES_INLINE void cover_piece(struct call_band *band, uint32_t number, struct co
         band->columns = span_around(band->columns, box.columns);
         band->changed_rows = span_around(band->changed_rows, box.rows);
     }
-    cover_box(band, &box, how);
+    int left = box.columns.begin / TOGETHER * TOGETHER;
+    struct box_edges e = box.edges = find_box_edges(c, left, box.rows.begin);
+    box.slopes = find_depth_slopes(piece, e.origin[0] + e.origin[1] + e.origin[2]);
+    for (int i = 0; i < 3; i++) {
+        box.right[i] = e.dx[i] * doubles_count();
+        box.up[i] = doubles_all(e.dy[i]);
+        box.least[i] = doubles_all(e.least[i]);
+    }
+    cover_strips(band, &box, left, how);
 }
 
 LANES_INLINE void cover_pieces(struct call_band *band, struct cover_how how) {
@@ -430,7 +425,7 @@ static void clear_image(const struct call_band *band, const uint32_t *last_touch
  * False where it has none in the band. */
 static bool next_call(struct call_band *band, size_t place) {
     const struct frame *frame = band->frame;
-    const struct recorded_call *call = &frame->calls[frame->order[place].call];
+    const struct recorded_call *call = frame->order[place];
     size_t bands = band_count(frame), index = (size_t)band->rows.begin / BAND_HEIGHT;
     struct piece **next = band->scratch->pieces + band->numbers.end;
     for (size_t i = call->first_block; i < call->first_block + call->block_count; i++) {

@@ -34,14 +34,6 @@ _Static_assert(BAND_HEIGHT <= 32, "`touched` has a bit for each row");
 enum { CHUNK = 16, TILE_HEIGHT = 8, BAND_TILES = BAND_HEIGHT / TILE_HEIGHT };
 _Static_assert(BAND_HEIGHT % TILE_HEIGHT == 0, "no tile lies in two bands");
 
-/* What `skip` switches on and off, so that each can be measured alone. */
-enum shortcut {
-    SHORTCUT_OUTSIDE = 1, /* calls beyond a side of the view are not transformed */
-    SHORTCUT_VISIBLE = 2, /* what is visible is found before anything is shaded */
-    SHORTCUT_BEHIND = 4,  /* the nearest calls are covered first; what is behind them, not at all */
-    SHORTCUTS = 7
-};
-
 /* ---- Draw calls and pieces ---- */
 
 /* Elements of an array: begin inclusive, end exclusive. */
@@ -65,12 +57,6 @@ struct recorded_call {
     size_t first_position;           /* in the frame's `positions` */
     double guard_band;               /* where its faces are clipped: see guard_band_of() */
     atomic_uint beyond;              /* the sides that any of its positions is beyond */
-};
-
-/* A call's place in the order of covering. */
-struct call_order {
-    double nearest;
-    size_t call;
 };
 
 /* A position on the screen. */
@@ -150,10 +136,9 @@ struct call_band {
 struct frame {
     struct pipeline *pipeline;
     struct image *image;
-    unsigned shortcuts;      /* of enum shortcut: those taken while `skip` is on; at first all */
     size_t thread_count;     /* for workers_create() */
-    struct workers *workers; /* NULL until they are needed, and where there are none */
-    bool alone;              /* there are none */
+    struct workers *workers; /* NULL also where there are none */
+    bool has_workers;        /* they have been asked for */
     /* Recorded: */
     struct recorded_call *calls;
     size_t call_count, call_capacity;
@@ -161,15 +146,16 @@ struct frame {
     size_t uniforms_end, uniforms_capacity;
     bool discards; /* one of the shaders does */
     /* Ordered: */
-    struct call_order *order; /* the calls that may cover pixels, as they are covered */
+    struct recorded_call **order; /* those that may cover pixels, as they are covered */
     size_t order_count, order_capacity;
     bool reordered;           /* the nearest first */
     struct index_range round; /* of the order, what comes in this round */
     bool kept;                /* there are several: each band has a visibility of its own */
-    /* Transformed, of a round: positions, and the sides of the view that they are beyond. */
+    /* Transformed: positions, and the sides of the view that they are beyond. */
     struct screen_position *positions;
+    double *recip_w; /* 1/w; 0 where they have no place */
     uint8_t *beyonds;
-    size_t position_count, position_capacity, beyond_capacity;
+    size_t position_count, position_capacity, recip_w_capacity, beyond_capacity;
     /* Assembled: */
     struct block *blocks;
     uint32_t *band_starts; /* of each block, in `sorted`: one for each band, and the end */
@@ -191,13 +177,9 @@ struct frame {
     bool knows_last; /* the image is that one */
 };
 
-static inline bool takes_shortcut(const struct frame *frame, enum shortcut shortcut) {
-    return frame->pipeline->skip && (frame->shortcuts & (unsigned)shortcut) != 0;
-}
-
 /* Are the pixels of a shader shaded while they are covered? */
 static inline bool shades_at_once(const struct frame *frame, const struct shader *shader) {
-    return shader->discards || !takes_shortcut(frame, SHORTCUT_VISIBLE);
+    return shader->discards || !frame->pipeline->skip;
 }
 
 static inline size_t band_count(const struct frame *frame) {
@@ -331,22 +313,6 @@ struct batch {
 void batch_classify(struct batch *batch, const struct draw_call *call, bool skip);
 
 /* ---- The stages ---- */
-
-/* Start the threads, unless that was done before. */
-static inline void pipeline_start_workers(struct frame *frame) {
-    if (frame->workers == NULL && !frame->alone) {
-        frame->workers = workers_create(frame->thread_count);
-        frame->alone = frame->workers == NULL;
-    }
-}
-
-/* Share out a loop of more than one part among the threads. */
-static inline void pipeline_run(struct frame *frame, size_t count, worker_function *work) {
-    if (count > 1) {
-        pipeline_start_workers(frame);
-    }
-    workers_run(frame->workers, count, work, frame);
-}
 
 static inline void pipeline_add_stats(struct frame *frame, const uint64_t stats[PIPELINE_STATS]) {
     for (int i = 0; i < PIPELINE_STATS; i++) {

@@ -104,11 +104,12 @@ static bool may_be_outside(const struct draw_call *call) {
 
 /* The nearest first; of equally near ones the first drawn. */
 static int compare_calls(const void *left, const void *right) {
-    const struct call_order *a = left, *b = right;
-    if (a->nearest != b->nearest) {
-        return a->nearest > b->nearest ? -1 : 1;
+    const struct recorded_call *a = *(struct recorded_call *const *)left;
+    const struct recorded_call *b = *(struct recorded_call *const *)right;
+    if (a->place.nearest != b->place.nearest) {
+        return a->place.nearest > b->place.nearest ? -1 : 1;
     }
-    return (a->call > b->call) - (a->call < b->call);
+    return (a > b) - (a < b);
 }
 
 /* List the calls that may cover pixels, and count the others. */
@@ -125,11 +126,11 @@ static void list_calls(struct frame *frame) {
             of = model;
             call->place = find_place(&call->call, &box);
         }
-        if (place_is_empty(&call->place) && takes_shortcut(frame, SHORTCUT_OUTSIDE)) {
+        if (place_is_empty(&call->place) && frame->pipeline->skip) {
             stats[STAT_CALLS_OUTSIDE]++;
             stats[STAT_FACES_OUTSIDE] += model->face_count;
         } else {
-            frame->order[frame->order_count++] = (struct call_order){call->place.nearest, i};
+            frame->order[frame->order_count++] = call;
         }
     }
 }
@@ -141,9 +142,7 @@ bool pipeline_order(struct frame *frame, struct error *error) {
     }
     list_calls(frame);
     /* A shader that discards needs the order of drawing. */
-    frame->reordered = takes_shortcut(frame, SHORTCUT_VISIBLE) &&
-                       takes_shortcut(frame, SHORTCUT_BEHIND) && !frame->discards &&
-                       frame->order_count > 1;
+    frame->reordered = frame->pipeline->skip && !frame->discards && frame->order_count > 1;
     if (frame->reordered) {
         qsort(frame->order, frame->order_count, sizeof *frame->order, compare_calls);
     }

@@ -52,9 +52,9 @@ static inline double unit_of(double number) {
 
 LANES_INLINE void write_plane(struct plane *to, double4 plane, double corner) {
     typedef real real4 __attribute__((vector_size(4 * sizeof(real))));
-    plane[3] = corner;
     real4 rounded = __builtin_convertvector(plane, real4);
     memcpy(to, &rounded, sizeof *to);
+    to->corner = (real)corner;
 }
 
 /* Perspective: a varying is v0 + (e1 (v1 - v0) / w1 + e2 (v2 - v0) / w2) / (e0 / w0 + e1 / w1 +

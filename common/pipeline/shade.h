@@ -32,12 +32,12 @@ enum { IS_LITTLE_ENDIAN = 0 };
 /* Ask the corners of a piece that is a whole face. */
 KERNEL void ask_corners(const struct call_band *band, const struct shader *shader,
                         const struct piece *piece, struct corner_values value[3]) {
-    const struct draw_call *call = &band->call->call;
+    const struct corner *corner = band->call->call.model->faces[piece->face].corner;
+    const double *recip_w = band->frame->recip_w + band->call->first_position;
     for (size_t i = 0; i < 3; i++) {
-        size_t corner = piece->face_corner[i];
-        struct vec3 position = model_position(call->model, piece->face, corner);
-        shader->vertex(band->uniforms, piece->face, shader->flat ? 0 : corner, value[i].varyings);
-        value[i].recip_w = 1 / mat4_point(&call->to_clip, position).w;
+        size_t asked = piece->face_corner[i];
+        shader->vertex(band->uniforms, piece->face, shader->flat ? 0 : asked, value[i].varyings);
+        value[i].recip_w = recip_w[corner[asked].position];
     }
 }
 

@@ -143,12 +143,6 @@ LANES_INLINE doubles doubles_count(void) {
     return count;
 }
 
-LANES_INLINE doubles doubles_load(const double from[TOGETHER]) {
-    doubles values;
-    memcpy(&values, from, sizeof values);
-    return values;
-}
-
 LANES_INLINE doubles doubles_from_ints(ints whole) {
 #if LANES == 16 && defined(__AVX512F__)
     return (doubles)_mm512_cvtepi32_pd((__m256i)whole);

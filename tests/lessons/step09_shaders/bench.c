@@ -41,9 +41,8 @@ static struct shader attempt_called(const struct shader *shader) {
     return called;
 }
 
-/* Shaded at once: every pixel that is nearest so far, though it may be hidden later. The pipeline
- * does so without SHORTCUT_VISIBLE. (It says that it discards pixels, for then SHADER() has loops
- * for it that shade at once; but it never does.) */
+/* Shaded at once: every pixel that is nearest so far, though it may be hidden later. For that it says
+ * that it discards pixels; but it never does. */
 SHADER(attempt_at_once, .varying_count = 3, .vertex = gouraud_textured_vertex,
        .fragment = textured_fragment, .discards = true);
 
@@ -57,7 +56,6 @@ static bool draw_by_pipeline(struct work *work, int kind, struct pipeline *p) {
     const struct shader *shader = kind == CALLED    ? &called
                                   : kind == AT_ONCE ? &attempt_at_once
                                                     : &gouraud_textured;
-    p->frame->shortcuts = kind == AT_ONCE ? SHORTCUTS & ~(unsigned)SHORTCUT_VISIBLE : SHORTCUTS;
     pipeline_clear(p);
     return pipeline_draw(p, &work->call, shader, &work->uniforms, sizeof work->uniforms, &error) &&
            pipeline_finish(p, &work->image, &error);

@@ -228,18 +228,6 @@ static void check_frugal(const struct scene *scene, const struct drawn *drawn) {
               scene->name);
 }
 
-/* With only some of the shortcuts the image is the same, too: none relies on another one. */
-static void check_shortcuts(struct trial *trial, const struct scene *scene, unsigned shortcuts,
-                            enum cull cull, const struct shader *shader) {
-    struct drawn some = trial->skip;
-    trial->pipeline.skip = true;
-    trial->pipeline.frame->shortcuts = shortcuts;
-    draw_objects(&trial->pipeline, scene, 0, scene->count, cull, shader, &some);
-    CHECK_ROW(memcmp(trial->all.image.pixels, some.image.pixels, WIDTH * HEIGHT * 3) == 0,
-              scene->name);
-    trial->pipeline.frame->shortcuts = SHORTCUTS;
-}
-
 /* Draws the scene with skip on and off and whatever culled: with all shaders, or with another one
  * each time. `stats` are those of what was drawn last, with skip on: culled what is turned away,
  * and no shader that discards. */
@@ -264,7 +252,6 @@ static void check_scene(const struct scene *scene, bool all_shaders,
             check_frugal(scene, &trial.skip);
             CHECK_ROW(skip[STAT_ATTRIBUTE_SETS] <= all[STAT_ATTRIBUTE_SETS], scene->name);
         }
-        check_shortcuts(&trial, scene, (unsigned)(i + SHORTCUT_BEHIND) % SHORTCUTS, cull, shader);
     }
     trial_end(&trial);
 }

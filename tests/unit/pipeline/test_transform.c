@@ -17,7 +17,7 @@ static struct random random_state = {9};
 /* What one position becomes. */
 struct expected {
     struct fixed2 screen;
-    double depth;
+    double depth, recip_w;
     unsigned beyond;
 };
 
@@ -47,6 +47,7 @@ static struct expected expect(const struct draw_call *call, struct vec3 position
     }
     if (fabs(depth) <= 1e280 && screen_snap(screen, &e.screen)) {
         e.depth = depth;
+        e.recip_w = recip_w;
     } else {
         e.beyond = BEYOND_ALL;
     }
@@ -83,10 +84,12 @@ static struct mat4 random_matrix(int run) {
 /* Of that many positions. Returns how many differ. */
 static size_t count_wrong(size_t count, const struct draw_call *call) {
     static struct screen_position position[ROUNDED];
+    static double recip_w[ROUNDED];
     static uint8_t beyond[ROUNDED];
     struct recorded_call recorded = {.call = *call, .guard_band = guard_band_of(&call->viewport)};
     struct block blocks[COUNT / BLOCK_SIZE + 1];
-    struct frame frame = {.positions = position, .beyonds = beyond, .blocks = blocks};
+    struct frame frame = {
+        .positions = position, .recip_w = recip_w, .beyonds = beyond, .blocks = blocks};
     unsigned any = 0;
     size_t wrong = 0;
     memset(position, 1, sizeof position);
@@ -97,7 +100,8 @@ static size_t count_wrong(size_t count, const struct draw_call *call) {
     for (size_t i = 0; i < count; i++) {
         struct expected e = expect(call, call->model->positions[i]);
         bool same = position[i].at.x == e.screen.x && position[i].at.y == e.screen.y &&
-                    same_double(position[i].depth, e.depth) && beyond[i] == e.beyond;
+                    same_double(position[i].depth, e.depth) && same_double(recip_w[i], e.recip_w) &&
+                    beyond[i] == e.beyond;
         wrong += !same;
         any |= e.beyond;
     }
